@@ -1,0 +1,306 @@
+//! Everything that can be wrong, as data.
+//!
+//! A [`Fault`] is a rule that was broken, in terms common to all controls. A dialect gives many
+//! faults a number of its own (GSK990MC appendix 2); the others keep the number of this table,
+//! `FC-nnnn`. Texts live in the catalogues under `messages/`, keyed by [`AlarmId`]'s text form.
+
+use ferrocut_program::Span;
+use smallvec::SmallVec;
+use std::fmt;
+
+macro_rules! faults {
+    ($($(#[doc = $doc:literal])+ $name:ident = $code:literal,)+) => {
+        /// A broken rule, in terms common to all controls.
+        #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+        #[repr(u16)]
+        pub enum Fault {
+            $($(#[doc = $doc])+ $name = $code,)+
+        }
+
+        impl Fault {
+            /// Every fault.
+            pub const ALL: &'static [Fault] = &[$(Fault::$name,)+];
+        }
+    };
+}
+
+faults! {
+    // 100: text
+    /// A character that no block may hold.
+    IllegalCharacter = 101,
+    /// A number without an address before it.
+    NumberWithoutAddress = 102,
+    /// An address without a value behind it.
+    AddressWithoutNumber = 103,
+    /// A sign where none may stand.
+    MisplacedSign = 104,
+    /// A decimal point where none may stand, or two.
+    MisplacedPoint = 105,
+    /// A line longer than the control takes.
+    LineTooLong = 106,
+    /// Brackets that do not pair.
+    UnbalancedBracket = 107,
+    /// Brackets nested too deep.
+    BracketsTooDeep = 108,
+    /// An expression that cannot be read.
+    MalformedExpression = 109,
+    /// A comment that is opened and not closed.
+    UnclosedComment = 110,
+    /// A statement of the macro language that cannot be read.
+    MalformedStatement = 111,
+    /// A function name that the control does not know.
+    UnknownFunction = 112,
+    /// A number too large to be meant.
+    NumberTooLarge = 113,
+
+    // 200: words
+    /// A G code that the control does not have.
+    UnknownGCode = 201,
+    /// An M code that the control does not have.
+    UnknownMCode = 202,
+    /// An address that the control does not use.
+    UnknownAddress = 203,
+    /// An address given twice in a block.
+    RepeatedAddress = 204,
+    /// Two G codes of one modal group in a block.
+    RepeatedGroup = 205,
+    /// A word whose value is outside its range.
+    WordOutOfRange = 206,
+    /// A word that must be whole and is not.
+    WordNotWhole = 207,
+    /// A word that must not be negative and is.
+    WordNegative = 208,
+    /// A code that must stand alone in its block.
+    NeedsOwnBlock = 209,
+    /// Program-control M codes together in a block.
+    ProgramCodesTogether = 210,
+    /// More M codes in a block than the control takes.
+    TooManyMCodes = 211,
+    /// An axis that the machine or control does not have.
+    UnknownAxis = 212,
+
+    // 300: motion
+    /// A cutting move without a feed.
+    NoFeed = 301,
+    /// Start and end of an arc at different distances from its centre.
+    ArcRadiusMismatch = 302,
+    /// An arc with neither radius nor centre.
+    ArcWithoutCentre = 303,
+    /// An arc whose end cannot be reached with its radius.
+    ArcRadiusTooSmall = 304,
+    /// An arc about its own start.
+    ArcWithoutRadius = 305,
+    /// A negative dwell.
+    NegativeDwell = 306,
+    /// Too many axes beside the circle of a helix.
+    TooManyHelicalAxes = 307,
+    /// A coordinate beyond what the control can hold.
+    CoordinateTooLarge = 308,
+    /// A feed that is zero, negative or beyond the control's range.
+    FeedOutOfRange = 309,
+
+    // 400: offsets and coordinate systems
+    /// An offset number beyond the table.
+    OffsetNumber = 401,
+    /// A work coordinate system that does not exist.
+    WorkOffsetNumber = 402,
+    /// Length compensation in a block with G92.
+    LengthWithCoordinateSet = 403,
+
+    // 500: canned cycles
+    /// A cycle in a plane that it does not work in.
+    CyclePlane = 501,
+    /// Hole bottom not below the R level.
+    CycleDepthAboveR = 502,
+    /// A peck cycle without its depth of cut.
+    CycleNoPeck = 503,
+    /// A plane change while a cycle is active.
+    PlaneInCycle = 504,
+    /// A cycle although no spindle speed was ever given.
+    CycleNoSpindle = 505,
+    /// Reference-point code while a cycle is active.
+    ReferenceInCycle = 506,
+
+    // 600: programs
+    /// A call without a program number.
+    CallWithoutProgram = 601,
+    /// A called program that does not exist.
+    ProgramMissing = 602,
+    /// Calls nested deeper than the control allows.
+    CallsTooDeep = 603,
+    /// A call repeated more often than the control allows.
+    TooManyRepeats = 604,
+    /// A program number that no program can have.
+    ProgramNumber = 605,
+    /// The end of the text without an end of program.
+    NoProgramEnd = 606,
+    /// The end mark `%` reached by execution.
+    EndMarkReached = 607,
+    /// Blocks run without end and without motion.
+    EndlessProgram = 608,
+    /// A jump to a sequence number that does not exist.
+    SequenceMissing = 609,
+
+    // 700: variables and arithmetic
+    /// A division by zero.
+    DivisionByZero = 701,
+    /// A function outside the values that it is defined for.
+    FunctionDomain = 702,
+    /// A variable that does not exist.
+    UnknownVariable = 703,
+    /// A variable that cannot be written.
+    VariableNotWritable = 704,
+    /// A result beyond the numbers of the control.
+    ResultTooLarge = 705,
+
+    // 800: machine
+    /// An axis would leave its software limits.
+    SoftLimit = 801,
+    /// Cutting with the spindle at rest.
+    CuttingSpindleStopped = 802,
+    /// A tool that the magazine does not hold.
+    ToolMissing = 803,
+    /// A spindle speed that the machine does not reach.
+    SpindleTooFast = 804,
+    /// Cutting move along no machine axis can be run at the programmed feed.
+    FeedNotReachable = 805,
+
+    // 900: files
+    /// A file that cannot be read.
+    FileUnreadable = 901,
+    /// A file that is no program text.
+    FileNotText = 902,
+    /// A file without a single block.
+    FileEmpty = 903,
+    /// A set-up or machine file that cannot be used.
+    ConfigUnusable = 904,
+    /// A language of the file that Ferrocut does not know.
+    UnknownDialect = 905,
+    /// A code or form that this version does not carry out.
+    NotSupported = 906,
+}
+
+/// How bad it is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, PartialOrd, Ord)]
+pub enum Severity {
+    /// Worth knowing; the program runs.
+    Warning,
+    /// The program stops here.
+    Error,
+}
+
+impl Severity {
+    /// The word for it in machine-readable output.
+    pub fn name(self) -> &'static str {
+        match self {
+            Severity::Warning => "warning",
+            Severity::Error => "error",
+        }
+    }
+}
+
+/// Which alarm: the dialect's own number, or one of this system's table.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum AlarmId {
+    /// Number in the manual of a dialect.
+    Dialect(&'static str, u16),
+    /// Number in the table of [`Fault`].
+    Core(Fault),
+}
+
+impl AlarmId {
+    /// The dialect's own number, where it has one.
+    pub fn number(self) -> Option<u16> {
+        match self {
+            AlarmId::Dialect(_, number) => Some(number),
+            AlarmId::Core(_) => None,
+        }
+    }
+}
+
+/// `gsk990mc:0045` or `FC-0302`.
+impl fmt::Display for AlarmId {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            AlarmId::Dialect(dialect, number) => write!(f, "{dialect}:{number:04}"),
+            AlarmId::Core(fault) => write!(f, "FC-{:04}", *fault as u16),
+        }
+    }
+}
+
+/// A value that an alarm's text may name.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Argument {
+    /// A number, shown as short as it is exact to 0.0001.
+    Number(f64),
+    /// A piece of text, such as the word at fault.
+    Text(Box<str>),
+}
+
+impl From<f64> for Argument {
+    fn from(v: f64) -> Argument {
+        Argument::Number(v)
+    }
+}
+
+impl From<&str> for Argument {
+    fn from(v: &str) -> Argument {
+        Argument::Text(v.into())
+    }
+}
+
+impl From<String> for Argument {
+    fn from(v: String) -> Argument {
+        Argument::Text(v.into())
+    }
+}
+
+/// Something is wrong: what, where, how bad, and the values that its text names.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Alarm {
+    /// Which alarm.
+    pub id: AlarmId,
+    /// The rule that was broken.
+    pub fault: Fault,
+    /// The words at fault; line 0 where no text is meant.
+    pub span: Span,
+    /// How bad it is.
+    pub severity: Severity,
+    /// Named values for the text.
+    pub arguments: SmallVec<[(&'static str, Argument); 2]>,
+}
+
+impl Alarm {
+    /// An alarm that stops the program.
+    pub fn new(id: AlarmId, fault: Fault, span: Span) -> Alarm {
+        Alarm { id, fault, span, severity: Severity::Error, arguments: SmallVec::new() }
+    }
+
+    /// An alarm under this system's own number.
+    pub fn core(fault: Fault, span: Span) -> Alarm {
+        Alarm::new(AlarmId::Core(fault), fault, span)
+    }
+
+    /// The alarm with a value for its text.
+    pub fn with(mut self, name: &'static str, value: impl Into<Argument>) -> Alarm {
+        self.arguments.push((name, value.into()));
+        self
+    }
+
+    /// The same as a warning.
+    pub fn as_warning(mut self) -> Alarm {
+        self.severity = Severity::Warning;
+        self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ids_read_as_documented() {
+        assert_eq!(AlarmId::Dialect("gsk990mc", 45).to_string(), "gsk990mc:0045");
+        assert_eq!(AlarmId::Core(Fault::ArcRadiusMismatch).to_string(), "FC-0302");
+    }
+}

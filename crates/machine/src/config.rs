@@ -1,0 +1,268 @@
+//! The machine file: axes with their limits, spindle, tool changer, path control.
+
+use ferrocut_geometry::{Axis, AxisSet, Position};
+use serde::Deserialize;
+use std::fmt;
+
+/// A machine as its file describes it.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Machine {
+    /// Name shown to people.
+    pub name: String,
+    /// Control language of programs that do not show their own.
+    #[serde(default = "default_dialect")]
+    pub dialect: String,
+    /// Time between two setpoints, ms.
+    #[serde(default = "default_period")]
+    pub servo_period_ms: f64,
+    /// The axes, each at most once.
+    pub axes: Vec<AxisConfig>,
+    /// The spindle.
+    #[serde(default)]
+    pub spindle: SpindleConfig,
+    /// The tool changer.
+    #[serde(default)]
+    pub tool_change: ToolChangeConfig,
+    /// How joints of moves are run.
+    #[serde(default)]
+    pub path: PathConfig,
+    /// The control's own parameters that differ from its factory setting, by their own names.
+    #[serde(default)]
+    pub parameters: std::collections::BTreeMap<String, f64>,
+}
+
+/// One axis of the machine file.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct AxisConfig {
+    /// Letter of the axis.
+    #[serde(deserialize_with = "axis_letter")]
+    pub name: Axis,
+    /// Linear or rotary.
+    #[serde(default)]
+    pub kind: AxisKind,
+    /// Lower software limit, machine position, mm or degrees.
+    pub min: f64,
+    /// Upper software limit, machine position, mm or degrees.
+    pub max: f64,
+    /// Positioning speed, mm/min or degrees/min.
+    pub rapid: f64,
+    /// Highest speed while cutting, mm/min or degrees/min.
+    pub velocity: f64,
+    /// Highest acceleration, mm/s² or degrees/s².
+    pub acceleration: f64,
+    /// Highest jerk, mm/s³ or degrees/s³; 0 is not limited.
+    #[serde(default)]
+    pub jerk: f64,
+}
+
+/// What an axis moves along.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum AxisKind {
+    /// A line; positions in mm.
+    #[default]
+    Linear,
+    /// A circle; positions in degrees.
+    Rotary,
+}
+
+/// The spindle of the machine file.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SpindleConfig {
+    /// Highest speed, r/min.
+    pub max_rpm: f64,
+    /// Change of speed while it runs up or brakes, r/min per second.
+    pub acceleration_rpm_s: f64,
+}
+
+impl Default for SpindleConfig {
+    fn default() -> SpindleConfig {
+        SpindleConfig { max_rpm: 8000.0, acceleration_rpm_s: 4000.0 }
+    }
+}
+
+/// The tool changer of the machine file.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ToolChangeConfig {
+    /// Time of a tool change with the spindle at rest, s.
+    pub time_s: f64,
+    /// Places in the magazine; 0 is not checked.
+    #[serde(default)]
+    pub tools: u32,
+}
+
+impl Default for ToolChangeConfig {
+    fn default() -> ToolChangeConfig {
+        ToolChangeConfig { time_s: 5.0, tools: 0 }
+    }
+}
+
+/// Path control of the machine file.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PathConfig {
+    /// How far the path may leave the programmed one at joints where the program sets nothing, mm.
+    #[serde(default = "default_tolerance")]
+    pub tolerance: f64,
+    /// Come to rest at the end of every move.
+    #[serde(default)]
+    pub exact_stop: bool,
+}
+
+impl Default for PathConfig {
+    fn default() -> PathConfig {
+        PathConfig { tolerance: default_tolerance(), exact_stop: false }
+    }
+}
+
+fn default_dialect() -> String {
+    "gsk990mc".to_owned()
+}
+
+fn default_period() -> f64 {
+    1.0
+}
+
+fn default_tolerance() -> f64 {
+    0.01
+}
+
+fn axis_letter<'de, D: serde::Deserializer<'de>>(from: D) -> Result<Axis, D::Error> {
+    let name = String::deserialize(from)?;
+    let axis = match name.as_bytes() {
+        [letter] => Axis::from_letter(*letter),
+        _ => None,
+    };
+    axis.ok_or_else(|| serde::de::Error::custom(format!("{name:?} is no axis: use one of X Y Z A B C U V W")))
+}
+
+/// What is wrong with a machine or set-up file, in words that say what to change.
+#[derive(Clone, PartialEq, Debug)]
+pub struct ConfigError(pub String);
+
+impl fmt::Display for ConfigError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for ConfigError {}
+
+impl Machine {
+    /// Text of the machine used where none is named.
+    pub const DEMO_MILL: &'static str = include_str!("../../../machines/demo-mill.toml");
+
+    /// Reads a machine file and checks that every number makes a machine.
+    pub fn from_toml(text: &str) -> Result<Machine, ConfigError> {
+        let machine: Machine = toml::from_str(text).map_err(|e| ConfigError(e.to_string()))?;
+        machine.check()?;
+        Ok(machine)
+    }
+
+    fn check(&self) -> Result<(), ConfigError> {
+        let fail = |what: String| Err(ConfigError(what));
+        let positive = |what: &str, v: f64| match v > 0.0 && v.is_finite() {
+            true => Ok(()),
+            false => Err(ConfigError(format!("{what} is {v}: it must be above 0"))),
+        };
+        let not_negative = |what: &str, v: f64| match v >= 0.0 && v.is_finite() {
+            true => Ok(()),
+            false => Err(ConfigError(format!("{what} is {v}: it must be 0 or more"))),
+        };
+        if !(0.1..=10.0).contains(&self.servo_period_ms) {
+            return fail(format!("servo_period_ms is {}: it must be 0.1 to 10", self.servo_period_ms));
+        }
+        if self.axes.is_empty() {
+            return fail("no axes: at least one [[axes]] is needed".to_owned());
+        }
+        let mut seen = AxisSet::EMPTY;
+        for axis in &self.axes {
+            let name = axis.name.letter();
+            if seen.contains(axis.name) {
+                return fail(format!("axis {name} stands twice"));
+            }
+            seen = seen.with(axis.name);
+            if !(axis.min < axis.max && axis.min.is_finite() && axis.max.is_finite()) {
+                return fail(format!("axis {name}: min {} must be below max {}", axis.min, axis.max));
+            }
+            positive(&format!("axis {name}: rapid"), axis.rapid)?;
+            positive(&format!("axis {name}: velocity"), axis.velocity)?;
+            positive(&format!("axis {name}: acceleration"), axis.acceleration)?;
+            not_negative(&format!("axis {name}: jerk"), axis.jerk)?;
+        }
+        positive("spindle: max_rpm", self.spindle.max_rpm)?;
+        positive("spindle: acceleration_rpm_s", self.spindle.acceleration_rpm_s)?;
+        not_negative("tool_change: time_s", self.tool_change.time_s)?;
+        not_negative("path: tolerance", self.path.tolerance)
+    }
+
+    /// The demo mill.
+    pub fn demo_mill() -> Machine {
+        // A test holds that the built-in file is good; an unreadable one leaves a machine without axes.
+        Machine::from_toml(Machine::DEMO_MILL).unwrap_or_else(|_| Machine {
+            name: String::new(),
+            dialect: default_dialect(),
+            servo_period_ms: default_period(),
+            axes: Vec::new(),
+            spindle: SpindleConfig::default(),
+            tool_change: ToolChangeConfig::default(),
+            path: PathConfig::default(),
+            parameters: Default::default(),
+        })
+    }
+
+    /// The axis called `axis`, if the machine has it.
+    pub fn axis(&self, axis: Axis) -> Option<&AxisConfig> {
+        self.axes.iter().find(|a| a.name == axis)
+    }
+
+    /// The axes that the machine has.
+    pub fn axis_set(&self) -> AxisSet {
+        self.axes.iter().map(|a| a.name).collect()
+    }
+
+    /// Lower and upper software limits of every axis; infinite for axes that it lacks.
+    pub fn limits(&self) -> (Position, Position) {
+        let mut min = Position([f64::NEG_INFINITY; 9]);
+        let mut max = Position([f64::INFINITY; 9]);
+        for axis in &self.axes {
+            min[axis.name] = axis.min;
+            max[axis.name] = axis.max;
+        }
+        (min, max)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_demo_mill_is_a_good_file() {
+        let machine = Machine::from_toml(Machine::DEMO_MILL).unwrap();
+        assert_eq!(machine.axes.len(), 4);
+        assert_eq!(machine.limits().1[Axis::X], 500.0);
+    }
+
+    #[test]
+    fn a_bad_file_says_what_to_change() {
+        let axis = |body: &str| format!("name = \"m\"\n[[axes]]\nname = \"X\"\n{body}");
+        let good = "min = 0.0\nmax = 1.0\nrapid = 1.0\nvelocity = 1.0\nacceleration = 1.0\n";
+        assert!(Machine::from_toml(&axis(good)).is_ok());
+        for (text, says) in [
+            (axis(&good.replace("max = 1.0", "max = -1.0")), "axis X: min 0 must be below max -1"),
+            (axis(&good.replace("rapid = 1.0", "rapid = 0.0")), "axis X: rapid is 0"),
+            (axis(&good.replace("rapid", "rapids")), "unknown field `rapids`"),
+            (axis(good).replace("\"X\"", "\"Q\""), "\"Q\" is no axis"),
+            (axis(good) + "[[axes]]\nname = \"x\"\n" + good, "axis X stands twice"),
+            ("name = \"m\"\naxes = []".to_owned(), "no axes"),
+        ] {
+            let error = Machine::from_toml(&text).unwrap_err().to_string();
+            assert!(error.contains(says), "{error}");
+        }
+    }
+}

@@ -1,0 +1,3 @@
+//! Part program text to blocks.
+pub mod span;
+pub use span::{FileId, Span};

@@ -1,0 +1,193 @@
+//! Steps: what the machine is told to do, one at a time.
+
+use ferrocut_geometry::{Arc, AxisSet, Plane, Position};
+use ferrocut_program::Span;
+
+/// One thing the machine is told to do, and the piece of program that caused it.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Step {
+    /// What to do.
+    pub op: Op,
+    /// The block that caused it; for the moves of a canned cycle, the cycle's block.
+    pub span: Span,
+}
+
+/// Feed of a cutting move.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Feed {
+    /// Along the path, mm/min (degrees/min where only rotary axes move). G94.
+    PerMinute(f64),
+    /// Per spindle revolution, mm/rev. G95.
+    PerRevolution(f64),
+    /// This move takes this many seconds, whatever its length. Inverse-time feed G93.
+    Duration(f64),
+}
+
+/// What the feed of a helix is measured along; for an arc in its plane both are the same.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum FeedAlong {
+    /// The path in space (RS274/NGC).
+    #[default]
+    Path,
+    /// The circle in its plane, the climb going on beside it (GSK990MC 4.2.3 B).
+    Circle,
+}
+
+/// How the path runs from this move into the next one.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub enum PathMode {
+    /// Come to rest on the end point (G61, G09).
+    ExactStop,
+    /// Run on (G64). `tolerance` is how far the path may leave the programmed one at the joint,
+    /// mm; `None` takes the machine's own.
+    #[default]
+    Continuous,
+    /// Run on, staying within this distance of the programmed path, mm (G64 P).
+    ContinuousWithin(f64),
+    /// Run on, with feed override and feed hold without effect (G63).
+    Tapping,
+}
+
+/// How long to wait.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Dwell {
+    /// Seconds.
+    Seconds(f64),
+    /// Turns of the spindle.
+    Revolutions(f64),
+}
+
+/// What the spindle is told.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub enum SpindleState {
+    /// M05.
+    #[default]
+    Off,
+    /// Turning clockwise (M03) at this many r/min.
+    Clockwise(f64),
+    /// Turning counter-clockwise (M04) at this many r/min.
+    CounterClockwise(f64),
+}
+
+/// What a [`Step`] does. Positions are machine coordinates of every axis: mm, degrees.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Op {
+    /// Positioning (G00).
+    Rapid {
+        /// End point.
+        to: Position,
+        /// Along a straight line; else each axis runs at its own rapid rate and ends when it ends.
+        straight: bool,
+    },
+    /// Straight cut (G01).
+    Feed {
+        /// End point.
+        to: Position,
+        /// Feed along the path.
+        feed: Feed,
+        /// Joint with the next move.
+        path: PathMode,
+    },
+    /// Circular or helical cut (G02, G03). The start is where the step before ended.
+    Arc {
+        /// End point.
+        to: Position,
+        /// Plane of the circle.
+        plane: Plane,
+        /// Centre on the plane's axes, mm.
+        center: [f64; 2],
+        /// Signed angle turned, radians, counter-clockwise positive; beyond ±2π for several turns.
+        sweep: f64,
+        /// Feed.
+        feed: Feed,
+        /// What the feed of a helix is measured along.
+        feed_along: FeedAlong,
+        /// Joint with the next move.
+        path: PathMode,
+    },
+    /// Spindle-synchronised straight move (rigid tapping, threading).
+    Tap {
+        /// End point.
+        to: Position,
+        /// Travel a revolution, mm; right-hand thread positive.
+        pitch: f64,
+        /// Spindle speed, r/min.
+        rpm: f64,
+    },
+    /// Feed until the skip signal comes (G31). A barrier: where motion stopped is returned to the
+    /// interpreter before it goes on.
+    Skip {
+        /// Where motion ends without a signal.
+        to: Position,
+        /// Feed along the path.
+        feed: Feed,
+    },
+    /// Pause.
+    Dwell(Dwell),
+    /// The spindle's new state.
+    Spindle(SpindleState),
+    /// Stop the spindle at an angle, degrees (M19).
+    Orient(f64),
+    /// Flood coolant on (M08) or off (M09).
+    Coolant(bool),
+    /// Tool chosen, not yet in the spindle (T).
+    Select(u32),
+    /// Chosen tool put into the spindle (M06).
+    Change(u32),
+    /// Any other M code, handed to the machine.
+    Machine(u32),
+    /// Reference-point return of these axes; the moves that lead there are steps before it.
+    Home(AxisSet),
+    /// Program stop, continued by cycle start: M00, or M01 where optional stop is on.
+    Stop(u32),
+    /// End of the program: M02, M30, or M99 where the control ends on it.
+    End(u32),
+    /// Text for the operator.
+    Message(Box<str>),
+}
+
+impl Op {
+    /// Where the axes are commanded to be after this step, if it moves them.
+    #[inline]
+    pub fn target(&self) -> Option<&Position> {
+        match self {
+            Op::Rapid { to, .. }
+            | Op::Feed { to, .. }
+            | Op::Arc { to, .. }
+            | Op::Tap { to, .. }
+            | Op::Skip { to, .. } => Some(to),
+            _ => None,
+        }
+    }
+
+    /// Whether material may be cut: any move but positioning.
+    pub fn is_cutting(&self) -> bool {
+        self.target().is_some() && !matches!(self, Op::Rapid { .. })
+    }
+
+    /// The arc this step describes when it starts at `from`.
+    pub fn arc(&self, from: Position) -> Option<Arc> {
+        match *self {
+            Op::Arc { to, plane, center, sweep, .. } => {
+                Some(Arc { plane, center, start: from, end: to, sweep })
+            }
+            _ => None,
+        }
+    }
+
+    /// Smallest and largest coordinates of the move that starts at `from`; `None` if it is no move.
+    pub fn extent(&self, from: Position) -> Option<(Position, Position)> {
+        match self.arc(from) {
+            Some(arc) => Some(arc.extent()),
+            None => self.target().map(|to| (from.min(*to), from.max(*to))),
+        }
+    }
+
+    /// Length of the move that starts at `from`, mm (degrees where only rotary axes move).
+    pub fn length(&self, from: Position) -> f64 {
+        match self.arc(from) {
+            Some(arc) => arc.length(),
+            None => self.target().map_or(0.0, |to| from.distance(*to)),
+        }
+    }
+}
