@@ -1,3 +1,29 @@
 //! Part program text to blocks.
+//!
+//! In: the bytes of files. Out: blocks of words and statements, every one with the span of text that
+//! it came from, and the programs found in them by number or name. Nothing here knows what a word
+//! means; what differs between control languages is data in a [`Syntax`].
+//!
+//! The way of the data: [`text`] (bytes of a file, whole or in windows) → [`lexer`] (one page of
+//! text at a time) → [`page`] (blocks, words, expression nodes, flat) → [`memory`] (the programs, and
+//! reading them block by block). Read [`page`] first.
+//!
+//! Flat programs stream: a file is lexed page by page, and only the pages last used are kept.
+
+pub mod encoding;
+pub mod expression;
+pub mod lexer;
+pub mod memory;
+pub mod number;
+pub mod page;
 pub mod span;
+pub mod syntax;
+pub mod text;
+
+pub use encoding::Encoding;
+pub use expression::{Binary, Function, Node, Unary};
+pub use memory::{Place, ProgramId, ProgramMemory};
+pub use page::{Block, Defect, DefectKind, ExprRange, Page, Statement, Value, Word};
 pub use span::{FileId, Span};
+pub use syntax::{Keyword, Syntax};
+pub use text::{OpenError, Text};

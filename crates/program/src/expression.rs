@@ -1,0 +1,89 @@
+//! Expressions as flat trees.
+//!
+//! A tree is kept in postfix order: operands before their operator. `1+2*#3` is
+//! `1 2 3 Variable Multiply Add`. Evaluating is one pass over a slice with a small stack, without
+//! recursion, and a tree costs no allocation of its own.
+
+/// Operators with one operand.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Unary {
+    /// `-x`
+    Negate,
+    /// `+x`: the value, which makes an empty variable a number.
+    Plus,
+}
+
+/// Operators with two operands.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[allow(missing_docs)]
+pub enum Binary {
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Modulo,
+    Power,
+    And,
+    Or,
+    Xor,
+    Equal,
+    NotEqual,
+    Greater,
+    GreaterEqual,
+    Less,
+    LessEqual,
+    LogicalAnd,
+    LogicalOr,
+}
+
+/// Functions. Whether angles are degrees or radians is the dialect's.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[allow(missing_docs)]
+pub enum Function {
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    /// Of one value.
+    Atan,
+    /// Of two, `ATAN[a]/[b]`.
+    Atan2,
+    Sqrt,
+    Abs,
+    Round,
+    /// Towards zero.
+    Fix,
+    /// Away from zero.
+    Fup,
+    Ln,
+    Exp,
+    /// Decimal coded in binary to a number.
+    Bin,
+    /// A number to decimal coded in binary.
+    Bcd,
+}
+
+/// One node of an expression in postfix order.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Node {
+    /// A number.
+    Number(f64),
+    /// The variable with this number.
+    VariableAt(u32),
+    /// The variable whose number is the operand.
+    Variable,
+    /// An operator on the operand before it.
+    Unary(Unary),
+    /// An operator on the two operands before it.
+    Binary(Binary),
+    /// A function of the operand before it (two for [`Function::Atan2`]).
+    Call(Function),
+}
+
+/// The deepest stack that evaluating an expression of the parser may need. Brackets are limited by
+/// [`MAX_NESTING`] and each level holds at most one operand a precedence.
+pub const MAX_STACK: usize = 256;
+
+/// Brackets and signs nested deeper than this are a defect in every language.
+pub const MAX_NESTING: u8 = 30;

@@ -1,0 +1,253 @@
+//! A page of lexed program: blocks, words and expression nodes in flat arrays.
+//!
+//! A page holds the blocks of up to 64 KiB of text. Blocks point into the page's words, words into
+//! its nodes; nothing is allocated per block. Offsets are counted from the page's first byte, so that
+//! a word takes 16 bytes; [`Page::span`] turns them into spans of the file.
+
+use crate::expression::Node;
+use crate::span::{FileId, Span};
+
+/// A range of [`Page::nodes`]: one expression in postfix order.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct ExprRange {
+    /// First node.
+    pub start: u32,
+    /// Number of nodes.
+    pub len: u32,
+}
+
+/// Value of a word.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Value {
+    /// A number as written.
+    Number(f64),
+    /// A variable or expression.
+    Expression(ExprRange),
+}
+
+/// An address and its value.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Word {
+    /// Number bits, or an expression's range.
+    bits: u64,
+    /// Offset of the address letter in the page.
+    pub at: u32,
+    /// Length from the letter to the end of the value, bytes.
+    pub len: u16,
+    /// The address in upper case.
+    pub letter: u8,
+    flags: u8,
+}
+
+const COMMA: u8 = 1;
+const POINT: u8 = 2;
+const EXPRESSION: u8 = 4;
+
+impl Word {
+    /// A word with a number; `point` tells whether it was written with a decimal point, `comma`
+    /// whether a comma stood before the letter (`,R5`).
+    pub fn number(letter: u8, value: f64, point: bool, comma: bool, at: u32, len: u16) -> Word {
+        let flags = if point { POINT } else { 0 } | if comma { COMMA } else { 0 };
+        Word { bits: value.to_bits(), at, len, letter, flags }
+    }
+
+    /// A word with an expression.
+    pub fn expression(letter: u8, range: ExprRange, comma: bool, at: u32, len: u16) -> Word {
+        let flags = EXPRESSION | if comma { COMMA } else { 0 };
+        Word { bits: u64::from(range.start) << 32 | u64::from(range.len), at, len, letter, flags }
+    }
+
+    /// What stands behind the address.
+    #[inline]
+    pub fn value(&self) -> Value {
+        if self.flags & EXPRESSION == 0 {
+            Value::Number(f64::from_bits(self.bits))
+        } else {
+            Value::Expression(ExprRange { start: (self.bits >> 32) as u32, len: self.bits as u32 })
+        }
+    }
+
+    /// Whether the number was written with a decimal point.
+    pub fn has_point(&self) -> bool {
+        self.flags & POINT != 0
+    }
+
+    /// Whether a comma stood before the letter.
+    #[inline]
+    pub fn has_comma(&self) -> bool {
+        self.flags & COMMA != 0
+    }
+}
+
+/// A statement of the macro language, as read; what it does is the interpreter's.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Statement {
+    /// `#i = value`. `target` computes the variable's number.
+    Assign {
+        /// Number of the variable.
+        target: ExprRange,
+        /// What it is set to.
+        value: ExprRange,
+    },
+    /// `GOTO n`, or with a condition `IF [c] GOTO n`.
+    Goto {
+        /// Jump only if this holds.
+        condition: Option<ExprRange>,
+        /// Sequence number.
+        target: ExprRange,
+    },
+    /// `IF [c] THEN #i = value`.
+    IfAssign {
+        /// Assign only if this holds.
+        condition: ExprRange,
+        /// Number of the variable.
+        target: ExprRange,
+        /// What it is set to.
+        value: ExprRange,
+    },
+    /// `WHILE [c] DO n`, or `DO n` without a condition.
+    While {
+        /// Loop while this holds.
+        condition: Option<ExprRange>,
+        /// Number that pairs it with its end.
+        label: u16,
+    },
+    /// `END n`.
+    EndWhile {
+        /// Number that pairs it with its beginning.
+        label: u16,
+    },
+}
+
+/// What is wrong with a piece of text.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum DefectKind {
+    /// A character that no block may hold.
+    IllegalCharacter,
+    /// A number without an address before it.
+    NumberWithoutAddress,
+    /// An address without a value behind it.
+    AddressWithoutNumber,
+    /// A sign where none may stand.
+    MisplacedSign,
+    /// A decimal point where none may stand.
+    MisplacedPoint,
+    /// A number too large for any control.
+    NumberTooLarge,
+    /// A line longer than the control takes.
+    LineTooLong,
+    /// A comment that is not closed.
+    UnclosedComment,
+    /// Brackets that do not pair.
+    UnbalancedBracket,
+    /// Brackets nested too deep.
+    BracketsTooDeep,
+    /// An expression that cannot be read.
+    MalformedExpression,
+    /// A function that the language does not have.
+    UnknownFunction,
+    /// A statement that cannot be read.
+    MalformedStatement,
+    /// Words and a statement in one block.
+    MixedStatement,
+}
+
+/// A defect and where it stands.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Defect {
+    /// Index of its block in the page.
+    pub block: u32,
+    /// What is wrong.
+    pub kind: DefectKind,
+    /// Offset in the page.
+    pub at: u32,
+    /// Length, bytes.
+    pub len: u32,
+}
+
+/// One block.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub struct Block {
+    /// Offset of its first byte in the page.
+    pub at: u32,
+    /// Length without the end-of-block mark, bytes.
+    pub len: u32,
+    /// Line, counted from 1.
+    pub line: u32,
+    /// First word.
+    pub first_word: u32,
+    /// Number of words.
+    pub words: u16,
+    /// How many `/` stand before it.
+    pub skip: u8,
+    /// Whether it is the mark `%`.
+    pub is_mark: bool,
+    /// Whether the page lists defects of it.
+    pub is_defective: bool,
+    /// Statement of the macro language; words then are at most an N word before it.
+    pub statement: Option<u16>,
+}
+
+/// Lexed blocks of a stretch of text.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Page {
+    /// The file that the text is of.
+    pub file: FileId,
+    /// Offset of the page's first byte in the file.
+    pub offset: u64,
+    /// Blocks in order.
+    pub blocks: Vec<Block>,
+    /// Words of all blocks.
+    pub words: Vec<Word>,
+    /// Nodes of all expressions.
+    pub nodes: Vec<Node>,
+    /// Statements of all blocks.
+    pub statements: Vec<Statement>,
+    /// Defects of all blocks.
+    pub defects: Vec<Defect>,
+}
+
+impl Page {
+    /// Words of a block.
+    #[inline]
+    pub fn words(&self, block: &Block) -> &[Word] {
+        let first = block.first_word as usize;
+        self.words.get(first..first + usize::from(block.words)).unwrap_or(&[])
+    }
+
+    /// Nodes of an expression.
+    #[inline]
+    pub fn nodes(&self, range: ExprRange) -> &[Node] {
+        let start = range.start as usize;
+        self.nodes.get(start..start + range.len as usize).unwrap_or(&[])
+    }
+
+    /// The macro statement of a block.
+    pub fn statement(&self, block: &Block) -> Option<&Statement> {
+        self.statements.get(usize::from(block.statement?))
+    }
+
+    /// Defects of the block with this index.
+    pub fn defects(&self, block: usize) -> impl Iterator<Item = &Defect> {
+        let first = self.defects.partition_point(|d| (d.block as usize) < block);
+        self.defects.iter().skip(first).take_while(move |d| d.block as usize == block)
+    }
+
+    /// Span of `len` bytes from `at` on, in `block`.
+    #[inline]
+    pub fn span(&self, block: &Block, at: u32, len: u32) -> Span {
+        Span { file: self.file, offset: self.offset + u64::from(at), len, line: block.line }
+    }
+
+    /// Span of a whole block.
+    #[inline]
+    pub fn block_span(&self, block: &Block) -> Span {
+        self.span(block, block.at, block.len)
+    }
+
+    /// Span of a word.
+    #[inline]
+    pub fn word_span(&self, block: &Block, word: &Word) -> Span {
+        self.span(block, word.at, u32::from(word.len))
+    }
+}

@@ -1,0 +1,176 @@
+//! The bytes of a program file, held whole or read in windows.
+//!
+//! A file larger than [`WHOLE`] is never held: windows of it are read where they are wanted. Reading
+//! rather than mapping, because a file that someone shortens while it is mapped kills the process.
+
+use crate::encoding::Encoding;
+use crate::span::Span;
+use std::fs::File;
+use std::io::{self, Read, Seek, SeekFrom};
+use std::path::Path;
+
+/// Files up to this size are held whole.
+pub const WHOLE: u64 = 4 << 20;
+
+/// Bytes looked at to tell text from other data, and its encoding.
+const SAMPLE: usize = 1 << 16;
+
+/// Why a file is no program text.
+#[derive(Debug)]
+pub enum OpenError {
+    /// It cannot be read.
+    Io(io::Error),
+    /// It is a folder.
+    Folder,
+    /// It holds bytes that no text has.
+    NotText,
+    /// It is UTF-16, which no control reads.
+    Utf16,
+    /// There is nothing in it but blanks.
+    Empty,
+}
+
+#[derive(Debug)]
+enum Bytes {
+    Held(Vec<u8>),
+    Windows(File),
+}
+
+/// The bytes of one program file.
+#[derive(Debug)]
+pub struct Text {
+    bytes: Bytes,
+    len: u64,
+    encoding: Encoding,
+}
+
+impl Text {
+    /// Opens a file.
+    pub fn open(path: &Path) -> Result<Text, OpenError> {
+        let mut file = File::open(path).map_err(OpenError::Io)?;
+        let about = file.metadata().map_err(OpenError::Io)?;
+        if about.is_dir() {
+            return Err(OpenError::Folder);
+        }
+        if !about.is_file() {
+            // A pipe or device has no length: read it as a stream is read.
+            return Text::from_reader(file);
+        }
+        if about.len() <= WHOLE {
+            let mut bytes = Vec::with_capacity(about.len() as usize);
+            file.read_to_end(&mut bytes).map_err(OpenError::Io)?;
+            return Text::from_bytes(bytes);
+        }
+        let mut start = vec![0; SAMPLE];
+        file.read_exact(&mut start).map_err(OpenError::Io)?;
+        let encoding = examine(&start, false)?;
+        Ok(Text { bytes: Bytes::Windows(file), len: about.len(), encoding })
+    }
+
+    /// Takes everything that `reader` gives. Above [`WHOLE`] it is kept in a temporary file that
+    /// vanishes with the value.
+    pub fn from_reader(mut reader: impl Read) -> Result<Text, OpenError> {
+        let mut bytes = Vec::new();
+        reader.by_ref().take(WHOLE + 1).read_to_end(&mut bytes).map_err(OpenError::Io)?;
+        if bytes.len() as u64 <= WHOLE {
+            return Text::from_bytes(bytes);
+        }
+        let encoding = examine(bytes.get(..SAMPLE).unwrap_or(&bytes), false)?;
+        let mut file = tempfile::tempfile().map_err(OpenError::Io)?;
+        io::copy(&mut bytes.as_slice(), &mut file).map_err(OpenError::Io)?;
+        let rest = io::copy(&mut reader, &mut file).map_err(OpenError::Io)?;
+        Ok(Text { len: bytes.len() as u64 + rest, bytes: Bytes::Windows(file), encoding })
+    }
+
+    /// Text that is already in memory.
+    pub fn from_bytes(bytes: Vec<u8>) -> Result<Text, OpenError> {
+        let encoding = examine(bytes.get(..SAMPLE).unwrap_or(&bytes), bytes.len() <= SAMPLE)?;
+        if bytes.iter().skip(encoding.mark).all(u8::is_ascii_whitespace) {
+            return Err(OpenError::Empty);
+        }
+        Ok(Text { len: bytes.len() as u64, bytes: Bytes::Held(bytes), encoding })
+    }
+
+    /// Length, bytes.
+    pub fn len(&self) -> u64 {
+        self.len
+    }
+
+    /// Whether there are no bytes.
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    /// Encoding of what people read in it.
+    pub fn encoding(&self) -> Encoding {
+        self.encoding
+    }
+
+    /// Calls `with` with up to `len` bytes from `offset` on, fewer only at the end of the file.
+    pub fn window<R>(
+        &self,
+        offset: u64,
+        len: usize,
+        buffer: &mut Vec<u8>,
+        with: impl FnOnce(&[u8]) -> R,
+    ) -> io::Result<R> {
+        match &self.bytes {
+            Bytes::Held(bytes) => {
+                let start = usize::try_from(offset).unwrap_or(usize::MAX).min(bytes.len());
+                let end = start.saturating_add(len).min(bytes.len());
+                Ok(with(bytes.get(start..end).unwrap_or(&[])))
+            }
+            Bytes::Windows(file) => {
+                let mut file: &File = file;
+                file.seek(SeekFrom::Start(offset))?;
+                buffer.clear();
+                file.take(len as u64).read_to_end(buffer)?;
+                Ok(with(buffer))
+            }
+        }
+    }
+
+    /// The line that `span` stands in, at most `most` bytes of it, and the span's first byte within
+    /// what is returned. A long line is shortened around the span.
+    pub fn line_of(&self, span: Span, most: usize) -> io::Result<(Vec<u8>, usize)> {
+        let before = span.offset.min(most as u64 / 2);
+        let start = span.offset - before;
+        let mut buffer = Vec::new();
+        self.window(start, before as usize + most, &mut buffer, |bytes| {
+            let before = before as usize;
+            let is_end = |b: &u8| matches!(b, b'\n' | b'\r');
+            let head = bytes.get(..before).unwrap_or(&[]);
+            let from = head.iter().rposition(is_end).map_or(0, |at| at + 1);
+            let tail = bytes.get(before..).unwrap_or(&[]);
+            let to = before + tail.iter().position(is_end).unwrap_or(tail.len());
+            (bytes.get(from..to).unwrap_or(&[]).to_vec(), before - from)
+        })
+    }
+
+    /// The text of a span.
+    pub fn slice(&self, span: Span) -> io::Result<Vec<u8>> {
+        let mut buffer = Vec::new();
+        self.window(span.offset, span.len as usize, &mut buffer, <[u8]>::to_vec)
+    }
+}
+
+/// Tells text from other data and finds its encoding.
+fn examine(start: &[u8], is_all: bool) -> Result<Encoding, OpenError> {
+    let encoding = Encoding::detect(start, is_all);
+    if !encoding.is_ascii_based() {
+        return Err(OpenError::Utf16);
+    }
+    // Control characters other than line ends, tabs and the old end-of-file mark mean a picture, an
+    // archive, a program. Tapes are padded with zero bytes at either end, never between words.
+    let inside = start.trim_ascii();
+    let inside = match (inside.iter().position(|b| *b != 0), inside.iter().rposition(|b| *b != 0)) {
+        (Some(from), Some(to)) => inside.get(from..=to).unwrap_or(inside),
+        _ => &[],
+    };
+    let is_control =
+        |b: &u8| *b < 0x20 && !matches!(b, b'\n' | b'\r' | b'\t' | 0x1A | 0x0C | 0x0B | 0x11..=0x14);
+    if inside.iter().any(is_control) {
+        return Err(OpenError::NotText);
+    }
+    Ok(encoding)
+}
