@@ -1,1 +1,3 @@
-//! stub
+//! The running CNC.
+pub mod supervision;
+pub use supervision::Supervisor;

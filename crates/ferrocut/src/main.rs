@@ -1,2 +1,29 @@
-//! stub
-fn main(){}
+//! `ferrocut`: the command line.
+
+mod cli;
+mod commands;
+mod diagnostics;
+mod job;
+
+use clap::Parser;
+use cli::{Cli, Command};
+use job::{Exit, Failure};
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let cli = Cli::parse();
+    let (done, common) = match cli.command {
+        Command::Trace(args) => (commands::trace::run(&args), args.common),
+        Command::Check(args) => (commands::check::run(&args), args.common),
+        _ => return ExitCode::from(2),
+    };
+    let exit = done.unwrap_or_else(|Failure { alarm, exit }| {
+        job::diagnostics(&common).report(&alarm, "", None);
+        exit
+    });
+    ExitCode::from(match exit {
+        Exit::Fine => 0,
+        Exit::Finding => 1,
+        Exit::WrongUse => 2,
+    })
+}

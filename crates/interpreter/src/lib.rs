@@ -1,1 +1,34 @@
-//! stub
+//! Blocks to steps of the tool.
+//!
+//! In: a [`ProgramMemory`](ferrocut_program::ProgramMemory), what the machine remembers
+//! ([`Memory`](ferrocut_machine::Memory)) and a [`Dialect`]. Out: an iterator of
+//! `Result<Step, Box<Alarm>>` that runs ahead of motion.
+//!
+//! The way of a block: [`words`] collects its words and looks its codes up in the dialect's tables;
+//! [`execute`] changes modal state and decides what the block does; a move then goes through the
+//! [`stages`], each of which turns one kind of coordinate into the next, down to machine axes.
+//! [`cycles`] expand canned cycles into moves. [`flow`] is the order of blocks: subprograms and the
+//! end of the program.
+//!
+//! What a control language is made of stands in its folder under [`dialects`], as tables.
+//! Read [`interpreter`] first.
+
+pub mod cycles;
+pub mod dialect;
+pub mod dialects;
+pub mod evaluate;
+pub mod execute;
+pub mod flow;
+pub mod interpreter;
+pub mod modal;
+pub mod motion;
+pub mod stages;
+pub mod words;
+
+pub use dialect::{Dialect, Rules};
+pub use interpreter::{Interpreter, Options};
+
+use ferrocut_machine::Alarm;
+
+/// What can stop with an alarm.
+pub type Fallible<T> = Result<T, Box<Alarm>>;

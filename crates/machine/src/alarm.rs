@@ -52,6 +52,8 @@ faults! {
     UnknownFunction = 112,
     /// A number too large to be meant.
     NumberTooLarge = 113,
+    /// Words and a macro statement in one block.
+    MixedStatement = 114,
 
     // 200: words
     /// A G code that the control does not have.
@@ -106,6 +108,8 @@ faults! {
     WorkOffsetNumber = 402,
     /// Length compensation in a block with G92.
     LengthWithCoordinateSet = 403,
+    /// Tool length changed by a block with an arc.
+    LengthInArc = 404,
 
     // 500: canned cycles
     /// A cycle in a plane that it does not work in.

@@ -3,10 +3,23 @@
 //! In: machine files, set-up files and the controls' own tables. Out: plain data that the rest of the
 //! system reads, and [`alarm::Alarm`], the one type for everything that can be wrong.
 //!
-//! Read [`config`] first (the machine file).
+//! Read [`config`] first (the machine file), then [`memory`] (what a control remembers) and [`setup`]
+//! (the file that fills it).
 
 pub mod alarm;
+pub mod alarm_table;
 pub mod config;
+pub mod memory;
+pub mod messages;
+pub mod offsets;
+pub mod parameters;
+pub mod setup;
 
 pub use alarm::{Alarm, AlarmId, Argument, Fault, Severity};
+pub use alarm_table::{AlarmClass, AlarmRow, alarm_table};
 pub use config::{AxisConfig, AxisKind, ConfigError, Machine};
+pub use memory::{Memory, VariableError, Variables};
+pub use messages::{Catalogue, Language};
+pub use offsets::{ToolOffset, ToolTable, WorkOffset, WorkOffsets};
+pub use parameters::{Meaning, ParameterDef, ParameterError, ParameterKey, ParameterTable, Parameters};
+pub use setup::{AxisValues, Setup, SkipSignal};

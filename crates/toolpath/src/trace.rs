@@ -292,7 +292,7 @@ fn write_integer(out: &mut Vec<u8>, mut n: u64) {
 fn write_number(out: &mut Vec<u8>, v: f64) {
     const UNIT: f64 = 1e6;
     // Integers up to 2^53 are exact in f64; larger or not finite values take the long way.
-    if !(v.abs() < 9e15 / UNIT) {
+    if v.is_nan() || v.abs() >= 9e15 / UNIT {
         if v.is_finite() {
             // Writing to a Vec cannot fail.
             let _ = write!(out, "{v}");

@@ -1,0 +1,135 @@
+//! What the machine refuses or warns of, step by step and before anything moves.
+//!
+//! `check` at a desk and the running control ask the same supervisor, so that what the check says is
+//! what the machine does.
+
+use ferrocut_geometry::{Axis, Position};
+use ferrocut_interpreter::Dialect;
+use ferrocut_machine::{Alarm, AlarmId, Fault, Machine};
+use ferrocut_toolpath::{Op, SpindleState, Step};
+
+/// Coordinates this little beyond a limit are on it: what sums of decimals leave, mm or degrees.
+const ON_LIMIT: f64 = 1e-6;
+
+/// Follows the steps of a program and tells what the machine has against them.
+#[derive(Debug)]
+pub struct Supervisor {
+    dialect: &'static Dialect,
+    axes: Vec<AxisLimits>,
+    tools: u32,
+    max_rpm: f64,
+    at: Position,
+    turning: bool,
+    /// Whether cutting with the spindle at rest was told since it stopped.
+    told_spindle: bool,
+}
+
+/// Software limits of one axis, and on which side the tool already is beyond them.
+#[derive(Clone, Copy, Debug)]
+struct AxisLimits {
+    axis: Axis,
+    /// Place of the axis in the machine file, which alarm numbers count by.
+    number: usize,
+    min: f64,
+    max: f64,
+    beyond: Option<bool>,
+}
+
+impl Supervisor {
+    /// A supervisor of a machine that stands at `start`.
+    pub fn new(machine: &Machine, dialect: &'static Dialect, start: Position) -> Supervisor {
+        let axes = machine.axes.iter().enumerate().map(|(number, a)| AxisLimits {
+            axis: a.name,
+            number,
+            min: a.min,
+            max: a.max,
+            beyond: None,
+        });
+        Supervisor {
+            dialect,
+            axes: axes.collect(),
+            tools: machine.tool_change.tools,
+            max_rpm: machine.spindle.max_rpm,
+            at: start,
+            turning: false,
+            told_spindle: false,
+        }
+    }
+
+    /// Tells each thing that the machine has against a step. A tool that stays beyond a limit, or a
+    /// spindle that stays at rest, is told once.
+    #[inline]
+    pub fn step(&mut self, step: &Step, mut tell: impl FnMut(Alarm)) {
+        match &step.op {
+            Op::Rapid { .. } | Op::Feed { .. } | Op::Arc { .. } | Op::Tap { .. } | Op::Skip { .. } => {
+                self.travel(step, &mut tell);
+                if !self.turning && !self.told_spindle && step.op.is_cutting() {
+                    self.told_spindle = true;
+                    tell(self.alarm(Fault::CuttingSpindleStopped, step).as_warning());
+                }
+            }
+            Op::Spindle(state) => {
+                let rpm = match *state {
+                    SpindleState::Off => 0.0,
+                    SpindleState::Clockwise(rpm) | SpindleState::CounterClockwise(rpm) => rpm,
+                };
+                self.turning = rpm > 0.0;
+                self.told_spindle = false;
+                if rpm > self.max_rpm {
+                    let alarm = self.alarm(Fault::SpindleTooFast, step);
+                    tell(alarm.with("speed", rpm).with("limit", self.max_rpm));
+                }
+            }
+            Op::Orient(_) => {
+                self.turning = false;
+                self.told_spindle = false;
+            }
+            Op::Select(tool) if self.tools > 0 && *tool > self.tools => {
+                tell(self.alarm(Fault::ToolMissing, step).with("tool", f64::from(*tool)));
+            }
+            _ => {}
+        }
+    }
+
+    /// Software limits, arcs by their true extent.
+    #[inline]
+    fn travel(&mut self, step: &Step, tell: &mut impl FnMut(Alarm)) {
+        let Some((min, max)) = step.op.extent(self.at) else { return };
+        if let Some(to) = step.op.target() {
+            self.at = *to;
+        }
+        for limits in &mut self.axes {
+            let axis = limits.axis;
+            let beyond = if max[axis] > limits.max + ON_LIMIT {
+                Some(true)
+            } else if min[axis] < limits.min - ON_LIMIT {
+                Some(false)
+            } else {
+                None
+            };
+            if beyond == limits.beyond {
+                continue;
+            }
+            // The move back inside starts beyond the limit; only what ends there stays there.
+            let ends_beyond = self.at[axis] > limits.max + ON_LIMIT || self.at[axis] < limits.min - ON_LIMIT;
+            limits.beyond = beyond.filter(|_| ends_beyond);
+            let Some(upper) = beyond else { continue };
+            let (position, limit) = if upper { (max[axis], limits.max) } else { (min[axis], limits.min) };
+            let id = match (self.dialect.soft_limit_alarm)(limits.number, upper) {
+                Some(number) => AlarmId::Dialect(self.dialect.name, number),
+                None => AlarmId::Core(Fault::SoftLimit),
+            };
+            let alarm = Alarm::new(id, Fault::SoftLimit, step.span);
+            let letter = axis.letter().to_string();
+            tell(alarm.with("axis", letter).with("position", position).with("limit", limit));
+        }
+    }
+
+    fn alarm(&self, fault: Fault, step: &Step) -> Alarm {
+        let id = match self.dialect.alarm_number(fault) {
+            Some(number) => AlarmId::Dialect(self.dialect.name, number),
+            None => AlarmId::Core(fault),
+        };
+        Alarm::new(id, fault, step.span)
+    }
+}

@@ -1,0 +1,98 @@
+//! `ferrocut check`: every finding of every file, not only the first.
+
+use crate::cli::CheckArgs;
+use crate::job::{Exit, Failure, Shop};
+use ferrocut_controller::Supervisor;
+use ferrocut_interpreter::Options;
+use ferrocut_machine::{Alarm, Argument};
+use rayon::prelude::*;
+use std::io::{self, IsTerminal, Write};
+use std::path::Path;
+
+/// Findings of one file beyond which only their number is told.
+const MOST_FINDINGS: usize = 200;
+
+/// What was found in one file, ready to print.
+struct Findings {
+    text: Vec<u8>,
+    count: usize,
+    exit: Exit,
+}
+
+/// Runs the command.
+pub fn run(args: &CheckArgs) -> Result<Exit, Failure> {
+    let shop = Shop::open(&args.common)?;
+    let colour = io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none();
+    let results: Vec<Findings> = args.files.par_iter().map(|file| check(&shop, file, colour)).collect();
+    let mut out = io::stdout().lock();
+    let mut exit = Exit::Fine;
+    let mut total = 0;
+    for found in &results {
+        // A reader that went away is no fault of the programs.
+        if out.write_all(&found.text).is_err() {
+            break;
+        }
+        total += found.count;
+        exit = exit.max(found.exit);
+    }
+    if !shop.diagnostics.is_json() {
+        let files = if results.len() == 1 { "1 file".to_owned() } else { format!("{} files", results.len()) };
+        let findings = match total {
+            0 => "no findings".to_owned(),
+            1 => "1 finding".to_owned(),
+            n => format!("{n} findings"),
+        };
+        let _ = writeln!(out, "{files} checked for {}: {findings}", shop.machine.name);
+    }
+    Ok(exit)
+}
+
+/// Checks one file.
+fn check(shop: &Shop, path: &Path, colour: bool) -> Findings {
+    let mut found = Findings { text: Vec::new(), count: 0, exit: Exit::Fine };
+    let name = path.to_string_lossy();
+    let job = match shop.job(path) {
+        Ok(job) => job,
+        Err(Failure { alarm, exit }) => {
+            let _ = shop.diagnostics.write(&mut found.text, &alarm, &name, None, colour);
+            found.count = 1;
+            found.exit = exit;
+            return found;
+        }
+    };
+    let mut supervisor = Supervisor::new(&shop.machine, job.dialect, shop.options().start);
+    let mut interpreter = job.interpreter(Options { keep_going: true, ..shop.options() });
+    let mut pending: Vec<Alarm> = Vec::new();
+    while let Some(step) = interpreter.next() {
+        match step {
+            Ok(step) => supervisor.step(&step, |alarm| pending.push(alarm)),
+            Err(alarm) => pending.push(*alarm),
+        }
+        for mut alarm in pending.drain(..) {
+            found.count += 1;
+            found.exit = Exit::Finding;
+            if found.count > MOST_FINDINGS {
+                continue;
+            }
+            point_at_axis(&mut alarm, &interpreter);
+            let programs = Some(interpreter.programs());
+            // Writing to memory cannot fail.
+            let _ = shop.diagnostics.write(&mut found.text, &alarm, &name, programs, colour);
+        }
+    }
+    if found.count > MOST_FINDINGS && !shop.diagnostics.is_json() {
+        let _ = writeln!(found.text, "{name}: {} further findings\n", found.count - MOST_FINDINGS);
+    }
+    found
+}
+
+/// Narrows an alarm about an axis to the word of that axis, where its block has one.
+pub fn point_at_axis(alarm: &mut Alarm, interpreter: &ferrocut_interpreter::Interpreter) {
+    let axis = alarm.arguments.iter().find(|(name, _)| *name == "axis");
+    if let Some((_, Argument::Text(letter))) = axis
+        && let Some(letter) = letter.bytes().next()
+        && let Some(span) = interpreter.locate_word(alarm.span, letter)
+    {
+        alarm.span = span;
+    }
+}

@@ -1,0 +1,53 @@
+//! `ferrocut trace`: every step as a line of JSON.
+
+use crate::cli::TraceArgs;
+use crate::job::{Exit, Failure, Shop};
+use ferrocut_interpreter::Interpreter;
+use ferrocut_toolpath::TraceWriter;
+use std::io::{self, Write};
+
+/// Runs the command.
+pub fn run(args: &TraceArgs) -> Result<Exit, Failure> {
+    let shop = Shop::open(&args.common)?;
+    let job = shop.job(&args.file)?;
+    let name = job.path.to_string_lossy().into_owned();
+    let mut interpreter = job.interpreter(shop.options());
+    let mut trace = TraceWriter::new(io::stdout().lock(), shop.options().start);
+    match write(&shop, &mut interpreter, &mut trace) {
+        Ok(alarm) => {
+            // A reader that went away (a closed pipe) is no fault of the program.
+            let _ = trace.finish();
+            let Some(alarm) = alarm else { return Ok(Exit::Fine) };
+            shop.diagnostics.report(&alarm, &name, Some(interpreter.programs()));
+            Ok(Exit::Finding)
+        }
+        Err(_) => Ok(Exit::Fine),
+    }
+}
+
+/// Writes steps to the end or to the first alarm, which is returned.
+fn write<W: Write>(
+    shop: &Shop,
+    interpreter: &mut Interpreter,
+    trace: &mut TraceWriter<W>,
+) -> io::Result<Option<Box<ferrocut_machine::Alarm>>> {
+    loop {
+        let (span, step) = match interpreter.next() {
+            None => return Ok(None),
+            Some(Ok(step)) => (step.span, Ok(step)),
+            Some(Err(alarm)) => (alarm.span, Err(alarm)),
+        };
+        if !trace.knows_file(span.file) {
+            let name = interpreter.programs().file_name(span.file).to_owned();
+            trace.name_file(span.file, &name);
+        }
+        match step {
+            Ok(step) => trace.step(&step)?,
+            Err(alarm) => {
+                let text = shop.diagnostics.message(&alarm, Some(interpreter.programs()));
+                trace.alarm(alarm.id.number(), &alarm.id.to_string(), &text, alarm.span)?;
+                return Ok(Some(alarm));
+            }
+        }
+    }
+}

@@ -1,0 +1,155 @@
+//! Alarms as people and programs read them.
+
+use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
+use ferrocut_machine::{Alarm, Argument, Catalogue, Severity};
+use ferrocut_program::ProgramMemory;
+use serde::Serialize;
+use std::io::{self, IsTerminal, Write};
+
+/// Bytes of a line that are shown around the words at fault.
+const LINE_SHOWN: usize = 160;
+
+/// Longest piece of program quoted within a sentence, characters.
+const WORD_QUOTED: usize = 40;
+
+/// Shows alarms in one language, for people or for programs.
+#[derive(Clone, Copy)]
+pub struct Diagnostics {
+    catalogue: Catalogue,
+    json: bool,
+}
+
+/// One finding as JSON.
+#[derive(Serialize)]
+struct Finding<'a> {
+    file: &'a str,
+    line: u32,
+    column: usize,
+    length: usize,
+    alarm: String,
+    severity: &'static str,
+    message: String,
+    help: Option<String>,
+}
+
+/// The line that an alarm points at.
+struct Place {
+    text: String,
+    /// Bytes of `text` at fault.
+    start: usize,
+    end: usize,
+    /// Characters before the words at fault, counted from 1, in the whole line.
+    column: usize,
+}
+
+impl Diagnostics {
+    /// Diagnostics in the catalogue's language.
+    pub fn new(catalogue: Catalogue, json: bool) -> Diagnostics {
+        Diagnostics { catalogue, json }
+    }
+
+    /// The texts.
+    pub fn catalogue(&self) -> Catalogue {
+        self.catalogue
+    }
+
+    /// Whether messages are for programs.
+    pub fn is_json(&self) -> bool {
+        self.json
+    }
+
+    /// Text of an alarm in one line.
+    pub fn message(&self, alarm: &Alarm, programs: Option<&ProgramMemory>) -> String {
+        self.catalogue.message(&self.with_word(alarm, programs))
+    }
+
+    /// The alarm with the words at fault as an argument.
+    fn with_word(&self, alarm: &Alarm, programs: Option<&ProgramMemory>) -> Alarm {
+        let mut alarm = alarm.clone();
+        if let Some(programs) = programs
+            && alarm.span.len > 0
+            && alarm.arguments.iter().all(|(name, _)| *name != "word")
+        {
+            let word: String = programs.slice(alarm.span).chars().take(WORD_QUOTED).collect();
+            alarm.arguments.push(("word", Argument::from(word.trim())));
+        }
+        alarm
+    }
+
+    /// Writes a finding: with the line and the words underlined for people, as one object for
+    /// programs.
+    pub fn write(
+        &self,
+        out: &mut dyn Write,
+        alarm: &Alarm,
+        file: &str,
+        programs: Option<&ProgramMemory>,
+        colour: bool,
+    ) -> io::Result<()> {
+        let alarm = self.with_word(alarm, programs);
+        let file = programs.filter(|_| alarm.span.line > 0).map_or(file, |p| p.file_name(alarm.span.file));
+        let place = programs.filter(|_| alarm.span.line > 0).and_then(|p| place(&alarm, p));
+        let message = self.catalogue.message(&alarm);
+        let help = self.catalogue.help(&alarm);
+        if self.json {
+            let (column, length) = place
+                .as_ref()
+                .map_or((0, 0), |p| (p.column, p.text.get(p.start..p.end).map_or(0, |t| t.chars().count())));
+            let finding = Finding {
+                file,
+                line: alarm.span.line,
+                column,
+                length,
+                alarm: alarm.id.to_string(),
+                severity: alarm.severity.name(),
+                message,
+                help,
+            };
+            serde_json::to_writer(&mut *out, &finding)?;
+            return out.write_all(b"\n");
+        }
+        let level = match alarm.severity {
+            Severity::Error => Level::ERROR,
+            Severity::Warning => Level::WARNING,
+        };
+        let id = alarm.id.to_string();
+        let title = level.primary_title(message.as_str()).id(id.as_str());
+        let mut group = match &place {
+            Some(place) => {
+                let snippet = Snippet::source(place.text.as_str())
+                    .line_start(alarm.span.line as usize)
+                    .path(file)
+                    .annotation(AnnotationKind::Primary.span(place.start..place.end));
+                title.element(snippet)
+            }
+            None => Group::with_title(title),
+        };
+        if let Some(help) = &help {
+            group = group.element(Level::HELP.message(help.as_str()));
+        }
+        let renderer = if colour { Renderer::styled() } else { Renderer::plain() };
+        writeln!(out, "{}\n", renderer.render(&[group]))
+    }
+
+    /// Writes a finding to standard error.
+    pub fn report(&self, alarm: &Alarm, file: &str, programs: Option<&ProgramMemory>) {
+        let mut out = io::stderr().lock();
+        let colour = out.is_terminal() && std::env::var_os("NO_COLOR").is_none();
+        // Nobody is left to tell if standard error is closed.
+        let _ = self.write(&mut out, alarm, file, programs, colour);
+    }
+}
+
+fn place(alarm: &Alarm, programs: &ProgramMemory) -> Option<Place> {
+    let text = programs.text(alarm.span.file)?;
+    let encoding = text.encoding();
+    let (line, at) = text.line_of(alarm.span, LINE_SHOWN).ok()?;
+    let before = encoding.decode(line.get(..at)?).into_owned();
+    let end = (at + (alarm.span.len as usize).max(1)).min(line.len());
+    let words = encoding.decode(line.get(at..end).unwrap_or(&[])).into_owned();
+    let after = encoding.decode(line.get(end..).unwrap_or(&[])).into_owned();
+    let start = before.len();
+    let end = start + words.len();
+    let column = before.chars().count() + 1;
+    Some(Place { text: format!("{before}{words}{after}"), start, end, column })
+}

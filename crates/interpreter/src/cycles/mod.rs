@@ -1,0 +1,208 @@
+//! Canned cycles: one block that stands for the moves of a hole.
+//!
+//! What a cycle does is data ([`HoleCycle`]), so that a dialect's table says it and the code is one.
+//! The frame is common (GSK990MC 4.4): position, rapid to the R level, the work, rapid back to the R
+//! level or to the initial one. Hole data are modal until the cycle is cancelled.
+
+mod hole;
+
+use crate::Fallible;
+use crate::dialect::Meaning;
+use crate::interpreter::Interpreter;
+use crate::modal::Group;
+use crate::stages::{distance, units};
+use crate::words::letters;
+use ferrocut_geometry::{Axis, AxisSet, Plane};
+use ferrocut_machine::Fault;
+use ferrocut_program::Span;
+
+/// How a hole is cut.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Peck {
+    /// In one go.
+    None,
+    /// In steps, drawn back a little after each (G73).
+    ChipBreak,
+    /// In steps, drawn out of the hole after each (G83).
+    Clear,
+}
+
+/// How the tool leaves a hole.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Retract {
+    /// At rapid.
+    Rapid,
+    /// At feed, to the R level (G85, G89).
+    Feed,
+    /// At rapid with the spindle at rest, which starts again at the top (G86).
+    SpindleStopped,
+}
+
+/// A drilling or boring cycle.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct HoleCycle {
+    /// How the hole is cut.
+    pub peck: Peck,
+    /// Pause of P at the bottom.
+    pub dwell: bool,
+    /// How the tool leaves it.
+    pub retract: Retract,
+}
+
+/// What kind of canned cycle a code starts.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum CycleKind {
+    /// Drilling and boring.
+    Hole(HoleCycle),
+}
+
+/// Addresses that make a block with an active cycle cut a hole.
+const HOLE_LETTERS: u32 = letters(b"XYZABCUVWR");
+
+/// Most steps of one hole; a depth of cut that needs more is an alarm and not a full memory.
+const MAX_PECKS: f64 = 10_000.0;
+
+/// Data of the active cycle, kept until it is cancelled.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub(crate) struct CycleState {
+    active: bool,
+    /// Level of the tool axis when the cycle mode began, programmed coordinate, mm.
+    initial: f64,
+    /// R level, mm. Kept as a level, so that G91 after it changes nothing (GSK990MC 4.4.12 example).
+    r: Option<f64>,
+    /// Level of the bottom, mm.
+    z: Option<f64>,
+    /// Depth of cut, mm.
+    q: Option<f64>,
+    /// Dwell, s.
+    p: Option<f64>,
+    /// Holes of the present block still to be cut.
+    holes_left: u32,
+    /// Whether the present block changes tool length on the way to the R level.
+    length: Option<LengthChange>,
+}
+
+/// A change of tool length that a cycle block makes on its way to the R level.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct LengthChange(Option<Meaning>);
+
+impl CycleState {
+    /// Whether a cycle is modal.
+    pub fn is_active(&self) -> bool {
+        self.active
+    }
+}
+
+impl Interpreter {
+    /// The cycle in force.
+    #[inline]
+    pub(crate) fn cycle_kind(&self) -> Option<CycleKind> {
+        match self.modal.meaning(Group::Cycle) {
+            Meaning::Cycle(kind) => Some(kind),
+            _ => None,
+        }
+    }
+
+    /// G80 and what acts like it: the cycle and its data are gone.
+    #[inline]
+    pub(crate) fn cancel_cycle(&mut self) {
+        if self.cycle_kind().is_some() {
+            self.modal.set(self.dialect.cycle_off);
+            self.cycle = CycleState::default();
+        } else if let Some(off) = self.words.g.iter().find(|g| g.row.meaning == Meaning::CycleOff) {
+            self.modal.set(off.row);
+        }
+    }
+
+    /// A block while a cycle is in force.
+    pub(crate) fn cycle_block(&mut self, axes: AxisSet, length: Option<Meaning>) -> Fallible<()> {
+        if self.modal.plane() != Plane::Xy {
+            return Err(self.alarm(Fault::CyclePlane, self.cycle_span()));
+        }
+        if !self.cycle.active {
+            self.cycle = CycleState {
+                active: true,
+                initial: self.location.programmed[Axis::Z],
+                ..CycleState::default()
+            };
+        }
+        self.store_cycle_data();
+        if !self.words.has_any(HOLE_LETTERS) {
+            // Nothing to cut; a change of tool length alone is made at once (GSK990MC 4.4.1 note 3).
+            return match self.length_words(length, axes)? {
+                true => self.rapid(self.location.programmed),
+                false => Ok(()),
+            };
+        }
+        if self.rules.cycle_needs_speed && self.technology.speed.is_none() {
+            return Err(self.alarm(Fault::CycleNoSpindle, self.cycle_span()));
+        }
+        let repeats = self.words.get(b'K').map_or(1.0, f64::abs);
+        self.cycle.holes_left = repeats as u32;
+        let has_length = length.is_some() || self.words.has(b'H');
+        self.cycle.length = has_length.then_some(LengthChange(length));
+        Ok(())
+    }
+
+    /// Whether holes of the present block are still to be cut.
+    #[inline]
+    pub(crate) fn has_holes_left(&self) -> bool {
+        self.cycle.holes_left > 0
+    }
+
+    /// Cuts the next hole of the present block, and after the last one does what waits for the end of
+    /// the block. A repeated cycle makes its steps hole by hole, so that K99999 takes no more memory
+    /// than one.
+    pub(crate) fn next_hole(&mut self) -> Fallible<()> {
+        self.cycle.holes_left -= 1;
+        let Some(CycleKind::Hole(hole)) = self.cycle_kind() else { return Ok(()) };
+        if let Err(alarm) = self.hole(hole) {
+            self.cycle.holes_left = 0;
+            return self.give_up_block(alarm);
+        }
+        if self.cycle.holes_left == 0 { self.m_functions(true) } else { Ok(()) }
+    }
+
+    /// Words of hole data, kept for the blocks that follow.
+    fn store_cycle_data(&mut self) {
+        let inch = self.modal.is_inch();
+        let incremental = self.modal.is_incremental();
+        let mm = |v: f64| units::length_mm(v, inch);
+        if let Some(r) = self.words.get(b'R') {
+            self.cycle.r = Some(if incremental { self.cycle.initial + mm(r) } else { mm(r) });
+        }
+        if let Some(z) = self.words.get(b'Z') {
+            let from = self.cycle.r.unwrap_or(self.cycle.initial);
+            self.cycle.z = Some(if incremental { from + mm(z) } else { mm(z) });
+        }
+        if let Some(q) = self.words.get(b'Q') {
+            // The sign is left aside (GSK990MC 4.4.4).
+            self.cycle.q = Some(mm(q).abs());
+        }
+        if let Some(p) = self.words.get(b'P') {
+            // P outside P281…P282 is taken as the nearer of them (GSK990MC 4.4.3).
+            let (shortest, longest) = self.rules.cycle_dwell;
+            self.cycle.p = Some((p * self.rules.dwell_p_unit_s).max(shortest).min(longest));
+        }
+    }
+
+    fn cycle_span(&self) -> Span {
+        let code = self.words.g.iter().find(|g| g.row.group == Group::Cycle);
+        code.map_or(self.words.block_span(), |g| g.span)
+    }
+
+    /// Rapid over the hole, all named axes but the tool axis together.
+    fn position_over_hole(&mut self) -> Fallible<()> {
+        let axes: AxisSet = self.words.axes(self.rules.axes).iter().filter(|a| *a != Axis::Z).collect();
+        let incremental = self.modal.is_incremental();
+        let inch = self.modal.is_inch();
+        let to = distance::end_point(&self.words, axes, self.location.programmed, incremental, inch);
+        self.rapid(to)?;
+        // From here on the tool length of this block counts: it is taken up on the way to R.
+        if let Some(LengthChange(code)) = self.cycle.length.take() {
+            let axes = AxisSet::EMPTY.with(Axis::Z);
+            self.length_words(code, axes)?;
+        }
+        Ok(())
+    }
+}

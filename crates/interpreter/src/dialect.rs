@@ -1,0 +1,238 @@
+//! The seam between the neutral interpreter and a control language.
+//!
+//! A [`Dialect`] is tables: what its codes mean and in which modal group they are, what its addresses
+//! may hold, which number its manual gives an alarm. [`Rules`] are the numbers and choices that its
+//! parameters set. Code that two languages share stands outside their folders and reads these.
+
+use crate::cycles::CycleKind;
+use crate::evaluate::Angles;
+use crate::modal::{Group, Modal};
+use ferrocut_geometry::{AxisSet, Plane};
+use ferrocut_machine::{Fault, Parameters, WorkOffset};
+use ferrocut_program::Syntax;
+
+/// What a G code means, in terms common to all controls.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Meaning {
+    /// Positioning.
+    Rapid,
+    /// Straight cut.
+    Linear,
+    /// Clockwise arc.
+    ArcClockwise,
+    /// Counter-clockwise arc.
+    ArcCounterClockwise,
+    /// Pause.
+    Dwell,
+    /// Working plane.
+    Plane(Plane),
+    /// Inch input.
+    Inch,
+    /// Metric input.
+    Metric,
+    /// Cutter compensation off.
+    CutterOff,
+    /// Tool length added.
+    LengthPlus,
+    /// Tool length subtracted.
+    LengthMinus,
+    /// Tool length compensation off.
+    LengthOff,
+    /// Move in machine coordinates.
+    MachinePosition,
+    /// Work coordinate system; with P an additional one where the control has such.
+    WorkOffset(u8),
+    /// Canned cycle off.
+    CycleOff,
+    /// Canned cycle.
+    Cycle(CycleKind),
+    /// Absolute coordinates.
+    Absolute,
+    /// Incremental coordinates.
+    Incremental,
+    /// Coordinate system set so that the tool stands at the given point.
+    SetPosition,
+    /// Feed per minute.
+    FeedPerMinute,
+    /// Feed per revolution.
+    FeedPerRevolution,
+    /// Cycles return to the initial level.
+    ReturnInitial,
+    /// Cycles return to the R level.
+    ReturnR,
+}
+
+/// A row of a dialect's table of G codes.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct GCode {
+    /// The number in tenths: G54 is 540, G54.1 is 541.
+    pub tenths: u16,
+    /// What it means.
+    pub meaning: Meaning,
+    /// Its modal group.
+    pub group: Group,
+    /// The number that the manual gives the group.
+    pub group_number: u8,
+}
+
+/// What the machine does on an M code.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum MFunction {
+    /// Program stop.
+    Stop,
+    /// Program stop where the operator asks for it.
+    OptionalStop,
+    /// End of program, or return from a subprogram.
+    End,
+    /// Spindle clockwise.
+    SpindleClockwise,
+    /// Spindle counter-clockwise.
+    SpindleCounterClockwise,
+    /// Spindle off.
+    SpindleOff,
+    /// Tool change.
+    ToolChange,
+    /// Coolant on.
+    CoolantOn,
+    /// Coolant off.
+    CoolantOff,
+    /// Spindle stop at an angle.
+    Orient,
+    /// Subprogram call.
+    Call,
+    /// Return from a subprogram; in the main program, to its start.
+    Return,
+    /// Handed to the machine.
+    Machine,
+}
+
+/// A row of a dialect's table of M codes.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct MCode {
+    /// The number.
+    pub code: u16,
+    /// What it does.
+    pub function: MFunction,
+    /// Whether it waits for the end of the block's motion.
+    pub after_motion: bool,
+    /// Whether it must be the only such M code in its block.
+    pub controls_program: bool,
+}
+
+/// What an address may hold.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Address {
+    /// The letter in upper case.
+    pub letter: u8,
+    /// Smallest value.
+    pub min: f64,
+    /// Largest value.
+    pub max: f64,
+    /// Whether the value must be whole.
+    pub whole: bool,
+}
+
+/// Numbers and choices that the control's parameters set, in millimetres, minutes and degrees.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Rules {
+    /// Feed in force at power-on, mm/min; 0 is none.
+    pub default_feed: f64,
+    /// Lowest feed per minute that is run; smaller ones are raised to it.
+    pub min_feed: f64,
+    /// Highest feed per minute that is run.
+    pub max_feed: f64,
+    /// Highest feed per revolution, mm; beyond it is an alarm.
+    pub max_feed_per_revolution: f64,
+    /// Spindle speed at which S words are held, r/min.
+    pub max_spindle_rpm: f64,
+    /// G00 runs along a straight line.
+    pub rapid_is_straight: bool,
+    /// Feed of a helix is along its circle.
+    pub helix_feed_along_circle: bool,
+    /// Largest difference of an arc's start and end radius, mm.
+    pub arc_tolerance: f64,
+    /// Seconds that P1 of a dwell stands for.
+    pub dwell_p_unit_s: f64,
+    /// Dwell counts spindle turns in feed per revolution.
+    pub dwell_in_revolutions: bool,
+    /// Tool length acts on the axis square to the plane; else always on Z.
+    pub length_on_plane_normal: bool,
+    /// An address twice in a block, or two codes of one group, is an alarm; else the last counts.
+    pub repeats_are_alarms: bool,
+    /// M codes allowed in a block.
+    pub m_codes_in_block: u8,
+    /// Levels of subprograms.
+    pub max_call_depth: usize,
+    /// Most repeats of a call.
+    pub max_repeats: f64,
+    /// Retract of chip breaking (G73), mm.
+    pub chip_break_retract: f64,
+    /// Gap at which rapid ends above the last depth (G83), mm.
+    pub peck_clearance: f64,
+    /// Peck cycles without depth of cut are an alarm.
+    pub peck_needs_depth: bool,
+    /// Shortest and longest dwell of a cycle, s.
+    pub cycle_dwell: (f64, f64),
+    /// A cycle needs a spindle speed that was once given.
+    pub cycle_needs_speed: bool,
+    /// Axes that the control carries.
+    pub axes: AxisSet,
+}
+
+/// A control language.
+#[derive(Debug)]
+pub struct Dialect {
+    /// Its name on the command line and in alarm numbers.
+    pub name: &'static str,
+    /// How its programs are written.
+    pub syntax: &'static Syntax,
+    /// Unit of angles in its functions.
+    pub angles: Angles,
+    /// Its G codes, in rising order.
+    pub g_codes: &'static [GCode],
+    /// Its M codes, in rising order.
+    pub m_codes: &'static [MCode],
+    /// The code that ends canned cycles.
+    pub cycle_off: &'static GCode,
+    /// The addresses that a block may hold.
+    pub addresses: &'static [Address],
+    /// The numbers that its manual gives faults.
+    pub alarms: &'static [(Fault, u16)],
+    /// Numbers of the soft limit alarms of axis `index`, lower and upper side.
+    pub soft_limit_alarm: fn(axis: usize, upper: bool) -> Option<u16>,
+    /// Reads the rules that the parameters set.
+    pub rules: fn(&Parameters) -> Rules,
+    /// Modal state at power-on.
+    pub power_on: fn(&Parameters) -> Modal,
+    /// Work coordinate system at power-on.
+    pub power_on_work_offset: WorkOffset,
+}
+
+impl Dialect {
+    /// The row of a G code.
+    pub fn g_code(&self, tenths: u16) -> Option<&'static GCode> {
+        let at = self.g_codes.binary_search_by_key(&tenths, |g| g.tenths).ok()?;
+        self.g_codes.get(at)
+    }
+
+    /// The row of an M code.
+    pub fn m_code(&self, code: u16) -> Option<&'static MCode> {
+        let at = self.m_codes.binary_search_by_key(&code, |m| m.code).ok()?;
+        self.m_codes.get(at)
+    }
+
+    /// The row of an address.
+    pub fn address(&self, letter: u8) -> Option<&'static Address> {
+        self.addresses.iter().find(|a| a.letter == letter)
+    }
+
+    /// The number that the manual gives a fault.
+    pub fn alarm_number(&self, fault: Fault) -> Option<u16> {
+        self.alarms.iter().find(|(f, _)| *f == fault).map(|(_, number)| *number)
+    }
+}
+
+/// A table row: G code in units of 0.1.
+pub(crate) const fn g(tenths: u16, meaning: Meaning, group: Group, group_number: u8) -> GCode {
+    GCode { tenths, meaning, group, group_number }
+}

@@ -1,0 +1,148 @@
+//! Tables of G codes (4-1-2), M codes (5-1) and addresses (3-1-3-1).
+
+use crate::cycles::{CycleKind, HoleCycle, Peck, Retract};
+use crate::dialect::{Address, GCode, MCode, MFunction, Meaning, g};
+use crate::modal::Group;
+use ferrocut_geometry::Plane;
+
+const fn hole(tenths: u16, peck: Peck, dwell: bool, retract: Retract) -> GCode {
+    g(tenths, Meaning::Cycle(CycleKind::Hole(HoleCycle { peck, dwell, retract })), Group::Cycle, 9)
+}
+
+/// G80.
+pub static CYCLE_OFF: GCode = g(800, Meaning::CycleOff, Group::Cycle, 9);
+
+/// Table 4-1-2, in rising order.
+pub static G_CODES: &[GCode] = &[
+    g(0, Meaning::Rapid, Group::Motion, 1),
+    g(10, Meaning::Linear, Group::Motion, 1),
+    g(20, Meaning::ArcClockwise, Group::Motion, 1),
+    g(30, Meaning::ArcCounterClockwise, Group::Motion, 1),
+    g(40, Meaning::Dwell, Group::NonModal, 0),
+    g(170, Meaning::Plane(Plane::Xy), Group::Plane, 2),
+    g(180, Meaning::Plane(Plane::Zx), Group::Plane, 2),
+    g(190, Meaning::Plane(Plane::Yz), Group::Plane, 2),
+    g(200, Meaning::Inch, Group::Units, 6),
+    g(210, Meaning::Metric, Group::Units, 6),
+    g(400, Meaning::CutterOff, Group::Cutter, 7),
+    g(430, Meaning::LengthPlus, Group::Length, 8),
+    g(440, Meaning::LengthMinus, Group::Length, 8),
+    g(490, Meaning::LengthOff, Group::Length, 8),
+    g(530, Meaning::MachinePosition, Group::NonModal, 0),
+    g(540, Meaning::WorkOffset(1), Group::WorkOffset, 5),
+    g(550, Meaning::WorkOffset(2), Group::WorkOffset, 5),
+    g(560, Meaning::WorkOffset(3), Group::WorkOffset, 5),
+    g(570, Meaning::WorkOffset(4), Group::WorkOffset, 5),
+    g(580, Meaning::WorkOffset(5), Group::WorkOffset, 5),
+    g(590, Meaning::WorkOffset(6), Group::WorkOffset, 5),
+    hole(730, Peck::ChipBreak, false, Retract::Rapid),
+    g(800, Meaning::CycleOff, Group::Cycle, 9),
+    hole(810, Peck::None, false, Retract::Rapid),
+    hole(820, Peck::None, true, Retract::Rapid),
+    hole(830, Peck::Clear, false, Retract::Rapid),
+    hole(850, Peck::None, false, Retract::Feed),
+    hole(860, Peck::None, false, Retract::SpindleStopped),
+    hole(890, Peck::None, true, Retract::Feed),
+    g(900, Meaning::Absolute, Group::Distance, 3),
+    g(910, Meaning::Incremental, Group::Distance, 3),
+    g(920, Meaning::SetPosition, Group::NonModal, 0),
+    g(940, Meaning::FeedPerMinute, Group::FeedMode, 4),
+    g(950, Meaning::FeedPerRevolution, Group::FeedMode, 4),
+    g(980, Meaning::ReturnInitial, Group::Return, 10),
+    g(990, Meaning::ReturnR, Group::Return, 10),
+];
+
+/// Starts with the block's motion (section 5.1: codes of the ladder).
+const fn with(code: u16, function: MFunction) -> MCode {
+    MCode { code, function, after_motion: false, controls_program: false }
+}
+
+/// Runs after the block's motion, alone among M codes (sections 5.2 and 4.4.1 note 1, alarm 0119).
+const fn after(code: u16, function: MFunction) -> MCode {
+    MCode { code, function, after_motion: true, controls_program: true }
+}
+
+/// Table 5-1 and the codes named in 1.2, in rising order.
+pub static M_CODES: &[MCode] = &[
+    after(0, MFunction::Stop),
+    after(1, MFunction::OptionalStop),
+    after(2, MFunction::End),
+    with(3, MFunction::SpindleClockwise),
+    with(4, MFunction::SpindleCounterClockwise),
+    with(5, MFunction::SpindleOff),
+    after(6, MFunction::ToolChange),
+    with(8, MFunction::CoolantOn),
+    with(9, MFunction::CoolantOff),
+    with(10, MFunction::Machine),
+    with(11, MFunction::Machine),
+    with(16, MFunction::Machine),
+    with(17, MFunction::Machine),
+    with(18, MFunction::Machine),
+    with(19, MFunction::Orient),
+    with(20, MFunction::Machine),
+    with(21, MFunction::Machine),
+    with(22, MFunction::Machine),
+    with(23, MFunction::Machine),
+    with(24, MFunction::Machine),
+    with(26, MFunction::Machine),
+    with(27, MFunction::Machine),
+    after(30, MFunction::End),
+    with(35, MFunction::Machine),
+    with(36, MFunction::Machine),
+    with(44, MFunction::Machine),
+    with(45, MFunction::Machine),
+    with(50, MFunction::Machine),
+    with(51, MFunction::Machine),
+    after(98, MFunction::Call),
+    after(99, MFunction::Return),
+];
+
+/// A number within ± `limit`.
+const fn signed(letter: u8, limit: f64) -> Address {
+    Address { letter, min: -limit, max: limit, whole: false }
+}
+
+/// A whole number from 0 to `max`.
+const fn count(letter: u8, max: f64) -> Address {
+    Address { letter, min: 0.0, max, whole: true }
+}
+
+const COORDINATE: f64 = 99_999.999_9;
+const VECTOR: f64 = 99_999_999.0;
+
+/// Table 3-1-3-1. G, M, N and O are read apart.
+pub static ADDRESSES: &[Address] = &[
+    signed(b'A', COORDINATE),
+    signed(b'B', COORDINATE),
+    signed(b'C', COORDINATE),
+    count(b'D', 255.0),
+    Address { letter: b'F', min: 0.0, max: 99_999.999, whole: false },
+    count(b'H', 255.0),
+    signed(b'I', VECTOR),
+    signed(b'J', VECTOR),
+    signed(b'K', VECTOR),
+    Address { letter: b'L', min: -VECTOR, max: VECTOR, whole: false },
+    signed(b'P', 99_999.999_9),
+    signed(b'Q', COORDINATE),
+    signed(b'R', VECTOR),
+    Address { letter: b'S', min: 0.0, max: 99_999.0, whole: false },
+    count(b'T', 9999.0),
+    signed(b'U', COORDINATE),
+    signed(b'V', COORDINATE),
+    signed(b'W', COORDINATE),
+    signed(b'X', COORDINATE),
+    signed(b'Y', COORDINATE),
+    signed(b'Z', COORDINATE),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tables_are_in_rising_order_so_that_look_ups_find_every_row() {
+        assert!(G_CODES.windows(2).all(|w| w[0].tenths < w[1].tenths));
+        assert!(M_CODES.windows(2).all(|w| w[0].code < w[1].code));
+        assert!(ADDRESSES.windows(2).all(|w| w[0].letter < w[1].letter));
+    }
+}

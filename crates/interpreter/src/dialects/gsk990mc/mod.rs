@@ -1,0 +1,30 @@
+//! GSK990MC, a milling control of Guangzhou CNC.
+//!
+//! Sources in comments are sections of its manual, "GSK990MC programming and operation"; numbers like
+//! 31#0 are its bit parameters, P87 its data parameters.
+
+mod alarms;
+mod codes;
+mod rules;
+mod syntax;
+
+use crate::dialect::Dialect;
+use crate::evaluate::Angles;
+use ferrocut_machine::WorkOffset;
+
+/// The GSK990MC control.
+pub static DIALECT: Dialect = Dialect {
+    name: "gsk990mc",
+    syntax: &syntax::SYNTAX,
+    angles: Angles::Degrees,
+    g_codes: codes::G_CODES,
+    m_codes: codes::M_CODES,
+    cycle_off: &codes::CYCLE_OFF,
+    addresses: codes::ADDRESSES,
+    alarms: alarms::ALARMS,
+    soft_limit_alarm: alarms::soft_limit,
+    rules: rules::rules,
+    power_on: rules::power_on,
+    // The manual restores the system in force at power-off; a desk knows none and takes the first.
+    power_on_work_offset: WorkOffset::Standard(1),
+};

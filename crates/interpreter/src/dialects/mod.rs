@@ -1,0 +1,13 @@
+//! The control languages, one folder each.
+
+pub mod gsk990mc;
+
+use crate::dialect::Dialect;
+
+/// Every control language.
+pub const ALL: &[&Dialect] = &[&gsk990mc::DIALECT];
+
+/// The control language with this name.
+pub fn by_name(name: &str) -> Option<&'static Dialect> {
+    ALL.iter().find(|d| d.name == name).copied()
+}

@@ -1,0 +1,303 @@
+//! Expressions to values.
+//!
+//! A value is a number or empty. An empty variable stays empty when it is only handed on; in
+//! arithmetic it is 0 (GSK990MC 4.9.2). Angles are degrees or radians as the dialect says.
+
+use ferrocut_machine::Fault;
+use ferrocut_program::{Binary, Function, Node, Unary, expression::MAX_STACK};
+
+/// A number, or `None` for empty.
+pub type Value = Option<f64>;
+
+/// Unit of angles in functions.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Angles {
+    /// A full turn is 360.
+    Degrees,
+    /// A full turn is 2π.
+    Radians,
+}
+
+impl Angles {
+    fn radians(self, v: f64) -> f64 {
+        match self {
+            Angles::Degrees => v.to_radians(),
+            Angles::Radians => v,
+        }
+    }
+
+    fn of_radians(self, v: f64) -> f64 {
+        match self {
+            Angles::Degrees => v.to_degrees(),
+            Angles::Radians => v,
+        }
+    }
+}
+
+/// The largest magnitude that a result may have (GSK990MC alarm 0111).
+const LARGEST: f64 = 1e47;
+
+/// The stack that expressions are evaluated on; kept to spare its allocation.
+pub struct Evaluator {
+    stack: Vec<Value>,
+    angles: Angles,
+}
+
+impl Evaluator {
+    /// An evaluator for one unit of angles.
+    pub fn new(angles: Angles) -> Evaluator {
+        Evaluator { stack: Vec::with_capacity(MAX_STACK), angles }
+    }
+
+    /// Value of an expression in postfix order. `read` gives the value of a variable by its number.
+    pub fn value(
+        &mut self,
+        nodes: &[Node],
+        mut read: impl FnMut(u32) -> Result<Value, Fault>,
+    ) -> Result<Value, Fault> {
+        self.stack.clear();
+        for node in nodes {
+            let value = match *node {
+                Node::Number(n) => Some(n),
+                Node::VariableAt(n) => read(n)?,
+                Node::Variable => {
+                    let number = self.pop()?;
+                    read(variable_number(number)?)?
+                }
+                Node::Unary(op) => {
+                    let v = self.pop()?.unwrap_or(0.0);
+                    Some(if op == Unary::Negate { -v } else { v })
+                }
+                Node::Binary(op) => {
+                    let b = self.pop()?;
+                    let a = self.pop()?;
+                    Some(binary(op, a, b)?)
+                }
+                Node::Call(Function::Atan2) => {
+                    let b = self.pop()?.unwrap_or(0.0);
+                    let a = self.pop()?.unwrap_or(0.0);
+                    Some(atan2(a, b, self.angles)?)
+                }
+                Node::Call(function) => {
+                    let v = self.pop()?.unwrap_or(0.0);
+                    Some(call(function, v, self.angles)?)
+                }
+            };
+            if self.stack.len() == MAX_STACK {
+                return Err(Fault::BracketsTooDeep);
+            }
+            self.stack.push(value);
+        }
+        self.pop()
+    }
+
+    fn pop(&mut self) -> Result<Value, Fault> {
+        self.stack.pop().ok_or(Fault::MalformedExpression)
+    }
+}
+
+/// The number of a variable, given as a value.
+pub fn variable_number(value: Value) -> Result<u32, Fault> {
+    match value {
+        Some(n) if n >= 0.0 && n.fract() == 0.0 && n <= f64::from(u32::MAX) => Ok(n as u32),
+        _ => Err(Fault::UnknownVariable),
+    }
+}
+
+fn in_range(v: f64) -> Result<f64, Fault> {
+    if v.abs() <= LARGEST { Ok(v) } else { Err(Fault::ResultTooLarge) }
+}
+
+fn truth(condition: bool) -> f64 {
+    f64::from(u8::from(condition))
+}
+
+/// Operands of AND, OR and XOR are whole numbers; what stands behind the point is dropped
+/// (GSK990MC 4.9.3, H11 to H13).
+fn whole(v: f64) -> Result<i64, Fault> {
+    if v.abs() < 9e18 { Ok(v as i64) } else { Err(Fault::ResultTooLarge) }
+}
+
+fn binary(op: Binary, a: Value, b: Value) -> Result<f64, Fault> {
+    // Empty differs from 0 only for EQ and NE (GSK990MC 4.9.2).
+    match op {
+        Binary::Equal => return Ok(truth(a == b)),
+        Binary::NotEqual => return Ok(truth(a != b)),
+        _ => {}
+    }
+    let (a, b) = (a.unwrap_or(0.0), b.unwrap_or(0.0));
+    in_range(match op {
+        Binary::Add => a + b,
+        Binary::Subtract => a - b,
+        Binary::Multiply => a * b,
+        Binary::Divide | Binary::Modulo if b == 0.0 => return Err(Fault::DivisionByZero),
+        Binary::Divide => a / b,
+        Binary::Modulo => a % b,
+        Binary::Power => {
+            let v = a.powf(b);
+            if v.is_nan() {
+                return Err(Fault::FunctionDomain);
+            }
+            v
+        }
+        Binary::And => (whole(a)? & whole(b)?) as f64,
+        Binary::Or => (whole(a)? | whole(b)?) as f64,
+        Binary::Xor => (whole(a)? ^ whole(b)?) as f64,
+        Binary::Equal => truth(a == b),
+        Binary::NotEqual => truth(a != b),
+        Binary::Greater => truth(a > b),
+        Binary::GreaterEqual => truth(a >= b),
+        Binary::Less => truth(a < b),
+        Binary::LessEqual => truth(a <= b),
+        Binary::LogicalAnd => truth(a != 0.0 && b != 0.0),
+        Binary::LogicalOr => truth(a != 0.0 || b != 0.0),
+    })
+}
+
+/// Angle of the point (`b`, `a`), 0 to below a full turn, as ATAN[a]/[b] gives it.
+fn atan2(a: f64, b: f64, angles: Angles) -> Result<f64, Fault> {
+    if a == 0.0 && b == 0.0 {
+        return Err(Fault::FunctionDomain);
+    }
+    let angle = a.atan2(b);
+    let angle = if angle < 0.0 { angle + std::f64::consts::TAU } else { angle };
+    Ok(angles.of_radians(angle))
+}
+
+/// Sine and cosine, exact at the multiples of a right angle, where programs compare with 0 and 1.
+fn sin_cos(v: f64, angles: Angles) -> (f64, f64) {
+    if angles == Angles::Degrees && v % 90.0 == 0.0 {
+        return match (v / 90.0).rem_euclid(4.0) as u8 {
+            0 => (0.0, 1.0),
+            1 => (1.0, 0.0),
+            2 => (0.0, -1.0),
+            _ => (-1.0, 0.0),
+        };
+    }
+    // The remainder is exact, and keeps the digits of large angles.
+    let turn = if angles == Angles::Degrees { v % 360.0 } else { v };
+    angles.radians(turn).sin_cos()
+}
+
+fn call(function: Function, v: f64, angles: Angles) -> Result<f64, Fault> {
+    let within = |ok: bool| if ok { Ok(()) } else { Err(Fault::FunctionDomain) };
+    in_range(match function {
+        Function::Sin => sin_cos(v, angles).0,
+        Function::Cos => sin_cos(v, angles).1,
+        Function::Tan => {
+            let (sin, cos) = sin_cos(v, angles);
+            // GSK990MC alarm 0112 counts the tangent of 90 degrees as a division by zero.
+            if cos == 0.0 {
+                return Err(Fault::DivisionByZero);
+            }
+            sin / cos
+        }
+        Function::Asin => {
+            within(v.abs() <= 1.0)?;
+            angles.of_radians(v.asin())
+        }
+        Function::Acos => {
+            within(v.abs() <= 1.0)?;
+            angles.of_radians(v.acos())
+        }
+        Function::Atan | Function::Atan2 => angles.of_radians(v.atan()),
+        Function::Sqrt => {
+            within(v >= 0.0)?;
+            v.sqrt()
+        }
+        Function::Abs => v.abs(),
+        Function::Round => v.round(),
+        Function::Fix => v.trunc(),
+        Function::Fup => v.abs().ceil().copysign(v),
+        Function::Ln => {
+            within(v > 0.0)?;
+            v.ln()
+        }
+        Function::Exp => v.exp(),
+        Function::Bin => bcd_to_number(v)?,
+        Function::Bcd => number_to_bcd(v)?,
+    })
+}
+
+/// Decimal digits packed in four bits each, as a number: 0x25 is 25.
+fn bcd_to_number(v: f64) -> Result<f64, Fault> {
+    let mut rest = whole(v)?;
+    if rest < 0 {
+        return Err(Fault::FunctionDomain);
+    }
+    let (mut number, mut place) = (0i64, 1i64);
+    while rest > 0 {
+        let digit = rest & 0xF;
+        if digit > 9 {
+            return Err(Fault::FunctionDomain);
+        }
+        number += digit * place;
+        place = place.saturating_mul(10);
+        rest >>= 4;
+    }
+    Ok(number as f64)
+}
+
+fn number_to_bcd(v: f64) -> Result<f64, Fault> {
+    let mut rest = whole(v)?;
+    // Eight digits fill the 32 bits that controls keep such numbers in.
+    if !(0..=99_999_999).contains(&rest) {
+        return Err(Fault::FunctionDomain);
+    }
+    let (mut packed, mut shift) = (0i64, 0);
+    while rest > 0 {
+        packed |= (rest % 10) << shift;
+        rest /= 10;
+        shift += 4;
+    }
+    Ok(packed as f64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn value(nodes: &[Node]) -> Result<Value, Fault> {
+        Evaluator::new(Angles::Degrees).value(nodes, |n| match n {
+            0 => Ok(None),
+            1 => Ok(Some(7.0)),
+            _ => Err(Fault::UnknownVariable),
+        })
+    }
+
+    #[test]
+    fn empty_is_zero_in_arithmetic_and_differs_from_zero_in_equality() {
+        use Node::{Binary as B, Number as N, VariableAt as V};
+        assert_eq!(value(&[V(0)]), Ok(None));
+        assert_eq!(value(&[V(0), N(5.0), B(Binary::Multiply)]), Ok(Some(0.0)));
+        assert_eq!(value(&[V(0), N(0.0), B(Binary::Equal)]), Ok(Some(0.0)));
+        assert_eq!(value(&[V(0), V(0), B(Binary::Equal)]), Ok(Some(1.0)));
+        assert_eq!(value(&[V(0), N(0.0), B(Binary::GreaterEqual)]), Ok(Some(1.0)));
+    }
+
+    #[test]
+    fn functions_have_their_domains() {
+        use Node::{Binary as B, Call, Number as N};
+        let of = |function, v| value(&[N(v), Call(function)]);
+        assert_eq!(of(Function::Sin, 90.0), Ok(Some(1.0)));
+        assert_eq!(of(Function::Cos, -270.0), Ok(Some(0.0)));
+        assert_eq!(of(Function::Tan, 90.0), Err(Fault::DivisionByZero));
+        assert_eq!(of(Function::Sqrt, -1.0), Err(Fault::FunctionDomain));
+        assert_eq!(of(Function::Ln, 0.0), Err(Fault::FunctionDomain));
+        assert_eq!(of(Function::Asin, 1.1), Err(Fault::FunctionDomain));
+        assert_eq!(of(Function::Exp, 1000.0), Err(Fault::ResultTooLarge));
+        assert_eq!(of(Function::Fup, -1.2), Ok(Some(-2.0)));
+        assert_eq!(of(Function::Bin, 37.0), Ok(Some(25.0)));
+        assert_eq!(of(Function::Bcd, 25.0), Ok(Some(37.0)));
+        assert_eq!(value(&[N(-1.0), N(-1.0), Call(Function::Atan2)]), Ok(Some(225.0)));
+        assert_eq!(value(&[N(1.0), N(0.0), B(Binary::Divide)]), Err(Fault::DivisionByZero));
+        assert_eq!(value(&[N(12.0), N(10.0), B(Binary::Xor)]), Ok(Some(6.0)));
+    }
+
+    #[test]
+    fn nodes_that_are_no_expression_are_an_error() {
+        assert_eq!(value(&[]), Err(Fault::MalformedExpression));
+        assert_eq!(value(&[Node::Binary(Binary::Add)]), Err(Fault::MalformedExpression));
+        assert_eq!(value(&[Node::Number(-1.0), Node::Variable]), Err(Fault::UnknownVariable));
+    }
+}

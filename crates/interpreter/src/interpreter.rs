@@ -1,0 +1,259 @@
+//! The interpreter: an iterator of steps, and the state that blocks change.
+//!
+//! State is kept in parts, each owned by the file that knows it: modal codes ([`Modal`]), where the
+//! tool is ([`Location`]), feed and spindle ([`Technology`]), the canned cycle
+//! ([`CycleState`]), the order of blocks ([`crate::flow`]). Blocks run ahead of motion; nothing that
+//! an abort would have to take back is changed outside this value.
+
+use crate::Fallible;
+use crate::cycles::CycleState;
+use crate::dialect::{Dialect, Rules};
+use crate::evaluate::Evaluator;
+use crate::flow::Flow;
+use crate::modal::Modal;
+use crate::stages::tool_length::ToolLength;
+use crate::stages::work_offset::{System, WorkSystem};
+use crate::words::{self, Tables, Words};
+use ferrocut_geometry::Position;
+use ferrocut_machine::{Alarm, Fault, Memory};
+use ferrocut_program::{ProgramMemory, Span, lexer};
+use ferrocut_toolpath::{Op, SpindleState, Step};
+use std::collections::VecDeque;
+
+/// How the operator's switches stand, and what the steps are for.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Options {
+    /// Machine position at the start, mm and degrees.
+    pub start: Position,
+    /// Blocks with one `/` are left out.
+    pub block_skip: bool,
+    /// M01 stops.
+    pub optional_stop: bool,
+    /// Goes on behind an alarm, for checking; else it ends the run.
+    pub keep_going: bool,
+    /// A main program that ends with M99 is run again and again; else it ends once a further pass
+    /// would be like the last.
+    pub loops_forever: bool,
+}
+
+/// Where the tool is, in the coordinates of both ends of the stages.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct Location {
+    /// The last end point as programmed.
+    pub programmed: Position,
+    /// The same as commanded to the axes.
+    pub machine: Position,
+    /// Work coordinate system in force.
+    pub work: WorkSystem,
+    /// Tool length compensation in force.
+    pub length: ToolLength,
+}
+
+impl Location {
+    /// A programmed point through the stages work offset and tool length, to machine axes.
+    #[inline]
+    pub fn machine_of(&self, programmed: Position) -> Position {
+        programmed + self.work.shift + self.length.vector
+    }
+
+    /// The programmed point of where the axes stand, after something between the two changed.
+    pub fn take_machine(&mut self) {
+        self.programmed = self.machine - self.work.shift - self.length.vector;
+    }
+}
+
+/// F, S and T words in force.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct Technology {
+    /// Feed per minute, mm/min as limited by the control.
+    pub feed_per_minute: f64,
+    /// Feed per revolution, mm.
+    pub feed_per_revolution: f64,
+    /// The last S word, r/min.
+    pub speed: Option<f64>,
+    /// What the spindle was last told.
+    pub spindle: SpindleState,
+    /// Whether coolant is on.
+    pub coolant: bool,
+    /// Tool chosen last.
+    pub tool: u32,
+}
+
+/// What makes two passes of a program alike.
+#[derive(PartialEq)]
+pub(crate) struct Fingerprint {
+    modal: Modal,
+    location: Location,
+    technology: Technology,
+    variable_writes: u64,
+}
+
+/// Turns the blocks of a program into steps.
+pub struct Interpreter {
+    pub(crate) dialect: &'static Dialect,
+    pub(crate) tables: Tables,
+    pub(crate) rules: Rules,
+    pub(crate) options: Options,
+    pub(crate) programs: ProgramMemory,
+    pub(crate) memory: Memory,
+    pub(crate) modal: Modal,
+    pub(crate) location: Location,
+    pub(crate) technology: Technology,
+    pub(crate) cycle: CycleState,
+    pub(crate) flow: Flow,
+    pub(crate) words: Words,
+    pub(crate) evaluator: Evaluator,
+    pub(crate) variable_writes: u64,
+    pub(crate) pass_state: Option<Fingerprint>,
+    pub(crate) ended: bool,
+    queue: VecDeque<Step>,
+    alarms: VecDeque<Box<Alarm>>,
+}
+
+impl Interpreter {
+    /// An interpreter at power-on state before the first block of the main program.
+    pub fn new(
+        dialect: &'static Dialect,
+        programs: ProgramMemory,
+        memory: Memory,
+        options: Options,
+    ) -> Interpreter {
+        let rules = (dialect.rules)(&memory.parameters);
+        let modal = (dialect.power_on)(&memory.parameters);
+        let work = WorkSystem::select(dialect.power_on_work_offset, &memory.work)
+            .unwrap_or(WorkSystem { system: System::Floating, shift: Position::ZERO });
+        let mut location = Location {
+            programmed: Position::ZERO,
+            machine: options.start,
+            work,
+            length: ToolLength::default(),
+        };
+        location.take_machine();
+        let technology = Technology {
+            feed_per_minute: rules.default_feed,
+            feed_per_revolution: 0.0,
+            speed: None,
+            spindle: SpindleState::Off,
+            coolant: false,
+            tool: 0,
+        };
+        Interpreter {
+            tables: Tables::new(dialect),
+            evaluator: Evaluator::new(dialect.angles),
+            dialect,
+            rules,
+            options,
+            programs,
+            memory,
+            modal,
+            location,
+            technology,
+            cycle: CycleState::default(),
+            flow: Flow::new(),
+            words: Words::new(),
+            variable_writes: 0,
+            pass_state: None,
+            ended: false,
+            queue: VecDeque::with_capacity(64),
+            alarms: VecDeque::new(),
+        }
+    }
+
+    /// The programs, for showing what a span says.
+    pub fn programs(&self) -> &ProgramMemory {
+        &self.programs
+    }
+
+    /// The control language.
+    pub fn dialect(&self) -> &'static Dialect {
+        self.dialect
+    }
+
+    /// The rules in force.
+    pub fn rules(&self) -> &Rules {
+        &self.rules
+    }
+
+    /// What the machine remembers, as the program has changed it so far.
+    pub fn memory(&self) -> &Memory {
+        &self.memory
+    }
+
+    /// Commanded machine position at the end of the steps given out.
+    pub fn position(&self) -> Position {
+        self.location.machine
+    }
+
+    /// The word with this address in the block that `block` is the span of.
+    pub fn locate_word(&self, block: Span, letter: u8) -> Option<Span> {
+        let bytes = self.programs.text(block.file)?.slice(block).ok()?;
+        let page = lexer::lex(&bytes, block.file, block.offset, block.line, true, self.dialect.syntax).page;
+        page.blocks.iter().find_map(|b| {
+            let word = page.words(b).iter().find(|w| w.letter == letter)?;
+            Some(page.word_span(b, word))
+        })
+    }
+
+    /// An alarm of this dialect.
+    pub(crate) fn alarm(&self, fault: Fault, span: Span) -> Box<Alarm> {
+        words::alarm(self.dialect, fault, span)
+    }
+
+    /// An alarm about the word with this address.
+    pub(crate) fn alarm_at(&self, fault: Fault, letter: u8) -> Box<Alarm> {
+        self.alarm(fault, self.words.span(letter))
+    }
+
+    /// Notes an alarm and goes on with the block.
+    pub(crate) fn note(&mut self, alarm: Box<Alarm>) {
+        self.alarms.push_back(alarm);
+    }
+
+    /// Gives out a step of the block being executed.
+    #[inline]
+    pub(crate) fn emit(&mut self, op: Op) {
+        self.flow.got_on();
+        self.queue.push_back(Step { op, span: self.words.block_span() });
+    }
+
+    pub(crate) fn fingerprint(&self) -> Fingerprint {
+        Fingerprint {
+            modal: self.modal,
+            location: self.location,
+            technology: self.technology,
+            variable_writes: self.variable_writes,
+        }
+    }
+}
+
+impl Iterator for Interpreter {
+    type Item = Fallible<Step>;
+
+    #[inline]
+    fn next(&mut self) -> Option<Fallible<Step>> {
+        loop {
+            if let Some(step) = self.queue.pop_front() {
+                return Some(Ok(step));
+            }
+            if let Some(alarm) = self.alarms.pop_front() {
+                if !self.options.keep_going {
+                    self.ended = true;
+                    self.alarms.clear();
+                }
+                return Some(Err(alarm));
+            }
+            if self.ended {
+                return None;
+            }
+            if self.has_holes_left() {
+                if let Err(alarm) = self.next_hole() {
+                    self.alarms.push_back(alarm);
+                }
+                continue;
+            }
+            if let Err(alarm) = self.run_block() {
+                self.alarms.push_back(alarm);
+            }
+        }
+    }
+}

@@ -1,0 +1,201 @@
+//! Moves: straight ones, arcs and helices, from programmed end points to steps in machine axes.
+
+use crate::Fallible;
+use crate::dialect::Meaning;
+use crate::interpreter::Interpreter;
+use crate::modal::Group;
+use crate::stages::{distance, units};
+use crate::words::letters;
+use ferrocut_geometry::{Arc, AxisSet, Plane, Position, RadiusError, SAME_POINT_MM, Turn};
+use ferrocut_machine::Fault;
+use ferrocut_toolpath::{Feed, FeedAlong, Op, PathMode};
+
+/// Largest machine coordinate, mm or degrees: a thousand times the range of any control, and small
+/// enough that `f64` still resolves a tenth of a micrometre there.
+const LARGEST_COORDINATE: f64 = 1e8;
+
+/// Addresses that make an arc of a block without end point.
+const CENTRE_LETTERS: u32 = letters(b"IJK");
+
+impl Interpreter {
+    /// The block's move by the motion code in force.
+    pub(crate) fn motion_block(&mut self, axes: AxisSet, length_moves: bool) -> Fallible<()> {
+        let motion = self.modal.meaning(Group::Motion);
+        let turn = match motion {
+            Meaning::ArcClockwise => Some(Turn::Clockwise),
+            Meaning::ArcCounterClockwise => Some(Turn::CounterClockwise),
+            _ => None,
+        };
+        if axes.is_empty() && !(turn.is_some() && self.words.has_any(CENTRE_LETTERS)) {
+            if !length_moves {
+                return Ok(());
+            }
+            if turn.is_some() {
+                return Err(self.alarm(Fault::LengthInArc, self.words.block_span()));
+            }
+        }
+        let incremental = self.modal.is_incremental();
+        let inch = self.modal.is_inch();
+        let to = distance::end_point(&self.words, axes, self.location.programmed, incremental, inch);
+        match turn {
+            Some(_) if length_moves => Err(self.alarm(Fault::LengthInArc, self.words.block_span())),
+            Some(turn) => self.arc(to, axes, turn),
+            None if motion == Meaning::Rapid => self.rapid(to),
+            None => self.cut(to),
+        }
+    }
+
+    /// Positions to a programmed point.
+    pub(crate) fn rapid(&mut self, to: Position) -> Fallible<()> {
+        let machine = self.location.machine_of(to);
+        self.rapid_machine(machine)?;
+        self.location.programmed = to;
+        Ok(())
+    }
+
+    /// Positions to a machine point. The programmed point is the caller's to set.
+    pub(crate) fn rapid_machine(&mut self, to: Position) -> Fallible<()> {
+        self.check_reach(to)?;
+        if to != self.location.machine {
+            self.location.machine = to;
+            self.emit(Op::Rapid { to, straight: self.rules.rapid_is_straight });
+        }
+        Ok(())
+    }
+
+    /// Cuts straight to a programmed point.
+    pub(crate) fn cut(&mut self, to: Position) -> Fallible<()> {
+        let machine = self.location.machine_of(to);
+        self.check_reach(machine)?;
+        let feed = self.feed()?;
+        self.location.programmed = to;
+        if machine != self.location.machine {
+            self.location.machine = machine;
+            self.emit(Op::Feed { to: machine, feed, path: PathMode::Continuous });
+        }
+        Ok(())
+    }
+
+    /// The feed in force; an alarm where there is none.
+    pub(crate) fn feed(&self) -> Fallible<Feed> {
+        let technology = &self.technology;
+        let (value, feed) = match self.modal.is_feed_per_revolution() {
+            true => (technology.feed_per_revolution, Feed::PerRevolution(technology.feed_per_revolution)),
+            false => (technology.feed_per_minute, Feed::PerMinute(technology.feed_per_minute)),
+        };
+        if value > 0.0 { Ok(feed) } else { Err(self.alarm(Fault::NoFeed, self.words.block_span())) }
+    }
+
+    fn check_reach(&self, machine: Position) -> Fallible<()> {
+        // The comparison is false for NaN too.
+        if machine.0.iter().all(|c| c.abs() <= LARGEST_COORDINATE) {
+            return Ok(());
+        }
+        Err(self.alarm(Fault::CoordinateTooLarge, self.words.block_span()))
+    }
+
+    /// Cuts along an arc or helix to a programmed point (GSK990MC 4.2.3).
+    fn arc(&mut self, to: Position, axes: AxisSet, turn: Turn) -> Fallible<()> {
+        let plane = self.modal.plane();
+        let from = self.location.programmed;
+        let center = match self.words.get(b'R') {
+            Some(r) => match self.center_by_radius(from, to, r, turn)? {
+                Some(center) => center,
+                // Start and end coincide: a radius says nothing then (4.2.3 limits 3 and 5), but
+                // another axis may be meant to move.
+                None => return if axes.is_empty() { Ok(()) } else { self.cut(to) },
+            },
+            None => self.center_by_vector(from, to)?,
+        };
+        let beside =
+            axes.iter().filter(|a| *a != plane.first() && *a != plane.second() && from[*a] != to[*a]);
+        // One axis climbs in a helix (GSK990MC alarm 0232).
+        if beside.count() > 1 {
+            return Err(self.alarm(Fault::TooManyHelicalAxes, self.words.block_span()));
+        }
+        let shape = Arc::about(plane, from, to, center, turn);
+        let feed = self.feed()?;
+        let machine = self.location.machine_of(to);
+        self.check_reach(machine)?;
+        // Work offset and tool length move the arc as a whole.
+        let shift = self.location.work.shift + self.location.length.vector;
+        let [a, b] = plane.of(shift);
+        self.location.programmed = to;
+        self.location.machine = machine;
+        let feed_along = match self.rules.helix_feed_along_circle {
+            true => FeedAlong::Circle,
+            false => FeedAlong::Path,
+        };
+        self.emit(Op::Arc {
+            to: machine,
+            plane,
+            center: [center[0] + a, center[1] + b],
+            sweep: shape.sweep,
+            feed,
+            feed_along,
+            path: PathMode::Continuous,
+        });
+        Ok(())
+    }
+
+    /// The centre that R gives; `None` where start and end coincide.
+    fn center_by_radius(
+        &self,
+        from: Position,
+        to: Position,
+        r: f64,
+        turn: Turn,
+    ) -> Fallible<Option<[f64; 2]>> {
+        let plane = self.modal.plane();
+        let r = units::length_mm(r, self.modal.is_inch());
+        let slack = self.rules.arc_tolerance;
+        match Arc::center_from_radius(plane.of(from), plane.of(to), r, turn, slack) {
+            Ok(center) => Ok(Some(center)),
+            Err(RadiusError::SamePoint) => Ok(None),
+            Err(RadiusError::TooFarApart(gap)) => {
+                let mut alarm = self.alarm_at(Fault::ArcRadiusTooSmall, b'R');
+                alarm.arguments.push(("radius", r.abs().into()));
+                alarm.arguments.push(("least", (r.abs() + gap / 2.0).into()));
+                Err(alarm)
+            }
+        }
+    }
+
+    /// The centre that I, J, K give from the start; both radii must agree (GSK990MC P214, alarm 20).
+    fn center_by_vector(&self, from: Position, to: Position) -> Fallible<[f64; 2]> {
+        let plane = self.modal.plane();
+        let (i, j) = center_letters(plane);
+        if !self.words.has(i) && !self.words.has(j) {
+            return Err(self.alarm(Fault::ArcWithoutCentre, self.words.block_span()));
+        }
+        let inch = self.modal.is_inch();
+        let offset = |letter| units::length_mm(self.words.get(letter).unwrap_or(0.0), inch);
+        let [a, b] = plane.of(from);
+        let center = [a + offset(i), b + offset(j)];
+        let [ea, eb] = plane.of(to);
+        let start_radius = offset(i).hypot(offset(j));
+        let end_radius = (ea - center[0]).hypot(eb - center[1]);
+        if start_radius < SAME_POINT_MM {
+            return Err(self.alarm_at(Fault::ArcWithoutRadius, i));
+        }
+        let difference = (start_radius - end_radius).abs();
+        // Rounding of the programmed decimals must not decide at the limit itself.
+        if difference > self.rules.arc_tolerance + SAME_POINT_MM {
+            let mut alarm = self.alarm(Fault::ArcRadiusMismatch, self.words.block_span());
+            alarm.arguments.push(("start", start_radius.into()));
+            alarm.arguments.push(("end", end_radius.into()));
+            alarm.arguments.push(("limit", self.rules.arc_tolerance.into()));
+            return Err(alarm);
+        }
+        Ok(center)
+    }
+}
+
+/// Addresses of the centre on the first and second axis of a plane.
+fn center_letters(plane: Plane) -> (u8, u8) {
+    match plane {
+        Plane::Xy => (b'I', b'J'),
+        Plane::Zx => (b'K', b'I'),
+        Plane::Yz => (b'J', b'K'),
+    }
+}

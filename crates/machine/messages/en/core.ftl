@@ -1,0 +1,236 @@
+# Faults common to all controls. What a message is made of and which arguments a detail may name
+# stands in src/messages.rs.
+
+with-detail = { $text } ({ $detail })
+
+## Text
+
+FC-0101 = A character that no block may hold
+    .detail = { $character }
+    .help = Remove the character, or put it into a comment.
+FC-0102 = A number without an address before it
+    .detail = { $word }
+    .help = Put the address letter before the number, or remove it.
+FC-0103 = An address without a value
+    .detail = { $word }
+    .help = Write the value behind the address letter, or remove the letter.
+FC-0104 = A sign where none may stand
+    .detail = { $word }
+    .help = A word takes one sign, directly behind its address, and only where its value may be negative.
+FC-0105 = A decimal point where none may stand, or more than one
+    .detail = { $word }
+    .help = Write one decimal point at most, and none in words that must be whole.
+FC-0106 = The line is too long
+    .detail = at most { $limit } bytes
+    .help = Split the block into several lines.
+FC-0107 = Brackets do not pair
+    .help = Give every opening bracket its closing one in the same block.
+FC-0108 = Brackets are nested too deep
+    .detail = at most { $limit } levels
+    .help = Calculate a part of the expression into a variable first.
+FC-0109 = The expression cannot be read
+    .detail = { $word }
+    .help = Check operators, brackets and variables of the expression.
+FC-0110 = A comment is opened and not closed
+    .help = Close the comment in the same line.
+FC-0111 = The macro statement cannot be read
+    .detail = { $word }
+    .help = Check the spelling and the form of the statement.
+FC-0112 = No such function
+    .detail = { $name }
+    .help = Check the spelling; the control's programming manual lists its functions.
+FC-0113 = The number is too large
+    .detail = { $word }
+    .help = Check the number for missing decimal points and doubled digits.
+FC-0114 = Words and a macro statement share a block
+    .detail = { $word }
+    .help = Put the macro statement into a block of its own.
+
+## Words
+
+FC-0201 = The control does not have this G code
+    .detail = { $word }
+    .help = Check the code, and that the program is meant for this control.
+FC-0202 = The control does not have this M code
+    .detail = { $word }
+    .help = Check the code, and that the program is meant for this control.
+FC-0203 = The control does not use this address here
+    .detail = { $word }
+    .help = Remove the word, or check which code of the block it was meant for.
+FC-0204 = An address stands more than once in the block
+    .detail = { $word }
+    .help = Keep one of the words, or divide the block.
+FC-0205 = Two G codes of one modal group in the block
+    .detail = { $first } and { $second }
+    .help = Keep one of them, or put them into blocks of their own.
+FC-0206 = The value is outside its range
+    .detail = { $word }: { $min } to { $max }
+    .detail-2 = { $word }
+    .help = Program a value that the address may hold.
+FC-0207 = The value must be a whole number
+    .detail = { $word }
+    .help = Write the word without decimals.
+FC-0208 = The value must not be negative
+    .detail = { $word }
+    .help = Remove the sign, or check the calculation that the value comes from.
+FC-0209 = The code must stand alone in its block
+    .detail = { $word }
+    .help = Put the code into a block of its own.
+FC-0210 = M codes that control the program stand together in a block
+    .detail = { $first } and { $second }
+    .help = Put each of M00, M01, M02, M30, M98 and M99 into a block of its own.
+FC-0211 = Too many M codes in the block
+    .detail = at most { $limit }
+    .help = Divide the M codes between several blocks.
+FC-0212 = There is no such axis
+    .detail = { $axis }
+    .help = Check the axis letter; the machine file lists the axes that the machine has.
+
+## Motion
+
+FC-0301 = A cutting move without a feed
+    .help = Program F in this block or before it.
+FC-0302 = Start and end of the arc are at different distances from its centre
+    .detail = radius { $start } at the start, { $end } at the end; they may differ by { $limit }
+    .detail-2 = radius { $start } at the start, { $end } at the end
+    .help = Check I, J and K, the end point, and the point where the block before it ends.
+FC-0303 = The arc has neither a radius nor a centre
+    .help = Program R, or the centre with those of I, J and K that lie in the plane.
+FC-0304 = The arc's radius is too small to reach its end
+    .detail = R { $radius }, at least { $least } is needed
+    .help = Check R and the end point; R must be at least half the distance between start and end.
+FC-0305 = The arc starts at its own centre
+    .help = Check I, J and K: they are the distances from the start of the arc to its centre.
+FC-0306 = The dwell is negative
+    .detail = { $word }
+    .help = Program the dwell without a sign.
+FC-0307 = Too many axes beside the circle of the helix
+    .detail = at most { $limit }
+    .help = Program fewer axes outside the plane of the arc.
+FC-0308 = A coordinate is beyond what the control can hold
+    .detail = { $axis } { $position }
+    .help = Check the coordinate, the offsets and the scale factor that are in effect.
+FC-0309 = The feed is outside the control's range
+    .detail = { $word }
+    .help = Program a feed above zero and within the control's range.
+
+## Offsets and coordinate systems
+
+FC-0401 = There is no such offset number
+    .detail = { $number }, the highest is { $limit }
+    .detail-2 = { $number }
+    .help = Check H and D against the tool offset table.
+FC-0402 = There is no such work coordinate system
+    .detail = { $name }
+    .help = Use one of the systems of the control's work offset table.
+FC-0403 = Length compensation in the block that sets the coordinate system
+    .help = Put the length compensation and G92 into blocks of their own.
+FC-0404 = The tool length changes in a block with an arc
+    .detail = { $word }
+    .help = Change the length compensation in a block with a straight move.
+
+## Canned cycles
+
+FC-0501 = The cycle does not work in this plane
+    .detail = { $plane }
+    .help = Select the cycle's plane before the cycle, for drilling cycles G17.
+FC-0502 = The bottom of the hole is not below the R level
+    .detail = bottom { $depth }, R { $r }
+    .help = Check Z and R, and whether they are absolute or incremental.
+FC-0503 = The pecking cycle has no depth of cut
+    .detail = { $word }
+    .help = Program a depth of cut above zero, on most controls Q.
+FC-0504 = The plane changes while a cycle is active
+    .help = End the cycle with G80 before the plane changes.
+FC-0505 = A cycle without a spindle speed
+    .help = Program S and start the spindle before the cycle.
+FC-0506 = A reference-point code while a cycle is active
+    .detail = { $word }
+    .help = End the cycle with G80 before this block.
+
+## Programs
+
+FC-0601 = The call names no program
+    .help = Program the number or name of the program to be called.
+FC-0602 = The called program does not exist
+    .detail = { $program }
+    .help = Put the program into the program memory, or check its number or name.
+FC-0603 = Calls are nested too deep
+    .detail = at most { $limit } levels
+    .help = Check whether a program calls itself; otherwise join some of the subprograms.
+FC-0604 = The call is repeated too often
+    .detail = { $repeats } times, at most { $limit }
+    .help = Check the number of repeats, or repeat the call in a loop.
+FC-0605 = No program can have this number
+    .detail = { $program }
+    .help = Use a program number that the control allows.
+FC-0606 = The program has no end
+    .help = End the main program with M30 or M02, a subprogram with M99.
+FC-0607 = The program ran into the end mark %
+    .help = End the program with M30, M02 or M99 before the mark.
+FC-0608 = The program runs without end and without motion
+    .detail = { $blocks } blocks
+    .help = Check the conditions of loops and jumps.
+FC-0609 = The sequence number to jump to does not exist
+    .detail = N{ $number }
+    .help = Number the block to jump to, or correct the jump.
+
+## Variables and arithmetic
+
+FC-0701 = Division by zero
+    .help = Check the divisor; tan 90 counts as a division by zero too.
+FC-0702 = The function is not defined for this value
+    .detail = { $name } of { $value }
+    .detail-2 = { $name }
+    .help = Check the value: roots need zero or more, logarithms more than zero, arc sine and arc cosine -1 to 1.
+FC-0703 = There is no such variable
+    .detail = { $variable }
+    .help = Use a variable that the control has.
+FC-0704 = The variable cannot be written
+    .detail = { $variable }
+    .help = Assign the value to a variable that may be written.
+FC-0705 = The result is beyond the numbers of the control
+    .help = Check the values that the calculation starts from.
+
+## Machine
+
+FC-0801 = An axis would leave its software limits
+    .detail = { $axis } to { $position }, limit { $limit }
+    .detail-2 = { $axis }
+    .help = Check the work offset, the tool length and the coordinates; the limits stand in the machine file.
+FC-0802 = Cutting while the spindle stands still
+    .help = Start the spindle with M03 or M04 and a speed S before the first cut.
+FC-0803 = The tool is not in the magazine
+    .detail = T{ $tool }
+    .help = Load the tool, or correct the tool number.
+FC-0804 = The spindle does not reach this speed
+    .detail = S{ $speed }, at most { $limit }
+    .help = Program a lower speed.
+FC-0805 = The machine cannot run the move at the programmed feed
+    .detail = F{ $feed }, at most { $limit }
+    .help = Program a lower feed; the axis speeds stand in the machine file.
+
+## Files
+
+FC-0901 = The file cannot be read
+    .detail = { $file }: { $reason }
+    .detail-2 = { $file }
+    .detail-3 = { $reason }
+    .help = Check the path and whether the file may be read.
+FC-0902 = The file is no program text
+    .detail = { $file }
+    .help = Give a text file in UTF-8 or GB18030.
+FC-0903 = The file holds no block
+    .detail = { $file }
+    .help = Check that it is the right file and that it was transferred whole.
+FC-0904 = The set-up or machine file cannot be used
+    .detail = { $file }: { $reason }
+    .detail-2 = { $file }
+    .detail-3 = { $reason }
+    .help = Correct the file where the reason says.
+FC-0905 = The control language is not known
+    .detail = { $name }
+    .help = Name it with --dialect: gsk990mc, weihong, kaitong, fagor8065 or rs274.
+FC-0906 = This version does not carry out the code
+    .detail = { $word }
+    .help = Remove the code, or replace it by others with the same effect.

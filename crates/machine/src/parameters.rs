@@ -1,0 +1,553 @@
+//! The control's own parameters: what each one means, and the values set.
+//!
+//! The definitions are data files under `data/`, one pair per control, read once. Values are held flat
+//! by number, since the interpreter asks for them block by block.
+
+use std::collections::{BTreeMap, HashMap};
+use std::fmt;
+use std::str::FromStr;
+use std::sync::OnceLock;
+
+/// Highest number a parameter may carry; bounds the flat tables.
+const LARGEST_NUMBER: u16 = 9999;
+
+/// Most values kept for a control without a table; more can only be a damaged file.
+const LARGEST_OPEN_TABLE: usize = 10_000;
+
+/// The name of a parameter.
+///
+/// Its text form is that of set-up files: `P270`, `NO43.1` (also `NO43#1`), or a name such as
+/// `FIXEDCYCLE_BACK`. Either case and leading zeros are read; `P024.0`, as some controls print their
+/// bit parameters, is the same as `NO24.0`.
+#[derive(Clone, PartialEq, Eq, Hash, Debug, PartialOrd, Ord)]
+pub enum ParameterKey {
+    /// One bit of a bit parameter.
+    Bit {
+        /// Number of the bit parameter.
+        number: u16,
+        /// Place of the bit, 0 is the lowest, 7 the highest.
+        bit: u8,
+    },
+    /// A data parameter.
+    Data(u16),
+    /// A parameter that has a name instead of a number, in upper case.
+    Named(Box<str>),
+}
+
+impl FromStr for ParameterKey {
+    type Err = ParameterError;
+
+    fn from_str(text: &str) -> Result<ParameterKey, ParameterError> {
+        let upper = text.trim().to_ascii_uppercase();
+        let starts_with_letter = upper.as_bytes().first().is_some_and(u8::is_ascii_alphabetic);
+        let of_a_name = |b: u8| b.is_ascii_alphanumeric() || b"_.#".contains(&b);
+        if !starts_with_letter || !upper.bytes().all(of_a_name) {
+            return Err(ParameterError::Malformed(text.into()));
+        }
+        let numbered = upper.strip_prefix("NO").or_else(|| upper.strip_prefix('P'));
+        let Some(rest) = numbered.filter(|r| r.as_bytes().first().is_some_and(u8::is_ascii_digit)) else {
+            return Ok(ParameterKey::Named(upper.into()));
+        };
+        let malformed = || ParameterError::Malformed(text.into());
+        let whole = |digits: &str| match digits.bytes().all(|b| b.is_ascii_digit()) {
+            true => digits.parse::<u16>().map_err(|_| malformed()),
+            false => Err(malformed()),
+        };
+        match rest.split_once(['.', '#']) {
+            Some((number, bit)) => {
+                let bit = u8::try_from(whole(bit)?).ok().filter(|b| *b < 8).ok_or_else(malformed)?;
+                Ok(ParameterKey::Bit { number: whole(number)?, bit })
+            }
+            None if upper.starts_with('P') => Ok(ParameterKey::Data(whole(rest)?)),
+            // A bit parameter as a whole is not a number anyone sets.
+            None => Err(malformed()),
+        }
+    }
+}
+
+impl fmt::Display for ParameterKey {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            ParameterKey::Bit { number, bit } => write!(f, "NO{number}.{bit}"),
+            ParameterKey::Data(number) => write!(f, "P{number}"),
+            ParameterKey::Named(name) => f.write_str(name),
+        }
+    }
+}
+
+/// Why a parameter cannot be set.
+#[derive(Clone, PartialEq, Debug)]
+pub enum ParameterError {
+    /// Text that names no parameter.
+    Malformed(Box<str>),
+    /// A parameter that the control does not have.
+    Unknown(ParameterKey),
+    /// A value outside the printed range.
+    OutOfRange {
+        /// The parameter.
+        key: ParameterKey,
+        /// The value that was to be set.
+        value: f64,
+        /// Smallest value, where there is one.
+        min: Option<f64>,
+        /// Largest value, where there is one.
+        max: Option<f64>,
+    },
+    /// A bit that was to be neither 0 nor 1.
+    NotABit(ParameterKey, f64),
+    /// More parameters than a control can have.
+    TooMany,
+}
+
+impl fmt::Display for ParameterError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            ParameterError::Malformed(text) => {
+                write!(f, "{text:?} names no parameter: write P270, NO43.1 or a name")
+            }
+            ParameterError::Unknown(key) => write!(f, "{key}: the control has no such parameter"),
+            ParameterError::OutOfRange { key, value, min, max } => {
+                write!(f, "{key} cannot be {value}: ")?;
+                match (min, max) {
+                    (Some(min), Some(max)) => write!(f, "it must be {min} to {max}"),
+                    (Some(min), None) => write!(f, "it must be {min} or more"),
+                    (None, Some(max)) => write!(f, "it must be {max} or less"),
+                    (None, None) => write!(f, "it must be a number"),
+                }
+            }
+            ParameterError::NotABit(key, value) => {
+                write!(f, "{key} cannot be {value}: it is a bit, 0 or 1")
+            }
+            ParameterError::TooMany => {
+                write!(f, "too many parameters: no control has more than {LARGEST_OPEN_TABLE}")
+            }
+        }
+    }
+}
+
+impl std::error::Error for ParameterError {}
+
+/// What the value of a parameter says.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Meaning {
+    /// A number.
+    Value(Box<str>),
+    /// One of two states.
+    Bit {
+        /// What 1 says.
+        one: Box<str>,
+        /// What 0 says.
+        zero: Box<str>,
+    },
+}
+
+/// One row of the control's parameter list.
+#[derive(Clone, PartialEq, Debug)]
+pub struct ParameterDef {
+    /// The parameter.
+    pub key: ParameterKey,
+    /// Symbol of a bit as printed (`ODI`), a speaking name of a number (`g73_retract`).
+    pub symbol: Box<str>,
+    /// What it says.
+    pub meaning: Meaning,
+    /// Unit of a number as printed; empty where there is none.
+    pub unit: Box<str>,
+    /// Smallest value; none where the list prints none.
+    pub min: Option<f64>,
+    /// Largest value; none where the list prints none.
+    pub max: Option<f64>,
+    /// Value as delivered; 0 where the list prints none.
+    pub default: f64,
+    /// The axis it belongs to: `x`, `y`, `z`, or the axis' number; empty where it belongs to none.
+    pub axis: Box<str>,
+    /// The part of the control it acts on, such as `feed` or `canned-cycles`.
+    pub applies_to: Box<str>,
+}
+
+impl ParameterDef {
+    /// Whether the parameter may be `value`.
+    fn check(&self, value: f64) -> Result<(), ParameterError> {
+        if matches!(self.key, ParameterKey::Bit { .. }) {
+            return match value == 0.0 || value == 1.0 {
+                true => Ok(()),
+                false => Err(ParameterError::NotABit(self.key.clone(), value)),
+            };
+        }
+        let inside = value.is_finite()
+            && self.min.is_none_or(|min| value >= min)
+            && self.max.is_none_or(|max| value <= max);
+        match inside {
+            true => Ok(()),
+            false => {
+                let (min, max) = (self.min, self.max);
+                Err(ParameterError::OutOfRange { key: self.key.clone(), value, min, max })
+            }
+        }
+    }
+}
+
+/// The parameter list of a control.
+#[derive(Debug, Default)]
+pub struct ParameterTable {
+    definitions: Vec<ParameterDef>,
+    places: HashMap<ParameterKey, usize>,
+    /// Values as delivered, ready to be copied.
+    delivered: Values,
+}
+
+static GSK990MC: OnceLock<ParameterTable> = OnceLock::new();
+static EMPTY: OnceLock<ParameterTable> = OnceLock::new();
+
+impl ParameterTable {
+    /// The list of the control that `dialect` belongs to; none where the control has no list here.
+    pub fn of(dialect: &str) -> Option<&'static ParameterTable> {
+        match dialect {
+            "gsk990mc" => Some(GSK990MC.get_or_init(|| {
+                ParameterTable::from_csv(
+                    include_str!("../data/gsk990mc/bit-parameters.csv"),
+                    include_str!("../data/gsk990mc/data-parameters.csv"),
+                )
+            })),
+            _ => None,
+        }
+    }
+
+    /// A list without a row. Parameters of such a control take every name and every number.
+    pub fn empty() -> &'static ParameterTable {
+        EMPTY.get_or_init(ParameterTable::default)
+    }
+
+    /// Whether any name is taken, since no list says which exist.
+    pub fn is_open(&self) -> bool {
+        self.definitions.is_empty()
+    }
+
+    /// The row of a parameter.
+    pub fn get(&self, key: &ParameterKey) -> Option<&ParameterDef> {
+        self.definitions.get(*self.places.get(key)?)
+    }
+
+    /// Every row: bits first, then numbers, each in the order of the list.
+    pub fn iter(&self) -> impl Iterator<Item = &ParameterDef> {
+        self.definitions.iter()
+    }
+
+    /// How many rows there are.
+    pub fn len(&self) -> usize {
+        self.definitions.len()
+    }
+
+    /// Whether there is no row.
+    pub fn is_empty(&self) -> bool {
+        self.definitions.is_empty()
+    }
+
+    /// Reads the two files of a control. A row that cannot be read is left out; a test holds that the
+    /// files built in have none.
+    fn from_csv(bits: &str, data: &str) -> ParameterTable {
+        let mut table = ParameterTable::default();
+        for row in rows(bits) {
+            if let Some(definition) = bit_row(&row) {
+                table.add(definition);
+            }
+        }
+        for row in rows(data) {
+            if let Some(definition) = data_row(&row) {
+                table.add(definition);
+            }
+        }
+        table
+    }
+
+    fn add(&mut self, definition: ParameterDef) {
+        self.delivered.write(&definition.key, definition.default);
+        self.places.insert(definition.key.clone(), self.definitions.len());
+        self.definitions.push(definition);
+    }
+}
+
+fn rows(text: &str) -> impl Iterator<Item = csv::StringRecord> {
+    csv::Reader::from_reader(text.as_bytes()).into_records().flatten()
+}
+
+/// `no,bit,symbol,meaning_1,meaning_0,default,applies_to`
+fn bit_row(row: &csv::StringRecord) -> Option<ParameterDef> {
+    let number = row.get(0)?.parse().ok().filter(|n| *n <= LARGEST_NUMBER)?;
+    let bit = row.get(1)?.parse().ok().filter(|b| *b < 8)?;
+    Some(ParameterDef {
+        key: ParameterKey::Bit { number, bit },
+        symbol: row.get(2)?.into(),
+        meaning: Meaning::Bit { one: row.get(3)?.into(), zero: row.get(4)?.into() },
+        unit: "".into(),
+        min: Some(0.0),
+        max: Some(1.0),
+        default: number_or_none(row.get(5)?)?.unwrap_or(0.0),
+        axis: "".into(),
+        applies_to: row.get(6)?.into(),
+    })
+}
+
+/// `no,name,meaning,unit,min,max,default,axis,applies_to`
+fn data_row(row: &csv::StringRecord) -> Option<ParameterDef> {
+    let number = row.get(0)?.parse().ok().filter(|n| *n <= LARGEST_NUMBER)?;
+    Some(ParameterDef {
+        key: ParameterKey::Data(number),
+        symbol: row.get(1)?.into(),
+        meaning: Meaning::Value(row.get(2)?.into()),
+        unit: row.get(3)?.into(),
+        min: number_or_none(row.get(4)?)?,
+        max: number_or_none(row.get(5)?)?,
+        default: number_or_none(row.get(6)?)?.unwrap_or(0.0),
+        axis: row.get(7)?.into(),
+        applies_to: row.get(8)?.into(),
+    })
+}
+
+/// An empty cell is `Some(None)`, an unreadable one `None`.
+fn number_or_none(cell: &str) -> Option<Option<f64>> {
+    match cell.trim() {
+        "" => Some(None),
+        text => text.parse().ok().map(Some),
+    }
+}
+
+/// Values flat by number.
+#[derive(Clone, PartialEq, Debug, Default)]
+struct Values {
+    bits: Vec<u8>,
+    data: Vec<f64>,
+}
+
+impl Values {
+    fn read(&self, key: &ParameterKey) -> Option<f64> {
+        match key {
+            ParameterKey::Bit { number, bit } => {
+                self.bits.get(usize::from(*number)).map(|byte| f64::from(byte >> (bit & 7) & 1))
+            }
+            ParameterKey::Data(number) => self.data.get(usize::from(*number)).copied(),
+            ParameterKey::Named(_) => None,
+        }
+    }
+
+    fn write(&mut self, key: &ParameterKey, value: f64) {
+        match key {
+            ParameterKey::Bit { number, bit } => {
+                let place = usize::from(*number);
+                if self.bits.len() <= place {
+                    self.bits.resize(place + 1, 0);
+                }
+                if let Some(byte) = self.bits.get_mut(place) {
+                    let mask = 1 << (bit & 7);
+                    *byte = if value != 0.0 { *byte | mask } else { *byte & !mask };
+                }
+            }
+            ParameterKey::Data(number) => {
+                let place = usize::from(*number);
+                if self.data.len() <= place {
+                    self.data.resize(place + 1, 0.0);
+                }
+                if let Some(cell) = self.data.get_mut(place) {
+                    *cell = value;
+                }
+            }
+            ParameterKey::Named(_) => {}
+        }
+    }
+}
+
+/// The values of a control's parameters. Cloning copies a few kilobytes.
+#[derive(Clone, Debug)]
+pub struct Parameters {
+    table: &'static ParameterTable,
+    values: Values,
+    /// Named parameters, and all those of a control without a list.
+    others: BTreeMap<ParameterKey, f64>,
+}
+
+impl Parameters {
+    /// The values as delivered.
+    pub fn new(table: &'static ParameterTable) -> Parameters {
+        Parameters { table, values: table.delivered.clone(), others: BTreeMap::new() }
+    }
+
+    /// The list of the control.
+    pub fn table(&self) -> &'static ParameterTable {
+        self.table
+    }
+
+    /// A bit of a bit parameter; false where the list has none.
+    #[inline]
+    pub fn bit(&self, number: u16, bit: u8) -> bool {
+        self.values.bits.get(usize::from(number)).is_some_and(|byte| bit < 8 && byte >> bit & 1 == 1)
+    }
+
+    /// A data parameter in the unit of the list; 0 where the list has none.
+    #[inline]
+    pub fn data(&self, number: u16) -> f64 {
+        self.values.data.get(usize::from(number)).copied().unwrap_or(0.0)
+    }
+
+    /// A named parameter; none where it was never set and the list has none.
+    pub fn named(&self, name: &str) -> Option<f64> {
+        let key = ParameterKey::Named(name.to_ascii_uppercase().into());
+        let set = self.others.get(&key).copied();
+        set.or_else(|| self.table.get(&key).map(|d| d.default))
+    }
+
+    /// Any parameter; 0 where it was never set and the list has none.
+    pub fn get(&self, key: &ParameterKey) -> f64 {
+        match key {
+            ParameterKey::Named(name) => self.named(name).unwrap_or(0.0),
+            _ => self.values.read(key).unwrap_or(0.0),
+        }
+    }
+
+    /// Sets a parameter, in the unit of the list.
+    pub fn set(&mut self, key: &ParameterKey, value: f64) -> Result<(), ParameterError> {
+        match self.table.get(key) {
+            Some(definition) => definition.check(value)?,
+            None if self.table.is_open() => self.check_open(key, value)?,
+            None => return Err(ParameterError::Unknown(key.clone())),
+        }
+        self.values.write(key, value);
+        if self.table.is_open() || matches!(key, ParameterKey::Named(_)) {
+            self.others.insert(key.clone(), value);
+        }
+        Ok(())
+    }
+
+    fn check_open(&self, key: &ParameterKey, value: f64) -> Result<(), ParameterError> {
+        if let ParameterKey::Bit { number, .. } | ParameterKey::Data(number) = key
+            && *number > LARGEST_NUMBER
+        {
+            return Err(ParameterError::Unknown(key.clone()));
+        }
+        if matches!(key, ParameterKey::Bit { .. }) && value != 0.0 && value != 1.0 {
+            return Err(ParameterError::NotABit(key.clone(), value));
+        }
+        if !value.is_finite() {
+            return Err(ParameterError::OutOfRange { key: key.clone(), value, min: None, max: None });
+        }
+        if self.others.len() >= LARGEST_OPEN_TABLE && !self.others.contains_key(key) {
+            return Err(ParameterError::TooMany);
+        }
+        Ok(())
+    }
+
+    /// Every row of the list with the present value.
+    pub fn iter(&self) -> impl Iterator<Item = (&'static ParameterDef, f64)> {
+        self.table.iter().map(|definition| (definition, self.get(&definition.key)))
+    }
+
+    /// What differs from the values as delivered; of a control without a list, all that was set.
+    pub fn changed(&self) -> impl Iterator<Item = (ParameterKey, f64)> {
+        let listed = self.iter().filter(|(d, value)| d.default != *value).map(|(d, v)| (d.key.clone(), v));
+        let open = self.others.iter().filter(|_| self.table.is_open()).map(|(k, v)| (k.clone(), *v));
+        listed.chain(open)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn gsk() -> Parameters {
+        Parameters::new(ParameterTable::of("gsk990mc").unwrap())
+    }
+
+    fn key(text: &str) -> ParameterKey {
+        text.parse().unwrap()
+    }
+
+    #[test]
+    fn names_are_read_in_every_form() {
+        let bit = ParameterKey::Bit { number: 43, bit: 1 };
+        for text in ["NO43.1", "NO43#1", "no43.1", "NO043.1", "P043.1"] {
+            assert_eq!(key(text), bit, "{text}");
+        }
+        for text in ["P270", "p270", "P0270"] {
+            assert_eq!(key(text), ParameterKey::Data(270), "{text}");
+        }
+        for text in ["FIXEDCYCLE_BACK", "CTP_POS.X", "PENUP", "NOTCH", "P"] {
+            assert_eq!(key(text), ParameterKey::Named(text.into()));
+            assert_eq!(key(&text.to_lowercase()).to_string(), text);
+        }
+        assert_eq!(bit.to_string(), "NO43.1");
+        assert_eq!(ParameterKey::Data(270).to_string(), "P270");
+        for text in ["", "43", "NO43", "NO43.8", "NO43.", "P27x", "P99999", "P1.2.3", "P+1", "a b", "Pä"] {
+            let wrong = text.parse::<ParameterKey>();
+            assert_eq!(wrong, Err(ParameterError::Malformed(text.into())));
+        }
+    }
+
+    #[test]
+    fn every_row_of_the_files_is_read_once() {
+        let lines = |text: &str| text.lines().count() - 1;
+        let table = ParameterTable::of("gsk990mc").unwrap();
+        let bits = lines(include_str!("../data/gsk990mc/bit-parameters.csv"));
+        let data = lines(include_str!("../data/gsk990mc/data-parameters.csv"));
+        assert_eq!((bits, data), (224, 361));
+        assert_eq!(table.len(), bits + data);
+        assert_eq!(table.places.len(), table.len());
+    }
+
+    #[test]
+    fn values_as_delivered_lie_in_their_range() {
+        for (definition, value) in gsk().iter() {
+            // P4 is reserved; the list prints a range of 0 to 0 and a default of 1.
+            if definition.key != ParameterKey::Data(4) {
+                assert_eq!(definition.check(value), Ok(()));
+            }
+            assert!(!definition.symbol.is_empty());
+        }
+        assert_eq!(gsk().changed().count(), 0);
+    }
+
+    #[test]
+    fn values_read_back() {
+        let mut p = gsk();
+        assert!(p.bit(40, 7) && p.bit(43, 1) && !p.bit(47, 7) && !p.bit(9999, 0) && !p.bit(43, 9));
+        assert_eq!((p.data(270), p.data(214), p.data(3), p.data(60000)), (2.0, 0.05, 0.0, 0.0));
+        p.set(&key("P270"), 1.5).unwrap();
+        p.set(&key("NO40.7"), 0.0).unwrap();
+        assert_eq!(p.data(270), 1.5);
+        assert!(!p.bit(40, 7) && p.bit(40, 0) == gsk().bit(40, 0));
+        let changed: Vec<_> = p.changed().map(|(k, v)| format!("{k}={v}")).collect();
+        assert_eq!(changed, ["NO40.7=0", "P270=1.5"]);
+    }
+
+    #[test]
+    fn wrong_values_are_refused_with_the_range() {
+        let mut p = gsk();
+        for (name, value, says) in [
+            ("P270", -1.0, "P270 cannot be -1: it must be 0 to 999.9999"),
+            ("P270", f64::NAN, "P270 cannot be NaN"),
+            ("P340", f64::INFINITY, "P340 cannot be inf: it must be a number"),
+            ("NO40.7", 2.0, "NO40.7 cannot be 2: it is a bit, 0 or 1"),
+            ("P3", 0.0, "P3: the control has no such parameter"),
+            ("NO21.0", 0.0, "NO21.0: the control has no such parameter"),
+            ("FIXEDCYCLE_BACK", 0.0, "FIXEDCYCLE_BACK: the control has no such parameter"),
+        ] {
+            let error = p.set(&key(name), value).unwrap_err().to_string();
+            assert!(error.starts_with(says), "{error}");
+        }
+        assert_eq!(p.changed().count(), 0);
+        // No range is printed that could be trusted (P339 and P340 look exchanged): any number goes.
+        assert_eq!(p.set(&key("P340"), 64.0), Ok(()));
+    }
+
+    #[test]
+    fn a_control_without_a_list_takes_any_name() {
+        assert!(ParameterTable::of("weihong").is_none());
+        let mut p = Parameters::new(ParameterTable::empty());
+        p.set(&key("fixedcycle_back"), 1.0).unwrap();
+        p.set(&key("P230"), 50.0).unwrap();
+        p.set(&key("P024.0"), 1.0).unwrap();
+        assert_eq!(p.named("FIXEDCYCLE_BACK"), Some(1.0));
+        assert_eq!(p.named("SAFEHEIGHT"), None);
+        assert_eq!((p.data(230), p.bit(24, 0), p.bit(24, 1)), (50.0, true, false));
+        assert_eq!(p.changed().count(), 3);
+        assert!(p.set(&key("P1.0"), 0.5).is_err() && p.set(&key("P1"), f64::NAN).is_err());
+        assert!(p.set(&ParameterKey::Data(10_000), 1.0).is_err());
+    }
+}
