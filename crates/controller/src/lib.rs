@@ -1,3 +1,21 @@
 //! The running CNC.
+//!
+//! In: an interpreter's steps and the operator's commands (cycle start, feed hold, reset, overrides).
+//! Out: a setpoint for every axis each servo period, what the machine does beside, and a report.
+//!
+//! [`Cnc::tick`] is one servo period. It runs on a virtual clock as fast as it can, and on a real one
+//! at true speed, by the same code and with the same setpoints.
+//!
+//! Read [`cnc`] first; [`supervision`] is what the machine refuses before anything moves.
+
+pub mod clock;
+pub mod cnc;
+pub mod drives;
+pub mod report;
+pub mod spindle;
 pub mod supervision;
+
+pub use clock::Clock;
+pub use cnc::{Cnc, Event, State, Tick};
+pub use report::{Activity, Report};
 pub use supervision::Supervisor;

@@ -91,10 +91,10 @@ pub struct RunArgs {
     /// Write the position of every axis each servo period to this CSV file; - is standard output
     #[arg(long, value_name = "FILE")]
     pub samples: Option<PathBuf>,
-    /// Feed override in percent, 0 to 200
+    /// Feed override in percent, 1 to 200
     #[arg(long, value_name = "PERCENT", default_value_t = 100.0, value_parser = percent::<200>)]
     pub feed_override: f64,
-    /// Rapid override in percent, 0 to 100
+    /// Rapid override in percent, 1 to 100
     #[arg(long, value_name = "PERCENT", default_value_t = 100.0, value_parser = percent::<100>)]
     pub rapid_override: f64,
 }
@@ -151,7 +151,8 @@ pub struct ViewArgs {
 
 fn percent<const MOST: u32>(text: &str) -> Result<f64, String> {
     match text.trim_end_matches('%').parse::<f64>() {
-        Ok(value) if (0.0..=f64::from(MOST)).contains(&value) => Ok(value),
-        _ => Err(format!("give a number from 0 to {MOST}")),
+        // At 0 the machine would stand still for ever.
+        Ok(value) if (1.0..=f64::from(MOST)).contains(&value) => Ok(value),
+        _ => Err(format!("give a number from 1 to {MOST}")),
     }
 }

@@ -32,6 +32,11 @@ impl Failure {
         Failure { alarm: Alarm::core(fault, Span::default()), exit: Exit::WrongUse }
     }
 
+    /// A file that a result was to be written to.
+    pub fn cannot_write(file: &str, error: &std::io::Error) -> Failure {
+        Failure::wrong_use(Fault::FileUnwritable).with("file", file).with("reason", error.to_string())
+    }
+
     fn with(mut self, name: &'static str, value: impl Into<ferrocut_machine::Argument>) -> Failure {
         self.alarm = self.alarm.with(name, value);
         self

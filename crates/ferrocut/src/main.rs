@@ -4,6 +4,8 @@ mod cli;
 mod commands;
 mod diagnostics;
 mod job;
+mod report;
+mod samples;
 
 use clap::Parser;
 use cli::{Cli, Command};
@@ -15,7 +17,9 @@ fn main() -> ExitCode {
     let (done, common) = match cli.command {
         Command::Trace(args) => (commands::trace::run(&args), args.common),
         Command::Check(args) => (commands::check::run(&args), args.common),
-        _ => return ExitCode::from(2),
+        Command::Run(args) => (commands::run::run(&args), args.common),
+        Command::Time(args) => (commands::time::run(&args), args.common),
+        Command::View(_) => return ExitCode::from(2),
     };
     let exit = done.unwrap_or_else(|Failure { alarm, exit }| {
         job::diagnostics(&common).report(&alarm, "", None);

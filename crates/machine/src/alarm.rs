@@ -182,6 +182,8 @@ faults! {
     UnknownDialect = 905,
     /// A code or form that this version does not carry out.
     NotSupported = 906,
+    /// A file that a result cannot be written to.
+    FileUnwritable = 907,
 }
 
 /// How bad it is.

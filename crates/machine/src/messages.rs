@@ -105,12 +105,16 @@ impl Language {
     /// What its catalogue is read from; nothing where English stands in.
     fn sources(self) -> &'static [&'static str] {
         match self {
-            Language::En => {
-                &[include_str!("../messages/en/core.ftl"), include_str!("../messages/en/gsk990mc.ftl")]
-            }
-            Language::Zh => {
-                &[include_str!("../messages/zh/core.ftl"), include_str!("../messages/zh/gsk990mc.ftl")]
-            }
+            Language::En => &[
+                include_str!("../messages/en/core.ftl"),
+                include_str!("../messages/en/labels.ftl"),
+                include_str!("../messages/en/gsk990mc.ftl"),
+            ],
+            Language::Zh => &[
+                include_str!("../messages/zh/core.ftl"),
+                include_str!("../messages/zh/labels.ftl"),
+                include_str!("../messages/zh/gsk990mc.ftl"),
+            ],
             Language::Ru | Language::Es | Language::Tr => &[],
         }
     }
@@ -175,6 +179,20 @@ impl Catalogue {
     /// What to do about an alarm, for lists; none where no text is known.
     pub fn help_of(self, id: AlarmId) -> Option<String> {
         self.find(id, |texts, message| texts.complete(&message, Some("help"), None))
+    }
+
+    /// A text of `labels.ftl`, which holds what is shown beside alarms; the key itself where there is
+    /// none or an argument of it is missing.
+    pub fn label(self, key: &str, arguments: &[(&str, Argument)]) -> String {
+        let mut named = FluentArgs::new();
+        for (name, argument) in arguments {
+            match argument {
+                Argument::Number(number) => named.set(*name, *number),
+                Argument::Text(text) => named.set(*name, text.to_string()),
+            }
+        }
+        let found = self.look_up(key, &|texts, message| texts.complete(&message, None, Some(&named)));
+        found.unwrap_or_else(|| key.to_owned())
     }
 
     fn detail(self, id: AlarmId, arguments: &FluentArgs) -> Option<String> {
@@ -316,6 +334,30 @@ mod tests {
     }
 
     #[test]
+    fn every_label_is_in_every_language() {
+        let labels = |language: Language| -> BTreeSet<&'static str> {
+            let lines = language.sources().iter().flat_map(|source| source.lines());
+            lines
+                .filter(|line| line.starts_with("label-"))
+                .filter_map(|line| line.split(" =").next())
+                .collect()
+        };
+        assert!(labels(Language::En).contains("label-time"));
+        for language in WRITTEN {
+            assert_eq!(labels(Language::En), labels(language), "{language:?}");
+        }
+        let catalogue = Catalogue::new(Language::En);
+        let checked = |findings: f64| {
+            let arguments =
+                [("files", 2.0.into()), ("machine", "Demo mill".into()), ("findings", findings.into())];
+            catalogue.label("label-checked", &arguments)
+        };
+        assert_eq!(checked(0.0), "2 files checked on Demo mill: no findings");
+        assert_eq!(checked(1.0), "2 files checked on Demo mill: 1 finding");
+        assert_eq!(checked(5.0), "2 files checked on Demo mill: 5 findings");
+    }
+
+    #[test]
     fn catalogues_hold_the_alarms_and_nothing_else() {
         let key = |id: AlarmId| id.to_string().replace(':', "-");
         let mut known: BTreeSet<String> = ids().into_iter().map(key).collect();
@@ -324,7 +366,7 @@ mod tests {
         for language in WRITTEN {
             let messages = language.sources().iter().flat_map(|source| source.lines()).filter_map(|line| {
                 let (name, _) = line.split_once(" =")?;
-                (!name.starts_with([' ', '#'])).then(|| name.to_owned())
+                (!name.starts_with([' ', '#']) && !name.starts_with("label-")).then(|| name.to_owned())
             });
             let written: BTreeSet<_> = messages.collect();
             assert_eq!(known.symmetric_difference(&written).collect::<Vec<_>>(), [""; 0], "{language:?}");

@@ -3,8 +3,8 @@
 use crate::cli::CheckArgs;
 use crate::job::{Exit, Failure, Shop};
 use ferrocut_controller::Supervisor;
-use ferrocut_interpreter::Options;
-use ferrocut_machine::{Alarm, Argument};
+use ferrocut_interpreter::{Interpreter, Options};
+use ferrocut_machine::{Alarm, Argument, Fault};
 use rayon::prelude::*;
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
@@ -36,13 +36,12 @@ pub fn run(args: &CheckArgs) -> Result<Exit, Failure> {
         exit = exit.max(found.exit);
     }
     if !shop.diagnostics.is_json() {
-        let files = if results.len() == 1 { "1 file".to_owned() } else { format!("{} files", results.len()) };
-        let findings = match total {
-            0 => "no findings".to_owned(),
-            1 => "1 finding".to_owned(),
-            n => format!("{n} findings"),
-        };
-        let _ = writeln!(out, "{files} checked for {}: {findings}", shop.machine.name);
+        let arguments = [
+            ("files", (results.len() as f64).into()),
+            ("machine", shop.machine.name.as_str().into()),
+            ("findings", (total as f64).into()),
+        ];
+        let _ = writeln!(out, "{}", shop.diagnostics.catalogue().label("label-checked", &arguments));
     }
     Ok(exit)
 }
@@ -74,25 +73,36 @@ fn check(shop: &Shop, path: &Path, colour: bool) -> Findings {
             if found.count > MOST_FINDINGS {
                 continue;
             }
-            point_at_axis(&mut alarm, &interpreter);
+            point_at_word(&mut alarm, &interpreter);
             let programs = Some(interpreter.programs());
             // Writing to memory cannot fail.
             let _ = shop.diagnostics.write(&mut found.text, &alarm, &name, programs, colour);
         }
     }
     if found.count > MOST_FINDINGS && !shop.diagnostics.is_json() {
-        let _ = writeln!(found.text, "{name}: {} further findings\n", found.count - MOST_FINDINGS);
+        let further = [("count", ((found.count - MOST_FINDINGS) as f64).into())];
+        let _ = writeln!(
+            found.text,
+            "{name}: {}\n",
+            shop.diagnostics.catalogue().label("label-further", &further)
+        );
     }
     found
 }
 
-/// Narrows an alarm about an axis to the word of that axis, where its block has one.
-pub fn point_at_axis(alarm: &mut Alarm, interpreter: &ferrocut_interpreter::Interpreter) {
-    let axis = alarm.arguments.iter().find(|(name, _)| *name == "axis");
-    if let Some((_, Argument::Text(letter))) = axis
-        && let Some(letter) = letter.bytes().next()
-        && let Some(span) = interpreter.locate_word(alarm.span, letter)
-    {
+/// Narrows an alarm about a block to the word at fault, where the alarm tells which.
+pub fn point_at_word(alarm: &mut Alarm, interpreter: &Interpreter) {
+    let axis = alarm.arguments.iter().find_map(|(name, value)| match value {
+        Argument::Text(letter) if *name == "axis" => letter.bytes().next(),
+        _ => None,
+    });
+    let letter = match alarm.fault {
+        Fault::SoftLimit => axis,
+        Fault::ToolMissing => Some(b'T'),
+        Fault::SpindleTooFast => Some(b'S'),
+        _ => None,
+    };
+    if let Some(span) = letter.and_then(|letter| interpreter.locate_word(alarm.span, letter)) {
         alarm.span = span;
     }
 }

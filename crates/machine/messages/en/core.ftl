@@ -234,3 +234,7 @@ FC-0905 = The control language is not known
 FC-0906 = This version does not carry out the code
     .detail = { $word }
     .help = Remove the code, or replace it by others with the same effect.
+
+FC-0907 = A file cannot be written
+    .help = Check the path, the free space and the rights of the folder.
+    .detail = { $file }: { $reason }

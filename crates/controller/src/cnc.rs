@@ -1,0 +1,400 @@
+//! The control: takes steps as far ahead as motion looks, and each servo period moves the axes or
+//! does what a step asks beside.
+//!
+//! A move goes to motion as soon as there is room. Any other step (dwell, spindle, tool change, stop)
+//! waits until motion is at rest on the end of the move before it; nothing is taken beyond it until
+//! then, so that the step acts on a machine in the state that the program means. An alarm waits in
+//! the same way: the moves before it are finished, the one at fault does not begin.
+
+use crate::drives::{Drives, Simulated};
+use crate::report::{Activity, Report};
+use crate::spindle::Spindle;
+use crate::supervision::Supervisor;
+use ferrocut_geometry::Position;
+use ferrocut_interpreter::Interpreter;
+use ferrocut_machine::{Alarm, Fault, Machine, Severity};
+use ferrocut_motion::{Motion, Move};
+use ferrocut_program::Span;
+use ferrocut_toolpath::{Dwell, Feed, Op, Step};
+use std::collections::VecDeque;
+
+/// What the control is doing.
+#[derive(Clone, PartialEq, Debug)]
+pub enum State {
+    /// A program is loaded and waits for cycle start.
+    Ready,
+    /// The program runs.
+    Running,
+    /// Feed hold: at rest or coming to rest, goes on with cycle start.
+    Held,
+    /// Stopped by M00 or M01; goes on with cycle start.
+    Stopped(u32),
+    /// Reset: comes to rest, the rest of the program is forgotten.
+    Resetting,
+    /// Reset is done.
+    Reset,
+    /// Stopped by an alarm.
+    Alarmed(Box<Alarm>),
+    /// The program has ended.
+    Ended,
+}
+
+/// What happened beside motion.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Event {
+    /// Something worth knowing that does not stop the program.
+    Warning(Box<Alarm>),
+    /// Text of the program for the operator.
+    Message(Box<str>),
+    /// A tool was put into the spindle.
+    ToolChange(u32),
+}
+
+/// The machine at the end of a servo period.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Tick {
+    /// Commanded position of every axis, mm and degrees.
+    pub position: Position,
+    /// Where the axes are.
+    pub actual: Position,
+    /// Speed along the path, mm/s.
+    pub velocity: f64,
+    /// The block being run.
+    pub span: Span,
+    /// Whether motion was under way in this period.
+    pub moving: bool,
+}
+
+/// A move given to motion.
+#[derive(Clone, Copy, Debug)]
+struct Given {
+    tag: u64,
+    span: Span,
+    activity: Activity,
+    length: f64,
+    min: Position,
+    max: Position,
+}
+
+/// What waits for motion to come to rest.
+#[derive(Debug)]
+enum Waiting {
+    Step(Step),
+    Alarm(Box<Alarm>),
+}
+
+/// What the control is busy with while the axes stand still.
+#[derive(Clone, Copy, Debug)]
+struct Busy {
+    activity: Activity,
+    periods: u64,
+}
+
+/// A control with its machine.
+pub struct Cnc {
+    interpreter: Interpreter,
+    supervisor: Supervisor,
+    motion: Motion,
+    drives: Box<dyn Drives>,
+    spindle: Spindle,
+    period: f64,
+    tool_change_s: f64,
+    state: State,
+    hold: bool,
+    /// End of the last move given to motion.
+    commanded: Position,
+    given: VecDeque<Given>,
+    next_tag: u64,
+    waiting: Option<Waiting>,
+    busy: Option<Busy>,
+    span: Span,
+    report: Report,
+    events: Vec<Event>,
+}
+
+impl Cnc {
+    /// A control that is about to run a program. The axes stand where the interpreter starts.
+    pub fn new(machine: &Machine, interpreter: Interpreter) -> Cnc {
+        let start = interpreter.position();
+        let period = machine.servo_period_ms / 1000.0;
+        let motion = Motion::new(machine, start);
+        Cnc {
+            supervisor: Supervisor::new(machine, interpreter.dialect(), start),
+            given: VecDeque::with_capacity(motion.free() + 1),
+            motion,
+            interpreter,
+            drives: Box::new(Simulated),
+            spindle: Spindle::new(machine),
+            period,
+            tool_change_s: machine.tool_change.time_s,
+            state: State::Ready,
+            hold: false,
+            commanded: start,
+            next_tag: 1,
+            waiting: None,
+            busy: None,
+            span: Span::default(),
+            report: Report::new(period),
+            events: Vec::new(),
+        }
+    }
+
+    /// What the control is doing.
+    pub fn state(&self) -> &State {
+        &self.state
+    }
+
+    /// What the run took so far.
+    pub fn report(&self) -> &Report {
+        &self.report
+    }
+
+    /// The interpreter, for its program's text.
+    pub fn interpreter(&self) -> &Interpreter {
+        &self.interpreter
+    }
+
+    /// Takes what happened since the last call.
+    pub fn events(&mut self) -> Vec<Event> {
+        std::mem::take(&mut self.events)
+    }
+
+    /// Starts the program, or goes on after feed hold, M00 or M01.
+    pub fn cycle_start(&mut self) {
+        if matches!(self.state, State::Ready | State::Held | State::Stopped(_)) {
+            self.state = State::Running;
+            self.hold = false;
+            self.motion.resume();
+        }
+    }
+
+    /// Brings the axes to rest on the path; cycle start goes on.
+    pub fn feed_hold(&mut self) {
+        if self.state == State::Running {
+            self.state = State::Held;
+            self.hold = true;
+            self.motion.hold();
+        }
+    }
+
+    /// Brings the axes to rest and forgets the rest of the program.
+    pub fn reset(&mut self) {
+        if matches!(self.state, State::Ended | State::Reset) {
+            return;
+        }
+        self.motion.abort();
+        self.waiting = None;
+        self.busy = None;
+        self.state = State::Resetting;
+    }
+
+    /// Feed override 0 to 2 and rapid override 0 to 1, as factors.
+    pub fn set_override(&mut self, feed: f64, rapid: f64) {
+        self.motion.set_override(feed, rapid);
+    }
+
+    /// Goes on by one servo period.
+    pub fn tick(&mut self) -> Tick {
+        match self.state {
+            State::Running => {}
+            State::Held | State::Resetting => return self.slow_down(),
+            _ => return self.at_rest(),
+        }
+        loop {
+            self.take_steps();
+            if let Some(busy) = &mut self.busy {
+                let activity = busy.activity;
+                busy.periods -= 1;
+                if busy.periods == 0 {
+                    self.busy = None;
+                }
+                self.report.period(activity);
+                return self.at_rest();
+            }
+            if self.motion.is_empty() && self.motion.at_rest() {
+                self.finish_moves(u64::MAX);
+                match self.waiting.take() {
+                    Some(waiting) => self.act(waiting),
+                    None => self.state = State::Ended,
+                }
+                if self.state != State::Running {
+                    return self.at_rest();
+                }
+                continue;
+            }
+            return self.move_on();
+        }
+    }
+
+    /// A period of motion.
+    fn move_on(&mut self) -> Tick {
+        let setpoint = self.motion.tick();
+        self.finish_moves(setpoint.tag);
+        if let Some(given) = self.given.front() {
+            self.span = given.span;
+            self.report.period(given.activity);
+        }
+        let actual = self.drives.exchange(&setpoint.position);
+        let (position, velocity) = (setpoint.position, setpoint.velocity);
+        Tick { position, actual, velocity, span: self.span, moving: true }
+    }
+
+    /// A period in which the axes stand still.
+    fn at_rest(&mut self) -> Tick {
+        let position = self.motion.position();
+        let actual = self.drives.exchange(&position);
+        Tick { position, actual, velocity: 0.0, span: self.span, moving: false }
+    }
+
+    /// A period of coming to rest, or of standing still until cycle start.
+    fn slow_down(&mut self) -> Tick {
+        let was_at_rest = self.motion.at_rest();
+        if was_at_rest {
+            if self.state == State::Resetting {
+                self.given.clear();
+                self.commanded = self.motion.position();
+                self.state = State::Reset;
+            } else if let Some(Busy { activity: Activity::Spindle | Activity::ToolChange, .. }) = self.busy {
+                // Hold stops the axes and dwells; a spindle or changer under way comes to its end.
+                self.count_busy();
+            }
+            return self.at_rest();
+        }
+        self.move_on()
+    }
+
+    fn count_busy(&mut self) {
+        if let Some(busy) = &mut self.busy {
+            busy.periods -= 1;
+            self.report.period(busy.activity);
+            if busy.periods == 0 {
+                self.busy = None;
+            }
+        }
+    }
+
+    /// Takes steps from the interpreter while motion has room and nothing waits.
+    fn take_steps(&mut self) {
+        while self.waiting.is_none() && self.busy.is_none() && self.motion.free() > 0 {
+            match self.interpreter.next() {
+                None => {
+                    self.motion.finish();
+                    return;
+                }
+                Some(Err(alarm)) => self.wait_for(Waiting::Alarm(alarm)),
+                Some(Ok(step)) => self.take_step(step),
+            }
+        }
+    }
+
+    fn wait_for(&mut self, what: Waiting) {
+        self.waiting = Some(what);
+        self.motion.finish();
+    }
+
+    fn take_step(&mut self, step: Step) {
+        let mut refused = None;
+        let events = &mut self.events;
+        self.supervisor.step(&step, |alarm| match alarm.severity {
+            Severity::Warning => events.push(Event::Warning(Box::new(alarm))),
+            Severity::Error if refused.is_none() => refused = Some(Box::new(alarm)),
+            Severity::Error => {}
+        });
+        if let Some(alarm) = refused {
+            return self.wait_for(Waiting::Alarm(alarm));
+        }
+        if step.op.target().is_none() {
+            return self.wait_for(Waiting::Step(step));
+        }
+        if self.feed_stands_still(&step.op) {
+            let alarm = Alarm::core(Fault::FeedNotReachable, step.span);
+            return self.wait_for(Waiting::Alarm(Box::new(alarm)));
+        }
+        let from = self.commanded;
+        let tag = self.next_tag;
+        let Some(to) = step.op.target().copied() else { return };
+        let Some(motion) = Move::from_step(&step.op, from, self.spindle.rpm(), tag) else { return };
+        // There is room: the caller asked.
+        if self.motion.push(&motion).is_err() {
+            return;
+        }
+        self.next_tag += 1;
+        self.commanded = to;
+        let activity = if step.op.is_cutting() { Activity::Cutting } else { Activity::Rapid };
+        let (min, max) = step.op.extent(from).unwrap_or((from, to));
+        // Degrees of a rotary axis are no distance.
+        let is_linear = (0..3).any(|i| from.0[i] != to.0[i]) || step.op.arc(from).is_some();
+        let length = if is_linear { step.op.length(from) } else { 0.0 };
+        self.given.push_back(Given { tag, span: step.span, activity, length, min, max });
+    }
+
+    /// Whether a feed per revolution waits for a spindle that does not turn.
+    fn feed_stands_still(&self, op: &Op) -> bool {
+        let (Op::Feed { feed, .. } | Op::Arc { feed, .. } | Op::Skip { feed, .. }) = op else { return false };
+        matches!(feed, Feed::PerRevolution(_)) && self.spindle.rpm() == 0.0
+    }
+
+    /// Counts the moves before the one being run.
+    fn finish_moves(&mut self, running: u64) {
+        while let Some(given) = self.given.front().copied().filter(|g| g.tag < running) {
+            self.given.pop_front();
+            self.report.finished(given.activity, given.length, given.min, given.max);
+        }
+    }
+
+    /// Does what waited, the axes being at rest.
+    fn act(&mut self, waiting: Waiting) {
+        let step = match waiting {
+            Waiting::Alarm(alarm) => {
+                self.span = alarm.span;
+                self.state = State::Alarmed(alarm);
+                return;
+            }
+            Waiting::Step(step) => step,
+        };
+        self.span = step.span;
+        match step.op {
+            Op::Dwell(Dwell::Seconds(seconds)) => self.keep_busy(Activity::Dwell, seconds),
+            Op::Dwell(Dwell::Revolutions(turns)) => {
+                let rpm = self.spindle.rpm();
+                if rpm == 0.0 {
+                    self.state = State::Alarmed(Box::new(Alarm::core(Fault::FeedNotReachable, step.span)));
+                } else {
+                    self.keep_busy(Activity::Dwell, turns * 60.0 / rpm);
+                }
+            }
+            Op::Spindle(state) => {
+                let seconds = self.spindle.command(state);
+                self.keep_busy(Activity::Spindle, seconds);
+            }
+            Op::Orient(_) => {
+                let seconds = self.spindle.command(ferrocut_toolpath::SpindleState::Off);
+                self.keep_busy(Activity::Spindle, seconds);
+            }
+            Op::Change(tool) => {
+                self.report.change_tool(tool);
+                self.events.push(Event::ToolChange(tool));
+                self.keep_busy(Activity::ToolChange, self.tool_change_s);
+            }
+            Op::Message(text) => self.events.push(Event::Message(text)),
+            Op::Stop(code) => self.state = State::Stopped(code),
+            Op::End(code) => {
+                // M99 in the main program starts it again and counts no part (GSK990MC 5.2.5).
+                if code != 99 {
+                    self.report.parts += 1;
+                }
+                self.state = State::Ended;
+            }
+            _ => {}
+        }
+    }
+
+    /// Keeps the axes at rest for some time, rounded up to whole periods.
+    fn keep_busy(&mut self, activity: Activity, seconds: f64) {
+        // What a sum of decimals is above a whole number of periods is no further period.
+        let periods = (seconds / self.period - 1e-9).ceil();
+        if periods >= 1.0 {
+            self.busy = Some(Busy { activity, periods: periods as u64 });
+        }
+    }
+}

@@ -1,0 +1,13 @@
+//! What moves the axes.
+
+mod simulated;
+
+pub use simulated::Simulated;
+
+use ferrocut_geometry::Position;
+
+/// The drives of a machine, asked once a servo period.
+pub trait Drives {
+    /// Commands a position, mm and degrees, and returns where the axes are.
+    fn exchange(&mut self, commanded: &Position) -> Position;
+}

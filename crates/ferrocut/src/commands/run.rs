@@ -1,0 +1,245 @@
+//! `ferrocut run`: the main job. Runs a program on the machine and reports.
+
+use crate::cli::RunArgs;
+use crate::commands::check::point_at_word;
+use crate::diagnostics::Diagnostics;
+use crate::job::{Exit, Failure, Shop};
+use crate::report::{self, JsonReport};
+use crate::samples::Samples;
+use ferrocut_controller::{Clock, Cnc, Event, State, Tick};
+use ferrocut_geometry::Axis;
+use ferrocut_interpreter::Options;
+use ferrocut_machine::Machine;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use serde::Serialize;
+use std::io::{self, IsTerminal, Write};
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+/// The result of a run as JSON.
+#[derive(Serialize)]
+struct JsonRun<'a> {
+    program: &'a str,
+    machine: &'a str,
+    dialect: &'a str,
+    /// `ended`, `alarm`
+    state: &'static str,
+    alarm: Option<String>,
+    #[serde(flatten)]
+    report: JsonReport,
+}
+
+/// Runs the command.
+pub fn run(args: &RunArgs) -> Result<Exit, Failure> {
+    let shop = Shop::open(&args.common)?;
+    let job = shop.job(&args.file)?;
+    let name = job.path.to_string_lossy().into_owned();
+    let dialect = job.dialect.name;
+    let is_json = shop.diagnostics.is_json();
+    let mut samples = match &args.samples {
+        None => None,
+        Some(path) => Some(Samples::create(path, &shop.machine)?),
+    };
+    let samples_on_stdout = args.samples.as_deref() == Some(Path::new("-"));
+    if !is_json && !samples_on_stdout {
+        print_header(&shop, &job, &name);
+    }
+    let interpreter = job.interpreter(Options { loops_forever: args.realtime, ..shop.options() });
+    let length = interpreter.programs().text(ferrocut_program::FileId(0)).map_or(0, |t| t.len());
+    let mut cnc = Cnc::new(&shop.machine, interpreter);
+    cnc.set_override(args.feed_override / 100.0, args.rapid_override / 100.0);
+    let clock = if args.realtime { Clock::real(shop.machine.servo_period_ms) } else { Clock::Virtual };
+    let mut screen = Screen::new(&shop, length, args.realtime);
+    let lost = drive(&mut cnc, clock, samples.as_mut(), &mut screen, &shop.diagnostics, &name);
+    screen.clear();
+    if let Some(samples) = samples
+        && let Err(error) = lost.and_then(|()| samples.finish())
+        && !samples_on_stdout
+    {
+        let file = args.samples.as_deref().unwrap_or(Path::new("")).to_string_lossy().into_owned();
+        return Err(Failure::cannot_write(&file, &error));
+    }
+    let mut exit = Exit::Fine;
+    if let State::Alarmed(alarm) = cnc.state() {
+        let mut alarm = alarm.clone();
+        point_at_word(&mut alarm, cnc.interpreter());
+        shop.diagnostics.report(&alarm, &name, Some(cnc.interpreter().programs()));
+        exit = Exit::Finding;
+    }
+    let mut out: Box<dyn Write> = match samples_on_stdout {
+        true => Box::new(io::stderr().lock()),
+        false => Box::new(io::stdout().lock()),
+    };
+    // A reader that went away is no fault of the run.
+    let _ = match is_json {
+        true => write_json(&mut out, &cnc, &shop.machine, &name, dialect),
+        false => write_text(&mut out, &cnc, &shop),
+    };
+    Ok(exit)
+}
+
+fn print_header(shop: &Shop, job: &crate::job::Job, name: &str) {
+    let catalogue = shop.diagnostics.catalogue();
+    let machine = shop.machine.name.as_str();
+    let machine = match shop.machine_is_built_in {
+        true => catalogue.label("label-built-in", &[("machine", machine.into())]),
+        false => machine.to_owned(),
+    };
+    let dialect = match job.guessed {
+        true => catalogue.label("label-guessed", &[("dialect", job.dialect.name.into())]),
+        false => job.dialect.name.to_owned(),
+    };
+    println!("{name}");
+    println!("  {}: {machine}", catalogue.label("label-machine", &[]));
+    println!("  {}: {dialect}", catalogue.label("label-control", &[]));
+}
+
+fn write_text(out: &mut dyn Write, cnc: &Cnc, shop: &Shop) -> io::Result<()> {
+    if matches!(cnc.state(), State::Alarmed(_)) {
+        writeln!(out, "{}", shop.diagnostics.catalogue().label("label-ended-by-alarm", &[]))?;
+    }
+    write!(out, "{}", report::text(cnc.report(), &shop.machine, &shop.diagnostics))
+}
+
+fn write_json(
+    out: &mut dyn Write,
+    cnc: &Cnc,
+    machine: &Machine,
+    name: &str,
+    dialect: &str,
+) -> io::Result<()> {
+    let alarm = match cnc.state() {
+        State::Alarmed(alarm) => Some(alarm.id.to_string()),
+        _ => None,
+    };
+    let run = JsonRun {
+        program: name,
+        machine: &machine.name,
+        dialect,
+        state: if alarm.is_some() { "alarm" } else { "ended" },
+        alarm,
+        report: JsonReport::new(cnc.report(), machine),
+    };
+    serde_json::to_writer(&mut *out, &run)?;
+    writeln!(out)
+}
+
+/// Runs the program to its end. An error is one of writing samples, which ends the run.
+fn drive(
+    cnc: &mut Cnc,
+    mut clock: Clock,
+    mut samples: Option<&mut Samples>,
+    screen: &mut Screen,
+    diagnostics: &Diagnostics,
+    name: &str,
+) -> io::Result<()> {
+    cnc.cycle_start();
+    loop {
+        let before = cnc.state() == &State::Running;
+        let tick = cnc.tick();
+        for event in cnc.events() {
+            screen.event(&event, cnc, diagnostics, name);
+        }
+        match cnc.state() {
+            State::Running => {}
+            State::Stopped(code) => {
+                screen.stopped(*code, tick.span.line, diagnostics);
+                cnc.cycle_start();
+                continue;
+            }
+            _ => return Ok(()),
+        }
+        if let Some(samples) = samples.as_mut().filter(|_| before) {
+            samples.take(&tick)?;
+        }
+        screen.show(&tick, cnc);
+        clock.wait();
+    }
+}
+
+/// The live line on a terminal; nothing elsewhere.
+struct Screen {
+    bar: ProgressBar,
+    axes: Vec<Axis>,
+    next: Instant,
+    asks: bool,
+    /// Ticks until the clock is looked at again.
+    countdown: u32,
+}
+
+/// How often the live line is drawn.
+const REDRAW: Duration = Duration::from_millis(100);
+
+/// Ticks between two looks at the clock on a virtual clock, which are cheaper than the look.
+const LOOK_EVERY: u32 = 64;
+
+impl Screen {
+    fn new(shop: &Shop, length: u64, realtime: bool) -> Screen {
+        let bar = ProgressBar::with_draw_target(Some(length), ProgressDrawTarget::stderr());
+        if let Ok(style) = ProgressStyle::with_template("{bar:30} {percent:>3} %  {msg}") {
+            bar.set_style(style);
+        }
+        let axes = shop.machine.axis_set().iter().collect();
+        let asks = realtime && io::stdin().is_terminal() && !shop.diagnostics.is_json();
+        Screen { bar, axes, next: Instant::now(), asks, countdown: 0 }
+    }
+
+    /// Draws position, line and time so far.
+    fn show(&mut self, tick: &Tick, cnc: &Cnc) {
+        if self.bar.is_hidden() || self.countdown > 0 {
+            self.countdown = self.countdown.saturating_sub(1);
+            return;
+        }
+        self.countdown = LOOK_EVERY;
+        let now = Instant::now();
+        if now < self.next {
+            return;
+        }
+        self.next = now + REDRAW;
+        if tick.span.file.0 == 0 {
+            self.bar.set_position(tick.span.offset);
+        }
+        let position: Vec<String> =
+            self.axes.iter().map(|a| format!("{}{:9.3}", a.letter(), tick.position[*a])).collect();
+        self.bar.set_message(format!(
+            "N{} T{} {}  F{:.0}  {}",
+            tick.span.line,
+            cnc.report().tool(),
+            position.join(" "),
+            tick.velocity * 60.0,
+            report::clock(cnc.report().total()),
+        ));
+    }
+
+    fn event(&self, event: &Event, cnc: &Cnc, diagnostics: &Diagnostics, name: &str) {
+        self.bar.suspend(|| match event {
+            Event::Warning(alarm) => {
+                let mut alarm = alarm.clone();
+                point_at_word(&mut alarm, cnc.interpreter());
+                diagnostics.report(&alarm, name, Some(cnc.interpreter().programs()));
+            }
+            Event::Message(text) => eprintln!("{text}"),
+            Event::ToolChange(_) => {}
+        });
+    }
+
+    /// M00 and M01: asks for cycle start where somebody sits there, else goes on.
+    fn stopped(&self, code: u32, line: u32, diagnostics: &Diagnostics) {
+        let catalogue = diagnostics.catalogue();
+        let text = catalogue.label("label-stopped", &[("code", format!("M{code:02}").into())]);
+        self.bar.suspend(|| {
+            if !diagnostics.is_json() {
+                eprintln!("{line}: {text}");
+            }
+            if self.asks {
+                eprintln!("{}", catalogue.label("label-press-enter", &[]));
+                let mut answer = String::new();
+                let _ = io::stdin().read_line(&mut answer);
+            }
+        });
+    }
+
+    fn clear(&self) {
+        self.bar.finish_and_clear();
+    }
+}

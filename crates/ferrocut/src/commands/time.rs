@@ -1,0 +1,42 @@
+//! `ferrocut time`: how long a program takes, by the same code that runs it.
+
+use crate::cli::TimeArgs;
+use crate::commands::check::point_at_word;
+use crate::job::{Exit, Failure, Shop};
+use crate::report::{self, JsonReport};
+use ferrocut_controller::{Cnc, State};
+use std::io::{self, Write};
+
+/// Runs the command.
+pub fn run(args: &TimeArgs) -> Result<Exit, Failure> {
+    let shop = Shop::open(&args.common)?;
+    let job = shop.job(&args.file)?;
+    let name = job.path.to_string_lossy().into_owned();
+    let mut cnc = Cnc::new(&shop.machine, job.interpreter(shop.options()));
+    loop {
+        cnc.cycle_start();
+        while cnc.state() == &State::Running {
+            cnc.tick();
+        }
+        // What waits for the operator takes no time that a prediction could know.
+        if !matches!(cnc.state(), State::Stopped(_)) {
+            break;
+        }
+    }
+    let mut exit = Exit::Fine;
+    if let State::Alarmed(alarm) = cnc.state() {
+        let mut alarm = alarm.clone();
+        point_at_word(&mut alarm, cnc.interpreter());
+        shop.diagnostics.report(&alarm, &name, Some(cnc.interpreter().programs()));
+        exit = Exit::Finding;
+    }
+    let mut out = io::stdout().lock();
+    // A reader that went away is no fault of the program.
+    let _ = match shop.diagnostics.is_json() {
+        true => serde_json::to_writer(&mut out, &JsonReport::new(cnc.report(), &shop.machine))
+            .map_err(io::Error::from)
+            .and_then(|()| writeln!(out)),
+        false => write!(out, "{name}\n{}", report::text(cnc.report(), &shop.machine, &shop.diagnostics)),
+    };
+    Ok(exit)
+}
