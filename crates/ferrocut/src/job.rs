@@ -22,14 +22,14 @@ pub enum Exit {
 #[derive(Debug)]
 pub struct Failure {
     /// What is wrong.
-    pub alarm: Alarm,
+    pub alarm: Box<Alarm>,
     /// With which status to leave.
     pub exit: Exit,
 }
 
 impl Failure {
     fn wrong_use(fault: Fault) -> Failure {
-        Failure { alarm: Alarm::core(fault, Span::default()), exit: Exit::WrongUse }
+        Failure { alarm: Box::new(Alarm::core(fault, Span::default())), exit: Exit::WrongUse }
     }
 
     /// A file that a result was to be written to.
@@ -38,7 +38,7 @@ impl Failure {
     }
 
     fn with(mut self, name: &'static str, value: impl Into<ferrocut_machine::Argument>) -> Failure {
-        self.alarm = self.alarm.with(name, value);
+        self.alarm.arguments.push((name, value.into()));
         self
     }
 }
@@ -172,7 +172,8 @@ fn open_failure(path: &Path, error: OpenError) -> Failure {
         OpenError::Utf16 => (Fault::FileNotText, Exit::Finding, None),
         OpenError::Empty => (Fault::FileEmpty, Exit::Finding, None),
     };
-    let mut failure = Failure { alarm: Alarm::core(fault, Span::default()), exit }.with("file", name);
+    let mut failure =
+        Failure { alarm: Box::new(Alarm::core(fault, Span::default())), exit }.with("file", name);
     if let Some(reason) = reason {
         failure = failure.with("reason", reason);
     }

@@ -1,5 +1,7 @@
 //! Lexing a program of one million G01 blocks.
 
+#![allow(clippy::unwrap_used)]
+
 use ferrocut_program::{FileId, ProgramMemory, Syntax, Text};
 
 fn main() {

@@ -6,6 +6,9 @@
 
 use std::borrow::Cow;
 
+/// U+FEFF in GB18030, which the Encoding Standard does not count among the marks.
+const GB18030_MARK: [u8; 4] = [0x84, 0x31, 0x95, 0x33];
+
 /// Encoding of a program file.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Encoding {
@@ -26,6 +29,9 @@ impl Encoding {
     pub fn detect(start: &[u8], is_all: bool) -> Encoding {
         if let Some((encoding, mark)) = encoding_rs::Encoding::for_bom(start) {
             return Encoding { encoding, mark };
+        }
+        if start.starts_with(&GB18030_MARK) {
+            return Encoding { encoding: encoding_rs::GB18030, mark: GB18030_MARK.len() };
         }
         let is_utf8 = match std::str::from_utf8(start) {
             Ok(_) => true,

@@ -81,9 +81,12 @@ pub enum Node {
     Call(Function),
 }
 
-/// The deepest stack that evaluating an expression of the parser may need. Brackets are limited by
-/// [`MAX_NESTING`] and each level holds at most one operand a precedence.
+/// Values that evaluating an expression of the parser may have on the stack at most.
+///
+/// Within a bracket one value a precedence can wait for its right operand, and one for the second
+/// half of `ATAN[a]/[b]`. With [`MAX_NESTING`] brackets a language of up to 7 precedences never gets
+/// here (30 · (7 + 1) + 7 + 1 = 248); the parser refuses what does.
 pub const MAX_STACK: usize = 256;
 
-/// Brackets and signs nested deeper than this are a defect in every language.
+/// Brackets, signs and `#` nested deeper than this, counted together, are a defect in every language.
 pub const MAX_NESTING: u8 = 30;

@@ -6,8 +6,11 @@
 //! The bytes are not decoded first: addresses, numbers and signs are ASCII in every encoding that
 //! programs come in, and neither UTF-8 nor GB18030 uses the bytes of `)`, `;` or a line end inside a
 //! longer character. Other text stands in comments, which are skipped.
+//!
+//! Work and memory are proportional to the text, whatever it holds: what looks ahead is bounded, and
+//! so is recursion ([`MAX_NESTING`], [`MAX_STACK`]).
 
-use crate::expression::{Function, MAX_NESTING, Node, Unary};
+use crate::expression::{Function, MAX_NESTING, MAX_STACK, Node, Unary};
 use crate::number;
 use crate::page::{Block, Defect, DefectKind, ExprRange, Page, Statement, Word};
 use crate::span::FileId;
@@ -16,46 +19,124 @@ use crate::syntax::{Keyword, Syntax};
 /// Words in a block beyond which it is refused; no control takes nearly as many.
 const MAX_WORDS: usize = 512;
 
+/// Bytes read by one call of [`lex`]. The shortest statement with its end of block (`DO1;`) takes four
+/// bytes, so that the index of a statement fits its 16 bits.
+pub const MAX_TEXT: usize = 4 << 16;
+
+/// Bytes of a line beyond which it is refused whatever the syntax allows: the length of a word fits
+/// 16 bits, and a line with its end (CR LF) fits a page.
+pub const MAX_LINE: usize = (1 << 16) - 2;
+
+/// Letters of a name that are looked at; names of keywords and functions are shorter.
+const LONGEST_NAME: usize = 16;
+
+/// Bytes of an over-long line that its defect underlines.
+const UNDERLINED: usize = 80;
+
 /// What [`lex`] read.
 pub struct Lexed {
     /// The blocks.
     pub page: Page,
-    /// Bytes read; lines are never cut.
+    /// Bytes read; they end with a line end, with the file, or as [`Lexed::is_cut`] tells.
     pub consumed: usize,
-    /// Line at which the next page starts.
+    /// Line at which the text behind the bytes read starts, counted from 1.
     pub next_line: u32,
+    /// Whether the bytes read end within an over-long line, whose rest belongs to no block.
+    pub is_cut: bool,
 }
 
-/// Lexes whole lines of `text`, which stands in `file` at `offset` and starts line `line`.
+/// Where in a file a page starts.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Start {
+    pub(crate) file: FileId,
+    /// Offset in the file, bytes.
+    pub(crate) offset: u64,
+    /// Line, counted from 1.
+    pub(crate) line: u32,
+    /// Whether the file has no block before: a `%` here opens the program and does not close it.
+    pub(crate) is_head: bool,
+}
+
+/// Lexes whole lines of `text`, which stands in `file` at `offset` (bytes) and starts line `line`
+/// (counted from 1; in line 1 nothing stands before it).
 ///
 /// `is_last` tells that the file ends where `text` ends; else only lines that are closed are read.
-/// A `text` without any line end that is not the last is one over-long line: it is all consumed and
-/// becomes one defective block.
+/// At most [`MAX_TEXT`] bytes are read; call again for more. A `text` without any line end that is not
+/// the last is the start of one over-long line: it is consumed and becomes one defective block.
 pub fn lex(text: &[u8], file: FileId, offset: u64, line: u32, is_last: bool, syntax: &Syntax) -> Lexed {
-    let end = if is_last { text.len() } else { end_of_lines(text) };
-    let page = Page { file, offset, ..Page::default() };
-    let mut lexer = Lexer { text: text.get(..end).unwrap_or(text), at: 0, line, line_start: 0, syntax, page };
-    lexer.run();
-    Lexed { page: lexer.page, consumed: end, next_line: lexer.line }
+    lex_from(text, Start { file, offset, line, is_head: line == 1 }, is_last, syntax)
 }
 
-/// Length of the part of `text` that ends with a line end; all of it where it has none.
-fn end_of_lines(text: &[u8]) -> usize {
+pub(crate) fn lex_from(text: &[u8], start: Start, is_last: bool, syntax: &Syntax) -> Lexed {
+    let (text, is_last) = match text.get(..MAX_TEXT) {
+        Some(first) if text.len() > MAX_TEXT => (first, false),
+        _ => (text, is_last),
+    };
+    let end_of_lines = if is_last { Some(text.len()) } else { end_of_lines(text) };
+    // A CR that ends the text may be the first half of CR LF: leave it with what follows.
+    let end = end_of_lines.unwrap_or(text.len() - usize::from(text.ends_with(b"\r")));
+    let page = Page { file: start.file, offset: start.offset, ..Page::default() };
+    let mut lexer = Lexer {
+        text: text.get(..end).unwrap_or(text),
+        at: 0,
+        line: start.line,
+        line_start: 0,
+        is_head: start.is_head,
+        syntax,
+        page,
+    };
+    lexer.run();
+    let is_cut = end_of_lines.is_none() && end > 0;
+    if is_cut {
+        lexer.refuse_line();
+    }
+    Lexed { page: lexer.page, consumed: end, next_line: lexer.line, is_cut }
+}
+
+/// Length of the part of `text` that ends with a line end; `None` where it has none.
+fn end_of_lines(text: &[u8]) -> Option<usize> {
     let last = text.iter().rposition(|b| *b == b'\n').or_else(|| {
         // A file with CR alone. The last byte may be the first half of CR LF: leave it.
         text.get(..text.len().saturating_sub(1))?.iter().rposition(|b| *b == b'\r')
     });
-    last.map_or(text.len(), |at| at + 1)
+    last.map(|at| at + 1)
 }
 
-/// A defect found in an expression or statement, before its block is known.
+/// A defect whose block is not known yet: kind, offset, length.
 struct Flaw(DefectKind, usize, usize);
+
+/// How deep in an expression the parser is.
+#[derive(Clone, Copy, Default)]
+struct Depth {
+    /// Signs, brackets and `#` around the present place.
+    nesting: u8,
+    /// The brackets among them.
+    brackets: u8,
+    /// Values on the evaluator's stack when it comes here.
+    values: usize,
+}
+
+impl Depth {
+    /// Behind a sign, bracket or `#` that stands at `at`.
+    fn nested(self, at: usize) -> Result<Depth, Flaw> {
+        if self.nesting >= MAX_NESTING {
+            return Err(Flaw(DefectKind::BracketsTooDeep, at, 1));
+        }
+        Ok(Depth { nesting: self.nesting + 1, ..self })
+    }
+
+    /// With one more value on the stack.
+    fn with_value(self) -> Depth {
+        Depth { values: self.values + 1, ..self }
+    }
+}
 
 struct Lexer<'a> {
     text: &'a [u8],
     at: usize,
     line: u32,
     line_start: usize,
+    is_head: bool,
     syntax: &'a Syntax,
     page: Page,
 }
@@ -70,7 +151,7 @@ impl Lexer<'_> {
 
     #[inline]
     fn peek(&self) -> u8 {
-        // 0 stands for the end of the text; a zero byte in the text is an illegal character.
+        // 0 stands for the end of the text as well as for a zero byte in it, which is padding.
         self.text.get(self.at).copied().unwrap_or(0)
     }
 
@@ -108,21 +189,31 @@ impl Lexer<'_> {
     }
 
     fn check_line_length(&mut self) {
-        let len = self.at.min(self.text.len()) - self.line_start;
-        if len <= self.syntax.max_line {
-            return;
+        if self.at.min(self.text.len()) - self.line_start > self.syntax.max_line.min(MAX_LINE) {
+            self.refuse_line();
         }
-        // The block of this line carries the defect; a line without one gets a block for it.
+    }
+
+    /// Puts one defective block in the place of what was read of this line.
+    fn refuse_line(&mut self) {
         let start = self.line_start as u32;
-        if self.page.blocks.last().is_none_or(|b| b.at < start) {
-            let first_word = self.page.words.len() as u32;
-            self.page.blocks.push(Block { at: start, line: self.line, first_word, ..Block::default() });
+        let len = self.at.min(self.text.len()) - self.line_start;
+        let number = self.page.blocks.partition_point(|b| b.at < start);
+        if let Some(first) = self.page.blocks.get(number) {
+            self.page.words.truncate(first.first_word as usize);
+            self.page.blocks.truncate(number);
+            let others = self.page.defects.partition_point(|d| (d.block as usize) < number);
+            self.page.defects.truncate(others);
         }
-        if let Some(block) = self.page.blocks.last_mut() {
-            block.is_defective = true;
-        }
-        let block = (self.page.blocks.len() as u32).saturating_sub(1);
-        self.flaw(block, Flaw(DefectKind::LineTooLong, self.line_start, len.min(80)));
+        self.page.blocks.push(Block {
+            at: start,
+            len: len as u32,
+            line: self.line,
+            first_word: self.page.words.len() as u32,
+            is_defective: true,
+            ..Block::default()
+        });
+        self.flaw(number as u32, Flaw(DefectKind::LineTooLong, self.line_start, len.min(UNDERLINED)));
     }
 
     /// Reads one block and its end.
@@ -144,19 +235,18 @@ impl Lexer<'_> {
                     if self.byte_at(self.at + 1).is_ascii_alphabetic() && self.is_keyword() {
                         statement = self.statement(number, first_word);
                     } else {
-                        self.word(number, false);
-                        if self.page.words.len() - first_word > MAX_WORDS {
-                            self.flaw(number, Flaw(DefectKind::LineTooLong, start, 80));
-                            self.to_end_of_block();
-                        }
+                        self.word(number, first_word, false);
                     }
                     text_end = self.at;
                 }
                 b' ' | b'\t' => self.at += 1,
-                // Padding of tapes: zero bytes, form feeds, reader controls, the old end of file.
-                0 | 0x0B | 0x0C | 0x11..=0x14 | 0x1A if self.at < self.text.len() => self.at += 1,
+                _ if is_padding(byte) && self.at < self.text.len() => self.at += 1,
                 b'\n' | b'\r' | b';' => break,
-                b'(' if self.syntax.paren_comments => self.comment(number),
+                b'(' if self.syntax.paren_comments => {
+                    if !self.comment(number) {
+                        text_end = self.at;
+                    }
+                }
                 b'/' if self.only_sequence_number(first_word) => {
                     skip = skip.saturating_add(1);
                     self.at += 1;
@@ -171,14 +261,13 @@ impl Lexer<'_> {
                     text_end = self.at;
                 }
                 b',' if self.byte_at(self.at + 1).is_ascii_alphabetic() => {
-                    self.word(number, true);
+                    self.word(number, first_word, true);
                     text_end = self.at;
                 }
                 b'%' if self.page.words.len() == first_word && skip == 0 => {
-                    self.to_end_of_line();
-                    is_mark = self.page.offset + start as u64 > 0;
-                    text_end = start + 1;
-                    break;
+                    is_mark = !(self.is_head && self.page.blocks.is_empty());
+                    text_end = self.at + 1;
+                    self.skip_rest_of_block();
                 }
                 _ if self.at >= self.text.len() => break,
                 _ => {
@@ -208,38 +297,39 @@ impl Lexer<'_> {
         }
     }
 
-    /// Whether nothing but an N word was read of this block.
+    /// Whether nothing but an N word, or nothing, was read of this block.
     fn only_sequence_number(&self, first_word: usize) -> bool {
-        self.page.words.get(first_word..).is_some_and(|w| w.iter().all(|w| w.letter == b'N'))
+        match self.page.words.get(first_word..) {
+            Some([]) => true,
+            Some([word]) => word.letter == b'N' && !word.has_comma(),
+            _ => false,
+        }
     }
 
     fn flaw(&mut self, block: u32, Flaw(kind, at, len): Flaw) {
         self.page.defects.push(Defect { block, kind, at: at as u32, len: len as u32 });
     }
 
-    fn to_end_of_line(&mut self) {
-        while self.at < self.text.len() && !matches!(self.peek(), b'\n' | b'\r') {
-            self.at += 1;
-        }
-    }
-
-    /// Skips what is left of a block whose statement cannot be read.
-    fn to_end_of_block(&mut self) {
+    /// Skips what is left of a block that cannot be read further.
+    fn skip_rest_of_block(&mut self) {
         while !self.at_end_of_block() {
             self.at += 1;
         }
     }
 
-    fn comment(&mut self, block: u32) {
+    /// Skips a comment; false, and a defect, if it is not closed.
+    fn comment(&mut self, block: u32) -> bool {
         let start = self.at;
         let rest = self.text.get(start..).unwrap_or(&[]);
         let len = rest.iter().position(|b| matches!(b, b')' | b'\n' | b'\r')).unwrap_or(rest.len());
         self.at = start + len;
-        if self.peek() == b')' {
+        let is_closed = self.peek() == b')';
+        if is_closed {
             self.at += 1;
         } else {
             self.flaw(block, Flaw(DefectKind::UnclosedComment, start, len));
         }
+        is_closed
     }
 
     /// Something that starts neither word nor statement.
@@ -268,9 +358,13 @@ impl Lexer<'_> {
         }
     }
 
-    /// Reads an address and its value.
+    /// Reads an address and its value, and gives up a block that has too many.
     #[inline]
-    fn word(&mut self, block: u32, comma: bool) {
+    fn word(&mut self, block: u32, first_word: usize, comma: bool) {
+        if self.page.words.len() - first_word >= MAX_WORDS {
+            self.flaw(block, Flaw(DefectKind::LineTooLong, self.at, 1));
+            return self.skip_rest_of_block();
+        }
         let start = self.at;
         self.at += usize::from(comma);
         let letter = self.peek().to_ascii_uppercase();
@@ -279,40 +373,52 @@ impl Lexer<'_> {
         let mut negative = false;
         let mut signs = 0;
         let sign_at = self.at;
+        // The blanks behind belong to nobody if no value follows.
+        let mut end = start + usize::from(comma) + 1;
         while matches!(self.peek(), b'-' | b'+') {
             negative ^= self.peek() == b'-';
             signs += 1;
             self.at += 1;
+            end = self.at;
             self.skip_blanks();
         }
         if signs > 1 {
-            self.flaw(block, Flaw(DefectKind::MisplacedSign, sign_at, self.at - sign_at));
+            self.flaw(block, Flaw(DefectKind::MisplacedSign, sign_at, end - sign_at));
         }
         match self.peek() {
             b'0'..=b'9' | b'.' => self.numeric_word(block, letter, start, negative, comma),
-            b'#' | b'[' => {
-                let first = self.page.nodes.len();
-                match self.primary(1) {
-                    Ok(()) => {
-                        if negative {
-                            self.page.nodes.push(Node::Unary(Unary::Negate));
-                        }
-                        let range = self.range_from(first);
-                        let len = (self.at - start) as u16;
-                        self.page.words.push(Word::expression(letter, range, comma, start as u32, len));
-                    }
-                    Err(flaw) => {
-                        self.flaw(block, flaw);
-                        self.to_end_of_block();
-                    }
-                }
-            }
+            b'#' | b'[' => self.expression_word(block, letter, start, negative, comma),
+            b'(' if self.syntax.paren_groups => self.expression_word(block, letter, start, negative, comma),
             _ => {
-                // The blanks looked past belong to nobody.
-                self.at = start + usize::from(comma) + 1 + signs;
+                self.at = end;
                 self.flaw(block, Flaw(DefectKind::AddressWithoutNumber, start, self.at - start));
             }
         }
+    }
+
+    fn expression_word(&mut self, block: u32, letter: u8, start: usize, negative: bool, comma: bool) {
+        let first = self.page.nodes.len();
+        match self.primary(Depth::default()) {
+            Ok(()) => {
+                if negative {
+                    self.page.nodes.push(Node::Unary(Unary::Negate));
+                }
+                let range = self.range_from(first);
+                let len = self.word_len(start);
+                self.page.words.push(Word::expression(letter, range, comma, start as u32, len));
+            }
+            Err(flaw) => {
+                self.flaw(block, flaw);
+                self.skip_rest_of_block();
+            }
+        }
+    }
+
+    /// Length of the word that started at `start`. One that is longer than 16 bits tell is of a line
+    /// that will be refused.
+    #[inline]
+    fn word_len(&self, start: usize) -> u16 {
+        (self.at - start).min(usize::from(u16::MAX)) as u16
     }
 
     #[inline]
@@ -327,7 +433,7 @@ impl Lexer<'_> {
             return self.flaw(block, Flaw(DefectKind::NumberTooLarge, start, self.at - start));
         }
         let value = if negative { -decimal.value } else { decimal.value };
-        let len = (self.at - start).min(usize::from(u16::MAX)) as u16;
+        let len = self.word_len(start);
         self.page.words.push(Word::number(letter, value, decimal.point, comma, start as u32, len));
         let next = self.peek();
         if matches!(next, b'.' | b'-' | b'+') {
@@ -343,10 +449,10 @@ impl Lexer<'_> {
         ExprRange { start: first as u32, len: (self.page.nodes.len() - first) as u32 }
     }
 
-    /// The run of letters from here on.
+    /// The run of letters from here on, or the start of a longer one than any name.
     fn letters(&self) -> &[u8] {
         let rest = self.text.get(self.at..).unwrap_or(&[]);
-        let len = rest.iter().position(|b| !b.is_ascii_alphabetic()).unwrap_or(rest.len());
+        let len = rest.iter().take(LONGEST_NAME).take_while(|b| b.is_ascii_alphabetic()).count();
         rest.get(..len).unwrap_or(&[])
     }
 
@@ -365,6 +471,8 @@ impl Lexer<'_> {
             }
             match self.at_end_of_block() {
                 true => Ok(statement),
+                // A comment that is not closed; it is read, and reported, with the block.
+                false if self.peek() == b'(' && self.syntax.paren_comments => Ok(statement),
                 false if self.peek().is_ascii_alphabetic() => {
                     Err(Flaw(DefectKind::MixedStatement, self.at, self.rest_of_block()))
                 }
@@ -378,16 +486,20 @@ impl Lexer<'_> {
             }
             Err(flaw) => {
                 self.flaw(block, flaw);
-                self.to_end_of_block();
+                self.skip_rest_of_block();
                 None
             }
         }
     }
 
-    /// Skips blanks and comments.
+    /// Skips blanks, padding and comments.
     fn skip_to_code(&mut self) {
         loop {
-            self.skip_blanks();
+            while self.at < self.text.len()
+                && (is_padding(self.peek()) || matches!(self.peek(), b' ' | b'\t'))
+            {
+                self.at += 1;
+            }
             if self.peek() != b'(' || !self.syntax.paren_comments {
                 return;
             }
@@ -401,11 +513,20 @@ impl Lexer<'_> {
 
     fn rest_of_block(&self) -> usize {
         let rest = self.text.get(self.at..).unwrap_or(&[]);
-        rest.iter().position(|b| matches!(b, b'\n' | b'\r' | b';')).unwrap_or(rest.len()).max(1)
+        rest.iter().position(|b| matches!(b, b'\n' | b'\r' | b';')).unwrap_or(rest.len())
+    }
+
+    /// The last byte that is no blank, to point at where something is missing at the end of a block.
+    fn last_code(&self) -> usize {
+        let read = self.text.get(..self.at).unwrap_or(&[]);
+        read.iter().rposition(|b| !matches!(b, b' ' | b'\t')).unwrap_or(0)
     }
 
     fn malformed<T>(&self) -> Result<T, Flaw> {
-        Err(Flaw(DefectKind::MalformedStatement, self.at, self.rest_of_block()))
+        Err(match self.at_end_of_block() {
+            true => Flaw(DefectKind::MalformedStatement, self.last_code(), 1),
+            false => Flaw(DefectKind::MalformedStatement, self.at, self.rest_of_block()),
+        })
     }
 
     fn take_keyword(&mut self, wanted: Keyword) -> bool {
@@ -481,7 +602,7 @@ impl Lexer<'_> {
 
     fn goto_target(&mut self) -> Result<ExprRange, Flaw> {
         let first = self.page.nodes.len();
-        self.signed_primary(1)?;
+        self.signed_primary(Depth::default())?;
         Ok(self.range_from(first))
     }
 
@@ -489,8 +610,8 @@ impl Lexer<'_> {
         self.skip_blanks();
         let first = self.page.nodes.len();
         match self.peek() {
-            b'[' => self.primary(1)?,
-            b'(' if self.syntax.paren_groups => self.primary(1)?,
+            b'[' => self.primary(Depth::default())?,
+            b'(' if self.syntax.paren_groups => self.primary(Depth::default())?,
             _ => return self.malformed(),
         }
         Ok(self.range_from(first))
@@ -499,7 +620,7 @@ impl Lexer<'_> {
     /// Reads `#i = value`.
     fn assignment(&mut self) -> Result<(ExprRange, ExprRange), Flaw> {
         let first = self.page.nodes.len();
-        self.variable_number(1)?;
+        self.variable_number(Depth::default())?;
         let target = self.range_from(first);
         self.skip_blanks();
         if self.peek() != b'=' {
@@ -507,52 +628,57 @@ impl Lexer<'_> {
         }
         self.at += 1;
         let first = self.page.nodes.len();
-        self.expression(0, 1)?;
+        self.expression(0, Depth::default())?;
         Ok((target, self.range_from(first)))
     }
 
-    /// Reads `#` and pushes what computes the number of the variable.
-    fn variable_number(&mut self, depth: u8) -> Result<(), Flaw> {
+    /// Reads `#` and pushes what computes the number of the variable. Of `#1.5` that is 1.5: what a
+    /// fraction means is the dialect's.
+    fn variable_number(&mut self, depth: Depth) -> Result<(), Flaw> {
         let start = self.at;
-        if depth > MAX_NESTING {
-            return Err(Flaw(DefectKind::BracketsTooDeep, start, 1));
-        }
+        let inner = depth.nested(start)?;
         self.at += 1;
         self.skip_blanks();
         match self.peek() {
-            b'0'..=b'9' => {
-                let digits = self.text.get(self.at..).unwrap_or(&[]);
-                let len = digits.iter().position(|b| !b.is_ascii_digit()).unwrap_or(digits.len());
-                let number = number::decimal(digits.get(..len).unwrap_or(&[])).map_or(0.0, |d| d.value);
-                self.at += len;
-                self.page.nodes.push(Node::Number(number));
-                Ok(())
-            }
-            b'[' => self.primary(depth + 1),
-            b'#' => self.variable(depth + 1),
+            b'0'..=b'9' => self.number(),
+            b'[' => self.primary(inner),
+            b'(' if self.syntax.paren_groups => self.primary(inner),
+            b'#' => self.variable(inner),
             _ => Err(Flaw(DefectKind::MalformedExpression, start, 1)),
         }
     }
 
     /// Reads `#…` and pushes its value.
-    fn variable(&mut self, depth: u8) -> Result<(), Flaw> {
+    fn variable(&mut self, depth: Depth) -> Result<(), Flaw> {
         let first = self.page.nodes.len();
         self.variable_number(depth)?;
-        let only = self.page.nodes.get(first..);
-        if let Some([Node::Number(n)]) = only
-            && *n <= f64::from(u32::MAX)
-        {
-            let node = Node::VariableAt(*n as u32);
-            self.page.nodes.truncate(first);
-            self.page.nodes.push(node);
-        } else {
-            self.page.nodes.push(Node::Variable);
-        }
+        let node = match self.page.nodes.get(first..) {
+            Some([Node::Number(n)]) if n.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(n) => {
+                let at = *n as u32;
+                self.page.nodes.truncate(first);
+                Node::VariableAt(at)
+            }
+            _ => Node::Variable,
+        };
+        self.page.nodes.push(node);
         Ok(())
     }
 
+    /// Reads an unsigned number.
+    fn number(&mut self) -> Result<(), Flaw> {
+        match number::decimal(self.text.get(self.at..).unwrap_or(&[])) {
+            Some(d) if d.value.is_finite() => {
+                self.at += d.len;
+                self.page.nodes.push(Node::Number(d.value));
+                Ok(())
+            }
+            Some(d) => Err(Flaw(DefectKind::NumberTooLarge, self.at, d.len)),
+            None => Err(Flaw(DefectKind::MalformedExpression, self.at, 1)),
+        }
+    }
+
     /// Precedence climbing: reads operators that bind at least as tightly as `least`.
-    fn expression(&mut self, least: u8, depth: u8) -> Result<(), Flaw> {
+    fn expression(&mut self, least: u16, depth: Depth) -> Result<(), Flaw> {
         self.signed_primary(depth)?;
         loop {
             self.skip_blanks();
@@ -561,63 +687,56 @@ impl Lexer<'_> {
                 rest.get(..name.len()).is_some_and(|r| r.eq_ignore_ascii_case(name.as_bytes()))
             });
             let Some(&(name, operator, binding)) = found else { return Ok(()) };
+            let binding = u16::from(binding);
             if binding < least {
                 return Ok(());
             }
             self.at += name.len();
             // Operators of one binding group to the left.
-            self.expression(binding + 1, depth)?;
+            self.expression(binding + 1, depth.with_value())?;
             self.page.nodes.push(Node::Binary(operator));
         }
     }
 
-    fn signed_primary(&mut self, depth: u8) -> Result<(), Flaw> {
+    fn signed_primary(&mut self, depth: Depth) -> Result<(), Flaw> {
         self.skip_blanks();
         let sign = match self.peek() {
             b'-' => Unary::Negate,
             b'+' => Unary::Plus,
             _ => return self.primary(depth),
         };
-        if depth > MAX_NESTING {
-            return Err(Flaw(DefectKind::BracketsTooDeep, self.at, 1));
-        }
+        let inner = depth.nested(self.at)?;
         self.at += 1;
-        self.signed_primary(depth + 1)?;
+        self.signed_primary(inner)?;
         self.page.nodes.push(Node::Unary(sign));
         Ok(())
     }
 
-    fn primary(&mut self, depth: u8) -> Result<(), Flaw> {
+    fn primary(&mut self, depth: Depth) -> Result<(), Flaw> {
         self.skip_blanks();
         let start = self.at;
+        if depth.values >= MAX_STACK {
+            return Err(Flaw(DefectKind::BracketsTooDeep, start, 1));
+        }
         match self.peek() {
-            b'0'..=b'9' | b'.' => match number::decimal(self.text.get(start..).unwrap_or(&[])) {
-                Some(d) if d.value.is_finite() => {
-                    self.at += d.len;
-                    self.page.nodes.push(Node::Number(d.value));
-                    Ok(())
-                }
-                Some(d) => Err(Flaw(DefectKind::NumberTooLarge, start, d.len)),
-                None => Err(Flaw(DefectKind::MalformedExpression, start, 1)),
-            },
+            b'0'..=b'9' | b'.' => self.number(),
             b'#' => self.variable(depth),
             b'[' => self.bracket(b']', depth),
             b'(' if self.syntax.paren_groups => self.bracket(b')', depth),
             b'A'..=b'Z' | b'a'..=b'z' => self.call(depth),
-            _ if self.at_end_of_block() => {
-                Err(Flaw(DefectKind::MalformedExpression, start.saturating_sub(1), 1))
-            }
+            _ if self.at_end_of_block() => Err(Flaw(DefectKind::MalformedExpression, self.last_code(), 1)),
             _ => Err(Flaw(DefectKind::MalformedExpression, start, 1)),
         }
     }
 
-    fn bracket(&mut self, close: u8, depth: u8) -> Result<(), Flaw> {
+    fn bracket(&mut self, close: u8, depth: Depth) -> Result<(), Flaw> {
         let start = self.at;
-        if depth > self.syntax.max_brackets.min(MAX_NESTING) {
+        if depth.brackets >= self.syntax.max_brackets {
             return Err(Flaw(DefectKind::BracketsTooDeep, start, 1));
         }
+        let inner = depth.nested(start)?;
         self.at += 1;
-        self.expression(0, depth + 1)?;
+        self.expression(0, Depth { brackets: depth.brackets + 1, ..inner })?;
         self.skip_blanks();
         if self.peek() != close {
             return match self.at_end_of_block() {
@@ -629,7 +748,7 @@ impl Lexer<'_> {
         Ok(())
     }
 
-    fn call(&mut self, depth: u8) -> Result<(), Flaw> {
+    fn call(&mut self, depth: Depth) -> Result<(), Flaw> {
         let start = self.at;
         let name = self.letters();
         let len = name.len();
@@ -650,7 +769,7 @@ impl Lexer<'_> {
                 self.at += 1;
                 self.skip_blanks();
                 if self.peek() == b'[' {
-                    self.primary(depth)?;
+                    self.primary(depth.with_value())?;
                     self.page.nodes.push(Node::Call(Function::Atan2));
                     return Ok(());
                 }
@@ -660,4 +779,10 @@ impl Lexer<'_> {
         self.page.nodes.push(Node::Call(function));
         Ok(())
     }
+}
+
+/// Padding of tapes and files: zero bytes, form feeds, reader controls, the old end of file.
+#[inline]
+fn is_padding(byte: u8) -> bool {
+    matches!(byte, 0 | 0x0B | 0x0C | 0x11..=0x14 | 0x1A)
 }

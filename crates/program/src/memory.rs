@@ -1,10 +1,11 @@
 //! Program memory: the main file, the programs inside it, and the files beside it.
 //!
-//! Files are lexed page by page when they are read. The pages last used are kept within a budget of
-//! memory, so that a loop or a subprogram is lexed once, and a flat program of any size streams.
+//! Files are lexed page by page when they are read. The pages lexed last are kept within a budget of
+//! memory, so that a loop or a subprogram is rarely lexed twice, and a flat program of any size
+//! streams.
 
-use crate::lexer;
-use crate::page::Page;
+use crate::lexer::{self, Start};
+use crate::page::{Page, Value};
 use crate::span::{FileId, Span};
 use crate::syntax::Syntax;
 use crate::text::{OpenError, Text};
@@ -13,14 +14,16 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Bytes of text lexed at a time; also the longest line that can be read.
+/// Bytes of text lexed at a time. A line with its end fits ([`lexer::MAX_LINE`]).
 const PAGE_BYTES: usize = 1 << 16;
 
 /// Lexed pages kept, bytes.
 const PAGE_BUDGET: usize = 24 << 20;
 
-/// Programs noted in one file, and files looked at in the folder: far beyond any shop's.
+/// Programs noted in one file or one folder: far beyond any shop's.
 const MAX_PROGRAMS: usize = 100_000;
+
+/// Part programs looked at in the folder.
 const MAX_FOLDER: usize = 10_000;
 
 /// Extensions of part programs (lower case), for the files beside the main one.
@@ -32,7 +35,7 @@ pub const EXTENSIONS: &[&str] =
 pub enum ProgramId {
     /// `O1002`
     Number(u32),
-    /// `O"name"`, or the name of a file without extension; compared in lower case.
+    /// The name of a file without extension. Capitals do not matter.
     Name(Box<str>),
 }
 
@@ -47,11 +50,10 @@ pub struct Place {
     pub block: u32,
 }
 
-/// Where a page of a file starts.
+/// Where a page of a file starts, and the page while it is kept.
 #[derive(Debug)]
 struct PageSlot {
-    offset: u64,
-    line: u32,
+    start: Start,
     page: Option<Arc<Page>>,
 }
 
@@ -61,9 +63,11 @@ struct ProgramFile {
     text: Text,
     slots: Vec<PageSlot>,
     /// Where the page after the last slot starts; `None` once the end is known.
-    next: Option<(u64, u32)>,
+    next: Option<Start>,
     /// Programs found in the file, once they were asked for.
     programs: Option<HashMap<ProgramId, Place>>,
+    /// Where in the folder it was found; `None` for the main file and those that were added.
+    found_at: Option<PathBuf>,
 }
 
 /// The programs that can be run and called.
@@ -74,6 +78,8 @@ pub struct ProgramMemory {
     /// Pages in the order they were lexed, for giving up the oldest.
     kept: VecDeque<(FileId, u32, usize)>,
     kept_bytes: usize,
+    /// Bytes of pages beyond which the oldest is given up.
+    budget: usize,
     buffer: Vec<u8>,
     /// Folder whose files can be called, and the main file's path within it.
     folder: Option<(PathBuf, PathBuf)>,
@@ -89,6 +95,7 @@ impl ProgramMemory {
             files: Vec::new(),
             kept: VecDeque::new(),
             kept_bytes: 0,
+            budget: PAGE_BUDGET,
             buffer: Vec::new(),
             folder: None,
             folder_index: None,
@@ -105,13 +112,16 @@ impl ProgramMemory {
         Ok(memory)
     }
 
-    /// Adds a file whose programs can be called.
+    /// Adds a file that can be called, as can the programs in it. After 65 535 files no more are
+    /// taken: the id returned then is of an empty file.
     pub fn add(&mut self, name: &str, text: Text) -> FileId {
-        let mark = text.encoding().mark as u64;
-        let file =
-            ProgramFile { name: name.into(), text, slots: Vec::new(), next: Some((mark, 1)), programs: None };
-        self.files.push(file);
-        FileId(u16::try_from(self.files.len() - 1).unwrap_or(u16::MAX))
+        let Some(file) = u16::try_from(self.files.len()).ok().filter(|n| *n < u16::MAX).map(FileId) else {
+            return FileId(u16::MAX);
+        };
+        let next = Some(Start { file, offset: text.encoding().mark as u64, line: 1, is_head: true });
+        let name = name.into();
+        self.files.push(ProgramFile { name, text, slots: Vec::new(), next, programs: None, found_at: None });
+        file
     }
 
     /// How the programs are written.
@@ -135,7 +145,8 @@ impl ProgramMemory {
         text.slice(span).map(|bytes| text.encoding().decode(&bytes).into_owned()).unwrap_or_default()
     }
 
-    /// The page with this number; `None` past the end of the file.
+    /// The page with this number, counted from 0; `None` past the end of the file. Pages before it that
+    /// were not read yet are read first, to find where it starts.
     pub fn page(&mut self, id: FileId, number: u32) -> io::Result<Option<Arc<Page>>> {
         loop {
             let Some(file) = self.files.get_mut(usize::from(id.0)) else { return Ok(None) };
@@ -143,43 +154,42 @@ impl ProgramMemory {
                 if let Some(page) = &slot.page {
                     return Ok(Some(page.clone()));
                 }
-                let (offset, line) = (slot.offset, slot.line);
-                return self.lex(id, number, offset, line).map(Some);
+                let start = slot.start;
+                return self.lex(number, start).map(Some);
             }
-            let Some((offset, line)) = file.next else { return Ok(None) };
-            if offset >= file.text.len() {
+            let Some(start) = file.next else { return Ok(None) };
+            if start.offset >= file.text.len() {
                 file.next = None;
                 return Ok(None);
             }
             let next = file.slots.len() as u32;
-            file.slots.push(PageSlot { offset, line, page: None });
-            self.lex(id, next, offset, line)?;
+            self.lex(next, start)?;
         }
     }
 
-    /// Lexes a page whose slot exists and keeps it.
-    fn lex(&mut self, id: FileId, number: u32, offset: u64, line: u32) -> io::Result<Arc<Page>> {
+    /// Lexes the page with this number, which is known or the next of its file, and keeps it.
+    fn lex(&mut self, number: u32, start: Start) -> io::Result<Arc<Page>> {
         let syntax = self.syntax;
-        let Some(file) = self.files.get_mut(usize::from(id.0)) else { return Ok(Arc::default()) };
+        let Some(file) = self.files.get_mut(usize::from(start.file.0)) else { return Ok(Arc::default()) };
         let len = file.text.len();
-        let is_last = offset + PAGE_BYTES as u64 >= len;
-        let lexed = file.text.window(offset, PAGE_BYTES, &mut self.buffer, |bytes| {
-            lexer::lex(bytes, id, offset, line, is_last, syntax)
+        let (lexed, is_last) = file.text.window(start.offset, PAGE_BYTES, &mut self.buffer, |bytes| {
+            // Fewer bytes than asked for: the file became shorter while it is read, and ends here.
+            let is_last = start.offset + PAGE_BYTES as u64 >= len || bytes.len() < PAGE_BYTES;
+            (lexer::lex_from(bytes, start, is_last, syntax), is_last)
         })?;
-        // A file that became shorter while it is read ends here.
-        let is_end = lexed.consumed == 0 || is_last;
-        let mut end = (offset + lexed.consumed as u64, lexed.next_line);
-        if !is_end && lexed.page.defects.iter().any(|d| d.kind == crate::DefectKind::LineTooLong) {
-            end = skip_line_tail(&file.text, end, &mut self.buffer)?;
-        }
-        if number as usize + 1 == file.slots.len() {
-            file.next = if is_end { None } else { Some(end) };
-        }
         let page = Arc::new(lexed.page);
         if let Some(slot) = file.slots.get_mut(number as usize) {
             slot.page = Some(page.clone());
+        } else {
+            let mut end = (start.offset + lexed.consumed as u64, lexed.next_line);
+            if lexed.is_cut {
+                end = skip_line_tail(&file.text, end, &mut self.buffer)?;
+            }
+            let is_head = start.is_head && page.blocks.is_empty();
+            file.next = (!is_last).then_some(Start { offset: end.0, line: end.1, is_head, ..start });
+            file.slots.push(PageSlot { start, page: Some(page.clone()) });
         }
-        self.keep(id, number, bytes_of(&page));
+        self.keep(start.file, number, bytes_of(&page));
         Ok(page)
     }
 
@@ -187,7 +197,7 @@ impl ProgramMemory {
     fn keep(&mut self, id: FileId, number: u32, bytes: usize) {
         self.kept.push_back((id, number, bytes));
         self.kept_bytes += bytes;
-        while self.kept_bytes > PAGE_BUDGET && self.kept.len() > 1 {
+        while self.kept_bytes > self.budget && self.kept.len() > 1 {
             let Some((id, number, bytes)) = self.kept.pop_front() else { return };
             self.kept_bytes -= bytes;
             let file = self.files.get_mut(usize::from(id.0));
@@ -197,30 +207,59 @@ impl ProgramMemory {
         }
     }
 
-    /// The block at which a called program starts (the one with its `O` word): in the main file, then
-    /// in the others, then in the part programs of the main file's folder.
+    /// The block at which a called program starts: the one with its `O` word, or the first of a file of
+    /// its name. Looked for in the main file, then in the files added, then among the part programs of
+    /// the main file's folder; there, and among the files added, the name of a file comes first.
     pub fn find_program(&mut self, id: &ProgramId) -> io::Result<Option<Place>> {
-        for file in 0..self.files.len() {
-            if let Some(place) = self.find_in_file(FileId(file as u16), id)? {
+        let id = &match id {
+            ProgramId::Name(name) => ProgramId::Name(name.to_lowercase().into()),
+            ProgramId::Number(number) => ProgramId::Number(*number),
+        };
+        if let Some(place) = self.find_in_file(FileId(0), id)? {
+            return Ok(Some(place));
+        }
+        let added = |f: &ProgramFile| f.found_at.is_none();
+        if let Some(file) = self.position(1, |f| added(f) && names_of(Path::new(&*f.name)).contains(id)) {
+            return self.start_in_file(file, id).map(Some);
+        }
+        let mut from = 1;
+        while let Some(file) = self.position(from, added) {
+            if let Some(place) = self.find_in_file(file, id)? {
                 return Ok(Some(place));
             }
+            from = usize::from(file.0) + 1;
         }
-        let Some((folder, main)) = self.folder.clone() else { return Ok(None) };
-        if self.folder_index.is_none() {
-            self.folder_index = Some(self.index_folder(&folder, &main));
+        match self.find_in_folder(id) {
+            Some(file) => self.start_in_file(file, id).map(Some),
+            None => Ok(None),
         }
-        let Some(path) = self.folder_index.as_ref().and_then(|index| index.get(id)).cloned() else {
-            return Ok(None);
-        };
+    }
+
+    /// The first file from index `from` on that `is_it`.
+    fn position(&self, from: usize, is_it: impl Fn(&ProgramFile) -> bool) -> Option<FileId> {
+        let at = from + self.files.get(from..)?.iter().position(is_it)?;
+        u16::try_from(at).ok().map(FileId)
+    }
+
+    /// The file of the folder that holds a program, opened if it was not yet.
+    fn find_in_folder(&mut self, id: &ProgramId) -> Option<FileId> {
+        let (folder, main) = self.folder.as_ref()?;
+        let syntax = self.syntax;
+        let index = self.folder_index.get_or_insert_with(|| index_folder(folder, main, syntax));
+        let path = index.get(id)?.clone();
+        if let Some(known) = self.position(1, |f| f.found_at.as_ref() == Some(&path)) {
+            return Some(known);
+        }
         // A file that cannot be opened any more is a program that is not there.
-        let Ok(text) = Text::open(&path) else { return Ok(None) };
-        if self.files.len() >= usize::from(u16::MAX) {
-            return Ok(None);
-        }
-        let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
-        let file = self.add(&name, text);
-        let inside = self.find_in_file(file, id)?;
-        Ok(Some(inside.unwrap_or(Place { file, page: 0, block: 0 })))
+        let text = Text::open(&path).ok()?;
+        let file = self.add(&path.file_name()?.to_string_lossy(), text);
+        self.files.get_mut(usize::from(file.0))?.found_at = Some(path);
+        Some(file)
+    }
+
+    /// Where a program starts in a file that is known to hold it, or to be it.
+    fn start_in_file(&mut self, file: FileId, id: &ProgramId) -> io::Result<Place> {
+        Ok(self.find_in_file(file, id)?.unwrap_or(Place { file, page: 0, block: 0 }))
     }
 
     fn find_in_file(&mut self, id: FileId, program: &ProgramId) -> io::Result<Option<Place>> {
@@ -242,44 +281,53 @@ impl ProgramMemory {
         while let Some(page) = self.page(id, number)? {
             for (at, program) in numbered_programs(&page) {
                 let place = Place { file: id, page: number, block: at };
-                programs.entry(ProgramId::Number(program)).or_insert(place);
-            }
-            if programs.len() > MAX_PROGRAMS {
-                break;
+                if programs.len() < MAX_PROGRAMS {
+                    programs.entry(ProgramId::Number(program)).or_insert(place);
+                }
             }
             number += 1;
         }
         Ok(programs)
     }
+}
 
-    /// Finds the programs in the part programs of a folder: by the name of the file, `O1002.nc` or
-    /// `1002.nc` for a number, and by the O words in it.
-    fn index_folder(&self, folder: &Path, main: &Path) -> HashMap<ProgramId, PathBuf> {
-        let mut index = HashMap::new();
-        let Ok(entries) = std::fs::read_dir(folder) else { return index };
-        let mut paths: Vec<PathBuf> = entries
-            .take(MAX_FOLDER)
-            .filter_map(|e| e.ok().map(|e| e.path()))
-            .filter(|p| p.file_name() != main.file_name() && is_part_program(p))
-            .collect();
-        paths.sort();
-        for path in &paths {
-            let stem = path.file_stem().map(|s| s.to_string_lossy().to_lowercase()).unwrap_or_default();
-            let digits = stem.strip_prefix('o').unwrap_or(&stem);
-            if let Ok(number) = digits.parse() {
-                index.entry(ProgramId::Number(number)).or_insert_with(|| path.clone());
-            }
-            index.entry(ProgramId::Name(stem.into())).or_insert_with(|| path.clone());
+/// Finds the programs in the part programs of a folder: by the names of the files, and by the O words
+/// in them. Of two with one number or name the first file counts, in the order of their names.
+fn index_folder(folder: &Path, main: &Path, syntax: &'static Syntax) -> HashMap<ProgramId, PathBuf> {
+    let mut index = HashMap::new();
+    let Ok(entries) = std::fs::read_dir(folder) else { return index };
+    let mut paths: Vec<PathBuf> = entries
+        .filter_map(|e| e.ok().map(|e| e.path()))
+        .filter(|p| p.file_name() != main.file_name() && is_part_program(p))
+        .take(MAX_FOLDER)
+        .collect();
+    paths.sort();
+    for path in &paths {
+        for id in names_of(path) {
+            index.entry(id).or_insert_with(|| path.clone());
         }
-        for path in &paths {
-            let Ok(text) = Text::open(path) else { continue };
-            let mut alone = ProgramMemory::new("", text, self.syntax);
-            for id in alone.index_file(FileId(0)).unwrap_or_default().into_keys() {
+    }
+    for path in &paths {
+        let Ok(text) = Text::open(path) else { continue };
+        let mut alone = ProgramMemory::new("", text, syntax);
+        alone.budget = 0;
+        for id in alone.index_file(FileId(0)).unwrap_or_default().into_keys() {
+            if index.len() < MAX_PROGRAMS {
                 index.entry(id).or_insert_with(|| path.clone());
             }
         }
-        index
     }
+    index
+}
+
+/// What a file can be called by: `drill` for `drill.nc`, and for `O1002.nc` or `1002.nc` the number
+/// too.
+fn names_of(path: &Path) -> Vec<ProgramId> {
+    let stem = path.file_stem().map(|s| s.to_string_lossy().to_lowercase()).unwrap_or_default();
+    let digits = stem.strip_prefix('o').unwrap_or(&stem);
+    let number = digits.parse().ok().filter(|_| digits.bytes().all(|b| b.is_ascii_digit()));
+    let name = ProgramId::Name(stem.into());
+    [Some(name), number.map(ProgramId::Number)].into_iter().flatten().collect()
 }
 
 fn is_part_program(path: &Path) -> bool {
@@ -292,7 +340,9 @@ fn numbered_programs(page: &Page) -> impl Iterator<Item = (u32, u32)> {
     page.blocks.iter().enumerate().filter_map(|(at, block)| {
         let first = page.words(block).first()?;
         match first.value() {
-            crate::Value::Number(n) if first.letter == b'O' && n >= 0.0 && n <= f64::from(u32::MAX) => {
+            Value::Number(n)
+                if first.letter == b'O' && n.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&n) =>
+            {
                 Some((at as u32, n as u32))
             }
             _ => None,
@@ -313,29 +363,24 @@ fn bytes_of(page: &Page) -> usize {
         + array(&page.defects)
 }
 
-/// Goes on to the end of a line that is longer than a page.
+/// Where the line ends that stands at `offset`, with its number, and the next one starts.
 fn skip_line_tail(
     text: &Text,
     (mut offset, line): (u64, u32),
     buffer: &mut Vec<u8>,
 ) -> io::Result<(u64, u32)> {
-    let last = if offset == 0 {
-        None
-    } else {
-        text.slice(Span { offset: offset - 1, len: 1, ..Span::default() })?.pop()
-    };
-    if matches!(last, Some(b'\n' | b'\r')) {
-        return Ok((offset, line));
-    }
-    while offset < text.len() {
-        let (found, len) = text.window(offset, PAGE_BYTES, buffer, |bytes| {
-            (bytes.iter().position(|b| *b == b'\n'), bytes.len())
+    loop {
+        let (end, len) = text.window(offset, PAGE_BYTES, buffer, |bytes| {
+            (bytes.iter().position(|b| matches!(b, b'\n' | b'\r')), bytes.len())
         })?;
-        match found {
-            Some(at) => return Ok((offset + at as u64 + 1, line.saturating_add(1))),
-            None if len == 0 => break,
+        match end {
+            Some(at) => {
+                let end = offset + at as u64;
+                let is_crlf = text.window(end, 2, buffer, |bytes| bytes == b"\r\n")?;
+                return Ok((end + 1 + u64::from(is_crlf), line.saturating_add(1)));
+            }
+            None if len == 0 => return Ok((offset, line)),
             None => offset += len as u64,
         }
     }
-    Ok((offset, line))
 }

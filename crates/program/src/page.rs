@@ -30,9 +30,9 @@ pub enum Value {
 pub struct Word {
     /// Number bits, or an expression's range.
     bits: u64,
-    /// Offset of the address letter in the page.
+    /// Offset in the page of the address letter, or of the comma before it.
     pub at: u32,
-    /// Length from the letter to the end of the value, bytes.
+    /// Length from there to the end of the value, bytes.
     pub len: u16,
     /// The address in upper case.
     pub letter: u8,
@@ -134,13 +134,14 @@ pub enum DefectKind {
     MisplacedPoint,
     /// A number too large for any control.
     NumberTooLarge,
-    /// A line longer than the control takes.
+    /// A line longer than the control takes, which then is one block without words; or a block with
+    /// more words than any control takes.
     LineTooLong,
     /// A comment that is not closed.
     UnclosedComment,
     /// Brackets that do not pair.
     UnbalancedBracket,
-    /// Brackets nested too deep.
+    /// Brackets, or signs or `#`, nested too deep.
     BracketsTooDeep,
     /// An expression that cannot be read.
     MalformedExpression,
@@ -170,7 +171,7 @@ pub struct Defect {
 pub struct Block {
     /// Offset of its first byte in the page.
     pub at: u32,
-    /// Length without the end-of-block mark, bytes.
+    /// Length to the end of its last word, statement or defect, bytes.
     pub len: u32,
     /// Line, counted from 1.
     pub line: u32,
@@ -178,9 +179,10 @@ pub struct Block {
     pub first_word: u32,
     /// Number of words.
     pub words: u16,
-    /// How many `/` stand before it.
+    /// How many `/` stand before it, at most 255.
     pub skip: u8,
-    /// Whether it is the mark `%`.
+    /// Whether it is the mark `%` behind a program. One before the first block of a file opens the
+    /// program and is no block.
     pub is_mark: bool,
     /// Whether the page lists defects of it.
     pub is_defective: bool,
@@ -203,7 +205,7 @@ pub struct Page {
     pub nodes: Vec<Node>,
     /// Statements of all blocks.
     pub statements: Vec<Statement>,
-    /// Defects of all blocks.
+    /// Defects of all blocks, in order of blocks.
     pub defects: Vec<Defect>,
 }
 
@@ -233,7 +235,7 @@ impl Page {
         self.defects.iter().skip(first).take_while(move |d| d.block as usize == block)
     }
 
-    /// Span of `len` bytes from `at` on, in `block`.
+    /// Span in the file of `len` bytes from offset `at` of the page on, in `block`.
     #[inline]
     pub fn span(&self, block: &Block, at: u32, len: u32) -> Span {
         Span { file: self.file, offset: self.offset + u64::from(at), len, line: block.line }

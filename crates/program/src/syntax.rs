@@ -19,18 +19,21 @@ pub enum Keyword {
 pub struct Syntax {
     /// `( … )` is a comment.
     pub paren_comments: bool,
-    /// `( … )` groups in expressions beside `[ … ]`.
+    /// `( … )` groups in expressions beside `[ … ]`. Where a block or statement may hold a comment,
+    /// `paren_comments` comes first; behind an address or within an expression, this does.
     pub paren_groups: bool,
-    /// Macro words, in upper case.
+    /// Macro words, in upper case, 2 to 15 letters.
     pub keywords: &'static [(&'static str, Keyword)],
-    /// Functions, in upper case.
+    /// Functions, in upper case, up to 15 letters.
     pub functions: &'static [(&'static str, Function)],
     /// Operators, in upper case, and how tightly they bind: larger binds tighter. Longer names of
-    /// symbols (`>=`) stand before their beginnings (`>`).
+    /// symbols (`>=`) stand before their beginnings (`>`). Equal bindings group to the left.
     pub operators: &'static [(&'static str, Binary, u8)],
-    /// Bytes in a line beyond which the control refuses it; never more than a page.
+    /// Bytes in a line, without its end, beyond which the control refuses it; what exceeds
+    /// [`MAX_LINE`](crate::lexer::MAX_LINE) counts as that.
     pub max_line: usize,
-    /// Levels of brackets that the control allows.
+    /// Levels of brackets that the control allows, those of functions included; what exceeds
+    /// [`MAX_NESTING`](crate::expression::MAX_NESTING) counts as that.
     pub max_brackets: u8,
 }
 

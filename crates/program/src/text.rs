@@ -8,11 +8,13 @@ use crate::span::Span;
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom};
 use std::path::Path;
+use std::sync::{Mutex, PoisonError};
 
 /// Files up to this size are held whole.
 pub const WHOLE: u64 = 4 << 20;
 
-/// Bytes looked at to tell text from other data, and its encoding.
+/// Bytes looked at to tell text from other data; further on, a control character is one defect in a
+/// program and not the sign of a picture. The encoding is told from up to [`WHOLE`] bytes.
 const SAMPLE: usize = 1 << 16;
 
 /// Why a file is no program text.
@@ -26,14 +28,15 @@ pub enum OpenError {
     NotText,
     /// It is UTF-16, which no control reads.
     Utf16,
-    /// There is nothing in it but blanks.
+    /// There is nothing in it but blanks and padding.
     Empty,
 }
 
 #[derive(Debug)]
 enum Bytes {
     Held(Vec<u8>),
-    Windows(File),
+    /// Locked from moving the file's position until what stands there is read.
+    Windows(Mutex<File>),
 }
 
 /// The bytes of one program file.
@@ -61,10 +64,10 @@ impl Text {
             file.read_to_end(&mut bytes).map_err(OpenError::Io)?;
             return Text::from_bytes(bytes);
         }
-        let mut start = vec![0; SAMPLE];
+        let mut start = vec![0; WHOLE as usize];
         file.read_exact(&mut start).map_err(OpenError::Io)?;
         let encoding = examine(&start, false)?;
-        Ok(Text { bytes: Bytes::Windows(file), len: about.len(), encoding })
+        Ok(Text { bytes: Bytes::Windows(Mutex::new(file)), len: about.len(), encoding })
     }
 
     /// Takes everything that `reader` gives. Above [`WHOLE`] it is kept in a temporary file that
@@ -75,17 +78,20 @@ impl Text {
         if bytes.len() as u64 <= WHOLE {
             return Text::from_bytes(bytes);
         }
-        let encoding = examine(bytes.get(..SAMPLE).unwrap_or(&bytes), false)?;
+        let encoding = examine(&bytes, false)?;
         let mut file = tempfile::tempfile().map_err(OpenError::Io)?;
         io::copy(&mut bytes.as_slice(), &mut file).map_err(OpenError::Io)?;
         let rest = io::copy(&mut reader, &mut file).map_err(OpenError::Io)?;
-        Ok(Text { len: bytes.len() as u64 + rest, bytes: Bytes::Windows(file), encoding })
+        Ok(Text { len: bytes.len() as u64 + rest, bytes: Bytes::Windows(Mutex::new(file)), encoding })
     }
 
     /// Text that is already in memory.
     pub fn from_bytes(bytes: Vec<u8>) -> Result<Text, OpenError> {
-        let encoding = examine(bytes.get(..SAMPLE).unwrap_or(&bytes), bytes.len() <= SAMPLE)?;
-        if bytes.iter().skip(encoding.mark).all(u8::is_ascii_whitespace) {
+        let encoding = match bytes.get(..WHOLE as usize) {
+            Some(start) if start.len() < bytes.len() => examine(start, false)?,
+            _ => examine(&bytes, true)?,
+        };
+        if bytes.iter().skip(encoding.mark).all(is_blank) {
             return Err(OpenError::Empty);
         }
         Ok(Text { len: bytes.len() as u64, bytes: Bytes::Held(bytes), encoding })
@@ -106,7 +112,8 @@ impl Text {
         self.encoding
     }
 
-    /// Calls `with` with up to `len` bytes from `offset` on, fewer only at the end of the file.
+    /// Calls `with` with up to `len` bytes from `offset` on, fewer only at the end of the file. What
+    /// must be read for it is read into `buffer`.
     pub fn window<R>(
         &self,
         offset: u64,
@@ -121,40 +128,43 @@ impl Text {
                 Ok(with(bytes.get(start..end).unwrap_or(&[])))
             }
             Bytes::Windows(file) => {
-                let mut file: &File = file;
-                file.seek(SeekFrom::Start(offset))?;
                 buffer.clear();
-                file.take(len as u64).read_to_end(buffer)?;
+                let mut file = file.lock().unwrap_or_else(PoisonError::into_inner);
+                file.seek(SeekFrom::Start(offset))?;
+                file.by_ref().take(len as u64).read_to_end(buffer)?;
+                drop(file);
                 Ok(with(buffer))
             }
         }
     }
 
-    /// The line that `span` stands in, at most `most` bytes of it, and the span's first byte within
-    /// what is returned. A long line is shortened around the span.
+    /// The line that `span` stands in, without its end, at most `most` bytes of it, and where in what
+    /// is returned the span starts. A long line is shortened around the start of the span.
     pub fn line_of(&self, span: Span, most: usize) -> io::Result<(Vec<u8>, usize)> {
-        let before = span.offset.min(most as u64 / 2);
+        let before = span.offset.saturating_sub(self.encoding.mark as u64).min(most as u64 / 2);
         let start = span.offset - before;
         let mut buffer = Vec::new();
-        self.window(start, before as usize + most, &mut buffer, |bytes| {
-            let before = before as usize;
+        self.window(start, most.saturating_add(before as usize), &mut buffer, |bytes| {
+            // Less than that only where the file became shorter.
+            let before = bytes.len().min(before as usize);
             let is_end = |b: &u8| matches!(b, b'\n' | b'\r');
             let head = bytes.get(..before).unwrap_or(&[]);
             let from = head.iter().rposition(is_end).map_or(0, |at| at + 1);
             let tail = bytes.get(before..).unwrap_or(&[]);
             let to = before + tail.iter().position(is_end).unwrap_or(tail.len());
+            let to = to.min(from.saturating_add(most));
             (bytes.get(from..to).unwrap_or(&[]).to_vec(), before - from)
         })
     }
 
-    /// The text of a span.
+    /// The bytes of a span.
     pub fn slice(&self, span: Span) -> io::Result<Vec<u8>> {
         let mut buffer = Vec::new();
         self.window(span.offset, span.len as usize, &mut buffer, <[u8]>::to_vec)
     }
 }
 
-/// Tells text from other data and finds its encoding.
+/// Tells text from other data and finds its encoding, from the start of a file or all of it.
 fn examine(start: &[u8], is_all: bool) -> Result<Encoding, OpenError> {
     let encoding = Encoding::detect(start, is_all);
     if !encoding.is_ascii_based() {
@@ -162,9 +172,11 @@ fn examine(start: &[u8], is_all: bool) -> Result<Encoding, OpenError> {
     }
     // Control characters other than line ends, tabs and the old end-of-file mark mean a picture, an
     // archive, a program. Tapes are padded with zero bytes at either end, never between words.
-    let inside = start.trim_ascii();
-    let inside = match (inside.iter().position(|b| *b != 0), inside.iter().rposition(|b| *b != 0)) {
-        (Some(from), Some(to)) => inside.get(from..=to).unwrap_or(inside),
+    let sample = start.get(..SAMPLE).unwrap_or(start);
+    let inside = match (sample.iter().position(|b| !is_blank(b)), sample.iter().rposition(|b| !is_blank(b))) {
+        (Some(from), Some(to)) => sample.get(from..=to).unwrap_or(sample),
+        // No tape has as much padding before its program.
+        _ if sample.len() == SAMPLE && sample.contains(&0) => return Err(OpenError::NotText),
         _ => &[],
     };
     let is_control =
@@ -173,4 +185,8 @@ fn examine(start: &[u8], is_all: bool) -> Result<Encoding, OpenError> {
         return Err(OpenError::NotText);
     }
     Ok(encoding)
+}
+
+fn is_blank(byte: &u8) -> bool {
+    byte.is_ascii_whitespace() || *byte == 0
 }
