@@ -17,12 +17,13 @@ pub struct Samples {
     axes: Vec<Axis>,
     period_ms: f64,
     rows: u64,
-    before: Option<Position>,
+    /// Where the axes stand before motion begins.
+    before: Position,
 }
 
 impl Samples {
-    /// Creates the file and writes its header.
-    pub fn create(path: &Path, machine: &Machine) -> Result<Samples, Failure> {
+    /// Creates the file and writes its header; the axes stand at `start`.
+    pub fn create(path: &Path, machine: &Machine, start: Position) -> Result<Samples, Failure> {
         let out: Box<dyn Write> = match path == Path::new("-") {
             true => Box::new(io::stdout()),
             false => match File::create(path) {
@@ -36,7 +37,7 @@ impl Samples {
             axes,
             period_ms: machine.servo_period_ms,
             rows: 0,
-            before: None,
+            before: start,
         };
         let header: Vec<&str> = samples.axes.iter().map(|a| a.name()).collect();
         match writeln!(samples.out, "t,{}", header.join(",")) {
@@ -49,12 +50,9 @@ impl Samples {
     pub fn take(&mut self, tick: &Tick) -> io::Result<()> {
         if self.rows == 0 {
             if !tick.moving {
-                self.before = Some(tick.position);
                 return Ok(());
             }
-            // Nothing ran before: the axes stood where this first period began.
-            let start = self.before.unwrap_or(tick.position);
-            self.row(start)?;
+            self.row(self.before)?;
         }
         self.row(tick.position)
     }

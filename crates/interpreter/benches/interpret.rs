@@ -1,5 +1,7 @@
 //! Interpreting a program of one million G01 blocks to steps, lexing included.
 
+#![allow(clippy::unwrap_used)]
+
 use ferrocut_interpreter::{Interpreter, Options, dialects};
 use ferrocut_machine::Memory;
 use ferrocut_program::{ProgramMemory, Text};

@@ -7,7 +7,7 @@
 use crate::cycles::CycleKind;
 use crate::evaluate::Angles;
 use crate::modal::{Group, Modal};
-use ferrocut_geometry::{AxisSet, Plane};
+use ferrocut_geometry::{Axis, AxisSet, Plane};
 use ferrocut_machine::{Fault, Parameters, WorkOffset};
 use ferrocut_program::Syntax;
 
@@ -132,6 +132,49 @@ pub struct Address {
     pub whole: bool,
 }
 
+/// What a variable of the macro language stands for. Axes are counted from 0 in the control's order.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Variable {
+    /// Always empty.
+    Empty,
+    /// Holds what is put into it.
+    Plain,
+    /// Tool length of an offset number.
+    ToolLength(u16),
+    /// Its wear.
+    LengthWear(u16),
+    /// Tool radius of an offset number, as entered.
+    ToolRadius(u16),
+    /// Its wear.
+    RadiusWear(u16),
+    /// Setting it raises an alarm.
+    Alarm,
+    /// The code in force of the group with this number.
+    ModalGroup(u8),
+    /// The word in force of an address.
+    ModalWord(u8),
+    /// End point of the block before, as programmed.
+    BlockEnd(u8),
+    /// Machine position.
+    MachinePosition(u8),
+    /// Position in the work coordinate system, tool length included.
+    WorkPosition(u8),
+    /// Where the skip signal came, in the work coordinate system.
+    SkipPosition(u8),
+    /// Tool length compensation in force.
+    LengthOffset(u8),
+    /// Following error.
+    ServoOffset(u8),
+    /// Zero of a work coordinate system.
+    WorkZero(WorkOffset, u8),
+    /// An input of the machine.
+    Input(u16),
+    /// An output to the machine.
+    Output(u16),
+    /// A table that the machine's builder fills.
+    UserTable,
+}
+
 /// Numbers and choices that the control's parameters set, in millimetres, minutes and degrees.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Rules {
@@ -163,6 +206,8 @@ pub struct Rules {
     pub m_codes_in_block: u8,
     /// Levels of subprograms.
     pub max_call_depth: usize,
+    /// Levels of macro calls.
+    pub max_macro_depth: usize,
     /// Most repeats of a call.
     pub max_repeats: f64,
     /// Retract of chip breaking (G73), mm.
@@ -177,6 +222,8 @@ pub struct Rules {
     pub cycle_needs_speed: bool,
     /// Axes that the control carries.
     pub axes: AxisSet,
+    /// The same in the order that variables and parameters count them by.
+    pub axis_order: [Axis; 5],
 }
 
 /// A control language.
@@ -194,6 +241,12 @@ pub struct Dialect {
     pub m_codes: &'static [MCode],
     /// The code that ends canned cycles.
     pub cycle_off: &'static GCode,
+    /// The code that calls a macro, in tenths.
+    pub macro_call: u16,
+    /// What a variable stands for; `None` for one that does not exist.
+    pub variable: fn(u32) -> Option<Variable>,
+    /// The local variable that an address of a macro call sets.
+    pub argument: fn(letter: u8) -> Option<u32>,
     /// The addresses that a block may hold.
     pub addresses: &'static [Address],
     /// The numbers that its manual gives faults.

@@ -38,6 +38,7 @@ impl Angles {
 const LARGEST: f64 = 1e47;
 
 /// The stack that expressions are evaluated on; kept to spare its allocation.
+#[derive(Debug)]
 pub struct Evaluator {
     stack: Vec<Value>,
     angles: Angles,
@@ -96,12 +97,45 @@ impl Evaluator {
     }
 }
 
-/// The number of a variable, given as a value.
+impl Default for Evaluator {
+    fn default() -> Evaluator {
+        Evaluator { stack: Vec::new(), angles: Angles::Degrees }
+    }
+}
+
+/// The number of a variable, given as a value. What stands behind the point is dropped (GSK990MC 4.9.5).
 pub fn variable_number(value: Value) -> Result<u32, Fault> {
     match value {
-        Some(n) if n >= 0.0 && n.fract() == 0.0 && n <= f64::from(u32::MAX) => Ok(n as u32),
+        Some(n) if n >= 0.0 && n <= f64::from(u32::MAX) => Ok(n as u32),
         _ => Err(Fault::UnknownVariable),
     }
+}
+
+/// The operations H01 to H34 of macro A (GSK990MC 4.9.4): the new value of a variable that holds `own`.
+pub fn macro_a(operation: i64, own: Value, q: Value, r: Value) -> Result<Value, Fault> {
+    let (a, b) = (q.unwrap_or(0.0), r.unwrap_or(0.0));
+    let degrees = Angles::Degrees;
+    Ok(Some(match operation {
+        1 => return Ok(q),
+        2 => binary(Binary::Add, q, r)?,
+        3 => binary(Binary::Subtract, q, r)?,
+        4 => binary(Binary::Multiply, q, r)?,
+        5 => binary(Binary::Divide, q, r)?,
+        11 => binary(Binary::Or, q, r)?,
+        12 => binary(Binary::And, q, r)?,
+        13 => binary(Binary::Xor, q, r)?,
+        21 => call(Function::Sqrt, a, degrees)?,
+        22 => a.abs(),
+        // Whole numbers only, as the manual notes for H23.
+        23 => binary(Binary::Modulo, Some(a.trunc()), Some(b.trunc()))?,
+        26 => binary(Binary::Divide, Some(in_range(own.unwrap_or(0.0) * a)?), r)?,
+        27 => in_range(a.hypot(b))?,
+        31 => in_range(a * call(Function::Sin, b, degrees)?)?,
+        32 => in_range(a * call(Function::Cos, b, degrees)?)?,
+        33 => in_range(a * call(Function::Tan, b, degrees)?)?,
+        34 => atan2(a, b, degrees)?,
+        _ => return Err(Fault::UnknownOperation),
+    }))
 }
 
 fn in_range(v: f64) -> Result<f64, Fault> {
@@ -299,5 +333,6 @@ mod tests {
         assert_eq!(value(&[]), Err(Fault::MalformedExpression));
         assert_eq!(value(&[Node::Binary(Binary::Add)]), Err(Fault::MalformedExpression));
         assert_eq!(value(&[Node::Number(-1.0), Node::Variable]), Err(Fault::UnknownVariable));
+        assert_eq!(value(&[Node::Number(1.9), Node::Variable]), Ok(Some(7.0)));
     }
 }

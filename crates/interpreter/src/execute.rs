@@ -3,7 +3,6 @@
 
 use crate::Fallible;
 use crate::dialect::{MCode, MFunction, Meaning};
-use crate::evaluate::{Value, variable_number};
 use crate::interpreter::Interpreter;
 use crate::modal::Group;
 use crate::stages::distance;
@@ -12,7 +11,7 @@ use crate::stages::work_offset::WorkSystem;
 use crate::words::{AXIS_LETTERS, Code, Reader};
 use ferrocut_geometry::{AxisSet, Position};
 use ferrocut_machine::{Alarm, Fault, WorkOffset};
-use ferrocut_program::{Block, DefectKind, ExprRange, Page, ProgramId, Span, Statement, Value as WordValue};
+use ferrocut_program::{Block, DefectKind, Page, ProgramId, Span, Value as WordValue};
 use ferrocut_toolpath::{Dwell, Op, SpindleState};
 
 /// The non-modal code of a block, if it has one.
@@ -43,16 +42,32 @@ impl Interpreter {
         if let Some(first) = page.words(block).first()
             && first.letter == b'O'
         {
-            self.program_number(page.word_span(block, first))?;
+            let number = if let WordValue::Number(number) = first.value() { number } else { 0.0 };
+            self.program_number(number, page.word_span(block, first))?;
             if block.words == 1 && block.statement.is_none() {
                 return Ok(());
             }
         }
         self.enter_program();
         if let Some(statement) = page.statement(block) {
-            return self.statement(page, *statement);
+            return match self.statement(page, *statement) {
+                Err(alarm) if self.options.keep_going => {
+                    self.note(alarm);
+                    Ok(())
+                }
+                done => done,
+            };
         }
         for word in page.words(block) {
+            if word.letter == b'G' && word.value() == WordValue::Number(f64::from(self.dialect.macro_call) / 10.0) {
+                return match self.macro_block(page, block) {
+                    Err(alarm) if self.options.keep_going => {
+                        self.note(alarm);
+                        Ok(())
+                    }
+                    done => done,
+                };
+            }
             let value = match word.value() {
                 WordValue::Number(value) => value,
                 WordValue::Expression(range) => match self.evaluate(page, range) {
@@ -97,32 +112,11 @@ impl Interpreter {
         self.recover()
     }
 
-    /// Value of an expression of the page.
-    fn evaluate(&mut self, page: &Page, range: ExprRange) -> Result<Value, Fault> {
-        let variables = &self.memory.variables;
-        self.evaluator.value(page.nodes(range), |number| match number {
-            0..=999 => Ok(variables.get(number)),
-            _ => Err(Fault::UnknownVariable),
-        })
-    }
-
-    fn statement(&mut self, page: &Page, statement: Statement) -> Fallible<()> {
-        let span = self.words.block_span();
-        match statement {
-            Statement::Assign { target, value } => {
-                let assigned = self.evaluate(page, target).and_then(variable_number).and_then(|number| {
-                    let value = self.evaluate(page, value)?;
-                    self.variable_writes += 1;
-                    self.memory.variables.set(number, value).map_err(|_| Fault::VariableNotWritable)
-                });
-                assigned.map_err(|fault| self.alarm(fault, span))
-            }
-            _ => Err(self.alarm(Fault::NotSupported, span)),
-        }
-    }
-
     /// Executes a block whose words were all read.
     fn block_of_words(&mut self) -> Fallible<()> {
+        if self.words.sequence.is_some() {
+            self.technology.sequence = self.words.sequence;
+        }
         self.check_m_codes()?;
         let axes = self.axes_of_block()?;
         let mut non_modal: NonModal = None;
@@ -343,6 +337,7 @@ impl Interpreter {
     }
 
     fn m_function(&mut self, code: &MCode, span: Span) -> Fallible<()> {
+        self.technology.m_code = Some(f64::from(code.code));
         let speed = self.technology.speed.unwrap_or(0.0);
         match code.function {
             MFunction::Stop => self.emit(Op::Stop(code.code.into())),
@@ -400,7 +395,7 @@ impl Interpreter {
             return Err(self.alarm_at(Fault::TooManyRepeats, b'L'));
         }
         let at = self.words.span(b'P');
-        self.call(&ProgramId::Number(number as u32), times.max(0.0) as u32, at)
+        self.call(&ProgramId::Number(number as u32), times.max(0.0) as u32, None, at)
     }
 
     fn non_modal(&mut self, code: Meaning, axes: AxisSet, length: Option<Meaning>) -> Fallible<()> {

@@ -1,21 +1,28 @@
-//! The order of blocks: one after the other, through subprograms, to the end of the program.
+//! The order of blocks: one after the other, through jumps, loops and subprograms, to the end.
 
 use crate::Fallible;
 use crate::interpreter::Interpreter;
 use ferrocut_machine::{Alarm, Fault};
-use ferrocut_program::{Block, Page, Place, ProgramId, ProgramMemory, Span};
+use ferrocut_program::{Block, Page, Place, ProgramId, ProgramMemory, Span, Statement, Value};
+use rustc_hash::FxHashMap;
+use std::io;
 use std::sync::Arc;
 
-/// A subprogram being run.
-#[derive(Clone, Copy, Debug)]
+/// A subprogram or macro being run.
+#[derive(Debug)]
 struct Call {
-    /// First block of the subprogram.
+    /// First block of the program called.
     program: Place,
     /// Block after the call.
     back: Place,
     /// How often it is still to be run again.
     repeats: u32,
+    /// The caller's local variables, where the call has its own (a macro call).
+    locals: Option<Locals>,
 }
+
+/// The local variables #1 and on of one level.
+pub(crate) type Locals = Box<[Option<f64>]>;
 
 /// Blocks run without a step before a program is taken for endless: seconds of work, and more than
 /// any program that cuts needs between two moves.
@@ -23,6 +30,12 @@ const IDLE_BLOCKS: u64 = 50_000_000;
 
 /// Passes of a main program that ends with M99, where the machine's state never repeats.
 const MAX_PASSES: u64 = 10_000;
+
+/// Jumps back at a desk before a program is taken for endless: hours of a machine's work.
+const MAX_JUMPS_BACK: u64 = 50_000_000;
+
+/// Jumps and loops remembered; beyond it they are searched again.
+const MAX_REMEMBERED: usize = 65_536;
 
 /// Where execution stands.
 #[derive(Debug)]
@@ -38,6 +51,20 @@ pub(crate) struct Flow {
     last: Span,
     idle: u64,
     passes: u64,
+    jumps_back: u64,
+    /// Where a jump from a block to a sequence number leads.
+    targets: FxHashMap<(Place, u32), Place>,
+    /// The loops of a program, by its first block.
+    loops: FxHashMap<Place, Arc<Loops>>,
+}
+
+/// The loops of one program, found when the first of them is run.
+#[derive(Debug, Default)]
+struct Loops {
+    /// From the block of DO to that of its END.
+    ends: FxHashMap<Place, Place>,
+    /// From the block of END to that of its DO.
+    starts: FxHashMap<Place, Place>,
 }
 
 impl Flow {
@@ -50,13 +77,18 @@ impl Flow {
             last: Span::default(),
             idle: 0,
             passes: 0,
+            jumps_back: 0,
+            targets: FxHashMap::default(),
+            loops: FxHashMap::default(),
         }
     }
 
     fn jump(&mut self, to: Place) {
+        if to <= self.place {
+            self.jumps_back += 1;
+        }
         self.place = to;
         self.page = None;
-        self.entered = false;
     }
 
     /// Notes that a step was made: the program gets on.
@@ -65,13 +97,22 @@ impl Flow {
         self.idle = 0;
     }
 
-    /// Whether a subprogram is being run.
-    pub(crate) fn in_subprogram(&self) -> bool {
-        !self.calls.is_empty()
+    /// First block of the program being run.
+    fn program(&self) -> Place {
+        self.calls.last().map_or(Place::default(), |call| call.program)
+    }
+
+    /// The block being executed.
+    fn executing(&self) -> Place {
+        Place { block: self.place.block.saturating_sub(1), ..self.place }
+    }
+
+    fn depth(&self, of_macros: bool) -> usize {
+        self.calls.iter().filter(|call| call.locals.is_some() == of_macros).count()
     }
 
     /// The page and index of the next block; `None` past the end of the text.
-    fn next(&mut self, programs: &mut ProgramMemory) -> std::io::Result<Option<(Arc<Page>, usize)>> {
+    fn next(&mut self, programs: &mut ProgramMemory) -> io::Result<Option<(Arc<Page>, usize)>> {
         loop {
             let page = match self.page.take() {
                 Some(page) => page,
@@ -89,11 +130,89 @@ impl Flow {
     }
 }
 
+/// Calls `see` with the blocks of a program from `from` on, to its end: the next O word, or the end
+/// of the file. Stops where `see` returns something.
+fn blocks_of_program<R>(
+    programs: &mut ProgramMemory,
+    program: Place,
+    from: Place,
+    mut see: impl FnMut(&Page, &Block, Place) -> Option<R>,
+) -> io::Result<Option<R>> {
+    let mut at = from;
+    while let Some(page) = programs.page(at.file, at.page)? {
+        for block in page.blocks.get(at.block as usize..).unwrap_or(&[]) {
+            let is_number = page.words(block).first().is_some_and(|word| word.letter == b'O');
+            if is_number && at != program {
+                return Ok(None);
+            }
+            if let Some(found) = see(&page, block, at) {
+                return Ok(Some(found));
+            }
+            at.block += 1;
+        }
+        at = Place { page: at.page + 1, block: 0, ..at };
+    }
+    Ok(None)
+}
+
+/// The sequence number of a block.
+fn sequence_number(page: &Page, block: &Block) -> Option<f64> {
+    let first = page.words(block).first().filter(|word| word.letter == b'N')?;
+    match first.value() {
+        Value::Number(number) => Some(number),
+        Value::Expression(_) => None,
+    }
+}
+
+impl Loops {
+    /// Pairs every DO of a program with its END.
+    fn find(programs: &mut ProgramMemory, program: Place) -> io::Result<Result<Loops, (Fault, Span)>> {
+        let mut loops = Loops::default();
+        let mut open: Vec<(u16, Place, Span)> = Vec::new();
+        let fault = blocks_of_program(programs, program, program, |page, block, at| {
+            let span = page.block_span(block);
+            match page.statement(block)? {
+                Statement::While { label, .. } => {
+                    if !(1..=3).contains(label) {
+                        return Some((Fault::InvalidLoop, span));
+                    }
+                    // A loop in a loop with its own label would cross it (GSK990MC 4.9.5).
+                    if open.iter().any(|(l, _, _)| l == label) {
+                        return Some((Fault::LoopMismatch, span));
+                    }
+                    open.push((*label, at, span));
+                }
+                Statement::EndWhile { label } => match open.pop() {
+                    Some((l, start, _)) if l == *label => {
+                        loops.ends.insert(start, at);
+                        loops.starts.insert(at, start);
+                    }
+                    _ => return Some((Fault::LoopMismatch, span)),
+                },
+                _ => {}
+            }
+            None
+        })?;
+        Ok(match (fault, open.first()) {
+            (Some(fault), _) => Err(fault),
+            (None, Some((_, _, span))) => Err((Fault::LoopMismatch, *span)),
+            (None, None) => Ok(loops),
+        })
+    }
+
+    /// Whether a jump from `from` to `to` leads into a loop from outside.
+    fn is_entered(&self, from: Place, to: Place) -> bool {
+        let inside = |place: Place, start: Place, end: Place| start < place && place <= end;
+        self.ends.iter().any(|(start, end)| inside(to, *start, *end) && !inside(from, *start, *end))
+    }
+}
+
 impl Interpreter {
     /// Runs one block.
     pub(crate) fn run_block(&mut self) -> Fallible<()> {
         self.flow.idle += 1;
-        if self.flow.idle > IDLE_BLOCKS {
+        let endless = self.flow.jumps_back > MAX_JUMPS_BACK && !self.options.loops_forever;
+        if self.flow.idle > IDLE_BLOCKS || endless {
             self.ended = true;
             return Err(self.alarm(Fault::EndlessProgram, self.flow.last));
         }
@@ -102,8 +221,7 @@ impl Interpreter {
             Ok(None) => return self.end_of_text(),
             Err(error) => {
                 self.ended = true;
-                let alarm = Alarm::core(Fault::FileUnreadable, self.flow.last);
-                return Err(Box::new(alarm.with("reason", error.to_string())));
+                return Err(self.unreadable(error, self.flow.last));
             }
         };
         let at = self.flow.place;
@@ -121,24 +239,29 @@ impl Interpreter {
         result
     }
 
+    fn unreadable(&self, error: io::Error, span: Span) -> Box<Alarm> {
+        Box::new(Alarm::core(Fault::FileUnreadable, span).with("reason", error.to_string()))
+    }
+
     /// The text ended without an end of program.
     fn end_of_text(&mut self) -> Fallible<()> {
         let alarm = self.alarm(Fault::NoProgramEnd, self.flow.last);
         // A checker goes on behind the call of a subprogram that does not end.
-        if self.options.keep_going && self.flow.in_subprogram() {
-            self.go_back();
-        } else {
+        if !(self.options.keep_going && self.go_back()) {
             self.ended = true;
         }
         Err(alarm)
     }
 
     /// An O word: where a program starts. Inside a program it means that the one before has no end.
-    pub(crate) fn program_number(&mut self, span: Span) -> Fallible<()> {
+    pub(crate) fn program_number(&mut self, number: f64, span: Span) -> Fallible<()> {
         if self.flow.entered {
-            self.ended = true;
+            if !(self.options.keep_going && self.go_back()) {
+                self.ended = true;
+            }
             return Err(self.alarm(Fault::NoProgramEnd, span));
         }
+        self.technology.program = number;
         Ok(())
     }
 
@@ -154,30 +277,39 @@ impl Interpreter {
         block.skip > 1 || block.skip == 1 && self.options.block_skip
     }
 
-    /// M98 and its kin: runs a subprogram `times` times, then goes on behind the call.
-    pub(crate) fn call(&mut self, program: &ProgramId, times: u32, span: Span) -> Fallible<()> {
+    /// Runs a program `times` times, then goes on behind the call. With `arguments` it is a macro
+    /// call, which has local variables of its own.
+    pub(crate) fn call(
+        &mut self,
+        program: &ProgramId,
+        times: u32,
+        arguments: Option<&[(u32, f64)]>,
+        span: Span,
+    ) -> Fallible<()> {
         if times == 0 {
             return Ok(());
         }
-        if self.flow.calls.len() >= self.rules.max_call_depth {
-            return Err(self.alarm(Fault::CallsTooDeep, span));
+        let (limit, fault) = match arguments {
+            Some(_) => (self.rules.max_macro_depth, Fault::MacrosTooDeep),
+            None => (self.rules.max_call_depth, Fault::CallsTooDeep),
+        };
+        if self.flow.depth(arguments.is_some()) >= limit {
+            return Err(self.alarm(fault, span));
         }
-        let found = self.programs.find_program(program).map_err(|error| {
-            Box::new(Alarm::core(Fault::FileUnreadable, span).with("reason", error.to_string()))
-        })?;
+        let found = self.programs.find_program(program).map_err(|error| self.unreadable(error, span))?;
         let Some(start) = found else {
             let mut alarm = self.alarm(Fault::ProgramMissing, span);
-            alarm.arguments.push((
-                "program",
-                match program {
-                    ProgramId::Number(n) => format!("O{n:04}").into(),
-                    ProgramId::Name(name) => name.as_ref().into(),
-                },
-            ));
+            let name = match program {
+                ProgramId::Number(n) => format!("O{n:04}"),
+                ProgramId::Name(name) => name.to_string(),
+            };
+            alarm.arguments.push(("program", name.into()));
             return Err(alarm);
         };
-        self.flow.calls.push(Call { program: start, back: self.flow.place, repeats: times - 1 });
+        let locals = arguments.map(|arguments| self.enter_locals(arguments));
+        self.flow.calls.push(Call { program: start, back: self.flow.place, repeats: times - 1, locals });
         self.flow.jump(start);
+        self.flow.entered = false;
         Ok(())
     }
 
@@ -189,11 +321,15 @@ impl Interpreter {
             call.repeats -= 1;
             let start = call.program;
             self.flow.jump(start);
-        } else {
-            let back = call.back;
-            self.flow.calls.pop();
-            self.flow.jump(back);
+            self.flow.entered = false;
+            return true;
+        }
+        if let Some(call) = self.flow.calls.pop() {
+            self.flow.jump(call.back);
             self.flow.entered = true;
+            if let Some(locals) = call.locals {
+                self.leave_locals(&locals);
+            }
         }
         true
     }
@@ -214,6 +350,90 @@ impl Interpreter {
             self.pass_state = Some(state);
         }
         self.flow.jump(Place::default());
+        self.flow.entered = false;
         Ok(false)
+    }
+
+    /// Goes on at the block with a sequence number: the next one from here down, else the first from
+    /// the start of the program (GSK990MC 4.9.5).
+    pub(crate) fn go_to(&mut self, number: f64, span: Span) -> Fallible<()> {
+        if !(0.0..=99_999.0).contains(&number) || number.fract() != 0.0 {
+            return Err(self.alarm(Fault::SequenceMissing, span));
+        }
+        let from = self.flow.executing();
+        let key = (from, number as u32);
+        let target = match self.flow.targets.get(&key) {
+            Some(target) => *target,
+            None => {
+                let target = self.find_sequence(number, from, span)?;
+                if self.flow.targets.len() < MAX_REMEMBERED {
+                    self.flow.targets.insert(key, target);
+                }
+                target
+            }
+        };
+        self.flow.jump(target);
+        Ok(())
+    }
+
+    fn find_sequence(&mut self, number: f64, from: Place, span: Span) -> Fallible<Place> {
+        let program = self.flow.program();
+        let has_number = |page: &Page, block: &Block, at| {
+            (sequence_number(page, block) == Some(number)).then_some(at)
+        };
+        let found = blocks_of_program(&mut self.programs, program, self.flow.place, has_number)
+            .and_then(|below| match below {
+                Some(place) => Ok(Some(place)),
+                None => blocks_of_program(&mut self.programs, program, program, has_number),
+            })
+            .map_err(|error| self.unreadable(error, span))?;
+        let Some(target) = found else {
+            let mut alarm = self.alarm(Fault::SequenceMissing, span);
+            alarm.arguments.push(("number", number.into()));
+            return Err(alarm);
+        };
+        // Only a program with loops is searched for them; a defect of one is raised where it is run.
+        if self.flow.loops.contains_key(&program) && self.loops(span)?.is_entered(from, target) {
+            return Err(self.alarm(Fault::JumpIntoLoop, span));
+        }
+        Ok(target)
+    }
+
+    /// The loops of the program being run.
+    fn loops(&mut self, span: Span) -> Fallible<Arc<Loops>> {
+        let program = self.flow.program();
+        if let Some(loops) = self.flow.loops.get(&program) {
+            return Ok(loops.clone());
+        }
+        let found = Loops::find(&mut self.programs, program).map_err(|error| self.unreadable(error, span))?;
+        let loops = Arc::new(found.map_err(|(fault, span)| self.alarm(fault, span))?);
+        if self.flow.loops.len() >= MAX_REMEMBERED {
+            self.flow.loops.clear();
+        }
+        self.flow.loops.insert(program, loops.clone());
+        Ok(loops)
+    }
+
+    /// `WHILE … DO` whose condition does not hold: goes on behind its END. Every loop of the program
+    /// is paired when the first is met.
+    pub(crate) fn leave_or_enter_loop(&mut self, holds: bool, span: Span) -> Fallible<()> {
+        let loops = self.loops(span)?;
+        let Some(end) = loops.ends.get(&self.flow.executing()) else {
+            return Err(self.alarm(Fault::LoopMismatch, span));
+        };
+        if !holds {
+            self.flow.jump(Place { block: end.block + 1, ..*end });
+        }
+        Ok(())
+    }
+
+    /// `END`: goes back to its DO.
+    pub(crate) fn loop_again(&mut self, span: Span) -> Fallible<()> {
+        let loops = self.loops(span)?;
+        let Some(start) = loops.starts.get(&self.flow.executing()) else {
+            return Err(self.alarm(Fault::LoopMismatch, span));
+        };
+        self.flow.jump(*start);
+        Ok(())
     }
 }

@@ -47,6 +47,8 @@ pub(crate) struct Location {
     pub work: WorkSystem,
     /// Tool length compensation in force.
     pub length: ToolLength,
+    /// Where the last skip signal came, in the work coordinate system.
+    pub skip: Position,
 }
 
 impl Location {
@@ -77,6 +79,12 @@ pub(crate) struct Technology {
     pub coolant: bool,
     /// Tool chosen last.
     pub tool: u32,
+    /// Offset number of the cutter radius in force, D.
+    pub radius_number: f64,
+    /// The last M, N and O words.
+    pub m_code: Option<f64>,
+    pub sequence: Option<f64>,
+    pub program: f64,
 }
 
 /// What makes two passes of a program alike.
@@ -127,6 +135,7 @@ impl Interpreter {
             machine: options.start,
             work,
             length: ToolLength::default(),
+            skip: Position::ZERO,
         };
         location.take_machine();
         let technology = Technology {
@@ -136,6 +145,10 @@ impl Interpreter {
             spindle: SpindleState::Off,
             coolant: false,
             tool: 0,
+            radius_number: 0.0,
+            m_code: None,
+            sequence: None,
+            program: 0.0,
         };
         Interpreter {
             tables: Tables::new(dialect),

@@ -20,6 +20,7 @@ pub mod evaluate;
 pub mod execute;
 pub mod flow;
 pub mod interpreter;
+mod macros;
 pub mod modal;
 pub mod motion;
 pub mod stages;

@@ -156,6 +156,22 @@ faults! {
     VariableNotWritable = 704,
     /// A result beyond the numbers of the control.
     ResultTooLarge = 705,
+    /// The variable that is always empty cannot be set.
+    NullVariable = 706,
+    /// An operation of the macro language that the control does not have.
+    UnknownOperation = 707,
+    /// An address that passes no argument.
+    ArgumentAddress = 708,
+    /// Macro calls nested deeper than the control allows.
+    MacrosTooDeep = 709,
+    /// A loop that cannot be run: a label that does not exist, or none.
+    InvalidLoop = 710,
+    /// Loops that cross, or a beginning or end of a loop without the other.
+    LoopMismatch = 711,
+    /// A jump into a loop.
+    JumpIntoLoop = 712,
+    /// An alarm that the program sets itself.
+    ProgramAlarm = 713,
 
     // 800: machine
     /// An axis would leave its software limits.

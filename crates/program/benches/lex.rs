@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used)]
 
+#![allow(clippy::unwrap_used)]
+
 use ferrocut_program::{FileId, ProgramMemory, Syntax, Text};
 
 fn main() {

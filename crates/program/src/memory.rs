@@ -40,7 +40,7 @@ pub enum ProgramId {
 }
 
 /// A block of a file of program memory.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default, PartialOrd, Ord)]
 pub struct Place {
     /// The file.
     pub file: FileId,

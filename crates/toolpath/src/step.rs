@@ -136,6 +136,13 @@ pub enum Op {
     Change(u32),
     /// Any other M code, handed to the machine.
     Machine(u32),
+    /// An output that the program sets itself.
+    Output {
+        /// Its address.
+        address: Box<str>,
+        /// What it is set to.
+        value: f64,
+    },
     /// Reference-point return of these axes; the moves that lead there are steps before it.
     Home(AxisSet),
     /// Program stop, continued by cycle start: M00, or M01 where optional stop is on.

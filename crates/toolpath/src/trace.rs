@@ -245,6 +245,11 @@ impl<W: Write> TraceWriter<W> {
                 self.op("m");
                 self.field("code", f64::from(*code));
             }
+            Op::Output { address, value } => {
+                self.op("out");
+                self.text("addr", address);
+                self.field("value", *value);
+            }
             Op::Home(axes) => {
                 self.op("home");
                 self.key("axes");

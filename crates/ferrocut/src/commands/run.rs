@@ -38,7 +38,7 @@ pub fn run(args: &RunArgs) -> Result<Exit, Failure> {
     let is_json = shop.diagnostics.is_json();
     let mut samples = match &args.samples {
         None => None,
-        Some(path) => Some(Samples::create(path, &shop.machine)?),
+        Some(path) => Some(Samples::create(path, &shop.machine, shop.options().start)?),
     };
     let samples_on_stdout = args.samples.as_deref() == Some(Path::new("-"));
     if !is_json && !samples_on_stdout {

@@ -238,3 +238,27 @@ FC-0906 = This version does not carry out the code
 FC-0907 = A file cannot be written
     .help = Check the path, the free space and the rights of the folder.
     .detail = { $file }: { $reason }
+
+FC-0706 = Variable #0 is always empty and cannot be set
+    .help = Use another variable.
+
+FC-0707 = The control does not have this macro operation
+    .help = Check the H code of G65.
+
+FC-0708 = This address cannot pass an argument to a macro
+    .help = Use any letter but G, L, N, O, P and H, each once.
+
+FC-0709 = Macro calls are nested too deep
+    .help = Call fewer macros within each other.
+
+FC-0710 = The loop cannot be run
+    .help = Give DO and END a label from 1 to 3.
+
+FC-0711 = The loops do not pair
+    .help = Give every DO one END with the same label, and do not let loops cross.
+
+FC-0712 = A jump leads into a loop
+    .help = Jump to a block before the loop or behind it.
+
+FC-0713 = The program has set an alarm
+    .help = See in the program why it does.

@@ -7,6 +7,7 @@ mod alarms;
 mod codes;
 mod rules;
 mod syntax;
+mod variables;
 
 use crate::dialect::Dialect;
 use crate::evaluate::Angles;
@@ -20,6 +21,9 @@ pub static DIALECT: Dialect = Dialect {
     g_codes: codes::G_CODES,
     m_codes: codes::M_CODES,
     cycle_off: &codes::CYCLE_OFF,
+    macro_call: 650,
+    variable: variables::variable,
+    argument: variables::argument,
     addresses: codes::ADDRESSES,
     alarms: alarms::ALARMS,
     soft_limit_alarm: alarms::soft_limit,

@@ -3,11 +3,14 @@
 use super::codes::{CYCLE_OFF, G_CODES};
 use crate::dialect::{GCode, Rules};
 use crate::modal::Modal;
-use ferrocut_geometry::{Axis, AxisSet};
+use ferrocut_geometry::Axis;
 use ferrocut_machine::Parameters;
 
 /// Subprograms nested in the main program (3.2.2 note 3).
 const CALL_DEPTH: usize = 4;
+
+/// Macro calls nested (4.9.3 note 4).
+const MACRO_DEPTH: usize = 5;
 
 /// Reads the rules.
 pub fn rules(parameters: &Parameters) -> Rules {
@@ -32,20 +35,29 @@ pub fn rules(parameters: &Parameters) -> Rules {
         repeats_are_alarms: parameters.bit(32, 6),
         m_codes_in_block: if parameters.bit(33, 7) { 3 } else { 1 },
         max_call_depth: CALL_DEPTH,
+        max_macro_depth: MACRO_DEPTH,
         max_repeats: 9999.0,
         chip_break_retract: p(270),
         peck_clearance: p(271),
         peck_needs_depth: parameters.bit(43, 1),
         cycle_dwell: (p(281) / 1000.0, p(282) / 1000.0),
         cycle_needs_speed: true,
-        axes: axes(parameters),
+        axes: axis_order(parameters).into_iter().take(CONTROLLED_AXES).collect(),
+        axis_order: axis_order(parameters),
     }
 }
 
-/// X, Y, Z and the fourth axis that the machine has. The names of P175 to P179 come with axes that
-/// are renamed.
-fn axes(_parameters: &Parameters) -> AxisSet {
-    [Axis::X, Axis::Y, Axis::Z, Axis::A].into_iter().collect()
+/// Axes that a program may name: X, Y, Z and one more (1.2). P5 counts those of the machine at hand,
+/// which the machine file does here.
+const CONTROLLED_AXES: usize = 4;
+
+/// The names of axes 1 to 5 (P175 to P179); names that repeat fall back to X, Y, Z, A (2.2).
+fn axis_order(parameters: &Parameters) -> [Axis; 5] {
+    let named: [Option<Axis>; 5] =
+        std::array::from_fn(|i| Axis::ALL.get(parameters.data(175 + i as u16) as usize).copied());
+    let distinct = (0..5).all(|i| named[i].is_some() && !named[..i].contains(&named[i]));
+    let standard = [Axis::X, Axis::Y, Axis::Z, Axis::A, Axis::B];
+    if distinct { std::array::from_fn(|i| named[i].unwrap_or(standard[i])) } else { standard }
 }
 
 fn code(tenths: u16) -> &'static GCode {

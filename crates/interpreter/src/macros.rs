@@ -1,0 +1,351 @@
+//! Variables and statements of the macro language, and G65.
+
+use crate::Fallible;
+use crate::dialect::Variable;
+use crate::evaluate::{self, Value, variable_number};
+use crate::flow::Locals;
+use crate::interpreter::Interpreter;
+use ferrocut_geometry::Axis;
+use ferrocut_machine::{Alarm, AlarmId, Fault, WorkOffset};
+use ferrocut_program::{Block, ExprRange, Node, Page, ProgramId, Span, Statement, Value as WordValue, Word};
+use ferrocut_toolpath::Op;
+
+/// Local variables are #1 to this (GSK990MC 4.9.2).
+const LAST_LOCAL: u32 = 50;
+
+impl Interpreter {
+    /// Value of an expression of the page.
+    pub(crate) fn evaluate(&mut self, page: &Page, range: ExprRange) -> Result<Value, Fault> {
+        // The evaluator's stack is set aside so that variables can be read from the rest.
+        let mut evaluator = std::mem::take(&mut self.evaluator);
+        let value = evaluator.value(page.nodes(range), |number| self.read_variable(number));
+        self.evaluator = evaluator;
+        value
+    }
+
+    /// Value of a variable.
+    #[inline]
+    fn read_variable(&self, number: u32) -> Result<Value, Fault> {
+        match (self.dialect.variable)(number) {
+            Some(Variable::Plain) => Ok(self.memory.variables.get(number)),
+            Some(variable) => self.read_system_variable(variable),
+            None => Err(Fault::UnknownVariable),
+        }
+    }
+
+    fn axis_number(&self, index: u8) -> Result<Axis, Fault> {
+        self.rules.axis_order.get(usize::from(index)).copied().ok_or(Fault::UnknownVariable)
+    }
+
+    fn read_system_variable(&self, variable: Variable) -> Result<Value, Fault> {
+        let tool = |number| self.memory.tools.get(number).ok_or(Fault::UnknownVariable);
+        let location = &self.location;
+        Ok(Some(match variable {
+            Variable::Empty => return Ok(None),
+            Variable::Plain => return Err(Fault::UnknownVariable),
+            Variable::ToolLength(n) => tool(n)?.length,
+            Variable::LengthWear(n) => tool(n)?.length_wear,
+            Variable::ToolRadius(n) => tool(n)?.radius,
+            Variable::RadiusWear(n) => tool(n)?.radius_wear,
+            Variable::ModalGroup(group) => {
+                let code = self.modal.codes().find(|code| code.group_number == group);
+                return Ok(code.map(|code| f64::from(code.tenths) / 10.0));
+            }
+            Variable::ModalWord(letter) => return Ok(self.modal_word(letter)),
+            Variable::BlockEnd(axis) => location.programmed[self.axis_number(axis)?],
+            Variable::MachinePosition(axis) => location.machine[self.axis_number(axis)?],
+            Variable::WorkPosition(axis) => {
+                let axis = self.axis_number(axis)?;
+                location.machine[axis] - location.work.shift[axis]
+            }
+            Variable::SkipPosition(axis) => location.skip[self.axis_number(axis)?],
+            Variable::LengthOffset(axis) => location.length.vector[self.axis_number(axis)?],
+            // The simulated axes follow without error.
+            Variable::ServoOffset(axis) => {
+                self.axis_number(axis)?;
+                0.0
+            }
+            Variable::WorkZero(name, axis) => {
+                let zero = self.memory.work.get(name).ok_or(Fault::UnknownVariable)?;
+                zero[self.axis_number(axis)?]
+            }
+            Variable::Input(_) | Variable::UserTable => 0.0,
+            Variable::Output(_) | Variable::Alarm => return Ok(None),
+        }))
+    }
+
+    /// The word in force of an address (GSK990MC #4022 to #4030).
+    fn modal_word(&self, letter: u8) -> Value {
+        let technology = &self.technology;
+        match letter {
+            b'D' => Some(technology.radius_number),
+            b'H' => Some(f64::from(self.location.length.number)),
+            b'F' if self.modal.is_feed_per_revolution() => Some(technology.feed_per_revolution),
+            b'F' => Some(technology.feed_per_minute),
+            b'M' => technology.m_code,
+            b'S' => Some(technology.speed.unwrap_or(0.0)),
+            b'T' => Some(f64::from(technology.tool)),
+            b'N' => technology.sequence,
+            b'O' => Some(technology.program),
+            b'P' => match self.location.work.system {
+                crate::stages::work_offset::System::Table(WorkOffset::Additional(n)) => Some(f64::from(n)),
+                _ => Some(0.0),
+            },
+            _ => None,
+        }
+    }
+
+    /// Sets a variable.
+    fn write_variable(&mut self, number: u32, value: Value, span: Span) -> Fallible<()> {
+        let v = value.unwrap_or(0.0);
+        match (self.dialect.variable)(number) {
+            Some(Variable::Alarm) => return Err(self.program_alarm(v, span)),
+            Some(Variable::Output(_)) => {
+                self.emit(Op::Output { address: format!("#{number}").into(), value: v });
+            }
+            variable => {
+                if let Err(fault) = self.store(variable, number, value) {
+                    let mut alarm = self.alarm(fault, span);
+                    alarm.arguments.push(("variable", format!("#{number}").into()));
+                    return Err(alarm);
+                }
+            }
+        }
+        self.variable_writes += 1;
+        Ok(())
+    }
+
+    /// Puts a value where a variable stands for.
+    fn store(&mut self, variable: Option<Variable>, number: u32, value: Value) -> Result<(), Fault> {
+        let tools = &mut self.memory.tools;
+        let place = match variable.ok_or(Fault::UnknownVariable)? {
+            Variable::Empty => return Err(Fault::NullVariable),
+            Variable::Plain => {
+                return self.memory.variables.set(number, value).map_err(|_| Fault::VariableNotWritable);
+            }
+            Variable::ToolLength(n) => tools.get_mut(n).map(|row| &mut row.length),
+            Variable::LengthWear(n) => tools.get_mut(n).map(|row| &mut row.length_wear),
+            Variable::ToolRadius(n) => tools.get_mut(n).map(|row| &mut row.radius),
+            Variable::RadiusWear(n) => tools.get_mut(n).map(|row| &mut row.radius_wear),
+            Variable::WorkZero(name, index) => {
+                let axis = self.axis_number(index)?;
+                let zero = self.memory.work.get_mut(name).ok_or(Fault::UnknownVariable)?;
+                zero[axis] = value.unwrap_or(0.0);
+                self.work_zero_changed();
+                return Ok(());
+            }
+            _ => return Err(Fault::VariableNotWritable),
+        };
+        *place.ok_or(Fault::VariableNotWritable)? = value.unwrap_or(0.0);
+        Ok(())
+    }
+
+    /// `#3000 = n` and `G65 H99 Pn`: alarm 3000 + n (GSK990MC 4.9.4).
+    fn program_alarm(&self, n: f64, span: Span) -> Box<Alarm> {
+        if !(0.0..=999.0).contains(&n) {
+            return self.alarm(Fault::WordOutOfRange, span);
+        }
+        let id = AlarmId::Dialect(self.dialect.name, 3000 + n as u16);
+        Box::new(Alarm::new(id, Fault::ProgramAlarm, span))
+    }
+
+    /// Runs a statement.
+    pub(crate) fn statement(&mut self, page: &Page, statement: Statement) -> Fallible<()> {
+        let span = self.words.block_span();
+        match statement {
+            Statement::Assign { target, value } => self.assign(page, target, value, span),
+            Statement::IfAssign { condition, target, value } => match self.holds(page, condition, span)? {
+                true => self.assign(page, target, value, span),
+                false => Ok(()),
+            },
+            Statement::Goto { condition, target } => {
+                if let Some(condition) = condition
+                    && !self.holds(page, condition, span)?
+                {
+                    return Ok(());
+                }
+                let number = self.evaluate(page, target).map_err(|fault| self.alarm(fault, span))?;
+                self.go_to(number.unwrap_or(-1.0), span)
+            }
+            Statement::While { condition, .. } => {
+                let holds = match condition {
+                    Some(condition) => self.holds(page, condition, span)?,
+                    None => true,
+                };
+                self.leave_or_enter_loop(holds, span)
+            }
+            Statement::EndWhile { .. } => self.loop_again(span),
+        }
+    }
+
+    fn holds(&mut self, page: &Page, condition: ExprRange, span: Span) -> Fallible<bool> {
+        let value = self.evaluate(page, condition).map_err(|fault| self.alarm(fault, span))?;
+        Ok(value.is_some_and(|v| v != 0.0))
+    }
+
+    fn assign(&mut self, page: &Page, target: ExprRange, value: ExprRange, span: Span) -> Fallible<()> {
+        let number = self.evaluate(page, target).and_then(variable_number);
+        let number = number.map_err(|fault| self.alarm(fault, span))?;
+        let value = self.evaluate(page, value).map_err(|fault| self.alarm(fault, span))?;
+        self.write_variable(number, value, span)
+    }
+
+    /// The caller's local variables, kept while a macro has its own: the arguments, and empty ones.
+    pub(crate) fn enter_locals(&mut self, arguments: &[(u32, f64)]) -> Locals {
+        let kept = (1..=LAST_LOCAL).map(|n| self.memory.variables.get(n)).collect();
+        self.memory.variables.clear(1..=LAST_LOCAL);
+        for (number, value) in arguments {
+            // Arguments are numbered from 1 to 26.
+            let _ = self.memory.variables.set(*number, Some(*value));
+        }
+        kept
+    }
+
+    /// Puts the caller's local variables back.
+    pub(crate) fn leave_locals(&mut self, locals: &Locals) {
+        for (number, value) in (1..).zip(locals.iter()) {
+            let _ = self.memory.variables.set(number, *value);
+        }
+        self.variable_writes += 1;
+    }
+
+    /// A block with G65: an operation or jump (macro A) where it has an H, else a macro call.
+    pub(crate) fn macro_block(&mut self, page: &Page, block: &Block) -> Fallible<()> {
+        let words = page.words(block);
+        let word = |letter: u8| words.iter().find(|word| word.letter == letter);
+        match word(b'H') {
+            Some(h) => {
+                let operation = self.word_value(page, block, h)?.unwrap_or(0.0);
+                let target = word(b'P');
+                let q = self.operand(page, block, word(b'Q'))?;
+                let r = self.operand(page, block, word(b'R'))?;
+                self.macro_a(page, block, operation, target, q, r)
+            }
+            None => self.macro_call(page, block),
+        }
+    }
+
+    fn word_value(&mut self, page: &Page, block: &Block, word: &Word) -> Fallible<Value> {
+        match word.value() {
+            WordValue::Number(number) => Ok(Some(number)),
+            WordValue::Expression(range) => {
+                self.evaluate(page, range).map_err(|fault| self.alarm(fault, page.word_span(block, word)))
+            }
+        }
+    }
+
+    fn operand(&mut self, page: &Page, block: &Block, word: Option<&Word>) -> Fallible<Value> {
+        match word {
+            Some(word) => self.word_value(page, block, word),
+            // What is not given takes part as zero (4.9.4 note 2).
+            None => Ok(Some(0.0)),
+        }
+    }
+
+    /// G65 Hm P#i Q#j R#k (GSK990MC 4.9.4).
+    fn macro_a(
+        &mut self,
+        page: &Page,
+        block: &Block,
+        operation: f64,
+        target: Option<&Word>,
+        q: Value,
+        r: Value,
+    ) -> Fallible<()> {
+        let span = self.words.block_span();
+        let Some(target) = target else { return Err(self.alarm(Fault::MalformedStatement, span)) };
+        let code = if operation.fract() == 0.0 { operation as i64 } else { -1 };
+        if let 80..=86 = code {
+            let (a, b) = (q.unwrap_or(0.0), r.unwrap_or(0.0));
+            let jumps = match code {
+                80 => true,
+                81 => q == r,
+                82 => q != r,
+                83 => a > b,
+                84 => a < b,
+                85 => a >= b,
+                _ => a <= b,
+            };
+            if !jumps {
+                return Ok(());
+            }
+            let number = self.word_value(page, block, target)?;
+            return self.go_to(number.unwrap_or(-1.0), span);
+        }
+        if code == 99 {
+            let number = self.word_value(page, block, target)?.unwrap_or(0.0);
+            return Err(self.program_alarm(number, span));
+        }
+        let number = self.variable_of(page, block, target)?;
+        let own = self.read_variable(number).map_err(|fault| self.alarm(fault, span))?;
+        let value = evaluate::macro_a(code, own, q, r).map_err(|fault| self.alarm(fault, span))?;
+        self.write_variable(number, value, span)
+    }
+
+    /// The number of the variable that a word names: 100 for `P#100`.
+    fn variable_of(&mut self, page: &Page, block: &Block, word: &Word) -> Fallible<u32> {
+        let span = page.word_span(block, word);
+        let WordValue::Expression(range) = word.value() else {
+            return Err(self.alarm(Fault::MalformedStatement, span));
+        };
+        match page.nodes(range) {
+            [Node::VariableAt(number)] => Ok(*number),
+            [.., Node::Variable] => {
+                let inner = ExprRange { len: range.len - 1, ..range };
+                let number = self.evaluate(page, inner).and_then(variable_number);
+                number.map_err(|fault| self.alarm(fault, span))
+            }
+            _ => Err(self.alarm(Fault::MalformedStatement, span)),
+        }
+    }
+
+    /// G65 P L and arguments (GSK990MC 4.9.3).
+    fn macro_call(&mut self, page: &Page, block: &Block) -> Fallible<()> {
+        let span = self.words.block_span();
+        let mut program = None;
+        let mut times = 1.0;
+        let mut arguments: Vec<(u32, f64)> = Vec::with_capacity(26);
+        for word in page.words(block) {
+            let word_span = page.word_span(block, word);
+            let Some(value) = self.word_value(page, block, word)? else { continue };
+            match word.letter {
+                b'G' | b'N' => {}
+                b'P' => program = Some((value, word_span)),
+                b'L' => {
+                    times = value;
+                    if !(0.0..=self.rules.max_repeats).contains(&times) {
+                        return Err(self.alarm(Fault::TooManyRepeats, word_span));
+                    }
+                }
+                letter => {
+                    let Some(number) = (self.dialect.argument)(letter) else {
+                        return Err(self.alarm(Fault::ArgumentAddress, word_span));
+                    };
+                    if arguments.iter().any(|(n, _)| *n == number) && self.rules.repeats_are_alarms {
+                        return Err(self.alarm(Fault::RepeatedAddress, word_span));
+                    }
+                    arguments.push((number, value));
+                }
+            }
+        }
+        let Some((program, at)) = program else {
+            return Err(self.alarm(Fault::CallWithoutProgram, span));
+        };
+        if !(1.0..=99_999.0).contains(&program) || program.fract() != 0.0 {
+            return Err(self.alarm(Fault::ProgramNumber, at));
+        }
+        self.call(&ProgramId::Number(program as u32), times as u32, Some(&arguments), at)
+    }
+
+    /// A zero of the table of work coordinate systems was written: the system in force takes it over.
+    pub(crate) fn work_zero_changed(&mut self) {
+        use crate::stages::work_offset::{System, WorkSystem};
+        if let System::Table(name) = self.location.work.system
+            && let Some(system) = WorkSystem::select(name, &self.memory.work)
+            && system != self.location.work
+        {
+            self.location.work = system;
+            self.location.take_machine();
+        }
+    }
+}

@@ -1,0 +1,165 @@
+//! Moves: what the planner is fed with.
+//!
+//! A [`Move`] is made from a step of the toolpath by [`Move::from_step`], the one place where minutes
+//! become seconds and the kinds of feed become one: mm/s along the path. A move is finite by
+//! construction.
+
+use ferrocut_geometry::{Plane, Position, SAME_POINT_MM};
+use ferrocut_toolpath::{Feed, FeedAlong, Op, PathMode};
+
+/// One move of the axes, from where the move before it ended.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Move {
+    pub(crate) tag: u64,
+    pub(crate) to: Position,
+    pub(crate) kind: Kind,
+}
+
+/// How a move gets to its end.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) enum Kind {
+    /// Every axis on its own, as fast as it can.
+    RapidAxes,
+    /// On a straight line, as fast as the slowest axis can.
+    RapidStraight,
+    /// On a straight line; `feed` mm/s.
+    Line { feed: f64, path: PathMode },
+    /// On a circle or helix; `feed` mm/s.
+    Arc { plane: Plane, center: [f64; 2], sweep: f64, feed: f64, path: PathMode },
+}
+
+/// Slowest feed, mm/s: a move with feed 0 would never end. Interpreters refuse it before.
+const LEAST_FEED: f64 = 1e-3;
+
+/// Coordinates, angles and feeds beyond this are refused as not finite: no machine is a thousand kilometres
+/// long, and what is planned stays far from the ends of `f64`.
+const FARTHEST: f64 = 1e9;
+
+/// Which coordinates the length of a move, and with it the feed, is taken over.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Measure {
+    /// X, Y, Z, mm.
+    Xyz,
+    /// U, V, W, mm.
+    Uvw,
+    /// A, B, C, degrees.
+    Abc,
+}
+
+impl Measure {
+    /// The three coordinates of `d`.
+    fn of(self, d: &Position) -> [f64; 3] {
+        match (d.0, self) {
+            ([x, y, z, ..], Measure::Xyz) => [x, y, z],
+            ([.., u, v, w], Measure::Uvw) => [u, v, w],
+            ([_, _, _, a, b, c, ..], Measure::Abc) => [a, b, c],
+        }
+    }
+
+    /// Measure and length of the straight move by `d`, as in [`Position::distance`], save that axes which
+    /// only move by rounding do not set the length of a move of the others. `None` where nothing moves.
+    pub fn choose(d: &Position) -> Option<(Measure, f64)> {
+        const ALL: [Measure; 3] = [Measure::Xyz, Measure::Uvw, Measure::Abc];
+        let long = ALL.iter().map(|m| (*m, m.of(d).iter().map(|c| c * c).sum::<f64>().sqrt()));
+        let any = ALL.iter().map(|m| (*m, m.of(d).iter().fold(0.0, |h: f64, c| h.hypot(*c))));
+        long.into_iter()
+            .find(|(_, length)| *length > SAME_POINT_MM)
+            // Squares of lengths below 1e-160 vanish; hypot keeps them.
+            .or_else(|| any.into_iter().find(|(_, length)| *length > f64::MIN_POSITIVE))
+    }
+}
+
+impl Move {
+    /// The move that `op` makes from `from`; `None` if it is no move or not finite. `rpm` is the speed of
+    /// the spindle for feeds per revolution, r/min. `tag` comes back with the setpoints of the move.
+    ///
+    /// A tapping step becomes the straight move of its feed, with override and hold without effect; a skip
+    /// step a move that stops exactly, which the caller ends with
+    /// [`Motion::abort`](crate::Motion::abort) when the signal comes.
+    pub fn from_step(op: &Op, from: Position, rpm: f64, tag: u64) -> Option<Move> {
+        let to = *op.target()?;
+        let speed = |feed: Feed, length: f64| match feed {
+            Feed::PerMinute(f) => f / 60.0,
+            Feed::PerRevolution(f) => f * rpm / 60.0,
+            Feed::Duration(t) => length / t,
+        };
+        let straight = || Measure::choose(&(to - from)).map_or(0.0, |(_, length)| length);
+        let kind = match *op {
+            Op::Rapid { straight: true, .. } => Kind::RapidStraight,
+            Op::Rapid { straight: false, .. } => Kind::RapidAxes,
+            Op::Feed { feed, path, .. } => Kind::Line { feed: speed(feed, straight()), path },
+            Op::Skip { feed, .. } => Kind::Line { feed: speed(feed, straight()), path: PathMode::ExactStop },
+            Op::Tap { pitch, rpm, .. } => {
+                Kind::Line { feed: (pitch * rpm / 60.0).abs(), path: PathMode::Tapping }
+            }
+            Op::Arc { plane, center, sweep, feed, feed_along, path, .. } => {
+                let arc = op.arc(from)?;
+                let mut feed = match feed {
+                    Feed::Duration(_) => speed(feed, arc.length()),
+                    _ => speed(feed, 0.0),
+                };
+                // In inverse time the time holds for the whole move, along whatever it is measured.
+                let timed = matches!(op, Op::Arc { feed: Feed::Duration(_), .. });
+                if feed_along == FeedAlong::Circle && !timed && arc.plane_length() > 0.0 {
+                    feed *= arc.length() / arc.plane_length();
+                }
+                Kind::Arc { plane, center, sweep, feed, path }
+            }
+            _ => return None,
+        };
+        Move { tag, to, kind }.checked()
+    }
+
+    /// Positioning to `to`: on a straight line, or every axis on its own.
+    pub fn rapid(to: Position, straight: bool, tag: u64) -> Option<Move> {
+        let kind = if straight { Kind::RapidStraight } else { Kind::RapidAxes };
+        Move { tag, to, kind }.checked()
+    }
+
+    /// Straight cut to `to` at `feed` mm/s (degrees/s where only rotary axes move).
+    pub fn line(to: Position, feed: f64, path: PathMode, tag: u64) -> Option<Move> {
+        Move { tag, to, kind: Kind::Line { feed, path } }.checked()
+    }
+
+    /// Circular or helical cut to `to` at `feed` mm/s along the path, `sweep` radians about `center`.
+    pub fn arc(
+        to: Position,
+        plane: Plane,
+        center: [f64; 2],
+        sweep: f64,
+        feed: f64,
+        path: PathMode,
+        tag: u64,
+    ) -> Option<Move> {
+        Move { tag, to, kind: Kind::Arc { plane, center, sweep, feed, path } }.checked()
+    }
+
+    /// Where it ends.
+    pub fn to(&self) -> Position {
+        self.to
+    }
+
+    /// The caller's mark.
+    pub fn tag(&self) -> u64 {
+        self.tag
+    }
+
+    fn checked(mut self) -> Option<Move> {
+        let good = |x: &f64| x.abs() <= FARTHEST;
+        let possible = match &mut self.kind {
+            Kind::RapidAxes | Kind::RapidStraight => true,
+            Kind::Line { feed, .. } => clamp_feed(feed),
+            Kind::Arc { center, sweep, feed, .. } => {
+                clamp_feed(feed) && good(sweep) && center.iter().all(good)
+            }
+        };
+        (possible && self.to.0.iter().all(good)).then_some(self)
+    }
+}
+
+/// Brings a feed into what can be run; `false` if it is no number.
+fn clamp_feed(feed: &mut f64) -> bool {
+    let is_number = !feed.is_nan();
+    *feed = feed.clamp(LEAST_FEED, FARTHEST);
+    is_number
+}

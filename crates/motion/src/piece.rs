@@ -1,0 +1,266 @@
+//! The geometry of one move over its length.
+//!
+//! A piece is a curve `q(s)` over all axes, `s` from 0 to [`Piece::len`], where `s` is what the feed is
+//! measured along: `|q'| = 1` over the measured coordinates of lines, circles and helices.
+//!
+//! An arc with `u = s/len`, angle `φ = φ₀ + σu` and radius `r = r₀ + ρu` (start and end may lie a little
+//! off one circle, see [`ferrocut_geometry::arc`]) has in its plane
+//!
+//! ```text
+//! q  = c + r·(cos φ, sin φ)
+//! q' = (ρ·(cos φ, sin φ) + rσ·(−sin φ, cos φ)) / len
+//! q''= (2ρσ·(−sin φ, cos φ) − rσ²·(cos φ, sin φ)) / len²
+//! ```
+//!
+//! and is straight in every other axis.
+
+use crate::moves::{Kind, Measure, Move};
+use ferrocut_geometry::{AXES, Arc, Position};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// An arc is planned in slices no longer than this angle, each under its own bounds, because the share of
+/// an axis in velocity and in acceleration changes as the arc turns.
+const SLICE_RAD: f64 = PI / 18.0;
+
+/// Nor are slices shorter than this, mm: an arc that small is slow whatever it is cut into, and a servo
+/// period shall not run through thousands of slices.
+const LEAST_SLICE: f64 = 1e-4;
+
+/// Arcs with less length in their plane than this are straight.
+const STRAIGHT_MM: f64 = 1e-9;
+
+/// The curve of one move.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Piece {
+    /// Straight, on a path.
+    Line(Line),
+    /// Circle or helix.
+    Arc(Turn),
+    /// Every axis on its own: no path.
+    Axes { from: Position, to: Position },
+}
+
+/// A straight piece.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Line {
+    pub from: Position,
+    pub to: Position,
+    /// `q'`.
+    pub dir: Position,
+    pub len: f64,
+    pub measure: Measure,
+}
+
+/// A piece of circle or helix.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Turn {
+    start: Position,
+    end: Position,
+    /// Indices of the axes of the plane.
+    plane: [usize; 2],
+    center: [f64; 2],
+    angle: f64,
+    sweep: f64,
+    radius: f64,
+    growth: f64,
+    /// What the closed form misses at start and end, mm; spread evenly over the arc. A few rounding errors,
+    /// unless sweep and end point contradict each other.
+    miss: [[f64; 2]; 2],
+    pub len: f64,
+}
+
+/// Bounds of the derivatives over a stretch of a piece.
+pub(crate) struct Derivatives {
+    /// `|q'|` of every axis.
+    pub first: [f64; AXES],
+    /// `|q''|` of every axis, 1/mm.
+    pub second: [f64; AXES],
+}
+
+impl Piece {
+    /// The curve of `m` from `from`; `None` where nothing moves.
+    pub fn new(from: Position, m: &Move) -> Option<Piece> {
+        match m.kind {
+            // One axis alone runs on a line.
+            Kind::RapidAxes if from.0.iter().zip(m.to.0).filter(|(a, b)| **a != *b).count() > 1 => {
+                Some(Piece::Axes { from, to: m.to })
+            }
+            Kind::RapidAxes => Line::new(from, m.to).map(Piece::Line),
+            Kind::RapidStraight | Kind::Line { .. } => Line::new(from, m.to).map(Piece::Line),
+            Kind::Arc { plane, center, sweep, .. } => {
+                let arc = Arc { plane, center, start: from, end: m.to, sweep };
+                match Turn::new(&arc) {
+                    Some(turn) => Some(Piece::Arc(turn)),
+                    None => Line::new(from, m.to).map(Piece::Line),
+                }
+            }
+        }
+    }
+
+    /// Where it ends.
+    pub fn end(&self) -> Position {
+        match self {
+            Piece::Line(line) => line.to,
+            Piece::Arc(turn) => turn.end,
+            Piece::Axes { to, .. } => *to,
+        }
+    }
+
+    /// Length that `s` runs over.
+    pub fn len(&self) -> f64 {
+        match self {
+            Piece::Line(line) => line.len,
+            Piece::Arc(turn) => turn.len,
+            Piece::Axes { .. } => 0.0,
+        }
+    }
+
+    /// Length of the slices that it is planned in.
+    pub fn slice(&self) -> f64 {
+        match self {
+            Piece::Arc(turn) => (turn.len * (SLICE_RAD / turn.sweep.abs())).max(LEAST_SLICE),
+            _ => f64::INFINITY,
+        }
+    }
+
+    /// `q(s)`.
+    pub fn at(&self, s: f64) -> Position {
+        match self {
+            Piece::Line(line) => line.at(s),
+            Piece::Arc(turn) => turn.at(s),
+            Piece::Axes { from, .. } => *from,
+        }
+    }
+
+    /// `q'(s)`.
+    pub fn tangent(&self, s: f64) -> Position {
+        match self {
+            Piece::Line(line) => line.dir,
+            Piece::Arc(turn) => turn.tangent(s),
+            Piece::Axes { .. } => Position::ZERO,
+        }
+    }
+
+    /// Largest `|q''|` on the whole piece.
+    pub fn curvature(&self) -> f64 {
+        match self {
+            Piece::Arc(turn) => {
+                let r = turn.widest(0.0, turn.len);
+                (r * turn.sweep * turn.sweep + 2.0 * (turn.growth * turn.sweep).abs()) / (turn.len * turn.len)
+            }
+            _ => 0.0,
+        }
+    }
+}
+
+impl Line {
+    fn new(from: Position, to: Position) -> Option<Line> {
+        let d = to - from;
+        let (measure, len) = Measure::choose(&d)?;
+        Some(Line { from, to, dir: Position(d.0.map(|c| c / len)), len, measure })
+    }
+
+    fn at(&self, s: f64) -> Position {
+        self.from.zip(self.dir, |p, d| p + d * s)
+    }
+}
+
+impl Turn {
+    /// `None` if the arc is straight: no angle turned or no radius.
+    fn new(arc: &Arc) -> Option<Turn> {
+        if arc.plane_length() < STRAIGHT_MM {
+            return None;
+        }
+        let (radius, growth) = (arc.start_radius(), arc.end_radius() - arc.start_radius());
+        let mut turn = Turn {
+            start: arc.start,
+            end: arc.end,
+            plane: [arc.plane.first().index(), arc.plane.second().index()],
+            center: arc.center,
+            angle: arc.start_angle(),
+            sweep: arc.sweep,
+            radius,
+            growth,
+            miss: [[0.0; 2]; 2],
+            len: arc.length().hypot(growth),
+        };
+        let miss = |s: f64, p: Position| {
+            let [a, b] = turn.circle(s);
+            let [x, y] = arc.plane.of(p);
+            [x - a, y - b]
+        };
+        turn.miss = [miss(0.0, arc.start), miss(turn.len, arc.end)];
+        Some(turn)
+    }
+
+    /// The point of the closed form in the plane.
+    fn circle(&self, s: f64) -> [f64; 2] {
+        let u = s / self.len;
+        let r = self.radius + self.growth * u;
+        let (sin, cos) = (self.angle + self.sweep * u).sin_cos();
+        [self.center[0] + r * cos, self.center[1] + r * sin]
+    }
+
+    pub fn at(&self, s: f64) -> Position {
+        let u = s / self.len;
+        let mut p = self.start.lerp(self.end, u);
+        let [a, b] = self.circle(s);
+        let missing = |i: usize| self.miss[0][i] * (1.0 - u) + self.miss[1][i] * u;
+        p.0[self.plane[0]] = a + missing(0);
+        p.0[self.plane[1]] = b + missing(1);
+        p
+    }
+
+    /// What closing the arc onto its end point adds to `q'`.
+    fn closing(&self, i: usize) -> f64 {
+        (self.miss[1][i] - self.miss[0][i]) / self.len
+    }
+
+    fn tangent(&self, s: f64) -> Position {
+        let u = s / self.len;
+        let mut d = self.start.zip(self.end, |a, b| (b - a) / self.len);
+        let (along, out) = ((self.radius + self.growth * u) * self.sweep / self.len, self.growth / self.len);
+        let (sin, cos) = (self.angle + self.sweep * u).sin_cos();
+        d.0[self.plane[0]] = out * cos - along * sin + self.closing(0);
+        d.0[self.plane[1]] = out * sin + along * cos + self.closing(1);
+        d
+    }
+
+    /// Largest `|q'|` over X, Y, Z in `from`…`to`.
+    pub fn stretch(&self, from: f64, to: f64) -> f64 {
+        let r = self.widest(from, to);
+        let climb = 3 - self.plane[0] - self.plane[1];
+        let along = (r * self.sweep).hypot(self.growth).hypot(self.end.0[climb] - self.start.0[climb]);
+        along / self.len + self.closing(0).hypot(self.closing(1))
+    }
+
+    fn widest(&self, from: f64, to: f64) -> f64 {
+        let radius = |s: f64| self.radius + self.growth * (s / self.len);
+        radius(from).max(radius(to))
+    }
+
+    /// Bounds over `from`…`to`.
+    pub fn derivatives(&self, from: f64, to: f64) -> Derivatives {
+        let (u0, u1) = (from / self.len, to / self.len);
+        let (sin0, cos0) = (self.angle + self.sweep * u0).sin_cos();
+        let (sin1, cos1) = (self.angle + self.sweep * u1).sin_cos();
+        // Up to a quarter turn |cos| is 1 where sin changes sign, else largest at an end; and the same
+        // the other way round.
+        let short = (self.sweep * (u1 - u0)).abs() < FRAC_PI_2;
+        let largest = |x0: f64, x1: f64, y0: f64, y1: f64| {
+            if short && y0 * y1 > 0.0 { x0.abs().max(x1.abs()) } else { 1.0 }
+        };
+        let (cos, sin) = (largest(cos0, cos1, sin0, sin1), largest(sin0, sin1, cos0, cos1));
+        let r = self.widest(from, to);
+        let (along, out) = (r * self.sweep.abs() / self.len, self.growth.abs() / self.len);
+        let (bend, twist) = (along * self.sweep.abs() / self.len, 2.0 * out * self.sweep.abs() / self.len);
+        let mut first = self.end.zip(self.start, |b, a| (b - a) / self.len).0;
+        let mut second = [0.0; AXES];
+        let [a, b] = self.plane;
+        first[a] = out * cos + along * sin + self.closing(0).abs();
+        first[b] = out * sin + along * cos + self.closing(1).abs();
+        second[a] = twist * sin + bend * cos;
+        second[b] = twist * cos + bend * sin;
+        Derivatives { first, second }
+    }
+}

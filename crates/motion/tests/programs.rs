@@ -1,0 +1,387 @@
+//! Programs as the trade knows them, against figures worked out by hand.
+#![allow(clippy::unwrap_used)]
+
+mod common;
+use common::*;
+use ferrocut_geometry::{Axis, Plane, Position};
+use ferrocut_motion::{Motion, Move, State};
+use ferrocut_toolpath::{Feed, FeedAlong, Op, PathMode};
+use std::f64::consts::{PI, TAU};
+
+const GO: PathMode = PathMode::Continuous;
+
+fn chords(count: usize, r: f64, turns: f64, round: f64, f: f64) -> Vec<Op> {
+    let at = |v: f64| (v / round).round() * round;
+    (1..=count)
+        .map(|i| {
+            let phi = TAU * turns * i as f64 / count as f64;
+            line(at(r * phi.cos()), at(r * phi.sin()), 0.0, f, GO)
+        })
+        .collect()
+}
+
+#[test]
+fn a_square_with_exact_stop_takes_the_time_of_four_trapezoids() {
+    let machine = round_machine();
+    let ops: Vec<Op> = [(100.0, 0.0), (100.0, 100.0), (0.0, 100.0), (0.0, 0.0)]
+        .map(|(x, y)| line(x, y, 0.0, 6000.0, PathMode::ExactStop))
+        .to_vec();
+    let run = run(&machine, Position::ZERO, &ops);
+    run.check_limits(&machine);
+    run.check_path(1e-9);
+    // 100 mm at 100 mm/s and 2000 mm/s²: 1 s and one time of acceleration a side.
+    assert!((run.time() - 4.2).abs() < 0.01, "{}", run.time());
+    for op in &ops {
+        assert!(run.rests_on(*op.target().unwrap()));
+    }
+}
+
+#[test]
+fn sharp_corners_rest_on_the_point_in_continuous_mode_too() {
+    let machine = demo();
+    let ops =
+        [line(10.0, 0.0, 0.0, 3000.0, GO), line(10.0, 7.3, 0.0, 3000.0, GO), line(3.3, 1.1, 0.7, 3000.0, GO)];
+    let run = run(&machine, Position::ZERO, &ops);
+    run.check_limits(&machine);
+    for op in &ops {
+        assert!(run.rests_on(*op.target().unwrap()));
+    }
+}
+
+#[test]
+fn tangent_joints_are_run_through() {
+    let machine = demo();
+    let half = |y: f64| Position::xyz(50.0, y, 0.0);
+    let ops = [
+        line(20.0, 0.0, 0.0, 4000.0, GO),
+        line(50.0, 0.0, 0.0, 4000.0, GO),
+        arc(half(20.0), [50.0, 10.0], PI, 4000.0),
+        arc(half(40.0), [50.0, 30.0], -PI, 4000.0),
+        line(80.0, 40.0, 0.0, 4000.0, GO),
+    ];
+    let run = run(&machine, Position::ZERO, &ops);
+    run.check_limits(&machine);
+    run.check_path(0.01 + 1e-6);
+    assert!(!run.stops_inside());
+    // Never slower than the arcs need: v² ≤ a·r is far above the feed.
+    let cruising = run.samples.iter().filter(|s| s.velocity > 4000.0 / 60.0 * 0.999).count();
+    assert!(cruising as f64 * run.period > 0.9 * run.time(), "{cruising}");
+    assert_eq!(run.samples.last().unwrap().position, *ops[4].target().unwrap());
+}
+
+#[test]
+fn a_tangent_joint_rounded_to_a_micrometre_is_run_through() {
+    let machine = demo();
+    let r: f64 = 0.5;
+    let angle: f64 = 0.7;
+    let round = |v: f64| (v * 1e3).round() / 1e3;
+    let (x, y) = (round(r * angle.cos()), round(r * angle.sin()));
+    let ops = [
+        arc(Position::xyz(x, y, 0.0), [0.0, 0.0], angle, 600.0),
+        line(round(x - 5.0 * angle.sin()), round(y + 5.0 * angle.cos()), 0.0, 600.0, GO),
+    ];
+    let run = run(&machine, Position::xyz(r, 0.0, 0.0), &ops);
+    run.check_limits(&machine);
+    run.check_path(0.01 + 1e-6);
+    assert!(!run.stops_inside());
+}
+
+#[test]
+fn chords_of_a_circle_run_like_the_circle() {
+    let machine = round_machine();
+    let start = Position::xyz(25.0, 0.0, 0.0);
+    for f in [2000.0, 6000.0, 10000.0, 15000.0] {
+        let circle = run(&machine, start, &[arc(start, [0.0, 0.0], TAU, f)]);
+        circle.check_limits(&machine);
+        circle.check_path(1e-9);
+        let many = run(&machine, start, &chords(500, 25.0, 1.0, 1e-6, f));
+        many.check_limits(&machine);
+        many.check_path(0.01 + 1e-6);
+        assert!(!many.stops_inside());
+        let ratio = many.time() / circle.time();
+        assert!(ratio < 1.15, "F{f}: {} s, circle {} s", many.time(), circle.time());
+    }
+}
+
+#[test]
+fn micro_segments_several_a_period() {
+    let machine = demo();
+    let start = Position::xyz(25.0, 0.0, 0.0);
+    // 0.01 mm blocks rounded to 1 µm: directions that jump by up to 8°.
+    let ops = chords(15_000, 25.0, 1.0, 1e-3, 6000.0);
+    let run = run(&machine, start, &ops);
+    run.check_limits(&machine);
+    run.check_path(0.01 + 1e-6);
+    assert!(run.time() < 20.0, "{}", run.time());
+}
+
+#[test]
+fn blends_keep_the_tolerance_on_both_sides() {
+    let machine = demo();
+    // Corners of 15°, slow enough for samples 5 µm apart.
+    let mut ops = Vec::new();
+    let (mut x, mut y) = (0.0, 0.0);
+    for k in 0..10 {
+        let angle: f64 = if k % 2 == 0 { 0.0 } else { 15f64.to_radians() };
+        (x, y) = (x + 4.0 * angle.cos(), y + 4.0 * angle.sin());
+        ops.push(line(x, y, 0.0, 300.0, PathMode::ContinuousWithin(0.02)));
+    }
+    let run = run(&machine, Position::ZERO, &ops);
+    run.check_limits(&machine);
+    run.check_path(0.02 + 1e-6);
+    assert!(!run.stops_inside());
+    for op in &ops {
+        let p = *op.target().unwrap();
+        let missed = run
+            .samples
+            .windows(2)
+            .map(|w| distance(&Op::Rapid { to: w[1].position, straight: true }, w[0].position, p))
+            .fold(f64::INFINITY, f64::min);
+        assert!(missed <= 0.02 + 1e-6, "{missed}");
+    }
+}
+
+#[test]
+fn no_tolerance_no_blend() {
+    let machine = demo();
+    let path = PathMode::ContinuousWithin(0.0);
+    let ops = [line(10.0, 0.0, 0.0, 3000.0, path), line(20.0, 1.0, 0.0, 3000.0, path)];
+    let run = run(&machine, Position::ZERO, &ops);
+    run.check_limits(&machine);
+    run.check_path(1e-9);
+    assert!(run.rests_on(Position::xyz(10.0, 0.0, 0.0)));
+}
+
+#[test]
+fn helix_feed_along_the_circle() {
+    let machine = demo();
+    let start = Position::xyz(10.0, 0.0, 0.0);
+    for (feed_along, speed) in
+        [(FeedAlong::Path, 20.0), (FeedAlong::Circle, 20.0 * (TAU * 10.0f64).hypot(30.0) / (TAU * 10.0))]
+    {
+        let ops = [Op::Arc {
+            to: Position::xyz(10.0, 0.0, -90.0),
+            plane: Plane::Xy,
+            center: [0.0, 0.0],
+            sweep: -3.0 * TAU,
+            feed: Feed::PerMinute(1200.0),
+            feed_along,
+            path: GO,
+        }];
+        let run = run(&machine, start, &ops);
+        run.check_limits(&machine);
+        run.check_path(1e-9);
+        let top = run.samples.iter().map(|s| s.velocity).fold(0.0, f64::max);
+        assert!((top - speed).abs() < 1e-9, "{top} {speed}");
+        assert_eq!(run.samples.last().unwrap().position, Position::xyz(10.0, 0.0, -90.0));
+    }
+}
+
+#[test]
+fn a_helix_of_a_thousand_turns_flows_through() {
+    let machine = demo();
+    let start = Position::xyz(1.0, 0.0, 0.0);
+    let end = Position::xyz(1.0, 0.0, -100.0);
+    let run = run(
+        &machine,
+        start,
+        &[arc(end, [0.0, 0.0], 1000.0 * TAU, 6000.0), line(1.0, 5.0, -100.0, 600.0, GO)],
+    );
+    run.check_limits(&machine);
+    assert!(!run.stops_inside());
+    assert!(run.time() < 2000.0 * PI / 30.0, "{}", run.time());
+}
+
+#[test]
+fn rapids_run_at_the_limit_of_the_slowest_axis() {
+    let machine = demo();
+    let to = Position::xyz(200.0, 100.0, -50.0);
+    let straight = run(&machine, Position::ZERO, &[Op::Rapid { to, straight: true }]);
+    straight.check_limits(&machine);
+    straight.check_path(1e-9);
+    // X: 200 mm at 250 mm/s and 2000 mm/s².
+    assert!((straight.time() - (200.0 / 250.0 + 250.0 / 2000.0)).abs() < 0.003, "{}", straight.time());
+    let each = run(&machine, Position::ZERO, &[Op::Rapid { to, straight: false }]);
+    each.check_limits(&machine);
+    each.check_path(1e-9);
+    assert!((each.time() - straight.time()).abs() < 0.003);
+    assert_eq!(each.samples.last().unwrap().position, to);
+    let z_done = each.samples.iter().find(|s| s.position[Axis::Z] == -50.0).unwrap();
+    assert!(z_done.position[Axis::X] < 100.0);
+}
+
+#[test]
+fn collinear_rapids_are_one() {
+    let machine = demo();
+    let ops = [50.0, 120.0, 200.0].map(|x| Op::Rapid { to: Position::xyz(x, 0.0, 0.0), straight: true });
+    let run = run(&machine, Position::ZERO, &ops);
+    run.check_limits(&machine);
+    assert!(!run.stops_inside());
+    let ops = [line(50.0, 0.0, 0.0, 6000.0, GO), ops[1].clone()];
+    let run = common::run(&machine, Position::ZERO, &ops);
+    assert!(run.rests_on(Position::xyz(50.0, 0.0, 0.0)));
+}
+
+#[test]
+fn rotary_moves_and_mixed_moves() {
+    let machine = demo();
+    let with = |x: f64, a: f64| {
+        let mut p = Position::xyz(x, 0.0, 0.0);
+        p[Axis::A] = a;
+        p
+    };
+    let feed = |to: Position, f: f64| Op::Feed { to, feed: Feed::PerMinute(f), path: GO };
+    // 90° at 1800°/min and 500°/s².
+    let run = run(&machine, Position::ZERO, &[feed(with(0.0, 90.0), 1800.0)]);
+    run.check_limits(&machine);
+    assert!((run.time() - 3.06).abs() < 0.003, "{}", run.time());
+    let run = common::run(
+        &machine,
+        Position::ZERO,
+        &[
+            feed(with(10.0, 5.0), 3000.0),
+            feed(with(20.0, 10.5), 3000.0),
+            feed(with(20.001, 3000.0), 3000.0),
+            feed(with(30.0, 3000.0), 3000.0),
+            feed(with(30.0, 0.0), 3000.0),
+        ],
+    );
+    run.check_limits(&machine);
+    assert_eq!(run.samples.last().unwrap().position, with(30.0, 0.0));
+}
+
+#[test]
+fn tapping_ignores_override_and_hold() {
+    let machine = demo();
+    let ops = [line(0.0, 0.0, -20.0, 600.0, PathMode::Tapping)];
+    let plain = run(&machine, Position::ZERO, &ops);
+    let events = [(100, Event::Override(0.1, 1.0)), (300, Event::Hold), (400, Event::Override(0.0, 0.0))];
+    let disturbed = run_with(&machine, Position::ZERO, &ops, &events, &[]);
+    assert_eq!(plain.time(), disturbed.time());
+}
+
+#[test]
+fn hold_stops_on_the_path_and_resume_goes_on() {
+    let machine = demo();
+    let ops = chords(500, 25.0, 1.0, 1e-6, 9000.0);
+    let start = Position::xyz(25.0, 0.0, 0.0);
+    let plain = run(&machine, start, &ops);
+    let held = run_with(&machine, start, &ops, &[(400, Event::Hold), (700, Event::Resume)], &[]);
+    held.check_limits(&machine);
+    held.check_path(0.01 + 1e-6);
+    assert_eq!(held.samples[699].state, State::Held);
+    assert_eq!(held.samples[699].velocity, 0.0);
+    // 150 mm/s at 2000 mm/s², a part of which the curve takes.
+    let stopped = held.samples.iter().skip(400).position(|s| s.velocity == 0.0).unwrap();
+    assert!(stopped < 110, "{stopped}");
+    assert!(held.time() > plain.time() + 0.2 && held.time() < plain.time() + 0.4);
+    assert_eq!(held.samples.last().unwrap().position, plain.samples.last().unwrap().position);
+}
+
+#[test]
+fn overrides_scale_feed_and_rapid() {
+    let machine = demo();
+    let ops = [line(100.0, 0.0, 0.0, 3000.0, GO), Op::Rapid { to: Position::ZERO, straight: false }];
+    let events = [(0, Event::Override(2.0, 0.5))];
+    let run = run_with(&machine, Position::ZERO, &ops, &events, &[]);
+    run.check_limits(&machine);
+    let top = |tag: u64| run.samples.iter().filter(|s| s.tag == tag).map(|s| s.velocity).fold(0.0, f64::max);
+    assert!((top(0) - 100.0).abs() < 1e-9);
+    assert!((top(1) - 125.0).abs() < 1e-9);
+    let events = [(0, Event::Override(0.0, 1.0)), (500, Event::Override(9.0, 1.0))];
+    let run = run_with(&machine, Position::ZERO, &ops, &events, &[]);
+    assert!(run.samples[..500].iter().all(|s| s.velocity == 0.0 && s.state == State::Running));
+    // 200 % of the feed.
+    assert!(run.samples.iter().any(|s| (s.velocity - 100.0).abs() < 1e-9));
+    assert!(run.samples.iter().filter(|s| s.tag == 0).all(|s| s.velocity < 100.0 + 1e-9));
+}
+
+#[test]
+fn abort_forgets_and_the_next_move_begins_there() {
+    let machine = demo();
+    let mut motion = Motion::new(&machine, Position::ZERO);
+    motion.push(&Move::line(Position::xyz(100.0, 50.0, 0.0), 100.0, GO, 7).unwrap()).unwrap();
+    assert_eq!(motion.tick().state, State::Waiting);
+    motion.finish();
+    for _ in 0..300 {
+        assert_eq!(motion.tick().state, State::Running);
+    }
+    motion.abort();
+    assert_eq!(motion.free(), 0);
+    let ticks = (0..1000).position(|_| motion.tick().state == State::Idle).unwrap();
+    // 100 mm/s; X, the steeper axis, takes 2000 mm/s².
+    assert!((43..=47).contains(&ticks), "{ticks}");
+    let at = motion.position();
+    assert!(distance(&line(100.0, 50.0, 0.0, 1.0, GO), Position::ZERO, at) < 1e-9);
+    assert!(motion.is_empty() && motion.at_rest());
+    motion.push(&Move::line(Position::ZERO, 100.0, GO, 8).unwrap()).unwrap();
+    motion.finish();
+    let first = motion.tick();
+    assert!(first.tag == 8 && (first.position - at).0[0].abs() < 0.001);
+    while motion.tick().state != State::Idle {}
+    assert_eq!(motion.position(), Position::ZERO);
+}
+
+#[test]
+fn feed_drops_before_the_slower_block() {
+    let machine = demo();
+    let ops = [line(50.0, 0.0, 0.0, 6000.0, GO), line(100.0, 0.0, 0.0, 600.0, GO)];
+    for feed in [0.5, 1.0, 1.5] {
+        let run = run_with(&machine, Position::ZERO, &ops, &[(0, Event::Override(feed, 1.0))], &[]);
+        run.check_limits(&machine);
+        assert!(!run.stops_inside());
+        let slow = run.samples.iter().filter(|s| s.position.0[0] > 50.0);
+        assert!(slow.into_iter().all(|s| s.velocity <= 10.0 * feed + 1e-9));
+    }
+}
+
+#[test]
+fn a_slow_feeder_stops_the_machine_and_nothing_else() {
+    let machine = demo();
+    let ops = chords(500, 25.0, 1.0, 1e-6, 6000.0);
+    let start = Position::xyz(25.0, 0.0, 0.0);
+    for rhythm in [&[1][..], &[0, 0, 0, 0, 0, 1], &[400, 0, 0, 0], &[3, 0, 0, 2, 40, 0, 0, 0, 0]] {
+        let run = run_with(&machine, start, &ops, &[], rhythm);
+        run.check_limits(&machine);
+        run.check_path(0.01 + 1e-6);
+        assert_eq!(run.samples.last().unwrap().position, *ops[499].target().unwrap());
+    }
+}
+
+#[test]
+fn the_rhythm_of_feeding_does_not_matter_as_long_as_the_queue_stays_full() {
+    let machine = demo();
+    let ops = chords(6000, 60.0, 3.0, 1e-4, 5000.0);
+    let start = Position::xyz(60.0, 0.0, 0.0);
+    let moving = |run: Run| -> Vec<Position> {
+        run.samples.iter().filter(|s| s.velocity > 0.0).map(|s| s.position).collect()
+    };
+    let full = moving(run(&machine, start, &ops));
+    assert_eq!(full, moving(run_with(&machine, start, &ops, &[], &[5])));
+    assert_eq!(full, moving(run_with(&machine, start, &ops, &[], &[0, 17, 1])));
+}
+
+#[test]
+fn the_same_calls_give_the_same_bits() {
+    let machine = demo();
+    let ops = chords(3000, 20.0, 2.0, 1e-3, 5000.0);
+    let start = Position::xyz(20.0, 0.0, 0.0);
+    let events = [(50, Event::Override(1.3, 1.0)), (200, Event::Hold), (300, Event::Resume)];
+    let one = run_with(&machine, start, &ops, &events, &[]);
+    let two = run_with(&machine, start, &ops, &events, &[]);
+    assert_eq!(one.samples, two.samples);
+}
+
+#[test]
+fn what_is_no_move_is_refused_and_what_goes_nowhere_forgotten() {
+    let machine = demo();
+    assert!(Move::line(Position::xyz(f64::NAN, 0.0, 0.0), 1.0, GO, 0).is_none());
+    assert!(Move::line(Position::ZERO, f64::NAN, GO, 0).is_none());
+    assert!(Move::from_step(&Op::Stop(0), Position::ZERO, 0.0, 0).is_none());
+    let mut motion = Motion::new(&machine, Position::ZERO);
+    let free = motion.free();
+    motion.push(&Move::line(Position::ZERO, 1.0, GO, 0).unwrap()).unwrap();
+    assert_eq!(motion.free(), free);
+    motion.finish();
+    assert_eq!(motion.tick().state, State::Idle);
+}

@@ -1,0 +1,363 @@
+//! Limits, path and end points of random programs under random overrides, holds and aborts.
+#![allow(clippy::unwrap_used)]
+
+mod common;
+use common::*;
+use ferrocut_geometry::{AXES, Axis, Plane, Position};
+use ferrocut_machine::Machine;
+use ferrocut_motion::{Motion, Move, State};
+use ferrocut_toolpath::{Feed, FeedAlong, Op, PathMode};
+use proptest::prelude::*;
+
+/// A move relative to the one before.
+#[derive(Clone, Debug)]
+enum Piece {
+    Line {
+        d: [f64; 3],
+        feed: f64,
+        path: PathMode,
+    },
+    /// Many short lines along a curve.
+    Curve {
+        count: usize,
+        step: f64,
+        bend: f64,
+        wobble: f64,
+        feed: f64,
+        round: f64,
+    },
+    Arc {
+        plane: Plane,
+        radius: f64,
+        from: f64,
+        sweep: f64,
+        climb: f64,
+        feed: f64,
+        off: f64,
+        path: PathMode,
+    },
+    /// An arc that goes on in the direction of the move before.
+    Tangent {
+        radius: f64,
+        sweep: f64,
+        feed: f64,
+    },
+    /// A line that goes on in the direction of the move before.
+    On {
+        length: f64,
+        feed: f64,
+    },
+    Back {
+        feed: f64,
+    },
+    Rapid {
+        d: [f64; 3],
+        straight: bool,
+    },
+    Rotary {
+        a: f64,
+        x: f64,
+        feed: f64,
+    },
+    Nothing,
+}
+
+fn path() -> impl Strategy<Value = PathMode> {
+    prop_oneof![
+        4 => Just(PathMode::Continuous),
+        1 => Just(PathMode::ExactStop),
+        1 => Just(PathMode::Tapping),
+        2 => prop_oneof![Just(0.0), 1e-5..0.3f64].prop_map(PathMode::ContinuousWithin),
+    ]
+}
+
+fn vector(size: f64) -> impl Strategy<Value = [f64; 3]> {
+    [-size..size, -size..size, -size..size]
+}
+
+fn piece() -> impl Strategy<Value = Piece> {
+    let feed = || 200.0..12000.0f64;
+    let plane = prop_oneof![Just(Plane::Xy), Just(Plane::Zx), Just(Plane::Yz)];
+    prop_oneof![
+        2 => (prop_oneof![vector(20.0), vector(0.01), vector(1e-6)], feed(), path())
+            .prop_map(|(d, feed, path)| Piece::Line { d, feed, path }),
+        3 => (5..300usize, prop_oneof![0.001..0.05f64, 0.1..1.0f64], -0.1..0.1f64, 0.0..0.2f64, feed(),
+              prop_oneof![Just(1e-3), Just(1e-4), Just(1e-9)])
+            .prop_map(|(count, step, bend, wobble, feed, round)| Piece::Curve { count, step, bend, wobble, feed, round }),
+        2 => (plane, prop_oneof![0.01..1.0f64, 1.0..30.0f64], 0.0..6.3f64, -14.0..14.0f64,
+              prop_oneof![Just(0.0), -10.0..10.0f64], feed(), prop_oneof![Just(0.0), -0.01..0.01f64], path())
+            .prop_map(|(plane, radius, from, sweep, climb, feed, off, path)| Piece::Arc {
+                plane, radius, from, sweep, climb, feed, off, path
+            }),
+        2 => (prop_oneof![0.05..1.0f64, 1.0..30.0f64], -7.0..7.0f64, feed())
+            .prop_map(|(radius, sweep, feed)| Piece::Tangent { radius, sweep, feed }),
+        2 => (prop_oneof![0.001..0.1f64, 0.1..30.0f64], feed()).prop_map(|(length, feed)| Piece::On { length, feed }),
+        1 => feed().prop_map(|feed| Piece::Back { feed }),
+        1 => (vector(60.0), any::<bool>()).prop_map(|(d, straight)| Piece::Rapid { d, straight }),
+        1 => (-40.0..40.0f64, prop_oneof![Just(0.0), -5.0..5.0f64, Just(1e-5)], feed())
+            .prop_map(|(a, x, feed)| Piece::Rotary { a, x, feed }),
+        1 => Just(Piece::Nothing),
+    ]
+}
+
+fn round(v: f64, to: f64) -> f64 {
+    (v / to).round() * to
+}
+
+/// The program, as a CAM system would write it: coordinates with four decimals.
+fn build(pieces: &[Piece]) -> Vec<Op> {
+    let mut ops = Vec::new();
+    let mut at = Position::ZERO;
+    // Direction in the XY plane.
+    let mut heading: f64 = 0.3;
+    for piece in pieces {
+        let feed_op = |to, feed, path| Op::Feed { to, feed: Feed::PerMinute(feed), path };
+        let from = at;
+        match *piece {
+            Piece::Line { d, feed, path } => {
+                at = at + Position::xyz(d[0], d[1], d[2]);
+                heading = d[1].atan2(d[0]);
+                ops.push(feed_op(at, feed, path));
+            }
+            Piece::Curve { count, step, bend, wobble, feed, round: to } => {
+                let mut exact = at;
+                for k in 0..count {
+                    heading += bend * step.min(1.0) + wobble * (k as f64 * 0.1).sin() * step;
+                    exact = exact + Position::xyz(step * heading.cos(), step * heading.sin(), 0.1 * step);
+                    at = Position(exact.0.map(|c| round(c, to)));
+                    ops.push(feed_op(at, feed, PathMode::Continuous));
+                }
+            }
+            Piece::Arc { plane, radius, from: angle, sweep, climb, feed, off, path } => {
+                let [a, b] = plane.of(at);
+                let center = [a - radius * angle.cos(), b - radius * angle.sin()];
+                let r = radius + off * radius.min(1.0);
+                at[plane.first()] = round(center[0] + r * (angle + sweep).cos(), 1e-4);
+                at[plane.second()] = round(center[1] + r * (angle + sweep).sin(), 1e-4);
+                at[plane.normal()] += climb;
+                let along = if climb > 0.0 { FeedAlong::Circle } else { FeedAlong::Path };
+                ops.push(Op::Arc {
+                    to: at,
+                    plane,
+                    center,
+                    sweep,
+                    feed: Feed::PerMinute(feed),
+                    feed_along: along,
+                    path,
+                });
+            }
+            Piece::Tangent { radius, sweep, feed } => {
+                let side = sweep.signum();
+                let center =
+                    [at.0[0] - side * radius * heading.sin(), at.0[1] + side * radius * heading.cos()];
+                heading += sweep;
+                at.0[0] = round(center[0] + side * radius * heading.sin(), 1e-4);
+                at.0[1] = round(center[1] - side * radius * heading.cos(), 1e-4);
+                ops.push(arc(at, center, sweep, feed));
+            }
+            Piece::On { length, feed } => {
+                at = at + Position::xyz(length * heading.cos(), length * heading.sin(), 0.0);
+                ops.push(feed_op(at, feed, PathMode::Continuous));
+            }
+            Piece::Back { feed } => {
+                let back = if ops.len() > 1 { *ops[ops.len() - 2].target().unwrap() } else { Position::ZERO };
+                at = back;
+                ops.push(feed_op(at, feed, PathMode::Continuous));
+            }
+            Piece::Rapid { d, straight } => {
+                at = at + Position::xyz(d[0], d[1], d[2]);
+                ops.push(Op::Rapid { to: at, straight });
+            }
+            Piece::Rotary { a, x, feed } => {
+                at[Axis::A] += a;
+                at[Axis::X] += x;
+                ops.push(feed_op(at, feed, PathMode::Continuous));
+            }
+            Piece::Nothing => ops.push(feed_op(at, 100.0, PathMode::Continuous)),
+        }
+        // An arc whose rounded end contradicts its sweep is no arc that an interpreter lets through.
+        if let Some(Op::Arc { plane, center, sweep, .. }) = ops.last_mut() {
+            let (u, v) = (plane.of(from), plane.of(at));
+            let (u, v) = ([u[0] - center[0], u[1] - center[1]], [v[0] - center[0], v[1] - center[1]]);
+            let angle = (u[0] * v[1] - u[1] * v[0]).atan2(u[0] * v[0] + u[1] * v[1]);
+            let turns = ((*sweep - angle) / std::f64::consts::TAU).round();
+            *sweep = angle + turns * std::f64::consts::TAU;
+        }
+    }
+    ops
+}
+
+fn event() -> impl Strategy<Value = Event> {
+    prop_oneof![
+        3 => (0.0..2.2f64, 0.0..1.1f64).prop_map(|(f, r)| Event::Override(f, r)),
+        1 => Just(Event::Override(0.0, 0.0)),
+        1 => Just(Event::Override(1.0, 1.0)),
+        2 => Just(Event::Hold),
+        2 => Just(Event::Resume),
+    ]
+}
+
+/// Events at rising ticks, some close together; at the end everything runs again.
+fn events() -> impl Strategy<Value = Vec<(usize, Event)>> {
+    prop::collection::vec((prop_oneof![0..20usize, 0..700usize], event()), 0..12).prop_map(|list| {
+        let mut tick = 0;
+        let mut events = Vec::new();
+        for (after, event) in list {
+            tick += after;
+            events.push((tick, event));
+        }
+        if !events.is_empty() {
+            events.extend([(tick + 30, Event::Resume), (tick + 31, Event::Override(1.0, 1.0))]);
+        }
+        events
+    })
+}
+
+/// The demo mill, or one whose axes differ more, at another servo period.
+fn machine() -> impl Strategy<Value = Machine> {
+    let one = (500.0..30000.0f64, 500.0..20000.0f64, 100.0..8000.0f64);
+    (prop::collection::vec(one, 4), prop_oneof![Just(1.0), Just(0.25), Just(4.0), Just(2.0)], any::<bool>())
+        .prop_map(|(limits, period, is_demo)| {
+            let mut machine = demo();
+            if !is_demo {
+                for (axis, limit) in machine.axes.iter_mut().zip(limits) {
+                    (axis.rapid, axis.velocity, axis.acceleration) = limit;
+                }
+                machine.servo_period_ms = period;
+            }
+            machine
+        })
+}
+
+/// How far the path may be left: the largest tolerance used.
+fn tolerance(machine: &Machine, ops: &[Op]) -> f64 {
+    let of =
+        |path: &PathMode| if let PathMode::ContinuousWithin(t) = path { *t } else { machine.path.tolerance };
+    let used = ops.iter().map(|op| match op {
+        Op::Feed { path, .. } | Op::Arc { path, .. } => of(path),
+        _ => 0.0,
+    });
+    used.fold(0.0, f64::max)
+}
+
+fn close(a: Position, b: Position) -> bool {
+    (0..AXES).all(|i| (a.0[i] - b.0[i]).abs() < 1e-9)
+}
+
+/// Random programs a property.
+const CASES: u32 = 64;
+
+proptest! {
+    #![proptest_config(ProptestConfig { max_shrink_iters: 400, ..ProptestConfig::with_cases(CASES) })]
+
+    #[test]
+    fn limits_path_and_end(
+        machine in machine(),
+        pieces in prop::collection::vec(piece(), 1..8),
+        events in events(),
+        rhythm in prop_oneof![3 => Just(vec![]), 1 => prop::collection::vec(0..6usize, 1..20)
+            .prop_map(|mut r| { r.push(1); r })],
+    ) {
+        let ops = build(&pieces);
+        let run = run_with(&machine, Position::ZERO, &ops, &events, &rhythm);
+        run.check_limits(&machine);
+        run.check_path(tolerance(&machine, &ops) + 1e-6);
+        // Moves that go nowhere end where they began, in every bit.
+        prop_assert_eq!(run.samples.last().unwrap().position, *ops.last().unwrap().target().unwrap());
+        for (i, op) in ops.iter().enumerate() {
+            let stops = matches!(op, Op::Feed { path: PathMode::ExactStop, .. }
+                | Op::Arc { path: PathMode::ExactStop, .. });
+            if stops && *op.target().unwrap() != run.from(i) {
+                prop_assert!(run.rests_on(*op.target().unwrap()), "move {} of {:?}", i, ops);
+            }
+        }
+    }
+
+    #[test]
+    fn abort_ends_on_the_path(
+        machine in machine(),
+        pieces in prop::collection::vec(piece(), 1..5),
+        events in events(),
+        tick in 0..1500usize,
+    ) {
+        let ops = build(&pieces);
+        let mut events: Vec<_> = events.into_iter().filter(|(t, _)| *t < tick).collect();
+        events.push((tick, Event::Abort));
+        let run = run_with(&machine, Position::ZERO, &ops, &events, &[]);
+        run.check_limits(&machine);
+        run.check_path(tolerance(&machine, &ops) + 1e-6);
+    }
+
+    #[test]
+    fn feed_holds_and_overrides_do_not_move_the_end(
+        pieces in prop::collection::vec(piece(), 1..4),
+        events in events(),
+    ) {
+        let ops = build(&pieces);
+        let plain = run(&demo(), Position::ZERO, &ops);
+        plain.check_feed();
+        let disturbed = run_with(&demo(), Position::ZERO, &ops, &events, &[]);
+        prop_assert!(close(plain.samples.last().unwrap().position, disturbed.samples.last().unwrap().position));
+    }
+
+    /// Numbers that no interpreter passes on must not hang, panic or lose the axes.
+    #[test]
+    fn senseless_moves_do_no_harm(
+        moves in prop::collection::vec((wild(), wild(), wild(), wild(), wild(), wild(), 0..4u8), 1..30),
+        events in events(),
+    ) {
+        let machine = demo();
+        let mut motion = Motion::new(&machine, Position::ZERO);
+        let mut at = Position::ZERO;
+        let mut moves = moves.into_iter();
+        for tick in 0..400 {
+            while motion.free() > 0 {
+                let Some((x, y, a, b, sweep, feed, kind)) = moves.next() else {
+                    motion.finish();
+                    break;
+                };
+                let mut to = Position::xyz(x, y, b);
+                to[Axis::A] = a;
+                let feed = Feed::PerMinute(feed);
+                let op = match kind {
+                    0 => Op::Feed { to, feed, path: PathMode::Continuous },
+                    1 => Op::Rapid { to, straight: a > b },
+                    2 => Op::Feed { to, feed: Feed::Duration(b), path: PathMode::ContinuousWithin(a) },
+                    _ => Op::Arc { to, plane: Plane::Zx, center: [a, x], sweep, feed, feed_along: FeedAlong::Circle,
+                        path: PathMode::Continuous },
+                };
+                if let Some(m) = Move::from_step(&op, at, x, 0) {
+                    at = to;
+                    prop_assert_eq!(motion.push(&m), Ok(()));
+                }
+            }
+            for (_, event) in events.iter().filter(|(t, _)| *t == tick) {
+                match event {
+                    Event::Override(feed, rapid) => motion.set_override(*feed, *rapid),
+                    Event::Hold => motion.hold(),
+                    _ => motion.resume(),
+                }
+            }
+            prop_assert!(motion.tick().position.is_finite());
+        }
+        motion.abort();
+        let rested = (0..100_000).any(|_| motion.tick().state == State::Idle);
+        prop_assert!(rested);
+    }
+}
+
+/// Any number.
+fn wild() -> impl Strategy<Value = f64> {
+    let size = (-320.0..12.0f64).prop_map(|e| 10f64.powf(e));
+    prop_oneof![
+        Just(0.0),
+        Just(-0.0),
+        Just(f64::NAN),
+        Just(f64::INFINITY),
+        Just(1e9),
+        -100.0..100.0f64,
+        (-9.0..3.0f64).prop_map(|e| 10f64.powf(e)),
+        size.prop_map(|s| -s),
+        -1e9..1e9f64,
+    ]
+}
