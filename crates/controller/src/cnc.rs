@@ -15,7 +15,7 @@ use ferrocut_interpreter::Interpreter;
 use ferrocut_machine::{Alarm, Fault, Machine, Severity};
 use ferrocut_motion::{Motion, Move};
 use ferrocut_program::Span;
-use ferrocut_toolpath::{Dwell, Feed, Op, Step};
+use ferrocut_toolpath::{Dwell, Feed, Op, SpindleState, Step};
 use std::collections::VecDeque;
 
 /// What the control is doing.
@@ -364,11 +364,11 @@ impl Cnc {
                 }
             }
             Op::Spindle(state) => {
-                let seconds = self.spindle.command(state);
+                let seconds = self.spindle.command(state, &self.commanded);
                 self.keep_busy(Activity::Spindle, seconds);
             }
             Op::Orient(_) => {
-                let seconds = self.spindle.command(ferrocut_toolpath::SpindleState::Off);
+                let seconds = self.spindle.command(SpindleState::Off, &self.commanded);
                 self.keep_busy(Activity::Spindle, seconds);
             }
             Op::Change(tool) => {

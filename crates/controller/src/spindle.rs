@@ -1,5 +1,6 @@
 //! The simulated spindle: runs up and brakes at a constant rate.
 
+use ferrocut_geometry::Position;
 use ferrocut_machine::Machine;
 use ferrocut_toolpath::SpindleState;
 
@@ -23,13 +24,11 @@ impl Spindle {
         self.speed.abs()
     }
 
-    /// Commands a state; the time until it is reached, s.
-    pub fn command(&mut self, state: SpindleState) -> f64 {
-        let target = match state {
-            SpindleState::Off => 0.0,
-            SpindleState::Clockwise(rpm) => rpm.min(self.max),
-            SpindleState::CounterClockwise(rpm) => -rpm.min(self.max),
-        };
+    /// Commands a state with the axes at `at`; the time until it is reached, s. A surface speed is
+    /// turned into the speed that it means there.
+    pub fn command(&mut self, state: SpindleState, at: &Position) -> f64 {
+        let rpm = state.speed().map_or(0.0, |speed| speed.rpm(at)).min(self.max);
+        let target = if matches!(state, SpindleState::CounterClockwise(_)) { -rpm } else { rpm };
         let change = (target - self.speed).abs();
         self.speed = target;
         change / self.rate

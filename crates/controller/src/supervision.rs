@@ -6,7 +6,7 @@
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_interpreter::Dialect;
 use ferrocut_machine::{Alarm, AlarmId, Fault, Machine};
-use ferrocut_toolpath::{Op, SpindleState, Step};
+use ferrocut_toolpath::{Op, Speed, Step};
 
 /// Coordinates this little beyond a limit are on it: what sums of decimals leave, mm or degrees.
 const ON_LIMIT: f64 = 1e-6;
@@ -69,11 +69,9 @@ impl Supervisor {
                 }
             }
             Op::Spindle(state) => {
-                let rpm = match *state {
-                    SpindleState::Off => 0.0,
-                    SpindleState::Clockwise(rpm) | SpindleState::CounterClockwise(rpm) => rpm,
-                };
-                self.turning = rpm > 0.0;
+                self.turning = matches!(state.speed(), Some(Speed::Surface { .. }))
+                    || matches!(state.speed(), Some(Speed::Rpm(rpm)) if rpm > 0.0);
+                let rpm = state.speed().map_or(0.0, |speed| speed.rpm(&self.at));
                 self.told_spindle = false;
                 if rpm > self.max_rpm {
                     let alarm = self.alarm(Fault::SpindleTooFast, step);

@@ -120,6 +120,7 @@ impl Shop {
             start: self.setup.start.position(),
             block_skip: self.block_skip,
             optional_stop: self.optional_stop,
+            skip: self.setup.signals.skip.as_ref().map(|signal| (signal.axis, signal.at)),
             ..Options::default()
         }
     }

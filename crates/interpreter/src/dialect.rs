@@ -8,7 +8,7 @@ use crate::cycles::CycleKind;
 use crate::evaluate::Angles;
 use crate::modal::{Group, Modal};
 use ferrocut_geometry::{Axis, AxisSet, Plane};
-use ferrocut_machine::{Fault, Parameters, WorkOffset};
+use ferrocut_machine::{Fault, ParameterKey, Parameters, WorkOffset};
 use ferrocut_program::Syntax;
 
 /// What a G code means, in terms common to all controls.
@@ -32,6 +32,46 @@ pub enum Meaning {
     Metric,
     /// Cutter compensation off.
     CutterOff,
+    /// Polar coordinates off.
+    PolarOff,
+    /// Polar coordinates on.
+    PolarOn,
+    /// Scaling off.
+    ScalingOff,
+    /// Scaling on.
+    ScalingOn,
+    /// Rotation off.
+    RotationOff,
+    /// Rotation on.
+    RotationOn,
+    /// Exact stop at the end of every cutting move.
+    ExactStop,
+    /// Override of inner corners.
+    CornerOverride,
+    /// Tapping mode: override and hold without effect.
+    TappingMode,
+    /// Cutting mode: moves run into each other.
+    CuttingMode,
+    /// S is a surface speed.
+    SurfaceSpeed,
+    /// S is a spindle speed.
+    SpindleSpeed,
+    /// Reference point check.
+    ReferenceCheck,
+    /// Return to the first reference point.
+    ReferenceReturn,
+    /// Return from a reference point.
+    ReturnFromReference,
+    /// Return to a further reference point.
+    FurtherReferenceReturn,
+    /// Straight cut until the skip signal.
+    Skip,
+    /// Positioning always from one side.
+    OneWay,
+    /// Data set by the program.
+    DataSetting,
+    /// End of it.
+    DataSettingOff,
     /// Tool length added.
     LengthPlus,
     /// Tool length subtracted.
@@ -102,6 +142,10 @@ pub enum MFunction {
     Call,
     /// Return from a subprogram; in the main program, to its start.
     Return,
+    /// The tapping cycles that follow are rigid.
+    RigidTapping,
+    /// They are not.
+    RigidTappingOff,
     /// Handed to the machine.
     Machine,
 }
@@ -216,6 +260,33 @@ pub struct Rules {
     pub peck_clearance: f64,
     /// Peck cycles without depth of cut are an alarm.
     pub peck_needs_depth: bool,
+    /// Distance that the tool is moved aside by the sign of its shift in boring (G76, G87): axis and
+    /// direction.
+    pub shift: (Axis, f64),
+    /// Rigid tapping is fitted (needs M29 before the cycle).
+    pub rigid_tapping: bool,
+    /// Highest spindle speed of tapping, r/min.
+    pub max_tapping_rpm: f64,
+    /// Peck tapping draws back only a little (else to the R level).
+    pub peck_tapping_is_fast: bool,
+    /// How far, where V does not say, mm.
+    pub peck_tapping_retract: f64,
+    /// Scaling.
+    pub scaling: ScalingRules,
+    /// Angle of a rotation that gives none, degrees.
+    pub rotation_angle: f64,
+    /// With G91 the angle of a rotation is added to the last one.
+    pub rotation_follows_g91: bool,
+    /// Overshoot of one-way positioning by axis, mm, with the sign of the direction of arrival.
+    pub one_way_overshoot: [f64; 4],
+    /// Pause of one-way positioning, s.
+    pub one_way_dwell_s: f64,
+    /// One-way positioning is modal.
+    pub one_way_is_modal: bool,
+    /// Surface speed is fitted.
+    pub surface_speed: bool,
+    /// Largest tool offset, mm.
+    pub max_offset: f64,
     /// Shortest and longest dwell of a cycle, s.
     pub cycle_dwell: (f64, f64),
     /// A cycle needs a spindle speed that was once given.
@@ -224,6 +295,21 @@ pub struct Rules {
     pub axes: AxisSet,
     /// The same in the order that variables and parameters count them by.
     pub axis_order: [Axis; 5],
+}
+
+/// What the parameters set for scaling.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct ScalingRules {
+    /// Scaling is fitted.
+    pub enabled: bool,
+    /// I, J, K give the factors of the axes; else P gives one for all.
+    pub factors_by_axis: bool,
+    /// Factor where P is not given.
+    pub factor: f64,
+    /// Factors where I, J, K are not given.
+    pub axis_factors: [f64; 3],
+    /// Whether each of X, Y, Z is scaled.
+    pub axes: [bool; 3],
 }
 
 /// A control language.
@@ -241,6 +327,12 @@ pub struct Dialect {
     pub m_codes: &'static [MCode],
     /// The code that ends canned cycles.
     pub cycle_off: &'static GCode,
+    /// The code that ends tool length compensation.
+    pub length_off: &'static GCode,
+    /// One-way positioning as a motion code, where it is modal.
+    pub one_way_modal: &'static GCode,
+    /// Whether a parameter cannot be set by the program.
+    pub is_fixed_parameter: fn(&ParameterKey) -> bool,
     /// The code that calls a macro, in tenths.
     pub macro_call: u16,
     /// What a variable stands for; `None` for one that does not exist.

@@ -2,20 +2,29 @@
 //! with the motion, the motion or the non-modal code, M codes that wait for its end.
 
 use crate::Fallible;
-use crate::dialect::{MCode, MFunction, Meaning};
+use crate::dialect::{GCode, MCode, MFunction, Meaning};
 use crate::interpreter::Interpreter;
 use crate::modal::Group;
-use crate::stages::distance;
 use crate::stages::units;
-use crate::stages::work_offset::WorkSystem;
-use crate::words::{AXIS_LETTERS, Code, Reader};
-use ferrocut_geometry::{AxisSet, Position};
-use ferrocut_machine::{Alarm, Fault, WorkOffset};
+use crate::words::{Code, Reader};
+use ferrocut_geometry::{Axis, AxisSet, Position};
+use ferrocut_machine::{Alarm, Fault};
 use ferrocut_program::{Block, DefectKind, Page, ProgramId, Span, Value as WordValue};
-use ferrocut_toolpath::{Dwell, Op, SpindleState};
+use ferrocut_toolpath::{Dwell, Op, Speed, SpindleState};
+use smallvec::SmallVec;
 
-/// The non-modal code of a block, if it has one.
-type NonModal = Option<Meaning>;
+/// What the codes of a block ask for beyond the modal state.
+#[derive(Default)]
+struct Codes {
+    /// The non-modal code, if there is one.
+    non_modal: Option<Code<GCode>>,
+    /// The code of tool length compensation, if there is one.
+    length: Option<Meaning>,
+    /// Codes of scaling and rotation, to be carried out after the others.
+    transforms: SmallVec<[Code<GCode>; 2]>,
+    /// Whether one of them sets a transformation.
+    transform: bool,
+}
 
 impl Interpreter {
     /// Executes one block.
@@ -59,7 +68,9 @@ impl Interpreter {
             };
         }
         for word in page.words(block) {
-            if word.letter == b'G' && word.value() == WordValue::Number(f64::from(self.dialect.macro_call) / 10.0) {
+            if word.letter == b'G'
+                && word.value() == WordValue::Number(f64::from(self.dialect.macro_call) / 10.0)
+            {
                 return match self.macro_block(page, block) {
                     Err(alarm) if self.options.keep_going => {
                         self.note(alarm);
@@ -118,36 +129,98 @@ impl Interpreter {
             self.technology.sequence = self.words.sequence;
         }
         self.check_m_codes()?;
-        let axes = self.axes_of_block()?;
-        let mut non_modal: NonModal = None;
+        let axes = self.words.axes(self.rules.axes);
+        if let Some(what) = self.data_setting {
+            if self.words.g.iter().any(|g| g.row.meaning == Meaning::DataSettingOff)
+                || self.words.m.iter().any(|m| m.row.controls_program)
+            {
+                self.data_setting = None;
+            } else {
+                return self.data_block(what);
+            }
+        }
+        let codes = self.modal_codes()?;
+        self.check_axes()?;
+        if self.words.has(b'F') {
+            self.feed_word()?;
+        }
+        // With G92 an S is the highest speed of G96 (6.3).
+        if self.words.has(b'S') && codes.non_modal.map(|c| c.row.meaning) != Some(Meaning::SetPosition) {
+            self.speed_word();
+        }
+        if let Some(tool) = self.words.get(b'T') {
+            self.technology.tool = tool as u32;
+            self.emit(Op::Select(tool as u32));
+        }
+        if let Some(number) = self.words.get(b'D') {
+            self.technology.radius_number = number;
+        }
+        self.m_functions(false)?;
+        match codes.non_modal {
+            Some(code) => self.non_modal(code, axes, codes.length)?,
+            None if codes.transform => {}
+            None if self.cycle_kind().is_some() => self.cycle_block(axes, codes.length)?,
+            None => {
+                let length_moves = self.length_words(codes.length, axes)?;
+                self.motion_block(axes, length_moves)?;
+            }
+        }
+        // The holes of a cycle are made one by one; what waits for the block's end comes after the last.
+        if self.has_holes_left() { Ok(()) } else { self.m_functions(true) }
+    }
+
+    /// Puts the block's modal codes in force.
+    fn modal_codes(&mut self) -> Fallible<Codes> {
+        let mut codes = Codes::default();
         let mut motion = false;
         let mut cycle = None;
-        let mut length = None;
         for at in 0..self.words.g.len() {
-            let Some(&Code { row, span }) = self.words.g.get(at) else { break };
+            let Some(&code) = self.words.g.get(at) else { break };
+            let Code { row, span } = code;
             match row.group {
-                Group::NonModal => non_modal = Some(row.meaning),
+                Group::NonModal if row.meaning == Meaning::OneWay && self.rules.one_way_is_modal => {
+                    motion = true;
+                    self.modal.set(self.dialect.one_way_modal);
+                }
+                Group::NonModal => codes.non_modal = Some(code),
                 Group::Motion => {
                     motion = true;
                     self.modal.set(row);
                 }
                 Group::Cycle => cycle = Some(row),
                 Group::Length => {
-                    length = Some(row.meaning);
+                    codes.length = Some(row.meaning);
                     self.modal.set(row);
                 }
-                Group::WorkOffset => self.select_work_offset(row.meaning, span)?,
+                Group::WorkOffset => {
+                    self.select_work_offset(row.meaning, span)?;
+                    self.modal.set(row);
+                }
                 Group::Plane => {
                     let was = self.modal.plane();
                     self.modal.set(row);
-                    if self.cycle.is_active() && self.modal.plane() != was {
-                        return Err(self.alarm(Fault::PlaneInCycle, span));
+                    if self.modal.plane() != was
+                        && let Some(fault) = self.plane_change_fault()
+                    {
+                        return Err(self.alarm(fault, span));
                     }
                 }
+                Group::Units => {
+                    if self.is_transformed() || self.location.polar.is_some() {
+                        return Err(self.alarm(Fault::UnitsInTransform, span));
+                    }
+                    self.modal.set(row);
+                }
+                Group::Polar => {
+                    self.modal.set(row);
+                    self.polar(row.meaning);
+                }
+                Group::Scaling | Group::Rotation => {
+                    self.modal.set(row);
+                    codes.transforms.push(code);
+                }
+                Group::SurfaceSpeed => self.surface_speed(row),
                 _ => self.modal.set(row),
-            }
-            if row.group == Group::WorkOffset {
-                self.modal.set(row);
             }
         }
         // A motion code ends the cycle, also one of the same block (GSK990MC 4.1 note 6).
@@ -157,41 +230,44 @@ impl Interpreter {
             Some(row) => self.modal.set(row),
             None => {}
         }
-        if self.words.has(b'F') {
-            self.feed_word()?;
-        }
-        if self.words.has(b'S') {
-            self.speed_word();
-        }
-        if let Some(tool) = self.words.get(b'T') {
-            self.technology.tool = tool as u32;
-            self.emit(Op::Select(tool as u32));
-        }
-        self.m_functions(false)?;
-        match non_modal {
-            Some(code) => self.non_modal(code, axes, length)?,
-            None if self.cycle_kind().is_some() => self.cycle_block(axes, length)?,
-            None => {
-                let length_moves = self.length_words(length, axes)?;
-                self.motion_block(axes, length_moves)?;
-            }
-        }
-        // The holes of a cycle are made one by one; what waits for the block's end comes after the last.
-        if self.has_holes_left() { Ok(()) } else { self.m_functions(true) }
+        self.transform_codes(&mut codes)?;
+        Ok(codes)
     }
 
-    /// The axes that the block names; an alarm for one that the control does not carry.
-    fn axes_of_block(&self) -> Fallible<AxisSet> {
-        if !self.words.has_any(AXIS_LETTERS) {
-            return Ok(AxisSet::EMPTY);
-        }
-        for axis in ferrocut_geometry::Axis::ALL {
-            let letter = axis.letter() as u8;
-            if self.words.has(letter) && !self.rules.axes.contains(axis) {
-                return Err(self.alarm_at(Fault::UnknownAxis, letter));
+    /// G50, G51, G68, G69: they go before the block's motion (GSK990MC 4.1 note 8). A code that sets a
+    /// transformation takes the block's words for itself.
+    fn transform_codes(&mut self, codes: &mut Codes) -> Fallible<()> {
+        for code in std::mem::take(&mut codes.transforms) {
+            let Code { row, span } = code;
+            let starts = matches!(row.meaning, Meaning::ScalingOn | Meaning::RotationOn);
+            if starts && codes.non_modal.is_some() {
+                return Err(self.alarm(Fault::NeedsOwnBlock, span));
+            }
+            codes.transform |= starts;
+            match row.meaning {
+                Meaning::ScalingOn => self.scale(span)?,
+                Meaning::ScalingOff => self.scale_off(),
+                Meaning::RotationOn => self.rotate(),
+                _ => self.rotate_off(),
             }
         }
-        Ok(self.words.axes(self.rules.axes))
+        Ok(())
+    }
+
+    /// An alarm for an axis that the control does not carry. A cycle has other uses for U, V and W.
+    fn check_axes(&self) -> Fallible<()> {
+        if !self.words.has_any(self.foreign_axes) {
+            return Ok(());
+        }
+        for axis in Axis::ALL {
+            let letter = axis.letter() as u8;
+            let in_cycle = matches!(axis, Axis::U | Axis::V | Axis::W) && self.cycle_kind().is_some();
+            if self.words.has(letter) && !self.rules.axes.contains(axis) && !in_cycle {
+                let alarm = self.alarm_at(Fault::UnknownAxis, letter);
+                return Err(Box::new(alarm.with("axis", axis.letter().to_string())));
+            }
+        }
+        Ok(())
     }
 
     /// How many M codes, and which together (GSK990MC alarm 0119, bit 33#7).
@@ -211,28 +287,6 @@ impl Interpreter {
         Ok(())
     }
 
-    /// G54 to G59 and G54 P.
-    fn select_work_offset(&mut self, meaning: Meaning, span: Span) -> Fallible<()> {
-        let Meaning::WorkOffset(standard) = meaning else { return Ok(()) };
-        let name = match self.words.get(b'P') {
-            Some(number) if standard == 1 => {
-                self.words.take(b'P');
-                if !(1.0..=f64::from(u16::MAX)).contains(&number) || number.fract() != 0.0 {
-                    return Err(self.alarm(Fault::WorkOffsetNumber, span));
-                }
-                WorkOffset::Additional(number as u16)
-            }
-            _ => WorkOffset::Standard(standard),
-        };
-        let Some(system) = WorkSystem::select(name, &self.memory.work) else {
-            return Err(self.alarm(Fault::WorkOffsetNumber, span));
-        };
-        self.location.work = system;
-        // The axes stand still; their coordinates are those of the new system (GSK990MC 4.2.8).
-        self.location.take_machine();
-        Ok(())
-    }
-
     /// G43, G44, G49 and H. True if an axis is to move by the change although it is not named
     /// (GSK990MC 4.7.1: without a move the change is made at once).
     pub(crate) fn length_words(&mut self, code: Option<Meaning>, axes: AxisSet) -> Fallible<bool> {
@@ -247,10 +301,7 @@ impl Interpreter {
             Meaning::LengthMinus => -1.0,
             _ => return Ok(false),
         };
-        let axis = match self.rules.length_on_plane_normal {
-            true => self.modal.plane().normal(),
-            false => ferrocut_geometry::Axis::Z,
-        };
+        let axis = self.length_axis();
         if let Some(h) = h {
             let Some(offset) = self.memory.tools.get(h as u16) else {
                 return Err(self.alarm_at(Fault::OffsetNumber, b'H'));
@@ -273,7 +324,7 @@ impl Interpreter {
         Ok(self.put_length(axis, sign * (offset.length + offset.length_wear)))
     }
 
-    fn put_length(&mut self, axis: ferrocut_geometry::Axis, value: f64) -> bool {
+    fn put_length(&mut self, axis: Axis, value: f64) -> bool {
         let changed = self.location.length.vector[axis] != value;
         self.location.length.set(axis, value);
         changed
@@ -301,12 +352,61 @@ impl Interpreter {
     /// S: kept, and told to a spindle that turns. Beyond the limit it is held there (GSK990MC 7.10).
     fn speed_word(&mut self) {
         let Some(s) = self.words.get(b'S') else { return };
-        let speed = s.min(self.rules.max_spindle_rpm);
-        self.technology.speed = Some(speed);
+        let surface = self.in_force(Group::SurfaceSpeed, Meaning::SurfaceSpeed);
+        self.technology.speed = Some(match surface {
+            true => units::length_mm(s, self.modal.is_inch()),
+            false => s.min(self.rules.max_spindle_rpm),
+        });
+        self.tell_speed();
+    }
+
+    /// Tells a spindle that turns its speed.
+    fn tell_speed(&mut self) {
+        let speed = self.speed();
         match self.technology.spindle {
             SpindleState::Off => {}
             SpindleState::Clockwise(_) => self.spindle(SpindleState::Clockwise(speed)),
             SpindleState::CounterClockwise(_) => self.spindle(SpindleState::CounterClockwise(speed)),
+        }
+    }
+
+    /// The speed in force.
+    pub(crate) fn speed(&self) -> Speed {
+        let s = self.technology.speed.unwrap_or(0.0);
+        if !self.in_force(Group::SurfaceSpeed, Meaning::SurfaceSpeed) {
+            return Speed::Rpm(s);
+        }
+        let axis = self.technology.surface_axis;
+        let max = self.technology.surface_max_rpm.unwrap_or(self.rules.max_spindle_rpm);
+        Speed::Surface {
+            mm_per_min: s,
+            max_rpm: Some(max.min(self.rules.max_spindle_rpm)),
+            axis,
+            // The centre is the zero of the work coordinate system (6.3, 3).
+            center: self.location.work.shift[axis] + self.location.length.vector[axis],
+        }
+    }
+
+    /// G96 and G97 (GSK990MC 6.3). Where surface speed is not fitted G96 changes nothing.
+    fn surface_speed(&mut self, row: &'static GCode) {
+        if !self.rules.surface_speed {
+            return;
+        }
+        let was = self.speed();
+        self.modal.set(row);
+        if row.meaning == Meaning::SurfaceSpeed {
+            let axis = self.words.take(b'P').unwrap_or(1.0) as usize;
+            if let Some(axis) = self.rules.axis_order.get(axis.saturating_sub(1)) {
+                self.technology.surface_axis = *axis;
+            }
+            return;
+        }
+        // The turns of the moment go on where G97 gives no S.
+        if let Speed::Surface { .. } = was {
+            self.technology.speed = Some(was.rpm(&self.location.machine));
+            if !self.words.has(b'S') {
+                self.tell_speed();
+            }
         }
     }
 
@@ -338,7 +438,7 @@ impl Interpreter {
 
     fn m_function(&mut self, code: &MCode, span: Span) -> Fallible<()> {
         self.technology.m_code = Some(f64::from(code.code));
-        let speed = self.technology.speed.unwrap_or(0.0);
+        let speed = self.speed();
         match code.function {
             MFunction::Stop => self.emit(Op::Stop(code.code.into())),
             MFunction::OptionalStop if self.options.optional_stop => self.emit(Op::Stop(code.code.into())),
@@ -356,6 +456,17 @@ impl Interpreter {
                 // The spindle stands still while a tool is changed.
                 self.spindle(SpindleState::Off);
                 self.emit(Op::Change(self.technology.tool));
+            }
+            MFunction::RigidTapping => {
+                if self.cycle_kind().is_some() {
+                    return Err(self.alarm(Fault::RigidInCycle, span));
+                }
+                self.technology.rigid_tapping = true;
+                self.emit(Op::Machine(code.code.into()));
+            }
+            MFunction::RigidTappingOff => {
+                self.technology.rigid_tapping = false;
+                self.emit(Op::Machine(code.code.into()));
             }
             MFunction::Machine => self.emit(Op::Machine(code.code.into())),
             MFunction::Call => return self.subprogram_call(span),
@@ -398,17 +509,41 @@ impl Interpreter {
         self.call(&ProgramId::Number(number as u32), times.max(0.0) as u32, None, at)
     }
 
-    fn non_modal(&mut self, code: Meaning, axes: AxisSet, length: Option<Meaning>) -> Fallible<()> {
-        match code {
+    fn non_modal(&mut self, code: Code<GCode>, axes: AxisSet, length: Option<Meaning>) -> Fallible<()> {
+        let Code { row, span } = code;
+        let reference = matches!(
+            row.meaning,
+            Meaning::ReferenceCheck
+                | Meaning::ReferenceReturn
+                | Meaning::FurtherReferenceReturn
+                | Meaning::ReturnFromReference
+        );
+        if reference || matches!(row.meaning, Meaning::MachinePosition | Meaning::SetPosition) {
+            self.refuse_in_transform(span)?;
+        }
+        if reference && self.cycle_kind().is_some() {
+            return Err(self.alarm(Fault::ReferenceInCycle, span));
+        }
+        match row.meaning {
             Meaning::Dwell => self.dwell(),
             Meaning::MachinePosition => self.machine_position(axes),
             Meaning::SetPosition => {
                 if length.is_some() {
                     return Err(self.alarm(Fault::LengthWithCoordinateSet, self.words.block_span()));
                 }
+                if let Some(s) = self.words.get(b'S') {
+                    self.technology.surface_max_rpm = Some(s);
+                }
                 self.set_position(axes);
                 Ok(())
             }
+            Meaning::ReferenceCheck => self.reference_check(axes),
+            Meaning::ReferenceReturn => self.reference_return(axes, 1),
+            Meaning::FurtherReferenceReturn => self.further_reference_return(axes),
+            Meaning::ReturnFromReference => self.return_from_reference(axes),
+            Meaning::Skip => self.skip(axes, span),
+            Meaning::OneWay => self.position_one_way(axes),
+            Meaning::DataSetting => self.set_data(axes, span),
             _ => Ok(()),
         }
     }
@@ -432,41 +567,13 @@ impl Interpreter {
         Ok(())
     }
 
-    /// G53 (GSK990MC 4.2.10): rapid to a machine position, tool length left aside. With G91 the block
-    /// does nothing, as on Fanuc.
-    fn machine_position(&mut self, axes: AxisSet) -> Fallible<()> {
-        if self.modal.is_incremental() {
-            return Ok(());
-        }
-        let machine = self.location.machine;
-        let to = distance::end_point(&self.words, axes, machine, false, self.modal.is_inch());
-        self.rapid_machine(to)?;
-        self.location.take_machine();
-        Ok(())
-    }
-
-    /// G92 (GSK990MC 4.2.11): the point where the tool stands, tool length left aside, gets the given
-    /// coordinates.
-    fn set_position(&mut self, axes: AxisSet) {
-        if axes.is_empty() {
-            return;
-        }
-        let location = &mut self.location;
-        let here = distance::end_point(&self.words, axes, location.programmed, false, self.modal.is_inch());
-        let at = location.machine - location.length.vector;
-        location.work = location.work.set_position(at, here, axes);
-        location.take_machine();
-    }
-
     /// After a faulty block, for a checker: takes its end point as reached and its end of program as
     /// meant, so that the blocks behind it are judged as the author meant them.
     fn recover(&mut self) -> Fallible<()> {
         let is_move = !self.words.g.iter().any(|g| g.row.group == Group::NonModal);
         if is_move {
             let axes = self.words.axes(self.rules.axes);
-            let incremental = self.modal.is_incremental();
-            let from = self.location.programmed;
-            let to = distance::end_point(&self.words, axes, from, incremental, self.modal.is_inch());
+            let to = self.end_point(axes);
             if to.is_finite() {
                 self.location.programmed = to;
                 self.location.machine = self.location.machine_of(to);

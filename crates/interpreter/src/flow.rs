@@ -378,9 +378,8 @@ impl Interpreter {
 
     fn find_sequence(&mut self, number: f64, from: Place, span: Span) -> Fallible<Place> {
         let program = self.flow.program();
-        let has_number = |page: &Page, block: &Block, at| {
-            (sequence_number(page, block) == Some(number)).then_some(at)
-        };
+        let has_number =
+            |page: &Page, block: &Block, at| (sequence_number(page, block) == Some(number)).then_some(at);
         let found = blocks_of_program(&mut self.programs, program, self.flow.place, has_number)
             .and_then(|below| match below {
                 Some(place) => Ok(Some(place)),

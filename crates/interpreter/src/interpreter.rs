@@ -7,14 +7,19 @@
 
 use crate::Fallible;
 use crate::cycles::CycleState;
+use crate::data_setting::DataSetting;
 use crate::dialect::{Dialect, Rules};
 use crate::evaluate::Evaluator;
 use crate::flow::Flow;
 use crate::modal::Modal;
+use crate::reference::Intermediate;
+use crate::stages::polar::Polar;
+use crate::stages::rotation::Rotation;
+use crate::stages::scaling::Scaling;
 use crate::stages::tool_length::ToolLength;
 use crate::stages::work_offset::{System, WorkSystem};
 use crate::words::{self, Tables, Words};
-use ferrocut_geometry::Position;
+use ferrocut_geometry::{Axis, Position};
 use ferrocut_machine::{Alarm, Fault, Memory};
 use ferrocut_program::{ProgramMemory, Span, lexer};
 use ferrocut_toolpath::{Op, SpindleState, Step};
@@ -29,6 +34,8 @@ pub struct Options {
     pub block_skip: bool,
     /// M01 stops.
     pub optional_stop: bool,
+    /// The simulated skip signal comes when this axis passes this machine position.
+    pub skip: Option<(Axis, f64)>,
     /// Goes on behind an alarm, for checking; else it ends the run.
     pub keep_going: bool,
     /// A main program that ends with M99 is run again and again; else it ends once a further pass
@@ -47,20 +54,45 @@ pub(crate) struct Location {
     pub work: WorkSystem,
     /// Tool length compensation in force.
     pub length: ToolLength,
+    /// Polar coordinates, scaling and rotation in force.
+    pub polar: Option<Polar>,
+    pub scaling: Option<Scaling>,
+    pub rotation: Option<Rotation>,
     /// Where the last skip signal came, in the work coordinate system.
     pub skip: Position,
 }
 
 impl Location {
-    /// A programmed point through the stages work offset and tool length, to machine axes.
+    /// A programmed point through the stages scaling, rotation, work offset and tool length, to machine
+    /// axes.
     #[inline]
     pub fn machine_of(&self, programmed: Position) -> Position {
-        programmed + self.work.shift + self.length.vector
+        let mut point = programmed;
+        if let Some(scaling) = &self.scaling {
+            point = scaling.apply(point);
+        }
+        if let Some(rotation) = &self.rotation {
+            point = rotation.apply(point);
+        }
+        point + self.work.shift + self.length.vector
+    }
+
+    /// The point in the work coordinate system where the axes stand, scaled and rotated.
+    #[inline]
+    pub fn in_work(&self) -> Position {
+        self.machine - self.work.shift - self.length.vector
     }
 
     /// The programmed point of where the axes stand, after something between the two changed.
     pub fn take_machine(&mut self) {
-        self.programmed = self.machine - self.work.shift - self.length.vector;
+        let mut point = self.in_work();
+        if let Some(rotation) = &self.rotation {
+            point = rotation.undo(point);
+        }
+        if let Some(scaling) = &self.scaling {
+            point = scaling.undo(point);
+        }
+        self.programmed = point;
     }
 }
 
@@ -71,8 +103,14 @@ pub(crate) struct Technology {
     pub feed_per_minute: f64,
     /// Feed per revolution, mm.
     pub feed_per_revolution: f64,
-    /// The last S word, r/min.
+    /// The last S word, r/min; with surface speed mm/min.
     pub speed: Option<f64>,
+    /// Highest spindle speed under surface speed (G92 S), r/min.
+    pub surface_max_rpm: Option<f64>,
+    /// Axis that surface speed is reckoned by (G96 P).
+    pub surface_axis: Axis,
+    /// M29: the tapping cycles that follow are rigid.
+    pub rigid_tapping: bool,
     /// What the spindle was last told.
     pub spindle: SpindleState,
     /// Whether coolant is on.
@@ -101,6 +139,8 @@ pub struct Interpreter {
     pub(crate) dialect: &'static Dialect,
     pub(crate) tables: Tables,
     pub(crate) rules: Rules,
+    /// Bits of the axis addresses that the control does not carry.
+    pub(crate) foreign_axes: u32,
     pub(crate) options: Options,
     pub(crate) programs: ProgramMemory,
     pub(crate) memory: Memory,
@@ -108,6 +148,8 @@ pub struct Interpreter {
     pub(crate) location: Location,
     pub(crate) technology: Technology,
     pub(crate) cycle: CycleState,
+    pub(crate) intermediate: Intermediate,
+    pub(crate) data_setting: Option<DataSetting>,
     pub(crate) flow: Flow,
     pub(crate) words: Words,
     pub(crate) evaluator: Evaluator,
@@ -135,6 +177,9 @@ impl Interpreter {
             machine: options.start,
             work,
             length: ToolLength::default(),
+            polar: None,
+            scaling: None,
+            rotation: None,
             skip: Position::ZERO,
         };
         location.take_machine();
@@ -142,6 +187,9 @@ impl Interpreter {
             feed_per_minute: rules.default_feed,
             feed_per_revolution: 0.0,
             speed: None,
+            surface_max_rpm: None,
+            surface_axis: Axis::X,
+            rigid_tapping: false,
             spindle: SpindleState::Off,
             coolant: false,
             tool: 0,
@@ -154,6 +202,7 @@ impl Interpreter {
             tables: Tables::new(dialect),
             evaluator: Evaluator::new(dialect.angles),
             dialect,
+            foreign_axes: words::foreign_axes(rules.axes),
             rules,
             options,
             programs,
@@ -162,6 +211,8 @@ impl Interpreter {
             location,
             technology,
             cycle: CycleState::default(),
+            intermediate: Intermediate::default(),
+            data_setting: None,
             flow: Flow::new(),
             words: Words::new(),
             variable_writes: 0,

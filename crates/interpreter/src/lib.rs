@@ -13,7 +13,9 @@
 //! What a control language is made of stands in its folder under [`dialects`], as tables.
 //! Read [`interpreter`] first.
 
+mod coordinates;
 pub mod cycles;
+mod data_setting;
 pub mod dialect;
 pub mod dialects;
 pub mod evaluate;
@@ -23,6 +25,7 @@ pub mod interpreter;
 mod macros;
 pub mod modal;
 pub mod motion;
+mod reference;
 pub mod stages;
 pub mod words;
 

@@ -28,6 +28,16 @@ pub enum Group {
     Cycle,
     /// G98 G99.
     Return,
+    /// G15 G16.
+    Polar,
+    /// G50 G51.
+    Scaling,
+    /// G68 G69.
+    Rotation,
+    /// G61 to G64.
+    PathControl,
+    /// G96 G97.
+    SurfaceSpeed,
     /// Codes in force in their block only.
     NonModal,
 }

@@ -4,9 +4,9 @@ use crate::Fallible;
 use crate::dialect::Meaning;
 use crate::interpreter::Interpreter;
 use crate::modal::Group;
-use crate::stages::{distance, units};
+use crate::stages::units;
 use crate::words::letters;
-use ferrocut_geometry::{Arc, AxisSet, Plane, Position, RadiusError, SAME_POINT_MM, Turn};
+use ferrocut_geometry::{Arc, Axis, AxisSet, Plane, Position, RadiusError, SAME_POINT_MM, Turn};
 use ferrocut_machine::Fault;
 use ferrocut_toolpath::{Feed, FeedAlong, Op, PathMode};
 
@@ -34,11 +34,15 @@ impl Interpreter {
                 return Err(self.alarm(Fault::LengthInArc, self.words.block_span()));
             }
         }
-        let incremental = self.modal.is_incremental();
-        let inch = self.modal.is_inch();
-        let to = distance::end_point(&self.words, axes, self.location.programmed, incremental, inch);
+        match motion {
+            Meaning::OneWay => return self.position_one_way(axes),
+            _ if turn.is_some() && length_moves => {
+                return Err(self.alarm(Fault::LengthInArc, self.words.block_span()));
+            }
+            _ => {}
+        }
+        let to = self.end_point(axes);
         match turn {
-            Some(_) if length_moves => Err(self.alarm(Fault::LengthInArc, self.words.block_span())),
             Some(turn) => self.arc(to, axes, turn),
             None if motion == Meaning::Rapid => self.rapid(to),
             None => self.cut(to),
@@ -71,9 +75,18 @@ impl Interpreter {
         self.location.programmed = to;
         if machine != self.location.machine {
             self.location.machine = machine;
-            self.emit(Op::Feed { to: machine, feed, path: PathMode::Continuous });
+            self.emit(Op::Feed { to: machine, feed, path: self.path_mode() });
         }
         Ok(())
+    }
+
+    /// How the path runs into the next move (G61 to G64).
+    pub(crate) fn path_mode(&self) -> PathMode {
+        match self.modal.meaning(Group::PathControl) {
+            Meaning::ExactStop => PathMode::ExactStop,
+            Meaning::TappingMode => PathMode::Tapping,
+            _ => PathMode::Continuous,
+        }
     }
 
     /// The feed in force; an alarm where there is none.
@@ -86,7 +99,7 @@ impl Interpreter {
         if value > 0.0 { Ok(feed) } else { Err(self.alarm(Fault::NoFeed, self.words.block_span())) }
     }
 
-    fn check_reach(&self, machine: Position) -> Fallible<()> {
+    pub(crate) fn check_reach(&self, machine: Position) -> Fallible<()> {
         // The comparison is false for NaN too.
         if machine.0.iter().all(|c| c.abs() <= LARGEST_COORDINATE) {
             return Ok(());
@@ -95,31 +108,39 @@ impl Interpreter {
     }
 
     /// Cuts along an arc or helix to a programmed point (GSK990MC 4.2.3).
+    ///
+    /// Centre and radius are judged after scaling and rotation, so that an arc that unequal factors pull
+    /// out of shape is found (4.2.14, 6). It starts where the tool is.
     fn arc(&mut self, to: Position, axes: AxisSet, turn: Turn) -> Fallible<()> {
         let plane = self.modal.plane();
-        let from = self.location.programmed;
+        if self.location.polar.is_some() && !self.words.has(b'R') {
+            return Err(self.alarm(Fault::ArcInPolar, self.words.block_span()));
+        }
+        let machine = self.location.machine_of(to);
+        let offset = self.location.work.shift + self.location.length.vector;
+        let (from, end) = (self.location.in_work(), machine - offset);
+        let mirrored = self.location.scaling.is_some_and(|scaling| scaling.reverses(plane));
+        let turn = if mirrored { turn.reversed() } else { turn };
         let center = match self.words.get(b'R') {
-            Some(r) => match self.center_by_radius(from, to, r, turn)? {
+            Some(r) => match self.center_by_radius(from, end, r, turn)? {
                 Some(center) => center,
                 // Start and end coincide: a radius says nothing then (4.2.3 limits 3 and 5), but
                 // another axis may be meant to move.
                 None => return if axes.is_empty() { Ok(()) } else { self.cut(to) },
             },
-            None => self.center_by_vector(from, to)?,
+            None => self.center_by_vector(from, end)?,
         };
-        let beside =
-            axes.iter().filter(|a| *a != plane.first() && *a != plane.second() && from[*a] != to[*a]);
+        let in_plane = |a: Axis| a == plane.first() || a == plane.second();
+        let beside = axes.iter().filter(|a| !in_plane(*a) && from[*a] != end[*a]);
         // One axis climbs in a helix (GSK990MC alarm 0232).
         if beside.count() > 1 {
             return Err(self.alarm(Fault::TooManyHelicalAxes, self.words.block_span()));
         }
-        let shape = Arc::about(plane, from, to, center, turn);
+        let shape = Arc::about(plane, from, end, center, turn);
         let feed = self.feed()?;
-        let machine = self.location.machine_of(to);
         self.check_reach(machine)?;
         // Work offset and tool length move the arc as a whole.
-        let shift = self.location.work.shift + self.location.length.vector;
-        let [a, b] = plane.of(shift);
+        let [a, b] = plane.of(offset);
         self.location.programmed = to;
         self.location.machine = machine;
         let feed_along = match self.rules.helix_feed_along_circle {
@@ -133,12 +154,13 @@ impl Interpreter {
             sweep: shape.sweep,
             feed,
             feed_along,
-            path: PathMode::Continuous,
+            path: self.path_mode(),
         });
         Ok(())
     }
 
-    /// The centre that R gives; `None` where start and end coincide.
+    /// The centre that R gives; `None` where start and end coincide. A radius is scaled by the larger of
+    /// the plane's factors (GSK990MC 4.2.14, 6).
     fn center_by_radius(
         &self,
         from: Position,
@@ -147,7 +169,11 @@ impl Interpreter {
         turn: Turn,
     ) -> Fallible<Option<[f64; 2]>> {
         let plane = self.modal.plane();
-        let r = units::length_mm(r, self.modal.is_inch());
+        let factor = self.location.scaling.map_or(1.0, |scaling| {
+            let [a, b] = scaling.in_plane(plane);
+            a.abs().max(b.abs())
+        });
+        let r = units::length_mm(r, self.modal.is_inch()) * factor;
         let slack = self.rules.arc_tolerance;
         match Arc::center_from_radius(plane.of(from), plane.of(to), r, turn, slack) {
             Ok(center) => Ok(Some(center)),
@@ -169,11 +195,19 @@ impl Interpreter {
             return Err(self.alarm(Fault::ArcWithoutCentre, self.words.block_span()));
         }
         let inch = self.modal.is_inch();
-        let offset = |letter| units::length_mm(self.words.get(letter).unwrap_or(0.0), inch);
+        let word = |letter| units::length_mm(self.words.get(letter).unwrap_or(0.0), inch);
+        let mut vector = [word(i), word(j)];
+        if let Some(scaling) = &self.location.scaling {
+            let [a, b] = scaling.in_plane(plane);
+            vector = [vector[0] * a, vector[1] * b];
+        }
+        if let Some(rotation) = &self.location.rotation {
+            vector = rotation.apply_vector(vector);
+        }
         let [a, b] = plane.of(from);
-        let center = [a + offset(i), b + offset(j)];
+        let center = [a + vector[0], b + vector[1]];
         let [ea, eb] = plane.of(to);
-        let start_radius = offset(i).hypot(offset(j));
+        let start_radius = vector[0].hypot(vector[1]);
         let end_radius = (ea - center[0]).hypot(eb - center[1]);
         if start_radius < SAME_POINT_MM {
             return Err(self.alarm_at(Fault::ArcWithoutRadius, i));

@@ -134,6 +134,11 @@ impl Words {
 /// Bits of the addresses that name axes.
 pub(crate) const AXIS_LETTERS: u32 = letters(b"XYZABCUVW");
 
+/// Bits of the axis addresses that are not `of` the control.
+pub(crate) fn foreign_axes(of: AxisSet) -> u32 {
+    of.iter().fold(AXIS_LETTERS, |bits, axis| bits & !bit(axis.letter() as u8))
+}
+
 /// The bits of some addresses, for [`Words::has_any`].
 pub(crate) const fn letters(of: &[u8]) -> u32 {
     let mut bits = 0;

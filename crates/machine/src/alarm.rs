@@ -110,6 +110,44 @@ faults! {
     LengthWithCoordinateSet = 403,
     /// Tool length changed by a block with an arc.
     LengthInArc = 404,
+    /// Scaling that the control is not set up for.
+    ScalingDisabled = 405,
+    /// A scale factor outside its range.
+    ScaleFactor = 406,
+    /// A code that scaling does not allow.
+    CodeInScaling = 407,
+    /// A code that rotation does not allow.
+    CodeInRotation = 408,
+    /// A code that polar coordinates do not allow.
+    CodeInPolar = 409,
+    /// A plane other than that of the rotation.
+    PlaneInRotation = 410,
+    /// An arc of polar coordinates that is not given by R.
+    ArcInPolar = 411,
+    /// Units changed while points are transformed.
+    UnitsInTransform = 412,
+    /// Skip while points are transformed.
+    SkipInTransform = 413,
+    /// A reference return without an axis.
+    ReferenceWithoutAxis = 414,
+    /// A reference point that does not exist.
+    ReferenceNumber = 415,
+    /// A check that does not end on the reference point.
+    NotAtReference = 416,
+    /// Data set while a canned cycle is active.
+    DataSettingInCycle = 417,
+    /// A form of data setting that does not exist.
+    DataForm = 418,
+    /// The number of what is to be set is missing or too large.
+    DataNumber = 419,
+    /// The value to be set is missing or too large.
+    DataValue = 420,
+    /// Number, bit or value of a parameter is missing or out of range.
+    DataParameter = 421,
+    /// A parameter that the program cannot set.
+    ParameterFixed = 422,
+    /// A command while parameters are being set.
+    CommandInDataSetting = 423,
 
     // 500: canned cycles
     /// A cycle in a plane that it does not work in.
@@ -124,6 +162,12 @@ faults! {
     CycleNoSpindle = 505,
     /// Reference-point code while a cycle is active.
     ReferenceInCycle = 506,
+    /// Hole bottom not above the R level, for boring from below.
+    CycleDepthBelowR = 507,
+    /// A spindle speed that tapping cannot have.
+    TappingSpeed = 508,
+    /// Rigid tapping called while a cycle is active.
+    RigidInCycle = 509,
 
     // 600: programs
     /// A call without a program number.

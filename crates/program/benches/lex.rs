@@ -2,8 +2,6 @@
 
 #![allow(clippy::unwrap_used)]
 
-#![allow(clippy::unwrap_used)]
-
 use ferrocut_program::{FileId, ProgramMemory, Syntax, Text};
 
 fn main() {

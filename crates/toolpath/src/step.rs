@@ -1,6 +1,6 @@
 //! Steps: what the machine is told to do, one at a time.
 
-use ferrocut_geometry::{Arc, AxisSet, Plane, Position};
+use ferrocut_geometry::{Arc, Axis, AxisSet, Plane, Position};
 use ferrocut_program::Span;
 
 /// One thing the machine is told to do, and the piece of program that caused it.
@@ -57,16 +57,59 @@ pub enum Dwell {
     Revolutions(f64),
 }
 
+/// Speed of the spindle.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Speed {
+    /// Turns, r/min.
+    Rpm(f64),
+    /// Constant surface speed (G96): the turns follow the distance of an axis from a centre.
+    Surface {
+        /// Speed at the circumference, mm/min.
+        mm_per_min: f64,
+        /// Highest turns, r/min, where the program sets them.
+        max_rpm: Option<f64>,
+        /// The axis.
+        axis: Axis,
+        /// Machine position of the axis at which the radius is 0, mm.
+        center: f64,
+    },
+}
+
+impl Speed {
+    /// Turns with the axes at `at`, r/min.
+    pub fn rpm(self, at: &Position) -> f64 {
+        match self {
+            Speed::Rpm(rpm) => rpm,
+            Speed::Surface { mm_per_min, max_rpm, axis, center } => {
+                let radius = (at[axis] - center).abs();
+                let rpm = mm_per_min / (std::f64::consts::TAU * radius);
+                // On the centre any speed is too slow; without a limit it stays at rest there.
+                if rpm.is_finite() { rpm.min(max_rpm.unwrap_or(f64::MAX)) } else { max_rpm.unwrap_or(0.0) }
+            }
+        }
+    }
+}
+
 /// What the spindle is told.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub enum SpindleState {
     /// M05.
     #[default]
     Off,
-    /// Turning clockwise (M03) at this many r/min.
-    Clockwise(f64),
-    /// Turning counter-clockwise (M04) at this many r/min.
-    CounterClockwise(f64),
+    /// Turning clockwise (M03).
+    Clockwise(Speed),
+    /// Turning counter-clockwise (M04).
+    CounterClockwise(Speed),
+}
+
+impl SpindleState {
+    /// The speed; `None` at rest.
+    pub fn speed(self) -> Option<Speed> {
+        match self {
+            SpindleState::Off => None,
+            SpindleState::Clockwise(speed) | SpindleState::CounterClockwise(speed) => Some(speed),
+        }
+    }
 }
 
 /// What a [`Step`] does. Positions are machine coordinates of every axis: mm, degrees.
@@ -117,10 +160,12 @@ pub enum Op {
     /// Feed until the skip signal comes (G31). A barrier: where motion stopped is returned to the
     /// interpreter before it goes on.
     Skip {
-        /// Where motion ends without a signal.
+        /// Where motion ends: where the simulated signal comes, or without one the end point.
         to: Position,
         /// Feed along the path.
         feed: Feed,
+        /// Whether the signal comes.
+        hit: bool,
     },
     /// Pause.
     Dwell(Dwell),

@@ -5,7 +5,7 @@
 //! degrees, counter-clockwise positive. `line` is the 1-based source line; `file` stands only where
 //! it is not the main program. A move that changes nothing is not written.
 
-use crate::step::{Dwell, Feed, Op, SpindleState, Step};
+use crate::step::{Dwell, Feed, Op, Speed, SpindleState, Step};
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_program::{FileId, Span};
 use std::io::{self, Write};
@@ -200,12 +200,14 @@ impl<W: Write> TraceWriter<W> {
                 self.field("pitch", *pitch);
                 self.field("rpm", *rpm);
             }
-            Op::Skip { to, feed } => {
+            Op::Skip { to, feed, hit } => {
                 self.op("skip");
-                if !self.to(to) {
+                // A signal that is there from the start is worth a line, though nothing moves.
+                if !self.to(to) && !hit {
                     return false;
                 }
                 self.feed(*feed);
+                self.flag("hit", *hit);
             }
             Op::Dwell(Dwell::Seconds(s)) => {
                 self.op("dwell");
@@ -217,13 +219,22 @@ impl<W: Write> TraceWriter<W> {
             }
             Op::Spindle(state) => {
                 self.op("spindle");
-                let (dir, rpm) = match *state {
-                    SpindleState::Off => ("off", 0.0),
-                    SpindleState::Clockwise(rpm) => ("cw", rpm),
-                    SpindleState::CounterClockwise(rpm) => ("ccw", rpm),
+                let dir = match state {
+                    SpindleState::Off => "off",
+                    SpindleState::Clockwise(_) => "cw",
+                    SpindleState::CounterClockwise(_) => "ccw",
                 };
                 self.text("dir", dir);
-                self.field("rpm", rpm);
+                match state.speed() {
+                    None => self.field("rpm", 0.0),
+                    Some(Speed::Rpm(rpm)) => self.field("rpm", rpm),
+                    Some(Speed::Surface { mm_per_min, max_rpm, .. }) => {
+                        self.field("css", mm_per_min);
+                        if let Some(max) = max_rpm {
+                            self.field("max", max);
+                        }
+                    }
+                }
             }
             Op::Orient(deg) => {
                 self.op("orient");

@@ -1,37 +1,33 @@
 //! Drilling and boring cycles (GSK990MC 4.4).
 
-use super::{HoleCycle, MAX_PECKS, Peck, Retract};
+use super::{HoleCycle, Peck, Retract};
 use crate::Fallible;
-use crate::dialect::Meaning;
 use crate::interpreter::Interpreter;
-use crate::modal::Group;
-use ferrocut_geometry::{Axis, SAME_POINT_MM};
+use ferrocut_geometry::SAME_POINT_MM;
 use ferrocut_machine::Fault;
-use ferrocut_toolpath::{Dwell, Op, SpindleState};
+use ferrocut_toolpath::{Op, SpindleState};
+
+/// The program stop that waits for an operator who draws the tool out by hand.
+const STOP: u32 = 0;
 
 impl Interpreter {
     /// Cuts one hole.
     pub(super) fn hole(&mut self, cycle: HoleCycle) -> Fallible<()> {
-        let (Some(r), Some(z)) = (self.cycle.r, self.cycle.z) else {
-            // Without Z or R the tool is positioned only (GSK990MC 4.4.1).
-            return self.position_over_hole();
-        };
+        let Some((r, z)) = self.levels()? else { return Ok(()) };
         if z >= r {
-            return Err(
-                self.alarm_at(Fault::CycleDepthAboveR, if self.words.has(b'Z') { b'Z' } else { b'R' })
-            );
+            return Err(self.level_alarm(Fault::CycleDepthAboveR));
         }
-        let step = match cycle.peck {
-            Peck::None => None,
-            _ => match self.cycle.q.filter(|q| *q > 0.0) {
-                Some(q) if (r - z) / q > MAX_PECKS => return Err(self.alarm_at(Fault::WordOutOfRange, b'Q')),
-                Some(q) => Some(q),
-                None if self.rules.peck_needs_depth => {
-                    return Err(self.alarm(Fault::CycleNoPeck, self.cycle_span()));
-                }
-                // GSK990MC 4.4.1 note 2, 43#1 = 0: positioned, not drilled.
-                None => return self.position_over_hole(),
-            },
+        let step = match (cycle.peck, self.cycle.q.filter(|q| *q > 0.0)) {
+            (Peck::None, _) => None,
+            (_, Some(q)) => {
+                self.check_pecks(r - z, q)?;
+                Some(q)
+            }
+            (_, None) if self.rules.peck_needs_depth => {
+                return Err(self.alarm(Fault::CycleNoPeck, self.cycle_span()));
+            }
+            // GSK990MC 4.4.1 note 2, 43#1 = 0: positioned, not drilled.
+            (_, None) => return self.position_over_hole(),
         };
         self.position_over_hole()?;
         self.rapid_z(r)?;
@@ -40,20 +36,22 @@ impl Interpreter {
             (Peck::Clear, Some(q)) => self.chip_clearing(r, z, q)?,
             _ => self.cut_z(z)?,
         }
-        if let Some(seconds) = self.cycle.p.filter(|_| cycle.dwell) {
-            self.emit(Op::Dwell(Dwell::Seconds(seconds)));
+        if cycle.dwell {
+            self.cycle_dwell();
         }
-        let returns_to_r = self.modal.meaning(Group::Return) == Meaning::ReturnR;
-        let top = if returns_to_r { r } else { self.cycle.initial };
+        let top = self.top(r);
         match cycle.retract {
             Retract::Rapid => self.rapid_z(top),
             Retract::Feed => {
                 self.cut_z(r)?;
                 self.rapid_z(top)
             }
-            Retract::SpindleStopped => {
+            Retract::SpindleStopped | Retract::ByHand => {
                 let turning = self.technology.spindle;
                 self.spindle(SpindleState::Off);
+                if cycle.retract == Retract::ByHand {
+                    self.emit(Op::Stop(STOP));
+                }
                 self.rapid_z(top)?;
                 self.spindle(turning);
                 Ok(())
@@ -82,17 +80,5 @@ impl Interpreter {
             depth -= q;
         }
         self.cut_z(z)
-    }
-
-    fn rapid_z(&mut self, z: f64) -> Fallible<()> {
-        let mut to = self.location.programmed;
-        to[Axis::Z] = z;
-        self.rapid(to)
-    }
-
-    fn cut_z(&mut self, z: f64) -> Fallible<()> {
-        let mut to = self.location.programmed;
-        to[Axis::Z] = z;
-        self.cut(to)
     }
 }

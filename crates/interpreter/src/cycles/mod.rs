@@ -1,20 +1,24 @@
 //! Canned cycles: one block that stands for the moves of a hole.
 //!
-//! What a cycle does is data ([`HoleCycle`]), so that a dialect's table says it and the code is one.
+//! What a cycle does is data ([`CycleKind`]), so that a dialect's table says it and the code is one.
 //! The frame is common (GSK990MC 4.4): position, rapid to the R level, the work, rapid back to the R
-//! level or to the initial one. Hole data are modal until the cycle is cancelled.
+//! level or to the initial one. Hole data are modal until the cycle is cancelled. [`hole`](self) drills
+//! and bores, `tap` taps, `bore` has the borings that move the tool aside.
 
+mod bore;
 mod hole;
+mod tap;
 
 use crate::Fallible;
 use crate::dialect::Meaning;
 use crate::interpreter::Interpreter;
 use crate::modal::Group;
-use crate::stages::{distance, units};
+use crate::stages::units;
 use crate::words::letters;
 use ferrocut_geometry::{Axis, AxisSet, Plane};
 use ferrocut_machine::Fault;
 use ferrocut_program::Span;
+use ferrocut_toolpath::{Dwell, Op};
 
 /// How a hole is cut.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -36,6 +40,8 @@ pub enum Retract {
     Feed,
     /// At rapid with the spindle at rest, which starts again at the top (G86).
     SpindleStopped,
+    /// By the operator, with the spindle at rest, which starts again at the top (G88).
+    ByHand,
 }
 
 /// A drilling or boring cycle.
@@ -54,6 +60,15 @@ pub struct HoleCycle {
 pub enum CycleKind {
     /// Drilling and boring.
     Hole(HoleCycle),
+    /// Tapping of a right-hand (G84) or left-hand thread (G74).
+    Tap {
+        /// Left-hand thread.
+        left: bool,
+    },
+    /// Fine boring: out with the tool moved aside (G76).
+    FineBore,
+    /// Back boring: from below upwards (G87).
+    BackBore,
 }
 
 /// Addresses that make a block with an active cycle cut a hole.
@@ -72,14 +87,18 @@ pub(crate) struct CycleState {
     r: Option<f64>,
     /// Level of the bottom, mm.
     z: Option<f64>,
-    /// Depth of cut, mm.
+    /// Depth of cut or distance aside, mm.
     q: Option<f64>,
     /// Dwell, s.
     p: Option<f64>,
+    /// Draw-back of peck tapping, mm.
+    v: Option<f64>,
     /// Holes of the present block still to be cut.
     holes_left: u32,
     /// Whether the present block changes tool length on the way to the R level.
     length: Option<LengthChange>,
+    /// Scale factor of the tool axis, set aside while a block of the cycle runs.
+    pub z_factor: Option<f64>,
 }
 
 /// A change of tool length that a cycle block makes on its way to the R level.
@@ -103,14 +122,13 @@ impl Interpreter {
         }
     }
 
-    /// G80 and what acts like it: the cycle and its data are gone.
+    /// G80 and what acts like it: the cycle and its data are gone, rigid tapping too.
     #[inline]
     pub(crate) fn cancel_cycle(&mut self) {
         if self.cycle_kind().is_some() {
             self.modal.set(self.dialect.cycle_off);
             self.cycle = CycleState::default();
-        } else if let Some(off) = self.words.g.iter().find(|g| g.row.meaning == Meaning::CycleOff) {
-            self.modal.set(off.row);
+            self.technology.rigid_tapping = false;
         }
     }
 
@@ -119,20 +137,20 @@ impl Interpreter {
         if self.modal.plane() != Plane::Xy {
             return Err(self.alarm(Fault::CyclePlane, self.cycle_span()));
         }
+        self.leave_tool_axis_unscaled();
         if !self.cycle.active {
-            self.cycle = CycleState {
-                active: true,
-                initial: self.location.programmed[Axis::Z],
-                ..CycleState::default()
-            };
+            let z_factor = self.cycle.z_factor;
+            let initial = self.location.programmed[Axis::Z];
+            self.cycle = CycleState { active: true, initial, z_factor, ..CycleState::default() };
         }
         self.store_cycle_data();
         if !self.words.has_any(HOLE_LETTERS) {
             // Nothing to cut; a change of tool length alone is made at once (GSK990MC 4.4.1 note 3).
-            return match self.length_words(length, axes)? {
-                true => self.rapid(self.location.programmed),
-                false => Ok(()),
-            };
+            if self.length_words(length, axes)? {
+                self.rapid(self.location.programmed)?;
+            }
+            self.scale_tool_axis_again();
+            return Ok(());
         }
         if self.rules.cycle_needs_speed && self.technology.speed.is_none() {
             return Err(self.alarm(Fault::CycleNoSpindle, self.cycle_span()));
@@ -155,12 +173,22 @@ impl Interpreter {
     /// than one.
     pub(crate) fn next_hole(&mut self) -> Fallible<()> {
         self.cycle.holes_left -= 1;
-        let Some(CycleKind::Hole(hole)) = self.cycle_kind() else { return Ok(()) };
-        if let Err(alarm) = self.hole(hole) {
+        let done = match self.cycle_kind() {
+            Some(CycleKind::Hole(cycle)) => self.hole(cycle),
+            Some(CycleKind::Tap { left }) => self.tap(left),
+            Some(CycleKind::FineBore) => self.fine_bore(),
+            Some(CycleKind::BackBore) => self.back_bore(),
+            None => Ok(()),
+        };
+        if let Err(alarm) = done {
             self.cycle.holes_left = 0;
             return self.give_up_block(alarm);
         }
-        if self.cycle.holes_left == 0 { self.m_functions(true) } else { Ok(()) }
+        if self.cycle.holes_left > 0 {
+            return Ok(());
+        }
+        self.scale_tool_axis_again();
+        self.m_functions(true)
     }
 
     /// Words of hole data, kept for the blocks that follow.
@@ -176,8 +204,11 @@ impl Interpreter {
             self.cycle.z = Some(if incremental { from + mm(z) } else { mm(z) });
         }
         if let Some(q) = self.words.get(b'Q') {
-            // The sign is left aside (GSK990MC 4.4.4).
+            // The sign is left aside (GSK990MC 4.4.4, 4.4.9).
             self.cycle.q = Some(mm(q).abs());
+        }
+        if let Some(v) = self.words.get(b'V') {
+            self.cycle.v = Some(mm(v).abs());
         }
         if let Some(p) = self.words.get(b'P') {
             // P outside P281…P282 is taken as the nearer of them (GSK990MC 4.4.3).
@@ -191,12 +222,45 @@ impl Interpreter {
         code.map_or(self.words.block_span(), |g| g.span)
     }
 
+    /// The levels R and bottom; `None` where one is missing, and the tool is positioned only
+    /// (GSK990MC 4.4.1).
+    fn levels(&mut self) -> Fallible<Option<(f64, f64)>> {
+        match (self.cycle.r, self.cycle.z) {
+            (Some(r), Some(z)) => Ok(Some((r, z))),
+            _ => {
+                self.position_over_hole()?;
+                Ok(None)
+            }
+        }
+    }
+
+    /// An alarm about the level that the block gives.
+    fn level_alarm(&self, fault: Fault) -> Box<ferrocut_machine::Alarm> {
+        let mut alarm = self.alarm_at(fault, if self.words.has(b'Z') { b'Z' } else { b'R' });
+        if let (Some(r), Some(z)) = (self.cycle.r, self.cycle.z) {
+            alarm.arguments.push(("depth", z.into()));
+            alarm.arguments.push(("r", r.into()));
+        }
+        alarm
+    }
+
+    /// Refuses a depth of cut that would make a hole of endless steps.
+    fn check_pecks(&self, depth: f64, step: f64) -> Fallible<()> {
+        if depth / step > MAX_PECKS {
+            return Err(self.alarm_at(Fault::WordOutOfRange, b'Q'));
+        }
+        Ok(())
+    }
+
+    /// Level to which the tool returns.
+    fn top(&self, r: f64) -> f64 {
+        if self.modal.meaning(Group::Return) == Meaning::ReturnR { r } else { self.cycle.initial }
+    }
+
     /// Rapid over the hole, all named axes but the tool axis together.
     fn position_over_hole(&mut self) -> Fallible<()> {
         let axes: AxisSet = self.words.axes(self.rules.axes).iter().filter(|a| *a != Axis::Z).collect();
-        let incremental = self.modal.is_incremental();
-        let inch = self.modal.is_inch();
-        let to = distance::end_point(&self.words, axes, self.location.programmed, incremental, inch);
+        let to = self.end_point(axes);
         self.rapid(to)?;
         // From here on the tool length of this block counts: it is taken up on the way to R.
         if let Some(LengthChange(code)) = self.cycle.length.take() {
@@ -204,5 +268,24 @@ impl Interpreter {
             self.length_words(code, axes)?;
         }
         Ok(())
+    }
+
+    /// The pause of P, where one was given.
+    fn cycle_dwell(&mut self) {
+        if let Some(seconds) = self.cycle.p {
+            self.emit(Op::Dwell(Dwell::Seconds(seconds)));
+        }
+    }
+
+    fn rapid_z(&mut self, z: f64) -> Fallible<()> {
+        let mut to = self.location.programmed;
+        to[Axis::Z] = z;
+        self.rapid(to)
+    }
+
+    fn cut_z(&mut self, z: f64) -> Fallible<()> {
+        let mut to = self.location.programmed;
+        to[Axis::Z] = z;
+        self.cut(to)
     }
 }

@@ -1,10 +1,15 @@
 //! The stages a programmed point passes on its way to the axes, in this order, one file each:
 //!
-//! `words → inch/metric → absolute/incremental → work offset → tool length → machine axes`
+//! `words → polar → inch/metric → absolute/incremental → scaling and mirror → rotation → work offset →
+//! tool length → machine axes`
 //!
-//! The first, [`words`](crate::words), is shared by everything a block says.
+//! The first, [`words`](crate::words), is shared by everything a block says. Inch/metric stands inside
+//! polar and absolute/incremental, because an angle has no inch.
 
 pub mod distance;
+pub mod polar;
+pub mod rotation;
+pub mod scaling;
 pub mod tool_length;
 pub mod units;
 pub mod work_offset;

@@ -262,3 +262,69 @@ FC-0712 = A jump leads into a loop
 
 FC-0713 = The program has set an alarm
     .help = See in the program why it does.
+
+FC-0405 = Scaling is not enabled on this control
+    .help = Set bit 60#5 to 1.
+
+FC-0406 = The scale factor is out of range
+    .help = Use a factor from 0.0001 to 9999.9999.
+
+FC-0407 = This code is not allowed while scaling is active
+    .help = Cancel scaling with G50 first.
+
+FC-0408 = This code is not allowed while rotation is active
+    .help = Cancel rotation with G69 first.
+
+FC-0409 = This code is not allowed in polar coordinates
+    .help = Cancel polar coordinates with G15 first.
+
+FC-0410 = The plane cannot be changed while rotation is active
+    .help = Cancel rotation with G69 first.
+
+FC-0411 = In polar coordinates an arc must be given by R
+    .help = Program R instead of I, J, K.
+
+FC-0412 = Units cannot be changed while points are scaled, rotated or polar
+    .help = Cancel the transformation first.
+
+FC-0413 = The skip function does not work while points are scaled, rotated or polar
+    .help = Cancel the transformation first.
+
+FC-0414 = A reference point return without an axis
+    .help = Name the axes that are to return.
+
+FC-0415 = There is no such reference point
+    .help = Use P2, P3 or P4.
+
+FC-0416 = The position is not the reference point
+    .help = Check the position and the offsets in force.
+
+FC-0417 = Data cannot be set while a canned cycle is active
+    .help = Cancel the cycle with G80 first.
+
+FC-0418 = This form of data setting does not exist
+    .help = Use L2, L10 to L13, L20, L50 or L51.
+
+FC-0419 = The number of the offset is missing or too large
+    .help = Check P.
+
+FC-0420 = The offset value is missing or too large
+    .help = Check R.
+
+FC-0421 = Number, bit or value of the parameter is missing or out of range
+    .help = Check N, P and R.
+
+FC-0422 = The program cannot set this parameter
+    .help = Set it on the parameter page.
+
+FC-0423 = A command while parameters are being set
+    .help = End data setting with G11 first.
+
+FC-0507 = The hole's bottom level Z does not lie above the R level
+    .help = For back boring give R as the lower level.
+
+FC-0508 = The spindle speed is missing or too high for tapping
+    .help = Give S within the limit of tapping.
+
+FC-0509 = Rigid tapping is called while a cycle is active
+    .help = Cancel the cycle with G80 before M29.

@@ -12,6 +12,12 @@ const fn hole(tenths: u16, peck: Peck, dwell: bool, retract: Retract) -> GCode {
 /// G80.
 pub static CYCLE_OFF: GCode = g(800, Meaning::CycleOff, Group::Cycle, 9);
 
+/// G49.
+pub static LENGTH_OFF: GCode = g(490, Meaning::LengthOff, Group::Length, 8);
+
+/// G60 where 48#0 makes it modal.
+pub static ONE_WAY_MODAL: GCode = g(600, Meaning::OneWay, Group::Motion, 1);
+
 /// Table 4-1-2, in rising order.
 pub static G_CODES: &[GCode] = &[
     g(0, Meaning::Rapid, Group::Motion, 1),
@@ -19,15 +25,26 @@ pub static G_CODES: &[GCode] = &[
     g(20, Meaning::ArcClockwise, Group::Motion, 1),
     g(30, Meaning::ArcCounterClockwise, Group::Motion, 1),
     g(40, Meaning::Dwell, Group::NonModal, 0),
+    g(100, Meaning::DataSetting, Group::NonModal, 0),
+    g(110, Meaning::DataSettingOff, Group::NonModal, 0),
+    g(150, Meaning::PolarOff, Group::Polar, 11),
+    g(160, Meaning::PolarOn, Group::Polar, 11),
     g(170, Meaning::Plane(Plane::Xy), Group::Plane, 2),
     g(180, Meaning::Plane(Plane::Zx), Group::Plane, 2),
     g(190, Meaning::Plane(Plane::Yz), Group::Plane, 2),
     g(200, Meaning::Inch, Group::Units, 6),
     g(210, Meaning::Metric, Group::Units, 6),
+    g(270, Meaning::ReferenceCheck, Group::NonModal, 0),
+    g(280, Meaning::ReferenceReturn, Group::NonModal, 0),
+    g(290, Meaning::ReturnFromReference, Group::NonModal, 0),
+    g(300, Meaning::FurtherReferenceReturn, Group::NonModal, 0),
+    g(310, Meaning::Skip, Group::NonModal, 0),
     g(400, Meaning::CutterOff, Group::Cutter, 7),
     g(430, Meaning::LengthPlus, Group::Length, 8),
     g(440, Meaning::LengthMinus, Group::Length, 8),
     g(490, Meaning::LengthOff, Group::Length, 8),
+    g(500, Meaning::ScalingOff, Group::Scaling, 12),
+    g(510, Meaning::ScalingOn, Group::Scaling, 12),
     g(530, Meaning::MachinePosition, Group::NonModal, 0),
     g(540, Meaning::WorkOffset(1), Group::WorkOffset, 5),
     g(550, Meaning::WorkOffset(2), Group::WorkOffset, 5),
@@ -35,19 +52,33 @@ pub static G_CODES: &[GCode] = &[
     g(570, Meaning::WorkOffset(4), Group::WorkOffset, 5),
     g(580, Meaning::WorkOffset(5), Group::WorkOffset, 5),
     g(590, Meaning::WorkOffset(6), Group::WorkOffset, 5),
+    g(600, Meaning::OneWay, Group::NonModal, 0),
+    g(610, Meaning::ExactStop, Group::PathControl, 14),
+    g(620, Meaning::CornerOverride, Group::PathControl, 14),
+    g(630, Meaning::TappingMode, Group::PathControl, 14),
+    g(640, Meaning::CuttingMode, Group::PathControl, 14),
+    g(680, Meaning::RotationOn, Group::Rotation, 13),
+    g(690, Meaning::RotationOff, Group::Rotation, 13),
     hole(730, Peck::ChipBreak, false, Retract::Rapid),
+    g(740, Meaning::Cycle(CycleKind::Tap { left: true }), Group::Cycle, 9),
+    g(760, Meaning::Cycle(CycleKind::FineBore), Group::Cycle, 9),
     g(800, Meaning::CycleOff, Group::Cycle, 9),
     hole(810, Peck::None, false, Retract::Rapid),
     hole(820, Peck::None, true, Retract::Rapid),
     hole(830, Peck::Clear, false, Retract::Rapid),
+    g(840, Meaning::Cycle(CycleKind::Tap { left: false }), Group::Cycle, 9),
     hole(850, Peck::None, false, Retract::Feed),
     hole(860, Peck::None, false, Retract::SpindleStopped),
+    g(870, Meaning::Cycle(CycleKind::BackBore), Group::Cycle, 9),
+    hole(880, Peck::None, true, Retract::ByHand),
     hole(890, Peck::None, true, Retract::Feed),
     g(900, Meaning::Absolute, Group::Distance, 3),
     g(910, Meaning::Incremental, Group::Distance, 3),
     g(920, Meaning::SetPosition, Group::NonModal, 0),
     g(940, Meaning::FeedPerMinute, Group::FeedMode, 4),
     g(950, Meaning::FeedPerRevolution, Group::FeedMode, 4),
+    g(960, Meaning::SurfaceSpeed, Group::SurfaceSpeed, 15),
+    g(970, Meaning::SpindleSpeed, Group::SurfaceSpeed, 15),
     g(980, Meaning::ReturnInitial, Group::Return, 10),
     g(990, Meaning::ReturnR, Group::Return, 10),
 ];
@@ -86,6 +117,8 @@ pub static M_CODES: &[MCode] = &[
     with(24, MFunction::Machine),
     with(26, MFunction::Machine),
     with(27, MFunction::Machine),
+    with(28, MFunction::RigidTappingOff),
+    with(29, MFunction::RigidTapping),
     after(30, MFunction::End),
     with(35, MFunction::Machine),
     with(36, MFunction::Machine),

@@ -1,10 +1,10 @@
 //! What the parameters set.
 
 use super::codes::{CYCLE_OFF, G_CODES};
-use crate::dialect::{GCode, Rules};
+use crate::dialect::{GCode, Rules, ScalingRules};
 use crate::modal::Modal;
 use ferrocut_geometry::Axis;
-use ferrocut_machine::Parameters;
+use ferrocut_machine::{ParameterKey, Parameters};
 
 /// Subprograms nested in the main program (3.2.2 note 3).
 const CALL_DEPTH: usize = 4;
@@ -40,6 +40,30 @@ pub fn rules(parameters: &Parameters) -> Rules {
         chip_break_retract: p(270),
         peck_clearance: p(271),
         peck_needs_depth: parameters.bit(43, 1),
+        // 42#5 chooses the axis, 42#4 the direction (4.4.6).
+        shift: (
+            if parameters.bit(42, 5) { Axis::Y } else { Axis::X },
+            if parameters.bit(42, 4) { -1.0 } else { 1.0 },
+        ),
+        rigid_tapping: parameters.bit(46, 1),
+        max_tapping_rpm: p(257),
+        peck_tapping_is_fast: parameters.bit(44, 5),
+        peck_tapping_retract: p(284),
+        scaling: ScalingRules {
+            enabled: parameters.bit(60, 5),
+            factors_by_axis: parameters.bit(47, 6),
+            factor: p(330),
+            axis_factors: [p(331), p(332), p(333)],
+            axes: [parameters.bit(47, 3), parameters.bit(47, 4), parameters.bit(47, 5)],
+        },
+        rotation_angle: p(329),
+        rotation_follows_g91: parameters.bit(47, 0),
+        one_way_overshoot: [p(335), p(336), p(337), p(338)],
+        one_way_dwell_s: p(334),
+        one_way_is_modal: parameters.bit(48, 0),
+        surface_speed: parameters.bit(61, 0),
+        // Table 4-7-1-1.
+        max_offset: 999.999,
         cycle_dwell: (p(281) / 1000.0, p(282) / 1000.0),
         cycle_needs_speed: true,
         axes: axis_order(parameters).into_iter().take(CONTROLLED_AXES).collect(),
@@ -58,6 +82,11 @@ fn axis_order(parameters: &Parameters) -> [Axis; 5] {
     let distinct = (0..5).all(|i| named[i].is_some() && !named[..i].contains(&named[i]));
     let standard = [Axis::X, Axis::Y, Axis::Z, Axis::A, Axis::B];
     if distinct { std::array::from_fn(|i| named[i].unwrap_or(standard[i])) } else { standard }
+}
+
+/// Parameters that G10 cannot set: the mode 0#7 and the unit of input 0#2 (4.2.7 notes 6 and 9).
+pub fn is_fixed(key: &ParameterKey) -> bool {
+    matches!(key, ParameterKey::Bit { number: 0, bit: 2 | 7 })
 }
 
 fn code(tenths: u16) -> &'static GCode {
@@ -84,6 +113,11 @@ pub fn power_on(parameters: &Parameters) -> Modal {
         490,
         800,
         980,
+        150,
+        500,
+        690,
+        640,
+        970,
     ];
     Modal::new(&CYCLE_OFF, codes.map(code))
 }

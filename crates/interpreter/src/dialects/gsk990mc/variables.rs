@@ -73,6 +73,9 @@ mod tests {
         assert_eq!(variable(5010), None);
         assert_eq!(variable(4030), Some(Variable::ModalWord(b'P')));
         assert_eq!(variable(200), None);
-        assert_eq!((argument(b'Q'), argument(b'Z'), argument(b'G'), argument(b'P')), (Some(17), Some(26), None, None));
+        assert_eq!(
+            (argument(b'Q'), argument(b'Z'), argument(b'G'), argument(b'P')),
+            (Some(17), Some(26), None, None)
+        );
     }
 }

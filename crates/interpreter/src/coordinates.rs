@@ -1,0 +1,242 @@
+//! Codes that change how a programmed point becomes a machine point: polar coordinates, scaling,
+//! rotation, work coordinate systems, G92.
+
+use crate::Fallible;
+use crate::dialect::Meaning;
+use crate::interpreter::Interpreter;
+use crate::modal::Group;
+use crate::stages::polar::{self, Polar};
+use crate::stages::rotation::Rotation;
+use crate::stages::scaling::Scaling;
+use crate::stages::work_offset::WorkSystem;
+use crate::stages::{distance, units};
+use crate::words::letters;
+use ferrocut_geometry::{Axis, AxisSet, Position};
+use ferrocut_machine::{Fault, WorkOffset};
+use ferrocut_program::Span;
+
+/// Smallest and largest factor of scaling (GSK990MC table 3-1-3-1, P330).
+const FACTOR: std::ops::RangeInclusive<f64> = 0.0001..=9999.9999;
+
+const CENTER_LETTERS: u32 = letters(b"IJK");
+
+impl Interpreter {
+    /// The programmed end point of the block.
+    #[inline]
+    pub(crate) fn end_point(&mut self, axes: AxisSet) -> Position {
+        let incremental = self.modal.is_incremental();
+        let inch = self.modal.is_inch();
+        let from = self.location.programmed;
+        let mut to = distance::end_point(&self.words, axes, from, incremental, inch);
+        if let Some(polar) = &mut self.location.polar {
+            let plane = self.modal.plane();
+            let (radius, angle) = polar::addresses(plane);
+            let radius = self.words.get(radius).map(|r| units::length_mm(r, inch));
+            let angle = self.words.get(angle);
+            if radius.is_some() || angle.is_some() {
+                let [a, b] = polar.point(plane.of(from), radius, angle, incremental);
+                to[plane.first()] = a;
+                to[plane.second()] = b;
+            }
+        }
+        to
+    }
+
+    /// G16 and G15.
+    pub(crate) fn polar(&mut self, meaning: Meaning) {
+        self.location.polar = match meaning {
+            Meaning::PolarOn => {
+                let here = self.modal.plane().of(self.location.programmed);
+                Some(Polar::new(here, self.modal.is_incremental()))
+            }
+            _ => None,
+        };
+    }
+
+    /// The given coordinates of a centre, the present point where they are not given. They are work
+    /// coordinates, also with G91 and in polar mode.
+    fn center(&self) -> Position {
+        let axes = self.words.axes(self.rules.axes);
+        distance::end_point(&self.words, axes, self.location.programmed, false, self.modal.is_inch())
+    }
+
+    /// G51 (GSK990MC 4.2.14).
+    pub(crate) fn scale(&mut self, span: Span) -> Fallible<()> {
+        if !self.rules.scaling.enabled {
+            return Err(self.alarm(Fault::ScalingDisabled, span));
+        }
+        let by_axis = match (self.words.has(b'P'), self.words.has_any(CENTER_LETTERS)) {
+            (true, false) => false,
+            (false, true) => true,
+            _ => self.rules.scaling.factors_by_axis,
+        };
+        let center = self.center();
+        let [x, y, z, ..] = center.0;
+        let mut factors = [1.0; 3];
+        for (index, letter) in (0..).zip([b'I', b'J', b'K']) {
+            let given = self.words.get(if by_axis { letter } else { b'P' });
+            let standard = match by_axis {
+                true => self.rules.scaling.axis_factors.get(index).copied().unwrap_or(1.0),
+                false => self.rules.scaling.factor,
+            };
+            let factor = given.unwrap_or(standard);
+            if !FACTOR.contains(&factor.abs()) {
+                return Err(self.alarm_at(Fault::ScaleFactor, if by_axis { letter } else { b'P' }));
+            }
+            let acts = self.rules.scaling.axes.get(index).copied().unwrap_or(false);
+            if let Some(slot) = factors.get_mut(index).filter(|_| acts) {
+                *slot = factor;
+            }
+        }
+        self.location.scaling = Some(Scaling { center: [x, y, z], factors });
+        Ok(())
+    }
+
+    /// G50: the tool stands where it stands.
+    pub(crate) fn scale_off(&mut self) {
+        if self.location.scaling.take().is_some() {
+            self.location.take_machine();
+        }
+    }
+
+    /// G68 (GSK990MC 4.2.15).
+    pub(crate) fn rotate(&mut self) {
+        let plane = self.modal.plane();
+        let center = self.center();
+        // The centre is scaled too, the angle is not.
+        let center = plane.of(self.location.scaling.map_or(center, |scaling| scaling.apply(center)));
+        let given = self.words.get(b'R').unwrap_or(self.rules.rotation_angle);
+        let adds = self.rules.rotation_follows_g91 && self.modal.is_incremental();
+        let before = self.location.rotation.map_or(0.0, |rotation| rotation.degrees);
+        let degrees = if adds { before + given } else { given };
+        // One axis mirrored in the plane turns the other way round (4.2.14 note 2).
+        let mirrored = self.location.scaling.is_some_and(|scaling| scaling.reverses(plane));
+        let degrees = if mirrored && !adds { -degrees } else { degrees };
+        self.location.rotation = Some(Rotation { plane, center, degrees });
+    }
+
+    /// G69: the tool stands where it stands.
+    pub(crate) fn rotate_off(&mut self) {
+        if self.location.rotation.take().is_some() {
+            self.location.take_machine();
+        }
+    }
+
+    /// Codes of reference points and coordinate systems are not allowed while scaling, rotation or
+    /// polar coordinates are in force.
+    pub(crate) fn refuse_in_transform(&self, span: Span) -> Fallible<()> {
+        let location = &self.location;
+        if location.scaling.is_some() {
+            return Err(self.alarm(Fault::CodeInScaling, span));
+        }
+        if location.rotation.is_some() {
+            return Err(self.alarm(Fault::CodeInRotation, span));
+        }
+        if location.polar.is_some() {
+            return Err(self.alarm(Fault::CodeInPolar, span));
+        }
+        Ok(())
+    }
+
+    /// G54 to G59 and G54 P.
+    pub(crate) fn select_work_offset(&mut self, meaning: Meaning, span: Span) -> Fallible<()> {
+        let Meaning::WorkOffset(standard) = meaning else { return Ok(()) };
+        self.refuse_in_transform(span)?;
+        let name = match self.words.get(b'P') {
+            Some(number) if standard == 1 => {
+                self.words.take(b'P');
+                if !(1.0..=f64::from(u16::MAX)).contains(&number) || number.fract() != 0.0 {
+                    return Err(self.alarm(Fault::WorkOffsetNumber, span));
+                }
+                WorkOffset::Additional(number as u16)
+            }
+            _ => WorkOffset::Standard(standard),
+        };
+        let Some(system) = WorkSystem::select(name, &self.memory.work) else {
+            return Err(self.alarm(Fault::WorkOffsetNumber, span));
+        };
+        self.location.work = system;
+        // The axes stand still; their coordinates are those of the new system (GSK990MC 4.2.8).
+        self.location.take_machine();
+        Ok(())
+    }
+
+    /// G92 (GSK990MC 4.2.11): the point where the tool stands, tool length left aside, gets the given
+    /// coordinates.
+    pub(crate) fn set_position(&mut self, axes: AxisSet) {
+        if axes.is_empty() {
+            return;
+        }
+        let location = &mut self.location;
+        let here = distance::end_point(&self.words, axes, location.programmed, false, self.modal.is_inch());
+        let at = location.machine - location.length.vector;
+        location.work = location.work.set_position(at, here, axes);
+        location.take_machine();
+    }
+
+    /// G53 (GSK990MC 4.2.10): rapid to a machine position, tool length left aside. With G91 the block
+    /// does nothing, as on Fanuc.
+    pub(crate) fn machine_position(&mut self, axes: AxisSet) -> Fallible<()> {
+        if self.modal.is_incremental() {
+            return Ok(());
+        }
+        let machine = self.location.machine;
+        let to = distance::end_point(&self.words, axes, machine, false, self.modal.is_inch());
+        self.rapid_machine(to)?;
+        self.location.take_machine();
+        Ok(())
+    }
+
+    /// Scaling leaves the tool axis of a canned cycle alone (GSK990MC 4.2.14 limit 1, 4.4 note 2): from
+    /// here to [`scale_tool_axis_again`](Self::scale_tool_axis_again) the factor of Z is 1.
+    pub(crate) fn leave_tool_axis_unscaled(&mut self) {
+        if let Some(scaling) = &mut self.location.scaling {
+            let [.., z] = &mut scaling.factors;
+            if *z != 1.0 {
+                self.cycle.z_factor = Some(*z);
+                *z = 1.0;
+                self.location.take_machine();
+            }
+        }
+    }
+
+    /// Puts the factor of Z back.
+    pub(crate) fn scale_tool_axis_again(&mut self) {
+        if let Some(factor) = self.cycle.z_factor.take()
+            && let Some(scaling) = &mut self.location.scaling
+        {
+            let [.., z] = &mut scaling.factors;
+            *z = factor;
+            self.location.take_machine();
+        }
+    }
+
+    /// Whether a plane change must be refused, and with which rule.
+    pub(crate) fn plane_change_fault(&self) -> Option<Fault> {
+        if self.cycle.is_active() {
+            return Some(Fault::PlaneInCycle);
+        }
+        if self.location.rotation.is_some() {
+            return Some(Fault::PlaneInRotation);
+        }
+        self.location.polar.map(|_| Fault::CodeInPolar)
+    }
+
+    /// The tool axis of cycles and of tool length method A.
+    pub(crate) fn length_axis(&self) -> Axis {
+        match self.rules.length_on_plane_normal {
+            true => self.modal.plane().normal(),
+            false => Axis::Z,
+        }
+    }
+
+    /// Whether any transformation beyond offsets is in force.
+    pub(crate) fn is_transformed(&self) -> bool {
+        self.location.scaling.is_some() || self.location.rotation.is_some()
+    }
+
+    /// Whether the group's code in force is this one.
+    pub(crate) fn in_force(&self, group: Group, meaning: Meaning) -> bool {
+        self.modal.meaning(group) == meaning
+    }
+}

@@ -1,0 +1,70 @@
+//! Borings that move the stopped, oriented tool aside (GSK990MC 4.4.6, 4.4.9).
+//!
+//! The axis and direction of the move aside are parameters (42#4, 42#5); rotation does not turn them
+//! (4.4.9 note).
+
+use crate::Fallible;
+use crate::interpreter::Interpreter;
+use ferrocut_machine::Fault;
+use ferrocut_toolpath::{Op, SpindleState};
+
+impl Interpreter {
+    /// G76: feeds down, pauses, orients, moves aside, leaves at rapid, moves back.
+    pub(super) fn fine_bore(&mut self) -> Fallible<()> {
+        let Some((r, z)) = self.levels()? else { return Ok(()) };
+        if z >= r {
+            return Err(self.level_alarm(Fault::CycleDepthAboveR));
+        }
+        self.position_over_hole()?;
+        self.rapid_z(r)?;
+        self.cut_z(z)?;
+        self.cycle_dwell();
+        let turning = self.orient();
+        self.shift(1.0)?;
+        self.rapid_z(self.top(r))?;
+        self.shift(-1.0)?;
+        self.spindle(turning);
+        Ok(())
+    }
+
+    /// G87: orients and moves aside above the hole, passes through it to R, which is the bottom, and
+    /// cuts upwards to Z. It always returns to the initial level.
+    pub(super) fn back_bore(&mut self) -> Fallible<()> {
+        let Some((r, z)) = self.levels()? else { return Ok(()) };
+        if z <= r {
+            return Err(self.level_alarm(Fault::CycleDepthBelowR));
+        }
+        self.position_over_hole()?;
+        let turning = self.orient();
+        self.shift(1.0)?;
+        self.rapid_z(r)?;
+        self.shift(-1.0)?;
+        self.spindle(turning);
+        self.cut_z(z)?;
+        self.cycle_dwell();
+        let turning = self.orient();
+        self.shift(1.0)?;
+        self.rapid_z(self.cycle.initial)?;
+        self.shift(-1.0)?;
+        self.spindle(turning);
+        Ok(())
+    }
+
+    /// Stops the spindle at its angle; what it was doing is returned.
+    fn orient(&mut self) -> SpindleState {
+        let turning = self.technology.spindle;
+        self.technology.spindle = SpindleState::Off;
+        self.emit(Op::Orient(0.0));
+        turning
+    }
+
+    /// Moves aside by Q, or back. The programmed point stays over the hole.
+    fn shift(&mut self, sense: f64) -> Fallible<()> {
+        let (axis, direction) = self.rules.shift;
+        let mut to = self.location.machine;
+        to[axis] += sense * direction * self.cycle.q.unwrap_or(0.0);
+        self.rapid_machine(to)?;
+        self.location.take_machine();
+        Ok(())
+    }
+}

@@ -1,0 +1,147 @@
+//! Reference points G27 to G30, skip G31, one-way positioning G60.
+
+use crate::Fallible;
+use crate::interpreter::Interpreter;
+use crate::stages::units;
+use ferrocut_geometry::{AxisSet, Position, SAME_POINT_MM};
+use ferrocut_machine::Fault;
+use ferrocut_program::Span;
+use ferrocut_toolpath::{Dwell, Op};
+
+/// The intermediate points that G28 and G30 leave behind for G29.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub(crate) struct Intermediate {
+    /// Coordinates in the work coordinate system in force (GSK990MC 4.3.1 example: they follow a
+    /// change of it).
+    point: Position,
+    /// Axes that the last G28 or G30 named.
+    axes: AxisSet,
+}
+
+impl Interpreter {
+    /// G28, or G30 to point `number` (1 is the first): through the intermediate point.
+    pub(crate) fn reference_return(&mut self, axes: AxisSet, number: usize) -> Fallible<()> {
+        let span = self.words.block_span();
+        if axes.is_empty() {
+            return Err(self.alarm(Fault::ReferenceWithoutAxis, span));
+        }
+        let through = self.end_point(axes);
+        for axis in axes.iter() {
+            self.intermediate.point[axis] = through[axis];
+        }
+        self.intermediate.axes = axes;
+        self.rapid(through)?;
+        let points = &self.memory.reference_points;
+        let reference = points.get(number.saturating_sub(1)).copied().unwrap_or_default();
+        let mut to = self.location.machine;
+        for axis in axes.iter() {
+            to[axis] = reference[axis];
+        }
+        self.rapid_machine(to)?;
+        // G28 ends tool length compensation by itself (4.3.1).
+        if axes.iter().any(|axis| self.location.length.vector[axis] != 0.0) {
+            self.location.length.cancel();
+            self.modal.set(self.dialect.length_off);
+        }
+        self.location.take_machine();
+        self.emit(Op::Home(axes));
+        Ok(())
+    }
+
+    /// G30 Pn.
+    pub(crate) fn further_reference_return(&mut self, axes: AxisSet) -> Fallible<()> {
+        let number = self.words.get(b'P').unwrap_or(2.0);
+        if !(2.0..=4.0).contains(&number) || number.fract() != 0.0 {
+            return Err(self.alarm_at(Fault::ReferenceNumber, b'P'));
+        }
+        self.reference_return(axes, number as usize)
+    }
+
+    /// G29: back through the intermediate point (GSK990MC 4.3.3).
+    pub(crate) fn return_from_reference(&mut self, axes: AxisSet) -> Fallible<()> {
+        let known = self.intermediate;
+        let mut through = self.location.programmed;
+        for axis in known.axes.iter().chain(axes.iter()) {
+            through[axis] = known.point[axis];
+        }
+        self.rapid(through)?;
+        // An incremental target counts from the intermediate point, where the tool now stands.
+        let to = self.end_point(axes);
+        self.rapid(to)
+    }
+
+    /// G27: rapid to a machine position, which must be the reference point (GSK990MC 4.3.4).
+    pub(crate) fn reference_check(&mut self, axes: AxisSet) -> Fallible<()> {
+        let span = self.words.block_span();
+        if axes.is_empty() {
+            return Err(self.alarm(Fault::ReferenceWithoutAxis, span));
+        }
+        let inch = self.modal.is_inch();
+        let incremental = self.modal.is_incremental();
+        let mut to = self.location.machine;
+        for axis in axes.iter() {
+            let Some(value) = self.words.get(axis.letter() as u8) else { continue };
+            let value = units::coordinate(axis, value, inch);
+            // Compensation in force counts (4.3.4, 3).
+            to[axis] = if incremental { to[axis] + value } else { value + self.location.length.vector[axis] };
+        }
+        self.rapid_machine(to)?;
+        self.location.take_machine();
+        let reference = self.memory.reference_points.first().copied().unwrap_or_default();
+        match axes.iter().find(|axis| (to[*axis] - reference[*axis]).abs() > SAME_POINT_MM) {
+            None => Ok(()),
+            Some(axis) => {
+                let mut alarm = self.alarm_at(Fault::NotAtReference, axis.letter() as u8);
+                alarm.arguments.push(("axis", axis.letter().to_string().into()));
+                Err(alarm)
+            }
+        }
+    }
+
+    /// G31: a straight cut that ends where the skip signal comes (GSK990MC 4.2.16).
+    pub(crate) fn skip(&mut self, axes: AxisSet, span: Span) -> Fallible<()> {
+        if self.is_transformed() || self.location.polar.is_some() {
+            return Err(self.alarm(Fault::SkipInTransform, span));
+        }
+        let feed = self.feed()?;
+        let to = self.end_point(axes);
+        let from = self.location.machine;
+        let aim = self.location.machine_of(to);
+        self.check_reach(aim)?;
+        // Where the simulated signal comes on the way, as a fraction of it.
+        let at = self.options.skip.and_then(|(axis, at)| {
+            let t = (at - from[axis]) / (aim[axis] - from[axis]);
+            (0.0..=1.0).contains(&t).then_some(t)
+        });
+        let reached = at.map_or(aim, |t| from.lerp(aim, t));
+        self.location.machine = reached;
+        self.location.take_machine();
+        if at.is_some() {
+            self.location.skip = reached - self.location.work.shift;
+        }
+        if reached != from || at.is_some() {
+            self.emit(Op::Skip { to: reached, feed, hit: at.is_some() });
+        }
+        Ok(())
+    }
+
+    /// G60: the end point is always reached from one side (GSK990MC 4.2.6).
+    pub(crate) fn position_one_way(&mut self, axes: AxisSet) -> Fallible<()> {
+        let to = self.end_point(axes);
+        let mut beyond = self.location.machine_of(to);
+        let mut overshoots = false;
+        for axis in axes.iter() {
+            let index = self.rules.axis_order.iter().position(|a| *a == axis);
+            let overshoot = index.and_then(|i| self.rules.one_way_overshoot.get(i)).copied().unwrap_or(0.0);
+            beyond[axis] -= overshoot;
+            overshoots |= overshoot != 0.0;
+        }
+        if overshoots {
+            self.rapid_machine(beyond)?;
+            if self.rules.one_way_dwell_s > 0.0 {
+                self.emit(Op::Dwell(Dwell::Seconds(self.rules.one_way_dwell_s)));
+            }
+        }
+        self.rapid(to)
+    }
+}

@@ -1,0 +1,51 @@
+//! Stage polar: G15 and G16 (GSK990MC 4.2.13).
+//!
+//! The plane's first address is a radius, its second an angle. With G90 the radius is measured from the
+//! work zero, with G91 from the present point; an angle of G91 is added to the last one.
+
+use crate::stages::rotation::sin_cos_degrees;
+use ferrocut_geometry::Plane;
+
+/// Polar coordinates in force.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Polar {
+    pole: [f64; 2],
+    radius: f64,
+    degrees: f64,
+}
+
+impl Polar {
+    /// G16 where the tool stands at `here` in the plane.
+    pub fn new(here: [f64; 2], incremental: bool) -> Polar {
+        if incremental {
+            return Polar { pole: here, radius: 0.0, degrees: 0.0 };
+        }
+        // A first block that names only one of the two takes the other from where the tool stands.
+        let degrees = if here == [0.0, 0.0] { 0.0 } else { here[1].atan2(here[0]).to_degrees() };
+        Polar { pole: [0.0, 0.0], radius: here[0].hypot(here[1]), degrees }
+    }
+
+    /// The point in the plane that a block's radius (mm) and angle (degrees) make.
+    pub fn point(
+        &mut self,
+        here: [f64; 2],
+        radius: Option<f64>,
+        angle: Option<f64>,
+        incremental: bool,
+    ) -> [f64; 2] {
+        if let Some(radius) = radius {
+            self.pole = if incremental { here } else { [0.0, 0.0] };
+            self.radius = radius;
+        }
+        if let Some(angle) = angle {
+            self.degrees = if incremental { self.degrees + angle } else { angle };
+        }
+        let (sin, cos) = sin_cos_degrees(self.degrees);
+        [self.pole[0] + self.radius * cos, self.pole[1] + self.radius * sin]
+    }
+}
+
+/// The addresses of radius and angle in a plane.
+pub fn addresses(plane: Plane) -> (u8, u8) {
+    (plane.first().letter() as u8, plane.second().letter() as u8)
+}

@@ -1,0 +1,112 @@
+//! Runs programs and writes their steps in short lines that a table can hold.
+#![allow(dead_code, missing_docs, clippy::unwrap_used, clippy::panic)]
+
+use ferrocut_geometry::{Axis, Position};
+use ferrocut_interpreter::{Interpreter, Options, dialects};
+use ferrocut_machine::{Alarm, Memory, Setup};
+use ferrocut_program::{ProgramMemory, Text};
+use ferrocut_toolpath::{Dwell, Feed, Op, SpindleState, Step};
+use std::fmt::Write;
+
+/// An interpreter before the first block of `program`, on the GSK990MC with a set-up file's text.
+pub fn interpreter(program: &[u8], setup: &str, options: Options) -> Option<Interpreter> {
+    let dialect = &dialects::gsk990mc::DIALECT;
+    let text = Text::from_bytes(program.to_vec()).ok()?;
+    let programs = ProgramMemory::new("test.nc", text, dialect.syntax);
+    let setup = Setup::from_toml(setup).unwrap();
+    let mut memory = Memory::new(dialect.name);
+    setup.apply(&mut memory).unwrap();
+    let options = Options {
+        start: setup.start.position(),
+        block_skip: options.block_skip || setup.options.block_skip,
+        optional_stop: options.optional_stop || setup.options.optional_stop,
+        ..options
+    };
+    Some(Interpreter::new(dialect, programs, memory, options))
+}
+
+/// Steps beyond which a program of a test is taken as running away.
+pub const RUNS_AWAY: usize = 1_000_000;
+
+/// The steps of a program to its end or its first alarm.
+pub fn run(program: &str, setup: &str) -> (Vec<Step>, Option<Alarm>) {
+    let mut interpreter = interpreter(program.as_bytes(), setup, Options::default()).unwrap();
+    let mut steps = Vec::new();
+    for step in &mut interpreter {
+        match step {
+            Ok(step) => steps.push(step),
+            Err(alarm) => return (steps, Some(*alarm)),
+        }
+        assert!(steps.len() < RUNS_AWAY, "{program}: runs away");
+    }
+    (steps, None)
+}
+
+/// The steps of a program that raises no alarm, in short lines.
+pub fn lines(program: &str, setup: &str) -> Vec<String> {
+    let (steps, alarm) = run(program, setup);
+    assert_eq!(alarm, None, "{program}");
+    let start = Setup::from_toml(setup).unwrap().start.position();
+    short(&steps, start)
+}
+
+/// Steps as lines such as `feed X10 Z-5 F300`, naming the axes whose machine coordinate changed.
+pub fn short(steps: &[Step], start: Position) -> Vec<String> {
+    let mut at = start;
+    let mut out = Vec::new();
+    for step in steps {
+        let mut line = match &step.op {
+            Op::Rapid { .. } => "rapid".to_owned(),
+            Op::Feed { .. } => "feed".to_owned(),
+            Op::Arc { plane, .. } => plane.name().to_owned(),
+            Op::Dwell(Dwell::Seconds(s)) => format!("dwell {}s", round(*s)),
+            Op::Dwell(Dwell::Revolutions(r)) => format!("dwell {}rev", round(*r)),
+            Op::Spindle(SpindleState::Off) => "spindle off".to_owned(),
+            Op::Spindle(SpindleState::Clockwise(rpm)) => format!("spindle cw {rpm}"),
+            Op::Spindle(SpindleState::CounterClockwise(rpm)) => format!("spindle ccw {rpm}"),
+            Op::Coolant(on) => format!("coolant {}", if *on { "on" } else { "off" }),
+            Op::Select(t) => format!("select {t}"),
+            Op::Change(t) => format!("change {t}"),
+            Op::Machine(code) => format!("M{code}"),
+            Op::Orient(deg) => format!("orient {deg}"),
+            Op::Stop(code) => format!("stop M{code:02}"),
+            Op::End(code) => format!("end M{code:02}"),
+            other => format!("{other:?}"),
+        };
+        if let Some(to) = step.op.target() {
+            for axis in Axis::ALL {
+                if (to[axis] - at[axis]).abs() > 1e-9 {
+                    write!(line, " {}{}", axis.letter(), round(to[axis])).unwrap();
+                }
+            }
+            at = *to;
+        }
+        if let Op::Arc { center, sweep, .. } = &step.op {
+            let [a, b] = center.map(round);
+            write!(line, " about {a} {b} by {}", round(sweep.to_degrees())).unwrap();
+        }
+        match &step.op {
+            Op::Feed { feed, .. } | Op::Arc { feed, .. } => match feed {
+                Feed::PerMinute(f) => write!(line, " F{}", round(*f)).unwrap(),
+                Feed::PerRevolution(f) => write!(line, " {}/rev", round(*f)).unwrap(),
+                Feed::Duration(s) => write!(line, " in {}s", round(*s)).unwrap(),
+            },
+            _ => {}
+        }
+        out.push(line);
+    }
+    out
+}
+
+/// A tenth of a micrometre, a ten-thousandth of a degree: what the manual's figures are good for.
+fn round(v: f64) -> f64 {
+    let rounded = (v * 1e4).round() / 1e4;
+    // -0 is 0.
+    rounded + 0.0
+}
+
+/// The piece of `program` that an alarm is about.
+pub fn at_fault<'a>(program: &'a str, alarm: &Alarm) -> &'a str {
+    let start = usize::try_from(alarm.span.offset).unwrap();
+    &program[start..start + alarm.span.len as usize]
+}

@@ -1,0 +1,278 @@
+//! What holds for every input: no panic, no hang, bounded memory, finite steps, alarms that point into
+//! the text. In test builds overflow is a panic too.
+#![allow(missing_docs)]
+
+mod common;
+
+use ferrocut_interpreter::{Interpreter, Options};
+use ferrocut_machine::{Alarm, Fault};
+use ferrocut_toolpath::{Dwell, Feed, Op, SpindleState, Step};
+use proptest::prelude::*;
+use std::time::{Duration, Instant};
+
+/// Steps and alarms read of one program. A program may be meant to run for ever.
+const ENOUGH: usize = 2_000;
+
+/// Longest time that a program may take for that; work that grows without bound takes more. Generous,
+/// so that a busy machine fails nothing.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+fn finite(op: &Op) -> bool {
+    let feed_is_good = |feed: &Feed| match *feed {
+        Feed::PerMinute(f) | Feed::PerRevolution(f) | Feed::Duration(f) => f.is_finite() && f > 0.0,
+    };
+    let target = op.target().is_none_or(|to| to.is_finite());
+    target
+        && match op {
+            Op::Feed { feed, .. } | Op::Skip { feed, .. } => feed_is_good(feed),
+            Op::Arc { center, sweep, feed, .. } => {
+                center.iter().all(|c| c.is_finite())
+                    && sweep.is_finite()
+                    && *sweep != 0.0
+                    && feed_is_good(feed)
+            }
+            Op::Tap { pitch, rpm, .. } => pitch.is_finite() && rpm.is_finite(),
+            Op::Dwell(Dwell::Seconds(t) | Dwell::Revolutions(t)) => t.is_finite() && *t > 0.0,
+            Op::Spindle(SpindleState::Clockwise(rpm) | SpindleState::CounterClockwise(rpm)) => {
+                rpm.is_finite() && *rpm >= 0.0
+            }
+            Op::Orient(deg) => deg.is_finite(),
+            _ => true,
+        }
+}
+
+/// An arc's end lies on its circle, as far as the control's tolerance lets it leave it.
+fn arc_is_round(step: &Step, interpreter: &Interpreter, from: ferrocut_geometry::Position) -> bool {
+    let Some(arc) = step.op.arc(from) else { return true };
+    let radius = |p: ferrocut_geometry::Position| {
+        let [a, b] = arc.plane.of(p);
+        (a - arc.center[0]).hypot(b - arc.center[1])
+    };
+    let (start, end) = (radius(arc.start), radius(arc.end));
+    // Large coordinates leave fewer digits.
+    let digits = 1e-9 * (1.0 + start.abs() + end.abs() + arc.center[0].abs() + arc.center[1].abs());
+    (start - end).abs() <= interpreter.rules().arc_tolerance + 1e-5 + digits
+}
+
+fn points_into(text: &[u8], alarm: &Alarm) -> bool {
+    let span = alarm.span;
+    // A text without a single block has no line to show.
+    let has_line = span.line >= 1 || span.len == 0 && alarm.fault == Fault::NoProgramEnd;
+    has_line && span.offset + u64::from(span.len) <= text.len() as u64
+}
+
+/// Reads a program to its end, or enough of it, and holds every rule against it.
+fn holds(text: &[u8], options: Options) {
+    // A picture is refused before: nothing to interpret.
+    let Some(mut interpreter) = common::interpreter(text, "", options) else { return };
+    let shown = String::from_utf8_lossy(text).into_owned();
+    let began = Instant::now();
+    let mut at = interpreter.position();
+    let mut alarms = 0;
+    for _ in 0..ENOUGH {
+        match interpreter.next() {
+            None => {
+                assert!(interpreter.next().is_none(), "goes on behind the end: {shown}");
+                break;
+            }
+            Some(Ok(step)) => {
+                assert!(alarms == 0 || options.keep_going, "goes on behind an alarm: {shown}");
+                assert!(finite(&step.op), "{:?} of {shown}", step.op);
+                // Behind an alarm a checker takes the point as reached where the faulty block was to end.
+                assert!(alarms > 0 || arc_is_round(&step, &interpreter, at), "{:?} of {shown}", step.op);
+                at = step.op.target().copied().unwrap_or(at);
+            }
+            Some(Err(alarm)) => {
+                assert!(points_into(text, &alarm), "{alarm:?} of {shown}");
+                alarms += 1;
+            }
+        }
+    }
+    assert!(began.elapsed() < PATIENCE, "{:?} for {shown}", began.elapsed());
+}
+
+fn holds_every_way(text: &[u8]) {
+    let options = Options::default();
+    holds(text, options);
+    holds(text, Options { keep_going: true, block_skip: true, optional_stop: true, ..options });
+}
+
+/// Addresses with a value from the whole range and beyond, in the forms that people write.
+fn word() -> impl Strategy<Value = String> {
+    let known_g = prop::sample::select(vec![
+        0, 1, 2, 3, 4, 10, 15, 16, 17, 18, 19, 20, 21, 28, 29, 30, 31, 40, 43, 44, 49, 50, 51, 53, 54, 55,
+        59, 60, 61, 63, 64, 65, 68, 69, 73, 80, 81, 82, 83, 84, 85, 86, 89, 90, 91, 92, 94, 95, 98, 99,
+    ]);
+    let known_m = prop::sample::select(vec![0, 1, 2, 3, 4, 5, 6, 8, 9, 19, 30, 98, 99]);
+    let value = prop_oneof![
+        6 => (-200i32..200).prop_map(|v| format!("{v}")),
+        4 => (-99_999_999i64..99_999_999).prop_map(|v| format!("{}.{:03}", v / 1000, (v % 1000).abs())),
+        1 => (-99_999i32..99_999).prop_map(|v| format!("{v}.")),
+        1 => any::<f64>().prop_filter("written", |v| v.is_finite() && v.abs() < 1e30).prop_map(|v| format!("{v}")),
+        1 => prop::sample::select(vec!["0", "-0.", ".5", "+1", "99999999", "-99999999", "", "-", "."])
+            .prop_map(str::to_owned),
+        1 => (0u32..40).prop_map(|n| format!("#{n}")),
+        1 => (-50i32..50, 1i32..9).prop_map(|(a, b)| format!("[{a}/{b}*SIN[{a}]]")),
+    ];
+    let letter = prop::sample::select(b"XYZXYZXYZABIJKRRFSTHDPQLKE".to_vec());
+    prop_oneof![
+        4 => known_g.prop_map(|g| format!("G{g}")),
+        1 => (0u32..1200).prop_map(|g| format!("G{}.{}", g / 10, g % 10)),
+        2 => known_m.prop_map(|m| format!("M{m}")),
+        1 => (0u32..70_000).prop_map(|m| format!("M{m}")),
+        12 => (letter, value).prop_map(|(l, v)| format!("{}{v}", l as char)),
+    ]
+}
+
+fn block() -> impl Strategy<Value = String> {
+    let words = || prop::collection::vec(word(), 1..7).prop_map(|w| w.join(" "));
+    prop_oneof![
+        20 => words(),
+        2 => (1u32..5, 0u32..4).prop_map(|(p, l)| format!("M98 P{p} L{l}")),
+        1 => (1u32..5).prop_map(|o| format!("O{o}")),
+        1 => (1u32..40, -9i32..9).prop_map(|(n, v)| format!("#{n}=#{n}+{v}")),
+        1 => (1u32..9).prop_map(|n| format!("N{n} G91")),
+        1 => words().prop_map(|w| format!("/{w}")),
+        1 => Just("%".to_owned()),
+        2 => Just("S500 M3 G90 G54".to_owned()),
+    ]
+}
+
+fn program() -> impl Strategy<Value = String> {
+    let end =
+        prop::sample::select(vec!["M30\n", "M99\n", "", "M30\nO1\nG91 X1\nM99\nO2\nM98 P1 L3\nM2\n%\n"]);
+    (prop::collection::vec(block(), 1..16), end).prop_map(|(b, end)| format!("{}\n{end}", b.join("\n")))
+}
+
+/// The example programs, cut to a size at which a change is likely to be met.
+fn examples() -> Vec<Vec<u8>> {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/gsk990mc");
+    let mut paths: Vec<_> = std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
+    paths.retain(|p| p.extension().is_some_and(|e| e == "nc"));
+    paths.sort();
+    assert!(paths.len() >= 6, "the examples are in {folder}");
+    let cut = |path: &std::path::PathBuf| {
+        let mut bytes = std::fs::read(path).unwrap();
+        bytes.truncate(4000);
+        bytes
+    };
+    paths.iter().map(cut).collect()
+}
+
+/// An example with some bytes changed, put in and taken out, and blocks exchanged.
+fn mutated() -> impl Strategy<Value = Vec<u8>> {
+    let change = (any::<prop::sample::Index>(), 0..6u8, any::<u8>(), any::<prop::sample::Index>());
+    (prop::sample::select(examples()), prop::collection::vec(change, 1..24)).prop_map(|(text, changes)| {
+        let mut text = text;
+        for (at, kind, byte, other) in changes {
+            if text.is_empty() {
+                break;
+            }
+            let at = at.index(text.len());
+            match kind {
+                0 => text[at] = byte,
+                1 => text.insert(at, byte),
+                2 => drop(text.remove(at)),
+                3 => text[at] = b"0123456789.-XYZRIJKGM#[]"[usize::from(byte) % 24],
+                4 => text.insert(at, b"\n;[](#-+./%O"[usize::from(byte) % 12]),
+                _ => {
+                    let mut lines: Vec<&[u8]> = text.split(|b| *b == b'\n').collect();
+                    let (a, b) = (at % lines.len(), other.index(lines.len()));
+                    lines.swap(a, b);
+                    text = lines.join(&b'\n');
+                }
+            }
+        }
+        text
+    })
+}
+
+fn cases(cases: u32) -> ProptestConfig {
+    // Failing inputs are printed; nothing is written into the tree.
+    ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
+}
+
+proptest! {
+    #![proptest_config(cases(4000))]
+
+    #[test]
+    fn random_bytes(text in prop::collection::vec(any::<u8>(), 0..400)) {
+        holds_every_way(&text);
+    }
+
+    #[test]
+    fn random_text(text in "[A-Z0-9.# \\-+*/\\[\\]()=;\n%]{0,300}") {
+        holds_every_way(text.as_bytes());
+    }
+
+    #[test]
+    fn random_words(text in program()) {
+        holds_every_way(text.as_bytes());
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(1500))]
+
+    #[test]
+    fn mutated_examples(text in mutated()) {
+        holds_every_way(&text);
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(300))]
+
+    /// A move and its way back end where they began, whatever the units and the system.
+    #[test]
+    fn incremental_ways_there_and_back_meet(
+        ways in prop::collection::vec((-9000i32..9000, -9000i32..9000, -9000i32..9000), 1..20),
+        head in prop::sample::select(vec!["G21", "G20", "G55", "G92 X5 Y7", "G43 H1"]),
+    ) {
+        let there: Vec<String> = ways.iter().map(|(x, y, z)| way(*x, *y, *z)).collect();
+        let back: Vec<String> = ways.iter().rev().map(|(x, y, z)| way(-x, -y, -z)).collect();
+        let program = format!("{head}\nG1 F1000 G91\n{}\n{}\nM30\n", there.join("\n"), back.join("\n"));
+        let (steps, alarm) = common::run(&program, "[tools.1]\nlength = 12.5\n[work_offsets]\nG55 = { x = 3 }");
+        prop_assert_eq!(alarm, None);
+        let targets: Vec<_> = steps.iter().filter_map(|s| s.op.target()).collect();
+        let first = match head { "G43 H1" => 12.5, _ => 0.0 };
+        if let Some(last) = targets.last() {
+            prop_assert!((last.0[0].abs() + last.0[1].abs() + (last.0[2] - first).abs()) < 1e-6, "{:?}", last);
+        }
+    }
+}
+
+fn way(x: i32, y: i32, z: i32) -> String {
+    let mm = |v: i32| f64::from(v) / 100.0;
+    format!("X{} Y{} Z{}", mm(x), mm(y), mm(z))
+}
+
+fn ends_with(program: &str, fault: Fault) {
+    let began = Instant::now();
+    let mut interpreter = common::interpreter(program.as_bytes(), "", Options::default()).unwrap();
+    let alarm = interpreter.by_ref().find_map(Result::err);
+    assert_eq!(alarm.map(|a| a.fault), Some(fault), "{program}");
+    assert!(interpreter.next().is_none());
+    assert!(began.elapsed() < PATIENCE, "{program}");
+}
+
+#[test]
+fn endless_programs_end_in_an_alarm() {
+    // A program that calls itself, two that call each other, with and without steps between.
+    ends_with("O1\nM98 P1\nM30\n", Fault::CallsTooDeep);
+    ends_with("O1\nX1\nM98 P1\nM30\n", Fault::CallsTooDeep);
+    ends_with("O1\nM98 P2\nM30\nO2\nG91 X1\nM98 P3\nM99\nO3\nM98 P2\nM99\n", Fault::CallsTooDeep);
+    // Repeats of repeats without a step: 9999^4 passes.
+    let calls: String = (1..4).map(|n| format!("O{n}\nM98 P{} L9999\nM99\n", n + 1)).collect();
+    ends_with(&format!("M98 P1 L9999\nM30\n{calls}O4\nM99\n"), Fault::EndlessProgram);
+    // A main program that repeats and never comes back to a state it had.
+    ends_with("O1\nG91 G0 X0.001\nM99\n", Fault::EndlessProgram);
+}
+
+#[test]
+fn a_repeated_cycle_takes_no_memory_for_its_repeats() {
+    // 99 999 holes with 9 999 pecks each: given out one by one.
+    let program = b"S100 M3\nG91 G99 G83 X0.1 Z-99.99 R0 Q0.01 K99999 F10\nM30\n";
+    let interpreter = common::interpreter(program, "", Options::default()).unwrap();
+    assert_eq!(interpreter.take(100_000).filter(Result::is_ok).count(), 100_000);
+}
