@@ -142,6 +142,9 @@ impl Interpreter {
     pub(crate) fn select_work_offset(&mut self, meaning: Meaning, span: Span) -> Fallible<()> {
         let Meaning::WorkOffset(standard) = meaning else { return Ok(()) };
         self.refuse_in_transform(span)?;
+        if self.output.in_cutter_mode() {
+            return Err(self.alarm(Fault::WorkOffsetInCutter, span));
+        }
         let name = match self.words.get(b'P') {
             Some(number) if standard == 1 => {
                 self.words.take(b'P');
@@ -182,6 +185,7 @@ impl Interpreter {
         }
         let machine = self.location.machine;
         let to = distance::end_point(&self.words, axes, machine, false, self.modal.is_inch());
+        self.output.suspend_cutter();
         self.rapid_machine(to)?;
         self.location.take_machine();
         Ok(())
@@ -215,6 +219,9 @@ impl Interpreter {
     pub(crate) fn plane_change_fault(&self) -> Option<Fault> {
         if self.cycle.is_active() {
             return Some(Fault::PlaneInCycle);
+        }
+        if self.output.in_cutter_mode() {
+            return Some(Fault::PlaneInCutter);
         }
         if self.location.rotation.is_some() {
             return Some(Fault::PlaneInRotation);

@@ -141,6 +141,7 @@ impl Interpreter {
             return Err(alarm);
         }
         self.rules = (self.dialect.rules)(&self.memory.parameters);
+        self.output.set_rules(self.rules.cutter);
         self.variable_writes += 1;
         self.work_zero_changed();
         Ok(())

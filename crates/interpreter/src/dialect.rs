@@ -7,6 +7,7 @@
 use crate::cycles::CycleKind;
 use crate::evaluate::Angles;
 use crate::modal::{Group, Modal};
+use crate::stages::cutter;
 use ferrocut_geometry::{Axis, AxisSet, Plane};
 use ferrocut_machine::{Fault, ParameterKey, Parameters, WorkOffset};
 use ferrocut_program::Syntax;
@@ -32,6 +33,12 @@ pub enum Meaning {
     Metric,
     /// Cutter compensation off.
     CutterOff,
+    /// Cutter compensation, tool left of the path.
+    CutterLeft,
+    /// Cutter compensation, tool right of the path.
+    CutterRight,
+    /// Arc about a corner in cutter compensation.
+    CornerArc,
     /// Polar coordinates off.
     PolarOff,
     /// Polar coordinates on.
@@ -263,6 +270,12 @@ pub struct Rules {
     /// Distance that the tool is moved aside by the sign of its shift in boring (G76, G87): axis and
     /// direction.
     pub shift: (Axis, f64),
+    /// Cutter compensation.
+    pub cutter: cutter::Rules,
+    /// Radius offsets are entered as diameters.
+    pub radius_is_diameter: bool,
+    /// Arcs about corners are fitted (G39).
+    pub corner_arc: bool,
     /// Rigid tapping is fitted (needs M29 before the cycle).
     pub rigid_tapping: bool,
     /// Highest spindle speed of tapping, r/min.

@@ -5,12 +5,13 @@ use crate::Fallible;
 use crate::dialect::{GCode, MCode, MFunction, Meaning};
 use crate::interpreter::Interpreter;
 use crate::modal::Group;
+use crate::stages::cutter::{Offset, Side};
 use crate::stages::units;
 use crate::words::{Code, Reader};
 use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_program::{Block, DefectKind, Page, ProgramId, Span, Value as WordValue};
-use ferrocut_toolpath::{Dwell, Op, Speed, SpindleState};
+use ferrocut_toolpath::{Dwell, Op, Speed, SpindleState, Step};
 use smallvec::SmallVec;
 
 /// What the codes of a block ask for beyond the modal state.
@@ -20,6 +21,8 @@ struct Codes {
     non_modal: Option<Code<GCode>>,
     /// The code of tool length compensation, if there is one.
     length: Option<Meaning>,
+    /// Whether there is a code of cutter compensation.
+    cutter: bool,
     /// Codes of scaling and rotation, to be carried out after the others.
     transforms: SmallVec<[Code<GCode>; 2]>,
     /// Whether one of them sets a transformation.
@@ -33,6 +36,7 @@ impl Interpreter {
             return Ok(());
         }
         self.words.start(page, block);
+        self.output.start_block();
         if block.is_mark {
             self.ended = true;
             return Err(self.alarm(Fault::EndMarkReached, page.block_span(block)));
@@ -152,8 +156,8 @@ impl Interpreter {
             self.technology.tool = tool as u32;
             self.emit(Op::Select(tool as u32));
         }
-        if let Some(number) = self.words.get(b'D') {
-            self.technology.radius_number = number;
+        if codes.cutter || self.words.has(b'D') {
+            self.cutter_words(codes.cutter)?;
         }
         self.m_functions(false)?;
         match codes.non_modal {
@@ -188,6 +192,10 @@ impl Interpreter {
                     self.modal.set(row);
                 }
                 Group::Cycle => cycle = Some(row),
+                Group::Cutter => {
+                    codes.cutter = true;
+                    self.modal.set(row);
+                }
                 Group::Length => {
                     codes.length = Some(row.meaning);
                     self.modal.set(row);
@@ -328,6 +336,49 @@ impl Interpreter {
         let changed = self.location.length.vector[axis] != value;
         self.location.length.set(axis, value);
         changed
+    }
+
+    /// G40, G41, G42 and D (GSK990MC 4.7.2).
+    fn cutter_words(&mut self, code: bool) -> Fallible<()> {
+        if let Some(number) = self.words.get(b'D') {
+            self.technology.radius_number = number;
+        }
+        let side = match self.modal.meaning(Group::Cutter) {
+            Meaning::CutterLeft => Side::Left,
+            Meaning::CutterRight => Side::Right,
+            _ if code => return self.cancel_cutter(),
+            _ => return Ok(()),
+        };
+        let Some(row) = self.memory.tools.get(self.technology.radius_number as u16) else {
+            return Err(self.alarm_at(Fault::OffsetNumber, b'D'));
+        };
+        let entered = row.radius + row.radius_wear;
+        let radius = if self.rules.radius_is_diameter { entered / 2.0 } else { entered };
+        // D00 is no compensation.
+        let offset = (self.technology.radius_number != 0.0).then_some(Offset { side, radius });
+        self.output.set_cutter(self.modal.plane(), offset);
+        Ok(())
+    }
+
+    /// G40. In a block that does not move in the plane the last move ends square to itself.
+    fn cancel_cutter(&mut self) -> Fallible<()> {
+        let plane = self.modal.plane();
+        let moves = [plane.first(), plane.second()].into_iter().any(|a| self.words.has(a.letter() as u8));
+        if !moves && self.output.in_cutter_mode() {
+            self.output.flush().map_err(|(fault, span)| self.alarm(fault, span))?;
+        }
+        self.output.set_cutter(plane, None);
+        Ok(())
+    }
+
+    /// G39 (GSK990MC 4.7.4).
+    fn corner_arc(&mut self, span: Span) -> Fallible<()> {
+        if !self.rules.corner_arc || !self.output.in_cutter_mode() {
+            return Err(self.alarm(Fault::CornerArcForm, span));
+        }
+        let op = Op::Feed { to: self.location.machine, feed: self.feed()?, path: self.path_mode() };
+        let step = Step { op, span: self.words.block_span() };
+        self.output.corner_arc(step).map_err(|(fault, span)| self.alarm(fault, span))
     }
 
     /// F: feed in force until the next one. Feed per minute is held within the control's limits
@@ -541,7 +592,9 @@ impl Interpreter {
             Meaning::ReferenceReturn => self.reference_return(axes, 1),
             Meaning::FurtherReferenceReturn => self.further_reference_return(axes),
             Meaning::ReturnFromReference => self.return_from_reference(axes),
+            Meaning::Skip if self.output.in_cutter_mode() => Err(self.alarm(Fault::SkipInCutter, span)),
             Meaning::Skip => self.skip(axes, span),
+            Meaning::CornerArc => self.corner_arc(span),
             Meaning::OneWay => self.position_one_way(axes),
             Meaning::DataSetting => self.set_data(axes, span),
             _ => Ok(()),
@@ -577,6 +630,7 @@ impl Interpreter {
             if to.is_finite() {
                 self.location.programmed = to;
                 self.location.machine = self.location.machine_of(to);
+                self.output.jump_to(self.location.machine);
             }
         }
         for at in 0..self.words.m.len() {

@@ -12,6 +12,7 @@ use crate::dialect::{Dialect, Rules};
 use crate::evaluate::Evaluator;
 use crate::flow::Flow;
 use crate::modal::Modal;
+use crate::output::Output;
 use crate::reference::Intermediate;
 use crate::stages::polar::Polar;
 use crate::stages::rotation::Rotation;
@@ -22,7 +23,7 @@ use crate::words::{self, Tables, Words};
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_machine::{Alarm, Fault, Memory};
 use ferrocut_program::{ProgramMemory, Span, lexer};
-use ferrocut_toolpath::{Op, SpindleState, Step};
+use ferrocut_toolpath::{SpindleState, Step};
 use std::collections::VecDeque;
 
 /// How the operator's switches stand, and what the steps are for.
@@ -156,7 +157,7 @@ pub struct Interpreter {
     pub(crate) variable_writes: u64,
     pub(crate) pass_state: Option<Fingerprint>,
     pub(crate) ended: bool,
-    queue: VecDeque<Step>,
+    pub(crate) output: Output,
     alarms: VecDeque<Box<Alarm>>,
 }
 
@@ -198,6 +199,7 @@ impl Interpreter {
             sequence: None,
             program: 0.0,
         };
+        let output = Output::new(rules.cutter, options.start);
         Interpreter {
             tables: Tables::new(dialect),
             evaluator: Evaluator::new(dialect.angles),
@@ -218,7 +220,7 @@ impl Interpreter {
             variable_writes: 0,
             pass_state: None,
             ended: false,
-            queue: VecDeque::with_capacity(64),
+            output,
             alarms: VecDeque::new(),
         }
     }
@@ -273,11 +275,13 @@ impl Interpreter {
         self.alarms.push_back(alarm);
     }
 
-    /// Gives out a step of the block being executed.
-    #[inline]
-    pub(crate) fn emit(&mut self, op: Op) {
-        self.flow.got_on();
-        self.queue.push_back(Step { op, span: self.words.block_span() });
+    /// An alarm ends the run: the moves before the block at fault are given out first.
+    fn stop_by(&mut self, alarm: Box<Alarm>) {
+        if !self.options.keep_going {
+            // What cannot be handed out any more is no second fault.
+            let _ = self.output.flush();
+        }
+        self.alarms.push_back(alarm);
     }
 
     pub(crate) fn fingerprint(&self) -> Fingerprint {
@@ -296,7 +300,7 @@ impl Iterator for Interpreter {
     #[inline]
     fn next(&mut self) -> Option<Fallible<Step>> {
         loop {
-            if let Some(step) = self.queue.pop_front() {
+            if let Some(step) = self.output.pop() {
                 return Some(Ok(step));
             }
             if let Some(alarm) = self.alarms.pop_front() {
@@ -311,12 +315,12 @@ impl Iterator for Interpreter {
             }
             if self.has_holes_left() {
                 if let Err(alarm) = self.next_hole() {
-                    self.alarms.push_back(alarm);
+                    self.stop_by(alarm);
                 }
                 continue;
             }
             if let Err(alarm) = self.run_block() {
-                self.alarms.push_back(alarm);
+                self.stop_by(alarm);
             }
         }
     }

@@ -25,6 +25,7 @@ pub mod interpreter;
 mod macros;
 pub mod modal;
 pub mod motion;
+mod output;
 mod reference;
 pub mod stages;
 pub mod words;

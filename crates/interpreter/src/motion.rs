@@ -4,6 +4,7 @@ use crate::Fallible;
 use crate::dialect::Meaning;
 use crate::interpreter::Interpreter;
 use crate::modal::Group;
+use crate::stages::corner::{CornerKind, CornerRequest};
 use crate::stages::units;
 use crate::words::letters;
 use ferrocut_geometry::{Arc, Axis, AxisSet, Plane, Position, RadiusError, SAME_POINT_MM, Turn};
@@ -41,12 +42,28 @@ impl Interpreter {
             }
             _ => {}
         }
+        self.corner_word()?;
         let to = self.end_point(axes);
         match turn {
             Some(turn) => self.arc(to, axes, turn),
             None if motion == Meaning::Rapid => self.rapid(to),
             None => self.cut(to),
         }
+    }
+
+    /// `,L` and `,R` (GSK990MC 4.2.18): a negative value is taken as positive.
+    fn corner_word(&mut self) -> Fallible<()> {
+        let Some((letter, value, span)) = self.words.comma else { return Ok(()) };
+        let kind = match letter {
+            b'L' => CornerKind::Chamfer,
+            b'R' => CornerKind::Round,
+            _ => return Err(self.alarm(Fault::CornerForm, span)),
+        };
+        let size = units::length_mm(value, self.modal.is_inch()).abs();
+        if size > 0.0 {
+            self.output.request_corner(CornerRequest { kind, size, plane: self.modal.plane(), span });
+        }
+        Ok(())
     }
 
     /// Positions to a programmed point.

@@ -30,6 +30,7 @@ impl Interpreter {
             self.intermediate.point[axis] = through[axis];
         }
         self.intermediate.axes = axes;
+        self.output.suspend_cutter();
         self.rapid(through)?;
         let points = &self.memory.reference_points;
         let reference = points.get(number.saturating_sub(1)).copied().unwrap_or_default();
@@ -37,6 +38,7 @@ impl Interpreter {
         for axis in axes.iter() {
             to[axis] = reference[axis];
         }
+        self.output.suspend_cutter();
         self.rapid_machine(to)?;
         // G28 ends tool length compensation by itself (4.3.1).
         if axes.iter().any(|axis| self.location.length.vector[axis] != 0.0) {

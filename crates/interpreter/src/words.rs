@@ -45,6 +45,8 @@ pub(crate) struct Words {
     pub m: Vec<Code<MCode>>,
     /// Number of the N word, if there is one.
     pub sequence: Option<f64>,
+    /// A word with a comma before it: letter, value, span.
+    pub comma: Option<(u8, f64, Span)>,
     block: Span,
     page_offset: u64,
 }
@@ -62,6 +64,7 @@ impl Words {
             g: Vec::with_capacity(MAX_CODES),
             m: Vec::with_capacity(MAX_CODES),
             sequence: None,
+            comma: None,
             block: Span::default(),
             page_offset: 0,
         }
@@ -74,6 +77,7 @@ impl Words {
         self.g.clear();
         self.m.clear();
         self.sequence = None;
+        self.comma = None;
         self.block = page.block_span(block);
         self.page_offset = page.offset;
     }
@@ -167,6 +171,10 @@ impl Reader<'_> {
     /// Puts one word with its value into `words`.
     #[inline]
     pub(crate) fn word(&self, words: &mut Words, word: &Word, value: f64) -> Fallible<()> {
+        if word.has_comma() {
+            words.comma = Some((word.letter, value, self.page.word_span(self.block, word)));
+            return Ok(());
+        }
         match word.letter {
             b'G' => self.g_word(words, word, value),
             b'M' => self.m_word(words, word, value),

@@ -100,6 +100,14 @@ faults! {
     CoordinateTooLarge = 308,
     /// A feed that is zero, negative or beyond the control's range.
     FeedOutOfRange = 309,
+    /// A chamfer or corner arc that is written wrongly.
+    CornerForm = 310,
+    /// A chamfer or corner arc without a cutting move behind it.
+    CornerWithoutMove = 311,
+    /// A chamfer or corner arc longer than the moves beside it.
+    CornerTooLong = 312,
+    /// A chamfer or corner arc beside a move out of the plane.
+    CornerPlane = 313,
 
     // 400: offsets and coordinate systems
     /// An offset number beyond the table.
@@ -148,6 +156,26 @@ faults! {
     ParameterFixed = 422,
     /// A command while parameters are being set.
     CommandInDataSetting = 423,
+    /// Cutter compensation: the offsets of two blocks do not cross.
+    CutterNoIntersection = 424,
+    /// Cutter compensation started or cancelled by an arc.
+    CutterStartInArc = 425,
+    /// Skip in cutter compensation.
+    SkipInCutter = 426,
+    /// Plane changed in cutter compensation.
+    PlaneInCutter = 427,
+    /// Cutter compensation: an arc's end falls on its centre.
+    CutterArcCenter = 428,
+    /// Work coordinate system changed in cutter compensation.
+    WorkOffsetInCutter = 429,
+    /// Cutter compensation would cut into the part.
+    CutterInterference = 430,
+    /// Cutter compensation: too many blocks without motion.
+    CutterIdleBlocks = 431,
+    /// An arc about a corner outside cutter compensation, or not fitted.
+    CornerArcForm = 432,
+    /// Cutter compensation: a block runs exactly back.
+    CutterReversal = 433,
 
     // 500: canned cycles
     /// A cycle in a plane that it does not work in.

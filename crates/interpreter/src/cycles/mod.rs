@@ -261,6 +261,8 @@ impl Interpreter {
     fn position_over_hole(&mut self) -> Fallible<()> {
         let axes: AxisSet = self.words.axes(self.rules.axes).iter().filter(|a| *a != Axis::Z).collect();
         let to = self.end_point(axes);
+        // Cutter compensation is left aside in cycles (GSK990MC 4.4 limits).
+        self.output.suspend_cutter();
         self.rapid(to)?;
         // From here on the tool length of this block counts: it is taken up on the way to R.
         if let Some(LengthChange(code)) = self.cycle.length.take() {

@@ -1,11 +1,13 @@
 //! The stages a programmed point passes on its way to the axes, in this order, one file each:
 //!
 //! `words → polar → inch/metric → absolute/incremental → scaling and mirror → rotation → work offset →
-//! tool length → machine axes`
+//! chamfer and corner rounding → cutter radius compensation → tool length → machine axes`
 //!
 //! The first, [`words`](crate::words), is shared by everything a block says. Inch/metric stands inside
 //! polar and absolute/incremental, because an angle has no inch.
 
+pub mod corner;
+pub mod cutter;
 pub mod distance;
 pub mod polar;
 pub mod rotation;

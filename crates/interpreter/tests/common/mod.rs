@@ -5,7 +5,7 @@ use ferrocut_geometry::{Axis, Position};
 use ferrocut_interpreter::{Interpreter, Options, dialects};
 use ferrocut_machine::{Alarm, Memory, Setup};
 use ferrocut_program::{ProgramMemory, Text};
-use ferrocut_toolpath::{Dwell, Feed, Op, SpindleState, Step};
+use ferrocut_toolpath::{Dwell, Feed, Op, Step, TraceWriter};
 use std::fmt::Write;
 
 /// An interpreter before the first block of `program`, on the GSK990MC with a set-up file's text.
@@ -61,9 +61,7 @@ pub fn short(steps: &[Step], start: Position) -> Vec<String> {
             Op::Arc { plane, .. } => plane.name().to_owned(),
             Op::Dwell(Dwell::Seconds(s)) => format!("dwell {}s", round(*s)),
             Op::Dwell(Dwell::Revolutions(r)) => format!("dwell {}rev", round(*r)),
-            Op::Spindle(SpindleState::Off) => "spindle off".to_owned(),
-            Op::Spindle(SpindleState::Clockwise(rpm)) => format!("spindle cw {rpm}"),
-            Op::Spindle(SpindleState::CounterClockwise(rpm)) => format!("spindle ccw {rpm}"),
+            Op::Spindle(_) => spindle(step),
             Op::Coolant(on) => format!("coolant {}", if *on { "on" } else { "off" }),
             Op::Select(t) => format!("select {t}"),
             Op::Change(t) => format!("change {t}"),
@@ -96,6 +94,23 @@ pub fn short(steps: &[Step], start: Position) -> Vec<String> {
         out.push(line);
     }
     out
+}
+
+/// `spindle cw 1000`, from the trace, which says what a speed comes to.
+fn spindle(step: &Step) -> String {
+    let mut json = Vec::new();
+    let mut trace = TraceWriter::new(&mut json, Position::ZERO);
+    trace.step(step).unwrap();
+    trace.finish().unwrap();
+    let json = String::from_utf8(json).unwrap();
+    let value = |key: &str| {
+        let rest = json.split_once(&format!("\"{key}\":")).unwrap_or_else(|| panic!("no {key} in {json}")).1;
+        rest.split([',', '}']).next().unwrap_or_default().trim_matches('"').to_owned()
+    };
+    match value("dir").as_str() {
+        "off" => "spindle off".to_owned(),
+        dir => format!("spindle {dir} {}", value("rpm")),
+    }
 }
 
 /// A tenth of a micrometre, a ten-thousandth of a degree: what the manual's figures are good for.

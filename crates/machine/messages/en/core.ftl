@@ -328,3 +328,45 @@ FC-0508 = The spindle speed is missing or too high for tapping
 
 FC-0509 = Rigid tapping is called while a cycle is active
     .help = Cancel the cycle with G80 before M29.
+
+FC-0310 = The chamfer or corner arc is written wrongly
+    .help = Put ,L or ,R with a length at the end of a G01, G02 or G03 block.
+
+FC-0311 = The move behind the chamfer or corner arc is missing
+    .help = Let a G01, G02 or G03 move follow at once.
+
+FC-0312 = The chamfer or corner arc is longer than the moves beside it
+    .help = Make it smaller, or the moves longer.
+
+FC-0313 = A move beside the chamfer or corner arc leaves the plane
+    .help = Move only the two axes of the plane.
+
+FC-0424 = Cutter compensation finds no crossing of two blocks
+    .help = Use a smaller tool, or larger moves at this corner.
+
+FC-0425 = Cutter compensation is started or cancelled by an arc
+    .help = Start and cancel it on a G00 or G01 move.
+
+FC-0426 = The skip function does not work in cutter compensation
+    .help = Cancel compensation with G40 first.
+
+FC-0427 = The plane cannot be changed in cutter compensation
+    .help = Cancel compensation with G40 first.
+
+FC-0428 = An arc's end falls on its centre in cutter compensation
+    .help = Use a smaller tool or a larger arc.
+
+FC-0429 = The work coordinate system cannot be changed in cutter compensation
+    .help = Cancel compensation with G40 first.
+
+FC-0430 = The tool would cut into the part
+    .help = Use a smaller tool, or open the corner or the arc.
+
+FC-0431 = Too many blocks without motion in cutter compensation
+    .help = Move these blocks before G41 or behind G40.
+
+FC-0432 = An arc about a corner stands outside cutter compensation
+    .help = Use G39 only between G41 or G42 and G40.
+
+FC-0433 = A block runs exactly back in cutter compensation
+    .help = Do not reverse the path within compensation.

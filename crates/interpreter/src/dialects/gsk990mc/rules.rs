@@ -3,6 +3,7 @@
 use super::codes::{CYCLE_OFF, G_CODES};
 use crate::dialect::{GCode, Rules, ScalingRules};
 use crate::modal::Modal;
+use crate::stages::cutter;
 use ferrocut_geometry::Axis;
 use ferrocut_machine::{ParameterKey, Parameters};
 
@@ -45,6 +46,14 @@ pub fn rules(parameters: &Parameters) -> Rules {
             if parameters.bit(42, 5) { Axis::Y } else { Axis::X },
             if parameters.bit(42, 4) { -1.0 } else { 1.0 },
         ),
+        cutter: cutter::Rules {
+            start_up: if parameters.bit(40, 0) { cutter::StartUp::B } else { cutter::StartUp::A },
+            interference: parameters.bit(41, 6),
+            corner_limit: p(266).max(cutter::Rules::default().corner_limit),
+            ..cutter::Rules::default()
+        },
+        radius_is_diameter: parameters.bit(40, 7),
+        corner_arc: parameters.bit(41, 5),
         rigid_tapping: parameters.bit(46, 1),
         max_tapping_rpm: p(257),
         peck_tapping_is_fast: parameters.bit(44, 5),

@@ -1,0 +1,260 @@
+//! The end of the stages: steps on machine axes through the two that look ahead, corner rounding and
+//! cutter compensation, into the queue that the iterator gives out.
+//!
+//! Work offset and tool length shift a path as a whole, so that the two stages, which stand before tool
+//! length in the order of the stages, may work on machine coordinates. While neither is in use a step
+//! goes straight into the queue.
+
+use crate::interpreter::Interpreter;
+use crate::stages::corner::{Corner, CornerRequest, Refused};
+use crate::stages::cutter::{self, Compensator, Offset, Out, PlaneMove, Shape};
+use ferrocut_geometry::{Axis, Plane, Position};
+use ferrocut_machine::Fault;
+use ferrocut_program::Span;
+use ferrocut_toolpath::{FeedAlong, Op, Step};
+use std::collections::VecDeque;
+
+/// The stages that look ahead, and the queue behind them.
+pub(crate) struct Output {
+    queue: VecDeque<Step>,
+    corner: Corner,
+    cutter: Compensator<Step>,
+    /// What the block asks to be put behind its move.
+    request: Option<CornerRequest>,
+    /// Plane of cutter compensation.
+    plane: Plane,
+    /// Compensation programmed.
+    offset: Option<Offset>,
+    /// End of the programmed path.
+    path_end: Position,
+    /// Where the axes are commanded to be, compensation included.
+    actual: Position,
+    /// A stage has refused a move: what the block still makes is left out.
+    refused: bool,
+}
+
+impl Output {
+    pub(crate) fn new(rules: cutter::Rules, start: Position) -> Output {
+        Output {
+            queue: VecDeque::with_capacity(64),
+            corner: Corner::default(),
+            cutter: Compensator::new(rules),
+            request: None,
+            plane: Plane::Xy,
+            offset: None,
+            path_end: start,
+            actual: start,
+            refused: false,
+        }
+    }
+
+    /// The next step to be given out.
+    #[inline]
+    pub(crate) fn pop(&mut self) -> Option<Step> {
+        self.queue.pop_front()
+    }
+
+    /// Whether steps pass by the stages.
+    #[inline]
+    fn is_direct(&self) -> bool {
+        self.request.is_none() && self.offset.is_none() && self.corner.is_empty() && !self.cutter.in_mode()
+    }
+
+    /// Begins a block.
+    #[inline]
+    pub(crate) fn start_block(&mut self) {
+        self.refused = false;
+    }
+
+    /// Whether cutter compensation is in force or on its way out.
+    pub(crate) fn in_cutter_mode(&self) -> bool {
+        self.offset.is_some() || self.cutter.in_mode()
+    }
+
+    /// Takes a step.
+    #[inline]
+    pub(crate) fn push(&mut self, step: Step) -> Result<(), Refused> {
+        if self.is_direct() {
+            if let Some(to) = step.op.target() {
+                self.path_end = *to;
+                self.actual = *to;
+            }
+            self.queue.push_back(step);
+            return Ok(());
+        }
+        if self.refused {
+            return Ok(());
+        }
+        let done = self.push_through(step);
+        self.refused |= done.is_err();
+        done
+    }
+
+    /// Asks for a chamfer or arc behind the next move.
+    pub(crate) fn request_corner(&mut self, request: CornerRequest) {
+        self.request = Some(request);
+    }
+
+    fn push_through(&mut self, step: Step) -> Result<(), Refused> {
+        let ends = matches!(step.op, Op::End(_));
+        let Some(to) = step.op.target().copied() else {
+            if let Some(refused) = self.corner.interrupted() {
+                self.corner.release();
+                return Err(refused);
+            }
+            if ends {
+                self.flush()?;
+            }
+            return self.compensate(self.path_end, step);
+        };
+        let from = self.path_end;
+        self.path_end = to;
+        let mut pieces: Vec<(Position, Step)> = Vec::new();
+        self.corner.push(from, step, self.request.take(), |from, step| pieces.push((from, step)))?;
+        for (from, step) in pieces {
+            self.compensate(from, step)?;
+        }
+        Ok(())
+    }
+
+    /// A step through cutter compensation.
+    fn compensate(&mut self, from: Position, step: Step) -> Result<(), Refused> {
+        let plane = self.plane;
+        let (queue, actual) = (&mut self.queue, &mut self.actual);
+        let mut out = |out: Out<Step>| deliver(out, plane, queue, actual);
+        let done = match plane_move(plane, from, &step.op) {
+            Some(m) => self.cutter.push(m, step, &mut out),
+            None => self.cutter.pass(step, true, &mut out),
+        };
+        done.map_err(|refused| (fault_of(refused.fault), refused.at.span))
+    }
+
+    /// Puts compensation in force from the next move on; `None` cancels it.
+    pub(crate) fn set_cutter(&mut self, plane: Plane, offset: Option<Offset>) {
+        if !self.in_cutter_mode() {
+            self.plane = plane;
+        }
+        self.offset = offset;
+        self.cutter.set(offset);
+    }
+
+    /// The next move runs without compensation, the one after it starts up again.
+    pub(crate) fn suspend_cutter(&mut self) {
+        if self.in_cutter_mode() {
+            self.cutter.suspend();
+        }
+    }
+
+    /// G39: an arc about the corner. `step` is a cut to the corner itself, for its feed.
+    pub(crate) fn corner_arc(&mut self, step: Step) -> Result<(), Refused> {
+        self.cutter.corner_arc(step).map_err(|refused| (fault_of(refused.fault), refused.at.span))
+    }
+
+    /// Hands out what the stages hold.
+    pub(crate) fn flush(&mut self) -> Result<(), Refused> {
+        if let Some((from, step)) = self.corner.release() {
+            self.compensate(from, step)?;
+        }
+        let plane = self.plane;
+        let (queue, actual) = (&mut self.queue, &mut self.actual);
+        let done = self.cutter.flush(&mut |out| deliver(out, plane, queue, actual));
+        done.map_err(|refused| (fault_of(refused.fault), refused.at.span))
+    }
+
+    /// The parameters behind the rules of compensation changed.
+    pub(crate) fn set_rules(&mut self, rules: cutter::Rules) {
+        self.cutter.set_rules(rules);
+    }
+
+    /// A checker goes on from another point than the last move's end.
+    pub(crate) fn jump_to(&mut self, at: Position) {
+        self.path_end = at;
+        if self.is_direct() {
+            self.actual = at;
+        }
+    }
+}
+
+/// The move as one of the plane; `None` if nothing moves in it.
+fn plane_move(plane: Plane, from: Position, op: &Op) -> Option<PlaneMove> {
+    let (start, end) = (plane.of(from), plane.of(*op.target()?));
+    let shape = match *op {
+        Op::Arc { plane: own, center, sweep, .. } if own == plane => Shape::Arc { center, sweep },
+        Op::Rapid { .. } | Op::Feed { .. } if start != end => Shape::Line,
+        _ => return None,
+    };
+    Some(PlaneMove { from: start, to: end, shape })
+}
+
+/// Puts what comes out of compensation into the queue.
+fn deliver(out: Out<Step>, plane: Plane, queue: &mut VecDeque<Step>, actual: &mut Position) {
+    let (mut step, place, shape) = match out {
+        Out::Move { to, shape, payload, .. } => (payload, to, Some(shape)),
+        Out::Other(step) => (step, plane.of(*actual), None),
+    };
+    let Some(programmed) = step.op.target() else {
+        queue.push_back(step);
+        return;
+    };
+    let mut to = *programmed;
+    to[plane.first()] = place[0];
+    to[plane.second()] = place[1];
+    step.op = with_shape(step.op, to, plane, shape);
+    let stays = Axis::ALL.into_iter().all(|axis| to[axis] == actual[axis]);
+    if stays && !matches!(step.op, Op::Arc { .. }) {
+        return;
+    }
+    *actual = to;
+    queue.push_back(step);
+}
+
+/// The same move to another end and in another shape.
+fn with_shape(op: Op, to: Position, plane: Plane, shape: Option<Shape>) -> Op {
+    match (op, shape) {
+        (Op::Rapid { straight, .. }, _) => Op::Rapid { to, straight },
+        (Op::Feed { feed, path, .. } | Op::Arc { feed, path, .. }, Some(Shape::Line)) => {
+            Op::Feed { to, feed, path }
+        }
+        (Op::Arc { feed, feed_along, path, .. }, Some(Shape::Arc { center, sweep })) => {
+            Op::Arc { to, plane, center, sweep, feed, feed_along, path }
+        }
+        (Op::Feed { feed, path, .. }, Some(Shape::Arc { center, sweep })) => {
+            Op::Arc { to, plane, center, sweep, feed, feed_along: FeedAlong::Path, path }
+        }
+        (Op::Feed { feed, path, .. }, None) => Op::Feed { to, feed, path },
+        (Op::Tap { pitch, rpm, .. }, _) => Op::Tap { to, pitch, rpm },
+        (Op::Skip { feed, hit, .. }, _) => Op::Skip { to, feed, hit },
+        (op, _) => op,
+    }
+}
+
+fn fault_of(fault: cutter::Fault) -> Fault {
+    match fault {
+        cutter::Fault::NoIntersection => Fault::CutterNoIntersection,
+        cutter::Fault::StartOrCancelInArc => Fault::CutterStartInArc,
+        cutter::Fault::ArcCenterOvercut => Fault::CutterArcCenter,
+        cutter::Fault::Interference => Fault::CutterInterference,
+        cutter::Fault::TooManyIdleBlocks => Fault::CutterIdleBlocks,
+        cutter::Fault::CornerArcOutsideMode => Fault::CornerArcForm,
+        cutter::Fault::Reversal => Fault::CutterReversal,
+        cutter::Fault::NotFinite => Fault::CoordinateTooLarge,
+    }
+}
+
+impl Interpreter {
+    /// Gives out a step of the block being executed.
+    #[inline]
+    pub(crate) fn emit(&mut self, op: Op) {
+        self.flow.got_on();
+        let step = Step { op, span: self.words.block_span() };
+        if let Err(refused) = self.output.push(step) {
+            self.refuse(refused);
+        }
+    }
+
+    /// Raises the alarm of a stage that looks ahead. It may concern an earlier block.
+    pub(crate) fn refuse(&mut self, (fault, span): (Fault, Span)) {
+        let alarm = self.alarm(fault, span);
+        self.note(alarm);
+    }
+}
