@@ -98,7 +98,10 @@ pub fn text(report: &Report, machine: &Machine, diagnostics: &Diagnostics) -> St
     let tools: Vec<String> = report
         .tools()
         .map(|(tool, seconds)| {
-            let name = diagnostics.catalogue().label("label-tool", &[("tool", f64::from(tool).into())]);
+            let name = match tool {
+                0 => label("label-no-tool"),
+                _ => diagnostics.catalogue().label("label-tool", &[("tool", f64::from(tool).into())]),
+            };
             format!("{name} {}", clock(seconds))
         })
         .collect();

@@ -65,7 +65,10 @@ fn check(shop: &Shop, path: &Path, colour: bool) -> Findings {
     while let Some(step) = interpreter.next() {
         match step {
             Ok(step) => supervisor.step(&step, |alarm| pending.push(alarm)),
-            Err(alarm) => pending.push(*alarm),
+            Err(alarm) => {
+                supervisor.moved_to(interpreter.position());
+                pending.push(*alarm);
+            }
         }
         for mut alarm in pending.drain(..) {
             found.count += 1;
@@ -97,7 +100,7 @@ pub fn point_at_word(alarm: &mut Alarm, interpreter: &Interpreter) {
         _ => None,
     });
     let letter = match alarm.fault {
-        Fault::SoftLimit => axis,
+        Fault::SoftLimit | Fault::UnknownAxis => axis,
         Fault::ToolMissing => Some(b'T'),
         Fault::SpindleTooFast => Some(b'S'),
         _ => None,

@@ -18,6 +18,7 @@ label-parts = parts
 label-tool = T{ $tool }
 label-by-tool = by tool
 label-no-moves = no moves
+label-no-tool = no tool
 label-stopped = stopped by { $code }; cycle start goes on
 label-press-enter = press Enter for cycle start
 label-ended-by-alarm = stopped by an alarm; what was done until then:

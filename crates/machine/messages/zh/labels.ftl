@@ -18,6 +18,7 @@ label-parts = 件数
 label-tool = T{ $tool }
 label-by-tool = 各刀具
 label-no-moves = 无移动
+label-no-tool = 无刀具
 label-stopped = { $code } 停止；按循环启动继续
 label-press-enter = 按回车键作循环启动
 label-ended-by-alarm = 因报警停止；此前已完成：
