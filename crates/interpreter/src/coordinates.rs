@@ -217,6 +217,9 @@ impl Interpreter {
 
     /// Whether a plane change must be refused, and with which rule.
     pub(crate) fn plane_change_fault(&self) -> Option<Fault> {
+        if self.technology.rigid_tapping {
+            return Some(Fault::PlaneInRigidTapping);
+        }
         if self.cycle.is_active() {
             return Some(Fault::PlaneInCycle);
         }

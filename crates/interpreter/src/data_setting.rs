@@ -25,6 +25,9 @@ impl Interpreter {
         if self.words.g.len() > 1 {
             return Err(self.alarm(Fault::NeedsOwnBlock, span));
         }
+        if self.is_transformed() || self.location.polar.is_some() {
+            return Err(self.alarm(Fault::OffsetInTransform, span));
+        }
         let form = self.words.get(b'L');
         match form.map(|l| l as i64) {
             Some(2) => {

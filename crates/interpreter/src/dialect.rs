@@ -8,6 +8,7 @@ use crate::cycles::CycleKind;
 use crate::evaluate::Angles;
 use crate::modal::{Group, Modal};
 use crate::stages::cutter;
+use crate::stroke::StrokeRules;
 use ferrocut_geometry::{Axis, AxisSet, Plane};
 use ferrocut_machine::{Fault, ParameterKey, Parameters, WorkOffset};
 use ferrocut_program::Syntax;
@@ -75,6 +76,10 @@ pub enum Meaning {
     Skip,
     /// Positioning always from one side.
     OneWay,
+    /// Stored stroke check 2 on.
+    StrokeCheckOn,
+    /// Stored stroke check 2 off.
+    StrokeCheckOff,
     /// Data set by the program.
     DataSetting,
     /// End of it.
@@ -274,6 +279,16 @@ pub struct Rules {
     pub cutter: cutter::Rules,
     /// Radius offsets are entered as diameters.
     pub radius_is_diameter: bool,
+    /// Stored stroke checks.
+    pub stroke: StrokeRules,
+    /// Largest coordinate that a program may name, mm or degrees.
+    pub max_coordinate: f64,
+    /// Axes that may move together in a block.
+    pub max_moving_axes: usize,
+    /// The spindle has an encoder and can stop at an angle.
+    pub spindle_has_position: bool,
+    /// Largest tool number.
+    pub max_tool: f64,
     /// Arcs about corners are fitted (G39).
     pub corner_arc: bool,
     /// Rigid tapping is fitted (needs M29 before the cycle).

@@ -25,8 +25,8 @@ struct Codes {
     cutter: bool,
     /// Codes of scaling and rotation, to be carried out after the others.
     transforms: SmallVec<[Code<GCode>; 2]>,
-    /// Whether one of them sets a transformation.
-    transform: bool,
+    /// Whether a code takes the block's coordinates for itself, so that nothing moves.
+    takes_words: bool,
 }
 
 impl Interpreter {
@@ -37,6 +37,10 @@ impl Interpreter {
         }
         self.words.start(page, block);
         self.output.start_block();
+        if block.skip > 0 && (self.is_transformed() || self.location.polar.is_some()) {
+            let alarm = self.alarm(Fault::SkipBlockInTransform, page.block_span(block));
+            return self.give_up_block(alarm);
+        }
         if block.is_mark {
             self.ended = true;
             return Err(self.alarm(Fault::EndMarkReached, page.block_span(block)));
@@ -133,6 +137,14 @@ impl Interpreter {
             self.technology.sequence = self.words.sequence;
         }
         self.check_m_codes()?;
+        if self.technology.rigid_tapping
+            && self.words.has(b'S')
+            && !self.words.m.iter().any(|m| m.row.function == MFunction::RigidTapping)
+            && !self.words.g.iter().any(|g| g.row.group == Group::Cycle)
+            && !self.cycle.is_active()
+        {
+            return Err(self.alarm_at(Fault::RigidMisplaced, b'S'));
+        }
         let axes = self.words.axes(self.rules.axes);
         if let Some(what) = self.data_setting {
             if self.words.g.iter().any(|g| g.row.meaning == Meaning::DataSettingOff)
@@ -145,6 +157,9 @@ impl Interpreter {
         }
         let codes = self.modal_codes()?;
         self.check_axes()?;
+        if axes.len() > self.rules.max_moving_axes && codes.non_modal.is_none() {
+            return Err(self.alarm(Fault::TooManyAxes, self.words.block_span()));
+        }
         if self.words.has(b'F') {
             self.feed_word()?;
         }
@@ -153,6 +168,9 @@ impl Interpreter {
             self.speed_word();
         }
         if let Some(tool) = self.words.get(b'T') {
+            if tool > self.rules.max_tool {
+                return Err(self.alarm_at(Fault::ToolNumber, b'T'));
+            }
             self.technology.tool = tool as u32;
             self.emit(Op::Select(tool as u32));
         }
@@ -162,7 +180,7 @@ impl Interpreter {
         self.m_functions(false)?;
         match codes.non_modal {
             Some(code) => self.non_modal(code, axes, codes.length)?,
-            None if codes.transform => {}
+            None if codes.takes_words => {}
             None if self.cycle_kind().is_some() => self.cycle_block(axes, codes.length)?,
             None => {
                 let length_moves = self.length_words(codes.length, axes)?;
@@ -227,7 +245,20 @@ impl Interpreter {
                     self.modal.set(row);
                     codes.transforms.push(code);
                 }
-                Group::SurfaceSpeed => self.surface_speed(row),
+                Group::SurfaceSpeed => self.surface_speed(row, span)?,
+                Group::StrokeCheck => {
+                    self.stroke_check_2 = row.meaning == Meaning::StrokeCheckOn;
+                    self.modal.set(row);
+                    if self.stroke_check_2 {
+                        self.stroke_check_on(span)?;
+                        codes.takes_words = true;
+                    }
+                }
+                Group::FeedMode
+                    if row.meaning == Meaning::FeedPerRevolution && !self.rules.spindle_has_position =>
+                {
+                    return Err(self.alarm(Fault::NoFeedPerRevolution, span));
+                }
                 _ => self.modal.set(row),
             }
         }
@@ -251,7 +282,7 @@ impl Interpreter {
             if starts && codes.non_modal.is_some() {
                 return Err(self.alarm(Fault::NeedsOwnBlock, span));
             }
-            codes.transform |= starts;
+            codes.takes_words |= starts;
             match row.meaning {
                 Meaning::ScalingOn => self.scale(span)?,
                 Meaning::ScalingOff => self.scale_off(),
@@ -321,6 +352,9 @@ impl Interpreter {
                 return Ok(false);
             }
             let value = sign * (offset.length + offset.length_wear);
+            if value.abs() > self.rules.max_offset {
+                return Err(self.alarm_at(Fault::OffsetTooLarge, b'H'));
+            }
             return Ok(self.put_length(axis, value));
         }
         let takes_up = self.location.length.waits && axes.contains(axis);
@@ -353,9 +387,16 @@ impl Interpreter {
             return Err(self.alarm_at(Fault::OffsetNumber, b'D'));
         };
         let entered = row.radius + row.radius_wear;
+        if entered.abs() > self.rules.max_offset {
+            return Err(self.alarm_at(Fault::OffsetTooLarge, b'D'));
+        }
         let radius = if self.rules.radius_is_diameter { entered / 2.0 } else { entered };
         // D00 is no compensation.
         let offset = (self.technology.radius_number != 0.0).then_some(Offset { side, radius });
+        // G41 or G42 given again ends the block before square (GSK990MC 4.7.3, 7).
+        if code && self.output.is_on_side(side) {
+            self.output.flush().map_err(|(fault, span)| self.alarm(fault, span))?;
+        }
         self.output.set_cutter(self.modal.plane(), offset);
         Ok(())
     }
@@ -386,6 +427,7 @@ impl Interpreter {
     fn feed_word(&mut self) -> Fallible<()> {
         let Some(f) = self.words.get(b'F') else { return Ok(()) };
         let feed = units::length_mm(f, self.modal.is_inch());
+        self.technology.feed_was_given = true;
         if self.modal.is_feed_per_revolution() {
             if !(feed > 0.0 && feed <= self.rules.max_feed_per_revolution) {
                 return Err(self.alarm_at(Fault::FeedOutOfRange, b'F'));
@@ -439,18 +481,22 @@ impl Interpreter {
     }
 
     /// G96 and G97 (GSK990MC 6.3). Where surface speed is not fitted G96 changes nothing.
-    fn surface_speed(&mut self, row: &'static GCode) {
+    fn surface_speed(&mut self, row: &'static GCode, span: Span) -> Fallible<()> {
         if !self.rules.surface_speed {
-            return;
+            return Ok(());
         }
         let was = self.speed();
         self.modal.set(row);
         if row.meaning == Meaning::SurfaceSpeed {
-            let axis = self.words.take(b'P').unwrap_or(1.0) as usize;
-            if let Some(axis) = self.rules.axis_order.get(axis.saturating_sub(1)) {
-                self.technology.surface_axis = *axis;
+            let Some(number) = self.words.take(b'P') else { return Ok(()) };
+            let axis = self.rules.axis_order.get((number - 1.0).max(-1.0) as usize).copied();
+            match axis
+                .filter(|axis| number >= 1.0 && number.fract() == 0.0 && self.rules.axes.contains(*axis))
+            {
+                Some(axis) => self.technology.surface_axis = axis,
+                None => return Err(self.alarm(Fault::SurfaceSpeedAxis, span)),
             }
-            return;
+            return Ok(());
         }
         // The turns of the moment go on where G97 gives no S.
         if let Speed::Surface { .. } = was {
@@ -459,6 +505,7 @@ impl Interpreter {
                 self.tell_speed();
             }
         }
+        Ok(())
     }
 
     /// Tells the spindle, unless it is as told already.
@@ -546,6 +593,10 @@ impl Interpreter {
 
     /// M98 P L (GSK990MC 3.2.2).
     fn subprogram_call(&mut self, span: Span) -> Fallible<()> {
+        // A macro calls macros only (alarm 0081).
+        if self.in_macro() {
+            return Err(self.alarm(Fault::CallInMacro, span));
+        }
         let Some(number) = self.words.get(b'P') else {
             return Err(self.alarm(Fault::CallWithoutProgram, span));
         };

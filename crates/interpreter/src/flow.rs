@@ -262,7 +262,16 @@ impl Interpreter {
             return Err(self.alarm(Fault::NoProgramEnd, span));
         }
         self.technology.program = number;
+        // Table 3-1-3-1: O0 to O99999.
+        if !(0.0..=99_999.0).contains(&number) {
+            return Err(self.alarm(Fault::ProgramNumberTooLarge, span));
+        }
         Ok(())
+    }
+
+    /// Whether a macro is being run.
+    pub(crate) fn in_macro(&self) -> bool {
+        self.flow.depth(true) > 0
     }
 
     /// Notes that a block of the program proper is run.

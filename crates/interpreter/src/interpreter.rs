@@ -8,10 +8,10 @@
 use crate::Fallible;
 use crate::cycles::CycleState;
 use crate::data_setting::DataSetting;
-use crate::dialect::{Dialect, Rules};
+use crate::dialect::{Dialect, Meaning, Rules};
 use crate::evaluate::Evaluator;
 use crate::flow::Flow;
-use crate::modal::Modal;
+use crate::modal::{Group, Modal};
 use crate::output::Output;
 use crate::reference::Intermediate;
 use crate::stages::polar::Polar;
@@ -104,6 +104,8 @@ pub(crate) struct Technology {
     pub feed_per_minute: f64,
     /// Feed per revolution, mm.
     pub feed_per_revolution: f64,
+    /// Whether an F word ever came.
+    pub feed_was_given: bool,
     /// The last S word, r/min; with surface speed mm/min.
     pub speed: Option<f64>,
     /// Highest spindle speed under surface speed (G92 S), r/min.
@@ -151,6 +153,8 @@ pub struct Interpreter {
     pub(crate) cycle: CycleState,
     pub(crate) intermediate: Intermediate,
     pub(crate) data_setting: Option<DataSetting>,
+    /// Stored stroke check 2 is on.
+    pub(crate) stroke_check_2: bool,
     pub(crate) flow: Flow,
     pub(crate) words: Words,
     pub(crate) evaluator: Evaluator,
@@ -187,6 +191,7 @@ impl Interpreter {
         let technology = Technology {
             feed_per_minute: rules.default_feed,
             feed_per_revolution: 0.0,
+            feed_was_given: false,
             speed: None,
             surface_max_rpm: None,
             surface_axis: Axis::X,
@@ -215,6 +220,7 @@ impl Interpreter {
             cycle: CycleState::default(),
             intermediate: Intermediate::default(),
             data_setting: None,
+            stroke_check_2: modal.meaning(Group::StrokeCheck) == Meaning::StrokeCheckOn,
             flow: Flow::new(),
             words: Words::new(),
             variable_writes: 0,

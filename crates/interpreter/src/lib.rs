@@ -28,6 +28,7 @@ pub mod motion;
 mod output;
 mod reference;
 pub mod stages;
+pub mod stroke;
 pub mod words;
 
 pub use dialect::{Dialect, Rules};

@@ -128,6 +128,9 @@ impl Interpreter {
             Variable::ToolRadius(n) => tools.get_mut(n).map(|row| &mut row.radius),
             Variable::RadiusWear(n) => tools.get_mut(n).map(|row| &mut row.radius_wear),
             Variable::WorkZero(name, index) => {
+                if self.is_transformed() || self.location.polar.is_some() {
+                    return Err(Fault::OffsetInTransform);
+                }
                 let axis = self.axis_number(index)?;
                 let zero = self.memory.work.get_mut(name).ok_or(Fault::UnknownVariable)?;
                 zero[axis] = value.unwrap_or(0.0);
@@ -212,6 +215,9 @@ impl Interpreter {
     /// A block with G65: an operation or jump (macro A) where it has an H, else a macro call.
     pub(crate) fn macro_block(&mut self, page: &Page, block: &Block) -> Fallible<()> {
         let words = page.words(block);
+        if let Some(m) = words.iter().find(|w| w.letter == b'M' && w.value() == WordValue::Number(99.0)) {
+            return Err(self.alarm(Fault::ReturnWithMacro, page.word_span(block, m)));
+        }
         let word = |letter: u8| words.iter().find(|word| word.letter == letter);
         match word(b'H') {
             Some(h) => {

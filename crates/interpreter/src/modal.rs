@@ -38,6 +38,8 @@ pub enum Group {
     PathControl,
     /// G96 G97.
     SurfaceSpeed,
+    /// G12 G13.
+    StrokeCheck,
     /// Codes in force in their block only.
     NonModal,
 }

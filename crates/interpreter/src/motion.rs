@@ -117,6 +117,12 @@ impl Interpreter {
     }
 
     pub(crate) fn check_reach(&self, machine: Position) -> Fallible<()> {
+        if self.location.scaling.is_some() {
+            let point = machine - self.location.work.shift - self.location.length.vector;
+            if point.0.iter().any(|c| c.abs() > self.rules.max_coordinate) {
+                return Err(self.alarm(Fault::ScaledTooLarge, self.words.block_span()));
+            }
+        }
         // The comparison is false for NaN too.
         if machine.0.iter().all(|c| c.abs() <= LARGEST_COORDINATE) {
             return Ok(());

@@ -71,10 +71,15 @@ impl Output {
         self.offset.is_some() || self.cutter.in_mode()
     }
 
+    /// Whether compensation to this side is in force.
+    pub(crate) fn is_on_side(&self, side: cutter::Side) -> bool {
+        self.cutter.in_mode() && self.offset.is_some_and(|offset| offset.side == side)
+    }
+
     /// Takes a step.
     #[inline]
     pub(crate) fn push(&mut self, step: Step) -> Result<(), Refused> {
-        if self.is_direct() {
+        if self.is_direct() && !self.refused {
             if let Some(to) = step.op.target() {
                 self.path_end = *to;
                 self.actual = *to;
@@ -246,6 +251,10 @@ impl Interpreter {
     #[inline]
     pub(crate) fn emit(&mut self, op: Op) {
         self.flow.got_on();
+        if let Some(alarm) = self.stroke_alarm(self.output.path_end, &op) {
+            self.output.refused = true;
+            return self.note(alarm);
+        }
         let step = Step { op, span: self.words.block_span() };
         if let Err(refused) = self.output.push(step) {
             self.refuse(refused);

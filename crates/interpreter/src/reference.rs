@@ -27,6 +27,9 @@ impl Interpreter {
         }
         let through = self.end_point(axes);
         for axis in axes.iter() {
+            if through[axis].abs() > self.rules.max_coordinate {
+                return Err(self.alarm_at(Fault::IntermediateTooLarge, axis.letter() as u8));
+            }
             self.intermediate.point[axis] = through[axis];
         }
         self.intermediate.axes = axes;

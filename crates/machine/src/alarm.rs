@@ -80,6 +80,10 @@ faults! {
     TooManyMCodes = 211,
     /// An axis that the machine or control does not have.
     UnknownAxis = 212,
+    /// More axes in a block than may move together.
+    TooManyAxes = 213,
+    /// A tool number beyond the digits of T.
+    ToolNumber = 214,
 
     // 300: motion
     /// A cutting move without a feed.
@@ -108,6 +112,10 @@ faults! {
     CornerTooLong = 312,
     /// A chamfer or corner arc beside a move out of the plane.
     CornerPlane = 313,
+    /// Feed per revolution without an encoder on the spindle.
+    NoFeedPerRevolution = 314,
+    /// A coordinate that scaling makes too large.
+    ScaledTooLarge = 315,
 
     // 400: offsets and coordinate systems
     /// An offset number beyond the table.
@@ -176,6 +184,22 @@ faults! {
     CornerArcForm = 432,
     /// Cutter compensation: a block runs exactly back.
     CutterReversal = 433,
+    /// An offset value beyond what the control takes.
+    OffsetTooLarge = 434,
+    /// An intermediate point too far away.
+    IntermediateTooLarge = 435,
+    /// A skipped block while points are transformed.
+    SkipBlockInTransform = 436,
+    /// An offset changed while points are transformed.
+    OffsetInTransform = 437,
+    /// A stored stroke check that shares its block.
+    StrokeNotAlone = 438,
+    /// Corners of a stored stroke check that make no box.
+    StrokeCorners = 439,
+    /// A move into the area that stored stroke check 2 forbids.
+    StoredStroke = 440,
+    /// An axis that surface speed cannot be reckoned by.
+    SurfaceSpeedAxis = 441,
 
     // 500: canned cycles
     /// A cycle in a plane that it does not work in.
@@ -196,6 +220,14 @@ faults! {
     TappingSpeed = 508,
     /// Rigid tapping called while a cycle is active.
     RigidInCycle = 509,
+    /// Rigid tapping without a feed.
+    TappingFeed = 510,
+    /// A speed between the call of rigid tapping and the cycle.
+    RigidMisplaced = 511,
+    /// A plane change in rigid tapping.
+    PlaneInRigidTapping = 512,
+    /// A cycle that orients a spindle which cannot.
+    NoOrientation = 513,
 
     // 600: programs
     /// A call without a program number.
@@ -216,6 +248,12 @@ faults! {
     EndlessProgram = 608,
     /// A jump to a sequence number that does not exist.
     SequenceMissing = 609,
+    /// A subprogram call inside a macro.
+    CallInMacro = 610,
+    /// A return in the block of a macro call.
+    ReturnWithMacro = 611,
+    /// An O word beyond the numbers of programs.
+    ProgramNumberTooLarge = 612,
 
     // 700: variables and arithmetic
     /// A division by zero.

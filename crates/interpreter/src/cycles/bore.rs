@@ -15,6 +15,9 @@ impl Interpreter {
         if z >= r {
             return Err(self.level_alarm(Fault::CycleDepthAboveR));
         }
+        if !self.rules.spindle_has_position {
+            return Err(self.alarm(Fault::NoOrientation, self.cycle_span()));
+        }
         self.position_over_hole()?;
         self.rapid_z(r)?;
         self.cut_z(z)?;

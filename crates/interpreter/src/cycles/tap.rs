@@ -25,6 +25,9 @@ impl Interpreter {
         if rpm <= 0.0 || rpm > self.rules.max_tapping_rpm {
             return Err(self.alarm(Fault::TappingSpeed, self.cycle_span()));
         }
+        if rigid && !self.technology.feed_was_given {
+            return Err(self.alarm(Fault::TappingFeed, self.cycle_span()));
+        }
         self.position_over_hole()?;
         self.rapid_z(r)?;
         if rigid {

@@ -370,3 +370,60 @@ FC-0432 = An arc about a corner stands outside cutter compensation
 
 FC-0433 = A block runs exactly back in cutter compensation
     .help = Do not reverse the path within compensation.
+
+FC-0213 = More axes than may move together
+    .help = Split the move, or set bit 9#1 for four axes.
+
+FC-0214 = The tool number has too many digits
+    .help = Check T; P206 sets its digits.
+
+FC-0314 = Feed per revolution needs a spindle with an encoder
+    .help = Use G94, or fit an encoder.
+
+FC-0315 = Scaling makes the coordinate too large
+    .help = Use a smaller factor.
+
+FC-0434 = The offset value is too large
+    .help = Correct the value in the offset table.
+
+FC-0435 = The intermediate point is too far away
+    .help = Check the coordinates of the block.
+
+FC-0436 = A block with / while points are scaled, rotated or polar
+    .help = Cancel the transformation before the block.
+
+FC-0437 = An offset is changed while points are scaled, rotated or polar
+    .help = Cancel the transformation first.
+
+FC-0438 = G12 needs a block of its own
+    .help = Move the other codes to another block.
+
+FC-0439 = The corners of the stroke check make no box
+    .help = X, Y, Z must be larger than I, J, K.
+
+FC-0440 = The move enters the area that the stored stroke check forbids
+    .help = Change the move, or turn the check off with G13.
+
+FC-0441 = There is no such axis for surface speed
+    .help = Use P1 to P4 for an axis of the machine.
+
+FC-0510 = Rigid tapping without a feed
+    .help = Give F in the cycle or before it.
+
+FC-0511 = A speed stands between M29 and the tapping cycle
+    .help = Give S in the block of M29.
+
+FC-0512 = The plane is changed in rigid tapping
+    .help = End rigid tapping with G80 or M28 first.
+
+FC-0513 = The cycle needs a spindle that can stop at an angle
+    .help = Use another cycle, or fit such a spindle.
+
+FC-0610 = A macro calls a subprogram
+    .help = Call a macro with G65 instead.
+
+FC-0611 = M99 stands in the block of a macro call
+    .help = Put M99 into a block of its own.
+
+FC-0612 = The program number is too large
+    .help = Use O0 to O99999.

@@ -27,6 +27,8 @@ pub static G_CODES: &[GCode] = &[
     g(40, Meaning::Dwell, Group::NonModal, 0),
     g(100, Meaning::DataSetting, Group::NonModal, 0),
     g(110, Meaning::DataSettingOff, Group::NonModal, 0),
+    g(120, Meaning::StrokeCheckOn, Group::StrokeCheck, 16),
+    g(130, Meaning::StrokeCheckOff, Group::StrokeCheck, 16),
     g(150, Meaning::PolarOff, Group::Polar, 11),
     g(160, Meaning::PolarOn, Group::Polar, 11),
     g(170, Meaning::Plane(Plane::Xy), Group::Plane, 2),

@@ -4,6 +4,7 @@ use super::codes::{CYCLE_OFF, G_CODES};
 use crate::dialect::{GCode, Rules, ScalingRules};
 use crate::modal::Modal;
 use crate::stages::cutter;
+use crate::stroke::{STROKE_AXES, StrokeRules};
 use ferrocut_geometry::Axis;
 use ferrocut_machine::{ParameterKey, Parameters};
 
@@ -52,6 +53,13 @@ pub fn rules(parameters: &Parameters) -> Rules {
             corner_limit: p(266).max(cutter::Rules::default().corner_limit),
             ..cutter::Rules::default()
         },
+        stroke: stroke(parameters),
+        max_coordinate: 99_999.999_9,
+        // 1.2: three axes together, four with 9#1.
+        max_moving_axes: if parameters.bit(9, 1) { 4 } else { 3 },
+        // 1#2: a spindle switched by I/O points has no encoder.
+        spindle_has_position: !parameters.bit(1, 2),
+        max_tool: 10f64.powi(p(206).clamp(1.0, 8.0) as i32) - 1.0,
         radius_is_diameter: parameters.bit(40, 7),
         corner_arc: parameters.bit(41, 5),
         rigid_tapping: parameters.bit(46, 1),
@@ -93,6 +101,26 @@ fn axis_order(parameters: &Parameters) -> [Axis; 5] {
     if distinct { std::array::from_fn(|i| named[i].unwrap_or(standard[i])) } else { standard }
 }
 
+/// Bounds of the stored stroke checks, P66 to P75 and P76 to P85: lower and upper by axis.
+fn stroke(parameters: &Parameters) -> StrokeRules {
+    let bounds = |from: u16| {
+        std::array::from_fn(|axis| {
+            let number = from + 2 * axis as u16;
+            (parameters.data(number), parameters.data(number + 1))
+        })
+    };
+    let first: [(f64, f64); STROKE_AXES] = bounds(66);
+    // The standard setting of ±9999 is no bound.
+    let is_bound = |(lower, upper): &(f64, f64)| *lower > -9999.0 || *upper < 9999.0;
+    StrokeRules {
+        first_is_set: first.iter().any(is_bound),
+        first,
+        second: bounds(76),
+        second_forbids_outside: parameters.bit(11, 0),
+        second_parameter: 76,
+    }
+}
+
 /// Parameters that G10 cannot set: the mode 0#7 and the unit of input 0#2 (4.2.7 notes 6 and 9).
 pub fn is_fixed(key: &ParameterKey) -> bool {
     matches!(key, ParameterKey::Bit { number: 0, bit: 2 | 7 })
@@ -127,6 +155,7 @@ pub fn power_on(parameters: &Parameters) -> Modal {
         690,
         640,
         970,
+        if bit(31, 5) { 130 } else { 120 },
     ];
     Modal::new(&CYCLE_OFF, codes.map(code))
 }

@@ -8,7 +8,7 @@
 //! elements keep (1 + √2)·r apart are checked against all of them.
 
 use super::*;
-use crate::cutter::vector::{add, along, angle, cross, distance, dot, left, scale, sub, unit};
+use crate::stages::cutter::vector::{add, along, angle, cross, distance, dot, left, scale, sub, unit};
 use proptest::prelude::*;
 use proptest::test_runner::{RngSeed, TestRunner};
 use std::f64::consts::{PI, SQRT_2, TAU};
@@ -241,7 +241,8 @@ fn on_offset(e: &Piece, at_end: bool, d: f64, s: f64) -> Point {
 fn taken(e: &Piece, at_end: bool, neighbour: &Piece, d: f64, extended: f64) -> Option<f64> {
     const STEPS: usize = 300;
     let l = e.length();
-    let cut = |s: f64| neighbour.distance(on_offset(e, at_end, d, s)) < d.abs() - 1e-7;
+    let near = d.abs() - 1e-7 - e.mismatch() - neighbour.mismatch();
+    let cut = |s: f64| neighbour.distance(on_offset(e, at_end, d, s)) < near;
     let total = l + extended;
     // Fine near the corner, coarse further off.
     let place = |i: usize| total * (i as f64 / STEPS as f64).powi(3);

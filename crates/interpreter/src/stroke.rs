@@ -1,0 +1,155 @@
+//! Stored stroke checks 1 and 2 (GSK990MC part 2, 2.6): areas that the tool may not enter.
+//!
+//! Check 1 bounds the machine: outside of it is forbidden. Check 2, on with G12 and off with G13, forbids
+//! the inside or the outside of a box (11#0). Both are in machine coordinates and judged before a move.
+
+use crate::Fallible;
+use crate::interpreter::Interpreter;
+use crate::stages::units;
+use ferrocut_geometry::Position;
+use ferrocut_machine::{Alarm, AlarmId, Fault, ParameterKey};
+use ferrocut_program::Span;
+use ferrocut_toolpath::Op;
+
+/// Axes that the checks have bounds for.
+pub const STROKE_AXES: usize = 5;
+
+/// Coordinates this little beyond a bound are on it, mm: what sums of decimals leave.
+const ON_BOUND: f64 = 1e-6;
+
+/// Chords that an arc is judged by, a turn; they leave its inside by a thousandth of its radius.
+const CHORDS_A_TURN: f64 = 72.0;
+
+/// What the parameters set for the checks.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct StrokeRules {
+    /// Bounds of check 1 by axis: lower, upper, mm or degrees.
+    pub first: [(f64, f64); STROKE_AXES],
+    /// Bounds of check 2.
+    pub second: [(f64, f64); STROKE_AXES],
+    /// Check 2 forbids the outside; else the inside.
+    pub second_forbids_outside: bool,
+    /// Number of the data parameter with the lower bound of check 2 on the first axis; the others follow,
+    /// lower and upper in turn.
+    pub second_parameter: u16,
+    /// Whether check 1 forbids anything that a program can reach.
+    pub first_is_set: bool,
+}
+
+impl Interpreter {
+    /// G12 X Y Z I J K: sets the box and turns check 2 on.
+    pub(crate) fn stroke_check_on(&mut self, span: Span) -> Fallible<()> {
+        if self.words.g.len() > 1 {
+            return Err(self.alarm(Fault::StrokeNotAlone, span));
+        }
+        let inch = self.modal.is_inch();
+        let corners = [(b'X', b'I'), (b'Y', b'J'), (b'Z', b'K')];
+        for (index, (upper, lower)) in (0u16..).zip(corners) {
+            let parameter = self.rules.stroke.second_parameter + 2 * index;
+            for (letter, number) in [(lower, parameter), (upper, parameter + 1)] {
+                let Some(value) = self.words.get(letter) else { continue };
+                let value = units::length_mm(value, inch);
+                if self.memory.set_parameter(&ParameterKey::Data(number), value).is_err() {
+                    return Err(self.alarm_at(Fault::WordOutOfRange, letter));
+                }
+            }
+        }
+        self.rules = (self.dialect.rules)(&self.memory.parameters);
+        let is_box = |(lower, upper): &(f64, f64)| lower < upper;
+        if !self.rules.stroke.second.iter().take(3).all(is_box) {
+            return Err(self.alarm(Fault::StrokeCorners, self.words.block_span()));
+        }
+        Ok(())
+    }
+
+    /// The alarm of a move from `from`, if it enters a forbidden area.
+    pub(crate) fn stroke_alarm(&self, from: Position, op: &Op) -> Option<Box<Alarm>> {
+        let stroke = &self.rules.stroke;
+        if !stroke.first_is_set && !self.stroke_check_2 {
+            return None;
+        }
+        let (min, max) = op.extent(from)?;
+        if stroke.first_is_set
+            && let Some((index, upper)) = self.outside(&stroke.first, min, max)
+        {
+            let number = (self.dialect.soft_limit_alarm)(index, upper);
+            let id =
+                number.map_or(AlarmId::Core(Fault::SoftLimit), |n| AlarmId::Dialect(self.dialect.name, n));
+            let mut alarm = Alarm::new(id, Fault::SoftLimit, self.words.block_span());
+            if let (Some(axis), Some((low, high))) =
+                (self.rules.axis_order.get(index), stroke.first.get(index))
+            {
+                let (position, limit) = if upper { (max[*axis], *high) } else { (min[*axis], *low) };
+                alarm = alarm
+                    .with("axis", axis.letter().to_string())
+                    .with("position", position)
+                    .with("limit", limit);
+            }
+            return Some(Box::new(alarm));
+        }
+        if !self.stroke_check_2 {
+            return None;
+        }
+        let enters = match stroke.second_forbids_outside {
+            true => self.outside(&stroke.second, min, max).is_some(),
+            false => self.crosses(&stroke.second, from, op),
+        };
+        enters.then(|| self.alarm(Fault::StoredStroke, self.words.block_span()))
+    }
+
+    /// The first axis that leaves its bounds, and on which side.
+    fn outside(
+        &self,
+        bounds: &[(f64, f64); STROKE_AXES],
+        min: Position,
+        max: Position,
+    ) -> Option<(usize, bool)> {
+        for (index, (axis, (lower, upper))) in self.rules.axis_order.iter().zip(bounds).enumerate() {
+            if !self.rules.axes.contains(*axis) {
+                continue;
+            }
+            if min[*axis] < lower - ON_BOUND {
+                return Some((index, false));
+            }
+            if max[*axis] > upper + ON_BOUND {
+                return Some((index, true));
+            }
+        }
+        None
+    }
+
+    /// Whether a move touches the inside of a box over the first three axes.
+    fn crosses(&self, bounds: &[(f64, f64); STROKE_AXES], from: Position, op: &Op) -> bool {
+        let Some(to) = op.target() else { return false };
+        let Some(arc) = op.arc(from) else { return self.line_crosses(bounds, from, *to) };
+        let chords = (arc.sweep.abs() / std::f64::consts::TAU * CHORDS_A_TURN).ceil().clamp(1.0, 100_000.0);
+        let mut at = from;
+        for chord in 1..=chords as u32 {
+            let next = arc.at(f64::from(chord) / chords);
+            if self.line_crosses(bounds, at, next) {
+                return true;
+            }
+            at = next;
+        }
+        false
+    }
+
+    /// Slab method: the stretch of the line within the bounds of every axis at once.
+    fn line_crosses(&self, bounds: &[(f64, f64); STROKE_AXES], from: Position, to: Position) -> bool {
+        let (mut first, mut last) = (0.0f64, 1.0f64);
+        for (axis, (lower, upper)) in self.rules.axis_order.iter().zip(bounds).take(3) {
+            let (start, way) = (from[*axis], to[*axis] - from[*axis]);
+            let (lower, upper) = (lower + ON_BOUND, upper - ON_BOUND);
+            if way == 0.0 {
+                if start <= lower || start >= upper {
+                    return false;
+                }
+                continue;
+            }
+            let (a, b) = ((lower - start) / way, (upper - start) / way);
+            first = first.max(a.min(b));
+            last = last.min(a.max(b));
+        }
+        first < last
+    }
+}
