@@ -145,7 +145,7 @@ pub struct ViewArgs {
     #[command(flatten)]
     pub common: Common,
     /// Width of the picture in pixels
-    #[arg(long, default_value_t = 1600, value_parser = clap::value_parser!(u32).range(200..=8000))]
+    #[arg(long, default_value_t = crate::view::DEFAULT_WIDTH)]
     pub width: u32,
 }
 

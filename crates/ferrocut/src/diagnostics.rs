@@ -6,8 +6,11 @@ use ferrocut_program::ProgramMemory;
 use serde::Serialize;
 use std::io::{self, IsTerminal, Write};
 
-/// Bytes of a line that are shown around the words at fault.
+/// Characters of a line that are shown around the words at fault.
 const LINE_SHOWN: usize = 160;
+
+/// Bytes of a line that are read to count columns: more than any control takes in a line.
+const LINE_READ: usize = 1 << 16;
 
 /// Longest piece of program quoted within a sentence, characters.
 const WORD_QUOTED: usize = 40;
@@ -143,13 +146,17 @@ impl Diagnostics {
 fn place(alarm: &Alarm, programs: &ProgramMemory) -> Option<Place> {
     let text = programs.text(alarm.span.file)?;
     let encoding = text.encoding();
-    let (line, at) = text.line_of(alarm.span, LINE_SHOWN).ok()?;
-    let before = encoding.decode(line.get(..at)?).into_owned();
+    let (line, at) = text.line_of(alarm.span, LINE_READ).ok()?;
     let end = (at + (alarm.span.len as usize).max(1)).min(line.len());
-    let words = encoding.decode(line.get(at..end).unwrap_or(&[])).into_owned();
-    let after = encoding.decode(line.get(end..).unwrap_or(&[])).into_owned();
+    let decoded = |from: usize, to: usize| encoding.decode(line.get(from..to).unwrap_or(&[]));
+    let (before, words, after) = (decoded(0, at), decoded(at, end), decoded(end, line.len()));
+    let characters = before.chars().count();
+    // A long line is shown around the words at fault.
+    let before: String = before.chars().skip(characters.saturating_sub(LINE_SHOWN / 2)).collect();
+    let words: String = words.chars().take(LINE_SHOWN).collect();
+    let left = LINE_SHOWN.saturating_sub(before.chars().count() + words.chars().count());
+    let after: String = after.chars().take(left).collect();
     let start = before.len();
     let end = start + words.len();
-    let column = before.chars().count() + 1;
-    Some(Place { text: format!("{before}{words}{after}"), start, end, column })
+    Some(Place { text: format!("{before}{words}{after}"), start, end, column: characters + 1 })
 }

@@ -34,7 +34,17 @@ impl Failure {
 
     /// A file that a result was to be written to.
     pub fn cannot_write(file: &str, error: &std::io::Error) -> Failure {
-        Failure::wrong_use(Fault::FileUnwritable).with("file", file).with("reason", error.to_string())
+        Failure::cannot_write_for(file, &error.to_string())
+    }
+
+    /// A file that a result was to be written to, and why it cannot.
+    pub fn cannot_write_for(file: &str, reason: &str) -> Failure {
+        Failure::wrong_use(Fault::FileUnwritable).with("file", file).with("reason", reason)
+    }
+
+    /// A picture in a format that there is not.
+    pub fn picture_format(file: &str) -> Failure {
+        Failure::wrong_use(Fault::PictureFormat).with("file", file)
     }
 
     fn with(mut self, name: &'static str, value: impl Into<ferrocut_machine::Argument>) -> Failure {

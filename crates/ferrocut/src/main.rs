@@ -6,6 +6,7 @@ mod diagnostics;
 mod job;
 mod report;
 mod samples;
+mod view;
 
 use clap::Parser;
 use cli::{Cli, Command};
@@ -19,7 +20,7 @@ fn main() -> ExitCode {
         Command::Check(args) => (commands::check::run(&args), args.common),
         Command::Run(args) => (commands::run::run(&args), args.common),
         Command::Time(args) => (commands::time::run(&args), args.common),
-        Command::View(_) => return ExitCode::from(2),
+        Command::View(args) => (commands::view::run(&args), args.common),
     };
     let exit = done.unwrap_or_else(|Failure { alarm, exit }| {
         job::diagnostics(&common).report(&alarm, "", None);

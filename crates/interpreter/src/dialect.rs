@@ -275,6 +275,8 @@ pub struct Rules {
     /// Distance that the tool is moved aside by the sign of its shift in boring (G76, G87): axis and
     /// direction.
     pub shift: (Axis, f64),
+    /// Radius of the helix by which a pocket is entered, over the tool radius.
+    pub pocket_helix_factor: f64,
     /// Cutter compensation.
     pub cutter: cutter::Rules,
     /// Radius offsets are entered as diameters.

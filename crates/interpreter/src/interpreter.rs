@@ -256,6 +256,11 @@ impl Interpreter {
         self.location.machine
     }
 
+    /// Machine position of the zero of the work coordinate system in force.
+    pub fn work_zero(&self) -> Position {
+        self.location.work.shift
+    }
+
     /// The word with this address in the block that `block` is the span of.
     pub fn locate_word(&self, block: Span, letter: u8) -> Option<Span> {
         let bytes = self.programs.text(block.file)?.slice(block).ok()?;

@@ -228,6 +228,32 @@ faults! {
     PlaneInRigidTapping = 512,
     /// A cycle that orients a spindle which cannot.
     NoOrientation = 513,
+    /// A milling cycle while an axis is mirrored.
+    MillMirrored = 514,
+    /// Step over, or distance of the start, too small.
+    MillStepTooSmall = 515,
+    /// Step over, or distance of the start, too large.
+    MillStepTooLarge = 516,
+    /// A tool, or its helix, that does not fit.
+    MillToolTooLarge = 517,
+    /// Corner radius beyond half a side.
+    MillCornerTooLarge = 518,
+    /// Corner radius below the tool radius.
+    MillCornerTooSmall = 519,
+    /// Gap of the rapid above uncut material missing.
+    MillGapMissing = 520,
+    /// First depth of cut missing.
+    MillFirstDepthMissing = 521,
+    /// Depth of cut missing.
+    MillDepthMissing = 522,
+    /// Radius or first size missing.
+    MillSizeMissing = 523,
+    /// Second size, or distance of the start, missing.
+    MillSecondSizeMissing = 524,
+    /// Tool radius missing.
+    MillToolMissing = 525,
+    /// A cycle of more moves than can be meant.
+    MillTooManyMoves = 526,
 
     // 600: programs
     /// A call without a program number.
@@ -310,6 +336,8 @@ faults! {
     NotSupported = 906,
     /// A file that a result cannot be written to.
     FileUnwritable = 907,
+    /// A picture in a format that there is not.
+    PictureFormat = 908,
 }
 
 /// How bad it is.

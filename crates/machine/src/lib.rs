@@ -12,7 +12,9 @@ pub mod config;
 pub mod memory;
 pub mod messages;
 pub mod offsets;
+pub mod parameter_csv;
 pub mod parameters;
+pub mod reference;
 pub mod setup;
 
 pub use alarm::{Alarm, AlarmId, Argument, Fault, Severity};
@@ -22,4 +24,5 @@ pub use memory::{Memory, VariableError, Variables};
 pub use messages::{Catalogue, Language};
 pub use offsets::{ToolOffset, ToolTable, WorkOffset, WorkOffsets};
 pub use parameters::{Meaning, ParameterDef, ParameterError, ParameterKey, ParameterTable, Parameters};
+pub use reference::{GCodeRow, MCodeRow, Reference, Subject, VariableRow, g_code_name};
 pub use setup::{AxisValues, Setup, SkipSignal};

@@ -4,3 +4,4 @@ pub mod check;
 pub mod run;
 pub mod time;
 pub mod trace;
+pub mod view;

@@ -42,7 +42,8 @@ pub fn run(args: &RunArgs) -> Result<Exit, Failure> {
     };
     let samples_on_stdout = args.samples.as_deref() == Some(Path::new("-"));
     if !is_json && !samples_on_stdout {
-        print_header(&shop, &job, &name);
+        // A reader that went away is no fault of the run.
+        let _ = write_header(&mut io::stdout().lock(), &shop, &job, &name);
     }
     let interpreter = job.interpreter(Options { loops_forever: args.realtime, ..shop.options() });
     let length = interpreter.programs().text(ferrocut_program::FileId(0)).map_or(0, |t| t.len());
@@ -78,7 +79,7 @@ pub fn run(args: &RunArgs) -> Result<Exit, Failure> {
     Ok(exit)
 }
 
-fn print_header(shop: &Shop, job: &crate::job::Job, name: &str) {
+fn write_header(out: &mut dyn Write, shop: &Shop, job: &crate::job::Job, name: &str) -> io::Result<()> {
     let catalogue = shop.diagnostics.catalogue();
     let machine = shop.machine.name.as_str();
     let machine = match shop.machine_is_built_in {
@@ -89,9 +90,9 @@ fn print_header(shop: &Shop, job: &crate::job::Job, name: &str) {
         true => catalogue.label("label-guessed", &[("dialect", job.dialect.name.into())]),
         false => job.dialect.name.to_owned(),
     };
-    println!("{name}");
-    println!("  {}: {machine}", catalogue.label("label-machine", &[]));
-    println!("  {}: {dialect}", catalogue.label("label-control", &[]));
+    writeln!(out, "{name}")?;
+    writeln!(out, "  {}: {machine}", catalogue.label("label-machine", &[]))?;
+    writeln!(out, "  {}: {dialect}", catalogue.label("label-control", &[]))
 }
 
 fn write_text(out: &mut dyn Write, cnc: &Cnc, shop: &Shop) -> io::Result<()> {

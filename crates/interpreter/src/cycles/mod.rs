@@ -3,11 +3,16 @@
 //! What a cycle does is data ([`CycleKind`]), so that a dialect's table says it and the code is one.
 //! The frame is common (GSK990MC 4.4): position, rapid to the R level, the work, rapid back to the R
 //! level or to the initial one. Hole data are modal until the cycle is cancelled. [`hole`](self) drills
-//! and bores, `tap` taps, `bore` has the borings that move the tool aside.
+//! and bores, `tap` taps, `bore` has the borings that move the tool aside, [`milling`] pockets and walls.
 
 mod bore;
 mod hole;
+mod mill;
+pub mod milling;
 mod tap;
+
+pub use mill::MillShape;
+use mill::MillWords;
 
 use crate::Fallible;
 use crate::dialect::Meaning;
@@ -15,7 +20,7 @@ use crate::interpreter::Interpreter;
 use crate::modal::Group;
 use crate::stages::units;
 use crate::words::letters;
-use ferrocut_geometry::{Axis, AxisSet, Plane};
+use ferrocut_geometry::{Axis, AxisSet, Plane, Position, Turn};
 use ferrocut_machine::Fault;
 use ferrocut_program::Span;
 use ferrocut_toolpath::{Dwell, Op};
@@ -69,6 +74,13 @@ pub enum CycleKind {
     FineBore,
     /// Back boring: from below upwards (G87).
     BackBore,
+    /// A pocket or wall (G22 to G26, G32 to G38).
+    Mill {
+        /// What is cut.
+        shape: MillShape,
+        /// The way round.
+        turn: Turn,
+    },
 }
 
 /// Addresses that make a block with an active cycle cut a hole.
@@ -93,6 +105,8 @@ pub(crate) struct CycleState {
     p: Option<f64>,
     /// Draw-back of peck tapping, mm.
     v: Option<f64>,
+    /// Words of a milling cycle.
+    mill: MillWords,
     /// Holes of the present block still to be cut.
     holes_left: u32,
     /// Whether the present block changes tool length on the way to the R level.
@@ -144,6 +158,7 @@ impl Interpreter {
             self.cycle = CycleState { active: true, initial, z_factor, ..CycleState::default() };
         }
         self.store_cycle_data();
+        self.store_mill_words();
         if !self.words.has_any(HOLE_LETTERS) {
             // Nothing to cut; a change of tool length alone is made at once (GSK990MC 4.4.1 note 3).
             if self.length_words(length, axes)? {
@@ -178,6 +193,7 @@ impl Interpreter {
             Some(CycleKind::Tap { left }) => self.tap(left),
             Some(CycleKind::FineBore) => self.fine_bore(),
             Some(CycleKind::BackBore) => self.back_bore(),
+            Some(CycleKind::Mill { shape, turn }) => self.mill(shape, turn),
             None => Ok(()),
         };
         if let Err(alarm) = done {
@@ -261,6 +277,11 @@ impl Interpreter {
     fn position_over_hole(&mut self) -> Fallible<()> {
         let axes: AxisSet = self.words.axes(self.rules.axes).iter().filter(|a| *a != Axis::Z).collect();
         let to = self.end_point(axes);
+        self.position_at(to)
+    }
+
+    /// Rapid to where a cycle begins, at the level where the tool is.
+    fn position_at(&mut self, to: Position) -> Fallible<()> {
         // Cutter compensation is left aside in cycles (GSK990MC 4.4 limits).
         self.output.suspend_cutter();
         self.rapid(to)?;

@@ -427,3 +427,46 @@ FC-0611 = M99 stands in the block of a macro call
 
 FC-0612 = The program number is too large
     .help = Use O0 to O99999.
+
+FC-0908 = A picture is a .png or a .svg file
+    .help = Give the output file one of these endings.
+    .detail = { $file }
+
+FC-0514 = A milling cycle is called while an axis is mirrored
+    .help = Use positive scale factors.
+
+FC-0515 = The step or the distance of the start is too small
+    .help = Use a larger L.
+
+FC-0516 = The step or the distance of the start is too large
+    .help = Use a smaller L.
+
+FC-0517 = The tool or its helix does not fit
+    .help = Use a smaller tool, or a smaller helix factor P269.
+
+FC-0518 = The corner radius is larger than half a side
+    .help = Use a smaller U.
+
+FC-0519 = The corner radius is smaller than the tool radius
+    .help = Use a larger U or a smaller tool.
+
+FC-0520 = The gap above uncut material is missing
+    .help = Give V above 0.
+
+FC-0521 = The first depth of cut is missing
+    .help = Give W above 0.
+
+FC-0522 = The depth of cut is missing
+    .help = Give Q above 0.
+
+FC-0523 = The radius or first size is missing
+    .help = Give I.
+
+FC-0524 = The second size or the distance of the start is missing
+    .help = Give J.
+
+FC-0525 = The tool radius is missing
+    .help = Give D with a radius in the offset table.
+
+FC-0526 = The cycle would take too many moves
+    .help = Use a larger step or depth of cut.

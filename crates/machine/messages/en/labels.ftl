@@ -1,6 +1,5 @@
 # What the command line shows beside alarms.
 
-label-program = program
 label-machine = machine
 label-control = control
 label-guessed = { $dialect } (not named; --dialect chooses another)
@@ -22,8 +21,6 @@ label-no-tool = no tool
 label-stopped = stopped by { $code }; cycle start goes on
 label-press-enter = press Enter for cycle start
 label-ended-by-alarm = stopped by an alarm; what was done until then:
-label-tool-change = tool { $tool }
-label-running = running
 label-written = written: { $file }
 label-checked = { $files ->
     [one] 1 file
@@ -34,5 +31,3 @@ label-checked = { $files ->
    *[other] { $findings } findings
 }
 label-further = { $count } further findings
-label-cannot-write = { $file } cannot be written: { $reason }
-label-picture-format = a picture is a .png or a .svg file, not { $file }

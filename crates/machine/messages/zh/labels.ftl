@@ -1,6 +1,5 @@
 # 命令行中报警以外的文字。
 
-label-program = 程序
 label-machine = 机床
 label-control = 系统
 label-guessed = { $dialect }（未指定；可用 --dialect 选择）
@@ -22,13 +21,9 @@ label-no-tool = 无刀具
 label-stopped = { $code } 停止；按循环启动继续
 label-press-enter = 按回车键作循环启动
 label-ended-by-alarm = 因报警停止；此前已完成：
-label-tool-change = 刀具 { $tool }
-label-running = 运行
 label-written = 已写入：{ $file }
 label-checked = 在 { $machine } 上检查了 { $files } 个文件：{ $findings ->
     [0] 无问题
    *[other] { $findings } 个问题
 }
 label-further = 另有 { $count } 个问题
-label-cannot-write = 无法写入 { $file }：{ $reason }
-label-picture-format = 图形须为 .png 或 .svg 文件，而不是 { $file }

@@ -1,12 +1,17 @@
 //! Tables of G codes (4-1-2), M codes (5-1) and addresses (3-1-3-1).
 
-use crate::cycles::{CycleKind, HoleCycle, Peck, Retract};
+use crate::cycles::milling::Side;
+use crate::cycles::{CycleKind, HoleCycle, MillShape, Peck, Retract};
 use crate::dialect::{Address, GCode, MCode, MFunction, Meaning, g};
 use crate::modal::Group;
-use ferrocut_geometry::Plane;
+use ferrocut_geometry::{Plane, Turn};
 
 const fn hole(tenths: u16, peck: Peck, dwell: bool, retract: Retract) -> GCode {
     g(tenths, Meaning::Cycle(CycleKind::Hole(HoleCycle { peck, dwell, retract })), Group::Cycle, 9)
+}
+
+const fn mill(tenths: u16, shape: MillShape, turn: Turn) -> GCode {
+    g(tenths, Meaning::Cycle(CycleKind::Mill { shape, turn }), Group::Cycle, 9)
 }
 
 /// G80.
@@ -36,11 +41,23 @@ pub static G_CODES: &[GCode] = &[
     g(190, Meaning::Plane(Plane::Yz), Group::Plane, 2),
     g(200, Meaning::Inch, Group::Units, 6),
     g(210, Meaning::Metric, Group::Units, 6),
+    mill(220, MillShape::RoundPocket, Turn::CounterClockwise),
+    mill(230, MillShape::RoundPocket, Turn::Clockwise),
+    mill(240, MillShape::Circle(Side::Inside), Turn::CounterClockwise),
+    mill(250, MillShape::Circle(Side::Inside), Turn::Clockwise),
+    mill(260, MillShape::Circle(Side::Outside), Turn::CounterClockwise),
     g(270, Meaning::ReferenceCheck, Group::NonModal, 0),
     g(280, Meaning::ReferenceReturn, Group::NonModal, 0),
     g(290, Meaning::ReturnFromReference, Group::NonModal, 0),
     g(300, Meaning::FurtherReferenceReturn, Group::NonModal, 0),
     g(310, Meaning::Skip, Group::NonModal, 0),
+    mill(320, MillShape::Circle(Side::Outside), Turn::Clockwise),
+    mill(330, MillShape::RectPocket, Turn::CounterClockwise),
+    mill(340, MillShape::RectPocket, Turn::Clockwise),
+    mill(350, MillShape::Rectangle(Side::Inside), Turn::CounterClockwise),
+    mill(360, MillShape::Rectangle(Side::Inside), Turn::Clockwise),
+    mill(370, MillShape::Rectangle(Side::Outside), Turn::CounterClockwise),
+    mill(380, MillShape::Rectangle(Side::Outside), Turn::Clockwise),
     g(390, Meaning::CornerArc, Group::NonModal, 0),
     g(400, Meaning::CutterOff, Group::Cutter, 7),
     g(410, Meaning::CutterLeft, Group::Cutter, 7),

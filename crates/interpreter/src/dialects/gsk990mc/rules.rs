@@ -47,6 +47,7 @@ pub fn rules(parameters: &Parameters) -> Rules {
             if parameters.bit(42, 5) { Axis::Y } else { Axis::X },
             if parameters.bit(42, 4) { -1.0 } else { 1.0 },
         ),
+        pocket_helix_factor: p(269),
         cutter: cutter::Rules {
             start_up: if parameters.bit(40, 0) { cutter::StartUp::B } else { cutter::StartUp::A },
             interference: parameters.bit(41, 6),

@@ -1,0 +1,53 @@
+//! `ferrocut view`: a picture of the tool path.
+
+use crate::cli::ViewArgs;
+use crate::commands::check::point_at_word;
+use crate::job::{Exit, Failure, Shop};
+use crate::view::{PathModel, Picture, render};
+use std::path::Path;
+
+/// Runs the command.
+pub fn run(args: &ViewArgs) -> Result<Exit, Failure> {
+    let shop = Shop::open(&args.common)?;
+    let Some(format) = picture_format(&args.output) else {
+        return Err(Failure::picture_format(&args.output.to_string_lossy()));
+    };
+    let job = shop.job(&args.file)?;
+    let name = job.path.to_string_lossy().into_owned();
+    let mut interpreter = job.interpreter(shop.options());
+    let mut model = PathModel::new(shop.options().start);
+    model.set_work_zero(interpreter.work_zero());
+    let mut exit = Exit::Fine;
+    for step in &mut interpreter {
+        match step {
+            Ok(step) => model.step(&step.op),
+            Err(alarm) => {
+                exit = Exit::Finding;
+                let mut alarm = alarm;
+                point_at_word(&mut alarm, &interpreter);
+                shop.diagnostics.report(&alarm, &name, Some(interpreter.programs()));
+                break;
+            }
+        }
+    }
+    let title =
+        args.file.file_name().map_or_else(|| name.clone(), |file| file.to_string_lossy().into_owned());
+    let output = args.output.to_string_lossy().into_owned();
+    let cannot_write = |reason: &dyn ToString| Failure::cannot_write_for(&output, &reason.to_string());
+    // What was drawn until an alarm shows where it came.
+    let bytes = render(&model, &title, args.width, format).map_err(|error| cannot_write(&error))?;
+    std::fs::write(&args.output, bytes).map_err(|error| cannot_write(&error))?;
+    if !shop.diagnostics.is_json() {
+        println!("{}", shop.diagnostics.catalogue().label("label-written", &[("file", output.into())]));
+    }
+    Ok(exit)
+}
+
+/// The format that the name of a file asks for.
+fn picture_format(path: &Path) -> Option<Picture> {
+    match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
+        "png" => Some(Picture::Png),
+        "svg" => Some(Picture::Svg),
+        _ => None,
+    }
+}

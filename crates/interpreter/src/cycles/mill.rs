@@ -1,0 +1,190 @@
+//! Milling cycles: the words of a block into a plan of [`milling`](super::milling), and its moves through
+//! the stages.
+
+use super::milling::{
+    CircleFinish, CycleFault, CycleMove, Plan, Problem, RectFinish, RectPocket, Roughing, RoundPocket, Side,
+};
+use crate::Fallible;
+use crate::interpreter::Interpreter;
+use crate::stages::units;
+use ferrocut_geometry::{Axis, AxisSet, Plane, Position, Turn};
+use ferrocut_machine::Fault;
+use ferrocut_toolpath::{FeedAlong, Op};
+
+/// What a milling cycle cuts.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum MillShape {
+    /// A round pocket, roughed (G22, G23).
+    RoundPocket,
+    /// A circle, finished (G24, G25 inside; G26, G32 outside).
+    Circle(Side),
+    /// A rectangular pocket, roughed (G33, G34).
+    RectPocket,
+    /// A rectangle, finished (G35, G36 inside; G37, G38 outside).
+    Rectangle(Side),
+}
+
+/// Words of the active milling cycle, kept until it is cancelled, mm.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub(crate) struct MillWords {
+    i: Option<f64>,
+    j: Option<f64>,
+    l: Option<f64>,
+    w: Option<f64>,
+    q: Option<f64>,
+    v: Option<f64>,
+    u: Option<f64>,
+    d: Option<f64>,
+    /// The last X, Y, which an incremental repeat counts from.
+    at: Option<[f64; 2]>,
+}
+
+impl Interpreter {
+    /// Keeps the words of the block.
+    pub(super) fn store_mill_words(&mut self) {
+        let inch = self.modal.is_inch();
+        let words = &self.words;
+        let keep = |slot: &mut Option<f64>, letter: u8| {
+            if let Some(value) = words.get(letter) {
+                *slot = Some(units::length_mm(value, inch));
+            }
+        };
+        let mill = &mut self.cycle.mill;
+        keep(&mut mill.i, b'I');
+        keep(&mut mill.j, b'J');
+        keep(&mut mill.l, b'L');
+        keep(&mut mill.w, b'W');
+        keep(&mut mill.q, b'Q');
+        keep(&mut mill.v, b'V');
+        keep(&mut mill.u, b'U');
+        if let Some(number) = self.words.get(b'D') {
+            self.cycle.mill.d = Some(number);
+        }
+    }
+
+    /// Cuts one pocket or wall.
+    pub(super) fn mill(&mut self, shape: MillShape, turn: Turn) -> Fallible<()> {
+        if self.location.scaling.is_some_and(|scaling| scaling.factors.iter().any(|f| *f < 0.0)) {
+            return Err(self.alarm(Fault::MillMirrored, self.cycle_span()));
+        }
+        if let (true, Some([x, y])) = (self.modal.is_incremental(), self.cycle.mill.at) {
+            self.location.programmed[Axis::X] = x;
+            self.location.programmed[Axis::Y] = y;
+        }
+        let axes: AxisSet = self.words.axes(self.rules.axes).iter().filter(|a| *a != Axis::Z).collect();
+        let to = self.end_point(axes);
+        let (Some(r), Some(z)) = (self.cycle.r, self.cycle.z) else { return self.position_at(to) };
+        let plan = self.mill_plan(shape, turn, Plane::Xy.of(to), r, z);
+        let plan = plan.map_err(|fault| self.mill_alarm(fault))?;
+        self.cycle.mill.at = Some(Plane::Xy.of(to));
+        let [x, y] = plan.start();
+        let mut start = to;
+        start[Axis::X] = x;
+        start[Axis::Y] = y;
+        self.position_at(start)?;
+        plan.moves(self.top(r), &mut |m| self.mill_move(m))
+    }
+
+    fn mill_plan(
+        &self,
+        shape: MillShape,
+        turn: Turn,
+        at: [f64; 2],
+        r: f64,
+        bottom: f64,
+    ) -> Result<Plan, CycleFault> {
+        let words = &self.cycle.mill;
+        let roughing = Roughing {
+            step: words.l,
+            first_depth: words.w,
+            depth: words.q,
+            gap: words.v,
+            helix_factor: self.rules.pocket_helix_factor,
+        };
+        let tool_radius = words.d.filter(|number| *number != 0.0).and_then(|number| {
+            let row = self.memory.tools.get(number as u16)?;
+            let entered = row.radius + row.radius_wear;
+            Some(if self.rules.radius_is_diameter { entered / 2.0 } else { entered })
+        });
+        let sizes = [words.i, words.j];
+        match shape {
+            MillShape::RoundPocket => {
+                RoundPocket { center: at, r, bottom, radius: words.i, roughing, tool_radius, turn }.plan()
+            }
+            MillShape::Circle(side) => {
+                let (radius, start) = (words.i, words.j);
+                CircleFinish { side, center: at, r, bottom, radius, start, tool_radius, turn }.plan()
+            }
+            MillShape::RectPocket => {
+                let corner = words.u;
+                RectPocket { center: at, r, bottom, sizes, roughing, corner, tool_radius, turn }.plan()
+            }
+            MillShape::Rectangle(side) => {
+                let (distance, corner) = (words.l, words.u);
+                RectFinish { side, start: at, r, bottom, sizes, distance, corner, tool_radius, turn }.plan()
+            }
+        }
+    }
+
+    /// A move of a plan, in programmed coordinates.
+    fn mill_move(&mut self, m: CycleMove) -> Fallible<()> {
+        let place = |from: Position, [x, y, z]: [f64; 3]| {
+            let mut to = from;
+            to[Axis::X] = x;
+            to[Axis::Y] = y;
+            to[Axis::Z] = z;
+            to
+        };
+        let from = self.location.programmed;
+        self.output.suspend_cutter();
+        match m {
+            CycleMove::Rapid { to } => self.rapid(place(from, to)),
+            CycleMove::Feed { to } => self.cut(place(from, to)),
+            CycleMove::Arc { to, center, sweep } => {
+                let to = place(from, to);
+                let machine = self.location.machine_of(to);
+                self.check_reach(machine)?;
+                let mut middle = to;
+                middle[Axis::X] = center[0];
+                middle[Axis::Y] = center[1];
+                let feed = self.feed()?;
+                let center = Plane::Xy.of(self.location.machine_of(middle));
+                self.location.programmed = to;
+                self.location.machine = machine;
+                self.emit(Op::Arc {
+                    to: machine,
+                    plane: Plane::Xy,
+                    center,
+                    sweep,
+                    feed,
+                    feed_along: FeedAlong::Path,
+                    path: self.path_mode(),
+                });
+                Ok(())
+            }
+        }
+    }
+
+    fn mill_alarm(&self, fault: CycleFault) -> Box<ferrocut_machine::Alarm> {
+        let rule = match fault.problem {
+            Problem::StepTooSmall => Fault::MillStepTooSmall,
+            Problem::StepTooLarge => Fault::MillStepTooLarge,
+            Problem::ToolTooLarge => Fault::MillToolTooLarge,
+            Problem::CornerTooLarge => Fault::MillCornerTooLarge,
+            Problem::CornerTooSmall => Fault::MillCornerTooSmall,
+            Problem::GapMissing => Fault::MillGapMissing,
+            Problem::FirstDepthMissing => Fault::MillFirstDepthMissing,
+            Problem::DepthMissing => Fault::MillDepthMissing,
+            Problem::SizeMissing => Fault::MillSizeMissing,
+            Problem::SecondSizeMissing => Fault::MillSecondSizeMissing,
+            Problem::ToolMissing => Fault::MillToolMissing,
+            Problem::BottomNotBelowR => Fault::CycleDepthAboveR,
+            Problem::OutOfRange => Fault::WordOutOfRange,
+            Problem::TooManyMoves => Fault::MillTooManyMoves,
+        };
+        match fault.letter {
+            Some(letter) if self.words.has(letter) => self.alarm_at(rule, letter),
+            _ => self.alarm(rule, self.cycle_span()),
+        }
+    }
+}
