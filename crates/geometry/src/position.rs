@@ -100,9 +100,27 @@ impl AxisSet {
         self.0.count_ones() as usize
     }
 
+    /// The set with these bits, in the order of [`Axis`]; bits beyond the axes are left out.
+    #[inline]
+    pub const fn from_bits(bits: u16) -> AxisSet {
+        AxisSet(bits & ((1 << AXES as u16) - 1))
+    }
+
+    /// The axes that are in both.
+    #[inline]
+    pub const fn and(self, other: AxisSet) -> AxisSet {
+        AxisSet(self.0 & other.0)
+    }
+
     /// The axes in the set, in order.
+    #[inline]
     pub fn iter(self) -> impl Iterator<Item = Axis> {
-        Axis::ALL.into_iter().filter(move |a| self.contains(*a))
+        let mut left = self.0;
+        std::iter::from_fn(move || {
+            let axis = Axis::ALL.get(left.trailing_zeros() as usize).copied()?;
+            left &= left - 1;
+            Some(axis)
+        })
     }
 }
 
@@ -194,5 +212,23 @@ impl IndexMut<Axis> for Position {
     #[inline]
     fn index_mut(&mut self, axis: Axis) -> &mut f64 {
         &mut self.0[axis as usize]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_set_gives_its_axes_back_in_order() {
+        for bits in 0..1u16 << AXES {
+            let set = AxisSet::from_bits(bits);
+            let axes: Vec<Axis> = set.iter().collect();
+            assert_eq!(axes.len(), set.len());
+            assert!(axes.windows(2).all(|w| w[0] < w[1]));
+            assert_eq!(axes.into_iter().collect::<AxisSet>(), set);
+            assert_eq!(set.is_empty(), bits == 0);
+        }
+        assert_eq!(AxisSet::from_bits(u16::MAX).len(), AXES);
     }
 }

@@ -1,8 +1,8 @@
 //! The interpreter: an iterator of steps, and the state that blocks change.
 //!
 //! State is kept in parts, each owned by the file that knows it: modal codes ([`Modal`]), where the
-//! tool is ([`Location`]), feed and spindle ([`Technology`]), the canned cycle
-//! ([`CycleState`]), the order of blocks ([`crate::flow`]). Blocks run ahead of motion; nothing that
+//! tool is (`Location`), feed and spindle (`Technology`), the canned cycle
+//! (`CycleState`), the order of blocks (`flow`). Blocks run ahead of motion; nothing that
 //! an abort would have to take back is changed outside this value.
 
 use crate::Fallible;

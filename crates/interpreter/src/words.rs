@@ -128,10 +128,9 @@ impl Words {
     /// The axes whose addresses the block has.
     #[inline]
     pub(crate) fn axes(&self, of: AxisSet) -> AxisSet {
-        if !self.has_any(AXIS_LETTERS) {
-            return AxisSet::EMPTY;
-        }
-        of.iter().filter(|a| self.has(a.letter() as u8)).collect()
+        // X Y Z, A B C and U V W are neighbours in the alphabet and in the order of the axes.
+        let three = |first: u8| (self.present >> (first - b'A') & 0b111) as u16;
+        AxisSet::from_bits(three(b'X') | three(b'A') << 3 | three(b'U') << 6).and(of)
     }
 }
 

@@ -166,7 +166,7 @@ impl PathModel {
             let points = self.points.get(first..run.end).unwrap_or_default();
             first = run.end;
             // Only the last stretch can still be open.
-            let open = (run.end == self.points.len()).then(|| self.open.as_ref()).flatten();
+            let open = (run.end == self.points.len()).then_some(self.open.as_ref()).flatten();
             (run.kind, points.iter().copied().chain(open.into_iter().flat_map(Thinner::pending)))
         })
     }

@@ -1,0 +1,215 @@
+//! An explanation as data, and how it reads in a terminal and as JSON.
+
+use crate::commands::layout::{padded, width, wrapped};
+use crate::commands::names::range;
+use ferrocut_machine::{Catalogue, Meaning, ParameterDef};
+use serde_json::{Map, Value, json};
+
+/// Columns of an explanation.
+const COLUMNS: usize = 100;
+
+/// What is known of one thing.
+pub struct Page {
+    /// What kind of thing: `g-code`, `parameter` …
+    pub kind: &'static str,
+    /// Its name as it is written.
+    pub name: String,
+    /// What it is, in a few words.
+    pub title: String,
+    /// What is to say of it, by the key of JSON and of the label.
+    pub facts: Vec<Fact>,
+    /// Lists of further things, by key: name and text.
+    pub lists: Vec<(&'static str, Vec<(String, String)>)>,
+    /// The parameters that bear on it, with their values.
+    pub parameters: Vec<(&'static ParameterDef, f64)>,
+}
+
+/// One thing to say.
+pub struct Fact {
+    key: &'static str,
+    /// For people; none where it is for programs only.
+    text: Option<String>,
+    json: Value,
+}
+
+impl Page {
+    /// A page without facts.
+    pub fn new(kind: &'static str, name: impl Into<String>, title: impl Into<String>) -> Page {
+        let (facts, lists, parameters) = (Vec::new(), Vec::new(), Vec::new());
+        Page { kind, name: name.into(), title: title.into(), facts, lists, parameters }
+    }
+
+    /// Adds a text, for people and programs; an empty one is left out.
+    pub fn say(&mut self, key: &'static str, text: impl Into<String>) {
+        let text = text.into();
+        if !text.is_empty() {
+            self.facts.push(Fact { key, json: Value::from(text.clone()), text: Some(text) });
+        }
+    }
+
+    /// Adds something that reads otherwise for programs.
+    pub fn tell(&mut self, key: &'static str, text: impl Into<String>, json: impl Into<Value>) {
+        self.facts.push(Fact { key, text: Some(text.into()), json: json.into() });
+    }
+
+    /// Adds something for programs only.
+    pub fn note(&mut self, key: &'static str, json: impl Into<Value>) {
+        self.facts.push(Fact { key, text: None, json: json.into() });
+    }
+
+    /// Adds a list; an empty one is left out.
+    pub fn list(&mut self, key: &'static str, rows: Vec<(String, String)>) {
+        if !rows.is_empty() {
+            self.lists.push((key, rows));
+        }
+    }
+
+    /// As one object.
+    pub fn json(&self) -> Value {
+        let mut object = Map::new();
+        object.insert("kind".into(), self.kind.into());
+        object.insert("name".into(), self.name.clone().into());
+        object.insert("title".into(), self.title.clone().into());
+        for fact in &self.facts {
+            object.insert(fact.key.into(), fact.json.clone());
+        }
+        for (key, rows) in &self.lists {
+            let rows: Vec<Value> = rows.iter().map(|(n, t)| json!({ "name": n, "text": t })).collect();
+            object.insert((*key).into(), rows.into());
+        }
+        if !self.parameters.is_empty() {
+            let rows: Vec<Value> = self.parameters.iter().map(|(d, v)| parameter_json(d, *v)).collect();
+            object.insert("parameters".into(), rows.into());
+        }
+        Value::Object(object)
+    }
+
+    /// As lines for people.
+    pub fn text(&self, catalogue: Catalogue) -> String {
+        let label = |key: &str| catalogue.label(&format!("label-explain-{key}"), &[]);
+        let mut lines = hanging(&format!("{}  ", self.name), &self.title);
+        let facts: Vec<(String, &String)> =
+            self.facts.iter().filter_map(|f| Some((label(f.key), f.text.as_ref()?))).collect();
+        let widest = facts.iter().map(|(name, _)| width(name)).max().unwrap_or(0);
+        for (name, text) in facts {
+            lines.extend(hanging(&format!("  {}  ", padded(&name, widest)), text));
+        }
+        let mut parameters = families(&self.parameters, catalogue);
+        // A single value and a single name need no more room than they have.
+        let values = parameters.iter().map(|row| width(&row.1)).max().unwrap_or(0);
+        let parameters = parameters.drain(..).map(|(n, v, t)| (n, format!("{}  ", padded(&v, values)), t));
+        let parameters: Vec<_> = parameters.collect();
+        if !parameters.is_empty() {
+            lines.push(format!("  {}", label("parameters")));
+            let names = parameters.iter().map(|row| width(&row.0)).max().unwrap_or(0);
+            for (name, value, text) in &parameters {
+                lines.extend(hanging(&format!("    {}  {value}", padded(name, names)), text));
+            }
+        }
+        for (key, rows) in &self.lists {
+            lines.push(format!("  {}", label(key)));
+            let names = rows.iter().map(|row| width(&row.0)).max().unwrap_or(0);
+            for (name, text) in rows {
+                lines.extend(hanging(&format!("    {}  ", padded(name, names)), text));
+            }
+        }
+        lines.iter().map(|line| format!("{}\n", line.trim_end())).collect()
+    }
+}
+
+/// A text behind a head, its further lines under its first.
+fn hanging(head: &str, text: &str) -> Vec<String> {
+    let indent = width(head);
+    let room = COLUMNS.saturating_sub(indent).max(30);
+    let lines = wrapped(text, room).into_iter().enumerate();
+    lines.map(|(at, line)| if at == 0 { format!("{head}{line}") } else { " ".repeat(indent) + &line }).collect()
+}
+
+/// What a parameter says, in one line.
+pub fn meaning(definition: &ParameterDef) -> String {
+    match &definition.meaning {
+        Meaning::Value(text) => text.to_string(),
+        Meaning::Bit { one, zero } => format!("1: {one}; 0: {zero}"),
+    }
+}
+
+/// A value with its unit.
+pub fn with_unit(value: f64, definition: &ParameterDef) -> String {
+    format!("{value} {}", definition.unit).trim_end().to_owned()
+}
+
+/// The value of a parameter, and its default where that is another.
+pub fn value_text(definition: &ParameterDef, value: f64, catalogue: Catalogue) -> String {
+    let text = with_unit(value, definition);
+    match value == definition.default {
+        true => text,
+        false => {
+            let arguments = [("value", text.into()), ("default", definition.default.to_string().into())];
+            catalogue.label("label-value-changed", &arguments)
+        }
+    }
+}
+
+/// A parameter as an object.
+pub fn parameter_json(definition: &ParameterDef, value: f64) -> Value {
+    let mut object = json!({
+        "name": definition.key.to_string(),
+        "symbol": definition.symbol,
+        "value": value,
+        "default": definition.default,
+        "changed": value != definition.default,
+        "min": definition.min,
+        "max": definition.max,
+        "unit": definition.unit,
+        "axis": definition.axis,
+        "room": definition.applies_to,
+        "range": range(definition.min, definition.max),
+    });
+    if let Value::Object(fields) = &mut object {
+        fields.remove("range");
+        fields.insert("meaning".into(), meaning(definition).into());
+        if let Meaning::Bit { one, zero } = &definition.meaning {
+            fields.insert("one".into(), (&**one).into());
+            fields.insert("zero".into(), (&**zero).into());
+        }
+    }
+    object
+}
+
+/// Parameters as rows of name, value, meaning. Neighbours that differ in the number of their axis or
+/// gear alone are one row.
+fn families(parameters: &[(&ParameterDef, f64)], catalogue: Catalogue) -> Vec<(String, String, String)> {
+    let mut rows: Vec<(String, String, String)> = Vec::new();
+    let mut rest = parameters;
+    while let Some(((first, value), behind)) = rest.split_first() {
+        let member = numbered(first);
+        let same = behind.iter().enumerate().take_while(|(at, (other, v))| {
+            let Some((before, number, after)) = member else { return false };
+            let next = u32::try_from(*at).ok().map(|at| number + at + 1);
+            numbered(other).is_some_and(|(b, n, a)| (b, Some(n), a) == (before, next, after))
+                && (&other.unit, other.default, v) == (&first.unit, first.default, value)
+        });
+        let count = same.count();
+        let last = behind.get(..count).and_then(<[_]>::last);
+        let value = value_text(first, *value, catalogue);
+        rows.push(match (last, member) {
+            (Some((last, _)), Some((before, number, after))) => {
+                let name = format!("{}-{}", first.key, last.key);
+                (name, value, format!("{before}{number}-{}{after}", number as usize + count))
+            }
+            _ => (first.key.to_string(), value, meaning(first)),
+        });
+        rest = behind.get(count..).unwrap_or(&[]);
+    }
+    rows
+}
+
+/// What stands before and behind the number of an axis or gear in the meaning of a number.
+fn numbered(definition: &ParameterDef) -> Option<(&str, u32, &str)> {
+    let Meaning::Value(text) = &definition.meaning else { return None };
+    let at = ["axis ", "gear "].into_iter().find_map(|word| Some(text.find(word)? + word.len()))?;
+    let (before, rest) = text.split_at_checked(at)?;
+    let end = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());
+    let (number, after) = rest.split_at_checked(end)?;
+    Some((before, number.parse().ok()?, after))
+}
