@@ -281,6 +281,8 @@ pub struct Rules {
     pub cutter: cutter::Rules,
     /// Radius offsets are entered as diameters.
     pub radius_is_diameter: bool,
+    /// Override of inner corners, where it is fitted: critical angle in degrees, lowest feed in mm/min.
+    pub corner_override: Option<(f64, f64)>,
     /// Stored stroke checks.
     pub stroke: StrokeRules,
     /// Largest coordinate that a program may name, mm or degrees.

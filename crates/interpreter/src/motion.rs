@@ -9,7 +9,7 @@ use crate::stages::units;
 use crate::words::letters;
 use ferrocut_geometry::{Arc, Axis, AxisSet, Plane, Position, RadiusError, SAME_POINT_MM, Turn};
 use ferrocut_machine::Fault;
-use ferrocut_toolpath::{Feed, FeedAlong, Op, PathMode};
+use ferrocut_toolpath::{Feed, FeedAlong, InnerCorners, Op, PathMode};
 
 /// Largest machine coordinate, mm or degrees: a thousand times the range of any control, and small
 /// enough that `f64` still resolves a tenth of a micrometre there.
@@ -102,6 +102,12 @@ impl Interpreter {
         match self.modal.meaning(Group::PathControl) {
             Meaning::ExactStop => PathMode::ExactStop,
             Meaning::TappingMode => PathMode::Tapping,
+            Meaning::CornerOverride => match (self.rules.corner_override, self.output.tool_is_left()) {
+                (Some((critical_angle, lowest_feed)), Some(left)) => {
+                    PathMode::InnerCorners(InnerCorners { left, critical_angle, lowest_feed })
+                }
+                _ => PathMode::Continuous,
+            },
             _ => PathMode::Continuous,
         }
     }

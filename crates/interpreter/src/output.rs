@@ -76,6 +76,12 @@ impl Output {
         self.cutter.in_mode() && self.offset.is_some_and(|offset| offset.side == side)
     }
 
+    /// On which side of the path the tool runs, where an offset other than 0 is in force.
+    pub(crate) fn tool_is_left(&self) -> Option<bool> {
+        let offset = self.offset.filter(|offset| self.cutter.in_mode() && offset.radius != 0.0)?;
+        Some((offset.side == cutter::Side::Left) == (offset.radius > 0.0))
+    }
+
     /// Takes a step.
     #[inline]
     pub(crate) fn push(&mut self, step: Step) -> Result<(), Refused> {

@@ -99,7 +99,8 @@ impl Member {
         let tolerance = match path {
             _ if rules.exact_stop => None,
             PathMode::ExactStop => None,
-            PathMode::Continuous | PathMode::Tapping => Some(rules.tolerance),
+            // The slow-down at inner corners does not act yet; the path is the same.
+            PathMode::Continuous | PathMode::InnerCorners(_) | PathMode::Tapping => Some(rules.tolerance),
             PathMode::ContinuousWithin(t) => Some(if t.is_finite() { t.max(0.0) } else { rules.tolerance }),
         };
         let bound = match &piece {

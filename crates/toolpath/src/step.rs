@@ -44,8 +44,23 @@ pub enum PathMode {
     Continuous,
     /// Run on, staying within this distance of the programmed path, mm (G64 P).
     ContinuousWithin(f64),
+    /// Run on, slowed down about inner corners of a compensated path (G62).
+    InnerCorners(InnerCorners),
     /// Run on, with feed override and feed hold without effect (G63).
     Tapping,
+}
+
+/// Where and how far a cutter-compensated path slows down (GSK990MC 4.8.2). A corner counts if the angle
+/// between its two moves, on the side of the tool, is from 2° to `critical_angle`; it acts on the last and
+/// the first stretch beside it, together 2 mm at most.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct InnerCorners {
+    /// The tool runs left of the programmed path, so that corners to the left are inner ones.
+    pub left: bool,
+    /// Degrees.
+    pub critical_angle: f64,
+    /// Feed below which it does not slow down, mm/min.
+    pub lowest_feed: f64,
 }
 
 /// How long to wait.

@@ -54,6 +54,8 @@ pub fn rules(parameters: &Parameters) -> Rules {
             corner_limit: p(266).max(cutter::Rules::default().corner_limit),
             ..cutter::Rules::default()
         },
+        // 16#7, P144, P145 (4.8.2).
+        corner_override: parameters.bit(16, 7).then(|| (p(144), p(145))),
         stroke: stroke(parameters),
         max_coordinate: 99_999.999_9,
         // 1.2: three axes together, four with 9#1.
