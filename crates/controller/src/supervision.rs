@@ -3,7 +3,7 @@
 //! `check` at a desk and the running control ask the same supervisor, so that what the check says is
 //! what the machine does.
 
-use ferrocut_geometry::{Axis, Position};
+use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_interpreter::Dialect;
 use ferrocut_machine::{Alarm, AlarmId, Fault, Machine};
 use ferrocut_toolpath::{Op, Speed, Step};
@@ -16,6 +16,8 @@ const ON_LIMIT: f64 = 1e-6;
 pub struct Supervisor {
     dialect: &'static Dialect,
     axes: Vec<AxisLimits>,
+    /// Axes that the machine lacks and of which nothing was told yet.
+    lacking: AxisSet,
     tools: u32,
     max_rpm: f64,
     at: Position,
@@ -48,12 +50,18 @@ impl Supervisor {
         Supervisor {
             dialect,
             axes: axes.collect(),
+            lacking: Axis::ALL.into_iter().filter(|a| machine.axis(*a).is_none()).collect(),
             tools: machine.tool_change.tools,
             max_rpm: machine.spindle.max_rpm,
             at: start,
             turning: false,
             told_spindle: false,
         }
+    }
+
+    /// Notes where the axes are after a block that made no steps, as a checker takes a faulty one.
+    pub fn moved_to(&mut self, at: Position) {
+        self.at = at;
     }
 
     /// Tells each thing that the machine has against a step. A tool that stays beyond a limit, or a
@@ -89,10 +97,15 @@ impl Supervisor {
         }
     }
 
-    /// Software limits, arcs by their true extent.
+    /// Axes that the machine lacks, and software limits; arcs by their true extent.
     #[inline]
     fn travel(&mut self, step: &Step, tell: &mut impl FnMut(Alarm)) {
         let Some((min, max)) = step.op.extent(self.at) else { return };
+        for axis in self.lacking.iter().filter(|a| min[*a] != max[*a]) {
+            tell(Alarm::core(Fault::UnknownAxis, step.span).with("axis", axis.letter().to_string()));
+            // Told once.
+            self.lacking = self.lacking.iter().filter(|a| *a != axis).collect();
+        }
         if let Some(to) = step.op.target() {
             self.at = *to;
         }

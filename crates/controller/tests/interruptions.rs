@@ -1,5 +1,5 @@
 //! Feed hold, reset and overrides at any moment.
-#![allow(missing_docs)]
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
 mod common;
 

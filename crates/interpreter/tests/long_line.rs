@@ -1,5 +1,5 @@
 //! A line of 100 MB, in a process of its own so that its memory can be told.
-#![allow(missing_docs)]
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
 use ferrocut_interpreter::{Interpreter, Options, dialects};
 use ferrocut_machine::{AlarmId, Fault, Memory};

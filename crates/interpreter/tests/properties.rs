@@ -1,6 +1,6 @@
 //! What holds for every input: no panic, no hang, bounded memory, finite steps, alarms that point into
 //! the text. In test builds overflow is a panic too.
-#![allow(missing_docs)]
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
 mod common;
 
