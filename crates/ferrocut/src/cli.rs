@@ -1,5 +1,7 @@
 //! The command line.
 
+use crate::commands::explain::ExplainArgs;
+use crate::commands::machine::MachineArgs;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -18,6 +20,7 @@ use std::path::PathBuf;
         ferrocut run part.nc                      run it on a simulated machine and report times\n  \
         ferrocut time part.nc --machine mill.toml how long it takes on your machine\n  \
         ferrocut view part.nc -o part.png         a picture of the path\n  \
+        ferrocut explain G84                      what a code is, and which parameters bear on it\n  \
         cat part.nc | ferrocut trace -            every step as a line of JSON"
 )]
 pub struct Cli {
@@ -39,10 +42,14 @@ pub enum Command {
     Time(TimeArgs),
     /// Draw the tool path (PNG or SVG)
     View(ViewArgs),
+    /// Explain a code, parameter, alarm, macro variable or word of a program
+    Explain(ExplainArgs),
+    /// Machine files, and the parameters of the control in them
+    Machine(MachineArgs),
 }
 
 /// What every command that reads a program takes.
-#[derive(Args, Clone)]
+#[derive(Args, Clone, Default)]
 pub struct Common {
     /// Control language of the program [default: that of the set-up or machine file]
     #[arg(long, value_name = "NAME")]
@@ -68,9 +75,10 @@ pub struct Common {
 }
 
 /// How results are printed.
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 pub enum Format {
     /// For people
+    #[default]
     Text,
     /// For programs
     Json,

@@ -21,6 +21,8 @@ fn main() -> ExitCode {
         Command::Run(args) => (commands::run::run(&args), args.common),
         Command::Time(args) => (commands::time::run(&args), args.common),
         Command::View(args) => (commands::view::run(&args), args.common),
+        Command::Explain(args) => (commands::explain::run(&args), args.common()),
+        Command::Machine(args) => (commands::machine::run(&args), args.common()),
     };
     let exit = done.unwrap_or_else(|Failure { alarm, exit }| {
         job::diagnostics(&common).report(&alarm, "", None);

@@ -1,5 +1,6 @@
 //! What a run took, for people and as JSON.
 
+use crate::commands::layout::{padded, width};
 use crate::diagnostics::Diagnostics;
 use ferrocut_controller::{Activity, Report};
 use ferrocut_geometry::Position;
@@ -71,11 +72,6 @@ pub fn clock(seconds: f64) -> String {
     } else {
         format!("{}:{:02}:{:02}", minutes / 60, minutes % 60, rest / 10)
     }
-}
-
-/// Columns that a label takes on the screen: Chinese characters are two wide.
-fn width(text: &str) -> usize {
-    text.chars().map(|c| if c as u32 >= 0x1100 { 2 } else { 1 }).sum()
 }
 
 /// The report in lines.

@@ -466,7 +466,8 @@ mod tests {
             }
             let alarms = dialect.iter().flat_map(|text| text.lines()).filter(|l| !l.starts_with("label-"));
             // Plurals of a label go over several lines, which begin with blanks and a bracket.
-            let alarms = alarms.filter(|line| line.starts_with("gsk") || line.trim_start().starts_with(".help"));
+            let alarms =
+                alarms.filter(|line| line.starts_with("gsk") || line.trim_start().starts_with(".help"));
             assert!(alarms.into_iter().all(|line| !line.contains("{ $")));
         }
     }

@@ -133,7 +133,7 @@ pub enum Mention {
     M(RangeInclusive<u16>),
     /// `P270`, `P335-P338`, `P216 to P230`.
     Data(RangeInclusive<u16>),
-    /// `42#5`, `#15.0`, `47#3-47#5`.
+    /// `42#5`, `#15.0`, `NO43.1`, `47#3-47#5`.
     Bits(u16, RangeInclusive<u8>),
     /// `alarm 0020`.
     Alarm(u16),
@@ -410,8 +410,7 @@ pub fn mentions(text: &str) -> Vec<Mention> {
             continue;
         }
         behind_code &= first == ' ';
-        at_start = !first.is_alphanumeric() && first != '#' && first != ',';
-        at_start |= first == ',';
+        at_start = !first.is_alphanumeric() && first != '#';
         rest = rest.get(first.len_utf8()..).unwrap_or("");
     }
     found
@@ -469,9 +468,9 @@ fn range<'a, T: PartialOrd + Copy>(
     last.unwrap_or((first, text))
 }
 
-/// `42#5` or `#15.0`.
+/// `42#5`, `#15.0` or `NO43.1`.
 fn bit(text: &str) -> Option<((u16, u8), &str)> {
-    let (number, rest, mark) = match text.strip_prefix('#') {
+    let (number, rest, mark) = match text.strip_prefix('#').or_else(|| text.strip_prefix("NO")) {
         Some(rest) => whole(rest).map(|(n, rest)| (n, rest, '.'))?,
         None => whole(text).map(|(n, rest)| (n, rest, '#'))?,
     };
@@ -540,7 +539,7 @@ mod tests {
         for (text, expected) in [
             ("rapid; 12#1; 31#0 at power-on", vec![Bits(12, 1..=1), Bits(31, 0..=0)]),
             ("then #15.0 and #17.0", vec![Bits(15, 0..=0), Bits(17, 0..=0)]),
-            ("47#3-47#5 per axis", vec![Bits(47, 3..=5)]),
+            ("47#3-47#5 per axis; NO43.1 = 0", vec![Bits(47, 3..=5), Bits(43, 1..=1)]),
             ("dwell P334, overrun P335-P338", vec![Data(334..=334), Data(335..=338)]),
             ("Check P216 to P230.", vec![Data(216..=230)]),
             ("G54 P1 to P50 and P2, G54 P50", vec![G(540..=540), G(540..=540)]),

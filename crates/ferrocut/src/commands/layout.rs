@@ -1,8 +1,15 @@
 //! Text in columns, for tables and explanations.
 
+use std::io::{self, Write};
+
 /// Columns that a text takes on the screen: Chinese characters are two wide.
 pub fn width(text: &str) -> usize {
-    text.chars().map(|c| if c as u32 >= 0x1100 { 2 } else { 1 }).sum()
+    text.chars().map(|c| if c as u32 >= 0x2E80 { 2 } else { 1 }).sum()
+}
+
+/// Prints a text. A reader that went away is no fault of what was done.
+pub fn print(text: &str) {
+    let _ = io::stdout().lock().write_all(text.as_bytes());
 }
 
 /// The text with blanks behind it up to `columns`.
@@ -48,7 +55,10 @@ mod tests {
     #[test]
     fn chinese_takes_two_columns() {
         assert_eq!(padded("参数", 6), "参数  ");
-        assert_eq!(table(&[vec!["参数".into(), "1".into()], vec!["G1".into(), "2".into()]]), "参数  1\nG1    2\n");
+        assert_eq!(
+            table(&[vec!["参数".into(), "1".into()], vec!["G1".into(), "2".into()]]),
+            "参数  1\nG1    2\n"
+        );
     }
 
     #[test]

@@ -1,6 +1,10 @@
 //! The commands, one file each.
 
 pub mod check;
+pub mod explain;
+pub mod layout;
+pub mod machine;
+pub mod names;
 pub mod run;
 pub mod time;
 pub mod trace;

@@ -195,9 +195,13 @@ mod tests {
     #[test]
     fn names_are_read_as_the_manual_prints_them() {
         let key = |text: &str| parameter(text, table()).map(|k| k.to_string());
-        for (text, name) in
-            [("P270", "P270"), ("p0270", "P270"), ("43#1", "NO43.1"), ("NO43#1", "NO43.1"), ("no43.1", "NO43.1")]
-        {
+        for (text, name) in [
+            ("P270", "P270"),
+            ("p0270", "P270"),
+            ("43#1", "NO43.1"),
+            ("NO43#1", "NO43.1"),
+            ("no43.1", "NO43.1"),
+        ] {
             assert_eq!(key(text), Ok(name.to_owned()), "{text}");
         }
         assert_eq!(key("odi"), Ok("NO40.7".to_owned()));

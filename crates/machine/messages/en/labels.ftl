@@ -31,3 +31,178 @@ label-checked = { $files ->
    *[other] { $findings } findings
 }
 label-further = { $count } further findings
+
+## Explanations
+
+label-error = error: { $text }
+label-near = { $text }; near it: { $names }
+label-unknown = { $name } is nothing that { $dialect } knows
+label-no-code = { $dialect } has no code { $name }
+label-no-alarm = { $dialect } has no alarm { $name }
+label-no-variable = { $dialect } has no variable #{ $name }
+label-no-parameter = { $dialect } has no parameter { $name }
+label-several-parameters = { $name } is the symbol of several parameters: { $names }
+label-whole-bits = { $name } has several bits: name one, as in { $name }.1
+label-malformed-name = { $name } names no parameter: write P270, NO43.1 or the symbol
+label-out-of-range = { $name } cannot be { $value }: it must be { $range }
+label-any-number = a number
+label-not-a-bit = { $name } cannot be { $value }: it is a bit, 0 or 1
+label-value-changed = { $value } (default { $default })
+label-explain-form = form
+label-explain-group = group
+label-explain-modal = modal
+label-explain-one-block = in its block only
+label-explain-modal-depends = modal or not as parameters and form say
+label-explain-at-power-on = in force at power-on
+label-explain-replaces = group with
+label-explain-does = does
+label-explain-section = manual
+label-explain-note = note
+label-explain-not-done = this version does not carry it out
+label-explain-forms = forms
+label-explain-parameters = parameters
+label-explain-alarms = alarms
+label-explain-codes = codes
+label-explain-no-meaning = the manual names it without a meaning; the builder of the machine gives it one
+label-explain-timing = when
+label-explain-with-motion = starts with the motion of its block
+label-explain-after-motion = after the motion of its block
+label-explain-class = done by
+label-explain-program-control = the control, as order of the program
+label-explain-internal = the control
+label-explain-plc = the ladder of the machine
+label-explain-alone = block
+label-explain-own-block = no other code of this kind in its block
+label-explain-meaning = meaning
+label-explain-one = 1
+label-explain-zero = 0
+label-explain-value = value
+label-explain-default = default
+label-explain-range = range
+label-explain-bit = 0 or 1
+label-explain-no-range = the manual prints none
+label-explain-whole = whole numbers
+label-explain-axis = axis
+label-explain-room = part
+label-explain-other-room = { $room }; kept with its value, programs and their run do not use it
+label-explain-help = what to do
+label-explain-source = from
+label-explain-raised_by = raised by
+label-explain-shown_as = shown as
+label-explain-numbers = numbers
+label-explain-access = access
+label-explain-read = read only
+label-explain-write = write only
+label-explain-read-write = read and write
+label-explain-access-unknown = the manual does not say
+label-explain-this_one = this one
+label-explain-external = external offset
+label-explain-notes = notes
+label-explain-part_of = part of
+label-explain-no-variable = not described by the manual; programs cannot use it
+label-explain-place = place
+label-explain-used_by = read by
+label-explain-in_force = in force
+label-explain-no-block = { $file }, line { $line }: there is no block
+label-explain-no-word = { $file }, line { $line }, column { $column }: there is no word
+label-explain-no-word-there = { $file }, line { $line }, column { $column }: there is no word; the words of the line and their columns: { $words }
+label-explain-comment = { $file }, line { $line }, column { $column }: a comment
+label-room-acceleration = acceleration
+label-room-bus-servo = servo drives and bus
+label-room-canned-cycles = canned cycles
+label-room-compensation = compensation
+label-room-coordinates = coordinates
+label-room-display = display
+label-room-feed = feed
+label-room-homing = reference points
+label-room-io = inputs and outputs
+label-room-limits = limits
+label-room-lookahead = look-ahead
+label-room-macro = macros
+label-room-other = other
+label-room-plc = ladder
+label-room-program-edit = program editing
+label-room-security = rights
+label-room-spindle = spindle
+label-room-tapping = tapping
+label-class-program = the part program
+label-class-macro = a macro statement
+label-class-operation = the operation of the panel
+label-class-homing = the reference points
+label-class-storage = the program memory
+label-class-servo = a feed drive
+label-class-spindle = the spindle
+label-class-overtravel = an axis beyond its limits
+label-class-plc = the ladder
+label-class-system = the control itself
+
+## Machine files and parameters
+
+label-warning = warning: { $text }
+label-exists = { $file } exists already and was not changed
+label-nothing-written = nothing was written
+label-no-assignment = { $text } sets nothing: write NAME=VALUE
+label-no-number = { $name } cannot be { $value }: that is no number
+label-set-twice = { $name } is set twice
+label-named-twice = { $name } is the same parameter as { $other }
+label-no-room = there is no room { $name }; the rooms are { $names }
+label-no-column = { $file } has no column { $name }
+label-no-row = { $file }, line { $line }: no row of a table
+label-row-twice = { $name } stands in line { $line } already
+label-imported = { $changed ->
+    [0] no value
+    [one] 1 value
+   *[other] { $changed } values
+} changed, { $same } as before
+label-params-name = name
+label-params-symbol = symbol
+label-params-value = value
+label-params-default = default
+label-params-range = range
+label-params-unit = unit
+label-params-room = room
+label-params-meaning = meaning
+label-params-none = no such parameter
+label-params-checked = { $parameters ->
+    [one] 1 parameter
+   *[other] { $parameters } parameters
+} of { $file } checked: { $findings ->
+    [0] no findings
+    [one] 1 finding
+   *[other] { $findings } findings
+}
+label-machine-axis = axis
+label-machine-kind = kind
+label-machine-linear = linear
+label-machine-rotary = rotary
+label-machine-limits = limits
+label-machine-rapid = rapid
+label-machine-cutting = cutting
+label-machine-acceleration = acceleration
+label-machine-jerk = jerk
+label-machine-unlimited = not limited
+label-machine-control = control
+label-machine-period = servo period
+label-machine-spindle-name = spindle
+label-machine-tool-change-name = tool change
+label-machine-tools = { $tools ->
+    [one] 1 tool
+   *[other] { $tools } tools
+}
+label-machine-tolerance-name = tolerance
+label-machine-exact-stop = exact stop at every joint
+label-machine-parameters = parameters
+label-machine-dialect = there is no control language { $name }
+label-machine-no-axis = programs of { $dialect } cannot name axis { $axis }
+label-machine-travel = axis { $axis }: a travel of { $value } mm is longer than any machine's; is max in mm?
+label-machine-zero = axis { $axis }: machine position 0 lies outside min and max, where programs start if the set-up names no start
+label-machine-fast = axis { $axis }: a rapid of { $value } mm/min is beyond any machine; are these mm/min?
+label-machine-velocity = axis { $axis }: cutting at { $value } mm/min is faster than rapid
+label-machine-sluggish = axis { $axis }: it takes { $value } s to reach rapid speed; is acceleration in mm/s², not m/s²?
+label-machine-abrupt = axis { $axis }: an acceleration of { $value } reaches rapid speed within { $limit } s; is it in mm/s²?
+label-machine-jerk-low = axis { $axis }: with this jerk it takes { $value } s to build up the acceleration; is jerk in mm/s³? 0 is not limited
+label-machine-spindle = the spindle's { $value } r/min are beyond any machine
+label-machine-spindle-sluggish = the spindle takes { $value } s to reach its highest speed; is acceleration_rpm_s in r/min per second?
+label-machine-tolerance = a path that may be { $value } mm off cuts no part; is tolerance in mm?
+label-machine-tool-change = a tool change takes { $value } s; is time_s in seconds?
+label-quote-bits = Names of bit parameters stand in quotation marks: "NO43.1" = 1

@@ -1,7 +1,6 @@
 //! An explanation as data, and how it reads in a terminal and as JSON.
 
 use crate::commands::layout::{padded, width, wrapped};
-use crate::commands::names::range;
 use ferrocut_machine::{Catalogue, Meaning, ParameterDef};
 use serde_json::{Map, Value, json};
 
@@ -94,17 +93,14 @@ impl Page {
         for (name, text) in facts {
             lines.extend(hanging(&format!("  {}  ", padded(&name, widest)), text));
         }
-        let mut parameters = families(&self.parameters, catalogue);
-        // A single value and a single name need no more room than they have.
-        let values = parameters.iter().map(|row| width(&row.1)).max().unwrap_or(0);
-        let parameters = parameters.drain(..).map(|(n, v, t)| (n, format!("{}  ", padded(&v, values)), t));
-        let parameters: Vec<_> = parameters.collect();
+        let parameters = families(&self.parameters, catalogue);
         if !parameters.is_empty() {
             lines.push(format!("  {}", label("parameters")));
-            let names = parameters.iter().map(|row| width(&row.0)).max().unwrap_or(0);
-            for (name, value, text) in &parameters {
-                lines.extend(hanging(&format!("    {}  {value}", padded(name, names)), text));
-            }
+        }
+        let names = parameters.iter().map(|row| width(&row.0)).max().unwrap_or(0);
+        let values = parameters.iter().map(|row| width(&row.1)).max().unwrap_or(0);
+        for (name, value, text) in &parameters {
+            lines.extend(hanging(&format!("    {}  {}  ", padded(name, names), padded(value, values)), text));
         }
         for (key, rows) in &self.lists {
             lines.push(format!("  {}", label(key)));
@@ -122,7 +118,9 @@ fn hanging(head: &str, text: &str) -> Vec<String> {
     let indent = width(head);
     let room = COLUMNS.saturating_sub(indent).max(30);
     let lines = wrapped(text, room).into_iter().enumerate();
-    lines.map(|(at, line)| if at == 0 { format!("{head}{line}") } else { " ".repeat(indent) + &line }).collect()
+    lines
+        .map(|(at, line)| if at == 0 { format!("{head}{line}") } else { " ".repeat(indent) + &line })
+        .collect()
 }
 
 /// What a parameter says, in one line.
@@ -163,15 +161,11 @@ pub fn parameter_json(definition: &ParameterDef, value: f64) -> Value {
         "unit": definition.unit,
         "axis": definition.axis,
         "room": definition.applies_to,
-        "range": range(definition.min, definition.max),
+        "meaning": meaning(definition),
     });
-    if let Value::Object(fields) = &mut object {
-        fields.remove("range");
-        fields.insert("meaning".into(), meaning(definition).into());
-        if let Meaning::Bit { one, zero } = &definition.meaning {
-            fields.insert("one".into(), (&**one).into());
-            fields.insert("zero".into(), (&**zero).into());
-        }
+    if let (Value::Object(fields), Meaning::Bit { one, zero }) = (&mut object, &definition.meaning) {
+        fields.insert("one".into(), (&**one).into());
+        fields.insert("zero".into(), (&**zero).into());
     }
     object
 }
@@ -185,8 +179,7 @@ fn families(parameters: &[(&ParameterDef, f64)], catalogue: Catalogue) -> Vec<(S
         let member = numbered(first);
         let same = behind.iter().enumerate().take_while(|(at, (other, v))| {
             let Some((before, number, after)) = member else { return false };
-            let next = u32::try_from(*at).ok().map(|at| number + at + 1);
-            numbered(other).is_some_and(|(b, n, a)| (b, Some(n), a) == (before, next, after))
+            numbered(other) == Some((before, number + at + 1, after))
                 && (&other.unit, other.default, v) == (&first.unit, first.default, value)
         });
         let count = same.count();
@@ -195,7 +188,7 @@ fn families(parameters: &[(&ParameterDef, f64)], catalogue: Catalogue) -> Vec<(S
         rows.push(match (last, member) {
             (Some((last, _)), Some((before, number, after))) => {
                 let name = format!("{}-{}", first.key, last.key);
-                (name, value, format!("{before}{number}-{}{after}", number as usize + count))
+                (name, value, format!("{before}{number}-{}{after}", number + count))
             }
             _ => (first.key.to_string(), value, meaning(first)),
         });
@@ -205,9 +198,11 @@ fn families(parameters: &[(&ParameterDef, f64)], catalogue: Catalogue) -> Vec<(S
 }
 
 /// What stands before and behind the number of an axis or gear in the meaning of a number.
-fn numbered(definition: &ParameterDef) -> Option<(&str, u32, &str)> {
+fn numbered(definition: &ParameterDef) -> Option<(&str, usize, &str)> {
     let Meaning::Value(text) = &definition.meaning else { return None };
-    let at = ["axis ", "gear "].into_iter().find_map(|word| Some(text.find(word)? + word.len()))?;
+    let ends = ["axis ", "gear "].into_iter().flat_map(|word| text.match_indices(word));
+    let mut ends = ends.map(|(at, word)| at + word.len());
+    let at = ends.find(|at| text.as_bytes().get(*at).is_some_and(u8::is_ascii_digit))?;
     let (before, rest) = text.split_at_checked(at)?;
     let end = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());
     let (number, after) = rest.split_at_checked(end)?;

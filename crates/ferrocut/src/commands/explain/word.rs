@@ -1,0 +1,151 @@
+//! The words of a program, explained where they stand.
+
+use super::Book;
+use super::asked::Asked;
+use super::page::Page;
+use super::place::{self, Line, Spot};
+use ferrocut_geometry::Axis;
+use ferrocut_interpreter::Dialect;
+use ferrocut_interpreter::modal::Group;
+use ferrocut_machine::{Alarm, Argument, Fault, Subject, g_code_name};
+use ferrocut_program::{OpenError, ProgramMemory, Span, Text};
+use std::io;
+use std::path::Path;
+
+impl Book {
+    /// The pages of the words at a place; the reason where there is none.
+    pub fn place(&self, file: &Path, number: u32, column: Option<usize>) -> Result<Vec<Page>, String> {
+        let name = file.to_string_lossy();
+        let label = |key: &str, more: &[(&str, Argument)]| {
+            let mut arguments = vec![("file", (&*name).into()), ("line", number.to_string().into())];
+            arguments.extend_from_slice(more);
+            self.diagnostics.catalogue().label(key, &arguments)
+        };
+        let mut programs = open(file, self.dialect).map_err(|error| self.open_error(&name, &error))?;
+        let line = place::line(&mut programs, number, self.dialect, &self.memory.parameters);
+        let line = line.map_err(|error| self.open_error(&name, &OpenError::Io(error)))?;
+        let Some(line) = line else { return Err(label("label-explain-no-block", &[])) };
+        let spots = match column {
+            None => line.words.iter().filter_map(|w| line.at(w.column)).collect(),
+            Some(column) => match line.at(column) {
+                Some(spot) => vec![spot],
+                None => {
+                    let words: Vec<String> =
+                        line.words.iter().map(|w| format!("{} ({})", w.text.trim(), w.column)).collect();
+                    let more = [("column", column.to_string().into()), ("words", words.join(", ").into())];
+                    let key = match (line.is_comment(column), words.is_empty()) {
+                        (true, _) => "label-explain-comment",
+                        (false, true) => "label-explain-no-word",
+                        (false, false) => "label-explain-no-word-there",
+                    };
+                    return Err(label(key, &more));
+                }
+            },
+        };
+        Ok(spots.iter().map(|spot| self.spot(&name, number, spot, &line)).collect())
+    }
+
+    /// The page of a word where it stands.
+    fn spot(&self, file: &str, number: u32, spot: &Spot, line: &Line) -> Page {
+        let text = spot.text.trim();
+        let asked = match (spot.letter, spot.value) {
+            (Some(b'G'), Some(value)) => place::tenths(value).filter(|t| self.knows_g(*t)).map(Subject::G),
+            (Some(b'M'), Some(value)) => {
+                place::tenths(value).map(|t| t / 10).filter(|code| self.knows_m(*code)).map(Subject::M)
+            }
+            (None, _) => text.strip_prefix('#').and_then(|n| n.parse().ok()).map(Subject::Variable),
+            _ => None,
+        };
+        let mut page = match (asked, spot.letter) {
+            (Some(subject), _) => self.page(&Asked::Subject(subject)),
+            (None, Some(letter)) => Some(self.word(letter, text, line)),
+            (None, None) => self.page(&Asked::MacroWord(self.full_name(text))),
+        }
+        .unwrap_or_else(|| Page::new("word", text, ""));
+        page.tell(
+            "place",
+            format!("{file}:{number}:{}  {text}", spot.column),
+            serde_json::json!({ "file": file, "line": number, "column": spot.column, "text": text }),
+        );
+        page
+    }
+
+    /// A word beside G and M: what its address holds, and which code reads it.
+    fn word(&self, letter: u8, text: &str, line: &Line) -> Page {
+        let meaning = self.reference.and_then(|r| r.address(letter)).unwrap_or_default();
+        let mut page = Page::new("word", text, meaning);
+        self.say_range(&mut page, letter);
+        if let Some(reader) = self.reader(letter, line) {
+            let (name, title) = self.code_line(&reader).unwrap_or_default();
+            page.say("used_by", format!("{name}  {title}"));
+            if let (Subject::G(tenths), Some(reference)) = (&reader, self.reference) {
+                page.say("form", reference.g_code(*tenths).map_or("", |row| &*row.format));
+            }
+        }
+        let mut codes: Vec<_> = line.modal.codes().map(|c| (c.group_number, c.tenths)).collect();
+        codes.sort_unstable();
+        codes.dedup();
+        let codes: Vec<String> = codes.iter().map(|(_, tenths)| g_code_name(*tenths)).collect();
+        page.tell("in_force", codes.join(" "), codes.clone());
+        page
+    }
+
+    /// The code that reads a word of a line: one that stands there, else one in force.
+    fn reader(&self, letter: u8, line: &Line) -> Option<Subject> {
+        let reference = self.reference?;
+        let is_axis = Axis::from_letter(letter).is_some();
+        let reads = |tenths: &u16| {
+            let row = reference.g_code(*tenths);
+            let group = self.dialect.g_code(*tenths).map(|c| c.group);
+            row.is_some_and(|r| place::has_address(&r.format, letter))
+                && (!is_axis || group.is_none_or(place::takes_axes))
+        };
+        let calls = |code: &u16| {
+            reference
+                .m_code(*code)
+                .is_some_and(|row| row.meaning.contains(&format!(" {}_", char::from(letter))))
+        };
+        if let Some(code) = line.m_codes.iter().copied().find(calls) {
+            return Some(Subject::M(code));
+        }
+        let is_modal = |t: &u16| self.dialect.g_code(*t).is_some_and(|c| c.group_number > 0);
+        let here = line.g_codes.iter().copied();
+        let first = here.clone().filter(|t| !is_modal(t)).find(reads).or_else(|| here.clone().find(reads));
+        let cycle = || {
+            let mut codes = line.modal.codes().filter(|c| c.tenths != self.dialect.cycle_off.tenths);
+            codes.find(|c| c.group == Group::Cycle).map(|c| c.tenths)
+        };
+        let motion = || {
+            let mut codes = line.modal.codes();
+            codes.find(|c| c.group == Group::Motion).map(|c| c.tenths)
+        };
+        first.or_else(|| cycle().filter(reads)).or_else(|| motion().filter(reads)).map(Subject::G)
+    }
+
+    /// The whole name of a function that may be written with its first letters (`SI`).
+    fn full_name(&self, text: &str) -> String {
+        let functions = self.dialect.syntax.functions;
+        let meant = functions.iter().find(|(name, _)| name.eq_ignore_ascii_case(text)).map(|(_, f)| f);
+        let first = meant.and_then(|meant| functions.iter().find(|(_, f)| f == meant));
+        first.map_or(text, |(name, _)| name).to_ascii_uppercase()
+    }
+
+    fn open_error(&self, name: &str, error: &OpenError) -> String {
+        let alarm = |fault| Alarm::core(fault, Span::default()).with("file", name);
+        let alarm = match error {
+            OpenError::Io(error) => alarm(Fault::FileUnreadable).with("reason", error.to_string()),
+            OpenError::Folder => alarm(Fault::FileUnreadable).with("reason", "it is a folder"),
+            OpenError::NotText | OpenError::Utf16 => alarm(Fault::FileNotText),
+            OpenError::Empty => alarm(Fault::FileEmpty),
+        };
+        self.diagnostics.message(&alarm, None)
+    }
+}
+
+fn open(file: &Path, dialect: &'static Dialect) -> Result<ProgramMemory, OpenError> {
+    match file == Path::new("-") {
+        true => Text::from_reader(io::stdin().lock())
+            .map(|text| ProgramMemory::new("standard input", text, dialect.syntax)),
+        false => ProgramMemory::open(file, dialect.syntax),
+    }
+}

@@ -1,0 +1,346 @@
+//! `explain`: what a code, parameter, alarm, variable or word is, from the tables of the control.
+#![allow(missing_docs)]
+
+mod common;
+
+use common::{Answer, ferrocut, json, json_lines, with_input, write};
+use ferrocut_interpreter::dialects;
+use ferrocut_machine::{ParameterTable, Reference, Subject, alarm_table, g_code_name};
+use ferrocut_program::{Binary, Keyword};
+
+fn explain(what: &[&str]) -> Answer {
+    ferrocut(&[&["explain"], what].concat())
+}
+
+/// The one page about something, which exists.
+fn page(what: &str) -> String {
+    let answer = explain(&[what]);
+    assert_eq!((answer.code, answer.err.as_str()), (0, ""), "{what}");
+    answer.out
+}
+
+/// The lines of a page without the blanks that align them.
+fn lines(page: &str) -> Vec<String> {
+    page.lines().map(|l| l.split_whitespace().collect::<Vec<_>>().join(" ")).collect()
+}
+
+fn assert_lines(what: &str, expected: &[&str]) {
+    let found = lines(&page(what));
+    for line in expected {
+        assert!(found.iter().any(|l| l == line), "{what}: {line:?} is missing in {found:#?}");
+    }
+}
+
+#[test]
+fn the_manuals_tables_and_the_interpreters_agree() {
+    let dialect = dialects::by_name("gsk990mc").unwrap();
+    let reference = Reference::of("gsk990mc").unwrap();
+    for code in dialect.g_codes {
+        let name = g_code_name(code.tenths);
+        let row = reference.g_code(code.tenths).unwrap_or_else(|| panic!("{name} is not in the manual"));
+        assert_eq!(row.group_number(), Some(code.group_number), "{name}");
+    }
+    for code in dialect.m_codes {
+        let row =
+            reference.m_code(code.code).unwrap_or_else(|| panic!("M{} is not in the manual", code.code));
+        assert_eq!(row.after_motion, code.after_motion, "M{}", code.code);
+    }
+    assert!(reference.m_codes().iter().all(|row| dialect.m_code(row.code).is_some()));
+    // What the manual says is in force at power-on, the parameters as delivered put in force; but G13,
+    // which the default of 31#5 chooses although the table marks G12.
+    let modal =
+        (dialect.power_on)(&ferrocut_machine::Parameters::new(ParameterTable::of("gsk990mc").unwrap()));
+    for code in modal.codes().filter(|c| !matches!(c.tenths, 120 | 130 | 540 | 210)) {
+        let row = reference.g_code(code.tenths).unwrap();
+        assert!(row.at_power_on, "{}", row.name());
+    }
+    for address in dialect.addresses {
+        assert!(reference.address(address.letter).is_some(), "{}", char::from(address.letter));
+    }
+    let syntax = dialect.syntax;
+    let keywords = syntax.keywords.iter().map(|(word, _): &(&str, Keyword)| *word);
+    let operators = syntax.operators.iter().map(|(word, ..): &(&str, Binary, u8)| *word);
+    for word in keywords.chain(operators).filter(|w| w.starts_with(|c: char| c.is_ascii_alphabetic())) {
+        assert!(reference.macro_word(word).is_some(), "{word}");
+    }
+    for row in reference.variables() {
+        for number in row.numbers.clone() {
+            // The fifth variable of each step of five is not described by the manual.
+            let undescribed = matches!(number, 5001..=5235 | 7001..=7250) && number % 5 == 0;
+            assert_eq!((dialect.variable)(number).is_some(), !undescribed, "#{number} of {}", row.name());
+        }
+    }
+}
+
+#[test]
+fn a_g_code_is_explained_with_its_group_form_parameters_and_alarms() {
+    assert_lines(
+        "g73",
+        &[
+            "G73 High-speed peck drilling, retract d = P270",
+            "form G73 X_ Y_ Z_ R_ Q_ F_ K_",
+            "group 09, modal",
+            "manual 4.4.1",
+            "P270 2 mm Retract distance d of G73",
+            "gsk990mc:0045 G73 or G83 without a depth of cut Q",
+        ],
+    );
+    assert_lines(
+        "G0",
+        &["G00 Rapid positioning", "group 01, modal, in force at power-on", "group with G01 G02 G03"],
+    );
+    assert_lines("G04", &["group 00, in its block only"]);
+    assert_lines("G54", &["P15-P19 0 mm G54 work zero offset of axis 1-5"]);
+    assert_lines("G10 L20", &["G10 L20 Set offset of additional work system n (1-50)"]);
+    assert_lines("G54 P7", &["G54 Pn Additional work coordinate system n"]);
+    assert!(page("G84").contains("P257") && page("G84").contains("gsk990mc:0200"));
+}
+
+#[test]
+fn an_m_code_is_explained_with_its_timing() {
+    assert_lines(
+        "m98",
+        &[
+            "when after the motion of its block",
+            "done by the control, as order of the program",
+            "manual 5.2.4, 3.2.2",
+        ],
+    );
+    assert_lines("M3", &["M03 Spindle forward", "when starts with the motion of its block"]);
+    assert!(page("M16").starts_with("M16  the manual names it without a meaning"));
+}
+
+#[test]
+fn a_parameter_is_explained_under_all_its_names() {
+    let expected = [
+        "value 2 mm",
+        "range 0 … 999.9999 mm",
+        "part canned cycles",
+        "G73 High-speed peck drilling, retract d = P270",
+    ];
+    for name in ["P270", "p0270", "g73_retract"] {
+        assert_lines(name, &expected);
+    }
+    assert_eq!(lines(&explain(&["parameter", "270"]).out), lines(&page("P270")));
+    for name in ["43#1", "NO43.1", "no43#1", "QZA", "NO43"] {
+        assert_lines(name, &["1 G73/G83 without cut depth raises an alarm", "range 0 or 1", "value 1"]);
+    }
+    assert_eq!(lines(&page("NO47")).iter().filter(|l| l.starts_with("NO47.")).count(), 5);
+    // Other rooms are told as such.
+    assert!(page("P160").contains("servo drives and bus; kept with its value"));
+    assert_lines("P340", &["range the manual prints none"]);
+}
+
+#[test]
+fn a_machine_file_gives_the_values() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = format!("{}\n[parameters]\nP270 = 1.5\n", ferrocut_machine::Machine::DEMO_MILL);
+    let file = write(&folder, "mill.toml", text);
+    let answer = explain(&["G73", "P270", "--machine", &file]);
+    assert!(lines(&answer.out).contains(&"P270 1.5 mm (default 2) Retract distance d of G73".to_owned()));
+    assert!(lines(&answer.out).contains(&"value 1.5 mm".to_owned()));
+    let answer = explain(&["P270", "--machine", "no/such.toml"]);
+    assert_eq!(answer.code, 2);
+}
+
+#[test]
+fn an_alarm_is_explained_under_all_its_names() {
+    for name in ["45", "0045", "gsk990mc:0045", "GSK990MC:45", "alarm 45"] {
+        assert_lines(
+            name,
+            &[
+                "gsk990mc:0045 G73 or G83 without a depth of cut Q",
+                "from the part program",
+                "FC-0503 The pecking cycle has no depth of cut",
+                "G83 Chip-removing peck drilling, clearance d = P271",
+            ],
+        );
+    }
+    assert_eq!(lines(&explain(&["alarm", "45"]).out), lines(&page("45")));
+    assert_lines("fc-302", &["shown as gsk990mc:0020"]);
+    assert_lines(
+        "FC-0302",
+        &["P214 0.05 mm Allowed difference between start and end radius of an arc (alarm 0020)"],
+    );
+    assert!(page("3045").starts_with("gsk990mc:3045  "));
+}
+
+#[test]
+fn a_variable_is_explained_with_its_range_and_its_own_axis() {
+    assert_lines(
+        "#5206",
+        &[
+            "#5206 G54 work offset",
+            "numbers #5206-#5209",
+            "access read and write",
+            "this one G54 X",
+            "#5201-#5235 Work offsets (whole range)",
+        ],
+    );
+    assert_lines(
+        "#150",
+        &["NO52.6 0 1: Reset clears common variables #100-#199; 0: Reset keeps common variables #100-#199"],
+    );
+    assert_lines("variable 4001", &["access read only"]);
+    assert_lines("#5210", &["note not described by the manual; programs cannot use it"]);
+}
+
+#[test]
+fn letters_and_macro_words_are_explained() {
+    assert_lines("h", &["range 0 … 255, whole numbers"]);
+    assert_lines("while", &["form WHILE [condition] DO m … END m"]);
+}
+
+const PROGRAM: &str = "O1 (TEST)\n\
+    G90 G54 G0 X10 Y20 S1000 M3\n\
+    (铣平面)\tG43 Z50 H1\n\
+    G98 G84 X1 Y2 Z-10 R2 P100 F500 (TAP)\n\
+    X5 Y6\n\
+    G80\n\
+    G1 X[#5206+SI[30]] F100\n\
+    IF[#1EQ#2]GOTO 100\n\
+    N100 #500=#100+1; G4 X1.5\n\
+    M98 P2 L3\n\
+    M30\n";
+
+#[test]
+fn the_word_at_a_place_is_explained_where_it_stands() {
+    let folder = tempfile::tempdir().unwrap();
+    let (gb, ..) = (PROGRAM.replace("铣平面", "\u{1}"), 0);
+    let mut bytes = Vec::new();
+    for byte in gb.bytes() {
+        // 铣平面 in GB18030.
+        if byte == 1 { bytes.extend(b"\xCF\xB3\xC6\xBD\xC3\xE6") } else { bytes.push(byte) }
+    }
+    for file in [write(&folder, "utf8.nc", PROGRAM), write(&folder, "gb.nc", &bytes)] {
+        for (place, title, others) in [
+            ("2:12", "X10", &["read by G00 Rapid positioning", "form G00 X_ Y_ Z_"][..]),
+            ("2:14", "X10", &[]),
+            ("2:1", "G90", &["G90 Absolute programming"]),
+            ("2:27", "M03", &[]),
+            // The remark is 5 characters, the tab one.
+            ("3:7", "G43", &[]),
+            ("3:15", "H1", &["read by G43 Tool length compensation plus", "range 0 … 255, whole numbers"]),
+            ("4:23", "P100", &["read by G84 Right-hand tapping"]),
+            (
+                "5:4",
+                "Y6",
+                &[
+                    "read by G84 Right-hand tapping",
+                    "in force G00 G17 G90 G94 G54 G21 G40 G43 G84 G98 G15 G50 G69 G64 G97 G13",
+                ],
+            ),
+            ("7:4", "X[#5206+SI[30]]", &["read by G01 Straight cutting move"]),
+            ("7:6", "#5206", &["this one G54 X"]),
+            ("7:12", "SIN", &[]),
+            ("8:1", "IF", &[]),
+            ("8:7", "EQ", &[]),
+            ("8:8", "#2", &["#2 Argument B of G65"]),
+            ("9:2", "N100", &[]),
+            ("9:8", "#500", &[]),
+            ("9:24", "X1.5", &["read by G04 Dwell"]),
+            ("10:6", "P2", &["read by M98 Subprogram call M98 P_ L_ (four nesting levels)"]),
+        ] {
+            let found = lines(&page(&format!("{file}:{place}")));
+            assert!(found[0].starts_with(&format!("{title} ")), "{place}: {found:#?}");
+            for line in others {
+                assert!(found.iter().any(|l| l == line), "{place}: {line} in {found:#?}");
+            }
+        }
+        let answer = explain(&[&format!("{file}:2")]);
+        assert_eq!(answer.out.split("\n\n").count(), 7, "{}", answer.out);
+        for (place, says) in [
+            ("3:3", "column 3: a comment"),
+            ("5:3", "column 3: there is no word; the words of the line and their columns: X5 (1), Y6 (4)"),
+            ("40:1", "line 40: there is no block"),
+        ] {
+            let answer = explain(&[&format!("{file}:{place}")]);
+            assert_eq!(answer.code, 2);
+            assert!(answer.err.contains(says) && answer.err.lines().count() == 1, "{}", answer.err);
+        }
+    }
+    let answer = with_input(&["explain", "--", "-:1:4"], "G1 X5\n");
+    assert!(answer.out.starts_with("X5  "), "{}", answer.out);
+    let answer = explain(&["no/such.nc:1:1"]);
+    assert!(answer.code == 2 && answer.err.contains("no/such.nc"), "{}", answer.err);
+}
+
+#[test]
+fn what_does_not_exist_is_told_in_a_sentence_with_near_matches() {
+    for (what, says) in [
+        ("G77", "error: gsk990mc has no code G77; near it: G76, G74, G73, G87\n"),
+        ("G54.1", "error: gsk990mc has no code G54.1; near it: G54"),
+        ("G10 L9", "error: gsk990mc has no code G10 L9; near it: G10 L2"),
+        ("M7", "error: gsk990mc has no code M7; near it: M06, M08"),
+        ("P272", "error: gsk990mc has no parameter P272; near it: P271"),
+        ("NO21.0", "error: gsk990mc has no parameter NO21.0; near it: "),
+        ("g73_retrat", "error: g73_retrat is nothing that gsk990mc knows; near it: g73_retract\n"),
+        ("2000", "error: gsk990mc has no alarm 2000"),
+        ("FC-0999", "error: gsk990mc has no alarm FC-0999; near it: FC-09"),
+        ("weihong:12", "error: gsk990mc has no alarm weihong:12\n"),
+        ("#200", "error: gsk990mc has no variable #200; near it: #100-#199, #500-#999\n"),
+        ("INM", "error: INM is the symbol of several parameters: NO0.1, NO3.0\n"),
+        ("tapping", "error: tapping is nothing that gsk990mc knows; near it: G63, G74, G84, M28, M29\n"),
+        ("nonsense", "error: nonsense is nothing that gsk990mc knows\n"),
+        ("", "error:  is nothing that gsk990mc knows"),
+        ("刀具", "error: 刀具 is nothing that gsk990mc knows\n"),
+        ("G99999999", "error: gsk990mc has no code G99999999"),
+        ("P99999", "error: gsk990mc has no parameter P99999"),
+        ("#99999999999", "error: gsk990mc has no variable #99999999999"),
+    ] {
+        let answer = explain(&[what]);
+        assert_eq!((answer.code, answer.out.as_str()), (2, ""), "{what}");
+        assert!(answer.err.starts_with(says) && answer.err.lines().count() == 1, "{what}: {}", answer.err);
+    }
+    // The others of a list are explained all the same.
+    let answer = explain(&["G77", "G76"]);
+    assert!(answer.code == 2 && answer.out.starts_with("G76  "));
+    assert_eq!(explain(&[]).code, 2);
+    assert_eq!(explain(&["G1", "--dialect", "nosuch"]).code, 2);
+}
+
+#[test]
+fn pages_are_objects_for_programs() {
+    let answer = explain(&["G84", "P270", "45", "#5206", "X", "--format", "json", "--language", "zh"]);
+    let pages = json_lines(&answer.out);
+    let kinds: Vec<_> = pages.iter().map(|p| p["kind"].as_str().unwrap()).collect();
+    assert_eq!(kinds, ["g-code", "parameter", "alarm", "variable", "address"]);
+    assert_eq!(
+        (&pages[0]["group"], &pages[0]["modal"], &pages[0]["power_on"]),
+        (&"09".into(), &true.into(), &false.into())
+    );
+    let tapping = pages[0]["parameters"].as_array().unwrap();
+    assert!(tapping.iter().any(|p| p["name"] == "P257" && p["value"] == 2000.0 && p["unit"] == "r/min"));
+    assert_eq!(pages[1]["range"], serde_json::json!([0.0, 999.9999]));
+    assert_eq!(pages[2]["source"], "program");
+    let wrong = explain(&["G77", "--format", "json"]);
+    assert_eq!(json(&wrong.err)["severity"], "error");
+}
+
+#[test]
+fn everything_in_the_tables_has_a_page_in_every_language() {
+    let reference = Reference::of("gsk990mc").unwrap();
+    let table = ParameterTable::of("gsk990mc").unwrap();
+    let codes = reference.g_codes().iter().map(|r| r.name());
+    let m = reference.m_codes().iter().map(|r| format!("M{}", r.code));
+    let parameters = table.iter().map(|d| d.key.to_string());
+    let alarms = alarm_table("gsk990mc").iter().map(|r| r.id.to_string());
+    let variables = reference.variables().iter().map(|r| format!("#{}", r.numbers.start()));
+    let letters = (b'A'..=b'Z').map(|l| char::from(l).to_string());
+    let words = reference.macro_words().iter().map(|r| r.word.to_string());
+    let all: Vec<String> =
+        codes.chain(m).chain(parameters).chain(alarms).chain(variables).chain(letters).chain(words).collect();
+    for language in ["en", "zh"] {
+        let mut arguments = vec!["explain", "--language", language];
+        arguments.extend(all.iter().map(String::as_str));
+        let answer = ferrocut(&arguments);
+        assert_eq!((answer.code, answer.err.as_str()), (0, ""));
+        assert_eq!(answer.out.split("\n\n").count(), all.len());
+        assert!(!answer.out.contains("label-"), "a label without a text");
+        let longest = answer.out.lines().map(|l| l.chars().count()).max().unwrap();
+        assert!(longest <= 110, "{longest}");
+    }
+    assert!(explain(&["G84", "--language", "zh"]).out.contains("相关参数"));
+    // What is said of a code is related both ways.
+    assert!(reference.codes_of(&Subject::Parameter("P257".parse().unwrap())).contains(&Subject::G(840)));
+}
