@@ -125,9 +125,7 @@ pub fn text(report: &Report, machine: &Machine, diagnostics: &Diagnostics) -> St
     rows.push((label("label-moves"), report.moves.to_string()));
     rows.push((label("label-parts"), report.parts.to_string()));
     let widest = rows.iter().map(|(name, _)| width(name)).max().unwrap_or(0);
-    let line =
-        |(name, value): &(String, String)| format!("  {name}{}  {value}\n", " ".repeat(widest - width(name)));
-    rows.iter().map(line).collect()
+    rows.iter().map(|(name, value)| format!("  {}  {value}\n", padded(name, widest))).collect()
 }
 
 #[cfg(test)]
