@@ -253,6 +253,7 @@ impl Cnc {
             if self.state == State::Resetting {
                 self.given.clear();
                 self.commanded = self.motion.position();
+                self.interpreter.reset(self.commanded);
                 self.state = State::Reset;
             } else if let Some(Busy { activity: Activity::Spindle | Activity::ToolChange, .. }) = self.busy {
                 // Hold stops the axes and dwells; a spindle or changer under way comes to its end.

@@ -121,7 +121,14 @@ impl Shop {
         self.setup.apply(&mut memory).map_err(|error| {
             Failure::wrong_use(Fault::ConfigUnusable).with("file", "setup").with("reason", error.to_string())
         })?;
-        Ok(Job { path: path.to_path_buf(), dialect, guessed, programs, memory })
+        let inputs = self
+            .setup
+            .signals
+            .inputs
+            .iter()
+            .filter_map(|(name, value)| Some((name.strip_prefix('#')?.parse().ok()?, *value)));
+        let inputs = inputs.collect();
+        Ok(Job { path: path.to_path_buf(), dialect, guessed, programs, memory, inputs })
     }
 
     /// How the operator's switches stand.
@@ -157,12 +164,18 @@ pub struct Job {
     pub guessed: bool,
     programs: ProgramMemory,
     memory: Memory,
+    /// Inputs that programs read as variables.
+    inputs: Vec<(u32, f64)>,
 }
 
 impl Job {
     /// An interpreter before the first block.
     pub fn interpreter(self, options: Options) -> Interpreter {
-        Interpreter::new(self.dialect, self.programs, self.memory, options)
+        let mut interpreter = Interpreter::new(self.dialect, self.programs, self.memory, options);
+        for (variable, value) in self.inputs {
+            interpreter.set_input(variable, value);
+        }
+        interpreter
     }
 }
 

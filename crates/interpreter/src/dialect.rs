@@ -329,6 +329,19 @@ pub struct Rules {
     pub axis_order: [Axis; 5],
 }
 
+/// What a reset or emergency stop clears.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct ResetRules {
+    /// Modal groups that go back to their power-on code: bit n for the group that the manual numbers n.
+    pub groups: u32,
+    /// F, H and D.
+    pub feed_and_offsets: bool,
+    /// Local variables.
+    pub locals: bool,
+    /// Common variables that power-off clears too.
+    pub commons: bool,
+}
+
 /// What the parameters set for scaling.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ScalingRules {
@@ -381,6 +394,8 @@ pub struct Dialect {
     pub rules: fn(&Parameters) -> Rules,
     /// Modal state at power-on.
     pub power_on: fn(&Parameters) -> Modal,
+    /// What a reset clears.
+    pub reset: fn(&Parameters) -> ResetRules,
     /// Work coordinate system at power-on.
     pub power_on_work_offset: WorkOffset,
 }

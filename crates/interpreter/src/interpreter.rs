@@ -8,7 +8,7 @@
 use crate::Fallible;
 use crate::cycles::CycleState;
 use crate::data_setting::DataSetting;
-use crate::dialect::{Dialect, Meaning, Rules};
+use crate::dialect::{Dialect, Meaning, Rules, Variable};
 use crate::evaluate::Evaluator;
 use crate::flow::Flow;
 use crate::modal::{Group, Modal};
@@ -24,7 +24,7 @@ use ferrocut_geometry::{Axis, Position};
 use ferrocut_machine::{Alarm, Fault, Memory};
 use ferrocut_program::{ProgramMemory, Span, lexer};
 use ferrocut_toolpath::{SpindleState, Step};
-use std::collections::VecDeque;
+use std::collections::{BTreeMap, VecDeque};
 
 /// How the operator's switches stand, and what the steps are for.
 #[derive(Clone, Copy, Debug, Default)]
@@ -159,6 +159,7 @@ pub struct Interpreter {
     pub(crate) words: Words,
     pub(crate) evaluator: Evaluator,
     pub(crate) variable_writes: u64,
+    pub(crate) inputs: BTreeMap<u16, f64>,
     pub(crate) pass_state: Option<Fingerprint>,
     pub(crate) ended: bool,
     pub(crate) output: Output,
@@ -224,6 +225,7 @@ impl Interpreter {
             flow: Flow::new(),
             words: Words::new(),
             variable_writes: 0,
+            inputs: BTreeMap::new(),
             pass_state: None,
             ended: false,
             output,
@@ -254,6 +256,70 @@ impl Interpreter {
     /// Commanded machine position at the end of the steps given out.
     pub fn position(&self) -> Position {
         self.location.machine
+    }
+
+    /// Sets an input that programs read, by the number of its variable (GSK990MC #1000 to #1032).
+    pub fn set_input(&mut self, variable: u32, value: f64) {
+        if let Some(Variable::Input(number)) = (self.dialect.variable)(variable) {
+            self.inputs.insert(number, value);
+        }
+    }
+
+    /// Reset or emergency stop with the axes at rest at `machine`: the program is left and its start
+    /// comes next, modal state and words are kept or cleared as the control's parameters say
+    /// (GSK990MC 4.1 note 7; part 2, 2.3.1). Offsets and kept variables stay as the program set them.
+    pub fn reset(&mut self, machine: Position) {
+        let rules = (self.dialect.reset)(&self.memory.parameters);
+        let initial = (self.dialect.power_on)(&self.memory.parameters);
+        self.modal = self.modal.reset_to(&initial, |group| rules.groups & 1 << group != 0);
+        let clears = |group: Group| {
+            initial.codes().any(|code| code.group == group && rules.groups & 1 << code.group_number != 0)
+        };
+        if clears(Group::WorkOffset)
+            && let Some(system) = WorkSystem::select(self.dialect.power_on_work_offset, &self.memory.work)
+        {
+            self.location.work = system;
+        }
+        if rules.feed_and_offsets {
+            self.technology.feed_per_minute = self.rules.default_feed;
+            self.technology.feed_per_revolution = 0.0;
+            self.technology.radius_number = 0.0;
+            self.location.length.number = 0;
+        }
+        if self.modal.meaning(Group::Length) == Meaning::LengthOff {
+            self.location.length.cancel();
+        }
+        for (group, off) in [
+            (Group::Polar, Meaning::PolarOff),
+            (Group::Scaling, Meaning::ScalingOff),
+            (Group::Rotation, Meaning::RotationOff),
+        ] {
+            if self.modal.meaning(group) == off {
+                match group {
+                    Group::Polar => self.location.polar = None,
+                    Group::Scaling => self.location.scaling = None,
+                    _ => self.location.rotation = None,
+                }
+            }
+        }
+        self.reset_variables(rules.locals, rules.commons);
+        self.cycle = CycleState::default();
+        self.technology.rigid_tapping = false;
+        self.technology.spindle = SpindleState::Off;
+        self.technology.coolant = false;
+        self.data_setting = None;
+        self.pass_state = None;
+        self.flow = Flow::new();
+        self.alarms.clear();
+        self.ended = false;
+        self.output = Output::new(self.rules.cutter, machine);
+        self.location.machine = machine;
+        self.location.take_machine();
+    }
+
+    /// The G codes in force, in tenths, by the order of groups.
+    pub fn codes_in_force(&self) -> impl Iterator<Item = u16> {
+        self.modal.codes().map(|code| code.tenths)
     }
 
     /// Machine position of the zero of the work coordinate system in force.

@@ -13,7 +13,20 @@ use ferrocut_toolpath::Op;
 /// Local variables are #1 to this (GSK990MC 4.9.2).
 const LAST_LOCAL: u32 = 50;
 
+/// Common variables that power-off clears (table 4-9-2-1).
+const VOLATILE: std::ops::RangeInclusive<u32> = 100..=199;
+
 impl Interpreter {
+    /// Clears the variables that a reset clears.
+    pub(crate) fn reset_variables(&mut self, locals: bool, commons: bool) {
+        if locals {
+            self.memory.variables.clear(1..=LAST_LOCAL);
+        }
+        if commons {
+            self.memory.variables.clear(VOLATILE);
+        }
+    }
+
     /// Value of an expression of the page.
     pub(crate) fn evaluate(&mut self, page: &Page, range: ExprRange) -> Result<Value, Fault> {
         // The evaluator's stack is set aside so that variables can be read from the rest.
@@ -69,7 +82,8 @@ impl Interpreter {
                 let zero = self.memory.work.get(name).ok_or(Fault::UnknownVariable)?;
                 zero[self.axis_number(axis)?]
             }
-            Variable::Input(_) | Variable::UserTable => 0.0,
+            Variable::Input(n) => self.inputs.get(&n).copied().unwrap_or(0.0),
+            Variable::UserTable => 0.0,
             Variable::Output(_) | Variable::Alarm => return Ok(None),
         }))
     }

@@ -73,6 +73,16 @@ impl Modal {
         }
     }
 
+    /// The state after a reset that puts the groups for which `clears` holds, by the manual's number,
+    /// back to their code of `initial`.
+    pub fn reset_to(&self, initial: &Modal, clears: impl Fn(u8) -> bool) -> Modal {
+        let mut modal = *self;
+        for code in initial.codes().filter(|code| clears(code.group_number)) {
+            modal.set(code);
+        }
+        modal
+    }
+
     /// What the code in force in a group means.
     #[inline]
     pub fn meaning(&self, group: Group) -> Meaning {

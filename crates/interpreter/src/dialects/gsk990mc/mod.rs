@@ -32,6 +32,7 @@ pub static DIALECT: Dialect = Dialect {
     soft_limit_alarm: alarms::soft_limit,
     rules: rules::rules,
     power_on: rules::power_on,
+    reset: rules::reset,
     // The manual restores the system in force at power-off; a desk knows none and takes the first.
     power_on_work_offset: WorkOffset::Standard(1),
 };

@@ -1,7 +1,7 @@
 //! What the parameters set.
 
 use super::codes::{CYCLE_OFF, G_CODES};
-use crate::dialect::{GCode, Rules, ScalingRules};
+use crate::dialect::{GCode, ResetRules, Rules, ScalingRules};
 use crate::modal::Modal;
 use crate::stages::cutter;
 use crate::stroke::{STROKE_AXES, StrokeRules};
@@ -132,6 +132,17 @@ pub fn is_fixed(key: &ParameterKey) -> bool {
 fn code(tenths: u16) -> &'static GCode {
     let found = G_CODES.binary_search_by_key(&tenths, |g| g.tenths).ok().and_then(|at| G_CODES.get(at));
     found.unwrap_or(&CYCLE_OFF)
+}
+
+/// What a reset clears: groups 1 to 7 by 35#1 to 35#7, groups 8 to 15 by 36#0 to 36#7 (4.1 note 7).
+pub fn reset(parameters: &Parameters) -> ResetRules {
+    let group = |n: u8| if n < 8 { parameters.bit(35, n) } else { parameters.bit(36, n - 8) };
+    ResetRules {
+        groups: (1..=15).filter(|n| group(*n)).fold(0, |bits, n| bits | 1 << n),
+        feed_and_offsets: parameters.bit(34, 7),
+        locals: parameters.bit(52, 7),
+        commons: parameters.bit(52, 6),
+    }
 }
 
 /// Modal state at power-on (table 4-1-2, bits 31#0, 31#1, 31#2, 31#4, 0#2).
