@@ -246,7 +246,7 @@ mod tests {
                 assert!(parse(word.trim_start_matches('~')).is_some(), "{c}: {word}");
             }
             for [x, y] in strokes.split('/').flat_map(flatten) {
-                assert!((-0.01..=width + 0.01).contains(&x) && (-4.01..=13.51).contains(&y), "{c}: {x},{y}");
+                assert!((-0.01..=width + 0.01).contains(&x) && (-4.01..=13.5).contains(&y), "{c}: {x},{y}");
             }
             assert!(strokes.split('/').all(|s| !s.trim_start().starts_with('~')), "{c} begins off the curve");
         }

@@ -19,6 +19,9 @@ const PIECE_PX: f64 = 3.0;
 /// A cut that stays within this many pixels is drawn as a dot: a drilled hole seen from above.
 const DOT_PX: f64 = 1.5;
 
+/// Side of a square of the picture in which one dot stands for all, pixels: less than half a dot.
+const DOT_SQUARE_PX: f64 = 2.0;
+
 /// Points of a picture that is looked through for hidden lines.
 const CROWDED: usize = 100_000;
 
@@ -35,8 +38,8 @@ pub struct Layers {
     /// Ends of the positioning moves drawn. Where one is run again, as between pecks, its dashes would
     /// fill the gaps of the first.
     drawn: HashSet<[Pixel; 2]>,
-    /// The deepest band drilled at a pixel.
-    dots: BTreeMap<Pixel, usize>,
+    /// The deepest hole of each square of the picture: its band and its place.
+    dots: BTreeMap<Pixel, (usize, Point)>,
     frame: Rect,
     top: bool,
 }
@@ -106,9 +109,9 @@ impl Layers {
             self.rapids = cover.visible(&self.rapids);
         }
         let mut dots = vec![Lines::default(); BANDS];
-        for ((x, y), band) in &self.dots {
+        for (band, place) in self.dots.values() {
             if let Some(lines) = dots.get_mut(*band) {
-                lines.polyline([[f64::from(*x), f64::from(*y)]]);
+                lines.polyline([*place]);
             }
         }
         let rapid = Pen { colour: RAPID, width: rapid_width, dash: Some(widths.dash) };
@@ -182,9 +185,12 @@ impl Stretch<'_> {
         let size = (self.high[0] - self.low[0]).max(self.high[1] - self.low[1]);
         if self.kind == Kind::Cut && size < DOT_PX && self.frame.contains([self.at[0], self.at[1]]) {
             let band = ramp::band(self.high[2] / PX_A_BAND);
-            let at = pixel([self.at[0], self.at[1]]);
-            let deepest = self.layers.dots.entry(at).or_insert(band);
-            *deepest = band.max(*deepest);
+            let place = [self.at[0], self.at[1]];
+            let square = pixel(place.map(|c| c / DOT_SQUARE_PX));
+            let deepest = self.layers.dots.entry(square).or_insert((band, place));
+            if band > deepest.0 {
+                *deepest = (band, place);
+            }
         }
     }
 }

@@ -133,7 +133,9 @@ fn draw(canvas: &mut impl Canvas, model: &PathModel, title: &str, width: u32) {
     }
     let key: Vec<_> = Mark::ALL.into_iter().filter(|mark| visible.contains(mark)).collect();
     let (at, widths) = ([sheet.px(72.0), sheet.px(770.0)], widths(&sheet));
-    legend::key(&mut sheet, at, &widths, model, &depths, &key);
+    if moved(model) {
+        legend::key(&mut sheet, at, &widths, model, &depths, &key);
+    }
     let counted =
         if model.work_zero().is_some() { "work coordinates, mm" } else { "machine coordinates, mm" };
     let at = [sheet.px(1576.0), sheet.px(770.0) + font::capital(sheet.px(LABEL)) / 2.0];
