@@ -37,9 +37,11 @@ pub fn run(args: &ViewArgs) -> Result<Exit, Failure> {
     // What was drawn until an alarm shows where it came.
     let bytes = render(&model, &title, args.width, format).map_err(|error| cannot_write(&error))?;
     std::fs::write(&args.output, bytes).map_err(|error| cannot_write(&error))?;
-    if !shop.diagnostics.is_json() {
-        println!("{}", shop.diagnostics.catalogue().label("label-written", &[("file", output.into())]));
-    }
+    let said = match shop.diagnostics.is_json() {
+        true => serde_json::json!({ "program": name, "picture": output, "width": args.width }).to_string(),
+        false => shop.diagnostics.catalogue().label("label-written", &[("file", output.into())]),
+    };
+    crate::commands::layout::print(&format!("{said}\n"));
     Ok(exit)
 }
 
