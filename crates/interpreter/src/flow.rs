@@ -97,6 +97,12 @@ impl Flow {
         self.idle = 0;
     }
 
+    /// Notes a hole of a repeated cycle, which may move nothing.
+    #[inline]
+    pub(crate) fn count_hole(&mut self) {
+        self.idle += 1;
+    }
+
     /// First block of the program being run.
     fn program(&self) -> Place {
         self.calls.last().map_or(Place::default(), |call| call.program)
@@ -245,7 +251,9 @@ impl Interpreter {
 
     /// The text ended without an end of program.
     fn end_of_text(&mut self) -> Fallible<()> {
-        let alarm = self.alarm(Fault::NoProgramEnd, self.flow.last);
+        // A file of nothing but a mark has no block to point at.
+        let last = self.flow.last;
+        let alarm = self.alarm(Fault::NoProgramEnd, Span { line: last.line.max(1), ..last });
         // A checker goes on behind the call of a subprogram that does not end.
         if !(self.options.keep_going && self.go_back()) {
             self.ended = true;

@@ -86,6 +86,9 @@ pub enum CycleKind {
 /// Addresses that make a block with an active cycle cut a hole.
 const HOLE_LETTERS: u32 = letters(b"XYZABCUVWR");
 
+/// Most repeats of a cycle (GSK990MC table 4-4-1).
+const MAX_REPEATS: f64 = 99_999.0;
+
 /// Most steps of one hole; a depth of cut that needs more is an alarm and not a full memory.
 const MAX_PECKS: f64 = 10_000.0;
 
@@ -171,6 +174,9 @@ impl Interpreter {
             return Err(self.alarm(Fault::CycleNoSpindle, self.cycle_span()));
         }
         let repeats = self.words.get(b'K').map_or(1.0, f64::abs);
+        if repeats > MAX_REPEATS {
+            return Err(self.alarm_at(Fault::WordOutOfRange, b'K'));
+        }
         self.cycle.holes_left = repeats as u32;
         let has_length = length.is_some() || self.words.has(b'H');
         self.cycle.length = has_length.then_some(LengthChange(length));
@@ -188,6 +194,7 @@ impl Interpreter {
     /// than one.
     pub(crate) fn next_hole(&mut self) -> Fallible<()> {
         self.cycle.holes_left -= 1;
+        self.flow.count_hole();
         let done = match self.cycle_kind() {
             Some(CycleKind::Hole(cycle)) => self.hole(cycle),
             Some(CycleKind::Tap { left }) => self.tap(left),
