@@ -202,13 +202,8 @@ impl Cnc {
         }
         loop {
             self.take_steps();
-            if let Some(busy) = &mut self.busy {
-                let activity = busy.activity;
-                busy.periods -= 1;
-                if busy.periods == 0 {
-                    self.busy = None;
-                }
-                self.report.period(activity);
+            if self.busy.is_some() {
+                self.count_busy();
                 return self.at_rest();
             }
             if self.motion.is_empty() && self.motion.at_rest() {

@@ -5,7 +5,7 @@
 
 use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_interpreter::Dialect;
-use ferrocut_machine::{Alarm, AlarmId, Fault, Machine};
+use ferrocut_machine::{Alarm, Fault, Machine};
 use ferrocut_toolpath::{Op, Speed, Step};
 
 /// Coordinates this little beyond a limit are on it: what sums of decimals leave, mm or degrees.
@@ -126,10 +126,7 @@ impl Supervisor {
             limits.beyond = beyond.filter(|_| ends_beyond);
             let Some(upper) = beyond else { continue };
             let (position, limit) = if upper { (max[axis], limits.max) } else { (min[axis], limits.min) };
-            let id = match (self.dialect.soft_limit_alarm)(limits.number, upper) {
-                Some(number) => AlarmId::Dialect(self.dialect.name, number),
-                None => AlarmId::Core(Fault::SoftLimit),
-            };
+            let id = self.dialect.soft_limit_id(limits.number, upper);
             let alarm = Alarm::new(id, Fault::SoftLimit, step.span);
             let letter = axis.letter().to_string();
             tell(alarm.with("axis", letter).with("position", position).with("limit", limit));
@@ -137,10 +134,6 @@ impl Supervisor {
     }
 
     fn alarm(&self, fault: Fault, step: &Step) -> Alarm {
-        let id = match self.dialect.alarm_number(fault) {
-            Some(number) => AlarmId::Dialect(self.dialect.name, number),
-            None => AlarmId::Core(fault),
-        };
-        Alarm::new(id, fault, step.span)
+        Alarm::new(self.dialect.alarm_id(fault), fault, step.span)
     }
 }

@@ -10,7 +10,7 @@ use crate::modal::{Group, Modal};
 use crate::stages::cutter;
 use crate::stroke::StrokeRules;
 use ferrocut_geometry::{Axis, AxisSet, Plane};
-use ferrocut_machine::{Fault, ParameterKey, Parameters, WorkOffset};
+use ferrocut_machine::{AlarmId, Fault, ParameterKey, Parameters, WorkOffset};
 use ferrocut_program::Syntax;
 
 /// What a G code means, in terms common to all controls.
@@ -421,6 +421,20 @@ impl Dialect {
     /// The number that the manual gives a fault.
     pub fn alarm_number(&self, fault: Fault) -> Option<u16> {
         self.alarms.iter().find(|(f, _)| *f == fault).map(|(_, number)| *number)
+    }
+
+    /// The alarm of a fault: the manual's number where it has one.
+    pub fn alarm_id(&self, fault: Fault) -> AlarmId {
+        self.numbered(self.alarm_number(fault), fault)
+    }
+
+    /// The alarm of the software limit of axis `index`, on its lower or upper side.
+    pub fn soft_limit_id(&self, index: usize, upper: bool) -> AlarmId {
+        self.numbered((self.soft_limit_alarm)(index, upper), Fault::SoftLimit)
+    }
+
+    fn numbered(&self, number: Option<u16>, fault: Fault) -> AlarmId {
+        number.map_or(AlarmId::Core(fault), |number| AlarmId::Dialect(self.name, number))
     }
 }
 

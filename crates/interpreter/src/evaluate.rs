@@ -3,6 +3,7 @@
 //! A value is a number or empty. An empty variable stays empty when it is only handed on; in
 //! arithmetic it is 0 (GSK990MC 4.9.2). Angles are degrees or radians as the dialect says.
 
+use crate::stages::rotation::sin_cos_degrees;
 use ferrocut_machine::Fault;
 use ferrocut_program::{Binary, Function, Node, Unary, expression::MAX_STACK};
 
@@ -19,13 +20,6 @@ pub enum Angles {
 }
 
 impl Angles {
-    fn radians(self, v: f64) -> f64 {
-        match self {
-            Angles::Degrees => v.to_radians(),
-            Angles::Radians => v,
-        }
-    }
-
     fn of_radians(self, v: f64) -> f64 {
         match self {
             Angles::Degrees => v.to_degrees(),
@@ -198,19 +192,11 @@ fn atan2(a: f64, b: f64, angles: Angles) -> Result<f64, Fault> {
     Ok(angles.of_radians(angle))
 }
 
-/// Sine and cosine, exact at the multiples of a right angle, where programs compare with 0 and 1.
 fn sin_cos(v: f64, angles: Angles) -> (f64, f64) {
-    if angles == Angles::Degrees && v % 90.0 == 0.0 {
-        return match (v / 90.0).rem_euclid(4.0) as u8 {
-            0 => (0.0, 1.0),
-            1 => (1.0, 0.0),
-            2 => (0.0, -1.0),
-            _ => (-1.0, 0.0),
-        };
+    match angles {
+        Angles::Degrees => sin_cos_degrees(v),
+        Angles::Radians => v.sin_cos(),
     }
-    // The remainder is exact, and keeps the digits of large angles.
-    let turn = if angles == Angles::Degrees { v % 360.0 } else { v };
-    angles.radians(turn).sin_cos()
 }
 
 fn call(function: Function, v: f64, angles: Angles) -> Result<f64, Fault> {

@@ -9,7 +9,7 @@ use crate::stages::cutter::{Offset, Side};
 use crate::stages::units;
 use crate::words::{Code, Reader};
 use ferrocut_geometry::{Axis, AxisSet, Position};
-use ferrocut_machine::{Alarm, Fault};
+use ferrocut_machine::{Alarm, Fault, ToolOffset};
 use ferrocut_program::{Block, DefectKind, Page, ProgramId, Span, Value as WordValue};
 use ferrocut_toolpath::{Dwell, Op, Speed, SpindleState, Step};
 use smallvec::SmallVec;
@@ -372,6 +372,12 @@ impl Interpreter {
         changed
     }
 
+    /// Radius of a row of the offset table, which may hold diameters (40#7), mm.
+    pub(crate) fn tool_radius(&self, row: &ToolOffset) -> f64 {
+        let entered = row.radius + row.radius_wear;
+        if self.rules.radius_is_diameter { entered / 2.0 } else { entered }
+    }
+
     /// G40, G41, G42 and D (GSK990MC 4.7.2).
     fn cutter_words(&mut self, code: bool) -> Fallible<()> {
         if let Some(number) = self.words.get(b'D') {
@@ -386,11 +392,10 @@ impl Interpreter {
         let Some(row) = self.memory.tools.get(self.technology.radius_number as u16) else {
             return Err(self.alarm_at(Fault::OffsetNumber, b'D'));
         };
-        let entered = row.radius + row.radius_wear;
-        if entered.abs() > self.rules.max_offset {
+        if (row.radius + row.radius_wear).abs() > self.rules.max_offset {
             return Err(self.alarm_at(Fault::OffsetTooLarge, b'D'));
         }
-        let radius = if self.rules.radius_is_diameter { entered / 2.0 } else { entered };
+        let radius = self.tool_radius(row);
         // D00 is no compensation.
         let offset = (self.technology.radius_number != 0.0).then_some(Offset { side, radius });
         // G41 or G42 given again ends the block before square (GSK990MC 4.7.3, 7).

@@ -7,7 +7,7 @@ use crate::Fallible;
 use crate::interpreter::Interpreter;
 use crate::stages::units;
 use ferrocut_geometry::Position;
-use ferrocut_machine::{Alarm, AlarmId, Fault, ParameterKey};
+use ferrocut_machine::{Alarm, Fault, ParameterKey};
 use ferrocut_program::Span;
 use ferrocut_toolpath::Op;
 
@@ -72,9 +72,7 @@ impl Interpreter {
         if stroke.first_is_set
             && let Some((index, upper)) = self.outside(&stroke.first, min, max)
         {
-            let number = (self.dialect.soft_limit_alarm)(index, upper);
-            let id =
-                number.map_or(AlarmId::Core(Fault::SoftLimit), |n| AlarmId::Dialect(self.dialect.name, n));
+            let id = self.dialect.soft_limit_id(index, upper);
             let mut alarm = Alarm::new(id, Fault::SoftLimit, self.words.block_span());
             if let (Some(axis), Some((low, high))) =
                 (self.rules.axis_order.get(index), stroke.first.get(index))

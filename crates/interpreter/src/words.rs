@@ -4,7 +4,7 @@ use crate::Fallible;
 use crate::dialect::{Address, Dialect, GCode, MCode};
 use crate::modal::Group;
 use ferrocut_geometry::AxisSet;
-use ferrocut_machine::{Alarm, AlarmId, Fault};
+use ferrocut_machine::{Alarm, Fault};
 use ferrocut_program::{Block, Page, Span, Word};
 
 /// Most G and M codes of one block; more are refused.
@@ -250,9 +250,5 @@ impl Reader<'_> {
 
 /// An alarm under the dialect's own number, where its manual has one.
 pub(crate) fn alarm(dialect: &Dialect, fault: Fault, span: Span) -> Box<Alarm> {
-    let id = match dialect.alarm_number(fault) {
-        Some(number) => AlarmId::Dialect(dialect.name, number),
-        None => AlarmId::Core(fault),
-    };
-    Box::new(Alarm::new(id, fault, span))
+    Box::new(Alarm::new(dialect.alarm_id(fault), fault, span))
 }

@@ -60,13 +60,7 @@ pub fn run(args: &RunArgs) -> Result<Exit, Failure> {
         let file = args.samples.as_deref().unwrap_or(Path::new("")).to_string_lossy().into_owned();
         return Err(Failure::cannot_write(&file, &error));
     }
-    let mut exit = Exit::Fine;
-    if let State::Alarmed(alarm) = cnc.state() {
-        let mut alarm = alarm.clone();
-        point_at_word(&mut alarm, cnc.interpreter());
-        shop.diagnostics.report(&alarm, &name, Some(cnc.interpreter().programs()));
-        exit = Exit::Finding;
-    }
+    let exit = report_end(&cnc, &shop, &name);
     let mut out: Box<dyn Write> = match samples_on_stdout {
         true => Box::new(io::stderr().lock()),
         false => Box::new(io::stdout().lock()),
@@ -77,6 +71,15 @@ pub fn run(args: &RunArgs) -> Result<Exit, Failure> {
         false => write_text(&mut out, &cnc, &shop),
     };
     Ok(exit)
+}
+
+/// Shows the alarm that a run ended with, if it did, and gives the exit code.
+pub fn report_end(cnc: &Cnc, shop: &Shop, name: &str) -> Exit {
+    let State::Alarmed(alarm) = cnc.state() else { return Exit::Fine };
+    let mut alarm = alarm.clone();
+    point_at_word(&mut alarm, cnc.interpreter());
+    shop.diagnostics.report(&alarm, name, Some(cnc.interpreter().programs()));
+    Exit::Finding
 }
 
 fn write_header(out: &mut dyn Write, shop: &Shop, job: &crate::job::Job, name: &str) -> io::Result<()> {

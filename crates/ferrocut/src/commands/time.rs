@@ -1,7 +1,7 @@
 //! `ferrocut time`: how long a program takes, by the same code that runs it.
 
 use crate::cli::TimeArgs;
-use crate::commands::check::point_at_word;
+use crate::commands::run::report_end;
 use crate::job::{Exit, Failure, Shop};
 use crate::report::{self, JsonReport};
 use ferrocut_controller::{Cnc, State};
@@ -23,13 +23,7 @@ pub fn run(args: &TimeArgs) -> Result<Exit, Failure> {
             break;
         }
     }
-    let mut exit = Exit::Fine;
-    if let State::Alarmed(alarm) = cnc.state() {
-        let mut alarm = alarm.clone();
-        point_at_word(&mut alarm, cnc.interpreter());
-        shop.diagnostics.report(&alarm, &name, Some(cnc.interpreter().programs()));
-        exit = Exit::Finding;
-    }
+    let exit = report_end(&cnc, &shop, &name);
     let mut out = io::stdout().lock();
     // A reader that went away is no fault of the program.
     let _ = match shop.diagnostics.is_json() {

@@ -101,11 +101,10 @@ impl Interpreter {
             gap: words.v,
             helix_factor: self.rules.pocket_helix_factor,
         };
-        let tool_radius = words.d.filter(|number| *number != 0.0).and_then(|number| {
-            let row = self.memory.tools.get(number as u16)?;
-            let entered = row.radius + row.radius_wear;
-            Some(if self.rules.radius_is_diameter { entered / 2.0 } else { entered })
-        });
+        let tool_radius = words
+            .d
+            .filter(|number| *number != 0.0)
+            .and_then(|number| self.memory.tools.get(number as u16).map(|row| self.tool_radius(row)));
         let sizes = [words.i, words.j];
         match shape {
             MillShape::RoundPocket => {
