@@ -11,7 +11,7 @@ use crate::report::{Activity, Report};
 use crate::spindle::Spindle;
 use crate::supervision::Supervisor;
 use ferrocut_geometry::Position;
-use ferrocut_interpreter::Interpreter;
+use ferrocut_interpreter::{AtRest, Interpreter};
 use ferrocut_machine::{Alarm, Fault, Machine, Severity};
 use ferrocut_motion::{Motion, Move};
 use ferrocut_program::Span;
@@ -107,14 +107,22 @@ pub struct Cnc {
     next_tag: u64,
     waiting: Option<Waiting>,
     busy: Option<Busy>,
+    /// Where the axes were in the last servo period.
+    actual: Position,
     span: Span,
     report: Report,
     events: Vec<Event>,
 }
 
 impl Cnc {
-    /// A control that is about to run a program. The axes stand where the interpreter starts.
+    /// A control that is about to run a program on simulated drives. The axes stand where the
+    /// interpreter starts.
     pub fn new(machine: &Machine, interpreter: Interpreter) -> Cnc {
+        Cnc::with_drives(machine, interpreter, Box::new(Simulated))
+    }
+
+    /// The same with other drives.
+    pub fn with_drives(machine: &Machine, interpreter: Interpreter, drives: Box<dyn Drives>) -> Cnc {
         let start = interpreter.position();
         let period = machine.servo_period_ms / 1000.0;
         let motion = Motion::new(machine, start);
@@ -123,7 +131,7 @@ impl Cnc {
             given: VecDeque::with_capacity(motion.free() + 1),
             motion,
             interpreter,
-            drives: Box::new(Simulated),
+            drives,
             spindle: Spindle::new(machine),
             period,
             tool_change_s: machine.tool_change.time_s,
@@ -133,6 +141,7 @@ impl Cnc {
             next_tag: 1,
             waiting: None,
             busy: None,
+            actual: start,
             span: Span::default(),
             report: Report::new(period),
             events: Vec::new(),
@@ -229,15 +238,20 @@ impl Cnc {
             self.span = given.span;
             self.report.period(given.activity);
         }
-        let actual = self.drives.exchange(&setpoint.position);
+        let actual = self.exchange(&setpoint.position);
         let (position, velocity) = (setpoint.position, setpoint.velocity);
         Tick { position, actual, velocity, span: self.span, moving: true }
+    }
+
+    fn exchange(&mut self, commanded: &Position) -> Position {
+        self.actual = self.drives.exchange(commanded);
+        self.actual
     }
 
     /// A period in which the axes stand still.
     fn at_rest(&mut self) -> Tick {
         let position = self.motion.position();
-        let actual = self.drives.exchange(&position);
+        let actual = self.exchange(&position);
         Tick { position, actual, velocity: 0.0, span: self.span, moving: false }
     }
 
@@ -358,6 +372,12 @@ impl Cnc {
                 } else {
                     self.keep_busy(Activity::Dwell, turns * 60.0 / rpm);
                 }
+            }
+            Op::Barrier => {
+                let (commanded, actual) = (self.commanded, self.actual);
+                self.interpreter.came_to_rest(&AtRest { commanded, actual, skip: None });
+                // A program that waits for an input in a loop lets time go on.
+                self.keep_busy(Activity::Dwell, self.period);
             }
             Op::Spindle(state) => {
                 let seconds = self.spindle.command(state, &self.commanded);

@@ -17,5 +17,6 @@ pub mod supervision;
 
 pub use clock::Clock;
 pub use cnc::{Cnc, Event, State, Tick};
+pub use drives::Drives;
 pub use report::{Activity, Report};
 pub use supervision::Supervisor;

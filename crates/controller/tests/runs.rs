@@ -4,7 +4,7 @@
 mod common;
 
 use common::{ACTIVITIES, Hand, cnc, cnc_with, ended, machine, run, run_with};
-use ferrocut_controller::{Activity, Event, State, Tick};
+use ferrocut_controller::{Activity, Cnc, Drives, Event, State, Tick};
 use ferrocut_geometry::{Axis, Position};
 
 /// A little of everything that moves.
@@ -273,4 +273,41 @@ fn main_program_ended_by_m99_counts_no_part() {
     let machine = machine();
     let (cnc, run) = ended(&machine, "G90 G0 X10\nX0\nM99\n");
     assert_eq!((cnc.report().parts, run.end()), (0, Position::ZERO));
+}
+
+/// Drives that stay behind by a quarter of a millimetre.
+struct Lagging;
+
+impl Drives for Lagging {
+    fn exchange(&mut self, commanded: &Position) -> Position {
+        let mut actual = *commanded;
+        actual[Axis::X] -= 0.25;
+        actual
+    }
+}
+
+#[test]
+fn a_program_that_reads_the_machine_waits_until_it_is_at_rest() {
+    let machine = machine();
+    let program = "G1 X20 F3000\n#500=#5006\n#501=#5026\nG0 X[#500+10]\nM30\n";
+    let interpreter = common::interpreter(program, "");
+    let mut cnc = Cnc::with_drives(&machine, interpreter, Box::new(Lagging));
+    let run = run(&mut cnc);
+    assert_eq!(cnc.state(), &State::Ended);
+    assert_eq!(run.end()[Axis::X], 30.0);
+    let variable = |n| cnc.interpreter().memory().variables.get(n);
+    assert_eq!((variable(500), variable(501)), (Some(20.0), Some(0.25)));
+    // It came to rest on the end of the move before it read.
+    assert!(run.ticks.iter().any(|t| t.position[Axis::X] == 20.0 && !t.moving));
+}
+
+#[test]
+fn a_loop_that_waits_for_an_input_takes_time() {
+    let machine = machine();
+    let mut cnc = cnc(&machine, "WHILE[#1000 EQ 0]DO1\nEND1\nG0 X1\nM30\n");
+    cnc.cycle_start();
+    for _ in 0..100 {
+        assert!(!cnc.tick().moving);
+    }
+    assert_eq!(cnc.state(), &State::Running);
 }

@@ -2,6 +2,7 @@
 //! with the motion, the motion or the non-modal code, M codes that wait for its end.
 
 use crate::Fallible;
+use crate::barrier::Present;
 use crate::dialect::{GCode, MCode, MFunction, Meaning};
 use crate::interpreter::Interpreter;
 use crate::modal::Group;
@@ -112,6 +113,9 @@ impl Interpreter {
                 self.note(alarm);
                 sound = false;
             }
+        }
+        if self.present == Present::Asked {
+            return Ok(());
         }
         if !sound {
             return if self.options.keep_going { self.recover() } else { Ok(()) };

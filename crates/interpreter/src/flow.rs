@@ -1,6 +1,7 @@
 //! The order of blocks: one after the other, through jumps, loops and subprograms, to the end.
 
 use crate::Fallible;
+use crate::barrier::Present;
 use crate::interpreter::Interpreter;
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_program::{Block, Page, Place, ProgramId, ProgramMemory, Span, Statement, Value};
@@ -231,13 +232,25 @@ impl Interpreter {
             }
         };
         let at = self.flow.place;
+        let (entered, alarms) = (self.flow.entered, self.alarms_noted());
         self.flow.place.block += 1;
-        let result = match page.blocks.get(index) {
+        let mut result = match page.blocks.get(index) {
             Some(block) => {
                 self.flow.last = page.block_span(block);
                 self.execute(&page, block, index)
             }
             None => Ok(()),
+        };
+        self.present = match self.present {
+            Present::Asked => {
+                // As if the block had not been looked at: it comes again behind the barrier.
+                self.flow.place = at;
+                self.flow.entered = entered;
+                self.forget_alarms(alarms);
+                result = self.emit_barrier();
+                Present::Known
+            }
+            _ => Present::Unknown,
         };
         if (self.flow.place.file, self.flow.place.page) == (at.file, at.page) {
             self.flow.page = Some(page);

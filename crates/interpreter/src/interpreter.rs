@@ -6,6 +6,7 @@
 //! an abort would have to take back is changed outside this value.
 
 use crate::Fallible;
+use crate::barrier::Present;
 use crate::cycles::CycleState;
 use crate::data_setting::DataSetting;
 use crate::dialect::{Dialect, Meaning, Rules, Variable};
@@ -160,6 +161,9 @@ pub struct Interpreter {
     pub(crate) evaluator: Evaluator,
     pub(crate) variable_writes: u64,
     pub(crate) inputs: BTreeMap<u16, f64>,
+    pub(crate) present: Present,
+    /// How far the axes lagged behind at the last barrier.
+    pub(crate) following_error: Position,
     pub(crate) pass_state: Option<Fingerprint>,
     pub(crate) ended: bool,
     pub(crate) output: Output,
@@ -226,6 +230,8 @@ impl Interpreter {
             words: Words::new(),
             variable_writes: 0,
             inputs: BTreeMap::new(),
+            present: Present::default(),
+            following_error: Position::ZERO,
             pass_state: None,
             ended: false,
             output,
@@ -311,6 +317,7 @@ impl Interpreter {
         self.pass_state = None;
         self.flow = Flow::new();
         self.alarms.clear();
+        self.present = Present::default();
         self.ended = false;
         self.output = Output::new(self.rules.cutter, machine);
         self.location.machine = machine;
@@ -350,6 +357,16 @@ impl Interpreter {
     /// Notes an alarm and goes on with the block.
     pub(crate) fn note(&mut self, alarm: Box<Alarm>) {
         self.alarms.push_back(alarm);
+    }
+
+    /// Alarms noted and not yet given out.
+    pub(crate) fn alarms_noted(&self) -> usize {
+        self.alarms.len()
+    }
+
+    /// Takes back the alarms noted since there were `before`.
+    pub(crate) fn forget_alarms(&mut self, before: usize) {
+        self.alarms.truncate(before);
     }
 
     /// An alarm ends the run: the moves before the block at fault are given out first.

@@ -13,6 +13,7 @@
 //! What a control language is made of stands in its folder under [`dialects`], as tables.
 //! Read [`interpreter`] first.
 
+mod barrier;
 mod coordinates;
 pub mod cycles;
 mod data_setting;
@@ -31,6 +32,7 @@ pub mod stages;
 pub mod stroke;
 pub mod words;
 
+pub use barrier::AtRest;
 pub use dialect::{Dialect, Rules};
 pub use interpreter::{Interpreter, Options};
 

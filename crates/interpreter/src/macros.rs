@@ -1,6 +1,7 @@
 //! Variables and statements of the macro language, and G65.
 
 use crate::Fallible;
+use crate::barrier::Present;
 use crate::dialect::Variable;
 use crate::evaluate::{self, Value, variable_number};
 use crate::flow::Locals;
@@ -38,9 +39,14 @@ impl Interpreter {
 
     /// Value of a variable.
     #[inline]
-    fn read_variable(&self, number: u32) -> Result<Value, Fault> {
+    fn read_variable(&mut self, number: u32) -> Result<Value, Fault> {
         match (self.dialect.variable)(number) {
             Some(Variable::Plain) => Ok(self.memory.variables.get(number)),
+            Some(variable) if variable.is_of_the_moment() && self.present != Present::Known => {
+                // The block is left by this fault, which no one sees, and run again behind a barrier.
+                self.present = Present::Asked;
+                Err(Fault::UnknownVariable)
+            }
             Some(variable) => self.read_system_variable(variable),
             None => Err(Fault::UnknownVariable),
         }
@@ -73,11 +79,7 @@ impl Interpreter {
             }
             Variable::SkipPosition(axis) => location.skip[self.axis_number(axis)?],
             Variable::LengthOffset(axis) => location.length.vector[self.axis_number(axis)?],
-            // The simulated axes follow without error.
-            Variable::ServoOffset(axis) => {
-                self.axis_number(axis)?;
-                0.0
-            }
+            Variable::ServoOffset(axis) => self.following_error[self.axis_number(axis)?],
             Variable::WorkZero(name, axis) => {
                 let zero = self.memory.work.get(name).ok_or(Fault::UnknownVariable)?;
                 zero[self.axis_number(axis)?]

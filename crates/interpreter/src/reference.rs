@@ -127,7 +127,7 @@ impl Interpreter {
         if reached != from || at.is_some() {
             self.emit(Op::Skip { to: reached, feed, hit: at.is_some() });
         }
-        Ok(())
+        self.emit_barrier()
     }
 
     /// G60: the end point is always reached from one side (GSK990MC 4.2.6).

@@ -172,8 +172,8 @@ pub enum Op {
         /// Spindle speed, r/min.
         rpm: f64,
     },
-    /// Feed until the skip signal comes (G31). A barrier: where motion stopped is returned to the
-    /// interpreter before it goes on.
+    /// Feed until the skip signal comes (G31). The next step is a [`Barrier`](Op::Barrier), so that the
+    /// interpreter learns where motion stopped before it goes on.
     Skip {
         /// Where motion ends: where the simulated signal comes, or without one the end point.
         to: Position,
@@ -182,6 +182,10 @@ pub enum Op {
         /// Whether the signal comes.
         hit: bool,
     },
+    /// Nothing is done; the block behind it reads what only a machine at rest knows. Whoever runs steps
+    /// lets the axes come to rest on the end of the move before, tells the interpreter where they are,
+    /// and only then asks for the next step. At a desk there is nothing to wait for.
+    Barrier,
     /// Pause.
     Dwell(Dwell),
     /// The spindle's new state.

@@ -209,6 +209,8 @@ impl<W: Write> TraceWriter<W> {
                 self.feed(*feed);
                 self.flag("hit", *hit);
             }
+            // Nothing that an axis is commanded to do.
+            Op::Barrier => return false,
             Op::Dwell(Dwell::Seconds(s)) => {
                 self.op("dwell");
                 self.field("s", *s);

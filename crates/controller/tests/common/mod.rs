@@ -17,6 +17,10 @@ pub fn cnc(machine: &Machine, program: &str) -> Cnc {
 }
 
 pub fn cnc_with(machine: &Machine, program: &str, setup: &str) -> Cnc {
+    Cnc::new(machine, interpreter(program, setup))
+}
+
+pub fn interpreter(program: &str, setup: &str) -> Interpreter {
     let dialect = &dialects::gsk990mc::DIALECT;
     let text = Text::from_bytes(program.as_bytes().to_vec()).unwrap();
     let programs = ProgramMemory::new("test.nc", text, dialect.syntax);
@@ -28,7 +32,7 @@ pub fn cnc_with(machine: &Machine, program: &str, setup: &str) -> Cnc {
         optional_stop: setup.options.optional_stop,
         ..Options::default()
     };
-    Cnc::new(machine, Interpreter::new(dialect, programs, memory, options))
+    Interpreter::new(dialect, programs, memory, options)
 }
 
 /// Ticks after which a run is taken as hanging: twenty minutes of machine time.

@@ -1,0 +1,77 @@
+//! Values that only a machine at rest knows: where the axes are, how far they lag behind, what an input
+//! says.
+//!
+//! Blocks are interpreted ahead of motion. A block that reads such a value is left before it has changed
+//! anything, a [`Barrier`](ferrocut_toolpath::Op::Barrier) is given out in its place, and it is run again
+//! once that step was taken: whoever takes it lets the axes come to rest and tells the interpreter of them
+//! by [`Interpreter::came_to_rest`]. At a desk no one does, and the commanded position stands for the
+//! machine's.
+
+use crate::Fallible;
+use crate::dialect::Variable;
+use crate::interpreter::Interpreter;
+use ferrocut_geometry::Position;
+use ferrocut_toolpath::{Op, Step};
+
+/// The machine as it came to rest at a barrier. Machine positions of the axes, mm and degrees.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct AtRest {
+    /// Where the axes are commanded to be.
+    pub commanded: Position,
+    /// Where they are.
+    pub actual: Position,
+    /// Where the skip signal of the move before came; `None` if it was no skip or the signal did not come.
+    pub skip: Option<Position>,
+}
+
+/// Whether blocks may read the machine's present.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub(crate) enum Present {
+    /// Motion may be under way.
+    #[default]
+    Unknown,
+    /// The block being run asked for it.
+    Asked,
+    /// The axes are at rest, until the next block.
+    Known,
+}
+
+impl Variable {
+    /// Whether the value is that of the moment, which the control does not read during motion
+    /// (GSK990MC table 4-9-2-3; the position in the work coordinate system and the inputs are of the
+    /// moment too).
+    pub(crate) fn is_of_the_moment(self) -> bool {
+        matches!(
+            self,
+            Variable::MachinePosition(_)
+                | Variable::WorkPosition(_)
+                | Variable::LengthOffset(_)
+                | Variable::ServoOffset(_)
+                | Variable::Input(_)
+        )
+    }
+}
+
+impl Interpreter {
+    /// Tells how the machine came to rest, between a barrier and the step after it.
+    pub fn came_to_rest(&mut self, machine: &AtRest) {
+        self.following_error = machine.commanded - machine.actual;
+        if machine.commanded != self.location.machine {
+            self.location.machine = machine.commanded;
+            self.location.take_machine();
+            self.output.jump_to(machine.commanded);
+        }
+        if let Some(at) = machine.skip {
+            self.location.skip = at - self.location.work.shift;
+        }
+    }
+
+    /// Gives out a barrier. What cutter compensation holds back ends here, square to its last move, as
+    /// before a block that it cannot look beyond (GSK990MC 4.7.3, 7).
+    pub(crate) fn emit_barrier(&mut self) -> Fallible<()> {
+        let step = Step { op: Op::Barrier, span: self.words.block_span() };
+        // Not by `emit`: a program that only waits does not get on.
+        let done = self.output.flush().and_then(|()| self.output.push(step));
+        done.map_err(|(fault, span)| self.alarm(fault, span))
+    }
+}
