@@ -329,6 +329,10 @@ impl Cnc {
             return;
         }
         self.next_tag += 1;
+        if matches!(step.op, Op::Tap { .. }) {
+            // It stands still when the tap is out.
+            self.spindle.command(SpindleState::Off, &to);
+        }
         self.commanded = to;
         let activity = if step.op.is_cutting() { Activity::Cutting } else { Activity::Rapid };
         let (min, max) = step.op.extent(from).unwrap_or((from, to));

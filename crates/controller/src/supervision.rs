@@ -71,7 +71,11 @@ impl Supervisor {
         match &step.op {
             Op::Rapid { .. } | Op::Feed { .. } | Op::Arc { .. } | Op::Tap { .. } | Op::Skip { .. } => {
                 self.travel(step, &mut tell);
-                if !self.turning && !self.told_spindle && step.op.is_cutting() {
+                if matches!(step.op, Op::Tap { .. }) {
+                    // The spindle turns with the tap, and stands still after it.
+                    self.turning = false;
+                    self.told_spindle = false;
+                } else if !self.turning && !self.told_spindle && step.op.is_cutting() {
                     self.told_spindle = true;
                     tell(self.alarm(Fault::CuttingSpindleStopped, step).as_warning());
                 }

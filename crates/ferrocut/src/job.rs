@@ -3,7 +3,7 @@
 use crate::cli::{Common, Format};
 use crate::diagnostics::Diagnostics;
 use ferrocut_interpreter::{Dialect, Interpreter, Options, dialects};
-use ferrocut_machine::{Alarm, Catalogue, Fault, Language, Machine, Memory, Setup};
+use ferrocut_machine::{Alarm, Catalogue, Fault, Language, Machine, Memory, ParameterKey, Setup};
 use ferrocut_program::{OpenError, ProgramMemory, Span, Text};
 use std::path::{Path, PathBuf};
 
@@ -107,17 +107,15 @@ impl Shop {
         let (dialect, guessed) = self.dialect()?;
         let programs = open_program(path, dialect).map_err(|error| open_failure(path, error))?;
         let mut memory = Memory::new(dialect.name);
-        for (name, value) in &self.machine.parameters {
-            let set = name
-                .parse()
-                .map_err(|e| format!("{e}"))
-                .and_then(|key| memory.set_parameter(&key, *value).map_err(|e| e.to_string()));
-            set.map_err(|reason| {
+        let parse = |(name, value): (&String, &f64)| name.parse::<ParameterKey>().map(|key| (key, *value));
+        let parameters: Result<Vec<_>, _> = self.machine.parameters.iter().map(parse).collect();
+        parameters
+            .and_then(|all| memory.set_parameters(all.iter().map(|(key, value)| (key, *value))))
+            .map_err(|error| {
                 Failure::wrong_use(Fault::ConfigUnusable)
                     .with("file", self.machine.name.as_str())
-                    .with("reason", reason)
+                    .with("reason", error.to_string())
             })?;
-        }
         self.setup.apply(&mut memory).map_err(|error| {
             Failure::wrong_use(Fault::ConfigUnusable).with("file", "setup").with("reason", error.to_string())
         })?;

@@ -56,10 +56,11 @@ impl Interpreter {
     /// Tells how the machine came to rest, between a barrier and the step after it.
     pub fn came_to_rest(&mut self, machine: &AtRest) {
         self.following_error = machine.commanded - machine.actual;
-        if machine.commanded != self.location.machine {
-            self.location.machine = machine.commanded;
+        let moved = machine.commanded - self.output.commanded();
+        if moved != Position::ZERO {
+            self.location.machine = self.location.machine + moved;
             self.location.take_machine();
-            self.output.jump_to(machine.commanded);
+            self.output.jump_to(self.location.machine);
         }
         if let Some(at) = machine.skip {
             self.location.skip = at - self.location.work.shift;

@@ -21,13 +21,19 @@ const FACTOR: std::ops::RangeInclusive<f64> = 0.0001..=9999.9999;
 const CENTER_LETTERS: u32 = letters(b"IJK");
 
 impl Interpreter {
+    /// The axes whose words are inches.
+    #[inline]
+    pub(crate) fn inch_axes(&self) -> AxisSet {
+        if self.modal.is_inch() { self.rules.linear_axes } else { AxisSet::EMPTY }
+    }
+
     /// The programmed end point of the block.
     #[inline]
     pub(crate) fn end_point(&mut self, axes: AxisSet) -> Position {
         let incremental = self.modal.is_incremental();
         let inch = self.modal.is_inch();
         let from = self.location.programmed;
-        let mut to = distance::end_point(&self.words, axes, from, incremental, inch);
+        let mut to = distance::end_point(&self.words, axes, from, incremental, self.inch_axes());
         if let Some(polar) = &mut self.location.polar {
             let plane = self.modal.plane();
             let (radius, angle) = polar::addresses(plane);
@@ -57,7 +63,7 @@ impl Interpreter {
     /// coordinates, also with G91 and in polar mode.
     fn center(&self) -> Position {
         let axes = self.words.axes(self.rules.axes);
-        distance::end_point(&self.words, axes, self.location.programmed, false, self.modal.is_inch())
+        distance::end_point(&self.words, axes, self.location.programmed, false, self.inch_axes())
     }
 
     /// G51 (GSK990MC 4.2.14).
@@ -106,12 +112,12 @@ impl Interpreter {
         // The centre is scaled too, the angle is not.
         let center = plane.of(self.location.scaling.map_or(center, |scaling| scaling.apply(center)));
         let given = self.words.get(b'R').unwrap_or(self.rules.rotation_angle);
+        // One axis mirrored in the plane turns the other way round (4.2.14 note 2).
+        let mirrored = self.location.scaling.is_some_and(|scaling| scaling.reverses(plane));
+        let given = if mirrored { -given } else { given };
         let adds = self.rules.rotation_follows_g91 && self.modal.is_incremental();
         let before = self.location.rotation.map_or(0.0, |rotation| rotation.degrees);
         let degrees = if adds { before + given } else { given };
-        // One axis mirrored in the plane turns the other way round (4.2.14 note 2).
-        let mirrored = self.location.scaling.is_some_and(|scaling| scaling.reverses(plane));
-        let degrees = if mirrored && !adds { -degrees } else { degrees };
         self.location.rotation = Some(Rotation { plane, center, degrees });
     }
 
@@ -146,7 +152,7 @@ impl Interpreter {
             return Err(self.alarm(Fault::WorkOffsetInCutter, span));
         }
         let name = match self.words.get(b'P') {
-            Some(number) if standard == 1 => {
+            Some(number) if standard == 1 && !self.p_is_taken() => {
                 self.words.take(b'P');
                 if !(1.0..=f64::from(u16::MAX)).contains(&number) || number.fract() != 0.0 {
                     return Err(self.alarm(Fault::WorkOffsetNumber, span));
@@ -164,14 +170,21 @@ impl Interpreter {
         Ok(())
     }
 
+    /// Whether another code of the block has P for its own: a call, a dwell, a cycle.
+    fn p_is_taken(&self) -> bool {
+        let takes = |meaning| matches!(meaning, Meaning::Dwell | Meaning::Cycle(_));
+        self.words.calls() || self.words.g.iter().any(|code| takes(code.row.meaning))
+    }
+
     /// G92 (GSK990MC 4.2.11): the point where the tool stands, tool length left aside, gets the given
     /// coordinates.
     pub(crate) fn set_position(&mut self, axes: AxisSet) {
         if axes.is_empty() {
             return;
         }
+        let inch_axes = self.inch_axes();
         let location = &mut self.location;
-        let here = distance::end_point(&self.words, axes, location.programmed, false, self.modal.is_inch());
+        let here = distance::end_point(&self.words, axes, location.programmed, false, inch_axes);
         let at = location.machine - location.length.vector;
         location.work = location.work.set_position(at, here, axes);
         location.take_machine();
@@ -184,9 +197,8 @@ impl Interpreter {
             return Ok(());
         }
         let machine = self.location.machine;
-        let to = distance::end_point(&self.words, axes, machine, false, self.modal.is_inch());
-        self.output.suspend_cutter();
-        self.rapid_machine(to)?;
+        let to = distance::end_point(&self.words, axes, machine, false, self.inch_axes());
+        self.rapid_uncompensated(to)?;
         self.location.take_machine();
         Ok(())
     }

@@ -3,6 +3,7 @@
 use crate::Fallible;
 use crate::interpreter::Interpreter;
 use crate::stages::units;
+use crate::words;
 use ferrocut_geometry::AxisSet;
 use ferrocut_machine::{Fault, ParameterError, ParameterKey, WorkOffset};
 use ferrocut_program::Span;
@@ -28,6 +29,7 @@ impl Interpreter {
         if self.is_transformed() || self.location.polar.is_some() {
             return Err(self.alarm(Fault::OffsetInTransform, span));
         }
+        self.technology.data_code = 10.0;
         let form = self.words.get(b'L');
         match form.map(|l| l as i64) {
             Some(2) => {
@@ -59,14 +61,17 @@ impl Interpreter {
 
     /// G10 L2 and L20: G90 replaces, G91 adds (4.2.7 note 7).
     fn set_work_zero(&mut self, name: WorkOffset, axes: AxisSet) -> Fallible<()> {
-        let (inch, incremental) = (self.modal.is_inch(), self.modal.is_incremental());
+        let (inch_axes, incremental) = (self.inch_axes(), self.modal.is_incremental());
         let Some(mut zero) = self.memory.work.get(name) else {
             return Err(self.alarm_at(Fault::DataNumber, b'P'));
         };
         for axis in axes.iter() {
             let Some(value) = self.words.get(axis.letter() as u8) else { continue };
-            let value = units::coordinate(axis, value, inch);
+            let value = units::coordinate(axis, value, inch_axes);
             zero[axis] = if incremental { zero[axis] + value } else { value };
+            if zero[axis].abs() > self.rules.max_zero {
+                return Err(self.alarm_at(Fault::DataValue, axis.letter() as u8));
+            }
         }
         if let Some(slot) = self.memory.work.get_mut(name) {
             *slot = zero;
@@ -84,7 +89,7 @@ impl Interpreter {
         };
         let value = units::length_mm(value, self.modal.is_inch());
         let incremental = self.modal.is_incremental();
-        let limit = self.rules.max_offset;
+        let limit = if matches!(form, 11 | 13) { self.rules.max_wear } else { self.rules.max_offset };
         let Some(row) = self.memory.tools.get_mut(number) else {
             return Err(self.alarm_at(Fault::DataNumber, b'P'));
         };
@@ -111,7 +116,8 @@ impl Interpreter {
 
     /// A block between G10 L50 or L51 and G11.
     pub(crate) fn data_block(&mut self, what: DataSetting) -> Fallible<()> {
-        if !self.words.g.is_empty() {
+        let own = words::letters(b"NPR");
+        if !self.words.g.is_empty() || !self.words.m.is_empty() || self.words.has_any(!own) {
             return Err(self.alarm(Fault::CommandInDataSetting, self.words.block_span()));
         }
         if self.words.sequence.is_none() && !self.words.has(b'R') && !self.words.has(b'P') {

@@ -5,7 +5,7 @@
 //! parameters set. Code that two languages share stands outside their folders and reads these.
 
 use crate::cycles::CycleKind;
-use crate::evaluate::Angles;
+use crate::evaluate::Arithmetic;
 use crate::modal::{Group, Modal};
 use crate::stages::cutter;
 use crate::stroke::StrokeRules;
@@ -186,6 +186,8 @@ pub struct Address {
     pub max: f64,
     /// Whether the value must be whole.
     pub whole: bool,
+    /// What is wrong with a value beyond the largest.
+    pub beyond: Fault,
 }
 
 /// What a variable of the macro language stands for. Axes are counted from 0 in the control's order.
@@ -289,16 +291,28 @@ pub struct Rules {
     pub max_coordinate: f64,
     /// Axes that may move together in a block.
     pub max_moving_axes: usize,
-    /// The spindle has an encoder and can stop at an angle.
+    /// The spindle can stop at an angle.
     pub spindle_has_position: bool,
+    /// Feed per revolution is fitted.
+    pub feed_per_revolution: bool,
     /// Largest tool number.
     pub max_tool: f64,
+    /// Largest S word.
+    pub max_speed_word: f64,
+    /// Largest M code.
+    pub max_m_code: f64,
     /// Arcs about corners are fitted (G39).
     pub corner_arc: bool,
     /// Rigid tapping is fitted (needs M29 before the cycle).
     pub rigid_tapping: bool,
     /// Highest spindle speed of tapping, r/min.
     pub max_tapping_rpm: f64,
+    /// Highest spindle speed of rigid tapping, r/min.
+    pub max_rigid_rpm: f64,
+    /// Speed of the spindle on the way out of a rigidly tapped thread, over that on the way in.
+    pub rigid_retract: f64,
+    /// Rigid tapping begins with an oriented spindle stop.
+    pub rigid_tapping_orients: bool,
     /// Peck tapping draws back only a little (else to the R level).
     pub peck_tapping_is_fast: bool,
     /// How far, where V does not say, mm.
@@ -317,14 +331,29 @@ pub struct Rules {
     pub one_way_is_modal: bool,
     /// Surface speed is fitted.
     pub surface_speed: bool,
+    /// Lowest spindle speed under it, r/min.
+    pub surface_min_rpm: f64,
+    /// Axis that it is reckoned by where the program names none.
+    pub surface_axis: Axis,
     /// Largest tool offset, mm.
     pub max_offset: f64,
+    /// Largest wear of one, mm.
+    pub max_wear: f64,
+    /// Largest coordinate of a work zero, mm or degrees.
+    pub max_zero: f64,
     /// Shortest and longest dwell of a cycle, s.
     pub cycle_dwell: (f64, f64),
+    /// Seconds that P1 of a cycle stands for.
+    pub cycle_dwell_p_unit_s: f64,
     /// A cycle needs a spindle speed that was once given.
     pub cycle_needs_speed: bool,
+    /// The way to the intermediate point of a reference point is cutter-compensated; else compensation is
+    /// left aside from there on.
+    pub reference_keeps_cutter: bool,
     /// Axes that the control carries.
     pub axes: AxisSet,
+    /// Those of them that are linear.
+    pub linear_axes: AxisSet,
     /// The same in the order that variables and parameters count them by.
     pub axis_order: [Axis; 5],
 }
@@ -364,8 +393,8 @@ pub struct Dialect {
     pub name: &'static str,
     /// How its programs are written.
     pub syntax: &'static Syntax,
-    /// Unit of angles in its functions.
-    pub angles: Angles,
+    /// Its arithmetic.
+    pub arithmetic: Arithmetic,
     /// Its G codes, in rising order.
     pub g_codes: &'static [GCode],
     /// Its M codes, in rising order.

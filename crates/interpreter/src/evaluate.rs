@@ -28,6 +28,43 @@ impl Angles {
     }
 }
 
+/// What a control's arithmetic is like.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Arithmetic {
+    /// Unit of angles in functions.
+    pub angles: Angles,
+    /// How finely values are told apart, as steps a unit: 10000 where the control counts in 0.0001. What is
+    /// put into a variable is rounded to it, and numbers closer than that compare as equal and are as whole
+    /// as their neighbour. 0 is as finely as can be.
+    pub steps: f64,
+    /// The largest result of EXP.
+    pub largest_power: f64,
+}
+
+/// Numbers from here on have no digits left behind those that are told apart.
+const COARSE: f64 = 1e11;
+
+impl Arithmetic {
+    /// The value as the control tells it from others.
+    #[inline]
+    pub fn rounded(self, v: f64) -> f64 {
+        if self.steps > 0.0 && v.abs() < COARSE { (v * self.steps).round() / self.steps } else { v }
+    }
+
+    fn rounded_value(self, v: Value) -> Value {
+        v.map(|v| self.rounded(v))
+    }
+
+    /// The number of a variable, given as a value. What stands behind the point is dropped
+    /// (GSK990MC 4.9.5).
+    pub fn variable_number(self, value: Value) -> Result<u32, Fault> {
+        match self.rounded_value(value) {
+            Some(n) if n >= 0.0 && n <= f64::from(u32::MAX) => Ok(n as u32),
+            _ => Err(Fault::UnknownVariable),
+        }
+    }
+}
+
 /// The largest magnitude that a result may have (GSK990MC alarm 0111).
 const LARGEST: f64 = 1e47;
 
@@ -35,13 +72,18 @@ const LARGEST: f64 = 1e47;
 #[derive(Debug)]
 pub struct Evaluator {
     stack: Vec<Value>,
-    angles: Angles,
+    arithmetic: Arithmetic,
 }
 
 impl Evaluator {
-    /// An evaluator for one unit of angles.
-    pub fn new(angles: Angles) -> Evaluator {
-        Evaluator { stack: Vec::with_capacity(MAX_STACK), angles }
+    /// An evaluator for one kind of arithmetic.
+    pub fn new(arithmetic: Arithmetic) -> Evaluator {
+        Evaluator { stack: Vec::with_capacity(MAX_STACK), arithmetic }
+    }
+
+    /// One that takes no memory, to stand in for another.
+    pub fn empty(arithmetic: Arithmetic) -> Evaluator {
+        Evaluator { stack: Vec::new(), arithmetic }
     }
 
     /// Value of an expression in postfix order. `read` gives the value of a variable by its number.
@@ -57,7 +99,7 @@ impl Evaluator {
                 Node::VariableAt(n) => read(n)?,
                 Node::Variable => {
                     let number = self.pop()?;
-                    read(variable_number(number)?)?
+                    read(self.arithmetic.variable_number(number)?)?
                 }
                 Node::Unary(op) => {
                     let v = self.pop()?.unwrap_or(0.0);
@@ -66,16 +108,16 @@ impl Evaluator {
                 Node::Binary(op) => {
                     let b = self.pop()?;
                     let a = self.pop()?;
-                    Some(binary(op, a, b)?)
+                    Some(self.arithmetic.binary(op, a, b)?)
                 }
                 Node::Call(Function::Atan2) => {
                     let b = self.pop()?.unwrap_or(0.0);
                     let a = self.pop()?.unwrap_or(0.0);
-                    Some(atan2(a, b, self.angles)?)
+                    Some(atan2(a, b, self.arithmetic.angles)?)
                 }
                 Node::Call(function) => {
                     let v = self.pop()?.unwrap_or(0.0);
-                    Some(call(function, v, self.angles)?)
+                    Some(self.arithmetic.call(function, v)?)
                 }
             };
             if self.stack.len() == MAX_STACK {
@@ -91,45 +133,142 @@ impl Evaluator {
     }
 }
 
-impl Default for Evaluator {
-    fn default() -> Evaluator {
-        Evaluator { stack: Vec::new(), angles: Angles::Degrees }
+impl Arithmetic {
+    /// Whether macro A has an operation with this number (GSK990MC table 4-9-4-1).
+    pub fn has_operation(self, operation: i64) -> bool {
+        matches!(operation, 1..=5 | 11..=13 | 21..=23 | 26 | 27 | 31..=34 | 80..=86 | 99)
     }
-}
 
-/// The number of a variable, given as a value. What stands behind the point is dropped (GSK990MC 4.9.5).
-pub fn variable_number(value: Value) -> Result<u32, Fault> {
-    match value {
-        Some(n) if n >= 0.0 && n <= f64::from(u32::MAX) => Ok(n as u32),
-        _ => Err(Fault::UnknownVariable),
+    /// Whether a jump H80 to H86 of macro A is taken.
+    pub fn jumps(self, operation: i64, q: Value, r: Value) -> bool {
+        let (a, b) = (self.rounded(q.unwrap_or(0.0)), self.rounded(r.unwrap_or(0.0)));
+        match operation {
+            80 => true,
+            81 => self.rounded_value(q) == self.rounded_value(r),
+            82 => self.rounded_value(q) != self.rounded_value(r),
+            83 => a > b,
+            84 => a < b,
+            85 => a >= b,
+            86 => a <= b,
+            _ => false,
+        }
     }
-}
 
-/// The operations H01 to H34 of macro A (GSK990MC 4.9.4): the new value of a variable that holds `own`.
-pub fn macro_a(operation: i64, own: Value, q: Value, r: Value) -> Result<Value, Fault> {
-    let (a, b) = (q.unwrap_or(0.0), r.unwrap_or(0.0));
-    let degrees = Angles::Degrees;
-    Ok(Some(match operation {
-        1 => return Ok(q),
-        2 => binary(Binary::Add, q, r)?,
-        3 => binary(Binary::Subtract, q, r)?,
-        4 => binary(Binary::Multiply, q, r)?,
-        5 => binary(Binary::Divide, q, r)?,
-        11 => binary(Binary::Or, q, r)?,
-        12 => binary(Binary::And, q, r)?,
-        13 => binary(Binary::Xor, q, r)?,
-        21 => call(Function::Sqrt, a, degrees)?,
-        22 => a.abs(),
-        // Whole numbers only, as the manual notes for H23.
-        23 => binary(Binary::Modulo, Some(a.trunc()), Some(b.trunc()))?,
-        26 => binary(Binary::Divide, Some(in_range(own.unwrap_or(0.0) * a)?), r)?,
-        27 => in_range(a.hypot(b))?,
-        31 => in_range(a * call(Function::Sin, b, degrees)?)?,
-        32 => in_range(a * call(Function::Cos, b, degrees)?)?,
-        33 => in_range(a * call(Function::Tan, b, degrees)?)?,
-        34 => atan2(a, b, degrees)?,
-        _ => return Err(Fault::UnknownOperation),
-    }))
+    /// The operations H01 to H34 of macro A (GSK990MC 4.9.4): the new value of a variable that holds `own`.
+    pub fn macro_a(self, operation: i64, own: Value, q: Value, r: Value) -> Result<Value, Fault> {
+        let (a, b) = (q.unwrap_or(0.0), r.unwrap_or(0.0));
+        Ok(Some(match operation {
+            1 => return Ok(q),
+            2 => self.binary(Binary::Add, q, r)?,
+            3 => self.binary(Binary::Subtract, q, r)?,
+            4 => self.binary(Binary::Multiply, q, r)?,
+            5 => self.binary(Binary::Divide, q, r)?,
+            11 => self.binary(Binary::Or, q, r)?,
+            12 => self.binary(Binary::And, q, r)?,
+            13 => self.binary(Binary::Xor, q, r)?,
+            21 => self.call(Function::Sqrt, a)?,
+            22 => a.abs(),
+            // Whole numbers only, as the manual notes for H23.
+            23 => {
+                self.binary(Binary::Modulo, Some(self.rounded(a).trunc()), Some(self.rounded(b).trunc()))?
+            }
+            26 => self.binary(Binary::Divide, Some(in_range(own.unwrap_or(0.0) * a)?), r)?,
+            27 => in_range(a.hypot(b))?,
+            31 => in_range(a * self.call(Function::Sin, b)?)?,
+            32 => in_range(a * self.call(Function::Cos, b)?)?,
+            33 => in_range(a * self.call(Function::Tan, b)?)?,
+            34 => atan2(a, b, self.angles)?,
+            _ => return Err(Fault::UnknownOperation),
+        }))
+    }
+
+    /// Operands of AND, OR and XOR are whole numbers; what stands behind the point is dropped
+    /// (GSK990MC 4.9.3, H11 to H13).
+    fn whole(self, v: f64) -> Result<i64, Fault> {
+        if v.abs() < 9e18 { Ok(self.rounded(v) as i64) } else { Err(Fault::ResultTooLarge) }
+    }
+
+    /// An operator.
+    fn binary(self, op: Binary, a: Value, b: Value) -> Result<f64, Fault> {
+        // Empty differs from 0 only for EQ and NE (GSK990MC 4.9.2).
+        match op {
+            Binary::Equal => return Ok(truth(self.rounded_value(a) == self.rounded_value(b))),
+            Binary::NotEqual => return Ok(truth(self.rounded_value(a) != self.rounded_value(b))),
+            _ => {}
+        }
+        let (a, b) = (a.unwrap_or(0.0), b.unwrap_or(0.0));
+        let (fine_a, fine_b) = (self.rounded(a), self.rounded(b));
+        in_range(match op {
+            Binary::Add => a + b,
+            Binary::Subtract => a - b,
+            Binary::Multiply => a * b,
+            Binary::Divide | Binary::Modulo if b == 0.0 => return Err(Fault::DivisionByZero),
+            Binary::Divide => a / b,
+            Binary::Modulo => a % b,
+            Binary::Power => {
+                let v = a.powf(b);
+                if v.is_nan() {
+                    return Err(Fault::FunctionDomain);
+                }
+                v
+            }
+            Binary::And => (self.whole(a)? & self.whole(b)?) as f64,
+            Binary::Or => (self.whole(a)? | self.whole(b)?) as f64,
+            Binary::Xor => (self.whole(a)? ^ self.whole(b)?) as f64,
+            Binary::Equal => truth(fine_a == fine_b),
+            Binary::NotEqual => truth(fine_a != fine_b),
+            Binary::Greater => truth(fine_a > fine_b),
+            Binary::GreaterEqual => truth(fine_a >= fine_b),
+            Binary::Less => truth(fine_a < fine_b),
+            Binary::LessEqual => truth(fine_a <= fine_b),
+            Binary::LogicalAnd => truth(a != 0.0 && b != 0.0),
+            Binary::LogicalOr => truth(a != 0.0 || b != 0.0),
+        })
+    }
+
+    /// A function of one operand.
+    fn call(self, function: Function, v: f64) -> Result<f64, Fault> {
+        let within = |ok: bool| if ok { Ok(()) } else { Err(Fault::FunctionDomain) };
+        in_range(match function {
+            Function::Sin => sin_cos(v, self.angles).0,
+            Function::Cos => sin_cos(v, self.angles).1,
+            Function::Tan => {
+                let (sin, cos) = sin_cos(v, self.angles);
+                // GSK990MC alarm 0112 counts the tangent of 90 degrees as a division by zero.
+                if cos == 0.0 {
+                    return Err(Fault::DivisionByZero);
+                }
+                sin / cos
+            }
+            Function::Asin => {
+                within(v.abs() <= 1.0)?;
+                self.angles.of_radians(v.asin())
+            }
+            Function::Acos => {
+                within(v.abs() <= 1.0)?;
+                self.angles.of_radians(v.acos())
+            }
+            Function::Atan | Function::Atan2 => self.angles.of_radians(v.atan()),
+            Function::Sqrt => {
+                within(v >= 0.0)?;
+                v.sqrt()
+            }
+            Function::Abs => v.abs(),
+            Function::Round => self.rounded(v).round(),
+            Function::Fix => self.rounded(v).trunc(),
+            Function::Fup => self.rounded(v).abs().ceil().copysign(v),
+            Function::Ln => {
+                within(v > 0.0)?;
+                v.ln()
+            }
+            Function::Exp => match v.exp() {
+                power if power > self.largest_power => return Err(Fault::ResultTooLarge),
+                power => power,
+            },
+            Function::Bin => bcd_to_number(self.whole(v)?)?,
+            Function::Bcd => number_to_bcd(self.whole(v)?)?,
+        })
+    }
 }
 
 fn in_range(v: f64) -> Result<f64, Fault> {
@@ -138,48 +277,6 @@ fn in_range(v: f64) -> Result<f64, Fault> {
 
 fn truth(condition: bool) -> f64 {
     f64::from(u8::from(condition))
-}
-
-/// Operands of AND, OR and XOR are whole numbers; what stands behind the point is dropped
-/// (GSK990MC 4.9.3, H11 to H13).
-fn whole(v: f64) -> Result<i64, Fault> {
-    if v.abs() < 9e18 { Ok(v as i64) } else { Err(Fault::ResultTooLarge) }
-}
-
-fn binary(op: Binary, a: Value, b: Value) -> Result<f64, Fault> {
-    // Empty differs from 0 only for EQ and NE (GSK990MC 4.9.2).
-    match op {
-        Binary::Equal => return Ok(truth(a == b)),
-        Binary::NotEqual => return Ok(truth(a != b)),
-        _ => {}
-    }
-    let (a, b) = (a.unwrap_or(0.0), b.unwrap_or(0.0));
-    in_range(match op {
-        Binary::Add => a + b,
-        Binary::Subtract => a - b,
-        Binary::Multiply => a * b,
-        Binary::Divide | Binary::Modulo if b == 0.0 => return Err(Fault::DivisionByZero),
-        Binary::Divide => a / b,
-        Binary::Modulo => a % b,
-        Binary::Power => {
-            let v = a.powf(b);
-            if v.is_nan() {
-                return Err(Fault::FunctionDomain);
-            }
-            v
-        }
-        Binary::And => (whole(a)? & whole(b)?) as f64,
-        Binary::Or => (whole(a)? | whole(b)?) as f64,
-        Binary::Xor => (whole(a)? ^ whole(b)?) as f64,
-        Binary::Equal => truth(a == b),
-        Binary::NotEqual => truth(a != b),
-        Binary::Greater => truth(a > b),
-        Binary::GreaterEqual => truth(a >= b),
-        Binary::Less => truth(a < b),
-        Binary::LessEqual => truth(a <= b),
-        Binary::LogicalAnd => truth(a != 0.0 && b != 0.0),
-        Binary::LogicalOr => truth(a != 0.0 || b != 0.0),
-    })
 }
 
 /// Angle of the point (`b`, `a`), 0 to below a full turn, as ATAN[a]/[b] gives it.
@@ -199,49 +296,9 @@ fn sin_cos(v: f64, angles: Angles) -> (f64, f64) {
     }
 }
 
-fn call(function: Function, v: f64, angles: Angles) -> Result<f64, Fault> {
-    let within = |ok: bool| if ok { Ok(()) } else { Err(Fault::FunctionDomain) };
-    in_range(match function {
-        Function::Sin => sin_cos(v, angles).0,
-        Function::Cos => sin_cos(v, angles).1,
-        Function::Tan => {
-            let (sin, cos) = sin_cos(v, angles);
-            // GSK990MC alarm 0112 counts the tangent of 90 degrees as a division by zero.
-            if cos == 0.0 {
-                return Err(Fault::DivisionByZero);
-            }
-            sin / cos
-        }
-        Function::Asin => {
-            within(v.abs() <= 1.0)?;
-            angles.of_radians(v.asin())
-        }
-        Function::Acos => {
-            within(v.abs() <= 1.0)?;
-            angles.of_radians(v.acos())
-        }
-        Function::Atan | Function::Atan2 => angles.of_radians(v.atan()),
-        Function::Sqrt => {
-            within(v >= 0.0)?;
-            v.sqrt()
-        }
-        Function::Abs => v.abs(),
-        Function::Round => v.round(),
-        Function::Fix => v.trunc(),
-        Function::Fup => v.abs().ceil().copysign(v),
-        Function::Ln => {
-            within(v > 0.0)?;
-            v.ln()
-        }
-        Function::Exp => v.exp(),
-        Function::Bin => bcd_to_number(v)?,
-        Function::Bcd => number_to_bcd(v)?,
-    })
-}
-
 /// Decimal digits packed in four bits each, as a number: 0x25 is 25.
-fn bcd_to_number(v: f64) -> Result<f64, Fault> {
-    let mut rest = whole(v)?;
+fn bcd_to_number(v: i64) -> Result<f64, Fault> {
+    let mut rest = v;
     if rest < 0 {
         return Err(Fault::FunctionDomain);
     }
@@ -258,8 +315,8 @@ fn bcd_to_number(v: f64) -> Result<f64, Fault> {
     Ok(number as f64)
 }
 
-fn number_to_bcd(v: f64) -> Result<f64, Fault> {
-    let mut rest = whole(v)?;
+fn number_to_bcd(v: i64) -> Result<f64, Fault> {
+    let mut rest = v;
     // Eight digits fill the 32 bits that controls keep such numbers in.
     if !(0..=99_999_999).contains(&rest) {
         return Err(Fault::FunctionDomain);
@@ -277,8 +334,11 @@ fn number_to_bcd(v: f64) -> Result<f64, Fault> {
 mod tests {
     use super::*;
 
+    const EXACT: Arithmetic =
+        Arithmetic { angles: Angles::Degrees, steps: 0.0, largest_power: f64::INFINITY };
+
     fn value(nodes: &[Node]) -> Result<Value, Fault> {
-        Evaluator::new(Angles::Degrees).value(nodes, |n| match n {
+        Evaluator::new(EXACT).value(nodes, |n| match n {
             0 => Ok(None),
             1 => Ok(Some(7.0)),
             _ => Err(Fault::UnknownVariable),

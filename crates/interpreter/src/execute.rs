@@ -8,10 +8,10 @@ use crate::interpreter::Interpreter;
 use crate::modal::Group;
 use crate::stages::cutter::{Offset, Side};
 use crate::stages::units;
-use crate::words::{Code, Reader};
+use crate::words::{self, Code, Reader};
 use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_machine::{Alarm, Fault, ToolOffset};
-use ferrocut_program::{Block, DefectKind, Page, ProgramId, Span, Value as WordValue};
+use ferrocut_program::{Block, DefectKind, Page, ProgramId, Span, Value as WordValue, Word};
 use ferrocut_toolpath::{Dwell, Op, Speed, SpindleState, Step};
 use smallvec::SmallVec;
 
@@ -28,17 +28,21 @@ struct Codes {
     transforms: SmallVec<[Code<GCode>; 2]>,
     /// Whether a code takes the block's coordinates for itself, so that nothing moves.
     takes_words: bool,
+    /// Whether a code of scaling may change the side of the tool.
+    mirrors: bool,
 }
 
 impl Interpreter {
     /// Executes one block.
     pub(crate) fn execute(&mut self, page: &Page, block: &Block, index: usize) -> Fallible<()> {
-        if self.is_skipped(block) {
+        // Blocks that may be skipped are refused there, skipped or not.
+        let is_refused = block.skip > 0 && (self.is_transformed() || self.location.polar.is_some());
+        if self.is_skipped(block) && !is_refused {
             return Ok(());
         }
         self.words.start(page, block);
         self.output.start_block();
-        if block.skip > 0 && (self.is_transformed() || self.location.polar.is_some()) {
+        if is_refused {
             let alarm = self.alarm(Fault::SkipBlockInTransform, page.block_span(block));
             return self.give_up_block(alarm);
         }
@@ -60,13 +64,19 @@ impl Interpreter {
         if let Some(first) = page.words(block).first()
             && first.letter == b'O'
         {
-            let number = if let WordValue::Number(number) = first.value() { number } else { 0.0 };
+            let WordValue::Number(number) = first.value() else {
+                return self.give_up_block(self.alarm(Fault::VariableInNumber, page.word_span(block, first)));
+            };
             self.program_number(number, page.word_span(block, first))?;
             if block.words == 1 && block.statement.is_none() {
                 return Ok(());
             }
         }
         self.enter_program();
+        self.note_sequence(page, block);
+        if self.data_setting.is_some() && page.statement(block).is_some() {
+            return self.give_up_block(self.alarm(Fault::CommandInDataSetting, page.block_span(block)));
+        }
         if let Some(statement) = page.statement(block) {
             return match self.statement(page, *statement) {
                 Err(alarm) if self.options.keep_going => {
@@ -76,21 +86,28 @@ impl Interpreter {
                 done => done,
             };
         }
+        let macro_call = WordValue::Number(f64::from(self.dialect.macro_call) / 10.0);
+        let is_macro_call = |word: &Word| word.letter == b'G' && word.value() == macro_call;
+        if page.words(block).iter().any(is_macro_call) {
+            return match self.macro_block(page, block) {
+                Err(alarm) if self.options.keep_going => {
+                    self.note(alarm);
+                    Ok(())
+                }
+                done => done,
+            };
+        }
         for word in page.words(block) {
-            if word.letter == b'G'
-                && word.value() == WordValue::Number(f64::from(self.dialect.macro_call) / 10.0)
-            {
-                return match self.macro_block(page, block) {
-                    Err(alarm) if self.options.keep_going => {
-                        self.note(alarm);
-                        Ok(())
-                    }
-                    done => done,
-                };
-            }
             let value = match word.value() {
                 WordValue::Number(value) => value,
-                WordValue::Expression(range) => match self.evaluate(page, range) {
+                // O and N are plain numbers (GSK990MC 4.9.2, 1 note 1).
+                WordValue::Expression(_) if matches!(word.letter, b'O' | b'N') => {
+                    let alarm = self.alarm(Fault::VariableInNumber, page.word_span(block, word));
+                    self.note(alarm);
+                    sound = false;
+                    continue;
+                }
+                WordValue::Expression(range) => match self.evaluate_word(page, range) {
                     Ok(Some(value)) => value,
                     // A word with an empty variable is as if it were not there (GSK990MC 4.9.2).
                     Ok(None) => continue,
@@ -108,6 +125,7 @@ impl Interpreter {
                 page,
                 block,
                 repeats_are_alarms: self.rules.repeats_are_alarms,
+                max_m_code: self.rules.max_m_code,
             };
             if let Err(alarm) = reader.word(&mut self.words, word, value) {
                 self.note(alarm);
@@ -137,9 +155,6 @@ impl Interpreter {
 
     /// Executes a block whose words were all read.
     fn block_of_words(&mut self) -> Fallible<()> {
-        if self.words.sequence.is_some() {
-            self.technology.sequence = self.words.sequence;
-        }
         self.check_m_codes()?;
         if self.technology.rigid_tapping
             && self.words.has(b'S')
@@ -150,10 +165,13 @@ impl Interpreter {
             return Err(self.alarm_at(Fault::RigidMisplaced, b'S'));
         }
         let axes = self.words.axes(self.rules.axes);
+        let ends_data = self.words.g.iter().any(|g| g.row.meaning == Meaning::DataSettingOff)
+            || self.words.m.iter().any(|m| m.row.controls_program);
+        if ends_data {
+            self.technology.data_code = 11.0;
+        }
         if let Some(what) = self.data_setting {
-            if self.words.g.iter().any(|g| g.row.meaning == Meaning::DataSettingOff)
-                || self.words.m.iter().any(|m| m.row.controls_program)
-            {
+            if ends_data {
                 self.data_setting = None;
             } else {
                 return self.data_block(what);
@@ -161,15 +179,16 @@ impl Interpreter {
         }
         let codes = self.modal_codes()?;
         self.check_axes()?;
-        if axes.len() > self.rules.max_moving_axes && codes.non_modal.is_none() {
-            return Err(self.alarm(Fault::TooManyAxes, self.words.block_span()));
+        self.check_moving_axes(axes, &codes)?;
+        if codes.non_modal.is_some_and(|code| code.row.meaning == Meaning::DataSetting) {
+            self.check_data_block_is_alone()?;
         }
         if self.words.has(b'F') {
             self.feed_word()?;
         }
         // With G92 an S is the highest speed of G96 (6.3).
         if self.words.has(b'S') && codes.non_modal.map(|c| c.row.meaning) != Some(Meaning::SetPosition) {
-            self.speed_word();
+            self.speed_word()?;
         }
         if let Some(tool) = self.words.get(b'T') {
             if tool > self.rules.max_tool {
@@ -183,7 +202,13 @@ impl Interpreter {
         }
         self.m_functions(false)?;
         match codes.non_modal {
-            Some(code) => self.non_modal(code, axes, codes.length)?,
+            Some(code) => {
+                self.non_modal(code, axes, codes.length)?;
+                // Modal codes beside it take effect without being run (4.1 note 1).
+                if codes.length.is_some() || self.words.has(b'H') {
+                    self.defer_length(codes.length)?;
+                }
+            }
             None if codes.takes_words => {}
             None if self.cycle_kind().is_some() => self.cycle_block(axes, codes.length)?,
             None => {
@@ -191,6 +216,8 @@ impl Interpreter {
                 self.motion_block(axes, length_moves)?;
             }
         }
+        let moves = codes.non_modal.is_none() && !codes.takes_words && self.cycle_kind().is_none();
+        self.end_block(moves);
         // The holes of a cycle are made one by one; what waits for the block's end comes after the last.
         if self.has_holes_left() { Ok(()) } else { self.m_functions(true) }
     }
@@ -200,9 +227,20 @@ impl Interpreter {
         let mut codes = Codes::default();
         let mut motion = false;
         let mut cycle = None;
-        for at in 0..self.words.g.len() {
-            let Some(&code) = self.words.g.get(at) else { break };
+        let ends_cycle =
+            |code: &Code<GCode>| code.row.group == Group::Motion || code.row.meaning == Meaning::CycleOff;
+        if self.words.g.iter().any(ends_cycle) {
+            self.cancel_cycle();
+        }
+        // What ends a state first, what starts polar coordinates last, wherever they stand in the block.
+        let count = self.words.g.len();
+        let turns = if count > 1 { 3 } else { 1 };
+        for at in 0..turns * count {
+            let Some(&code) = self.words.g.get(at % count) else { break };
             let Code { row, span } = code;
+            if count > 1 && at / count != turn_of(row.meaning) {
+                continue;
+            }
             match row.group {
                 Group::NonModal if row.meaning == Meaning::OneWay && self.rules.one_way_is_modal => {
                     motion = true;
@@ -247,7 +285,12 @@ impl Interpreter {
                 }
                 Group::Scaling | Group::Rotation => {
                     self.modal.set(row);
-                    codes.transforms.push(code);
+                    match row.meaning {
+                        Meaning::ScalingOff => self.scale_off(),
+                        Meaning::RotationOff => self.rotate_off(),
+                        _ => codes.transforms.push(code),
+                    }
+                    codes.mirrors |= row.group == Group::Scaling;
                 }
                 Group::SurfaceSpeed => self.surface_speed(row, span)?,
                 Group::StrokeCheck => {
@@ -259,7 +302,7 @@ impl Interpreter {
                     }
                 }
                 Group::FeedMode
-                    if row.meaning == Meaning::FeedPerRevolution && !self.rules.spindle_has_position =>
+                    if row.meaning == Meaning::FeedPerRevolution && !self.rules.feed_per_revolution =>
                 {
                     return Err(self.alarm(Fault::NoFeedPerRevolution, span));
                 }
@@ -277,22 +320,23 @@ impl Interpreter {
         Ok(codes)
     }
 
-    /// G50, G51, G68, G69: they go before the block's motion (GSK990MC 4.1 note 8). A code that sets a
-    /// transformation takes the block's words for itself.
+    /// G51 and G68: they go before the block's motion (GSK990MC 4.1 note 8), and take its words for
+    /// themselves.
     fn transform_codes(&mut self, codes: &mut Codes) -> Fallible<()> {
         for code in std::mem::take(&mut codes.transforms) {
             let Code { row, span } = code;
-            let starts = matches!(row.meaning, Meaning::ScalingOn | Meaning::RotationOn);
-            if starts && codes.non_modal.is_some() {
+            if codes.non_modal.is_some() {
                 return Err(self.alarm(Fault::NeedsOwnBlock, span));
             }
-            codes.takes_words |= starts;
+            codes.takes_words = true;
             match row.meaning {
                 Meaning::ScalingOn => self.scale(span)?,
-                Meaning::ScalingOff => self.scale_off(),
-                Meaning::RotationOn => self.rotate(),
-                _ => self.rotate_off(),
+                _ => self.rotate(),
             }
+        }
+        // A mirror changes the side that the tool is on.
+        if codes.mirrors && self.output.in_cutter_mode() {
+            self.cutter_words(false)?;
         }
         Ok(())
     }
@@ -302,9 +346,12 @@ impl Interpreter {
         if !self.words.has_any(self.foreign_axes) {
             return Ok(());
         }
+        // Also where a motion code of the block goes before its cycle (4.1 note 6).
+        let has_cycle =
+            self.cycle_kind().is_some() || self.words.g.iter().any(|code| code.row.group == Group::Cycle);
         for axis in Axis::ALL {
             let letter = axis.letter() as u8;
-            let in_cycle = matches!(axis, Axis::U | Axis::V | Axis::W) && self.cycle_kind().is_some();
+            let in_cycle = matches!(axis, Axis::U | Axis::V | Axis::W) && has_cycle;
             if self.words.has(letter) && !self.rules.axes.contains(axis) && !in_cycle {
                 let alarm = self.alarm_at(Fault::UnknownAxis, letter);
                 return Err(Box::new(alarm.with("axis", axis.letter().to_string())));
@@ -330,6 +377,80 @@ impl Interpreter {
         Ok(())
     }
 
+    /// More axes together than the control moves (GSK990MC 1.2, 9#1). In a cycle the tool axis moves by itself.
+    fn check_moving_axes(&self, axes: AxisSet, codes: &Codes) -> Fallible<()> {
+        if axes.len() <= self.rules.max_moving_axes {
+            return Ok(());
+        }
+        let moves = match codes.non_modal.map(|code| code.row.meaning) {
+            Some(Meaning::Skip | Meaning::MachinePosition | Meaning::OneWay) => axes.len(),
+            Some(_) => 0,
+            None if codes.takes_words => 0,
+            None if self.cycle_kind().is_some() => axes.iter().filter(|a| *a != Axis::Z).count(),
+            None => axes.len(),
+        };
+        if moves > self.rules.max_moving_axes {
+            return Err(self.alarm(Fault::TooManyAxes, self.words.block_span()));
+        }
+        Ok(())
+    }
+
+    /// G10 stands alone but for the words of its form (GSK990MC 4.2.7 note 2).
+    fn check_data_block_is_alone(&self) -> Fallible<()> {
+        let others = [b'F', b'S', b'T', b'D', b'H'];
+        if !self.words.m.is_empty() || others.into_iter().any(|letter| self.words.has(letter)) {
+            return Err(self.alarm(Fault::NeedsOwnBlock, self.words.block_span()));
+        }
+        Ok(())
+    }
+
+    /// Keeps the N word; not among parameters, where N is the number of one.
+    fn note_sequence(&mut self, page: &Page, block: &Block) {
+        if self.data_setting.is_none()
+            && let Some(word) = page.words(block).iter().find(|word| word.letter == b'N')
+            && let WordValue::Number(number) = word.value()
+        {
+            self.technology.sequence = Some(number);
+        }
+    }
+
+    /// In cutter compensation a block without a move in the plane uses up the look-ahead, and one whose move
+    /// has no length ends the move before square (GSK990MC 4.7.3, 8). `moves`: its axis words are for a move.
+    #[inline]
+    fn end_block(&mut self, moves: bool) {
+        if !self.output.looks_ahead() {
+            return;
+        }
+        let plane = self.modal.plane();
+        let named = |axis: Axis| self.words.has(axis.letter() as u8);
+        let names_plane = moves && (named(plane.first()) || named(plane.second()));
+        if let Err(refused) = self.output.end_block(names_plane, self.words.block_span()) {
+            self.refuse(refused);
+        }
+    }
+
+    /// A change of tool length in a block that does not move by it: the axis takes it up when it is next moved.
+    fn defer_length(&mut self, code: Option<Meaning>) -> Fallible<()> {
+        self.keep_length_number()?;
+        match self.modal.meaning(Group::Length) {
+            Meaning::LengthOff if code.is_some() => self.location.length.cancel(),
+            Meaning::LengthOff => {}
+            _ => self.location.length.waits = true,
+        }
+        Ok(())
+    }
+
+    /// H into force as the number that G43 and G44 take.
+    pub(crate) fn keep_length_number(&mut self) -> Fallible<()> {
+        if let Some(h) = self.words.get(b'H') {
+            if self.memory.tools.get(h as u16).is_none() {
+                return Err(self.alarm_at(Fault::OffsetNumber, b'H'));
+            }
+            self.location.length.number = h as u16;
+        }
+        Ok(())
+    }
+
     /// G43, G44, G49 and H. True if an axis is to move by the change although it is not named
     /// (GSK990MC 4.7.1: without a move the change is made at once).
     pub(crate) fn length_words(&mut self, code: Option<Meaning>, axes: AxisSet) -> Fallible<bool> {
@@ -342,7 +463,8 @@ impl Interpreter {
         let sign = match self.modal.meaning(Group::Length) {
             Meaning::LengthPlus => 1.0,
             Meaning::LengthMinus => -1.0,
-            _ => return Ok(false),
+            // H without G43 waits for it.
+            _ => return self.keep_length_number().map(|()| false),
         };
         let axis = self.length_axis();
         if let Some(h) = h {
@@ -393,6 +515,10 @@ impl Interpreter {
             _ if code => return self.cancel_cutter(),
             _ => return Ok(()),
         };
+        // D00 is no compensation.
+        if self.technology.radius_number == 0.0 {
+            return self.cancel_cutter();
+        }
         let Some(row) = self.memory.tools.get(self.technology.radius_number as u16) else {
             return Err(self.alarm_at(Fault::OffsetNumber, b'D'));
         };
@@ -400,8 +526,10 @@ impl Interpreter {
             return Err(self.alarm_at(Fault::OffsetTooLarge, b'D'));
         }
         let radius = self.tool_radius(row);
-        // D00 is no compensation.
-        let offset = (self.technology.radius_number != 0.0).then_some(Offset { side, radius });
+        // A mirrored path has the tool on its other side (GSK990MC 4.2.14 note 2).
+        let mirrored = self.location.scaling.is_some_and(|scaling| scaling.reverses(self.modal.plane()));
+        let side = if mirrored { side.other() } else { side };
+        let offset = Some(Offset { side, radius });
         // G41 or G42 given again ends the block before square (GSK990MC 4.7.3, 7).
         if code && self.output.is_on_side(side) {
             self.output.flush().map_err(|(fault, span)| self.alarm(fault, span))?;
@@ -423,7 +551,8 @@ impl Interpreter {
 
     /// G39 (GSK990MC 4.7.4).
     fn corner_arc(&mut self, span: Span) -> Fallible<()> {
-        if !self.rules.corner_arc || !self.output.in_cutter_mode() {
+        let has_words = self.words.has_any(words::AXIS_LETTERS | words::letters(b"IJKR"));
+        if !self.rules.corner_arc || !self.output.in_cutter_mode() || has_words {
             return Err(self.alarm(Fault::CornerArcForm, span));
         }
         let op = Op::Feed { to: self.location.machine, feed: self.feed()?, path: self.path_mode() };
@@ -431,12 +560,11 @@ impl Interpreter {
         self.output.corner_arc(step).map_err(|(fault, span)| self.alarm(fault, span))
     }
 
-    /// F: feed in force until the next one. Feed per minute is held within the control's limits
-    /// (GSK990MC 4.2.2, P96, P97); feed per revolution beyond its range is an alarm (7.2.2).
+    /// F: feed in force until the next one. Feed per minute is kept as programmed and held within the
+    /// control's limits where it is used; feed per revolution beyond its range is an alarm (7.2.2).
     fn feed_word(&mut self) -> Fallible<()> {
         let Some(f) = self.words.get(b'F') else { return Ok(()) };
         let feed = units::length_mm(f, self.modal.is_inch());
-        self.technology.feed_was_given = true;
         if self.modal.is_feed_per_revolution() {
             if !(feed > 0.0 && feed <= self.rules.max_feed_per_revolution) {
                 return Err(self.alarm_at(Fault::FeedOutOfRange, b'F'));
@@ -446,20 +574,25 @@ impl Interpreter {
             if feed <= 0.0 {
                 return Err(self.alarm_at(Fault::FeedOutOfRange, b'F'));
             }
-            self.technology.feed_per_minute = feed.clamp(self.rules.min_feed, self.rules.max_feed);
+            self.technology.feed_per_minute_was_given = true;
+            self.technology.feed_per_minute = feed;
         }
         Ok(())
     }
 
-    /// S: kept, and told to a spindle that turns. Beyond the limit it is held there (GSK990MC 7.10).
-    fn speed_word(&mut self) {
-        let Some(s) = self.words.get(b'S') else { return };
-        let surface = self.in_force(Group::SurfaceSpeed, Meaning::SurfaceSpeed);
-        self.technology.speed = Some(match surface {
-            true => units::length_mm(s, self.modal.is_inch()),
-            false => s.min(self.rules.max_spindle_rpm),
-        });
+    /// S: kept as programmed, and told to a spindle that turns. A surface speed is kept apart: G96 without S
+    /// takes the last one, and none is 0 (GSK990MC 6.3).
+    fn speed_word(&mut self) -> Fallible<()> {
+        let Some(s) = self.words.get(b'S') else { return Ok(()) };
+        if s > self.rules.max_speed_word {
+            return Err(self.alarm_at(Fault::SpindleTooFast, b'S'));
+        }
+        match self.in_force(Group::SurfaceSpeed, Meaning::SurfaceSpeed) {
+            true => self.technology.surface_speed = Some(units::length_mm(s, self.modal.is_inch())),
+            false => self.technology.speed = Some(s),
+        }
         self.tell_speed();
+        Ok(())
     }
 
     /// Tells a spindle that turns its speed.
@@ -472,16 +605,16 @@ impl Interpreter {
         }
     }
 
-    /// The speed in force.
+    /// The speed in force. Turns beyond the limit are held there (GSK990MC part 2, 7.10).
     pub(crate) fn speed(&self) -> Speed {
-        let s = self.technology.speed.unwrap_or(0.0);
         if !self.in_force(Group::SurfaceSpeed, Meaning::SurfaceSpeed) {
-            return Speed::Rpm(s);
+            return Speed::Rpm(self.technology.speed.unwrap_or(0.0).min(self.rules.max_spindle_rpm));
         }
         let axis = self.technology.surface_axis;
         let max = self.technology.surface_max_rpm.unwrap_or(self.rules.max_spindle_rpm);
         Speed::Surface {
-            mm_per_min: s,
+            mm_per_min: self.technology.surface_speed.unwrap_or(0.0),
+            min_rpm: self.rules.surface_min_rpm,
             max_rpm: Some(max.min(self.rules.max_spindle_rpm)),
             axis,
             // The centre is the zero of the work coordinate system (6.3, 3).
@@ -497,13 +630,16 @@ impl Interpreter {
         let was = self.speed();
         self.modal.set(row);
         if row.meaning == Meaning::SurfaceSpeed {
-            let Some(number) = self.words.take(b'P') else { return Ok(()) };
-            let axis = self.rules.axis_order.get((number - 1.0).max(-1.0) as usize).copied();
-            match axis
-                .filter(|axis| number >= 1.0 && number.fract() == 0.0 && self.rules.axes.contains(*axis))
-            {
-                Some(axis) => self.technology.surface_axis = axis,
-                None => return Err(self.alarm(Fault::SurfaceSpeedAxis, span)),
+            if let Some(number) = self.words.take(b'P') {
+                let axis = self.rules.axis_order.get((number - 1.0).max(-1.0) as usize).copied();
+                let is_carried = |axis: &Axis| self.rules.axes.contains(*axis);
+                match axis.filter(is_carried).filter(|_| number >= 1.0 && number.fract() == 0.0) {
+                    Some(axis) => self.technology.surface_axis = axis,
+                    None => return Err(self.alarm(Fault::SurfaceSpeedAxis, span)),
+                }
+            }
+            if !self.words.has(b'S') {
+                self.tell_speed();
             }
             return Ok(());
         }
@@ -559,7 +695,11 @@ impl Interpreter {
             }
             MFunction::CoolantOn => self.coolant(true),
             MFunction::CoolantOff => self.coolant(false),
+            // By itself it changes nothing where the tool is in the spindle already (GSK990MC 8.1).
+            MFunction::ToolChange
+                if !self.words.has(b'T') && self.technology.in_spindle == self.technology.tool => {}
             MFunction::ToolChange => {
+                self.technology.in_spindle = self.technology.tool;
                 // The spindle stands still while a tool is changed.
                 self.spindle(SpindleState::Off);
                 self.emit(Op::Change(self.technology.tool));
@@ -629,8 +769,13 @@ impl Interpreter {
                 | Meaning::FurtherReferenceReturn
                 | Meaning::ReturnFromReference
         );
-        if reference || matches!(row.meaning, Meaning::MachinePosition | Meaning::SetPosition) {
+        let sets_position = row.meaning == Meaning::SetPosition && !axes.is_empty();
+        if reference || row.meaning == Meaning::MachinePosition || sets_position {
             self.refuse_in_transform(span)?;
+        }
+        // Compensation is to be cancelled first (4.2.11 note 2); the manual gives no number.
+        if sets_position && self.output.in_cutter_mode() {
+            return Err(self.alarm(Fault::WorkOffsetInCutter, span));
         }
         if reference && self.cycle_kind().is_some() {
             return Err(self.alarm(Fault::ReferenceInCycle, span));
@@ -644,6 +789,7 @@ impl Interpreter {
                 }
                 if let Some(s) = self.words.get(b'S') {
                     self.technology.surface_max_rpm = Some(s);
+                    self.tell_speed();
                 }
                 self.set_position(axes);
                 Ok(())
@@ -701,6 +847,15 @@ impl Interpreter {
             }
         }
         Ok(())
+    }
+}
+
+/// When a code of a block with several has its turn.
+fn turn_of(meaning: Meaning) -> usize {
+    match meaning {
+        Meaning::PolarOff | Meaning::ScalingOff | Meaning::RotationOff => 0,
+        Meaning::PolarOn => 2,
+        _ => 1,
     }
 }
 

@@ -18,6 +18,8 @@ struct Call {
     back: Place,
     /// How often it is still to be run again.
     repeats: u32,
+    /// Number of the caller's program.
+    number: f64,
     /// The caller's local variables, where the call has its own (a macro call).
     locals: Option<Locals>,
 }
@@ -337,7 +339,8 @@ impl Interpreter {
             return Err(alarm);
         };
         let locals = arguments.map(|arguments| self.enter_locals(arguments));
-        self.flow.calls.push(Call { program: start, back: self.flow.place, repeats: times - 1, locals });
+        let (back, number) = (self.flow.place, self.technology.program);
+        self.flow.calls.push(Call { program: start, back, repeats: times - 1, number, locals });
         self.flow.jump(start);
         self.flow.entered = false;
         Ok(())
@@ -357,6 +360,7 @@ impl Interpreter {
         if let Some(call) = self.flow.calls.pop() {
             self.flow.jump(call.back);
             self.flow.entered = true;
+            self.technology.program = call.number;
             if let Some(locals) = call.locals {
                 self.leave_locals(&locals);
             }
@@ -386,16 +390,18 @@ impl Interpreter {
 
     /// Goes on at the block with a sequence number: the next one from here down, else the first from
     /// the start of the program (GSK990MC 4.9.5).
-    pub(crate) fn go_to(&mut self, number: f64, span: Span) -> Fallible<()> {
+    ///
+    /// `missing` is raised where there is none.
+    pub(crate) fn go_to(&mut self, number: f64, missing: Fault, span: Span) -> Fallible<()> {
         if !(0.0..=99_999.0).contains(&number) || number.fract() != 0.0 {
-            return Err(self.alarm(Fault::SequenceMissing, span));
+            return Err(self.alarm(missing, span));
         }
         let from = self.flow.executing();
         let key = (from, number as u32);
         let target = match self.flow.targets.get(&key) {
             Some(target) => *target,
             None => {
-                let target = self.find_sequence(number, from, span)?;
+                let target = self.find_sequence(number, from, missing, span)?;
                 if self.flow.targets.len() < MAX_REMEMBERED {
                     self.flow.targets.insert(key, target);
                 }
@@ -406,7 +412,7 @@ impl Interpreter {
         Ok(())
     }
 
-    fn find_sequence(&mut self, number: f64, from: Place, span: Span) -> Fallible<Place> {
+    fn find_sequence(&mut self, number: f64, from: Place, missing: Fault, span: Span) -> Fallible<Place> {
         let program = self.flow.program();
         let has_number =
             |page: &Page, block: &Block, at| (sequence_number(page, block) == Some(number)).then_some(at);
@@ -417,12 +423,14 @@ impl Interpreter {
             })
             .map_err(|error| self.unreadable(error, span))?;
         let Some(target) = found else {
-            let mut alarm = self.alarm(Fault::SequenceMissing, span);
+            let mut alarm = self.alarm(missing, span);
             alarm.arguments.push(("number", number.into()));
             return Err(alarm);
         };
-        // Only a program with loops is searched for them; a defect of one is raised where it is run.
-        if self.flow.loops.contains_key(&program) && self.loops(span)?.is_entered(from, target) {
+        // A defect of a loop is raised where it is run.
+        if let Ok(loops) = self.loops(span)
+            && loops.is_entered(from, target)
+        {
             return Err(self.alarm(Fault::JumpIntoLoop, span));
         }
         Ok(target)

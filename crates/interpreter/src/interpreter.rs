@@ -101,14 +101,16 @@ impl Location {
 /// F, S and T words in force.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Technology {
-    /// Feed per minute, mm/min as limited by the control.
+    /// Feed per minute as programmed, mm/min.
     pub feed_per_minute: f64,
-    /// Feed per revolution, mm.
+    /// Whether an F word of it ever came.
+    pub feed_per_minute_was_given: bool,
+    /// Feed per revolution as programmed, mm; 0 before the first.
     pub feed_per_revolution: f64,
-    /// Whether an F word ever came.
-    pub feed_was_given: bool,
-    /// The last S word, r/min; with surface speed mm/min.
+    /// The last S word as programmed, r/min.
     pub speed: Option<f64>,
+    /// The last S word of a surface speed, mm/min.
+    pub surface_speed: Option<f64>,
     /// Highest spindle speed under surface speed (G92 S), r/min.
     pub surface_max_rpm: Option<f64>,
     /// Axis that surface speed is reckoned by (G96 P).
@@ -121,6 +123,10 @@ pub(crate) struct Technology {
     pub coolant: bool,
     /// Tool chosen last.
     pub tool: u32,
+    /// Tool put into the spindle last.
+    pub in_spindle: u32,
+    /// G10 while data are set by the program, else G11.
+    pub data_code: f64,
     /// Offset number of the cutter radius in force, D.
     pub radius_number: f64,
     /// The last M, N and O words.
@@ -195,15 +201,18 @@ impl Interpreter {
         location.take_machine();
         let technology = Technology {
             feed_per_minute: rules.default_feed,
+            feed_per_minute_was_given: false,
             feed_per_revolution: 0.0,
-            feed_was_given: false,
             speed: None,
+            surface_speed: None,
             surface_max_rpm: None,
-            surface_axis: Axis::X,
+            surface_axis: rules.surface_axis,
             rigid_tapping: false,
             spindle: SpindleState::Off,
             coolant: false,
             tool: 0,
+            in_spindle: 0,
+            data_code: 11.0,
             radius_number: 0.0,
             m_code: None,
             sequence: None,
@@ -212,7 +221,7 @@ impl Interpreter {
         let output = Output::new(rules.cutter, options.start);
         Interpreter {
             tables: Tables::new(dialect),
-            evaluator: Evaluator::new(dialect.angles),
+            evaluator: Evaluator::new(dialect.arithmetic),
             dialect,
             foreign_axes: words::foreign_axes(rules.axes),
             rules,
@@ -309,11 +318,16 @@ impl Interpreter {
             }
         }
         self.reset_variables(rules.locals, rules.commons);
-        self.cycle = CycleState::default();
+        // The data of a hole stay with its cycle (36#1; 4.4 table 4-4-2).
+        if self.cycle_kind().is_none() {
+            self.cycle = CycleState::default();
+        }
+        self.cycle.drop_holes();
         self.technology.rigid_tapping = false;
         self.technology.spindle = SpindleState::Off;
         self.technology.coolant = false;
         self.data_setting = None;
+        self.technology.data_code = 11.0;
         self.pass_state = None;
         self.flow = Flow::new();
         self.alarms.clear();

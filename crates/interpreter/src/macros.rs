@@ -3,12 +3,15 @@
 use crate::Fallible;
 use crate::barrier::Present;
 use crate::dialect::Variable;
-use crate::evaluate::{self, Value, variable_number};
+use crate::evaluate::{Evaluator, Value};
 use crate::flow::Locals;
 use crate::interpreter::Interpreter;
-use ferrocut_geometry::Axis;
+use crate::stages::units;
+use ferrocut_geometry::{Axis, MM_PER_INCH, Position};
 use ferrocut_machine::{Alarm, AlarmId, Fault, WorkOffset};
-use ferrocut_program::{Block, ExprRange, Node, Page, ProgramId, Span, Statement, Value as WordValue, Word};
+use ferrocut_program::{
+    Block, ExprRange, Node, Page, ProgramId, Span, Statement, Unary, Value as WordValue, Word,
+};
 use ferrocut_toolpath::Op;
 
 /// Local variables are #1 to this (GSK990MC 4.9.2).
@@ -31,10 +34,24 @@ impl Interpreter {
     /// Value of an expression of the page.
     pub(crate) fn evaluate(&mut self, page: &Page, range: ExprRange) -> Result<Value, Fault> {
         // The evaluator's stack is set aside so that variables can be read from the rest.
-        let mut evaluator = std::mem::take(&mut self.evaluator);
+        let empty = Evaluator::empty(self.dialect.arithmetic);
+        let mut evaluator = std::mem::replace(&mut self.evaluator, empty);
         let value = evaluator.value(page.nodes(range), |number| self.read_variable(number));
         self.evaluator = evaluator;
         value
+    }
+
+    /// Value of a word. A sign before `#` belongs to the reference: the word of an empty variable is as if
+    /// it were not there, with it as without (GSK990MC 4.9.2, 7).
+    pub(crate) fn evaluate_word(&mut self, page: &Page, range: ExprRange) -> Result<Value, Fault> {
+        let value = match page.nodes(range) {
+            [.., Node::Unary(Unary::Negate)] => {
+                let referred = ExprRange { len: range.len - 1, ..range };
+                self.evaluate(page, referred)?.map(|value| -value)
+            }
+            _ => self.evaluate(page, range)?,
+        };
+        Ok(value.map(|value| self.dialect.arithmetic.rounded(value)))
     }
 
     /// Value of a variable.
@@ -59,6 +76,11 @@ impl Interpreter {
     fn read_system_variable(&self, variable: Variable) -> Result<Value, Fault> {
         let tool = |number| self.memory.tools.get(number).ok_or(Fault::UnknownVariable);
         let location = &self.location;
+        // Positions are in the unit of the program, as on Fanuc.
+        let place = |position: &Position, axis: u8| -> Result<f64, Fault> {
+            let axis = self.axis_number(axis)?;
+            Ok(units::in_words(axis, position[axis], self.inch_axes()))
+        };
         Ok(Some(match variable {
             Variable::Empty => return Ok(None),
             Variable::Plain => return Err(Fault::UnknownVariable),
@@ -66,20 +88,19 @@ impl Interpreter {
             Variable::LengthWear(n) => tool(n)?.length_wear,
             Variable::ToolRadius(n) => tool(n)?.radius,
             Variable::RadiusWear(n) => tool(n)?.radius_wear,
+            Variable::ModalGroup(0) => self.technology.data_code,
             Variable::ModalGroup(group) => {
                 let code = self.modal.codes().find(|code| code.group_number == group);
                 return Ok(code.map(|code| f64::from(code.tenths) / 10.0));
             }
             Variable::ModalWord(letter) => return Ok(self.modal_word(letter)),
-            Variable::BlockEnd(axis) => location.programmed[self.axis_number(axis)?],
-            Variable::MachinePosition(axis) => location.machine[self.axis_number(axis)?],
-            Variable::WorkPosition(axis) => {
-                let axis = self.axis_number(axis)?;
-                location.machine[axis] - location.work.shift[axis]
-            }
-            Variable::SkipPosition(axis) => location.skip[self.axis_number(axis)?],
-            Variable::LengthOffset(axis) => location.length.vector[self.axis_number(axis)?],
-            Variable::ServoOffset(axis) => self.following_error[self.axis_number(axis)?],
+            Variable::BlockEnd(axis) => place(&location.programmed, axis)?,
+            // Where the axes are commanded to be, cutter compensation included.
+            Variable::MachinePosition(axis) => place(&self.output.commanded(), axis)?,
+            Variable::WorkPosition(axis) => place(&(self.output.commanded() - location.work.shift), axis)?,
+            Variable::SkipPosition(axis) => place(&location.skip, axis)?,
+            Variable::LengthOffset(axis) => place(&location.length.vector, axis)?,
+            Variable::ServoOffset(axis) => place(&self.following_error, axis)?,
             Variable::WorkZero(name, axis) => {
                 let zero = self.memory.work.get(name).ok_or(Fault::UnknownVariable)?;
                 zero[self.axis_number(axis)?]
@@ -96,8 +117,14 @@ impl Interpreter {
         match letter {
             b'D' => Some(technology.radius_number),
             b'H' => Some(f64::from(self.location.length.number)),
-            b'F' if self.modal.is_feed_per_revolution() => Some(technology.feed_per_revolution),
-            b'F' => Some(technology.feed_per_minute),
+            // As programmed, before the control's limits.
+            b'F' => {
+                let feed = match self.modal.is_feed_per_revolution() {
+                    true => technology.feed_per_revolution,
+                    false => technology.feed_per_minute,
+                };
+                Some(if self.modal.is_inch() { feed / MM_PER_INCH } else { feed })
+            }
             b'M' => technology.m_code,
             b'S' => Some(technology.speed.unwrap_or(0.0)),
             b'T' => Some(f64::from(technology.tool)),
@@ -133,29 +160,43 @@ impl Interpreter {
 
     /// Puts a value where a variable stands for.
     fn store(&mut self, variable: Option<Variable>, number: u32, value: Value) -> Result<(), Fault> {
+        let variable = variable.ok_or(Fault::UnknownVariable)?;
+        if variable == Variable::Plain {
+            let value = value.map(|value| self.dialect.arithmetic.rounded(value));
+            return self.memory.variables.set(number, value).map_err(|_| Fault::VariableNotWritable);
+        }
+        if variable == Variable::Empty {
+            return Err(Fault::NullVariable);
+        }
+        let limit = match variable {
+            Variable::ToolLength(_) | Variable::ToolRadius(_) => self.rules.max_offset,
+            Variable::LengthWear(_) | Variable::RadiusWear(_) => self.rules.max_wear,
+            Variable::WorkZero(..) => self.rules.max_zero,
+            _ => return Err(Fault::VariableNotWritable),
+        };
+        let transformed = self.is_transformed() || self.location.polar.is_some();
+        let value = value.unwrap_or(0.0);
         let tools = &mut self.memory.tools;
-        let place = match variable.ok_or(Fault::UnknownVariable)? {
-            Variable::Empty => return Err(Fault::NullVariable),
-            Variable::Plain => {
-                return self.memory.variables.set(number, value).map_err(|_| Fault::VariableNotWritable);
-            }
+        let place = match variable {
             Variable::ToolLength(n) => tools.get_mut(n).map(|row| &mut row.length),
             Variable::LengthWear(n) => tools.get_mut(n).map(|row| &mut row.length_wear),
             Variable::ToolRadius(n) => tools.get_mut(n).map(|row| &mut row.radius),
             Variable::RadiusWear(n) => tools.get_mut(n).map(|row| &mut row.radius_wear),
             Variable::WorkZero(name, index) => {
-                if self.is_transformed() || self.location.polar.is_some() {
-                    return Err(Fault::OffsetInTransform);
-                }
                 let axis = self.axis_number(index)?;
-                let zero = self.memory.work.get_mut(name).ok_or(Fault::UnknownVariable)?;
-                zero[axis] = value.unwrap_or(0.0);
-                self.work_zero_changed();
-                return Ok(());
+                self.memory.work.get_mut(name).map(|zero| &mut zero[axis])
             }
-            _ => return Err(Fault::VariableNotWritable),
+            _ => None,
         };
-        *place.ok_or(Fault::VariableNotWritable)? = value.unwrap_or(0.0);
+        let place = place.ok_or(Fault::VariableNotWritable)?;
+        if transformed {
+            return Err(Fault::OffsetInTransform);
+        }
+        if !(value.abs() <= limit) {
+            return Err(Fault::DataValue);
+        }
+        *place = value;
+        self.work_zero_changed();
         Ok(())
     }
 
@@ -183,8 +224,8 @@ impl Interpreter {
                 {
                     return Ok(());
                 }
-                let number = self.evaluate(page, target).map_err(|fault| self.alarm(fault, span))?;
-                self.go_to(number.unwrap_or(-1.0), span)
+                let number = self.evaluate_word(page, target).map_err(|fault| self.alarm(fault, span))?;
+                self.go_to(number.unwrap_or(-1.0), Fault::SequenceMissing, span)
             }
             Statement::While { condition, .. } => {
                 let holds = match condition {
@@ -203,7 +244,8 @@ impl Interpreter {
     }
 
     fn assign(&mut self, page: &Page, target: ExprRange, value: ExprRange, span: Span) -> Fallible<()> {
-        let number = self.evaluate(page, target).and_then(variable_number);
+        let arithmetic = self.dialect.arithmetic;
+        let number = self.evaluate(page, target).and_then(|number| arithmetic.variable_number(number));
         let number = number.map_err(|fault| self.alarm(fault, span))?;
         let value = self.evaluate(page, value).map_err(|fault| self.alarm(fault, span))?;
         self.write_variable(number, value, span)
@@ -250,9 +292,9 @@ impl Interpreter {
     fn word_value(&mut self, page: &Page, block: &Block, word: &Word) -> Fallible<Value> {
         match word.value() {
             WordValue::Number(number) => Ok(Some(number)),
-            WordValue::Expression(range) => {
-                self.evaluate(page, range).map_err(|fault| self.alarm(fault, page.word_span(block, word)))
-            }
+            WordValue::Expression(range) => self
+                .evaluate_word(page, range)
+                .map_err(|fault| self.alarm(fault, page.word_span(block, word))),
         }
     }
 
@@ -275,24 +317,19 @@ impl Interpreter {
         r: Value,
     ) -> Fallible<()> {
         let span = self.words.block_span();
-        let Some(target) = target else { return Err(self.alarm(Fault::MalformedStatement, span)) };
         let code = if operation.fract() == 0.0 { operation as i64 } else { -1 };
+        let arithmetic = self.dialect.arithmetic;
+        if !arithmetic.has_operation(code) {
+            return Err(self.alarm(Fault::UnknownOperation, span));
+        }
+        let Some(target) = target else { return Err(self.alarm(Fault::MalformedStatement, span)) };
         if let 80..=86 = code {
-            let (a, b) = (q.unwrap_or(0.0), r.unwrap_or(0.0));
-            let jumps = match code {
-                80 => true,
-                81 => q == r,
-                82 => q != r,
-                83 => a > b,
-                84 => a < b,
-                85 => a >= b,
-                _ => a <= b,
-            };
-            if !jumps {
+            if !arithmetic.jumps(code, q, r) {
                 return Ok(());
             }
             let number = self.word_value(page, block, target)?;
-            return self.go_to(number.unwrap_or(-1.0), span);
+            // The list of alarms has a number of its own for the jumps of macro A (0140).
+            return self.go_to(number.unwrap_or(-1.0), Fault::JumpTargetMissing, span);
         }
         if code == 99 {
             let number = self.word_value(page, block, target)?.unwrap_or(0.0);
@@ -300,7 +337,7 @@ impl Interpreter {
         }
         let number = self.variable_of(page, block, target)?;
         let own = self.read_variable(number).map_err(|fault| self.alarm(fault, span))?;
-        let value = evaluate::macro_a(code, own, q, r).map_err(|fault| self.alarm(fault, span))?;
+        let value = arithmetic.macro_a(code, own, q, r).map_err(|fault| self.alarm(fault, span))?;
         self.write_variable(number, value, span)
     }
 
@@ -314,7 +351,8 @@ impl Interpreter {
             [Node::VariableAt(number)] => Ok(*number),
             [.., Node::Variable] => {
                 let inner = ExprRange { len: range.len - 1, ..range };
-                let number = self.evaluate(page, inner).and_then(variable_number);
+                let arithmetic = self.dialect.arithmetic;
+                let number = self.evaluate(page, inner).and_then(|n| arithmetic.variable_number(n));
                 number.map_err(|fault| self.alarm(fault, span))
             }
             _ => Err(self.alarm(Fault::MalformedStatement, span)),
@@ -327,11 +365,20 @@ impl Interpreter {
         let mut program = None;
         let mut times = 1.0;
         let mut arguments: Vec<(u32, f64)> = Vec::with_capacity(26);
+        let call = f64::from(self.dialect.macro_call) / 10.0;
+        let mut called = false;
         for word in page.words(block) {
             let word_span = page.word_span(block, word);
             let Some(value) = self.word_value(page, block, word)? else { continue };
             match word.letter {
-                b'G' | b'N' => {}
+                b'N' => {}
+                b'G' if value == call => called = true,
+                // Arguments follow G65, and no other code is among them (table 4-9-2-5 notes 1 and 2).
+                b'G' => return Err(self.alarm(Fault::ArgumentAddress, word_span)),
+                _ if !called => return Err(self.alarm(Fault::ArgumentAddress, word_span)),
+                b'P' if program.is_some() && self.rules.repeats_are_alarms => {
+                    return Err(self.alarm(Fault::RepeatedAddress, word_span));
+                }
                 b'P' => program = Some((value, word_span)),
                 b'L' => {
                     times = value;

@@ -59,7 +59,8 @@ impl Interpreter {
             b'R' => CornerKind::Round,
             _ => return Err(self.alarm(Fault::CornerForm, span)),
         };
-        let size = units::length_mm(value, self.modal.is_inch()).abs();
+        // The programmed shape is scaled, its corners with it (4.2.14).
+        let size = units::length_mm(value, self.modal.is_inch()).abs() * self.radius_factor();
         if size > 0.0 {
             self.output.request_corner(CornerRequest { kind, size, plane: self.modal.plane(), span });
         }
@@ -72,6 +73,16 @@ impl Interpreter {
         self.rapid_machine(machine)?;
         self.location.programmed = to;
         Ok(())
+    }
+
+    /// Positions to a machine point with cutter compensation left aside for this move (GSK990MC 4.7.2, 5). A
+    /// move of other axes than those of its plane leaves the vector as it is.
+    pub(crate) fn rapid_uncompensated(&mut self, to: Position) -> Fallible<()> {
+        let plane = self.modal.plane();
+        if plane.of(to) != plane.of(self.location.machine) {
+            self.output.suspend_cutter();
+        }
+        self.rapid_machine(to)
     }
 
     /// Positions to a machine point. The programmed point is the caller's to set.
@@ -102,6 +113,10 @@ impl Interpreter {
         match self.modal.meaning(Group::PathControl) {
             Meaning::ExactStop => PathMode::ExactStop,
             Meaning::TappingMode => PathMode::Tapping,
+            // A block with a code of compensation has no inner corner (4.8.2 limits).
+            Meaning::CornerOverride if self.words.g.iter().any(|code| code.row.group == Group::Cutter) => {
+                PathMode::Continuous
+            }
             Meaning::CornerOverride => match (self.rules.corner_override, self.output.tool_is_left()) {
                 (Some((critical_angle, lowest_feed)), Some(left)) => {
                     PathMode::InnerCorners(InnerCorners { left, critical_angle, lowest_feed })
@@ -112,12 +127,16 @@ impl Interpreter {
         }
     }
 
-    /// The feed in force; an alarm where there is none.
+    /// The feed in force, per minute held within the control's limits (GSK990MC 4.2.2 note 1, P96, P97); an
+    /// alarm where there is none.
     pub(crate) fn feed(&self) -> Fallible<Feed> {
         let technology = &self.technology;
         let (value, feed) = match self.modal.is_feed_per_revolution() {
             true => (technology.feed_per_revolution, Feed::PerRevolution(technology.feed_per_revolution)),
-            false => (technology.feed_per_minute, Feed::PerMinute(technology.feed_per_minute)),
+            false => {
+                let feed = technology.feed_per_minute;
+                (feed, Feed::PerMinute(feed.clamp(self.rules.min_feed, self.rules.max_feed)))
+            }
         };
         if value > 0.0 { Ok(feed) } else { Err(self.alarm(Fault::NoFeed, self.words.block_span())) }
     }
@@ -153,17 +172,27 @@ impl Interpreter {
         let center = match self.words.get(b'R') {
             Some(r) => match self.center_by_radius(from, end, r, turn)? {
                 Some(center) => center,
-                // Start and end coincide: a radius says nothing then (4.2.3 limits 3 and 5), but
-                // another axis may be meant to move.
-                None => return if axes.is_empty() { Ok(()) } else { self.cut(to) },
+                // Start and end coincide: a radius says nothing then (4.2.3 limits 3 and 5), and no other
+                // axis can climb.
+                None if machine != self.location.machine => {
+                    return Err(self.alarm(Fault::HelixWithoutArc, self.words.block_span()));
+                }
+                None => return Ok(()),
             },
             None => self.center_by_vector(from, end)?,
         };
         let in_plane = |a: Axis| a == plane.first() || a == plane.second();
-        let beside = axes.iter().filter(|a| !in_plane(*a) && from[*a] != end[*a]);
-        // One axis climbs in a helix (GSK990MC alarm 0232).
-        if beside.count() > 1 {
-            return Err(self.alarm(Fault::TooManyHelicalAxes, self.words.block_span()));
+        let mut beside = axes.iter().filter(|a| !in_plane(*a) && from[*a] != end[*a]);
+        // One axis climbs in a helix, and it is one of the first three (GSK990MC alarms 0232, 0021).
+        match (beside.next(), beside.next()) {
+            (Some(_), Some(_)) => {
+                return Err(self.alarm(Fault::TooManyHelicalAxes, self.words.block_span()));
+            }
+            (Some(axis), None) if !self.rules.axis_order.iter().take(3).any(|a| *a == axis) => {
+                let alarm = self.alarm_at(Fault::ArcAxisBesidePlane, axis.letter() as u8);
+                return Err(Box::new(alarm.with("axis", axis.letter().to_string())));
+            }
+            _ => {}
         }
         let shape = Arc::about(plane, from, end, center, turn);
         let feed = self.feed()?;
@@ -188,6 +217,14 @@ impl Interpreter {
         Ok(())
     }
 
+    /// What a programmed radius is multiplied by: the larger of the plane's factors of scaling.
+    fn radius_factor(&self) -> f64 {
+        self.location.scaling.map_or(1.0, |scaling| {
+            let [a, b] = scaling.in_plane(self.modal.plane());
+            a.abs().max(b.abs())
+        })
+    }
+
     /// The centre that R gives; `None` where start and end coincide. A radius is scaled by the larger of
     /// the plane's factors (GSK990MC 4.2.14, 6).
     fn center_by_radius(
@@ -198,11 +235,7 @@ impl Interpreter {
         turn: Turn,
     ) -> Fallible<Option<[f64; 2]>> {
         let plane = self.modal.plane();
-        let factor = self.location.scaling.map_or(1.0, |scaling| {
-            let [a, b] = scaling.in_plane(plane);
-            a.abs().max(b.abs())
-        });
-        let r = units::length_mm(r, self.modal.is_inch()) * factor;
+        let r = units::length_mm(r, self.modal.is_inch()) * self.radius_factor();
         let slack = self.rules.arc_tolerance;
         match Arc::center_from_radius(plane.of(from), plane.of(to), r, turn, slack) {
             Ok(center) => Ok(Some(center)),

@@ -25,10 +25,14 @@ pub(crate) struct Output {
     plane: Plane,
     /// Compensation programmed.
     offset: Option<Offset>,
+    /// A canned cycle leaves compensation aside.
+    paused: bool,
     /// End of the programmed path.
     path_end: Position,
     /// Where the axes are commanded to be, compensation included.
     actual: Position,
+    /// The block being executed has moved in the plane of compensation.
+    moved: bool,
     /// A stage has refused a move: what the block still makes is left out.
     refused: bool,
 }
@@ -42,8 +46,10 @@ impl Output {
             request: None,
             plane: Plane::Xy,
             offset: None,
+            paused: false,
             path_end: start,
             actual: start,
+            moved: false,
             refused: false,
         }
     }
@@ -64,6 +70,37 @@ impl Output {
     #[inline]
     pub(crate) fn start_block(&mut self) {
         self.refused = false;
+        self.moved = false;
+    }
+
+    /// Ends a block while compensation is in force or a corner waits. `names_plane`: it names axes of the plane
+    /// for a move.
+    pub(crate) fn end_block(&mut self, names_plane: bool, span: Span) -> Result<(), Refused> {
+        if self.moved || self.paused || self.refused {
+            return Ok(());
+        }
+        if names_plane && let Some(refused) = self.corner.interrupted() {
+            self.corner.release();
+            return Err(refused);
+        }
+        let plane = self.plane;
+        let (queue, actual) = (&mut self.queue, &mut self.actual);
+        let done = self.cutter.idle(names_plane, &mut |out| deliver(out, plane, queue, actual));
+        done.map_err(|refused| match refused {
+            Some(refused) => (fault_of(refused.fault), refused.at.span),
+            None => (Fault::CutterIdleBlocks, span),
+        })
+    }
+
+    /// Whether the end of a block matters to a stage.
+    #[inline]
+    pub(crate) fn looks_ahead(&self) -> bool {
+        self.cutter.in_mode() || !self.corner.is_empty()
+    }
+
+    /// Where the axes are commanded to be after all steps given out, compensation included.
+    pub(crate) fn commanded(&self) -> Position {
+        self.actual
     }
 
     /// Whether cutter compensation is in force or on its way out.
@@ -120,6 +157,7 @@ impl Output {
         };
         let from = self.path_end;
         self.path_end = to;
+        self.moved |= plane_move(self.plane, from, &step.op).is_some();
         let mut pieces: Vec<(Position, Step)> = Vec::new();
         self.corner.push(from, step, self.request.take(), |from, step| pieces.push((from, step)))?;
         for (from, step) in pieces {
@@ -135,7 +173,8 @@ impl Output {
         let mut out = |out: Out<Step>| deliver(out, plane, queue, actual);
         let done = match plane_move(plane, from, &step.op) {
             Some(m) => self.cutter.push(m, step, &mut out),
-            None => self.cutter.pass(step, true, &mut out),
+            // Blocks are counted at their end.
+            None => self.cutter.pass(step, false, &mut out),
         };
         done.map_err(|refused| (fault_of(refused.fault), refused.at.span))
     }
@@ -146,7 +185,37 @@ impl Output {
             self.plane = plane;
         }
         self.offset = offset;
-        self.cutter.set(offset);
+        if !self.paused {
+            self.cutter.set(offset);
+        }
+    }
+
+    /// From the next move on compensation is left aside, until [`resume_cutter`](Self::resume_cutter).
+    pub(crate) fn pause_cutter(&mut self) {
+        self.paused = true;
+        self.cutter.set(None);
+    }
+
+    /// Compensation as programmed again: the next move starts it up.
+    pub(crate) fn resume_cutter(&mut self) {
+        if self.paused {
+            self.paused = false;
+            self.cutter.set(self.offset);
+        }
+    }
+
+    /// While compensation is left aside: brings the tool from its vector back onto the path, where no move
+    /// in the plane does. `step` is a move to the end of the path.
+    pub(crate) fn back_onto_path(&mut self, step: Step) -> Result<(), Refused> {
+        self.flush()?;
+        if self.cutter.in_mode() {
+            self.cutter.forget();
+            if let Some(to) = step.op.target().filter(|to| **to != self.actual) {
+                self.actual = *to;
+                self.queue.push_back(step);
+            }
+        }
+        Ok(())
     }
 
     /// The next move runs without compensation, the one after it starts up again.

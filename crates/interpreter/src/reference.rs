@@ -33,16 +33,18 @@ impl Interpreter {
             self.intermediate.point[axis] = through[axis];
         }
         self.intermediate.axes = axes;
-        self.output.suspend_cutter();
-        self.rapid(through)?;
+        match self.rules.reference_keeps_cutter {
+            true => self.rapid(through)?,
+            false => self.rapid_uncompensated(self.location.machine_of(through))?,
+        }
+        self.location.programmed = through;
         let points = &self.memory.reference_points;
         let reference = points.get(number.saturating_sub(1)).copied().unwrap_or_default();
         let mut to = self.location.machine;
         for axis in axes.iter() {
             to[axis] = reference[axis];
         }
-        self.output.suspend_cutter();
-        self.rapid_machine(to)?;
+        self.rapid_uncompensated(to)?;
         // G28 ends tool length compensation by itself (4.3.1).
         if axes.iter().any(|axis| self.location.length.vector[axis] != 0.0) {
             self.location.length.cancel();
@@ -69,7 +71,8 @@ impl Interpreter {
         for axis in known.axes.iter().chain(axes.iter()) {
             through[axis] = known.point[axis];
         }
-        self.rapid(through)?;
+        self.rapid_uncompensated(self.location.machine_of(through))?;
+        self.location.programmed = through;
         // An incremental target counts from the intermediate point, where the tool now stands.
         let to = self.end_point(axes);
         self.rapid(to)
@@ -81,12 +84,12 @@ impl Interpreter {
         if axes.is_empty() {
             return Err(self.alarm(Fault::ReferenceWithoutAxis, span));
         }
-        let inch = self.modal.is_inch();
+        let inch_axes = self.inch_axes();
         let incremental = self.modal.is_incremental();
         let mut to = self.location.machine;
         for axis in axes.iter() {
             let Some(value) = self.words.get(axis.letter() as u8) else { continue };
-            let value = units::coordinate(axis, value, inch);
+            let value = units::coordinate(axis, value, inch_axes);
             // Compensation in force counts (4.3.4, 3).
             to[axis] = if incremental { to[axis] + value } else { value + self.location.length.vector[axis] };
         }
@@ -121,9 +124,8 @@ impl Interpreter {
         let reached = at.map_or(aim, |t| from.lerp(aim, t));
         self.location.machine = reached;
         self.location.take_machine();
-        if at.is_some() {
-            self.location.skip = reached - self.location.work.shift;
-        }
+        // Without a signal the end of the block, as on Fanuc.
+        self.location.skip = reached - self.location.work.shift;
         if reached != from || at.is_some() {
             self.emit(Op::Skip { to: reached, feed, hit: at.is_some() });
         }

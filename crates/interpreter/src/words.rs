@@ -1,8 +1,7 @@
 //! Stage 1, words: a block's words by address, its G and M codes looked up.
 
 use crate::Fallible;
-use crate::dialect::{Address, Dialect, GCode, MCode};
-use crate::modal::Group;
+use crate::dialect::{Address, Dialect, GCode, MCode, MFunction};
 use ferrocut_geometry::AxisSet;
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_program::{Block, Page, Span, Word};
@@ -125,6 +124,11 @@ impl Words {
         }
     }
 
+    /// Whether the block calls a subprogram, which P and L belong to then.
+    pub(crate) fn calls(&self) -> bool {
+        self.m.iter().any(|m| m.row.function == MFunction::Call)
+    }
+
     /// The axes whose addresses the block has.
     #[inline]
     pub(crate) fn axes(&self, of: AxisSet) -> AxisSet {
@@ -160,6 +164,7 @@ pub(crate) struct Reader<'a> {
     pub page: &'a Page,
     pub block: &'a Block,
     pub repeats_are_alarms: bool,
+    pub max_m_code: f64,
 }
 
 impl Reader<'_> {
@@ -171,6 +176,9 @@ impl Reader<'_> {
     #[inline]
     pub(crate) fn word(&self, words: &mut Words, word: &Word, value: f64) -> Fallible<()> {
         if word.has_comma() {
+            if words.comma.is_some() {
+                return Err(self.alarm(Fault::CornerForm, word));
+            }
             words.comma = Some((word.letter, value, self.page.word_span(self.block, word)));
             return Ok(());
         }
@@ -178,10 +186,11 @@ impl Reader<'_> {
             b'G' => self.g_word(words, word, value),
             b'M' => self.m_word(words, word, value),
             b'N' => {
+                self.whole_word(word, value)?;
                 words.sequence = Some(value);
                 Ok(())
             }
-            b'O' => Ok(()),
+            b'O' => self.whole_word(word, value),
             letter => {
                 let index = usize::from(letter.wrapping_sub(b'A'));
                 let (Some(Some(address)), Some(slot), Some(place)) = (
@@ -194,7 +203,7 @@ impl Reader<'_> {
                 if !(value >= address.min && value <= address.max) {
                     return Err(self.out_of_range(address, word, value));
                 }
-                if address.whole && value.fract() != 0.0 {
+                if address.whole && (value.fract() != 0.0 || word.has_point()) {
                     return Err(self.alarm(Fault::WordNotWhole, word));
                 }
                 if words.present & bit(letter) != 0 && self.repeats_are_alarms {
@@ -209,21 +218,34 @@ impl Reader<'_> {
     }
 
     fn out_of_range(&self, address: &Address, word: &Word, value: f64) -> Box<Alarm> {
-        let fault =
-            if value < 0.0 && address.min == 0.0 { Fault::WordNegative } else { Fault::WordOutOfRange };
+        let fault = if value < 0.0 && address.min == 0.0 { Fault::WordNegative } else { address.beyond };
         let mut alarm = self.alarm(fault, word);
         alarm.arguments.push(("min", address.min.into()));
         alarm.arguments.push(("max", address.max.into()));
         alarm
     }
 
+    /// A code or number that takes neither sign nor point.
+    fn whole_word(&self, word: &Word, value: f64) -> Fallible<()> {
+        if value < 0.0 {
+            return Err(self.alarm(Fault::WordNegative, word));
+        }
+        if word.has_point() {
+            return Err(self.alarm(Fault::WordNotWhole, word));
+        }
+        Ok(())
+    }
+
     fn g_word(&self, words: &mut Words, word: &Word, value: f64) -> Fallible<()> {
+        if value < 0.0 {
+            return Err(self.alarm(Fault::WordNegative, word));
+        }
         let tenths = value * 10.0;
         let row = (tenths >= 0.0 && tenths.fract() == 0.0)
             .then(|| self.tables.g.get(tenths as usize).copied().flatten())
             .flatten();
         let Some(row) = row else { return Err(self.alarm(Fault::UnknownGCode, word)) };
-        let same_group = |c: &Code<GCode>| c.row.group == row.group && row.group != Group::NonModal;
+        let same_group = |c: &Code<GCode>| c.row.group == row.group;
         if self.repeats_are_alarms && words.g.iter().any(same_group) {
             return Err(self.alarm(Fault::RepeatedGroup, word));
         }
@@ -235,6 +257,10 @@ impl Reader<'_> {
     }
 
     fn m_word(&self, words: &mut Words, word: &Word, value: f64) -> Fallible<()> {
+        self.whole_word(word, value)?;
+        if value > self.max_m_code {
+            return Err(self.alarm(Fault::UnknownMCode, word));
+        }
         let code =
             (value >= 0.0 && value.fract() == 0.0 && value <= f64::from(u16::MAX)).then_some(value as u16);
         let Some(row) = code.and_then(|c| self.dialect.m_code(c)) else {

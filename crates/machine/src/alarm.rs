@@ -116,6 +116,10 @@ faults! {
     NoFeedPerRevolution = 314,
     /// A coordinate that scaling makes too large.
     ScaledTooLarge = 315,
+    /// An arc that moves an axis which is neither of its plane nor square to it.
+    ArcAxisBesidePlane = 316,
+    /// A climb along a helix whose circle has no length.
+    HelixWithoutArc = 317,
 
     // 400: offsets and coordinate systems
     /// An offset number beyond the table.
@@ -254,6 +258,8 @@ faults! {
     MillToolMissing = 525,
     /// A cycle of more moves than can be meant.
     MillTooManyMoves = 526,
+    /// Rigid tapping before a spindle speed was given.
+    TappingNoSpeed = 527,
 
     // 600: programs
     /// A call without a program number.
@@ -280,6 +286,8 @@ faults! {
     ReturnWithMacro = 611,
     /// An O word beyond the numbers of programs.
     ProgramNumberTooLarge = 612,
+    /// A jump of macro A to a sequence number that the program does not have.
+    JumpTargetMissing = 613,
 
     // 700: variables and arithmetic
     /// A division by zero.
@@ -308,6 +316,8 @@ faults! {
     JumpIntoLoop = 712,
     /// An alarm that the program sets itself.
     ProgramAlarm = 713,
+    /// A program or sequence number that is a variable.
+    VariableInNumber = 714,
 
     // 800: machine
     /// An axis would leave its software limits.

@@ -55,6 +55,21 @@ impl Memory {
         Ok(())
     }
 
+    /// Sets parameters in whatever order they come: the names of the axes go first, since others are another
+    /// name of what belongs to an axis.
+    pub fn set_parameters<'a>(
+        &mut self,
+        parameters: impl Iterator<Item = (&'a ParameterKey, f64)> + Clone,
+    ) -> Result<(), ParameterError> {
+        let names_axis = |key: &ParameterKey| matches!(key, ParameterKey::Data(5 | 175..=179));
+        for first in [true, false] {
+            for (key, value) in parameters.clone().filter(|(key, _)| names_axis(key) == first) {
+                self.set_parameter(key, value)?;
+            }
+        }
+        Ok(())
+    }
+
     /// The value of a parameter, in the unit of the control's list; 0 where it does not exist. Where it
     /// is another name of an offset or a reference point, the value of that.
     pub fn parameter(&self, key: &ParameterKey) -> f64 {
@@ -77,10 +92,7 @@ impl Memory {
             system @ 1..=6 => Place::Work(WorkOffset::Standard(u8::try_from(system).ok()?)),
             point => Place::Reference(usize::from(point) - 7),
         };
-        // P175 to P179 name the axes 1 to 5, in the order of `Axis`.
-        let axis = self.parameters.data(175 + (number - 10) % 5);
-        let named = Axis::ALL.into_iter().find(|a| a.index() as f64 == axis);
-        Some((place, named?))
+        Some((place, self.parameters.axis_names().get(usize::from((number - 10) % 5)).copied()?))
     }
 
     fn position_mut(&mut self, place: Place) -> Option<&mut Position> {

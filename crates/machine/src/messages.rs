@@ -30,7 +30,7 @@
 //! | `UnknownGCode`, `UnknownMCode`, `UnknownAddress`, `RepeatedAddress`, `WordNotWhole`, `WordNegative`, `NeedsOwnBlock`, `NotSupported` | `word` |
 //! | `RepeatedGroup`, `ProgramCodesTogether` | `first`, `second`: the words |
 //! | `WordOutOfRange` | `word`, `min`, `max`; or `word` alone |
-//! | `UnknownAxis` | `axis` |
+//! | `UnknownAxis`, `ArcAxisBesidePlane` | `axis` |
 //! | `ArcRadiusMismatch` | `start`, `end`: radii; `limit` |
 //! | `ArcRadiusTooSmall` | `radius`; `least`: the smallest that reaches |
 //! | `NegativeDwell`, `FeedOutOfRange` | `word` |
@@ -44,7 +44,7 @@
 //! | `ProgramMissing`, `ProgramNumber` | `program` |
 //! | `TooManyRepeats` | `repeats`, `limit` |
 //! | `EndlessProgram` | `blocks` |
-//! | `SequenceMissing` | `number` |
+//! | `SequenceMissing`, `JumpTargetMissing` | `number` |
 //! | `FunctionDomain` | `name`, `value` |
 //! | `UnknownVariable`, `VariableNotWritable` | `variable` |
 //! | `SoftLimit` | `axis`, `position`, `limit`: machine positions |

@@ -3,6 +3,7 @@
 //! The definitions are data files under `data/`, one pair per control, read once. Values are held flat
 //! by number, since the interpreter asks for them block by block.
 
+use ferrocut_geometry::Axis;
 use std::collections::{BTreeMap, HashMap};
 use std::fmt;
 use std::str::FromStr;
@@ -365,6 +366,23 @@ pub struct Parameters {
 }
 
 impl Parameters {
+    /// The axes 1 to 5 by the names that P175 to P179 give them (GSK990MC 2.2 and appendix 1). Where two of
+    /// the axes that the control carries (P5, at least four) have one name, they are X, Y, Z, A, B. A fifth
+    /// name that is taken already is that of no axis.
+    pub fn axis_names(&self) -> Vec<Axis> {
+        let carried = if self.data(5) >= 5.0 { 5 } else { 4 };
+        let mut names: Vec<Axis> = Vec::with_capacity(5);
+        for number in 175..=179 {
+            let name = Axis::ALL.get(self.data(number) as usize).copied();
+            match name.filter(|name| !names.contains(name)) {
+                Some(name) => names.push(name),
+                None if names.len() < carried => return vec![Axis::X, Axis::Y, Axis::Z, Axis::A, Axis::B],
+                None => {}
+            }
+        }
+        names
+    }
+
     /// The values as delivered.
     pub fn new(table: &'static ParameterTable) -> Parameters {
         Parameters { table, values: table.delivered.clone(), others: BTreeMap::new() }

@@ -335,11 +335,9 @@ impl Setup {
     /// Parameters go first: an offset that also stands under `[work_offsets]` has the last word over
     /// the parameter that is another name of it.
     pub fn apply(&self, memory: &mut Memory) -> Result<(), ConfigError> {
-        for (key, value) in &self.parameters {
-            memory
-                .set_parameter(key, *value)
-                .map_err(|e| ConfigError(format!("[parameters] {e}: change or remove it")))?;
-        }
+        memory
+            .set_parameters(self.parameters.iter().map(|(key, value)| (key, *value)))
+            .map_err(|e| ConfigError(format!("[parameters] {e}: change or remove it")))?;
         for (name, values) in &self.work_offsets {
             let systems = memory.work.additional.len();
             let zero = memory.work.get_mut(*name).ok_or_else(|| {

@@ -81,6 +81,8 @@ pub enum Speed {
     Surface {
         /// Speed at the circumference, mm/min.
         mm_per_min: f64,
+        /// Lowest turns, r/min.
+        min_rpm: f64,
         /// Highest turns, r/min, where the program sets them.
         max_rpm: Option<f64>,
         /// The axis.
@@ -95,11 +97,13 @@ impl Speed {
     pub fn rpm(self, at: &Position) -> f64 {
         match self {
             Speed::Rpm(rpm) => rpm,
-            Speed::Surface { mm_per_min, max_rpm, axis, center } => {
+            Speed::Surface { mm_per_min, .. } if mm_per_min == 0.0 => 0.0,
+            Speed::Surface { mm_per_min, min_rpm, max_rpm, axis, center } => {
                 let radius = (at[axis] - center).abs();
                 let rpm = mm_per_min / (std::f64::consts::TAU * radius);
                 // On the centre any speed is too slow; without a limit it stays at rest there.
-                if rpm.is_finite() { rpm.min(max_rpm.unwrap_or(f64::MAX)) } else { max_rpm.unwrap_or(0.0) }
+                let rpm = if rpm.is_finite() { rpm.max(min_rpm) } else { max_rpm.unwrap_or(0.0) };
+                rpm.min(max_rpm.unwrap_or(f64::MAX))
             }
         }
     }

@@ -19,7 +19,7 @@ impl Interpreter {
             return Err(self.alarm(Fault::NoOrientation, self.cycle_span()));
         }
         self.position_over_hole()?;
-        self.rapid_z(r)?;
+        self.approach(r)?;
         self.cut_z(z)?;
         self.cycle_dwell();
         let turning = self.orient();
@@ -40,7 +40,7 @@ impl Interpreter {
         self.position_over_hole()?;
         let turning = self.orient();
         self.shift(1.0)?;
-        self.rapid_z(r)?;
+        self.approach(r)?;
         self.shift(-1.0)?;
         self.spindle(turning);
         self.cut_z(z)?;

@@ -30,7 +30,7 @@ impl Interpreter {
             (_, None) => return self.position_over_hole(),
         };
         self.position_over_hole()?;
-        self.rapid_z(r)?;
+        self.approach(r)?;
         match (cycle.peck, step) {
             (Peck::ChipBreak, Some(q)) => self.chip_breaking(r, z, q)?,
             (Peck::Clear, Some(q)) => self.chip_clearing(r, z, q)?,

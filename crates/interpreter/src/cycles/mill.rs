@@ -49,10 +49,14 @@ impl Interpreter {
                 *slot = Some(units::length_mm(value, inch));
             }
         };
+        let calls = self.words.calls();
         let mill = &mut self.cycle.mill;
         keep(&mut mill.i, b'I');
         keep(&mut mill.j, b'J');
-        keep(&mut mill.l, b'L');
+        // L of a call is its repeats.
+        if !calls {
+            keep(&mut mill.l, b'L');
+        }
         keep(&mut mill.w, b'W');
         keep(&mut mill.q, b'Q');
         keep(&mut mill.v, b'V');
@@ -82,6 +86,7 @@ impl Interpreter {
         start[Axis::X] = x;
         start[Axis::Y] = y;
         self.position_at(start)?;
+        self.take_up_length()?;
         plan.moves(self.top(r), &mut |m| self.mill_move(m))
     }
 
@@ -135,7 +140,6 @@ impl Interpreter {
             to
         };
         let from = self.location.programmed;
-        self.output.suspend_cutter();
         match m {
             CycleMove::Rapid { to } => self.rapid(place(from, to)),
             CycleMove::Feed { to } => self.cut(place(from, to)),

@@ -23,7 +23,7 @@ use crate::words::letters;
 use ferrocut_geometry::{Axis, AxisSet, Plane, Position, Turn};
 use ferrocut_machine::Fault;
 use ferrocut_program::Span;
-use ferrocut_toolpath::{Dwell, Op};
+use ferrocut_toolpath::{Dwell, Op, Step};
 
 /// How a hole is cut.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -83,8 +83,8 @@ pub enum CycleKind {
     },
 }
 
-/// Addresses that make a block with an active cycle cut a hole.
-const HOLE_LETTERS: u32 = letters(b"XYZABCUVWR");
+/// The address that makes a block with an active cycle cut a hole although no axis is named.
+const LEVEL_LETTER: u32 = letters(b"R");
 
 /// Most repeats of a cycle (GSK990MC table 4-4-1).
 const MAX_REPEATS: f64 = 99_999.0;
@@ -112,20 +112,21 @@ pub(crate) struct CycleState {
     mill: MillWords,
     /// Holes of the present block still to be cut.
     holes_left: u32,
-    /// Whether the present block changes tool length on the way to the R level.
-    length: Option<LengthChange>,
+    /// A change of tool length that is made on the next way to an R level: the code in force.
+    length: Option<Meaning>,
     /// Scale factor of the tool axis, set aside while a block of the cycle runs.
     pub z_factor: Option<f64>,
 }
-
-/// A change of tool length that a cycle block makes on its way to the R level.
-#[derive(Clone, Copy, PartialEq, Debug)]
-struct LengthChange(Option<Meaning>);
 
 impl CycleState {
     /// Whether a cycle is modal.
     pub fn is_active(&self) -> bool {
         self.active
+    }
+
+    /// Leaves out the holes still to be cut.
+    pub fn drop_holes(&mut self) {
+        self.holes_left = 0;
     }
 }
 
@@ -144,6 +145,8 @@ impl Interpreter {
     pub(crate) fn cancel_cycle(&mut self) {
         if self.cycle_kind().is_some() {
             self.modal.set(self.dialect.cycle_off);
+            self.scale_tool_axis_again();
+            self.output.resume_cutter();
             self.cycle = CycleState::default();
             self.technology.rigid_tapping = false;
         }
@@ -162,7 +165,7 @@ impl Interpreter {
         }
         self.store_cycle_data();
         self.store_mill_words();
-        if !self.words.has_any(HOLE_LETTERS) {
+        if axes.is_empty() && !self.words.has_any(LEVEL_LETTER) {
             // Nothing to cut; a change of tool length alone is made at once (GSK990MC 4.4.1 note 3).
             if self.length_words(length, axes)? {
                 self.rapid(self.location.programmed)?;
@@ -171,15 +174,22 @@ impl Interpreter {
             return Ok(());
         }
         if self.rules.cycle_needs_speed && self.technology.speed.is_none() {
-            return Err(self.alarm(Fault::CycleNoSpindle, self.cycle_span()));
+            let rigid = matches!(self.cycle_kind(), Some(CycleKind::Tap { .. })) && self.taps_rigidly();
+            let fault = if rigid { Fault::TappingNoSpeed } else { Fault::CycleNoSpindle };
+            return Err(self.alarm(fault, self.cycle_span()));
         }
         let repeats = self.words.get(b'K').map_or(1.0, f64::abs);
         if repeats > MAX_REPEATS {
             return Err(self.alarm_at(Fault::WordOutOfRange, b'K'));
         }
         self.cycle.holes_left = repeats as u32;
-        let has_length = length.is_some() || self.words.has(b'H');
-        self.cycle.length = has_length.then_some(LengthChange(length));
+        if length.is_some() || self.words.has(b'H') {
+            self.keep_length_number()?;
+            self.cycle.length = Some(length.unwrap_or(self.modal.meaning(Group::Length)));
+        }
+        if self.cycle.holes_left == 0 {
+            self.scale_tool_axis_again();
+        }
         Ok(())
     }
 
@@ -233,10 +243,11 @@ impl Interpreter {
         if let Some(v) = self.words.get(b'V') {
             self.cycle.v = Some(mm(v).abs());
         }
-        if let Some(p) = self.words.get(b'P') {
+        // P of a call is the number of a program.
+        if let Some(p) = self.words.get(b'P').filter(|_| !self.words.calls()) {
             // P outside P281…P282 is taken as the nearer of them (GSK990MC 4.4.3).
             let (shortest, longest) = self.rules.cycle_dwell;
-            self.cycle.p = Some((p * self.rules.dwell_p_unit_s).max(shortest).min(longest));
+            self.cycle.p = Some((p * self.rules.cycle_dwell_p_unit_s).max(shortest).min(longest));
         }
     }
 
@@ -287,15 +298,29 @@ impl Interpreter {
         self.position_at(to)
     }
 
-    /// Rapid to where a cycle begins, at the level where the tool is.
+    /// Rapid to where a cycle begins, at the level where the tool is. Cutter compensation is left aside from
+    /// here until the cycle is cancelled (GSK990MC 4.4 limits).
     fn position_at(&mut self, to: Position) -> Fallible<()> {
-        // Cutter compensation is left aside in cycles (GSK990MC 4.4 limits).
-        self.output.suspend_cutter();
-        self.rapid(to)?;
-        // From here on the tool length of this block counts: it is taken up on the way to R.
-        if let Some(LengthChange(code)) = self.cycle.length.take() {
-            let axes = AxisSet::EMPTY.with(Axis::Z);
-            self.length_words(code, axes)?;
+        self.output.pause_cutter();
+        let (here, there) = (self.location.machine, self.location.machine_of(to));
+        if Plane::Xy.of(here) == Plane::Xy.of(there) {
+            let op = Op::Rapid { to: here, straight: self.rules.rapid_is_straight };
+            let step = Step { op, span: self.words.block_span() };
+            self.output.back_onto_path(step).map_err(|(fault, span)| self.alarm(fault, span))?;
+        }
+        self.rapid(to)
+    }
+
+    /// Rapid to the R level, on which a change of tool length is taken up.
+    fn approach(&mut self, r: f64) -> Fallible<()> {
+        self.take_up_length()?;
+        self.rapid_z(r)
+    }
+
+    /// The change of tool length that waits for the way to the R level.
+    fn take_up_length(&mut self) -> Fallible<()> {
+        if let Some(code) = self.cycle.length.take() {
+            self.length_words(Some(code), AxisSet::EMPTY.with(Axis::Z))?;
         }
         Ok(())
     }

@@ -21,27 +21,50 @@ impl Interpreter {
             self.check_pecks(r - z, q)?;
         }
         let rpm = self.technology.speed.unwrap_or(0.0);
-        let rigid = self.technology.rigid_tapping && self.rules.rigid_tapping;
-        if rpm <= 0.0 || rpm > self.rules.max_tapping_rpm {
+        let rigid = self.taps_rigidly();
+        let limit = if rigid { self.rules.max_rigid_rpm } else { self.rules.max_tapping_rpm };
+        if rpm <= 0.0 || rpm > limit {
             return Err(self.alarm(Fault::TappingSpeed, self.cycle_span()));
         }
-        if rigid && !self.technology.feed_was_given {
+        if rigid && !self.feed_was_given() {
             return Err(self.alarm(Fault::TappingFeed, self.cycle_span()));
         }
         self.position_over_hole()?;
-        self.rapid_z(r)?;
+        self.approach(r)?;
         if rigid {
+            if self.rules.rigid_tapping_orients {
+                self.emit(Op::Orient(0.0));
+            }
+            // The spindle is an axis of the tapping from here on, and stands still after it (4.5.1).
+            self.technology.spindle = SpindleState::Off;
             let pitch = match self.feed()? {
                 Feed::PerMinute(feed) => feed / rpm,
                 Feed::PerRevolution(feed) => feed,
                 Feed::Duration(_) => 0.0,
             };
             let pitch = if left { -pitch } else { pitch };
-            self.tap_steps(r, z, q, |interpreter, z| interpreter.tap_z(z, pitch, rpm))?;
+            let out_rpm = rpm * self.rules.rigid_retract;
+            self.tap_steps(r, z, q, |interpreter, z| {
+                let down = z < interpreter.location.programmed[Axis::Z];
+                interpreter.tap_z(z, pitch, if down { rpm } else { out_rpm })
+            })?;
         } else {
             self.tap_floating(r, z, q, left)?;
         }
         self.rapid_z(self.top(r))
+    }
+
+    /// Whether tapping cycles are rigid now.
+    pub(super) fn taps_rigidly(&self) -> bool {
+        self.technology.rigid_tapping && self.rules.rigid_tapping
+    }
+
+    /// Whether a feed of the kind in force was ever programmed.
+    fn feed_was_given(&self) -> bool {
+        match self.modal.is_feed_per_revolution() {
+            true => self.technology.feed_per_revolution > 0.0,
+            false => self.technology.feed_per_minute_was_given,
+        }
     }
 
     /// The strokes of a tap, in one go or in steps of Q. `stroke` moves to a level, up or down.

@@ -20,6 +20,9 @@ use ferrocut_toolpath::{FeedAlong, Op, Step};
 /// Lengths below this are nothing, mm.
 const NOTHING: f64 = 1e-9;
 
+/// Moves that turn by less than this have no corner to round: the sine of 1°, as on Fanuc.
+const STRAIGHT_ON: f64 = 0.017_452_406_437_283_51;
+
 /// What is put between two moves.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum CornerKind {
@@ -84,7 +87,7 @@ impl Corner {
             Some(held) => {
                 let joined = join(&held, from, &step)?;
                 let mut at = held.from;
-                for piece in [Some(joined.before), Some(joined.between)].into_iter().flatten() {
+                for piece in [Some(joined.before), joined.between].into_iter().flatten() {
                     let end = piece.op.target().copied().unwrap_or(at);
                     out(at, piece);
                     at = end;
@@ -255,7 +258,7 @@ fn crossings(a: &Curve, b: &Curve) -> Vec<[f64; 2]> {
 
 struct Joined {
     before: Step,
-    between: Step,
+    between: Option<Step>,
     after: Step,
 }
 
@@ -290,6 +293,9 @@ fn join(held: &Held, corner: Position, next: &Step) -> Result<Joined, Refused> {
             }
         }
         CornerKind::Round => {
+            if turn.abs() < STRAIGHT_ON && dot(inward, outward) > 0.0 {
+                return Ok(Joined { before: held.step.clone(), between: None, after: next.clone() });
+            }
             if turn.abs() < NOTHING {
                 return Err(refuse(Fault::CornerTooLong));
             }
@@ -330,7 +336,8 @@ fn join(held: &Held, corner: Position, next: &Step) -> Result<Joined, Refused> {
     };
     let to = next.op.target().copied().unwrap_or(end);
     let after = shortened(next, end, to, plane);
-    Ok(Joined { before, between: Step { op: between, span: held.step.span }, after })
+    let between = Some(Step { op: between, span: held.step.span });
+    Ok(Joined { before, between, after })
 }
 
 /// How far a point lies on the side of the curve: its own travel towards or away from the corner.

@@ -11,12 +11,12 @@ pub(crate) fn end_point(
     axes: AxisSet,
     from: Position,
     incremental: bool,
-    inch: bool,
+    inch_axes: AxisSet,
 ) -> Position {
     let mut to = from;
     for axis in axes.iter() {
         if let Some(value) = words.get(axis.letter() as u8) {
-            let value = units::coordinate(axis, value, inch);
+            let value = units::coordinate(axis, value, inch_axes);
             to[axis] = if incremental { from[axis] + value } else { value };
         }
     }

@@ -109,6 +109,7 @@ fn spindle(step: &Step) -> String {
     };
     match value("dir").as_str() {
         "off" => "spindle off".to_owned(),
+        dir if json.contains("css") => format!("spindle {dir} css {}", value("css")),
         dir => format!("spindle {dir} {}", value("rpm")),
     }
 }
@@ -124,4 +125,31 @@ fn round(v: f64) -> f64 {
 pub fn at_fault<'a>(program: &'a str, alarm: &Alarm) -> &'a str {
     let start = usize::try_from(alarm.span.offset).unwrap();
     &program[start..start + alarm.span.len as usize]
+}
+
+/// Each program, started at machine zero, must give these steps; of the end of program only what
+/// comes before it is named.
+pub fn holds(cases: &[(&str, &[&str])]) {
+    for (program, expected) in cases {
+        holds_with("", program, expected);
+    }
+}
+
+pub fn holds_with(setup: &str, program: &str, expected: &[&str]) {
+    let mut found = lines(&format!("{program}\nM30\n"), setup);
+    assert_eq!(found.pop().as_deref(), Some("end M30"), "{program}");
+    assert_eq!(found, expected, "{program}");
+}
+
+const SPINDLE: &str = "M3 S1000";
+const TURNS: &str = "spindle cw 1000";
+
+/// A program with the spindle turning: its steps between the start of the spindle and its stop at the
+/// end.
+pub fn holds_turning(setup: &str, program: &str, expected: &[&str]) {
+    let mut found = lines(&format!("{SPINDLE}\n{program}\nM30\n"), setup);
+    assert_eq!(found.pop().as_deref(), Some("end M30"), "{program}");
+    assert_eq!(found.pop().as_deref(), Some("spindle off"), "{program}");
+    assert_eq!(found.first().map(String::as_str), Some(TURNS), "{program}");
+    assert_eq!(found[1..], *expected, "{program}");
 }

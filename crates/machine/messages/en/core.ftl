@@ -262,6 +262,8 @@ FC-0712 = A jump leads into a loop
 
 FC-0713 = The program has set an alarm
     .help = See in the program why it does.
+FC-0714 = A program or sequence number cannot be a variable
+    .help = Write the number itself behind O or N.
 
 FC-0405 = Scaling is not enabled on this control
     .help = Set bit 60#5 to 1.
@@ -382,6 +384,11 @@ FC-0314 = Feed per revolution needs a spindle with an encoder
 
 FC-0315 = Scaling makes the coordinate too large
     .help = Use a smaller factor.
+FC-0316 = The arc moves an axis beside its plane
+    .detail = { $axis }
+    .help = Move the axis in a block of its own, or choose the plane that the arc lies in.
+FC-0317 = The helix climbs without turning
+    .help = Give the arc an end point in the plane, or a full circle by its centre; for a straight move use G01.
 
 FC-0434 = The offset value is too large
     .help = Correct the value in the offset table.
@@ -427,6 +434,9 @@ FC-0611 = M99 stands in the block of a macro call
 
 FC-0612 = The program number is too large
     .help = Use O0 to O99999.
+FC-0613 = The sequence number to jump to does not exist
+    .detail = { $number }
+    .help = Give the block to jump to this sequence number; it must be in the same program.
 
 FC-0908 = A picture is a .png or a .svg file
     .help = Give the output file one of these endings.
@@ -470,3 +480,5 @@ FC-0525 = The tool radius is missing
 
 FC-0526 = The cycle would take too many moves
     .help = Use a larger step or depth of cut.
+FC-0527 = Rigid tapping without a spindle speed
+    .help = Program S, best in the block of the code that makes tapping rigid.

@@ -5,6 +5,7 @@ use crate::cycles::{CycleKind, HoleCycle, MillShape, Peck, Retract};
 use crate::dialect::{Address, GCode, MCode, MFunction, Meaning, g};
 use crate::modal::Group;
 use ferrocut_geometry::{Plane, Turn};
+use ferrocut_machine::Fault;
 
 const fn hole(tenths: u16, peck: Peck, dwell: bool, retract: Retract) -> GCode {
     g(tenths, Meaning::Cycle(CycleKind::Hole(HoleCycle { peck, dwell, retract })), Group::Cycle, 9)
@@ -154,12 +155,17 @@ pub static M_CODES: &[MCode] = &[
 
 /// A number within ± `limit`.
 const fn signed(letter: u8, limit: f64) -> Address {
-    Address { letter, min: -limit, max: limit, whole: false }
+    Address { letter, min: -limit, max: limit, whole: false, beyond: Fault::WordOutOfRange }
 }
 
-/// A whole number from 0 to `max`.
-const fn count(letter: u8, max: f64) -> Address {
-    Address { letter, min: 0.0, max, whole: true }
+/// A whole number from 0 to `max`, beyond which there is an alarm of its own.
+const fn count(letter: u8, max: f64, beyond: Fault) -> Address {
+    Address { letter, min: 0.0, max, whole: true, beyond }
+}
+
+/// A number from 0 to `max`, beyond which there is an alarm of its own.
+const fn positive(letter: u8, max: f64, beyond: Fault) -> Address {
+    Address { letter, min: 0.0, max, whole: false, beyond }
 }
 
 const COORDINATE: f64 = 99_999.999_9;
@@ -170,18 +176,19 @@ pub static ADDRESSES: &[Address] = &[
     signed(b'A', COORDINATE),
     signed(b'B', COORDINATE),
     signed(b'C', COORDINATE),
-    count(b'D', 255.0),
-    Address { letter: b'F', min: 0.0, max: 99_999.999, whole: false },
-    count(b'H', 255.0),
+    count(b'D', 255.0, Fault::OffsetNumber),
+    positive(b'F', 99_999.999, Fault::FeedOutOfRange),
+    count(b'H', 255.0, Fault::OffsetNumber),
     signed(b'I', VECTOR),
     signed(b'J', VECTOR),
     signed(b'K', VECTOR),
-    Address { letter: b'L', min: -VECTOR, max: VECTOR, whole: false },
+    signed(b'L', VECTOR),
     signed(b'P', 99_999.999_9),
     signed(b'Q', COORDINATE),
     signed(b'R', VECTOR),
-    Address { letter: b'S', min: 0.0, max: 99_999.0, whole: false },
-    count(b'T', 9999.0),
+    // P205 says how many digits S has.
+    positive(b'S', 999_999.0, Fault::SpindleTooFast),
+    count(b'T', 9999.0, Fault::ToolNumber),
     signed(b'U', COORDINATE),
     signed(b'V', COORDINATE),
     signed(b'W', COORDINATE),

@@ -10,14 +10,15 @@ mod syntax;
 mod variables;
 
 use crate::dialect::Dialect;
-use crate::evaluate::Angles;
+use crate::evaluate::{Angles, Arithmetic};
 use ferrocut_machine::WorkOffset;
 
 /// The GSK990MC control.
 pub static DIALECT: Dialect = Dialect {
     name: "gsk990mc",
     syntax: &syntax::SYNTAX,
-    angles: Angles::Degrees,
+    // 4.9.2, 5: results are precise to 0.0001. Table 4-9-5-2: EXP to 99997.453535.
+    arithmetic: Arithmetic { angles: Angles::Degrees, steps: 10_000.0, largest_power: 99_997.453_535 },
     g_codes: codes::G_CODES,
     m_codes: codes::M_CODES,
     cycle_off: &codes::CYCLE_OFF,

@@ -17,6 +17,7 @@ const MACRO_DEPTH: usize = 5;
 /// Reads the rules.
 pub fn rules(parameters: &Parameters) -> Rules {
     let p = |number| parameters.data(number);
+    let order = axis_order(parameters);
     let min_feed = p(97);
     Rules {
         default_feed: p(87),
@@ -59,14 +60,27 @@ pub fn rules(parameters: &Parameters) -> Rules {
         stroke: stroke(parameters),
         max_coordinate: 99_999.999_9,
         // 1.2: three axes together, four with 9#1.
-        max_moving_axes: if parameters.bit(9, 1) { 4 } else { 3 },
-        // 1#2: a spindle switched by I/O points has no encoder.
+        // 0#7: high-speed mode moves three together whatever 9#1 says.
+        max_moving_axes: if parameters.bit(9, 1) && !parameters.bit(0, 7) { 4 } else { 3 },
+        // 1#2: a spindle switched by I/O points cannot stop at an angle.
         spindle_has_position: !parameters.bit(1, 2),
-        max_tool: 10f64.powi(p(206).clamp(1.0, 8.0) as i32) - 1.0,
+        // 7.2.2: 13#1 tells of an encoder, 13#0 allows G95 without.
+        feed_per_revolution: parameters.bit(13, 1) || parameters.bit(13, 0),
+        max_tool: digits(p(206)),
+        max_speed_word: digits(p(205)),
+        max_m_code: digits(p(204)),
         radius_is_diameter: parameters.bit(40, 7),
         corner_arc: parameters.bit(41, 5),
         rigid_tapping: parameters.bit(46, 1),
         max_tapping_rpm: p(257),
+        // P295 to P297 are those of further gears, which the ladder selects.
+        max_rigid_rpm: p(257).min(p(294)),
+        // 44#4, P283 in steps of 1 % or with 45#3 of 10 %.
+        rigid_retract: match parameters.bit(44, 4) {
+            true => p(283).max(1.0) * if parameters.bit(45, 3) { 0.1 } else { 0.01 },
+            false => 1.0,
+        },
+        rigid_tapping_orients: parameters.bit(46, 5),
         peck_tapping_is_fast: parameters.bit(44, 5),
         peck_tapping_retract: p(284),
         scaling: ScalingRules {
@@ -82,26 +96,45 @@ pub fn rules(parameters: &Parameters) -> Rules {
         one_way_dwell_s: p(334),
         one_way_is_modal: parameters.bit(48, 0),
         surface_speed: parameters.bit(61, 0),
+        surface_min_rpm: p(255),
+        // The coding of P254 is not printed: 1 for the first axis, 0 too, as on Fanuc.
+        surface_axis: order.get((p(254) as usize).saturating_sub(1)).copied().unwrap_or(Axis::X),
         // Table 4-7-1-1.
         max_offset: 999.999,
+        max_wear: p(267),
+        // Range of P10 to P44 (4.2.7 note 3).
+        max_zero: 9_999.999_9,
         cycle_dwell: (p(281) / 1000.0, p(282) / 1000.0),
+        // Milliseconds, also where 5#1 makes G04 count finer (4.4, table 4-4-2).
+        cycle_dwell_p_unit_s: 0.001,
         cycle_needs_speed: true,
-        axes: axis_order(parameters).into_iter().take(CONTROLLED_AXES).collect(),
-        axis_order: axis_order(parameters),
+        reference_keeps_cutter: !parameters.bit(40, 2),
+        axes: order.into_iter().take(controlled_axes(parameters)).collect(),
+        linear_axes: (0u8..)
+            .zip(order)
+            .filter(|(i, _)| !parameters.bit(8, *i))
+            .map(|(_, axis)| axis)
+            .collect(),
+        axis_order: order,
     }
 }
 
-/// Axes that a program may name: X, Y, Z and one more (1.2). P5 counts those of the machine at hand,
-/// which the machine file does here.
-const CONTROLLED_AXES: usize = 4;
+/// The largest number of some digits.
+fn digits(count: f64) -> f64 {
+    10f64.powi(count.clamp(1.0, 9.0) as i32) - 1.0
+}
 
-/// The names of axes 1 to 5 (P175 to P179); names that repeat fall back to X, Y, Z, A (2.2).
+/// Axes that a program may name: X, Y, Z and one more (1.2), five where P5 says so. A smaller P5 counts
+/// the axes of the machine at hand, which the machine file does here.
+fn controlled_axes(parameters: &Parameters) -> usize {
+    if parameters.data(5) >= 5.0 { 5 } else { 4 }
+}
+
+/// Axes 1 to 5; a fifth that has no name of its own is one that no program can name.
 fn axis_order(parameters: &Parameters) -> [Axis; 5] {
-    let named: [Option<Axis>; 5] =
-        std::array::from_fn(|i| Axis::ALL.get(parameters.data(175 + i as u16) as usize).copied());
-    let distinct = (0..5).all(|i| named[i].is_some() && !named[..i].contains(&named[i]));
-    let standard = [Axis::X, Axis::Y, Axis::Z, Axis::A, Axis::B];
-    if distinct { std::array::from_fn(|i| named[i].unwrap_or(standard[i])) } else { standard }
+    let named = parameters.axis_names();
+    let spare = Axis::ALL.into_iter().find(|axis| !named.contains(axis)).unwrap_or(Axis::W);
+    std::array::from_fn(|i| named.get(i).copied().unwrap_or(spare))
 }
 
 /// Bounds of the stored stroke checks, P66 to P75 and P76 to P85: lower and upper by axis.
@@ -124,9 +157,15 @@ fn stroke(parameters: &Parameters) -> StrokeRules {
     }
 }
 
-/// Parameters that G10 cannot set: the mode 0#7 and the unit of input 0#2 (4.2.7 notes 6 and 9).
+/// Parameters that G10 cannot set: the mode 0#7 and the unit of input 0#2 (4.2.7 notes 6 and 9), and what
+/// acts from the next power-on (note 5): number, kind and names of the axes.
 pub fn is_fixed(key: &ParameterKey) -> bool {
-    matches!(key, ParameterKey::Bit { number: 0, bit: 2 | 7 })
+    matches!(
+        key,
+        ParameterKey::Bit { number: 0, bit: 2 | 7 }
+            | ParameterKey::Bit { number: 8, bit: 0..=4 }
+            | ParameterKey::Data(5 | 175..=179)
+    )
 }
 
 fn code(tenths: u16) -> &'static GCode {

@@ -29,6 +29,10 @@ use super::{Fault, Outside, Reversal, Rules, StartUp};
 /// their coordinates.
 const REVERSAL_MM: f64 = 1e-3;
 
+/// And where they turn by no less than this, 172°: a move as short as the rounding of its coordinates may
+/// point anywhere.
+const REVERSAL_COS: f64 = -0.99;
+
 /// With an acute corner below 1°, line to line, start-up and cancel of type B go straight to the square
 /// point (4.7.3 points 1 d, 4 d).
 const NEEDLE_COS: f64 = -0.999_847_695_156_391_2;
@@ -186,7 +190,7 @@ pub(super) fn join(a: &Element, b: &Element, how: How, rules: &Rules) -> Result<
 /// Exactly back, the curvatures decide: `b` bends to the tool's side of `a` (inside) where `d·(κ₁ + κ₂) < 0`.
 fn turn(a: &Element, b: &Element, rules: &Rules) -> Result<Turn, Fault> {
     let (sine, cosine) = (cross(a.end, b.start), dot(a.end, b.start));
-    let inside = if cosine < 0.0 && sine.abs() * a.length().min(b.length()) < REVERSAL_MM {
+    let inside = if cosine < REVERSAL_COS && sine.abs() * a.length().min(b.length()) < REVERSAL_MM {
         if rules.reversal == Reversal::Fault {
             return Err(Fault::Reversal);
         }

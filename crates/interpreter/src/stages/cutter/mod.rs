@@ -95,6 +95,16 @@ pub struct Offset {
     pub radius: f64,
 }
 
+impl Side {
+    /// The other one.
+    pub fn other(self) -> Side {
+        match self {
+            Side::Left => Side::Right,
+            Side::Right => Side::Left,
+        }
+    }
+}
+
 impl Offset {
     /// Positive left of the path, negative right of it.
     fn signed(self) -> f64 {
@@ -256,6 +266,11 @@ impl<T: Clone> Compensator<T> {
         self.drop_queue();
     }
 
+    /// The vector is gone: the next move is the first. [`Self::flush`] first what waits.
+    pub fn forget(&mut self) {
+        self.drop_queue();
+    }
+
     fn drop_queue(&mut self) {
         (self.older, self.newer) = (None, None);
         self.waiting.clear();
@@ -311,6 +326,27 @@ impl<T: Clone> Compensator<T> {
             if self.rules.blind_from.is_some_and(|n| last.idle >= n) {
                 return self.flush(out);
             }
+        }
+        Ok(())
+    }
+
+    /// A block that made nothing: it uses up the look-ahead as [`pass`](Self::pass) does. One that names the
+    /// plane's axes and moves none of them is a move of no length ([`Rules::zero_move`]).
+    pub fn idle(
+        &mut self,
+        is_zero_move: bool,
+        out: &mut impl FnMut(Out<T>),
+    ) -> Result<(), Option<FaultAt<T>>> {
+        if is_zero_move && self.rules.zero_move == ZeroMove::Square {
+            self.flush(out).map_err(Some)?;
+        }
+        let Some(last) = &mut self.newer else { return Ok(()) };
+        last.idle += usize::from(self.offset.is_some());
+        if last.idle > self.rules.idle_blocks {
+            return Err(None);
+        }
+        if self.rules.blind_from.is_some_and(|n| last.idle >= n) {
+            self.flush(out).map_err(Some)?;
         }
         Ok(())
     }

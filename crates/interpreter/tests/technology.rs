@@ -1,0 +1,155 @@
+//! Feed, spindle, tools and axes as parameters and other words bear on them. Numbers are sections of "GSK990MC
+//! programming and operation".
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
+
+mod common;
+
+use common::{holds, holds_with};
+
+#[test]
+fn feed_is_held_within_its_limits_where_it_is_used() {
+    // 4.2.2 note 1, 7.2: P87 too, and a feed that was in force before the limit changed.
+    holds_with("[parameters]\nP87 = 5000\nP96 = 1000", "G1 X1", &["feed X1 F1000"]);
+    holds_with("[parameters]\nP87 = 10\nP97 = 60", "G1 X1", &["feed X1 F60"]);
+    holds_with(
+        "[parameters]\nP96 = 1000",
+        "G1 X1 F1500\nG10 L51\nN96 R500\nG11\nG1 X2\nG10 L51\nN96 R2000\nG11\nG1 X3",
+        &["feed X1 F1000", "feed X2 F500", "feed X3 F1500"],
+    );
+}
+
+#[test]
+fn surface_speed_has_words_of_its_own() {
+    let setup = "[start]\nx = 50\ny = 100\n[parameters]\n\"NO61.0\" = 1";
+    // 6.3: G96 without S takes the last surface speed; none is 0. G97 without S keeps the turns.
+    let trace = |program: &str, setup: &str| common::lines(&format!("{program}\nM30\n"), setup);
+    assert_eq!(
+        trace("G96 P1 S600\nM3\nG97 S450\nG96", setup)[..3],
+        ["spindle cw css 600", "spindle cw 450", "spindle cw css 600"]
+    );
+    assert_eq!(trace("M3 S1000\nG96 P1", setup)[1], "spindle cw css 0");
+    // G92 S limits at once.
+    assert_eq!(trace("G96 S600 M3\nG92 S500", setup)[..2], ["spindle cw css 600", "spindle cw css 600"]);
+    // P255: not slower than 100 r/min; P254 = 2 reckons by Y.
+    assert_eq!(trace("G96 S1 M3\nG97", setup)[1], "spindle cw 100");
+    let rpm = |axis: u8| trace("G96 S62832 M3\nG97", &format!("{setup}\nP254 = {axis}"))[1].clone();
+    assert!(rpm(0).starts_with("spindle cw 200.00") && rpm(0) == rpm(1), "{}", rpm(0));
+    assert!(rpm(2).starts_with("spindle cw 100.00"), "{}", rpm(2));
+}
+
+#[test]
+fn a_tool_that_is_in_the_spindle_is_not_changed() {
+    // 8.1.
+    holds(&[
+        ("M6", &[]),
+        ("T2 M6\nM6", &["select 2", "change 2"]),
+        ("T2 M6\nT2\nM6", &["select 2", "change 2", "select 2"]),
+        ("T2 M6\nT3\nM6", &["select 2", "change 2", "select 3", "change 3"]),
+    ]);
+}
+
+#[test]
+fn axes_are_those_that_the_parameters_name() {
+    // P175 to P179 in whatever order a file has them; P10 to P64 belong to the axes so named.
+    holds_with(
+        "[parameters]\nP178 = 5\nP18 = 30\nP48 = 7",
+        "G54 G0 C1\nG28 C0",
+        &["rapid C31", "rapid C30", "rapid C7", "Home(AxisSet(32))"],
+    );
+    holds_with("[parameters]\nP175 = 1\nP176 = 0\nP15 = 10\nP16 = 20", "G54 G0 X1 Y1", &["rapid X21 Y11"]);
+    // The fourth may have the name of a fifth that is not carried.
+    holds_with("[parameters]\nP178 = 4", "G0 B10", &["rapid B10"]);
+    // P5 = 5: five axes.
+    holds_with("[parameters]\nP5 = 5", "G0 A1\nB2", &["rapid A1", "rapid B2"]);
+    // 8#n: which are linear, and so have inches.
+    holds_with("[parameters]\n\"NO8.3\" = 0", "G20 G0 A1", &["rapid A25.4"]);
+    holds(&[("G20 G0 A1 X1", &["rapid X25.4 A1"])]);
+}
+
+#[test]
+fn codes_beside_another_go_in_the_order_of_what_they_do() {
+    holds(&[
+        // 4.2.13: the pole of G16 with G91 is the present point, wherever G91 stands.
+        ("G0 X10 Y20\nG16 G91\nG1 X50 Y30 F100", &["rapid X10 Y20", "feed X53.3013 Y45 F100"]),
+        ("G16 G18\nG15\nG16\nG15 G54 G0 X1", &["rapid X1"]),
+        ("G68 X0 Y0 R90\nG69 G54 G0 X5", &["rapid X5"]),
+        ("G68 X0 Y0 R90\nG69 G18\nG17 G0 X5", &["rapid X5"]),
+        // P belongs to the call, the dwell, the cycle.
+        ("G54 G4 P500", &["dwell 0.5s"]),
+        ("G54 M98 P2\nM30\nO2\nG0 X1\nM99", &["rapid X1"]),
+    ]);
+    // 4.1 note 1: length beside a code of group 00 takes effect with the next move of its axis.
+    holds_with("[tools.1]\nlength = 3", "G4 X1 G43 H1\nG0 X2\nZ5", &["dwell 1s", "rapid X2", "rapid Z8"]);
+    holds_with("[tools.1]\nlength = 3", "G43 H1 G53 Z10\nG0 Z5", &["rapid Z10", "rapid Z8"]);
+    holds_with("[tools.1]\nlength = 3", "H1\nG43 Z0", &["rapid Z3"]);
+}
+
+#[test]
+fn a_mirror_turns_rotation_and_compensation_round() {
+    let setup = "[tools.1]\nradius = 5\n[parameters]\n\"NO60.5\" = 1\n\"NO47.6\" = 1\n\"NO40.7\" = 0";
+    // 4.2.14 note 2.
+    holds_with(
+        setup,
+        "G51 X0 Y0 I-1 J1\nG91 G68 X0 Y0 R30\nG90 G1 X20 Y0 F100",
+        &["feed X-17.3205 Y10 F100"],
+    );
+    // The mirror image of the path without a mirror: X5 in its place, at 5 from the contour.
+    holds_with(
+        setup,
+        "G51 X0 Y0 I-1 J1 K1\nG90 G0 X-20 Y0\nG1 G41 D1 X0 Y0 F100\nY50\nX50\nY0\nG40 X0\nG50",
+        &["rapid X20", "feed X5 F100", "feed Y55 F100", "feed X-55 F100", "feed Y0 F100", "feed X0 F100"],
+    );
+}
+
+#[test]
+fn blocks_without_a_move_in_compensation() {
+    let setup = "[tools.1]\nradius = 5\n[parameters]\n\"NO40.7\" = 0";
+    // 4.7.3, 8 b, figure 4-7-3-18: a move of no length ends the move before square.
+    holds_with(
+        setup,
+        "G90 G42 D1 G1 X20 F100\nX40\nX40\nY-40\nG40 X60",
+        &["feed X20 Y-5 F100", "feed X40 F100", "feed X35 Y-40 F100", "feed X60 F100"],
+    );
+    // 0042 counts blocks: four of them with two functions each are four.
+    let many = "T1 S100 M3\nT2 S200 M4\nT3 S300 M3\nT4 S400 M4";
+    let (_, alarm) = common::run(&format!("G41 D1 G1 X10 F100\nX20\n{many}\nX30\nG40 X40\nM30\n"), setup);
+    assert_eq!(alarm, None);
+    for block in ["M5", "G91", "S21", "G4 X0", "Z0"] {
+        let idle = |count: usize| format!("{block}\n").repeat(count);
+        let program = |count| format!("G41 D1 G1 X10 F100\nX20\n{}G90 X30\nG40 X40\nM30\n", idle(count));
+        let alarm = |count| common::run(&program(count), setup).1.and_then(|alarm| alarm.id.number());
+        assert_eq!((alarm(10), alarm(11)), (None, Some(42)), "{block}");
+    }
+}
+
+#[test]
+fn reference_points_leave_compensation_aside_in_the_plane_alone() {
+    let head = "G41 D1 G1 X0 Y10 F100\nY50\n";
+    let with = |bit: u8| format!("[tools.1]\nradius = 5\n[parameters]\n\"NO40.7\" = 0\n\"NO40.2\" = {bit}");
+    // 4.7.2, 5: another axis than those of the plane leaves the vector as it is.
+    let found = common::lines(&format!("{head}G28 Z10\nG1 X50\nY0\nG40 X0\nM30\n"), &with(1));
+    assert!(
+        found.contains(&"feed X55 Y55 F100".to_owned()) || found.contains(&"feed X55 F100".to_owned()),
+        "{found:?}"
+    );
+    // 40#2 = 1: without compensation to the intermediate point; 0: with it, and from there without.
+    let found = common::lines(&format!("{head}G28 X-30 Y80\nM30\n"), &with(1));
+    assert!(found.contains(&"rapid X-30 Y80".to_owned()), "{found:?}");
+    let found = common::lines(&format!("{head}G28 X-30 Y80\nM30\n"), &with(0));
+    assert!(!found.iter().any(|line| line.contains("X-30 Y80")), "{found:?}");
+    // G29: without it to the intermediate point (4.7.3, 6).
+    let found = common::lines(&format!("{head}G28 X-30 Y80\nG29 X50 Y60\nG1 Y0\nG40 X0\nM30\n"), &with(1));
+    assert_eq!(found.iter().filter(|line| *line == "rapid X-30 Y80").count(), 2, "{found:?}");
+}
+
+#[test]
+fn corners_between_moves_that_run_on() {
+    // No corner to round, as on Fanuc.
+    holds(&[("G1 X10 F100 ,R3\nX20", &["feed X10 F100", "feed X20 F100"])]);
+    // The programmed shape is scaled, its corner too (4.2.14).
+    holds_with(
+        "[parameters]\n\"NO60.5\" = 1\n\"NO47.6\" = 0",
+        "G51 X0 Y0 P2\nG1 X20 F100 ,R3\nY20",
+        &["feed X34 F100", "xy X40 Y6 about 34 6 by 90 F100", "feed Y40 F100"],
+    );
+}
