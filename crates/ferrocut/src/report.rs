@@ -90,7 +90,8 @@ pub fn text(report: &Report, machine: &Machine, diagnostics: &Diagnostics) -> St
         .filter(|(activity, _)| report.time(*activity) > 0.0)
         .map(|(activity, key)| format!("{} {}", label(key), clock(report.time(activity))))
         .collect();
-    rows.push((label("label-time"), format!("{}  ({})", clock(report.total()), spent.join(", "))));
+    let spent = if spent.is_empty() { String::new() } else { format!("  ({})", spent.join(", ")) };
+    rows.push((label("label-time"), format!("{}{spent}", clock(report.total()))));
     let tools: Vec<String> = report
         .tools()
         .map(|(tool, seconds)| {

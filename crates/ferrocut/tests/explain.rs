@@ -128,7 +128,7 @@ fn a_parameter_is_explained_under_all_its_names() {
     assert_eq!(lines(&page("NO47")).iter().filter(|l| l.starts_with("NO47.")).count(), 5);
     // Other rooms are told as such.
     assert!(page("P160").contains("servo drives and bus; kept with its value"));
-    assert_lines("P340", &["range the manual prints none"]);
+    assert_lines("P380", &["range the manual prints none"]);
 }
 
 #[test]

@@ -225,15 +225,48 @@ fn check_finds_every_wrong_parameter() {
     prints(&["set", "P270=1", "43#1=1", "--machine", &file]);
     let answer = params(&["check", "--machine", &file]);
     assert!(answer.out.contains("2 findings"), "{}", answer.out);
+    // What names nothing can be taken out, and the rest is shown meanwhile.
+    let answer = params(&["get", "P270", "--machine", &file]);
+    assert_eq!((answer.code, answer.out.as_str()), (0, "P270=1\n"));
+    assert!(answer.err.contains("P9999") && answer.err.contains("passed over"), "{}", answer.err);
+    prints(&["set", "P9999=default", "--machine", &file]);
+    let answer = params(&["check", "--machine", &file]);
+    assert!(answer.out.contains("1 finding"), "{}", answer.out);
+}
+
+#[test]
+fn parameters_that_contradict_each_other_are_found() {
+    let folder = tempdir().unwrap();
+    let wrong = "\n[parameters]\nP66 = 10\nP67 = 5\nP178 = 1\n\"NO31.1\" = 1\n\"NO31.2\" = 1\nP206 = 2.5\n";
+    let file = write(&folder, "wrong.toml", format!("{}{wrong}", Machine::DEMO_MILL));
+    let answer = params(&["check", "--machine", &file]);
+    for says in [
+        "P66 must be below P67",
+        "P176 and P178 name the same axis",
+        "NO31.1 and NO31.2 cannot both be 1",
+        "P206 cannot be 2.5: it is a whole number",
+    ] {
+        assert!(answer.out.contains(says), "{says} in {}", answer.out);
+    }
+    // Nothing to change is nothing written.
+    let plain = write(&folder, "plain.toml", Machine::DEMO_MILL);
+    prints(&["set", "P87=default", "--machine", &plain]);
+    assert_eq!(fs::read_to_string(&plain).unwrap(), Machine::DEMO_MILL);
 }
 
 #[test]
 fn what_is_exported_is_imported() {
     let folder = tempdir().unwrap();
     let mill = mill(&folder);
-    assert!(prints(&["export"]).starts_with("name,value,default,min,max,unit,meaning\nNO0.0,0,0,0,1,,"));
+    assert!(
+        prints(&["export"])
+            .starts_with("name,value,default,min,max,unit,symbol,axis,room,meaning\nNO0.0,0,0,0,1,,")
+    );
     let changed = prints(&["export", "--changed", "--machine", &mill]);
-    assert!(changed.contains("\nP270,1.5,2,0,999.9999,mm,Retract distance d of G73\n"), "{changed}");
+    assert!(
+        changed.contains("\nP270,1.5,2,0,999.9999,mm,g73_retract,,canned-cycles,Retract distance d of G73\n"),
+        "{changed}"
+    );
     assert_eq!(changed.lines().count(), 3);
     let table = folder.path().join("all.csv").into_os_string().into_string().unwrap();
     for _ in 0..2 {

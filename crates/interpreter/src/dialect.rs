@@ -324,7 +324,7 @@ pub struct Rules {
     /// With G91 the angle of a rotation is added to the last one.
     pub rotation_follows_g91: bool,
     /// Overshoot of one-way positioning by axis, mm, with the sign of the direction of arrival.
-    pub one_way_overshoot: [f64; 4],
+    pub one_way_overshoot: [f64; 5],
     /// Pause of one-way positioning, s.
     pub one_way_dwell_s: f64,
     /// One-way positioning is modal.

@@ -12,6 +12,7 @@ pub mod config;
 pub mod memory;
 pub mod messages;
 pub mod offsets;
+pub mod parameter_checks;
 pub mod parameter_csv;
 pub mod parameters;
 pub mod reference;

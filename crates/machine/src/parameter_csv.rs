@@ -1,4 +1,5 @@
-//! Parameters as a table that spreadsheets read: `name,value,default,min,max,unit,meaning`.
+//! Parameters as a table that spreadsheets read: `name,value,default,min,max,unit,symbol,axis,room,
+//! meaning`.
 //!
 //! Reading needs the columns `name` and `value` only, in any order, with commas or semicolons.
 
@@ -37,7 +38,7 @@ pub fn write_parameters<'a>(
     rows: impl IntoIterator<Item = (&'a ParameterDef, f64)>,
 ) -> io::Result<()> {
     let mut csv = csv::Writer::from_writer(out);
-    csv.write_record(["name", "value", "default", "min", "max", "unit", "meaning"])
+    csv.write_record(["name", "value", "default", "min", "max", "unit", "symbol", "axis", "room", "meaning"])
         .map_err(io::Error::from)?;
     for (row, value) in rows {
         let number = |n: Option<f64>| n.map(|n| n.to_string()).unwrap_or_default();
@@ -52,6 +53,9 @@ pub fn write_parameters<'a>(
             number(row.min),
             number(row.max),
             row.unit.to_string(),
+            row.symbol.to_string(),
+            row.axis.to_string(),
+            row.applies_to.to_string(),
             meaning,
         ])
         .map_err(io::Error::from)?;

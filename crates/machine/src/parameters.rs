@@ -96,6 +96,8 @@ pub enum ParameterError {
     },
     /// A bit that was to be neither 0 nor 1.
     NotABit(ParameterKey, f64),
+    /// A number of something, or of a choice, that was not to be whole.
+    NotWhole(ParameterKey, f64),
     /// More parameters than a control can have.
     TooMany,
 }
@@ -118,6 +120,9 @@ impl fmt::Display for ParameterError {
             }
             ParameterError::NotABit(key, value) => {
                 write!(f, "{key} cannot be {value}: it is a bit, 0 or 1")
+            }
+            ParameterError::NotWhole(key, value) => {
+                write!(f, "{key} cannot be {value}: it is a whole number")
             }
             ParameterError::TooMany => {
                 write!(f, "too many parameters: no control has more than {LARGEST_OPEN_TABLE}")
@@ -163,6 +168,10 @@ pub struct ParameterDef {
     pub axis: Box<str>,
     /// The part of the control it acts on, such as `feed` or `canned-cycles`.
     pub applies_to: Box<str>,
+    /// Whether programs and their run use it; else it is kept with its value and nothing more.
+    pub used: bool,
+    /// Whether it counts or chooses, so that only whole numbers mean something.
+    pub whole: bool,
 }
 
 impl ParameterDef {
@@ -173,6 +182,13 @@ impl ParameterDef {
                 true => Ok(()),
                 false => Err(ParameterError::NotABit(self.key.clone(), value)),
             };
+        }
+        // The list prints a default outside the range of a reserved parameter (P4).
+        if value == self.default {
+            return Ok(());
+        }
+        if self.whole && value.fract() != 0.0 {
+            return Err(ParameterError::NotWhole(self.key.clone(), value));
         }
         let inside = value.is_finite()
             && self.min.is_none_or(|min| value >= min)
@@ -271,7 +287,7 @@ fn rows(text: &str) -> impl Iterator<Item = csv::StringRecord> {
     csv::Reader::from_reader(text.as_bytes()).into_records().flatten()
 }
 
-/// `no,bit,symbol,meaning_1,meaning_0,default,applies_to`
+/// `no,bit,symbol,meaning_1,meaning_0,default,applies_to,used`
 fn bit_row(row: &csv::StringRecord) -> Option<ParameterDef> {
     let number = row.get(0)?.parse().ok().filter(|n| *n <= LARGEST_NUMBER)?;
     let bit = row.get(1)?.parse().ok().filter(|b| *b < 8)?;
@@ -285,10 +301,12 @@ fn bit_row(row: &csv::StringRecord) -> Option<ParameterDef> {
         default: number_or_none(row.get(5)?)?.unwrap_or(0.0),
         axis: "".into(),
         applies_to: row.get(6)?.into(),
+        used: row.get(7) != Some("no"),
+        whole: true,
     })
 }
 
-/// `no,name,meaning,unit,min,max,default,axis,applies_to`
+/// `no,name,meaning,unit,min,max,whole,default,axis,applies_to,used`
 fn data_row(row: &csv::StringRecord) -> Option<ParameterDef> {
     let number = row.get(0)?.parse().ok().filter(|n| *n <= LARGEST_NUMBER)?;
     Some(ParameterDef {
@@ -298,9 +316,11 @@ fn data_row(row: &csv::StringRecord) -> Option<ParameterDef> {
         unit: row.get(3)?.into(),
         min: number_or_none(row.get(4)?)?,
         max: number_or_none(row.get(5)?)?,
-        default: number_or_none(row.get(6)?)?.unwrap_or(0.0),
-        axis: row.get(7)?.into(),
-        applies_to: row.get(8)?.into(),
+        whole: row.get(6)? == "yes",
+        default: number_or_none(row.get(7)?)?.unwrap_or(0.0),
+        axis: row.get(8)?.into(),
+        applies_to: row.get(9)?.into(),
+        used: row.get(10) != Some("no"),
     })
 }
 
@@ -420,13 +440,18 @@ impl Parameters {
         }
     }
 
+    /// Whether a parameter may have a value.
+    pub fn check(&self, key: &ParameterKey, value: f64) -> Result<(), ParameterError> {
+        match self.table.get(key) {
+            Some(definition) => definition.check(value),
+            None if self.table.is_open() => self.check_open(key, value),
+            None => Err(ParameterError::Unknown(key.clone())),
+        }
+    }
+
     /// Sets a parameter, in the unit of the list.
     pub fn set(&mut self, key: &ParameterKey, value: f64) -> Result<(), ParameterError> {
-        match self.table.get(key) {
-            Some(definition) => definition.check(value)?,
-            None if self.table.is_open() => self.check_open(key, value)?,
-            None => return Err(ParameterError::Unknown(key.clone())),
-        }
+        self.check(key, value)?;
         self.values.write(key, value);
         if self.table.is_open() || matches!(key, ParameterKey::Named(_)) {
             self.others.insert(key.clone(), value);
@@ -512,10 +537,7 @@ mod tests {
     #[test]
     fn values_as_delivered_lie_in_their_range() {
         for (definition, value) in gsk().iter() {
-            // P4 is reserved; the list prints a range of 0 to 0 and a default of 1.
-            if definition.key != ParameterKey::Data(4) {
-                assert_eq!(definition.check(value), Ok(()));
-            }
+            assert_eq!(definition.check(value), Ok(()), "{}", definition.key);
             assert!(!definition.symbol.is_empty());
         }
         assert_eq!(gsk().changed().count(), 0);
@@ -540,7 +562,8 @@ mod tests {
         for (name, value, says) in [
             ("P270", -1.0, "P270 cannot be -1: it must be 0 to 999.9999"),
             ("P270", f64::NAN, "P270 cannot be NaN"),
-            ("P340", f64::INFINITY, "P340 cannot be inf: it must be a number"),
+            ("P380", f64::INFINITY, "P380 cannot be inf: it must be a number"),
+            ("P206", 2.5, "P206 cannot be 2.5: it is a whole number"),
             ("NO40.7", 2.0, "NO40.7 cannot be 2: it is a bit, 0 or 1"),
             ("P3", 0.0, "P3: the control has no such parameter"),
             ("NO21.0", 0.0, "NO21.0: the control has no such parameter"),
@@ -550,8 +573,9 @@ mod tests {
             assert!(error.starts_with(says), "{error}");
         }
         assert_eq!(p.changed().count(), 0);
-        // No range is printed that could be trusted (P339 and P340 look exchanged): any number goes.
-        assert_eq!(p.set(&key("P340"), 64.0), Ok(()));
+        // The printed ranges of P339 and P340 are each other's; no range is printed of P380.
+        assert!(p.set(&key("P340"), 65.0).is_err() && p.set(&key("P339"), -99.0).is_ok());
+        assert_eq!(p.set(&key("P380"), 64.0), Ok(()));
     }
 
     #[test]

@@ -121,7 +121,14 @@ impl Book {
         let dialect = dialect_of(common, &shop.machine)?;
         let mut memory = Memory::new(dialect.name);
         if let Some(path) = &common.machine {
-            memory = memory_of(&shop.machine, dialect).map_err(|reason| unusable(path, &reason))?;
+            let (read, passed_over) = memory_of(&shop.machine, dialect);
+            memory = read;
+            for reason in passed_over {
+                let file = path.to_string_lossy();
+                let arguments = [("file", (&*file).into()), ("reason", reason.into())];
+                let text = shop.diagnostics.catalogue().label("label-passed-over", &arguments);
+                crate::commands::names::complain(&text, &shop.diagnostics);
+            }
         }
         Ok(Book::new(dialect, memory, shop.diagnostics))
     }
@@ -182,14 +189,25 @@ pub fn dialect_of(common: &Common, machine: &Machine) -> Result<&'static Dialect
     })
 }
 
-/// What a machine's control remembers: the list's values, and those of the machine file.
-fn memory_of(machine: &Machine, dialect: &Dialect) -> Result<Memory, String> {
+/// What a machine's control remembers: the list's values, and those of the machine file; and why some of
+/// the file's are passed over.
+pub fn memory_of(machine: &Machine, dialect: &Dialect) -> (Memory, Vec<String>) {
     let mut memory = Memory::new(dialect.name);
+    let mut sound = Vec::new();
+    let mut wrong = Vec::new();
     for (name, value) in &machine.parameters {
-        let key = name.parse().map_err(|e| format!("{e}"))?;
-        memory.set_parameter(&key, *value).map_err(|e| e.to_string())?;
+        let checked = name
+            .parse::<ferrocut_machine::ParameterKey>()
+            .and_then(|key| memory.parameters.check(&key, *value).map(|()| key));
+        match checked {
+            Ok(key) => sound.push((key, *value)),
+            Err(error) => wrong.push(error.to_string()),
+        }
     }
-    Ok(memory)
+    if let Err(error) = memory.set_parameters(sound.iter().map(|(key, value)| (key, *value))) {
+        wrong.push(error.to_string());
+    }
+    (memory, wrong)
 }
 
 /// A machine file that cannot be used.

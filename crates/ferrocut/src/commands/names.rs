@@ -158,6 +158,10 @@ pub fn parameter_error(error: &ParameterError, dialect: &str, diagnostics: &Diag
             let arguments = [("name", key.to_string().into()), ("value", value.to_string().into())];
             label("label-not-a-bit", &arguments)
         }
+        ParameterError::NotWhole(key, value) => {
+            let arguments = [("name", key.to_string().into()), ("value", value.to_string().into())];
+            label("label-not-whole", &arguments)
+        }
         ParameterError::TooMany => error.to_string(),
     }
 }

@@ -10,9 +10,6 @@ use ferrocut_machine::{
     g_code_name,
 };
 
-/// Parts of the control whose parameters change nothing in a program or in its run.
-const OTHER_ROOMS: [&str; 6] = ["bus-servo", "display", "io", "plc", "program-edit", "security"];
-
 impl Book {
     /// The page of a thing; none for places, which are read elsewhere.
     pub fn page(&self, asked: &Asked) -> Option<Page> {
@@ -171,7 +168,7 @@ impl Book {
         page.say("axis", &*definition.axis);
         let room = &*definition.applies_to;
         let mut part = self.label(&format!("label-room-{room}"), &[]);
-        if OTHER_ROOMS.contains(&room) {
+        if !definition.used {
             part = self.label("label-explain-other-room", &[("room", part.into())]);
         }
         page.tell("room", part, room);

@@ -161,6 +161,7 @@ pub fn parameter_json(definition: &ParameterDef, value: f64) -> Value {
         "unit": definition.unit,
         "axis": definition.axis,
         "room": definition.applies_to,
+        "used": definition.used,
         "meaning": meaning(definition),
     });
     if let (Value::Object(fields), Meaning::Bit { one, zero }) = (&mut object, &definition.meaning) {

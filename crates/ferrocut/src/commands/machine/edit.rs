@@ -14,7 +14,15 @@ pub type Change = (ParameterKey, Option<f64>);
 
 /// The text of a machine file with changed parameters. The reason where the file cannot be changed.
 pub fn changed(text: &str, changes: &[Change]) -> Result<String, String> {
+    if changes.is_empty() {
+        Machine::from_toml(text).map_err(|e| e.to_string())?;
+        return Ok(text.to_owned());
+    }
     let mut file: DocumentMut = text.parse().map_err(|e: toml_edit::TomlError| e.to_string())?;
+    // A table that is not there has nothing to be taken out of.
+    if !file.contains_key("parameters") && changes.iter().all(|(_, value)| value.is_none()) {
+        return changed(text, &[]);
+    }
     let table = file.entry("parameters").or_insert_with(|| Item::Table(Table::new()));
     let table = table.as_table_like_mut().ok_or("parameters is no table")?;
     for (key, value) in changes {
@@ -137,6 +145,8 @@ mod tests {
     #[test]
     fn a_file_without_the_table_gets_it() {
         let plain = FILE.split("[parameters]").next().unwrap();
+        assert_eq!(change(plain, &[("P270", None)]).unwrap(), plain);
+        assert_eq!(change(plain, &[]).unwrap(), plain);
         let new = change(plain, &[("NO43.1", Some(0.0))]).unwrap();
         assert!(new.starts_with(plain.trim_end()) && new.contains("[parameters]\n\"NO43.1\" = 0\n"), "{new}");
         let inline = format!("parameters = {{ P270 = 1 }}\n{plain}");

@@ -8,6 +8,7 @@ use crate::commands::explain::{self, Book, dialect_of, unusable};
 use crate::commands::layout::{print, table};
 use crate::commands::names::{self, complain, name_error, parameter_error, range};
 use crate::job::{Exit, Failure, Shop};
+use ferrocut_machine::parameter_checks::{ContradictionKind, contradictions};
 use ferrocut_machine::parameter_csv::{ParameterCsvError, read_parameters, write_parameters};
 use ferrocut_machine::{Machine, Memory, ParameterDef, ParameterKey};
 use std::collections::HashMap;
@@ -39,12 +40,7 @@ impl Target {
     fn open(common: &Common, path: &Path) -> Result<Target, Failure> {
         let shop = Shop::open(common)?;
         let dialect = dialect_of(common, &shop.machine)?;
-        let mut memory = Memory::new(dialect.name);
-        for (name, value) in &shop.machine.parameters {
-            if let Ok(key) = name.parse() {
-                let _ = memory.set_parameter(&key, *value);
-            }
-        }
+        let (memory, _) = explain::memory_of(&shop.machine, dialect);
         let book = Book::new(dialect, memory, shop.diagnostics);
         let text = std::fs::read_to_string(path).map_err(|error| unusable(path, &error.to_string()))?;
         Ok(Target { book, machine: shop.machine, text })
@@ -116,7 +112,7 @@ fn list(args: &ListArgs, book: &Book) -> Result<Exit, Failure> {
         return Ok(Exit::Fine);
     }
     let label = |key: &str| book.diagnostics.catalogue().label(key, &[]);
-    let head = ["name", "symbol", "value", "default", "range", "unit", "room", "meaning"];
+    let head = ["name", "symbol", "value", "default", "range", "unit", "room", "use", "meaning"];
     let mut cells: Vec<Vec<String>> = vec![vec![String::new()]];
     if let Some(first) = cells.first_mut() {
         first.extend(head.map(|key| label(&format!("label-params-{key}"))));
@@ -132,6 +128,7 @@ fn list(args: &ListArgs, book: &Book) -> Result<Exit, Failure> {
             range(d.min, d.max).unwrap_or_default(),
             d.unit.to_string(),
             d.applies_to.to_string(),
+            label(if d.used { "label-params-used" } else { "label-params-kept" }),
             meaning(d),
         ]
     }));
@@ -203,8 +200,16 @@ fn value(text: &str) -> Option<Option<f64>> {
 }
 
 /// What `name` and `text` ask for, checked against the list; else why not.
-fn change(name: &str, text: &str, memory: &mut Memory, book: &Book) -> Result<Change, String> {
+fn change(name: &str, text: &str, memory: &mut Memory, target: &Target) -> Result<Change, String> {
+    let book = &target.book;
     let dialect = book.dialect.name;
+    // What a file has wrongly can be taken out of it.
+    if value(text) == Some(None)
+        && let Ok(key) = name.parse::<ParameterKey>()
+        && target.machine.parameters.keys().any(|name| name.parse::<ParameterKey>().as_ref() == Ok(&key))
+    {
+        return Ok((key, None));
+    }
     let key = names::parameter(name, book.table()).map_err(|e| name_error(&e, dialect, &book.diagnostics))?;
     let Some(value) = value(text) else {
         let arguments = [("name", key.to_string().into()), ("value", text.trim().into())];
@@ -226,7 +231,7 @@ fn set(args: &SetArgs, target: &Target) -> Result<Exit, Failure> {
     for given in &args.values {
         let found = match given.split_once('=') {
             None => Err(target.say("label-no-assignment", &[("text", given.as_str().into())])),
-            Some((name, text)) => change(name, text, &mut memory, book),
+            Some((name, text)) => change(name, text, &mut memory, target),
         };
         match found {
             Ok(change) if changes.iter().any(|(key, _)| *key == change.0) => {
@@ -289,6 +294,16 @@ pub fn problems(machine: &Machine, book: &Book) -> Vec<(String, String)> {
             found.push((name.clone(), book.diagnostics.catalogue().label("label-named-twice", &arguments)));
         }
     }
+    for pair in contradictions(&memory.parameters) {
+        let label = match pair.kind {
+            ContradictionKind::LowerAboveUpper => "label-lower-above-upper",
+            ContradictionKind::SameAxis => "label-same-axis",
+            ContradictionKind::BothBits => "label-both-bits",
+        };
+        let arguments =
+            [("first", pair.first.to_string().into()), ("second", pair.second.to_string().into())];
+        found.push((pair.first.to_string(), book.diagnostics.catalogue().label(label, &arguments)));
+    }
     found
 }
 
@@ -340,7 +355,7 @@ fn import(args: &ImportArgs, target: &Target) -> Result<Exit, Failure> {
     let mut lines: HashMap<ParameterKey, u64> = HashMap::new();
     let mut wrong = 0;
     for row in &rows {
-        let found = change(&row.name, &row.value, &mut memory, book).and_then(|change| {
+        let found = change(&row.name, &row.value, &mut memory, target).and_then(|change| {
             match lines.insert(change.0.clone(), row.line) {
                 None => Ok(change),
                 Some(line) => {

@@ -92,7 +92,7 @@ pub fn rules(parameters: &Parameters) -> Rules {
         },
         rotation_angle: p(329),
         rotation_follows_g91: parameters.bit(47, 0),
-        one_way_overshoot: [p(335), p(336), p(337), p(338)],
+        one_way_overshoot: [p(335), p(336), p(337), p(338), p(339)],
         one_way_dwell_s: p(334),
         one_way_is_modal: parameters.bit(48, 0),
         surface_speed: parameters.bit(61, 0),
