@@ -192,7 +192,7 @@ impl Interpreter {
         if transformed {
             return Err(Fault::OffsetInTransform);
         }
-        if !(value.abs() <= limit) {
+        if value.is_nan() || value.abs() > limit {
             return Err(Fault::DataValue);
         }
         *place = value;

@@ -11,12 +11,31 @@ use crate::stages::cutter::{self, Compensator, Offset, Out, PlaneMove, Shape};
 use ferrocut_geometry::{Axis, Plane, Position};
 use ferrocut_machine::Fault;
 use ferrocut_program::Span;
-use ferrocut_toolpath::{FeedAlong, Op, Step};
+use ferrocut_toolpath::{Dwell, FeedAlong, Op, Step};
 use std::collections::VecDeque;
+
+/// How a positioning arrives that always comes from one side (G60). It is done behind cutter compensation, so
+/// that the end point is the tool's own (GSK990MC 4.2.6).
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct OneWay {
+    /// From the end point to where the tool goes first, mm.
+    pub beyond: Position,
+    /// Pause there, s.
+    pub dwell_s: f64,
+}
+
+/// What compensated steps go into.
+struct Queue {
+    steps: VecDeque<Step>,
+    /// Where the axes are commanded to be, compensation included.
+    actual: Position,
+    /// Positionings among the moves that compensation holds, by their blocks.
+    one_way: VecDeque<(Span, OneWay)>,
+}
 
 /// The stages that look ahead, and the queue behind them.
 pub(crate) struct Output {
-    queue: VecDeque<Step>,
+    queue: Queue,
     corner: Corner,
     cutter: Compensator<Step>,
     /// What the block asks to be put behind its move.
@@ -29,8 +48,6 @@ pub(crate) struct Output {
     paused: bool,
     /// End of the programmed path.
     path_end: Position,
-    /// Where the axes are commanded to be, compensation included.
-    actual: Position,
     /// The block being executed has moved in the plane of compensation.
     moved: bool,
     /// A stage has refused a move: what the block still makes is left out.
@@ -40,7 +57,7 @@ pub(crate) struct Output {
 impl Output {
     pub(crate) fn new(rules: cutter::Rules, start: Position) -> Output {
         Output {
-            queue: VecDeque::with_capacity(64),
+            queue: Queue { steps: VecDeque::with_capacity(64), actual: start, one_way: VecDeque::new() },
             corner: Corner::default(),
             cutter: Compensator::new(rules),
             request: None,
@@ -48,7 +65,6 @@ impl Output {
             offset: None,
             paused: false,
             path_end: start,
-            actual: start,
             moved: false,
             refused: false,
         }
@@ -57,7 +73,7 @@ impl Output {
     /// The next step to be given out.
     #[inline]
     pub(crate) fn pop(&mut self) -> Option<Step> {
-        self.queue.pop_front()
+        self.queue.steps.pop_front()
     }
 
     /// Whether steps pass by the stages.
@@ -84,12 +100,17 @@ impl Output {
             return Err(refused);
         }
         let plane = self.plane;
-        let (queue, actual) = (&mut self.queue, &mut self.actual);
-        let done = self.cutter.idle(names_plane, &mut |out| deliver(out, plane, queue, actual));
+        let queue = &mut self.queue;
+        let done = self.cutter.idle(names_plane, &mut |out| queue.deliver(out, plane));
         done.map_err(|refused| match refused {
             Some(refused) => (fault_of(refused.fault), refused.at.span),
             None => (Fault::CutterIdleBlocks, span),
         })
+    }
+
+    /// The positioning that comes next, from the block of `span`, arrives from one side.
+    pub(crate) fn arrive_one_way(&mut self, span: Span, how: OneWay) {
+        self.queue.one_way.push_back((span, how));
     }
 
     /// Whether the end of a block matters to a stage.
@@ -100,7 +121,7 @@ impl Output {
 
     /// Where the axes are commanded to be after all steps given out, compensation included.
     pub(crate) fn commanded(&self) -> Position {
-        self.actual
+        self.queue.actual
     }
 
     /// Whether cutter compensation is in force or on its way out.
@@ -125,9 +146,9 @@ impl Output {
         if self.is_direct() && !self.refused {
             if let Some(to) = step.op.target() {
                 self.path_end = *to;
-                self.actual = *to;
+                self.queue.actual = *to;
             }
-            self.queue.push_back(step);
+            self.queue.steps.push_back(step);
             return Ok(());
         }
         if self.refused {
@@ -169,8 +190,8 @@ impl Output {
     /// A step through cutter compensation.
     fn compensate(&mut self, from: Position, step: Step) -> Result<(), Refused> {
         let plane = self.plane;
-        let (queue, actual) = (&mut self.queue, &mut self.actual);
-        let mut out = |out: Out<Step>| deliver(out, plane, queue, actual);
+        let queue = &mut self.queue;
+        let mut out = |out: Out<Step>| queue.deliver(out, plane);
         let done = match plane_move(plane, from, &step.op) {
             Some(m) => self.cutter.push(m, step, &mut out),
             // Blocks are counted at their end.
@@ -210,9 +231,9 @@ impl Output {
         self.flush()?;
         if self.cutter.in_mode() {
             self.cutter.forget();
-            if let Some(to) = step.op.target().filter(|to| **to != self.actual) {
-                self.actual = *to;
-                self.queue.push_back(step);
+            if let Some(to) = step.op.target().filter(|to| **to != self.queue.actual) {
+                self.queue.actual = *to;
+                self.queue.steps.push_back(step);
             }
         }
         Ok(())
@@ -236,8 +257,8 @@ impl Output {
             self.compensate(from, step)?;
         }
         let plane = self.plane;
-        let (queue, actual) = (&mut self.queue, &mut self.actual);
-        let done = self.cutter.flush(&mut |out| deliver(out, plane, queue, actual));
+        let queue = &mut self.queue;
+        let done = self.cutter.flush(&mut |out| queue.deliver(out, plane));
         done.map_err(|refused| (fault_of(refused.fault), refused.at.span))
     }
 
@@ -250,7 +271,7 @@ impl Output {
     pub(crate) fn jump_to(&mut self, at: Position) {
         self.path_end = at;
         if self.is_direct() {
-            self.actual = at;
+            self.queue.actual = at;
         }
     }
 }
@@ -266,26 +287,44 @@ fn plane_move(plane: Plane, from: Position, op: &Op) -> Option<PlaneMove> {
     Some(PlaneMove { from: start, to: end, shape })
 }
 
-/// Puts what comes out of compensation into the queue.
-fn deliver(out: Out<Step>, plane: Plane, queue: &mut VecDeque<Step>, actual: &mut Position) {
-    let (mut step, place, shape) = match out {
-        Out::Move { to, shape, payload, .. } => (payload, to, Some(shape)),
-        Out::Other(step) => (step, plane.of(*actual), None),
-    };
-    let Some(programmed) = step.op.target() else {
-        queue.push_back(step);
-        return;
-    };
-    let mut to = *programmed;
-    to[plane.first()] = place[0];
-    to[plane.second()] = place[1];
-    step.op = with_shape(step.op, to, plane, shape);
-    let stays = Axis::ALL.into_iter().all(|axis| to[axis] == actual[axis]);
-    if stays && !matches!(step.op, Op::Arc { .. }) {
-        return;
+impl Queue {
+    /// Takes what comes out of compensation in `plane`.
+    fn deliver(&mut self, out: Out<Step>, plane: Plane) {
+        let (mut step, place, shape, own) = match out {
+            Out::Move { to, shape, payload, inserted } => (payload, to, Some(shape), !inserted),
+            Out::Other(step) => (step, plane.of(self.actual), None, true),
+        };
+        let Some(programmed) = step.op.target() else {
+            self.steps.push_back(step);
+            return;
+        };
+        let mut to = *programmed;
+        to[plane.first()] = place[0];
+        to[plane.second()] = place[1];
+        step.op = with_shape(step.op, to, plane, shape);
+        if own && self.one_way.front().is_some_and(|(span, _)| *span == step.span) {
+            return self.arrive(step, to);
+        }
+        let stays = Axis::ALL.into_iter().all(|axis| to[axis] == self.actual[axis]);
+        if stays && !matches!(step.op, Op::Arc { .. }) {
+            return;
+        }
+        self.actual = to;
+        self.steps.push_back(step);
     }
-    *actual = to;
-    queue.push_back(step);
+
+    /// A positioning to `to` from one side.
+    fn arrive(&mut self, step: Step, to: Position) {
+        if let (Some((span, how)), Op::Rapid { straight, .. }) = (self.one_way.pop_front(), &step.op) {
+            let first = Op::Rapid { to: to + how.beyond, straight: *straight };
+            self.steps.push_back(Step { op: first, span });
+            if how.dwell_s > 0.0 {
+                self.steps.push_back(Step { op: Op::Dwell(Dwell::Seconds(how.dwell_s)), span });
+            }
+        }
+        self.actual = to;
+        self.steps.push_back(step);
+    }
 }
 
 /// The same move to another end and in another shape.

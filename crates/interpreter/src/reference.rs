@@ -2,6 +2,7 @@
 
 use crate::Fallible;
 use crate::interpreter::Interpreter;
+use crate::output::OneWay;
 use crate::stages::units;
 use ferrocut_geometry::{AxisSet, Position, SAME_POINT_MM};
 use ferrocut_machine::Fault;
@@ -135,18 +136,20 @@ impl Interpreter {
     /// G60: the end point is always reached from one side (GSK990MC 4.2.6).
     pub(crate) fn position_one_way(&mut self, axes: AxisSet) -> Fallible<()> {
         let to = self.end_point(axes);
-        let mut beyond = self.location.machine_of(to);
-        let mut overshoots = false;
+        let mut beyond = Position::ZERO;
         for axis in axes.iter() {
             let index = self.rules.axis_order.iter().position(|a| *a == axis);
             let overshoot = index.and_then(|i| self.rules.one_way_overshoot.get(i)).copied().unwrap_or(0.0);
             beyond[axis] -= overshoot;
-            overshoots |= overshoot != 0.0;
         }
-        if overshoots {
-            self.rapid_machine(beyond)?;
-            if self.rules.one_way_dwell_s > 0.0 {
-                self.emit(Op::Dwell(Dwell::Seconds(self.rules.one_way_dwell_s)));
+        let dwell_s = self.rules.one_way_dwell_s;
+        let machine = self.location.machine_of(to);
+        if beyond != Position::ZERO && self.output.in_cutter_mode() && machine != self.location.machine {
+            self.output.arrive_one_way(self.words.block_span(), OneWay { beyond, dwell_s });
+        } else if beyond != Position::ZERO {
+            self.rapid_machine(machine + beyond)?;
+            if dwell_s > 0.0 {
+                self.emit(Op::Dwell(Dwell::Seconds(dwell_s)));
             }
         }
         self.rapid(to)

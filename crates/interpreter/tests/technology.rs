@@ -153,3 +153,15 @@ fn corners_between_moves_that_run_on() {
         &["feed X34 F100", "xy X40 Y6 about 34 6 by 90 F100", "feed Y40 F100"],
     );
 }
+
+#[test]
+fn one_way_positioning_overshoots_behind_compensation() {
+    // 4.2.6: the track is that of the tool, compensation included.
+    let setup = "[tools.1]\nradius = 2\n[parameters]\n\"NO40.7\" = 0\nP335 = -8";
+    let found = common::lines("G41 D1 G1 X10 F100\nX20\nG60 X30\nG1 X40\nG40 X50\nM30\n", setup);
+    assert_eq!(
+        found[..4],
+        ["feed X10 Y2 F100", "feed X20 F100", "rapid X38", "rapid X30"].map(str::to_owned),
+        "{found:?}"
+    );
+}

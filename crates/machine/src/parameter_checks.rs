@@ -45,7 +45,7 @@ const LIMITS: &[(u16, u16, bool)] = &[
 ];
 
 /// Bits of which one may be set: G18 and G19 at power-on; high-speed mode with what it rules out.
-const BITS: &[((u16, u8), (u16, u8))] = &[((31, 1), (31, 2)), ((0, 7), (15, 0)), ((0, 7), (17, 0))];
+const BITS: &[[(u16, u8); 2]] = &[[(31, 1), (31, 2)], [(0, 7), (15, 0)], [(0, 7), (17, 0)]];
 
 /// The contradictions among the parameters of a control; none where its list is not known.
 pub fn contradictions(parameters: &Parameters) -> Vec<Contradiction> {
@@ -61,7 +61,7 @@ pub fn contradictions(parameters: &Parameters) -> Vec<Contradiction> {
             add(ContradictionKind::LowerAboveUpper, data(lower), data(upper));
         }
     }
-    for &((n, b), (m, c)) in BITS {
+    for &[(n, b), (m, c)] in BITS {
         if parameters.bit(n, b) && parameters.bit(m, c) {
             let bit = |number, bit| ParameterKey::Bit { number, bit };
             add(ContradictionKind::BothBits, bit(n, b), bit(m, c));

@@ -97,7 +97,7 @@ impl Speed {
     pub fn rpm(self, at: &Position) -> f64 {
         match self {
             Speed::Rpm(rpm) => rpm,
-            Speed::Surface { mm_per_min, .. } if mm_per_min == 0.0 => 0.0,
+            Speed::Surface { mm_per_min: 0.0, .. } => 0.0,
             Speed::Surface { mm_per_min, min_rpm, max_rpm, axis, center } => {
                 let radius = (at[axis] - center).abs();
                 let rpm = mm_per_min / (std::f64::consts::TAU * radius);
