@@ -48,6 +48,7 @@ impl Variable {
                 | Variable::LengthOffset(_)
                 | Variable::ServoOffset(_)
                 | Variable::Input(_)
+                | Variable::InputWord
         )
     }
 }

@@ -227,6 +227,8 @@ pub enum Variable {
     WorkZero(WorkOffset, u8),
     /// An input of the machine.
     Input(u16),
+    /// Sixteen inputs together, the lowest first.
+    InputWord,
     /// An output to the machine.
     Output(u16),
     /// A table that the machine's builder fills.

@@ -12,6 +12,7 @@ use crate::data_setting::DataSetting;
 use crate::dialect::{Dialect, Meaning, Rules, Variable};
 use crate::evaluate::Evaluator;
 use crate::flow::Flow;
+use crate::macros::INPUT_WORD;
 use crate::modal::{Group, Modal};
 use crate::output::Output;
 use crate::reference::Intermediate;
@@ -167,6 +168,8 @@ pub struct Interpreter {
     pub(crate) evaluator: Evaluator,
     pub(crate) variable_writes: u64,
     pub(crate) inputs: BTreeMap<u16, f64>,
+    /// What the program put out last.
+    pub(crate) outputs: BTreeMap<u16, f64>,
     pub(crate) present: Present,
     /// How far the axes lagged behind at the last barrier.
     pub(crate) following_error: Position,
@@ -239,6 +242,7 @@ impl Interpreter {
             words: Words::new(),
             variable_writes: 0,
             inputs: BTreeMap::new(),
+            outputs: BTreeMap::new(),
             present: Present::default(),
             following_error: Position::ZERO,
             pass_state: None,
@@ -275,8 +279,10 @@ impl Interpreter {
 
     /// Sets an input that programs read, by the number of its variable (GSK990MC #1000 to #1032).
     pub fn set_input(&mut self, variable: u32, value: f64) {
-        if let Some(Variable::Input(number)) = (self.dialect.variable)(variable) {
-            self.inputs.insert(number, value);
+        match (self.dialect.variable)(variable) {
+            Some(Variable::Input(number)) => drop(self.inputs.insert(number, value)),
+            Some(Variable::InputWord) => drop(self.inputs.insert(INPUT_WORD, value)),
+            _ => {}
         }
     }
 

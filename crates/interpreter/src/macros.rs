@@ -17,6 +17,9 @@ use ferrocut_toolpath::Op;
 /// Local variables are #1 to this (GSK990MC 4.9.2).
 const LAST_LOCAL: u32 = 50;
 
+/// Where sixteen inputs that were set together are kept, beside those that were set one by one.
+pub(crate) const INPUT_WORD: u16 = u16::MAX;
+
 /// Common variables that power-off clears (table 4-9-2-1).
 const VOLATILE: std::ops::RangeInclusive<u32> = 100..=199;
 
@@ -64,7 +67,7 @@ impl Interpreter {
                 self.present = Present::Asked;
                 Err(Fault::UnknownVariable)
             }
-            Some(variable) => self.read_system_variable(variable),
+            Some(variable) => self.read_system_variable(variable, number),
             None => Err(Fault::UnknownVariable),
         }
     }
@@ -73,7 +76,7 @@ impl Interpreter {
         self.rules.axis_order.get(usize::from(index)).copied().ok_or(Fault::UnknownVariable)
     }
 
-    fn read_system_variable(&self, variable: Variable) -> Result<Value, Fault> {
+    fn read_system_variable(&self, variable: Variable, number: u32) -> Result<Value, Fault> {
         let tool = |number| self.memory.tools.get(number).ok_or(Fault::UnknownVariable);
         let location = &self.location;
         // Positions are in the unit of the program, as on Fanuc.
@@ -106,8 +109,17 @@ impl Interpreter {
                 zero[self.axis_number(axis)?]
             }
             Variable::Input(n) => self.inputs.get(&n).copied().unwrap_or(0.0),
-            Variable::UserTable => 0.0,
-            Variable::Output(_) | Variable::Alarm => return Ok(None),
+            // One that was set by itself, else what its bits come to.
+            Variable::InputWord => self.inputs.get(&INPUT_WORD).copied().unwrap_or_else(|| {
+                (0..16)
+                    .filter(|bit| self.inputs.get(bit).is_some_and(|on| *on != 0.0))
+                    .map(|bit| f64::from(1u16 << bit))
+                    .sum()
+            }),
+            Variable::UserTable => self.memory.variables.get(number).unwrap_or(0.0),
+            // What was put out last.
+            Variable::Output(n) => return Ok(self.outputs.get(&n).copied()),
+            Variable::Alarm => return Ok(None),
         }))
     }
 
@@ -143,7 +155,8 @@ impl Interpreter {
         let v = value.unwrap_or(0.0);
         match (self.dialect.variable)(number) {
             Some(Variable::Alarm) => return Err(self.program_alarm(v, span)),
-            Some(Variable::Output(_)) => {
+            Some(Variable::Output(n)) => {
+                self.outputs.insert(n, v);
                 self.emit(Op::Output { address: format!("#{number}").into(), value: v });
             }
             variable => {

@@ -85,3 +85,21 @@ fn words_of_an_operation_stand_on_either_side_of_its_code() {
     assert_eq!(leaves("P#500 H01 G65 Q4"), Some(4.0));
     assert_eq!(leaves("Q1000000000 H01 G65 P#500"), Some(1e9));
 }
+
+#[test]
+fn interface_signals_and_the_table_of_the_builder() {
+    let value = |program: &str| {
+        let text = format!("{program}\nM30\n");
+        let setup = "[variables]\n\"#3500\" = 7";
+        let mut interpreter = common::interpreter(text.as_bytes(), setup, Options::default()).unwrap();
+        for input in [1000, 1003] {
+            interpreter.set_input(input, 1.0);
+        }
+        assert!(interpreter.all(|step| step.is_ok()), "{program}");
+        interpreter.memory().variables.get(500)
+    };
+    assert_eq!(value("#500=#1003"), Some(1.0));
+    assert_eq!(value("#500=#1032"), Some(9.0));
+    assert_eq!(value("#1100=1\n#500=#1100"), Some(1.0));
+    assert_eq!(value("#500=#3500"), Some(7.0));
+}

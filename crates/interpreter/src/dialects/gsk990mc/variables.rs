@@ -12,7 +12,8 @@ pub fn variable(number: u32) -> Option<Variable> {
     Some(match number {
         0 => Variable::Empty,
         1..=50 | 100..=199 | 500..=999 => Variable::Plain,
-        1000..=1015 | 1032 => Variable::Input(within(1000)),
+        1000..=1015 => Variable::Input(within(1000)),
+        1032 => Variable::InputWord,
         1100..=1115 | 1132 => Variable::Output(within(1100)),
         1500..=1755 => Variable::ToolLength(within(1500)),
         1800..=2055 => Variable::LengthWear(within(1800)),
