@@ -27,6 +27,12 @@ impl Interpreter {
         if self.modal.is_inch() { self.rules.linear_axes } else { AxisSet::EMPTY }
     }
 
+    /// The end point of the block as one of X, Y, Z, also where polar coordinates are in force.
+    pub(crate) fn straight_end_point(&self, axes: AxisSet) -> Position {
+        let incremental = self.modal.is_incremental();
+        distance::end_point(&self.words, axes, self.location.programmed, incremental, self.inch_axes())
+    }
+
     /// The programmed end point of the block.
     #[inline]
     pub(crate) fn end_point(&mut self, axes: AxisSet) -> Position {
@@ -53,7 +59,7 @@ impl Interpreter {
         self.location.polar = match meaning {
             Meaning::PolarOn => {
                 let here = self.modal.plane().of(self.location.programmed);
-                Some(Polar::new(here, self.modal.is_incremental()))
+                Some(Polar::new(self.rules.pole, here, self.modal.is_incremental()))
             }
             _ => None,
         };
@@ -105,13 +111,18 @@ impl Interpreter {
         }
     }
 
-    /// G68 (GSK990MC 4.2.15).
-    pub(crate) fn rotate(&mut self) {
+    /// G68 (GSK990MC 4.2.15, Kaitong appendix 10).
+    pub(crate) fn rotate(&mut self) -> Fallible<()> {
         let plane = self.modal.plane();
         let center = self.center();
         // The centre is scaled too, the angle is not.
         let center = plane.of(self.location.scaling.map_or(center, |scaling| scaling.apply(center)));
         let given = self.words.get(b'R').unwrap_or(self.rules.rotation_angle);
+        let limit = self.rules.max_rotation;
+        if given.abs() > limit {
+            let alarm = self.alarm_at(Fault::WordOutOfRange, b'R');
+            return Err(Box::new(alarm.with("min", -limit).with("max", limit)));
+        }
         // One axis mirrored in the plane turns the other way round (4.2.14 note 2).
         let mirrored = self.location.scaling.is_some_and(|scaling| scaling.reverses(plane));
         let given = if mirrored { -given } else { given };
@@ -119,6 +130,7 @@ impl Interpreter {
         let before = self.location.rotation.map_or(0.0, |rotation| rotation.degrees);
         let degrees = if adds { before + given } else { given };
         self.location.rotation = Some(Rotation { plane, center, degrees });
+        Ok(())
     }
 
     /// G69: the tool stands where it stands.
@@ -128,8 +140,8 @@ impl Interpreter {
         }
     }
 
-    /// Codes of reference points and coordinate systems are not allowed while scaling, rotation or
-    /// polar coordinates are in force.
+    /// Codes of reference points and coordinate systems are not allowed while scaling or rotation is in
+    /// force, nor on some controls while polar coordinates are.
     pub(crate) fn refuse_in_transform(&self, span: Span) -> Fallible<()> {
         let location = &self.location;
         if location.scaling.is_some() {
@@ -138,7 +150,7 @@ impl Interpreter {
         if location.rotation.is_some() {
             return Err(self.alarm(Fault::CodeInRotation, span));
         }
-        if location.polar.is_some() {
+        if location.polar.is_some() && self.rules.polar_is_strict {
             return Err(self.alarm(Fault::CodeInPolar, span));
         }
         Ok(())
@@ -161,7 +173,7 @@ impl Interpreter {
             }
             _ => WorkOffset::Standard(standard),
         };
-        let Some(system) = WorkSystem::select(name, &self.memory.work) else {
+        let Some(system) = WorkSystem::select(name, &self.memory.work, self.location.work.local) else {
             return Err(self.alarm(Fault::WorkOffsetNumber, span));
         };
         self.location.work = system;
@@ -187,6 +199,16 @@ impl Interpreter {
         let here = distance::end_point(&self.words, axes, location.programmed, false, inch_axes);
         let at = location.machine - location.length.vector;
         location.work = location.work.set_position(at, here, axes);
+        location.take_machine();
+    }
+
+    /// G52 (Fanuc): the zero of every work coordinate system is moved by the given coordinates, whatever it
+    /// was moved by before. The axes stand still.
+    pub(crate) fn local_zero(&mut self, axes: AxisSet) {
+        let inch_axes = self.inch_axes();
+        let location = &mut self.location;
+        let local = distance::end_point(&self.words, axes, location.work.local, false, inch_axes);
+        location.work = location.work.with_local(local);
         location.take_machine();
     }
 
@@ -250,6 +272,11 @@ impl Interpreter {
             true => self.modal.plane().normal(),
             false => Axis::Z,
         }
+    }
+
+    /// Whether the control refuses what would change the points that are being transformed.
+    pub(crate) fn is_strictly_transformed(&self) -> bool {
+        self.rules.transforms_are_strict && (self.is_transformed() || self.location.polar.is_some())
     }
 
     /// Whether any transformation beyond offsets is in force.

@@ -26,7 +26,7 @@ impl Interpreter {
         if self.words.g.len() > 1 {
             return Err(self.alarm(Fault::NeedsOwnBlock, span));
         }
-        if self.is_transformed() || self.location.polar.is_some() {
+        if self.is_strictly_transformed() {
             return Err(self.alarm(Fault::OffsetInTransform, span));
         }
         self.technology.data_code = 10.0;

@@ -4,10 +4,11 @@
 //! may hold, which number its manual gives an alarm. [`Rules`] are the numbers and choices that its
 //! parameters set. Code that two languages share stands outside their folders and reads these.
 
-use crate::cycles::CycleKind;
+use crate::cycles::{self, CycleKind};
 use crate::evaluate::Arithmetic;
 use crate::modal::{Group, Modal};
 use crate::stages::cutter;
+use crate::stages::polar::PoleRule;
 use crate::stroke::StrokeRules;
 use ferrocut_geometry::{Axis, AxisSet, Plane};
 use ferrocut_machine::{AlarmId, Fault, ParameterKey, Parameters, WorkOffset};
@@ -102,6 +103,8 @@ pub enum Meaning {
     Absolute,
     /// Incremental coordinates.
     Incremental,
+    /// Zero of the work coordinate systems moved.
+    LocalZero,
     /// Coordinate system set so that the tool stands at the given point.
     SetPosition,
     /// Feed per minute.
@@ -112,6 +115,8 @@ pub enum Meaning {
     ReturnInitial,
     /// Cycles return to the R level.
     ReturnR,
+    /// A code that the manual names without saying what it does: an alarm.
+    Undescribed,
 }
 
 /// A row of a dialect's table of G codes.
@@ -260,6 +265,10 @@ pub struct Rules {
     pub dwell_in_revolutions: bool,
     /// Tool length acts on the axis square to the plane; else always on Z.
     pub length_on_plane_normal: bool,
+    /// H00 alone waits for its axis to move; else the offset is taken off at once.
+    pub h00_waits: bool,
+    /// Codes, in tenths, that may not stand in a block with tool length, and the alarms of it.
+    pub length_not_with: &'static [(u16, Fault)],
     /// An address twice in a block, or two codes of one group, is an alarm; else the last counts.
     pub repeats_are_alarms: bool,
     /// M codes allowed in a block.
@@ -270,17 +279,8 @@ pub struct Rules {
     pub max_macro_depth: usize,
     /// Most repeats of a call.
     pub max_repeats: f64,
-    /// Retract of chip breaking (G73), mm.
-    pub chip_break_retract: f64,
-    /// Gap at which rapid ends above the last depth (G83), mm.
-    pub peck_clearance: f64,
-    /// Peck cycles without depth of cut are an alarm.
-    pub peck_needs_depth: bool,
-    /// Distance that the tool is moved aside by the sign of its shift in boring (G76, G87): axis and
-    /// direction.
-    pub shift: (Axis, f64),
-    /// Radius of the helix by which a pocket is entered, over the tool radius.
-    pub pocket_helix_factor: f64,
+    /// Canned cycles.
+    pub cycles: cycles::Rules,
     /// Cutter compensation.
     pub cutter: cutter::Rules,
     /// Radius offsets are entered as diameters.
@@ -305,26 +305,22 @@ pub struct Rules {
     pub max_m_code: f64,
     /// Arcs about corners are fitted (G39).
     pub corner_arc: bool,
-    /// Rigid tapping is fitted (needs M29 before the cycle).
-    pub rigid_tapping: bool,
-    /// Highest spindle speed of tapping, r/min.
-    pub max_tapping_rpm: f64,
-    /// Highest spindle speed of rigid tapping, r/min.
-    pub max_rigid_rpm: f64,
-    /// Speed of the spindle on the way out of a rigidly tapped thread, over that on the way in.
-    pub rigid_retract: f64,
-    /// Rigid tapping begins with an oriented spindle stop.
-    pub rigid_tapping_orients: bool,
-    /// Peck tapping draws back only a little (else to the R level).
-    pub peck_tapping_is_fast: bool,
-    /// How far, where V does not say, mm.
-    pub peck_tapping_retract: f64,
     /// Scaling.
     pub scaling: ScalingRules,
     /// Angle of a rotation that gives none, degrees.
     pub rotation_angle: f64,
     /// With G91 the angle of a rotation is added to the last one.
     pub rotation_follows_g91: bool,
+    /// Largest angle that a rotation may be given, degrees.
+    pub max_rotation: f64,
+    /// What sets the pole of polar coordinates.
+    pub pole: PoleRule,
+    /// Codes of reference points and coordinate systems, and arcs by their centre, are alarms while polar
+    /// coordinates are in force. With rotation and scaling those codes always are.
+    pub polar_is_strict: bool,
+    /// Changes of units, data setting, skip moves and optional blocks are alarms while points are
+    /// transformed.
+    pub transforms_are_strict: bool,
     /// Overshoot of one-way positioning by axis, mm, with the sign of the direction of arrival.
     pub one_way_overshoot: [f64; 5],
     /// Pause of one-way positioning, s.
@@ -343,12 +339,6 @@ pub struct Rules {
     pub max_wear: f64,
     /// Largest coordinate of a work zero, mm or degrees.
     pub max_zero: f64,
-    /// Shortest and longest dwell of a cycle, s.
-    pub cycle_dwell: (f64, f64),
-    /// Seconds that P1 of a cycle stands for.
-    pub cycle_dwell_p_unit_s: f64,
-    /// A cycle needs a spindle speed that was once given.
-    pub cycle_needs_speed: bool,
     /// The way to the intermediate point of a reference point is cutter-compensated; else compensation is
     /// left aside from there on.
     pub reference_keeps_cutter: bool,
@@ -421,6 +411,8 @@ pub struct Dialect {
     pub alarms: &'static [(Fault, u16)],
     /// Numbers of the soft limit alarms of axis `index`, lower and upper side.
     pub soft_limit_alarm: fn(axis: usize, upper: bool) -> Option<u16>,
+    /// Alarm `n` of the program is this number and `n`; `None` where such alarms have no number.
+    pub program_alarms: Option<u16>,
     /// Reads the rules that the parameters set.
     pub rules: fn(&Parameters) -> Rules,
     /// Modal state at power-on.

@@ -15,6 +15,9 @@ use ferrocut_program::{Block, DefectKind, Page, ProgramId, Span, Value as WordVa
 use ferrocut_toolpath::{Dwell, Op, Speed, SpindleState, Step};
 use smallvec::SmallVec;
 
+/// Addresses of a feed or a pitch.
+const FEED_LETTERS: u32 = words::letters(b"FI");
+
 /// What the codes of a block ask for beyond the modal state.
 #[derive(Default)]
 struct Codes {
@@ -36,7 +39,7 @@ impl Interpreter {
     /// Executes one block.
     pub(crate) fn execute(&mut self, page: &Page, block: &Block, index: usize) -> Fallible<()> {
         // Blocks that may be skipped are refused there, skipped or not.
-        let is_refused = block.skip > 0 && (self.is_transformed() || self.location.polar.is_some());
+        let is_refused = block.skip > 0 && self.is_strictly_transformed();
         if self.is_skipped(block) && !is_refused {
             return Ok(());
         }
@@ -183,8 +186,11 @@ impl Interpreter {
         if codes.non_modal.is_some_and(|code| code.row.meaning == Meaning::DataSetting) {
             self.check_data_block_is_alone()?;
         }
-        if self.words.has(b'F') {
-            self.feed_word()?;
+        if self.words.has_any(FEED_LETTERS) {
+            match self.is_pitch_block() {
+                true => self.pitch_words()?,
+                false => self.feed_word()?,
+            }
         }
         // With G92 an S is the highest speed of G96 (6.3).
         if self.words.has(b'S') && codes.non_modal.map(|c| c.row.meaning) != Some(Meaning::SetPosition) {
@@ -227,6 +233,7 @@ impl Interpreter {
         let mut codes = Codes::default();
         let mut motion = false;
         let mut cycle = None;
+        let mut length = None;
         let ends_cycle =
             |code: &Code<GCode>| code.row.group == Group::Motion || code.row.meaning == Meaning::CycleOff;
         if self.words.g.iter().any(ends_cycle) {
@@ -256,10 +263,7 @@ impl Interpreter {
                     codes.cutter = true;
                     self.modal.set(row);
                 }
-                Group::Length => {
-                    codes.length = Some(row.meaning);
-                    self.modal.set(row);
-                }
+                Group::Length => length = Some(row),
                 Group::WorkOffset => {
                     self.select_work_offset(row.meaning, span)?;
                     self.modal.set(row);
@@ -274,7 +278,7 @@ impl Interpreter {
                     }
                 }
                 Group::Units => {
-                    if self.is_transformed() || self.location.polar.is_some() {
+                    if self.is_strictly_transformed() {
                         return Err(self.alarm(Fault::UnitsInTransform, span));
                     }
                     self.modal.set(row);
@@ -316,8 +320,31 @@ impl Interpreter {
             Some(row) => self.modal.set(row),
             None => {}
         }
+        self.length_code(length, &mut codes)?;
         self.transform_codes(&mut codes)?;
         Ok(codes)
+    }
+
+    /// G43, G44, G49. Once a cycle is in force some controls leave them and H aside, also as modal codes
+    /// (Kaitong appendix 8, note 2).
+    fn length_code(&mut self, row: Option<&'static GCode>, codes: &mut Codes) -> Fallible<()> {
+        if self.rules.cycles.length_at_start_only && self.cycle.is_active() {
+            self.words.take(b'H');
+            return Ok(());
+        }
+        if let Some(row) = row {
+            codes.length = Some(row.meaning);
+            self.modal.set(row);
+        }
+        let acts = row.is_some() || self.words.has(b'H') && !self.in_force(Group::Length, Meaning::LengthOff);
+        if !acts {
+            return Ok(());
+        }
+        let refused = |c: &Code<GCode>| self.rules.length_not_with.iter().find(|(t, _)| *t == c.row.tenths);
+        match self.words.g.iter().find_map(|c| Some((refused(c)?.1, c.span))) {
+            Some((fault, span)) => Err(self.alarm(fault, span)),
+            None => Ok(()),
+        }
     }
 
     /// G51 and G68: they go before the block's motion (GSK990MC 4.1 note 8), and take its words for
@@ -331,7 +358,7 @@ impl Interpreter {
             codes.takes_words = true;
             match row.meaning {
                 Meaning::ScalingOn => self.scale(span)?,
-                _ => self.rotate(),
+                _ => self.rotate()?,
             }
         }
         // A mirror changes the side that the tool is on.
@@ -473,7 +500,7 @@ impl Interpreter {
             };
             self.location.length.number = h as u16;
             // H00 alone waits for the axis or for a code of its group (GSK990MC 4.7.1, 4).
-            if h == 0.0 && code.is_none() && !axes.contains(axis) {
+            if self.rules.h00_waits && h == 0.0 && code.is_none() && !axes.contains(axis) {
                 self.location.length.waits = true;
                 return Ok(false);
             }
@@ -770,7 +797,8 @@ impl Interpreter {
                 | Meaning::ReturnFromReference
         );
         let sets_position = row.meaning == Meaning::SetPosition && !axes.is_empty();
-        if reference || row.meaning == Meaning::MachinePosition || sets_position {
+        let system = sets_position || row.meaning == Meaning::LocalZero;
+        if reference || row.meaning == Meaning::MachinePosition || system {
             self.refuse_in_transform(span)?;
         }
         // Compensation is to be cancelled first (4.2.11 note 2); the manual gives no number.
@@ -794,6 +822,11 @@ impl Interpreter {
                 self.set_position(axes);
                 Ok(())
             }
+            Meaning::LocalZero => {
+                self.local_zero(axes);
+                Ok(())
+            }
+            Meaning::Undescribed => Err(self.alarm(Fault::NotSupported, span)),
             Meaning::ReferenceCheck => self.reference_check(axes),
             Meaning::ReferenceReturn => self.reference_return(axes, 1),
             Meaning::FurtherReferenceReturn => self.further_reference_return(axes),

@@ -20,7 +20,7 @@ use crate::stages::polar::Polar;
 use crate::stages::rotation::Rotation;
 use crate::stages::scaling::Scaling;
 use crate::stages::tool_length::ToolLength;
-use crate::stages::work_offset::{System, WorkSystem};
+use crate::stages::work_offset::WorkSystem;
 use crate::words::{self, Tables, Words};
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_machine::{Alarm, Fault, Memory};
@@ -116,6 +116,8 @@ pub(crate) struct Technology {
     pub surface_max_rpm: Option<f64>,
     /// Axis that surface speed is reckoned by (G96 P).
     pub surface_axis: Axis,
+    /// Pitch of tapping cycles that give it themselves, mm; none before the first.
+    pub tap_pitch: Option<f64>,
     /// M29: the tapping cycles that follow are rigid.
     pub rigid_tapping: bool,
     /// What the spindle was last told.
@@ -189,8 +191,8 @@ impl Interpreter {
     ) -> Interpreter {
         let rules = (dialect.rules)(&memory.parameters);
         let modal = (dialect.power_on)(&memory.parameters);
-        let work = WorkSystem::select(dialect.power_on_work_offset, &memory.work)
-            .unwrap_or(WorkSystem { system: System::Floating, shift: Position::ZERO });
+        let work = WorkSystem::select(dialect.power_on_work_offset, &memory.work, Position::ZERO)
+            .unwrap_or(WorkSystem::at_machine_zero());
         let mut location = Location {
             programmed: Position::ZERO,
             machine: options.start,
@@ -210,6 +212,7 @@ impl Interpreter {
             surface_speed: None,
             surface_max_rpm: None,
             surface_axis: rules.surface_axis,
+            tap_pitch: None,
             rigid_tapping: false,
             spindle: SpindleState::Off,
             coolant: false,
@@ -297,13 +300,15 @@ impl Interpreter {
             initial.codes().any(|code| code.group == group && rules.groups & 1 << code.group_number != 0)
         };
         if clears(Group::WorkOffset)
-            && let Some(system) = WorkSystem::select(self.dialect.power_on_work_offset, &self.memory.work)
+            && let Some(system) =
+                WorkSystem::select(self.dialect.power_on_work_offset, &self.memory.work, Position::ZERO)
         {
             self.location.work = system;
         }
         if rules.feed_and_offsets {
             self.technology.feed_per_minute = self.rules.default_feed;
             self.technology.feed_per_revolution = 0.0;
+            self.technology.tap_pitch = None;
             self.technology.radius_number = 0.0;
             self.location.length.number = 0;
         }

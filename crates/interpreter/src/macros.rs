@@ -213,12 +213,15 @@ impl Interpreter {
         Ok(())
     }
 
-    /// `#3000 = n` and `G65 H99 Pn`: alarm 3000 + n (GSK990MC 4.9.4).
+    /// `#3000 = n` and `G65 H99 Pn`: alarm n of the program (GSK990MC 4.9.4).
     fn program_alarm(&self, n: f64, span: Span) -> Box<Alarm> {
         if !(0.0..=999.0).contains(&n) {
             return self.alarm(Fault::WordOutOfRange, span);
         }
-        let id = AlarmId::Dialect(self.dialect.name, 3000 + n as u16);
+        let Some(first) = self.dialect.program_alarms else {
+            return Box::new(Alarm::core(Fault::ProgramAlarm, span).with("detail", n.to_string()));
+        };
+        let id = AlarmId::Dialect(self.dialect.name, first.saturating_add(n as u16));
         Box::new(Alarm::new(id, Fault::ProgramAlarm, span))
     }
 
@@ -423,7 +426,7 @@ impl Interpreter {
     pub(crate) fn work_zero_changed(&mut self) {
         use crate::stages::work_offset::{System, WorkSystem};
         if let System::Table(name) = self.location.work.system
-            && let Some(system) = WorkSystem::select(name, &self.memory.work)
+            && let Some(system) = WorkSystem::select(name, &self.memory.work, self.location.work.local)
             && system != self.location.work
         {
             self.location.work = system;

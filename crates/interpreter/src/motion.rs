@@ -161,7 +161,7 @@ impl Interpreter {
     /// out of shape is found (4.2.14, 6). It starts where the tool is.
     fn arc(&mut self, to: Position, axes: AxisSet, turn: Turn) -> Fallible<()> {
         let plane = self.modal.plane();
-        if self.location.polar.is_some() && !self.words.has(b'R') {
+        if self.location.polar.is_some() && self.rules.polar_is_strict && !self.words.has(b'R') {
             return Err(self.alarm(Fault::ArcInPolar, self.words.block_span()));
         }
         let machine = self.location.machine_of(to);

@@ -26,7 +26,8 @@ impl Interpreter {
         if axes.is_empty() {
             return Err(self.alarm(Fault::ReferenceWithoutAxis, span));
         }
-        let through = self.end_point(axes);
+        // The words of these codes are no polar ones (Fanuc).
+        let through = self.straight_end_point(axes);
         for axis in axes.iter() {
             if through[axis].abs() > self.rules.max_coordinate {
                 return Err(self.alarm_at(Fault::IntermediateTooLarge, axis.letter() as u8));
@@ -75,7 +76,7 @@ impl Interpreter {
         self.rapid_uncompensated(self.location.machine_of(through))?;
         self.location.programmed = through;
         // An incremental target counts from the intermediate point, where the tool now stands.
-        let to = self.end_point(axes);
+        let to = self.straight_end_point(axes);
         self.rapid(to)
     }
 
@@ -109,7 +110,7 @@ impl Interpreter {
 
     /// G31: a straight cut that ends where the skip signal comes (GSK990MC 4.2.16).
     pub(crate) fn skip(&mut self, axes: AxisSet, span: Span) -> Fallible<()> {
-        if self.is_transformed() || self.location.polar.is_some() {
+        if self.is_strictly_transformed() {
             return Err(self.alarm(Fault::SkipInTransform, span));
         }
         let feed = self.feed()?;

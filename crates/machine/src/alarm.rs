@@ -204,6 +204,8 @@ faults! {
     StoredStroke = 440,
     /// An axis that surface speed cannot be reckoned by.
     SurfaceSpeedAxis = 441,
+    /// Length compensation in the block of a code that does not allow it.
+    LengthWithCode = 442,
 
     // 500: canned cycles
     /// A cycle in a plane that it does not work in.
@@ -260,6 +262,10 @@ faults! {
     MillTooManyMoves = 526,
     /// Rigid tapping before a spindle speed was given.
     TappingNoSpeed = 527,
+    /// A tapping cycle whose pitch was never given.
+    TappingPitchMissing = 528,
+    /// A pitch given twice in a block, in mm and by threads per inch.
+    TappingPitchTwice = 529,
 
     // 600: programs
     /// A call without a program number.

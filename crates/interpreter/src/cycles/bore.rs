@@ -1,7 +1,8 @@
-//! Borings that move the stopped, oriented tool aside (GSK990MC 4.4.6, 4.4.9).
+//! Borings that move the stopped, oriented tool aside (GSK990MC 4.4.6, 4.4.9; Kaitong appendix 7, 2.3 and
+//! 2.10).
 //!
-//! The axis and direction of the move aside are parameters (42#4, 42#5); rotation does not turn them
-//! (4.4.9 note).
+//! The axis and direction of the move aside are parameters; rotation does not turn them (GSK990MC 4.4.9
+//! note).
 
 use crate::Fallible;
 use crate::interpreter::Interpreter;
@@ -26,7 +27,7 @@ impl Interpreter {
         self.shift(1.0)?;
         self.rapid_z(self.top(r))?;
         self.shift(-1.0)?;
-        self.spindle(turning);
+        self.restart(turning);
         Ok(())
     }
 
@@ -42,14 +43,14 @@ impl Interpreter {
         self.shift(1.0)?;
         self.approach(r)?;
         self.shift(-1.0)?;
-        self.spindle(turning);
+        self.restart(turning);
         self.cut_z(z)?;
         self.cycle_dwell();
         let turning = self.orient();
         self.shift(1.0)?;
         self.rapid_z(self.cycle.initial)?;
         self.shift(-1.0)?;
-        self.spindle(turning);
+        self.restart(turning);
         Ok(())
     }
 
@@ -63,9 +64,10 @@ impl Interpreter {
 
     /// Moves aside by Q, or back. The programmed point stays over the hole.
     fn shift(&mut self, sense: f64) -> Fallible<()> {
-        let (axis, direction) = self.rules.shift;
+        let (axis, direction) = self.rules.cycles.shift;
+        let distance = self.cycle.q.filter(|q| *q > 0.0).unwrap_or(self.rules.cycles.default_shift);
         let mut to = self.location.machine;
-        to[axis] += sense * direction * self.cycle.q.unwrap_or(0.0);
+        to[axis] += sense * direction * distance;
         self.rapid_machine(to)?;
         self.location.take_machine();
         Ok(())

@@ -1,6 +1,6 @@
-//! Drilling and boring cycles (GSK990MC 4.4).
+//! Drilling and boring cycles (GSK990MC 4.4, Kaitong appendix 7).
 
-use super::{HoleCycle, Peck, Retract};
+use super::{HoleCycle, NoDepth, Peck, Retract};
 use crate::Fallible;
 use crate::interpreter::Interpreter;
 use ferrocut_geometry::SAME_POINT_MM;
@@ -17,17 +17,16 @@ impl Interpreter {
         if z >= r {
             return Err(self.level_alarm(Fault::CycleDepthAboveR));
         }
-        let step = match (cycle.peck, self.cycle.q.filter(|q| *q > 0.0)) {
-            (Peck::None, _) => None,
-            (_, Some(q)) => {
+        let step = match (cycle.peck, self.cycle.q.filter(|q| *q > 0.0), self.rules.cycles.no_depth) {
+            (Peck::None, ..) => None,
+            (_, Some(q), _) | (_, None, NoDepth::Depth(q)) => {
                 self.check_pecks(r - z, q)?;
                 Some(q)
             }
-            (_, None) if self.rules.peck_needs_depth => {
+            (_, None, NoDepth::Alarm) => {
                 return Err(self.alarm(Fault::CycleNoPeck, self.cycle_span()));
             }
-            // GSK990MC 4.4.1 note 2, 43#1 = 0: positioned, not drilled.
-            (_, None) => return self.position_over_hole(),
+            (_, None, NoDepth::Position) => return self.position_over_hole(),
         };
         self.position_over_hole()?;
         self.approach(r)?;
@@ -53,30 +52,30 @@ impl Interpreter {
                     self.emit(Op::Stop(STOP));
                 }
                 self.rapid_z(top)?;
-                self.spindle(turning);
+                self.restart(turning);
                 Ok(())
             }
         }
     }
 
-    /// G73: feeds a step, draws back by d (P270), feeds on.
+    /// G73: feeds a step, draws back a little, feeds on.
     fn chip_breaking(&mut self, r: f64, z: f64, q: f64) -> Fallible<()> {
         let mut depth = r - q;
         while depth > z + SAME_POINT_MM {
             self.cut_z(depth)?;
-            self.rapid_z((depth + self.rules.chip_break_retract).min(r))?;
+            self.rapid_z((depth + self.rules.cycles.chip_break_retract).min(r))?;
             depth -= q;
         }
         self.cut_z(z)
     }
 
-    /// G83: feeds a step, leaves the hole, comes back to d (P271) above where it was, feeds on.
+    /// G83: feeds a step, leaves the hole, comes back to a little above where it was, feeds on.
     fn chip_clearing(&mut self, r: f64, z: f64, q: f64) -> Fallible<()> {
         let mut depth = r - q;
         while depth > z + SAME_POINT_MM {
             self.cut_z(depth)?;
             self.rapid_z(r)?;
-            self.rapid_z((depth + self.rules.peck_clearance).min(r))?;
+            self.rapid_z((depth + self.rules.cycles.peck_clearance).min(r))?;
             depth -= q;
         }
         self.cut_z(z)

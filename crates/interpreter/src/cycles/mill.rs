@@ -104,7 +104,7 @@ impl Interpreter {
             first_depth: words.w,
             depth: words.q,
             gap: words.v,
-            helix_factor: self.rules.pocket_helix_factor,
+            helix_factor: self.rules.cycles.pocket_helix_factor,
         };
         let tool_radius = words
             .d

@@ -1,6 +1,6 @@
 //! Canned cycles: one block that stands for the moves of a hole.
 //!
-//! What a cycle does is data ([`CycleKind`]), so that a dialect's table says it and the code is one.
+//! What a cycle does is data ([`CycleKind`], [`Rules`]), so that a dialect's tables say it and the code is one.
 //! The frame is common (GSK990MC 4.4): position, rapid to the R level, the work, rapid back to the R
 //! level or to the initial one. Hole data are modal until the cycle is cancelled. [`hole`](self) drills
 //! and bores, `tap` taps, `bore` has the borings that move the tool aside, [`milling`] pockets and walls.
@@ -9,10 +9,12 @@ mod bore;
 mod hole;
 mod mill;
 pub mod milling;
+mod rules;
 mod tap;
 
 pub use mill::MillShape;
 use mill::MillWords;
+pub use rules::{NoDepth, Repeat, Restart, Rules, Tapping};
 
 use crate::Fallible;
 use crate::dialect::Meaning;
@@ -23,7 +25,7 @@ use crate::words::letters;
 use ferrocut_geometry::{Axis, AxisSet, Plane, Position, Turn};
 use ferrocut_machine::Fault;
 use ferrocut_program::Span;
-use ferrocut_toolpath::{Dwell, Op, Step};
+use ferrocut_toolpath::{Dwell, Op, SpindleState, Step};
 
 /// How a hole is cut.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -112,10 +114,31 @@ pub(crate) struct CycleState {
     mill: MillWords,
     /// Holes of the present block still to be cut.
     holes_left: u32,
+    /// The line that they lie on, where they do.
+    line: Option<Line>,
     /// A change of tool length that is made on the next way to an R level: the code in force.
     length: Option<Meaning>,
     /// Scale factor of the tool axis, set aside while a block of the cycle runs.
     pub z_factor: Option<f64>,
+}
+
+/// A row of holes at equal distances.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct Line {
+    /// Where the tool is before the first, which is no hole.
+    from: Position,
+    /// The last hole.
+    to: Position,
+    holes: u32,
+}
+
+impl Line {
+    /// The hole with so many behind it.
+    fn hole(&self, left: u32) -> Position {
+        let number = self.holes.saturating_sub(left);
+        // The last one is where it was programmed, to the last digit.
+        if left == 0 { self.to } else { self.from.lerp(self.to, f64::from(number) / f64::from(self.holes)) }
+    }
 }
 
 impl CycleState {
@@ -173,16 +196,25 @@ impl Interpreter {
             self.scale_tool_axis_again();
             return Ok(());
         }
-        if self.rules.cycle_needs_speed && self.technology.speed.is_none() {
+        if self.rules.cycles.needs_speed && self.technology.speed.is_none() {
             let rigid = matches!(self.cycle_kind(), Some(CycleKind::Tap { .. })) && self.taps_rigidly();
             let fault = if rigid { Fault::TappingNoSpeed } else { Fault::CycleNoSpindle };
             return Err(self.alarm(fault, self.cycle_span()));
         }
-        let repeats = self.words.get(b'K').map_or(1.0, f64::abs);
+        let letter = self.rules.cycles.repeat_letter;
+        let repeats = self.words.get(letter).map_or(1.0, f64::abs);
         if repeats > MAX_REPEATS {
-            return Err(self.alarm_at(Fault::WordOutOfRange, b'K'));
+            return Err(self.alarm_at(Fault::WordOutOfRange, letter));
         }
-        self.cycle.holes_left = repeats as u32;
+        let holes = repeats as u32;
+        self.cycle.holes_left = holes;
+        self.cycle.line = match self.rules.cycles.repeat {
+            Repeat::Line if holes > 0 => {
+                let (from, to) = (self.location.programmed, self.place_of_hole());
+                Some(Line { from, to, holes })
+            }
+            _ => None,
+        };
         if length.is_some() || self.words.has(b'H') {
             self.keep_length_number()?;
             self.cycle.length = Some(length.unwrap_or(self.modal.meaning(Group::Length)));
@@ -246,8 +278,8 @@ impl Interpreter {
         // P of a call is the number of a program.
         if let Some(p) = self.words.get(b'P').filter(|_| !self.words.calls()) {
             // P outside P281…P282 is taken as the nearer of them (GSK990MC 4.4.3).
-            let (shortest, longest) = self.rules.cycle_dwell;
-            self.cycle.p = Some((p * self.rules.cycle_dwell_p_unit_s).max(shortest).min(longest));
+            let (shortest, longest) = self.rules.cycles.dwell;
+            self.cycle.p = Some((p * self.rules.cycles.dwell_p_unit_s).max(shortest).min(longest));
         }
     }
 
@@ -293,9 +325,21 @@ impl Interpreter {
 
     /// Rapid over the hole, all named axes but the tool axis together.
     fn position_over_hole(&mut self) -> Fallible<()> {
-        let axes: AxisSet = self.words.axes(self.rules.axes).iter().filter(|a| *a != Axis::Z).collect();
-        let to = self.end_point(axes);
+        let to = match self.cycle.line {
+            None => self.place_of_hole(),
+            Some(line) => {
+                let mut to = line.hole(self.cycle.holes_left);
+                to[Axis::Z] = self.location.programmed[Axis::Z];
+                to
+            }
+        };
         self.position_at(to)
+    }
+
+    /// The place that the block gives a hole, at the level where the tool is.
+    fn place_of_hole(&mut self) -> Position {
+        let axes: AxisSet = self.words.axes(self.rules.axes).iter().filter(|a| *a != Axis::Z).collect();
+        self.end_point(axes)
     }
 
     /// Rapid to where a cycle begins, at the level where the tool is. Cutter compensation is left aside from
@@ -320,16 +364,29 @@ impl Interpreter {
     /// The change of tool length that waits for the way to the R level.
     fn take_up_length(&mut self) -> Fallible<()> {
         if let Some(code) = self.cycle.length.take() {
+            let before = self.location.length.vector[Axis::Z];
             self.length_words(Some(code), AxisSet::EMPTY.with(Axis::Z))?;
+            if self.rules.cycles.length_at_start_only {
+                self.cycle.initial -= self.location.length.vector[Axis::Z] - before;
+            }
         }
         Ok(())
     }
 
     /// The pause of P, where one was given.
     fn cycle_dwell(&mut self) {
-        if let Some(seconds) = self.cycle.p {
+        if let Some(seconds) = self.cycle.p.filter(|seconds| *seconds > 0.0) {
             self.emit(Op::Dwell(Dwell::Seconds(seconds)));
         }
+    }
+
+    /// Starts the spindle that a cycle stopped. `before` is what it did.
+    fn restart(&mut self, before: SpindleState) {
+        let state = match self.rules.cycles.restart {
+            Restart::AsBefore => before,
+            Restart::Clockwise => SpindleState::Clockwise(self.speed()),
+        };
+        self.spindle(state);
     }
 
     fn rapid_z(&mut self, z: f64) -> Fallible<()> {

@@ -1,13 +1,22 @@
-//! Tapping cycles (GSK990MC 4.4.5, 4.5).
+//! Tapping cycles (GSK990MC 4.4.5, 4.5; Kaitong appendix 7, 2.2 and 2.7).
 //!
-//! After M29 tapping is rigid: feed and spindle are one motion of a pitch F/S (G94) or F (G95). Without
-//! it the tap sits in a floating holder and the spindle is reversed at the bottom.
+//! Rigid tapping makes feed and spindle one motion. Its pitch is F/S (G94) or F (G95), or where the control
+//! has it so, F itself. Else the tap sits in a floating holder and the spindle is reversed at the bottom.
 
+use super::{CycleKind, Tapping};
 use crate::Fallible;
 use crate::interpreter::Interpreter;
-use ferrocut_geometry::{Axis, SAME_POINT_MM};
+use ferrocut_geometry::{Axis, MM_PER_INCH, SAME_POINT_MM};
 use ferrocut_machine::Fault;
 use ferrocut_toolpath::{Feed, Op, SpindleState};
+
+/// A thread cut in steps. A step ends with a draw-back (high-speed) or at the R level (standard), by
+/// 44#5 of the GSK990MC.
+struct Steps {
+    depth: f64,
+    retract: f64,
+    are_fast: bool,
+}
 
 impl Interpreter {
     /// Taps one hole.
@@ -16,13 +25,22 @@ impl Interpreter {
         if z >= r {
             return Err(self.level_alarm(Fault::CycleDepthAboveR));
         }
-        let q = self.cycle.q.filter(|q| *q > 0.0);
-        if let Some(q) = q {
-            self.check_pecks(r - z, q)?;
-        }
         let rpm = self.technology.speed.unwrap_or(0.0);
+        let Tapping::Feed { max_rigid_rpm, rigid_retract, rigid_orients, steps_are_fast, retract, .. } =
+            self.rules.cycles.tapping
+        else {
+            return self.tap_by_pitch(r, z, rpm, left);
+        };
+        let steps = self.cycle.q.filter(|q| *q > 0.0).map(|depth| Steps {
+            depth,
+            retract: self.cycle.v.unwrap_or(retract),
+            are_fast: steps_are_fast,
+        });
+        if let Some(steps) = &steps {
+            self.check_pecks(r - z, steps.depth)?;
+        }
         let rigid = self.taps_rigidly();
-        let limit = if rigid { self.rules.max_rigid_rpm } else { self.rules.max_tapping_rpm };
+        let limit = if rigid { max_rigid_rpm } else { self.rules.cycles.max_tapping_rpm };
         if rpm <= 0.0 || rpm > limit {
             return Err(self.alarm(Fault::TappingSpeed, self.cycle_span()));
         }
@@ -32,7 +50,7 @@ impl Interpreter {
         self.position_over_hole()?;
         self.approach(r)?;
         if rigid {
-            if self.rules.rigid_tapping_orients {
+            if rigid_orients {
                 self.emit(Op::Orient(0.0));
             }
             // The spindle is an axis of the tapping from here on, and stands still after it (4.5.1).
@@ -43,20 +61,21 @@ impl Interpreter {
                 Feed::Duration(_) => 0.0,
             };
             let pitch = if left { -pitch } else { pitch };
-            let out_rpm = rpm * self.rules.rigid_retract;
-            self.tap_steps(r, z, q, |interpreter, z| {
+            let out_rpm = rpm * rigid_retract;
+            self.tap_strokes(r, z, steps, |interpreter, z| {
                 let down = z < interpreter.location.programmed[Axis::Z];
                 interpreter.tap_z(z, pitch, if down { rpm } else { out_rpm })
             })?;
         } else {
-            self.tap_floating(r, z, q, left)?;
+            self.tap_floating(r, z, steps, left)?;
         }
         self.rapid_z(self.top(r))
     }
 
-    /// Whether tapping cycles are rigid now.
+    /// Whether tapping cycles that are fed by F are rigid now.
     pub(super) fn taps_rigidly(&self) -> bool {
-        self.technology.rigid_tapping && self.rules.rigid_tapping
+        self.technology.rigid_tapping
+            && matches!(self.rules.cycles.tapping, Tapping::Feed { rigid: true, .. })
     }
 
     /// Whether a feed of the kind in force was ever programmed.
@@ -67,27 +86,64 @@ impl Interpreter {
         }
     }
 
-    /// The strokes of a tap, in one go or in steps of Q. `stroke` moves to a level, up or down.
-    ///
-    /// A step ends with a draw-back by V or P284 (high-speed, 44#5 = 1) or to the R level (standard).
-    fn tap_steps(
+    /// A tap whose pitch is programmed itself. The spindle turns into the thread before and after it.
+    fn tap_by_pitch(&mut self, r: f64, z: f64, rpm: f64, left: bool) -> Fallible<()> {
+        if rpm <= 0.0 || rpm > self.rules.cycles.max_tapping_rpm {
+            return Err(self.alarm(Fault::TappingSpeed, self.cycle_span()));
+        }
+        let Some(pitch) = self.technology.tap_pitch else {
+            return Err(self.alarm(Fault::TappingPitchMissing, self.cycle_span()));
+        };
+        let pitch = if left { -pitch } else { pitch };
+        self.position_over_hole()?;
+        self.approach(r)?;
+        let (inward, _) = self.tap_turns(left);
+        self.spindle(inward);
+        self.tap_strokes(r, z, None, |interpreter, z| interpreter.tap_z(z, pitch, rpm))?;
+        self.rapid_z(self.top(r))
+    }
+
+    /// Whether F and I of the block are those of a thread.
+    pub(crate) fn is_pitch_block(&self) -> bool {
+        let by_pitch = matches!(self.rules.cycles.tapping, Tapping::Pitch { .. });
+        by_pitch && matches!(self.cycle_kind(), Some(CycleKind::Tap { .. }))
+    }
+
+    /// F in mm, also with G20, or I in threads per inch (Kaitong appendix 7, 2.2).
+    pub(crate) fn pitch_words(&mut self) -> Fallible<()> {
+        let Tapping::Pitch { pitch, threads } = self.rules.cycles.tapping else { return Ok(()) };
+        let (letter, value, (min, max)) = match (self.words.get(b'F'), self.words.get(b'I')) {
+            (None, None) => return Ok(()),
+            (Some(_), Some(_)) => return Err(self.alarm_at(Fault::TappingPitchTwice, b'I')),
+            (Some(mm), None) => (b'F', mm, pitch),
+            (None, Some(per_inch)) => (b'I', per_inch, threads),
+        };
+        if !(min..=max).contains(&value) {
+            let alarm = self.alarm_at(Fault::WordOutOfRange, letter);
+            return Err(Box::new(alarm.with("min", min).with("max", max)));
+        }
+        self.technology.tap_pitch = Some(if letter == b'F' { value } else { MM_PER_INCH / value });
+        Ok(())
+    }
+
+    /// The strokes of a tap, in one go or in steps. `stroke` moves to a level, up or down.
+    fn tap_strokes(
         &mut self,
         r: f64,
         z: f64,
-        q: Option<f64>,
+        steps: Option<Steps>,
         mut stroke: impl FnMut(&mut Interpreter, f64) -> Fallible<()>,
     ) -> Fallible<()> {
-        let retract = self.cycle.v.unwrap_or(self.rules.peck_tapping_retract);
-        if let Some(q) = q {
-            let mut depth = r - q;
+        if let Some(steps) = steps {
+            let mut depth = r - steps.depth;
             while depth > z + SAME_POINT_MM {
                 stroke(self, depth)?;
-                let back = (depth + retract).min(r);
-                if !self.rules.peck_tapping_is_fast {
+                let back = (depth + steps.retract).min(r);
+                if !steps.are_fast {
                     stroke(self, r)?;
                 }
                 stroke(self, back)?;
-                depth -= q;
+                depth -= steps.depth;
             }
         }
         stroke(self, z)?;
@@ -113,18 +169,21 @@ impl Interpreter {
 
     /// Tapping with a floating holder: the spindle turns into the thread and is reversed for the way
     /// out. A spindle at rest is started at the R level (GSK990MC 4.4.5).
-    fn tap_floating(&mut self, r: f64, z: f64, q: Option<f64>, left: bool) -> Fallible<()> {
-        let speed = self.speed();
-        let (inward, outward) = match left {
-            false => (SpindleState::Clockwise(speed), SpindleState::CounterClockwise(speed)),
-            true => (SpindleState::CounterClockwise(speed), SpindleState::Clockwise(speed)),
-        };
-        self.tap_steps(r, z, q, |interpreter, z| {
+    fn tap_floating(&mut self, r: f64, z: f64, steps: Option<Steps>, left: bool) -> Fallible<()> {
+        let (inward, outward) = self.tap_turns(left);
+        self.tap_strokes(r, z, steps, |interpreter, z| {
             let down = z < interpreter.location.programmed[Axis::Z];
             interpreter.spindle(if down { inward } else { outward });
             interpreter.cut_z(z)
         })?;
         self.spindle(inward);
         Ok(())
+    }
+
+    /// The spindle into the thread and out of it.
+    fn tap_turns(&self, left: bool) -> (SpindleState, SpindleState) {
+        let speed = self.speed();
+        let (right, other) = (SpindleState::Clockwise(speed), SpindleState::CounterClockwise(speed));
+        if left { (other, right) } else { (right, other) }
     }
 }

@@ -1,5 +1,6 @@
 //! The control languages, one folder each.
 
+pub mod fanuc;
 pub mod gsk990mc;
 
 use crate::dialect::Dialect;

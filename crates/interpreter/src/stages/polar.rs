@@ -1,14 +1,25 @@
-//! Stage polar: G15 and G16 (GSK990MC 4.2.13).
+//! Stage polar: G15 and G16 (GSK990MC 4.2.13, Kaitong appendix 9).
 //!
-//! The plane's first address is a radius, its second an angle. With G90 the radius is measured from the
-//! work zero, with G91 from the present point; an angle of G91 is added to the last one.
+//! The plane's first address is a radius, its second an angle. With G90 the pole is the work zero, with G91
+//! the present point; an angle of G91 is added to the last one.
 
 use crate::stages::rotation::sin_cos_degrees;
 use ferrocut_geometry::Plane;
 
+/// What sets the pole.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum PoleRule {
+    /// Every radius does, by G90 or G91 of its block (GSK990MC 4.2.13).
+    Radius,
+    /// G16 does, until the next G16. A radius of G91 is added to the last one; a radius is never negative,
+    /// its sign is left aside (Kaitong appendix 9).
+    Code,
+}
+
 /// Polar coordinates in force.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Polar {
+    rule: PoleRule,
     pole: [f64; 2],
     radius: f64,
     degrees: f64,
@@ -16,13 +27,15 @@ pub struct Polar {
 
 impl Polar {
     /// G16 where the tool stands at `here` in the plane.
-    pub fn new(here: [f64; 2], incremental: bool) -> Polar {
-        if incremental {
-            return Polar { pole: here, radius: 0.0, degrees: 0.0 };
-        }
+    pub fn new(rule: PoleRule, here: [f64; 2], incremental: bool) -> Polar {
         // A first block that names only one of the two takes the other from where the tool stands.
         let degrees = if here == [0.0, 0.0] { 0.0 } else { here[1].atan2(here[0]).to_degrees() };
-        Polar { pole: [0.0, 0.0], radius: here[0].hypot(here[1]), degrees }
+        match (incremental, rule) {
+            (false, _) => Polar { rule, pole: [0.0, 0.0], radius: here[0].hypot(here[1]), degrees },
+            (true, PoleRule::Radius) => Polar { rule, pole: here, radius: 0.0, degrees: 0.0 },
+            // The present angle is that of the vector from the work zero (Kaitong appendix 9, 1.2).
+            (true, PoleRule::Code) => Polar { rule, pole: here, radius: 0.0, degrees },
+        }
     }
 
     /// The point in the plane that a block's radius (mm) and angle (degrees) make.
@@ -33,9 +46,15 @@ impl Polar {
         angle: Option<f64>,
         incremental: bool,
     ) -> [f64; 2] {
-        if let Some(radius) = radius {
-            self.pole = if incremental { here } else { [0.0, 0.0] };
-            self.radius = radius;
+        match (radius, self.rule) {
+            (None, _) => {}
+            (Some(radius), PoleRule::Radius) => {
+                self.pole = if incremental { here } else { [0.0, 0.0] };
+                self.radius = radius;
+            }
+            (Some(radius), PoleRule::Code) => {
+                self.radius = if incremental { self.radius + radius } else { radius }.abs();
+            }
         }
         if let Some(angle) = angle {
             self.degrees = if incremental { self.degrees + angle } else { angle };

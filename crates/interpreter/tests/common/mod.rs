@@ -2,7 +2,7 @@
 #![allow(dead_code, missing_docs, clippy::unwrap_used, clippy::panic)]
 
 use ferrocut_geometry::{Axis, Position};
-use ferrocut_interpreter::{Interpreter, Options, dialects};
+use ferrocut_interpreter::{Dialect, Interpreter, Options, dialects};
 use ferrocut_machine::{Alarm, Memory, Setup};
 use ferrocut_program::{ProgramMemory, Text};
 use ferrocut_toolpath::{Dwell, Feed, Op, Step, TraceWriter};
@@ -10,7 +10,16 @@ use std::fmt::Write;
 
 /// An interpreter before the first block of `program`, on the GSK990MC with a set-up file's text.
 pub fn interpreter(program: &[u8], setup: &str, options: Options) -> Option<Interpreter> {
-    let dialect = &dialects::gsk990mc::DIALECT;
+    interpreter_of(&dialects::gsk990mc::DIALECT, program, setup, options)
+}
+
+/// The same of any control.
+pub fn interpreter_of(
+    dialect: &'static Dialect,
+    program: &[u8],
+    setup: &str,
+    options: Options,
+) -> Option<Interpreter> {
     let text = Text::from_bytes(program.to_vec()).ok()?;
     let programs = ProgramMemory::new("test.nc", text, dialect.syntax);
     let setup = Setup::from_toml(setup).unwrap();
@@ -28,9 +37,14 @@ pub fn interpreter(program: &[u8], setup: &str, options: Options) -> Option<Inte
 /// Steps beyond which a program of a test is taken as running away.
 pub const RUNS_AWAY: usize = 1_000_000;
 
-/// The steps of a program to its end or its first alarm.
+/// The steps of a program to its end or its first alarm, on the GSK990MC.
 pub fn run(program: &str, setup: &str) -> (Vec<Step>, Option<Alarm>) {
-    let mut interpreter = interpreter(program.as_bytes(), setup, Options::default()).unwrap();
+    run_on(&dialects::gsk990mc::DIALECT, program, setup)
+}
+
+/// The same on any control.
+pub fn run_on(dialect: &'static Dialect, program: &str, setup: &str) -> (Vec<Step>, Option<Alarm>) {
+    let mut interpreter = interpreter_of(dialect, program.as_bytes(), setup, Options::default()).unwrap();
     let mut steps = Vec::new();
     for step in &mut interpreter {
         match step {
@@ -44,7 +58,12 @@ pub fn run(program: &str, setup: &str) -> (Vec<Step>, Option<Alarm>) {
 
 /// The steps of a program that raises no alarm, in short lines.
 pub fn lines(program: &str, setup: &str) -> Vec<String> {
-    let (steps, alarm) = run(program, setup);
+    lines_on(&dialects::gsk990mc::DIALECT, program, setup)
+}
+
+/// The same on any control.
+pub fn lines_on(dialect: &'static Dialect, program: &str, setup: &str) -> Vec<String> {
+    let (steps, alarm) = run_on(dialect, program, setup);
     assert_eq!(alarm, None, "{program}");
     let start = Setup::from_toml(setup).unwrap().start.position();
     short(&steps, start)
@@ -62,6 +81,7 @@ pub fn short(steps: &[Step], start: Position) -> Vec<String> {
             Op::Dwell(Dwell::Seconds(s)) => format!("dwell {}s", round(*s)),
             Op::Dwell(Dwell::Revolutions(r)) => format!("dwell {}rev", round(*r)),
             Op::Spindle(_) => spindle(step),
+            Op::Tap { pitch, rpm, .. } => format!("tap {} at {}", round(*pitch), round(*rpm)),
             Op::Coolant(on) => format!("coolant {}", if *on { "on" } else { "off" }),
             Op::Select(t) => format!("select {t}"),
             Op::Change(t) => format!("change {t}"),

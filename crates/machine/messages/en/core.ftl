@@ -414,6 +414,10 @@ FC-0440 = The move enters the area that the stored stroke check forbids
 FC-0441 = There is no such axis for surface speed
     .help = Use P1 to P4 for an axis of the machine.
 
+FC-0442 = Length compensation in the block of a code that does not allow it
+    .detail = { $word }
+    .help = Put the length compensation into a block of its own.
+
 FC-0510 = Rigid tapping without a feed
     .help = Give F in the cycle or before it.
 
@@ -482,3 +486,10 @@ FC-0526 = The cycle would take too many moves
     .help = Use a larger step or depth of cut.
 FC-0527 = Rigid tapping without a spindle speed
     .help = Program S, best in the block of the code that makes tapping rigid.
+
+FC-0528 = A tapping cycle whose pitch was never given
+    .help = Program the pitch F, or the threads per inch I, with the cycle.
+
+FC-0529 = The pitch of the thread is given twice
+    .detail = { $word }
+    .help = Program F or I, not both.

@@ -10,6 +10,7 @@ mod syntax;
 mod variables;
 
 use crate::dialect::Dialect;
+use crate::dialects::fanuc;
 use crate::evaluate::{Angles, Arithmetic};
 use ferrocut_machine::WorkOffset;
 
@@ -19,18 +20,20 @@ pub static DIALECT: Dialect = Dialect {
     syntax: &syntax::SYNTAX,
     // 4.9.2, 5: results are precise to 0.0001. Table 4-9-5-2: EXP to 99997.453535.
     arithmetic: Arithmetic { angles: Angles::Degrees, steps: 10_000.0, largest_power: 99_997.453_535 },
-    g_codes: codes::G_CODES,
-    m_codes: codes::M_CODES,
-    cycle_off: &codes::CYCLE_OFF,
-    length_off: &codes::LENGTH_OFF,
-    one_way_modal: &codes::ONE_WAY_MODAL,
+    g_codes: &codes::G_CODES,
+    m_codes: &codes::M_CODES,
+    cycle_off: &fanuc::CYCLE_OFF,
+    length_off: &fanuc::LENGTH_OFF,
+    one_way_modal: &fanuc::ONE_WAY_MODAL,
     is_fixed_parameter: rules::is_fixed,
     macro_call: 650,
     variable: variables::variable,
-    argument: variables::argument,
+    argument: fanuc::argument,
     addresses: codes::ADDRESSES,
     alarms: alarms::ALARMS,
     soft_limit_alarm: alarms::soft_limit,
+    // 4.9.4.
+    program_alarms: Some(3000),
     rules: rules::rules,
     power_on: rules::power_on,
     reset: rules::reset,

@@ -1,9 +1,12 @@
 //! What the parameters set.
 
-use super::codes::{CYCLE_OFF, G_CODES};
-use crate::dialect::{GCode, ResetRules, Rules, ScalingRules};
+use super::codes::G_CODES;
+use crate::cycles::{self, NoDepth, Repeat, Restart, Tapping};
+use crate::dialect::{ResetRules, Rules, ScalingRules};
+use crate::dialects::fanuc;
 use crate::modal::Modal;
 use crate::stages::cutter;
+use crate::stages::polar::PoleRule;
 use crate::stroke::{STROKE_AXES, StrokeRules};
 use ferrocut_geometry::Axis;
 use ferrocut_machine::{ParameterKey, Parameters};
@@ -35,20 +38,15 @@ pub fn rules(parameters: &Parameters) -> Rules {
         dwell_p_unit_s: if parameters.bit(5, 1) { 0.0001 } else { 0.001 },
         dwell_in_revolutions: parameters.bit(34, 0),
         length_on_plane_normal: parameters.bit(39, 0),
+        // 4.7.1, 4.
+        h00_waits: true,
+        length_not_with: &[],
         repeats_are_alarms: parameters.bit(32, 6),
         m_codes_in_block: if parameters.bit(33, 7) { 3 } else { 1 },
         max_call_depth: CALL_DEPTH,
         max_macro_depth: MACRO_DEPTH,
         max_repeats: 9999.0,
-        chip_break_retract: p(270),
-        peck_clearance: p(271),
-        peck_needs_depth: parameters.bit(43, 1),
-        // 42#5 chooses the axis, 42#4 the direction (4.4.6).
-        shift: (
-            if parameters.bit(42, 5) { Axis::Y } else { Axis::X },
-            if parameters.bit(42, 4) { -1.0 } else { 1.0 },
-        ),
-        pocket_helix_factor: p(269),
+        cycles: cycles(parameters),
         cutter: cutter::Rules {
             start_up: if parameters.bit(40, 0) { cutter::StartUp::B } else { cutter::StartUp::A },
             interference: parameters.bit(41, 6),
@@ -71,18 +69,6 @@ pub fn rules(parameters: &Parameters) -> Rules {
         max_m_code: digits(p(204)),
         radius_is_diameter: parameters.bit(40, 7),
         corner_arc: parameters.bit(41, 5),
-        rigid_tapping: parameters.bit(46, 1),
-        max_tapping_rpm: p(257),
-        // P295 to P297 are those of further gears, which the ladder selects.
-        max_rigid_rpm: p(257).min(p(294)),
-        // 44#4, P283 in steps of 1 % or with 45#3 of 10 %.
-        rigid_retract: match parameters.bit(44, 4) {
-            true => p(283).max(1.0) * if parameters.bit(45, 3) { 0.1 } else { 0.01 },
-            false => 1.0,
-        },
-        rigid_tapping_orients: parameters.bit(46, 5),
-        peck_tapping_is_fast: parameters.bit(44, 5),
-        peck_tapping_retract: p(284),
         scaling: ScalingRules {
             enabled: parameters.bit(60, 5),
             factors_by_axis: parameters.bit(47, 6),
@@ -92,6 +78,11 @@ pub fn rules(parameters: &Parameters) -> Rules {
         },
         rotation_angle: p(329),
         rotation_follows_g91: parameters.bit(47, 0),
+        max_rotation: f64::INFINITY,
+        pole: PoleRule::Radius,
+        // Alarms 0160 and 0161; 0216 to 0220.
+        polar_is_strict: true,
+        transforms_are_strict: true,
         one_way_overshoot: [p(335), p(336), p(337), p(338), p(339)],
         one_way_dwell_s: p(334),
         one_way_is_modal: parameters.bit(48, 0),
@@ -104,10 +95,6 @@ pub fn rules(parameters: &Parameters) -> Rules {
         max_wear: p(267),
         // Range of P10 to P44 (4.2.7 note 3).
         max_zero: 9_999.999_9,
-        cycle_dwell: (p(281) / 1000.0, p(282) / 1000.0),
-        // Milliseconds, also where 5#1 makes G04 count finer (4.4, table 4-4-2).
-        cycle_dwell_p_unit_s: 0.001,
-        cycle_needs_speed: true,
         reference_keeps_cutter: !parameters.bit(40, 2),
         axes: order.into_iter().take(controlled_axes(parameters)).collect(),
         linear_axes: (0u8..)
@@ -116,6 +103,46 @@ pub fn rules(parameters: &Parameters) -> Rules {
             .map(|(_, axis)| axis)
             .collect(),
         axis_order: order,
+    }
+}
+
+/// The canned cycles (4.4 to 4.6).
+fn cycles(parameters: &Parameters) -> cycles::Rules {
+    let p = |number| parameters.data(number);
+    cycles::Rules {
+        repeat_letter: b'K',
+        repeat: Repeat::Block,
+        chip_break_retract: p(270),
+        peck_clearance: p(271),
+        // 4.4.1 note 2.
+        no_depth: if parameters.bit(43, 1) { NoDepth::Alarm } else { NoDepth::Position },
+        // 42#5 chooses the axis, 42#4 the direction (4.4.6).
+        shift: (
+            if parameters.bit(42, 5) { Axis::Y } else { Axis::X },
+            if parameters.bit(42, 4) { -1.0 } else { 1.0 },
+        ),
+        default_shift: 0.0,
+        restart: Restart::AsBefore,
+        tapping: Tapping::Feed {
+            rigid: parameters.bit(46, 1),
+            // P295 to P297 are those of further gears, which the ladder selects.
+            max_rigid_rpm: p(257).min(p(294)),
+            // 44#4, P283 in steps of 1 % or with 45#3 of 10 %.
+            rigid_retract: match parameters.bit(44, 4) {
+                true => p(283).max(1.0) * if parameters.bit(45, 3) { 0.1 } else { 0.01 },
+                false => 1.0,
+            },
+            rigid_orients: parameters.bit(46, 5),
+            steps_are_fast: parameters.bit(44, 5),
+            retract: p(284),
+        },
+        max_tapping_rpm: p(257),
+        dwell: (p(281) / 1000.0, p(282) / 1000.0),
+        // Milliseconds, also where 5#1 makes G04 count finer (4.4, table 4-4-2).
+        dwell_p_unit_s: 0.001,
+        needs_speed: true,
+        length_at_start_only: false,
+        pocket_helix_factor: p(269),
     }
 }
 
@@ -168,11 +195,6 @@ pub fn is_fixed(key: &ParameterKey) -> bool {
     )
 }
 
-fn code(tenths: u16) -> &'static GCode {
-    let found = G_CODES.binary_search_by_key(&tenths, |g| g.tenths).ok().and_then(|at| G_CODES.get(at));
-    found.unwrap_or(&CYCLE_OFF)
-}
-
 /// What a reset clears: groups 1 to 7 by 35#1 to 35#7, groups 8 to 15 by 36#0 to 36#7 (4.1 note 7).
 pub fn reset(parameters: &Parameters) -> ResetRules {
     let group = |n: u8| if n < 8 { parameters.bit(35, n) } else { parameters.bit(36, n - 8) };
@@ -210,5 +232,5 @@ pub fn power_on(parameters: &Parameters) -> Modal {
         970,
         if bit(31, 5) { 130 } else { 120 },
     ];
-    Modal::new(&CYCLE_OFF, codes.map(code))
+    Modal::new(&fanuc::CYCLE_OFF, codes.map(|tenths| fanuc::row(&G_CODES, tenths)))
 }

@@ -1,68 +1,7 @@
-//! How GSK990MC programs are written.
+//! How GSK990MC programs are written: sections 3.1 and 4.9.
 
-use ferrocut_program::{Binary, Function, Keyword, Syntax};
+use crate::dialects::fanuc;
+use ferrocut_program::Syntax;
 
-/// Sections 3.1 and 4.9. A function may be called by its first two letters. `AND` binds like `*`,
-/// `OR` and `XOR` like `+` (4.9.4); comparisons bind least.
-pub static SYNTAX: Syntax = Syntax {
-    paren_comments: true,
-    paren_groups: false,
-    keywords: &[
-        ("IF", Keyword::If),
-        ("THEN", Keyword::Then),
-        ("GOTO", Keyword::Goto),
-        ("WHILE", Keyword::While),
-        ("DO", Keyword::Do),
-        ("END", Keyword::End),
-    ],
-    functions: &[
-        ("SIN", Function::Sin),
-        ("SI", Function::Sin),
-        ("COS", Function::Cos),
-        ("CO", Function::Cos),
-        ("TAN", Function::Tan),
-        ("TA", Function::Tan),
-        ("ASIN", Function::Asin),
-        ("AS", Function::Asin),
-        ("ACOS", Function::Acos),
-        ("AC", Function::Acos),
-        ("ATAN", Function::Atan),
-        ("AT", Function::Atan),
-        ("SQRT", Function::Sqrt),
-        ("SQ", Function::Sqrt),
-        ("ABS", Function::Abs),
-        ("AB", Function::Abs),
-        ("ROUND", Function::Round),
-        ("RO", Function::Round),
-        ("FIX", Function::Fix),
-        ("FI", Function::Fix),
-        ("FUP", Function::Fup),
-        ("FU", Function::Fup),
-        ("LN", Function::Ln),
-        ("EXP", Function::Exp),
-        ("EX", Function::Exp),
-        ("BIN", Function::Bin),
-        ("BI", Function::Bin),
-        ("BCD", Function::Bcd),
-        ("BC", Function::Bcd),
-    ],
-    operators: &[
-        ("EQ", Binary::Equal, 1),
-        ("NE", Binary::NotEqual, 1),
-        ("GT", Binary::Greater, 1),
-        ("GE", Binary::GreaterEqual, 1),
-        ("LT", Binary::Less, 1),
-        ("LE", Binary::LessEqual, 1),
-        ("+", Binary::Add, 2),
-        ("-", Binary::Subtract, 2),
-        ("XOR", Binary::Xor, 2),
-        ("OR", Binary::Or, 2),
-        ("*", Binary::Multiply, 3),
-        ("/", Binary::Divide, 3),
-        ("AND", Binary::And, 3),
-    ],
-    // Alarm 0026: a line of more than 1024 bytes.
-    max_line: 1024,
-    // Alarm 0118: more than five levels.
-    max_brackets: 5,
-};
+/// That of all Fanuc-like languages; a line of more than 1024 bytes is alarm 0026.
+pub static SYNTAX: Syntax = Syntax { max_line: 1024, ..fanuc::SYNTAX };

@@ -43,24 +43,6 @@ pub fn variable(number: u32) -> Option<Variable> {
     })
 }
 
-/// The local variable that an address of G65 sets (table 4-9-2-5).
-pub fn argument(letter: u8) -> Option<u32> {
-    Some(match letter {
-        b'A' => 1,
-        b'B' => 2,
-        b'C' => 3,
-        b'I' => 4,
-        b'J' => 5,
-        b'K' => 6,
-        b'D' => 7,
-        b'E' => 8,
-        b'F' => 9,
-        b'M' => 13,
-        b'Q'..=b'Z' => u32::from(letter - b'Q') + 17,
-        _ => return None,
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -74,9 +56,5 @@ mod tests {
         assert_eq!(variable(5010), None);
         assert_eq!(variable(4030), Some(Variable::ModalWord(b'P')));
         assert_eq!(variable(200), None);
-        assert_eq!(
-            (argument(b'Q'), argument(b'Z'), argument(b'G'), argument(b'P')),
-            (Some(17), Some(26), None, None)
-        );
     }
 }

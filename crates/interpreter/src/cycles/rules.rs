@@ -1,0 +1,99 @@
+//! What controls do differently in their canned cycles.
+
+use ferrocut_geometry::Axis;
+
+/// What the word that counts holes means.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Repeat {
+    /// The block is carried out so many times; with G91 each hole lies one step further (Fanuc's K).
+    Block,
+    /// So many holes at equal distances on the line from the present place, which is not drilled, to the
+    /// programmed one (Kaitong's L). Without a programmed place all are at the present one.
+    Line,
+}
+
+/// What a peck cycle does that was given no depth of cut.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum NoDepth {
+    /// An alarm.
+    Alarm,
+    /// It positions and cuts nothing.
+    Position,
+    /// It takes this one, mm.
+    Depth(f64),
+}
+
+/// What the spindle does after a cycle that stopped it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Restart {
+    /// What it did before.
+    AsBefore,
+    /// It turns clockwise.
+    Clockwise,
+}
+
+/// How the feed of a tapping cycle comes about.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Tapping {
+    /// F is the feed of G94 or G95. Rigid after a code of its own (M29), else with a floating holder;
+    /// with Q in steps.
+    Feed {
+        /// Rigid tapping is fitted.
+        rigid: bool,
+        /// Highest spindle speed of it, r/min.
+        max_rigid_rpm: f64,
+        /// Speed of the spindle on the way out of a rigidly tapped thread, over that on the way in.
+        rigid_retract: f64,
+        /// It begins with an oriented spindle stop.
+        rigid_orients: bool,
+        /// Steps draw back only a little (else to the R level).
+        steps_are_fast: bool,
+        /// How far, where V does not say, mm.
+        retract: f64,
+    },
+    /// Always rigid. F is the pitch in mm, I the threads per inch, in force until the next one, also when
+    /// the cycle ends.
+    Pitch {
+        /// Smallest and largest F, mm.
+        pitch: (f64, f64),
+        /// Smallest and largest I, threads per inch.
+        threads: (f64, f64),
+    },
+}
+
+/// Numbers and choices of the canned cycles, in millimetres and seconds.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Rules {
+    /// The address that counts holes.
+    pub repeat_letter: u8,
+    /// What it means.
+    pub repeat: Repeat,
+    /// Retract of chip breaking (G73).
+    pub chip_break_retract: f64,
+    /// Gap at which rapid ends above the last depth (G83).
+    pub peck_clearance: f64,
+    /// Peck cycles without depth of cut.
+    pub no_depth: NoDepth,
+    /// Distance that the tool is moved aside by the sign of its shift in boring (G76, G87): axis and
+    /// direction.
+    pub shift: (Axis, f64),
+    /// How far, where Q does not say.
+    pub default_shift: f64,
+    /// The spindle after G76, G86, G87 and G88.
+    pub restart: Restart,
+    /// Tapping.
+    pub tapping: Tapping,
+    /// Highest spindle speed of tapping that is not rigid by such a code, r/min.
+    pub max_tapping_rpm: f64,
+    /// Shortest and longest dwell.
+    pub dwell: (f64, f64),
+    /// Seconds that P1 stands for.
+    pub dwell_p_unit_s: f64,
+    /// A cycle needs a spindle speed that was once given.
+    pub needs_speed: bool,
+    /// Codes of tool length are without effect but in the block that starts the cycle mode; and what that
+    /// block takes up does not change the machine height of the initial level.
+    pub length_at_start_only: bool,
+    /// Radius of the helix by which a pocket is entered, over the tool radius.
+    pub pocket_helix_factor: f64,
+}
