@@ -26,10 +26,12 @@ pub struct Memory {
 impl Memory {
     /// The memory as delivered: parameters at their default, everything else zero or empty.
     pub fn new(dialect: &str) -> Memory {
-        // GSK990MC: offset numbers 0 to 255 (3.1.3), additional systems P1 to P50 (4.2.9). The other
+        // GSK990MC: offset numbers 0 to 255 (3.1.3), additional systems P1 to P50 (4.2.9). Other
         // controls get the largest tables until they have a row of their own.
         let (last_tool, additional) = match dialect {
             "gsk990mc" => (255, 50),
+            // Kaitong: H01 to H24 (appendix 8, 1.1.3); additional systems as on the Fanuc 0i-M.
+            "kaitong" => (24, 48),
             _ => (ToolTable::LARGEST, WorkOffsets::LARGEST),
         };
         let table = ParameterTable::of(dialect).unwrap_or_else(ParameterTable::empty);
@@ -279,7 +281,7 @@ mod tests {
         assert_eq!(memory.parameter(&key(270)), 2.0);
         assert!(memory.set_parameter(&key(12), 1e6).is_err());
         // Elsewhere P12 is a parameter like others.
-        let mut memory = Memory::new("kaitong");
+        let mut memory = Memory::new("rs274");
         memory.set_parameter(&key(12), 1.5).unwrap();
         assert_eq!(memory.work.external, Position::ZERO);
         assert_eq!(memory.parameter(&key(12)), 1.5);

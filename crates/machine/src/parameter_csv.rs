@@ -47,7 +47,7 @@ pub fn write_parameters<'a>(
             Meaning::Bit { one, zero } => format!("1: {one}; 0: {zero}"),
         };
         csv.write_record([
-            row.key.to_string(),
+            row.name.to_string(),
             value.to_string(),
             row.default.to_string(),
             number(row.min),

@@ -19,7 +19,7 @@ const LARGEST_OPEN_TABLE: usize = 10_000;
 ///
 /// Its text form is that of set-up files: `P270`, `NO43.1` (also `NO43#1`), or a name such as
 /// `FIXEDCYCLE_BACK`. Either case and leading zeros are read; `P024.0`, as some controls print their
-/// bit parameters, is the same as `NO24.0`.
+/// bit parameters, is the same as `NO24.0`. [`ParameterTable::name`] writes it as the control does.
 #[derive(Clone, PartialEq, Eq, Hash, Debug, PartialOrd, Ord)]
 pub enum ParameterKey {
     /// One bit of a bit parameter.
@@ -82,11 +82,11 @@ pub enum ParameterError {
     /// Text that names no parameter.
     Malformed(Box<str>),
     /// A parameter that the control does not have.
-    Unknown(ParameterKey),
+    Unknown(Box<str>),
     /// A value outside the printed range.
     OutOfRange {
-        /// The parameter.
-        key: ParameterKey,
+        /// Name of the parameter.
+        name: Box<str>,
         /// The value that was to be set.
         value: f64,
         /// Smallest value, where there is one.
@@ -95,9 +95,9 @@ pub enum ParameterError {
         max: Option<f64>,
     },
     /// A bit that was to be neither 0 nor 1.
-    NotABit(ParameterKey, f64),
+    NotABit(Box<str>, f64),
     /// A number of something, or of a choice, that was not to be whole.
-    NotWhole(ParameterKey, f64),
+    NotWhole(Box<str>, f64),
     /// More parameters than a control can have.
     TooMany,
 }
@@ -108,9 +108,9 @@ impl fmt::Display for ParameterError {
             ParameterError::Malformed(text) => {
                 write!(f, "{text:?} names no parameter: write P270, NO43.1 or a name")
             }
-            ParameterError::Unknown(key) => write!(f, "{key}: the control has no such parameter"),
-            ParameterError::OutOfRange { key, value, min, max } => {
-                write!(f, "{key} cannot be {value}: ")?;
+            ParameterError::Unknown(name) => write!(f, "{name}: the control has no such parameter"),
+            ParameterError::OutOfRange { name, value, min, max } => {
+                write!(f, "{name} cannot be {value}: ")?;
                 match (min, max) {
                     (Some(min), Some(max)) => write!(f, "it must be {min} to {max}"),
                     (Some(min), None) => write!(f, "it must be {min} or more"),
@@ -118,11 +118,11 @@ impl fmt::Display for ParameterError {
                     (None, None) => write!(f, "it must be a number"),
                 }
             }
-            ParameterError::NotABit(key, value) => {
-                write!(f, "{key} cannot be {value}: it is a bit, 0 or 1")
+            ParameterError::NotABit(name, value) => {
+                write!(f, "{name} cannot be {value}: it is a bit, 0 or 1")
             }
-            ParameterError::NotWhole(key, value) => {
-                write!(f, "{key} cannot be {value}: it is a whole number")
+            ParameterError::NotWhole(name, value) => {
+                write!(f, "{name} cannot be {value}: it is a whole number")
             }
             ParameterError::TooMany => {
                 write!(f, "too many parameters: no control has more than {LARGEST_OPEN_TABLE}")
@@ -152,6 +152,8 @@ pub enum Meaning {
 pub struct ParameterDef {
     /// The parameter.
     pub key: ParameterKey,
+    /// Its name as the control writes it: `P270`, `NO43.1`, `P018.4`.
+    pub name: Box<str>,
     /// Symbol of a bit as printed (`ODI`), a speaking name of a number (`g73_retract`).
     pub symbol: Box<str>,
     /// What it says.
@@ -180,7 +182,7 @@ impl ParameterDef {
         if matches!(self.key, ParameterKey::Bit { .. }) {
             return match value == 0.0 || value == 1.0 {
                 true => Ok(()),
-                false => Err(ParameterError::NotABit(self.key.clone(), value)),
+                false => Err(ParameterError::NotABit(self.name.clone(), value)),
             };
         }
         // The list prints a default outside the range of a reserved parameter (P4).
@@ -188,7 +190,7 @@ impl ParameterDef {
             return Ok(());
         }
         if self.whole && value.fract() != 0.0 {
-            return Err(ParameterError::NotWhole(self.key.clone(), value));
+            return Err(ParameterError::NotWhole(self.name.clone(), value));
         }
         let inside = value.is_finite()
             && self.min.is_none_or(|min| value >= min)
@@ -197,7 +199,7 @@ impl ParameterDef {
             true => Ok(()),
             false => {
                 let (min, max) = (self.min, self.max);
-                Err(ParameterError::OutOfRange { key: self.key.clone(), value, min, max })
+                Err(ParameterError::OutOfRange { name: self.name.clone(), value, min, max })
             }
         }
     }
@@ -210,9 +212,12 @@ pub struct ParameterTable {
     places: HashMap<ParameterKey, usize>,
     /// Values as delivered, ready to be copied.
     delivered: Values,
+    /// Names of bits are written like those of numbers, of three digits at least: `P018.4`.
+    bits_like_numbers: bool,
 }
 
 static GSK990MC: OnceLock<ParameterTable> = OnceLock::new();
+static KAITONG: OnceLock<ParameterTable> = OnceLock::new();
 static EMPTY: OnceLock<ParameterTable> = OnceLock::new();
 
 impl ParameterTable {
@@ -223,6 +228,15 @@ impl ParameterTable {
                 ParameterTable::from_csv(
                     include_str!("../data/gsk990mc/bit-parameters.csv"),
                     include_str!("../data/gsk990mc/data-parameters.csv"),
+                    false,
+                )
+            })),
+            // What appendices 7, 10 and 11 of its manual name.
+            "kaitong" => Some(KAITONG.get_or_init(|| {
+                ParameterTable::from_csv(
+                    include_str!("../data/kaitong/bit-parameters.csv"),
+                    include_str!("../data/kaitong/data-parameters.csv"),
+                    true,
                 )
             })),
             _ => None,
@@ -237,6 +251,21 @@ impl ParameterTable {
     /// Whether any name is taken, since no list says which exist.
     pub fn is_open(&self) -> bool {
         self.definitions.is_empty()
+    }
+
+    /// The name of a parameter as the control writes it.
+    pub fn name(&self, key: &ParameterKey) -> String {
+        match key {
+            ParameterKey::Bit { number, bit } if self.bits_like_numbers => {
+                format!("{}.{bit}", self.name_of_bits(*number))
+            }
+            key => key.to_string(),
+        }
+    }
+
+    /// The name of a bit parameter with all its bits: `NO43`, `P018`.
+    pub fn name_of_bits(&self, number: u16) -> String {
+        if self.bits_like_numbers { format!("P{number:03}") } else { format!("NO{number}") }
     }
 
     /// The row of a parameter.
@@ -261,8 +290,8 @@ impl ParameterTable {
 
     /// Reads the two files of a control. A row that cannot be read is left out; a test holds that the
     /// files built in have none.
-    fn from_csv(bits: &str, data: &str) -> ParameterTable {
-        let mut table = ParameterTable::default();
+    fn from_csv(bits: &str, data: &str, bits_like_numbers: bool) -> ParameterTable {
+        let mut table = ParameterTable { bits_like_numbers, ..ParameterTable::default() };
         for row in rows(bits) {
             if let Some(definition) = bit_row(&row) {
                 table.add(definition);
@@ -276,7 +305,8 @@ impl ParameterTable {
         table
     }
 
-    fn add(&mut self, definition: ParameterDef) {
+    fn add(&mut self, mut definition: ParameterDef) {
+        definition.name = self.name(&definition.key).into();
         self.delivered.write(&definition.key, definition.default);
         self.places.insert(definition.key.clone(), self.definitions.len());
         self.definitions.push(definition);
@@ -293,6 +323,7 @@ fn bit_row(row: &csv::StringRecord) -> Option<ParameterDef> {
     let bit = row.get(1)?.parse().ok().filter(|b| *b < 8)?;
     Some(ParameterDef {
         key: ParameterKey::Bit { number, bit },
+        name: "".into(),
         symbol: row.get(2)?.into(),
         meaning: Meaning::Bit { one: row.get(3)?.into(), zero: row.get(4)?.into() },
         unit: "".into(),
@@ -311,6 +342,7 @@ fn data_row(row: &csv::StringRecord) -> Option<ParameterDef> {
     let number = row.get(0)?.parse().ok().filter(|n| *n <= LARGEST_NUMBER)?;
     Some(ParameterDef {
         key: ParameterKey::Data(number),
+        name: "".into(),
         symbol: row.get(1)?.into(),
         meaning: Meaning::Value(row.get(2)?.into()),
         unit: row.get(3)?.into(),
@@ -445,7 +477,7 @@ impl Parameters {
         match self.table.get(key) {
             Some(definition) => definition.check(value),
             None if self.table.is_open() => self.check_open(key, value),
-            None => Err(ParameterError::Unknown(key.clone())),
+            None => Err(ParameterError::Unknown(self.table.name(key).into())),
         }
     }
 
@@ -460,16 +492,17 @@ impl Parameters {
     }
 
     fn check_open(&self, key: &ParameterKey, value: f64) -> Result<(), ParameterError> {
+        let name = || Box::from(self.table.name(key));
         if let ParameterKey::Bit { number, .. } | ParameterKey::Data(number) = key
             && *number > LARGEST_NUMBER
         {
-            return Err(ParameterError::Unknown(key.clone()));
+            return Err(ParameterError::Unknown(name()));
         }
         if matches!(key, ParameterKey::Bit { .. }) && value != 0.0 && value != 1.0 {
-            return Err(ParameterError::NotABit(key.clone(), value));
+            return Err(ParameterError::NotABit(name(), value));
         }
         if !value.is_finite() {
-            return Err(ParameterError::OutOfRange { key: key.clone(), value, min: None, max: None });
+            return Err(ParameterError::OutOfRange { name: name(), value, min: None, max: None });
         }
         if self.others.len() >= LARGEST_OPEN_TABLE && !self.others.contains_key(key) {
             return Err(ParameterError::TooMany);
@@ -526,12 +559,48 @@ mod tests {
     #[test]
     fn every_row_of_the_files_is_read_once() {
         let lines = |text: &str| text.lines().count() - 1;
-        let table = ParameterTable::of("gsk990mc").unwrap();
-        let bits = lines(include_str!("../data/gsk990mc/bit-parameters.csv"));
-        let data = lines(include_str!("../data/gsk990mc/data-parameters.csv"));
-        assert_eq!((bits, data), (224, 361));
-        assert_eq!(table.len(), bits + data);
-        assert_eq!(table.places.len(), table.len());
+        let files = [
+            (
+                "gsk990mc",
+                include_str!("../data/gsk990mc/bit-parameters.csv"),
+                include_str!("../data/gsk990mc/data-parameters.csv"),
+                (224, 361),
+            ),
+            (
+                "kaitong",
+                include_str!("../data/kaitong/bit-parameters.csv"),
+                include_str!("../data/kaitong/data-parameters.csv"),
+                (22, 18),
+            ),
+        ];
+        for (dialect, bits, data, counted) in files {
+            let table = ParameterTable::of(dialect).unwrap();
+            assert_eq!((lines(bits), lines(data)), counted, "{dialect}");
+            assert_eq!(table.len(), lines(bits) + lines(data), "{dialect}");
+            assert_eq!(table.places.len(), table.len(), "{dialect}");
+        }
+    }
+
+    #[test]
+    fn kaitong_writes_bits_like_numbers() {
+        let mut p = Parameters::new(ParameterTable::of("kaitong").unwrap());
+        // Appendix 7, 2.1 and 2.6: 1000 of 0.001 mm; appendix 11.
+        assert_eq!((p.data(230), p.data(174), p.data(188)), (1000.0, 300.0, 5.0));
+        p.set(&key("P018.4"), 1.0).unwrap();
+        p.set(&key("P24.0"), 1.0).unwrap();
+        assert!(p.bit(18, 4) && !p.bit(18, 5) && p.bit(24, 0));
+        let names: Vec<_> = p.changed().map(|(key, _)| p.table().name(&key)).collect();
+        assert_eq!(names, ["P018.4", "P024.0"]);
+        assert_eq!(
+            p.set(&key("P018.4"), 2.0).unwrap_err().to_string(),
+            "P018.4 cannot be 2: it is a bit, 0 or 1"
+        );
+        assert_eq!(
+            p.set(&key("P018.6"), 1.0).unwrap_err().to_string(),
+            "P018.6: the control has no such parameter"
+        );
+        assert_eq!(p.table().name_of_bits(18), "P018");
+        assert!(p.iter().all(|(definition, value)| definition.check(value).is_ok()));
     }
 
     #[test]

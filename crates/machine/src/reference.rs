@@ -133,7 +133,7 @@ pub enum Mention {
     M(RangeInclusive<u16>),
     /// `P270`, `P335-P338`, `P216 to P230`.
     Data(RangeInclusive<u16>),
-    /// `42#5`, `#15.0`, `NO43.1`, `47#3-47#5`.
+    /// `42#5`, `#15.0`, `NO43.1`, `P018.4`, `47#3-47#5`.
     Bits(u16, RangeInclusive<u8>),
     /// `alarm 0020`.
     Alarm(u16),
@@ -162,22 +162,35 @@ pub struct Reference {
     related: Vec<Related>,
 }
 
+/// The tables of a control from its folder of data. The words of the macro language are those of all
+/// Fanuc-like ones.
+macro_rules! fanuc_like {
+    ($dialect:literal) => {
+        Reference {
+            dialect: $dialect,
+            parameters: ParameterTable::of($dialect).unwrap_or_else(ParameterTable::empty),
+            g_codes: table(include_str!(concat!("../data/", $dialect, "/g-codes.csv")), g_code_row),
+            m_codes: table(include_str!(concat!("../data/", $dialect, "/m-codes.csv")), m_code_row),
+            variables: table(
+                include_str!(concat!("../data/", $dialect, "/system-variables.csv")),
+                variable_row,
+            ),
+            addresses: table(include_str!(concat!("../data/", $dialect, "/addresses.csv")), address_row),
+            macro_words: table(include_str!("../data/fanuc/macro-words.csv"), macro_word_row),
+            related: table(include_str!(concat!("../data/", $dialect, "/related.csv")), related_row),
+        }
+    };
+}
+
 static GSK990MC: OnceLock<Reference> = OnceLock::new();
+static KAITONG: OnceLock<Reference> = OnceLock::new();
 
 impl Reference {
     /// The tables of the control that `dialect` belongs to; none where there are none.
     pub fn of(dialect: &str) -> Option<&'static Reference> {
         match dialect {
-            "gsk990mc" => Some(GSK990MC.get_or_init(|| Reference {
-                dialect: "gsk990mc",
-                parameters: ParameterTable::of("gsk990mc").unwrap_or_else(ParameterTable::empty),
-                g_codes: table(include_str!("../data/gsk990mc/g-codes.csv"), g_code_row),
-                m_codes: table(include_str!("../data/gsk990mc/m-codes.csv"), m_code_row),
-                variables: table(include_str!("../data/gsk990mc/system-variables.csv"), variable_row),
-                addresses: table(include_str!("../data/gsk990mc/addresses.csv"), address_row),
-                macro_words: table(include_str!("../data/gsk990mc/macro-words.csv"), macro_word_row),
-                related: table(include_str!("../data/gsk990mc/related.csv"), related_row),
-            })),
+            "gsk990mc" => Some(GSK990MC.get_or_init(|| fanuc_like!("gsk990mc"))),
+            "kaitong" => Some(KAITONG.get_or_init(|| fanuc_like!("kaitong"))),
             _ => None,
         }
     }
@@ -468,9 +481,10 @@ fn range<'a, T: PartialOrd + Copy>(
     last.unwrap_or((first, text))
 }
 
-/// `42#5`, `#15.0` or `NO43.1`.
+/// `42#5`, `#15.0`, `NO43.1` or `P018.4`.
 fn bit(text: &str) -> Option<((u16, u8), &str)> {
-    let (number, rest, mark) = match text.strip_prefix('#').or_else(|| text.strip_prefix("NO")) {
+    let named = text.strip_prefix('#').or_else(|| text.strip_prefix("NO")).or_else(|| text.strip_prefix('P'));
+    let (number, rest, mark) = match named {
         Some(rest) => whole(rest).map(|(n, rest)| (n, rest, '.'))?,
         None => whole(text).map(|(n, rest)| (n, rest, '#'))?,
     };
@@ -500,31 +514,53 @@ mod tests {
         gsk().parameters_of(&subject).iter().map(|d| d.key.to_string()).collect()
     }
 
+    /// The dialects that have tables, and the texts of these.
+    macro_rules! files {
+        ($($dialect:literal),+) => {
+            [$((
+                $dialect,
+                [
+                    include_str!(concat!("../data/", $dialect, "/g-codes.csv")),
+                    include_str!(concat!("../data/", $dialect, "/m-codes.csv")),
+                    include_str!(concat!("../data/", $dialect, "/system-variables.csv")),
+                    include_str!(concat!("../data/", $dialect, "/addresses.csv")),
+                    include_str!(concat!("../data/", $dialect, "/related.csv")),
+                ],
+            )),+]
+        };
+    }
+
+    const FILES: [(&str, [&str; 5]); 2] = files!("gsk990mc", "kaitong");
+
     #[test]
     fn every_row_of_the_files_is_read() {
         let lines = |text: &str| text.lines().count() - 1;
+        for (dialect, files) in FILES {
+            let r = Reference::of(dialect).unwrap();
+            let read =
+                [r.g_codes.len(), r.m_codes.len(), r.variables.len(), r.addresses.len(), r.related.len()];
+            assert_eq!(read, files.map(lines), "{dialect}");
+            assert_eq!(r.macro_words.len(), lines(include_str!("../data/fanuc/macro-words.csv")));
+        }
         let r = gsk();
-        assert_eq!(r.g_codes.len(), lines(include_str!("../data/gsk990mc/g-codes.csv")));
-        assert_eq!(r.m_codes.len(), lines(include_str!("../data/gsk990mc/m-codes.csv")));
-        assert_eq!(r.variables.len(), lines(include_str!("../data/gsk990mc/system-variables.csv")));
-        assert_eq!(r.addresses.len(), lines(include_str!("../data/gsk990mc/addresses.csv")));
-        assert_eq!(r.macro_words.len(), lines(include_str!("../data/gsk990mc/macro-words.csv")));
-        assert_eq!(r.related.len(), lines(include_str!("../data/gsk990mc/related.csv")));
         assert_eq!((r.g_codes.len(), r.m_codes.len(), r.variables.len()), (90, 33, 77));
         assert!(Reference::of("weihong").is_none());
     }
 
     #[test]
     fn what_is_listed_as_related_exists() {
-        let r = gsk();
-        for row in &r.related {
+        let rows = |(dialect, _)| {
+            let r = Reference::of(dialect).unwrap();
+            r.related.iter().map(move |row| (r, row))
+        };
+        for (r, row) in FILES.into_iter().flat_map(rows) {
             match row.code {
                 Subject::G(tenths) => assert!(r.g_code(tenths).is_some(), "{row:?}"),
                 Subject::M(code) => assert!(r.m_code(code).is_some(), "{row:?}"),
                 _ => panic!("{row:?}"),
             }
             for number in &row.alarms {
-                assert!(alarm_table("gsk990mc").iter().any(|a| a.id.number() == Some(*number)), "{row:?}");
+                assert!(alarm_table(r.dialect).iter().any(|a| a.id.number() == Some(*number)), "{row:?}");
             }
             for mention in &row.parameters {
                 let meant = |d: &&ParameterDef| r.is_meant(mention, &Subject::Parameter(d.key.clone()));
@@ -540,6 +576,10 @@ mod tests {
             ("rapid; 12#1; 31#0 at power-on", vec![Bits(12, 1..=1), Bits(31, 0..=0)]),
             ("then #15.0 and #17.0", vec![Bits(15, 0..=0), Bits(17, 0..=0)]),
             ("47#3-47#5 per axis; NO43.1 = 0", vec![Bits(47, 3..=5), Bits(43, 1..=1)]),
+            (
+                "by P018.5 and P018.4, rapid back by P230.",
+                vec![Bits(18, 5..=5), Bits(18, 4..=4), Data(230..=230)],
+            ),
             ("dwell P334, overrun P335-P338", vec![Data(334..=334), Data(335..=338)]),
             ("Check P216 to P230.", vec![Data(216..=230)]),
             ("G54 P1 to P50 and P2, G54 P50", vec![G(540..=540), G(540..=540)]),

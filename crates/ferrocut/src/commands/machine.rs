@@ -134,7 +134,7 @@ pub struct Whose {
 #[derive(Args)]
 #[command(after_help = "A * marks values that differ from the default. The rooms are\n  \
     acceleration, bus-servo, canned-cycles, compensation, coordinates, display, feed, homing, io,\n  \
-    limits, lookahead, macro, other, plc, program-edit, security, spindle, tapping.\n\
+    limits, lookahead, macro, other, plc, program-edit, security, spindle, tapping, tool-change, tool-life.\n\
     Parameters marked as kept are stored with their value, meaning and range; programs and their run do\n\
     not use them yet.\n\n\
     Examples:\n  \

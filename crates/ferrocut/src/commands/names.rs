@@ -15,7 +15,7 @@ pub enum NameError {
     /// Several parameters carry this symbol.
     Ambiguous(String, Vec<String>),
     /// A bit parameter as a whole where one value is meant.
-    WholeBits(u16),
+    WholeBits(String),
 }
 
 /// What a name of a parameter stands for: one, or all bits of a bit parameter (`NO43`).
@@ -26,18 +26,30 @@ pub fn parameters(text: &str, table: &ParameterTable) -> Result<Vec<ParameterKey
     let text = text.trim();
     let whole = |t: &str| if t.bytes().all(|b| b.is_ascii_digit()) { t.parse::<u16>().ok() } else { None };
     let upper = text.to_ascii_uppercase();
+    let bits_of = |number: u16| -> Vec<ParameterKey> {
+        let is_bit = |key: &ParameterKey| matches!(key, ParameterKey::Bit { number: n, .. } if *n == number);
+        table.iter().map(|d| d.key.clone()).filter(is_bit).collect()
+    };
     let number = upper.strip_prefix("NO").or_else(|| upper.strip_suffix('#'));
     if let Some(number) = number.map(|n| n.trim_end_matches('#')).and_then(whole) {
-        let is_bit = |key: &ParameterKey| matches!(key, ParameterKey::Bit { number: n, .. } if *n == number);
-        let bits: Vec<_> = table.iter().map(|d| d.key.clone()).filter(is_bit).collect();
+        let bits = bits_of(number);
         return if bits.is_empty() { Err(unknown(&upper, table)) } else { Ok(bits) };
+    }
+    // `P018` of a control that writes its bits `P018.4`.
+    if let Some(number) = upper.strip_prefix('P').and_then(whole)
+        && table.get(&ParameterKey::Data(number)).is_none()
+        && table.name_of_bits(number).starts_with('P')
+        && let bits = bits_of(number)
+        && !bits.is_empty()
+    {
+        return Ok(bits);
     }
     let starts_with_digit = upper.as_bytes().first().is_some_and(u8::is_ascii_digit);
     let named = if starts_with_digit && upper.contains('#') { format!("NO{upper}") } else { upper };
     match named.parse::<ParameterKey>() {
         Ok(ParameterKey::Named(_)) => by_symbol(text, table),
         Ok(key) if table.is_open() || table.get(&key).is_some() => Ok(vec![key]),
-        Ok(key) => Err(unknown(&key.to_string(), table)),
+        Ok(key) => Err(unknown(&table.name(&key), table)),
         Err(_) => Err(unknown(text, table)),
     }
 }
@@ -45,7 +57,7 @@ pub fn parameters(text: &str, table: &ParameterTable) -> Result<Vec<ParameterKey
 /// The one parameter of a name.
 pub fn parameter(text: &str, table: &ParameterTable) -> Result<ParameterKey, NameError> {
     match parameters(text, table)?.as_slice() {
-        [ParameterKey::Bit { number, .. }, _, ..] => Err(NameError::WholeBits(*number)),
+        [ParameterKey::Bit { number, .. }, _, ..] => Err(NameError::WholeBits(table.name_of_bits(*number))),
         [key, ..] => Ok(key.clone()),
         [] => Err(unknown(text, table)),
     }
@@ -60,14 +72,14 @@ fn by_symbol(text: &str, table: &ParameterTable) -> Result<Vec<ParameterKey>, Na
     match keys.as_slice() {
         [] => Err(unknown(text, table)),
         [_] => Ok(keys),
-        _ => Err(NameError::Ambiguous(text.to_owned(), keys.iter().map(ParameterKey::to_string).collect())),
+        _ => Err(NameError::Ambiguous(text.to_owned(), keys.iter().map(|key| table.name(key)).collect())),
     }
 }
 
 fn unknown(text: &str, table: &ParameterTable) -> NameError {
     let is_number = |t: &str| t.bytes().any(|b| b.is_ascii_digit()) && !t.contains('_');
     let names = table.iter().map(|d| match is_number(text) {
-        true => d.key.to_string(),
+        true => d.name.to_string(),
         false => d.symbol.to_string(),
     });
     NameError::Unknown(text.to_owned(), near(text, names))
@@ -124,7 +136,7 @@ pub fn name_error(error: &NameError, dialect: &str, diagnostics: &Diagnostics) -
             let arguments = [("name", name.as_str().into()), ("names", keys.join(", ").into())];
             label("label-several-parameters", &arguments)
         }
-        NameError::WholeBits(number) => label("label-whole-bits", &[("name", format!("NO{number}").into())]),
+        NameError::WholeBits(name) => label("label-whole-bits", &[("name", name.as_str().into())]),
     }
 }
 
@@ -142,24 +154,21 @@ pub fn parameter_error(error: &ParameterError, dialect: &str, diagnostics: &Diag
     let label = |key: &str, arguments: &[(&str, Argument)]| diagnostics.catalogue().label(key, arguments);
     match error {
         ParameterError::Malformed(text) => label("label-malformed-name", &[("name", (&**text).into())]),
-        ParameterError::Unknown(key) => {
-            label("label-no-parameter", &[("name", key.to_string().into()), ("dialect", dialect.into())])
+        ParameterError::Unknown(name) => {
+            label("label-no-parameter", &[("name", (&**name).into()), ("dialect", dialect.into())])
         }
-        ParameterError::OutOfRange { key, value, min, max } => {
+        ParameterError::OutOfRange { name, value, min, max } => {
             let bounds = range(*min, *max).unwrap_or_else(|| label("label-any-number", &[]));
-            let arguments = [
-                ("name", key.to_string().into()),
-                ("value", value.to_string().into()),
-                ("range", bounds.into()),
-            ];
+            let arguments =
+                [("name", (&**name).into()), ("value", value.to_string().into()), ("range", bounds.into())];
             label("label-out-of-range", &arguments)
         }
-        ParameterError::NotABit(key, value) => {
-            let arguments = [("name", key.to_string().into()), ("value", value.to_string().into())];
+        ParameterError::NotABit(name, value) => {
+            let arguments = [("name", (&**name).into()), ("value", value.to_string().into())];
             label("label-not-a-bit", &arguments)
         }
-        ParameterError::NotWhole(key, value) => {
-            let arguments = [("name", key.to_string().into()), ("value", value.to_string().into())];
+        ParameterError::NotWhole(name, value) => {
+            let arguments = [("name", (&**name).into()), ("value", value.to_string().into())];
             label("label-not-whole", &arguments)
         }
         ParameterError::TooMany => error.to_string(),
@@ -211,10 +220,25 @@ mod tests {
         assert_eq!(key("odi"), Ok("NO40.7".to_owned()));
         assert_eq!(key("g73_retract"), Ok("P270".to_owned()));
         assert_eq!(key("NO43"), Ok("NO43.1".to_owned()));
-        assert_eq!(key("NO47"), Err(NameError::WholeBits(47)));
+        assert_eq!(key("NO47"), Err(NameError::WholeBits("NO47".into())));
         assert_eq!(parameters("47#", table()).unwrap().len(), 5);
         let several = vec!["NO0.1".to_owned(), "NO3.0".to_owned()];
         assert_eq!(key("INM"), Err(NameError::Ambiguous("INM".into(), several)));
+    }
+
+    #[test]
+    fn bits_that_are_written_like_numbers_are_found() {
+        let table = ParameterTable::of("kaitong").unwrap();
+        let names = |text: &str| {
+            parameters(text, table).map(|keys| keys.iter().map(|k| table.name(k)).collect::<Vec<_>>())
+        };
+        assert_eq!(names("P018"), Ok(vec!["P018.4".to_owned(), "P018.5".to_owned()]));
+        assert_eq!(names("p18.4"), Ok(vec!["P018.4".to_owned()]));
+        assert_eq!(names("P230"), Ok(vec!["P230".to_owned()]));
+        assert_eq!(parameter("P018", table), Err(NameError::WholeBits("P018".into())));
+        let near = |text| names(text).err();
+        let Some(NameError::Unknown(_, offered)) = near("P018.6") else { panic!("P018.6 is known") };
+        assert_eq!(offered.first().map(String::as_str), Some("P018.5"));
     }
 
     #[test]

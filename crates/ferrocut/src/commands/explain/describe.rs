@@ -141,11 +141,11 @@ impl Book {
     pub fn parameter(&self, key: &ParameterKey) -> Option<Page> {
         let value = self.memory.parameter(key);
         let Some(definition) = self.table().get(key) else {
-            let mut page = Page::new("parameter", key.to_string(), "");
+            let mut page = Page::new("parameter", self.table().name(key), "");
             page.tell("value", value.to_string(), value);
             return self.table().is_open().then_some(page);
         };
-        let mut page = Page::new("parameter", key.to_string(), &*definition.symbol);
+        let mut page = Page::new("parameter", &*definition.name, &*definition.symbol);
         match &definition.meaning {
             Meaning::Value(text) => page.say("meaning", &**text),
             Meaning::Bit { one, zero } => {

@@ -151,7 +151,7 @@ pub fn value_text(definition: &ParameterDef, value: f64, catalogue: Catalogue) -
 /// A parameter as an object.
 pub fn parameter_json(definition: &ParameterDef, value: f64) -> Value {
     let mut object = json!({
-        "name": definition.key.to_string(),
+        "name": definition.name,
         "symbol": definition.symbol,
         "value": value,
         "default": definition.default,
@@ -188,10 +188,10 @@ fn families(parameters: &[(&ParameterDef, f64)], catalogue: Catalogue) -> Vec<(S
         let value = value_text(first, *value, catalogue);
         rows.push(match (last, member) {
             (Some((last, _)), Some((before, number, after))) => {
-                let name = format!("{}-{}", first.key, last.key);
+                let name = format!("{}-{}", first.name, last.name);
                 (name, value, format!("{before}{number}-{}{after}", number + count))
             }
-            _ => (first.key.to_string(), value, meaning(first)),
+            _ => (first.name.to_string(), value, meaning(first)),
         });
         rest = behind.get(count..).unwrap_or(&[]);
     }

@@ -1,6 +1,6 @@
 //! Changes in the `[parameters]` table of a machine file that leave everything else as it stands.
 
-use ferrocut_machine::{Machine, ParameterKey};
+use ferrocut_machine::{Machine, ParameterKey, ParameterTable};
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -13,7 +13,7 @@ const LARGEST_WHOLE: f64 = 1e15;
 pub type Change = (ParameterKey, Option<f64>);
 
 /// The text of a machine file with changed parameters. The reason where the file cannot be changed.
-pub fn changed(text: &str, changes: &[Change]) -> Result<String, String> {
+pub fn changed(text: &str, changes: &[Change], list: &ParameterTable) -> Result<String, String> {
     if changes.is_empty() {
         Machine::from_toml(text).map_err(|e| e.to_string())?;
         return Ok(text.to_owned());
@@ -21,7 +21,7 @@ pub fn changed(text: &str, changes: &[Change]) -> Result<String, String> {
     let mut file: DocumentMut = text.parse().map_err(|e: toml_edit::TomlError| e.to_string())?;
     // A table that is not there has nothing to be taken out of.
     if !file.contains_key("parameters") && changes.iter().all(|(_, value)| value.is_none()) {
-        return changed(text, &[]);
+        return changed(text, &[], list);
     }
     let table = file.entry("parameters").or_insert_with(|| Item::Table(Table::new()));
     let table = table.as_table_like_mut().ok_or("parameters is no table")?;
@@ -43,7 +43,7 @@ pub fn changed(text: &str, changes: &[Change]) -> Result<String, String> {
                 }
             }
             (Some(value), None) => {
-                table.insert(&key.to_string(), Item::Value(number(*value)));
+                table.insert(&list.name(key), Item::Value(number(*value)));
             }
         }
     }
@@ -116,7 +116,7 @@ mod tests {
 
     fn change(text: &str, changes: &[(&str, Option<f64>)]) -> Result<String, String> {
         let changes: Vec<Change> = changes.iter().map(|(k, v)| (k.parse().unwrap(), *v)).collect();
-        changed(text, &changes)
+        changed(text, &changes, ParameterTable::of("gsk990mc").unwrap())
     }
 
     #[test]

@@ -52,7 +52,8 @@ impl Target {
 
     /// Writes changes and prints each, old value and new.
     fn write(&self, path: &Path, changes: &[Change]) -> Result<Exit, Failure> {
-        let new = edit::changed(&self.text, changes).map_err(|reason| unusable(path, &reason))?;
+        let new = edit::changed(&self.text, changes, self.book.table())
+            .map_err(|reason| unusable(path, &reason))?;
         if new != self.text {
             let file = path.to_string_lossy();
             edit::replace(path, &new).map_err(|error| Failure::cannot_write(&file, &error))?;
@@ -61,18 +62,15 @@ impl Target {
         for (key, value) in changes {
             let old = self.book.memory.parameter(key);
             let definition = self.book.table().get(key);
+            let name = self.book.table().name(key);
             let new = value.or(definition.map(|d| d.default)).unwrap_or(0.0);
             if self.book.diagnostics.is_json() {
-                let object = serde_json::json!({ "name": key.to_string(), "old": old, "new": new });
+                let object = serde_json::json!({ "name": name, "old": old, "new": new });
                 print(&format!("{object}\n"));
             }
             let unit = definition.map_or("", |d| &*d.unit);
             let symbol = definition.map_or("", |d| &*d.symbol);
-            rows.push(vec![
-                key.to_string(),
-                symbol.to_owned(),
-                format!("{old} → {new} {unit}").trim_end().to_owned(),
-            ]);
+            rows.push(vec![name, symbol.to_owned(), format!("{old} → {new} {unit}").trim_end().to_owned()]);
         }
         if !self.book.diagnostics.is_json() {
             print(&table(&rows));
@@ -98,7 +96,7 @@ fn list(args: &ListArgs, book: &Book) -> Result<Exit, Failure> {
     let wanted = |d: &ParameterDef, value: f64| {
         args.room.as_ref().is_none_or(|room| d.applies_to.eq_ignore_ascii_case(room))
             && (!args.changed || value != d.default)
-            && has(&format!("{} {} {} {}", d.key, d.symbol, meaning(d), d.applies_to))
+            && has(&format!("{} {} {} {}", d.name, d.symbol, meaning(d), d.applies_to))
     };
     let rows: Vec<_> = values(book).filter(|(d, value)| wanted(d, *value)).collect();
     let mut out = io::stdout().lock();
@@ -121,7 +119,7 @@ fn list(args: &ListArgs, book: &Book) -> Result<Exit, Failure> {
     cells.extend(rows.iter().map(|(d, value)| {
         vec![
             if *value == d.default { String::new() } else { "*".to_owned() },
-            d.key.to_string(),
+            d.name.to_string(),
             d.symbol.to_string(),
             value.to_string(),
             d.default.to_string(),
@@ -180,9 +178,9 @@ fn get(names: &[String], book: &Book) -> Result<Exit, Failure> {
                 writeln!(out, "{}", parameter_json(definition, value))
             }
             None if book.diagnostics.is_json() => {
-                writeln!(out, "{}", serde_json::json!({ "name": key.to_string(), "value": value }))
+                writeln!(out, "{}", serde_json::json!({ "name": book.table().name(&key), "value": value }))
             }
-            _ => writeln!(out, "{key}={value}"),
+            _ => writeln!(out, "{}={value}", book.table().name(&key)),
         };
         if written.is_err() {
             break;
@@ -212,7 +210,7 @@ fn change(name: &str, text: &str, memory: &mut Memory, target: &Target) -> Resul
     }
     let key = names::parameter(name, book.table()).map_err(|e| name_error(&e, dialect, &book.diagnostics))?;
     let Some(value) = value(text) else {
-        let arguments = [("name", key.to_string().into()), ("value", text.trim().into())];
+        let arguments = [("name", book.table().name(&key).into()), ("value", text.trim().into())];
         return Err(book.diagnostics.catalogue().label("label-no-number", &arguments));
     };
     // What stands already is no change, even where the list's own default is outside its range (P4).
@@ -235,7 +233,7 @@ fn set(args: &SetArgs, target: &Target) -> Result<Exit, Failure> {
         };
         match found {
             Ok(change) if changes.iter().any(|(key, _)| *key == change.0) => {
-                let text = target.say("label-set-twice", &[("name", change.0.to_string().into())]);
+                let text = target.say("label-set-twice", &[("name", book.table().name(&change.0).into())]);
                 complain(&text, &book.diagnostics);
                 wrong = true;
             }
@@ -300,9 +298,9 @@ pub fn problems(machine: &Machine, book: &Book) -> Vec<(String, String)> {
             ContradictionKind::SameAxis => "label-same-axis",
             ContradictionKind::BothBits => "label-both-bits",
         };
-        let arguments =
-            [("first", pair.first.to_string().into()), ("second", pair.second.to_string().into())];
-        found.push((pair.first.to_string(), book.diagnostics.catalogue().label(label, &arguments)));
+        let (first, second) = (book.table().name(&pair.first), book.table().name(&pair.second));
+        let arguments = [("first", first.clone().into()), ("second", second.into())];
+        found.push((first, book.diagnostics.catalogue().label(label, &arguments)));
     }
     found
 }
@@ -360,7 +358,7 @@ fn import(args: &ImportArgs, target: &Target) -> Result<Exit, Failure> {
                 None => Ok(change),
                 Some(line) => {
                     let arguments =
-                        [("name", change.0.to_string().into()), ("line", line.to_string().into())];
+                        [("name", book.table().name(&change.0).into()), ("line", line.to_string().into())];
                     Err(target.say("label-row-twice", &arguments))
                 }
             }
