@@ -243,7 +243,10 @@ fn reports_add_up() {
         let (cut, rapid) = lengths(&trace);
         assert!((number(&report, "cutting_mm") - cut).abs() < 0.01, "{}: {cut}", example.0);
         assert!((number(&report, "rapid_mm") - rapid).abs() < 0.01, "{}: {rapid}", example.0);
-        let fastest_cut = trace.iter().filter_map(|s| s["f"].as_f64()).fold(0.0, f64::max) / 60.0;
+        // A tap is fed by its pitch.
+        let tap = |s: &Value| Some(s["pitch"].as_f64()?.abs() * s["rpm"].as_f64()?);
+        let feed = |s: &Value| s["f"].as_f64().or_else(|| tap(s));
+        let fastest_cut = trace.iter().filter_map(feed).fold(0.0, f64::max) / 60.0;
         // A helix has its feed along the circle, and climbs beside it.
         assert!(number(&report, "cutting_s") * fastest_cut * 1.2 > cut, "{}", example.0);
         assert!(number(&report, "rapid_s") * 250.0 * 3f64.sqrt() > rapid, "{}", example.0);

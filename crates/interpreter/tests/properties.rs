@@ -4,7 +4,7 @@
 
 mod common;
 
-use ferrocut_interpreter::{Interpreter, Options};
+use ferrocut_interpreter::{Dialect, Interpreter, Options, dialects};
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_toolpath::{Dwell, Feed, Op, Step};
 use proptest::prelude::*;
@@ -63,10 +63,10 @@ fn points_into(text: &[u8], alarm: &Alarm) -> bool {
 }
 
 /// Reads a program to its end, or enough of it, and holds every rule against it.
-fn holds(text: &[u8], options: Options) {
+fn holds(dialect: &'static Dialect, text: &[u8], options: Options) {
     // A picture is refused before: nothing to interpret.
-    let Some(mut interpreter) = common::interpreter(text, "", options) else { return };
-    let shown = String::from_utf8_lossy(text).into_owned();
+    let Some(mut interpreter) = common::interpreter_of(dialect, text, "", options) else { return };
+    let shown = format!("{}: {}", dialect.name, String::from_utf8_lossy(text));
     let began = Instant::now();
     let mut at = interpreter.position();
     let mut alarms = 0;
@@ -94,15 +94,18 @@ fn holds(text: &[u8], options: Options) {
 
 fn holds_every_way(text: &[u8]) {
     let options = Options::default();
-    holds(text, options);
-    holds(text, Options { keep_going: true, block_skip: true, optional_stop: true, ..options });
+    for dialect in dialects::ALL {
+        holds(dialect, text, options);
+        holds(dialect, text, Options { keep_going: true, block_skip: true, optional_stop: true, ..options });
+    }
 }
 
 /// Addresses with a value from the whole range and beyond, in the forms that people write.
 fn word() -> impl Strategy<Value = String> {
     let known_g = prop::sample::select(vec![
-        0, 1, 2, 3, 4, 10, 15, 16, 17, 18, 19, 20, 21, 28, 29, 30, 31, 40, 43, 44, 49, 50, 51, 53, 54, 55,
-        59, 60, 61, 63, 64, 65, 68, 69, 73, 80, 81, 82, 83, 84, 85, 86, 89, 90, 91, 92, 94, 95, 98, 99,
+        0, 1, 2, 3, 4, 10, 15, 16, 17, 18, 19, 20, 21, 28, 29, 30, 31, 40, 43, 44, 49, 50, 51, 52, 53, 54,
+        55, 59, 60, 61, 63, 64, 65, 68, 69, 73, 74, 76, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92,
+        94, 95, 98, 99,
     ]);
     let known_m = prop::sample::select(vec![0, 1, 2, 3, 4, 5, 6, 8, 9, 19, 30, 98, 99]);
     let value = prop_oneof![
@@ -149,11 +152,16 @@ fn program() -> impl Strategy<Value = String> {
 
 /// The example programs, cut to a size at which a change is likely to be met.
 fn examples() -> Vec<Vec<u8>> {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/gsk990mc");
-    let mut paths: Vec<_> = std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
-    paths.retain(|p| p.extension().is_some_and(|e| e == "nc"));
+    let files =
+        |folder: &str| -> Vec<_> { std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect() };
+    let mut paths: Vec<_> = Vec::new();
+    for dialect in dialects::ALL {
+        let folder = format!("{}/../../examples/{}", env!("CARGO_MANIFEST_DIR"), dialect.name);
+        let before = paths.len();
+        paths.extend(files(&folder).into_iter().filter(|p| p.extension().is_some_and(|e| e == "nc")));
+        assert!(paths.len() >= before + 2, "the examples are in {folder}");
+    }
     paths.sort();
-    assert!(paths.len() >= 6, "the examples are in {folder}");
     let cut = |path: &std::path::PathBuf| {
         let mut bytes = std::fs::read(path).unwrap();
         bytes.truncate(4000);
@@ -278,6 +286,19 @@ fn repeats_that_move_nothing_end() {
     ends_with("O1\nS100\nG81 X5 R1 K99999\n#1=#1+1\nM99\n", Fault::EndlessProgram);
     // GSK990MC 4.4 allows K99999 at most.
     ends_with("O1\nS100\nG81 X5 R1 K100000\nM30\n", Fault::WordOutOfRange);
+}
+
+#[test]
+fn holes_on_a_line_are_given_out_one_by_one() {
+    let program = b"G99 G83 X99999 R0 Z-999 Q0.1 L99999 F10\nM30\n";
+    let kaitong = &dialects::kaitong::DIALECT;
+    let interpreter = common::interpreter_of(kaitong, program, "", Options::default()).unwrap();
+    assert_eq!(interpreter.take(100_000).filter(Result::is_ok).count(), 100_000);
+    // A line of no length makes no steps, and ends all the same.
+    let program = b"O1\nG81 R0 L99999\n#1=#1+1\nM99\n";
+    let interpreter = common::interpreter_of(kaitong, program, "", Options::default()).unwrap();
+    let alarm = interpreter.filter_map(Result::err).next();
+    assert_eq!(alarm.map(|a| a.fault), Some(Fault::EndlessProgram));
 }
 
 #[test]

@@ -2,6 +2,7 @@
 #![allow(dead_code, missing_docs, clippy::unwrap_used, clippy::panic)]
 
 use assert_cmd::Command;
+use ferrocut_interpreter::dialects;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
@@ -47,16 +48,20 @@ pub fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// The example programs, with the set-up beside them where there is one.
+/// The example programs of every control, with the set-up beside them where there is one.
 pub fn examples() -> Vec<(String, Option<String>)> {
-    let folder = "examples/gsk990mc";
+    let controls = dialects::ALL.iter().map(|dialect| format!("examples/{}", dialect.name));
+    controls.flat_map(|folder| examples_in(&folder)).collect()
+}
+
+fn examples_in(folder: &str) -> Vec<(String, Option<String>)> {
     let mut names: Vec<String> = std::fs::read_dir(root().join(folder))
         .unwrap()
         .map(|e| e.unwrap().file_name().into_string().unwrap())
         .filter(|n| n.ends_with(".nc"))
         .collect();
     names.sort();
-    assert!(names.len() >= 6, "{names:?}");
+    assert!(names.len() >= 2, "{folder}: {names:?}");
     names
         .into_iter()
         .map(|name| {

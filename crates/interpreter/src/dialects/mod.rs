@@ -2,11 +2,12 @@
 
 pub mod fanuc;
 pub mod gsk990mc;
+pub mod kaitong;
 
 use crate::dialect::Dialect;
 
 /// Every control language.
-pub const ALL: &[&Dialect] = &[&gsk990mc::DIALECT];
+pub const ALL: &[&Dialect] = &[&gsk990mc::DIALECT, &kaitong::DIALECT];
 
 /// The control language with this name.
 pub fn by_name(name: &str) -> Option<&'static Dialect> {

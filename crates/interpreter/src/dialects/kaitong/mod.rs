@@ -1,0 +1,40 @@
+//! Kaitong, a milling control of Nanjing Kaitong.
+//!
+//! Sources in comments are the appendices 7 to 11 of its manual: canned cycles, tool length, polar
+//! coordinates, rotation, changes of parameters. P230 is a data parameter, P018.4 bit 4 of a bit parameter.
+//! Of all else the appendices say nothing; there the language is that of the Fanuc 0i-M. What is an option
+//! or a matter of parameters there (scaling, one-way positioning, surface speed, corner arcs) is left out.
+
+mod codes;
+mod rules;
+mod variables;
+
+use crate::dialect::Dialect;
+use crate::dialects::fanuc;
+use crate::evaluate::{Angles, Arithmetic};
+use ferrocut_machine::WorkOffset;
+
+/// The Kaitong control.
+pub static DIALECT: Dialect = Dialect {
+    name: "kaitong",
+    syntax: &fanuc::SYNTAX,
+    arithmetic: Arithmetic { angles: Angles::Degrees, steps: 0.0, largest_power: f64::INFINITY },
+    g_codes: &codes::G_CODES,
+    m_codes: &codes::M_CODES,
+    cycle_off: &fanuc::CYCLE_OFF,
+    length_off: &fanuc::LENGTH_OFF,
+    one_way_modal: &fanuc::ONE_WAY_MODAL,
+    is_fixed_parameter: |_| false,
+    macro_call: 650,
+    variable: variables::variable,
+    argument: fanuc::argument,
+    addresses: codes::ADDRESSES,
+    // The appendices give alarms no numbers.
+    alarms: &[],
+    soft_limit_alarm: |_, _| None,
+    program_alarms: None,
+    rules: rules::rules,
+    power_on: rules::power_on,
+    reset: rules::reset,
+    power_on_work_offset: WorkOffset::Standard(1),
+};
