@@ -1,4 +1,4 @@
-//! The control languages, one folder each.
+//! The control languages, one folder each, and what the Fanuc-like ones have in common.
 
 pub mod fanuc;
 pub mod gsk990mc;

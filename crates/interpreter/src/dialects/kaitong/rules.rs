@@ -11,8 +11,7 @@ use crate::stroke::{STROKE_AXES, StrokeRules};
 use ferrocut_geometry::Axis;
 use ferrocut_machine::{Fault, Parameters};
 
-/// Smallest depth of cut and distance aside: what no Q and Q0 stand for, mm (appendix 7, 2.1, 2.3, 2.6,
-/// 2.10).
+/// Depth of cut and distance aside where Q is missing or 0, mm (appendix 7, 2.1, 2.3, 2.6, 2.10).
 const DEFAULT_Q: f64 = 0.1;
 
 /// Seconds that P1 stands for (appendix 8, example: P2000).
