@@ -349,3 +349,13 @@ fn stops_are_told_and_passed_where_nobody_sits() {
     assert!(answer.err.contains("M00"), "{}", answer.err);
     assert!(answer.out.contains("parts"));
 }
+
+#[test]
+fn what_an_alarm_ended_says_so_above_its_times() {
+    for command in ["time", "run"] {
+        let answer = with_input(&[command, "-"], "G1 X5 F0\nM30\n");
+        assert_eq!(answer.code, 1);
+        let text = "stopped by an alarm; what was done until then:\n  time      0:00.0\n";
+        assert!(answer.out.contains(text), "{}", answer.out);
+    }
+}

@@ -98,7 +98,8 @@ fn write_header(out: &mut dyn Write, shop: &Shop, job: &crate::job::Job, name: &
     writeln!(out, "  {}: {dialect}", catalogue.label("label-control", &[]))
 }
 
-fn write_text(out: &mut dyn Write, cnc: &Cnc, shop: &Shop) -> io::Result<()> {
+/// Writes what a run took, for people.
+pub fn write_text(out: &mut dyn Write, cnc: &Cnc, shop: &Shop) -> io::Result<()> {
     if matches!(cnc.state(), State::Alarmed(_)) {
         writeln!(out, "{}", shop.diagnostics.catalogue().label("label-ended-by-alarm", &[]))?;
     }

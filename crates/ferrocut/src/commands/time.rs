@@ -1,9 +1,9 @@
 //! `ferrocut time`: how long a program takes, by the same code that runs it.
 
 use crate::cli::TimeArgs;
-use crate::commands::run::report_end;
+use crate::commands::run::{report_end, write_text};
 use crate::job::{Exit, Failure, Shop};
-use crate::report::{self, JsonReport};
+use crate::report::JsonReport;
 use ferrocut_controller::{Cnc, State};
 use std::io::{self, Write};
 
@@ -30,7 +30,7 @@ pub fn run(args: &TimeArgs) -> Result<Exit, Failure> {
         true => serde_json::to_writer(&mut out, &JsonReport::new(cnc.report(), &shop.machine))
             .map_err(io::Error::from)
             .and_then(|()| writeln!(out)),
-        false => write!(out, "{name}\n{}", report::text(cnc.report(), &shop.machine, &shop.diagnostics)),
+        false => writeln!(out, "{name}").and_then(|()| write_text(&mut out, &cnc, &shop)),
     };
     Ok(exit)
 }
