@@ -103,7 +103,11 @@ impl Evaluator {
                 }
                 Node::Unary(op) => {
                     let v = self.pop()?.unwrap_or(0.0);
-                    Some(if op == Unary::Negate { -v } else { v })
+                    Some(match op {
+                        Unary::Negate => -v,
+                        Unary::Plus => v,
+                        Unary::Not => truth(v == 0.0),
+                    })
                 }
                 Node::Binary(op) => {
                     let b = self.pop()?;
@@ -240,6 +244,13 @@ impl Arithmetic {
                 }
                 sin / cos
             }
+            Function::Cot => {
+                let (sin, cos) = sin_cos(v, self.angles);
+                if sin == 0.0 {
+                    return Err(Fault::DivisionByZero);
+                }
+                cos / sin
+            }
             Function::Asin => {
                 within(v.abs() <= 1.0)?;
                 self.angles.of_radians(v.asin())
@@ -256,6 +267,7 @@ impl Arithmetic {
             Function::Abs => v.abs(),
             Function::Round => self.rounded(v).round(),
             Function::Fix => self.rounded(v).trunc(),
+            Function::Floor => self.rounded(v).floor(),
             Function::Fup => self.rounded(v).abs().ceil().copysign(v),
             Function::Ln => {
                 within(v > 0.0)?;

@@ -103,6 +103,8 @@ impl Interpreter {
         for word in page.words(block) {
             let value = match word.value() {
                 WordValue::Number(value) => value,
+                // No language has words with text yet.
+                WordValue::Text(_) => continue,
                 // O and N are plain numbers (GSK990MC 4.9.2, 1 note 1).
                 WordValue::Expression(_) if matches!(word.letter, b'O' | b'N') => {
                     let alarm = self.alarm(Fault::VariableInNumber, page.word_span(block, word));
@@ -909,5 +911,7 @@ fn fault_of(kind: DefectKind) -> Fault {
         DefectKind::UnknownFunction => Fault::UnknownFunction,
         DefectKind::MalformedStatement => Fault::MalformedStatement,
         DefectKind::MixedStatement => Fault::MixedStatement,
+        DefectKind::UnknownVariable => Fault::UnknownVariable,
+        DefectKind::UnclosedText => Fault::UnclosedText,
     }
 }

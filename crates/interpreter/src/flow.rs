@@ -169,7 +169,7 @@ fn sequence_number(page: &Page, block: &Block) -> Option<f64> {
     let first = page.words(block).first().filter(|word| word.letter == b'N')?;
     match first.value() {
         Value::Number(number) => Some(number),
-        Value::Expression(_) => None,
+        Value::Expression(_) | Value::Text(_) => None,
     }
 }
 

@@ -308,6 +308,7 @@ impl Interpreter {
     fn word_value(&mut self, page: &Page, block: &Block, word: &Word) -> Fallible<Value> {
         match word.value() {
             WordValue::Number(number) => Ok(Some(number)),
+            WordValue::Text(_) => Ok(None),
             WordValue::Expression(range) => self
                 .evaluate_word(page, range)
                 .map_err(|fault| self.alarm(fault, page.word_span(block, word))),

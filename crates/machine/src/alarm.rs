@@ -54,6 +54,8 @@ faults! {
     NumberTooLarge = 113,
     /// Words and a macro statement in one block.
     MixedStatement = 114,
+    /// Text whose quote or bracket is not closed.
+    UnclosedText = 115,
 
     // 200: words
     /// A G code that the control does not have.

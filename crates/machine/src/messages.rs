@@ -25,7 +25,7 @@
 //! | `NumberWithoutAddress`, `AddressWithoutNumber`, `MisplacedSign`, `MisplacedPoint`, `NumberTooLarge` | `word` |
 //! | `LineTooLong` | `limit` in bytes |
 //! | `BracketsTooDeep`, `TooManyMCodes`, `TooManyHelicalAxes`, `CallsTooDeep` | `limit` |
-//! | `MalformedExpression`, `MalformedStatement`, `MixedStatement`, `LengthInArc` | `word` |
+//! | `MalformedExpression`, `MalformedStatement`, `MixedStatement`, `UnclosedText`, `LengthInArc` | `word` |
 //! | `UnknownFunction` | `name` |
 //! | `UnknownGCode`, `UnknownMCode`, `UnknownAddress`, `RepeatedAddress`, `WordNotWhole`, `WordNegative`, `NeedsOwnBlock`, `NotSupported`, `LengthWithCode`, `TappingPitchTwice` | `word` |
 //! | `RepeatedGroup`, `ProgramCodesTogether` | `first`, `second`: the words |

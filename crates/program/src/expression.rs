@@ -11,6 +11,8 @@ pub enum Unary {
     Negate,
     /// `+x`: the value, which makes an empty variable a number.
     Plus,
+    /// `!x`: 1 where x is 0, else 0.
+    Not,
 }
 
 /// Operators with two operands.
@@ -43,6 +45,7 @@ pub enum Function {
     Sin,
     Cos,
     Tan,
+    Cot,
     Asin,
     Acos,
     /// Of one value.
@@ -56,6 +59,8 @@ pub enum Function {
     Fix,
     /// Away from zero.
     Fup,
+    /// Downwards.
+    Floor,
     Ln,
     Exp,
     /// Decimal coded in binary to a number.

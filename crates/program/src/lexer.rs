@@ -12,7 +12,7 @@
 
 use crate::expression::{Function, MAX_NESTING, MAX_STACK, Node, Unary};
 use crate::number;
-use crate::page::{Block, Defect, DefectKind, ExprRange, Page, Statement, Word};
+use crate::page::{Block, Defect, DefectKind, ExprRange, Page, Statement, TextRange, Word};
 use crate::span::FileId;
 use crate::syntax::{Keyword, Syntax};
 
@@ -102,6 +102,14 @@ fn end_of_lines(text: &[u8]) -> Option<usize> {
     last.map(|at| at + 1)
 }
 
+/// What text stands between, opening and closing: ASCII quotes, and the typographic ones in UTF-8 and in
+/// GB18030, which print and office programs put in their place.
+const QUOTES: &[(&[u8], &[u8])] =
+    &[(b"\"", b"\""), ("\u{201c}".as_bytes(), "\u{201d}".as_bytes()), (b"\xA1\xB0", b"\xA1\xB1")];
+
+/// The brackets of an address of the ladder, `PLC[04]`.
+const BRACKETS: (&[u8], &[u8]) = (b"[", b"]");
+
 /// A defect whose block is not known yet: kind, offset, length.
 struct Flaw(DefectKind, usize, usize);
 
@@ -167,6 +175,14 @@ impl Lexer<'_> {
         }
     }
 
+    /// Skips blanks where they may stand within an expression.
+    #[inline]
+    fn skip_inner_blanks(&mut self) {
+        if self.syntax.blanks_in_expressions {
+            self.skip_blanks();
+        }
+    }
+
     fn at_end_of_block(&self) -> bool {
         self.at >= self.text.len() || matches!(self.peek(), b'\n' | b'\r' | b';')
     }
@@ -226,16 +242,16 @@ impl Lexer<'_> {
         let line = self.line;
         let mut skip = 0u8;
         let mut statement = None;
+        let mut guard = None;
         let mut is_mark = false;
         let mut text_end = start;
         loop {
             let byte = self.peek();
             match byte {
                 b'A'..=b'Z' | b'a'..=b'z' => {
-                    if self.byte_at(self.at + 1).is_ascii_alphabetic() && self.is_keyword() {
-                        statement = self.statement(number, first_word);
-                    } else {
-                        self.word(number, first_word, false);
+                    match self.byte_at(self.at + 1).is_ascii_alphabetic() {
+                        true => self.name(number, first_word, &mut statement, &mut guard),
+                        false => self.word(number, first_word, false),
                     }
                     text_end = self.at;
                 }
@@ -270,6 +286,11 @@ impl Lexer<'_> {
                     self.skip_rest_of_block();
                 }
                 _ if self.at >= self.text.len() => break,
+                _ if self.starts_line_comment() => self.skip_line(),
+                _ if self.syntax.text_address.is_some() && self.opening_quote() > 0 => {
+                    self.text_word(number, self.syntax.text_address.unwrap_or(0), self.at);
+                    text_end = self.at;
+                }
                 _ => {
                     self.stray(number, byte);
                     text_end = self.at;
@@ -277,7 +298,8 @@ impl Lexer<'_> {
             }
         }
         let is_defective = self.page.defects.len() > first_defect;
-        if self.page.words.len() > first_word || skip > 0 || statement.is_some() || is_mark || is_defective {
+        let says_nothing = self.page.words.len() == first_word && statement.is_none() && guard.is_none();
+        if !says_nothing || skip > 0 || is_mark || is_defective {
             let words = (self.page.words.len() - first_word) as u16;
             let len = (text_end.max(start) - start) as u32;
             self.page.blocks.push(Block {
@@ -290,6 +312,7 @@ impl Lexer<'_> {
                 is_mark,
                 is_defective,
                 statement,
+                guard,
             });
         }
         if self.at < self.text.len() {
@@ -313,7 +336,134 @@ impl Lexer<'_> {
     /// Skips what is left of a block that cannot be read further.
     fn skip_rest_of_block(&mut self) {
         while !self.at_end_of_block() {
+            if self.starts_line_comment() {
+                return self.skip_line();
+            }
             self.at += 1;
+        }
+    }
+
+    /// Whether a comment to the end of the line begins here.
+    fn starts_line_comment(&self) -> bool {
+        let rest = self.text.get(self.at..).unwrap_or(&[]);
+        self.syntax.line_comments.iter().any(|sign| rest.starts_with(sign))
+    }
+
+    /// Skips to the end of the line, over every end of block in it.
+    fn skip_line(&mut self) {
+        while self.at < self.text.len() && !matches!(self.peek(), b'\n' | b'\r') {
+            self.at += 1;
+        }
+    }
+
+    /// Length of the quote that opens text here; 0 where there is none.
+    fn opening_quote(&self) -> usize {
+        let rest = self.text.get(self.at..).unwrap_or(&[]);
+        QUOTES
+            .iter()
+            .find(|(open, _)| self.syntax.texts && rest.starts_with(open))
+            .map_or(0, |(o, _)| o.len())
+    }
+
+    /// Reads text between quotes, or in brackets, as the value of the word that started at `start`.
+    fn text_word(&mut self, block: u32, letter: u8, start: usize) {
+        let rest = self.text.get(self.at..).unwrap_or(&[]);
+        let Some((open, close)) = QUOTES.iter().chain([&BRACKETS]).find(|(o, _)| rest.starts_with(o)) else {
+            return;
+        };
+        let inner = rest.get(open.len()..).unwrap_or(&[]);
+        let line = inner.iter().position(|b| matches!(b, b'\n' | b'\r')).unwrap_or(inner.len());
+        let end = |sign: &[u8]| (0..line).find(|at| inner.get(*at..).is_some_and(|i| i.starts_with(sign)));
+        let from = self.at + open.len();
+        match end(close) {
+            Some(len) => {
+                self.at = from + len + close.len();
+                let text = TextRange { at: from as u32, len: len as u32 };
+                let len = self.word_len(start);
+                self.page.words.push(Word::text(letter, text, start as u32, len));
+            }
+            None => {
+                self.flaw(block, Flaw(DefectKind::UnclosedText, start, from + line - start));
+                self.at = from + line;
+            }
+        }
+    }
+
+    /// What a run of letters begins: a statement, a guard, an address of several letters, or words whose
+    /// values are missing.
+    fn name(&mut self, block: u32, first_word: usize, statement: &mut Option<u16>, guard: &mut Option<u16>) {
+        let name = self.letters();
+        match self.syntax.keyword(name) {
+            Some(Keyword::If) if self.syntax.if_guards_block => {
+                *guard = self.guard(block, first_word, *guard)
+            }
+            Some(_) => *statement = self.statement(block, first_word),
+            None => match self.syntax.long_address(name) {
+                Some(letter) => self.long_word(block, letter, name.len(), first_word),
+                None => self.word(block, first_word, false),
+            },
+        }
+    }
+
+    /// Reads `IF (…)` before what it rules over. It stands first in its block, and once.
+    fn guard(&mut self, block: u32, first_word: usize, before: Option<u16>) -> Option<u16> {
+        let start = self.at;
+        let mixed = before.is_some() || !self.only_sequence_number(first_word);
+        self.at += self.letters().len();
+        let flaw = match self.condition() {
+            Ok(_) if mixed => Flaw(DefectKind::MixedStatement, start, self.at - start),
+            Ok(condition) => {
+                self.page.guards.push(condition);
+                return u16::try_from(self.page.guards.len() - 1).ok();
+            }
+            Err(flaw) => flaw,
+        };
+        self.flaw(block, flaw);
+        self.skip_rest_of_block();
+        None
+    }
+
+    /// Reads the value of an address of several letters: a number, `=` and an expression, or text.
+    fn long_word(&mut self, block: u32, letter: u8, name: usize, first_word: usize) {
+        let start = self.at;
+        if self.page.words.len() - first_word >= MAX_WORDS {
+            self.flaw(block, Flaw(DefectKind::LineTooLong, self.at, 1));
+            return self.skip_rest_of_block();
+        }
+        self.at += name;
+        let end = self.at;
+        self.skip_blanks();
+        match self.peek() {
+            b'[' => self.text_word(block, letter, start),
+            b'=' => self.equals_word(block, letter, start, false),
+            b'-' | b'+' | b'0'..=b'9' | b'.' => {
+                let negative = self.peek() == b'-';
+                self.at += usize::from(matches!(self.peek(), b'-' | b'+'));
+                self.numeric_word(block, letter, start, negative, false);
+            }
+            _ if self.opening_quote() > 0 => self.text_word(block, letter, start),
+            _ => {
+                self.at = end;
+                self.flaw(block, Flaw(DefectKind::AddressWithoutNumber, start, end - start));
+            }
+        }
+    }
+
+    /// Reads `=` and an expression as the value of the word that started at `start`.
+    fn equals_word(&mut self, block: u32, letter: u8, start: usize, comma: bool) {
+        self.at += 1;
+        self.skip_blanks();
+        let first = self.page.nodes.len();
+        match self.expression(0, Depth::default()) {
+            Ok(()) => {
+                let range = self.range_from(first);
+                let len = self.word_len(start);
+                self.page.words.push(Word::expression(letter, range, comma, start as u32, len));
+            }
+            Err(flaw) => {
+                self.flaw(block, flaw);
+                self.skip_rest_of_block();
+            }
         }
     }
 
@@ -388,6 +538,10 @@ impl Lexer<'_> {
         match self.peek() {
             b'0'..=b'9' | b'.' => self.numeric_word(block, letter, start, negative, comma),
             b'#' | b'[' => self.expression_word(block, letter, start, negative, comma),
+            b'=' if self.syntax.equals_in_words && signs == 0 => {
+                self.equals_word(block, letter, start, comma);
+            }
+            _ if signs == 0 && self.opening_quote() > 0 => self.text_word(block, letter, start),
             b'(' if self.syntax.paren_groups => self.expression_word(block, letter, start, negative, comma),
             _ => {
                 self.at = end;
@@ -456,10 +610,6 @@ impl Lexer<'_> {
         rest.get(..len).unwrap_or(&[])
     }
 
-    fn is_keyword(&self) -> bool {
-        self.syntax.keyword(self.letters()).is_some()
-    }
-
     /// Reads a statement; `None`, and a defect, if it cannot be read.
     fn statement(&mut self, block: u32, first_word: usize) -> Option<u16> {
         let start = self.at;
@@ -473,6 +623,7 @@ impl Lexer<'_> {
                 true => Ok(statement),
                 // A comment that is not closed; it is read, and reported, with the block.
                 false if self.peek() == b'(' && self.syntax.paren_comments => Ok(statement),
+                false if self.starts_line_comment() => Ok(statement),
                 false if self.peek().is_ascii_alphabetic() => {
                     Err(Flaw(DefectKind::MixedStatement, self.at, self.rest_of_block()))
                 }
@@ -627,6 +778,7 @@ impl Lexer<'_> {
             return self.malformed();
         }
         self.at += 1;
+        self.skip_blanks();
         let first = self.page.nodes.len();
         self.expression(0, Depth::default())?;
         Ok((target, self.range_from(first)))
@@ -638,14 +790,30 @@ impl Lexer<'_> {
         let start = self.at;
         let inner = depth.nested(start)?;
         self.at += 1;
-        self.skip_blanks();
+        self.skip_inner_blanks();
         match self.peek() {
             b'0'..=b'9' => self.number(),
             b'[' => self.primary(inner),
             b'(' if self.syntax.paren_groups => self.primary(inner),
             b'#' => self.variable(inner),
+            b'A'..=b'Z' | b'a'..=b'z' if self.has_names() => self.variable_name(),
             _ => Err(Flaw(DefectKind::MalformedExpression, start, 1)),
         }
+    }
+
+    fn has_names(&self) -> bool {
+        !self.syntax.named_variables.is_empty() || !self.syntax.variable_families.is_empty()
+    }
+
+    /// Reads the name of a variable and pushes the number that it is kept by.
+    fn variable_name(&mut self) -> Result<(), Flaw> {
+        let rest = self.text.get(self.at..).unwrap_or(&[]);
+        let len = rest.iter().take_while(|b| b.is_ascii_alphanumeric() || matches!(b, b'_' | b'.')).count();
+        let number = rest.get(..len).and_then(|name| self.syntax.variable(name));
+        let Some(number) = number else { return Err(Flaw(DefectKind::UnknownVariable, self.at, len)) };
+        self.at += len;
+        self.page.nodes.push(Node::Number(f64::from(number)));
+        Ok(())
     }
 
     /// Reads `#…` and pushes its value.
@@ -681,7 +849,7 @@ impl Lexer<'_> {
     fn expression(&mut self, least: u16, depth: Depth) -> Result<(), Flaw> {
         self.signed_primary(depth)?;
         loop {
-            self.skip_blanks();
+            self.skip_inner_blanks();
             let rest = self.text.get(self.at..).unwrap_or(&[]);
             let found = self.syntax.operators.iter().find(|(name, _, _)| {
                 rest.get(..name.len()).is_some_and(|r| r.eq_ignore_ascii_case(name.as_bytes()))
@@ -699,10 +867,11 @@ impl Lexer<'_> {
     }
 
     fn signed_primary(&mut self, depth: Depth) -> Result<(), Flaw> {
-        self.skip_blanks();
+        self.skip_inner_blanks();
         let sign = match self.peek() {
             b'-' => Unary::Negate,
             b'+' => Unary::Plus,
+            b'!' if self.syntax.logical_not => Unary::Not,
             _ => return self.primary(depth),
         };
         let inner = depth.nested(self.at)?;
@@ -713,7 +882,7 @@ impl Lexer<'_> {
     }
 
     fn primary(&mut self, depth: Depth) -> Result<(), Flaw> {
-        self.skip_blanks();
+        self.skip_inner_blanks();
         let start = self.at;
         if depth.values >= MAX_STACK {
             return Err(Flaw(DefectKind::BracketsTooDeep, start, 1));
@@ -737,7 +906,7 @@ impl Lexer<'_> {
         let inner = depth.nested(start)?;
         self.at += 1;
         self.expression(0, Depth { brackets: depth.brackets + 1, ..inner })?;
-        self.skip_blanks();
+        self.skip_inner_blanks();
         if self.peek() != close {
             return match self.at_end_of_block() {
                 true => Err(Flaw(DefectKind::UnbalancedBracket, start, 1)),
@@ -756,18 +925,19 @@ impl Lexer<'_> {
             return Err(Flaw(DefectKind::UnknownFunction, start, len));
         };
         self.at += len;
-        self.skip_blanks();
-        if !(self.peek() == b'[' || self.peek() == b'(' && self.syntax.paren_groups) {
+        self.skip_inner_blanks();
+        let is_bare = self.syntax.bare_arguments && matches!(self.peek(), b'0'..=b'9' | b'.' | b'#');
+        if !(self.peek() == b'[' || self.peek() == b'(' && self.syntax.paren_groups || is_bare) {
             return Err(Flaw(DefectKind::MalformedExpression, start, self.at - start));
         }
         self.primary(depth)?;
         // ATAN[a]/[b] is one function of two values in every language with brackets.
         if function == Function::Atan {
             let back = self.at;
-            self.skip_blanks();
+            self.skip_inner_blanks();
             if self.peek() == b'/' {
                 self.at += 1;
-                self.skip_blanks();
+                self.skip_inner_blanks();
                 if self.peek() == b'[' {
                     self.primary(depth.with_value())?;
                     self.page.nodes.push(Node::Call(Function::Atan2));

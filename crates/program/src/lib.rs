@@ -23,7 +23,7 @@ pub mod text;
 pub use encoding::Encoding;
 pub use expression::{Binary, Function, Node, Unary};
 pub use memory::{Place, ProgramId, ProgramMemory};
-pub use page::{Block, Defect, DefectKind, ExprRange, Page, Statement, Value, Word};
+pub use page::{Block, Defect, DefectKind, ExprRange, Page, Statement, TextRange, Value, Word};
 pub use span::{FileId, Span};
 pub use syntax::{Keyword, Syntax};
 pub use text::{OpenError, Text};

@@ -23,6 +23,9 @@ const PAGE_BUDGET: usize = 24 << 20;
 /// Programs noted in one file or one folder: far beyond any shop's.
 const MAX_PROGRAMS: usize = 100_000;
 
+/// Bytes of a program's name.
+const LONGEST_NAME: u32 = 255;
+
 /// Part programs looked at in the folder.
 const MAX_FOLDER: usize = 10_000;
 
@@ -37,6 +40,18 @@ pub enum ProgramId {
     Number(u32),
     /// The name of a file without extension. Capitals do not matter.
     Name(Box<str>),
+}
+
+impl ProgramId {
+    /// The program called by a text; one of digits alone is a number.
+    pub fn named(text: &str) -> ProgramId {
+        let text = text.trim();
+        let is_number = !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
+        match text.parse() {
+            Ok(number) if is_number => ProgramId::Number(number),
+            _ => ProgramId::Name(text.to_lowercase().into()),
+        }
+    }
 }
 
 /// A block of a file of program memory.
@@ -279,10 +294,14 @@ impl ProgramMemory {
         let mut programs = HashMap::new();
         let mut number = 0;
         while let Some(page) = self.page(id, number)? {
-            for (at, program) in numbered_programs(&page) {
+            for (at, program) in programs_of(&page) {
+                let program = match program {
+                    Heading::Number(number) => ProgramId::Number(number),
+                    Heading::Name(span) => ProgramId::named(&self.slice(span)),
+                };
                 let place = Place { file: id, page: number, block: at };
                 if programs.len() < MAX_PROGRAMS {
-                    programs.entry(ProgramId::Number(program)).or_insert(place);
+                    programs.entry(program).or_insert(place);
                 }
             }
             number += 1;
@@ -335,18 +354,26 @@ fn is_part_program(path: &Path) -> bool {
     EXTENSIONS.contains(&extension.as_str()) && path.is_file()
 }
 
-/// Blocks of a page that start with an O word, and their numbers.
-fn numbered_programs(page: &Page) -> impl Iterator<Item = (u32, u32)> {
+/// What a block that starts a program calls it.
+enum Heading {
+    Number(u32),
+    Name(Span),
+}
+
+/// Blocks of a page that start with an O word, and the programs that they start.
+fn programs_of(page: &Page) -> impl Iterator<Item = (u32, Heading)> {
     page.blocks.iter().enumerate().filter_map(|(at, block)| {
-        let first = page.words(block).first()?;
-        match first.value() {
-            Value::Number(n)
-                if first.letter == b'O' && n.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&n) =>
-            {
-                Some((at as u32, n as u32))
+        let first = page.words(block).first().filter(|word| word.letter == b'O')?;
+        let heading = match first.value() {
+            Value::Number(n) if n.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&n) => {
+                Heading::Number(n as u32)
             }
-            _ => None,
-        }
+            Value::Text(text) if text.len <= LONGEST_NAME => {
+                Heading::Name(page.span(block, text.at, text.len))
+            }
+            _ => return None,
+        };
+        Some((at as u32, heading))
     })
 }
 
@@ -360,6 +387,7 @@ fn bytes_of(page: &Page) -> usize {
         + array(&page.words)
         + array(&page.nodes)
         + array(&page.statements)
+        + array(&page.guards)
         + array(&page.defects)
 }
 

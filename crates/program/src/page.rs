@@ -16,6 +16,15 @@ pub struct ExprRange {
     pub len: u32,
 }
 
+/// A piece of text within a page.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct TextRange {
+    /// Offset of its first byte in the page.
+    pub at: u32,
+    /// Length, bytes.
+    pub len: u32,
+}
+
 /// Value of a word.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Value {
@@ -23,6 +32,8 @@ pub enum Value {
     Number(f64),
     /// A variable or expression.
     Expression(ExprRange),
+    /// Text, without its quotes or brackets.
+    Text(TextRange),
 }
 
 /// An address and its value.
@@ -34,7 +45,8 @@ pub struct Word {
     pub at: u32,
     /// Length from there to the end of the value, bytes.
     pub len: u16,
-    /// The address in upper case.
+    /// The address in upper case; for one of several letters the byte that stands for it
+    /// ([`Syntax::long_addresses`](crate::Syntax::long_addresses)).
     pub letter: u8,
     flags: u8,
 }
@@ -42,6 +54,7 @@ pub struct Word {
 const COMMA: u8 = 1;
 const POINT: u8 = 2;
 const EXPRESSION: u8 = 4;
+const TEXT: u8 = 8;
 
 impl Word {
     /// A word with a number; `point` tells whether it was written with a decimal point, `comma`
@@ -57,13 +70,21 @@ impl Word {
         Word { bits: u64::from(range.start) << 32 | u64::from(range.len), at, len, letter, flags }
     }
 
+    /// A word with text.
+    pub fn text(letter: u8, text: TextRange, at: u32, len: u16) -> Word {
+        Word { bits: u64::from(text.at) << 32 | u64::from(text.len), at, len, letter, flags: TEXT }
+    }
+
     /// What stands behind the address.
     #[inline]
     pub fn value(&self) -> Value {
-        if self.flags & EXPRESSION == 0 {
+        let (first, second) = ((self.bits >> 32) as u32, self.bits as u32);
+        if self.flags & (EXPRESSION | TEXT) == 0 {
             Value::Number(f64::from_bits(self.bits))
+        } else if self.flags & TEXT == 0 {
+            Value::Expression(ExprRange { start: first, len: second })
         } else {
-            Value::Expression(ExprRange { start: (self.bits >> 32) as u32, len: self.bits as u32 })
+            Value::Text(TextRange { at: first, len: second })
         }
     }
 
@@ -151,6 +172,10 @@ pub enum DefectKind {
     MalformedStatement,
     /// Words and a statement in one block.
     MixedStatement,
+    /// A variable name that the language does not have.
+    UnknownVariable,
+    /// Text whose quote or bracket is not closed.
+    UnclosedText,
 }
 
 /// A defect and where it stands.
@@ -188,6 +213,8 @@ pub struct Block {
     pub is_defective: bool,
     /// Statement of the macro language; words then are at most an N word before it.
     pub statement: Option<u16>,
+    /// Condition without which the block does nothing.
+    pub guard: Option<u16>,
 }
 
 /// Lexed blocks of a stretch of text.
@@ -205,6 +232,8 @@ pub struct Page {
     pub nodes: Vec<Node>,
     /// Statements of all blocks.
     pub statements: Vec<Statement>,
+    /// Conditions of all blocks.
+    pub guards: Vec<ExprRange>,
     /// Defects of all blocks, in order of blocks.
     pub defects: Vec<Defect>,
 }
@@ -227,6 +256,11 @@ impl Page {
     /// The macro statement of a block.
     pub fn statement(&self, block: &Block) -> Option<&Statement> {
         self.statements.get(usize::from(block.statement?))
+    }
+
+    /// The condition without which a block does nothing.
+    pub fn guard(&self, block: &Block) -> Option<ExprRange> {
+        self.guards.get(usize::from(block.guard?)).copied()
     }
 
     /// Defects of the block with this index.

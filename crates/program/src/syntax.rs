@@ -35,6 +35,30 @@ pub struct Syntax {
     /// Levels of brackets that the control allows, those of functions included; what exceeds
     /// [`MAX_NESTING`](crate::expression::MAX_NESTING) counts as that.
     pub max_brackets: u8,
+    /// What begins a comment that runs to the end of the line: the bytes of a sign, in each of the
+    /// encodings that files come in.
+    pub line_comments: &'static [&'static [u8]],
+    /// Whether an expression behind an address stands behind `=`: `X=1+2`.
+    pub equals_in_words: bool,
+    /// Whether blanks may stand within an expression; else a blank ends it.
+    pub blanks_in_expressions: bool,
+    /// Whether a function may stand before a number or variable without brackets: `log6`.
+    pub bare_arguments: bool,
+    /// Whether `!` makes 1 of 0 and 0 of everything else.
+    pub logical_not: bool,
+    /// Whether `IF (…)` rules over the rest of its block, whatever that is.
+    pub if_guards_block: bool,
+    /// Whether a word may hold text, `P"name"`.
+    pub texts: bool,
+    /// The address of text that stands without one.
+    pub text_address: Option<u8>,
+    /// Addresses of several letters, in upper case, and the byte that stands for each in
+    /// [`Word::letter`](crate::Word::letter), from `a` on. Behind one, what stands in `[…]` is text.
+    pub long_addresses: &'static [(&'static str, u8)],
+    /// Variables that have names, in upper case, and the numbers that they are kept by.
+    pub named_variables: &'static [(&'static str, u32)],
+    /// Variables of a name and a number, `#FC12`: name, number of the first, how many.
+    pub variable_families: &'static [(&'static str, u32, u32)],
 }
 
 impl Syntax {
@@ -52,6 +76,17 @@ impl Syntax {
         ],
         max_line: 4096,
         max_brackets: 5,
+        line_comments: &[],
+        equals_in_words: false,
+        blanks_in_expressions: true,
+        bare_arguments: false,
+        logical_not: false,
+        if_guards_block: false,
+        texts: false,
+        text_address: None,
+        long_addresses: &[],
+        named_variables: &[],
+        variable_families: &[],
     };
 
     pub(crate) fn keyword(&self, name: &[u8]) -> Option<Keyword> {
@@ -60,6 +95,34 @@ impl Syntax {
 
     pub(crate) fn function(&self, name: &[u8]) -> Option<Function> {
         find(self.functions, name)
+    }
+
+    pub(crate) fn long_address(&self, name: &[u8]) -> Option<u8> {
+        find(self.long_addresses, name)
+    }
+
+    /// The number that a variable with a name is kept by.
+    pub fn variable(&self, name: &[u8]) -> Option<u32> {
+        find(self.named_variables, name).or_else(|| {
+            let digits = name.iter().rev().take_while(|b| b.is_ascii_digit()).count();
+            let (family, index) = name.split_at_checked(name.len() - digits)?;
+            let named = |(n, _, _): &&(&str, u32, u32)| n.as_bytes().eq_ignore_ascii_case(family);
+            let (_, first, count) = self.variable_families.iter().find(named)?;
+            let index: u32 = std::str::from_utf8(index).ok()?.parse().ok()?;
+            (index < *count).then(|| first + index)
+        })
+    }
+
+    /// What a variable is called, `#500`, `#FC12`.
+    pub fn variable_name(&self, number: u32) -> String {
+        if let Some((name, _)) = self.named_variables.iter().find(|(_, n)| *n == number) {
+            return format!("#{name}");
+        }
+        let of = |(_, first, count): &&(&str, u32, u32)| (*first..first + count).contains(&number);
+        match self.variable_families.iter().find(of) {
+            Some((family, first, _)) => format!("#{family}{}", number - first),
+            None => format!("#{number}"),
+        }
     }
 }
 

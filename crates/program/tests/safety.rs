@@ -4,13 +4,13 @@
 
 mod common;
 
-use common::{GROUPS, MACRO_B, check, deepest, flat, pages};
+use common::{GROUPS, MACRO_B, NAMES, check, deepest, flat, pages};
 use ferrocut_program::expression::{MAX_NESTING, MAX_STACK};
 use ferrocut_program::{Binary, DefectKind, FileId, Page, ProgramMemory, Statement, Syntax, Text, lexer};
 use proptest::prelude::*;
 use std::time::{Duration, Instant};
 
-const SYNTAXES: [&Syntax; 3] = [&MACRO_B, &GROUPS, &Syntax::WORDS];
+const SYNTAXES: [&Syntax; 4] = [&MACRO_B, &GROUPS, &NAMES, &Syntax::WORDS];
 
 /// Reads a file of any size by pages, checks each, and returns what it counted.
 fn read(text: &[u8], syntax: &'static Syntax) -> (usize, usize) {
@@ -32,6 +32,7 @@ fn page_bytes(page: &Page) -> usize {
     32 * page.blocks.capacity()
         + 16 * (page.words.capacity() + page.nodes.capacity() + page.defects.capacity())
         + 48 * page.statements.capacity()
+        + 8 * page.guards.capacity()
 }
 
 #[test]
@@ -78,6 +79,12 @@ fn hostile_files_end_in_a_result() {
         ("blanks", mb(b" ", 4)),
         ("blanks and letters", mb(&[b"X".as_slice(), &[b' '; 4000], b"\n"].concat(), 4)),
         ("points", mb(b"X.", 4)),
+        ("quotes not closed", mb(b"\"\"\"\n", 4)),
+        ("quotes of words", mb(&[b"P\"".repeat(1500).as_slice(), b"\n"].concat(), 4)),
+        ("guards", mb(&[b"IF(1)".repeat(700).as_slice(), b"\n"].concat(), 4)),
+        ("comments to the end of the line", mb(b"G0'X;1'\n", 4)),
+        ("long addresses", mb(&[b"FX=1PLC[4]".repeat(300).as_slice(), b"\n"].concat(), 4)),
+        ("names", mb(&[b"#FC1#SAFE".repeat(300).as_slice(), b"\n"].concat(), 4)),
         ("points in lines", mb(b"X......\n", 4)),
     ];
     for syntax in SYNTAXES {
@@ -243,6 +250,17 @@ const PIECES: &[&str] = &[
     "'",
     "\"",
     "1e5",
+    "IF(",
+    "FX=",
+    "PLC[04]",
+    "P\"ab\"",
+    "\u{201c}",
+    "\u{2032}",
+    "#FC1",
+    "#POS.X",
+    "LOG6",
+    "!",
+    "=",
 ];
 
 fn pieces() -> impl Strategy<Value = Vec<u8>> {

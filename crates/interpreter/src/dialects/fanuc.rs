@@ -276,6 +276,7 @@ pub const SYNTAX: Syntax = Syntax {
     max_line: MAX_LINE,
     // Fanuc's and GSK's (alarm 0118).
     max_brackets: 5,
+    ..Syntax::WORDS
 };
 
 #[cfg(test)]

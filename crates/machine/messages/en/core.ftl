@@ -45,6 +45,9 @@ FC-0113 = The number is too large
 FC-0114 = Words and a macro statement share a block
     .detail = { $word }
     .help = Put the macro statement into a block of its own.
+FC-0115 = Text that is not closed
+    .detail = { $word }
+    .help = End the text with the quote or bracket that it needs.
 
 ## Words
 

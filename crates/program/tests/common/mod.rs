@@ -72,6 +72,7 @@ pub const MACRO_B: Syntax = Syntax {
     ],
     max_line: 4096,
     max_brackets: 5,
+    ..Syntax::WORDS
 };
 
 /// Round brackets group, six precedences, brackets as deep as the parser goes.
@@ -94,6 +95,44 @@ pub const GROUPS: Syntax = Syntax {
     ],
     max_line: usize::MAX,
     max_brackets: u8::MAX,
+    ..Syntax::WORDS
+};
+
+/// What the other two lack: comments to the end of the line, `X=…`, guards, text, long addresses, names.
+pub const NAMES: Syntax = Syntax {
+    paren_comments: false,
+    paren_groups: true,
+    keywords: &[("IF", Keyword::If)],
+    functions: &[
+        ("SIN", Function::Sin),
+        ("LOG", Function::Ln),
+        ("ABS", Function::Abs),
+        ("INT", Function::Floor),
+        ("CTG", Function::Cot),
+    ],
+    operators: &[
+        ("||", Binary::LogicalOr, 1),
+        ("&&", Binary::LogicalAnd, 1),
+        ("==", Binary::Equal, 2),
+        (">", Binary::Greater, 2),
+        ("+", Binary::Add, 3),
+        ("-", Binary::Subtract, 3),
+        ("*", Binary::Multiply, 4),
+        ("/", Binary::Divide, 4),
+    ],
+    max_line: 4096,
+    max_brackets: 20,
+    line_comments: &[b"'", b"\xE2\x80\xB2", b"\xA1\xE4"],
+    equals_in_words: true,
+    blanks_in_expressions: false,
+    bare_arguments: true,
+    logical_not: true,
+    if_guards_block: true,
+    texts: true,
+    text_address: Some(b'a'),
+    long_addresses: &[("MSG", b'a'), ("PLC", b'b'), ("FX", b'c')],
+    named_variables: &[("SAFE", 5001), ("POS.X", 5002)],
+    variable_families: &[("FC", 6000, 100)],
 };
 
 /// Lexes a text that is all of its file, and checks what holds for every page.
@@ -132,8 +171,12 @@ fn show_block(text: &[u8], page: &Page, index: usize, block: &Block) -> String {
         let value = match word.value() {
             Value::Number(n) => format!("{n}"),
             Value::Expression(range) => format!("({})", postfix(page, range)),
+            Value::Text(range) => format!("\"{}\"", cut(text, range.at, range.len)),
         };
         write!(out, " {comma}{letter}={value}{point} «{}»", cut(text, word.at, word.len.into())).unwrap();
+    }
+    if let Some(guard) = page.guard(block) {
+        write!(out, " if {}", postfix(page, guard)).unwrap();
     }
     if let Some(statement) = page.statement(block) {
         write!(out, " {}", show_statement(page, statement)).unwrap();
@@ -208,12 +251,21 @@ pub fn check(text: &[u8], page: &Page) {
             } else {
                 text[at]
             };
-            assert_eq!(word.letter, letter.to_ascii_uppercase());
-            assert!(word.letter.is_ascii_uppercase());
+            // A small letter stands for an address of several, or of none.
+            assert!(word.letter == letter.to_ascii_uppercase() || word.letter.is_ascii_lowercase());
+            assert!(word.letter.is_ascii_alphabetic());
             match word.value() {
                 Value::Number(n) => assert!(n.is_finite()),
                 Value::Expression(range) => check_expression(page, range),
+                Value::Text(range) => {
+                    let (from, to) = (range.at as usize, (range.at + range.len) as usize);
+                    assert!(at < from && from <= to && to < end, "{word:?} in {block:?}");
+                }
             }
+        }
+        assert_eq!(block.guard.is_some(), page.guard(block).is_some());
+        if let Some(guard) = page.guard(block) {
+            check_expression(page, guard);
         }
         if let Some(statement) = page.statement(block) {
             for range in ranges(statement) {
@@ -287,6 +339,7 @@ pub fn evaluate(nodes: &[Node]) -> f64 {
             Node::Variable => stack.pop().unwrap().trunc() * 10.0,
             Node::Unary(Unary::Negate) => -stack.pop().unwrap(),
             Node::Unary(Unary::Plus) => stack.pop().unwrap(),
+            Node::Unary(Unary::Not) => f64::from(u8::from(stack.pop().unwrap() == 0.0)),
             Node::Binary(operator) => {
                 let b = stack.pop().unwrap();
                 let a = stack.pop().unwrap();
@@ -332,6 +385,8 @@ pub fn function(function: Function, x: f64) -> f64 {
         Function::Sin => x.to_radians().sin(),
         Function::Cos => x.to_radians().cos(),
         Function::Tan => x.to_radians().tan(),
+        Function::Cot => 1.0 / x.to_radians().tan(),
+        Function::Floor => x.floor(),
         Function::Asin => x.asin().to_degrees(),
         Function::Acos => x.acos().to_degrees(),
         Function::Atan => x.atan().to_degrees(),
@@ -361,6 +416,7 @@ pub struct FlatBlock {
     pub is_mark: bool,
     pub words: Vec<FlatWord>,
     pub statement: Option<String>,
+    pub guard: Option<String>,
     pub defects: Vec<(DefectKind, u64, u32)>,
 }
 
@@ -373,6 +429,7 @@ pub fn flat<'a>(pages: impl IntoIterator<Item = &'a Page>) -> Vec<FlatBlock> {
                 let value = match w.value() {
                     Value::Number(n) => format!("{:x}", n.to_bits()),
                     Value::Expression(range) => postfix(page, range),
+                    Value::Text(range) => format!("{} {}", page.offset + u64::from(range.at), range.len),
                 };
                 (page.word_span(block, w).offset, w.len, w.letter, w.has_comma(), w.has_point(), value)
             };
@@ -384,6 +441,7 @@ pub fn flat<'a>(pages: impl IntoIterator<Item = &'a Page>) -> Vec<FlatBlock> {
                 is_mark: block.is_mark,
                 words: page.words(block).iter().map(word).collect(),
                 statement: page.statement(block).map(|s| show_statement(page, s)),
+                guard: page.guard(block).map(|g| postfix(page, g)),
                 defects: page
                     .defects(index)
                     .map(|d| (d.kind, page.offset + u64::from(d.at), d.len))

@@ -153,7 +153,7 @@ fn add_block(line: &mut Line, programs: &ProgramMemory, page: &Page, block: &Blo
         let Some((column, _)) = column(span) else { continue };
         let value = match word.value() {
             Value::Number(number) => Some(number),
-            Value::Expression(_) => None,
+            Value::Expression(_) | Value::Text(_) => None,
         };
         line.words.push(Spot { column, text: programs.slice(span), letter: Some(word.letter), value });
         line.g_codes.extend(Some(word).filter(|w| w.letter == b'G').and_then(g_code));
@@ -170,7 +170,7 @@ fn add_block(line: &mut Line, programs: &ProgramMemory, page: &Page, block: &Blo
 pub fn g_code(word: &Word) -> Option<u16> {
     match word.value() {
         Value::Number(number) => tenths(number),
-        Value::Expression(_) => None,
+        Value::Expression(_) | Value::Text(_) => None,
     }
 }
 
