@@ -383,6 +383,13 @@ impl Cnc {
                 // A program that waits for an input in a loop lets time go on.
                 self.keep_busy(Activity::Dwell, self.period);
             }
+            // Inputs are simulated: one that was to fail did so in the interpreter.
+            Op::Wait { .. } => self.keep_busy(Activity::Dwell, self.period),
+            Op::Datum { at } => {
+                self.motion.rename(at);
+                self.drives.rename(&at);
+                self.commanded = at;
+            }
             Op::Spindle(state) => {
                 let seconds = self.spindle.command(state, &self.commanded);
                 self.keep_busy(Activity::Spindle, seconds);

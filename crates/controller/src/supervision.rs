@@ -69,6 +69,7 @@ impl Supervisor {
     #[inline]
     pub fn step(&mut self, step: &Step, mut tell: impl FnMut(Alarm)) {
         match &step.op {
+            Op::Datum { at } => self.at = *at,
             Op::Rapid { .. } | Op::Feed { .. } | Op::Arc { .. } | Op::Tap { .. } | Op::Skip { .. } => {
                 self.travel(step, &mut tell);
                 if matches!(step.op, Op::Tap { .. }) {

@@ -49,6 +49,7 @@ impl Variable {
                 | Variable::ServoOffset(_)
                 | Variable::Input(_)
                 | Variable::InputWord
+                | Variable::Inputs
         )
     }
 }

@@ -8,7 +8,7 @@ use crate::modal::Group;
 use crate::stages::polar::{self, Polar};
 use crate::stages::rotation::Rotation;
 use crate::stages::scaling::Scaling;
-use crate::stages::work_offset::WorkSystem;
+use crate::stages::work_offset::{System, WorkSystem};
 use crate::stages::{distance, units};
 use crate::words::letters;
 use ferrocut_geometry::{Axis, AxisSet, Position};
@@ -19,6 +19,21 @@ use ferrocut_program::Span;
 const FACTOR: std::ops::RangeInclusive<f64> = 0.0001..=9999.9999;
 
 const CENTER_LETTERS: u32 = letters(b"IJK");
+
+/// What controls do differently with coordinate systems and transformations. The default is Fanuc's.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Rules {
+    /// Scaling, mirror and rotation are a stack; else each is in force once, scaling before rotation.
+    pub transforms_nest: bool,
+    /// G92 moves every system of the table, for good; else it makes a system of its own.
+    pub positions_last: bool,
+    /// G53 moves by the motion code in force; else at rapid, and with G91 not at all.
+    pub machine_position_by_motion: bool,
+    /// G28 leaves tool length compensation in force.
+    pub reference_keeps_length: bool,
+    /// G28 may stand while a canned cycle is in force.
+    pub reference_in_cycle: bool,
+}
 
 impl Interpreter {
     /// The axes whose words are inches.
@@ -164,7 +179,9 @@ impl Interpreter {
             return Err(self.alarm(Fault::WorkOffsetInCutter, span));
         }
         let name = match self.words.get(b'P') {
-            Some(number) if standard == 1 && !self.p_is_taken() => {
+            Some(number)
+                if standard == 1 && !self.p_is_taken() && !self.memory.work.additional.is_empty() =>
+            {
                 self.words.take(b'P');
                 if !(1.0..=f64::from(u16::MAX)).contains(&number) || number.fract() != 0.0 {
                     return Err(self.alarm(Fault::WorkOffsetNumber, span));
@@ -194,12 +211,94 @@ impl Interpreter {
         if axes.is_empty() {
             return;
         }
+        if self.rules.coordinates.positions_last {
+            let moved = self.moved_zero(axes);
+            for zero in &mut self.memory.work.standard {
+                *zero = *zero + moved;
+            }
+            self.variable_writes += 1;
+            return self.work_zero_changed();
+        }
         let inch_axes = self.inch_axes();
         let location = &mut self.location;
         let here = distance::end_point(&self.words, axes, location.programmed, false, inch_axes);
         let at = location.machine - location.length.vector;
         location.work = location.work.set_position(at, here, axes);
         location.take_machine();
+    }
+
+    /// How far the zero has to move for the point where the tool stands, tool length left aside, to get the
+    /// given coordinates.
+    fn moved_zero(&self, axes: AxisSet) -> Position {
+        let location = &self.location;
+        let here = distance::end_point(&self.words, axes, location.programmed, false, self.inch_axes());
+        let here = location.nested.map_or(here, |nested| nested.apply(here));
+        location.in_work() - here
+    }
+
+    /// G921 (Weihong 4.3): as G92, for the system in force alone.
+    pub(crate) fn set_position_of_one(&mut self, axes: AxisSet) -> Fallible<()> {
+        let System::Table(name) = self.location.work.system else { return Ok(()) };
+        let moved = self.moved_zero(axes);
+        if let Some(zero) = self.memory.work.get_mut(name) {
+            *zero = *zero + moved;
+        }
+        self.variable_writes += 1;
+        self.work_zero_changed();
+        Ok(())
+    }
+
+    /// G992 (Weihong 4.3): X, Y, Z as G92, I, J, K move the zeros by themselves; of every system, and for
+    /// this program alone.
+    pub(crate) fn set_position_for_now(&mut self, axes: AxisSet) {
+        let mut moved = self.moved_zero(axes);
+        let inch = self.modal.is_inch();
+        for (axis, letter) in [(Axis::X, b'I'), (Axis::Y, b'J'), (Axis::Z, b'K')] {
+            moved[axis] += self.words.get(letter).map_or(0.0, |v| units::length_mm(v, inch));
+        }
+        let work = self.location.work;
+        self.location.work = work.with_local(work.local + moved);
+        self.location.take_machine();
+    }
+
+    /// G922 (Weihong 4.3): machine position of a zero. P-4 is the external offset, P-1 or none the system in
+    /// force, P0 to P5 G54 to G59.
+    pub(crate) fn set_zero_word(&mut self, axes: AxisSet) -> Fallible<()> {
+        let number = self.words.get(b'P').unwrap_or(-1.0);
+        let name = match (number, self.location.work.system) {
+            (-4.0, _) => Some(WorkOffset::External),
+            (-1.0, System::Table(name)) => Some(name),
+            (n, _) if (0.0..=5.0).contains(&n) && n.fract() == 0.0 => Some(WorkOffset::Standard(n as u8 + 1)),
+            _ => None,
+        };
+        let inch = self.inch_axes();
+        let Some(zero) = name.and_then(|name| self.memory.work.get_mut(name)) else {
+            return Err(self.alarm_at(Fault::DataNumber, b'P'));
+        };
+        *zero = distance::end_point(&self.words, axes, *zero, false, inch);
+        self.variable_writes += 1;
+        self.work_zero_changed();
+        Ok(())
+    }
+
+    /// G923 (Weihong 4.3): length of tool P, or of the one in use. It acts when its number is called next.
+    /// X and Y have nothing to act on: G43 and G44 know Z alone.
+    pub(crate) fn set_tool_length(&mut self) -> Fallible<()> {
+        let number = self.words.get(b'P').unwrap_or(f64::from(self.technology.tool));
+        let Some(z) = self.words.get(b'Z') else { return Ok(()) };
+        let length = units::length_mm(z, self.modal.is_inch());
+        if length.abs() > self.rules.max_offset {
+            return Err(self.alarm_at(Fault::OffsetTooLarge, b'Z'));
+        }
+        let whole =
+            (number.fract() == 0.0 && (0.0..=f64::from(u16::MAX)).contains(&number)).then_some(number as u16);
+        let Some(row) = whole.and_then(|number| self.memory.tools.get_mut(number)) else {
+            return Err(self.alarm_at(Fault::OffsetNumber, b'P'));
+        };
+        row.length = length;
+        row.length_wear = 0.0;
+        self.variable_writes += 1;
+        Ok(())
     }
 
     /// G52 (Fanuc): the zero of every work coordinate system is moved by the given coordinates, whatever it
@@ -215,12 +314,30 @@ impl Interpreter {
     /// G53 (GSK990MC 4.2.10): rapid to a machine position, tool length left aside. With G91 the block
     /// does nothing, as on Fanuc.
     pub(crate) fn machine_position(&mut self, axes: AxisSet) -> Fallible<()> {
+        if self.rules.coordinates.machine_position_by_motion {
+            return self.machine_move(axes);
+        }
         if self.modal.is_incremental() {
             return Ok(());
         }
         let machine = self.location.machine;
         let to = distance::end_point(&self.words, axes, machine, false, self.inch_axes());
         self.rapid_uncompensated(to)?;
+        self.location.take_machine();
+        Ok(())
+    }
+
+    /// G53 (Weihong 4.3): the block's move without work offset, transformations and tool length, straight
+    /// and by the motion code in force. An arc has no such form.
+    fn machine_move(&mut self, axes: AxisSet) -> Fallible<()> {
+        let (machine, incremental) = (self.location.machine, self.modal.is_incremental());
+        let to = distance::end_point(&self.words, axes, machine, incremental, self.inch_axes());
+        self.output.suspend_cutter();
+        match self.modal.meaning(Group::Motion) {
+            Meaning::Rapid => self.rapid_machine(to)?,
+            Meaning::Linear => self.cut_machine(to)?,
+            _ => return Err(self.alarm(Fault::ArcInMachine, self.words.block_span())),
+        }
         self.location.take_machine();
         Ok(())
     }
@@ -254,7 +371,7 @@ impl Interpreter {
         if self.technology.rigid_tapping {
             return Some(Fault::PlaneInRigidTapping);
         }
-        if self.cycle.is_active() {
+        if self.cycle.is_active() && !self.rules.cycles.in_any_plane {
             return Some(Fault::PlaneInCycle);
         }
         if self.output.in_cutter_mode() {
@@ -281,7 +398,7 @@ impl Interpreter {
 
     /// Whether any transformation beyond offsets is in force.
     pub(crate) fn is_transformed(&self) -> bool {
-        self.location.scaling.is_some() || self.location.rotation.is_some()
+        self.location.scaling.is_some() || self.location.rotation.is_some() || self.location.nested.is_some()
     }
 
     /// Whether the group's code in force is this one.

@@ -4,9 +4,11 @@
 //! may hold, which number its manual gives an alarm. [`Rules`] are the numbers and choices that its
 //! parameters set. Code that two languages share stands outside their folders and reads these.
 
-use crate::cycles::{self, CycleKind};
-use crate::evaluate::Arithmetic;
+use crate::coordinates;
+use crate::cycles::{self, CycleKind, Pattern};
+use crate::evaluate::{Arithmetic, Value};
 use crate::modal::{Group, Modal};
+use crate::motion;
 use crate::stages::cutter;
 use crate::stages::polar::PoleRule;
 use crate::stroke::StrokeRules;
@@ -107,6 +109,34 @@ pub enum Meaning {
     LocalZero,
     /// Coordinate system set so that the tool stands at the given point.
     SetPosition,
+    /// The same for one work coordinate system alone, and lasting.
+    SetPositionOfOne,
+    /// The same for all of them, until the program ends.
+    SetPositionForNow,
+    /// Zero of a work coordinate system, by its machine position.
+    SetWorkZero,
+    /// Length of a tool.
+    SetToolLength,
+    /// Mirror on.
+    MirrorOn,
+    /// Mirror off.
+    MirrorOff,
+    /// Subprogram call by a G code.
+    Call,
+    /// A row, circle or grid of the holes of the cycle in force.
+    Pattern(Pattern),
+    /// Axes move until inputs come.
+    MoveUntilInput,
+    /// The control waits for motion, and for an input.
+    WaitForInput,
+    /// The move runs at 100 %, whatever the feed override.
+    FullFeed,
+    /// A rotary axis goes the shorter way round.
+    ShortestWay,
+    /// A rotary axis is programmed in degrees.
+    InDegrees,
+    /// Without effect on what this system does.
+    NoEffect,
     /// Feed per minute.
     FeedPerMinute,
     /// Feed per revolution.
@@ -159,6 +189,16 @@ pub enum MFunction {
     Call,
     /// Return from a subprogram; in the main program, to its start.
     Return,
+    /// End of program, in a subprogram too.
+    ProgramEnd,
+    /// Text for the operator.
+    Message,
+    /// A number for the control itself.
+    Internal,
+    /// Output of the machine set by the program.
+    SetOutput,
+    /// Reference return done: the axis stands on its reference point.
+    ReferenceReached,
     /// The tapping cycles that follow are rigid.
     RigidTapping,
     /// They are not.
@@ -236,6 +276,12 @@ pub enum Variable {
     InputWord,
     /// An output to the machine.
     Output(u16),
+    /// All inputs, a bit each.
+    Inputs,
+    /// All outputs that programs set, a bit each.
+    Outputs,
+    /// The parameter with a name, by its place in the control's list.
+    Parameter(u16),
     /// A table that the machine's builder fills.
     UserTable,
 }
@@ -271,6 +317,8 @@ pub struct Rules {
     pub length_not_with: &'static [(u16, Fault)],
     /// An address twice in a block, or two codes of one group, is an alarm; else the last counts.
     pub repeats_are_alarms: bool,
+    /// G90 and G91 in one block are an alarm.
+    pub distance_is_exclusive: bool,
     /// M codes allowed in a block.
     pub m_codes_in_block: u8,
     /// Levels of subprograms.
@@ -281,6 +329,10 @@ pub struct Rules {
     pub max_repeats: f64,
     /// Canned cycles.
     pub cycles: cycles::Rules,
+    /// Moves.
+    pub motion: motion::Rules,
+    /// Coordinate systems and transformations.
+    pub coordinates: coordinates::Rules,
     /// Cutter compensation.
     pub cutter: cutter::Rules,
     /// Radius offsets are entered as diameters.
@@ -303,6 +355,10 @@ pub struct Rules {
     pub max_speed_word: f64,
     /// Largest M code.
     pub max_m_code: f64,
+    /// T chooses the offsets of its number too, for G41 to G44 without D and H.
+    pub tool_chooses_offsets: bool,
+    /// The spindle stops with the program.
+    pub end_stops_spindle: bool,
     /// Arcs about corners are fitted (G39).
     pub corner_arc: bool,
     /// Scaling.
@@ -348,6 +404,29 @@ pub struct Rules {
     pub linear_axes: AxisSet,
     /// The same in the order that variables and parameters count them by.
     pub axis_order: [Axis; 5],
+}
+
+/// Numbers of the programs that take the place of codes: Mn is run by program `m` + n, Gn by `g` + n, and
+/// an S word runs `speed`.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct CustomPrograms {
+    /// That of M00.
+    pub m: u32,
+    /// That of G00.
+    pub g: u32,
+    /// How many M codes, and how many G codes.
+    pub count: u32,
+    /// The program of S words, which is of no code.
+    pub speed: u32,
+    /// What the words of the block are for that program: the variable of each address, G98 or G99, G90 or
+    /// G91, and the initial level.
+    pub arguments: &'static [(u8, u32)],
+    /// Variable that is 1 with G99.
+    pub returns_to_r: u32,
+    /// Variable that is 1 with G91.
+    pub incremental: u32,
+    /// Variable of the initial level of a cycle.
+    pub initial: u32,
 }
 
 /// What a reset or emergency stop clears.
@@ -399,8 +478,12 @@ pub struct Dialect {
     pub one_way_modal: &'static GCode,
     /// Whether a parameter cannot be set by the program.
     pub is_fixed_parameter: fn(&ParameterKey) -> bool,
-    /// The code that calls a macro, in tenths.
+    /// The code that calls a macro with variables of its own, in tenths.
     pub macro_call: u16,
+    /// What a variable holds that was never set.
+    pub unset_variable: Value,
+    /// Programs that stand for codes, where the control has such.
+    pub custom: Option<CustomPrograms>,
     /// What a variable stands for; `None` for one that does not exist.
     pub variable: fn(u32) -> Option<Variable>,
     /// The local variable that an address of a macro call sets.

@@ -3,6 +3,7 @@
 
 use crate::Fallible;
 use crate::barrier::Present;
+use crate::custom::Custom;
 use crate::dialect::{GCode, MCode, MFunction, Meaning};
 use crate::interpreter::Interpreter;
 use crate::modal::Group;
@@ -20,7 +21,7 @@ const FEED_LETTERS: u32 = words::letters(b"FI");
 
 /// What the codes of a block ask for beyond the modal state.
 #[derive(Default)]
-struct Codes {
+pub(crate) struct Codes {
     /// The non-modal code, if there is one.
     non_modal: Option<Code<GCode>>,
     /// The code of tool length compensation, if there is one.
@@ -33,6 +34,52 @@ struct Codes {
     takes_words: bool,
     /// Whether a code of scaling may change the side of the tool.
     mirrors: bool,
+    /// A code that a program stands for.
+    custom: Option<(Custom, Span)>,
+    /// What rotary axes do in this block alone.
+    rotary: RotaryBlock,
+}
+
+/// What codes ask of the rotary axis in their block.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct RotaryBlock {
+    /// It goes the shorter way round.
+    pub shortest: bool,
+    /// It is programmed in degrees.
+    pub degrees: bool,
+}
+
+/// What is still to be done of a block: from one of its parts on. Programs that stand for codes come between.
+#[derive(Default)]
+pub(crate) struct Rest {
+    codes: Codes,
+    axes: AxisSet,
+    pub part: Part,
+    /// The M code, by its place in the block, whose program was run before the code itself.
+    builtin: Option<usize>,
+}
+
+impl Rest {
+    /// From a part on behind the codes.
+    pub(crate) fn at(part: Part) -> Rest {
+        Rest { part, ..Rest::default() }
+    }
+}
+
+/// The parts of a block behind its modal codes.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub(crate) enum Part {
+    /// The program of an S word.
+    #[default]
+    Speed,
+    /// M codes that start with the motion, from this one on.
+    Before(usize),
+    /// The motion, or what stands for it.
+    Motion,
+    /// The holes of a cycle.
+    Holes,
+    /// M codes that wait for the motion's end, from this one on.
+    After(usize),
 }
 
 impl Interpreter {
@@ -67,8 +114,14 @@ impl Interpreter {
         if let Some(first) = page.words(block).first()
             && first.letter == b'O'
         {
-            let WordValue::Number(number) = first.value() else {
-                return self.give_up_block(self.alarm(Fault::VariableInNumber, page.word_span(block, first)));
+            let number = match first.value() {
+                WordValue::Number(number) => number,
+                // A program with a name has no number.
+                WordValue::Text(_) => 0.0,
+                WordValue::Expression(_) => {
+                    let alarm = self.alarm(Fault::VariableInNumber, page.word_span(block, first));
+                    return self.give_up_block(alarm);
+                }
             };
             self.program_number(number, page.word_span(block, first))?;
             if block.words == 1 && block.statement.is_none() {
@@ -79,6 +132,17 @@ impl Interpreter {
         self.note_sequence(page, block);
         if self.data_setting.is_some() && page.statement(block).is_some() {
             return self.give_up_block(self.alarm(Fault::CommandInDataSetting, page.block_span(block)));
+        }
+        if let Some(condition) = page.guard(block) {
+            match self.evaluate(page, condition) {
+                _ if self.present == Present::Asked => return Ok(()),
+                Ok(value) if value.is_none_or(|v| v == 0.0) => return Ok(()),
+                Ok(_) => {}
+                Err(fault) => {
+                    let alarm = self.alarm(fault, page.block_span(block));
+                    return self.give_up_block(alarm);
+                }
+            }
         }
         if let Some(statement) = page.statement(block) {
             return match self.statement(page, *statement) {
@@ -102,9 +166,8 @@ impl Interpreter {
         }
         for word in page.words(block) {
             let value = match word.value() {
-                WordValue::Number(value) => value,
-                // No language has words with text yet.
-                WordValue::Text(_) => continue,
+                WordValue::Number(value) => Ok(value),
+                WordValue::Text(text) => Err(text),
                 // O and N are plain numbers (GSK990MC 4.9.2, 1 note 1).
                 WordValue::Expression(_) if matches!(word.letter, b'O' | b'N') => {
                     let alarm = self.alarm(Fault::VariableInNumber, page.word_span(block, word));
@@ -113,7 +176,7 @@ impl Interpreter {
                     continue;
                 }
                 WordValue::Expression(range) => match self.evaluate_word(page, range) {
-                    Ok(Some(value)) => value,
+                    Ok(Some(value)) => Ok(value),
                     // A word with an empty variable is as if it were not there (GSK990MC 4.9.2).
                     Ok(None) => continue,
                     Err(fault) => {
@@ -131,8 +194,14 @@ impl Interpreter {
                 block,
                 repeats_are_alarms: self.rules.repeats_are_alarms,
                 max_m_code: self.rules.max_m_code,
+                distance_is_exclusive: self.rules.distance_is_exclusive,
+                custom: self.custom.as_deref(),
             };
-            if let Err(alarm) = reader.word(&mut self.words, word, value) {
+            let read = match value {
+                Ok(value) => reader.word(&mut self.words, word, value),
+                Err(text) => reader.text(&mut self.words, word, text),
+            };
+            if let Err(alarm) = read {
                 self.note(alarm);
                 sound = false;
             }
@@ -182,6 +251,7 @@ impl Interpreter {
                 return self.data_block(what);
             }
         }
+        self.full_feed = false;
         let codes = self.modal_codes()?;
         self.check_axes()?;
         self.check_moving_axes(axes, &codes)?;
@@ -191,6 +261,9 @@ impl Interpreter {
         if self.words.has_any(FEED_LETTERS) {
             match self.is_pitch_block() {
                 true => self.pitch_words()?,
+                false if self.rules.motion.rapid_takes_feed && self.is_rapid_block(axes) => {
+                    self.rapid_feed_word()?;
+                }
                 false => self.feed_word()?,
             }
         }
@@ -203,36 +276,83 @@ impl Interpreter {
                 return Err(self.alarm_at(Fault::ToolNumber, b'T'));
             }
             self.technology.tool = tool as u32;
+            if self.rules.tool_chooses_offsets {
+                self.technology.radius_number = tool;
+                self.location.length.number = tool as u16;
+            }
             self.emit(Op::Select(tool as u32));
         }
         if codes.cutter || self.words.has(b'D') {
             self.cutter_words(codes.cutter)?;
         }
-        self.m_functions(false)?;
-        match codes.non_modal {
-            Some(code) => {
-                self.non_modal(code, axes, codes.length)?;
-                // Modal codes beside it take effect without being run (4.1 note 1).
-                if codes.length.is_some() || self.words.has(b'H') {
-                    self.defer_length(codes.length)?;
-                }
-            }
-            None if codes.takes_words => {}
-            None if self.cycle_kind().is_some() => self.cycle_block(axes, codes.length)?,
-            None => {
-                let length_moves = self.length_words(codes.length, axes)?;
-                self.motion_block(axes, length_moves)?;
+        if let Some(rotary) = self.rules.motion.rotary_y {
+            self.rotary_word(rotary, codes.rotary);
+        }
+        self.finish_block(Rest { codes, axes, part: Part::Speed, builtin: None })
+    }
+
+    /// Does what is left of a block.
+    pub(crate) fn finish_block(&mut self, mut rest: Rest) -> Fallible<()> {
+        if rest.part == Part::Speed {
+            rest.part = Part::Before(0);
+            if self.words.has(b'S')
+                && let Some(code) = self.custom_speed()
+            {
+                let span = self.words.span(b'S');
+                return self.call_custom(code, rest, span);
             }
         }
-        let moves = codes.non_modal.is_none() && !codes.takes_words && self.cycle_kind().is_none();
-        self.end_block(moves);
+        if let Part::Before(from) = rest.part {
+            if let Some((code, span)) = self.m_functions(false, from, &mut rest)? {
+                return self.call_custom(code, rest, span);
+            }
+            rest.part = Part::Motion;
+        }
+        if rest.part == Part::Motion {
+            rest.part = Part::After(0);
+            let (axes, length) = (rest.axes, rest.codes.length);
+            if let Some((code, span)) = rest.codes.custom {
+                return self.call_custom(code, rest, span);
+            }
+            match rest.codes.non_modal {
+                Some(code) => {
+                    self.non_modal(code, axes, length)?;
+                    // Modal codes beside it take effect without being run (4.1 note 1).
+                    if length.is_some() || self.words.has(b'H') {
+                        self.defer_length(length)?;
+                    }
+                }
+                None if rest.codes.takes_words => {}
+                None if self.cycle_kind().is_some() => self.cycle_block(axes, length)?,
+                None => {
+                    let length_moves = self.length_words(length, axes)?;
+                    self.motion_block(axes, length_moves)?;
+                }
+            }
+            let codes = &rest.codes;
+            let moves = codes.non_modal.is_none() && !codes.takes_words && self.cycle_kind().is_none();
+            self.end_block(moves);
+        }
         // The holes of a cycle are made one by one; what waits for the block's end comes after the last.
-        if self.has_holes_left() { Ok(()) } else { self.m_functions(true) }
+        if self.has_holes_left() {
+            return Ok(());
+        }
+        let from = if let Part::After(from) = rest.part { from } else { 0 };
+        match self.m_functions(true, from, &mut rest)? {
+            Some((code, span)) => self.call_custom(code, rest, span),
+            None => Ok(()),
+        }
+    }
+
+    /// Does what waits for the last hole of the block.
+    pub(crate) fn end_holes(&mut self) -> Fallible<()> {
+        self.finish_block(Rest::at(Part::After(0)))
     }
 
     /// Puts the block's modal codes in force.
     fn modal_codes(&mut self) -> Fallible<Codes> {
         let mut codes = Codes::default();
+        codes.custom = self.words.custom.map(|(number, span)| (Custom::G(number), span));
         let mut motion = false;
         let mut cycle = None;
         let mut length = None;
@@ -250,7 +370,15 @@ impl Interpreter {
             if count > 1 && at / count != turn_of(row.meaning) {
                 continue;
             }
+            if let Some(custom) = self.custom_g(row) {
+                codes.custom = Some((custom, span));
+                continue;
+            }
             match row.group {
+                Group::NonModal if row.meaning == Meaning::FullFeed => self.full_feed = true,
+                Group::NonModal if row.meaning == Meaning::NoEffect => {}
+                Group::NonModal if row.meaning == Meaning::ShortestWay => codes.rotary.shortest = true,
+                Group::NonModal if row.meaning == Meaning::InDegrees => codes.rotary.degrees = true,
                 Group::NonModal if row.meaning == Meaning::OneWay && self.rules.one_way_is_modal => {
                     motion = true;
                     self.modal.set(self.dialect.one_way_modal);
@@ -289,14 +417,15 @@ impl Interpreter {
                     self.modal.set(row);
                     self.polar(row.meaning);
                 }
-                Group::Scaling | Group::Rotation => {
+                Group::Scaling | Group::Rotation | Group::Mirror => {
                     self.modal.set(row);
                     match row.meaning {
+                        _ if self.rules.coordinates.transforms_nest => codes.transforms.push(code),
                         Meaning::ScalingOff => self.scale_off(),
                         Meaning::RotationOff => self.rotate_off(),
                         _ => codes.transforms.push(code),
                     }
-                    codes.mirrors |= row.group == Group::Scaling;
+                    codes.mirrors |= row.group != Group::Rotation;
                 }
                 Group::SurfaceSpeed => self.surface_speed(row, span)?,
                 Group::StrokeCheck => {
@@ -354,10 +483,16 @@ impl Interpreter {
     fn transform_codes(&mut self, codes: &mut Codes) -> Fallible<()> {
         for code in std::mem::take(&mut codes.transforms) {
             let Code { row, span } = code;
-            if codes.non_modal.is_some() {
+            let ends = matches!(row.meaning, Meaning::ScalingOff | Meaning::RotationOff | Meaning::MirrorOff);
+            if !ends && codes.non_modal.is_some() {
                 return Err(self.alarm(Fault::NeedsOwnBlock, span));
             }
-            codes.takes_words = true;
+            // The end of a mirror names axes too.
+            codes.takes_words |= !ends || row.meaning == Meaning::MirrorOff;
+            if self.rules.coordinates.transforms_nest {
+                self.nested_transform(row.meaning, span)?;
+                continue;
+            }
             match row.meaning {
                 Meaning::ScalingOn => self.scale(span)?,
                 _ => self.rotate()?,
@@ -556,7 +691,9 @@ impl Interpreter {
         }
         let radius = self.tool_radius(row);
         // A mirrored path has the tool on its other side (GSK990MC 4.2.14 note 2).
-        let mirrored = self.location.scaling.is_some_and(|scaling| scaling.reverses(self.modal.plane()));
+        let plane = self.modal.plane();
+        let mirrored = self.location.scaling.is_some_and(|scaling| scaling.reverses(plane))
+            ^ self.location.nested.is_some_and(|nested| nested.reverses(plane));
         let side = if mirrored { side.other() } else { side };
         let offset = Some(Offset { side, radius });
         // G41 or G42 given again ends the block before square (GSK990MC 4.7.3, 7).
@@ -606,6 +743,25 @@ impl Interpreter {
             self.technology.feed_per_minute_was_given = true;
             self.technology.feed_per_minute = feed;
         }
+        Ok(())
+    }
+
+    /// Whether F of the block is the speed of positioning: G00 stands in it, or its words are positioned to
+    /// (Weihong 4.1).
+    fn is_rapid_block(&self, axes: AxisSet) -> bool {
+        let names_rapid = self.words.g.iter().any(|g| g.row.meaning == Meaning::Rapid);
+        let moves = !axes.is_empty() && !self.words.g.iter().any(|g| g.row.group == Group::NonModal);
+        self.in_force(Group::Motion, Meaning::Rapid) && self.cycle_kind().is_none() && (names_rapid || moves)
+    }
+
+    /// F of positioning, in force until the next one.
+    fn rapid_feed_word(&mut self) -> Fallible<()> {
+        let Some(f) = self.words.get(b'F') else { return Ok(()) };
+        let feed = units::length_mm(f, self.modal.is_inch());
+        if feed <= 0.0 {
+            return Err(self.alarm_at(Fault::FeedOutOfRange, b'F'));
+        }
+        self.technology.rapid_feed = Some(feed);
         Ok(())
     }
 
@@ -697,15 +853,27 @@ impl Interpreter {
         }
     }
 
-    /// Carries out the M codes that start with the block's motion, or those that wait for its end.
-    pub(crate) fn m_functions(&mut self, after_motion: bool) -> Fallible<()> {
-        for at in 0..self.words.m.len() {
-            match self.words.m.get(at).copied() {
-                Some(Code { row, span }) if row.after_motion == after_motion => self.m_function(row, span)?,
-                _ => {}
+    /// Carries out the M codes that start with the block's motion, or those that wait for its end, from one
+    /// on. Ends before one that a program stands for, and tells what is to be done behind it.
+    fn m_functions(&mut self, after: bool, from: usize, rest: &mut Rest) -> Fallible<Option<(Custom, Span)>> {
+        for at in from..self.words.m.len() {
+            let Some(Code { row, span }) = self.words.m.get(at).copied() else { break };
+            if row.after_motion != after {
+                continue;
             }
+            if rest.builtin != Some(at)
+                && let Some(code) = self.custom_m(row)
+            {
+                // The program of an end of program comes before the end.
+                let ends = row.function == MFunction::ProgramEnd;
+                rest.builtin = ends.then_some(at);
+                let next = if ends { at } else { at + 1 };
+                rest.part = if after { Part::After(next) } else { Part::Before(next) };
+                return Ok(Some((code, span)));
+            }
+            self.m_function(row, span)?;
         }
-        Ok(())
+        Ok(None)
     }
 
     fn m_function(&mut self, code: &MCode, span: Span) -> Fallible<()> {
@@ -751,6 +919,11 @@ impl Interpreter {
                     self.end_program(code.code);
                 }
             }
+            MFunction::ProgramEnd => self.end_program(code.code),
+            MFunction::Message => self.message(),
+            MFunction::Internal => self.internal_number()?,
+            MFunction::SetOutput => self.set_output(span)?,
+            MFunction::ReferenceReached => self.reference_reached(span)?,
             MFunction::End => {
                 // In a subprogram M02 and M30 are M99 (GSK990MC 3.2).
                 if !self.go_back() {
@@ -763,7 +936,9 @@ impl Interpreter {
 
     /// Spindle and coolant stop with the program (GSK990MC 5.2.1).
     fn end_program(&mut self, code: u16) {
-        self.spindle(SpindleState::Off);
+        if self.rules.end_stops_spindle {
+            self.spindle(SpindleState::Off);
+        }
         self.coolant(false);
         self.emit(Op::End(code.into()));
         self.ended = true;
@@ -775,18 +950,38 @@ impl Interpreter {
         if self.in_macro() {
             return Err(self.alarm(Fault::CallInMacro, span));
         }
-        let Some(number) = self.words.get(b'P') else {
-            return Err(self.alarm(Fault::CallWithoutProgram, span));
-        };
-        if !(1.0..=99_999.0).contains(&number) || number.fract() != 0.0 {
-            return Err(self.alarm_at(Fault::ProgramNumber, b'P'));
+        self.program_call(span)
+    }
+
+    /// G65 of a control whose programs share their variables: other words set them (Weihong 4.4).
+    fn g_call(&mut self, span: Span) -> Fallible<()> {
+        for letter in b'A'..=b'Z' {
+            if let Some(variable) = (self.dialect.argument)(letter)
+                && let Some(value) = self.words.get(letter)
+            {
+                // There is room for those of letters.
+                let _ = self.memory.variables.set(variable, Some(value));
+                self.variable_writes += 1;
+            }
         }
+        self.program_call(span)
+    }
+
+    /// Calls the program that P names, L times, with the variables of its caller.
+    fn program_call(&mut self, span: Span) -> Fallible<()> {
+        let (program, at) = match (self.words.text(b'P'), self.words.get(b'P')) {
+            (Some(name), _) => (ProgramId::named(&self.programs.slice(name)), self.words.long_span(b'P')),
+            (None, Some(number)) if (1.0..=99_999.0).contains(&number) && number.fract() == 0.0 => {
+                (ProgramId::Number(number as u32), self.words.span(b'P'))
+            }
+            (None, Some(_)) => return Err(self.alarm_at(Fault::ProgramNumber, b'P')),
+            (None, None) => return Err(self.alarm(Fault::CallWithoutProgram, span)),
+        };
         let times = self.words.get(b'L').unwrap_or(1.0);
         if times > self.rules.max_repeats {
             return Err(self.alarm_at(Fault::TooManyRepeats, b'L'));
         }
-        let at = self.words.span(b'P');
-        self.call(&ProgramId::Number(number as u32), times.max(0.0) as u32, None, at)
+        self.call(&program, times.max(0.0) as u32, None, at)
     }
 
     fn non_modal(&mut self, code: Code<GCode>, axes: AxisSet, length: Option<Meaning>) -> Fallible<()> {
@@ -807,7 +1002,12 @@ impl Interpreter {
         if sets_position && self.output.in_cutter_mode() {
             return Err(self.alarm(Fault::WorkOffsetInCutter, span));
         }
-        if reference && self.cycle_kind().is_some() {
+        if self.rules.coordinates.transforms_nest
+            && (reference || system || row.meaning == Meaning::MachinePosition)
+        {
+            self.refuse_in_nested_scaling(span)?;
+        }
+        if reference && self.cycle_kind().is_some() && !self.rules.coordinates.reference_in_cycle {
             return Err(self.alarm(Fault::ReferenceInCycle, span));
         }
         match row.meaning {
@@ -828,6 +1028,17 @@ impl Interpreter {
                 self.local_zero(axes);
                 Ok(())
             }
+            Meaning::SetPositionOfOne => self.set_position_of_one(axes),
+            Meaning::SetPositionForNow => {
+                self.set_position_for_now(axes);
+                Ok(())
+            }
+            Meaning::SetWorkZero => self.set_zero_word(axes),
+            Meaning::SetToolLength => self.set_tool_length(),
+            Meaning::Call => self.g_call(span),
+            Meaning::Pattern(pattern) => self.pattern(pattern, axes, span),
+            Meaning::MoveUntilInput => self.move_until_input(span),
+            Meaning::WaitForInput => self.wait_for_input(span),
             Meaning::Undescribed => Err(self.alarm(Fault::NotSupported, span)),
             Meaning::ReferenceCheck => self.reference_check(axes),
             Meaning::ReferenceReturn => self.reference_return(axes, 1),

@@ -2,6 +2,7 @@
 
 use crate::Fallible;
 use crate::barrier::Present;
+use crate::custom::{Custom, Suspended};
 use crate::interpreter::Interpreter;
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_program::{Block, Page, Place, ProgramId, ProgramMemory, Span, Statement, Value};
@@ -22,6 +23,8 @@ struct Call {
     number: f64,
     /// The caller's local variables, where the call has its own (a macro call).
     locals: Option<Locals>,
+    /// The block set aside, where the program stands for one of its codes.
+    suspended: Option<Box<Suspended>>,
 }
 
 /// The local variables #1 and on of one level.
@@ -48,6 +51,8 @@ pub(crate) struct Flow {
     /// The page of `place`, taken out while one of its blocks is executed.
     page: Option<Arc<Page>>,
     calls: Vec<Call>,
+    /// A block set aside that goes on now.
+    resumed: Option<Box<Suspended>>,
     /// Whether a block other than its O word was run of the present program.
     entered: bool,
     /// Span of the block run last.
@@ -76,6 +81,7 @@ impl Flow {
             place: Place::default(),
             page: None,
             calls: Vec::new(),
+            resumed: None,
             entered: false,
             last: Span::default(),
             idle: 0,
@@ -104,6 +110,18 @@ impl Flow {
     #[inline]
     pub(crate) fn count_hole(&mut self) {
         self.idle += 1;
+    }
+
+    /// Sets a block aside until the program just called returns.
+    pub(crate) fn suspend(&mut self, block: Suspended) {
+        if let Some(call) = self.calls.last_mut() {
+            call.suspended = Some(Box::new(block));
+        }
+    }
+
+    /// Whether the program that stands for a code is being run.
+    pub(crate) fn runs_custom(&self, code: Custom) -> bool {
+        self.calls.iter().any(|call| call.suspended.as_ref().is_some_and(|s| s.code() == code))
     }
 
     /// First block of the program being run.
@@ -220,6 +238,9 @@ impl Interpreter {
     /// Runs one block.
     pub(crate) fn run_block(&mut self) -> Fallible<()> {
         self.flow.idle += 1;
+        if let Some(suspended) = self.flow.resumed.take() {
+            return self.resume(*suspended);
+        }
         let endless = self.flow.jumps_back > MAX_JUMPS_BACK && !self.options.loops_forever;
         if self.flow.idle > IDLE_BLOCKS || endless {
             self.ended = true;
@@ -340,7 +361,8 @@ impl Interpreter {
         };
         let locals = arguments.map(|arguments| self.enter_locals(arguments));
         let (back, number) = (self.flow.place, self.technology.program);
-        self.flow.calls.push(Call { program: start, back, repeats: times - 1, number, locals });
+        let repeats = times - 1;
+        self.flow.calls.push(Call { program: start, back, repeats, number, locals, suspended: None });
         self.flow.jump(start);
         self.flow.entered = false;
         Ok(())
@@ -364,6 +386,7 @@ impl Interpreter {
             if let Some(locals) = call.locals {
                 self.leave_locals(&locals);
             }
+            self.flow.resumed = call.suspended;
         }
         true
     }

@@ -7,6 +7,7 @@
 
 use crate::Fallible;
 use crate::barrier::Present;
+use crate::custom::CustomCodes;
 use crate::cycles::CycleState;
 use crate::data_setting::DataSetting;
 use crate::dialect::{Dialect, Meaning, Rules, Variable};
@@ -16,6 +17,7 @@ use crate::macros::INPUT_WORD;
 use crate::modal::{Group, Modal};
 use crate::output::Output;
 use crate::reference::Intermediate;
+use crate::stages::nesting::{Nested, Transform};
 use crate::stages::polar::Polar;
 use crate::stages::rotation::Rotation;
 use crate::stages::scaling::Scaling;
@@ -61,6 +63,8 @@ pub(crate) struct Location {
     pub polar: Option<Polar>,
     pub scaling: Option<Scaling>,
     pub rotation: Option<Rotation>,
+    /// What the transformations come to together, where the control nests them.
+    pub nested: Option<Nested>,
     /// Where the last skip signal came, in the work coordinate system.
     pub skip: Position,
 }
@@ -71,6 +75,9 @@ impl Location {
     #[inline]
     pub fn machine_of(&self, programmed: Position) -> Position {
         let mut point = programmed;
+        if let Some(nested) = &self.nested {
+            point = nested.apply(point);
+        }
         if let Some(scaling) = &self.scaling {
             point = scaling.apply(point);
         }
@@ -95,6 +102,9 @@ impl Location {
         if let Some(scaling) = &self.scaling {
             point = scaling.undo(point);
         }
+        if let Some(nested) = &self.nested {
+            point = nested.undo(point);
+        }
         self.programmed = point;
     }
 }
@@ -108,6 +118,8 @@ pub(crate) struct Technology {
     pub feed_per_minute_was_given: bool,
     /// Feed per revolution as programmed, mm; 0 before the first.
     pub feed_per_revolution: f64,
+    /// Speed of positioning that the program gives, mm/min.
+    pub rapid_feed: Option<f64>,
     /// The last S word as programmed, r/min.
     pub speed: Option<f64>,
     /// The last S word of a surface speed, mm/min.
@@ -163,6 +175,8 @@ pub struct Interpreter {
     pub(crate) cycle: CycleState,
     pub(crate) intermediate: Intermediate,
     pub(crate) data_setting: Option<DataSetting>,
+    /// The block's moves run at 100 %.
+    pub(crate) full_feed: bool,
     /// Stored stroke check 2 is on.
     pub(crate) stroke_check_2: bool,
     pub(crate) flow: Flow,
@@ -172,6 +186,10 @@ pub struct Interpreter {
     pub(crate) inputs: BTreeMap<u16, f64>,
     /// What the program put out last.
     pub(crate) outputs: BTreeMap<u16, f64>,
+    /// Transformations in force, the first one outermost, where the control nests them.
+    pub(crate) transforms: Vec<Transform>,
+    /// Codes that programs stand for.
+    pub(crate) custom: Option<Box<CustomCodes>>,
     pub(crate) present: Present,
     /// How far the axes lagged behind at the last barrier.
     pub(crate) following_error: Position,
@@ -201,6 +219,7 @@ impl Interpreter {
             polar: None,
             scaling: None,
             rotation: None,
+            nested: None,
             skip: Position::ZERO,
         };
         location.take_machine();
@@ -208,6 +227,7 @@ impl Interpreter {
             feed_per_minute: rules.default_feed,
             feed_per_minute_was_given: false,
             feed_per_revolution: 0.0,
+            rapid_feed: None,
             speed: None,
             surface_speed: None,
             surface_max_rpm: None,
@@ -225,6 +245,14 @@ impl Interpreter {
             program: 0.0,
         };
         let output = Output::new(rules.cutter, options.start);
+        let mut programs = programs;
+        let mut alarms = VecDeque::new();
+        let custom = dialect.custom.and_then(|custom| {
+            CustomCodes::find(custom, &mut programs).unwrap_or_else(|error| {
+                alarms.push_back(Interpreter::unreadable_programs(&error));
+                None
+            })
+        });
         Interpreter {
             tables: Tables::new(dialect),
             evaluator: Evaluator::new(dialect.arithmetic),
@@ -240,18 +268,21 @@ impl Interpreter {
             cycle: CycleState::default(),
             intermediate: Intermediate::default(),
             data_setting: None,
+            full_feed: false,
             stroke_check_2: modal.meaning(Group::StrokeCheck) == Meaning::StrokeCheckOn,
             flow: Flow::new(),
             words: Words::new(),
             variable_writes: 0,
             inputs: BTreeMap::new(),
             outputs: BTreeMap::new(),
+            transforms: Vec::new(),
+            custom,
             present: Present::default(),
             following_error: Position::ZERO,
             pass_state: None,
             ended: false,
             output,
-            alarms: VecDeque::new(),
+            alarms,
         }
     }
 
@@ -308,6 +339,7 @@ impl Interpreter {
         if rules.feed_and_offsets {
             self.technology.feed_per_minute = self.rules.default_feed;
             self.technology.feed_per_revolution = 0.0;
+            self.technology.rapid_feed = None;
             self.technology.tap_pitch = None;
             self.technology.radius_number = 0.0;
             self.location.length.number = 0;
@@ -315,6 +347,8 @@ impl Interpreter {
         if self.modal.meaning(Group::Length) == Meaning::LengthOff {
             self.location.length.cancel();
         }
+        self.transforms.clear();
+        self.location.nested = None;
         for (group, off) in [
             (Group::Polar, Meaning::PolarOff),
             (Group::Scaling, Meaning::ScalingOff),

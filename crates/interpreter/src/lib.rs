@@ -14,7 +14,8 @@
 //! Read [`interpreter`] first.
 
 mod barrier;
-mod coordinates;
+pub mod coordinates;
+mod custom;
 pub mod cycles;
 mod data_setting;
 pub mod dialect;
@@ -23,6 +24,7 @@ pub mod evaluate;
 pub mod execute;
 pub mod flow;
 pub mod interpreter;
+mod machine_words;
 mod macros;
 pub mod modal;
 pub mod motion;
@@ -30,6 +32,7 @@ mod output;
 mod reference;
 pub mod stages;
 pub mod stroke;
+mod transforms;
 pub mod words;
 
 pub use barrier::AtRest;

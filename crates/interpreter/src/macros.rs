@@ -61,7 +61,7 @@ impl Interpreter {
     #[inline]
     fn read_variable(&mut self, number: u32) -> Result<Value, Fault> {
         match (self.dialect.variable)(number) {
-            Some(Variable::Plain) => Ok(self.memory.variables.get(number)),
+            Some(Variable::Plain) => Ok(self.memory.variables.get(number).or(self.dialect.unset_variable)),
             Some(variable) if variable.is_of_the_moment() && self.present != Present::Known => {
                 // The block is left by this fault, which no one sees, and run again behind a barrier.
                 self.present = Present::Asked;
@@ -116,6 +116,9 @@ impl Interpreter {
                     .map(|bit| f64::from(1u16 << bit))
                     .sum()
             }),
+            Variable::Inputs => self.ports_as_bits(false),
+            Variable::Outputs => self.ports_as_bits(true),
+            Variable::Parameter(place) => self.memory.parameters.named_at(place),
             Variable::UserTable => self.memory.variables.get(number).unwrap_or(0.0),
             // What was put out last.
             Variable::Output(n) => return Ok(self.outputs.get(&n).copied()),
@@ -162,7 +165,7 @@ impl Interpreter {
             variable => {
                 if let Err(fault) = self.store(variable, number, value) {
                     let mut alarm = self.alarm(fault, span);
-                    alarm.arguments.push(("variable", format!("#{number}").into()));
+                    alarm.arguments.push(("variable", self.dialect.syntax.variable_name(number).into()));
                     return Err(alarm);
                 }
             }
@@ -180,6 +183,13 @@ impl Interpreter {
         }
         if variable == Variable::Empty {
             return Err(Fault::NullVariable);
+        }
+        if let Variable::Parameter(place) = variable {
+            let key = self.memory.parameters.table().named_key(place).ok_or(Fault::UnknownVariable)?;
+            self.memory.set_parameter(key, value.unwrap_or(0.0)).map_err(|_| Fault::DataParameter)?;
+            self.rules = (self.dialect.rules)(&self.memory.parameters);
+            self.output.set_rules(self.rules.cutter);
+            return Ok(());
         }
         let limit = match variable {
             Variable::ToolLength(_) | Variable::ToolRadius(_) => self.rules.max_offset,

@@ -34,6 +34,8 @@ pub enum Group {
     Scaling,
     /// G68 G69.
     Rotation,
+    /// G50.1 G51.1.
+    Mirror,
     /// G61 to G64.
     PathControl,
     /// G96 G97.
@@ -81,6 +83,11 @@ impl Modal {
             modal.set(code);
         }
         modal
+    }
+
+    /// The code in force in a group.
+    pub fn code(&self, group: Group) -> Option<&'static GCode> {
+        self.active.get(group as usize).copied()
     }
 
     /// What the code in force in a group means.

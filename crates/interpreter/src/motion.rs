@@ -2,14 +2,16 @@
 
 use crate::Fallible;
 use crate::dialect::Meaning;
+use crate::execute::RotaryBlock;
 use crate::interpreter::Interpreter;
 use crate::modal::Group;
 use crate::stages::corner::{CornerKind, CornerRequest};
 use crate::stages::units;
 use crate::words::letters;
-use ferrocut_geometry::{Arc, Axis, AxisSet, Plane, Position, RadiusError, SAME_POINT_MM, Turn};
+use ferrocut_geometry::{Arc, Axis, AxisSet, MM_PER_INCH, Plane, Position, RadiusError, SAME_POINT_MM, Turn};
 use ferrocut_machine::Fault;
 use ferrocut_toolpath::{Feed, FeedAlong, InnerCorners, Op, PathMode};
+use std::f64::consts::TAU;
 
 /// Largest machine coordinate, mm or degrees: a thousand times the range of any control, and small
 /// enough that `f64` still resolves a tenth of a micrometre there.
@@ -17,6 +19,38 @@ const LARGEST_COORDINATE: f64 = 1e8;
 
 /// Addresses that make an arc of a block without end point.
 const CENTRE_LETTERS: u32 = letters(b"IJK");
+
+/// What controls do differently in moves. The default is Fanuc's.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub struct Rules {
+    /// Positioning that moves Z moves it alone: upwards first, downwards last.
+    pub rapid_moves_z_apart: bool,
+    /// F in a block of positioning is its speed, and no feed.
+    pub rapid_takes_feed: bool,
+    /// R shorter than half the chord is taken as half the chord; else it is an alarm.
+    pub short_radius_is_half_circle: bool,
+    /// I, J, K are the centre in the work coordinate system; else from the start.
+    pub centre_is_absolute: bool,
+    /// K of an arc in the XY plane that climbs is its pitch, for more turns than one.
+    pub helix_has_pitch: bool,
+    /// Y turns.
+    pub rotary_y: Option<RotaryY>,
+}
+
+/// A rotary axis called Y.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct RotaryY {
+    /// Degrees that 1 in a Y word stands for.
+    pub degrees_per_unit: f64,
+    /// Y words are lengths, which inches multiply.
+    pub is_length: bool,
+}
+
+/// Most turns of a helix.
+const MAX_TURNS: f64 = 9999.0;
+
+/// Turns that a helix may miss by rounding alone.
+const TURN_ROUNDING: f64 = 1e-9;
 
 impl Interpreter {
     /// The block's move by the motion code in force.
@@ -88,11 +122,53 @@ impl Interpreter {
     /// Positions to a machine point. The programmed point is the caller's to set.
     pub(crate) fn rapid_machine(&mut self, to: Position) -> Fallible<()> {
         self.check_reach(to)?;
+        if self.rules.motion.rapid_moves_z_apart {
+            // Weihong 4.3, G00: out of the part before crossing it, and across before going down.
+            let (from, mut corner) = (self.location.machine, to);
+            if to[Axis::Z] > from[Axis::Z] {
+                corner = from;
+                corner[Axis::Z] = to[Axis::Z];
+            } else {
+                corner[Axis::Z] = from[Axis::Z];
+            }
+            self.rapid_to(corner);
+        }
+        self.rapid_to(to);
+        Ok(())
+    }
+
+    #[inline]
+    fn rapid_to(&mut self, to: Position) {
         if to != self.location.machine {
             self.location.machine = to;
-            self.emit(Op::Rapid { to, straight: self.rules.rapid_is_straight });
+            let speed = self.technology.rapid_feed;
+            self.emit(Op::Rapid { to, straight: self.rules.rapid_is_straight, speed });
+        }
+    }
+
+    /// Cuts straight to a machine point. The programmed point is the caller's to set.
+    pub(crate) fn cut_machine(&mut self, to: Position) -> Fallible<()> {
+        self.check_reach(to)?;
+        let feed = self.feed()?;
+        if to != self.location.machine {
+            self.location.machine = to;
+            self.emit(Op::Feed { to, feed, path: self.path_mode() });
         }
         Ok(())
+    }
+
+    /// The Y word of a rotary axis, as degrees (Weihong 4.4, G907 and G908; 5, parameters 10 to 12).
+    pub(crate) fn rotary_word(&mut self, rotary: RotaryY, block: RotaryBlock) {
+        let Some(word) = self.words.get(b'Y') else { return };
+        // Of the axis itself, which turns, no inch is made.
+        let length = if rotary.is_length && self.modal.is_inch() { MM_PER_INCH } else { 1.0 };
+        let mut degrees = if block.degrees { word } else { word * rotary.degrees_per_unit * length };
+        if block.shortest && !self.modal.is_incremental() {
+            let from = self.location.programmed[Axis::Y];
+            // Half a turn goes in the positive direction.
+            degrees = from + 180.0 - (180.0 - (degrees - from)).rem_euclid(360.0);
+        }
+        self.words.put(b'Y', degrees);
     }
 
     /// Cuts straight to a programmed point.
@@ -110,6 +186,9 @@ impl Interpreter {
 
     /// How the path runs into the next move (G61 to G64).
     pub(crate) fn path_mode(&self) -> PathMode {
+        if self.full_feed {
+            return PathMode::FullFeed;
+        }
         match self.modal.meaning(Group::PathControl) {
             Meaning::ExactStop => PathMode::ExactStop,
             Meaning::TappingMode => PathMode::Tapping,
@@ -167,7 +246,13 @@ impl Interpreter {
         let machine = self.location.machine_of(to);
         let offset = self.location.work.shift + self.location.length.vector;
         let (from, end) = (self.location.in_work(), machine - offset);
-        let mirrored = self.location.scaling.is_some_and(|scaling| scaling.reverses(plane));
+        let mut mirrored = self.location.scaling.is_some_and(|scaling| scaling.reverses(plane));
+        if let Some(nested) = &self.location.nested {
+            if nested.tilts(plane) {
+                return Err(self.alarm(Fault::PlaneInRotation, self.words.block_span()));
+            }
+            mirrored ^= nested.reverses(plane);
+        }
         let turn = if mirrored { turn.reversed() } else { turn };
         let center = match self.words.get(b'R') {
             Some(r) => match self.center_by_radius(from, end, r, turn)? {
@@ -194,7 +279,10 @@ impl Interpreter {
             }
             _ => {}
         }
-        let shape = Arc::about(plane, from, end, center, turn);
+        let mut shape = Arc::about(plane, from, end, center, turn);
+        if self.rules.motion.helix_has_pitch && plane == Plane::Xy {
+            self.add_turns(&mut shape)?;
+        }
         let feed = self.feed()?;
         self.check_reach(machine)?;
         // Work offset and tool length move the arc as a whole.
@@ -219,10 +307,31 @@ impl Interpreter {
 
     /// What a programmed radius is multiplied by: the larger of the plane's factors of scaling.
     fn radius_factor(&self) -> f64 {
-        self.location.scaling.map_or(1.0, |scaling| {
-            let [a, b] = scaling.in_plane(self.modal.plane());
+        let plane = self.modal.plane();
+        let scaled = self.location.scaling.map_or(1.0, |scaling| {
+            let [a, b] = scaling.in_plane(plane);
             a.abs().max(b.abs())
-        })
+        });
+        self.location.nested.map_or(scaled, |nested| scaled * nested.factor(plane))
+    }
+
+    /// K as pitch (Weihong 4.3, G02): as many more full turns as the climb has room for. Its sign is left
+    /// aside.
+    fn add_turns(&self, shape: &mut Arc) -> Fallible<()> {
+        let inch = self.modal.is_inch();
+        let Some(pitch) = self.words.get(b'K').map(|k| units::length_mm(k, inch).abs()) else {
+            return Ok(());
+        };
+        let climb = (shape.end[Axis::Z] - shape.start[Axis::Z]).abs();
+        if pitch == 0.0 || climb == 0.0 {
+            return Ok(());
+        }
+        let more = (climb / pitch - shape.sweep.abs() / TAU + TURN_ROUNDING).floor().max(0.0);
+        if more > MAX_TURNS {
+            return Err(self.alarm_at(Fault::WordOutOfRange, b'K'));
+        }
+        shape.sweep += (more * TAU).copysign(shape.sweep);
+        Ok(())
     }
 
     /// The centre that R gives; `None` where start and end coincide. A radius is scaled by the larger of
@@ -236,7 +345,10 @@ impl Interpreter {
     ) -> Fallible<Option<[f64; 2]>> {
         let plane = self.modal.plane();
         let r = units::length_mm(r, self.modal.is_inch()) * self.radius_factor();
-        let slack = self.rules.arc_tolerance;
+        let slack = match self.rules.motion.short_radius_is_half_circle {
+            true => f64::INFINITY,
+            false => self.rules.arc_tolerance,
+        };
         match Arc::center_from_radius(plane.of(from), plane.of(to), r, turn, slack) {
             Ok(center) => Ok(Some(center)),
             Err(RadiusError::SamePoint) => Ok(None),
@@ -259,6 +371,16 @@ impl Interpreter {
         let inch = self.modal.is_inch();
         let word = |letter| units::length_mm(self.words.get(letter).unwrap_or(0.0), inch);
         let mut vector = [word(i), word(j)];
+        if self.rules.motion.centre_is_absolute {
+            if !(self.words.has(i) && self.words.has(j)) {
+                return Err(self.alarm(Fault::ArcWithoutCentre, self.words.block_span()));
+            }
+            let [a, b] = plane.of(self.location.programmed);
+            vector = [vector[0] - a, vector[1] - b];
+        }
+        if let Some(nested) = &self.location.nested {
+            vector = nested.vector(plane, vector);
+        }
         if let Some(scaling) = &self.location.scaling {
             let [a, b] = scaling.in_plane(plane);
             vector = [vector[0] * a, vector[1] * b];

@@ -48,7 +48,8 @@ impl Interpreter {
         }
         self.rapid_uncompensated(to)?;
         // G28 ends tool length compensation by itself (4.3.1).
-        if axes.iter().any(|axis| self.location.length.vector[axis] != 0.0) {
+        let ends_length = !self.rules.coordinates.reference_keeps_length;
+        if ends_length && axes.iter().any(|axis| self.location.length.vector[axis] != 0.0) {
             self.location.length.cancel();
             self.modal.set(self.dialect.length_off);
         }

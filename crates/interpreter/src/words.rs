@@ -1,10 +1,13 @@
 //! Stage 1, words: a block's words by address, its G and M codes looked up.
 
 use crate::Fallible;
+use crate::custom::CustomCodes;
 use crate::dialect::{Address, Dialect, GCode, MCode, MFunction};
+use crate::modal::Group;
 use ferrocut_geometry::AxisSet;
 use ferrocut_machine::{Alarm, Fault};
-use ferrocut_program::{Block, Page, Span, Word};
+use ferrocut_program::{Block, Page, Span, TextRange, Word};
+use smallvec::SmallVec;
 
 /// Most G and M codes of one block; more are refused.
 const MAX_CODES: usize = 16;
@@ -32,7 +35,41 @@ pub(crate) struct Code<T: 'static> {
     pub span: Span,
 }
 
+/// A word with text, or of an address of several letters.
+#[derive(Clone, Copy)]
+pub(crate) struct LongWord {
+    letter: u8,
+    value: Long,
+    span: Span,
+}
+
+/// What it holds.
+#[derive(Clone, Copy)]
+enum Long {
+    Number(f64),
+    /// The place of the text without its quotes.
+    Text(Span),
+}
+
+/// The bytes that stand for addresses of several letters.
+pub mod long {
+    #![allow(missing_docs)]
+    pub const MSG: u8 = b'a';
+    pub const PLC: u8 = b'b';
+    pub const LEVEL: u8 = b'c';
+    pub const FX: u8 = b'd';
+    pub const FY: u8 = b'e';
+    pub const FZ: u8 = b'f';
+    pub const PX: u8 = b'g';
+    pub const PY: u8 = b'h';
+    pub const PZ: u8 = b'i';
+    pub const LX: u8 = b'j';
+    pub const LY: u8 = b'k';
+    pub const LZ: u8 = b'l';
+}
+
 /// Words of the block being executed.
+#[derive(Clone)]
 pub(crate) struct Words {
     values: [f64; 26],
     /// Place of each word in the block's text, for underlining.
@@ -46,6 +83,10 @@ pub(crate) struct Words {
     pub sequence: Option<f64>,
     /// A word with a comma before it: letter, value, span.
     pub comma: Option<(u8, f64, Span)>,
+    /// A G code that the control does not have, and a program stands for.
+    pub custom: Option<(u16, Span)>,
+    /// Words with text, and those of several letters.
+    long: SmallVec<[LongWord; 2]>,
     block: Span,
     page_offset: u64,
 }
@@ -64,6 +105,8 @@ impl Words {
             m: Vec::with_capacity(MAX_CODES),
             sequence: None,
             comma: None,
+            custom: None,
+            long: SmallVec::new(),
             block: Span::default(),
             page_offset: 0,
         }
@@ -77,6 +120,8 @@ impl Words {
         self.m.clear();
         self.sequence = None;
         self.comma = None;
+        self.custom = None;
+        self.long.clear();
         self.block = page.block_span(block);
         self.page_offset = page.offset;
     }
@@ -112,6 +157,39 @@ impl Words {
         let value = self.get(letter);
         self.present &= !bit(letter);
         value
+    }
+
+    /// Gives a word of the block another value.
+    pub(crate) fn put(&mut self, letter: u8, value: f64) {
+        if let Some(slot) = self.values.get_mut(usize::from(letter.wrapping_sub(b'A'))) {
+            *slot = value;
+        }
+    }
+
+    /// Whether the block has a word of several letters, or with text.
+    pub(crate) fn has_long(&self, letter: u8) -> bool {
+        self.long.iter().any(|word| word.letter == letter)
+    }
+
+    /// Value of a word of several letters.
+    pub(crate) fn long(&self, letter: u8) -> Option<f64> {
+        self.long.iter().find_map(|word| match word.value {
+            Long::Number(value) if word.letter == letter => Some(value),
+            _ => None,
+        })
+    }
+
+    /// Place of the text of a word.
+    pub(crate) fn text(&self, letter: u8) -> Option<Span> {
+        self.long.iter().find_map(|word| match word.value {
+            Long::Text(span) if word.letter == letter => Some(span),
+            _ => None,
+        })
+    }
+
+    /// Span of a word of several letters or with text; the whole block's where it is not there.
+    pub(crate) fn long_span(&self, letter: u8) -> Span {
+        self.long.iter().find(|word| word.letter == letter).map_or(self.block, |word| word.span)
     }
 
     /// Span of an address's word; the whole block's where it is not there.
@@ -165,6 +243,8 @@ pub(crate) struct Reader<'a> {
     pub block: &'a Block,
     pub repeats_are_alarms: bool,
     pub max_m_code: f64,
+    pub distance_is_exclusive: bool,
+    pub custom: Option<&'a CustomCodes>,
 }
 
 impl Reader<'_> {
@@ -191,6 +271,10 @@ impl Reader<'_> {
                 Ok(())
             }
             b'O' => self.whole_word(word, value),
+            letter if letter.is_ascii_lowercase() => {
+                self.long_word(words, word, Long::Number(value));
+                Ok(())
+            }
             letter => {
                 let index = usize::from(letter.wrapping_sub(b'A'));
                 let (Some(Some(address)), Some(slot), Some(place)) = (
@@ -215,6 +299,21 @@ impl Reader<'_> {
                 Ok(())
             }
         }
+    }
+
+    /// Puts a word with text into `words`.
+    pub(crate) fn text(&self, words: &mut Words, word: &Word, text: TextRange) -> Fallible<()> {
+        let takes_text = word.letter.is_ascii_lowercase() || matches!(word.letter, b'O' | b'P');
+        if !takes_text {
+            return Err(self.alarm(Fault::AddressWithoutNumber, word));
+        }
+        self.long_word(words, word, Long::Text(self.page.span(self.block, text.at, text.len)));
+        Ok(())
+    }
+
+    fn long_word(&self, words: &mut Words, word: &Word, value: Long) {
+        let span = self.page.word_span(self.block, word);
+        words.long.push(LongWord { letter: word.letter, value, span });
     }
 
     fn out_of_range(&self, address: &Address, word: &Word, value: f64) -> Box<Alarm> {
@@ -244,9 +343,16 @@ impl Reader<'_> {
         let row = (tenths >= 0.0 && tenths.fract() == 0.0)
             .then(|| self.tables.g.get(tenths as usize).copied().flatten())
             .flatten();
-        let Some(row) = row else { return Err(self.alarm(Fault::UnknownGCode, word)) };
+        let Some(row) = row else {
+            let number = CustomCodes::whole(value).filter(|n| self.custom.is_some_and(|c| c.has_g(*n)));
+            let Some(number) = number else { return Err(self.alarm(Fault::UnknownGCode, word)) };
+            words.custom = Some((number, self.page.word_span(self.block, word)));
+            return Ok(());
+        };
         let same_group = |c: &Code<GCode>| c.row.group == row.group;
-        if self.repeats_are_alarms && words.g.iter().any(same_group) {
+        let is_exclusive =
+            self.repeats_are_alarms || self.distance_is_exclusive && row.group == Group::Distance;
+        if is_exclusive && words.g.iter().any(same_group) {
             return Err(self.alarm(Fault::RepeatedGroup, word));
         }
         if words.g.len() == MAX_CODES {
@@ -263,7 +369,9 @@ impl Reader<'_> {
         }
         let code =
             (value >= 0.0 && value.fract() == 0.0 && value <= f64::from(u16::MAX)).then_some(value as u16);
-        let Some(row) = code.and_then(|c| self.dialect.m_code(c)) else {
+        let known = code.and_then(|c| self.dialect.m_code(c));
+        let custom = || code.and_then(|c| self.custom?.m_code(c));
+        let Some(row) = known.or_else(custom) else {
             return Err(self.alarm(Fault::UnknownMCode, word));
         };
         if words.m.len() == MAX_CODES {

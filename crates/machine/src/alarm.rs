@@ -86,6 +86,8 @@ faults! {
     TooManyAxes = 213,
     /// A tool number beyond the digits of T.
     ToolNumber = 214,
+    /// A word that the code needs is missing.
+    WordMissing = 215,
 
     // 300: motion
     /// A cutting move without a feed.
@@ -122,6 +124,8 @@ faults! {
     ArcAxisBesidePlane = 316,
     /// A climb along a helix whose circle has no length.
     HelixWithoutArc = 317,
+    /// An arc in machine coordinates.
+    ArcInMachine = 318,
 
     // 400: offsets and coordinate systems
     /// An offset number beyond the table.
@@ -208,6 +212,14 @@ faults! {
     SurfaceSpeedAxis = 441,
     /// Length compensation in the block of a code that does not allow it.
     LengthWithCode = 442,
+    /// Scaling set in cutter compensation.
+    ScalingInCutter = 443,
+    /// Scaling without an axis or factor, or with both kinds of factor.
+    ScaleForm = 444,
+    /// A mirror without an axis.
+    MirrorForm = 445,
+    /// More transformations in force than can be meant.
+    TooManyTransforms = 446,
 
     // 500: canned cycles
     /// A cycle in a plane that it does not work in.
@@ -268,6 +280,10 @@ faults! {
     TappingPitchMissing = 528,
     /// A pitch given twice in a block, in mm and by threads per inch.
     TappingPitchTwice = 529,
+    /// Holes on a figure without a cycle in force.
+    PatternWithoutCycle = 530,
+    /// A canned cycle while the tool axis is scaled.
+    CycleScaled = 531,
 
     // 600: programs
     /// A call without a program number.
@@ -338,6 +354,8 @@ faults! {
     SpindleTooFast = 804,
     /// Cutting move along no machine axis can be run at the programmed feed.
     FeedNotReachable = 805,
+    /// An input that a program waits for did not come in time.
+    InputMissing = 806,
 
     // 900: files
     /// A file that cannot be read.

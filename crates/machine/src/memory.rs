@@ -32,6 +32,8 @@ impl Memory {
             "gsk990mc" => (255, 50),
             // Kaitong: H01 to H24 (appendix 8, 1.1.3); additional systems as on the Fanuc 0i-M.
             "kaitong" => (24, 48),
+            // Weihong: D00 to D07 and H00 to H07 (4.3); G54 to G59 alone.
+            "weihong" => (7, 0),
             _ => (ToolTable::LARGEST, WorkOffsets::LARGEST),
         };
         let table = ParameterTable::of(dialect).unwrap_or_else(ParameterTable::empty);

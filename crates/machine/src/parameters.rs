@@ -210,6 +210,8 @@ impl ParameterDef {
 pub struct ParameterTable {
     definitions: Vec<ParameterDef>,
     places: HashMap<ParameterKey, usize>,
+    /// Definitions of the parameters with names, in the order of the list.
+    named: Vec<usize>,
     /// Values as delivered, ready to be copied.
     delivered: Values,
     /// Names of bits are written like those of numbers, of three digits at least: `P018.4`.
@@ -218,6 +220,7 @@ pub struct ParameterTable {
 
 static GSK990MC: OnceLock<ParameterTable> = OnceLock::new();
 static KAITONG: OnceLock<ParameterTable> = OnceLock::new();
+static WEIHONG: OnceLock<ParameterTable> = OnceLock::new();
 static EMPTY: OnceLock<ParameterTable> = OnceLock::new();
 
 impl ParameterTable {
@@ -239,6 +242,9 @@ impl ParameterTable {
                     true,
                 )
             })),
+            "weihong" => Some(WEIHONG.get_or_init(|| {
+                ParameterTable::of_names(include_str!("../data/weihong/named-parameters.csv"))
+            })),
             _ => None,
         }
     }
@@ -246,6 +252,11 @@ impl ParameterTable {
     /// A list without a row. Parameters of such a control take every name and every number.
     pub fn empty() -> &'static ParameterTable {
         EMPTY.get_or_init(ParameterTable::default)
+    }
+
+    /// The name at a place among the parameters with names, counted from 0 in the order of the list.
+    pub fn named_key(&self, place: u16) -> Option<&ParameterKey> {
+        self.definitions.get(*self.named.get(usize::from(place))?).map(|definition| &definition.key)
     }
 
     /// Whether any name is taken, since no list says which exist.
@@ -305,8 +316,21 @@ impl ParameterTable {
         table
     }
 
+    /// Reads the file of a control whose parameters have names.
+    fn of_names(data: &str) -> ParameterTable {
+        let mut table = ParameterTable::default();
+        for definition in rows(data).filter_map(|row| named_row(&row)) {
+            table.add(definition);
+        }
+        table
+    }
+
     fn add(&mut self, mut definition: ParameterDef) {
         definition.name = self.name(&definition.key).into();
+        if let ParameterKey::Named(_) = definition.key {
+            self.named.push(self.definitions.len());
+            self.delivered.named.push(definition.default);
+        }
         self.delivered.write(&definition.key, definition.default);
         self.places.insert(definition.key.clone(), self.definitions.len());
         self.definitions.push(definition);
@@ -356,6 +380,13 @@ fn data_row(row: &csv::StringRecord) -> Option<ParameterDef> {
     })
 }
 
+/// `name,symbol,meaning,unit,min,max,whole,default,axis,applies_to,used`
+fn named_row(row: &csv::StringRecord) -> Option<ParameterDef> {
+    // Behind the name stands what stands behind a number.
+    let numbered: csv::StringRecord = std::iter::once("0").chain(row.iter().skip(1)).collect();
+    Some(ParameterDef { key: ParameterKey::Named(row.get(0)?.into()), ..data_row(&numbered)? })
+}
+
 /// An empty cell is `Some(None)`, an unreadable one `None`.
 fn number_or_none(cell: &str) -> Option<Option<f64>> {
     match cell.trim() {
@@ -369,6 +400,8 @@ fn number_or_none(cell: &str) -> Option<Option<f64>> {
 struct Values {
     bits: Vec<u8>,
     data: Vec<f64>,
+    /// By the place of the name in the list.
+    named: Vec<f64>,
 }
 
 impl Values {
@@ -413,7 +446,7 @@ impl Values {
 pub struct Parameters {
     table: &'static ParameterTable,
     values: Values,
-    /// Named parameters, and all those of a control without a list.
+    /// All those of a control without a list.
     others: BTreeMap<ParameterKey, f64>,
 }
 
@@ -460,8 +493,22 @@ impl Parameters {
     /// A named parameter; none where it was never set and the list has none.
     pub fn named(&self, name: &str) -> Option<f64> {
         let key = ParameterKey::Named(name.to_ascii_uppercase().into());
-        let set = self.others.get(&key).copied();
-        set.or_else(|| self.table.get(&key).map(|d| d.default))
+        match self.place_of(&key) {
+            Some(place) => self.values.named.get(place).copied(),
+            None => self.others.get(&key).copied(),
+        }
+    }
+
+    /// The parameter at a place among those with names; 0 where there is none.
+    #[inline]
+    pub fn named_at(&self, place: u16) -> f64 {
+        self.values.named.get(usize::from(place)).copied().unwrap_or(0.0)
+    }
+
+    /// The place of a name in the list.
+    fn place_of(&self, key: &ParameterKey) -> Option<usize> {
+        let definition = self.table.places.get(key)?;
+        self.table.named.binary_search(definition).ok()
     }
 
     /// Any parameter; 0 where it was never set and the list has none.
@@ -485,7 +532,10 @@ impl Parameters {
     pub fn set(&mut self, key: &ParameterKey, value: f64) -> Result<(), ParameterError> {
         self.check(key, value)?;
         self.values.write(key, value);
-        if self.table.is_open() || matches!(key, ParameterKey::Named(_)) {
+        if let Some(slot) = self.place_of(key).and_then(|place| self.values.named.get_mut(place)) {
+            *slot = value;
+        }
+        if self.table.is_open() {
             self.others.insert(key.clone(), value);
         }
         Ok(())
@@ -649,7 +699,7 @@ mod tests {
 
     #[test]
     fn a_control_without_a_list_takes_any_name() {
-        assert!(ParameterTable::of("weihong").is_none());
+        assert!(ParameterTable::of("rs274").is_none());
         let mut p = Parameters::new(ParameterTable::empty());
         p.set(&key("fixedcycle_back"), 1.0).unwrap();
         p.set(&key("P230"), 50.0).unwrap();

@@ -139,6 +139,8 @@ pub enum Mention {
     Alarm(u16),
     /// `#5206`, `#100-#199`.
     Variables(RangeInclusive<u32>),
+    /// `FIXEDCYCLE_BACK`: a word in capitals that may be the name of a parameter.
+    Name(Box<str>),
 }
 
 /// What bears on a code although no text of either names the other.
@@ -162,10 +164,13 @@ pub struct Reference {
     related: Vec<Related>,
 }
 
-/// The tables of a control from its folder of data. The words of the macro language are those of all
-/// Fanuc-like ones.
-macro_rules! fanuc_like {
+/// The tables of a control from its folder of data, and the words of its macro language from another where it
+/// shares them.
+macro_rules! tables_of {
     ($dialect:literal) => {
+        tables_of!($dialect, $dialect)
+    };
+    ($dialect:literal, $words:literal) => {
         Reference {
             dialect: $dialect,
             parameters: ParameterTable::of($dialect).unwrap_or_else(ParameterTable::empty),
@@ -176,7 +181,7 @@ macro_rules! fanuc_like {
                 variable_row,
             ),
             addresses: table(include_str!(concat!("../data/", $dialect, "/addresses.csv")), address_row),
-            macro_words: table(include_str!("../data/fanuc/macro-words.csv"), macro_word_row),
+            macro_words: table(include_str!(concat!("../data/", $words, "/macro-words.csv")), macro_word_row),
             related: table(include_str!(concat!("../data/", $dialect, "/related.csv")), related_row),
         }
     };
@@ -184,13 +189,15 @@ macro_rules! fanuc_like {
 
 static GSK990MC: OnceLock<Reference> = OnceLock::new();
 static KAITONG: OnceLock<Reference> = OnceLock::new();
+static WEIHONG: OnceLock<Reference> = OnceLock::new();
 
 impl Reference {
     /// The tables of the control that `dialect` belongs to; none where there are none.
     pub fn of(dialect: &str) -> Option<&'static Reference> {
         match dialect {
-            "gsk990mc" => Some(GSK990MC.get_or_init(|| fanuc_like!("gsk990mc"))),
-            "kaitong" => Some(KAITONG.get_or_init(|| fanuc_like!("kaitong"))),
+            "gsk990mc" => Some(GSK990MC.get_or_init(|| tables_of!("gsk990mc", "fanuc"))),
+            "kaitong" => Some(KAITONG.get_or_init(|| tables_of!("kaitong", "fanuc"))),
+            "weihong" => Some(WEIHONG.get_or_init(|| tables_of!("weihong"))),
             _ => None,
         }
     }
@@ -294,6 +301,7 @@ impl Reference {
             (Mention::Bits(of, bits), Subject::Parameter(ParameterKey::Bit { number, bit })) => {
                 of == number && bits.contains(bit)
             }
+            (Mention::Name(name), Subject::Parameter(ParameterKey::Named(n))) => name == n,
             (Mention::Alarm(number), Subject::Alarm(n)) => number == n,
             (Mention::Variables(numbers), Subject::Variable(n)) => numbers.contains(n),
             _ => false,
@@ -335,9 +343,10 @@ fn table<T>(text: &str, row: impl Fn(&csv::StringRecord) -> Option<T>) -> Vec<T>
 fn g_code_row(row: &csv::StringRecord) -> Option<GCodeRow> {
     let code = row.get(0)?;
     let (code, form) = code.split_once(' ').unwrap_or((code, ""));
-    let whole: u16 = code.strip_prefix('G')?.parse().ok()?;
+    let (whole, tenth) = code.strip_prefix('G')?.split_once('.').unwrap_or((code.strip_prefix('G')?, "0"));
+    let (whole, tenth): (u16, u16) = (whole.parse().ok()?, tenth.parse().ok().filter(|tenth| *tenth < 10)?);
     Some(GCodeRow {
-        tenths: whole.checked_mul(10)?,
+        tenths: whole.checked_mul(10)?.checked_add(tenth)?,
         form: form.into(),
         group: row.get(1)?.into(),
         is_modal: match row.get(2)? {
@@ -433,6 +442,9 @@ fn is_word_of_a_block(mention: &Mention) -> bool {
     matches!(mention, Mention::Data(numbers) if *numbers.start() < FIRST_MENTIONED)
 }
 
+/// Letters of the shortest name of a parameter.
+const SHORTEST_NAME: usize = 7;
+
 /// What a text begins with, and the text behind it.
 fn mention(text: &str) -> Option<(Mention, &str)> {
     if let Some(rest) = text.strip_prefix("G group ") {
@@ -448,6 +460,11 @@ fn mention(text: &str) -> Option<(Mention, &str)> {
             Some(self::bit(t)?).filter(|((n, _), _)| *n == number).map(|((_, b), r)| (b, r))
         });
         return Some((Mention::Bits(number, bit..=last), rest));
+    }
+    let end = text.find(|c: char| !(c.is_ascii_uppercase() || c.is_ascii_digit() || matches!(c, '_' | '.')));
+    let name = text.get(..end.unwrap_or(text.len()))?.trim_end_matches('.');
+    if name.len() >= SHORTEST_NAME && name.bytes().take(3).all(|b| b.is_ascii_uppercase()) {
+        return Some((Mention::Name(name.into()), text.get(name.len()..)?));
     }
     let mut letters = text.chars();
     let letter = letters.next().filter(|l| matches!(l, 'G' | 'M' | 'P' | '#'))?;
@@ -530,7 +547,7 @@ mod tests {
         };
     }
 
-    const FILES: [(&str, [&str; 5]); 2] = files!("gsk990mc", "kaitong");
+    const FILES: [(&str, [&str; 5]); 3] = files!("gsk990mc", "kaitong", "weihong");
 
     #[test]
     fn every_row_of_the_files_is_read() {
@@ -540,11 +557,29 @@ mod tests {
             let read =
                 [r.g_codes.len(), r.m_codes.len(), r.variables.len(), r.addresses.len(), r.related.len()];
             assert_eq!(read, files.map(lines), "{dialect}");
-            assert_eq!(r.macro_words.len(), lines(include_str!("../data/fanuc/macro-words.csv")));
+            let words = match dialect {
+                "weihong" => include_str!("../data/weihong/macro-words.csv"),
+                _ => include_str!("../data/fanuc/macro-words.csv"),
+            };
+            assert_eq!(r.macro_words.len(), lines(words), "{dialect}");
         }
         let r = gsk();
         assert_eq!((r.g_codes.len(), r.m_codes.len(), r.variables.len()), (90, 33, 77));
-        assert!(Reference::of("weihong").is_none());
+        assert!(Reference::of("rs274").is_none());
+    }
+
+    #[test]
+    fn parameters_with_names_bear_on_codes() {
+        let weihong = Reference::of("weihong").unwrap();
+        let of =
+            |subject| weihong.parameters_of(&subject).iter().map(|d| d.key.to_string()).collect::<Vec<_>>();
+        assert_eq!(of(Subject::G(730)), ["FIXEDCYCLE_BACK"]);
+        assert_eq!(of(Subject::G(9080)), ["ISYREVAXIS", "WPREVDIAM", "UNIT.YR"]);
+        assert_eq!(
+            weihong.codes_of(&Subject::Parameter(key("FIXEDCYCLE_OSS"))),
+            [Subject::G(760), Subject::G(870)]
+        );
+        assert_eq!(weihong.g_code(501).unwrap().name(), "G50.1");
     }
 
     #[test]

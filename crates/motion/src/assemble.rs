@@ -179,8 +179,10 @@ impl Assembler {
     fn blend(&self, a: &Member, b: &Member, h: f64) -> (Cell, Node) {
         let blend = Blend::new(&a.piece, &b.piece, h);
         let (first, second) = blend.derivatives();
-        let locked = a.class == Class::Locked || b.class == Class::Locked;
-        let class = if locked { Class::Locked } else { Class::Cut };
+        // What one of the two does without, the blend does without.
+        let either = |class| a.class == class || b.class == class;
+        let class =
+            [Class::Locked, Class::Full].into_iter().find(|class| either(*class)).unwrap_or(Class::Cut);
         let bound = self.inverse.curved(class, &first, &second, a.feed.min(b.feed) / blend.stretch());
         let cell = Cell { shape: Shape::Blend(blend), rest: None, tags: [a.tag, b.tag] };
         (cell, Node { len: blend.len, bound, class, entry: 0.0, w: 0.0 })

@@ -88,19 +88,23 @@ impl Member {
     pub fn new(from: Position, m: &Move, rules: &JointRules, inverse: &Inverse) -> Option<Member> {
         let piece = Piece::new(from, m)?;
         let (feed, path) = match m.kind {
-            Kind::RapidAxes | Kind::RapidStraight => (f64::INFINITY, PathMode::ContinuousWithin(0.0)),
+            Kind::RapidAxes => (f64::INFINITY, PathMode::ContinuousWithin(0.0)),
+            Kind::RapidStraight { speed } => (speed, PathMode::ContinuousWithin(0.0)),
             Kind::Line { feed, path } | Kind::Arc { feed, path, .. } => (feed, path),
         };
         let class = match (m.kind, path) {
-            (Kind::RapidAxes | Kind::RapidStraight, _) => Class::Rapid,
+            (Kind::RapidAxes | Kind::RapidStraight { .. }, _) => Class::Rapid,
             (_, PathMode::Tapping) => Class::Locked,
+            (_, PathMode::FullFeed) => Class::Full,
             _ => Class::Cut,
         };
         let tolerance = match path {
             _ if rules.exact_stop => None,
             PathMode::ExactStop => None,
             // The slow-down at inner corners does not act yet; the path is the same.
-            PathMode::Continuous | PathMode::InnerCorners(_) | PathMode::Tapping => Some(rules.tolerance),
+            PathMode::Continuous | PathMode::InnerCorners(_) | PathMode::Tapping | PathMode::FullFeed => {
+                Some(rules.tolerance)
+            }
             PathMode::ContinuousWithin(t) => Some(if t.is_finite() { t.max(0.0) } else { rules.tolerance }),
         };
         let bound = match &piece {

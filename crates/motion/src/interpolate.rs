@@ -55,6 +55,11 @@ impl Interpolator {
         }
     }
 
+    /// Calls the place where the axes stand by another position.
+    pub fn rename(&mut self, at: Position) {
+        self.position = at;
+    }
+
     pub fn position(&self) -> Position {
         self.position
     }

@@ -76,6 +76,8 @@ pub(crate) enum Class {
     Rapid,
     /// Cutting: velocity limits, feed override.
     Cut,
+    /// Cutting with override without effect.
+    Full,
     /// Cutting with override and hold without effect (G63).
     Locked,
 }

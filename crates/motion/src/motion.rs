@@ -153,6 +153,15 @@ impl Motion {
         }
     }
 
+    /// Calls the place where the axes stand by another position. Only at rest, with every move run to its end;
+    /// else nothing changes.
+    pub fn rename(&mut self, at: Position) {
+        if self.is_empty() && self.at_rest() && at.is_finite() {
+            self.interpolator.rename(at);
+            self.forget();
+        }
+    }
+
     /// Where the axes are commanded to be.
     pub fn position(&self) -> Position {
         self.interpolator.position()

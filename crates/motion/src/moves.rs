@@ -20,8 +20,8 @@ pub struct Move {
 pub(crate) enum Kind {
     /// Every axis on its own, as fast as it can.
     RapidAxes,
-    /// On a straight line, as fast as the slowest axis can.
-    RapidStraight,
+    /// On a straight line, as fast as the slowest axis can, `speed` mm/s at most.
+    RapidStraight { speed: f64 },
     /// On a straight line; `feed` mm/s.
     Line { feed: f64, path: PathMode },
     /// On a circle or helix; `feed` mm/s.
@@ -85,7 +85,9 @@ impl Move {
         };
         let straight = || Measure::choose(&(to - from)).map_or(0.0, |(_, length)| length);
         let kind = match *op {
-            Op::Rapid { straight: true, .. } => Kind::RapidStraight,
+            Op::Rapid { straight: true, speed, .. } => {
+                Kind::RapidStraight { speed: speed.map_or(f64::INFINITY, |s| s / 60.0) }
+            }
             Op::Rapid { straight: false, .. } => Kind::RapidAxes,
             Op::Feed { feed, path, .. } => Kind::Line { feed: speed(feed, straight()), path },
             Op::Skip { feed, .. } => Kind::Line { feed: speed(feed, straight()), path: PathMode::ExactStop },
@@ -112,7 +114,7 @@ impl Move {
 
     /// Positioning to `to`: on a straight line, or every axis on its own.
     pub fn rapid(to: Position, straight: bool, tag: u64) -> Option<Move> {
-        let kind = if straight { Kind::RapidStraight } else { Kind::RapidAxes };
+        let kind = if straight { Kind::RapidStraight { speed: f64::INFINITY } } else { Kind::RapidAxes };
         Move { tag, to, kind }.checked()
     }
 
@@ -147,7 +149,11 @@ impl Move {
     fn checked(mut self) -> Option<Move> {
         let good = |x: &f64| x.abs() <= FARTHEST;
         let possible = match &mut self.kind {
-            Kind::RapidAxes | Kind::RapidStraight => true,
+            Kind::RapidAxes => true,
+            Kind::RapidStraight { speed } => {
+                *speed = speed.max(LEAST_FEED);
+                !speed.is_nan()
+            }
             Kind::Line { feed, .. } => clamp_feed(feed),
             Kind::Arc { center, sweep, feed, .. } => {
                 clamp_feed(feed) && good(sweep) && center.iter().all(good)

@@ -86,7 +86,7 @@ impl Piece {
                 Some(Piece::Axes { from, to: m.to })
             }
             Kind::RapidAxes => Line::new(from, m.to).map(Piece::Line),
-            Kind::RapidStraight | Kind::Line { .. } => Line::new(from, m.to).map(Piece::Line),
+            Kind::RapidStraight { .. } | Kind::Line { .. } => Line::new(from, m.to).map(Piece::Line),
             Kind::Arc { plane, center, sweep, .. } => {
                 let arc = Arc { plane, center, start: from, end: m.to, sweep };
                 match Turn::new(&arc) {

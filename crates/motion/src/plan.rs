@@ -105,7 +105,7 @@ impl Overrides {
         match class {
             Class::Rapid => self.rapid,
             Class::Cut => self.feed,
-            Class::Locked => 1.0,
+            Class::Full | Class::Locked => 1.0,
         }
     }
 }

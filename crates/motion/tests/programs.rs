@@ -135,7 +135,9 @@ fn blends_keep_the_tolerance_on_both_sides() {
         let missed = run
             .samples
             .windows(2)
-            .map(|w| distance(&Op::Rapid { to: w[1].position, straight: true }, w[0].position, p))
+            .map(|w| {
+                distance(&Op::Rapid { to: w[1].position, straight: true, speed: None }, w[0].position, p)
+            })
             .fold(f64::INFINITY, f64::min);
         assert!(missed <= 0.02 + 1e-6, "{missed}");
     }
@@ -196,12 +198,12 @@ fn a_helix_of_a_thousand_turns_flows_through() {
 fn rapids_run_at_the_limit_of_the_slowest_axis() {
     let machine = demo();
     let to = Position::xyz(200.0, 100.0, -50.0);
-    let straight = run(&machine, Position::ZERO, &[Op::Rapid { to, straight: true }]);
+    let straight = run(&machine, Position::ZERO, &[Op::Rapid { to, straight: true, speed: None }]);
     straight.check_limits(&machine);
     straight.check_path(1e-9);
     // X: 200 mm at 250 mm/s and 2000 mm/s².
     assert!((straight.time() - (200.0 / 250.0 + 250.0 / 2000.0)).abs() < 0.003, "{}", straight.time());
-    let each = run(&machine, Position::ZERO, &[Op::Rapid { to, straight: false }]);
+    let each = run(&machine, Position::ZERO, &[Op::Rapid { to, straight: false, speed: None }]);
     each.check_limits(&machine);
     each.check_path(1e-9);
     assert!((each.time() - straight.time()).abs() < 0.003);
@@ -213,7 +215,11 @@ fn rapids_run_at_the_limit_of_the_slowest_axis() {
 #[test]
 fn collinear_rapids_are_one() {
     let machine = demo();
-    let ops = [50.0, 120.0, 200.0].map(|x| Op::Rapid { to: Position::xyz(x, 0.0, 0.0), straight: true });
+    let ops = [50.0, 120.0, 200.0].map(|x| Op::Rapid {
+        to: Position::xyz(x, 0.0, 0.0),
+        straight: true,
+        speed: None,
+    });
     let run = run(&machine, Position::ZERO, &ops);
     run.check_limits(&machine);
     assert!(!run.stops_inside());
@@ -281,7 +287,8 @@ fn hold_stops_on_the_path_and_resume_goes_on() {
 #[test]
 fn overrides_scale_feed_and_rapid() {
     let machine = demo();
-    let ops = [line(100.0, 0.0, 0.0, 3000.0, GO), Op::Rapid { to: Position::ZERO, straight: false }];
+    let ops =
+        [line(100.0, 0.0, 0.0, 3000.0, GO), Op::Rapid { to: Position::ZERO, straight: false, speed: None }];
     let events = [(0, Event::Override(2.0, 0.5))];
     let run = run_with(&machine, Position::ZERO, &ops, &events, &[]);
     run.check_limits(&machine);

@@ -11,8 +11,9 @@ use crate::syntax::Syntax;
 use crate::text::{OpenError, Text};
 use std::collections::{HashMap, VecDeque};
 use std::io;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
 /// Bytes of text lexed at a time. A line with its end fits ([`lexer::MAX_LINE`]).
 const PAGE_BYTES: usize = 1 << 16;
@@ -28,6 +29,11 @@ const LONGEST_NAME: u32 = 255;
 
 /// Part programs looked at in the folder.
 const MAX_FOLDER: usize = 10_000;
+
+/// Bytes of a file beyond which no program that stands for a code is looked for in it, and of all such
+/// files of a folder together: those are short, and a folder may hold all that a shop ever cut.
+const SMALL_FILE: u64 = 1 << 20;
+const SMALL_FILES: u64 = 64 << 20;
 
 /// Extensions of part programs (lower case), for the files beside the main one.
 pub const EXTENSIONS: &[&str] =
@@ -250,6 +256,41 @@ impl ProgramMemory {
         }
     }
 
+    /// Numbers within a range that programs have: in the main file, in the files added, and among the small
+    /// part programs of the main file's folder.
+    pub fn numbers_within(&mut self, range: Range<u32>) -> io::Result<Vec<u32>> {
+        let mut found = Vec::new();
+        let mut take = |programs: &HashMap<ProgramId, Place>| {
+            let numbers = programs.keys().filter_map(|id| match id {
+                ProgramId::Number(number) if range.contains(number) => Some(*number),
+                _ => None,
+            });
+            found.extend(numbers);
+        };
+        for at in 0..self.files.len() {
+            let Ok(at) = u16::try_from(at) else { break };
+            take(self.programs_in(FileId(at))?);
+        }
+        if let Some((folder, main)) = &self.folder {
+            let mut left = SMALL_FILES;
+            for path in part_programs(folder, main) {
+                let len = std::fs::metadata(&path).map_or(u64::MAX, |about| about.len());
+                if len > SMALL_FILE || len > left {
+                    continue;
+                }
+                left -= len;
+                let Ok(text) = Text::open(&path) else { continue };
+                let mut alone = ProgramMemory::new("", text, self.syntax);
+                take(alone.programs_in(FileId(0))?);
+                // What a file is called by counts as what it holds.
+                take(&names_of(&path).into_iter().map(|id| (id, Place::default())).collect());
+            }
+        }
+        found.sort_unstable();
+        found.dedup();
+        Ok(found)
+    }
+
     /// The first file from index `from` on that `is_it`.
     fn position(&self, from: usize, is_it: impl Fn(&ProgramFile) -> bool) -> Option<FileId> {
         let at = from + self.files.get(from..)?.iter().position(is_it)?;
@@ -278,7 +319,13 @@ impl ProgramMemory {
     }
 
     fn find_in_file(&mut self, id: FileId, program: &ProgramId) -> io::Result<Option<Place>> {
-        let known = self.files.get(usize::from(id.0)).is_some_and(|f| f.programs.is_some());
+        Ok(self.programs_in(id)?.get(program).copied())
+    }
+
+    /// The programs of a file, looked for once.
+    fn programs_in(&mut self, id: FileId) -> io::Result<&HashMap<ProgramId, Place>> {
+        static NONE: LazyLock<HashMap<ProgramId, Place>> = LazyLock::new(HashMap::new);
+        let known = self.files.get(usize::from(id.0)).is_none_or(|f| f.programs.is_some());
         if !known {
             let programs = self.index_file(id)?;
             if let Some(file) = self.files.get_mut(usize::from(id.0)) {
@@ -286,13 +333,18 @@ impl ProgramMemory {
             }
         }
         let programs = self.files.get(usize::from(id.0)).and_then(|f| f.programs.as_ref());
-        Ok(programs.and_then(|p| p.get(program)).copied())
+        Ok(programs.unwrap_or_else(|| LazyLock::force(&NONE)))
     }
 
     /// Finds the blocks that start with an O word; of two with one number the first counts.
     fn index_file(&mut self, id: FileId) -> io::Result<HashMap<ProgramId, Place>> {
         let mut programs = HashMap::new();
         let mut number = 0;
+        if let Some(file) = self.files.get(usize::from(id.0))
+            && !may_hold_programs(&file.text, &mut self.buffer)?
+        {
+            return Ok(programs);
+        }
         while let Some(page) = self.page(id, number)? {
             for (at, program) in programs_of(&page) {
                 let program = match program {
@@ -314,13 +366,7 @@ impl ProgramMemory {
 /// in them. Of two with one number or name the first file counts, in the order of their names.
 fn index_folder(folder: &Path, main: &Path, syntax: &'static Syntax) -> HashMap<ProgramId, PathBuf> {
     let mut index = HashMap::new();
-    let Ok(entries) = std::fs::read_dir(folder) else { return index };
-    let mut paths: Vec<PathBuf> = entries
-        .filter_map(|e| e.ok().map(|e| e.path()))
-        .filter(|p| p.file_name() != main.file_name() && is_part_program(p))
-        .take(MAX_FOLDER)
-        .collect();
-    paths.sort();
+    let paths = part_programs(folder, main);
     for path in &paths {
         for id in names_of(path) {
             index.entry(id).or_insert_with(|| path.clone());
@@ -337,6 +383,48 @@ fn index_folder(folder: &Path, main: &Path, syntax: &'static Syntax) -> HashMap<
         }
     }
     index
+}
+
+/// The part programs of a folder but the main one, in the order of their names.
+fn part_programs(folder: &Path, main: &Path) -> Vec<PathBuf> {
+    let Ok(entries) = std::fs::read_dir(folder) else { return Vec::new() };
+    let mut paths: Vec<PathBuf> = entries
+        .filter_map(|e| e.ok().map(|e| e.path()))
+        .filter(|p| p.file_name() != main.file_name() && is_part_program(p))
+        .take(MAX_FOLDER)
+        .collect();
+    paths.sort();
+    paths
+}
+
+/// Whether any block of a text may start with an O word. Looks at bytes alone, so that a large flat program
+/// is not lexed for nothing; a comment may look like one.
+fn may_hold_programs(text: &Text, buffer: &mut Vec<u8>) -> io::Result<bool> {
+    // Nothing of the block but blanks, skips, comments and its number was read.
+    let (mut at_start, mut in_comment) = (true, false);
+    let mut offset = 0;
+    loop {
+        let (found, len) = text.window(offset, PAGE_BYTES, buffer, |bytes| {
+            for byte in bytes {
+                match byte {
+                    b'\n' | b'\r' => (at_start, in_comment) = (true, false),
+                    b')' if in_comment => in_comment = false,
+                    _ if in_comment => {}
+                    b'(' => in_comment = true,
+                    b'O' | b'o' if at_start => return (true, bytes.len()),
+                    b';' => at_start = true,
+                    // Padding too, and what a byte order mark is made of.
+                    b'N' | b'n' | b'/' | b' ' | b'0'..=b'9' | b'.' | 0..=0x1F | 0x80.. => {}
+                    _ => at_start = false,
+                }
+            }
+            (false, bytes.len())
+        })?;
+        if found || len == 0 {
+            return Ok(found);
+        }
+        offset += len as u64;
+    }
 }
 
 /// What a file can be called by: `drill` for `drill.nc`, and for `O1002.nc` or `1002.nc` the number

@@ -48,6 +48,8 @@ pub enum PathMode {
     InnerCorners(InnerCorners),
     /// Run on, with feed override and feed hold without effect (G63).
     Tapping,
+    /// Run on, with feed override without effect (Weihong G903).
+    FullFeed,
 }
 
 /// Where and how far a cutter-compensated path slows down (GSK990MC 4.8.2). A corner counts if the angle
@@ -140,6 +142,8 @@ pub enum Op {
         to: Position,
         /// Along a straight line; else each axis runs at its own rapid rate and ends when it ends.
         straight: bool,
+        /// Highest speed along a straight line, mm/min, where the program gives one.
+        speed: Option<f64>,
     },
     /// Straight cut (G01).
     Feed {
@@ -210,6 +214,20 @@ pub enum Op {
         address: Box<str>,
         /// What it is set to.
         value: f64,
+    },
+    /// The control waits until an input has a state.
+    Wait {
+        /// Its address.
+        address: Box<str>,
+        /// The state, 0 or 1.
+        value: f64,
+        /// How long at most, s; without end where not given. Then it is an alarm.
+        timeout: Option<f64>,
+    },
+    /// Nothing moves; from here on the place where the axes stand is called by these machine positions.
+    Datum {
+        /// Machine position of every axis.
+        at: Position,
     },
     /// Reference-point return of these axes; the moves that lead there are steps before it.
     Home(AxisSet),

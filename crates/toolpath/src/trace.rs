@@ -263,6 +263,23 @@ impl<W: Write> TraceWriter<W> {
                 self.text("addr", address);
                 self.field("value", *value);
             }
+            Op::Wait { address, value, timeout } => {
+                self.op("wait");
+                self.text("addr", address);
+                self.field("value", *value);
+                match timeout {
+                    Some(seconds) => self.field("timeout", *seconds),
+                    None => {
+                        self.key("timeout");
+                        self.line.extend_from_slice(b"null");
+                    }
+                }
+            }
+            Op::Datum { at } => {
+                // No axis is commanded anything; the next move shows the new position of each that it moves.
+                self.at = *at;
+                return false;
+            }
             Op::Home(axes) => {
                 self.op("home");
                 self.key("axes");
@@ -400,7 +417,7 @@ mod tests {
         let at = Position::xyz(1.0, 2.0, 3.0);
         let mut trace = TraceWriter::new(&mut out, at);
         let span = Span { line: 7, ..Span::default() };
-        trace.step(&Step { op: Op::Rapid { to: at, straight: true }, span }).unwrap();
+        trace.step(&Step { op: Op::Rapid { to: at, straight: true, speed: None }, span }).unwrap();
         let feed = Feed::PerMinute(100.0);
         let path = PathMode::Continuous;
         let circle = Op::Arc {

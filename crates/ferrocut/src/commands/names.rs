@@ -47,6 +47,7 @@ pub fn parameters(text: &str, table: &ParameterTable) -> Result<Vec<ParameterKey
     let starts_with_digit = upper.as_bytes().first().is_some_and(u8::is_ascii_digit);
     let named = if starts_with_digit && upper.contains('#') { format!("NO{upper}") } else { upper };
     match named.parse::<ParameterKey>() {
+        Ok(key @ ParameterKey::Named(_)) if table.get(&key).is_some() => Ok(vec![key]),
         Ok(ParameterKey::Named(_)) => by_symbol(text, table),
         Ok(key) if table.is_open() || table.get(&key).is_some() => Ok(vec![key]),
         Ok(key) => Err(unknown(&table.name(&key), table)),
@@ -78,9 +79,11 @@ fn by_symbol(text: &str, table: &ParameterTable) -> Result<Vec<ParameterKey>, Na
 
 fn unknown(text: &str, table: &ParameterTable) -> NameError {
     let is_number = |t: &str| t.bytes().any(|b| b.is_ascii_digit()) && !t.contains('_');
-    let names = table.iter().map(|d| match is_number(text) {
-        true => d.name.to_string(),
-        false => d.symbol.to_string(),
+    let names = table.iter().flat_map(|d| {
+        let has_name = matches!(d.key, ParameterKey::Named(_));
+        let key = (has_name || is_number(text)).then(|| d.name.to_string());
+        let symbol = (has_name || !is_number(text)).then(|| d.symbol.to_string());
+        [key, symbol].into_iter().flatten()
     });
     NameError::Unknown(text.to_owned(), near(text, names))
 }

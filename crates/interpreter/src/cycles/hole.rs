@@ -45,9 +45,12 @@ impl Interpreter {
                 self.cut_z(r)?;
                 self.rapid_z(top)
             }
-            Retract::SpindleStopped | Retract::ByHand => {
+            Retract::SpindleStopped | Retract::ByHand | Retract::FeedSpindleStopped => {
                 let turning = self.technology.spindle;
                 self.spindle(SpindleState::Off);
+                if cycle.retract == Retract::FeedSpindleStopped {
+                    self.cut_z(r)?;
+                }
                 if cycle.retract == Retract::ByHand {
                     self.emit(Op::Stop(STOP));
                 }

@@ -9,15 +9,19 @@ mod bore;
 mod hole;
 mod mill;
 pub mod milling;
+mod pattern;
 mod rules;
 mod tap;
 
 pub use mill::MillShape;
 use mill::MillWords;
+pub use pattern::Pattern;
+use pattern::Places;
 pub use rules::{NoDepth, Repeat, Restart, Rules, Tapping};
 
 use crate::Fallible;
 use crate::dialect::Meaning;
+use crate::execute::{Part, Rest};
 use crate::interpreter::Interpreter;
 use crate::modal::Group;
 use crate::stages::units;
@@ -49,6 +53,8 @@ pub enum Retract {
     SpindleStopped,
     /// By the operator, with the spindle at rest, which starts again at the top (G88).
     ByHand,
+    /// At feed, to the R level, with the spindle at rest, which starts again at the top (G88 of Weihong).
+    FeedSpindleStopped,
 }
 
 /// A drilling or boring cycle.
@@ -116,10 +122,22 @@ pub(crate) struct CycleState {
     holes_left: u32,
     /// The line that they lie on, where they do.
     line: Option<Line>,
+    /// The figure that they lie on, where they do.
+    pattern: Option<Places>,
     /// A change of tool length that is made on the next way to an R level: the code in force.
     length: Option<Meaning>,
     /// Scale factor of the tool axis, set aside while a block of the cycle runs.
     pub z_factor: Option<f64>,
+}
+
+/// Data of a hole: levels, mm, and dwell, s.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct HoleData {
+    pub initial: f64,
+    pub r: Option<f64>,
+    pub z: Option<f64>,
+    pub q: Option<f64>,
+    pub p: Option<f64>,
 }
 
 /// A row of holes at equal distances.
@@ -151,6 +169,12 @@ impl CycleState {
     pub fn drop_holes(&mut self) {
         self.holes_left = 0;
     }
+
+    /// The data that programs in the place of cycles are given.
+    pub fn data(&self) -> HoleData {
+        let CycleState { initial, r, z, q, p, .. } = *self;
+        HoleData { initial, r, z, q, p }
+    }
 }
 
 impl Interpreter {
@@ -177,8 +201,11 @@ impl Interpreter {
 
     /// A block while a cycle is in force.
     pub(crate) fn cycle_block(&mut self, axes: AxisSet, length: Option<Meaning>) -> Fallible<()> {
-        if self.modal.plane() != Plane::Xy {
+        if self.modal.plane() != Plane::Xy && !self.rules.cycles.in_any_plane {
             return Err(self.alarm(Fault::CyclePlane, self.cycle_span()));
+        }
+        if self.is_nested_on_z() {
+            return Err(self.alarm(Fault::CycleScaled, self.cycle_span()));
         }
         self.leave_tool_axis_unscaled();
         if !self.cycle.active {
@@ -201,13 +228,14 @@ impl Interpreter {
             let fault = if rigid { Fault::TappingNoSpeed } else { Fault::CycleNoSpindle };
             return Err(self.alarm(fault, self.cycle_span()));
         }
-        let letter = self.rules.cycles.repeat_letter;
-        let repeats = self.words.get(letter).map_or(1.0, f64::abs);
+        let repeats = self.repeats();
         if repeats > MAX_REPEATS {
-            return Err(self.alarm_at(Fault::WordOutOfRange, letter));
+            return Err(self.alarm_at(Fault::WordOutOfRange, self.rules.cycles.repeat_letter));
         }
         let holes = repeats as u32;
-        self.cycle.holes_left = holes;
+        // A program that stands for the cycle repeats by itself.
+        self.cycle.holes_left = if self.custom_cycle().is_some() { holes.min(1) } else { holes };
+        self.cycle.pattern = None;
         self.cycle.line = match self.rules.cycles.repeat {
             Repeat::Line if holes > 0 => {
                 let (from, to) = (self.location.programmed, self.place_of_hole());
@@ -225,6 +253,13 @@ impl Interpreter {
         Ok(())
     }
 
+    /// How many holes the block asks for.
+    pub(crate) fn repeats(&self) -> f64 {
+        let letters = [Some(self.rules.cycles.repeat_letter), self.rules.cycles.other_repeat_letter];
+        let given = letters.into_iter().flatten().find_map(|letter| self.words.get(letter));
+        given.map_or(1.0, f64::abs)
+    }
+
     /// Whether holes of the present block are still to be cut.
     #[inline]
     pub(crate) fn has_holes_left(&self) -> bool {
@@ -237,6 +272,12 @@ impl Interpreter {
     pub(crate) fn next_hole(&mut self) -> Fallible<()> {
         self.cycle.holes_left -= 1;
         self.flow.count_hole();
+        if let Some(code) = self.custom_cycle() {
+            return match self.call_custom(code, Rest::at(Part::Holes), self.words.block_span()) {
+                Err(alarm) => self.give_up_block(alarm),
+                done => done,
+            };
+        }
         let done = match self.cycle_kind() {
             Some(CycleKind::Hole(cycle)) => self.hole(cycle),
             Some(CycleKind::Tap { left }) => self.tap(left),
@@ -253,7 +294,20 @@ impl Interpreter {
             return Ok(());
         }
         self.scale_tool_axis_again();
-        self.m_functions(true)
+        self.end_holes()
+    }
+
+    /// Where the next hole will be.
+    pub(crate) fn place_of_next_hole(&mut self) -> Position {
+        match (self.cycle.pattern, self.cycle.line) {
+            (Some(places), _) => places.hole(self.cycle.holes_left, self.location.programmed),
+            (None, Some(line)) => {
+                let mut to = line.hole(self.cycle.holes_left);
+                to[Axis::Z] = self.location.programmed[Axis::Z];
+                to
+            }
+            (None, None) => self.place_of_hole(),
+        }
     }
 
     /// Words of hole data, kept for the blocks that follow.
@@ -325,14 +379,7 @@ impl Interpreter {
 
     /// Rapid over the hole, all named axes but the tool axis together.
     fn position_over_hole(&mut self) -> Fallible<()> {
-        let to = match self.cycle.line {
-            None => self.place_of_hole(),
-            Some(line) => {
-                let mut to = line.hole(self.cycle.holes_left);
-                to[Axis::Z] = self.location.programmed[Axis::Z];
-                to
-            }
-        };
+        let to = self.place_of_next_hole();
         self.position_at(to)
     }
 
@@ -348,7 +395,7 @@ impl Interpreter {
         self.output.pause_cutter();
         let (here, there) = (self.location.machine, self.location.machine_of(to));
         if Plane::Xy.of(here) == Plane::Xy.of(there) {
-            let op = Op::Rapid { to: here, straight: self.rules.rapid_is_straight };
+            let op = Op::Rapid { to: here, straight: self.rules.rapid_is_straight, speed: None };
             let step = Step { op, span: self.words.block_span() };
             self.output.back_onto_path(step).map_err(|(fault, span)| self.alarm(fault, span))?;
         }

@@ -51,6 +51,8 @@ pub enum Tapping {
         /// How far, where V does not say, mm.
         retract: f64,
     },
+    /// With a floating holder in one stroke, whatever the spindle's speed. F is the feed.
+    Floating,
     /// Always rigid. F is the pitch in mm, I the threads per inch, in force until the next one, also when
     /// the cycle ends.
     Pitch {
@@ -66,8 +68,12 @@ pub enum Tapping {
 pub struct Rules {
     /// The address that counts holes.
     pub repeat_letter: u8,
+    /// The address that counts them where that one is missing.
+    pub other_repeat_letter: Option<u8>,
     /// What it means.
     pub repeat: Repeat,
+    /// Cycles work in X, Y and along Z whatever the plane; else G18 and G19 are alarms.
+    pub in_any_plane: bool,
     /// Retract of chip breaking (G73).
     pub chip_break_retract: f64,
     /// Gap at which rapid ends above the last depth (G83).

@@ -29,7 +29,15 @@ impl Interpreter {
         let Tapping::Feed { max_rigid_rpm, rigid_retract, rigid_orients, steps_are_fast, retract, .. } =
             self.rules.cycles.tapping
         else {
-            return self.tap_by_pitch(r, z, rpm, left);
+            return match self.rules.cycles.tapping {
+                Tapping::Floating => {
+                    self.position_over_hole()?;
+                    self.approach(r)?;
+                    self.tap_floating(r, z, None, left)?;
+                    self.rapid_z(self.top(r))
+                }
+                _ => self.tap_by_pitch(r, z, rpm, left),
+            };
         };
         let steps = self.cycle.q.filter(|q| *q > 0.0).map(|depth| Steps {
             depth,

@@ -4,11 +4,13 @@
 //! chamfer and corner rounding → cutter radius compensation → tool length → machine axes`
 //!
 //! The first, [`words`](crate::words), is shared by everything a block says. Inch/metric stands inside
-//! polar and absolute/incremental, because an angle has no inch.
+//! polar and absolute/incremental, because an angle has no inch. A control that keeps transformations as a
+//! stack has [`nesting`] in the place of scaling, mirror and rotation.
 
 pub mod corner;
 pub mod cutter;
 pub mod distance;
+pub mod nesting;
 pub mod polar;
 pub mod rotation;
 pub mod scaling;

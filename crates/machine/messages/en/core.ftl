@@ -212,6 +212,8 @@ FC-0804 = The spindle does not reach this speed
 FC-0805 = The machine cannot run the move at the programmed feed
     .detail = F{ $feed }, at most { $limit }
     .help = Program a lower feed; the axis speeds stand in the machine file.
+FC-0806 = The input that the program waits for does not come
+    .help = Check the input and its address, or wait longer.
 
 ## Files
 
@@ -382,6 +384,10 @@ FC-0213 = More axes than may move together
 FC-0214 = The tool number has too many digits
     .help = Check T; P206 sets its digits.
 
+FC-0215 = The code needs a word that is missing
+    .detail = { $word }
+    .help = Add the word to the block.
+
 FC-0314 = Feed per revolution needs a spindle with an encoder
     .help = Use G94, or fit an encoder.
 
@@ -392,6 +398,9 @@ FC-0316 = The arc moves an axis beside its plane
     .help = Move the axis in a block of its own, or choose the plane that the arc lies in.
 FC-0317 = The helix climbs without turning
     .help = Give the arc an end point in the plane, or a full circle by its centre; for a straight move use G01.
+
+FC-0318 = An arc in machine coordinates
+    .help = Program G00 or G01 in the block of G53.
 
 FC-0434 = The offset value is too large
     .help = Correct the value in the offset table.
@@ -420,6 +429,18 @@ FC-0441 = There is no such axis for surface speed
 FC-0442 = Length compensation in the block of a code that does not allow it
     .detail = { $word }
     .help = Put the length compensation into a block of its own.
+
+FC-0443 = Scaling is set while cutter compensation is in force
+    .help = Program the scaling before G41 or G42, or cancel with G40 first.
+
+FC-0444 = The scaling is incomplete, or has both kinds of factor
+    .help = Give the centre of the axes with P, or I, J, K for each axis.
+
+FC-0445 = The mirror names no axis
+    .help = Give the coordinate at which each axis is mirrored.
+
+FC-0446 = Too many transformations are in force together
+    .help = Cancel each rotation with G69 before the next, also in repeated subprograms.
 
 FC-0510 = Rigid tapping without a feed
     .help = Give F in the cycle or before it.
@@ -496,3 +517,7 @@ FC-0528 = A tapping cycle whose pitch was never given
 FC-0529 = The pitch of the thread is given twice
     .detail = { $word }
     .help = Program F or I, not both.
+FC-0530 = Holes on a figure without a canned cycle
+    .help = Program the canned cycle before, with K0.
+FC-0531 = A canned cycle while Z is scaled
+    .help = Cancel the scaling with G50, or leave Z out of it.

@@ -75,6 +75,9 @@ fn one(word: &str, book: &Book) -> Result<Vec<Asked>, Unknown> {
     if let Some(number) = upper.strip_prefix('#').filter(|t| digits(t)) {
         return variable(number, book);
     }
+    if let Some(name) = upper.strip_prefix('#').filter(|name| !name.is_empty()) {
+        return named_variable(name, book);
+    }
     if let [letter @ b'A'..=b'Z'] = upper.as_bytes() {
         return Ok(vec![Asked::Address(*letter)]);
     }
@@ -155,6 +158,17 @@ fn variable(number: &str, book: &Book) -> Result<Vec<Asked>, Unknown> {
         let text = book.diagnostics.catalogue().label("label-no-variable", &arguments);
         with_near(text, &near_variables(number, book), &book.diagnostics)
     })
+}
+
+/// `#FC7`, `#SAFEHEIGHT`: a word of the macro language, or a parameter.
+fn named_variable(name: &str, book: &Book) -> Result<Vec<Asked>, Unknown> {
+    if book.reference.is_some_and(|r| r.macro_word(name).is_some()) {
+        return Ok(vec![Asked::MacroWord(name.to_owned())]);
+    }
+    match names::parameters(name, book.table()) {
+        Ok(keys) if !book.table().is_open() => Ok(of_keys(keys)),
+        _ => Err(unknown(&format!("#{name}"), book)),
+    }
 }
 
 /// The ranges before and behind a number.

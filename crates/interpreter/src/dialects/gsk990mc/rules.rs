@@ -1,10 +1,12 @@
 //! What the parameters set.
 
 use super::codes::G_CODES;
+use crate::coordinates;
 use crate::cycles::{self, NoDepth, Repeat, Restart, Tapping};
 use crate::dialect::{ResetRules, Rules, ScalingRules};
 use crate::dialects::fanuc;
 use crate::modal::Modal;
+use crate::motion;
 use crate::stages::cutter;
 use crate::stages::polar::PoleRule;
 use crate::stroke::{STROKE_AXES, StrokeRules};
@@ -42,11 +44,14 @@ pub fn rules(parameters: &Parameters) -> Rules {
         h00_waits: true,
         length_not_with: &[],
         repeats_are_alarms: parameters.bit(32, 6),
+        distance_is_exclusive: false,
         m_codes_in_block: if parameters.bit(33, 7) { 3 } else { 1 },
         max_call_depth: CALL_DEPTH,
         max_macro_depth: MACRO_DEPTH,
         max_repeats: 9999.0,
         cycles: cycles(parameters),
+        motion: motion::Rules::default(),
+        coordinates: coordinates::Rules::default(),
         cutter: cutter::Rules {
             start_up: if parameters.bit(40, 0) { cutter::StartUp::B } else { cutter::StartUp::A },
             interference: parameters.bit(41, 6),
@@ -65,6 +70,8 @@ pub fn rules(parameters: &Parameters) -> Rules {
         // 7.2.2: 13#1 tells of an encoder, 13#0 allows G95 without.
         feed_per_revolution: parameters.bit(13, 1) || parameters.bit(13, 0),
         max_tool: digits(p(206)),
+        tool_chooses_offsets: false,
+        end_stops_spindle: true,
         max_speed_word: digits(p(205)),
         max_m_code: digits(p(204)),
         radius_is_diameter: parameters.bit(40, 7),
@@ -111,7 +118,9 @@ fn cycles(parameters: &Parameters) -> cycles::Rules {
     let p = |number| parameters.data(number);
     cycles::Rules {
         repeat_letter: b'K',
+        other_repeat_letter: None,
         repeat: Repeat::Block,
+        in_any_plane: false,
         chip_break_retract: p(270),
         peck_clearance: p(271),
         // 4.4.1 note 2.

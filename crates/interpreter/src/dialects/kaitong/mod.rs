@@ -26,6 +26,8 @@ pub static DIALECT: Dialect = Dialect {
     one_way_modal: &fanuc::ONE_WAY_MODAL,
     is_fixed_parameter: |_| false,
     macro_call: 650,
+    unset_variable: None,
+    custom: None,
     variable: variables::variable,
     argument: fanuc::argument,
     addresses: codes::ADDRESSES,

@@ -1,10 +1,12 @@
 //! What the parameters set, and what is fixed.
 
 use super::codes::{CYCLE_GROUP, G_CODES, POLAR_GROUP};
+use crate::coordinates;
 use crate::cycles::{self, NoDepth, Repeat, Restart, Tapping};
 use crate::dialect::{ResetRules, Rules, ScalingRules};
 use crate::dialects::fanuc;
 use crate::modal::Modal;
+use crate::motion;
 use crate::stages::cutter;
 use crate::stages::polar::PoleRule;
 use crate::stroke::{STROKE_AXES, StrokeRules};
@@ -48,11 +50,14 @@ pub fn rules(parameters: &Parameters) -> Rules {
         h00_waits: false,
         length_not_with: LENGTH_NOT_WITH,
         repeats_are_alarms: false,
+        distance_is_exclusive: false,
         m_codes_in_block: 3,
         max_call_depth: 4,
         max_macro_depth: 4,
         max_repeats: 9999.0,
         cycles: cycles(parameters),
+        motion: motion::Rules::default(),
+        coordinates: coordinates::Rules::default(),
         cutter: cutter::Rules::default(),
         radius_is_diameter: false,
         corner_override: None,
@@ -70,6 +75,8 @@ pub fn rules(parameters: &Parameters) -> Rules {
         max_tool: 9999.0,
         max_speed_word: 99_999.0,
         max_m_code: 999.0,
+        tool_chooses_offsets: false,
+        end_stops_spindle: true,
         corner_arc: false,
         scaling: ScalingRules {
             enabled: false,
@@ -110,7 +117,9 @@ fn cycles(parameters: &Parameters) -> cycles::Rules {
     cycles::Rules {
         // 1.7.
         repeat_letter: b'L',
+        other_repeat_letter: None,
         repeat: Repeat::Line,
+        in_any_plane: false,
         chip_break_retract: retract,
         peck_clearance: retract,
         no_depth: NoDepth::Depth(DEFAULT_Q),

@@ -1,0 +1,187 @@
+//! What a program tells the machine itself: texts, outputs, inputs that it waits for, moves that inputs end
+//! (Weihong 4.4).
+//!
+//! Addresses of the ladder are text in brackets, `PLC[04]`, or numbers; they are compared as numbers.
+
+use crate::Fallible;
+use crate::interpreter::Interpreter;
+use crate::stages::units;
+use crate::words::long;
+use ferrocut_geometry::{Axis, Position};
+use ferrocut_machine::Fault;
+use ferrocut_program::Span;
+use ferrocut_toolpath::{Feed, Op};
+
+/// Number of the internal message that clears the external offset (M802).
+const CLEAR_EXTERNAL_OFFSET: f64 = 458_752.0;
+
+/// Bits of an integer that a number holds exactly.
+const PORTS: u16 = 52;
+
+/// An axis of G904 with its addresses: speed, input, level.
+const AXES: [(Axis, u8, u8, u8); 3] = [
+    (Axis::X, long::FX, long::PX, long::LX),
+    (Axis::Y, long::FY, long::PY, long::LY),
+    (Axis::Z, long::FZ, long::PZ, long::LZ),
+];
+
+impl Interpreter {
+    /// M801: text for the operator; without text nothing.
+    pub(crate) fn message(&mut self) {
+        if let Some(text) = self.words.text(long::MSG) {
+            let text = self.programs.slice(text);
+            self.emit(Op::Message(text.into()));
+        }
+    }
+
+    /// M802 P: a number for the control. One is done here, the others are the machine's.
+    pub(crate) fn internal_number(&mut self) -> Fallible<()> {
+        if self.words.get(b'P') != Some(CLEAR_EXTERNAL_OFFSET) {
+            self.emit(Op::Machine(802));
+            return Ok(());
+        }
+        self.memory.work.external = Position::ZERO;
+        self.variable_writes += 1;
+        self.work_zero_changed();
+        Ok(())
+    }
+
+    /// A ladder address of the block, as it is written and as a number.
+    fn port(&self, letter: u8) -> Option<(String, Option<f64>)> {
+        if let Some(text) = self.words.text(letter) {
+            let text = self.programs.slice(text).trim().to_owned();
+            let number = text.parse().ok();
+            return Some((text, number));
+        }
+        self.words.long(letter).map(|number| (number.to_string(), Some(number)))
+    }
+
+    fn missing(&self, name: &'static str, span: Span) -> Box<ferrocut_machine::Alarm> {
+        Box::new(self.alarm(Fault::WordMissing, span).with("word", name))
+    }
+
+    /// M901 PLC[..] LEVEL_, or in the older way H_ P_.
+    pub(crate) fn set_output(&mut self, span: Span) -> Fallible<()> {
+        // Neither is a word for the rest of the block.
+        let old = self.words.take(b'H').map(|number| (number.to_string(), Some(number)));
+        let Some((address, number)) = self.port(long::PLC).or(old) else {
+            return Err(self.missing("PLC", span));
+        };
+        let level = self.words.long(long::LEVEL).or_else(|| self.words.get(b'P'));
+        let Some(value) = level else { return Err(self.missing("LEVEL", span)) };
+        if let Some(port) = number.and_then(whole_port) {
+            self.outputs.insert(port, value);
+        }
+        self.emit(Op::Output { address: address.into(), value });
+        Ok(())
+    }
+
+    /// The state of an input; `None` for one that nobody simulates.
+    fn input(&self, number: Option<f64>) -> Option<f64> {
+        self.inputs.get(&number.and_then(whole_port)?).copied()
+    }
+
+    /// The inputs, or outputs, as bits of a number.
+    pub(crate) fn ports_as_bits(&self, outputs: bool) -> f64 {
+        let ports = if outputs { &self.outputs } else { &self.inputs };
+        let bit =
+            |(port, value): (&u16, &f64)| (*value != 0.0 && *port < PORTS).then(|| 2f64.powi((*port).into()));
+        ports.iter().filter_map(bit).sum()
+    }
+
+    /// G906: motion comes to rest; with PLC the control then waits for an input, P ms at most. At a desk an
+    /// input that nobody simulates is taken to come.
+    pub(crate) fn wait_for_input(&mut self, span: Span) -> Fallible<()> {
+        self.emit_barrier()?;
+        let Some((address, number)) = self.port(long::PLC) else { return Ok(()) };
+        let Some(value) = self.words.long(long::LEVEL) else { return Err(self.missing("LEVEL", span)) };
+        let timeout = self.words.get(b'P').map(|p| p.max(0.0) * self.rules.dwell_p_unit_s);
+        self.emit(Op::Wait { address: address.into(), value, timeout });
+        match self.input(number) {
+            Some(state) if (state != 0.0) != (value != 0.0) => Err(self.alarm(Fault::InputMissing, span)),
+            _ => Ok(()),
+        }
+    }
+
+    /// G904: each axis moves with F, on the side of its sign, until its input has the level, X, Y, Z at most.
+    /// The simulated skip signal stands for the input. Without a distance the axis moves until then; at a desk
+    /// where nobody simulates the signal, it is taken to be there.
+    ///
+    /// Axes that are programmed together move one after the other here, since each ends by a signal of its own.
+    pub(crate) fn move_until_input(&mut self, span: Span) -> Fallible<()> {
+        let inch = self.inch_axes();
+        let mut any = false;
+        for (axis, feed, port, level) in AXES {
+            let given = [feed, port, level].map(|letter| self.words.has_long(letter));
+            let distance = self.words.get(axis.letter() as u8);
+            if given == [false; 3] && distance.is_none() {
+                continue;
+            }
+            if let Some(at) = given.iter().position(|given| !given) {
+                let name = ["F", "P", "L"].get(at).copied().unwrap_or("F");
+                let word = format!("{name}{}", axis.letter());
+                return Err(Box::new(self.alarm(Fault::WordMissing, span).with("word", word)));
+            }
+            let Some(speed) = self.words.long(feed).map(|f| units::coordinate(axis, f, inch)) else {
+                return Err(self.alarm(Fault::WordMissing, self.words.long_span(feed)));
+            };
+            if speed == 0.0 {
+                return Err(self.alarm(Fault::FeedOutOfRange, self.words.long_span(feed)));
+            }
+            let distance = distance.map(|d| units::coordinate(axis, d, inch).abs());
+            self.move_axis_until(axis, speed, distance)?;
+            any = true;
+        }
+        match any {
+            true => self.emit_barrier(),
+            false => Err(self.missing("FX", span)),
+        }
+    }
+
+    fn move_axis_until(&mut self, axis: Axis, speed: f64, distance: Option<f64>) -> Fallible<()> {
+        let from = self.location.machine;
+        let signal =
+            self.options.skip.filter(|(of, _)| *of == axis).map(|(_, at)| (at - from[axis]) * speed.signum());
+        // Behind the tool, or further than it may go, it does not come.
+        let signal = signal.filter(|way| *way >= 0.0 && distance.is_none_or(|most| *way <= most));
+        let (way, hit) = match (signal, distance) {
+            (Some(way), _) => (way, true),
+            (None, Some(most)) => (most, false),
+            (None, None) => (0.0, true),
+        };
+        let mut to = from;
+        to[axis] += way * speed.signum();
+        self.check_reach(to)?;
+        self.location.machine = to;
+        self.location.take_machine();
+        if hit {
+            self.location.skip = to - self.location.work.shift;
+        }
+        self.output.suspend_cutter();
+        self.emit(Op::Skip { to, feed: Feed::PerMinute(speed.abs()), hit });
+        Ok(())
+    }
+
+    /// M902 H: the axis (0 to 3 for X, Y, Z, A) stands on its reference point, whose machine position the
+    /// control knows.
+    pub(crate) fn reference_reached(&mut self, span: Span) -> Fallible<()> {
+        let at = self.words.span(b'H');
+        let Some(number) = self.words.take(b'H') else { return Err(self.missing("H", span)) };
+        let axis = [Axis::X, Axis::Y, Axis::Z, Axis::A].into_iter().find(|a| a.index() as f64 == number);
+        let Some(axis) = axis.filter(|axis| self.rules.axes.contains(*axis)) else {
+            return Err(self.alarm(Fault::ReferenceNumber, at));
+        };
+        self.output.flush().map_err(|(fault, span)| self.alarm(fault, span))?;
+        let reference = self.memory.reference_points.first().copied().unwrap_or_default();
+        self.location.machine[axis] = reference[axis];
+        self.location.take_machine();
+        self.emit(Op::Datum { at: self.location.machine });
+        self.output.jump_to(self.location.machine);
+        Ok(())
+    }
+}
+
+/// A port number that inputs and outputs are kept by.
+fn whole_port(number: f64) -> Option<u16> {
+    (number.fract() == 0.0 && (0.0..=f64::from(u16::MAX)).contains(&number)).then_some(number as u16)
+}
