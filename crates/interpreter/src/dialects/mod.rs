@@ -3,11 +3,12 @@
 pub mod fanuc;
 pub mod gsk990mc;
 pub mod kaitong;
+pub mod weihong;
 
 use crate::dialect::Dialect;
 
 /// Every control language.
-pub const ALL: &[&Dialect] = &[&gsk990mc::DIALECT, &kaitong::DIALECT];
+pub const ALL: &[&Dialect] = &[&gsk990mc::DIALECT, &kaitong::DIALECT, &weihong::DIALECT];
 
 /// The control language with this name.
 pub fn by_name(name: &str) -> Option<&'static Dialect> {
