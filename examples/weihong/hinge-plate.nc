@@ -1,4 +1,4 @@
-'Hinge plate on a router whose public.dat makes codes of its own (public.dat beside this file):
+'Hinge plate on a router whose public.dat makes codes of its own (hinge-plate.machine.toml names it):
 'M10 and M11 clamp and release by air, S waits for the spindle, G83 pecks as this shop wants it.
 'Work zero: lower left corner, top face. T1: drill 5.
 G90 G17 G21 G49 G40

@@ -7,13 +7,17 @@ G00 X10 Y0 Z5 M08
 G01 Z0 F600
 G03 X10 Y0 I-10 J0 Z-9 K3 F800
 G03 X10 Y0 I-10 J0
+G04 P300      'coolant washes the chips out
 'Rings outwards by 7 mm, the last leaves 0.5 for finishing.
 #20=17
 G65 P"RING" L2
 G01 X24.5 Y0
 G03 X24.5 Y0 I-24.5 J0
 'The wall: tool left of the path, in and out along half circles.
-G01 X10 Y0
+G00 Z2
+X10 Y0
+G04 P300
+G01 Z-9 F600
 G01 G41 X20 Y-10 D01 F500
 G03 X30 Y0 R10
 G03 X30 Y0 I-30 J0

@@ -51,12 +51,17 @@ pub enum Command {
 /// What every command that reads a program takes.
 #[derive(Args, Clone, Default)]
 pub struct Common {
-    /// Control language of the program [default: that of the set-up or machine file]
+    /// Control language of the program [default: that of the set-up file; else guessed from the program, the
+    /// machine's before others]
     #[arg(long, value_name = "NAME")]
     pub dialect: Option<String>,
     /// Machine file: axes, limits, speeds [default: the built-in demo mill]
     #[arg(long, value_name = "FILE")]
     pub machine: Option<PathBuf>,
+    /// Programs that come with the machine and may stand for codes (public.dat) [default: those of the
+    /// machine file]
+    #[arg(long, value_name = "FILE")]
+    pub public: Option<PathBuf>,
     /// Set-up file: work offsets, tool offsets, parameters, start position
     #[arg(long, value_name = "FILE")]
     pub setup: Option<PathBuf>,

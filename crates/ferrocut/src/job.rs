@@ -2,6 +2,7 @@
 
 use crate::cli::{Common, Format};
 use crate::diagnostics::Diagnostics;
+use ferrocut_interpreter::dialects::guess::{Reason, guess};
 use ferrocut_interpreter::{Dialect, Interpreter, Options, dialects};
 use ferrocut_machine::{Alarm, Catalogue, Fault, Language, Machine, Memory, ParameterKey, Setup};
 use ferrocut_program::{OpenError, ProgramMemory, Span, Text};
@@ -64,8 +65,54 @@ pub struct Shop {
     /// How messages are shown.
     pub diagnostics: Diagnostics,
     dialect: Option<String>,
+    public: Public,
     block_skip: bool,
     optional_stop: bool,
+}
+
+/// Programs that come with the machine. The command line and the machine file name them, a program never.
+enum Public {
+    None,
+    /// Those of the demo machine.
+    BuiltIn,
+    File(PathBuf),
+}
+
+impl Public {
+    fn of(common: &Common, machine: &Machine) -> Public {
+        match (&common.public, &common.machine, &machine.public_programs) {
+            (Some(path), ..) => Public::File(path.clone()),
+            (None, _, None) => Public::None,
+            (None, None, Some(_)) => Public::BuiltIn,
+            (None, Some(machine), Some(name)) => Public::File(machine.with_file_name(name)),
+        }
+    }
+
+    /// Adds them to a program's memory.
+    fn add_to(&self, programs: &mut ProgramMemory) -> Result<(), Failure> {
+        let (name, text) = match self {
+            Public::None => return Ok(()),
+            Public::BuiltIn => {
+                ("public.dat".into(), Text::from_bytes(Machine::DEMO_PROGRAMS.as_bytes().to_vec()))
+            }
+            Public::File(path) => (path.to_string_lossy(), Text::open(path)),
+        };
+        let path = Path::new(&*name);
+        let text = text.map_err(|error| Failure { exit: Exit::WrongUse, ..open_failure(path, error) })?;
+        programs.add(&name, text);
+        Ok(())
+    }
+}
+
+/// What the control language of a program was told from.
+#[derive(Clone, Copy)]
+pub enum Told {
+    /// Someone named it.
+    Named,
+    /// Nothing: it is that of the built-in machine.
+    NotNamed,
+    /// It was guessed.
+    Guessed(Reason),
 }
 
 impl Shop {
@@ -80,6 +127,7 @@ impl Shop {
             Some(path) => read_config(path, Setup::from_toml)?,
         };
         Ok(Shop {
+            public: Public::of(common, &machine),
             machine,
             machine_is_built_in: common.machine.is_none(),
             dialect: common.dialect.clone().or_else(|| setup.dialect.clone()),
@@ -90,25 +138,45 @@ impl Shop {
         })
     }
 
-    /// The control language of a program, and whether it had to be guessed.
-    fn dialect(&self) -> Result<(&'static Dialect, bool), Failure> {
-        let (name, guessed) = match &self.dialect {
-            Some(name) => (name, false),
-            None => (&self.machine.dialect, self.machine_is_built_in),
+    /// The control language of a program: the one named, else the machine's, unless its text proves that it
+    /// is another, or where the machine is the built-in one, its name says so.
+    fn dialect(&self, text: &Text, path: &Path) -> Result<(&'static Dialect, Told), Failure> {
+        let name = self.dialect.as_ref().unwrap_or(&self.machine.dialect);
+        let Some(dialect) = dialects::by_name(name) else {
+            return Err(Failure::wrong_use(Fault::UnknownDialect).with("name", name.as_str()));
         };
-        match dialects::by_name(name) {
-            Some(dialect) => Ok((dialect, guessed)),
-            None => Err(Failure::wrong_use(Fault::UnknownDialect).with("name", name.as_str())),
+        if self.dialect.is_some() {
+            return Ok((dialect, Told::Named));
         }
+        let extension = path.extension().map(|e| e.to_string_lossy());
+        let guess = guess(text, extension.as_deref(), dialect, !self.machine_is_built_in);
+        Ok(match (guess.reason, self.machine_is_built_in) {
+            (Reason::Preferred, true) => (dialect, Told::NotNamed),
+            (Reason::Preferred, false) => (dialect, Told::Named),
+            (reason, _) => (guess.dialect, Told::Guessed(reason)),
+        })
     }
 
-    /// Opens a program.
+    /// Opens a program. A guessed control language is told on standard error.
     pub fn job(&self, path: &Path) -> Result<Job, Failure> {
-        let (dialect, guessed) = self.dialect()?;
-        let programs = open_program(path, dialect).map_err(|error| open_failure(path, error))?;
+        let text = open_text(path).map_err(|error| open_failure(path, error))?;
+        let (dialect, told) = self.dialect(&text, path)?;
+        if let (Told::Guessed(_), false) = (told, self.diagnostics.is_json()) {
+            eprintln!("{}: {}", path.display(), self.language(dialect, told));
+        }
+        let mut programs = match path == Path::new("-") {
+            true => ProgramMemory::new("standard input", text, dialect.syntax),
+            false => ProgramMemory::at(path, text, dialect.syntax),
+        };
+        if dialect.custom.is_some() {
+            self.public.add_to(&mut programs)?;
+        }
         let mut memory = Memory::new(dialect.name);
+        // A program of another control than the machine's meets none of its parameters.
+        let own = dialect.name == self.machine.dialect || !matches!(told, Told::Guessed(_));
         let parse = |(name, value): (&String, &f64)| name.parse::<ParameterKey>().map(|key| (key, *value));
-        let parameters: Result<Vec<_>, _> = self.machine.parameters.iter().map(parse).collect();
+        let parameters: Result<Vec<_>, _> =
+            self.machine.parameters.iter().filter(|_| own).map(parse).collect();
         parameters
             .and_then(|all| memory.set_parameters(all.iter().map(|(key, value)| (key, *value))))
             .map_err(|error| {
@@ -119,14 +187,31 @@ impl Shop {
         self.setup.apply(&mut memory).map_err(|error| {
             Failure::wrong_use(Fault::ConfigUnusable).with("file", "setup").with("reason", error.to_string())
         })?;
-        let inputs = self
-            .setup
-            .signals
-            .inputs
-            .iter()
-            .filter_map(|(name, value)| Some((name.strip_prefix('#')?.parse().ok()?, *value)));
+        let inputs = self.setup.signals.inputs.iter().filter_map(|(name, value)| {
+            let input = match name.strip_prefix('#') {
+                Some(variable) => Input::Variable(variable.parse().ok()?),
+                None => Input::Port(name.parse().ok()?),
+            };
+            Some((input, *value))
+        });
         let inputs = inputs.collect();
-        Ok(Job { path: path.to_path_buf(), dialect, guessed, programs, memory, inputs })
+        Ok(Job { path: path.to_path_buf(), dialect, told, programs, memory, inputs })
+    }
+
+    /// The control language and what it was told from, in words.
+    pub fn language(&self, dialect: &Dialect, told: Told) -> String {
+        let catalogue = self.diagnostics.catalogue();
+        let name = ("dialect", dialect.name.into());
+        match told {
+            Told::Named => dialect.name.to_owned(),
+            Told::NotNamed => catalogue.label("label-guessed", &[name]),
+            Told::Guessed(Reason::Content { unread, blocks }) => {
+                let other = ("other", self.machine.dialect.as_str().into());
+                let counts = [("unread", (unread as f64).into()), ("blocks", (blocks as f64).into())];
+                catalogue.label("label-guessed-content", &[[name, other], counts].concat())
+            }
+            Told::Guessed(_) => catalogue.label("label-guessed-extension", &[name]),
+        }
     }
 
     /// How the operator's switches stand.
@@ -158,31 +243,41 @@ pub struct Job {
     pub path: PathBuf,
     /// Its control language.
     pub dialect: &'static Dialect,
-    /// Whether the language was guessed.
-    pub guessed: bool,
+    /// What the language was told from.
+    pub told: Told,
     programs: ProgramMemory,
     memory: Memory,
-    /// Inputs that programs read as variables.
-    inputs: Vec<(u32, f64)>,
+    inputs: Vec<(Input, f64)>,
+}
+
+/// A simulated input.
+#[derive(Clone, Copy)]
+enum Input {
+    /// By the variable that programs read it as.
+    Variable(u32),
+    /// By its number.
+    Port(u16),
 }
 
 impl Job {
     /// An interpreter before the first block.
     pub fn interpreter(self, options: Options) -> Interpreter {
         let mut interpreter = Interpreter::new(self.dialect, self.programs, self.memory, options);
-        for (variable, value) in self.inputs {
-            interpreter.set_input(variable, value);
+        for (input, value) in self.inputs {
+            match input {
+                Input::Variable(variable) => interpreter.set_input(variable, value),
+                Input::Port(port) => interpreter.set_port(port, value),
+            }
         }
         interpreter
     }
 }
 
-fn open_program(path: &Path, dialect: &'static Dialect) -> Result<ProgramMemory, OpenError> {
-    if path == Path::new("-") {
-        let text = Text::from_reader(std::io::stdin().lock())?;
-        return Ok(ProgramMemory::new("standard input", text, dialect.syntax));
+fn open_text(path: &Path) -> Result<Text, OpenError> {
+    match path == Path::new("-") {
+        true => Text::from_reader(std::io::stdin().lock()),
+        false => Text::open(path),
     }
-    ProgramMemory::open(path, dialect.syntax)
 }
 
 fn open_failure(path: &Path, error: OpenError) -> Failure {

@@ -462,6 +462,8 @@ pub struct ScalingRules {
 pub struct Dialect {
     /// Its name on the command line and in alarm numbers.
     pub name: &'static str,
+    /// Extensions that its files alone have, in lower case.
+    pub extensions: &'static [&'static str],
     /// How its programs are written.
     pub syntax: &'static Syntax,
     /// Its arithmetic.

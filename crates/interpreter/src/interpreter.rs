@@ -320,6 +320,11 @@ impl Interpreter {
         }
     }
 
+    /// Sets an input by the number of its port, on controls that count them so.
+    pub fn set_port(&mut self, port: u16, value: f64) {
+        self.inputs.insert(port, value);
+    }
+
     /// Reset or emergency stop with the axes at rest at `machine`: the program is left and its start
     /// comes next, modal state and words are kept or cleared as the control's parameters say
     /// (GSK990MC 4.1 note 7; part 2, 2.3.1). Offsets and kept variables stay as the program set them.

@@ -97,9 +97,10 @@ impl Modal {
         self.active.get(group as usize).map_or(Meaning::Rapid, |code| code.meaning)
     }
 
-    /// The codes in force, by group.
+    /// The codes in force, by group; a group that the control does not have has none.
     pub fn codes(&self) -> impl Iterator<Item = &'static GCode> {
-        self.active.into_iter()
+        let own = |(at, code): (usize, &'static GCode)| (code.group as usize == at).then_some(code);
+        self.active.into_iter().enumerate().filter_map(own)
     }
 
     /// Working plane.

@@ -16,6 +16,10 @@ pub struct Machine {
     /// Time between two setpoints, ms.
     #[serde(default = "default_period")]
     pub servo_period_ms: f64,
+    /// File of programs that come with the machine, beside its own file: they can be called, and on controls
+    /// that have such, stand for codes.
+    #[serde(default)]
+    pub public_programs: Option<String>,
     /// The axes, each at most once.
     pub axes: Vec<AxisConfig>,
     /// The spindle.
@@ -156,6 +160,9 @@ impl Machine {
     /// Text of the machine used where none is named.
     pub const DEMO_MILL: &'static str = include_str!("../../../machines/demo-mill.toml");
 
+    /// Text of the programs that come with it.
+    pub const DEMO_PROGRAMS: &'static str = include_str!("../../../machines/public.dat");
+
     /// Reads a machine file and checks that every number makes a machine.
     pub fn from_toml(text: &str) -> Result<Machine, ConfigError> {
         let machine: Machine = toml::from_str(text).map_err(|e| ConfigError(e.to_string()))?;
@@ -207,6 +214,7 @@ impl Machine {
             name: String::new(),
             dialect: default_dialect(),
             servo_period_ms: default_period(),
+            public_programs: None,
             axes: Vec::new(),
             spindle: SpindleConfig::default(),
             tool_change: ToolChangeConfig::default(),

@@ -127,10 +127,15 @@ impl ProgramMemory {
 
     /// Memory with the file at `path` as main program; the part programs beside it can be called.
     pub fn open(path: &Path, syntax: &'static Syntax) -> Result<ProgramMemory, OpenError> {
-        let mut memory = ProgramMemory::new(&path.to_string_lossy(), Text::open(path)?, syntax);
+        Ok(ProgramMemory::at(path, Text::open(path)?, syntax))
+    }
+
+    /// The same where the file's text was read already.
+    pub fn at(path: &Path, text: Text, syntax: &'static Syntax) -> ProgramMemory {
+        let mut memory = ProgramMemory::new(&path.to_string_lossy(), text, syntax);
         let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
         memory.folder = Some((folder.to_path_buf(), path.to_path_buf()));
-        Ok(memory)
+        memory
     }
 
     /// Adds a file that can be called, as can the programs in it. After 65 535 files no more are

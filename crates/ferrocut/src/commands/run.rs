@@ -89,10 +89,7 @@ fn write_header(out: &mut dyn Write, shop: &Shop, job: &crate::job::Job, name: &
         true => catalogue.label("label-built-in", &[("machine", machine.into())]),
         false => machine.to_owned(),
     };
-    let dialect = match job.guessed {
-        true => catalogue.label("label-guessed", &[("dialect", job.dialect.name.into())]),
-        false => job.dialect.name.to_owned(),
-    };
+    let dialect = shop.language(job.dialect, job.told);
     writeln!(out, "{name}")?;
     writeln!(out, "  {}: {machine}", catalogue.label("label-machine", &[]))?;
     writeln!(out, "  {}: {dialect}", catalogue.label("label-control", &[]))

@@ -73,9 +73,13 @@ fn examples_in(folder: &str) -> Vec<(String, Option<String>)> {
         .collect()
 }
 
-/// `command example --setup …`
+/// `command example --setup … --machine …`
 pub fn on_example<'a>(command: &'a str, example: &'a (String, Option<String>)) -> Vec<&'a str> {
     let mut arguments = vec![command, example.0.as_str()];
+    let machine = example.0.replace(".nc", ".machine.toml");
+    if root().join(&machine).exists() {
+        arguments.extend(["--machine", machine.leak()]);
+    }
     if let Some(setup) = &example.1 {
         arguments.extend(["--setup", setup.as_str()]);
     }

@@ -2,6 +2,7 @@
 
 pub mod fanuc;
 pub mod gsk990mc;
+pub mod guess;
 pub mod kaitong;
 pub mod weihong;
 

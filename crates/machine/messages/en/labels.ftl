@@ -3,6 +3,8 @@
 label-machine = machine
 label-control = control
 label-guessed = { $dialect } (not named; --dialect chooses another)
+label-guessed-content = { $dialect } ({ $unread } of { $blocks } blocks are not { $other }; --dialect chooses another)
+label-guessed-extension = { $dialect } (by the extension of the file; --dialect chooses another)
 label-built-in = { $machine } (built in; --machine names another)
 label-time = time
 label-cutting = cutting

@@ -3,6 +3,8 @@
 label-machine = 机床
 label-control = 系统
 label-guessed = { $dialect }（未指定；可用 --dialect 选择）
+label-guessed-content = { $dialect }（{ $blocks } 段中有 { $unread } 段不是 { $other }；可用 --dialect 选择）
+label-guessed-extension = { $dialect }（根据文件扩展名；可用 --dialect 选择）
 label-built-in = { $machine }（内置；可用 --machine 指定）
 label-time = 时间
 label-cutting = 切削

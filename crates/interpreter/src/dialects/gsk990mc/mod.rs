@@ -17,6 +17,7 @@ use ferrocut_machine::WorkOffset;
 /// The GSK990MC control.
 pub static DIALECT: Dialect = Dialect {
     name: "gsk990mc",
+    extensions: &[],
     syntax: &syntax::SYNTAX,
     // 4.9.2, 5: results are precise to 0.0001. Table 4-9-5-2: EXP to 99997.453535.
     arithmetic: Arithmetic { angles: Angles::Degrees, steps: 10_000.0, largest_power: 99_997.453_535 },

@@ -17,6 +17,7 @@ use ferrocut_machine::WorkOffset;
 /// The Kaitong control.
 pub static DIALECT: Dialect = Dialect {
     name: "kaitong",
+    extensions: &[],
     syntax: &fanuc::SYNTAX,
     arithmetic: Arithmetic { angles: Angles::Degrees, steps: 0.0, largest_power: f64::INFINITY },
     g_codes: &codes::G_CODES,

@@ -16,6 +16,7 @@ use ferrocut_machine::WorkOffset;
 /// The Weihong control.
 pub static DIALECT: Dialect = Dialect {
     name: "weihong",
+    extensions: &["mmg", "eng"],
     syntax: &syntax::SYNTAX,
     // 4.5.
     arithmetic: Arithmetic { angles: Angles::Radians, steps: 0.0, largest_power: f64::INFINITY },
