@@ -54,7 +54,7 @@ fn axes_are_those_that_the_parameters_name() {
     holds_with(
         "[parameters]\nP178 = 5\nP18 = 30\nP48 = 7",
         "G54 G0 C1\nG28 C0",
-        &["rapid C31", "rapid C30", "rapid C7", "Home(AxisSet(32))"],
+        &["rapid C31", "rapid C30", "rapid C7", "home"],
     );
     holds_with("[parameters]\nP175 = 1\nP176 = 0\nP15 = 10\nP16 = 20", "G54 G0 X1 Y1", &["rapid X21 Y11"]);
     // The fourth may have the name of a fifth that is not carried.

@@ -29,6 +29,7 @@ pub fn interpreter_of(
         start: setup.start.position(),
         block_skip: options.block_skip || setup.options.block_skip,
         optional_stop: options.optional_stop || setup.options.optional_stop,
+        skip: options.skip.or(setup.signals.skip.map(|signal| (signal.axis, signal.at))),
         ..options
     };
     Some(Interpreter::new(dialect, programs, memory, options))
@@ -89,6 +90,18 @@ pub fn short(steps: &[Step], start: Position) -> Vec<String> {
             Op::Orient(deg) => format!("orient {deg}"),
             Op::Stop(code) => format!("stop M{code:02}"),
             Op::End(code) => format!("end M{code:02}"),
+            Op::Output { address, value } => format!("out {address} {value}"),
+            Op::Wait { address, value, timeout: None } => format!("wait {address} {value}"),
+            Op::Wait { address, value, timeout: Some(s) } => format!("wait {address} {value} {}s", round(*s)),
+            Op::Message(text) => format!("message {text}"),
+            Op::Home(_) => "home".to_owned(),
+            Op::Skip { hit: true, .. } => "skip to the signal".to_owned(),
+            Op::Skip { hit: false, .. } => "skip".to_owned(),
+            // Where the axes stand has another name from here on.
+            Op::Datum { at: renamed } => {
+                at = *renamed;
+                continue;
+            }
             other => format!("{other:?}"),
         };
         if let Some(to) = step.op.target() {
@@ -104,7 +117,7 @@ pub fn short(steps: &[Step], start: Position) -> Vec<String> {
             write!(line, " about {a} {b} by {}", round(sweep.to_degrees())).unwrap();
         }
         match &step.op {
-            Op::Feed { feed, .. } | Op::Arc { feed, .. } => match feed {
+            Op::Feed { feed, .. } | Op::Arc { feed, .. } | Op::Skip { feed, .. } => match feed {
                 Feed::PerMinute(f) => write!(line, " F{}", round(*f)).unwrap(),
                 Feed::PerRevolution(f) => write!(line, " {}/rev", round(*f)).unwrap(),
                 Feed::Duration(s) => write!(line, " in {}s", round(*s)).unwrap(),

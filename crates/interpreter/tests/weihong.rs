@@ -1,0 +1,484 @@
+//! The rules of the Weihong control, with values worked out by hand from its manual.
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
+
+mod common;
+
+use common::{at_fault, interpreter_of, lines_on, run_on};
+use ferrocut_interpreter::Options;
+use ferrocut_interpreter::dialects::weihong::DIALECT;
+use ferrocut_machine::Fault;
+use ferrocut_toolpath::{Op, PathMode};
+
+/// Program, set-up, the steps that it makes.
+type Case = (&'static str, &'static str, &'static [&'static str]);
+
+fn hold(cases: &[Case]) {
+    for (program, setup, expected) in cases {
+        let mut found = lines_on(&DIALECT, program, setup);
+        found.retain(|line| line != "Barrier");
+        assert_eq!(found, *expected, "{program}");
+    }
+}
+
+#[test]
+fn words_take_expressions_and_radians() {
+    hold(&[
+        // 4.5: equal ranks from the left, comparisons above the logical ones, whole numbers downwards.
+        ("G90 X=1||0&&0 Y=int(-1.5) Z=7-2-1\nM30", "", &["rapid Z4", "rapid Y-2", "end M30"]),
+        ("G90 G01 X=2*asin(1) Y=ctg(0.5) F=100+20\nM30", "", &["feed X3.1416 Y1.8305 F120", "end M30"]),
+        // What was never set is 0; the index of a variable may be reckoned.
+        ("#3=7\n#(1+1)=#9+5\nX=#2 Y=#(#2-2)\nM30", "", &["rapid X5 Y7", "end M30"]),
+        // A blank ends an expression, and comments run to the end of the line, ends of blocks in them too.
+        ("X=1+2 Y3;Z4 'X9; Y9\nM30", "", &["rapid X3 Y3", "rapid Z4", "end M30"]),
+        (
+            "X1 \u{2032}X2\nX3 \u{2019}\nX4;\u{2018}x\nX5 \u{ff07}\n\u{201e}X6\nM30",
+            "",
+            &["rapid X1", "rapid X3", "rapid X4", "rapid X5", "end M30"],
+        ),
+    ]);
+    let gb = b"X1 \xA1\xE4\xBF\xEC\xD2\xC6X2\r\nX3 '\xB6\xD4\xB5\xB6\r\nM30\r\n";
+    let interpreter = interpreter_of(&DIALECT, gb, "", Options::default()).unwrap();
+    assert_eq!(interpreter.filter_map(Result::ok).count(), 3);
+}
+
+#[test]
+fn a_guard_rules_over_its_line() {
+    hold(&[
+        (
+            "#1=4\nIF(#1>3&&!#2)X1\nIF(#1<3||#2)X2\nIF(#1==4)#5=7\nN9 IF(#5)G01 X=#5 F10\nM30",
+            "",
+            &["rapid X1", "feed X7 F10", "end M30"],
+        ),
+        // Nothing of a line left out is read: neither what it divides by, nor the place of the moment.
+        ("IF(0)X=1/0\nIF(#1)X=#CURMACHPOS.X+1\nM30", "", &["end M30"]),
+    ]);
+}
+
+#[test]
+fn programs_are_called_by_number_and_name_and_share_variables() {
+    hold(&[
+        ("#1=2\nG65 P\"Step\" L=#1\nX=#1\nM30\nO\"STEP\"\n#1=#1+10\nM17", "", &["rapid X22", "end M30"]),
+        ("G65 P9002 L2\nM30\nO\"9002\"\nG91 X1\nM99", "", &["rapid X1", "rapid X2", "end M30"]),
+        // G90 and G91 beside the call are in force in it; no repeats is no call.
+        ("G91 G65 P7 L2\nG65 P7 L0\nG65 P7 L-1\nM30\nO7\nX1\nM17", "", &["rapid X1", "rapid X2", "end M30"]),
+        // Words beside it set variables as on Fanuc.
+        ("M98 P8\nG65 P8 A4 X6\nM30\nO8\nX=#1 Y=#24\nM17", "", &["rapid X4 Y6", "end M30"]),
+        // M17 in the main program ends it, M30 in a subprogram too.
+        ("X1\nM17\nX2", "", &["rapid X1", "end M17"]),
+        ("G65 P1\nX9\nM30\nO1\nX1\nM30", "", &["rapid X1", "end M30"]),
+    ]);
+}
+
+#[test]
+fn positioning_moves_z_apart_and_has_a_speed_of_its_own() {
+    hold(&[
+        (
+            "G28 X10 Z5\nM30",
+            "[start]\nx = 20.0\nz = 3.0\n[work_offsets]\nG54 = { x = 1.0 }",
+            &["rapid Z5", "rapid X11", "rapid X0", "rapid Z0", "home", "end M30"],
+        ),
+        ("G91 G28 X10\nM30", "[start]\nx = 20.0", &["rapid X30", "rapid X0", "home", "end M30"]),
+        // Before its first F a cut has the default feed; F of G00 is none.
+        (
+            "G00 X1 F3000\nG01 X2\nF50\nX3\nM30",
+            "[parameters]\nDEFAULT_FEED = 700",
+            &["rapid X1", "feed X2 F700", "feed X3 F50", "end M30"],
+        ),
+        (
+            "G53 G01 X1 Y2 F90\nG91 G53 G00 X1\nM30",
+            "[work_offsets]\nG54 = { x = 5.0 }",
+            &["feed X1 Y2 F90", "rapid X2", "end M30"],
+        ),
+    ]);
+    let (steps, alarm) = run_on(&DIALECT, "X1\nF3000\nG00 X2 F2000\nX3\nX4 F1500\nM30", "");
+    assert_eq!(alarm, None);
+    let speed = |op: &Op| if let Op::Rapid { speed, .. } = op { Some(*speed) } else { None };
+    let speeds: Vec<_> = steps.iter().filter_map(|step| speed(&step.op)).collect();
+    assert_eq!(speeds, [None, Some(2000.0), Some(2000.0), Some(1500.0)]);
+    let (steps, _) = run_on(&DIALECT, "G903 G905 G01 X1 F100\nX2\nM30", "");
+    let full = |at: usize| matches!(steps[at].op, Op::Feed { path: PathMode::FullFeed, .. });
+    assert!(full(0) && !full(1));
+}
+
+#[test]
+fn arcs_are_half_circles_where_r_is_short_and_helices_have_a_pitch() {
+    hold(&[
+        ("G02 X10 R-3 F200\nM30", "", &["xy X10 about 5 0 by -180 F200", "end M30"]),
+        // Three full turns and a quarter, a little rounding of the pitch or not.
+        (
+            "X30\nG03 X0 Y30 R30 Z=13 K4 F100\nM30",
+            "",
+            &["rapid X30", "xy X0 Y30 Z13 about 0 0 by 1170 F100", "end M30"],
+        ),
+        // In other planes K is the centre.
+        (
+            "G18 G02 X0 Z10 I-10 K0 F50\nM30",
+            "[start]\nx = 10.0",
+            &["zx X0 Z10 about 0 0 by -90 F50", "end M30"],
+        ),
+        (
+            "G02 X20 Y10 I10 J10 F300\nM30",
+            "[start]\nx = 10.0\ny = 20.0\n[parameters]\nIJK_INCREMENTAL = 0",
+            &["xy X20 Y10 about 10 10 by -90 F300", "end M30"],
+        ),
+    ]);
+}
+
+#[test]
+fn coordinate_systems_move_for_good_alone_or_for_now() {
+    let setup =
+        "[start]\nx = 50.0\n[work_offsets]\nG54 = { x = 10.0 }\nG55 = { x = 100.0 }\nexternal = { x = 1.0 }";
+    hold(&[
+        // G92 goes before G00 and moves every system by as much: by 39.
+        ("G92 G00 X0\nG55 X0\nM30", setup, &["rapid X140", "end M30"]),
+        ("G921 X0\nG55 X0\nG54 X0\nM30", setup, &["rapid X101", "rapid X50", "end M30"]),
+        ("G992 X0\nG55 X0\nM30", setup, &["rapid X140", "end M30"]),
+        ("G992 I5\nG992 I5 J1\nX0 Y0\nM30", setup, &["rapid X21 Y1", "end M30"]),
+        ("G922 X7 P0\nG922 X2 P-4\nG922 Y3\nX0 Y0\nM30", setup, &["rapid X9 Y3", "end M30"]),
+        ("M802 P458752\nX0\nM30", setup, &["rapid X10", "end M30"]),
+        // G54 takes no P of a call beside it.
+        ("G55 G65 P9\nM30\nO9\nX0\nM17", setup, &["rapid X101", "end M30"]),
+        // With G68 in force the place is named in turned coordinates.
+        ("G68 X0 Y0 R90\nG92 X1 Y0\nX2 Y0\nM30", "[start]\nx = 5.0", &["rapid Y1", "end M30"]),
+    ]);
+}
+
+#[test]
+fn transformations_nest() {
+    hold(&[
+        // The manual's G51 example as it stands: an axis that is not named stays where it is.
+        (
+            "G00 X50 Y50\nG51 X100 Y80 P0.5\nG01 Y150 F1000\nX175 Y50\nG50\nG00 X0 Y0\nM30",
+            "",
+            &["rapid X50 Y50", "feed Y115 F1000", "feed X137.5 Y65 F1000", "rapid X0 Y0", "end M30"],
+        ),
+        // G91 counts from the real place: 10 programmed are 20.
+        ("G51 X0 Y0 P2\nG91 X10\nG50\nX10\nM30", "", &["rapid X20", "rapid X30", "end M30"]),
+        // G69 takes the latest rotation back, whatever stands between; without a centre it is here.
+        (
+            "G68 R90\nG51 X0 Y0 P2\nG91 X10\nG69\nX10\nG50\nX1\nM30",
+            "",
+            &["rapid Y20", "rapid X20", "rapid X21", "end M30"],
+        ),
+        // A mirror moves where it is given again, and goes for the axes named; arcs turn the other way.
+        (
+            "G51.1 X10\nG51.1 X0\nX4 Y2\nG50.1 Y0\nX3\nG50.1\nX3\nM30",
+            "",
+            &["rapid X-4 Y2", "rapid X-3", "rapid X3", "end M30"],
+        ),
+        ("G51.1 X0 Y0\nG02 X10 Y10 R10 F50\nM30", "", &["xy X-10 Y-10 about -10 0 by -90 F50", "end M30"]),
+        (
+            "G68 X0 Y0 R90\nG01 X10 F60\nG02 X0 Y10 I-10 J0\nM30",
+            "",
+            &["feed Y10 F60", "xy X-10 Y0 about 0 0 by -270 F60", "end M30"],
+        ),
+    ]);
+}
+
+#[test]
+fn cycles_follow_the_steps_of_the_manual() {
+    hold(&[
+        // L counts where K is missing; a plane is no matter.
+        (
+            "G18 G91 G99 G81 X5 R-3 Z-2 F80 L2\nM30",
+            "[start]\nz = 10.0",
+            &[
+                "rapid X5",
+                "rapid Z7",
+                "feed Z5 F80",
+                "rapid Z7",
+                "rapid X10",
+                "feed Z5 F80",
+                "rapid Z7",
+                "end M30",
+            ],
+        ),
+        // A cycle without X and Y drills where it stands.
+        (
+            "G98 G82 R2 Z-1 P250 F60\nM30",
+            "[start]\nz = 5.0",
+            &["rapid Z2", "feed Z-1 F60", "dwell 0.25s", "rapid Z5", "end M30"],
+        ),
+        (
+            "M03 S500\nG99 G88 X1 R2 Z-1 P100 F60\nM30",
+            "[start]\nz = 5.0",
+            &[
+                "spindle cw 500",
+                "rapid X1",
+                "rapid Z2",
+                "feed Z-1 F60",
+                "dwell 0.1s",
+                "spindle off",
+                "feed Z2 F60",
+                "spindle cw 500",
+                "end M30",
+            ],
+        ),
+        (
+            "M03 S500\nG98 G76 X9 R2 Z-1 Q0.5 F60\nM30",
+            "[start]\nz = 5.0\n[parameters]\nFIXEDCYCLE_OSS = 3",
+            &[
+                "spindle cw 500",
+                "rapid X9",
+                "rapid Z2",
+                "feed Z-1 F60",
+                "orient 0",
+                "rapid Y0.5",
+                "rapid Z5",
+                "rapid Y0",
+                "spindle cw 500",
+                "end M30",
+            ],
+        ),
+        (
+            "M04 S300\nG99 G74 X1 R2 Z-1 P0 F240\nM30",
+            "[start]\nz = 5.0",
+            &[
+                "spindle ccw 300",
+                "rapid X1",
+                "rapid Z2",
+                "feed Z-1 F240",
+                "spindle cw 300",
+                "feed Z2 F240",
+                "spindle ccw 300",
+                "end M30",
+            ],
+        ),
+    ]);
+}
+
+#[test]
+fn figures_of_holes_stand_where_their_words_say() {
+    hold(&[
+        // Counter-clockwise with K below 0; G91 moves the centre, the next hole is by itself.
+        (
+            "G91 X10\nG99 G81 R0 Z-1 F9 K0\nG34 X10 I5 J0 K-2\nX1\nM30",
+            "",
+            &[
+                "rapid X10",
+                "rapid X25",
+                "feed Z-1 F9",
+                "rapid Z0",
+                "rapid X15",
+                "feed Z-1 F9",
+                "rapid Z0",
+                "rapid X16",
+                "feed Z-1 F9",
+                "rapid Z0",
+                "end M30",
+            ],
+        ),
+        // A negative distance goes the other way.
+        (
+            "G99 G81 R0 Z-1 F9 K0\nG35 X0 Y0 I-10 J90 K2\nM30",
+            "",
+            &["feed Z-1 F9", "rapid Z0", "rapid Y-10", "feed Z-1 F9", "rapid Z0", "end M30"],
+        ),
+        // P of the figure is an angle and no pause.
+        (
+            "G99 G82 R0 Z-1 P100 F9 K0\nG36 X0 Y0 I10 J0 P-90 K2\nM30",
+            "",
+            &[
+                "rapid X10",
+                "feed Z-1 F9",
+                "dwell 0.1s",
+                "rapid Z0",
+                "rapid X0 Y10",
+                "feed Z-1 F9",
+                "dwell 0.1s",
+                "rapid Z0",
+                "end M30",
+            ],
+        ),
+    ]);
+}
+
+#[test]
+fn inputs_and_outputs() {
+    hold(&[
+        (
+            "M901 PLC[04] LEVEL1\nM901 H2 P1\nX=#OUTPORTMAP\nM901 PLC=1+1 LEVEL0\nX=#OUTPORTMAP\nM30",
+            "",
+            &["out 04 1", "out 2 1", "rapid X20", "out 2 0", "rapid X16", "end M30"],
+        ),
+        (
+            "M801 MSG\"|D|wait\"\nM801 \u{201c}Hello\u{201d}\nM801\nM30",
+            "",
+            &["message |D|wait", "message Hello", "end M30"],
+        ),
+        // An input that nobody simulates is taken to come.
+        ("G906 PLC[7] LEVEL1 P500\nG906 PLC=7 LEVEL1\nM30", "", &["wait 7 1 0.5s", "wait 7 1", "end M30"]),
+    ]);
+    let mut interpreter =
+        interpreter_of(&DIALECT, b"X=#INPORTMAP\nG906 PLC[3] LEVEL0 P9\nM30", "", Options::default());
+    let interpreter = interpreter.as_mut().unwrap();
+    interpreter.set_port(3, 1.0);
+    interpreter.set_port(0, 1.0);
+    let results: Vec<_> = interpreter.filter(|r| !r.as_ref().is_ok_and(|s| s.op == Op::Barrier)).collect();
+    assert_eq!(results[0].as_ref().unwrap().op.target().unwrap().0[0], 9.0);
+    assert!(matches!(results[1].as_ref().unwrap().op, Op::Wait { .. }));
+    assert_eq!(results[2].as_ref().unwrap_err().fault, Fault::InputMissing);
+}
+
+#[test]
+fn moves_that_inputs_end() {
+    let skip = "[signals]\nskip = { axis = \"z\", at = -3.0 }";
+    hold(&[
+        // Its own axis alone, in machine coordinates; the next move starts there.
+        (
+            "G904 FZ-60 PZ=#CALIBRATION_SW LZ1\nG91 Z5\nM30",
+            skip,
+            &["skip to the signal Z-3 F60", "rapid Z2", "end M30"],
+        ),
+        ("G904 FX50 PX[1] LX1 X4\nM30", skip, &["skip X4 F50", "end M30"]),
+        // Behind the tool, or further than it may go, the signal does not come.
+        (
+            "G904 FZ60 PZ1 LZ1 Z2\nG904 FZ-60 PZ1 LZ1 Z1\nM30",
+            skip,
+            &["skip Z2 F60", "skip Z1 F60", "end M30"],
+        ),
+        // Homing: where it stands is the reference point from there on.
+        (
+            "M902 H2\nG91 Z1\nM30",
+            "[start]\nz = 7.0\n[reference_points]\nfirst = { z = 100.0 }",
+            &["rapid Z101", "end M30"],
+        ),
+    ]);
+}
+
+#[test]
+fn a_rotary_y_turns() {
+    let surface = "[parameters]\nISYREVAXIS = 1\n\"UNIT.YR\" = 1\nWPREVDIAM = 40.0\n";
+    hold(&[
+        ("Y=3.14159265358979*10\nG91 G908 Y-45\nM30", surface, &["rapid Y90", "rapid Y45", "end M30"]),
+        // An inch on the surface.
+        ("G20 Y=3.14159265358979*10/25.4\nM30", surface, &["rapid Y90", "end M30"]),
+        // 5, parameter 12: else radians.
+        ("Y=asin(1)\nM30", "[parameters]\nISYREVAXIS = 1", &["rapid Y90", "end M30"]),
+        (
+            "G908 Y350\nG907 G908 Y10\nG907 G908 Y190\nM30",
+            surface,
+            &["rapid Y350", "rapid Y370", "rapid Y550", "end M30"],
+        ),
+    ]);
+}
+
+#[test]
+fn parameters_are_read_and_written_by_name() {
+    hold(&[
+        (
+            "#SAFEHEIGHT=#SAFEHEIGHT*2\nZ=#safeheight\nM30",
+            "[parameters]\nSAFEHEIGHT = 6.0",
+            &["rapid Z12", "end M30"],
+        ),
+        // What a parameter sets is in force from there on.
+        (
+            "#FIXEDCYCLE_BACK=3\nG99 G83 R0 Z-6 Q4 F9\nM30",
+            "",
+            &["feed Z-4 F9", "rapid Z0", "rapid Z-1", "feed Z-6 F9", "rapid Z0", "end M30"],
+        ),
+        (
+            "X=#CURWORKPOS.X+1 Y=#CURMACHPOS.X\nM30",
+            "[start]\nx = 3.0\n[work_offsets]\nG54 = { x = 1.0 }",
+            &["rapid X4 Y3", "end M30"],
+        ),
+    ]);
+}
+
+#[test]
+fn programs_stand_for_codes() {
+    hold(&[
+        // 6: before the motion that the code starts with; its own number is the built-in code.
+        (
+            "S300 M03 X5\nM30\nO203\nM901 H2 P1\nM03\nM17",
+            "",
+            &["out 2 1", "spindle cw 300", "rapid X5", "end M30"],
+        ),
+        // A code that waits for the motion's end waits for it too, and those behind it for the program.
+        (
+            "T4 X1 M06 M00\nM30\nO206\nX9\nM17",
+            "",
+            &["select 4", "rapid X1", "rapid X9", "stop M00", "end M30"],
+        ),
+        // S runs O202; M02 is never replaced.
+        ("S300\nX1\nM02\nO202\nG04 P5\nM17", "", &["dwell 0.005s", "rapid X1", "end M02"]),
+        ("M30\nO230\nX1\nM17", "", &["rapid X1", "end M30"]),
+        // A G code of one's own, with its words.
+        (
+            "G91 G77 X3 I4 R5\nM30\nO677\nX=#FC1 Y=#FC9 Z=#FC4\nM17",
+            "",
+            &["rapid Z5", "rapid X3 Y4", "end M30"],
+        ),
+        // The code of the program itself is the built-in one, also a level deeper.
+        ("G04 P100\nM30\nO604\nG65 P5\nM17\nO5\nG04 P=#FC6*2\nM17", "", &["dwell 0.2s", "end M30"]),
+        // Levels of a cycle are levels, also with G91; the cycle stays in force behind its program.
+        (
+            "G91 G99 G81 X2 R-3 Z-2 F80 K7\nY1\nG80\nX1\nM30\n\
+             O681\nG90 G01 X=#FC3 Y=#FC4 Z=#FC14 F=#FC7+#FC11\nG00 X0 Y0\nG91 X=#FC1 Y=#FC2\nM17",
+            "[start]\nz = 9.0",
+            &[
+                "feed X4 Y6 F87",
+                "rapid X0 Y0",
+                "rapid X2",
+                "feed X4 Y6 F88",
+                "rapid X0 Y0",
+                "rapid Y1",
+                "rapid X1",
+                "end M30",
+            ],
+        ),
+        // Each hole of a figure is one call.
+        (
+            "G99 G81 R1 Z-1 F9 K0\nG35 X5 Y6 I10 J0 K2 M05\nX1\nM30\nO681\nX=#FC1 Y=#FC2\nM17",
+            "",
+            &["rapid X5 Y6", "rapid X15", "rapid X1", "end M30"],
+        ),
+    ]);
+    let interpreter = interpreter_of(&DIALECT, b"M40\nM30\nO241\nM17\n", "", Options::default()).unwrap();
+    assert_eq!(interpreter.filter_map(Result::err).next().unwrap().fault, Fault::UnknownMCode);
+}
+
+#[test]
+fn programs_break_rules() {
+    for (program, setup, fault, words) in [
+        ("G90 G91 X1\nM30", "", Fault::RepeatedGroup, "G91"),
+        ("G34 X1 I1 K1\nM30", "", Fault::PatternWithoutCycle, "G34"),
+        ("G81 R1 Z0 F9 K0\nG34 X1 I1 K0\nM30", "", Fault::WordOutOfRange, "K0"),
+        ("G81 R1 Z0 F9 K0\nG35 X1 I1 J0 K-2\nM30", "", Fault::WordOutOfRange, "K-2"),
+        ("G81 R1 Z0 F9 K0\nG37 X1 I1 J1 K2\nM30", "", Fault::WordMissing, "G37"),
+        ("G81 R1 Z0 F9 K0\nG34 X1 K10000\nM30", "", Fault::WordOutOfRange, "K10000"),
+        ("G51 Z0 P2\nG81 R1 Z0 F9\nM30", "", Fault::CycleScaled, "G81"),
+        ("G51 X0 P0\nM30", "", Fault::ScaleFactor, "P0"),
+        ("G51 X0 I100\nM30", "", Fault::ScaleFactor, "I100"),
+        ("G51 X0 P2 I3\nM30", "", Fault::ScaleForm, "G51 X0 P2 I3"),
+        ("G51 P2\nM30", "", Fault::ScaleForm, "G51 P2"),
+        ("G51 X0 P2\nG28 X0\nM30", "", Fault::CodeInScaling, "G28"),
+        ("G51.1\nM30", "", Fault::MirrorForm, "G51.1"),
+        ("G41 D1 G00 X5\nG51 X0 P2\nM30", "[tools.1]\nradius = 1.0", Fault::ScalingInCutter, "G51"),
+        ("G65 P1\nM30\nO1\nG68 R1\nG65 P1 L1\nM17", "", Fault::CallsTooDeep, "P1"),
+        ("G65 P1 L999\nM30\nO1\nG68 R1\nM17", "", Fault::TooManyTransforms, "G68"),
+        ("G53 G02 X1 R1 F9\nM30", "", Fault::ArcInMachine, "G53 G02 X1 R1 F9"),
+        ("M901 LEVEL1\nM30", "", Fault::WordMissing, "M901"),
+        ("G904 FX9 LX1\nM30", "", Fault::WordMissing, "G904"),
+        ("G904 FX0 PX1 LX1\nM30", "", Fault::FeedOutOfRange, "FX0"),
+        ("M902 H7\nM30", "", Fault::ReferenceNumber, "H7"),
+        ("G922 X1 P6\nM30", "", Fault::DataNumber, "P6"),
+        ("G923 Z1\nM30", "", Fault::OffsetNumber, "G923 Z1"),
+        ("G43 H8 Z1\nM30", "", Fault::OffsetNumber, "H8"),
+        ("G41 D8 X1\nM30", "", Fault::OffsetNumber, "D8"),
+        ("G83 R0 Z-5 F9\nM30", "", Fault::CycleNoPeck, "G83"),
+        ("X=#NONESUCH\nM30", "", Fault::UnknownVariable, "NONESUCH"),
+        ("#CURMACHPOS.X=1\nM30", "", Fault::VariableNotWritable, "#CURMACHPOS.X=1"),
+        ("#FIXEDCYCLE_OSS=9\nM30", "", Fault::DataParameter, "#FIXEDCYCLE_OSS=9"),
+        ("X=1/0\nM30", "", Fault::DivisionByZero, "X=1/0"),
+        ("M801 MSG\"a\nM30", "", Fault::UnclosedText, "MSG\"a"),
+        ("X\"a\"\nM30", "", Fault::AddressWithoutNumber, "X\"a\""),
+        ("G65 P\"NONE\"\nM30", "", Fault::ProgramMissing, "P\"NONE\""),
+        ("G65 L2\nM30", "", Fault::CallWithoutProgram, "G65"),
+        ("(a)\nM30", "", Fault::IllegalCharacter, "("),
+    ] {
+        let (_, alarm) = run_on(&DIALECT, program, setup);
+        let alarm = alarm.unwrap_or_else(|| panic!("no alarm: {program}"));
+        assert_eq!((alarm.fault, at_fault(program, &alarm)), (fault, words), "{program}");
+    }
+}
