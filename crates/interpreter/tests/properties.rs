@@ -130,9 +130,83 @@ fn word() -> impl Strategy<Value = String> {
     ]
 }
 
+/// What controls write that know names, texts, guards and programs that stand for codes.
+fn named() -> impl Strategy<Value = String> {
+    const PIECES: &[&str] = &[
+        "X=#1+2",
+        "X#1+SIN(#2)",
+        "Y=-#3*2",
+        "X5",
+        "Z-3 R2",
+        "I10 J30 K5",
+        "P2",
+        "L3",
+        "Q0.5",
+        "F200",
+        "IF(#1>0)G1X5",
+        "IF(#CURTOOL==1)",
+        "G65 P\"A\" L2",
+        "G65 P202",
+        "M98 P\"A\" L3",
+        "M17",
+        "M99",
+        "G92 X1",
+        "G921 X1 Y2",
+        "G922 X3",
+        "G923 X1",
+        "G992 X2",
+        "G68 X1 Y2 R30",
+        "G69",
+        "G51.1 X5",
+        "G50.1 Y",
+        "G51 X0 Y0 P2",
+        "G50",
+        "G34 X1 I10 K5",
+        "G35 X1 Y2 I5 J30 K4",
+        "G36 I9 J10 P20 K3",
+        "G37 I3 P4 J2 K3",
+        "G73 Z-5 R1 Q1",
+        "G83 Z-5 R1 Q2 X4",
+        "G76 Z-5 R1 I0.2 P100",
+        "G87 Z-5 R-6 I1",
+        "G88 Z-5 R1 P10",
+        "G903",
+        "G904 FX100 PX4 LX1 X5",
+        "G906 PLC[4] LEVEL1 P5",
+        "G905",
+        "G907",
+        "G908",
+        "G916",
+        "G918 X5",
+        "G919 Z5",
+        "M801 PLC[4] LEVEL1",
+        "M801 MT1 DT2",
+        "M802 P131072",
+        "M901 PLC[4] LEVEL1",
+        "M902 H0",
+        "#FC1=5",
+        "#FC1",
+        "#SAFEHEIGHT=5",
+        "#SAFEHEIGHT",
+        "#UNIT.YR=1",
+        "{#1=2;#2=#1/0}",
+        "#[#1]=3",
+        "'a word",
+        "\u{2018}a word\u{2019}",
+        "(a word)",
+        "\"A\"",
+        "G02 X5 Y5 R5 Z-3 K1",
+        "G41 D1",
+        "G43 H1",
+    ];
+    prop::collection::vec(prop::sample::select(PIECES), 1..5).prop_map(|pieces| pieces.join(" "))
+}
+
 fn block() -> impl Strategy<Value = String> {
     let words = || prop::collection::vec(word(), 1..7).prop_map(|w| w.join(" "));
     prop_oneof![
+        6 => named(),
+        1 => prop::sample::select(vec!["O\"A\"", "O240", "O681", "O202", "O781"]).prop_map(str::to_owned),
         20 => words(),
         2 => (1u32..5, 0u32..4).prop_map(|(p, l)| format!("M98 P{p} L{l}")),
         1 => (1u32..5).prop_map(|o| format!("O{o}")),
@@ -185,7 +259,7 @@ fn mutated() -> impl Strategy<Value = Vec<u8>> {
                 1 => text.insert(at, byte),
                 2 => drop(text.remove(at)),
                 3 => text[at] = b"0123456789.-XYZRIJKGM#[]"[usize::from(byte) % 24],
-                4 => text.insert(at, b"\n;[](#-+./%O"[usize::from(byte) % 12]),
+                4 => text.insert(at, b"\n;[](#-+./%O\"'=<&"[usize::from(byte) % 17]),
                 _ => {
                     let mut lines: Vec<&[u8]> = text.split(|b| *b == b'\n').collect();
                     let (a, b) = (at % lines.len(), other.index(lines.len()));
@@ -212,7 +286,7 @@ proptest! {
     }
 
     #[test]
-    fn random_text(text in "[A-Z0-9.# \\-+*/\\[\\]()=;\n%]{0,300}") {
+    fn random_text(text in "[A-Z0-9.# \\-+*/\\[\\]()=;\n%'\"<>]{0,300}") {
         holds_every_way(text.as_bytes());
     }
 
