@@ -81,7 +81,10 @@ fn holds(dialect: &'static Dialect, text: &[u8], options: Options) {
                 assert!(finite(&step.op), "{:?} of {shown}", step.op);
                 // Behind an alarm a checker takes the point as reached where the faulty block was to end.
                 assert!(alarms > 0 || arc_is_round(&step, &interpreter, at), "{:?} of {shown}", step.op);
-                at = step.op.target().copied().unwrap_or(at);
+                at = match step.op {
+                    Op::Datum { at } => at,
+                    ref op => op.target().copied().unwrap_or(at),
+                };
             }
             Some(Err(alarm)) => {
                 assert!(points_into(text, &alarm), "{alarm:?} of {shown}");

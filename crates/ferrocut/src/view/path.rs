@@ -99,6 +99,11 @@ impl PathModel {
 
     /// Takes the next step; steps that move nothing are passed over.
     pub fn step(&mut self, op: &Op) {
+        if let Op::Datum { at } = op {
+            // The same place by another name: what follows is drawn from there.
+            self.close();
+            self.at = self.at.zip(*at, keep_finite);
+        }
         let Some(target) = op.target() else { return };
         let from = self.at;
         let to = from.zip(*target, keep_finite);
@@ -215,7 +220,7 @@ impl PathModel {
 
     /// Starts a new stretch unless the last one is of this kind.
     fn begin(&mut self, kind: Kind) {
-        if self.runs.last().is_some_and(|r| r.kind == kind) {
+        if self.open.is_some() && self.runs.last().is_some_and(|r| r.kind == kind) {
             return;
         }
         self.close();
@@ -339,6 +344,17 @@ mod tests {
 
     fn runs(model: &PathModel) -> Vec<(Kind, Vec<Point3>)> {
         model.runs().map(|(kind, points)| (kind, points.collect())).collect()
+    }
+
+    #[test]
+    fn axes_that_are_given_another_position_draw_no_line_there() {
+        let mut model = PathModel::new(Position::ZERO);
+        model.step(&feed(10.0, 0.0, 0.0));
+        model.step(&Op::Datum { at: Position::xyz(100.0, 0.0, 0.0) });
+        model.step(&feed(110.0, 0.0, 0.0));
+        let cut = |from: f64, to: f64| (Kind::Cut, vec![[from, 0.0, 0.0], [to, 0.0, 0.0]]);
+        assert_eq!(runs(&model), [cut(0.0, 10.0), cut(100.0, 110.0)]);
+        assert_eq!(model.tally().cut_mm, 20.0);
     }
 
     #[test]
