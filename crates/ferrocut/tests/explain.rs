@@ -375,3 +375,17 @@ fn kaitong_is_explained_with_its_own_names() {
     assert_eq!(page("P018").matches("shift_").count(), 2);
     assert!(page("FC-0528").contains("pitch") && page("G68").contains("P024.0"));
 }
+
+#[test]
+fn weihong_is_explained_with_its_own_names() {
+    let page = |what: &str| explain(&[what, "--dialect", "weihong"]).out;
+    let g34 = page("G34");
+    assert!(g34.starts_with("G34  ") && g34.contains("G34 X_ Y_ I_ J_ K_"), "{g34}");
+    assert!(page("G921").contains("G921") && page("M801").contains("M801"));
+    let height = page("SAFEHEIGHT");
+    assert!(height.contains("safe_height") && height.contains("G28"), "{height}");
+    assert_eq!(page("#SAFEHEIGHT"), height);
+    assert!(page("#FC7").contains("#FC7") && page("FC-0443").contains("FC-0443"));
+    // Codes of other controls are none here.
+    assert_ne!(explain(&["G16", "--dialect", "weihong"]).code, 0);
+}
