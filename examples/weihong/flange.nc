@@ -1,4 +1,4 @@
-'Cover flange, 120 x 80: two rings of holes and a grid, each figure one block.
+'Cover flange, 120 x 80: a circle, two arcs and a row of holes, each figure one block.
 'Work zero: centre of the top face. T1 drill 6, T2 drill 4.2, T3 tap M5.
 G21 G17 G90 G40 G49 G80
 G54
