@@ -153,7 +153,8 @@ impl Interpreter {
 
     /// The program that stands for a G code which is no cycle.
     pub(crate) fn custom_g(&self, row: &GCode) -> Option<Custom> {
-        if self.custom.is_none() || row.tenths % 10 != 0 || matches!(row.meaning, Meaning::Cycle(_)) {
+        if self.custom.is_none() || !row.tenths.is_multiple_of(10) || matches!(row.meaning, Meaning::Cycle(_))
+        {
             return None;
         }
         let code = Custom::G(row.tenths / 10);

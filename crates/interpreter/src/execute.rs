@@ -351,8 +351,8 @@ impl Interpreter {
 
     /// Puts the block's modal codes in force.
     fn modal_codes(&mut self) -> Fallible<Codes> {
-        let mut codes = Codes::default();
-        codes.custom = self.words.custom.map(|(number, span)| (Custom::G(number), span));
+        let custom = self.words.custom.map(|(number, span)| (Custom::G(number), span));
+        let mut codes = Codes { custom, ..Codes::default() };
         let mut motion = false;
         let mut cycle = None;
         let mut length = None;
