@@ -20,13 +20,25 @@ const FACTOR: std::ops::RangeInclusive<f64> = 0.0001..=9999.9999;
 
 const CENTER_LETTERS: u32 = letters(b"IJK");
 
+/// What G92 moves so that the tool stands at the given point.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum SetPosition {
+    /// Every system, until G92 again or power-off (Fanuc).
+    #[default]
+    EverySystem,
+    /// Nothing: it makes a system of its own, which the call of another ends (GSK990MC 4.2.11).
+    OwnSystem,
+    /// The table of systems, for good (Weihong 4.3).
+    Table,
+}
+
 /// What controls do differently with coordinate systems and transformations. The default is Fanuc's.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Rules {
     /// Scaling, mirror and rotation are a stack; else each is in force once, scaling before rotation.
     pub transforms_nest: bool,
-    /// G92 moves every system of the table, for good; else it makes a system of its own.
-    pub positions_last: bool,
+    /// What G92 moves.
+    pub set_position: SetPosition,
     /// G53 moves by the motion code in force; else at rapid, and with G91 not at all.
     pub machine_position_by_motion: bool,
     /// G28 leaves tool length compensation in force.
@@ -84,7 +96,13 @@ impl Interpreter {
     /// coordinates, also with G91 and in polar mode.
     fn center(&self) -> Position {
         let axes = self.words.axes(self.rules.axes);
-        distance::end_point(&self.words, axes, self.location.programmed, false, self.inch_axes())
+        // Where the tool is, also while rotation is in force (Kaitong appendix 10).
+        let mut here = self.location.programmed;
+        if self.location.rotation.is_some() {
+            here = self.location.in_work();
+            here = self.location.scaling.map_or(here, |scaling| scaling.undo(here));
+        }
+        distance::end_point(&self.words, axes, here, false, self.inch_axes())
     }
 
     /// G51 (GSK990MC 4.2.14).
@@ -190,7 +208,7 @@ impl Interpreter {
             }
             _ => WorkOffset::Standard(standard),
         };
-        let Some(system) = WorkSystem::select(name, &self.memory.work, self.location.work.local) else {
+        let Some(system) = WorkSystem::select(name, &self.memory.work, &self.location.work) else {
             return Err(self.alarm(Fault::WorkOffsetNumber, span));
         };
         self.location.work = system;
@@ -211,7 +229,7 @@ impl Interpreter {
         if axes.is_empty() {
             return;
         }
-        if self.rules.coordinates.positions_last {
+        if self.rules.coordinates.set_position == SetPosition::Table {
             let moved = self.moved_zero(axes);
             for zero in &mut self.memory.work.standard {
                 *zero = *zero + moved;
@@ -223,7 +241,10 @@ impl Interpreter {
         let location = &mut self.location;
         let here = distance::end_point(&self.words, axes, location.programmed, false, inch_axes);
         let at = location.machine - location.length.vector;
-        location.work = location.work.set_position(at, here, axes);
+        location.work = match self.rules.coordinates.set_position {
+            SetPosition::EverySystem => location.work.move_every_system(at, here, axes),
+            _ => location.work.set_position(at, here, axes),
+        };
         location.take_machine();
     }
 

@@ -383,6 +383,8 @@ pub struct Rules {
     pub one_way_dwell_s: f64,
     /// One-way positioning is modal.
     pub one_way_is_modal: bool,
+    /// A skip move that ends without its signal is an alarm.
+    pub skip_needs_signal: bool,
     /// Surface speed is fitted.
     pub surface_speed: bool,
     /// Lowest spindle speed under it, r/min.
@@ -472,6 +474,8 @@ pub struct Dialect {
     pub g_codes: &'static [GCode],
     /// Its M codes, in rising order.
     pub m_codes: &'static [MCode],
+    /// What any other M code does, by its number; none beyond the end.
+    pub other_m_codes: &'static [MCode],
     /// The code that ends canned cycles.
     pub cycle_off: &'static GCode,
     /// The code that ends tool length compensation.
@@ -517,8 +521,10 @@ impl Dialect {
 
     /// The row of an M code.
     pub fn m_code(&self, code: u16) -> Option<&'static MCode> {
-        let at = self.m_codes.binary_search_by_key(&code, |m| m.code).ok()?;
-        self.m_codes.get(at)
+        match self.m_codes.binary_search_by_key(&code, |m| m.code) {
+            Ok(at) => self.m_codes.get(at),
+            Err(_) => self.other_m_codes.get(usize::from(code)),
+        }
     }
 
     /// The row of an address.

@@ -316,13 +316,18 @@ impl Interpreter {
             }
             match rest.codes.non_modal {
                 Some(code) => {
+                    // What ends compensation ends it before the code (`G53 G49 Z0`); the axes stand still.
+                    if self.length_ends(length) && code.row.meaning != Meaning::SetPosition {
+                        self.location.length.cancel();
+                        self.location.take_machine();
+                    }
                     self.non_modal(code, axes, length)?;
                     // Modal codes beside it take effect without being run (4.1 note 1).
                     if length.is_some() || self.words.has(b'H') {
                         self.defer_length(length)?;
                     }
                 }
-                None if rest.codes.takes_words => {}
+                None if rest.codes.takes_words => self.length_by_itself(length)?,
                 None if self.cycle_kind().is_some() => self.cycle_block(axes, length)?,
                 None => {
                     let length_moves = self.length_words(length, axes)?;
@@ -596,12 +601,24 @@ impl Interpreter {
     /// A change of tool length in a block that does not move by it: the axis takes it up when it is next moved.
     fn defer_length(&mut self, code: Option<Meaning>) -> Fallible<()> {
         self.keep_length_number()?;
-        match self.modal.meaning(Group::Length) {
-            Meaning::LengthOff if code.is_some() => self.location.length.cancel(),
-            Meaning::LengthOff => {}
-            _ => self.location.length.waits = true,
+        if !self.length_ends(code) && self.modal.meaning(Group::Length) != Meaning::LengthOff {
+            self.location.length.waits = true;
         }
         Ok(())
+    }
+
+    /// Whether the block ends tool length compensation.
+    fn length_ends(&self, code: Option<Meaning>) -> bool {
+        code == Some(Meaning::LengthOff) || !self.rules.h00_waits && self.words.get(b'H') == Some(0.0)
+    }
+
+    /// A change of tool length in a block whose coordinates are not for a move: the axis moves by it alone.
+    fn length_by_itself(&mut self, code: Option<Meaning>) -> Fallible<()> {
+        let was = self.location.length.vector;
+        if !self.length_words(code, AxisSet::EMPTY)? {
+            return Ok(());
+        }
+        self.rapid_machine(self.location.machine + self.location.length.vector - was)
     }
 
     /// H into force as the number that G43 and G44 take.

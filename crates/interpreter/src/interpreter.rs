@@ -209,8 +209,9 @@ impl Interpreter {
     ) -> Interpreter {
         let rules = (dialect.rules)(&memory.parameters);
         let modal = (dialect.power_on)(&memory.parameters);
-        let work = WorkSystem::select(dialect.power_on_work_offset, &memory.work, Position::ZERO)
-            .unwrap_or(WorkSystem::at_machine_zero());
+        let work =
+            WorkSystem::select(dialect.power_on_work_offset, &memory.work, &WorkSystem::at_machine_zero())
+                .unwrap_or(WorkSystem::at_machine_zero());
         let mut location = Location {
             programmed: Position::ZERO,
             machine: options.start,
@@ -336,8 +337,11 @@ impl Interpreter {
             initial.codes().any(|code| code.group == group && rules.groups & 1 << code.group_number != 0)
         };
         if clears(Group::WorkOffset)
-            && let Some(system) =
-                WorkSystem::select(self.dialect.power_on_work_offset, &self.memory.work, Position::ZERO)
+            && let Some(system) = WorkSystem::select(
+                self.dialect.power_on_work_offset,
+                &self.memory.work,
+                &WorkSystem::at_machine_zero(),
+            )
         {
             self.location.work = system;
         }

@@ -437,7 +437,7 @@ impl Interpreter {
     pub(crate) fn work_zero_changed(&mut self) {
         use crate::stages::work_offset::{System, WorkSystem};
         if let System::Table(name) = self.location.work.system
-            && let Some(system) = WorkSystem::select(name, &self.memory.work, self.location.work.local)
+            && let Some(system) = WorkSystem::select(name, &self.memory.work, &self.location.work)
             && system != self.location.work
         {
             self.location.work = system;

@@ -65,6 +65,10 @@ impl Interpreter {
             if !length_moves {
                 return Ok(());
             }
+            // The code of an arc is in force from an earlier block: the axis moves straight.
+            if turn.is_some() && !self.words.g.iter().any(|code| code.row.group == Group::Motion) {
+                return self.cut(self.location.programmed);
+            }
             if turn.is_some() {
                 return Err(self.alarm(Fault::LengthInArc, self.words.block_span()));
             }

@@ -132,7 +132,11 @@ impl Interpreter {
         if reached != from || at.is_some() {
             self.emit(Op::Skip { to: reached, feed, hit: at.is_some() });
         }
-        self.emit_barrier()
+        self.emit_barrier()?;
+        if self.rules.skip_needs_signal && at.is_none() {
+            return Err(self.alarm(Fault::SkipWithoutSignal, span));
+        }
+        Ok(())
     }
 
     /// G60: the end point is always reached from one side (GSK990MC 4.2.6).

@@ -345,7 +345,7 @@ const FAULTS: &[(Fault, &str, &str)] = &[
     (Fault::CodeInRotation, "G68 X0 Y0 R30\nG59\nM30", "G59"),
     // What the control does not have.
     (Fault::UnknownGCode, "G51 X0 Y0 P2\nM30", "G51"),
-    (Fault::UnknownMCode, "M29 S100\nM30", "M29"),
+    (Fault::UnknownMCode, "M1000\nM30", "M1000"),
     (Fault::UnknownVariable, "#34=1\nM30", "#34=1"),
 ];
 
@@ -385,4 +385,66 @@ fn p021_5_chooses_the_level_of_return_at_power_on() {
         let interpreter = interpreter_of(&DIALECT, b"M30", setup, Options::default()).unwrap();
         assert!(interpreter.codes_in_force().any(|tenths| tenths == code), "{setup}");
     }
+}
+
+#[test]
+fn what_follows_a_semicolon_is_a_remark() {
+    // Appendices 8 to 10, examples.
+    hold(&[("G90 G0 X1; abc ( Z5\nY2 ；说明\nM30", "", &["rapid X1", "rapid Y2", "end M30"])]);
+}
+
+#[test]
+fn tool_length_ends_at_once_beside_other_codes() {
+    // Appendix 8, 1.1.4.
+    let setup = "[tools.1]\nlength = 4";
+    hold(&[
+        (
+            "G90 G0 G43 H1 Z10\nG53 G49 Z0\nX10\nM30",
+            setup,
+            &["rapid Z14", "rapid Z0", "rapid X10", "end M30"],
+        ),
+        (
+            "G90 G0 G43 H1 Z10\nG49 G68 X0 Y0 R90\nX10 Y0\nZ5\nM30",
+            setup,
+            &["rapid Z14", "rapid Z10", "rapid Y10", "rapid Z5", "end M30"],
+        ),
+        // An arc in force from a block before is no obstacle.
+        (
+            "G90 G0 G43 H1 Z5\nG1 X5 F100\nG2 X10 R5\nG49\nM30",
+            setup,
+            &["rapid Z9", "feed X5 F100", "xy X10 about 7.5 -4.3301 by -60 F100", "feed Z5 F100", "end M30"],
+        ),
+    ]);
+}
+
+#[test]
+fn g92_moves_every_system() {
+    // Fanuc: until the next G92; the call of a system does not end it.
+    hold(&[
+        ("G92 X10\nG55 G90 G0 X0\nM30", "", &["rapid X-10", "end M30"]),
+        (
+            "G92 X10\nG0 X0\nG52 X1\nX0\nG52 X0\nG54 X0\nM30",
+            "",
+            &["rapid X-10", "rapid X-9", "rapid X-10", "end M30"],
+        ),
+    ]);
+}
+
+#[test]
+fn a_second_rotation_is_about_where_the_tool_is() {
+    // Appendix 10: without a centre.
+    hold(&[(
+        "G90 G0 X3 Y4\nG68 X10 Y4 R30\nX20 Y4\nG68 R60\nX20 Y4\nM30",
+        "",
+        &["rapid X3 Y4", "rapid X18.6603 Y9", "rapid X23.6603 Y7.6603", "end M30"],
+    )]);
+}
+
+#[test]
+fn other_m_codes_and_a_skip_without_signal() {
+    hold(&[("M10\nM30", "", &["M10", "end M30"])]);
+    let program = "G31 X10 F100\nM30\n";
+    let fault = |setup| run_on(&DIALECT, program, setup).1.map(|alarm| alarm.fault);
+    assert_eq!(fault(""), None);
+    assert_eq!(fault("[parameters]\n\"P021.3\" = 1"), Some(Fault::SkipWithoutSignal));
 }

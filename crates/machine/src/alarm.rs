@@ -220,6 +220,8 @@ faults! {
     MirrorForm = 445,
     /// More transformations in force than can be meant.
     TooManyTransforms = 446,
+    /// A skip move reached its end without the signal, where the control needs one.
+    SkipWithoutSignal = 447,
 
     // 500: canned cycles
     /// A cycle in a plane that it does not work in.

@@ -257,6 +257,7 @@ impl Lexer<'_> {
                 }
                 b' ' | b'\t' => self.at += 1,
                 _ if is_padding(byte) && self.at < self.text.len() => self.at += 1,
+                b';' if self.starts_line_comment() => self.skip_line(),
                 b'\n' | b'\r' | b';' => break,
                 b'(' if self.syntax.paren_comments => {
                     if !self.comment(number) {

@@ -1,7 +1,8 @@
 //! Stage work offset: G54 to G59 and the additional systems, the external offset, G52 and G92.
 //!
 //! `machine point = programmed point + shift`. For a system of the table the shift is its offset plus
-//! the external one (GSK990MC 4.2.8) plus the local one of G52, which goes for every system (Fanuc). G92 makes a system of its own, in which the tool stands at the
+//! the external one (GSK990MC 4.2.8) plus what goes for every system: the local one of G52 and, on some
+//! controls, that of G92 (Fanuc). On others G92 makes a system of its own, in which the tool stands at the
 //! given point; the next call of a system of the table ends it (GSK990MC 4.2.11).
 
 use ferrocut_geometry::{AxisSet, Position};
@@ -25,19 +26,37 @@ pub struct WorkSystem {
     pub shift: Position,
     /// The part of it that G52 set.
     pub local: Position,
+    /// The part of it by which G92 moved every system.
+    pub common: Position,
 }
 
 impl WorkSystem {
     /// No system of the table, with its zero at machine zero.
     pub fn at_machine_zero() -> WorkSystem {
-        WorkSystem { system: System::Floating, shift: Position::ZERO, local: Position::ZERO }
+        let zero = Position::ZERO;
+        WorkSystem { system: System::Floating, shift: zero, local: zero, common: zero }
     }
 
-    /// The system `name` of the table with its zero moved by `local`; `None` if the table does not have it.
-    pub fn select(name: WorkOffset, table: &WorkOffsets, local: Position) -> Option<WorkSystem> {
+    /// The system `name` of the table, its zero moved as that of the one `before`; `None` if the table does not
+    /// have it.
+    pub fn select(name: WorkOffset, table: &WorkOffsets, before: &WorkSystem) -> Option<WorkSystem> {
         let external = table.get(WorkOffset::External).unwrap_or_default();
-        let shift = table.get(name)? + external + local;
-        Some(WorkSystem { system: System::Table(name), shift, local })
+        let WorkSystem { local, common, .. } = *before;
+        let shift = table.get(name)? + external + local + common;
+        Some(WorkSystem { system: System::Table(name), shift, local, common })
+    }
+
+    /// Every system moved so that the point `at` (machine position less tool length) has the coordinates `here`
+    /// on the axes `named`. What G52 moved them by is gone.
+    pub fn move_every_system(self, at: Position, here: Position, named: AxisSet) -> WorkSystem {
+        let WorkSystem { system, mut shift, mut local, mut common } = self;
+        for axis in named.iter() {
+            let zero = at[axis] - here[axis];
+            common[axis] += zero - (shift[axis] - local[axis]);
+            shift[axis] = zero;
+            local[axis] = 0.0;
+        }
+        WorkSystem { system, shift, local, common }
     }
 
     /// The same system with its zero moved by `local` instead of by what it was moved before.
@@ -53,6 +72,6 @@ impl WorkSystem {
             shift[axis] = at[axis] - here[axis];
             local[axis] = 0.0;
         }
-        WorkSystem { system: System::Floating, shift, local }
+        WorkSystem { system: System::Floating, shift, local, common: self.common }
     }
 }

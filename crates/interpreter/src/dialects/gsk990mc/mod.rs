@@ -23,6 +23,7 @@ pub static DIALECT: Dialect = Dialect {
     arithmetic: Arithmetic { angles: Angles::Degrees, steps: 10_000.0, largest_power: 99_997.453_535 },
     g_codes: &codes::G_CODES,
     m_codes: &codes::M_CODES,
+    other_m_codes: &[],
     cycle_off: &fanuc::CYCLE_OFF,
     length_off: &fanuc::LENGTH_OFF,
     one_way_modal: &fanuc::ONE_WAY_MODAL,

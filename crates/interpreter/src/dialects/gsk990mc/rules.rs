@@ -1,7 +1,7 @@
 //! What the parameters set.
 
 use super::codes::G_CODES;
-use crate::coordinates;
+use crate::coordinates::{self, SetPosition};
 use crate::cycles::{self, NoDepth, Repeat, Restart, Tapping};
 use crate::dialect::{ResetRules, Rules, ScalingRules};
 use crate::dialects::fanuc;
@@ -51,7 +51,10 @@ pub fn rules(parameters: &Parameters) -> Rules {
         max_repeats: 9999.0,
         cycles: cycles(parameters),
         motion: motion::Rules::default(),
-        coordinates: coordinates::Rules::default(),
+        coordinates: coordinates::Rules {
+            set_position: SetPosition::OwnSystem,
+            ..coordinates::Rules::default()
+        },
         cutter: cutter::Rules {
             start_up: if parameters.bit(40, 0) { cutter::StartUp::B } else { cutter::StartUp::A },
             interference: parameters.bit(41, 6),
@@ -94,6 +97,7 @@ pub fn rules(parameters: &Parameters) -> Rules {
         one_way_dwell_s: p(334),
         one_way_is_modal: parameters.bit(48, 0),
         surface_speed: parameters.bit(61, 0),
+        skip_needs_signal: false,
         surface_min_rpm: p(255),
         // The coding of P254 is not printed: 1 for the first axis, 0 too, as on Fanuc.
         surface_axis: order.get((p(254) as usize).saturating_sub(1)).copied().unwrap_or(Axis::X),

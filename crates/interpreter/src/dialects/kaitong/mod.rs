@@ -13,15 +13,21 @@ use crate::dialect::Dialect;
 use crate::dialects::fanuc;
 use crate::evaluate::{Angles, Arithmetic};
 use ferrocut_machine::WorkOffset;
+use ferrocut_program::Syntax;
+
+/// A block ends at `;`, in either width, and what follows it is a remark, as in the examples of appendices 8 to
+/// 10.
+static SYNTAX: Syntax = Syntax { line_comments: &[b";", "；".as_bytes(), b"\xA3\xBB"], ..fanuc::SYNTAX };
 
 /// The Kaitong control.
 pub static DIALECT: Dialect = Dialect {
     name: "kaitong",
     extensions: &[],
-    syntax: &fanuc::SYNTAX,
+    syntax: &SYNTAX,
     arithmetic: Arithmetic { angles: Angles::Degrees, steps: 0.0, largest_power: f64::INFINITY },
     g_codes: &codes::G_CODES,
     m_codes: &codes::M_CODES,
+    other_m_codes: &fanuc::MACHINE_M,
     cycle_off: &fanuc::CYCLE_OFF,
     length_off: &fanuc::LENGTH_OFF,
     one_way_modal: &fanuc::ONE_WAY_MODAL,

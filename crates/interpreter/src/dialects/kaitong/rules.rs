@@ -97,6 +97,8 @@ pub fn rules(parameters: &Parameters) -> Rules {
         one_way_dwell_s: 0.0,
         one_way_is_modal: false,
         surface_speed: false,
+        // Appendix 11: P021.3.
+        skip_needs_signal: parameters.bit(21, 3),
         surface_min_rpm: 0.0,
         surface_axis: Axis::X,
         // Appendix 8, 1.1.3: ±9999999 of the least input unit, 0.001 mm.

@@ -22,6 +22,7 @@ pub static DIALECT: Dialect = Dialect {
     arithmetic: Arithmetic { angles: Angles::Radians, steps: 0.0, largest_power: f64::INFINITY },
     g_codes: codes::G_CODES,
     m_codes: codes::M_CODES,
+    other_m_codes: &[],
     cycle_off: &fanuc::CYCLE_OFF,
     length_off: &fanuc::LENGTH_OFF,
     one_way_modal: &fanuc::ONE_WAY_MODAL,

@@ -1,7 +1,7 @@
 //! What the named parameters set, and what is fixed.
 
 use super::codes::G_CODES;
-use crate::coordinates;
+use crate::coordinates::{self, SetPosition};
 use crate::cycles::{self, NoDepth, Repeat, Restart, Tapping};
 use crate::dialect::{ResetRules, Rules, ScalingRules};
 use crate::dialects::fanuc;
@@ -60,7 +60,7 @@ pub fn rules(parameters: &Parameters) -> Rules {
         },
         coordinates: coordinates::Rules {
             transforms_nest: true,
-            positions_last: true,
+            set_position: SetPosition::Table,
             machine_position_by_motion: true,
             reference_keeps_length: true,
             reference_in_cycle: true,
@@ -108,6 +108,7 @@ pub fn rules(parameters: &Parameters) -> Rules {
         one_way_dwell_s: 0.0,
         one_way_is_modal: false,
         surface_speed: false,
+        skip_needs_signal: false,
         surface_min_rpm: 0.0,
         surface_axis: Axis::X,
         max_offset: 9_999_999.0,
