@@ -64,21 +64,25 @@ impl Interpreter {
     #[inline]
     pub(crate) fn end_point(&mut self, axes: AxisSet) -> Position {
         let incremental = self.modal.is_incremental();
-        let inch = self.modal.is_inch();
-        let from = self.location.programmed;
-        let mut to = distance::end_point(&self.words, axes, from, incremental, self.inch_axes());
-        if let Some(polar) = &mut self.location.polar {
-            let plane = self.modal.plane();
-            let (radius, angle) = polar::addresses(plane);
-            let radius = self.words.get(radius).map(|r| units::length_mm(r, inch));
-            let angle = self.words.get(angle);
-            if radius.is_some() || angle.is_some() {
-                let [a, b] = polar.point(plane.of(from), radius, angle, incremental);
-                to[plane.first()] = a;
-                to[plane.second()] = b;
-            }
+        let mut to = self.location.programmed;
+        distance::go_on(&mut to, &self.words, axes, incremental, self.inch_axes());
+        if self.location.polar.is_some() {
+            self.polar_end_point(&mut to, incremental);
         }
         to
+    }
+
+    fn polar_end_point(&mut self, to: &mut Position, incremental: bool) {
+        let (from, plane) = (self.location.programmed, self.modal.plane());
+        let Some(polar) = &mut self.location.polar else { return };
+        let (radius, angle) = polar::addresses(plane);
+        let radius = self.words.get(radius).map(|r| units::length_mm(r, self.modal.is_inch()));
+        let angle = self.words.get(angle);
+        if radius.is_some() || angle.is_some() {
+            let [a, b] = polar.point(plane.of(from), radius, angle, incremental);
+            to[plane.first()] = a;
+            to[plane.second()] = b;
+        }
     }
 
     /// G16 and G15.

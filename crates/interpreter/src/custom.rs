@@ -170,7 +170,7 @@ impl Interpreter {
     }
 
     /// Sets the block aside and runs the program of one of its codes; `rest` is done behind it.
-    pub(crate) fn call_custom(&mut self, code: Custom, rest: Rest, span: Span) -> Fallible<()> {
+    pub(crate) fn call_custom(&mut self, code: Custom, rest: &mut Rest, span: Span) -> Fallible<()> {
         let Some(number) = self.custom.as_ref().map(|codes| codes.program(code)) else { return Ok(()) };
         if let Custom::G(_) = code {
             self.pass_words(rest.part == Part::Holes);
@@ -181,18 +181,18 @@ impl Interpreter {
         let cycle = (std::mem::take(&mut self.cycle), self.modal.code(Group::Cycle).unwrap_or(off));
         self.modal.set(off);
         let words = std::mem::replace(&mut self.words, Words::new());
-        self.flow.suspend(Suspended { code, words, rest, cycle });
+        self.flow.suspend(Suspended { code, words, rest: std::mem::take(rest), cycle });
         Ok(())
     }
 
     /// Goes on with a block that was set aside.
     pub(crate) fn resume(&mut self, suspended: Suspended) -> Fallible<()> {
-        let Suspended { words, rest, cycle: (state, row), .. } = suspended;
+        let Suspended { words, mut rest, cycle: (state, row), .. } = suspended;
         self.words = words;
         self.cycle = state;
         self.modal.set(row);
         self.output.start_block();
-        match self.finish_block(rest) {
+        match self.finish_block(&mut rest) {
             Err(alarm) => self.give_up_block(alarm),
             done => done,
         }

@@ -252,9 +252,12 @@ impl Interpreter {
             }
         }
         self.full_feed = false;
-        let codes = self.modal_codes()?;
+        // Filled in place: copies of it, just written, would be waited for in every block.
+        let mut rest = Rest { axes, ..Rest::default() };
+        let codes = &mut rest.codes;
+        self.modal_codes(codes)?;
         self.check_axes()?;
-        self.check_moving_axes(axes, &codes)?;
+        self.check_moving_axes(axes, codes)?;
         if codes.non_modal.is_some_and(|code| code.row.meaning == Meaning::DataSetting) {
             self.check_data_block_is_alone()?;
         }
@@ -288,11 +291,11 @@ impl Interpreter {
         if let Some(rotary) = self.rules.motion.rotary_y {
             self.rotary_word(rotary, codes.rotary);
         }
-        self.finish_block(Rest { codes, axes, part: Part::Speed, builtin: None })
+        self.finish_block(&mut rest)
     }
 
     /// Does what is left of a block.
-    pub(crate) fn finish_block(&mut self, mut rest: Rest) -> Fallible<()> {
+    pub(crate) fn finish_block(&mut self, rest: &mut Rest) -> Fallible<()> {
         if rest.part == Part::Speed {
             rest.part = Part::Before(0);
             if self.words.has(b'S')
@@ -303,7 +306,7 @@ impl Interpreter {
             }
         }
         if let Part::Before(from) = rest.part {
-            if let Some((code, span)) = self.m_functions(false, from, &mut rest)? {
+            if let Some((code, span)) = self.m_functions(false, from, rest)? {
                 return self.call_custom(code, rest, span);
             }
             rest.part = Part::Motion;
@@ -343,7 +346,7 @@ impl Interpreter {
             return Ok(());
         }
         let from = if let Part::After(from) = rest.part { from } else { 0 };
-        match self.m_functions(true, from, &mut rest)? {
+        match self.m_functions(true, from, rest)? {
             Some((code, span)) => self.call_custom(code, rest, span),
             None => Ok(()),
         }
@@ -351,13 +354,12 @@ impl Interpreter {
 
     /// Does what waits for the last hole of the block.
     pub(crate) fn end_holes(&mut self) -> Fallible<()> {
-        self.finish_block(Rest::at(Part::After(0)))
+        self.finish_block(&mut Rest::at(Part::After(0)))
     }
 
     /// Puts the block's modal codes in force.
-    fn modal_codes(&mut self) -> Fallible<Codes> {
-        let custom = self.words.custom.map(|(number, span)| (Custom::G(number), span));
-        let mut codes = Codes { custom, ..Codes::default() };
+    fn modal_codes(&mut self, codes: &mut Codes) -> Fallible<()> {
+        codes.custom = self.words.custom.map(|(number, span)| (Custom::G(number), span));
         let mut motion = false;
         let mut cycle = None;
         let mut length = None;
@@ -456,9 +458,8 @@ impl Interpreter {
             Some(row) => self.modal.set(row),
             None => {}
         }
-        self.length_code(length, &mut codes)?;
-        self.transform_codes(&mut codes)?;
-        Ok(codes)
+        self.length_code(length, codes)?;
+        self.transform_codes(codes)
     }
 
     /// G43, G44, G49. Once a cycle is in force some controls leave them and H aside, also as modal codes

@@ -576,7 +576,7 @@ impl Lexer<'_> {
         (self.at - start).min(usize::from(u16::MAX)) as u16
     }
 
-    #[inline]
+    #[inline(always)]
     fn numeric_word(&mut self, block: u32, letter: u8, start: usize, negative: bool, comma: bool) {
         let number_at = self.at;
         let Some(decimal) = number::decimal(self.text.get(number_at..).unwrap_or(&[])) else {

@@ -273,7 +273,7 @@ impl Interpreter {
         self.cycle.holes_left -= 1;
         self.flow.count_hole();
         if let Some(code) = self.custom_cycle() {
-            return match self.call_custom(code, Rest::at(Part::Holes), self.words.block_span()) {
+            return match self.call_custom(code, &mut Rest::at(Part::Holes), self.words.block_span()) {
                 Err(alarm) => self.give_up_block(alarm),
                 done => done,
             };

@@ -14,11 +14,17 @@ pub(crate) fn end_point(
     inch_axes: AxisSet,
 ) -> Position {
     let mut to = from;
+    go_on(&mut to, words, axes, incremental, inch_axes);
+    to
+}
+
+/// Moves `at` to the programmed end point of a block that starts there.
+#[inline]
+pub(crate) fn go_on(at: &mut Position, words: &Words, axes: AxisSet, incremental: bool, inch_axes: AxisSet) {
     for axis in axes.iter() {
         if let Some(value) = words.get(axis.letter() as u8) {
             let value = units::coordinate(axis, value, inch_axes);
-            to[axis] = if incremental { from[axis] + value } else { value };
+            at[axis] = if incremental { at[axis] + value } else { value };
         }
     }
-    to
 }
