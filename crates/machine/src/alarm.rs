@@ -376,6 +376,48 @@ faults! {
     FileUnwritable = 907,
     /// A picture in a format that there is not.
     PictureFormat = 908,
+
+    // 1000: drawings
+    /// A drawing that ends in the middle.
+    DrawingTruncated = 1001,
+    /// A drawing with more in it than is taken.
+    DrawingTooLarge = 1002,
+    /// A drawing without a line to cut.
+    DrawingEmpty = 1003,
+    /// A place of a drawing further away than any machine reaches.
+    DrawingTooFar = 1004,
+    /// DXF: no group code where one must stand.
+    DxfGroupCode = 1005,
+    /// DXF: a value that is no number where one must stand.
+    DxfValue = 1006,
+    /// DXF in the form that is no text.
+    DxfBinary = 1007,
+    /// DXF: an entity that the reader gave up on.
+    DxfEntity = 1008,
+    /// A block of a drawing that holds itself.
+    BlockInItself = 1009,
+    /// A spline whose degree, knots, weights and points do not fit each other.
+    SplineForm = 1010,
+    /// PLT: no instruction where one must stand.
+    PltInstruction = 1011,
+    /// PLT: a number of arguments that the instruction cannot have.
+    PltArguments = 1012,
+    /// Entities of a kind that is not cut.
+    EntityLeftOut = 1013,
+    /// Entities on a layer that is not cut.
+    LayerLeftOut = 1014,
+    /// Entities that lie in paper space or are invisible.
+    HiddenLeftOut = 1015,
+    /// An inserted block that the drawing does not hold.
+    BlockMissing = 1016,
+    /// PLT: an instruction that is not carried out.
+    PltLeftOut = 1017,
+    /// A setting of the import that cannot be used.
+    ImportSetting = 1018,
+    /// A control language that drawings are not written in.
+    NoWriter = 1019,
+    /// A file that is no drawing where one is asked for.
+    NoDrawing = 1020,
 }
 
 /// How bad it is.

@@ -26,4 +26,4 @@ pub use messages::{Catalogue, Language};
 pub use offsets::{ToolOffset, ToolTable, WorkOffset, WorkOffsets};
 pub use parameters::{Meaning, ParameterDef, ParameterError, ParameterKey, ParameterTable, Parameters};
 pub use reference::{GCodeRow, MCodeRow, Reference, Subject, VariableRow, g_code_name};
-pub use setup::{AxisValues, Setup, SkipSignal};
+pub use setup::{AxisValues, CuttingSetup, ImportSetup, Setup, SkipSignal};

@@ -1,7 +1,7 @@
 //! The texts of alarms, in the languages that people read.
 //!
-//! Texts live in Fluent catalogues under `messages/<language>/`: `core.ftl` for the faults common to all
-//! controls (`FC-0302`), one further file for each control with alarm numbers of its own
+//! Texts live in Fluent catalogues under `messages/<language>/`: `core.ftl` and `drawings.ftl` for the
+//! faults common to all controls (`FC-0302`), one further file for each control with alarm numbers of its own
 //! (`gsk990mc-0045`). A message has
 //!
 //! - a value: what is wrong, in one sentence without a full stop and without arguments;
@@ -53,8 +53,16 @@
 //! | `FeedNotReachable` | `feed`, `limit` |
 //! | `FileUnreadable`, `ConfigUnusable` | `file`, `reason`; or one of them |
 //! | `FileUnwritable` | `file`, `reason` |
-//! | `FileNotText`, `FileEmpty`, `PictureFormat` | `file` |
-//! | `UnknownDialect` | `name` |
+//! | `FileNotText`, `FileEmpty`, `PictureFormat`, `NoDrawing` | `file` |
+//! | `UnknownDialect`, `BlockInItself`, `BlockMissing`, `NoWriter` | `name` |
+//! | `DrawingTooLarge` | the highest number: of `megabytes`, `curves`, `points` or `inserts` |
+//! | `DrawingTooFar` | `position`, `limit` |
+//! | `DxfGroupCode`, `DxfValue`, `DxfEntity`, `PltInstruction`, `PltArguments` | `word` |
+//! | `EntityLeftOut` | `kind`, `count` |
+//! | `LayerLeftOut` | `name`, `count` |
+//! | `HiddenLeftOut` | `count` |
+//! | `PltLeftOut` | `instruction` |
+//! | `ImportSetting` | `setting`, `value` |
 
 use crate::alarm::{Alarm, AlarmId, Argument};
 use fluent_bundle::concurrent::FluentBundle;
@@ -108,11 +116,13 @@ impl Language {
         match self {
             Language::En => &[
                 include_str!("../messages/en/core.ftl"),
+                include_str!("../messages/en/drawings.ftl"),
                 include_str!("../messages/en/labels.ftl"),
                 include_str!("../messages/en/gsk990mc.ftl"),
             ],
             Language::Zh => &[
                 include_str!("../messages/zh/core.ftl"),
+                include_str!("../messages/zh/drawings.ftl"),
                 include_str!("../messages/zh/labels.ftl"),
                 include_str!("../messages/zh/gsk990mc.ftl"),
             ],

@@ -151,15 +151,24 @@ pub struct Options {
     pub optional_stop: bool,
 }
 
-/// How a drawing is turned into a program.
-#[derive(Clone, PartialEq, Debug, Deserialize)]
+/// How a drawing is turned into a program. What is not given keeps the default of the importer.
+#[derive(Clone, PartialEq, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ImportSetup {
-    /// Kind of drawing, such as `plt`.
+    /// Kind of drawing: `plt` or `dxf`.
     pub format: String,
-    /// Units of the drawing in one mm.
+    /// Units of the drawing in one mm; for PLT 40 (HP-GL: 0.025 mm).
     #[serde(default)]
     pub units_per_mm: Option<Number>,
+    /// Unit of a DXF drawing by name, in place of the one that it states.
+    #[serde(default)]
+    pub units: Option<String>,
+    /// Factor on top of the unit.
+    #[serde(default)]
+    pub scale: Option<Number>,
+    /// Coordinates of a PLT point, 2 or 3.
+    #[serde(default)]
+    pub dims: Option<Number>,
     /// Z while the pen is up, mm.
     #[serde(default)]
     pub pen_up: Option<Number>,
@@ -172,6 +181,42 @@ pub struct ImportSetup {
     /// Feed into the material, mm/min.
     #[serde(default)]
     pub plunge: Option<Number>,
+    /// Spindle speed, r/min.
+    #[serde(default)]
+    pub spindle: Option<Number>,
+    /// Tool number.
+    #[serde(default)]
+    pub tool: Option<Number>,
+    /// How far arcs may lie from the curves of the drawing, mm.
+    #[serde(default)]
+    pub tolerance: Option<Number>,
+    /// `as-drawn` or `shortest`.
+    #[serde(default)]
+    pub order: Option<String>,
+    /// What differs on layers of a DXF drawing, by their names.
+    #[serde(default)]
+    pub layers: BTreeMap<String, CuttingSetup>,
+    /// What differs for pens of a PLT drawing, by their numbers.
+    #[serde(default)]
+    pub pens: BTreeMap<String, CuttingSetup>,
+}
+
+/// How a layer or pen is cut where that differs from the rest of the drawing.
+#[derive(Clone, PartialEq, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct CuttingSetup {
+    /// Work Z, mm.
+    pub depth: Option<Number>,
+    /// Tool number.
+    pub tool: Option<Number>,
+    /// Feed along the drawing, mm/min.
+    pub feed: Option<Number>,
+    /// Feed into the material, mm/min.
+    pub plunge: Option<Number>,
+    /// Spindle speed, r/min.
+    pub spindle: Option<Number>,
+    /// Leaves it out.
+    pub skip: bool,
 }
 
 /// The name of a macro variable.
