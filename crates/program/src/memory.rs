@@ -89,6 +89,8 @@ struct ProgramFile {
     programs: Option<HashMap<ProgramId, Place>>,
     /// Where in the folder it was found; `None` for the main file and those that were added.
     found_at: Option<PathBuf>,
+    /// Holds no program, whatever its name and text.
+    is_shown_only: bool,
 }
 
 /// The programs that can be run and called.
@@ -146,8 +148,27 @@ impl ProgramMemory {
         };
         let next = Some(Start { file, offset: text.encoding().mark as u64, line: 1, is_head: true });
         let name = name.into();
-        self.files.push(ProgramFile { name, text, slots: Vec::new(), next, programs: None, found_at: None });
+        self.files.push(ProgramFile {
+            name,
+            text,
+            slots: Vec::new(),
+            next,
+            programs: None,
+            found_at: None,
+            is_shown_only: false,
+        });
         file
+    }
+
+    /// Adds a file that is only shown, such as the drawing that the main program was made from. Nothing
+    /// in it can be called.
+    pub fn add_shown(&mut self, name: &str, text: Text) -> FileId {
+        let id = self.add(name, text);
+        if let Some(file) = self.files.get_mut(usize::from(id.0)) {
+            file.is_shown_only = true;
+            file.programs = Some(HashMap::new());
+        }
+        id
     }
 
     /// How the programs are written.
@@ -244,7 +265,7 @@ impl ProgramMemory {
         if let Some(place) = self.find_in_file(FileId(0), id)? {
             return Ok(Some(place));
         }
-        let added = |f: &ProgramFile| f.found_at.is_none();
+        let added = |f: &ProgramFile| f.found_at.is_none() && !f.is_shown_only;
         if let Some(file) = self.position(1, |f| added(f) && names_of(Path::new(&*f.name)).contains(id)) {
             return self.start_in_file(file, id).map(Some);
         }

@@ -57,6 +57,16 @@ fn programs_in_the_main_file() {
 }
 
 #[test]
+fn a_file_that_is_only_shown_holds_no_program() {
+    let mut memory = ProgramMemory::new("main.nc", held("O1\nM30\n"), &MACRO_B);
+    let shown = memory.add_shown("O200.plt", held("PU0,0;\nO7 X1\n"));
+    assert_eq!((number(&mut memory, 200), number(&mut memory, 7)), (None, None));
+    assert_eq!(named(&mut memory, "o200"), None);
+    let span = Span { offset: 0, len: 6, line: 1, file: shown };
+    assert_eq!(memory.slice(span), "PU0,0;");
+}
+
+#[test]
 fn programs_in_the_folder() {
     let folder = tempfile::tempdir().unwrap();
     let beside = |name: &str, text: &str| write(folder.path(), name, text);
