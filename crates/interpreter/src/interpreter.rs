@@ -15,6 +15,7 @@ use crate::evaluate::Evaluator;
 use crate::flow::Flow;
 use crate::macros::INPUT_WORD;
 use crate::modal::{Group, Modal};
+use crate::origins::Origins;
 use crate::output::Output;
 use crate::reference::Intermediate;
 use crate::stages::nesting::{Nested, Transform};
@@ -26,7 +27,7 @@ use crate::stages::work_offset::WorkSystem;
 use crate::words::{self, Tables, Words};
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_machine::{Alarm, Fault, Memory};
-use ferrocut_program::{ProgramMemory, Span, lexer};
+use ferrocut_program::{FileId, ProgramMemory, Span, lexer};
 use ferrocut_toolpath::{SpindleState, Step};
 use std::collections::{BTreeMap, VecDeque};
 
@@ -197,6 +198,8 @@ pub struct Interpreter {
     pub(crate) ended: bool,
     pub(crate) output: Output,
     alarms: VecDeque<Box<Alarm>>,
+    /// The drawing that the main program was made from.
+    origins: Option<Origins>,
 }
 
 impl Interpreter {
@@ -284,7 +287,18 @@ impl Interpreter {
             ended: false,
             output,
             alarms,
+            origins: None,
         }
+    }
+
+    /// Lets steps and alarms name the places of the drawing that the main program was made from.
+    pub fn set_origins(&mut self, origins: Origins) {
+        self.origins = Some(origins);
+    }
+
+    /// The file that people know as the main program: the drawing, where the program was made from one.
+    pub fn main_file(&self) -> FileId {
+        self.origins.as_ref().map_or(FileId(0), Origins::drawing)
     }
 
     /// The programs, for showing what a span says.
@@ -404,6 +418,10 @@ impl Interpreter {
 
     /// The word with this address in the block that `block` is the span of.
     pub fn locate_word(&self, block: Span, letter: u8) -> Option<Span> {
+        if self.origins.is_some() {
+            // A drawing has no words.
+            return None;
+        }
         let bytes = self.programs.text(block.file)?.slice(block).ok()?;
         let page = lexer::lex(&bytes, block.file, block.offset, block.line, true, self.dialect.syntax).page;
         page.blocks.iter().find_map(|b| {
@@ -454,13 +472,10 @@ impl Interpreter {
             variable_writes: self.variable_writes,
         }
     }
-}
 
-impl Iterator for Interpreter {
-    type Item = Fallible<Step>;
-
+    /// The next step or alarm, at its place in the program.
     #[inline]
-    fn next(&mut self) -> Option<Fallible<Step>> {
+    fn advance(&mut self) -> Option<Fallible<Step>> {
         loop {
             if let Some(step) = self.output.pop() {
                 return Some(Ok(step));
@@ -485,5 +500,21 @@ impl Iterator for Interpreter {
                 self.stop_by(alarm);
             }
         }
+    }
+}
+
+impl Iterator for Interpreter {
+    type Item = Fallible<Step>;
+
+    #[inline]
+    fn next(&mut self) -> Option<Fallible<Step>> {
+        let mut next = self.advance()?;
+        if let Some(origins) = &self.origins {
+            match &mut next {
+                Ok(step) => step.span = origins.of(step.span),
+                Err(alarm) => alarm.span = origins.of(alarm.span),
+            }
+        }
+        Some(next)
     }
 }

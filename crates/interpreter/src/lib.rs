@@ -28,6 +28,7 @@ mod machine_words;
 mod macros;
 pub mod modal;
 pub mod motion;
+pub mod origins;
 mod output;
 mod reference;
 pub mod stages;
@@ -38,6 +39,7 @@ pub mod words;
 pub use barrier::AtRest;
 pub use dialect::{Dialect, Rules};
 pub use interpreter::{Interpreter, Options};
+pub use origins::Origins;
 
 use ferrocut_machine::Alarm;
 

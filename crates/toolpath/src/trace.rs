@@ -21,13 +21,25 @@ pub struct TraceWriter<W: Write> {
     out: W,
     line: Vec<u8>,
     at: Position,
+    main: FileId,
     file_names: Vec<Box<str>>,
 }
 
 impl<W: Write> TraceWriter<W> {
     /// A trace of axes that stand at `start`.
     pub fn new(out: W, start: Position) -> TraceWriter<W> {
-        TraceWriter { out, line: Vec::with_capacity(FLUSH_AT + 4096), at: start, file_names: Vec::new() }
+        TraceWriter {
+            out,
+            line: Vec::with_capacity(FLUSH_AT + 4096),
+            at: start,
+            main: FileId(0),
+            file_names: Vec::new(),
+        }
+    }
+
+    /// Takes another file than the first as the main program, whose steps name no file.
+    pub fn set_main(&mut self, file: FileId) {
+        self.main = file;
     }
 
     /// Gives the name under which steps from `file` are shown.
@@ -43,7 +55,7 @@ impl<W: Write> TraceWriter<W> {
 
     /// Whether [`name_file`](Self::name_file) was called for `file`.
     pub fn knows_file(&self, file: FileId) -> bool {
-        file.0 == 0 || self.file_names.get(usize::from(file.0)).is_some_and(|n| !n.is_empty())
+        file == self.main || self.file_names.get(usize::from(file.0)).is_some_and(|n| !n.is_empty())
     }
 
     /// Writes one step.
@@ -76,7 +88,7 @@ impl<W: Write> TraceWriter<W> {
     fn end_line(&mut self, span: Span) -> io::Result<()> {
         self.line.extend_from_slice(b",\"line\":");
         write_integer(&mut self.line, u64::from(span.line));
-        if span.file.0 != 0 {
+        if span.file != self.main {
             let name = self.file_names.get(usize::from(span.file.0)).cloned().unwrap_or_default();
             self.text("file", &name);
         }
