@@ -20,6 +20,7 @@ use std::path::PathBuf;
         ferrocut run part.nc                      run it on a simulated machine and report times\n  \
         ferrocut time part.nc --machine mill.toml how long it takes on your machine\n  \
         ferrocut view part.nc -o part.png         a picture of the path\n  \
+        ferrocut import plate.dxf -o plate.nc     a drawing to a part program\n  \
         ferrocut explain G84                      what a code is, and which parameters bear on it\n  \
         cat part.nc | ferrocut trace -            every step as a line of JSON"
 )]
@@ -42,6 +43,24 @@ pub enum Command {
     Time(TimeArgs),
     /// Draw the tool path (PNG or SVG)
     View(ViewArgs),
+    /// Turn a drawing (PLT, DXF) into a part program
+    #[command(
+        long_about = "Turn a drawing (PLT, DXF) into a part program.\n\n\
+            Lines and arcs stay what they are; ellipses and splines become arcs within --tolerance.\n\
+            Curves that meet are joined, what lies inside a contour is cut before the contour, and the\n\
+            ways between are kept short (--order as-drawn keeps the order of the drawing).\n\n\
+            The drawing's zero is the work zero of G54. Depths are work Z. What is not given is cut at\n\
+            Z-1 with 600 mm/min, lowered with 300 mm/min, and crossed over at Z5.\n\n\
+            A set-up file can say the same in a table [import], with pen_up for --safe and pen_down for\n\
+            --depth; options of the command line win. Every command that takes a program takes a drawing\n\
+            too, and runs it in the order of the drawing.",
+        after_help = "Examples:\n  \
+            ferrocut import plate.dxf -o plate.nc --depth=-3 --feed 800 --spindle 12000\n  \
+            ferrocut import plate.dxf --layer HOLES=-6,1 --layer OUTLINE=-6.2,2,F500 --layer TEXT=skip\n  \
+            ferrocut import sign.plt --to weihong --pen 2=-0.5 -o sign.nc --picture sign.svg\n  \
+            ferrocut trace plate.dxf                  the drawing as steps, without a program"
+    )]
+    Import(Box<ImportArgs>),
     /// Explain a code, parameter, alarm, macro variable or word of a program
     Explain(ExplainArgs),
     /// Machine files, and the parameters of the control in them
@@ -160,6 +179,75 @@ pub struct ViewArgs {
     /// Width of the picture in pixels
     #[arg(long, default_value_t = crate::view::DEFAULT_WIDTH)]
     pub width: u32,
+}
+
+/// `ferrocut import`
+#[derive(Args)]
+pub struct ImportArgs {
+    /// The drawing; - reads standard input
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// The part program to write [default: standard output]
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Control language of the program: gsk990mc, kaitong or weihong [default: that of --dialect, set-up or machine]
+    #[arg(long, value_name = "NAME")]
+    pub to: Option<String>,
+    /// Draw the path too: a .png or .svg file
+    #[arg(long, value_name = "FILE")]
+    pub picture: Option<PathBuf>,
+    /// Width of the picture in pixels
+    #[arg(long, default_value_t = crate::view::DEFAULT_WIDTH)]
+    pub width: u32,
+    /// Kind of drawing, plt or dxf, where neither name nor content tell
+    #[arg(long, value_name = "KIND")]
+    pub from: Option<String>,
+    /// How far arcs may lie from ellipses and splines, mm [default: 0.01]
+    #[arg(long, value_name = "MM", help_heading = "Shape")]
+    pub tolerance: Option<f64>,
+    /// shortest, or as-drawn [default: shortest]
+    #[arg(long, value_name = "ORDER", help_heading = "Shape")]
+    pub order: Option<String>,
+    /// Factor on top of the unit [default: 1]
+    #[arg(long, value_name = "FACTOR", help_heading = "Shape")]
+    pub scale: Option<f64>,
+    /// Unit of a DXF drawing: mm, cm, m, inch, foot, mil, um [default: as the drawing says, else mm]
+    #[arg(long, value_name = "UNIT", help_heading = "Shape")]
+    pub units: Option<String>,
+    /// Units of a PLT drawing in one mm [default: 40]
+    #[arg(long, value_name = "NUMBER", help_heading = "Shape")]
+    pub units_per_mm: Option<f64>,
+    /// Values of a PLT point, 2 or 3; the third is work Z in units of the drawing [default: 2]
+    #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u8).range(2..=3), help_heading = "Shape")]
+    pub dims: Option<u8>,
+    /// Z at which the tool crosses over the work, mm [default: 5]
+    #[arg(long, value_name = "Z", allow_negative_numbers = true, help_heading = "Cutting")]
+    pub safe: Option<f64>,
+    /// Z of the cut, mm [default: -1]
+    #[arg(long, value_name = "Z", allow_negative_numbers = true, help_heading = "Cutting")]
+    pub depth: Option<f64>,
+    /// Feed along the drawing, mm/min [default: 600]
+    #[arg(long, value_name = "FEED", help_heading = "Cutting")]
+    pub feed: Option<f64>,
+    /// Feed into the material, mm/min [default: 300]
+    #[arg(long, value_name = "FEED", help_heading = "Cutting")]
+    pub plunge: Option<f64>,
+    /// Spindle speed, r/min [default: the spindle is left alone]
+    #[arg(long, value_name = "RPM", help_heading = "Cutting")]
+    pub spindle: Option<f64>,
+    /// Tool number [default: the tool in the spindle]
+    #[arg(long, value_name = "NUMBER", help_heading = "Cutting")]
+    pub tool: Option<u32>,
+    /// How a layer of a DXF drawing is cut: NAME=DEPTH,TOOL, then words F feed, P plunge, S spindle; or
+    /// NAME=skip. May be given several times
+    #[arg(long = "layer", value_name = "NAME=DEPTH,TOOL", help_heading = "Cutting")]
+    pub layers: Vec<String>,
+    /// The same for a pen of a PLT drawing: NUMBER=DEPTH,TOOL
+    #[arg(long = "pen", value_name = "NUMBER=DEPTH,TOOL", help_heading = "Cutting")]
+    pub pens: Vec<String>,
+    /// What every command takes.
+    #[command(flatten)]
+    pub common: Common,
 }
 
 fn percent<const MOST: u32>(text: &str) -> Result<f64, String> {

@@ -2,6 +2,7 @@
 
 use crate::cli::{Common, Format};
 use crate::diagnostics::Diagnostics;
+use crate::drawing::{FromDrawing, Opened, Source};
 use ferrocut_interpreter::dialects::guess::{Reason, guess};
 use ferrocut_interpreter::{Dialect, Interpreter, Options, dialects};
 use ferrocut_machine::{Alarm, Catalogue, Fault, Language, Machine, Memory, ParameterKey, Setup};
@@ -26,11 +27,40 @@ pub struct Failure {
     pub alarm: Box<Alarm>,
     /// With which status to leave.
     pub exit: Exit,
+    /// The file that it is about, and its text, where the alarm points into one.
+    pub file: String,
+    /// The text.
+    pub programs: Option<Box<ProgramMemory>>,
 }
 
 impl Failure {
+    /// A failure that points into no text.
+    pub fn new(alarm: Box<Alarm>, exit: Exit) -> Failure {
+        Failure { alarm, exit, file: String::new(), programs: None }
+    }
+
     fn wrong_use(fault: Fault) -> Failure {
-        Failure { alarm: Box::new(Alarm::core(fault, Span::default())), exit: Exit::WrongUse }
+        Failure::new(Box::new(Alarm::core(fault, Span::default())), Exit::WrongUse)
+    }
+
+    /// A setting that cannot be used.
+    pub fn setting(alarm: Box<Alarm>) -> Failure {
+        Failure::new(alarm, Exit::WrongUse)
+    }
+
+    /// A setting by its name and what was given for it.
+    pub fn bad_setting(setting: &str, value: &str) -> Failure {
+        Failure::wrong_use(Fault::ImportSetting).with("setting", setting).with("value", value)
+    }
+
+    /// A file that is no drawing.
+    pub fn no_drawing(file: &str) -> Failure {
+        Failure::wrong_use(Fault::NoDrawing).with("file", file)
+    }
+
+    /// A file that cannot be read.
+    pub fn unreadable(file: &str, reason: &str) -> Failure {
+        Failure::wrong_use(Fault::FileUnreadable).with("file", file).with("reason", reason)
     }
 
     /// A file that a result was to be written to.
@@ -46,6 +76,24 @@ impl Failure {
     /// A picture in a format that there is not.
     pub fn picture_format(file: &str) -> Failure {
         Failure::wrong_use(Fault::PictureFormat).with("file", file)
+    }
+
+    /// Why a file could not be opened as a program.
+    pub fn of_open(path: &Path, error: OpenError) -> Failure {
+        let name = path.to_string_lossy().into_owned();
+        let (fault, exit, reason) = match error {
+            OpenError::Io(error) => (Fault::FileUnreadable, Exit::WrongUse, Some(error.to_string())),
+            OpenError::Folder => (Fault::FileUnreadable, Exit::WrongUse, Some("it is a folder".to_owned())),
+            OpenError::NotText => (Fault::FileNotText, Exit::Finding, None),
+            OpenError::Utf16 => (Fault::FileNotText, Exit::Finding, None),
+            OpenError::Empty => (Fault::FileEmpty, Exit::Finding, None),
+        };
+        let mut failure =
+            Failure::new(Box::new(Alarm::core(fault, Span::default())), exit).with("file", name);
+        if let Some(reason) = reason {
+            failure = failure.with("reason", reason);
+        }
+        failure
     }
 
     fn with(mut self, name: &'static str, value: impl Into<ferrocut_machine::Argument>) -> Failure {
@@ -98,7 +146,7 @@ impl Public {
             Public::File(path) => (path.to_string_lossy(), Text::open(path)),
         };
         let path = Path::new(&*name);
-        let text = text.map_err(|error| Failure { exit: Exit::WrongUse, ..open_failure(path, error) })?;
+        let text = text.map_err(|error| Failure { exit: Exit::WrongUse, ..Failure::of_open(path, error) })?;
         programs.add(&name, text);
         Ok(())
     }
@@ -138,15 +186,22 @@ impl Shop {
         })
     }
 
-    /// The control language of a program: the one named, else the machine's, unless its text proves that it
-    /// is another, or where the machine is the built-in one, its name says so.
-    fn dialect(&self, text: &Text, path: &Path) -> Result<(&'static Dialect, Told), Failure> {
+    /// The control language that is named, else the machine's, which a drawing is written in.
+    pub fn own_dialect(&self) -> Result<(&'static Dialect, Told), Failure> {
         let name = self.dialect.as_ref().unwrap_or(&self.machine.dialect);
         let Some(dialect) = dialects::by_name(name) else {
             return Err(Failure::wrong_use(Fault::UnknownDialect).with("name", name.as_str()));
         };
+        let is_named = self.dialect.is_some() || !self.machine_is_built_in;
+        Ok((dialect, if is_named { Told::Named } else { Told::NotNamed }))
+    }
+
+    /// The control language of a program: the one named, else the machine's, unless its text proves that it
+    /// is another, or where the machine is the built-in one, its name says so.
+    fn dialect(&self, text: &Text, path: &Path) -> Result<(&'static Dialect, Told), Failure> {
+        let (dialect, told) = self.own_dialect()?;
         if self.dialect.is_some() {
-            return Ok((dialect, Told::Named));
+            return Ok((dialect, told));
         }
         let extension = path.extension().map(|e| e.to_string_lossy());
         let guess = guess(text, extension.as_deref(), dialect, !self.machine_is_built_in);
@@ -159,15 +214,34 @@ impl Shop {
 
     /// Opens a program. A guessed control language is told on standard error.
     pub fn job(&self, path: &Path) -> Result<Job, Failure> {
-        let text = open_text(path).map_err(|error| open_failure(path, error))?;
+        let text = match Source::open(path, self.setup.import.as_ref())? {
+            Opened::Drawing(source) => {
+                let (dialect, told) = self.own_dialect()?;
+                let (programs, drawing) = source.run(dialect)?;
+                return self.job_of(path, (dialect, told), programs, Some(drawing));
+            }
+            Opened::Program(Some(text)) => text,
+            Opened::Program(None) => open_text(path).map_err(|error| Failure::of_open(path, error))?,
+        };
         let (dialect, told) = self.dialect(&text, path)?;
         if let (Told::Guessed(_), false) = (told, self.diagnostics.is_json()) {
             eprintln!("{}: {}", path.display(), self.language(dialect, told));
         }
-        let mut programs = match path == Path::new("-") {
+        let programs = match path == Path::new("-") {
             true => ProgramMemory::new("standard input", text, dialect.syntax),
             false => ProgramMemory::at(path, text, dialect.syntax),
         };
+        self.job_of(path, (dialect, told), programs, None)
+    }
+
+    /// A job of a program that is in memory.
+    pub fn job_of(
+        &self,
+        path: &Path,
+        (dialect, told): (&'static Dialect, Told),
+        mut programs: ProgramMemory,
+        drawing: Option<FromDrawing>,
+    ) -> Result<Job, Failure> {
         if dialect.custom.is_some() {
             self.public.add_to(&mut programs)?;
         }
@@ -195,7 +269,7 @@ impl Shop {
             Some((input, *value))
         });
         let inputs = inputs.collect();
-        Ok(Job { path: path.to_path_buf(), dialect, told, programs, memory, inputs })
+        Ok(Job { path: path.to_path_buf(), dialect, told, programs, memory, inputs, drawing })
     }
 
     /// The control language and what it was told from, in words.
@@ -248,6 +322,7 @@ pub struct Job {
     programs: ProgramMemory,
     memory: Memory,
     inputs: Vec<(Input, f64)>,
+    drawing: Option<FromDrawing>,
 }
 
 /// A simulated input.
@@ -260,9 +335,34 @@ enum Input {
 }
 
 impl Job {
+    /// What was passed over in the drawing that the program was made from.
+    pub fn notes(&self) -> impl Iterator<Item = &Alarm> {
+        self.drawing.iter().flat_map(|drawing| drawing.warnings.iter().chain(&drawing.notes))
+    }
+
+    /// Takes the warnings about the drawing, for a command that shows them itself.
+    pub fn take_warnings(&mut self) -> Vec<Alarm> {
+        self.drawing.as_mut().map(|drawing| std::mem::take(&mut drawing.warnings)).unwrap_or_default()
+    }
+
+    /// Says on standard error that the file was taken for a drawing, and what of it was left out.
+    pub fn tell(&self, diagnostics: &Diagnostics) {
+        if let Some(drawing) = &self.drawing {
+            drawing.tell(&self.path.to_string_lossy(), &self.programs, diagnostics);
+        }
+    }
+
+    /// The programs, for showing what a span says.
+    pub fn programs(&self) -> &ProgramMemory {
+        &self.programs
+    }
+
     /// An interpreter before the first block.
     pub fn interpreter(self, options: Options) -> Interpreter {
         let mut interpreter = Interpreter::new(self.dialect, self.programs, self.memory, options);
+        if let Some(drawing) = self.drawing {
+            interpreter.set_origins(drawing.origins);
+        }
         for (input, value) in self.inputs {
             match input {
                 Input::Variable(variable) => interpreter.set_input(variable, value),
@@ -278,23 +378,6 @@ fn open_text(path: &Path) -> Result<Text, OpenError> {
         true => Text::from_reader(std::io::stdin().lock()),
         false => Text::open(path),
     }
-}
-
-fn open_failure(path: &Path, error: OpenError) -> Failure {
-    let name = path.to_string_lossy().into_owned();
-    let (fault, exit, reason) = match error {
-        OpenError::Io(error) => (Fault::FileUnreadable, Exit::WrongUse, Some(error.to_string())),
-        OpenError::Folder => (Fault::FileUnreadable, Exit::WrongUse, Some("it is a folder".to_owned())),
-        OpenError::NotText => (Fault::FileNotText, Exit::Finding, None),
-        OpenError::Utf16 => (Fault::FileNotText, Exit::Finding, None),
-        OpenError::Empty => (Fault::FileEmpty, Exit::Finding, None),
-    };
-    let mut failure =
-        Failure { alarm: Box::new(Alarm::core(fault, Span::default())), exit }.with("file", name);
-    if let Some(reason) = reason {
-        failure = failure.with("reason", reason);
-    }
-    failure
 }
 
 fn read_config<T>(

@@ -3,6 +3,7 @@
 mod cli;
 mod commands;
 mod diagnostics;
+mod drawing;
 mod job;
 mod report;
 mod samples;
@@ -21,11 +22,12 @@ fn main() -> ExitCode {
         Command::Run(args) => (commands::run::run(&args), args.common),
         Command::Time(args) => (commands::time::run(&args), args.common),
         Command::View(args) => (commands::view::run(&args), args.common),
+        Command::Import(args) => (commands::import::run(&args), args.common),
         Command::Explain(args) => (commands::explain::run(&args), args.common()),
         Command::Machine(args) => (commands::machine::run(&args), args.common()),
     };
-    let exit = done.unwrap_or_else(|Failure { alarm, exit }| {
-        job::diagnostics(&common).report(&alarm, "", None);
+    let exit = done.unwrap_or_else(|Failure { alarm, exit, file, programs }| {
+        job::diagnostics(&common).report(&alarm, &file, programs.as_deref());
         exit
     });
     ExitCode::from(match exit {

@@ -50,18 +50,21 @@ pub fn run(args: &CheckArgs) -> Result<Exit, Failure> {
 fn check(shop: &Shop, path: &Path, colour: bool) -> Findings {
     let mut found = Findings { text: Vec::new(), count: 0, exit: Exit::Fine };
     let name = path.to_string_lossy();
-    let job = match shop.job(path) {
+    let mut job = match shop.job(path) {
         Ok(job) => job,
-        Err(Failure { alarm, exit }) => {
-            let _ = shop.diagnostics.write(&mut found.text, &alarm, &name, None, colour);
+        Err(Failure { alarm, exit, programs, .. }) => {
+            let programs = programs.as_deref();
+            let _ = shop.diagnostics.write(&mut found.text, &alarm, &name, programs, colour);
             found.count = 1;
             found.exit = exit;
             return found;
         }
     };
+    let warnings = job.take_warnings();
+    job.tell(&shop.diagnostics);
     let mut supervisor = Supervisor::new(&shop.machine, job.dialect, shop.options().start);
     let mut interpreter = job.interpreter(Options { keep_going: true, ..shop.options() });
-    let mut pending: Vec<Alarm> = Vec::new();
+    let mut pending = warnings;
     while let Some(step) = interpreter.next() {
         match step {
             Ok(step) => supervisor.step(&step, |alarm| pending.push(alarm)),

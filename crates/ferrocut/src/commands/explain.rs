@@ -185,7 +185,7 @@ pub fn dialect_of(common: &Common, machine: &Machine) -> Result<&'static Dialect
     let name = common.dialect.as_deref().unwrap_or(&machine.dialect);
     dialects::by_name(name).ok_or_else(|| {
         let alarm = Alarm::core(Fault::UnknownDialect, Span::default()).with("name", name);
-        Failure { alarm: Box::new(alarm), exit: Exit::WrongUse }
+        Failure::new(Box::new(alarm), Exit::WrongUse)
     })
 }
 
@@ -215,5 +215,5 @@ pub fn unusable(path: &Path, reason: &str) -> Failure {
     let alarm = Alarm::core(Fault::ConfigUnusable, Span::default())
         .with("file", path.to_string_lossy().into_owned())
         .with("reason", reason);
-    Failure { alarm: Box::new(alarm), exit: Exit::WrongUse }
+    Failure::new(Box::new(alarm), Exit::WrongUse)
 }

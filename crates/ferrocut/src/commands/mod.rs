@@ -2,6 +2,7 @@
 
 pub mod check;
 pub mod explain;
+pub mod import;
 pub mod layout;
 pub mod machine;
 pub mod names;

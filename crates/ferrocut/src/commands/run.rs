@@ -33,6 +33,7 @@ struct JsonRun<'a> {
 pub fn run(args: &RunArgs) -> Result<Exit, Failure> {
     let shop = Shop::open(&args.common)?;
     let job = shop.job(&args.file)?;
+    job.tell(&shop.diagnostics);
     let name = job.path.to_string_lossy().into_owned();
     let dialect = job.dialect.name;
     let is_json = shop.diagnostics.is_json();
@@ -46,7 +47,7 @@ pub fn run(args: &RunArgs) -> Result<Exit, Failure> {
         let _ = write_header(&mut io::stdout().lock(), &shop, &job, &name);
     }
     let interpreter = job.interpreter(Options { loops_forever: args.realtime, ..shop.options() });
-    let length = interpreter.programs().text(ferrocut_program::FileId(0)).map_or(0, |t| t.len());
+    let length = interpreter.programs().text(interpreter.main_file()).map_or(0, |t| t.len());
     let mut cnc = Cnc::new(&shop.machine, interpreter);
     cnc.set_override(args.feed_override / 100.0, args.rapid_override / 100.0);
     let clock = if args.realtime { Clock::real(shop.machine.servo_period_ms) } else { Clock::Virtual };
@@ -198,7 +199,7 @@ impl Screen {
             return;
         }
         self.next = now + REDRAW;
-        if tick.span.file.0 == 0 {
+        if tick.span.file == cnc.interpreter().main_file() {
             self.bar.set_position(tick.span.offset);
         }
         let position: Vec<String> =

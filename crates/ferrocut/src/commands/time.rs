@@ -11,6 +11,7 @@ use std::io::{self, Write};
 pub fn run(args: &TimeArgs) -> Result<Exit, Failure> {
     let shop = Shop::open(&args.common)?;
     let job = shop.job(&args.file)?;
+    job.tell(&shop.diagnostics);
     let name = job.path.to_string_lossy().into_owned();
     let mut cnc = Cnc::new(&shop.machine, job.interpreter(shop.options()));
     loop {

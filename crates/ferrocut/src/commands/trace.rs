@@ -3,7 +3,9 @@
 use crate::cli::TraceArgs;
 use crate::job::{Exit, Failure, Shop};
 use ferrocut_interpreter::Interpreter;
-use ferrocut_toolpath::TraceWriter;
+use ferrocut_machine::Alarm;
+use ferrocut_program::ProgramMemory;
+use ferrocut_toolpath::{Op, Step, TraceWriter};
 use std::io::{self, Write};
 
 /// Runs the command.
@@ -11,9 +13,16 @@ pub fn run(args: &TraceArgs) -> Result<Exit, Failure> {
     let shop = Shop::open(&args.common)?;
     let job = shop.job(&args.file)?;
     let name = job.path.to_string_lossy().into_owned();
+    job.tell(&shop.diagnostics);
+    let notes: Vec<Step> = job.notes().map(|note| message(&shop, note, job.programs())).collect();
     let mut interpreter = job.interpreter(shop.options());
     let mut trace = TraceWriter::new(io::stdout().lock(), shop.options().start);
-    match write(&shop, &mut interpreter, &mut trace) {
+    trace.set_main(interpreter.main_file());
+    match notes
+        .iter()
+        .try_for_each(|note| trace.step(note))
+        .and_then(|()| write(&shop, &mut interpreter, &mut trace))
+    {
         Ok(alarm) => {
             // A reader that went away (a closed pipe) is no fault of the program.
             let _ = trace.finish();
@@ -25,12 +34,18 @@ pub fn run(args: &TraceArgs) -> Result<Exit, Failure> {
     }
 }
 
+/// What was passed over in a drawing, as text for the operator (Weihong PLT jobs).
+fn message(shop: &Shop, note: &Alarm, programs: &ProgramMemory) -> Step {
+    let text = shop.diagnostics.message(note, Some(programs));
+    Step { op: Op::Message(text.into()), span: note.span }
+}
+
 /// Writes steps to the end or to the first alarm, which is returned.
 fn write<W: Write>(
     shop: &Shop,
     interpreter: &mut Interpreter,
     trace: &mut TraceWriter<W>,
-) -> io::Result<Option<Box<ferrocut_machine::Alarm>>> {
+) -> io::Result<Option<Box<Alarm>>> {
     loop {
         let (span, step) = match interpreter.next() {
             None => return Ok(None),

@@ -13,6 +13,7 @@ pub fn run(args: &ViewArgs) -> Result<Exit, Failure> {
         return Err(Failure::picture_format(&args.output.to_string_lossy()));
     };
     let job = shop.job(&args.file)?;
+    job.tell(&shop.diagnostics);
     let name = job.path.to_string_lossy().into_owned();
     let mut interpreter = job.interpreter(shop.options());
     let mut model = PathModel::new(shop.options().start);
@@ -46,7 +47,7 @@ pub fn run(args: &ViewArgs) -> Result<Exit, Failure> {
 }
 
 /// The format that the name of a file asks for.
-fn picture_format(path: &Path) -> Option<Picture> {
+pub fn picture_format(path: &Path) -> Option<Picture> {
     match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
         "png" => Some(Picture::Png),
         "svg" => Some(Picture::Svg),

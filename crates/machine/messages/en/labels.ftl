@@ -218,3 +218,13 @@ label-machine-spindle-sluggish = the spindle takes { $value } s to reach its hig
 label-machine-tolerance = a path that may be { $value } mm off cuts no part; is tolerance in mm?
 label-machine-tool-change = a tool change takes { $value } s; is time_s in seconds?
 label-quote-bits = Names of bit parameters stand in quotation marks: "NO43.1" = 1
+
+## Drawings
+
+label-drawing-by-name = { $file }: read as a { $kind } drawing (by its name)
+label-drawing-by-content = { $file }: read as a { $kind } drawing (by its content)
+label-stage-read = reading the drawing
+label-stage-plan = planning the order
+label-stage-write = writing the program
+label-stage-prove = running through the program
+label-drawing-made = { $file }: { $kind }, { $wide } x { $high } mm, { $curves } cuts over { $cut } mm, { $ways } times lowered, { $way } mm in the air

@@ -203,3 +203,13 @@ label-machine-spindle-sluggish = 主轴达到最高转速需 { $value } s；acce
 label-machine-tolerance = 轨迹偏差 { $value } mm 无法加工零件；tolerance 的单位是 mm 吗？
 label-machine-tool-change = 换刀需 { $value } s；time_s 的单位是秒吗？
 label-quote-bits = 位参数的名称须加引号："NO43.1" = 1
+
+## 图纸
+
+label-drawing-by-name = { $file }：按 { $kind } 图纸读取（依据文件名）
+label-drawing-by-content = { $file }：按 { $kind } 图纸读取（依据内容）
+label-stage-read = 正在读取图纸
+label-stage-plan = 正在安排顺序
+label-stage-write = 正在写程序
+label-stage-prove = 正在试算程序
+label-drawing-made = { $file }：{ $kind }，{ $wide } x { $high } mm，切削 { $curves } 段共 { $cut } mm，下刀 { $ways } 次，空行程 { $way } mm

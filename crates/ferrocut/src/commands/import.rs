@@ -1,0 +1,216 @@
+//! `ferrocut import`: a drawing to a part program.
+
+use crate::cli::ImportArgs;
+use crate::commands::layout::print;
+use crate::commands::view::picture_format;
+use crate::drawing::{FromDrawing, Made, Opened, Source};
+use crate::job::{Exit, Failure, Shop};
+use crate::view::{PathModel, render};
+use ferrocut_exchange::write::Ends;
+use ferrocut_exchange::{Change, Format, Order, Settings, settings};
+use ferrocut_machine::Alarm;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::io::{self, Write};
+use std::path::Path;
+use std::time::Duration;
+
+/// Runs the command.
+pub fn run(args: &ImportArgs) -> Result<Exit, Failure> {
+    let mut common = args.common.clone();
+    if args.to.is_some() {
+        common.dialect = args.to.clone();
+    }
+    let shop = Shop::open(&common)?;
+    let (dialect, told) = shop.own_dialect()?;
+    let picture = match &args.picture {
+        None => None,
+        Some(path) => {
+            let format = picture_format(path);
+            let format = format.ok_or_else(|| Failure::picture_format(&path.to_string_lossy()))?;
+            Some((path, format))
+        }
+    };
+    let source = source(args, &shop)?;
+    let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
+    bar.set_style(ProgressStyle::default_spinner());
+    bar.enable_steady_tick(Duration::from_millis(100));
+    let stage = |key: &str| bar.set_message(shop.diagnostics.catalogue().label(key, &[]));
+    let made = source.program(dialect, Ends::Raised, stage);
+    let made = made.inspect_err(|_| bar.finish_and_clear())?;
+    stage("label-stage-prove");
+    let Made { drawing, program } = made;
+    let (text, summary) = (program.text.clone(), program.summary);
+    let (programs, origins) = source.memory(program, dialect)?;
+    let from = FromDrawing::new(&source, origins, drawing);
+    let job = shop.job_of(&args.file, (dialect, told), programs, Some(from))?;
+    bar.suspend(|| job.tell(&shop.diagnostics));
+    // The program is run through before it is given away.
+    let mut interpreter = job.interpreter(shop.options());
+    let mut model = PathModel::new(shop.options().start);
+    model.set_work_zero(interpreter.work_zero());
+    let mut fault: Option<Box<Alarm>> = None;
+    for step in &mut interpreter {
+        match step {
+            Ok(step) if picture.is_some() => model.step(&step.op),
+            Ok(_) => {}
+            Err(alarm) => fault = Some(alarm),
+        }
+    }
+    bar.finish_and_clear();
+    if let Some(alarm) = &fault {
+        shop.diagnostics.report(alarm, &source.name, Some(interpreter.programs()));
+    }
+    let cannot_write = |path: &Path, reason: &dyn ToString| {
+        Failure::cannot_write_for(&path.to_string_lossy(), &reason.to_string())
+    };
+    let is_kept = args.output.as_deref().is_some_and(|path| path != Path::new("-"));
+    match args.output.as_deref().filter(|_| is_kept) {
+        Some(path) => std::fs::write(path, &text).map_err(|e| cannot_write(path, &e))?,
+        None => print(&text),
+    }
+    if let Some((path, format)) = picture {
+        let title =
+            Path::new(&source.name).file_name().map_or_else(String::new, |n| n.to_string_lossy().into());
+        let bytes = render(&model, &title, args.width, format).map_err(|e| cannot_write(path, &e))?;
+        std::fs::write(path, bytes).map_err(|e| cannot_write(path, &e))?;
+    }
+    // Standard output is the program's unless it went to a file.
+    let said = said(args, &shop, &source, &summary, dialect.name);
+    match is_kept {
+        true => print(&said),
+        // Nobody is left to tell if standard error is closed.
+        false => drop(io::stderr().lock().write_all(said.as_bytes())),
+    }
+    Ok(if fault.is_some() { Exit::Finding } else { Exit::Fine })
+}
+
+/// The drawing with the settings of the set-up file and those of the command line, which win.
+fn source(args: &ImportArgs, shop: &Shop) -> Result<Box<Source>, Failure> {
+    let (mut settings, named) = match &shop.setup.import {
+        Some(setup) => {
+            let (settings, format) = Settings::of(setup, default_order(args, setup.dims.map(|n| n.0)))
+                .map_err(Failure::setting)?;
+            (settings, Some(format))
+        }
+        None => (Settings { order: default_order(args, None), ..Settings::default() }, None),
+    };
+    apply(args, &mut settings)?;
+    settings.check().map_err(Failure::setting)?;
+    let told = match &args.from {
+        Some(name) => Some(Format::named(name).ok_or_else(|| Failure::bad_setting("--from", name))?),
+        None => named,
+    };
+    // Only a drawing is looked for: what is none must be named.
+    match Source::open_as(&args.file, told.map(|format| (settings.clone(), format)))? {
+        Opened::Drawing(mut source) => {
+            source.settings = settings;
+            Ok(source)
+        }
+        Opened::Program(_) => {
+            let path = &args.file;
+            // A file that is not there is told as such.
+            if path != Path::new("-") {
+                std::fs::metadata(path)
+                    .map_err(|e| Failure::unreadable(&path.to_string_lossy(), &e.to_string()))?;
+            }
+            Err(Failure::no_drawing(&path.to_string_lossy()))
+        }
+    }
+}
+
+/// A program that is kept is cut in the shortest order, save in space, where the order may matter.
+fn default_order(args: &ImportArgs, dims: Option<f64>) -> Order {
+    let dims = args.dims.map(f64::from).or(dims);
+    if dims == Some(3.0) { Order::AsDrawn } else { Order::Shortest }
+}
+
+/// Puts the options of the command line over the settings.
+fn apply(args: &ImportArgs, to: &mut Settings) -> Result<(), Failure> {
+    let set = |place: &mut f64, value: Option<f64>| {
+        if let Some(value) = value {
+            *place = value;
+        }
+    };
+    set(&mut to.units_per_mm, args.units_per_mm);
+    set(&mut to.scale, args.scale);
+    set(&mut to.tolerance, args.tolerance);
+    set(&mut to.pen_up, args.safe);
+    set(&mut to.cutting.depth, args.depth);
+    set(&mut to.cutting.feed, args.feed);
+    set(&mut to.cutting.plunge, args.plunge);
+    to.cutting.spindle = args.spindle.or(to.cutting.spindle);
+    to.cutting.tool = args.tool.or(to.cutting.tool);
+    if let Some(dims) = args.dims {
+        to.three_dimensional = dims == 3;
+    }
+    if let Some(name) = &args.units {
+        to.unit = Some(settings::unit_named(name).ok_or_else(|| Failure::bad_setting("--units", name))?);
+    }
+    if let Some(name) = &args.order {
+        to.order = Order::named(name).ok_or_else(|| Failure::bad_setting("--order", name))?;
+    }
+    for (option, given, rows) in
+        [("--layer", &args.layers, &mut to.layers), ("--pen", &args.pens, &mut to.pens)]
+    {
+        for text in given {
+            // Names may hold an equals sign, what stands behind the last one does not.
+            let row = text.rsplit_once('=').and_then(|(name, change)| Some((name, Change::parse(change)?)));
+            let (name, change) = row.ok_or_else(|| Failure::bad_setting(option, text))?;
+            rows.push((name.into(), change));
+        }
+    }
+    Ok(())
+}
+
+/// What was done, in a line or as an object.
+fn said(
+    args: &ImportArgs,
+    shop: &Shop,
+    source: &Source,
+    summary: &ferrocut_exchange::Summary,
+    dialect: &str,
+) -> String {
+    let file = |path: &Option<std::path::PathBuf>| path.as_ref().map(|p| p.to_string_lossy().into_owned());
+    if shop.diagnostics.is_json() {
+        let rounded = |mm: f64| (mm * 1e3).round() / 1e3;
+        let said = serde_json::json!({
+            "drawing": source.name,
+            "format": source.format.name(),
+            "dialect": dialect,
+            "program": file(&args.output),
+            "picture": file(&args.picture),
+            "lines": summary.lines,
+            "arcs": summary.arcs,
+            "lowered": summary.lowered,
+            "cutting_mm": rounded(summary.cut_mm),
+            "rapid_mm": rounded(summary.way_mm),
+            "min": summary.extent.map(|[low, _]| low.map(rounded)),
+            "max": summary.extent.map(|[_, high]| high.map(rounded)),
+        });
+        return format!("{said}\n");
+    }
+    let label = |key: &str, arguments: &[_]| shop.diagnostics.catalogue().label(key, arguments);
+    let size = |axis: usize| {
+        let size = summary.extent.map_or(0.0, |[low, high]| high[axis] - low[axis]);
+        ((size * 1e3).round() / 1e3).to_string()
+    };
+    let mut said = label(
+        "label-drawing-made",
+        &[
+            ("file", source.name.as_str().into()),
+            ("kind", source.format.name().into()),
+            ("wide", size(0).into()),
+            ("high", size(1).into()),
+            ("curves", ((summary.lines + summary.arcs) as f64).into()),
+            ("cut", format!("{:.1}", summary.cut_mm).into()),
+            ("ways", (summary.lowered as f64).into()),
+            ("way", format!("{:.1}", summary.way_mm).into()),
+        ],
+    );
+    said.push('\n');
+    for written in [file(&args.output), file(&args.picture)].into_iter().flatten() {
+        said.push_str(&label("label-written", &[("file", written.into())]));
+        said.push('\n');
+    }
+    said
+}
