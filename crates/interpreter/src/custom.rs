@@ -175,6 +175,10 @@ impl Interpreter {
         if let Custom::G(_) = code {
             self.pass_words(rest.part == Part::Holes);
         }
+        // P beside an M code of the shop is its own and no dwell.
+        if let Custom::M(_) = code {
+            self.words.take(b'P');
+        }
         let id = ProgramId::Number(number);
         self.call(&id, 1, None, span)?;
         let off = self.dialect.cycle_off;

@@ -261,6 +261,10 @@ impl Interpreter {
         if codes.non_modal.is_some_and(|code| code.row.meaning == Meaning::DataSetting) {
             self.check_data_block_is_alone()?;
         }
+        // The words beside a call are its arguments.
+        if codes.non_modal.is_some_and(|code| code.row.meaning == Meaning::Call) {
+            return self.finish_block(&mut rest);
+        }
         if self.words.has_any(FEED_LETTERS) {
             match self.is_pitch_block() {
                 true => self.pitch_words()?,
@@ -270,8 +274,10 @@ impl Interpreter {
                 false => self.feed_word()?,
             }
         }
-        // With G92 an S is the highest speed of G96 (6.3).
-        if self.words.has(b'S') && codes.non_modal.map(|c| c.row.meaning) != Some(Meaning::SetPosition) {
+        // With G92 an S is the highest speed of G96 (6.3), where there is such a code.
+        let limits_speed = self.rules.surface_speed
+            && codes.non_modal.is_some_and(|code| code.row.meaning == Meaning::SetPosition);
+        if self.words.has(b'S') && !limits_speed {
             self.speed_word()?;
         }
         if let Some(tool) = self.words.get(b'T') {
@@ -318,6 +324,7 @@ impl Interpreter {
                 return self.call_custom(code, rest, span);
             }
             match rest.codes.non_modal {
+                Some(code) if code.row.meaning == Meaning::Call => self.non_modal(code, axes, length)?,
                 Some(code) => {
                     // What ends compensation ends it before the code (`G53 G49 Z0`); the axes stand still.
                     if self.length_ends(length) && code.row.meaning != Meaning::SetPosition {
@@ -383,7 +390,8 @@ impl Interpreter {
             }
             match row.group {
                 Group::NonModal if row.meaning == Meaning::FullFeed => self.full_feed = true,
-                Group::NonModal if row.meaning == Meaning::NoEffect => {}
+                // Its H is the number of an axis (Weihong 4.4, G916 to G919).
+                Group::NonModal if row.meaning == Meaning::NoEffect => drop(self.words.take(b'H')),
                 Group::NonModal if row.meaning == Meaning::ShortestWay => codes.rotary.shortest = true,
                 Group::NonModal if row.meaning == Meaning::InDegrees => codes.rotary.degrees = true,
                 Group::NonModal if row.meaning == Meaning::OneWay && self.rules.one_way_is_modal => {
@@ -1035,7 +1043,7 @@ impl Interpreter {
                 if length.is_some() {
                     return Err(self.alarm(Fault::LengthWithCoordinateSet, self.words.block_span()));
                 }
-                if let Some(s) = self.words.get(b'S') {
+                if let Some(s) = self.words.get(b'S').filter(|_| self.rules.surface_speed) {
                     self.technology.surface_max_rpm = Some(s);
                     self.tell_speed();
                 }

@@ -36,7 +36,8 @@ impl Interpreter {
 
     /// M802 P: a number for the control. One is done here, the others are the machine's.
     pub(crate) fn internal_number(&mut self) -> Fallible<()> {
-        if self.words.get(b'P') != Some(CLEAR_EXTERNAL_OFFSET) {
+        // No word for the rest of the block.
+        if self.words.take(b'P') != Some(CLEAR_EXTERNAL_OFFSET) {
             self.emit(Op::Machine(802));
             return Ok(());
         }
@@ -67,7 +68,8 @@ impl Interpreter {
         let Some((address, number)) = self.port(long::PLC).or(old) else {
             return Err(self.missing("PLC", span));
         };
-        let level = self.words.long(long::LEVEL).or_else(|| self.words.get(b'P'));
+        let old_level = self.words.take(b'P');
+        let level = self.words.long(long::LEVEL).or(old_level);
         let Some(value) = level else { return Err(self.missing("LEVEL", span)) };
         if let Some(port) = number.and_then(whole_port) {
             self.outputs.insert(port, value);

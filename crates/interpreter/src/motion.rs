@@ -376,9 +376,6 @@ impl Interpreter {
         let word = |letter| units::length_mm(self.words.get(letter).unwrap_or(0.0), inch);
         let mut vector = [word(i), word(j)];
         if self.rules.motion.centre_is_absolute {
-            if !(self.words.has(i) && self.words.has(j)) {
-                return Err(self.alarm(Fault::ArcWithoutCentre, self.words.block_span()));
-            }
             let [a, b] = plane.of(self.location.programmed);
             vector = [vector[0] - a, vector[1] - b];
         }

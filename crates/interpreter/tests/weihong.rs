@@ -482,3 +482,47 @@ fn programs_break_rules() {
         assert_eq!((alarm.fault, at_fault(program, &alarm)), (fault, words), "{program}");
     }
 }
+
+#[test]
+fn words_belong_to_the_code_that_takes_them() {
+    let tools = "[tools.1]\nlength = 1\n[tools.2]\nlength = 2";
+    hold(&[
+        // S beside G92 is the speed of the spindle: there is no G96 that it could limit.
+        ("G92 X0 Y0 Z0 M03 S600\nG01 X1 F500\nM30", "", &["spindle cw 600", "feed X1 F500", "end M30"]),
+        // P of M802 and M901 is no dwell of the cycle in force.
+        (
+            "S100 M3\nG00 Z10\nG99 G82 X5 Z-6 R0 F200 P500\nM802 P196609\nX6\nM901 H2 P1\nG80 M5\nM30",
+            "",
+            &[
+                "spindle cw 100",
+                "rapid Z10",
+                "rapid X5",
+                "rapid Z0",
+                "feed Z-6 F200",
+                "dwell 0.5s",
+                "rapid Z0",
+                "M802",
+                "rapid X6",
+                "feed Z-6 F200",
+                "dwell 0.5s",
+                "rapid Z0",
+                "out 2 1",
+                "spindle off",
+                "end M30",
+            ],
+        ),
+        // H of G919 is an axis, H of G65 an argument.
+        ("G43 H1 G00 Z10\nG919 H0\nG00 Z12\nM30", tools, &["rapid Z11", "rapid Z13", "end M30"]),
+        (
+            "G43 H1 G00 Z5\nG65 P10 H2 F50 T4\nZ6\nM30\nO10\nG00 X1\nM17",
+            tools,
+            &["rapid Z6", "rapid X1", "rapid Z7", "end M30"],
+        ),
+        // 4.3: with the centre in work coordinates a word left out is 0.
+        (
+            "G00 X10 Y0\nG03 X0 Y10 I0 F100\nM30",
+            "[parameters]\nIJK_INCREMENTAL = 0",
+            &["rapid X10", "xy X0 Y10 about 0 0 by 90 F100", "end M30"],
+        ),
+    ]);
+}
