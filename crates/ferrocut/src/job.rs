@@ -3,6 +3,7 @@
 use crate::cli::{Common, Format};
 use crate::diagnostics::Diagnostics;
 use crate::drawing::{FromDrawing, Opened, Source};
+use ferrocut_geometry::AxisNames;
 use ferrocut_interpreter::dialects::guess::{Reason, guess};
 use ferrocut_interpreter::{Dialect, Interpreter, Options, dialects};
 use ferrocut_machine::{Alarm, Catalogue, Fault, Language, Machine, Memory, ParameterKey, Setup};
@@ -112,6 +113,7 @@ pub struct Shop {
     pub setup: Setup,
     /// How messages are shown.
     pub diagnostics: Diagnostics,
+    axis_names: AxisNames,
     dialect: Option<String>,
     public: Public,
     block_skip: bool,
@@ -174,9 +176,13 @@ impl Shop {
             None => Setup::default(),
             Some(path) => read_config(path, Setup::from_toml)?,
         };
+        let axis_names = setup.axis_names().map_err(|error| {
+            Failure::wrong_use(Fault::ConfigUnusable).with("file", "setup").with("reason", error.to_string())
+        })?;
         Ok(Shop {
             public: Public::of(common, &machine),
             machine,
+            axis_names,
             machine_is_built_in: common.machine.is_none(),
             dialect: common.dialect.clone().or_else(|| setup.dialect.clone()),
             block_skip: common.block_skip || setup.options.block_skip,
@@ -291,7 +297,8 @@ impl Shop {
     /// How the operator's switches stand.
     pub fn options(&self) -> Options {
         Options {
-            start: self.setup.start.position(),
+            start: self.setup.start.position_of(&self.axis_names),
+            axis_names: self.axis_names,
             block_skip: self.block_skip,
             optional_stop: self.optional_stop,
             skip: self.setup.signals.skip.as_ref().map(|signal| (signal.axis, signal.at)),

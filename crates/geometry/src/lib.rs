@@ -6,10 +6,12 @@
 //! Read [`position`] first (axes and points), then [`arc`] (arcs and helices).
 
 pub mod arc;
+pub mod axis_names;
 pub mod plane;
 pub mod position;
 
 pub use arc::{Arc, RadiusError, Turn};
+pub use axis_names::{AxisName, AxisNames};
 pub use plane::Plane;
 pub use position::{AXES, Axis, AxisSet, Position};
 

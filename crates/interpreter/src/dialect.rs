@@ -5,7 +5,10 @@
 //! parameters set. Code that two languages share stands outside their folders and reads these.
 
 use crate::coordinates;
+use crate::cycles::described::{DescribedCycle, DescribedFigure};
+use crate::cycles::zone::FigureFormat;
 use crate::cycles::{self, CycleKind, Pattern};
+use crate::directives::Directive;
 use crate::evaluate::{Arithmetic, Value};
 use crate::modal::{Group, Modal};
 use crate::motion;
@@ -125,6 +128,22 @@ pub enum Meaning {
     Call,
     /// A row, circle or grid of the holes of the cycle in force.
     Pattern(Pattern),
+    /// The cycle in force on the points of a figure, whose words stand behind the code.
+    Figure(&'static FigureFormat),
+    /// The axes of the plane and of the tool, by the numbers of their words.
+    ChooseAxes,
+    /// Homing of the axes named.
+    HomeSearch,
+    /// Origin of polar words.
+    PolarOrigin,
+    /// A corner of a profile is rounded.
+    ProfileRound,
+    /// It is cut off.
+    ProfileChamfer,
+    /// A profile is entered on an arc.
+    ProfileEntry,
+    /// It is left on one.
+    ProfileExit,
     /// Axes move until inputs come.
     MoveUntilInput,
     /// The control waits for motion, and for an input.
@@ -282,6 +301,8 @@ pub enum Variable {
     Outputs,
     /// The parameter with a name, by its place in the control's list.
     Parameter(u16),
+    /// A parameter of the canned cycle in force, by its letter.
+    CycleParameter(u8),
     /// A table that the machine's builder fills.
     UserTable,
 }
@@ -305,6 +326,8 @@ pub struct Rules {
     pub helix_feed_along_circle: bool,
     /// Largest difference of an arc's start and end radius, mm.
     pub arc_tolerance: f64,
+    /// Address of a dwell in seconds.
+    pub dwell_letter: u8,
     /// Seconds that P1 of a dwell stands for.
     pub dwell_p_unit_s: f64,
     /// Dwell counts spindle turns in feed per revolution.
@@ -400,6 +423,11 @@ pub struct Rules {
     /// The way to the intermediate point of a reference point is cutter-compensated; else compensation is
     /// left aside from there on.
     pub reference_keeps_cutter: bool,
+    /// D names an offset of the tool in the spindle, in force from M6 on without another code; else a number
+    /// of the table.
+    pub tools_carry_offsets: bool,
+    /// A choice of plane ends canned cycles; else it is an alarm while one is in force.
+    pub plane_ends_cycle: bool,
     /// Axes that the control carries.
     pub axes: AxisSet,
     /// Those of them that are linear.
@@ -490,6 +518,12 @@ pub struct Dialect {
     pub unset_variable: Value,
     /// Programs that stand for codes, where the control has such.
     pub custom: Option<CustomPrograms>,
+    /// Directives by their first name.
+    pub directives: &'static [(&'static str, Directive)],
+    /// Cycles that directives describe.
+    pub described_cycles: &'static [DescribedCycle],
+    /// Figures on which they are repeated.
+    pub described_figures: &'static [DescribedFigure],
     /// What a variable stands for; `None` for one that does not exist.
     pub variable: fn(u32) -> Option<Variable>,
     /// The local variable that an address of a macro call sets.
@@ -517,6 +551,11 @@ impl Dialect {
     pub fn g_code(&self, tenths: u16) -> Option<&'static GCode> {
         let at = self.g_codes.binary_search_by_key(&tenths, |g| g.tenths).ok()?;
         self.g_codes.get(at)
+    }
+
+    /// The code of a working plane.
+    pub fn plane_code(&self, plane: Plane) -> Option<&'static GCode> {
+        self.g_codes.iter().find(|g| g.meaning == Meaning::Plane(plane))
     }
 
     /// The row of an M code.

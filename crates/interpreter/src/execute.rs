@@ -164,6 +164,7 @@ impl Interpreter {
                 done => done,
             };
         }
+        let tool_axis = self.plane_axes()[2];
         for word in page.words(block) {
             let value = match word.value() {
                 WordValue::Number(value) => Ok(value),
@@ -196,6 +197,8 @@ impl Interpreter {
                 max_m_code: self.rules.max_m_code,
                 distance_is_exclusive: self.rules.distance_is_exclusive,
                 custom: self.custom.as_deref(),
+                tool_axis,
+                axis_names: self.options.axis_names,
             };
             let read = match value {
                 Ok(value) => reader.word(&mut self.words, word, value),
@@ -229,6 +232,9 @@ impl Interpreter {
 
     /// Executes a block whose words were all read.
     fn block_of_words(&mut self) -> Fallible<()> {
+        if self.described.profiles.is_recording() {
+            return self.profile_block();
+        }
         self.check_m_codes()?;
         if self.technology.rigid_tapping
             && self.words.has(b'S')
@@ -291,7 +297,10 @@ impl Interpreter {
             }
             self.emit(Op::Select(tool as u32));
         }
-        if codes.cutter || self.words.has(b'D') {
+        if self.rules.tools_carry_offsets {
+            self.offset_word();
+        }
+        if codes.cutter || self.words.has(b'D') && !self.rules.tools_carry_offsets {
             self.cutter_words(codes.cutter)?;
         }
         if let Some(rotary) = self.rules.motion.rotary_y {
@@ -338,6 +347,7 @@ impl Interpreter {
                     }
                 }
                 None if rest.codes.takes_words => self.length_by_itself(length)?,
+                None if self.is_zone_block() => self.zone_block(axes)?,
                 None if self.cycle_kind().is_some() => self.cycle_block(axes, length)?,
                 None => {
                     let length_moves = self.length_words(length, axes)?;
@@ -370,8 +380,10 @@ impl Interpreter {
         let mut motion = false;
         let mut cycle = None;
         let mut length = None;
-        let ends_cycle =
-            |code: &Code<GCode>| code.row.group == Group::Motion || code.row.meaning == Meaning::CycleOff;
+        let beside_motion = self.rules.cycles.stand_beside_motion;
+        let ends_cycle = |code: &Code<GCode>| {
+            code.row.group == Group::Motion && !beside_motion || code.row.meaning == Meaning::CycleOff
+        };
         if self.words.g.iter().any(ends_cycle) {
             self.cancel_cycle();
         }
@@ -412,6 +424,11 @@ impl Interpreter {
                 Group::WorkOffset => {
                     self.select_work_offset(row.meaning, span)?;
                     self.modal.set(row);
+                }
+                Group::Plane if self.rules.plane_ends_cycle => {
+                    let was = self.plane_axes();
+                    self.modal.set(row);
+                    self.plane_chosen(was);
                 }
                 Group::Plane => {
                     let was = self.modal.plane();
@@ -461,7 +478,7 @@ impl Interpreter {
         }
         // A motion code ends the cycle, also one of the same block (GSK990MC 4.1 note 6).
         match cycle {
-            _ if motion => self.cancel_cycle(),
+            _ if motion && !beside_motion => self.cancel_cycle(),
             Some(row) if row.meaning == Meaning::CycleOff => self.cancel_cycle(),
             Some(row) => self.modal.set(row),
             None => {}
@@ -694,9 +711,17 @@ impl Interpreter {
         if self.rules.radius_is_diameter { entered / 2.0 } else { entered }
     }
 
+    /// D of the tool in the spindle; with M6 it is that of the tool that comes.
+    fn offset_word(&mut self) {
+        let changes = self.words.m.iter().any(|m| m.row.function == MFunction::ToolChange);
+        if let Some(edge) = self.words.get(b'D').filter(|_| !changes) {
+            self.edge_chosen(edge);
+        }
+    }
+
     /// G40, G41, G42 and D (GSK990MC 4.7.2).
     fn cutter_words(&mut self, code: bool) -> Fallible<()> {
-        if let Some(number) = self.words.get(b'D') {
+        if let Some(number) = self.words.get(b'D').filter(|_| !self.rules.tools_carry_offsets) {
             self.technology.radius_number = number;
         }
         let side = match self.modal.meaning(Group::Cutter) {
@@ -807,7 +832,7 @@ impl Interpreter {
     }
 
     /// Tells a spindle that turns its speed.
-    fn tell_speed(&mut self) {
+    pub(crate) fn tell_speed(&mut self) {
         let speed = self.speed();
         match self.technology.spindle {
             SpindleState::Off => {}
@@ -902,7 +927,7 @@ impl Interpreter {
         Ok(None)
     }
 
-    fn m_function(&mut self, code: &MCode, span: Span) -> Fallible<()> {
+    pub(crate) fn m_function(&mut self, code: &MCode, span: Span) -> Fallible<()> {
         self.technology.m_code = Some(f64::from(code.code));
         let speed = self.speed();
         match code.function {
@@ -926,6 +951,9 @@ impl Interpreter {
                 // The spindle stands still while a tool is changed.
                 self.spindle(SpindleState::Off);
                 self.emit(Op::Change(self.technology.tool));
+                if self.rules.tools_carry_offsets {
+                    self.tool_changed(self.words.get(b'D'));
+                }
             }
             MFunction::RigidTapping => {
                 if self.cycle_kind().is_some() {
@@ -962,6 +990,9 @@ impl Interpreter {
 
     /// Spindle and coolant stop with the program (GSK990MC 5.2.1).
     fn end_program(&mut self, code: u16) {
+        if let Some(alarm) = self.unended_profile() {
+            self.note(alarm);
+        }
         if self.rules.end_stops_spindle {
             self.spindle(SpindleState::Off);
         }
@@ -1063,6 +1094,18 @@ impl Interpreter {
             Meaning::SetToolLength => self.set_tool_length(),
             Meaning::Call => self.g_call(span),
             Meaning::Pattern(pattern) => self.pattern(pattern, axes, span),
+            Meaning::Figure(format) => self.repeat_on_figure(format, span),
+            Meaning::ChooseAxes => self.choose_axes(axes),
+            Meaning::HomeSearch => self.home_search(axes),
+            Meaning::PolarOrigin => {
+                self.set_polar_origin();
+                Ok(())
+            }
+            // Corners and ways of profiles stand in profiles alone.
+            Meaning::ProfileRound
+            | Meaning::ProfileChamfer
+            | Meaning::ProfileEntry
+            | Meaning::ProfileExit => Err(self.alarm(Fault::ProfileForm, span)),
             Meaning::MoveUntilInput => self.move_until_input(span),
             Meaning::WaitForInput => self.wait_for_input(span),
             Meaning::Undescribed => Err(self.alarm(Fault::NotSupported, span)),
@@ -1079,10 +1122,11 @@ impl Interpreter {
         }
     }
 
-    /// G04 (GSK990MC 4.2.5): X in seconds goes before P; neither is no pause.
+    /// G04 (GSK990MC 4.2.5): X, or another letter, in seconds goes before P; neither is no pause.
     fn dwell(&mut self) -> Fallible<()> {
-        let (letter, unit) = match self.words.has(b'X') {
-            true => (b'X', 1.0),
+        let seconds = self.rules.dwell_letter;
+        let (letter, unit) = match self.words.has(seconds) {
+            true => (seconds, 1.0),
             false => (b'P', self.rules.dwell_p_unit_s),
         };
         let Some(value) = self.words.get(letter) else { return Ok(()) };

@@ -40,6 +40,9 @@ const MAX_PASSES: u64 = 10_000;
 /// Jumps back at a desk before a program is taken for endless: hours of a machine's work.
 const MAX_JUMPS_BACK: u64 = 50_000_000;
 
+/// Loops and conditions open at once.
+const MAX_OPEN: usize = 10_000;
+
 /// Jumps and loops remembered; beyond it they are searched again.
 const MAX_REMEMBERED: usize = 65_536;
 
@@ -57,6 +60,10 @@ pub(crate) struct Flow {
     entered: bool,
     /// Span of the block run last.
     last: Span,
+    /// A branch of a condition that was jumped to, since those before do not hold.
+    branch: Option<Place>,
+    /// The beginning of a loop that counts, come to from its end.
+    again: Option<Place>,
     idle: u64,
     passes: u64,
     jumps_back: u64,
@@ -73,6 +80,22 @@ struct Loops {
     ends: FxHashMap<Place, Place>,
     /// From the block of END to that of its DO.
     starts: FxHashMap<Place, Place>,
+    /// From a branch of a condition to the next one: from `$IF` to `$ELSEIF`, `$ELSE` or `$ENDIF`.
+    branches: FxHashMap<Place, Place>,
+    /// From a branch to the end of its condition.
+    joins: FxHashMap<Place, Place>,
+}
+
+/// What was opened and is not closed yet.
+enum Open {
+    /// A loop with a label.
+    Labelled(u16),
+    /// `$WHILE`.
+    While,
+    /// `$FOR`.
+    For,
+    /// `$IF`: its branches so far, and whether the last one was `$ELSE`.
+    If(Vec<Place>, bool),
 }
 
 impl Flow {
@@ -84,6 +107,8 @@ impl Flow {
             resumed: None,
             entered: false,
             last: Span::default(),
+            branch: None,
+            again: None,
             idle: 0,
             passes: 0,
             jumps_back: 0,
@@ -192,30 +217,62 @@ fn sequence_number(page: &Page, block: &Block) -> Option<f64> {
 }
 
 impl Loops {
-    /// Pairs every DO of a program with its END.
+    /// Pairs the beginnings and ends of a program's loops and conditions.
     fn find(programs: &mut ProgramMemory, program: Place) -> io::Result<Result<Loops, (Fault, Span)>> {
         let mut loops = Loops::default();
-        let mut open: Vec<(u16, Place, Span)> = Vec::new();
+        let mut open: Vec<(Open, Place, Span)> = Vec::new();
         let fault = blocks_of_program(programs, program, program, |page, block, at| {
             let span = page.block_span(block);
+            let mismatch = Some((Fault::LoopMismatch, span));
+            if open.len() >= MAX_OPEN {
+                return Some((Fault::InvalidLoop, span));
+            }
             match page.statement(block)? {
                 Statement::While { label, .. } => {
                     if !(1..=3).contains(label) {
                         return Some((Fault::InvalidLoop, span));
                     }
                     // A loop in a loop with its own label would cross it (GSK990MC 4.9.5).
-                    if open.iter().any(|(l, _, _)| l == label) {
-                        return Some((Fault::LoopMismatch, span));
+                    if open.iter().any(|(o, _, _)| matches!(o, Open::Labelled(l) if l == label)) {
+                        return mismatch;
                     }
-                    open.push((*label, at, span));
+                    open.push((Open::Labelled(*label), at, span));
                 }
-                Statement::EndWhile { label } => match open.pop() {
-                    Some((l, start, _)) if l == *label => {
-                        loops.ends.insert(start, at);
-                        loops.starts.insert(at, start);
+                Statement::WhileBlock { .. } => open.push((Open::While, at, span)),
+                Statement::For { .. } => open.push((Open::For, at, span)),
+                Statement::If { .. } => open.push((Open::If(vec![at], false), at, span)),
+                Statement::ElseIf { .. } | Statement::Else => match open.last_mut() {
+                    Some((Open::If(branches, has_else), _, _)) if !*has_else => {
+                        if let Some(last) = branches.last() {
+                            loops.branches.insert(*last, at);
+                        }
+                        *has_else = matches!(page.statement(block), Some(Statement::Else));
+                        branches.push(at);
                     }
-                    _ => return Some((Fault::LoopMismatch, span)),
+                    _ => return mismatch,
                 },
+                Statement::EndIf => match open.pop() {
+                    Some((Open::If(branches, _), _, _)) => {
+                        if let Some(last) = branches.last() {
+                            loops.branches.insert(*last, at);
+                        }
+                        loops.joins.extend(branches.into_iter().map(|branch| (branch, at)));
+                    }
+                    _ => return mismatch,
+                },
+                end @ (Statement::EndWhile { .. } | Statement::EndWhileBlock | Statement::EndFor) => {
+                    let Some((opened, start, _)) = open.pop() else { return mismatch };
+                    let pairs = match (opened, end) {
+                        (Open::Labelled(l), Statement::EndWhile { label }) => l == *label,
+                        (Open::While, Statement::EndWhileBlock) | (Open::For, Statement::EndFor) => true,
+                        _ => false,
+                    };
+                    if !pairs {
+                        return mismatch;
+                    }
+                    loops.ends.insert(start, at);
+                    loops.starts.insert(at, start);
+                }
                 _ => {}
             }
             None
@@ -225,6 +282,13 @@ impl Loops {
             (None, Some((_, _, span))) => Err((Fault::LoopMismatch, *span)),
             (None, None) => Ok(loops),
         })
+    }
+
+    /// The innermost loop that a block is in.
+    fn around(&self, at: Place) -> Option<(Place, Place)> {
+        let inside = |(start, end): &(&Place, &Place)| **start < at && at <= **end;
+        let innermost = self.ends.iter().filter(inside).max_by_key(|(start, _)| **start)?;
+        Some((*innermost.0, *innermost.1))
     }
 
     /// Whether a jump from `from` to `to` leads into a loop from outside.
@@ -254,6 +318,13 @@ impl Interpreter {
                 return Err(self.unreadable(error, self.flow.last));
             }
         };
+        if self.described.is_collecting()
+            && !page.blocks.get(index).is_some_and(|block| self.continues_described(&page, block))
+        {
+            // The cycle runs before the block that ends its description.
+            self.flow.page = Some(page);
+            return self.run_described();
+        }
         let at = self.flow.place;
         let (entered, alarms) = (self.flow.entered, self.alarms_noted());
         self.flow.place.block += 1;
@@ -287,6 +358,9 @@ impl Interpreter {
 
     /// The text ended without an end of program.
     fn end_of_text(&mut self) -> Fallible<()> {
+        if self.described.is_collecting() {
+            return self.run_described();
+        }
         // A file of nothing but a mark has no block to point at.
         let last = self.flow.last;
         let alarm = self.alarm(Fault::NoProgramEnd, Span { line: last.line.max(1), ..last });
@@ -485,6 +559,74 @@ impl Interpreter {
             self.flow.jump(Place { block: end.block + 1, ..*end });
         }
         Ok(())
+    }
+
+    /// `$IF` and branches: goes on behind it where it holds; else at the next branch, or the end.
+    pub(crate) fn take_branch(&mut self, holds: bool, span: Span) -> Fallible<()> {
+        let loops = self.loops(span)?;
+        let Some(next) = loops.branches.get(&self.flow.executing()).copied() else {
+            return Err(self.alarm(Fault::LoopMismatch, span));
+        };
+        if !holds {
+            self.flow.branch = Some(next);
+            self.flow.jump(next);
+        }
+        Ok(())
+    }
+
+    /// Whether the block being executed is a branch that was jumped to.
+    pub(crate) fn is_branch(&mut self) -> bool {
+        self.flow.branch.take() == Some(self.flow.executing())
+    }
+
+    /// Goes on behind the condition whose branch was run.
+    pub(crate) fn leave_branches(&mut self, span: Span) -> Fallible<()> {
+        let loops = self.loops(span)?;
+        let Some(end) = loops.joins.get(&self.flow.executing()).copied() else {
+            return Err(self.alarm(Fault::LoopMismatch, span));
+        };
+        self.flow.jump(Place { block: end.block + 1, ..end });
+        Ok(())
+    }
+
+    /// Whether `$FOR` is come to from its end.
+    pub(crate) fn is_next_pass(&mut self) -> bool {
+        self.flow.again.take() == Some(self.flow.executing())
+    }
+
+    /// `$ENDFOR`: goes back to its `$FOR`, to count on.
+    pub(crate) fn loop_again_counting(&mut self, span: Span) -> Fallible<()> {
+        let loops = self.loops(span)?;
+        let Some(start) = loops.starts.get(&self.flow.executing()).copied() else {
+            return Err(self.alarm(Fault::LoopMismatch, span));
+        };
+        self.flow.again = Some(start);
+        self.flow.jump(start);
+        Ok(())
+    }
+
+    /// `$BREAK`: goes on behind the innermost loop.
+    pub(crate) fn leave_loop(&mut self, span: Span) -> Fallible<()> {
+        let loops = self.loops(span)?;
+        match loops.around(self.flow.executing()) {
+            Some((_, end)) => {
+                self.flow.jump(Place { block: end.block + 1, ..end });
+                Ok(())
+            }
+            None => Err(self.alarm(Fault::LoopMismatch, span)),
+        }
+    }
+
+    /// `$CONTINUE`: goes on at the end of the innermost loop.
+    pub(crate) fn next_pass(&mut self, span: Span) -> Fallible<()> {
+        let loops = self.loops(span)?;
+        match loops.around(self.flow.executing()) {
+            Some((_, end)) => {
+                self.flow.jump(end);
+                Ok(())
+            }
+            None => Err(self.alarm(Fault::LoopMismatch, span)),
+        }
     }
 
     /// `END`: goes back to its DO.

@@ -9,6 +9,8 @@ use crate::Fallible;
 use crate::barrier::Present;
 use crate::custom::CustomCodes;
 use crate::cycles::CycleState;
+use crate::cycles::described::Described;
+use crate::cycles::zone::Zone;
 use crate::data_setting::DataSetting;
 use crate::dialect::{Dialect, Meaning, Rules, Variable};
 use crate::evaluate::Evaluator;
@@ -24,8 +26,9 @@ use crate::stages::rotation::Rotation;
 use crate::stages::scaling::Scaling;
 use crate::stages::tool_length::ToolLength;
 use crate::stages::work_offset::WorkSystem;
+use crate::tool_axes::ToolAxes;
 use crate::words::{self, Tables, Words};
-use ferrocut_geometry::{Axis, Position};
+use ferrocut_geometry::{Axis, AxisNames, Position};
 use ferrocut_machine::{Alarm, Fault, Memory};
 use ferrocut_program::{FileId, ProgramMemory, Span, lexer};
 use ferrocut_toolpath::{SpindleState, Step};
@@ -36,6 +39,8 @@ use std::collections::{BTreeMap, VecDeque};
 pub struct Options {
     /// Machine position at the start, mm and degrees.
     pub start: Position,
+    /// Names of the axes, where some have a digit.
+    pub axis_names: AxisNames,
     /// Blocks with one `/` are left out.
     pub block_skip: bool,
     /// M01 stops.
@@ -141,6 +146,8 @@ pub(crate) struct Technology {
     pub tool: u32,
     /// Tool put into the spindle last.
     pub in_spindle: u32,
+    /// Its offset, where tools carry their offsets.
+    pub edge: f64,
     /// G10 while data are set by the program, else G11.
     pub data_code: f64,
     /// Offset number of the cutter radius in force, D.
@@ -174,6 +181,12 @@ pub struct Interpreter {
     pub(crate) location: Location,
     pub(crate) technology: Technology,
     pub(crate) cycle: CycleState,
+    pub(crate) zone: Zone,
+    pub(crate) tool_axes: ToolAxes,
+    /// Directives of a cycle and what they describe.
+    pub(crate) described: Described,
+    /// Where polar words count from.
+    pub(crate) polar_origin: [f64; 2],
     pub(crate) intermediate: Intermediate,
     pub(crate) data_setting: Option<DataSetting>,
     /// The block's moves run at 100 %.
@@ -243,6 +256,7 @@ impl Interpreter {
             tool: 0,
             in_spindle: 0,
             data_code: 11.0,
+            edge: 0.0,
             radius_number: 0.0,
             m_code: None,
             sequence: None,
@@ -257,8 +271,10 @@ impl Interpreter {
                 None
             })
         });
+        let mut memory = memory;
+        memory.variables.name_numbers(|name| dialect.syntax.variable(name.as_bytes()));
         Interpreter {
-            tables: Tables::new(dialect),
+            tables: Tables::new(dialect).without(options.axis_names.renamed()),
             evaluator: Evaluator::new(dialect.arithmetic),
             dialect,
             foreign_axes: words::foreign_axes(rules.axes),
@@ -270,6 +286,10 @@ impl Interpreter {
             location,
             technology,
             cycle: CycleState::default(),
+            zone: Zone::default(),
+            tool_axes: ToolAxes::default(),
+            described: Described::default(),
+            polar_origin: [0.0; 2],
             intermediate: Intermediate::default(),
             data_setting: None,
             full_feed: false,
@@ -391,6 +411,10 @@ impl Interpreter {
             self.cycle = CycleState::default();
         }
         self.cycle.drop_holes();
+        self.leave_zone();
+        self.tool_axes = ToolAxes::default();
+        self.described.reset();
+        self.polar_origin = [0.0; 2];
         self.technology.rigid_tapping = false;
         self.technology.spindle = SpindleState::Off;
         self.technology.coolant = false;
@@ -489,6 +513,12 @@ impl Interpreter {
             }
             if self.ended {
                 return None;
+            }
+            if self.described.is_running() {
+                if let Err(alarm) = self.next_described() {
+                    self.stop_by(alarm);
+                }
+                continue;
             }
             if self.has_holes_left() {
                 if let Err(alarm) = self.next_hole() {

@@ -20,6 +20,7 @@ pub mod cycles;
 mod data_setting;
 pub mod dialect;
 pub mod dialects;
+pub mod directives;
 pub mod evaluate;
 pub mod execute;
 pub mod flow;
@@ -33,6 +34,7 @@ mod output;
 mod reference;
 pub mod stages;
 pub mod stroke;
+mod tool_axes;
 mod transforms;
 pub mod words;
 

@@ -123,6 +123,9 @@ impl Interpreter {
             // What was put out last.
             Variable::Output(n) => return Ok(self.outputs.get(&n).copied()),
             Variable::Alarm => return Ok(None),
+            Variable::CycleParameter(letter) => {
+                return Ok(self.cycle_parameter(letter)?.or(self.dialect.unset_variable));
+            }
         }))
     }
 
@@ -190,6 +193,9 @@ impl Interpreter {
             self.rules = (self.dialect.rules)(&self.memory.parameters);
             self.output.set_rules(self.rules.cutter);
             return Ok(());
+        }
+        if let Variable::CycleParameter(letter) = variable {
+            return self.set_cycle_parameter(letter, value.unwrap_or(0.0));
         }
         let limit = match variable {
             Variable::ToolLength(_) | Variable::ToolRadius(_) => self.rules.max_offset,
@@ -260,8 +266,66 @@ impl Interpreter {
                 };
                 self.leave_or_enter_loop(holds, span)
             }
-            Statement::EndWhile { .. } => self.loop_again(span),
+            Statement::EndWhile { .. } | Statement::EndWhileBlock => self.loop_again(span),
+            Statement::WhileBlock { condition } => {
+                let holds = self.holds(page, condition, span)?;
+                self.leave_or_enter_loop(holds, span)
+            }
+            Statement::If { condition } => {
+                let holds = self.holds(page, condition, span)?;
+                self.take_branch(holds, span)
+            }
+            Statement::ElseIf { condition } if self.is_branch() => {
+                let holds = self.holds(page, condition, span)?;
+                self.take_branch(holds, span)
+            }
+            Statement::Else if self.is_branch() => Ok(()),
+            // Reached from the branch before them, which is done.
+            Statement::ElseIf { .. } | Statement::Else => self.leave_branches(span),
+            Statement::EndIf => Ok(()),
+            Statement::For { target, first, last, step } => {
+                self.count_loop(page, [target, first, last], step, span)
+            }
+            Statement::EndFor => self.loop_again_counting(span),
+            Statement::Break => self.leave_loop(span),
+            Statement::Continue => self.next_pass(span),
+            Statement::Directive(place) => self.directive(page, place, span),
         }
+    }
+
+    /// `$FOR`: starts to count, or counts on where its end was reached.
+    fn count_loop(
+        &mut self,
+        page: &Page,
+        [target, first, last]: [ExprRange; 3],
+        step: Option<ExprRange>,
+        span: Span,
+    ) -> Fallible<()> {
+        let arithmetic = self.dialect.arithmetic;
+        let number = self.evaluate(page, target).and_then(|number| arithmetic.variable_number(number));
+        let number = number.map_err(|fault| self.alarm(fault, span))?;
+        let value = |interpreter: &mut Interpreter, range: ExprRange| -> Fallible<f64> {
+            let value = interpreter.evaluate(page, range).map_err(|fault| interpreter.alarm(fault, span))?;
+            Ok(value.unwrap_or(0.0))
+        };
+        let step = match step {
+            Some(step) => value(self, step)?,
+            None => 1.0,
+        };
+        let last = value(self, last)?;
+        let next = match self.is_next_pass() {
+            true => {
+                self.read_variable(number).map_err(|fault| self.alarm(fault, span))?.unwrap_or(0.0) + step
+            }
+            false => value(self, first)?,
+        };
+        if step == 0.0 {
+            return Err(self.alarm(Fault::InvalidLoop, span));
+        }
+        self.write_variable(number, Some(next), span)?;
+        // A sum of steps may miss the last value by rounding.
+        let rest = (last - next) * step.signum();
+        self.leave_or_enter_loop(rest >= -step.abs() * 1e-9, span)
     }
 
     fn holds(&mut self, page: &Page, condition: ExprRange, span: Span) -> Fallible<bool> {

@@ -6,6 +6,7 @@ use crate::execute::RotaryBlock;
 use crate::interpreter::Interpreter;
 use crate::modal::Group;
 use crate::stages::corner::{CornerKind, CornerRequest};
+use crate::stages::rotation::sin_cos_degrees;
 use crate::stages::units;
 use crate::words::letters;
 use ferrocut_geometry::{Arc, Axis, AxisSet, MM_PER_INCH, Plane, Position, RadiusError, SAME_POINT_MM, Turn};
@@ -19,6 +20,9 @@ const LARGEST_COORDINATE: f64 = 1e8;
 
 /// Addresses that make an arc of a block without end point.
 const CENTRE_LETTERS: u32 = letters(b"IJK");
+
+/// Addresses of an end point by radius and angle.
+const POLAR_LETTERS: u32 = letters(b"RQ");
 
 /// What controls do differently in moves. The default is Fanuc's.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
@@ -35,6 +39,8 @@ pub struct Rules {
     pub helix_has_pitch: bool,
     /// Y turns.
     pub rotary_y: Option<RotaryY>,
+    /// R and Q are radius and angle of an end point in the plane.
+    pub polar_words: bool,
 }
 
 /// A rotary axis called Y.
@@ -61,7 +67,8 @@ impl Interpreter {
             Meaning::ArcCounterClockwise => Some(Turn::CounterClockwise),
             _ => None,
         };
-        if axes.is_empty() && !(turn.is_some() && self.words.has_any(CENTRE_LETTERS)) {
+        let polar = self.has_polar_words(turn.is_some());
+        if axes.is_empty() && !polar && !(turn.is_some() && self.words.has_any(CENTRE_LETTERS)) {
             if !length_moves {
                 return Ok(());
             }
@@ -81,11 +88,67 @@ impl Interpreter {
             _ => {}
         }
         self.corner_word()?;
-        let to = self.end_point(axes);
+        let mut to = self.end_point(axes);
+        if polar {
+            self.radius_and_angle_point(&mut to);
+        }
         match turn {
-            Some(turn) => self.arc(to, axes, turn),
+            Some(_) if !self.has_own_axes() => Err(self.alarm(Fault::PlaneAxes, self.words.block_span())),
+            Some(turn) => self.arc(to, axes, turn, polar),
             None if motion == Meaning::Rapid => self.rapid(to),
             None => self.cut(to),
+        }
+    }
+
+    /// Whether the block moves an axis, or is an arc.
+    pub(crate) fn block_moves(&self, axes: AxisSet) -> bool {
+        let is_arc =
+            matches!(self.modal.meaning(Group::Motion), Meaning::ArcClockwise | Meaning::ArcCounterClockwise);
+        !axes.is_empty() || self.has_polar_words(is_arc) || is_arc && self.words.has_any(CENTRE_LETTERS)
+    }
+
+    /// Whether the block gives its end point by radius and angle. Beside coordinates of the plane, R of an arc
+    /// is its radius.
+    fn has_polar_words(&self, is_arc: bool) -> bool {
+        if !self.rules.motion.polar_words || !self.words.has_any(POLAR_LETTERS) {
+            return false;
+        }
+        let [a, b, _] = self.plane_axes();
+        !is_arc || self.words.has(b'Q') && ![a, b].into_iter().any(|axis| self.words.has(axis.letter() as u8))
+    }
+
+    /// R and Q of the block, from the polar origin; with G91 added to those of where the tool is.
+    fn radius_and_angle_point(&self, to: &mut Position) {
+        let [a, b, _] = self.plane_axes();
+        let [oa, ob] = self.polar_origin;
+        let (x, y) = (self.location.programmed[a] - oa, self.location.programmed[b] - ob);
+        let (radius, degrees) =
+            (x.hypot(y), if x == 0.0 && y == 0.0 { 0.0 } else { y.atan2(x).to_degrees() });
+        let incremental = self.modal.is_incremental();
+        let word = |letter: u8, was: f64, inch: bool| match self.words.get(letter) {
+            Some(value) if incremental => was + units::length_mm(value, inch),
+            Some(value) => units::length_mm(value, inch),
+            None => was,
+        };
+        let radius = word(b'R', radius, self.modal.is_inch());
+        let (sin, cos) = sin_cos_degrees(word(b'Q', degrees, false));
+        to[a] = oa + radius * cos;
+        to[b] = ob + radius * sin;
+    }
+
+    /// G30: the polar origin, by I and J; without them where the tool is.
+    pub(crate) fn set_polar_origin(&mut self) {
+        let inch = self.modal.is_inch();
+        let [a, b, _] = self.plane_axes();
+        let here = [a, b].map(|axis| self.location.programmed[axis]);
+        if !self.words.has(b'I') && !self.words.has(b'J') {
+            self.polar_origin = here;
+            return;
+        }
+        for ((slot, letter), at) in self.polar_origin.iter_mut().zip([b'I', b'J']).zip(here) {
+            if let Some(value) = self.words.get(letter).map(|v| units::length_mm(v, inch)) {
+                *slot = if self.modal.is_incremental() { at + value } else { value };
+            }
         }
     }
 
@@ -242,7 +305,7 @@ impl Interpreter {
     ///
     /// Centre and radius are judged after scaling and rotation, so that an arc that unequal factors pull
     /// out of shape is found (4.2.14, 6). It starts where the tool is.
-    fn arc(&mut self, to: Position, axes: AxisSet, turn: Turn) -> Fallible<()> {
+    fn arc(&mut self, to: Position, axes: AxisSet, turn: Turn, polar: bool) -> Fallible<()> {
         let plane = self.modal.plane();
         if self.location.polar.is_some() && self.rules.polar_is_strict && !self.words.has(b'R') {
             return Err(self.alarm(Fault::ArcInPolar, self.words.block_span()));
@@ -258,7 +321,7 @@ impl Interpreter {
             mirrored ^= nested.reverses(plane);
         }
         let turn = if mirrored { turn.reversed() } else { turn };
-        let center = match self.words.get(b'R') {
+        let center = match self.words.get(b'R').filter(|_| !polar) {
             Some(r) => match self.center_by_radius(from, end, r, turn)? {
                 Some(center) => center,
                 // Start and end coincide: a radius says nothing then (4.2.3 limits 3 and 5), and no other
@@ -268,6 +331,13 @@ impl Interpreter {
                 }
                 None => return Ok(()),
             },
+            // About the polar origin, where no centre is given.
+            None if polar && !self.words.has_any(CENTRE_LETTERS) => {
+                let mut middle = self.location.programmed;
+                middle[plane.first()] = self.polar_origin[0];
+                middle[plane.second()] = self.polar_origin[1];
+                plane.of(self.location.machine_of(middle) - offset)
+            }
             None => self.center_by_vector(from, end)?,
         };
         let in_plane = |a: Axis| a == plane.first() || a == plane.second();

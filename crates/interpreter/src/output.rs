@@ -347,7 +347,7 @@ fn with_shape(op: Op, to: Position, plane: Plane, shape: Option<Shape>) -> Op {
     }
 }
 
-fn fault_of(fault: cutter::Fault) -> Fault {
+pub(crate) fn fault_of(fault: cutter::Fault) -> Fault {
     match fault {
         cutter::Fault::NoIntersection => Fault::CutterNoIntersection,
         cutter::Fault::StartOrCancelInArc => Fault::CutterStartInArc,

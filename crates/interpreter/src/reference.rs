@@ -58,6 +58,24 @@ impl Interpreter {
         Ok(())
     }
 
+    /// G74 (Fagor 1.1.1): each axis named goes to its first reference point. A cycle ends.
+    pub(crate) fn home_search(&mut self, axes: AxisSet) -> Fallible<()> {
+        if axes.is_empty() {
+            return Err(self.alarm(Fault::ReferenceWithoutAxis, self.words.block_span()));
+        }
+        self.cancel_cycle();
+        let reference = self.memory.reference_points.first().copied().unwrap_or_default();
+        let mut to = self.location.machine;
+        for axis in axes.iter() {
+            to[axis] = reference[axis];
+        }
+        self.output.suspend_cutter();
+        self.rapid_machine(to)?;
+        self.location.take_machine();
+        self.emit(Op::Home(axes));
+        Ok(())
+    }
+
     /// G30 Pn.
     pub(crate) fn further_reference_return(&mut self, axes: AxisSet) -> Fallible<()> {
         let number = self.words.get(b'P').unwrap_or(2.0);

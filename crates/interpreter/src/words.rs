@@ -2,11 +2,13 @@
 
 use crate::Fallible;
 use crate::custom::CustomCodes;
-use crate::dialect::{Address, Dialect, GCode, MCode, MFunction};
+use crate::dialect::{Address, Dialect, GCode, MCode, MFunction, Meaning};
+use crate::interpreter::Interpreter;
 use crate::modal::Group;
-use ferrocut_geometry::AxisSet;
+use ferrocut_geometry::{Axis, AxisName, AxisNames, AxisSet};
 use ferrocut_machine::{Alarm, Fault};
-use ferrocut_program::{Block, Page, Span, TextRange, Word};
+use ferrocut_program::syntax::FIRST_NUMBERED;
+use ferrocut_program::{Block, Page, Span, TextRange, Word, numbered_axis_name};
 use smallvec::SmallVec;
 
 /// Most G and M codes of one block; more are refused.
@@ -25,6 +27,17 @@ impl Tables {
         let g = (0..size).map(|t| u16::try_from(t).ok().and_then(|t| dialect.g_code(t))).collect();
         let addresses = std::array::from_fn(|i| dialect.address(b'A' + i as u8).copied());
         Tables { g, addresses }
+    }
+
+    /// Takes a letter away that is not the name of an axis here.
+    pub(crate) fn without(mut self, axes: AxisSet) -> Tables {
+        for axis in axes.iter() {
+            let index = usize::from((axis.letter() as u8).wrapping_sub(b'A'));
+            if let Some(slot) = self.addresses.get_mut(index) {
+                *slot = None;
+            }
+        }
+        self
     }
 }
 
@@ -66,7 +79,34 @@ pub mod long {
     pub const LX: u8 = b'j';
     pub const LY: u8 = b'k';
     pub const LZ: u8 = b'l';
+    pub const NR: u8 = b'm';
 }
+
+/// Values by letter.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub struct WordValues {
+    values: [f64; 26],
+    present: u32,
+}
+
+impl WordValues {
+    /// The value of a letter.
+    pub fn get(&self, letter: u8) -> Option<f64> {
+        let value = self.values.get(usize::from(letter.wrapping_sub(b'A')))?;
+        (self.present & bit(letter) != 0).then_some(*value)
+    }
+
+    /// Gives a letter a value.
+    pub fn put(&mut self, letter: u8, value: f64) {
+        if let Some(slot) = self.values.get_mut(usize::from(letter.wrapping_sub(b'A'))) {
+            *slot = value;
+            self.present |= bit(letter);
+        }
+    }
+}
+
+/// What an axis with a digit in its name may be programmed to.
+const ANY_COORDINATE: Address = crate::dialects::fanuc::signed(0, 99_999_999.0);
 
 /// Words of the block being executed.
 #[derive(Clone)]
@@ -87,6 +127,11 @@ pub(crate) struct Words {
     pub custom: Option<(u16, Span)>,
     /// Words with text, and those of several letters.
     long: SmallVec<[LongWord; 2]>,
+    /// Letters that belong to a code of this block, behind it.
+    owned: u32,
+    /// Their values.
+    pub own: WordValues,
+    own_places: [(u32, u16); 26],
     block: Span,
     page_offset: u64,
 }
@@ -107,6 +152,9 @@ impl Words {
             comma: None,
             custom: None,
             long: SmallVec::new(),
+            owned: 0,
+            own: WordValues::default(),
+            own_places: [(0, 0); 26],
             block: Span::default(),
             page_offset: 0,
         }
@@ -122,8 +170,35 @@ impl Words {
         self.comma = None;
         self.custom = None;
         self.long.clear();
+        self.owned = 0;
+        self.own.present = 0;
         self.block = page.block_span(block);
         self.page_offset = page.offset;
+    }
+
+    /// Empties for what stands at `span` and is no block of words.
+    pub(crate) fn start_at(&mut self, span: Span) {
+        self.present = 0;
+        self.g.clear();
+        self.m.clear();
+        self.sequence = None;
+        self.comma = None;
+        self.custom = None;
+        self.long.clear();
+        self.owned = 0;
+        self.own.present = 0;
+        self.block = span;
+        self.page_offset = 0;
+    }
+
+    /// Span of a word that belongs to a code of the block.
+    pub(crate) fn own_span(&self, letter: u8) -> Span {
+        match self.own_places.get(usize::from(letter.wrapping_sub(b'A'))) {
+            Some(&(at, len)) if self.own.get(letter).is_some() => {
+                Span { offset: self.page_offset + u64::from(at), len: u32::from(len), ..self.block }
+            }
+            _ => self.block,
+        }
     }
 
     /// Span of the whole block.
@@ -245,6 +320,10 @@ pub(crate) struct Reader<'a> {
     pub max_m_code: f64,
     pub distance_is_exclusive: bool,
     pub custom: Option<&'a CustomCodes>,
+    /// Axis of the tool, for codes that own its word.
+    pub tool_axis: Axis,
+    /// Names of axes with a digit.
+    pub axis_names: AxisNames,
 }
 
 impl Reader<'_> {
@@ -262,6 +341,9 @@ impl Reader<'_> {
             words.comma = Some((word.letter, value, self.page.word_span(self.block, word)));
             return Ok(());
         }
+        if words.owned != 0 && self.own_word(words, word, value) {
+            return Ok(());
+        }
         match word.letter {
             b'G' => self.g_word(words, word, value),
             b'M' => self.m_word(words, word, value),
@@ -275,30 +357,76 @@ impl Reader<'_> {
                 self.long_word(words, word, Long::Number(value));
                 Ok(())
             }
+            letter if letter >= FIRST_NUMBERED => {
+                let Some(axis) = self.numbered_axis(letter) else {
+                    return Err(self.alarm(Fault::UnknownAxis, word));
+                };
+                self.plain_word(words, word, value, axis.letter() as u8, &Some(ANY_COORDINATE))
+            }
             letter => {
                 let index = usize::from(letter.wrapping_sub(b'A'));
-                let (Some(Some(address)), Some(slot), Some(place)) = (
-                    self.tables.addresses.get(index),
-                    words.values.get_mut(index),
-                    words.places.get_mut(index),
-                ) else {
-                    return Err(self.alarm(Fault::UnknownAddress, word));
-                };
-                if !(value >= address.min && value <= address.max) {
-                    return Err(self.out_of_range(address, word, value));
+                match self.tables.addresses.get(index) {
+                    Some(address) => self.plain_word(words, word, value, letter, address),
+                    None => Err(self.alarm(Fault::UnknownAddress, word)),
                 }
-                if address.whole && (value.fract() != 0.0 || word.has_point()) {
-                    return Err(self.alarm(Fault::WordNotWhole, word));
-                }
-                if words.present & bit(letter) != 0 && self.repeats_are_alarms {
-                    return Err(self.alarm(Fault::RepeatedAddress, word));
-                }
-                words.present |= bit(letter);
-                *slot = value;
-                *place = (word.at, word.len);
-                Ok(())
             }
         }
+    }
+
+    /// The axis that a letter with a digit names.
+    fn numbered_axis(&self, letter: u8) -> Option<Axis> {
+        let [letter, digit] = numbered_axis_name(letter)?;
+        self.axis_names.find(AxisName::numbered(letter, digit)?)
+    }
+
+    /// Puts a word into those of a code that stands before it, where it is one of these.
+    fn own_word(&self, words: &mut Words, word: &Word, value: f64) -> bool {
+        let letter = match word.letter {
+            letter if letter >= FIRST_NUMBERED => match self.numbered_axis(letter) {
+                Some(axis) => axis.letter() as u8,
+                None => return false,
+            },
+            letter if letter.is_ascii_uppercase() => letter,
+            _ => return false,
+        };
+        if words.owned & bit(letter) == 0 {
+            return false;
+        }
+        words.own.put(letter, value);
+        if let Some(place) = words.own_places.get_mut(usize::from(letter.wrapping_sub(b'A'))) {
+            *place = (word.at, word.len);
+        }
+        true
+    }
+
+    #[inline]
+    fn plain_word(
+        &self,
+        words: &mut Words,
+        word: &Word,
+        value: f64,
+        letter: u8,
+        address: &Option<Address>,
+    ) -> Fallible<()> {
+        let index = usize::from(letter.wrapping_sub(b'A'));
+        let (Some(address), Some(slot), Some(place)) =
+            (address, words.values.get_mut(index), words.places.get_mut(index))
+        else {
+            return Err(self.alarm(Fault::UnknownAddress, word));
+        };
+        if !(value >= address.min && value <= address.max) {
+            return Err(self.out_of_range(address, word, value));
+        }
+        if address.whole && (value.fract() != 0.0 || word.has_point()) {
+            return Err(self.alarm(Fault::WordNotWhole, word));
+        }
+        if words.present & bit(letter) != 0 && self.repeats_are_alarms {
+            return Err(self.alarm(Fault::RepeatedAddress, word));
+        }
+        words.present |= bit(letter);
+        *slot = value;
+        *place = (word.at, word.len);
+        Ok(())
     }
 
     /// Puts a word with text into `words`.
@@ -359,6 +487,15 @@ impl Reader<'_> {
             return Err(self.alarm(Fault::RepeatedGroup, word));
         }
         words.g.push(Code { row, span: self.page.word_span(self.block, word) });
+        if row.group == Group::Cycle || row.group == Group::NonModal {
+            // A plane of the same block has another tool axis.
+            let plane = words.g.iter().rev().find_map(|g| match g.row.meaning {
+                Meaning::Plane(plane) => Some(plane.normal()),
+                _ => None,
+            });
+            let tool_axis = plane.unwrap_or(self.tool_axis).letter() as u8;
+            words.owned = Interpreter::owned_letters(row.meaning, tool_axis);
+        }
         Ok(())
     }
 

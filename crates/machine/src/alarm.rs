@@ -286,6 +286,56 @@ faults! {
     PatternWithoutCycle = 530,
     /// A canned cycle while the tool axis is scaled.
     CycleScaled = 531,
+    /// A parameter of a cycle has a value that it cannot have.
+    CycleParameter = 540,
+    /// A parameter of a cycle is missing.
+    CycleParameterMissing = 541,
+    /// A cycle that would cut nothing: no depth.
+    CycleNoDepth = 542,
+    /// A tool too large for what it is to cut.
+    CycleToolTooLarge = 543,
+    /// A tool so small that a core would be left standing.
+    CycleToolTooSmall = 544,
+    /// Passes wider than the tool.
+    CycleStepTooWide = 545,
+    /// A step of 0 for a tool without a cutting length.
+    CycleNoCuttingLength = 546,
+    /// Wall passes of 0 for a finishing tool without a cutting length that is not the roughing tool.
+    CycleToolsDiffer = 547,
+    /// An entry angle that is no angle, or for which there is no room.
+    CycleEntryAngle = 548,
+    /// A cycle without a feed.
+    CycleNoFeed = 549,
+    /// Lengths and distances of a figure that do not make a whole number of points.
+    PatternNotWhole = 550,
+    /// Points left out of a figure that do not rise.
+    PatternOrder = 551,
+    /// A figure given by too few parameters, or by ones that contradict each other.
+    PatternForm = 552,
+    /// The parameter of a cycle written or read without a cycle.
+    NoCycleParameter = 553,
+    /// A directive that the control does not have.
+    UnknownDirective = 554,
+    /// A parameter that the cycle does not have.
+    UnknownParameter = 555,
+    /// A word where a number is wanted, or a word that the parameter does not take.
+    ParameterKind = 556,
+    /// A part of a cycle without the cycle, or not for this one, or twice.
+    DirectiveMisplaced = 557,
+    /// A profile that does not exist.
+    ProfileMissing = 558,
+    /// A block that a profile cannot hold, or a profile that is not ended.
+    ProfileForm = 559,
+    /// A profile that is open and must be closed.
+    ProfileOpen = 560,
+    /// A profile that crosses itself or another.
+    ProfileCrosses = 561,
+    /// A rounding or chamfer without room, or without two elements beside it.
+    ProfileCorner = 562,
+    /// A tangential way in or out whose radius is too large.
+    ProfileWay = 563,
+    /// An axis that a plane or tool cannot have, or an arc in a plane that has none.
+    PlaneAxes = 564,
 
     // 600: programs
     /// A call without a program number.

@@ -205,6 +205,16 @@ impl Variables {
         put(&mut self.named, name.into(), value.filter(|v| !v.is_nan()))
     }
 
+    /// Gives values of names to the numbers that they are kept by, where `number` knows them.
+    pub fn name_numbers(&mut self, number: impl Fn(&str) -> Option<u32>) {
+        let named: Vec<(u32, f64)> =
+            self.named.iter().filter_map(|(name, value)| Some((number(name)?, *value))).collect();
+        for (number, value) in named {
+            // There are no more of them than names.
+            let _ = self.set(number, Some(value));
+        }
+    }
+
     /// The numbered variables that hold a value, in order.
     pub fn iter(&self) -> impl Iterator<Item = (u32, f64)> {
         let flat = (0u32..).zip(self.flat.iter().copied()).filter(|(_, value)| !value.is_nan());

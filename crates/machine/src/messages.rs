@@ -47,6 +47,10 @@
 //! | `SequenceMissing`, `JumpTargetMissing` | `number` |
 //! | `FunctionDomain` | `name`, `value` |
 //! | `UnknownVariable`, `VariableNotWritable` | `variable` |
+//! | `CycleParameter` to `CycleNoFeed`, `PatternNotWhole` to `PatternForm`, `UnknownParameter`, `ParameterKind`, `ProfileMissing` to `ProfileWay` | `parameter`: its name; `value` and `limit` of it |
+//! | `NoCycleParameter` | `variable` |
+//! | `UnknownDirective`, `DirectiveMisplaced` | `word` |
+//! | `PlaneAxes` | `axis` |
 //! | `SoftLimit` | `axis`, `position`, `limit`: machine positions |
 //! | `ToolMissing` | `tool` |
 //! | `SpindleTooFast` | `speed`, `limit` |

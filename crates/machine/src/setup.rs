@@ -7,7 +7,7 @@ use crate::config::ConfigError;
 use crate::memory::Memory;
 use crate::offsets::{ToolOffset, WorkOffset};
 use crate::parameters::ParameterKey;
-use ferrocut_geometry::{Axis, Position};
+use ferrocut_geometry::{Axis, AxisName, AxisNames, AxisSet, Position};
 use serde::de::{DeserializeOwned, Error};
 use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
@@ -46,26 +46,40 @@ pub struct Setup {
 
 /// Values for some axes, mm and degrees.
 #[derive(Clone, PartialEq, Debug, Default)]
-pub struct AxisValues(Vec<(Axis, f64)>);
+pub struct AxisValues {
+    plain: Vec<(Axis, f64)>,
+    /// Axes with a digit in their name.
+    numbered: Vec<(AxisName, f64)>,
+}
 
 impl AxisValues {
     /// The values as a position, 0 where an axis is not named.
     pub fn position(&self) -> Position {
+        self.position_of(&AxisNames::default())
+    }
+
+    /// The same on a machine whose axes have these names.
+    pub fn position_of(&self, names: &AxisNames) -> Position {
         let mut position = Position::ZERO;
-        self.write_to(&mut position);
+        self.write_to(&mut position, names);
         position
     }
 
     /// Writes the named axes of `position`.
-    pub fn write_to(&self, position: &mut Position) {
+    pub fn write_to(&self, position: &mut Position, names: &AxisNames) {
         for (axis, value) in self.iter() {
             position[axis] = value;
         }
+        for (name, value) in &self.numbered {
+            if let Some(axis) = names.find(*name) {
+                position[axis] = *value;
+            }
+        }
     }
 
-    /// The named axes with their values.
+    /// The named axes with their values, those with a digit in their name left out.
     pub fn iter(&self) -> impl Iterator<Item = (Axis, f64)> {
-        self.0.iter().copied()
+        self.plain.iter().copied()
     }
 }
 
@@ -269,23 +283,34 @@ impl<'de> Deserialize<'de> for Number {
 
 impl<'de> Deserialize<'de> for AxisValues {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<AxisValues, D::Error> {
-        let values: BTreeMap<AxisName, Number> = by_name(from)?;
-        Ok(AxisValues(values.into_iter().map(|(AxisName(axis), Number(value))| (axis, value)).collect()))
+        let values: BTreeMap<AnyAxis, Number> = by_name(from)?;
+        let mut axes = AxisValues::default();
+        for (axis, Number(value)) in values {
+            match axis {
+                AnyAxis::Plain(axis) => axes.plain.push((axis, value)),
+                AnyAxis::Numbered(name) => axes.numbered.push((name, value)),
+            }
+        }
+        Ok(axes)
     }
 }
 
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
-struct AxisName(Axis);
+enum AnyAxis {
+    Plain(Axis),
+    Numbered(AxisName),
+}
 
-impl FromStr for AxisName {
+impl FromStr for AnyAxis {
     type Err = String;
 
-    fn from_str(text: &str) -> Result<AxisName, String> {
+    fn from_str(text: &str) -> Result<AnyAxis, String> {
         let axis = match text.as_bytes() {
-            [letter] => Axis::from_letter(*letter),
+            [letter] => Axis::from_letter(*letter).map(AnyAxis::Plain),
+            [letter, digit] => AxisName::numbered(*letter, *digit).map(AnyAxis::Numbered),
             _ => None,
         };
-        axis.map(AxisName).ok_or_else(|| format!("{text:?} is no axis: use one of x y z a b c u v w"))
+        axis.ok_or_else(|| format!("{text:?} is no axis: use one of x y z a b c u v w"))
     }
 }
 
@@ -361,8 +386,10 @@ fn tools_by_number<'de, D: Deserializer<'de>>(from: D) -> Result<BTreeMap<u16, T
 }
 
 fn axis_name<'de, D: Deserializer<'de>>(from: D) -> Result<Axis, D::Error> {
-    let AxisName(axis) = String::deserialize(from)?.parse().map_err(D::Error::custom)?;
-    Ok(axis)
+    match String::deserialize(from)?.parse().map_err(D::Error::custom)? {
+        AnyAxis::Plain(axis) => Ok(axis),
+        AnyAxis::Numbered(_) => Err(D::Error::custom("the skip signal comes at one of x y z a b c u v w")),
+    }
 }
 
 fn number<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
@@ -375,11 +402,28 @@ impl Setup {
         toml::from_str(text).map_err(|e| ConfigError(e.to_string()))
     }
 
+    /// The names of the machine's axes: an axis with a digit exists where the file names it.
+    pub fn axis_names(&self) -> Result<AxisNames, ConfigError> {
+        let points = &self.reference_points;
+        let points = [&points.first, &points.second, &points.third, &points.fourth];
+        let values = || std::iter::once(&self.start).chain(self.work_offsets.values()).chain(points);
+        let taken: AxisSet = values().flat_map(AxisValues::iter).map(|(axis, _)| axis).collect();
+        let mut names = AxisNames::default();
+        for (name, _) in values().flat_map(|v| &v.numbered) {
+            if !names.add(*name, taken) {
+                let name: String = name.bytes().map(char::from).collect();
+                return Err(ConfigError(format!("{name}: no place for another axis; remove one of u, v, w")));
+            }
+        }
+        Ok(names)
+    }
+
     /// Enters the set-up into the memory of a control. The error names the section and the key.
     ///
     /// Parameters go first: an offset that also stands under `[work_offsets]` has the last word over
     /// the parameter that is another name of it.
     pub fn apply(&self, memory: &mut Memory) -> Result<(), ConfigError> {
+        let names = self.axis_names()?;
         memory
             .set_parameters(self.parameters.iter().map(|(key, value)| (key, *value)))
             .map_err(|e| ConfigError(format!("[parameters] {e}: change or remove it")))?;
@@ -390,7 +434,7 @@ impl Setup {
                     "[work_offsets] {name}: the control has G54 P1 to P{systems}; change or remove it"
                 ))
             })?;
-            values.write_to(zero);
+            values.write_to(zero, &names);
         }
         for (number, tool) in &self.tools {
             let last = memory.tools.last();
@@ -411,7 +455,7 @@ impl Setup {
         let points = &self.reference_points;
         let points = [&points.first, &points.second, &points.third, &points.fourth];
         for (values, point) in points.into_iter().zip(&mut memory.reference_points) {
-            values.write_to(point);
+            values.write_to(point, &names);
         }
         Ok(())
     }

@@ -10,11 +10,13 @@
 //! Work and memory are proportional to the text, whatever it holds: what looks ahead is bounded, and
 //! so is recursion ([`MAX_NESTING`], [`MAX_STACK`]).
 
-use crate::expression::{Function, MAX_NESTING, MAX_STACK, Node, Unary};
+use crate::expression::{Binary, Function, MAX_NESTING, MAX_STACK, Node, Unary};
 use crate::number;
-use crate::page::{Block, Defect, DefectKind, ExprRange, Page, Statement, TextRange, Word};
+use crate::page::{
+    Argument, Block, Defect, DefectKind, Directive, ExprRange, Page, Statement, TextRange, Word,
+};
 use crate::span::FileId;
-use crate::syntax::{Keyword, Syntax};
+use crate::syntax::{Keyword, Syntax, numbered_axis};
 
 /// Words in a block beyond which it is refused; no control takes nearly as many.
 const MAX_WORDS: usize = 512;
@@ -84,6 +86,7 @@ pub(crate) fn lex_from(text: &[u8], start: Start, is_last: bool, syntax: &Syntax
         is_head: start.is_head,
         syntax,
         page,
+        skip: 0,
     };
     lexer.run();
     let is_cut = end_of_lines.is_none() && end > 0;
@@ -147,6 +150,8 @@ struct Lexer<'a> {
     is_head: bool,
     syntax: &'a Syntax,
     page: Page,
+    /// The `/` of a line of which a block was read already; 0 at the start of a line.
+    skip: u8,
 }
 
 impl Lexer<'_> {
@@ -193,6 +198,7 @@ impl Lexer<'_> {
             b'\n' => self.new_line(1),
             b'\r' if self.byte_at(self.at + 1) == b'\n' => self.new_line(2),
             b'\r' => self.new_line(1),
+            _ if self.starts_line_comment() => self.skip_line(),
             _ => self.at += 1,
         }
     }
@@ -240,7 +246,8 @@ impl Lexer<'_> {
         let first_defect = self.page.defects.len();
         let number = self.page.blocks.len() as u32;
         let line = self.line;
-        let mut skip = 0u8;
+        let mut skip = self.skip;
+        let mut is_split = false;
         let mut statement = None;
         let mut guard = None;
         let mut is_mark = false;
@@ -248,6 +255,22 @@ impl Lexer<'_> {
         loop {
             let byte = self.peek();
             match byte {
+                b'P' | b'p' | b'V' | b'v'
+                    if self.syntax.parameter_letter.is_some() && self.starts_assignment() =>
+                {
+                    if statement.is_some() || !self.only_sequence_number(first_word) {
+                        is_split = true;
+                        break;
+                    }
+                    statement = self.statement(number, first_word);
+                    text_end = self.at;
+                }
+                b'A'..=b'Z' | b'a'..=b'z'
+                    if statement.is_some() && self.syntax.parameter_letter.is_some() =>
+                {
+                    is_split = true;
+                    break;
+                }
                 b'A'..=b'Z' | b'a'..=b'z' => {
                     match self.byte_at(self.at + 1).is_ascii_alphabetic() {
                         true => self.name(number, first_word, &mut statement, &mut guard),
@@ -287,6 +310,14 @@ impl Lexer<'_> {
                     self.skip_rest_of_block();
                 }
                 _ if self.at >= self.text.len() => break,
+                _ if Some(byte) == self.syntax.keyword_sign => {
+                    statement = self.statement(number, first_word);
+                    text_end = self.at;
+                }
+                b':' if self.syntax.keyword_sign.is_some() && self.has_sequence_number(first_word) => {
+                    self.at += 1;
+                    text_end = self.at;
+                }
                 _ if self.starts_line_comment() => self.skip_line(),
                 _ if self.syntax.text_address.is_some() && self.opening_quote() > 0 => {
                     self.text_word(number, self.syntax.text_address.unwrap_or(0), self.at);
@@ -316,7 +347,8 @@ impl Lexer<'_> {
                 guard,
             });
         }
-        if self.at < self.text.len() {
+        self.skip = if is_split { skip } else { 0 };
+        if self.at < self.text.len() && !is_split {
             self.end_of_block();
         }
     }
@@ -328,6 +360,11 @@ impl Lexer<'_> {
             Some([word]) => word.letter == b'N' && !word.has_comma(),
             _ => false,
         }
+    }
+
+    /// Whether an N word, and nothing else, was read of this block.
+    fn has_sequence_number(&self, first_word: usize) -> bool {
+        self.page.words.len() > first_word && self.only_sequence_number(first_word)
     }
 
     fn flaw(&mut self, block: u32, Flaw(kind, at, len): Flaw) {
@@ -394,7 +431,8 @@ impl Lexer<'_> {
     /// values are missing.
     fn name(&mut self, block: u32, first_word: usize, statement: &mut Option<u16>, guard: &mut Option<u16>) {
         let name = self.letters();
-        match self.syntax.keyword(name) {
+        let keyword = if self.syntax.keyword_sign.is_none() { self.syntax.keyword(name) } else { None };
+        match keyword {
             Some(Keyword::If) if self.syntax.if_guards_block => {
                 *guard = self.guard(block, first_word, *guard)
             }
@@ -518,8 +556,15 @@ impl Lexer<'_> {
         }
         let start = self.at;
         self.at += usize::from(comma);
-        let letter = self.peek().to_ascii_uppercase();
+        let mut letter = self.peek().to_ascii_uppercase();
         self.at += 1;
+        if self.syntax.numbered_axes
+            && self.byte_at(self.at + 1) == b'='
+            && let Some(axis) = numbered_axis(letter, self.peek())
+        {
+            letter = axis;
+            self.at += 1;
+        }
         self.skip_blanks();
         let mut negative = false;
         let mut signs = 0;
@@ -543,6 +588,7 @@ impl Lexer<'_> {
                 self.equals_word(block, letter, start, comma);
             }
             _ if signs == 0 && self.opening_quote() > 0 => self.text_word(block, letter, start),
+            _ if self.at_parameter() => self.expression_word(block, letter, start, negative, comma),
             b'(' if self.syntax.paren_groups => self.expression_word(block, letter, start, negative, comma),
             _ => {
                 self.at = end;
@@ -622,6 +668,14 @@ impl Lexer<'_> {
             }
             match self.at_end_of_block() {
                 true => Ok(statement),
+                // The rest of the line is a block of its own.
+                false
+                    if self.syntax.parameter_letter.is_some()
+                        && matches!(statement, Statement::Assign { .. })
+                        && self.peek().is_ascii_alphabetic() =>
+                {
+                    Ok(statement)
+                }
                 // A comment that is not closed; it is read, and reported, with the block.
                 false if self.peek() == b'(' && self.syntax.paren_comments => Ok(statement),
                 false if self.starts_line_comment() => Ok(statement),
@@ -693,7 +747,13 @@ impl Lexer<'_> {
 
     fn parse_statement(&mut self) -> Result<Statement, Flaw> {
         self.skip_blanks();
-        if self.peek() == b'#' {
+        if self.peek() == b'#' && self.syntax.directives {
+            return self.directive();
+        }
+        if Some(self.peek()) == self.syntax.keyword_sign {
+            return self.parse_block_statement();
+        }
+        if self.peek() == b'#' || self.at_parameter() {
             let (target, value) = self.assignment()?;
             return Ok(Statement::Assign { target, value });
         }
@@ -739,6 +799,253 @@ impl Lexer<'_> {
             }
             _ => self.malformed(),
         }
+    }
+
+    /// A statement whose keyword has a sign before it.
+    fn parse_block_statement(&mut self) -> Result<Statement, Flaw> {
+        let start = self.at;
+        self.at += 1;
+        let name = self.letters();
+        let (keyword, len) = (self.syntax.keyword(name), name.len());
+        self.at += len;
+        let Some(keyword) = keyword else {
+            return Err(Flaw(DefectKind::MalformedStatement, start, len + 1));
+        };
+        let mut condition = || {
+            let first = self.page.nodes.len();
+            self.expression(0, Depth::default())?;
+            Ok(self.range_from(first))
+        };
+        Ok(match keyword {
+            Keyword::If => Statement::If { condition: condition()? },
+            Keyword::ElseIf => Statement::ElseIf { condition: condition()? },
+            Keyword::While => Statement::WhileBlock { condition: condition()? },
+            Keyword::Else => Statement::Else,
+            Keyword::EndIf => Statement::EndIf,
+            Keyword::EndFor => Statement::EndFor,
+            Keyword::EndWhile => Statement::EndWhileBlock,
+            Keyword::Break => Statement::Break,
+            Keyword::Continue => Statement::Continue,
+            Keyword::For => return self.for_statement(),
+            Keyword::Goto => {
+                self.skip_blanks();
+                // `$GOTO N10`: the letter belongs to the number.
+                if self.peek().eq_ignore_ascii_case(&b'N') {
+                    self.at += 1;
+                }
+                Statement::Goto { condition: None, target: self.goto_target()? }
+            }
+            Keyword::Then | Keyword::Do | Keyword::End => return self.malformed(),
+        })
+    }
+
+    /// `P0=first,last,step` behind `$FOR`.
+    fn for_statement(&mut self) -> Result<Statement, Flaw> {
+        self.skip_blanks();
+        if !self.at_parameter() {
+            return self.malformed();
+        }
+        let (target, first) = self.assignment()?;
+        let mut next = || {
+            self.skip_blanks();
+            if self.peek() != b',' {
+                return Ok(None);
+            }
+            self.at += 1;
+            let start = self.page.nodes.len();
+            self.expression(0, Depth::default())?;
+            Ok(Some(self.range_from(start)))
+        };
+        let last = next()?;
+        let step = next()?;
+        match last {
+            Some(last) => Ok(Statement::For { target, first, last, step }),
+            None => self.malformed(),
+        }
+    }
+
+    /// `#NAME NAME [argument, …]`.
+    fn directive(&mut self) -> Result<Statement, Flaw> {
+        let start = self.at;
+        self.at += 1;
+        let (first_name, first_argument) = (self.page.names.len(), self.page.arguments.len());
+        loop {
+            self.skip_blanks();
+            let len = self.word_of_directive();
+            if len == 0 {
+                break;
+            }
+            self.page.names.push(TextRange { at: self.at as u32, len: len as u32 });
+            self.at += len;
+        }
+        // Names have two letters at least, so that the index of a statement fits its 16 bits.
+        if self.page.names.get(first_name).is_none_or(|name| name.len < 2) {
+            return Err(Flaw(DefectKind::MalformedStatement, start, 1));
+        }
+        if self.peek() == b'[' {
+            let open = self.at;
+            self.at += 1;
+            loop {
+                let argument = self.argument(true)?;
+                self.page.arguments.push(argument);
+                if self.page.arguments.len() - first_argument > MAX_WORDS {
+                    return Err(Flaw(DefectKind::LineTooLong, self.at, 1));
+                }
+                match self.peek() {
+                    b',' => self.at += 1,
+                    b']' => break,
+                    _ => return Err(Flaw(DefectKind::UnbalancedBracket, open, 1)),
+                }
+            }
+            self.at += 1;
+        }
+        self.page.directives.push(Directive {
+            first_name: first_name as u32,
+            names: (self.page.names.len() - first_name) as u16,
+            first_argument: first_argument as u32,
+            arguments: (self.page.arguments.len() - first_argument) as u16,
+        });
+        Ok(Statement::Directive(self.page.directives.len() as u32 - 1))
+    }
+
+    /// Length of the name that begins here.
+    fn word_of_directive(&self) -> usize {
+        let rest = self.text.get(self.at..).unwrap_or(&[]);
+        rest.iter().take_while(|b| b.is_ascii_alphanumeric() || matches!(b, b'_' | b'-' | b'.')).count()
+    }
+
+    /// An argument, up to the comma or bracket that ends it.
+    fn argument(&mut self, may_be_list: bool) -> Result<Argument, Flaw> {
+        self.skip_blanks();
+        let mut name = TextRange::default();
+        let len = self.word_of_directive();
+        let behind = self.text.get(self.at + len..).unwrap_or(&[]);
+        let blanks = behind.iter().take_while(|b| matches!(b, b' ' | b'\t')).count();
+        if may_be_list
+            && len > 0
+            && behind.get(blanks) == Some(&b'=')
+            && behind.get(blanks + 1) != Some(&b'=')
+        {
+            name = TextRange { at: self.at as u32, len: len as u32 };
+            self.at += len + blanks + 1;
+            self.skip_blanks();
+        }
+        let start = self.at;
+        if may_be_list && self.peek() == b'[' {
+            let first = self.page.items.len();
+            self.at += 1;
+            loop {
+                let item = self.argument(false)?;
+                self.page.items.push(item);
+                if self.page.items.len() - first > MAX_WORDS {
+                    return Err(Flaw(DefectKind::LineTooLong, self.at, 1));
+                }
+                match self.peek() {
+                    b',' => self.at += 1,
+                    b']' => break,
+                    _ => return Err(Flaw(DefectKind::UnbalancedBracket, start, 1)),
+                }
+            }
+            self.at += 1;
+            let count = (self.page.items.len() - first) as u16;
+            let text = TextRange { at: start as u32, len: (self.at - start) as u32 };
+            self.skip_blanks();
+            return Ok(Argument { name, text, value: None, items: Some((first as u32, count)) });
+        }
+        let end = self.end_of_argument()?;
+        let written = self.text.get(start..end).unwrap_or(&[]);
+        let len = written.iter().rposition(|b| !matches!(b, b' ' | b'\t')).map_or(0, |last| last + 1);
+        let first = self.page.nodes.len();
+        let value = match self.expression(0, Depth::default()) {
+            Ok(()) if len > 0 => {
+                self.skip_blanks();
+                (self.at == end).then(|| self.range_from(first))
+            }
+            _ => None,
+        };
+        if value.is_none() {
+            self.page.nodes.truncate(first);
+        }
+        self.at = end;
+        Ok(Argument { name, text: TextRange { at: start as u32, len: len as u32 }, value, items: None })
+    }
+
+    /// Where the comma or bracket stands that ends the value beginning here.
+    fn end_of_argument(&self) -> Result<usize, Flaw> {
+        let (mut depth, mut quoted) = (0u32, false);
+        let rest = self.text.get(self.at..).unwrap_or(&[]);
+        for (place, byte) in rest.iter().enumerate() {
+            match byte {
+                b'\n' | b'\r' => break,
+                b'"' => quoted = !quoted,
+                _ if quoted => {}
+                b'[' => depth += 1,
+                b']' if depth > 0 => depth -= 1,
+                b']' | b',' if depth == 0 => return Ok(self.at + place),
+                b';' => break,
+                _ => {}
+            }
+        }
+        Err(Flaw(DefectKind::UnbalancedBracket, self.at.min(self.text.len().saturating_sub(1)), 1))
+    }
+
+    /// Whether a parameter or a variable with a name begins here.
+    fn at_parameter(&self) -> bool {
+        let Some(letter) = self.syntax.parameter_letter else { return false };
+        let next = self.byte_at(self.at + 1);
+        if self.peek().eq_ignore_ascii_case(&letter) && (next.is_ascii_digit() || next == b'[') {
+            return true;
+        }
+        next == b'.'
+            && self.peek().eq_ignore_ascii_case(&b'V')
+            && self.byte_at(self.at + 2).is_ascii_alphabetic()
+    }
+
+    /// Whether a parameter or variable is set here.
+    fn starts_assignment(&self) -> bool {
+        if !self.at_parameter() {
+            return false;
+        }
+        let rest = self.text.get(self.at..).unwrap_or(&[]);
+        let (mut depth, mut name) = (0u32, 1);
+        while let Some(byte) = rest.get(name) {
+            match byte {
+                b'[' => depth += 1,
+                b']' if depth > 0 => depth -= 1,
+                b'\n' | b'\r' | b';' => return false,
+                _ if depth > 0 => {}
+                b'0'..=b'9' | b'A'..=b'Z' | b'a'..=b'z' | b'.' | b'_' => {}
+                _ => break,
+            }
+            name += 1;
+        }
+        let behind = rest.get(name..).unwrap_or(&[]);
+        let blanks = behind.iter().take_while(|b| matches!(b, b' ' | b'\t')).count();
+        behind.get(blanks) == Some(&b'=') && behind.get(blanks + 1) != Some(&b'=')
+    }
+
+    /// Reads `P10`, `P[…]` or `V.C.Z` and pushes what computes the number that it is kept by.
+    fn parameter_number(&mut self, depth: Depth) -> Result<(), Flaw> {
+        let start = self.at;
+        match self.byte_at(self.at + 1) {
+            b'[' => {}
+            b'.' => return self.variable_name(),
+            _ => {
+                let rest = self.text.get(self.at + 1..).unwrap_or(&[]);
+                let len = 1 + rest.iter().take_while(|b| b.is_ascii_digit()).count();
+                return self.variable_name_of(len);
+            }
+        }
+        // The family of the letter starts at a number of its own.
+        let letter = [self.peek().to_ascii_uppercase(), b'0'];
+        let Some(first) = self.syntax.variable(&letter) else {
+            return Err(Flaw(DefectKind::UnknownVariable, start, 1));
+        };
+        self.at += 1;
+        self.page.nodes.push(Node::Number(f64::from(first)));
+        self.primary(depth.nested(start)?.with_value())?;
+        self.page.nodes.push(Node::Binary(Binary::Add));
+        Ok(())
     }
 
     fn label(&mut self) -> Result<u16, Flaw> {
@@ -788,6 +1095,9 @@ impl Lexer<'_> {
     /// Reads `#` and pushes what computes the number of the variable. Of `#1.5` that is 1.5: what a
     /// fraction means is the dialect's.
     fn variable_number(&mut self, depth: Depth) -> Result<(), Flaw> {
+        if self.at_parameter() {
+            return self.parameter_number(depth);
+        }
         let start = self.at;
         let inner = depth.nested(start)?;
         self.at += 1;
@@ -810,6 +1120,12 @@ impl Lexer<'_> {
     fn variable_name(&mut self) -> Result<(), Flaw> {
         let rest = self.text.get(self.at..).unwrap_or(&[]);
         let len = rest.iter().take_while(|b| b.is_ascii_alphanumeric() || matches!(b, b'_' | b'.')).count();
+        self.variable_name_of(len)
+    }
+
+    /// The same of a name of so many bytes.
+    fn variable_name_of(&mut self, len: usize) -> Result<(), Flaw> {
+        let rest = self.text.get(self.at..).unwrap_or(&[]);
         let number = rest.get(..len).and_then(|name| self.syntax.variable(name));
         let Some(number) = number else { return Err(Flaw(DefectKind::UnknownVariable, self.at, len)) };
         self.at += len;
@@ -893,6 +1209,7 @@ impl Lexer<'_> {
             b'#' => self.variable(depth),
             b'[' => self.bracket(b']', depth),
             b'(' if self.syntax.paren_groups => self.bracket(b')', depth),
+            _ if self.at_parameter() => self.variable(depth),
             b'A'..=b'Z' | b'a'..=b'z' => self.call(depth),
             _ if self.at_end_of_block() => Err(Flaw(DefectKind::MalformedExpression, self.last_code(), 1)),
             _ => Err(Flaw(DefectKind::MalformedExpression, start, 1)),

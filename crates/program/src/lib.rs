@@ -23,7 +23,9 @@ pub mod text;
 pub use encoding::Encoding;
 pub use expression::{Binary, Function, Node, Unary};
 pub use memory::{Place, ProgramId, ProgramMemory};
-pub use page::{Block, Defect, DefectKind, ExprRange, Page, Statement, TextRange, Value, Word};
+pub use page::{
+    Argument, Block, Defect, DefectKind, Directive, ExprRange, Page, Statement, TextRange, Value, Word,
+};
 pub use span::{FileId, Span};
-pub use syntax::{Keyword, Syntax};
+pub use syntax::{Keyword, Syntax, numbered_axis, numbered_axis_name};
 pub use text::{OpenError, Text};

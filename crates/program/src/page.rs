@@ -138,6 +138,72 @@ pub enum Statement {
         /// Number that pairs it with its beginning.
         label: u16,
     },
+    /// `$IF c`: the blocks behind it are run if it holds.
+    If {
+        /// The condition.
+        condition: ExprRange,
+    },
+    /// `$ELSEIF c`.
+    ElseIf {
+        /// The condition.
+        condition: ExprRange,
+    },
+    /// `$ELSE`.
+    Else,
+    /// `$ENDIF`.
+    EndIf,
+    /// `$FOR Pn = first, last, step`.
+    For {
+        /// Number of the variable that counts.
+        target: ExprRange,
+        /// What it starts with.
+        first: ExprRange,
+        /// What it does not pass.
+        last: ExprRange,
+        /// What is added each time; 1 where it is not given.
+        step: Option<ExprRange>,
+    },
+    /// `$ENDFOR`.
+    EndFor,
+    /// `$WHILE c`.
+    WhileBlock {
+        /// Loop while this holds.
+        condition: ExprRange,
+    },
+    /// `$ENDWHILE`.
+    EndWhileBlock,
+    /// `$BREAK`: out of the innermost loop.
+    Break,
+    /// `$CONTINUE`: to the end of its present pass.
+    Continue,
+    /// `#…`, by its place in [`Page::directives`].
+    Directive(u32),
+}
+
+/// A directive, `#CYCLE G281 [X=10, mode=depth]`.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Directive {
+    /// First of its names in [`Page::names`]: `CYCLE` and `G281`.
+    pub first_name: u32,
+    /// How many.
+    pub names: u16,
+    /// Number of its arguments.
+    pub arguments: u16,
+    /// The first of them in [`Page::arguments`].
+    pub first_argument: u32,
+}
+
+/// An argument of a directive.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Argument {
+    /// What stands before `=`; empty where nothing does.
+    pub name: TextRange,
+    /// The value as written.
+    pub text: TextRange,
+    /// The value, where it can be read as an expression. What may be a name too is the dialect's to tell.
+    pub value: Option<ExprRange>,
+    /// The items of a list in brackets, `[50, 25]`, in [`Page::items`]: the first, and how many.
+    pub items: Option<(u32, u16)>,
 }
 
 /// What is wrong with a piece of text.
@@ -234,6 +300,14 @@ pub struct Page {
     pub statements: Vec<Statement>,
     /// Conditions of all blocks.
     pub guards: Vec<ExprRange>,
+    /// Directives of all blocks.
+    pub directives: Vec<Directive>,
+    /// Their names.
+    pub names: Vec<TextRange>,
+    /// Their arguments.
+    pub arguments: Vec<Argument>,
+    /// Items of lists among these; they have no name and no items.
+    pub items: Vec<Argument>,
     /// Defects of all blocks, in order of blocks.
     pub defects: Vec<Defect>,
 }
@@ -261,6 +335,30 @@ impl Page {
     /// The condition without which a block does nothing.
     pub fn guard(&self, block: &Block) -> Option<ExprRange> {
         self.guards.get(usize::from(block.guard?)).copied()
+    }
+
+    /// A directive.
+    pub fn directive(&self, place: u32) -> Option<&Directive> {
+        self.directives.get(place as usize)
+    }
+
+    /// Where the names of a directive stand.
+    pub fn directive_names(&self, directive: &Directive) -> &[TextRange] {
+        let first = directive.first_name as usize;
+        self.names.get(first..first + usize::from(directive.names)).unwrap_or(&[])
+    }
+
+    /// The arguments of a directive.
+    pub fn directive_arguments(&self, directive: &Directive) -> &[Argument] {
+        let first = directive.first_argument as usize;
+        self.arguments.get(first..first + usize::from(directive.arguments)).unwrap_or(&[])
+    }
+
+    /// The items of a list.
+    pub fn list(&self, argument: &Argument) -> &[Argument] {
+        let Some((first, count)) = argument.items else { return &[] };
+        let first = first as usize;
+        self.items.get(first..first + usize::from(count)).unwrap_or(&[])
     }
 
     /// Defects of the block with this index.

@@ -12,6 +12,14 @@ pub enum Keyword {
     While,
     Do,
     End,
+    ElseIf,
+    Else,
+    EndIf,
+    For,
+    EndFor,
+    EndWhile,
+    Break,
+    Continue,
 }
 
 /// How a control language writes its programs.
@@ -59,6 +67,37 @@ pub struct Syntax {
     pub named_variables: &'static [(&'static str, u32)],
     /// Variables of a name and a number, `#FC12`: name, number of the first, how many.
     pub variable_families: &'static [(&'static str, u32, u32)],
+    /// The letter of arithmetic parameters, `P10`, which then are variables of that family without a sign
+    /// before them; so are variables with names, `V.C.Z`. Several may be set in a line: each is a block.
+    pub parameter_letter: Option<u8>,
+    /// The sign of keywords, `$IF`. With it conditions and loops are lines of their own, closed by
+    /// `$ENDIF`, `$ENDFOR`, `$ENDWHILE`; else they are those of the custom macro.
+    pub keyword_sign: Option<u8>,
+    /// Whether `#` begins a directive, `#TOOL AX [Z+]`, and no variable.
+    pub directives: bool,
+    /// Whether an axis may be called by a letter and a digit, `X2=25`.
+    pub numbered_axes: bool,
+}
+
+/// Letters of axes that may have a digit behind them.
+const AXIS_LETTERS: &[u8; 9] = b"XYZABCUVW";
+
+/// First byte of such axes in [`Word::letter`](crate::Word::letter).
+pub const FIRST_NUMBERED: u8 = 0x80;
+
+/// The byte that stands for an axis with a digit from 1 to 9, such as X2, in
+/// [`Word::letter`](crate::Word::letter).
+pub fn numbered_axis(letter: u8, digit: u8) -> Option<u8> {
+    let place = AXIS_LETTERS.iter().position(|l| *l == letter.to_ascii_uppercase())?;
+    let digit = digit.checked_sub(b'1').filter(|d| *d < 9)?;
+    Some(FIRST_NUMBERED + place as u8 * 9 + digit)
+}
+
+/// Letter and digit of such a byte.
+pub fn numbered_axis_name(byte: u8) -> Option<[u8; 2]> {
+    let number = byte.checked_sub(FIRST_NUMBERED)?;
+    let letter = AXIS_LETTERS.get(usize::from(number / 9))?;
+    Some([*letter, b'1' + number % 9])
 }
 
 impl Syntax {
@@ -87,6 +126,10 @@ impl Syntax {
         long_addresses: &[],
         named_variables: &[],
         variable_families: &[],
+        parameter_letter: None,
+        keyword_sign: None,
+        directives: false,
+        numbered_axes: false,
     };
 
     pub(crate) fn keyword(&self, name: &[u8]) -> Option<Keyword> {
@@ -115,12 +158,13 @@ impl Syntax {
 
     /// What a variable is called, `#500`, `#FC12`.
     pub fn variable_name(&self, number: u32) -> String {
+        let sign = if self.parameter_letter.is_some() { "" } else { "#" };
         if let Some((name, _)) = self.named_variables.iter().find(|(_, n)| *n == number) {
-            return format!("#{name}");
+            return format!("{sign}{name}");
         }
         let of = |(_, first, count): &&(&str, u32, u32)| (*first..first + count).contains(&number);
         match self.variable_families.iter().find(of) {
-            Some((family, first, _)) => format!("#{family}{}", number - first),
+            Some((family, first, _)) => format!("{sign}{family}{}", number - first),
             None => format!("#{number}"),
         }
     }

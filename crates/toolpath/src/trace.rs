@@ -6,7 +6,7 @@
 //! it is not the main program. A move that changes nothing is not written.
 
 use crate::step::{Dwell, Feed, Op, Speed, SpindleState, Step};
-use ferrocut_geometry::{Axis, Position};
+use ferrocut_geometry::{Axis, AxisNames, Position};
 use ferrocut_program::{FileId, Span};
 use std::io::{self, Write};
 
@@ -23,6 +23,7 @@ pub struct TraceWriter<W: Write> {
     at: Position,
     main: FileId,
     file_names: Vec<Box<str>>,
+    axis_names: AxisNames,
 }
 
 impl<W: Write> TraceWriter<W> {
@@ -34,12 +35,18 @@ impl<W: Write> TraceWriter<W> {
             at: start,
             main: FileId(0),
             file_names: Vec::new(),
+            axis_names: AxisNames::default(),
         }
     }
 
     /// Takes another file than the first as the main program, whose steps name no file.
     pub fn set_main(&mut self, file: FileId) {
         self.main = file;
+    }
+
+    /// Gives the axes the names under which they are shown.
+    pub fn name_axes(&mut self, names: AxisNames) {
+        self.axis_names = names;
     }
 
     /// Gives the name under which steps from `file` are shown.
@@ -144,7 +151,7 @@ impl<W: Write> TraceWriter<W> {
             if (to[axis] - self.at[axis]).abs() >= VISIBLE {
                 self.line.extend_from_slice(if any { b",\"" } else { b",\"to\":{\"" });
                 any = true;
-                self.line.extend_from_slice(axis.name().as_bytes());
+                self.line.extend(self.axis_names.name(axis).bytes());
                 self.line.extend_from_slice(b"\":");
                 write_number(&mut self.line, to[axis]);
             }
@@ -300,7 +307,9 @@ impl<W: Write> TraceWriter<W> {
                     if i > 0 {
                         self.line.push(b',');
                     }
-                    write_text(&mut self.line, axis.name());
+                    self.line.push(b'"');
+                    self.line.extend(self.axis_names.name(axis).bytes());
+                    self.line.push(b'"');
                 }
                 self.line.push(b']');
             }

@@ -17,6 +17,7 @@ pub fn run(args: &TraceArgs) -> Result<Exit, Failure> {
     let notes: Vec<Step> = job.notes().map(|note| message(&shop, note, job.programs())).collect();
     let mut interpreter = job.interpreter(shop.options());
     let mut trace = TraceWriter::new(io::stdout().lock(), shop.options().start);
+    trace.name_axes(shop.options().axis_names);
     trace.set_main(interpreter.main_file());
     match notes
         .iter()

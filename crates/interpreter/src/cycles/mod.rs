@@ -5,13 +5,27 @@
 //! level or to the initial one. Hole data are modal until the cycle is cancelled. [`hole`](self) drills
 //! and bores, `tap` taps, `bore` has the borings that move the tool aside, [`milling`] pockets and walls.
 
+mod acts;
+pub mod area;
 mod bore;
+pub mod bore_milling;
+pub mod boring;
+pub mod depth;
+pub mod described;
+pub mod drilling;
 mod hole;
 mod mill;
 pub mod milling;
+pub mod operation;
+pub mod parameter;
 mod pattern;
+pub mod positions;
 mod rules;
 mod tap;
+pub mod tapping;
+pub mod thread_milling;
+pub mod tool;
+pub mod zone;
 
 pub use mill::MillShape;
 use mill::MillWords;
@@ -89,6 +103,8 @@ pub enum CycleKind {
         /// The way round.
         turn: Turn,
     },
+    /// One whose parameters stand behind its code, with a zone of influence.
+    Words(&'static zone::WordFormat),
 }
 
 /// The address that makes a block with an active cycle cut a hole although no axis is named.
@@ -196,6 +212,7 @@ impl Interpreter {
             self.output.resume_cutter();
             self.cycle = CycleState::default();
             self.technology.rigid_tapping = false;
+            self.leave_zone();
         }
     }
 
@@ -279,20 +296,23 @@ impl Interpreter {
             };
         }
         let done = match self.cycle_kind() {
+            _ if self.zone_runs() => self.zone_hole(),
             Some(CycleKind::Hole(cycle)) => self.hole(cycle),
             Some(CycleKind::Tap { left }) => self.tap(left),
             Some(CycleKind::FineBore) => self.fine_bore(),
             Some(CycleKind::BackBore) => self.back_bore(),
             Some(CycleKind::Mill { shape, turn }) => self.mill(shape, turn),
-            None => Ok(()),
+            Some(CycleKind::Words(_)) | None => Ok(()),
         };
         if let Err(alarm) = done {
             self.cycle.holes_left = 0;
+            self.end_zone_block();
             return self.give_up_block(alarm);
         }
         if self.cycle.holes_left > 0 {
             return Ok(());
         }
+        self.end_zone_block();
         self.scale_tool_axis_again();
         self.end_holes()
     }

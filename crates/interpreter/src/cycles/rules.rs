@@ -100,6 +100,8 @@ pub struct Rules {
     /// Codes of tool length are without effect but in the block that starts the cycle mode; and what that
     /// block takes up does not change the machine height of the initial level.
     pub length_at_start_only: bool,
+    /// A cycle stays in force beside motion codes; else they end it.
+    pub stand_beside_motion: bool,
     /// Radius of the helix by which a pocket is entered, over the tool radius.
     pub pocket_helix_factor: f64,
 }

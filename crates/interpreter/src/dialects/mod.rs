@@ -1,5 +1,6 @@
 //! The control languages, one folder each, and what the Fanuc-like ones have in common.
 
+pub mod fagor8065;
 pub mod fanuc;
 pub mod gsk990mc;
 pub mod guess;
@@ -9,7 +10,7 @@ pub mod weihong;
 use crate::dialect::Dialect;
 
 /// Every control language.
-pub const ALL: &[&Dialect] = &[&gsk990mc::DIALECT, &kaitong::DIALECT, &weihong::DIALECT];
+pub const ALL: &[&Dialect] = &[&gsk990mc::DIALECT, &kaitong::DIALECT, &weihong::DIALECT, &fagor8065::DIALECT];
 
 /// The control language with this name.
 pub fn by_name(name: &str) -> Option<&'static Dialect> {

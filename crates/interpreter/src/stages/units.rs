@@ -19,3 +19,9 @@ pub fn coordinate(axis: Axis, value: f64, inch_axes: AxisSet) -> f64 {
 pub fn in_words(axis: Axis, value: f64, inch_axes: AxisSet) -> f64 {
     if inch_axes.contains(axis) { value / MM_PER_INCH } else { value }
 }
+
+/// A length in mm as a program writes it.
+#[inline]
+pub fn from_mm(value: f64, inch: bool) -> f64 {
+    if inch { value / MM_PER_INCH } else { value }
+}

@@ -36,6 +36,7 @@ mod round_pocket;
 mod words;
 
 pub use circle_finish::CircleFinish;
+pub(crate) use count::steps;
 pub use cutter::{Cutter, CycleMove, Frame, Sink};
 pub use fault::{CycleFault, MAX_MOVES, Problem};
 pub use plan::Plan;

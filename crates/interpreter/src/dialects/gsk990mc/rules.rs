@@ -37,6 +37,7 @@ pub fn rules(parameters: &Parameters) -> Rules {
         helix_feed_along_circle: true,
         arc_tolerance: p(214),
         // Table 4-2-5-2: P counts 0.001 s, with 5#1 0.0001 s.
+        dwell_letter: b'X',
         dwell_p_unit_s: if parameters.bit(5, 1) { 0.0001 } else { 0.001 },
         dwell_in_revolutions: parameters.bit(34, 0),
         length_on_plane_normal: parameters.bit(39, 0),
@@ -103,6 +104,8 @@ pub fn rules(parameters: &Parameters) -> Rules {
         surface_axis: order.get((p(254) as usize).saturating_sub(1)).copied().unwrap_or(Axis::X),
         // Table 4-7-1-1.
         max_offset: 999.999,
+        tools_carry_offsets: false,
+        plane_ends_cycle: false,
         max_wear: p(267),
         // Range of P10 to P44 (4.2.7 note 3).
         max_zero: 9_999.999_9,
@@ -155,6 +158,7 @@ fn cycles(parameters: &Parameters) -> cycles::Rules {
         dwell_p_unit_s: 0.001,
         needs_speed: true,
         length_at_start_only: false,
+        stand_beside_motion: false,
         pocket_helix_factor: p(269),
     }
 }

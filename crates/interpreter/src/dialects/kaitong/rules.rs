@@ -42,6 +42,7 @@ pub fn rules(parameters: &Parameters) -> Rules {
         rapid_is_straight: false,
         helix_feed_along_circle: true,
         arc_tolerance: 0.05,
+        dwell_letter: b'X',
         dwell_p_unit_s: DWELL_UNIT_S,
         dwell_in_revolutions: false,
         // Appendix 8, 1.1.1.
@@ -106,6 +107,8 @@ pub fn rules(parameters: &Parameters) -> Rules {
         max_wear: 9999.999,
         max_zero: 99_999.999,
         reference_keeps_cutter: false,
+        tools_carry_offsets: false,
+        plane_ends_cycle: false,
         axes: [Axis::X, Axis::Y, Axis::Z, Axis::A].into_iter().collect(),
         linear_axes: [Axis::X, Axis::Y, Axis::Z].into_iter().collect(),
         axis_order: [Axis::X, Axis::Y, Axis::Z, Axis::A, Axis::B],
@@ -143,6 +146,7 @@ fn cycles(parameters: &Parameters) -> cycles::Rules {
         needs_speed: false,
         // Appendix 8, note 2.
         length_at_start_only: true,
+        stand_beside_motion: false,
         pocket_helix_factor: 0.0,
     }
 }

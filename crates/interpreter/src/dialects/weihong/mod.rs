@@ -32,6 +32,9 @@ pub static DIALECT: Dialect = Dialect {
     // 5: variables that were never set are 0.
     unset_variable: Some(0.0),
     custom: Some(CUSTOM),
+    directives: &[],
+    described_cycles: &[],
+    described_figures: &[],
     variable: variables::variable,
     argument: fanuc::argument,
     addresses: codes::ADDRESSES,

@@ -34,6 +34,7 @@ pub fn rules(parameters: &Parameters) -> Rules {
         rapid_is_straight: true,
         helix_feed_along_circle: false,
         arc_tolerance: 0.05,
+        dwell_letter: b'X',
         dwell_p_unit_s: DWELL_UNIT_S,
         dwell_in_revolutions: false,
         // 4.3, G43: Z.
@@ -56,6 +57,7 @@ pub fn rules(parameters: &Parameters) -> Rules {
             short_radius_is_half_circle: true,
             centre_is_absolute: p("IJK_INCREMENTAL") == 0.0,
             helix_has_pitch: true,
+            polar_words: false,
             rotary_y: y_turns.then(|| rotary_y(p("UNIT.YR"), p("WPREVDIAM"))),
         },
         coordinates: coordinates::Rules {
@@ -115,6 +117,8 @@ pub fn rules(parameters: &Parameters) -> Rules {
         max_wear: 9_999_999.0,
         max_zero: 9_999_999.0,
         reference_keeps_cutter: false,
+        tools_carry_offsets: false,
+        plane_ends_cycle: false,
         axes: [Axis::X, Axis::Y, Axis::Z, Axis::A, Axis::B, Axis::C].into_iter().collect(),
         linear_axes: match y_turns {
             true => [Axis::X, Axis::Z].into_iter().collect(),
@@ -167,6 +171,7 @@ fn cycles(parameters: &Parameters) -> cycles::Rules {
         dwell_p_unit_s: DWELL_UNIT_S,
         needs_speed: false,
         length_at_start_only: false,
+        stand_beside_motion: false,
         pocket_helix_factor: 0.0,
     }
 }

@@ -63,6 +63,7 @@ pub static SYNTAX: Syntax = Syntax {
     ],
     named_variables: NAMES,
     variable_families: FAMILIES,
+    ..Syntax::WORDS
 };
 
 /// The quote of a comment (4.6), and those that the manual's print and word processors put in its place:

@@ -1,0 +1,444 @@
+//! Cycles that directives describe: what the dialogue of a control keeps, written as text.
+//!
+//! ```text
+//! #CYCLE G287 [X=0, Y=0, …]      collected ─▶ Description ─▶ the dialect's build ─▶ Plan
+//! #ROUGH [step=6, …]                                            │
+//! #FINISH [delta=0.5, …]         when another block comes ──────┴▶ run, a stage at a point at a time
+//! #MULTI LINE [alpha=45, …]
+//! ```
+//!
+//! What a cycle's parameters are, and what they make, is the dialect's table; this file reads, keeps and
+//! runs it. All its moves carry the block of the cycle.
+
+use super::operation::Operation;
+use super::parameter::WrongParameter;
+use super::positions::Figure;
+use super::zone::ToolData;
+use crate::Fallible;
+use crate::directives::Profiles;
+use crate::interpreter::Interpreter;
+use crate::stages::corner::CornerKind;
+use ferrocut_geometry::Turn;
+use ferrocut_machine::{Alarm, Fault};
+use ferrocut_program::Span;
+use ferrocut_toolpath::{Op, Speed, SpindleState};
+
+/// A part of a described cycle.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Part {
+    /// The cycle itself.
+    Main,
+    /// Drilling before it.
+    Drill,
+    /// Roughing.
+    Rough,
+    /// Semi-finishing.
+    Semi,
+    /// Finishing.
+    Finish,
+}
+
+/// Number of parts.
+const PARTS: usize = 5;
+
+/// What a parameter holds.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Kind {
+    /// A length or coordinate, or a feed.
+    Length,
+    /// An angle, a count, a speed, a time.
+    Number,
+    /// One of these words.
+    Word(&'static [&'static str]),
+    /// A name.
+    Name,
+    /// A point, and what is made of the corner there.
+    Point,
+}
+
+/// A parameter.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Parameter {
+    /// Its name.
+    pub name: &'static str,
+    /// What it holds.
+    pub kind: Kind,
+}
+
+/// Its value.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Entry {
+    /// Lengths in mm.
+    Number(f64),
+    /// One of the words it takes.
+    Word(&'static str),
+    /// A name.
+    Name(Box<str>),
+    /// A point and its corner, mm.
+    Point([f64; 2], Option<(CornerKind, f64)>),
+}
+
+/// The parameters of a part.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Section {
+    entries: Vec<(&'static str, Entry)>,
+}
+
+impl Section {
+    /// Keeps a value; false where there is one of this name already.
+    pub fn put(&mut self, name: &'static str, entry: Entry) -> bool {
+        if self.entry(name).is_some() {
+            return false;
+        }
+        self.entries.push((name, entry));
+        true
+    }
+
+    fn entry(&self, name: &str) -> Option<&Entry> {
+        self.entries.iter().find(|(n, _)| *n == name).map(|(_, entry)| entry)
+    }
+
+    /// A number, where it is given.
+    pub fn given(&self, name: &str) -> Option<f64> {
+        match self.entry(name)? {
+            Entry::Number(value) => Some(*value),
+            _ => None,
+        }
+    }
+
+    /// A number; 0 where it is not given.
+    pub fn number(&self, name: &str) -> f64 {
+        self.given(name).unwrap_or(0.0)
+    }
+
+    /// A word; `default` where it is not given.
+    pub fn word(&self, name: &str, default: &'static str) -> &'static str {
+        match self.entry(name) {
+            Some(Entry::Word(word)) => word,
+            _ => default,
+        }
+    }
+
+    /// A name.
+    pub fn name(&self, name: &str) -> Option<&str> {
+        match self.entry(name)? {
+            Entry::Name(text) => Some(text),
+            _ => None,
+        }
+    }
+
+    /// A point and its corner.
+    pub fn point(&self, name: &str) -> Option<([f64; 2], Option<(CornerKind, f64)>)> {
+        match self.entry(name)? {
+            Entry::Point(at, corner) => Some((*at, *corner)),
+            _ => None,
+        }
+    }
+}
+
+/// A kind of described cycle: a row of the dialect's table.
+#[derive(Debug)]
+pub struct DescribedCycle {
+    /// What the control calls it.
+    pub id: &'static str,
+    /// The parameters of its parts.
+    pub parts: &'static [(Part, &'static [Parameter])],
+    /// It may be repeated on a figure.
+    pub repeats: bool,
+    /// Makes a plan of them.
+    pub build: fn(&Description<'_>) -> Result<Plan, WrongParameter>,
+}
+
+/// A kind of figure.
+#[derive(Debug)]
+pub struct DescribedFigure {
+    /// What the control calls it.
+    pub name: &'static str,
+    /// Its parameters.
+    pub parameters: &'static [Parameter],
+    /// Makes a figure of them that begins at a point.
+    pub build: fn(&Section, [f64; 2]) -> Result<Figure, WrongParameter>,
+}
+
+/// What a plan is made of.
+pub struct Description<'a> {
+    sections: &'a [Option<Section>; PARTS],
+    /// The profiles of the program.
+    pub profiles: &'a Profiles,
+    tools: &'a dyn Fn(f64, f64) -> ToolData,
+}
+
+/// An empty part, for one that is not given.
+static NOTHING: Section = Section { entries: Vec::new() };
+
+impl Description<'_> {
+    /// The parameters of a part; none of them where it is not given.
+    pub fn part(&self, part: Part) -> &Section {
+        self.sections.get(part as usize).and_then(Option::as_ref).unwrap_or(&NOTHING)
+    }
+
+    /// Whether a part is given.
+    pub fn has(&self, part: Part) -> bool {
+        self.sections.get(part as usize).is_some_and(Option::is_some)
+    }
+
+    /// A tool of the table with an offset; number 0 is the one in the spindle.
+    pub fn tool(&self, number: f64, edge: f64) -> ToolData {
+        (self.tools)(number, edge)
+    }
+}
+
+/// What a described cycle does.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Plan {
+    /// Its point.
+    pub at: [f64; 2],
+    /// Level on which the tool travels.
+    pub safety: f64,
+    /// What it does there.
+    pub stages: Vec<Stage>,
+    /// Tool that is chosen for afterwards.
+    pub next_tool: Option<u32>,
+}
+
+/// An operation with a tool.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Stage {
+    /// Number of the tool; 0 for the one in the spindle.
+    pub tool: f64,
+    /// Its offset.
+    pub edge: f64,
+    /// Speed, r/min.
+    pub speed: f64,
+    /// Sense of the spindle; none where it is stopped at an angle instead.
+    pub turn: Option<Turn>,
+    /// M functions before it.
+    pub m: [Option<f64>; 4],
+    /// What is done.
+    pub operation: Operation,
+}
+
+/// A cycle being collected.
+struct Collected {
+    cycle: &'static DescribedCycle,
+    sections: [Option<Section>; PARTS],
+    figure: Option<(&'static DescribedFigure, Section)>,
+    span: Span,
+}
+
+/// A cycle being run.
+struct Running {
+    plan: Plan,
+    figure: Option<Figure>,
+    span: Span,
+    point: u32,
+    stage: usize,
+}
+
+/// Described cycles: what is collected, run and kept.
+#[derive(Default)]
+pub(crate) struct Described {
+    collected: Option<Box<Collected>>,
+    running: Option<Box<Running>>,
+    pub profiles: Profiles,
+}
+
+impl Described {
+    /// Whether a cycle is being run.
+    #[inline]
+    pub fn is_running(&self) -> bool {
+        self.running.is_some()
+    }
+
+    /// Whether a cycle is collected that runs when another block comes.
+    #[inline]
+    pub fn is_collecting(&self) -> bool {
+        self.collected.is_some()
+    }
+
+    /// Forgets everything.
+    pub fn reset(&mut self) {
+        *self = Described::default();
+    }
+}
+
+impl Interpreter {
+    /// Begins a cycle. One before it was run when this block was reached.
+    pub(crate) fn begin_described(
+        &mut self,
+        cycle: &'static DescribedCycle,
+        main: Section,
+        span: Span,
+    ) -> Fallible<()> {
+        let mut sections = [const { None }; PARTS];
+        if let Some(slot) = sections.first_mut() {
+            *slot = Some(main);
+        }
+        self.described.collected = Some(Box::new(Collected { cycle, sections, figure: None, span }));
+        Ok(())
+    }
+
+    /// The parameters that a part of the cycle being collected has; none where it has no such part, or has it
+    /// already.
+    pub(crate) fn part_of_described(&self, part: Part) -> Option<&'static [Parameter]> {
+        let collected = self.described.collected.as_ref()?;
+        let taken = collected.sections.get(part as usize).is_some_and(Option::is_some);
+        let row = collected.cycle.parts.iter().find(|(p, _)| *p == part);
+        row.filter(|_| !taken).map(|(_, parameters)| *parameters)
+    }
+
+    /// Adds a part.
+    pub(crate) fn add_part(&mut self, part: Part, section: Section) {
+        if let Some(slot) = self.described.collected.as_mut().and_then(|c| c.sections.get_mut(part as usize))
+        {
+            *slot = Some(section);
+        }
+    }
+
+    /// Whether the cycle being collected may be repeated on a figure, and is not yet.
+    pub(crate) fn takes_figure(&self) -> bool {
+        self.described.collected.as_ref().is_some_and(|c| c.cycle.repeats && c.figure.is_none())
+    }
+
+    /// Adds a figure.
+    pub(crate) fn add_figure(&mut self, figure: &'static DescribedFigure, section: Section) {
+        if let Some(collected) = &mut self.described.collected {
+            collected.figure = Some((figure, section));
+        }
+    }
+
+    /// The block of the cycle being collected.
+    pub(crate) fn described_span(&self) -> Option<Span> {
+        self.described.collected.as_ref().map(|c| c.span)
+    }
+
+    /// Runs the cycle that was collected.
+    pub(crate) fn run_described(&mut self) -> Fallible<()> {
+        let Some(collected) = self.described.collected.take() else { return Ok(()) };
+        self.words.start_at(collected.span);
+        self.output.start_block();
+        // An active cycle of the program is gone (4.1.2).
+        self.cancel_cycle();
+        let span = collected.span;
+        let (in_spindle, in_force) = (self.technology.in_spindle, self.technology.edge);
+        let tools = |number: f64, edge: f64| match number == 0.0 {
+            true => self.tool_data(in_spindle, in_force),
+            false => self.tool_data(number.clamp(0.0, f64::from(u32::MAX)) as u32, edge),
+        };
+        let description =
+            Description { sections: &collected.sections, profiles: &self.described.profiles, tools: &tools };
+        let plan = (collected.cycle.build)(&description)
+            .and_then(|plan| {
+                let figure = collected
+                    .figure
+                    .as_ref()
+                    .map(|(figure, section)| (figure.build)(section, plan.at))
+                    .transpose();
+                figure.map_err(|wrong| wrong.of_part("#MULTI")).map(|figure| (plan, figure))
+            })
+            .map_err(|wrong| self.wrong_parameter(wrong, span));
+        let (plan, figure) = match plan {
+            Ok(made) => made,
+            Err(alarm) => return self.give_up_described(alarm),
+        };
+        if let Some(fault) = self.stage_fault(&plan) {
+            let alarm = self.alarm(fault, span);
+            return self.give_up_described(alarm);
+        }
+        self.described.running = Some(Box::new(Running { plan, figure, span, point: 1, stage: 0 }));
+        Ok(())
+    }
+
+    fn give_up_described(&mut self, alarm: Box<Alarm>) -> Fallible<()> {
+        self.described.running = None;
+        if !self.options.keep_going {
+            return Err(alarm);
+        }
+        self.note(alarm);
+        Ok(())
+    }
+
+    /// What forbids a plan before its first move.
+    fn stage_fault(&self, plan: &Plan) -> Option<Fault> {
+        plan.stages.iter().find_map(|stage| {
+            if stage.operation.is_endless() {
+                return Some(Fault::MillTooManyMoves);
+            }
+            let number = stage.tool;
+            (number.fract() != 0.0 || !(0.0..=self.rules.max_tool).contains(&number))
+                .then_some(Fault::ToolNumber)
+        })
+    }
+
+    /// Runs the next stage of the cycle at its point.
+    pub(crate) fn next_described(&mut self) -> Fallible<()> {
+        let Some(running) = self.described.running.take() else { return Ok(()) };
+        match self.run_stage(running) {
+            Ok(left) => {
+                self.described.running = left;
+                Ok(())
+            }
+            Err(alarm) => self.give_up_described(alarm),
+        }
+    }
+
+    fn run_stage(&mut self, mut running: Box<Running>) -> Fallible<Option<Box<Running>>> {
+        self.words.start_at(running.span);
+        let at = running.figure.as_ref().map_or(running.plan.at, |figure| figure.point(running.point));
+        let points = running.figure.as_ref().map_or(1, Figure::count);
+        if let Some(stage) = running.plan.stages.get(running.stage) {
+            self.use_tool(stage, running.plan.next_tool)?;
+            let operation = &stage.operation;
+            let start = operation.start(at);
+            self.rapid_over(start, running.plan.safety, operation.up)?;
+            self.make(operation, at, true)?;
+        }
+        running.stage += 1;
+        if running.stage >= running.plan.stages.len() {
+            running.stage = 0;
+            running.point += 1;
+        }
+        Ok((running.point <= points).then_some(running))
+    }
+
+    /// Puts the tool of a stage in the spindle, where it is not, and turns it.
+    fn use_tool(&mut self, stage: &Stage, next: Option<u32>) -> Fallible<()> {
+        let number = stage.tool as u32;
+        if number != 0 && number != self.technology.in_spindle {
+            if self.technology.tool != number {
+                self.technology.tool = number;
+                self.emit(Op::Select(number));
+            }
+            self.spindle(SpindleState::Off);
+            self.emit(Op::Change(number));
+            self.tool_changed(Some(stage.edge));
+            if let Some(next) = next.filter(|next| *next != number) {
+                self.technology.tool = next;
+                self.emit(Op::Select(next));
+            }
+        } else if number != 0 && stage.edge != self.technology.edge {
+            self.edge_chosen(stage.edge);
+        }
+        if stage.speed > 0.0 {
+            self.technology.speed = Some(stage.speed.min(self.rules.max_spindle_rpm));
+        }
+        for code in stage.m.into_iter().flatten() {
+            let known = (0.0..=f64::from(u16::MAX)).contains(&code) && code.fract() == 0.0;
+            let row = known.then(|| self.dialect.m_code(code as u16)).flatten();
+            let Some(row) = row else {
+                return Err(self.alarm(Fault::UnknownMCode, self.words.block_span()));
+            };
+            self.m_function(row, self.words.block_span())?;
+        }
+        let rpm = self.technology.speed.unwrap_or(0.0);
+        match stage.turn {
+            Some(Turn::Clockwise) => self.spindle(SpindleState::Clockwise(Speed::Rpm(rpm))),
+            Some(Turn::CounterClockwise) => self.spindle(SpindleState::CounterClockwise(Speed::Rpm(rpm))),
+            None => {
+                self.technology.spindle = SpindleState::Off;
+                self.emit(Op::Orient(0.0));
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,325 @@
+//! The cycles of the editor, G281 to G299 (4.2 to 4.22), and the positions associated with them (4.23 to
+//! 4.27).
+//!
+//! The control keeps them in a dialogue. As text a cycle is a `#CYCLE` block, its stages `#ROUGH` and
+//! `#FINISH`, its positions `#MULTI`; the manual's symbols are the names of parameters, Greek letters in
+//! words. Lengths and feeds are in the units of the program, feeds always a minute.
+//!
+//! One file a group of the editor: [`holes`], [`pockets`], [`bosses`], [`milling`], [`profiles`],
+//! [`positions`]. This one has what they share: the planes of 4.1.2 and the values that stand for 0 (4.1.3).
+
+mod bosses;
+mod holes;
+mod milling;
+mod pockets;
+mod positions;
+mod profiles;
+
+pub use positions::FIGURES;
+
+use crate::cycles::area::{CLEAR, Cut, Entry, Planes};
+use crate::cycles::depth::Levels;
+use crate::cycles::described::{DescribedCycle, Description, Kind, Parameter, Part, Plan, Section, Stage};
+use crate::cycles::milling::steps;
+use crate::cycles::operation::{Operation, Work};
+use crate::cycles::parameter::{WrongParameter, refuse};
+use crate::cycles::tool::Frame;
+use crate::cycles::zone::ToolData;
+use ferrocut_geometry::Turn;
+use ferrocut_machine::Fault;
+
+type Made = Result<Plan, WrongParameter>;
+
+const fn length(name: &'static str) -> Parameter {
+    Parameter { name, kind: Kind::Length }
+}
+
+const fn number(name: &'static str) -> Parameter {
+    Parameter { name, kind: Kind::Number }
+}
+
+const fn words(name: &'static str, of: &'static [&'static str]) -> Parameter {
+    Parameter { name, kind: Kind::Word(of) }
+}
+
+const SENSES: &[&str] = &["cw", "ccw"];
+
+/// The parameters of a list of lists, in one.
+const fn joined<const N: usize>(lists: &[&[Parameter]]) -> [Parameter; N] {
+    let mut all = [number(""); N];
+    let (mut at, mut list) = (0, 0);
+    while list < lists.len() {
+        let mut place = 0;
+        while place < lists[list].len() {
+            all[at] = lists[list][place];
+            at += 1;
+            place += 1;
+        }
+        list += 1;
+    }
+    assert!(at == N);
+    all
+}
+
+/// Tool and spindle of a stage, and M functions before it (3.1).
+const TOOL: [Parameter; 9] = [
+    length("F"),
+    number("S"),
+    number("T"),
+    number("D"),
+    words("spindle", SENSES),
+    number("M1"),
+    number("M2"),
+    number("M3"),
+    number("M4"),
+];
+
+/// Direction of machining.
+const DIRECTION: [Parameter; 1] = [words("dir", SENSES)];
+
+/// Planes of 4.1.2, and the tool that is prepared (3.1).
+const PLANES: [Parameter; 4] = [length("Z"), length("ZS"), length("P"), number("next")];
+
+/// The point.
+const POINT: [Parameter; 2] = [length("X"), length("Y")];
+
+/// The same where the manual calls it a centre.
+const CENTRE: [Parameter; 2] = [length("XC"), length("YC")];
+
+/// Every cycle.
+pub static CYCLES: &[DescribedCycle] = &[
+    holes::CENTRE_PUNCHING,
+    holes::DRILLING,
+    holes::DEEP_DRILLING,
+    holes::TAPPING,
+    holes::REAMING,
+    holes::BORING,
+    pockets::RECTANGULAR,
+    pockets::CIRCULAR,
+    pockets::SIMPLE,
+    milling::SURFACE,
+    bosses::RECTANGULAR,
+    bosses::CIRCULAR,
+    profiles::POINT_TO_POINT,
+    profiles::FREE,
+    milling::SLOT,
+    pockets::PRE_EMPTIED,
+    holes::ORIENTED_BORING,
+    holes::BORE_MILLING,
+    holes::THREAD_MILLING,
+];
+
+/// The planes of a cycle, which way is up, and its depth (4.1.2).
+struct Placed {
+    planes: Planes,
+    up: f64,
+    depth: f64,
+}
+
+impl Placed {
+    /// From the surface Z, the safety plane ZS and the depth: the part lies on the far side of Z from ZS; where
+    /// both are one, the sign of the depth says so. The approach plane is never beyond the safety plane.
+    fn new(main: &Section, approach: f64, depth: f64) -> Result<Placed, WrongParameter> {
+        let (surface, safety) = (main.number("Z"), main.number("ZS"));
+        let up = match safety - surface {
+            above if above > 0.0 => 1.0,
+            above if above < 0.0 => -1.0,
+            _ if depth < 0.0 => -1.0,
+            _ => 1.0,
+        };
+        refuse(!(approach >= 0.0 && approach.is_finite()), Fault::CycleParameter, "DP")?;
+        refuse(!(depth != 0.0 && depth.is_finite()), Fault::CycleNoDepth, "P")?;
+        let near = approach.min((safety - surface).abs());
+        let planes = Planes { safety, approach: surface + up * near, surface };
+        Ok(Placed { planes, up, depth: depth.abs() })
+    }
+
+    /// Those of a milling cycle, whose approach plane is 1 mm above the surface.
+    fn of(main: &Section) -> Result<Placed, WrongParameter> {
+        Placed::new(main, CLEAR, main.number("P"))
+    }
+
+    /// The level at a depth.
+    fn at(&self, depth: f64) -> f64 {
+        self.planes.surface - self.up * depth
+    }
+
+    /// Where the first rapid of a finishing stage ends: 1 mm above the roughed floor, or, where this cycle does
+    /// not rough, on the approach plane, since what lies below is not known.
+    fn above_floor(&self, roughs: bool, floor_stock: f64) -> f64 {
+        if !roughs {
+            return self.planes.approach;
+        }
+        let above = self.at(self.depth - floor_stock - CLEAR);
+        let beyond = (above - self.planes.approach) * self.up > 0.0;
+        if beyond { self.planes.approach } else { above }
+    }
+}
+
+/// A word of the cycle that says which way round.
+fn turn(section: &Section, name: &str) -> Turn {
+    match section.word(name, "cw") {
+        "ccw" => Turn::CounterClockwise,
+        _ => Turn::Clockwise,
+    }
+}
+
+/// A feed; none given is an alarm.
+fn feed(section: &Section) -> Result<f64, WrongParameter> {
+    let feed = section.number("F");
+    refuse(!(feed > 0.0 && feed.is_finite()), Fault::CycleNoFeed, "F")?;
+    Ok(feed)
+}
+
+/// A feed of which 0 stands for half the milling feed (4.1.3).
+fn plunge(section: &Section, name: &'static str, milling: f64) -> Result<f64, WrongParameter> {
+    match section.number(name) {
+        0.0 => Ok(milling / 2.0),
+        feed if feed > 0.0 && feed.is_finite() => Ok(feed),
+        _ => Err(WrongParameter::new(Fault::CycleParameter, name)),
+    }
+}
+
+/// The tool of a stage with its offset, the first where none is given.
+fn tool(description: &Description<'_>, section: &Section) -> ToolData {
+    description.tool(section.number("T"), edge(section))
+}
+
+fn edge(section: &Section) -> f64 {
+    section.given("D").unwrap_or(1.0)
+}
+
+/// A stage with the tool and spindle of a section.
+fn stage(section: &Section, operation: Operation) -> Stage {
+    Stage {
+        tool: section.number("T"),
+        edge: edge(section),
+        speed: section.number("S"),
+        turn: Some(turn(section, "spindle")),
+        m: ["M1", "M2", "M3", "M4"].map(|name| section.given(name)),
+        operation,
+    }
+}
+
+/// An operation about the point, its frame not turned.
+fn plain(work: Work, up: f64) -> Operation {
+    Operation { work, frame: Frame::new([0.0; 2], 0.0, Turn::CounterClockwise), up, reference: None }
+}
+
+/// The tool prepared for afterwards.
+fn next_tool(main: &Section) -> Result<Option<u32>, WrongParameter> {
+    let Some(number) = main.given("next") else { return Ok(None) };
+    refuse(number.fract() != 0.0 || !(0.0..=9999.0).contains(&number), Fault::CycleParameter, "next")?;
+    Ok((number > 0.0).then_some(number as u32))
+}
+
+/// A plan at a point given by two names.
+fn plan(main: &Section, [x, y]: [&str; 2], placed: &Placed, stages: Vec<Stage>) -> Made {
+    let at = [main.number(x), main.number(y)];
+    Ok(Plan { at, safety: placed.planes.safety, stages, next_tool: next_tool(main)? })
+}
+
+/// How a stage cuts. `step` is the section's parameter, `plunge` its feed into the material.
+fn cut(section: &Section, data: &ToolData, plunge: f64) -> Result<Cut, WrongParameter> {
+    let step = section.number("step");
+    Cut { radius: data.radius, step, feed: feed(section)?, plunge }.check("step")
+}
+
+/// Passes in depth along a wall: N, 0 for the fewest that the cutting length allows, which limits them in any
+/// case (4.1.3). Without a cutting length, 0 is one for each roughing pass, of the same tool.
+fn wall_levels(
+    finish: &Section,
+    depth: f64,
+    data: &ToolData,
+    rough: Option<(&Section, Levels)>,
+) -> Result<Levels, WrongParameter> {
+    let passes = finish.number("N");
+    refuse(passes.fract() != 0.0 || !(0.0..=10_000.0).contains(&passes), Fault::CycleParameter, "N")?;
+    let least = if data.cutting_length > 0.0 { steps(depth, data.cutting_length) } else { 0.0 };
+    if passes > 0.0 || least > 0.0 {
+        return Ok(Levels::equal(depth, passes.max(least)));
+    }
+    match rough {
+        Some((section, levels)) if section.number("T") == finish.number("T") => {
+            Ok(Levels::equal(depth, levels.count()))
+        }
+        _ => Err(WrongParameter::new(Fault::CycleToolsDiffer, "N")),
+    }
+}
+
+/// Whether a stage is done: its tool is not 0.
+fn works(section: &Section) -> bool {
+    section.number("T") != 0.0
+}
+
+/// The angle of an entry, and the way it is made.
+fn entry(
+    section: &Section,
+    name: &'static str,
+    data: &ToolData,
+    way: impl Fn(f64) -> Entry,
+) -> Result<Entry, WrongParameter> {
+    let angle = Entry::angle(section.number(name), data.entry_angle, name)?;
+    Ok(angle.map_or(Entry::Straight, way))
+}
+
+/// Parameters of the roughing of an area.
+fn of_rough<T>(made: Result<T, WrongParameter>) -> Result<T, WrongParameter> {
+    made.map_err(|wrong| wrong.of_part("#ROUGH"))
+}
+
+/// The same of its finishing.
+fn of_finish<T>(made: Result<T, WrongParameter>) -> Result<T, WrongParameter> {
+    made.map_err(|wrong| wrong.of_part("#FINISH"))
+}
+
+/// Where a rectangle lies from its point: the frame about its middle and half its sizes. With a corner given
+/// it lies on the side that the signs of L and H say; it turns about the point.
+fn rectangle(main: &Section, is_centre: bool, turn: Turn) -> Result<(Frame, [f64; 2]), WrongParameter> {
+    let (l, h) = (main.number("L"), main.number("H"));
+    for (size, name) in [(l, "L"), (h, "H")] {
+        refuse(!(size != 0.0 && size.is_finite()), Fault::CycleParameter, name)?;
+    }
+    let angle = main.number("alpha");
+    let about = Frame::new([0.0; 2], angle, Turn::CounterClockwise);
+    let middle = if is_centre { [0.0; 2] } else { about.world([l / 2.0, h / 2.0]) };
+    Ok((Frame::new(middle, angle, turn), [l.abs() / 2.0, h.abs() / 2.0]))
+}
+
+/// The frame about a corner of a rectangle given by a point and signed sizes: u and v lead into it.
+fn corner_frame(main: &Section, right: bool, upper: bool) -> Result<(Frame, [f64; 2]), WrongParameter> {
+    let (frame, half) = rectangle(main, false, Turn::CounterClockwise)?;
+    let sign = |positive: bool| if positive { 1.0 } else { -1.0 };
+    let corner = frame.about([sign(right) * half[0], sign(upper) * half[1]]);
+    Ok((corner.flipped([right, upper]), [2.0 * half[0], 2.0 * half[1]]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_cycle_of_the_manual_is_there_once() {
+        let ids: Vec<&str> = CYCLES.iter().map(|cycle| cycle.id).collect();
+        let expected: Vec<String> = (281..=299).map(|number| format!("G{number}")).collect();
+        let mut sorted = ids.clone();
+        sorted.sort_unstable();
+        assert_eq!(
+            sorted.iter().filter(|id| id.starts_with('G')).collect::<Vec<_>>(),
+            expected.iter().collect::<Vec<_>>()
+        );
+    }
+
+    #[test]
+    fn names_of_parameters_are_their_own() {
+        for cycle in CYCLES {
+            for (part, parameters) in cycle.parts {
+                for (place, parameter) in parameters.iter().enumerate() {
+                    let twice = parameters.iter().skip(place + 1).any(|p| p.name == parameter.name);
+                    assert!(!twice, "{} {part:?} {}", cycle.id, parameter.name);
+                }
+            }
+            assert!(cycle.parts.iter().any(|(part, _)| *part == Part::Main), "{}", cycle.id);
+        }
+    }
+}
