@@ -886,7 +886,7 @@ impl Lexer<'_> {
             let open = self.at;
             self.at += 1;
             loop {
-                let argument = self.argument(true)?;
+                let argument = self.argument(open, true)?;
                 self.page.arguments.push(argument);
                 if self.page.arguments.len() - first_argument > MAX_WORDS {
                     return Err(Flaw(DefectKind::LineTooLong, self.at, 1));
@@ -914,8 +914,8 @@ impl Lexer<'_> {
         rest.iter().take_while(|b| b.is_ascii_alphanumeric() || matches!(b, b'_' | b'-' | b'.')).count()
     }
 
-    /// An argument, up to the comma or bracket that ends it.
-    fn argument(&mut self, may_be_list: bool) -> Result<Argument, Flaw> {
+    /// An argument, up to the comma or bracket that ends it; `open` is where the bracket before it stands.
+    fn argument(&mut self, open: usize, may_be_list: bool) -> Result<Argument, Flaw> {
         self.skip_blanks();
         let mut name = TextRange::default();
         let len = self.word_of_directive();
@@ -935,7 +935,7 @@ impl Lexer<'_> {
             let first = self.page.items.len();
             self.at += 1;
             loop {
-                let item = self.argument(false)?;
+                let item = self.argument(start, false)?;
                 self.page.items.push(item);
                 if self.page.items.len() - first > MAX_WORDS {
                     return Err(Flaw(DefectKind::LineTooLong, self.at, 1));
@@ -952,7 +952,7 @@ impl Lexer<'_> {
             self.skip_blanks();
             return Ok(Argument { name, text, value: None, items: Some((first as u32, count)) });
         }
-        let end = self.end_of_argument()?;
+        let end = self.end_of_argument().ok_or(Flaw(DefectKind::UnbalancedBracket, open, 1))?;
         let written = self.text.get(start..end).unwrap_or(&[]);
         let len = written.iter().rposition(|b| !matches!(b, b' ' | b'\t')).map_or(0, |last| last + 1);
         let first = self.page.nodes.len();
@@ -971,7 +971,7 @@ impl Lexer<'_> {
     }
 
     /// Where the comma or bracket stands that ends the value beginning here.
-    fn end_of_argument(&self) -> Result<usize, Flaw> {
+    fn end_of_argument(&self) -> Option<usize> {
         let (mut depth, mut quoted) = (0u32, false);
         let rest = self.text.get(self.at..).unwrap_or(&[]);
         for (place, byte) in rest.iter().enumerate() {
@@ -981,12 +981,12 @@ impl Lexer<'_> {
                 _ if quoted => {}
                 b'[' => depth += 1,
                 b']' if depth > 0 => depth -= 1,
-                b']' | b',' if depth == 0 => return Ok(self.at + place),
+                b']' | b',' if depth == 0 => return Some(self.at + place),
                 b';' => break,
                 _ => {}
             }
         }
-        Err(Flaw(DefectKind::UnbalancedBracket, self.at.min(self.text.len().saturating_sub(1)), 1))
+        None
     }
 
     /// Whether a parameter or a variable with a name begins here.

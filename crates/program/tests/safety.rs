@@ -4,13 +4,13 @@
 
 mod common;
 
-use common::{GROUPS, MACRO_B, NAMES, check, deepest, flat, pages};
+use common::{GROUPS, MACRO_B, NAMES, SIGNS, check, deepest, flat, pages};
 use ferrocut_program::expression::{MAX_NESTING, MAX_STACK};
 use ferrocut_program::{Binary, DefectKind, FileId, Page, ProgramMemory, Statement, Syntax, Text, lexer};
 use proptest::prelude::*;
 use std::time::{Duration, Instant};
 
-const SYNTAXES: [&Syntax; 4] = [&MACRO_B, &GROUPS, &NAMES, &Syntax::WORDS];
+const SYNTAXES: [&Syntax; 5] = [&MACRO_B, &GROUPS, &NAMES, &SIGNS, &Syntax::WORDS];
 
 /// Reads a file of any size by pages, checks each, and returns what it counted.
 fn read(text: &[u8], syntax: &'static Syntax) -> (usize, usize) {
@@ -32,7 +32,9 @@ fn page_bytes(page: &Page) -> usize {
     32 * page.blocks.capacity()
         + 16 * (page.words.capacity() + page.nodes.capacity() + page.defects.capacity())
         + 48 * page.statements.capacity()
-        + 8 * page.guards.capacity()
+        + 8 * (page.guards.capacity() + page.names.capacity())
+        + 40 * (page.arguments.capacity() + page.items.capacity())
+        + 16 * page.directives.capacity()
 }
 
 #[test]
@@ -74,6 +76,12 @@ fn hostile_files_end_in_a_result() {
         ("defects in lines", mb(b"A\n", 4)),
         ("short statements", mb(b"DO1\n", 4)),
         ("short statements in a line", mb(b"DO1;DO1;DO1;DO1;DO1\n", 4)),
+        ("short directives", mb(b"#AB\n", 4)),
+        ("short parameters", mb(b"P1=1", 4)),
+        ("short parameters in lines", mb(b"P1=1P2=2\n", 4)),
+        ("arguments", mb(&[b"#AB[".as_slice(), &b"a,".repeat(2000), b"]\n"].concat(), 4)),
+        ("lists", mb(&[b"#AB[".as_slice(), &b"a=[1,2],".repeat(400), b"]\n"].concat(), 4)),
+        ("lists not closed", mb(&[b"#AB[".as_slice(), &[b'['; 3000], b"\n"].concat(), 4)),
         ("zero bytes inside", [b"G0".as_slice(), &[0; 1 << 20], b"G0"].concat()),
         ("high bytes", mb(b"\xFF\x80\x81", 4)),
         ("blanks", mb(b" ", 4)),

@@ -133,6 +133,44 @@ pub const NAMES: Syntax = Syntax {
     long_addresses: &[("MSG", b'a'), ("PLC", b'b'), ("FX", b'c')],
     named_variables: &[("SAFE", 5001), ("POS.X", 5002)],
     variable_families: &[("FC", 6000, 100)],
+    ..Syntax::WORDS
+};
+
+/// Parameters without a sign, keywords with one, directives, axes with a digit.
+pub const SIGNS: Syntax = Syntax {
+    paren_comments: true,
+    keywords: &[
+        ("IF", Keyword::If),
+        ("ELSEIF", Keyword::ElseIf),
+        ("ELSE", Keyword::Else),
+        ("ENDIF", Keyword::EndIf),
+        ("FOR", Keyword::For),
+        ("ENDFOR", Keyword::EndFor),
+        ("WHILE", Keyword::While),
+        ("ENDWHILE", Keyword::EndWhile),
+        ("GOTO", Keyword::Goto),
+        ("BREAK", Keyword::Break),
+        ("CONTINUE", Keyword::Continue),
+    ],
+    functions: &[("SIN", Function::Sin)],
+    operators: &[
+        ("==", Binary::Equal, 1),
+        ("<", Binary::Less, 1),
+        ("+", Binary::Add, 2),
+        ("-", Binary::Subtract, 2),
+        ("*", Binary::Multiply, 3),
+    ],
+    max_line: lexer::MAX_LINE,
+    line_comments: &[b";"],
+    equals_in_words: true,
+    long_addresses: &[("NR", b'm')],
+    named_variables: &[("V.C.Z", 5000)],
+    variable_families: &[("P", 1, 100)],
+    parameter_letter: Some(b'P'),
+    keyword_sign: Some(b'$'),
+    directives: true,
+    numbered_axes: true,
+    ..Syntax::WORDS
 };
 
 /// Lexes a text that is all of its file, and checks what holds for every page.
@@ -199,6 +237,30 @@ pub fn show_statement(page: &Page, statement: &Statement) -> String {
         Statement::While { condition: None, label } => format!("do {label}"),
         Statement::While { condition: Some(c), label } => format!("while {} do {label}", show(c)),
         Statement::EndWhile { label } => format!("end {label}"),
+        Statement::If { condition } => format!("if {}", show(condition)),
+        Statement::ElseIf { condition } => format!("elseif {}", show(condition)),
+        Statement::WhileBlock { condition } => format!("while {}", show(condition)),
+        Statement::For { target, first, last, step } => {
+            let step = step.as_ref().map_or("1".to_string(), &show);
+            format!("for #({}) = {} to {} by {step}", show(target), show(first), show(last))
+        }
+        Statement::Else => "else".to_string(),
+        Statement::EndIf => "endif".to_string(),
+        Statement::EndFor => "endfor".to_string(),
+        Statement::EndWhileBlock => "endwhile".to_string(),
+        Statement::Break => "break".to_string(),
+        Statement::Continue => "continue".to_string(),
+        Statement::Directive(place) => {
+            let directive = page.directive(*place).unwrap();
+            let names: Vec<u32> = page.directive_names(directive).iter().map(|n| n.len).collect();
+            let arguments = page.directive_arguments(directive).iter();
+            let arguments: Vec<String> = arguments
+                .map(|a| {
+                    format!("{}:{}:{}", a.name.len, a.text.len, a.value.map_or("text".into(), |v| show(&v)))
+                })
+                .collect();
+            format!("directive {names:?} {arguments:?}")
+        }
     }
 }
 
@@ -251,9 +313,15 @@ pub fn check(text: &[u8], page: &Page) {
             } else {
                 text[at]
             };
-            // A small letter stands for an address of several, or of none.
-            assert!(word.letter == letter.to_ascii_uppercase() || word.letter.is_ascii_lowercase());
-            assert!(word.letter.is_ascii_alphabetic());
+            // A small letter stands for an address of several, or of none; a byte beyond for an axis with a
+            // digit.
+            let numbered = ferrocut_program::numbered_axis_name(word.letter);
+            assert!(
+                word.letter == letter.to_ascii_uppercase()
+                    || word.letter.is_ascii_lowercase()
+                    || numbered.is_some_and(|[own, _]| own == letter.to_ascii_uppercase())
+            );
+            assert!(word.letter.is_ascii_alphabetic() || numbered.is_some());
             match word.value() {
                 Value::Number(n) => assert!(n.is_finite()),
                 Value::Expression(range) => check_expression(page, range),
@@ -271,6 +339,7 @@ pub fn check(text: &[u8], page: &Page) {
             for range in ranges(statement) {
                 check_expression(page, range);
             }
+            check_directive(text, page, block, statement);
             assert!(block.words <= 1);
         }
         assert_eq!(block.statement.is_some(), page.statement(block).is_some());
@@ -288,6 +357,27 @@ pub fn check(text: &[u8], page: &Page) {
     assert!(page.defects.last().is_none_or(|d| (d.block as usize) < page.blocks.len()));
 }
 
+/// Names and arguments of a directive lie within its block, and their expressions have one value.
+fn check_directive(text: &[u8], page: &Page, block: &Block, statement: &Statement) {
+    let Statement::Directive(place) = statement else { return };
+    let directive = page.directive(*place).unwrap();
+    let within = |range: ferrocut_program::TextRange| {
+        let end = range.at + range.len;
+        range == ferrocut_program::TextRange::default()
+            || block.at <= range.at && end <= block.at + block.len && end as usize <= text.len()
+    };
+    assert!(!page.directive_names(directive).is_empty());
+    assert!(page.directive_names(directive).iter().all(|name| within(*name)));
+    for argument in page.directive_arguments(directive) {
+        for part in page.list(argument).iter().chain([argument]) {
+            assert!(within(part.name) && within(part.text), "{part:?}");
+            if let Some(range) = part.value {
+                check_expression(page, range);
+            }
+        }
+    }
+}
+
 /// Line ends in a text: LF, CR LF, or CR alone.
 pub fn line_ends(text: &[u8]) -> u32 {
     let ends = text.iter().enumerate();
@@ -300,7 +390,13 @@ pub fn ranges(statement: &Statement) -> Vec<ExprRange> {
         Statement::Goto { condition, target } => condition.into_iter().chain([target]).collect(),
         Statement::IfAssign { condition, target, value } => vec![condition, target, value],
         Statement::While { condition, .. } => condition.into_iter().collect(),
-        Statement::EndWhile { .. } => vec![],
+        Statement::If { condition }
+        | Statement::ElseIf { condition }
+        | Statement::WhileBlock { condition } => vec![condition],
+        Statement::For { target, first, last, step } => {
+            [target, first, last].into_iter().chain(step).collect()
+        }
+        _ => vec![],
     }
 }
 

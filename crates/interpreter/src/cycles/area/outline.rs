@@ -49,7 +49,21 @@ impl Outline {
             }
             _ => Corner::Sharp,
         };
-        Outline { half: self.half.map(|h| (h - distance).max(0.0)), corner }
+        let half = self.half.map(|h| (h - distance).max(0.0));
+        let Corner::Chamfer(c) = corner else { return Outline { half, corner } };
+        // Chamfers close on each other before the sides do where they leave little of a side.
+        let sum = (half[0] + half[1] - c).max(0.0);
+        let half = half.map(|h| h.min(sum));
+        Outline { half, corner: Corner::Chamfer(half[0] + half[1] - sum) }
+    }
+
+    /// The largest circle within it, by its radius.
+    pub fn room(&self) -> f64 {
+        let [a, b] = self.half;
+        match self.corner {
+            Corner::Chamfer(c) => a.min(b).min((a + b - c) / std::f64::consts::SQRT_2),
+            _ => a.min(b),
+        }
     }
 
     /// The path round it at a distance, whose sides go out by `side` at most: beyond that only its corners

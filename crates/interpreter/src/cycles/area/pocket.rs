@@ -59,8 +59,7 @@ pub(crate) fn check_corner(outline: &Outline, word: &'static str) -> Result<(), 
 
 /// Whether a tool fits a pocket with what is left on its wall.
 fn check_fit(wall: &Outline, radius: f64, stock: f64) -> Result<(), WrongParameter> {
-    let [a, b] = wall.half;
-    let room = a.min(b) - stock;
+    let room = wall.room() - stock;
     if radius > room + SAME_POINT_MM {
         return Err(WrongParameter::beyond(Fault::CycleToolTooLarge, "T", radius, room.max(0.0)));
     }
