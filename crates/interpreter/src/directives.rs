@@ -77,10 +77,13 @@ pub struct Contour {
     pub exit: f64,
 }
 
+/// The corner asked for behind an element, its size and the words; none for a sharp one.
+type DraftCorner = Option<(CornerKind, f64, Span)>;
+
 /// A contour being defined.
 struct Draft {
     start: [f64; 2],
-    elements: Vec<(Element, Option<(CornerKind, f64, Span)>)>,
+    elements: Vec<(Element, DraftCorner)>,
     entry: f64,
     exit: f64,
 }

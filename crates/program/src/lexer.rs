@@ -587,7 +587,7 @@ impl Lexer<'_> {
             b'=' if self.syntax.equals_in_words && signs == 0 => {
                 self.equals_word(block, letter, start, comma);
             }
-            _ if signs == 0 && self.opening_quote() > 0 => self.text_word(block, letter, start),
+            _ if signs == 0 && !comma && self.opening_quote() > 0 => self.text_word(block, letter, start),
             _ if self.at_parameter() => self.expression_word(block, letter, start, negative, comma),
             b'(' if self.syntax.paren_groups => self.expression_word(block, letter, start, negative, comma),
             _ => {

@@ -128,13 +128,16 @@ impl Section {
     }
 
     /// A point and its corner.
-    pub fn point(&self, name: &str) -> Option<([f64; 2], Option<(CornerKind, f64)>)> {
+    pub fn point(&self, name: &str) -> Option<([f64; 2], CornerSize)> {
         match self.entry(name)? {
             Entry::Point(at, corner) => Some((*at, *corner)),
             _ => None,
         }
     }
 }
+
+/// The corner made at a point, and its size; none for a sharp one.
+pub type CornerSize = Option<(CornerKind, f64)>;
 
 /// A kind of described cycle: a row of the dialect's table.
 #[derive(Debug)]

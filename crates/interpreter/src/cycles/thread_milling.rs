@@ -296,7 +296,7 @@ mod tests {
                         if center[0].hypot(center[1]) < 1e-9 {
                             prop_assert!(sweep.signum() == sign);
                             let angle = (at[1].atan2(at[0]).to_degrees() - thread.angle).rem_euclid(360.0);
-                            prop_assert!(angle < 1e-6 || angle > 360.0 - 1e-6, "starts at {angle}");
+                            prop_assert!(!(1e-6..=360.0 - 1e-6).contains(&angle), "starts at {angle}");
                             helices.push((at[0].hypot(at[1]), at[2], to[2], sweep.abs() / TAU));
                         }
                         at = to;

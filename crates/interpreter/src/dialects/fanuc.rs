@@ -279,6 +279,18 @@ pub const SYNTAX: Syntax = Syntax {
     ..Syntax::WORDS
 };
 
+/// M codes that the control hands to the machine as they are (Fanuc), by their number.
+pub static MACHINE_M: [MCode; 1000] = {
+    let mut rows =
+        [MCode { code: 0, function: MFunction::Machine, after_motion: false, controls_program: false }; 1000];
+    let mut number = 0;
+    while number < rows.len() {
+        rows[number].code = number as u16;
+        number += 1;
+    }
+    rows
+};
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -309,15 +321,3 @@ mod tests {
         assert_eq!(numbers, [Some(1), Some(7), Some(17), Some(26), None, None, None]);
     }
 }
-
-/// M codes that the control hands to the machine as they are (Fanuc), by their number.
-pub static MACHINE_M: [MCode; 1000] = {
-    let mut rows =
-        [MCode { code: 0, function: MFunction::Machine, after_motion: false, controls_program: false }; 1000];
-    let mut number = 0;
-    while number < rows.len() {
-        rows[number].code = number as u16;
-        number += 1;
-    }
-    rows
-};

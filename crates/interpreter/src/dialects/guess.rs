@@ -117,7 +117,9 @@ fn is_understood(page: &Page, block: &Block, dialect: &Dialect, programs: &HashS
                 known || custom(number, |programs| programs.g)
             }
             b'M' if number.fract() == 0.0 && (0.0..f64::from(u16::MAX)).contains(&number) => {
-                dialect.m_code(number as u16).is_some() || custom(number, |programs| programs.m)
+                // A code that a language only hands on tells nothing.
+                let named = dialect.m_codes.binary_search_by_key(&(number as u16), |m| m.code).is_ok();
+                named || custom(number, |programs| programs.m)
             }
             b'G' | b'M' => false,
             letter if letter.is_ascii_uppercase() => {

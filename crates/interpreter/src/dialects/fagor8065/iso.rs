@@ -141,7 +141,7 @@ fn variable_pecks(given: &Given<'_>) -> Made {
     let up = given.up(bottom);
     let reference = given.reference;
     let every = given.or(b'J', 0.0);
-    refuse(!(every >= 0.0 && every <= 1e6 && every.fract() == 0.0), Fault::CycleParameter, "J")?;
+    refuse(!((0.0..=1e6).contains(&every) && every.fract() == 0.0), Fault::CycleParameter, "J")?;
     let back = match (given.get(b'H'), every) {
         // H omitted: always to Z.
         (None, _) => Back::To(reference),
