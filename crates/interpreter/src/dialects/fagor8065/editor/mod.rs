@@ -5,8 +5,8 @@
 //! `#FINISH`, its positions `#MULTI`; the manual's symbols are the names of parameters, Greek letters in
 //! words. Lengths and feeds are in the units of the program, feeds always a minute.
 //!
-//! One file a group of the editor: [`holes`], [`pockets`], [`bosses`], [`milling`], [`profiles`],
-//! [`positions`]. This one has what they share: the planes of 4.1.2 and the values that stand for 0 (4.1.3).
+//! One file a group of the editor: `holes`, `pockets`, `bosses`, `milling`, `profiles`,
+//! `positions`. This one has what they share: the planes of 4.1.2 and the values that stand for 0 (4.1.3).
 
 mod bosses;
 mod holes;
