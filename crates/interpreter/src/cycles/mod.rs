@@ -3,7 +3,8 @@
 //! What a cycle does is data ([`CycleKind`], [`Rules`]), so that a dialect's tables say it and the code is one.
 //! The frame is common (GSK990MC 4.4): position, rapid to the R level, the work, rapid back to the R
 //! level or to the initial one. Hole data are modal until the cycle is cancelled. [`hole`](self) drills
-//! and bores, `tap` taps, `bore` has the borings that move the tool aside, [`milling`] pockets and walls.
+//! and bores, `tap` taps, `bore` has the borings that move the tool aside, [`milling`] pockets and walls,
+//! [`pocket`] pockets of any profile.
 
 mod acts;
 pub mod area;
@@ -19,6 +20,7 @@ pub mod milling;
 pub mod operation;
 pub mod parameter;
 mod pattern;
+pub mod pocket;
 pub mod positions;
 mod rules;
 mod tap;

@@ -28,7 +28,7 @@ pub mod rectangle;
 pub mod tangent;
 
 mod circle_finish;
-mod count;
+pub(crate) mod count;
 mod fault;
 mod rect_finish;
 mod rect_pocket;

@@ -1,0 +1,10 @@
+//! Profile pockets.
+mod deep;
+mod faults;
+mod finish;
+mod flat;
+mod manual;
+mod mill;
+mod paths;
+mod random;
+mod stored;
