@@ -42,12 +42,14 @@ impl Profile {
             return Err(Problem::ProfileOpen);
         }
         let start = first.from();
-        let mut at = start;
+        // Where the exact chain has come to, and where the drawn one has.
+        let (mut at, mut drawn) = (start, start);
         let mut segments: Vec<Segment> = Vec::with_capacity(self.segments.len());
         for (n, segment) in self.segments.iter().enumerate() {
-            if distance(at, segment.from()) > JOINED {
+            if distance(drawn, segment.from()) > JOINED {
                 return Err(Problem::ProfileOpen);
             }
+            drawn = segment.to();
             let is_last = n + 1 == self.segments.len();
             let to = if is_last { start } else { segment.to() };
             match *segment {

@@ -1,12 +1,13 @@
 //! What forbids a pocket, and that nothing at all makes one panic or go on without end.
 
 use super::super::{
-    DepthProfile, Finish2d, MAX_MOVES, Plan2d, Pocket2d, Pocket3d, PocketFault, PocketFeed, Problem, Profile,
-    Rough2d, Segment, Stage, Tool,
+    DepthProfile, Finish2d, Finish3d, MAX_MOVES, Plan2d, Pocket2d, Pocket3d, PocketFault, PocketFeed,
+    Problem, Profile, Rough2d, Rough3d, Segment, Semi3d, Stage, Tool, WallDirection,
 };
 use super::deep::{depth, fagor_b};
 use super::random::{Dice, circle, drawing, polygon, rectangle};
 use crate::cycles::milling::CycleMove;
+use std::convert::Infallible;
 
 fn tool(radius: f64) -> Tool {
     Tool { radius, cutting_length: 30.0, ..Tool::default() }
@@ -52,6 +53,10 @@ fn profiles() {
     assert_eq!(outer(touching).0, Problem::ProfileCrossesItself);
     let spike = polygon(&[[0.0, 0.0], [60.0, 0.0], [60.0, 40.0], [60.0, 60.0], [60.0, 40.0], [0.0, 40.0]]);
     assert_eq!(outer(spike).0, Problem::ProfileCrossesItself);
+    // Elements far shorter than any tolerance still join.
+    let fine: Vec<[f64; 2]> = (0..30_000).map(|k| [f64::from(k) * 3e-4, 0.0]).collect();
+    let fine = [fine.as_slice(), &[[9.0, 40.0], [0.0, 40.0]]].concat();
+    assert!(polygon(&fine).checked().is_ok());
     let mut arc = rectangle([0.0, 0.0], [60.0, 40.0]);
     arc.segments[1] = Segment::Arc { from: [60.0, 0.0], to: [60.0, 40.0], center: [50.0, 20.0], sweep: 1.0 };
     assert_eq!(outer(arc), (Problem::ArcEnds, "profile", Some(0)));
@@ -224,6 +229,72 @@ fn any_numbers() {
         }
     }
     assert!(planned > 300, "only {planned} are pockets");
+}
+
+#[test]
+fn any_numbers_in_depth() {
+    let mut planned = 0;
+    for number in 0..600 {
+        let (outer, islands, mut dice) = drawing(number % 150 + 9000);
+        let d = &mut dice;
+        for _ in 0..number {
+            d.unit();
+        }
+        let word = |d: &mut Dice, low: f64, high: f64| match d.one_in(20) {
+            true => value(d),
+            false => d.between(low, high),
+        };
+        let tool = |d: &mut Dice| Tool {
+            radius: word(d, 0.5, 2.0),
+            tip_radius: word(d, 0.0, 0.5),
+            cutting_length: word(d, 5.0, 30.0),
+            entry_angle: word(d, 0.0, 20.0),
+        };
+        let total = 4.0;
+        let mut depth_profiles = Vec::new();
+        for (n, contour) in std::iter::once(&outer).chain(&islands).enumerate() {
+            let x = contour.segments[0].from()[0];
+            let (from, to) = if n == 0 { (0.0, -total) } else { (-total, 0.0) };
+            let out = word(d, 0.0, 0.5);
+            let end = if d.one_in(10) { value(d) } else { to };
+            let axis = if d.one_in(20) { 7 } else { 0 };
+            depth_profiles
+                .push((!d.one_in(4)).then(|| DepthProfile { axis, ..depth(&[[x, from], [x + out, end]]) }));
+        }
+        let pocket = Pocket3d {
+            outer,
+            islands,
+            depth_profiles,
+            surface: 0.0,
+            safety: word(d, 1.0, 9.0),
+            depth: total,
+            wall_stock: word(d, 0.0, 0.5),
+            rough: Some(Rough3d {
+                tool: tool(d),
+                step: word(d, 0.5, 1.0),
+                depth_step: word(d, -3.0, 3.0),
+                entry_angle: word(d, 0.0, 30.0),
+            }),
+            semi: Some(Semi3d { tool: tool(d), depth_step: word(d, 0.5, 2.0) }),
+            finish: Some(Finish3d {
+                tool: tool(d),
+                width: word(d, 0.3, 2.0),
+                direction: WallDirection::Zigzag,
+            }),
+        };
+        if let Ok(plan) = pocket.plan() {
+            let mut take = |step: CycleMove, _: PocketFeed| -> Result<(), Infallible> {
+                let (CycleMove::Rapid { to } | CycleMove::Feed { to } | CycleMove::Arc { to, .. }) = step;
+                assert!(to.iter().all(|c| c.is_finite()), "{step:?}");
+                Ok(())
+            };
+            let Ok(()) = plan.rough([0.0, 0.0, 10.0], &mut take);
+            let Ok(()) = plan.semi([0.0, 0.0, 10.0], &mut take);
+            let Ok(()) = plan.finish([0.0, 0.0, 10.0], &mut take);
+            planned += 1;
+        }
+    }
+    assert!(planned > 60, "only {planned} are pockets");
 }
 
 /// An error of the taker ends the pocket at once.
