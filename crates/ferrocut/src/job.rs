@@ -138,18 +138,25 @@ impl Public {
         }
     }
 
+    fn path(&self) -> &Path {
+        if let Public::File(path) = self { path } else { Path::new("public.dat") }
+    }
+
+    /// Their text; `None` where the machine brings none.
+    fn text(&self) -> Option<Result<Text, OpenError>> {
+        match self {
+            Public::None => None,
+            Public::BuiltIn => Some(Text::from_bytes(Machine::DEMO_PROGRAMS.as_bytes().to_vec())),
+            Public::File(path) => Some(Text::open(path)),
+        }
+    }
+
     /// Adds them to a program's memory.
     fn add_to(&self, programs: &mut ProgramMemory) -> Result<(), Failure> {
-        let (name, text) = match self {
-            Public::None => return Ok(()),
-            Public::BuiltIn => {
-                ("public.dat".into(), Text::from_bytes(Machine::DEMO_PROGRAMS.as_bytes().to_vec()))
-            }
-            Public::File(path) => (path.to_string_lossy(), Text::open(path)),
-        };
-        let path = Path::new(&*name);
+        let Some(text) = self.text() else { return Ok(()) };
+        let path = self.path();
         let text = text.map_err(|error| Failure { exit: Exit::WrongUse, ..Failure::of_open(path, error) })?;
-        programs.add(&name, text);
+        programs.add(&path.to_string_lossy(), text);
         Ok(())
     }
 }
@@ -210,7 +217,10 @@ impl Shop {
             return Ok((dialect, told));
         }
         let extension = path.extension().map(|e| e.to_string_lossy());
-        let guess = guess(text, extension.as_deref(), dialect, !self.machine_is_built_in);
+        // One that cannot be read is told when the programs are taken in.
+        let public = self.public.text().and_then(Result::ok);
+        let is_firm = !self.machine_is_built_in;
+        let guess = guess(text, public.as_ref(), extension.as_deref(), dialect, is_firm);
         Ok(match (guess.reason, self.machine_is_built_in) {
             (Reason::Preferred, true) => (dialect, Told::NotNamed),
             (Reason::Preferred, false) => (dialect, Told::Named),

@@ -23,6 +23,16 @@ struct Reading {
     blocks: u64,
     /// Blocks that it cannot read.
     unread: u64,
+    /// Blocks that it reads, but would whatever the number of their M code is: nothing to tell it by.
+    vague: u64,
+}
+
+/// What a language makes of a block.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Sense {
+    None,
+    Vague,
+    Clear,
 }
 
 /// What a guess rests on.
@@ -51,26 +61,34 @@ pub struct Guess {
 }
 
 /// The language of a text. `preferred` is the one that nothing needs to be shown for; `is_firm` tells that
-/// someone chose it, so that only the content counts against it, and not the extension of the file.
-pub fn guess(text: &Text, extension: Option<&str>, preferred: &'static Dialect, is_firm: bool) -> Guess {
+/// someone chose it, so that only the content counts against it, and not the extension of the file. `public`
+/// are the programs that come with the machine, which may stand for codes.
+pub fn guess(
+    text: &Text,
+    public: Option<&Text>,
+    extension: Option<&str>,
+    preferred: &'static Dialect,
+    is_firm: bool,
+) -> Guess {
     let kept = Guess { dialect: preferred, reason: Reason::Preferred };
-    let head = text.window(text.encoding().mark as u64, LOOKED_AT, &mut Vec::new(), |bytes| {
-        let is_last = bytes.len() < LOOKED_AT;
-        ALL.iter().map(|dialect| read(bytes, is_last, dialect)).collect::<Vec<Reading>>()
-    });
-    let Ok(readings) = head else { return kept };
+    let public = public.and_then(|text| head(text, <[u8]>::to_vec)).unwrap_or_default();
+    let readings = head(text, |bytes| ALL.iter().map(|d| read(bytes, &public, d)).collect::<Vec<Reading>>());
+    let Some(readings) = readings else { return kept };
     let has_extension = |dialect: &Dialect| {
         extension.is_some_and(|e| dialect.extensions.iter().any(|own| own.eq_ignore_ascii_case(e)))
     };
     let Some(own) = readings.iter().find(|r| std::ptr::eq(r.dialect, preferred)) else { return kept };
-    let proves = own.unread > 0 && own.unread * 100 >= own.blocks * PROOF_PERCENT;
-    // Of several that read it all, the one whose extension it has, else the first.
+    let proves = |other: &Reading| {
+        let told = own.unread.saturating_sub(other.vague);
+        told > 0 && told * 100 >= own.blocks * PROOF_PERCENT
+    };
+    // Of several that read it all, one that it proves, the one whose extension it has, else the first.
     let best = readings.iter().filter(|r| r.unread == 0).max_by_key(|r| {
         let first = ALL.iter().rev().position(|d| std::ptr::eq(*d, r.dialect));
-        (has_extension(r.dialect), first)
+        (proves(r), has_extension(r.dialect), first)
     });
     match best {
-        Some(best) if proves => {
+        Some(best) if proves(best) => {
             let reason = Reason::Content { unread: own.unread, blocks: own.blocks };
             Guess { dialect: best.dialect, reason }
         }
@@ -81,24 +99,45 @@ pub fn guess(text: &Text, extension: Option<&str>, preferred: &'static Dialect, 
     }
 }
 
-fn read(bytes: &[u8], is_last: bool, dialect: &'static Dialect) -> Reading {
-    let page = lexer::lex(bytes, FileId(0), 0, 1, is_last, dialect.syntax).page;
-    let number = |block: &Block| match page.words(block).first().filter(|w| w.letter == b'O')?.value() {
-        Value::Number(n) if n.fract() == 0.0 && (0.0..f64::from(u32::MAX)).contains(&n) => Some(n as u32),
-        _ => None,
+/// The start of a text.
+fn head<T>(text: &Text, with: impl FnOnce(&[u8]) -> T) -> Option<T> {
+    text.window(text.encoding().mark as u64, LOOKED_AT, &mut Vec::new(), with).ok()
+}
+
+fn read(bytes: &[u8], public: &[u8], dialect: &'static Dialect) -> Reading {
+    let lex = |bytes: &[u8]| {
+        let is_last = bytes.len() < LOOKED_AT;
+        lexer::lex(bytes, FileId(0), 0, 1, is_last, dialect.syntax).page
     };
-    // A program may define codes of its own.
+    let page = lex(bytes);
+    // A program may define codes of its own, and so may the machine.
     let programs: HashSet<u32> = match dialect.custom {
-        Some(_) => page.blocks.iter().filter_map(number).collect(),
+        Some(_) => numbers(&page).chain(numbers(&lex(public))).collect(),
         None => HashSet::new(),
     };
-    let is_unread = |block: &&Block| !is_understood(&page, block, dialect, &programs);
-    let unread = page.blocks.iter().filter(is_unread).count() as u64;
-    Reading { dialect, blocks: page.blocks.len() as u64, unread }
+    let (mut unread, mut vague) = (0, 0);
+    for block in &page.blocks {
+        match sense(&page, block, dialect, &programs) {
+            Sense::None => unread += 1,
+            Sense::Vague => vague += 1,
+            Sense::Clear => {}
+        }
+    }
+    Reading { dialect, blocks: page.blocks.len() as u64, unread, vague }
+}
+
+/// The numbers of the programs that begin in a page.
+fn numbers(page: &Page) -> impl Iterator<Item = u32> {
+    page.blocks.iter().filter_map(|block| {
+        match page.words(block).first().filter(|w| w.letter == b'O')?.value() {
+            Value::Number(n) if n.fract() == 0.0 && (0.0..f64::from(u32::MAX)).contains(&n) => Some(n as u32),
+            _ => None,
+        }
+    })
 }
 
 /// Whether a block can be read and has only codes that the language has, or that one of `programs` stands for.
-fn is_understood(page: &Page, block: &Block, dialect: &Dialect, programs: &HashSet<u32>) -> bool {
+fn sense(page: &Page, block: &Block, dialect: &Dialect, programs: &HashSet<u32>) -> Sense {
     let custom = |number: f64, first: fn(&CustomPrograms) -> u32| {
         let is_program = |custom: &CustomPrograms| {
             number.fract() == 0.0
@@ -107,28 +146,40 @@ fn is_understood(page: &Page, block: &Block, dialect: &Dialect, programs: &HashS
         };
         dialect.custom.as_ref().is_some_and(is_program)
     };
-    let knows = |word: &Word| {
-        let Value::Number(number) = word.value() else { return true };
+    let clear = |is_known: bool| if is_known { Sense::Clear } else { Sense::None };
+    let of_word = |word: &Word| {
+        let Value::Number(number) = word.value() else { return Sense::Clear };
         let tenths = number * 10.0;
         match word.letter {
             b'G' if tenths.fract() == 0.0 && (0.0..f64::from(u16::MAX)).contains(&tenths) => {
                 let tenths = tenths as u16;
                 let known = dialect.g_code(tenths).is_some() || tenths == dialect.macro_call;
-                known || custom(number, |programs| programs.g)
+                clear(known || custom(number, |programs| programs.g))
             }
             b'M' if number.fract() == 0.0 && (0.0..f64::from(u16::MAX)).contains(&number) => {
                 // A code that a language only hands on tells nothing.
-                let named = dialect.m_codes.binary_search_by_key(&(number as u16), |m| m.code).is_ok();
-                named || custom(number, |programs| programs.m)
+                let code = number as u16;
+                let known = dialect.m_codes.binary_search_by_key(&code, |m| m.code).is_ok();
+                match known || custom(number, |programs| programs.m) {
+                    false if dialect.m_code(code).is_some() => Sense::Vague,
+                    known => clear(known),
+                }
             }
-            b'G' | b'M' => false,
+            b'G' | b'M' => Sense::None,
             letter if letter.is_ascii_uppercase() => {
-                matches!(letter, b'N' | b'O') || dialect.address(letter).is_some()
+                clear(matches!(letter, b'N' | b'O') || dialect.address(letter).is_some())
             }
-            _ => true,
+            _ => Sense::Clear,
         }
     };
-    !block.is_defective && page.words(block).iter().all(knows)
+    if block.is_defective {
+        return Sense::None;
+    }
+    page.words(block).iter().map(of_word).fold(Sense::Clear, |all, word| match (all, word) {
+        (Sense::None, _) | (_, Sense::None) => Sense::None,
+        (Sense::Vague, _) | (_, Sense::Vague) => Sense::Vague,
+        _ => Sense::Clear,
+    })
 }
 
 #[cfg(test)]
@@ -143,7 +194,7 @@ mod tests {
         is_firm: bool,
     ) -> (&'static str, Reason) {
         let text = Text::from_bytes(text.as_bytes().to_vec()).unwrap();
-        let guess = guess(&text, Some(extension), preferred, is_firm);
+        let guess = guess(&text, None, Some(extension), preferred, is_firm);
         (guess.dialect.name, guess.reason)
     }
 
@@ -184,5 +235,25 @@ mod tests {
     fn codes_that_the_program_defines_are_no_strangers() {
         let program = "M40\n'clamp\nM30\nO240\nG04 P5\nM17\n";
         assert_eq!(guessed(program, "nc", &gsk990mc::DIALECT, false).0, "weihong");
+    }
+
+    #[test]
+    fn codes_that_the_machine_defines_are_no_strangers() {
+        let weihong = &weihong::DIALECT;
+        let text = |text: &str| Text::from_bytes(text.as_bytes().to_vec()).unwrap();
+        let (program, public) = (text("M40\nG1 X1 F9\nM30\n"), text("O240\nG04 P5\nM17\n"));
+        let guess = guess(&program, Some(&public), None, weihong, true);
+        assert_eq!((guess.dialect.name, guess.reason), ("weihong", Reason::Preferred));
+    }
+
+    #[test]
+    fn a_language_that_knows_every_m_code_is_not_told_by_one() {
+        let program = "M40\nG1 X1 F9\nM30\n";
+        for preferred in [&gsk990mc::DIALECT, &kaitong::DIALECT, &weihong::DIALECT] {
+            assert_eq!(guessed(program, "nc", preferred, true), (preferred.name, Reason::Preferred));
+        }
+        // M801 is of the Weihong control; other words of it are no one else's.
+        let program = "M801 PLC[4] LEVEL1\nG1 X1 F9\nM30\n";
+        assert_eq!(guessed(program, "nc", &gsk990mc::DIALECT, true).0, "weihong");
     }
 }
