@@ -551,7 +551,7 @@ optional_stop = true
         for (text, says) in [
             ("strt = 1", "unknown field `strt`"),
             ("[start]\nq = 1.0", "\"q\" is no axis: use one of"),
-            ("[start]\nx2 = 1.0", "\"x2\" is no axis: use one of"),
+            ("[start]\nxy = 1.0", "\"xy\" is no axis: use one of"),
             ("[start]\nx = \"1\"", "expected a number"),
             ("[start]\nx = nan", "NaN is no number"),
             ("[start]\nx = 1\nX = 2", "stands twice"),
