@@ -1,0 +1,156 @@
+//! What M codes do, before the motion of their block and after it (GSK990MC 5.2), and how programs end
+//! and call one another.
+
+use crate::Fallible;
+use crate::custom::Custom;
+use crate::dialect::{MCode, MFunction};
+use crate::execute::{Part, Rest};
+use crate::interpreter::Interpreter;
+use crate::words::Code;
+use ferrocut_machine::Fault;
+use ferrocut_program::{ProgramId, Span};
+use ferrocut_toolpath::{Op, SpindleState};
+
+impl Interpreter {
+    /// Carries out the M codes that start with the block's motion, or those that wait for its end, from one
+    /// on. Ends before one that a program stands for, and tells what is to be done behind it.
+    pub(crate) fn m_functions(
+        &mut self,
+        after: bool,
+        from: usize,
+        rest: &mut Rest,
+    ) -> Fallible<Option<(Custom, Span)>> {
+        for at in from..self.words.m.len() {
+            let Some(Code { row, span }) = self.words.m.get(at).copied() else { break };
+            if row.after_motion != after {
+                continue;
+            }
+            if rest.builtin != Some(at)
+                && let Some(code) = self.custom_m(row)
+            {
+                // The program of an end of program comes before the end.
+                let ends = row.function == MFunction::ProgramEnd;
+                rest.builtin = ends.then_some(at);
+                let next = if ends { at } else { at + 1 };
+                rest.part = if after { Part::After(next) } else { Part::Before(next) };
+                return Ok(Some((code, span)));
+            }
+            self.m_function(row, span)?;
+        }
+        Ok(None)
+    }
+
+    pub(crate) fn m_function(&mut self, code: &MCode, span: Span) -> Fallible<()> {
+        self.technology.m_code = Some(f64::from(code.code));
+        let speed = self.speed();
+        match code.function {
+            MFunction::Stop => self.emit(Op::Stop(code.code.into())),
+            MFunction::OptionalStop if self.options.optional_stop => self.emit(Op::Stop(code.code.into())),
+            MFunction::OptionalStop => {}
+            MFunction::SpindleClockwise => self.spindle(SpindleState::Clockwise(speed)),
+            MFunction::SpindleCounterClockwise => self.spindle(SpindleState::CounterClockwise(speed)),
+            MFunction::SpindleOff => self.spindle(SpindleState::Off),
+            MFunction::Orient => {
+                self.technology.spindle = SpindleState::Off;
+                self.emit(Op::Orient(0.0));
+            }
+            MFunction::CoolantOn => self.coolant(true),
+            MFunction::CoolantOff => self.coolant(false),
+            // By itself it changes nothing where the tool is in the spindle already (GSK990MC 8.1).
+            MFunction::ToolChange
+                if !self.words.has(b'T') && self.technology.in_spindle == self.technology.tool => {}
+            MFunction::ToolChange => {
+                self.technology.in_spindle = self.technology.tool;
+                // The spindle stands still while a tool is changed.
+                self.spindle(SpindleState::Off);
+                self.emit(Op::Change(self.technology.tool));
+                if self.rules.tools_carry_offsets {
+                    self.tool_changed(self.words.get(b'D'));
+                }
+            }
+            MFunction::RigidTapping => {
+                if self.cycle_kind().is_some() {
+                    return Err(self.alarm(Fault::RigidInCycle, span));
+                }
+                self.technology.rigid_tapping = true;
+                self.emit(Op::Machine(code.code.into()));
+            }
+            MFunction::RigidTappingOff => {
+                self.technology.rigid_tapping = false;
+                self.emit(Op::Machine(code.code.into()));
+            }
+            MFunction::Machine => self.emit(Op::Machine(code.code.into())),
+            MFunction::Call => return self.subprogram_call(span),
+            MFunction::Return => {
+                if !self.go_back() && self.start_again(span)? {
+                    self.end_program(code.code);
+                }
+            }
+            MFunction::ProgramEnd => self.end_program(code.code),
+            MFunction::Message => self.message(),
+            MFunction::Internal => self.internal_number()?,
+            MFunction::SetOutput => self.set_output(span)?,
+            MFunction::ReferenceReached => self.reference_reached(span)?,
+            MFunction::End => {
+                // In a subprogram M02 and M30 are M99 (GSK990MC 3.2).
+                if !self.go_back() {
+                    self.end_program(code.code);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Spindle and coolant stop with the program (GSK990MC 5.2.1).
+    pub(crate) fn end_program(&mut self, code: u16) {
+        if let Some(alarm) = self.unended_profile() {
+            self.note(alarm);
+        }
+        if self.rules.end_stops_spindle {
+            self.spindle(SpindleState::Off);
+        }
+        self.coolant(false);
+        self.emit(Op::End(code.into()));
+        self.ended = true;
+    }
+
+    /// M98 P L (GSK990MC 3.2.2).
+    pub(crate) fn subprogram_call(&mut self, span: Span) -> Fallible<()> {
+        // A macro calls macros only (alarm 0081).
+        if self.in_macro() {
+            return Err(self.alarm(Fault::CallInMacro, span));
+        }
+        self.program_call(span)
+    }
+
+    /// G65 of a control whose programs share their variables: other words set them (Weihong 4.4).
+    pub(crate) fn g_call(&mut self, span: Span) -> Fallible<()> {
+        for letter in b'A'..=b'Z' {
+            if let Some(variable) = (self.dialect.argument)(letter)
+                && let Some(value) = self.words.get(letter)
+            {
+                // There is room for those of letters.
+                let _ = self.memory.variables.set(variable, Some(value));
+                self.variable_writes += 1;
+            }
+        }
+        self.program_call(span)
+    }
+
+    /// Calls the program that P names, L times, with the variables of its caller.
+    pub(crate) fn program_call(&mut self, span: Span) -> Fallible<()> {
+        let (program, at) = match (self.words.text(b'P'), self.words.get(b'P')) {
+            (Some(name), _) => (ProgramId::named(&self.programs.slice(name)), self.words.long_span(b'P')),
+            (None, Some(number)) if (1.0..=99_999.0).contains(&number) && number.fract() == 0.0 => {
+                (ProgramId::Number(number as u32), self.words.span(b'P'))
+            }
+            (None, Some(_)) => return Err(self.alarm_at(Fault::ProgramNumber, b'P')),
+            (None, None) => return Err(self.alarm(Fault::CallWithoutProgram, span)),
+        };
+        let times = self.words.get(b'L').unwrap_or(1.0);
+        if times > self.rules.max_repeats {
+            return Err(self.alarm_at(Fault::TooManyRepeats, b'L'));
+        }
+        self.call(&program, times.max(0.0) as u32, None, at)
+    }
+}

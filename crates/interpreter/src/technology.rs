@@ -1,0 +1,140 @@
+//! Feed, spindle and coolant: F, S and what follows from them (GSK990MC 4.2, 5).
+
+use crate::Fallible;
+use crate::dialect::{GCode, Meaning};
+use crate::interpreter::Interpreter;
+use crate::modal::Group;
+use crate::stages::units;
+use ferrocut_geometry::{Axis, AxisSet};
+use ferrocut_machine::Fault;
+use ferrocut_program::Span;
+use ferrocut_toolpath::{Op, Speed, SpindleState};
+
+impl Interpreter {
+    /// Whether F of the block is the speed of positioning: G00 stands in it, or its words are positioned to
+    /// (Weihong 4.1).
+    pub(crate) fn is_rapid_block(&self, axes: AxisSet) -> bool {
+        let names_rapid = self.words.g.iter().any(|g| g.row.meaning == Meaning::Rapid);
+        let moves = !axes.is_empty() && !self.words.g.iter().any(|g| g.row.group == Group::NonModal);
+        self.in_force(Group::Motion, Meaning::Rapid) && self.cycle_kind().is_none() && (names_rapid || moves)
+    }
+
+    /// F: feed in force until the next one. Feed per minute is kept as programmed and held within the
+    /// control's limits where it is used; feed per revolution beyond its range is an alarm (7.2.2).
+    pub(crate) fn feed_word(&mut self) -> Fallible<()> {
+        let Some(f) = self.words.get(b'F') else { return Ok(()) };
+        let feed = units::length_mm(f, self.modal.is_inch());
+        if self.modal.is_feed_per_revolution() {
+            if !(feed > 0.0 && feed <= self.rules.max_feed_per_revolution) {
+                return Err(self.alarm_at(Fault::FeedOutOfRange, b'F'));
+            }
+            self.technology.feed_per_revolution = feed;
+        } else {
+            if feed <= 0.0 {
+                return Err(self.alarm_at(Fault::FeedOutOfRange, b'F'));
+            }
+            self.technology.feed_per_minute_was_given = true;
+            self.technology.feed_per_minute = feed;
+        }
+        Ok(())
+    }
+
+    /// F of positioning, in force until the next one.
+    pub(crate) fn rapid_feed_word(&mut self) -> Fallible<()> {
+        let Some(f) = self.words.get(b'F') else { return Ok(()) };
+        let feed = units::length_mm(f, self.modal.is_inch());
+        if feed <= 0.0 {
+            return Err(self.alarm_at(Fault::FeedOutOfRange, b'F'));
+        }
+        self.technology.rapid_feed = Some(feed);
+        Ok(())
+    }
+
+    /// S: kept as programmed, and told to a spindle that turns. A surface speed is kept apart: G96 without S
+    /// takes the last one, and none is 0 (GSK990MC 6.3).
+    pub(crate) fn speed_word(&mut self) -> Fallible<()> {
+        let Some(s) = self.words.get(b'S') else { return Ok(()) };
+        if s > self.rules.max_speed_word {
+            return Err(self.alarm_at(Fault::SpindleTooFast, b'S'));
+        }
+        match self.in_force(Group::SurfaceSpeed, Meaning::SurfaceSpeed) {
+            true => self.technology.surface_speed = Some(units::length_mm(s, self.modal.is_inch())),
+            false => self.technology.speed = Some(s),
+        }
+        self.tell_speed();
+        Ok(())
+    }
+
+    /// Tells a spindle that turns its speed.
+    pub(crate) fn tell_speed(&mut self) {
+        let speed = self.speed();
+        match self.technology.spindle {
+            SpindleState::Off => {}
+            SpindleState::Clockwise(_) => self.spindle(SpindleState::Clockwise(speed)),
+            SpindleState::CounterClockwise(_) => self.spindle(SpindleState::CounterClockwise(speed)),
+        }
+    }
+
+    /// The speed in force. Turns beyond the limit are held there (GSK990MC part 2, 7.10).
+    pub(crate) fn speed(&self) -> Speed {
+        if !self.in_force(Group::SurfaceSpeed, Meaning::SurfaceSpeed) {
+            return Speed::Rpm(self.technology.speed.unwrap_or(0.0).min(self.rules.max_spindle_rpm));
+        }
+        let axis = self.technology.surface_axis;
+        let max = self.technology.surface_max_rpm.unwrap_or(self.rules.max_spindle_rpm);
+        Speed::Surface {
+            mm_per_min: self.technology.surface_speed.unwrap_or(0.0),
+            min_rpm: self.rules.surface_min_rpm,
+            max_rpm: Some(max.min(self.rules.max_spindle_rpm)),
+            axis,
+            // The centre is the zero of the work coordinate system (6.3, 3).
+            center: self.location.work.shift[axis] + self.location.length.vector[axis],
+        }
+    }
+
+    /// G96 and G97 (GSK990MC 6.3). Where surface speed is not fitted G96 changes nothing.
+    pub(crate) fn surface_speed(&mut self, row: &'static GCode, span: Span) -> Fallible<()> {
+        if !self.rules.surface_speed {
+            return Ok(());
+        }
+        let was = self.speed();
+        self.modal.set(row);
+        if row.meaning == Meaning::SurfaceSpeed {
+            if let Some(number) = self.words.take(b'P') {
+                let axis = self.rules.axis_order.get((number - 1.0).max(-1.0) as usize).copied();
+                let is_carried = |axis: &Axis| self.rules.axes.contains(*axis);
+                match axis.filter(is_carried).filter(|_| number >= 1.0 && number.fract() == 0.0) {
+                    Some(axis) => self.technology.surface_axis = axis,
+                    None => return Err(self.alarm(Fault::SurfaceSpeedAxis, span)),
+                }
+            }
+            if !self.words.has(b'S') {
+                self.tell_speed();
+            }
+            return Ok(());
+        }
+        // The turns of the moment go on where G97 gives no S.
+        if let Speed::Surface { .. } = was {
+            self.technology.speed = Some(was.rpm(&self.location.machine));
+            if !self.words.has(b'S') {
+                self.tell_speed();
+            }
+        }
+        Ok(())
+    }
+
+    /// Tells the spindle, unless it is as told already.
+    pub(crate) fn spindle(&mut self, state: SpindleState) {
+        if self.technology.spindle != state {
+            self.technology.spindle = state;
+            self.emit(Op::Spindle(state));
+        }
+    }
+
+    pub(crate) fn coolant(&mut self, on: bool) {
+        if self.technology.coolant != on {
+            self.technology.coolant = on;
+            self.emit(Op::Coolant(on));
+        }
+    }
+}
