@@ -3,7 +3,7 @@
 use ferrocut_interpreter::Dialect;
 use ferrocut_interpreter::modal::{Group, Modal};
 use ferrocut_machine::Parameters;
-use ferrocut_program::{Block, FileId, Page, ProgramMemory, Span, Value, Word};
+use ferrocut_program::{Block, FileId, Page, ProgramMemory, Span, Statement, Value, Word};
 use std::io;
 
 /// Bytes on either side of a place that hold its whole line.
@@ -27,6 +27,10 @@ pub struct Line {
     pub words: Vec<Spot>,
     /// Its characters.
     pub text: Vec<char>,
+    /// Whether names may hold digits, as those of directives and parameters without a sign do.
+    names_hold_digits: bool,
+    /// What begins a comment up to the end of the line, beside brackets.
+    line_comments: &'static [&'static [u8]],
     /// The codes in force in it, as far as the program's text above it and its own words tell.
     pub modal: Modal,
     /// The G codes that stand in it, in tenths.
@@ -55,7 +59,11 @@ impl Line {
     /// Whether a column lies in a comment.
     pub fn is_comment(&self, column: usize) -> bool {
         let mut inside = false;
+        let begins = |c: char| self.line_comments.iter().any(|mark| std::str::from_utf8(mark) == Ok(c.encode_utf8(&mut [0; 4])));
         for (at, c) in (1..).zip(&self.text) {
+            if !inside && begins(*c) {
+                return at <= column;
+            }
             inside |= *c == '(';
             if at == column {
                 return inside;
@@ -65,6 +73,10 @@ impl Line {
         false
     }
 
+    fn is_of_name(&self, c: char) -> bool {
+        c.is_ascii_alphabetic() || self.names_hold_digits && (c.is_ascii_digit() || c == '.')
+    }
+
     /// A variable, number or name of a macro statement.
     fn piece_at(&self, column: usize) -> Option<Spot> {
         let mut at = 0;
@@ -72,7 +84,7 @@ impl Line {
             let rest = self.text.get(at + 1..).unwrap_or(&[]);
             let length = 1 + match first {
                 '#' => rest.iter().take_while(|c| c.is_ascii_digit()).count(),
-                c if c.is_ascii_alphabetic() => rest.iter().take_while(|c| c.is_ascii_alphabetic()).count(),
+                c if c.is_ascii_alphabetic() => rest.iter().take_while(|c| self.is_of_name(**c)).count(),
                 c if c.is_ascii_digit() => {
                     rest.iter().take_while(|c| c.is_ascii_digit() || **c == '.').count()
                 }
@@ -123,7 +135,7 @@ pub fn line(
                 }
             }
             if block.line == number {
-                let line = found.get_or_insert_with(|| empty_line(&modal));
+                let line = found.get_or_insert_with(|| empty_line(&modal, dialect));
                 line.modal = modal;
                 add_block(line, programs, &page, block);
             }
@@ -136,9 +148,11 @@ pub fn line(
     Ok(found)
 }
 
-fn empty_line(modal: &Modal) -> Line {
+fn empty_line(modal: &Modal, dialect: &'static Dialect) -> Line {
     let (words, text, g_codes, m_codes) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-    Line { words, text, modal: *modal, g_codes, m_codes }
+    let names_hold_digits = dialect.syntax.parameter_letter.is_some();
+    let line_comments = dialect.syntax.line_comments;
+    Line { words, text, names_hold_digits, line_comments, modal: *modal, g_codes, m_codes }
 }
 
 fn add_block(line: &mut Line, programs: &ProgramMemory, page: &Page, block: &Block) {
@@ -158,6 +172,16 @@ fn add_block(line: &mut Line, programs: &ProgramMemory, page: &Page, block: &Blo
         line.words.push(Spot { column, text: programs.slice(span), letter: Some(word.letter), value });
         line.g_codes.extend(Some(word).filter(|w| w.letter == b'G').and_then(g_code));
         line.m_codes.extend(Some(word).filter(|w| w.letter == b'M').and_then(m_code));
+    }
+    if let Some(Statement::Directive(place)) = page.statement(block)
+        && let Some(directive) = page.directive(*place)
+    {
+        for name in page.directive_names(directive) {
+            let offset = page.offset + u64::from(name.at);
+            let span = Span { offset, len: name.len, ..page.block_span(block) };
+            let Some((column, _)) = column(span) else { continue };
+            line.words.push(Spot { column, text: programs.slice(span), letter: None, value: None });
+        }
     }
     if line.text.is_empty()
         && let Some((_, whole)) = column(page.block_span(block))

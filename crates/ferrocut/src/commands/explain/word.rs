@@ -53,7 +53,7 @@ impl Book {
             (Some(b'M'), Some(value)) => {
                 place::tenths(value).map(|t| t / 10).filter(|code| self.knows_m(*code)).map(Subject::M)
             }
-            (None, _) => text.strip_prefix('#').and_then(|n| n.parse().ok()).map(Subject::Variable),
+            (None, _) => self.variable_of(text).map(Subject::Variable).or_else(|| self.cycle_of(text)),
             _ => None,
         };
         let mut page = match (asked, spot.letter) {
@@ -68,6 +68,18 @@ impl Book {
             serde_json::json!({ "file": file, "line": number, "column": spot.column, "text": text }),
         );
         page
+    }
+
+    /// The variable that `#100`, or `P5` where names have no sign, stands for.
+    fn variable_of(&self, text: &str) -> Option<u32> {
+        let numbered = text.strip_prefix('#').and_then(|number| number.parse().ok());
+        numbered.or_else(|| self.unsigned_variable(text))
+    }
+
+    /// The code that a directive names, `G287`.
+    fn cycle_of(&self, text: &str) -> Option<Subject> {
+        let number: f64 = text.strip_prefix(['G', 'g'])?.parse().ok()?;
+        place::tenths(number).filter(|tenths| self.knows_g(*tenths)).map(Subject::G)
     }
 
     /// A word beside G and M: what its address holds, and which code reads it.
