@@ -6,8 +6,8 @@ use super::page::{Page, with_unit};
 use crate::commands::names::range;
 use ferrocut_interpreter::dialect::Variable;
 use ferrocut_machine::{
-    AlarmClass, AlarmId, Argument, Fault, GCodeRow, Meaning, ParameterKey, Subject, VariableRow, WorkOffset, alarm_table,
-    g_code_name,
+    AlarmClass, AlarmId, Argument, Fault, GCodeRow, Meaning, ParameterKey, Subject, VariableRow, WorkOffset,
+    alarm_table, g_code_name,
 };
 
 impl Book {

@@ -27,8 +27,8 @@ pub struct Line {
     pub words: Vec<Spot>,
     /// Its characters.
     pub text: Vec<char>,
-    /// Whether names may hold digits, as those of directives and parameters without a sign do.
-    names_hold_digits: bool,
+    /// Letter of parameters without a sign; names may hold digits where there is one.
+    parameter_letter: Option<char>,
     /// What begins a comment up to the end of the line, beside brackets.
     line_comments: &'static [&'static [u8]],
     /// The codes in force in it, as far as the program's text above it and its own words tell.
@@ -59,7 +59,9 @@ impl Line {
     /// Whether a column lies in a comment.
     pub fn is_comment(&self, column: usize) -> bool {
         let mut inside = false;
-        let begins = |c: char| self.line_comments.iter().any(|mark| std::str::from_utf8(mark) == Ok(c.encode_utf8(&mut [0; 4])));
+        let begins = |c: char| {
+            self.line_comments.iter().any(|mark| std::str::from_utf8(mark) == Ok(c.encode_utf8(&mut [0; 4])))
+        };
         for (at, c) in (1..).zip(&self.text) {
             if !inside && begins(*c) {
                 return at <= column;
@@ -73,8 +75,16 @@ impl Line {
         false
     }
 
-    fn is_of_name(&self, c: char) -> bool {
-        c.is_ascii_alphabetic() || self.names_hold_digits && (c.is_ascii_digit() || c == '.')
+    /// How many characters of a name follow its first one. A parameter behind an address is one by itself.
+    fn rest_of_name(&self, rest: &[char]) -> usize {
+        let Some(letter) = self.parameter_letter else {
+            return rest.iter().take_while(|c| c.is_ascii_alphabetic()).count();
+        };
+        let next = |at: usize| rest.get(at + 1).is_some_and(char::is_ascii_digit);
+        let is_of_name = |(at, c): &(usize, &char)| {
+            (c.is_ascii_alphanumeric() || **c == '.') && !(c.eq_ignore_ascii_case(&letter) && next(*at))
+        };
+        rest.iter().enumerate().take_while(is_of_name).count()
     }
 
     /// A variable, number or name of a macro statement.
@@ -84,7 +94,7 @@ impl Line {
             let rest = self.text.get(at + 1..).unwrap_or(&[]);
             let length = 1 + match first {
                 '#' => rest.iter().take_while(|c| c.is_ascii_digit()).count(),
-                c if c.is_ascii_alphabetic() => rest.iter().take_while(|c| self.is_of_name(**c)).count(),
+                c if c.is_ascii_alphabetic() => self.rest_of_name(rest),
                 c if c.is_ascii_digit() => {
                     rest.iter().take_while(|c| c.is_ascii_digit() || **c == '.').count()
                 }
@@ -150,9 +160,9 @@ pub fn line(
 
 fn empty_line(modal: &Modal, dialect: &'static Dialect) -> Line {
     let (words, text, g_codes, m_codes) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-    let names_hold_digits = dialect.syntax.parameter_letter.is_some();
+    let parameter_letter = dialect.syntax.parameter_letter.map(char::from);
     let line_comments = dialect.syntax.line_comments;
-    Line { words, text, names_hold_digits, line_comments, modal: *modal, g_codes, m_codes }
+    Line { words, text, parameter_letter, line_comments, modal: *modal, g_codes, m_codes }
 }
 
 fn add_block(line: &mut Line, programs: &ProgramMemory, page: &Page, block: &Block) {

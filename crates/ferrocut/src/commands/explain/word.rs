@@ -94,7 +94,9 @@ impl Book {
                 page.say("form", reference.g_code(*tenths).map_or("", |row| &*row.format));
             }
         }
-        let mut codes: Vec<_> = line.modal.codes().map(|c| (c.group_number, c.tenths)).collect();
+        // A group in which the language has no code is filled all the same.
+        let own = line.modal.codes().filter(|c| self.dialect.g_code(c.tenths).is_some());
+        let mut codes: Vec<_> = own.map(|c| (c.group_number, c.tenths)).collect();
         codes.sort_unstable();
         codes.dedup();
         let codes: Vec<String> = codes.iter().map(|(_, tenths)| g_code_name(*tenths)).collect();
