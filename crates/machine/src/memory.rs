@@ -34,6 +34,8 @@ impl Memory {
             "kaitong" => (24, 48),
             // Weihong: D00 to D07 and H00 to H07 (4.3); G54 to G59 alone.
             "weihong" => (7, 0),
+            // Fagor: an offset for every tool; G54 to G59 alone.
+            "fagor8065" => (ToolTable::LARGEST, 0),
             _ => (ToolTable::LARGEST, WorkOffsets::LARGEST),
         };
         let table = ParameterTable::of(dialect).unwrap_or_else(ParameterTable::empty);

@@ -190,6 +190,7 @@ macro_rules! tables_of {
 static GSK990MC: OnceLock<Reference> = OnceLock::new();
 static KAITONG: OnceLock<Reference> = OnceLock::new();
 static WEIHONG: OnceLock<Reference> = OnceLock::new();
+static FAGOR8065: OnceLock<Reference> = OnceLock::new();
 
 impl Reference {
     /// The tables of the control that `dialect` belongs to; none where there are none.
@@ -198,6 +199,7 @@ impl Reference {
             "gsk990mc" => Some(GSK990MC.get_or_init(|| tables_of!("gsk990mc", "fanuc"))),
             "kaitong" => Some(KAITONG.get_or_init(|| tables_of!("kaitong", "fanuc"))),
             "weihong" => Some(WEIHONG.get_or_init(|| tables_of!("weihong"))),
+            "fagor8065" => Some(FAGOR8065.get_or_init(|| tables_of!("fagor8065"))),
             _ => None,
         }
     }
@@ -547,7 +549,7 @@ mod tests {
         };
     }
 
-    const FILES: [(&str, [&str; 5]); 3] = files!("gsk990mc", "kaitong", "weihong");
+    const FILES: [(&str, [&str; 5]); 4] = files!("gsk990mc", "kaitong", "weihong", "fagor8065");
 
     #[test]
     fn every_row_of_the_files_is_read() {
@@ -559,6 +561,7 @@ mod tests {
             assert_eq!(read, files.map(lines), "{dialect}");
             let words = match dialect {
                 "weihong" => include_str!("../data/weihong/macro-words.csv"),
+                "fagor8065" => include_str!("../data/fagor8065/macro-words.csv"),
                 _ => include_str!("../data/fanuc/macro-words.csv"),
             };
             assert_eq!(r.macro_words.len(), lines(words), "{dialect}");

@@ -163,6 +163,12 @@ impl Book {
         self.g_codes().contains(&tenths)
     }
 
+    /// The variable of a name without a sign, where the language has such.
+    fn unsigned_variable(&self, name: &str) -> Option<u32> {
+        let syntax = self.dialect.syntax;
+        syntax.parameter_letter.and_then(|_| syntax.variable(name.as_bytes()))
+    }
+
     fn knows_m(&self, code: u16) -> bool {
         self.m_codes().contains(&code)
     }

@@ -78,6 +78,9 @@ fn one(word: &str, book: &Book) -> Result<Vec<Asked>, Unknown> {
     if let Some(name) = upper.strip_prefix('#').filter(|name| !name.is_empty()) {
         return named_variable(name, book);
     }
+    if let Some(number) = book.unsigned_variable(word) {
+        return Ok(vec![Asked::Subject(Subject::Variable(number))]);
+    }
     if let [letter @ b'A'..=b'Z'] = upper.as_bytes() {
         return Ok(vec![Asked::Address(*letter)]);
     }

@@ -6,8 +6,8 @@ use super::page::{Page, with_unit};
 use crate::commands::names::range;
 use ferrocut_interpreter::dialect::Variable;
 use ferrocut_machine::{
-    AlarmClass, AlarmId, Argument, Fault, GCodeRow, Meaning, ParameterKey, Subject, WorkOffset, alarm_table,
-    g_code_name,
+    AlarmClass, AlarmId, Argument, Fault, GCodeRow, Meaning, ParameterKey, Subject, VariableRow, WorkOffset,
+    alarm_table, g_code_name,
 };
 
 impl Book {
@@ -104,7 +104,8 @@ impl Book {
 
     /// Whether this version runs the code.
     fn carries_out(&self, tenths: u16) -> bool {
-        self.dialect.g_code(tenths).is_some() || tenths == self.dialect.macro_call
+        let described = || self.dialect.described_cycles.iter().any(|cycle| cycle.id == g_code_name(tenths));
+        self.dialect.g_code(tenths).is_some() || tenths == self.dialect.macro_call || described()
     }
 
     fn m_code(&self, code: u16) -> Page {
@@ -212,9 +213,10 @@ impl Book {
         let rows = self.reference.map(|r| r.variable(number)).unwrap_or_default();
         let mut rows = rows.into_iter();
         let row = rows.next();
-        let mut page = Page::new("variable", format!("#{number}"), row.map_or("", |r| &*r.meaning));
+        let name = self.dialect.syntax.variable_name(number);
+        let mut page = Page::new("variable", name, row.map_or("", |r| &*r.meaning));
         if let Some(row) = row {
-            page.say("numbers", row.name());
+            page.say("numbers", self.range_of_variables(row));
             let access = match &*row.access {
                 "read" => "label-explain-read",
                 "write" => "label-explain-write",
@@ -229,9 +231,22 @@ impl Book {
             Some(variable) => page.say("this_one", self.variable_meaning(variable)),
         }
         page.say("notes", row.map_or("", |r| &*r.notes));
-        page.list("part_of", rows.map(|r| (r.name(), r.meaning.to_string())).collect());
+        page.list("part_of", rows.map(|r| (self.range_of_variables(r), r.meaning.to_string())).collect());
         self.add_related(&mut page, &Subject::Variable(number));
         page
+    }
+
+    /// `#100-#199`, or `P0-P99` where variables have names without a sign.
+    fn range_of_variables(&self, row: &VariableRow) -> String {
+        let syntax = self.dialect.syntax;
+        match syntax.parameter_letter {
+            None => row.name(),
+            Some(_) => {
+                let [first, last] =
+                    [row.numbers.start(), row.numbers.end()].map(|number| syntax.variable_name(*number));
+                format!("{first}-{last}")
+            }
+        }
     }
 
     /// Which axis, offset or system one variable of a range is of.

@@ -3,7 +3,7 @@
 use ferrocut_interpreter::Dialect;
 use ferrocut_interpreter::modal::{Group, Modal};
 use ferrocut_machine::Parameters;
-use ferrocut_program::{Block, FileId, Page, ProgramMemory, Span, Value, Word};
+use ferrocut_program::{Block, FileId, Page, ProgramMemory, Span, Statement, Value, Word};
 use std::io;
 
 /// Bytes on either side of a place that hold its whole line.
@@ -27,6 +27,10 @@ pub struct Line {
     pub words: Vec<Spot>,
     /// Its characters.
     pub text: Vec<char>,
+    /// Letter of parameters without a sign; names may hold digits where there is one.
+    parameter_letter: Option<char>,
+    /// What begins a comment up to the end of the line, beside brackets.
+    line_comments: &'static [&'static [u8]],
     /// The codes in force in it, as far as the program's text above it and its own words tell.
     pub modal: Modal,
     /// The G codes that stand in it, in tenths.
@@ -55,7 +59,13 @@ impl Line {
     /// Whether a column lies in a comment.
     pub fn is_comment(&self, column: usize) -> bool {
         let mut inside = false;
+        let begins = |c: char| {
+            self.line_comments.iter().any(|mark| std::str::from_utf8(mark) == Ok(c.encode_utf8(&mut [0; 4])))
+        };
         for (at, c) in (1..).zip(&self.text) {
+            if !inside && begins(*c) {
+                return at <= column;
+            }
             inside |= *c == '(';
             if at == column {
                 return inside;
@@ -65,6 +75,18 @@ impl Line {
         false
     }
 
+    /// How many characters of a name follow its first one. A parameter behind an address is one by itself.
+    fn rest_of_name(&self, rest: &[char]) -> usize {
+        let Some(letter) = self.parameter_letter else {
+            return rest.iter().take_while(|c| c.is_ascii_alphabetic()).count();
+        };
+        let next = |at: usize| rest.get(at + 1).is_some_and(char::is_ascii_digit);
+        let is_of_name = |(at, c): &(usize, &char)| {
+            (c.is_ascii_alphanumeric() || **c == '.') && !(c.eq_ignore_ascii_case(&letter) && next(*at))
+        };
+        rest.iter().enumerate().take_while(is_of_name).count()
+    }
+
     /// A variable, number or name of a macro statement.
     fn piece_at(&self, column: usize) -> Option<Spot> {
         let mut at = 0;
@@ -72,7 +94,7 @@ impl Line {
             let rest = self.text.get(at + 1..).unwrap_or(&[]);
             let length = 1 + match first {
                 '#' => rest.iter().take_while(|c| c.is_ascii_digit()).count(),
-                c if c.is_ascii_alphabetic() => rest.iter().take_while(|c| c.is_ascii_alphabetic()).count(),
+                c if c.is_ascii_alphabetic() => self.rest_of_name(rest),
                 c if c.is_ascii_digit() => {
                     rest.iter().take_while(|c| c.is_ascii_digit() || **c == '.').count()
                 }
@@ -123,7 +145,7 @@ pub fn line(
                 }
             }
             if block.line == number {
-                let line = found.get_or_insert_with(|| empty_line(&modal));
+                let line = found.get_or_insert_with(|| empty_line(&modal, dialect));
                 line.modal = modal;
                 add_block(line, programs, &page, block);
             }
@@ -136,9 +158,11 @@ pub fn line(
     Ok(found)
 }
 
-fn empty_line(modal: &Modal) -> Line {
+fn empty_line(modal: &Modal, dialect: &'static Dialect) -> Line {
     let (words, text, g_codes, m_codes) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-    Line { words, text, modal: *modal, g_codes, m_codes }
+    let parameter_letter = dialect.syntax.parameter_letter.map(char::from);
+    let line_comments = dialect.syntax.line_comments;
+    Line { words, text, parameter_letter, line_comments, modal: *modal, g_codes, m_codes }
 }
 
 fn add_block(line: &mut Line, programs: &ProgramMemory, page: &Page, block: &Block) {
@@ -158,6 +182,16 @@ fn add_block(line: &mut Line, programs: &ProgramMemory, page: &Page, block: &Blo
         line.words.push(Spot { column, text: programs.slice(span), letter: Some(word.letter), value });
         line.g_codes.extend(Some(word).filter(|w| w.letter == b'G').and_then(g_code));
         line.m_codes.extend(Some(word).filter(|w| w.letter == b'M').and_then(m_code));
+    }
+    if let Some(Statement::Directive(place)) = page.statement(block)
+        && let Some(directive) = page.directive(*place)
+    {
+        for name in page.directive_names(directive) {
+            let offset = page.offset + u64::from(name.at);
+            let span = Span { offset, len: name.len, ..page.block_span(block) };
+            let Some((column, _)) = column(span) else { continue };
+            line.words.push(Spot { column, text: programs.slice(span), letter: None, value: None });
+        }
     }
     if line.text.is_empty()
         && let Some((_, whole)) = column(page.block_span(block))

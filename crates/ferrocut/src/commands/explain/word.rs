@@ -53,7 +53,7 @@ impl Book {
             (Some(b'M'), Some(value)) => {
                 place::tenths(value).map(|t| t / 10).filter(|code| self.knows_m(*code)).map(Subject::M)
             }
-            (None, _) => text.strip_prefix('#').and_then(|n| n.parse().ok()).map(Subject::Variable),
+            (None, _) => self.variable_of(text).map(Subject::Variable).or_else(|| self.cycle_of(text)),
             _ => None,
         };
         let mut page = match (asked, spot.letter) {
@@ -70,6 +70,18 @@ impl Book {
         page
     }
 
+    /// The variable that `#100`, or `P5` where names have no sign, stands for.
+    fn variable_of(&self, text: &str) -> Option<u32> {
+        let numbered = text.strip_prefix('#').and_then(|number| number.parse().ok());
+        numbered.or_else(|| self.unsigned_variable(text))
+    }
+
+    /// The code that a directive names, `G287`.
+    fn cycle_of(&self, text: &str) -> Option<Subject> {
+        let number: f64 = text.strip_prefix(['G', 'g'])?.parse().ok()?;
+        place::tenths(number).filter(|tenths| self.knows_g(*tenths)).map(Subject::G)
+    }
+
     /// A word beside G and M: what its address holds, and which code reads it.
     fn word(&self, letter: u8, text: &str, line: &Line) -> Page {
         let meaning = self.reference.and_then(|r| r.address(letter)).unwrap_or_default();
@@ -82,7 +94,9 @@ impl Book {
                 page.say("form", reference.g_code(*tenths).map_or("", |row| &*row.format));
             }
         }
-        let mut codes: Vec<_> = line.modal.codes().map(|c| (c.group_number, c.tenths)).collect();
+        // A group in which the language has no code is filled all the same.
+        let own = line.modal.codes().filter(|c| self.dialect.g_code(c.tenths).is_some());
+        let mut codes: Vec<_> = own.map(|c| (c.group_number, c.tenths)).collect();
         codes.sort_unstable();
         codes.dedup();
         let codes: Vec<String> = codes.iter().map(|(_, tenths)| g_code_name(*tenths)).collect();
