@@ -382,6 +382,8 @@ pub struct Rules {
     pub tool_chooses_offsets: bool,
     /// The spindle stops with the program.
     pub end_stops_spindle: bool,
+    /// S beside the code of orientation is the angle, degrees; else it is the speed as ever.
+    pub orients_to_speed_word: bool,
     /// Arcs about corners are fitted (G39).
     pub corner_arc: bool,
     /// Scaling.

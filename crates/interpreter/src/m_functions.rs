@@ -49,10 +49,15 @@ impl Interpreter {
             MFunction::OptionalStop => {}
             MFunction::SpindleClockwise => self.spindle(SpindleState::Clockwise(speed)),
             MFunction::SpindleCounterClockwise => self.spindle(SpindleState::CounterClockwise(speed)),
-            MFunction::SpindleOff => self.spindle(SpindleState::Off),
+            MFunction::SpindleOff => {
+                self.zone.turn = None;
+                self.spindle(SpindleState::Off);
+            }
             MFunction::Orient => {
+                self.zone.turn = None;
                 self.technology.spindle = SpindleState::Off;
-                self.emit(Op::Orient(0.0));
+                let angle = self.words.get(b'S').filter(|_| self.rules.orients_to_speed_word);
+                self.emit(Op::Orient(angle.unwrap_or(0.0)));
             }
             MFunction::CoolantOn => self.coolant(true),
             MFunction::CoolantOff => self.coolant(false),
@@ -62,6 +67,7 @@ impl Interpreter {
             MFunction::ToolChange => {
                 self.technology.in_spindle = self.technology.tool;
                 // The spindle stands still while a tool is changed.
+                self.zone.turn = None;
                 self.spindle(SpindleState::Off);
                 self.emit(Op::Change(self.technology.tool));
                 if self.rules.tools_carry_offsets {

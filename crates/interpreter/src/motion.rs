@@ -90,7 +90,7 @@ impl Interpreter {
         self.corner_word()?;
         let mut to = self.end_point(axes);
         if polar {
-            self.radius_and_angle_point(&mut to);
+            self.radius_and_angle_point(&mut to, turn.is_some());
         }
         match turn {
             Some(_) if !self.has_own_axes() => Err(self.alarm(Fault::PlaneAxes, self.words.block_span())),
@@ -117,11 +117,20 @@ impl Interpreter {
         !is_arc || self.words.has(b'Q') && ![a, b].into_iter().any(|axis| self.words.has(axis.letter() as u8))
     }
 
-    /// R and Q of the block, from the polar origin; with G91 added to those of where the tool is.
-    fn radius_and_angle_point(&self, to: &mut Position) {
+    /// R and Q of the block, from the polar origin, or of an arc with a centre of its own from that; with G91
+    /// added to those of where the tool is.
+    fn radius_and_angle_point(&self, to: &mut Position, is_arc: bool) {
         let [a, b, _] = self.plane_axes();
-        let [oa, ob] = self.polar_origin;
-        let (x, y) = (self.location.programmed[a] - oa, self.location.programmed[b] - ob);
+        let here = [a, b].map(|axis| self.location.programmed[axis]);
+        let [oa, ob] = if is_arc && self.words.has_any(CENTRE_LETTERS) {
+            let (i, j) = center_letters(self.modal.plane());
+            let word = |letter| units::length_mm(self.words.get(letter).unwrap_or(0.0), self.modal.is_inch());
+            let from = if self.rules.motion.centre_is_absolute { [0.0; 2] } else { here };
+            [from[0] + word(i), from[1] + word(j)]
+        } else {
+            self.polar_origin
+        };
+        let (x, y) = (here[0] - oa, here[1] - ob);
         let (radius, degrees) =
             (x.hypot(y), if x == 0.0 && y == 0.0 { 0.0 } else { y.atan2(x).to_degrees() });
         let incremental = self.modal.is_incremental();
@@ -336,7 +345,9 @@ impl Interpreter {
                 let mut middle = self.location.programmed;
                 middle[plane.first()] = self.polar_origin[0];
                 middle[plane.second()] = self.polar_origin[1];
-                plane.of(self.location.machine_of(middle) - offset)
+                let center = plane.of(self.location.machine_of(middle) - offset);
+                self.check_radii(plane.of(from), plane.of(end), center, b'Q')?;
+                center
             }
             None => self.center_by_vector(from, end)?,
         };
@@ -461,11 +472,16 @@ impl Interpreter {
         }
         let [a, b] = plane.of(from);
         let center = [a + vector[0], b + vector[1]];
-        let [ea, eb] = plane.of(to);
-        let start_radius = vector[0].hypot(vector[1]);
-        let end_radius = (ea - center[0]).hypot(eb - center[1]);
+        self.check_radii([a, b], plane.of(to), center, i)?;
+        Ok(center)
+    }
+
+    /// An arc has a radius, and the same one at both ends. `letter` is at fault where it has none.
+    fn check_radii(&self, from: [f64; 2], to: [f64; 2], center: [f64; 2], letter: u8) -> Fallible<()> {
+        let start_radius = (from[0] - center[0]).hypot(from[1] - center[1]);
+        let end_radius = (to[0] - center[0]).hypot(to[1] - center[1]);
         if start_radius < SAME_POINT_MM {
-            return Err(self.alarm_at(Fault::ArcWithoutRadius, i));
+            return Err(self.alarm_at(Fault::ArcWithoutRadius, letter));
         }
         let difference = (start_radius - end_radius).abs();
         // Rounding of the programmed decimals must not decide at the limit itself.
@@ -476,7 +492,7 @@ impl Interpreter {
             alarm.arguments.push(("limit", self.rules.arc_tolerance.into()));
             return Err(alarm);
         }
-        Ok(center)
+        Ok(())
     }
 }
 

@@ -1,7 +1,7 @@
 //! Feed, spindle and coolant: F, S and what follows from them (GSK990MC 4.2, 5).
 
 use crate::Fallible;
-use crate::dialect::{GCode, Meaning};
+use crate::dialect::{GCode, MFunction, Meaning};
 use crate::interpreter::Interpreter;
 use crate::modal::Group;
 use crate::stages::units;
@@ -54,6 +54,10 @@ impl Interpreter {
     /// takes the last one, and none is 0 (GSK990MC 6.3).
     pub(crate) fn speed_word(&mut self) -> Fallible<()> {
         let Some(s) = self.words.get(b'S') else { return Ok(()) };
+        let orients = || self.words.m.iter().any(|code| code.row.function == MFunction::Orient);
+        if self.rules.orients_to_speed_word && orients() {
+            return Ok(());
+        }
         if s > self.rules.max_speed_word {
             return Err(self.alarm_at(Fault::SpindleTooFast, b'S'));
         }

@@ -48,10 +48,13 @@ impl Interpreter {
 
     /// Puts other axes in force. Another tool axis ends the cycle, and takes the tool's length with it.
     pub(crate) fn set_tool_axes(&mut self, axes: ToolAxes) -> Fallible<()> {
-        let [a, b, was] = self.plane_axes();
-        let same = axes.of(self.modal.plane()) == [a, b, was];
+        self.put_tool_axes(axes, self.plane_axes())
+    }
+
+    /// The same, where `was` was in force: the plane may have been changed before.
+    fn put_tool_axes(&mut self, axes: ToolAxes, was: [Axis; 3]) -> Fallible<()> {
         self.tool_axes = axes;
-        if !same {
+        if self.plane_axes() != was {
             self.cancel_cycle();
         }
         if self.rules.tools_carry_offsets {
@@ -75,7 +78,8 @@ impl Interpreter {
     /// tool's, negative for a tool on the other end.
     pub(crate) fn choose_axes(&mut self, axes: AxisSet) -> Fallible<()> {
         let mut chosen = self.tool_axes;
-        chosen.axes = self.plane_axes();
+        let was = self.plane_axes();
+        chosen.axes = was;
         chosen.tool = None;
         let mut tool = None;
         for axis in axes.iter() {
@@ -104,9 +108,9 @@ impl Interpreter {
         match standard.and_then(|plane| self.dialect.plane_code(plane)) {
             Some(row) => {
                 self.modal.set(row);
-                self.set_tool_axes(ToolAxes { tool, ..ToolAxes::default() })
+                self.put_tool_axes(ToolAxes { tool, ..ToolAxes::default() }, was)
             }
-            None => self.set_tool_axes(ToolAxes { tool, ..chosen }),
+            None => self.put_tool_axes(ToolAxes { tool, ..chosen }, was),
         }
     }
 

@@ -931,7 +931,7 @@ impl Lexer<'_> {
             self.skip_blanks();
         }
         let start = self.at;
-        if may_be_list && self.peek() == b'[' {
+        if may_be_list && self.is_list() {
             let first = self.page.items.len();
             self.at += 1;
             loop {
@@ -968,6 +968,27 @@ impl Lexer<'_> {
         }
         self.at = end;
         Ok(Argument { name, text: TextRange { at: start as u32, len: len as u32 }, value, items: None })
+    }
+
+    /// Whether brackets that begin here hold a list, `[1,2]`, and not the first part of an expression, `[1+2]*3`.
+    fn is_list(&self) -> bool {
+        let (mut depth, mut quoted, mut has_comma) = (0u32, false, false);
+        let rest = self.text.get(self.at..).unwrap_or(&[]);
+        for byte in rest {
+            match byte {
+                b'\n' | b'\r' | b';' => return false,
+                b'"' => quoted = !quoted,
+                _ if quoted => {}
+                b'[' => depth += 1,
+                b']' => depth = depth.saturating_sub(1),
+                b',' if depth == 1 => has_comma = true,
+                _ => {}
+            }
+            if depth == 0 {
+                return has_comma;
+            }
+        }
+        false
     }
 
     /// Where the comma or bracket stands that ends the value beginning here.

@@ -42,6 +42,12 @@ impl Levels {
         Levels { depth, exact: None, count: count.max(1.0) }
     }
 
+    /// The same passes, the last one to this depth.
+    pub fn down_to(self, depth: f64) -> Levels {
+        let step = self.exact.unwrap_or(self.depth / self.count);
+        Levels { depth, exact: Some(step), count: self.count }
+    }
+
     /// Number of passes.
     pub fn count(&self) -> f64 {
         self.count
@@ -75,6 +81,8 @@ mod tests {
         assert_eq!(depths(Levels::by_step(12.0, -4.0, "B").unwrap()), [4.0, 8.0, 12.0]);
         assert_eq!(depths(Levels::by_step(3.0, 0.1 * 10.0, "B").unwrap()), [1.0, 2.0, 3.0]);
         assert_eq!(depths(Levels::equal(10.0, 2.0)), [5.0, 10.0]);
+        assert_eq!(depths(Levels::by_step(9.5, -4.0, "B").unwrap().down_to(10.0)), [4.0, 8.0, 10.0]);
+        assert_eq!(depths(Levels::by_step(9.0, 4.0, "B").unwrap().down_to(10.0)), [3.0, 6.0, 10.0]);
     }
 
     #[test]

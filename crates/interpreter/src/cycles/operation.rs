@@ -3,7 +3,7 @@
 use super::area::profile::ProfileMilling;
 use super::area::{BossFinish, BossRough, Facing, PocketFinish, PocketRough, Slot};
 use super::bore_milling::BoreMilling;
-use super::boring::Bore;
+use super::boring::{Bore, Way};
 use super::drilling::Hole;
 use super::tapping::TappedHole;
 use super::thread_milling::ThreadMilling;
@@ -60,6 +60,11 @@ impl Operation {
     /// Whether it takes more acts than can be meant.
     pub fn is_endless(&self) -> bool {
         self.run([0.0; 2], [0.0; 3], &mut Count::of(MOST_ACTS)).is_err()
+    }
+
+    /// Whether it goes into the hole with the spindle stopped.
+    pub fn begins_stopped(&self) -> bool {
+        matches!(&self.work, Work::Bore(bore) if matches!(bore.way, Way::InAside(_)))
     }
 
     /// Makes it at a point, with the tool standing over its start at `from`.

@@ -23,8 +23,8 @@ pub struct Figure {
 enum Shape {
     /// At equal distances.
     Line { step: [f64; 2] },
-    /// On a circle: centre, angle from one to the next.
-    Round { center: [f64; 2], step: f64 },
+    /// On a circle: centre, where it begins, angle from one to the next.
+    Round { center: [f64; 2], first: [f64; 2], step: f64 },
     /// In rows to and fro; with `outline` round the parallelogram alone. Steps along both, counts of both.
     Rows { steps: [[f64; 2]; 2], counts: [u32; 2], outline: bool },
     /// One by one.
@@ -112,7 +112,12 @@ impl Figure {
 
     /// Points about a centre, `step` degrees from one to the next.
     pub fn round(from: [f64; 2], center: [f64; 2], step: f64, count: u32) -> Figure {
-        Figure { from, shape: Shape::Round { center, step }, count }
+        Figure::on_circle(from, center, from, step, count)
+    }
+
+    /// The same on a circle that begins elsewhere: the first point alone is where the figure begins.
+    pub fn on_circle(from: [f64; 2], center: [f64; 2], first: [f64; 2], step: f64, count: u32) -> Figure {
+        Figure { from, shape: Shape::Round { center, first, step }, count }
     }
 
     /// Points of a parallelogram: distance and number along either side, angle of the first side, angle
@@ -168,9 +173,10 @@ impl Figure {
         let [a, b] = self.from;
         match &self.shape {
             Shape::Line { step: [x, y] } => [a + f64::from(n) * x, b + f64::from(n) * y],
-            Shape::Round { center: [ca, cb], step } => {
+            Shape::Round { .. } if n == 0 => self.from,
+            Shape::Round { center: [ca, cb], first, step } => {
                 let (sin, cos) = sin_cos_degrees(step * f64::from(n));
-                let (x, y) = (a - ca, b - cb);
+                let (x, y) = (first[0] - ca, first[1] - cb);
                 [ca + x * cos - y * sin, cb + x * sin + y * cos]
             }
             Shape::Rows { steps: [[xa, xb], [ya, yb]], counts, outline } => {

@@ -129,8 +129,8 @@ pub(crate) struct Zone {
     /// F and S where it was defined.
     feed: f64,
     speed: Option<f64>,
-    /// Sense of the spindle.
-    turn: Option<Turn>,
+    /// Sense of the spindle, also while a cycle has stopped it; none once the program has.
+    pub turn: Option<Turn>,
     /// What the present block still does before its operations.
     block: BlockOfZone,
     /// Points of a figure, and the one where the tool is.
@@ -312,7 +312,7 @@ impl Interpreter {
             return Err(self.alarm(Fault::MillTooManyMoves, self.cycle_span()));
         }
         // A stopped spindle is started: clockwise, or as a cycle that stopped it found it (1.2, 1.5, 1.7).
-        if self.technology.spindle == SpindleState::Off {
+        if self.technology.spindle == SpindleState::Off && !operation.begins_stopped() {
             self.turn_spindle(turn);
         }
         let [a, b, _] = self.in_plane_axes();

@@ -155,7 +155,9 @@ impl Profile {
         if radius > 0.0 {
             let first = self.elements.first().ok_or(ProfileError::Empty)?;
             let direction = first.direction(self.start, false).ok_or(ProfileError::Entry)?;
-            elements.extend(tangent_way(from, self.start, direction, radius).ok_or(ProfileError::Entry)?);
+            let (line, arc) = tangent_way(from, self.start, direction, radius).ok_or(ProfileError::Entry)?;
+            elements.push(line);
+            elements.extend(arc);
         } else {
             elements.push(Element::Line { to: self.start });
         }
@@ -172,9 +174,9 @@ impl Profile {
                 Some(to) => {
                     // The way out is a way in, run backwards.
                     let back = [-direction[0], -direction[1]];
-                    let [line, arc] = tangent_way(to, end, back, radius).ok_or(ProfileError::Exit)?;
+                    let (line, arc) = tangent_way(to, end, back, radius).ok_or(ProfileError::Exit)?;
                     let touch = line.to();
-                    if let Element::Arc { center, sweep, .. } = arc {
+                    if let Some(Element::Arc { center, sweep, .. }) = arc {
                         self.elements.push(Element::Arc { to: touch, center, sweep: -sweep });
                     }
                     self.elements.push(Element::Line { to });
@@ -199,12 +201,17 @@ impl Profile {
     }
 }
 
-/// A straight way from a point and an arc that arrives at `to` in a direction. None where the point lies
-/// within the arc's circle.
+/// A straight way from a point and an arc that arrives at `to` in a direction: the line alone where it does so
+/// itself. None where the point lies within the arc's circle.
 ///
 /// The circle lies beside the direction, on the side of the point. Seen from its centre the straight way
 /// touches it `acos(R/d)` before the point, at the distance d.
-fn tangent_way(from: [f64; 2], to: [f64; 2], direction: [f64; 2], radius: f64) -> Option<[Element; 2]> {
+fn tangent_way(
+    from: [f64; 2],
+    to: [f64; 2],
+    direction: [f64; 2],
+    radius: f64,
+) -> Option<(Element, Option<Element>)> {
     let [dx, dy] = direction;
     let (vx, vy) = (from[0] - to[0], from[1] - to[1]);
     let side = if dx * vy - dy * vx >= 0.0 { 1.0 } else { -1.0 };
@@ -218,10 +225,13 @@ fn tangent_way(from: [f64; 2], to: [f64; 2], direction: [f64; 2], radius: f64) -
     let (sin, cos) = angle.sin_cos();
     let scale = radius / distance;
     let touch = [center[0] + (px * cos - py * sin) * scale, center[1] + (px * sin + py * cos) * scale];
+    if (touch[0] - to[0]).hypot(touch[1] - to[1]) <= SAME_POINT_MM {
+        return Some((Element::Line { to }, None));
+    }
     let turn = if side > 0.0 { Turn::CounterClockwise } else { Turn::Clockwise };
     let place = |[x, y]: [f64; 2]| Position::xyz(x, y, 0.0);
     let sweep = Arc::about(Plane::Xy, place(touch), place(to), center, turn).sweep;
-    Some([Element::Line { to: touch }, Element::Arc { to, center, sweep }])
+    Some((Element::Line { to: touch }, Some(Element::Arc { to, center, sweep })))
 }
 
 /// A profile to follow.
@@ -235,6 +245,8 @@ pub struct ProfileMilling {
     pub levels: Levels,
     /// Feed along it, and along the tool axis.
     pub feeds: [f64; 2],
+    /// Whether it ends over its start: a finishing pass ends over the end of the profile (4.20).
+    pub returns: bool,
 }
 
 /// Ways to a profile and from it.
@@ -288,17 +300,18 @@ impl Ways {
 }
 
 impl ProfileMilling {
-    /// Follows the profile from over its start, and ends there on the safety level. In a frame without turn
-    /// or shift.
+    /// Follows the profile from over its start, and ends on the safety level. In a frame without turn or shift.
     pub fn cut<T: Take>(&self, tool: &mut Tool<'_, T>) -> Result<(), T::Error> {
         let [feed, plunge] = self.feeds;
-        tool.rapid_z(self.planes.approach)?;
-        for depth in self.levels.depths() {
+        // Below the level before lies what nothing has cut yet.
+        let mut near = self.planes.approach;
+        let mut levels = self.levels.depths().peekable();
+        while let Some(depth) = levels.next() {
             let level = tool.above(self.planes.surface, -depth);
-            let near = tool.above(level, CLEAR);
-            if tool.height(tool.z(), self.planes.approach) > 0.0 && tool.height(tool.z(), near) > 0.0 {
+            if tool.height(tool.z(), near) > 0.0 {
                 tool.rapid_z(near)?;
             }
+            near = tool.above(level, CLEAR);
             tool.set_feed(plunge);
             tool.feed_z(level)?;
             tool.set_feed(feed);
@@ -306,7 +319,9 @@ impl ProfileMilling {
                 follow(tool, element)?;
             }
             tool.rapid_z(self.planes.safety)?;
-            tool.rapid(self.path.start)?;
+            if self.returns || levels.peek().is_some() {
+                tool.rapid(self.path.start)?;
+            }
         }
         Ok(())
     }

@@ -107,8 +107,8 @@ fn round(words: &WordValues, from: [f64; 2], total: f64, closed: bool) -> Made {
         (None, None) => return Err(WrongParameter::new(Fault::PatternForm, "I")),
         (Some(_), Some(_)) => return Err(WrongParameter::new(Fault::PatternForm, "K")),
     };
-    // With C0 and C1 the sign of I is the way round; K goes counter-clockwise.
-    let sign = sense.or(words.get(b'I').map(f64::signum)).unwrap_or(1.0) * total.signum();
+    // An arc of travel says the way round, else the sign of I; K goes counter-clockwise over a positive angle.
+    let sign = sense.or(words.get(b'I').map(f64::signum)).unwrap_or(total.signum());
     let count = match words.get(b'K') {
         Some(count) => whole(count, TOLERANCE, "K")?,
         None => spaces as u32 + u32::from(!closed),

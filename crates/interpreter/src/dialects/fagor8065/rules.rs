@@ -39,7 +39,7 @@ pub fn rules(_: &Parameters) -> Rules {
         max_macro_depth: 0,
         max_repeats: 0.0,
         cycles: cycles(),
-        motion: motion::Rules { polar_words: true, ..motion::Rules::default() },
+        motion: motion::Rules { polar_words: true, helix_has_pitch: true, ..motion::Rules::default() },
         coordinates: coordinates::Rules::default(),
         cutter: cutter::Rules::default(),
         radius_is_diameter: false,
@@ -60,6 +60,7 @@ pub fn rules(_: &Parameters) -> Rules {
         max_m_code: 9999.0,
         tool_chooses_offsets: false,
         end_stops_spindle: true,
+        orients_to_speed_word: true,
         corner_arc: false,
         scaling: ScalingRules {
             enabled: false,

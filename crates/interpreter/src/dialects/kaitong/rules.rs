@@ -78,6 +78,7 @@ pub fn rules(parameters: &Parameters) -> Rules {
         max_m_code: 999.0,
         tool_chooses_offsets: false,
         end_stops_spindle: true,
+        orients_to_speed_word: false,
         corner_arc: false,
         scaling: ScalingRules {
             enabled: false,

@@ -92,6 +92,7 @@ pub fn rules(parameters: &Parameters) -> Rules {
         tool_chooses_offsets: true,
         // 5, parameter 13.
         end_stops_spindle: p("AUTOSTOPSPINDLE") != 0.0,
+        orients_to_speed_word: false,
         corner_arc: false,
         scaling: ScalingRules {
             enabled: false,

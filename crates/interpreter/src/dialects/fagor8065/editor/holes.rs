@@ -265,8 +265,9 @@ fn bore_milling(description: &Description<'_>) -> Made {
         top: placed.planes.safety,
         diameter: main.number("phi"),
         drilled: main.number("phiK"),
-        pitch: main.number("B"),
-        mills_bottom: main.word("bottom", "yes") == "yes",
+        // Only a positive pitch mills the bottom, as with G210 (1.10).
+        pitch: main.number("B").abs(),
+        mills_bottom: main.word("bottom", "yes") == "yes" && main.number("B") > 0.0,
         tool_radius: tool(description, main).radius,
         feed: feed(main)?,
     };

@@ -240,9 +240,7 @@ fn wall_levels(
         return Ok(Levels::equal(depth, passes.max(least)));
     }
     match rough {
-        Some((section, levels)) if section.number("T") == finish.number("T") => {
-            Ok(Levels::equal(depth, levels.count()))
-        }
+        Some((section, levels)) if section.number("T") == finish.number("T") => Ok(levels.down_to(depth)),
         _ => Err(WrongParameter::new(Fault::CycleToolsDiffer, "N")),
     }
 }

@@ -86,21 +86,26 @@ fn line(section: &Section, from: [f64; 2]) -> Made {
     Ok(Figure::line(from, angle, distance, count))
 }
 
-/// 4.24. The cycle's own point is point 1; where centre, radius and angle of it are given as well, it must lie
-/// there.
+/// 4.24. The cycle's own point is point 1; where centre, radius and angle of it are given as well, the others
+/// lie on that circle.
 fn arc(section: &Section, from: [f64; 2]) -> Made {
     let given_center = section.given("XA").zip(section.given("YA")).map(|(x, y)| [x, y]);
-    let center = match (given_center, section.given("R"), section.given("alpha")) {
-        (Some(center), _, _) => center,
-        (None, Some(radius), Some(first)) => {
+    let arm = match section.given("R").zip(section.given("alpha")) {
+        Some((radius, first)) => {
             refuse(!(radius > 0.0 && radius.is_finite()), Fault::CycleParameter, "R")?;
             let (sin, cos) = crate::stages::rotation::sin_cos_degrees(first);
-            [from[0] - radius * cos, from[1] - radius * sin]
+            Some([radius * cos, radius * sin])
         }
+        None => None,
+    };
+    let center = match (given_center, section.given("R"), arm) {
+        (Some(center), _, _) => center,
+        (None, Some(_), Some([x, y])) => [from[0] - x, from[1] - y],
         (None, None, _) => return Err(form("XA")),
         (None, Some(_), None) => return Err(form("alpha")),
     };
-    let (x, y) = (from[0] - center[0], from[1] - center[1]);
+    let begins = arm.map_or(from, |[x, y]| [center[0] + x, center[1] + y]);
+    let (x, y) = (begins[0] - center[0], begins[1] - center[1]);
     refuse(x.hypot(y) <= SAME_POINT_MM, Fault::CycleParameter, "XA")?;
     let first = section.given("alpha").unwrap_or_else(|| y.atan2(x).to_degrees());
     let (count, step, last) = (section.given("N"), section.given("beta"), section.given("tau"));
@@ -121,7 +126,7 @@ fn arc(section: &Section, from: [f64; 2]) -> Made {
         (_, None, None) => return Err(form("tau")),
         (None, Some(_), None) => return Err(form("N")),
     };
-    Ok(Figure::round(from, center, step, count))
+    Ok(Figure::on_circle(from, center, begins, step, count))
 }
 
 /// The way from one angle to another in a sense, at most a turn.

@@ -164,24 +164,24 @@ fn follow(
         "right" => Some(Side::Right),
         _ => None,
     };
-    let made = |section: &Section, levels: Levels, stock: f64| {
+    let made = |section: &Section, levels: Levels, stock: f64, returns: bool| {
         let radius = tool(description, section).radius;
         refuse(side.is_some() && !(radius > 0.0), Fault::MillToolMissing, "T")?;
         let milling = feed(section)?;
         let offset = side.map(|side| Offset { side, radius: radius + stock });
         let path = ways.path(profile, offset).map_err(|error| wrong(error, name, [entry, exit]))?;
         let feeds = [milling, plunge(rough, "FZ", milling)?];
-        let work = ProfileMilling { path, planes: placed.planes, levels, feeds };
+        let work = ProfileMilling { path, planes: placed.planes, levels, feeds, returns };
         Ok(stage(section, plain(Work::Profile(work), placed.up)))
     };
     let mut stages = Vec::with_capacity(2);
     if works(rough) {
         let cutting_length = tool(description, rough).cutting_length;
         let levels = of_rough(Levels::within(placed.depth, rough.number("I"), cutting_length, "I"))?;
-        stages.push(of_rough(made(rough, levels, stock))?);
+        stages.push(of_rough(made(rough, levels, stock, true))?);
     }
     if works(finish) && (side.is_some() || finishes_without) {
-        stages.push(of_finish(made(finish, Levels::equal(placed.depth, 1.0), 0.0))?);
+        stages.push(of_finish(made(finish, Levels::equal(placed.depth, 1.0), 0.0, false))?);
     }
     // The points of the profile are coordinates themselves.
     Ok(Plan { at: [0.0; 2], safety: placed.planes.safety, stages, next_tool: next_tool(main)? })

@@ -1,0 +1,231 @@
+//! The rules of the Fagor 8060/8065 control, with values worked out by hand from its manual.
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
+
+mod common;
+
+use common::{lines_on, run_on};
+use ferrocut_interpreter::dialects::fagor8065::DIALECT;
+use ferrocut_machine::Fault;
+
+/// Program, set-up, the steps that it makes.
+type Case = (&'static str, &'static str, &'static [&'static str]);
+
+fn hold(cases: &[Case]) {
+    for (program, setup, expected) in cases {
+        assert_eq!(lines_on(&DIALECT, program, setup), *expected, "{program}");
+    }
+}
+
+/// Moves alone.
+fn moves(program: &str, setup: &str) -> Vec<String> {
+    let mut lines = lines_on(&DIALECT, program, setup);
+    let is_move = |line: &String| ["rapid", "feed", "xy"].iter().any(|name| line.starts_with(name));
+    lines.retain(is_move);
+    lines
+}
+
+#[test]
+fn another_tool_axis_ends_the_cycle_however_it_is_chosen() {
+    for choice in ["G20 Y1 Z2 X3", "G19", "#TOOL AX [X+]"] {
+        let program = format!("G0 G90 X20 Y0 Z20 F100 S500 M3\nG81 Z2 I-5\n{choice}\nY10\nM30");
+        let found = moves(&program, "");
+        assert_eq!(found.last().map(String::as_str), Some("rapid Y10"), "{choice}: {found:?}");
+        assert_eq!(found.iter().filter(|line| line.starts_with("feed")).count(), 1, "{choice}");
+    }
+}
+
+/// 1.1.1: a stopped spindle starts clockwise; one that a cycle stopped goes on as it was.
+#[test]
+fn a_spindle_that_the_program_stopped_starts_clockwise() {
+    let hole = ["rapid Z2", "feed Z-5 F100", "rapid Z20"];
+    for stop in ["M5", "M19"] {
+        let program = format!("G0 G90 X0 Y0 Z20 F100 S500 M4\nG81 Z2 I-5\n{stop}\nX10\nM30");
+        let found = lines_on(&DIALECT, &program, "");
+        let starts: Vec<&String> = found.iter().filter(|line| line.starts_with("spindle ")).collect();
+        assert!(starts[0].contains("ccw"), "{found:?}");
+        let last = starts.iter().rfind(|line| !line.contains("off")).unwrap();
+        assert!(last.contains("cw") && !last.contains("ccw"), "{stop}: {found:?}");
+        assert!(found.windows(3).filter(|lines| *lines == hole).count() == 2, "{found:?}");
+    }
+    // G86 A1 goes in with the spindle stopped: it is not started for that.
+    let program = "G0 G90 X0 Y0 Z20 F100 S500\nG99 G86 Z2 I-10 A1 Q45 D-0.5 E0.2\nM30";
+    let found = lines_on(&DIALECT, program, "");
+    let first_start = found.iter().position(|line| line.starts_with("spindle cw")).unwrap();
+    let bottom = found.iter().position(|line| line.starts_with("feed Z-10")).unwrap();
+    assert!(first_start > bottom, "{found:?}");
+}
+
+#[test]
+fn m19_goes_to_the_angle_that_s_gives() {
+    hold(&[("S500 M3\nM19 S30\nM19\nM30", "", &["spindle cw 500", "orient 30", "orient 0", "end M30"])]);
+}
+
+/// 2.5: an arc of travel says the way round, else the sign of I, else that of the whole angle.
+#[test]
+fn points_on_an_arc_go_the_way_that_c_and_i_say() {
+    for (words, end) in [
+        ("B-90 K3 C3", "X30 Y0"),
+        ("B-90 I45 C2", "X30 Y40"),
+        ("B-90 I-45", "X30 Y40"),
+        ("B-90 I45", "X30 Y0"),
+        ("B90 K3", "X30 Y0"),
+        ("B-90 K3", "X30 Y40"),
+        ("B90 I-45", "X30 Y40"),
+    ] {
+        let program = format!(
+            "G0 G90 X10 Y20 Z20 F100 S500 M3\nG99 G81 Z2 I-5\nG164 X20 Y0 {words}\nG80 G0 G90 X0 Y0\nM30"
+        );
+        let at = |x: f64, y: f64| [x, y];
+        let (steps, alarm) = run_on(&DIALECT, &program, "");
+        assert_eq!(alarm, None);
+        let targets: Vec<_> = steps.iter().filter_map(|step| step.op.target()).collect();
+        let last = targets[targets.len() - 2];
+        let wanted = if end == "X30 Y0" { at(30.0, 0.0) } else { at(30.0, 40.0) };
+        let found = at(last.0[0], last.0[1]);
+        assert!(
+            (found[0] - wanted[0]).abs() < 1e-9 && (found[1] - wanted[1]).abs() < 1e-9,
+            "{words}: {found:?}"
+        );
+    }
+}
+
+/// Arcs by radius and angle: about their centre where they have one, else about the polar origin.
+#[test]
+fn polar_arcs_turn_about_their_own_centre() {
+    hold(&[
+        (
+            "G0 G90 X60 Y40 F100\nG17 G3 Q0 I0 J50\nQ-90 I50 J0\nM30",
+            "",
+            &[
+                "rapid X60 Y40",
+                "xy X110 Y90 about 60 90 by 90 F100",
+                "xy X160 Y40 about 160 90 by 90 F100",
+                "end M30",
+            ],
+        ),
+        (
+            "G0 G90 X170 Y80 F100\nG2 Q360 I-50 J0\nM30",
+            "",
+            &["rapid X170 Y80", "xy about 120 80 by -360 F100", "end M30"],
+        ),
+    ]);
+    let (_, alarm) = run_on(&DIALECT, "G0 G90 X10 Y0 Z0 F100\nG3 R5 Q90\nM30", "");
+    assert_eq!(DIALECT.alarm_id(Fault::ArcRadiusMismatch), alarm.unwrap().id);
+}
+
+#[test]
+fn the_pitch_of_a_helix_makes_its_turns() {
+    let (steps, alarm) = run_on(&DIALECT, "G0 G90 X0 Y0 Z0 F100\nG3 X0 Y0 I15 J0 Z-50 K20\nM30", "");
+    assert_eq!(alarm, None);
+    let sweep = steps.iter().find_map(|step| match step.op {
+        ferrocut_toolpath::Op::Arc { sweep, .. } => Some(sweep.to_degrees()),
+        _ => None,
+    });
+    assert!((sweep.unwrap() - 720.0).abs() < 1e-9, "{sweep:?}");
+}
+
+/// 4.20: where the way in or out runs along the profile itself there is nothing to round.
+#[test]
+fn a_way_in_along_the_profile_has_no_arc() {
+    let program = "#CYCLE G293 [X1=0, Y1=0, R1=5, P1=[10,0], P2=[50,0], P3=[50,30], P4=[20,30], P5=[20,30], RN=5, XN=0, YN=30, Z=0, ZS=5, P=6]\n#ROUGH [FZ=100, I=-6, F=400, T=1, D=1]\nM30";
+    let found = moves(program, "[tools.1]\nradius = 3\n");
+    assert_eq!(
+        found,
+        [
+            "rapid Z5",
+            "rapid Z1",
+            "feed Z-6 F100",
+            "feed X10 F400",
+            "feed X50 F400",
+            "feed Y30 F400",
+            "feed X20 F400",
+            "feed X0 F400",
+            "rapid Z5",
+            "rapid Y0",
+        ]
+    );
+}
+
+/// 4.20: the way down to a level is rapid only where the level before was cut, and only roughing goes back.
+#[test]
+fn profiles_go_down_at_the_feed_of_the_plunge() {
+    let program = "#CYCLE G293 [X1=0, Y1=0, P1=[10,0], P2=[50,0], Z=0, ZS=5, P=30]\n#ROUGH [I=-10, F=100, T=1, D=1]\nM30";
+    let found = moves(program, "[tools.1]\nradius = 3\n");
+    assert_eq!(
+        found,
+        [
+            "rapid Z5",
+            "rapid Z1",
+            "feed Z-10 F50",
+            "feed X10 F100",
+            "feed X50 F100",
+            "rapid Z5",
+            "rapid X0",
+            "rapid Z-9",
+            "feed Z-20 F50",
+            "feed X10 F100",
+            "feed X50 F100",
+            "rapid Z5",
+            "rapid X0",
+            "rapid Z-19",
+            "feed Z-30 F50",
+            "feed X10 F100",
+            "feed X50 F100",
+            "rapid Z5",
+            "rapid X0",
+        ]
+    );
+    let program = "#PROFILE way\nG0 X0 Y0\nG1 X0 Y20\n#ENDPROFILE\n#CYCLE G294 [profile=way, X=-20, Y=-10, Z=0, ZS=5, P=4]\n#FINISH [F=100, T=2]\nM30";
+    let found = moves(program, "[tools.2]\nradius = 3\n");
+    assert_eq!(found.last().map(String::as_str), Some("rapid Z5"), "{found:?}");
+}
+
+/// 4.1.3: N = 0 finishes the wall on each level of roughing, the last one on the floor.
+#[test]
+fn walls_are_finished_on_the_levels_of_roughing() {
+    let program = "#CYCLE G287 [X=0, Y=0, L=60, H=30, Z=0, ZS=5, P=10]\n#ROUGH [step=8, I=-4, FZ=100, F=500, T=1, D=1]\n#FINISH [delta=.5, deltaz=0.5, N=0, F=300, T=1, D=1]\nM30";
+    let (steps, alarm) = run_on(&DIALECT, program, "[tools.1]\nradius = 5\n");
+    assert_eq!(alarm, None);
+    let mut levels: Vec<f64> = Vec::new();
+    for step in &steps {
+        if let ferrocut_toolpath::Op::Feed { to, .. } = step.op
+            && !levels.contains(&to.0[2])
+        {
+            levels.push(to.0[2]);
+        }
+    }
+    assert_eq!(levels, [-4.0, -8.0, -9.5, -10.0]);
+}
+
+#[test]
+fn a_value_may_begin_with_a_bracket() {
+    let program = "P1=4\n#CYCLE G281 [X=[P1+1]*2, Y=[P1+1], Z=0, ZS=5, P=[P1]/2, F=100, T=1]\nM30";
+    let found = moves(program, "[tools.1]\nradius = 3\n");
+    assert_eq!(found, ["rapid Z5", "rapid X10 Y5", "rapid Z1", "feed Z-2 F100", "rapid Z5"]);
+}
+
+/// 4.24, formats 7 to 9: the cycle's own point is the first, the others lie on the circle.
+#[test]
+fn the_circle_of_positions_is_the_one_given() {
+    let program = "#CYCLE G281 [X=0, Y=0, Z=0, ZS=5, P=2, F=100, T=1]\n#MULTI ARC [XA=50, YA=50, R=40, N=3, alpha=0, beta=90]\nM30";
+    let found = moves(program, "[tools.1]\nradius = 3\n");
+    let places: Vec<_> = found.iter().filter(|line| line.contains('X') || line.contains('Y')).collect();
+    assert_eq!(places, ["rapid X50 Y90", "rapid X10 Y50"]);
+}
+
+/// 4.7: only a positive pitch mills the bottom.
+#[test]
+fn a_negative_pitch_of_bore_milling_leaves_the_bottom() {
+    let arcs = |pitch: &str| {
+        let program =
+            format!("#CYCLE G298 [X=0, Y=0, Z=0, ZS=5, P=4, phi=30, phiK=20, B={pitch}, F=100, T=1]\nM30");
+        let (steps, alarm) = run_on(&DIALECT, &program, "[tools.1]\nradius = 5\n");
+        assert_eq!(alarm, None, "{pitch}");
+        let sweep = |step: &ferrocut_toolpath::Step| match step.op {
+            ferrocut_toolpath::Op::Arc { sweep, .. } => sweep.abs().to_degrees(),
+            _ => 0.0,
+        };
+        steps.iter().map(sweep).sum::<f64>()
+    };
+    assert!((arcs("2") - arcs("-2") - 360.0).abs() < 1e-6, "{} {}", arcs("2"), arcs("-2"));
+}
