@@ -62,8 +62,8 @@ pub struct RecordedProfile {
 pub enum ProfileAxes {
     /// Abscissa and ordinate.
     Plane,
-    /// One of these and the tool axis: a profile of depth.
-    Depth,
+    /// One of these, by its place in the plane, and the tool axis: a profile of depth.
+    Depth(usize),
 }
 
 /// A contour of a profile.
@@ -71,6 +71,8 @@ pub enum ProfileAxes {
 pub struct Contour {
     /// Its elements, corners made.
     pub profile: Profile,
+    /// The corner between its last element and its first, and its size.
+    pub closing: Option<(CornerKind, f64)>,
     /// Radius of a tangential way in; 0 for none.
     pub entry: f64,
     /// The same of the way out.
@@ -92,6 +94,8 @@ struct Draft {
 struct Recording {
     name: Box<str>,
     letters: [u8; 2],
+    /// Letters of the centres of its arcs.
+    centers: [u8; 2],
     axes: ProfileAxes,
     drafts: Vec<Draft>,
     at: [f64; 2],
@@ -350,10 +354,10 @@ impl Interpreter {
 
     fn begin_profile(&mut self, page: &Page, name: &str, arguments: &[Argument], span: Span) -> Fallible<()> {
         let axes = arguments.first().map(|a| self.text_of(page, a.text).to_ascii_uppercase());
-        let (letters, axes) = match axes.as_deref() {
-            None | Some("XY") => ([b'X', b'Y'], ProfileAxes::Plane),
-            Some("XZ") => ([b'X', b'Z'], ProfileAxes::Depth),
-            Some("YZ") => ([b'Y', b'Z'], ProfileAxes::Depth),
+        let (letters, centers, axes) = match axes.as_deref() {
+            None | Some("XY") => (*b"XY", *b"IJ", ProfileAxes::Plane),
+            Some("XZ") => (*b"XZ", *b"IK", ProfileAxes::Depth(0)),
+            Some("YZ") => (*b"YZ", *b"JK", ProfileAxes::Depth(1)),
             Some(_) => return Err(self.alarm(Fault::ProfileForm, span)),
         };
         if name.is_empty() {
@@ -362,6 +366,7 @@ impl Interpreter {
         self.described.profiles.recording = Some(Box::new(Recording {
             name: name.into(),
             letters,
+            centers,
             axes,
             drafts: Vec::new(),
             at: [0.0; 2],
@@ -432,7 +437,9 @@ impl Interpreter {
             _ => {
                 let turn =
                     if motion == Meaning::ArcClockwise { Turn::Clockwise } else { Turn::CounterClockwise };
-                self.profile_arc(recording.at, to, turn, [mm(b'R'), mm(b'I'), mm(b'J')])?
+                // Of a depth profile I and J stand for the axes as drawn, unless K says otherwise.
+                let [i, j] = if mm(b'K').is_some() { recording.centers } else { *b"IJ" };
+                self.profile_arc(recording.at, to, turn, [mm(b'R'), mm(i), mm(j)])?
             }
         };
         let draft = recording.drafts.last_mut().ok_or_else(|| form(self))?;
@@ -482,12 +489,18 @@ impl Interpreter {
         };
         let mut contours = Vec::with_capacity(recording.drafts.len());
         for draft in recording.drafts {
-            let Draft { start, elements, entry, exit } = draft;
+            let Draft { start, mut elements, entry, exit } = draft;
+            let is_closed = elements.last().is_some_and(|(last, _)| {
+                let [x, y] = last.to();
+                (x - start[0]).hypot(y - start[1]) <= SAME_POINT_MM
+            });
+            let closing = elements.last_mut().filter(|_| is_closed).and_then(|(_, corner)| corner.take());
+            let closing = closing.map(|(kind, size, _)| (kind, size)).filter(|(_, size)| *size > 0.0);
             let profile = Profile::new(start, elements).map_err(|error| match error {
                 ProfileError::Corner(at) => self.alarm(Fault::ProfileCorner, at),
                 _ => self.alarm(Fault::ProfileForm, recording.span),
             })?;
-            contours.push(Contour { profile, entry, exit });
+            contours.push(Contour { profile, closing, entry, exit });
         }
         if contours.is_empty() {
             return Err(self.alarm(Fault::ProfileForm, recording.span));

@@ -10,6 +10,7 @@ use crate::barrier::Present;
 use crate::custom::CustomCodes;
 use crate::cycles::CycleState;
 use crate::cycles::described::Described;
+use crate::cycles::pocket::KeptPockets;
 use crate::cycles::zone::Zone;
 use crate::data_setting::DataSetting;
 use crate::dialect::{Dialect, Meaning, Rules, Variable};
@@ -185,6 +186,8 @@ pub struct Interpreter {
     pub(crate) tool_axes: ToolAxes,
     /// Directives of a cycle and what they describe.
     pub(crate) described: Described,
+    /// Where computed pockets are kept, if anywhere.
+    pub(crate) kept_pockets: Option<Box<dyn KeptPockets>>,
     /// Where polar words count from.
     pub(crate) polar_origin: [f64; 2],
     pub(crate) intermediate: Intermediate,
@@ -289,6 +292,7 @@ impl Interpreter {
             zone: Zone::default(),
             tool_axes: ToolAxes::default(),
             described: Described::default(),
+            kept_pockets: None,
             polar_origin: [0.0; 2],
             intermediate: Intermediate::default(),
             data_setting: None,
@@ -314,6 +318,11 @@ impl Interpreter {
     /// Lets steps and alarms name the places of the drawing that the main program was made from.
     pub fn set_origins(&mut self, origins: Origins) {
         self.origins = Some(origins);
+    }
+
+    /// Gives computed pockets a place where they are kept between runs.
+    pub fn keep_pockets(&mut self, kept: Box<dyn KeptPockets>) {
+        self.kept_pockets = Some(kept);
     }
 
     /// The file that people know as the main program: the drawing, where the program was made from one.

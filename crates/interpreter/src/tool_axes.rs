@@ -153,6 +153,7 @@ impl Interpreter {
             radius: self.tool_radius(&row),
             cutting_length: row.cutting_length,
             entry_angle: row.entry_angle,
+            tip_radius: row.tip_radius,
         }
     }
 }

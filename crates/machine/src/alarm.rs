@@ -336,6 +336,16 @@ faults! {
     ProfileWay = 563,
     /// An axis that a plane or tool cannot have, or an arc in a plane that has none.
     PlaneAxes = 564,
+    /// A contour of a pocket without an area.
+    ProfileEmpty = 565,
+    /// An island that is not inside the outer contour of its pocket.
+    IslandOutside = 566,
+    /// A depth profile that does not begin on its contour, or turns back.
+    DepthProfile = 567,
+    /// Sloping walls that meet above the floor.
+    WallsMeet = 568,
+    /// Walls beside which no path can be computed exactly enough.
+    PocketPath = 569,
 
     // 600: programs
     /// A call without a program number.

@@ -20,6 +20,8 @@ pub struct ToolOffset {
     pub cutting_length: f64,
     /// Steepest angle at which the tool may enter the material, degrees; 0 where not given.
     pub entry_angle: f64,
+    /// Radius of the rounded tip, mm: 0 for a flat tool, the radius for a ball.
+    pub tip_radius: f64,
 }
 
 impl ToolOffset {
@@ -31,6 +33,7 @@ impl ToolOffset {
         radius_wear: 0.0,
         cutting_length: 0.0,
         entry_angle: 0.0,
+        tip_radius: 0.0,
     };
 }
 

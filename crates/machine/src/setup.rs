@@ -99,6 +99,8 @@ pub struct ToolSetup {
     pub cutting_length: Option<Number>,
     /// Steepest entry angle, degrees.
     pub entry_angle: Option<Number>,
+    /// Radius of the tip, mm.
+    pub tip_radius: Option<Number>,
 }
 
 impl ToolSetup {
@@ -110,6 +112,7 @@ impl ToolSetup {
             (self.radius_wear, &mut row.radius_wear),
             (self.cutting_length, &mut row.cutting_length),
             (self.entry_angle, &mut row.entry_angle),
+            (self.tip_radius, &mut row.tip_radius),
         ] {
             if let Some(Number(given)) = given {
                 *value = given;
@@ -484,6 +487,7 @@ radius = 5
 radius_wear = 0.0
 cutting_length = 20.0
 entry_angle = 0.0
+tip_radius = 1.5
 
 [parameters]
 P270 = 1.0
@@ -517,7 +521,7 @@ optional_stop = true
         assert_eq!(memory.work.additional[1], Position::xyz(1.0, 0.0, 0.0));
         assert_eq!(memory.work.external, Position::xyz(0.0, 0.0, 1.0));
         let tool = *memory.tools.get(1).unwrap();
-        assert_eq!(tool, ToolOffset { length: 4.0, radius: 5.0, cutting_length: 20.0, ..ToolOffset::ZERO });
+        assert_eq!(tool, ToolOffset { length: 4.0, radius: 5.0, cutting_length: 20.0, tip_radius: 1.5, ..ToolOffset::ZERO });
         assert_eq!(memory.parameters.data(270), 1.0);
         assert!(!memory.parameters.bit(43, 1) && !memory.parameters.bit(40, 7));
         assert_eq!(memory.variables.get(500), Some(100.0));

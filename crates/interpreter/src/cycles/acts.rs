@@ -9,6 +9,9 @@ use ferrocut_geometry::{Plane, Position, Turn};
 use ferrocut_machine::Fault;
 use ferrocut_toolpath::{Dwell, Feed, FeedAlong, Op, SpindleState};
 
+/// Acts of an operation that are made at a time.
+const PORTION: u32 = 50_000;
+
 impl Interpreter {
     /// Abscissa, ordinate and tool axis of where the tool is.
     pub(crate) fn in_plane_axes(&self) -> [f64; 3] {
@@ -28,6 +31,32 @@ impl Interpreter {
     pub(crate) fn make(&mut self, operation: &Operation, at: [f64; 2], per_minute: bool) -> Fallible<()> {
         let from = self.in_plane_axes();
         operation.run(at, from, &mut |act| self.act(act, per_minute))
+    }
+
+    /// Makes what follows the first `made` acts of an operation that began at `from`, up to as many as fit
+    /// the memory well: a pocket may take millions. The acts made then; none where it is done.
+    pub(crate) fn make_portion(
+        &mut self,
+        operation: &Operation,
+        at: [f64; 2],
+        from: [f64; 3],
+        made: u32,
+    ) -> Fallible<Option<u32>> {
+        let until = made.saturating_add(PORTION);
+        let mut number = 0u32;
+        let done = operation.run(at, from, &mut |act| {
+            number = number.saturating_add(1);
+            match number {
+                _ if number <= made => Ok(()),
+                _ if number > until => Err(None),
+                _ => self.act(act, true).map_err(Some),
+            }
+        });
+        match done {
+            Ok(()) => Ok(None),
+            Err(None) => Ok(Some(until)),
+            Err(Some(alarm)) => Err(alarm),
+        }
     }
 
     fn act(&mut self, act: Act, per_minute: bool) -> Fallible<()> {

@@ -12,6 +12,7 @@
 
 use super::operation::Operation;
 use super::parameter::WrongParameter;
+use super::pocket::KeptPockets;
 use super::positions::Figure;
 use super::zone::ToolData;
 use crate::Fallible;
@@ -168,6 +169,8 @@ pub struct Description<'a> {
     sections: &'a [Option<Section>; PARTS],
     /// The profiles of the program.
     pub profiles: &'a Profiles,
+    /// Where computed pockets are kept, if anywhere.
+    pub kept: Option<&'a dyn KeptPockets>,
     tools: &'a dyn Fn(f64, f64) -> ToolData,
 }
 
@@ -236,6 +239,9 @@ struct Running {
     span: Span,
     point: u32,
     stage: usize,
+    /// Where the tool stood when the stage began, and how many of its acts are made.
+    from: [f64; 3],
+    made: u32,
 }
 
 /// Described cycles: what is collected, run and kept.
@@ -328,8 +334,12 @@ impl Interpreter {
             true => self.tool_data(in_spindle, in_force),
             false => self.tool_data(number.clamp(0.0, f64::from(u32::MAX)) as u32, edge),
         };
-        let description =
-            Description { sections: &collected.sections, profiles: &self.described.profiles, tools: &tools };
+        let description = Description {
+            sections: &collected.sections,
+            profiles: &self.described.profiles,
+            kept: self.kept_pockets.as_deref().map(|kept| kept as &dyn KeptPockets),
+            tools: &tools,
+        };
         let plan = (collected.cycle.build)(&description)
             .and_then(|plan| {
                 let figure = collected
@@ -348,7 +358,9 @@ impl Interpreter {
             let alarm = self.alarm(fault, span);
             return self.give_up_described(alarm);
         }
-        self.described.running = Some(Box::new(Running { plan, figure, span, point: 1, stage: 0 }));
+        let from = self.in_plane_axes();
+        let running = Running { plan, figure, span, point: 1, stage: 0, from, made: 0 };
+        self.described.running = Some(Box::new(running));
         Ok(())
     }
 
@@ -373,7 +385,7 @@ impl Interpreter {
         })
     }
 
-    /// Runs the next stage of the cycle at its point.
+    /// Runs the next stage of the cycle at its point, or what is left of it.
     pub(crate) fn next_described(&mut self) -> Fallible<()> {
         let Some(running) = self.described.running.take() else { return Ok(()) };
         match self.run_stage(running) {
@@ -390,12 +402,20 @@ impl Interpreter {
         let at = running.figure.as_ref().map_or(running.plan.at, |figure| figure.point(running.point));
         let points = running.figure.as_ref().map_or(1, Figure::count);
         if let Some(stage) = running.plan.stages.get(running.stage) {
-            self.use_tool(stage, running.plan.next_tool)?;
             let operation = &stage.operation;
-            let start = operation.start(at);
-            self.rapid_over(start, running.plan.safety, operation.up)?;
-            self.make(operation, at, true)?;
+            if running.made == 0 {
+                self.use_tool(stage, running.plan.next_tool)?;
+                if let Some(start) = operation.start(at) {
+                    self.rapid_over(start, running.plan.safety, operation.up)?;
+                }
+                running.from = self.in_plane_axes();
+            }
+            if let Some(made) = self.make_portion(operation, at, running.from, running.made)? {
+                running.made = made;
+                return Ok(Some(running));
+            }
         }
+        running.made = 0;
         running.stage += 1;
         if running.stage >= running.plan.stages.len() {
             running.stage = 0;

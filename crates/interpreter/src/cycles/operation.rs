@@ -5,6 +5,7 @@ use super::area::{BossFinish, BossRough, Facing, PocketFinish, PocketRough, Slot
 use super::bore_milling::BoreMilling;
 use super::boring::{Bore, Way};
 use super::drilling::Hole;
+use super::pocket::PocketCut;
 use super::tapping::TappedHole;
 use super::thread_milling::ThreadMilling;
 use super::tool::{Count, Frame, Take, Tool};
@@ -28,6 +29,7 @@ pub enum Work {
     Facing(Facing),
     Slot(Slot),
     Profile(ProfileMilling),
+    ProfilePocket(PocketCut),
 }
 
 /// An operation.
@@ -44,9 +46,11 @@ pub struct Operation {
 }
 
 impl Operation {
-    /// Where the tool must stand when it begins, for an operation at a point.
-    pub fn start(&self, at: [f64; 2]) -> [f64; 2] {
+    /// Where the tool must stand when it begins, for an operation at a point; none where it finds its way
+    /// itself.
+    pub fn start(&self, at: [f64; 2]) -> Option<[f64; 2]> {
         let local = match &self.work {
+            Work::ProfilePocket(_) => return None,
             Work::BossRough(boss) => boss.start(),
             Work::BossFinish(boss) => boss.start(),
             Work::Facing(facing) => facing.start(),
@@ -54,11 +58,15 @@ impl Operation {
             Work::Profile(profile) => profile.path.start,
             _ => [0.0; 2],
         };
-        self.frame.shifted(at).world(local)
+        Some(self.frame.shifted(at).world(local))
     }
 
     /// Whether it takes more acts than can be meant.
     pub fn is_endless(&self) -> bool {
+        // Planned with a limit of its own.
+        if matches!(self.work, Work::ProfilePocket(_)) {
+            return false;
+        }
         self.run([0.0; 2], [0.0; 3], &mut Count::of(MOST_ACTS)).is_err()
     }
 
@@ -69,6 +77,9 @@ impl Operation {
 
     /// Makes it at a point, with the tool standing over its start at `from`.
     pub fn run<T: Take>(&self, at: [f64; 2], from: [f64; 3], taker: &mut T) -> Result<(), T::Error> {
+        if let Work::ProfilePocket(pocket) = &self.work {
+            return pocket.cut(from, taker);
+        }
         let frame = self.frame.shifted(at);
         let mut tool = Tool::new(frame, from, self.up, taker);
         if let Some(reference) = self.reference {
@@ -87,6 +98,7 @@ impl Operation {
             Work::Facing(facing) => facing.cut(&mut tool),
             Work::Slot(slot) => slot.cut(&mut tool),
             Work::Profile(profile) => profile.cut(&mut tool),
+            Work::ProfilePocket(_) => Ok(()),
         }
     }
 }

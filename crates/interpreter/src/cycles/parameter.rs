@@ -13,17 +13,19 @@ pub struct WrongParameter {
     pub part: Option<&'static str>,
     /// Its value, and the largest or smallest that it may have.
     pub values: Option<[f64; 2]>,
+    /// Which contour of a profile, the first one 0.
+    pub contour: Option<usize>,
 }
 
 impl WrongParameter {
     /// A parameter that breaks a rule.
     pub fn new(fault: Fault, word: &'static str) -> WrongParameter {
-        WrongParameter { fault, word, part: None, values: None }
+        WrongParameter { fault, word, part: None, values: None, contour: None }
     }
 
     /// The same with its value and its limit.
     pub fn beyond(fault: Fault, word: &'static str, value: f64, limit: f64) -> WrongParameter {
-        WrongParameter { fault, word, part: None, values: Some([value, limit]) }
+        WrongParameter { fault, word, part: None, values: Some([value, limit]), contour: None }
     }
 
     /// The same in a part of the cycle.

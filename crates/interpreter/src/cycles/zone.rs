@@ -73,6 +73,8 @@ pub struct ToolData {
     pub cutting_length: f64,
     /// Steepest entry angle; 0 where not given.
     pub entry_angle: f64,
+    /// Radius of the rounded tip; 0 for a flat tool.
+    pub tip_radius: f64,
 }
 
 /// Points on which the cycle in force is repeated, and its parameters (Fagor 2).
@@ -415,6 +417,10 @@ impl Interpreter {
             None => wrong.word.to_owned(),
         };
         alarm.arguments.push(("parameter", name.into()));
+        if let Some(contour) = wrong.contour {
+            // People count from 1, the outer one.
+            alarm.arguments.push(("contour", (contour as f64 + 1.0).into()));
+        }
         if let Some([value, limit]) = wrong.values {
             // Rounded up or down towards what is allowed, as a person would read it.
             alarm.arguments.push(("value", value.into()));

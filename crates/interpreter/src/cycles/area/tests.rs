@@ -201,7 +201,7 @@ impl Mill {
     fn run(&mut self, work: Work, frame: Frame) {
         let operation = Operation { work, frame, up: 1.0, reference: None };
         assert!(!operation.is_endless());
-        let [x, y] = operation.start([0.0; 2]);
+        let [x, y] = operation.start([0.0; 2]).unwrap();
         let at = [x, y, 5.0];
         self.at = at;
         let mut acts = Vec::new();

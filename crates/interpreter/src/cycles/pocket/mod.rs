@@ -14,7 +14,7 @@
 //! judges, `polygons` is its way out, `ring`, `rings` and `chains` make an area's concentric paths and their
 //! order. *Cutting*: `passes` (widths and levels), `descent` (entry under an angle), `clear` (an area),
 //! `finish` (an upright wall), `depth_profile` and `slopes` (a sloping one). On top the two sequences, and
-//! `store`.
+//! `store`. `cut` hands a stage on as acts of a cycle, and `kept` is the door to where stored pockets lie.
 //!
 //! Points are of the tool centre at its tip, in the two axes of the plane and the tool axis: the tool radius
 //! has been taken into account. Nothing here knows of programs, tool tables or files.
@@ -26,10 +26,12 @@ pub mod corner;
 mod chains;
 mod clear;
 mod contours;
+mod cut;
 mod depth_profile;
 mod descent;
 mod finish;
 mod index;
+mod kept;
 mod meet;
 mod passes;
 mod pen;
@@ -47,7 +49,9 @@ mod tool;
 mod vector;
 mod walls;
 
+pub use cut::{PocketCut, PocketPlan};
 pub use depth_profile::DepthProfile;
+pub use kept::{KeptPockets, Planning, PocketKind};
 pub use pen::{PocketFeed, PocketSink};
 pub use pocket2d::{Finish2d, Plan2d, Pocket2d, Rough2d};
 pub use pocket3d::{Finish3d, Plan3d, Pocket3d, Rough3d, Semi3d};

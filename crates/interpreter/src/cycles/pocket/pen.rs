@@ -7,6 +7,7 @@ use super::segment::Segment;
 use super::vector::distance;
 use crate::cycles::milling::CycleMove;
 use ferrocut_geometry::SAME_POINT_MM;
+use std::f64::consts::PI;
 
 /// At which feed a move of a pocket cuts.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -161,6 +162,10 @@ impl<'a, S: PocketSink> Pen<'a, S> {
                 self.put(to, height, CycleMove::Feed { to: end }, feed)
             }
             Segment::Arc { to, center, sweep, .. } => {
+                // One that does not go anywhere, and not once round either, has vanished.
+                if !self.moves(to, height) && sweep.abs() < PI {
+                    return Ok(());
+                }
                 let end = self.world(to, height);
                 self.put(to, height, CycleMove::Arc { to: end, center, sweep }, feed)
             }

@@ -24,8 +24,10 @@ const REVISION: u32 = 1;
 
 /// What kind of pocket is stored.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Kind {
+pub enum Kind {
+    /// 2D.
     Flat = 2,
+    /// 3D.
     Deep = 3,
 }
 

@@ -165,8 +165,7 @@ fn peck(description: &Description<'_>, main: &Section) -> Result<f64, WrongParam
     }
 }
 
-fn pecked(description: &Description<'_>, back: impl Fn(&Placed) -> Back) -> Made {
-    let main = description.part(Part::Main);
+fn pecked(description: &Description<'_>, main: &Section, back: impl Fn(&Placed) -> Back) -> Made {
     let placed = placed(main, main.number("P"))?;
     let first = peck(description, main)?;
     let surface = placed.planes.surface;
@@ -176,17 +175,23 @@ fn pecked(description: &Description<'_>, back: impl Fn(&Placed) -> Back) -> Made
 }
 
 fn drilling(description: &Description<'_>) -> Made {
-    let level = description.part(Part::Main).given("ZR");
-    pecked(description, |placed| {
+    drilled_with(description, description.part(Part::Main))
+}
+
+/// Drilling with the parameters of a section.
+pub fn drilled_with(description: &Description<'_>, main: &Section) -> Made {
+    let level = main.given("ZR");
+    pecked(description, main, |placed| {
         let before = placed.planes.approach;
         level.map_or(Back::To(before), |level| Back::Once { level, before })
     })
 }
 
 fn deep_drilling(description: &Description<'_>) -> Made {
-    let distance = description.part(Part::Main).number("B");
+    let main = description.part(Part::Main);
+    let distance = main.number("B");
     refuse(!(distance >= 0.0 && distance.is_finite()), Fault::CycleParameter, "B")?;
-    pecked(description, |placed| match distance {
+    pecked(description, main, |placed| match distance {
         0.0 => Back::To(placed.planes.approach),
         distance => Back::By(distance),
     })

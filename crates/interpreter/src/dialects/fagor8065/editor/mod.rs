@@ -1,11 +1,11 @@
-//! The cycles of the editor, G281 to G299 (4.2 to 4.22), and the positions associated with them (4.23 to
+//! The cycles of the editor, G281 to G299 with the profile pockets (4.2 to 4.22), and the positions associated with them (4.23 to
 //! 4.27).
 //!
 //! The control keeps them in a dialogue. As text a cycle is a `#CYCLE` block, its stages `#ROUGH` and
 //! `#FINISH`, its positions `#MULTI`; the manual's symbols are the names of parameters, Greek letters in
 //! words. Lengths and feeds are in the units of the program, feeds always a minute.
 //!
-//! One file a group of the editor: `holes`, `pockets`, `bosses`, `milling`, `profiles`,
+//! One file a group of the editor: `holes`, `pockets`, `bosses`, `milling`, `profiles`, `profile_pockets`,
 //! `positions`. This one has what they share: the planes of 4.1.2 and the values that stand for 0 (4.1.3).
 
 mod bosses;
@@ -13,6 +13,7 @@ mod holes;
 mod milling;
 mod pockets;
 mod positions;
+mod profile_pockets;
 mod profiles;
 
 pub use positions::FIGURES;
@@ -107,6 +108,8 @@ pub static CYCLES: &[DescribedCycle] = &[
     holes::ORIENTED_BORING,
     holes::BORE_MILLING,
     holes::THREAD_MILLING,
+    profile_pockets::FLAT,
+    profile_pockets::DEEP,
 ];
 
 /// The planes of a cycle, which way is up, and its depth (4.1.2).

@@ -137,6 +137,8 @@ fn free(description: &Description<'_>) -> Made {
         return Err(WrongParameter::new(Fault::ProfileForm, "profile"));
     };
     refuse(recorded.axes != ProfileAxes::Plane, Fault::ProfileForm, "profile")?;
+    // What is followed from a start to an end has no corner between the two.
+    refuse(contour.closing.is_some(), Fault::ProfileCorner, "profile")?;
     let ways = Ways {
         from: [main.number("X"), main.number("Y")],
         entry: contour.entry,
