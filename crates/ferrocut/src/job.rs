@@ -3,6 +3,7 @@
 use crate::cli::{Common, Format};
 use crate::diagnostics::Diagnostics;
 use crate::drawing::{FromDrawing, Opened, Source};
+use crate::pockets::BesideProgram;
 use ferrocut_geometry::AxisNames;
 use ferrocut_interpreter::dialects::guess::{Reason, guess};
 use ferrocut_interpreter::{Dialect, Interpreter, Options, dialects};
@@ -285,7 +286,7 @@ impl Shop {
             Some((input, *value))
         });
         let inputs = inputs.collect();
-        Ok(Job { path: path.to_path_buf(), dialect, told, programs, memory, inputs, drawing })
+        Ok(Job { path: path.to_path_buf(), dialect, told, programs, memory, inputs, drawing, keeps: false })
     }
 
     /// The control language and what it was told from, in words.
@@ -340,6 +341,8 @@ pub struct Job {
     memory: Memory,
     inputs: Vec<(Input, f64)>,
     drawing: Option<FromDrawing>,
+    /// What is computed of it may be kept beside it.
+    keeps: bool,
 }
 
 /// A simulated input.
@@ -374,9 +377,17 @@ impl Job {
         &self.programs
     }
 
+    /// The job of a command that executes the program: what is computed of it is kept beside it.
+    pub fn keeping(self) -> Job {
+        Job { keeps: true, ..self }
+    }
+
     /// An interpreter before the first block.
     pub fn interpreter(self, options: Options) -> Interpreter {
         let mut interpreter = Interpreter::new(self.dialect, self.programs, self.memory, options);
+        if let Some(kept) = BesideProgram::of(&self.path, self.keeps).filter(|_| self.drawing.is_none()) {
+            interpreter.keep_pockets(Box::new(kept));
+        }
         if let Some(drawing) = self.drawing {
             interpreter.set_origins(drawing.origins);
         }

@@ -5,6 +5,7 @@ mod commands;
 mod diagnostics;
 mod drawing;
 mod job;
+mod pockets;
 mod report;
 mod samples;
 mod view;

@@ -4,6 +4,7 @@
 
 mod common;
 
+use ferrocut_interpreter::cycles::described::{DescribedCycle, Kind, Parameter, Part};
 use ferrocut_interpreter::{Dialect, Interpreter, Options, dialects};
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_toolpath::{Dwell, Feed, Op, Step};
@@ -63,9 +64,9 @@ fn points_into(text: &[u8], alarm: &Alarm) -> bool {
 }
 
 /// Reads a program to its end, or enough of it, and holds every rule against it.
-fn holds(dialect: &'static Dialect, text: &[u8], options: Options) {
+fn holds(dialect: &'static Dialect, text: &[u8], setup: &str, options: Options) {
     // A picture is refused before: nothing to interpret.
-    let Some(mut interpreter) = common::interpreter_of(dialect, text, "", options) else { return };
+    let Some(mut interpreter) = common::interpreter_of(dialect, text, setup, options) else { return };
     let shown = format!("{}: {}", dialect.name, String::from_utf8_lossy(text));
     let began = Instant::now();
     let mut at = interpreter.position();
@@ -98,8 +99,9 @@ fn holds(dialect: &'static Dialect, text: &[u8], options: Options) {
 fn holds_every_way(text: &[u8]) {
     let options = Options::default();
     for dialect in dialects::ALL {
-        holds(dialect, text, options);
-        holds(dialect, text, Options { keep_going: true, block_skip: true, optional_stop: true, ..options });
+        holds(dialect, text, "", options);
+        let tolerant = Options { keep_going: true, block_skip: true, optional_stop: true, ..options };
+        holds(dialect, text, "", tolerant);
     }
 }
 
@@ -201,6 +203,17 @@ fn named() -> impl Strategy<Value = String> {
         "G02 X5 Y5 R5 Z-3 K1",
         "G41 D1",
         "G43 H1",
+        "#CYCLE G281 [X=1, Y=2, ZS=5, P=3, F=100]",
+        "#TOOL AX [Z+]",
+        "#SET AX [X,Y,Z]",
+        "$IF P1==2",
+        "$FOR P1=1,3,1",
+        "$ENDFOR",
+        "V.C.Z=-2",
+        "P1=P2+3",
+        "G160 A30 I5 K3",
+        "G88 G99 X1 Y2 Z2 I-6 J9 B3 F100",
+        "NR2",
     ];
     prop::collection::vec(prop::sample::select(PIECES), 1..5).prop_map(|pieces| pieces.join(" "))
 }
@@ -275,7 +288,146 @@ fn mutated() -> impl Strategy<Value = Vec<u8>> {
     })
 }
 
+/// Tools and profiles for cycles that directives describe.
+const SHOP: &str = "[tools.1]\nradius = 5\ncutting_length = 20\n[tools.2]\nradius = 3\ncutting_length = 15\n\
+    entry_angle = 10\n[tools.3]\nradius = 1\ntip_radius = 1\n";
+
+const PROFILES: &str = "#PROFILE A [XY]\nG0 X0 Y0\nG1 X60\nY40\nG36 I4\nX0\nY0\nG39 I3\n\
+    G0 X20 Y20\nG2 X20 Y20 I5 J0\n#ENDPROFILE\n#PROFILE B [XY]\nG0 X0 Y0\nG37 I5\nG1 X30\nG36 I6\nG3 X30 Y30 R15\n\
+    G1 X-10 Y40\nG38 I5\n#ENDPROFILE\n#PROFILE C [XZ]\nG0 X0 Z0\nG1 X4 Z-8\n#ENDPROFILE\n";
+
+/// A number that a machinist would give a parameter, in eighths, and now and then any other.
+fn figure(name: &str) -> BoxedStrategy<String> {
+    let (low, high) = match name {
+        "L" | "H" | "LX" | "LY" | "X1" | "Y1" | "XN" | "YN" => (16, 640),
+        "R" | "phi" | "phiK" | "Q" => (40, 320),
+        "P" | "DP" => (4, 120),
+        "N" | "NX" | "NY" => (0, 3),
+        "step" => (0, 48),
+        "I" | "I1" | "I2" | "B" | "K" | "IX" | "IY" => (-48, 64),
+        "delta" | "deltaz" | "t" | "DS" | "E" => (0, 12),
+        "beta" | "theta" => (0, 160),
+        "alpha" | "tau" => (-1440, 1440),
+        "S" => (800, 40_000),
+        "D" | "KF" => (1, 1),
+        "r" | "R1" | "RN" => (0, 40),
+        "eps" => (4, 40),
+        _ => (0, 400),
+    };
+    let whole = matches!(name, "N" | "NX" | "NY" | "D" | "KF");
+    let usual = (low..=high)
+        .prop_map(move |v: i32| if whole { v.to_string() } else { format!("{}", f64::from(v) / 8.0) });
+    let edge = prop::sample::select(vec![
+        "0",
+        "1",
+        "-1",
+        "0.001",
+        "1000000000",
+        "99999",
+        "-99999",
+        "0.0000001",
+        "P1",
+    ]);
+    let any = any::<f64>().prop_filter("written", |v| v.is_finite() && v.abs() < 1e12);
+    prop_oneof![
+        40 => usual,
+        2 => edge.prop_map(str::to_owned),
+        1 => any.prop_map(|v| format!("{v}")),
+    ]
+    .boxed()
+}
+
+fn argument(parameter: &'static Parameter) -> BoxedStrategy<String> {
+    let name = parameter.name;
+    match (parameter.kind, name) {
+        // Tools of the table, mostly, and feeds above 0.
+        (_, "T") => prop::sample::select(vec!["T=1", "T=2", "T=3", "T=1", "T=0", "T=7"])
+            .prop_map(str::to_owned)
+            .boxed(),
+        (_, "F") => {
+            prop_oneof![9 => Just("F=500".to_owned()), 1 => figure(name).prop_map(|v| format!("F={v}"))]
+                .boxed()
+        }
+        // Planes that leave something to cut.
+        (_, "Z") => {
+            prop_oneof![9 => Just("Z=0".to_owned()), 1 => figure(name).prop_map(|v| format!("Z={v}"))].boxed()
+        }
+        (_, "ZS") => {
+            prop_oneof![9 => Just("ZS=5".to_owned()), 1 => figure(name).prop_map(|v| format!("ZS={v}"))]
+                .boxed()
+        }
+        (Kind::Length | Kind::Number, _) => figure(name).prop_map(move |v| format!("{name}={v}")).boxed(),
+        (Kind::Word(words), _) => {
+            prop::sample::select(words).prop_map(move |w| format!("{name}={w}")).boxed()
+        }
+        (Kind::Name, "Z1" | "Z2" | "Z3" | "Z4") => Just(format!("{name}=C")).boxed(),
+        (Kind::Name, _) => prop::sample::select(vec!["A", "A", "B", "C", "D"])
+            .prop_map(move |n| format!("{name}={n}"))
+            .boxed(),
+        (Kind::Point, _) => (figure("X"), figure("Y"), 0..8u8, figure("r"))
+            .prop_map(move |(x, y, kind, size)| match kind {
+                0 => format!("{name}=[{x},{y},round,{size}]"),
+                1 => format!("{name}=[{x},{y},chamfer,{size}]"),
+                _ => format!("{name}=[{x},{y}]"),
+            })
+            .boxed(),
+    }
+}
+
+/// Parameters in brackets, each given mostly; of 25 points a few.
+fn arguments(parameters: &'static [Parameter]) -> impl Strategy<Value = String> {
+    let one = |parameter: &'static Parameter| {
+        let is_late_point =
+            parameter.kind == Kind::Point && !["P1", "P2", "P3", "P4"].contains(&parameter.name);
+        let share = match parameter.name {
+            _ if is_late_point => 0.02,
+            "M1" | "M2" | "M3" | "M4" | "next" | "mode" => 0.02,
+            "Z1" | "Z2" | "Z3" | "Z4" => 0.3,
+            "P" | "L" | "H" | "R" | "F" | "T" | "ZS" | "phi" | "P1" | "P2" | "profile" | "S" | "r" => 0.99,
+            "DP" => 0.2,
+            _ => 0.8,
+        };
+        prop::option::weighted(share, argument(parameter))
+    };
+    parameters
+        .iter()
+        .map(one)
+        .collect::<Vec<_>>()
+        .prop_map(|all| format!("[{}]", all.into_iter().flatten().collect::<Vec<_>>().join(", ")))
+}
+
+/// A cycle that directives describe, with its parts and maybe positions.
+fn described() -> impl Strategy<Value = String> {
+    let cycles: Vec<&'static DescribedCycle> = dialects::fagor8065::DIALECT.described_cycles.iter().collect();
+    prop::sample::select(cycles).prop_flat_map(|cycle| {
+        let parts = cycle.parts.iter().map(|(part, parameters)| {
+            let share = if *part == Part::Drill { 0.3 } else { 0.95 };
+            let head = match part {
+                Part::Main => format!("#CYCLE {} ", cycle.id),
+                Part::Drill => "#DRILL ".to_owned(),
+                Part::Rough => "#ROUGH ".to_owned(),
+                Part::Semi => "#SEMI ".to_owned(),
+                Part::Finish => "#FINISH ".to_owned(),
+            };
+            let line = arguments(parameters).prop_map(move |a| format!("{head}{a}\n"));
+            match part {
+                Part::Main => line.prop_map(Some).boxed(),
+                _ => prop::option::weighted(share, line).boxed(),
+            }
+        });
+        let figures: Vec<_> = dialects::fagor8065::DIALECT.described_figures.iter().collect();
+        let figure = prop::sample::select(figures).prop_flat_map(|figure| {
+            arguments(figure.parameters).prop_map(|a| format!("#MULTI {} {a}\n", figure.name))
+        });
+        (parts.collect::<Vec<_>>(), prop::option::weighted(if cycle.repeats { 0.2 } else { 0.01 }, figure))
+            .prop_map(|(parts, figure)| parts.into_iter().flatten().chain(figure).collect::<String>())
+    })
+}
+
+/// As many cases as a property wants, or as PROPTEST_CASES asks for.
 fn cases(cases: u32) -> ProptestConfig {
+    let asked = std::env::var("PROPTEST_CASES").ok().and_then(|asked| asked.parse().ok());
+    let cases = asked.unwrap_or(cases);
     // Failing inputs are printed; nothing is written into the tree.
     ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
 }
@@ -305,6 +457,19 @@ proptest! {
     #[test]
     fn mutated_examples(text in mutated()) {
         holds_every_way(&text);
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(1000))]
+
+    #[test]
+    fn described_cycles(cycles in prop::collection::vec(described(), 1..3)) {
+        let text = format!("P1=5\n{PROFILES}{}M30\n", cycles.concat());
+        let fagor = &dialects::fagor8065::DIALECT;
+        for keep_going in [false, true] {
+            holds(fagor, text.as_bytes(), SHOP, Options { keep_going, ..Options::default() });
+        }
     }
 }
 

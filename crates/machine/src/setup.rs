@@ -521,7 +521,16 @@ optional_stop = true
         assert_eq!(memory.work.additional[1], Position::xyz(1.0, 0.0, 0.0));
         assert_eq!(memory.work.external, Position::xyz(0.0, 0.0, 1.0));
         let tool = *memory.tools.get(1).unwrap();
-        assert_eq!(tool, ToolOffset { length: 4.0, radius: 5.0, cutting_length: 20.0, tip_radius: 1.5, ..ToolOffset::ZERO });
+        assert_eq!(
+            tool,
+            ToolOffset {
+                length: 4.0,
+                radius: 5.0,
+                cutting_length: 20.0,
+                tip_radius: 1.5,
+                ..ToolOffset::ZERO
+            }
+        );
         assert_eq!(memory.parameters.data(270), 1.0);
         assert!(!memory.parameters.bit(43, 1) && !memory.parameters.bit(40, 7));
         assert_eq!(memory.variables.get(500), Some(100.0));

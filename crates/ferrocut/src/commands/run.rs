@@ -46,7 +46,7 @@ pub fn run(args: &RunArgs) -> Result<Exit, Failure> {
         // A reader that went away is no fault of the run.
         let _ = write_header(&mut io::stdout().lock(), &shop, &job, &name);
     }
-    let interpreter = job.interpreter(Options { loops_forever: args.realtime, ..shop.options() });
+    let interpreter = job.keeping().interpreter(Options { loops_forever: args.realtime, ..shop.options() });
     let length = interpreter.programs().text(interpreter.main_file()).map_or(0, |t| t.len());
     let mut cnc = Cnc::new(&shop.machine, interpreter);
     cnc.set_override(args.feed_override / 100.0, args.rapid_override / 100.0);

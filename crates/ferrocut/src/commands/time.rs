@@ -13,7 +13,7 @@ pub fn run(args: &TimeArgs) -> Result<Exit, Failure> {
     let job = shop.job(&args.file)?;
     job.tell(&shop.diagnostics);
     let name = job.path.to_string_lossy().into_owned();
-    let mut cnc = Cnc::new(&shop.machine, job.interpreter(shop.options()));
+    let mut cnc = Cnc::new(&shop.machine, job.keeping().interpreter(shop.options()));
     loop {
         cnc.cycle_start();
         while cnc.state() == &State::Running {

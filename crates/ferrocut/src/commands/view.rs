@@ -15,7 +15,7 @@ pub fn run(args: &ViewArgs) -> Result<Exit, Failure> {
     let job = shop.job(&args.file)?;
     job.tell(&shop.diagnostics);
     let name = job.path.to_string_lossy().into_owned();
-    let mut interpreter = job.interpreter(shop.options());
+    let mut interpreter = job.keeping().interpreter(shop.options());
     let mut model = PathModel::new(shop.options().start);
     model.set_work_zero(interpreter.work_zero());
     let mut exit = Exit::Fine;

@@ -4,6 +4,9 @@ use super::milling::steps;
 use super::parameter::{WrongParameter, refuse};
 use ferrocut_machine::Fault;
 
+/// Most passes of a depth; a step that needs more is a slip of the pen.
+pub const MAX_LEVELS: f64 = 10_000.0;
+
 /// How a depth is divided.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Levels {
@@ -19,7 +22,9 @@ impl Levels {
         let size = step.abs();
         refuse(!(size > 0.0 && size.is_finite()), Fault::CycleParameter, word)?;
         refuse(!(depth > 0.0 && depth.is_finite()), Fault::CycleNoDepth, word)?;
-        Ok(Levels { depth, exact: (step < 0.0).then_some(size), count: steps(depth, size) })
+        let count = steps(depth, size);
+        refuse(!(count <= MAX_LEVELS), Fault::MillTooManyMoves, word)?;
+        Ok(Levels { depth, exact: (step < 0.0).then_some(size), count })
     }
 
     /// The same limited to the cutting length of the tool, which also stands for a step of 0 (4.1.3).
@@ -37,9 +42,14 @@ impl Levels {
         Levels::by_step(depth, limited.copysign(step), word)
     }
 
-    /// So many equal passes.
+    /// So many equal passes, [`MAX_LEVELS`] at most.
     pub fn equal(depth: f64, count: f64) -> Levels {
-        Levels { depth, exact: None, count: count.max(1.0) }
+        Levels { depth, exact: None, count: count.clamp(1.0, MAX_LEVELS) }
+    }
+
+    /// Depth of the last pass.
+    pub fn deepest(&self) -> f64 {
+        self.depth
     }
 
     /// The same passes, the last one to this depth.
@@ -55,7 +65,7 @@ impl Levels {
 
     /// Depths of the passes, from the top.
     pub fn depths(self) -> impl Iterator<Item = f64> {
-        let count = self.count.min(f64::from(u32::MAX)) as u32;
+        let count = self.count as u32;
         (1..=count).map(move |pass| match (self.exact, pass == count) {
             (_, true) => self.depth,
             // Products and not sums, so that a thousand passes end where the drawing says.
@@ -94,5 +104,6 @@ mod tests {
         assert_eq!((missing.fault, missing.word), (Fault::CycleNoCuttingLength, "I"));
         assert!(Levels::by_step(0.0, 1.0, "I").is_err());
         assert!(Levels::by_step(1.0, f64::NAN, "I").is_err());
+        assert_eq!(Levels::by_step(5.0, 1e-9, "I").unwrap_err().fault, Fault::MillTooManyMoves);
     }
 }

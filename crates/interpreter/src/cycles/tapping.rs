@@ -1,7 +1,9 @@
 //! Threads cut by a tap (Fagor 1.5, 4.6).
 
+use super::parameter::{WrongParameter, refuse};
 use super::tool::{Act, Take, Tool};
 use ferrocut_geometry::Turn;
+use ferrocut_machine::Fault;
 
 /// A tapped hole. Levels are coordinates of the tool axis, mm.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -45,6 +47,16 @@ impl TappedHole {
     /// Which way "up" is: away from the bottom.
     pub fn up(&self) -> f64 {
         if self.bottom > self.reference { -1.0 } else { 1.0 }
+    }
+
+    /// Whether feed, pitch and speeds are numbers that a spindle can turn by; of extreme ones quotient and
+    /// product are none. `speed` is the parameter to blame.
+    pub fn check(&self, speed: &'static str) -> Result<(), WrongParameter> {
+        let numbers = match self.holder {
+            Holder::Floating { feed } => [feed, feed],
+            Holder::Rigid { pitch, rpm, back, .. } => [pitch, rpm * back],
+        };
+        refuse(numbers.iter().any(|n| !(*n > 0.0 && n.is_finite())), Fault::TappingSpeed, speed)
     }
 
     /// Cuts the thread where the tool stands. Spindle and plane are the caller's until then.

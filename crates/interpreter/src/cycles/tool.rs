@@ -252,11 +252,12 @@ impl<'a, T: Take> Tool<'a, T> {
     }
 
     /// Turns about `center` that end over the same point, so many, on the level `z`. None about the tool's
-    /// own place.
+    /// own place, and none so small a part of a turn that it has vanished.
     pub fn turns(&mut self, center: [f64; 2], turns: f64, z: f64) -> Result<(), T::Error> {
         let [a, b, _] = self.at;
         let center = self.frame.world(center);
-        if (a - center[0]).hypot(b - center[1]) <= SAME_POINT_MM {
+        let radius = (a - center[0]).hypot(b - center[1]);
+        if radius.min(radius * turns.abs() * TAU) <= SAME_POINT_MM {
             return self.feed_z(z);
         }
         let act =

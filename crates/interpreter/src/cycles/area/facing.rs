@@ -81,7 +81,7 @@ impl Facing {
             tool.rapid_z(self.planes.safety)?;
             tool.rapid(self.start())?;
             let near = tool.above(level, CLEAR);
-            let is_last = depth == self.levels.depths().last().unwrap_or(depth);
+            let is_last = depth == self.levels.deepest();
             if !is_last && tool.height(tool.z(), near) > 0.0 {
                 tool.rapid_z(near)?;
             }

@@ -75,12 +75,15 @@ impl Cut {
     }
 }
 
+/// Passes beyond which nobody counts: far more than an operation may have acts.
+const MOST_PASSES: f64 = 1e6;
+
 /// Passes of equal width, none wider than `step`, that cover `width`: how many, and how wide.
 pub(crate) fn passes(width: f64, step: f64) -> (u32, f64) {
     if width <= SAME_POINT_MM {
         return (0, 0.0);
     }
-    let count = steps(width, step).min(f64::from(u32::MAX));
+    let count = steps(width, step).min(MOST_PASSES);
     (count as u32, width / count)
 }
 

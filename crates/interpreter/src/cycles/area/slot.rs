@@ -107,7 +107,7 @@ impl Slot {
             tool.rapid_z(self.planes.safety)?;
             tool.rapid(self.start())?;
             let near = tool.above(level, super::CLEAR);
-            if tool.height(tool.z(), near) > 0.0 && depth != self.levels.depths().last().unwrap_or(depth) {
+            if tool.height(tool.z(), near) > 0.0 && depth != self.levels.deepest() {
                 tool.rapid_z(near)?;
             }
         }

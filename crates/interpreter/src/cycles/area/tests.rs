@@ -263,7 +263,10 @@ fn made(half: [f64; 2], corner: u8, share: f64) -> Outline {
 
 const PLANES: Planes = Planes { safety: 5.0, approach: 1.0, surface: 0.0 };
 
+/// As many cases as a property wants, or as PROPTEST_CASES asks for.
 fn cases(cases: u32) -> ProptestConfig {
+    let asked = std::env::var("PROPTEST_CASES").ok().and_then(|asked| asked.parse().ok());
+    let cases = asked.unwrap_or(cases);
     ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
 }
 

@@ -59,6 +59,7 @@ pub use problem::{MAX_MOVES, PocketFault, Problem, Stage};
 pub use profile::Profile;
 pub use segment::Segment;
 pub use slopes::WallDirection;
+pub use store::is_stored;
 pub use tool::Tool;
 
 #[cfg(test)]

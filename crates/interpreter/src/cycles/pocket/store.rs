@@ -31,6 +31,11 @@ pub enum Kind {
     Deep = 3,
 }
 
+/// Whether bytes begin as a stored pocket does.
+pub fn is_stored(bytes: &[u8]) -> bool {
+    bytes.starts_with(MAGIC)
+}
+
 /// FNV-1a, 128 bits.
 pub(crate) fn hash(bytes: &[u8]) -> [u8; 16] {
     const PRIME: u128 = 0x0000_0000_0100_0000_0000_0000_0000_013b;

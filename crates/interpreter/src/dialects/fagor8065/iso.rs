@@ -203,6 +203,7 @@ fn tapping(given: &Given<'_>) -> Made {
         holder,
     };
     refuse((thread.bottom - thread.reference).abs() <= SAME_POINT_MM, Fault::CycleNoDepth, "I")?;
+    thread.check("S")?;
     Ok(plain(Work::TappedHole(thread), thread.up()))
 }
 

@@ -6,10 +6,13 @@ use super::random::{Dice, drawing};
 use crate::cycles::milling::CycleMove;
 use std::convert::Infallible;
 
-/// The moves of a stage from a place outside.
+/// A place outside.
+pub const START: [f64; 3] = [-50.0, -50.0, 20.0];
+
+/// The moves of a stage from there.
 pub fn rough_of(plan: &Plan2d) -> Vec<CycleMove> {
     let mut moves = Vec::new();
-    let Ok(()) = plan.rough([-50.0, -50.0, 20.0], &mut |step, _| -> Result<(), Infallible> {
+    let Ok(()) = plan.rough(START, &mut |step, _| -> Result<(), Infallible> {
         moves.push(step);
         Ok(())
     });
@@ -18,7 +21,7 @@ pub fn rough_of(plan: &Plan2d) -> Vec<CycleMove> {
 
 pub fn finish_of(plan: &Plan2d) -> Vec<CycleMove> {
     let mut moves = Vec::new();
-    let Ok(()) = plan.finish([-50.0, -50.0, 20.0], &mut |step, _| -> Result<(), Infallible> {
+    let Ok(()) = plan.finish(START, &mut |step, _| -> Result<(), Infallible> {
         moves.push(step);
         Ok(())
     });
@@ -127,33 +130,44 @@ pub fn pocket(number: u64) -> (Pocket2d, Dice) {
     (pocket, dice)
 }
 
-/// Cuts the pocket of a number and judges it. False where no tool fits.
-fn check(number: u64) -> Result<bool, String> {
-    let (pocket, _) = pocket(number);
+/// The stages of a pocket: where the tool stands before each, and its moves. None where no tool fits.
+pub type Stages = Option<Vec<([f64; 3], Vec<CycleMove>)>>;
+
+fn planned(pocket: &Pocket2d) -> Result<Stages, String> {
     let plan = match pocket.plan() {
         Ok(plan) => plan,
-        Err(fault) if fault.problem == super::super::Problem::ToolTooLarge => return Ok(false),
+        Err(fault) if fault.problem == super::super::Problem::ToolTooLarge => return Ok(None),
         Err(fault) => return Err(format!("{fault:?}")),
     };
+    let rough = pocket.rough.is_some().then(|| (START, rough_of(&plan)));
+    let finish = pocket.finish.is_some().then(|| (START, finish_of(&plan)));
+    Ok(Some(rough.into_iter().chain(finish).collect()))
+}
+
+/// Cuts the pocket of a number and judges it. False where no tool fits.
+pub fn check(number: u64, made: impl Fn(&Pocket2d) -> Result<Stages, String>) -> Result<bool, String> {
+    let (pocket, _) = pocket(number);
+    let Some(stages) = made(&pocket)? else { return Ok(false) };
     let contours: Vec<&Profile> = std::iter::once(&pocket.outer).chain(&pocket.islands).collect();
     let bounds = pocket.outer.bounds();
     let mut block = Block::new(bounds.low, bounds.high);
-    let start = [-50.0, -50.0, 20.0];
+    let mut stages = stages.into_iter();
     let tan = |angle: f64| (angle > 0.0).then(|| angle.to_radians().tan());
     if let Some(rough) = &pocket.rough {
+        let (start, moves) = stages.next().ok_or("no roughing")?;
         let rules = Rules { radius: rough.tool.radius, slope: tan(rough.entry_angle), slack: 1e-4 };
-        run(&mut block, start, &rough_of(&plan), &rules)?;
+        run(&mut block, start, &moves, &rules)?;
         let floor = pocket.floor_stock - pocket.depth;
         judge(&block, &contours, rules.radius, pocket.wall_stock, floor)
             .map_err(|e| format!("rough: {e}"))?;
     }
     if let Some(finish) = &pocket.finish {
+        let (start, moves) = stages.next().ok_or("no finishing")?;
         let rules = Rules { radius: finish.tool.radius, slope: tan(finish.entry_angle), slack: 1e-4 };
-        let moves = finish_of(&plan);
         run(&mut block, start, &moves, &rules)?;
         judge(&block, &contours, rules.radius, 0.0, -pocket.depth).map_err(|e| format!("finish: {e}"))?;
     }
-    Ok(true)
+    Ok(stages.next().is_none())
 }
 
 #[test]
@@ -162,7 +176,7 @@ fn random_pockets() {
     let mut failed = Vec::new();
     let mut number = 0;
     while cut < 500 {
-        match check(number) {
+        match check(number, planned) {
             Ok(done) => cut += u32::from(done),
             Err(error) => failed.push((number, error)),
         }

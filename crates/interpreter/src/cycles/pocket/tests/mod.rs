@@ -6,5 +6,6 @@ mod flat;
 mod manual;
 mod mill;
 mod paths;
+mod program;
 mod random;
 mod stored;

@@ -219,6 +219,7 @@ fn tapping(description: &Description<'_>) -> Made {
         turn: turn(main, "spindle"),
         holder,
     };
+    thread.check("S")?;
     let mut made = stage(main, plain(Work::TappedHole(thread), placed.up));
     if rigid {
         // 4.6.1: M19 first.

@@ -19,14 +19,14 @@ mod profiles;
 pub use positions::FIGURES;
 
 use crate::cycles::area::{CLEAR, Cut, Entry, Planes};
-use crate::cycles::depth::Levels;
+use crate::cycles::depth::{Levels, MAX_LEVELS};
 use crate::cycles::described::{DescribedCycle, Description, Kind, Parameter, Part, Plan, Section, Stage};
 use crate::cycles::milling::steps;
 use crate::cycles::operation::{Operation, Work};
 use crate::cycles::parameter::{WrongParameter, refuse};
 use crate::cycles::tool::Frame;
 use crate::cycles::zone::ToolData;
-use ferrocut_geometry::Turn;
+use ferrocut_geometry::{SAME_POINT_MM, Turn};
 use ferrocut_machine::Fault;
 
 type Made = Result<Plan, WrongParameter>;
@@ -131,7 +131,8 @@ impl Placed {
             _ => 1.0,
         };
         refuse(!(approach >= 0.0 && approach.is_finite()), Fault::CycleParameter, "DP")?;
-        refuse(!(depth != 0.0 && depth.is_finite()), Fault::CycleNoDepth, "P")?;
+        // A depth below what an axis can tell is none.
+        refuse(!(depth.abs() > SAME_POINT_MM && depth.is_finite()), Fault::CycleNoDepth, "P")?;
         let near = approach.min((safety - surface).abs());
         let planes = Planes { safety, approach: surface + up * near, surface };
         Ok(Placed { planes, up, depth: depth.abs() })
@@ -239,6 +240,7 @@ fn wall_levels(
     let passes = finish.number("N");
     refuse(passes.fract() != 0.0 || !(0.0..=10_000.0).contains(&passes), Fault::CycleParameter, "N")?;
     let least = if data.cutting_length > 0.0 { steps(depth, data.cutting_length) } else { 0.0 };
+    refuse(!(least <= MAX_LEVELS), Fault::MillTooManyMoves, "N")?;
     if passes > 0.0 || least > 0.0 {
         return Ok(Levels::equal(depth, passes.max(least)));
     }

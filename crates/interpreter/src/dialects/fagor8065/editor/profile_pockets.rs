@@ -12,7 +12,6 @@ use crate::cycles::pocket::{
 };
 use crate::directives::{Contour, ProfileAxes, RecordedProfile};
 use crate::stages::corner::CornerKind;
-use ferrocut_geometry::SAME_POINT_MM;
 use std::sync::Arc;
 
 const fn name(name: &'static str) -> Parameter {
@@ -23,11 +22,11 @@ const fn name(name: &'static str) -> Parameter {
 const NAMES: [Parameter; 2] = [name("pocket"), name("profile")];
 
 /// The drilling of 4.3 without its point: those are the pocket's to find.
-const DRILL: [Parameter; 16] =
-    joined(&[&TOOL, &[length("Z"), length("ZS"), length("P"), length("DP"), number("t")], &[
-        length("I"),
-        length("ZR"),
-    ]]);
+const DRILL: [Parameter; 16] = joined(&[
+    &TOOL,
+    &[length("Z"), length("ZS"), length("P"), length("DP"), number("t")],
+    &[length("I"), length("ZR")],
+]);
 
 /// 4.15.
 pub const FLAT: DescribedCycle = DescribedCycle {
@@ -35,10 +34,7 @@ pub const FLAT: DescribedCycle = DescribedCycle {
     parts: &[
         (Part::Main, &joined::<6>(&[&NAMES, &PLANES])),
         (Part::Drill, &DRILL),
-        (
-            Part::Rough,
-            &joined::<13>(&[&TOOL, &[length("step"), length("I"), length("FZ"), number("beta")]]),
-        ),
+        (Part::Rough, &joined::<13>(&[&TOOL, &[length("step"), length("I"), length("FZ"), number("beta")]])),
         (
             Part::Finish,
             &joined::<14>(&[
@@ -55,14 +51,8 @@ pub const FLAT: DescribedCycle = DescribedCycle {
 pub const DEEP: DescribedCycle = DescribedCycle {
     id: "P3D",
     parts: &[
-        (
-            Part::Main,
-            &joined::<10>(&[&NAMES, &PLANES, &[name("Z1"), name("Z2"), name("Z3"), name("Z4")]]),
-        ),
-        (
-            Part::Rough,
-            &joined::<13>(&[&TOOL, &[length("step"), length("I1"), length("FZ"), number("beta")]]),
-        ),
+        (Part::Main, &joined::<10>(&[&NAMES, &PLANES, &[name("Z1"), name("Z2"), name("Z3"), name("Z4")]])),
+        (Part::Rough, &joined::<13>(&[&TOOL, &[length("step"), length("I1"), length("FZ"), number("beta")]])),
         (Part::Semi, &joined::<10>(&[&TOOL, &[length("I2")]])),
         (
             Part::Finish,
@@ -104,19 +94,20 @@ fn contour(contour: &Contour, number: usize) -> Result<pocket::Profile, WrongPar
         CornerKind::Chamfer => corner::Corner::Chamfer(size),
     };
     let last = segments.len().saturating_sub(1);
-    let of = |(n, segment)| {
-        corner::Drawn { segment, corner: if n == last { closing } else { corner::Corner::Sharp } }
+    let of = |(n, segment)| corner::Drawn {
+        segment,
+        corner: if n == last { closing } else { corner::Corner::Sharp },
     };
     let drawn: Vec<corner::Drawn> = segments.into_iter().enumerate().map(of).collect();
-    let no_room = |_| WrongParameter {
-        contour: Some(number),
-        ..WrongParameter::new(Fault::ProfileCorner, "profile")
-    };
+    let no_room =
+        |_| WrongParameter { contour: Some(number), ..WrongParameter::new(Fault::ProfileCorner, "profile") };
     corner::profile(&drawn).map_err(no_room)
 }
 
 /// The outer contour and the islands.
-fn contours(description: &Description<'_>) -> Result<(pocket::Profile, Vec<pocket::Profile>), WrongParameter> {
+fn contours(
+    description: &Description<'_>,
+) -> Result<(pocket::Profile, Vec<pocket::Profile>), WrongParameter> {
     let missing = WrongParameter::new(Fault::CycleParameterMissing, "profile");
     let recorded = recorded(description, "profile")?.ok_or(missing)?;
     refuse(recorded.axes != ProfileAxes::Plane, Fault::ProfileForm, "profile")?;
@@ -168,9 +159,9 @@ fn wrong(description: &Description<'_>, fault: PocketFault) -> WrongParameter {
         Problem::ArcEnds => Fault::ProfileForm,
         Problem::CornerTooLarge => Fault::ProfileCorner,
         Problem::IslandOutside => Fault::IslandOutside,
-        Problem::TooManyDepthProfiles
-        | Problem::DepthProfileStart
-        | Problem::DepthProfileTurnsBack => Fault::DepthProfile,
+        Problem::TooManyDepthProfiles | Problem::DepthProfileStart | Problem::DepthProfileTurnsBack => {
+            Fault::DepthProfile
+        }
         Problem::WallsMeet => Fault::WallsMeet,
         Problem::ToolMissing => Fault::MillToolMissing,
         Problem::ToolTooLarge | Problem::DrillTooLarge => Fault::CycleToolTooLarge,
@@ -252,7 +243,8 @@ fn flat(description: &Description<'_>) -> Made {
         let passes = finish.number("N");
         of_finish(refuse(passes.fract() != 0.0, Fault::CycleParameter, "N"))?;
     }
-    let planning = Planning { load: &|bytes| pocket.load(bytes), plan: &|| pocket.plan(), save: Plan2d::save };
+    let planning =
+        Planning { load: &|bytes| pocket.load(bytes), plan: &|| pocket.plan(), save: Plan2d::save };
     let plan = planning
         .with(description.kept, main.name("pocket"), PocketKind::Flat)
         .map_err(|fault| wrong(description, fault))?;
@@ -334,7 +326,8 @@ fn deep(description: &Description<'_>) -> Made {
             },
         }),
     };
-    let planning = Planning { load: &|bytes| pocket.load(bytes), plan: &|| pocket.plan(), save: Plan3d::save };
+    let planning =
+        Planning { load: &|bytes| pocket.load(bytes), plan: &|| pocket.plan(), save: Plan3d::save };
     let plan = planning
         .with(description.kept, main.name("pocket"), PocketKind::Deep)
         .map_err(|fault| wrong(description, fault))?;

@@ -5,7 +5,6 @@ use crate::cycles::area::pocket::check_stock;
 use crate::cycles::area::profile::{Element, Profile, ProfileError, ProfileMilling, Ways};
 use crate::directives::ProfileAxes;
 use crate::stages::cutter::{Offset, Side};
-use ferrocut_geometry::SAME_POINT_MM;
 use ferrocut_program::Span;
 
 const fn point(name: &'static str) -> Parameter {
