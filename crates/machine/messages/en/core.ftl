@@ -331,6 +331,7 @@ FC-0507 = The hole's bottom level Z does not lie above the R level
     .help = For back boring give R as the lower level.
 
 FC-0508 = The spindle speed is missing or too high for tapping
+    .detail = { $parameter }
     .help = Give S within the limit of tapping.
 
 FC-0509 = Rigid tapping is called while a cycle is active
@@ -506,9 +507,11 @@ FC-0524 = The second size or the distance of the start is missing
     .help = Give J.
 
 FC-0525 = The tool radius is missing
-    .help = Give D with a radius in the offset table.
+    .detail = { $parameter }
+    .help = Give D, and enter a radius for the tool in the offset table.
 
 FC-0526 = The cycle would take too many moves
+    .detail = { $parameter }
     .help = Use a larger step or depth of cut.
 FC-0527 = Rigid tapping without a spindle speed
     .help = Program S, best in the block of the code that makes tapping rigid.

@@ -140,7 +140,9 @@ fn depth_profiles(
 
 /// What forbids a pocket, told of the parameters of its cycle.
 fn wrong(description: &Description<'_>, fault: PocketFault) -> WrongParameter {
+    let is_profile = matches!(fault.parameter, "profile" | "Z1" | "Z2" | "Z3" | "Z4");
     let stage = match fault.stage {
+        _ if is_profile => None,
         Some(pocket::Stage::Rough) => Some((Part::Rough, "#ROUGH")),
         Some(pocket::Stage::Semi) => Some((Part::Semi, "#SEMI")),
         Some(pocket::Stage::Finish) => Some((Part::Finish, "#FINISH")),
