@@ -4,8 +4,8 @@
 //! "FERROPOC"  kind  hash of all inputs (16)  paths …  hash of everything before (16)
 //! ```
 //!
-//! The inputs are every number of the parameters, tools among them, and the version of this software, since an
-//! update computes anew. Bytes with other inputs, or changed by anyone, are not this pocket: loading them
+//! The inputs are every number of the parameters, tools among them, and what computes the paths, since an
+//! update of the software computes anew. Bytes with other inputs, or changed by anyone, are not this pocket: loading them
 //! gives nothing, and the pocket is computed again. The hash is FNV-1a of 128 bits; it keeps out accidents,
 //! not forgers.
 
@@ -19,7 +19,49 @@ use super::tool::Tool;
 
 const MAGIC: &[u8; 8] = b"FERROPOC";
 
-/// Raised whenever the same inputs give other paths.
+/// What computes the paths, so that nothing that an older version of it computed is taken for the same.
+const SOURCES: &[&[u8]] = &[
+    include_bytes!("chains.rs"),
+    include_bytes!("clear.rs"),
+    include_bytes!("contours.rs"),
+    include_bytes!("corner.rs"),
+    include_bytes!("cut.rs"),
+    include_bytes!("depth_profile.rs"),
+    include_bytes!("descent.rs"),
+    include_bytes!("finish.rs"),
+    include_bytes!("index.rs"),
+    include_bytes!("kept.rs"),
+    include_bytes!("meet.rs"),
+    include_bytes!("mod.rs"),
+    include_bytes!("passes.rs"),
+    include_bytes!("pen.rs"),
+    include_bytes!("pocket2d.rs"),
+    include_bytes!("pocket3d.rs"),
+    include_bytes!("polygons.rs"),
+    include_bytes!("problem.rs"),
+    include_bytes!("profile.rs"),
+    include_bytes!("ring.rs"),
+    include_bytes!("rings.rs"),
+    include_bytes!("segment.rs"),
+    include_bytes!("slopes.rs"),
+    include_bytes!("store.rs"),
+    include_bytes!("tool.rs"),
+    include_bytes!("vector.rs"),
+    include_bytes!("walls.rs"),
+];
+
+/// Their hash, worked out when they are compiled.
+#[allow(long_running_const_eval)]
+const COMPUTED_BY: u128 = {
+    let (mut sources, mut hash) = (SOURCES, BASIS);
+    while let [first, rest @ ..] = sources {
+        hash = fnv(hash, first);
+        sources = rest;
+    }
+    hash
+};
+
+/// Raised when a library beside them gives other paths of the same inputs.
 const REVISION: u32 = 1;
 
 /// What kind of pocket is stored.
@@ -36,11 +78,22 @@ pub fn is_stored(bytes: &[u8]) -> bool {
     bytes.starts_with(MAGIC)
 }
 
-/// FNV-1a, 128 bits.
-pub(crate) fn hash(bytes: &[u8]) -> [u8; 16] {
+/// The hash of nothing.
+const BASIS: u128 = 0x6c62_272e_07bb_0142_62b8_2175_6295_c58d;
+
+/// A hash carried on over further bytes: FNV-1a, 128 bits.
+const fn fnv(mut hash: u128, mut bytes: &[u8]) -> u128 {
     const PRIME: u128 = 0x0000_0000_0100_0000_0000_0000_0000_013b;
-    const BASIS: u128 = 0x6c62_272e_07bb_0142_62b8_2175_6295_c58d;
-    bytes.iter().fold(BASIS, |hash, byte| (hash ^ u128::from(*byte)).wrapping_mul(PRIME)).to_le_bytes()
+    while let [first, rest @ ..] = bytes {
+        hash = (hash ^ *first as u128).wrapping_mul(PRIME);
+        bytes = rest;
+    }
+    hash
+}
+
+/// The hash of bytes.
+pub(crate) fn hash(bytes: &[u8]) -> [u8; 16] {
+    fnv(BASIS, bytes).to_le_bytes()
 }
 
 /// Numbers one after another.
@@ -55,6 +108,7 @@ impl Writer {
         let mut writer = Writer::default();
         writer.bytes.extend_from_slice(env!("CARGO_PKG_VERSION").as_bytes());
         writer.count(REVISION as usize);
+        writer.bytes.extend_from_slice(&COMPUTED_BY.to_le_bytes());
         writer
     }
 
@@ -273,6 +327,18 @@ impl<'a> Reader<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A file of this folder that is not in the list would change paths unseen.
+    #[test]
+    fn every_source_counts() {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/src/cycles/pocket");
+        let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+        let sources: Vec<_> = files.filter(|path| path.extension().is_some_and(|e| e == "rs")).collect();
+        assert_eq!(sources.len(), SOURCES.len());
+        for path in sources {
+            assert!(SOURCES.contains(&std::fs::read(&path).unwrap().as_slice()), "{path:?}");
+        }
+    }
 
     /// Known values of FNV-1a with 128 bits.
     #[test]
