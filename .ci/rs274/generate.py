@@ -60,6 +60,8 @@ class Writer:
         self.maker = expressions.Maker(self.rng)
         self.labels = 100
         self.subs = []          # (call text, number of parameters)
+        self.numbered = []      # subprograms of M98, which stand behind the end of the program
+        self.behind = []        # their lines
         self.depth = 0
         self.radii = {}
 
@@ -173,6 +175,9 @@ class Writer:
             if self.chance(0.1):
                 words.append(self.word(rng.choice("ABC"), round(rng.uniform(-400, 400), 1)))
             code = f"G{rng.choice(('', '0')) if self.chance(0.2) else ''}{1 if cutting else 0}"
+            if self.chance(0.05) and not self.depth:
+                # Words of other groups on the same line, which leave everything as it is.
+                code += f" G{90 if state.absolute else 91} G{state.plane}" + rng.choice(("", " G40", f" G{20 if state.inch else 21}"))
             self.shuffled(code, *words, self.feed() if cutting else "")
 
     def arcs(self):
@@ -464,7 +469,7 @@ class Writer:
                 self.line(rng.choice(("M3", "M4")), f"S{rng.choice((100, 2000.5, 0))}")
                 state.spindle = True
             case 9:
-                self.line(rng.choice(("G4 P0.25", "G4 P[1/4]", "M7", "M8", "M9", "M0", "M1", "M48", "M49", "M50 P0", "M51 P1", "M53 P0", "M52 P1", "M60", "M19 R30", "G97 S300", "M62 P1", "M63 P1", "M64 P0", "M65 P0", "M67 E0 Q1.5", "M68 E0 Q[2+1]", "M66 P0 L0", "G98", "G99", "G40", "G80", "G49" if not state.length else "G40")))
+                self.line(rng.choice(("G4 P0.25", "G4 P[1/4]", "M7", "M8", "M9", "M0", "M1", "M48", "M49", "M50 P0", "M51 P1", "M53 P0", "M52 P1", "M60", "M19 R30", "G97 S300", "G96 D2500 S100", "G96 S50", "M62 P1", "M63 P1", "M64 P0", "M65 P0", "M67 E0 Q1.5", "M68 E0 Q[2+1]", "M66 P0 L0", "G98", "G99", "G40", "G80", "G49" if not state.length else "G40")))
                 if self.lines[-1] in ("G80", "G49"):
                     self.forget()
 
@@ -636,7 +641,9 @@ class Writer:
             if self.chance(0.4):
                 inner = self.label()
                 self.line(f"{inner} if [{counter} EQ {rng.randint(1, 3)}]")
-                self.line(f"{name} {rng.choice(('break', 'continue'))}")
+                # `continue` of a do loop within a repeat never ends in LinuxCNC 2.9: see the deviations.
+                jumps = ("break", "continue") if kind == "while" or self.depth == 1 else ("break",)
+                self.line(f"{name} {rng.choice(jumps)}")
                 self.line(f"{inner} endif")
                 self.body()
             self.line(f"{name} endwhile" if kind == "while" else f"{name} while [{counter} LT {passes}]")
@@ -706,10 +713,29 @@ class Writer:
                 self.lines = where
             self.subs.append((name, parameters))
 
+    def define_numbered(self):
+        """Subprograms called with M98, which end with M99."""
+        for _ in range(self.rng.choice((0, 0, 1, 2))):
+            self.labels += 1
+            where, self.lines = self.lines, self.behind
+            self.depth += 3
+            self.state.fed = True
+            self.line(f"O{self.labels}")
+            self.body()
+            self.line("M99")
+            self.depth -= 3
+            self.state.fed = False
+            self.lines = where
+            self.numbered.append(self.labels)
+
     def call(self):
+        if self.numbered and not self.depth and self.chance(0.5):
+            if not self.state.fed and self.state.feed_mode != "93":
+                self.line(f"F{self.rng.choice((80, 120))}")
+                self.state.fed = True
+            self.line(f"M98 P{self.rng.choice(self.numbered)}", f"L{self.rng.randint(1, 3)}" if self.chance(0.4) else "")
+            return self.forget()
         if not self.subs or self.depth > 2:
-            return self.lines_of()
-        if self.depth and any(line.startswith(self.subs[-1][0] + " sub") for line in self.lines) and self.defining():
             return self.lines_of()
         name, parameters = self.rng.choice(self.subs)
         if not self.state.fed and self.state.feed_mode != "93":
@@ -723,9 +749,6 @@ class Writer:
         if self.chance(0.3):
             self.line("(debug, #<_value> #<_value_returned>)")
         self.forget()
-
-    def defining(self):
-        return False
 
     def saves(self):
         """M70 to M73: modes are saved, changed and restored."""
@@ -775,6 +798,8 @@ class Writer:
         self.state.inch = self.lines[-1] == "G20"
         if self.chance(0.45):
             self.define_subs()
+        if self.chance(0.2):
+            self.define_numbered()
         subjects = [
             (self.lines_of, 5), (self.arcs, 6), (self.modes, 6), (self.offsets, 5), (self.tool, 2), (self.contour, 5),
             (self.cycles, 4), (self.assignments, 4), (self.flow, 3), (self.call, 3), (self.shows, 1), (self.splines, 1),
@@ -789,6 +814,10 @@ class Writer:
         if self.chance(0.2):
             fault = faults.put(self)
         self.line(rng.choice(("M2", "M30", "M2")))
+        self.lines += self.behind
+        if self.chance(0.05) and not self.behind and not fault:
+            # Between percent signs no M2 is needed.
+            self.lines = ["%", *self.lines[:-1], "%"]
         files = {"main.ngc": self.lines, **self.files}
         program = Program(self.seed, files, tools, parameters, fault)
         for name in files:
@@ -797,9 +826,20 @@ class Writer:
 
 
 def mark(rng, text, number):
-    """The line with its number, by which an error of it is known."""
-    if text[:1] in ("o", "O", ";", "%", "("):
-        return f"{text} (L{number})" if not text.startswith(";") else f"(L{number}) {text}"
+    """The line with its number, by which an error of it is known, and with what may stand on any line."""
+    if text == "%":
+        return text
+    if text.startswith(";"):
+        return f"(L{number}) {text}"
+    if text[:1] in ("o", "O") and rng.random() < 0.9 or text.startswith("("):
+        return f"{text} (L{number})"
+    roll = rng.random()
+    if roll < 0.02:
+        text = f"{text} (it is a note)"
+    elif roll < 0.03:
+        text = f"{text} ; it is a note"
+    elif roll < 0.04 and text[:1] not in ("o", "O"):
+        return f"/N{number} {text}"
     return f"N{number} {text}"
 
 
