@@ -14,6 +14,7 @@ import itertools
 import multiprocessing
 import os
 import pathlib
+import re
 import sys
 import tempfile
 
@@ -25,6 +26,7 @@ import oracle
 import steps
 
 AT_ONCE = 200
+SOUGHT = re.compile(r"EOF in file:(\S+) seeking o-word: \S+ from line: (\d+)")
 
 
 class Bench:
@@ -53,7 +55,12 @@ class Bench:
             lines = program.files.get(pathlib.Path(file or "main.ngc").name, [])
             return oracle.line_of(lines[line - 1]) if line and line <= len(lines) else None
 
-        return canon.read(answer), steps.run(self.ours, main, tools, parameters, 20, marks)
+        theirs = canon.read(answer)
+        sought = SOUGHT.search(theirs.error or "")
+        if sought:
+            # It looks for a subprogram to the end of the file and shows the line there; the call is at fault.
+            theirs.error_line = marks(sought.group(1), int(sought.group(2)))
+        return theirs, steps.run(self.ours, main, tools, parameters, 20, marks)
 
 
 def judge(bench, program):
