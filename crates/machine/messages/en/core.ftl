@@ -605,3 +605,10 @@ FC-0563 = There is no room for the tangential way to or from the profile
 FC-0564 = The plane cannot have these axes
     .detail = { $axis }
     .help = Name three different axes. Arcs and milling cycles need the planes of X, Y and Z, with the tool along the third axis.
+
+FC-0470 = The entry move of cutter compensation is not longer than the tool radius
+    .help = Begin further away from the contour: the entry must be longer than the radius.
+FC-0471 = The tool does not fit into the arc
+    .help = Use a tool whose radius is smaller than the arc's.
+FC-0472 = The first move after cutter compensation is an arc
+    .help = Leave the contour on a G00 or G01 move.
