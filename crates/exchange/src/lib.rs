@@ -9,11 +9,9 @@
 //! divided, [`fit`](mod@fit) how arcs are laid through. Read [`drawing`] first.
 
 pub mod affine;
-pub mod curve;
 pub mod drawing;
 pub mod dxf;
 pub mod ellipse;
-pub mod fit;
 pub mod limits;
 pub mod plan;
 pub mod plt;
@@ -23,6 +21,7 @@ pub mod spline;
 pub mod write;
 
 pub use drawing::Drawing;
+pub use ferrocut_geometry::{curve, fit};
 pub use recognise::{By, recognise};
 pub use settings::{Change, Cutting, Format, Order, Settings};
 pub use write::{Program, Style, Summary};

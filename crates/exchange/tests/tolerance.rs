@@ -5,7 +5,7 @@
 use ferrocut_exchange::curve::{Curve, Point, distance};
 use ferrocut_exchange::ellipse::Ellipse;
 use ferrocut_exchange::limits::Limits;
-use ferrocut_exchange::spline::Spline;
+use ferrocut_exchange::spline::{self, Spline};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 
@@ -137,7 +137,7 @@ proptest! {
         prop_assume!(knots[1..].windows(degree + 1).skip(degree).all(|w| w[0] < w[degree] || w[0] > knot));
         let spline = Spline::new(degree, knots.clone(), points.clone(), weights.clone()).unwrap();
         let mut curves = Vec::new();
-        spline.curves(tolerance, &mut Limits::new(), &mut curves).unwrap();
+        spline::curves(&spline, tolerance, &mut Limits::new(), &mut curves).unwrap();
         let end = knot + 1.0;
         let fine: Vec<Point> = (0..=6000)
             .map(|i| evaluate(degree, &knots, &points, &weights, end * f64::from(i) / 6000.0))
@@ -158,7 +158,7 @@ proptest! {
         prop_assume!(distinct.len() > 1);
         let spline = Spline::through(&points, start, None).unwrap();
         let mut curves = Vec::new();
-        spline.curves(tolerance, &mut Limits::new(), &mut curves).unwrap();
+        spline::curves(&spline, tolerance, &mut Limits::new(), &mut curves).unwrap();
         for p in &points {
             let off = off_any(&curves, [p[0], p[1]]);
             prop_assert!(off <= tolerance + 1e-9, "{:?} is {} away", p, off);

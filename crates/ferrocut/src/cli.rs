@@ -84,6 +84,12 @@ pub struct Common {
     /// Set-up file: work offsets, tool offsets, parameters, start position
     #[arg(long, value_name = "FILE")]
     pub setup: Option<PathBuf>,
+    /// Tool table of LinuxCNC (.tbl), in mm; for programs of rs274
+    #[arg(long, value_name = "FILE")]
+    pub tool_table: Option<PathBuf>,
+    /// Parameter file of LinuxCNC (.var), in mm; for programs of rs274
+    #[arg(long, value_name = "FILE")]
+    pub var_file: Option<PathBuf>,
     /// How results are printed
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,

@@ -7,9 +7,14 @@ use crate::pockets::BesideProgram;
 use ferrocut_geometry::AxisNames;
 use ferrocut_interpreter::dialects::guess::{Reason, guess};
 use ferrocut_interpreter::{Dialect, Interpreter, Options, dialects};
-use ferrocut_machine::{Alarm, Catalogue, Fault, Language, Machine, Memory, ParameterKey, Setup};
+use ferrocut_machine::{
+    Alarm, Catalogue, Fault, Language, Machine, Memory, ParameterFile, ParameterKey, Setup, ToolLibrary,
+};
 use ferrocut_program::{OpenError, ProgramMemory, Span, Text};
 use std::path::{Path, PathBuf};
+
+/// The language whose tool tables and parameter files have formats of their own.
+const LINUXCNC: &str = "rs274";
 
 /// Exit status of a command.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -114,6 +119,10 @@ pub struct Shop {
     pub setup: Setup,
     /// How messages are shown.
     pub diagnostics: Diagnostics,
+    /// A tool table of LinuxCNC.
+    library: Option<ToolLibrary>,
+    /// A parameter file of LinuxCNC.
+    parameter_file: Option<ParameterFile>,
     axis_names: AxisNames,
     dialect: Option<String>,
     public: Public,
@@ -184,6 +193,9 @@ impl Shop {
             None => Setup::default(),
             Some(path) => read_config(path, Setup::from_toml)?,
         };
+        let library = common.tool_table.as_deref().map(|path| read_config(path, ToolLibrary::from_tbl));
+        let parameter_file =
+            common.var_file.as_deref().map(|path| read_config(path, ParameterFile::from_var));
         let axis_names = setup.axis_names().map_err(|error| {
             Failure::wrong_use(Fault::ConfigUnusable).with("file", "setup").with("reason", error.to_string())
         })?;
@@ -196,6 +208,8 @@ impl Shop {
             block_skip: common.block_skip || setup.options.block_skip,
             optional_stop: common.optional_stop || setup.options.optional_stop,
             setup,
+            library: library.transpose()?,
+            parameter_file: parameter_file.transpose()?,
             diagnostics: diagnostics(common),
         })
     }
@@ -275,6 +289,17 @@ impl Shop {
                     .with("file", self.machine.name.as_str())
                     .with("reason", error.to_string())
             })?;
+        // The files of LinuxCNC first: a set-up file has the last word.
+        if dialect.name == LINUXCNC {
+            memory.library = self.library.clone();
+            if let Some(file) = &self.parameter_file {
+                file.apply(&mut memory).map_err(|error| {
+                    Failure::wrong_use(Fault::ConfigUnusable)
+                        .with("file", "--var-file")
+                        .with("reason", error.to_string())
+                })?;
+            }
+        }
         self.setup.apply(&mut memory).map_err(|error| {
             Failure::wrong_use(Fault::ConfigUnusable).with("file", "setup").with("reason", error.to_string())
         })?;

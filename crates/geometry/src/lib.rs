@@ -3,12 +3,16 @@
 //! In: numbers. Out: numbers. Nothing here knows of programs, machines or time.
 //! Lengths are millimetres, angles radians unless a name says degrees.
 //!
-//! Read [`position`] first (axes and points), then [`arc`] (arcs and helices).
+//! Read [`position`] first (axes and points), then [`arc`] (arcs and helices). Splines become lines and arcs
+//! of the plane ([`curve`]) in [`spline`] and [`fit`](mod@fit).
 
 pub mod arc;
 pub mod axis_names;
+pub mod curve;
+pub mod fit;
 pub mod plane;
 pub mod position;
+pub mod spline;
 
 pub use arc::{Arc, RadiusError, Turn};
 pub use axis_names::{AxisName, AxisNames};

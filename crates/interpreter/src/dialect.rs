@@ -4,12 +4,14 @@
 //! may hold, which number its manual gives an alarm. [`Rules`] are the numbers and choices that its
 //! parameters set. Code that two languages share stands outside their folders and reads these.
 
+use crate::Fallible;
 use crate::coordinates;
 use crate::cycles::described::{DescribedCycle, DescribedFigure};
 use crate::cycles::zone::FigureFormat;
 use crate::cycles::{self, CycleKind, Pattern};
 use crate::directives::Directive;
 use crate::evaluate::{Arithmetic, Value};
+use crate::interpreter::Interpreter;
 use crate::modal::{Group, Modal};
 use crate::motion;
 use crate::stages::cutter;
@@ -17,7 +19,7 @@ use crate::stages::polar::PoleRule;
 use crate::stroke::StrokeRules;
 use ferrocut_geometry::{Axis, AxisSet, Plane};
 use ferrocut_machine::{AlarmId, Fault, ParameterKey, Parameters, WorkOffset};
-use ferrocut_program::Syntax;
+use ferrocut_program::{Block, Page, Syntax};
 
 /// What a G code means, in terms common to all controls.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -156,6 +158,8 @@ pub enum Meaning {
     InDegrees,
     /// Without effect on what this system does.
     NoEffect,
+    /// A feed word is the inverse of the minutes that a move takes.
+    InverseTime,
     /// Feed per minute.
     FeedPerMinute,
     /// Feed per revolution.
@@ -166,6 +170,57 @@ pub enum Meaning {
     ReturnR,
     /// A code that the manual names without saying what it does: an alarm.
     Undescribed,
+    /// Cubic spline by two directions.
+    CubicSpline,
+    /// Quadratic spline by one point.
+    QuadraticSpline,
+    /// A rational spline begins, or goes on.
+    Nurbs,
+    /// It ends, and is run.
+    NurbsEnd,
+    /// Working plane of U, V, W.
+    PlaneOfUvw(Plane),
+    /// The present position becomes a reference point.
+    SaveReference,
+    /// Straight cut in step with the spindle.
+    Synchronised,
+    /// Tapping in step with the spindle, there and back.
+    RigidTap,
+    /// Straight probe.
+    Probe {
+        /// Until contact is lost.
+        away: bool,
+        /// Without its signal it is an alarm.
+        needs_contact: bool,
+    },
+    /// Threading of many passes.
+    Threading,
+    /// A cycle of lathes.
+    LatheCycle,
+    /// Cutter compensation left of the path, D is the diameter.
+    CutterLeftOf,
+    /// Cutter compensation right of the path, D is the diameter.
+    CutterRightOf,
+    /// Tool length given by the words of the block.
+    LengthOf,
+    /// A further tool length on top of those in force.
+    LengthMore,
+    /// Moves go through their points exactly.
+    ExactPath,
+    /// Centres of arcs are absolute.
+    CentreAbsolute,
+    /// Centres of arcs count from the start.
+    CentreIncremental,
+    /// X words are diameters.
+    DiameterMode,
+    /// X words are radii.
+    RadiusMode,
+    /// The shift of all coordinate systems is taken back and forgotten.
+    ShiftCleared,
+    /// It is taken back and kept.
+    ShiftSuspended,
+    /// It is put in force again.
+    ShiftRestored,
 }
 
 /// A row of a dialect's table of G codes.
@@ -489,6 +544,9 @@ pub struct ScalingRules {
     pub axes: [bool; 3],
 }
 
+/// Runs one block of a page, by its index.
+pub type RunBlock = fn(&mut Interpreter, &Page, &Block, usize) -> Fallible<()>;
+
 /// A control language.
 #[derive(Debug)]
 pub struct Dialect {
@@ -526,6 +584,8 @@ pub struct Dialect {
     pub described_cycles: &'static [DescribedCycle],
     /// Figures on which they are repeated.
     pub described_figures: &'static [DescribedFigure],
+    /// Runs a block, where the language has an order of its own.
+    pub blocks: Option<RunBlock>,
     /// What a variable stands for; `None` for one that does not exist.
     pub variable: fn(u32) -> Option<Variable>,
     /// The local variable that an address of a macro call sets.

@@ -119,6 +119,7 @@ impl Evaluator {
                     let a = self.pop()?.unwrap_or(0.0);
                     Some(atan2(a, b, self.arithmetic.angles)?)
                 }
+                Node::Exists(number) => Some(truth(read(number)?.is_some())),
                 Node::Call(function) => {
                     let v = self.pop()?.unwrap_or(0.0);
                     Some(self.arithmetic.call(function, v)?)
@@ -227,6 +228,7 @@ impl Arithmetic {
             Binary::LessEqual => truth(fine_a <= fine_b),
             Binary::LogicalAnd => truth(a != 0.0 && b != 0.0),
             Binary::LogicalOr => truth(a != 0.0 || b != 0.0),
+            Binary::LogicalXor => truth((a != 0.0) != (b != 0.0)),
         })
     }
 
@@ -268,6 +270,9 @@ impl Arithmetic {
             Function::Round => self.rounded(v).round(),
             Function::Fix => self.rounded(v).trunc(),
             Function::Floor => self.rounded(v).floor(),
+            Function::Ceil => self.rounded(v).ceil(),
+            // Not a call: the lexer makes another node of it.
+            Function::Exists => return Err(Fault::UnknownFunction),
             Function::Fup => self.rounded(v).abs().ceil().copysign(v),
             Function::Ln => {
                 within(v > 0.0)?;

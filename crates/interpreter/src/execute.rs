@@ -83,6 +83,9 @@ pub(crate) enum Part {
 impl Interpreter {
     /// Executes one block.
     pub(crate) fn execute(&mut self, page: &Page, block: &Block, index: usize) -> Fallible<()> {
+        if let Some(run) = self.dialect.blocks {
+            return run(self, page, block, index);
+        }
         // Blocks that may be skipped are refused there, skipped or not.
         let is_refused = block.skip > 0 && self.is_strictly_transformed();
         if self.is_skipped(block) && !is_refused {
@@ -611,7 +614,7 @@ fn turn_of(meaning: Meaning) -> usize {
 }
 
 /// The rule that a defect of the text breaks.
-fn fault_of(kind: DefectKind) -> Fault {
+pub(crate) fn fault_of(kind: DefectKind) -> Fault {
     match kind {
         DefectKind::IllegalCharacter => Fault::IllegalCharacter,
         DefectKind::NumberWithoutAddress => Fault::NumberWithoutAddress,

@@ -14,6 +14,7 @@ use crate::cycles::pocket::KeptPockets;
 use crate::cycles::zone::Zone;
 use crate::data_setting::DataSetting;
 use crate::dialect::{Dialect, Meaning, Rules, Variable};
+use crate::dialects::rs274::State;
 use crate::evaluate::Evaluator;
 use crate::flow::Flow;
 use crate::macros::INPUT_WORD;
@@ -211,6 +212,8 @@ pub struct Interpreter {
     /// How far the axes lagged behind at the last barrier.
     pub(crate) following_error: Position,
     pub(crate) pass_state: Option<Fingerprint>,
+    /// State of RS274/NGC.
+    pub(crate) ngc: State,
     pub(crate) ended: bool,
     pub(crate) output: Output,
     alarms: VecDeque<Box<Alarm>>,
@@ -308,6 +311,7 @@ impl Interpreter {
             present: Present::default(),
             following_error: Position::ZERO,
             pass_state: None,
+            ngc: State::new(work.shift, options.start),
             ended: false,
             output,
             alarms,

@@ -290,6 +290,8 @@ impl Interpreter {
             Statement::Break => self.leave_loop(span),
             Statement::Continue => self.next_pass(span),
             Statement::Directive(place) => self.directive(page, place, span),
+            // Of languages that run their blocks themselves.
+            Statement::OWord(_) => Err(self.alarm(Fault::MalformedStatement, span)),
         }
     }
 

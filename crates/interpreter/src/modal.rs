@@ -42,6 +42,10 @@ pub enum Group {
     SurfaceSpeed,
     /// G12 G13.
     StrokeCheck,
+    /// G90.1 G91.1.
+    CentreDistance,
+    /// G7 G8.
+    Diameter,
     /// Codes in force in their block only.
     NonModal,
 }

@@ -7,7 +7,7 @@
 
 use crate::interpreter::Interpreter;
 use crate::stages::corner::{Corner, CornerRequest, Refused};
-use crate::stages::cutter::{self, Compensator, Offset, Out, PlaneMove, Shape};
+use crate::stages::cutter::{self, Offset, Out, PlaneMove, Shape, Stage};
 use ferrocut_geometry::{Axis, Plane, Position};
 use ferrocut_machine::Fault;
 use ferrocut_program::Span;
@@ -37,7 +37,7 @@ struct Queue {
 pub(crate) struct Output {
     queue: Queue,
     corner: Corner,
-    cutter: Compensator<Step>,
+    cutter: Stage<Step>,
     /// What the block asks to be put behind its move.
     request: Option<CornerRequest>,
     /// Plane of cutter compensation.
@@ -59,7 +59,7 @@ impl Output {
         Output {
             queue: Queue { steps: VecDeque::with_capacity(64), actual: start, one_way: VecDeque::new() },
             corner: Corner::default(),
-            cutter: Compensator::new(rules),
+            cutter: Stage::new(rules),
             request: None,
             plane: Plane::Xy,
             offset: None,
@@ -79,7 +79,18 @@ impl Output {
     /// Whether steps pass by the stages.
     #[inline]
     fn is_direct(&self) -> bool {
-        self.request.is_none() && self.offset.is_none() && self.corner.is_empty() && !self.cutter.in_mode()
+        self.request.is_none()
+            && self.offset.is_none()
+            && self.corner.is_empty()
+            && !self.cutter.in_mode()
+            && !self.cutter.stands_aside()
+    }
+
+    /// Whether the tool stands off the end of the path after compensation was cancelled: a move to that end
+    /// moves it.
+    #[inline]
+    pub(crate) fn stands_aside(&self) -> bool {
+        self.cutter.stands_aside()
     }
 
     /// Begins a block.
@@ -195,7 +206,13 @@ impl Output {
         let done = match plane_move(plane, from, &step.op) {
             Some(m) => self.cutter.push(m, step, &mut out),
             // Blocks are counted at their end.
-            None => self.cutter.pass(step, false, &mut out),
+            None => match step.op {
+                Op::Rapid { .. } | Op::Feed { .. } if self.cutter.takes_every_move() => {
+                    let at = plane.of(from);
+                    self.cutter.push(PlaneMove { from: at, to: at, shape: Shape::Line }, step, &mut out)
+                }
+                _ => self.cutter.pass(step, false, &mut out),
+            },
         };
         done.map_err(|refused| (fault_of(refused.fault), refused.at.span))
     }
@@ -292,6 +309,7 @@ impl Queue {
     fn deliver(&mut self, out: Out<Step>, plane: Plane) {
         let (mut step, place, shape, own) = match out {
             Out::Move { to, shape, payload, inserted } => (payload, to, Some(shape), !inserted),
+            Out::Corner { to, shape, payload } => return self.deliver_corner(payload, to, shape, plane),
             Out::Other(step) => (step, plane.of(self.actual), None, true),
         };
         let Some(programmed) = step.op.target() else {
@@ -309,6 +327,19 @@ impl Queue {
         if stays && !matches!(step.op, Op::Arc { .. }) {
             return;
         }
+        self.actual = to;
+        self.steps.push_back(step);
+    }
+
+    /// A piece about a corner before the move of `step`: rotary axes go with it, the others wait for the move
+    /// (LinuxCNC).
+    fn deliver_corner(&mut self, mut step: Step, place: [f64; 2], shape: Shape, plane: Plane) {
+        let Some(programmed) = step.op.target() else { return };
+        let mut to = *programmed;
+        to[plane.first()] = place[0];
+        to[plane.second()] = place[1];
+        to[plane.normal()] = self.actual[plane.normal()];
+        step.op = with_shape(step.op, to, plane, Some(shape));
         self.actual = to;
         self.steps.push_back(step);
     }
@@ -356,6 +387,9 @@ pub(crate) fn fault_of(fault: cutter::Fault) -> Fault {
         cutter::Fault::TooManyIdleBlocks => Fault::CutterIdleBlocks,
         cutter::Fault::CornerArcOutsideMode => Fault::CornerArcForm,
         cutter::Fault::Reversal => Fault::CutterReversal,
+        cutter::Fault::EntryTooShort => Fault::CutterEntryTooShort,
+        cutter::Fault::ArcTooSmall => Fault::CutterArcTooSmall,
+        cutter::Fault::ArcAfterCancel => Fault::CutterArcAfterCancel,
         cutter::Fault::NotFinite => Fault::CoordinateTooLarge,
     }
 }

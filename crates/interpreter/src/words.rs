@@ -227,6 +227,21 @@ impl Words {
         self.values.get(usize::from(letter - b'A')).copied()
     }
 
+    /// Puts a word with its value in; false where the block has the address already.
+    #[inline]
+    pub(crate) fn put_word(&mut self, word: &Word, value: f64) -> bool {
+        let index = usize::from(word.letter.wrapping_sub(b'A'));
+        if self.has(word.letter) {
+            return false;
+        }
+        if let (Some(slot), Some(place)) = (self.values.get_mut(index), self.places.get_mut(index)) {
+            self.present |= bit(word.letter);
+            *slot = value;
+            *place = (word.at, word.len);
+        }
+        true
+    }
+
     /// Value of an address that no one after asks for.
     pub(crate) fn take(&mut self, letter: u8) -> Option<f64> {
         let value = self.get(letter);

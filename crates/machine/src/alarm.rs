@@ -222,6 +222,12 @@ faults! {
     TooManyTransforms = 446,
     /// A skip move reached its end without the signal, where the control needs one.
     SkipWithoutSignal = 447,
+    /// Cutter compensation: the entry move is not longer than the tool radius.
+    CutterEntryTooShort = 470,
+    /// Cutter compensation: the tool does not fit into an arc.
+    CutterArcTooSmall = 471,
+    /// The first move after cutter compensation is an arc.
+    CutterArcAfterCancel = 472,
 
     // 500: canned cycles
     /// A cycle in a plane that it does not work in.

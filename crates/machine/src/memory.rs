@@ -2,6 +2,7 @@
 
 use crate::offsets::{ToolTable, WorkOffset, WorkOffsets};
 use crate::parameters::{ParameterError, ParameterKey, ParameterTable, Parameters};
+use crate::tool_library::ToolLibrary;
 use ferrocut_geometry::{Axis, Position};
 use std::collections::BTreeMap;
 use std::fmt;
@@ -13,6 +14,8 @@ pub struct Memory {
     pub parameters: Parameters,
     /// Tool offsets.
     pub tools: ToolTable,
+    /// The tools that there are, where a tool table of LinuxCNC says so.
+    pub library: Option<ToolLibrary>,
     /// Work offsets.
     pub work: WorkOffsets,
     /// Macro variables.
@@ -42,6 +45,7 @@ impl Memory {
         Memory {
             parameters: Parameters::new(table),
             tools: ToolTable::new(last_tool),
+            library: None,
             work: WorkOffsets::new(additional),
             variables: Variables::new(),
             reference_points: [Position::ZERO; 4],

@@ -36,6 +36,7 @@ pub enum Binary {
     LessEqual,
     LogicalAnd,
     LogicalOr,
+    LogicalXor,
 }
 
 /// Functions. Whether angles are degrees or radians is the dialect's.
@@ -61,6 +62,10 @@ pub enum Function {
     Fup,
     /// Downwards.
     Floor,
+    /// Upwards.
+    Ceil,
+    /// Whether a variable with a name exists; a [`Node::Exists`] in an expression.
+    Exists,
     Ln,
     Exp,
     /// Decimal coded in binary to a number.
@@ -84,6 +89,8 @@ pub enum Node {
     Binary(Binary),
     /// A function of the operand before it (two for [`Function::Atan2`]).
     Call(Function),
+    /// 1 where the variable with this number has a value, else 0.
+    Exists(u32),
 }
 
 /// Values that evaluating an expression of the parser may have on the stack at most.

@@ -11,12 +11,17 @@
 //! so is recursion ([`MAX_NESTING`], [`MAX_STACK`]).
 
 use crate::expression::{Binary, Function, MAX_NESTING, MAX_STACK, Node, Unary};
+use crate::names::Names;
 use crate::number;
 use crate::page::{
     Argument, Block, Defect, DefectKind, Directive, ExprRange, Page, Statement, TextRange, Word,
 };
 use crate::span::FileId;
 use crate::syntax::{Keyword, Syntax, numbered_axis};
+
+mod ngc;
+
+pub use ngc::NGC_OPERATORS;
 
 /// Words in a block beyond which it is refused; no control takes nearly as many.
 const MAX_WORDS: usize = 512;
@@ -66,10 +71,18 @@ pub(crate) struct Start {
 /// At most [`MAX_TEXT`] bytes are read; call again for more. A `text` without any line end that is not
 /// the last is the start of one over-long line: it is consumed and becomes one defective block.
 pub fn lex(text: &[u8], file: FileId, offset: u64, line: u32, is_last: bool, syntax: &Syntax) -> Lexed {
-    lex_from(text, Start { file, offset, line, is_head: line == 1 }, is_last, syntax)
+    let start = Start { file, offset, line, is_head: line == 1 };
+    lex_from(text, start, is_last, syntax, &mut Names::default())
 }
 
-pub(crate) fn lex_from(text: &[u8], start: Start, is_last: bool, syntax: &Syntax) -> Lexed {
+/// The same with the names met before in other pages.
+pub(crate) fn lex_from(
+    text: &[u8],
+    start: Start,
+    is_last: bool,
+    syntax: &Syntax,
+    names: &mut Names,
+) -> Lexed {
     let (text, is_last) = match text.get(..MAX_TEXT) {
         Some(first) if text.len() > MAX_TEXT => (first, false),
         _ => (text, is_last),
@@ -85,6 +98,7 @@ pub(crate) fn lex_from(text: &[u8], start: Start, is_last: bool, syntax: &Syntax
         line_start: 0,
         is_head: start.is_head,
         syntax,
+        names,
         page,
         skip: 0,
     };
@@ -149,6 +163,7 @@ struct Lexer<'a> {
     line_start: usize,
     is_head: bool,
     syntax: &'a Syntax,
+    names: &'a mut Names,
     page: Page,
     /// The `/` of a line of which a block was read already; 0 at the start of a line.
     skip: u8,
@@ -157,7 +172,10 @@ struct Lexer<'a> {
 impl Lexer<'_> {
     fn run(&mut self) {
         while self.at < self.text.len() {
-            self.block();
+            match self.syntax.o_words {
+                true => self.ngc_block(),
+                false => self.block(),
+            }
         }
         self.check_line_length();
     }

@@ -14,6 +14,7 @@ pub mod encoding;
 pub mod expression;
 pub mod lexer;
 pub mod memory;
+pub mod names;
 pub mod number;
 pub mod page;
 pub mod span;
@@ -22,9 +23,12 @@ pub mod text;
 
 pub use encoding::Encoding;
 pub use expression::{Binary, Function, Node, Unary};
+pub use lexer::NGC_OPERATORS;
 pub use memory::{Place, ProgramId, ProgramMemory};
+pub use names::{FIRST_NAMED, Names};
 pub use page::{
-    Argument, Block, Defect, DefectKind, Directive, ExprRange, Page, Statement, TextRange, Value, Word,
+    Argument, Block, Defect, DefectKind, Directive, ExprRange, Label, OKeyword, OWord, Page, Statement,
+    TextRange, Value, Word,
 };
 pub use span::{FileId, Span};
 pub use syntax::{Keyword, Syntax, numbered_axis, numbered_axis_name};

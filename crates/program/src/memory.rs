@@ -5,6 +5,7 @@
 //! streams.
 
 use crate::lexer::{self, Start};
+use crate::names::Names;
 use crate::page::{Page, Value};
 use crate::span::{FileId, Span};
 use crate::syntax::Syntax;
@@ -97,6 +98,7 @@ struct ProgramFile {
 #[derive(Debug)]
 pub struct ProgramMemory {
     syntax: &'static Syntax,
+    names: Names,
     files: Vec<ProgramFile>,
     /// Pages in the order they were lexed, for giving up the oldest.
     kept: VecDeque<(FileId, u32, usize)>,
@@ -115,6 +117,7 @@ impl ProgramMemory {
     pub fn new(name: &str, text: Text, syntax: &'static Syntax) -> ProgramMemory {
         let mut memory = ProgramMemory {
             syntax,
+            names: Names::default(),
             files: Vec::new(),
             kept: VecDeque::new(),
             kept_bytes: 0,
@@ -171,6 +174,37 @@ impl ProgramMemory {
         id
     }
 
+    /// Names that the programs read so far give to variables and subprograms.
+    pub fn names(&self) -> &Names {
+        &self.names
+    }
+
+    /// The same, to find the number of a name that no program read so far has.
+    pub fn names_mut(&mut self) -> &mut Names {
+        &mut self.names
+    }
+
+    /// The file with this name among those added, else in the main file's folder, opened if it was not yet.
+    pub fn file_named(&mut self, name: &str) -> Option<FileId> {
+        let is_named = |path: &Path| path.file_name().is_some_and(|own| own == name);
+        let added = |f: &ProgramFile| f.found_at.is_none() && !f.is_shown_only;
+        if let Some(file) = self.position(1, |f| added(f) && is_named(Path::new(&*f.name))) {
+            return Some(file);
+        }
+        let (folder, _) = self.folder.as_ref()?;
+        let path = folder.join(name);
+        if path.parent() != Some(folder) {
+            return None;
+        }
+        if let Some(known) = self.position(1, |f| f.found_at.as_ref() == Some(&path)) {
+            return Some(known);
+        }
+        let text = Text::open(&path).ok()?;
+        let file = self.add(name, text);
+        self.files.get_mut(usize::from(file.0))?.found_at = Some(path);
+        Some(file)
+    }
+
     /// How the programs are written.
     pub fn syntax(&self) -> &'static Syntax {
         self.syntax
@@ -216,13 +250,13 @@ impl ProgramMemory {
 
     /// Lexes the page with this number, which is known or the next of its file, and keeps it.
     fn lex(&mut self, number: u32, start: Start) -> io::Result<Arc<Page>> {
-        let syntax = self.syntax;
+        let (syntax, names) = (self.syntax, &mut self.names);
         let Some(file) = self.files.get_mut(usize::from(start.file.0)) else { return Ok(Arc::default()) };
         let len = file.text.len();
         let (lexed, is_last) = file.text.window(start.offset, PAGE_BYTES, &mut self.buffer, |bytes| {
             // Fewer bytes than asked for: the file became shorter while it is read, and ends here.
             let is_last = start.offset + PAGE_BYTES as u64 >= len || bytes.len() < PAGE_BYTES;
-            (lexer::lex_from(bytes, start, is_last, syntax), is_last)
+            (lexer::lex_from(bytes, start, is_last, syntax, names), is_last)
         })?;
         let page = Arc::new(lexed.page);
         if let Some(slot) = file.slots.get_mut(number as usize) {
@@ -502,6 +536,8 @@ fn bytes_of(page: &Page) -> usize {
         + array(&page.nodes)
         + array(&page.statements)
         + array(&page.guards)
+        + array(&page.o_words)
+        + array(&page.values)
         + array(&page.defects)
 }
 

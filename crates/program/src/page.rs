@@ -178,6 +178,55 @@ pub enum Statement {
     Continue,
     /// `#…`, by its place in [`Page::directives`].
     Directive(u32),
+    /// `O… word`, by its place in [`Page::o_words`].
+    OWord(u32),
+}
+
+/// What the label of an O word is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Label {
+    /// `O100`.
+    Number(u32),
+    /// `O<name>`, by its number in [`Names`](crate::Names).
+    Name(u32),
+    /// `O#1` or `O[…]`: a number that is computed.
+    Computed(ExprRange),
+}
+
+/// What an O word commands.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[allow(missing_docs)]
+pub enum OKeyword {
+    Sub,
+    EndSub,
+    Call,
+    Return,
+    Do,
+    While,
+    EndWhile,
+    If,
+    ElseIf,
+    Else,
+    EndIf,
+    Break,
+    Continue,
+    Repeat,
+    EndRepeat,
+    /// None: a program begins, called by M98.
+    Program,
+}
+
+/// A line with an O word.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct OWord {
+    /// What it is called by.
+    pub label: Label,
+    /// What it commands.
+    pub keyword: OKeyword,
+    /// First of the values behind it, in [`Page::values`].
+    pub first: u32,
+    /// How many.
+    pub count: u16,
 }
 
 /// A directive, `#CYCLE G281 [X=10, mode=depth]`.
@@ -308,11 +357,31 @@ pub struct Page {
     pub arguments: Vec<Argument>,
     /// Items of lists among these; they have no name and no items.
     pub items: Vec<Argument>,
+    /// O words of all blocks.
+    pub o_words: Vec<OWord>,
+    /// Values behind these.
+    pub values: Vec<ExprRange>,
     /// Defects of all blocks, in order of blocks.
     pub defects: Vec<Defect>,
 }
 
 impl Page {
+    /// The O word of a block.
+    #[inline]
+    pub fn o_word(&self, block: &Block) -> Option<&OWord> {
+        match self.statement(block)? {
+            Statement::OWord(at) => self.o_words.get(*at as usize),
+            _ => None,
+        }
+    }
+
+    /// The values behind an O word.
+    #[inline]
+    pub fn values(&self, word: &OWord) -> &[ExprRange] {
+        let first = word.first as usize;
+        self.values.get(first..first + usize::from(word.count)).unwrap_or(&[])
+    }
+
     /// Words of a block.
     #[inline]
     pub fn words(&self, block: &Block) -> &[Word] {

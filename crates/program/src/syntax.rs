@@ -77,6 +77,9 @@ pub struct Syntax {
     pub directives: bool,
     /// Whether an axis may be called by a letter and a digit, `X2=25`.
     pub numbered_axes: bool,
+    /// Whether lines are those of RS274/NGC: statements behind O words, parameters set beside words, blanks
+    /// anywhere. Of the forms above it asks only for functions and operators.
+    pub o_words: bool,
 }
 
 /// Letters of axes that may have a digit behind them.
@@ -130,6 +133,7 @@ impl Syntax {
         keyword_sign: None,
         directives: false,
         numbered_axes: false,
+        o_words: false,
     };
 
     pub(crate) fn keyword(&self, name: &[u8]) -> Option<Keyword> {

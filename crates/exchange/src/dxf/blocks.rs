@@ -11,6 +11,7 @@ use crate::curve::Curve;
 use crate::drawing::{Drawing, LayerNames};
 use crate::limits::Limits;
 use crate::settings::{Format, ROUNDING, Settings};
+use crate::spline;
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_program::Span;
 use rustc_hash::FxHashMap;
@@ -153,7 +154,7 @@ impl Writer<'_> {
                 Ok(())
             }
             Shape::Ellipse(ellipse) => ellipse.placed(place).curves(tolerance, self.limits, &mut curves),
-            Shape::Spline(spline) => spline.placed(place).curves(tolerance, self.limits, &mut curves),
+            Shape::Spline(spline) => spline::curves(&spline.placed(|p| place.point(p)), tolerance, self.limits, &mut curves),
         };
         made.map_err(|refused| refused.at(span))?;
         for curve in curves.drain(..) {

@@ -5,12 +5,14 @@ pub mod fanuc;
 pub mod gsk990mc;
 pub mod guess;
 pub mod kaitong;
+pub mod rs274;
 pub mod weihong;
 
 use crate::dialect::Dialect;
 
 /// Every control language.
-pub const ALL: &[&Dialect] = &[&gsk990mc::DIALECT, &kaitong::DIALECT, &weihong::DIALECT, &fagor8065::DIALECT];
+pub const ALL: &[&Dialect] =
+    &[&gsk990mc::DIALECT, &kaitong::DIALECT, &weihong::DIALECT, &fagor8065::DIALECT, &rs274::DIALECT];
 
 /// The control language with this name.
 pub fn by_name(name: &str) -> Option<&'static Dialect> {

@@ -628,3 +628,10 @@ FC-0568 = Sloping walls meet before the pocket is as deep as it should be
 FC-0569 = No path beside these walls can be computed exactly enough
     .detail = { $parameter }
     .help = Take out of the profile what is much smaller than the tool, or take another tool radius or finishing stock.
+
+FC-0470 = The entry move of cutter compensation is not longer than the tool radius
+    .help = Begin further away from the contour: the entry must be longer than the radius.
+FC-0471 = The tool does not fit into the arc
+    .help = Use a tool whose radius is smaller than the arc's.
+FC-0472 = The first move after cutter compensation is an arc
+    .help = Leave the contour on a G00 or G01 move.

@@ -473,6 +473,7 @@ pub fn binary(operator: Binary, a: f64, b: f64) -> f64 {
         Binary::LessEqual => truth(a <= b),
         Binary::LogicalAnd => truth(a != 0.0 && b != 0.0),
         Binary::LogicalOr => truth(a != 0.0 || b != 0.0),
+        Binary::LogicalXor => truth((a != 0.0) != (b != 0.0)),
     }
 }
 
@@ -483,6 +484,7 @@ pub fn function(function: Function, x: f64) -> f64 {
         Function::Tan => x.to_radians().tan(),
         Function::Cot => 1.0 / x.to_radians().tan(),
         Function::Floor => x.floor(),
+        Function::Ceil => x.ceil(),
         Function::Asin => x.asin().to_degrees(),
         Function::Acos => x.acos().to_degrees(),
         Function::Atan => x.atan().to_degrees(),
@@ -495,7 +497,7 @@ pub fn function(function: Function, x: f64) -> f64 {
         Function::Exp => x.exp(),
         Function::Bin => (0..8).map(|d| ((x as i64 >> (4 * d)) & 15) * 10i64.pow(d)).sum::<i64>() as f64,
         Function::Bcd => (0..8).map(|d| (x as i64 / 10i64.pow(d) % 10) << (4 * d)).sum::<i64>() as f64,
-        Function::Atan2 => unreachable!(),
+        Function::Atan2 | Function::Exists => unreachable!(),
     }
 }
 

@@ -40,6 +40,7 @@ pub static DIALECT: Dialect = Dialect {
     directives: DIRECTIVES,
     described_cycles: editor::CYCLES,
     described_figures: editor::FIGURES,
+    blocks: None,
     variable: variables::variable,
     argument: |_| None,
     addresses: codes::ADDRESSES,

@@ -38,6 +38,7 @@ pub static DIALECT: Dialect = Dialect {
     directives: &[],
     described_cycles: &[],
     described_figures: &[],
+    blocks: None,
     variable: variables::variable,
     argument: fanuc::argument,
     addresses: codes::ADDRESSES,

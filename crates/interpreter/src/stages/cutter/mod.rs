@@ -1,4 +1,5 @@
-//! Cutter radius compensation of the intersection type (type C): G40, G41, G42, G39.
+//! Cutter radius compensation: G40, G41, G42, G39. [`Compensator`] is of the intersection type (type C),
+//! [`OneAhead`] that of RS274/NGC; [`Stage`] is the one that a control has.
 //!
 //! In: the programmed moves of the compensation plane, in order, each with a payload that is carried through.
 //! Out: the moves of the tool centre, and everything else in its place between them.
@@ -19,6 +20,8 @@
 //! |---|---|
 //! | `mod` | the front and the queue |
 //! | [`rules`] | what controls do differently, as data |
+//! | [`stage`] | the front for both types |
+//! | [`one_ahead`] | the whole of the other type |
 //! | `offset` | one block and its offset curve |
 //! | `corner` | joining two blocks |
 //! | `interference` | alarm 41 |
@@ -28,13 +31,17 @@
 mod corner;
 mod interference;
 mod offset;
+pub mod one_ahead;
 pub mod rules;
+pub mod stage;
 mod vector;
 
 #[cfg(test)]
 mod tests;
 
-pub use rules::{Outside, OverTurn, Reversal, Rules, StartUp, ZeroMove};
+pub use one_ahead::OneAhead;
+pub use rules::{Method, Outside, OverTurn, Reversal, Rules, StartUp, ZeroMove};
+pub use stage::Stage;
 
 use corner::{Corner, How};
 use offset::Element;
@@ -132,6 +139,12 @@ pub enum Fault {
     CornerArcOutsideMode,
     /// A block runs exactly back along the one before, where the control forbids it (Weihong 4.3).
     Reversal,
+    /// The entry move is not longer than the radius.
+    EntryTooShort,
+    /// The tool does not fit into an arc.
+    ArcTooSmall,
+    /// The first move after the end of compensation is an arc.
+    ArcAfterCancel,
     /// A coordinate or radius is not a number.
     NotFinite,
 }
@@ -161,6 +174,15 @@ pub enum Out<T> {
         payload: T,
         /// A piece at a corner: the payload's own move has been made.
         inserted: bool,
+    },
+    /// A piece that leads to the move of its payload, which comes next: other linear axes wait for that one.
+    Corner {
+        /// End, mm.
+        to: [f64; 2],
+        /// The tool centre's arc.
+        shape: Shape,
+        /// Of the programmed block.
+        payload: T,
     },
     /// What was given to [`Compensator::pass`].
     Other(T),

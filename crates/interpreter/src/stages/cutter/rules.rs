@@ -47,9 +47,20 @@ pub enum OverTurn {
     Shorten,
 }
 
+/// How far a control looks ahead, and with it what it does at a corner.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Method {
+    /// Vectors at the crossings of the offset curves ([`Compensator`](super::Compensator)), by the rules below.
+    Vectors,
+    /// One move ([`OneAhead`](super::OneAhead)), which asks none of them.
+    OneAhead,
+}
+
 /// The policy of one control.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Rules {
+    /// The type of compensation.
+    pub method: Method,
     /// NO40.0.
     pub start_up: StartUp,
     /// Outside corners in the mode.
@@ -80,6 +91,7 @@ impl Default for Rules {
     /// Fanuc 0i-M and GSK990MC with their standard parameters.
     fn default() -> Rules {
         Rules {
+            method: Method::Vectors,
             start_up: StartUp::A,
             outside: Outside::Lines,
             interference: true,

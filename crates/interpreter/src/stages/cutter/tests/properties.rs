@@ -685,6 +685,7 @@ proptest! {
         for step in steps {
             let (payload, ordered) = match step {
                 Out::Other(payload) => (payload, true),
+                Out::Corner { .. } => unreachable!(),
                 Out::Move { to, shape, payload, inserted } => {
                     prop_assert!(vector::finite(to));
                     if let Shape::Arc { center, sweep } = shape {

@@ -1,4 +1,4 @@
-//! Lines and arcs in the plane: what a drawing is made of once it is read.
+//! Lines and arcs in the plane.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 

@@ -1,8 +1,7 @@
 //! Arcs instead of a smooth curve, within a tolerance.
 //!
 //! In: points of the curve in order with its directions there, so close that the curve leaves the chord
-//! between two of them by `c` at most ([`ellipse`](crate::ellipse) and [`spline`](crate::spline) see to
-//! that). Out: arcs and lines from the first point to the last.
+//! between two of them by `c` at most (whoever makes them sees to that, as [`spline`](crate::spline) does). Out: arcs and lines from the first point to the last.
 //!
 //! # The arcs
 //!

@@ -1,0 +1,15 @@
+"""Where Ferrocut differs from LinuxCNC's interpreter on purpose. `docs/rs274-deviations.md` gives the reasons.
+
+A row is a name, which stands in that page, and a test of a difference with its program; what it holds for
+is counted apart and is no failure. What can be left out of programs is left out by the generator.
+"""
+
+KNOWN = ()
+
+
+def of(program, theirs, ours, difference):
+    """The name of the known deviation that a difference is, or None."""
+    for name, holds in KNOWN:
+        if holds(program, theirs, ours, difference):
+            return name
+    return None

@@ -1,0 +1,106 @@
+//! End points and straight moves (LinuxCNC, G0, G1, G53).
+
+use crate::Fallible;
+use crate::dialect::Meaning;
+use crate::interpreter::Interpreter;
+use crate::modal::Group;
+use ferrocut_geometry::{Axis, AxisSet, MM_PER_INCH, Position};
+use ferrocut_machine::Fault;
+use ferrocut_toolpath::{Feed, Op, PathMode};
+
+/// Machine coordinates beyond this are no length of a machine; `f64` still resolves a tenth of a micrometre.
+const LARGEST_COORDINATE: f64 = 1e8;
+
+impl Interpreter {
+    /// Millimetres in the unit of length in force.
+    #[inline]
+    pub(super) fn ngc_unit(&self) -> f64 {
+        if self.modal.is_inch() { MM_PER_INCH } else { 1.0 }
+    }
+
+    /// A word of an axis in mm or degrees.
+    #[inline]
+    pub(super) fn ngc_axis_word(&self, axis: Axis) -> Option<f64> {
+        let value = self.words.get(axis.letter() as u8)?;
+        Some(if axis.is_linear() { value * self.ngc_unit() } else { value })
+    }
+
+    /// A word that is a length, in mm.
+    #[inline]
+    pub(super) fn ngc_length_word(&self, letter: u8) -> Option<f64> {
+        Some(self.words.get(letter)? * self.ngc_unit())
+    }
+
+    /// The programmed point that the axis words of the block lead to.
+    pub(super) fn ngc_end_point(&self, axes: AxisSet) -> Position {
+        if self.ngc.in_machine {
+            let mut machine = self.ngc.machine_of(self.ngc.at);
+            for axis in axes.iter() {
+                machine[axis] = self.ngc_axis_word(axis).unwrap_or(machine[axis]);
+            }
+            return self.ngc.program_of(machine);
+        }
+        let mut to = self.ngc.at;
+        let incremental = self.modal.is_incremental();
+        for axis in axes.iter() {
+            let Some(value) = self.ngc_axis_word(axis) else { continue };
+            to[axis] = if incremental { to[axis] + value } else { value };
+        }
+        to
+    }
+
+    /// The feed in force.
+    pub(super) fn ngc_feed(&self) -> Fallible<Feed> {
+        let feed = self.ngc.feed;
+        match self.modal.meaning(Group::FeedMode) {
+            Meaning::InverseTime => match self.ngc.has_feed_word && feed > 0.0 {
+                true => Ok(Feed::Duration(60.0 / feed)),
+                false => Err(self.alarm(Fault::NoFeed, self.words.block_span())),
+            },
+            _ if feed <= 0.0 => Err(self.alarm(Fault::NoFeed, self.words.block_span())),
+            Meaning::FeedPerRevolution => Ok(Feed::PerRevolution(feed * self.ngc_unit())),
+            _ => Ok(Feed::PerMinute(feed * self.ngc_unit())),
+        }
+    }
+
+    /// How moves join.
+    pub(super) fn ngc_path(&self) -> PathMode {
+        match self.modal.meaning(Group::PathControl) {
+            Meaning::ExactPath | Meaning::ExactStop => PathMode::ExactStop,
+            _ => PathMode::Continuous,
+        }
+    }
+
+    /// Refuses a machine position that no machine has.
+    pub(super) fn ngc_check_reach(&self, machine: Position) -> Fallible<()> {
+        match machine.0.iter().all(|c| c.abs() <= LARGEST_COORDINATE) {
+            true => Ok(()),
+            false => Err(self.alarm(Fault::CoordinateTooLarge, self.words.block_span())),
+        }
+    }
+
+    /// Positions to a programmed point.
+    pub(super) fn ngc_rapid(&mut self, to: Position) -> Fallible<()> {
+        let machine = self.ngc.machine_of(to);
+        self.ngc_check_reach(machine)?;
+        self.ngc.at = to;
+        if machine != self.location.machine {
+            self.location.machine = machine;
+            self.emit(Op::Rapid { to: machine, straight: true, speed: None });
+        }
+        Ok(())
+    }
+
+    /// Cuts straight to a programmed point.
+    pub(super) fn ngc_cut(&mut self, to: Position) -> Fallible<()> {
+        let machine = self.ngc.machine_of(to);
+        self.ngc_check_reach(machine)?;
+        let feed = self.ngc_feed()?;
+        self.ngc.at = to;
+        if machine != self.location.machine {
+            self.location.machine = machine;
+            self.emit(Op::Feed { to: machine, feed, path: self.ngc_path() });
+        }
+        Ok(())
+    }
+}

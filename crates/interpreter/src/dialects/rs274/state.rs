@@ -1,0 +1,126 @@
+//! What blocks change: where the tool is, what its coordinates count from, and the values of named parameters.
+//!
+//! One formula leads from a programmed point to the machine (LinuxCNC, coordinate systems):
+//! machine = turned(point + shift) + zero + length.
+
+use super::expressions::Named;
+use crate::stages::rotation::sin_cos_degrees;
+use ferrocut_geometry::{Axis, Position};
+
+/// State of an interpreter of this language. Lengths are mm whatever the units of the program.
+pub(crate) struct State {
+    /// The programmed point in force, in the coordinate system in force.
+    pub at: Position,
+    /// G92 or G52.
+    pub shift: Position,
+    /// Machine position of the zero of the coordinate system.
+    pub zero: Position,
+    /// Turn of the coordinate system about Z.
+    pub turn: Turned,
+    /// Tool length in force.
+    pub length: Position,
+    /// Coordinate system in force: 1 is G54, 9 is G59.3.
+    pub system: u8,
+    /// The F word in force as programmed.
+    pub feed: f64,
+    /// The block has an F word.
+    pub has_feed_word: bool,
+    /// The block has G53.
+    pub in_machine: bool,
+    /// Values of parameters with names.
+    pub named: Named,
+    /// Stack of expressions, kept to spare its allocation.
+    pub stack: Vec<f64>,
+    /// Parameters that the block sets, once all its words are read.
+    pub settings: Vec<(u32, f64)>,
+}
+
+/// A turn about Z.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct Turned {
+    /// Counter-clockwise, degrees.
+    pub degrees: f64,
+    sin: f64,
+    cos: f64,
+}
+
+impl Turned {
+    /// A turn by an angle in degrees.
+    pub fn by(degrees: f64) -> Turned {
+        let (sin, cos) = sin_cos_degrees(degrees);
+        Turned { degrees, sin, cos }
+    }
+
+    /// A point, turned.
+    #[inline]
+    pub fn apply(&self, mut p: Position) -> Position {
+        if self.degrees != 0.0 {
+            let (x, y) = (p[Axis::X], p[Axis::Y]);
+            p[Axis::X] = x * self.cos - y * self.sin;
+            p[Axis::Y] = x * self.sin + y * self.cos;
+        }
+        p
+    }
+
+    /// A point, turned back.
+    #[inline]
+    pub fn undo(&self, mut p: Position) -> Position {
+        if self.degrees != 0.0 {
+            let (x, y) = (p[Axis::X], p[Axis::Y]);
+            p[Axis::X] = x * self.cos + y * self.sin;
+            p[Axis::Y] = y * self.cos - x * self.sin;
+        }
+        p
+    }
+}
+
+impl State {
+    /// At rest at a machine position, with nothing shifted but the zero in force.
+    pub fn new(zero: Position, machine: Position) -> State {
+        let mut state = State {
+            at: Position::ZERO,
+            shift: Position::ZERO,
+            zero,
+            turn: Turned::by(0.0),
+            length: Position::ZERO,
+            system: 1,
+            feed: 0.0,
+            has_feed_word: false,
+            in_machine: false,
+            named: Named::default(),
+            stack: Vec::new(),
+            settings: Vec::new(),
+        };
+        state.at = state.program_of(machine);
+        state
+    }
+
+    /// Machine position of a programmed point.
+    #[inline]
+    pub fn machine_of(&self, point: Position) -> Position {
+        self.turn.apply(point + self.shift) + self.zero + self.length
+    }
+
+    /// The programmed point of a machine position.
+    #[inline]
+    pub fn program_of(&self, machine: Position) -> Position {
+        self.turn.undo(machine - self.zero - self.length) - self.shift
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn machine_and_program_are_inverse() {
+        let mut state = State::new(Position::xyz(10.0, 20.0, 30.0), Position::ZERO);
+        state.turn = Turned::by(90.0);
+        state.shift = Position::xyz(1.0, 2.0, 3.0);
+        state.length = Position::xyz(0.0, 0.0, 5.0);
+        // (4 + 1, 5 + 2) turned by a quarter is (-7, 5).
+        let machine = state.machine_of(Position::xyz(4.0, 5.0, 6.0));
+        assert_eq!(machine, Position::xyz(3.0, 25.0, 44.0));
+        assert_eq!(state.program_of(machine), Position::xyz(4.0, 5.0, 6.0));
+    }
+}

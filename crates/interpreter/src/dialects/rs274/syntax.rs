@@ -1,0 +1,28 @@
+//! How programs are written.
+
+use ferrocut_program::lexer::MAX_LINE;
+use ferrocut_program::{Function, NGC_OPERATORS, Syntax};
+
+/// LinuxCNC, G-code overview: functions and operators.
+pub static SYNTAX: Syntax = Syntax {
+    functions: &[
+        ("ABS", Function::Abs),
+        ("ACOS", Function::Acos),
+        ("ASIN", Function::Asin),
+        ("ATAN", Function::Atan),
+        ("COS", Function::Cos),
+        ("EXP", Function::Exp),
+        ("EXISTS", Function::Exists),
+        ("FIX", Function::Floor),
+        ("FUP", Function::Ceil),
+        ("LN", Function::Ln),
+        ("ROUND", Function::Round),
+        ("SIN", Function::Sin),
+        ("SQRT", Function::Sqrt),
+        ("TAN", Function::Tan),
+    ],
+    operators: NGC_OPERATORS,
+    max_line: MAX_LINE,
+    o_words: true,
+    ..Syntax::WORDS
+};
