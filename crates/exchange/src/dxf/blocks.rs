@@ -154,7 +154,9 @@ impl Writer<'_> {
                 Ok(())
             }
             Shape::Ellipse(ellipse) => ellipse.placed(place).curves(tolerance, self.limits, &mut curves),
-            Shape::Spline(spline) => spline::curves(&spline.placed(|p| place.point(p)), tolerance, self.limits, &mut curves),
+            Shape::Spline(spline) => {
+                spline::curves(&spline.placed(|p| place.point(p)), tolerance, self.limits, &mut curves)
+            }
         };
         made.map_err(|refused| refused.at(span))?;
         for curve in curves.drain(..) {

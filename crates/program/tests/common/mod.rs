@@ -250,6 +250,11 @@ pub fn show_statement(page: &Page, statement: &Statement) -> String {
         Statement::EndWhileBlock => "endwhile".to_string(),
         Statement::Break => "break".to_string(),
         Statement::Continue => "continue".to_string(),
+        Statement::OWord(place) => {
+            let word = page.o_words.get(*place as usize).unwrap();
+            let values: Vec<String> = page.values(word).iter().map(&show).collect();
+            format!("o {:?} {:?} {values:?}", word.label, word.keyword)
+        }
         Statement::Directive(place) => {
             let directive = page.directive(*place).unwrap();
             let names: Vec<u32> = page.directive_names(directive).iter().map(|n| n.len).collect();
@@ -278,6 +283,7 @@ pub fn postfix(page: &Page, range: ExprRange) -> String {
             Node::Unary(u) => format!("{u:?}"),
             Node::Binary(b) => format!("{b:?}"),
             Node::Call(f) => format!("{f:?}"),
+            Node::Exists(name) => format!("exists {name}"),
         })
         .collect::<Vec<_>>()
         .join(" ")
@@ -412,7 +418,7 @@ pub fn deepest(nodes: &[Node]) -> usize {
     let mut most = 0;
     for node in nodes {
         let operands = match node {
-            Node::Number(_) | Node::VariableAt(_) => 0,
+            Node::Number(_) | Node::VariableAt(_) | Node::Exists(_) => 0,
             Node::Variable | Node::Unary(_) => 1,
             Node::Call(Function::Atan2) | Node::Binary(_) => 2,
             Node::Call(_) => 1,
@@ -432,6 +438,7 @@ pub fn evaluate(nodes: &[Node]) -> f64 {
         let value = match *node {
             Node::Number(n) => n,
             Node::VariableAt(n) => f64::from(n) * 10.0,
+            Node::Exists(_) => 0.0,
             Node::Variable => stack.pop().unwrap().trunc() * 10.0,
             Node::Unary(Unary::Negate) => -stack.pop().unwrap(),
             Node::Unary(Unary::Plus) => stack.pop().unwrap(),

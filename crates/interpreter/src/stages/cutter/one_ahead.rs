@@ -387,8 +387,8 @@ impl Round {
         let apart = sub(next.center, self.center);
         let gap = distance(next.center, self.center);
         let u = unit(apart).ok_or(Fault::NoIntersection)?;
-        let cosine = (self.radius * self.radius + gap * gap - next.radius * next.radius)
-            / (2.0 * self.radius * gap);
+        let cosine =
+            (self.radius * self.radius + gap * gap - next.radius * next.radius) / (2.0 * self.radius * gap);
         if cosine.is_nan() || cosine.abs() > 1.0 + TOUCH {
             return Err(Fault::NoIntersection);
         }
@@ -414,14 +414,8 @@ fn entry_arc(from: Point, to: Point, tip: Point, center: Point, sweep: f64, d: f
         return Err(Fault::ArcTooSmall);
     }
     let center = along(tip, to_center, chord / (2.0 * cosine));
-    let mut round = Round {
-        center,
-        radius: distance(center, tip),
-        sense,
-        turns: turns(sweep),
-        programmed: 0.0,
-        inside,
-    };
+    let mut round =
+        Round { center, radius: distance(center, tip), sense, turns: turns(sweep), programmed: 0.0, inside };
     round.programmed = round.sweep(from, tip);
     Ok(round)
 }
