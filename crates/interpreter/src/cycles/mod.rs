@@ -22,6 +22,9 @@ pub mod parameter;
 mod pattern;
 pub mod pocket;
 pub mod positions;
+#[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::expect_used)]
+pub(crate) mod programs;
 mod rules;
 mod tap;
 pub mod tapping;

@@ -381,6 +381,96 @@ proptest! {
         check_pocket(&mill, &wall, 0.0, -depth)?;
     }
 
+    /// The pockets and bosses of the editor as programs: what their words make is judged in the same way.
+    #[test]
+    fn programs_of_the_editor(
+        cycle in prop::sample::select(vec!["G287", "G288", "G289", "G291", "G292"]),
+        (a, b, q) in (3.0..8.0f64, 3.0..8.0f64, 0.6..4.0f64),
+        (kind, share) in (corner(), 0.05..1.0f64),
+        (radius, fine, step) in (0.6..4.0f64, 0.6..4.0f64, 0.1..1.0f64),
+        (stock, floor_stock, i) in (0.0..0.4f64, 0.0..0.4f64, prop_oneof![Just(0.8), Just(-0.9), Just(0.0)]),
+        (angle, ccw) in (prop::option::of(4.0..30.0f64), any::<bool>()),
+    ) {
+        let is_round = matches!(cycle, "G288" | "G292");
+        let is_boss = matches!(cycle, "G291" | "G292");
+        let wall = match cycle {
+            "G289" => made([a, b], 0, 0.0),
+            _ if is_round => Outline::circle(a),
+            _ => made([a, b], kind, share),
+        };
+        let (l, h) = (2.0 * a, 2.0 * b);
+        let corner = match wall.corner {
+            Corner::Round(r) if !is_round => format!("corner=round, r={r}"),
+            Corner::Chamfer(c) => format!("corner=chamfer, r={c}"),
+            _ => "corner=sharp".to_owned(),
+        };
+        let dir = if ccw { "ccw" } else { "cw" };
+        let planes = "Z=0, ZS=5, P=2";
+        let cut = |tool: u32, r: f64| format!("T={tool}, F=600, S=1000, dir={dir}, step={}", step * 2.0 * r);
+        let beta = angle.filter(|_| !is_boss).unwrap_or(0.0);
+        let (entry, exit) = match is_boss {
+            true => (String::new(), String::new()),
+            false => (format!(", beta={beta}"), format!(", step={}, theta={beta}", step * 2.0 * fine)),
+        };
+        let head = match cycle {
+            "G287" => format!("X=0, Y=0, start=centre, L={l}, H={h}, {corner}, {planes}"),
+            "G288" => format!("XC=0, YC=0, R={a}, {planes}"),
+            "G289" => format!("X={}, Y={}, L={l}, H={h}, {planes}, I={i}, delta={stock}, {}", -a, -b, cut(1, radius)),
+            "G291" => format!("X={}, Y={}, L={l}, H={h}, Q={q}, {corner}, {planes}", -a, -b),
+            _ => format!("XC=0, YC=0, R={a}, Q={q}, {planes}"),
+        };
+        let stages = match cycle {
+            "G289" => String::new(),
+            _ => format!(
+                "#ROUGH [{}, I={i}{entry}]\n#FINISH [T=2, F=300, S=1000, dir={dir}, delta={stock}, \
+                 deltaz={floor_stock}, N=2{exit}]\n",
+                cut(1, radius)
+            ),
+        };
+        let program = format!("#CYCLE {cycle} [{head}]\n{stages}M30\n");
+        let setup = format!(
+            "[start]\nx = 30\ny = 30\nz = 50\n[tools.1]\nradius = {radius}\ncutting_length = 2\n\
+             [tools.2]\nradius = {fine}\ncutting_length = 2\n"
+        );
+        let stages = match crate::cycles::programs::stages(&program, &setup) {
+            Ok(stages) => stages,
+            Err(alarm) => {
+                // What does not fit is refused, for that reason alone.
+                let no_room = [Fault::CycleToolTooLarge, Fault::CycleEntryAngle, Fault::CycleParameter, Fault::CycleStepTooWide];
+                prop_assert!(no_room.contains(&alarm.fault), "{:?} {program}", alarm);
+                prop_assume!(false);
+                return Ok(());
+            }
+        };
+        let beyond = if is_boss { q } else { 1.0 };
+        let half = wall.half.map(|h| h + beyond);
+        let mut block = Block::new(half);
+        if cycle == "G292" {
+            // A round blank.
+            for j in 0..block.size[1] {
+                for i in 0..block.size[0] {
+                    if apart(block.place(i, j), [0.0; 2]) > a + q {
+                        block.heights[j * block.size[0] + i] = -50.0;
+                    }
+                }
+            }
+        }
+        let no_plunge = if is_boss { Some(1.0) } else { angle.filter(|_| cycle != "G289") };
+        let mut mill = Mill::new(block, radius, [0.0; 3], no_plunge);
+        let left = if cycle == "G289" { [0.0; 2] } else { [stock, floor_stock] };
+        let tools = [(radius, left), (fine, [0.0; 2])];
+        prop_assert_eq!(stages.len(), if cycle == "G289" { 1 } else { 2 });
+        for ((start, acts), (radius, [stock, floor_stock])) in stages.into_iter().zip(tools) {
+            (mill.radius, mill.at) = (radius, start);
+            acts.into_iter().for_each(|act| mill.take(act));
+            let floor = floor_stock - 2.0;
+            match is_boss {
+                true => check_around(&mill, &wall, stock, floor)?,
+                false => check_pocket(&mill, &wall, stock, floor)?,
+            }
+        }
+    }
+
     /// G289 and G87 with a pass along the wall at every level, and the wall alone.
     #[test]
     fn walls_level_by_level(

@@ -3,12 +3,9 @@
 use super::super::{Pocket2d, Profile, Segment, Tool};
 use super::flat::{START, Stages, check};
 use crate::cycles::milling::CycleMove;
-use crate::dialects::fagor8065::DIALECT;
-use crate::{Interpreter, Options};
-use ferrocut_geometry::Position;
-use ferrocut_machine::{Fault, Memory, Setup};
-use ferrocut_program::{ProgramMemory, Text};
-use ferrocut_toolpath::Op;
+use crate::cycles::programs::stages;
+use crate::cycles::tool::Act;
+use ferrocut_machine::Fault;
 use std::fmt::Write;
 
 fn contour(text: &mut String, profile: &Profile) {
@@ -57,36 +54,21 @@ fn program(pocket: &Pocket2d) -> (String, String) {
 
 fn run(pocket: &Pocket2d) -> Result<Stages, String> {
     let (text, setup) = program(pocket);
-    let programs =
-        ProgramMemory::new("test.nc", Text::from_bytes(text.into_bytes()).unwrap(), DIALECT.syntax);
-    let setup = Setup::from_toml(&setup).unwrap();
-    let mut memory = Memory::new(DIALECT.name);
-    setup.apply(&mut memory).unwrap();
-    let options = Options { start: setup.start.position(), ..Options::default() };
-    let mut at = START;
-    let mut stages: Vec<([f64; 3], Vec<CycleMove>)> = Vec::new();
-    let place = |to: Position| [to.0[0], to.0[1], to.0[2]];
-    for step in Interpreter::new(&DIALECT, programs, memory, options) {
-        let op = match step {
-            Ok(step) => step.op,
-            Err(alarm) if alarm.fault == Fault::CycleToolTooLarge => return Ok(None),
-            Err(alarm) => return Err(format!("{alarm:?}")),
-        };
-        let step = match op {
-            Op::Change(_) => {
-                stages.push((at, Vec::new()));
-                continue;
-            }
-            Op::Rapid { to, .. } => CycleMove::Rapid { to: place(to) },
-            Op::Feed { to, .. } => CycleMove::Feed { to: place(to) },
-            Op::Arc { to, center, sweep, .. } => CycleMove::Arc { to: place(to), center, sweep },
-            _ => continue,
-        };
-        let (CycleMove::Rapid { to } | CycleMove::Feed { to } | CycleMove::Arc { to, .. }) = step;
-        at = to;
-        stages.last_mut().ok_or("a move without a tool")?.1.push(step);
-    }
-    Ok(Some(stages))
+    let found = match stages(&text, &setup) {
+        Ok(found) => found,
+        Err(alarm) if alarm.fault == Fault::CycleToolTooLarge => return Ok(None),
+        Err(alarm) => return Err(format!("{alarm:?}")),
+    };
+    let step = |act: Act| match act {
+        Act::Rapid { to } => Ok(CycleMove::Rapid { to }),
+        Act::Feed { to, .. } => Ok(CycleMove::Feed { to }),
+        Act::Arc { to, center, sweep, .. } => Ok(CycleMove::Arc { to, center, sweep }),
+        other => Err(format!("{other:?} in a pocket")),
+    };
+    let stage = |(at, acts): ([f64; 3], Vec<Act>)| {
+        Ok((at, acts.into_iter().map(step).collect::<Result<Vec<_>, String>>()?))
+    };
+    found.into_iter().map(stage).collect::<Result<Vec<_>, String>>().map(Some)
 }
 
 #[test]
