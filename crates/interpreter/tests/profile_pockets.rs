@@ -4,10 +4,11 @@
 
 mod common;
 
-use common::{lines_on, run_on};
+use common::{interpreter_of, lines_on, run_on};
 use ferrocut_geometry::Position;
+use ferrocut_interpreter::Options;
 use ferrocut_interpreter::dialects::fagor8065::DIALECT;
-use ferrocut_machine::{Argument, Catalogue, Fault, Language};
+use ferrocut_machine::{Argument, Catalogue, Fault, Language, Severity};
 use ferrocut_toolpath::{Feed, Op, Step};
 
 /// T1 of radius 5, T2 of radius 4, T3 a drill of 8, T4 a ball of 3, T5 without a cutting length, T6 that may
@@ -511,4 +512,14 @@ fn wrong_parameters_are_named() {
 fn no_angle_is_straight_down() {
     let lines = lines_on(&DIALECT, &format!("{RECTANGLE}{MAIN}{ROUGH}M30\n"), TOOLS);
     assert!(lines.contains(&"feed Z-5 F100".to_owned()), "{lines:?}");
+    // Where a program is checked, it is said.
+    let said = |text: &str, tools: &str| {
+        let options = Options { keep_going: true, ..Options::default() };
+        let interpreter = interpreter_of(&DIALECT, text.as_bytes(), tools, options).unwrap();
+        interpreter.filter_map(Result::err).map(|a| (a.fault, a.severity)).collect::<Vec<_>>()
+    };
+    let program = format!("{RECTANGLE}{MAIN}{ROUGH}M30\n");
+    assert_eq!(said(&program, TOOLS), [(Fault::NoEntryAngle, Severity::Warning)]);
+    assert_eq!(said(&program.replace("T=1", "T=1, beta=5"), TOOLS), []);
+    assert_eq!(said(&program, &TOOLS.replace("[tools.1]\n", "[tools.1]\nentry_angle = 10\n")), []);
 }

@@ -352,6 +352,8 @@ faults! {
     WallsMeet = 568,
     /// Walls beside which no path can be computed exactly enough.
     PocketPath = 569,
+    /// A way straight down into solid material, for want of an entry angle.
+    NoEntryAngle = 570,
 
     // 600: programs
     /// A call without a program number.

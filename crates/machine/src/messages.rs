@@ -47,7 +47,7 @@
 //! | `SequenceMissing`, `JumpTargetMissing` | `number` |
 //! | `FunctionDomain` | `name`, `value` |
 //! | `UnknownVariable`, `VariableNotWritable` | `variable` |
-//! | `CycleParameter` to `CycleNoFeed`, `MillToolMissing`, `MillTooManyMoves`, `TappingSpeed`, `PatternNotWhole` to `PatternForm`, `UnknownParameter`, `ParameterKind`, `ProfileMissing` to `ProfileWay`, `ProfileEmpty` to `PocketPath` | `parameter`: its name; `value` and `limit` of it, or `contour`: which one of the profile |
+//! | `CycleParameter` to `CycleNoFeed`, `MillToolMissing`, `MillTooManyMoves`, `TappingSpeed`, `PatternNotWhole` to `PatternForm`, `UnknownParameter`, `ParameterKind`, `ProfileMissing` to `ProfileWay`, `ProfileEmpty` to `NoEntryAngle` | `parameter`: its name; `value` and `limit` of it, or `contour`: which one of the profile |
 //! | `NoCycleParameter` | `variable` |
 //! | `UnknownDirective`, `DirectiveMisplaced` | `word` |
 //! | `PlaneAxes` | `axis` |

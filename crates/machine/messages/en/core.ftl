@@ -628,6 +628,9 @@ FC-0568 = Sloping walls meet before the pocket is as deep as it should be
 FC-0569 = No path beside these walls can be computed exactly enough
     .detail = { $parameter }
     .help = Take out of the profile what is much smaller than the tool, or take another tool radius or finishing stock.
+FC-0570 = The tool goes straight down into solid material
+    .detail = { $parameter }
+    .help = Program an entry angle, enter one for the tool, or drill the pocket first. A tool that cuts over its centre may do without.
 
 FC-0470 = The entry move of cutter compensation is not longer than the tool radius
     .help = Begin further away from the contour: the entry must be longer than the radius.
