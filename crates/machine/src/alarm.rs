@@ -88,6 +88,14 @@ faults! {
     ToolNumber = 214,
     /// A word that the code needs is missing.
     WordMissing = 215,
+    /// A word that no code of its block uses.
+    WordUnused = 216,
+    /// Axis words without a code that moves them.
+    AxesWithoutCode = 217,
+    /// A code that needs axis words without any.
+    AxesMissing = 218,
+    /// Codes that cannot stand in one block, or not in the state in force.
+    CodesContradict = 219,
 
     // 300: motion
     /// A cutting move without a feed.
@@ -126,6 +134,8 @@ faults! {
     HelixWithoutArc = 317,
     /// An arc in machine coordinates.
     ArcInMachine = 318,
+    /// Feed per revolution with a spindle speed of 0.
+    SpindleAtRest = 319,
 
     // 400: offsets and coordinate systems
     /// An offset number beyond the table.
@@ -222,6 +232,12 @@ faults! {
     TooManyTransforms = 446,
     /// A skip move reached its end without the signal, where the control needs one.
     SkipWithoutSignal = 447,
+    /// A tool changed in cutter compensation.
+    ToolInCutter = 448,
+    /// The shift of all coordinate systems changed in cutter compensation.
+    ShiftInCutter = 449,
+    /// A reference return in cutter compensation.
+    ReferenceInCutter = 450,
     /// Cutter compensation: the entry move is not longer than the tool radius.
     CutterEntryTooShort = 470,
     /// Cutter compensation: the tool does not fit into an arc.
@@ -380,6 +396,22 @@ faults! {
     ProgramNumberTooLarge = 612,
     /// A jump of macro A to a sequence number that the program does not have.
     JumpTargetMissing = 613,
+    /// A label of a loop, condition or subprogram that was given before.
+    LabelRepeated = 614,
+    /// An end or branch whose loop or condition was not met.
+    LabelMissing = 615,
+    /// A return outside a subprogram.
+    OutsideSubprogram = 616,
+    /// A subprogram within another.
+    SubprogramNested = 617,
+    /// A program called in the way of the other kind.
+    CallForm = 618,
+    /// More labels than can be meant.
+    TooManyLabels = 619,
+    /// A state restored that was not saved.
+    NothingSaved = 620,
+    /// A comment that writes a file.
+    FilesNotWritten = 621,
 
     // 700: variables and arithmetic
     /// A division by zero.

@@ -389,6 +389,18 @@ FC-0215 = The code needs a word that is missing
     .detail = { $word }
     .help = Add the word to the block.
 
+FC-0216 = No code of the block uses this word
+    .help = Remove the word, or add the code that it belongs to.
+
+FC-0217 = Axis words, and no code that moves the axes
+    .help = Add G0, G1 or another code of motion; with G80 no axis moves.
+
+FC-0218 = The code needs words of axes
+    .help = Name at least one axis.
+
+FC-0219 = These codes cannot stand together
+    .help = Put them into blocks of their own. G53 goes with G0 and G1 in G90 alone; of the codes that use the axis words, a block takes one.
+
 FC-0314 = Feed per revolution needs a spindle with an encoder
     .help = Use G94, or fit an encoder.
 
@@ -635,3 +647,39 @@ FC-0471 = The tool does not fit into the arc
     .help = Use a tool whose radius is smaller than the arc's.
 FC-0472 = The first move after cutter compensation is an arc
     .help = Leave the contour on a G00 or G01 move.
+
+FC-0319 = Feed per revolution with a spindle speed of 0
+    .help = Give S before the move, or use G94.
+
+FC-0448 = A tool change in cutter compensation
+    .help = End compensation by G40 first.
+
+FC-0449 = The coordinate systems cannot be shifted in cutter compensation
+    .help = End compensation by G40 first.
+
+FC-0450 = A reference return in cutter compensation
+    .help = End compensation by G40 first.
+
+FC-0614 = The label was given before
+    .help = Give each loop, condition and subprogram a label of its own. A subprogram that was called before its definition cannot be come to from above: put the definitions behind M2, or before the calls.
+
+FC-0615 = No loop or condition with this label is open here
+    .help = Check the label. Break and continue end passes of while and do loops alone.
+
+FC-0616 = A return outside a subprogram
+    .help = A subprogram begins with sub and is run by call.
+
+FC-0617 = A subprogram is defined within another
+    .help = End the first definition by endsub before the next.
+
+FC-0618 = The program is called in the way of the other kind
+    .help = What begins with sub is run by call; what begins with its O number alone, by M98.
+
+FC-0619 = More labels than can be meant
+    .help = Do not compute labels without end.
+
+FC-0620 = No saved state to restore
+    .help = Save it by M70 or M73 in the same subprogram first.
+
+FC-0621 = Programs write no files here
+    .help = Remove the comment, or show the text by print or MSG.

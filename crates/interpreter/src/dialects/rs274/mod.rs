@@ -11,11 +11,18 @@
 mod arcs;
 mod blocks;
 mod codes;
+mod coordinates;
 mod expressions;
+mod flow;
+mod messages;
 mod motion;
+mod parameters;
 mod rules;
+mod saved;
 mod state;
 mod syntax;
+mod technology;
+mod tools;
 
 pub(crate) use state::State;
 

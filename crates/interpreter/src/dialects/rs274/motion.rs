@@ -22,6 +22,8 @@ impl Interpreter {
     #[inline]
     pub(super) fn ngc_axis_word(&self, axis: Axis) -> Option<f64> {
         let value = self.words.get(axis.letter() as u8)?;
+        let is_diameter = axis == Axis::X && self.modal.meaning(Group::Diameter) == Meaning::DiameterMode;
+        let value = if is_diameter { value / 2.0 } else { value };
         Some(if axis.is_linear() { value * self.ngc_unit() } else { value })
     }
 
@@ -58,8 +60,19 @@ impl Interpreter {
                 false => Err(self.alarm(Fault::NoFeed, self.words.block_span())),
             },
             _ if feed <= 0.0 => Err(self.alarm(Fault::NoFeed, self.words.block_span())),
+            Meaning::FeedPerRevolution if self.ngc_spindle_speed() == 0.0 => {
+                Err(self.alarm(Fault::SpindleAtRest, self.words.block_span()))
+            }
             Meaning::FeedPerRevolution => Ok(Feed::PerRevolution(feed * self.ngc_unit())),
             _ => Ok(Feed::PerMinute(feed * self.ngc_unit())),
+        }
+    }
+
+    /// The S word in force, whether the spindle turns or not.
+    pub(super) fn ngc_spindle_speed(&self) -> f64 {
+        match self.modal.meaning(Group::SurfaceSpeed) {
+            Meaning::SurfaceSpeed => self.technology.surface_speed.unwrap_or(0.0),
+            _ => self.technology.speed.unwrap_or(0.0),
         }
     }
 
@@ -67,7 +80,7 @@ impl Interpreter {
     pub(super) fn ngc_path(&self) -> PathMode {
         match self.modal.meaning(Group::PathControl) {
             Meaning::ExactPath | Meaning::ExactStop => PathMode::ExactStop,
-            _ => PathMode::Continuous,
+            _ => self.ngc.tolerance.map_or(PathMode::Continuous, PathMode::ContinuousWithin),
         }
     }
 

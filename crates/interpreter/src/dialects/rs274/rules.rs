@@ -14,7 +14,7 @@ use ferrocut_geometry::Axis;
 use ferrocut_machine::Parameters;
 
 /// Parameters have numbers from 1 to this one (LinuxCNC, parameters).
-pub const LAST_PARAMETER: u32 = 5602;
+pub const LAST_PARAMETER: u32 = 5601;
 
 /// Reads the rules.
 pub fn rules(_: &Parameters) -> Rules {
