@@ -68,6 +68,9 @@ impl Interpreter {
         if let Some(at) = machine.skip {
             self.location.skip = at - self.location.work.shift;
         }
+        if self.dialect.blocks.is_some() {
+            self.ngc_came_to_rest(machine.skip);
+        }
     }
 
     /// Gives out a barrier. What cutter compensation holds back ends here, square to its last move, as

@@ -279,6 +279,14 @@ impl Output {
         done.map_err(|refused| (fault_of(refused.fault), refused.at.span))
     }
 
+    /// Hands out what the stages hold before compensation is cancelled.
+    pub(crate) fn finish_cutter(&mut self) -> Result<(), Refused> {
+        let plane = self.plane;
+        let queue = &mut self.queue;
+        let done = self.cutter.finish(&mut |out| queue.deliver(out, plane));
+        done.map_err(|refused| (fault_of(refused.fault), refused.at.span))
+    }
+
     /// The parameters behind the rules of compensation changed.
     pub(crate) fn set_rules(&mut self, rules: cutter::Rules) {
         self.cutter.set_rules(rules);

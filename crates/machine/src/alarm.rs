@@ -136,6 +136,26 @@ faults! {
     ArcInMachine = 318,
     /// Feed per revolution with a spindle speed of 0.
     SpindleAtRest = 319,
+    /// An arc in a plane of U, V, W.
+    ArcInUvwPlane = 330,
+    /// An arc with both a radius and a centre.
+    ArcRadiusAndCentre = 331,
+    /// A centre word of the axis square to the plane.
+    ArcCentreLetter = 332,
+    /// An arc by its radius that ends where it starts.
+    ArcEndIsStart = 333,
+    /// A spline in another plane than XY.
+    SplinePlane = 334,
+    /// A spline with a move of another axis.
+    SplineAxis = 335,
+    /// A spline with fewer control points than its order.
+    NurbsTooFew = 336,
+    /// The end of a NURBS that was not begun.
+    NurbsEndAlone = 337,
+    /// A spline of more points than can be meant.
+    SplineTooLong = 338,
+    /// A probing move of no length.
+    ProbeTooClose = 339,
 
     // 400: offsets and coordinate systems
     /// An offset number beyond the table.
@@ -244,6 +264,14 @@ faults! {
     CutterArcTooSmall = 471,
     /// The first move after cutter compensation is an arc.
     CutterArcAfterCancel = 472,
+    /// Cutter compensation in a plane that it does not work in.
+    CutterPlane = 473,
+    /// Cutter compensation started while it is on.
+    CutterAlreadyOn = 474,
+    /// A code that may not stand in cutter compensation.
+    NotInCutter = 475,
+    /// Cutter compensation with a lathe tool.
+    CutterLatheTool = 476,
 
     // 500: canned cycles
     /// A cycle in a plane that it does not work in.
@@ -368,6 +396,16 @@ faults! {
     WallsMeet = 568,
     /// Walls beside which no path can be computed exactly enough.
     PocketPath = 569,
+    /// An axis that does not move in a cycle.
+    CycleAxis = 570,
+    /// A cycle in inverse-time feed.
+    CycleInverseTime = 571,
+    /// A code that needs a turning spindle.
+    SpindleNotTurning = 572,
+    /// A tapping cycle with the spindle turning out of the thread.
+    SpindleWrongWay = 573,
+    /// Depths of a thread that do not fit each other.
+    ThreadDepths = 574,
 
     // 600: programs
     /// A call without a program number.

@@ -12,7 +12,6 @@ use crate::execute::fault_of;
 use crate::interpreter::Interpreter;
 use crate::modal::Group;
 use crate::words::{AXIS_LETTERS, Code, letters};
-use ferrocut_geometry::Turn;
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_program::{Block, Page, Span, Value, Word};
 use ferrocut_toolpath::{Dwell, Op};
@@ -83,6 +82,7 @@ impl Interpreter {
         }
         let codes = self.ngc_read(page, block)?;
         self.ngc_check(&codes)?;
+        self.ngc_check_cutter(&codes)?;
         self.ngc_execute(page, block, &codes)
     }
 
@@ -363,42 +363,19 @@ impl Interpreter {
         }
         self.ngc.in_machine = non_modal == Some(Meaning::MachinePosition);
         if let Some(row) = self.ngc_motion_code(codes) {
-            self.ngc_motion(codes, row)?;
+            self.ngc_move(row, codes.g(Group::Motion).is_some())?;
         }
         match codes.m(MGroup::Stop) {
+            // It waits for the last hole of a cycle.
+            Some(row) if self.ngc.cycles.defer(row) => Ok(()),
             Some(row) => self.ngc_stop(row),
             None => Ok(()),
         }
     }
 
-    /// G40 to G42.1.
-    fn ngc_cutter(&mut self, row: &'static GCode) -> Fallible<()> {
-        match row.meaning {
-            Meaning::CutterOff => {
-                self.modal.set(row);
-                Ok(())
-            }
-            _ => Err(self.ngc_alarm(Fault::NotSupported)),
-        }
-    }
-
-    /// The move of the block.
-    fn ngc_motion(&mut self, codes: &Codes, row: &'static GCode) -> Fallible<()> {
-        let axes = self.words.axes(self.rules.axes);
-        if codes.g(Group::Motion).is_some() {
-            self.modal.set(row);
-        }
-        match row.meaning {
-            Meaning::CycleOff => Ok(()),
-            Meaning::Rapid => self.ngc_rapid(self.ngc_end_point(axes)),
-            Meaning::Linear => self.ngc_cut(self.ngc_end_point(axes)),
-            Meaning::ArcClockwise => self.ngc_arc(axes, Turn::Clockwise),
-            Meaning::ArcCounterClockwise => self.ngc_arc(axes, Turn::CounterClockwise),
-            _ => Err(self.ngc_alarm(Fault::NotSupported)),
-        }
-    }
-
-    fn ngc_stop(&mut self, row: &MCode) -> Fallible<()> {
+    pub(super) fn ngc_stop(&mut self, row: &MCode) -> Fallible<()> {
+        // What compensation holds back is done before, as it stands.
+        self.output.flush().map_err(|(fault, _)| self.ngc_alarm(fault))?;
         match row.function {
             MFunction::ProgramEnd => self.end_program(row.code),
             // In a main program M99 ends it (no loop at a desk).

@@ -9,7 +9,7 @@ use ferrocut_machine::Fault;
 use ferrocut_toolpath::{Feed, Op, PathMode};
 
 /// Machine coordinates beyond this are no length of a machine; `f64` still resolves a tenth of a micrometre.
-const LARGEST_COORDINATE: f64 = 1e8;
+pub(super) const LARGEST_COORDINATE: f64 = 1e8;
 
 impl Interpreter {
     /// Millimetres in the unit of length in force.
@@ -97,7 +97,7 @@ impl Interpreter {
         let machine = self.ngc.machine_of(to);
         self.ngc_check_reach(machine)?;
         self.ngc.at = to;
-        if machine != self.location.machine {
+        if machine != self.location.machine || self.output.stands_aside() {
             self.location.machine = machine;
             self.emit(Op::Rapid { to: machine, straight: true, speed: None });
         }
@@ -106,13 +106,22 @@ impl Interpreter {
 
     /// Cuts straight to a programmed point.
     pub(super) fn ngc_cut(&mut self, to: Position) -> Fallible<()> {
+        self.ngc_cut_in(to, self.ngc_path())
+    }
+
+    /// Cuts straight to a programmed point and comes to rest there.
+    pub(super) fn ngc_cut_exactly(&mut self, to: Position) -> Fallible<()> {
+        self.ngc_cut_in(to, PathMode::ExactStop)
+    }
+
+    fn ngc_cut_in(&mut self, to: Position, path: PathMode) -> Fallible<()> {
         let machine = self.ngc.machine_of(to);
         self.ngc_check_reach(machine)?;
         let feed = self.ngc_feed()?;
         self.ngc.at = to;
-        if machine != self.location.machine {
+        if machine != self.location.machine || self.output.stands_aside() {
             self.location.machine = machine;
-            self.emit(Op::Feed { to: machine, feed, path: self.ngc_path() });
+            self.emit(Op::Feed { to: machine, feed, path });
         }
         Ok(())
     }

@@ -3,9 +3,11 @@
 //! One formula leads from a programmed point to the machine (LinuxCNC, coordinate systems):
 //! machine = turned(point + shift) + zero + length.
 
+use super::cycles::Cycles;
 use super::expressions::Named;
 use super::flow::OWords;
 use super::saved::Saved;
+use super::splines::Splines;
 use super::technology::Overrides;
 use crate::stages::rotation::sin_cos_degrees;
 use ferrocut_geometry::{Axis, Position};
@@ -30,6 +32,10 @@ pub(crate) struct State {
     pub has_feed_word: bool,
     /// The block has G53.
     pub in_machine: bool,
+    /// Canned cycles.
+    pub cycles: Cycles,
+    /// Splines.
+    pub splines: Splines,
     /// Values of parameters with names.
     pub named: Named,
     /// Subprograms, loops and conditions.
@@ -102,6 +108,8 @@ impl State {
             feed: 0.0,
             has_feed_word: false,
             in_machine: false,
+            cycles: Cycles::default(),
+            splines: Splines::default(),
             named: Named::default(),
             o_words: OWords::default(),
             returned: None,

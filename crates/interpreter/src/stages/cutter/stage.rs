@@ -112,6 +112,14 @@ impl<T: Clone> Stage<T> {
         }
     }
 
+    /// Hands out all that waits before compensation is cancelled.
+    pub fn finish(&mut self, out: &mut impl FnMut(Out<T>)) -> Done<T> {
+        match self {
+            Stage::Vectors(stage) => stage.flush(out),
+            Stage::OneAhead(stage) => stage.finish(out),
+        }
+    }
+
     /// Hands out all that waits.
     pub fn flush(&mut self, out: &mut impl FnMut(Out<T>)) -> Done<T> {
         match self {
