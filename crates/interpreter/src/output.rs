@@ -83,14 +83,13 @@ impl Output {
             && self.offset.is_none()
             && self.corner.is_empty()
             && !self.cutter.in_mode()
-            && !self.cutter.stands_aside()
+            && !self.cutter.takes_still_moves()
     }
 
-    /// Whether the tool stands off the end of the path after compensation was cancelled: a move to that end
-    /// moves it.
+    /// Whether a move to the end of the path counts: the tool may stand off it.
     #[inline]
-    pub(crate) fn stands_aside(&self) -> bool {
-        self.cutter.stands_aside()
+    pub(crate) fn takes_still_moves(&self) -> bool {
+        self.cutter.takes_still_moves()
     }
 
     /// Begins a block.

@@ -97,7 +97,7 @@ impl Interpreter {
         let machine = self.ngc.machine_of(to);
         self.ngc_check_reach(machine)?;
         self.ngc.at = to;
-        if machine != self.location.machine || self.output.stands_aside() {
+        if machine != self.location.machine || self.output.takes_still_moves() {
             self.location.machine = machine;
             self.emit(Op::Rapid { to: machine, straight: true, speed: None });
         }
@@ -119,7 +119,7 @@ impl Interpreter {
         self.ngc_check_reach(machine)?;
         let feed = self.ngc_feed()?;
         self.ngc.at = to;
-        if machine != self.location.machine || self.output.stands_aside() {
+        if machine != self.location.machine || self.output.takes_still_moves() {
             self.location.machine = machine;
             self.emit(Op::Feed { to: machine, feed, path });
         }

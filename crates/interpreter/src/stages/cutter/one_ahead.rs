@@ -132,9 +132,10 @@ impl<T: Clone> OneAhead<T> {
         self.in_mode
     }
 
-    /// Whether the vector that stood was taken away and not left yet.
-    pub fn stands_aside(&self) -> bool {
-        self.must_go_straight
+    /// Whether a move to the end of the path, where the tool stands in the program, counts: it is the entry, or
+    /// leaves the vector that was taken away.
+    pub fn takes_still_moves(&self) -> bool {
+        self.must_go_straight || self.offset.is_some() && !self.in_mode
     }
 
     /// Forgets the vector and what waits.
