@@ -190,9 +190,17 @@ impl Interpreter {
         Ok(())
     }
 
+    /// Whether a code of the block that moves nothing takes its axis words.
+    fn ngc_takes_axes(&self, codes: &Codes) -> bool {
+        let length = codes.g(Group::Length).map(|row| row.meaning);
+        let sets_length = length == Some(Meaning::LengthOf)
+            || length == Some(Meaning::LengthMore) && !self.words.has(b'H');
+        sets_length || codes.g(Group::NonModal).is_some_and(|row| takes_axes(row.meaning))
+    }
+
     /// What the block moves by: its own motion code, or with axis words the one in force.
     pub(super) fn ngc_motion_code(&self, codes: &Codes) -> Option<&'static GCode> {
-        let takes_axes = codes.g(Group::NonModal).is_some_and(|row| takes_axes(row.meaning));
+        let takes_axes = self.ngc_takes_axes(codes);
         codes.g(Group::Motion).or_else(|| {
             let moves = self.words.has_any(AXIS_LETTERS) && !takes_axes;
             moves.then(|| self.modal.code(Group::Motion)).flatten()
@@ -203,14 +211,16 @@ impl Interpreter {
     fn ngc_check(&mut self, codes: &Codes) -> Fallible<()> {
         let non_modal = codes.g(Group::NonModal);
         let has_axes = self.words.has_any(AXIS_LETTERS);
-        let takes = non_modal.is_some_and(|row| takes_axes(row.meaning));
+        let takes = self.ngc_takes_axes(codes);
         match codes.g(Group::Motion) {
             Some(row) if row.meaning == Meaning::CycleOff => {
                 if has_axes && !takes {
                     return Err(self.ngc_alarm(Fault::AxesWithoutCode));
                 }
             }
-            Some(_) if takes => return Err(self.ngc_alarm(Fault::CodesContradict)),
+            Some(_) if non_modal.is_some_and(|row| takes_axes(row.meaning)) => {
+                return Err(self.ngc_alarm(Fault::CodesContradict));
+            }
             Some(_) => {}
             None if takes || !has_axes => {}
             None if self.modal.meaning(Group::Motion) == Meaning::CycleOff => {

@@ -316,7 +316,7 @@ impl Interpreter {
 
     /// All pecks but the last. Depths are sums, as those of LinuxCNC are.
     fn ngc_pecks(&mut self, block: &Block, clears: bool) -> Fallible<()> {
-        let Block { axes, at: [a, b], r, bottom, clear, .. } = *block;
+        let Block { axes, at: [a, b], r, bottom, .. } = *block;
         let q = self.ngc.cycles.q;
         if !(q > 0.0 && (r - bottom) / q <= MOST_PECKS) {
             let alarm = self.alarm_at(Fault::WordOutOfRange, b'Q');
@@ -327,7 +327,7 @@ impl Interpreter {
         while depth > bottom {
             self.ngc_cycle_feed(axes, [a, b, depth])?;
             if clears {
-                self.ngc_cycle_rapid(axes, [a, b, clear])?;
+                self.ngc_cycle_rapid(axes, [a, b, r])?;
             }
             self.ngc_cycle_rapid(axes, [a, b, depth + gap])?;
             depth -= q;
@@ -355,9 +355,7 @@ impl Interpreter {
     }
 
     fn ngc_cycle_dwell(&mut self) {
-        if self.ngc.cycles.p > 0.0 {
-            self.emit(Op::Dwell(Dwell::Seconds(self.ngc.cycles.p)));
-        }
+        self.emit(Op::Dwell(Dwell::Seconds(self.ngc.cycles.p.max(0.0))));
     }
 
     /// What the spindle does; an alarm where it stands.

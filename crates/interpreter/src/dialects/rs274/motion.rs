@@ -117,7 +117,14 @@ impl Interpreter {
     fn ngc_cut_in(&mut self, to: Position, path: PathMode) -> Fallible<()> {
         let machine = self.ngc.machine_of(to);
         self.ngc_check_reach(machine)?;
-        let feed = self.ngc_feed()?;
+        let mut feed = self.ngc_feed()?;
+        if self.modal.is_inch()
+            && let Feed::PerMinute(degrees) = &mut feed
+            && Axis::ALL.into_iter().all(|axis| !axis.is_linear() || to[axis] == self.ngc.at[axis])
+        {
+            // Where nothing but rotary axes moves it is degrees a minute.
+            *degrees = self.ngc.feed;
+        }
         self.ngc.at = to;
         if machine != self.location.machine || self.output.takes_still_moves() {
             self.location.machine = machine;
