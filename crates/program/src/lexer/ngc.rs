@@ -104,7 +104,7 @@ impl Lexer<'_> {
                 b'N' | b'n' if nothing_read => self.sequence_number(),
                 b'#' => self.setting(),
                 b'N' | b'n' | b'O' | b'o' => Err(Flaw(DefectKind::IllegalCharacter, self.at, 1)),
-                b'A'..=b'Z' | b'a'..=b'z' => self.ngc_word(),
+                b'A'..=b'Z' | b'a'..=b'z' | b'@' | b'^' | b'$' => self.ngc_word(),
                 _ => Err(Flaw(DefectKind::IllegalCharacter, self.at, 1)),
             };
             let done = match done {

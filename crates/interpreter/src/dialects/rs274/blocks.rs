@@ -6,6 +6,7 @@
 
 use super::codes::{MGroup, m_group};
 use super::expressions::WHOLE;
+use super::polar::PolarWords;
 use crate::Fallible;
 use crate::dialect::{GCode, MCode, MFunction, Meaning};
 use crate::execute::fault_of;
@@ -107,6 +108,7 @@ impl Interpreter {
         let mut codes = Codes { g: [None; Group::COUNT + 1], m: [None; MGroup::COUNT] };
         let mut m_codes = 0;
         self.ngc.settings.clear();
+        self.ngc.polar = PolarWords::default();
         for word in page.words(block) {
             let span = || page.word_span(block, word);
             let value = match word.value() {
@@ -131,6 +133,11 @@ impl Interpreter {
                     self.ngc_m_word(&mut codes, value, span())?;
                 }
                 b'N' => {}
+                b'@' => self.ngc.polar.distance = Some(value),
+                b'^' => self.ngc.polar.angle = Some(value),
+                // There is one spindle; -1 are all.
+                b'$' if value.round() == 0.0 || value.round() == -1.0 => {}
+                b'$' => return Err(self.alarm(Fault::WordOutOfRange, span())),
                 _ => self.ngc_plain_word(word, value, span())?,
             }
         }
@@ -138,6 +145,7 @@ impl Interpreter {
             let Some((number, value)) = self.ngc.settings.get(at).copied() else { break };
             self.ngc_set(number, value).map_err(|fault| self.ngc_alarm(fault))?;
         }
+        self.ngc_polar(&codes)?;
         Ok(codes)
     }
 

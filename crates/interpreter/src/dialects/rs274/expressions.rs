@@ -127,9 +127,17 @@ impl Interpreter {
 
     /// The two values of a setting: number of the parameter, and what it is set to.
     pub(super) fn ngc_setting(&mut self, page: &Page, range: ExprRange) -> Result<(u32, f64), Fault> {
+        let nodes = page.nodes(range);
+        // A name exists from here on, in its own value too: 0 until it has one.
+        if let Some(Node::Number(n)) = nodes.first()
+            && *n >= f64::from(FIRST_NAMED)
+            && !self.ngc_exists(*n as u32)
+        {
+            self.ngc_set(*n as u32, 0.0)?;
+        }
         let mut stack = std::mem::take(&mut self.ngc.stack);
         stack.clear();
-        let done = self.ngc_run(page.nodes(range), &mut stack);
+        let done = self.ngc_run(nodes, &mut stack);
         let (value, number) = (stack.pop(), stack.pop());
         self.ngc.stack = stack;
         done?;

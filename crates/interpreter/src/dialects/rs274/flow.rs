@@ -36,6 +36,17 @@ struct Known {
     passes: u64,
 }
 
+/// A subprogram that is known.
+#[derive(Clone, Copy, Debug)]
+struct Subprogram {
+    /// Its first block.
+    start: Place,
+    /// Number of its labels.
+    scope: u32,
+    /// What it begins with.
+    keyword: OKeyword,
+}
+
 /// A subprogram being run.
 #[derive(Debug)]
 struct Frame {
@@ -55,8 +66,8 @@ struct Frame {
 #[derive(Debug, Default)]
 pub(crate) struct OWords {
     calls: Vec<Frame>,
-    /// Subprograms that are known: their first block, and the number of their scope.
-    subprograms: FxHashMap<Name, (Place, u32)>,
+    /// Subprograms that are known.
+    subprograms: FxHashMap<Name, Subprogram>,
     /// Loops and conditions of each scope.
     known: FxHashMap<(u32, Name), Known>,
     /// Where a line leads that ends a pass, a branch, or the definition of a subprogram.
@@ -317,24 +328,34 @@ impl Interpreter {
         if self.ngc.o_words.subprograms.contains_key(&name) {
             return Err(self.alarm(Fault::LabelRepeated, span));
         }
-        self.o_define(name, at, span)?;
+        self.o_define(name, OKeyword::Sub, at, span)?;
         self.o_skip_behind(at, name, &[OKeyword::EndSub], span)
     }
 
-    fn o_define(&mut self, name: Name, at: Place, span: Span) -> Fallible<(Place, u32)> {
+    fn o_define(
+        &mut self,
+        name: Name,
+        keyword: OKeyword,
+        start: Place,
+        span: Span,
+    ) -> Fallible<Subprogram> {
         let words = &mut self.ngc.o_words;
         if words.subprograms.len() >= MAX_REMEMBERED {
             return Err(self.alarm(Fault::TooManyLabels, span));
         }
-        let known = (at, words.subprograms.len() as u32 + 1);
+        let known = Subprogram { start, scope: words.subprograms.len() as u32 + 1, keyword };
         words.subprograms.insert(name, known);
         Ok(known)
     }
 
     /// The subprogram with a name: one that was met, one in a file of its name, or one further down.
-    fn o_subprogram(&mut self, name: Name, wanted: OKeyword, span: Span) -> Fallible<(Place, u32)> {
-        if let Some(known) = self.ngc.o_words.subprograms.get(&name) {
-            return Ok(*known);
+    fn o_subprogram(&mut self, name: Name, wanted: OKeyword, span: Span) -> Fallible<Subprogram> {
+        if let Some(known) = self.ngc.o_words.subprograms.get(&name).copied() {
+            if known.keyword == wanted {
+                return Ok(known);
+            }
+            let at = self.o_span(known.start).unwrap_or(span);
+            return Err(self.alarm(Fault::CallForm, at));
         }
         let text = match name {
             Name::Number(number) => number.to_string(),
@@ -351,13 +372,19 @@ impl Interpreter {
             _ => Seen::Pass,
         })?;
         match found {
-            Some(place) => self.o_define(name, place, span),
+            Some(place) => self.o_define(name, wanted, place, span),
             None => {
                 let mut alarm = self.alarm(Fault::ProgramMissing, span);
                 alarm.arguments.push(("program", format!("O{text}").into()));
                 Err(alarm)
             }
         }
+    }
+
+    /// Where a block stands in its text.
+    fn o_span(&mut self, place: Place) -> Option<Span> {
+        let page = self.programs.page(place.file, place.page).ok()??;
+        page.blocks.get(place.block as usize).map(|block| page.block_span(block))
     }
 
     fn o_call(&mut self, page: &Page, word: &OWord, name: Name, span: Span) -> Fallible<()> {
@@ -380,7 +407,7 @@ impl Interpreter {
         repeats: u32,
         span: Span,
     ) -> Fallible<()> {
-        let (start, scope) = self.o_subprogram(name, wanted, span)?;
+        let Subprogram { start, scope, .. } = self.o_subprogram(name, wanted, span)?;
         if self.ngc.o_words.calls.len() >= MAX_CALLS {
             return Err(self.alarm(Fault::CallsTooDeep, span));
         }

@@ -20,6 +20,7 @@ mod messages;
 mod motion;
 mod moves;
 mod parameters;
+mod polar;
 mod probe;
 mod rules;
 mod saved;

@@ -6,6 +6,7 @@
 use super::cycles::Cycles;
 use super::expressions::Named;
 use super::flow::OWords;
+use super::polar::PolarWords;
 use super::saved::Saved;
 use super::splines::Splines;
 use super::technology::Overrides;
@@ -36,6 +37,8 @@ pub(crate) struct State {
     pub cycles: Cycles,
     /// Splines.
     pub splines: Splines,
+    /// Polar words of the block.
+    pub polar: PolarWords,
     /// Values of parameters with names.
     pub named: Named,
     /// Subprograms, loops and conditions.
@@ -110,6 +113,7 @@ impl State {
             in_machine: false,
             cycles: Cycles::default(),
             splines: Splines::default(),
+            polar: PolarWords::default(),
             named: Named::default(),
             o_words: OWords::default(),
             returned: None,

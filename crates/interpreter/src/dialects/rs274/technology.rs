@@ -35,10 +35,8 @@ impl Interpreter {
             self.modal.set(row);
         }
         if let Some(row) = codes.g(Group::FeedMode) {
-            // A feed of another kind says nothing.
-            if self.modal.meaning(Group::FeedMode) != row.meaning {
-                self.ngc.feed = 0.0;
-            }
+            // The feed is given anew, even behind the code that was in force.
+            self.ngc.feed = 0.0;
             self.modal.set(row);
         }
         self.ngc.has_feed_word = self.words.has(b'F');
