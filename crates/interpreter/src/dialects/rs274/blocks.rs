@@ -201,8 +201,8 @@ impl Interpreter {
     /// Whether a code of the block that moves nothing takes its axis words.
     fn ngc_takes_axes(&self, codes: &Codes) -> bool {
         let length = codes.g(Group::Length).map(|row| row.meaning);
-        let sets_length = length == Some(Meaning::LengthOf)
-            || length == Some(Meaning::LengthMore) && !self.words.has(b'H');
+        let sets_length =
+            length == Some(Meaning::LengthOf) || length == Some(Meaning::LengthMore) && !self.words.has(b'H');
         sets_length || codes.g(Group::NonModal).is_some_and(|row| takes_axes(row.meaning))
     }
 
