@@ -26,6 +26,8 @@ import oracle
 import steps
 
 AT_ONCE = 200
+# What alarms say of words that the dialect leaves out.
+NOT_CARRIED = "does not carry"
 SOUGHT = re.compile(r"EOF in file:(\S+) seeking o-word: \S+ from line: (\d+)")
 
 
@@ -101,14 +103,15 @@ def smaller(bench, program, difference):
 
 
 def signature(difference):
-    """What makes two differences one: their kind, and for alarms the text."""
-    text = difference.text
+    """What makes two differences one: their kind, and for alarms the texts."""
     if difference.kind in ("alarm", "no alarm", "error line"):
-        message = text.split(": ", 1)[-1].split("\n")[0]
-        message = "".join("#" if c.isdigit() else c for c in message)
-        return difference.kind, " ".join(message.split()[:6])
+        said = [line.split(": ", 1)[-1] for line in difference.text.split("\n")]
+        # A word that is not carried is one thing, wherever the other stops.
+        said = [text for text in said if NOT_CARRIED in text] or said
+        plain = ["".join("#" if c.isdigit() else c for c in text.split("; theirs")[0].split("; ours")[0]) for text in said]
+        return difference.kind, " / ".join(" ".join(text.split()[:7]) for text in plain)
     if difference.kind == "kind":
-        return difference.kind, text.split("\n")[0]
+        return difference.kind, difference.text.split("\n")[0]
     return difference.kind, ""
 
 

@@ -113,11 +113,23 @@ LINES = {
 }
 
 
+# Lines that are right elsewhere but may not be while cutter compensation is on.
+WITH_COMPENSATION = (
+    "G20", "G21", "G92 X1", "G92.1", "G92.3", "G10 L2 P1 X1", "G10 L2 P9 X1", "G28", "G30 X1", "G28.1", "G53 G0 X0 Y0",
+    "G17 G81 X1 Z-1 R2 F100", "G43", "G43.1 Z1", "G49", "M6", "G55", "G18", "G19", "G17", "G33 Z-1 K1", "G38.3 X1 F10", "G41",
+    "G42", "G80", "G91", "G52 X1", "M70", "M72", "M66 P0 L0", "G4 P1", "M61 Q0", "M0", "M1", "M30", "G93", "G95", "G90.1",
+    "G5.1 X1 Y1 I1 J1", "G10 L20 P1 X0", "G10 L1 P1 Z1", "G59.3",
+)  # fmt: skip
+
+
 def put(writer):
-    """Adds a faulty line at a random place that is not within a subprogram or loop; its name."""
+    """Adds a faulty line: at the end, or at any place, which may be within a loop or a contour; its name."""
     name = writer.rng.choice(sorted(LINES))
     text = LINES[name]
-    writer.line(text)
+    if writer.rng.random() < 0.4:
+        writer.lines.insert(writer.rng.randint(1, len(writer.lines)), text)
+    else:
+        writer.line(text)
     if writer.rng.random() < 0.5:
         writer.line("G0 Z5")
     return name

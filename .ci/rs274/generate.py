@@ -306,7 +306,9 @@ class Writer:
             feed = self.feed() if state.feed_mode == "93" else feed if feed and on else ""
             at = state.position = point
             if self.chance(0.05):
-                self.line(rng.choice(("M8", "M9", "G4 P0.1", "S500", "M7")))
+                self.line(rng.choice(("M8", "M9", "G4 P0.1", "S500", "M7", "M3 S200", "M5", "G61", "(a comment)", "#5=3")))
+            if self.chance(0.015):
+                self.line(rng.choice(faults.WITH_COMPENSATION))
         if self.chance(0.5):
             self.line("G40")
             self.shuffled(rng.choice(("G0", "G1")), *self.toward([first, second], [self.mm(-80, 80) for _ in range(3)]), self.feed())
@@ -689,6 +691,10 @@ class Writer:
                 self.lines = []
             self.line(f"{name} sub")
             parameters = rng.randint(0, 3)
+            if self.chance(0.15):
+                # Modes that the subprogram changes come back when it returns.
+                self.line("M73")
+                self.line(rng.choice(("G91", "G90 F77", "G1 F60", "G64 P0.1", "G91.1")))
             saved = self.maker.values
             self.maker.values = {f"#{i + 1}": 2.0 + i for i in range(parameters)}
             self.depth += 1
@@ -756,6 +762,10 @@ class Writer:
         if self.state.length:
             return self.lines_of()
         self.line("M70")
+        if self.chance(0.15):
+            self.line("M70")
+            self.line("M71")
+            self.line("M70")
         for _ in range(self.rng.randint(1, 3)):
             self.rng.choice((self.lines_of, self.modes))()
         self.line("M72")

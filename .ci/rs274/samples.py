@@ -17,6 +17,7 @@ import tempfile
 import canon
 import compare
 import deviations
+import differential
 import oracle
 import steps
 
@@ -85,7 +86,7 @@ def judge(program, theirs, ours, tools, folder):
     our_path = steps.run(ours, program, tools, None, 60, marks)
     # Errors are told by the text of their line; lines of moves are not shown by a program without N words.
     their_path.error_line = words(answer.text) if answer.error else None
-    if our_path.error and NOT_CARRIED in our_path.error:
+    if our_path.error and differential.NOT_CARRIED in our_path.error:
         return "stop at a word not carried", our_path.error
     difference = compare.compare(their_path, our_path)
     if difference is None:
@@ -94,10 +95,6 @@ def judge(program, theirs, ours, tools, folder):
     if known:
         return f"known deviation: {known}", ""
     return "differs", f"{difference.kind}: {difference.text}"
-
-
-# How alarms begin that say so.
-NOT_CARRIED = "not carried"
 
 
 if __name__ == "__main__":

@@ -62,10 +62,14 @@ impl Interpreter {
         if moved != Position::ZERO {
             self.location.machine = self.location.machine + moved;
             self.location.take_machine();
+            self.ngc.at = self.ngc.program_of(self.location.machine);
             self.output.jump_to(self.location.machine);
         }
         if let Some(at) = machine.skip {
             self.location.skip = at - self.location.work.shift;
+        }
+        if self.dialect.blocks.is_some() {
+            self.ngc_came_to_rest(machine.skip);
         }
     }
 

@@ -117,7 +117,7 @@ impl Flow {
         }
     }
 
-    fn jump(&mut self, to: Place) {
+    pub(crate) fn jump(&mut self, to: Place) {
         if to <= self.place {
             self.jumps_back += 1;
         }
@@ -154,8 +154,23 @@ impl Flow {
         self.calls.last().map_or(Place::default(), |call| call.program)
     }
 
+    /// The block to be run next.
+    pub(crate) fn next_place(&self) -> Place {
+        self.place
+    }
+
+    /// The last line that was met, where there is one.
+    pub(crate) fn last_span(&self) -> Option<Span> {
+        (self.last.line > 0).then_some(self.last)
+    }
+
+    /// Notes the last line of a text that was looked through to its end.
+    pub(crate) fn set_last(&mut self, last: Option<Span>) {
+        self.last = last.unwrap_or(self.last);
+    }
+
     /// The block being executed.
-    fn executing(&self) -> Place {
+    pub(crate) fn executing(&self) -> Place {
         Place { block: self.place.block.saturating_sub(1), ..self.place }
     }
 
@@ -352,7 +367,7 @@ impl Interpreter {
         result
     }
 
-    fn unreadable(&self, error: io::Error, span: Span) -> Box<Alarm> {
+    pub(crate) fn unreadable(&self, error: io::Error, span: Span) -> Box<Alarm> {
         Box::new(Alarm::core(Fault::FileUnreadable, span).with("reason", error.to_string()))
     }
 

@@ -279,7 +279,7 @@ impl Interpreter {
         });
         let mut memory = memory;
         memory.variables.name_numbers(|name| dialect.syntax.variable(name.as_bytes()));
-        Interpreter {
+        let mut interpreter = Interpreter {
             tables: Tables::new(dialect).without(options.axis_names.renamed()),
             evaluator: Evaluator::new(dialect.arithmetic),
             dialect,
@@ -316,7 +316,11 @@ impl Interpreter {
             output,
             alarms,
             origins: None,
+        };
+        if dialect.blocks.is_some() {
+            interpreter.ngc_start();
         }
+        interpreter
     }
 
     /// Lets steps and alarms name the places of the drawing that the main program was made from.
@@ -441,6 +445,7 @@ impl Interpreter {
         self.output = Output::new(self.rules.cutter, machine);
         self.location.machine = machine;
         self.location.take_machine();
+        self.ngc.reset(machine);
     }
 
     /// The G codes in force, in tenths, by the order of groups.

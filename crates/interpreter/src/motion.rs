@@ -215,7 +215,7 @@ impl Interpreter {
 
     #[inline]
     fn rapid_to(&mut self, to: Position) {
-        if to != self.location.machine || self.output.stands_aside() {
+        if to != self.location.machine || self.output.takes_still_moves() {
             self.location.machine = to;
             let speed = self.technology.rapid_feed;
             self.emit(Op::Rapid { to, straight: self.rules.rapid_is_straight, speed });
@@ -226,7 +226,7 @@ impl Interpreter {
     pub(crate) fn cut_machine(&mut self, to: Position) -> Fallible<()> {
         self.check_reach(to)?;
         let feed = self.feed()?;
-        if to != self.location.machine || self.output.stands_aside() {
+        if to != self.location.machine || self.output.takes_still_moves() {
             self.location.machine = to;
             self.emit(Op::Feed { to, feed, path: self.path_mode() });
         }
@@ -253,7 +253,7 @@ impl Interpreter {
         self.check_reach(machine)?;
         let feed = self.feed()?;
         self.location.programmed = to;
-        if machine != self.location.machine || self.output.stands_aside() {
+        if machine != self.location.machine || self.output.takes_still_moves() {
             self.location.machine = machine;
             self.emit(Op::Feed { to: machine, feed, path: self.path_mode() });
         }

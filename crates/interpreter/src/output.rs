@@ -83,14 +83,13 @@ impl Output {
             && self.offset.is_none()
             && self.corner.is_empty()
             && !self.cutter.in_mode()
-            && !self.cutter.stands_aside()
+            && !self.cutter.takes_still_moves()
     }
 
-    /// Whether the tool stands off the end of the path after compensation was cancelled: a move to that end
-    /// moves it.
+    /// Whether a move to the end of the path counts: the tool may stand off it.
     #[inline]
-    pub(crate) fn stands_aside(&self) -> bool {
-        self.cutter.stands_aside()
+    pub(crate) fn takes_still_moves(&self) -> bool {
+        self.cutter.takes_still_moves()
     }
 
     /// Begins a block.
@@ -276,6 +275,14 @@ impl Output {
         let plane = self.plane;
         let queue = &mut self.queue;
         let done = self.cutter.flush(&mut |out| queue.deliver(out, plane));
+        done.map_err(|refused| (fault_of(refused.fault), refused.at.span))
+    }
+
+    /// Hands out what the stages hold before compensation is cancelled.
+    pub(crate) fn finish_cutter(&mut self) -> Result<(), Refused> {
+        let plane = self.plane;
+        let queue = &mut self.queue;
+        let done = self.cutter.finish(&mut |out| queue.deliver(out, plane));
         done.map_err(|refused| (fault_of(refused.fault), refused.at.span))
     }
 

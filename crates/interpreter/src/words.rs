@@ -242,6 +242,15 @@ impl Words {
         true
     }
 
+    /// Puts an address in that the block has in another form.
+    pub(crate) fn add(&mut self, letter: u8, value: f64) {
+        self.put(letter, value);
+        self.present |= bit(letter);
+        if let Some(place) = self.places.get_mut(usize::from(letter.wrapping_sub(b'A'))) {
+            *place = (self.block.offset.saturating_sub(self.page_offset) as u32, self.block.len as u16);
+        }
+    }
+
     /// Value of an address that no one after asks for.
     pub(crate) fn take(&mut self, letter: u8) -> Option<f64> {
         let value = self.get(letter);

@@ -88,6 +88,14 @@ faults! {
     ToolNumber = 214,
     /// A word that the code needs is missing.
     WordMissing = 215,
+    /// A word that no code of its block uses.
+    WordUnused = 216,
+    /// Axis words without a code that moves them.
+    AxesWithoutCode = 217,
+    /// A code that needs axis words without any.
+    AxesMissing = 218,
+    /// Codes that cannot stand in one block, or not in the state in force.
+    CodesContradict = 219,
 
     // 300: motion
     /// A cutting move without a feed.
@@ -126,6 +134,28 @@ faults! {
     HelixWithoutArc = 317,
     /// An arc in machine coordinates.
     ArcInMachine = 318,
+    /// Feed per revolution with a spindle speed of 0.
+    SpindleAtRest = 319,
+    /// An arc in a plane of U, V, W.
+    ArcInUvwPlane = 330,
+    /// An arc with both a radius and a centre.
+    ArcRadiusAndCentre = 331,
+    /// A centre word of the axis square to the plane.
+    ArcCentreLetter = 332,
+    /// An arc by its radius that ends where it starts.
+    ArcEndIsStart = 333,
+    /// A spline in another plane than XY.
+    SplinePlane = 334,
+    /// A spline with a move of another axis.
+    SplineAxis = 335,
+    /// A spline with fewer control points than its order.
+    NurbsTooFew = 336,
+    /// The end of a NURBS that was not begun.
+    NurbsEndAlone = 337,
+    /// A spline of more points than can be meant.
+    SplineTooLong = 338,
+    /// A probing move of no length.
+    ProbeTooClose = 339,
 
     // 400: offsets and coordinate systems
     /// An offset number beyond the table.
@@ -222,12 +252,26 @@ faults! {
     TooManyTransforms = 446,
     /// A skip move reached its end without the signal, where the control needs one.
     SkipWithoutSignal = 447,
+    /// A tool changed in cutter compensation.
+    ToolInCutter = 448,
+    /// The shift of all coordinate systems changed in cutter compensation.
+    ShiftInCutter = 449,
+    /// A reference return in cutter compensation.
+    ReferenceInCutter = 450,
     /// Cutter compensation: the entry move is not longer than the tool radius.
     CutterEntryTooShort = 470,
     /// Cutter compensation: the tool does not fit into an arc.
     CutterArcTooSmall = 471,
     /// The first move after cutter compensation is an arc.
     CutterArcAfterCancel = 472,
+    /// Cutter compensation in a plane that it does not work in.
+    CutterPlane = 473,
+    /// Cutter compensation started while it is on.
+    CutterAlreadyOn = 474,
+    /// A code that may not stand in cutter compensation.
+    NotInCutter = 475,
+    /// Cutter compensation with a lathe tool.
+    CutterLatheTool = 476,
 
     // 500: canned cycles
     /// A cycle in a plane that it does not work in.
@@ -352,8 +396,18 @@ faults! {
     WallsMeet = 568,
     /// Walls beside which no path can be computed exactly enough.
     PocketPath = 569,
+    /// An axis that does not move in a cycle.
+    CycleAxis = 570,
+    /// A cycle in inverse-time feed.
+    CycleInverseTime = 571,
+    /// A code that needs a turning spindle.
+    SpindleNotTurning = 572,
+    /// A tapping cycle with the spindle turning out of the thread.
+    SpindleWrongWay = 573,
+    /// Depths of a thread that do not fit each other.
+    ThreadDepths = 574,
     /// A way straight down into solid material, for want of an entry angle.
-    NoEntryAngle = 570,
+    NoEntryAngle = 575,
 
     // 600: programs
     /// A call without a program number.
@@ -382,6 +436,22 @@ faults! {
     ProgramNumberTooLarge = 612,
     /// A jump of macro A to a sequence number that the program does not have.
     JumpTargetMissing = 613,
+    /// A label of a loop, condition or subprogram that was given before.
+    LabelRepeated = 614,
+    /// An end or branch whose loop or condition was not met.
+    LabelMissing = 615,
+    /// A return outside a subprogram.
+    OutsideSubprogram = 616,
+    /// A subprogram within another.
+    SubprogramNested = 617,
+    /// A program called in the way of the other kind.
+    CallForm = 618,
+    /// More labels than can be meant.
+    TooManyLabels = 619,
+    /// A state restored that was not saved.
+    NothingSaved = 620,
+    /// A comment that writes a file.
+    FilesNotWritten = 621,
 
     // 700: variables and arithmetic
     /// A division by zero.

@@ -191,6 +191,7 @@ static GSK990MC: OnceLock<Reference> = OnceLock::new();
 static KAITONG: OnceLock<Reference> = OnceLock::new();
 static WEIHONG: OnceLock<Reference> = OnceLock::new();
 static FAGOR8065: OnceLock<Reference> = OnceLock::new();
+static RS274: OnceLock<Reference> = OnceLock::new();
 
 impl Reference {
     /// The tables of the control that `dialect` belongs to; none where there are none.
@@ -200,6 +201,7 @@ impl Reference {
             "kaitong" => Some(KAITONG.get_or_init(|| tables_of!("kaitong", "fanuc"))),
             "weihong" => Some(WEIHONG.get_or_init(|| tables_of!("weihong"))),
             "fagor8065" => Some(FAGOR8065.get_or_init(|| tables_of!("fagor8065"))),
+            "rs274" => Some(RS274.get_or_init(|| tables_of!("rs274"))),
             _ => None,
         }
     }
@@ -549,7 +551,7 @@ mod tests {
         };
     }
 
-    const FILES: [(&str, [&str; 5]); 4] = files!("gsk990mc", "kaitong", "weihong", "fagor8065");
+    const FILES: [(&str, [&str; 5]); 5] = files!("gsk990mc", "kaitong", "weihong", "fagor8065", "rs274");
 
     #[test]
     fn every_row_of_the_files_is_read() {
@@ -562,13 +564,14 @@ mod tests {
             let words = match dialect {
                 "weihong" => include_str!("../data/weihong/macro-words.csv"),
                 "fagor8065" => include_str!("../data/fagor8065/macro-words.csv"),
+                "rs274" => include_str!("../data/rs274/macro-words.csv"),
                 _ => include_str!("../data/fanuc/macro-words.csv"),
             };
             assert_eq!(r.macro_words.len(), lines(words), "{dialect}");
         }
         let r = gsk();
         assert_eq!((r.g_codes.len(), r.m_codes.len(), r.variables.len()), (90, 33, 77));
-        assert!(Reference::of("rs274").is_none());
+        assert!(Reference::of("sinumerik").is_none());
     }
 
     #[test]

@@ -107,18 +107,22 @@ impl<W: Write> TraceWriter<W> {
         Ok(())
     }
 
+    // Names are constants: inlined, their bytes are stored without a call.
+    #[inline(always)]
     fn op(&mut self, name: &str) {
         self.line.extend_from_slice(b"{\"op\":\"");
         self.line.extend_from_slice(name.as_bytes());
         self.line.push(b'"');
     }
 
+    #[inline(always)]
     fn key(&mut self, key: &str) {
         self.line.extend_from_slice(b",\"");
         self.line.extend_from_slice(key.as_bytes());
         self.line.extend_from_slice(b"\":");
     }
 
+    #[inline(always)]
     fn field(&mut self, key: &str, value: f64) {
         self.key(key);
         write_number(&mut self.line, value);
@@ -330,18 +334,26 @@ impl<W: Write> TraceWriter<W> {
     }
 }
 
-fn write_integer(out: &mut Vec<u8>, mut n: u64) {
-    let mut digits = [0u8; 20];
-    let mut at = digits.len();
+/// Room for the digits of any number that is written in one go: 20 of an integer, point, 6 places, sign.
+const DIGITS: usize = 32;
+
+/// Writes the digits of `n` in front of `at`; where they begin.
+#[inline]
+fn digits(buffer: &mut [u8; DIGITS], mut at: usize, mut n: u64) -> usize {
     loop {
         at -= 1;
-        digits[at] = b'0' + (n % 10) as u8;
+        buffer[at] = b'0' + (n % 10) as u8;
         n /= 10;
         if n == 0 {
-            break;
+            return at;
         }
     }
-    out.extend_from_slice(&digits[at..]);
+}
+
+fn write_integer(out: &mut Vec<u8>, n: u64) {
+    let mut buffer = [0u8; DIGITS];
+    let at = digits(&mut buffer, DIGITS, n);
+    out.extend_from_slice(&buffer[at..]);
 }
 
 /// Writes `v` rounded to a nanometre, without trailing zeros.
@@ -357,28 +369,30 @@ fn write_number(out: &mut Vec<u8>, v: f64) {
         }
         return;
     }
-    let scaled = (v * UNIT).round();
-    let magnitude = scaled.abs() as u64;
-    if scaled < 0.0 {
-        out.push(b'-');
-    }
-    write_integer(out, magnitude / 1_000_000);
+    let magnitude = (v.abs() * UNIT + 0.5) as u64;
+    let mut buffer = [0u8; DIGITS];
+    let mut at = DIGITS;
     let mut fraction = magnitude % 1_000_000;
-    if fraction == 0 {
-        return;
-    }
-    let mut digits = [b'0'; 7];
-    digits[0] = b'.';
-    let mut used = 1;
-    for place in (1..=6).rev() {
-        let digit = (fraction % 10) as u8;
-        fraction /= 10;
-        digits[place] = b'0' + digit;
-        if digit != 0 && used == 1 {
-            used = place + 1;
+    if fraction != 0 {
+        let mut places = 6;
+        while fraction.is_multiple_of(10) {
+            fraction /= 10;
+            places -= 1;
         }
+        for _ in 0..places {
+            at -= 1;
+            buffer[at] = b'0' + (fraction % 10) as u8;
+            fraction /= 10;
+        }
+        at -= 1;
+        buffer[at] = b'.';
     }
-    out.extend_from_slice(&digits[..used]);
+    at = digits(&mut buffer, at, magnitude / 1_000_000);
+    if v < 0.0 && magnitude != 0 {
+        at -= 1;
+        buffer[at] = b'-';
+    }
+    out.extend_from_slice(&buffer[at..]);
 }
 
 fn write_text(out: &mut Vec<u8>, text: &str) {

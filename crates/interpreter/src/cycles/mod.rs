@@ -285,13 +285,16 @@ impl Interpreter {
     /// Whether holes of the present block are still to be cut.
     #[inline]
     pub(crate) fn has_holes_left(&self) -> bool {
-        self.cycle.holes_left > 0
+        self.cycle.holes_left > 0 || self.ngc.cycles.has_holes_left()
     }
 
     /// Cuts the next hole of the present block, and after the last one does what waits for the end of
     /// the block. A repeated cycle makes its steps hole by hole, so that K99999 takes no more memory
     /// than one.
     pub(crate) fn next_hole(&mut self) -> Fallible<()> {
+        if self.ngc.cycles.has_holes_left() {
+            return self.ngc_next_hole();
+        }
         self.cycle.holes_left -= 1;
         self.flow.count_hole();
         if let Some(code) = self.custom_cycle() {

@@ -389,6 +389,18 @@ FC-0215 = The code needs a word that is missing
     .detail = { $word }
     .help = Add the word to the block.
 
+FC-0216 = No code of the block uses this word
+    .help = Remove the word, or add the code that it belongs to.
+
+FC-0217 = Axis words, and no code that moves the axes
+    .help = Add G0, G1 or another code of motion; with G80 no axis moves.
+
+FC-0218 = The code needs words of axes
+    .help = Name at least one axis.
+
+FC-0219 = These codes cannot stand together
+    .help = Put them into blocks of their own. G53 goes with G0 and G1 in G90 alone; of the codes that use the axis words, a block takes one.
+
 FC-0314 = Feed per revolution needs a spindle with an encoder
     .help = Use G94, or fit an encoder.
 
@@ -628,7 +640,7 @@ FC-0568 = Sloping walls meet before the pocket is as deep as it should be
 FC-0569 = No path beside these walls can be computed exactly enough
     .detail = { $parameter }
     .help = Take out of the profile what is much smaller than the tool, or take another tool radius or finishing stock.
-FC-0570 = The tool goes straight down into solid material
+FC-0575 = The tool goes straight down into solid material
     .detail = { $parameter }
     .help = Program an entry angle, enter one for the tool, or drill the pocket first. A tool that cuts over its centre may do without.
 
@@ -638,3 +650,80 @@ FC-0471 = The tool does not fit into the arc
     .help = Use a tool whose radius is smaller than the arc's.
 FC-0472 = The first move after cutter compensation is an arc
     .help = Leave the contour on a G00 or G01 move.
+
+FC-0319 = Feed per revolution with a spindle speed of 0
+    .help = Give S before the move, or use G94.
+
+FC-0448 = A tool change in cutter compensation
+    .help = End compensation by G40 first.
+
+FC-0449 = The coordinate systems cannot be shifted in cutter compensation
+    .help = End compensation by G40 first.
+
+FC-0450 = A reference return in cutter compensation
+    .help = End compensation by G40 first.
+
+FC-0614 = The label was given before
+    .help = Give each loop, condition and subprogram a label of its own. A subprogram that was called before its definition cannot be come to from above: put the definitions behind M2, or before the calls.
+
+FC-0615 = No loop or condition with this label is open here
+    .help = Check the label. Break and continue end passes of while and do loops alone.
+
+FC-0616 = A return outside a subprogram
+    .help = A subprogram begins with sub and is run by call.
+
+FC-0617 = A subprogram is defined within another
+    .help = End the first definition by endsub before the next.
+
+FC-0618 = The program is called in the way of the other kind
+    .help = What begins with sub is run by call; what begins with its O number alone, by M98.
+
+FC-0619 = More labels than can be meant
+    .help = Do not compute labels without end.
+
+FC-0620 = No saved state to restore
+    .help = Save it by M70 or M73 in the same subprogram first.
+
+FC-0621 = Programs write no files here
+    .help = Remove the comment, or show the text by print or MSG.
+FC-0330 = There are no arcs in the planes of U, V and W
+    .help = Choose G17, G18 or G19.
+FC-0331 = An arc has a radius as well as a centre
+    .help = Give R, or the centre by two of I, J and K.
+FC-0332 = A centre word does not belong to the plane
+    .help = I belongs to X, J to Y, K to Z; only those of the plane's axes may stand.
+FC-0333 = An arc by its radius ends where it starts
+    .help = Give the centre instead: a radius does not say where a full circle lies.
+FC-0334 = Splines lie in the XY plane
+    .help = Choose G17.
+FC-0335 = Only X and Y move along a spline
+    .help = Move the other axes in a block of their own.
+FC-0336 = The spline has too few control points
+    .detail = { $number } control points, at least { $least } are needed
+    .help = Add control points, or give a lower order by L.
+FC-0337 = A NURBS ends that was not begun
+    .help = Describe its control points with G5.2 first, without another motion code between.
+FC-0338 = The spline is too long
+    .detail = the limit is { $limit } points
+    .help = Divide it into several.
+FC-0339 = The probing move has no length
+    .help = Start further away from the point that is probed to.
+FC-0473 = Cutter compensation does not work in this plane
+    .help = Choose G17, or G18.
+FC-0474 = Cutter compensation is on already
+    .help = Cancel it with G40 first.
+FC-0475 = This code is not allowed in cutter compensation
+    .help = Cancel compensation with G40 first.
+FC-0476 = Cutter compensation with a lathe tool
+    .help = Use a tool of orientation 0 or 9; the others are not compensated yet.
+FC-0570 = This axis does not move in the cycle
+    .detail = { $axis }
+    .help = Name the axes of the plane and the one square to it; move others in a block of their own.
+FC-0571 = A canned cycle needs another feed mode
+    .help = Choose G94 or G95; G93 would give a time to each of its moves.
+FC-0572 = The spindle does not turn
+    .help = Start it with M3 or M4 before this block.
+FC-0573 = The spindle turns the wrong way for this thread
+    .help = Tap right-hand threads with M3, left-hand ones with M4.
+FC-0574 = The depths of the thread do not fit each other
+    .help = I is not 0, J is more than 0, and K is more than J.

@@ -73,8 +73,8 @@ impl Lexer<'_> {
                     self.skip_line();
                     break;
                 }
-                b'(' => self.ngc_comment(),
-                b'/' if nothing_read => {
+                b'(' => self.ngc_comment(first_word),
+                b'/' if nothing_read && skip == 0 => {
                     skip = skip.saturating_add(1);
                     self.at += 1;
                     Ok(())
@@ -101,8 +101,10 @@ impl Lexer<'_> {
                 _ if statement.is_some() => {
                     Err(Flaw(DefectKind::MixedStatement, self.at, self.rest_of_block()))
                 }
+                b'N' | b'n' if nothing_read => self.sequence_number(),
                 b'#' => self.setting(),
-                b'A'..=b'Z' | b'a'..=b'z' => self.ngc_word(),
+                b'N' | b'n' | b'O' | b'o' => Err(Flaw(DefectKind::IllegalCharacter, self.at, 1)),
+                b'A'..=b'Z' | b'a'..=b'z' | b'@' | b'^' | b'$' => self.ngc_word(),
                 _ => Err(Flaw(DefectKind::IllegalCharacter, self.at, 1)),
             };
             let done = match done {
@@ -178,8 +180,20 @@ impl Lexer<'_> {
         (name, len)
     }
 
-    /// Reads a comment. One that is a command becomes a word.
-    fn ngc_comment(&mut self) -> Result<(), Flaw> {
+    /// Reads a number of digits and points behind `N`, which means nothing.
+    fn sequence_number(&mut self) -> Result<(), Flaw> {
+        let start = self.at;
+        self.at += 1;
+        if !self.next_byte().is_ascii_digit() {
+            return Err(Flaw(DefectKind::AddressWithoutNumber, start, 1));
+        }
+        let (value, point) = self.ngc_number(start)?;
+        self.page.words.push(Word::number(b'N', value, point, false, start as u32, self.word_len(start)));
+        Ok(())
+    }
+
+    /// Reads a comment. One that is a command becomes a word; of several in a line the last one counts.
+    fn ngc_comment(&mut self, first_word: usize) -> Result<(), Flaw> {
         let start = self.at;
         let rest = self.text.get(start + 1..).unwrap_or(&[]);
         let len = rest.iter().position(|b| matches!(b, b'(' | b')' | b'\n' | b'\r')).unwrap_or(rest.len());
@@ -189,6 +203,10 @@ impl Lexer<'_> {
             return Err(Flaw(DefectKind::UnclosedComment, start, 1 + len));
         }
         self.at += 1;
+        let earlier = self.page.words.get(first_word..).unwrap_or(&[]);
+        if let Some(place) = earlier.iter().position(|word| word.letter == b'(') {
+            self.page.words.remove(first_word + place);
+        }
         let blanks = inner.iter().take_while(|b| matches!(b, b' ' | b'\t')).count();
         let said = inner.get(blanks..).unwrap_or(&[]);
         let is_command = |c: &&[u8]| said.get(..c.len()).is_some_and(|s| s.eq_ignore_ascii_case(c));
@@ -461,14 +479,18 @@ impl Lexer<'_> {
         Ok(())
     }
 
-    /// `EXISTS[#<name>]`, from its bracket on.
+    /// `EXISTS[#<name>]` or of a number, from its bracket on.
     fn exists(&mut self) -> Result<(), Flaw> {
         let start = self.at;
         self.at += 1;
-        if !(self.take_text(b"#") && self.next_byte() == b'<') {
+        if !self.take_text(b"#") {
             return Err(Flaw(DefectKind::MalformedExpression, start, self.at - start));
         }
-        let number = self.named_variable()?;
+        let number = match self.next_byte() {
+            b'<' => self.named_variable()?,
+            b'0'..=b'9' => self.ngc_number(start)?.0.min(f64::from(u32::MAX >> 1)) as u32,
+            _ => return Err(Flaw(DefectKind::MalformedExpression, start, self.at - start)),
+        };
         if self.next_byte() != b']' {
             return Err(Flaw(DefectKind::UnbalancedBracket, start, 1));
         }

@@ -170,12 +170,12 @@ pub static M_CODES: &[MCode] = &[
 pub fn m_group(code: u16) -> Option<MGroup> {
     Some(match code {
         0 | 1 | 2 | 30 | 60 | 98 | 99 => MGroup::Stop,
-        3 | 4 | 5 | 19 => MGroup::Spindle,
+        // Saving the modal state counts among these.
+        3 | 4 | 5 | 19 | 70..=73 => MGroup::Spindle,
         6 | 61 => MGroup::Tool,
         7..=9 => MGroup::Coolant,
         48..=53 => MGroup::Override,
         62..=68 => MGroup::Io,
-        70..=73 => MGroup::State,
         100..=199 => MGroup::User,
         _ => return None,
     })
@@ -189,10 +189,8 @@ pub enum MGroup {
     Io,
     /// Tool change.
     Tool,
-    /// Spindle.
+    /// Spindle; modal state saved and restored.
     Spindle,
-    /// Modal state saved and restored.
-    State,
     /// Coolant.
     Coolant,
     /// Overrides.

@@ -4,6 +4,8 @@
 //! long as it runs: a call notes what it hides, and its end puts that back, so that reading one is one look
 //! and a call allocates nothing.
 
+use super::parameters::{FIRST_SYSTEM_PARAMETER, READ_ONLY};
+use super::rules::LAST_PARAMETER;
 use crate::interpreter::Interpreter;
 use ferrocut_machine::Fault;
 use ferrocut_program::{Binary, ExprRange, FIRST_NAMED, Function, Node, Page, Unary};
@@ -20,6 +22,8 @@ pub(crate) struct Named {
     values: Vec<Binding>,
     /// What subprograms hide, to be put back when they end.
     hidden: Vec<(u32, Binding)>,
+    /// How many were hidden when each of the subprograms began.
+    marks: Vec<usize>,
     /// Levels of calls around the present block.
     depth: u32,
 }
@@ -57,6 +61,12 @@ impl Named {
         Some(binding)
     }
 
+    /// Whether a name was given a value before.
+    fn is_met(&self, name: u32) -> bool {
+        let binding = usize::try_from(name).ok().and_then(|at| self.values.get(at));
+        binding.is_some_and(|binding| binding.kind != Kind::Unknown)
+    }
+
     /// The value of a name; none where it has none here.
     fn get(&self, name: u32) -> Option<f64> {
         let binding = self.values.get(usize::try_from(name).ok()?)?;
@@ -66,6 +76,33 @@ impl Named {
             Kind::Local => binding.depth == self.depth + 1,
         };
         is_here.then_some(binding.value)
+    }
+}
+
+impl Named {
+    /// A subprogram begins: it has names of its own.
+    pub(super) fn enter(&mut self) {
+        self.depth += 1;
+        self.marks.push(self.hidden.len());
+    }
+
+    /// Every subprogram ends.
+    pub(super) fn leave_all(&mut self) {
+        while !self.marks.is_empty() {
+            self.leave();
+        }
+    }
+
+    /// It ends: what it hid is back.
+    pub(super) fn leave(&mut self) {
+        let mark = self.marks.pop().unwrap_or(0);
+        while self.hidden.len() > mark {
+            let Some((name, was)) = self.hidden.pop() else { break };
+            if let Some(binding) = usize::try_from(name).ok().and_then(|at| self.values.get_mut(at)) {
+                *binding = was;
+            }
+        }
+        self.depth = self.depth.saturating_sub(1);
     }
 }
 
@@ -90,9 +127,17 @@ impl Interpreter {
 
     /// The two values of a setting: number of the parameter, and what it is set to.
     pub(super) fn ngc_setting(&mut self, page: &Page, range: ExprRange) -> Result<(u32, f64), Fault> {
+        let nodes = page.nodes(range);
+        // A name exists from here on, in its own value too: 0 until it has one.
+        if let Some(Node::Number(n)) = nodes.first()
+            && *n >= f64::from(FIRST_NAMED)
+            && !self.ngc_exists(*n as u32)
+        {
+            self.ngc_set(*n as u32, 0.0)?;
+        }
         let mut stack = std::mem::take(&mut self.ngc.stack);
         stack.clear();
-        let done = self.ngc_run(page.nodes(range), &mut stack);
+        let done = self.ngc_run(nodes, &mut stack);
         let (value, number) = (stack.pop(), stack.pop());
         self.ngc.stack = stack;
         done?;
@@ -130,6 +175,10 @@ impl Interpreter {
                 }
                 Node::Call(function) => call(function, pop(stack)?)?,
             };
+            // What is no number, or none that can be written, is no value (LinuxCNC).
+            if !value.is_finite() {
+                return Err(Fault::ResultTooLarge);
+            }
             stack.push(value);
         }
         Ok(())
@@ -140,29 +189,54 @@ impl Interpreter {
     pub(super) fn ngc_parameter(&mut self, number: u32) -> Result<f64, Fault> {
         if number < FIRST_NAMED {
             return match number {
-                1..=super::rules::LAST_PARAMETER => Ok(self.memory.variables.get(number).unwrap_or(0.0)),
+                1..FIRST_SYSTEM_PARAMETER => Ok(self.memory.variables.get(number).unwrap_or(0.0)),
+                FIRST_SYSTEM_PARAMETER..=LAST_PARAMETER => Ok(self
+                    .ngc_system_parameter(number)
+                    .unwrap_or_else(|| self.memory.variables.get(number).unwrap_or(0.0))),
                 _ => Err(Fault::UnknownVariable),
             };
         }
-        self.ngc.named.get(number - FIRST_NAMED).ok_or(Fault::UnknownVariable)
+        self.ngc_named(number - FIRST_NAMED).ok_or(Fault::UnknownVariable)
+    }
+
+    /// The value of a name.
+    fn ngc_named(&self, name: u32) -> Option<f64> {
+        if let Some(value) = self.ngc.named.get(name) {
+            return Some(value);
+        }
+        self.ngc_predefined(self.programs.names().text(name)?)
     }
 
     fn ngc_exists(&self, number: u32) -> bool {
-        self.ngc.named.get(number.wrapping_sub(FIRST_NAMED)).is_some()
+        match number.checked_sub(FIRST_NAMED) {
+            Some(name) => self.ngc_named(name).is_some(),
+            None => (1..=LAST_PARAMETER).contains(&number),
+        }
     }
 
     /// Gives a parameter a value.
     pub(super) fn ngc_set(&mut self, number: u32, value: f64) -> Result<(), Fault> {
         self.variable_writes += 1;
         if number < FIRST_NAMED {
-            return match number {
-                1..=super::rules::LAST_PARAMETER => {
-                    self.memory.variables.set(number, Some(value)).map_err(|_| Fault::UnknownVariable)
-                }
-                _ => Err(Fault::UnknownVariable),
-            };
+            if !(1..=LAST_PARAMETER).contains(&number) {
+                return Err(Fault::UnknownVariable);
+            }
+            if READ_ONLY.contains(&number) {
+                return Err(Fault::VariableNotWritable);
+            }
+            if number >= FIRST_SYSTEM_PARAMETER {
+                self.ngc_set_system_parameter(number, value);
+            }
+            return self.memory.variables.set(number, Some(value)).map_err(|_| Fault::UnknownVariable);
         }
         let name = number - FIRST_NAMED;
+        // Names of the language are looked for once: behind that the binding tells.
+        if !self.ngc.named.is_met(name)
+            && let Some(text) = self.programs.names().text(name)
+            && self.ngc_predefined(text).is_some()
+        {
+            return Err(Fault::VariableNotWritable);
+        }
         let named = &mut self.ngc.named;
         let depth = named.depth + 1;
         let programs = &self.programs;

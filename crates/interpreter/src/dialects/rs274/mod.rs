@@ -11,11 +11,25 @@
 mod arcs;
 mod blocks;
 mod codes;
+mod coordinates;
+mod cutter;
+mod cycles;
 mod expressions;
+mod flow;
+mod messages;
 mod motion;
+mod moves;
+mod parameters;
+mod polar;
+mod probe;
 mod rules;
+mod saved;
+mod splines;
 mod state;
 mod syntax;
+mod technology;
+mod threads;
+mod tools;
 
 pub(crate) use state::State;
 

@@ -9,7 +9,7 @@ use ferrocut_machine::Fault;
 use ferrocut_toolpath::{Feed, Op, PathMode};
 
 /// Machine coordinates beyond this are no length of a machine; `f64` still resolves a tenth of a micrometre.
-const LARGEST_COORDINATE: f64 = 1e8;
+pub(super) const LARGEST_COORDINATE: f64 = 1e8;
 
 impl Interpreter {
     /// Millimetres in the unit of length in force.
@@ -22,6 +22,8 @@ impl Interpreter {
     #[inline]
     pub(super) fn ngc_axis_word(&self, axis: Axis) -> Option<f64> {
         let value = self.words.get(axis.letter() as u8)?;
+        let is_diameter = axis == Axis::X && self.modal.meaning(Group::Diameter) == Meaning::DiameterMode;
+        let value = if is_diameter { value / 2.0 } else { value };
         Some(if axis.is_linear() { value * self.ngc_unit() } else { value })
     }
 
@@ -58,8 +60,19 @@ impl Interpreter {
                 false => Err(self.alarm(Fault::NoFeed, self.words.block_span())),
             },
             _ if feed <= 0.0 => Err(self.alarm(Fault::NoFeed, self.words.block_span())),
+            Meaning::FeedPerRevolution if self.ngc_spindle_speed() == 0.0 => {
+                Err(self.alarm(Fault::SpindleAtRest, self.words.block_span()))
+            }
             Meaning::FeedPerRevolution => Ok(Feed::PerRevolution(feed * self.ngc_unit())),
             _ => Ok(Feed::PerMinute(feed * self.ngc_unit())),
+        }
+    }
+
+    /// The S word in force, whether the spindle turns or not.
+    pub(super) fn ngc_spindle_speed(&self) -> f64 {
+        match self.modal.meaning(Group::SurfaceSpeed) {
+            Meaning::SurfaceSpeed => self.technology.surface_speed.unwrap_or(0.0),
+            _ => self.technology.speed.unwrap_or(0.0),
         }
     }
 
@@ -67,7 +80,7 @@ impl Interpreter {
     pub(super) fn ngc_path(&self) -> PathMode {
         match self.modal.meaning(Group::PathControl) {
             Meaning::ExactPath | Meaning::ExactStop => PathMode::ExactStop,
-            _ => PathMode::Continuous,
+            _ => self.ngc.tolerance.map_or(PathMode::Continuous, PathMode::ContinuousWithin),
         }
     }
 
@@ -84,7 +97,7 @@ impl Interpreter {
         let machine = self.ngc.machine_of(to);
         self.ngc_check_reach(machine)?;
         self.ngc.at = to;
-        if machine != self.location.machine {
+        if machine != self.location.machine || self.output.takes_still_moves() {
             self.location.machine = machine;
             self.emit(Op::Rapid { to: machine, straight: true, speed: None });
         }
@@ -93,13 +106,29 @@ impl Interpreter {
 
     /// Cuts straight to a programmed point.
     pub(super) fn ngc_cut(&mut self, to: Position) -> Fallible<()> {
+        self.ngc_cut_in(to, self.ngc_path())
+    }
+
+    /// Cuts straight to a programmed point and comes to rest there.
+    pub(super) fn ngc_cut_exactly(&mut self, to: Position) -> Fallible<()> {
+        self.ngc_cut_in(to, PathMode::ExactStop)
+    }
+
+    fn ngc_cut_in(&mut self, to: Position, path: PathMode) -> Fallible<()> {
         let machine = self.ngc.machine_of(to);
         self.ngc_check_reach(machine)?;
-        let feed = self.ngc_feed()?;
+        let mut feed = self.ngc_feed()?;
+        if self.modal.is_inch()
+            && let Feed::PerMinute(degrees) = &mut feed
+            && Axis::ALL.into_iter().all(|axis| !axis.is_linear() || to[axis] == self.ngc.at[axis])
+        {
+            // Where nothing but rotary axes moves it is degrees a minute.
+            *degrees = self.ngc.feed;
+        }
         self.ngc.at = to;
-        if machine != self.location.machine {
+        if machine != self.location.machine || self.output.takes_still_moves() {
             self.location.machine = machine;
-            self.emit(Op::Feed { to: machine, feed, path: self.ngc_path() });
+            self.emit(Op::Feed { to: machine, feed, path });
         }
         Ok(())
     }

@@ -14,7 +14,7 @@ use ferrocut_geometry::Axis;
 use ferrocut_machine::Parameters;
 
 /// Parameters have numbers from 1 to this one (LinuxCNC, parameters).
-pub const LAST_PARAMETER: u32 = 5602;
+pub const LAST_PARAMETER: u32 = 5601;
 
 /// Reads the rules.
 pub fn rules(_: &Parameters) -> Rules {
@@ -43,7 +43,7 @@ pub fn rules(_: &Parameters) -> Rules {
         cycles: cycles(),
         motion: motion::Rules::default(),
         coordinates: coordinates::Rules::default(),
-        cutter: cutter::Rules::default(),
+        cutter: cutter::Rules { method: cutter::Method::OneAhead, ..cutter::Rules::default() },
         radius_is_diameter: false,
         corner_override: None,
         stroke: StrokeRules {
@@ -127,6 +127,6 @@ pub fn reset(_: &Parameters) -> ResetRules {
 
 /// Modal state at power-on (LinuxCNC, G-code overview, defaults; a machine is metric here).
 pub fn power_on(_: &Parameters) -> Modal {
-    let codes = [800, 170, 900, 911, 940, 210, 400, 490, 540, 640, 970, 980, 80];
+    let codes = [800, 170, 900, 911, 940, 210, 400, 490, 540, 640, 970, 990, 80];
     Modal::new(&LENGTH_OFF, codes.into_iter().map(|tenths| fanuc::row(G_CODES, tenths)))
 }

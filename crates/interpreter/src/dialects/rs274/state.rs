@@ -3,7 +3,13 @@
 //! One formula leads from a programmed point to the machine (LinuxCNC, coordinate systems):
 //! machine = turned(point + shift) + zero + length.
 
+use super::cycles::Cycles;
 use super::expressions::Named;
+use super::flow::OWords;
+use super::polar::PolarWords;
+use super::saved::Saved;
+use super::splines::Splines;
+use super::technology::Overrides;
 use crate::stages::rotation::sin_cos_degrees;
 use ferrocut_geometry::{Axis, Position};
 
@@ -27,8 +33,26 @@ pub(crate) struct State {
     pub has_feed_word: bool,
     /// The block has G53.
     pub in_machine: bool,
+    /// Canned cycles.
+    pub cycles: Cycles,
+    /// Splines.
+    pub splines: Splines,
+    /// Polar words of the block.
+    pub polar: PolarWords,
     /// Values of parameters with names.
     pub named: Named,
+    /// Subprograms, loops and conditions.
+    pub o_words: OWords,
+    /// What the last subprogram returned.
+    pub returned: Option<f64>,
+    /// Saved states, one a level of calls at most.
+    pub saved: Vec<Saved>,
+    /// Mist coolant is on.
+    pub mist: bool,
+    /// How far a path may leave the programmed one (G64 P), mm.
+    pub tolerance: Option<f64>,
+    /// Overrides that have effect.
+    pub overrides: Overrides,
     /// Stack of expressions, kept to spare its allocation.
     pub stack: Vec<f64>,
     /// Parameters that the block sets, once all its words are read.
@@ -87,12 +111,32 @@ impl State {
             feed: 0.0,
             has_feed_word: false,
             in_machine: false,
+            cycles: Cycles::default(),
+            splines: Splines::default(),
+            polar: PolarWords::default(),
             named: Named::default(),
+            o_words: OWords::default(),
+            returned: None,
+            saved: Vec::new(),
+            mist: false,
+            tolerance: None,
+            overrides: Overrides::START,
             stack: Vec::new(),
             settings: Vec::new(),
         };
         state.at = state.program_of(machine);
         state
+    }
+
+    /// Reset with the axes at rest at `machine`: offsets and parameters stay, what a program opened is closed.
+    pub fn reset(&mut self, machine: Position) {
+        self.o_words = OWords::default();
+        self.named.leave_all();
+        self.saved.clear();
+        self.returned = None;
+        self.mist = false;
+        self.feed = 0.0;
+        self.at = self.program_of(machine);
     }
 
     /// Machine position of a programmed point.

@@ -1,9 +1,8 @@
 //! How programs are written.
 
-use ferrocut_program::lexer::MAX_LINE;
 use ferrocut_program::{Function, NGC_OPERATORS, Syntax};
 
-/// LinuxCNC, G-code overview: functions and operators.
+/// LinuxCNC, G-code overview: functions and operators. Its program refuses a line of more than 252 bytes.
 pub static SYNTAX: Syntax = Syntax {
     functions: &[
         ("ABS", Function::Abs),
@@ -22,7 +21,7 @@ pub static SYNTAX: Syntax = Syntax {
         ("TAN", Function::Tan),
     ],
     operators: NGC_OPERATORS,
-    max_line: MAX_LINE,
+    max_line: 252,
     o_words: true,
     ..Syntax::WORDS
 };

@@ -118,7 +118,7 @@ impl<T: Clone> OneAhead<T> {
     }
 
     /// G41 and G42: the next move is the entry. A radius of 0 compensates nothing. `None` is G40;
-    /// [`Self::flush`] first.
+    /// [`Self::finish`] first.
     pub fn set(&mut self, offset: Option<Offset>) {
         self.offset = offset.filter(|o| o.radius != 0.0);
         if self.offset.is_none() {
@@ -132,9 +132,10 @@ impl<T: Clone> OneAhead<T> {
         self.in_mode
     }
 
-    /// Whether the vector that stood was taken away and not left yet.
-    pub fn stands_aside(&self) -> bool {
-        self.must_go_straight
+    /// Whether a move to the end of the path, where the tool stands in the program, counts: it is the entry, or
+    /// leaves the vector that was taken away.
+    pub fn takes_still_moves(&self) -> bool {
+        self.must_go_straight || self.offset.is_some() && !self.in_mode
     }
 
     /// Forgets the vector and what waits.
@@ -180,11 +181,21 @@ impl<T: Clone> OneAhead<T> {
         waits.map_err(|fault| at(fault, payload))
     }
 
-    /// Hands out all that waits; the last move ends square to itself.
+    /// Hands out all that waits; the last move ends square to itself, and the next corner cannot change that: an
+    /// inside one is not seen.
     pub fn flush(&mut self, out: &mut impl FnMut(Out<T>)) -> Done<T> {
+        self.end(false, out)
+    }
+
+    /// The same before G40, where a last move that runs backwards is a fault.
+    pub fn finish(&mut self, out: &mut impl FnMut(Out<T>)) -> Done<T> {
+        self.end(true, out)
+    }
+
+    fn end(&mut self, is_checked: bool, out: &mut impl FnMut(Out<T>)) -> Done<T> {
         let Some(Queued::Move(first) | Queued::Other(first)) = self.queue.front() else { return Ok(()) };
         let first = first.clone();
-        self.end_at(self.tool, true, out).map_err(|fault| {
+        self.end_at(self.tool, is_checked, out).map_err(|fault| {
             self.forget();
             at(fault, first)
         })
@@ -254,11 +265,13 @@ impl<T: Clone> OneAhead<T> {
                 (Way::Round(round), (beta - PI).abs() < STRAIGHT_RAD && !inside)
             }
         };
-        let start = if is_inside || beta < -STRAIGHT_RAD || beta > PI + STRAIGHT_RAD {
+        let is_inside = is_inside || beta < -STRAIGHT_RAD || beta > PI + STRAIGHT_RAD;
+        let is_held = !is_inside || self.last.is_some();
+        let start = if is_inside && is_held {
             let crossing = self.crossing(&m, &way, before, beta, d)?;
             self.end_at(crossing, true, out)?;
             crossing
-        } else if beta > STRAIGHT_RAD {
+        } else if !is_inside && beta > STRAIGHT_RAD {
             self.end_at(self.tool, m.way == Shape::Line, out)?;
             let to = along(m.from, left(m.start), d);
             let shape = Shape::Arc { center: m.from, sweep: -d.signum() * beta };
@@ -268,7 +281,7 @@ impl<T: Clone> OneAhead<T> {
             self.end_at(self.tool, false, out)?;
             self.tool
         };
-        self.last = Some(Waited { start, is_held: true, way });
+        self.last = Some(Waited { start, is_held, way });
         self.tool = tip;
         self.wait(Queued::Move(payload.clone()))
     }

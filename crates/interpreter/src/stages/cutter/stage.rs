@@ -51,12 +51,12 @@ impl<T: Clone> Stage<T> {
         }
     }
 
-    /// Whether the tool still stands where a vector left it that is in force no more.
+    /// Whether a move to the end of the path counts ([`OneAhead::takes_still_moves`]).
     #[inline]
-    pub fn stands_aside(&self) -> bool {
+    pub fn takes_still_moves(&self) -> bool {
         match self {
             Stage::Vectors(_) => false,
-            Stage::OneAhead(stage) => stage.stands_aside(),
+            Stage::OneAhead(stage) => stage.takes_still_moves(),
         }
     }
 
@@ -109,6 +109,14 @@ impl<T: Clone> Stage<T> {
             Stage::OneAhead(_) => {
                 Err(FaultAt { fault: super::Fault::CornerArcOutsideMode, at: payload, before: None })
             }
+        }
+    }
+
+    /// Hands out all that waits before compensation is cancelled.
+    pub fn finish(&mut self, out: &mut impl FnMut(Out<T>)) -> Done<T> {
+        match self {
+            Stage::Vectors(stage) => stage.flush(out),
+            Stage::OneAhead(stage) => stage.finish(out),
         }
     }
 

@@ -1,6 +1,7 @@
 //! The manual's cases by hand, and properties against plain geometry.
 
 mod manual;
+mod one_ahead;
 mod properties;
 
 use super::*;
