@@ -11,6 +11,7 @@ import oracle
 from path import NOTHING, PLANES, Move, Path
 
 CALL = re.compile(r"\s*(\d+) N(\.{5}|\d+)\s+([A-Z0-9_.]+)\((.*)\)\s*$")
+POCKET = re.compile(r"^T(\d+) P(\d+)", re.MULTILINE)
 # Angles that are this close, in radians, are one: emccanon's own bound for a full circle.
 FULL_CIRCLE = 1e-6
 MM = {"CANON_UNITS_MM": 1.0, "CANON_UNITS_INCHES": 25.4}
@@ -18,7 +19,8 @@ CANON_PLANES = {"CANON_PLANE_XY": "xy", "CANON_PLANE_YZ": "yz", "CANON_PLANE_XZ"
 
 
 class Reader:
-    def __init__(self):
+    def __init__(self, pockets):
+        self.pockets = pockets
         self.units = 1.0
         self.work = (0.0,) * 6
         self.g92 = (0.0,) * 6
@@ -124,10 +126,11 @@ class Reader:
                 self.feed = values[0]
             case "SET_FEED_MODE":
                 self.feed_mode = "frev" if values[1] else "f"
-            case "DWELL":
+            case "DWELL" if values[0] > 0:
                 self.path.events.append(("dwell", values[0]))
             case "CHANGE_TOOL":
-                self.path.events.append(("change", values[0]))
+                # The call names the pocket of the tool.
+                self.path.events.append(("change", float(self.pockets.get(int(values[0]), values[0]))))
             case "PROGRAM_STOP":
                 self.path.events.append(("stop", "M00"))
             case "MESSAGE":
@@ -143,9 +146,9 @@ NUMBERS = {
 }  # fmt: skip
 
 
-def read(answer):
-    """The path of what the interpreter answered."""
-    reader = Reader()
+def read(answer, tools=""):
+    """The path of what the interpreter answered. `tools` is the text of the tool table."""
+    reader = Reader({int(pocket): int(tool) for tool, pocket in POCKET.findall(tools)})
     reader.path.error = answer.error
     reader.path.error_line = oracle.line_of(answer.text) if answer.error else None
     for text in answer.calls:

@@ -57,7 +57,7 @@ class Bench:
             lines = program.files.get(pathlib.Path(file or "main.ngc").name, [])
             return oracle.line_of(lines[line - 1]) if line and line <= len(lines) else None
 
-        theirs = canon.read(answer)
+        theirs = canon.read(answer, program.tools)
         sought = SOUGHT.search(theirs.error or "")
         if sought:
             # It looks for a subprogram to the end of the file and shows the line there; the call is at fault.

@@ -63,6 +63,7 @@ class Writer:
         self.numbered = []      # subprograms of M98, which stand behind the end of the program
         self.behind = []        # their lines
         self.depth = 0
+        self.do_loops = self.rng.random() < 0.5
         self.radii = {}
 
     # --- writing
@@ -614,7 +615,8 @@ class Writer:
         rng = self.rng
         if self.depth > 2:
             return self.lines_of()
-        kind = rng.choice(("if", "if", "while", "do", "repeat"))
+        # `break` of a while loop ends a do loop behind it after one pass in LinuxCNC 2.9: see the deviations.
+        kind = rng.choice(("if", "if", "while", "do" if self.do_loops else "while", "repeat"))
         name = self.label()
         counter = f"#<n{self.labels}>"
         self.forget()
@@ -644,7 +646,10 @@ class Writer:
                 inner = self.label()
                 self.line(f"{inner} if [{counter} EQ {rng.randint(1, 3)}]")
                 # `continue` of a do loop within a repeat never ends in LinuxCNC 2.9: see the deviations.
-                jumps = ("break", "continue") if kind == "while" or self.depth == 1 else ("break",)
+                if kind == "while":
+                    jumps = ("continue",) if self.do_loops else ("break", "continue")
+                else:
+                    jumps = ("break", "continue") if self.depth == 1 else ("break",)
                 self.line(f"{name} {rng.choice(jumps)}")
                 self.line(f"{inner} endif")
                 self.body()
@@ -749,7 +754,7 @@ class Writer:
             self.state.fed = True
         arguments = []
         for _ in range(parameters + self.rng.choice((0, 0, 0, 1)) if parameters else 0):
-            text, _ = self.maker.make(40, 1)
+            text, _ = self.maker.make(5, 1)
             arguments.append(f"[{text}]")
         self.line(f"{name} call", *arguments)
         if self.chance(0.3):

@@ -73,7 +73,7 @@ def run(arguments, name, theirs, folder):
 def judge(program, theirs, ours, tools, folder):
     """What became of a sample, and a word about it."""
     answer = oracle.run(theirs, program, folder, tools)
-    their_path = canon.read(answer)
+    their_path = canon.read(answer, tools.read_text())
     where = {}
 
     def marks(file, line):

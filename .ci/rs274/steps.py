@@ -48,8 +48,8 @@ def read(lines, marks):
             path.events.append(("dwell", step.get("s", step.get("rev"))))
         elif op == "change":
             path.events.append(("change", float(step["t"])))
-        elif op == "stop" and step["code"] == "M00":
-            path.events.append(("stop", step["code"]))
+        elif op == "stop" and step["code"] != "M01":
+            path.events.append(("stop", "M00"))
         elif op in KINDS:
             end = list(at)
             for name, value in step.get("to", {}).items():
