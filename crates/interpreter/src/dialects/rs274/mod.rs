@@ -4,9 +4,9 @@
 //! of G codes and O codes. Where both are silent the program `rs274` of that version was asked.
 //!
 //! The language executes a block in an order of its own, checks it before anything is done, and keeps its
-//! positions in one formula (`state`), so that its blocks are run here ([`blocks`]) and not by the common
+//! positions in one formula (`state`), so that its blocks are run here (`blocks`) and not by the common
 //! order of the Fanuc-like controls. Behind the move stand the common pieces: steps, offsets, tools,
-//! variables, geometry. Read [`blocks`] first.
+//! variables, geometry. Read `blocks` first.
 
 mod arcs;
 mod blocks;
