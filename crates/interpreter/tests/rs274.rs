@@ -310,3 +310,56 @@ fn many_calls_end_and_take_no_memory() {
     let program = "o1 sub\n#<n>=#1\no1 endsub\no2 repeat [100000]\no1 call [5]\no2 endrepeat\nG0 X1\nM2\n";
     assert_eq!(xs(program), [1.0]);
 }
+
+/// What LinuxCNC keeps away from the depth reached before: 0.010 inch.
+const CLEARANCE: &str = "[parameters]\nP270 = 0.254\nP271 = 0.254\n";
+
+#[test]
+fn a_drilled_and_contoured_part_is_the_same_as_on_the_gsk() {
+    let tools = "[tools.1]\nlength = 40.0\n[tools.2]\nlength = 55.5\n[work_offsets]\nG54 = { x = 5.0, y = -3.0 }\n";
+    let part = "G17 G21 G40 G49 G80 G90 G94 G54
+T1 M6
+S2000 M3
+M8
+G43 H1 G0 Z30
+G0 X-5 Y0
+G0 Z2
+G1 Z-3 F120
+G1 X0 F300
+G1 Y20
+G2 X10 Y30 I10 J0
+G1 X40
+G3 X50 Y40 R10
+G1 Y60
+G2 X50 Y60 I10 J0
+G91 G1 X10 Y-5
+G90
+G3 X60 Y55 Z-6 I5 J0
+G1 Z2
+G0 Z30
+M9
+G49 G0 Z100
+T2 M6
+S900 M3
+G43 H2 G0 Z30
+G99 G81 X20 Y10 R3 Z-12 F150
+X40
+G80
+G0 Z30
+G98 G81 X40 Y30 R3 Z-12
+G82 X60 Y10 R3 Z-5 P500
+G83 X20 Y50 R2 Z-25 Q10 F120
+G99 G73 X40 Y50 R2 Z-25 Q10
+G85 X60 Y50 R2 Z-8
+G80
+G0 Z30
+G49 G0 Z100
+M5
+M30
+";
+    let gsk = common::lines(&format!("O10\n{part}"), &format!("{CLEARANCE}{tools}"));
+    // The same but for the unit of a dwell: a second, and a thousandth of it.
+    let rs274 = common::lines_on(&DIALECT, &part.replace("P500", "P0.5"), tools);
+    assert_eq!(gsk, rs274);
+    assert!(rs274.len() > 50, "{rs274:?}");
+}
