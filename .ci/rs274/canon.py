@@ -134,7 +134,7 @@ class Reader:
             case "PROGRAM_STOP":
                 self.path.events.append(("stop", "M00"))
             case "MESSAGE":
-                self.path.messages.append(text.strip('"'))
+                self.path.messages.append(text[1:-1])
             case _:
                 return
 

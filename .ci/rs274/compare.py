@@ -10,6 +10,8 @@ from path import NOTHING, PLANES
 TOLERANCE = 0.0005
 # Of feeds, of the value itself: traces and calls print six decimals or more.
 FEED = 1e-5
+# What rounding to six decimals may move the ends of a move apart, mm.
+PLACES = 5e-6
 
 
 @dataclasses.dataclass
@@ -72,7 +74,11 @@ def move_difference(theirs, ours):
         return "pitch", f"pitch {theirs.pitch:.6g} became {ours.pitch:.6g}"
     if theirs.feed and ours.feed and theirs.kind in ("feed", "arc"):
         (mode, value), (our_mode, our_value) = speed(theirs), speed(ours)
-        if mode != our_mode or abs(value - our_value) > FEED * max(1.0, abs(value)):
+        allowed = FEED * max(1.0, abs(value))
+        if ours.feed[0] == "s":
+            # A speed from length and time is as good as the places of the length's ends.
+            allowed += abs(value) * PLACES / max(ours.length(), PLACES)
+        if mode != our_mode or abs(value - our_value) > allowed:
             return "feed", f"feed {mode} {value:.6g} became {our_mode} {our_value:.6g}"
     return None
 

@@ -13,3 +13,18 @@ def of(program, theirs, ours, difference):
         if holds(program, theirs, ours, difference):
             return name
     return None
+
+
+# Samples of the package that the stand-alone program runs in another way than LinuxCNC on a machine does.
+UVW = "axes U, V, W, which the stand-alone program has not"
+PROBE = "probing, after which the stand-alone program stands beside the point"
+CHANGE = "G43 in the block of a tool change, in which the stand-alone program loses the length"
+SAMPLES = {
+    "foam.ngc": UVW,
+    "cone.ngc": UVW,
+    "useful-subroutines.ngc": PROBE,
+    "x-trim.ngc": PROBE,
+    "mmount.ngc": CHANGE,
+    "skeleton.ngc": CHANGE,
+    "offsets.ngc": CHANGE,
+}

@@ -27,7 +27,7 @@ import steps
 
 AT_ONCE = 200
 # What alarms say of words that the dialect leaves out.
-NOT_CARRIED = "does not carry"
+NOT_CARRIED = ("does not carry", "write no files")
 SOUGHT = re.compile(r"EOF in file:(\S+) seeking o-word: \S+ from line: (\d+)")
 
 
@@ -107,7 +107,7 @@ def signature(difference):
     if difference.kind in ("alarm", "no alarm", "error line"):
         said = [line.split(": ", 1)[-1] for line in difference.text.split("\n")]
         # A word that is not carried is one thing, wherever the other stops.
-        said = [text for text in said if NOT_CARRIED in text] or said
+        said = [text for text in said if any(words in text for words in NOT_CARRIED)] or said
         plain = ["".join("#" if c.isdigit() else c for c in text.split("; theirs")[0].split("; ours")[0]) for text in said]
         return difference.kind, " / ".join(" ".join(text.split()[:7]) for text in plain)
     if difference.kind == "kind":

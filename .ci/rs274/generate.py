@@ -339,6 +339,9 @@ class Writer:
         if state.feed_mode in ("93", "95"):
             self.set_feed_mode("94")
         code = rng.choice((81, 82, 83, 73, 85, 89, 86, 88, 84, 74, 81, 83, 82))
+        if code in (84, 74):
+            # Elsewhere LinuxCNC 2.9 feeds to coordinates of other axes.
+            self.select_plane("17")
         first, second, third = AXIS[state.plane]
         self.place(-30, 30)
         height = state.position[third]
@@ -541,7 +544,10 @@ class Writer:
         match rng.randint(0, 8):
             case 0 | 1 | 2:
                 state.tool = rng.choice(sorted(self.radii))
-                self.line(rng.choice((f"T{state.tool} M6", f"M6 T{state.tool}", f"M61 Q{state.tool}")))
+                if self.chance(0.3):
+                    # The stand-alone program has no tool in its spindle after M61: another one follows.
+                    self.line(f"M61 Q{rng.choice(sorted(self.radii))}")
+                self.line(rng.choice((f"T{state.tool} M6", f"M6 T{state.tool}")))
                 state.spindle = False
                 if state.feed_mode == "95":
                     self.set_feed_mode("94")
@@ -645,11 +651,11 @@ class Writer:
             if self.chance(0.4):
                 inner = self.label()
                 self.line(f"{inner} if [{counter} EQ {rng.randint(1, 3)}]")
-                # `continue` of a do loop within a repeat never ends in LinuxCNC 2.9: see the deviations.
+                # `continue` of a do loop disturbs repeats there, too.
                 if kind == "while":
                     jumps = ("continue",) if self.do_loops else ("break", "continue")
                 else:
-                    jumps = ("break", "continue") if self.depth == 1 else ("break",)
+                    jumps = ("break",)
                 self.line(f"{name} {rng.choice(jumps)}")
                 self.line(f"{inner} endif")
                 self.body()

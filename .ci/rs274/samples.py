@@ -86,12 +86,15 @@ def judge(program, theirs, ours, tools, folder):
     our_path = steps.run(ours, program, tools, None, 60, marks)
     # Errors are told by the text of their line; lines of moves are not shown by a program without N words.
     their_path.error_line = words(answer.text) if answer.error else None
-    if our_path.error and differential.NOT_CARRIED in our_path.error:
+    if our_path.error and any(words in our_path.error for words in differential.NOT_CARRIED):
         return "stop at a word not carried", our_path.error
+    sought = differential.SOUGHT.search(their_path.error or "")
+    if sought:
+        their_path.error_line = marks(None, int(sought.group(2)))
     difference = compare.compare(their_path, our_path)
     if difference is None:
         return ("same error" if answer.error else "same motion"), ""
-    known = deviations.of(program, their_path, our_path, difference)
+    known = deviations.SAMPLES.get(program.name)
     if known:
         return f"known deviation: {known}", ""
     return "differs", f"{difference.kind}: {difference.text}"

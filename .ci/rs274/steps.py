@@ -44,7 +44,7 @@ def read(lines, marks):
             path.error_line = line
         elif op == "message":
             path.messages.append(step["text"])
-        elif op == "dwell":
+        elif op == "dwell" and step.get("s", step.get("rev")) > 0:
             path.events.append(("dwell", step.get("s", step.get("rev"))))
         elif op == "change":
             path.events.append(("change", float(step["t"])))
