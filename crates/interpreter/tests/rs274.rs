@@ -316,7 +316,8 @@ const CLEARANCE: &str = "[parameters]\nP270 = 0.254\nP271 = 0.254\n";
 
 #[test]
 fn a_drilled_and_contoured_part_is_the_same_as_on_the_gsk() {
-    let tools = "[tools.1]\nlength = 40.0\n[tools.2]\nlength = 55.5\n[work_offsets]\nG54 = { x = 5.0, y = -3.0 }\n";
+    let tools =
+        "[tools.1]\nlength = 40.0\n[tools.2]\nlength = 55.5\n[work_offsets]\nG54 = { x = 5.0, y = -3.0 }\n";
     let part = "G17 G21 G40 G49 G80 G90 G94 G54
 T1 M6
 S2000 M3
