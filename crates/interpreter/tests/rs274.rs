@@ -94,7 +94,8 @@ fn subprograms_have_parameters_of_their_own() {
         #1=7 #2=8 #3=9\no1 call [10]\nG0 X[#1+#<_all>]\nG0 X#<_value>\nG0 X[EXISTS[#<own>]]\nM2\n";
     assert_eq!(xs(program), [10.0, 14.0, 51.0, 0.0]);
     // Nine calls may stand in each other.
-    let deep = |n: u32| format!("o1 sub\no2 if [#1 LT {n}]\no1 call [#1+1]\no2 endif\no1 endsub\no1 call [1]\nM2\n");
+    let deep =
+        |n: u32| format!("o1 sub\no2 if [#1 LT {n}]\no1 call [#1+1]\no2 endif\no1 endsub\no1 call [1]\nM2\n");
     assert_eq!(points(&deep(9), "").1, None);
     fails(&deep(10), Fault::CallsTooDeep, 3);
 }
@@ -250,7 +251,10 @@ fn tool_lengths() {
         assert_eq!(alarm, None, "{program}");
         points.iter().map(|p| p[2]).collect::<Vec<_>>()
     };
-    assert_eq!(z("T1 M6 G43\nG0 Z0\nG43.2 H2\nG0 Z0\nG43 H2\nG0 Z0\nG49\nG0 Z0\nM2\n"), [10.0, 13.0, 3.0, 0.0]);
+    assert_eq!(
+        z("T1 M6 G43\nG0 Z0\nG43.2 H2\nG0 Z0\nG43 H2\nG0 Z0\nG49\nG0 Z0\nM2\n"),
+        [10.0, 13.0, 3.0, 0.0]
+    );
     assert_eq!(z("G43.1 Z4\nG0 Z1\nM61 Q1\nG43\nG0 Z1\nM2\n"), [5.0, 11.0]);
     assert_eq!(z("G10 L1 P1 Z7\nG43 H1\nG0 Z1\nM2\n"), [8.0]);
     // At Z8 and so that it would be Z5: the length is 3.
@@ -267,7 +271,8 @@ fn saved_states() {
 
 #[test]
 fn texts_for_the_operator() {
-    let program = "#1=2.5\n(MSG, a (note)\n(msg,here)\n(print,x=#1 y=#<_y> #nothing %d#1)\n#5599=0\n(debug,no)\nM2\n";
+    let program =
+        "#1=2.5\n(MSG, a (note)\n(msg,here)\n(print,x=#1 y=#<_y> #nothing %d#1)\n#5599=0\n(debug,no)\nM2\n";
     fails(program, Fault::UnclosedComment, 2);
     let program = program.replace("(MSG, a (note)\n", "(MSG, first) (MSG, last)\n");
     let (steps, alarm) = run_on(&DIALECT, &program, "");

@@ -551,8 +551,7 @@ mod tests {
         };
     }
 
-    const FILES: [(&str, [&str; 5]); 5] =
-        files!("gsk990mc", "kaitong", "weihong", "fagor8065", "rs274");
+    const FILES: [(&str, [&str; 5]); 5] = files!("gsk990mc", "kaitong", "weihong", "fagor8065", "rs274");
 
     #[test]
     fn every_row_of_the_files_is_read() {

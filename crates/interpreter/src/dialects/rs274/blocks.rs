@@ -294,7 +294,7 @@ impl Interpreter {
                 b'J' => matches!(motion, 20 | 30 | 50 | 51 | 331 | 760 | 870) || once == 100,
                 b'K' => matches!(motion, 20 | 30 | 330 | 331 | 760 | 870),
                 b'L' => {
-                    is_cycle
+                    is_cycle && motion != 740
                         || once == 100
                         || matches!(motion, 52 | 53)
                         || matches!(code(Group::Cutter), 410 | 411 | 420 | 421)
@@ -366,6 +366,12 @@ impl Interpreter {
         }
         if let Some(row) = codes.g(Group::WorkOffset) {
             self.ngc_system(row)?;
+        }
+        // In compensation neither of these changes.
+        if self.ngc_in_compensation()
+            && (codes.g(Group::PathControl).is_some() || codes.g(Group::Return).is_some())
+        {
+            return Err(self.ngc_alarm(Fault::NotInCutter));
         }
         if let Some(row) = codes.g(Group::PathControl) {
             self.modal.set(row);

@@ -114,6 +114,7 @@ impl Interpreter {
             Meaning::DataSetting => self.ngc_data(),
             Meaning::ReferenceReturn => self.ngc_reference(0),
             Meaning::FurtherReferenceReturn => self.ngc_reference(1),
+            Meaning::SaveReference if self.ngc_in_compensation() => Err(self.ngc_alarm(Fault::NotInCutter)),
             Meaning::SaveReference => {
                 let place = usize::from(row.tenths == 301);
                 if let Some(point) = self.memory.reference_points.get_mut(place) {
@@ -133,7 +134,7 @@ impl Interpreter {
 
     /// G92 to G92.3 and G52, which share one shift of all systems.
     fn ngc_shift(&mut self, meaning: Meaning) -> Fallible<()> {
-        if self.ngc_in_compensation() {
+        if self.ngc_in_compensation() && matches!(meaning, Meaning::SetPosition | Meaning::LocalZero) {
             return Err(self.ngc_alarm(Fault::ShiftInCutter));
         }
         let mut shift = self.ngc.shift;

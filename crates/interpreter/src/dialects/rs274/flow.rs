@@ -332,13 +332,7 @@ impl Interpreter {
         self.o_skip_behind(at, name, &[OKeyword::EndSub], span)
     }
 
-    fn o_define(
-        &mut self,
-        name: Name,
-        keyword: OKeyword,
-        start: Place,
-        span: Span,
-    ) -> Fallible<Subprogram> {
+    fn o_define(&mut self, name: Name, keyword: OKeyword, start: Place, span: Span) -> Fallible<Subprogram> {
         let words = &mut self.ngc.o_words;
         if words.subprograms.len() >= MAX_REMEMBERED {
             return Err(self.alarm(Fault::TooManyLabels, span));

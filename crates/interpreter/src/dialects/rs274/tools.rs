@@ -8,6 +8,7 @@ use super::codes::MGroup;
 use crate::Fallible;
 use crate::dialect::{GCode, Meaning};
 use crate::interpreter::Interpreter;
+use crate::words::AXIS_LETTERS;
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_machine::{Fault, Tool};
 use ferrocut_toolpath::{Op, SpindleState};
@@ -110,6 +111,9 @@ impl Interpreter {
                 for axis in self.words.axes(self.rules.axes).iter() {
                     length[axis] = self.ngc_axis_word(axis).unwrap_or(length[axis]);
                 }
+            }
+            Meaning::LengthMore if self.words.has(b'H') && self.words.has_any(AXIS_LETTERS) => {
+                return Err(self.ngc_alarm(Fault::CodesContradict));
             }
             Meaning::LengthMore => match self.ngc_tool_word(b'H')? {
                 Some((_, tool)) => length = length + tool.length,
