@@ -68,7 +68,7 @@ fn operators_bind_as_the_manual_says() {
         ("ABS[-1] + SQRT[16] + EXP[0] + LN[1]", 6.0),
         ("EXISTS[#<_x>] + EXISTS[#<other>]", 1.0),
     ] {
-        assert_eq!(xs(&format!("G0 X[{expression} + 100]\nM2\n")), [value + 100.0], "{expression}");
+        assert_eq!(xs(&format!("G0 X[[{expression}] + 100]\nM2\n")), [value + 100.0], "{expression}");
     }
     for (expression, fault) in [
         ("1/0", Fault::DivisionByZero),

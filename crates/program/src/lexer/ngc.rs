@@ -525,7 +525,9 @@ impl Lexer<'_> {
         if name.is_empty() {
             return Ok(OWord { label, keyword: OKeyword::Program, first: 0, count: 0 });
         }
-        let Some(&(name, keyword)) = KEYWORDS.iter().find(|(k, _)| *k == name) else {
+        // Letters of a word behind it may follow without a blank, or with one that means nothing.
+        let begins = KEYWORDS.iter().filter(|(keyword, _)| name.starts_with(keyword));
+        let Some(&(name, keyword)) = begins.max_by_key(|(keyword, _)| keyword.len()) else {
             return Err(Flaw(DefectKind::MalformedStatement, self.at, len));
         };
         self.take_text(name);
