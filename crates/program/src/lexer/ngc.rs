@@ -210,7 +210,7 @@ impl Lexer<'_> {
         let blanks = inner.iter().take_while(|b| matches!(b, b' ' | b'\t')).count();
         let said = inner.get(blanks..).unwrap_or(&[]);
         let is_command = |c: &&[u8]| said.get(..c.len()).is_some_and(|s| s.eq_ignore_ascii_case(c));
-        if COMMANDS.iter().any(|c| is_command(c)) {
+        if COMMANDS.iter().any(is_command) {
             let text = TextRange { at: (start + 1 + blanks) as u32, len: said.len() as u32 };
             self.page.words.push(Word::text(b'(', text, start as u32, self.word_len(start)));
         }

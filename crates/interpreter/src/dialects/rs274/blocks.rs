@@ -221,11 +221,10 @@ impl Interpreter {
         let has_axes = self.words.has_any(AXIS_LETTERS);
         let takes = self.ngc_takes_axes(codes);
         match codes.g(Group::Motion) {
-            Some(row) if row.meaning == Meaning::CycleOff => {
-                if has_axes && !takes {
-                    return Err(self.ngc_alarm(Fault::AxesWithoutCode));
-                }
+            Some(row) if row.meaning == Meaning::CycleOff && has_axes && !takes => {
+                return Err(self.ngc_alarm(Fault::AxesWithoutCode));
             }
+            Some(row) if row.meaning == Meaning::CycleOff => {}
             Some(_) if non_modal.is_some_and(|row| takes_axes(row.meaning)) => {
                 return Err(self.ngc_alarm(Fault::CodesContradict));
             }
@@ -271,6 +270,10 @@ impl Interpreter {
 
     /// Refuses words that no code of the block uses.
     fn ngc_check_words(&self, codes: &Codes, motion: Option<&GCode>) -> Fallible<()> {
+        // Their words have other meanings.
+        if motion.is_some_and(|row| row.meaning == Meaning::LatheCycle) {
+            return Err(self.ngc_alarm(Fault::NotSupported));
+        }
         if !self.words.has_any(USED_LETTERS) {
             return Ok(());
         }
@@ -288,7 +291,7 @@ impl Interpreter {
                 b'D' => {
                     matches!(code(Group::Cutter), 410 | 411 | 420 | 421) || code(Group::SurfaceSpeed) == 960
                 }
-                b'E' => motion == 760 || matches!(io, 66 | 67 | 68),
+                b'E' => motion == 760 || matches!(io, 66..=68),
                 b'H' => motion == 760 || matches!(code(Group::Length), 430 | 432),
                 b'I' => matches!(motion, 20 | 30 | 50 | 51 | 331 | 760 | 870) || once == 100,
                 b'J' => matches!(motion, 20 | 30 | 50 | 51 | 331 | 760 | 870) || once == 100,

@@ -265,7 +265,7 @@ impl<T: Clone> OneAhead<T> {
                 (Way::Round(round), (beta - PI).abs() < STRAIGHT_RAD && !inside)
             }
         };
-        let is_inside = is_inside || beta < -STRAIGHT_RAD || beta > PI + STRAIGHT_RAD;
+        let is_inside = is_inside || !(-STRAIGHT_RAD..=PI + STRAIGHT_RAD).contains(&beta);
         let is_held = !is_inside || self.last.is_some();
         let start = if is_inside && is_held {
             let crossing = self.crossing(&m, &way, before, beta, d)?;

@@ -3,6 +3,7 @@
 use super::{Compensator, Done, FaultAt, Method, Offset, OneAhead, Out, PlaneMove, Rules};
 
 /// The stage.
+#[expect(clippy::large_enum_variant, reason = "a run has one of it")]
 #[derive(Debug)]
 pub enum Stage<T> {
     /// Vectors at the crossings of offset curves.
