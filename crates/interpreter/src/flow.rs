@@ -159,16 +159,6 @@ impl Flow {
         self.place
     }
 
-    /// The last line that was met, where there is one.
-    pub(crate) fn last_span(&self) -> Option<Span> {
-        (self.last.line > 0).then_some(self.last)
-    }
-
-    /// Notes the last line of a text that was looked through to its end.
-    pub(crate) fn set_last(&mut self, last: Option<Span>) {
-        self.last = last.unwrap_or(self.last);
-    }
-
     /// The block being executed.
     pub(crate) fn executing(&self) -> Place {
         Place { block: self.place.block.saturating_sub(1), ..self.place }
@@ -375,6 +365,10 @@ impl Interpreter {
     fn end_of_text(&mut self) -> Fallible<()> {
         if self.described.is_collecting() {
             return self.run_described();
+        }
+        // Where blocks have an order of their own, what is passed over counts as read.
+        if self.dialect.blocks.is_some() {
+            self.flow.last = self.programs.last_line(self.flow.place.file).unwrap_or(self.flow.last);
         }
         // A file of nothing but a mark has no block to point at.
         let last = self.flow.last;

@@ -36,6 +36,9 @@ const MAX_FOLDER: usize = 10_000;
 const SMALL_FILE: u64 = 1 << 20;
 const SMALL_FILES: u64 = 64 << 20;
 
+/// Bytes of a file's end in which its last line is looked for.
+const LONGEST_TAIL: u64 = 4096;
+
 /// Extensions of part programs (lower case), for the files beside the main one.
 pub const EXTENSIONS: &[&str] =
     &["nc", "cnc", "ncc", "ngc", "tap", "mpf", "spf", "eng", "mmg", "gcode", "txt", "sub"];
@@ -86,6 +89,8 @@ struct ProgramFile {
     slots: Vec<PageSlot>,
     /// Where the page after the last slot starts; `None` once the end is known.
     next: Option<Start>,
+    /// Number of its last line, once the end is known.
+    last_line: Option<u32>,
     /// Programs found in the file, once they were asked for.
     programs: Option<HashMap<ProgramId, Place>>,
     /// Where in the folder it was found; `None` for the main file and those that were added.
@@ -156,6 +161,7 @@ impl ProgramMemory {
             text,
             slots: Vec::new(),
             next,
+            last_line: None,
             programs: None,
             found_at: None,
             is_shown_only: false,
@@ -203,6 +209,20 @@ impl ProgramMemory {
         let file = self.add(name, text);
         self.files.get_mut(usize::from(file.0))?.found_at = Some(path);
         Some(file)
+    }
+
+    /// The last line of a file that was read to its end.
+    pub fn last_line(&self, id: FileId) -> Option<Span> {
+        let file = self.files.get(usize::from(id.0))?;
+        let line = file.last_line?;
+        let len = file.text.len();
+        let from = len.saturating_sub(LONGEST_TAIL);
+        let tail = file.text.slice(Span { file: id, offset: from, len: (len - from) as u32, line }).ok()?;
+        let text = tail.strip_suffix(b"\n").unwrap_or(&tail);
+        let text = text.strip_suffix(b"\r").unwrap_or(text);
+        let start = text.iter().rposition(|b| matches!(b, b'\n' | b'\r')).map_or(0, |at| at + 1);
+        let len = (text.len() - start) as u32;
+        Some(Span { file: id, offset: from + start as u64, len, line })
     }
 
     /// How the programs are written.
@@ -253,11 +273,16 @@ impl ProgramMemory {
         let (syntax, names) = (self.syntax, &mut self.names);
         let Some(file) = self.files.get_mut(usize::from(start.file.0)) else { return Ok(Arc::default()) };
         let len = file.text.len();
-        let (lexed, is_last) = file.text.window(start.offset, PAGE_BYTES, &mut self.buffer, |bytes| {
-            // Fewer bytes than asked for: the file became shorter while it is read, and ends here.
-            let is_last = start.offset + PAGE_BYTES as u64 >= len || bytes.len() < PAGE_BYTES;
-            (lexer::lex_from(bytes, start, is_last, syntax, names), is_last)
-        })?;
+        let (lexed, is_last, ends_line) =
+            file.text.window(start.offset, PAGE_BYTES, &mut self.buffer, |bytes| {
+                // Fewer bytes than asked for: the file became shorter while it is read, and ends here.
+                let is_last = start.offset + PAGE_BYTES as u64 >= len || bytes.len() < PAGE_BYTES;
+                let ends_line = matches!(bytes.last(), Some(b'\n' | b'\r'));
+                (lexer::lex_from(bytes, start, is_last, syntax, names), is_last, ends_line)
+            })?;
+        if is_last {
+            file.last_line = Some(lexed.next_line.saturating_sub(u32::from(ends_line)).max(1));
+        }
         let page = Arc::new(lexed.page);
         if let Some(slot) = file.slots.get_mut(number as usize) {
             slot.page = Some(page.clone());

@@ -355,7 +355,9 @@ impl Interpreter {
     }
 
     fn ngc_cycle_dwell(&mut self) {
-        self.emit(Op::Dwell(Dwell::Seconds(self.ngc.cycles.p.max(0.0))));
+        if self.ngc.cycles.p > 0.0 {
+            self.emit(Op::Dwell(Dwell::Seconds(self.ngc.cycles.p)));
+        }
     }
 
     /// What the spindle does; an alarm where it stands.

@@ -273,7 +273,7 @@ impl Interpreter {
         })?;
         // The text ends before: the fault of a program without an end, at its last line.
         let Some(target) = found else {
-            let last = self.flow.last_span().unwrap_or(span);
+            let last = self.programs.last_line(at.file).unwrap_or(span);
             return Err(self.alarm(Fault::NoProgramEnd, last));
         };
         if self.ngc.o_words.leads.len() < MAX_REMEMBERED {
@@ -291,7 +291,6 @@ impl Interpreter {
         see: impl Fn(Name, OKeyword) -> Seen,
     ) -> Fallible<Option<Place>> {
         let mut at = from;
-        let mut last = None;
         loop {
             let page = match self.programs.page(file, at.page) {
                 Ok(Some(page)) => page,
@@ -300,7 +299,6 @@ impl Interpreter {
             };
             for (index, block) in page.blocks.iter().enumerate().skip(at.block as usize) {
                 let span = page.block_span(block);
-                last = Some(span);
                 if block.is_defective
                     && let Some(defect) =
                         page.defects(index).find(|defect| defect.kind == DefectKind::UnclosedComment)
@@ -319,7 +317,6 @@ impl Interpreter {
             }
             at = Place { page: at.page + 1, block: 0, ..at };
         }
-        self.flow.set_last(last);
         Ok(None)
     }
 
