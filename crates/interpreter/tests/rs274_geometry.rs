@@ -98,6 +98,23 @@ fn cycles_return_to_r_or_to_where_they_began() {
 }
 
 #[test]
+fn holes_of_polar_words_go_on_round() {
+    // A quarter further with each hole, on the circle of 10.
+    hold(&[(
+        "G0 X10 Z1\nG91 G99 G81 ^90 R0 Z-2 L2 F100",
+        &[
+            "rapid X10 Z1",
+            "rapid X0 Y10",
+            "feed Z-1 F100",
+            "rapid Z1",
+            "rapid X-10 Y0",
+            "feed Z-1 F100",
+            "rapid Z1",
+        ],
+    )]);
+}
+
+#[test]
 fn cycles_with_the_spindle() {
     hold(&[
         (
@@ -330,6 +347,7 @@ const FAULTS: &[(Fault, &str)] = &[
     (Fault::NurbsTooFew, "F100\nG5.2 X9 Y1 P1\nG5.3"),
     (Fault::NurbsEndAlone, "F100\nG5.3"),
     (Fault::ProbeTooClose, "F100\nG38.2 Z0"),
+    (Fault::CodesContradict, "M3 S100 G95 F1\nG38.2 Z-1"),
     (Fault::CutterPlane, "G19\nG41 D1"),
     (Fault::CutterAlreadyOn, "G41 D1\nG42 D1"),
     (Fault::NotInCutter, "G41 D1\nG43 H1"),

@@ -243,7 +243,9 @@ impl Interpreter {
 
     fn ngc_hole(&mut self, block: &mut Block) -> Fallible<()> {
         let Block { axes, r, bottom, clear, middle, .. } = *block;
-        let [a, b] = [block.at[0] + block.step[0], block.at[1] + block.step[1]];
+        // With polar words each hole lies as much further out and round as the one before.
+        let turned = self.modal.is_incremental().then(|| self.ngc.polar.step(block.at)).flatten();
+        let [a, b] = turned.unwrap_or([block.at[0] + block.step[0], block.at[1] + block.step[1]]);
         block.at = [a, b];
         let [_, _, normal] = axes;
         let level = self.ngc.at[normal] / self.ngc_unit();

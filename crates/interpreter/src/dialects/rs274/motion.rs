@@ -119,10 +119,10 @@ impl Interpreter {
         self.ngc_check_reach(machine)?;
         let mut feed = self.ngc_feed()?;
         if self.modal.is_inch()
-            && let Feed::PerMinute(degrees) = &mut feed
+            && let Feed::PerMinute(degrees) | Feed::PerRevolution(degrees) = &mut feed
             && Axis::ALL.into_iter().all(|axis| !axis.is_linear() || to[axis] == self.ngc.at[axis])
         {
-            // Where nothing but rotary axes moves it is degrees a minute.
+            // Where nothing but rotary axes moves it is degrees.
             *degrees = self.ngc.feed;
         }
         self.ngc.at = to;

@@ -17,10 +17,22 @@ pub(crate) struct PolarWords {
     pub angle: Option<f64>,
 }
 
+impl PolarWords {
+    /// The point so much further out and round than another; none of a block without polar words.
+    pub(super) fn step(&self, [x, y]: [f64; 2]) -> Option<[f64; 2]> {
+        if self.distance.is_none() && self.angle.is_none() {
+            return None;
+        }
+        let distance = x.hypot(y) + self.distance.unwrap_or(0.0);
+        let (sin, cos) = sin_cos_degrees(y.atan2(x).to_degrees() + self.angle.unwrap_or(0.0));
+        Some([distance * cos, distance * sin])
+    }
+}
+
 impl Interpreter {
     /// Puts the X and Y words in whose place the block has polar ones.
     pub(super) fn ngc_polar(&mut self, codes: &Codes) -> Fallible<()> {
-        let polar = std::mem::take(&mut self.ngc.polar);
+        let polar = self.ngc.polar;
         if polar.distance.is_none() && polar.angle.is_none() {
             return Ok(());
         }
@@ -35,10 +47,13 @@ impl Interpreter {
         let unit = if in_force(Group::Units) == Meaning::Inch { MM_PER_INCH } else { 1.0 };
         let (x, y) = (self.ngc.at[Axis::X] / unit, self.ngc.at[Axis::Y] / unit);
         let (distance, angle) = (x.hypot(y), y.atan2(x).to_degrees());
-        if polar.angle.is_none() && x == 0.0 && y == 0.0 {
+        let is_incremental = in_force(Group::Distance) == Meaning::Incremental;
+        // From the zero there is no direction to go on in; a cycle takes that of X.
+        let needs_direction =
+            is_incremental || polar.angle.is_none() && !matches!(in_force(Group::Motion), Meaning::Cycle(_));
+        if needs_direction && x == 0.0 && y == 0.0 {
             return Err(self.ngc_missing(b'^'));
         }
-        let is_incremental = in_force(Group::Distance) == Meaning::Incremental;
         let word = |word: Option<f64>, was: f64| match word {
             Some(value) if is_incremental => was + value,
             Some(value) => value,

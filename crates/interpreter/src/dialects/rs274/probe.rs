@@ -1,10 +1,12 @@
 //! Probing (LinuxCNC, G38.2 to G38.5): a straight cut that ends where the probe comes into contact, or loses it.
 
 use crate::Fallible;
+use crate::dialect::Meaning;
 use crate::interpreter::Interpreter;
+use crate::modal::Group;
 use ferrocut_geometry::{Axis, AxisSet, Position, SAME_POINT_MM};
 use ferrocut_machine::Fault;
-use ferrocut_toolpath::Op;
+use ferrocut_toolpath::{Feed, Op};
 
 /// Parameter of the probed X; the other axes follow.
 const PROBED: u32 = 5061;
@@ -18,7 +20,14 @@ impl Interpreter {
         if self.output.in_cutter_mode() {
             return Err(self.ngc_alarm(Fault::NotInCutter));
         }
-        let feed = self.ngc_feed()?;
+        // Of inverse-time feed the last one given counts.
+        let feed = match self.modal.meaning(Group::FeedMode) {
+            Meaning::InverseTime if self.ngc.feed > 0.0 => Feed::Duration(60.0 / self.ngc.feed),
+            _ => self.ngc_feed()?,
+        };
+        if self.modal.is_feed_per_revolution() {
+            return Err(self.ngc_alarm(Fault::CodesContradict));
+        }
         let to = self.ngc_end_point(axes);
         let way = to - self.ngc.at;
         if way.0.iter().all(|c| c.abs() < SAME_POINT_MM) {
