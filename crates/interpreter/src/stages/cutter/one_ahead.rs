@@ -29,8 +29,9 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 /// A path that turns by less than this goes straight on, rad.
 const STRAIGHT_RAD: f64 = 0.05;
 
-/// A trimmed arc may be longer by this than it was, rad.
-const LONGER_RAD: f64 = 0.001;
+/// A trimmed arc may be longer by this than it was: behind a path that goes nearly straight on it begins earlier,
+/// rad.
+const LONGER_RAD: f64 = STRAIGHT_RAD;
 
 /// An entry arc whose chord is this near to square to its radius has no centre: the cosine.
 const SQUARE: f64 = 1e-6;
