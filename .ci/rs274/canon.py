@@ -27,7 +27,7 @@ class Reader:
         self.tool = (0.0,) * 6
         self.rotation = (1.0, 0.0)  # cosine, sine
         self.plane = "xy"
-        self.feed = 0.0
+        self.feed = (0.0, 1.0)      # as programmed, and the units then in force
         self.feed_mode = "f"
         self.pitch = None           # of moves with the spindle, mm
         self.spindle = "off"
@@ -52,7 +52,8 @@ class Reader:
         if kind in ("feed", "arc"):
             # Where rotary axes move alone the number is degrees, whatever the units of length.
             linear = kind == "arc" or math.dist(self.at[:3], end[:3]) > NOTHING
-            move.feed = (self.feed_mode, self.feed * (self.units if linear else 1.0))
+            value, units = self.feed
+            move.feed = (self.feed_mode, value * (units if linear else 1.0))
         self.path.moves.append(move)
         self.at = end
 
@@ -123,7 +124,7 @@ class Reader:
                 self.plane = CANON_PLANES.get(text, "xy")
             case "SET_FEED_RATE":
                 # In inverse time mode too this is a speed: the interpreter multiplies by the length.
-                self.feed = values[0]
+                self.feed = (values[0], self.units)
             case "SET_FEED_MODE":
                 self.feed_mode = "frev" if values[1] else "f"
             case "DWELL" if values[0] > 0:

@@ -481,16 +481,18 @@ class Writer:
 
     def units(self):
         state = self.state
+        had_length = state.length
+        if had_length:
+            # LinuxCNC leaves the length in force in the old units: see the deviations.
+            self.line("G49")
+            state.length = False
         state.inch = not state.inch
         self.line("G20" if state.inch else "G21")
         state.fed = False
         self.forget()
-        if state.length:
-            # LinuxCNC leaves the length in force in the old units: see the deviations.
-            self.line("G49" if self.chance(0.3) else "G43")
-            state.length = self.lines[-1] == "G43" and state.tool > 0
-            if self.lines[-1] == "G43" and not state.tool:
-                self.lines[-1] = "G49"
+        if had_length and state.tool and self.chance(0.7):
+            self.line("G43")
+            state.length = True
 
     # --- offsets
 

@@ -10,6 +10,7 @@ not carried. The package's own list says which files they are.
 import argparse
 import collections
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -21,6 +22,7 @@ import differential
 import oracle
 import steps
 
+COMMENT = re.compile(r";.*|\([^)]*\)")
 ENDINGS = (".ngc", ".nc", ".tap")
 
 
@@ -35,6 +37,12 @@ def files():
 def words(text):
     """A line as both may show it: without spaces, in one case."""
     return "".join((text or "").split()).lower()
+
+
+def last_words(program):
+    """The last line that is more than a comment."""
+    lines = [line for line in program.read_text(errors="replace").splitlines() if COMMENT.sub("", line).strip()]
+    return words(lines[-1]) if lines else ""
 
 
 def main():
@@ -88,6 +96,9 @@ def judge(program, theirs, ours, tools, folder):
     their_path.error_line = words(answer.text) if answer.error else None
     if our_path.error and any(words in our_path.error for words in differential.NOT_CARRIED):
         return "stop at a word not carried", our_path.error
+    if (their_path.error or "").startswith("File ended"):
+        # At the last line, whatever it holds; ours at the last with a word.
+        their_path.error_line = last_words(program)
     sought = differential.SOUGHT.search(their_path.error or "")
     if sought:
         their_path.error_line = marks(None, int(sought.group(2)))
