@@ -119,10 +119,9 @@ mod tests {
             (&[(Rd, a), (RdStk, b), (Or, c), (AndStk, c), (Wrt, q)], |a, b, c, _| a && (b || c)),
             (&[(Rd, a), (RdStk, b), (And, c), (OrStk, c), (Wrt, q)], |a, b, c, _| a || (b && c)),
             (&[(Rd, a), (RdNotStk, b), (OrStk, c), (Wrt, q)], |a, b, _, _| a || !b),
-            (
-                &[(Rd, a), (RdStk, b), (RdStk, c), (AndStk, c), (OrStk, c), (Wrt, q)],
-                |a, b, c, _| a || (b && c),
-            ),
+            (&[(Rd, a), (RdStk, b), (RdStk, c), (AndStk, c), (OrStk, c), (Wrt, q)], |a, b, c, _| {
+                a || (b && c)
+            }),
             (&[(Rd, a), (WrtNot, q)], |a, _, _, _| !a),
             (&[(Rd, a), (Set, q)], |a, _, _, q| a || q),
             (&[(Rd, a), (Rst, q)], |a, _, _, q| !a && q),

@@ -138,9 +138,10 @@ fn levels(ladder: &Ladder, errors: &mut Vec<Error>) -> Sections {
             },
             _ if second.is_some() && open.is_none() => {
                 // One alarm for a run of instructions that nothing carries out.
-                let is_first = at.checked_sub(1).and_then(|b| ladder.instructions.get(b)).is_some_and(|before| {
-                    matches!(before.name(), Some(Name::End2 | Name::Spe))
-                });
+                let is_first = at
+                    .checked_sub(1)
+                    .and_then(|b| ladder.instructions.get(b))
+                    .is_some_and(|before| matches!(before.name(), Some(Name::End2 | Name::Spe)));
                 if is_first {
                     errors.push(Error::new(Fault::OutsideLevels, span));
                 }
@@ -251,8 +252,7 @@ impl Network {
                 && row.output != Output::May
             {
                 // Only a coil may follow a function.
-                let fault =
-                    if row.output == Output::Must { Fault::NoOutput } else { Fault::IllegalOutput };
+                let fault = if row.output == Output::Must { Fault::NoOutput } else { Fault::IllegalOutput };
                 errors.push(Error::new(fault, if row.output == Output::Must { at } else { span }));
             }
             self.has_output = false;
@@ -413,7 +413,8 @@ fn calls(instructions: &[Instruction], sections: &Sections, errors: &mut Vec<Err
     }
     // How deep the calls below each subprogram go, found in rounds: one that is still growing after as many
     // rounds as may be nested calls itself, or too deep.
-    let calls: Vec<Vec<(usize, Span)>> = sections.subprograms.iter().map(|(_, range)| called(range)).collect();
+    let calls: Vec<Vec<(usize, Span)>> =
+        sections.subprograms.iter().map(|(_, range)| called(range)).collect();
     let mut depth = vec![1usize; calls.len()];
     for _ in 0..=CALLS {
         let next: Vec<usize> = calls

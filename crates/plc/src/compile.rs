@@ -79,9 +79,17 @@ impl Program {
     }
 
     /// Compiles a ladder that was read with the faults `errors`.
-    pub fn from_ladder(ladder: Ladder, limits: &Limits, mut errors: Vec<Error>) -> Result<Program, Vec<Error>> {
-        if ladder.instructions.is_empty() && errors.is_empty() {
-            errors.push(Error::new(Fault::FileFormat, Span { line: 1, ..Span::default() }));
+    pub fn from_ladder(
+        ladder: Ladder,
+        limits: &Limits,
+        mut errors: Vec<Error>,
+    ) -> Result<Program, Vec<Error>> {
+        if ladder.instructions.is_empty() {
+            // No ladder: what else it lacks says nothing.
+            if errors.is_empty() {
+                errors.push(Error::new(Fault::FileFormat, Span { line: 1, ..Span::default() }));
+            }
+            return Err(errors);
         }
         let sections = check(&ladder, limits, &mut errors);
         let mut compiler = Compiler::new(&ladder);
@@ -114,6 +122,12 @@ impl Program {
     pub fn signal(&self, name: &str) -> Option<Address> {
         let named = self.symbols.iter().find(|symbol| symbol.name == name);
         named.map(|symbol| symbol.address).or_else(|| Address::parse(name).ok())
+    }
+
+    /// Steps of level 1.
+    pub fn first_level_steps(&self) -> u32 {
+        let is_end = |i: &&Instruction| i.name() == Some(Name::End1);
+        self.instructions.iter().take_while(|i| !is_end(i)).map(Instruction::steps).sum()
     }
 
     /// Steps of the list: a basic instruction is one, a function one and one for each parameter.
@@ -322,8 +336,7 @@ impl<'a> Compiler<'a> {
                             _ => None,
                         };
                         let is_second = self.is_second;
-                        let place =
-                            move |a: Address| if is_second { a.synchronised() } else { a.place() };
+                        let place = move |a: Address| if is_second { a.synchronised() } else { a.place() };
                         let function = Function::new(row, parameters, values, &place, coil);
                         if let Function::MoveBytes { bytes, .. } = function {
                             self.steps += u32::from(bytes) / 8;
@@ -409,9 +422,8 @@ impl<'a> Compiler<'a> {
         let all = &mut self.program.tables;
         *self.tables.entry(at).or_insert_with(|| {
             let first = all.len() as u32;
-            let value = |v: &i64| {
-                i32::try_from(*v).unwrap_or_else(|_| u32::try_from(*v).unwrap_or(0).cast_signed())
-            };
+            let value =
+                |v: &i64| i32::try_from(*v).unwrap_or_else(|_| u32::try_from(*v).unwrap_or(0).cast_signed());
             all.extend(values.iter().map(value));
             (first, values.len() as u32)
         })

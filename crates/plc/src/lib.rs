@@ -1,6 +1,6 @@
 //! Ladders: text to code, and the scan that runs it.
 //!
-//! In: ladder text ([`Program::from_text`]), and the signals of machine and NC.
+//! In: ladder text ([`Program::from_text`]) or PLCopen XML ([`plcopen`]), and the signals of machine and NC.
 //! Out: the signals that the ladder gives them ([`Plc::scan`], once a period).
 //!
 //! The way of the data: [`lexer`] (words with their places) → [`list`] (instructions) → [`check`] (networks,
@@ -18,6 +18,7 @@ pub mod lexer;
 pub mod list;
 pub mod memory;
 pub mod monitor;
+pub mod plcopen;
 pub mod scan;
 pub mod trace;
 

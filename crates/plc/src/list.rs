@@ -54,6 +54,18 @@ pub fn read(bytes: &[u8], errors: &mut Vec<Error>) -> Ladder {
     reader.ladder
 }
 
+/// A function of another source than ladder text, with its parameters as words.
+pub(crate) fn function(
+    row: &'static Row,
+    span: Span,
+    words: Vec<Word>,
+    errors: &mut Vec<Error>,
+) -> Option<Instruction> {
+    let mut reader = Reader { ladder: Ladder::default(), names: FxHashMap::default(), errors, values: 0 };
+    reader.close(Some(Call { row, span, words }));
+    reader.ladder.instructions.pop()
+}
+
 /// A function whose parameters are being read.
 struct Call<'a> {
     row: &'static Row,
@@ -357,6 +369,44 @@ fn is_reserved(text: &str) -> bool {
         || Basic::by_text(&text).is_some()
         || FUNCTIONS.iter().any(|row| row.text == text)
         || !matches!(Address::parse(&text), Err(AddressError::Form))
+}
+
+/// The ladder as text that reads the same, with the names of signals as comments.
+pub fn to_text(ladder: &Ladder) -> String {
+    let name_of = |address: &Address| {
+        ladder.symbols.iter().find(|symbol| symbol.address == *address).map(|symbol| symbol.name.as_str())
+    };
+    let mut text = String::new();
+    for instruction in &ladder.instructions {
+        match &instruction.code {
+            Code::Basic(basic, address) => {
+                text.push_str(basic.text());
+                if let Some(address) = address {
+                    text.push_str(&format!(" {address}"));
+                    if let Some(name) = name_of(address) {
+                        // A comment ends with its line.
+                        let name: String = name.chars().filter(|c| !c.is_control()).collect();
+                        text.push_str(&format!(" ; {name}"));
+                    }
+                }
+            }
+            Code::Function(row, parameters, table) => {
+                text.push_str(row.text);
+                for (kind, parameter) in row.parameters.iter().zip(parameters) {
+                    match (kind, parameter) {
+                        (Kind::Mask, Parameter::Number(mask)) => text.push_str(&format!(" {mask:04b}")),
+                        (_, Parameter::Number(number)) => text.push_str(&format!(" {number}")),
+                        (_, Parameter::At(address)) => text.push_str(&format!(" {address}")),
+                    }
+                }
+                for value in table {
+                    text.push_str(&format!("\n{value}"));
+                }
+            }
+        }
+        text.push('\n');
+    }
+    text
 }
 
 /// Bytes of the data of a function, as its format says.

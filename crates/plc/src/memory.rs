@@ -197,9 +197,8 @@ impl Memory {
     /// Areas that keep their value while power is off, byte by byte.
     pub fn kept(&self) -> impl Iterator<Item = (Address, u8)> {
         ROOMS.iter().filter(|r| r.is_kept).flat_map(move |r| {
-            (0..r.len).map(move |n| {
-                (Address { area: r.area, byte: r.first + n, bit: None }, self.get(r.place + n))
-            })
+            (0..r.len)
+                .map(move |n| (Address { area: r.area, byte: r.first + n, bit: None }, self.get(r.place + n)))
         })
     }
 }

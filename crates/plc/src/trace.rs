@@ -89,9 +89,11 @@ impl Trace {
         if self.is_done() {
             return;
         }
-        let bits = self.signals.iter().enumerate().fold(0, |bits, (n, signal)| {
-            bits | u32::from(memory.bit(*signal)) << n
-        });
+        let bits = self
+            .signals
+            .iter()
+            .enumerate()
+            .fold(0, |bits, (n, signal)| bits | u32::from(memory.bit(*signal)) << n);
         let is_set_off = self.is_set_off(memory);
         if !self.changes_only || self.last != Some(bits) || is_set_off {
             self.last = Some(bits);

@@ -56,7 +56,11 @@ fn each_fault_has_its_alarm_and_line() {
         ("RD X200.0\nWRT R0.0", 1013, 1),
         ("RD X0.0\nWRT R8000.0", 1013, 2),
         ("RD X0.0 !\nWRT R0.0", 1013, 1),
-        ("RD X0.0\nRD.STK X0.0\nRD.STK X0.0\nRD.STK X0.0\nCTR 1\nRD X0.0\nRD.STK X0.0\nRD.STK X0.0\nRD.STK X0.0\nCTR 1", 1014, 10),
+        (
+            "RD X0.0\nRD.STK X0.0\nRD.STK X0.0\nRD.STK X0.0\nCTR 1\nRD X0.0\nRD.STK X0.0\nRD.STK X0.0\nRD.STK X0.0\nCTR 1",
+            1014,
+            10,
+        ),
         ("RD X0.0\nJMP\nRD X0.1\nWRT R0.0", 1015, 2),
         ("RD X0.0\nWRT R0.0\nJMPE", 1015, 3),
         ("RD X0.0\nJMP\nRD X0.1\nJMP\nRD X0.1\nWRT R0.0\nJMPE", 1015, 4),
@@ -133,9 +137,7 @@ fn what_is_too_large_is_told() {
     // 24,000 steps in all.
     let coils = many(12_001, &|n| format!("RD X0.0\nWRT R{}.{}\n", n / 8, n % 8));
     assert_eq!(faults(&format!("END1\n{coils}END2\n")), [(1004, 24_004)]);
-    let shifts = many(257, &|_| {
-        "RD X0.0\nRD.STK X0.0\nRD.STK X0.0\nRD.STK X0.0\nSFT R0\n".to_owned()
-    });
+    let shifts = many(257, &|_| "RD X0.0\nRD.STK X0.0\nRD.STK X0.0\nRD.STK X0.0\nSFT R0\n".to_owned());
     assert_eq!(second(&shifts), [(1033, 257 * 5)]);
     let table = "1 ".repeat(256);
     let tables = many(17, &|_| format!("RD X0.0\nRD.STK X0.0\nCODB 1 256 R0 R1 {table}\n"));
@@ -143,9 +145,8 @@ fn what_is_too_large_is_told() {
     let rows = many(256, &|_| "OR X0.1\n".to_owned());
     assert_eq!(second(&format!("RD X0.0\n{rows}WRT R0.0\n")), [(1026, 257)]);
     // ST0 and eight that wait.
-    let deep = |n: usize| {
-        format!("RD X0.0\n{}{}WRT R0.0\n", "RD.STK X0.1\n".repeat(n), "AND.STK\n".repeat(n))
-    };
+    let deep =
+        |n: usize| format!("RD X0.0\n{}{}WRT R0.0\n", "RD.STK X0.1\n".repeat(n), "AND.STK\n".repeat(n));
     assert_eq!(second(&deep(8)), []);
     assert_eq!(second(&deep(9)), [(1017, 10), (1030, 19)]);
     // Nine subprograms that call one another.

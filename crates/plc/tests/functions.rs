@@ -46,7 +46,8 @@ fn check(cases: &[Case], coil: &str) {
 #[test]
 fn timers_turn_on_after_their_time_and_off_at_once() {
     // Timer 9 counts in 8 ms: 5 are 40 ms. Timer 8 in 48 ms: 2 are 96 ms.
-    let mut plc = second("RD X0.0\nTMR 9\nWRT Y0.0\nRD X0.0\nTMR 8\nWRT Y0.1\nRD X0.0\nTMRB 9 25\nWRT Y0.2\n");
+    let mut plc =
+        second("RD X0.0\nTMR 9\nWRT Y0.0\nRD X0.0\nTMR 8\nWRT Y0.1\nRD X0.0\nTMRB 9 25\nWRT Y0.2\n");
     put(&mut plc, "T16", &[5, 0]);
     put(&mut plc, "T14", &[2, 0]);
     run(&mut plc, 10);
@@ -168,7 +169,9 @@ fn comparison_in_binary_tells_in_r9000() {
         ("COMPB 1002 R12 R10", &[0xFF, 0xFF], &[0, 0], 0b10),
         ("COMPB 1004 R16 R10", &[0, 0, 0, 0, 1, 0, 0, 0x80], &[2, 0, 0, 0], 0b10_0010),
     ] {
-        let mut plc = second(&format!("RD X0.0\n{format}\nRD R9000.0\nWRT R0.0\nRD R9000.1\nWRT R0.1\nRD R9000.5\nWRT R0.5\n"));
+        let mut plc = second(&format!(
+            "RD X0.0\n{format}\nRD R9000.0\nWRT R0.0\nRD R9000.1\nWRT R0.1\nRD R9000.5\nWRT R0.5\n"
+        ));
         set(&mut plc, "X0.0", true);
         put(&mut plc, "R10", with);
         put(&mut plc, "R12", value);
@@ -243,7 +246,8 @@ fn flags_and_rest_of_binary_arithmetic() {
         ("SUBB 2 R14 500 R20", 0b01, [0, 0]),
         ("MULB 2 R14 -66 R20", 0b10_0010, [0, 0]),
     ] {
-        let text = format!("RD X0.0\nRD.STK X0.1\n{function}\nRD X0.1\nMOVB R9000 R30\nRD X0.1\nMOVW R9002 R32\n");
+        let text =
+            format!("RD X0.0\nRD.STK X0.1\n{function}\nRD X0.1\nMOVB R9000 R30\nRD X0.1\nMOVW R9002 R32\n");
         let mut plc = second(&text);
         put(&mut plc, "R14", &[0xF4, 0x01, 0x9C, 0xFF]);
         put(&mut plc, "X0", &[0b10]);
@@ -291,7 +295,9 @@ fn conversions() {
         Case("DCNVB 1 R10 R20", "0001", false, &[("R10", &[0x64])], true, &[("R20", &[0])]),
     ]);
     // The sign of what became BCD.
-    let mut plc = second("RD X0.0\nRD.STK X0.0\nRD.STK X0.0\nRD.STK X0.1\nDCNVB 1 R10 R20\nWRT R0.0\nRD X0.1\nMOVB R9000 R30\n");
+    let mut plc = second(
+        "RD X0.0\nRD.STK X0.0\nRD.STK X0.0\nRD.STK X0.1\nDCNVB 1 R10 R20\nWRT R0.0\nRD X0.1\nMOVB R9000 R30\n",
+    );
     put(&mut plc, "R10", &[0xB3]);
     put(&mut plc, "X0", &[0b10]);
     plc.scan();
@@ -313,7 +319,14 @@ fn rotation() {
         Case("ROT 12 R10 R12 R20", "101111", false, positions, true, &[("R20", &[0x02])]),
         Case("ROT 12 R10 R12 R20", "101001", false, positions, true, &[("R20", &[0x11])]),
         // From 0: 0 to 6 of 12 is as far both ways; forward.
-        Case("ROT 12 R10 R12 R20", "001011", true, &[("R10", &[0]), ("R12", &[0x06])], false, &[("R20", &[6])]),
+        Case(
+            "ROT 12 R10 R12 R20",
+            "001011",
+            true,
+            &[("R10", &[0]), ("R12", &[0x06])],
+            false,
+            &[("R20", &[6])],
+        ),
         // There already.
         Case("ROT 12 R10 R12 R20", "101111", true, &[("R10", &[3]), ("R12", &[3])], false, &[("R20", &[0])]),
         // Four digits: 300 positions, 1 to 290 is 11 back.
@@ -326,7 +339,14 @@ fn rotation() {
             &[("R20", &[0x11, 0])],
         ),
         // Position 13 does not exist; without ACT nothing changes.
-        Case("ROT 12 R10 R12 R20", "101011", true, &[("R10", &[2]), ("R12", &[0x13])], true, &[("R20", &[0])]),
+        Case(
+            "ROT 12 R10 R12 R20",
+            "101011",
+            true,
+            &[("R10", &[2]), ("R12", &[0x13])],
+            true,
+            &[("R20", &[0])],
+        ),
         Case("ROT 12 R10 R12 R20", "101010", false, positions, false, &[("R20", &[0])]),
         // RN0, DIR, POS, INC, ACT in binary; the number of positions is D0.
         Case(
@@ -359,7 +379,14 @@ fn tables_in_the_ladder() {
         Case("COD 3 R10 R20 10 20 99", "011", true, &[("R10", &[0x03])], false, &[("R20", &[0])]),
         // RST, ACT.
         Case("CODB 2 3 R10 R20\n100\n-1\n3000", "01", true, &[("R10", &[1])], false, &[("R20", &[255, 255])]),
-        Case("CODB 2 3 R10 R20\n100 -1\n3000", "01", true, &[("R10", &[2])], false, &[("R20", &[0xB8, 0x0B])]),
+        Case(
+            "CODB 2 3 R10 R20\n100 -1\n3000",
+            "01",
+            true,
+            &[("R10", &[2])],
+            false,
+            &[("R20", &[0xB8, 0x0B])],
+        ),
         Case("CODB 1 3 R10 R20 1 2 3", "01", false, &[("R10", &[3])], true, &[("R20", &[0])]),
         Case("CODB 1 3 R10 R20 1 2 3", "00", true, &[("R10", &[1])], true, &[("R20", &[0])]),
     ]);
@@ -393,7 +420,8 @@ fn decoding() {
 #[test]
 fn tables_in_the_signals() {
     let table: &[Bytes] = &[("D10", &[5, 0x12, 7, 0x12, 9]), ("D20", &[0x12]), ("D30", &[1])];
-    let words: &[Bytes] = &[("D10", &[1, 0, 2, 0, 3, 0]), ("D20", &[3, 0]), ("D40", &[3, 0]), ("D42", &[2, 0])];
+    let words: &[Bytes] =
+        &[("D10", &[1, 0, 2, 0, 3, 0]), ("D20", &[3, 0]), ("D40", &[3, 0]), ("D42", &[2, 0])];
     with_w1(&[
         // BYT, RST, ACT: 12 is number 1.
         Case("DSCH 5 D10 D20 R20", "001", true, table, false, &[("R20", &[0x01])]),
@@ -406,13 +434,27 @@ fn tables_in_the_signals() {
         // BYT, RW, RST, ACT: D30 is the number.
         Case("XMOV 5 D10 R20 D30", "0001", true, table, false, &[("R20", &[0x12])]),
         Case("XMOV 1 D10 R20 D30", "0001", false, table, true, &[("R20", &[0])]),
-        Case("XMOV 5 D10 D20 D30", "0101", true, &[("D20", &[7]), ("D30", &[4])], false, &[("D10", &[0, 0, 0, 0, 7])]),
+        Case(
+            "XMOV 5 D10 D20 D30",
+            "0101",
+            true,
+            &[("D20", &[7]), ("D30", &[4])],
+            false,
+            &[("D10", &[0, 0, 0, 0, 7])],
+        ),
         // RW, RST, ACT.
         Case("XMOVB 2 D40 D10 R20 D42", "001", true, words, false, &[("R20", &[3, 0])]),
         Case("XMOVB 2 D42 D10 R20 D42", "001", false, words, true, &[("R20", &[0, 0])]),
         Case("XMOVB 2 D40 D10 D20 D44", "101", true, words, false, &[("D10", &[3, 0, 2, 0])]),
         // A table beyond its area has no such value: number 1 of words at D9999.
-        Case("XMOVB 1 D42 D9999 R20 D30", "001", false, &[("D42", &[2]), ("D30", &[1])], true, &[("R20", &[0])]),
+        Case(
+            "XMOVB 1 D42 D9999 R20 D30",
+            "001",
+            false,
+            &[("D42", &[2]), ("D30", &[1])],
+            true,
+            &[("R20", &[0])],
+        ),
     ]);
 }
 

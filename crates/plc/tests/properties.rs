@@ -59,7 +59,8 @@ fn network() -> impl Strategy<Value = String> {
             .prop_map(|(area, byte, bit, what)| format!("{what} {area}{byte}.{bit}\n")),
         function(),
     ];
-    (signal(), contacts, output).prop_map(|(first, contacts, output)| format!("RD {first}\n{contacts}{output}"))
+    (signal(), contacts, output)
+        .prop_map(|(first, contacts, output)| format!("RD {first}\n{contacts}{output}"))
 }
 
 /// A function with parameters of its kinds, and conditions stacked before it.

@@ -82,7 +82,10 @@ fn loops_end_in_an_alarm_with_all_outputs_off() {
     // 1,000,000 steps at 5,000 a period.
     assert_eq!(stopped, Some(200));
     assert!(most <= 5_010, "{most}");
-    assert_eq!((bytes(&plc, "Y0", 1), get(&plc, "G8.4"), plc.stopped()), (vec![0], false, Some(Stop::SecondLevel)));
+    assert_eq!(
+        (bytes(&plc, "Y0", 1), get(&plc, "G8.4"), plc.stopped()),
+        (vec![0], false, Some(Stop::SecondLevel))
+    );
     set(&mut plc, "X0.0", false);
     assert_eq!(plc.scan().stop, Some(Stop::SecondLevel));
     plc.restart();
@@ -145,7 +148,8 @@ fn a_scan_allocates_nothing() {
 
 #[test]
 fn forced_signals_are_changed_by_nothing() {
-    let mut plc = plc("RD X0.0\nWRT Y0.0\nRD.NOT X0.0\nWRT Y0.1\nEND1\nRD X0.0\nWRT Y0.2\nRD X0.1\nMOVB D0 Y1\nEND2\n");
+    let mut plc =
+        plc("RD X0.0\nWRT Y0.0\nRD.NOT X0.0\nWRT Y0.1\nEND1\nRD X0.0\nWRT Y0.2\nRD X0.1\nMOVB D0 Y1\nEND2\n");
     let right = Maintenance::granted();
     plc.force(&right, at("X0.0"), true);
     plc.force(&right, at("Y0.1"), true);
@@ -167,7 +171,8 @@ fn forced_signals_are_changed_by_nothing() {
 
 #[test]
 fn flow_is_seen_at_every_instruction() {
-    let mut plc = second("RD X0.0\nAND.NOT X0.1\nOR X0.2\nWRT Y0.0\nRD X0.3\nJMP\nRD X0.0\nDIFU 1\nWRT Y0.1\nJMPE\n");
+    let mut plc =
+        second("RD X0.0\nAND.NOT X0.1\nOR X0.2\nWRT Y0.0\nRD X0.3\nJMP\nRD X0.0\nDIFU 1\nWRT Y0.1\nJMPE\n");
     plc.watch(true);
     put(&mut plc, "X0", &[0b1001]);
     plc.scan();
@@ -229,8 +234,10 @@ fn traces_keep_what_was_before_and_behind_the_trigger() {
 #[test]
 fn a_ladder_is_exchanged_while_it_runs_and_rolled_back() {
     let text = |coil: &str| {
-        format!("END1\nRD X0.0\nTMRB 1 100\nWRT Y0.0\nRD X0.1\nSET R5.0\nRD X0.0\nDIFU 1\nWRT R5.1\nRD R5.1\n\
-            RD.STK R5.1\nRD.STK R5.1\nRD.STK X0.0\nCTR 1\nRD R5.0\nWRT {coil}\nEND2\n")
+        format!(
+            "END1\nRD X0.0\nTMRB 1 100\nWRT Y0.0\nRD X0.1\nSET R5.0\nRD X0.0\nDIFU 1\nWRT R5.1\nRD R5.1\n\
+            RD.STK R5.1\nRD.STK R5.1\nRD.STK X0.0\nCTR 1\nRD R5.0\nWRT {coil}\nEND2\n"
+        )
     };
     let mut plc = plc(&text("Y0.6"));
     put(&mut plc, "C0", &[5, 0]);

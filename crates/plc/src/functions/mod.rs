@@ -197,14 +197,17 @@ impl Function {
             to: p.at(3),
             held,
         };
-        let bitwise =
-            |operation| Function::Bitwise { operation, width, first: p.at(1), second: p.operand(2), to: p.at(3) };
+        let bitwise = |operation| Function::Bitwise {
+            operation,
+            width,
+            first: p.at(1),
+            second: p.operand(2),
+            to: p.at(3),
+        };
         let copy = |bytes| Function::MoveBytes { from: p.at(0), to: p.at(1), bytes };
         match row.name {
             Name::Tmr => Function::Timer { number: p.short(0) },
-            Name::Tmrb => {
-                Function::FixedTimer { number: p.short(0), time_us: u64::from(p.count(1)) * 1000 }
-            }
+            Name::Tmrb => Function::FixedTimer { number: p.short(0), time_us: u64::from(p.count(1)) * 1000 },
             Name::Ctr => Function::Counter { number: p.short(0) },
             Name::Difu => Function::Edge { number: p.short(0), rising: true },
             Name::Difd => Function::Edge { number: p.short(0), rising: false },
@@ -232,13 +235,9 @@ impl Function {
             Name::Numeb => Function::DefineBinary { width, value: p.constant(1), to: p.at(2) },
             Name::Dcnv => Function::Convert { from: p.at(0), to: p.at(1), held },
             Name::Dcnvb => Function::ConvertBinary { width, from: p.at(1), to: p.at(2), held },
-            Name::Rot => Function::Rotate {
-                positions: p.count(0),
-                current: p.at(1),
-                goal: p.at(2),
-                to: p.at(3),
-                held,
-            },
+            Name::Rot => {
+                Function::Rotate { positions: p.count(0), current: p.at(1), goal: p.at(2), to: p.at(3), held }
+            }
             Name::Rotb => Function::RotateBinary {
                 width,
                 positions: p.at(1),
@@ -266,9 +265,13 @@ impl Function {
                 to: p.at(4),
                 held,
             },
-            Name::Xmov => {
-                Function::Transfer { values: p.count(0), table: p.table(1), data: p.at(2), index: p.at(3), held }
-            }
+            Name::Xmov => Function::Transfer {
+                values: p.count(0),
+                table: p.table(1),
+                data: p.at(2),
+                index: p.at(3),
+                held,
+            },
             Name::Xmovb => Function::TransferBinary {
                 width,
                 values: p.at(1),

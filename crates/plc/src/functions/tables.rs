@@ -5,14 +5,7 @@ use crate::memory::{Memory, Width};
 
 /// BYT ST2 (on: the values have four digits), RST ST1, ACT ST0. The number has two digits of BCD. W1: there is
 /// no such value.
-pub(super) fn code(
-    memory: &mut Memory,
-    values: &[i32],
-    from: u16,
-    to: u16,
-    held: Held,
-    line: Line,
-) -> bool {
+pub(super) fn code(memory: &mut Memory, values: &[i32], from: u16, to: u16, held: Held, line: Line) -> bool {
     line.act(memory, held, |memory| {
         let number = memory.read_bcd(from, Width::One);
         let Some(value) = number.and_then(|n| values.get(n as usize)) else { return true };
