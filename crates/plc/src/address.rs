@@ -164,8 +164,8 @@ impl Address {
     /// The place that level 2 reads it from.
     pub fn synchronised(self) -> u16 {
         match self.area {
-            Area::X => IMAGE_X + self.byte,
-            Area::F => IMAGE_F + self.byte,
+            Area::X if self.holds(1) => IMAGE_X + self.byte,
+            Area::F if self.holds(1) => IMAGE_F + self.byte,
             _ => self.place(),
         }
     }
@@ -220,6 +220,17 @@ mod tests {
         assert_eq!(Address::parse("A250.0"), Err(AddressError::Range));
         assert_eq!(Address::parse("X99999"), Err(AddressError::Range));
         assert!(Address::parse("D9998").unwrap().holds(2) && !Address::parse("D9999").unwrap().holds(2));
+    }
+
+    #[test]
+    fn a_byte_that_does_not_exist_is_always_0() {
+        for area in [Area::X, Area::F, Area::R, Area::D] {
+            let none = Address { area, byte: u16::MAX, bit: None };
+            assert_eq!(
+                (none.place(), none.synchronised(), none.end(), none.holds(1)),
+                (ZERO, ZERO, ZERO, false)
+            );
+        }
     }
 
     #[test]

@@ -91,6 +91,11 @@ impl Program {
             }
             return Err(errors);
         }
+        if ladder.instructions.len() > limits.steps as usize {
+            // What cannot be held is not looked at any closer.
+            errors.push(Error::about(Fault::TooLarge, ladder.end, limits.steps.to_string()));
+            return Err(errors);
+        }
         let sections = check(&ladder, limits, &mut errors);
         let mut compiler = Compiler::new(&ladder);
         if errors.is_empty() {

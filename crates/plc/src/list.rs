@@ -38,8 +38,16 @@ pub struct Ladder {
 /// Values of tables in all, as many as 4,700 steps could name.
 pub const MOST_TABLE_VALUES: usize = 4096;
 
+/// Largest text, bytes: 24,000 steps with a comment each are half of it.
+pub const MOST_BYTES: usize = 4 << 20;
+
 /// Reads ladder text.
 pub fn read(bytes: &[u8], errors: &mut Vec<Error>) -> Ladder {
+    if bytes.len() > MOST_BYTES {
+        let start = Span { line: 1, ..Span::default() };
+        errors.push(Error::about(Fault::FileFormat, start, format!("> {} MiB", MOST_BYTES >> 20)));
+        return Ladder::default();
+    }
     let lines = lines(bytes, errors);
     let mut reader = Reader { ladder: Ladder::default(), names: FxHashMap::default(), errors, values: 0 };
     for line in &lines {
@@ -146,6 +154,12 @@ impl Reader<'_> {
             None => {
                 let name = if first.text.eq_ignore_ascii_case("SUB") { rest.first() } else { Some(first) };
                 self.error(Fault::UnknownFunction, name.map_or(first.span, |w| w.span));
+                // It may have been the output of its network, which is then no fault of its own.
+                let is_contact = |i: &Instruction| matches!(i.code, Code::Basic(b, _) if !b.is_coil());
+                if self.ladder.instructions.last().is_some_and(is_contact) {
+                    let code = Code::Basic(Basic::Wrt, None);
+                    self.ladder.instructions.push(Instruction { code, span: first.span });
+                }
             }
         }
     }
@@ -373,9 +387,10 @@ fn is_reserved(text: &str) -> bool {
 
 /// The ladder as text that reads the same, with the names of signals as comments.
 pub fn to_text(ladder: &Ladder) -> String {
-    let name_of = |address: &Address| {
-        ladder.symbols.iter().find(|symbol| symbol.address == *address).map(|symbol| symbol.name.as_str())
-    };
+    let mut names: FxHashMap<Address, &str> = FxHashMap::default();
+    for symbol in &ladder.symbols {
+        names.entry(symbol.address).or_insert(&symbol.name);
+    }
     let mut text = String::new();
     for instruction in &ladder.instructions {
         match &instruction.code {
@@ -383,7 +398,7 @@ pub fn to_text(ladder: &Ladder) -> String {
                 text.push_str(basic.text());
                 if let Some(address) = address {
                     text.push_str(&format!(" {address}"));
-                    if let Some(name) = name_of(address) {
+                    if let Some(name) = names.get(address) {
                         // A comment ends with its line.
                         let name: String = name.chars().filter(|c| !c.is_control()).collect();
                         text.push_str(&format!(" ; {name}"));

@@ -162,6 +162,18 @@ fn what_is_too_large_is_told() {
 }
 
 #[test]
+fn texts_beyond_all_measure_are_refused_at_once() {
+    let begun = std::time::Instant::now();
+    for line in ["SP 1\nSPE\n", "1\n", "RD X0.0\n", "RD X0.9\n", "A = X0.0\n", "TMR 1 1 1 1 1\n", "LBL 1\n"] {
+        let most = (4 << 20) / line.len();
+        assert!(!faults(&format!("END1\n{}", line.repeat(most - 10))).is_empty());
+    }
+    assert_eq!(faults(&"RD X0.0\n".repeat(1 << 20)), [(1028, 1)]);
+    // No measure of speed: what grows with the square of the text would take hours.
+    assert!(begun.elapsed().as_secs() < 300);
+}
+
+#[test]
 fn signals_may_have_names() {
     let text = "START = X20.3 ; cycle start\nST = G7.2\nEND1\nRD START\nWRT ST\nEND2\n";
     let mut plc = common::plc(text);

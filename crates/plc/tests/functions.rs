@@ -565,3 +565,16 @@ fn subprograms_are_called_and_left() {
     assert_eq!(bytes(&plc, "Y0", 1), [0b01_0011]);
     assert!(get(&plc, &at("Y0.0").to_string()));
 }
+
+#[test]
+fn every_function_has_its_row_in_the_manual() {
+    let manual = include_str!("../../../docs/plc.md");
+    for row in ferrocut_plc::instruction::FUNCTIONS {
+        let conditions = if row.conditions.is_empty() { "–".to_owned() } else { row.conditions.join(" ") };
+        let line = format!("| `{}` | {} | {conditions} |", row.text, row.number);
+        let found = manual.lines().find(|l| l.starts_with(&line));
+        // Parameters are told of those that have any.
+        let told = found.and_then(|l| l.split('|').nth(4)).map(str::trim);
+        assert_eq!(told.map(|t| t == "–"), Some(row.parameters.is_empty()), "{line}");
+    }
+}

@@ -246,7 +246,7 @@ fn what_is_not_understood_is_told_with_its_line() {
             contact(2, 0, &[3], "X0.0") + &contact(3, 0, &[2], "X0.1") + &coil(4, 0, &[3], "Y0.0"),
             1017,
             9,
-            Some("256"),
+            Some("128"),
         ),
         (
             block(2, 0, "R_TRIG", &[("CLK", &wires(&[3]))])

@@ -18,6 +18,9 @@ use std::path::{Path, PathBuf};
 /// Largest ladder file that is read, bytes.
 const MOST_BYTES: u64 = 16 << 20;
 
+/// Faults of one ladder beyond which only their number is told.
+const MOST_FAULTS: usize = 200;
+
 /// The control whose list of alarms has those of ladders (GSK990MC appendix 2, 1001 to 1042).
 const CONTROL: &str = "gsk990mc";
 
@@ -164,9 +167,13 @@ impl Source {
             true => io::stdin().lock().take(MOST_BYTES + 1).read_to_end(&mut bytes),
             false => File::open(path).and_then(|file| file.take(MOST_BYTES + 1).read_to_end(&mut bytes)),
         };
-        read.map_err(|error| Failure::unreadable(&name, &error.to_string()))?;
+        let missing = |reason: String| {
+            let alarm = numbered(ferrocut_plc::Fault::FileMissing.number(), Span::default());
+            Failure::new(Box::new(alarm.with("word", format!("{name}: {reason}"))), Exit::WrongUse)
+        };
+        read.map_err(|error| missing(error.to_string()))?;
         if bytes.len() as u64 > MOST_BYTES {
-            return Err(Failure::unreadable(&name, &format!("> {} MiB", MOST_BYTES >> 20)));
+            return Err(missing(format!("> {} MiB", MOST_BYTES >> 20)));
         }
         Ok(Source { name, bytes })
     }
@@ -195,7 +202,7 @@ impl Source {
     /// Writes faults to standard error, each with its line.
     fn report(&self, errors: &[Error], diagnostics: &Diagnostics) {
         let text = self.text();
-        for error in errors {
+        for error in errors.iter().take(MOST_FAULTS) {
             diagnostics.report(&alarm(error), &self.name, text.as_ref());
         }
     }

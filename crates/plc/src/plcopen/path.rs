@@ -6,9 +6,9 @@ use rustc_hash::FxHashMap;
 use std::rc::Rc;
 
 /// Contacts in series on one way to the rail.
-const LONGEST: usize = 256;
+const LONGEST: usize = 128;
 /// Contacts of a network, those of all its ways together.
-const MOST: usize = 2_048;
+const MOST: usize = 512;
 
 /// A part of a series.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -107,6 +107,9 @@ impl<'a> Paths<'a> {
             Kind::Coil { .. } => self.merge(&element.wires, element.span, depth + 1)?,
             Kind::Contact { .. } => {
                 let (before, count) = self.merge(&element.wires, element.span, depth + 1)?;
+                if before.len() >= LONGEST {
+                    return Err(Error::about(Fault::Unsupported, element.span, LONGEST.to_string()));
+                }
                 let mut series = before.as_ref().clone();
                 series.push(Part::Contact(id));
                 (Rc::new(series), count + 1)

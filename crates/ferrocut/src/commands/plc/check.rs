@@ -1,14 +1,11 @@
 //! `ferrocut plc check`: every fault of every ladder.
 
-use super::{CheckArgs, Source, alarm};
+use super::{CheckArgs, MOST_FAULTS, Source, alarm};
 use crate::diagnostics::Diagnostics;
 use crate::job::{Exit, Failure};
 use ferrocut_plc::Program;
 use serde::Serialize;
 use std::io::{self, IsTerminal, Write};
-
-/// Faults of one ladder beyond which only their number is told.
-const MOST_FAULTS: usize = 200;
 
 /// What is said of a ladder without a fault.
 #[derive(Serialize)]
