@@ -153,12 +153,19 @@ fn emergency_stop_and_limits_act_in_level_1() {
     // +X on its switch: the NC is told, the key +X is dead, -X leads away.
     m.set("*LX+", 0);
     m.run(2);
-    assert_eq!(m.on(&["*L1+", "*L1-", "LAMP_OT"]), ["*L1-", "LAMP_OT"]);
+    let limits = ["*L1+", "*L1-", "MIT1+", "MIT1-", "LAMP_OT"];
+    assert_eq!(m.on(&limits), ["*L1-", "MIT1+", "LAMP_OT"]);
+    // In AUTO the key releases nothing.
+    m.press("KEY_AUTO");
+    m.set("KEY_OT", 1);
+    m.run(2);
+    assert!(!m.is("*L1+"));
     m.press("KEY_JOG");
     m.set("KEY_OT", 1);
     m.set("KEY_X+", 1);
     m.run(2);
     assert_eq!(m.on(&["*L1+", "JX+", "JX-"]), ["*L1+"]);
+    assert!(m.is("MIT1+"), "nor does the handwheel lead on");
     m.set("KEY_X+", 0);
     m.set("KEY_X-", 1);
     m.run(2);
