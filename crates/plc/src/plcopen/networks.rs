@@ -308,7 +308,7 @@ impl Import<'_> {
         depth: usize,
     ) -> Option<Series> {
         let series = match paths.along(wires, span) {
-            Ok((series, _)) => series,
+            Ok(series) => series,
             Err(error) => {
                 self.errors.push(error);
                 return None;
@@ -325,7 +325,7 @@ impl Import<'_> {
         depth: usize,
     ) -> bool {
         series.iter().all(|part| match part {
-            Part::Parallel(ways) => ways.iter().all(|way| self.prepare(way, paths, done, depth)),
+            Part::Parallel(ways, _) => ways.iter().all(|way| self.prepare(way, paths, done, depth)),
             Part::Block(id) => {
                 let Some(block) = paths.element(*id) else { return false };
                 let faults = self.errors.len();
@@ -368,7 +368,7 @@ impl Import<'_> {
         let mut is_first = true;
         for part in series.iter() {
             match part {
-                Part::Parallel(ways) => {
+                Part::Parallel(ways, _) => {
                     for (n, way) in ways.iter().enumerate() {
                         match (n, way.as_slice()) {
                             (0, _) => self.network(way, is_stacked || !is_first, paths),

@@ -17,8 +17,22 @@ pub(super) enum Part {
     Contact(Id),
     /// The output of a block.
     Block(Id),
-    /// Series of which one must conduct.
-    Parallel(Vec<Series>),
+    /// Series of which one must conduct, and how many contacts they are together.
+    Parallel(Vec<Series>, usize),
+}
+
+impl Part {
+    fn contacts(&self) -> usize {
+        match self {
+            Part::Contact(_) | Part::Block(_) => 1,
+            Part::Parallel(_, contacts) => *contacts,
+        }
+    }
+}
+
+/// Contacts of parts, those of all their ways together.
+fn contacts(parts: &[Part]) -> usize {
+    parts.iter().map(Part::contacts).sum()
 }
 
 /// Parts that must all conduct; none is the rail itself.
@@ -28,7 +42,7 @@ pub(super) type Series = Rc<Vec<Part>>;
 pub(super) struct Paths<'a> {
     pub elements: &'a [Element],
     pub places: &'a FxHashMap<Id, usize>,
-    known: FxHashMap<Id, (Series, usize)>,
+    known: FxHashMap<Id, Series>,
 }
 
 impl<'a> Paths<'a> {
@@ -40,30 +54,28 @@ impl<'a> Paths<'a> {
         self.elements.get(*self.places.get(&id)?)
     }
 
-    /// What leads along the wires, and how many contacts that are.
-    pub(super) fn along(&mut self, wires: &[Wire], span: Span) -> Result<(Series, usize), Error> {
+    /// What leads along the wires.
+    pub(super) fn along(&mut self, wires: &[Wire], span: Span) -> Result<Series, Error> {
         self.merge(wires, span, 0)
     }
 
-    fn merge(&mut self, wires: &[Wire], span: Span, depth: usize) -> Result<(Series, usize), Error> {
+    fn merge(&mut self, wires: &[Wire], span: Span, depth: usize) -> Result<Series, Error> {
         if wires.is_empty() {
             return Err(Error::new(Fault::LineOpen, span));
         }
         let mut ways: Vec<Series> = Vec::with_capacity(wires.len());
-        let mut count: usize = 0;
         for wire in wires {
             self.is_power(wire, span)?;
-            let (way, contacts) = self.behind(wire.from, span, depth)?;
-            count += contacts;
-            if count > MOST {
-                return Err(Error::about(Fault::TooManyRows, span, MOST.to_string()));
-            }
+            let way = self.behind(wire.from, span, depth)?;
             if !ways.contains(&way) {
                 ways.push(way);
             }
+            if ways.len() > MOST {
+                return Err(Error::about(Fault::TooManyRows, span, MOST.to_string()));
+            }
         }
         if let [way] = ways.as_slice() {
-            return Ok((way.clone(), count));
+            return Ok(way.clone());
         }
         // What all ways begin with is not parallel.
         let common = common_length(&ways);
@@ -74,8 +86,12 @@ impl<'a> Paths<'a> {
         if rests.iter().any(|rest| rest.is_empty()) {
             return Err(Error::new(Fault::ParallelLine, span));
         }
-        series.push(Part::Parallel(rests));
-        Ok((Rc::new(series), count))
+        let parallel = rests.iter().map(|rest| contacts(rest)).sum();
+        series.push(Part::Parallel(rests, parallel));
+        if contacts(&series) > MOST {
+            return Err(Error::about(Fault::TooManyRows, span, MOST.to_string()));
+        }
+        Ok(Rc::new(series))
     }
 
     /// Of the outputs of a block only W1 is a line; others carry data.
@@ -89,7 +105,7 @@ impl<'a> Paths<'a> {
     }
 
     /// What leads to the output of an element.
-    fn behind(&mut self, id: Id, span: Span, depth: usize) -> Result<(Series, usize), Error> {
+    fn behind(&mut self, id: Id, span: Span, depth: usize) -> Result<Series, Error> {
         if let Some(known) = self.known.get(&id) {
             return Ok(known.clone());
         }
@@ -101,18 +117,18 @@ impl<'a> Paths<'a> {
             return Err(Error::about(Fault::LineOpen, span, format!("localId {id}")));
         };
         let found = match &element.kind {
-            Kind::Rail => (Rc::new(Vec::new()), 0),
-            Kind::Block { .. } => (Rc::new(vec![Part::Block(id)]), 1),
+            Kind::Rail => Rc::new(Vec::new()),
+            Kind::Block { .. } => Rc::new(vec![Part::Block(id)]),
             // Behind a coil the line goes on as before it.
             Kind::Coil { .. } => self.merge(&element.wires, element.span, depth + 1)?,
             Kind::Contact { .. } => {
-                let (before, count) = self.merge(&element.wires, element.span, depth + 1)?;
+                let before = self.merge(&element.wires, element.span, depth + 1)?;
                 if before.len() >= LONGEST {
                     return Err(Error::about(Fault::Unsupported, element.span, LONGEST.to_string()));
                 }
                 let mut series = before.as_ref().clone();
                 series.push(Part::Contact(id));
-                (Rc::new(series), count + 1)
+                Rc::new(series)
             }
             Kind::Continuation(name) => {
                 let is_other = |e: &&Element| matches!(&e.kind, Kind::Connector(other) if other == name);
