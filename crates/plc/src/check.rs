@@ -336,47 +336,28 @@ fn section(all: &[Instruction], range: &Range<usize>, is_subprogram: bool, error
                 }
             }
         }
-        match instruction.name() {
-            Some(Name::Jmp) if instruction.number().unwrap_or(0) > 0 => {
-                coils = Some((Fault::JumpWrong, instruction.number().unwrap_or(0), span));
+        let number = instruction.number().unwrap_or(0);
+        let wrong = match instruction.name() {
+            Some(Name::Jmp) if number > 0 => {
+                coils = Some((Fault::JumpWrong, number, span));
+                None
             }
-            Some(Name::Com) if instruction.number().unwrap_or(0) > 0 => {
-                coils = Some((Fault::ComWrong, instruction.number().unwrap_or(0), span));
+            Some(Name::Com) if number > 0 => {
+                coils = Some((Fault::ComWrong, number, span));
+                None
             }
-            Some(Name::Jmp) => {
-                // Appendix 2: 1015 where JMP is used again before the first has ended.
-                if jump.replace(span).is_some() {
-                    errors.push(Error::new(Fault::JumpWrong, span));
-                }
-            }
-            Some(Name::Jmpe) => {
-                if jump.take().is_none() {
-                    errors.push(Error::new(Fault::JumpWrong, span));
-                }
-            }
-            Some(Name::Com) => {
-                if com.replace(span).is_some() {
-                    errors.push(Error::new(Fault::ComWrong, span));
-                }
-            }
-            Some(Name::Come) => {
-                if com.take().is_none() {
-                    errors.push(Error::new(Fault::ComWrong, span));
-                }
-            }
-            Some(Name::Lbl) => {
-                if com.is_some() {
-                    errors.push(Error::new(Fault::ComWrong, span));
-                }
-                if !labels.insert(instruction.number()) {
-                    errors.push(Error::new(Fault::JumpWrong, span));
-                }
-            }
-            Some(Name::Jmpc) if !is_subprogram => errors.push(Error::new(Fault::JumpWrong, span)),
+            // Appendix 2: 1015 where JMP is used again before the first has ended.
+            Some(Name::Jmp) => jump.replace(span).map(|_| Fault::JumpWrong),
+            Some(Name::Jmpe) => jump.take().is_none().then_some(Fault::JumpWrong),
+            Some(Name::Com) => com.replace(span).map(|_| Fault::ComWrong),
+            Some(Name::Come) => com.take().is_none().then_some(Fault::ComWrong),
             // Appendix 2: 1003 where a function stands between COM and COME.
-            Some(_) if com.is_some() => errors.push(Error::new(Fault::ComWrong, span)),
-            _ => {}
-        }
+            Some(_) if com.is_some() => Some(Fault::ComWrong),
+            Some(Name::Lbl) => (!labels.insert(number)).then_some(Fault::JumpWrong),
+            Some(Name::Jmpc) => (!is_subprogram).then_some(Fault::JumpWrong),
+            _ => None,
+        };
+        errors.extend(wrong.map(|fault| Error::new(fault, span)));
     }
     if let Some(span) = jump {
         errors.push(Error::new(Fault::JumpWrong, span));
@@ -388,7 +369,7 @@ fn section(all: &[Instruction], range: &Range<usize>, is_subprogram: bool, error
         errors.push(Error::new(fault, span));
     }
     for instruction in instructions {
-        if instruction.name() == Some(Name::Jmpb) && !labels.contains(&instruction.number()) {
+        if instruction.name() == Some(Name::Jmpb) && !labels.contains(&instruction.number().unwrap_or(0)) {
             errors.push(Error::new(Fault::JumpWrong, instruction.span));
         }
     }

@@ -87,7 +87,10 @@ fn is_part(byte: u8) -> bool {
 mod tests {
     use super::*;
 
-    fn read(text: &str) -> (Vec<Vec<String>>, Vec<(u16, u32, usize)>) {
+    /// Number, line and offset of a fault.
+    type Told = (u16, u32, usize);
+
+    fn read(text: &str) -> (Vec<Vec<String>>, Vec<Told>) {
         let mut errors = Vec::new();
         let lines = lines(text.as_bytes(), &mut errors);
         let words = lines.iter().map(|l| l.words.iter().map(|w| w.text.to_owned()).collect()).collect();

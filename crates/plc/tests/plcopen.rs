@@ -1,5 +1,5 @@
 //! Ladder diagrams of PLCopen XML.
-#![allow(missing_docs, clippy::unwrap_used)]
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
 mod common;
 

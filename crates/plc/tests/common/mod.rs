@@ -1,5 +1,5 @@
 //! Ladders under test.
-#![allow(dead_code, missing_docs, clippy::unwrap_used)]
+#![allow(dead_code, missing_docs, clippy::unwrap_used, clippy::panic)]
 
 use ferrocut_plc::{Address, Error, Limits, Pace, Plc, Program};
 
