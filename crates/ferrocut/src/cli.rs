@@ -2,6 +2,7 @@
 
 use crate::commands::explain::ExplainArgs;
 use crate::commands::machine::MachineArgs;
+use crate::commands::plc::PlcArgs;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -65,6 +66,8 @@ pub enum Command {
     Explain(ExplainArgs),
     /// Machine files, and the parameters of the control in them
     Machine(MachineArgs),
+    /// Ladders of the PLC: check them, run them at a desk, import them from PLCopen XML
+    Plc(PlcArgs),
 }
 
 /// What every command that reads a program takes.

@@ -556,6 +556,12 @@ faults! {
     NoWriter = 1019,
     /// A file that is no drawing where one is asked for.
     NoDrawing = 1020,
+
+    // 1100: ladders
+    /// A rule of ladders that is broken; the control's number says which.
+    Ladder = 1101,
+    /// A setting of a ladder's run that cannot be used.
+    LadderSetting = 1102,
 }
 
 /// How bad it is.

@@ -1,6 +1,6 @@
 //! The texts of alarms, in the languages that people read.
 //!
-//! Texts live in Fluent catalogues under `messages/<language>/`: `core.ftl` and `drawings.ftl` for the
+//! Texts live in Fluent catalogues under `messages/<language>/`: `core.ftl`, `drawings.ftl` and `ladder.ftl` for the
 //! faults common to all controls (`FC-0302`), one further file for each control with alarm numbers of its own
 //! (`gsk990mc-0045`). A message has
 //!
@@ -66,7 +66,8 @@
 //! | `LayerLeftOut` | `name`, `count` |
 //! | `HiddenLeftOut` | `count` |
 //! | `PltLeftOut` | `instruction` |
-//! | `ImportSetting` | `setting`, `value` |
+//! | `ImportSetting`, `LadderSetting` | `setting`, `value` |
+//! | `Ladder` | `word` |
 
 use crate::alarm::{Alarm, AlarmId, Argument};
 use fluent_bundle::concurrent::FluentBundle;
@@ -121,12 +122,14 @@ impl Language {
             Language::En => &[
                 include_str!("../messages/en/core.ftl"),
                 include_str!("../messages/en/drawings.ftl"),
+                include_str!("../messages/en/ladder.ftl"),
                 include_str!("../messages/en/labels.ftl"),
                 include_str!("../messages/en/gsk990mc.ftl"),
             ],
             Language::Zh => &[
                 include_str!("../messages/zh/core.ftl"),
                 include_str!("../messages/zh/drawings.ftl"),
+                include_str!("../messages/zh/ladder.ftl"),
                 include_str!("../messages/zh/labels.ftl"),
                 include_str!("../messages/zh/gsk990mc.ftl"),
             ],

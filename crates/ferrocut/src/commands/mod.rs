@@ -6,6 +6,7 @@ pub mod import;
 pub mod layout;
 pub mod machine;
 pub mod names;
+pub mod plc;
 pub mod run;
 pub mod time;
 pub mod trace;

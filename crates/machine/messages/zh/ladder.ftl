@@ -1,0 +1,17 @@
+# 梯形图：控制系统没有编号的故障，以及命令行显示的内容。
+
+FC-1101 = 违反了梯形图的一条规则
+    .detail = { $word }
+    .help = 控制系统的报警号说明是哪一条。
+
+FC-1102 = 运行梯形图的设置不可用
+    .detail = { $setting }：{ $value }
+    .help = 请用名称或地址（如 X20.3）给出信号，并在 = 后面给出它的值。
+
+label-ladder-checked = { $file }：{ $steps } 步，其中第一级 { $first } 步，{ $signals } 个命名信号
+label-ladder-faults = { $count } 个故障
+label-ladder-on = 通
+label-ladder-off = 断
+label-ladder-ran = { $time } 毫秒，第二级 { $rounds } 轮，每周期最多 { $steps } 步
+label-ladder-stopped = { $time } 毫秒后停止
+label-ladder-legend = | 触点或输入接通，o 断开，- 未执行；* 其后的线路接通
