@@ -206,8 +206,8 @@ impl MGroup {
     pub const COUNT: usize = MGroup::Stop as usize + 1;
 }
 
-/// The language bounds no coordinate.
-const COORDINATE: f64 = f64::MAX;
+/// The language bounds no word; what leads further than any machine reaches is refused where it is used.
+const COORDINATE: f64 = super::motion::LARGEST_COORDINATE;
 
 /// Addresses. G, M, N and O are read apart.
 pub static ADDRESSES: &[Address] = &[
