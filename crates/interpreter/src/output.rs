@@ -227,6 +227,11 @@ impl Output {
         }
     }
 
+    /// How much longer compensation may make an arc than it was, rad.
+    pub(crate) fn set_longer_arcs(&mut self, longer: f64) {
+        self.cutter.set_longer(longer);
+    }
+
     /// From the next move on compensation is left aside, until [`resume_cutter`](Self::resume_cutter).
     pub(crate) fn pause_cutter(&mut self) {
         self.paused = true;

@@ -166,7 +166,6 @@ fn cycles_with_the_spindle() {
         "rapid Z2",
         "feed Z-3 F100",
         "spindle ccw 100",
-        "dwell 0s",
         "feed Z2 F100",
         "spindle cw 100",
         "end M02",

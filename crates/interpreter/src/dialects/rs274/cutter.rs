@@ -8,8 +8,11 @@ use crate::dialect::{GCode, Meaning};
 use crate::interpreter::Interpreter;
 use crate::modal::Group;
 use crate::stages::cutter::{Offset, Side};
-use ferrocut_geometry::Plane;
+use ferrocut_geometry::{MM_PER_INCH, Plane};
 use ferrocut_machine::Fault;
+
+/// How much longer compensation may make an arc than it was before the tool would run it backwards.
+const LONGER_INCH: f64 = 0.001;
 
 impl Interpreter {
     /// The block's code of cutter compensation.
@@ -36,6 +39,12 @@ impl Interpreter {
             _ => self.ngc_tool_radius()?,
         };
         self.modal.set(row);
+        // Radians, though LinuxCNC counts them in the units of length.
+        self.output.set_longer_arcs(if self.modal.is_inch() {
+            LONGER_INCH
+        } else {
+            LONGER_INCH * MM_PER_INCH
+        });
         self.output.set_cutter(plane, Some(Offset { side, radius }));
         Ok(())
     }

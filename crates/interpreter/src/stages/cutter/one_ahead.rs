@@ -29,9 +29,9 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 /// A path that turns by less than this goes straight on, rad.
 const STRAIGHT_RAD: f64 = 0.05;
 
-/// A trimmed arc may be longer by this than it was: behind a path that goes nearly straight on it begins earlier,
-/// rad.
-const LONGER_RAD: f64 = STRAIGHT_RAD;
+/// A trimmed arc may be longer by this than it was, where nothing else was set: behind a path that goes nearly
+/// straight on it begins earlier, rad.
+const LONGER_RAD: f64 = 0.001;
 
 /// An entry arc whose chord is this near to square to its radius has no centre: the cosine.
 const SQUARE: f64 = 1e-6;
@@ -86,6 +86,8 @@ enum Queued<T> {
 #[derive(Debug)]
 pub struct OneAhead<T> {
     offset: Option<Offset>,
+    /// How much longer a trimmed arc may be than it was, rad.
+    longer: f64,
     in_mode: bool,
     /// Compensation was just taken away.
     must_go_straight: bool,
@@ -110,6 +112,7 @@ impl<T: Clone> OneAhead<T> {
     pub fn new() -> OneAhead<T> {
         OneAhead {
             offset: None,
+            longer: LONGER_RAD,
             in_mode: false,
             must_go_straight: false,
             tool: [0.0; 2],
@@ -126,6 +129,11 @@ impl<T: Clone> OneAhead<T> {
             self.must_go_straight |= self.in_mode;
             self.forget();
         }
+    }
+
+    /// How much longer a trimmed arc may be than it was, rad.
+    pub fn set_longer(&mut self, longer: f64) {
+        self.longer = longer;
     }
 
     /// Whether a vector stands.
@@ -312,7 +320,7 @@ impl<T: Clone> OneAhead<T> {
                 }
                 Way::Round(arc) => {
                     let sweep = arc.sweep(last.start, p);
-                    if is_checked && sweep.abs() > arc.programmed.abs() + LONGER_RAD {
+                    if is_checked && sweep.abs() > arc.programmed.abs() + self.longer {
                         return Err(Fault::Interference);
                     }
                     shape = Shape::Arc { center: arc.center, sweep };

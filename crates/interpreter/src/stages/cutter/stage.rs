@@ -36,6 +36,13 @@ impl<T: Clone> Stage<T> {
         }
     }
 
+    /// How much longer a trimmed arc may be than it was, rad ([`OneAhead::set_longer`]).
+    pub fn set_longer(&mut self, longer: f64) {
+        if let Stage::OneAhead(stage) = self {
+            stage.set_longer(longer);
+        }
+    }
+
     /// The next move runs without compensation, the one after it starts up again.
     pub fn suspend(&mut self) {
         if let Stage::Vectors(stage) = self {
