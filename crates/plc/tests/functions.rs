@@ -80,7 +80,9 @@ fn timers_turn_on_after_their_time_and_off_at_once() {
 fn counters_are_rings() {
     // Conditions CN0 X0.0, UPDOWN X0.1, RST X0.2, ACT X0.3; preset 3.
     let text = "RD X0.0\nRD.STK X0.1\nRD.STK X0.2\nRD.STK X0.3\nCTR 2\nWRT Y0.0\n";
-    let table: &[(u8, u8, &[(u8, bool)])] = &[
+    /// Conditions, the first count, and the counts that follow with W1.
+    type Counts = (u8, u8, &'static [(u8, bool)]);
+    let table: &[Counts] = &[
         // Up from 0: 1, 2, 3 and W1, then 0.
         (0b00, 0, &[(1, false), (2, false), (3, true), (0, false), (1, false)]),
         // Up from 1.

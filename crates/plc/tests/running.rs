@@ -216,7 +216,7 @@ fn traces_keep_what_was_before_and_behind_the_trigger() {
     settings.trigger = Some(Trigger::Falling(at("X0.0")));
     plc.set_trace(Some(&settings));
     for n in 0..40 {
-        set(&mut plc, "X0.0", n < 10 || n > 15);
+        set(&mut plc, "X0.0", !(10..=15).contains(&n));
         plc.scan();
     }
     let trace = plc.trace().unwrap();

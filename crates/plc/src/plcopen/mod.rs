@@ -1,7 +1,7 @@
 //! Ladder diagrams of PLCopen TC6 XML as a list of instructions.
 //!
-//! The way of the data: the file to POUs with their elements ([`diagram`]) → what leads to each element, as
-//! contacts in series and parallel ([`path`]) → instructions ([`networks`]). What is not understood is a
+//! The way of the data: the file to POUs with their elements (`diagram`) → what leads to each element, as
+//! contacts in series and parallel (`path`) → instructions (`networks`). What is not understood is a
 //! fault with the line of its element.
 //!
 //! - A program POU named `LEVEL1` is level 1; all others are level 2, in the order of the file. A function or
