@@ -63,8 +63,8 @@ impl Interpreter {
             Meaning::FeedPerRevolution if self.ngc_spindle_speed() == 0.0 => {
                 Err(self.alarm(Fault::SpindleAtRest, self.words.block_span()))
             }
-            Meaning::FeedPerRevolution => Ok(Feed::PerRevolution(feed * self.ngc_unit())),
-            _ => Ok(Feed::PerMinute(feed * self.ngc_unit())),
+            Meaning::FeedPerRevolution => Ok(Feed::PerRevolution(feed * self.ngc.feed_unit)),
+            _ => Ok(Feed::PerMinute(feed * self.ngc.feed_unit)),
         }
     }
 
@@ -118,7 +118,7 @@ impl Interpreter {
         let machine = self.ngc.machine_of(to);
         self.ngc_check_reach(machine)?;
         let mut feed = self.ngc_feed()?;
-        if self.modal.is_inch()
+        if self.ngc.feed_unit != 1.0
             && let Feed::PerMinute(degrees) | Feed::PerRevolution(degrees) = &mut feed
             && Axis::ALL.into_iter().all(|axis| !axis.is_linear() || to[axis] == self.ngc.at[axis])
         {

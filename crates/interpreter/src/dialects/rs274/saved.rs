@@ -18,6 +18,7 @@ pub(crate) struct Saved {
     /// Restored when that level returns.
     is_automatic: bool,
     feed: f64,
+    feed_unit: f64,
     speed: Option<f64>,
     surface_speed: Option<f64>,
     spindle: SpindleState,
@@ -56,6 +57,7 @@ impl Interpreter {
             depth,
             is_automatic,
             feed: self.ngc.feed,
+            feed_unit: self.ngc.feed_unit,
             speed: self.technology.speed,
             surface_speed: self.technology.surface_speed,
             spindle: self.technology.spindle,
@@ -94,6 +96,7 @@ impl Interpreter {
             self.ngc_set_length(saved.length);
         }
         self.ngc.feed = saved.feed;
+        self.ngc.feed_unit = saved.feed_unit;
         self.ngc.tolerance = saved.tolerance;
         self.ngc.overrides = saved.overrides;
         self.ngc.mist = saved.mist;

@@ -29,6 +29,8 @@ pub(crate) struct State {
     pub system: u8,
     /// The F word in force as programmed.
     pub feed: f64,
+    /// mm in a unit of it: F is a speed where it is given, and a change of units does not change that.
+    pub feed_unit: f64,
     /// The block has an F word.
     pub has_feed_word: bool,
     /// The block has G53.
@@ -109,6 +111,7 @@ impl State {
             length: Position::ZERO,
             system: 1,
             feed: 0.0,
+            feed_unit: 1.0,
             has_feed_word: false,
             in_machine: false,
             cycles: Cycles::default(),

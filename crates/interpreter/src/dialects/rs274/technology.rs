@@ -45,6 +45,7 @@ impl Interpreter {
                 return Err(self.alarm_at(Fault::WordNegative, b'F'));
             }
             self.ngc.feed = feed;
+            self.ngc.feed_unit = self.ngc_unit();
         }
         if let Some(speed) = self.words.get(b'S') {
             if speed < 0.0 {

@@ -91,7 +91,8 @@ impl Interpreter {
         }
         let mut depth = first;
         for pass in 2..=MOST_PASSES {
-            if depth >= full {
+            // From the drive line, so that rounding does not make a pass of a pass at full depth (LinuxCNC).
+            if thread.crest + depth >= thread.crest + full {
                 break;
             }
             self.ngc_thread_pass(&thread, depth)?;
