@@ -4,10 +4,24 @@ A row is a name, which stands in that page, and a test of a difference with its 
 is counted apart and is no failure. What can be left out of programs is left out by the generator.
 """
 
+import re
+
+
+def line_at(program, number):
+    """The line with a marked number, `N25` or `(L25)`."""
+    mark = re.compile(rf"^/?N{number}\D|\(L{number}\)")
+    return next((line for lines in program.files.values() for line in lines if mark.search(line)), "")
+
+
 KNOWN = (
     (
         "the rest of a division by nothing is no number",
         lambda program, theirs, ours, difference: difference.kind == "alarm" and "FC-0705" in difference.text,
+    ),
+    (
+        "a spline in feed per revolution does not ask whether the spindle turns",
+        lambda program, theirs, ours, difference: "FC-0319" in difference.text
+        and bool(re.search(r"G5(\D|\.[12])", line_at(program, ours.error_line))),
     ),
 )
 

@@ -550,6 +550,8 @@ class Writer:
                     # The stand-alone program has no tool in its spindle after M61: another one follows.
                     self.line(f"M61 Q{rng.choice(sorted(self.radii))}")
                 self.line(rng.choice((f"T{state.tool} M6", f"M6 T{state.tool}")))
+                # The stand-alone program may forget a change of length: every axis is named next.
+                self.place()
                 state.spindle = False
                 if state.feed_mode == "95":
                     self.set_feed_mode("94")

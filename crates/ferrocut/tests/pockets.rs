@@ -13,7 +13,7 @@ const PROGRAM: &str = "#PROFILE A [XY]\nG0 X0 Y0\nG1 X60\nY40\nX0\nY0\nG0 X20 Y2
     #CYCLE P2D [pocket=FLAT-1, profile=A, Z=0, ZS=5, P=6]\n#ROUGH [T=1, F=600, S=1000, I=3]\n\
     #CYCLE P3D [pocket=DEEP-1, profile=A, Z1=S, Z=0, ZS=5, P=6]\n#ROUGH [T=1, F=600, S=1000, I1=3]\nM30\n";
 
-const SETUP: &str = "dialect = \"fagor8065\"\n[start]\nz = 50\n[tools.1]\nradius = 3\n";
+const SETUP: &str = "dialect = \"fagor8065\"\n[start]\nz = 50\n[tools.1]\nradius = 3\nentry_angle = 5\n";
 
 struct Shop {
     folder: tempfile::TempDir,

@@ -364,3 +364,12 @@ M30
     assert_eq!(gsk, rs274);
     assert!(rs274.len() > 50, "{rs274:?}");
 }
+
+/// G53 holds for its block alone: the way of G28 behind it is in the coordinate system again.
+#[test]
+fn machine_coordinates_end_with_their_block() {
+    runs(
+        "G10 L2 P1 X10\nG54\nG53 G0 X1\nG28 X2\nM2\n",
+        &[[1.0, 0.0, 0.0], [12.0, 0.0, 0.0], [0.0, 0.0, 0.0]],
+    );
+}

@@ -187,7 +187,7 @@ fn straight_down(
     let section = description.part(part);
     let works = section.number("T") != 0.0;
     let solid = match part {
-        Part::Finish => section.number("deltaz") > 0.0 || description.part(Part::Rough).number("T") == 0.0,
+        Part::Finish => description.part(Part::Rough).number("T") == 0.0,
         _ => !description.has(Part::Drill),
     };
     let tool = || description.tool(section.number("T"), section.given("D").unwrap_or(1.0));

@@ -385,10 +385,10 @@ impl Interpreter {
                 self.modal.set(row);
             }
         }
+        self.ngc.in_machine = non_modal == Some(Meaning::MachinePosition);
         if let Some(row) = codes.g(Group::NonModal) {
             self.ngc_non_modal(row)?;
         }
-        self.ngc.in_machine = non_modal == Some(Meaning::MachinePosition);
         if let Some(row) = self.ngc_motion_code(codes) {
             self.ngc_move(row, codes.g(Group::Motion).is_some())?;
         }
