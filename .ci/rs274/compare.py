@@ -12,6 +12,8 @@ TOLERANCE = 0.0005
 FEED = 1e-5
 # What rounding to six decimals may move the ends of a move apart, mm.
 PLACES = 5e-6
+# What the same rounding may make of a time, s.
+SECONDS = 5e-7
 
 
 @dataclasses.dataclass
@@ -76,8 +78,9 @@ def move_difference(theirs, ours):
         (mode, value), (our_mode, our_value) = speed(theirs), speed(ours)
         allowed = FEED * max(1.0, abs(value))
         if ours.feed[0] == "s":
-            # A speed from length and time is as good as the places of the length's ends.
+            # A speed from length and time is as good as the places of the length's ends and of the time.
             allowed += abs(value) * PLACES / max(ours.length(), PLACES)
+            allowed += abs(value) * SECONDS / max(ours.feed[1], SECONDS)
         if mode != our_mode or abs(value - our_value) > allowed:
             return "feed", f"feed {mode} {value:.6g} became {our_mode} {our_value:.6g}"
     return None

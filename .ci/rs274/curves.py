@@ -92,7 +92,11 @@ def judge(seed, ours, folder):
     # Both run the same way along: the search goes on where the last point was found.
     at = 0
     for point in points:
-        near = min(range(at, len(moves)), key=lambda i: (round(distance(point[:2], moves[i]), 4), i))
+        # The first that holds it: a curve may come by the same place again.
+        holds = (i for i in range(at, len(moves)) if distance(point[:2], moves[i]) <= TOLERANCE)
+        near = next(holds, None)
+        if near is None:
+            near = min(range(at, len(moves)), key=lambda i: distance(point[:2], moves[i]))
         worst = max(worst, distance(point[:2], moves[near]))
         at = max(at, near - 2)
     # And ours goes nowhere else: its joints are near the chords of the curve.

@@ -97,8 +97,10 @@ def judge(program, theirs, ours, tools, folder):
     if our_path.error and any(words in our_path.error for words in differential.NOT_CARRIED):
         return "stop at a word not carried", our_path.error
     if (their_path.error or "").startswith("File ended"):
-        # At the last line, whatever it holds; ours at the last with a word.
+        # At the last line, whatever it holds: that of ours may be any behind the last word.
         their_path.error_line = last_words(program)
+        if our_path.error and "FC-0606" in our_path.error and COMMENT.sub("", our_path.error_line or "").strip() == "":
+            our_path.error_line = their_path.error_line
     sought = differential.SOUGHT.search(their_path.error or "")
     if sought:
         their_path.error_line = marks(None, int(sought.group(2)))

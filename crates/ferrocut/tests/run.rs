@@ -24,7 +24,9 @@ fn samples(example: &(String, Option<String>)) -> (Vec<Point>, Value, String) {
     let mut arguments = on_example("run", example);
     arguments.extend(["--format", "json", "--samples", &csv]);
     let answer = ferrocut(&arguments);
-    assert_eq!((answer.code, answer.err.as_str()), (0, ""), "{}", example.0);
+    // A program may speak, but there is nothing to complain of.
+    let complains = ["error", "warning"].iter().any(|word| answer.err.contains(word));
+    assert!(answer.code == 0 && !complains, "{}: {}", example.0, answer.err);
     let text = std::fs::read_to_string(&csv).unwrap();
     let mut lines = text.lines();
     assert_eq!(lines.next(), Some("t,x,y,z,a"));
