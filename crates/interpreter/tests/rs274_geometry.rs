@@ -31,7 +31,9 @@ fn arcs_by_centre_radius_and_turns() {
         ("G19 G3 Z10 K5 F100", &["yz Z10 about 0 5 by 180 F100"]),
         // A full circle without an end, and inches.
         ("G2 I5 F100", &["xy about 5 0 by -360 F100"]),
-        ("G20 G2 X1 I.5 F10", &["xy X25.4 about 12.7 0 by -180 F254"]),
+        ("G20\nG2 X1 I.5 F10", &["xy X25.4 about 12.7 0 by -180 F254"]),
+        // F is read before the units of its block change, and stays the speed that it is.
+        ("G20 G2 X1 I.5 F10\nG21\nG1 X30", &["xy X25.4 about 12.7 0 by -180 F10", "feed X30 F10"]),
         // Radii may differ by a thousandth, and by 0.028 mm whatever they are.
         ("G2 X2.018 I1 F100", &["xy X2.018 about 1 0 by -180 F100"]),
         ("G2 X1000.5 I500 F100", &["xy X1000.5 about 500 0 by -180 F100"]),
