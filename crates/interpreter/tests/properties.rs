@@ -53,7 +53,9 @@ fn arc_is_round(step: &Step, interpreter: &Interpreter, from: ferrocut_geometry:
     let (start, end) = (radius(arc.start), radius(arc.end));
     // Large coordinates leave fewer digits.
     let digits = 1e-9 * (1.0 + start.abs() + end.abs() + arc.center[0].abs() + arc.center[1].abs());
-    (start - end).abs() <= interpreter.rules().arc_tolerance + 1e-5 + digits
+    // RS274/NGC allows large arcs a thousandth.
+    let share = if interpreter.dialect().name == "rs274" { 0.001 * start.max(end) } else { 0.0 };
+    (start - end).abs() <= interpreter.rules().arc_tolerance.max(share) + 1e-5 + digits
 }
 
 fn points_into(text: &[u8], alarm: &Alarm) -> bool {

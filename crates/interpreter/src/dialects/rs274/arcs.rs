@@ -15,7 +15,7 @@ const LEAST_RADIUS_INCH: f64 = 0.000_05;
 
 /// How far the radii at start and end may differ, where they differ by more than a thousandth: what coordinates
 /// of three decimals in inches, or two in metric programs, make of an exact arc.
-const SPIRAL_INCH: f64 = 2.0 * 0.001 * SQRT_2;
+pub(super) const SPIRAL_INCH: f64 = 2.0 * 0.001 * SQRT_2;
 const SPIRAL_MM: f64 = 2.0 * 0.01 * SQRT_2;
 
 /// Radii that differ by less than this of them are one.

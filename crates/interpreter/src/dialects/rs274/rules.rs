@@ -1,5 +1,6 @@
 //! Choices of the language.
 
+use super::arcs::SPIRAL_INCH;
 use super::codes::{G_CODES, LENGTH_OFF};
 use crate::coordinates;
 use crate::cycles::{self, NoDepth, Repeat, Restart, Tapping};
@@ -10,7 +11,7 @@ use crate::motion;
 use crate::stages::cutter;
 use crate::stages::polar::PoleRule;
 use crate::stroke::{STROKE_AXES, StrokeRules};
-use ferrocut_geometry::Axis;
+use ferrocut_geometry::{Axis, MM_PER_INCH};
 use ferrocut_machine::Parameters;
 
 /// Parameters have numbers from 1 to this one (LinuxCNC, parameters).
@@ -27,7 +28,8 @@ pub fn rules(_: &Parameters) -> Rules {
         max_spindle_rpm: f64::INFINITY,
         rapid_is_straight: true,
         helix_feed_along_circle: false,
-        arc_tolerance: 0.01,
+        // The widest of its own rule (`arcs`): that of inch programs.
+        arc_tolerance: SPIRAL_INCH * MM_PER_INCH,
         dwell_letter: b'P',
         dwell_p_unit_s: 1.0,
         dwell_in_revolutions: false,
