@@ -493,6 +493,76 @@ pub struct Rules {
     pub axis_order: [Axis; 5],
 }
 
+/// A language that bounds nothing and has nothing fitted beyond what all have. What a control does otherwise
+/// stands in its `rules`.
+impl Default for Rules {
+    fn default() -> Rules {
+        Rules {
+            default_feed: 0.0,
+            min_feed: 0.0,
+            max_feed: f64::INFINITY,
+            max_feed_per_revolution: f64::INFINITY,
+            max_spindle_rpm: f64::INFINITY,
+            rapid_is_straight: true,
+            helix_feed_along_circle: false,
+            arc_tolerance: 0.01,
+            dwell_letter: b'X',
+            dwell_p_unit_s: 1.0,
+            dwell_in_revolutions: false,
+            length_on_plane_normal: true,
+            h00_waits: false,
+            length_not_with: &[],
+            repeats_are_alarms: false,
+            distance_is_exclusive: true,
+            m_codes_in_block: u8::MAX,
+            max_call_depth: 0,
+            max_macro_depth: 0,
+            max_repeats: 0.0,
+            cycles: cycles::Rules::default(),
+            motion: motion::Rules::default(),
+            coordinates: coordinates::Rules::default(),
+            cutter: cutter::Rules::default(),
+            radius_is_diameter: false,
+            corner_override: None,
+            stroke: StrokeRules::default(),
+            max_coordinate: 1e8,
+            max_moving_axes: 9,
+            spindle_has_position: true,
+            feed_per_revolution: true,
+            max_tool: 9999.0,
+            max_speed_word: f64::INFINITY,
+            max_m_code: 9999.0,
+            tool_chooses_offsets: false,
+            end_stops_spindle: true,
+            orients_to_speed_word: false,
+            corner_arc: false,
+            scaling: ScalingRules::default(),
+            rotation_angle: 0.0,
+            rotation_follows_g91: false,
+            max_rotation: f64::INFINITY,
+            pole: PoleRule::Code,
+            polar_is_strict: false,
+            transforms_are_strict: false,
+            one_way_overshoot: [0.0; 5],
+            one_way_dwell_s: 0.0,
+            one_way_is_modal: false,
+            surface_speed: false,
+            surface_min_rpm: 0.0,
+            surface_axis: Axis::X,
+            max_offset: 99_999_999.0,
+            max_wear: 99_999_999.0,
+            skip_needs_signal: false,
+            max_zero: 99_999_999.0,
+            reference_keeps_cutter: false,
+            tools_carry_offsets: false,
+            plane_ends_cycle: false,
+            axes: Axis::ALL.into_iter().collect(),
+            linear_axes: Axis::ALL.into_iter().filter(|axis| axis.is_linear()).collect(),
+            axis_order: [Axis::X, Axis::Y, Axis::Z, Axis::A, Axis::B],
+        }
+    }
+}
+
 /// Numbers of the programs that take the place of codes: Mn is run by program `m` + n, Gn by `g` + n, and
 /// an S word runs `speed`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -542,6 +612,19 @@ pub struct ScalingRules {
     pub axis_factors: [f64; 3],
     /// Whether each of X, Y, Z is scaled.
     pub axes: [bool; 3],
+}
+
+/// Not fitted.
+impl Default for ScalingRules {
+    fn default() -> ScalingRules {
+        ScalingRules {
+            enabled: false,
+            factors_by_axis: false,
+            factor: 1.0,
+            axis_factors: [1.0; 3],
+            axes: [false; 3],
+        }
+    }
 }
 
 /// Runs one block of a page, by its index.

@@ -36,6 +36,20 @@ pub struct StrokeRules {
     pub first_is_set: bool,
 }
 
+/// Neither check forbids anything.
+impl Default for StrokeRules {
+    fn default() -> StrokeRules {
+        let unbounded = [(f64::NEG_INFINITY, f64::INFINITY); STROKE_AXES];
+        StrokeRules {
+            first: unbounded,
+            second: unbounded,
+            second_forbids_outside: false,
+            second_parameter: 0,
+            first_is_set: false,
+        }
+    }
+}
+
 impl Interpreter {
     /// G12 X Y Z I J K: sets the box and turns check 2 on.
     pub(crate) fn stroke_check_on(&mut self, span: Span) -> Fallible<()> {

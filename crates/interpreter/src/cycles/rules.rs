@@ -105,3 +105,29 @@ pub struct Rules {
     /// Radius of the helix by which a pocket is entered, over the tool radius.
     pub pocket_helix_factor: f64,
 }
+
+/// Those of a control whose cycles read none of it.
+impl Default for Rules {
+    fn default() -> Rules {
+        Rules {
+            repeat_letter: b'K',
+            other_repeat_letter: None,
+            repeat: Repeat::Block,
+            in_any_plane: true,
+            chip_break_retract: 0.0,
+            peck_clearance: 0.0,
+            no_depth: NoDepth::Alarm,
+            shift: (Axis::X, 1.0),
+            default_shift: 0.0,
+            restart: Restart::AsBefore,
+            tapping: Tapping::Floating,
+            max_tapping_rpm: f64::INFINITY,
+            dwell: (0.0, f64::INFINITY),
+            dwell_p_unit_s: 1.0,
+            needs_speed: false,
+            length_at_start_only: false,
+            stand_beside_motion: false,
+            pocket_helix_factor: 0.0,
+        }
+    }
+}

@@ -1,15 +1,10 @@
 //! What the parameters set, and what is fixed.
 
 use super::codes::{CYCLE_GROUP, G_CODES, POLAR_GROUP};
-use crate::coordinates;
 use crate::cycles::{self, NoDepth, Repeat, Restart, Tapping};
-use crate::dialect::{ResetRules, Rules, ScalingRules};
+use crate::dialect::{ResetRules, Rules};
 use crate::dialects::fanuc;
 use crate::modal::Modal;
-use crate::motion;
-use crate::stages::cutter;
-use crate::stages::polar::PoleRule;
-use crate::stroke::{STROKE_AXES, StrokeRules};
 use ferrocut_geometry::Axis;
 use ferrocut_machine::{Fault, Parameters};
 
@@ -32,87 +27,41 @@ const LENGTH_NOT_WITH: &[(u16, Fault)] = &[
 
 /// Reads the rules.
 pub fn rules(parameters: &Parameters) -> Rules {
-    let unbounded = [(f64::NEG_INFINITY, f64::INFINITY); STROKE_AXES];
     Rules {
-        default_feed: 0.0,
-        min_feed: 0.0,
-        max_feed: f64::INFINITY,
         max_feed_per_revolution: 500.0,
         max_spindle_rpm: 99_999.0,
         rapid_is_straight: false,
         helix_feed_along_circle: true,
         arc_tolerance: 0.05,
-        dwell_letter: b'X',
         dwell_p_unit_s: DWELL_UNIT_S,
-        dwell_in_revolutions: false,
         // Appendix 8, 1.1.1.
         length_on_plane_normal: true,
         // Appendix 8, 1.1.4.
         h00_waits: false,
         length_not_with: LENGTH_NOT_WITH,
-        repeats_are_alarms: false,
         distance_is_exclusive: false,
         m_codes_in_block: 3,
         max_call_depth: 4,
         max_macro_depth: 4,
         max_repeats: 9999.0,
         cycles: cycles(parameters),
-        motion: motion::Rules::default(),
-        coordinates: coordinates::Rules::default(),
-        cutter: cutter::Rules::default(),
-        radius_is_diameter: false,
-        corner_override: None,
-        stroke: StrokeRules {
-            first: unbounded,
-            second: unbounded,
-            second_forbids_outside: false,
-            second_parameter: 0,
-            first_is_set: false,
-        },
         max_coordinate: 99_999.999,
         max_moving_axes: 4,
-        spindle_has_position: true,
-        feed_per_revolution: true,
-        max_tool: 9999.0,
         max_speed_word: 99_999.0,
         max_m_code: 999.0,
-        tool_chooses_offsets: false,
-        end_stops_spindle: true,
-        orients_to_speed_word: false,
-        corner_arc: false,
-        scaling: ScalingRules {
-            enabled: false,
-            factors_by_axis: false,
-            factor: 1.0,
-            axis_factors: [1.0; 3],
-            axes: [false; 3],
-        },
-        rotation_angle: 0.0,
         // Appendix 10, "repeated rotation".
         rotation_follows_g91: parameters.bit(24, 0),
         // Appendix 10, R.
         max_rotation: 360.0,
-        pole: PoleRule::Code,
-        polar_is_strict: false,
-        transforms_are_strict: false,
-        one_way_overshoot: [0.0; 5],
-        one_way_dwell_s: 0.0,
-        one_way_is_modal: false,
-        surface_speed: false,
         // Appendix 11: P021.3.
         skip_needs_signal: parameters.bit(21, 3),
-        surface_min_rpm: 0.0,
-        surface_axis: Axis::X,
         // Appendix 8, 1.1.3: ±9999999 of the least input unit, 0.001 mm.
         max_offset: 9999.999,
         max_wear: 9999.999,
         max_zero: 99_999.999,
-        reference_keeps_cutter: false,
-        tools_carry_offsets: false,
-        plane_ends_cycle: false,
         axes: [Axis::X, Axis::Y, Axis::Z, Axis::A].into_iter().collect(),
         linear_axes: [Axis::X, Axis::Y, Axis::Z].into_iter().collect(),
-        axis_order: [Axis::X, Axis::Y, Axis::Z, Axis::A, Axis::B],
+        ..Rules::default()
     }
 }
 
@@ -123,7 +72,6 @@ fn cycles(parameters: &Parameters) -> cycles::Rules {
     cycles::Rules {
         // 1.7.
         repeat_letter: b'L',
-        other_repeat_letter: None,
         repeat: Repeat::Line,
         in_any_plane: false,
         chip_break_retract: retract,
@@ -140,15 +88,11 @@ fn cycles(parameters: &Parameters) -> cycles::Rules {
         restart: Restart::Clockwise,
         // 2.2, 2.7.
         tapping: Tapping::Pitch { pitch: (0.001, 500.0), threads: (0.06, 25_400.0) },
-        max_tapping_rpm: f64::INFINITY,
-        dwell: (0.0, f64::INFINITY),
         // Table 7: P is that of G04.
         dwell_p_unit_s: DWELL_UNIT_S,
-        needs_speed: false,
         // Appendix 8, note 2.
         length_at_start_only: true,
-        stand_beside_motion: false,
-        pocket_helix_factor: 0.0,
+        ..cycles::Rules::default()
     }
 }
 

@@ -2,14 +2,12 @@
 
 use super::codes::G_CODES;
 use crate::coordinates::{self, SetPosition};
-use crate::cycles::{self, NoDepth, Repeat, Restart, Tapping};
-use crate::dialect::{ResetRules, Rules, ScalingRules};
+use crate::cycles::{self, Restart};
+use crate::dialect::{ResetRules, Rules};
 use crate::dialects::fanuc;
 use crate::modal::Modal;
 use crate::motion::{self, RotaryY};
 use crate::stages::cutter;
-use crate::stages::polar::PoleRule;
-use crate::stroke::{STROKE_AXES, StrokeRules};
 use ferrocut_geometry::Axis;
 use ferrocut_machine::Parameters;
 
@@ -23,30 +21,17 @@ const DWELL_UNIT_S: f64 = 0.001;
 pub fn rules(parameters: &Parameters) -> Rules {
     let p = |name| parameters.named(name).unwrap_or(0.0);
     let y_turns = p("ISYREVAXIS") != 0.0;
-    let unbounded = [(f64::NEG_INFINITY, f64::INFINITY); STROKE_AXES];
     Rules {
         default_feed: p("DEFAULT_FEED"),
-        min_feed: 0.0,
-        max_feed: f64::INFINITY,
-        max_feed_per_revolution: f64::INFINITY,
-        max_spindle_rpm: f64::INFINITY,
         // 4.3, G00: a straight track.
         rapid_is_straight: true,
-        helix_feed_along_circle: false,
         arc_tolerance: 0.05,
-        dwell_letter: b'X',
         dwell_p_unit_s: DWELL_UNIT_S,
-        dwell_in_revolutions: false,
         // 4.3, G43: Z.
         length_on_plane_normal: false,
-        h00_waits: false,
-        length_not_with: &[],
-        repeats_are_alarms: false,
         // 4.3, G90.
         distance_is_exclusive: true,
-        m_codes_in_block: u8::MAX,
         max_call_depth: CALL_DEPTH,
-        max_macro_depth: 0,
         max_repeats: 999_999_999.0,
         cycles: cycles(parameters),
         motion: motion::Rules {
@@ -72,60 +57,22 @@ pub fn rules(parameters: &Parameters) -> Rules {
             reversal: cutter::Reversal::Fault,
             ..cutter::Rules::default()
         },
-        radius_is_diameter: false,
-        corner_override: None,
-        stroke: StrokeRules {
-            first: unbounded,
-            second: unbounded,
-            second_forbids_outside: false,
-            second_parameter: 0,
-            first_is_set: false,
-        },
         max_coordinate: 1e7,
-        max_moving_axes: 9,
-        spindle_has_position: true,
         feed_per_revolution: false,
-        max_tool: 9999.0,
-        max_speed_word: f64::INFINITY,
         max_m_code: 999.0,
         // 4.1, T.
         tool_chooses_offsets: true,
         // 5, parameter 13.
         end_stops_spindle: p("AUTOSTOPSPINDLE") != 0.0,
-        orients_to_speed_word: false,
-        corner_arc: false,
-        scaling: ScalingRules {
-            enabled: false,
-            factors_by_axis: false,
-            factor: 1.0,
-            axis_factors: [1.0; 3],
-            axes: [false; 3],
-        },
-        rotation_angle: 0.0,
-        rotation_follows_g91: false,
-        max_rotation: f64::INFINITY,
-        pole: PoleRule::Code,
-        polar_is_strict: false,
-        transforms_are_strict: false,
-        one_way_overshoot: [0.0; 5],
-        one_way_dwell_s: 0.0,
-        one_way_is_modal: false,
-        surface_speed: false,
-        skip_needs_signal: false,
-        surface_min_rpm: 0.0,
-        surface_axis: Axis::X,
         max_offset: 9_999_999.0,
         max_wear: 9_999_999.0,
         max_zero: 9_999_999.0,
-        reference_keeps_cutter: false,
-        tools_carry_offsets: false,
-        plane_ends_cycle: false,
         axes: [Axis::X, Axis::Y, Axis::Z, Axis::A, Axis::B, Axis::C].into_iter().collect(),
         linear_axes: match y_turns {
             true => [Axis::X, Axis::Z].into_iter().collect(),
             false => [Axis::X, Axis::Y, Axis::Z].into_iter().collect(),
         },
-        axis_order: [Axis::X, Axis::Y, Axis::Z, Axis::A, Axis::B],
+        ..Rules::default()
     }
 }
 
@@ -154,26 +101,15 @@ fn cycles(parameters: &Parameters) -> cycles::Rules {
         _ => (Axis::Y, 1.0),
     };
     cycles::Rules {
-        repeat_letter: b'K',
         // 4.7, example 4, N04: L2.
         other_repeat_letter: Some(b'L'),
-        repeat: Repeat::Block,
-        in_any_plane: true,
         chip_break_retract: p("FIXEDCYCLE_BACK"),
         peck_clearance: p("FIXEDCYCLE_BACK"),
-        no_depth: NoDepth::Alarm,
         shift,
-        default_shift: 0.0,
         // G87 and G88, last step; 5, example 2, of G86.
         restart: Restart::Clockwise,
-        tapping: Tapping::Floating,
-        max_tapping_rpm: f64::INFINITY,
-        dwell: (0.0, f64::INFINITY),
         dwell_p_unit_s: DWELL_UNIT_S,
-        needs_speed: false,
-        length_at_start_only: false,
-        stand_beside_motion: false,
-        pocket_helix_factor: 0.0,
+        ..cycles::Rules::default()
     }
 }
 
