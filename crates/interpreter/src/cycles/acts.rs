@@ -72,17 +72,7 @@ impl Interpreter {
                 let (to, feed) = (self.plane_point(to), self.feed_of(feed, per_minute));
                 self.arc_at(to, center, sweep, feed)
             }
-            Act::Tap { to, pitch, rpm } => {
-                let to = self.plane_point(to);
-                let machine = self.location.machine_of(to);
-                self.check_reach(machine)?;
-                self.location.programmed = to;
-                if machine != self.location.machine {
-                    self.location.machine = machine;
-                    self.emit(Op::Tap { to: machine, pitch, rpm });
-                }
-                Ok(())
-            }
+            Act::Tap { to, pitch, rpm } => self.tap_at(self.plane_point(to), pitch, rpm),
             Act::Dwell(seconds) => {
                 self.emit(Op::Dwell(Dwell::Seconds(seconds)));
                 Ok(())

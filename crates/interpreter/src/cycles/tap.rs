@@ -6,7 +6,7 @@
 use super::{CycleKind, Tapping};
 use crate::Fallible;
 use crate::interpreter::Interpreter;
-use ferrocut_geometry::{Axis, MM_PER_INCH, SAME_POINT_MM};
+use ferrocut_geometry::{Axis, MM_PER_INCH, Position, SAME_POINT_MM};
 use ferrocut_machine::Fault;
 use ferrocut_toolpath::{Feed, Op, SpindleState};
 
@@ -165,14 +165,25 @@ impl Interpreter {
     fn tap_z(&mut self, z: f64, pitch: f64, rpm: f64) -> Fallible<()> {
         let mut to = self.location.programmed;
         to[Axis::Z] = z;
+        self.tap_at(to, pitch, rpm)
+    }
+
+    /// Moves to a programmed point in step with the spindle.
+    pub(super) fn tap_at(&mut self, to: Position, pitch: f64, rpm: f64) -> Fallible<()> {
         let machine = self.location.machine_of(to);
         self.check_reach(machine)?;
         self.location.programmed = to;
-        if machine != self.location.machine {
-            self.location.machine = machine;
-            self.emit(Op::Tap { to: machine, pitch, rpm });
-        }
+        self.tap_machine(machine, pitch, rpm);
         Ok(())
+    }
+
+    /// Moves to a machine point in step with the spindle; not at all to where the axes stand. The programmed
+    /// point is the caller's to set.
+    pub(crate) fn tap_machine(&mut self, to: Position, pitch: f64, rpm: f64) {
+        if to != self.location.machine {
+            self.location.machine = to;
+            self.emit(Op::Tap { to, pitch, rpm });
+        }
     }
 
     /// Tapping with a floating holder: the spindle turns into the thread and is reversed for the way

@@ -4,7 +4,6 @@ use crate::Fallible;
 use crate::interpreter::Interpreter;
 use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_machine::Fault;
-use ferrocut_toolpath::Op;
 
 /// Most passes of a thread: what needs more is a slip of the pen.
 const MOST_PASSES: u32 = 10_000;
@@ -141,10 +140,7 @@ impl Interpreter {
         let machine = self.ngc.machine_of(to);
         self.ngc_check_reach(machine)?;
         self.ngc.at = to;
-        if machine != self.location.machine {
-            self.location.machine = machine;
-            self.emit(Op::Tap { to: machine, pitch, rpm });
-        }
+        self.tap_machine(machine, pitch, rpm);
         Ok(())
     }
 }
