@@ -163,21 +163,20 @@ impl Words {
     /// Empties for the next block.
     #[inline]
     pub(crate) fn start(&mut self, page: &Page, block: &Block) {
-        self.present = 0;
-        self.g.clear();
-        self.m.clear();
-        self.sequence = None;
-        self.comma = None;
-        self.custom = None;
-        self.long.clear();
-        self.owned = 0;
-        self.own.present = 0;
+        self.clear();
         self.block = page.block_span(block);
         self.page_offset = page.offset;
     }
 
     /// Empties for what stands at `span` and is no block of words.
     pub(crate) fn start_at(&mut self, span: Span) {
+        self.clear();
+        self.block = span;
+        self.page_offset = 0;
+    }
+
+    #[inline]
+    fn clear(&mut self) {
         self.present = 0;
         self.g.clear();
         self.m.clear();
@@ -187,8 +186,6 @@ impl Words {
         self.long.clear();
         self.owned = 0;
         self.own.present = 0;
-        self.block = span;
-        self.page_offset = 0;
     }
 
     /// Span of a word that belongs to a code of the block.
