@@ -1176,6 +1176,14 @@ impl Lexer<'_> {
     fn variable(&mut self, depth: Depth) -> Result<(), Flaw> {
         let first = self.page.nodes.len();
         self.variable_number(depth)?;
+        self.push_variable(first);
+        Ok(())
+    }
+
+    /// Pushes what gives the value of the variable whose number the nodes from `first` on compute. A number
+    /// that is written takes no computing.
+    #[inline]
+    fn push_variable(&mut self, first: usize) {
         let node = match self.page.nodes.get(first..) {
             Some([Node::Number(n)]) if n.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(n) => {
                 let at = *n as u32;
@@ -1185,7 +1193,6 @@ impl Lexer<'_> {
             _ => Node::Variable,
         };
         self.page.nodes.push(node);
-        Ok(())
     }
 
     /// Reads an unsigned number.

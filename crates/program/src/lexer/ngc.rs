@@ -367,15 +367,7 @@ impl Lexer<'_> {
     fn parameter(&mut self, depth: Depth) -> Result<(), Flaw> {
         let first = self.page.nodes.len();
         self.parameter_place(depth)?;
-        let node = match self.page.nodes.get(first..) {
-            Some([Node::Number(n)]) if n.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(n) => {
-                let at = *n as u32;
-                self.page.nodes.truncate(first);
-                Node::VariableAt(at)
-            }
-            _ => Node::Variable,
-        };
-        self.page.nodes.push(node);
+        self.push_variable(first);
         Ok(())
     }
 
