@@ -93,12 +93,9 @@ pub struct Common {
     /// Parameter file of LinuxCNC (.var), in mm; for programs of rs274
     #[arg(long, value_name = "FILE")]
     pub var_file: Option<PathBuf>,
-    /// How results are printed
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub format: Format,
-    /// Language of messages: en or zh [default: from LANG]
-    #[arg(long, value_name = "LANGUAGE")]
-    pub language: Option<String>,
+    /// How results are printed.
+    #[command(flatten)]
+    pub show: Show,
     /// Leave out blocks with a single `/`, as with the operator's switch on
     #[arg(long)]
     pub block_skip: bool,
@@ -107,7 +104,25 @@ pub struct Common {
     pub optional_stop: bool,
 }
 
-/// How results are printed.
+/// How results are printed, by every command.
+#[derive(Args, Clone, Default)]
+pub struct Show {
+    /// How results are printed; JSON is one object a line
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+    /// Language of labels and messages: en or zh [default: from LANG]
+    #[arg(long, value_name = "LANGUAGE")]
+    pub language: Option<String>,
+}
+
+impl Show {
+    /// What a command that reads no program shares with those that do.
+    pub fn common(&self, machine: Option<PathBuf>, dialect: Option<String>) -> Common {
+        Common { machine, dialect, show: self.clone(), ..Common::default() }
+    }
+}
+
+/// The form of results.
 #[derive(Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 pub enum Format {
     /// For people

@@ -350,13 +350,13 @@ impl Shop {
 
 /// How messages of a command are shown.
 pub fn diagnostics(common: &Common) -> Diagnostics {
-    let language = common.language.clone().or_else(|| {
+    let language = common.show.language.clone().or_else(|| {
         ["LC_ALL", "LC_MESSAGES", "LANG"]
             .into_iter()
             .find_map(|v| std::env::var(v).ok().filter(|t| !t.is_empty()))
     });
     let language = language.and_then(|tag| Language::from_tag(&tag)).unwrap_or_default();
-    Diagnostics::new(Catalogue::new(language), common.format == Format::Json)
+    Diagnostics::new(Catalogue::new(language), common.show.format == Format::Json)
 }
 
 /// A program that was opened.

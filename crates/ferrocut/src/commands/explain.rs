@@ -6,7 +6,7 @@ pub mod page;
 mod place;
 mod word;
 
-use crate::cli::{Common, Format};
+use crate::cli::{Common, Show};
 use crate::commands::names::complain;
 use crate::diagnostics::Diagnostics;
 use crate::job::{Exit, Failure, Shop};
@@ -45,24 +45,15 @@ pub struct ExplainArgs {
     /// Machine file whose parameter values are shown [default: values as delivered]
     #[arg(long, value_name = "FILE")]
     pub machine: Option<PathBuf>,
-    /// How results are printed; JSON is one object a line
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub format: Format,
-    /// Language of labels and alarms: en or zh [default: from LANG]
-    #[arg(long, value_name = "LANGUAGE")]
-    pub language: Option<String>,
+    /// How results are printed.
+    #[command(flatten)]
+    pub show: Show,
 }
 
 impl ExplainArgs {
     /// What it shares with the commands that read a program.
     pub fn common(&self) -> Common {
-        Common {
-            dialect: self.dialect.clone(),
-            machine: self.machine.clone(),
-            format: self.format,
-            language: self.language.clone(),
-            ..Common::default()
-        }
+        self.show.common(self.machine.clone(), self.dialect.clone())
     }
 }
 

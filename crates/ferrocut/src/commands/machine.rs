@@ -5,7 +5,7 @@ mod edit;
 mod new;
 mod params;
 
-use crate::cli::{Common, Format};
+use crate::cli::{Common, Show};
 use crate::job::{Exit, Failure};
 use clap::{Args, Subcommand};
 use std::path::PathBuf;
@@ -27,17 +27,6 @@ pub enum MachineCommand {
     Check(CheckArgs),
     /// List, explain, get, set, check, import and export the parameters of the control
     Params(ParamsArgs),
-}
-
-/// How results are printed.
-#[derive(Args, Clone)]
-pub struct Show {
-    /// How results are printed; JSON is one object a line
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub format: Format,
-    /// Language of labels and messages: en or zh [default: from LANG]
-    #[arg(long, value_name = "LANGUAGE")]
-    pub language: Option<String>,
 }
 
 /// `ferrocut machine new`
@@ -252,12 +241,6 @@ impl MachineArgs {
                 | P::Import(ImportArgs { machine, show, .. }) => show.common(Some(machine.clone()), None),
             },
         }
-    }
-}
-
-impl Show {
-    fn common(&self, machine: Option<PathBuf>, dialect: Option<String>) -> Common {
-        Common { machine, dialect, format: self.format, language: self.language.clone(), ..Common::default() }
     }
 }
 

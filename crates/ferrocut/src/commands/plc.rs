@@ -4,7 +4,7 @@ mod check;
 mod import;
 mod run;
 
-use crate::cli::{Common, Format};
+use crate::cli::{Common, Show};
 use crate::diagnostics::Diagnostics;
 use crate::job::{Exit, Failure};
 use clap::{Args, Subcommand};
@@ -41,17 +41,6 @@ pub enum PlcCommand {
     Run(RunArgs),
     /// Turn a ladder diagram (PLCopen XML) into a mnemonic list
     Import(ImportArgs),
-}
-
-/// How results are printed.
-#[derive(Args, Clone)]
-pub struct Show {
-    /// How results are printed; JSON is one object a line
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub format: Format,
-    /// Language of messages: en or zh [default: from LANG]
-    #[arg(long, value_name = "LANGUAGE")]
-    pub language: Option<String>,
 }
 
 /// `ferrocut plc check`
@@ -138,7 +127,7 @@ impl PlcArgs {
             PlcCommand::Run(args) => &args.show,
             PlcCommand::Import(args) => &args.show,
         };
-        Common { format: show.format, language: show.language.clone(), ..Common::default() }
+        show.common(None, None)
     }
 }
 
