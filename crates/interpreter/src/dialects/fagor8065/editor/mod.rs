@@ -43,6 +43,14 @@ const fn words(name: &'static str, of: &'static [&'static str]) -> Parameter {
     Parameter { name, kind: Kind::Word(of) }
 }
 
+const fn name(name: &'static str) -> Parameter {
+    Parameter { name, kind: Kind::Name }
+}
+
+const fn point(name: &'static str) -> Parameter {
+    Parameter { name, kind: Kind::Point }
+}
+
 const SENSES: &[&str] = &["cw", "ccw"];
 
 /// The parameters of a list of lists, in one.
@@ -86,6 +94,35 @@ const POINT: [Parameter; 2] = [length("X"), length("Y")];
 
 /// The same where the manual calls it a centre.
 const CENTRE: [Parameter; 2] = [length("XC"), length("YC")];
+
+/// P1 to P25, each with the corner made there.
+const POINTS: [Parameter; 25] = [
+    point("P1"),
+    point("P2"),
+    point("P3"),
+    point("P4"),
+    point("P5"),
+    point("P6"),
+    point("P7"),
+    point("P8"),
+    point("P9"),
+    point("P10"),
+    point("P11"),
+    point("P12"),
+    point("P13"),
+    point("P14"),
+    point("P15"),
+    point("P16"),
+    point("P17"),
+    point("P18"),
+    point("P19"),
+    point("P20"),
+    point("P21"),
+    point("P22"),
+    point("P23"),
+    point("P24"),
+    point("P25"),
+];
 
 /// Every cycle.
 pub static CYCLES: &[DescribedCycle] = &[

@@ -1,8 +1,8 @@
 //! Positions associated with a cycle, by their formats (4.23 to 4.27). A format is told by the names that are
 //! there.
 
-use super::{length, number};
-use crate::cycles::described::{DescribedFigure, Kind, Parameter, Section};
+use super::{POINTS, length, number};
+use crate::cycles::described::{DescribedFigure, Parameter, Section};
 use crate::cycles::parameter::{WrongParameter, refuse};
 use crate::cycles::positions::{Figure, Path, PathNames, whole};
 use ferrocut_geometry::SAME_POINT_MM;
@@ -22,23 +22,8 @@ const ROWS: &[Parameter] = &[
     number("beta"),
 ];
 
-const fn point(name: &'static str) -> Parameter {
-    Parameter { name, kind: Kind::Point }
-}
-
-const POINTS: &[Parameter] = &[
-    point("P2"),
-    point("P3"),
-    point("P4"),
-    point("P5"),
-    point("P6"),
-    point("P7"),
-    point("P8"),
-    point("P9"),
-    point("P10"),
-    point("P11"),
-    point("P12"),
-];
+/// P2 to P12.
+const LISTED: &[Parameter] = POINTS.split_at(12).0.split_at(1).1;
 
 /// Every figure.
 pub static FIGURES: &[DescribedFigure] = &[
@@ -62,7 +47,7 @@ pub static FIGURES: &[DescribedFigure] = &[
     },
     DescribedFigure { name: "RECT", parameters: ROWS, build: rectangle },
     DescribedFigure { name: "GRID", parameters: ROWS, build: grid },
-    DescribedFigure { name: "POINTS", parameters: POINTS, build: points },
+    DescribedFigure { name: "POINTS", parameters: LISTED, build: points },
 ];
 
 type Made = Result<Figure, WrongParameter>;
@@ -165,7 +150,7 @@ fn grid(section: &Section, from: [f64; 2]) -> Made {
 fn points(section: &Section, from: [f64; 2]) -> Made {
     let mut listed = vec![from];
     let mut at = from;
-    for parameter in POINTS {
+    for parameter in LISTED {
         let Some((to, corner)) = section.point(parameter.name) else { break };
         refuse(corner.is_some(), Fault::ParameterKind, parameter.name)?;
         if (to[0] - at[0]).hypot(to[1] - at[1]) <= SAME_POINT_MM {

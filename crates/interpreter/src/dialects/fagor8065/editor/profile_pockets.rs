@@ -14,10 +14,6 @@ use crate::directives::{Contour, ProfileAxes, RecordedProfile};
 use crate::stages::corner::CornerKind;
 use std::sync::Arc;
 
-const fn name(name: &'static str) -> Parameter {
-    Parameter { name, kind: Kind::Name }
-}
-
 /// What a pocket is called, and its contours.
 const NAMES: [Parameter; 2] = [name("pocket"), name("profile")];
 

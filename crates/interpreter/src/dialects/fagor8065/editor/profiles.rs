@@ -7,39 +7,6 @@ use crate::directives::ProfileAxes;
 use crate::stages::cutter::{Offset, Side};
 use ferrocut_program::Span;
 
-const fn point(name: &'static str) -> Parameter {
-    Parameter { name, kind: Kind::Point }
-}
-
-/// P1 to P25.
-const POINTS: [Parameter; 25] = [
-    point("P1"),
-    point("P2"),
-    point("P3"),
-    point("P4"),
-    point("P5"),
-    point("P6"),
-    point("P7"),
-    point("P8"),
-    point("P9"),
-    point("P10"),
-    point("P11"),
-    point("P12"),
-    point("P13"),
-    point("P14"),
-    point("P15"),
-    point("P16"),
-    point("P17"),
-    point("P18"),
-    point("P19"),
-    point("P20"),
-    point("P21"),
-    point("P22"),
-    point("P23"),
-    point("P24"),
-    point("P25"),
-];
-
 const ROUGH: [Parameter; 12] =
     joined(&[&TOOL, &[length("FZ"), length("I"), words("comp", &["none", "left", "right"])]]);
 
@@ -69,7 +36,7 @@ pub const POINT_TO_POINT: DescribedCycle = DescribedCycle {
 pub const FREE: DescribedCycle = DescribedCycle {
     id: "G294",
     parts: &[
-        (Part::Main, &joined::<7>(&[&POINT, &PLANES, &[Parameter { name: "profile", kind: Kind::Name }]])),
+        (Part::Main, &joined::<7>(&[&POINT, &PLANES, &[name("profile")]])),
         (Part::Rough, &ROUGH),
         (Part::Finish, &FINISH),
     ],
