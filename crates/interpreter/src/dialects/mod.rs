@@ -18,3 +18,17 @@ pub const ALL: &[&Dialect] =
 pub fn by_name(name: &str) -> Option<&'static Dialect> {
     ALL.iter().find(|d| d.name == name).copied()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tables_are_in_rising_order_so_that_look_ups_find_every_row() {
+        for Dialect { name, g_codes, m_codes, addresses, .. } in ALL {
+            assert!(g_codes.windows(2).all(|w| w[0].tenths < w[1].tenths), "{name}");
+            assert!(m_codes.windows(2).all(|w| w[0].code < w[1].code), "{name}");
+            assert!(addresses.windows(2).all(|w| w[0].letter < w[1].letter), "{name}");
+        }
+    }
+}

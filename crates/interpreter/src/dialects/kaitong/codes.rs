@@ -72,13 +72,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn tables_are_in_rising_order_so_that_look_ups_find_every_row() {
-        assert!(G_CODES.windows(2).all(|w| w[0].tenths < w[1].tenths));
-        assert!(M_CODES.windows(2).all(|w| w[0].code < w[1].code));
-        assert!(ADDRESSES.windows(2).all(|w| w[0].letter < w[1].letter));
-    }
-
-    #[test]
     fn every_modal_code_has_the_number_of_its_group() {
         for row in &G_CODES {
             assert_eq!(row.group_number == 0, row.group == Group::NonModal, "{}", row.tenths);

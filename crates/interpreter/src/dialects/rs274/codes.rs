@@ -240,10 +240,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn tables_are_in_rising_order_so_that_look_ups_find_every_row() {
-        assert!(G_CODES.windows(2).all(|w| w[0].tenths < w[1].tenths));
-        assert!(M_CODES.windows(2).all(|w| w[0].code < w[1].code));
-        assert!(ADDRESSES.windows(2).all(|w| w[0].letter < w[1].letter));
+    fn every_m_code_has_a_group() {
         assert!(M_CODES.iter().all(|m| m_group(m.code).is_some()));
     }
 }

@@ -155,15 +155,3 @@ pub static ADDRESSES: &[Address] = &[
     signed(b'Y', COORDINATE),
     signed(b'Z', COORDINATE),
 ];
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn tables_are_in_rising_order_so_that_look_ups_find_every_row() {
-        assert!(G_CODES.windows(2).all(|w| w[0].tenths < w[1].tenths));
-        assert!(M_CODES.windows(2).all(|w| w[0].code < w[1].code));
-        assert!(ADDRESSES.windows(2).all(|w| w[0].letter < w[1].letter));
-    }
-}
