@@ -256,7 +256,11 @@ fn next_tool(main: &Section) -> Result<Option<u32>, WrongParameter> {
 
 /// A plan at a point given by two names.
 fn plan(main: &Section, [x, y]: [&str; 2], placed: &Placed, stages: Vec<Stage>) -> Made {
-    let at = [main.number(x), main.number(y)];
+    plan_at([main.number(x), main.number(y)], main, placed, stages)
+}
+
+/// A plan at a point. That of a profile is the origin: its points are coordinates themselves.
+fn plan_at(at: [f64; 2], main: &Section, placed: &Placed, stages: Vec<Stage>) -> Made {
     Ok(Plan { at, safety: placed.planes.safety, stages, next_tool: next_tool(main)? })
 }
 

@@ -254,7 +254,7 @@ fn flat(description: &Description<'_>) -> Made {
             stages.push(if of == pocket::Stage::Rough { of_rough(made)? } else { of_finish(made)? });
         }
     }
-    Ok(Plan { at: [0.0; 2], safety: placed.planes.safety, stages, next_tool: next_tool(main)? })
+    plan_at([0.0; 2], main, &placed, stages)
 }
 
 /// The holes where the tool is to go down (4.15). Planes and depth that the drilling does not give are the
@@ -342,5 +342,5 @@ fn deep(description: &Description<'_>) -> Made {
             stages.push(made.map_err(|wrong| wrong.part.map_or(wrong.of_part(part), |_| wrong))?);
         }
     }
-    Ok(Plan { at: [0.0; 2], safety: placed.planes.safety, stages, next_tool: next_tool(main)? })
+    plan_at([0.0; 2], main, &placed, stages)
 }

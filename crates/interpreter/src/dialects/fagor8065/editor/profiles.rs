@@ -151,6 +151,5 @@ fn follow(
     if works(finish) && (side.is_some() || finishes_without) {
         stages.push(of_finish(made(finish, Levels::equal(placed.depth, 1.0), 0.0, false))?);
     }
-    // The points of the profile are coordinates themselves.
-    Ok(Plan { at: [0.0; 2], safety: placed.planes.safety, stages, next_tool: next_tool(main)? })
+    plan_at([0.0; 2], main, &placed, stages)
 }
