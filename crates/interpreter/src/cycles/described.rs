@@ -174,28 +174,6 @@ pub struct Description<'a> {
     tools: &'a dyn Fn(f64, f64) -> ToolData,
 }
 
-/// What is to be said of a stage that has an entry angle, goes down through solid material, and finds no angle
-/// in the cycle nor for its tool: it goes straight down (Fagor 4.1.3), which many a mill does not stand.
-fn straight_down(
-    cycle: &DescribedCycle,
-    description: &Description<'_>,
-    part: Part,
-    name: &'static str,
-) -> Option<WrongParameter> {
-    let has_angle =
-        cycle.parts.iter().any(|(p, parameters)| *p == part && parameters.iter().any(|p| p.name == name));
-    let section = description.part(part);
-    let works = section.number("T") != 0.0;
-    let solid = match part {
-        Part::Finish => description.part(Part::Rough).number("T") == 0.0,
-        _ => !description.has(Part::Drill),
-    };
-    let tool = || description.tool(section.number("T"), section.given("D").unwrap_or(1.0));
-    let straight = has_angle && works && solid && section.number(name) == 0.0 && tool().entry_angle == 0.0;
-    let part = if part == Part::Finish { "#FINISH" } else { "#ROUGH" };
-    straight.then(|| WrongParameter::new(Fault::NoEntryAngle, name).of_part(part))
-}
-
 /// An empty part, for one that is not given.
 static NOTHING: Section = Section { entries: Vec::new() };
 
@@ -227,6 +205,8 @@ pub struct Plan {
     pub stages: Vec<Stage>,
     /// Tool that is chosen for afterwards.
     pub next_tool: Option<u32>,
+    /// What a check is to say of it.
+    pub warnings: Vec<WrongParameter>,
 }
 
 /// An operation with a tool.
@@ -381,12 +361,10 @@ impl Interpreter {
             return self.give_up_described(alarm);
         }
         if self.options.keep_going {
-            let straight = [(Part::Rough, "beta"), (Part::Finish, "theta")]
-                .into_iter()
-                .filter_map(|(part, name)| straight_down(collected.cycle, &description, part, name))
-                .map(|wrong| self.wrong_parameter(wrong, span).as_warning())
-                .collect::<Vec<_>>();
-            straight.into_iter().for_each(|warning| self.note(Box::new(warning)));
+            for wrong in &plan.warnings {
+                let warning = self.wrong_parameter(*wrong, span).as_warning();
+                self.note(Box::new(warning));
+            }
         }
         let from = self.in_plane_axes();
         let running = Running { plan, figure, span, point: 1, stage: 0, from, made: 0 };

@@ -261,7 +261,8 @@ fn plan(main: &Section, [x, y]: [&str; 2], placed: &Placed, stages: Vec<Stage>) 
 
 /// A plan at a point. That of a profile is the origin: its points are coordinates themselves.
 fn plan_at(at: [f64; 2], main: &Section, placed: &Placed, stages: Vec<Stage>) -> Made {
-    Ok(Plan { at, safety: placed.planes.safety, stages, next_tool: next_tool(main)? })
+    let (safety, next_tool) = (placed.planes.safety, next_tool(main)?);
+    Ok(Plan { at, safety, stages, next_tool, warnings: Vec::new() })
 }
 
 /// How a stage cuts. `step` is the section's parameter, `plunge` its feed into the material.
@@ -305,6 +306,22 @@ fn entry(
 ) -> Result<Entry, WrongParameter> {
     let angle = Entry::angle(section.number(name), data.entry_angle, name)?;
     Ok(angle.map_or(Entry::Straight, way))
+}
+
+/// What is to be said of those of these stages that go down through solid material and find no entry angle in
+/// the cycle nor for their tool: they go straight down (4.1.3), which many a mill does not stand.
+fn straight_down(description: &Description<'_>, stages: &[Part]) -> Vec<WrongParameter> {
+    let of = |stage: &Part| {
+        let (angle, name, is_solid) = match stage {
+            Part::Finish => ("theta", "#FINISH", !works(description.part(Part::Rough))),
+            _ => ("beta", "#ROUGH", !description.has(Part::Drill)),
+        };
+        let section = description.part(*stage);
+        let is_given = || section.number(angle) != 0.0 || tool(description, section).entry_angle != 0.0;
+        let is_straight = is_solid && works(section) && !is_given();
+        is_straight.then(|| WrongParameter::new(Fault::NoEntryAngle, angle).of_part(name))
+    };
+    stages.iter().filter_map(of).collect()
 }
 
 /// Parameters of the roughing of an area.

@@ -234,7 +234,10 @@ fn staged(
         let frame = frame(turn(finish, "dir"))?;
         stages.push(pocket_stage(finish, Work::PocketFinish, work, shape.wall, frame, placed.up));
     }
-    plan(main, point, &placed, stages)
+    // Roughing has a way in through the open middle.
+    let entering: &[Part] = if is_open { &[Part::Finish] } else { &[Part::Rough, Part::Finish] };
+    let warnings = straight_down(description, entering);
+    Ok(Plan { warnings, ..plan(main, point, &placed, stages)? })
 }
 
 fn rough_stage(

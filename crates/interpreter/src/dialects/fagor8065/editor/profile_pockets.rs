@@ -254,7 +254,8 @@ fn flat(description: &Description<'_>) -> Made {
             stages.push(if of == pocket::Stage::Rough { of_rough(made)? } else { of_finish(made)? });
         }
     }
-    plan_at([0.0; 2], main, &placed, stages)
+    let warnings = straight_down(description, &[Part::Rough, Part::Finish]);
+    Ok(Plan { warnings, ..plan_at([0.0; 2], main, &placed, stages)? })
 }
 
 /// The holes where the tool is to go down (4.15). Planes and depth that the drilling does not give are the
@@ -342,5 +343,6 @@ fn deep(description: &Description<'_>) -> Made {
             stages.push(made.map_err(|wrong| wrong.part.map_or(wrong.of_part(part), |_| wrong))?);
         }
     }
-    plan_at([0.0; 2], main, &placed, stages)
+    let warnings = straight_down(description, &[Part::Rough]);
+    Ok(Plan { warnings, ..plan_at([0.0; 2], main, &placed, stages)? })
 }
