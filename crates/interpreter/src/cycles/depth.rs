@@ -22,9 +22,15 @@ impl Levels {
         let size = step.abs();
         refuse(!(size > 0.0 && size.is_finite()), Fault::CycleParameter, word)?;
         refuse(!(depth > 0.0 && depth.is_finite()), Fault::CycleNoDepth, word)?;
-        let count = steps(depth, size);
-        refuse(!(count <= MAX_LEVELS), Fault::MillTooManyMoves, word)?;
-        Ok(Levels { depth, exact: (step < 0.0).then_some(size), count })
+        let levels = Levels::fewest(depth, size, step < 0.0);
+        refuse(!(levels.count <= MAX_LEVELS), Fault::MillTooManyMoves, word)?;
+        Ok(levels)
+    }
+
+    /// The fewest passes of at most `size`: all equal, or each but the last of just that size. How many that
+    /// may be is the caller's to check.
+    pub fn fewest(depth: f64, size: f64, is_kept: bool) -> Levels {
+        Levels { depth, exact: is_kept.then_some(size), count: steps(depth, size) }
     }
 
     /// The same limited to the cutting length of the tool, which also stands for a step of 0 (4.1.3).

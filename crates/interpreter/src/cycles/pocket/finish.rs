@@ -14,13 +14,13 @@
 //! first, then joints without a corner, so that arcs of the path are not broken.
 
 use super::descent::{Descent, Slope};
-use super::passes::Levels;
 use super::pen::{APPROACH, Pen, PocketFeed, PocketSink};
 use super::problem::Problem;
 use super::ring::{Place, Ring};
 use super::segment::Segment;
 use super::vector::{along, dot, left};
 use super::walls::Walls;
+use crate::cycles::depth::Levels;
 use std::f64::consts::FRAC_PI_2;
 
 /// Once round a wall.
@@ -139,7 +139,7 @@ impl Finish {
             Some(_) => 4.0,
             None => Descent::new(&self.path, height, slope).moves(),
         };
-        f64::from(levels.count()) * (self.path.len() as f64 + down + 4.0)
+        levels.count() * (self.path.len() as f64 + down + 4.0)
     }
 
     /// Finishes the wall level by level. `cleared` is the distance from the walls from which on the tool
@@ -156,7 +156,7 @@ impl Finish {
         let Some(tangent) = self.tangent else { return self.cut_from_above(pen, levels, slope) };
         let clear = walls.is_clear(pen.at(), tangent.center, cleared);
         pen.travel(tangent.center, approach, clear)?;
-        for depth in levels.iter() {
+        for depth in levels.depths() {
             self.round(pen, &tangent, -depth)?;
         }
         pen.rapid_height(approach)
@@ -215,7 +215,7 @@ impl Finish {
     ) -> Result<(), S::Error> {
         let approach = pen.planes().approach();
         let mut open = approach;
-        for depth in levels.iter() {
+        for depth in levels.depths() {
             let descent = Descent::new(&self.path, open + depth, slope);
             pen.travel(descent.start(), open, false)?;
             descent.go(pen, open, -depth)?;

@@ -14,13 +14,14 @@ use super::clear::{Clearing, Level};
 use super::contours::Contours;
 use super::descent::{Slope, slope};
 use super::finish::{Finish, finishes};
-use super::passes::{Levels, width};
+use super::passes::{equal_levels, levels, width};
 use super::pen::{APPROACH, Pen, Planes, PocketSink};
 use super::problem::{MAX_MOVES, PocketFault, Problem, Stage, in_range, not_negative};
 use super::profile::Profile;
 use super::store::{Kind, Reader, Writer};
 use super::tool::Tool;
 use super::walls::Walls;
+use crate::cycles::depth::Levels;
 
 /// Parameters of a 2D pocket, mm and degrees.
 #[derive(Clone, PartialEq, Debug)]
@@ -195,10 +196,10 @@ impl Pocket2d {
 
     fn rough_plan(&self, words: &Rough2d, clearing: Clearing, depth: f64) -> Result<RoughPlan, PocketFault> {
         let depth = depth - self.floor_stock;
-        let levels = Levels::new(depth, words.depth_step, words.tool.cutting_length, "I")?;
+        let levels = levels(depth, words.depth_step, words.tool.cutting_length, "I")?;
         let slope = slope(words.entry_angle, words.tool.entry_angle, "beta")?;
-        let one = clearing.moves(APPROACH + depth / f64::from(levels.count()), slope);
-        Problem::TooManyMoves.when(one * f64::from(levels.count()) > MAX_MOVES, "beta")?;
+        let one = clearing.moves(APPROACH + depth / levels.count(), slope);
+        Problem::TooManyMoves.when(one * levels.count() > MAX_MOVES, "beta")?;
         Ok(RoughPlan { clearing, levels, slope })
     }
 
@@ -208,7 +209,7 @@ impl Pocket2d {
         (floor, walls): (Clearing, Vec<Finish>),
         depth: f64,
     ) -> Result<FinishPlan, PocketFault> {
-        let levels = Levels::equal(depth, words.passes, words.tool.cutting_length, "N")?;
+        let levels = equal_levels(depth, words.passes, words.tool.cutting_length, "N")?;
         let slope = slope(words.entry_angle, words.tool.entry_angle, "theta")?;
         let height = APPROACH + depth;
         let moves: f64 = walls.iter().map(|w| w.moves(levels, height, slope)).sum();
@@ -291,7 +292,7 @@ impl Plan2d {
         let mut pen = Pen::new(self.planes, from, sink);
         let mut inside = false;
         let mut open = self.planes.approach() - APPROACH;
-        for depth in rough.levels.iter() {
+        for depth in rough.levels.depths() {
             let open_from = rough.clearing.nearest;
             let level = Level { bottom: -depth, open, open_from, slope: rough.slope };
             rough.clearing.cut(&mut pen, &self.walls, level, &mut inside)?;

@@ -12,7 +12,7 @@ use super::contours::Contours;
 use super::depth_profile::{DepthProfile, Lean};
 use super::descent::{Slope as EntrySlope, slope};
 use super::finish::{Finish, finishes_in};
-use super::passes::{Levels, width};
+use super::passes::{levels, width};
 use super::pen::{APPROACH, Pen, Planes, PocketSink};
 use super::problem::{MAX_MOVES, PocketFault, Problem, Stage, in_range, not_negative};
 use super::profile::Profile;
@@ -246,8 +246,8 @@ impl Pocket3d {
     fn rough_plan(&self, words: &Rough3d, frame: &Frame) -> Result<Vec<(Cross, Clearing)>, PocketFault> {
         let Frame { slopes, rough_slope: entry, .. } = frame;
         let width = width(words.step, words.tool.radius, "step")?;
-        let levels = Levels::new(frame.depth, words.depth_step, words.tool.cutting_length, "I1")?;
-        let mut heights: Vec<f64> = levels.iter().map(|depth| -depth).collect();
+        let levels = levels(frame.depth, words.depth_step, words.tool.cutting_length, "I1")?;
+        let mut heights: Vec<f64> = levels.depths().map(|depth| -depth).collect();
         // Islands that end below the surface get a level on their tops.
         heights.extend(slopes.iter().filter(|s| s.is_island && s.lean.top < 0.0).map(|s| s.lean.top));
         heights.sort_by(|a, b| b.total_cmp(a));
@@ -281,10 +281,10 @@ impl Pocket3d {
         let radius = words.tool.radius;
         let roughing = self.rough.as_ref();
         let same = roughing.is_some_and(|r| (r.tool.radius - radius).abs() < 1e-9);
-        let levels = Levels::new(frame.depth, words.depth_step, words.tool.cutting_length, "I2")?;
+        let levels = levels(frame.depth, words.depth_step, words.tool.cutting_length, "I2")?;
         let mut semi = Vec::new();
         let mut moves = 0.0;
-        for height in levels.iter().map(|depth| -depth) {
+        for height in levels.depths().map(|depth| -depth) {
             if same && rough.iter().any(|(cross, _)| (cross.height - height).abs() < 1e-6) {
                 continue;
             }
