@@ -54,18 +54,18 @@ pub enum Act {
     Orient(f64),
 }
 
-/// Takes what a cycle does; an error ends the cycle there.
-pub trait Take {
+/// Takes what a cycle does, act by act or move by move; an error ends the cycle there.
+pub trait Take<M = Act> {
     /// What the taker may refuse with.
     type Error;
-    /// The next act.
-    fn take(&mut self, act: Act) -> Result<(), Self::Error>;
+    /// The next one.
+    fn take(&mut self, next: M) -> Result<(), Self::Error>;
 }
 
-impl<E, F: FnMut(Act) -> Result<(), E>> Take for F {
+impl<M, E, F: FnMut(M) -> Result<(), E>> Take<M> for F {
     type Error = E;
-    fn take(&mut self, act: Act) -> Result<(), E> {
-        self(act)
+    fn take(&mut self, next: M) -> Result<(), E> {
+        self(next)
     }
 }
 
@@ -78,7 +78,8 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// u lies `degrees` from the abscissa, and counter-clockwise in u, v turns as `turn` says.
+    /// u lies `degrees` from the abscissa, and counter-clockwise in u, v turns as `turn` says. By whole quarters
+    /// coordinates change places and signs, and nothing is rounded.
     pub fn new(origin: [f64; 2], degrees: f64, turn: Turn) -> Frame {
         let side = match turn {
             Turn::CounterClockwise => 1.0,
@@ -122,7 +123,7 @@ impl Frame {
     }
 
     /// +1 where the sense of rotation is kept, −1 in a mirrored frame.
-    fn handedness(&self) -> f64 {
+    pub fn handedness(&self) -> f64 {
         (self.u[0] * self.v[1] - self.u[1] * self.v[0]).signum()
     }
 }

@@ -13,7 +13,8 @@
 //! middle in +v.
 
 use super::count::steps;
-use super::cutter::{Cutter, Sink};
+use super::cutter::{Cutter, CycleMove};
+use crate::cycles::tool::Take;
 use ferrocut_geometry::SAME_POINT_MM;
 
 /// Number of moves that [`clear`] takes.
@@ -23,7 +24,7 @@ pub fn moves(radius: f64, step: f64) -> f64 {
 
 /// Takes the tool centre from the origin over every circle out to `radius`, stepping over by `step` a
 /// turn. What lies within `radius` plus the tool radius is cut if `step` is no more than the diameter.
-pub fn clear<S: Sink>(cutter: &mut Cutter<'_, S>, radius: f64, step: f64) -> Result<(), S::Error> {
+pub fn clear<S: Take<CycleMove>>(cutter: &mut Cutter<'_, S>, radius: f64, step: f64) -> Result<(), S::Error> {
     if radius <= SAME_POINT_MM {
         return Ok(());
     }
@@ -40,7 +41,7 @@ pub fn clear<S: Sink>(cutter: &mut Cutter<'_, S>, radius: f64, step: f64) -> Res
 }
 
 /// The full circle about the origin through the tool.
-pub fn contour<S: Sink>(cutter: &mut Cutter<'_, S>) -> Result<(), S::Error> {
+pub fn contour<S: Take<CycleMove>>(cutter: &mut Cutter<'_, S>) -> Result<(), S::Error> {
     let z = cutter.z();
     cutter.turn([0.0, 0.0], z)
 }

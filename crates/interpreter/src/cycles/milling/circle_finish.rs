@@ -1,11 +1,11 @@
 //! Finishing a round wall: a hole with G24, G25, a boss with G26, G32, the first of each
 //! counter-clockwise (GSK990MC 4.6.2, 4.6.3).
 
-use super::cutter::Frame;
 use super::fault::{CycleFault, Problem};
 use super::plan::{Contour, Finish, Plan};
 use super::tangent::Tangent;
 use super::words::{Side, above_zero, exceeds, levels, not_zero, or_zero, point};
+use crate::cycles::tool::Frame;
 use ferrocut_geometry::Turn;
 
 /// Words of G24, G25, G26 and G32, mm.
@@ -53,7 +53,7 @@ impl CircleFinish {
         };
         Problem::ToolTooLarge.when(beyond, b'D')?;
         let tangent = Tangent { start, wall, largest: f64::INFINITY };
-        let frame = Frame::new(center, self.turn);
+        let frame = Frame::new(center, 0.0, self.turn);
         Ok(Plan::finish(frame, Finish { r, bottom, tangent, contour: Contour::Circle }))
     }
 }

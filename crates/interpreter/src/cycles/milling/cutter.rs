@@ -4,7 +4,8 @@
 //! clockwise cycle is the same shape seen in a mirrored frame, one with its long side in Y the same in
 //! a frame turned by a quarter.
 
-use ferrocut_geometry::{SAME_POINT_MM, Turn};
+use crate::cycles::tool::{Frame, Take};
+use ferrocut_geometry::SAME_POINT_MM;
 use std::f64::consts::{PI, TAU};
 
 /// One move of a cycle, from where the last one ended. Programmed X, Y, Z, mm, of the tool centre.
@@ -31,58 +32,6 @@ pub enum CycleMove {
     },
 }
 
-/// Takes the moves of a cycle one by one; an error ends the cycle there.
-pub trait Sink {
-    /// What the taker may refuse with.
-    type Error;
-    /// The next move.
-    fn take(&mut self, step: CycleMove) -> Result<(), Self::Error>;
-}
-
-impl<E, F: FnMut(CycleMove) -> Result<(), E>> Sink for F {
-    type Error = E;
-    fn take(&mut self, step: CycleMove) -> Result<(), E> {
-        self(step)
-    }
-}
-
-/// A local frame u, v in the XY plane: an origin and two directions along the axes, so that
-/// coordinates change places and signs and nothing is rounded.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Frame {
-    origin: [f64; 2],
-    u: [f64; 2],
-    v: [f64; 2],
-}
-
-impl Frame {
-    /// u along +X, and counter-clockwise in u, v turns as `turn` says in X, Y.
-    pub fn new(origin: [f64; 2], turn: Turn) -> Frame {
-        let side = match turn {
-            Turn::CounterClockwise => 1.0,
-            Turn::Clockwise => -1.0,
-        };
-        Frame { origin, u: [1.0, 0.0], v: [0.0, side] }
-    }
-
-    /// The frame whose u is this one's v. The sense of rotation stays.
-    pub fn quarter_turned(self) -> Frame {
-        let Frame { origin, u: [ux, uy], v } = self;
-        Frame { origin, u: v, v: [-ux, -uy] }
-    }
-
-    /// X and Y of a local point.
-    pub fn world(&self, [u, v]: [f64; 2]) -> [f64; 2] {
-        let [x, y] = self.origin;
-        [x + u * self.u[0] + v * self.v[0], y + u * self.u[1] + v * self.v[1]]
-    }
-
-    /// +1 for a frame that keeps the sense of rotation, −1 for a mirrored one.
-    fn handedness(&self) -> f64 {
-        self.u[0] * self.v[1] - self.u[1] * self.v[0]
-    }
-}
-
 /// The tool centre, and where its moves go.
 pub struct Cutter<'a, S> {
     frame: Frame,
@@ -90,7 +39,7 @@ pub struct Cutter<'a, S> {
     sink: &'a mut S,
 }
 
-impl<'a, S: Sink> Cutter<'a, S> {
+impl<'a, S: Take<CycleMove>> Cutter<'a, S> {
     /// A cutter over the local point `at`, at the level `z`.
     pub fn new(frame: Frame, at: [f64; 2], z: f64, sink: &'a mut S) -> Self {
         let [x, y] = frame.world(at);

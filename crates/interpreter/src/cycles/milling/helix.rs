@@ -1,7 +1,8 @@
 //! Entry into solid material on a helix.
 
 use super::count::steps;
-use super::cutter::{Cutter, Sink};
+use super::cutter::{Cutter, CycleMove};
+use crate::cycles::tool::Take;
 use ferrocut_geometry::SAME_POINT_MM;
 
 /// Turns of equal pitch, at most `pitch` each, that sink the tool by `depth`; at least 1.
@@ -13,7 +14,7 @@ pub fn turns(depth: f64, pitch: f64) -> f64 {
 ///
 /// The tool stands on its circle, on the −u side (GSK990MC 4.6.1 ⑴), and comes back to there: whole
 /// turns only. On a circle of no radius it is a plunge.
-pub fn entry<S: Sink>(
+pub fn entry<S: Take<CycleMove>>(
     cutter: &mut Cutter<'_, S>,
     radius: f64,
     bottom: f64,

@@ -37,7 +37,7 @@ mod words;
 
 pub use circle_finish::CircleFinish;
 pub(crate) use count::steps;
-pub use cutter::{Cutter, CycleMove, Frame, Sink};
+pub use cutter::{Cutter, CycleMove};
 pub use fault::{CycleFault, MAX_MOVES, Problem};
 pub use plan::Plan;
 pub use rect_finish::RectFinish;

@@ -22,12 +22,13 @@
 //! 7. rapid to the return level.
 
 use super::circle;
-use super::cutter::{Cutter, Frame, Sink};
+use super::cutter::{Cutter, CycleMove};
 use super::depths::Depths;
 use super::fault::{CycleFault, MAX_MOVES, Problem};
 use super::helix;
 use super::rectangle::Rectangle;
 use super::tangent::Tangent;
+use crate::cycles::tool::{Frame, Take};
 
 /// A cycle whose words are legal, ready to be cut.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -95,7 +96,7 @@ impl Plan {
     }
 
     /// The moves, from over the start at the initial level to `return_z`.
-    pub fn moves<S: Sink>(&self, return_z: f64, sink: &mut S) -> Result<(), S::Error> {
+    pub fn moves<S: Take<CycleMove>>(&self, return_z: f64, sink: &mut S) -> Result<(), S::Error> {
         let (at, r) = match &self.work {
             Work::Rough(work) => (self.local_start(), work.depths.r),
             Work::Finish(work) => (self.local_start(), work.r),
@@ -119,7 +120,7 @@ impl Plan {
 }
 
 impl Rough {
-    fn cut<S: Sink>(&self, cutter: &mut Cutter<'_, S>) -> Result<(), S::Error> {
+    fn cut<S: Take<CycleMove>>(&self, cutter: &mut Cutter<'_, S>) -> Result<(), S::Error> {
         let middle = [0.0, 0.0];
         let down = match self.area {
             Area::Circle(_) => middle,
@@ -142,7 +143,7 @@ impl Rough {
         Ok(())
     }
 
-    fn clear<S: Sink>(&self, cutter: &mut Cutter<'_, S>) -> Result<(), S::Error> {
+    fn clear<S: Take<CycleMove>>(&self, cutter: &mut Cutter<'_, S>) -> Result<(), S::Error> {
         match &self.area {
             Area::Circle(radius) => circle::clear(cutter, *radius, self.step),
             Area::Rectangle(rectangle) => rectangle.clear(cutter, self.step),
@@ -176,7 +177,7 @@ impl Rough {
 }
 
 impl Finish {
-    fn cut<S: Sink>(&self, cutter: &mut Cutter<'_, S>) -> Result<(), S::Error> {
+    fn cut<S: Take<CycleMove>>(&self, cutter: &mut Cutter<'_, S>) -> Result<(), S::Error> {
         cutter.feed_z(self.bottom)?;
         self.tangent.approach(cutter)?;
         match &self.contour {

@@ -1,12 +1,12 @@
 //! Finishing a rectangular wall: a pocket with G35, G36, a boss with G37, G38, the first of each
 //! counter-clockwise (GSK990MC 4.6.5, 4.6.6).
 
-use super::cutter::Frame;
 use super::fault::{CycleFault, Problem};
 use super::plan::{Contour, Finish, Plan};
 use super::rectangle::Rectangle;
 use super::tangent::Tangent;
 use super::words::{Side, above_zero, corner, exceeds, levels, not_zero, or_zero, point};
+use crate::cycles::tool::Frame;
 use ferrocut_geometry::Turn;
 
 /// Words of G35 to G38, mm.
@@ -65,7 +65,7 @@ impl RectFinish {
         let corner = if u > 0.0 { u + offset } else { 0.0 };
         let contour = Rectangle { half: [i / 2.0 + offset, j / 2.0 + offset], corner: corner.max(0.0) };
         let tangent = Tangent { start: i / 2.0 + distance, wall: i / 2.0 + offset, largest };
-        let frame = Frame::new([x - tangent.start, y], self.turn);
+        let frame = Frame::new([x - tangent.start, y], 0.0, self.turn);
         Ok(Plan::finish(frame, Finish { r, bottom, tangent, contour: Contour::Rectangle(contour) }))
     }
 }

@@ -1,11 +1,11 @@
 //! Roughing a rectangular pocket: G33 counter-clockwise, G34 clockwise (GSK990MC 4.6.4).
 
-use super::cutter::Frame;
 use super::depths::Depths;
 use super::fault::{CycleFault, Problem};
 use super::plan::{Area, Plan, Rough};
 use super::rectangle::{Rectangle, widest_step};
 use super::words::{Roughing, above_zero, corner, exceeds, levels, not_zero, or_zero, point};
+use crate::cycles::tool::Frame;
 use ferrocut_geometry::Turn;
 
 /// Words of G33 and G34, mm.
@@ -52,6 +52,9 @@ impl RectPocket {
         let depths = Depths { r, bottom, first, step: depth, gap };
         let step = step.min(widest_step(tool, corner));
         let area = Area::Rectangle(Rectangle { half: [i / 2.0 - tool, j / 2.0 - tool], corner });
-        Plan::rough(Frame::new(center, self.turn), Rough { depths, helix, tool_radius: tool, step, area })
+        Plan::rough(
+            Frame::new(center, 0.0, self.turn),
+            Rough { depths, helix, tool_radius: tool, step, area },
+        )
     }
 }

@@ -1,7 +1,8 @@
 //! Clearing a rectangular area, and its contour with round or sharp corners.
 
 use super::count::steps;
-use super::cutter::{Cutter, Sink};
+use super::cutter::{Cutter, CycleMove};
+use crate::cycles::tool::Take;
 use ferrocut_geometry::SAME_POINT_MM;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
 
@@ -16,7 +17,7 @@ pub struct Rectangle {
 
 impl Rectangle {
     /// Once round, from (half u, 0) on the +u side.
-    pub fn contour<S: Sink>(&self, cutter: &mut Cutter<'_, S>) -> Result<(), S::Error> {
+    pub fn contour<S: Take<CycleMove>>(&self, cutter: &mut Cutter<'_, S>) -> Result<(), S::Error> {
         let [a, b] = self.half;
         let c = self.corner;
         for [u, v] in [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]] {
@@ -36,7 +37,7 @@ impl Rectangle {
     /// (GSK990MC 4.6.4 ⑸). Their corners grow in proportion from sharp to [`Rectangle::corner`]: half
     /// way out they have half its radius, as in figure 4-6-4-1. The way from one to the next is
     /// straight, at the middle of a short side.
-    pub fn clear<S: Sink>(&self, cutter: &mut Cutter<'_, S>, step: f64) -> Result<(), S::Error> {
+    pub fn clear<S: Take<CycleMove>>(&self, cutter: &mut Cutter<'_, S>, step: f64) -> Result<(), S::Error> {
         let [a, b] = self.half;
         if a < b {
             let turned = Rectangle { half: [b, a], corner: self.corner };
@@ -46,7 +47,7 @@ impl Rectangle {
         cutter.turned(2, |cutter| self.clear_along(cutter, step))
     }
 
-    fn clear_along<S: Sink>(&self, cutter: &mut Cutter<'_, S>, step: f64) -> Result<(), S::Error> {
+    fn clear_along<S: Take<CycleMove>>(&self, cutter: &mut Cutter<'_, S>, step: f64) -> Result<(), S::Error> {
         let [a, b] = self.half;
         let line = a - b;
         cutter.feed([-line, 0.0])?;

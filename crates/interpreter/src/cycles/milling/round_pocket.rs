@@ -1,10 +1,10 @@
 //! Roughing a round pocket: G22 counter-clockwise, G23 clockwise (GSK990MC 4.6.1).
 
-use super::cutter::Frame;
 use super::depths::Depths;
 use super::fault::{CycleFault, Problem};
 use super::plan::{Area, Plan, Rough};
 use super::words::{Roughing, above_zero, exceeds, levels, or_zero, point};
+use crate::cycles::tool::Frame;
 use ferrocut_geometry::Turn;
 
 /// Words of G22 and G23, mm.
@@ -44,6 +44,9 @@ impl RoundPocket {
         Problem::ToolTooLarge.when(exceeds(helix + tool, radius), b'D')?;
         let depths = Depths { r, bottom, first, step: depth, gap };
         let area = Area::Circle(radius - tool);
-        Plan::rough(Frame::new(center, self.turn), Rough { depths, helix, tool_radius: tool, step, area })
+        Plan::rough(
+            Frame::new(center, 0.0, self.turn),
+            Rough { depths, helix, tool_radius: tool, step, area },
+        )
     }
 }

@@ -15,7 +15,8 @@
 //! This is how the GSK990MC describes it: the same sense inside (4.6.2), the opposite outside (4.6.3:
 //! "transition arcs and finishing arc differ in direction").
 
-use super::cutter::{Cutter, Sink};
+use super::cutter::{Cutter, CycleMove};
+use crate::cycles::tool::Take;
 
 /// The way from a start beside a wall onto it and back.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -31,14 +32,14 @@ pub struct Tangent {
 
 impl Tangent {
     /// From the start onto the contour.
-    pub fn approach<S: Sink>(&self, cutter: &mut Cutter<'_, S>) -> Result<(), S::Error> {
+    pub fn approach<S: Take<CycleMove>>(&self, cutter: &mut Cutter<'_, S>) -> Result<(), S::Error> {
         let foot = self.foot();
         cutter.feed([foot, 0.0])?;
         cutter.half_circle([self.wall, 0.0], [(foot + self.wall) / 2.0, 0.0], self.wall - foot)
     }
 
     /// From the contour back to the start.
-    pub fn departure<S: Sink>(&self, cutter: &mut Cutter<'_, S>) -> Result<(), S::Error> {
+    pub fn departure<S: Take<CycleMove>>(&self, cutter: &mut Cutter<'_, S>) -> Result<(), S::Error> {
         let foot = self.foot();
         cutter.half_circle([foot, 0.0], [(foot + self.wall) / 2.0, 0.0], self.wall - foot)?;
         cutter.feed([self.start, 0.0])
