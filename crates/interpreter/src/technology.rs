@@ -72,10 +72,8 @@ impl Interpreter {
     /// Tells a spindle that turns its speed.
     pub(crate) fn tell_speed(&mut self) {
         let speed = self.speed();
-        match self.technology.spindle {
-            SpindleState::Off => {}
-            SpindleState::Clockwise(_) => self.spindle(SpindleState::Clockwise(speed)),
-            SpindleState::CounterClockwise(_) => self.spindle(SpindleState::CounterClockwise(speed)),
+        if let Some(turn) = self.technology.spindle.turn() {
+            self.spindle(SpindleState::turning(turn, speed));
         }
     }
 

@@ -1,6 +1,6 @@
 //! Steps: what the machine is told to do, one at a time.
 
-use ferrocut_geometry::{Arc, Axis, AxisSet, Plane, Position};
+use ferrocut_geometry::{Arc, Axis, AxisSet, Plane, Position, Turn};
 use ferrocut_program::Span;
 
 /// One thing the machine is told to do, and the piece of program that caused it.
@@ -124,6 +124,23 @@ pub enum SpindleState {
 }
 
 impl SpindleState {
+    /// Turning this way.
+    pub fn turning(turn: Turn, speed: Speed) -> SpindleState {
+        match turn {
+            Turn::Clockwise => SpindleState::Clockwise(speed),
+            Turn::CounterClockwise => SpindleState::CounterClockwise(speed),
+        }
+    }
+
+    /// Which way it turns; `None` at rest.
+    pub fn turn(self) -> Option<Turn> {
+        match self {
+            SpindleState::Off => None,
+            SpindleState::Clockwise(_) => Some(Turn::Clockwise),
+            SpindleState::CounterClockwise(_) => Some(Turn::CounterClockwise),
+        }
+    }
+
     /// The speed; `None` at rest.
     pub fn speed(self) -> Option<Speed> {
         match self {

@@ -96,10 +96,7 @@ impl Interpreter {
     /// Turns the spindle at the speed in force.
     pub(crate) fn turn_spindle(&mut self, turn: Turn) {
         let speed = self.speed();
-        self.spindle(match turn {
-            Turn::Clockwise => SpindleState::Clockwise(speed),
-            Turn::CounterClockwise => SpindleState::CounterClockwise(speed),
-        });
+        self.spindle(SpindleState::turning(turn, speed));
     }
 
     fn feed_of(&self, feed: f64, per_minute: bool) -> Feed {

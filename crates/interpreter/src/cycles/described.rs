@@ -463,8 +463,7 @@ impl Interpreter {
         }
         let rpm = self.technology.speed.unwrap_or(0.0);
         match stage.turn {
-            Some(Turn::Clockwise) => self.spindle(SpindleState::Clockwise(Speed::Rpm(rpm))),
-            Some(Turn::CounterClockwise) => self.spindle(SpindleState::CounterClockwise(Speed::Rpm(rpm))),
+            Some(turn) => self.spindle(SpindleState::turning(turn, Speed::Rpm(rpm))),
             None => {
                 self.technology.spindle = SpindleState::Off;
                 self.emit(Op::Orient(0.0));

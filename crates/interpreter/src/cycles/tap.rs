@@ -6,7 +6,7 @@
 use super::{CycleKind, Tapping};
 use crate::Fallible;
 use crate::interpreter::Interpreter;
-use ferrocut_geometry::{Axis, MM_PER_INCH, Position, SAME_POINT_MM};
+use ferrocut_geometry::{Axis, MM_PER_INCH, Position, SAME_POINT_MM, Turn};
 use ferrocut_machine::Fault;
 use ferrocut_toolpath::{Feed, Op, SpindleState};
 
@@ -202,7 +202,7 @@ impl Interpreter {
     /// The spindle into the thread and out of it.
     fn tap_turns(&self, left: bool) -> (SpindleState, SpindleState) {
         let speed = self.speed();
-        let (right, other) = (SpindleState::Clockwise(speed), SpindleState::CounterClockwise(speed));
-        if left { (other, right) } else { (right, other) }
+        let inward = if left { Turn::CounterClockwise } else { Turn::Clockwise };
+        (SpindleState::turning(inward, speed), SpindleState::turning(inward.reversed(), speed))
     }
 }

@@ -270,10 +270,7 @@ impl Interpreter {
         }
         let feed = self.feed_value();
         let speed = self.technology.speed;
-        let turn = match self.technology.spindle {
-            SpindleState::CounterClockwise(_) => Turn::CounterClockwise,
-            _ => Turn::Clockwise,
-        };
+        let turn = self.technology.spindle.turn().unwrap_or(Turn::Clockwise);
         let block = self.zone.block;
         self.zone =
             Zone { words, reference, initial, feed, speed, turn: Some(turn), block, repetition: None };
@@ -291,11 +288,7 @@ impl Interpreter {
     /// Makes the cycle where the tool stands.
     fn make_cycle(&mut self, format: &'static WordFormat) -> Fallible<()> {
         self.feed()?;
-        match self.technology.spindle {
-            SpindleState::Clockwise(_) => self.zone.turn = Some(Turn::Clockwise),
-            SpindleState::CounterClockwise(_) => self.zone.turn = Some(Turn::CounterClockwise),
-            SpindleState::Off => {}
-        }
+        self.zone.turn = self.technology.spindle.turn().or(self.zone.turn);
         let turn = self.zone.turn.unwrap_or(Turn::Clockwise);
         let returns = self.modal.meaning(Group::Return) == Meaning::ReturnR;
         let given = Given {
