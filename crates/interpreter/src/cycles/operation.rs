@@ -9,6 +9,7 @@ use super::pocket::PocketCut;
 use super::tapping::TappedHole;
 use super::thread_milling::ThreadMilling;
 use super::tool::{Count, Frame, Take, Tool};
+use ferrocut_geometry::Turn;
 
 /// Most acts of one operation. A step or pitch that needs more is a slip of the pen.
 const MOST_ACTS: u32 = 200_000;
@@ -46,6 +47,16 @@ pub struct Operation {
 }
 
 impl Operation {
+    /// What is made in a frame.
+    pub fn new(work: Work, frame: Frame, up: f64) -> Operation {
+        Operation { work, frame, up, reference: None }
+    }
+
+    /// The same in a frame that is not turned.
+    pub fn plain(work: Work, up: f64) -> Operation {
+        Operation::new(work, Frame::new([0.0; 2], 0.0, Turn::CounterClockwise), up)
+    }
+
     /// Where the tool must stand when it begins, for an operation at a point; none where it finds its way
     /// itself.
     pub fn start(&self, at: [f64; 2]) -> Option<[f64; 2]> {

@@ -103,11 +103,6 @@ impl Given<'_> {
     }
 }
 
-/// An operation at the point, its frame not turned.
-fn plain(work: Work, up: f64) -> Operation {
-    Operation { work, frame: Frame::new([0.0; 2], 0.0, Turn::CounterClockwise), up, reference: None }
-}
-
 /// A: the spindle is stopped for the way out (1.2, 1.3).
 fn leave(given: &Given<'_>) -> Result<Leave, WrongParameter> {
     Ok(match given.choice(b'A', "A", 1.0)? {
@@ -127,7 +122,7 @@ fn hole(given: &Given<'_>, bottom: f64, pecks: Option<Pecks>, leave: Leave) -> M
         feed: given.feed,
     };
     hole.check("I")?;
-    Ok(plain(Work::Hole(hole), hole.up()))
+    Ok(Operation::plain(Work::Hole(hole), hole.up()))
 }
 
 /// 1.2.
@@ -204,7 +199,7 @@ fn tapping(given: &Given<'_>) -> Made {
     };
     refuse((thread.bottom - thread.reference).abs() <= SAME_POINT_MM, Fault::CycleNoDepth, "I")?;
     thread.check("S")?;
-    Ok(plain(Work::TappedHole(thread), thread.up()))
+    Ok(Operation::plain(Work::TappedHole(thread), thread.up()))
 }
 
 /// 1.6.
@@ -232,7 +227,7 @@ fn boring(given: &Given<'_>) -> Made {
         way,
     };
     refuse((bottom - given.reference).abs() <= SAME_POINT_MM, Fault::CycleNoDepth, "I")?;
-    Ok(plain(Work::Bore(bore), bore.up()))
+    Ok(Operation::plain(Work::Bore(bore), bore.up()))
 }
 
 /// J+ is clockwise, J− counter-clockwise.
@@ -325,7 +320,7 @@ fn bore_milling(given: &Given<'_>) -> Made {
     };
     bore.check(BoreNames { diameter: "J", drilled: "K", pitch: "B", depth: "I" })?;
     let frame = Frame::new([0.0; 2], 0.0, turn_of(diameter));
-    Ok(Operation { work: Work::BoreMilling(bore), frame, up, reference: None })
+    Ok(Operation::new(Work::BoreMilling(bore), frame, up))
 }
 
 /// 1.11.
@@ -373,5 +368,5 @@ fn thread(given: &Given<'_>, internal: bool) -> Made {
     })?;
     // The angle counts from the abscissa whichever way the thread turns.
     let frame = Frame::new([0.0; 2], thread.angle, turn_of(diameter));
-    Ok(Operation { work: Work::ThreadMilling(thread), frame, up, reference: None })
+    Ok(Operation::new(Work::ThreadMilling(thread), frame, up))
 }

@@ -75,7 +75,7 @@ fn staged(
     let longer = boss.lengthwise().0;
     let mut add = |section: &Section, work: Work| -> Result<(), WrongParameter> {
         let (_, frame) = lengthwise(boss, frame(turn(section, "dir"))?);
-        stages.push(stage(section, Operation { work, frame, up: placed.up, reference: None }));
+        stages.push(stage(section, Operation::new(work, frame, placed.up)));
         Ok(())
     };
     if works(rough) {

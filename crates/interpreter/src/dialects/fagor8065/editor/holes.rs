@@ -135,7 +135,7 @@ fn drilled(main: &Section, placed: &Placed, pecks: Option<Pecks>, leave: Leave) 
         feed: feed(main)?,
     };
     hole.check("I")?;
-    plan(main, ["X", "Y"], placed, vec![stage(main, plain(Work::Hole(hole), placed.up))])
+    plan(main, ["X", "Y"], placed, vec![stage(main, Operation::plain(Work::Hole(hole), placed.up))])
 }
 
 fn centre_punching(description: &Description<'_>) -> Made {
@@ -220,7 +220,7 @@ fn tapping(description: &Description<'_>) -> Made {
         holder,
     };
     thread.check("S")?;
-    let mut made = stage(main, plain(Work::TappedHole(thread), placed.up));
+    let mut made = stage(main, Operation::plain(Work::TappedHole(thread), placed.up));
     if rigid {
         // 4.6.1: M19 first.
         made.turn = None;
@@ -244,7 +244,7 @@ fn bored(main: &Section, way: impl Fn(&Placed) -> Way) -> Made {
         turn: turn(main, "spindle"),
         way: way(&placed),
     };
-    plan(main, ["X", "Y"], &placed, vec![stage(main, plain(Work::Bore(bore), placed.up))])
+    plan(main, ["X", "Y"], &placed, vec![stage(main, Operation::plain(Work::Bore(bore), placed.up))])
 }
 
 fn boring(description: &Description<'_>) -> Made {
@@ -279,7 +279,7 @@ fn bore_milling(description: &Description<'_>) -> Made {
     };
     bore.check(BoreNames { diameter: "phi", drilled: "phiK", pitch: "B", depth: "P" })?;
     let frame = Frame::new([0.0; 2], 0.0, turn(main, "dir"));
-    let operation = Operation { work: Work::BoreMilling(bore), frame, up: placed.up, reference: None };
+    let operation = Operation::new(Work::BoreMilling(bore), frame, placed.up);
     plan(main, ["X", "Y"], &placed, vec![stage(main, operation)])
 }
 
@@ -324,6 +324,6 @@ fn thread_milling(description: &Description<'_>) -> Made {
         length,
     })?;
     let frame = Frame::new([0.0; 2], thread.angle, turn(main, "dir"));
-    let operation = Operation { work: Work::ThreadMilling(thread), frame, up: placed.up, reference: None };
+    let operation = Operation::new(Work::ThreadMilling(thread), frame, placed.up);
     plan(main, ["X", "Y"], &placed, vec![stage(main, operation)])
 }

@@ -94,7 +94,7 @@ fn surface(description: &Description<'_>) -> Made {
         let cut = cut(section, &data, down)?;
         let facing = Facing { size, planes: placed.planes, levels, cut, overrun, strategy, first };
         facing.check(["L", "H", "E"])?;
-        Ok(stage(section, Operation { work: Work::Facing(facing), frame, up: placed.up, reference: None }))
+        Ok(stage(section, Operation::new(Work::Facing(facing), frame, placed.up)))
     };
     let mut stages = Vec::with_capacity(2);
     if works(rough) {
@@ -144,7 +144,7 @@ fn slot(description: &Description<'_>) -> Made {
             reversed: (turn(section, "dir") == Turn::Clockwise) != mirrored,
         };
         slot.check(["L", "H", "E", "delta"])?;
-        Ok(stage(section, Operation { work: Work::Slot(slot), frame, up: placed.up, reference: None }))
+        Ok(stage(section, Operation::new(Work::Slot(slot), frame, placed.up)))
     };
     let mut stages = Vec::with_capacity(2);
     let mut rough_levels = None;

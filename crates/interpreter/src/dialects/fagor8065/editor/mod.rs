@@ -242,11 +242,6 @@ fn stage(section: &Section, operation: Operation) -> Stage {
     }
 }
 
-/// An operation about the point, its frame not turned.
-fn plain(work: Work, up: f64) -> Operation {
-    Operation { work, frame: Frame::new([0.0; 2], 0.0, Turn::CounterClockwise), up, reference: None }
-}
-
 /// The tool prepared for afterwards.
 fn next_tool(main: &Section) -> Result<Option<u32>, WrongParameter> {
     let Some(number) = main.given("next") else { return Ok(None) };

@@ -134,7 +134,7 @@ fn simple(description: &Description<'_>) -> Made {
         between: PocketSteps::Approach,
     };
     rough.check("FZ")?;
-    let operation = Operation { work: Work::PocketRough(rough), frame, up: placed.up, reference: None };
+    let operation = Operation::new(Work::PocketRough(rough), frame, placed.up);
     plan(main, ["X", "Y"], &placed, vec![stage(main, operation)])
 }
 
@@ -278,5 +278,5 @@ fn pocket_stage<W>(
     up: f64,
 ) -> Stage {
     let (_, frame) = lengthwise(wall, frame);
-    stage(section, Operation { work: kind(work), frame, up, reference: None })
+    stage(section, Operation::new(kind(work), frame, up))
 }

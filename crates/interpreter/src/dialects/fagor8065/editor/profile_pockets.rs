@@ -207,7 +207,7 @@ fn cut(
     let feed = feed(section)?;
     let down = of_rough(plunge(description.part(Part::Rough), "FZ", feed))?;
     let cut = PocketCut { plan: Arc::clone(plan), stage: of, feed, plunge: down };
-    Ok(stage(section, plain(Work::ProfilePocket(cut), up)))
+    Ok(stage(section, Operation::plain(Work::ProfilePocket(cut), up)))
 }
 
 fn flat(description: &Description<'_>) -> Made {

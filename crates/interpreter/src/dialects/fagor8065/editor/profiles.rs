@@ -140,7 +140,7 @@ fn follow(
         let path = ways.path(profile, offset).map_err(|error| wrong(error, name, [entry, exit]))?;
         let feeds = [milling, plunge(rough, "FZ", milling)?];
         let work = ProfileMilling { path, planes: placed.planes, levels, feeds, returns };
-        Ok(stage(section, plain(Work::Profile(work), placed.up)))
+        Ok(stage(section, Operation::plain(Work::Profile(work), placed.up)))
     };
     let mut stages = Vec::with_capacity(2);
     if works(rough) {
