@@ -130,18 +130,30 @@ impl Interpreter {
         Err(Box::new(alarm.with("axis", format!("{} {}", a.letter(), b.letter()))))
     }
 
-    fn arc_at(&mut self, to: Position, center: [f64; 2], sweep: f64, feed: Feed) -> Fallible<()> {
-        let (plane, is_exchanged) = self.arc_plane()?;
+    fn arc_at(&mut self, to: Position, [a, b]: [f64; 2], sweep: f64, feed: Feed) -> Fallible<()> {
+        match self.arc_plane()? {
+            (plane, false) => self.arc_about(plane, to, [a, b], sweep, feed),
+            (plane, true) => self.arc_about(plane, to, [b, a], -sweep, feed),
+        }
+    }
+
+    /// Cuts along an arc to a programmed point. The centre is programmed coordinates of the plane.
+    pub(super) fn arc_about(
+        &mut self,
+        plane: Plane,
+        to: Position,
+        center: [f64; 2],
+        sweep: f64,
+        feed: Feed,
+    ) -> Fallible<()> {
         let machine = self.location.machine_of(to);
         self.check_reach(machine)?;
-        let [a, b, _] = self.plane_axes();
         let mut middle = to;
-        middle[a] = center[0];
-        middle[b] = center[1];
+        middle[plane.first()] = center[0];
+        middle[plane.second()] = center[1];
         let center = plane.of(self.location.machine_of(middle));
         self.location.programmed = to;
         self.location.machine = machine;
-        let sweep = if is_exchanged { -sweep } else { sweep };
         let feed_along = FeedAlong::Path;
         self.emit(Op::Arc { to: machine, plane, center, sweep, feed, feed_along, path: self.path_mode() });
         Ok(())

@@ -9,7 +9,6 @@ use crate::interpreter::Interpreter;
 use crate::stages::units;
 use ferrocut_geometry::{Axis, AxisSet, Plane, Position, Turn};
 use ferrocut_machine::Fault;
-use ferrocut_toolpath::{FeedAlong, Op};
 
 /// What a milling cycle cuts.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -144,26 +143,8 @@ impl Interpreter {
             CycleMove::Rapid { to } => self.rapid(place(from, to)),
             CycleMove::Feed { to } => self.cut(place(from, to)),
             CycleMove::Arc { to, center, sweep } => {
-                let to = place(from, to);
-                let machine = self.location.machine_of(to);
-                self.check_reach(machine)?;
-                let mut middle = to;
-                middle[Axis::X] = center[0];
-                middle[Axis::Y] = center[1];
                 let feed = self.feed()?;
-                let center = Plane::Xy.of(self.location.machine_of(middle));
-                self.location.programmed = to;
-                self.location.machine = machine;
-                self.emit(Op::Arc {
-                    to: machine,
-                    plane: Plane::Xy,
-                    center,
-                    sweep,
-                    feed,
-                    feed_along: FeedAlong::Path,
-                    path: self.path_mode(),
-                });
-                Ok(())
+                self.arc_about(Plane::Xy, place(from, to), center, sweep, feed)
             }
         }
     }
