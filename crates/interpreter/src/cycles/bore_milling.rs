@@ -56,11 +56,6 @@ pub struct BoreNames {
 }
 
 impl BoreMilling {
-    /// Which way "up" is: away from the bottom.
-    pub fn up(&self) -> f64 {
-        if self.bottom > self.reference { -1.0 } else { 1.0 }
-    }
-
     /// Whether the tool can mill the bore: r < J/2, and r ≥ (J−K)/4 lest a core stand (1.10).
     pub fn check(&self, names: BoreNames) -> Result<(), WrongParameter> {
         let diameter = positive(self.diameter, names.diameter)?;

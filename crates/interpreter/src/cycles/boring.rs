@@ -50,11 +50,6 @@ pub struct Aside {
 }
 
 impl Bore {
-    /// Which way "up" is: away from the bottom.
-    pub fn up(&self) -> f64 {
-        if self.bottom > self.reference { -1.0 } else { 1.0 }
-    }
-
     /// Bores where the tool stands: in a frame without turn about that place.
     pub fn bore<T: Take>(&self, tool: &mut Tool<'_, T>) -> Result<(), T::Error> {
         tool.set_feed(self.feed);

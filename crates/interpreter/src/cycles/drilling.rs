@@ -90,11 +90,6 @@ impl Pecks {
 }
 
 impl Hole {
-    /// Which way "up" is: away from the bottom.
-    pub fn up(&self) -> f64 {
-        if self.bottom > self.reference { -1.0 } else { 1.0 }
-    }
-
     /// Whether the hole can be made.
     pub fn check(&self, step: &'static str) -> Result<(), WrongParameter> {
         let depth = (self.reference - self.bottom).abs();
@@ -170,7 +165,7 @@ impl Hole {
 mod tests {
     #![allow(clippy::unwrap_used, clippy::panic)]
     use super::*;
-    use crate::cycles::tool::Frame;
+    use crate::cycles::tool::{Frame, up};
 
     fn levels(hole: Hole) -> Vec<String> {
         let mut out = Vec::new();
@@ -184,7 +179,8 @@ mod tests {
         };
         let frame = Frame::new([0.0; 2], 0.0, Turn::CounterClockwise);
         hole.check("I").unwrap();
-        hole.drill(&mut Tool::new(frame, [0.0, 0.0, 25.0], hole.up(), &mut taker)).unwrap();
+        hole.drill(&mut Tool::new(frame, [0.0, 0.0, 25.0], up(hole.bottom, hole.reference), &mut taker))
+            .unwrap();
         out
     }
 

@@ -44,11 +44,6 @@ pub enum Holder {
 }
 
 impl TappedHole {
-    /// Which way "up" is: away from the bottom.
-    pub fn up(&self) -> f64 {
-        if self.bottom > self.reference { -1.0 } else { 1.0 }
-    }
-
     /// Whether feed, pitch and speeds are numbers that a spindle can turn by; of extreme ones quotient and
     /// product are none. `speed` is the parameter to blame.
     pub fn check(&self, speed: &'static str) -> Result<(), WrongParameter> {

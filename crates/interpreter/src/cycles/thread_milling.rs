@@ -15,7 +15,7 @@
 use super::bore_milling::MAX_TURNS;
 use super::milling::steps;
 use super::parameter::{WrongParameter, positive, refuse};
-use super::tool::{Frame, Take, Tool};
+use super::tool::{Frame, Take, Tool, up};
 use ferrocut_geometry::SAME_POINT_MM;
 use ferrocut_machine::Fault;
 use std::f64::consts::{PI, TAU};
@@ -85,7 +85,7 @@ pub struct ThreadNames {
 impl ThreadMilling {
     /// Which way "up" is: away from the bottom.
     pub fn up(&self) -> f64 {
-        if self.bottom > self.reference { -1.0 } else { 1.0 }
+        up(self.bottom, self.reference)
     }
 
     /// Whether the tool can mill the thread.

@@ -69,6 +69,12 @@ impl<M, E, F: FnMut(M) -> Result<(), E>> Take<M> for F {
     }
 }
 
+/// Which way "up" is, away from the bottom: +1 where it lies towards minus of the reference level, −1 where
+/// towards plus.
+pub fn up(bottom: f64, reference: f64) -> f64 {
+    if bottom > reference { -1.0 } else { 1.0 }
+}
+
 /// A frame u, v in the plane.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Frame {

@@ -10,7 +10,7 @@ use crate::cycles::parameter::{WrongParameter, positive, refuse};
 use crate::cycles::positions::whole;
 use crate::cycles::tapping::{Holder, TappedHole};
 use crate::cycles::thread_milling::{ThreadMilling, ThreadNames};
-use crate::cycles::tool::Frame;
+use crate::cycles::tool::{Frame, up};
 use crate::cycles::zone::{Given, WordFormat};
 use ferrocut_geometry::{SAME_POINT_MM, Turn};
 use ferrocut_machine::Fault;
@@ -84,9 +84,9 @@ impl Given<'_> {
         self.get(letter).filter(|value| *value != 0.0).unwrap_or(default)
     }
 
-    /// The way from the reference level to the bottom, +1 towards minus.
+    /// Which way "up" is over a bottom.
     fn up(&self, bottom: f64) -> f64 {
-        if bottom > self.reference { -1.0 } else { 1.0 }
+        up(bottom, self.reference)
     }
 
     fn dwell(&self) -> Result<f64, WrongParameter> {
@@ -122,7 +122,7 @@ fn hole(given: &Given<'_>, bottom: f64, pecks: Option<Pecks>, leave: Leave) -> M
         feed: given.feed,
     };
     hole.check("I")?;
-    Ok(Operation::plain(Work::Hole(hole), hole.up()))
+    Ok(Operation::plain(Work::Hole(hole), given.up(bottom)))
 }
 
 /// 1.2.
@@ -199,7 +199,7 @@ fn tapping(given: &Given<'_>) -> Made {
     };
     refuse((thread.bottom - thread.reference).abs() <= SAME_POINT_MM, Fault::CycleNoDepth, "I")?;
     thread.check("S")?;
-    Ok(Operation::plain(Work::TappedHole(thread), thread.up()))
+    Ok(Operation::plain(Work::TappedHole(thread), given.up(thread.bottom)))
 }
 
 /// 1.6.
@@ -227,7 +227,7 @@ fn boring(given: &Given<'_>) -> Made {
         way,
     };
     refuse((bottom - given.reference).abs() <= SAME_POINT_MM, Fault::CycleNoDepth, "I")?;
-    Ok(Operation::plain(Work::Bore(bore), bore.up()))
+    Ok(Operation::plain(Work::Bore(bore), given.up(bottom)))
 }
 
 /// J+ is clockwise, J− counter-clockwise.
