@@ -30,11 +30,10 @@ impl Interpreter {
         };
         self.position_over_hole()?;
         self.approach(r)?;
-        match (cycle.peck, step) {
-            (Peck::ChipBreak, Some(q)) => self.chip_breaking(r, z, q)?,
-            (Peck::Clear, Some(q)) => self.chip_clearing(r, z, q)?,
-            _ => self.cut_z(z)?,
+        if let Some(q) = step {
+            self.pecks(r, z, q, cycle.peck == Peck::Clear)?;
         }
+        self.cut_z(z)?;
         if cycle.dwell {
             self.cycle_dwell();
         }
@@ -61,26 +60,20 @@ impl Interpreter {
         }
     }
 
-    /// G73: feeds a step, draws back a little, feeds on.
-    fn chip_breaking(&mut self, r: f64, z: f64, q: f64) -> Fallible<()> {
+    /// All pecks but the last. After each the tool draws back a little (G73), or leaves the hole and comes back
+    /// to a little above where it was (G83).
+    fn pecks(&mut self, r: f64, z: f64, q: f64, clears: bool) -> Fallible<()> {
+        let rules = &self.rules.cycles;
+        let back = if clears { rules.peck_clearance } else { rules.chip_break_retract };
         let mut depth = r - q;
         while depth > z + SAME_POINT_MM {
             self.cut_z(depth)?;
-            self.rapid_z((depth + self.rules.cycles.chip_break_retract).min(r))?;
+            if clears {
+                self.rapid_z(r)?;
+            }
+            self.rapid_z((depth + back).min(r))?;
             depth -= q;
         }
-        self.cut_z(z)
-    }
-
-    /// G83: feeds a step, leaves the hole, comes back to a little above where it was, feeds on.
-    fn chip_clearing(&mut self, r: f64, z: f64, q: f64) -> Fallible<()> {
-        let mut depth = r - q;
-        while depth > z + SAME_POINT_MM {
-            self.cut_z(depth)?;
-            self.rapid_z(r)?;
-            self.rapid_z((depth + self.rules.cycles.peck_clearance).min(r))?;
-            depth -= q;
-        }
-        self.cut_z(z)
+        Ok(())
     }
 }
