@@ -1,6 +1,6 @@
 //! Paths of the tool centre round a rectangle or circle about the origin.
 
-use crate::cycles::tool::{Take, Tool};
+use crate::cycles::tool::{Frame, Take, Tool};
 use ferrocut_geometry::SAME_POINT_MM;
 
 /// What the corners of a rectangle are like.
@@ -97,10 +97,20 @@ impl Outline {
         }
     }
 
-    /// The same with u along the longer side, and whether that is the other one.
-    pub fn lengthwise(&self) -> (Outline, bool) {
+    /// The same in [its own frame](Self::frame): u along the longer side.
+    pub fn lengthwise(&self) -> Outline {
         let [a, b] = self.half;
-        if a >= b { (*self, false) } else { (Outline { half: [b, a], ..*self }, true) }
+        if self.is_lengthwise() { *self } else { Outline { half: [b, a], ..*self } }
+    }
+
+    /// The frame whose u lies along the longer side, from the one that the outline is given in.
+    pub fn frame(&self, given: Frame) -> Frame {
+        if self.is_lengthwise() { given } else { given.quarter_turned() }
+    }
+
+    fn is_lengthwise(&self) -> bool {
+        let [a, b] = self.half;
+        a >= b
     }
 
     /// Where [`contour`](Self::contour) begins and ends: the middle of the side in −v.

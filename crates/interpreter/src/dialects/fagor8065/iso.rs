@@ -277,10 +277,8 @@ fn pocket(given: &Given<'_>, wall: Outline, degrees: f64, turn: Turn, sizes: &[f
     // The approach level lies 1 mm above the surface, or is Z where that is nearer.
     let above = surface + up;
     let approach = if (given.reference - above) * up < 0.0 { given.reference } else { above };
-    let (wall, is_turned) = wall.lengthwise();
-    let frame = Frame::new([0.0; 2], degrees, turn);
     let rough = PocketRough {
-        wall,
+        wall: wall.lengthwise(),
         emptied: 0.0,
         planes: Planes { safety: given.top, approach, surface },
         levels,
@@ -294,7 +292,7 @@ fn pocket(given: &Given<'_>, wall: Outline, degrees: f64, turn: Turn, sizes: &[f
     rough.check("V")?;
     Ok(Operation {
         work: Work::PocketRough(rough),
-        frame: if is_turned { frame.quarter_turned() } else { frame },
+        frame: wall.frame(Frame::new([0.0; 2], degrees, turn)),
         up,
         reference: Some(given.reference),
     })

@@ -1,6 +1,6 @@
 //! Rectangular and circular bosses (4.17, 4.18).
 
-use super::pockets::{corner, lengthwise};
+use super::pockets::corner;
 use super::*;
 use crate::cycles::area::boss::check_boss;
 use crate::cycles::area::pocket::check_stock;
@@ -72,9 +72,9 @@ fn staged(
     of_finish(check_stock(floor_stock, "deltaz"))?;
     let mut stages = Vec::with_capacity(2);
     let mut rough_levels = None;
-    let longer = boss.lengthwise().0;
+    let longer = boss.lengthwise();
     let mut add = |section: &Section, work: Work| -> Result<(), WrongParameter> {
-        let (_, frame) = lengthwise(boss, frame(turn(section, "dir"))?);
+        let frame = boss.frame(frame(turn(section, "dir"))?);
         stages.push(stage(section, Operation::new(work, frame, placed.up)));
         Ok(())
     };

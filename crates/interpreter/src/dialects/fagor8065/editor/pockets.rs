@@ -104,25 +104,19 @@ pub fn corner(main: &Section) -> Corner {
     }
 }
 
-/// An outline lengthwise, in its frame.
-pub fn lengthwise(outline: Outline, frame: Frame) -> (Outline, Frame) {
-    let (outline, is_turned) = outline.lengthwise();
-    (outline, if is_turned { frame.quarter_turned() } else { frame })
-}
-
 fn simple(description: &Description<'_>) -> Made {
     let main = description.part(Part::Main);
     let placed = Placed::of(main)?;
     let is_centre = main.word("start", "corner") == "centre";
     let (frame, half) = rectangle(main, is_centre, turn(main, "dir"))?;
     let data = tool(description, main);
-    let (wall, frame) = lengthwise(Outline { half, corner: Corner::Sharp }, frame);
+    let outline = Outline { half, corner: Corner::Sharp };
     let milling = feed(main)?;
     let cut = cut(main, &data, plunge(main, "FZ", milling)?)?;
     let stock = main.number("delta");
     check_stock(stock, "delta")?;
     let rough = PocketRough {
-        wall,
+        wall: outline.lengthwise(),
         emptied: 0.0,
         planes: placed.planes,
         levels: Levels::within(placed.depth, main.number("I"), data.cutting_length, "I")?,
@@ -134,7 +128,7 @@ fn simple(description: &Description<'_>) -> Made {
         between: PocketSteps::Approach,
     };
     rough.check("FZ")?;
-    let operation = Operation::new(Work::PocketRough(rough), frame, placed.up);
+    let operation = Operation::new(Work::PocketRough(rough), outline.frame(frame), placed.up);
     plan(main, ["X", "Y"], &placed, vec![stage(main, operation)])
 }
 
@@ -216,7 +210,7 @@ fn staged(
             let milling = feed(finish)?;
             let plunge_of = if is_open { finish } else { rough };
             let cut = cut(finish, &data, plunge(plunge_of, "FZ", milling)?)?;
-            let wall = shape.wall.lengthwise().0;
+            let wall = shape.wall.lengthwise();
             let work = PocketFinish {
                 wall,
                 planes: placed.planes,
@@ -251,7 +245,7 @@ fn rough_stage(
     let is_open = shape.emptied > 0.0;
     // In an open middle the tool goes down in air: at F.
     let down = if is_open { milling } else { plunge(rough, "FZ", milling)? };
-    let wall = shape.wall.lengthwise().0;
+    let wall = shape.wall.lengthwise();
     let way = Shape { wall, ..shape }.entry(data.radius, stock);
     let work = PocketRough {
         wall,
@@ -277,6 +271,5 @@ fn pocket_stage<W>(
     frame: Frame,
     up: f64,
 ) -> Stage {
-    let (_, frame) = lengthwise(wall, frame);
-    stage(section, Operation::new(kind(work), frame, up))
+    stage(section, Operation::new(kind(work), wall.frame(frame), up))
 }
