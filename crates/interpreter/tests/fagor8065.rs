@@ -3,9 +3,10 @@
 
 mod common;
 
-use common::{lines_on, run_on};
+use common::{interpreter_of, lines_on, run_on};
+use ferrocut_interpreter::Options;
 use ferrocut_interpreter::dialects::fagor8065::DIALECT;
-use ferrocut_machine::Fault;
+use ferrocut_machine::{Fault, Severity};
 
 /// Program, set-up, the steps that it makes.
 type Case = (&'static str, &'static str, &'static [&'static str]);
@@ -228,4 +229,37 @@ fn a_negative_pitch_of_bore_milling_leaves_the_bottom() {
         steps.iter().map(sweep).sum::<f64>()
     };
     assert!((arcs("2") - arcs("-2") - 360.0).abs() < 1e-6, "{} {}", arcs("2"), arcs("-2"));
+}
+
+/// 4.1.3: without an entry angle in the cycle or the tool table the tool goes straight down. A check says so of
+/// stages that enter solid material: not of one behind another, nor of roughing with an open middle (4.14).
+#[test]
+fn a_check_names_the_angle_of_a_stage_that_goes_straight_down() {
+    const RECTANGLE: &str = "G287 [X=0, Y=0, Z=0, ZS=5, P=10, L=60, H=50, start=centre]";
+    const OPEN: &str = "G296 [XC=0, YC=0, Z=0, ZS=5, P=10, R=40, r=10]";
+    const ROUGH: &str = "#ROUGH [T=1, F=300, step=4, I=5";
+    const FINISH: &str = "#FINISH [T=1, F=300, delta=0.5, N=2";
+    let table = "[tools.1]\nradius = 4\ncutting_length = 20\n";
+    let said = |cycle: &str, stages: &[&str], table: &str| {
+        let stages: Vec<String> = stages.iter().map(|stage| format!("{stage}]\n")).collect();
+        let program = format!("G0 X0 Y0 Z50\n#CYCLE {cycle}\n{}M30\n", stages.concat());
+        let options = Options { keep_going: true, ..Options::default() };
+        let interpreter = interpreter_of(&DIALECT, program.as_bytes(), table, options).unwrap();
+        let told = interpreter.filter_map(Result::err).map(|alarm| {
+            assert_eq!((alarm.fault, alarm.severity), (Fault::NoEntryAngle, Severity::Warning), "{program}");
+            alarm.arguments.iter().map(|(_, value)| format!("{value:?}")).collect::<String>()
+        });
+        told.collect::<Vec<_>>()
+    };
+    let names = |told: Vec<String>, expected: &[&str]| {
+        let fits = told.iter().zip(expected).all(|(told, name)| told.contains(name));
+        assert!(fits && told.len() == expected.len(), "{told:?} {expected:?}");
+    };
+    names(said(RECTANGLE, &[ROUGH, FINISH], table), &["#ROUGH beta"]);
+    names(said(RECTANGLE, &[FINISH], table), &["#FINISH theta"]);
+    names(said(RECTANGLE, &[&format!("{ROUGH}, beta=5"), FINISH], table), &[]);
+    names(said(RECTANGLE, &[&format!("{FINISH}, theta=5")], table), &[]);
+    names(said(RECTANGLE, &[ROUGH], &format!("{table}entry_angle = 10\n")), &[]);
+    names(said(OPEN, &[ROUGH, FINISH], table), &[]);
+    names(said(OPEN, &[FINISH], table), &["#FINISH theta"]);
 }
