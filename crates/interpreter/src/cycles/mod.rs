@@ -115,7 +115,7 @@ pub enum CycleKind {
 /// The address that makes a block with an active cycle cut a hole although no axis is named.
 const LEVEL_LETTER: u32 = letters(b"R");
 
-/// Most repeats of a cycle (GSK990MC table 4-4-1).
+/// Most repeats of a block with a cycle (GSK990MC table 4-4-1).
 const MAX_REPEATS: f64 = 99_999.0;
 
 /// Most steps of one hole; a depth of cut that needs more is an alarm and not a full memory.

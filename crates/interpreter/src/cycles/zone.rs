@@ -4,10 +4,10 @@
 //! cycle is made where its block leads, and then behind every move until it is cancelled. Coordinates are
 //! turned into absolute ones where it is defined; `V.C.x` reads and changes them there.
 
-use super::CycleKind;
 use super::operation::Operation;
 use super::parameter::WrongParameter;
 use super::positions::{Figure, Omitted};
+use super::{CycleKind, MAX_REPEATS};
 use crate::Fallible;
 use crate::dialect::Meaning;
 use crate::interpreter::Interpreter;
@@ -18,9 +18,6 @@ use ferrocut_geometry::{AxisSet, SAME_POINT_MM, Turn};
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_program::Span;
 use ferrocut_toolpath::SpindleState;
-
-/// Most repeats of a block.
-const MAX_REPEATS: f64 = 99_999.0;
 
 /// The parameters of a cycle, and what is made of them.
 #[derive(Debug)]
