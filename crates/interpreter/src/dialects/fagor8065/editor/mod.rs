@@ -307,26 +307,37 @@ fn entry(
 /// the cycle nor for their tool: they go straight down (4.1.3), which many a mill does not stand.
 fn straight_down(description: &Description<'_>, stages: &[Part]) -> Vec<WrongParameter> {
     let of = |stage: &Part| {
-        let (angle, name, is_solid) = match stage {
-            Part::Finish => ("theta", "#FINISH", !works(description.part(Part::Rough))),
-            _ => ("beta", "#ROUGH", !description.has(Part::Drill)),
+        let (angle, is_solid) = match stage {
+            Part::Finish => ("theta", !works(description.part(Part::Rough))),
+            _ => ("beta", !description.has(Part::Drill)),
         };
         let section = description.part(*stage);
         let is_given = || section.number(angle) != 0.0 || tool(description, section).entry_angle != 0.0;
         let is_straight = is_solid && works(section) && !is_given();
-        is_straight.then(|| WrongParameter::new(Fault::NoEntryAngle, angle).of_part(name))
+        is_straight.then(|| WrongParameter::new(Fault::NoEntryAngle, angle).of_part(directive(*stage)))
     };
     stages.iter().filter_map(of).collect()
 }
 
+/// The directive that describes a part.
+fn directive(part: Part) -> &'static str {
+    match part {
+        Part::Main => "#CYCLE",
+        Part::Drill => "#DRILL",
+        Part::Rough => "#ROUGH",
+        Part::Semi => "#SEMI",
+        Part::Finish => "#FINISH",
+    }
+}
+
 /// Parameters of the roughing of an area.
 fn of_rough<T>(made: Result<T, WrongParameter>) -> Result<T, WrongParameter> {
-    made.map_err(|wrong| wrong.of_part("#ROUGH"))
+    made.map_err(|wrong| wrong.of_part(directive(Part::Rough)))
 }
 
 /// The same of its finishing.
 fn of_finish<T>(made: Result<T, WrongParameter>) -> Result<T, WrongParameter> {
-    made.map_err(|wrong| wrong.of_part("#FINISH"))
+    made.map_err(|wrong| wrong.of_part(directive(Part::Finish)))
 }
 
 /// Where a rectangle lies from its point: the frame about its middle and half its sizes. With a corner given

@@ -139,13 +139,13 @@ fn wrong(description: &Description<'_>, fault: PocketFault) -> WrongParameter {
     let is_profile = matches!(fault.parameter, "profile" | "Z1" | "Z2" | "Z3" | "Z4");
     let stage = match fault.stage {
         _ if is_profile => None,
-        Some(pocket::Stage::Rough) => Some((Part::Rough, "#ROUGH")),
-        Some(pocket::Stage::Semi) => Some((Part::Semi, "#SEMI")),
-        Some(pocket::Stage::Finish) => Some((Part::Finish, "#FINISH")),
+        Some(pocket::Stage::Rough) => Some(Part::Rough),
+        Some(pocket::Stage::Semi) => Some(Part::Semi),
+        Some(pocket::Stage::Finish) => Some(Part::Finish),
         None => match fault.parameter {
-            "delta" | "deltaz" => Some((Part::Finish, "#FINISH")),
-            "beta" => Some((Part::Rough, "#ROUGH")),
-            "drill" => Some((Part::Drill, "#DRILL")),
+            "delta" | "deltaz" => Some(Part::Finish),
+            "beta" => Some(Part::Rough),
+            "drill" => Some(Part::Drill),
             _ => None,
         },
     };
@@ -174,7 +174,7 @@ fn wrong(description: &Description<'_>, fault: PocketFault) -> WrongParameter {
     };
     let word = if fault.parameter == "drill" { "T" } else { fault.parameter };
     let mut wrong = WrongParameter { contour: fault.contour, ..WrongParameter::new(kind, word) };
-    if let Some((part, name)) = stage {
+    if let Some(part) = stage {
         let section = description.part(part);
         let radius = tool(description, section).radius;
         wrong.values = match fault.problem {
@@ -185,7 +185,7 @@ fn wrong(description: &Description<'_>, fault: PocketFault) -> WrongParameter {
             }
             _ => None,
         };
-        wrong = wrong.of_part(name);
+        wrong = wrong.of_part(directive(part));
     }
     wrong
 }
@@ -280,7 +280,8 @@ fn drilling(description: &Description<'_>, plan: &Plan2d) -> Result<Vec<Stage>, 
     {
         section.put(name, Value::Number(value));
     }
-    let hole = holes::drilled_with(description, &section).map_err(|wrong| wrong.of_part("#DRILL"))?;
+    let hole =
+        holes::drilled_with(description, &section).map_err(|wrong| wrong.of_part(directive(Part::Drill)))?;
     let Some(hole) = hole.stages.into_iter().next() else { return Ok(Vec::new()) };
     let at = |(number, point): (usize, [f64; 2])| {
         let mut stage = hole.clone();
@@ -333,14 +334,14 @@ fn deep(description: &Description<'_>) -> Made {
     let plan = Arc::new(PocketPlan::Deep(plan));
     let mut stages = Vec::with_capacity(3);
     let all = [
-        (rough, pocket::Stage::Rough, "#ROUGH"),
-        (semi, pocket::Stage::Semi, "#SEMI"),
-        (finish, pocket::Stage::Finish, "#FINISH"),
+        (rough, pocket::Stage::Rough, Part::Rough),
+        (semi, pocket::Stage::Semi, Part::Semi),
+        (finish, pocket::Stage::Finish, Part::Finish),
     ];
     for (section, of, part) in all {
         if works(section) {
             let made = cut(description, section, &plan, of, placed.up);
-            stages.push(made.map_err(|wrong| wrong.part.map_or(wrong.of_part(part), |_| wrong))?);
+            stages.push(made.map_err(|wrong| wrong.part.map_or(wrong.of_part(directive(part)), |_| wrong))?);
         }
     }
     let warnings = straight_down(description, &[Part::Rough]);
