@@ -562,6 +562,48 @@ faults! {
     Ladder = 1101,
     /// A setting of a ladder's run that cannot be used.
     LadderSetting = 1102,
+
+    // 1200: the durable memory and its rights
+    /// The memory is damaged.
+    MemoryDamaged = 1201,
+    /// Another process has the memory open.
+    MemoryBusy = 1202,
+    /// The memory was written by later software.
+    MemoryNewer = 1203,
+    /// The memory is that of another control.
+    MemoryOfOther = 1204,
+    /// The disk refuses the memory.
+    MemoryDisk = 1205,
+    /// A value that the memory does not take.
+    MemoryValue = 1206,
+    /// No room for more of a kind.
+    MemoryFull = 1207,
+    /// There is no memory in the folder.
+    MemoryMissing = 1208,
+    /// A file that is no backup, or one of a later version.
+    NotABackup = 1209,
+    /// A backup that is damaged.
+    BackupDamaged = 1210,
+    /// A backup of the memory of another control.
+    BackupOfOther = 1211,
+    /// A backup does not hold an item that is to be restored.
+    NotInBackup = 1212,
+    /// A level of rights that may not do this.
+    RightMissing = 1213,
+    /// A parameter forbids the change.
+    ChangeProtected = 1214,
+    /// A program is locked by a higher level.
+    ProgramLocked = 1215,
+    /// A change that a part program may not make.
+    ChangeNotByProgram = 1216,
+    /// A level without a password, which nobody has.
+    LevelWithoutPassword = 1217,
+    /// A wrong password.
+    PasswordWrong = 1218,
+    /// A password that is too short or too long.
+    PasswordLength = 1219,
+    /// Too many wrong passwords.
+    PasswordWait = 1220,
 }
 
 /// How bad it is.

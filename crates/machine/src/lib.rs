@@ -23,7 +23,7 @@ pub mod tool_library;
 pub use alarm::{Alarm, AlarmId, Argument, Fault, Severity};
 pub use alarm_table::{AlarmClass, AlarmRow, alarm_table};
 pub use config::{AxisConfig, AxisKind, ConfigError, Machine};
-pub use memory::{Memory, VariableError, Variables};
+pub use memory::{Memory, Place, VariableError, Variables};
 pub use messages::{Catalogue, Language};
 pub use offsets::{ToolOffset, ToolTable, WorkOffset, WorkOffsets};
 pub use parameter_file::ParameterFile;

@@ -91,8 +91,8 @@ impl Memory {
     }
 
     /// What P10 to P64 stand for: five axes each of the external offset, G54 to G59 and the four
-    /// reference points (GSK990MC appendix 1).
-    fn place(&self, key: &ParameterKey) -> Option<(Place, Axis)> {
+    /// reference points (GSK990MC appendix 1). None of any other parameter.
+    pub fn place(&self, key: &ParameterKey) -> Option<(Place, Axis)> {
         let &ParameterKey::Data(number) = key else { return None };
         if !self.offsets_are_parameters || !(10..=64).contains(&number) {
             return None;
@@ -114,9 +114,11 @@ impl Memory {
 }
 
 /// A position that a parameter is another name of.
-#[derive(Clone, Copy)]
-enum Place {
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Place {
+    /// The zero of a work coordinate system.
     Work(WorkOffset),
+    /// A reference point, counted from 0.
     Reference(usize),
 }
 

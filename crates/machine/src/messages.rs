@@ -1,7 +1,7 @@
 //! The texts of alarms, in the languages that people read.
 //!
-//! Texts live in Fluent catalogues under `messages/<language>/`: `core.ftl`, `drawings.ftl` and `ladder.ftl` for the
-//! faults common to all controls (`FC-0302`), one further file for each control with alarm numbers of its own
+//! Texts live in Fluent catalogues under `messages/<language>/`: `core.ftl`, `drawings.ftl`, `ladder.ftl` and
+//! `memory.ftl` for the faults common to all controls (`FC-0302`), one further file for each control with alarm numbers of its own
 //! (`gsk990mc-0045`). A message has
 //!
 //! - a value: what is wrong, in one sentence without a full stop and without arguments;
@@ -68,6 +68,14 @@
 //! | `PltLeftOut` | `instruction` |
 //! | `ImportSetting`, `LadderSetting` | `setting`, `value` |
 //! | `Ladder` | `word` |
+//! | `MemoryOfOther`, `BackupOfOther` | `name` |
+//! | `MemoryDisk` | `reason` |
+//! | `MemoryMissing` | `file`: the folder |
+//! | `BackupDamaged` | `line` |
+//! | `RightMissing` | `needed`, `level`: their numbers |
+//! | `ChangeProtected` | `parameter` |
+//! | `ProgramLocked`, `LevelWithoutPassword` | `level` |
+//! | `PasswordWait` | `time` in s |
 
 use crate::alarm::{Alarm, AlarmId, Argument};
 use fluent_bundle::concurrent::FluentBundle;
@@ -123,6 +131,7 @@ impl Language {
                 include_str!("../messages/en/core.ftl"),
                 include_str!("../messages/en/drawings.ftl"),
                 include_str!("../messages/en/ladder.ftl"),
+                include_str!("../messages/en/memory.ftl"),
                 include_str!("../messages/en/labels.ftl"),
                 include_str!("../messages/en/gsk990mc.ftl"),
             ],
@@ -130,6 +139,7 @@ impl Language {
                 include_str!("../messages/zh/core.ftl"),
                 include_str!("../messages/zh/drawings.ftl"),
                 include_str!("../messages/zh/ladder.ftl"),
+                include_str!("../messages/zh/memory.ftl"),
                 include_str!("../messages/zh/labels.ftl"),
                 include_str!("../messages/zh/gsk990mc.ftl"),
             ],
