@@ -1,0 +1,572 @@
+//! What a change does: whether it may be made, the rows that it writes, and its entry in the log.
+
+use crate::author::Author;
+use crate::database::Database;
+use crate::error::{Error, Finding};
+use crate::items::{Change, Item, LogEntry, PlcArea, Program, Time, limits};
+use crate::rights::{self, Level};
+use crate::rows::{self, BLOCK};
+use crate::table::{
+    ALARM, COUNTER, Cell, LAST_POSITION, LOG, PARAMETER, PITCH, PROGRAM, REFERENCE_POINT, Row, SIGNAL,
+    TOOL_OFFSET, Table, VARIABLE, WORK_ZERO,
+};
+use ferrocut_geometry::{Axis, Position};
+use ferrocut_machine::setup::VariableName;
+use ferrocut_machine::{Memory, ParameterKey, Place, ToolOffset, ToolTable, WorkOffset};
+use std::collections::HashSet;
+
+/// The database, and what is needed to judge changes.
+pub struct Applier {
+    /// The database.
+    pub database: Database,
+    /// Parameters with their present values, to judge new ones by and to know which change is protected.
+    judge: Memory,
+    control: String,
+}
+
+/// Bytes that an entry of the log shows.
+const SHOWN: usize = 16;
+
+impl Applier {
+    /// Takes a database over.
+    pub fn new(database: Database, control: &str) -> Result<Applier, Error> {
+        let judge = Memory::new(control);
+        let mut applier = Applier { database, judge, control: control.to_owned() };
+        applier.read_parameters()?;
+        Ok(applier)
+    }
+
+    /// Reads the parameters again, after changes were taken back or restored.
+    pub fn read_parameters(&mut self) -> Result<(), Error> {
+        let mut stored = Vec::new();
+        self.database.rows(&PARAMETER, |row| {
+            stored.extend(rows::parameter(&row));
+            Ok(())
+        })?;
+        self.judge = Memory::new(&self.control);
+        for (key, value) in stored {
+            // A parameter that this version of the list refuses keeps its row and does not count.
+            let _ = self.judge.parameters.set(&key, value);
+        }
+        Ok(())
+    }
+
+    /// Whether a change may be made. Nothing is written.
+    pub fn check(&self, author: &Author, change: &Change) -> Result<(), Error> {
+        self.check_author(author, change)?;
+        if let Author::Person { .. } = author {
+            self.check_protection(change)?;
+        }
+        self.check_value(change)
+    }
+
+    fn check_author(&self, author: &Author, change: &Change) -> Result<(), Error> {
+        match author {
+            Author::Maintenance { .. } | Author::Control => Ok(()),
+            Author::Program { .. } => match change {
+                Change::Parameter { .. }
+                | Change::Offset { .. }
+                | Change::WorkZero { .. }
+                | Change::Variable { .. } => Ok(()),
+                _ => Err(Error::NotByThis),
+            },
+            Author::Person { session, .. } => {
+                let needed = rights::needed(self.judge.parameters.table(), change);
+                if !session.level.covers(needed) {
+                    return Err(Error::Right { needed, level: session.level });
+                }
+                let name = match change {
+                    Change::Program { name, .. }
+                    | Change::DeleteProgram { name }
+                    | Change::LockProgram { name, .. } => name,
+                    _ => return Ok(()),
+                };
+                match self.locked(name)? {
+                    Some(by) if !session.level.covers(by) => Err(Error::Locked(by)),
+                    _ => Ok(()),
+                }
+            }
+        }
+    }
+
+    fn locked(&self, name: &str) -> Result<Option<Level>, Error> {
+        let row = self.database.get(&PROGRAM, &[name.into()])?;
+        Ok(row.and_then(rows::program).and_then(|(_, program)| program.locked))
+    }
+
+    /// What parameters forbid persons at the panel, whatever their level; whoever may change the parameter may
+    /// lift it (GSK990MC 27#0, 27#4, 29#0 to 29#3, P211, P212).
+    fn check_protection(&self, change: &Change) -> Result<(), Error> {
+        if self.control != "gsk990mc" {
+            return Ok(());
+        }
+        let forbidden = |number, bit| match self.judge.parameters.bit(number, bit) {
+            true => Err(Error::Protected(format!("NO{number}.{bit}").into())),
+            false => Ok(()),
+        };
+        match change {
+            Change::Program { name, .. }
+            | Change::DeleteProgram { name }
+            | Change::LockProgram { name, .. } => match program_number(name) {
+                Some(80_000..=89_999) => forbidden(27, 0),
+                Some(90_000..=99_999) => forbidden(27, 4),
+                _ => Ok(()),
+            },
+            Change::Offset { number, offset } => {
+                let data = |number| self.judge.parameters.data(number);
+                let (first, place) = (data(211), f64::from(*number));
+                if place >= first && place < first + data(212) {
+                    return Err(Error::Protected("P211".into()));
+                }
+                let old = self.offset(*number)?;
+                let wear = |o: &ToolOffset| (o.length_wear, o.radius_wear);
+                if wear(&old) != wear(offset) {
+                    forbidden(29, 0)?;
+                }
+                match (ToolOffset { length_wear: old.length_wear, radius_wear: old.radius_wear, ..*offset })
+                    == old
+                {
+                    true => Ok(()),
+                    false => forbidden(29, 1),
+                }
+            }
+            Change::Variable { .. } => forbidden(29, 2),
+            Change::WorkZero { .. } => forbidden(29, 3),
+            _ => Ok(()),
+        }
+    }
+
+    fn check_value(&self, change: &Change) -> Result<(), Error> {
+        let named = |good: bool, name: &str| match good {
+            true => Ok(()),
+            false => Err(Error::Value(rows::cut(name).into())),
+        };
+        match change {
+            Change::Program { name, text, comment } => {
+                named(rows::is_name(name) && comment.len() <= limits::TEXT, name)?;
+                match text.len() <= limits::PROGRAM {
+                    true => Ok(()),
+                    false => Err(Error::Full(Item::Programs)),
+                }
+            }
+            Change::DeleteProgram { name } | Change::LockProgram { name, .. } => {
+                named(self.database.get(&PROGRAM, &[name.as_str().into()])?.is_some(), name)
+            }
+            Change::Parameter { key, value } => {
+                let delivered = || self.delivered(key);
+                let value = value.unwrap_or_else(delivered);
+                self.judge.parameters.check(key, value).map_err(Error::Parameter)
+            }
+            Change::Offset { number, offset } => {
+                let finite = rows::offset_values(offset).iter().all(|(_, value)| value.is_finite());
+                let exists = (1..=self.judge.tools.last().min(ToolTable::LARGEST)).contains(number);
+                named(finite && exists, &format!("offset {number}"))
+            }
+            Change::WorkZero { name, zero } => {
+                let exists = self.judge.work.get(*name).is_some();
+                named(zero.is_finite() && exists, &name.to_string())
+            }
+            Change::ReferencePoint { number, position } => {
+                let good = (1..=4).contains(number) && position.is_finite();
+                named(good, &format!("reference point {number}"))
+            }
+            Change::Variable { name, value } => {
+                let text = rows::variable_name(name);
+                let finite = value.is_none_or(|v| v.is_nan() || v.is_finite());
+                let exists = rows::is_name(&text) && *name != VariableName::Number(0);
+                named(finite && exists && text.parse().as_ref() == Ok(name), &text)
+            }
+            Change::Pitch { axis, point, value } => {
+                named(value.is_finite(), &format!("pitch {} {point}", axis.name()))
+            }
+            Change::Plc { area, first, bytes } => {
+                let good = usize::from(*first).saturating_add(bytes.len()) <= limits::AREA;
+                named(good, &format!("{}{first}", area.name()))
+            }
+            Change::Counter { counter, value } => named(value.is_finite() && *value >= 0.0, counter.name()),
+            Change::Alarm(alarm) => named(rows::fits(alarm), &alarm.id),
+            Change::LastPosition(last) => named(last.position.is_finite(), "position"),
+            Change::ClearAlarms | Change::ClearLog => Ok(()),
+        }
+    }
+
+    fn delivered(&self, key: &ParameterKey) -> f64 {
+        self.judge.parameters.table().get(key).map_or(0.0, |row| row.default)
+    }
+
+    /// Writes a change that was checked, and what the log says of it.
+    pub fn write(&mut self, author: &Author, change: &Change, time: Time) -> Result<(), Error> {
+        let mut log = Log { author, time, all: author.is_logged() };
+        match change {
+            Change::Program { name, text, comment } => {
+                let program = Program { text: text.clone(), comment: comment.clone(), ..Program::default() };
+                self.write_program(&log, name, program)
+            }
+            Change::DeleteProgram { name } => {
+                let old = self.program(name)?;
+                self.database.delete(&PROGRAM, &[name.as_str().into()])?;
+                let size = old.map_or(String::new(), |old| old.text.len().to_string());
+                log.changed(self, Item::Programs, name, size, String::new())
+            }
+            Change::LockProgram { name, locked } => {
+                let Some(mut program) = self.program(name)? else { return Ok(()) };
+                let shown =
+                    |by: Option<Level>| by.map_or(String::new(), |l| format!("locked {}", l.number()));
+                let old = shown(program.locked);
+                program.locked = locked.then(|| author.level().unwrap_or(Level::Maker));
+                self.database.put(&PROGRAM, &rows::program_row(name, &program))?;
+                log.changed(self, Item::Programs, name, old, shown(program.locked))
+            }
+            Change::Parameter { key, value } => self.write_parameter(&mut log, key, *value),
+            Change::Offset { number, offset } => self.write_offset(&log, *number, offset),
+            Change::WorkZero { name, zero } => self.write_zero(&log, *name, zero),
+            Change::ReferencePoint { number, position } => self.write_reference(&log, *number, position),
+            Change::Variable { name, value } => self.write_variable(&log, name, *value),
+            Change::Pitch { axis, point, value } => {
+                let row = rows::pitch_row(*axis, *point, *value);
+                let old = self.number(&PITCH, &row)?.unwrap_or(0.0);
+                self.put_unless(&PITCH, &row, *value == 0.0, Item::Pitch)?;
+                log.numbers(self, Item::Pitch, &format!("{} {point}", axis.name()), old, *value)
+            }
+            Change::Plc { area, first, bytes } => self.write_signals(&log, *area, *first, bytes),
+            Change::Counter { counter, value } => {
+                let row = rows::counter_row(*counter, *value);
+                let old = self.number(&COUNTER, &row)?.unwrap_or(0.0);
+                self.database.put(&COUNTER, &row)?;
+                log.numbers(self, Item::Counters, counter.name(), old, *value)
+            }
+            Change::Alarm(alarm) => {
+                let number = self.database.highest(&ALARM)?.saturating_add(1);
+                self.database.put(&ALARM, &rows::alarm_row(number, alarm))?;
+                self.drop_oldest(&ALARM, limits::ALARMS)
+            }
+            Change::ClearAlarms => {
+                let old = self.database.count(&ALARM).to_string();
+                self.database.clear(&ALARM)?;
+                log.changed(self, Item::Alarms, "all", old, "0".to_owned())
+            }
+            Change::ClearLog => {
+                let old = self.database.count(&LOG).to_string();
+                self.database.clear(&LOG)?;
+                log.all = true;
+                log.changed(self, Item::Log, "all", old, "0".to_owned())
+            }
+            Change::LastPosition(last) => self.database.put(&LAST_POSITION, &rows::last_position_row(last)),
+        }
+    }
+
+    fn drop_oldest(&mut self, table: &'static Table, most: i64) -> Result<(), Error> {
+        while self.database.count(table) > most
+            && let Some(first) = self.database.first_key(table)?
+        {
+            self.database.delete(table, &[first.into()])?;
+        }
+        Ok(())
+    }
+
+    /// Adds an entry to the log.
+    pub fn log(&mut self, entry: &LogEntry) -> Result<(), Error> {
+        let number = self.database.highest(&LOG)?.saturating_add(1);
+        self.database.put(&LOG, &rows::log_row(number, entry))?;
+        self.drop_oldest(&LOG, limits::LOG)
+    }
+
+    /// Writes a row, or takes it out where it holds what no row stands for.
+    fn put_unless(
+        &mut self,
+        table: &'static Table,
+        row: &[Cell],
+        is_nothing: bool,
+        item: Item,
+    ) -> Result<(), Error> {
+        if is_nothing {
+            let key = row.get(..table.keys).unwrap_or(row);
+            return self.database.delete(table, key).map(drop);
+        }
+        self.database.put(table, row)?;
+        match self.database.count(table) > rows::most_rows(item) {
+            true => Err(Error::Full(item)),
+            false => Ok(()),
+        }
+    }
+
+    /// The number in the last cell of the row with the key of `row`.
+    fn number(&self, table: &Table, row: &[Cell]) -> Result<Option<f64>, Error> {
+        let key = row.get(..table.keys).unwrap_or(row);
+        Ok(match self.database.get(table, key)?.as_ref().and_then(|row| row.last()) {
+            Some(Cell::Real(value)) => Some(*value),
+            _ => None,
+        })
+    }
+
+    fn program(&self, name: &str) -> Result<Option<Program>, Error> {
+        let row = self.database.get(&PROGRAM, &[name.into()])?;
+        Ok(row.and_then(rows::program).map(|(_, program)| program))
+    }
+
+    fn write_program(&mut self, log: &Log, name: &str, mut program: Program) -> Result<(), Error> {
+        let old = self.program(name)?;
+        program.created = old.as_ref().map_or(log.time, |old| old.created);
+        program.changed = log.time;
+        program.locked = old.as_ref().and_then(|old| old.locked);
+        self.put_unless(&PROGRAM, &rows::program_row(name, &program), false, Item::Programs)?;
+        let size = old.map_or(String::new(), |old| old.text.len().to_string());
+        log.changed(self, Item::Programs, name, size, program.text.len().to_string())
+    }
+
+    fn write_parameter(
+        &mut self,
+        log: &mut Log,
+        key: &ParameterKey,
+        value: Option<f64>,
+    ) -> Result<(), Error> {
+        let delivered = self.delivered(key);
+        let new = value.unwrap_or(delivered);
+        // Who changed a parameter is always worth knowing.
+        log.all = true;
+        let name = self.judge.parameters.table().name(key);
+        if let Some((place, axis)) = self.judge.place(key) {
+            let mut position = self.position(place)?;
+            let old = std::mem::replace(&mut position[axis], new);
+            self.put_position(place, &position)?;
+            return log.numbers(self, Item::Parameters, &name, old, new);
+        }
+        let row = rows::parameter_row(key, new);
+        let old = self.number(&PARAMETER, &row)?.unwrap_or(delivered);
+        // Where the control has no list, what was set to 0 is not what was never set.
+        let is_delivered = value.is_none() || (new == delivered && !self.judge.parameters.table().is_open());
+        self.put_unless(&PARAMETER, &row, is_delivered, Item::Parameters)?;
+        // It was checked.
+        let _ = self.judge.parameters.set(key, new);
+        log.numbers(self, Item::Parameters, &name, old, new)
+    }
+
+    fn position(&self, place: Place) -> Result<Position, Error> {
+        Ok(match place {
+            Place::Work(name) => self
+                .database
+                .get(&WORK_ZERO, &[name.to_string().into()])?
+                .and_then(|row| rows::zero(&row))
+                .map_or(Position::ZERO, |(_, zero)| zero),
+            Place::Reference(n) => self
+                .database
+                .get(&REFERENCE_POINT, &[Cell::Whole(n as i64 + 1)])?
+                .and_then(|row| rows::reference(&row))
+                .map_or(Position::ZERO, |(_, point)| point),
+        })
+    }
+
+    fn put_position(&mut self, place: Place, position: &Position) -> Result<(), Error> {
+        let is_zero = *position == Position::ZERO;
+        match place {
+            Place::Work(name) => {
+                self.put_unless(&WORK_ZERO, &rows::zero_row(name, position), is_zero, Item::WorkZeros)
+            }
+            Place::Reference(n) => {
+                let row = rows::reference_row(u8::try_from(n + 1).unwrap_or(u8::MAX), position);
+                self.put_unless(&REFERENCE_POINT, &row, is_zero, Item::ReferencePoints)
+            }
+        }
+    }
+
+    fn offset(&self, number: u16) -> Result<ToolOffset, Error> {
+        let row = self.database.get(&TOOL_OFFSET, &[number.into()])?;
+        Ok(row.and_then(|row| rows::offset(&row)).map_or(ToolOffset::ZERO, |(_, offset)| offset))
+    }
+
+    fn write_offset(&mut self, log: &Log, number: u16, offset: &ToolOffset) -> Result<(), Error> {
+        let old = match log.all {
+            true => self.offset(number)?,
+            false => ToolOffset::ZERO,
+        };
+        let is_zero = *offset == ToolOffset::ZERO;
+        self.put_unless(&TOOL_OFFSET, &rows::offset_row(number, offset), is_zero, Item::Offsets)?;
+        for ((name, from), (_, to)) in rows::offset_values(&old).into_iter().zip(rows::offset_values(offset))
+        {
+            log.numbers(self, Item::Offsets, &format!("{number} {name}"), from, to)?;
+        }
+        Ok(())
+    }
+
+    fn write_zero(&mut self, log: &Log, name: WorkOffset, zero: &Position) -> Result<(), Error> {
+        let old = self.position(Place::Work(name))?;
+        self.put_position(Place::Work(name), zero)?;
+        for axis in Axis::ALL {
+            log.numbers(self, Item::WorkZeros, &format!("{name} {}", axis.name()), old[axis], zero[axis])?;
+        }
+        Ok(())
+    }
+
+    fn write_reference(&mut self, log: &Log, number: u8, point: &Position) -> Result<(), Error> {
+        let place = Place::Reference(usize::from(number).saturating_sub(1));
+        let old = self.position(place)?;
+        self.put_position(place, point)?;
+        for axis in Axis::ALL {
+            let name = format!("{number} {}", axis.name());
+            log.numbers(self, Item::ReferencePoints, &name, old[axis], point[axis])?;
+        }
+        Ok(())
+    }
+
+    fn write_variable(&mut self, log: &Log, name: &VariableName, value: Option<f64>) -> Result<(), Error> {
+        // No number is an empty variable, as in the running control.
+        let value = value.filter(|value| !value.is_nan());
+        let row = rows::variable_row(name, value.unwrap_or(0.0));
+        let old = match log.all {
+            true => self.number(&VARIABLE, &row)?,
+            false => None,
+        };
+        self.put_unless(&VARIABLE, &row, value.is_none(), Item::Variables)?;
+        let shown = |value: Option<f64>| value.map_or(String::new(), |value| value.to_string());
+        log.changed(self, Item::Variables, &rows::variable_name(name), shown(old), shown(value))
+    }
+
+    fn write_signals(&mut self, log: &Log, area: PlcArea, first: u16, bytes: &[u8]) -> Result<(), Error> {
+        let mut at = usize::from(first);
+        let mut left = bytes;
+        let mut before: Vec<u8> = Vec::new();
+        while !left.is_empty() {
+            let (block, within) = (at / BLOCK, at % BLOCK);
+            let (now, rest) = left.split_at(left.len().min(BLOCK - within));
+            let number = u16::try_from(block).unwrap_or(u16::MAX);
+            let row = self.database.get(&SIGNAL, &[area.name().into(), number.into()])?;
+            let mut kept = match row.as_deref() {
+                Some([_, _, Cell::Bytes(kept)]) if kept.len() == BLOCK => kept.clone(),
+                Some(_) => return Err(Error::damaged(Finding::Row { table: SIGNAL.name })),
+                None => vec![0; BLOCK],
+            };
+            for (to, from) in kept.iter_mut().skip(within).zip(now) {
+                before.push(std::mem::replace(to, *from));
+            }
+            self.put_unless(&SIGNAL, &rows::signal_row(area, number, kept), false, Item::Plc)?;
+            (at, left) = (at + now.len(), rest);
+        }
+        let shown = |bytes: &[u8]| bytes.iter().take(SHOWN).map(|b| format!("{b:02x}")).collect::<String>();
+        log.changed(self, Item::Plc, &format!("{}{first}", area.name()), shown(&before), shown(bytes))
+    }
+
+    /// Replaces an item by rows of a backup: programs are put beside those that there are, histories are merged,
+    /// all else becomes what the backup has.
+    pub fn clear_for_restore(&mut self, item: Item) -> Result<(), Error> {
+        match item {
+            Item::Programs | Item::Alarms | Item::Log => Ok(()),
+            _ => self.database.clear(rows::table(item)),
+        }
+    }
+
+    /// Whether a row of a backup is one that the control takes, and the author may write.
+    pub fn check_row(&self, author: &Author, item: Item, row: &Row) -> Result<(), Error> {
+        let change = match item {
+            Item::Programs => match row.first() {
+                Some(Cell::Text(name)) => {
+                    let change = Change::DeleteProgram { name: name.clone() };
+                    // Locked or protected programs stay what they are.
+                    self.check_author(author, &change)?;
+                    return match author {
+                        Author::Person { .. } => self.check_protection(&change),
+                        _ => Ok(()),
+                    };
+                }
+                _ => None,
+            },
+            Item::Parameters => rows::parameter(row).and_then(|(key, value)| {
+                // These are kept as the zeros that they are other names of.
+                let is_itself = self.judge.place(&key).is_none();
+                is_itself.then_some(Change::Parameter { key, value: Some(value) })
+            }),
+            Item::Offsets => rows::offset(row).map(|(number, offset)| Change::Offset { number, offset }),
+            Item::WorkZeros => rows::zero(row).map(|(name, zero)| Change::WorkZero { name, zero }),
+            _ => return Ok(()),
+        };
+        match change {
+            Some(change) => self.check_value(&change),
+            None => Err(Error::Value(item.name().into())),
+        }
+    }
+
+    /// Writes a row of a backup.
+    pub fn restore_row(&mut self, item: Item, row: &Row) -> Result<(), Error> {
+        self.put_unless(rows::table(item), row, false, item)
+    }
+
+    /// Merges a history with that of a backup: both in the order of time, what is in both once, the newest kept.
+    pub fn merge_history(&mut self, item: Item, other: Vec<Row>) -> Result<(), Error> {
+        let table = rows::table(item);
+        let mut all = other;
+        self.database.rows(table, |row| {
+            all.push(row);
+            Ok(())
+        })?;
+        // The second cell is the time; the first counts, and is counted anew.
+        let time = |row: &Row| match row.get(1) {
+            Some(Cell::Whole(time)) => *time,
+            _ => 0,
+        };
+        all.sort_by_key(time);
+        let mut seen = HashSet::new();
+        let mut merged: Vec<Row> = Vec::with_capacity(all.len());
+        for mut row in all {
+            if let Some(first) = row.first_mut() {
+                *first = Cell::Whole(0);
+            }
+            if seen.insert(table.sum(&row)) {
+                merged.push(row);
+            }
+        }
+        self.database.clear(table)?;
+        let most = usize::try_from(rows::most_rows(item)).unwrap_or(0);
+        let skipped = merged.len().saturating_sub(most);
+        for (number, mut row) in (1i64..).zip(merged.into_iter().skip(skipped)) {
+            if let Some(first) = row.first_mut() {
+                *first = number.into();
+            }
+            self.database.put(table, &row)?;
+        }
+        Ok(())
+    }
+}
+
+/// The number of a program that is named by one: `O80001`.
+fn program_number(name: &str) -> Option<u32> {
+    let digits = name.strip_prefix(['O', 'o']).unwrap_or(name);
+    digits.bytes().all(|b| b.is_ascii_digit()).then(|| digits.parse().ok()).flatten()
+}
+
+/// How a change goes into the log.
+struct Log<'a> {
+    author: &'a Author,
+    time: Time,
+    /// Whether it goes there at all.
+    all: bool,
+}
+
+impl Log<'_> {
+    fn numbers(&self, to: &mut Applier, item: Item, name: &str, old: f64, new: f64) -> Result<(), Error> {
+        match old == new {
+            true => Ok(()),
+            false => self.changed(to, item, name, old.to_string(), new.to_string()),
+        }
+    }
+
+    fn changed(
+        &self,
+        to: &mut Applier,
+        item: Item,
+        name: &str,
+        old: String,
+        new: String,
+    ) -> Result<(), Error> {
+        if !self.all {
+            return Ok(());
+        }
+        to.log(&LogEntry {
+            time: self.time,
+            level: self.author.level(),
+            who: rows::cut(self.author.name()).to_owned(),
+            item: item.name().to_owned(),
+            name: rows::cut(name).to_owned(),
+            from: rows::cut(&old).to_owned(),
+            to: rows::cut(&new).to_owned(),
+        })
+    }
+}

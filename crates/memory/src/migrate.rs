@@ -1,0 +1,113 @@
+//! Versions of the schema, and how a database of an older one becomes today's.
+//!
+//! To change the schema: change the tables of `table.rs`, keep the old list here under its version, raise
+//! `database::SCHEMA`, and add a [`Step`] that makes rows of the new tables of rows of the old ones. A database is
+//! rewritten in one commit, after a snapshot of it was taken.
+
+use crate::database::{Access, Database, SCHEMA};
+use crate::error::Error;
+use crate::snapshot;
+use crate::table::{Row, TABLES, Table};
+use std::path::Path;
+
+/// One version to the next.
+#[derive(Clone, Copy)]
+pub struct Step {
+    /// The version that it starts from.
+    pub from: u32,
+    /// The tables of that version.
+    pub tables: &'static [Table],
+    /// A row of the next version, with the name of its table, of a row of this one; none where it goes.
+    pub row: fn(&str, Row) -> Option<(&'static str, Row)>,
+}
+
+/// The steps, in order. Version 1 is the first.
+const STEPS: &[Step] = &[];
+
+/// The tables of a version; none of one that is not known.
+pub fn tables_of(version: u32) -> Option<&'static [Table]> {
+    tables_among(STEPS, version)
+}
+
+fn tables_among(steps: &[Step], version: u32) -> Option<&'static [Table]> {
+    match version {
+        SCHEMA => Some(TABLES),
+        version => steps.iter().find(|step| step.from == version).map(|step| step.tables),
+    }
+}
+
+/// Brings a database from a version to today's.
+pub fn migrate(folder: &Path, path: &Path, from: u32, snapshots: usize) -> Result<(), Error> {
+    migrate_by(STEPS, folder, path, from, snapshots)
+}
+
+fn migrate_by(steps: &[Step], folder: &Path, path: &Path, from: u32, snapshots: usize) -> Result<(), Error> {
+    if from == SCHEMA {
+        return Ok(());
+    }
+    let database = Database::open(path, Access::Write)?;
+    // Of any version that is known: a snapshot is judged by its own.
+    snapshot::take(folder, &database, snapshots)?;
+    database.close()?;
+    for step in steps.iter().filter(|step| step.from >= from) {
+        let next = step.from.saturating_add(1);
+        let missing = || Error::Disk(format!("no tables of version {next}"));
+        let tables = tables_among(steps, next).ok_or_else(missing)?;
+        Database::rewrite(path, step.tables, tables, next, step.row)?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::table::{ABOUT, Cell, Kind, TOTAL, VARIABLE};
+
+    /// A version before the first, for the test alone: variables had no names but numbers.
+    const OLD_VARIABLE: Table =
+        Table { name: "macro", keys: 1, columns: &[("number", Kind::Whole), ("value", Kind::Real)] };
+    const OLD: &[Table] = &[ABOUT, TOTAL, OLD_VARIABLE];
+
+    fn step_row(table: &str, row: Row) -> Option<(&'static str, Row)> {
+        match (table, row.as_slice()) {
+            ("macro", [Cell::Whole(0), _]) => None,
+            ("macro", [Cell::Whole(number), value]) => {
+                Some((VARIABLE.name, vec![format!("#{number}").into(), value.clone()]))
+            }
+            (table, _) => Table::named(table).map(|table| (table.name, row)),
+        }
+    }
+
+    #[test]
+    fn an_older_database_is_rewritten_whole() {
+        let steps = [Step { from: 0, tables: OLD, row: step_row }];
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("memory.db");
+        Database::create_as(&path, "gsk990mc", 0, OLD).unwrap();
+        {
+            let mut database = Database::open(&path, Access::Write).unwrap();
+            database.begin().unwrap();
+            for number in [0i64, 500, 501] {
+                let row: Row = vec![number.into(), (number as f64 / 2.0).into()];
+                database.put(Box::leak(Box::new(OLD_VARIABLE)), &row).unwrap();
+            }
+            database.commit().unwrap();
+        }
+        let versions = |version| tables_among(&steps, version);
+        let before = Database::verify(&path, Access::Read, versions).unwrap();
+        assert_eq!((before.schema, before.commits), (0, 1));
+        // A database that no step leads from is not touched.
+        assert!(Database::verify(&path, Access::Read, tables_of).is_err());
+        for step in &steps {
+            Database::rewrite(&path, step.tables, TABLES, 1, step.row).unwrap();
+        }
+        let after = Database::verify(&path, Access::Read, tables_of).unwrap();
+        assert_eq!((after.schema, after.control.as_str()), (1, "gsk990mc"));
+        let database = Database::open(&path, Access::Read).unwrap();
+        assert_eq!(
+            database.get(&VARIABLE, &["#501".into()]).unwrap(),
+            Some(vec!["#501".into(), 250.5.into()])
+        );
+        assert_eq!(database.get(&VARIABLE, &["#0".into()]).unwrap(), None);
+    }
+}
