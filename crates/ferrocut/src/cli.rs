@@ -2,6 +2,7 @@
 
 use crate::commands::explain::ExplainArgs;
 use crate::commands::machine::MachineArgs;
+use crate::commands::memory::MemoryArgs;
 use crate::commands::plc::PlcArgs;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -66,6 +67,8 @@ pub enum Command {
     Explain(ExplainArgs),
     /// Machine files, and the parameters of the control in them
     Machine(MachineArgs),
+    /// What a control keeps while its power is off: show, check, back up, restore, recover
+    Memory(MemoryArgs),
     /// Ladders of the PLC: check them, run them at a desk, import them from PLCopen XML
     Plc(PlcArgs),
 }

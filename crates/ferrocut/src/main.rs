@@ -26,6 +26,7 @@ fn main() -> ExitCode {
         Command::Import(args) => (commands::import::run(&args), args.common),
         Command::Explain(args) => (commands::explain::run(&args), args.common()),
         Command::Machine(args) => (commands::machine::run(&args), args.common()),
+        Command::Memory(args) => (commands::memory::run(&args), args.common()),
         Command::Plc(args) => (commands::plc::run(&args), args.common()),
     };
     let exit = done.unwrap_or_else(|Failure { alarm, exit, file, programs }| {

@@ -69,6 +69,8 @@ pub enum Source {
 pub struct GoodState {
     /// Where it is.
     pub source: Source,
+    /// The control whose memory it is.
+    pub control: String,
     /// Commits that it has.
     pub commits: u64,
     /// Commits that were reported and that it lacks; none where nobody knows.
@@ -119,6 +121,7 @@ impl Damage {
             source,
             commits: identity.commits,
             missing: reported.map(|reported| reported.saturating_sub(identity.commits)),
+            control: identity.control,
             time,
         };
         let mut states = Vec::new();

@@ -22,7 +22,7 @@ use crate::error::Error;
 use crate::items::{LogEntry, now};
 use crate::rights::Level;
 use crate::rows;
-use crate::store::Store;
+use crate::store::{Reader, Store};
 use crate::table::{Cell, PASSWORD, TRIES};
 use argon2::Argon2;
 use argon2::password_hash::{PasswordHasher, PasswordVerifier};
@@ -107,11 +107,11 @@ impl Rights {
     }
 }
 
-impl Store {
+impl Reader {
     /// The levels that have a password.
     pub fn levels_with_password(&self) -> Result<Vec<Level>, Error> {
         let mut levels = Vec::new();
-        self.reader().at_once(|database| {
+        self.at_once(|database| {
             database.rows(&PASSWORD, |row| {
                 if let Some(Cell::Whole(level)) = row.first() {
                     levels.extend(Level::of(*level));
@@ -121,7 +121,9 @@ impl Store {
         })?;
         Ok(levels)
     }
+}
 
+impl Store {
     fn hash_of(&self, level: Level) -> Result<Option<String>, Error> {
         let key = [Cell::from(level.number())];
         let row = self.reader().at_once(|database| database.get(&PASSWORD, &key))?;
@@ -217,8 +219,9 @@ impl Store {
         if let Some(own) = own
             && !own.covers(level)
         {
-            let is_first =
-                level == Level::Maker && seat == Seat::Machine && self.levels_with_password()?.is_empty();
+            let is_first = level == Level::Maker
+                && seat == Seat::Machine
+                && self.reader().levels_with_password()?.is_empty();
             if !is_first {
                 return Err(Error::Right { needed: level, level: own });
             }

@@ -118,10 +118,10 @@ impl Writer {
                     write_batch(applier, batch)?;
                 }
             }
-            // Nothing was written where nothing was allowed.
+            // Where nothing was allowed there is nothing to commit; each batch has an answer of its own.
             match results.iter().any(Result::is_ok) {
                 true => Ok(()),
-                false => Err(Error::NotByThis),
+                false => Err(Error::Closed),
             }
         });
         let nothing_written = results.len() == batches.len() && results.iter().all(Result::is_err);

@@ -41,7 +41,7 @@ fn all_goes_into_one_file_and_back() {
     assert_eq!((told.name.as_str(), told.from.as_str()), ("restored", file.to_str().unwrap()));
     after.last_position = before.last_position.clone();
     assert!(after == before);
-    assert_eq!(other.levels_with_password().unwrap(), []);
+    assert_eq!(other.reader().levels_with_password().unwrap(), []);
     backup.restore(&other, &owner(), &[Item::LastPosition]).unwrap();
     assert_eq!(all(&other).last_position, before.last_position);
 }

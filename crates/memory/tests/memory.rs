@@ -313,7 +313,10 @@ fn a_new_control_has_no_password_that_works() {
     );
     set(&commissioning, Level::Shop, "shop shop shop", Seat::Network).unwrap();
     store.commit(&commissioning, vec![parameter("P88", 6000.0)]).unwrap();
-    assert_eq!(store.levels_with_password().unwrap(), [Level::Maker, Level::Commissioning, Level::Shop]);
+    assert_eq!(
+        store.reader().levels_with_password().unwrap(),
+        [Level::Maker, Level::Commissioning, Level::Shop]
+    );
     // Hashed, and never written in the clear.
     drop(store);
     for file in ["memory.db", "memory.db-wal"] {

@@ -5,6 +5,7 @@ pub mod explain;
 pub mod import;
 pub mod layout;
 pub mod machine;
+pub mod memory;
 pub mod names;
 pub mod plc;
 pub mod run;

@@ -1,0 +1,213 @@
+//! `memory`: what a control keeps, at the command line.
+#![allow(missing_docs, clippy::unwrap_used)]
+
+mod common;
+
+use common::{answer, command, ferrocut, json, json_lines};
+use ferrocut_geometry::Position;
+use ferrocut_machine::setup::VariableName;
+use ferrocut_machine::{ToolOffset, WorkOffset};
+use ferrocut_memory::{Author, Change, Level, Seat, Settings, Store};
+use std::path::Path;
+use tempfile::{TempDir, tempdir};
+
+fn owner() -> Author {
+    Author::Maintenance { name: "test".to_owned() }
+}
+
+fn open(folder: &Path) -> Store {
+    Store::open(folder, Settings::new("gsk990mc")).unwrap()
+}
+
+/// A memory with a little of several items, closed.
+fn memory() -> (TempDir, String) {
+    let folder = tempdir().unwrap();
+    let path = folder.path().join("memory");
+    let text = b"O1234 (BRACKET)\nM30\n".to_vec();
+    let changes = vec![
+        Change::Program { name: "O1234".into(), text, comment: "BRACKET".into() },
+        Change::Parameter { key: "P270".parse().unwrap(), value: Some(1.5) },
+        Change::Offset { number: 12, offset: ToolOffset { length: 100.5, ..ToolOffset::ZERO } },
+        Change::WorkZero { name: WorkOffset::Standard(1), zero: Position::xyz(10.0, -20.0, 0.0) },
+        Change::Variable { name: VariableName::Number(500), value: Some(0.0) },
+    ];
+    open(&path).commit(&owner(), changes).unwrap();
+    (folder, path.to_str().unwrap().to_owned())
+}
+
+/// As a kill leaves it: with a log beside the file.
+fn killed() -> (TempDir, String) {
+    let (folder, path) = memory();
+    let copy = folder.path().join("killed");
+    let store = open(Path::new(&path));
+    for n in 1..=9 {
+        let value = Some(f64::from(n));
+        store.commit(&owner(), vec![Change::Variable { name: VariableName::Number(501), value }]).unwrap();
+    }
+    std::fs::create_dir_all(copy.join("good")).unwrap();
+    for entry in std::fs::read_dir(&path).unwrap().chain(std::fs::read_dir(format!("{path}/good")).unwrap()) {
+        let entry = entry.unwrap();
+        let name = entry.path().strip_prefix(&path).unwrap().to_owned();
+        if entry.path().is_file() && !name.ends_with("new.part") {
+            std::fs::copy(entry.path(), copy.join(name)).unwrap();
+        }
+    }
+    (folder, copy.to_str().unwrap().to_owned())
+}
+
+#[test]
+fn show_says_how_much_there_is_and_what() {
+    let (_folder, path) = memory();
+    let shown = ferrocut(&["memory", "show", &path]);
+    assert_eq!((shown.code, shown.err.as_str()), (0, ""));
+    for part in ["gsk990mc", "programs", "part programs", "levels with a password  none"] {
+        assert!(shown.out.contains(part), "{part}: {}", shown.out);
+    }
+    let all = json(&ferrocut(&["memory", "show", &path, "--format", "json"]).out);
+    assert_eq!((&all["control"], &all["items"]["offsets"]), (&"gsk990mc".into(), &1.into()));
+    let items = "programs,parameters,offsets,zeros,variables,log,pitch";
+    let shown = ferrocut(&["memory", "show", &path, "--item", items]);
+    for part in [
+        "O1234",
+        "BRACKET",
+        "P270  1.5",
+        "100.5",
+        "G54   10  -20\n",
+        "#500  0",
+        "12 length",
+        "nothing stored",
+    ] {
+        assert!(shown.out.contains(part), "{part}: {}", shown.out);
+    }
+    let rows = json_lines(&ferrocut(&["memory", "show", &path, "--item", "zeros", "--format", "json"]).out);
+    assert_eq!(
+        (&rows[0]["item"], &rows[0]["name"], &rows[0]["y"]),
+        (&"zeros".into(), &"G54".into(), &(-20.0).into())
+    );
+    let chinese = ferrocut(&["memory", "show", &path, "--language", "zh"]);
+    assert!(chinese.out.contains("工件零点"), "{}", chinese.out);
+}
+
+#[test]
+fn a_control_that_runs_can_be_looked_at() {
+    let (_folder, path) = memory();
+    let store = open(Path::new(&path));
+    let value = Some(7.0);
+    store.commit(&owner(), vec![Change::Variable { name: VariableName::Number(502), value }]).unwrap();
+    assert!(ferrocut(&["memory", "show", &path, "--item", "variables"]).out.contains("#502  7"));
+    assert_eq!(ferrocut(&["memory", "check", &path]).code, 0);
+    let file = format!("{path}.backup");
+    assert_eq!(ferrocut(&["memory", "backup", &path, "-o", &file]).code, 0);
+    let restored = ferrocut(&["memory", "restore", &file, &path]);
+    assert_eq!(restored.code, 2);
+    assert!(restored.err.contains("FC-1202"), "{}", restored.err);
+    // Looking left no trace: the control goes on.
+    let value = Some(8.0);
+    store.commit(&owner(), vec![Change::Variable { name: VariableName::Number(502), value }]).unwrap();
+}
+
+#[test]
+fn a_backup_is_checked_and_restored() {
+    let (folder, path) = memory();
+    let file = folder.path().join("mill.backup").to_str().unwrap().to_owned();
+    let other = folder.path().join("other").to_str().unwrap().to_owned();
+    let written = ferrocut(&["memory", "backup", &path, "-o", &file]);
+    assert_eq!((written.code, written.out.contains("mill.backup")), (0, true));
+    let checked = ferrocut(&["memory", "check", &path, &file]);
+    assert_eq!(checked.code, 0, "{}", checked.err);
+    assert!(checked.out.contains("a backup of gsk990mc at 20"), "{}", checked.out);
+    let restored = ferrocut(&["memory", "restore", &file, &other, "--item", "offsets,variables"]);
+    assert_eq!(restored.code, 0, "{}", restored.err);
+    let counts = json(&ferrocut(&["memory", "show", &other, "--format", "json"]).out)["items"].clone();
+    let count = |item: &str| counts[item].as_u64().unwrap();
+    assert_eq!((count("offsets"), count("variables"), count("programs"), count("zeros")), (1, 1, 0, 0));
+    assert_eq!(ferrocut(&["memory", "restore", &file, &other]).code, 0);
+    assert!(ferrocut(&["memory", "show", &other, "--item", "programs"]).out.contains("O1234"));
+    // A bit turned on the way.
+    let mut bytes = std::fs::read(&file).unwrap();
+    let middle = bytes.len() / 2;
+    bytes[middle] ^= 1;
+    std::fs::write(&file, bytes).unwrap();
+    for arguments in [["memory", "check", &file, &file], ["memory", "restore", &file, &other]] {
+        let refused = ferrocut(&arguments);
+        assert_eq!(refused.code, 1, "{}", refused.out);
+        assert!(refused.err.contains("FC-1210"), "{}", refused.err);
+    }
+    let refused = ferrocut(&["memory", "check", "README.md", "no-such-file"]);
+    assert_eq!(refused.code, 2);
+    assert!(refused.err.contains("FC-1209") && refused.err.contains("FC-0901"), "{}", refused.err);
+}
+
+#[test]
+fn damage_is_told_and_a_good_state_taken_up() {
+    let (_folder, path) = killed();
+    assert_eq!(ferrocut(&["memory", "check", &path]).code, 0);
+    // The log loses its end, and with it a commit that was confirmed.
+    let log = format!("{path}/memory.db-wal");
+    let bytes = std::fs::read(&log).unwrap();
+    std::fs::write(&log, &bytes[..bytes.len() - 50]).unwrap();
+    let checked = ferrocut(&["memory", "check", &path]);
+    assert_eq!(checked.code, 1);
+    for part in ["FC-1201", "ferrocut memory recover"] {
+        assert!(checked.err.contains(part), "{part}: {}", checked.err);
+    }
+    for part in
+        ["9 commits are there, 10 were confirmed", "the database itself", "1 confirmed commit is missing"]
+    {
+        assert!(checked.out.contains(part), "{part}: {}", checked.out);
+    }
+    let told = json(&ferrocut(&["memory", "check", &path, "--format", "json"]).out);
+    assert_eq!((&told["whole"], &told["good_states"][0]["commit"]), (&false.into(), &9.into()));
+    let file = format!("{path}.backup");
+    assert_eq!(ferrocut(&["memory", "backup", &path, "-o", &file]).code, 1);
+    assert!(!Path::new(&file).exists());
+    let none = ferrocut(&["memory", "recover", &path, "--commit", "77"]);
+    assert_eq!((none.code, none.err.contains("no good state with commit 77")), (1, true), "{}", none.err);
+    let recovered = ferrocut(&["memory", "recover", &path]);
+    assert_eq!(recovered.code, 0, "{}", recovered.err);
+    assert!(
+        recovered.out.contains("recovered: commit 9") && recovered.out.contains("/damaged-"),
+        "{}",
+        recovered.out
+    );
+    assert_eq!(ferrocut(&["memory", "check", &path]).code, 0);
+    assert!(ferrocut(&["memory", "show", &path, "--item", "variables"]).out.contains("#501  8"));
+    assert!(ferrocut(&["memory", "show", &path, "--item", "log"]).out.contains("recovered"));
+    // Once whole it is left alone.
+    assert!(ferrocut(&["memory", "recover", &path]).out.contains("whole"));
+}
+
+#[test]
+fn a_password_is_set_by_who_has_the_files() {
+    let (_folder, path) = memory();
+    let set = |password: &str| {
+        answer(command(&["memory", "password", &path, "--level", "3"]).write_stdin(password.to_owned()))
+    };
+    let short = set("short\n");
+    assert_eq!((short.code, short.err.contains("FC-1219")), (2, true), "{}", short.err);
+    assert_eq!(set("correct horse\n").code, 0);
+    let store = open(Path::new(&path));
+    assert!(store.log_in(Level::Commissioning, "correct horse", Seat::Machine, "Li").is_ok());
+    drop(store);
+    let shown = ferrocut(&["memory", "show", &path]).out;
+    assert!(shown.contains("levels with a password  3"), "{shown}");
+    assert!(ferrocut(&["memory", "show", &path, "--item", "log"]).out.contains("password 3"));
+}
+
+#[test]
+fn wrong_use_is_told() {
+    let (folder, path) = memory();
+    let empty = folder.path().join("empty").to_str().unwrap().to_owned();
+    std::fs::create_dir(&empty).unwrap();
+    for arguments in [["memory", "show", &empty], ["memory", "check", &empty], ["memory", "recover", &empty]]
+    {
+        let missing = ferrocut(&arguments);
+        assert_eq!((missing.code, missing.err.contains("FC-1208")), (2, true), "{}", missing.err);
+    }
+    // Looking makes nothing.
+    assert!(!Path::new(&empty).join("memory.db").exists());
+    let wrong = ferrocut(&["memory", "show", &path, "--item", "tools"]);
+    assert_eq!((wrong.code, wrong.err.contains("offsets, zeros")), (2, true), "{}", wrong.err);
+    let help = ferrocut(&["memory", "restore", "--help"]).out;
+    assert!(help.contains("Examples:") && help.contains("reference-points"));
+}
