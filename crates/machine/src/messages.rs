@@ -71,7 +71,8 @@
 //! | `MemoryOfOther`, `BackupOfOther` | `name` |
 //! | `MemoryDisk` | `reason` |
 //! | `MemoryMissing` | `file`: the folder |
-//! | `BackupDamaged` | `line` |
+//! | `NotABackup` | `file`; `version` of a later one |
+//! | `BackupDamaged` | `file`, `line` |
 //! | `RightMissing` | `needed`, `level`: their numbers |
 //! | `ChangeProtected` | `parameter` |
 //! | `ProgramLocked`, `LevelWithoutPassword` | `level` |

@@ -149,9 +149,7 @@ impl Error {
             Error::Value(name) => alarm(Fault::MemoryValue).with("detail", &**name),
             Error::Full(item) => alarm(Fault::MemoryFull).with("detail", item.name()),
             Error::NotABackup => alarm(Fault::NotABackup),
-            Error::NewerBackup(version) => {
-                alarm(Fault::NotABackup).with("detail", format!("version {version}"))
-            }
+            Error::NewerBackup(version) => alarm(Fault::NotABackup).with("version", *version as f64),
             Error::BackupDamaged(line) => alarm(Fault::BackupDamaged).with("line", *line as f64),
             Error::OtherControl(name) => alarm(Fault::BackupOfOther).with("name", &**name),
             Error::NotInBackup(item) => alarm(Fault::NotInBackup).with("detail", item.name()),

@@ -4,7 +4,7 @@
 //! In: [`Change`]s with their [`Author`]. Out: the same values at any later time, whatever happened between:
 //! a commit that returned survives a kill and a power cut, and damage is found and never read as a value.
 //!
-//! The way of the data: [`items`] (what there is) → [`apply`](mod@apply) (may it, and what is logged) → [`rows`] →
+//! The way of the data: [`items`] (what there is) → `apply` (may it, and what is logged) → `rows` →
 //! `database` (the only SQL). Read [`items`] first, then [`store`]; `docs/memory.md` has it for the shop.
 
 mod apply;

@@ -235,6 +235,13 @@ fn refused(error: &Error) -> Failure {
     failure(error.alarm(), exit)
 }
 
+/// A backup that is refused, as the end of a command.
+fn refused_backup(file: &Path, error: &Error) -> Failure {
+    let mut failure = refused(error);
+    failure.alarm = Box::new(failure.alarm.with("file", name(file)));
+    failure
+}
+
 /// A memory that cannot be opened, as the end of a command.
 fn unopened(folder: &Path, error: &OpenError) -> Failure {
     match error {

@@ -2,7 +2,7 @@
 
 use super::{
     BackupArgs, PasswordArgs, RecoverArgs, RestoreArgs, author, failure, items, label, name, refused,
-    unopened, utc,
+    refused_backup, unopened, utc,
 };
 use crate::commands::layout::print;
 use crate::diagnostics::Diagnostics;
@@ -51,13 +51,13 @@ pub fn restore(args: &RestoreArgs, diagnostics: &Diagnostics) -> Result<Exit, Fa
     if let Err(error) = std::fs::File::open(&args.file) {
         return Err(Failure::unreadable(&name(&args.file), &error.to_string()));
     }
-    let backup = Backup::open(&args.file).map_err(|error| refused(&error))?;
+    let backup = Backup::open(&args.file).map_err(|error| refused_backup(&args.file, &error))?;
     let items = match args.item.as_slice() {
         [] => backup.items(),
         named => named.to_vec(),
     };
     let store = open(&args.folder, backup.control())?;
-    backup.restore(&store, &author(), &items).map_err(|error| refused(&error))?;
+    backup.restore(&store, &author(), &items).map_err(|error| refused_backup(&args.file, &error))?;
     let names = items.iter().map(|item| item.name()).collect::<Vec<_>>();
     let folder = name(&args.folder);
     let said = match diagnostics.is_json() {

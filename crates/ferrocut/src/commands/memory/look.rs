@@ -1,6 +1,6 @@
 //! `ferrocut memory show` and `check`.
 
-use super::{CheckArgs, ShowArgs, label, name, refused, tables, unopened, utc};
+use super::{CheckArgs, ShowArgs, label, name, refused, refused_backup, tables, unopened, utc};
 use crate::commands::layout::{print, table};
 use crate::diagnostics::Diagnostics;
 use crate::job::{Exit, Failure};
@@ -159,7 +159,7 @@ fn check_backup(path: &Path, diagnostics: &Diagnostics) -> Result<Exit, Failure>
     if let Err(error) = std::fs::File::open(path) {
         return Err(Failure::unreadable(&file, &error.to_string()));
     }
-    let backup = Backup::open(path).map_err(|error| refused(&error))?;
+    let backup = Backup::open(path).map_err(|error| refused_backup(path, &error))?;
     if diagnostics.is_json() {
         let rows: Map<String, Value> =
             backup.entries().iter().map(|e| (e.item.name().to_owned(), e.rows.into())).collect();
