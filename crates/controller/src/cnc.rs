@@ -13,9 +13,10 @@ use crate::supervision::Supervisor;
 use ferrocut_geometry::Position;
 use ferrocut_interpreter::{AtRest, Interpreter};
 use ferrocut_machine::{Alarm, Fault, Machine, Severity};
+use ferrocut_motion::servo::{Kind, Servo, ServoFault, ServoFaultKind};
 use ferrocut_motion::{Motion, Move};
 use ferrocut_program::Span;
-use ferrocut_toolpath::{Dwell, Feed, Op, SpindleState, Step};
+use ferrocut_toolpath::{Dwell, Feed, Op, PathMode, SpindleState, Step};
 use std::collections::VecDeque;
 
 /// What the control is doing.
@@ -53,9 +54,10 @@ pub enum Event {
 /// The machine at the end of a servo period.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Tick {
-    /// Commanded position of every axis, mm and degrees.
+    /// Commanded position of every axis, mm and degrees: after acceleration after interpolation, without what
+    /// compensates backlash and pitch errors.
     pub position: Position,
-    /// Where the axes are.
+    /// Where the axes are, by the same measure.
     pub actual: Position,
     /// Speed along the path, mm/s.
     pub velocity: f64,
@@ -74,6 +76,14 @@ struct Given {
     length: f64,
     min: Position,
     max: Position,
+    /// Its end is reached exactly before the next move begins: positioning, G09, G61.
+    stops: bool,
+}
+
+impl Given {
+    fn kind(&self) -> Kind {
+        if self.activity == Activity::Rapid { Kind::Rapid } else { Kind::Cutting }
+    }
 }
 
 /// What waits for motion to come to rest.
@@ -95,6 +105,10 @@ pub struct Cnc {
     interpreter: Interpreter,
     supervisor: Supervisor,
     motion: Motion,
+    servo: Servo,
+    /// What the axes moved for last.
+    kind: Kind,
+    exact_stop: bool,
     drives: Box<dyn Drives>,
     spindle: Spindle,
     period: f64,
@@ -112,6 +126,8 @@ pub struct Cnc {
     span: Span,
     report: Report,
     events: Vec<Event>,
+    /// What was wrong with an axis, once they have come to rest.
+    failed: Option<Box<Alarm>>,
 }
 
 impl Cnc {
@@ -123,6 +139,9 @@ impl Cnc {
 
     /// The same with other drives.
     pub fn with_drives(machine: &Machine, interpreter: Interpreter, drives: Box<dyn Drives>) -> Cnc {
+        let mut machine = machine.clone();
+        (interpreter.dialect().machine_parameters)(&interpreter.memory().parameters, &mut machine);
+        let machine = &machine;
         let start = interpreter.position();
         let period = machine.servo_period_ms / 1000.0;
         let motion = Motion::new(machine, start);
@@ -130,6 +149,9 @@ impl Cnc {
             supervisor: Supervisor::new(machine, interpreter.dialect(), start),
             given: VecDeque::with_capacity(motion.free() + 1),
             motion,
+            servo: Servo::new(machine, start),
+            kind: Kind::Cutting,
+            exact_stop: machine.path.exact_stop,
             interpreter,
             drives,
             spindle: Spindle::new(machine),
@@ -145,6 +167,7 @@ impl Cnc {
             span: Span::default(),
             report: Report::new(period),
             events: Vec::new(),
+            failed: None,
         }
     }
 
@@ -194,6 +217,7 @@ impl Cnc {
         self.motion.abort();
         self.waiting = None;
         self.busy = None;
+        self.failed = None;
         self.state = State::Resetting;
     }
 
@@ -214,6 +238,9 @@ impl Cnc {
             if self.busy.is_some() {
                 self.count_busy();
                 return self.at_rest();
+            }
+            if self.motion.at_rest() && !self.servo.is_at_rest() && self.must_settle() {
+                return self.settle();
             }
             if self.motion.is_empty() && self.motion.at_rest() {
                 self.finish_moves(u64::MAX);
@@ -236,41 +263,111 @@ impl Cnc {
         self.finish_moves(setpoint.tag);
         if let Some(given) = self.given.front() {
             self.span = given.span;
+            self.kind = given.kind();
             self.report.period(given.activity);
         }
-        let actual = self.exchange(&setpoint.position);
-        let (position, velocity) = (setpoint.position, setpoint.velocity);
+        let position = self.exchange(&setpoint.position);
+        let (actual, velocity) = (self.actual, setpoint.velocity);
         Tick { position, actual, velocity, span: self.span, moving: true }
     }
 
-    fn exchange(&mut self, commanded: &Position) -> Position {
-        self.actual = self.drives.exchange(commanded);
-        self.actual
+    /// Whether the axes must be where motion has come to rest before anything else begins: a step that waits,
+    /// cutting after positioning and positioning after anything, a move behind an exact stop, and any move
+    /// where backlash is to be taken up first (GSK990MC 18#0).
+    fn must_settle(&self) -> bool {
+        // A move that goes nowhere is none.
+        let mut next = self.given.iter().skip(1).filter(|given| given.min != given.max);
+        match (self.given.front(), next.next()) {
+            (Some(run), Some(next)) => run.stops || run.kind() != next.kind() || !self.servo.has_taken_up(),
+            _ => self.motion.is_empty(),
+        }
+    }
+
+    /// A period in which motion stands on the end of a move, and the axes come there.
+    fn settle(&mut self) -> Tick {
+        if let Some(given) = self.given.front() {
+            self.report.period(given.activity);
+        }
+        let at = self.motion.position();
+        let position = self.exchange(&at);
+        Tick { position, actual: self.actual, velocity: 0.0, span: self.span, moving: true }
+    }
+
+    /// Commands the drives; where the axes shall be. Sets where they are, both without compensation.
+    fn exchange(&mut self, setpoint: &Position) -> Position {
+        let command = self.servo.tick(setpoint, self.kind);
+        let actual = self.drives.exchange(&command.drive);
+        let fault = command.fault.or(self.servo.supervise(&actual));
+        self.actual = match actual == command.drive {
+            true => command.position,
+            false => actual - self.servo.added(),
+        };
+        if let Some(fault) = fault {
+            self.fail(&fault);
+        }
+        command.position
+    }
+
+    /// An axis went wrong: all come to rest, then it is an alarm.
+    fn fail(&mut self, fault: &ServoFault) {
+        if matches!(self.state, State::Alarmed(_)) || self.failed.is_some() {
+            return;
+        }
+        let dialect = self.interpreter.dialect();
+        let number = self.servo.number(fault.axis);
+        let (id, rule) = match fault.kind {
+            ServoFaultKind::BelowLimit => (dialect.soft_limit_id(number, false), Fault::SoftLimit),
+            ServoFaultKind::AboveLimit => (dialect.soft_limit_id(number, true), Fault::SoftLimit),
+            ServoFaultKind::FollowingError => {
+                (dialect.alarm_id(Fault::FollowingError), Fault::FollowingError)
+            }
+            ServoFaultKind::NotInPosition => (dialect.alarm_id(Fault::NotInPosition), Fault::NotInPosition),
+            ServoFaultKind::BesidePitchPoints => (dialect.alarm_id(Fault::PitchPoint), Fault::PitchPoint),
+        };
+        let value = match rule {
+            Fault::SoftLimit | Fault::PitchPoint => "position",
+            _ => "distance",
+        };
+        let axis = fault.axis.letter().to_string();
+        let alarm = Alarm::new(id, rule, self.span).with("axis", axis);
+        let alarm = alarm.with(value, fault.value).with("limit", fault.limit);
+        self.motion.abort();
+        (self.waiting, self.busy) = (None, None);
+        self.failed = Some(Box::new(alarm));
+        self.state = State::Resetting;
     }
 
     /// A period in which the axes stand still.
     fn at_rest(&mut self) -> Tick {
-        let position = self.motion.position();
-        let actual = self.exchange(&position);
-        Tick { position, actual, velocity: 0.0, span: self.span, moving: false }
+        let at = self.motion.position();
+        let position = self.exchange(&at);
+        Tick { position, actual: self.actual, velocity: 0.0, span: self.span, moving: false }
     }
 
     /// A period of coming to rest, or of standing still until cycle start.
     fn slow_down(&mut self) -> Tick {
-        let was_at_rest = self.motion.at_rest();
-        if was_at_rest {
-            if self.state == State::Resetting {
-                self.given.clear();
-                self.commanded = self.motion.position();
-                self.interpreter.reset(self.commanded);
-                self.state = State::Reset;
-            } else if let Some(Busy { activity: Activity::Spindle | Activity::ToolChange, .. }) = self.busy {
-                // Hold stops the axes and dwells; a spindle or changer under way comes to its end.
-                self.count_busy();
-            }
-            return self.at_rest();
+        if !self.motion.at_rest() {
+            return self.move_on();
         }
-        self.move_on()
+        // A failed axis may never come to its place.
+        if !self.servo.is_at_rest() && self.failed.is_none() {
+            return self.settle();
+        }
+        if self.state == State::Resetting {
+            self.given.clear();
+            self.commanded = self.motion.position();
+            self.state = match self.failed.take() {
+                Some(alarm) => State::Alarmed(alarm),
+                None => {
+                    self.interpreter.reset(self.commanded);
+                    State::Reset
+                }
+            };
+        } else if let Some(Busy { activity: Activity::Spindle | Activity::ToolChange, .. }) = self.busy {
+            // Hold stops the axes and dwells; a spindle or changer under way comes to its end.
+            self.count_busy();
+        }
+        self.at_rest()
     }
 
     fn count_busy(&mut self) {
@@ -339,7 +436,12 @@ impl Cnc {
         // Degrees of a rotary axis are no distance.
         let is_linear = (0..3).any(|i| from.0[i] != to.0[i]) || step.op.arc(from).is_some();
         let length = if is_linear { step.op.length(from) } else { 0.0 };
-        self.given.push_back(Given { tag, span: step.span, activity, length, min, max });
+        let stops = match &step.op {
+            Op::Feed { path, .. } | Op::Arc { path, .. } => *path == PathMode::ExactStop || self.exact_stop,
+            // Positioning always ends in position.
+            _ => true,
+        };
+        self.given.push_back(Given { tag, span: step.span, activity, length, min, max, stops });
     }
 
     /// Whether a feed per revolution waits for a spindle that does not turn.
@@ -387,7 +489,8 @@ impl Cnc {
             Op::Wait { .. } => self.keep_busy(Activity::Dwell, self.period),
             Op::Datum { at } => {
                 self.motion.rename(at);
-                self.drives.rename(&at);
+                self.servo.rename(at);
+                self.drives.rename(&(at + self.servo.added()));
                 self.commanded = at;
             }
             Op::Spindle(state) => {

@@ -290,7 +290,8 @@ impl Drives for Lagging {
 fn a_program_that_reads_the_machine_waits_until_it_is_at_rest() {
     let machine = machine();
     let program = "G1 X20 F3000\n#500=#5006\n#501=#5026\nG0 X[#500+10]\nM30\n";
-    let interpreter = common::interpreter(program, "");
+    // Without 17#7 nobody waits until the axis is within P131.
+    let interpreter = common::interpreter(program, "[parameters]\n\"NO17.7\" = 0");
     let mut cnc = Cnc::with_drives(&machine, interpreter, Box::new(Lagging));
     let run = run(&mut cnc);
     assert_eq!(cnc.state(), &State::Ended);

@@ -18,7 +18,7 @@ use crate::stages::cutter;
 use crate::stages::polar::PoleRule;
 use crate::stroke::StrokeRules;
 use ferrocut_geometry::{Axis, AxisSet, Plane};
-use ferrocut_machine::{AlarmId, Fault, ParameterKey, Parameters, WorkOffset};
+use ferrocut_machine::{AlarmId, Fault, Machine, ParameterKey, Parameters, WorkOffset};
 use ferrocut_program::{Block, Page, Syntax};
 
 /// What a G code means, in terms common to all controls.
@@ -679,6 +679,8 @@ pub struct Dialect {
     pub alarms: &'static [(Fault, u16)],
     /// Numbers of the soft limit alarms of axis `index`, lower and upper side.
     pub soft_limit_alarm: fn(axis: usize, upper: bool) -> Option<u16>,
+    /// Writes what the parameters say of the drives over what the machine file says.
+    pub machine_parameters: fn(&Parameters, &mut Machine),
     /// Alarm `n` of the program is this number and `n`; `None` where such alarms have no number.
     pub program_alarms: Option<u16>,
     /// Reads the rules that the parameters set.

@@ -496,6 +496,12 @@ faults! {
     FeedNotReachable = 805,
     /// An input that a program waits for did not come in time.
     InputMissing = 806,
+    /// An axis too far from its command.
+    FollowingError = 807,
+    /// An axis that does not come into position after its stop.
+    NotInPosition = 808,
+    /// An axis where the control has no point of pitch-error compensation.
+    PitchPoint = 809,
 
     // 900: files
     /// A file that cannot be read.

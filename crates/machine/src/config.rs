@@ -1,5 +1,6 @@
 //! The machine file: axes with their limits, spindle, tool changer, path control.
 
+use crate::servo::{Backlash, PitchErrors, ServoConfig, Smoothing};
 use ferrocut_geometry::{Axis, AxisSet, Position};
 use serde::Deserialize;
 use std::fmt;
@@ -31,6 +32,9 @@ pub struct Machine {
     /// How joints of moves are run.
     #[serde(default)]
     pub path: PathConfig,
+    /// The drives as a whole.
+    #[serde(default)]
+    pub servo: ServoConfig,
     /// The control's own parameters that differ from its factory setting, by their own names.
     #[serde(default)]
     pub parameters: std::collections::BTreeMap<String, f64>,
@@ -59,6 +63,41 @@ pub struct AxisConfig {
     /// Highest jerk, mm/s³ or degrees/s³; 0 is not limited.
     #[serde(default)]
     pub jerk: f64,
+    /// Play that is taken up when the axis turns back.
+    #[serde(default)]
+    pub backlash: Backlash,
+    /// Pitch errors of its screw.
+    #[serde(default)]
+    pub pitch_errors: Option<PitchErrors>,
+    /// Acceleration after interpolation while positioning.
+    #[serde(default)]
+    pub after_rapid: Smoothing,
+    /// The same while cutting.
+    #[serde(default)]
+    pub after_cutting: Smoothing,
+    /// The same while the axis is moved by hand.
+    #[serde(default)]
+    pub after_jog: Smoothing,
+    /// Distance between command and axis that is an alarm, mm or degrees; 0 is not supervised.
+    #[serde(default)]
+    pub following_error: f64,
+    /// Distance within which the axis is in position after a stop, mm or degrees; 0 is not waited for.
+    #[serde(default)]
+    pub in_position: f64,
+    /// The same after a cutting move, where it is another.
+    #[serde(default)]
+    pub in_position_cutting: Option<f64>,
+}
+
+impl AxisConfig {
+    /// Acceleration after interpolation, by the names of the machine file: positioning, cutting, by hand.
+    pub fn smoothing(&self) -> [(&'static str, Smoothing); 3] {
+        [
+            ("after_rapid", self.after_rapid),
+            ("after_cutting", self.after_cutting),
+            ("after_jog", self.after_jog),
+        ]
+    }
 }
 
 /// What an axis moves along.
@@ -200,9 +239,21 @@ impl Machine {
             positive(&format!("axis {name}: velocity"), axis.velocity)?;
             positive(&format!("axis {name}: acceleration"), axis.acceleration)?;
             not_negative(&format!("axis {name}: jerk"), axis.jerk)?;
+            not_negative(&format!("axis {name}: following_error"), axis.following_error)?;
+            not_negative(&format!("axis {name}: in_position"), axis.in_position)?;
+            let cutting = axis.in_position_cutting.unwrap_or(0.0);
+            not_negative(&format!("axis {name}: in_position_cutting"), cutting)?;
+            axis.backlash.check(&format!("axis {name}: backlash"))?;
+            for (key, smoothing) in axis.smoothing() {
+                smoothing.check(&format!("axis {name}: {key}"))?;
+            }
+            if let Some(table) = &axis.pitch_errors {
+                table.check(&format!("axis {name}: pitch_errors"))?;
+            }
         }
         positive("spindle: max_rpm", self.spindle.max_rpm)?;
         positive("spindle: acceleration_rpm_s", self.spindle.acceleration_rpm_s)?;
+        not_negative("servo: in_position_ms", self.servo.in_position_ms)?;
         not_negative("tool_change: time_s", self.tool_change.time_s)?;
         not_negative("path: tolerance", self.path.tolerance)
     }
@@ -219,6 +270,7 @@ impl Machine {
             spindle: SpindleConfig::default(),
             tool_change: ToolChangeConfig::default(),
             path: PathConfig::default(),
+            servo: ServoConfig::default(),
             parameters: Default::default(),
         })
     }
@@ -268,6 +320,19 @@ mod tests {
             (axis(good).replace("\"X\"", "\"Q\""), "\"Q\" is no axis"),
             (axis(good) + "[[axes]]\nname = \"x\"\n" + good, "axis X stands twice"),
             ("name = \"m\"\naxes = []".to_owned(), "no axes"),
+            (
+                axis(good) + "backlash = { cutting = 7.0 }",
+                "axis X: backlash: cutting is 7: it must be -5 to 5",
+            ),
+            (
+                axis(good) + "after_cutting = { kind = \"linear\", time_ms = 2e3 }",
+                "after_cutting: time_ms is 2000",
+            ),
+            (axis(good) + "after_jog = { kind = \"cubic\", time_ms = 2.0 }", "unknown variant `cubic`"),
+            (axis(good) + "pitch_errors = { corrections = [] }", "pitch_errors: 0 corrections"),
+            (axis(good) + "pitch_errors = { corrections = [0.0], opposite = [0.0, 0.1] }", "and 2 opposite"),
+            (axis(good) + "pitch_errors = { corrections = [nan] }", "a correction is NaN"),
+            (axis(good) + "following_error = -1.0", "following_error is -1"),
         ] {
             let error = Machine::from_toml(&text).unwrap_err().to_string();
             assert!(error.contains(says), "{error}");

@@ -17,6 +17,7 @@ pub mod parameter_csv;
 pub mod parameter_file;
 pub mod parameters;
 pub mod reference;
+pub mod servo;
 pub mod setup;
 pub mod tool_library;
 
@@ -29,5 +30,6 @@ pub use offsets::{ToolOffset, ToolTable, WorkOffset, WorkOffsets};
 pub use parameter_file::ParameterFile;
 pub use parameters::{Meaning, ParameterDef, ParameterError, ParameterKey, ParameterTable, Parameters};
 pub use reference::{GCodeRow, MCodeRow, Reference, Subject, VariableRow, g_code_name};
+pub use servo::{Backlash, PITCH_POINTS, PitchErrors, ServoConfig, Smoothing};
 pub use setup::{AxisValues, CuttingSetup, ImportSetup, Setup, SkipSignal};
 pub use tool_library::{Tool, ToolLibrary};

@@ -52,6 +52,8 @@
 //! | `UnknownDirective`, `DirectiveMisplaced` | `word` |
 //! | `PlaneAxes` | `axis` |
 //! | `SoftLimit` | `axis`, `position`, `limit`: machine positions |
+//! | `FollowingError`, `NotInPosition` | `axis`, `distance`, `limit` |
+//! | `PitchPoint` | `axis`, `position`, `limit`: machine positions |
 //! | `ToolMissing` | `tool` |
 //! | `SpindleTooFast` | `speed`, `limit` |
 //! | `FeedNotReachable` | `feed`, `limit` |

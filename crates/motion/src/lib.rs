@@ -39,7 +39,9 @@ mod moves;
 mod piece;
 mod plan;
 mod profile;
+pub mod servo;
 
 pub use limits::{Limits, MAX_FEED_OVERRIDE};
 pub use motion::{Full, Motion, Setpoint, State};
 pub use moves::Move;
+pub use servo::Servo;

@@ -214,6 +214,15 @@ FC-0805 = The machine cannot run the move at the programmed feed
     .help = Program a lower feed; the axis speeds stand in the machine file.
 FC-0806 = The input that the program waits for does not come
     .help = Check the input and its address, or wait longer.
+FC-0807 = An axis is too far from where it is commanded to be
+    .detail = { $axis } is { $distance } away, limit { $limit }
+    .help = Check whether the axis is blocked, its drive and the limit for the following error.
+FC-0808 = An axis does not come into position after its stop
+    .detail = { $axis } is { $distance } away, limit { $limit }
+    .help = Check the drive, and the width and time for being in position.
+FC-0809 = The axis is where no pitch compensation point exists
+    .detail = { $axis } at { $position }, the points end at { $limit }
+    .help = Check the number of the point at the reference position and the interval of the points.
 
 ## Files
 

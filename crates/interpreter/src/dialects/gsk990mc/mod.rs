@@ -5,6 +5,7 @@
 
 mod alarms;
 mod codes;
+mod drives;
 mod rules;
 mod syntax;
 mod variables;
@@ -40,6 +41,7 @@ pub static DIALECT: Dialect = Dialect {
     addresses: codes::ADDRESSES,
     alarms: alarms::ALARMS,
     soft_limit_alarm: alarms::soft_limit,
+    machine_parameters: drives::machine_parameters,
     // 4.9.4.
     program_alarms: Some(3000),
     rules: rules::rules,

@@ -45,6 +45,7 @@ pub static DIALECT: Dialect = Dialect {
     // The appendices give alarms no numbers.
     alarms: &[],
     soft_limit_alarm: |_, _| None,
+    machine_parameters: |_, _| {},
     program_alarms: None,
     rules: rules::rules,
     power_on: rules::power_on,

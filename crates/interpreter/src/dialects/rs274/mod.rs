@@ -66,6 +66,7 @@ pub static DIALECT: Dialect = Dialect {
     addresses: codes::ADDRESSES,
     alarms: &[],
     soft_limit_alarm: |_, _| None,
+    machine_parameters: |_, _| {},
     program_alarms: None,
     rules: rules::rules,
     power_on: rules::power_on,

@@ -1,0 +1,195 @@
+//! What the parameters say of the drives: backlash, pitch errors, acceleration after interpolation, following
+//! error (appendix 1).
+//!
+//! P201 chooses among modes A, B and C of backlash compensation, of which nothing but the letters is printed; it
+//! is kept. What P201 to P235 do is otherwise what their names say, and Fanuc 0i-M where they say no more.
+
+use ferrocut_machine::{AxisConfig, Machine, Parameters, Smoothing};
+
+/// P189 counts ten-thousandths.
+const REVERSAL_UNIT: f64 = 1e-4;
+
+/// Writes the parameters over what the machine file says of its axes.
+pub fn machine_parameters(parameters: &Parameters, machine: &mut Machine) {
+    let (by_parameters, period) = (machine.servo.acceleration_by_parameters, machine.servo_period_ms);
+    for (k, name) in (0u8..).zip(parameters.axis_names()) {
+        let Some(axis) = machine.axes.iter_mut().find(|axis| axis.name == name) else { continue };
+        backlash(parameters, k, axis, period);
+        pitch_errors(parameters, k, axis);
+        if by_parameters {
+            acceleration(parameters, k, axis);
+        }
+        // 17#7, P131.
+        if axis.in_position_cutting.is_none() && parameters.bit(17, 7) {
+            axis.in_position_cutting = Some(parameters.data(131));
+        }
+        // 3.3.5: P445, 50 mm as delivered.
+        if axis.following_error == 0.0 {
+            axis.following_error = parameters.data(445).max(0.0);
+        }
+    }
+}
+
+/// P190 to P200 and P231 to P235 of axis `k`, bits 18#0, 18#6, 18#7; an axis for which they are 0 has what the
+/// machine file says.
+fn backlash(parameters: &Parameters, k: u8, axis: &mut AxisConfig, period_ms: f64) {
+    let of_axis = |first: u16| parameters.data(first + u16::from(k));
+    let cutting = of_axis(190);
+    let rapid = parameters.bit(18, 6).then(|| of_axis(231));
+    if cutting == 0.0 && rapid.unwrap_or(0.0) == 0.0 {
+        return;
+    }
+    let play = &mut axis.backlash;
+    (play.cutting, play.rapid) = (cutting, rapid);
+    // A step of P195 to P199 in each servo period.
+    let step = of_axis(195);
+    play.rate = if parameters.bit(18, 7) { 0.0 } else { step / period_ms * 60_000.0 };
+    play.time_ms = parameters.data(200);
+    play.reversal_step = parameters.data(189) * REVERSAL_UNIT;
+    // Printed for Z; without it a reversal at creeping speed would never be compensated on the others.
+    play.reversal_way = parameters.data(188);
+    play.homes_negative = parameters.bit(7, k);
+    // Bit 18#0 and the tolerance of P371 to P375.
+    play.waits = parameters.bit(18, 0) && cutting.abs() > of_axis(371);
+}
+
+/// Bits 37#0 and 37#1, P216 to P230 of axis `k`, for a table that does not say itself where it lies.
+fn pitch_errors(parameters: &Parameters, k: u8, axis: &mut AxisConfig) {
+    let Some(table) = axis.pitch_errors.as_mut().filter(|t| t.start.is_none() || t.interval.is_none()) else {
+        return;
+    };
+    let of_axis = |first: u16| parameters.data(first + u16::from(k));
+    let interval = of_axis(226);
+    if !parameters.bit(37, 0) || interval <= 0.0 {
+        axis.pitch_errors = None;
+        return;
+    }
+    // P45 to P49: the reference point, which has the number of P216 to P220.
+    let number = of_axis(216);
+    table.start = Some(of_axis(45) - number * interval);
+    table.interval = Some(interval);
+    if !parameters.bit(37, 1) {
+        table.opposite.clear();
+    } else if table.opposite.is_empty() {
+        // P221 to P225: the value at the reference point coming from the other direction. Without a table of
+        // that direction the one there is goes through it.
+        let last = table.corrections.len().saturating_sub(1);
+        let at_reference = table.corrections.get((number as usize).min(last)).copied().unwrap_or(0.0);
+        let shift = of_axis(221) - at_reference;
+        table.opposite = table.corrections.iter().map(|c| c + shift).collect();
+        if parameters.bit(7, k) {
+            // The one there is belongs to the homing direction, here the negative one.
+            std::mem::swap(&mut table.corrections, &mut table.opposite);
+        }
+    }
+}
+
+/// Bits 16#0, 16#2, 17#0, 17#2, 17#3 and the time constants of axis `k`.
+fn acceleration(parameters: &Parameters, k: u8, axis: &mut AxisConfig) {
+    let p = |number: u16| parameters.data(number);
+    let select = |is_after: bool, is_exponential: bool, linear: u16, exponential: u16, least: u16| match (
+        is_after,
+        is_exponential,
+    ) {
+        (false, _) => Smoothing::None,
+        (true, false) => Smoothing::Linear { time_ms: p(linear) },
+        (true, true) => Smoothing::Exponential { time_ms: p(exponential), least: p(least) },
+    };
+    let k = u16::from(k);
+    axis.after_rapid = select(parameters.bit(16, 0), parameters.bit(16, 2), 115 + k, 120 + k, 129);
+    // 15#0: look-ahead has acceleration before and after interpolation, with constants of its own.
+    axis.after_cutting = match parameters.bit(15, 0) {
+        true => select(true, parameters.bit(15, 1), 136, 137, 138),
+        false => select(parameters.bit(17, 0), parameters.bit(17, 2), 127, 128, 129),
+    };
+    // 1.2: movements by hand are always accelerated after interpolation.
+    axis.after_jog = select(true, parameters.bit(17, 3), 156, 157, 129);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ferrocut_geometry::Axis;
+    use ferrocut_machine::{ParameterTable, PitchErrors};
+
+    /// The demo mill with parameters set.
+    fn machine(set: &[(&str, f64)], change: impl Fn(&mut Machine)) -> Machine {
+        let mut parameters = Parameters::new(ParameterTable::of("gsk990mc").unwrap());
+        for (name, value) in set {
+            parameters.set(&name.parse().unwrap(), *value).unwrap();
+        }
+        let mut machine = Machine::demo_mill();
+        change(&mut machine);
+        machine_parameters(&parameters, &mut machine);
+        machine
+    }
+
+    #[test]
+    fn as_delivered_nothing_is_compensated_or_smoothed() {
+        let (machine, demo) = (machine(&[], |_| {}), Machine::demo_mill());
+        for (axis, before) in machine.axes.iter().zip(&demo.axes) {
+            assert_eq!(axis.backlash, before.backlash);
+            assert_eq!((&axis.pitch_errors, axis.smoothing()), (&None, before.smoothing()));
+            assert_eq!((axis.in_position, axis.in_position_cutting), (0.0, Some(0.03)));
+            assert_eq!(axis.following_error, 50.0);
+        }
+    }
+
+    #[test]
+    fn backlash_is_read_by_axis() {
+        let set = [("P191", 0.012), ("P232", 0.02), ("NO18.6", 1.0), ("P196", 0.002), ("NO7.1", 1.0)];
+        let fixed = machine(&set, |machine| machine.servo_period_ms = 2.0);
+        let play = &fixed.axis(Axis::Y).unwrap().backlash;
+        // 0.002 mm in 2 ms is 60 mm/min.
+        assert_eq!(
+            (play.cutting, play.rapid, play.rate, play.homes_negative),
+            (0.012, Some(0.02), 60.0, true)
+        );
+        assert!((play.reversal_step - 1e-6).abs() < 1e-18 && play.reversal_way == 0.02 && !play.waits);
+        assert_eq!(fixed.axis(Axis::X).unwrap().backlash, Default::default());
+        // 18#0 waits where the value is above the tolerance of P371 to P375, 0.015 as delivered.
+        for (value, waits) in [(0.012, false), (0.016, true), (-0.016, true)] {
+            let machine =
+                machine(&[("P190", value), ("NO18.0", 1.0), ("NO18.7", 1.0), ("P200", 30.0)], |_| {});
+            let play = &machine.axis(Axis::X).unwrap().backlash;
+            assert_eq!((play.waits, play.rate, play.time_ms, play.rapid), (waits, 0.0, 30.0, None));
+        }
+    }
+
+    #[test]
+    fn pitch_tables_lie_where_the_parameters_say() {
+        let table = PitchErrors { corrections: vec![0.0, 0.01, 0.03], ..PitchErrors::default() };
+        let with = |set: &[(&str, f64)]| {
+            let machine = machine(set, |machine| machine.axes[2].pitch_errors = Some(table.clone()));
+            machine.axis(Axis::Z).unwrap().pitch_errors.clone()
+        };
+        assert_eq!(with(&[]), None);
+        let set = [("NO37.0", 1.0), ("P218", 2.0), ("P228", 50.0), ("P47", 10.0)];
+        let found = with(&set).unwrap();
+        // Point 2 at the reference point 10, every 50.
+        assert_eq!((found.start, found.interval, found.opposite.len()), (Some(-90.0), Some(50.0), 0));
+        let both = with(&[&set[..], &[("NO37.1", 1.0), ("P223", 0.05)]].concat()).unwrap();
+        let close = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-12);
+        assert!(close(&both.opposite, &[0.02, 0.03, 0.05]) && both.corrections == table.corrections);
+        let negative =
+            with(&[&set[..], &[("NO37.1", 1.0), ("P223", 0.05), ("NO7.2", 1.0)]].concat()).unwrap();
+        assert_eq!(negative.opposite, table.corrections);
+    }
+
+    #[test]
+    fn acceleration_after_interpolation_is_selected_by_bits() {
+        let axis = |set: &[(&str, f64)]| {
+            let machine = machine(set, |machine| machine.servo.acceleration_by_parameters = true);
+            machine.axis(Axis::Y).unwrap().smoothing().map(|(_, smoothing)| smoothing)
+        };
+        let linear = |time_ms| Smoothing::Linear { time_ms };
+        let exponential = |time_ms, least| Smoothing::Exponential { time_ms, least };
+        // 16#0 = 0, 17#0 = 1, 17#2 = 0, 17#3 = 0.
+        assert_eq!(axis(&[]), [Smoothing::None, linear(80.0), linear(100.0)]);
+        let set = [("NO16.0", 1.0), ("P116", 90.0), ("NO17.0", 0.0), ("NO17.3", 1.0), ("P129", 12.0)];
+        assert_eq!(axis(&set), [linear(90.0), Smoothing::None, exponential(120.0, 12.0)]);
+        let set = [("NO16.0", 1.0), ("NO16.2", 1.0), ("P121", 50.0), ("NO17.2", 1.0), ("P128", 70.0)];
+        assert_eq!(axis(&set), [exponential(50.0, 10.0), exponential(70.0, 10.0), linear(100.0)]);
+        assert_eq!(axis(&[("NO15.0", 1.0), ("P136", 33.0)])[1], linear(33.0));
+    }
+}
