@@ -8,8 +8,9 @@ use common::{at_fault, lines, run};
 use ferrocut_interpreter::dialects::gsk990mc::DIALECT;
 use ferrocut_machine::{AlarmId, Fault};
 
-/// What the machine refuses and not the language: numbers of the control's supervisor.
-const OF_THE_MACHINE: &[Fault] = &[Fault::SpindleTooFast, Fault::ToolMissing];
+/// What the machine refuses and not the language: numbers of the control's supervisor and of its drives.
+const OF_THE_MACHINE: &[Fault] =
+    &[Fault::SpindleTooFast, Fault::ToolMissing, Fault::FollowingError, Fault::PitchPoint];
 
 /// The rule, its number in appendix 2, a program that breaks it, the words at fault, and a set-up.
 const CASES: &[(Fault, u16, &str, &str, &str)] = &[

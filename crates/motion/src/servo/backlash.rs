@@ -18,15 +18,11 @@ pub(crate) struct TakeUp {
     targets: [[f64; 2]; 2],
     target: f64,
     added: f64,
-    feed: Feed,
+    /// Where it is added with acceleration.
+    ramp: Option<Ramp>,
+    /// Else how much is added in a period, mm.
+    step: f64,
     waits: bool,
-}
-
-#[derive(Clone, Debug)]
-enum Feed {
-    /// mm a period.
-    Rate(f64),
-    Ramp(Ramp),
 }
 
 impl TakeUp {
@@ -41,12 +37,10 @@ impl TakeUp {
         let target = |value: f64, side: f64| (side * value - home * cutting) / 2.0;
         let targets = [cutting, rapid].map(|value| [target(value, -1.0), target(value, 1.0)]);
         let most = cutting.abs().max(rapid.abs());
-        let feed = if backlash.rate > 0.0 {
-            Feed::Rate(backlash.rate.min(limits.velocity * 60.0) / 60.0 * period)
-        } else {
-            Feed::Ramp(Ramp::new(0.0, backlash.time_ms / 1000.0, most, limits, period))
-        };
-        Some(TakeUp { targets, target: 0.0, added: 0.0, feed, waits: backlash.waits })
+        let step = backlash.rate.min(limits.velocity * 60.0) / 60.0 * period;
+        let ramp = || Ramp::new(0.0, backlash.time_ms / 1000.0, most, limits, period);
+        let ramp = (backlash.rate == 0.0).then(ramp);
+        Some(TakeUp { targets, target: 0.0, added: 0.0, ramp, step, waits: backlash.waits })
     }
 
     /// Goes on by a period; what is added at its end, mm.
@@ -60,12 +54,12 @@ impl TakeUp {
             (true, true) => rapid_on,
         };
         self.target = target;
-        self.added = match &mut self.feed {
-            Feed::Rate(most) => {
+        self.added = match &mut self.ramp {
+            Some(ramp) => ramp.tick(target),
+            None => {
                 let left = target - self.added;
-                if left.abs() <= *most { target } else { self.added + most.copysign(left) }
+                if left.abs() <= self.step { target } else { self.added + self.step.copysign(left) }
             }
-            Feed::Ramp(ramp) => ramp.tick(target),
         };
         self.added
     }
@@ -77,10 +71,7 @@ impl TakeUp {
 
     /// Whether the next move may begin.
     pub fn lets_go(&self) -> bool {
-        let is_done = match &self.feed {
-            Feed::Rate(_) => self.added == self.target,
-            Feed::Ramp(ramp) => ramp.is_at_rest(),
-        };
+        let is_done = self.added == self.target && self.ramp.as_ref().is_none_or(Ramp::is_at_rest);
         is_done || !self.waits
     }
 }

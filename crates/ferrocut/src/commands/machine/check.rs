@@ -6,8 +6,8 @@ use crate::cli::Common;
 use crate::commands::explain::Book;
 use crate::commands::layout::{padded, table, width};
 use crate::job::{Exit, Failure, diagnostics};
-use ferrocut_interpreter::dialects;
-use ferrocut_machine::{Alarm, Argument, AxisConfig, AxisKind, Catalogue, Fault, Machine, Memory};
+use ferrocut_interpreter::{Dialect, dialects};
+use ferrocut_machine::{Alarm, Argument, AxisConfig, AxisKind, Catalogue, Fault, Machine, Memory, Smoothing};
 use ferrocut_program::Span;
 use std::io::{self, Read, Write};
 use std::path::Path;
@@ -169,6 +169,10 @@ fn examine(text: &str, common: &Common, catalogue: Catalogue) -> (Option<Machine
             remarks.push(Remark { line, is_error: false, text: say(key, &arguments) });
         }
     }
+    for (axis, field, key) in of_drives(&machine, dialects::by_name(dialect)) {
+        let text = say(key, &[("axis", axis.name.letter().to_string().into())]);
+        remarks.push(Remark { line: lines.of_axis(&machine, axis, field), is_error: false, text });
+    }
     for (path, key, value) in unlikely(&machine) {
         let arguments = [("value", value.to_string().into()), ("limit", limit_of(key).to_string().into())];
         remarks.push(Remark { line: lines.of(path), is_error: false, text: say(key, &arguments) });
@@ -212,6 +216,38 @@ fn unlikely_axis(axis: &AxisConfig) -> Vec<(&'static str, &'static str, f64)> {
     warn(run_up < SHORTEST_RUN_UP, "acceleration", "label-machine-abrupt", axis.acceleration);
     let build_up = axis.acceleration / axis.jerk;
     warn(axis.jerk > 0.0 && build_up > LONGEST_JERK_TIME, "jerk", "label-machine-jerk-low", build_up);
+    found
+}
+
+/// What of the drives has no effect or a bad one: the axis, the field, the warning.
+fn of_drives<'a>(
+    machine: &'a Machine,
+    dialect: Option<&Dialect>,
+) -> Vec<(&'a AxisConfig, &'static str, &'static str)> {
+    let mut found = Vec::new();
+    let linear = || machine.axes.iter().filter(|a| a.kind == AxisKind::Linear);
+    // What the control makes of it, where its parameters can be read.
+    let mut as_set = machine.clone();
+    let mut parameters = dialect.map(|dialect| Memory::new(dialect.name).parameters);
+    if let (Some(dialect), Some(parameters)) = (dialect, &mut parameters) {
+        for (name, value) in &machine.parameters {
+            // One that is wrong is told elsewhere.
+            let _ = name.parse().map(|key| parameters.set(&key, *value));
+        }
+        (dialect.machine_parameters)(parameters, &mut as_set);
+    }
+    for axis in &machine.axes {
+        // Lines become curves where one axis is slower than another.
+        let differs = linear().any(|other| other.after_cutting != axis.after_cutting);
+        if axis.kind == AxisKind::Linear && axis.after_cutting != Smoothing::None && differs {
+            found.push((axis, "after_cutting", "label-machine-smoothing-differs"));
+        }
+        let table = as_set.axis(axis.name).and_then(|axis| axis.pitch_errors.as_ref());
+        let is_placed = table.is_some_and(|t| t.start.is_some() && t.interval.is_some());
+        if axis.pitch_errors.is_some() && !is_placed {
+            found.push((axis, "pitch_errors", "label-machine-pitch-off"));
+        }
+    }
     found
 }
 
@@ -351,6 +387,8 @@ mod tests {
             ("tolerance = 0.01", "tolerance = 10.0", "10 mm"),
             ("time_s = 5.0", "time_s = 5000.0", "5000 s"),
             ("dialect = \"gsk990mc\"", "dialect = \"gsk\"", "gsk"),
+            ("jerk = 50000.0", "after_cutting = { kind = \"linear\", time_ms = 40.0 }", "lines are bent"),
+            ("jerk = 50000.0", "pitch_errors = { corrections = [0.1] }", "axis X"),
             ("name = \"A\"", "name = \"W\"", "axis W"),
         ] {
             let text = Machine::DEMO_MILL.replacen(from, to, 1);
