@@ -119,11 +119,26 @@ pub struct SpindleConfig {
     pub max_rpm: f64,
     /// Change of speed while it runs up or brakes, r/min per second.
     pub acceleration_rpm_s: f64,
+    /// The same while a thread is tapped; the one above where it is lower.
+    #[serde(default = "unlimited")]
+    pub tapping_rpm_s: f64,
+    /// The same on the way out of the hole.
+    #[serde(default = "unlimited")]
+    pub tapping_retract_rpm_s: f64,
+    /// Counts of its encoder in a turn.
+    #[serde(default = "default_counts")]
+    pub encoder_counts: f64,
 }
 
 impl Default for SpindleConfig {
     fn default() -> SpindleConfig {
-        SpindleConfig { max_rpm: 8000.0, acceleration_rpm_s: 4000.0 }
+        SpindleConfig {
+            max_rpm: 8000.0,
+            acceleration_rpm_s: 4000.0,
+            tapping_rpm_s: unlimited(),
+            tapping_retract_rpm_s: unlimited(),
+            encoder_counts: default_counts(),
+        }
     }
 }
 
@@ -168,6 +183,15 @@ fn default_dialect() -> String {
 
 fn default_period() -> f64 {
     1.0
+}
+
+/// 1024 lines, four counts each (GSK990MC P261).
+fn default_counts() -> f64 {
+    4096.0
+}
+
+fn unlimited() -> f64 {
+    f64::INFINITY
 }
 
 fn default_tolerance() -> f64 {
@@ -253,6 +277,15 @@ impl Machine {
         }
         positive("spindle: max_rpm", self.spindle.max_rpm)?;
         positive("spindle: acceleration_rpm_s", self.spindle.acceleration_rpm_s)?;
+        positive("spindle: encoder_counts", self.spindle.encoder_counts)?;
+        for (key, rate) in [
+            ("tapping_rpm_s", self.spindle.tapping_rpm_s),
+            ("tapping_retract_rpm_s", self.spindle.tapping_retract_rpm_s),
+        ] {
+            if rate.is_nan() || rate <= 0.0 {
+                return fail(format!("spindle: {key} is {rate}: it must be above 0"));
+            }
+        }
         not_negative("servo: in_position_ms", self.servo.in_position_ms)?;
         not_negative("tool_change: time_s", self.tool_change.time_s)?;
         not_negative("path: tolerance", self.path.tolerance)

@@ -42,6 +42,8 @@ mod piece;
 mod plan;
 mod profile;
 pub mod servo;
+mod stroke;
+pub mod synchron;
 
 pub use limits::{Limits, MAX_FEED_OVERRIDE};
 pub use motion::{Full, Motion, Setpoint, State};

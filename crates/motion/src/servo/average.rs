@@ -16,11 +16,14 @@
 /// Units in a millimetre (a degree).
 const UNITS: f64 = (1u64 << 36) as f64;
 
+/// Longer than any that a machine file may ask for, periods.
+const LONGEST_WINDOW: f64 = 100_000.0;
+
 /// The filter, fed with movements.
 #[derive(Clone, Debug)]
 pub(crate) struct Average {
     /// The last `n + 1` positions in units; they wrap round, their differences do not.
-    ring: Box<[i64]>,
+    ring: Vec<i64>,
     /// Place of the newest.
     at: usize,
     /// Sum of the newest `n`.
@@ -40,11 +43,10 @@ impl Average {
         if window.is_nan() || window <= 1.0 {
             return None;
         }
-        // Longer than any that a machine file may ask for.
-        let window = window.min(100_000.0);
+        let window = window.min(LONGEST_WINDOW);
         let whole = window.ceil() - 1.0;
         Some(Average {
-            ring: vec![0; whole as usize + 1].into_boxed_slice(),
+            ring: vec![0; whole as usize + 1],
             at: 0,
             sum: 0,
             carry: 0.0,
@@ -52,6 +54,29 @@ impl Average {
             scale: (window * UNITS).recip(),
             unsettled: 0,
         })
+    }
+
+    /// A filter for windows of up to so many periods, which changes nothing yet.
+    pub fn with_capacity(periods: f64) -> Average {
+        let mut ring = Vec::with_capacity(periods.clamp(1.0, LONGEST_WINDOW) as usize + 1);
+        ring.push(0);
+        Average { ring, at: 0, sum: 0, carry: 0.0, fraction: 1.0, scale: UNITS.recip(), unsettled: 0 }
+    }
+
+    /// Goes on with another window, from rest. It gets no longer than there is memory for, and no shorter than
+    /// a period, which changes nothing.
+    pub fn set_window(&mut self, periods: f64) {
+        let window = periods.max(1.0).min(self.ring.capacity() as f64);
+        let whole = window.ceil() - 1.0;
+        self.ring.clear();
+        self.ring.resize(whole as usize + 1, 0);
+        (self.at, self.sum, self.carry, self.unsettled) = (0, 0, 0.0, 0);
+        (self.fraction, self.scale) = (window - whole, (window * UNITS).recip());
+    }
+
+    /// Periods of the window.
+    pub fn window(&self) -> f64 {
+        (self.ring.len() - 1) as f64 + self.fraction
     }
 
     /// Goes on by one period in which the position moves by `d`; the lag at its end.

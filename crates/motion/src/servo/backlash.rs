@@ -7,7 +7,8 @@
 //!
 //! It is added at a fixed rate (18#7 = 0, P195 to P199), or with acceleration within a time (18#7 = 1, P200).
 
-use super::ramp::{Ramp, RampLimits};
+use super::ramp::Ramp;
+use crate::stroke::RampLimits;
 use ferrocut_machine::Backlash;
 
 /// Backlash compensation of one axis.

@@ -17,7 +17,7 @@
 //! Read `smoothing.rs` and `average.rs` for what acceleration after interpolation is, `backlash.rs`, `ramp.rs` and
 //! `pitch.rs` for what is added, `supervision.rs` for what is watched.
 
-mod average;
+pub(crate) mod average;
 mod backlash;
 mod pitch;
 mod ramp;
@@ -28,11 +28,11 @@ mod supervision;
 pub use supervision::{ServoFault, ServoFaultKind};
 
 use crate::limits::Limits;
+use crate::stroke::RampLimits;
 use backlash::TakeUp;
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_machine::{AxisConfig, Machine};
 use pitch::PitchTable;
-use ramp::RampLimits;
 use reversal::Direction;
 use smoothing::Smoother;
 use supervision::Watch;

@@ -7,7 +7,8 @@
 //! With 37#1 there are two tables, one for each direction. An axis that turns back goes from one to the other with
 //! acceleration: what is added is `on + w·(back − on)`, and `w` follows a ramp from 0 to 1.
 
-use super::ramp::{Ramp, RampLimits};
+use super::ramp::Ramp;
+use crate::stroke::RampLimits;
 use ferrocut_machine::{PITCH_POINTS, PitchErrors};
 
 /// Pitch-error compensation of one axis.

@@ -11,14 +11,7 @@
 //! often, it stays between them; the bounds on acceleration and jerk then double.
 
 use super::average::Average;
-
-/// What a compensation may move an axis by, in addition to the path: mm/s, mm/s², mm/s³ (degrees).
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct RampLimits {
-    pub velocity: f64,
-    pub acceleration: f64,
-    pub jerk: f64,
-}
+use crate::stroke::RampLimits;
 
 /// The value.
 #[derive(Clone, Debug)]
