@@ -14,6 +14,7 @@ use ferrocut_geometry::Position;
 use ferrocut_interpreter::{AtRest, Interpreter};
 use ferrocut_machine::{Alarm, Fault, Machine, Severity};
 use ferrocut_motion::servo::{Kind, Servo, ServoFault, ServoFaultKind};
+use ferrocut_motion::synchron::{Synchron, Thread};
 use ferrocut_motion::{Motion, Move};
 use ferrocut_program::Span;
 use ferrocut_toolpath::{Dwell, Feed, Op, PathMode, SpindleState, Step};
@@ -93,6 +94,30 @@ enum Waiting {
     Alarm(Box<Alarm>),
 }
 
+/// A hole that is being tapped, or a thread being cut.
+#[derive(Clone, Copy, Debug)]
+struct Hole {
+    /// Where the tool entered it.
+    entry: Position,
+    /// What the operator asked for, which waits until the tool is out.
+    asked: Option<Asked>,
+}
+
+/// A stroke in a hole.
+#[derive(Clone, Copy, Debug)]
+struct Stroke {
+    from: Position,
+    thread: Thread,
+    /// Whether the axes move already; else the spindle comes to rest first.
+    has_begun: bool,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Asked {
+    Hold,
+    Reset,
+}
+
 /// What the control is busy with while the axes stand still.
 #[derive(Clone, Copy, Debug)]
 struct Busy {
@@ -106,6 +131,13 @@ pub struct Cnc {
     supervisor: Supervisor,
     motion: Motion,
     servo: Servo,
+    synchron: Synchron,
+    hole: Option<Hole>,
+    stroke: Option<Stroke>,
+    /// Highest acceleration of the spindle in a thread, inwards and outwards, r/min per second.
+    tapping_rates: [f64; 2],
+    /// How long after its command the spindle may come to rest, s.
+    patience: f64,
     /// What the axes moved for last.
     kind: Kind,
     exact_stop: bool,
@@ -150,6 +182,12 @@ impl Cnc {
             given: VecDeque::with_capacity(motion.free() + 1),
             motion,
             servo: Servo::new(machine, start),
+            synchron: Synchron::new(machine, start),
+            hole: None,
+            stroke: None,
+            tapping_rates: [machine.spindle.tapping_rpm_s, machine.spindle.tapping_retract_rpm_s]
+                .map(|rate| rate.min(machine.spindle.acceleration_rpm_s)),
+            patience: machine.servo.in_position_ms / 1000.0,
             kind: Kind::Cutting,
             exact_stop: machine.path.exact_stop,
             interpreter,
@@ -181,6 +219,11 @@ impl Cnc {
         &self.report
     }
 
+    /// The spindle.
+    pub fn spindle(&self) -> &Spindle {
+        &self.spindle
+    }
+
     /// The interpreter, for its program's text.
     pub fn interpreter(&self) -> &Interpreter {
         &self.interpreter
@@ -193,6 +236,9 @@ impl Cnc {
 
     /// Starts the program, or goes on after feed hold, M00 or M01.
     pub fn cycle_start(&mut self) {
+        if let Some(hole) = self.hole.as_mut().filter(|hole| hole.asked == Some(Asked::Hold)) {
+            hole.asked = None;
+        }
         if matches!(self.state, State::Ready | State::Held | State::Stopped(_)) {
             self.state = State::Running;
             self.hold = false;
@@ -200,20 +246,51 @@ impl Cnc {
         }
     }
 
-    /// Brings the axes to rest on the path; cycle start goes on.
+    /// Brings the axes to rest on the path; cycle start goes on. A tool in a thread comes out first (GSK990MC
+    /// 4.5.1).
     pub fn feed_hold(&mut self) {
-        if self.state == State::Running {
+        if self.state == State::Running && !self.asked_in_hole(Asked::Hold) {
             self.state = State::Held;
             self.hold = true;
             self.motion.hold();
         }
     }
 
-    /// Brings the axes to rest and forgets the rest of the program.
+    /// Brings the axes to rest and forgets the rest of the program. A tool in a thread comes out first (GSK990MC
+    /// 4.5.1).
     pub fn reset(&mut self) {
-        if matches!(self.state, State::Ended | State::Reset) {
+        if matches!(self.state, State::Ended | State::Reset) || self.asked_in_hole(Asked::Reset) {
             return;
         }
+        self.come_to_rest();
+    }
+
+    /// Brings axes and spindle to rest at once, in a thread in step, and forgets the rest of the program.
+    pub fn emergency_stop(&mut self) {
+        if !matches!(self.state, State::Ended | State::Reset) {
+            self.come_to_rest();
+            self.spindle.command(SpindleState::Off, &self.commanded);
+        }
+    }
+
+    /// Whether the tool is in a thread while the program runs; then it remembers what was asked for.
+    fn asked_in_hole(&mut self, asked: Asked) -> bool {
+        let is_running = self.state == State::Running;
+        match self.hole.as_mut().filter(|_| is_running) {
+            Some(hole) => {
+                // A reset is more than a hold.
+                if hole.asked != Some(Asked::Reset) {
+                    hole.asked = Some(asked);
+                }
+                true
+            }
+            None => false,
+        }
+    }
+
+    fn come_to_rest(&mut self) {
+        self.synchron.stop();
+        self.hole = None;
         self.motion.abort();
         self.waiting = None;
         self.busy = None;
@@ -228,6 +305,14 @@ impl Cnc {
 
     /// Goes on by one servo period.
     pub fn tick(&mut self) -> Tick {
+        let tick = self.period();
+        if self.stroke.is_none_or(|stroke| !stroke.has_begun) {
+            self.spindle.tick(self.period);
+        }
+        tick
+    }
+
+    fn period(&mut self) -> Tick {
         match self.state {
             State::Running => {}
             State::Held | State::Resetting => return self.slow_down(),
@@ -235,9 +320,15 @@ impl Cnc {
         }
         loop {
             self.take_steps();
+            if self.state != State::Running {
+                return self.slow_down();
+            }
             if self.busy.is_some() {
                 self.count_busy();
                 return self.at_rest();
+            }
+            if self.stroke.is_some() {
+                return self.cut_thread();
             }
             if self.motion.at_rest() && !self.servo.is_at_rest() && self.must_settle() {
                 return self.settle();
@@ -280,6 +371,87 @@ impl Cnc {
         match (self.given.front(), next.next()) {
             (Some(run), Some(next)) => run.stops || run.kind() != next.kind() || !self.servo.has_taken_up(),
             _ => self.motion.is_empty(),
+        }
+    }
+
+    /// A period of a stroke in a thread.
+    fn cut_thread(&mut self) -> Tick {
+        let Some(stroke) = self.stroke else { return self.at_rest() };
+        if !stroke.has_begun {
+            // The spindle is at rest by now.
+            let Stroke { from, thread, .. } = stroke;
+            if !self.synchron.begin(from, self.spindle.angle(), &thread) {
+                (self.stroke, self.hole) = (None, None);
+                let alarm = Alarm::core(Fault::FeedNotReachable, self.span);
+                self.state = State::Alarmed(Box::new(alarm));
+                return self.at_rest();
+            }
+            self.stroke = Some(Stroke { has_begun: true, ..stroke });
+        }
+        self.spindle.follow(self.synchron.advance());
+        let setpoint = self.synchron.follow(self.spindle.encoder().turns);
+        self.kind = Kind::Tapping;
+        self.report.period(Activity::Cutting);
+        let position = self.exchange(&setpoint);
+        let tick = Tick {
+            position,
+            actual: self.actual,
+            velocity: self.synchron.speed(),
+            span: self.span,
+            moving: true,
+        };
+        if self.synchron.is_done() {
+            self.end_stroke(&stroke);
+        } else if self.synchron.overdue() > self.patience {
+            self.fail_spindle();
+        }
+        tick
+    }
+
+    /// The stroke is run to its end, or was stopped.
+    fn end_stroke(&mut self, stroke: &Stroke) {
+        let at = self.synchron.position();
+        self.stroke = None;
+        self.motion.rename(at);
+        self.commanded = at;
+        let (from, length) = (stroke.from, stroke.from.distance(at));
+        self.report.finished(Activity::Cutting, length, from.min(at), from.max(at));
+        if self.hole.is_some_and(|hole| hole.entry == at) {
+            self.leave_hole();
+        }
+    }
+
+    /// The tool is out: what the operator asked for is done now.
+    fn leave_hole(&mut self) {
+        match self.hole.take().and_then(|hole| hole.asked) {
+            Some(Asked::Hold) => self.feed_hold(),
+            Some(Asked::Reset) => self.come_to_rest(),
+            None => {}
+        }
+    }
+
+    /// A move in step with the spindle. It begins once the spindle has come to rest: on its marker, if it was
+    /// turning, so that the passes of a thread meet.
+    fn begin_stroke(&mut self, to: Position, pitch: f64, rpm: f64) {
+        let from = self.commanded;
+        let way = to - from;
+        // The sense of the way is that of the axis that goes farthest.
+        let farthest = way.0.iter().fold(0.0, |far: f64, d| if d.abs() > far.abs() { *d } else { far });
+        let hole = self.hole.get_or_insert(Hole { entry: from, asked: None });
+        let is_out = from.distance(hole.entry) > to.distance(hole.entry);
+        let [inwards, outwards] = self.tapping_rates;
+        let thread = Thread {
+            to,
+            pitch: pitch.abs(),
+            rpm,
+            // A right-hand thread goes in clockwise, in the negative direction.
+            is_clockwise: farthest * pitch < 0.0,
+            acceleration_rpm_s: if is_out { outwards } else { inwards },
+        };
+        self.stroke = Some(Stroke { from, thread, has_begun: false });
+        if self.spindle.rpm() != 0.0 {
+            let seconds = self.spindle.orient(0.0);
+            self.keep_busy(Activity::Spindle, seconds);
         }
     }
 
@@ -331,10 +503,19 @@ impl Cnc {
         let axis = fault.axis.letter().to_string();
         let alarm = Alarm::new(id, rule, self.span).with("axis", axis);
         let alarm = alarm.with(value, fault.value).with("limit", fault.limit);
-        self.motion.abort();
-        (self.waiting, self.busy) = (None, None);
+        self.come_to_rest();
         self.failed = Some(Box::new(alarm));
-        self.state = State::Resetting;
+    }
+
+    /// The spindle does not come to its angle: without it no axis may move on.
+    fn fail_spindle(&mut self) {
+        let rule = Fault::NotInPosition;
+        let alarm = Alarm::new(self.interpreter.dialect().alarm_id(rule), rule, self.span).with("axis", "S");
+        if let Some(stroke) = self.stroke {
+            self.end_stroke(&stroke);
+        }
+        self.come_to_rest();
+        self.failed = Some(Box::new(alarm));
     }
 
     /// A period in which the axes stand still.
@@ -348,6 +529,12 @@ impl Cnc {
     fn slow_down(&mut self) -> Tick {
         if !self.motion.at_rest() {
             return self.move_on();
+        }
+        match self.stroke {
+            Some(stroke) if stroke.has_begun => return self.cut_thread(),
+            // The spindle brakes all the same.
+            Some(_) if self.state == State::Resetting => self.stroke = None,
+            _ => {}
         }
         // A failed axis may never come to its place.
         if !self.servo.is_at_rest() && self.failed.is_none() {
@@ -382,7 +569,8 @@ impl Cnc {
 
     /// Takes steps from the interpreter while motion has room and nothing waits.
     fn take_steps(&mut self) {
-        while self.waiting.is_none() && self.busy.is_none() && self.motion.free() > 0 {
+        let is_free = |cnc: &Cnc| cnc.waiting.is_none() && cnc.busy.is_none() && cnc.stroke.is_none();
+        while is_free(self) && self.state == State::Running && self.motion.free() > 0 {
             match self.interpreter.next() {
                 None => {
                     self.motion.finish();
@@ -410,7 +598,15 @@ impl Cnc {
         if let Some(alarm) = refused {
             return self.wait_for(Waiting::Alarm(alarm));
         }
-        if step.op.target().is_none() {
+        let is_thread = matches!(step.op, Op::Tap { .. });
+        if self.hole.is_some() && !is_thread && !matches!(step.op, Op::Dwell(_)) {
+            // A program that leaves the thread by another move.
+            self.leave_hole();
+            if self.state == State::Resetting {
+                return;
+            }
+        }
+        if is_thread || step.op.target().is_none() {
             return self.wait_for(Waiting::Step(step));
         }
         if self.feed_stands_still(&step.op) {
@@ -426,10 +622,6 @@ impl Cnc {
             return;
         }
         self.next_tag += 1;
-        if matches!(step.op, Op::Tap { .. }) {
-            // It stands still when the tap is out.
-            self.spindle.command(SpindleState::Off, &to);
-        }
         self.commanded = to;
         let activity = if step.op.is_cutting() { Activity::Cutting } else { Activity::Rapid };
         let (min, max) = step.op.extent(from).unwrap_or((from, to));
@@ -497,8 +689,9 @@ impl Cnc {
                 let seconds = self.spindle.command(state, &self.commanded);
                 self.keep_busy(Activity::Spindle, seconds);
             }
-            Op::Orient(_) => {
-                let seconds = self.spindle.command(SpindleState::Off, &self.commanded);
+            Op::Tap { to, pitch, rpm } => self.begin_stroke(to, pitch, rpm),
+            Op::Orient(degrees) => {
+                let seconds = self.spindle.orient(degrees);
                 self.keep_busy(Activity::Spindle, seconds);
             }
             Op::Change(tool) => {

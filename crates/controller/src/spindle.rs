@@ -1,27 +1,59 @@
-//! The simulated spindle: runs up and brakes at a constant rate.
+//! The simulated spindle: runs up and brakes at a constant rate, and has an encoder.
 
 use ferrocut_geometry::Position;
 use ferrocut_machine::Machine;
 use ferrocut_toolpath::SpindleState;
 
-/// A spindle with its speed.
+/// What the encoder of a spindle says.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Encoder {
+    /// Angle since power-on in whole counts, turns; clockwise positive.
+    pub turns: f64,
+    /// The marker was passed in the last period, once a turn.
+    pub marker: bool,
+}
+
+/// A spindle with its speed and angle.
 #[derive(Clone, Copy, Debug)]
 pub struct Spindle {
-    /// Speed, r/min; clockwise positive.
+    /// Speed that it was told, r/min; clockwise positive.
+    told: f64,
+    /// Speed that it has, r/min.
     speed: f64,
+    /// turns.
+    angle: f64,
+    /// Angle at which it is to come to rest, parts of a turn.
+    rest_at: Option<f64>,
+    /// Whether the last period passed the marker.
+    marker: bool,
     rate: f64,
     max: f64,
+    counts: f64,
 }
 
 impl Spindle {
     /// The spindle of a machine, at rest.
     pub fn new(machine: &Machine) -> Spindle {
-        Spindle { speed: 0.0, rate: machine.spindle.acceleration_rpm_s, max: machine.spindle.max_rpm }
+        Spindle {
+            told: 0.0,
+            speed: 0.0,
+            angle: 0.0,
+            rest_at: None,
+            marker: false,
+            rate: machine.spindle.acceleration_rpm_s,
+            max: machine.spindle.max_rpm,
+            counts: machine.spindle.encoder_counts,
+        }
     }
 
     /// Speed without its sense, r/min.
     pub fn rpm(&self) -> f64 {
-        self.speed.abs()
+        self.told.abs()
+    }
+
+    /// What its encoder says.
+    pub fn encoder(&self) -> Encoder {
+        Encoder { turns: (self.angle * self.counts).floor() / self.counts, marker: self.marker }
     }
 
     /// Commands a state with the axes at `at`; the time until it is reached, s. A surface speed is
@@ -29,8 +61,79 @@ impl Spindle {
     pub fn command(&mut self, state: SpindleState, at: &Position) -> f64 {
         let rpm = state.speed().map_or(0.0, |speed| speed.rpm(at)).min(self.max);
         let target = if matches!(state, SpindleState::CounterClockwise(_)) { -rpm } else { rpm };
-        let change = (target - self.speed).abs();
-        self.speed = target;
+        let change = (target - self.told).abs();
+        self.told = target;
+        self.rest_at = None;
         change / self.rate
+    }
+
+    /// Brings it to rest at an angle from the marker, degrees; the time until then, s.
+    pub fn orient(&mut self, degrees: f64) -> f64 {
+        let seconds = self.command(SpindleState::Off, &Position::ZERO);
+        self.rest_at = Some((degrees / 360.0).rem_euclid(1.0)).filter(|angle| angle.is_finite());
+        seconds
+    }
+
+    /// Goes on by a period of `seconds`, turning at a speed.
+    pub fn tick(&mut self, seconds: f64) {
+        let before = self.speed;
+        let most = self.rate * seconds;
+        let left = self.told - before;
+        self.speed = if left.abs() <= most { self.told } else { before + most.copysign(left) };
+        let mut angle = self.angle + (before + self.speed) / 120.0 * seconds;
+        if self.speed == 0.0
+            && let Some(part) = self.rest_at.take()
+        {
+            // On to the angle in the sense in which it turned.
+            let on = angle.floor() + part;
+            angle = if on >= angle { on } else { on + 1.0 };
+        }
+        self.turn_to(angle);
+    }
+
+    /// Follows a commanded angle, turns, as an axis does. Its drive is ideal.
+    pub fn follow(&mut self, angle: f64) {
+        (self.told, self.speed, self.rest_at) = (0.0, 0.0, None);
+        self.turn_to(angle);
+    }
+
+    fn turn_to(&mut self, angle: f64) {
+        self.marker = angle.floor() != self.angle.floor();
+        self.angle = angle;
+    }
+
+    /// The angle, turns.
+    pub fn angle(&self) -> f64 {
+        self.angle
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ferrocut_toolpath::Speed;
+
+    #[test]
+    fn the_encoder_counts_turns_and_passes_its_marker_once_in_each() {
+        let mut spindle = Spindle::new(&Machine::demo_mill());
+        // 600 r/min at 4000 r/min per second: 0.15 s and 0.75 turns, then 10 turns a second.
+        let seconds = spindle.command(SpindleState::Clockwise(Speed::Rpm(600.0)), &Position::ZERO);
+        assert!((seconds - 0.15).abs() < 1e-12);
+        let mut markers = 0;
+        for k in 1..=1150 {
+            spindle.tick(0.001);
+            markers += u32::from(spindle.encoder().marker);
+            let counts = spindle.encoder().turns * 4096.0;
+            assert!(counts == counts.round() && spindle.angle() - spindle.encoder().turns < 1.0 / 4096.0);
+            if k == 150 {
+                assert!((spindle.angle() - 0.75).abs() < 1e-9, "{}", spindle.angle());
+            }
+        }
+        assert!((spindle.angle() - 10.75).abs() < 1e-9 && markers == 10);
+        spindle.orient(90.0);
+        for _ in 0..200 {
+            spindle.tick(0.001);
+        }
+        assert!((spindle.angle().fract() - 0.25).abs() < 1e-12 && spindle.rpm() == 0.0);
     }
 }

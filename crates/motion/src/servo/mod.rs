@@ -31,7 +31,7 @@ use crate::limits::Limits;
 use crate::stroke::RampLimits;
 use backlash::TakeUp;
 use ferrocut_geometry::{Axis, Position};
-use ferrocut_machine::{AxisConfig, Machine};
+use ferrocut_machine::{AxisConfig, Machine, Smoothing};
 use pitch::PitchTable;
 use reversal::Direction;
 use smoothing::Smoother;
@@ -46,10 +46,12 @@ pub enum Kind {
     Cutting,
     /// Moving by hand: jog, handwheel, step.
     Jog,
+    /// Cutting in step with the spindle, which nothing may delay.
+    Tapping,
 }
 
 impl Kind {
-    const COUNT: usize = 3;
+    const COUNT: usize = 4;
 }
 
 /// What the drives are told in a period.
@@ -187,7 +189,8 @@ impl Servo {
 
 impl AxisLoop {
     fn new(axis: &AxisConfig, tolerance: f64, limits: &RampLimits, period: f64, at: f64) -> AxisLoop {
-        let smoother = Smoother::new(axis.smoothing().map(|(_, smoothing)| smoothing), period);
+        let [rapid, cutting, jog] = axis.smoothing().map(|(_, smoothing)| smoothing);
+        let smoother = Smoother::new([rapid, cutting, jog, Smoothing::None], period);
         let watch = Watch::new(axis, tolerance);
         AxisLoop {
             axis: axis.name,

@@ -68,7 +68,7 @@ impl Watch {
     #[inline]
     pub fn width(&self, kind: Kind) -> f64 {
         let [other, cutting] = self.in_position;
-        if kind == Kind::Cutting { cutting } else { other }
+        if matches!(kind, Kind::Cutting | Kind::Tapping) { cutting } else { other }
     }
 
     /// An axis that moved by `d` to `at`. Beyond a limit only moves back are let pass.

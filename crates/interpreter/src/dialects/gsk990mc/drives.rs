@@ -4,13 +4,18 @@
 //! P201 chooses among modes A, B and C of backlash compensation, of which nothing but the letters is printed; it
 //! is kept. What P201 to P235 do is otherwise what their names say, and Fanuc 0i-M where they say no more.
 
+use ferrocut_machine::config::SpindleConfig;
 use ferrocut_machine::{AxisConfig, Machine, Parameters, Smoothing};
+
+/// An encoder counts both edges of both of its tracks.
+const COUNTS_A_LINE: f64 = 4.0;
 
 /// P189 counts ten-thousandths.
 const REVERSAL_UNIT: f64 = 1e-4;
 
 /// Writes the parameters over what the machine file says of its axes.
 pub fn machine_parameters(parameters: &Parameters, machine: &mut Machine) {
+    spindle(parameters, &mut machine.spindle);
     let (by_parameters, period) = (machine.servo.acceleration_by_parameters, machine.servo_period_ms);
     for (k, name) in (0u8..).zip(parameters.axis_names()) {
         let Some(axis) = machine.axes.iter_mut().find(|axis| axis.name == name) else { continue };
@@ -28,6 +33,26 @@ pub fn machine_parameters(parameters: &Parameters, machine: &mut Machine) {
             axis.following_error = parameters.data(445).max(0.0);
         }
     }
+}
+
+/// P261, P286 to P305 and bits 38#6, 38#7, 44#1, 45#2: encoder of the spindle, and its acceleration in rigid tapping.
+/// Gear 1; the ladder selects the others.
+fn spindle(parameters: &Parameters, spindle: &mut SpindleConfig) {
+    let p = |number: u16| parameters.data(number);
+    // Turns of the encoder in one of the spindle.
+    let ratio = match parameters.bit(44, 1) {
+        true => p(286) / p(290),
+        false => f64::from(1 << (u8::from(parameters.bit(38, 6)) + 2 * u8::from(parameters.bit(38, 7)))),
+    };
+    let counts = COUNTS_A_LINE * p(261) * ratio;
+    if counts.is_finite() && counts >= 1.0 {
+        spindle.encoder_counts = counts;
+    }
+    // The time constant leads to the highest speed of the gear (Fanuc 5241, 5261). 45#2: one for both ways.
+    let (inwards, outwards) = (p(298), if parameters.bit(45, 2) { p(298) } else { p(302) });
+    let rate = |ms: f64| if ms > 0.0 && p(294) > 0.0 { p(294) / ms * 1000.0 } else { f64::INFINITY };
+    spindle.tapping_rpm_s = spindle.tapping_rpm_s.min(rate(inwards));
+    spindle.tapping_retract_rpm_s = spindle.tapping_retract_rpm_s.min(rate(outwards));
 }
 
 /// P190 to P200 and P231 to P235 of axis `k`, bits 18#0, 18#6, 18#7; an axis for which they are 0 has what the
@@ -174,6 +199,22 @@ mod tests {
         let negative =
             with(&[&set[..], &[("NO37.1", 1.0), ("P223", 0.05), ("NO7.2", 1.0)]].concat()).unwrap();
         assert_eq!(negative.opposite, table.corrections);
+    }
+
+    #[test]
+    fn the_spindle_has_an_encoder_and_a_time_constant_for_tapping() {
+        let spindle = |set: &[(&str, f64)]| machine(set, |_| {}).spindle;
+        // 1024 lines, 1:1; 6000 r/min in 200 ms are more than the spindle does.
+        let found = spindle(&[]);
+        assert_eq!((found.encoder_counts, found.tapping_rpm_s, found.acceleration_rpm_s), (4096.0, 3e4, 4e3));
+        let set = [("P261", 2500.0), ("NO38.7", 1.0), ("P298", 4000.0), ("P302", 6000.0), ("P294", 3000.0)];
+        let found = spindle(&set);
+        assert_eq!((found.encoder_counts, found.tapping_rpm_s), (40_000.0, 750.0));
+        assert_eq!(found.tapping_retract_rpm_s, 500.0);
+        let found = spindle(&[&set[..], &[("NO45.2", 1.0), ("NO44.1", 1.0), ("P286", 2.0)]].concat());
+        assert_eq!((found.encoder_counts, found.tapping_retract_rpm_s), (20_000.0, 750.0));
+        assert_eq!(spindle(&[("P261", 0.0), ("P298", 0.0)]).encoder_counts, 4096.0);
+        assert_eq!(spindle(&[("P298", 0.0)]).tapping_rpm_s, f64::INFINITY);
     }
 
     #[test]

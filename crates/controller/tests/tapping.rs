@@ -1,0 +1,203 @@
+//! Rigid tapping in a run: axis and spindle in step, whatever the operator does.
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
+
+mod common;
+
+use common::{alarmed, cnc, machine};
+use ferrocut_controller::{Activity, Cnc, State, Tick};
+use ferrocut_geometry::Axis;
+use ferrocut_machine::{Fault, Machine, Smoothing};
+use proptest::prelude::*;
+
+/// An M10 x 1.5 hole 20 mm deep from R 5, S 600: 16 2/3 turns.
+const PROGRAM: &str = "G94 G90 G0 X10\nM29 S600\nG84 Z-20 R5 P300 F900\nG80 X20\nM30\n";
+const TURNS: f64 = 25.0 / 1.5;
+
+/// What a period ends with: the setpoints and the angle of the spindle.
+type Moment = (Tick, f64);
+
+/// Runs to the end of program, reset or alarm; `hands` are told the number of the tick before it.
+fn run(cnc: &mut Cnc, mut hands: impl FnMut(&mut Cnc, usize)) -> Vec<Moment> {
+    cnc.cycle_start();
+    let mut moments = Vec::new();
+    for k in 0..200_000 {
+        hands(cnc, k);
+        let tick = cnc.tick();
+        moments.push((tick, cnc.spindle().angle()));
+        if !matches!(cnc.state(), State::Running | State::Held | State::Resetting) {
+            return moments;
+        }
+    }
+    panic!("does not end: {:?}", cnc.state());
+}
+
+fn z(moment: &Moment) -> f64 {
+    moment.0.position[Axis::Z]
+}
+
+/// Where the spindle turned, Z is R less pitch times turns, within two counts of the encoder.
+fn check_in_step(moments: &[Moment], pitch: f64) {
+    let bound = 2.5 / 4096.0 * pitch;
+    let mut turned = 0;
+    for w in moments.windows(2) {
+        if w[0].1 != w[1].1 {
+            turned += 1;
+            let meant = 5.0 - w[1].1 * pitch;
+            assert!((z(&w[1]) - meant).abs() <= bound, "{} instead of {meant}", z(&w[1]));
+        }
+    }
+    assert!(turned > 20, "{turned} periods");
+}
+
+/// Velocity, acceleration and jerk of Z.
+fn check_limits(machine: &Machine, moments: &[Moment]) {
+    let axis = machine.axis(Axis::Z).unwrap();
+    let t = machine.servo_period_ms / 1000.0;
+    let mut d: Vec<f64> = moments.iter().map(z).collect();
+    // Positioning has no limit of jerk yet: what tapping adds is looked at alone.
+    for (n, limit) in [(1, axis.rapid / 60.0), (2, axis.acceleration)] {
+        d = d.windows(2).map(|w| (w[1] - w[0]) / t).collect();
+        let most = d.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+        assert!(most <= limit * 1.001 + 1e-3, "difference {n}: {most} above {limit}");
+    }
+}
+
+#[test]
+fn a_hole_is_tapped_in_step_with_the_spindle() {
+    let machine = machine();
+    let mut control = cnc(&machine, PROGRAM);
+    let moments = run(&mut control, |_, _| {});
+    assert_eq!(control.state(), &State::Ended);
+    check_in_step(&moments, 1.5);
+    check_limits(&machine, &moments);
+    // At depth exactly, both at rest for the dwell, and back where it began.
+    let deep = moments.iter().filter(|m| z(m) == -20.0 && !m.0.moving).count();
+    assert_eq!(deep, 300);
+    let deepest = moments.iter().map(z).fold(f64::INFINITY, f64::min);
+    assert!(deepest >= -20.0 - 1.5 * 2.5 / 4096.0, "{deepest}");
+    let turns = moments.iter().map(|m| m.1).fold(0.0, f64::max);
+    assert!((turns - TURNS).abs() < 1e-9, "{turns}");
+    assert!(moments.last().unwrap().1.abs() < 1e-9);
+    // 600 r/min at 4000 a second: 0.15 s to run up, 0.75 turns; 1.8166 s a stroke and a little for jerk.
+    let cutting = control.report().time(Activity::Cutting);
+    assert!((3.63..3.66).contains(&cutting), "{cutting}");
+    assert_eq!(control.report().cutting_mm, 50.0);
+}
+
+#[test]
+fn a_left_hand_thread_turns_the_other_way_and_a_turning_spindle_stops_first() {
+    let program = PROGRAM.replace("G84", "G74").replace("M29 S600", "M3 S1200\nM29 S600");
+    let mut control = cnc(&machine(), &program);
+    let moments = run(&mut control, |_, _| {});
+    assert_eq!(control.state(), &State::Ended);
+    let bottom = moments.iter().position(|m| z(m) == -20.0).unwrap();
+    let start = moments[..bottom].iter().rposition(|m| z(m) == 5.0).unwrap();
+    let turned = moments[bottom].1 - moments[start].1;
+    assert!((turned + TURNS).abs() < 1e-9, "{turned}");
+    // It came to rest on its marker.
+    assert!(moments[start].1.fract().abs() < 1e-9, "{}", moments[start].1);
+}
+
+#[test]
+fn smoothing_of_cutting_does_not_delay_a_tap() {
+    let mut machine = machine();
+    for axis in &mut machine.axes {
+        axis.after_cutting = Smoothing::Linear { time_ms: 80.0 };
+    }
+    let moments = run(&mut cnc(&machine, PROGRAM), |_, _| {});
+    check_in_step(&moments, 1.5);
+}
+
+#[test]
+fn the_way_out_has_its_own_time_constant() {
+    let setup = "[parameters]\nP294 = 600\nP298 = 300\nP302 = 600";
+    let mut control = common::cnc_with(&machine(), PROGRAM, setup);
+    let moments = run(&mut control, |_, _| {});
+    check_in_step(&moments, 1.5);
+    // 600 r/min in 0.3 s takes 1.5 turns, in 0.6 s 3; the rest at 10 turns a second.
+    let cutting = control.report().time(Activity::Cutting);
+    let expected = 2.0 * TURNS / 10.0 + 0.3 + 0.6;
+    assert!((cutting - expected).abs() < 0.02, "{cutting} {expected}");
+}
+
+#[test]
+fn pecks_stay_in_one_thread() {
+    for (bit, strokes) in [(1, 8), (0, 11)] {
+        let program = PROGRAM.replace("P300", "Q7 V2");
+        let setup = format!("[parameters]\n\"NO44.5\" = {bit}");
+        let mut control = common::cnc_with(&machine(), &program, &setup);
+        let moments = run(&mut control, |_, _| {});
+        assert_eq!(control.state(), &State::Ended);
+        check_in_step(&moments, 1.5);
+        // The rapid to R and the one behind the hole, the way to X10 and X20.
+        assert!(control.report().moves >= strokes, "{}", control.report().moves);
+    }
+}
+
+#[test]
+fn an_emergency_stop_brings_both_to_rest_in_step() {
+    let machine = machine();
+    for after in [1usize, 100, 900, 2200, 2500] {
+        let mut control = cnc(&machine, PROGRAM);
+        let mut begun = 0;
+        let moments = run(&mut control, |cnc, _| {
+            begun += usize::from(cnc.spindle().angle() != 0.0);
+            if begun == after {
+                cnc.emergency_stop();
+            }
+        });
+        assert_eq!(control.state(), &State::Reset);
+        check_limits(&machine, &moments);
+        if after >= 100 {
+            check_in_step(&moments, 1.5);
+        }
+        let last = moments.last().unwrap();
+        assert!(z(last) < 5.0 && z(last) >= -20.01 && !last.0.moving, "{}", z(last));
+        for _ in 0..5 {
+            let tick = control.tick();
+            assert_eq!((tick.position, control.spindle().angle()), (last.0.position, last.1));
+        }
+    }
+}
+
+#[test]
+fn a_thread_that_cannot_be_is_an_alarm() {
+    // 0.001 mm/min at 600 r/min are fifteen million turns.
+    let (alarm, run) = alarmed(&mut cnc(&machine(), &PROGRAM.replace("F900", "F0.001")));
+    assert_eq!((alarm.fault, alarm.span.line, run.end()[Axis::Z]), (Fault::FeedNotReachable, 3, 5.0));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 60, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// GSK990MC 4.5.1: feed hold and reset act once the tool is out.
+    #[test]
+    fn hold_and_reset_wait_until_the_tool_is_out(at in 0usize..6000, resets in any::<bool>()) {
+        let machine = machine();
+        let mut control = cnc(&machine, PROGRAM);
+        let mut held = 0;
+        let moments = run(&mut control, |cnc, k| {
+            if k == at && resets {
+                cnc.reset();
+            } else if k == at {
+                cnc.feed_hold();
+            }
+            if cnc.state() == &State::Held {
+                held += 1;
+                if held == 3000 {
+                    cnc.cycle_start();
+                }
+            }
+        });
+        check_limits(&machine, &moments);
+        let through = run(&mut cnc(&machine, PROGRAM), |_, _| {});
+        let turned = moments.iter().map(|m| m.1).fold(0.0, f64::max);
+        // The thread is cut whole or not at all, and the tool is out of it.
+        prop_assert!(turned == 0.0 || (turned - TURNS).abs() < 1e-9, "{turned}");
+        prop_assert!(z(moments.last().unwrap()) >= -1e-9);
+        match control.state() {
+            State::Ended => prop_assert_eq!(moments.last().unwrap().0.position, through.last().unwrap().0.position),
+            state => prop_assert!(resets && state == &State::Reset, "{:?}", state),
+        }
+    }
+}
