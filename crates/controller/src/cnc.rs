@@ -430,13 +430,14 @@ impl Cnc {
         }
     }
 
-    /// A move in step with the spindle. It begins once the spindle has come to rest: on its marker, if it was
-    /// turning, so that the passes of a thread meet.
+    /// A move in step with the spindle. The first one of a thread begins with the spindle at rest on its marker, so
+    /// that passes, and threads that are cut again, meet (GSK990MC 4.5.2).
     fn begin_stroke(&mut self, to: Position, pitch: f64, rpm: f64) {
         let from = self.commanded;
         let way = to - from;
         // The sense of the way is that of the axis that goes farthest.
         let farthest = way.0.iter().fold(0.0, |far: f64, d| if d.abs() > far.abs() { *d } else { far });
+        let is_first = self.hole.is_none();
         let hole = self.hole.get_or_insert(Hole { entry: from, asked: None });
         let is_out = from.distance(hole.entry) > to.distance(hole.entry);
         let [inwards, outwards] = self.tapping_rates;
@@ -449,7 +450,7 @@ impl Cnc {
             acceleration_rpm_s: if is_out { outwards } else { inwards },
         };
         self.stroke = Some(Stroke { from, thread, has_begun: false });
-        if self.spindle.rpm() != 0.0 {
+        if is_first && !self.spindle.is_at_marker() {
             let seconds = self.spindle.orient(0.0);
             self.keep_busy(Activity::Spindle, seconds);
         }

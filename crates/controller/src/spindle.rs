@@ -67,11 +67,27 @@ impl Spindle {
         change / self.rate
     }
 
-    /// Brings it to rest at an angle from the marker, degrees; the time until then, s.
+    /// Brings it to rest at an angle from the marker, degrees; the time until then, s. A spindle at rest turns on
+    /// to the angle, with half of the way to run up and half to brake.
     pub fn orient(&mut self, degrees: f64) -> f64 {
         let seconds = self.command(SpindleState::Off, &Position::ZERO);
-        self.rest_at = Some((degrees / 360.0).rem_euclid(1.0)).filter(|angle| angle.is_finite());
-        seconds
+        let part = (degrees / 360.0).rem_euclid(1.0);
+        if !part.is_finite() {
+            return seconds;
+        }
+        self.rest_at = Some(part);
+        if seconds > 0.0 { seconds } else { 2.0 * (self.way_to(part) * 60.0 / self.rate).sqrt() }
+    }
+
+    /// Whether it stands at its marker.
+    pub fn is_at_marker(&self) -> bool {
+        let way = self.way_to(0.0);
+        self.told == 0.0 && way.min(1.0 - way) <= 1.0 / self.counts
+    }
+
+    /// How far it is on to an angle, in parts of a turn from 0 to 1.
+    fn way_to(&self, part: f64) -> f64 {
+        (part - self.angle).rem_euclid(1.0)
     }
 
     /// Goes on by a period of `seconds`, turning at a speed.
@@ -84,9 +100,10 @@ impl Spindle {
         if self.speed == 0.0
             && let Some(part) = self.rest_at.take()
         {
-            // On to the angle in the sense in which it turned.
+            // On to the angle; a spindle that is there but for a rounding stays.
             let on = angle.floor() + part;
-            angle = if on >= angle { on } else { on + 1.0 };
+            let least = 1.0 / self.counts;
+            angle = if on >= angle - least { on } else { on + 1.0 };
         }
         self.turn_to(angle);
     }

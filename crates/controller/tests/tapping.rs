@@ -6,7 +6,9 @@ mod common;
 use common::{alarmed, cnc, machine};
 use ferrocut_controller::{Activity, Cnc, State, Tick};
 use ferrocut_geometry::Axis;
-use ferrocut_machine::{Fault, Machine, Smoothing};
+use ferrocut_interpreter::{Interpreter, Options, dialects};
+use ferrocut_machine::{Fault, Machine, Memory, Smoothing};
+use ferrocut_program::{ProgramMemory, Text};
 use proptest::prelude::*;
 
 /// An M10 x 1.5 hole 20 mm deep from R 5, S 600: 16 2/3 turns.
@@ -158,6 +160,29 @@ fn an_emergency_stop_brings_both_to_rest_in_step() {
             assert_eq!((tick.position, control.spindle().angle()), (last.0.position, last.1));
         }
     }
+}
+
+#[test]
+fn the_passes_of_a_thread_meet() {
+    let program = "M3 S300\nG0 X1 Z0\nG33 Z-10.3 K1.75\nG0 X3\nZ0\nX0.9\nG33 Z-10.3 K1.75\nG0 X3\nM2\n";
+    let dialect = &dialects::rs274::DIALECT;
+    let text = Text::from_bytes(program.as_bytes().to_vec()).unwrap();
+    let programs = ProgramMemory::new("thread.ngc", text, dialect.syntax);
+    let interpreter = Interpreter::new(dialect, programs, Memory::new(dialect.name), Options::default());
+    let mut control = Cnc::new(&machine(), interpreter);
+    let moments = run(&mut control, |_, _| {});
+    assert_eq!(control.state(), &State::Ended);
+    // Wherever the tool is deep in the thread, angle and place belong together.
+    let mut seen = [0, 0];
+    for (tick, angle) in &moments {
+        let [x, _, z, ..] = tick.position.0;
+        if x < 2.0 && z < 0.0 && z > -10.3 {
+            let off = (angle + z / 1.75).rem_euclid(1.0);
+            assert!(off.min(1.0 - off) < 2.5 / 4096.0, "Z {z}, {angle} turns: {off}");
+            seen[usize::from(x < 0.95)] += 1;
+        }
+    }
+    assert!(seen.iter().all(|n| *n > 1000), "{seen:?}");
 }
 
 #[test]

@@ -27,7 +27,8 @@
 //!
 //! What it does not do yet: limit jerk; round corners sharper than 20°; smooth many short blocks at once.
 //!
-//! What lies between setpoint and drive, axis by axis, is [`servo`].
+//! What lies between setpoint and drive, axis by axis, is [`servo`]. Moves in step with the spindle do not go
+//! through the planner: they are [`synchron`].
 //!
 //! Read `motion.rs` first (the front and its rules), then `plan.rs` (look-ahead) and `limits.rs` (its
 //! mathematics).
