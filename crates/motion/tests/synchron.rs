@@ -71,7 +71,7 @@ fn difference(z: &[f64], start: f64, n: usize, period: f64) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 150, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn a_thread_in_and_out_is_in_step_within_the_limits_and_exact(
@@ -115,7 +115,8 @@ proptest! {
             prop_assert!(difference(&run.z, from_z, 3, period) <= z.jerk * 1.001);
             match stop {
                 None => prop_assert_eq!(gear.position(), to),
-                Some(_) => prop_assert!((gear.position()[Axis::Z] - from_z).abs() <= depth),
+                // The sum may be rounded.
+                Some(_) => prop_assert!((gear.position()[Axis::Z] - from_z).abs() <= depth + 1e-9),
             }
             // The next stroke begins where this one ended, the spindle where it was commanded to be.
             from = gear.position();
