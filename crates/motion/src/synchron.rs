@@ -9,13 +9,13 @@
 //!
 //! holds at every moment, while the spindle runs up, while it brakes, and through its reversal. So the spindle is
 //! moved like an axis: from rest to rest over the turns of the thread, within what its own acceleration and
-//! the limits of every axis, divided by the pitch, allow ([`crate::stroke`]). It comes to rest exactly at depth,
+//! the limits of every axis, divided by the pitch, allow (`stroke.rs`). It comes to rest exactly at depth,
 //! and turns back in a stroke of its own. Overrides and feed hold have no say in it (GSK990MC 4.5.1).
 //!
 //! The axes follow what is **measured**. An encoder counts, and steps of a count are steps of acceleration to
 //! an axis; so what the encoder says beyond the commanded angle is let through where it is more than a count and a
-//! half, and spread over `3h` seconds by three means. `h` is such that counts take a tenth of the acceleration and jerk
-//! of every axis. With `e` the lag of the spindle behind its command, the axes are beside the measured angle by
+//! half, and spread over `3h` seconds by three means. `h` is 6 ms, or as much more
+//! that counts take a tenth of the acceleration and jerk of every axis. With `e` the lag of the spindle behind its command, the axes are beside the measured angle by
 //!
 //! ```text
 //! pitch · (1.5 counts + 1.5·h·|de/dt|)  at most.
@@ -27,11 +27,16 @@ use crate::stroke::{RampLimits, Stroke};
 use ferrocut_geometry::Position;
 use ferrocut_machine::Machine;
 
-/// Parts of velocity, and of acceleration and jerk of the axes, that a stroke is planned with. A tenth is that of
-/// counts, the rest for the spindle's lag.
+/// Parts of velocity, acceleration and jerk of the axes that a stroke is planned with. A tenth is that of counts,
+/// the rest is for making up the spindle's lag, which comes late by the means: with a lag of the time `τ` it is
+/// `1.5·τ/h` of the planned jerk, and where the lag grows above a count and a half, another sixth of the limit.
 const VELOCITY_SHARE: f64 = 0.99;
-const SHARE: f64 = 0.8;
+const ACCELERATION_SHARE: f64 = 0.8;
+const JERK_SHARE: f64 = 0.5;
 const COUNT_SHARE: f64 = 0.1;
+
+/// Shortest `h`, s: three times the lag of a spindle in position control, 2 ms.
+const SHORTEST_MEAN: f64 = 0.006;
 
 /// Counts by which the encoder may differ from the commanded angle at rest: one that counts down to whole ones
 /// is behind by one, and by what the angle is rounded.
@@ -133,15 +138,15 @@ impl Synchron {
         let jerk = of_axes(&self.limits.jerk);
         self.gear_limits = RampLimits {
             velocity: (thread.rpm / 60.0).min(of_axes(&self.limits.velocity) * VELOCITY_SHARE),
-            acceleration: (thread.acceleration_rpm_s / 60.0).min(acceleration * SHARE),
-            jerk: jerk * SHARE,
+            acceleration: (thread.acceleration_rpm_s / 60.0).min(acceleration * ACCELERATION_SHARE),
+            jerk: jerk * JERK_SHARE,
         };
         self.stroke = Stroke::rest_to_rest(turns, &self.gear_limits);
         let count = self.counts.recip();
         let h = (2.0 * count / (acceleration * COUNT_SHARE))
             .sqrt()
             .max((4.0 * count / (jerk * COUNT_SHARE)).cbrt())
-            .min(LONGEST_MEAN);
+            .clamp(SHORTEST_MEAN, LONGEST_MEAN);
         for (mean, lag) in &mut self.means {
             mean.set_window((h / self.period).ceil());
             *lag = 0.0;
