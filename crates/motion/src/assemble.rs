@@ -1,39 +1,83 @@
 //! Moves to cells: decides the joints and cuts moves up.
 //!
-//! A move can be cut up only when the move after it is known, because the joint between the two may take
-//! up to half of it. So the newest move is kept **open**. When the next one comes, the joint is decided,
-//! the open move goes into the queue (as the **flow**, which for an arc of many turns may have to wait
-//! for room), and the new move is the open one. [`Assembler::close`] ends the open move at rest instead.
+//! A move can be cut up only when the move after it is known, because the joint between the two takes a part of
+//! it. So the newest move is kept **open**. When the next one comes, the joint is decided, the open move goes
+//! into the queue (as the **flow**, which for an arc of many turns may have to wait for room), and the new move
+//! is the open one. [`Assembler::close`] ends the open move at rest instead.
+//!
+//! Lines that run into each other without a sharp corner are gathered into a **chain**, of which the open move is
+//! the last; it is smoothed as a whole ([`crate::path::smooth`]) when its end is known or when it is long.
 
-use crate::blend::{Blend, Joint, JointRules, Member};
-use crate::limits::{Class, Inverse};
+use crate::limits::{Class, Inverse, Load, Rates};
 use crate::moves::Move;
-use crate::piece::Piece;
-use crate::plan::{Cell, Node, Queue, Shape};
-use ferrocut_geometry::Position;
+use crate::path::corner::Corner;
+use crate::path::joint::{Ease, Joint, JointRules, Member, add};
+use crate::path::piece::Piece;
+use crate::path::shape::Shape;
+use crate::path::smooth::Smoother;
+use crate::timing::queue::{Cell, Node, Pass, Queue};
+use ferrocut_geometry::{AXES, Position};
 
-/// Stretches shorter than this between two blends are left out, mm.
+/// Lines shorter than this share of the path so far are not smoothed.
+const LEAST_SHARE: f64 = 1e-8;
+
+/// Stretches shorter than this between two joints are left out, mm.
 const LEAST_CELL: f64 = 1e-10;
 
-/// A move on its way into the queue: from `s` to `to`, in steps.
+/// A path that hardly moves the measured coordinates is not run faster for it.
+const LEAST_STRETCH: f64 = 0.5;
+
+/// In how many cells an ease is planned at least.
+const EASE_SLICES: f64 = 3.0;
+
+/// What a move of every axis on its own counts as on the path, mm.
+pub(crate) const AXES_LENGTH: f64 = 1.0;
+
+/// Cells that a line with its joints takes at most.
+pub(crate) const CELLS_A_MOVE: usize = 8;
+
+/// Cells that a line of a chain takes at most, and the ends of a chain.
+const CELLS_A_LINE: usize = 3;
+const CELLS_A_CHAIN: usize = 32;
+
+/// How a move begins.
 #[derive(Clone, Copy, Debug)]
-struct Flow {
-    member: Member,
-    s: f64,
-    to: f64,
-    step: f64,
-    then: Then,
+enum Start {
+    /// At rest or run through, at no more than this speed.
+    Plain(f64),
+    Ease(Ease),
+    Corner(Corner),
 }
 
-/// What follows the stretch of a [`Flow`].
+/// The newest move.
 #[derive(Clone, Copy, Debug)]
-enum Then {
-    /// Rest on this point.
+struct Open {
+    member: Member,
+    start: Start,
+    /// Where on the path it begins, mm.
+    s: f64,
+}
+
+/// How a move ends.
+#[derive(Clone, Copy, Debug)]
+enum End {
     Rest(Position),
-    /// The next move, entered at no more than this speed squared.
-    Through(f64),
-    /// A blend over this length of both moves; the next move is the open one.
-    Blend(f64),
+    Through,
+    Ease(Ease),
+    /// The corner takes this much.
+    Corner(f64),
+}
+
+/// A move, or the end of a chain, on its way into the queue.
+#[derive(Clone, Copy, Debug)]
+struct Flow {
+    open: Open,
+    end: End,
+    /// The move is the last of the chain; the chain goes on behind it.
+    chain: Option<bool>,
+    /// How far it is in the queue, mm of the move.
+    at: f64,
+    begun: bool,
 }
 
 /// Turns moves into cells.
@@ -41,19 +85,33 @@ enum Then {
 pub(crate) struct Assembler {
     inverse: Inverse,
     rules: JointRules,
-    /// The newest move and the length of it that the blend before took.
-    open: Option<(Member, f64)>,
+    open: Option<Open>,
     flow: Option<Flow>,
     closing: bool,
-    /// Highest speed squared at the start of the next cell.
-    entry: f64,
+    smoother: Smoother,
+    /// The first line of the chain that the open move ends; how it begins is still to be put into the queue.
+    first: Option<Open>,
+    chained: bool,
     /// Where the newest move ends.
     end: Position,
+    /// Its length on the path.
+    s: f64,
 }
 
 impl Assembler {
     pub fn new(inverse: Inverse, rules: JointRules, start: Position) -> Assembler {
-        Assembler { inverse, rules, open: None, flow: None, closing: false, entry: 0.0, end: start }
+        Assembler {
+            inverse,
+            rules,
+            open: None,
+            flow: None,
+            closing: false,
+            smoother: Smoother::new(),
+            first: None,
+            chained: false,
+            end: start,
+            s: 0.0,
+        }
     }
 
     /// Forgets every move; the next begins at `at`, at rest.
@@ -61,8 +119,11 @@ impl Assembler {
         self.open = None;
         self.flow = None;
         self.closing = false;
-        self.entry = 0.0;
+        self.smoother.clear();
+        self.first = None;
+        self.chained = false;
         self.end = at;
+        self.s = 0.0;
     }
 
     /// Whether a move waits to be cut up.
@@ -75,126 +136,321 @@ impl Assembler {
         self.open.is_none() && self.flow.is_none()
     }
 
-    /// Takes a move. The caller saw that nothing is blocked and that there is room for two cells.
-    /// How many cells were added.
-    pub fn push(&mut self, m: &Move, queue: &mut Queue) -> usize {
-        let Some(member) = Member::new(self.end, m, &self.rules, &self.inverse) else { return 0 };
+    /// Takes a move. The caller saw that nothing is blocked.
+    pub fn push(&mut self, m: &Move, queue: &mut Queue) {
+        let Some(member) = Member::new(self.end, m, &self.rules) else { return };
         self.end = m.to;
-        let Some((open, from)) = self.open.take() else {
-            self.open = Some((member, 0.0));
-            return 0;
-        };
-        let len = open.piece.len();
-        let (cut, then) = match open.join(&member, &self.rules, &self.inverse) {
-            Joint::Rest => (0.0, Then::Rest(open.piece.end())),
-            Joint::Through(cap) => (0.0, Then::Through(cap)),
-            Joint::Blend(h) => (h, Then::Blend(h)),
-        };
-        self.open = Some((member, cut));
-        self.flow = Some(Flow::new(open, from, len - cut, then));
-        self.run(queue)
+        let chords = member.chords();
+        if chords < 2 {
+            return self.push_member(member, queue);
+        }
+        let len = member.piece.len();
+        let mut from = member.piece.at(0.0);
+        for k in 1..=chords {
+            let at = len * k as f64 / chords as f64;
+            let to = if k == chords { member.piece.end() } else { member.piece.at(at) };
+            if let Some(chord) = member.chord(from, to) {
+                self.push_member(chord, queue);
+            }
+            from = to;
+        }
     }
 
-    /// The open move ends at rest. How many cells were added.
-    pub fn close(&mut self, queue: &mut Queue) -> usize {
+    fn push_member(&mut self, member: Member, queue: &mut Queue) {
+        let s = self.s;
+        self.s += if let Piece::Axes { .. } = member.piece { AXES_LENGTH } else { member.piece.len() };
+        let Some(open) = self.open.take() else {
+            self.open = Some(Open { member, start: Start::Plain(f64::INFINITY), s });
+            return;
+        };
+        let joint = match open.member.join(&member, &self.rules, &self.inverse) {
+            // What is lost in rounding behind so long a path is not smoothed.
+            Joint::Chain if open.member.piece.len().min(member.piece.len()) < LEAST_SHARE * self.s => {
+                Joint::Rest
+            }
+            joint => joint,
+        };
+        let next = |start| Some(Open { member, start, s });
+        let (end, start) = match joint {
+            Joint::Chain => {
+                self.chain(&open, &member, queue);
+                self.open = next(Start::Plain(f64::INFINITY));
+                if self.smoother.is_full() && self.flow.is_none() {
+                    self.flow =
+                        Some(Flow { open, end: End::Through, chain: Some(true), at: 0.0, begun: false });
+                    self.run(queue);
+                }
+                return;
+            }
+            Joint::Rest => (End::Rest(open.member.piece.end()), Start::Plain(f64::INFINITY)),
+            Joint::Through(cap) => (End::Through, Start::Plain(cap)),
+            Joint::Ease(ease) => (End::Ease(ease), Start::Ease(ease.behind())),
+            Joint::Corner(corner) => (End::Corner(corner.reach), Start::Corner(corner)),
+        };
+        self.open = next(start);
+        let chain = self.chained.then_some(false);
+        self.chained = false;
+        self.flow = Some(Flow { open, end, chain, at: 0.0, begun: false });
+        self.run(queue);
+    }
+
+    /// The line `open` runs on into the line `next`.
+    fn chain(&mut self, open: &Open, next: &Member, queue: &mut Queue) {
+        let tolerance = open.member.tolerance.unwrap_or(0.0);
+        // A line that ends with an exact stop is joined to the one before within its tolerance.
+        let next_tolerance = next.tolerance.unwrap_or(tolerance);
+        if !self.chained {
+            let from = open.member.piece.at(0.0);
+            self.smoother.begin(from, open.s, open.member.feed, tolerance, open.member.class);
+            self.smoother.add(open.member.piece.end(), open.s + open.member.piece.len());
+            self.first = Some(*open);
+            self.chained = true;
+        }
+        queue.mark(open.s + open.member.piece.len(), open.member.tag);
+        self.smoother.set_last(next.feed, next_tolerance);
+        self.smoother.add(next.piece.end(), self.s);
+    }
+
+    /// The open move ends at rest.
+    pub fn close(&mut self, queue: &mut Queue) {
         self.closing = self.open.is_some();
-        self.run(queue)
+        self.run(queue);
     }
 
-    /// Adds cells as far as there is room. How many were added.
-    pub fn run(&mut self, queue: &mut Queue) -> usize {
-        let before = queue.room();
+    /// Adds cells as far as there is room.
+    pub fn run(&mut self, queue: &mut Queue) {
         loop {
             if let Some(flow) = self.flow.take() {
                 self.flow = self.run_flow(flow, queue);
                 if self.flow.is_some() {
-                    break;
+                    return;
                 }
             }
             if !self.closing {
-                break;
+                return;
             }
             self.closing = false;
-            if let Some((open, from)) = self.open.take() {
-                let (to, end) = (open.piece.len(), open.piece.end());
-                self.flow = Some(Flow::new(open, from, to, Then::Rest(end)));
+            if let Some(open) = self.open.take() {
+                let chain = self.chained.then_some(false);
+                self.chained = false;
+                let end = End::Rest(open.member.piece.end());
+                self.flow = Some(Flow { open, end, chain, at: 0.0, begun: false });
             }
         }
-        before - queue.room()
     }
 
     /// Adds the cells of `flow`; what did not find room is returned.
     fn run_flow(&mut self, mut flow: Flow, queue: &mut Queue) -> Option<Flow> {
-        let rests = matches!(flow.then, Then::Rest(_));
-        while flow.s < flow.to && (rests || flow.to - flow.s > LEAST_CELL) {
+        let member = flow.open.member;
+        if let Piece::Axes { from, to } = member.piece {
+            if queue.room() == 0 || queue.mark_room() == 0 {
+                return Some(flow);
+            }
+            self.axes(&flow.open, from, to, queue);
+            return None;
+        }
+        let len = member.piece.len();
+        if let Some(goes_on) = flow.chain {
+            let cells = CELLS_A_LINE * self.smoother.lines() + CELLS_A_CHAIN;
+            if queue.room() < cells || queue.mark_room() == 0 {
+                return Some(flow);
+            }
+            self.run_chain(&flow, goes_on, queue);
+            return None;
+        }
+        let ends = match flow.end {
+            End::Rest(_) | End::Through => len,
+            End::Ease(ease) => len - ease.h,
+            End::Corner(reach) => len - reach,
+        };
+        if !flow.begun {
+            if queue.room() < 2 || queue.mark_room() == 0 {
+                return Some(flow);
+            }
+            queue.mark(flow.open.s + len, member.tag);
+            flow.at = self.begin(&flow.open, queue);
+            flow.begun = true;
+        }
+        loop {
+            let (to, step, ease) = match (flow.open.start, flow.end) {
+                (Start::Ease(ease), _) if flow.at < ease.h - LEAST_CELL => {
+                    (ease.h, (ease.h / EASE_SLICES).min(member.piece.slice()), Some(ease))
+                }
+                _ if flow.at < ends - LEAST_CELL => (ends, member.piece.slice(), None),
+                (_, End::Ease(ease)) if flow.at < len - LEAST_CELL => {
+                    (len, (ease.h / EASE_SLICES).min(member.piece.slice()), Some(ease))
+                }
+                _ => return None,
+            };
             if queue.room() == 0 {
                 return Some(flow);
             }
-            // Without a last slice of a rounding error.
-            let is_last = flow.to - flow.s < 1.5 * flow.step;
-            let to = if is_last { flow.to } else { flow.s + flow.step };
-            let (mut cell, node) = self.stretch(&flow.member, flow.s, to);
-            if let (true, Then::Rest(end)) = (is_last, flow.then) {
-                cell.rest = Some(end);
+            // Equal slices, without a last one of a rounding error.
+            let count = ((to - flow.at) / step * (1.0 - 1e-9)).ceil().max(1.0);
+            let next = if count > 1.0 { flow.at + (to - flow.at) / count } else { to };
+            self.stretch(&flow.open, flow.at, next, ease, queue);
+            if let (End::Rest(point), true) = (flow.end, next >= len) {
+                queue.rest_at(point);
             }
-            self.append(cell, node, queue);
-            flow.s = to;
+            flow.at = next;
         }
-        match flow.then {
-            Then::Rest(_) => self.entry = 0.0,
-            Then::Through(cap) => self.entry = self.entry.min(cap),
-            Then::Blend(_) if queue.room() == 0 => return Some(flow),
-            Then::Blend(h) => {
-                if let Some((next, _)) = &self.open {
-                    let (cell, node) = self.blend(&flow.member, next, h);
-                    self.append(cell, node, queue);
-                }
-            }
-        }
-        None
     }
 
-    fn append(&mut self, cell: Cell, node: Node, queue: &mut Queue) {
-        queue.append(cell, Node { entry: self.entry, ..node });
-        self.entry = f64::INFINITY;
+    /// Smooths the chain that the move of `flow` ends, and adds its cells.
+    fn run_chain(&mut self, flow: &Flow, goes_on: bool, queue: &mut Queue) {
+        let last = &flow.open;
+        let len = last.member.piece.len();
+        let mut keeps = [false, !matches!(flow.end, End::Rest(_))];
+        let mut from = 0.0;
+        if let Some(first) = self.first.take() {
+            let mut at = self.begin(&first, queue);
+            if let Start::Ease(ease) = first.start {
+                at = self.eased(&first, ease, 0.0, ease.h, queue);
+            }
+            keeps[0] = at > 0.0;
+            from = first.s + at;
+        }
+        let to = match flow.end {
+            End::Rest(_) | End::Through => len,
+            End::Ease(ease) => len - ease.h,
+            End::Corner(reach) => len - reach,
+        };
+        let (inverse, class) = (&self.inverse, self.smoother.class);
+        self.smoother.run(from, last.s + to, keeps, goes_on, |span| {
+            let cubic = span.cubic;
+            let rates = cubic.rates();
+            let shape = if span.is_straight {
+                Shape::Line { p: cubic.c[0], d: cubic.c[1] }
+            } else {
+                Shape::Cubic(cubic)
+            };
+            let node = Node {
+                s: span.u,
+                len: cubic.len,
+                load: inverse.load(&rates),
+                top: inverse.speed(class, &rates),
+                feed: span.feed / cubic.stretch().max(LEAST_STRETCH),
+                class,
+                pass: Pass::Path,
+                rests: false,
+            };
+            queue.append(Cell { shape, rest: None }, node);
+        });
+        if goes_on {
+            return;
+        }
+        queue.mark(last.s + len, last.member.tag);
+        match flow.end {
+            End::Rest(point) => queue.rest_at(point),
+            End::Ease(ease) => {
+                self.eased(last, ease, len - ease.h, len, queue);
+            }
+            End::Through | End::Corner(_) => {}
+        }
+    }
+
+    /// Adds the cells of an ease; where it ends.
+    fn eased(&self, open: &Open, ease: Ease, from: f64, to: f64, queue: &mut Queue) -> f64 {
+        let step = (to - from) / EASE_SLICES;
+        for k in 0..EASE_SLICES as usize {
+            let at = from + step * k as f64;
+            let next = if k + 1 == EASE_SLICES as usize { to } else { at + step };
+            self.stretch(open, at, next, Some(ease), queue);
+        }
+        to
+    }
+
+    /// What stands before a move: a cap or a corner. Where on the move it ends.
+    fn begin(&self, open: &Open, queue: &mut Queue) -> f64 {
+        match open.start {
+            Start::Plain(cap) => {
+                if cap.is_finite() {
+                    let p = open.member.piece.at(0.0);
+                    let cell = Cell { shape: Shape::Line { p, d: Position::ZERO }, rest: None };
+                    let node = Node {
+                        s: open.s,
+                        len: 0.0,
+                        load: Load::NONE,
+                        top: cap,
+                        feed: open.member.feed,
+                        class: open.member.class,
+                        pass: Pass::Path,
+                        rests: false,
+                    };
+                    queue.append(cell, node);
+                }
+                0.0
+            }
+            Start::Ease(_) => 0.0,
+            Start::Corner(corner) => {
+                let cell = Cell { shape: Shape::Corner(corner), rest: None };
+                let node = Node {
+                    s: open.s - corner.reach,
+                    len: 2.0 * corner.reach,
+                    load: Load::NONE,
+                    top: f64::MAX,
+                    feed: open.member.feed,
+                    class: open.member.class,
+                    pass: Pass::Corner { foot: corner.foot, time: corner.time },
+                    rests: false,
+                };
+                queue.append(cell, node);
+                corner.reach
+            }
+        }
     }
 
     /// The cell of a move from `from` to `to`.
-    fn stretch(&self, member: &Member, from: f64, to: f64) -> (Cell, Node) {
-        let (shape, bound) = match &member.piece {
-            Piece::Line(line) => (Shape::Line { p: member.piece.at(from), d: line.dir }, member.bound),
-            Piece::Arc(turn) => {
-                let bounds = turn.derivatives(from, to);
-                let feed = member.feed / turn.stretch(from, to);
-                let bound = self.inverse.curved(member.class, &bounds.first, &bounds.second, feed);
-                (Shape::Slice(*turn, from), bound)
-            }
-            Piece::Axes { from, to } => (Shape::Axes { from: *from, to: *to }, member.bound),
+    fn stretch(&self, open: &Open, from: f64, to: f64, ease: Option<Ease>, queue: &mut Queue) {
+        let member = &open.member;
+        let mut rates = member.piece.rates(from, to);
+        let mut stretch = member.piece.stretch(from, to);
+        if let Some(ease) = ease {
+            rates = add(&rates, &ease.rates(from, to));
+            stretch = stretch.max(self.eased_stretch(member, ease, from, to));
+        }
+        let shape = match (&member.piece, ease) {
+            (piece, Some(ease)) => Shape::Eased(*piece, from, ease),
+            (Piece::Line(line), None) => Shape::Line { p: member.piece.at(from), d: line.dir },
+            (piece, None) => Shape::Slice(*piece, from),
         };
-        let cell = Cell { shape, rest: None, tags: [member.tag; 2] };
-        (cell, Node { len: to - from, bound, class: member.class, entry: 0.0, w: 0.0 })
+        let feed = if member.feed.is_finite() { member.feed / stretch } else { member.feed };
+        let node = Node {
+            s: open.s + from,
+            len: to - from,
+            load: self.inverse.load(&rates),
+            top: self.inverse.speed(member.class, &rates),
+            feed,
+            class: member.class,
+            pass: Pass::Path,
+            rests: false,
+        };
+        queue.append(Cell { shape, rest: None }, node);
     }
 
-    /// The cell of a blend over `h` of both moves.
-    fn blend(&self, a: &Member, b: &Member, h: f64) -> (Cell, Node) {
-        let blend = Blend::new(&a.piece, &b.piece, h);
-        let (first, second) = blend.derivatives();
-        // What one of the two does without, the blend does without.
-        let either = |class| a.class == class || b.class == class;
-        let class =
-            [Class::Locked, Class::Full].into_iter().find(|class| either(*class)).unwrap_or(Class::Cut);
-        let bound = self.inverse.curved(class, &first, &second, a.feed.min(b.feed) / blend.stretch());
-        let cell = Cell { shape: Shape::Blend(blend), rest: None, tags: [a.tag, b.tag] };
-        (cell, Node { len: blend.len, bound, class, entry: 0.0, w: 0.0 })
+    /// Largest `|q′|` over X, Y, Z of an eased stretch, looked at in some places: it changes by little and smoothly.
+    fn eased_stretch(&self, member: &Member, ease: Ease, from: f64, to: f64) -> f64 {
+        let at = |k: u32| {
+            let s = from + (to - from) * f64::from(k) / 4.0;
+            let q = member.piece.tangent(s) + ease.slope(s);
+            (q.0[0] * q.0[0] + q.0[1] * q.0[1] + q.0[2] * q.0[2]).sqrt()
+        };
+        (0..=4).map(at).fold(0.0, f64::max) * (1.0 + 1e-5)
     }
-}
 
-impl Flow {
-    fn new(member: Member, s: f64, to: f64, then: Then) -> Flow {
-        // Equal slices.
-        let count = ((to - s) / member.piece.slice()).ceil().max(1.0);
-        // The length of a move of every axis on its own is not along a path: one cell.
-        let to = if let Piece::Axes { .. } = member.piece { f64::MIN_POSITIVE } else { to };
-        Flow { member, s, to, step: (to - s) / count, then }
+    fn axes(&self, open: &Open, from: Position, to: Position, queue: &mut Queue) {
+        let none = Rates { first: [0.0; AXES], second: [0.0; AXES], third: [0.0; AXES] };
+        let node = Node {
+            s: open.s,
+            len: AXES_LENGTH,
+            load: self.inverse.load(&none),
+            top: f64::MAX,
+            feed: f64::INFINITY,
+            class: Class::Rapid,
+            pass: Pass::Axes,
+            rests: true,
+        };
+        queue.mark(open.s + AXES_LENGTH, open.member.tag);
+        queue.append(Cell { shape: Shape::Axes { from, to }, rest: Some(to) }, node);
     }
 }

@@ -1,17 +1,18 @@
 //! What every axis can do, and what that allows on a piece of path.
 //!
-//! On a path `q(s)` run at speed `v` and path acceleration `a`, axis `i` has the velocity `q'ᵢ·v` and the
-//! acceleration `q''ᵢ·v² + q'ᵢ·a`. With `w = v²`, `Dᵢ ≥ |q'ᵢ|` and `Qᵢ ≥ |q''ᵢ|` over the whole piece, the
-//! limits hold at every point of it if
+//! On a path `q(s)` run with speed `v`, acceleration `a` and jerk `j` along it, axis `i` has
 //!
 //! ```text
-//! v ≤ min velocityᵢ / Dᵢ          |a| ≤ a(w) = min (accelerationᵢ − Qᵢ·w) / Dᵢ
+//! velocity      q′ᵢ·v
+//! acceleration  q″ᵢ·v² + q′ᵢ·a
+//! jerk          q‴ᵢ·v³ + 3·q″ᵢ·v·a + q′ᵢ·j
 //! ```
 //!
-//! `a(w)` is a minimum of straight lines, hence concave, hence never below its chord. A [`Bound`] keeps
-//! the chord: two numbers that stand for all axes, and a look-ahead that costs one division a piece. This
-//! is the velocity-squared form of time-optimal path following (Bobrow 1985; TOPP-RA, Pham and Pham
-//! 2018), with worst cases taken over a piece in place of values at its ends.
+//! With bounds `Dᵢ ≥ |q′ᵢ|`, `Qᵢ ≥ |q″ᵢ|`, `Rᵢ ≥ |q‴ᵢ|` over a whole piece ([`Rates`]) all limits hold if the
+//! sums of the three products hold. A speed that the piece is run at steadily needs the first terms alone. A ramp
+//! up to `v` with jerk `J` and acceleration `A` is fastest where it accelerates least: as it takes its acceleration
+//! back speed is `v − a²/2J`. [`Load::drive`] finds `A` and `J` with which the whole ramp stays inside; less of
+//! either does too, so a ramp over several pieces takes the least of theirs.
 
 use ferrocut_geometry::AXES;
 use ferrocut_machine::Machine;
@@ -26,7 +27,7 @@ pub struct Limits {
     pub rapid: [f64; AXES],
     /// Highest acceleration.
     pub acceleration: [f64; AXES],
-    /// Highest jerk; infinite where the machine file has 0. Not used yet.
+    /// Highest jerk; infinite where the machine file has 0.
     pub jerk: [f64; AXES],
 }
 
@@ -55,19 +56,23 @@ impl Limits {
     }
 }
 
-/// Highest feed override; what is planned stays valid up to it.
+/// Highest feed override.
 pub const MAX_FEED_OVERRIDE: f64 = 2.0;
 
-/// Share of the acceleration that the path may use. The rest pays for joints that are run through although
-/// their directions differ by rounding (see [`crate::blend`]).
+/// Share of the acceleration and of the jerk that the path may use. The rest pays for joints that are run
+/// through although their directions differ by rounding (see [`crate::path::joint`]), and for rounding itself.
 const PATH_SHARE: f64 = 0.999;
 
-/// Share of the acceleration that following the curve may use; what remains can always brake, so that feed
-/// hold and a lower feed take effect in a curve that is run as fast as it allows.
-const CURVE_SHARE: f64 = 0.95;
+/// Share of the acceleration that following a curve may use at its highest speed; the rest is for speeding up
+/// and slowing down on it.
+const CURVE_SHARE: f64 = 0.98;
 
-/// Slowest thing worth dividing by: 1/this is the speed of a path on which no axis has a limit, mm/s.
-const LEAST_INVERSE: f64 = 1e-6;
+/// The same share of the jerk.
+const TWIST_SHARE: f64 = 0.85;
+
+/// Least inverses: on a path on which no axis has a limit speed is 10⁶ mm/s, and so on. Jerk that a machine does
+/// not limit reaches the full acceleration within microseconds.
+const LEAST_INVERSE: [f64; 3] = [1e-6, 1e-7, 1e-10];
 
 /// Which limits and which override a piece of path is under.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -82,52 +87,182 @@ pub(crate) enum Class {
     Locked,
 }
 
-/// What a piece of path allows, whatever its direction and curvature.
+/// Bounds of the first three derivatives of a piece of path, for every axis: 1, 1/mm, 1/mm².
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(crate) struct Bound {
-    /// Highest speed squared, by the axes and by the feed at the highest override, mm²/s².
-    pub w_max: f64,
-    /// Programmed speed along the path, mm/s.
-    pub feed: f64,
-    /// Path acceleration available at standstill, mm/s².
-    pub a0: f64,
-    /// How much of it every mm²/s² of speed squared takes, 1/mm.
-    pub fade: f64,
+pub(crate) struct Rates {
+    pub first: [f64; AXES],
+    pub second: [f64; AXES],
+    pub third: [f64; AXES],
 }
 
-impl Bound {
-    /// Highest path acceleration at speed squared `w`, mm/s².
+/// Highest acceleration and jerk along the path.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct Drive {
+    /// mm/s².
+    pub a: f64,
+    /// mm/s³.
+    pub j: f64,
+}
+
+impl Drive {
+    /// What both allow.
     #[inline]
-    pub fn acceleration(&self, w: f64) -> f64 {
-        (self.a0 - self.fade * w).max(0.0)
+    pub fn min(self, other: Drive) -> Drive {
+        Drive { a: self.a.min(other.a), j: self.j.min(other.j) }
     }
 
-    /// Highest speed squared from which a piece of length `len` brakes to `w`; by symmetry also the highest
-    /// that is reached from `w`. Solves `(x − w)/(2·len) = a(x)`.
-    #[inline]
-    pub fn reach(&self, w: f64, len: f64) -> f64 {
-        (w + 2.0 * len * self.a0) / (1.0 + 2.0 * len * self.fade)
+    /// More than any machine has.
+    pub const MOST: Drive = Drive { a: 1e7, j: 1e10 };
+}
+
+/// The derivatives of a piece in shares of the limits, in the form that look-ahead multiplies with. Kept as
+/// `f32`, rounded up: it is read for every cell on every sweep.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Load {
+    /// `Dᵢ / accelerationᵢ`.
+    along: [f32; AXES],
+    /// `Qᵢ / accelerationᵢ`.
+    bend: [f32; AXES],
+    /// `Dᵢ / jerkᵢ`.
+    push: [f32; AXES],
+    /// `3·Qᵢ / jerkᵢ`.
+    swing: [f32; AXES],
+    /// `Rᵢ / jerkᵢ`.
+    twist: [f32; AXES],
+    /// How many of the axes in front have a share.
+    count: usize,
+    /// On a straight piece the drive is the same at every speed.
+    straight: Option<Drive>,
+}
+
+impl Load {
+    /// Of nothing.
+    pub const NONE: Load = Load {
+        along: [0.0; AXES],
+        bend: [0.0; AXES],
+        push: [0.0; AXES],
+        swing: [0.0; AXES],
+        twist: [0.0; AXES],
+        count: 0,
+        straight: Some(Drive::MOST),
+    };
+
+    /// What is left to the path at rest: more than any ramp uses.
+    pub fn most(&self) -> Drive {
+        if let Some(drive) = self.straight {
+            return drive;
+        }
+        let largest = |shares: &[f32; AXES], least| shares.iter().fold(least, |m, s| f64::from(*s).max(m));
+        Drive {
+            a: largest(&self.along, LEAST_INVERSE[1]).recip(),
+            j: largest(&self.push, LEAST_INVERSE[2]).recip(),
+        }
     }
 
-    /// Lowest speed squared after `len` of braking from `w`.
+    /// What a ramp between the speeds `low` and `high` may use, if it does not go faster than `here` on this piece:
+    /// of some splits of the jerk the one that is quickest.
+    pub fn drive(&self, low: f64, high: f64, here: f64) -> Drive {
+        if let Some(drive) = self.straight {
+            return drive;
+        }
+        let here = here.min(high);
+        let cube = here * here * here;
+        let mut stiff = LEAST_INVERSE[2];
+        for i in 0..self.count {
+            stiff =
+                stiff.max(f64::from(self.push[i]) / (1.0 - f64::from(self.twist[i]) * cube).max(LEAST_LEFT));
+        }
+        let most = stiff.recip();
+        let change = high - low;
+        let mut best = (f64::INFINITY, Drive { a: LEAST_INVERSE[1].recip(), j: most });
+        for share in JERK_SPLITS {
+            let j = share * most;
+            let a = self.acceleration(high, here, (change * j).sqrt(), j);
+            let time = if change * j > a * a { change / a + a / j } else { 2.0 * (change / j).sqrt() };
+            if time < best.0 {
+                best = (time, Drive { a, j });
+            }
+        }
+        best.1
+    }
+
+    /// Highest acceleration, up to `most`, of a ramp that ends at `high` with the jerk `j`, to a percent.
+    fn acceleration(&self, high: f64, here: f64, most: f64, j: f64) -> f64 {
+        if self.holds(high, here, Drive { a: most, j }) {
+            return most;
+        }
+        let (mut low, mut most) = (0.0, most);
+        while most - low > 0.01 * most && most > LEAST_ACCELERATION {
+            let a = 0.5 * (low + most);
+            if self.holds(high, here, Drive { a, j }) {
+                low = a;
+            } else {
+                most = a;
+            }
+        }
+        low.max(LEAST_ACCELERATION)
+    }
+
+    /// Whether a ramp that ends at `high` with this drive, no faster than `here` on this piece, keeps the limits.
+    ///
+    /// While the ramp takes its acceleration back, speed is `high − a²/2j`. Eighth by eighth of the acceleration,
+    /// the most of it and the most of the speed are set against the limits; before, speed is less.
+    pub fn holds(&self, high: f64, here: f64, drive: Drive) -> bool {
+        const PARTS: i32 = 8;
+        if let Some(most) = self.straight {
+            return drive.a <= most.a && drive.j <= most.j;
+        }
+        (0..PARTS).all(|k| {
+            let now = drive.a * f64::from(PARTS - k) / f64::from(PARTS);
+            let then = drive.a * f64::from(PARTS - k - 1) / f64::from(PARTS);
+            let v = (high - then * then / (2.0 * drive.j)).max(0.0).min(here);
+            self.used(v, now, drive.j) <= 1.0
+        })
+    }
+
+    /// Largest share of acceleration or jerk used at `v`, `a` and `j`.
     #[inline]
-    pub fn brake(&self, w: f64, len: f64) -> f64 {
-        (w - 2.0 * len * self.acceleration(w)).max(0.0)
+    fn used(&self, v: f64, a: f64, j: f64) -> f64 {
+        let w = v * v;
+        let mut most: f64 = 0.0;
+        for i in 0..self.count {
+            let acceleration = f64::from(self.bend[i]) * w + f64::from(self.along[i]) * a;
+            let jerk = (f64::from(self.twist[i]) * w + f64::from(self.swing[i]) * a) * v
+                + f64::from(self.push[i]) * j;
+            most = most.max(acceleration).max(jerk);
+        }
+        most
     }
 }
+
+/// Shares of the jerk that is left at the end of a ramp, tried for it.
+const JERK_SPLITS: [f64; 4] = [0.98, 0.8, 0.6, 0.35];
+
+/// Less acceleration than this would not get a path anywhere, mm/s².
+const LEAST_ACCELERATION: f64 = 1e-3;
+
+/// Least share of the jerk that is left to a path, whatever the curve takes.
+const LEAST_LEFT: f64 = 0.02;
 
 /// The limits in the form that planning multiplies with.
 #[derive(Clone, Debug)]
 pub(crate) struct Inverse {
     velocity: [f64; AXES],
     rapid: [f64; AXES],
-    acceleration: [f64; AXES],
+    pub acceleration: [f64; AXES],
+    pub jerk: [f64; AXES],
 }
 
 /// Largest of `|xᵢ|·yᵢ`.
 #[inline]
-fn peak(x: &[f64; AXES], y: &[f64; AXES]) -> f64 {
+pub(crate) fn peak(x: &[f64; AXES], y: &[f64; AXES]) -> f64 {
     x.iter().zip(y).fold(0.0, |m, (x, y)| (x.abs() * y).max(m))
+}
+
+/// To `f32`, never smaller.
+#[inline]
+fn up(x: f64) -> f32 {
+    (x * (1.0 + 2e-7)) as f32
 }
 
 impl Inverse {
@@ -136,39 +271,47 @@ impl Inverse {
             velocity: limits.velocity.map(f64::recip),
             rapid: limits.rapid.map(f64::recip),
             acceleration: limits.acceleration.map(|a| (a * PATH_SHARE).recip()),
+            jerk: limits.jerk.map(|j| (j * PATH_SHARE).recip()),
         }
     }
 
-    /// What a straight piece with direction `d` allows. A rapid has no feed: give infinity.
-    pub fn straight(&self, class: Class, d: &[f64; AXES], feed: f64) -> Bound {
-        let speed = self.speed(class, d);
-        let feed = if feed.is_finite() { feed } else { speed };
-        let top = speed.min(feed * MAX_FEED_OVERRIDE);
-        let a0 = peak(d, &self.acceleration).max(LEAST_INVERSE).recip();
-        Bound { w_max: top * top, feed, a0, fade: 0.0 }
-    }
-
-    /// What a curved piece allows on which `|q'|` stays within `d` and `|q''|` within `q`.
-    pub fn curved(&self, class: Class, d: &[f64; AXES], q: &[f64; AXES], feed: f64) -> Bound {
-        let mut bound = self.straight(class, d, feed);
-        let bend = peak(q, &self.acceleration);
-        if bend * bound.w_max > CURVE_SHARE {
-            bound.w_max = CURVE_SHARE / bend;
-        }
-        let mut worst = LEAST_INVERSE;
-        for i in 0..AXES {
-            // 1 − q·w ≥ 1 − CURVE_SHARE by the line above.
-            let left = 1.0 - q[i].abs() * self.acceleration[i] * bound.w_max;
-            worst = worst.max(d[i].abs() * self.acceleration[i] / left);
-        }
-        bound.fade = (bound.a0 - worst.recip()).max(0.0) / bound.w_max;
-        bound
-    }
-
-    /// Highest speed along direction `d`, mm/s.
-    fn speed(&self, class: Class, d: &[f64; AXES]) -> f64 {
+    /// Highest speed along a piece, mm/s.
+    pub fn speed(&self, class: Class, rates: &Rates) -> f64 {
         let inverse = if class == Class::Rapid { &self.rapid } else { &self.velocity };
-        peak(d, inverse).max(LEAST_INVERSE).recip()
+        let along = peak(&rates.first, inverse).max(LEAST_INVERSE[0]).recip();
+        let bend = peak(&rates.second, &self.acceleration);
+        let twist = peak(&rates.third, &self.jerk);
+        along.min((CURVE_SHARE / bend.max(1e-15)).sqrt()).min((TWIST_SHARE / twist.max(1e-20)).cbrt())
+    }
+
+    /// What a piece takes of the limits.
+    pub fn load(&self, rates: &Rates) -> Load {
+        let mut load = Load::NONE;
+        let mut curved = false;
+        for i in 0..AXES {
+            let (d, q, r) = (rates.first[i].abs(), rates.second[i].abs(), rates.third[i].abs());
+            if d == 0.0 && q == 0.0 && r == 0.0 {
+                continue;
+            }
+            curved |= q > 0.0 || r > 0.0;
+            let n = load.count;
+            load.along[n] = up(d * self.acceleration[i]);
+            load.bend[n] = up(q * self.acceleration[i]);
+            load.push[n] = up(d * self.jerk[i]);
+            load.swing[n] = up(3.0 * q * self.jerk[i]);
+            load.twist[n] = up(r * self.jerk[i]);
+            load.count = n + 1;
+        }
+        load.straight = (!curved).then(|| self.straight(&rates.first));
+        load
+    }
+
+    /// What a straight piece in direction `d` leaves.
+    pub fn straight(&self, d: &[f64; AXES]) -> Drive {
+        Drive {
+            a: peak(d, &self.acceleration).max(LEAST_INVERSE[1]).recip(),
+            j: peak(d, &self.jerk).max(LEAST_INVERSE[2]).recip(),
+        }
     }
 
     /// Time that the axes need at least to change their velocity by `d`, s.

@@ -1,11 +1,12 @@
 //! The front of the planner: moves in, a setpoint every servo period out.
 
-use crate::assemble::Assembler;
-use crate::blend::JointRules;
-use crate::interpolate::{Interpolator, Outcome};
-use crate::limits::{Inverse, Limits, MAX_FEED_OVERRIDE};
+use crate::assemble::{Assembler, CELLS_A_MOVE};
+use crate::limits::{Class, Inverse, Limits, MAX_FEED_OVERRIDE};
 use crate::moves::Move;
-use crate::plan::{CELLS, Overrides, Queue, SWEEP_A_PERIOD};
+use crate::path::joint::JointRules;
+use crate::timing::interpolate::{Interpolator, Outcome};
+use crate::timing::plan::{Overrides, Plan};
+use crate::timing::queue::{CELLS, Queue};
 use ferrocut_geometry::Position;
 use ferrocut_machine::Machine;
 use std::fmt;
@@ -58,23 +59,26 @@ impl std::error::Error for Full {}
 /// caller that fills up before every tick thus gets the same setpoints whatever the rhythm of its own
 /// input.
 ///
-/// **When moves fail to come.** What was pushed is always planned to rest. When the run is about to enter
-/// the last cell it knows, the last move is closed: it ends at rest and what is pushed later begins a new
-/// run.
+/// **When moves fail to come.** What was pushed is always planned to rest, so a run that is not fed comes to
+/// rest on the path, before the joint that is not known yet, and goes on as a run that begins.
 #[derive(Debug)]
 pub struct Motion {
     period: f64,
     assembler: Assembler,
     queue: Queue,
+    plan: Plan,
     interpolator: Interpolator,
     hold: bool,
     aborting: bool,
-    /// The cell being run is to be planned again.
-    retarget: bool,
+    /// The plan is being run.
+    runs: bool,
+    /// The plan ends with a stop on the path.
+    stopping: bool,
+    /// The plan is to be made anew before it is run.
+    stale: bool,
+    /// The overrides have changed since it was made.
+    outdated: bool,
 }
-
-/// Cells that a move and the blend before it take; an arc of many slices flows in as there is room.
-const CELLS_A_MOVE: usize = 2;
 
 impl Motion {
     /// A planner for `machine` whose axes stand at `start`. All memory is taken here.
@@ -87,17 +91,24 @@ impl Motion {
             period,
             assembler: Assembler::new(Inverse::new(&limits), rules, start),
             queue: Queue::new(),
+            plan: Plan::new(),
             interpolator: Interpolator::new(limits, start),
             hold: false,
             aborting: false,
-            retarget: false,
+            runs: false,
+            stopping: false,
+            stale: false,
+            outdated: false,
         }
     }
 
     /// How many lines can be pushed now; 0 is full. An arc of many turns may fill what is free alone, so ask
     /// before every push. During an abort it is 0.
     pub fn free(&self) -> usize {
-        if self.assembler.is_blocked() || self.aborting { 0 } else { self.queue.room() / CELLS_A_MOVE }
+        if self.assembler.is_blocked() || self.aborting {
+            return 0;
+        }
+        (self.queue.room() / CELLS_A_MOVE).min(self.queue.mark_room())
     }
 
     /// Takes a move, which begins where the one before it ends. A move that goes nowhere is taken and
@@ -106,39 +117,60 @@ impl Motion {
         if self.free() == 0 {
             return Err(Full);
         }
-        let added = self.assembler.push(m, &mut self.queue);
-        self.retarget |= self.queue.plan_pushed(added);
+        self.assembler.push(m, &mut self.queue);
+        if self.plan.is_due(&self.queue) {
+            self.plan_on();
+        }
         Ok(())
     }
 
     /// Nothing follows for now: what is there is run to rest on its end.
     pub fn finish(&mut self) {
         self.assembler.close(&mut self.queue);
-        self.retarget |= self.queue.plan_all();
     }
 
-    /// Feed override 0…2 and rapid override 0…1 as factors; clamped, and left as they are if not a
-    /// number. Both take effect at once within the limits of acceleration.
-    pub fn set_override(&mut self, feed: f64, rapid: f64) {
-        let old = self.queue.overrides();
-        let clamp = |new: f64, max: f64, old: f64| if new.is_nan() { old } else { new.clamp(0.0, max) };
-        let new =
-            Overrides { feed: clamp(feed, MAX_FEED_OVERRIDE, old.feed), rapid: clamp(rapid, 1.0, old.rapid) };
-        if new != old {
-            self.queue.set_overrides(new);
-            self.retarget = true;
+    /// Plans what is new, unless the path is being stopped.
+    fn plan_on(&mut self) {
+        if !self.stopping && !self.stale {
+            self.plan.plan(&self.queue, self.interpolator.s());
         }
     }
 
-    /// Feed hold: comes to rest on the path as soon as the limits allow. Tapping is run to its end first.
+    /// Feed override 0…2 and rapid override 0…1 as factors; clamped, and left as they are if not a
+    /// number. Both take effect as soon as the ramp being run is at its end, within the limits.
+    pub fn set_override(&mut self, feed: f64, rapid: f64) {
+        let old = self.plan.overrides();
+        let clamp = |new: f64, max: f64, old: f64| if new.is_nan() { old } else { new.clamp(0.0, max) };
+        let new =
+            Overrides { feed: clamp(feed, MAX_FEED_OVERRIDE, old.feed), rapid: clamp(rapid, 1.0, old.rapid) };
+        if new == old {
+            return;
+        }
+        self.plan.set_overrides(new);
+        if !self.runs {
+            self.stale = true;
+        } else {
+            self.outdated = true;
+        }
+        if self.outdated && !self.stopping && !self.is_stopping() {
+            self.renew();
+        }
+    }
+
+    /// Plans with the new overrides, now or as soon as it is possible.
+    fn renew(&mut self) {
+        self.outdated = !self.plan.renew(&self.queue, self.interpolator.s());
+        self.interpolator.renewed(&self.plan);
+    }
+
+    /// Feed hold: comes to rest on the path as soon as the limits allow; a corner that cannot be stopped before is
+    /// passed. Tapping is run to its end first.
     pub fn hold(&mut self) {
-        self.retarget |= !self.hold;
         self.hold = true;
     }
 
-    /// Ends feed hold.
+    /// Ends feed hold. A stop under way is brought to its end first.
     pub fn resume(&mut self) {
-        self.retarget |= self.hold;
         self.hold = false;
     }
 
@@ -147,8 +179,7 @@ impl Motion {
     /// stays as it is.
     pub fn abort(&mut self) {
         self.aborting = true;
-        self.retarget = true;
-        if self.at_rest() {
+        if self.at_rest() && !self.runs {
             self.forget();
         }
     }
@@ -180,84 +211,93 @@ impl Motion {
     /// Goes on by one servo period.
     pub fn tick(&mut self) -> Setpoint {
         self.assembler.run(&mut self.queue);
-        self.retarget |= self.queue.plan(SWEEP_A_PERIOD);
-        if !self.interpolator.is_begun() && self.may_begin() {
-            let _ = self.queue.plan_all();
-            self.interpolator.enter(&self.queue, self.is_stopping());
-            self.retarget = false;
+        if !self.runs && self.may_begin() {
+            self.begin();
         }
-        if self.interpolator.is_begun() {
-            if self.retarget {
-                self.retarget = false;
-                self.interpolator.retarget(&self.queue, self.is_stopping());
-            }
+        if self.runs {
             self.advance();
         }
-        if self.aborting && self.at_rest() {
+        if self.aborting && !self.runs {
             self.forget();
         }
         self.setpoint()
     }
 
-    /// Runs through as many cells as end in this period.
+    fn begin(&mut self) {
+        if self.stale {
+            self.plan.clear(&self.queue);
+            self.stale = false;
+        }
+        self.plan.plan(&self.queue, self.interpolator.s());
+        self.interpolator.enter(0.0);
+        self.runs = true;
+        self.stopping = false;
+    }
+
+    /// Runs through as many stretches as end in this period.
     fn advance(&mut self) {
         let mut time = self.period;
         loop {
-            match self.interpolator.advance(&self.queue, time) {
-                Outcome::Inside => {
-                    self.interpolator.sample(&self.queue);
-                    return;
+            if !self.stopping && self.is_stopping() {
+                self.stopping = self.interpolator.stop(&mut self.plan, &self.queue);
+            }
+            if !self.stopping && self.plan.is_short(&self.queue) {
+                self.plan.plan(&self.queue, self.interpolator.s());
+            }
+            match self.interpolator.advance(&mut self.plan, &mut self.queue, time) {
+                (Outcome::Moves, left) if left > 0.0 => {
+                    time = left;
+                    // What was not possible inside a stretch may be behind it.
+                    if self.outdated && !self.stopping && !self.is_stopping() {
+                        self.renew();
+                    }
                 }
+                (Outcome::Moves, _) => return,
                 // The remainder of the period is spent at rest, so that one setpoint is the programmed
                 // point.
-                Outcome::Rest => {
-                    self.interpolator.arrive(&self.queue);
-                    self.queue.retire();
+                (Outcome::Rests, _) => {
+                    if self.stopping || self.is_stopping() || self.is_empty() {
+                        self.pause();
+                    }
                     return;
                 }
-                Outcome::Left(left) => {
-                    time = left;
-                    self.queue.retire();
-                    self.extend();
-                    self.interpolator.enter(&self.queue, self.is_stopping());
-                }
+                (Outcome::Out, _) => return self.pause(),
             }
         }
     }
 
-    /// Sees to it that the oldest cell is not the last one known, unless it ends at rest.
-    fn extend(&mut self) {
-        let is_last = self.queue.len() == 1 && !self.queue.has_rest();
-        if is_last {
-            if !self.assembler.is_blocked() {
-                self.assembler.close(&mut self.queue);
-            } else {
-                self.assembler.run(&mut self.queue);
-            }
-            let _ = self.queue.plan_all();
-        } else {
-            let _ = self.queue.plan(0);
-        }
+    /// At rest; what follows is planned when it begins.
+    fn pause(&mut self) {
+        self.runs = false;
+        self.stopping = false;
+        self.stale = true;
+        self.outdated = false;
     }
 
     fn may_begin(&self) -> bool {
-        !self.hold && !self.aborting && (self.queue.has_rest() || (self.queue.len() > 0 && self.free() == 0))
+        let known = self.queue.has_rest() || (self.queue.len() > 0 && self.free() == 0 && !self.aborting);
+        known && !self.hold && !self.aborting && !self.is_stopping()
     }
 
-    /// Whether the oldest cell is to be brought to a stop.
+    /// Whether the path is to be brought to a stop.
     fn is_stopping(&self) -> bool {
-        use crate::limits::Class::Locked;
-        let Some((_, node)) = self.queue.front() else { return true };
-        let held = self.hold || self.queue.overrides().of(node.class) == 0.0;
-        self.aborting || (held && node.class != Locked)
+        if self.queue.len() == 0 {
+            return self.aborting;
+        }
+        let class = self.queue.node(self.queue.head()).class;
+        let held = self.hold || self.plan.overrides().of(class) == 0.0;
+        self.aborting || (held && class != Class::Locked)
     }
 
     fn forget(&mut self) {
         self.queue.clear();
-        self.interpolator.clear();
+        self.plan.clear(&self.queue);
+        self.interpolator.clear(0.0);
         self.assembler.clear(self.interpolator.position());
         self.aborting = false;
-        self.retarget = false;
+        self.runs = false;
+        self.stopping = false;
+        self.stale = false;
     }
 
     fn setpoint(&self) -> Setpoint {
@@ -265,7 +305,10 @@ impl Motion {
             (true, _) => State::Idle,
             (_, true) if self.hold => State::Held,
             (_, false) if self.hold || self.aborting => State::Holding,
-            _ if self.interpolator.is_begun() || self.may_begin() => State::Running,
+            _ if self.runs || (self.queue.len() > 0 && self.plan.overrides().of(self.class()) == 0.0) => {
+                State::Running
+            }
+            _ if self.may_begin() => State::Running,
             _ => State::Waiting,
         };
         Setpoint {
@@ -274,6 +317,10 @@ impl Motion {
             tag: self.interpolator.tag(),
             state,
         }
+    }
+
+    fn class(&self) -> Class {
+        self.queue.node(self.queue.head()).class
     }
 
     /// How many lines fit into an empty planner.

@@ -53,7 +53,7 @@ pub struct Run {
 }
 
 /// Ticks after which a run is taken as hanging.
-pub const HANGS: usize = 3_000_000;
+pub const HANGS: usize = 200_000;
 
 /// Runs `ops`, filling the planner before every tick, with `events` at ticks. `rhythm` is how many moves
 /// may be pushed before each tick, in turn; empty is as many as fit.
@@ -136,15 +136,16 @@ impl Run {
         matches!(self.ops.get(tag as usize), Some(Op::Rapid { .. }))
     }
 
-    /// Velocity and acceleration of every axis by finite differences.
+    /// Velocity, acceleration and jerk of every axis by finite differences over one, two and three periods: means of
+    /// the true derivative, which never overstate it.
     pub fn check_limits(&self, machine: &Machine) {
         let limits = Limits::new(machine);
         let t = self.period;
         let rest = Setpoint { position: self.start, velocity: 0.0, tag: 0, state: State::Idle };
         let end = *self.samples.last().unwrap();
         let all: Vec<Setpoint> =
-            [rest, rest].into_iter().chain(self.samples.iter().copied()).chain([end, end]).collect();
-        for (k, w) in all.windows(3).enumerate() {
+            [rest, rest].into_iter().chain(self.samples.iter().copied()).chain([end, end, end]).collect();
+        for (k, w) in all.windows(4).enumerate() {
             for i in 0..AXES {
                 let [a, b, c] = [0, 1, 2].map(|j: usize| w[j].position.0[i]);
                 let v = (c - b) / t;
@@ -157,6 +158,11 @@ impl Run {
                     acc.abs() <= top * 1.001 + 1e-6,
                     "tick {k} axis {i}: acceleration {acc} above {top}: {w:?}"
                 );
+                let d = w[3].position.0[i];
+                let jerk = ((d - c) - 2.0 * (c - b) + (b - a)) / (t * t * t);
+                // Positions of some hundred millimetres are known to 1e-13.
+                let top = limits.jerk[i] * 1.001 + 8.0 * (1.0 + d.abs()) * 4e-16 / (t * t * t);
+                assert!(jerk.abs() <= top, "tick {k} axis {i}: jerk {jerk} above {top}: {w:?}");
             }
         }
     }

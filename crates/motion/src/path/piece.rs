@@ -1,30 +1,35 @@
 //! The geometry of one move over its length.
 //!
 //! A piece is a curve `q(s)` over all axes, `s` from 0 to [`Piece::len`], where `s` is what the feed is
-//! measured along: `|q'| = 1` over the measured coordinates of lines, circles and helices.
+//! measured along: `|q′| = 1` over the measured coordinates of lines, circles and helices.
 //!
 //! An arc with `u = s/len`, angle `φ = φ₀ + σu` and radius `r = r₀ + ρu` (start and end may lie a little
 //! off one circle, see [`ferrocut_geometry::arc`]) has in its plane
 //!
 //! ```text
 //! q  = c + r·(cos φ, sin φ)
-//! q' = (ρ·(cos φ, sin φ) + rσ·(−sin φ, cos φ)) / len
-//! q''= (2ρσ·(−sin φ, cos φ) − rσ²·(cos φ, sin φ)) / len²
+//! q′ = (ρ·(cos φ, sin φ) + rσ·(−sin φ, cos φ)) / len
+//! q″ = (2ρσ·(−sin φ, cos φ) − rσ²·(cos φ, sin φ)) / len²
+//! q‴ = (−rσ³·(−sin φ, cos φ) − 3ρσ²·(cos φ, sin φ)) / len³
 //! ```
 //!
 //! and is straight in every other axis.
 
+use crate::limits::Rates;
 use crate::moves::{Kind, Measure, Move};
 use ferrocut_geometry::{AXES, Arc, Position};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// An arc is planned in slices no longer than this angle, each under its own bounds, because the share of
 /// an axis in velocity and in acceleration changes as the arc turns.
-const SLICE_RAD: f64 = PI / 18.0;
+const SLICE_RAD: f64 = PI / 36.0;
 
 /// Nor are slices shorter than this, mm: an arc that small is slow whatever it is cut into, and a servo
 /// period shall not run through thousands of slices.
 const LEAST_SLICE: f64 = 1e-4;
+
+/// Most that an axis moves over a millimetre of `s`.
+const MOST_SHARE: f64 = 1e3;
 
 /// Arcs with less length in their plane than this are straight.
 const STRAIGHT_MM: f64 = 1e-9;
@@ -45,9 +50,13 @@ pub(crate) enum Piece {
 pub(crate) struct Line {
     pub from: Position,
     pub to: Position,
-    /// `q'`.
+    /// `q′`.
     pub dir: Position,
+    /// Length that `s` runs over, mm.
     pub len: f64,
+    /// That length over the measured one; more than 1 where another axis moves so much that `s` would be too coarse
+    /// for it.
+    pub pace: f64,
     pub measure: Measure,
 }
 
@@ -69,14 +78,6 @@ pub(crate) struct Turn {
     pub len: f64,
 }
 
-/// Bounds of the derivatives over a stretch of a piece.
-pub(crate) struct Derivatives {
-    /// `|q'|` of every axis.
-    pub first: [f64; AXES],
-    /// `|q''|` of every axis, 1/mm.
-    pub second: [f64; AXES],
-}
-
 impl Piece {
     /// The curve of `m` from `from`; `None` where nothing moves.
     pub fn new(from: Position, m: &Move) -> Option<Piece> {
@@ -95,6 +96,16 @@ impl Piece {
                 }
             }
         }
+    }
+
+    /// A straight piece; `None` where nothing moves.
+    pub fn line(from: Position, to: Position) -> Option<Piece> {
+        Line::new(from, to).map(Piece::Line)
+    }
+
+    /// How `s` relates to what the feed is measured along.
+    pub fn pace(&self) -> f64 {
+        if let Piece::Line(line) = self { line.pace } else { 1.0 }
     }
 
     /// Where it ends.
@@ -132,7 +143,7 @@ impl Piece {
         }
     }
 
-    /// `q'(s)`.
+    /// `q′(s)`.
     pub fn tangent(&self, s: f64) -> Position {
         match self {
             Piece::Line(line) => line.dir,
@@ -141,14 +152,28 @@ impl Piece {
         }
     }
 
-    /// Largest `|q''|` on the whole piece.
-    pub fn curvature(&self) -> f64 {
+    /// `q″(s)`.
+    pub fn bend(&self, s: f64) -> Position {
         match self {
-            Piece::Arc(turn) => {
-                let r = turn.widest(0.0, turn.len);
-                (r * turn.sweep * turn.sweep + 2.0 * (turn.growth * turn.sweep).abs()) / (turn.len * turn.len)
-            }
-            _ => 0.0,
+            Piece::Arc(turn) => turn.bend(s),
+            _ => Position::ZERO,
+        }
+    }
+
+    /// Bounds of the derivatives over `from`…`to`.
+    pub fn rates(&self, from: f64, to: f64) -> Rates {
+        match self {
+            Piece::Line(line) => Rates { first: line.dir.0, second: [0.0; AXES], third: [0.0; AXES] },
+            Piece::Arc(turn) => turn.rates(from, to),
+            Piece::Axes { .. } => Rates { first: [0.0; AXES], second: [0.0; AXES], third: [0.0; AXES] },
+        }
+    }
+
+    /// Largest `|q′|` over the measured coordinates in `from`…`to`.
+    pub fn stretch(&self, from: f64, to: f64) -> f64 {
+        match self {
+            Piece::Arc(turn) => turn.stretch(from, to),
+            _ => 1.0,
         }
     }
 }
@@ -156,8 +181,9 @@ impl Piece {
 impl Line {
     fn new(from: Position, to: Position) -> Option<Line> {
         let d = to - from;
-        let (measure, len) = Measure::choose(&d)?;
-        Some(Line { from, to, dir: Position(d.0.map(|c| c / len)), len, measure })
+        let (measure, measured) = Measure::choose(&d)?;
+        let len = d.0.iter().fold(measured, |len: f64, c| len.max(c.abs() / MOST_SHARE));
+        Some(Line { from, to, dir: Position(d.0.map(|c| c / len)), len, pace: len / measured, measure })
     }
 
     fn at(&self, s: f64) -> Position {
@@ -211,7 +237,7 @@ impl Turn {
         p
     }
 
-    /// What closing the arc onto its end point adds to `q'`.
+    /// What closing the arc onto its end point adds to `q′`.
     fn closing(&self, i: usize) -> f64 {
         (self.miss[1][i] - self.miss[0][i]) / self.len
     }
@@ -226,8 +252,19 @@ impl Turn {
         d
     }
 
-    /// Largest `|q'|` over X, Y, Z in `from`…`to`.
-    pub fn stretch(&self, from: f64, to: f64) -> f64 {
+    fn bend(&self, s: f64) -> Position {
+        let r = self.radius + self.growth * s / self.len;
+        let square = self.len * self.len;
+        let (out, along) = (r * self.sweep * self.sweep / square, 2.0 * self.growth * self.sweep / square);
+        let (sin, cos) = (self.angle + self.sweep * s / self.len).sin_cos();
+        let mut q = Position::ZERO;
+        q.0[self.plane[0]] = -along * sin - out * cos;
+        q.0[self.plane[1]] = along * cos - out * sin;
+        q
+    }
+
+    /// Largest `|q′|` over X, Y, Z in `from`…`to`.
+    fn stretch(&self, from: f64, to: f64) -> f64 {
         let r = self.widest(from, to);
         let climb = 3 - self.plane[0] - self.plane[1];
         let along = (r * self.sweep).hypot(self.growth).hypot(self.end.0[climb] - self.start.0[climb]);
@@ -239,8 +276,7 @@ impl Turn {
         radius(from).max(radius(to))
     }
 
-    /// Bounds over `from`…`to`.
-    pub fn derivatives(&self, from: f64, to: f64) -> Derivatives {
+    fn rates(&self, from: f64, to: f64) -> Rates {
         let (u0, u1) = (from / self.len, to / self.len);
         let (sin0, cos0) = (self.angle + self.sweep * u0).sin_cos();
         let (sin1, cos1) = (self.angle + self.sweep * u1).sin_cos();
@@ -253,14 +289,17 @@ impl Turn {
         let (cos, sin) = (largest(cos0, cos1, sin0, sin1), largest(sin0, sin1, cos0, cos1));
         let r = self.widest(from, to);
         let (along, out) = (r * self.sweep.abs() / self.len, self.growth.abs() / self.len);
-        let (bend, twist) = (along * self.sweep.abs() / self.len, 2.0 * out * self.sweep.abs() / self.len);
+        let turn = self.sweep.abs() / self.len;
+        let (bend, twist) = (along * turn, 2.0 * out * turn);
         let mut first = self.end.zip(self.start, |b, a| (b - a) / self.len).0;
-        let mut second = [0.0; AXES];
+        let (mut second, mut third) = ([0.0; AXES], [0.0; AXES]);
         let [a, b] = self.plane;
         first[a] = out * cos + along * sin + self.closing(0).abs();
         first[b] = out * sin + along * cos + self.closing(1).abs();
         second[a] = twist * sin + bend * cos;
         second[b] = twist * cos + bend * sin;
-        Derivatives { first, second }
+        third[a] = (bend * sin + 1.5 * twist * cos) * turn;
+        third[b] = (bend * cos + 1.5 * twist * sin) * turn;
+        Rates { first, second, third }
     }
 }

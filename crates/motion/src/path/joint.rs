@@ -1,0 +1,340 @@
+//! Joints: how one move runs into the next.
+//!
+//! At a joint the direction `q′` may jump by `Δ` and the curvature `q″` by `K`. Run through at speed `v`, the axes
+//! would have to change their velocity by `Δ·v` and their acceleration by `K·v²` in no time. There are five ways:
+//!
+//! - **Rest** where the program asks for it, between positioning and cutting, and where the path turns back.
+//! - **Through** where `Δ` and `K` are no more than rounding: the jump is lost in the margin that planning keeps.
+//! - **Ease**: over a length `h` on both sides a correction is added to the programmed curve that takes up both
+//!   jumps. With `x` the distance from the joint
+//!
+//!   ```text
+//!   e(x) = Δ·(h−x)³/6h²  ±  K·x·(h−x)³/12h²        (+ behind the joint, − before it)
+//!   ```
+//!
+//!   `e`, `e′`, `e″` are 0 at `x = h`; at the joint `e′` jumps by `−Δ` and `e″` by `−K`. The path is then C² with
+//!   bounded `q‴`, and the same length `s` on both paths lies at most `|Δ|·h/6 + 0.00879·|K|·h²` apart: that is
+//!   kept within the tolerance, and holds for the missed vertex too. Between lines this is the jerk-limited
+//!   blend of constant speed, `Δv = |Δ|·v = (36·δ²·J)^⅓`.
+//! - **Chain**: lines are smoothed as a whole ([`crate::path::smooth`]); where two of them meet alone, that is the
+//!   same as an ease.
+//! - **Corner** between lines, rounded in time ([`crate::path::corner`]), where that is quicker.
+
+use crate::limits::{Class, Drive, Inverse, MAX_FEED_OVERRIDE, Rates, peak};
+use crate::moves::{Kind, Move};
+use crate::path::corner::{Corner, norm, valley_loss};
+use crate::path::piece::Piece;
+use ferrocut_geometry::{AXES, Position};
+use ferrocut_toolpath::PathMode;
+
+/// Joints with an arc that turn by more than 20° come to rest. This is 2·sin(20°/2).
+const ARC_CHORD: f64 = 0.347_296_355_333_860_7;
+
+/// A path that turns by more than 175° turns back and comes to rest: 2·sin(175°/2).
+const BACK_CHORD: f64 = 1.998_096;
+
+/// Share of acceleration and jerk, over one servo period, that the jumps at joints run through may take. With the
+/// share that the path takes (see [`crate::limits`]) it stays under the whole.
+const JOINT_SHARE: f64 = 0.0004;
+
+/// Share of the jerk that easing a joint shall take; a shorter ease keeps more of the programmed path.
+const EASE_SHARE: f64 = 0.1;
+
+/// Joints that would have to be run through slower than this come to rest, mm/s.
+const CRAWL: f64 = 1.0;
+
+/// Share of the shorter line that a corner takes at most.
+const CORNER_ROOM: f64 = 0.4;
+
+/// Share of the tolerance that chords of a short arc take.
+const CHORD_SHARE: f64 = 0.025;
+
+/// An arc is short if it is no longer than this many eases.
+const SHORT_ARC: f64 = 4.0;
+
+/// Arcs that would take more chords are eased.
+const MOST_CHORDS: f64 = 128.0;
+
+/// Shortest ease, mm.
+const LEAST_EASE: f64 = 1e-7;
+
+/// Largest of `x·(1−x)³`, over 12.
+const BEND_MISS: f64 = 0.008_789_1;
+
+/// A move whose end is still open: its curve and what is needed to join the next one.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Member {
+    pub tag: u64,
+    pub piece: Piece,
+    pub class: Class,
+    /// Programmed speed along `s`, mm/s; infinite for rapids.
+    pub feed: f64,
+    /// How far the joint after it may leave the programmed path, mm; `None` is an exact stop.
+    pub tolerance: Option<f64>,
+}
+
+/// How two moves are joined.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Joint {
+    /// Comes to rest.
+    Rest,
+    /// Runs through at no more than this speed.
+    Through(f64),
+    /// Eased over this length on both sides, mm.
+    Ease(Ease),
+    /// Rounded in time.
+    Corner(Corner),
+    /// The two lines are smoothed together.
+    Chain,
+}
+
+/// Settings of the machine that joints depend on.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct JointRules {
+    pub tolerance: f64,
+    pub exact_stop: bool,
+    /// Servo period, s.
+    pub period: f64,
+}
+
+impl Member {
+    /// The move `m` from `from`; `None` where nothing moves.
+    pub fn new(from: Position, m: &Move, rules: &JointRules) -> Option<Member> {
+        let piece = Piece::new(from, m)?;
+        let (feed, path) = match m.kind {
+            Kind::RapidAxes => (f64::INFINITY, PathMode::ContinuousWithin(0.0)),
+            Kind::RapidStraight { speed } => (speed, PathMode::ContinuousWithin(0.0)),
+            Kind::Line { feed, path } | Kind::Arc { feed, path, .. } => (feed, path),
+        };
+        let class = match (m.kind, path) {
+            (Kind::RapidAxes | Kind::RapidStraight { .. }, _) => Class::Rapid,
+            (_, PathMode::Tapping) => Class::Locked,
+            (_, PathMode::FullFeed) => Class::Full,
+            _ => Class::Cut,
+        };
+        let tolerance = match path {
+            _ if rules.exact_stop => None,
+            PathMode::ExactStop => None,
+            // The slow-down at inner corners does not act yet; the path is the same.
+            PathMode::Continuous | PathMode::InnerCorners(_) | PathMode::Tapping | PathMode::FullFeed => {
+                Some(rules.tolerance)
+            }
+            PathMode::ContinuousWithin(t) => Some(if t.is_finite() { t.max(0.0) } else { rules.tolerance }),
+        };
+        Some(Member { tag: m.tag, piece, class, feed: feed * piece.pace(), tolerance })
+    }
+
+    /// How this move, `room` of which is left to the joint, runs into `next`.
+    pub fn join(&self, next: &Member, rules: &JointRules, inverse: &Inverse) -> Joint {
+        let Some(tolerance) = self.tolerance else { return Joint::Rest };
+        let is_rapid = self.class == Class::Rapid;
+        if is_rapid != (next.class == Class::Rapid) || !same_measure(&self.piece, &next.piece) {
+            return Joint::Rest;
+        }
+        let (len, next_len) = (self.piece.len(), next.piece.len());
+        let (before, after) = (self.piece.tangent(len), next.piece.tangent(0.0));
+        let jump = after - before;
+        let bend = next.piece.bend(0.0) - self.piece.bend(len);
+        // Rotary axes that turn much a millimetre would hide a reversal of X, Y, Z.
+        let angle = turn(&before.0, &after.0).max(turn(&before.0[..3], &after.0[..3]));
+        let top = self.top(inverse, len).min(next.top(inverse, 0.0));
+        // Several joints may fall into the periods that jerk is seen over.
+        let crowd = (3.0 * top * rules.period / len.min(next_len)).max(1.0);
+        let share = JOINT_SHARE * rules.period / crowd;
+        let step = inverse.change_time(&jump.0).max(peak(&jump.0, &inverse.jerk) / rules.period);
+        let through =
+            (share / step.max(1e-300)).min((share / peak(&bend.0, &inverse.jerk).max(1e-300)).sqrt());
+        let is_chain =
+            !is_rapid && self.class == next.class && tolerance > 0.0 && next.tolerance != Some(0.0);
+        let is_chain = is_chain && matches!((&self.piece, &next.piece), (Piece::Line(_), Piece::Line(_)));
+        if through >= top {
+            return if is_chain { Joint::Chain } else { Joint::Through(f64::INFINITY) };
+        }
+        let or_through = |through: f64| if through >= CRAWL { Joint::Through(through) } else { Joint::Rest };
+        if is_rapid || angle > BACK_CHORD {
+            return or_through(through);
+        }
+        let room = 0.5 * len.min(next_len);
+        let ease = Ease::new(len, jump, bend, tolerance, room, top, inverse);
+        let (Piece::Line(_), Piece::Line(_)) = (&self.piece, &next.piece) else {
+            return match ease {
+                Some(ease) if angle <= ARC_CHORD => Joint::Ease(ease),
+                _ if angle <= ARC_CHORD => or_through(through),
+                _ => Joint::Rest,
+            };
+        };
+        let drive = inverse.straight(&before.0).min(inverse.straight(&after.0));
+        let feed = top.min(self.feed).min(next.feed);
+        let shorter = CORNER_ROOM * len.min(next_len);
+        let corner = Corner::new(self.piece.end(), before, after, tolerance, shorter, inverse);
+        // Of short lines the direction is no corner yet.
+        let corner = corner.filter(|corner| !is_chain || corner.reach < shorter);
+        match choose(ease, corner, feed, drive, inverse) {
+            Some(Joint::Ease(_)) if is_chain => Joint::Chain,
+            Some(joint) => joint,
+            None => or_through(through),
+        }
+    }
+
+    /// In how many chords the move is smoothed; 1 is not at all. Arcs so short that easing them at both ends within
+    /// the tolerance would take all of them are smoothed with the lines beside them.
+    pub fn chords(&self) -> usize {
+        let (Piece::Arc(turn), Some(tolerance)) = (&self.piece, self.tolerance) else { return 1 };
+        if !(tolerance > 0.0) {
+            return 1;
+        }
+        let bend = norm(&self.piece.bend(0.5 * turn.len).0);
+        let ease = (tolerance / (BEND_MISS * bend)).sqrt();
+        // The sagitta of a chord of angle φ is φ²/8 of the radius.
+        let chord = (8.0 * CHORD_SHARE * tolerance / bend).sqrt();
+        let count = (turn.len / chord).ceil();
+        if turn.len < SHORT_ARC * ease && count < MOST_CHORDS { (count as usize).max(8) } else { 1 }
+    }
+
+    /// The chord of this move between two points of it.
+    pub fn chord(&self, from: Position, to: Position) -> Option<Member> {
+        let tolerance = self.tolerance.map(|tolerance| tolerance * (1.0 - CHORD_SHARE));
+        Some(Member { piece: Piece::line(from, to)?, tolerance, ..*self })
+    }
+
+    /// Highest speed that feed and axes allow at length `s`, mm/s.
+    pub fn top(&self, inverse: &Inverse, s: f64) -> f64 {
+        let rates = Rates { first: self.piece.tangent(s).0, second: [0.0; AXES], third: [0.0; AXES] };
+        let speed = inverse.speed(self.class, &rates);
+        if self.feed.is_finite() { speed.min(self.feed * MAX_FEED_OVERRIDE) } else { speed }
+    }
+}
+
+/// The quicker of both.
+fn choose(
+    ease: Option<Ease>,
+    corner: Option<Corner>,
+    feed: f64,
+    drive: Drive,
+    inverse: &Inverse,
+) -> Option<Joint> {
+    match (ease, corner) {
+        (Some(ease), Some(corner)) => {
+            let v = ease.speed(inverse);
+            let is_eased = v >= feed || valley_loss(v, feed, drive) <= corner.loss(feed, drive);
+            Some(if is_eased { Joint::Ease(ease) } else { Joint::Corner(corner) })
+        }
+        (Some(ease), None) => Some(Joint::Ease(ease)),
+        (None, Some(corner)) => Some(Joint::Corner(corner)),
+        (None, None) => None,
+    }
+}
+
+fn same_measure(a: &Piece, b: &Piece) -> bool {
+    use crate::moves::Measure::Xyz;
+    let measure = |p: &Piece| match p {
+        Piece::Line(line) => Some(line.measure),
+        Piece::Arc(_) => Some(Xyz),
+        Piece::Axes { .. } => None,
+    };
+    measure(a).is_some() && measure(a) == measure(b)
+}
+
+/// How much two directions differ: the distance of their unit vectors, which keeps the small angles that
+/// `acos` loses. 0 if both vectors vanish; 2 if one does.
+fn turn(a: &[f64], b: &[f64]) -> f64 {
+    let (na, nb) = (norm(a), norm(b));
+    if na == 0.0 || nb == 0.0 {
+        return if na == nb { 0.0 } else { 2.0 };
+    }
+    a.iter().zip(b).map(|(a, b)| (a / na - b / nb).powi(2)).sum::<f64>().sqrt()
+}
+
+/// The correction that takes up the jumps at a joint.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Ease {
+    /// Jump of `q′` over `6h²`.
+    jump: Position,
+    /// Jump of `q″` over `12h²`, with the sign of the side.
+    bend: Position,
+    /// Length on either side, mm.
+    pub h: f64,
+    /// Where the joint is along the move, mm.
+    joint: f64,
+}
+
+impl Ease {
+    /// Before the joint at the length `joint` of a move. `None` where there is no room or no tolerance.
+    fn new(
+        joint: f64,
+        jump: Position,
+        bend: Position,
+        tolerance: f64,
+        room: f64,
+        top: f64,
+        inverse: &Inverse,
+    ) -> Option<Ease> {
+        let (d, k) = (norm(&jump.0) / 6.0, norm(&bend.0) * BEND_MISS);
+        let h = 2.0 * tolerance / (d + (d * d + 4.0 * k * tolerance).sqrt());
+        let (d, k) = (peak(&jump.0, &inverse.jerk), 1.5 * peak(&bend.0, &inverse.jerk));
+        let cube = top * top * top / EASE_SHARE;
+        let enough = 0.5 * (k * cube + (k * k * cube * cube + 4.0 * d * cube).sqrt());
+        let h = h.min(room).min(enough.max(0.5 * tolerance));
+        if !(h > LEAST_EASE) {
+            return None;
+        }
+        let (d, k) = (1.0 / (6.0 * h * h), 1.0 / (12.0 * h * h));
+        Some(Ease { jump: Position(jump.0.map(|c| c * d)), bend: Position(bend.0.map(|c| -c * k)), h, joint })
+    }
+
+    /// The same behind the joint, where the next move begins.
+    pub fn behind(&self) -> Ease {
+        Ease { bend: Position(self.bend.0.map(|c| -c)), joint: 0.0, ..*self }
+    }
+
+    /// Highest speed at which it alone keeps acceleration and jerk.
+    fn speed(&self, inverse: &Inverse) -> f64 {
+        let rates = self.rates(self.joint, self.joint);
+        inverse.speed(Class::Full, &Rates { first: [0.0; AXES], ..rates })
+    }
+
+    /// The correction at length `s` of the move.
+    pub fn at(&self, s: f64) -> Position {
+        let x = (s - self.joint).abs();
+        let cube = (self.h - x).max(0.0).powi(3);
+        self.jump.zip(self.bend, |d, k| cube * (d + k * x))
+    }
+
+    /// Its first derivative at length `s` of the move.
+    pub fn slope(&self, s: f64) -> Position {
+        let x = (s - self.joint).abs();
+        let left = (self.h - x).max(0.0);
+        let side = if s < self.joint { -1.0 } else { 1.0 };
+        let square = side * left * left;
+        self.jump.zip(self.bend, |d, k| square * (k * (self.h - 4.0 * x) - 3.0 * d))
+    }
+
+    /// Bounds of its derivatives over `from`…`to`.
+    pub fn rates(&self, from: f64, to: f64) -> Rates {
+        let h = self.h;
+        let (x0, x1) = ((from - self.joint).abs(), (to - self.joint).abs());
+        let (x0, x1) = (x0.min(x1).min(h), x0.max(x1).min(h));
+        let y = h - x0;
+        // Of x·(h−x)³: where its derivatives have their extremes.
+        let most = |f: &dyn Fn(f64) -> f64, at: f64| {
+            let inside = if x0 < at && at < x1 { f(at).abs() } else { 0.0 };
+            f(x0).abs().max(f(x1).abs()).max(inside)
+        };
+        let first = most(&|x| (h - x) * (h - x) * (h - 4.0 * x), 0.5 * h);
+        let second = most(&|x| 6.0 * (h - x) * (2.0 * x - h), 0.75 * h);
+        let third = most(&|x| 18.0 * h - 24.0 * x, h);
+        let sum =
+            |d: f64, k: f64| std::array::from_fn(|i| d * self.jump.0[i].abs() + k * self.bend.0[i].abs());
+        Rates { first: sum(3.0 * y * y, first), second: sum(6.0 * y, second), third: sum(6.0, third) }
+    }
+}
+
+/// The sum of both, bound by bound.
+pub(crate) fn add(a: &Rates, b: &Rates) -> Rates {
+    let sum = |x: &[f64; AXES], y: &[f64; AXES]| std::array::from_fn(|i| x[i].abs() + y[i].abs());
+    Rates {
+        first: sum(&a.first, &b.first),
+        second: sum(&a.second, &b.second),
+        third: sum(&a.third, &b.third),
+    }
+}

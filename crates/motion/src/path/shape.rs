@@ -1,0 +1,82 @@
+//! The curve of one cell.
+
+use crate::limits::Rates;
+use crate::path::corner::Corner;
+use crate::path::joint::Ease;
+use crate::path::piece::Piece;
+use ferrocut_geometry::{AXES, Position};
+
+/// Where a cell lies; lengths are from the start of the cell.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Shape {
+    /// `p + d·s`.
+    Line { p: Position, d: Position },
+    /// A stretch of a smoothed run.
+    Cubic(Cubic),
+    /// A slice of a move that begins at this length of it.
+    Slice(Piece, f64),
+    /// The same, eased at one end.
+    Eased(Piece, f64, Ease),
+    /// A corner rounded in time.
+    Corner(Corner),
+    /// Every axis on its own.
+    Axes { from: Position, to: Position },
+}
+
+impl Shape {
+    /// The point at length `s` of the cell. Of a corner `s` is the share of its duration.
+    #[inline]
+    pub fn at(&self, s: f64) -> Position {
+        match self {
+            Shape::Line { p, d } => p.zip(*d, |p, d| p + d * s),
+            Shape::Cubic(cubic) => cubic.at(s),
+            Shape::Slice(piece, from) => piece.at(from + s),
+            Shape::Eased(piece, from, ease) => piece.at(from + s) + ease.at(from + s),
+            Shape::Corner(corner) => corner.at(s),
+            Shape::Axes { from, .. } => *from,
+        }
+    }
+}
+
+/// `c₀ + c₁·s + c₂·s² + c₃·s³`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Cubic {
+    pub c: [Position; 4],
+    pub len: f64,
+}
+
+impl Cubic {
+    /// The point at `s`.
+    #[inline]
+    pub fn at(&self, s: f64) -> Position {
+        let [c0, c1, c2, c3] = &self.c;
+        Position(std::array::from_fn(|i| c0.0[i] + s * (c1.0[i] + s * (c2.0[i] + s * c3.0[i]))))
+    }
+
+    /// The Bézier points of `q′`, which is quadratic and stays inside their hull.
+    fn hull(&self) -> [[f64; AXES]; 3] {
+        let n = self.len;
+        let [_, c1, c2, c3] = &self.c;
+        let middle = std::array::from_fn(|i| c1.0[i] + c2.0[i] * n);
+        let end = std::array::from_fn(|i| c1.0[i] + n * (2.0 * c2.0[i] + 3.0 * c3.0[i] * n));
+        [c1.0, middle, end]
+    }
+
+    /// Largest `|q′|` over the first three axes.
+    pub fn stretch(&self) -> f64 {
+        self.hull().iter().map(|d| d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).fold(0.0, f64::max).sqrt()
+    }
+
+    /// Bounds of the derivatives; `q″` is linear and largest at an end.
+    pub fn rates(&self) -> Rates {
+        let hull = self.hull();
+        Rates {
+            first: std::array::from_fn(|i| hull[0][i].abs().max(hull[1][i].abs()).max(hull[2][i].abs())),
+            second: std::array::from_fn(|i| {
+                let (c2, c3) = (2.0 * self.c[2].0[i], 6.0 * self.c[3].0[i] * self.len);
+                c2.abs().max((c2 + c3).abs())
+            }),
+            third: std::array::from_fn(|i| 6.0 * self.c[3].0[i].abs()),
+        }
+    }
+}

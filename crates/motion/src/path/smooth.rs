@@ -1,0 +1,615 @@
+//! Runs of short lines as the smooth curve that they sample.
+//!
+//! A run of lines is replaced by a cubic B-spline over the programmed length `u` as parameter: C², with a third
+//! derivative that is constant between knots, which is what jerk limits ask for. How it is found:
+//!
+//! 1. **Thin out.** From a kept point on, points are left out as long as all of them lie within a share of the
+//!    tolerance of the chord. What rounding of coordinates does to directions of short blocks is gone then.
+//! 2. **Knots** at the points that are kept, and beside those whose lines are longer than what rounding the corner
+//!    takes: a corner that turns by `Δ` between knots `h` apart is missed by `Δ·h/6`.
+//! 3. **Control points** on the chords at the Greville lengths `ξₖ = (tₖ₋₁ + tₖ + tₖ₊₁)/3`, so that straight stretches
+//!    are reproduced exactly, at unit speed (Schoenberg's operator); then moved by a share of what the spline misses at
+//!    the knots, so that it runs through the middle of the tolerance and not along the inside of every bend.
+//! 4. **Check** of the true distance, of every programmed point from the spline and of the spline from the
+//!    programmed lines. Where it is beyond the tolerance, less is left out, knots come closer and control points are
+//!    not moved ([`LEVELS`]); the last level keeps the tolerance by construction.
+//!
+//! At both ends of a run the spline has a span on the line itself, so that it meets it with no curvature.
+
+// Only the axes in front that move are looped over, in several vectors at once.
+#![allow(clippy::needless_range_loop)]
+
+use crate::limits::Class;
+use crate::path::shape::Cubic;
+use ferrocut_geometry::{AXES, Position};
+
+/// Most points of a run that are smoothed at once; a longer run goes on from where it was.
+pub(crate) const POINTS: usize = 512;
+
+/// Points that one more move may bring.
+const SPARE: usize = 160;
+
+/// Knots: two more a line at most.
+const KNOTS: usize = 3 * (POINTS + SPARE) + 32;
+
+/// Most points left out in a row.
+const MOST_LEFT_OUT: usize = 48;
+
+/// How far smoothing goes, from the boldest on.
+struct Level {
+    /// Share of the tolerance that points left out may be away from the chord.
+    chord: f64,
+    /// Distance of knots: times `6·δ/Δ`.
+    spread: f64,
+    /// Share of the miss that control points are moved by.
+    pull: f64,
+}
+
+const LEVELS: [Level; 6] = [
+    Level { chord: 2.0, spread: 9.0, pull: 0.85 },
+    Level { chord: 0.6, spread: 3.0, pull: 0.8 },
+    Level { chord: 0.5, spread: 1.4, pull: 0.5 },
+    Level { chord: 0.3, spread: 0.7, pull: 0.0 },
+    Level { chord: 0.0, spread: 0.6, pull: 0.0 },
+    Level { chord: 0.0, spread: 0.2, pull: 0.0 },
+];
+
+/// Share of the tolerance that is used.
+const TOLERANCE_SHARE: f64 = 0.98;
+
+/// Spans at the end of an unfinished run that still change with what follows.
+const TAIL: usize = 8;
+
+/// In how many parts a span is looked at.
+const CHECKS: usize = 8;
+
+/// Spans behind those that are put out which are checked with them.
+const KEPT_SPANS: usize = 5;
+
+/// A point of a run.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Point {
+    pub p: Position,
+    /// Programmed length up to here.
+    pub u: f64,
+    /// Of the line that begins here: mm/s, and how far the path may be left.
+    pub feed: f64,
+    pub tolerance: f64,
+    level: u8,
+}
+
+/// A stretch of the smoothed run.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Span {
+    pub u: f64,
+    pub cubic: Cubic,
+    pub feed: f64,
+    pub is_straight: bool,
+}
+
+type Vector = [f64; AXES];
+
+/// A run being smoothed.
+#[derive(Debug)]
+pub(crate) struct Smoother {
+    pub class: Class,
+    points: Vec<Point>,
+    /// Points that are kept: place of the point, and the level at which it was kept.
+    kept: Vec<usize>,
+    /// Ends of the chords: length and place.
+    chords: Vec<(f64, Vector)>,
+    knots: Vec<f64>,
+    controls: Vec<Vector>,
+    /// Control points before they were moved.
+    raw: Vec<Vector>,
+    misses: Vec<Vector>,
+    /// Knots and control points that stand from the part that is already in the queue.
+    fixed_knots: usize,
+    fixed_controls: usize,
+    /// Where the last knot that stands lies.
+    anchor: (f64, Vector),
+    /// How far apart knots may be about it.
+    anchor_reach: f64,
+    /// First span that is not yet in the queue.
+    next: usize,
+    /// The first and the last line stay as they are: something is joined to them.
+    keeps: [bool; 2],
+    /// How many axes in front move.
+    count: usize,
+}
+
+impl Smoother {
+    pub fn new() -> Smoother {
+        Smoother {
+            class: Class::Cut,
+            points: Vec::with_capacity(POINTS + SPARE),
+            kept: Vec::with_capacity(POINTS + SPARE),
+            chords: Vec::with_capacity(POINTS + SPARE),
+            knots: Vec::with_capacity(KNOTS),
+            controls: Vec::with_capacity(KNOTS),
+            raw: Vec::with_capacity(KNOTS),
+            misses: Vec::with_capacity(KNOTS),
+            fixed_knots: 0,
+            fixed_controls: 0,
+            anchor: (0.0, [0.0; AXES]),
+            anchor_reach: 0.0,
+            next: 0,
+            keeps: [false; 2],
+            count: 3,
+        }
+    }
+
+    pub fn clear(&mut self) {
+        self.points.clear();
+        self.fixed_knots = 0;
+        self.fixed_controls = 0;
+        self.next = 0;
+        self.count = 3;
+    }
+
+    /// How many lines it holds.
+    pub fn lines(&self) -> usize {
+        self.points.len().saturating_sub(1)
+    }
+
+    pub fn is_full(&self) -> bool {
+        self.points.len() >= POINTS
+    }
+
+    /// Begins a run.
+    pub fn begin(&mut self, p: Position, u: f64, feed: f64, tolerance: f64, class: Class) {
+        self.clear();
+        self.class = class;
+        self.points.push(Point { p, u, feed, tolerance, level: 0 });
+    }
+
+    /// Adds a line to `p`.
+    pub fn add(&mut self, p: Position, u: f64) {
+        if self.count < AXES && self.points.last().is_some_and(|last| last.p.0[3..] != p.0[3..]) {
+            self.count = AXES;
+        }
+        self.points.push(Point { p, u, feed: 0.0, tolerance: f64::INFINITY, level: 0 });
+    }
+
+    /// Feed and tolerance of the line that begins at the newest point.
+    pub fn set_last(&mut self, feed: f64, tolerance: f64) {
+        if let Some(last) = self.points.last_mut() {
+            (last.feed, last.tolerance) = (feed, tolerance);
+        }
+    }
+
+    /// Smooths the run between the lengths `from` and `to`, which lie on its first and its last line, and hands its
+    /// spans to `out`. If the run is `open`, it goes on: the last spans are kept back. `keeps` says whether its first
+    /// and its last line stay as they are.
+    pub fn run(&mut self, from: f64, to: f64, keeps: [bool; 2], open: bool, mut out: impl FnMut(Span)) {
+        self.keeps = keeps;
+        if self.points.len() < 2 {
+            return;
+        }
+        for round in 0..LEVELS.len() * 2 {
+            self.thin_out();
+            self.place_knots(from, to, open);
+            self.place_controls(open);
+            let last = self.last(open);
+            // What is kept back rests on the knots that stand, so these must be good too.
+            let spans = self.knots.len().saturating_sub(5);
+            let is_good = self.check((last + KEPT_SPANS).min(spans), round);
+            if is_good || round + 1 == LEVELS.len() * 2 {
+                break;
+            }
+        }
+        let last = self.last(open);
+        let mut at = 0;
+        for k in self.next..last {
+            let span = self.span(k, &mut at);
+            out(span);
+        }
+        if open {
+            self.keep_from(last);
+        } else {
+            self.clear();
+        }
+    }
+
+    /// One behind the last span to be put out.
+    fn last(&self, open: bool) -> usize {
+        let spans = self.knots.len().saturating_sub(5);
+        if !open {
+            return spans;
+        }
+        // The last knot that span `k` needs is a point that is kept: thinning out goes on from it as it did before.
+        let is_kept =
+            |k: usize| self.chords.binary_search_by(|chord| chord.0.total_cmp(&self.knots[k + 5])).is_ok();
+        let most = spans.saturating_sub(TAIL);
+        (self.next..=most).rev().find(|k| is_kept(*k)).unwrap_or(self.next)
+    }
+
+    // Knot `k` of the run is `knots[k + 2]`, control point `k` is `controls[k + 1]`; spans are 0, 1, …
+    fn t(&self, k: usize) -> f64 {
+        self.knots[k + 2]
+    }
+
+    /// Which points are kept.
+    fn thin_out(&mut self) {
+        self.kept.clear();
+        self.chords.clear();
+        let begin = match self.fixed_knots {
+            0 => {
+                self.kept.push(0);
+                self.chords.push((self.points[0].u, self.points[0].p.0));
+                0
+            }
+            n => {
+                // From the last knot that stands, on the chord that it stood on.
+                let _ = n;
+                self.chords.push(self.anchor);
+                self.segment(self.anchor.0, 0)
+            }
+        };
+        let mut anchor = begin;
+        let last = self.points.len() - 1;
+        let (mut from_u, mut from_p) = self.chords[0];
+        while anchor < last {
+            let mut end = anchor + 1;
+            let feed = self.points[anchor].feed;
+            let is_kept = self.keeps[0] && self.fixed_knots == 0 && anchor == 0;
+            while end < last && end - anchor < MOST_LEFT_OUT && !is_kept {
+                if self.keeps[1] && end + 1 == last {
+                    break;
+                }
+                let point = &self.points[end];
+                if point.feed != feed || !self.fits(from_u, &from_p, anchor + 1, end + 1) {
+                    break;
+                }
+                end += 1;
+            }
+            self.kept.push(end);
+            let point = &self.points[end];
+            self.chords.push((point.u, point.p.0));
+            (from_u, from_p) = (point.u, point.p.0);
+            anchor = end;
+        }
+    }
+
+    /// Whether the points `first`…`end − 1` are close enough to the chord from a place to point `end`.
+    fn fits(&self, from_u: f64, from: &Vector, first: usize, end: usize) -> bool {
+        let n = self.count;
+        let to = &self.points[end];
+        let len = to.u - from_u;
+        for i in first..end {
+            let point = &self.points[i];
+            let level = &LEVELS[usize::from(point.level).min(LEVELS.len() - 1)];
+            if level.chord == 0.0 {
+                return false;
+            }
+            let share = (point.u - from_u) / len;
+            let mut square = 0.0;
+            for k in 0..n {
+                let on = from[k] + (to.p.0[k] - from[k]) * share;
+                square += (point.p.0[k] - on) * (point.p.0[k] - on);
+            }
+            // Apart at the same share of the way is a little more than the distance.
+            let most = level.chord * point.tolerance.min(self.points[i - 1].tolerance);
+            if square > most * most {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// The line that length `u` lies on, searched from line `from` on.
+    fn segment(&self, u: f64, from: usize) -> usize {
+        let mut i = from;
+        while i + 2 < self.points.len() && self.points[i + 1].u <= u {
+            i += 1;
+        }
+        i
+    }
+
+    /// How far apart knots may be about the kept point `i`.
+    fn reach(&self, i: usize) -> f64 {
+        if i == 0 || i + 1 >= self.chords.len() {
+            return 0.0;
+        }
+        let (a, b, c) = (&self.chords[i - 1], &self.chords[i], &self.chords[i + 1]);
+        let mut square = 0.0;
+        for k in 0..self.count {
+            let turn = (c.1[k] - b.1[k]) / (c.0 - b.0) - (b.1[k] - a.1[k]) / (b.0 - a.0);
+            square += turn * turn;
+        }
+        let offset = self.chords.len() - self.kept.len();
+        let point = &self.points[self.kept[i - offset.min(i)]];
+        let before = &self.points[self.kept[i - offset.min(i)].saturating_sub(1)];
+        let level = &LEVELS[usize::from(point.level).min(LEVELS.len() - 1)];
+        let tolerance = point.tolerance.min(before.tolerance) * TOLERANCE_SHARE;
+        level.spread * 6.0 * tolerance / square.sqrt().max(1e-12)
+    }
+
+    fn place_knots(&mut self, from: f64, to: f64, open: bool) {
+        if self.fixed_knots == 0 {
+            self.knots.clear();
+            // Two before the start, filled in below.
+            self.knots.extend([0.0, 0.0, from]);
+        } else {
+            self.knots.truncate(self.fixed_knots);
+        }
+        let count = self.chords.len();
+        // The knots that stand were placed with what was known then.
+        let mut before = if self.fixed_knots == 0 { 0.0 } else { self.anchor_reach };
+        for i in 0..count - 1 {
+            let after = self.reach(i + 1);
+            let start = self.chords[i].0.max(from);
+            let is_last = i + 2 == count;
+            let end = if is_last { self.chords[i + 1].0.min(to) } else { self.chords[i + 1].0 };
+            let len = end - start;
+            let is_first = i == 0 && self.fixed_knots == 0;
+            let must = is_first || (is_last && !open);
+            let (least, most) = (before.min(after), before.max(after));
+            if least == 0.0 {
+                // At an end of the run; the corner at the other side decides.
+                let free = len - most;
+                let on = if most > 0.0 && free > 0.2 * most.min(len) { most } else { 0.5 * len };
+                if must || free > 0.2 * most.min(len) {
+                    self.knots.push(if after > 0.0 { end - on } else { start + on });
+                }
+            } else if len - before - after >= 0.3 * least {
+                self.knots.extend([start + before, end - after]);
+            } else if len > least {
+                let on = if least < 0.6 * len { least } else { 0.5 * len };
+                self.knots.push(if before < after { start + on } else { end - on });
+            }
+            if !(is_last && open) {
+                self.knots.push(end);
+            }
+            before = after;
+        }
+        if open {
+            let end = self.chords[count - 1].0;
+            self.knots.push(end);
+        }
+        // Mirrored beyond the ends.
+        if self.fixed_knots == 0 {
+            let t0 = self.knots[2];
+            self.knots[1] = 2.0 * t0 - self.knots[3];
+            self.knots[0] = 2.0 * t0 - self.knots[4.min(self.knots.len() - 1)];
+        }
+        let n = self.knots.len();
+        let end = self.knots[n - 1];
+        let (one, two) = (self.knots[n - 2], self.knots[n - 3]);
+        self.knots.extend([2.0 * end - one, 2.0 * end - two]);
+    }
+
+    fn place_controls(&mut self, open: bool) {
+        let n = self.count;
+        if self.fixed_knots == 0 {
+            self.fixed_controls = 0;
+        }
+        self.controls.truncate(self.fixed_controls);
+        self.raw.truncate(self.fixed_controls);
+        // One control point for every knot but the outermost two.
+        let total = self.knots.len() - 2;
+        let mut chord = 0;
+        for j in self.fixed_controls..total {
+            let u = (self.knots[j] + self.knots[j + 1] + self.knots[j + 2]) / 3.0;
+            while chord + 2 < self.chords.len() && self.chords[chord + 1].0 < u {
+                chord += 1;
+            }
+            let (a, b) = (&self.chords[chord], &self.chords[chord + 1]);
+            let share = (u - a.0) / (b.0 - a.0);
+            let mut control = a.1;
+            for k in 0..n {
+                control[k] += (b.1[k] - a.1[k]) * share;
+            }
+            self.controls.push(control);
+            self.raw.push(control);
+        }
+        self.pull(open);
+    }
+
+    /// Moves control points by a share of what the spline misses.
+    fn pull(&mut self, open: bool) {
+        let n = self.count;
+        let total = self.controls.len();
+        self.misses.clear();
+        self.misses.resize(total, [0.0; AXES]);
+        let mut chord = 0;
+        let mut at = 0;
+        // The outermost three at either end keep the ends on their lines.
+        let first = self.fixed_controls.max(3);
+        let last = if open { total.saturating_sub(2) } else { total.saturating_sub(3) };
+        for j in first..last {
+            let t = self.knots[j + 1];
+            while chord + 2 < self.chords.len() && self.chords[chord + 1].0 < t {
+                chord += 1;
+            }
+            at = self.segment(t, at);
+            let point = &self.points[at];
+            let near = &self.points[(at + 1).min(self.points.len() - 1)];
+            let level = usize::from(point.level.max(near.level)).min(LEVELS.len() - 1);
+            let pull = LEVELS[level].pull;
+            if pull == 0.0 {
+                continue;
+            }
+            let (a, b) = (&self.chords[chord], &self.chords[chord + 1]);
+            let share = (t - a.0) / (b.0 - a.0);
+            let q = self.blend(&self.raw, j - 1);
+            for k in 0..n {
+                self.misses[j][k] = pull * (a.1[k] + (b.1[k] - a.1[k]) * share - q[k]);
+            }
+        }
+        for j in first..last {
+            for k in 0..n {
+                self.controls[j][k] += self.misses[j][k];
+            }
+        }
+    }
+
+    /// Weights of the three control points about knot `k` in the value there.
+    fn weights(&self, k: usize) -> [f64; 3] {
+        let [a, b, c, d, e] = [0, 1, 2, 3, 4].map(|i| self.knots[k + i]);
+        let (left, right) = (c - b, d - c);
+        let whole = d - b;
+        let w0 = right * right / (whole * (d - a));
+        let w2 = left * left / (whole * (e - b));
+        [w0, 1.0 - w0 - w2, w2]
+    }
+
+    /// `q` at knot `k`.
+    fn at_knot(&self, k: usize) -> Vector {
+        self.blend(&self.controls, k)
+    }
+
+    fn blend(&self, controls: &[Vector], k: usize) -> Vector {
+        let w = self.weights(k);
+        let (a, b, c) = (&controls[k], &controls[k + 1], &controls[k + 2]);
+        std::array::from_fn(|i| w[0] * a[i] + w[1] * b[i] + w[2] * c[i])
+    }
+
+    /// `q′` and `q″` at knot `k`.
+    fn derivatives(&self, k: usize) -> (Vector, Vector) {
+        let [a, b, c, d, e] = [0, 1, 2, 3, 4].map(|i| self.knots[k + i]);
+        let (p, q, r) = (&self.controls[k], &self.controls[k + 1], &self.controls[k + 2]);
+        let (f, g) = (3.0 / (d - a), 3.0 / (e - b));
+        let whole = d - b;
+        let (left, right) = ((d - c) / whole, (c - b) / whole);
+        let mut first = [0.0; AXES];
+        let mut second = [0.0; AXES];
+        for i in 0..self.count {
+            let (x, y) = ((q[i] - p[i]) * f, (r[i] - q[i]) * g);
+            first[i] = left * x + right * y;
+            second[i] = 2.0 * (y - x) / whole;
+        }
+        (first, second)
+    }
+
+    fn cubic(&self, k: usize) -> Cubic {
+        let len = self.t(k + 1) - self.t(k);
+        let (c1, e0) = self.derivatives(k);
+        let (_, e1) = self.derivatives(k + 1);
+        let mut c = [Position::ZERO; 4];
+        c[0] = Position(self.at_knot(k));
+        c[1] = Position(c1);
+        for i in 0..self.count {
+            c[2].0[i] = 0.5 * e0[i];
+            c[3].0[i] = (e1[i] - e0[i]) / (6.0 * len);
+        }
+        Cubic { c, len }
+    }
+
+    /// Whether the spans up to `last` keep the tolerance; if not, the points concerned go to their next level.
+    fn check(&mut self, last: usize, round: usize) -> bool {
+        let n = self.count;
+        let mut is_good = true;
+        let mut at = 0;
+        for k in self.next..last {
+            let cubic = self.cubic(k);
+            let (begin, end) = (self.t(k), self.t(k + 1));
+            at = self.segment(begin, at);
+            let first = at;
+            let mut worst: f64 = 0.0;
+            let mut i = at;
+            let mut tolerance = self.points[i].tolerance;
+            // Programmed points from the spline.
+            while i + 1 < self.points.len() && self.points[i + 1].u <= end {
+                i += 1;
+                let point = &self.points[i];
+                tolerance = tolerance.min(point.tolerance);
+                worst = worst.max(across(&cubic, point.u - begin, &point.p.0, n));
+            }
+            // The spline from the programmed lines, between them.
+            let mut line = first;
+            let looks = CHECKS.max(2 * (i - first));
+            for look in 1..looks {
+                let u = begin + (end - begin) * look as f64 / looks as f64;
+                line = self.segment(u, line);
+                let q = cubic.at(u - begin);
+                let mut near = self.distance_to_line(line, &q.0);
+                if near > tolerance * TOLERANCE_SHARE && line > 0 {
+                    near = near.min(self.distance_to_line(line - 1, &q.0));
+                }
+                if near > tolerance * TOLERANCE_SHARE && line + 2 < self.points.len() {
+                    near = near.min(self.distance_to_line(line + 1, &q.0));
+                }
+                worst = worst.max(near);
+            }
+            if worst > tolerance * TOLERANCE_SHARE {
+                is_good = false;
+                let until = (i + 2).min(self.points.len());
+                for point in &mut self.points[first.saturating_sub(1)..until] {
+                    // One level a round, however many spans are at fault.
+                    point.level =
+                        (point.level + 1).min(round as u8 + 1).min(LEVELS.len() as u8 - 1).max(point.level);
+                }
+            }
+        }
+        is_good
+    }
+
+    /// Distance of `q` from line `i`.
+    fn distance_to_line(&self, i: usize, q: &Vector) -> f64 {
+        let (a, b) = (&self.points[i], &self.points[i + 1]);
+        let (mut dot, mut square, mut own) = (0.0, 0.0, 0.0);
+        for k in 0..self.count {
+            let (d, e) = (b.p.0[k] - a.p.0[k], q[k] - a.p.0[k]);
+            dot += d * e;
+            square += d * d;
+            own += e * e;
+        }
+        let share = if square > 0.0 { (dot / square).clamp(0.0, 1.0) } else { 0.0 };
+        (own - 2.0 * share * dot + share * share * square).max(0.0).sqrt()
+    }
+
+    /// Span `k`; `at` is where its line is looked for.
+    fn span(&self, k: usize, at: &mut usize) -> Span {
+        let mut cubic = self.cubic(k);
+        let (begin, end) = (self.t(k), self.t(k + 1));
+        *at = self.segment(begin, *at);
+        let line = self.segment(0.5 * (begin + end), *at);
+        let is_straight = (0..self.count).all(|i| {
+            (2.0 * cubic.c[2].0[i]).abs() < 1e-9 && (6.0 * cubic.c[3].0[i] * cubic.len).abs() < 1e-9
+        });
+        let other = &self.points[line];
+        for i in self.count..AXES {
+            cubic.c[0].0[i] = other.p.0[i];
+        }
+        Span { u: begin, cubic, feed: other.feed, is_straight }
+    }
+
+    /// Keeps what the spans from `next` on need.
+    fn keep_from(&mut self, next: usize) {
+        // Span `next` needs knots next−2…next+3 and control points next−1…next+2.
+        let begin = self.t(next);
+        let u = self.knots[next + 5];
+        let i =
+            self.chords.iter().skip(1).take_while(|chord| chord.0 <= u).count().min(self.chords.len() - 2);
+        let (a, b) = (&self.chords[i], &self.chords[i + 1]);
+        let share = (u - a.0) / (b.0 - a.0);
+        self.anchor_reach = self.reach(i);
+        self.anchor = (u, std::array::from_fn(|k| a.1[k] + (b.1[k] - a.1[k]) * share));
+        self.knots.copy_within(next..next + 6, 0);
+        self.knots.truncate(6);
+        self.controls.copy_within(next..next + 4, 0);
+        self.controls.truncate(4);
+        self.raw.copy_within(next..next + 4, 0);
+        self.raw.truncate(4);
+        self.fixed_knots = 6;
+        self.fixed_controls = 4;
+        self.next = 0;
+        let first = self.segment(begin, 0).saturating_sub(1);
+        self.points.drain(..first);
+    }
+}
+
+/// How far `p` is from the spline beside the length `s`, across its direction.
+fn across(cubic: &Cubic, s: f64, p: &Vector, n: usize) -> f64 {
+    let [c0, c1, c2, c3] = &cubic.c;
+    let (mut square, mut along, mut speed) = (0.0, 0.0, 0.0);
+    for k in 0..n {
+        let e = c0.0[k] + s * (c1.0[k] + s * (c2.0[k] + s * c3.0[k])) - p[k];
+        let d = c1.0[k] + s * (2.0 * c2.0[k] + s * 3.0 * c3.0[k]);
+        square += e * e;
+        along += e * d;
+        speed += d * d;
+    }
+    (square - along * along / speed.max(1e-12)).max(0.0).sqrt()
+}

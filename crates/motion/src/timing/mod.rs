@@ -1,0 +1,7 @@
+//! How fast: ramps between speeds, look-ahead over the cells, interpolation in time.
+
+pub(crate) mod axes;
+pub(crate) mod interpolate;
+pub(crate) mod plan;
+pub(crate) mod queue;
+pub(crate) mod ramp;

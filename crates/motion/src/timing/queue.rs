@@ -1,0 +1,205 @@
+//! The ring of cells between geometry and look-ahead.
+//!
+//! A **cell** is a stretch of path under one set of bounds: a line between its joints, an ease, a slice of an
+//! arc, a span of a smoothed run, a rounded corner. Cells are numbered from the start of the program on; `head` is
+//! the oldest. Along a run that is not at rest between moves the length `s` goes on from cell to cell; it is the
+//! programmed length, so the end of a block is known by it, however many blocks one cell replaces (**marks**).
+
+use crate::limits::{Class, Load};
+use crate::path::shape::Shape;
+use crate::timing::ramp::Foot;
+use ferrocut_geometry::Position;
+
+/// Cells in the queue; one to three a block where blocks are long, one for many where they are short.
+pub(crate) const CELLS: usize = 4096;
+
+/// Ends of blocks in the queue. Braking from 250 mm/s at 3000 mm/s² and 60 m/s³ takes 17 mm, which is 1,700
+/// blocks of 0.01 mm.
+pub(crate) const MARKS: usize = 8192;
+
+/// Lengths on the path this close are the same: sums that were rounded, mm.
+const SAME_LENGTH: f64 = 1e-9;
+
+/// A stretch of path: what interpolation needs of it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Cell {
+    pub shape: Shape,
+    /// The programmed point on which the path comes to rest at the end of this cell.
+    pub rest: Option<Position>,
+}
+
+/// How a cell is passed.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) enum Pass {
+    /// As fast as its bounds allow.
+    Path,
+    /// In its own time: a corner, with its state at both ends and its duration.
+    Corner { foot: Foot, time: f64 },
+    /// Every axis on its own, from rest to rest.
+    Axes,
+}
+
+/// A stretch of path: what look-ahead needs of it. Kept apart from [`Cell`] to be read in few cache lines.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Node {
+    /// Length at its start, mm.
+    pub s: f64,
+    pub len: f64,
+    pub load: Load,
+    /// Highest speed by the axes, mm/s.
+    pub top: f64,
+    /// Programmed speed, mm/s; infinite for rapids.
+    pub feed: f64,
+    pub class: Class,
+    pub pass: Pass,
+    /// Whether the path rests at its end.
+    pub rests: bool,
+}
+
+impl Node {
+    pub fn end(&self) -> f64 {
+        self.s + self.len
+    }
+}
+
+/// The end of a block.
+#[derive(Clone, Copy, Debug, Default)]
+struct Mark {
+    s: f64,
+    tag: u64,
+}
+
+/// The ring of cells, and the one of marks.
+#[derive(Debug)]
+pub(crate) struct Queue {
+    cells: Vec<Cell>,
+    nodes: Vec<Node>,
+    head: u64,
+    tail: u64,
+    marks: Vec<Mark>,
+    first_mark: u64,
+    last_mark: u64,
+    /// How many cells end at rest.
+    rests: usize,
+}
+
+fn slot(number: u64) -> usize {
+    (number % CELLS as u64) as usize
+}
+
+fn mark_slot(number: u64) -> usize {
+    (number % MARKS as u64) as usize
+}
+
+impl Queue {
+    pub fn new() -> Queue {
+        let shape = Shape::Line { p: Position::ZERO, d: Position::ZERO };
+        let node = Node {
+            s: 0.0,
+            len: 0.0,
+            load: Load::NONE,
+            top: 0.0,
+            feed: 0.0,
+            class: Class::Cut,
+            pass: Pass::Path,
+            rests: false,
+        };
+        Queue {
+            cells: vec![Cell { shape, rest: None }; CELLS],
+            nodes: vec![node; CELLS],
+            head: 0,
+            tail: 0,
+            marks: vec![Mark::default(); MARKS],
+            first_mark: 0,
+            last_mark: 0,
+            rests: 0,
+        }
+    }
+
+    pub fn len(&self) -> usize {
+        (self.tail - self.head) as usize
+    }
+
+    pub fn room(&self) -> usize {
+        CELLS - self.len()
+    }
+
+    /// Room for ends of blocks.
+    pub fn mark_room(&self) -> usize {
+        MARKS - (self.last_mark - self.first_mark) as usize
+    }
+
+    /// Number of the oldest cell.
+    pub fn head(&self) -> u64 {
+        self.head
+    }
+
+    /// Number that the next cell will have.
+    pub fn tail(&self) -> u64 {
+        self.tail
+    }
+
+    /// Whether the oldest run is known to its end.
+    pub fn has_rest(&self) -> bool {
+        self.rests > 0
+    }
+
+    #[inline]
+    pub fn node(&self, number: u64) -> &Node {
+        &self.nodes[slot(number)]
+    }
+
+    #[inline]
+    pub fn cell(&self, number: u64) -> &Cell {
+        &self.cells[slot(number)]
+    }
+
+    /// Adds a cell; the caller looked for room.
+    pub fn append(&mut self, cell: Cell, node: Node) {
+        self.rests += usize::from(node.rests);
+        self.cells[slot(self.tail)] = cell;
+        self.nodes[slot(self.tail)] = node;
+        self.tail += 1;
+    }
+
+    /// The path rests at the end of the newest cell, on this point.
+    pub fn rest_at(&mut self, point: Position) {
+        if self.head < self.tail {
+            let slot = slot(self.tail - 1);
+            self.cells[slot].rest = Some(point);
+            self.rests += usize::from(!self.nodes[slot].rests);
+            self.nodes[slot].rests = true;
+        }
+    }
+
+    /// Notes that the block `tag` ends at `s`; the caller looked for room.
+    pub fn mark(&mut self, s: f64, tag: u64) {
+        self.marks[mark_slot(self.last_mark)] = Mark { s, tag };
+        self.last_mark += 1;
+    }
+
+    /// The block at `s`; those before it are forgotten.
+    pub fn tag_at(&mut self, s: f64) -> Option<u64> {
+        while self.first_mark + 1 < self.last_mark
+            && self.marks[mark_slot(self.first_mark)].s < s - SAME_LENGTH
+        {
+            self.first_mark += 1;
+        }
+        (self.first_mark < self.last_mark).then(|| self.marks[mark_slot(self.first_mark)].tag)
+    }
+
+    /// Takes the oldest cell away.
+    pub fn retire(&mut self) {
+        if self.head < self.tail {
+            self.rests -= usize::from(self.node(self.head).rests);
+            self.head += 1;
+        }
+    }
+
+    /// Forgets every cell.
+    pub fn clear(&mut self) {
+        self.head = self.tail;
+        self.first_mark = self.last_mark;
+        self.rests = 0;
+    }
+}
