@@ -159,70 +159,42 @@ impl Load {
         }
     }
 
-    /// What a ramp between the speeds `low` and `high` may use, if it does not go faster than `here` on this piece:
-    /// of some splits of the jerk the one that is quickest.
-    pub fn drive(&self, low: f64, high: f64, here: f64) -> Drive {
-        if let Some(drive) = self.straight {
-            return drive;
-        }
-        let here = here.min(high);
-        let cube = here * here * here;
-        let mut stiff = LEAST_INVERSE[2];
-        for i in 0..self.count {
-            stiff =
-                stiff.max(f64::from(self.push[i]) / (1.0 - f64::from(self.twist[i]) * cube).max(LEAST_LEFT));
-        }
-        let most = stiff.recip();
-        let change = high - low;
-        let mut best = (f64::INFINITY, Drive { a: LEAST_INVERSE[1].recip(), j: most });
-        for share in JERK_SPLITS {
-            let j = share * most;
-            let a = self.acceleration(high, here, (change * j).sqrt(), j);
-            let time = if change * j > a * a { change / a + a / j } else { 2.0 * (change / j).sqrt() };
-            if time < best.0 {
-                best = (time, Drive { a, j });
-            }
-        }
-        best.1
+    /// Whether no axis is accelerated at a steady speed.
+    #[inline]
+    pub fn is_straight(&self) -> bool {
+        self.straight.is_some()
     }
 
-    /// Highest acceleration, up to `most`, of a ramp that ends at `high` with the jerk `j`, to a percent.
-    fn acceleration(&self, high: f64, here: f64, most: f64, j: f64) -> f64 {
-        if self.holds(high, here, Drive { a: most, j }) {
-            return most;
-        }
-        let (mut low, mut most) = (0.0, most);
-        while most - low > 0.01 * most && most > LEAST_ACCELERATION {
-            let a = 0.5 * (low + most);
-            if self.holds(high, here, Drive { a, j }) {
-                low = a;
-            } else {
-                most = a;
-            }
-        }
-        low.max(LEAST_ACCELERATION)
-    }
-
-    /// Whether a ramp that ends at `high` with this drive, no faster than `here` on this piece, keeps the limits.
+    /// What is left to the path at the speed `v`.
     ///
-    /// While the ramp takes its acceleration back, speed is `high − a²/2j`. Eighth by eighth of the acceleration,
-    /// the most of it and the most of the speed are set against the limits; before, speed is less.
-    pub fn holds(&self, high: f64, here: f64, drive: Drive) -> bool {
-        const PARTS: i32 = 8;
-        if let Some(most) = self.straight {
-            return drive.a <= most.a && drive.j <= most.j;
+    /// Acceleration takes a share of the jerk on a curve, `3·q″·v·a`; it may take up to [`SWING_SHARE`] of what the
+    /// twist leaves.
+    #[inline]
+    pub fn room(&self, v: f64) -> Room {
+        if let Some(drive) = self.straight {
+            return Room { a: drive.a, j: [drive.j; 2] };
         }
-        (0..PARTS).all(|k| {
-            let now = drive.a * f64::from(PARTS - k) / f64::from(PARTS);
-            let then = drive.a * f64::from(PARTS - k - 1) / f64::from(PARTS);
-            let v = (high - then * then / (2.0 * drive.j)).max(0.0).min(here);
-            self.used(v, now, drive.j) <= 1.0
-        })
+        let (w, cube) = (v * v, v * v * v);
+        let mut a = Drive::MOST.a;
+        for i in 0..self.count {
+            let left = (1.0 - f64::from(self.bend[i]) * w).max(LEAST_LEFT);
+            let still = (1.0 - f64::from(self.twist[i]) * cube).max(LEAST_LEFT);
+            a = a.min(left / f64::from(self.along[i]).max(LEAST_INVERSE[1]));
+            a = a.min(SWING_SHARE * still / (f64::from(self.swing[i]) * v).max(LEAST_INVERSE[1]));
+        }
+        let mut j = [Drive::MOST.j; 2];
+        for i in 0..self.count {
+            let still = (1.0 - f64::from(self.twist[i]) * cube).max(LEAST_LEFT);
+            let swings = (still - f64::from(self.swing[i]) * v * a).max(LEAST_LEFT * LEAST_LEFT);
+            let push = f64::from(self.push[i]).max(LEAST_INVERSE[2]);
+            j = [j[0].min(still / push), j[1].min(swings / push)];
+        }
+        Room { a, j }
     }
 
     /// Largest share of acceleration or jerk used at `v`, `a` and `j`.
     #[inline]
-    fn used(&self, v: f64, a: f64, j: f64) -> f64 {
+    pub fn used(&self, v: f64, a: f64, j: f64) -> f64 {
         let w = v * v;
         let mut most: f64 = 0.0;
         for i in 0..self.count {
@@ -235,11 +207,17 @@ impl Load {
     }
 }
 
-/// Shares of the jerk that is left at the end of a ramp, tried for it.
-const JERK_SPLITS: [f64; 4] = [0.98, 0.8, 0.6, 0.35];
+/// What is left to the path at a speed.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct Room {
+    /// Acceleration, mm/s².
+    pub a: f64,
+    /// Jerk at no acceleration and at that one, mm/s³.
+    pub j: [f64; 2],
+}
 
-/// Less acceleration than this would not get a path anywhere, mm/s².
-const LEAST_ACCELERATION: f64 = 1e-3;
+/// See [`Load::room`].
+const SWING_SHARE: f64 = 0.7;
 
 /// Least share of the jerk that is left to a path, whatever the curve takes.
 const LEAST_LEFT: f64 = 0.02;

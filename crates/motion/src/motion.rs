@@ -159,7 +159,7 @@ impl Motion {
 
     /// Plans with the new overrides, now or as soon as it is possible.
     fn renew(&mut self) {
-        self.outdated = !self.plan.renew(&self.queue, self.interpolator.s());
+        self.outdated = !self.plan.renew(&self.queue, self.interpolator.t());
         self.interpolator.renewed(&self.plan);
     }
 

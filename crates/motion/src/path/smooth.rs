@@ -41,18 +41,25 @@ struct Level {
     chord: f64,
     /// Distance of knots: times `6·δ/Δ`.
     spread: f64,
-    /// Share of the miss that control points are moved by.
-    pull: f64,
+    /// How far `ℓ` a wave is smoothed away, times the distance of knots.
+    reach: f64,
 }
 
 const LEVELS: [Level; 6] = [
-    Level { chord: 2.0, spread: 9.0, pull: 0.85 },
-    Level { chord: 0.6, spread: 3.0, pull: 0.8 },
-    Level { chord: 0.5, spread: 1.4, pull: 0.5 },
-    Level { chord: 0.3, spread: 0.7, pull: 0.0 },
-    Level { chord: 0.0, spread: 0.6, pull: 0.0 },
-    Level { chord: 0.0, spread: 0.2, pull: 0.0 },
+    Level { chord: 2.0, spread: 9.0, reach: 0.6 },
+    Level { chord: 0.6, spread: 3.0, reach: 0.5 },
+    Level { chord: 0.5, spread: 1.4, reach: 0.4 },
+    Level { chord: 0.3, spread: 0.7, reach: 0.3 },
+    Level { chord: 0.0, spread: 0.6, reach: 0.3 },
+    Level { chord: 0.0, spread: 0.2, reach: 0.3 },
 ];
+
+/// Diagonals of the normal equations: four control points bear on a span.
+const BAND: usize = 4;
+
+/// In how many places a span is set against the lines.
+const LEAST_LOOKS: usize = 3;
+const MOST_LOOKS: usize = 16;
 
 /// Share of the tolerance that is used.
 const TOLERANCE_SHARE: f64 = 0.98;
@@ -98,11 +105,16 @@ pub(crate) struct Smoother {
     kept: Vec<usize>,
     /// Ends of the chords: length and place.
     chords: Vec<(f64, Vector)>,
+    /// Whether points were left out on the chord that ends here.
+    is_thinned: Vec<bool>,
     knots: Vec<f64>,
     controls: Vec<Vector>,
-    /// Control points before they were moved.
-    raw: Vec<Vector>,
-    misses: Vec<Vector>,
+    /// Whether the span that begins at knot `k` of the run lies on more than one line.
+    is_dense: Vec<bool>,
+    is_free: Vec<bool>,
+    /// Normal equations.
+    rows: Vec<[f64; BAND]>,
+    sides: Vec<Vector>,
     /// Knots and control points that stand from the part that is already in the queue.
     fixed_knots: usize,
     fixed_controls: usize,
@@ -125,10 +137,13 @@ impl Smoother {
             points: Vec::with_capacity(POINTS + SPARE),
             kept: Vec::with_capacity(POINTS + SPARE),
             chords: Vec::with_capacity(POINTS + SPARE),
+            is_thinned: Vec::with_capacity(POINTS + SPARE),
             knots: Vec::with_capacity(KNOTS),
             controls: Vec::with_capacity(KNOTS),
-            raw: Vec::with_capacity(KNOTS),
-            misses: Vec::with_capacity(KNOTS),
+            is_dense: Vec::with_capacity(KNOTS),
+            is_free: Vec::with_capacity(KNOTS),
+            rows: Vec::with_capacity(KNOTS),
+            sides: Vec::with_capacity(KNOTS),
             fixed_knots: 0,
             fixed_controls: 0,
             anchor: (0.0, [0.0; AXES]),
@@ -233,6 +248,8 @@ impl Smoother {
     fn thin_out(&mut self) {
         self.kept.clear();
         self.chords.clear();
+        self.is_thinned.clear();
+        self.is_thinned.push(false);
         let begin = match self.fixed_knots {
             0 => {
                 self.kept.push(0);
@@ -264,6 +281,7 @@ impl Smoother {
                 end += 1;
             }
             self.kept.push(end);
+            self.is_thinned.push(end > anchor + 1);
             let point = &self.points[end];
             self.chords.push((point.u, point.p.0));
             (from_u, from_p) = (point.u, point.p.0);
@@ -330,8 +348,10 @@ impl Smoother {
             self.knots.clear();
             // Two before the start, filled in below.
             self.knots.extend([0.0, 0.0, from]);
+            self.is_dense.clear();
         } else {
             self.knots.truncate(self.fixed_knots);
+            self.is_dense.truncate(self.fixed_knots - 3);
         }
         let count = self.chords.len();
         // The knots that stand were placed with what was known then.
@@ -340,11 +360,12 @@ impl Smoother {
             let after = self.reach(i + 1);
             let start = self.chords[i].0.max(from);
             let is_last = i + 2 == count;
-            let end = if is_last { self.chords[i + 1].0.min(to) } else { self.chords[i + 1].0 };
+            let end = if is_last && !open { self.chords[i + 1].0.min(to) } else { self.chords[i + 1].0 };
             let len = end - start;
             let is_first = i == 0 && self.fixed_knots == 0;
             let must = is_first || (is_last && !open);
             let (least, most) = (before.min(after), before.max(after));
+            let known = self.knots.len();
             if least == 0.0 {
                 // At an end of the run; the corner at the other side decides.
                 let free = len - most;
@@ -358,14 +379,11 @@ impl Smoother {
                 let on = if least < 0.6 * len { least } else { 0.5 * len };
                 self.knots.push(if before < after { start + on } else { end - on });
             }
-            if !(is_last && open) {
-                self.knots.push(end);
-            }
-            before = after;
-        }
-        if open {
-            let end = self.chords[count - 1].0;
+            let kept = (is_first && self.keeps[0]) || (is_last && !open && self.keeps[1]);
+            let is_dense = !kept && (self.is_thinned[i + 1] || must || self.knots.len() == known);
             self.knots.push(end);
+            self.is_dense.resize(self.knots.len() - 3, is_dense);
+            before = after;
         }
         // Mirrored beyond the ends.
         if self.fixed_knots == 0 {
@@ -385,7 +403,6 @@ impl Smoother {
             self.fixed_controls = 0;
         }
         self.controls.truncate(self.fixed_controls);
-        self.raw.truncate(self.fixed_controls);
         // One control point for every knot but the outermost two.
         let total = self.knots.len() - 2;
         let mut chord = 0;
@@ -401,47 +418,181 @@ impl Smoother {
                 control[k] += (b.1[k] - a.1[k]) * share;
             }
             self.controls.push(control);
-            self.raw.push(control);
         }
-        self.pull(open);
+        self.relax(open);
     }
 
-    /// Moves control points by a share of what the spline misses.
-    fn pull(&mut self, open: bool) {
+    /// Moves the control points of dense stretches to where `∫|S − P|² + ∫ℓ⁶·|S‴|²` is least.
+    ///
+    /// The integral over the distance from the programmed lines is taken at some places of every span; the third
+    /// derivative is constant on a span. That is a system of normal equations with three diagonals on either side,
+    /// solved by Cholesky's method.
+    fn relax(&mut self, open: bool) {
         let n = self.count;
         let total = self.controls.len();
-        self.misses.clear();
-        self.misses.resize(total, [0.0; AXES]);
-        let mut chord = 0;
-        let mut at = 0;
-        // The outermost three at either end keep the ends on their lines.
-        let first = self.fixed_controls.max(3);
-        let last = if open { total.saturating_sub(2) } else { total.saturating_sub(3) };
-        for j in first..last {
-            let t = self.knots[j + 1];
-            while chord + 2 < self.chords.len() && self.chords[chord + 1].0 < t {
-                chord += 1;
-            }
-            at = self.segment(t, at);
-            let point = &self.points[at];
-            let near = &self.points[(at + 1).min(self.points.len() - 1)];
-            let level = usize::from(point.level.max(near.level)).min(LEVELS.len() - 1);
-            let pull = LEVELS[level].pull;
-            if pull == 0.0 {
+        let spans = self.knots.len().saturating_sub(5);
+        self.rows.clear();
+        self.rows.resize(total, [0.0; BAND]);
+        self.sides.clear();
+        self.sides.resize(total, [0.0; AXES]);
+        self.is_free.clear();
+        // Control point `j` bears on the spans j−3…j.
+        // An end that nothing is joined to has no curvature, but may turn: its outermost control point mirrors the third.
+        let turns = [self.fixed_knots == 0 && !self.keeps[0], open || !self.keeps[1]];
+        let first = if self.fixed_knots > 0 { self.fixed_controls } else { 3 - usize::from(turns[0]) };
+        let last = total - 3 + usize::from(turns[1]);
+        for j in 0..total {
+            let mut bears = j.saturating_sub(3)..(j + 1).min(spans);
+            self.is_free.push((first..last).contains(&j) && bears.all(|k| self.is_dense[k]));
+        }
+        if !self.is_free.contains(&true) {
+            return;
+        }
+        let mut line = 0;
+        for k in 0..spans {
+            if !(k..k + 4).any(|j| self.is_free[j]) {
                 continue;
             }
-            let (a, b) = (&self.chords[chord], &self.chords[chord + 1]);
-            let share = (t - a.0) / (b.0 - a.0);
-            let q = self.blend(&self.raw, j - 1);
-            for k in 0..n {
-                self.misses[j][k] = pull * (a.1[k] + (b.1[k] - a.1[k]) * share - q[k]);
+            let (begin, end) = (self.t(k), self.t(k + 1));
+            let len = end - begin;
+            line = self.segment(begin, line);
+            let lines = self.points[line + 1..].iter().take_while(|point| point.u < end).count();
+            let looks = (lines + 1).clamp(LEAST_LOOKS, MOST_LOOKS);
+            let weight = len / looks as f64;
+            for look in 0..looks {
+                let u = begin + len * (look as f64 + 0.5) / looks as f64;
+                line = self.segment(u, line);
+                let (a, b) = (&self.points[line], &self.points[line + 1]);
+                let share = (u - a.u) / (b.u - a.u);
+                let mut p = [0.0; AXES];
+                for i in 0..n {
+                    p[i] = a.p.0[i] + (b.p.0[i] - a.p.0[i]) * share;
+                }
+                let basis = mirrored(self.basis(k, u), turns[0] && k == 0, turns[1] && k + 1 == spans);
+                self.press(k, &basis, weight, Some(&p));
+            }
+            let near = |k: usize| self.t(k + 1) - self.t(k);
+            let least = near(k.saturating_sub(1)).min(len).min(near((k + 1).min(spans - 1)));
+            let level = usize::from(self.points[line].level).min(LEVELS.len() - 1);
+            let l = LEVELS[level].reach * least;
+            let third = mirrored(self.third(k), turns[0] && k == 0, turns[1] && k + 1 == spans);
+            self.press(k, &third, l.powi(6) * len, None);
+        }
+        self.solve();
+        let [before, behind] = [[0, 1, 2], [total - 1, total - 2, total - 3]];
+        for ([outer, end, inner], turns) in [(before, turns[0]), (behind, turns[1])] {
+            if turns {
+                for axis in 0..n {
+                    self.controls[outer][axis] = 2.0 * self.controls[end][axis] - self.controls[inner][axis];
+                }
             }
         }
-        for j in first..last {
-            for k in 0..n {
-                self.controls[j][k] += self.misses[j][k];
+    }
+
+    /// Adds `weight·(Σ gᵢ·cᵢ − p)²`, over the four control points of span `k`, to what is to be least.
+    fn press(&mut self, k: usize, g: &[f64; 4], weight: f64, p: Option<&Vector>) {
+        let n = self.count;
+        for i in 0..4 {
+            if !self.is_free[k + i] {
+                continue;
+            }
+            for j in 0..=i {
+                if self.is_free[k + j] {
+                    self.rows[k + i][i - j] += weight * g[i] * g[j];
+                }
+            }
+            // What is as wished beside the control points that stand.
+            let mut side: Vector = p.copied().unwrap_or([0.0; AXES]);
+            for j in 0..4 {
+                if !self.is_free[k + j] {
+                    for axis in 0..n {
+                        side[axis] -= g[j] * self.controls[k + j][axis];
+                    }
+                }
+            }
+            for axis in 0..n {
+                self.sides[k + i][axis] += weight * g[i] * side[axis];
             }
         }
+    }
+
+    /// Solves the normal equations. `rows[i][d]` is the entry of row `i` and column `i − d`.
+    fn solve(&mut self) {
+        let n = self.count;
+        let total = self.rows.len();
+        for i in 0..total {
+            if !self.is_free[i] {
+                self.rows[i] = [1.0, 0.0, 0.0, 0.0];
+                continue;
+            }
+            let mut row = self.rows[i];
+            for d in (0..BAND).rev() {
+                if d > i {
+                    row[d] = 0.0;
+                    continue;
+                }
+                let above = if d > 0 { self.rows[i - d] } else { row };
+                let mut sum = row[d];
+                for e in d + 1..BAND {
+                    sum -= row[e] * above[e - d];
+                }
+                row[d] = if d > 0 { sum / above[0] } else { sum.max(f64::MIN_POSITIVE).sqrt() };
+            }
+            self.rows[i] = row;
+            let mut side = self.sides[i];
+            for d in 1..BAND.min(i + 1) {
+                for axis in 0..n {
+                    side[axis] -= row[d] * self.sides[i - d][axis];
+                }
+            }
+            for axis in 0..n {
+                side[axis] /= row[0];
+            }
+            self.sides[i] = side;
+        }
+        for i in (0..total).rev() {
+            if !self.is_free[i] {
+                continue;
+            }
+            let mut side = self.sides[i];
+            for d in 1..BAND.min(total - i) {
+                if self.is_free[i + d] {
+                    let share = self.rows[i + d][d];
+                    for axis in 0..n {
+                        side[axis] -= share * self.controls[i + d][axis];
+                    }
+                }
+            }
+            for axis in 0..n {
+                self.controls[i][axis] = side[axis] / self.rows[i][0];
+            }
+        }
+    }
+
+    /// Weights of the four control points of span `k` at `u` (de Boor).
+    fn basis(&self, k: usize, u: f64) -> [f64; 4] {
+        let t: [f64; 6] = std::array::from_fn(|i| self.knots[k + i]);
+        let (left, right) = ([u - t[2], u - t[1], u - t[0]], [t[3] - u, t[4] - u, t[5] - u]);
+        let mut w = [1.0, 0.0, 0.0, 0.0];
+        for degree in 0..3 {
+            let mut saved = 0.0;
+            for r in 0..=degree {
+                let part = w[r] / (right[r] + left[degree - r]);
+                w[r] = saved + right[r] * part;
+                saved = left[degree - r] * part;
+            }
+            w[degree + 1] = saved;
+        }
+        w
+    }
+
+    /// Weights of the four control points in the third derivative on span `k`.
+    fn third(&self, k: usize) -> [f64; 4] {
+        let t: [f64; 6] = std::array::from_fn(|i| self.knots[k + i]);
+        let h = t[3] - t[2];
+        let [f0, f1, f2] = [3.0 / (t[3] - t[0]), 3.0 / (t[4] - t[1]), 3.0 / (t[5] - t[2])];
+        let [w0, w1] = [2.0 / ((t[3] - t[1]) * h), 2.0 / ((t[4] - t[2]) * h)];
+        [-w0 * f0, w1 * f1 + w0 * (f1 + f0), -w1 * (f2 + f1) - w0 * f1, w1 * f2]
     }
 
     /// Weights of the three control points about knot `k` in the value there.
@@ -588,16 +739,28 @@ impl Smoother {
         self.anchor = (u, std::array::from_fn(|k| a.1[k] + (b.1[k] - a.1[k]) * share));
         self.knots.copy_within(next..next + 6, 0);
         self.knots.truncate(6);
+        self.is_dense.copy_within(next..next + 3, 0);
+        self.is_dense.truncate(3);
         self.controls.copy_within(next..next + 4, 0);
         self.controls.truncate(4);
-        self.raw.copy_within(next..next + 4, 0);
-        self.raw.truncate(4);
         self.fixed_knots = 6;
         self.fixed_controls = 4;
         self.next = 0;
         let first = self.segment(begin, 0).saturating_sub(1);
         self.points.drain(..first);
     }
+}
+
+/// The weights `g` of four control points of which the first mirrors the third in the second, or the last the second
+/// in the third.
+fn mirrored(mut g: [f64; 4], first: bool, last: bool) -> [f64; 4] {
+    if first {
+        g = [0.0, g[1] + 2.0 * g[0], g[2] - g[0], g[3]];
+    }
+    if last {
+        g = [g[0], g[1] - g[3], g[2] + 2.0 * g[3], 0.0];
+    }
+    g
 }
 
 /// How far `p` is from the spline beside the length `s`, across its direction.

@@ -9,7 +9,6 @@ use crate::path::shape::Shape;
 use crate::timing::axes::AxesRun;
 use crate::timing::plan::{Plan, Stretch};
 use crate::timing::queue::Queue;
-use crate::timing::ramp::Phases;
 use ferrocut_geometry::Position;
 
 /// What became of a period.
@@ -29,8 +28,6 @@ pub(crate) struct Interpolator {
     limits: Limits,
     /// Time since the start of the stretch being run.
     t: f64,
-    /// The phases of the ramp being run.
-    phases: Phases,
     /// Length on the path.
     s: f64,
     position: Position,
@@ -41,16 +38,7 @@ pub(crate) struct Interpolator {
 
 impl Interpolator {
     pub fn new(limits: Limits, start: Position) -> Interpolator {
-        Interpolator {
-            limits,
-            t: 0.0,
-            phases: Phases::default(),
-            s: 0.0,
-            position: start,
-            speed: 0.0,
-            tag: 0,
-            axes: AxesRun::NONE,
-        }
+        Interpolator { limits, t: 0.0, s: 0.0, position: start, speed: 0.0, tag: 0, axes: AxesRun::NONE }
     }
 
     /// Calls the place where the axes stand by another position.
@@ -71,6 +59,11 @@ impl Interpolator {
         self.tag
     }
 
+    /// Time inside the stretch being run.
+    pub fn t(&self) -> f64 {
+        self.t
+    }
+
     /// Where it is on the path.
     pub fn s(&self) -> f64 {
         self.s
@@ -89,13 +82,7 @@ impl Interpolator {
             self.axes.stop();
             return true;
         }
-        match plan.stop(queue, self.s, self.t, queue.head()) {
-            Some(t) => {
-                self.enter(t);
-                true
-            }
-            None => false,
-        }
+        plan.stop(queue, self.t)
     }
 
     /// The plan behind the stretch being run is another one.
@@ -117,10 +104,6 @@ impl Interpolator {
             return (Outcome::Out, 0.0);
         };
         let duration = match stretch {
-            Stretch::Ramp { foot, v, drive, .. } => {
-                self.phases = Phases::new(foot, v, drive);
-                self.phases.total()
-            }
             Stretch::Axes { cell, .. } => return self.advance_axes(plan, queue, cell, time),
             _ => stretch.duration(),
         };
@@ -148,7 +131,7 @@ impl Interpolator {
                 return (Outcome::Rests, 0.0);
             }
             // A stop on the path ends at rest.
-            Stretch::Ramp { foot, is_down: true, .. } if foot.v == 0.0 => {
+            Stretch::Piece(piece) if piece.to.v == 0.0 => {
                 self.t = duration;
                 self.sample(&stretch, queue);
                 self.s = stretch.end();
@@ -190,16 +173,7 @@ impl Interpolator {
     /// Position and speed inside a stretch.
     fn sample(&mut self, stretch: &Stretch, queue: &mut Queue) {
         match *stretch {
-            Stretch::Ramp { s, end, foot, is_down, .. } => {
-                if is_down {
-                    let (way, v, _) = self.phases.at(foot, (self.phases.total() - self.t).max(0.0));
-                    (self.s, self.speed) = (end - way, v);
-                } else {
-                    let (way, v, _) = self.phases.at(foot, self.t);
-                    (self.s, self.speed) = (s + way, v);
-                }
-            }
-            Stretch::Steady { s, v, .. } => (self.s, self.speed) = (s + v * self.t, v),
+            Stretch::Piece(piece) => (self.s, self.speed) = piece.at(self.t),
             Stretch::Corner { s, end, cell, pace, time, .. } => {
                 self.retire_to(queue, cell);
                 let x = self.t * pace / time;

@@ -1,0 +1,502 @@
+//! How fast a section of path may be run: passes over steps.
+//!
+//! A **section** goes from one state to another over cells that may be run through. It is divided into **steps**,
+//! [`TAU`] of motion long. `x = v²` is found for the middle `g` of every step; in between `x(s)` is the quadratic B-spline
+//! with these values as control points, which has a continuous slope and never lies above the highest of three
+//! neighbours. Six passes, each over all steps once:
+//!
+//! 1. *Cells*: the speed at their ends by acceleration alone, forward and backward. This is more than jerk allows, so
+//!    what the bounds leave at this speed may be used.
+//! 2. *Bounds*: in every step the acceleration and jerk that are left to the path.
+//! 3. *Foresight*: acceleration can only be taken back at the pace of the jerk, so where the bound of acceleration
+//!    falls, the acceleration before is bounded too; of braking the same, mirrored.
+//! 4. *Speeding up* from every valley, forward, and *slowing down* into every valley, backward: acceleration grows with
+//!    the jerk from 0 where the speed is capped. The lower of both speeds.
+//! 5. *Summits*: what grew must be taken back. Acceleration is `x′/2` and jerk `x″·v/2`, so that a jerk of at most `J`
+//!    means `x″ ≥ −G`, `G = 2J/v`. With `H″ = G` that says that `x + H` is convex. The highest such profile that is
+//!    nowhere above the one found is the **lower convex hull** of `x + H`, one pass with a stack.
+//! 6. *Check* of every piece, from the start of a step to its end, against all bounds as they are. Where one is passed,
+//!    the section is planned again with less; from rest to rest a uniform slow-down ends this for certain, because
+//!    speed, acceleration and jerk fall with `λ`, `λ²` and `λ³`.
+//!
+//! Everything left of a step at which the speed is the cap does not depend on what follows the section.
+
+use crate::timing::piece::{Piece, State, step};
+use crate::timing::queue::{CELLS, Node, Queue};
+use crate::timing::ramp::{Foot, most_speed};
+
+/// Length of steps in time, s.
+const TAU: f64 = 0.004;
+
+/// Most steps of a section; what is behind is planned later.
+pub(crate) const STEPS: usize = 4096;
+
+/// Share of the jerk and of the acceleration that the passes use; the rest is for what pieces deviate from them.
+const JERK_SHARE: f64 = 0.97;
+const ACCELERATION_SHARE: f64 = 0.995;
+
+/// How far a piece may be above a bound by rounding.
+const ROUNDING: f64 = 1.0 + 1e-4;
+
+/// How often a section is planned with less where a piece is beyond its bounds.
+const ROUNDS: usize = 10;
+
+/// How much less is used there.
+const LESS: f64 = 0.88;
+const LEAST_SHARE: f64 = 0.02;
+
+/// A step of the uniform slow-down.
+const SLOWER: f64 = 0.9;
+
+/// Cells shorter than this are no more than a cap on the speed, mm.
+const LEAST_STEP: f64 = 1e-9;
+
+/// A speed this close to a cap is the cap.
+const TOUCH: f64 = 1e-9;
+
+/// Slower summits count as this fast, mm/s.
+const LEAST_SUMMIT: f64 = 1e-6;
+
+/// What decides the speed of a step.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+enum By {
+    /// A ramp up, of which the states are known.
+    Up,
+    /// A ramp down.
+    Down,
+    /// What is allowed.
+    Cap,
+    /// A summit.
+    #[default]
+    Summit,
+}
+
+/// A step.
+#[derive(Clone, Copy, Debug, Default)]
+struct Step {
+    /// Where it begins, mm.
+    s: f64,
+    h: f64,
+    cell: u64,
+    /// Highest speed, here and in the steps beside it.
+    cap: f64,
+    /// More than the speed here.
+    most: f64,
+    /// Acceleration left, and jerk left at no acceleration and at that one.
+    a: f64,
+    j: [f64; 2],
+    /// Acceleration and braking at its start and its end, with foresight.
+    up: [f64; 2],
+    down: [f64; 2],
+    /// Share of the bounds that is used.
+    share: f64,
+    by: By,
+    /// Speed squared, and acceleration, in the middle.
+    x: f64,
+    slope: f64,
+    /// The same with summits rounded.
+    rounded: f64,
+    /// State at its start: on a ramp up, on a ramp down, and as planned.
+    rising: State,
+    falling: State,
+    from: State,
+}
+
+impl Step {
+    fn middle(&self) -> f64 {
+        self.s + 0.5 * self.h
+    }
+
+    /// Jerk left at the acceleration `a`.
+    #[inline]
+    fn jerk(&self, a: f64) -> f64 {
+        self.j[0] + (self.j[1] - self.j[0]) * (a / self.a).min(1.0)
+    }
+}
+
+/// Where a section begins or ends.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Port {
+    pub s: f64,
+    pub state: State,
+}
+
+/// The steps of a section.
+#[derive(Debug)]
+pub(crate) struct Grid {
+    steps: Vec<Step>,
+    to: Port,
+    /// Speeds at the starts of cells.
+    ends: Vec<f64>,
+    hull: Vec<(f64, f64, usize)>,
+    bulges: Vec<f64>,
+    /// Whether the section ends before the port that was asked for, at rest, because there are too many steps.
+    pub is_cut: bool,
+}
+
+impl Grid {
+    pub fn new() -> Grid {
+        Grid {
+            steps: Vec::with_capacity(STEPS + 8),
+            to: Port { s: 0.0, state: State::REST },
+            ends: Vec::with_capacity(CELLS + 8),
+            hull: Vec::with_capacity(STEPS + 8),
+            bulges: Vec::with_capacity(STEPS + 8),
+            is_cut: false,
+        }
+    }
+
+    /// Plans from `from`, in cell `first`, to `to`, in cell `last`; `cap` is the speed allowed in a cell. `false` if no
+    /// plan was found that keeps all bounds.
+    pub fn plan(
+        &mut self,
+        queue: &Queue,
+        from: Port,
+        to: Port,
+        first: u64,
+        last: u64,
+        cap: impl Fn(&Node) -> f64,
+    ) -> bool {
+        self.to = to;
+        self.reach_cells(queue, from, first, last, &cap);
+        self.place(queue, from, first, last, &cap);
+        if self.steps.is_empty() {
+            return false;
+        }
+        for _ in 0..ROUNDS {
+            self.bound(queue);
+            self.foresee();
+            self.speed_up(from.state);
+            if !self.slow_down(from.state) {
+                return false;
+            }
+            self.round_summits(from);
+            self.join(from.state);
+            if std::env::var("DBG").is_ok() { eprintln!("round steps {}", self.steps.len()); }
+            if self.check(queue) {
+                return true;
+            }
+        }
+        if from.state == State::REST && self.to.state == State::REST {
+            for _ in 0..200 {
+                for step in &mut self.steps {
+                    step.from.v *= SLOWER;
+                    step.from.a *= SLOWER * SLOWER;
+                }
+                if self.check(queue) {
+                    return true;
+                }
+            }
+        }
+        false
+    }
+
+    /// Hands out the pieces.
+    pub fn pieces(&self) -> impl Iterator<Item = Option<Piece>> + '_ {
+        let ends = self.steps.iter().skip(1).map(|step| step.from).chain([self.to.state]);
+        self.steps.iter().zip(ends).map(|(step, to)| Piece::new(step.s, step.h, step.from, to))
+    }
+
+    /// The start of the last step in which the speed is the cap: how many pieces are before it, its cell and place.
+    pub fn last_touch(&self) -> Option<(usize, u64, Port)> {
+        let inner = self.steps.get(..self.steps.len().saturating_sub(1))?;
+        let k = inner.iter().rposition(|step| step.x >= step.cap * step.cap * (1.0 - TOUCH))?;
+        let step = &self.steps[k];
+        (k > 0).then_some((k, step.cell, Port { s: step.s, state: step.from }))
+    }
+
+    /// Pass 1.
+    fn reach_cells(
+        &mut self,
+        queue: &Queue,
+        from: Port,
+        first: u64,
+        last: u64,
+        cap: &impl Fn(&Node) -> f64,
+    ) {
+        self.ends.clear();
+        self.ends.push(from.state.v);
+        let mut before = cap(queue.node(first));
+        for cell in first + 1..=last {
+            let here = cap(queue.node(cell));
+            self.ends.push(before.min(here));
+            before = here;
+        }
+        self.ends.push(self.to.state.v);
+        let to = self.to.s;
+        let reach = |cell: u64, v: f64| {
+            let node = queue.node(cell);
+            let len = node.end().min(to) - node.s.max(from.s);
+            (v * v + 2.0 * node.load.room(v).a * len).sqrt()
+        };
+        for i in 0..self.ends.len() - 1 {
+            let reached = reach(first + i as u64, self.ends[i]);
+            self.ends[i + 1] = self.ends[i + 1].min(reached);
+        }
+        for i in (0..self.ends.len() - 1).rev() {
+            let reached = reach(first + i as u64, self.ends[i + 1]);
+            self.ends[i] = self.ends[i].min(reached);
+        }
+        // A state that is given is.
+        self.ends[0] = self.ends[0].max(from.state.v);
+    }
+
+    /// Sets the steps.
+    fn place(&mut self, queue: &Queue, from: Port, first: u64, last: u64, cap: &impl Fn(&Node) -> f64) {
+        self.steps.clear();
+        self.is_cut = false;
+        let mut door = f64::INFINITY;
+        'cells: for cell in first..=last {
+            let node = queue.node(cell);
+            let (begin, end) = (node.s.max(from.s), node.end().min(self.to.s));
+            let here = cap(node);
+            door = door.min(here);
+            if end - begin <= LEAST_STEP {
+                continue;
+            }
+            // The steps on both sides keep what is allowed between them.
+            if let Some(step) = self.steps.last_mut() {
+                step.cap = step.cap.min(door);
+            }
+            let i = (cell - first) as usize;
+            let drive = node.load.most();
+            let (low, high) = (Foot::still(self.ends[i]), Foot::still(self.ends[i + 1]));
+            let speed = |s: f64| {
+                here.min(most_speed(low, s - begin, drive)).min(most_speed(high, end - s, drive))
+            };
+            let least = drive.j * TAU * TAU * TAU / 6.0;
+            let mut s = begin;
+            while s < end {
+                if self.steps.len() >= STEPS {
+                    self.is_cut = true;
+                    break 'cells;
+                }
+                let now = speed(s);
+                let mut h = (TAU * now).max(least);
+                // A step that meets a lower speed at its end is shorter.
+                h = h.min((TAU * speed((s + h).min(end))).max(least));
+                let left = end - s;
+                if left < 1.5 * h {
+                    h = left;
+                } else if left < 2.5 * h {
+                    h = 0.5 * left;
+                }
+                let then = if h < left { speed(s + h) } else { high.v };
+                // Between both the speed may rise above them.
+                let between = most_speed(low, s + h - begin, drive).min(most_speed(high, end - s, drive));
+                let most = here.min(now.max(then).max(between));
+                self.steps.push(Step { s, h, cell, cap: door, most, share: 1.0, ..Step::default() });
+                door = here;
+                s = if h < left { s + h } else { end };
+            }
+        }
+        if let Some(step) = self.steps.last_mut() {
+            if self.is_cut {
+                self.to = Port { s: step.s + step.h, state: State::REST };
+            }
+            step.h = self.to.s - step.s;
+        }
+    }
+
+    /// Pass 2.
+    fn bound(&mut self, queue: &Queue) {
+        for step in &mut self.steps {
+            let room = queue.node(step.cell).load.room(step.most);
+            step.a = room.a * step.share * ACCELERATION_SHARE;
+            step.j = room.j.map(|j| j * step.share * JERK_SHARE);
+        }
+    }
+
+    /// Pass 3.
+    fn foresee(&mut self) {
+        let mut up = f64::INFINITY;
+        for i in (0..self.steps.len()).rev() {
+            let before = if i > 0 { self.steps[i - 1].a } else { f64::INFINITY };
+            let step = &mut self.steps[i];
+            step.up[1] = up.min(step.a);
+            up = before.min(step.a).min(step.up[1] + step.j[1] * step.h / step.most);
+            step.up[0] = up;
+        }
+        let mut down = f64::INFINITY;
+        for i in 0..self.steps.len() {
+            let behind = self.steps.get(i + 1).map_or(f64::INFINITY, |step| step.a);
+            let step = &mut self.steps[i];
+            step.down[0] = down.min(step.a);
+            down = behind.min(step.a).min(step.down[0] + step.j[1] * step.h / step.most);
+            step.down[1] = down;
+        }
+    }
+
+    /// Pass 4, forward.
+    fn speed_up(&mut self, from: State) {
+        let mut state = from;
+        for step in &mut self.steps {
+            step.rising = state;
+            let [middle, end] = climb(step, step.up[1], state);
+            step.x = middle.v * middle.v;
+            step.slope = middle.a;
+            step.by = if middle.v < step.cap { By::Up } else { By::Cap };
+            state = end;
+        }
+    }
+
+    /// Pass 4, backward, and the lower of both. `false` if the path cannot be slowed down from `from`.
+    fn slow_down(&mut self, from: State) -> bool {
+        // Mirrored: braking is speeding up.
+        let mut state = State { v: self.to.state.v, a: -self.to.state.a };
+        for step in self.steps.iter_mut().rev() {
+            let [middle, end] = climb(step, step.down[0], state);
+            let x = middle.v * middle.v;
+            if x < step.x {
+                step.x = x;
+                step.slope = -middle.a;
+                step.by = By::Down;
+            }
+            state = end;
+            step.falling = State { v: state.v, a: -state.a };
+        }
+        // Only the first step's cap may be below the state that is given.
+        state.v >= from.v * (1.0 - 1e-9) || self.steps[0].cap < from.v
+    }
+
+    /// Pass 5. Which jerk is left depends on the acceleration that results: twice.
+    fn round_summits(&mut self, from: Port) {
+        self.lower(from, |steps, i| steps[i].slope.abs());
+        self.lower(from, |steps, i| {
+            let (Some(before), Some(behind)) = (i.checked_sub(1), steps.get(i + 1)) else {
+                return steps[i].slope.abs();
+            };
+            let before = &steps[before];
+            (0.5 * (behind.rounded - before.rounded) / (behind.middle() - before.middle())).abs()
+        });
+        for step in &mut self.steps {
+            if step.rounded < step.x {
+                step.x = step.rounded;
+                step.by = By::Summit;
+            }
+        }
+    }
+
+    /// The lower hull, where the acceleration of step `i` is about `slope(steps, i)`.
+    fn lower(&mut self, from: Port, slope_of: impl Fn(&[Step], usize) -> f64) {
+        let n = self.steps.len();
+        self.bulges.clear();
+        let (mut slope, mut bulge, mut at) = (0.0, 0.0, from.s);
+        for i in 0..n {
+            let step = &self.steps[i];
+            let g = step.middle();
+            bulge += slope * (g - at);
+            self.bulges.push(bulge);
+            let v = step.x.sqrt().max(LEAST_SUMMIT);
+            let before = if i > 0 { self.steps[i - 1].middle() } else { from.s };
+            let behind = self.steps.get(i + 1).map_or(self.to.s, Step::middle);
+            slope += step.jerk(slope_of(&self.steps, i)) / v * (behind - before);
+            at = g;
+        }
+        self.bulges.push(bulge + slope * (self.to.s - at));
+        self.hull.clear();
+        self.hull.push((from.s, from.state.v * from.state.v, 0));
+        for i in 0..=n {
+            let (s, x) = match self.steps.get(i) {
+                Some(step) => (step.middle(), step.x),
+                None => (self.to.s, self.to.state.v * self.to.state.v),
+            };
+            let y = x + self.bulges[i];
+            while let [.., a, b] = self.hull[..] {
+                // Whether `b` is above the line from `a` to here.
+                if (b.1 - a.1) * (s - a.0) >= (y - a.1) * (b.0 - a.0) {
+                    self.hull.pop();
+                } else {
+                    break;
+                }
+            }
+            // Number of the step behind.
+            self.hull.push((s, y, i + 1));
+        }
+        for step in &mut self.steps {
+            step.rounded = step.x;
+        }
+        for pair in self.hull.windows(2) {
+            let (a, b) = (pair[0], pair[1]);
+            let slope = (b.1 - a.1) / (b.0 - a.0);
+            for i in a.2..b.2 - 1 {
+                let step = &mut self.steps[i];
+                let x = a.1 + slope * (step.middle() - a.0) - self.bulges[i];
+                step.rounded = x.min(step.x).max(0.0);
+            }
+        }
+    }
+
+    /// The states between the steps.
+    fn join(&mut self, from: State) {
+        self.steps[0].from = from;
+        for i in 1..self.steps.len() {
+            let (before, here) = (&self.steps[i - 1], &self.steps[i]);
+            let state = match (before.by, here.by) {
+                (By::Up | By::Cap, By::Up) => here.rising,
+                (By::Down, By::Down | By::Cap) => here.falling,
+                _ => {
+                    let both = before.h + here.h;
+                    let x = (before.x * here.h + here.x * before.h) / both;
+                    State { v: x.sqrt(), a: (here.x - before.x) / both }
+                }
+            };
+            self.steps[i].from = state;
+        }
+    }
+
+    /// Pass 6: whether every piece keeps all bounds; where not, less is used next time.
+    fn check(&mut self, queue: &Queue) -> bool {
+        let mut is_good = true;
+        let n = self.steps.len();
+        for i in 0..n {
+            let here = &self.steps[i];
+            let to = self.steps.get(i + 1).map_or(self.to.state, |step| step.from);
+            let load = &queue.node(here.cell).load;
+            let keeps = Piece::new(here.s, here.h, here.from, to).is_some_and(|piece| {
+                let [j0, j1] = piece.jerks();
+                load.used(piece.from.v, piece.from.a.abs(), j0.abs()) <= ROUNDING
+                    && load.used(piece.to.v, piece.to.a.abs(), j1.abs()) <= ROUNDING
+            });
+            if !keeps {
+                if std::env::var("DBG").is_ok() { let q = Piece::new(here.s, here.h, here.from, to); eprintln!("  bad {i} s {:.4} h {:.4} {:?} from {:?} to {:?} cap {:.3} most {:.3} jerk {:?} j {:?} a {:.1} up {:.1?} down {:.1?} used {:?} share {}", here.s, here.h, here.by, here.from, to, here.cap, here.most, q.map(|p| p.jerks()), here.j, here.a, here.up, here.down, q.map(|p| (load.used(p.from.v, p.from.a.abs(), p.jerks()[0].abs()), load.used(p.to.v, p.to.a.abs(), p.jerks()[1].abs()))), here.share); }
+                is_good = false;
+                for step in &mut self.steps[i.saturating_sub(1)..(i + 2).min(n)] {
+                    step.share = (step.share * LESS).max(LEAST_SHARE);
+                }
+            }
+        }
+        is_good
+    }
+}
+
+/// The states in the middle and at the end of a step that is entered in `state` with growing acceleration, which may
+/// be `most` at its end. The jerk is constant up to the cap.
+#[inline]
+fn climb(at: &Step, most: f64, state: State) -> [State; 2] {
+    let h = at.h;
+    let mut j = at.jerk(state.a.max(0.0));
+    let mut end = step(state, j, h).1;
+    if at.j[0] != at.j[1] {
+        j = at.jerk(end.a.clamp(0.0, most.max(0.0)));
+        end = step(state, j, h).1;
+    }
+    if end.a > most {
+        // (2a₀+a₁)/6·T² + v₀·T = h.
+        let a = most.max(0.0);
+        let t = 2.0 * h / (state.v + (state.v * state.v + (2.0 * state.a + a) * h / 1.5).max(0.0).sqrt());
+        j = (a - state.a) / t;
+        end = State { v: state.v + 0.5 * (state.a + a) * t, a };
+    }
+    let mut middle = step(state, j, 0.5 * h).1;
+    for (to, from) in [(&mut middle, state.v), (&mut end, state.v.min(at.cap))] {
+        if to.v > at.cap {
+            let rise = (at.cap * at.cap - from * from) / (2.0 * h);
+            *to = State { v: at.cap, a: rise.clamp(0.0, to.a.max(0.0)) };
+        }
+    }
+    if middle.v >= at.cap {
+        end.a = 0.0;
+    }
+    [middle, end]
+}

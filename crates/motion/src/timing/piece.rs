@@ -1,0 +1,138 @@
+//! The plan in time: pieces of a few milliseconds.
+//!
+//! A piece has the length `h` and runs from the speed `v₀` and the acceleration `a₀` to `v₁` and `a₁`, so that the
+//! plan has a continuous acceleration whatever the pieces are. Within it the jerk goes linearly from `j₀` with the slope `k`,
+//! the lowest order that meets five conditions (Δ = v₁ − v₀):
+//!
+//! ```text
+//! s(t) = v₀·t + a₀·t²/2 + j₀·t³/6 + k·t⁴/24
+//! k·T³ = 6·((a₀ + a₁)·T − 2·Δ)       j₀·T = a₁ − a₀ − k·T²/2
+//! h    = (v₀ + v₁)/2·T + (a₀ − a₁)/12·T²
+//! ```
+//!
+//! The last line gives the duration `T`. Where the jerk is constant `k` is 0.
+
+/// Speed and acceleration along the path, mm/s and mm/s².
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub(crate) struct State {
+    pub v: f64,
+    pub a: f64,
+}
+
+impl State {
+    pub const REST: State = State { v: 0.0, a: 0.0 };
+}
+
+/// A piece of the plan.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct Piece {
+    /// Where it begins on the path, mm.
+    pub s: f64,
+    /// Its length, mm.
+    pub h: f64,
+    /// Its duration, s.
+    pub time: f64,
+    pub from: State,
+    pub to: State,
+    j: f64,
+    k: f64,
+}
+
+impl Piece {
+    /// Between two states; `None` where both are at rest, or nothing is finite.
+    pub fn new(s: f64, h: f64, from: State, to: State) -> Option<Piece> {
+        let mean = 0.5 * (from.v + to.v);
+        let root = (mean * mean + (from.a - to.a) * h / 3.0).max(0.0).sqrt();
+        let time = 2.0 * h / (mean + root);
+        if !(time.is_finite() && time > 0.0) {
+            return None;
+        }
+        let k = 6.0 * ((from.a + to.a) * time - 2.0 * (to.v - from.v)) / (time * time * time);
+        let j = (to.a - from.a) / time - 0.5 * k * time;
+        Some(Piece { s, h, time, from, to, j, k })
+    }
+
+    /// From `from` with the jerk `j` for `time`.
+    pub fn steady(s: f64, from: State, j: f64, time: f64) -> Piece {
+        let State { v, a } = from;
+        let h = time * (v + time * (0.5 * a + time * j / 6.0));
+        let to = State { v: (v + time * (a + 0.5 * time * j)).max(0.0), a: a + time * j };
+        Piece { s, h, time, from, to, j, k: 0.0 }
+    }
+
+    /// Its first `t` seconds.
+    pub fn until(&self, t: f64) -> Piece {
+        let (s, v) = self.at(t);
+        let a = self.from.a + t * (self.j + 0.5 * t * self.k);
+        Piece { h: (s - self.s).min(self.h), time: t, to: State { v, a }, ..*self }
+    }
+
+    /// Where it ends.
+    pub fn end(&self) -> f64 {
+        self.s + self.h
+    }
+
+    /// Jerk at both ends, mm/s³.
+    pub fn jerks(&self) -> [f64; 2] {
+        [self.j, self.j + self.k * self.time]
+    }
+
+    /// Place on the path and speed after `t`.
+    #[inline]
+    pub fn at(&self, t: f64) -> (f64, f64) {
+        let State { v, a } = self.from;
+        let way = t * (v + t * (a / 2.0 + t * (self.j / 6.0 + t * self.k / 24.0)));
+        let speed = v + t * (a + t * (self.j / 2.0 + t * self.k / 6.0));
+        (self.s + way, speed.max(0.0))
+    }
+}
+
+/// Goes on from `from` over the length `h` with the jerk `j`; duration and state at the end.
+///
+/// `v·T + a·T²/2 + j·T³/6 = h` is solved by Newton's method from above: for `j ≥ 0`, `a ≥ 0` every term alone is less
+/// than `h`, and the sum is convex.
+#[inline]
+pub(crate) fn step(from: State, j: f64, h: f64) -> (f64, State) {
+    let State { v, a } = from;
+    let mut t = if a >= 0.0 {
+        let t = 2.0 * h / (v + (v * v + 2.0 * a * h).sqrt());
+        if t * t * t * j <= 6.0 * h { t } else { (6.0 * h / j).cbrt() }
+    } else {
+        // Never slower than where the braking is gone.
+        h / (v - 0.5 * a * a / j)
+    };
+    for _ in 0..6 {
+        let off = t * (v + t * (0.5 * a + t * j / 6.0)) - h;
+        let less = off / (v + t * (a + 0.5 * t * j));
+        t -= less;
+        if !(less.abs() > 1e-9 * t) {
+            break;
+        }
+    }
+    (t, State { v: v + t * (a + 0.5 * t * j), a: a + t * j })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_piece_meets_its_conditions() {
+        let from = State { v: 20.0, a: 300.0 };
+        let to = State { v: 21.3, a: 200.0 };
+        let piece = Piece::new(5.0, 0.1, from, to).unwrap();
+        let (s, v) = piece.at(piece.time);
+        assert!((s - 5.1).abs() < 1e-12 && (v - 21.3).abs() < 1e-10, "{s} {v}");
+        let [j0, j1] = piece.jerks();
+        assert!((from.a + 0.5 * (j0 + j1) * piece.time - to.a).abs() < 1e-9);
+    }
+
+    #[test]
+    fn constant_jerk_from_rest() {
+        let (t, to) = step(State::REST, 60_000.0, 60_000.0 * 1e-6 / 6.0);
+        assert!((t - 0.01).abs() < 1e-12 && (to.v - 3.0).abs() < 1e-9 && (to.a - 600.0).abs() < 1e-7);
+        let piece = Piece::new(0.0, 0.01, State::REST, to).unwrap();
+        assert!((piece.time - 0.01).abs() < 1e-12);
+        assert!(piece.jerks().iter().all(|j| (j - 60_000.0).abs() < 1e-3), "{:?}", piece.jerks());
+    }
+}
