@@ -37,7 +37,7 @@ pub(crate) const AXES_LENGTH: f64 = 1.0;
 pub(crate) const CELLS_A_MOVE: usize = 8;
 
 /// Cells that a line of a chain takes at most, and the ends of a chain.
-const CELLS_A_LINE: usize = 3;
+const CELLS_A_LINE: usize = 9;
 const CELLS_A_CHAIN: usize = 32;
 
 /// How a move begins.
@@ -101,12 +101,12 @@ pub(crate) struct Assembler {
 impl Assembler {
     pub fn new(inverse: Inverse, rules: JointRules, start: Position) -> Assembler {
         Assembler {
-            inverse,
             rules,
             open: None,
             flow: None,
             closing: false,
-            smoother: Smoother::new(),
+            smoother: Smoother::new(inverse.jerk),
+            inverse,
             first: None,
             chained: false,
             end: start,
@@ -334,6 +334,7 @@ impl Assembler {
                 pass: Pass::Path,
                 rests: false,
             };
+            if std::env::var("DBG2").is_ok() { eprintln!("span u {:.4} len {:.4} p {:.4} {:.4} {:.4} d2 {:.3} d3 {:.1} top {:.2} level {}", span.u, cubic.len, cubic.c[0].0[0], cubic.c[0].0[1], cubic.c[0].0[2], (0..3).map(|i| rates.second[i].powi(2)).sum::<f64>().sqrt(), (0..3).map(|i| rates.third[i].powi(2)).sum::<f64>().sqrt(), node.top, span.level); }
             queue.append(Cell { shape, rest: None }, node);
         });
         if goes_on {

@@ -167,28 +167,32 @@ impl Load {
 
     /// What is left to the path at the speed `v`.
     ///
-    /// Acceleration takes a share of the jerk on a curve, `3·q″·v·a`; it may take up to [`SWING_SHARE`] of what the
-    /// twist leaves.
+    /// Acceleration takes a share of the jerk on a curve, `3·q″·v·a`; it leaves at least [`JERK_KEPT`] of the jerk that
+    /// the path has without it.
     #[inline]
     pub fn room(&self, v: f64) -> Room {
         if let Some(drive) = self.straight {
             return Room { a: drive.a, j: [drive.j; 2] };
         }
         let (w, cube) = (v * v, v * v * v);
-        let mut a = Drive::MOST.a;
+        let still = |i: usize| (1.0 - f64::from(self.twist[i]) * cube).max(LEAST_LEFT);
+        let push = |i: usize| f64::from(self.push[i]).max(LEAST_INVERSE[2]);
+        let mut most = Drive::MOST.j;
+        for i in 0..self.count {
+            most = most.min(still(i) / push(i));
+        }
+        let (mut a, kept) = (Drive::MOST.a, JERK_KEPT * most);
         for i in 0..self.count {
             let left = (1.0 - f64::from(self.bend[i]) * w).max(LEAST_LEFT);
-            let still = (1.0 - f64::from(self.twist[i]) * cube).max(LEAST_LEFT);
             a = a.min(left / f64::from(self.along[i]).max(LEAST_INVERSE[1]));
-            a = a.min(SWING_SHARE * still / (f64::from(self.swing[i]) * v).max(LEAST_INVERSE[1]));
+            let swings = still(i) - kept * push(i);
+            a = a.min(swings / (f64::from(self.swing[i]) * v).max(LEAST_INVERSE[1]));
         }
-        let mut j = [Drive::MOST.j; 2];
+        let mut least = most;
         for i in 0..self.count {
-            let still = (1.0 - f64::from(self.twist[i]) * cube).max(LEAST_LEFT);
-            let swings = (still - f64::from(self.swing[i]) * v * a).max(LEAST_LEFT * LEAST_LEFT);
-            let push = f64::from(self.push[i]).max(LEAST_INVERSE[2]);
-            j = [j[0].min(still / push), j[1].min(swings / push)];
+            least = least.min((still(i) - f64::from(self.swing[i]) * v * a) / push(i));
         }
+        let j = [most, least];
         Room { a, j }
     }
 
@@ -217,7 +221,7 @@ pub(crate) struct Room {
 }
 
 /// See [`Load::room`].
-const SWING_SHARE: f64 = 0.7;
+const JERK_KEPT: f64 = 0.4;
 
 /// Least share of the jerk that is left to a path, whatever the curve takes.
 const LEAST_LEFT: f64 = 0.02;

@@ -47,13 +47,13 @@ const CRAWL: f64 = 1.0;
 const CORNER_ROOM: f64 = 0.4;
 
 /// Share of the tolerance that chords of a short arc take.
-const CHORD_SHARE: f64 = 0.025;
+const CHORD_SHARE: f64 = 0.03;
 
 /// An arc is short if it is no longer than this many eases.
 const SHORT_ARC: f64 = 4.0;
 
 /// Arcs that would take more chords are eased.
-const MOST_CHORDS: f64 = 128.0;
+const MOST_CHORDS: f64 = 96.0;
 
 /// Shortest ease, mm.
 const LEAST_EASE: f64 = 1e-7;

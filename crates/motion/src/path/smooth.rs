@@ -24,13 +24,13 @@ use crate::path::shape::Cubic;
 use ferrocut_geometry::{AXES, Position};
 
 /// Most points of a run that are smoothed at once; a longer run goes on from where it was.
-pub(crate) const POINTS: usize = 512;
+pub(crate) const POINTS: usize = 384;
 
 /// Points that one more move may bring.
 const SPARE: usize = 160;
 
-/// Knots: two more a line at most.
-const KNOTS: usize = 3 * (POINTS + SPARE) + 32;
+/// Knots: eight more a line at most.
+const KNOTS: usize = 9 * (POINTS + SPARE) + 32;
 
 /// Most points left out in a row.
 const MOST_LEFT_OUT: usize = 48;
@@ -45,17 +45,47 @@ struct Level {
     reach: f64,
 }
 
-const LEVELS: [Level; 6] = [
-    Level { chord: 2.0, spread: 9.0, reach: 0.6 },
-    Level { chord: 0.6, spread: 3.0, reach: 0.5 },
-    Level { chord: 0.5, spread: 1.4, reach: 0.4 },
-    Level { chord: 0.3, spread: 0.7, reach: 0.3 },
-    Level { chord: 0.0, spread: 0.6, reach: 0.3 },
-    Level { chord: 0.0, spread: 0.2, reach: 0.3 },
+const LEVELS: [Level; 7] = [
+    Level { chord: 2.0, spread: 1.0, reach: 0.9 },
+    Level { chord: 1.0, spread: 0.8, reach: 0.7 },
+    Level { chord: 0.6, spread: 0.6, reach: 0.4 },
+    Level { chord: 0.5, spread: 1.4, reach: 0.0 },
+    Level { chord: 0.3, spread: 0.7, reach: 0.0 },
+    Level { chord: 0.0, spread: 0.6, reach: 0.0 },
+    Level { chord: 0.0, spread: 0.2, reach: 0.0 },
 ];
+
+/// Knots beside a vertex, in shares of the first distance.
+const FAN: [f64; 4] = [1.0, 3.0, 7.0, 15.0];
+
+/// The first knot beside a vertex, in shares of its reach.
+const FIRST: f64 = 0.7;
+
+/// Beyond so many of them a line is left as it is.
+const FAN_FREE: usize = 3;
 
 /// Diagonals of the normal equations: four control points bear on a span.
 const BAND: usize = 4;
+
+/// How often the spline is made anew with other weights.
+const REFINEMENTS: usize = 8;
+
+/// Share of the tolerance beyond which a place weighs more.
+const CLOSE: f64 = 0.88;
+
+/// A span is made stiffer if it is held back so many times as much as those beside it.
+const PEAK: f64 = 1.4;
+
+/// A place where the spline is set against the lines.
+#[derive(Clone, Copy, Debug)]
+struct Look {
+    span: usize,
+    basis: [f64; 4],
+    weight: f64,
+    p: Vector,
+    tolerance: f64,
+    feed: f64,
+}
 
 /// In how many places a span is set against the lines.
 const LEAST_LOOKS: usize = 3;
@@ -91,6 +121,7 @@ pub(crate) struct Span {
     pub u: f64,
     pub cubic: Cubic,
     pub feed: f64,
+    pub level: u8,
     pub is_straight: bool,
 }
 
@@ -112,6 +143,13 @@ pub(crate) struct Smoother {
     /// Whether the span that begins at knot `k` of the run lies on more than one line.
     is_dense: Vec<bool>,
     is_free: Vec<bool>,
+    looks: Vec<Look>,
+    /// Weight of the third derivative of every span; 0 where nothing is free.
+    stiff: Vec<f64>,
+    /// Third derivative of every span, as a share of what the jerk allows at the feed.
+    held: Vec<f64>,
+    /// Inverse of the jerk of the axes.
+    jerk: [f64; AXES],
     /// Normal equations.
     rows: Vec<[f64; BAND]>,
     sides: Vec<Vector>,
@@ -122,6 +160,7 @@ pub(crate) struct Smoother {
     anchor: (f64, Vector),
     /// How far apart knots may be about it.
     anchor_reach: f64,
+    anchor_size: f64,
     /// First span that is not yet in the queue.
     next: usize,
     /// The first and the last line stay as they are: something is joined to them.
@@ -131,7 +170,7 @@ pub(crate) struct Smoother {
 }
 
 impl Smoother {
-    pub fn new() -> Smoother {
+    pub fn new(jerk: [f64; AXES]) -> Smoother {
         Smoother {
             class: Class::Cut,
             points: Vec::with_capacity(POINTS + SPARE),
@@ -142,12 +181,17 @@ impl Smoother {
             controls: Vec::with_capacity(KNOTS),
             is_dense: Vec::with_capacity(KNOTS),
             is_free: Vec::with_capacity(KNOTS),
+            looks: Vec::with_capacity(MOST_LOOKS * KNOTS / 2),
+            stiff: Vec::with_capacity(KNOTS),
+            held: Vec::with_capacity(KNOTS),
+            jerk,
             rows: Vec::with_capacity(KNOTS),
             sides: Vec::with_capacity(KNOTS),
             fixed_knots: 0,
             fixed_controls: 0,
             anchor: (0.0, [0.0; AXES]),
             anchor_reach: 0.0,
+            anchor_size: 0.0,
             next: 0,
             keeps: [false; 2],
             count: 3,
@@ -365,7 +409,14 @@ impl Smoother {
             let is_first = i == 0 && self.fixed_knots == 0;
             let must = is_first || (is_last && !open);
             let (least, most) = (before.min(after), before.max(after));
-            let known = self.knots.len();
+            let kept = (is_first && self.keeps[0]) || (is_last && !open && self.keeps[1]);
+            let is_bold = !kept && self.is_bold(i) && self.is_bold(i + 1);
+            if is_bold {
+                let sizes = [if i == 0 && self.fixed_knots > 0 { self.anchor_size } else { self.size(i) }, self.size(i + 1)];
+                self.fan(start, end, sizes, self.is_thinned[i + 1]);
+                before = after;
+                continue;
+            }
             if least == 0.0 {
                 // At an end of the run; the corner at the other side decides.
                 let free = len - most;
@@ -379,10 +430,8 @@ impl Smoother {
                 let on = if least < 0.6 * len { least } else { 0.5 * len };
                 self.knots.push(if before < after { start + on } else { end - on });
             }
-            let kept = (is_first && self.keeps[0]) || (is_last && !open && self.keeps[1]);
-            let is_dense = !kept && (self.is_thinned[i + 1] || must || self.knots.len() == known);
             self.knots.push(end);
-            self.is_dense.resize(self.knots.len() - 3, is_dense);
+            self.is_dense.resize(self.knots.len() - 3, false);
             before = after;
         }
         // Mirrored beyond the ends.
@@ -395,6 +444,58 @@ impl Smoother {
         let end = self.knots[n - 1];
         let (one, two) = (self.knots[n - 2], self.knots[n - 3]);
         self.knots.extend([2.0 * end - one, 2.0 * end - two]);
+    }
+
+    /// How far apart knots are to be beside kept point `i`: enough to round the corner there, and no more than the chords
+    /// beside it are long.
+    fn size(&self, i: usize) -> f64 {
+        let offset = self.chords.len() - self.kept.len();
+        let Some(at) = i.checked_sub(offset).and_then(|i| self.kept.get(i)).copied() else { return 0.0 };
+        if i == 0 || i + 1 >= self.chords.len() || at == 0 || at + 1 >= self.points.len() {
+            return 0.0;
+        }
+        let (a, b, c) = (&self.points[at - 1], &self.points[at], &self.points[at + 1]);
+        let mut square = 0.0;
+        for k in 0..self.count {
+            let turn = (c.p.0[k] - b.p.0[k]) / (c.u - b.u) - (b.p.0[k] - a.p.0[k]) / (b.u - a.u);
+            square += turn * turn;
+        }
+        let level = &LEVELS[usize::from(b.level).min(LEVELS.len() - 1)];
+        let reach = 6.0 * level.spread * a.tolerance.min(b.tolerance) / square.sqrt().max(1e-12);
+        let beside = (self.chords[i].0 - self.chords[i - 1].0).min(self.chords[i + 1].0 - self.chords[i].0);
+        (FIRST * reach).min(beside)
+    }
+
+    /// Whether kept point `i` is smoothed freely.
+    fn is_bold(&self, i: usize) -> bool {
+        let offset = self.chords.len() - self.kept.len();
+        let Some(at) = i.checked_sub(offset).and_then(|i| self.kept.get(i)) else { return true };
+        LEVELS[usize::from(self.points[*at].level).min(LEVELS.len() - 1)].reach > 0.0
+    }
+
+    /// Knots of the chord from `start` to `end`, close beside a vertex and further apart away from it. What lies far from
+    /// both vertices of a programmed line stays on it.
+    fn fan(&mut self, start: f64, end: f64, [before, after]: [f64; 2], is_thinned: bool) {
+        let half = 0.5 * (end - start);
+        let count = |reach: f64| FAN.iter().take_while(|share| *share * reach < 0.8 * half).count();
+        let (left, right) = (if before > 0.0 { count(before) } else { 0 }, if after > 0.0 { count(after) } else { 0 });
+        let is_far = |k: usize| k >= FAN_FREE && !is_thinned;
+        for (k, share) in FAN[..left].iter().enumerate() {
+            self.knots.push(start + share * before);
+            self.is_dense.push(!is_far(k));
+        }
+        let mut middle = !(is_far(left) && is_far(right));
+        if is_thinned && left + right == 0 {
+            self.knots.push(start + half);
+            self.is_dense.push(true);
+        }
+        for (k, share) in FAN[..right].iter().enumerate().rev() {
+            self.knots.push(end - share * after);
+            self.is_dense.push(if k + 1 == right { middle } else { !is_far(k + 1) });
+            middle = true;
+        }
+        self.knots.push(end);
+        self.is_dense.push(if right == 0 { middle } else { true });
     }
 
     fn place_controls(&mut self, open: bool) {
@@ -446,11 +547,54 @@ impl Smoother {
             self.is_free.push((first..last).contains(&j) && bears.all(|k| self.is_dense[k]));
         }
         if !self.is_free.contains(&true) {
-            return;
+            return self.mirror(turns);
         }
+        self.look(turns);
+        for round in 0..REFINEMENTS {
+            self.rows.fill([0.0; BAND]);
+            self.sides.fill([0.0; AXES]);
+            for i in 0..self.looks.len() {
+                let look = self.looks[i];
+                self.press(look.span, &look.basis, look.weight, Some(&look.p));
+            }
+            for k in 0..spans {
+                let stiff = self.stiff[k];
+                if stiff > 0.0 {
+                    let third = mirrored(self.third(k), turns[0] && k == 0, turns[1] && k + 1 == spans);
+                    self.press(k, &third, stiff, None);
+                }
+            }
+            self.solve();
+            if !self.refine(turns, spans, round) {
+                break;
+            }
+        }
+        self.mirror(turns);
+    }
+
+    /// Sets the outermost control points of ends that turn.
+    fn mirror(&mut self, turns: [bool; 2]) {
+        let (n, total) = (self.count, self.controls.len());
+        let [before, behind] = [[0, 1, 2], [total - 1, total - 2, total - 3]];
+        for ([outer, end, inner], turns) in [(before, turns[0]), (behind, turns[1])] {
+            if turns {
+                for axis in 0..n {
+                    self.controls[outer][axis] = 2.0 * self.controls[end][axis] - self.controls[inner][axis];
+                }
+            }
+        }
+    }
+
+    /// Where the spline is set against the lines, and how stiff its spans are.
+    fn look(&mut self, turns: [bool; 2]) {
+        let n = self.count;
+        let spans = self.knots.len().saturating_sub(5);
+        self.looks.clear();
+        self.stiff.clear();
         let mut line = 0;
         for k in 0..spans {
             if !(k..k + 4).any(|j| self.is_free[j]) {
+                self.stiff.push(0.0);
                 continue;
             }
             let (begin, end) = (self.t(k), self.t(k + 1));
@@ -469,24 +613,67 @@ impl Smoother {
                     p[i] = a.p.0[i] + (b.p.0[i] - a.p.0[i]) * share;
                 }
                 let basis = mirrored(self.basis(k, u), turns[0] && k == 0, turns[1] && k + 1 == spans);
-                self.press(k, &basis, weight, Some(&p));
+                let tolerance = a.tolerance;
+                self.looks.push(Look { span: k, basis, weight, p, tolerance, feed: a.feed });
             }
             let near = |k: usize| self.t(k + 1) - self.t(k);
             let least = near(k.saturating_sub(1)).min(len).min(near((k + 1).min(spans - 1)));
             let level = usize::from(self.points[line].level).min(LEVELS.len() - 1);
             let l = LEVELS[level].reach * least;
-            let third = mirrored(self.third(k), turns[0] && k == 0, turns[1] && k + 1 == spans);
-            self.press(k, &third, l.powi(6) * len, None);
+            self.stiff.push(l.powi(6) * len);
         }
-        self.solve();
-        let [before, behind] = [[0, 1, 2], [total - 1, total - 2, total - 3]];
-        for ([outer, end, inner], turns) in [(before, turns[0]), (behind, turns[1])] {
-            if turns {
+    }
+
+    /// Weighs more where the spline is far from the lines, and makes spans stiffer of which the third derivative, by the
+    /// jerk of the axes, holds the feed back. Whether anything changed.
+    fn refine(&mut self, turns: [bool; 2], spans: usize, round: usize) -> bool {
+        let n = self.count;
+        let mut changed = false;
+        let mut next = 0;
+        self.held.resize(spans, 0.0);
+        for k in 0..spans {
+            self.held[k] = 0.0;
+            if self.stiff[k] == 0.0 {
+                continue;
+            }
+            let at = |g: &[f64; 4], controls: &[Vector], axis: usize| {
+                g[0] * controls[k][axis] + g[1] * controls[k + 1][axis] + g[2] * controls[k + 2][axis] + g[3] * controls[k + 3][axis]
+            };
+            let mut feed: f64 = 0.0;
+            while let Some(look) = self.looks.get_mut(next).filter(|look| look.span == k) {
+                let mut square = 0.0;
                 for axis in 0..n {
-                    self.controls[outer][axis] = 2.0 * self.controls[end][axis] - self.controls[inner][axis];
+                    let off = at(&look.basis, &self.controls, axis) - look.p[axis];
+                    square += off * off;
                 }
+                let share = square.sqrt() / look.tolerance;
+                if share > CLOSE {
+                    look.weight *= (share / CLOSE * 1.15).powi(2).min(30.0);
+                    changed = true;
+                }
+                feed = look.feed;
+                next += 1;
+            }
+            let third = mirrored(self.third(k), turns[0] && k == 0, turns[1] && k + 1 == spans);
+            let mut jerk: f64 = 0.0;
+            for axis in 0..n {
+                jerk = jerk.max(at(&third, &self.controls, axis).abs() * self.jerk[axis]);
+            }
+            self.held[k] = jerk * feed * feed * feed;
+        }
+        if round + 3 > REFINEMENTS {
+            return changed;
+        }
+        for k in 0..spans {
+            let near = &self.held[k.saturating_sub(3)..(k + 4).min(spans)];
+            let mean = (near.iter().sum::<f64>() - self.held[k]) / (near.len() as f64 - 1.0).max(1.0);
+            let over = self.held[k] / mean.max(0.5);
+            if over > PEAK {
+                self.stiff[k] *= over.min(4.0);
+                changed = true;
             }
         }
+        changed
     }
 
     /// Adds `weight·(Σ gᵢ·cᵢ − p)²`, over the four control points of span `k`, to what is to be least.
@@ -723,7 +910,7 @@ impl Smoother {
         for i in self.count..AXES {
             cubic.c[0].0[i] = other.p.0[i];
         }
-        Span { u: begin, cubic, feed: other.feed, is_straight }
+        Span { u: begin, cubic, feed: other.feed, level: other.level, is_straight }
     }
 
     /// Keeps what the spans from `next` on need.
@@ -736,6 +923,7 @@ impl Smoother {
         let (a, b) = (&self.chords[i], &self.chords[i + 1]);
         let share = (u - a.0) / (b.0 - a.0);
         self.anchor_reach = self.reach(i);
+        self.anchor_size = self.size(i);
         self.anchor = (u, std::array::from_fn(|k| a.1[k] + (b.1[k] - a.1[k]) * share));
         self.knots.copy_within(next..next + 6, 0);
         self.knots.truncate(6);

@@ -11,7 +11,7 @@ use crate::timing::ramp::Foot;
 use ferrocut_geometry::Position;
 
 /// Cells in the queue; one to three a block where blocks are long, one for many where they are short.
-pub(crate) const CELLS: usize = 4096;
+pub(crate) const CELLS: usize = 8192;
 
 /// Ends of blocks in the queue. Braking from 250 mm/s at 3000 mm/s² and 60 m/s³ takes 17 mm, which is 1,700
 /// blocks of 0.01 mm.
