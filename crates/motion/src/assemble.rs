@@ -43,7 +43,9 @@ const CELLS_A_CHAIN: usize = 32;
 /// How a move begins.
 #[derive(Clone, Copy, Debug)]
 enum Start {
-    /// At rest or run through, at no more than this speed.
+    /// At rest.
+    Rest,
+    /// Run through, at no more than this speed.
     Plain(f64),
     Ease(Ease),
     Corner(Corner),
@@ -160,7 +162,7 @@ impl Assembler {
         let s = self.s;
         self.s += if let Piece::Axes { .. } = member.piece { AXES_LENGTH } else { member.piece.len() };
         let Some(open) = self.open.take() else {
-            self.open = Some(Open { member, start: Start::Plain(f64::INFINITY), s });
+            self.open = Some(Open { member, start: Start::Rest, s });
             return;
         };
         let joint = match open.member.join(&member, &self.rules, &self.inverse) {
@@ -182,7 +184,7 @@ impl Assembler {
                 }
                 return;
             }
-            Joint::Rest => (End::Rest(open.member.piece.end()), Start::Plain(f64::INFINITY)),
+            Joint::Rest => (End::Rest(open.member.piece.end()), Start::Rest),
             Joint::Through(cap) => (End::Through, Start::Plain(cap)),
             Joint::Ease(ease) => (End::Ease(ease), Start::Ease(ease.behind())),
             Joint::Corner(corner) => (End::Corner(corner.reach), Start::Corner(corner)),
@@ -307,7 +309,7 @@ impl Assembler {
             if let Start::Ease(ease) = first.start {
                 at = self.eased(&first, ease, 0.0, ease.h, queue);
             }
-            keeps[0] = at > 0.0;
+            keeps[0] = !matches!(first.start, Start::Rest);
             from = first.s + at;
         }
         let to = match flow.end {
@@ -334,7 +336,6 @@ impl Assembler {
                 pass: Pass::Path,
                 rests: false,
             };
-            if std::env::var("DBG2").is_ok() { eprintln!("span u {:.4} len {:.4} p {:.4} {:.4} {:.4} d2 {:.3} d3 {:.1} top {:.2} level {}", span.u, cubic.len, cubic.c[0].0[0], cubic.c[0].0[1], cubic.c[0].0[2], (0..3).map(|i| rates.second[i].powi(2)).sum::<f64>().sqrt(), (0..3).map(|i| rates.third[i].powi(2)).sum::<f64>().sqrt(), node.top, span.level); }
             queue.append(Cell { shape, rest: None }, node);
         });
         if goes_on {
@@ -364,6 +365,7 @@ impl Assembler {
     /// What stands before a move: a cap or a corner. Where on the move it ends.
     fn begin(&self, open: &Open, queue: &mut Queue) -> f64 {
         match open.start {
+            Start::Rest => 0.0,
             Start::Plain(cap) => {
                 if cap.is_finite() {
                     let p = open.member.piece.at(0.0);
@@ -385,14 +387,16 @@ impl Assembler {
             Start::Ease(_) => 0.0,
             Start::Corner(corner) => {
                 let cell = Cell { shape: Shape::Corner(corner), rest: None };
+                let rates = corner.rates();
+                let top = self.inverse.speed(open.member.class, &rates);
                 let node = Node {
                     s: open.s - corner.reach,
                     len: 2.0 * corner.reach,
-                    load: Load::NONE,
+                    load: self.inverse.load(&rates),
                     top: f64::MAX,
                     feed: open.member.feed,
                     class: open.member.class,
-                    pass: Pass::Corner { foot: corner.foot, time: corner.time },
+                    pass: Pass::Corner { foot: corner.foot, time: corner.time, top },
                     rests: false,
                 };
                 queue.append(cell, node);

@@ -78,7 +78,12 @@ pub struct Motion {
     stale: bool,
     /// The overrides have changed since it was made.
     outdated: bool,
+    /// Time until the next try to plan with them, s.
+    patience: f64,
 }
+
+/// Time between tries to plan with new overrides, s.
+const PATIENCE_S: f64 = 0.02;
 
 impl Motion {
     /// A planner for `machine` whose axes stand at `start`. All memory is taken here.
@@ -99,6 +104,7 @@ impl Motion {
             stopping: false,
             stale: false,
             outdated: false,
+            patience: 0.0,
         }
     }
 
@@ -159,6 +165,7 @@ impl Motion {
 
     /// Plans with the new overrides, now or as soon as it is possible.
     fn renew(&mut self) {
+        self.patience = PATIENCE_S;
         self.outdated = !self.plan.renew(&self.queue, self.interpolator.t());
         self.interpolator.renewed(&self.plan);
     }
@@ -237,6 +244,7 @@ impl Motion {
     /// Runs through as many stretches as end in this period.
     fn advance(&mut self) {
         let mut time = self.period;
+        self.patience -= time;
         loop {
             if !self.stopping && self.is_stopping() {
                 self.stopping = self.interpolator.stop(&mut self.plan, &self.queue);
@@ -248,7 +256,7 @@ impl Motion {
                 (Outcome::Moves, left) if left > 0.0 => {
                     time = left;
                     // What was not possible inside a stretch may be behind it.
-                    if self.outdated && !self.stopping && !self.is_stopping() {
+                    if self.outdated && self.patience <= 0.0 && !self.stopping && !self.is_stopping() {
                         self.renew();
                     }
                 }

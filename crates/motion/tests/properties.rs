@@ -8,7 +8,6 @@ use ferrocut_machine::Machine;
 use ferrocut_motion::{Motion, Move, State};
 use ferrocut_toolpath::{Feed, FeedAlong, Op, PathMode};
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
 
 /// A move relative to the one before.
 #[derive(Clone, Debug)]
@@ -245,14 +244,13 @@ fn close(a: Position, b: Position) -> bool {
     (0..AXES).all(|i| (a.0[i] - b.0[i]).abs() < 1e-9)
 }
 
-/// Random programs a property.
-const CASES: u32 = 64;
-
-/// The same programs every time.
-const SEED: u64 = 1;
+/// Random programs a property, or as many as `FERROCUT_CASES` says.
+fn cases() -> u32 {
+    std::env::var("FERROCUT_CASES").ok().and_then(|n| n.parse().ok()).unwrap_or(100)
+}
 
 proptest! {
-    #![proptest_config(ProptestConfig { max_shrink_iters: 100, rng_seed: RngSeed::Fixed(SEED), ..ProptestConfig::with_cases(CASES) })]
+    #![proptest_config(ProptestConfig { max_shrink_iters: 100, ..ProptestConfig::with_cases(cases()) })]
 
     #[test]
     fn limits_path_and_end(

@@ -26,7 +26,7 @@
 //!
 //! A corner run at the share `λ` of its pace has speed `λ·v` and acceleration `λ²·a`, its jerk is `λ³` of the whole.
 
-use crate::limits::{Drive, Inverse, peak};
+use crate::limits::{Drive, Inverse, Rates, peak};
 use crate::timing::ramp::{Foot, distance, duration};
 use ferrocut_geometry::{AXES, Position};
 
@@ -80,6 +80,19 @@ impl Corner {
     pub fn at(&self, x: f64) -> Position {
         let (left, gone) = ((1.0 - x).powi(3) * self.reach, x.powi(3) * self.reach);
         Position(std::array::from_fn(|i| self.vertex.0[i] - self.before.0[i] * left + self.after.0[i] * gone))
+    }
+
+    /// Bounds of the derivatives of the two lines, for a corner that is stopped at.
+    pub fn rates(&self) -> Rates {
+        let most = |i: usize| self.before.0[i].abs().max(self.after.0[i].abs());
+        Rates { first: std::array::from_fn(most), second: [0.0; AXES], third: [0.0; AXES] }
+    }
+
+    /// The point at length `s` on the two lines.
+    pub fn square(&self, s: f64) -> Position {
+        let off = s - self.reach;
+        let direction = if off < 0.0 { self.before } else { self.after };
+        self.vertex.zip(direction, |p, d| p + d * off)
     }
 
     /// Speed at the share `x`, at full pace.

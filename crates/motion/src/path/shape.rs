@@ -24,7 +24,7 @@ pub(crate) enum Shape {
 }
 
 impl Shape {
-    /// The point at length `s` of the cell. Of a corner `s` is the share of its duration.
+    /// The point at length `s` of the cell; of a corner on its lines, as it is run where it is stopped at.
     #[inline]
     pub fn at(&self, s: f64) -> Position {
         match self {
@@ -32,7 +32,7 @@ impl Shape {
             Shape::Cubic(cubic) => cubic.at(s),
             Shape::Slice(piece, from) => piece.at(from + s),
             Shape::Eased(piece, from, ease) => piece.at(from + s) + ease.at(from + s),
-            Shape::Corner(corner) => corner.at(s),
+            Shape::Corner(corner) => corner.square(s),
             Shape::Axes { from, .. } => *from,
         }
     }

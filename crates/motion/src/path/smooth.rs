@@ -76,6 +76,15 @@ const CLOSE: f64 = 0.88;
 /// A span is made stiffer if it is held back so many times as much as those beside it.
 const PEAK: f64 = 1.4;
 
+/// Lines shorter than this share of the tolerance are run at the feed of those beside them.
+const SHORT_FEED: f64 = 0.5;
+
+/// Weight of the ends of a run, against that of a place inside.
+const END_WEIGHT: f64 = 1e6;
+
+/// How often levels are raised one by one.
+const ROUNDS: usize = 20;
+
 /// A place where the spline is set against the lines.
 #[derive(Clone, Copy, Debug)]
 struct Look {
@@ -92,13 +101,13 @@ const LEAST_LOOKS: usize = 3;
 const MOST_LOOKS: usize = 16;
 
 /// Share of the tolerance that is used.
-const TOLERANCE_SHARE: f64 = 0.98;
+const TOLERANCE_SHARE: f64 = 0.97;
 
 /// Spans at the end of an unfinished run that still change with what follows.
 const TAIL: usize = 8;
 
 /// In how many parts a span is looked at.
-const CHECKS: usize = 8;
+const CHECKS: usize = 16;
 
 /// Spans behind those that are put out which are checked with them.
 const KEPT_SPANS: usize = 5;
@@ -121,7 +130,6 @@ pub(crate) struct Span {
     pub u: f64,
     pub cubic: Cubic,
     pub feed: f64,
-    pub level: u8,
     pub is_straight: bool,
 }
 
@@ -144,6 +152,7 @@ pub(crate) struct Smoother {
     is_dense: Vec<bool>,
     is_free: Vec<bool>,
     looks: Vec<Look>,
+    end_looks: Vec<Look>,
     /// Weight of the third derivative of every span; 0 where nothing is free.
     stiff: Vec<f64>,
     /// Third derivative of every span, as a share of what the jerk allows at the feed.
@@ -182,6 +191,7 @@ impl Smoother {
             is_dense: Vec::with_capacity(KNOTS),
             is_free: Vec::with_capacity(KNOTS),
             looks: Vec::with_capacity(MOST_LOOKS * KNOTS / 2),
+            end_looks: Vec::with_capacity(2),
             stiff: Vec::with_capacity(KNOTS),
             held: Vec::with_capacity(KNOTS),
             jerk,
@@ -245,15 +255,20 @@ impl Smoother {
         if self.points.len() < 2 {
             return;
         }
-        for round in 0..LEVELS.len() * 2 {
+        for round in 0..=ROUNDS {
+            if round == ROUNDS {
+                // The last level keeps the tolerance by construction.
+                for point in &mut self.points {
+                    point.level = LEVELS.len() as u8 - 1;
+                }
+            }
             self.thin_out();
             self.place_knots(from, to, open);
             self.place_controls(open);
             let last = self.last(open);
             // What is kept back rests on the knots that stand, so these must be good too.
             let spans = self.knots.len().saturating_sub(5);
-            let is_good = self.check((last + KEPT_SPANS).min(spans), round);
-            if is_good || round + 1 == LEVELS.len() * 2 {
+            if self.check((last + KEPT_SPANS).min(spans), round) {
                 break;
             }
         }
@@ -319,7 +334,14 @@ impl Smoother {
                     break;
                 }
                 let point = &self.points[end];
-                if point.feed != feed || !self.fits(from_u, &from_p, anchor + 1, end + 1) {
+                // What is shorter than the tolerance has no feed of its own.
+                let is_short = |i: usize| {
+                    let (a, b) = (&self.points[i], &self.points[i + 1]);
+                    b.u - a.u < SHORT_FEED * a.tolerance
+                };
+                if (point.feed != feed && !is_short(end) && !is_short(anchor))
+                    || !self.fits(from_u, &from_p, anchor + 1, end + 1)
+                {
                     break;
                 }
                 end += 1;
@@ -412,7 +434,10 @@ impl Smoother {
             let kept = (is_first && self.keeps[0]) || (is_last && !open && self.keeps[1]);
             let is_bold = !kept && self.is_bold(i) && self.is_bold(i + 1);
             if is_bold {
-                let sizes = [if i == 0 && self.fixed_knots > 0 { self.anchor_size } else { self.size(i) }, self.size(i + 1)];
+                let sizes = [
+                    if i == 0 && self.fixed_knots > 0 { self.anchor_size } else { self.size(i) },
+                    self.size(i + 1),
+                ];
                 self.fan(start, end, sizes, self.is_thinned[i + 1]);
                 before = after;
                 continue;
@@ -478,7 +503,8 @@ impl Smoother {
     fn fan(&mut self, start: f64, end: f64, [before, after]: [f64; 2], is_thinned: bool) {
         let half = 0.5 * (end - start);
         let count = |reach: f64| FAN.iter().take_while(|share| *share * reach < 0.8 * half).count();
-        let (left, right) = (if before > 0.0 { count(before) } else { 0 }, if after > 0.0 { count(after) } else { 0 });
+        let (left, right) =
+            (if before > 0.0 { count(before) } else { 0 }, if after > 0.0 { count(after) } else { 0 });
         let is_far = |k: usize| k >= FAN_FREE && !is_thinned;
         for (k, share) in FAN[..left].iter().enumerate() {
             self.knots.push(start + share * before);
@@ -529,7 +555,6 @@ impl Smoother {
     /// derivative is constant on a span. That is a system of normal equations with three diagonals on either side,
     /// solved by Cholesky's method.
     fn relax(&mut self, open: bool) {
-        let n = self.count;
         let total = self.controls.len();
         let spans = self.knots.len().saturating_sub(5);
         self.rows.clear();
@@ -538,18 +563,23 @@ impl Smoother {
         self.sides.resize(total, [0.0; AXES]);
         self.is_free.clear();
         // Control point `j` bears on the spans j−3…j.
-        // An end that nothing is joined to has no curvature, but may turn: its outermost control point mirrors the third.
+        // An end at rest may turn and bend; only its place stands.
         let turns = [self.fixed_knots == 0 && !self.keeps[0], open || !self.keeps[1]];
-        let first = if self.fixed_knots > 0 { self.fixed_controls } else { 3 - usize::from(turns[0]) };
-        let last = total - 3 + usize::from(turns[1]);
+        let first = if self.fixed_knots > 0 { self.fixed_controls } else { 3 * usize::from(!turns[0]) };
+        let last = total - 3 * usize::from(!turns[1]);
         for j in 0..total {
             let mut bears = j.saturating_sub(3)..(j + 1).min(spans);
             self.is_free.push((first..last).contains(&j) && bears.all(|k| self.is_dense[k]));
         }
         if !self.is_free.contains(&true) {
-            return self.mirror(turns);
+            return self.hold_ends(turns, open);
         }
-        self.look(turns);
+        self.look();
+        for (k, is_end) in [(0, turns[0]), (spans - 1, turns[1] && !open)] {
+            if is_end {
+                self.look_at_end(k);
+            }
+        }
         for round in 0..REFINEMENTS {
             self.rows.fill([0.0; BAND]);
             self.sides.fill([0.0; AXES]);
@@ -557,39 +587,68 @@ impl Smoother {
                 let look = self.looks[i];
                 self.press(look.span, &look.basis, look.weight, Some(&look.p));
             }
+            for i in 0..self.end_looks.len() {
+                let look = self.end_looks[i];
+                self.press(look.span, &look.basis, look.weight, Some(&look.p));
+            }
             for k in 0..spans {
                 let stiff = self.stiff[k];
                 if stiff > 0.0 {
-                    let third = mirrored(self.third(k), turns[0] && k == 0, turns[1] && k + 1 == spans);
+                    let third = self.third(k);
                     self.press(k, &third, stiff, None);
                 }
             }
             self.solve();
-            if !self.refine(turns, spans, round) {
+            if !self.refine(spans, round) {
                 break;
             }
         }
-        self.mirror(turns);
+        self.hold_ends(turns, open);
     }
 
-    /// Sets the outermost control points of ends that turn.
-    fn mirror(&mut self, turns: [bool; 2]) {
-        let (n, total) = (self.count, self.controls.len());
-        let [before, behind] = [[0, 1, 2], [total - 1, total - 2, total - 3]];
-        for ([outer, end, inner], turns) in [(before, turns[0]), (behind, turns[1])] {
-            if turns {
-                for axis in 0..n {
-                    self.controls[outer][axis] = 2.0 * self.controls[end][axis] - self.controls[inner][axis];
-                }
+    /// The spline ends on the ends of the run.
+    fn look_at_end(&mut self, k: usize) {
+        let (line, u) = if k == 0 { (0, self.t(0)) } else { (self.points.len() - 2, self.t(k + 1)) };
+        let (a, b) = (&self.points[line], &self.points[line + 1]);
+        let p = if k == 0 { a.p.0 } else { b.p.0 };
+        let look = Look {
+            span: k,
+            basis: self.basis(k, u),
+            weight: END_WEIGHT * (self.t(k + 1) - self.t(k)),
+            p,
+            tolerance: f64::INFINITY,
+            feed: a.feed,
+        };
+        self.end_looks.push(look);
+    }
+
+    /// Sets the outermost control points so that the spline ends on the ends of the run to the last bit.
+    fn hold_ends(&mut self, turns: [bool; 2], open: bool) {
+        let total = self.controls.len();
+        if turns[0] {
+            let w = self.weights(0);
+            let p = self.points[0].p.0;
+            for axis in 0..self.count {
+                self.controls[0][axis] =
+                    (p[axis] - w[1] * self.controls[1][axis] - w[2] * self.controls[2][axis]) / w[0];
+            }
+        }
+        if turns[1] && !open {
+            let w = self.weights(total - 3);
+            let Some(p) = self.points.last().map(|point| point.p.0) else { return };
+            for axis in 0..self.count {
+                let (a, b) = (self.controls[total - 3][axis], self.controls[total - 2][axis]);
+                self.controls[total - 1][axis] = (p[axis] - w[0] * a - w[1] * b) / w[2];
             }
         }
     }
 
     /// Where the spline is set against the lines, and how stiff its spans are.
-    fn look(&mut self, turns: [bool; 2]) {
+    fn look(&mut self) {
         let n = self.count;
         let spans = self.knots.len().saturating_sub(5);
         self.looks.clear();
+        self.end_looks.clear();
         self.stiff.clear();
         let mut line = 0;
         for k in 0..spans {
@@ -612,7 +671,7 @@ impl Smoother {
                 for i in 0..n {
                     p[i] = a.p.0[i] + (b.p.0[i] - a.p.0[i]) * share;
                 }
-                let basis = mirrored(self.basis(k, u), turns[0] && k == 0, turns[1] && k + 1 == spans);
+                let basis = self.basis(k, u);
                 let tolerance = a.tolerance;
                 self.looks.push(Look { span: k, basis, weight, p, tolerance, feed: a.feed });
             }
@@ -626,7 +685,7 @@ impl Smoother {
 
     /// Weighs more where the spline is far from the lines, and makes spans stiffer of which the third derivative, by the
     /// jerk of the axes, holds the feed back. Whether anything changed.
-    fn refine(&mut self, turns: [bool; 2], spans: usize, round: usize) -> bool {
+    fn refine(&mut self, spans: usize, round: usize) -> bool {
         let n = self.count;
         let mut changed = false;
         let mut next = 0;
@@ -637,7 +696,10 @@ impl Smoother {
                 continue;
             }
             let at = |g: &[f64; 4], controls: &[Vector], axis: usize| {
-                g[0] * controls[k][axis] + g[1] * controls[k + 1][axis] + g[2] * controls[k + 2][axis] + g[3] * controls[k + 3][axis]
+                g[0] * controls[k][axis]
+                    + g[1] * controls[k + 1][axis]
+                    + g[2] * controls[k + 2][axis]
+                    + g[3] * controls[k + 3][axis]
             };
             let mut feed: f64 = 0.0;
             while let Some(look) = self.looks.get_mut(next).filter(|look| look.span == k) {
@@ -654,7 +716,7 @@ impl Smoother {
                 feed = look.feed;
                 next += 1;
             }
-            let third = mirrored(self.third(k), turns[0] && k == 0, turns[1] && k + 1 == spans);
+            let third = self.third(k);
             let mut jerk: f64 = 0.0;
             for axis in 0..n {
                 jerk = jerk.max(at(&third, &self.controls, axis).abs() * self.jerk[axis]);
@@ -910,7 +972,7 @@ impl Smoother {
         for i in self.count..AXES {
             cubic.c[0].0[i] = other.p.0[i];
         }
-        Span { u: begin, cubic, feed: other.feed, level: other.level, is_straight }
+        Span { u: begin, cubic, feed: other.feed, is_straight }
     }
 
     /// Keeps what the spans from `next` on need.
@@ -937,18 +999,6 @@ impl Smoother {
         let first = self.segment(begin, 0).saturating_sub(1);
         self.points.drain(..first);
     }
-}
-
-/// The weights `g` of four control points of which the first mirrors the third in the second, or the last the second
-/// in the third.
-fn mirrored(mut g: [f64; 4], first: bool, last: bool) -> [f64; 4] {
-    if first {
-        g = [0.0, g[1] + 2.0 * g[0], g[2] - g[0], g[3]];
-    }
-    if last {
-        g = [g[0], g[1] - g[3], g[2] + 2.0 * g[3], 0.0];
-    }
-    g
 }
 
 /// How far `p` is from the spline beside the length `s`, across its direction.

@@ -28,6 +28,10 @@ use crate::timing::ramp::{Foot, most_speed};
 /// Length of steps in time, s.
 const TAU: f64 = 0.004;
 
+/// Steps at the highest speed grow by this share of what lies before and behind, up to this time, s.
+const GROWTH: f64 = 0.3;
+const LONGEST: f64 = 0.1;
+
 /// Most steps of a section; what is behind is planned later.
 pub(crate) const STEPS: usize = 4096;
 
@@ -53,6 +57,12 @@ const LEAST_STEP: f64 = 1e-9;
 
 /// A speed this close to a cap is the cap.
 const TOUCH: f64 = 1e-9;
+
+/// Steps that a section is divided into at least, about.
+const FEWEST: f64 = 12.0;
+
+/// Steps at the cap that follow the place where planning goes on, if there is such a place.
+const RUN: usize = 4;
 
 /// Slower summits count as this fast, mm/s.
 const LEAST_SUMMIT: f64 = 1e-6;
@@ -172,7 +182,6 @@ impl Grid {
             }
             self.round_summits(from);
             self.join(from.state);
-            if std::env::var("DBG").is_ok() { eprintln!("round steps {}", self.steps.len()); }
             if self.check(queue) {
                 return true;
             }
@@ -200,20 +209,16 @@ impl Grid {
     /// The start of the last step in which the speed is the cap: how many pieces are before it, its cell and place.
     pub fn last_touch(&self) -> Option<(usize, u64, Port)> {
         let inner = self.steps.get(..self.steps.len().saturating_sub(1))?;
-        let k = inner.iter().rposition(|step| step.x >= step.cap * step.cap * (1.0 - TOUCH))?;
+        let touches = |step: &Step| step.x >= step.cap * step.cap * (1.0 - TOUCH);
+        // One that others follow leaves room for another division into steps.
+        let run = inner.windows(RUN).rposition(|steps| steps.iter().all(touches));
+        let k = run.filter(|k| *k > 0).or_else(|| inner.iter().rposition(touches))?;
         let step = &self.steps[k];
         (k > 0).then_some((k, step.cell, Port { s: step.s, state: step.from }))
     }
 
     /// Pass 1.
-    fn reach_cells(
-        &mut self,
-        queue: &Queue,
-        from: Port,
-        first: u64,
-        last: u64,
-        cap: &impl Fn(&Node) -> f64,
-    ) {
+    fn reach_cells(&mut self, queue: &Queue, from: Port, first: u64, last: u64, cap: &impl Fn(&Node) -> f64) {
         self.ends.clear();
         self.ends.push(from.state.v);
         let mut before = cap(queue.node(first));
@@ -261,10 +266,13 @@ impl Grid {
             let i = (cell - first) as usize;
             let drive = node.load.most();
             let (low, high) = (Foot::still(self.ends[i]), Foot::still(self.ends[i + 1]));
-            let speed = |s: f64| {
-                here.min(most_speed(low, s - begin, drive)).min(most_speed(high, end - s, drive))
-            };
-            let least = drive.j * TAU * TAU * TAU / 6.0;
+            let speed =
+                |s: f64| here.min(most_speed(low, s - begin, drive)).min(most_speed(high, end - s, drive));
+            // However short, a section has room to speed up and slow down in.
+            let least = (drive.j * TAU * TAU * TAU / 6.0).min((self.to.s - from.s) / FEWEST);
+            // Where the highest speed begins, and where slowing down for the end of the cell begins.
+            let mut top_begin = None;
+            let top_end = end - (here * here - high.v * high.v).max(0.0) / (2.0 * drive.a);
             let mut s = begin;
             while s < end {
                 if self.steps.len() >= STEPS {
@@ -272,7 +280,12 @@ impl Grid {
                     break 'cells;
                 }
                 let now = speed(s);
-                let mut h = (TAU * now).max(least);
+                let mut h = (TAU * now).max(least).min((self.to.s - from.s) / 4.0);
+                if now >= here {
+                    // Nothing changes for a while.
+                    let begin = *top_begin.get_or_insert(s);
+                    h = h.max((GROWTH * (s - begin).min(top_end - s)).min(LONGEST * now));
+                }
                 // A step that meets a lower speed at its end is shorter.
                 h = h.min((TAU * speed((s + h).min(end))).max(least));
                 let left = end - s;
@@ -455,11 +468,11 @@ impl Grid {
             let load = &queue.node(here.cell).load;
             let keeps = Piece::new(here.s, here.h, here.from, to).is_some_and(|piece| {
                 let [j0, j1] = piece.jerks();
-                load.used(piece.from.v, piece.from.a.abs(), j0.abs()) <= ROUNDING
+                piece.is_forward()
+                    && load.used(piece.from.v, piece.from.a.abs(), j0.abs()) <= ROUNDING
                     && load.used(piece.to.v, piece.to.a.abs(), j1.abs()) <= ROUNDING
             });
             if !keeps {
-                if std::env::var("DBG").is_ok() { let q = Piece::new(here.s, here.h, here.from, to); eprintln!("  bad {i} s {:.4} h {:.4} {:?} from {:?} to {:?} cap {:.3} most {:.3} jerk {:?} j {:?} a {:.1} up {:.1?} down {:.1?} used {:?} share {}", here.s, here.h, here.by, here.from, to, here.cap, here.most, q.map(|p| p.jerks()), here.j, here.a, here.up, here.down, q.map(|p| (load.used(p.from.v, p.from.a.abs(), p.jerks()[0].abs()), load.used(p.to.v, p.to.a.abs(), p.jerks()[1].abs()))), here.share); }
                 is_good = false;
                 for step in &mut self.steps[i.saturating_sub(1)..(i + 2).min(n)] {
                     step.share = (step.share * LESS).max(LEAST_SHARE);

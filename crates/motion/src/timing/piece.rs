@@ -72,6 +72,13 @@ impl Piece {
         self.s + self.h
     }
 
+    /// Whether it never goes back, looked at in three places.
+    pub fn is_forward(&self) -> bool {
+        let State { v, a } = self.from;
+        let speed = |t: f64| v + t * (a + t * (self.j / 2.0 + t * self.k / 6.0));
+        [0.25, 0.5, 0.75].iter().all(|share| speed(share * self.time) >= 0.0)
+    }
+
     /// Jerk at both ends, mm/s³.
     pub fn jerks(&self) -> [f64; 2] {
         [self.j, self.j + self.k * self.time]

@@ -65,6 +65,9 @@ const SAME_LENGTH: f64 = 1e-9;
 /// corners are this much longer than stopping takes, so that any speed can be reached on them.
 const STOP_ROOM: f64 = 1.1;
 
+/// At a corner that could only be run at a lower share of its pace the path stops instead.
+const LEAST_PACE: f64 = 0.1;
+
 /// A step of braking, s.
 const BRAKE_STEP: f64 = 0.002;
 
@@ -76,6 +79,9 @@ const BRAKE_SHARE: f64 = 0.95;
 
 /// Shares of the allowed speed that braking for a lower override ends at, tried in this order.
 const BRAKE_TO: [f64; 5] = [1.0, 0.85, 0.65, 0.4, 0.15];
+
+/// Stretches that are run before a plan that failed is tried again.
+const PATIENCE: usize = 8;
 
 /// How often a plan from rest is tried with slower corners.
 const ROUNDS: i32 = 8;
@@ -149,6 +155,8 @@ pub(crate) struct Plan {
     before: Vec<Stretch>,
     kept: (usize, Start),
     brake: Vec<Piece>,
+    /// Stretches to be run before planning is tried again.
+    patience: usize,
 }
 
 /// Most stretches: every knot of the sections that are known.
@@ -168,6 +176,7 @@ impl Plan {
             before: Vec::with_capacity(STRETCHES),
             kept: (0, start),
             brake: Vec::with_capacity(BRAKE_STEPS + 1),
+            patience: 0,
         }
     }
 
@@ -187,22 +196,24 @@ impl Plan {
     /// Goes on to the next stretch.
     pub fn advance(&mut self) {
         self.current += 1;
+        self.patience = self.patience.saturating_sub(1);
     }
 
     /// Whether what comes behind the stretch being run is not final, though more cells are known.
     pub fn is_short(&self, queue: &Queue) -> bool {
-        self.current + 1 >= self.fixed && self.planned < queue.tail()
+        self.current + 1 >= self.fixed && self.planned < queue.tail() && self.patience == 0
     }
 
     /// Whether so much is new that planning it is worth while.
     pub fn is_due(&self, queue: &Queue) -> bool {
         let new = queue.tail() - self.planned;
-        new >= 64 && new >= self.planned.saturating_sub(self.next.cell)
+        self.patience == 0 && new >= 64 && new >= self.planned.saturating_sub(self.next.cell)
     }
 
     /// Forgets everything.
     pub fn clear(&mut self, queue: &Queue) {
         self.stretches.clear();
+        self.patience = 0;
         self.current = 0;
         self.fixed = 0;
         self.next.cell = queue.head();
@@ -287,16 +298,17 @@ impl Plan {
     fn restore(&mut self, queue: &Queue) {
         std::mem::swap(&mut self.before, &mut self.stretches);
         (self.fixed, self.next) = self.kept;
-        // Not again before there is something new.
+        // Not again before there is something new and a part of it was run.
         self.planned = queue.tail();
+        self.patience = PATIENCE.min(self.stretches.len().saturating_sub(self.current));
     }
 
     /// Ends the stretch being run at this moment, if it can be left.
     fn cut(&mut self, t: f64) {
-        if let Some(Stretch::Piece(piece)) = self.stretches.get_mut(self.current) {
-            if t < piece.time {
-                *piece = piece.until(t);
-            }
+        if let Some(Stretch::Piece(piece)) = self.stretches.get_mut(self.current)
+            && t < piece.time
+        {
+            *piece = piece.until(t);
         }
     }
 
@@ -332,9 +344,9 @@ impl Plan {
                 return true;
             }
         }
-        let planned = self.planned;
+        let (planned, patience) = (self.planned, self.patience);
         self.restore(queue);
-        self.planned = planned;
+        (self.planned, self.patience) = (planned, patience);
         false
     }
 
@@ -455,7 +467,24 @@ impl Plan {
         while cell < queue.tail() && self.stretches.len() + SPARE < STRETCHES {
             // Where the section ends: before a corner, at a rest, at the end of the queue.
             let mut last = cell;
-            while queue.node(last).pass == Pass::Path && !queue.node(last).rests && last + 1 < queue.tail() {
+            let mut pace = 1.0;
+            loop {
+                let node = queue.node(last);
+                match node.pass {
+                    Pass::Path if node.rests => break,
+                    Pass::Path => {}
+                    Pass::Axes => break,
+                    // Behind a vertex that was stopped at.
+                    Pass::Corner { .. }
+                        if last == cell && port.s >= node.s + 0.5 * node.len - SAME_LENGTH => {}
+                    Pass::Corner { foot, .. } => {
+                        pace = self.pace(queue, last, foot, &port, share);
+                        break;
+                    }
+                }
+                if last + 1 == queue.tail() {
+                    break;
+                }
                 last += 1;
             }
             let node = queue.node(last);
@@ -466,6 +495,26 @@ impl Plan {
                     port = Port { s: behind, state: State::REST };
                     self.fix(Start { port, cell: last + 1 });
                 }
+                Pass::Corner { .. } if port.s >= node.s + 0.5 * node.len - SAME_LENGTH => {
+                    let to = Port { s: node.end(), state: State::REST };
+                    if !self.section(queue, port, to, cell, last) {
+                        return false;
+                    }
+                }
+                Pass::Corner { .. } if pace < LEAST_PACE => {
+                    // Without room to stop on beside it, at the vertex.
+                    let to = Port { s: node.s + 0.5 * node.len, state: State::REST };
+                    if !self.section(queue, port, to, cell, last) {
+                        return false;
+                    }
+                    if self.grid.is_cut {
+                        return true;
+                    }
+                    port = to;
+                    self.fix(Start { port, cell: last });
+                    cell = last;
+                    continue;
+                }
                 Pass::Corner { .. } if last + 1 == queue.tail() => {
                     // What follows is not known yet: to rest before it.
                     let to = Port { s: node.s, state: State::REST };
@@ -475,8 +524,7 @@ impl Plan {
                     self.planned = queue.tail();
                     return true;
                 }
-                Pass::Corner { foot, time } => {
-                    let pace = self.pace(queue, last, foot, &port, share);
+                Pass::Corner { foot, time, .. } => {
                     let foot_now = paced(foot, pace);
                     if cell < last {
                         let state = State { v: foot_now.v, a: -foot_now.a };
@@ -536,9 +584,6 @@ impl Plan {
                 let node = queue.node(neighbour);
                 *side = (node.len, node.load.most());
                 cap = cap.min(self.overrides.cap(node));
-            } else if neighbour > cell {
-                // Nothing is known behind it.
-                side.0 = 0.0;
             }
         }
         if from.state == State::REST {
@@ -566,18 +611,23 @@ impl Plan {
             return from.state.v <= LEAST_SPEED && to.state.v <= LEAST_SPEED;
         }
         let is_open = to.state == State::REST && !queue.node(last).rests;
-        let node = queue.node(first);
-        if first == last && node.load.is_straight() {
-            if let Some(cruise) = self.line(from, to, self.overrides.cap(node), node.load.most()) {
-                if let (true, Some((fixed, port))) = (is_open, cruise) {
-                    self.fixed = fixed;
-                    self.next = Start { port, cell: first };
-                }
-                return true;
-            }
-        }
         let overrides = self.overrides;
-        if !self.grid.plan(queue, from, to, first, last, |node| overrides.cap(node)) {
+        let cap = |node: &Node| match node.pass {
+            Pass::Corner { top, .. } => top.min(overrides.cap(node)),
+            _ => overrides.cap(node),
+        };
+        let node = queue.node(first);
+        if first == last
+            && node.load.is_straight()
+            && let Some(cruise) = self.line(from, to, cap(node), node.load.most())
+        {
+            if let (true, Some((fixed, port))) = (is_open, cruise) {
+                self.fixed = fixed;
+                self.next = Start { port, cell: first };
+            }
+            return true;
+        }
+        if !self.grid.plan(queue, from, to, first, last, cap) {
             return false;
         }
         let known = self.stretches.len();

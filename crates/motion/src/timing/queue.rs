@@ -33,8 +33,9 @@ pub(crate) struct Cell {
 pub(crate) enum Pass {
     /// As fast as its bounds allow.
     Path,
-    /// In its own time: a corner, with its state at both ends and its duration.
-    Corner { foot: Foot, time: f64 },
+    /// In its own time: a corner, with its state at both ends and its duration; `top` is the highest speed on its
+    /// lines where it is stopped at instead.
+    Corner { foot: Foot, time: f64, top: f64 },
     /// Every axis on its own, from rest to rest.
     Axes,
 }

@@ -53,7 +53,7 @@ pub struct Run {
 }
 
 /// Ticks after which a run is taken as hanging.
-pub const HANGS: usize = 200_000;
+pub const HANGS: usize = 2_000_000;
 
 /// Runs `ops`, filling the planner before every tick, with `events` at ticks. `rhythm` is how many moves
 /// may be pushed before each tick, in turn; empty is as many as fit.
