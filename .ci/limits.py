@@ -3,13 +3,17 @@
 
     limits.py MACHINE.toml SAMPLES.csv
 
-Finite differences of first and second order, with the axes at rest before and after, must stay within
-1.001 of the rapid or cutting speed (whichever is higher) and of the acceleration of every axis.
+Finite differences of first, second and third order, with the axes at rest before and after, must stay within 1.001
+of the rapid or cutting speed (whichever is higher), of the acceleration and of the jerk of every axis. Jerk is seen
+over three periods; the last digit of the samples adds to it.
 """
 import sys
 import tomllib
 
 SLACK = 1.001
+
+# Samples have nine digits behind the point; four of them make a third difference.
+ROUNDING = 8 * 0.5e-9
 
 
 def main():
@@ -30,12 +34,15 @@ def main():
     for column, name in enumerate(names, 1):
         axis = limits[name]
         q = [row[column] for row in rows]
-        q = [q[0], q[0], *q, q[-1], q[-1]]
+        q = [q[0]] * 3 + q + [q[-1]] * 3
         velocity = max(abs(b - a) for a, b in zip(q, q[1:])) / period
         acceleration = max(abs(c - 2 * b + a) for a, b, c in zip(q, q[1:], q[2:])) / period**2
+        third = max(abs(d - 3 * c + 3 * b - a) for a, b, c, d in zip(q, q[1:], q[2:], q[3:]))
+        jerk = max(third - ROUNDING, 0) / period**3
         for what, value, limit, unit in (
             ("velocity", velocity, max(axis["rapid"], axis["velocity"]) / 60, "mm/s"),
             ("acceleration", acceleration, axis["acceleration"], "mm/s2"),
+            ("jerk", jerk, axis.get("jerk", 0) or float("inf"), "mm/s3"),
         ):
             verdict = "ok  " if value <= limit * SLACK else "FAIL"
             faults += verdict == "FAIL"
