@@ -217,7 +217,10 @@ impl Motion {
 
     /// Goes on by one servo period.
     pub fn tick(&mut self) -> Setpoint {
-        self.assembler.run(&mut self.queue);
+        // After an abort what is planned ends at rest, wherever no stop was found before.
+        if !self.aborting {
+            self.assembler.run(&mut self.queue);
+        }
         if !self.runs && self.may_begin() {
             self.begin();
         }
