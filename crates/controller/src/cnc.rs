@@ -7,6 +7,7 @@
 //! the same way: the moves before it are finished, the one at fault does not begin.
 
 use crate::drives::{Drives, Simulated};
+use crate::programmed::{Programmed, Way};
 use crate::report::{Activity, Report};
 use crate::spindle::Spindle;
 use crate::supervision::Supervisor;
@@ -79,6 +80,7 @@ struct Given {
     max: Position,
     /// Its end is reached exactly before the next move begins: positioning, G09, G61.
     stops: bool,
+    programmed: Programmed,
 }
 
 impl Given {
@@ -108,6 +110,7 @@ struct Hole {
 struct Stroke {
     from: Position,
     thread: Thread,
+    programmed: Programmed,
     /// Whether the axes move already; else the spindle comes to rest first.
     has_begun: bool,
 }
@@ -149,6 +152,8 @@ pub struct Cnc {
     hold: bool,
     /// End of the last move given to motion.
     commanded: Position,
+    /// By how much places were renamed, all in all.
+    renamed: Position,
     given: VecDeque<Given>,
     next_tag: u64,
     waiting: Option<Waiting>,
@@ -198,6 +203,7 @@ impl Cnc {
             state: State::Ready,
             hold: false,
             commanded: start,
+            renamed: Position::default(),
             next_tag: 1,
             waiting: None,
             busy: None,
@@ -222,6 +228,18 @@ impl Cnc {
     /// The spindle.
     pub fn spindle(&self) -> &Spindle {
         &self.spindle
+    }
+
+    /// The moves as they were programmed, the one being run first, the others as far as motion looks ahead.
+    pub fn moves(&self) -> impl Iterator<Item = &Programmed> {
+        let stroke = self.stroke.as_ref().map(|stroke| &stroke.programmed);
+        stroke.into_iter().chain(self.given.iter().map(|given| &given.programmed))
+    }
+
+    /// By how much the program renamed the place where the axes stand, all in all: without it, positions go on
+    /// from one period to the next.
+    pub fn renamed(&self) -> Position {
+        self.renamed
     }
 
     /// The interpreter, for its program's text.
@@ -449,7 +467,16 @@ impl Cnc {
             is_clockwise: farthest * pitch < 0.0,
             acceleration_rpm_s: if is_out { outwards } else { inwards },
         };
-        self.stroke = Some(Stroke { from, thread, has_begun: false });
+        let number = self.next_tag;
+        self.next_tag += 1;
+        let programmed = Programmed {
+            number,
+            way: Way::Line(from, to),
+            is_rapid: false,
+            feed: Some((pitch * rpm / 60.0).abs()),
+            tolerance: None,
+        };
+        self.stroke = Some(Stroke { from, thread, programmed, has_begun: false });
         if is_first && !self.spindle.is_at_marker() {
             let seconds = self.spindle.orient(0.0);
             self.keep_busy(Activity::Spindle, seconds);
@@ -618,6 +645,7 @@ impl Cnc {
         let tag = self.next_tag;
         let Some(to) = step.op.target().copied() else { return };
         let Some(motion) = Move::from_step(&step.op, from, self.spindle.rpm(), tag) else { return };
+        let Some(programmed) = Programmed::new(&step.op, from, self.spindle.rpm(), tag) else { return };
         // There is room: the caller asked.
         if self.motion.push(&motion).is_err() {
             return;
@@ -634,7 +662,7 @@ impl Cnc {
             // Positioning always ends in position.
             _ => true,
         };
-        self.given.push_back(Given { tag, span: step.span, activity, length, min, max, stops });
+        self.given.push_back(Given { tag, span: step.span, activity, length, min, max, stops, programmed });
     }
 
     /// Whether a feed per revolution waits for a spindle that does not turn.
@@ -681,6 +709,7 @@ impl Cnc {
             // Inputs are simulated: one that was to fail did so in the interpreter.
             Op::Wait { .. } => self.keep_busy(Activity::Dwell, self.period),
             Op::Datum { at } => {
+                self.renamed = self.renamed + at - self.motion.position();
                 self.motion.rename(at);
                 self.servo.rename(at);
                 self.drives.rename(&(at + self.servo.added()));

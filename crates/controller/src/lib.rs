@@ -11,6 +11,7 @@
 pub mod clock;
 pub mod cnc;
 pub mod drives;
+pub mod programmed;
 pub mod report;
 pub mod spindle;
 pub mod supervision;
@@ -18,5 +19,6 @@ pub mod supervision;
 pub use clock::Clock;
 pub use cnc::{Cnc, Event, State, Tick};
 pub use drives::Drives;
+pub use programmed::{Programmed, Way};
 pub use report::{Activity, Report};
 pub use supervision::Supervisor;

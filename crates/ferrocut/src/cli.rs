@@ -22,6 +22,7 @@ use std::path::PathBuf;
         ferrocut run part.nc                      run it on a simulated machine and report times\n  \
         ferrocut time part.nc --machine mill.toml how long it takes on your machine\n  \
         ferrocut view part.nc -o part.png         a picture of the path\n  \
+        ferrocut plot part.nc -o part.svg         velocity, acceleration, jerk, path error over time\n  \
         ferrocut import plate.dxf -o plate.nc     a drawing to a part program\n  \
         ferrocut explain G84                      what a code is, and which parameters bear on it\n  \
         cat part.nc | ferrocut trace -            every step as a line of JSON"
@@ -45,6 +46,22 @@ pub enum Command {
     Time(TimeArgs),
     /// Draw the tool path (PNG or SVG)
     View(ViewArgs),
+    /// Plot velocity, acceleration, jerk and path error over time (SVG)
+    #[command(
+        long_about = "Plot velocity, acceleration, jerk and path error over time (SVG), to tune a machine.\n\n\
+            The program is run as `run` runs it. Panels under each other show the speed along the path with\n\
+            the programmed feed, velocity, acceleration and jerk of each axis with the limits of the machine\n\
+            file, and how far the axes are from the programmed lines and arcs.\n\n\
+            Quantities are differences over the servo period, jerk a mean over the shortest window in which\n\
+            rounding stays below 1 % of the limit; the plot says how long. A long run becomes columns of\n\
+            lowest and highest, so no peak is lost; --from and --to look closer.\n\n\
+            --format json gives the highest of each in numbers: with time, line and share of the limit.",
+        after_help = "Examples:\n  \
+            ferrocut plot part.nc > part.svg\n  \
+            ferrocut plot part.nc --machine mill.toml --axes XY --from 12 --to 12.5 -o corner.svg\n  \
+            ferrocut plot part.nc --machine mill.toml --format json"
+    )]
+    Plot(PlotArgs),
     /// Turn a drawing (PLT, DXF) into a part program
     #[command(
         long_about = "Turn a drawing (PLT, DXF) into a part program.\n\n\
@@ -208,6 +225,35 @@ pub struct ViewArgs {
     pub width: u32,
 }
 
+/// `ferrocut plot`
+#[derive(Args)]
+pub struct PlotArgs {
+    /// The part program; - reads standard input
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// The SVG file to write [default: standard output; none with --format json]
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Axes by their letters, such as XYZ [default: those that move]
+    #[arg(long, value_name = "LETTERS")]
+    pub axes: Option<String>,
+    /// Where the plot begins, seconds since motion began
+    #[arg(long, value_name = "SECONDS", default_value_t = 0.0, value_parser = seconds)]
+    pub from: f64,
+    /// Where it ends [default: with the program]
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    pub to: Option<f64>,
+    /// Feed override in percent, 1 to 200
+    #[arg(long, value_name = "PERCENT", default_value_t = 100.0, value_parser = percent::<200>)]
+    pub feed_override: f64,
+    /// Rapid override in percent, 1 to 100
+    #[arg(long, value_name = "PERCENT", default_value_t = 100.0, value_parser = percent::<100>)]
+    pub rapid_override: f64,
+    /// What every command takes.
+    #[command(flatten)]
+    pub common: Common,
+}
+
 /// `ferrocut import`
 #[derive(Args)]
 pub struct ImportArgs {
@@ -275,6 +321,13 @@ pub struct ImportArgs {
     /// What every command takes.
     #[command(flatten)]
     pub common: Common,
+}
+
+fn seconds(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if (0.0..=1e9).contains(&value) => Ok(value),
+        _ => Err("give seconds from 0 on".to_owned()),
+    }
 }
 
 fn percent<const MOST: u32>(text: &str) -> Result<f64, String> {

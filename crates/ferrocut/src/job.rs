@@ -65,6 +65,11 @@ impl Failure {
         Failure::wrong_use(Fault::LadderSetting).with("setting", setting).with("value", value)
     }
 
+    /// A setting of a plot by its name and what was given for it.
+    pub fn plot_setting(setting: &str, value: &str) -> Failure {
+        Failure::wrong_use(Fault::PlotSetting).with("setting", setting).with("value", value)
+    }
+
     /// A file that is no drawing.
     pub fn no_drawing(file: &str) -> Failure {
         Failure::wrong_use(Fault::NoDrawing).with("file", file)

@@ -5,6 +5,7 @@ mod commands;
 mod diagnostics;
 mod drawing;
 mod job;
+mod plot;
 mod pockets;
 mod report;
 mod samples;
@@ -23,6 +24,7 @@ fn main() -> ExitCode {
         Command::Run(args) => (commands::run::run(&args), args.common),
         Command::Time(args) => (commands::time::run(&args), args.common),
         Command::View(args) => (commands::view::run(&args), args.common),
+        Command::Plot(args) => (commands::plot::run(&args), args.common),
         Command::Import(args) => (commands::import::run(&args), args.common),
         Command::Explain(args) => (commands::explain::run(&args), args.common()),
         Command::Machine(args) => (commands::machine::run(&args), args.common()),

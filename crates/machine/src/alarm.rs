@@ -520,6 +520,8 @@ faults! {
     FileUnwritable = 907,
     /// A picture in a format that there is not.
     PictureFormat = 908,
+    /// A setting of a plot that does not fit.
+    PlotSetting = 909,
 
     // 1000: drawings
     /// A drawing that ends in the middle.

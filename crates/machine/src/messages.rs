@@ -68,7 +68,7 @@
 //! | `LayerLeftOut` | `name`, `count` |
 //! | `HiddenLeftOut` | `count` |
 //! | `PltLeftOut` | `instruction` |
-//! | `ImportSetting`, `LadderSetting` | `setting`, `value` |
+//! | `ImportSetting`, `LadderSetting`, `PlotSetting` | `setting`, `value` |
 //! | `Ladder` | `word` |
 //! | `MemoryOfOther`, `BackupOfOther` | `name` |
 //! | `MemoryDisk` | `reason` |

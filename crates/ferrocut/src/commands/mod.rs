@@ -8,6 +8,7 @@ pub mod machine;
 pub mod memory;
 pub mod names;
 pub mod plc;
+pub mod plot;
 pub mod run;
 pub mod time;
 pub mod trace;

@@ -52,7 +52,11 @@ pub fn run(args: &RunArgs) -> Result<Exit, Failure> {
     cnc.set_override(args.feed_override / 100.0, args.rapid_override / 100.0);
     let clock = if args.realtime { Clock::real(shop.machine.servo_period_ms) } else { Clock::Virtual };
     let mut screen = Screen::new(&shop, length, args.realtime);
-    let lost = drive(&mut cnc, clock, samples.as_mut(), &mut screen, &shop.diagnostics, &name);
+    let mut take = |_: &Cnc, tick: &Tick| match samples.as_mut() {
+        Some(samples) => samples.take(tick).map(|()| true),
+        None => Ok(true),
+    };
+    let lost = drive(&mut cnc, clock, &mut take, &mut screen, &shop.diagnostics, &name);
     screen.clear();
     if let Some(samples) = samples
         && let Err(error) = lost.and_then(|()| samples.finish())
@@ -127,11 +131,11 @@ fn write_json(
     writeln!(out)
 }
 
-/// Runs the program to its end. An error is one of writing samples, which ends the run.
-fn drive(
+/// Runs the program to its end. `take` is given the periods of the run; its error ends it, and so does `false`.
+pub fn drive(
     cnc: &mut Cnc,
     mut clock: Clock,
-    mut samples: Option<&mut Samples>,
+    take: &mut dyn FnMut(&Cnc, &Tick) -> io::Result<bool>,
     screen: &mut Screen,
     diagnostics: &Diagnostics,
     name: &str,
@@ -152,8 +156,8 @@ fn drive(
             }
             _ => return Ok(()),
         }
-        if let Some(samples) = samples.as_mut().filter(|_| before) {
-            samples.take(&tick)?;
+        if before && !take(cnc, &tick)? {
+            return Ok(());
         }
         screen.show(&tick, cnc);
         clock.wait();
@@ -161,7 +165,7 @@ fn drive(
 }
 
 /// The live line on a terminal; nothing elsewhere.
-struct Screen {
+pub struct Screen {
     bar: ProgressBar,
     axes: Vec<Axis>,
     next: Instant,
@@ -177,7 +181,8 @@ const REDRAW: Duration = Duration::from_millis(100);
 const LOOK_EVERY: u32 = 64;
 
 impl Screen {
-    fn new(shop: &Shop, length: u64, realtime: bool) -> Screen {
+    /// The line of a run of a program of this many bytes.
+    pub fn new(shop: &Shop, length: u64, realtime: bool) -> Screen {
         let bar = ProgressBar::with_draw_target(Some(length), ProgressDrawTarget::stderr());
         if let Ok(style) = ProgressStyle::with_template("{bar:30} {percent:>3} %  {msg}") {
             bar.set_style(style);
@@ -242,7 +247,8 @@ impl Screen {
         });
     }
 
-    fn clear(&self) {
+    /// Takes the line away.
+    pub fn clear(&self) {
         self.bar.finish_and_clear();
     }
 }

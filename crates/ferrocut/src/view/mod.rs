@@ -21,9 +21,9 @@ mod path;
 mod png;
 mod projection;
 mod ramp;
-mod scale;
+pub mod scale;
 mod sheet;
-mod svg;
+pub mod svg;
 mod thin;
 mod top;
 

@@ -78,7 +78,7 @@ impl Canvas for SvgCanvas {
 
 /// Writes a polyline as one absolute point and steps from it. Steps are differences of rounded
 /// coordinates, so that rounding does not add up.
-fn path_data(out: &mut String, polyline: &[Point]) {
+pub fn path_data(out: &mut String, polyline: &[Point]) {
     let mut before: Option<[i64; 2]> = None;
     let mut moved = false;
     for p in polyline {
@@ -142,7 +142,7 @@ fn colour(out: &mut String, [r, g, b]: Colour) {
 }
 
 /// Text as XML: marks escaped, characters that XML does not allow left out.
-fn escape(out: &mut String, text: &str) {
+pub fn escape(out: &mut String, text: &str) {
     for c in text.chars() {
         match c {
             '&' => out.push_str("&amp;"),

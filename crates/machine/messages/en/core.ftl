@@ -494,6 +494,10 @@ FC-0908 = A picture is a .png or a .svg file
     .help = Give the output file one of these endings.
     .detail = { $file }
 
+FC-0909 = The setting of the plot cannot be used
+    .help = Name axes of the machine, each by its letter, and end later than you begin.
+    .detail = { $setting }: { $value }
+
 FC-0514 = A milling cycle is called while an axis is mirrored
     .help = Use positive scale factors.
 

@@ -230,3 +230,15 @@ label-stage-plan = planning the order
 label-stage-write = writing the program
 label-stage-prove = running through the program
 label-drawing-made = { $file }: { $kind }, { $wide } x { $high } mm, { $curves } cuts over { $cut } mm, { $ways } times lowered, { $way } mm in the air
+
+## Plots
+
+label-plot-title = { $program } on { $machine }
+label-plot-note = Differences over the servo period of { $period } ms; jerk is a mean over { $window } ms. Dashed: what is allowed.
+label-plot-speed = speed along the path and programmed feed (dashed), mm/min
+label-plot-velocity = velocity { $axis }, { $length }/min; limits of cutting and positioning
+label-plot-acceleration = acceleration { $axis }, { $length }/s²
+label-plot-jerk = jerk { $axis }, { $length }/s³
+label-plot-error = path error and tolerance (dashed), mm
+label-plot-peak = highest { $value } at { $time } s, line { $line }
+label-plot-time = time since motion began, s

@@ -215,3 +215,15 @@ label-stage-plan = 正在安排顺序
 label-stage-write = 正在写程序
 label-stage-prove = 正在试算程序
 label-drawing-made = { $file }：{ $kind }，{ $wide } x { $high } mm，切削 { $curves } 段共 { $cut } mm，下刀 { $ways } 次，空行程 { $way } mm
+
+## 曲线图
+
+label-plot-title = { $program }，机床 { $machine }
+label-plot-note = 按 { $period } ms 伺服周期作差分；加加速度为 { $window } ms 内的平均值。虚线为允许值。
+label-plot-speed = 路径速度与编程进给（虚线），mm/min
+label-plot-velocity = { $axis } 轴速度，{ $length }/min；切削与快移限值
+label-plot-acceleration = { $axis } 轴加速度，{ $length }/s²
+label-plot-jerk = { $axis } 轴加加速度，{ $length }/s³
+label-plot-error = 轨迹误差与允差（虚线），mm
+label-plot-peak = 最大 { $value }，{ $time } s，第 { $line } 行
+label-plot-time = 开始运动后的时间，s

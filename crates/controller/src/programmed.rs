@@ -1,0 +1,188 @@
+//! What the program says of a move: its line or arc, its feed, how far the path may leave it. For those who
+//! compare motion with it.
+
+use ferrocut_geometry::{Arc, Axis, Position};
+use ferrocut_toolpath::{Feed, FeedAlong, Op, PathMode};
+use std::f64::consts::TAU;
+
+/// A move as it was programmed.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Programmed {
+    /// Counts up from move to move.
+    pub number: u64,
+    /// Along what it goes.
+    pub way: Way,
+    /// Whether it is positioning, which has limits of its own.
+    pub is_rapid: bool,
+    /// Speed along the path, mm/s; positioning has none unless the program gives one.
+    pub feed: Option<f64>,
+    /// How far the path may leave this move at its end, mm, where the program says so.
+    pub tolerance: Option<f64>,
+}
+
+/// What a move goes along.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Way {
+    /// From one point to the other, every axis as fast as it can: no line is programmed.
+    Apart,
+    /// A straight line.
+    Line(Position, Position),
+    /// A circle or helix.
+    Arc(Arc),
+}
+
+impl Programmed {
+    /// The move that `op` makes from `from`; `None` where it is none. `rpm` as in
+    /// [`Move::from_step`](ferrocut_motion::Move::from_step).
+    pub fn new(op: &Op, from: Position, rpm: f64, number: u64) -> Option<Programmed> {
+        let to = *op.target()?;
+        let speed = |feed: Feed| match feed {
+            Feed::PerMinute(f) => f / 60.0,
+            Feed::PerRevolution(f) => f * rpm / 60.0,
+            Feed::Duration(t) => op.length(from) / t,
+        };
+        let way = match *op {
+            Op::Rapid { straight: false, .. } => Way::Apart,
+            Op::Arc { .. } => Way::Arc(op.arc(from)?),
+            _ => Way::Line(from, to),
+        };
+        let feed = match *op {
+            Op::Rapid { speed, .. } => speed.map(|f| f / 60.0),
+            Op::Tap { pitch, rpm, .. } => Some((pitch * rpm / 60.0).abs()),
+            Op::Feed { feed, .. } | Op::Skip { feed, .. } => Some(speed(feed)),
+            Op::Arc { feed, feed_along, .. } => {
+                let flat = op.arc(from).map_or(0.0, |arc| arc.plane_length());
+                let is_timed = matches!(feed, Feed::Duration(_));
+                let climbs = feed_along == FeedAlong::Circle && !is_timed && flat > 0.0;
+                Some(speed(feed) * if climbs { op.length(from) / flat } else { 1.0 })
+            }
+            _ => None,
+        };
+        let tolerance = match *op {
+            Op::Feed { path: PathMode::ContinuousWithin(most), .. }
+            | Op::Arc { path: PathMode::ContinuousWithin(most), .. } => Some(most),
+            _ => None,
+        };
+        Some(Programmed { number, way, is_rapid: matches!(op, Op::Rapid { .. }), feed, tolerance })
+    }
+
+    /// How far `point` lies from the move, over the linear axes, mm; `None` where no line is programmed.
+    pub fn distance(&self, point: Position) -> Option<f64> {
+        match &self.way {
+            Way::Apart => None,
+            Way::Line(from, to) => {
+                let way = *to - *from;
+                let square = dot(way, way);
+                let t = if square > 0.0 { dot(point - *from, way) / square } else { 0.0 };
+                Some(gap(point, from.lerp(*to, t.clamp(0.0, 1.0))))
+            }
+            Way::Arc(arc) => Some(arc_distance(arc, point)),
+        }
+    }
+}
+
+/// Product over the linear axes; degrees are no distance.
+fn dot(a: Position, b: Position) -> f64 {
+    Axis::ALL.into_iter().filter(|axis| axis.is_linear()).map(|axis| a[axis] * b[axis]).sum()
+}
+
+fn gap(a: Position, b: Position) -> f64 {
+    dot(a - b, a - b).sqrt()
+}
+
+/// Steps from the point in the same direction to the nearest one: each leaves a share of about the square of
+/// the climb, and of a circle there is nothing to leave.
+const REFINEMENTS: usize = 4;
+
+fn arc_distance(arc: &Arc, point: Position) -> f64 {
+    let ends = gap(point, arc.start).min(gap(point, arc.end));
+    let turned = arc.sweep.abs();
+    if turned <= 0.0 {
+        return ends;
+    }
+    let [a, b] = arc.plane.of(point);
+    let direction = (b - arc.center[1]).atan2(a - arc.center[0]);
+    // What was turned from the start, in the sense of the arc and within the first turn.
+    let first = ((direction - arc.start_angle()) * arc.sweep.signum()).rem_euclid(TAU);
+    // The turn, by what changes from one to the next: the height of a helix, else the radius of a spiral.
+    let normal = arc.plane.normal();
+    let share = |at: f64, from: f64, to: f64| ((at - from) / (to - from)).clamp(0.0, 1.0);
+    let progress = if arc.end[normal] != arc.start[normal] {
+        share(point[normal], arc.start[normal], arc.end[normal])
+    } else if arc.start_radius() != arc.end_radius() {
+        share((a - arc.center[0]).hypot(b - arc.center[1]), arc.start_radius(), arc.end_radius())
+    } else {
+        0.0
+    };
+    let turn = ((progress * turned - first) / TAU).round();
+    let near = [turn - 1.0, turn, turn + 1.0].map(|turn| refined(arc, point, (first + turn * TAU) / turned));
+    near.into_iter().fold(ends, f64::min)
+}
+
+/// Distance of `point` from the place of the arc that is nearest to it, beginning at `t`.
+fn refined(arc: &Arc, point: Position, t: f64) -> f64 {
+    let mut t = t.clamp(0.0, 1.0);
+    for _ in 0..REFINEMENTS {
+        let growth = arc.end_radius() - arc.start_radius();
+        let radius = arc.start_radius() + growth * t;
+        let (sin, cos) = (arc.start_angle() + arc.sweep * t).sin_cos();
+        let mut along = arc.end - arc.start;
+        along[arc.plane.first()] = growth * cos - radius * arc.sweep * sin;
+        along[arc.plane.second()] = growth * sin + radius * arc.sweep * cos;
+        let square = dot(along, along);
+        if square <= 0.0 {
+            break;
+        }
+        t = (t + dot(point - arc.at(t), along) / square).clamp(0.0, 1.0);
+    }
+    gap(point, arc.at(t))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ferrocut_geometry::{Plane, Turn};
+
+    fn away(way: Way, x: f64, y: f64, z: f64) -> f64 {
+        let programmed = Programmed { number: 1, way, is_rapid: false, feed: None, tolerance: None };
+        programmed.distance(Position::xyz(x, y, z)).unwrap()
+    }
+
+    #[test]
+    fn a_line_is_left_sideways_and_beyond_its_ends() {
+        let line = Way::Line(Position::xyz(0.0, 0.0, 0.0), Position::xyz(10.0, 0.0, 0.0));
+        for (x, y, z, far) in [(5.0, 3.0, 4.0, 5.0), (13.0, 4.0, 0.0, 5.0), (-3.0, 0.0, 4.0, 5.0)] {
+            assert_eq!(away(line, x, y, z), far);
+        }
+        let nowhere = Way::Line(Position::default(), Position::default());
+        assert_eq!(away(nowhere, 3.0, 4.0, 0.0), 5.0);
+    }
+
+    #[test]
+    fn a_quarter_of_a_circle_ends_where_it_ends() {
+        // From (10, 0) about the origin to (0, 10).
+        let (from, to) = (Position::xyz(10.0, 0.0, 0.0), Position::xyz(0.0, 10.0, 0.0));
+        let arc = Way::Arc(Arc::about(Plane::Xy, from, to, [0.0; 2], Turn::CounterClockwise));
+        // 3-4-5: radius 15 and 5 on the arc; (6, −8) is not on it, and 8.944 = √(4² + 8²) from its start.
+        for (x, y, far) in [(9.0, 12.0, 5.0), (3.0, 4.0, 5.0), (6.0, -8.0, 80.0_f64.sqrt())] {
+            assert!((away(arc, x, y, 0.0) - far).abs() < 1e-12, "{x} {y}");
+        }
+    }
+
+    #[test]
+    fn the_turn_of_a_helix_is_found_by_its_height() {
+        // Ten turns of radius 5, 1 mm a turn: after four turns and a half it is at (−5, 0, 4.5).
+        let arc = Arc {
+            plane: Plane::Xy,
+            center: [0.0; 2],
+            start: Position::xyz(5.0, 0.0, 0.0),
+            end: Position::xyz(5.0, 0.0, 10.0),
+            sweep: 10.0 * TAU,
+        };
+        assert!(away(Way::Arc(arc), -5.0, 0.0, 4.5) < 1e-9);
+        assert!((away(Way::Arc(arc), -5.1, 0.0, 4.5) - 0.1).abs() < 1e-9);
+        // 0.1 above: nearer by the cosine of the climb of 1 mm on 10π mm, less what the curve bends: 1e-5.
+        let cosine = 1.0 / (1.0 + (1.0 / (10.0 * std::f64::consts::PI)).powi(2)).sqrt();
+        assert!((away(Way::Arc(arc), -5.0, 0.0, 4.6) - 0.1 * cosine).abs() < 1e-5);
+    }
+}

@@ -1,0 +1,134 @@
+//! `ferrocut plot`: velocity, acceleration, jerk and path error over time, by the same code that runs a program.
+
+use crate::cli::PlotArgs;
+use crate::commands::layout;
+use crate::commands::run::{Screen, drive, report_end};
+use crate::job::{Exit, Failure, Shop};
+use crate::plot::{Gauge, Peak, QUANTITIES, draw};
+use ferrocut_controller::{Clock, Cnc, State};
+use ferrocut_geometry::Axis;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// What was measured as JSON.
+#[derive(Serialize)]
+struct JsonPlot<'a> {
+    program: &'a str,
+    machine: &'a str,
+    /// `ended`, `running` where `--to` came first, `alarm`
+    state: &'static str,
+    period_ms: f64,
+    /// Time over which jerk is a mean.
+    jerk_window_ms: f64,
+    /// Along the path; the limit is the programmed feed.
+    speed: JsonPeak,
+    axes: BTreeMap<&'static str, BTreeMap<&'static str, JsonPeak>>,
+    path_error: JsonPeak,
+}
+
+/// A highest value, with the unit that limit has too.
+#[derive(Serialize)]
+struct JsonPeak {
+    max: f64,
+    unit: &'static str,
+    time_s: f64,
+    line: u32,
+    limit: Option<f64>,
+    share: Option<f64>,
+}
+
+impl JsonPeak {
+    fn new(peak: &Peak, unit: &'static str) -> JsonPeak {
+        let &Peak { value, time, line, limit } = peak;
+        let limit = (limit > 0.0).then_some(limit);
+        JsonPeak { max: value, unit, time_s: time, line, limit, share: peak.share() }
+    }
+}
+
+/// Runs the command.
+pub fn run(args: &PlotArgs) -> Result<Exit, Failure> {
+    let shop = Shop::open(&args.common)?;
+    let span = [args.from, args.to.unwrap_or(f64::INFINITY)];
+    if span[0] >= span[1] {
+        return Err(Failure::plot_setting("--to", &span[1].to_string()));
+    }
+    let axes = chosen_axes(args, &shop)?;
+    let job = shop.job(&args.file)?;
+    job.tell(&shop.diagnostics);
+    let name = job.path.to_string_lossy().into_owned();
+    let interpreter = job.keeping().interpreter(shop.options());
+    // The limits are those that the control's own parameters leave.
+    let mut machine = shop.machine.clone();
+    (interpreter.dialect().machine_parameters)(&interpreter.memory().parameters, &mut machine);
+    let mut gauge = Gauge::new(&machine, &axes, shop.options().start, span);
+    let length = interpreter.programs().text(interpreter.main_file()).map_or(0, |t| t.len());
+    let mut cnc = Cnc::new(&shop.machine, interpreter);
+    cnc.set_override(args.feed_override / 100.0, args.rapid_override / 100.0);
+    let mut screen = Screen::new(&shop, length, false);
+    let mut take = |cnc: &Cnc, tick: &_| Ok(gauge.take(cnc, tick));
+    // Measuring cannot fail.
+    let _ = drive(&mut cnc, Clock::Virtual, &mut take, &mut screen, &shop.diagnostics, &name);
+    screen.clear();
+    gauge.finish();
+    if args.axes.is_none() {
+        gauge.axes.retain(|axis| axis.peaks.iter().any(|peak| peak.value > 0.0));
+    }
+    let exit = report_end(&cnc, &shop, &name);
+    let is_json = shop.diagnostics.is_json();
+    let svg = || draw(&gauge, &name, &machine.name, &shop.diagnostics.catalogue());
+    match &args.output {
+        Some(path) => {
+            let file = path.to_string_lossy().into_owned();
+            std::fs::write(path, svg()).map_err(|error| Failure::cannot_write(&file, &error))?;
+            if !is_json {
+                let said = shop.diagnostics.catalogue().label("label-written", &[("file", file.into())]);
+                layout::print(&format!("{said}\n"));
+            }
+        }
+        None if is_json => {}
+        None => layout::print(&svg()),
+    }
+    if is_json {
+        let said = serde_json::json!(report(&gauge, &cnc, &name, &machine.name));
+        layout::print(&format!("{said}\n"));
+    }
+    Ok(exit)
+}
+
+/// The axes asked for; without a word all that the machine has.
+fn chosen_axes(args: &PlotArgs, shop: &Shop) -> Result<Vec<Axis>, Failure> {
+    let all = shop.machine.axis_set();
+    let Some(letters) = &args.axes else { return Ok(all.iter().collect()) };
+    let axis = |letter: u8| {
+        Axis::from_letter(letter.to_ascii_uppercase())
+            .filter(|axis| all.contains(*axis))
+            .ok_or_else(|| Failure::plot_setting("--axes", letters))
+    };
+    letters.bytes().map(axis).collect()
+}
+
+fn report<'a>(gauge: &Gauge, cnc: &Cnc, program: &'a str, machine: &'a str) -> JsonPlot<'a> {
+    let state = match cnc.state() {
+        State::Alarmed(_) => "alarm",
+        State::Running => "running",
+        _ => "ended",
+    };
+    let axes = gauge.axes.iter().map(|axis| {
+        let units = match axis.is_rotary {
+            true => ["deg/min", "deg/s2", "deg/s3"],
+            false => ["mm/min", "mm/s2", "mm/s3"],
+        };
+        let peaks = QUANTITIES.into_iter().zip(axis.peaks.iter().zip(units));
+        (axis.axis.name(), peaks.map(|(name, (peak, unit))| (name, JsonPeak::new(peak, unit))).collect())
+    });
+    JsonPlot {
+        program,
+        machine,
+        state,
+        period_ms: gauge.period * 1000.0,
+        jerk_window_ms: (gauge.apart as f64 + 2.0) * gauge.period * 1000.0,
+        speed: JsonPeak::new(&gauge.speed_peak, "mm/min"),
+        axes: axes.collect(),
+        path_error: JsonPeak::new(&gauge.error_peak, "mm"),
+    }
+}
