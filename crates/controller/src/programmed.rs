@@ -1,7 +1,7 @@
 //! What the program says of a move: its line or arc, its feed, how far the path may leave it. For those who
 //! compare motion with it.
 
-use ferrocut_geometry::{Arc, Axis, Position};
+use ferrocut_geometry::{Arc, Axis, Position, SAME_POINT_MM};
 use ferrocut_toolpath::{Feed, FeedAlong, Op, PathMode};
 use std::f64::consts::TAU;
 
@@ -101,23 +101,25 @@ fn arc_distance(arc: &Arc, point: Position) -> f64 {
         return ends;
     }
     let [a, b] = arc.plane.of(point);
-    let direction = (b - arc.center[1]).atan2(a - arc.center[0]);
+    let (a, b) = (a - arc.center[0], b - arc.center[1]);
     // What was turned from the start, in the sense of the arc and within the first turn.
-    let first = ((direction - arc.start_angle()) * arc.sweep.signum()).rem_euclid(TAU);
-    // The turn, by what changes from one to the next: the height of a helix, else the radius of a spiral.
+    let first = ((b.atan2(a) - arc.start_angle()) * arc.sweep.signum()).rem_euclid(TAU);
     let normal = arc.plane.normal();
-    let share = |at: f64, from: f64, to: f64| ((at - from) / (to - from)).clamp(0.0, 1.0);
-    let progress = if arc.end[normal] != arc.start[normal] {
-        share(point[normal], arc.start[normal], arc.end[normal])
-    } else if arc.start_radius() != arc.end_radius() {
-        share((a - arc.center[0]).hypot(b - arc.center[1]), arc.start_radius(), arc.end_radius())
+    let (climb, growth) = (arc.end[normal] - arc.start[normal], arc.end_radius() - arc.start_radius());
+    // The turn, by what changes from one to the next: the height of a helix, else the radius of a spiral.
+    let progress = if climb.abs() > SAME_POINT_MM {
+        (point[normal] - arc.start[normal]) / climb
+    } else if growth.abs() > SAME_POINT_MM {
+        (a.hypot(b) - arc.start_radius()) / growth
     } else {
         0.0
     };
-    let turn = ((progress * turned - first) / TAU).round();
-    let near = [turn - 1.0, turn, turn + 1.0].map(|turn| refined(arc, point, (first + turn * TAU) / turned));
-    near.into_iter().fold(ends, f64::min)
+    let turn = ((progress.clamp(0.0, 1.0) * turned - first) / TAU).round().max(0.0);
+    ends.min(refined(arc, point, (first + turn * TAU) / turned))
 }
+
+/// Parts of an arc closer than this are the same place.
+const SAME_PLACE: f64 = 1e-12;
 
 /// Distance of `point` from the place of the arc that is nearest to it, beginning at `t`.
 fn refined(arc: &Arc, point: Position, t: f64) -> f64 {
@@ -133,7 +135,12 @@ fn refined(arc: &Arc, point: Position, t: f64) -> f64 {
         if square <= 0.0 {
             break;
         }
+        let before = t;
         t = (t + dot(point - arc.at(t), along) / square).clamp(0.0, 1.0);
+        // A circle is there at once.
+        if (t - before).abs() < SAME_PLACE {
+            break;
+        }
     }
     gap(point, arc.at(t))
 }

@@ -23,6 +23,9 @@ const LINE: f64 = 16.0;
 const TICK_HIGH: f64 = 24.0;
 const TICK_WIDE: f64 = 100.0;
 
+/// Heights closer than this are the same.
+const LEVEL: f64 = 0.005;
+
 const STYLE: &str = "<style>svg{background:#fff;color:#222831;font:12px sans-serif}\
     text{fill:currentColor}.s{fill-opacity:.7}.e{text-anchor:end}.m{text-anchor:middle}.t{font-size:16px}\
     path{fill:none;stroke-linejoin:round}.f,.g{stroke:#808a96;stroke-width:.7}.g{stroke-opacity:.35}\
@@ -195,7 +198,7 @@ fn curve(out: &mut String, series: &Series, of: &dyn Fn(u64, f64) -> [f64; 2]) {
         for end in ends {
             // A level stretch is one line.
             if let [.., before, last] = line.as_mut_slice()
-                && (before[1], last[1]) == (end[1], end[1])
+                && (before[1] - end[1]).abs().max((last[1] - end[1]).abs()) < LEVEL
             {
                 *last = end;
                 continue;

@@ -123,7 +123,7 @@ impl Gauge {
             period,
             apart,
             span,
-            path: PathError::default(),
+            path: PathError::new(lag(machine)),
             before: start,
             renamed: Position::default(),
             machine_tolerance: machine.path.tolerance,
@@ -142,7 +142,6 @@ impl Gauge {
             self.path.forget();
         }
         self.path.follow(cnc);
-        self.path.leave_positioning();
         let error = self.path.at(tick.position);
         let now = self.path.now().filter(|_| tick.moving);
         let feed = now.and_then(|m| m.feed).map(|f| f * 60.0);
@@ -214,6 +213,14 @@ impl AxisGauge {
         (self.position, self.velocity) = (position, velocity);
         [velocity * 60.0, acceleration, jerk]
     }
+}
+
+/// Periods that the axes may be behind the move being run: what is left of an exponential after ten times its
+/// constant is 5e-5 of the change.
+fn lag(machine: &Machine) -> usize {
+    let times =
+        machine.axes.iter().flat_map(|axis| axis.smoothing()).map(|(_, smoothing)| smoothing.time_ms());
+    (times.fold(2.0, f64::max) * 10.0 / machine.servo_period_ms).ceil() as usize
 }
 
 /// How many periods two accelerations must lie apart so that rounding adds less than 1 % of the limit to jerk.

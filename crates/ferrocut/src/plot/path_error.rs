@@ -2,17 +2,14 @@
 //!
 //! A point is compared with the moves about the place where the point before it was, so that a path that
 //! comes by there another time does not count. That place goes on along the program, never back, and not
-//! beyond the move that is being run. It may be behind it: acceleration after interpolation lags.
+//! beyond the move that is being run. It may be behind it by as long as acceleration after interpolation lags.
 
-use ferrocut_controller::{Cnc, Programmed};
-use ferrocut_geometry::Position;
+use ferrocut_controller::{Cnc, Programmed, Way};
+use ferrocut_geometry::{Position, SAME_POINT_MM};
 use std::collections::VecDeque;
 
 /// Moves ahead that a point is compared with: a rounding may pass over short moves.
 const AHEAD: usize = 8;
-
-/// Moves kept behind the one being run. Those of the longest lag, a second, at one a period.
-const BEHIND: u64 = 10_000;
 
 /// The moves about the place where the axes are.
 #[derive(Default)]
@@ -23,21 +20,36 @@ pub struct PathError {
     seen: u64,
     /// Number of the move being run.
     running: u64,
+    /// Periods that the axes may be behind.
+    lag: usize,
+    /// The moves that were run in these periods, the oldest first.
+    ran: VecDeque<u64>,
 }
 
 impl PathError {
+    /// For axes that may be behind by this many periods.
+    pub fn new(lag: usize) -> PathError {
+        PathError { lag, ..PathError::default() }
+    }
+
     /// Takes the moves that were given to motion since the last call.
     pub fn follow(&mut self, cnc: &Cnc) {
-        let Some(first) = cnc.moves().next().map(|m| m.number) else { return };
-        self.running = first;
-        // Numbers are consecutive.
-        let known = (self.seen + 1).saturating_sub(first);
-        let new = cnc.moves().skip(usize::try_from(known).unwrap_or(usize::MAX));
-        for programmed in new {
-            self.seen = programmed.number;
-            self.moves.push_back(*programmed);
+        if let Some(first) = cnc.moves().next().map(|m| m.number) {
+            self.running = first;
+            // Numbers are consecutive.
+            let known = (self.seen + 1).saturating_sub(first);
+            for programmed in cnc.moves().skip(usize::try_from(known).unwrap_or(usize::MAX)) {
+                self.seen = programmed.number;
+                self.moves.push_back(*programmed);
+            }
         }
-        while self.moves.front().is_some_and(|m| m.number + BEHIND < first) {
+        self.ran.push_back(self.running);
+        if self.ran.len() > self.lag + 1 {
+            self.ran.pop_front();
+        }
+        // A joint may be rounded while the move behind it is run already.
+        let last = self.ran.front().map_or(0, |ran| ran.saturating_sub(1));
+        while self.moves.front().is_some_and(|m| m.number < last) {
             self.moves.pop_front();
         }
     }
@@ -54,39 +66,42 @@ impl PathError {
 
     /// Distance of `point` from the programmed path; `None` where none is programmed.
     pub fn at(&mut self, point: Position) -> Option<f64> {
+        self.leave_positioning();
         loop {
-            let (mut nearest, mut least) = (0, self.moves.front()?.distance(point)?);
+            let least = self.moves.front()?.distance(point)?;
+            let (mut nearest, mut least) = (0, least);
             for (place, programmed) in self.moves.iter().enumerate().take(1 + AHEAD).skip(1) {
                 // Behind positioning of every axis on its own the path begins anew.
                 let Some(distance) = programmed.distance(point) else { break };
-                if distance < least {
-                    (nearest, least) = (place, distance);
+                // Where a path comes back on itself the later move counts.
+                if distance < least + SAME_POINT_MM && programmed.number <= self.running {
+                    nearest = place;
                 }
+                least = least.min(distance);
             }
-            let may_leave = self.moves.get(1).is_some_and(|m| m.number <= self.running);
-            if nearest == 0 || !may_leave {
+            if nearest == 0 {
                 return Some(least);
             }
-            while nearest > 0 && self.moves.get(1).is_some_and(|m| m.number <= self.running) {
-                self.moves.pop_front();
-                nearest -= 1;
-            }
+            self.moves.drain(..nearest);
         }
     }
 
-    /// Leaves positioning of every axis on its own, and what is before it, once it is over: it ends at rest.
-    pub fn leave_positioning(&mut self) {
-        let is_over = |m: &Programmed| m.number < self.running && m.distance(Position::default()).is_none();
-        if let Some(last) = self.moves.iter().take(1 + AHEAD).rposition(is_over) {
-            self.moves.drain(..=last);
-        }
+    /// Leaves what is before positioning of every axis on its own, which begins at rest, and it too once it is over.
+    fn leave_positioning(&mut self) {
+        let ran = self.moves.iter().take_while(|m| m.number <= self.running).enumerate();
+        let Some((place, number)) =
+            ran.filter(|(_, m)| m.way == Way::Apart).map(|(at, m)| (at, m.number)).last()
+        else {
+            return;
+        };
+        let end = if number < self.running { place + 1 } else { place };
+        self.moves.drain(..end);
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use ferrocut_controller::Way;
 
     fn point(x: f64, y: f64) -> Position {
         Position::xyz(x, y, 0.0)
@@ -100,7 +115,7 @@ mod tests {
     fn hairpin(running: u64) -> PathError {
         let corners = [point(0.0, 0.0), point(10.0, 0.0), point(10.0, 0.5), point(0.0, 0.5)];
         let moves = corners.windows(2).zip(1..).map(|(c, number)| line(number, c[0], c[1]));
-        PathError { moves: moves.collect(), seen: 3, running }
+        PathError { moves: moves.collect(), seen: 3, running, ..PathError::default() }
     }
 
     #[test]
@@ -123,6 +138,18 @@ mod tests {
     }
 
     #[test]
+    fn a_path_that_comes_back_on_itself_is_left_all_the_same() {
+        // Twenty times down and up a hole, then away along X.
+        let (top, bottom) = (point(0.0, 0.0), Position::xyz(0.0, 0.0, -5.0));
+        let strokes = (0..20).flat_map(|_| [(top, bottom), (bottom, top)]).chain([(top, point(9.0, 0.0))]);
+        let moves = strokes.zip(1..).map(|((from, to), number)| line(number, from, to)).collect();
+        let mut error = PathError { moves, running: 40, ..PathError::default() };
+        assert_eq!(error.at(top), Some(0.0));
+        error.running = 41;
+        assert_eq!(error.at(point(7.0, 0.0)), Some(0.0));
+    }
+
+    #[test]
     fn a_lagging_point_stays_on_the_move_it_is_on() {
         let mut error = hairpin(3);
         assert_eq!(error.at(point(4.0, 0.0)), Some(0.0));
@@ -135,7 +162,10 @@ mod tests {
         error.moves[0].way = Way::Apart;
         assert_eq!(error.at(point(4.0, 3.0)), None);
         error.running = 2;
-        error.leave_positioning();
-        assert_eq!(error.at(point(9.0, 0.25)), Some(1.0));
+        assert!((error.at(point(9.9, 0.25)).unwrap() - 0.1).abs() < 1e-12);
+        // Nor has it any while what is before it is known.
+        let mut error = hairpin(2);
+        error.moves[1].way = Way::Apart;
+        assert_eq!(error.at(point(9.0, 0.3)), None);
     }
 }
