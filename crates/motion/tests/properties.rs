@@ -8,6 +8,7 @@ use ferrocut_machine::Machine;
 use ferrocut_motion::{Motion, Move, State};
 use ferrocut_toolpath::{Feed, FeedAlong, Op, PathMode};
 use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
 
 /// A move relative to the one before.
 #[derive(Clone, Debug)]
@@ -249,8 +250,13 @@ fn cases() -> u32 {
     std::env::var("FERROCUT_CASES").ok().and_then(|n| n.parse().ok()).unwrap_or(100)
 }
 
+/// The same programs every time, so that a change is judged by what it changed; `FERROCUT_SEED` gives others.
+fn seed() -> RngSeed {
+    RngSeed::Fixed(std::env::var("FERROCUT_SEED").ok().and_then(|n| n.parse().ok()).unwrap_or(1))
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig { max_shrink_iters: 100, ..ProptestConfig::with_cases(cases()) })]
+    #![proptest_config(ProptestConfig { rng_seed: seed(), max_shrink_iters: 100, ..ProptestConfig::with_cases(cases()) })]
 
     #[test]
     fn limits_path_and_end(

@@ -71,7 +71,7 @@ const BAND: usize = 4;
 const REFINEMENTS: usize = 8;
 
 /// Share of the tolerance beyond which a place weighs more.
-const CLOSE: f64 = 0.88;
+const CLOSE: f64 = 0.86;
 
 /// A span is made stiffer if it is held back so many times as much as those beside it.
 const PEAK: f64 = 1.4;
@@ -101,7 +101,7 @@ const LEAST_LOOKS: usize = 3;
 const MOST_LOOKS: usize = 16;
 
 /// Share of the tolerance that is used.
-const TOLERANCE_SHARE: f64 = 0.97;
+const TOLERANCE_SHARE: f64 = 0.95;
 
 /// Spans at the end of an unfinished run that still change with what follows.
 const TAIL: usize = 8;

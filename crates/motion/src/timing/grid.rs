@@ -268,8 +268,10 @@ impl Grid {
             let (low, high) = (Foot::still(self.ends[i]), Foot::still(self.ends[i + 1]));
             let speed =
                 |s: f64| here.min(most_speed(low, s - begin, drive)).min(most_speed(high, end - s, drive));
-            // However short, a section has room to speed up and slow down in.
-            let least = (drive.j * TAU * TAU * TAU / 6.0).min((self.to.s - from.s) / FEWEST);
+            // The first step from rest is [`TAU`] long by the jerk or, where that is not limited, by the acceleration. However
+            // short, a section has room to speed up and slow down in.
+            let least = (drive.j * TAU / 3.0).min(drive.a) * 0.5 * TAU * TAU;
+            let least = least.min((self.to.s - from.s) / FEWEST);
             // Where the highest speed begins, and where slowing down for the end of the cell begins.
             let mut top_begin = None;
             let top_end = end - (here * here - high.v * high.v).max(0.0) / (2.0 * drive.a);
