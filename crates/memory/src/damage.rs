@@ -105,7 +105,7 @@ pub struct Damage {
     findings: Vec<Finding>,
     states: Vec<GoodState>,
     /// None where another process has the memory open.
-    lock: Option<File>,
+    lock: Option<store::Lock>,
 }
 
 fn written(path: &Path) -> Time {
@@ -115,7 +115,7 @@ fn written(path: &Path) -> Time {
 }
 
 impl Damage {
-    pub(crate) fn new(folder: &Path, findings: Vec<Finding>, lock: Option<File>) -> Damage {
+    pub(crate) fn new(folder: &Path, findings: Vec<Finding>, lock: Option<store::Lock>) -> Damage {
         let reported = mark::read(&folder.join(MARK));
         let state = |source, identity: Identity, time| GoodState {
             source,

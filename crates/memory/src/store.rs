@@ -115,7 +115,7 @@ pub struct Store {
     keeper: Arc<Keeper>,
     threads: Vec<JoinHandle<()>>,
     /// Held until all is closed.
-    _lock: File,
+    _lock: Lock,
 }
 
 /// A change that is on its way to the disk.
@@ -129,11 +129,25 @@ impl Pending {
     }
 }
 
+/// The lock of a memory: given back when it is dropped.
+///
+/// Closing the file would not be enough: a process being started at that moment by another thread has a copy
+/// of it until its program is loaded, and the lock would be held for so long.
+#[derive(Debug)]
+pub(crate) struct Lock(File);
+
+impl Drop for Lock {
+    fn drop(&mut self) {
+        // What cannot be unlocked is unlocked by closing it.
+        let _ = self.0.unlock();
+    }
+}
+
 /// Takes the lock of a memory; none where another process has it.
-pub(crate) fn lock(folder: &Path) -> Result<Option<File>, std::io::Error> {
+pub(crate) fn lock(folder: &Path) -> Result<Option<Lock>, std::io::Error> {
     let file = File::options().create(true).truncate(false).write(true).open(folder.join(LOCK))?;
     match file.try_lock() {
-        Ok(()) => Ok(Some(file)),
+        Ok(()) => Ok(Some(Lock(file))),
         Err(fs::TryLockError::WouldBlock) => Ok(None),
         Err(fs::TryLockError::Error(error)) => Err(error),
     }

@@ -466,3 +466,19 @@ proptest! {
         prop_assert_eq!(&restored, &kept);
     }
 }
+
+/// A process that another thread is starting has a copy of the lock's file for a moment: that must not keep it.
+#[test]
+fn a_memory_can_be_opened_again_while_processes_are_started() {
+    let folder = tempdir().unwrap();
+    std::thread::scope(|scope| {
+        let starter = scope.spawn(|| {
+            for _ in 0..500 {
+                std::process::Command::new("true").status().unwrap();
+            }
+        });
+        while !starter.is_finished() {
+            drop(open(folder.path()));
+        }
+    });
+}
