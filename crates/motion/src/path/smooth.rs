@@ -5,16 +5,18 @@
 //!
 //! 1. **Thin out.** From a kept point on, points are left out as long as all of them lie within a share of the
 //!    tolerance of the chord. What rounding of coordinates does to directions of short blocks is gone then.
-//! 2. **Knots** at the points that are kept, and beside those whose lines are longer than what rounding the corner
-//!    takes: a corner that turns by `Δ` between knots `h` apart is missed by `Δ·h/6`.
-//! 3. **Control points** on the chords at the Greville lengths `ξₖ = (tₖ₋₁ + tₖ + tₖ₊₁)/3`, so that straight stretches
-//!    are reproduced exactly, at unit speed (Schoenberg's operator); then moved by a share of what the spline misses at
-//!    the knots, so that it runs through the middle of the tolerance and not along the inside of every bend.
+//! 2. **Knots** at the points that are kept, and a fan of them beside each, close at the vertex and further apart away
+//!    from it: a corner that turns by `Δ` between knots `h` apart is missed by `Δ·h/6`.
+//! 3. **Control points** first on the chords at the Greville lengths `ξₖ = (tₖ₋₁ + tₖ + tₖ₊₁)/3`, so that straight
+//!    stretches are reproduced exactly, at unit speed (Schoenberg's operator). Those of dense stretches then go where
+//!    `∫|S − P|² + ∫ℓ⁶·|S‴|²` is least, some times over: places that come near the tolerance weigh more, and spans that
+//!    hold the speed back more than those beside them are made stiffer.
 //! 4. **Check** of the true distance, of every programmed point from the spline and of the spline from the
-//!    programmed lines. Where it is beyond the tolerance, less is left out, knots come closer and control points are
-//!    not moved ([`LEVELS`]); the last level keeps the tolerance by construction.
+//!    programmed lines. Where it is beyond the tolerance, less is left out, knots come closer and in the end control
+//!    points stay on the chords ([`LEVELS`]); the last level keeps the tolerance by construction.
 //!
-//! At both ends of a run the spline has a span on the line itself, so that it meets it with no curvature.
+//! An end at rest only has its place. At an end that something is joined to, the spline has a span on the line itself, so
+//! that it meets it with no curvature; far from its vertices a programmed line stays the line.
 
 // Only the axes in front that move are looped over, in several vectors at once.
 #![allow(clippy::needless_range_loop)]
@@ -41,7 +43,7 @@ struct Level {
     chord: f64,
     /// Distance of knots: times `6·δ/Δ`.
     spread: f64,
-    /// How far `ℓ` a wave is smoothed away, times the distance of knots.
+    /// How far `ℓ` a wave is smoothed away, times the distance of knots; 0 leaves control points on the chords.
     reach: f64,
 }
 
@@ -73,8 +75,23 @@ const REFINEMENTS: usize = 8;
 /// Share of the tolerance beyond which a place weighs more.
 const CLOSE: f64 = 0.86;
 
-/// A span is made stiffer if it is held back so many times as much as those beside it.
+/// How much more: by the square of how far beyond that it is, with a little added, and no more than this.
+const CLOSER: f64 = 1.15;
+const MOST_CLOSER: f64 = 30.0;
+
+/// A span is made stiffer if it is held back so many times as much as those beside it, by as much, up to this.
 const PEAK: f64 = 1.4;
+const MOST_STIFFER: f64 = 4.0;
+
+/// Those beside it count as held back this much at least; 1 is where the jerk allows just the feed.
+const LEAST_HELD: f64 = 0.5;
+
+/// The last refinements only bring the spline closer.
+const CLOSING: usize = 2;
+
+/// Knots and control points that stand where a run goes on: what one span needs.
+const STANDING_KNOTS: usize = 6;
+const STANDING_CONTROLS: usize = 4;
 
 /// Lines shorter than this share of the tolerance are run at the feed of those beside them.
 const SHORT_FEED: f64 = 0.5;
@@ -114,14 +131,20 @@ const KEPT_SPANS: usize = 5;
 
 /// A point of a run.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Point {
-    pub p: Position,
+struct Point {
+    p: Position,
     /// Programmed length up to here.
-    pub u: f64,
+    u: f64,
     /// Of the line that begins here: mm/s, and how far the path may be left.
-    pub feed: f64,
-    pub tolerance: f64,
+    feed: f64,
+    tolerance: f64,
     level: u8,
+}
+
+impl Point {
+    fn level(&self) -> &'static Level {
+        &LEVELS[usize::from(self.level).min(LEVELS.len() - 1)]
+    }
 }
 
 /// A stretch of the smoothed run.
@@ -140,7 +163,7 @@ type Vector = [f64; AXES];
 pub(crate) struct Smoother {
     pub class: Class,
     points: Vec<Point>,
-    /// Points that are kept: place of the point, and the level at which it was kept.
+    /// Places of the points that are kept.
     kept: Vec<usize>,
     /// Ends of the chords: length and place.
     chords: Vec<(f64, Vector)>,
@@ -153,8 +176,9 @@ pub(crate) struct Smoother {
     is_free: Vec<bool>,
     looks: Vec<Look>,
     end_looks: Vec<Look>,
-    /// Weight of the third derivative of every span; 0 where nothing is free.
+    /// Weight of the third derivative of every span, 0 where nothing is free, and of the four control points in it.
     stiff: Vec<f64>,
+    thirds: Vec<[f64; 4]>,
     /// Third derivative of every span, as a share of what the jerk allows at the feed.
     held: Vec<f64>,
     /// Inverse of the jerk of the axes.
@@ -162,16 +186,13 @@ pub(crate) struct Smoother {
     /// Normal equations.
     rows: Vec<[f64; BAND]>,
     sides: Vec<Vector>,
-    /// Knots and control points that stand from the part that is already in the queue.
-    fixed_knots: usize,
-    fixed_controls: usize,
+    /// The run goes on: its first knots and control points stand, because a part of it is in the queue already.
+    goes_on: bool,
     /// Where the last knot that stands lies.
     anchor: (f64, Vector),
     /// How far apart knots may be about it.
     anchor_reach: f64,
     anchor_size: f64,
-    /// First span that is not yet in the queue.
-    next: usize,
     /// The first and the last line stay as they are: something is joined to them.
     keeps: [bool; 2],
     /// How many axes in front move.
@@ -193,16 +214,15 @@ impl Smoother {
             looks: Vec::with_capacity(MOST_LOOKS * KNOTS / 2),
             end_looks: Vec::with_capacity(2),
             stiff: Vec::with_capacity(KNOTS),
+            thirds: Vec::with_capacity(KNOTS),
             held: Vec::with_capacity(KNOTS),
             jerk,
             rows: Vec::with_capacity(KNOTS),
             sides: Vec::with_capacity(KNOTS),
-            fixed_knots: 0,
-            fixed_controls: 0,
+            goes_on: false,
             anchor: (0.0, [0.0; AXES]),
             anchor_reach: 0.0,
             anchor_size: 0.0,
-            next: 0,
             keeps: [false; 2],
             count: 3,
         }
@@ -210,9 +230,7 @@ impl Smoother {
 
     pub fn clear(&mut self) {
         self.points.clear();
-        self.fixed_knots = 0;
-        self.fixed_controls = 0;
-        self.next = 0;
+        self.goes_on = false;
         self.count = 3;
     }
 
@@ -274,9 +292,8 @@ impl Smoother {
         }
         let last = self.last(open);
         let mut at = 0;
-        for k in self.next..last {
-            let span = self.span(k, &mut at);
-            out(span);
+        for k in 0..last {
+            out(self.span(k, &mut at));
         }
         if open {
             self.keep_from(last);
@@ -295,7 +312,7 @@ impl Smoother {
         let is_kept =
             |k: usize| self.chords.binary_search_by(|chord| chord.0.total_cmp(&self.knots[k + 5])).is_ok();
         let most = spans.saturating_sub(TAIL);
-        (self.next..=most).rev().find(|k| is_kept(*k)).unwrap_or(self.next)
+        (0..=most).rev().find(|k| is_kept(*k)).unwrap_or(0)
     }
 
     // Knot `k` of the run is `knots[k + 2]`, control point `k` is `controls[k + 1]`; spans are 0, 1, …
@@ -309,26 +326,21 @@ impl Smoother {
         self.chords.clear();
         self.is_thinned.clear();
         self.is_thinned.push(false);
-        let begin = match self.fixed_knots {
-            0 => {
-                self.kept.push(0);
-                self.chords.push((self.points[0].u, self.points[0].p.0));
-                0
-            }
-            n => {
-                // From the last knot that stands, on the chord that it stood on.
-                let _ = n;
-                self.chords.push(self.anchor);
-                self.segment(self.anchor.0, 0)
-            }
+        let mut anchor = if self.goes_on {
+            // From the last knot that stands, on the chord that it stood on.
+            self.chords.push(self.anchor);
+            self.segment(self.anchor.0, 0)
+        } else {
+            self.kept.push(0);
+            self.chords.push((self.points[0].u, self.points[0].p.0));
+            0
         };
-        let mut anchor = begin;
         let last = self.points.len() - 1;
         let (mut from_u, mut from_p) = self.chords[0];
         while anchor < last {
             let mut end = anchor + 1;
             let feed = self.points[anchor].feed;
-            let is_kept = self.keeps[0] && self.fixed_knots == 0 && anchor == 0;
+            let is_kept = self.keeps[0] && !self.goes_on && anchor == 0;
             while end < last && end - anchor < MOST_LEFT_OUT && !is_kept {
                 if self.keeps[1] && end + 1 == last {
                     break;
@@ -362,7 +374,7 @@ impl Smoother {
         let len = to.u - from_u;
         for i in first..end {
             let point = &self.points[i];
-            let level = &LEVELS[usize::from(point.level).min(LEVELS.len() - 1)];
+            let level = point.level();
             if level.chord == 0.0 {
                 return false;
             }
@@ -390,54 +402,62 @@ impl Smoother {
         i
     }
 
-    /// How far apart knots may be about the kept point `i`.
-    fn reach(&self, i: usize) -> f64 {
-        if i == 0 || i + 1 >= self.chords.len() {
-            return 0.0;
-        }
-        let (a, b, c) = (&self.chords[i - 1], &self.chords[i], &self.chords[i + 1]);
+    /// The point that chord `i` begins with; none where a run goes on from a knot inside a line.
+    fn kept_at(&self, i: usize) -> Option<usize> {
+        let inside = self.chords.len() - self.kept.len();
+        i.checked_sub(inside).and_then(|i| self.kept.get(i)).copied()
+    }
+
+    /// How much the direction changes at the middle one of three places, each with its length: the distance of both
+    /// directions, not less than what rounding makes of none.
+    fn turn(&self, [a, b, c]: [(f64, &Vector); 3]) -> f64 {
         let mut square = 0.0;
         for k in 0..self.count {
             let turn = (c.1[k] - b.1[k]) / (c.0 - b.0) - (b.1[k] - a.1[k]) / (b.0 - a.0);
             square += turn * turn;
         }
-        let offset = self.chords.len() - self.kept.len();
-        let point = &self.points[self.kept[i - offset.min(i)]];
-        let before = &self.points[self.kept[i - offset.min(i)].saturating_sub(1)];
-        let level = &LEVELS[usize::from(point.level).min(LEVELS.len() - 1)];
+        square.sqrt().max(1e-12)
+    }
+
+    /// How far apart knots may be about the kept point `i`.
+    fn reach(&self, i: usize) -> f64 {
+        if i == 0 || i + 1 >= self.chords.len() {
+            return 0.0;
+        }
+        let turn = self.turn([i - 1, i, i + 1].map(|k| (self.chords[k].0, &self.chords[k].1)));
+        let Some(at) = self.kept_at(i) else { return 0.0 };
+        let (before, point) = (&self.points[at.saturating_sub(1)], &self.points[at]);
         let tolerance = point.tolerance.min(before.tolerance) * TOLERANCE_SHARE;
-        level.spread * 6.0 * tolerance / square.sqrt().max(1e-12)
+        point.level().spread * 6.0 * tolerance / turn
     }
 
     fn place_knots(&mut self, from: f64, to: f64, open: bool) {
-        if self.fixed_knots == 0 {
+        if self.goes_on {
+            self.knots.truncate(STANDING_KNOTS);
+            self.is_dense.truncate(STANDING_KNOTS - 3);
+        } else {
             self.knots.clear();
             // Two before the start, filled in below.
             self.knots.extend([0.0, 0.0, from]);
             self.is_dense.clear();
-        } else {
-            self.knots.truncate(self.fixed_knots);
-            self.is_dense.truncate(self.fixed_knots - 3);
         }
         let count = self.chords.len();
         // The knots that stand were placed with what was known then.
-        let mut before = if self.fixed_knots == 0 { 0.0 } else { self.anchor_reach };
+        let mut before = if self.goes_on { self.anchor_reach } else { 0.0 };
         for i in 0..count - 1 {
             let after = self.reach(i + 1);
             let start = self.chords[i].0.max(from);
             let is_last = i + 2 == count;
             let end = if is_last && !open { self.chords[i + 1].0.min(to) } else { self.chords[i + 1].0 };
             let len = end - start;
-            let is_first = i == 0 && self.fixed_knots == 0;
+            let is_first = i == 0 && !self.goes_on;
             let must = is_first || (is_last && !open);
             let (least, most) = (before.min(after), before.max(after));
             let kept = (is_first && self.keeps[0]) || (is_last && !open && self.keeps[1]);
             let is_bold = !kept && self.is_bold(i) && self.is_bold(i + 1);
             if is_bold {
-                let sizes = [
-                    if i == 0 && self.fixed_knots > 0 { self.anchor_size } else { self.size(i) },
-                    self.size(i + 1),
-                ];
+                let sizes =
+                    [if i == 0 && self.goes_on { self.anchor_size } else { self.size(i) }, self.size(i + 1)];
                 self.fan(start, end, sizes, self.is_thinned[i + 1]);
                 before = after;
                 continue;
@@ -460,7 +480,7 @@ impl Smoother {
             before = after;
         }
         // Mirrored beyond the ends.
-        if self.fixed_knots == 0 {
+        if !self.goes_on {
             let t0 = self.knots[2];
             self.knots[1] = 2.0 * t0 - self.knots[3];
             self.knots[0] = 2.0 * t0 - self.knots[4.min(self.knots.len() - 1)];
@@ -474,28 +494,20 @@ impl Smoother {
     /// How far apart knots are to be beside kept point `i`: enough to round the corner there, and no more than the chords
     /// beside it are long.
     fn size(&self, i: usize) -> f64 {
-        let offset = self.chords.len() - self.kept.len();
-        let Some(at) = i.checked_sub(offset).and_then(|i| self.kept.get(i)).copied() else { return 0.0 };
+        let Some(at) = self.kept_at(i) else { return 0.0 };
         if i == 0 || i + 1 >= self.chords.len() || at == 0 || at + 1 >= self.points.len() {
             return 0.0;
         }
         let (a, b, c) = (&self.points[at - 1], &self.points[at], &self.points[at + 1]);
-        let mut square = 0.0;
-        for k in 0..self.count {
-            let turn = (c.p.0[k] - b.p.0[k]) / (c.u - b.u) - (b.p.0[k] - a.p.0[k]) / (b.u - a.u);
-            square += turn * turn;
-        }
-        let level = &LEVELS[usize::from(b.level).min(LEVELS.len() - 1)];
-        let reach = 6.0 * level.spread * a.tolerance.min(b.tolerance) / square.sqrt().max(1e-12);
+        let turn = self.turn([a, b, c].map(|point| (point.u, &point.p.0)));
+        let reach = 6.0 * b.level().spread * a.tolerance.min(b.tolerance) / turn;
         let beside = (self.chords[i].0 - self.chords[i - 1].0).min(self.chords[i + 1].0 - self.chords[i].0);
         (FIRST * reach).min(beside)
     }
 
     /// Whether kept point `i` is smoothed freely.
     fn is_bold(&self, i: usize) -> bool {
-        let offset = self.chords.len() - self.kept.len();
-        let Some(at) = i.checked_sub(offset).and_then(|i| self.kept.get(i)) else { return true };
-        LEVELS[usize::from(self.points[*at].level).min(LEVELS.len() - 1)].reach > 0.0
+        self.kept_at(i).is_none_or(|at| self.points[at].level().reach > 0.0)
     }
 
     /// Knots of the chord from `start` to `end`, close beside a vertex and further apart away from it. What lies far from
@@ -526,14 +538,12 @@ impl Smoother {
 
     fn place_controls(&mut self, open: bool) {
         let n = self.count;
-        if self.fixed_knots == 0 {
-            self.fixed_controls = 0;
-        }
-        self.controls.truncate(self.fixed_controls);
+        let standing = if self.goes_on { STANDING_CONTROLS } else { 0 };
+        self.controls.truncate(standing);
         // One control point for every knot but the outermost two.
         let total = self.knots.len() - 2;
         let mut chord = 0;
-        for j in self.fixed_controls..total {
+        for j in standing..total {
             let u = (self.knots[j] + self.knots[j + 1] + self.knots[j + 2]) / 3.0;
             while chord + 2 < self.chords.len() && self.chords[chord + 1].0 < u {
                 chord += 1;
@@ -557,15 +567,13 @@ impl Smoother {
     fn relax(&mut self, open: bool) {
         let total = self.controls.len();
         let spans = self.knots.len().saturating_sub(5);
-        self.rows.clear();
         self.rows.resize(total, [0.0; BAND]);
-        self.sides.clear();
         self.sides.resize(total, [0.0; AXES]);
         self.is_free.clear();
         // Control point `j` bears on the spans j−3…j.
         // An end at rest may turn and bend; only its place stands.
-        let turns = [self.fixed_knots == 0 && !self.keeps[0], open || !self.keeps[1]];
-        let first = if self.fixed_knots > 0 { self.fixed_controls } else { 3 * usize::from(!turns[0]) };
+        let turns = [!self.goes_on && !self.keeps[0], open || !self.keeps[1]];
+        let first = if self.goes_on { STANDING_CONTROLS } else { 3 * usize::from(!turns[0]) };
         let last = total - 3 * usize::from(!turns[1]);
         for j in 0..total {
             let mut bears = j.saturating_sub(3)..(j + 1).min(spans);
@@ -594,7 +602,7 @@ impl Smoother {
             for k in 0..spans {
                 let stiff = self.stiff[k];
                 if stiff > 0.0 {
-                    let third = self.third(k);
+                    let third = self.thirds[k];
                     self.press(k, &third, stiff, None);
                 }
             }
@@ -650,10 +658,12 @@ impl Smoother {
         self.looks.clear();
         self.end_looks.clear();
         self.stiff.clear();
+        self.thirds.clear();
         let mut line = 0;
         for k in 0..spans {
             if !(k..k + 4).any(|j| self.is_free[j]) {
                 self.stiff.push(0.0);
+                self.thirds.push([0.0; 4]);
                 continue;
             }
             let (begin, end) = (self.t(k), self.t(k + 1));
@@ -677,9 +687,9 @@ impl Smoother {
             }
             let near = |k: usize| self.t(k + 1) - self.t(k);
             let least = near(k.saturating_sub(1)).min(len).min(near((k + 1).min(spans - 1)));
-            let level = usize::from(self.points[line].level).min(LEVELS.len() - 1);
-            let l = LEVELS[level].reach * least;
+            let l = self.points[line].level().reach * least;
             self.stiff.push(l.powi(6) * len);
+            self.thirds.push(self.third(k));
         }
     }
 
@@ -710,28 +720,28 @@ impl Smoother {
                 }
                 let share = square.sqrt() / look.tolerance;
                 if share > CLOSE {
-                    look.weight *= (share / CLOSE * 1.15).powi(2).min(30.0);
+                    look.weight *= (share / CLOSE * CLOSER).powi(2).min(MOST_CLOSER);
                     changed = true;
                 }
                 feed = look.feed;
                 next += 1;
             }
-            let third = self.third(k);
+            let third = self.thirds[k];
             let mut jerk: f64 = 0.0;
             for axis in 0..n {
                 jerk = jerk.max(at(&third, &self.controls, axis).abs() * self.jerk[axis]);
             }
             self.held[k] = jerk * feed * feed * feed;
         }
-        if round + 3 > REFINEMENTS {
+        if round + CLOSING >= REFINEMENTS {
             return changed;
         }
         for k in 0..spans {
             let near = &self.held[k.saturating_sub(3)..(k + 4).min(spans)];
             let mean = (near.iter().sum::<f64>() - self.held[k]) / (near.len() as f64 - 1.0).max(1.0);
-            let over = self.held[k] / mean.max(0.5);
+            let over = self.held[k] / mean.max(LEAST_HELD);
             if over > PEAK {
-                self.stiff[k] *= over.min(4.0);
+                self.stiff[k] *= over.min(MOST_STIFFER);
                 changed = true;
             }
         }
@@ -856,12 +866,8 @@ impl Smoother {
 
     /// `q` at knot `k`.
     fn at_knot(&self, k: usize) -> Vector {
-        self.blend(&self.controls, k)
-    }
-
-    fn blend(&self, controls: &[Vector], k: usize) -> Vector {
         let w = self.weights(k);
-        let (a, b, c) = (&controls[k], &controls[k + 1], &controls[k + 2]);
+        let (a, b, c) = (&self.controls[k], &self.controls[k + 1], &self.controls[k + 2]);
         std::array::from_fn(|i| w[0] * a[i] + w[1] * b[i] + w[2] * c[i])
     }
 
@@ -901,7 +907,7 @@ impl Smoother {
         let n = self.count;
         let mut is_good = true;
         let mut at = 0;
-        for k in self.next..last {
+        for k in 0..last {
             let cubic = self.cubic(k);
             let (begin, end) = (self.t(k), self.t(k + 1));
             at = self.segment(begin, at);
@@ -987,15 +993,13 @@ impl Smoother {
         self.anchor_reach = self.reach(i);
         self.anchor_size = self.size(i);
         self.anchor = (u, std::array::from_fn(|k| a.1[k] + (b.1[k] - a.1[k]) * share));
-        self.knots.copy_within(next..next + 6, 0);
-        self.knots.truncate(6);
-        self.is_dense.copy_within(next..next + 3, 0);
-        self.is_dense.truncate(3);
-        self.controls.copy_within(next..next + 4, 0);
-        self.controls.truncate(4);
-        self.fixed_knots = 6;
-        self.fixed_controls = 4;
-        self.next = 0;
+        self.knots.copy_within(next..next + STANDING_KNOTS, 0);
+        self.knots.truncate(STANDING_KNOTS);
+        self.is_dense.copy_within(next..next + STANDING_KNOTS - 3, 0);
+        self.is_dense.truncate(STANDING_KNOTS - 3);
+        self.controls.copy_within(next..next + STANDING_CONTROLS, 0);
+        self.controls.truncate(STANDING_CONTROLS);
+        self.goes_on = true;
         let first = self.segment(begin, 0).saturating_sub(1);
         self.points.drain(..first);
     }
