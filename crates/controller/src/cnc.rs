@@ -645,7 +645,7 @@ impl Cnc {
         let tag = self.next_tag;
         let Some(to) = step.op.target().copied() else { return };
         let Some(motion) = Move::from_step(&step.op, from, self.spindle.rpm(), tag) else { return };
-        let Some(programmed) = Programmed::new(&step.op, from, self.spindle.rpm(), tag) else { return };
+        let Some(programmed) = Programmed::new(&step.op, from, motion.feed(), tag) else { return };
         // There is room: the caller asked.
         if self.motion.push(&motion).is_err() {
             return;

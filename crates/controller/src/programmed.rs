@@ -2,7 +2,7 @@
 //! compare motion with it.
 
 use ferrocut_geometry::{Arc, Axis, Position, SAME_POINT_MM};
-use ferrocut_toolpath::{Feed, FeedAlong, Op, PathMode};
+use ferrocut_toolpath::{Op, PathMode};
 use std::f64::consts::TAU;
 
 /// A move as it was programmed.
@@ -32,31 +32,13 @@ pub enum Way {
 }
 
 impl Programmed {
-    /// The move that `op` makes from `from`; `None` where it is none. `rpm` as in
-    /// [`Move::from_step`](ferrocut_motion::Move::from_step).
-    pub fn new(op: &Op, from: Position, rpm: f64, number: u64) -> Option<Programmed> {
+    /// The move that `op` makes from `from`, with the feed that motion was given for it; `None` where it is none.
+    pub fn new(op: &Op, from: Position, feed: Option<f64>, number: u64) -> Option<Programmed> {
         let to = *op.target()?;
-        let speed = |feed: Feed| match feed {
-            Feed::PerMinute(f) => f / 60.0,
-            Feed::PerRevolution(f) => f * rpm / 60.0,
-            Feed::Duration(t) => op.length(from) / t,
-        };
         let way = match *op {
             Op::Rapid { straight: false, .. } => Way::Apart,
             Op::Arc { .. } => Way::Arc(op.arc(from)?),
             _ => Way::Line(from, to),
-        };
-        let feed = match *op {
-            Op::Rapid { speed, .. } => speed.map(|f| f / 60.0),
-            Op::Tap { pitch, rpm, .. } => Some((pitch * rpm / 60.0).abs()),
-            Op::Feed { feed, .. } | Op::Skip { feed, .. } => Some(speed(feed)),
-            Op::Arc { feed, feed_along, .. } => {
-                let flat = op.arc(from).map_or(0.0, |arc| arc.plane_length());
-                let is_timed = matches!(feed, Feed::Duration(_));
-                let climbs = feed_along == FeedAlong::Circle && !is_timed && flat > 0.0;
-                Some(speed(feed) * if climbs { op.length(from) / flat } else { 1.0 })
-            }
-            _ => None,
         };
         let tolerance = match *op {
             Op::Feed { path: PathMode::ContinuousWithin(most), .. }

@@ -136,6 +136,16 @@ impl Move {
         Move { tag, to, kind: Kind::Arc { plane, center, sweep, feed, path } }.checked()
     }
 
+    /// Speed along the path that is asked for, mm/s; none where positioning is as fast as the axes can.
+    pub fn feed(&self) -> Option<f64> {
+        match self.kind {
+            Kind::RapidAxes => None,
+            Kind::RapidStraight { speed: feed } | Kind::Line { feed, .. } | Kind::Arc { feed, .. } => {
+                Some(feed).filter(|feed| feed.is_finite())
+            }
+        }
+    }
+
     /// Where it ends.
     pub fn to(&self) -> Position {
         self.to
