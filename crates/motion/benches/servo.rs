@@ -54,24 +54,20 @@ fn way() -> Vec<Position> {
     (0..PERIODS).map(|k| Position(std::array::from_fn(|i| place(k, i)))).collect()
 }
 
+fn measure(bencher: divan::Bencher, machine: &Machine) {
+    let way = way();
+    bencher
+        .counter(ItemsCount::new(PERIODS))
+        .with_inputs(|| Servo::new(machine, Position::ZERO))
+        .bench_refs(|servo| run(servo, &way));
+}
+
 #[divan::bench(sample_count = 20, sample_size = 1)]
 fn nine_axes_with_everything(bencher: divan::Bencher) {
-    let machine = nine_axes(everything);
-    let way = way();
-    let counter = ItemsCount::new(PERIODS);
-    bencher
-        .counter(counter)
-        .with_inputs(|| Servo::new(&machine, Position::ZERO))
-        .bench_refs(|s| run(s, &way));
+    measure(bencher, &nine_axes(everything));
 }
 
 #[divan::bench(sample_count = 20, sample_size = 1)]
 fn nine_axes_with_nothing(bencher: divan::Bencher) {
-    let machine = nine_axes(|_| {});
-    let way = way();
-    let counter = ItemsCount::new(PERIODS);
-    bencher
-        .counter(counter)
-        .with_inputs(|| Servo::new(&machine, Position::ZERO))
-        .bench_refs(|s| run(s, &way));
+    measure(bencher, &nine_axes(|_| {}));
 }

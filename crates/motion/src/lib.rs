@@ -7,7 +7,7 @@
 //! ```text
 //! Move ─▶ assemble ─▶ cells ─▶ plan ─▶ interpolate ─▶ Setpoint
 //!          path/       timing/queue      timing/
-//!          piece, joint, corner,         ramp, plan, interpolate, axes
+//!          piece, joint, corner,         plan, grid, piece, ramp, interpolate, axes
 //!          smooth
 //! ```
 //!
@@ -15,9 +15,9 @@
 //!    tolerance (`path/smooth`), joints with arcs are eased (`path/joint`), sharp corners rounded in time
 //!    (`path/corner`). The path then has a continuous `q″` and a bounded `q‴`.
 //! 2. Stretches of it are cells (`timing/queue`), each with bounds of its three derivatives (`limits`).
-//! 3. Look-ahead finds the valleys of speed and joins them by ramps of limited jerk (`timing/plan`,
-//!    `timing/ramp`), over as many cells as that takes.
-//! 4. The plan is evaluated in closed form every period (`timing/interpolate`).
+//! 3. Look-ahead goes section by section (`timing/plan`): on a single line in closed form (`timing/ramp`), else by
+//!    passes over steps of a few milliseconds (`timing/grid`). The plan is a list of pieces (`timing/piece`).
+//! 4. They are evaluated in closed form every period (`timing/interpolate`).
 //!
 //! [`Motion::tick`] and [`Motion::push`] allocate nothing, take no lock and do not fail. The same calls
 //! give the same setpoints, bit by bit.

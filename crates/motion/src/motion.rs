@@ -143,7 +143,7 @@ impl Motion {
     }
 
     /// Feed override 0…2 and rapid override 0…1 as factors; clamped, and left as they are if not a
-    /// number. Both take effect as soon as the ramp being run is at its end, within the limits.
+    /// number. Both take effect at once, within the limits, or as soon as a plan is possible with them.
     pub fn set_override(&mut self, feed: f64, rapid: f64) {
         let old = self.plan.overrides();
         let clamp = |new: f64, max: f64, old: f64| if new.is_nan() { old } else { new.clamp(0.0, max) };
@@ -239,7 +239,7 @@ impl Motion {
             self.stale = false;
         }
         self.plan.plan(&self.queue, self.interpolator.s());
-        self.interpolator.enter(0.0);
+        self.interpolator.enter();
         self.runs = true;
         self.stopping = false;
     }
@@ -303,7 +303,7 @@ impl Motion {
     fn forget(&mut self) {
         self.queue.clear();
         self.plan.clear(&self.queue);
-        self.interpolator.clear(0.0);
+        self.interpolator.clear();
         self.assembler.clear(self.interpolator.position());
         self.aborting = false;
         self.runs = false;

@@ -1,9 +1,9 @@
 //! How fast a section of path may be run: passes over steps.
 //!
 //! A **section** goes from one state to another over cells that may be run through. It is divided into **steps**,
-//! [`TAU`] of motion long. `x = v²` is found for the middle `g` of every step; in between `x(s)` is the quadratic B-spline
-//! with these values as control points, which has a continuous slope and never lies above the highest of three
-//! neighbours. Six passes, each over all steps once:
+//! [`TAU`] of motion long. `x = v²` is found for the middle `g` of every step; in between `x(s)` is the quadratic
+//! B-spline with these values as control points, which has a continuous slope and never lies above the highest of
+//! three neighbours. Six passes, each over all steps once:
 //!
 //! 1. *Cells*: the speed at their ends by acceleration alone, forward and backward. This is more than jerk allows, so
 //!    what the bounds leave at this speed may be used.
@@ -38,9 +38,6 @@ pub(crate) const STEPS: usize = 4096;
 /// Share of the jerk and of the acceleration that the passes use; the rest is for what pieces deviate from them.
 const JERK_SHARE: f64 = 0.97;
 const ACCELERATION_SHARE: f64 = 0.995;
-
-/// How far a piece may be above a bound by rounding.
-const ROUNDING: f64 = 1.0 + 1e-4;
 
 /// How often a section is planned with less where a piece is beyond its bounds.
 const ROUNDS: usize = 10;
@@ -268,8 +265,8 @@ impl Grid {
             let (low, high) = (Foot::still(self.ends[i]), Foot::still(self.ends[i + 1]));
             let speed =
                 |s: f64| here.min(most_speed(low, s - begin, drive)).min(most_speed(high, end - s, drive));
-            // The first step from rest is [`TAU`] long by the jerk or, where that is not limited, by the acceleration. However
-            // short, a section has room to speed up and slow down in.
+            // The first step from rest is TAU long by the jerk or, where that is not limited, by the acceleration.
+            // However short, a section has room to speed up and slow down in.
             let least = (drive.j * TAU / 3.0).min(drive.a) * 0.5 * TAU * TAU;
             let least = least.min((self.to.s - from.s) / FEWEST);
             // Where the highest speed begins, and where slowing down for the end of the cell begins.
@@ -468,12 +465,8 @@ impl Grid {
             let here = &self.steps[i];
             let to = self.steps.get(i + 1).map_or(self.to.state, |step| step.from);
             let load = &queue.node(here.cell).load;
-            let keeps = Piece::new(here.s, here.h, here.from, to).is_some_and(|piece| {
-                let [j0, j1] = piece.jerks();
-                piece.is_forward()
-                    && load.used(piece.from.v, piece.from.a.abs(), j0.abs()) <= ROUNDING
-                    && load.used(piece.to.v, piece.to.a.abs(), j1.abs()) <= ROUNDING
-            });
+            let piece = Piece::new(here.s, here.h, here.from, to);
+            let keeps = piece.is_some_and(|piece| piece.is_forward() && piece.keeps(load));
             if !keeps {
                 is_good = false;
                 for step in &mut self.steps[i.saturating_sub(1)..(i + 2).min(n)] {
@@ -491,10 +484,10 @@ impl Grid {
 fn climb(at: &Step, most: f64, state: State) -> [State; 2] {
     let h = at.h;
     let mut j = at.jerk(state.a.max(0.0));
-    let mut end = step(state, j, h).1;
+    let mut end = step(state, j, h);
     if at.j[0] != at.j[1] {
         j = at.jerk(end.a.clamp(0.0, most.max(0.0)));
-        end = step(state, j, h).1;
+        end = step(state, j, h);
     }
     if end.a > most {
         // (2a₀+a₁)/6·T² + v₀·T = h.
@@ -503,7 +496,7 @@ fn climb(at: &Step, most: f64, state: State) -> [State; 2] {
         j = (a - state.a) / t;
         end = State { v: state.v + 0.5 * (state.a + a) * t, a };
     }
-    let mut middle = step(state, j, 0.5 * h).1;
+    let mut middle = step(state, j, 0.5 * h);
     for (to, from) in [(&mut middle, state.v), (&mut end, state.v.min(at.cap))] {
         if to.v > at.cap {
             let rise = (at.cap * at.cap - from * from) / (2.0 * h);

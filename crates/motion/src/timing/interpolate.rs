@@ -70,9 +70,9 @@ impl Interpolator {
     }
 
     /// Forgets where it is on the path; only at rest.
-    pub fn clear(&mut self, s: f64) {
+    pub fn clear(&mut self) {
         self.t = 0.0;
-        self.s = s;
+        self.s = 0.0;
         self.axes = AxesRun::NONE;
     }
 
@@ -92,9 +92,9 @@ impl Interpolator {
         }
     }
 
-    /// Begins with the current stretch of the plan, at `t` of its time.
-    pub fn enter(&mut self, t: f64) {
-        self.t = t;
+    /// Begins with the current stretch of the plan.
+    pub fn enter(&mut self) {
+        self.t = 0.0;
     }
 
     /// Goes on by `time` within the stretch being run; the time that is left behind its end.
@@ -127,7 +127,7 @@ impl Interpolator {
                 self.speed = 0.0;
                 self.retire_to(queue, cell + 1);
                 plan.advance();
-                self.enter(0.0);
+                self.enter();
                 return (Outcome::Rests, 0.0);
             }
             // A stop on the path ends at rest.
@@ -139,15 +139,14 @@ impl Interpolator {
             _ => {}
         }
         plan.advance();
-        self.enter(0.0);
+        self.enter();
         (Outcome::Moves, left)
     }
 
     fn advance_axes(&mut self, plan: &mut Plan, queue: &mut Queue, cell: u64, time: f64) -> (Outcome, f64) {
-        let Shape::Axes { from, to } = queue.cell(cell).shape else { return (Outcome::Out, 0.0) };
+        let Shape::Axes { to, .. } = queue.cell(cell).shape else { return (Outcome::Out, 0.0) };
         if !self.axes.is_under_way() {
             // From where it is: it may have been stopped on the way.
-            let _ = from;
             self.axes.begin(self.position, to, &self.limits, plan.overrides().of(Class::Rapid));
         }
         (self.position, self.speed) = self.axes.advance(time);
@@ -159,7 +158,7 @@ impl Interpolator {
         if self.position == to {
             self.retire_to(queue, cell + 1);
             plan.advance();
-            self.enter(0.0);
+            self.enter();
         }
         (Outcome::Rests, 0.0)
     }

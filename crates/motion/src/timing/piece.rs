@@ -1,8 +1,8 @@
 //! The plan in time: pieces of a few milliseconds.
 //!
 //! A piece has the length `h` and runs from the speed `v₀` and the acceleration `a₀` to `v₁` and `a₁`, so that the
-//! plan has a continuous acceleration whatever the pieces are. Within it the jerk goes linearly from `j₀` with the slope `k`,
-//! the lowest order that meets five conditions (Δ = v₁ − v₀):
+//! plan has a continuous acceleration whatever the pieces are. Within it the jerk goes linearly from `j₀` with the
+//! slope `k`, the lowest order that meets five conditions (Δ = v₁ − v₀):
 //!
 //! ```text
 //! s(t) = v₀·t + a₀·t²/2 + j₀·t³/6 + k·t⁴/24
@@ -11,6 +11,11 @@
 //! ```
 //!
 //! The last line gives the duration `T`. Where the jerk is constant `k` is 0.
+
+use crate::limits::Load;
+
+/// How far a piece may be above a bound by rounding.
+const ROUNDING: f64 = 1.0 + 1e-4;
 
 /// Speed and acceleration along the path, mm/s and mm/s².
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
@@ -80,8 +85,14 @@ impl Piece {
     }
 
     /// Jerk at both ends, mm/s³.
-    pub fn jerks(&self) -> [f64; 2] {
+    fn jerks(&self) -> [f64; 2] {
         [self.j, self.j + self.k * self.time]
+    }
+
+    /// Whether the bounds of `load` hold at both ends.
+    pub fn keeps(&self, load: &Load) -> bool {
+        let ends = [self.from, self.to].into_iter().zip(self.jerks());
+        ends.into_iter().all(|(state, j)| load.used(state.v, state.a.abs(), j.abs()) <= ROUNDING)
     }
 
     /// Place on the path and speed after `t`.
@@ -94,12 +105,12 @@ impl Piece {
     }
 }
 
-/// Goes on from `from` over the length `h` with the jerk `j`; duration and state at the end.
+/// The state behind the length `h` that is entered in `from` and run with the jerk `j`.
 ///
 /// `v·T + a·T²/2 + j·T³/6 = h` is solved by Newton's method from above: for `j ≥ 0`, `a ≥ 0` every term alone is less
 /// than `h`, and the sum is convex.
 #[inline]
-pub(crate) fn step(from: State, j: f64, h: f64) -> (f64, State) {
+pub(crate) fn step(from: State, j: f64, h: f64) -> State {
     let State { v, a } = from;
     let mut t = if a >= 0.0 {
         let t = 2.0 * h / (v + (v * v + 2.0 * a * h).sqrt());
@@ -116,7 +127,7 @@ pub(crate) fn step(from: State, j: f64, h: f64) -> (f64, State) {
             break;
         }
     }
-    (t, State { v: v + t * (a + 0.5 * t * j), a: a + t * j })
+    State { v: v + t * (a + 0.5 * t * j), a: a + t * j }
 }
 
 #[cfg(test)]
@@ -136,8 +147,8 @@ mod tests {
 
     #[test]
     fn constant_jerk_from_rest() {
-        let (t, to) = step(State::REST, 60_000.0, 60_000.0 * 1e-6 / 6.0);
-        assert!((t - 0.01).abs() < 1e-12 && (to.v - 3.0).abs() < 1e-9 && (to.a - 600.0).abs() < 1e-7);
+        let to = step(State::REST, 60_000.0, 60_000.0 * 1e-6 / 6.0);
+        assert!((to.v - 3.0).abs() < 1e-9 && (to.a - 600.0).abs() < 1e-7);
         let piece = Piece::new(0.0, 0.01, State::REST, to).unwrap();
         assert!((piece.time - 0.01).abs() < 1e-12);
         assert!(piece.jerks().iter().all(|j| (j - 60_000.0).abs() < 1e-3), "{:?}", piece.jerks());

@@ -2,7 +2,7 @@
 //!
 //! The path is planned section by section; a section ends at a rest, at a corner that is rounded in time, or where
 //! no more cells are known. On a single line the shortest motion is known in closed form ([`crate::timing::ramp`]);
-//! everything else is planned on knots ([`crate::timing::grid`]). Either way the plan is a list of pieces
+//! everything else is planned in steps ([`crate::timing::grid`]). Either way the plan is a list of pieces
 //! ([`crate::timing::piece`]).
 //!
 //! **Always to rest.** The end of what is known is planned to rest whatever may follow, so a feeder that falls
@@ -159,7 +159,7 @@ pub(crate) struct Plan {
     patience: usize,
 }
 
-/// Most stretches: every knot of the sections that are known.
+/// Most stretches: every step of the sections that are known.
 const STRETCHES: usize = 8 * CELLS;
 
 impl Plan {
@@ -249,7 +249,7 @@ impl Plan {
                 return true;
             }
         }
-        self.restore(queue);
+        self.give_up(queue);
         false
     }
 
@@ -278,7 +278,7 @@ impl Plan {
                 break;
             }
         }
-        self.restore(queue);
+        self.give_up(queue);
     }
 
     /// Notes the plan as it is. What was run is forgotten.
@@ -295,10 +295,14 @@ impl Plan {
     }
 
     /// The plan noted stands.
-    fn restore(&mut self, queue: &Queue) {
+    fn restore(&mut self) {
         std::mem::swap(&mut self.before, &mut self.stretches);
         (self.fixed, self.next) = self.kept;
-        // Not again before there is something new and a part of it was run.
+    }
+
+    /// The plan noted stands; planning is not tried again before there is something new and a part of it was run.
+    fn give_up(&mut self, queue: &Queue) {
+        self.restore();
         self.planned = queue.tail();
         self.patience = PATIENCE.min(self.stretches.len().saturating_sub(self.current));
     }
@@ -344,9 +348,7 @@ impl Plan {
                 return true;
             }
         }
-        let (planned, patience) = (self.planned, self.patience);
-        self.restore(queue);
-        (self.planned, self.patience) = (planned, patience);
+        self.restore();
         false
     }
 
@@ -377,8 +379,7 @@ impl Plan {
                 let (time, jerk) = (-2.0 * left / state.a, state.a * state.a / (2.0 * left));
                 let mut piece = Piece::steady(s, state, jerk, time);
                 piece.to = State { v: target, a: 0.0 };
-                cell = self.push_brake(queue, piece, cell);
-                return cell != u64::MAX && piece.end() <= limit;
+                return self.push_brake(queue, piece, cell).is_some() && piece.end() <= limit;
             }
             let mut t = BRAKE_STEP;
             if is_late(then(t)) {
@@ -395,40 +396,28 @@ impl Plan {
             }
             let to = then(t);
             let piece = Piece::steady(s, state, (to.a - state.a) / t, t);
-            cell = self.push_brake(queue, piece, cell);
-            if cell == u64::MAX {
-                return false;
-            }
-            (s, state) = (piece.end(), piece.to);
+            let Some(reached) = self.push_brake(queue, piece, cell) else { return false };
+            (s, state, cell) = (piece.end(), piece.to, reached);
         }
         false
     }
 
-    /// Adds a piece of braking that begins in `cell`; the cell in which it ends, `u64::MAX` if a bound is passed.
-    fn push_brake(&mut self, queue: &Queue, piece: Piece, from: u64) -> u64 {
+    /// Adds a piece of braking that begins in cell `from`; the cell in which it ends, `None` if a bound is passed.
+    fn push_brake(&mut self, queue: &Queue, piece: Piece, from: u64) -> Option<u64> {
         let mut cell = from;
-        let [j0, j1] = piece.jerks().map(f64::abs);
-        loop {
-            if cell >= queue.tail() {
-                return u64::MAX;
-            }
+        let v = piece.from.v.max(piece.to.v);
+        while cell < queue.tail() {
             let node = queue.node(cell);
-            let v = piece.from.v.max(piece.to.v);
-            let used = node.load.used(piece.from.v, piece.from.a.abs(), j0).max(node.load.used(
-                piece.to.v,
-                piece.to.a.abs(),
-                j1,
-            ));
-            if used > 1.0 + 1e-4 || v > node.top * (1.0 + 1e-6) {
-                return u64::MAX;
+            if !piece.keeps(&node.load) || v > node.top * (1.0 + 1e-6) {
+                return None;
             }
             if node.end() >= piece.end() || node.rests {
-                break;
+                self.brake.push(piece);
+                return Some(cell);
             }
             cell += 1;
         }
-        self.brake.push(piece);
-        cell
+        None
     }
 
     /// Where the next corner or rest is.
@@ -617,15 +606,11 @@ impl Plan {
             _ => overrides.cap(node),
         };
         let node = queue.node(first);
-        if first == last
-            && node.load.is_straight()
-            && let Some(cruise) = self.line(from, to, cap(node), node.load.most())
-        {
-            if let (true, Some((fixed, port))) = (is_open, cruise) {
-                self.fixed = fixed;
-                self.next = Start { port, cell: first };
+        if first == last && node.load.is_straight() {
+            let open = is_open.then_some(first);
+            if self.line(from, to, cap(node), node.load.most(), open) {
+                return true;
             }
-            return true;
         }
         if !self.grid.plan(queue, from, to, first, last, cap) {
             return false;
@@ -647,20 +632,20 @@ impl Plan {
         true
     }
 
-    /// The shortest motion on a line: up to a summit, steady, and down. `None` if it has another form; else how many
-    /// stretches are before the steady part at the highest speed, and where that begins.
-    fn line(&mut self, from: Port, to: Port, cap: f64, drive: Drive) -> Option<Option<(usize, Port)>> {
+    /// The shortest motion on a line: up to a summit, steady, and down. `false` if it has another form. If the line is
+    /// the last cell that is known, `open`, what comes before the steady part at the highest speed is final.
+    fn line(&mut self, from: Port, to: Port, cap: f64, drive: Drive, open: Option<u64>) -> bool {
         let len = to.s - from.s;
         if from.state.a < 0.0 {
-            return None;
+            return false;
         }
         let (left, right) =
             (Foot { v: from.state.v, a: from.state.a }, Foot { v: to.state.v, a: -to.state.a });
         let low = left.top(drive.j).max(right.top(drive.j));
         if low > cap * (1.0 + 1e-9) || left.a > drive.a || right.a > drive.a {
-            return None;
+            return false;
         }
-        let top = summit(left, right, len, low, cap.max(low), drive)?;
+        let Some(top) = summit(left, right, len, low, cap.max(low), drive) else { return false };
         let (up, down) = (Phases::new(left, top, drive), Phases::new(right, top, drive));
         let mut s = from.s;
         let mut state = from.state;
@@ -669,16 +654,17 @@ impl Plan {
         }
         state = State { v: top, a: 0.0 };
         let steady = to.s - right.distance(top, drive).unwrap_or(0.0) - s;
-        let mut cruise = None;
         if steady > 0.0 && top > 0.0 {
-            cruise = (top >= cap).then_some((self.stretches.len(), Port { s, state }));
+            if let Some(cell) = open.filter(|_| top >= cap) {
+                self.fix(Start { port: Port { s, state }, cell });
+            }
             self.go_on(&mut s, &mut state, 0.0, steady / top);
         }
         // Mirrored in time: what builds up acceleration there takes it back here.
         for (time, j) in down.times.into_iter().zip([down.j, 0.0, -down.j]).rev() {
             self.go_on(&mut s, &mut state, j, time);
         }
-        Some(cruise)
+        true
     }
 
     /// Adds a piece of constant jerk.
@@ -691,7 +677,7 @@ impl Plan {
     }
 }
 
-/// Room that one section may take beside its knots.
+/// Room that one section takes: its steps and what ends it.
 const SPARE: usize = crate::timing::grid::STEPS + 16;
 
 /// Where cell `number` begins; if it does not exist yet, where the last one ends.
