@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{examples, ferrocut, json, json_lines, number, on_example, with_input};
+use common::{examples, ferrocut, json, json_lines, machine_file, number, on_example, root, with_input};
 use ferrocut_machine::Machine;
 use serde_json::Value;
 use std::time::{Duration, Instant};
@@ -47,23 +47,29 @@ fn bracket() -> (String, Option<String>) {
 
 #[test]
 fn no_axis_of_any_example_exceeds_its_limits() {
-    let machine = Machine::demo_mill();
-    let period = machine.servo_period_ms / 1000.0;
     for example in examples() {
+        let text = machine_file(&example).map(|file| std::fs::read_to_string(root().join(file)).unwrap());
+        let machine = text.map_or_else(Machine::demo_mill, |text| Machine::from_toml(&text).unwrap());
+        let period = machine.servo_period_ms / 1000.0;
         let (points, ..) = samples(&example);
         assert!(points.len() > 10_000, "{}: {} setpoints", example.0, points.len());
         for (i, axis) in AXES.iter().enumerate() {
             let limits = machine.axes.iter().find(|a| a.name.name() == *axis).unwrap();
             let fastest = limits.rapid.max(limits.velocity) / 60.0 * SLACK;
             let steepest = limits.acceleration * SLACK;
+            // Samples have nine digits behind the point; a third difference has eight halves of the last.
+            let jerk_limit = if limits.jerk > 0.0 { limits.jerk } else { f64::INFINITY };
+            let hardest = jerk_limit * SLACK + 8.0 * 0.5e-9 / period.powi(3);
             let at = |k: isize| points[k.clamp(0, points.len() as isize - 1) as usize][i];
-            // Two periods of rest at either end.
-            for k in -2..points.len() as isize {
-                let (a, b, c) = (at(k), at(k + 1), at(k + 2));
+            // Three periods of rest at either end.
+            for k in -3..points.len() as isize {
+                let (a, b, c, d) = (at(k), at(k + 1), at(k + 2), at(k + 3));
                 let velocity = (b - a).abs() / period;
                 let acceleration = (c - 2.0 * b + a).abs() / (period * period);
                 assert!(velocity <= fastest, "{} {axis} at {k} ms: {velocity} mm/s", example.0);
                 assert!(acceleration <= steepest, "{} {axis} at {k} ms: {acceleration} mm/s²", example.0);
+                let jerk = (d - 3.0 * c + 3.0 * b - a).abs() / period.powi(3);
+                assert!(jerk <= hardest, "{} {axis} at {k} ms: {jerk} mm/s³", example.0);
             }
         }
     }
@@ -152,7 +158,7 @@ fn every_programmed_point_is_reached() {
         let corners = corners(&trace);
         assert!(corners.iter().filter(|c| c.stops).count() >= 5, "{}", example.0);
         // The machine's tolerance, or the program's own.
-        let text = std::fs::read_to_string(common::root().join(&example.0)).unwrap();
+        let text = std::fs::read_to_string(root().join(&example.0)).unwrap();
         let own = text.split("G64 P").nth(1).and_then(|rest| rest.split_whitespace().next());
         let tolerance = own.map_or(0.01, |own| own.parse().unwrap()) + 0.0005;
         let mut walked = vec![0.0];

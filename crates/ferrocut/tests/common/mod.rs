@@ -73,11 +73,15 @@ fn examples_in(folder: &str) -> Vec<(String, Option<String>)> {
         .collect()
 }
 
+/// The machine file beside an example, where there is one.
+pub fn machine_file(example: &(String, Option<String>)) -> Option<String> {
+    Some(example.0.replace(".nc", ".machine.toml")).filter(|file| root().join(file).exists())
+}
+
 /// `command example --setup … --machine …`
 pub fn on_example<'a>(command: &'a str, example: &'a (String, Option<String>)) -> Vec<&'a str> {
     let mut arguments = vec![command, example.0.as_str()];
-    let machine = example.0.replace(".nc", ".machine.toml");
-    if root().join(&machine).exists() {
+    if let Some(machine) = machine_file(example) {
         arguments.extend(["--machine", machine.leak()]);
     }
     if let Some(setup) = &example.1 {
