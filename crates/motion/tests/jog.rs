@@ -1,6 +1,6 @@
 //! Axes moved by hand: limits at every sample whatever is asked for and when, exact ends, and no slower than the
 //! time-optimal profiles of another library.
-#![allow(missing_docs, clippy::unwrap_used)]
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
 use assert_no_alloc::{AllocDisabler, assert_no_alloc};
 use ferrocut_geometry::{Axis, Position};
