@@ -7,11 +7,12 @@
 //! the same way: the moves before it are finished, the one at fault does not begin.
 
 use crate::drives::{Drives, Simulated};
+use crate::manual::{JogSpeed, JogWay, Manual};
 use crate::programmed::{Programmed, Way};
 use crate::report::{Activity, Report};
 use crate::spindle::Spindle;
 use crate::supervision::Supervisor;
-use ferrocut_geometry::Position;
+use ferrocut_geometry::{Axis, Position};
 use ferrocut_interpreter::{AtRest, Interpreter};
 use ferrocut_machine::{Alarm, Fault, Machine, Severity};
 use ferrocut_motion::servo::{Kind, Servo, ServoFault, ServoFaultKind};
@@ -135,6 +136,7 @@ pub struct Cnc {
     motion: Motion,
     servo: Servo,
     synchron: Synchron,
+    manual: Manual,
     hole: Option<Hole>,
     stroke: Option<Stroke>,
     /// Highest acceleration of the spindle in a thread, inwards and outwards, r/min per second.
@@ -188,6 +190,7 @@ impl Cnc {
             motion,
             servo: Servo::new(machine, start),
             synchron: Synchron::new(machine, start),
+            manual: Manual::new(machine, start),
             hole: None,
             stroke: None,
             tapping_rates: [machine.spindle.tapping_rpm_s, machine.spindle.tapping_retract_rpm_s]
@@ -252,8 +255,12 @@ impl Cnc {
         std::mem::take(&mut self.events)
     }
 
-    /// Starts the program, or goes on after feed hold, M00 or M01.
+    /// Starts the program, or goes on after feed hold, M00 or M01. Not while axes are moved by hand.
     pub fn cycle_start(&mut self) {
+        if self.manual.is_active {
+            return;
+        }
+        self.manual.stop();
         if let Some(hole) = self.hole.as_mut().filter(|hole| hole.asked == Some(Asked::Hold)) {
             hole.asked = None;
         }
@@ -277,6 +284,7 @@ impl Cnc {
     /// Brings the axes to rest and forgets the rest of the program. A tool in a thread comes out first (GSK990MC
     /// 4.5.1).
     pub fn reset(&mut self) {
+        self.manual.stop();
         if matches!(self.state, State::Ended | State::Reset) || self.asked_in_hole(Asked::Reset) {
             return;
         }
@@ -285,6 +293,7 @@ impl Cnc {
 
     /// Brings axes and spindle to rest at once, in a thread in step, and forgets the rest of the program.
     pub fn emergency_stop(&mut self) {
+        self.manual.stop();
         if !matches!(self.state, State::Ended | State::Reset) {
             self.come_to_rest();
             self.spindle.command(SpindleState::Off, &self.commanded);
@@ -307,6 +316,7 @@ impl Cnc {
     }
 
     fn come_to_rest(&mut self) {
+        self.manual.stop();
         self.synchron.stop();
         self.hole = None;
         self.motion.abort();
@@ -319,6 +329,48 @@ impl Cnc {
     /// Feed override 0 to 2 and rapid override 0 to 1, as factors.
     pub fn set_override(&mut self, feed: f64, rapid: f64) {
         self.motion.set_override(feed, rapid);
+        if self.manual.is_held() {
+            self.take_by_hand();
+        }
+        self.manual.set_override(feed, rapid);
+    }
+
+    /// A jog key of an axis: pressed, changed or released ([`JogWay::Stop`]). Whether axes may be moved by hand now: not
+    /// while a program is under way, nor after an alarm before reset. An axis comes to rest on its software limit.
+    pub fn jog(&mut self, axis: Axis, way: JogWay, speed: JogSpeed) -> bool {
+        let takes = self.take_by_hand();
+        if takes {
+            self.manual.jog(axis, way, speed);
+        }
+        takes
+    }
+
+    /// Moves an axis by `steps` increments, mm or degrees; whether axes may be moved by hand now.
+    pub fn jog_step(&mut self, axis: Axis, steps: i64, increment: f64) -> bool {
+        let takes = self.take_by_hand();
+        if takes {
+            self.manual.step(axis, steps, increment);
+        }
+        takes
+    }
+
+    /// Moves an axis by counts of the handwheel, each an increment, mm or degrees; whether axes may be moved by
+    /// hand now.
+    pub fn handwheel(&mut self, axis: Axis, counts: i64, increment: f64) -> bool {
+        let takes = self.take_by_hand();
+        if takes {
+            self.manual.wheel(axis, counts, increment);
+        }
+        takes
+    }
+
+    /// Gives the axes to whoever moves them by hand, if no program has them.
+    fn take_by_hand(&mut self) -> bool {
+        let takes = matches!(self.state, State::Ready | State::Ended | State::Reset);
+        if takes {
+            self.manual.take(self.motion.position());
+        }
+        takes
     }
 
     /// Goes on by one servo period.
@@ -334,6 +386,7 @@ impl Cnc {
         match self.state {
             State::Running => {}
             State::Held | State::Resetting => return self.slow_down(),
+            _ if self.manual.is_active => return self.move_by_hand(),
             _ => return self.at_rest(),
         }
         loop {
@@ -378,6 +431,23 @@ impl Cnc {
         let position = self.exchange(&setpoint.position);
         let (actual, velocity) = (self.actual, setpoint.velocity);
         Tick { position, actual, velocity, span: self.span, moving: true }
+    }
+
+    /// A period of moving by hand. Once the axes stand, the program goes on from there.
+    fn move_by_hand(&mut self) -> Tick {
+        let (at, velocity) = self.manual.tick();
+        self.kind = Kind::Jog;
+        let position = self.exchange(&at);
+        let tick = Tick { position, actual: self.actual, velocity, span: self.span, moving: true };
+        // A failed axis may never come to its place.
+        if self.manual.is_at_rest() && (self.servo.is_at_rest() || self.failed.is_some()) {
+            self.manual.is_active = false;
+            self.motion.rename(at);
+            self.supervisor.moved_to(at);
+            self.commanded = at;
+            self.interpreter.came_to_rest(&AtRest { commanded: at, actual: self.actual, skip: None });
+        }
+        tick
     }
 
     /// Whether the axes must be where motion has come to rest before anything else begins: a step that waits,
@@ -555,6 +625,9 @@ impl Cnc {
 
     /// A period of coming to rest, or of standing still until cycle start.
     fn slow_down(&mut self) -> Tick {
+        if self.manual.is_active {
+            return self.move_by_hand();
+        }
         if !self.motion.at_rest() {
             return self.move_on();
         }

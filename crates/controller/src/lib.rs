@@ -11,6 +11,7 @@
 pub mod clock;
 pub mod cnc;
 pub mod drives;
+pub mod manual;
 pub mod programmed;
 pub mod report;
 pub mod spindle;
@@ -19,6 +20,7 @@ pub mod supervision;
 pub use clock::Clock;
 pub use cnc::{Cnc, Event, State, Tick};
 pub use drives::Drives;
+pub use manual::{JogSpeed, JogWay};
 pub use programmed::{Programmed, Way};
 pub use report::{Activity, Report};
 pub use supervision::Supervisor;

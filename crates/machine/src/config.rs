@@ -1,5 +1,6 @@
 //! The machine file: axes with their limits, spindle, tool changer, path control.
 
+use crate::manual::ManualConfig;
 use crate::servo::{Backlash, PitchErrors, ServoConfig, Smoothing};
 use ferrocut_geometry::{Axis, AxisSet, Position};
 use serde::Deserialize;
@@ -35,6 +36,9 @@ pub struct Machine {
     /// The drives as a whole.
     #[serde(default)]
     pub servo: ServoConfig,
+    /// Moving by hand.
+    #[serde(default)]
+    pub manual: ManualConfig,
     /// The control's own parameters that differ from its factory setting, by their own names.
     #[serde(default)]
     pub parameters: std::collections::BTreeMap<String, f64>,
@@ -56,6 +60,9 @@ pub struct AxisConfig {
     pub max: f64,
     /// Positioning speed, mm/min or degrees/min.
     pub rapid: f64,
+    /// The same by hand with the rapid key; no more than `rapid`, which it is where it is missing.
+    #[serde(default)]
+    pub manual_rapid: Option<f64>,
     /// Highest speed while cutting, mm/min or degrees/min.
     pub velocity: f64,
     /// Highest acceleration, mm/s² or degrees/s².
@@ -260,6 +267,7 @@ impl Machine {
                 return fail(format!("axis {name}: min {} must be below max {}", axis.min, axis.max));
             }
             positive(&format!("axis {name}: rapid"), axis.rapid)?;
+            positive(&format!("axis {name}: manual_rapid"), axis.manual_rapid.unwrap_or(axis.rapid))?;
             positive(&format!("axis {name}: velocity"), axis.velocity)?;
             positive(&format!("axis {name}: acceleration"), axis.acceleration)?;
             not_negative(&format!("axis {name}: jerk"), axis.jerk)?;
@@ -286,6 +294,7 @@ impl Machine {
                 return fail(format!("spindle: {key} is {rate}: it must be above 0"));
             }
         }
+        self.manual.check()?;
         not_negative("servo: in_position_ms", self.servo.in_position_ms)?;
         not_negative("tool_change: time_s", self.tool_change.time_s)?;
         not_negative("path: tolerance", self.path.tolerance)
@@ -304,6 +313,7 @@ impl Machine {
             tool_change: ToolChangeConfig::default(),
             path: PathConfig::default(),
             servo: ServoConfig::default(),
+            manual: ManualConfig::default(),
             parameters: Default::default(),
         })
     }

@@ -9,6 +9,7 @@
 pub mod alarm;
 pub mod alarm_table;
 pub mod config;
+pub mod manual;
 pub mod memory;
 pub mod messages;
 pub mod offsets;

@@ -32,6 +32,7 @@
 //! mathematics) and `path/smooth.rs`.
 
 mod assemble;
+pub mod jog;
 mod limits;
 mod motion;
 mod moves;
@@ -41,6 +42,7 @@ mod stroke;
 pub mod synchron;
 mod timing;
 
+pub use jog::Jog;
 pub use limits::{Limits, MAX_FEED_OVERRIDE};
 pub use motion::{Full, Motion, Setpoint, State};
 pub use moves::Move;

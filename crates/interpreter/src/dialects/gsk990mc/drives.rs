@@ -5,10 +5,14 @@
 //! is kept. What P201 to P235 do is otherwise what their names say, and Fanuc 0i-M where they say no more.
 
 use ferrocut_machine::config::SpindleConfig;
+use ferrocut_machine::manual::ManualConfig;
 use ferrocut_machine::{AxisConfig, Machine, Parameters, Smoothing};
 
 /// An encoder counts both edges of both of its tracks.
 const COUNTS_A_LINE: f64 = 4.0;
+
+/// A manual rapid speed of 0 is one that does not move, mm/min.
+const LEAST_SPEED: f64 = 1e-3;
 
 /// P189 counts ten-thousandths.
 const REVERSAL_UNIT: f64 = 1e-4;
@@ -16,10 +20,13 @@ const REVERSAL_UNIT: f64 = 1e-4;
 /// Writes the parameters over what the machine file says of its axes.
 pub fn machine_parameters(parameters: &Parameters, machine: &mut Machine) {
     spindle(parameters, &mut machine.spindle);
+    manual(parameters, &mut machine.manual);
     let (by_parameters, period) = (machine.servo.acceleration_by_parameters, machine.servo_period_ms);
     for (k, name) in (0u8..).zip(parameters.axis_names()) {
         let Some(axis) = machine.axes.iter_mut().find(|axis| axis.name == name) else { continue };
         backlash(parameters, k, axis, period);
+        // P170 to P174.
+        axis.manual_rapid = Some(parameters.data(170 + u16::from(k)).max(LEAST_SPEED));
         pitch_errors(parameters, k, axis);
         if by_parameters {
             acceleration(parameters, k, axis);
@@ -33,6 +40,17 @@ pub fn machine_parameters(parameters: &Parameters, machine: &mut Machine) {
             axis.following_error = parameters.data(445).max(0.0);
         }
     }
+}
+
+/// P93, P98, P151, P155 and bits 12#4, 56#0, 56#7: moving by hand (part 2, 4.1, 5.1.3, 6.1.3).
+fn manual(parameters: &Parameters, manual: &mut ManualConfig) {
+    let p = |number: u16| parameters.data(number).max(0.0);
+    (manual.jog, manual.step) = (p(98), p(155));
+    manual.handwheel_keeps = parameters.bit(56, 0);
+    // P151 holds where counts may be lost; else the axis may follow as fast as it can.
+    manual.handwheel = if manual.handwheel_keeps { f64::INFINITY } else { p(151) };
+    manual.handwheel_reversed = !parameters.bit(56, 7);
+    manual.rapid_f0 = if parameters.bit(12, 4) { 0.0 } else { p(93) };
 }
 
 /// P261, P286 to P305 and bits 38#6, 38#7, 44#1, 45#2: encoder of the spindle, and its acceleration in rigid tapping.

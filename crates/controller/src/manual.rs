@@ -1,0 +1,170 @@
+//! Axes moved by hand: which speed a key stands for, and who has the axes (GSK990MC part 2, 4.1, 5.1, 6.1).
+//!
+//! The manual's control moves one axis at a time; here any number may move at once. Steps and the handwheel do
+//! not follow the overrides (5.1.3).
+
+use ferrocut_geometry::{AXES, Axis, Position};
+use ferrocut_machine::Machine;
+use ferrocut_machine::manual::ManualConfig;
+use ferrocut_motion::Jog;
+use ferrocut_motion::jog::Surplus;
+
+/// Which way a jog key leads.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum JogWay {
+    /// Upwards.
+    Plus,
+    /// Downwards.
+    Minus,
+    /// Nowhere: the key is released.
+    Stop,
+}
+
+/// How fast a jog key leads there.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum JogSpeed {
+    /// The jog feed, under the feed override.
+    Feed,
+    /// The manual rapid speed, under the rapid override.
+    Rapid,
+    /// This speed, mm/min or degrees/min, under the feed override.
+    Of(f64),
+}
+
+/// Speeds of an axis, mm/s.
+#[derive(Clone, Copy, Debug, Default)]
+struct Speeds {
+    velocity: f64,
+    rapid: f64,
+}
+
+/// Axes moved by hand.
+#[derive(Clone, Debug)]
+pub(crate) struct Manual {
+    jog: Jog,
+    config: ManualConfig,
+    speeds: [Speeds; AXES],
+    /// The keys that are held.
+    held: [Option<(JogWay, JogSpeed)>; AXES],
+    feed: f64,
+    rapid: f64,
+    /// Whether it has the axes.
+    pub is_active: bool,
+}
+
+impl Manual {
+    pub fn new(machine: &Machine, start: Position) -> Manual {
+        let mut speeds = [Speeds::default(); AXES];
+        for axis in &machine.axes {
+            if let Some(place) = speeds.get_mut(axis.name.index()) {
+                let rapid = axis.manual_rapid.unwrap_or(axis.rapid).min(axis.rapid);
+                *place = Speeds { velocity: axis.velocity / 60.0, rapid: rapid / 60.0 };
+            }
+        }
+        Manual {
+            jog: Jog::new(machine, start),
+            config: machine.manual.clone(),
+            speeds,
+            held: [None; AXES],
+            feed: 1.0,
+            rapid: 1.0,
+            is_active: false,
+        }
+    }
+
+    /// Takes the axes, which stand at `at`, unless it has them.
+    pub fn take(&mut self, at: Position) {
+        if !self.is_active {
+            self.is_active = true;
+            self.jog.rename(at);
+        }
+    }
+
+    /// A jog key.
+    pub fn jog(&mut self, axis: Axis, way: JogWay, speed: JogSpeed) {
+        if let Some(held) = self.held.get_mut(axis.index()) {
+            *held = (way != JogWay::Stop).then_some((way, speed));
+        }
+        self.run(axis, way, speed);
+    }
+
+    fn run(&mut self, axis: Axis, way: JogWay, speed: JogSpeed) {
+        let Speeds { velocity, rapid } = self.of(axis);
+        let speed = match speed {
+            JogSpeed::Feed => (self.config.jog / 60.0 * self.feed).min(velocity),
+            JogSpeed::Of(speed) => (speed.abs() / 60.0 * self.feed).min(velocity),
+            // The lowest step of the rapid override is a speed (4.1.3).
+            JogSpeed::Rapid if self.rapid == 0.0 => (self.config.rapid_f0 / 60.0).min(rapid),
+            JogSpeed::Rapid => rapid * self.rapid,
+        };
+        self.jog.run(
+            axis,
+            match way {
+                JogWay::Plus => speed,
+                JogWay::Minus => -speed,
+                JogWay::Stop => 0.0,
+            },
+        );
+    }
+
+    /// Feed override 0 to 2 and rapid override 0 to 1; keys that are held follow.
+    pub fn set_override(&mut self, feed: f64, rapid: f64) {
+        let within = |value: f64, most: f64| if value.is_nan() { 0.0 } else { value.clamp(0.0, most) };
+        self.feed = within(feed, ferrocut_motion::MAX_FEED_OVERRIDE);
+        self.rapid = within(rapid, 1.0);
+        for (axis, held) in Axis::ALL.into_iter().zip(self.held) {
+            if let Some((way, speed)) = held {
+                self.run(axis, way, speed);
+            }
+        }
+    }
+
+    /// Steps of an increment, mm or degrees.
+    pub fn step(&mut self, axis: Axis, steps: i64, increment: f64) {
+        let speed = (self.config.step / 60.0).min(self.of(axis).velocity);
+        self.let_go(axis);
+        self.jog.step(axis, steps, increment, speed);
+    }
+
+    /// Counts of the handwheel, each an increment, mm or degrees.
+    pub fn wheel(&mut self, axis: Axis, counts: i64, increment: f64) {
+        let speed = (self.config.handwheel / 60.0).min(self.of(axis).velocity);
+        let surplus = if self.config.handwheel_keeps { Surplus::Kept } else { Surplus::Dropped };
+        let counts = if self.config.handwheel_reversed { counts.saturating_neg() } else { counts };
+        self.let_go(axis);
+        self.jog.wheel(axis, counts, increment, speed, surplus);
+    }
+
+    /// Whether a key is held, also one that moves nothing now.
+    pub fn is_held(&self) -> bool {
+        self.held.iter().any(Option::is_some)
+    }
+
+    /// Stops all axes; keys must be pressed anew.
+    pub fn stop(&mut self) {
+        self.held = [None; AXES];
+        self.jog.stop();
+    }
+
+    /// Goes on by a period: where the axes shall be, and their speed together, mm/s.
+    pub fn tick(&mut self) -> (Position, f64) {
+        let at = self.jog.tick();
+        let speed = self.jog.velocity().0.iter().map(|v| v * v).sum::<f64>().sqrt();
+        (at, speed)
+    }
+
+    /// Whether all axes stand where they were told to.
+    pub fn is_at_rest(&self) -> bool {
+        self.jog.is_at_rest()
+    }
+
+    fn let_go(&mut self, axis: Axis) {
+        if let Some(held) = self.held.get_mut(axis.index()) {
+            *held = None;
+        }
+    }
+
+    fn of(&self, axis: Axis) -> Speeds {
+        self.speeds.get(axis.index()).copied().unwrap_or_default()
+    }
+}
