@@ -14,6 +14,7 @@ pub mod drives;
 pub mod manual;
 pub mod programmed;
 pub mod report;
+pub mod signals;
 pub mod spindle;
 pub mod supervision;
 
@@ -23,4 +24,5 @@ pub use drives::Drives;
 pub use manual::{JogSpeed, JogWay};
 pub use programmed::{Programmed, Way};
 pub use report::{Activity, Report};
+pub use signals::{Inputs, Mode, Outputs};
 pub use supervision::Supervisor;
