@@ -8,6 +8,7 @@
 //!
 //! Read [`cnc`] first; [`supervision`] is what the machine refuses before anything moves.
 
+pub mod api;
 pub mod clock;
 pub mod cnc;
 pub mod drives;

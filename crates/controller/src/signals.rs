@@ -7,12 +7,14 @@
 
 use ferrocut_plc::memory::Width;
 use ferrocut_plc::{Address, Area, Memory};
+use serde::{Deserialize, Serialize};
 
 /// Axes that have signals: one bit each of a byte, in the order of the machine file.
 pub const SIGNAL_AXES: usize = 8;
 
 /// The mode of the control (GSK990MC part 2, 1.2.4).
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Mode {
     /// Programs are written; nothing runs.
     #[default]
