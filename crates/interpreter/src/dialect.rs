@@ -20,6 +20,7 @@ use crate::stroke::StrokeRules;
 use ferrocut_geometry::{Axis, AxisSet, Plane};
 use ferrocut_machine::{AlarmId, Fault, Machine, ParameterKey, Parameters, WorkOffset};
 use ferrocut_program::{Block, Page, Syntax};
+use ferrocut_toolpath::CornerRule;
 
 /// What a G code means, in terms common to all controls.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -415,8 +416,8 @@ pub struct Rules {
     pub cutter: cutter::Rules,
     /// Radius offsets are entered as diameters.
     pub radius_is_diameter: bool,
-    /// Override of inner corners, where it is fitted: critical angle in degrees, lowest feed in mm/min.
-    pub corner_override: Option<(f64, f64)>,
+    /// Override of inner corners, where it is in use: which of them, and the lowest feed in mm/min.
+    pub corner_override: Option<(CornerRule, f64)>,
     /// Stored stroke checks.
     pub stroke: StrokeRules,
     /// Largest coordinate that a program may name, mm or degrees.

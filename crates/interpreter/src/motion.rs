@@ -273,8 +273,9 @@ impl Interpreter {
                 PathMode::Continuous
             }
             Meaning::CornerOverride => match (self.rules.corner_override, self.output.tool_is_left()) {
-                (Some((critical_angle, lowest_feed)), Some(left)) => {
-                    PathMode::InnerCorners(InnerCorners { left, critical_angle, lowest_feed })
+                (Some((rule, lowest_feed)), Some(left)) => {
+                    let plane = self.modal.plane();
+                    PathMode::InnerCorners(InnerCorners { plane, left, rule, lowest_feed })
                 }
                 _ => PathMode::Continuous,
             },

@@ -1,6 +1,7 @@
 //! The machine file: axes with their limits, spindle, tool changer, path control.
 
 use crate::manual::ManualConfig;
+use crate::path::{PathConfig, Ramp};
 use crate::servo::{Backlash, PitchErrors, ServoConfig, Smoothing};
 use ferrocut_geometry::{Axis, AxisSet, Position};
 use serde::Deserialize;
@@ -76,6 +77,12 @@ pub struct AxisConfig {
     /// Pitch errors of its screw.
     #[serde(default)]
     pub pitch_errors: Option<PitchErrors>,
+    /// Acceleration before interpolation while positioning, where it is not the axis's own.
+    #[serde(default)]
+    pub before_rapid: Option<Ramp>,
+    /// The same while cutting.
+    #[serde(default)]
+    pub before_cutting: Option<Ramp>,
     /// Acceleration after interpolation while positioning.
     #[serde(default)]
     pub after_rapid: Smoothing,
@@ -166,24 +173,6 @@ impl Default for ToolChangeConfig {
     }
 }
 
-/// Path control of the machine file.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct PathConfig {
-    /// How far the path may leave the programmed one at joints where the program sets nothing, mm.
-    #[serde(default = "default_tolerance")]
-    pub tolerance: f64,
-    /// Come to rest at the end of every move.
-    #[serde(default)]
-    pub exact_stop: bool,
-}
-
-impl Default for PathConfig {
-    fn default() -> PathConfig {
-        PathConfig { tolerance: default_tolerance(), exact_stop: false }
-    }
-}
-
 fn default_dialect() -> String {
     "gsk990mc".to_owned()
 }
@@ -199,10 +188,6 @@ fn default_counts() -> f64 {
 
 fn unlimited() -> f64 {
     f64::INFINITY
-}
-
-fn default_tolerance() -> f64 {
-    0.01
 }
 
 fn axis_letter<'de, D: serde::Deserializer<'de>>(from: D) -> Result<Axis, D::Error> {
@@ -279,6 +264,12 @@ impl Machine {
             for (key, smoothing) in axis.smoothing() {
                 smoothing.check(&format!("axis {name}: {key}"))?;
             }
+            for (key, ramp) in [("before_rapid", axis.before_rapid), ("before_cutting", axis.before_cutting)]
+            {
+                if let Some(ramp) = ramp {
+                    ramp.check(&format!("axis {name}: {key}"))?;
+                }
+            }
             if let Some(table) = &axis.pitch_errors {
                 table.check(&format!("axis {name}: pitch_errors"))?;
             }
@@ -297,7 +288,7 @@ impl Machine {
         self.manual.check()?;
         not_negative("servo: in_position_ms", self.servo.in_position_ms)?;
         not_negative("tool_change: time_s", self.tool_change.time_s)?;
-        not_negative("path: tolerance", self.path.tolerance)
+        self.path.check()
     }
 
     /// The demo mill.
@@ -376,6 +367,11 @@ mod tests {
             (axis(good) + "pitch_errors = { corrections = [0.0], opposite = [0.0, 0.1] }", "and 2 opposite"),
             (axis(good) + "pitch_errors = { corrections = [nan] }", "a correction is NaN"),
             (axis(good) + "following_error = -1.0", "following_error is -1"),
+            (axis(good) + "before_rapid = { acceleration = 0.0 }", "before_rapid: acceleration is 0"),
+            (axis(good) + "[path]\nramp = { acceleration = 1.0, jerk = -1.0 }", "path: ramp: jerk is -1"),
+            (axis(good) + "[path]\ncorner = { lowest_feed = 1.0 }", "either angle or speed_difference"),
+            (axis(good) + "[path]\ncorner = { angle = 200.0, lowest_feed = 1.0 }", "angle is 200"),
+            (axis(good) + "[path]\narc = { acceleration = nan }", "path: arc: acceleration is NaN"),
         ] {
             let error = Machine::from_toml(&text).unwrap_err().to_string();
             assert!(error.contains(says), "{error}");

@@ -8,10 +8,10 @@
 //! Lines that run into each other without a sharp corner are gathered into a **chain**, of which the open move is
 //! the last; it is smoothed as a whole ([`crate::path::smooth`]) when its end is known or when it is long.
 
-use crate::limits::{Class, Inverse, Load, Rates};
+use crate::limits::{Class, Inverses, Load, Rates};
 use crate::moves::Move;
 use crate::path::corner::Corner;
-use crate::path::joint::{Ease, Joint, JointRules, Member, add};
+use crate::path::joint::{Ease, Joint, JointRules, MOST_CHORDS, Member, add};
 use crate::path::piece::Piece;
 use crate::path::shape::Shape;
 use crate::path::smooth::Smoother;
@@ -85,8 +85,10 @@ struct Flow {
 /// Turns moves into cells.
 #[derive(Debug)]
 pub(crate) struct Assembler {
-    inverse: Inverse,
+    inverses: Inverses,
     rules: JointRules,
+    /// Parts of the newest move that are still to be taken, the last one first.
+    parts: Vec<Member>,
     open: Option<Open>,
     flow: Option<Flow>,
     closing: bool,
@@ -101,14 +103,15 @@ pub(crate) struct Assembler {
 }
 
 impl Assembler {
-    pub fn new(inverse: Inverse, rules: JointRules, start: Position) -> Assembler {
+    pub fn new(inverses: Inverses, rules: JointRules, start: Position) -> Assembler {
         Assembler {
             rules,
+            parts: Vec::with_capacity(MOST_CHORDS as usize),
             open: None,
             flow: None,
             closing: false,
-            smoother: Smoother::new(inverse.jerk),
-            inverse,
+            smoother: Smoother::new(inverses.of(Class::Cut).jerk),
+            inverses,
             first: None,
             chained: false,
             end: start,
@@ -118,6 +121,7 @@ impl Assembler {
 
     /// Forgets every move; the next begins at `at`, at rest.
     pub fn clear(&mut self, at: Position) {
+        self.parts.clear();
         self.open = None;
         self.flow = None;
         self.closing = false;
@@ -130,42 +134,62 @@ impl Assembler {
 
     /// Whether a move waits to be cut up.
     pub fn is_blocked(&self) -> bool {
-        self.flow.is_some() || self.closing
+        self.flow.is_some() || self.closing || !self.parts.is_empty()
     }
 
     /// Whether nothing is left here.
     pub fn is_empty(&self) -> bool {
-        self.open.is_none() && self.flow.is_none()
+        self.open.is_none() && self.flow.is_none() && self.parts.is_empty()
     }
 
     /// Takes a move. The caller saw that nothing is blocked.
     pub fn push(&mut self, m: &Move, queue: &mut Queue) {
-        let Some(member) = Member::new(self.end, m, &self.rules) else { return };
+        let from = self.end;
+        let Some(member) = Member::new(from, m, &self.rules) else { return };
         self.end = m.to;
         let chords = member.chords();
-        if chords < 2 {
-            return self.push_member(member, queue);
+        if chords > 1 {
+            self.push_chords(&member, chords);
+        } else if let Some([first, last]) = member.reaches() {
+            // The stretches beside inner corners have a feed of their own.
+            let mut from = from;
+            for part in m.parts(from, [first, last, 1.0]) {
+                self.parts.extend(Member::new(from, &part, &self.rules));
+                from = part.to();
+            }
+        } else {
+            self.parts.push(member);
         }
+        self.parts.reverse();
+        self.run(queue);
+    }
+
+    fn push_chords(&mut self, member: &Member, chords: usize) {
         let len = member.piece.len();
         let mut from = member.piece.at(0.0);
         for k in 1..=chords {
             let at = len * k as f64 / chords as f64;
             let to = if k == chords { member.piece.end() } else { member.piece.at(at) };
-            if let Some(chord) = member.chord(from, to) {
-                self.push_member(chord, queue);
-            }
+            let inner = if k == 1 || k == chords { member.inner } else { None };
+            self.parts.extend(member.chord(from, to).map(|chord| Member { inner, ..chord }));
             from = to;
         }
     }
 
-    fn push_member(&mut self, member: Member, queue: &mut Queue) {
+    /// Takes a part of a move. The caller saw that nothing is on its way into the queue.
+    fn push_member(&mut self, mut member: Member, queue: &mut Queue) {
         let s = self.s;
         self.s += if let Piece::Axes { .. } = member.piece { AXES_LENGTH } else { member.piece.len() };
-        let Some(open) = self.open.take() else {
+        let Some(mut open) = self.open.take() else {
             self.open = Some(Open { member, start: Start::Rest, s });
             return;
         };
-        let joint = match open.member.join(&member, &self.rules, &self.inverse) {
+        if let Some(feed) = open.member.slow_inner_corner(&mut member)
+            && self.chained
+        {
+            self.smoother.slow_last(feed);
+        }
+        let joint = match open.member.join(&member, &self.rules, &self.inverses) {
             // What is lost in rounding behind so long a path is not smoothed.
             Joint::Chain if open.member.piece.len().min(member.piece.len()) < LEAST_SHARE * self.s => {
                 Joint::Rest
@@ -177,10 +201,9 @@ impl Assembler {
             Joint::Chain => {
                 self.chain(&open, &member, queue);
                 self.open = next(Start::Plain(f64::INFINITY));
-                if self.smoother.is_full() && self.flow.is_none() {
+                if self.smoother.is_full() {
                     self.flow =
                         Some(Flow { open, end: End::Through, chain: Some(true), at: 0.0, begun: false });
-                    self.run(queue);
                 }
                 return;
             }
@@ -193,7 +216,6 @@ impl Assembler {
         let chain = self.chained.then_some(false);
         self.chained = false;
         self.flow = Some(Flow { open, end, chain, at: 0.0, begun: false });
-        self.run(queue);
     }
 
     /// The line `open` runs on into the line `next`.
@@ -215,7 +237,7 @@ impl Assembler {
 
     /// The open move ends at rest.
     pub fn close(&mut self, queue: &mut Queue) {
-        self.closing = self.open.is_some();
+        self.closing = self.open.is_some() || !self.parts.is_empty();
         self.run(queue);
     }
 
@@ -227,6 +249,10 @@ impl Assembler {
                 if self.flow.is_some() {
                     return;
                 }
+            }
+            if let Some(part) = self.parts.pop() {
+                self.push_member(part, queue);
+                continue;
             }
             if !self.closing {
                 return;
@@ -317,7 +343,8 @@ impl Assembler {
             End::Ease(ease) => len - ease.h,
             End::Corner(reach) => len - reach,
         };
-        let (inverse, class) = (&self.inverse, self.smoother.class);
+        let class = self.smoother.class;
+        let inverse = self.inverses.of(class);
         self.smoother.run(from, last.s + to, keeps, goes_on, |span| {
             let cubic = span.cubic;
             let rates = cubic.rates();
@@ -330,7 +357,7 @@ impl Assembler {
                 s: span.u,
                 len: cubic.len,
                 load: inverse.load(&rates),
-                top: inverse.speed(class, &rates),
+                top: inverse.speed(&rates),
                 feed: span.feed / cubic.stretch().max(LEAST_STRETCH),
                 class,
                 pass: Pass::Path,
@@ -388,12 +415,13 @@ impl Assembler {
             Start::Corner(corner) => {
                 let cell = Cell { shape: Shape::Corner(corner), rest: None };
                 let rates = corner.rates();
-                let top = self.inverse.speed(open.member.class, &rates);
+                let inverse = self.inverses.of(open.member.class);
+                let top = inverse.speed(&rates);
                 let node = Node {
                     s: open.s - corner.reach,
                     len: 2.0 * corner.reach,
-                    load: self.inverse.load(&rates),
-                    top: f64::MAX,
+                    load: inverse.load(&rates),
+                    top: corner.cap.min(f64::MAX),
                     feed: open.member.feed,
                     class: open.member.class,
                     pass: Pass::Corner { foot: corner.foot, time: corner.time, top },
@@ -410,7 +438,9 @@ impl Assembler {
         let member = &open.member;
         let mut rates = member.piece.rates(from, to);
         let mut stretch = member.piece.stretch(from, to);
+        let mut most = member.most;
         if let Some(ease) = ease {
+            most = most.min(ease.cap);
             rates = add(&rates, &ease.rates(from, to));
             stretch = stretch.max(self.eased_stretch(member, ease, from, to));
         }
@@ -420,11 +450,12 @@ impl Assembler {
             (piece, None) => Shape::Slice(*piece, from),
         };
         let feed = if member.feed.is_finite() { member.feed / stretch } else { member.feed };
+        let inverse = self.inverses.of(member.class);
         let node = Node {
             s: open.s + from,
             len: to - from,
-            load: self.inverse.load(&rates),
-            top: self.inverse.speed(member.class, &rates),
+            load: inverse.load(&rates),
+            top: inverse.speed(&rates).min(most),
             feed,
             class: member.class,
             pass: Pass::Path,
@@ -448,7 +479,7 @@ impl Assembler {
         let node = Node {
             s: open.s,
             len: AXES_LENGTH,
-            load: self.inverse.load(&none),
+            load: self.inverses.of(Class::Rapid).load(&none),
             top: f64::MAX,
             feed: f64::INFINITY,
             class: Class::Rapid,

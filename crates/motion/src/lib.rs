@@ -43,7 +43,7 @@ pub mod synchron;
 mod timing;
 
 pub use jog::Jog;
-pub use limits::{Limits, MAX_FEED_OVERRIDE};
+pub use limits::{Limits, MAX_FEED_OVERRIDE, Ramps};
 pub use motion::{Full, Motion, Setpoint, State};
 pub use moves::Move;
 pub use servo::Servo;

@@ -15,7 +15,7 @@
 //! either does too, so a ramp over several pieces takes the least of theirs.
 
 use ferrocut_geometry::AXES;
-use ferrocut_machine::Machine;
+use ferrocut_machine::{AxisConfig, Machine, Ramp};
 
 /// Limits of every axis in mm/s, mm/s², mm/s³ (degrees for rotary axes), in the order of
 /// [`Axis::ALL`](ferrocut_geometry::Axis::ALL). An axis that the machine lacks is not limited.
@@ -29,10 +29,40 @@ pub struct Limits {
     pub acceleration: [f64; AXES],
     /// Highest jerk; infinite where the machine file has 0.
     pub jerk: [f64; AXES],
+    /// What the path uses of both while positioning.
+    pub positioning: Ramps,
+    /// What the path uses of both while cutting.
+    pub cutting: Ramps,
+    /// Highest acceleration and jerk along the path while cutting, mm/s² and mm/s³; infinite where there is none.
+    pub along: [f64; 2],
+}
+
+/// Acceleration before interpolation, axis by axis.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Ramps {
+    /// Highest acceleration, mm/s².
+    pub acceleration: [f64; AXES],
+    /// Highest jerk, mm/s³.
+    pub jerk: [f64; AXES],
 }
 
 /// A limit below this would never let an axis arrive; machine files are checked to be above 0.
 const LEAST_LIMIT: f64 = 1e-6;
+
+impl Ramps {
+    const NONE: Ramps = Ramps { acceleration: [f64::INFINITY; AXES], jerk: [f64::INFINITY; AXES] };
+
+    /// `ramp` for axis `i`: never more than its own acceleration; its jerk is given up only by a linear ramp.
+    fn set(&mut self, i: usize, axis: &AxisConfig, ramp: Option<Ramp>) {
+        let jerk_of = |jerk: f64| if jerk > 0.0 { jerk } else { f64::INFINITY };
+        self.acceleration[i] = axis.acceleration.max(LEAST_LIMIT);
+        self.jerk[i] = jerk_of(axis.jerk);
+        if let Some(ramp) = ramp {
+            self.acceleration[i] = self.acceleration[i].min(ramp.acceleration.max(LEAST_LIMIT));
+            self.jerk[i] = if ramp.jerk > 0.0 { self.jerk[i].min(ramp.jerk) } else { f64::INFINITY };
+        }
+    }
+}
 
 impl Limits {
     /// The limits of `machine`, brought from minutes to seconds.
@@ -42,6 +72,9 @@ impl Limits {
             rapid: [f64::INFINITY; AXES],
             acceleration: [f64::INFINITY; AXES],
             jerk: [f64::INFINITY; AXES],
+            positioning: Ramps::NONE,
+            cutting: Ramps::NONE,
+            along: [f64::INFINITY; 2],
         };
         for axis in &machine.axes {
             let i = axis.name.index();
@@ -51,6 +84,12 @@ impl Limits {
             if axis.jerk > 0.0 {
                 limits.jerk[i] = axis.jerk;
             }
+            limits.positioning.set(i, axis, axis.before_rapid);
+            limits.cutting.set(i, axis, axis.before_cutting);
+        }
+        if let Some(ramp) = machine.path.ramp {
+            let jerk = if ramp.jerk > 0.0 { ramp.jerk } else { f64::INFINITY };
+            limits.along = [ramp.acceleration.max(LEAST_LIMIT), jerk];
         }
         limits
     }
@@ -115,20 +154,25 @@ impl Drive {
     pub const MOST: Drive = Drive { a: 1e7, j: 1e10 };
 }
 
+/// The axes and the path itself.
+const SHARES: usize = AXES + 1;
+
 /// The derivatives of a piece in shares of the limits, in the form that look-ahead multiplies with. Kept as
 /// `f32`, rounded up: it is read for every cell on every sweep.
+///
+/// A limit along the path is that of one more axis, which the path is straight in.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Load {
     /// `Dᵢ / accelerationᵢ`.
-    along: [f32; AXES],
+    along: [f32; SHARES],
     /// `Qᵢ / accelerationᵢ`.
-    bend: [f32; AXES],
+    bend: [f32; SHARES],
     /// `Dᵢ / jerkᵢ`.
-    push: [f32; AXES],
+    push: [f32; SHARES],
     /// `3·Qᵢ / jerkᵢ`.
-    swing: [f32; AXES],
+    swing: [f32; SHARES],
     /// `Rᵢ / jerkᵢ`.
-    twist: [f32; AXES],
+    twist: [f32; SHARES],
     /// How many of the axes in front have a share.
     count: usize,
     /// On a straight piece the drive is the same at every speed.
@@ -138,11 +182,11 @@ pub(crate) struct Load {
 impl Load {
     /// Of nothing.
     pub const NONE: Load = Load {
-        along: [0.0; AXES],
-        bend: [0.0; AXES],
-        push: [0.0; AXES],
-        swing: [0.0; AXES],
-        twist: [0.0; AXES],
+        along: [0.0; SHARES],
+        bend: [0.0; SHARES],
+        push: [0.0; SHARES],
+        swing: [0.0; SHARES],
+        twist: [0.0; SHARES],
         count: 0,
         straight: Some(Drive::MOST),
     };
@@ -152,7 +196,7 @@ impl Load {
         if let Some(drive) = self.straight {
             return drive;
         }
-        let largest = |shares: &[f32; AXES], least| shares.iter().fold(least, |m, s| f64::from(*s).max(m));
+        let largest = |shares: &[f32; SHARES], least| shares.iter().fold(least, |m, s| f64::from(*s).max(m));
         Drive {
             a: largest(&self.along, LEAST_INVERSE[1]).recip(),
             j: largest(&self.push, LEAST_INVERSE[2]).recip(),
@@ -226,13 +270,42 @@ const JERK_KEPT: f64 = 0.4;
 /// Least share of the jerk that is left to a path, whatever the curve takes.
 const LEAST_LEFT: f64 = 0.02;
 
-/// The limits in the form that planning multiplies with.
+/// The limits in the form that planning multiplies with, for one kind of move.
 #[derive(Clone, Debug)]
 pub(crate) struct Inverse {
     velocity: [f64; AXES],
-    rapid: [f64; AXES],
     pub acceleration: [f64; AXES],
     pub jerk: [f64; AXES],
+    /// Of acceleration and jerk along the path; 0 where they are not limited.
+    along: [f64; 2],
+}
+
+/// The limits of both kinds of move.
+#[derive(Clone, Debug)]
+pub(crate) struct Inverses {
+    positioning: Inverse,
+    cutting: Inverse,
+}
+
+impl Inverses {
+    pub fn new(limits: &Limits) -> Inverses {
+        let inverse = |velocity: &[f64; AXES], ramps: &Ramps, along: [f64; 2]| Inverse {
+            velocity: velocity.map(f64::recip),
+            acceleration: ramps.acceleration.map(|a| (a * PATH_SHARE).recip()),
+            jerk: ramps.jerk.map(|j| (j * PATH_SHARE).recip()),
+            along: along.map(f64::recip),
+        };
+        Inverses {
+            positioning: inverse(&limits.rapid, &limits.positioning, [f64::INFINITY; 2]),
+            cutting: inverse(&limits.velocity, &limits.cutting, limits.along),
+        }
+    }
+
+    /// Those that hold for `class`.
+    #[inline]
+    pub fn of(&self, class: Class) -> &Inverse {
+        if class == Class::Rapid { &self.positioning } else { &self.cutting }
+    }
 }
 
 /// Largest of `|xᵢ|·yᵢ`.
@@ -248,19 +321,9 @@ fn up(x: f64) -> f32 {
 }
 
 impl Inverse {
-    pub fn new(limits: &Limits) -> Inverse {
-        Inverse {
-            velocity: limits.velocity.map(f64::recip),
-            rapid: limits.rapid.map(f64::recip),
-            acceleration: limits.acceleration.map(|a| (a * PATH_SHARE).recip()),
-            jerk: limits.jerk.map(|j| (j * PATH_SHARE).recip()),
-        }
-    }
-
     /// Highest speed along a piece, mm/s.
-    pub fn speed(&self, class: Class, rates: &Rates) -> f64 {
-        let inverse = if class == Class::Rapid { &self.rapid } else { &self.velocity };
-        let along = peak(&rates.first, inverse).max(LEAST_INVERSE[0]).recip();
+    pub fn speed(&self, rates: &Rates) -> f64 {
+        let along = peak(&rates.first, &self.velocity).max(LEAST_INVERSE[0]).recip();
         let bend = peak(&rates.second, &self.acceleration);
         let twist = peak(&rates.third, &self.jerk);
         along.min((CURVE_SHARE / bend.max(1e-15)).sqrt()).min((TWIST_SHARE / twist.max(1e-20)).cbrt())
@@ -284,6 +347,11 @@ impl Inverse {
             load.twist[n] = up(r * self.jerk[i]);
             load.count = n + 1;
         }
+        if self.along != [0.0; 2] {
+            let n = load.count;
+            (load.along[n], load.push[n]) = (up(self.along[0]), up(self.along[1]));
+            load.count = n + 1;
+        }
         load.straight = (!curved).then(|| self.straight(&rates.first));
         load
     }
@@ -291,8 +359,8 @@ impl Inverse {
     /// What a straight piece in direction `d` leaves.
     pub fn straight(&self, d: &[f64; AXES]) -> Drive {
         Drive {
-            a: peak(d, &self.acceleration).max(LEAST_INVERSE[1]).recip(),
-            j: peak(d, &self.jerk).max(LEAST_INVERSE[2]).recip(),
+            a: peak(d, &self.acceleration).max(self.along[0]).max(LEAST_INVERSE[1]).recip(),
+            j: peak(d, &self.jerk).max(self.along[1]).max(LEAST_INVERSE[2]).recip(),
         }
     }
 

@@ -1,7 +1,7 @@
 //! The front of the planner: moves in, a setpoint every servo period out.
 
 use crate::assemble::{Assembler, CELLS_A_MOVE};
-use crate::limits::{Class, Inverse, Limits, MAX_FEED_OVERRIDE};
+use crate::limits::{Class, Inverses, Limits, MAX_FEED_OVERRIDE};
 use crate::moves::Move;
 use crate::path::joint::JointRules;
 use crate::timing::interpolate::{Interpolator, Outcome};
@@ -90,11 +90,10 @@ impl Motion {
     pub fn new(machine: &Machine, start: Position) -> Motion {
         let limits = Limits::new(machine);
         let period = machine.servo_period_ms / 1000.0;
-        let rules =
-            JointRules { tolerance: machine.path.tolerance, exact_stop: machine.path.exact_stop, period };
+        let rules = JointRules::new(machine);
         Motion {
             period,
-            assembler: Assembler::new(Inverse::new(&limits), rules, start),
+            assembler: Assembler::new(Inverses::new(&limits), rules, start),
             queue: Queue::new(),
             plan: Plan::new(),
             interpolator: Interpolator::new(limits, start),

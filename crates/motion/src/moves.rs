@@ -4,7 +4,7 @@
 //! become seconds and the kinds of feed become one: mm/s along the path. A move is finite by
 //! construction.
 
-use ferrocut_geometry::{Plane, Position, SAME_POINT_MM};
+use ferrocut_geometry::{Arc, Plane, Position, SAME_POINT_MM};
 use ferrocut_toolpath::{Feed, FeedAlong, Op, PathMode};
 
 /// One move of the axes, from where the move before it ended.
@@ -134,6 +134,30 @@ impl Move {
         tag: u64,
     ) -> Option<Move> {
         Move { tag, to, kind: Kind::Arc { plane, center, sweep, feed, path } }.checked()
+    }
+
+    /// The parts of it up to the shares `cuts` of its way from `from`, one behind the other.
+    pub(crate) fn parts<const N: usize>(&self, from: Position, cuts: [f64; N]) -> [Move; N] {
+        let mut done = 0.0;
+        cuts.map(|share| {
+            let to = if share >= 1.0 { self.to } else { self.at(from, share) };
+            let mut kind = self.kind;
+            if let Kind::Arc { sweep, .. } = &mut kind {
+                *sweep *= share - done;
+            }
+            done = share;
+            Move { to, kind, ..*self }
+        })
+    }
+
+    /// The point at the share `share` of its way from `from`.
+    fn at(&self, from: Position, share: f64) -> Position {
+        match self.kind {
+            Kind::Arc { plane, center, sweep, .. } => {
+                Arc { plane, center, start: from, end: self.to, sweep }.at(share)
+            }
+            _ => from.lerp(self.to, share),
+        }
     }
 
     /// Speed along the path that is asked for, mm/s; none where positioning is as fast as the axes can.

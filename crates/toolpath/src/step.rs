@@ -52,17 +52,27 @@ pub enum PathMode {
     FullFeed,
 }
 
-/// Where and how far a cutter-compensated path slows down (GSK990MC 4.8.2). A corner counts if the angle
-/// between its two moves, on the side of the tool, is from 2° to `critical_angle`; it acts on the last and
-/// the first stretch beside it, together 2 mm at most.
+/// Where a cutter-compensated path slows down, and how far (GSK990MC 4.8.2): in the last and the first stretch beside
+/// a corner to the side of the tool, together 2 mm at most.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct InnerCorners {
+    /// Plane of the compensation.
+    pub plane: Plane,
     /// The tool runs left of the programmed path, so that corners to the left are inner ones.
     pub left: bool,
-    /// Degrees.
-    pub critical_angle: f64,
+    /// Which of these corners count.
+    pub rule: CornerRule,
     /// Feed below which it does not slow down, mm/min.
     pub lowest_feed: f64,
+}
+
+/// Which corners are slowed down for, and how slow.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum CornerRule {
+    /// Those whose moves are at no more than this angle, degrees, 180 being straight on; to the lowest feed.
+    Angle(f64),
+    /// Those at which an axis would change its speed by more than this, mm/min; until none does.
+    SpeedDifference(f64),
 }
 
 /// How long to wait.

@@ -42,6 +42,8 @@ pub(crate) struct Corner {
     pub time: f64,
     /// State at both ends at full pace: speed and acceleration away from the corner.
     pub foot: Foot,
+    /// Highest speed at its ends, mm/s, by the rules of corners.
+    pub cap: f64,
 }
 
 /// Corners that would take longer are stops, s.
@@ -73,7 +75,20 @@ impl Corner {
         if !(a > 0.0 && time > 0.0 && time < LONGEST) {
             return None;
         }
-        Some(Corner { vertex, before, after, reach, time, foot: Foot { v: 0.5 * a * time, a } })
+        Some(Corner {
+            vertex,
+            before,
+            after,
+            reach,
+            time,
+            foot: Foot { v: 0.5 * a * time, a },
+            cap: f64::INFINITY,
+        })
+    }
+
+    /// The same, run no faster than `cap`, mm/s.
+    pub fn capped(self, cap: f64) -> Corner {
+        Corner { cap, ..self }
     }
 
     /// The point at the share `x` of the duration.

@@ -20,12 +20,14 @@
 //!   same as an ease.
 //! - **Corner** between lines, rounded in time ([`crate::path::corner`]), where that is quicker.
 
-use crate::limits::{Class, Drive, Inverse, MAX_FEED_OVERRIDE, Rates, peak};
+use crate::limits::{Class, Drive, Inverse, Inverses, MAX_FEED_OVERRIDE, Rates, peak};
 use crate::moves::{Kind, Move};
 use crate::path::corner::{Corner, norm, valley_loss};
 use crate::path::piece::Piece;
+use crate::path::slow::{self, Slowdown, on_arc};
 use ferrocut_geometry::{AXES, Position};
-use ferrocut_toolpath::PathMode;
+use ferrocut_machine::{ArcSlowdown, Machine};
+use ferrocut_toolpath::{InnerCorners, PathMode};
 
 /// Joints with an arc that turn by more than 20° come to rest. This is 2·sin(20°/2).
 const ARC_CHORD: f64 = 0.347_296_355_333_860_7;
@@ -53,7 +55,7 @@ const CHORD_SHARE: f64 = 0.03;
 const SHORT_ARC: f64 = 4.0;
 
 /// Arcs that would take more chords are eased.
-const MOST_CHORDS: f64 = 96.0;
+pub(crate) const MOST_CHORDS: f64 = 96.0;
 
 /// Shortest ease, mm.
 const LEAST_EASE: f64 = 1e-7;
@@ -71,6 +73,10 @@ pub(crate) struct Member {
     pub feed: f64,
     /// How far the joint after it may leave the programmed path, mm; `None` is an exact stop.
     pub tolerance: Option<f64>,
+    /// Highest speed whatever the override, mm/s: of an arc; infinite where there is none.
+    pub most: f64,
+    /// Inner corners at its ends are slowed down for (G62).
+    pub inner: Option<InnerCorners>,
 }
 
 /// How two moves are joined.
@@ -95,6 +101,21 @@ pub(crate) struct JointRules {
     pub exact_stop: bool,
     /// Servo period, s.
     pub period: f64,
+    corner: Option<Slowdown>,
+    arc: Option<ArcSlowdown>,
+}
+
+impl JointRules {
+    pub fn new(machine: &Machine) -> JointRules {
+        let path = &machine.path;
+        JointRules {
+            tolerance: path.tolerance,
+            exact_stop: path.exact_stop,
+            period: machine.servo_period_ms / 1000.0,
+            corner: path.corner.as_ref().map(Slowdown::new),
+            arc: path.arc,
+        }
+    }
 }
 
 impl Member {
@@ -115,17 +136,46 @@ impl Member {
         let tolerance = match path {
             _ if rules.exact_stop => None,
             PathMode::ExactStop => None,
-            // The slow-down at inner corners does not act yet; the path is the same.
             PathMode::Continuous | PathMode::InnerCorners(_) | PathMode::Tapping | PathMode::FullFeed => {
                 Some(rules.tolerance)
             }
             PathMode::ContinuousWithin(t) => Some(if t.is_finite() { t.max(0.0) } else { rules.tolerance }),
         };
-        Some(Member { tag: m.tag, piece, class, feed: feed * piece.pace(), tolerance })
+        let inner = if let PathMode::InnerCorners(corners) = path { Some(corners) } else { None };
+        let most = match (&piece, &rules.arc) {
+            (Piece::Arc(turn), Some(arc)) => on_arc(arc, turn.radius()),
+            _ => f64::INFINITY,
+        };
+        let feed = (feed * piece.pace()).min(most);
+        Some(Member { tag: m.tag, piece, class, feed, tolerance, most, inner })
+    }
+
+    /// Where the inner corners at its ends begin and end to act, as shares of its length (G62).
+    pub fn reaches(&self) -> Option<[f64; 2]> {
+        self.inner?;
+        let len = self.piece.len();
+        let quadrant = match &self.piece {
+            Piece::Arc(turn) => slow::QUADRANT * turn.radius(),
+            _ => f64::INFINITY,
+        };
+        let share = (slow::REACH.min(quadrant) / len).min(0.5);
+        Some([share, 1.0 - share])
+    }
+
+    /// Slows both moves down if there is an inner corner between them. To which speed.
+    pub fn slow_inner_corner(&mut self, next: &mut Member) -> Option<f64> {
+        let corners = self.inner.filter(|_| next.inner.is_some())?;
+        let (before, after) = (self.piece.tangent(self.piece.len()), next.piece.tangent(0.0));
+        let speed = slow::inner_corner(&corners, &before, &after)?;
+        for member in [self, next] {
+            member.feed = member.feed.min(speed);
+        }
+        Some(speed)
     }
 
     /// How this move, `room` of which is left to the joint, runs into `next`.
-    pub fn join(&self, next: &Member, rules: &JointRules, inverse: &Inverse) -> Joint {
+    pub fn join(&self, next: &Member, rules: &JointRules, inverses: &Inverses) -> Joint {
+        let inverse = inverses.of(self.class);
         let Some(tolerance) = self.tolerance else { return Joint::Rest };
         let is_rapid = self.class == Class::Rapid;
         if is_rapid != (next.class == Class::Rapid) || !same_measure(&self.piece, &next.piece) {
@@ -138,6 +188,12 @@ impl Member {
         // Rotary axes that turn much a millimetre would hide a reversal of X, Y, Z.
         let angle = turn(&before.0, &after.0).max(turn(&before.0[..3], &after.0[..3]));
         let top = self.top(inverse, len).min(next.top(inverse, 0.0));
+        let cap = match rules.corner {
+            Some(corner) if matches!(self.class, Class::Cut | Class::Full) => corner.speed(&before, &after),
+            _ => f64::INFINITY,
+        };
+        let is_slow = cap < top;
+        let top = top.min(cap);
         // Several joints may fall into the periods that jerk is seen over.
         let crowd = (3.0 * top * rules.period / len.min(next_len)).max(1.0);
         let share = JOINT_SHARE * rules.period / crowd;
@@ -147,15 +203,17 @@ impl Member {
         let is_chain =
             !is_rapid && self.class == next.class && tolerance > 0.0 && next.tolerance != Some(0.0);
         let is_chain = is_chain && matches!((&self.piece, &next.piece), (Piece::Line(_), Piece::Line(_)));
+        let is_chain = is_chain && !is_slow;
         if through >= top {
-            return if is_chain { Joint::Chain } else { Joint::Through(f64::INFINITY) };
+            return if is_chain { Joint::Chain } else { Joint::Through(cap) };
         }
-        let or_through = |through: f64| if through >= CRAWL { Joint::Through(through) } else { Joint::Rest };
+        let or_through =
+            |through: f64| if through >= CRAWL { Joint::Through(through.min(cap)) } else { Joint::Rest };
         if is_rapid || angle > BACK_CHORD {
             return or_through(through);
         }
         let room = 0.5 * len.min(next_len);
-        let ease = Ease::new(len, jump, bend, tolerance, room, top, inverse);
+        let ease = Ease::new(len, jump, bend, tolerance, room, top, inverse).map(|ease| Ease { cap, ..ease });
         let (Piece::Line(_), Piece::Line(_)) = (&self.piece, &next.piece) else {
             return match ease {
                 Some(ease) if angle <= ARC_CHORD => Joint::Ease(ease),
@@ -167,6 +225,7 @@ impl Member {
         let feed = top.min(self.feed).min(next.feed);
         let shorter = CORNER_ROOM * len.min(next_len);
         let corner = Corner::new(self.piece.end(), before, after, tolerance, shorter, inverse);
+        let corner = corner.map(|corner| corner.capped(cap));
         // Of short lines the direction is no corner yet.
         let corner = corner.filter(|corner| !is_chain || corner.reach < shorter);
         match choose(ease, corner, feed, drive, inverse) {
@@ -200,7 +259,7 @@ impl Member {
     /// Highest speed that feed and axes allow at length `s`, mm/s.
     pub fn top(&self, inverse: &Inverse, s: f64) -> f64 {
         let rates = Rates { first: self.piece.tangent(s).0, second: [0.0; AXES], third: [0.0; AXES] };
-        let speed = inverse.speed(self.class, &rates);
+        let speed = inverse.speed(&rates).min(self.most);
         if self.feed.is_finite() { speed.min(self.feed * MAX_FEED_OVERRIDE) } else { speed }
     }
 }
@@ -256,6 +315,8 @@ pub(crate) struct Ease {
     pub h: f64,
     /// Where the joint is along the move, mm.
     joint: f64,
+    /// Highest speed at the joint, mm/s, by the rules of corners.
+    pub cap: f64,
 }
 
 impl Ease {
@@ -279,7 +340,13 @@ impl Ease {
             return None;
         }
         let (d, k) = (1.0 / (6.0 * h * h), 1.0 / (12.0 * h * h));
-        Some(Ease { jump: Position(jump.0.map(|c| c * d)), bend: Position(bend.0.map(|c| -c * k)), h, joint })
+        Some(Ease {
+            jump: Position(jump.0.map(|c| c * d)),
+            bend: Position(bend.0.map(|c| -c * k)),
+            h,
+            joint,
+            cap: top,
+        })
     }
 
     /// The same behind the joint, where the next move begins.
@@ -290,7 +357,7 @@ impl Ease {
     /// Highest speed at which it alone keeps acceleration and jerk.
     fn speed(&self, inverse: &Inverse) -> f64 {
         let rates = self.rates(self.joint, self.joint);
-        inverse.speed(Class::Full, &Rates { first: [0.0; AXES], ..rates })
+        inverse.speed(&Rates { first: [0.0; AXES], ..rates }).min(self.cap)
     }
 
     /// The correction at length `s` of the move.

@@ -4,4 +4,5 @@ pub(crate) mod corner;
 pub(crate) mod joint;
 pub(crate) mod piece;
 pub(crate) mod shape;
+pub(crate) mod slow;
 pub(crate) mod smooth;

@@ -219,6 +219,11 @@ impl Turn {
         Some(turn)
     }
 
+    /// Radius at its start, mm.
+    pub fn radius(&self) -> f64 {
+        self.radius
+    }
+
     /// The point of the closed form in the plane.
     fn circle(&self, s: f64) -> [f64; 2] {
         let u = s / self.len;

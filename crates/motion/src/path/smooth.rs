@@ -265,6 +265,13 @@ impl Smoother {
         }
     }
 
+    /// The newest line is run at no more than this feed.
+    pub fn slow_last(&mut self, feed: f64) {
+        if let [.., begin, _] = self.points.as_mut_slice() {
+            begin.feed = begin.feed.min(feed);
+        }
+    }
+
     /// Smooths the run between the lengths `from` and `to`, which lie on its first and its last line, and hands its
     /// spans to `out`. If the run is `open`, it goes on: the last spans are kept back. `keeps` says whether its first
     /// and its last line stay as they are.

@@ -164,10 +164,11 @@ impl AxesRun {
     /// Begins at rest at `from`.
     pub fn begin(&mut self, from: Position, to: Position, limits: &Limits, share: f64) {
         *self = AxesRun { from, to, under_way: true, ..AxesRun::NONE };
+        let ramps = &limits.positioning;
         for i in 0..AXES {
             let len = (to.0[i] - from.0[i]).abs();
             let drive =
-                Drive { a: limits.acceleration[i].min(UNLIMITED[1]), j: limits.jerk[i].min(UNLIMITED[2]) };
+                Drive { a: ramps.acceleration[i].min(UNLIMITED[1]), j: ramps.jerk[i].min(UNLIMITED[2]) };
             let [a, b, c] = Single::legs(0.0, len, limits.rapid[i].min(UNLIMITED[0]) * share, drive);
             let legs = if len > 0.0 { [a, b, c, None] } else { [None; LEGS] };
             self.singles[i] = Single { legs, drive, ..Single::NONE };

@@ -65,6 +65,9 @@ const SAME_LENGTH: f64 = 1e-9;
 /// corners are this much longer than stopping takes, so that any speed can be reached on them.
 const STOP_ROOM: f64 = 1.1;
 
+/// How many cells beside a corner are looked at.
+const SIDE: usize = 24;
+
 /// At a corner that could only be run at a lower share of its pace the path stops instead.
 const LEAST_PACE: f64 = 0.1;
 
@@ -564,17 +567,14 @@ impl Plan {
         self.next = start;
     }
 
-    /// Highest pace of a corner that the lines beside it leave room to stop for.
+    /// Highest pace of a corner that the path beside it leaves room to stop for.
     fn pace(&self, queue: &Queue, cell: u64, foot: Foot, from: &Port, share: f64) -> f64 {
         let mut cap = self.overrides.cap(queue.node(cell));
-        let mut sides = [(f64::INFINITY, Drive::MOST); 2];
-        for (side, neighbour) in sides.iter_mut().zip([cell.wrapping_sub(1), cell + 1]) {
-            if neighbour >= queue.head() && neighbour < queue.tail() {
-                let node = queue.node(neighbour);
-                *side = (node.len, node.load.most());
-                cap = cap.min(self.overrides.cap(node));
-            }
-        }
+        let before = (queue.head()..cell).rev().map(|cell| queue.node(cell)).take_while(|node| !node.rests);
+        let mut ends = false;
+        let after = (cell + 1..queue.tail()).map(|cell| queue.node(cell));
+        let after = after.take_while(|node| !std::mem::replace(&mut ends, node.rests));
+        let mut sides = [self.side(before, &mut cap), self.side(after, &mut cap)];
         if from.state == State::REST {
             sides[0].0 = sides[0].0.min(queue.node(cell).s - from.s);
         }
@@ -591,6 +591,21 @@ impl Plan {
                 (rise + distance(0.0, top, *drive)) * STOP_ROOM <= *len
             })
         })
+    }
+
+    /// How long the path beside a corner is known to go on, and what it leaves to the path all along; its lowest cap
+    /// counts. Nothing is known of what is not there yet.
+    fn side<'a>(&self, nodes: impl Iterator<Item = &'a Node>, cap: &mut f64) -> (f64, Drive) {
+        let (mut len, mut drive) = (0.0, Drive::MOST);
+        for node in nodes.take(SIDE).take_while(|node| node.pass == Pass::Path) {
+            let top = self.overrides.cap(node);
+            *cap = cap.min(top);
+            // On a curve, what is left at its highest speed.
+            let room = node.load.room(top);
+            drive = drive.min(Drive { a: room.a, j: room.j[1] });
+            len += node.len;
+        }
+        if len > 0.0 { (len, drive) } else { (f64::INFINITY, Drive::MOST) }
     }
 
     /// Plans one section; its pieces are added.

@@ -1,12 +1,12 @@
-//! What the parameters say of the drives: backlash, pitch errors, acceleration after interpolation, following
-//! error (appendix 1).
+//! What the parameters say of the drives: backlash, pitch errors, following error, the spindle's encoder (appendix 1).
 //!
 //! P201 chooses among modes A, B and C of backlash compensation, of which nothing but the letters is printed; it
 //! is kept. What P201 to P235 do is otherwise what their names say, and Fanuc 0i-M where they say no more.
 
+use super::acceleration;
 use ferrocut_machine::config::SpindleConfig;
 use ferrocut_machine::manual::ManualConfig;
-use ferrocut_machine::{AxisConfig, Machine, Parameters, Smoothing};
+use ferrocut_machine::{AxisConfig, Machine, Parameters};
 
 /// An encoder counts both edges of both of its tracks.
 const COUNTS_A_LINE: f64 = 4.0;
@@ -17,23 +17,23 @@ const LEAST_SPEED: f64 = 1e-3;
 /// P189 counts ten-thousandths.
 const REVERSAL_UNIT: f64 = 1e-4;
 
-/// Writes the parameters over what the machine file says of its axes.
+/// Writes the parameters over what the machine file says of path and axes.
 pub fn machine_parameters(parameters: &Parameters, machine: &mut Machine) {
     spindle(parameters, &mut machine.spindle);
     manual(parameters, &mut machine.manual);
-    let (by_parameters, period) = (machine.servo.acceleration_by_parameters, machine.servo_period_ms);
+    acceleration::machine_parameters(parameters, machine);
+    let period = machine.servo_period_ms;
     for (k, name) in (0u8..).zip(parameters.axis_names()) {
         let Some(axis) = machine.axes.iter_mut().find(|axis| axis.name == name) else { continue };
         backlash(parameters, k, axis, period);
         // P170 to P174.
         axis.manual_rapid = Some(parameters.data(170 + u16::from(k)).max(LEAST_SPEED));
         pitch_errors(parameters, k, axis);
-        if by_parameters {
-            acceleration(parameters, k, axis);
-        }
-        // 17#7, P131.
-        if axis.in_position_cutting.is_none() && parameters.bit(17, 7) {
-            axis.in_position_cutting = Some(parameters.data(131));
+        // 17#7, P131; in look-ahead 15#3, P141.
+        let (is_checked, window) =
+            if parameters.bit(15, 0) { (parameters.bit(15, 3), 141) } else { (parameters.bit(17, 7), 131) };
+        if axis.in_position_cutting.is_none() && is_checked {
+            axis.in_position_cutting = Some(parameters.data(window));
         }
         // 3.3.5: P445, 50 mm as delivered.
         if axis.following_error == 0.0 {
@@ -127,28 +127,6 @@ fn pitch_errors(parameters: &Parameters, k: u8, axis: &mut AxisConfig) {
     }
 }
 
-/// Bits 16#0, 16#2, 17#0, 17#2, 17#3 and the time constants of axis `k`.
-fn acceleration(parameters: &Parameters, k: u8, axis: &mut AxisConfig) {
-    let p = |number: u16| parameters.data(number);
-    let select = |is_after: bool, is_exponential: bool, linear: u16, exponential: u16, least: u16| match (
-        is_after,
-        is_exponential,
-    ) {
-        (false, _) => Smoothing::None,
-        (true, false) => Smoothing::Linear { time_ms: p(linear) },
-        (true, true) => Smoothing::Exponential { time_ms: p(exponential), least: p(least) },
-    };
-    let k = u16::from(k);
-    axis.after_rapid = select(parameters.bit(16, 0), parameters.bit(16, 2), 115 + k, 120 + k, 129);
-    // 15#0: look-ahead has acceleration before and after interpolation, with constants of its own.
-    axis.after_cutting = match parameters.bit(15, 0) {
-        true => select(true, parameters.bit(15, 1), 136, 137, 138),
-        false => select(parameters.bit(17, 0), parameters.bit(17, 2), 127, 128, 129),
-    };
-    // 1.2: movements by hand are always accelerated after interpolation.
-    axis.after_jog = select(true, parameters.bit(17, 3), 156, 157, 129);
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -176,6 +154,16 @@ mod tests {
             assert_eq!((axis.in_position, axis.in_position_cutting), (0.0, Some(0.03)));
             assert_eq!(axis.following_error, 50.0);
         }
+        assert_eq!(machine.path, demo.path);
+    }
+
+    #[test]
+    fn look_ahead_has_a_window_of_its_own_for_cutting() {
+        let window = |set: &[(&str, f64)]| machine(set, |_| {}).axes[0].in_position_cutting;
+        assert_eq!(window(&[("P131", 0.1)]), Some(0.1));
+        assert_eq!(window(&[("NO17.7", 0.0)]), None);
+        assert_eq!(window(&[("NO15.0", 1.0)]), None);
+        assert_eq!(window(&[("NO15.0", 1.0), ("NO15.3", 1.0), ("P141", 0.2)]), Some(0.2));
     }
 
     #[test]
@@ -233,22 +221,5 @@ mod tests {
         assert_eq!((found.encoder_counts, found.tapping_retract_rpm_s), (20_000.0, 750.0));
         assert_eq!(spindle(&[("P261", 0.0), ("P298", 0.0)]).encoder_counts, 4096.0);
         assert_eq!(spindle(&[("P298", 0.0)]).tapping_rpm_s, f64::INFINITY);
-    }
-
-    #[test]
-    fn acceleration_after_interpolation_is_selected_by_bits() {
-        let axis = |set: &[(&str, f64)]| {
-            let machine = machine(set, |machine| machine.servo.acceleration_by_parameters = true);
-            machine.axis(Axis::Y).unwrap().smoothing().map(|(_, smoothing)| smoothing)
-        };
-        let linear = |time_ms| Smoothing::Linear { time_ms };
-        let exponential = |time_ms, least| Smoothing::Exponential { time_ms, least };
-        // 16#0 = 0, 17#0 = 1, 17#2 = 0, 17#3 = 0.
-        assert_eq!(axis(&[]), [Smoothing::None, linear(80.0), linear(100.0)]);
-        let set = [("NO16.0", 1.0), ("P116", 90.0), ("NO17.0", 0.0), ("NO17.3", 1.0), ("P129", 12.0)];
-        assert_eq!(axis(&set), [linear(90.0), Smoothing::None, exponential(120.0, 12.0)]);
-        let set = [("NO16.0", 1.0), ("NO16.2", 1.0), ("P121", 50.0), ("NO17.2", 1.0), ("P128", 70.0)];
-        assert_eq!(axis(&set), [exponential(50.0, 10.0), exponential(70.0, 10.0), linear(100.0)]);
-        assert_eq!(axis(&[("NO15.0", 1.0), ("P136", 33.0)])[1], linear(33.0));
     }
 }

@@ -3,6 +3,7 @@
 //! Sources in comments are sections of its manual, "GSK990MC programming and operation"; numbers like
 //! 31#0 are its bit parameters, P87 its data parameters.
 
+mod acceleration;
 mod alarms;
 mod codes;
 mod drives;

@@ -12,12 +12,21 @@ use crate::stages::polar::PoleRule;
 use crate::stroke::{STROKE_AXES, StrokeRules};
 use ferrocut_geometry::Axis;
 use ferrocut_machine::{ParameterKey, Parameters};
+use ferrocut_toolpath::CornerRule;
 
 /// Subprograms nested in the main program (3.2.2 note 3).
 const CALL_DEPTH: usize = 4;
 
 /// Macro calls nested (4.9.3 note 4).
 const MACRO_DEPTH: usize = 5;
+
+/// 15#2, P144, P146: which corners are slowed down for.
+pub fn corner_rule(parameters: &Parameters) -> CornerRule {
+    match parameters.bit(15, 2) {
+        true => CornerRule::SpeedDifference(parameters.data(146)),
+        false => CornerRule::Angle(parameters.data(144)),
+    }
+}
 
 /// Reads the rules.
 pub fn rules(parameters: &Parameters) -> Rules {
@@ -62,8 +71,9 @@ pub fn rules(parameters: &Parameters) -> Rules {
             corner_limit: p(266).max(cutter::Rules::default().corner_limit),
             ..cutter::Rules::default()
         },
-        // 16#7, P144, P145 (4.8.2).
-        corner_override: parameters.bit(16, 7).then(|| (p(144), p(145))),
+        // 4.8.2, 2; limit 1: not where cutting is accelerated before interpolation, which look-ahead does too.
+        corner_override: (parameters.bit(16, 7) && parameters.bit(17, 0) && !parameters.bit(15, 0))
+            .then(|| (corner_rule(parameters), p(145))),
         stroke: stroke(parameters),
         max_coordinate: 99_999.999_9,
         // 1.2: three axes together, four with 9#1.

@@ -1,0 +1,250 @@
+//! Which corners are stopped at, slowed down for or run through, measured in setpoints (G61 to G64, corners by angle
+//! and by speed difference, arcs by their acceleration).
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
+
+mod common;
+
+use common::{Event, Run, arc, line, round_machine, run, run_with};
+use ferrocut_geometry::{Plane, Position};
+use ferrocut_machine::{ArcSlowdown, CornerSlowdown, Machine};
+use ferrocut_toolpath::{CornerRule, InnerCorners, Op, PathMode};
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+const GO: PathMode = PathMode::Continuous;
+
+/// G62 with the tool on the left; corners of up to 100° slow down to 120 mm/min.
+const INNER: InnerCorners =
+    InnerCorners { plane: Plane::Xy, left: true, rule: CornerRule::Angle(100.0), lowest_feed: 120.0 };
+const SLOW: f64 = 2.0;
+
+fn distance(a: Position, b: Position) -> f64 {
+    (a - b).0.iter().map(|c| c * c).sum::<f64>().sqrt()
+}
+
+/// Speeds at the samples of moves `tags` whose distance from `p` is in a range, with the lowest and the highest.
+fn speeds(run: &Run, p: Position, from: f64, to: f64, tags: &[u64]) -> [f64; 2] {
+    let near = |s: &&ferrocut_motion::Setpoint| {
+        let d = distance(s.position, p);
+        d >= from && d <= to && tags.contains(&s.tag) && s.velocity > 0.0
+    };
+    let found: Vec<f64> = run.samples.iter().filter(near).map(|s| s.velocity).collect();
+    assert!(!found.is_empty(), "no sample is {from} to {to} mm from {p:?}");
+    [found.iter().fold(f64::INFINITY, |m, v| m.min(*v)), found.iter().fold(0.0, |m, v| m.max(*v))]
+}
+
+fn judged(machine: &Machine, ops: &[Op]) -> Run {
+    let run = run(machine, Position::ZERO, ops);
+    run.check_limits(machine);
+    run.check_feed();
+    run.check_path(machine.path.tolerance * 1.001);
+    run
+}
+
+/// 30 mm along X and then 30 mm in a direction that turns by `turn` degrees to the left.
+fn corner(turn: f64, path: PathMode) -> [Op; 2] {
+    let (sin, cos) = turn.to_radians().sin_cos();
+    [line(30.0, 0.0, 0.0, 6000.0, path), line(30.0 + 30.0 * cos, 30.0 * sin, 0.0, 6000.0, path)]
+}
+
+const VERTEX: Position = Position([30.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
+
+#[test]
+fn inner_corners_are_slowed_down_for_a_millimetre_on_either_side() {
+    let machine = round_machine();
+    let slow = judged(&machine, &corner(90.0, PathMode::InnerCorners(INNER)));
+    assert!(speeds(&slow, VERTEX, 0.0, 1.0, &[0, 1])[1] <= SLOW * 1.0001);
+    // Further away only what slowing down takes: from 2 mm/s a ramp of 1 mm reaches 20 mm/s.
+    for tag in [0, 1] {
+        assert!(speeds(&slow, VERTEX, 2.0, 3.0, &[tag])[0] > 20.0);
+        assert!(speeds(&slow, VERTEX, 10.0, 20.0, &[tag])[1] > 99.0);
+    }
+    // On the outside, or where the angle is wider than the critical one, nothing changes.
+    for (turn, corners) in [
+        (-90.0, INNER),
+        (79.0, INNER),
+        (90.0, InnerCorners { left: false, ..INNER }),
+        (90.0, InnerCorners { rule: CornerRule::Angle(89.0), ..INNER }),
+    ] {
+        let plain = judged(&machine, &corner(turn, GO)).time();
+        let same = judged(&machine, &corner(turn, PathMode::InnerCorners(corners))).time();
+        assert!((same / plain - 1.0).abs() < 0.01, "{turn}: {plain} {same}");
+    }
+    // To the right with the tool on the right.
+    let right =
+        judged(&machine, &corner(-90.0, PathMode::InnerCorners(InnerCorners { left: false, ..INNER })));
+    assert!((right.time() - slow.time()).abs() < 1e-9);
+}
+
+#[test]
+fn a_block_without_inner_corners_beside_the_corner_is_run_as_ever() {
+    let machine = round_machine();
+    // The second block is one of G40 or G41 (GSK990MC 4.8.2, limit 2).
+    let [first, _] = corner(90.0, PathMode::InnerCorners(INNER));
+    let [_, second] = corner(90.0, GO);
+    let plain = judged(&machine, &corner(90.0, GO)).time();
+    assert!((judged(&machine, &[first, second]).time() / plain - 1.0).abs() < 0.01);
+}
+
+#[test]
+fn inner_corners_of_short_blocks_and_arcs_are_slowed_down_for() {
+    let machine = round_machine();
+    let path = PathMode::InnerCorners(INNER);
+    // Blocks of 0.2 mm to the vertex and away from it: of each the whole, and no more.
+    let mut ops: Vec<Op> = (1..=100).map(|k| line(0.2 * f64::from(k), 0.0, 0.0, 1500.0, path)).collect();
+    ops.extend((1..=100).map(|k| line(20.0, 0.2 * f64::from(k), 0.0, 1500.0, path)));
+    let run = judged(&machine, &ops);
+    let vertex = Position::xyz(20.0, 0.0, 0.0);
+    assert!(speeds(&run, vertex, 0.0, 0.1, &[99, 100])[1] <= SLOW * 1.0001);
+    assert!(speeds(&run, vertex, 3.0, 10.0, &(20..180).collect::<Vec<_>>())[1] > 24.9);
+    // A line that runs into an arc turning by 90° to the left at the vertex, and one out of it.
+    let into = |path| {
+        let mut around = arc(Position::xyz(20.0, 20.0, 0.0), [10.0, 10.0], FRAC_PI_2, 1500.0);
+        if let Op::Arc { to, center, sweep, path: mode, .. } = &mut around {
+            // From (20, 0) up, about (30, 0): it begins in the direction +Y.
+            (*to, *center, *sweep, *mode) = (Position::xyz(30.0, 10.0, 0.0), [30.0, 0.0], -FRAC_PI_2, path);
+        }
+        [line(20.0, 0.0, 0.0, 1500.0, path), around, line(30.0, 30.0, 0.0, 1500.0, path)]
+    };
+    let run = judged(&machine, &into(path));
+    for vertex in [vertex, Position::xyz(30.0, 10.0, 0.0)] {
+        assert!(speeds(&run, vertex, 0.0, 0.99, &[0, 1, 2])[1] <= SLOW * 1.0001);
+    }
+    assert!(speeds(&run, vertex, 5.0, 7.0, &[1])[1] > 24.9);
+}
+
+#[test]
+fn inner_corners_by_speed_difference_are_as_slow_as_the_axes_ask_for() {
+    let machine = round_machine();
+    let rule = CornerRule::SpeedDifference(300.0);
+    let path = PathMode::InnerCorners(InnerCorners { rule, ..INNER });
+    // 5 mm/s where both axes change by all of it.
+    let run = judged(&machine, &corner(90.0, path));
+    let [low, high] = speeds(&run, VERTEX, 0.2, 0.9, &[0, 1]);
+    assert!(low > 4.9 && high <= 5.0005, "{low} {high}");
+}
+
+#[test]
+fn inner_corners_are_overridden_like_any_feed() {
+    let machine = round_machine();
+    let ops = corner(90.0, PathMode::InnerCorners(INNER));
+    let run = run_with(&machine, Position::ZERO, &ops, &[(0, Event::Override(0.5, 1.0))], &[]);
+    assert!(speeds(&run, VERTEX, 0.0, 1.0, &[0, 1])[1] <= 0.5 * SLOW * 1.0001);
+}
+
+#[test]
+fn exact_stops_rest_and_continuous_paths_do_not() {
+    let machine = round_machine();
+    let stopped = judged(&machine, &corner(90.0, PathMode::ExactStop));
+    assert!(stopped.rests_on(VERTEX) && stopped.stops_inside());
+    let through = judged(&machine, &corner(90.0, GO));
+    assert!(!through.stops_inside(), "{}", at_vertex(&through));
+    assert!(through.time() < stopped.time(), "{} {}", through.time(), stopped.time());
+    // Straight on the speed does not fall at all, under G63 neither.
+    for path in [GO, PathMode::Tapping] {
+        let straight = judged(&machine, &corner(0.0, path));
+        let [low, high] = speeds(&straight, VERTEX, 0.0, 5.0, &[0, 1]);
+        assert!(low > 99.99 && high < 100.01, "{path:?}: {low} {high}");
+    }
+}
+
+#[test]
+fn under_g63_neither_override_nor_hold_has_an_effect() {
+    let machine = round_machine();
+    let tapping = corner(0.0, PathMode::Tapping);
+    let free = run(&machine, Position::ZERO, &tapping);
+    let events = [(0, Event::Override(0.3, 0.3)), (100, Event::Hold), (200, Event::Override(0.0, 0.0))];
+    let held = run_with(&machine, Position::ZERO, &tapping, &events, &[]);
+    for (a, b) in free.samples.iter().zip(&held.samples) {
+        assert!(distance(a.position, b.position) < 1e-9 && (a.velocity - b.velocity).abs() < 1e-6);
+    }
+    // What follows is held.
+    let mut ops = tapping.to_vec();
+    ops.push(line(90.0, 0.0, 0.0, 6000.0, GO));
+    let events = [(100, Event::Hold), (3000, Event::Resume)];
+    let run = run_with(&machine, Position::ZERO, &ops, &events, &[]);
+    let at_hold = run.samples[2900];
+    assert!(at_hold.velocity == 0.0 && at_hold.position.0[0] >= 60.0, "{at_hold:?}");
+    assert_eq!(run.samples.last().unwrap().position, Position::xyz(90.0, 0.0, 0.0));
+}
+
+/// Of the sample at the vertex: its speed.
+fn at_vertex(run: &Run) -> f64 {
+    let near = |a: &&ferrocut_motion::Setpoint, b: &&ferrocut_motion::Setpoint| {
+        distance(a.position, VERTEX).total_cmp(&distance(b.position, VERTEX))
+    };
+    run.samples.iter().min_by(near).unwrap().velocity
+}
+
+fn with_corners(angle: Option<f64>, speed_difference: Option<f64>, lowest_feed: f64) -> Machine {
+    let mut machine = round_machine();
+    machine.path.tolerance = 0.05;
+    machine.path.corner = Some(CornerSlowdown { angle, speed_difference, lowest_feed });
+    machine
+}
+
+#[test]
+fn corners_by_angle_are_run_at_the_lowest_feed() {
+    // A turn by 60° leaves an angle of 120°.
+    let natural = at_vertex(&judged(&with_corners(Some(119.9), None, 300.0), &corner(60.0, GO)));
+    assert!(natural > 10.0, "{natural}");
+    let slow = at_vertex(&judged(&with_corners(Some(120.0), None, 300.0), &corner(60.0, GO)));
+    assert!(slow <= 5.0005 && slow > 3.0, "{slow}");
+    // No more than the lowest feed, which may be more than the corner allows.
+    let same = at_vertex(&judged(&with_corners(Some(120.0), None, 6000.0), &corner(60.0, GO)));
+    assert_eq!(same, natural);
+}
+
+#[test]
+fn corners_by_speed_difference_keep_the_steps_of_every_axis() {
+    // A turn by 60° changes X by a half of the speed and Y by 0.866 of it: 4 mm/s are 4.62.
+    let slow = at_vertex(&judged(&with_corners(None, Some(240.0), 60.0), &corner(60.0, GO)));
+    assert!(slow <= 4.0 / 0.75_f64.sqrt() * 1.0001 && slow > 2.7, "{slow}");
+    // Small turns are slowed down for where the feed asks for it: 0.0349 of 100 mm/s in Y.
+    let slow = at_vertex(&judged(&with_corners(None, Some(60.0), 60.0), &corner(2.0, GO)));
+    let most = 1.0 / 2.0_f64.to_radians().sin();
+    assert!(slow <= most * 1.0001 && slow > 0.9 * most, "{slow} {most}");
+    // Never below the lowest feed.
+    let slow = at_vertex(&judged(&with_corners(None, Some(60.0), 600.0), &corner(60.0, GO)));
+    assert!(slow > 6.0 && slow <= 10.001, "{slow}");
+}
+
+#[test]
+fn corners_of_short_blocks_are_no_smooth_run_where_the_rule_counts_them() {
+    // 36 sides of a polygon turn by 10° each.
+    let polygon: Vec<Op> = (1..=36)
+        .map(|k| (f64::from(k) / 36.0 * TAU).sin_cos())
+        .map(|(sin, cos)| line(10.0 * cos - 10.0, 10.0 * sin, 0.0, 3000.0, GO))
+        .collect();
+    let plain = judged(&with_corners(Some(169.0), None, 120.0), &polygon);
+    let slow = judged(&with_corners(Some(170.5), None, 120.0), &polygon);
+    for op in &polygon[..35] {
+        let vertex = *op.target().unwrap();
+        let near = slow.samples.iter().map(|s| (distance(s.position, vertex), s.velocity));
+        let (_, v) = near.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
+        assert!(v <= SLOW * 1.001, "{v}");
+    }
+    assert!(slow.time() > plain.time() + 36.0 * 0.02);
+}
+
+#[test]
+fn arcs_keep_an_acceleration_towards_their_centre() {
+    let mut machine = round_machine();
+    let circle = |feed| [arc(Position::ZERO, [10.0, 0.0], TAU, feed)];
+    let top = |machine: &Machine, feed: f64, over: f64| {
+        let events = [(0, Event::Override(over, 1.0))];
+        let run = run_with(machine, Position::ZERO, &circle(feed), &events, &[]);
+        run.samples.iter().fold(0.0, |m: f64, s| m.max(s.velocity))
+    };
+    assert!(top(&machine, 6000.0, 1.0) > 99.9);
+    // v² = 250·10; no override passes it.
+    machine.path.arc = Some(ArcSlowdown { acceleration: 250.0, lowest_feed: 0.0 });
+    for over in [1.0, 2.0] {
+        let v = top(&machine, 6000.0, over);
+        assert!(v > 49.9 && v <= 50.001, "{over}: {v}");
+    }
+    assert!((top(&machine, 1200.0, 1.0) - 20.0).abs() < 0.01);
+    // Not below the lowest feed.
+    machine.path.arc = Some(ArcSlowdown { acceleration: 250.0, lowest_feed: 4200.0 });
+    let v = top(&machine, 6000.0, 1.0);
+    assert!(v > 69.9 && v <= 70.001, "{v}");
+}
