@@ -135,6 +135,62 @@ fn acceleration_is_selected_by_parameters_where_the_machine_says_so() {
 }
 
 #[test]
+fn acceleration_before_interpolation_is_selected_by_parameters() {
+    let mut machine = machine();
+    machine.servo.acceleration_by_parameters = true;
+    // Periods from the first that moves to the first at 100 mm/s; P96 is 6000 mm/min.
+    let periods = |bits: &str| {
+        let setup = format!("[parameters]\n\"NO17.0\" = 0\n{bits}");
+        let mut cnc = Cnc::new(&machine, interpreter("G1 X60 F6000\nM30\n", &setup));
+        let run = run(&mut cnc);
+        assert_eq!(cnc.state(), &State::Ended);
+        let x: Vec<f64> = run.ticks.iter().map(|t| t.position.0[0]).collect();
+        let first = x.iter().position(|x| *x > 0.0).unwrap();
+        let fast = x.windows(2).position(|w| w[1] - w[0] > 0.09999).unwrap();
+        fast - first
+    };
+    // Linear in 100 ms as delivered, in 250 ms, and an S in 200 ms.
+    for (bits, expected) in
+        [("", 100), ("P125 = 250", 250), ("\"NO17.1\" = 1\nP126 = 200", 200), ("P96 = 7500", 80)]
+    {
+        let found = periods(bits);
+        assert!(found.abs_diff(expected) <= 3, "{bits}: {found} instead of {expected}");
+    }
+}
+
+#[test]
+fn inner_corners_of_a_compensated_path_are_slowed_down_for() {
+    // With the tool on the left and the radius 2 the corner of the centre's path is at (28, 2).
+    let speed_beside = |mode: &str, setup: &str| {
+        let program = format!("G1 G41 D1 X10 Y0 F1500\n{mode}\nX30\nY30\nG40 X0\nM30\n");
+        let setup = format!("[parameters]\n\"NO40.7\" = 0\n{setup}\n[tools.1]\nradius = 2.0\n");
+        let mut cnc = Cnc::new(&machine(), interpreter(&program, &setup));
+        let run = run(&mut cnc);
+        assert_eq!(cnc.state(), &State::Ended, "{program}");
+        let corner = Position::xyz(28.0, 2.0, 0.0);
+        let distance = |a: Position, b: Position| (a - b).0.iter().fold(0.0_f64, |h, c| h.hypot(*c));
+        let pairs = run.ticks.windows(2).filter(|w| {
+            (0.3..0.9).contains(&distance(w[0].position, corner))
+                && (0.3..0.9).contains(&distance(w[1].position, corner))
+        });
+        pairs.fold(0.0_f64, |m, w| m.max(distance(w[1].position, w[0].position) / 0.001))
+    };
+    let on = "\"NO16.7\" = 1\nP144 = 100\nP145 = 120";
+    let slow = speed_beside("G62", on);
+    assert!((slow - 2.0).abs() < 0.01, "{slow}");
+    // G64; without 16#7; a wider angle; acceleration before interpolation (limit 1).
+    for (mode, setup) in [
+        ("G64", on),
+        ("G62", "P144 = 100"),
+        ("G62", "\"NO16.7\" = 1\nP144 = 80"),
+        ("G62", &format!("{on}\n\"NO17.0\" = 0")),
+    ] {
+        let v = speed_beside(mode, setup);
+        assert!(v > 5.0, "{mode} {setup}: {v}");
+    }
+}
+
+#[test]
 fn an_axis_that_does_not_follow_is_an_alarm_with_its_name() {
     let program = "G0 X100\nM30\n";
     let lazy = |share, rest| Box::new(Lazy { at: Position::ZERO, share, rest });

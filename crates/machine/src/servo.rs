@@ -99,8 +99,8 @@ pub enum Smoothing {
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct ServoConfig {
-    /// Acceleration after interpolation is what the parameters of the control select, on controls that have
-    /// such; else what stands at the axes.
+    /// Acceleration before and after interpolation is what the parameters of the control select, on controls that
+    /// have such; else what stands at the axes.
     pub acceleration_by_parameters: bool,
     /// An axis that is not in position this long after its stop is an alarm, ms.
     pub in_position_ms: f64,

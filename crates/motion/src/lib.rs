@@ -7,8 +7,8 @@
 //! ```text
 //! Move ─▶ assemble ─▶ cells ─▶ plan ─▶ interpolate ─▶ Setpoint
 //!          path/       timing/queue      timing/
-//!          piece, joint, corner,         plan, grid, piece, ramp, interpolate, axes
-//!          smooth
+//!          piece, joint, slow,           plan, grid, piece, ramp, interpolate, axes
+//!          corner, smooth
 //! ```
 //!
 //! 1. A move is a curve `q(s)` over all axes (`path/piece`). Runs of lines become one smooth curve inside the
@@ -22,8 +22,7 @@
 //! [`Motion::tick`] and [`Motion::push`] allocate nothing, take no lock and do not fail. The same calls
 //! give the same setpoints, bit by bit.
 //!
-//! What it does not do yet: slow down about inner corners (G62); round corners between arcs; go back along the
-//! path.
+//! What it does not do yet: round sharp corners between arcs; go back along the path.
 //!
 //! What lies between setpoint and drive, axis by axis, is [`servo`]. Moves in step with the spindle do not go
 //! through the planner: they are [`synchron`].

@@ -6,7 +6,7 @@ use common::*;
 use ferrocut_geometry::{AXES, Axis, Plane, Position};
 use ferrocut_machine::Machine;
 use ferrocut_motion::{Motion, Move, State};
-use ferrocut_toolpath::{Feed, FeedAlong, Op, PathMode};
+use ferrocut_toolpath::{CornerRule, Feed, FeedAlong, InnerCorners, Op, PathMode};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
@@ -69,6 +69,10 @@ fn path() -> impl Strategy<Value = PathMode> {
         1 => Just(PathMode::ExactStop),
         1 => Just(PathMode::Tapping),
         2 => prop_oneof![Just(0.0), 1e-5..0.3f64].prop_map(PathMode::ContinuousWithin),
+        1 => (any::<bool>(), 2.0..178.0f64, 10.0..1000.0f64).prop_map(|(left, angle, lowest_feed)| {
+            let (plane, rule) = (Plane::Xy, CornerRule::Angle(angle));
+            PathMode::InnerCorners(InnerCorners { plane, left, rule, lowest_feed })
+        }),
     ]
 }
 
