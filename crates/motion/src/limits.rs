@@ -104,7 +104,7 @@ const PATH_SHARE: f64 = 0.999;
 
 /// Share of the acceleration that following a curve may use at its highest speed; the rest is for speeding up
 /// and slowing down on it.
-const CURVE_SHARE: f64 = 0.98;
+const CURVE_SHARE: f64 = 0.995;
 
 /// The same share of the jerk.
 const TWIST_SHARE: f64 = 0.85;

@@ -22,7 +22,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 /// An arc is planned in slices no longer than this angle, each under its own bounds, because the share of
 /// an axis in velocity and in acceleration changes as the arc turns.
-const SLICE_RAD: f64 = PI / 36.0;
+const SLICE_RAD: f64 = PI / 144.0;
 
 /// Nor are slices shorter than this, mm: an arc that small is slow whatever it is cut into, and a servo
 /// period shall not run through thousands of slices.
