@@ -628,7 +628,12 @@ impl Cnc {
         if self.manual.is_active {
             return self.move_by_hand();
         }
-        if !self.motion.at_rest() {
+        // A failed axis may never come to its place.
+        let can_settle = !self.servo.is_at_rest() && self.failed.is_none();
+        if self.motion.at_rest() && can_settle && self.must_settle() {
+            return self.settle();
+        }
+        if !self.motion.is_still() {
             return self.move_on();
         }
         match self.stroke {
@@ -637,8 +642,7 @@ impl Cnc {
             Some(_) if self.state == State::Resetting => self.stroke = None,
             _ => {}
         }
-        // A failed axis may never come to its place.
-        if !self.servo.is_at_rest() && self.failed.is_none() {
+        if can_settle {
             return self.settle();
         }
         if self.state == State::Resetting {

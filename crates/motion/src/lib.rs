@@ -32,18 +32,23 @@
 //! mathematics) and `path/smooth.rs`.
 
 mod assemble;
+mod handover;
+mod interpolator;
 pub mod jog;
 mod limits;
 mod motion;
 mod moves;
 mod path;
+mod planner;
 pub mod servo;
 mod stroke;
 pub mod synchron;
 mod timing;
 
+pub use interpolator::{Interpolator, Sample};
 pub use jog::Jog;
 pub use limits::{Limits, MAX_FEED_OVERRIDE};
 pub use motion::{Full, Motion, Setpoint, State};
 pub use moves::Move;
+pub use planner::{LEAD_S, Planner};
 pub use servo::Servo;
