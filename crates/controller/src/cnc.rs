@@ -373,6 +373,20 @@ impl Cnc {
         takes
     }
 
+    /// What of the next period may take longer than a period: interpreting, and planning. Called as soon as a period is
+    /// over, it leaves to [`tick`](Self::tick) what runs in the period; without it `tick` does all, with the same
+    /// setpoints.
+    pub fn prepare(&mut self) {
+        if self.state != State::Running {
+            return;
+        }
+        self.take_steps();
+        let moves = self.state == State::Running && self.busy.is_none() && self.stroke.is_none();
+        if moves && !self.motion.is_empty() && !self.must_settle_now() {
+            self.motion.plan();
+        }
+    }
+
     /// Goes on by one servo period.
     pub fn tick(&mut self) -> Tick {
         let tick = self.period();
@@ -401,7 +415,7 @@ impl Cnc {
             if self.stroke.is_some() {
                 return self.cut_thread();
             }
-            if self.motion.at_rest() && !self.servo.is_at_rest() && self.must_settle() {
+            if self.must_settle_now() {
                 return self.settle();
             }
             if self.motion.is_empty() && self.motion.at_rest() {
@@ -448,6 +462,11 @@ impl Cnc {
             self.interpreter.came_to_rest(&AtRest { commanded: at, actual: self.actual, skip: None });
         }
         tick
+    }
+
+    /// Whether the axes are still to come to where motion stands before it goes on.
+    fn must_settle_now(&self) -> bool {
+        self.motion.at_rest() && !self.servo.is_at_rest() && self.must_settle()
     }
 
     /// Whether the axes must be where motion has come to rest before anything else begins: a step that waits,
@@ -628,8 +647,10 @@ impl Cnc {
         if self.manual.is_active {
             return self.move_by_hand();
         }
-        if !self.motion.at_rest() {
-            return self.move_on();
+        // A failed axis may never come to its place.
+        let can_settle = self.failed.is_none();
+        if !self.motion.is_still() {
+            return if can_settle && self.must_settle_now() { self.settle() } else { self.move_on() };
         }
         match self.stroke {
             Some(stroke) if stroke.has_begun => return self.cut_thread(),
@@ -637,8 +658,7 @@ impl Cnc {
             Some(_) if self.state == State::Resetting => self.stroke = None,
             _ => {}
         }
-        // A failed axis may never come to its place.
-        if !self.servo.is_at_rest() && self.failed.is_none() {
+        if can_settle && !self.servo.is_at_rest() {
             return self.settle();
         }
         if self.state == State::Resetting {

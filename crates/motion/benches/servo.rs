@@ -1,14 +1,62 @@
 //! What a servo period costs between path and drives: nine axes with acceleration after interpolation, backlash
-//! and pitch errors in both directions, and as many with nothing.
+//! and pitch errors in both directions, and as many with nothing. Before that, the worst of a million whole periods
+//! (interpolation, compensation, supervision) of a demanding program, with overrides and holds at random, planning
+//! between them.
 
+#[path = "../tests/common/demanding.rs"]
+mod demanding;
+
+use demanding::{Asked, Blocks, Hands, Times};
 use divan::counter::ItemsCount;
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_machine::{AxisConfig, Backlash, Machine, PITCH_POINTS, PitchErrors, Smoothing};
-use ferrocut_motion::Servo;
 use ferrocut_motion::servo::Kind;
+use ferrocut_motion::{Motion, Servo};
+use std::time::Instant;
 
 fn main() {
+    // Not where benchmarks are only listed or tried.
+    if !std::env::args().any(|argument| argument == "--list" || argument == "--test") {
+        worst();
+    }
     divan::main();
+}
+
+const WORST_OF: u32 = 1_000_000;
+
+/// Prints what the worst of many periods takes.
+fn worst() {
+    let machine = demanding::machine();
+    let mut motion = Motion::new(&machine, Position::ZERO);
+    let mut servo = Servo::new(&machine, Position::ZERO);
+    let (mut blocks, mut hands) = (Blocks::new(1), Hands::new(2));
+    let (mut work, mut planning) = (Times::default(), Times::default());
+    let mut moving = 0u32;
+    for _ in 0..WORST_OF {
+        while motion.free() > 0 {
+            let Some(block) = blocks.next() else { continue };
+            if motion.push(&block).is_err() {
+                break;
+            }
+        }
+        match hands.next() {
+            Some(Asked::Override(feed, rapid)) => motion.set_override(feed, rapid),
+            Some(Asked::Hold) => motion.hold(),
+            Some(Asked::Resume) => motion.resume(),
+            None => {}
+        }
+        let began = Instant::now();
+        motion.plan();
+        planning.add(began.elapsed().as_nanos() as u64);
+        let began = Instant::now();
+        let setpoint = motion.step();
+        let command = servo.tick(&setpoint.position, Kind::Cutting);
+        divan::black_box(servo.supervise(&command.drive));
+        work.add(began.elapsed().as_nanos() as u64);
+        moving += u32::from(setpoint.velocity > 0.0);
+    }
+    println!("work of a period: {}, {moving} of them moving", work.text());
+    println!("planning:         {}", planning.text());
 }
 
 const PERIODS: u32 = 100_000;

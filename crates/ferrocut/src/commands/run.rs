@@ -160,6 +160,8 @@ pub fn drive(
             return Ok(());
         }
         screen.show(&tick, cnc);
+        // While there is time: what is left then runs in the period.
+        cnc.prepare();
         clock.wait();
     }
 }

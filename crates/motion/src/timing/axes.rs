@@ -175,6 +175,11 @@ impl AxesRun {
         }
     }
 
+    /// Where it ends unless it is stopped.
+    pub fn to(&self) -> Position {
+        self.to
+    }
+
     /// Whether it has begun and not ended.
     pub fn is_under_way(&self) -> bool {
         self.under_way

@@ -1,14 +1,17 @@
-//! Interpolation: where the axes are at the end of every servo period.
+//! Interpolation: how far the path is at the end of every servo period.
 //!
 //! The plan is a list of stretches with closed forms in time ([`crate::timing::plan`]). Each is evaluated from its
 //! own start, and the remainder of a period is carried over into the next one: nothing is summed up from period to
 //! period. Where the path rests the programmed point itself is put out.
+//!
+//! Planner and interpolator walk along the same stretches by this code, the planner some periods ahead: so it knows
+//! to the bit what will be run when a change takes over. Only the interpolator needs the point at the end of every
+//! period, so [`Walk::look`] is a step of its own.
 
-use crate::limits::{Class, Limits};
+use crate::handover::Strip;
 use crate::path::shape::Shape;
 use crate::timing::axes::AxesRun;
-use crate::timing::plan::{Plan, Stretch};
-use crate::timing::queue::Queue;
+use crate::timing::plan::Stretch;
 use ferrocut_geometry::Position;
 
 /// What became of a period.
@@ -18,34 +21,68 @@ pub(crate) enum Outcome {
     Moves,
     /// At rest on the end of a run, or inside a move of every axis on its own that was stopped.
     Rests,
-    /// There is nothing more in the plan: at rest on the path.
+    /// There is nothing more in the plan, or a move of every axis on its own that has not begun: at rest.
     Out,
 }
 
-/// Runs the plan.
+/// What is walked along.
+pub(crate) trait Track {
+    /// The stretch being run.
+    fn stretch(&mut self) -> Option<Stretch>;
+    /// Goes on to the next one.
+    fn go_on(&mut self);
+    /// The cell in which the length `s` lies; those before it are passed.
+    fn pass(&mut self, s: f64) -> u64;
+    /// Cells before this one are passed.
+    fn pass_to(&mut self, cell: u64);
+    /// Looks at a cell.
+    fn cell<R>(&mut self, number: u64, look: impl FnOnce(&Strip) -> R) -> Option<R>;
+}
+
+/// Where the axes are, as it is known before the point is worked out.
+#[derive(Clone, Copy, Debug)]
+enum Place {
+    /// Where they were.
+    Same,
+    Point(Position),
+    Path {
+        cell: u64,
+        s: f64,
+    },
+    Corner {
+        cell: u64,
+        x: f64,
+        pace: f64,
+    },
+}
+
+/// A walk along the plan.
 #[derive(Debug)]
-pub(crate) struct Interpolator {
-    limits: Limits,
+pub(crate) struct Walk {
     /// Time since the start of the stretch being run.
     t: f64,
     /// Length on the path.
     s: f64,
+    place: Place,
     position: Position,
     speed: f64,
-    tag: u64,
-    axes: AxesRun,
+    /// The length on the path that decides which block is run.
+    mark: Option<f64>,
+    pub axes: AxesRun,
 }
 
-impl Interpolator {
-    pub fn new(limits: Limits, start: Position) -> Interpolator {
-        Interpolator { limits, t: 0.0, s: 0.0, position: start, speed: 0.0, tag: 0, axes: AxesRun::NONE }
+impl Walk {
+    pub fn new(start: Position) -> Walk {
+        let place = Place::Same;
+        Walk { t: 0.0, s: 0.0, place, position: start, speed: 0.0, mark: None, axes: AxesRun::NONE }
     }
 
     /// Calls the place where the axes stand by another position.
     pub fn rename(&mut self, at: Position) {
-        self.position = at;
+        (self.place, self.position) = (Place::Same, at);
     }
 
+    /// Where the axes are, as it was last looked at.
     pub fn position(&self) -> Position {
         self.position
     }
@@ -53,10 +90,6 @@ impl Interpolator {
     /// Speed along the path; of a move of every axis on its own, along the line it draws. mm/s.
     pub fn speed(&self) -> f64 {
         self.speed
-    }
-
-    pub fn tag(&self) -> u64 {
-        self.tag
     }
 
     /// Time inside the stretch being run.
@@ -69,27 +102,15 @@ impl Interpolator {
         self.s
     }
 
+    /// Where on the path the block ends or goes on that this period was in; `None` if it is the one before.
+    pub fn mark(&mut self) -> Option<f64> {
+        self.mark.take()
+    }
+
     /// Forgets where it is on the path; only at rest.
     pub fn clear(&mut self) {
-        self.t = 0.0;
-        self.s = 0.0;
+        (self.t, self.s) = (0.0, 0.0);
         self.axes = AxesRun::NONE;
-    }
-
-    /// Brings the path to rest as soon as the bounds allow. Whether that is under way.
-    pub fn stop(&mut self, plan: &mut Plan, queue: &Queue) -> bool {
-        if self.axes.is_under_way() {
-            self.axes.stop();
-            return true;
-        }
-        plan.stop(queue, self.t)
-    }
-
-    /// The plan behind the stretch being run is another one.
-    pub fn renewed(&mut self, plan: &Plan) {
-        if self.axes.is_under_way() {
-            self.axes.set_share(&self.limits, plan.overrides().of(Class::Rapid));
-        }
     }
 
     /// Begins with the current stretch of the plan.
@@ -98,101 +119,111 @@ impl Interpolator {
     }
 
     /// Goes on by `time` within the stretch being run; the time that is left behind its end.
-    pub fn advance(&mut self, plan: &mut Plan, queue: &mut Queue, time: f64) -> (Outcome, f64) {
-        let Some(stretch) = plan.current().copied() else {
+    pub fn advance(&mut self, track: &mut impl Track, time: f64) -> (Outcome, f64) {
+        let Some(stretch) = track.stretch() else {
             self.speed = 0.0;
             return (Outcome::Out, 0.0);
         };
-        let duration = match stretch {
-            Stretch::Axes { cell, .. } => return self.advance_axes(plan, queue, cell, time),
-            _ => stretch.duration(),
-        };
+        if let Stretch::Axes { cell, .. } = stretch {
+            return self.advance_axes(track, cell, time);
+        }
+        let duration = stretch.duration();
         self.t += time;
         if self.t < duration {
-            self.sample(&stretch, queue);
+            self.locate(&stretch, track);
             return (Outcome::Moves, 0.0);
         }
         let left = self.t - duration;
         if left == 0.0 {
             // The period ends with the stretch.
             self.t = duration;
-            self.sample(&stretch, queue);
+            self.locate(&stretch, track);
         }
         self.s = stretch.end();
         match stretch {
-            Stretch::Corner { cell, .. } => self.retire_to(queue, cell + 1),
+            Stretch::Corner { cell, .. } => track.pass_to(cell + 1),
             Stretch::Rest { cell, .. } => {
-                self.position = queue.cell(cell).rest.unwrap_or(self.position);
-                self.tag = queue.tag_at(self.s).unwrap_or(self.tag);
+                if let Some(point) = track.cell(cell, |strip| strip.cell.rest).flatten() {
+                    self.place = Place::Point(point);
+                }
+                self.mark = Some(self.s);
                 self.speed = 0.0;
-                self.retire_to(queue, cell + 1);
-                plan.advance();
+                track.pass_to(cell + 1);
+                track.go_on();
                 self.enter();
                 return (Outcome::Rests, 0.0);
             }
             // A stop on the path ends at rest.
             Stretch::Piece(piece) if piece.to.v == 0.0 => {
                 self.t = duration;
-                self.sample(&stretch, queue);
+                self.locate(&stretch, track);
                 self.s = stretch.end();
             }
             _ => {}
         }
-        plan.advance();
+        track.go_on();
         self.enter();
         (Outcome::Moves, left)
     }
 
-    fn advance_axes(&mut self, plan: &mut Plan, queue: &mut Queue, cell: u64, time: f64) -> (Outcome, f64) {
-        let Shape::Axes { to, .. } = queue.cell(cell).shape else { return (Outcome::Out, 0.0) };
+    fn advance_axes(&mut self, track: &mut impl Track, cell: u64, time: f64) -> (Outcome, f64) {
         if !self.axes.is_under_way() {
-            // From where it is: it may have been stopped on the way.
-            self.axes.begin(self.position, to, &self.limits, plan.overrides().of(Class::Rapid));
+            self.speed = 0.0;
+            return (Outcome::Out, 0.0);
         }
-        (self.position, self.speed) = self.axes.advance(time);
-        self.tag = queue.tag_at(queue.node(cell).end()).unwrap_or(self.tag);
+        let (position, speed) = self.axes.advance(time);
+        (self.place, self.speed) = (Place::Point(position), speed);
+        self.mark = track.cell(cell, |strip| strip.s + strip.len).or(self.mark);
         if self.axes.is_under_way() {
             return (Outcome::Moves, 0.0);
         }
         self.speed = 0.0;
-        if self.position == to {
-            self.retire_to(queue, cell + 1);
-            plan.advance();
+        if position == self.axes.to() {
+            track.pass_to(cell + 1);
+            track.go_on();
             self.enter();
         }
         (Outcome::Rests, 0.0)
     }
 
-    fn retire_to(&mut self, queue: &mut Queue, number: u64) {
-        while queue.head() < number && queue.len() > 0 {
-            queue.retire();
-        }
-    }
-
-    /// Position and speed inside a stretch.
-    fn sample(&mut self, stretch: &Stretch, queue: &mut Queue) {
+    /// Where it is inside a stretch.
+    fn locate(&mut self, stretch: &Stretch, track: &mut impl Track) {
         match *stretch {
-            Stretch::Piece(piece) => (self.s, self.speed) = piece.at(self.t),
+            Stretch::Piece(piece) => {
+                (self.s, self.speed) = piece.at(self.t);
+                self.place = Place::Path { cell: track.pass(self.s), s: self.s };
+            }
             Stretch::Corner { s, end, cell, pace, time, .. } => {
-                self.retire_to(queue, cell);
+                track.pass_to(cell);
                 let x = self.t * pace / time;
-                if let Shape::Corner(corner) = &queue.cell(cell).shape {
-                    self.position = corner.at(x);
-                    self.speed = corner.speed(x) * pace;
-                }
+                self.place = Place::Corner { cell, x, pace };
+                // The speed itself is worked out with the point.
+                self.speed = pace;
                 self.s = s + (end - s) * x;
-                self.tag = queue.tag_at(self.s).unwrap_or(self.tag);
-                return;
             }
             Stretch::Axes { .. } | Stretch::Rest { .. } => return,
         }
-        while queue.len() > 1 && queue.node(queue.head()).end() < self.s && !queue.node(queue.head()).rests {
-            queue.retire();
+        self.mark = Some(self.s);
+    }
+
+    /// Works out where the axes are.
+    pub fn look(&mut self, track: &mut impl Track) {
+        let found = match std::mem::replace(&mut self.place, Place::Same) {
+            Place::Same => None,
+            Place::Point(point) => Some((point, self.speed)),
+            Place::Path { cell, s } => {
+                let look = |strip: &Strip| strip.cell.shape.at((s - strip.s).clamp(0.0, strip.len));
+                track.cell(cell, look).map(|point| (point, self.speed))
+            }
+            Place::Corner { cell, x, pace } => track
+                .cell(cell, |strip| match &strip.cell.shape {
+                    Shape::Corner(corner) => Some((corner.at(x), corner.speed(x) * pace)),
+                    _ => None,
+                })
+                .flatten(),
+        };
+        if let Some((position, speed)) = found {
+            (self.position, self.speed) = (position, speed);
         }
-        let head = queue.head();
-        let node = queue.node(head);
-        let within = (self.s - node.s).clamp(0.0, node.len);
-        self.position = queue.cell(head).shape.at(within);
-        self.tag = queue.tag_at(self.s).unwrap_or(self.tag);
     }
 }

@@ -15,6 +15,10 @@
 //! **A plan is never replaced by one that does not keep the bounds.** Every piece is checked; if a new plan fails,
 //! the one before is run on, and at its end the machine is at rest, from where a plan always exists.
 //!
+//! **What is handed over** is what a new plan made other: [`Plan::plan`], [`Plan::renew`] and [`Plan::stop`] say from
+//! which stretch on. Stretches are counted from the first one on. If it comes too late [`Plan::undo`] brings back what
+//! runs.
+//!
 //! **Corners** are run at a pace at which the lines beside them are long enough to stop on, so that sections on
 //! either side can be planned apart.
 
@@ -75,7 +79,7 @@ const LEAST_PACE: f64 = 0.1;
 const BRAKE_STEP: f64 = 0.002;
 
 /// Most steps of braking.
-const BRAKE_STEPS: usize = 2000;
+pub(crate) const BRAKE_STEPS: usize = 2000;
 
 /// Share of the bounds that braking uses.
 const BRAKE_SHARE: f64 = 0.95;
@@ -141,6 +145,14 @@ struct Start {
     cell: u64,
 }
 
+/// What is brought back with the plan before.
+#[derive(Clone, Copy, Debug)]
+struct Kept {
+    fixed: usize,
+    next: Start,
+    planned: u64,
+}
+
 /// The plan: what is to be run, and what is final of it.
 #[derive(Debug)]
 pub(crate) struct Plan {
@@ -154,16 +166,18 @@ pub(crate) struct Plan {
     planned: u64,
     overrides: Overrides,
     grid: Grid,
+    /// Number of the first stretch of the list.
+    base: u64,
     /// The plan before, should the new one fail.
     before: Vec<Stretch>,
-    kept: (usize, Start),
+    kept: Kept,
     brake: Vec<Piece>,
     /// Stretches to be run before planning is tried again.
     patience: usize,
 }
 
 /// Most stretches: every step of the sections that are known.
-const STRETCHES: usize = 8 * CELLS;
+pub(crate) const STRETCHES: usize = 8 * CELLS;
 
 impl Plan {
     pub fn new() -> Plan {
@@ -176,8 +190,9 @@ impl Plan {
             planned: 0,
             overrides: Overrides { feed: 1.0, rapid: 1.0 },
             grid: Grid::new(),
+            base: 0,
             before: Vec::with_capacity(STRETCHES),
-            kept: (0, start),
+            kept: Kept { fixed: 0, next: start, planned: 0 },
             brake: Vec::with_capacity(BRAKE_STEPS + 1),
             patience: 0,
         }
@@ -194,6 +209,17 @@ impl Plan {
     /// The stretch being run.
     pub fn current(&self) -> Option<&Stretch> {
         self.stretches.get(self.current)
+    }
+
+    /// Number of the stretch being run.
+    pub fn number(&self) -> u64 {
+        self.base + self.current as u64
+    }
+
+    /// The stretches from number `number` on.
+    pub fn from(&self, number: u64) -> &[Stretch] {
+        let skip = usize::try_from(number.saturating_sub(self.base)).unwrap_or(usize::MAX);
+        self.stretches.get(skip..).unwrap_or(&[])
     }
 
     /// Goes on to the next stretch.
@@ -217,6 +243,7 @@ impl Plan {
     pub fn clear(&mut self, queue: &Queue) {
         self.stretches.clear();
         self.patience = 0;
+        self.base += self.current as u64;
         self.current = 0;
         self.fixed = 0;
         self.next.cell = queue.head();
@@ -224,16 +251,17 @@ impl Plan {
     }
 
     /// Plans everything behind this moment again, because the overrides are others. The path is `t` seconds inside the
-    /// stretch being run. `false` if no plan is possible from there: then the one before stands, and it is to be tried
-    /// again later.
-    pub fn renew(&mut self, queue: &Queue, t: f64) -> bool {
+    /// stretch being run. `None` if no plan is possible from there: then the one before stands, and it is to be tried
+    /// again later. Else what is another, from the stretch being run on.
+    pub fn renew(&mut self, queue: &Queue, t: f64) -> Option<u64> {
         self.keep();
         self.cut(t);
-        let Some(start) = self.behind_current(queue) else { return true };
+        let changed = self.number();
+        let Some(start) = self.behind_current(queue) else { return Some(changed) };
         let fixed = self.stretches.len().min(self.current + 1);
         self.stretches.truncate(fixed);
         if self.sections(queue, start, 1.0) {
-            return true;
+            return Some(changed);
         }
         let limit = self.limit(queue, start.cell);
         for share in BRAKE_TO {
@@ -249,16 +277,16 @@ impl Plan {
             self.fixed = self.stretches.len();
             self.next = behind;
             if self.sections(queue, behind, 1.0) {
-                return true;
+                return Some(changed);
             }
         }
         self.give_up(queue);
-        false
+        None
     }
 
     /// Plans the cells behind what is final, to rest at the last one. `at` is where the path begins if nothing is
-    /// planned.
-    pub fn plan(&mut self, queue: &Queue, at: f64) {
+    /// planned. From which stretch on the plan is another; `None` if it stands.
+    pub fn plan(&mut self, queue: &Queue, at: f64) -> Option<u64> {
         self.keep();
         if self.stretches.is_empty() {
             let s = at.max(queue_start(queue, queue.head()));
@@ -266,7 +294,7 @@ impl Plan {
             self.next = Start { port: Port { s, state: State::REST }, cell };
             self.fixed = 0;
         } else if self.fixed <= self.current {
-            let Some(next) = self.behind_current(queue) else { return };
+            let next = self.behind_current(queue)?;
             self.next = next;
             self.fixed = self.stretches.len().min(self.current + 1);
         }
@@ -275,13 +303,14 @@ impl Plan {
             self.stretches.truncate(fixed);
             (self.next, self.fixed) = (start, fixed);
             if self.sections(queue, start, 0.3_f64.powi(round)) {
-                return;
+                return Some(self.base + fixed as u64);
             }
             if start.port.state != State::REST {
                 break;
             }
         }
         self.give_up(queue);
+        None
     }
 
     /// Notes the plan as it is. What was run is forgotten.
@@ -291,16 +320,30 @@ impl Plan {
             self.stretches.drain(..gone);
             self.fixed = self.fixed.saturating_sub(gone);
             self.current -= gone;
+            self.base += gone as u64;
         }
         self.before.clear();
         self.before.extend_from_slice(&self.stretches);
-        self.kept = (self.fixed, self.next);
+        self.kept = Kept { fixed: self.fixed, next: self.next, planned: self.planned };
     }
 
     /// The plan noted stands.
     fn restore(&mut self) {
         std::mem::swap(&mut self.before, &mut self.stretches);
-        (self.fixed, self.next) = self.kept;
+        (self.fixed, self.next) = (self.kept.fixed, self.kept.next);
+    }
+
+    /// The plan before the last that was made stands, as if that had never been made.
+    pub fn undo(&mut self) {
+        self.restore();
+        self.planned = self.kept.planned;
+    }
+
+    /// Nothing is run behind what was run so far.
+    pub fn end_here(&mut self) {
+        self.keep();
+        self.stretches.truncate(self.current);
+        self.fixed = self.stretches.len();
     }
 
     /// The plan noted stands; planning is not tried again before there is something new and a part of it was run.
@@ -337,9 +380,10 @@ impl Plan {
         })
     }
 
-    /// Brings the path to rest as soon as the bounds allow; it is `t` seconds inside the stretch being run. `false` if
-    /// it cannot be stopped before a corner or a rest, or not from this state: then it is to be tried again later.
-    pub fn stop(&mut self, queue: &Queue, t: f64) -> bool {
+    /// Brings the path to rest as soon as the bounds allow; it is `t` seconds inside the stretch being run, from which
+    /// on the plan is another. `None` if it cannot be stopped before a corner or a rest, or not from this state: then
+    /// it is to be tried again later.
+    pub fn stop(&mut self, queue: &Queue, t: f64) -> Option<u64> {
         self.keep();
         self.cut(t);
         if let (Some(Stretch::Piece(_)), Some(start)) = (self.current(), self.behind_current(queue)) {
@@ -348,11 +392,11 @@ impl Plan {
                 self.stretches.truncate(self.current + 1);
                 self.stretches.extend(self.brake.iter().map(|piece| Stretch::Piece(*piece)));
                 self.fixed = self.stretches.len();
-                return true;
+                return Some(self.number());
             }
         }
         self.restore();
-        false
+        None
     }
 
     /// Finds the pieces that slow down from `start` to `target` before `limit`.

@@ -65,9 +65,17 @@ impl Node {
 
 /// The end of a block.
 #[derive(Clone, Copy, Debug, Default)]
-struct Mark {
+pub(crate) struct Mark {
     s: f64,
-    tag: u64,
+    pub tag: u64,
+}
+
+impl Mark {
+    /// Whether the block ends before `s`.
+    #[inline]
+    pub fn is_before(&self, s: f64) -> bool {
+        self.s < s - SAME_LENGTH
+    }
 }
 
 /// The ring of cells, and the one of marks.
@@ -82,6 +90,8 @@ pub(crate) struct Queue {
     last_mark: u64,
     /// How many cells end at rest.
     rests: usize,
+    /// Cells and marks before these were handed over.
+    handed: [u64; 2],
 }
 
 fn slot(number: u64) -> usize {
@@ -114,6 +124,7 @@ impl Queue {
             first_mark: 0,
             last_mark: 0,
             rests: 0,
+            handed: [0; 2],
         }
     }
 
@@ -165,12 +176,22 @@ impl Queue {
 
     /// The path rests at the end of the newest cell, on this point.
     pub fn rest_at(&mut self, point: Position) {
-        if self.head < self.tail {
-            let slot = slot(self.tail - 1);
-            self.cells[slot].rest = Some(point);
-            self.rests += usize::from(!self.nodes[slot].rests);
-            self.nodes[slot].rests = true;
+        if self.head == self.tail {
+            return;
         }
+        let newest = self.tail - 1;
+        if newest < self.handed[0] && self.room() > 0 {
+            // What was handed over stays as it is.
+            let node = *self.node(newest);
+            let cell = Cell { shape: Shape::Line { p: point, d: Position::ZERO }, rest: Some(point) };
+            let load = Load::NONE;
+            return self
+                .append(cell, Node { s: node.end(), len: 0.0, load, pass: Pass::Path, rests: true, ..node });
+        }
+        let slot = slot(newest);
+        self.cells[slot].rest = Some(point);
+        self.rests += usize::from(!self.nodes[slot].rests);
+        self.nodes[slot].rests = true;
     }
 
     /// Notes that the block `tag` ends at `s`; the caller looked for room.
@@ -179,14 +200,43 @@ impl Queue {
         self.last_mark += 1;
     }
 
-    /// The block at `s`; those before it are forgotten.
-    pub fn tag_at(&mut self, s: f64) -> Option<u64> {
-        while self.first_mark + 1 < self.last_mark
-            && self.marks[mark_slot(self.first_mark)].s < s - SAME_LENGTH
-        {
+    /// The marks of the blocks that end before `s` are forgotten.
+    pub fn pass_marks(&mut self, s: f64) {
+        while self.first_mark + 1 < self.last_mark && self.marks[mark_slot(self.first_mark)].is_before(s) {
             self.first_mark += 1;
         }
-        (self.first_mark < self.last_mark).then(|| self.marks[mark_slot(self.first_mark)].tag)
+    }
+
+    /// Number of the oldest mark.
+    pub fn first_mark(&self) -> u64 {
+        self.first_mark
+    }
+
+    /// How many cells and marks are to be handed over.
+    pub fn to_hand(&self) -> [usize; 2] {
+        [self.tail - self.handed[0], self.last_mark - self.handed[1]].map(|count| count as usize)
+    }
+
+    /// Hands cells over, each to `give`, which says whether it took it.
+    pub fn hand_cells(&mut self, mut give: impl FnMut(&Node, &Cell) -> bool) -> bool {
+        while self.handed[0] < self.tail {
+            if !give(self.node(self.handed[0]), self.cell(self.handed[0])) {
+                return false;
+            }
+            self.handed[0] += 1;
+        }
+        true
+    }
+
+    /// The same for marks.
+    pub fn hand_marks(&mut self, mut give: impl FnMut(Mark) -> bool) -> bool {
+        while self.handed[1] < self.last_mark {
+            if !give(self.marks[mark_slot(self.handed[1])]) {
+                return false;
+            }
+            self.handed[1] += 1;
+        }
+        true
     }
 
     /// Takes the oldest cell away.
@@ -199,6 +249,9 @@ impl Queue {
 
     /// Forgets every cell.
     pub fn clear(&mut self) {
+        // Numbers that nobody else knows are used again.
+        self.tail = self.handed[0].max(self.head);
+        self.last_mark = self.handed[1].max(self.first_mark);
         self.head = self.tail;
         self.first_mark = self.last_mark;
         self.rests = 0;
