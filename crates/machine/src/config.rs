@@ -1,6 +1,8 @@
 //! The machine file: axes with their limits, spindle, tool changer, path control.
 
+use crate::homing::{AxisHoming, HomingConfig};
 use crate::manual::ManualConfig;
+use crate::plant::PlantConfig;
 use crate::servo::{Backlash, PitchErrors, ServoConfig, Smoothing};
 use ferrocut_geometry::{Axis, AxisSet, Position};
 use serde::Deserialize;
@@ -39,6 +41,12 @@ pub struct Machine {
     /// Moving by hand.
     #[serde(default)]
     pub manual: ManualConfig,
+    /// Machine zero return.
+    #[serde(default)]
+    pub homing: HomingConfig,
+    /// The simulated machine, where the drives are not ideal.
+    #[serde(default)]
+    pub plant: Option<PlantConfig>,
     /// The control's own parameters that differ from its factory setting, by their own names.
     #[serde(default)]
     pub parameters: std::collections::BTreeMap<String, f64>,
@@ -94,6 +102,9 @@ pub struct AxisConfig {
     /// The same after a cutting move, where it is another.
     #[serde(default)]
     pub in_position_cutting: Option<f64>,
+    /// How the axis finds its reference point.
+    #[serde(default)]
+    pub homing: AxisHoming,
 }
 
 impl AxisConfig {
@@ -205,7 +216,7 @@ fn default_tolerance() -> f64 {
     0.01
 }
 
-fn axis_letter<'de, D: serde::Deserializer<'de>>(from: D) -> Result<Axis, D::Error> {
+pub(crate) fn axis_letter<'de, D: serde::Deserializer<'de>>(from: D) -> Result<Axis, D::Error> {
     let name = String::deserialize(from)?;
     let axis = match name.as_bytes() {
         [letter] => Axis::from_letter(*letter),
@@ -279,6 +290,7 @@ impl Machine {
             for (key, smoothing) in axis.smoothing() {
                 smoothing.check(&format!("axis {name}: {key}"))?;
             }
+            axis.homing.check(&format!("axis {name}: homing"))?;
             if let Some(table) = &axis.pitch_errors {
                 table.check(&format!("axis {name}: pitch_errors"))?;
             }
@@ -295,6 +307,8 @@ impl Machine {
             }
         }
         self.manual.check()?;
+        self.homing.check()?;
+        self.plant.iter().try_for_each(PlantConfig::check)?;
         not_negative("servo: in_position_ms", self.servo.in_position_ms)?;
         not_negative("tool_change: time_s", self.tool_change.time_s)?;
         not_negative("path: tolerance", self.path.tolerance)
@@ -314,6 +328,8 @@ impl Machine {
             path: PathConfig::default(),
             servo: ServoConfig::default(),
             manual: ManualConfig::default(),
+            homing: HomingConfig::default(),
+            plant: None,
             parameters: Default::default(),
         })
     }
