@@ -21,7 +21,7 @@ pub mod supervision;
 
 pub use clock::Clock;
 pub use cnc::{Cnc, Event, State, Tick};
-pub use drives::Drives;
+pub use drives::{Drives, Plant, Switches};
 pub use manual::{JogSpeed, JogWay};
 pub use programmed::{Programmed, Way};
 pub use report::{Activity, Report};
