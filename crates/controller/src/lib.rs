@@ -12,6 +12,7 @@ pub mod api;
 pub mod clock;
 pub mod cnc;
 pub mod drives;
+mod homing;
 pub mod manual;
 pub mod programmed;
 pub mod report;
