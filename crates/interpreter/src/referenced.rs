@@ -2,10 +2,13 @@
 //! 6#0 and 6#3). At a desk all are known.
 
 use crate::Fallible;
+use crate::coordinates::SetPosition;
 use crate::dialect::Meaning;
 use crate::interpreter::Interpreter;
+use crate::modal::Group;
+use crate::stages::work_offset::{System, WorkSystem};
 use ferrocut_geometry::AxisSet;
-use ferrocut_machine::Fault;
+use ferrocut_machine::{Fault, WorkOffset};
 
 /// Axes that were not homed, and what programs may do with them.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -23,6 +26,21 @@ impl Interpreter {
     /// reference points.
     pub fn set_unreferenced(&mut self, unreferenced: Unreferenced) {
         self.unreferenced = unreferenced;
+    }
+
+    /// Axes were homed by hand: a system that G92 made of its own is lost, that of the table is in force again
+    /// (GSK990MC part 2, 4.1.5 note 3).
+    pub fn homed_by_hand(&mut self) {
+        let is_own = self.rules.coordinates.set_position == SetPosition::OwnSystem;
+        let Meaning::WorkOffset(number) = self.modal.meaning(Group::WorkOffset) else { return };
+        if !is_own || self.location.work.system != System::Floating {
+            return;
+        }
+        let before = WorkSystem::at_machine_zero();
+        if let Some(system) = WorkSystem::select(WorkOffset::Standard(number), &self.memory.work, &before) {
+            self.location.work = system;
+            self.location.take_machine();
+        }
     }
 
     /// Whether a block may name these axes with its code, or without one that acts alone.

@@ -149,6 +149,9 @@ impl Cnc {
             self.drives.rename(&(named + self.servo.added()));
             self.actual = self.actual + named - at;
             self.tell_unreferenced();
+            if !matches!(self.state, State::Running | State::Held) {
+                self.interpreter.homed_by_hand();
+            }
         }
         // The generator of manual motion takes the names with its limits.
         self.manual.rename(named);

@@ -6,6 +6,7 @@ mod simulated;
 pub use plant::{Block, Plant, Trouble};
 pub use simulated::Simulated;
 
+use crate::signals::Inputs;
 use ferrocut_geometry::{Axis, AxisSet, Position};
 
 /// The switches of the axes and the probe, as they stand now.
@@ -19,6 +20,27 @@ pub struct Switches {
     pub below: AxisSet,
     /// The probe touches.
     pub skip: bool,
+}
+
+impl Switches {
+    /// The switches as the ladder says that they stand, for a machine with these axes in the order of its file
+    /// (GSK990MC 6#5: home switches go through it).
+    pub fn of(inputs: &Inputs, axes: impl IntoIterator<Item = Axis>) -> Switches {
+        let mut switches = Switches { skip: inputs.skip, ..Switches::default() };
+        let ways = inputs.at_limit.iter().zip(inputs.on_home_switch);
+        for (axis, (at_limit, on_home_switch)) in axes.into_iter().zip(ways) {
+            for (set, is_in) in [
+                (&mut switches.home, on_home_switch),
+                (&mut switches.above, at_limit.plus),
+                (&mut switches.below, at_limit.minus),
+            ] {
+                if is_in {
+                    *set = set.with(axis);
+                }
+            }
+        }
+        switches
+    }
 }
 
 /// The drives of a machine, asked once a servo period. Positions are mm and degrees, by the names that the axes have.
