@@ -6,13 +6,18 @@
 //! then, so that the step acts on a machine in the state that the program means. An alarm waits in
 //! the same way: the moves before it are finished, the one at fault does not begin.
 
-use crate::drives::{Drives, Simulated};
+mod overtravel;
+mod reference;
+mod skip;
+
+use crate::drives::{Drives, Simulated, Switches};
+use crate::homing::Homing;
 use crate::manual::{JogSpeed, JogWay, Manual};
 use crate::programmed::{Programmed, Way};
 use crate::report::{Activity, Report};
 use crate::spindle::Spindle;
 use crate::supervision::Supervisor;
-use ferrocut_geometry::{Axis, Position};
+use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_interpreter::{AtRest, Interpreter};
 use ferrocut_machine::{Alarm, Fault, Machine, Severity};
 use ferrocut_motion::servo::{Kind, Servo, ServoFault, ServoFaultKind};
@@ -20,6 +25,8 @@ use ferrocut_motion::synchron::{Synchron, Thread};
 use ferrocut_motion::{Motion, Move};
 use ferrocut_program::Span;
 use ferrocut_toolpath::{Dwell, Feed, Op, PathMode, SpindleState, Step};
+use overtravel::Overtravel;
+use skip::Probing;
 use std::collections::VecDeque;
 
 /// What the control is doing.
@@ -94,6 +101,8 @@ impl Given {
 #[derive(Debug)]
 enum Waiting {
     Step(Step),
+    /// The end of a skip move.
+    Skip,
     Alarm(Box<Alarm>),
 }
 
@@ -137,6 +146,15 @@ pub struct Cnc {
     servo: Servo,
     synchron: Synchron,
     manual: Manual,
+    homing: Homing,
+    /// The axes of the machine.
+    machine_axes: AxisSet,
+    /// What the ladder says of the switches.
+    wired: Option<Switches>,
+    overtravel: Overtravel,
+    probing: Option<Probing>,
+    /// By how much the skip moves of this block ended beside what is programmed.
+    skip_shift: Position,
     hole: Option<Hole>,
     stroke: Option<Stroke>,
     /// Highest acceleration of the spindle in a thread, inwards and outwards, r/min per second.
@@ -184,13 +202,20 @@ impl Cnc {
         let start = interpreter.position();
         let period = machine.servo_period_ms / 1000.0;
         let motion = Motion::new(machine, start);
-        Cnc {
+        let knows_places = drives.knows_places() || machine.homing.absolute;
+        let mut cnc = Cnc {
             supervisor: Supervisor::new(machine, interpreter.dialect(), start),
             given: VecDeque::with_capacity(motion.free() + 1),
             motion,
             servo: Servo::new(machine, start),
             synchron: Synchron::new(machine, start),
             manual: Manual::new(machine, start),
+            homing: Homing::new(machine),
+            machine_axes: machine.axis_set(),
+            wired: None,
+            overtravel: Overtravel::new(machine.homing.ignores_switches),
+            probing: None,
+            skip_shift: Position::ZERO,
             hole: None,
             stroke: None,
             tapping_rates: [machine.spindle.tapping_rpm_s, machine.spindle.tapping_retract_rpm_s]
@@ -215,7 +240,20 @@ impl Cnc {
             report: Report::new(period),
             events: Vec::new(),
             failed: None,
+        };
+        if !knows_places {
+            cnc.set_referenced(AxisSet::EMPTY);
         }
+        if cnc.drives.has_probe() {
+            let (min, max) = machine.limits();
+            cnc.interpreter.fit_probe(min, max);
+        }
+        cnc
+    }
+
+    /// The drives, for what they have beside the axes.
+    pub fn drives(&mut self) -> &mut dyn Drives {
+        self.drives.as_mut()
     }
 
     /// What the control is doing.
@@ -261,6 +299,9 @@ impl Cnc {
             return;
         }
         self.manual.stop();
+        if self.state == State::Ready {
+            self.tell_unreferenced();
+        }
         if let Some(hole) = self.hole.as_mut().filter(|hole| hole.asked == Some(Asked::Hold)) {
             hole.asked = None;
         }
@@ -285,6 +326,7 @@ impl Cnc {
     /// 4.5.1).
     pub fn reset(&mut self) {
         self.manual.stop();
+        self.homing.abort();
         if matches!(self.state, State::Ended | State::Reset) || self.asked_in_hole(Asked::Reset) {
             return;
         }
@@ -294,9 +336,11 @@ impl Cnc {
     /// Brings axes and spindle to rest at once, in a thread in step, and forgets the rest of the program.
     pub fn emergency_stop(&mut self) {
         self.manual.stop();
-        if !matches!(self.state, State::Ended | State::Reset) {
+        let homing = self.stop_homing();
+        if homing.is_some() || !matches!(self.state, State::Ended | State::Reset) {
             self.come_to_rest();
             self.spindle.command(SpindleState::Off, &self.commanded);
+            self.failed = homing;
         }
     }
 
@@ -317,6 +361,8 @@ impl Cnc {
 
     fn come_to_rest(&mut self) {
         self.manual.stop();
+        self.homing.abort();
+        self.probing = None;
         self.synchron.stop();
         self.hole = None;
         self.motion.abort();
@@ -340,7 +386,7 @@ impl Cnc {
     pub fn jog(&mut self, axis: Axis, way: JogWay, speed: JogSpeed) -> bool {
         let takes = self.take_by_hand();
         if takes {
-            self.manual.jog(axis, way, speed);
+            self.manual.jog(axis, self.off_switch(axis, way), speed);
         }
         takes
     }
@@ -349,7 +395,7 @@ impl Cnc {
     pub fn jog_step(&mut self, axis: Axis, steps: i64, increment: f64) -> bool {
         let takes = self.take_by_hand();
         if takes {
-            self.manual.step(axis, steps, increment);
+            self.manual.step(axis, self.steps_off_switch(axis, steps, increment), increment);
         }
         takes
     }
@@ -359,13 +405,17 @@ impl Cnc {
     pub fn handwheel(&mut self, axis: Axis, counts: i64, increment: f64) -> bool {
         let takes = self.take_by_hand();
         if takes {
-            self.manual.wheel(axis, counts, increment);
+            self.manual.wheel(axis, self.steps_off_switch(axis, counts, increment), increment);
         }
         takes
     }
 
     /// Gives the axes to whoever moves them by hand, if no program has them.
     fn take_by_hand(&mut self) -> bool {
+        if self.may_leave_switch() {
+            self.interpreter.reset(self.commanded);
+            self.state = State::Reset;
+        }
         let takes = matches!(self.state, State::Ready | State::Ended | State::Reset);
         if takes {
             self.manual.take(self.motion.position());
@@ -398,6 +448,7 @@ impl Cnc {
 
     fn period(&mut self) -> Tick {
         match self.state {
+            State::Running if self.manual.is_active => return self.move_by_hand(),
             State::Running => {}
             State::Held | State::Resetting => return self.slow_down(),
             _ if self.manual.is_active => return self.move_by_hand(),
@@ -427,6 +478,10 @@ impl Cnc {
                 if self.state != State::Running {
                     return self.at_rest();
                 }
+                if self.manual.is_active {
+                    // Axes search their reference points; the program waits.
+                    return self.move_by_hand();
+                }
                 continue;
             }
             return self.move_on();
@@ -441,21 +496,27 @@ impl Cnc {
             self.span = given.span;
             self.kind = given.kind();
             self.report.period(given.activity);
+            let running = given.tag;
+            self.arm_probe(running);
         }
         let position = self.exchange(&setpoint.position);
+        self.watch_probe();
         let (actual, velocity) = (self.actual, setpoint.velocity);
         Tick { position, actual, velocity, span: self.span, moving: true }
     }
 
     /// A period of moving by hand. Once the axes stand, the program goes on from there.
     fn move_by_hand(&mut self) -> Tick {
+        self.home_on();
         let (at, velocity) = self.manual.tick();
         self.kind = Kind::Jog;
         let position = self.exchange(&at);
         let tick = Tick { position, actual: self.actual, velocity, span: self.span, moving: true };
         // A failed axis may never come to its place.
-        if self.manual.is_at_rest() && (self.servo.is_at_rest() || self.failed.is_some()) {
+        let stand = self.manual.is_at_rest() && !self.homing.is_active();
+        if stand && (self.servo.is_at_rest() || self.failed.is_some()) {
             self.manual.is_active = false;
+            let at = self.name_homed(at);
             self.motion.rename(at);
             self.supervisor.moved_to(at);
             self.commanded = at;
@@ -594,6 +655,8 @@ impl Cnc {
         if let Some(fault) = fault {
             self.fail(&fault);
         }
+        self.watch_switches();
+        self.note_reference(&command.position);
         command.position
     }
 
@@ -708,7 +771,8 @@ impl Cnc {
         self.motion.finish();
     }
 
-    fn take_step(&mut self, step: Step) {
+    fn take_step(&mut self, mut step: Step) {
+        self.shift_skip(&mut step);
         let mut refused = None;
         let events = &mut self.events;
         self.supervisor.step(&step, |alarm| match alarm.severity {
@@ -756,6 +820,12 @@ impl Cnc {
             _ => true,
         };
         self.given.push_back(Given { tag, span: step.span, activity, length, min, max, stops, programmed });
+        if matches!(step.op, Op::Skip { .. }) {
+            self.begin_probing(tag, from);
+            if self.probing.is_some() {
+                self.wait_for(Waiting::Skip);
+            }
+        }
     }
 
     /// Whether a feed per revolution waits for a spindle that does not turn.
@@ -768,7 +838,11 @@ impl Cnc {
     fn finish_moves(&mut self, running: u64) {
         while let Some(given) = self.given.front().copied().filter(|g| g.tag < running) {
             self.given.pop_front();
-            self.report.finished(given.activity, given.length, given.min, given.max);
+            let (length, min, max) = match self.braked_way(given.tag) {
+                Some((from, to)) => (from.distance(to), from.min(to), from.max(to)),
+                None => (given.length, given.min, given.max),
+            };
+            self.report.finished(given.activity, length, min, max);
         }
     }
 
@@ -780,6 +854,7 @@ impl Cnc {
                 self.state = State::Alarmed(alarm);
                 return;
             }
+            Waiting::Skip => return self.end_probing(),
             Waiting::Step(step) => step,
         };
         self.span = step.span;
@@ -794,6 +869,7 @@ impl Cnc {
                 }
             }
             Op::Barrier => {
+                self.skip_shift = Position::ZERO;
                 let (commanded, actual) = (self.commanded, self.actual);
                 self.interpreter.came_to_rest(&AtRest { commanded, actual, skip: None });
                 // A program that waits for an input in a loop lets time go on.
@@ -822,6 +898,7 @@ impl Cnc {
                 self.events.push(Event::ToolChange(tool));
                 self.keep_busy(Activity::ToolChange, self.tool_change_s);
             }
+            Op::Home(axes) => self.home_by_program(axes),
             Op::Message(text) => self.events.push(Event::Message(text)),
             Op::Stop(code) => self.state = State::Stopped(code),
             Op::End(code) => {

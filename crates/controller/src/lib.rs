@@ -12,6 +12,7 @@ pub mod api;
 pub mod clock;
 pub mod cnc;
 pub mod drives;
+mod homing;
 pub mod manual;
 pub mod programmed;
 pub mod report;
@@ -21,7 +22,7 @@ pub mod supervision;
 
 pub use clock::Clock;
 pub use cnc::{Cnc, Event, State, Tick};
-pub use drives::Drives;
+pub use drives::{Drives, Plant, Switches};
 pub use manual::{JogSpeed, JogWay};
 pub use programmed::{Programmed, Way};
 pub use report::{Activity, Report};

@@ -7,7 +7,7 @@ use ferrocut_geometry::{AXES, Axis, Position};
 use ferrocut_machine::Machine;
 use ferrocut_machine::manual::ManualConfig;
 use ferrocut_motion::Jog;
-use ferrocut_motion::jog::Surplus;
+use ferrocut_motion::jog::{Surplus, Travel};
 
 /// Which way a jog key leads.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -36,6 +36,10 @@ pub enum JogSpeed {
 struct Speeds {
     velocity: f64,
     rapid: f64,
+    /// Software limits, mm.
+    travel: Travel,
+    /// Whether the rapid key is dead: before homing, where a parameter says so (GSK990MC 12#0).
+    no_rapid: bool,
 }
 
 /// Axes moved by hand.
@@ -58,7 +62,12 @@ impl Manual {
         for axis in &machine.axes {
             if let Some(place) = speeds.get_mut(axis.name.index()) {
                 let rapid = axis.manual_rapid.unwrap_or(axis.rapid).min(axis.rapid);
-                *place = Speeds { velocity: axis.velocity / 60.0, rapid: rapid / 60.0 };
+                *place = Speeds {
+                    velocity: axis.velocity / 60.0,
+                    rapid: rapid / 60.0,
+                    travel: (axis.min, axis.max),
+                    no_rapid: false,
+                };
             }
         }
         Manual {
@@ -89,13 +98,12 @@ impl Manual {
     }
 
     fn run(&mut self, axis: Axis, way: JogWay, speed: JogSpeed) {
-        let Speeds { velocity, rapid } = self.of(axis);
+        let Speeds { velocity, rapid, no_rapid, .. } = self.of(axis);
         let speed = match speed {
+            JogSpeed::Rapid if no_rapid => (self.config.jog / 60.0 * self.feed).min(velocity),
             JogSpeed::Feed => (self.config.jog / 60.0 * self.feed).min(velocity),
             JogSpeed::Of(speed) => (speed.abs() / 60.0 * self.feed).min(velocity),
-            // The lowest step of the rapid override is a speed (4.1.3).
-            JogSpeed::Rapid if self.rapid == 0.0 => (self.config.rapid_f0 / 60.0).min(rapid),
-            JogSpeed::Rapid => rapid * self.rapid,
+            JogSpeed::Rapid => self.under_rapid_override(rapid),
         };
         self.jog.run(
             axis,
@@ -133,6 +141,56 @@ impl Manual {
         let counts = if self.config.handwheel_reversed { counts.saturating_neg() } else { counts };
         self.let_go(axis);
         self.jog.wheel(axis, counts, increment, speed, surplus);
+    }
+
+    /// Whether software limits of an axis hold, and whether it may be jogged at rapid speed. An axis that moves keeps
+    /// the limits that it has.
+    pub fn set_travel(&mut self, axis: Axis, holds: bool, rapid: bool) {
+        if let Some(speeds) = self.speeds.get_mut(axis.index()) {
+            speeds.no_rapid = !rapid;
+            self.jog.set_travel(axis, holds.then_some(speeds.travel));
+        }
+    }
+
+    /// Moves an axis on at a speed, mm/s with sign; 0 stops it.
+    pub fn drive(&mut self, axis: Axis, speed: f64) {
+        self.jog.run(axis, speed);
+    }
+
+    /// Moves an axis to a place at a speed, mm/s; 0 stops it on the way.
+    pub fn go(&mut self, axis: Axis, place: f64, speed: f64) {
+        match speed > 0.0 {
+            true => self.jog.go(axis, place, speed),
+            false => self.jog.run(axis, 0.0),
+        }
+    }
+
+    /// Its speed, mm/s.
+    pub fn velocity(&self, axis: Axis) -> f64 {
+        self.jog.velocity()[axis]
+    }
+
+    /// The axes stand at `at` from here on.
+    pub fn rename(&mut self, at: Position) {
+        self.jog.rename(at);
+    }
+
+    /// Where an axis is commanded to be.
+    pub fn at(&self, axis: Axis) -> f64 {
+        self.jog.position()[axis]
+    }
+
+    /// Whether an axis stands where it was told to.
+    pub fn stands(&self, axis: Axis) -> bool {
+        self.jog.stands(axis)
+    }
+
+    /// A speed under the rapid override, mm/s. Its lowest step is a speed (4.1.3).
+    pub fn under_rapid_override(&self, speed: f64) -> f64 {
+        match self.rapid == 0.0 {
+            true => (self.config.rapid_f0 / 60.0).min(speed),
+            false => speed * self.rapid,
+        }
     }
 
     /// Whether a key is held, also one that moves nothing now.

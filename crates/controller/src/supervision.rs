@@ -34,6 +34,8 @@ struct AxisLimits {
     number: usize,
     min: f64,
     max: f64,
+    /// Whether they hold: not before the machine knows where the axis is.
+    holds: bool,
     beyond: Option<bool>,
 }
 
@@ -45,6 +47,7 @@ impl Supervisor {
             number,
             min: a.min,
             max: a.max,
+            holds: true,
             beyond: None,
         });
         Supervisor {
@@ -62,6 +65,13 @@ impl Supervisor {
     /// Notes where the axes are after a block that made no steps, as a checker takes a faulty one.
     pub fn moved_to(&mut self, at: Position) {
         self.at = at;
+    }
+
+    /// Whether the software limits of an axis hold; from the start they do.
+    pub fn set_travel(&mut self, axis: Axis, holds: bool) {
+        for limits in self.axes.iter_mut().filter(|limits| limits.axis == axis) {
+            limits.holds = holds;
+        }
     }
 
     /// Tells each thing that the machine has against a step. A tool that stays beyond a limit, or a
@@ -114,7 +124,7 @@ impl Supervisor {
         if let Some(to) = step.op.target() {
             self.at = *to;
         }
-        for limits in &mut self.axes {
+        for limits in self.axes.iter_mut().filter(|limits| limits.holds) {
             let axis = limits.axis;
             let beyond = if max[axis] > limits.max + ON_LIMIT {
                 Some(true)

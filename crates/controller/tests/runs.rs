@@ -6,6 +6,7 @@ mod common;
 use common::{ACTIVITIES, Hand, cnc, cnc_with, ended, machine, run, run_with};
 use ferrocut_controller::{Activity, Cnc, Drives, Event, State, Tick};
 use ferrocut_geometry::{Axis, Position};
+use ferrocut_motion::LEAD_S;
 
 /// A little of everything that moves.
 const MIXED: &str = "G0 Z20\nT1 M6\nG0 X10 Y10 S1000 M3\nG1 Z-2 F600\nX40 F2000\nG3 X50 Y20 R10\nG1 Y40\n\

@@ -11,6 +11,8 @@ use crate::Fallible;
 use crate::dialect::Variable;
 use crate::interpreter::Interpreter;
 use ferrocut_geometry::Position;
+use ferrocut_machine::{Alarm, Fault};
+use ferrocut_program::Span;
 use ferrocut_toolpath::{Op, Step};
 
 /// The machine as it came to rest at a barrier. Machine positions of the axes, mm and degrees.
@@ -66,10 +68,33 @@ impl Interpreter {
             self.output.jump_to(self.location.machine);
         }
         if let Some(at) = machine.skip {
+            self.awaits_signal = None;
             self.location.skip = at - self.location.work.shift;
         }
         if self.dialect.blocks.is_some() {
             self.ngc_came_to_rest(machine.skip);
+        }
+    }
+
+    /// A probe is fitted to a machine with these software limits: skip moves are given out as programmed, and the
+    /// machine says at the barrier behind them where the signal came.
+    pub fn fit_probe(&mut self, min: Position, max: Position) {
+        self.probe = Some((min, max));
+    }
+
+    /// The machine came to rest behind a skip move without having had its signal: the alarm, where that is one.
+    pub fn missed_signal(&mut self) -> Option<Box<Alarm>> {
+        self.awaits_signal.take().map(|span| self.alarm(Fault::SkipWithoutSignal, span))
+    }
+
+    /// A skip move needs its signal and has none so far: an alarm, unless the machine has a probe that will tell.
+    pub(crate) fn miss_signal(&mut self, span: Span) -> Fallible<()> {
+        match self.probe {
+            None => Err(self.alarm(Fault::SkipWithoutSignal, span)),
+            Some(_) => {
+                self.awaits_signal = Some(span);
+                Ok(())
+            }
         }
     }
 

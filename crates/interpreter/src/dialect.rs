@@ -678,8 +678,8 @@ pub struct Dialect {
     pub addresses: &'static [Address],
     /// The numbers that its manual gives faults.
     pub alarms: &'static [(Fault, u16)],
-    /// Numbers of the soft limit alarms of axis `index`, lower and upper side.
-    pub soft_limit_alarm: fn(axis: usize, upper: bool) -> Option<u16>,
+    /// Numbers of faults that have one for each axis, counted from 0, and some for each side of it.
+    pub axis_alarm: fn(fault: Fault, axis: usize, upper: bool) -> Option<u16>,
     /// Writes what the parameters say of the drives over what the machine file says.
     pub machine_parameters: fn(&Parameters, &mut Machine),
     /// Alarm `n` of the program is this number and `n`; `None` where such alarms have no number.
@@ -731,7 +731,12 @@ impl Dialect {
 
     /// The alarm of the software limit of axis `index`, on its lower or upper side.
     pub fn soft_limit_id(&self, index: usize, upper: bool) -> AlarmId {
-        self.numbered((self.soft_limit_alarm)(index, upper), Fault::SoftLimit)
+        self.axis_alarm_id(Fault::SoftLimit, index, upper)
+    }
+
+    /// The alarm of a fault of axis `index`, where it has sides on its lower or upper one.
+    pub fn axis_alarm_id(&self, fault: Fault, index: usize, upper: bool) -> AlarmId {
+        self.numbered((self.axis_alarm)(fault, index, upper).or(self.alarm_number(fault)), fault)
     }
 
     fn numbered(&self, number: Option<u16>, fault: Fault) -> AlarmId {

@@ -330,6 +330,7 @@ impl Interpreter {
         if rest.part == Part::Motion {
             rest.part = Part::After(0);
             let (axes, length) = (rest.axes, rest.codes.length);
+            self.check_referenced(rest.codes.non_modal.map(|code| code.row.meaning), axes)?;
             if let Some((code, span)) = rest.codes.custom {
                 return self.call_custom(code, rest, span);
             }

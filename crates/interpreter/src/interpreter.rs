@@ -22,6 +22,7 @@ use crate::modal::{Group, Modal};
 use crate::origins::Origins;
 use crate::output::Output;
 use crate::reference::Intermediate;
+use crate::referenced::Unreferenced;
 use crate::stages::nesting::{Nested, Transform};
 use crate::stages::polar::Polar;
 use crate::stages::rotation::Rotation;
@@ -211,6 +212,11 @@ pub struct Interpreter {
     pub(crate) present: Present,
     /// How far the axes lagged behind at the last barrier.
     pub(crate) following_error: Position,
+    pub(crate) unreferenced: Unreferenced,
+    /// Software limits of the machine, lower and upper, where a probe is fitted.
+    pub(crate) probe: Option<(Position, Position)>,
+    /// A skip move whose end without its signal is an alarm, until the machine is at rest there.
+    pub(crate) awaits_signal: Option<Span>,
     pub(crate) pass_state: Option<Fingerprint>,
     /// State of RS274/NGC.
     pub(crate) ngc: State,
@@ -310,6 +316,9 @@ impl Interpreter {
             custom,
             present: Present::default(),
             following_error: Position::ZERO,
+            unreferenced: Unreferenced::default(),
+            probe: None,
+            awaits_signal: None,
             pass_state: None,
             ngc: State::new(work.shift, options.start),
             ended: false,

@@ -36,6 +36,7 @@ mod non_modal;
 pub mod origins;
 mod output;
 mod reference;
+mod referenced;
 pub mod stages;
 pub mod stroke;
 mod technology;
@@ -47,6 +48,7 @@ pub use barrier::AtRest;
 pub use dialect::{Dialect, Rules};
 pub use interpreter::{Interpreter, Options};
 pub use origins::Origins;
+pub use referenced::Unreferenced;
 
 use ferrocut_machine::Alarm;
 

@@ -149,7 +149,12 @@ impl Interpreter {
         let (way, hit) = match (signal, distance) {
             (Some(way), _) => (way, true),
             (None, Some(most)) => (most, false),
-            (None, None) => (0.0, true),
+            (None, None) => match self.probe {
+                // As far as the axis may go.
+                Some((_, most)) if speed > 0.0 => ((most[axis] - from[axis]).max(0.0), false),
+                Some((least, _)) => ((from[axis] - least[axis]).max(0.0), false),
+                None => (0.0, true),
+            },
         };
         let mut to = from;
         to[axis] += way * speed.signum();

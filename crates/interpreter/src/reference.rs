@@ -42,8 +42,9 @@ impl Interpreter {
         self.location.programmed = through;
         let points = &self.memory.reference_points;
         let reference = points.get(number.saturating_sub(1)).copied().unwrap_or_default();
+        let searched = self.take_unreferenced(axes);
         let mut to = self.location.machine;
-        for axis in axes.iter() {
+        for axis in axes.iter().filter(|axis| !searched.contains(*axis)) {
             to[axis] = reference[axis];
         }
         self.rapid_uncompensated(to)?;
@@ -65,8 +66,9 @@ impl Interpreter {
         }
         self.cancel_cycle();
         let reference = self.memory.reference_points.first().copied().unwrap_or_default();
+        let searched = self.take_unreferenced(axes);
         let mut to = self.location.machine;
-        for axis in axes.iter() {
+        for axis in axes.iter().filter(|axis| !searched.contains(*axis)) {
             to[axis] = reference[axis];
         }
         self.output.suspend_cutter();
@@ -151,10 +153,10 @@ impl Interpreter {
             self.emit(Op::Skip { to: reached, feed, hit: at.is_some() });
         }
         self.emit_barrier()?;
-        if self.rules.skip_needs_signal && at.is_none() {
-            return Err(self.alarm(Fault::SkipWithoutSignal, span));
+        match self.rules.skip_needs_signal && at.is_none() {
+            true => self.miss_signal(span),
+            false => Ok(()),
         }
-        Ok(())
     }
 
     /// G60: the end point is always reached from one side (GSK990MC 4.2.6).

@@ -612,6 +612,22 @@ faults! {
     PasswordLength = 1219,
     /// Too many wrong passwords.
     PasswordWait = 1220,
+
+    // 1430: reference points and travel switches
+    /// Homing did not meet the home switch, or did not leave it.
+    HomeSwitch = 1430,
+    /// Homing met no marker of the encoder behind the home switch.
+    HomeMarker = 1431,
+    /// An emergency stop while an axis was homing.
+    HomingStopped = 1432,
+    /// A program moves an axis whose reference point was not found.
+    NotReferenced = 1433,
+    /// A code needs the reference point of an axis, which was not found.
+    ReferenceNeeded = 1434,
+    /// A program is to find a reference point, which the control is set not to do.
+    ReferenceByProgram = 1435,
+    /// An axis is on its travel switch.
+    HardLimit = 1436,
 }
 
 /// How bad it is.

@@ -1,7 +1,9 @@
 //! The machine file: axes with their limits, spindle, tool changer, path control.
 
+use crate::homing::{AxisHoming, HomingConfig};
 use crate::manual::ManualConfig;
 use crate::path::{PathConfig, Ramp};
+use crate::plant::PlantConfig;
 use crate::servo::{Backlash, PitchErrors, ServoConfig, Smoothing};
 use ferrocut_geometry::{Axis, AxisSet, Position};
 use serde::Deserialize;
@@ -40,6 +42,12 @@ pub struct Machine {
     /// Moving by hand.
     #[serde(default)]
     pub manual: ManualConfig,
+    /// Machine zero return.
+    #[serde(default)]
+    pub homing: HomingConfig,
+    /// The simulated machine, where the drives are not ideal.
+    #[serde(default)]
+    pub plant: Option<PlantConfig>,
     /// The control's own parameters that differ from its factory setting, by their own names.
     #[serde(default)]
     pub parameters: std::collections::BTreeMap<String, f64>,
@@ -101,6 +109,9 @@ pub struct AxisConfig {
     /// The same after a cutting move, where it is another.
     #[serde(default)]
     pub in_position_cutting: Option<f64>,
+    /// How the axis finds its reference point.
+    #[serde(default)]
+    pub homing: AxisHoming,
 }
 
 impl AxisConfig {
@@ -190,7 +201,7 @@ fn unlimited() -> f64 {
     f64::INFINITY
 }
 
-fn axis_letter<'de, D: serde::Deserializer<'de>>(from: D) -> Result<Axis, D::Error> {
+pub(crate) fn axis_letter<'de, D: serde::Deserializer<'de>>(from: D) -> Result<Axis, D::Error> {
     let name = String::deserialize(from)?;
     let axis = match name.as_bytes() {
         [letter] => Axis::from_letter(*letter),
@@ -270,6 +281,7 @@ impl Machine {
                     ramp.check(&format!("axis {name}: {key}"))?;
                 }
             }
+            axis.homing.check(&format!("axis {name}: homing"))?;
             if let Some(table) = &axis.pitch_errors {
                 table.check(&format!("axis {name}: pitch_errors"))?;
             }
@@ -286,6 +298,8 @@ impl Machine {
             }
         }
         self.manual.check()?;
+        self.homing.check()?;
+        self.plant.iter().try_for_each(PlantConfig::check)?;
         not_negative("servo: in_position_ms", self.servo.in_position_ms)?;
         not_negative("tool_change: time_s", self.tool_change.time_s)?;
         self.path.check()
@@ -305,6 +319,8 @@ impl Machine {
             path: PathConfig::default(),
             servo: ServoConfig::default(),
             manual: ManualConfig::default(),
+            homing: HomingConfig::default(),
+            plant: None,
             parameters: Default::default(),
         })
     }

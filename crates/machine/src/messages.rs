@@ -53,6 +53,8 @@
 //! | `PlaneAxes` | `axis` |
 //! | `SoftLimit` | `axis`, `position`, `limit`: machine positions |
 //! | `FollowingError`, `NotInPosition` | `axis`, `distance`, `limit` |
+//! | `HomeSwitch`, `HomeMarker`, `HomingStopped`, `NotReferenced`, `ReferenceNeeded`, `ReferenceByProgram` | `axis` |
+//! | `HardLimit` | `axis`, `side`: `+` or `-` |
 //! | `PitchPoint` | `axis`, `position`, `limit`: machine positions |
 //! | `ToolMissing` | `tool` |
 //! | `SpindleTooFast` | `speed`, `limit` |

@@ -173,6 +173,15 @@ impl Jog {
         axis.want(if speed == 0.0 { Wanted::Rest } else { Wanted::Speed(speed) });
     }
 
+    /// Moves an axis to `place`, no faster than `speed`, mm/s, or as far as its limits let it.
+    pub fn go(&mut self, axis: Axis, place: f64, speed: f64) {
+        let Some(axis) = self.axis(axis) else { return };
+        if place.is_finite() && speed > 0.0 {
+            let (least, most) = axis.reach();
+            axis.want(Wanted::Place(Mark::new(place.clamp(least, most)), speed.min(axis.velocity)));
+        }
+    }
+
     /// Moves an axis by `steps` increments (mm or degrees, a multiple of 0.00001) at no more than `speed`, mm/s.
     /// Steps add up; those beyond a limit are lost.
     pub fn step(&mut self, axis: Axis, steps: i64, increment: f64, speed: f64) {
@@ -221,6 +230,11 @@ impl Jog {
     /// Whether all axes stand where they were told to.
     pub fn is_at_rest(&self) -> bool {
         self.axes.iter().all(AxisJog::is_at_rest)
+    }
+
+    /// Whether an axis stands where it was told to; one that the machine lacks always does.
+    pub fn stands(&self, axis: Axis) -> bool {
+        self.axes.get(axis.index()).is_none_or(AxisJog::is_at_rest)
     }
 
     /// The axes stand at `at` from here on, whatever they did.

@@ -1,17 +1,104 @@
-//! What moves the axes.
+//! What moves the axes, and what they feel on the way: switches, markers, a probe.
 
+pub mod plant;
 mod simulated;
 
+pub use plant::{Block, Plant, Trouble};
 pub use simulated::Simulated;
 
-use ferrocut_geometry::Position;
+use crate::signals::Inputs;
+use ferrocut_geometry::{Axis, AxisSet, Position};
 
-/// The drives of a machine, asked once a servo period.
+/// The switches of the axes and the probe, as they stand now.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Switches {
+    /// Axes whose home switch is open. Most open where they are reached; which do not, the machine file says.
+    pub home: AxisSet,
+    /// Axes beyond their upper travel switch.
+    pub above: AxisSet,
+    /// Axes beyond their lower travel switch.
+    pub below: AxisSet,
+    /// The probe touches.
+    pub skip: bool,
+}
+
+impl Switches {
+    /// The switches as the ladder says that they stand, for a machine with these axes in the order of its file
+    /// (GSK990MC 6#5: home switches go through it).
+    pub fn of(inputs: &Inputs, axes: impl IntoIterator<Item = Axis>) -> Switches {
+        let mut switches = Switches { skip: inputs.skip, ..Switches::default() };
+        let ways = inputs.at_limit.iter().zip(inputs.on_home_switch);
+        for (axis, (at_limit, on_home_switch)) in axes.into_iter().zip(ways) {
+            for (set, is_in) in [
+                (&mut switches.home, on_home_switch),
+                (&mut switches.above, at_limit.plus),
+                (&mut switches.below, at_limit.minus),
+            ] {
+                if is_in {
+                    *set = set.with(axis);
+                }
+            }
+        }
+        switches
+    }
+}
+
+/// The drives of a machine, asked once a servo period. Positions are mm and degrees, by the names that the axes have.
+///
+/// Places of markers, edges and touches are kept by the drives themselves, which sample faster than a servo period
+/// lasts.
 pub trait Drives {
-    /// Commands a position, mm and degrees, and returns where the axes are.
+    /// Commands a position and returns where the axes are.
     fn exchange(&mut self, commanded: &Position) -> Position;
 
-    /// The place where the axes stand is called by these positions from here on. Drives that count for
+    /// The place where the axes are commanded to be is called by these positions from here on. Drives that count for
     /// themselves take them over; to others, which are told positions alone, it is nothing.
     fn rename(&mut self, _at: &Position) {}
+
+    /// Whether it is known from power-on where the axes are.
+    fn knows_places(&self) -> bool {
+        true
+    }
+
+    /// The switches that drives read themselves.
+    fn switches(&self) -> Switches {
+        Switches::default()
+    }
+
+    /// An axis is to keep the place of the next marker that its encoder passes.
+    fn arm_marker(&mut self, _axis: Axis) {}
+
+    /// That place, once it was passed.
+    fn marker(&self, _axis: Axis) -> Option<f64> {
+        None
+    }
+
+    /// Where the home switch of an axis changed last.
+    fn home_edge(&self, _axis: Axis) -> Option<f64> {
+        None
+    }
+
+    /// Whether a probe is fitted.
+    fn has_probe(&self) -> bool {
+        false
+    }
+
+    /// Keeps where the axes are when the probe touches next; at once if it touches now.
+    fn arm_probe(&mut self) {}
+
+    /// That place, once it touched.
+    fn probe(&self) -> Option<Position> {
+        None
+    }
+
+    /// Inputs X of the machine: byte, bit and state of each.
+    fn read(&self, _put: &mut dyn FnMut(u16, u8, bool)) {}
+
+    /// Outputs Y to the machine, by byte and bit, for the next period.
+    fn write(&mut self, _is_on: &dyn Fn(u16, u8) -> bool) {}
+
+    /// The simulated machine, where these drives move one.
+    fn plant(&mut self) -> Option<&mut Plant> {
+        None
+    }
 }

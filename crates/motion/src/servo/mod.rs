@@ -173,6 +173,13 @@ impl Servo {
         self.loops.iter().position(|l| l.axis == axis).unwrap_or(0)
     }
 
+    /// Whether the software limits of an axis hold; from the start they do.
+    pub fn set_travel(&mut self, axis: Axis, holds: bool) {
+        for found in self.loops.iter_mut().filter(|l| l.axis == axis) {
+            found.watch.set_travel(holds);
+        }
+    }
+
     /// What compensation adds to the command of every axis now.
     pub fn added(&self) -> Position {
         self.command.drive - self.command.position

@@ -45,6 +45,8 @@ const MARGIN: f64 = 1e-3;
 pub(crate) struct Watch {
     min: f64,
     max: f64,
+    /// Whether they hold: not before the machine knows where the axis is.
+    limited: bool,
     pub following_error: f64,
     /// Width of being in position after positioning and moving by hand, and after cutting.
     in_position: [f64; 2],
@@ -59,9 +61,15 @@ impl Watch {
         Watch {
             min: axis.min - margin,
             max: axis.max + margin,
+            limited: true,
             following_error: axis.following_error,
             in_position: [axis.in_position, cutting],
         }
+    }
+
+    /// Whether the software limits hold.
+    pub fn set_travel(&mut self, holds: bool) {
+        self.limited = holds;
     }
 
     /// Distance from the command within which an axis is in position; 0 is not watched.
@@ -74,7 +82,9 @@ impl Watch {
     /// An axis that moved by `d` to `at`. Beyond a limit only moves back are let pass.
     #[inline]
     pub fn travel(&self, d: f64, at: f64) -> Option<(ServoFaultKind, f64)> {
-        if at > self.max && d > 0.0 {
+        if !self.limited {
+            None
+        } else if at > self.max && d > 0.0 {
             Some((ServoFaultKind::AboveLimit, self.max))
         } else if at < self.min && d < 0.0 {
             Some((ServoFaultKind::BelowLimit, self.min))

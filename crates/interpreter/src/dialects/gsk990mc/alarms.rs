@@ -112,6 +112,10 @@ pub const ALARMS: &[(Fault, u16)] = &[
     (Fault::InvalidLoop, 126),
     (Fault::LoopMismatch, 138),
     (Fault::FollowingError, 121),
+    (Fault::NotReferenced, 224),
+    (Fault::ReferenceNeeded, 47),
+    (Fault::ReferenceByProgram, 145),
+    (Fault::HomingStopped, 251),
     (Fault::JumpIntoLoop, 137),
     (Fault::SequenceMissing, 128),
     (Fault::UnknownVariable, 115),
@@ -138,8 +142,14 @@ pub const ALARMS: &[(Fault, u16)] = &[
     (Fault::RepeatedGroup, 238),
 ];
 
-/// 0500 to 0507: the four axes of the control, negative side first.
-pub fn soft_limit(axis: usize, upper: bool) -> Option<u16> {
-    let axis = u16::try_from(axis).ok().filter(|a| *a < 4)?;
-    Some(500 + 2 * axis + u16::from(upper))
+/// 0500 to 0507, 0510 to 0517: limits of the four axes of the control, negative side first; 0087 to 0091: an axis
+/// that finds no reference point.
+pub fn of_axis(fault: Fault, axis: usize, upper: bool) -> Option<u16> {
+    let axis = u16::try_from(axis).ok()?;
+    match fault {
+        Fault::SoftLimit if axis < 4 => Some(500 + 2 * axis + u16::from(upper)),
+        Fault::HardLimit if axis < 4 => Some(510 + 2 * axis + u16::from(upper)),
+        Fault::HomeMarker if axis < 5 => Some(87 + axis),
+        _ => None,
+    }
 }

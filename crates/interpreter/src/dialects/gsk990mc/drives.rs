@@ -6,7 +6,7 @@
 use super::acceleration;
 use ferrocut_machine::config::SpindleConfig;
 use ferrocut_machine::manual::ManualConfig;
-use ferrocut_machine::{AxisConfig, Machine, Parameters};
+use ferrocut_machine::{AxisConfig, AxisHoming, HomingConfig, Machine, Parameters};
 
 /// An encoder counts both edges of both of its tracks.
 const COUNTS_A_LINE: f64 = 4.0;
@@ -23,11 +23,13 @@ pub fn machine_parameters(parameters: &Parameters, machine: &mut Machine) {
     manual(parameters, &mut machine.manual);
     acceleration::machine_parameters(parameters, machine);
     let period = machine.servo_period_ms;
+    homing(parameters, &mut machine.homing);
     for (k, name) in (0u8..).zip(parameters.axis_names()) {
         let Some(axis) = machine.axes.iter_mut().find(|axis| axis.name == name) else { continue };
         backlash(parameters, k, axis, period);
         // P170 to P174.
         axis.manual_rapid = Some(parameters.data(170 + u16::from(k)).max(LEAST_SPEED));
+        axis.homing = axis_homing(parameters, k);
         pitch_errors(parameters, k, axis);
         // 17#7, P131; in look-ahead 15#3, P141.
         let (is_checked, window) =
@@ -51,6 +53,37 @@ fn manual(parameters: &Parameters, manual: &mut ManualConfig) {
     manual.handwheel = if manual.handwheel_keeps { f64::INFINITY } else { p(151) };
     manual.handwheel_reversed = !parameters.bit(56, 7);
     manual.rapid_f0 = if parameters.bit(12, 4) { 0.0 } else { p(93) };
+}
+
+/// Bits of 5, 6, 11, 12, 14 and 20: machine zero return (part 2, chapter 9). Of 5#4 and 6#4 the manual has the names:
+/// high-speed return is that of the Fanuc 0i, to a point that is known and without its switch; what is remembered is
+/// known from then on (14#1), through power-off too.
+fn homing(parameters: &Parameters, homing: &mut HomingConfig) {
+    let bit = |number, bit| parameters.bit(number, bit);
+    (homing.marker, homing.before, homing.twice) = (bit(6, 6), bit(6, 1), bit(6, 7));
+    homing.one_at_a_time = bit(6, 2);
+    homing.remembers = bit(6, 4);
+    homing.known_at_rapid = bit(5, 4) || bit(6, 4);
+    homing.at_manual_rapid = bit(14, 1);
+    homing.absolute = bit(20, 6);
+    homing.limits_before = bit(11, 6);
+    homing.rapid_before = bit(12, 0);
+    homing.ignores_switches = bit(61, 6);
+    (homing.needed, homing.not_by_program) = (bit(6, 0), bit(6, 3));
+}
+
+/// P99 to P104, P180 to P183, P342 to P346 and bits of 2 and 7 of axis `k`.
+fn axis_homing(parameters: &Parameters, k: u8) -> AxisHoming {
+    let of_axis = |first: u16| parameters.data(first + u16::from(k));
+    AxisHoming {
+        fast: of_axis(100).max(LEAST_SPEED),
+        slow: of_axis(342).max(LEAST_SPEED),
+        search: parameters.data(99).max(LEAST_SPEED),
+        negative: parameters.bit(7, k),
+        closes: parameters.bit(2, k),
+        // Upwards, as Fanuc 1850; P184 is no fifth of them.
+        shift: if k < 4 { of_axis(180) } else { 0.0 },
+    }
 }
 
 /// P261, P286 to P305 and bits 38#6, 38#7, 44#1, 45#2: encoder of the spindle, and its acceleration in rigid tapping.
@@ -205,6 +238,34 @@ mod tests {
         let negative =
             with(&[&set[..], &[("NO37.1", 1.0), ("P223", 0.05), ("NO7.2", 1.0)]].concat()).unwrap();
         assert_eq!(negative.opposite, table.corrections);
+    }
+
+    #[test]
+    fn homing_is_what_bits_and_speeds_say() {
+        let delivered = machine(&[], |_| {});
+        let homing = &delivered.homing;
+        // 6 = 1110 0000.
+        assert!(homing.marker && homing.twice && !homing.before && !homing.remembers && !homing.needed);
+        let y = &delivered.axis(Axis::Y).unwrap().homing;
+        assert_eq!((y.fast, y.slow, y.search, y.negative, y.closes), (4000.0, 200.0, 40.0, false, false));
+        let set = [("NO6.6", 0.0), ("NO6.1", 1.0), ("NO6.7", 0.0), ("NO6.2", 1.0), ("NO6.4", 1.0)];
+        let homing = machine(&set, |_| {}).homing;
+        assert!(!homing.marker && homing.before && !homing.twice && homing.one_at_a_time);
+        assert!(homing.remembers && homing.known_at_rapid && !homing.at_manual_rapid);
+        let set = [("NO5.4", 1.0), ("NO14.1", 1.0), ("NO20.6", 1.0), ("NO11.6", 1.0), ("NO12.0", 1.0)];
+        let homing = machine(&set, |_| {}).homing;
+        assert!(homing.known_at_rapid && !homing.remembers && homing.at_manual_rapid && homing.absolute);
+        assert!(homing.limits_before && homing.rapid_before);
+        let set =
+            [("NO7.1", 1.0), ("NO2.1", 1.0), ("P101", 3000.0), ("P343", 150.0), ("P99", 30.0), ("P181", 2.5)];
+        let set = [&set[..], &[("NO6.0", 1.0), ("NO6.3", 1.0)]].concat();
+        let found = machine(&set, |_| {});
+        let y =
+            AxisHoming { fast: 3000.0, slow: 150.0, search: 30.0, negative: true, closes: true, shift: 2.5 };
+        assert_eq!(found.axis(Axis::Y).unwrap().homing, y);
+        let x = AxisHoming { search: 30.0, ..AxisHoming::default() };
+        assert_eq!(found.axis(Axis::X).unwrap().homing, x);
+        assert!(found.homing.needed && found.homing.not_by_program);
     }
 
     #[test]

@@ -41,7 +41,7 @@ pub static DIALECT: Dialect = Dialect {
     argument: fanuc::argument,
     addresses: codes::ADDRESSES,
     alarms: alarms::ALARMS,
-    soft_limit_alarm: alarms::soft_limit,
+    axis_alarm: alarms::of_axis,
     machine_parameters: drives::machine_parameters,
     // 4.9.4.
     program_alarms: Some(3000),

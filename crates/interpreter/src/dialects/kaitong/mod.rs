@@ -44,7 +44,7 @@ pub static DIALECT: Dialect = Dialect {
     addresses: codes::ADDRESSES,
     // The appendices give alarms no numbers.
     alarms: &[],
-    soft_limit_alarm: |_, _| None,
+    axis_alarm: |_, _, _| None,
     machine_parameters: |_, _| {},
     program_alarms: None,
     rules: rules::rules,

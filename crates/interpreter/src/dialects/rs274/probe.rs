@@ -47,8 +47,8 @@ impl Interpreter {
         self.ngc_note_probe(self.ngc.at, at.is_some())?;
         self.emit_barrier()?;
         // Where no one simulates a probe there is none to miss.
-        match needs_contact && at.is_none() && self.options.skip.is_some() {
-            true => Err(self.ngc_alarm(Fault::SkipWithoutSignal)),
+        match needs_contact && at.is_none() && (self.options.skip.is_some() || self.probe.is_some()) {
+            true => self.miss_signal(self.words.block_span()),
             false => Ok(()),
         }
     }

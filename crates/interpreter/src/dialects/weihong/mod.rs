@@ -40,7 +40,7 @@ pub static DIALECT: Dialect = Dialect {
     argument: fanuc::argument,
     addresses: codes::ADDRESSES,
     alarms: &[],
-    soft_limit_alarm: |_, _| None,
+    axis_alarm: |_, _, _| None,
     machine_parameters: |_, _| {},
     program_alarms: None,
     rules: rules::rules,

@@ -1,0 +1,175 @@
+//! Reference points in the control: who sends axes there, and what the places are called afterwards.
+
+use super::{Cnc, State};
+use crate::drives::Switches;
+use ferrocut_geometry::{Axis, AxisSet, Position};
+use ferrocut_interpreter::Unreferenced;
+use ferrocut_machine::{Alarm, Fault};
+
+impl Cnc {
+    /// Sends an axis to its reference point, as its key in the mode HOME does: axes at their limits come to rest and
+    /// find it by their switches, or are positioned on it where it is known and remembered. Whether it goes: not
+    /// while a program is under way, nor while the axis moves, nor beside another where one at a time may home.
+    pub fn home(&mut self, axis: Axis) -> bool {
+        if !self.machine_axes.contains(axis) || !self.take_by_hand() || !self.manual.stands(axis) {
+            return false;
+        }
+        self.begin_homing(axis, true)
+    }
+
+    /// The key of an axis in the mode HOME was let go.
+    pub fn release_home(&mut self, axis: Axis) {
+        self.homing.let_go(axis, &mut self.manual);
+    }
+
+    /// Axes whose reference points are known.
+    pub fn referenced(&self) -> AxisSet {
+        self.homing.referenced()
+    }
+
+    /// Axes that stand on their reference points: the lamps.
+    pub fn at_reference(&self) -> AxisSet {
+        self.homing.arrived()
+    }
+
+    /// Whether an axis is on its way to its reference point.
+    pub fn is_homing(&self) -> bool {
+        self.homing.is_active()
+    }
+
+    /// Whether the reference points are to be kept while power is off (GSK990MC 6#4): whoever starts the control next
+    /// starts it where the axes were, and sets them as referenced.
+    pub fn remembers_reference(&self) -> bool {
+        self.homing.config().remembers || self.homing.config().absolute
+    }
+
+    /// Says whose reference points are known: at power-on with encoders that know, or with points that were kept.
+    pub fn set_referenced(&mut self, axes: AxisSet) {
+        self.homing.set_referenced(axes.and(self.machine_axes));
+        for axis in self.machine_axes.iter() {
+            self.apply_travel(axis);
+        }
+        self.tell_unreferenced();
+    }
+
+    /// The switches as the ladder says that they stand. Without it the control takes what drives read themselves.
+    pub fn set_switches(&mut self, switches: Option<Switches>) {
+        self.wired = switches;
+    }
+
+    pub(super) fn switches(&self) -> Switches {
+        self.wired.unwrap_or_else(|| self.drives.switches())
+    }
+
+    fn reference(&self) -> Position {
+        self.interpreter.memory().reference_points.first().copied().unwrap_or_default()
+    }
+
+    fn begin_homing(&mut self, axis: Axis, by_hand: bool) -> bool {
+        let reference = self.reference()[axis];
+        let begins = self.homing.begin(axis, by_hand, reference);
+        if begins {
+            self.apply_travel(axis);
+        }
+        begins
+    }
+
+    /// Software limits hold where the axis is known, and rapid by hand is possible there, unless parameters say
+    /// otherwise.
+    fn apply_travel(&mut self, axis: Axis) {
+        let config = self.homing.config();
+        let known = self.homing.referenced().contains(axis);
+        let holds = (known || config.limits_before) && !self.homing.searches(axis);
+        let rapid = known || config.rapid_before;
+        self.manual.set_travel(axis, holds, rapid);
+        self.servo.set_travel(axis, holds);
+        self.supervisor.set_travel(axis, holds);
+    }
+
+    /// Tells the interpreter which axes are to be homed yet.
+    pub(super) fn tell_unreferenced(&mut self) {
+        let config = self.homing.config();
+        let referenced = self.homing.referenced();
+        let unreferenced = Unreferenced {
+            axes: self.machine_axes.iter().filter(|axis| !referenced.contains(*axis)).collect(),
+            stand: config.needed,
+            not_by_program: config.not_by_program,
+        };
+        self.interpreter.set_unreferenced(unreferenced);
+    }
+
+    /// A program sent axes to their reference points: those that are not known are searched from where they stand.
+    pub(super) fn home_by_program(&mut self, axes: AxisSet) {
+        let referenced = self.homing.referenced();
+        self.homing.stand(axes);
+        let axes = axes.and(self.machine_axes);
+        for axis in axes.iter().filter(|axis| !referenced.contains(*axis)) {
+            self.manual.take(self.motion.position());
+            self.begin_homing(axis, false);
+        }
+    }
+
+    /// A period of homing.
+    pub(super) fn home_on(&mut self) {
+        if !self.homing.is_active() {
+            return;
+        }
+        let held = self.state == State::Held;
+        let (switches, added) = (self.switches(), self.servo.added());
+        let drives = self.drives.as_mut();
+        let wrong = self.homing.tick(&mut self.manual, drives, &switches, &self.actual, &added, held);
+        if let Some((axis, fault)) = wrong {
+            let alarm = self.axis_alarm(fault, axis, false);
+            self.come_to_rest();
+            self.failed = Some(Box::new(alarm));
+        }
+    }
+
+    /// The alarm of a fault of an axis.
+    pub(super) fn axis_alarm(&self, fault: Fault, axis: Axis, upper: bool) -> Alarm {
+        let id = self.interpreter.dialect().axis_alarm_id(fault, self.servo.number(axis), upper);
+        Alarm::new(id, fault, self.span).with("axis", axis.letter().to_string())
+    }
+
+    /// All axes stand at `at`: the places of those that were homed get the names of their reference points. What
+    /// `at` is called then.
+    pub(super) fn name_homed(&mut self, at: Position) -> Position {
+        let found = self.homing.take_arrived();
+        let reference = self.reference();
+        let mut named = at;
+        for (axis, place) in Axis::ALL.into_iter().zip(found) {
+            if let Some(place) = place {
+                // The axis came onto its place but for what counting in units leaves.
+                named[axis] = reference[axis] + (at[axis] - place);
+            }
+        }
+        if found.iter().any(Option::is_some) {
+            self.renamed = self.renamed + named - at;
+            self.servo.rename(named);
+            self.drives.rename(&(named + self.servo.added()));
+            self.actual = self.actual + named - at;
+            self.tell_unreferenced();
+            if !matches!(self.state, State::Running | State::Held) {
+                self.interpreter.homed_by_hand();
+            }
+        }
+        // The generator of manual motion takes the names with its limits.
+        self.manual.rename(named);
+        for axis in self.machine_axes.iter() {
+            self.apply_travel(axis);
+        }
+        named
+    }
+
+    /// Notes where the axes are commanded to be, for the lamps.
+    pub(super) fn note_reference(&mut self, at: &Position) {
+        let reference = self.reference();
+        self.homing.note(at, &reference);
+    }
+
+    /// An emergency stop gives up homing: the alarm of it, where an axis was on its way.
+    pub(super) fn stop_homing(&mut self) -> Option<Box<Alarm>> {
+        let axis = self.homing.abort()?;
+        Some(Box::new(self.axis_alarm(Fault::HomingStopped, axis, false)))
+    }
+}

@@ -1,0 +1,81 @@
+//! Skip moves on a machine with a probe: they end where it touches (GSK990MC 4.2.16).
+//!
+//! The drives keep where the axes were when the signal came; the move is braked from there within the limits of the
+//! axes, the rest of it is forgotten. The program is told both. A signal that is there already ends the move where
+//! it begins. Without a probe a skip move is run as the program gives it out, as at a desk.
+
+use super::{Cnc, State};
+use ferrocut_geometry::Position;
+use ferrocut_interpreter::AtRest;
+use ferrocut_toolpath::{Op, Step};
+
+/// A skip move.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Probing {
+    /// Its mark in motion.
+    tag: u64,
+    from: Position,
+    /// It is being run, and the drives wait for the signal.
+    armed: bool,
+    /// Where the signal came.
+    touched: Option<Position>,
+}
+
+impl Cnc {
+    /// A skip move was given to motion.
+    pub(super) fn begin_probing(&mut self, tag: u64, from: Position) {
+        if self.drives.has_probe() {
+            self.probing = Some(Probing { tag, from, armed: false, touched: None });
+        }
+    }
+
+    /// The skip move of a block behind another one that ended early: as far beside what is programmed.
+    pub(super) fn shift_skip(&self, step: &mut Step) {
+        if let Op::Skip { to, .. } = &mut step.op {
+            *to = *to + self.skip_shift;
+        }
+    }
+
+    /// Before the drives are asked: their probe is armed once the move begins.
+    pub(super) fn arm_probe(&mut self, running: u64) {
+        if let Some(probing) =
+            self.probing.as_mut().filter(|probing| !probing.armed && probing.tag == running)
+        {
+            probing.armed = true;
+            self.drives.arm_probe();
+        }
+    }
+
+    /// After it: has the probe touched, the move is braked.
+    pub(super) fn watch_probe(&mut self) {
+        let Some(probing) = self.probing.as_mut().filter(|p| p.armed && p.touched.is_none()) else { return };
+        if let Some(touched) = self.drives.probe() {
+            probing.touched = Some(touched - self.servo.added());
+            self.motion.abort();
+        }
+    }
+
+    /// The move ended, at its end or where it was braked: the program is told.
+    pub(super) fn end_probing(&mut self) {
+        let Some(probing) = self.probing.take() else { return };
+        let at = self.motion.position();
+        self.skip_shift = self.skip_shift + at - self.commanded;
+        self.commanded = at;
+        self.supervisor.moved_to(at);
+        let missed = match probing.touched {
+            Some(_) => None,
+            None => self.interpreter.missed_signal(),
+        };
+        self.interpreter.came_to_rest(&AtRest { commanded: at, actual: self.actual, skip: probing.touched });
+        if let Some(alarm) = missed {
+            self.span = alarm.span;
+            self.state = State::Alarmed(alarm);
+        }
+    }
+
+    /// The way that a skip move really went: where it began and where it was braked.
+    pub(super) fn braked_way(&self, tag: u64) -> Option<(Position, Position)> {
+        let probing = self.probing.filter(|probing| probing.tag == tag && probing.touched.is_some())?;
+        Some((probing.from, self.motion.position()))
+    }
+}

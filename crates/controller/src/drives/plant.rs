@@ -1,0 +1,339 @@
+//! The simulated machine: axes with lag, encoders and switches, a probe among blocks of metal, and what stands about
+//! them. It has drives as a real one has them, and the inputs and outputs of the standard ladder.
+//!
+//! In: commanded positions and outputs Y. Out: where the axes are, and inputs X. Nothing of it is random, and a
+//! period allocates nothing.
+//!
+//! Axes have names that the control gives to places, and physical places. Both are the same once the machine was
+//! homed.
+
+mod axis;
+mod periphery;
+
+use super::{Drives, Switches};
+use axis::{PlantedAxis, Where};
+use ferrocut_geometry::{AXES, Axis, AxisSet, Position};
+use ferrocut_machine::{AxisConfig, Machine, PlantAxis, PlantConfig};
+use periphery::{Periphery, Wire, wire};
+
+/// A block that a probe touches, a piece of stock or a tool setter: the physical places of X, Y and Z of its lower and
+/// upper corner. A plane is a block that is large enough.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Block {
+    /// Lower corner.
+    pub min: [f64; 3],
+    /// Upper corner.
+    pub max: [f64; 3],
+}
+
+/// What can go wrong with an axis.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Trouble {
+    /// It does not move.
+    Stuck(bool),
+    /// Its encoder gives no marker.
+    NoMarker(bool),
+    /// Its home switch is always on, or never; or it works again.
+    HomeSwitch(Option<bool>),
+}
+
+/// Way outside the software limits to the travel switches, mm or degrees.
+const TO_SWITCH: f64 = 10.0;
+/// Part of the way from marker to marker between the home switch and the marker that is searched.
+const OFF_SWITCH: f64 = 0.4;
+/// Length of a home switch, mm or degrees.
+const HOME_SWITCH: f64 = 30.0;
+/// Way from the reference point to where an axis stands at power-on, mm or degrees.
+const TO_REFERENCE: f64 = 80.0;
+
+/// Where `SKIP` and the home switches stand in the standard ladder (Fanuc 0i).
+const SKIP: (&str, Wire) = ("SKIP", (4, 7));
+const HOME: [(&str, Wire); 8] = [
+    ("*DEC_X", (9, 0)),
+    ("*DEC_Y", (9, 1)),
+    ("*DEC_Z", (9, 2)),
+    ("*DEC_A", (9, 3)),
+    ("*DEC_5", (9, 4)),
+    ("*DEC_6", (9, 5)),
+    ("*DEC_7", (9, 6)),
+    ("*DEC_8", (9, 7)),
+];
+/// The travel switches of the first four axes, upper ones first.
+const LIMITS: [(&str, Wire); 8] = [
+    ("*LX+", (0, 0)),
+    ("*LX-", (0, 1)),
+    ("*LY+", (0, 2)),
+    ("*LY-", (0, 3)),
+    ("*LZ+", (0, 4)),
+    ("*LZ-", (0, 5)),
+    ("*LA+", (0, 6)),
+    ("*LA-", (0, 7)),
+];
+
+/// A simulated machine.
+#[derive(Clone, Debug)]
+pub struct Plant {
+    axes: [Option<PlantedAxis>; AXES],
+    /// Axes in the order of the machine file, which signals are numbered by.
+    order: Vec<Axis>,
+    /// Axes whose home switch is closed where it is reached.
+    home_closes: AxisSet,
+    absolute: bool,
+    periphery: Periphery,
+    blocks: Vec<Block>,
+    probe_opens: bool,
+    armed: bool,
+    touches: bool,
+    touched: Option<Position>,
+    skip: Wire,
+    home: [Wire; HOME.len()],
+    limits: [Wire; LIMITS.len()],
+}
+
+impl Plant {
+    /// The machine of a file whose control takes it to stand at `called`, and has its reference point at `reference`.
+    pub fn new(machine: &Machine, called: Position, reference: Position) -> Plant {
+        let usual = PlantConfig::default();
+        let config = machine.plant.as_ref().unwrap_or(&usual);
+        let mut axes = [const { None }; AXES];
+        for (axis, of) in machine.axes.iter().filter_map(|axis| Some((axis, axes_place(axis.name)?))) {
+            if let Some(place) = axes.get_mut(of) {
+                *place = Some(planted(machine, config, axis, called[axis.name], reference[axis.name]));
+            }
+        }
+        Plant {
+            axes,
+            order: machine.axes.iter().map(|axis| axis.name).collect(),
+            home_closes: machine.axes.iter().filter(|a| a.homing.closes).map(|a| a.name).collect(),
+            absolute: machine.homing.absolute,
+            periphery: Periphery::new(config, machine.servo_period_ms),
+            blocks: Vec::new(),
+            probe_opens: config.probe_opens,
+            armed: false,
+            touches: false,
+            touched: None,
+            skip: wire(config, SKIP.0, SKIP.1),
+            home: HOME.map(|(name, usual)| wire(config, name, usual)),
+            limits: LIMITS.map(|(name, usual)| wire(config, name, usual)),
+        }
+    }
+
+    /// Puts a block into the machine that the probe can touch.
+    pub fn place(&mut self, block: Block) {
+        self.blocks.push(block);
+        self.touches = self.is_inside(self.places());
+    }
+
+    /// Takes all blocks out.
+    pub fn clear(&mut self) {
+        self.blocks.clear();
+        self.touches = false;
+    }
+
+    /// Where the axes are, physically.
+    pub fn places(&self) -> Position {
+        Position(std::array::from_fn(|i| self.axis_at(i).map_or(0.0, |axis| axis.place)))
+    }
+
+    /// Something goes wrong with an axis, or is right again.
+    pub fn trouble(&mut self, axis: Axis, trouble: Trouble) {
+        let Some(Some(axis)) = self.axes.get_mut(axis.index()) else { return };
+        match trouble {
+            Trouble::Stuck(is) => axis.stuck = is,
+            Trouble::NoMarker(is) => axis.no_marker = is,
+            Trouble::HomeSwitch(stays) => axis.home_stays = stays,
+        }
+    }
+
+    /// The tool in the spindle, 0 for none, and the pocket of the magazine at the spindle.
+    pub fn tool_and_pocket(&self) -> (u32, u32) {
+        (self.periphery.tool(), self.periphery.pocket())
+    }
+
+    /// Opens or closes the door; whether it let itself be moved, which it does not while it is locked.
+    pub fn move_door(&mut self, open: bool) -> bool {
+        self.periphery.move_door(open)
+    }
+
+    /// Presses the emergency stop, or lets it out.
+    pub fn press_emergency_stop(&mut self, pressed: bool) {
+        self.periphery.emergency_stop = pressed;
+    }
+
+    /// A level or pressure by the name of its input (`AIR_PRESSURE`) is as it should be, or not; whether there is
+    /// such an input.
+    pub fn set_level(&mut self, name: &str, is_well: bool) -> bool {
+        self.periphery.set_level(name, is_well)
+    }
+
+    fn axis_at(&self, index: usize) -> Option<&PlantedAxis> {
+        self.axes.get(index).and_then(Option::as_ref)
+    }
+
+    fn set_of(&self, is: impl Fn(&PlantedAxis) -> bool) -> AxisSet {
+        Axis::ALL.into_iter().filter(|axis| self.axis_at(axis.index()).is_some_and(&is)).collect()
+    }
+
+    fn is_inside(&self, place: Position) -> bool {
+        let [x, y, z, ..] = place.0;
+        let inside = |block: &Block| {
+            [x, y, z].iter().zip(block.min).zip(block.max).all(|((at, min), max)| (min..=max).contains(at))
+        };
+        self.blocks.iter().any(inside)
+    }
+
+    /// The part of this period's way after which the probe touches first.
+    fn touch(&self) -> Option<f64> {
+        let of = |i: usize| self.axis_at(i).map_or((0.0, 0.0), |axis| (axis.before, axis.place));
+        let way = [of(0), of(1), of(2)];
+        let first = |block: &Block| {
+            let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
+            for ((from, to), (min, max)) in way.into_iter().zip(block.min.into_iter().zip(block.max)) {
+                let step = to - from;
+                if step == 0.0 {
+                    if from < min || from > max {
+                        return None;
+                    }
+                } else {
+                    let (near, far) = ((min - from) / step, (max - from) / step);
+                    (enter, leave) = (enter.max(near.min(far)), leave.min(near.max(far)));
+                }
+            }
+            (enter <= leave).then_some(enter)
+        };
+        self.blocks.iter().filter_map(first).min_by(f64::total_cmp)
+    }
+
+    /// What the encoders count at a part of this period's way.
+    fn counted(&self, part: f64) -> Position {
+        Position(std::array::from_fn(|i| {
+            self.axis_at(i).map_or(0.0, |axis| axis.called(axis.before + part * (axis.place - axis.before)))
+        }))
+    }
+}
+
+fn axes_place(axis: Axis) -> Option<usize> {
+    Some(axis.index()).filter(|index| *index < AXES)
+}
+
+/// An axis of the machine file, with what is usual where the file says nothing.
+fn planted(
+    machine: &Machine,
+    config: &PlantConfig,
+    axis: &AxisConfig,
+    called: f64,
+    reference: f64,
+) -> PlantedAxis {
+    let usual = PlantAxis::new(axis.name);
+    let found = config.axes.iter().find(|found| found.name == axis.name).unwrap_or(&usual);
+    let up = if axis.homing.negative { -1.0 } else { 1.0 };
+    let marker = found.marker.unwrap_or(reference - axis.homing.shift);
+    // The way in which the axis leaves the switch: onwards, or back to its near side.
+    let leaves = if machine.homing.before { -up } else { up };
+    let edge = reference
+        - axis.homing.shift
+        - leaves * if machine.homing.marker { OFF_SWITCH * found.pitch } else { 0.0 };
+    let far = edge - leaves * HOME_SWITCH;
+    // An axis that is known from power-on stands where it is said to.
+    let at = if machine.homing.absolute { called } else { reference - up * TO_REFERENCE };
+    let place = Where {
+        marker,
+        home: found.home.unwrap_or([edge.min(far), edge.max(far)]),
+        limits: found.limits.unwrap_or([axis.min - TO_SWITCH, axis.max + TO_SWITCH]),
+        at: found.at.unwrap_or(at),
+        called,
+    };
+    PlantedAxis::new(found, machine.servo_period_ms / 1000.0, &place)
+}
+
+impl Drives for Plant {
+    fn exchange(&mut self, commanded: &Position) -> Position {
+        let mut actual = *commanded;
+        for ((axis, commanded), actual) in self.axes.iter_mut().zip(commanded.0).zip(&mut actual.0) {
+            if let Some(axis) = axis {
+                *actual = axis.follow(commanded);
+            }
+        }
+        self.periphery.tick();
+        self.touches = self.is_inside(self.places());
+        if self.armed
+            && let Some(part) = self.touch()
+        {
+            self.touched = Some(self.counted(part));
+            self.armed = false;
+        }
+        actual
+    }
+
+    fn rename(&mut self, at: &Position) {
+        for (axis, at) in self.axes.iter_mut().zip(at.0) {
+            if let Some(axis) = axis {
+                axis.rename(at);
+            }
+        }
+    }
+
+    fn knows_places(&self) -> bool {
+        self.absolute
+    }
+
+    fn switches(&self) -> Switches {
+        let on = self.set_of(PlantedAxis::is_home);
+        let is_open = |axis: &Axis| on.contains(*axis) != self.home_closes.contains(*axis);
+        Switches {
+            home: Axis::ALL.into_iter().filter(is_open).collect(),
+            above: self.set_of(|axis| axis.is_beyond()[1]),
+            below: self.set_of(|axis| axis.is_beyond()[0]),
+            skip: self.touches,
+        }
+    }
+
+    fn arm_marker(&mut self, axis: Axis) {
+        if let Some(Some(axis)) = self.axes.get_mut(axis.index()) {
+            axis.arm();
+        }
+    }
+
+    fn marker(&self, axis: Axis) -> Option<f64> {
+        self.axis_at(axis.index()).and_then(PlantedAxis::passed)
+    }
+
+    fn home_edge(&self, axis: Axis) -> Option<f64> {
+        self.axis_at(axis.index()).and_then(PlantedAxis::edge)
+    }
+
+    fn has_probe(&self) -> bool {
+        true
+    }
+
+    fn arm_probe(&mut self) {
+        self.touched = self.touches.then(|| self.counted(1.0));
+        self.armed = !self.touches;
+    }
+
+    fn probe(&self) -> Option<Position> {
+        self.touched
+    }
+
+    fn read(&self, put: &mut dyn FnMut(u16, u8, bool)) {
+        self.periphery.read(put);
+        let switches = self.switches();
+        for (axis, (byte, bit)) in self.order.iter().zip(self.home) {
+            put(byte, bit, !switches.home.contains(*axis));
+        }
+        let sides = self.order.iter().flat_map(|axis| [(axis, switches.above), (axis, switches.below)]);
+        for ((axis, beyond), (byte, bit)) in sides.zip(self.limits) {
+            put(byte, bit, !beyond.contains(*axis));
+        }
+        let (byte, bit) = self.skip;
+        put(byte, bit, switches.skip != self.probe_opens);
+    }
+
+    fn write(&mut self, is_on: &dyn Fn(u16, u8) -> bool) {
+        self.periphery.write(is_on);
+    }
+
+    fn plant(&mut self) -> Option<&mut Plant> {
+        Some(self)
+    }
+}
