@@ -9,8 +9,13 @@ use ferrocut_interpreter::dialects::gsk990mc::DIALECT;
 use ferrocut_machine::{AlarmId, Fault};
 
 /// What the machine refuses and not the language: numbers of the control's supervisor and of its drives.
-const OF_THE_MACHINE: &[Fault] =
-    &[Fault::SpindleTooFast, Fault::ToolMissing, Fault::FollowingError, Fault::PitchPoint];
+const OF_THE_MACHINE: &[Fault] = &[
+    Fault::SpindleTooFast,
+    Fault::ToolMissing,
+    Fault::FollowingError,
+    Fault::PitchPoint,
+    Fault::RigidTappingOff,
+];
 
 /// The rule, its number in appendix 2, a program that breaks it, the words at fault, and a set-up.
 const CASES: &[(Fault, u16, &str, &str, &str)] = &[

@@ -1,5 +1,6 @@
 //! The machine file: axes with their limits, spindle, tool changer, path control.
 
+use crate::handshake::{GearConfig, HandshakeConfig};
 use crate::manual::ManualConfig;
 use crate::path::{PathConfig, Ramp};
 use crate::servo::{Backlash, PitchErrors, ServoConfig, Smoothing};
@@ -40,6 +41,9 @@ pub struct Machine {
     /// Moving by hand.
     #[serde(default)]
     pub manual: ManualConfig,
+    /// How codes are handed to the ladder.
+    #[serde(default)]
+    pub handshake: HandshakeConfig,
     /// The control's own parameters that differ from its factory setting, by their own names.
     #[serde(default)]
     pub parameters: std::collections::BTreeMap<String, f64>,
@@ -142,6 +146,9 @@ pub struct SpindleConfig {
     /// Counts of its encoder in a turn.
     #[serde(default = "default_counts")]
     pub encoder_counts: f64,
+    /// How it is told its speed on a machine with a ladder.
+    #[serde(default)]
+    pub gears: GearConfig,
 }
 
 impl Default for SpindleConfig {
@@ -152,6 +159,7 @@ impl Default for SpindleConfig {
             tapping_rpm_s: unlimited(),
             tapping_retract_rpm_s: unlimited(),
             encoder_counts: default_counts(),
+            gears: GearConfig::default(),
         }
     }
 }
@@ -165,11 +173,14 @@ pub struct ToolChangeConfig {
     /// Places in the magazine; 0 is not checked.
     #[serde(default)]
     pub tools: u32,
+    /// Number of the program that M06 runs on a machine with a ladder.
+    #[serde(default)]
+    pub program: Option<u32>,
 }
 
 impl Default for ToolChangeConfig {
     fn default() -> ToolChangeConfig {
-        ToolChangeConfig { time_s: 5.0, tools: 0 }
+        ToolChangeConfig { time_s: 5.0, tools: 0, program: None }
     }
 }
 
@@ -286,6 +297,8 @@ impl Machine {
             }
         }
         self.manual.check()?;
+        self.handshake.check()?;
+        self.spindle.gears.check()?;
         not_negative("servo: in_position_ms", self.servo.in_position_ms)?;
         not_negative("tool_change: time_s", self.tool_change.time_s)?;
         self.path.check()
@@ -305,6 +318,7 @@ impl Machine {
             path: PathConfig::default(),
             servo: ServoConfig::default(),
             manual: ManualConfig::default(),
+            handshake: HandshakeConfig::default(),
             parameters: Default::default(),
         })
     }

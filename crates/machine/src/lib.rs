@@ -9,6 +9,7 @@
 pub mod alarm;
 pub mod alarm_table;
 pub mod config;
+pub mod handshake;
 pub mod manual;
 pub mod memory;
 pub mod messages;
@@ -26,6 +27,7 @@ pub mod tool_library;
 pub use alarm::{Alarm, AlarmId, Argument, Fault, Severity};
 pub use alarm_table::{AlarmClass, AlarmRow, alarm_table};
 pub use config::{AxisConfig, AxisKind, ConfigError, Machine};
+pub use handshake::{GearConfig, HandshakeConfig};
 pub use memory::{Memory, Place, VariableError, Variables};
 pub use messages::{Catalogue, Language};
 pub use offsets::{ToolOffset, ToolTable, WorkOffset, WorkOffsets};
