@@ -6,10 +6,12 @@
 //! then, so that the step acts on a machine in the state that the program means. An alarm waits in
 //! the same way: the moves before it are finished, the one at fault does not begin.
 
+mod ladder;
 mod overtravel;
 mod reference;
 mod skip;
 
+use crate::auxiliary::Auxiliary;
 use crate::drives::{Drives, Simulated, Switches};
 use crate::homing::Homing;
 use crate::manual::{JogSpeed, JogWay, Manual};
@@ -86,6 +88,7 @@ struct Given {
     length: f64,
     min: Position,
     max: Position,
+    to: Position,
     /// Its end is reached exactly before the next move begins: positioning, G09, G61.
     stops: bool,
     programmed: Programmed,
@@ -185,6 +188,8 @@ pub struct Cnc {
     events: Vec<Event>,
     /// What was wrong with an axis, once they have come to rest.
     failed: Option<Box<Alarm>>,
+    /// The ladder, where the machine has one.
+    auxiliary: Option<Box<Auxiliary>>,
 }
 
 impl Cnc {
@@ -240,6 +245,7 @@ impl Cnc {
             report: Report::new(period),
             events: Vec::new(),
             failed: None,
+            auxiliary: None,
         };
         if !knows_places {
             cnc.set_referenced(AxisSet::EMPTY);
@@ -366,6 +372,9 @@ impl Cnc {
         self.synchron.stop();
         self.hole = None;
         self.motion.abort();
+        if let Some(auxiliary) = &mut self.auxiliary {
+            auxiliary.cancel();
+        }
         self.waiting = None;
         self.busy = None;
         self.failed = None;
@@ -439,6 +448,7 @@ impl Cnc {
 
     /// Goes on by one servo period.
     pub fn tick(&mut self) -> Tick {
+        self.serve_ladder();
         let tick = self.period();
         if self.stroke.is_none_or(|stroke| !stroke.has_begun) {
             self.spindle.tick(self.period);
@@ -455,6 +465,9 @@ impl Cnc {
             _ => return self.at_rest(),
         }
         loop {
+            if let Some(step) = self.auxiliary.as_mut().and_then(|auxiliary| auxiliary.take_done()) {
+                self.done(&step.op);
+            }
             self.take_steps();
             if self.state != State::Running {
                 return self.slow_down();
@@ -471,8 +484,12 @@ impl Cnc {
             }
             if self.motion.is_empty() && self.motion.at_rest() {
                 self.finish_moves(u64::MAX);
+                if self.waits_for_ladder() {
+                    return self.wait_for_ladder();
+                }
                 match self.waiting.take() {
                     Some(waiting) => self.act(waiting),
+                    None if self.hands_over_speed() => {}
                     None => self.state = State::Ended,
                 }
                 if self.state != State::Running {
@@ -483,6 +500,10 @@ impl Cnc {
                     return self.move_by_hand();
                 }
                 continue;
+            }
+            if self.motion.at_rest() && self.cutting_waits() {
+                self.report.period(Activity::Spindle);
+                return self.at_rest();
             }
             return self.move_on();
         }
@@ -755,7 +776,7 @@ impl Cnc {
     fn take_steps(&mut self) {
         let is_free = |cnc: &Cnc| cnc.waiting.is_none() && cnc.busy.is_none() && cnc.stroke.is_none();
         while is_free(self) && self.state == State::Running && self.motion.free() > 0 {
-            match self.interpreter.next() {
+            match self.next_step() {
                 None => {
                     self.motion.finish();
                     return;
@@ -801,7 +822,7 @@ impl Cnc {
         let from = self.commanded;
         let tag = self.next_tag;
         let Some(to) = step.op.target().copied() else { return };
-        let Some(motion) = Move::from_step(&step.op, from, self.spindle.rpm(), tag) else { return };
+        let Some(motion) = Move::from_step(&step.op, from, self.feed_rpm(), tag) else { return };
         let Some(programmed) = Programmed::new(&step.op, from, motion.feed(), tag) else { return };
         // There is room: the caller asked.
         if self.motion.push(&motion).is_err() {
@@ -819,7 +840,17 @@ impl Cnc {
             // Positioning always ends in position.
             _ => true,
         };
-        self.given.push_back(Given { tag, span: step.span, activity, length, min, max, stops, programmed });
+        self.given.push_back(Given {
+            tag,
+            span: step.span,
+            activity,
+            length,
+            min,
+            max,
+            to,
+            stops,
+            programmed,
+        });
         if matches!(step.op, Op::Skip { .. }) {
             self.begin_probing(tag, from);
             if self.probing.is_some() {
@@ -831,7 +862,7 @@ impl Cnc {
     /// Whether a feed per revolution waits for a spindle that does not turn.
     fn feed_stands_still(&self, op: &Op) -> bool {
         let (Op::Feed { feed, .. } | Op::Arc { feed, .. } | Op::Skip { feed, .. }) = op else { return false };
-        matches!(feed, Feed::PerRevolution(_)) && self.spindle.rpm() == 0.0
+        matches!(feed, Feed::PerRevolution(_)) && self.feed_rpm() == 0.0
     }
 
     /// Counts the moves before the one being run.
@@ -858,10 +889,13 @@ impl Cnc {
             Waiting::Step(step) => step,
         };
         self.span = step.span;
+        if self.is_for_ladder(&step) {
+            return;
+        }
         match step.op {
             Op::Dwell(Dwell::Seconds(seconds)) => self.keep_busy(Activity::Dwell, seconds),
             Op::Dwell(Dwell::Revolutions(turns)) => {
-                let rpm = self.spindle.rpm();
+                let rpm = self.feed_rpm();
                 if rpm == 0.0 {
                     self.state = State::Alarmed(Box::new(Alarm::core(Fault::FeedNotReachable, step.span)));
                 } else {
@@ -893,13 +927,24 @@ impl Cnc {
                 let seconds = self.spindle.orient(degrees);
                 self.keep_busy(Activity::Spindle, seconds);
             }
+            Op::Message(text) => self.events.push(Event::Message(text)),
+            op => {
+                self.done(&op);
+                if matches!(op, Op::Change(_)) {
+                    self.keep_busy(Activity::ToolChange, self.tool_change_s);
+                }
+            }
+        }
+    }
+
+    /// What is so once the machine has done a step.
+    fn done(&mut self, op: &Op) {
+        match *op {
             Op::Change(tool) => {
                 self.report.change_tool(tool);
                 self.events.push(Event::ToolChange(tool));
-                self.keep_busy(Activity::ToolChange, self.tool_change_s);
             }
             Op::Home(axes) => self.home_by_program(axes),
-            Op::Message(text) => self.events.push(Event::Message(text)),
             Op::Stop(code) => self.state = State::Stopped(code),
             Op::End(code) => {
                 // M99 in the main program starts it again and counts no part (GSK990MC 5.2.5).

@@ -9,15 +9,20 @@
 //! Read [`cnc`] first; [`supervision`] is what the machine refuses before anything moves.
 
 pub mod api;
+mod auxiliary;
+pub mod capture;
 pub mod clock;
 pub mod cnc;
+pub mod diagnosis;
 pub mod drives;
+pub mod handshake;
 mod homing;
 pub mod manual;
 pub mod programmed;
 pub mod report;
 pub mod signals;
 pub mod spindle;
+pub mod spindle_control;
 pub mod supervision;
 
 pub use clock::Clock;

@@ -51,6 +51,16 @@ impl Spindle {
         self.told.abs()
     }
 
+    /// Speed that it has, r/min; clockwise positive.
+    pub fn actual_rpm(&self) -> f64 {
+        self.speed
+    }
+
+    /// Whether it stands at the angle that it was to come to.
+    pub fn is_oriented(&self) -> bool {
+        self.told == 0.0 && self.speed == 0.0 && self.rest_at.is_none()
+    }
+
     /// What its encoder says.
     pub fn encoder(&self) -> Encoder {
         Encoder { turns: (self.angle * self.counts).floor() / self.counts, marker: self.marker }

@@ -50,6 +50,8 @@ pub(crate) enum Custom {
     M(u16),
     /// An S word.
     Speed,
+    /// The tool change of the machine.
+    ToolChange,
 }
 
 /// A block set aside while the program of one of its codes runs.
@@ -118,11 +120,12 @@ impl CustomCodes {
         ROWS.get(usize::from(code)).filter(|_| self.has_m(code))
     }
 
-    fn program(&self, code: Custom) -> u32 {
+    fn program(&self, code: Custom) -> Option<u32> {
         match code {
-            Custom::G(n) => self.programs.g + u32::from(n),
-            Custom::M(n) => self.programs.m + u32::from(n),
-            Custom::Speed => self.programs.speed,
+            Custom::G(n) => Some(self.programs.g + u32::from(n)),
+            Custom::M(n) => Some(self.programs.m + u32::from(n)),
+            Custom::Speed => Some(self.programs.speed),
+            Custom::ToolChange => None,
         }
     }
 }
@@ -135,12 +138,21 @@ impl Interpreter {
             Custom::G(n) => codes.has_g(n),
             Custom::M(n) => codes.has_m(n),
             Custom::Speed => codes.speed,
+            Custom::ToolChange => false,
         };
         has && !self.flow.runs_custom(code)
     }
 
     /// The program that stands for an M code. Calls and returns keep their meaning.
     pub(crate) fn custom_m(&self, row: &MCode) -> Option<Custom> {
+        // A change to the tool that is in the spindle changes nothing (GSK990MC 8.1).
+        if row.function == MFunction::ToolChange
+            && self.options.tool_change_program.is_some()
+            && self.technology.in_spindle != self.technology.tool
+            && !self.flow.runs_custom(Custom::ToolChange)
+        {
+            return Some(Custom::ToolChange);
+        }
         let code = Custom::M(row.code);
         let is_fixed = matches!(row.function, MFunction::Call | MFunction::Return | MFunction::End);
         (!is_fixed && self.is_custom(code)).then_some(code)
@@ -171,12 +183,16 @@ impl Interpreter {
 
     /// Sets the block aside and runs the program of one of its codes; `rest` is done behind it.
     pub(crate) fn call_custom(&mut self, code: Custom, rest: &mut Rest, span: Span) -> Fallible<()> {
-        let Some(number) = self.custom.as_ref().map(|codes| codes.program(code)) else { return Ok(()) };
+        let number = match code {
+            Custom::ToolChange => self.options.tool_change_program,
+            code => self.custom.as_ref().and_then(|codes| codes.program(code)),
+        };
+        let Some(number) = number else { return Ok(()) };
         if let Custom::G(_) = code {
             self.pass_words(rest.part == Part::Holes);
         }
         // P beside an M code of the shop is its own and no dwell.
-        if let Custom::M(_) = code {
+        if matches!(code, Custom::M(_) | Custom::ToolChange) {
             self.words.take(b'P');
         }
         let id = ProgramId::Number(number);

@@ -34,7 +34,7 @@ use crate::words::{self, Tables, Words};
 use ferrocut_geometry::{Axis, AxisNames, Position};
 use ferrocut_machine::{Alarm, Fault, Memory};
 use ferrocut_program::{FileId, ProgramMemory, Span, lexer};
-use ferrocut_toolpath::{SpindleState, Step};
+use ferrocut_toolpath::{Speed, SpindleState, Step};
 use std::collections::{BTreeMap, VecDeque};
 
 /// How the operator's switches stand, and what the steps are for.
@@ -55,6 +55,12 @@ pub struct Options {
     /// A main program that ends with M99 is run again and again; else it ends once a further pass
     /// would be like the last.
     pub loops_forever: bool,
+    /// A spindle or coolant code is a step even where it changes nothing that the program knows of: keys of a
+    /// panel may have changed it.
+    pub every_code: bool,
+    /// The program that a tool change runs. Within it M06 is the built-in code, which says that the tool is in the
+    /// spindle.
+    pub tool_change_program: Option<u32>,
 }
 
 /// Where the tool is, in the coordinates of both ends of the stages.
@@ -460,6 +466,11 @@ impl Interpreter {
     /// The G codes in force, in tenths, by the order of groups.
     pub fn codes_in_force(&self) -> impl Iterator<Item = u16> {
         self.modal.codes().map(|code| code.tenths)
+    }
+
+    /// The speed in force, whether the spindle turns or not.
+    pub fn spindle_speed(&self) -> Speed {
+        self.speed()
     }
 
     /// Machine position of the zero of the work coordinate system in force.

@@ -127,14 +127,14 @@ impl Interpreter {
 
     /// Tells the spindle, unless it is as told already.
     pub(crate) fn spindle(&mut self, state: SpindleState) {
-        if self.technology.spindle != state {
+        if self.options.every_code || self.technology.spindle != state {
             self.technology.spindle = state;
             self.emit(Op::Spindle(state));
         }
     }
 
     pub(crate) fn coolant(&mut self, on: bool) {
-        if self.technology.coolant != on {
+        if self.options.every_code || self.technology.coolant != on {
             self.technology.coolant = on;
             self.emit(Op::Coolant(on));
         }

@@ -18,6 +18,7 @@ const OF_THE_MACHINE: &[Fault] = &[
     Fault::ReferenceNeeded,
     Fault::ReferenceByProgram,
     Fault::HomingStopped,
+    Fault::RigidTappingOff,
 ];
 
 /// The rule, its number in appendix 2, a program that breaks it, the words at fault, and a set-up.

@@ -613,6 +613,14 @@ faults! {
     /// Too many wrong passwords.
     PasswordWait = 1220,
 
+    // 1420: the ladder and the codes that are handed to it
+    /// A code is not done in time.
+    CodeNotFinished = 1420,
+    /// Rigid tapping that the ladder does not take part in.
+    RigidTappingOff = 1421,
+    /// A waveform that cannot be captured.
+    CaptureSetting = 1422,
+
     // 1430: reference points and travel switches
     /// Homing did not meet the home switch, or did not leave it.
     HomeSwitch = 1430,

@@ -1,5 +1,6 @@
 //! The machine file: axes with their limits, spindle, tool changer, path control.
 
+use crate::handshake::{GearConfig, HandshakeConfig};
 use crate::homing::{AxisHoming, HomingConfig};
 use crate::manual::ManualConfig;
 use crate::path::{PathConfig, Ramp};
@@ -48,6 +49,9 @@ pub struct Machine {
     /// The simulated machine, where the drives are not ideal.
     #[serde(default)]
     pub plant: Option<PlantConfig>,
+    /// How codes are handed to the ladder.
+    #[serde(default)]
+    pub handshake: HandshakeConfig,
     /// The control's own parameters that differ from its factory setting, by their own names.
     #[serde(default)]
     pub parameters: std::collections::BTreeMap<String, f64>,
@@ -153,6 +157,9 @@ pub struct SpindleConfig {
     /// Counts of its encoder in a turn.
     #[serde(default = "default_counts")]
     pub encoder_counts: f64,
+    /// How it is told its speed on a machine with a ladder.
+    #[serde(default)]
+    pub gears: GearConfig,
 }
 
 impl Default for SpindleConfig {
@@ -163,6 +170,7 @@ impl Default for SpindleConfig {
             tapping_rpm_s: unlimited(),
             tapping_retract_rpm_s: unlimited(),
             encoder_counts: default_counts(),
+            gears: GearConfig::default(),
         }
     }
 }
@@ -176,11 +184,14 @@ pub struct ToolChangeConfig {
     /// Places in the magazine; 0 is not checked.
     #[serde(default)]
     pub tools: u32,
+    /// Number of the program that M06 runs on a machine with a ladder.
+    #[serde(default)]
+    pub program: Option<u32>,
 }
 
 impl Default for ToolChangeConfig {
     fn default() -> ToolChangeConfig {
-        ToolChangeConfig { time_s: 5.0, tools: 0 }
+        ToolChangeConfig { time_s: 5.0, tools: 0, program: None }
     }
 }
 
@@ -300,6 +311,8 @@ impl Machine {
         self.manual.check()?;
         self.homing.check()?;
         self.plant.iter().try_for_each(PlantConfig::check)?;
+        self.handshake.check()?;
+        self.spindle.gears.check()?;
         not_negative("servo: in_position_ms", self.servo.in_position_ms)?;
         not_negative("tool_change: time_s", self.tool_change.time_s)?;
         self.path.check()
@@ -321,6 +334,7 @@ impl Machine {
             manual: ManualConfig::default(),
             homing: HomingConfig::default(),
             plant: None,
+            handshake: HandshakeConfig::default(),
             parameters: Default::default(),
         })
     }

@@ -81,6 +81,8 @@
 //! | `ChangeProtected` | `parameter` |
 //! | `ProgramLocked`, `LevelWithoutPassword` | `level` |
 //! | `PasswordWait` | `time` in s |
+//! | `CodeNotFinished` | `word`: the code |
+//! | `CaptureSetting` | `value` |
 
 use crate::alarm::{Alarm, AlarmId, Argument};
 use fluent_bundle::concurrent::FluentBundle;
@@ -138,6 +140,7 @@ impl Language {
                 include_str!("../messages/en/ladder.ftl"),
                 include_str!("../messages/en/memory.ftl"),
                 include_str!("../messages/en/labels.ftl"),
+                include_str!("../messages/en/signals.ftl"),
                 include_str!("../messages/en/gsk990mc.ftl"),
             ],
             Language::Zh => &[
@@ -146,6 +149,7 @@ impl Language {
                 include_str!("../messages/zh/ladder.ftl"),
                 include_str!("../messages/zh/memory.ftl"),
                 include_str!("../messages/zh/labels.ftl"),
+                include_str!("../messages/zh/signals.ftl"),
                 include_str!("../messages/zh/gsk990mc.ftl"),
             ],
             Language::Ru | Language::Es | Language::Tr => &[],

@@ -129,7 +129,9 @@ fn the_table_of_addresses_is_that_of_the_ladder() {
         rows += 1;
     }
     let first_cell = |line: &'static str| line.strip_prefix("| `")?.split('`').next();
-    let written = TABLE.lines().filter_map(first_cell).filter(|cell| Address::parse(cell).is_ok());
+    // What else the NC has stands in a chapter of its own.
+    let of_ladder = TABLE.split("\n## Further signals").next().unwrap();
+    let written = of_ladder.lines().filter_map(first_cell).filter(|cell| Address::parse(cell).is_ok());
     assert_eq!(written.count(), rows, "docs/plc.md has rows that the ladder lacks");
 }
 

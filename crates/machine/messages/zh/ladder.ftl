@@ -8,6 +8,15 @@ FC-1102 = 运行梯形图的设置不可用
     .detail = { $setting }：{ $value }
     .help = 请用名称或地址（如 X20.3）给出信号，并在 = 后面给出它的值。
 
+FC-1420 = 梯形图未完成辅助功能代码
+    .detail = { $word }
+    .help = 在诊断页面查看所等待的信号，排除机床故障后按复位。
+FC-1421 = 梯形图未进入刚性攻丝状态
+    .help = 信号 RGTAP 为 0：检查梯形图对 M29 的处理。
+FC-1422 = 无法采集该波形
+    .detail = { $value }
+    .help = 请指定机床具有的轴和信号，至少一个，且不超过允许的数量。
+
 label-ladder-checked = { $file }：{ $steps } 步，其中第一级 { $first } 步，{ $signals } 个命名信号
 label-ladder-faults = { $count } 个故障
 label-ladder-on = 通

@@ -92,6 +92,7 @@ pub const ALARMS: &[(Fault, u16)] = &[
     (Fault::TappingFeed, 201),
     (Fault::RigidMisplaced, 203),
     (Fault::PlaneInRigidTapping, 206),
+    (Fault::RigidTappingOff, 205),
     (Fault::SkipBlockInTransform, 217),
     (Fault::OffsetInTransform, 218),
     (Fault::CallWithoutProgram, 76),

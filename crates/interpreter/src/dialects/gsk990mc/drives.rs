@@ -6,7 +6,7 @@
 use super::acceleration;
 use ferrocut_machine::config::SpindleConfig;
 use ferrocut_machine::manual::ManualConfig;
-use ferrocut_machine::{AxisConfig, AxisHoming, HomingConfig, Machine, Parameters};
+use ferrocut_machine::{AxisConfig, AxisHoming, GearConfig, HomingConfig, Machine, Parameters};
 
 /// An encoder counts both edges of both of its tracks.
 const COUNTS_A_LINE: f64 = 4.0;
@@ -20,6 +20,8 @@ const REVERSAL_UNIT: f64 = 1e-4;
 /// Writes the parameters over what the machine file says of path and axes.
 pub fn machine_parameters(parameters: &Parameters, machine: &mut Machine) {
     spindle(parameters, &mut machine.spindle);
+    // P202.
+    machine.handshake.finish_width_ms = parameters.data(202).max(0.0);
     manual(parameters, &mut machine.manual);
     acceleration::machine_parameters(parameters, machine);
     let period = machine.servo_period_ms;
@@ -104,6 +106,21 @@ fn spindle(parameters: &Parameters, spindle: &mut SpindleConfig) {
     let rate = |ms: f64| if ms > 0.0 && p(294) > 0.0 { p(294) / ms * 1000.0 } else { f64::INFINITY };
     spindle.tapping_rpm_s = spindle.tapping_rpm_s.min(rate(inwards));
     spindle.tapping_retract_rpm_s = spindle.tapping_retract_rpm_s.min(rate(outwards));
+    gears(parameters, &mut spindle.gears);
+}
+
+/// P242, P246 to P249, P262 and bits 1#2, 37#2, 37#3, 38#0, 38#5 (part 2, 4.2.4; part 1, 6.1 to 6.3).
+fn gears(parameters: &Parameters, gears: &mut GearConfig) {
+    for (number, max_rpm) in (246..).zip(&mut gears.max_rpm) {
+        *max_rpm = parameters.data(number).max(0.0);
+    }
+    gears.chosen_by_ladder = parameters.bit(38, 5);
+    gears.switched = parameters.bit(1, 2);
+    gears.jog_rpm = parameters.data(242).max(0.0);
+    gears.least_override = parameters.data(262).clamp(0.0, 1.0);
+    gears.cutting_waits = parameters.bit(38, 0);
+    gears.clamped_behind_override = parameters.bit(37, 3);
+    gears.surface_follows_rapid = parameters.bit(37, 2);
 }
 
 /// P190 to P200 and P231 to P235 of axis `k`, bits 18#0, 18#6, 18#7; an axis for which they are 0 has what the

@@ -1,0 +1,128 @@
+//! The control with a ladder: what is handed to it, and what waits for it.
+
+use super::{Cnc, Given, State, Tick};
+use crate::auxiliary::{Auxiliary, Handing, Now};
+use crate::report::Activity;
+use crate::signals::{Inputs, Outputs};
+use ferrocut_machine::{Alarm, Fault, Machine};
+use ferrocut_motion::servo::Kind;
+use ferrocut_toolpath::{Op, Step};
+
+impl Cnc {
+    /// From now on codes go to a ladder, and the spindle does what it says: [`hear`](Cnc::hear) before each period,
+    /// [`tell`](Cnc::tell) behind it. `machine` is the one that the control was made for.
+    pub fn connect_ladder(&mut self, machine: &Machine) {
+        let mut machine = machine.clone();
+        let memory = self.interpreter.memory();
+        (self.interpreter.dialect().machine_parameters)(&memory.parameters, &mut machine);
+        self.auxiliary = Some(Box::new(Auxiliary::new(&machine)));
+    }
+
+    /// What the ladder says of codes and spindle in the period that comes.
+    pub fn hear(&mut self, inputs: &Inputs) {
+        if let Some(auxiliary) = &mut self.auxiliary {
+            auxiliary.hear(inputs);
+        }
+    }
+
+    /// Tells the ladder of codes, spindle and moves; what else it is told is left as it is.
+    pub fn tell(&self, outputs: &mut Outputs) {
+        let Some(auxiliary) = &self.auxiliary else { return };
+        auxiliary.tell(&self.spindle, self.servo.is_at_rest(), outputs);
+        let moves = !self.motion.at_rest();
+        let kind = self.given.front().map(Given::kind).filter(|_| moves);
+        (outputs.rapid, outputs.cutting) = (kind == Some(Kind::Rapid), kind == Some(Kind::Cutting));
+        outputs.threading = self.stroke.is_some_and(|stroke| stroke.has_begun);
+        outputs.tapping = self.hole.is_some();
+        // Moves of the block are done, its codes are not.
+        outputs.distribution_end = auxiliary.handed().is_some() && !moves && self.motion.is_empty();
+    }
+
+    /// Whether the ladder has not yet finished what was handed to it.
+    pub fn waits_for_ladder(&self) -> bool {
+        self.auxiliary.as_ref().is_some_and(|auxiliary| auxiliary.handed().is_some())
+    }
+
+    /// Codes and spindle, where there is a ladder.
+    pub(super) fn serve_ladder(&mut self) {
+        let Some(auxiliary) = &mut self.auxiliary else { return };
+        let positions = self.given.front().filter(|given| given.kind() == Kind::Rapid);
+        let now = Now {
+            at: if self.manual.is_active { self.actual } else { self.motion.position() },
+            rapid_to: positions.filter(|_| !self.motion.at_rest()).map(|given| given.to),
+            taps: self.hole.is_some() || self.stroke.is_some(),
+        };
+        if auxiliary.tick(&now, &mut self.spindle) {
+            let alarm = Alarm::core(Fault::CodeNotFinished, self.span);
+            let alarm = alarm.with("word", auxiliary.codes().word());
+            self.come_to_rest();
+            self.failed = Some(Box::new(alarm));
+        }
+    }
+
+    /// A period in which nothing is done but what was handed to the ladder.
+    pub(super) fn wait_for_ladder(&mut self) -> Tick {
+        let handed = self.auxiliary.as_ref().and_then(|auxiliary| auxiliary.handed());
+        self.report.period(match handed.map(|step| &step.op) {
+            Some(Op::Spindle(_) | Op::Orient(_)) => Activity::Spindle,
+            Some(Op::Select(_) | Op::Change(_)) => Activity::ToolChange,
+            _ => Activity::Dwell,
+        });
+        self.at_rest()
+    }
+
+    /// Whether the axes, at rest, are not to begin to cut yet.
+    pub(super) fn cutting_waits(&self) -> bool {
+        if !self.auxiliary.as_ref().is_some_and(|auxiliary| auxiliary.cutting_waits()) {
+            return false;
+        }
+        let at = self.motion.position();
+        // The first move may be run to its end already.
+        let mut moves = self.given.iter().enumerate().filter(|(n, given)| *n > 0 || given.to != at);
+        moves.next().is_some_and(|(_, given)| given.kind() == Kind::Cutting)
+    }
+
+    /// A program that ends hands over a speed that was not told to the spindle.
+    pub(super) fn hands_over_speed(&mut self) -> bool {
+        let (speed, step) = (self.interpreter.spindle_speed(), Step { op: Op::Barrier, span: self.span });
+        self.auxiliary.as_mut().is_some_and(|auxiliary| auxiliary.hand_over_speed(speed, &step))
+    }
+
+    /// The next step; none while it has to wait for what was handed to the ladder.
+    pub(super) fn next_step(&mut self) -> Option<Result<Step, Box<Alarm>>> {
+        let Some(auxiliary) = &mut self.auxiliary else { return self.interpreter.next() };
+        if auxiliary.is_full() {
+            return None;
+        }
+        let next = match auxiliary.take_next() {
+            Some(step) => Some(Ok(step)),
+            None => self.interpreter.next(),
+        };
+        match next {
+            Some(Ok(step)) if auxiliary.keeps(&step) => None,
+            next => next,
+        }
+    }
+
+    /// Speed of the spindle for a feed per revolution, r/min: under auxiliary lock the one it would have.
+    pub(super) fn feed_rpm(&self) -> f64 {
+        let locked = self.auxiliary.as_ref().and_then(|auxiliary| auxiliary.locked_rpm());
+        locked.unwrap_or_else(|| self.spindle.rpm())
+    }
+
+    /// Hands a step to the ladder, if there is one and the step is for it.
+    pub(super) fn is_for_ladder(&mut self, step: &Step) -> bool {
+        let in_force = self.interpreter.spindle_speed();
+        let Some(auxiliary) = &mut self.auxiliary else { return false };
+        match auxiliary.hand_over(step, in_force) {
+            Handing::Nothing if matches!(step.op, Op::Tap { .. }) && auxiliary.lacks_rigid_tapping() => {
+                let rule = Fault::RigidTappingOff;
+                let alarm = Alarm::new(self.interpreter.dialect().alarm_id(rule), rule, step.span);
+                self.state = State::Alarmed(Box::new(alarm));
+                true
+            }
+            Handing::Nothing => false,
+            Handing::Begun | Handing::Locked => true,
+        }
+    }
+}

@@ -1,0 +1,164 @@
+//! Signals by their names, with what they mean: those of the NC, and those that the running ladder names.
+
+use crate::signals;
+use ferrocut_machine::{Catalogue, Language};
+use ferrocut_plc::memory::Width;
+use ferrocut_plc::{Address, Area, Memory, Program};
+
+/// A signal as the page of diagnosis shows it.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Entry {
+    /// Its name; the address where it has none.
+    pub name: String,
+    /// Its address; of a value, that of its first byte.
+    pub address: Address,
+    /// Bytes of its value; 0 for a bit.
+    pub bytes: u8,
+}
+
+/// Every signal of an area that has a name, by rising address. A ladder may have names of its own for signals of
+/// the NC; those stand first.
+pub fn entries(area: Area, ladder: &Program) -> Vec<Entry> {
+    let mut entries: Vec<Entry> = ladder
+        .symbols()
+        .iter()
+        .filter(|symbol| symbol.address.area == area)
+        .map(|symbol| named(&symbol.name, symbol.address))
+        .collect();
+    for signal in signals::signals().filter(|signal| signal.address.area == area) {
+        if entries.iter().all(|entry| entry.address != signal.address || entry.name != signal.name) {
+            entries.push(Entry {
+                name: signal.name.to_owned(),
+                address: signal.address,
+                bytes: signal.bytes,
+            });
+        }
+    }
+    entries.sort_by_key(|entry| (entry.address.byte, entry.address.bit));
+    entries
+}
+
+/// The signal of a name or an address.
+pub fn find(text: &str, ladder: &Program) -> Option<Entry> {
+    if let Some(address) = ladder.signal(text) {
+        return Some(named(text, address));
+    }
+    if let Some(signal) = signals::signal(text) {
+        let (name, address, bytes) = (signal.name.to_owned(), signal.address, signal.bytes);
+        return Some(Entry { name, address, bytes });
+    }
+    let address = Address::parse(text).ok()?;
+    Some(Entry { name: text.to_owned(), address, bytes: u8::from(address.bit.is_none()) })
+}
+
+/// A signal of the ladder: where the NC has a value at that place, it is as wide as that.
+fn named(name: &str, address: Address) -> Entry {
+    let of_nc = signals::signals().find(|signal| signal.address == address);
+    let bytes = of_nc.map_or(u8::from(address.bit.is_none()), |signal| signal.bytes);
+    Entry { name: name.to_owned(), address, bytes }
+}
+
+impl Entry {
+    /// Its value: a bit 0 or 1, a number without sign.
+    pub fn value(&self, memory: &Memory) -> u32 {
+        match self.bytes {
+            0 => u32::from(memory.bit(self.address)),
+            1 => u32::from(memory.byte(self.address)),
+            2 => memory.read(self.address.place(), Width::Two).cast_unsigned() & 0xFFFF,
+            _ => memory.read(self.address.place(), Width::Four).cast_unsigned(),
+        }
+    }
+
+    /// What it means, in a language. Where the catalogue has no such name the ladder's own words stand, and nothing
+    /// where it has none.
+    pub fn meaning(&self, language: Language, ladder: &Program) -> String {
+        let key = label(&self.name);
+        let text = Catalogue::new(language).label(&key, &[]);
+        if text != key {
+            return text;
+        }
+        let own = ladder.symbols().iter().find(|symbol| symbol.name.as_str() == self.name.as_str());
+        own.map(|symbol| symbol.meaning.to_string()).unwrap_or_default()
+    }
+}
+
+/// The key of a signal's meaning in the catalogues: `*` is `not-`, `+` and `-` at the end are `-plus` and `-minus`.
+pub fn label(name: &str) -> String {
+    let (name, end) = match name.strip_suffix('+') {
+        Some(name) => (name, "-plus"),
+        None => name.strip_suffix('-').map_or((name, ""), |name| (name, "-minus")),
+    };
+    format!("label-signal-{}{end}", name.replace('*', "not-"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ferrocut_plc::{Limits, Pace, Plc};
+
+    const LADDER: &str = include_str!("../../../machines/standard.lad");
+    const DOCUMENT: &str = include_str!("../../../docs/plc.md");
+
+    fn ladder() -> Program {
+        Program::from_text(LADDER.as_bytes(), &Limits::default()).unwrap()
+    }
+
+    fn shown(address: Address) -> String {
+        let bit = address.bit.map_or_else(String::new, |bit| format!(".{bit}"));
+        format!("{:?}{}{bit}", address.area, address.byte)
+    }
+
+    #[test]
+    fn every_signal_has_a_meaning_in_every_language_and_the_document_says_the_same() {
+        let ladder = ladder();
+        let mut rows = 0;
+        for area in [Area::X, Area::Y, Area::F, Area::G, Area::A, Area::K, Area::D] {
+            for entry in entries(area, &ladder) {
+                let [en, zh] =
+                    [Language::En, Language::Zh].map(|l| Catalogue::new(l).label(&label(&entry.name), &[]));
+                assert!(en != label(&entry.name), "no text for {}", entry.name);
+                assert!(zh != en && !zh.is_ascii(), "{}: {zh}", entry.name);
+                let row = format!("| `{}` | `{}` | {en} |", shown(entry.address), entry.name);
+                assert!(DOCUMENT.contains(&row), "docs/plc.md lacks\n{row}");
+                rows += 1;
+            }
+        }
+        let first_cell = |line: &'static str| line.strip_prefix("| `")?.split('`').next();
+        let written = DOCUMENT.lines().filter_map(first_cell).filter(|cell| Address::parse(cell).is_ok());
+        assert_eq!(written.count(), rows, "docs/plc.md has rows that neither NC nor ladder have");
+    }
+
+    #[test]
+    fn the_ladder_and_the_nc_mean_the_same_place_by_a_name() {
+        let ladder = ladder();
+        for signal in signals::signals() {
+            if let Some(address) = ladder.signal(signal.name) {
+                assert_eq!(address, signal.address, "{}", signal.name);
+            }
+        }
+        // What the ladder exchanges with the NC, the NC has.
+        for symbol in ladder.symbols().iter().filter(|s| matches!(s.address.area, Area::F | Area::G)) {
+            assert!(signals::signal(&symbol.name).is_some(), "the NC has no {}", symbol.name);
+        }
+    }
+
+    #[test]
+    fn signals_are_read_by_name_or_address() {
+        let mut plc = Plc::new(ladder(), Pace::default());
+        let memory = plc.memory_mut();
+        memory.set_bit(Address::parse("F7.0").unwrap(), true);
+        memory.write(Address::parse("F10").unwrap().place(), Width::Four, 70_000);
+        memory.write(Address::parse("G10").unwrap().place(), Width::Two, -1);
+        let value = |text: &str| find(text, plc.program()).map(|entry| entry.value(plc.memory()));
+        assert_eq!([value("MF"), value("F7.0"), value("F7"), value("SF")], [1, 1, 1, 0].map(Some));
+        assert_eq!([value("M_CODE"), value("*JV"), value("DEN")], [70_000, 0xFFFF, 0].map(Some));
+        assert_eq!([value("NOPE"), value("F9999")], [None, None]);
+        let meaning =
+            |text: &str, language| find(text, plc.program()).unwrap().meaning(language, plc.program());
+        assert_eq!(meaning("*LX+", Language::En), "limit switch +X");
+        assert_eq!(meaning("*LX+", Language::Zh), "+X 限位开关");
+        // A name of the ladder's own has the ladder's words, an address none.
+        assert_eq!(meaning("GOAL", Language::Zh), "pocket that is wanted, a word");
+        assert_eq!(meaning("G99.1", Language::En), "");
+    }
+}

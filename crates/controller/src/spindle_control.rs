@@ -1,0 +1,200 @@
+//! What speed the spindle is told on a machine with a ladder (GSK990MC part 1, 5.1.1 and 6; part 2, 4.2).
+//!
+//! The NC knows the speed (S, surface speed, override, gears), the ladder says which way it turns and whether it
+//! may. So M03 reaches the spindle by way of the ladder, as a key of the panel does.
+
+use crate::signals::{Inputs, Outputs};
+use crate::spindle::Spindle;
+use ferrocut_geometry::Position;
+use ferrocut_machine::{GearConfig, Machine};
+use ferrocut_toolpath::{Speed, SpindleState};
+
+/// A spindle that is this near to the speed it was told has it, as a part of it.
+const AT_SPEED: f64 = 0.02;
+
+/// Slower than this it stands still, r/min.
+const STANDSTILL_RPM: f64 = 0.5;
+
+/// What the spindle does for the ladder.
+#[derive(Clone, Copy, PartialEq, Debug)]
+enum Doing {
+    Stands,
+    Turns,
+    /// Comes to its angle, or holds it.
+    Orients,
+}
+
+/// The way from S and the ladder to the spindle.
+#[derive(Clone, Debug)]
+pub struct SpindleControl {
+    gears: GearConfig,
+    max_rpm: f64,
+    /// The speed of the program.
+    speed: Speed,
+    /// Angle of orientation, degrees.
+    angle: f64,
+    doing: Doing,
+    /// The spindle is the NC's own: a thread is being tapped.
+    taps: bool,
+    /// Where G96 takes its radius from.
+    surface_at: Position,
+    /// Speed that the spindle was told, r/min.
+    told: f64,
+    gear: u8,
+}
+
+impl SpindleControl {
+    /// The spindle of a machine, at rest.
+    pub fn new(machine: &Machine) -> SpindleControl {
+        SpindleControl {
+            gears: machine.spindle.gears.clone(),
+            max_rpm: machine.spindle.max_rpm,
+            speed: Speed::Rpm(0.0),
+            angle: 0.0,
+            doing: Doing::Stands,
+            taps: false,
+            surface_at: Position::ZERO,
+            told: 0.0,
+            gear: 1,
+        }
+    }
+
+    /// The speed of the program from now on.
+    pub fn set_speed(&mut self, speed: Speed) {
+        self.speed = speed;
+    }
+
+    /// The angle of the next orientation, degrees.
+    pub fn set_angle(&mut self, degrees: f64) {
+        self.angle = degrees;
+    }
+
+    /// The speed of the program with the axes at `at`, r/min, in the gear engaged and without the override.
+    pub fn programmed_rpm(&self, at: &Position) -> f64 {
+        self.speed.rpm(at).min(self.max_rpm)
+    }
+
+    /// Whether cutting is to wait: the spindle is to turn and the ladder does not say that it has its speed.
+    pub fn cutting_waits(&self, inputs: &Inputs) -> bool {
+        self.gears.cutting_waits && self.doing == Doing::Turns && !inputs.spindle_at_speed
+    }
+
+    /// Goes on by a period. `taps`: the spindle belongs to a thread that is being tapped. `rapid_to`: the end of
+    /// the positioning under way.
+    pub fn tick(
+        &mut self,
+        inputs: &Inputs,
+        taps: bool,
+        at: &Position,
+        rapid_to: Option<Position>,
+        spindle: &mut Spindle,
+    ) {
+        self.gear = self.gear(inputs);
+        self.surface_at = match rapid_to {
+            Some(to) if !self.gears.surface_follows_rapid => to,
+            _ => *at,
+        };
+        let ended = std::mem::replace(&mut self.taps, taps) && !taps;
+        if taps {
+            return;
+        }
+        let may_turn = inputs.spindle_may_turn
+            && inputs.spindle_drive_on
+            && !inputs.spindle_emergency_stop
+            && !inputs.emergency_stop;
+        if inputs.spindle_orient && may_turn {
+            if self.doing != Doing::Orients || ended {
+                (self.doing, self.told) = (Doing::Orients, 0.0);
+                spindle.orient(self.angle);
+            }
+            return;
+        }
+        let rpm = if may_turn { self.rpm(inputs) } else { 0.0 };
+        let state = match (inputs.spindle_forward, inputs.spindle_reverse) {
+            (true, false) if rpm > 0.0 => SpindleState::Clockwise(Speed::Rpm(rpm)),
+            (false, true) if rpm > 0.0 => SpindleState::CounterClockwise(Speed::Rpm(rpm)),
+            _ => SpindleState::Off,
+        };
+        let doing = if state == SpindleState::Off { Doing::Stands } else { Doing::Turns };
+        let told = match state {
+            SpindleState::Off => 0.0,
+            SpindleState::Clockwise(_) => rpm,
+            SpindleState::CounterClockwise(_) => -rpm,
+        };
+        if doing != self.doing || told != self.told || ended {
+            (self.doing, self.told) = (doing, told);
+            spindle.command(state, at);
+        }
+    }
+
+    /// The speed with its override within all limits, r/min.
+    fn rpm(&self, inputs: &Inputs) -> f64 {
+        let highest = self.highest();
+        if inputs.spindle_jog {
+            return self.gears.jog_rpm.min(highest);
+        }
+        if self.gears.switched {
+            // The number of a gear: its highest speed.
+            return highest;
+        }
+        let factor = inputs.spindle_override.max(self.gears.least_override);
+        let rpm = match self.speed {
+            // 37#3: the clamp of G92 holds behind the override.
+            Speed::Surface { mm_per_min, min_rpm, max_rpm, axis, center }
+                if self.gears.clamped_behind_override =>
+            {
+                let unclamped = Speed::Surface { mm_per_min, min_rpm, max_rpm: None, axis, center };
+                let wanted = match unclamped.rpm(&self.surface_at) {
+                    // On the centre there is no speed but the highest.
+                    0.0 if mm_per_min > 0.0 => max_rpm.unwrap_or(0.0),
+                    rpm => rpm * factor,
+                };
+                wanted.min(max_rpm.unwrap_or(f64::MAX))
+            }
+            speed => speed.rpm(&self.surface_at) * factor,
+        };
+        rpm.min(highest)
+    }
+
+    /// Highest speed in the gear, r/min.
+    fn highest(&self) -> f64 {
+        let of_gear = usize::from(self.gear).checked_sub(1).and_then(|n| self.gears.max_rpm.get(n));
+        match of_gear {
+            Some(rpm) if *rpm > 0.0 => rpm.min(self.max_rpm),
+            _ => self.max_rpm,
+        }
+    }
+
+    /// The gear: what the ladder says, the number that S is, or the lowest one that has the speed (part 2,
+    /// 4.2.4: three of them are chosen by speed).
+    fn gear(&self, inputs: &Inputs) -> u8 {
+        if self.gears.chosen_by_ladder {
+            return inputs.gear;
+        }
+        let wanted = self.speed.rpm(&self.surface_at);
+        if self.gears.switched {
+            // The last two digits of S count (part 1, 6.2).
+            return (wanted.max(0.0) % 100.0) as u8;
+        }
+        let [first, second, ..] = self.gears.max_rpm;
+        match wanted {
+            rpm if rpm <= first || second <= 0.0 => 1,
+            rpm if rpm <= second || self.gears.max_rpm.get(2).is_none_or(|third| *third <= 0.0) => 2,
+            _ => 3,
+        }
+    }
+
+    /// Tells the ladder.
+    pub fn tell(&self, inputs: &Inputs, spindle: &Spindle, outputs: &mut Outputs) {
+        let rpm = spindle.actual_rpm();
+        outputs.gear = if self.gears.chosen_by_ladder || self.gear > 3 { 0 } else { self.gear };
+        outputs.spindle_enabled = self.told != 0.0;
+        outputs.spindle_rpm = rpm.abs().round().clamp(0.0, 65_535.0) as u16;
+        outputs.spindle_zero = !self.taps && rpm.abs() < STANDSTILL_RPM;
+        let off = (rpm - self.told).abs();
+        outputs.spindle_at_speed = self.doing == Doing::Turns && off <= AT_SPEED * self.told.abs();
+        outputs.spindle_oriented = self.doing == Doing::Orients && !self.taps && spindle.is_oriented();
+        outputs.surface_speed = matches!(self.speed, Speed::Surface { .. });
+        outputs.rigid_tapping = inputs.rigid_tapping;
+    }
+}

@@ -1,0 +1,374 @@
+//! NC, standard ladder and machine together, through the keys of the panel only.
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
+
+mod common;
+#[path = "common/mill.rs"]
+mod mill;
+
+use common::machine;
+use ferrocut_controller::signals::Mode;
+use ferrocut_controller::{Event, State};
+use ferrocut_geometry::Axis;
+use ferrocut_machine::{AlarmId, Fault};
+use mill::Mill;
+
+/// The speed of the spindle, r/min, to the nearest; clockwise positive.
+fn rpm(mill: &Mill) -> i32 {
+    mill.cnc.spindle().actual_rpm().round() as i32
+}
+
+#[test]
+fn the_spindle_turns_by_way_of_the_ladder() {
+    let mut m = Mill::new("M03 S1200\nG04 X0.5\nM04 S600\nG04 X0.5\nM05\nG04 X0.5\nM30");
+    let outputs = ["SPINDLE_CW", "SPINDLE_CCW", "LAMP_SP_CW", "LAMP_SP_CCW", "LAMP_SP_STOP", "SSTA", "SARA"];
+    m.start();
+    assert!(m.is("LAMP_START") && m.is("TOWER_GREEN") && m.is("DOOR_LOCK"));
+    // 1200 r/min at 4000 a second: the code is done after 0.3 s.
+    let took = m.until(|m| rpm(m) == 1200);
+    assert!((200..320).contains(&took), "{took}");
+    m.run(20);
+    assert_eq!(m.on(&outputs), ["SPINDLE_CW", "LAMP_SP_CW", "SARA"]);
+    m.until(|m| rpm(m) == -600);
+    m.run(20);
+    assert_eq!(m.on(&outputs), ["SPINDLE_CCW", "LAMP_SP_CCW", "SARA"]);
+    m.until(|m| m.is("SSTA"));
+    m.run(20);
+    assert_eq!((m.on(&outputs), rpm(&m)), (vec!["LAMP_SP_STOP", "SSTA"], 0));
+    m.until(|m| *m.cnc.state() == State::Ended);
+    m.run(20);
+    assert_eq!(m.on(&["LAMP_START", "TOWER_GREEN", "DOOR_LOCK", "TOWER_YELLOW"]), ["TOWER_YELLOW"]);
+}
+
+#[test]
+fn codes_of_the_machine_reach_its_valves() {
+    let codes = [
+        ("M08", "COOLANT", true),
+        ("M09", "COOLANT", false),
+        ("M26", "FLUSH", true),
+        ("M27", "FLUSH", false),
+        ("M35", "CONVEYOR", true),
+        ("M36", "CONVEYOR", false),
+        ("M44", "BLOW", true),
+        ("M45", "BLOW", false),
+        ("M10", "A_RELEASE", true),
+        ("M11", "A_CLAMP", true),
+        ("M19", "ORARA", true),
+        ("M18", "ORARA", false),
+        ("M29", "RTAP", true),
+        ("M28", "RTAP", false),
+    ];
+    let program: String = codes.iter().map(|(code, ..)| format!("{code}\nM00\n")).collect();
+    let mut m = Mill::new(&format!("{program}M30"));
+    m.start();
+    for (code, output, on) in codes {
+        m.until(|m| *m.cnc.state() == State::Stopped(0));
+        assert_eq!(m.is(output), on, "{code}");
+        // M10 and M11 wait for the clamp.
+        assert!(code != "M10" || m.is("A_LOOSE"));
+        assert!(code != "M11" || m.is("A_CLAMPED"));
+        assert!(m.is("OP") && !m.is("STL") && !m.is("MF") && !m.is("FIN"));
+        m.press("KEY_START");
+    }
+    m.until(|m| *m.cnc.state() == State::Ended);
+}
+
+#[test]
+fn the_end_of_a_program_ends_what_its_codes_began() {
+    let mut m = Mill::new("M03 S500\nM08\nM26\nM35\nM44\nM30");
+    m.run_program();
+    m.run(300);
+    assert_eq!(m.on(&["SPINDLE_CW", "COOLANT", "FLUSH", "CONVEYOR", "BLOW"]), ["CONVEYOR"]);
+    assert_eq!((rpm(&m), m.cnc.report().parts), (0, 1));
+}
+
+#[test]
+fn a_move_of_the_block_runs_beside_its_code_and_the_next_block_waits() {
+    // Releasing A takes 0.12 s, the move 0.6 s and more: both at once.
+    let mut m = Mill::new("G01 X10 F1000 M10\nG01 Y10\nM11\nM30");
+    m.start();
+    m.until(|m| m.at[Axis::X] > 1.0);
+    assert!(m.is("A_RELEASE"));
+    m.until(|m| m.is("A_LOOSE"));
+    assert!(m.at[Axis::X] < 8.0);
+    // A code that takes long: the axes come to rest on the end of the block, and DEN says so.
+    let mut m = Mill::new("G00 X1 M03 S4000\nG01 Y10 F1000\nM30");
+    m.start();
+    m.until(|m| m.at[Axis::X] == 1.0);
+    assert!(m.outputs.m.strobe && m.cnc.waits_for_ladder());
+    m.run(300);
+    assert!(m.is("DEN") && m.at[Axis::Y] == 0.0 && m.cnc.waits_for_ladder());
+    m.until(|m| m.at[Axis::Y] > 0.0);
+    // The speed is there to 2 %.
+    assert!(!m.is("DEN") && rpm(&m) >= 3920);
+}
+
+#[test]
+fn codes_of_a_block_follow_each_other_and_wait_for_their_turn() {
+    let mut m = Mill::new("M08 M26 M44\nM00\nM30");
+    m.start();
+    m.until(|m| *m.cnc.state() == State::Stopped(0));
+    assert_eq!(m.codes, [8, 26, 44, 0]);
+    assert_eq!(m.on(&["COOLANT", "FLUSH", "BLOW"]), ["COOLANT", "FLUSH", "BLOW"]);
+}
+
+#[test]
+fn a_tool_is_changed_by_its_program() {
+    // The second reference point, where Z meets the magazine, is at -100.
+    let setup = "[parameters]\nP52 = -100.0\n";
+    let mut m = Mill::with("T3 M06\nM03 S800\nT14\nG01 X5 F1000\nM06\nM30", setup, |_| {});
+    m.start();
+    m.until(|m| m.events.contains(&Event::ToolChange(3)));
+    assert_eq!((m.pocket, m.byte("POCKET"), m.at[Axis::Z]), (3, 3, -100.0));
+    m.until(|m| m.events.contains(&Event::ToolChange(14)));
+    assert_eq!((m.pocket, m.byte("POCKET")), (14, 14));
+    m.until(|m| *m.cnc.state() == State::Ended);
+    let states =
+        ["TOOL_CLAMPED", "TOOL_LOOSE", "MAG_AT_SPINDLE", "MAG_AWAY", "MAG_CW", "MAG_CCW", "MSG_TOOL"];
+    assert_eq!(m.on(&states), ["TOOL_CLAMPED", "MAG_AWAY"]);
+    assert_eq!(m.cnc.report().tool(), 14);
+}
+
+#[test]
+fn a_pocket_that_there_is_not_is_told_and_reset_ends_the_wait() {
+    let mut m = Mill::new("T17\nM30");
+    m.start();
+    m.run(2_000);
+    assert_eq!(m.on(&["MSG_POCKET", "TF", "FIN", "MAG_CW", "MAG_CCW"]), ["MSG_POCKET", "TF"]);
+    m.reset();
+    assert_eq!(m.on(&["MSG_POCKET", "TF", "STL", "OP"]), Vec::<&str>::new());
+    assert_eq!(m.cnc.state(), &State::Reset);
+}
+
+#[test]
+fn a_code_that_is_never_done_is_an_alarm() {
+    let mut m = Mill::with("G01 X5 F1000\nM10\nM30", "", |machine| machine.handshake.time_out_s = 2.0);
+    m.start();
+    m.until(|m| m.is("A_RELEASE"));
+    // The clamp hangs.
+    let hangs = m.address("A_LOOSE");
+    m.plc.force(&ferrocut_plc::Maintenance::granted(), hangs, false);
+    let took = m.until(|m| matches!(m.cnc.state(), State::Alarmed(_)));
+    let State::Alarmed(alarm) = m.cnc.state().clone() else { panic!() };
+    assert_eq!((alarm.fault, alarm.span.line), (Fault::CodeNotFinished, 2));
+    assert!((1_900..2_100).contains(&took), "{took}");
+    m.run(20);
+    assert!(m.is("TOWER_RED") && !m.is("MF"));
+}
+
+#[test]
+fn rigid_tapping_wants_its_signal() {
+    let tapping = "G00 Z5\nM29 S500\nG84 X0 Y0 Z-5 R2 F500\nG80\nM28\nM30";
+    let mut m = Mill::new(&format!("M03 S500\n{tapping}"));
+    m.start();
+    m.until(|m| m.is("THRD"));
+    assert!(m.is("RGTAP") && m.is("TAP") && !m.is("SPINDLE_CW"));
+    m.until(|m| *m.cnc.state() == State::Ended);
+    assert!(!m.is("RGTAP"));
+    // A ladder that turns it off.
+    let mut m = Mill::new(tapping);
+    let rigid = m.address("RTAP");
+    m.plc.force(&ferrocut_plc::Maintenance::granted(), rigid, true);
+    let rigid = m.address("RGTAP");
+    m.plc.force(&ferrocut_plc::Maintenance::granted(), rigid, false);
+    m.start();
+    m.until(|m| *m.cnc.state() != State::Running);
+    let State::Alarmed(alarm) = m.cnc.state() else { panic!() };
+    assert_eq!(alarm.id, AlarmId::Dialect("gsk990mc", 205));
+}
+
+#[test]
+fn under_auxiliary_lock_no_code_leaves_the_control() {
+    let mut m = Mill::new("M03 S1000\nT5\nM08\nG95 G01 X1 F0.5\nM00\nM30");
+    m.press("KEY_AUTO");
+    m.press("KEY_AUXLOCK");
+    assert!(m.is("LAMP_AUXLOCK"));
+    m.press("KEY_START");
+    while !matches!(m.cnc.state(), State::Stopped(_)) {
+        m.tick();
+        assert!(!m.is("SF") && !m.is("TF") && (!m.is("MF") || m.byte("M_CODE") == 0));
+        assert!(m.ms < 20_000);
+    }
+    assert_eq!((m.cnc.state(), rpm(&m), m.at[Axis::X]), (&State::Stopped(0), 0, 1.0));
+    assert_eq!(m.on(&["SPINDLE_CW", "COOLANT"]), Vec::<&str>::new());
+    m.press("KEY_START");
+    m.until(|m| *m.cnc.state() == State::Ended);
+    assert_eq!((m.byte("M_CODE"), m.cnc.report().parts), (30, 1));
+}
+
+#[test]
+fn an_open_door_holds_the_program_and_stops_the_spindle() {
+    let mut m = Mill::new("M03 S1000\nG01 X50 F1000\nM30");
+    m.start();
+    m.until(|m| m.at[Axis::X] > 5.0);
+    m.machine("DOOR_CLOSED", false);
+    m.until(|m| *m.cnc.state() == State::Held);
+    m.until(|m| m.is("SSTA"));
+    m.run(100);
+    let at = m.at;
+    assert_eq!(
+        m.on(&["MSG_DOOR", "LAMP_HOLD", "LAMP_START", "SPINDLE_CW", "STLK"]),
+        ["MSG_DOOR", "LAMP_HOLD", "STLK"]
+    );
+    // Cycle start is locked while it is open.
+    m.press("KEY_START");
+    assert_eq!((m.cnc.state(), m.at), (&State::Held, at));
+    m.machine("DOOR_CLOSED", true);
+    m.run(50);
+    assert_eq!((m.cnc.state(), rpm(&m)), (&State::Held, 0), "nothing starts by itself");
+    m.press("KEY_START");
+    m.until(|m| m.at[Axis::X] > at[Axis::X] + 1.0);
+}
+
+#[test]
+fn cutting_waits_for_the_speed_where_the_parameter_says_so() {
+    // K0.1: M03 itself does not wait.
+    for waits in [true, false] {
+        let setup = format!("[parameters]\n\"NO38.0\" = {}\n", u8::from(waits));
+        let mut m = Mill::with("G00 X5\nM03 S4000\nG00 X10\nG01 X20 F1000\nM30", &setup, |_| {});
+        m.machine("K_NO_SPEED", true);
+        m.start();
+        m.until(|m| m.at[Axis::X] > 10.0);
+        // The ladder of K0.1 gives SAR at once.
+        let had = rpm(&m);
+        assert!(had < 4000, "{had}");
+        // A ladder that passes the speed on.
+        let mut m = Mill::with("G00 X5\nM03 S4000\nG00 X10\nG01 X20 F1000\nM30", &setup, |_| {});
+        let finished = m.address("SARA");
+        m.start();
+        m.until(|m| m.is("MF"));
+        // The signal comes, and goes before cutting begins.
+        m.until(|m| m.is("SAR"));
+        m.plc.force(&ferrocut_plc::Maintenance::granted(), finished, false);
+        m.run(3_000);
+        let at = m.at[Axis::X];
+        assert_eq!(if waits { at == 10.0 } else { at > 10.0 }, true, "{at}");
+        m.plc.release(&ferrocut_plc::Maintenance::granted(), finished);
+        m.until(|m| *m.cnc.state() == State::Ended);
+    }
+}
+
+#[test]
+fn the_spindle_follows_its_override_gears_and_the_limits_of_g96() {
+    let spin = |program: &str, setup: &str, position: u8| {
+        let mut m = Mill::with(&format!("{program}\nG04 X3\nM30"), setup, |_| {});
+        m.turn("SWITCH_SPINDLE", position);
+        m.start();
+        m.run(2_900);
+        (rpm(&m), m.on(&["GR1O", "GR2O", "GR3O", "CSS"]), m)
+    };
+    // 50 to 120 % in eight steps.
+    for (position, wanted) in [(0, 500), (3, 800), (5, 1000), (7, 1200)] {
+        assert_eq!(spin("M03 S1000", "", position).0, wanted);
+    }
+    // P262: not below 80 %.
+    assert_eq!(spin("M03 S1000", "[parameters]\nP262 = 0.8\n", 0).0, 800);
+    // Gears up to 500, 2000 and 6000: the lowest that has the speed, and no faster than it is.
+    let gears = "[parameters]\nP246 = 500\nP247 = 2000\nP248 = 6000\n";
+    for (s, wanted, gear) in
+        [(400, 400, "GR1O"), (500, 500, "GR1O"), (501, 501, "GR2O"), (3000, 3000, "GR3O")]
+    {
+        let (rpm, on, _) = spin(&format!("M03 S{s}"), gears, 5);
+        assert_eq!((rpm, on), (wanted, vec![gear]), "S{s}");
+    }
+    assert_eq!(spin("M03 S490", gears, 7).0, 500, "120 % of 490 in gear 1");
+    // G96 about X0: 50 m/min at radius 10 are 795.8 r/min; G92 S holds them at 500, before the override or behind.
+    let g96 = |clamp: &str| format!("G00 X10\n{clamp}\nG96 P1 S50000\nM03\n");
+    let on = "[parameters]\n\"NO61.0\" = 1\n";
+    let (found, signals, _) = spin(&g96(""), on, 5);
+    assert_eq!((found, signals), (796, vec!["GR1O", "CSS"]));
+    assert_eq!(spin(&g96("G92 S500"), on, 5).0, 500);
+    assert_eq!(spin(&g96("G92 S500"), on, 7).0, 600);
+    let behind = format!("{on}\"NO37.3\" = 1\n");
+    assert_eq!(spin(&g96("G92 S500"), &behind, 7).0, 500);
+}
+
+#[test]
+fn surface_speed_follows_the_axis_while_it_cuts() {
+    let setup = "[parameters]\n\"NO61.0\" = 1\n";
+    let mut m = Mill::with("G00 X20\nG96 P1 S50000\nM03\nG01 X10 F300\nG04 X1\nM30", setup, |_| {});
+    m.start();
+    m.until(|m| m.at[Axis::X] == 20.0);
+    m.until(|m| m.at[Axis::X] < 15.0);
+    // 50 m/min at radius 15 are 530.5 r/min, a little late.
+    assert!((520..=531).contains(&rpm(&m)), "{}", rpm(&m));
+    m.until(|m| m.at[Axis::X] == 10.0);
+    m.run(500);
+    assert_eq!(rpm(&m), 796);
+}
+
+#[test]
+fn spindle_keys_turn_it_at_the_last_speed() {
+    let mut m = Mill::new("S700\nM30");
+    m.run_program();
+    assert_eq!(m.outputs.s.code, 700);
+    m.press("KEY_JOG");
+    assert_eq!(m.mode(), Mode::Jog);
+    m.press("KEY_SP_CW");
+    m.run(400);
+    assert_eq!((rpm(&m), m.is("LAMP_SP_CW")), (700, true));
+    m.press("KEY_SP_CCW");
+    m.run(600);
+    assert_eq!(rpm(&m), -700);
+    m.press("KEY_SP_STOP");
+    m.run(400);
+    assert_eq!((rpm(&m), m.is("LAMP_SP_STOP")), (0, true));
+    // Jog turns at P242, 50 r/min, while its key is held.
+    m.press("KEY_SP_JOG");
+    m.machine("KEY_SP_CW", true);
+    m.run(100);
+    assert_eq!(rpm(&m), 50);
+    m.machine("KEY_SP_CW", false);
+    m.run(100);
+    assert_eq!(rpm(&m), 0);
+    m.press("KEY_SP_JOG");
+    m.press("KEY_SP_ORIENT");
+    m.run(300);
+    assert!(m.is("ORARA") && m.is("LAMP_SP_ORIENT"));
+    m.press("KEY_SP_ORIENT");
+    assert!(!m.is("ORARA"));
+}
+
+#[test]
+fn an_emergency_stop_ends_all() {
+    let mut m = Mill::new("M03 S2000\nM08\nG01 X50 F1000\nM30");
+    m.start();
+    m.until(|m| m.at[Axis::X] > 5.0);
+    m.machine("*ESP_BUTTON", false);
+    m.run(1_500);
+    assert!(matches!(m.cnc.state(), State::Reset), "{:?}", m.cnc.state());
+    let all = ["SPINDLE_CW", "COOLANT", "MF", "LAMP_START", "TOWER_RED", "STL", "SSTA"];
+    assert_eq!(m.on(&all), ["TOWER_RED", "SSTA"]);
+    let at = m.at;
+    m.press("KEY_START");
+    m.machine("*ESP_BUTTON", true);
+    m.run(500);
+    assert_eq!((m.at, rpm(&m)), (at, 0), "nothing starts by itself");
+    assert!(!m.is("TOWER_RED"));
+    let _ = machine();
+}
+
+#[test]
+fn a_reset_takes_a_code_back() {
+    let mut m = Mill::new("M03 S4000\nG01 X5 F1000\nM30");
+    m.start();
+    m.until(|m| m.is("MF"));
+    m.run(100);
+    m.reset();
+    assert_eq!((m.cnc.state(), m.on(&["MF", "SF", "SPINDLE_CW", "DM30"])), (&State::Reset, vec![]));
+    m.run(1_500);
+    assert_eq!((rpm(&m), m.at[Axis::X]), (0, 0.0));
+}
+
+#[test]
+fn a_hold_lets_a_code_come_to_its_end() {
+    let mut m = Mill::new("M10\nG01 X5 F1000\nM30");
+    m.start();
+    m.until(|m| m.is("MF"));
+    m.press("KEY_HOLD");
+    m.run(500);
+    assert_eq!((m.cnc.state(), m.is("MF"), m.is("A_LOOSE")), (&State::Held, false, true));
+    assert_eq!(m.at[Axis::X], 0.0);
+    m.press("KEY_START");
+    m.until(|m| *m.cnc.state() == State::Ended);
+    assert_eq!(m.at[Axis::X], 5.0);
+}

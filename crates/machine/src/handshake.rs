@@ -1,0 +1,100 @@
+//! How a machine with a ladder hands its codes over and tells its spindle a speed. Plain data; `ferrocut-controller`
+//! has what it does.
+//!
+//! A control that has parameters for these things writes them over what the machine file says
+//! (`Dialect::machine_parameters` of the interpreter).
+
+use crate::config::ConfigError;
+use serde::Deserialize;
+
+/// How M, S, T and B codes are handed to the ladder.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct HandshakeConfig {
+    /// Time from a code to its strobe, ms (Fanuc 3010).
+    pub strobe_delay_ms: f64,
+    /// How long FIN must be on to count, ms (GSK990MC P202, Fanuc 3011).
+    pub finish_width_ms: f64,
+    /// How long a code may take, s; longer is an alarm. 0 waits for ever.
+    pub time_out_s: f64,
+    /// Each change of a strobe is a code, and its own finish signal follows it (Fanuc 3001#7).
+    pub high_speed: bool,
+}
+
+impl Default for HandshakeConfig {
+    fn default() -> HandshakeConfig {
+        // 16 ms are what the Fanuc 0i takes where its parameter is 0.
+        HandshakeConfig { strobe_delay_ms: 16.0, finish_width_ms: 0.0, time_out_s: 60.0, high_speed: false }
+    }
+}
+
+impl HandshakeConfig {
+    /// What cannot be.
+    pub(crate) fn check(&self) -> Result<(), ConfigError> {
+        let values = [
+            ("strobe_delay_ms", self.strobe_delay_ms, 1e4),
+            ("finish_width_ms", self.finish_width_ms, 1e4),
+            ("time_out_s", self.time_out_s, 1e5),
+        ];
+        match values.into_iter().find(|(_, value, most)| !(0.0..=*most).contains(value)) {
+            Some((key, value, most)) => {
+                Err(ConfigError(format!("handshake: {key} is {value}: it must be 0 to {most}")))
+            }
+            None => Ok(()),
+        }
+    }
+}
+
+/// Gears of the spindle, and what becomes of its speed on the way to the drive.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct GearConfig {
+    /// Highest speed in each gear, r/min, the lowest gear first; a gear of 0 is not there (GSK990MC P246 to P249).
+    pub max_rpm: [f64; 4],
+    /// The ladder says which gear is engaged; else the NC chooses it by the speed (GSK990MC 38#5).
+    pub chosen_by_ladder: bool,
+    /// S is the number of a gear, and no speed is told (GSK990MC 1#2).
+    pub switched: bool,
+    /// Speed of spindle jog, r/min (GSK990MC P242).
+    pub jog_rpm: f64,
+    /// Lowest spindle override, as a factor (GSK990MC P262).
+    pub least_override: f64,
+    /// Cutting waits until the ladder says that the spindle has its speed (GSK990MC 38#0).
+    pub cutting_waits: bool,
+    /// The highest speed of G96 holds behind the override; else before it (GSK990MC 37#3).
+    pub clamped_behind_override: bool,
+    /// In positioning the speed of G96 follows the axes; else it is that of the end point (GSK990MC 37#2).
+    pub surface_follows_rapid: bool,
+}
+
+impl Default for GearConfig {
+    fn default() -> GearConfig {
+        GearConfig {
+            max_rpm: [0.0; 4],
+            chosen_by_ladder: false,
+            switched: false,
+            jog_rpm: 50.0,
+            least_override: 0.5,
+            cutting_waits: false,
+            clamped_behind_override: false,
+            surface_follows_rapid: false,
+        }
+    }
+}
+
+impl GearConfig {
+    /// What cannot be.
+    pub(crate) fn check(&self) -> Result<(), ConfigError> {
+        let speeds = self.max_rpm.into_iter().chain([self.jog_rpm]);
+        match speeds.into_iter().find(|rpm| !(0.0..=1e6).contains(rpm)) {
+            Some(rpm) => {
+                Err(ConfigError(format!("spindle: gears: {rpm} r/min is no speed: 0 to 1000000 are")))
+            }
+            None if !(0.0..=1.0).contains(&self.least_override) => {
+                let least = self.least_override;
+                Err(ConfigError(format!("spindle: gears: least_override is {least}: it must be 0 to 1")))
+            }
+            None => Ok(()),
+        }
+    }
+}
