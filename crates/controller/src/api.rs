@@ -338,6 +338,9 @@ pub enum RelativeTo {
 pub enum Reply {
     /// It is done.
     Done,
+    /// It is on its way to the durable memory, since axes must not wait for the disk. The event `changed` or `refused`
+    /// follows.
+    OnItsWay,
     /// The list of the programs.
     Programs {
         /// In the order of their names.

@@ -11,6 +11,7 @@
 pub mod api;
 pub mod clock;
 pub mod cnc;
+pub mod control;
 pub mod drives;
 pub mod manual;
 pub mod programmed;
@@ -20,7 +21,8 @@ pub mod spindle;
 pub mod supervision;
 
 pub use clock::Clock;
-pub use cnc::{Cnc, Event, State, Tick};
+pub use cnc::{Cnc, DryRun, Event, Interruption, State, Tick};
+pub use control::{Control, Parts};
 pub use drives::Drives;
 pub use manual::{JogSpeed, JogWay};
 pub use programmed::{Programmed, Way};

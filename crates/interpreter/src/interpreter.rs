@@ -54,6 +54,8 @@ pub struct Options {
     /// A main program that ends with M99 is run again and again; else it ends once a further pass
     /// would be like the last.
     pub loops_forever: bool,
+    /// The text may end without an end of program, as blocks do that the operator types.
+    pub open_end: bool,
 }
 
 /// Where the tool is, in the coordinates of both ends of the stages.
@@ -216,9 +218,9 @@ pub struct Interpreter {
     pub(crate) ngc: State,
     pub(crate) ended: bool,
     pub(crate) output: Output,
-    alarms: VecDeque<Box<Alarm>>,
+    pub(crate) alarms: VecDeque<Box<Alarm>>,
     /// The drawing that the main program was made from.
-    origins: Option<Origins>,
+    pub(crate) origins: Option<Origins>,
 }
 
 impl Interpreter {
