@@ -235,6 +235,7 @@ fn a_way_by_hand_is_given_back_or_stays_as_the_bit_says() {
     for (mode, shifts, end) in [(Mode::Jog, 0.0, 0.0), (Mode::Handle, 0.0, 0.0), (Mode::Handle, 1.0, 0.5)] {
         let mut shop = running(&[("NO56.3", shifts)]);
         shop.hold();
+        shop.wait(300);
         shop.mode(mode);
         let before = shop.control.status().position;
         if mode == Mode::Jog {
@@ -459,6 +460,7 @@ fn subprograms_come_from_the_memory_and_dnc_from_outside() {
     shop.start();
     assert_eq!((shop.until_it_stops().counters.parts, shop.x()), (1, 3.0));
     shop.mode(Mode::Dnc);
+    shop.told();
     shop.start();
     assert_eq!(shop.told(), ["FC-1403"]);
     shop.say(Command::Dnc { text: "G1 X10 F3000\nX2".into(), first: true, last: false });

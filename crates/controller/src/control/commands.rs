@@ -14,7 +14,7 @@ use ferrocut_memory::{Author, Backup, Change, Counter, Item, Level, Session};
 use ferrocut_plc::list;
 use ferrocut_plc::{Address, Area, Limits, Maintenance, Program};
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, PoisonError};
 
 /// Most numbers that one answer holds.
@@ -163,7 +163,11 @@ impl Control {
             Command::Capture { .. } | Command::Captured => Err(named(Fault::NotFitted, "capture")),
             Command::Backup { file, items } => self.back_up(&file, &items),
             Command::Restore { file, items } => self.restore(&file, &items, author),
-            Command::Status => Ok(Reply::Status(Box::new(self.status()))),
+            Command::Status => {
+                let mut status = self.status();
+                status.level = author.level().map_or(status.level, Level::number);
+                Ok(Reply::Status(Box::new(status)))
+            }
             Command::Version => Ok(Reply::Version {
                 api: API_VERSION,
                 software: env!("CARGO_PKG_VERSION").to_owned(),
@@ -605,7 +609,11 @@ impl Control {
         }
         self.flush()?;
         let store = self.kept()?;
-        store.reader().back_up(Path::new(file), &items).map(|_| Reply::Done).map_err(|error| error.alarm())
+        store
+            .reader()
+            .back_up(&backup_in(store.folder(), file)?, &items)
+            .map(|_| Reply::Done)
+            .map_err(|error| error.alarm())
     }
 
     /// What was restored holds at once, save what the drives are made of.
@@ -616,13 +624,23 @@ impl Control {
         }
         self.flush()?;
         let store = self.kept()?;
-        let backup = Backup::open(Path::new(file)).map_err(|error| error.alarm())?;
+        let backup = Backup::open(&backup_in(store.folder(), file)?).map_err(|error| error.alarm())?;
         backup.restore(&store, author, &items).map_err(|error| error.alarm())?;
         self.read_again()?;
         for item in items {
             self.event(Event::Changed { item: item.name().to_owned() });
         }
         Ok(Reply::Done)
+    }
+}
+
+/// The file of a backup: nothing that a front names may lie outside the folder, or be anything else in it.
+fn backup_in(folder: &Path, name: &str) -> Result<PathBuf, Alarm> {
+    let is_plain = |c: char| c.is_alphanumeric() || matches!(c, '-' | '_' | '.' | ' ');
+    let is_bare = name.len() <= 128 && name.chars().all(is_plain) && !name.starts_with(['.', ' ']);
+    match is_bare && name.ends_with(".backup") {
+        true => Ok(folder.join(name)),
+        false => Err(named(Fault::ValueImpossible, name)),
     }
 }
 

@@ -10,6 +10,9 @@ use crate::report::Activity;
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_machine::Fault;
 use ferrocut_memory::Counter;
+use ferrocut_plc::Area;
+use ferrocut_plc::list::Symbol;
+use std::collections::BTreeMap;
 
 /// Counters as they are kept: pieces and s.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
@@ -133,7 +136,28 @@ impl Control {
                 power_on_time: self.counters.power_on_time,
             },
             referenced: self.referenced.iter().map(Axis::letter).collect(),
+            lamps: self.lamps(),
+            panel: self.panel(),
+            level: self.sessions.values().map(|session| session.level().number()).min().unwrap_or(5),
         }
+    }
+
+    fn lamps(&self) -> Vec<String> {
+        let Some(plc) = &self.plc else { return Vec::new() };
+        let is_lamp = |name: &str| name.starts_with("LAMP_") || name.starts_with("TOWER_");
+        let symbols = plc.program().symbols().iter();
+        let lamps =
+            symbols.filter(|s| s.address.area == Area::Y && s.address.bit.is_some() && is_lamp(&s.name));
+        lamps.filter(|lamp| plc.memory().bit(lamp.address)).map(|lamp| lamp.name.clone()).collect()
+    }
+
+    fn panel(&self) -> BTreeMap<String, u8> {
+        let Some(plc) = &self.plc else { return BTreeMap::new() };
+        let is_switch = |s: &&Symbol| {
+            s.address.area == Area::X && s.address.bit.is_none() && s.name.starts_with("SWITCH_")
+        };
+        let switches = plc.program().symbols().iter().filter(is_switch);
+        switches.map(|s| (s.name.clone(), plc.memory().byte(s.address))).collect()
     }
 
     fn positions(&self) -> Positions {
