@@ -26,7 +26,7 @@ const LONGEST_MDI: usize = 1 << 20;
 /// Longest program of DNC that is held, bytes.
 const LONGEST_DNC: usize = 256 << 20;
 
-type Answer = Result<Reply, Alarm>;
+type Answer = Result<Reply, Box<Alarm>>;
 
 fn named(fault: Fault, name: impl Into<String>) -> Alarm {
     alarm(fault).with("name", name.into())
@@ -37,7 +37,7 @@ impl Control {
     /// in with here. What reads or changes the durable memory waits for it while nothing moves.
     pub fn command(&mut self, command: Command, author: &Author) -> Result<Reply, Refusal> {
         let author = self.with_rights(author);
-        self.obey(command, &author).map_err(Refusal::from)
+        self.obey(command, &author).map_err(|alarm| Refusal::from(*alarm))
     }
 
     /// The author with the rights that he has logged in with.
@@ -80,7 +80,7 @@ impl Control {
             Command::Lock { program, locked } => {
                 let name = self.known(&program)?;
                 if self.keeping.is_none() {
-                    return Err(named(Fault::NotFitted, "memory"));
+                    return Err(Box::new(named(Fault::NotFitted, "memory")));
                 }
                 self.change_data(author, Change::LockProgram { name, locked })
             }
@@ -113,7 +113,7 @@ impl Control {
                 let axis = axis.map(|letter| self.axis_named(letter)).transpose()?;
                 match self.cnc.clear_handwheel_shift(axis) {
                     true => Ok(Reply::Done),
-                    false => Err(alarm(Fault::ControlBusy)),
+                    false => Err(Box::new(alarm(Fault::ControlBusy))),
                 }
             }
             Command::SetCounter { counter, value } => {
@@ -152,15 +152,15 @@ impl Control {
                 let plc = self.plc.as_mut().ok_or_else(|| named(Fault::NotFitted, "ladder"))?;
                 match plc.roll_back() {
                     true => Ok(Reply::Done),
-                    false => Err(named(Fault::NoSuchName, "ladder")),
+                    false => Err(Box::new(named(Fault::NoSuchName, "ladder"))),
                 }
             }
             Command::StartLadder => {
                 self.plc.as_mut().ok_or_else(|| named(Fault::NotFitted, "ladder"))?.restart();
                 Ok(Reply::Done)
             }
-            Command::Restart { .. } => Err(named(Fault::NotFitted, "restart")),
-            Command::Capture { .. } | Command::Captured => Err(named(Fault::NotFitted, "capture")),
+            Command::Restart { .. } => Err(Box::new(named(Fault::NotFitted, "restart"))),
+            Command::Capture { .. } | Command::Captured => Err(Box::new(named(Fault::NotFitted, "capture"))),
             Command::Backup { file, items } => self.back_up(&file, &items),
             Command::Restore { file, items } => self.restore(&file, &items, author),
             Command::Status => {
@@ -190,25 +190,27 @@ impl Control {
     fn needs_memory(&mut self, author: &Author, change: Change) -> Answer {
         match self.keeping {
             Some(_) => self.change_data(author, change),
-            None => Err(named(Fault::NotFitted, "memory")),
+            None => Err(Box::new(named(Fault::NotFitted, "memory"))),
         }
     }
 
     /// A person does it in this mode alone.
-    fn needs(&self, mode: Mode, author: &Author) -> Result<(), Alarm> {
+    fn needs(&self, mode: Mode, author: &Author) -> Result<(), Box<Alarm>> {
         match author {
             Author::Person { .. } if self.mode != mode => {
-                Err(alarm(Fault::ControlMode).with("mode", name_of(self.mode)))
+                Err(Box::new(alarm(Fault::ControlMode).with("mode", name_of(self.mode))))
             }
             _ => Ok(()),
         }
     }
 
-    fn needs_level(&self, needed: Level, author: &Author) -> Result<(), Alarm> {
+    fn needs_level(&self, needed: Level, author: &Author) -> Result<(), Box<Alarm>> {
         match author.level() {
-            Some(level) if !level.covers(needed) => Err(alarm(Fault::RightMissing)
-                .with("needed", f64::from(needed.number()))
-                .with("level", f64::from(level.number()))),
+            Some(level) if !level.covers(needed) => Err(Box::new(
+                alarm(Fault::RightMissing)
+                    .with("needed", f64::from(needed.number()))
+                    .with("level", f64::from(level.number())),
+            )),
             _ => Ok(()),
         }
     }
@@ -231,10 +233,10 @@ impl Control {
         Ok(Reply::Done)
     }
 
-    fn address(&self, name: &str) -> Result<Address, Alarm> {
+    fn address(&self, name: &str) -> Result<Address, Box<Alarm>> {
         let plc = self.plc.as_ref().ok_or_else(|| named(Fault::NotFitted, "ladder"))?;
         let known = plc.program().signal(name).or_else(|| Address::parse(name).ok());
-        known.ok_or_else(|| named(Fault::NoSuchName, name))
+        known.ok_or_else(|| Box::new(named(Fault::NoSuchName, name)))
     }
 
     fn signals(&self, names: &[String]) -> Answer {
@@ -310,9 +312,9 @@ impl Control {
     }
 
     /// The name of a program that there is.
-    fn known(&self, program: &str) -> Result<String, Alarm> {
+    fn known(&self, program: &str) -> Result<String, Box<Alarm>> {
         let found = self.library.named(&library::id_of(program)).map(|(name, _)| name);
-        found.ok_or_else(|| named(Fault::NoSuchName, program))
+        found.ok_or_else(|| Box::new(named(Fault::NoSuchName, program)))
     }
 
     fn read(&self, program: &str) -> Answer {
@@ -329,10 +331,10 @@ impl Control {
     fn store(&mut self, program: String, text: String, author: &Author) -> Answer {
         let name = program.trim().to_owned();
         if name.is_empty() || name.len() > 128 {
-            return Err(named(Fault::ValueImpossible, name));
+            return Err(Box::new(named(Fault::ValueImpossible, name)));
         }
         if self.is_in_use(&name) {
-            return Err(named(Fault::ProgramInUse, name));
+            return Err(Box::new(named(Fault::ProgramInUse, name)));
         }
         let text = text.into_bytes();
         let comment = comment_of(&text);
@@ -345,7 +347,7 @@ impl Control {
     fn delete(&mut self, program: &str, author: &Author) -> Answer {
         let name = self.known(program)?;
         if self.is_in_use(&name) {
-            return Err(named(Fault::ProgramInUse, name));
+            return Err(Box::new(named(Fault::ProgramInUse, name)));
         }
         if let library::Library::Held(programs) = &self.library {
             programs.lock().unwrap_or_else(PoisonError::into_inner).remove(&name);
@@ -359,22 +361,22 @@ impl Control {
     /// 7.4: the cursor is moved in EDIT, and then stays.
     fn put_cursor(&mut self, line: u32) -> Answer {
         if self.cnc.is_under_way() {
-            return Err(alarm(Fault::ControlBusy));
+            return Err(Box::new(alarm(Fault::ControlBusy)));
         }
         match self.mode {
             Mode::Mdi => self.mdi_cursor = line.max(1),
             Mode::Edit | Mode::Auto => self.cursor = line.max(1),
-            mode => return Err(alarm(Fault::ControlMode).with("mode", name_of(mode))),
+            mode => return Err(Box::new(alarm(Fault::ControlMode).with("mode", name_of(mode)))),
         }
         Ok(Reply::Done)
     }
 
     fn type_mdi(&mut self, text: String, is_block: bool) -> Answer {
         if self.mode != Mode::Mdi {
-            return Err(alarm(Fault::ControlMode).with("mode", name_of(self.mode)));
+            return Err(Box::new(alarm(Fault::ControlMode).with("mode", name_of(self.mode))));
         }
         if text.len() > LONGEST_MDI || is_block && text.trim_end().contains(['\n', '\r']) {
-            return Err(named(Fault::ValueImpossible, "MDI"));
+            return Err(Box::new(named(Fault::ValueImpossible, "MDI")));
         }
         if is_block {
             self.mdi_block = text;
@@ -387,13 +389,13 @@ impl Control {
 
     fn take_dnc(&mut self, text: &str, first: bool) -> Answer {
         if self.cnc.is_under_way() && self.program_mode() == Mode::Dnc {
-            return Err(alarm(Fault::ControlBusy));
+            return Err(Box::new(alarm(Fault::ControlBusy)));
         }
         if first {
             self.dnc.clear();
         }
         if self.dnc.len() + text.len() > LONGEST_DNC {
-            return Err(named(Fault::ValueImpossible, "DNC"));
+            return Err(Box::new(named(Fault::ValueImpossible, "DNC")));
         }
         self.dnc.extend_from_slice(text.as_bytes());
         Ok(Reply::Done)
@@ -445,7 +447,7 @@ impl Control {
     fn set_zero(&mut self, system: &str, axes: &ByAxis, add: bool, author: &Author) -> Answer {
         // 7.2: not while a program runs.
         if self.cnc.is_under_way() && self.standing() != super::Standing::Stopped {
-            return Err(alarm(Fault::ControlBusy));
+            return Err(Box::new(alarm(Fault::ControlBusy)));
         }
         let (name, mut zero) = self.zero_of(system)?;
         for (letter, value) in axes {
@@ -456,7 +458,7 @@ impl Control {
         self.change_data(author, Change::WorkZero { name, zero })
     }
 
-    fn zero_of(&self, system: &str) -> Result<(WorkOffset, Position), Alarm> {
+    fn zero_of(&self, system: &str) -> Result<(WorkOffset, Position), Box<Alarm>> {
         let missing = || named(Fault::NoSuchName, system);
         let name: WorkOffset = system.parse().map_err(|_| missing())?;
         let zero = self.cnc.interpreter().memory().work.get(name).ok_or_else(missing)?;
@@ -466,7 +468,7 @@ impl Control {
     /// The axis at rest has this coordinate in the system, other shifts aside (3.4.2).
     fn zero_here(&mut self, system: &str, axes: &ByAxis, author: &Author) -> Answer {
         if self.tick.moving || self.cnc.is_under_way() {
-            return Err(alarm(Fault::ControlBusy));
+            return Err(Box::new(alarm(Fault::ControlBusy)));
         }
         let (name, _) = self.zero_of(system)?;
         let external = self.cnc.interpreter().memory().work.get(WorkOffset::External).unwrap_or_default();
@@ -497,7 +499,7 @@ impl Control {
         for name in names.iter().take(MOST_VALUES) {
             let key: ParameterKey = name.parse().map_err(|_| named(Fault::NoSuchName, name.as_str()))?;
             if memory.parameters.table().get(&key).is_none() {
-                return Err(named(Fault::NoSuchName, name.as_str()));
+                return Err(Box::new(named(Fault::NoSuchName, name.as_str())));
             }
             parameters.insert(name.clone(), memory.parameter(&key));
         }
@@ -508,7 +510,7 @@ impl Control {
     fn set_parameter(&mut self, name: &str, value: Option<f64>, author: &Author) -> Answer {
         self.needs(Mode::Mdi, author)?;
         if self.cnc.is_under_way() {
-            return Err(alarm(Fault::ControlBusy));
+            return Err(Box::new(alarm(Fault::ControlBusy)));
         }
         let key: ParameterKey = name.parse().map_err(|_| named(Fault::NoSuchName, name))?;
         if let Some(value) = finite(value)? {
@@ -519,10 +521,10 @@ impl Control {
         self.change_data(author, Change::Parameter { key, value })
     }
 
-    fn axis_named(&self, letter: char) -> Result<Axis, Alarm> {
+    fn axis_named(&self, letter: char) -> Result<Axis, Box<Alarm>> {
         let axis = u8::try_from(letter).ok().and_then(Axis::from_letter);
         let axis = axis.filter(|axis| self.machine.axis(*axis).is_some());
-        axis.ok_or_else(|| alarm(Fault::UnknownAxis).with("axis", letter.to_string()))
+        axis.ok_or_else(|| Box::new(alarm(Fault::UnknownAxis).with("axis", letter.to_string())))
     }
 
     /// 4.1.5: where the axis stands becomes 0, half, or a value.
@@ -540,7 +542,7 @@ impl Control {
 
     // Rights and histories.
 
-    fn kept(&self) -> Result<Arc<ferrocut_memory::Store>, Alarm> {
+    fn kept(&self) -> Result<Arc<ferrocut_memory::Store>, Box<Alarm>> {
         let keeping = self.keeping.as_ref().ok_or_else(|| named(Fault::NotFitted, "memory"))?;
         Ok(keeping.store.clone())
     }
@@ -565,7 +567,7 @@ impl Control {
         let level =
             Level::of(level.into()).ok_or_else(|| named(Fault::ValueImpossible, level.to_string()))?;
         let set = self.kept()?.set_password(author, level, password, Seat::Machine);
-        set.map(|_| Reply::Done).map_err(|error| error.alarm())
+        set.map(|_| Reply::Done).map_err(|error| Box::new(error.alarm()))
     }
 
     fn alarm_history(&self, most: u32) -> Answer {
@@ -596,8 +598,9 @@ impl Control {
 
     // Backups.
 
-    fn items(names: &[String]) -> Result<Vec<Item>, Alarm> {
-        let item = |name: &String| Item::named(name).ok_or_else(|| named(Fault::NoSuchName, name.as_str()));
+    fn items(names: &[String]) -> Result<Vec<Item>, Box<Alarm>> {
+        let missing = |name: &String| Box::new(named(Fault::NoSuchName, name.as_str()));
+        let item = |name: &String| Item::named(name).ok_or_else(|| missing(name));
         names.iter().map(item).collect()
     }
 
@@ -605,7 +608,7 @@ impl Control {
         let items = Control::items(items)?;
         let items = if items.is_empty() { Item::ALL.to_vec() } else { items };
         if self.tick.moving || self.cnc.is_under_way() {
-            return Err(alarm(Fault::ControlBusy));
+            return Err(Box::new(alarm(Fault::ControlBusy)));
         }
         self.flush()?;
         let store = self.kept()?;
@@ -613,14 +616,14 @@ impl Control {
             .reader()
             .back_up(&backup_in(store.folder(), file)?, &items)
             .map(|_| Reply::Done)
-            .map_err(|error| error.alarm())
+            .map_err(|error| Box::new(error.alarm()))
     }
 
     /// What was restored holds at once, save what the drives are made of.
     fn restore(&mut self, file: &str, items: &[String], author: &Author) -> Answer {
         let items = Control::items(items)?;
         if self.tick.moving || !self.cnc.is_idle() {
-            return Err(alarm(Fault::ControlBusy));
+            return Err(Box::new(alarm(Fault::ControlBusy)));
         }
         self.flush()?;
         let store = self.kept()?;
@@ -635,19 +638,19 @@ impl Control {
 }
 
 /// The file of a backup: nothing that a front names may lie outside the folder, or be anything else in it.
-fn backup_in(folder: &Path, name: &str) -> Result<PathBuf, Alarm> {
+fn backup_in(folder: &Path, name: &str) -> Result<PathBuf, Box<Alarm>> {
     let is_plain = |c: char| c.is_alphanumeric() || matches!(c, '-' | '_' | '.' | ' ');
     let is_bare = name.len() <= 128 && name.chars().all(is_plain) && !name.starts_with(['.', ' ']);
     match is_bare && name.ends_with(".backup") {
         true => Ok(folder.join(name)),
-        false => Err(named(Fault::ValueImpossible, name)),
+        false => Err(Box::new(named(Fault::ValueImpossible, name))),
     }
 }
 
 /// A number that is one.
-fn finite(value: Option<f64>) -> Result<Option<f64>, Alarm> {
+fn finite(value: Option<f64>) -> Result<Option<f64>, Box<Alarm>> {
     match value {
-        Some(value) if !value.is_finite() => Err(named(Fault::ValueImpossible, value.to_string())),
+        Some(value) if !value.is_finite() => Err(Box::new(named(Fault::ValueImpossible, value.to_string()))),
         value => Ok(value),
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{Control, modes};
 use crate::manual::{JogSpeed, JogWay};
-use crate::signals::{Mode, SIGNAL_AXES};
+use crate::signals::{Inputs, Mode, SIGNAL_AXES};
 use ferrocut_geometry::Axis;
 use ferrocut_toolpath::{Speed, SpindleState};
 
@@ -109,6 +109,7 @@ impl Control {
         }
         let (_, rpm) = self.cnc.interpreter().feed_and_speed();
         let jog_rpm = self.parameter(242);
+        let turns = |inputs: &Inputs| inputs.spindle_forward || inputs.spindle_reverse || inputs.spindle_jog;
         let rises = |now: bool, before: bool| now && !before;
         if rises(now.spindle_orient, before.spindle_orient) {
             self.cnc.orient_spindle();
@@ -118,10 +119,7 @@ impl Control {
             self.cnc.turn_spindle(SpindleState::CounterClockwise(Speed::Rpm(rpm)));
         } else if rises(now.spindle_jog, before.spindle_jog) {
             self.cnc.turn_spindle(SpindleState::Clockwise(Speed::Rpm(jog_rpm)));
-        } else if before.spindle_forward && !now.spindle_forward && !now.spindle_reverse
-            || before.spindle_reverse && !now.spindle_reverse && !now.spindle_forward
-            || before.spindle_jog && !now.spindle_jog
-        {
+        } else if turns(&before) && !turns(&now) {
             self.cnc.turn_spindle(SpindleState::Off);
         }
     }

@@ -51,7 +51,7 @@ impl Keeping {
         store: Arc<Store>,
         memory: &mut Memory,
         plc: Option<&mut Plc>,
-    ) -> Result<(Keeping, Found), Alarm> {
+    ) -> Result<(Keeping, Found), Box<Alarm>> {
         let mut items = ENTERED.to_vec();
         items.extend([Item::Counters, Item::LastPosition, Item::Plc]);
         let contents = store.reader().contents(&items).map_err(|error| error.alarm())?;
@@ -224,17 +224,17 @@ impl Control {
     }
 
     /// What is to be kept is on the disk when this returns; before power goes off.
-    pub fn flush(&mut self) -> Result<(), Alarm> {
+    pub fn flush(&mut self) -> Result<(), Box<Alarm>> {
         if let Some(keeping) = &mut self.keeping {
             (keeping.look_in, keeping.slow_in) = (0.0, 0.0);
         }
         self.keep();
         let Some(keeping) = &self.keeping else { return Ok(()) };
-        keeping.store.flush().map(drop).map_err(|error| error.alarm())
+        keeping.store.flush().map(drop).map_err(|error| Box::new(error.alarm()))
     }
 
     /// Takes the data up again that the memory has, after a restore.
-    pub(super) fn read_again(&mut self) -> Result<(), Alarm> {
+    pub(super) fn read_again(&mut self) -> Result<(), Box<Alarm>> {
         let Some(keeping) = &self.keeping else { return Ok(()) };
         let mut items = ENTERED.to_vec();
         items.push(Item::Counters);
@@ -257,7 +257,7 @@ impl Control {
 
     /// Has the memory judge and keep a change, then makes it. `Ok(false)`: it is on its way, since the axes must not
     /// wait for the disk; an event follows.
-    pub(super) fn change(&mut self, author: &Author, change: Change) -> Result<bool, Alarm> {
+    pub(super) fn change(&mut self, author: &Author, change: Change) -> Result<bool, Box<Alarm>> {
         let changes = vec![change];
         let is_busy = self.tick.moving || self.cnc.is_under_way();
         if let Some(keeping) = &mut self.keeping {

@@ -102,7 +102,7 @@ pub struct Control {
 
 impl Control {
     /// A control at power-on. Its axes stand where the durable memory says, else at zero.
-    pub fn new(machine: &Machine, parts: Parts) -> Result<Control, Alarm> {
+    pub fn new(machine: &Machine, parts: Parts) -> Result<Control, Box<Alarm>> {
         let unknown = || alarm(Fault::UnknownDialect).with("name", machine.dialect.as_str());
         let dialect = dialects::by_name(&machine.dialect).ok_or_else(unknown)?;
         let mut memory = match parts.memory {
@@ -369,36 +369,35 @@ impl Control {
             return;
         }
         // It starts when the key is let go (Fanuc 0i, ST).
-        if self.before.cycle_start && !self.inputs.cycle_start {
-            if let Err(why) = self.cycle_start() {
-                let alarm = AlarmInfo::of(&why);
-                self.event(Event::Refused { alarm });
-            }
+        let is_let_go = self.before.cycle_start && !self.inputs.cycle_start;
+        if is_let_go && let Err(why) = self.cycle_start() {
+            let alarm = AlarmInfo::of(&why);
+            self.event(Event::Refused { alarm });
         }
     }
 
-    fn cycle_start(&mut self) -> Result<(), Alarm> {
+    fn cycle_start(&mut self) -> Result<(), Box<Alarm>> {
         if self.emergency {
-            return Err(alarm(Fault::EmergencyStop));
+            return Err(Box::new(alarm(Fault::EmergencyStop)));
         }
         if self.active.is_some() {
-            return Err(alarm(Fault::ControlAlarmed));
+            return Err(Box::new(alarm(Fault::ControlAlarmed)));
         }
         if self.inputs.start_lock {
-            return Err(alarm(Fault::StartLocked));
+            return Err(Box::new(alarm(Fault::StartLocked)));
         }
         match modes::start(self.program_mode(), self.standing(), self.mode) {
             Start::Nothing => Ok(()),
-            Start::WrongMode => Err(alarm(Fault::ControlMode).with("mode", name_of(self.mode))),
+            Start::WrongMode => Err(Box::new(alarm(Fault::ControlMode).with("mode", name_of(self.mode)))),
             Start::OtherMode => {
-                Err(alarm(Fault::ControlInterrupted).with("mode", name_of(self.program_mode())))
+                Err(Box::new(alarm(Fault::ControlInterrupted).with("mode", name_of(self.program_mode()))))
             }
             Start::GoesOn => {
                 self.cnc.do_not_finish_block();
                 self.cnc.cycle_start();
                 Ok(())
             }
-            Start::Starts if !self.cnc.is_idle() => Err(alarm(Fault::ControlBusy)),
+            Start::Starts if !self.cnc.is_idle() => Err(Box::new(alarm(Fault::ControlBusy))),
             Start::Starts => self.start_program(),
         }
     }
@@ -617,7 +616,7 @@ fn pace(machine: &Machine) -> Pace {
 }
 
 /// The memory of a new control, with the parameters of the machine file.
-fn as_delivered(machine: &Machine) -> Result<Memory, Alarm> {
+fn as_delivered(machine: &Machine) -> Result<Memory, Box<Alarm>> {
     let mut memory = Memory::new(&machine.dialect);
     let unusable = |reason: String| alarm(Fault::ConfigUnusable).with("reason", reason);
     let mut parameters = Vec::new();

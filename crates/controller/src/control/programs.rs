@@ -37,19 +37,19 @@ fn alarm(fault: Fault) -> Alarm {
 
 impl Control {
     /// Loads what the mode runs and starts it. Says why not.
-    pub(super) fn start_program(&mut self) -> Result<(), Alarm> {
+    pub(super) fn start_program(&mut self) -> Result<(), Box<Alarm>> {
         match self.mode {
             Mode::Auto => self.start_auto()?,
             Mode::Mdi => self.start_mdi()?,
             Mode::Dnc => self.start_dnc()?,
-            _ => return Err(alarm(Fault::ControlMode)),
+            _ => return Err(Box::new(alarm(Fault::ControlMode))),
         }
         self.stop_line_of_program();
         self.cnc.cycle_start();
         Ok(())
     }
 
-    fn start_auto(&mut self) -> Result<(), Alarm> {
+    fn start_auto(&mut self) -> Result<(), Box<Alarm>> {
         let name = self.selected.clone().ok_or_else(|| alarm(Fault::NothingToRun))?;
         let line = (self.cursor > 1).then_some(self.cursor);
         if self.loaded != Loaded::Auto(name.clone()) {
@@ -61,20 +61,20 @@ impl Control {
         self.begin_at(line)
     }
 
-    fn begin_at(&mut self, line: Option<u32>) -> Result<(), Alarm> {
+    fn begin_at(&mut self, line: Option<u32>) -> Result<(), Box<Alarm>> {
         let is_there = self.cnc.rewind(line);
         let is_there =
             is_there.map_err(|error| alarm(Fault::FileUnreadable).with("reason", error.to_string()))?;
         let line = f64::from(line.unwrap_or(1));
-        if is_there { Ok(()) } else { Err(alarm(Fault::NoSuchLine).with("line", line)) }
+        if is_there { Ok(()) } else { Err(Box::new(alarm(Fault::NoSuchLine).with("line", line))) }
     }
 
     /// 8.2 note 2: what stands on the page of the current block runs before the text of the MDI page.
-    fn start_mdi(&mut self) -> Result<(), Alarm> {
+    fn start_mdi(&mut self) -> Result<(), Box<Alarm>> {
         let is_block = !self.mdi_block.trim().is_empty();
         let text = if is_block { std::mem::take(&mut self.mdi_block) } else { self.mdi.clone() };
         if text.trim().is_empty() {
-            return Err(alarm(Fault::NothingToRun));
+            return Err(Box::new(alarm(Fault::NothingToRun)));
         }
         self.load("MDI", text.into_bytes(), true)?;
         self.loaded = Loaded::Mdi;
@@ -83,9 +83,9 @@ impl Control {
         self.begin_at(line)
     }
 
-    fn start_dnc(&mut self) -> Result<(), Alarm> {
+    fn start_dnc(&mut self) -> Result<(), Box<Alarm>> {
         if self.dnc.is_empty() {
-            return Err(alarm(Fault::NothingToRun));
+            return Err(Box::new(alarm(Fault::NothingToRun)));
         }
         let text = self.dnc.clone();
         self.load("DNC", text, true)?;
@@ -94,25 +94,25 @@ impl Control {
     }
 
     /// Gives the interpreter a text as its main program; all programs of the memory can be called from it.
-    fn load(&mut self, name: &str, text: Vec<u8>, open_end: bool) -> Result<(), Alarm> {
+    fn load(&mut self, name: &str, text: Vec<u8>, open_end: bool) -> Result<(), Box<Alarm>> {
         let text = Text::from_bytes(text).map_err(|_| alarm(Fault::FileNotText).with("file", name))?;
         let syntax = self.cnc.interpreter().dialect().syntax;
         let mut programs = ProgramMemory::new(name, text, syntax);
         programs.set_source(Box::new(self.library.clone()));
         if !self.cnc.load_programs(programs) {
-            return Err(alarm(Fault::ControlBusy));
+            return Err(Box::new(alarm(Fault::ControlBusy)));
         }
         self.cnc.interpreter_mut().set_open_end(open_end);
         Ok(())
     }
 
     /// Chooses the program of AUTO. Says why not.
-    pub(super) fn select(&mut self, name: &str) -> Result<String, Alarm> {
+    pub(super) fn select(&mut self, name: &str) -> Result<String, Box<Alarm>> {
         if self.cnc.is_under_way() {
-            return Err(alarm(Fault::ControlBusy));
+            return Err(Box::new(alarm(Fault::ControlBusy)));
         }
         if !matches!(self.mode, Mode::Auto | Mode::Edit) {
-            return Err(alarm(Fault::ControlMode).with("mode", super::name_of(self.mode)));
+            return Err(Box::new(alarm(Fault::ControlMode).with("mode", super::name_of(self.mode))));
         }
         let missing = || alarm(Fault::NoSuchName).with("name", name);
         let (name, _) = self.library.named(&library::id_of(name)).ok_or_else(missing)?;
