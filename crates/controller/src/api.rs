@@ -277,16 +277,16 @@ pub enum Command {
     /// What was recorded, as CSV.
     Captured,
 
-    /// Writes a backup of items to a file.
+    /// Writes a backup of items to a file in the folder of the memory.
     Backup {
-        /// The file.
+        /// Its bare name, which ends in `.backup`.
         file: String,
         /// Names of the items; empty for all.
         items: Vec<String>,
     },
-    /// Takes items of a backup.
+    /// Takes items of a backup in the folder of the memory.
     Restore {
-        /// The file.
+        /// Its bare name.
         file: String,
         /// Names of the items.
         items: Vec<String>,
@@ -338,6 +338,9 @@ pub enum RelativeTo {
 pub enum Reply {
     /// It is done.
     Done,
+    /// It is on its way to the durable memory, since axes must not wait for the disk. The event `changed` or `refused`
+    /// follows.
+    OnItsWay,
     /// The list of the programs.
     Programs {
         /// In the order of their names.
@@ -630,6 +633,12 @@ pub struct Status {
     pub counters: Counters,
     /// Axes whose reference is established.
     pub referenced: Vec<char>,
+    /// Lamps of the panel and of the tower that are lit, by the ladder's names.
+    pub lamps: Vec<String>,
+    /// Positions of the panel's switches, by the ladder's names.
+    pub panel: BTreeMap<String, u8>,
+    /// The rights of who asks, 1 to 5; else the highest that anyone has logged in with.
+    pub level: u8,
 }
 
 /// Positions, mm and degrees.

@@ -6,19 +6,27 @@
 //! then, so that the step acts on a machine in the state that the program means. An alarm waits in
 //! the same way: the moves before it are finished, the one at fault does not begin.
 
+mod block_end;
+mod interruption;
 mod ladder;
+mod loading;
 mod overtravel;
 mod reference;
 mod skip;
+mod switches;
+
+pub use interruption::Interruption;
+pub use switches::DryRun;
 
 use crate::auxiliary::Auxiliary;
-use crate::drives::{Drives, Simulated, Switches};
+use crate::drives::{self, Drives, Simulated};
 use crate::homing::Homing;
 use crate::manual::{JogSpeed, JogWay, Manual};
 use crate::programmed::{Programmed, Way};
 use crate::report::{Activity, Report};
 use crate::spindle::Spindle;
 use crate::supervision::Supervisor;
+use block_end::{Block, Blocks};
 use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_interpreter::{AtRest, Interpreter};
 use ferrocut_machine::{Alarm, Fault, Machine, Severity};
@@ -27,9 +35,11 @@ use ferrocut_motion::synchron::{Synchron, Thread};
 use ferrocut_motion::{Motion, Move};
 use ferrocut_program::Span;
 use ferrocut_toolpath::{Dwell, Feed, Op, PathMode, SpindleState, Step};
+use interruption::Aside;
 use overtravel::Overtravel;
 use skip::Probing;
 use std::collections::VecDeque;
+use switches::Switches;
 
 /// What the control is doing.
 #[derive(Clone, PartialEq, Debug)]
@@ -42,6 +52,8 @@ pub enum State {
     Held,
     /// Stopped by M00 or M01; goes on with cycle start.
     Stopped(u32),
+    /// Stopped at the end of a block, by single block or since that was asked for; goes on with cycle start.
+    BlockEnd,
     /// Reset: comes to rest, the rest of the program is forgotten.
     Resetting,
     /// Reset is done.
@@ -92,6 +104,17 @@ struct Given {
     /// Its end is reached exactly before the next move begins: positioning, G09, G61.
     stops: bool,
     programmed: Programmed,
+    /// The block it belongs to.
+    block: Block,
+    /// As motion was given it, dry run aside.
+    motion: Move,
+    /// Its length along the path and how much of that was run, mm or degrees.
+    path_length: f64,
+    travelled: f64,
+    /// Machine position of the program's zero, tool length included.
+    zero: Position,
+    /// The share of it that motion is to be given, where a part was run before it was taken back.
+    left: f64,
 }
 
 impl Given {
@@ -153,7 +176,7 @@ pub struct Cnc {
     /// The axes of the machine.
     machine_axes: AxisSet,
     /// What the ladder says of the switches.
-    wired: Option<Switches>,
+    wired: Option<drives::Switches>,
     overtravel: Overtravel,
     probing: Option<Probing>,
     /// By how much the skip moves of this block ended beside what is programmed.
@@ -190,6 +213,15 @@ pub struct Cnc {
     failed: Option<Box<Alarm>>,
     /// The ladder, where the machine has one.
     auxiliary: Option<Box<Auxiliary>>,
+    blocks: Blocks,
+    aside: Aside,
+    switches: Switches,
+    /// Speed along the path in the last period, mm/s.
+    velocity: f64,
+    /// Least acceleration and jerk of an axis, mm/s² and mm/s³.
+    braking: [f64; 2],
+    /// The code that the program ended by.
+    ended_by: Option<u32>,
 }
 
 impl Cnc {
@@ -207,10 +239,11 @@ impl Cnc {
         let start = interpreter.position();
         let period = machine.servo_period_ms / 1000.0;
         let motion = Motion::new(machine, start);
+        let room = motion.free() + 1;
         let knows_places = drives.knows_places() || machine.homing.absolute;
         let mut cnc = Cnc {
             supervisor: Supervisor::new(machine, interpreter.dialect(), start),
-            given: VecDeque::with_capacity(motion.free() + 1),
+            given: VecDeque::with_capacity(room),
             motion,
             servo: Servo::new(machine, start),
             synchron: Synchron::new(machine, start),
@@ -246,6 +279,12 @@ impl Cnc {
             events: Vec::new(),
             failed: None,
             auxiliary: None,
+            blocks: Blocks::new(room),
+            aside: Aside::default(),
+            switches: Switches::new(start),
+            velocity: 0.0,
+            braking: braking(machine),
+            ended_by: None,
         };
         if !knows_places {
             cnc.set_referenced(AxisSet::EMPTY);
@@ -289,6 +328,24 @@ impl Cnc {
         self.renamed
     }
 
+    /// Machine position of the program's zero for the move being run, tool length included.
+    pub fn program_zero(&self) -> Position {
+        self.given.front().map_or_else(|| self.interpreter.program_zero(), |given| given.zero)
+    }
+
+    /// What is left to the end of the move being run, mm and degrees.
+    pub fn to_go(&self) -> Position {
+        match self.given.front() {
+            Some(given) if self.is_under_way() => given.motion.to() - self.motion.position(),
+            _ => Position::ZERO,
+        }
+    }
+
+    /// The code by which the program has ended: 2, 30 or 99; none where its text did.
+    pub fn ended_by(&self) -> Option<u32> {
+        self.ended_by
+    }
+
     /// The interpreter, for its program's text.
     pub fn interpreter(&self) -> &Interpreter {
         &self.interpreter
@@ -301,7 +358,7 @@ impl Cnc {
 
     /// Starts the program, or goes on after feed hold, M00 or M01. Not while axes are moved by hand.
     pub fn cycle_start(&mut self) {
-        if self.manual.is_active {
+        if self.manual.is_active || self.return_to_path() {
             return;
         }
         self.manual.stop();
@@ -311,20 +368,24 @@ impl Cnc {
         if let Some(hole) = self.hole.as_mut().filter(|hole| hole.asked == Some(Asked::Hold)) {
             hole.asked = None;
         }
-        if matches!(self.state, State::Ready | State::Held | State::Stopped(_)) {
+        if matches!(self.state, State::Ready | State::BlockEnd | State::Stopped(_)) {
+            self.blocks.begin();
+        }
+        if matches!(self.state, State::Ready | State::Held | State::BlockEnd | State::Stopped(_)) {
             self.state = State::Running;
             self.hold = false;
-            self.motion.resume();
+            self.hold_motion();
         }
     }
 
     /// Brings the axes to rest on the path; cycle start goes on. A tool in a thread comes out first (GSK990MC
     /// 4.5.1).
     pub fn feed_hold(&mut self) {
+        self.hold_return();
         if self.state == State::Running && !self.asked_in_hole(Asked::Hold) {
             self.state = State::Held;
             self.hold = true;
-            self.motion.hold();
+            self.hold_motion();
         }
     }
 
@@ -378,16 +439,25 @@ impl Cnc {
         self.waiting = None;
         self.busy = None;
         self.failed = None;
+        self.blocks.forget();
         self.state = State::Resetting;
     }
 
     /// Feed override 0 to 2 and rapid override 0 to 1, as factors.
     pub fn set_override(&mut self, feed: f64, rapid: f64) {
+        self.set_overrides(feed, rapid, feed, rapid);
+    }
+
+    /// The same with factors of their own for axes moved by hand.
+    pub fn set_overrides(&mut self, feed: f64, rapid: f64, manual_feed: f64, manual_rapid: f64) {
         self.motion.set_override(feed, rapid);
+        if self.manual.overrides() == (manual_feed, manual_rapid) {
+            return;
+        }
         if self.manual.is_held() {
             self.take_by_hand();
         }
-        self.manual.set_override(feed, rapid);
+        self.manual.set_override(manual_feed, manual_rapid);
     }
 
     /// A jog key of an axis: pressed, changed or released ([`JogWay::Stop`]). Whether axes may be moved by hand now: not
@@ -425,9 +495,14 @@ impl Cnc {
             self.interpreter.reset(self.commanded);
             self.state = State::Reset;
         }
-        let takes = matches!(self.state, State::Ready | State::Ended | State::Reset);
+        let interrupts = self.may_be_interrupted();
+        let takes = self.may_move()
+            && (interrupts || matches!(self.state, State::Ready | State::Ended | State::Reset));
         if takes {
-            self.manual.take(self.motion.position());
+            if interrupts {
+                self.interrupt();
+            }
+            self.manual.take(self.beside(self.motion.position()));
         }
         takes
     }
@@ -461,6 +536,7 @@ impl Cnc {
             State::Running if self.manual.is_active => return self.move_by_hand(),
             State::Running => {}
             State::Held | State::Resetting => return self.slow_down(),
+            State::BlockEnd if !self.manual.is_active => return self.slow_down(),
             _ if self.manual.is_active => return self.move_by_hand(),
             _ => return self.at_rest(),
         }
@@ -468,6 +544,7 @@ impl Cnc {
             if let Some(step) = self.auxiliary.as_mut().and_then(|auxiliary| auxiliary.take_done()) {
                 self.done(&step.op);
             }
+            self.watch_block_end();
             self.take_steps();
             if self.state != State::Running {
                 return self.slow_down();
@@ -487,10 +564,17 @@ impl Cnc {
                 if self.waits_for_ladder() {
                     return self.wait_for_ladder();
                 }
+                if self.is_at_block_end() {
+                    self.end_block();
+                    return self.at_rest();
+                }
                 match self.waiting.take() {
                     Some(waiting) => self.act(waiting),
                     None if self.hands_over_speed() => {}
-                    None => self.state = State::Ended,
+                    None => {
+                        self.ended_by = None;
+                        self.state = State::Ended;
+                    }
                 }
                 if self.state != State::Running {
                     return self.at_rest();
@@ -513,14 +597,18 @@ impl Cnc {
     fn move_on(&mut self) -> Tick {
         let setpoint = self.motion.tick();
         self.finish_moves(setpoint.tag);
-        if let Some(given) = self.given.front() {
+        self.velocity = setpoint.velocity;
+        if let Some(given) = self.given.front_mut() {
+            given.travelled += setpoint.velocity * self.period;
+            let given = *given;
             self.span = given.span;
             self.kind = given.kind();
             self.report.period(given.activity);
-            let running = given.tag;
+            let (running, block) = (given.tag, given.block);
+            self.runs(block);
             self.arm_probe(running);
         }
-        let position = self.exchange(&setpoint.position);
+        let position = self.exchange(&self.beside(setpoint.position));
         self.watch_probe();
         let (actual, velocity) = (self.actual, setpoint.velocity);
         Tick { position, actual, velocity, span: self.span, moving: true }
@@ -538,6 +626,10 @@ impl Cnc {
         if stand && (self.servo.is_at_rest() || self.failed.is_some()) {
             self.manual.is_active = false;
             let at = self.name_homed(at);
+            if self.stop_aside(at) {
+                return tick;
+            }
+            let at = at - self.aside.shift;
             self.motion.rename(at);
             self.supervisor.moved_to(at);
             self.commanded = at;
@@ -581,7 +673,7 @@ impl Cnc {
         let setpoint = self.synchron.follow(self.spindle.encoder().turns);
         self.kind = Kind::Tapping;
         self.report.period(Activity::Cutting);
-        let position = self.exchange(&setpoint);
+        let position = self.exchange(&self.beside(setpoint));
         let tick = Tick {
             position,
             actual: self.actual,
@@ -659,7 +751,7 @@ impl Cnc {
         if let Some(given) = self.given.front() {
             self.report.period(given.activity);
         }
-        let at = self.motion.position();
+        let at = self.beside(self.motion.position());
         let position = self.exchange(&at);
         Tick { position, actual: self.actual, velocity: 0.0, span: self.span, moving: true }
     }
@@ -667,7 +759,12 @@ impl Cnc {
     /// Commands the drives; where the axes shall be. Sets where they are, both without compensation.
     fn exchange(&mut self, setpoint: &Position) -> Position {
         let command = self.servo.tick(setpoint, self.kind);
-        let actual = self.drives.exchange(&command.drive);
+        let drive = self.switches.drive(command.drive);
+        let mut actual = self.drives.exchange(&drive);
+        if self.switches.is_locked() {
+            // Positions go on as if the axes did (7.7).
+            actual = command.drive;
+        }
         let fault = command.fault.or(self.servo.supervise(&actual));
         self.actual = match actual == command.drive {
             true => command.position,
@@ -721,7 +818,7 @@ impl Cnc {
 
     /// A period in which the axes stand still.
     fn at_rest(&mut self) -> Tick {
-        let at = self.motion.position();
+        let at = self.beside(self.motion.position());
         let position = self.exchange(&at);
         Tick { position, actual: self.actual, velocity: 0.0, span: self.span, moving: false }
     }
@@ -747,6 +844,7 @@ impl Cnc {
         }
         if self.state == State::Resetting {
             self.given.clear();
+            self.absorb();
             self.commanded = self.motion.position();
             self.state = match self.failed.take() {
                 Some(alarm) => State::Alarmed(alarm),
@@ -774,13 +872,13 @@ impl Cnc {
 
     /// Takes steps from the interpreter while motion has room and nothing waits.
     fn take_steps(&mut self) {
+        if !self.give_later() {
+            return;
+        }
         let is_free = |cnc: &Cnc| cnc.waiting.is_none() && cnc.busy.is_none() && cnc.stroke.is_none();
         while is_free(self) && self.state == State::Running && self.motion.free() > 0 {
             match self.next_step() {
-                None => {
-                    self.motion.finish();
-                    return;
-                }
+                None => return,
                 Some(Err(alarm)) => self.wait_for(Waiting::Alarm(alarm)),
                 Some(Ok(step)) => self.take_step(step),
             }
@@ -788,6 +886,12 @@ impl Cnc {
     }
 
     fn wait_for(&mut self, what: Waiting) {
+        let span = match &what {
+            Waiting::Step(step) => step.span,
+            Waiting::Alarm(alarm) => alarm.span,
+            Waiting::Skip => self.given.back().map_or(self.span, |given| given.span),
+        };
+        self.blocks.waiting = Some(self.taken(span));
         self.waiting = Some(what);
         self.motion.finish();
     }
@@ -824,10 +928,6 @@ impl Cnc {
         let Some(to) = step.op.target().copied() else { return };
         let Some(motion) = Move::from_step(&step.op, from, self.feed_rpm(), tag) else { return };
         let Some(programmed) = Programmed::new(&step.op, from, motion.feed(), tag) else { return };
-        // There is room: the caller asked.
-        if self.motion.push(&motion).is_err() {
-            return;
-        }
         self.next_tag += 1;
         self.commanded = to;
         let activity = if step.op.is_cutting() { Activity::Cutting } else { Activity::Rapid };
@@ -840,9 +940,10 @@ impl Cnc {
             // Positioning always ends in position.
             _ => true,
         };
-        self.given.push_back(Given {
+        let (span, block, path_length) = (step.span, self.taken(step.span), step.op.length(from));
+        let given = Given {
             tag,
-            span: step.span,
+            span,
             activity,
             length,
             min,
@@ -850,7 +951,17 @@ impl Cnc {
             to,
             stops,
             programmed,
-        });
+            block,
+            motion,
+            path_length,
+            travelled: 0.0,
+            zero: self.interpreter.program_zero(),
+            left: 1.0,
+        };
+        // There is room: the caller asked.
+        if self.motion.push(&self.paced(&given)).is_ok() {
+            self.given.push_back(given);
+        }
         if matches!(step.op, Op::Skip { .. }) {
             self.begin_probing(tag, from);
             if self.probing.is_some() {
@@ -889,7 +1000,10 @@ impl Cnc {
             Waiting::Step(step) => step,
         };
         self.span = step.span;
-        if self.is_for_ladder(&step) {
+        if let Some(block) = self.blocks.waiting.take() {
+            self.runs(block);
+        }
+        if self.is_kept_back(&step.op) || self.is_for_ladder(&step) {
             return;
         }
         match step.op {
@@ -951,6 +1065,7 @@ impl Cnc {
                 if code != 99 {
                     self.report.parts += 1;
                 }
+                self.ended_by = Some(code);
                 self.state = State::Ended;
             }
             _ => {}
@@ -965,4 +1080,14 @@ impl Cnc {
             self.busy = Some(Busy { activity, periods: periods as u64 });
         }
     }
+}
+
+/// Least acceleration and jerk of an axis, by which it is judged where the path surely comes to rest.
+fn braking(machine: &Machine) -> [f64; 2] {
+    let least = |values: &mut dyn Iterator<Item = f64>| values.fold(f64::INFINITY, f64::min).min(1e6);
+    let jerk = |jerk: f64| if jerk > 0.0 { jerk } else { f64::INFINITY };
+    [
+        least(&mut machine.axes.iter().map(|axis| axis.acceleration)),
+        least(&mut machine.axes.iter().map(|axis| jerk(axis.jerk))).max(1.0),
+    ]
 }

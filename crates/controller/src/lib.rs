@@ -13,6 +13,7 @@ mod auxiliary;
 pub mod capture;
 pub mod clock;
 pub mod cnc;
+pub mod control;
 pub mod diagnosis;
 pub mod drives;
 pub mod handshake;
@@ -26,7 +27,8 @@ pub mod spindle_control;
 pub mod supervision;
 
 pub use clock::Clock;
-pub use cnc::{Cnc, Event, State, Tick};
+pub use cnc::{Cnc, DryRun, Event, Interruption, State, Tick};
+pub use control::{Control, Parts};
 pub use drives::{Drives, Plant, Switches};
 pub use manual::{JogSpeed, JogWay};
 pub use programmed::{Programmed, Way};

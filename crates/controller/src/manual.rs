@@ -115,6 +115,11 @@ impl Manual {
         );
     }
 
+    /// The overrides in force.
+    pub fn overrides(&self) -> (f64, f64) {
+        (self.feed, self.rapid)
+    }
+
     /// Feed override 0 to 2 and rapid override 0 to 1; keys that are held follow.
     pub fn set_override(&mut self, feed: f64, rapid: f64) {
         let within = |value: f64, most: f64| if value.is_nan() { 0.0 } else { value.clamp(0.0, most) };
@@ -190,6 +195,16 @@ impl Manual {
         match self.rapid == 0.0 {
             true => (self.config.rapid_f0 / 60.0).min(speed),
             false => speed * self.rapid,
+        }
+    }
+
+    /// Goes a way as positioning does, under the rapid override.
+    pub fn go_by(&mut self, axis: Axis, way: f64) {
+        let rapid = self.of(axis).rapid;
+        let speed = if self.rapid == 0.0 { self.config.rapid_f0 / 60.0 } else { rapid * self.rapid };
+        self.let_go(axis);
+        if way != 0.0 {
+            self.jog.step(axis, 1, way, speed.min(rapid));
         }
     }
 

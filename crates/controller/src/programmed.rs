@@ -48,6 +48,17 @@ impl Programmed {
         Some(Programmed { number, way, is_rapid: matches!(op, Op::Rapid { .. }), feed, tolerance })
     }
 
+    /// The share of the move behind `point`, which is on it, where `travelled` mm were run of `length`.
+    pub fn left(&self, point: Position, travelled: f64, length: f64) -> f64 {
+        let Way::Arc(arc) = &self.way else { return 1.0 };
+        let Some(share) = share_of(arc, point) else { return 1.0 };
+        let run = if length > 0.0 { (travelled / length).clamp(0.0, 1.0) } else { 0.0 };
+        // A point at the seam of a full circle, or before its start by a rounding, may be either end.
+        let turn = TAU / arc.sweep.abs();
+        let share = share - ((share - run) / turn).round() * turn;
+        (1.0 - share).clamp(0.0, 1.0)
+    }
+
     /// How far `point` lies from the move, over the linear axes, mm; `None` where no line is programmed.
     pub fn distance(&self, point: Position) -> Option<f64> {
         match &self.way {
@@ -78,9 +89,17 @@ const REFINEMENTS: usize = 4;
 
 fn arc_distance(arc: &Arc, point: Position) -> f64 {
     let ends = gap(point, arc.start).min(gap(point, arc.end));
+    match share_of(arc, point) {
+        Some(share) => ends.min(refined(arc, point, share)),
+        None => ends,
+    }
+}
+
+/// The share of an arc that lies before the place of it that is in the direction of `point`.
+fn share_of(arc: &Arc, point: Position) -> Option<f64> {
     let turned = arc.sweep.abs();
     if turned <= 0.0 {
-        return ends;
+        return None;
     }
     let [a, b] = arc.plane.of(point);
     let (a, b) = (a - arc.center[0], b - arc.center[1]);
@@ -97,7 +116,7 @@ fn arc_distance(arc: &Arc, point: Position) -> f64 {
         0.0
     };
     let turn = ((progress.clamp(0.0, 1.0) * turned - first) / TAU).round().max(0.0);
-    ends.min(refined(arc, point, (first + turn * TAU) / turned))
+    Some((first + turn * TAU) / turned)
 }
 
 /// Parts of an arc closer than this are the same place.

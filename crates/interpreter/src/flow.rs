@@ -125,6 +125,11 @@ impl Flow {
         self.page = None;
     }
 
+    /// A program begun within: at this block.
+    pub(crate) fn start_at(&mut self, place: Place) {
+        *self = Flow { place, entered: true, ..Flow::new() };
+    }
+
     /// Notes that a step was made: the program gets on.
     #[inline]
     pub(crate) fn got_on(&mut self) {
@@ -365,6 +370,10 @@ impl Interpreter {
     fn end_of_text(&mut self) -> Fallible<()> {
         if self.described.is_collecting() {
             return self.run_described();
+        }
+        if self.options.open_end && self.flow.calls.is_empty() {
+            self.ended = true;
+            return self.output.flush().map_err(|(fault, span)| self.alarm(fault, span));
         }
         // Where blocks have an order of their own, what is passed over counts as read.
         if self.dialect.blocks.is_some() {

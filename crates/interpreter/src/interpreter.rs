@@ -61,6 +61,8 @@ pub struct Options {
     /// The program that a tool change runs. Within it M06 is the built-in code, which says that the tool is in the
     /// spindle.
     pub tool_change_program: Option<u32>,
+    /// The text may end without an end of program, as blocks do that the operator types.
+    pub open_end: bool,
 }
 
 /// Where the tool is, in the coordinates of both ends of the stages.
@@ -228,9 +230,9 @@ pub struct Interpreter {
     pub(crate) ngc: State,
     pub(crate) ended: bool,
     pub(crate) output: Output,
-    alarms: VecDeque<Box<Alarm>>,
+    pub(crate) alarms: VecDeque<Box<Alarm>>,
     /// The drawing that the main program was made from.
-    origins: Option<Origins>,
+    pub(crate) origins: Option<Origins>,
 }
 
 impl Interpreter {

@@ -27,6 +27,7 @@ pub mod execute;
 pub mod flow;
 pub mod interpreter;
 mod length_words;
+mod loading;
 mod m_functions;
 mod machine_words;
 mod macros;

@@ -613,6 +613,36 @@ faults! {
     /// Too many wrong passwords.
     PasswordWait = 1220,
 
+    // 1400: the running control
+    /// Something that another mode is for.
+    ControlMode = 1400,
+    /// Something that cannot be while a program is under way.
+    ControlBusy = 1401,
+    /// Cycle start in another mode than that of the program that is under way.
+    ControlInterrupted = 1402,
+    /// Cycle start without a program.
+    NothingToRun = 1403,
+    /// Cycle start, or a key of an axis, that the ladder forbids.
+    StartLocked = 1404,
+    /// Something that cannot be while an alarm stands.
+    ControlAlarmed = 1405,
+    /// Something that this control has no part for.
+    NotFitted = 1406,
+    /// A name that nothing has.
+    NoSuchName = 1407,
+    /// A change to the program that is under way.
+    ProgramInUse = 1408,
+    /// A value that cannot be.
+    ValueImpossible = 1409,
+    /// The emergency stop is pressed.
+    EmergencyStop = 1410,
+    /// A block that was not found in the program.
+    NoSuchLine = 1411,
+    /// The ladder stands still.
+    LadderStopped = 1412,
+    /// What was put on the way to the durable memory is not there.
+    NotKept = 1413,
+
     // 1420: the ladder and the codes that are handed to it
     /// A code is not done in time.
     CodeNotFinished = 1420,

@@ -72,6 +72,10 @@
 //! | `PltLeftOut` | `instruction` |
 //! | `ImportSetting`, `LadderSetting`, `PlotSetting` | `setting`, `value` |
 //! | `Ladder` | `word` |
+//! | `ControlMode`, `ControlInterrupted` | `mode` |
+//! | `NotFitted`, `NoSuchName`, `ProgramInUse`, `ValueImpossible` | `name` |
+//! | `NoSuchLine` | `line` |
+//! | `NotKept` | `reason` |
 //! | `MemoryOfOther`, `BackupOfOther` | `name` |
 //! | `MemoryDisk` | `reason` |
 //! | `MemoryMissing` | `file`: the folder |

@@ -17,7 +17,7 @@ use ferrocut_machine::{Alarm, Fault};
 use ferrocut_program::Span;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
-use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
+use std::sync::mpsc::{Receiver, SyncSender, TryRecvError, sync_channel};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
 use std::time::Duration;
@@ -123,6 +123,15 @@ pub struct Store {
 pub struct Pending(Receiver<Answer>);
 
 impl Pending {
+    /// Which commit has it, or why none does; `None` while it is on its way.
+    pub fn poll(&self) -> Option<Answer> {
+        match self.0.try_recv() {
+            Ok(answer) => Some(answer),
+            Err(TryRecvError::Empty) => None,
+            Err(TryRecvError::Disconnected) => Some(Err(Error::Closed)),
+        }
+    }
+
     /// Waits until it is durable, and says which commit has it.
     pub fn wait(self) -> Answer {
         self.0.recv().unwrap_or(Err(Error::Closed))

@@ -170,6 +170,29 @@ impl Move {
         }
     }
 
+    /// The last part of the move, where a `share` of it is left (0 to 1).
+    pub fn last(mut self, share: f64) -> Move {
+        if let Kind::Arc { sweep, .. } = &mut self.kind
+            && (0.0..=1.0).contains(&share)
+        {
+            *sweep *= share;
+        }
+        self
+    }
+
+    /// The same move at another speed along the path, mm/s; positioning at a speed goes on a straight line.
+    pub fn at_speed(mut self, speed: f64) -> Move {
+        match &mut self.kind {
+            Kind::RapidAxes => self.kind = Kind::RapidStraight { speed: speed.max(LEAST_FEED) },
+            Kind::RapidStraight { speed: feed } | Kind::Line { feed, .. } | Kind::Arc { feed, .. } => {
+                if !speed.is_nan() {
+                    *feed = speed.clamp(LEAST_FEED, FARTHEST);
+                }
+            }
+        }
+        self
+    }
+
     /// Where it ends.
     pub fn to(&self) -> Position {
         self.to

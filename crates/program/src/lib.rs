@@ -24,7 +24,7 @@ pub mod text;
 pub use encoding::Encoding;
 pub use expression::{Binary, Function, Node, Unary};
 pub use lexer::NGC_OPERATORS;
-pub use memory::{Place, ProgramId, ProgramMemory};
+pub use memory::{Place, ProgramId, ProgramMemory, Source};
 pub use names::{FIRST_NAMED, Names};
 pub use page::{
     Argument, Block, Defect, DefectKind, Directive, ExprRange, Label, OKeyword, OWord, Page, Statement,

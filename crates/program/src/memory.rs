@@ -64,6 +64,12 @@ impl ProgramId {
     }
 }
 
+/// Programs that can be called and are neither files added nor files of the folder: those of a control's memory.
+pub trait Source: std::fmt::Debug {
+    /// The name and text of a program.
+    fn find(&mut self, id: &ProgramId) -> Option<(String, Text)>;
+}
+
 /// A block of a file of program memory.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default, PartialOrd, Ord)]
 pub struct Place {
@@ -115,6 +121,8 @@ pub struct ProgramMemory {
     folder: Option<(PathBuf, PathBuf)>,
     /// Programs found in the folder, once something was asked that the files do not hold.
     folder_index: Option<HashMap<ProgramId, PathBuf>>,
+    /// Where else programs are found.
+    source: Option<Box<dyn Source>>,
 }
 
 impl ProgramMemory {
@@ -130,6 +138,7 @@ impl ProgramMemory {
             buffer: Vec::new(),
             folder: None,
             folder_index: None,
+            source: None,
         };
         memory.add(name, text);
         memory
@@ -178,6 +187,11 @@ impl ProgramMemory {
             file.programs = Some(HashMap::new());
         }
         id
+    }
+
+    /// Has programs that are nowhere else taken from `source`, when they are called first.
+    pub fn set_source(&mut self, source: Box<dyn Source>) {
+        self.source = Some(source);
     }
 
     /// Names that the programs read so far give to variables and subprograms.
@@ -268,6 +282,18 @@ impl ProgramMemory {
         }
     }
 
+    /// The first block of a file that stands on this line, counted from 1, or behind it; `None` past the end.
+    pub fn block_from_line(&mut self, file: FileId, line: u32) -> io::Result<Option<Place>> {
+        for number in 0.. {
+            let Some(page) = self.page(file, number)? else { break };
+            let found = page.blocks.iter().position(|block| page.block_span(block).line >= line);
+            if let Some(block) = found.and_then(|at| u32::try_from(at).ok()) {
+                return Ok(Some(Place { file, page: number, block }));
+            }
+        }
+        Ok(None)
+    }
+
     /// Lexes the page with this number, which is known or the next of its file, and keeps it.
     fn lex(&mut self, number: u32, start: Start) -> io::Result<Arc<Page>> {
         let (syntax, names) = (self.syntax, &mut self.names);
@@ -337,7 +363,13 @@ impl ProgramMemory {
         }
         match self.find_in_folder(id) {
             Some(file) => self.start_in_file(file, id).map(Some),
-            None => Ok(None),
+            None => match self.source.as_mut().and_then(|source| source.find(id)) {
+                Some((name, text)) => {
+                    let file = self.add(&name, text);
+                    self.start_in_file(file, id).map(Some)
+                }
+                None => Ok(None),
+            },
         }
     }
 

@@ -89,7 +89,7 @@ impl Cnc {
     }
 
     /// The next step; none while it has to wait for what was handed to the ladder.
-    pub(super) fn next_step(&mut self) -> Option<Result<Step, Box<Alarm>>> {
+    pub(super) fn next_from_ladder(&mut self) -> Option<Result<Step, Box<Alarm>>> {
         let Some(auxiliary) = &mut self.auxiliary else { return self.interpreter.next() };
         if auxiliary.is_full() {
             return None;

@@ -741,6 +741,45 @@ FC-0573 = The spindle turns the wrong way for this thread
 FC-0574 = The depths of the thread do not fit each other
     .help = I is not 0, J is more than 0, and K is more than J.
 
+# The running control.
+
+FC-1400 = that cannot be done in this mode
+    .help = Choose the mode for it first.
+    .detail = mode { $mode }
+FC-1401 = that cannot be done while a program is under way
+    .help = Wait for its end, or give it up with reset.
+FC-1402 = a program of another mode is under way
+    .help = Go back to its mode to go on with it, or give it up with reset.
+    .detail = mode { $mode }
+FC-1403 = there is no program to run
+    .help = Select a program, or type blocks in MDI.
+FC-1404 = the machine does not allow a start now
+    .help = Look at the messages of the machine: a door, a pressure, or a clamp may be missing.
+FC-1405 = an alarm stands
+    .help = Remove its cause, then press reset.
+FC-1406 = this control has no part for that
+    .help = It was started without a ladder or without a durable memory.
+    .detail = missing: { $name }
+FC-1407 = there is nothing of this name
+    .help = Check the spelling.
+    .detail = { $name }
+FC-1408 = the program under way cannot be changed
+    .help = Wait for its end, or edit another program.
+    .detail = program { $name }
+FC-1409 = this value cannot be
+    .help = Enter a value within the range.
+    .detail = { $name }
+FC-1410 = emergency stop
+    .help = Remove the danger, release the button, and bring the axes to their reference points again.
+FC-1411 = the program has no block there
+    .help = Choose a line of the program.
+    .detail = line { $line }
+FC-1412 = the ladder stands still
+    .help = Correct the ladder and start it again; all outputs are off until then.
+FC-1413 = a change was made and could not be kept
+    .help = Look at the disk; the change is lost when power goes off.
+    .detail = { $reason }
+
 FC-1430 = Homing does not find the home switch
     .detail = axis { $axis }
     .help = Check the home switch, its level, and the direction of homing.

@@ -1,0 +1,322 @@
+//! Stops at the end of a block: single block, a line to stop at, and whoever asks that the block under way is the
+//! last one for now (a change of mode, GSK990MC part 2, 8.4).
+//!
+//! With single block on, motion is given one block at a time. Where a stop is asked for while motion looks ahead,
+//! the path is braked so that it comes to rest shortly before the end of the block; the moves of the blocks behind
+//! are taken back, and what is left of the block is run to its very end. A block too short to be stopped at is
+//! passed, as any point of a path that cannot be braked before it, and the next one is the last.
+
+use super::{Cnc, Given, State};
+use ferrocut_machine::Alarm;
+use ferrocut_program::{FileId, Span};
+use ferrocut_toolpath::Step;
+use std::collections::VecDeque;
+
+/// A block, told from those before and behind it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) struct Block {
+    file: FileId,
+    offset: u64,
+    line: u32,
+    /// The part behind its intermediate point counts as another block (GSK990MC part 2, 7.6, note).
+    part: u32,
+}
+
+impl Block {
+    fn at(span: Span) -> Block {
+        Block { file: span.file, offset: span.offset, line: span.line, part: 0 }
+    }
+}
+
+/// How far a stop in the middle of what motion has come.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+enum Stage {
+    /// Nothing is to be stopped.
+    #[default]
+    Off,
+    /// The path is being braked.
+    Braking,
+    /// What is left of the block is run, and what is behind it waits in [`Blocks::later`].
+    Finishing,
+}
+
+/// What is known of blocks.
+#[derive(Debug)]
+pub(super) struct Blocks {
+    single: bool,
+    /// The block under way is the last one for now.
+    asked: bool,
+    /// The program stops behind this line of this file.
+    stop_line: Option<(FileId, u32)>,
+    /// The block being run, and the one taken last from the interpreter or given last to motion.
+    run: Option<Block>,
+    taken: Option<Block>,
+    /// Moves of the block taken last.
+    moves: u32,
+    /// The block of what waits for rest.
+    pub waiting: Option<Block>,
+    /// What was taken from the interpreter and belongs to a block that does not begin yet.
+    next: Option<Result<Step, Box<Alarm>>>,
+    /// Moves that were taken back from motion.
+    later: VecDeque<Given>,
+    stage: Stage,
+    /// Everything that motion was given is to be given again, since its speeds have changed.
+    renew: bool,
+}
+
+impl Blocks {
+    pub fn new(room: usize) -> Blocks {
+        Blocks {
+            single: false,
+            asked: false,
+            stop_line: None,
+            run: None,
+            taken: None,
+            moves: 0,
+            waiting: None,
+            next: None,
+            later: VecDeque::with_capacity(room),
+            stage: Stage::Off,
+            renew: false,
+        }
+    }
+
+    /// Forgets what was to come. Single block and the line to stop at stay.
+    pub fn forget(&mut self) {
+        self.asked = false;
+        self.next = None;
+        self.later.clear();
+        self.stage = Stage::Off;
+        self.renew = false;
+        self.waiting = None;
+        self.begin();
+    }
+
+    /// The next block may begin, whatever was before it.
+    pub fn begin(&mut self) {
+        (self.run, self.taken) = (None, None);
+    }
+
+    fn stops_behind(&self, block: Block) -> bool {
+        self.single || self.asked || self.stop_line == Some((block.file, block.line))
+    }
+
+    /// Whether a block may be taken, or given to motion, behind what was taken before.
+    fn may_take(&self, block: Block) -> bool {
+        self.taken.is_none_or(|taken| taken == block || !self.stops_behind(taken))
+    }
+
+    /// Whether the program stops before this block.
+    fn stops_before(&self, block: Block) -> bool {
+        self.run.is_some_and(|run| run != block && self.stops_behind(run))
+    }
+
+    /// Whether single block is on.
+    pub fn is_single(&self) -> bool {
+        self.single
+    }
+
+    /// Whether motion is being braked for the end of a block.
+    pub fn is_braking(&self) -> bool {
+        self.stage == Stage::Braking
+    }
+}
+
+impl Cnc {
+    /// Single block: the program stops behind every block.
+    pub fn set_single_block(&mut self, on: bool) {
+        self.blocks.single = on;
+    }
+
+    /// The block under way is the last one for now: the program stops at its end, as with single block.
+    pub fn finish_block(&mut self) {
+        if self.state == State::Running {
+            self.blocks.asked = true;
+        }
+    }
+
+    /// Takes [`finish_block`](Self::finish_block) back.
+    pub fn do_not_finish_block(&mut self) {
+        self.blocks.asked = false;
+    }
+
+    /// Whether the program is running to the end of a block to stop there, because that was asked for.
+    pub fn finishes_block(&self) -> bool {
+        self.blocks.asked && self.state == State::Running
+    }
+
+    /// The program stops once behind this line of a file, counted from 1 (GSK990MC part 2, 3.4.1, stop number).
+    pub fn stop_behind(&mut self, line: Option<(FileId, u32)>) {
+        self.blocks.stop_line = line;
+    }
+
+    /// The line behind which it is still to stop.
+    pub fn stops_behind(&self) -> Option<(FileId, u32)> {
+        self.blocks.stop_line
+    }
+
+    /// What motion has is given to it again, since speeds have changed.
+    pub(super) fn renew_moves(&mut self) {
+        self.blocks.renew = !self.given.is_empty();
+    }
+
+    /// The block of something from the interpreter.
+    fn block_of(&self, next: &Result<Step, Box<Alarm>>) -> Block {
+        let span = match next {
+            Ok(step) => step.span,
+            Err(alarm) => alarm.span,
+        };
+        let mut block = Block::at(span);
+        let Some(taken) =
+            self.blocks.taken.filter(|taken| (taken.file, taken.offset) == (block.file, block.offset))
+        else {
+            return block;
+        };
+        block.part = taken.part;
+        let is_move = next.as_ref().is_ok_and(|step| step.op.target().is_some());
+        if self.blocks.single && is_move && self.blocks.moves == 1 && self.returns_to_reference(span) {
+            block.part += 1;
+        }
+        block
+    }
+
+    /// Whether a block is one of G28, which stops at its intermediate point too.
+    fn returns_to_reference(&self, span: Span) -> bool {
+        let text = self.interpreter.programs().slice(span).to_ascii_uppercase();
+        let codes = text.split('G').skip(1);
+        let number = |code: &str| code.chars().take_while(char::is_ascii_digit).collect::<String>();
+        codes.map(number).any(|number| number.trim_start_matches('0') == "28")
+    }
+
+    /// The next thing from the interpreter, if its block may begin. With `None` nothing may be taken now.
+    pub(super) fn next_step(&mut self) -> Option<Result<Step, Box<Alarm>>> {
+        let next = match self.blocks.next.take() {
+            Some(next) => Some(next),
+            None => self.next_from_ladder(),
+        };
+        let Some(next) = next else {
+            self.motion.finish();
+            return None;
+        };
+        let block = self.block_of(&next);
+        if !self.blocks.may_take(block) {
+            self.blocks.next = Some(next);
+            self.motion.finish();
+            return None;
+        }
+        if self.blocks.taken != Some(block) {
+            self.blocks.moves = 0;
+        }
+        self.blocks.moves += u32::from(next.as_ref().is_ok_and(|step| step.op.target().is_some()));
+        self.blocks.taken = Some(block);
+        Some(next)
+    }
+
+    /// The block of what was taken last.
+    pub(super) fn taken(&self, span: Span) -> Block {
+        self.blocks.taken.unwrap_or(Block::at(span))
+    }
+
+    /// Gives motion the moves that were taken back from it; whether all are given.
+    pub(super) fn give_later(&mut self) -> bool {
+        if self.blocks.later.is_empty() {
+            return true;
+        }
+        while let Some(given) = self.blocks.later.front().copied() {
+            if !self.blocks.may_take(given.block) {
+                self.motion.finish();
+                return false;
+            }
+            if self.motion.free() == 0 || self.motion.push(&self.paced(&given)).is_err() {
+                return false;
+            }
+            self.blocks.later.pop_front();
+            self.blocks.taken = Some(given.block);
+            self.given.push_back(given);
+        }
+        self.blocks.stage = Stage::Off;
+        if self.waiting.is_some() {
+            self.motion.finish();
+        }
+        true
+    }
+
+    /// Notes which block is being run.
+    pub(super) fn runs(&mut self, block: Block) {
+        self.blocks.run = Some(block);
+    }
+
+    /// Whether the program stops here, motion being at rest with nothing left.
+    pub(super) fn is_at_block_end(&self) -> bool {
+        let waiting = self.blocks.waiting.filter(|_| self.waiting.is_some());
+        let next = self.blocks.next.as_ref().map(|next| self.block_of(next));
+        let later = self.blocks.later.front().map(|given| given.block);
+        later.or(waiting).or(next).is_some_and(|block| self.blocks.stops_before(block))
+    }
+
+    /// The program stops at the end of a block.
+    pub(super) fn end_block(&mut self) {
+        self.state = State::BlockEnd;
+        self.blocks.asked = false;
+        if let Some(run) = self.blocks.run
+            && self.blocks.stop_line == Some((run.file, run.line))
+        {
+            self.blocks.stop_line = None;
+        }
+    }
+
+    /// Looks after the end of the block being run, where motion has more than that.
+    pub(super) fn watch_block_end(&mut self) {
+        match self.blocks.stage {
+            Stage::Off => {
+                let Some(run) = self.given.front().map(|given| given.block) else { return };
+                let is_mixed = || self.given.back().is_some_and(|given| given.block != run);
+                let ends = self.blocks.stops_behind(run) && is_mixed();
+                if self.blocks.renew || ends && self.left_of(run) <= self.stopping_distance() {
+                    self.blocks.stage = Stage::Braking;
+                    self.hold_motion();
+                }
+            }
+            Stage::Braking if self.motion.at_rest() => {
+                self.motion.abort();
+                // Else it comes with the next period.
+                if self.motion.is_empty() {
+                    self.take_back();
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// Takes all moves back from motion, which has forgotten them at rest, and gives those that may be run now.
+    fn take_back(&mut self) {
+        let at = self.motion.position();
+        if let Some(first) = self.given.front_mut() {
+            first.left = first.programmed.left(at, first.travelled, first.path_length);
+        }
+        while let Some(given) = self.given.pop_back() {
+            self.blocks.later.push_front(given);
+        }
+        self.blocks.renew = false;
+        self.blocks.stage = Stage::Finishing;
+        self.blocks.taken = None;
+        self.hold_motion();
+        self.give_later();
+    }
+
+    /// Length that is left of a block, mm or degrees.
+    fn left_of(&self, block: Block) -> f64 {
+        let of_block = self.given.iter().take_while(|given| given.block == block);
+        of_block.map(|given| (given.path_length - given.travelled).max(0.0)).sum()
+    }
+
+    /// Length in which the path surely comes to rest, mm or degrees.
+    fn stopping_distance(&self) -> f64 {
+        let v = self.velocity;
+        let [a, j] = self.braking;
+        // From a constant speed: 2·√(v/j) s where the acceleration is not reached, else v/a + a/j; at half the
+        // speed on average. A curve, and a path that speeds up, need more: twice as much, and two periods.
+        let time = if v * j >= a * a { v / a + a / j } else { 2.0 * (v / j).sqrt() };
+        v * time + 2.0 * v * self.period
+    }
+}

@@ -1,0 +1,87 @@
+//! Programs one after the other on the same axes: position, spindle and what the interpreter remembers stay.
+
+use super::{Cnc, State};
+use ferrocut_interpreter::{AtRest, Interpreter};
+use ferrocut_program::{ProgramMemory, Span};
+use ferrocut_toolpath::SpindleState;
+use std::io;
+
+impl Cnc {
+    /// Whether no program is under way, no alarm stands, and no axis is moved by hand.
+    pub fn is_idle(&self) -> bool {
+        matches!(self.state, State::Ready | State::Ended | State::Reset) && !self.manual.is_active
+    }
+
+    /// Whether a program is under way: running, or stopped to go on.
+    pub fn is_under_way(&self) -> bool {
+        matches!(self.state, State::Running | State::Held | State::BlockEnd | State::Stopped(_))
+    }
+
+    /// Takes another interpreter, whose program waits for cycle start, and gives the one before back. Where none may
+    /// be taken now, the new one comes back as an error.
+    pub fn load(&mut self, interpreter: Interpreter) -> Result<Interpreter, Box<Interpreter>> {
+        if !self.is_idle() {
+            return Err(Box::new(interpreter));
+        }
+        let old = std::mem::replace(&mut self.interpreter, interpreter);
+        let commanded = self.motion.position();
+        if self.interpreter.position() != commanded {
+            self.interpreter.came_to_rest(&AtRest { commanded, actual: self.actual, skip: None });
+        }
+        self.wait_for_start();
+        Ok(old)
+    }
+
+    /// Takes other programs for the same interpreter, which keeps its modal state. The first block of the main one
+    /// waits for cycle start. `false` where none may be taken now.
+    pub fn load_programs(&mut self, programs: ProgramMemory) -> bool {
+        let is_idle = self.is_idle();
+        if is_idle {
+            self.interpreter.load(programs, self.motion.position());
+            self.wait_for_start();
+        }
+        is_idle
+    }
+
+    /// The program that was run waits for cycle start again, at its first block or at the one on `line`. `false`
+    /// where that cannot be.
+    pub fn rewind(&mut self, line: Option<u32>) -> io::Result<bool> {
+        if !self.is_idle() {
+            return Ok(false);
+        }
+        self.interpreter.rewind(self.motion.position());
+        let is_there = match line {
+            Some(line) => self.interpreter.start_at(line)?,
+            None => true,
+        };
+        self.wait_for_start();
+        Ok(is_there)
+    }
+
+    /// Reset with nothing under way: what the control's parameters say is cleared, the spindle stops. While
+    /// something is under way that is [`reset`](Self::reset).
+    pub fn clear(&mut self) {
+        if self.is_idle() {
+            self.spindle.command(SpindleState::Off, &self.commanded);
+            self.interpreter.reset(self.motion.position());
+            self.blocks.forget();
+            self.state = State::Reset;
+        }
+    }
+
+    /// The interpreter, to change what it remembers while no program is under way.
+    pub fn interpreter_mut(&mut self) -> &mut Interpreter {
+        &mut self.interpreter
+    }
+
+    fn wait_for_start(&mut self) {
+        self.blocks.forget();
+        self.given.clear();
+        self.waiting = None;
+        self.busy = None;
+        self.commanded = self.motion.position();
+        self.supervisor.moved_to(self.commanded);
+        self.span = Span::default();
+        self.state = State::Ready;
+    }
+}

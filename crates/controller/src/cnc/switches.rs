@@ -1,0 +1,194 @@
+//! Switches that change how a program is run: locks, dry run, optional stop, interlock.
+
+use super::{Cnc, Given, State};
+use ferrocut_geometry::Position;
+use ferrocut_interpreter::AtRest;
+use ferrocut_motion::Move;
+use ferrocut_toolpath::{Op, SpindleState};
+
+/// Dry run (GSK990MC part 2, 7.5): speed of what it holds for, mm/s. The overrides hold besides.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct DryRun {
+    /// Speed along the path, mm/s (P86).
+    pub speed: f64,
+    /// It holds for cutting (12#6).
+    pub cutting: bool,
+    /// It holds for positioning (12#7).
+    pub rapid: bool,
+}
+
+/// Where the axes stand while positions go on.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Locked {
+    /// By the control.
+    position: Position,
+    /// As the drives were told.
+    drive: Position,
+}
+
+/// How the switches stand.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Switches {
+    dry_run: Option<DryRun>,
+    pub auxiliary_lock: bool,
+    pub optional_stop: bool,
+    may_move: bool,
+    locked: Option<Locked>,
+    /// What the drives were told last.
+    drive: Position,
+}
+
+impl Switches {
+    pub fn new(at: Position) -> Switches {
+        Switches {
+            dry_run: None,
+            auxiliary_lock: false,
+            optional_stop: true,
+            may_move: true,
+            locked: None,
+            drive: at,
+        }
+    }
+
+    /// What the drives are told for a command.
+    pub fn drive(&mut self, drive: Position) -> Position {
+        match &self.locked {
+            Some(locked) => locked.drive,
+            None => {
+                self.drive = drive;
+                drive
+            }
+        }
+    }
+
+    /// Whether the axes are locked.
+    pub fn is_locked(&self) -> bool {
+        self.locked.is_some()
+    }
+}
+
+impl Cnc {
+    /// Dry run on or off. Moves that wait follow too, after a stop.
+    pub fn set_dry_run(&mut self, dry_run: Option<DryRun>) {
+        if self.switches.dry_run != dry_run {
+            self.switches.dry_run = dry_run;
+            self.renew_moves();
+        }
+    }
+
+    /// Auxiliary lock: S, T and M codes have no effect, save those of the program's flow (7.8).
+    pub fn set_auxiliary_lock(&mut self, on: bool) {
+        self.switches.auxiliary_lock = on;
+    }
+
+    /// Whether M01 stops, where the interpreter was told to give it out.
+    pub fn set_optional_stop(&mut self, on: bool) {
+        self.switches.optional_stop = on;
+    }
+
+    /// Interlock: without the permission the axes come to rest, and go on with it. Axes moved by hand must be moved
+    /// anew.
+    pub fn set_may_move(&mut self, may: bool) {
+        if self.switches.may_move != may {
+            self.switches.may_move = may;
+            self.hold_motion();
+            if !may {
+                self.manual.stop();
+            }
+        }
+    }
+
+    pub(super) fn may_move(&self) -> bool {
+        self.switches.may_move
+    }
+
+    /// Machine lock (7.7): positions go on and the axes stand still. It comes and goes only while no program is
+    /// under way and no axis moves; whether it is as wanted. When it goes, positions are those of the axes again, so
+    /// that no zero is lost.
+    pub fn set_machine_lock(&mut self, on: bool) -> bool {
+        if on == self.switches.locked.is_some() {
+            return true;
+        }
+        if !self.is_idle() {
+            return false;
+        }
+        if on {
+            let position = self.beside(self.motion.position());
+            self.switches.locked = Some(Locked { position, drive: self.switches.drive });
+        } else if let Some(locked) = self.switches.locked.take() {
+            self.aside.shift = Position::ZERO;
+            self.stand_at(locked.position);
+        }
+        true
+    }
+
+    /// Whether machine lock is in force.
+    pub fn is_locked(&self) -> bool {
+        self.switches.is_locked()
+    }
+
+    /// The place where the axes stand at rest is this one.
+    pub(super) fn stand_at(&mut self, at: Position) {
+        self.motion.rename(at);
+        self.servo.rename(self.beside(at));
+        self.commanded = at;
+        self.actual = self.beside(at);
+        self.supervisor.moved_to(at);
+        self.interpreter.came_to_rest(&AtRest { commanded: at, actual: at, skip: None });
+    }
+
+    /// A move as it is run now.
+    pub(super) fn paced(&self, given: &Given) -> Move {
+        let is_rapid = given.programmed.is_rapid;
+        match self.switches.dry_run {
+            Some(dry) if (if is_rapid { dry.rapid } else { dry.cutting }) => given.motion.at_speed(dry.speed),
+            _ => given.motion,
+        }
+        .last(given.left)
+    }
+
+    /// Holds motion or lets it go on, whoever asks for it.
+    pub(super) fn hold_motion(&mut self) {
+        if self.hold || !self.switches.may_move || self.blocks.is_braking() {
+            self.motion.hold();
+        } else {
+            self.motion.resume();
+        }
+    }
+
+    /// Whether a switch keeps a step from the machine. What a ladder is handed under auxiliary lock is judged there.
+    pub(super) fn is_kept_back(&self, op: &Op) -> bool {
+        let is_auxiliary = matches!(
+            op,
+            Op::Spindle(_)
+                | Op::Orient(_)
+                | Op::Coolant(_)
+                | Op::Select(_)
+                | Op::Change(_)
+                | Op::Machine(_)
+                | Op::Output { .. }
+        );
+        match op {
+            Op::Stop(1) => !self.switches.optional_stop,
+            _ => is_auxiliary && self.switches.auxiliary_lock && self.auxiliary.is_none(),
+        }
+    }
+
+    /// Tells the spindle what a key asks for (4.2); not while a program runs.
+    pub fn turn_spindle(&mut self, state: SpindleState) -> bool {
+        let may = !matches!(self.state, State::Running | State::Resetting) && self.stroke.is_none();
+        if may {
+            self.spindle.command(state, &self.commanded);
+        }
+        may
+    }
+
+    /// Brings the spindle to rest at its marker; not while a program runs.
+    pub fn orient_spindle(&mut self) -> bool {
+        let may = !matches!(self.state, State::Running | State::Resetting) && self.stroke.is_none();
+        if may {
+            self.spindle.orient(0.0);
+        }
+        may
+    }
+}

@@ -1,0 +1,674 @@
+//! What a front says, and what comes of it. Data go through the durable memory, which judges rights.
+
+use super::{Control, alarm, library, name_of};
+use crate::api::{
+    API_VERSION, ByAxis, Command, Event, LogLine, OffsetValues, PastAlarm, ProgramInfo, Refusal, RelativeTo,
+    Reply,
+};
+use crate::signals::Mode;
+use ferrocut_geometry::{Axis, Position};
+use ferrocut_machine::setup::VariableName;
+use ferrocut_machine::{Alarm, Fault, ParameterKey, ToolOffset, WorkOffset};
+use ferrocut_memory::password::Seat;
+use ferrocut_memory::{Author, Backup, Change, Counter, Item, Level, Session};
+use ferrocut_plc::list;
+use ferrocut_plc::{Address, Area, Limits, Maintenance, Program};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, PoisonError};
+
+/// Most numbers that one answer holds.
+const MOST_VALUES: usize = 10_000;
+
+/// Longest text of MDI, bytes (10.1.1.2: 65 characters a block).
+const LONGEST_MDI: usize = 1 << 20;
+
+/// Longest program of DNC that is held, bytes.
+const LONGEST_DNC: usize = 256 << 20;
+
+type Answer = Result<Reply, Box<Alarm>>;
+
+fn named(fault: Fault, name: impl Into<String>) -> Alarm {
+    alarm(fault).with("name", name.into())
+}
+
+impl Control {
+    /// Does what a front wants, or says why not. `author` is who wants it: rights are his, or those that he logged
+    /// in with here. What reads or changes the durable memory waits for it while nothing moves.
+    pub fn command(&mut self, command: Command, author: &Author) -> Result<Reply, Refusal> {
+        let author = self.with_rights(author);
+        self.obey(command, &author).map_err(|alarm| Refusal::from(*alarm))
+    }
+
+    /// The author with the rights that he has logged in with.
+    fn with_rights(&self, author: &Author) -> Author {
+        match author {
+            Author::Person { session, name } => {
+                let taken = self.sessions.get(name);
+                let session = taken.filter(|taken| taken.level().covers(session.level())).unwrap_or(session);
+                Author::Person { session: session.clone(), name: name.clone() }
+            }
+            other => other.clone(),
+        }
+    }
+
+    fn obey(&mut self, command: Command, author: &Author) -> Answer {
+        match command {
+            Command::Key { key, down } => self.key(&key, down),
+            Command::Switch { switch, position } => self.switch(&switch, position),
+            Command::Handwheel { counts } => {
+                self.counts = self.counts.saturating_add(counts);
+                Ok(Reply::Done)
+            }
+            Command::EmergencyStop { pressed } => {
+                self.button = pressed;
+                Ok(Reply::Done)
+            }
+            Command::Reset => {
+                self.reset();
+                Ok(Reply::Done)
+            }
+            Command::Programs => self.programs(),
+            Command::Select { program } => {
+                let program = self.select(&program)?;
+                self.event(Event::Selected { program });
+                Ok(Reply::Done)
+            }
+            Command::Store { program, text } => self.store(program, text, author),
+            Command::Read { program } => self.read(&program),
+            Command::Delete { program } => self.delete(&program, author),
+            Command::Lock { program, locked } => {
+                let name = self.known(&program)?;
+                if self.keeping.is_none() {
+                    return Err(Box::new(named(Fault::NotFitted, "memory")));
+                }
+                self.change_data(author, Change::LockProgram { name, locked })
+            }
+            Command::Cursor { line } => self.put_cursor(line),
+            Command::Mdi { text } => self.type_mdi(text, false),
+            Command::MdiBlock { block } => self.type_mdi(block, true),
+            Command::Dnc { text, first, last: _ } => self.take_dnc(&text, first),
+            Command::StopAt { program, sequence } => {
+                self.stop_at = sequence.map(|sequence| (program, sequence));
+                if sequence.is_none() {
+                    self.cnc.stop_behind(None);
+                }
+                Ok(Reply::Done)
+            }
+            Command::Offsets { from, to } => Ok(self.offsets(from, to)),
+            Command::SetOffset { number, values, add } => self.set_offset(number, values, add, author),
+            Command::Zeros => Ok(self.zeros()),
+            Command::SetZero { system, axes, add } => self.set_zero(&system, &axes, add, author),
+            Command::ZeroHere { system, axes } => self.zero_here(&system, &axes, author),
+            Command::Variables { from, to } => Ok(self.variables(from, to)),
+            Command::SetVariable { number, value } => {
+                self.needs(Mode::Mdi, author)?;
+                let name = VariableName::Number(number);
+                self.change_data(author, Change::Variable { name, value: finite(value)? })
+            }
+            Command::Parameters { names } => self.parameters(&names),
+            Command::SetParameter { name, value } => self.set_parameter(&name, value, author),
+            Command::Relative { axis, to } => self.set_relative(axis, to),
+            Command::ClearInterruption { axis } => {
+                let axis = axis.map(|letter| self.axis_named(letter)).transpose()?;
+                match self.cnc.clear_handwheel_shift(axis) {
+                    true => Ok(Reply::Done),
+                    false => Err(Box::new(alarm(Fault::ControlBusy))),
+                }
+            }
+            Command::SetCounter { counter, value } => {
+                let counter = Counter::named(&counter).ok_or_else(|| named(Fault::NoSuchName, counter))?;
+                let value = finite(Some(value))?.unwrap_or(0.0).max(0.0);
+                self.change_data(author, Change::Counter { counter, value })
+            }
+            Command::LogIn { level, password } => self.log_in(level, &password, author),
+            Command::LogOut => {
+                self.sessions.remove(author.name());
+                self.event(Event::Level { level: Level::Operator.number() });
+                Ok(Reply::Level { level: Level::Operator.number() })
+            }
+            Command::SetPassword { level, password } => self.set_password(level, &password, author),
+            Command::AlarmHistory { most } => self.alarm_history(most),
+            Command::ClearAlarmHistory => self.needs_memory(author, Change::ClearAlarms),
+            Command::OperationLog { most } => self.operation_log(most),
+            Command::ClearOperationLog => self.needs_memory(author, Change::ClearLog),
+            Command::Signals { names } => self.signals(&names),
+            Command::Ladder => {
+                let plc = self.plc.as_ref().ok_or_else(|| named(Fault::NotFitted, "ladder"))?;
+                Ok(Reply::Text { text: self.ladder_text.clone().unwrap_or_else(|| text_of(plc.program())) })
+            }
+            Command::WatchLadder { on } => {
+                self.plc.as_mut().ok_or_else(|| named(Fault::NotFitted, "ladder"))?.watch(on);
+                Ok(Reply::Done)
+            }
+            Command::LadderFlow => {
+                let plc = self.plc.as_ref().ok_or_else(|| named(Fault::NotFitted, "ladder"))?;
+                Ok(Reply::LadderFlow { power: plc.flow().map(|flow| flow.is_powered).collect() })
+            }
+            Command::Force { signal, value } => self.force(&signal, value, author),
+            Command::ExchangeLadder { text } => self.exchange_ladder(&text, author),
+            Command::RollBackLadder => {
+                self.needs_level(Level::Builder, author)?;
+                let plc = self.plc.as_mut().ok_or_else(|| named(Fault::NotFitted, "ladder"))?;
+                match plc.roll_back() {
+                    true => Ok(Reply::Done),
+                    false => Err(Box::new(named(Fault::NoSuchName, "ladder"))),
+                }
+            }
+            Command::StartLadder => {
+                self.plc.as_mut().ok_or_else(|| named(Fault::NotFitted, "ladder"))?.restart();
+                Ok(Reply::Done)
+            }
+            Command::Restart { .. } => Err(Box::new(named(Fault::NotFitted, "restart"))),
+            Command::Capture { .. } | Command::Captured => Err(Box::new(named(Fault::NotFitted, "capture"))),
+            Command::Backup { file, items } => self.back_up(&file, &items),
+            Command::Restore { file, items } => self.restore(&file, &items, author),
+            Command::Status => {
+                let mut status = self.status();
+                status.level = author.level().map_or(status.level, Level::number);
+                Ok(Reply::Status(Box::new(status)))
+            }
+            Command::Version => Ok(Reply::Version {
+                api: API_VERSION,
+                software: env!("CARGO_PKG_VERSION").to_owned(),
+                dialect: self.cnc.interpreter().dialect().name.to_owned(),
+                machine: self.machine.name.clone(),
+                axes: self.machine.axes.iter().map(|axis| axis.name.letter()).collect(),
+                period_ms: self.machine.servo_period_ms,
+            }),
+        }
+    }
+
+    /// A change of data, which the memory judges.
+    fn change_data(&mut self, author: &Author, change: Change) -> Answer {
+        match self.change(author, change)? {
+            true => Ok(Reply::Done),
+            false => Ok(Reply::OnItsWay),
+        }
+    }
+
+    fn needs_memory(&mut self, author: &Author, change: Change) -> Answer {
+        match self.keeping {
+            Some(_) => self.change_data(author, change),
+            None => Err(Box::new(named(Fault::NotFitted, "memory"))),
+        }
+    }
+
+    /// A person does it in this mode alone.
+    fn needs(&self, mode: Mode, author: &Author) -> Result<(), Box<Alarm>> {
+        match author {
+            Author::Person { .. } if self.mode != mode => {
+                Err(Box::new(alarm(Fault::ControlMode).with("mode", name_of(self.mode))))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn needs_level(&self, needed: Level, author: &Author) -> Result<(), Box<Alarm>> {
+        match author.level() {
+            Some(level) if !level.covers(needed) => Err(Box::new(
+                alarm(Fault::RightMissing)
+                    .with("needed", f64::from(needed.number()))
+                    .with("level", f64::from(level.number())),
+            )),
+            _ => Ok(()),
+        }
+    }
+
+    // Keys and signals.
+
+    fn key(&mut self, key: &str, down: bool) -> Answer {
+        let plc = self.plc.as_mut().ok_or_else(|| named(Fault::NotFitted, "ladder"))?;
+        let address = plc.program().signal(key).filter(|a| a.area == Area::X && a.bit.is_some());
+        let address = address.ok_or_else(|| named(Fault::NoSuchName, key))?;
+        plc.memory_mut().set_bit(address, down);
+        Ok(Reply::Done)
+    }
+
+    fn switch(&mut self, switch: &str, position: u8) -> Answer {
+        let plc = self.plc.as_mut().ok_or_else(|| named(Fault::NotFitted, "ladder"))?;
+        let address = plc.program().signal(switch).filter(|a| a.area == Area::X && a.bit.is_none());
+        let address = address.ok_or_else(|| named(Fault::NoSuchName, switch))?;
+        plc.memory_mut().set_byte(address, position);
+        Ok(Reply::Done)
+    }
+
+    fn address(&self, name: &str) -> Result<Address, Box<Alarm>> {
+        let plc = self.plc.as_ref().ok_or_else(|| named(Fault::NotFitted, "ladder"))?;
+        let known = plc.program().signal(name).or_else(|| Address::parse(name).ok());
+        known.ok_or_else(|| Box::new(named(Fault::NoSuchName, name)))
+    }
+
+    fn signals(&self, names: &[String]) -> Answer {
+        let mut signals = BTreeMap::new();
+        for name in names.iter().take(MOST_VALUES) {
+            let address = self.address(name)?;
+            let Some(plc) = &self.plc else { break };
+            let value = match address.bit {
+                Some(_) => i64::from(plc.memory().bit(address)),
+                None => i64::from(plc.memory().byte(address)),
+            };
+            signals.insert(name.clone(), value);
+        }
+        Ok(Reply::Signals { signals })
+    }
+
+    fn force(&mut self, signal: &str, value: Option<bool>, author: &Author) -> Answer {
+        self.needs_level(Level::Builder, author)?;
+        let address = self.address(signal)?;
+        if let Some(plc) = &mut self.plc {
+            let right = Maintenance::granted();
+            match value {
+                Some(value) => plc.force(&right, address, value),
+                None => plc.release(&right, address),
+            }
+        }
+        Ok(Reply::Done)
+    }
+
+    fn exchange_ladder(&mut self, text: &str, author: &Author) -> Answer {
+        self.needs_level(Level::Builder, author)?;
+        let plc = self.plc.as_mut().ok_or_else(|| named(Fault::NotFitted, "ladder"))?;
+        let program = Program::from_text(text.as_bytes(), &Limits::default()).map_err(|errors| {
+            let first = errors.first();
+            let number = first.map_or(0, |error| error.fault.number());
+            let mut alarm = alarm(Fault::Ladder).with("detail", number.to_string());
+            alarm.span.line = first.map_or(0, |error| error.span.line);
+            alarm
+        })?;
+        plc.exchange(Box::new(program));
+        self.ladder_text = Some(text.to_owned());
+        Ok(Reply::Done)
+    }
+
+    // Programs.
+
+    fn programs(&self) -> Answer {
+        let programs = match &self.library {
+            library::Library::Held(programs) => {
+                let programs = programs.lock().unwrap_or_else(PoisonError::into_inner);
+                let info = |(name, text): (&String, &Vec<u8>)| ProgramInfo {
+                    name: name.clone(),
+                    bytes: text.len() as u64,
+                    comment: comment_of(text),
+                    changed: 0,
+                    locked: None,
+                };
+                programs.iter().map(info).collect()
+            }
+            library::Library::Kept(store) => {
+                let found = store.reader().programs().map_err(|error| error.alarm())?;
+                let info = |entry: ferrocut_memory::ProgramEntry| ProgramInfo {
+                    name: entry.name,
+                    bytes: entry.bytes,
+                    comment: entry.comment,
+                    changed: entry.changed,
+                    locked: entry.locked.map(Level::number),
+                };
+                found.into_iter().map(info).collect()
+            }
+        };
+        Ok(Reply::Programs { programs })
+    }
+
+    /// The name of a program that there is.
+    fn known(&self, program: &str) -> Result<String, Box<Alarm>> {
+        let found = self.library.named(&library::id_of(program)).map(|(name, _)| name);
+        found.ok_or_else(|| Box::new(named(Fault::NoSuchName, program)))
+    }
+
+    fn read(&self, program: &str) -> Answer {
+        let found = self.library.named(&library::id_of(program));
+        let (program, text) = found.ok_or_else(|| named(Fault::NoSuchName, program))?;
+        let text = match ferrocut_program::Text::from_bytes(text.clone()) {
+            Ok(decoded) => decoded.encoding().decode(&text).into_owned(),
+            Err(_) => String::from_utf8_lossy(&text).into_owned(),
+        };
+        Ok(Reply::Program { program, text })
+    }
+
+    /// Stores a program. The one under way stays as it is (7.11 note 3); any other may be written meanwhile.
+    fn store(&mut self, program: String, text: String, author: &Author) -> Answer {
+        let name = program.trim().to_owned();
+        if name.is_empty() || name.len() > 128 {
+            return Err(Box::new(named(Fault::ValueImpossible, name)));
+        }
+        if self.is_in_use(&name) {
+            return Err(Box::new(named(Fault::ProgramInUse, name)));
+        }
+        let text = text.into_bytes();
+        let comment = comment_of(&text);
+        if let library::Library::Held(programs) = &self.library {
+            programs.lock().unwrap_or_else(PoisonError::into_inner).insert(name.clone(), text.clone());
+        }
+        self.change_data(author, Change::Program { name, text, comment })
+    }
+
+    fn delete(&mut self, program: &str, author: &Author) -> Answer {
+        let name = self.known(program)?;
+        if self.is_in_use(&name) {
+            return Err(Box::new(named(Fault::ProgramInUse, name)));
+        }
+        if let library::Library::Held(programs) = &self.library {
+            programs.lock().unwrap_or_else(PoisonError::into_inner).remove(&name);
+        }
+        if self.selected.as_ref() == Some(&name) {
+            self.selected = None;
+        }
+        self.change_data(author, Change::DeleteProgram { name })
+    }
+
+    /// 7.4: the cursor is moved in EDIT, and then stays.
+    fn put_cursor(&mut self, line: u32) -> Answer {
+        if self.cnc.is_under_way() {
+            return Err(Box::new(alarm(Fault::ControlBusy)));
+        }
+        match self.mode {
+            Mode::Mdi => self.mdi_cursor = line.max(1),
+            Mode::Edit | Mode::Auto => self.cursor = line.max(1),
+            mode => return Err(Box::new(alarm(Fault::ControlMode).with("mode", name_of(mode)))),
+        }
+        Ok(Reply::Done)
+    }
+
+    fn type_mdi(&mut self, text: String, is_block: bool) -> Answer {
+        if self.mode != Mode::Mdi {
+            return Err(Box::new(alarm(Fault::ControlMode).with("mode", name_of(self.mode))));
+        }
+        if text.len() > LONGEST_MDI || is_block && text.trim_end().contains(['\n', '\r']) {
+            return Err(Box::new(named(Fault::ValueImpossible, "MDI")));
+        }
+        if is_block {
+            self.mdi_block = text;
+        } else {
+            self.mdi = text;
+            self.mdi_cursor = 1;
+        }
+        Ok(Reply::Done)
+    }
+
+    fn take_dnc(&mut self, text: &str, first: bool) -> Answer {
+        if self.cnc.is_under_way() && self.program_mode() == Mode::Dnc {
+            return Err(Box::new(alarm(Fault::ControlBusy)));
+        }
+        if first {
+            self.dnc.clear();
+        }
+        if self.dnc.len() + text.len() > LONGEST_DNC {
+            return Err(Box::new(named(Fault::ValueImpossible, "DNC")));
+        }
+        self.dnc.extend_from_slice(text.as_bytes());
+        Ok(Reply::Done)
+    }
+
+    // Data.
+
+    fn offsets(&self, from: u16, to: u16) -> Reply {
+        let table = &self.cnc.interpreter().memory().tools;
+        let values = |row: &ToolOffset| OffsetValues {
+            length: Some(row.length),
+            length_wear: Some(row.length_wear),
+            radius: Some(row.radius),
+            radius_wear: Some(row.radius_wear),
+        };
+        let rows = (from..=to.min(table.last())).take(MOST_VALUES);
+        let offsets = rows.filter_map(|number| Some((number, values(table.get(number)?)))).collect();
+        Reply::Offsets { offsets }
+    }
+
+    fn set_offset(&mut self, number: u16, values: OffsetValues, add: bool, author: &Author) -> Answer {
+        let table = &self.cnc.interpreter().memory().tools;
+        let row = table.get(number).filter(|_| number > 0).copied();
+        let mut offset = row.ok_or_else(|| named(Fault::NoSuchName, number.to_string()))?;
+        for (slot, value) in [
+            (&mut offset.length, values.length),
+            (&mut offset.length_wear, values.length_wear),
+            (&mut offset.radius, values.radius),
+            (&mut offset.radius_wear, values.radius_wear),
+        ] {
+            if let Some(value) = finite(value)? {
+                *slot = if add { *slot + value } else { value };
+            }
+        }
+        self.change_data(author, Change::Offset { number, offset })
+    }
+
+    fn zeros(&self) -> Reply {
+        let work = &self.cnc.interpreter().memory().work;
+        let additional = u16::try_from(work.additional.len()).unwrap_or(u16::MAX);
+        let names = [WorkOffset::External]
+            .into_iter()
+            .chain((1..=6).map(WorkOffset::Standard))
+            .chain((1..=additional).map(WorkOffset::Additional));
+        let zeros = names.filter_map(|name| Some((name.to_string(), self.by_axis(work.get(name)?))));
+        Reply::Zeros { zeros: zeros.collect() }
+    }
+
+    fn set_zero(&mut self, system: &str, axes: &ByAxis, add: bool, author: &Author) -> Answer {
+        // 7.2: not while a program runs.
+        if self.cnc.is_under_way() && self.standing() != super::Standing::Stopped {
+            return Err(Box::new(alarm(Fault::ControlBusy)));
+        }
+        let (name, mut zero) = self.zero_of(system)?;
+        for (letter, value) in axes {
+            let axis = self.axis_named(*letter)?;
+            let value = finite(Some(*value))?.unwrap_or(0.0);
+            zero[axis] = if add { zero[axis] + value } else { value };
+        }
+        self.change_data(author, Change::WorkZero { name, zero })
+    }
+
+    fn zero_of(&self, system: &str) -> Result<(WorkOffset, Position), Box<Alarm>> {
+        let missing = || named(Fault::NoSuchName, system);
+        let name: WorkOffset = system.parse().map_err(|_| missing())?;
+        let zero = self.cnc.interpreter().memory().work.get(name).ok_or_else(missing)?;
+        Ok((name, zero))
+    }
+
+    /// The axis at rest has this coordinate in the system, other shifts aside (3.4.2).
+    fn zero_here(&mut self, system: &str, axes: &ByAxis, author: &Author) -> Answer {
+        if self.tick.moving || self.cnc.is_under_way() {
+            return Err(Box::new(alarm(Fault::ControlBusy)));
+        }
+        let (name, _) = self.zero_of(system)?;
+        let external = self.cnc.interpreter().memory().work.get(WorkOffset::External).unwrap_or_default();
+        let external = if name == WorkOffset::External { Position::ZERO } else { external };
+        let mut wanted = ByAxis::new();
+        for (letter, value) in axes {
+            let axis = self.axis_named(*letter)?;
+            wanted.insert(*letter, self.tick.position[axis] - external[axis] - value);
+        }
+        self.set_zero(system, &wanted, false, author)
+    }
+
+    fn variables(&self, from: u32, to: u32) -> Reply {
+        let all = self.cnc.interpreter().memory().variables.iter();
+        let within = all.filter(|(number, _)| (from..=to).contains(number));
+        Reply::Variables { variables: within.take(MOST_VALUES).collect() }
+    }
+
+    fn parameters(&self, names: &[String]) -> Answer {
+        let memory = self.cnc.interpreter().memory();
+        let mut parameters = BTreeMap::new();
+        if names.is_empty() {
+            let table = memory.parameters.table();
+            for (row, value) in memory.parameters.iter() {
+                parameters.insert(table.name(&row.key), value);
+            }
+        }
+        for name in names.iter().take(MOST_VALUES) {
+            let key: ParameterKey = name.parse().map_err(|_| named(Fault::NoSuchName, name.as_str()))?;
+            if memory.parameters.table().get(&key).is_none() {
+                return Err(Box::new(named(Fault::NoSuchName, name.as_str())));
+            }
+            parameters.insert(name.clone(), memory.parameter(&key));
+        }
+        Ok(Reply::Parameters { parameters })
+    }
+
+    /// Parameters are set in MDI, and not while a program is under way.
+    fn set_parameter(&mut self, name: &str, value: Option<f64>, author: &Author) -> Answer {
+        self.needs(Mode::Mdi, author)?;
+        if self.cnc.is_under_way() {
+            return Err(Box::new(alarm(Fault::ControlBusy)));
+        }
+        let key: ParameterKey = name.parse().map_err(|_| named(Fault::NoSuchName, name))?;
+        if let Some(value) = finite(value)? {
+            let parameters = &self.cnc.interpreter().memory().parameters;
+            let check = parameters.check(&key, value);
+            check.map_err(|error| alarm(Fault::MemoryValue).with("detail", error.to_string()))?;
+        }
+        self.change_data(author, Change::Parameter { key, value })
+    }
+
+    fn axis_named(&self, letter: char) -> Result<Axis, Box<Alarm>> {
+        let axis = u8::try_from(letter).ok().and_then(Axis::from_letter);
+        let axis = axis.filter(|axis| self.machine.axis(*axis).is_some());
+        axis.ok_or_else(|| Box::new(alarm(Fault::UnknownAxis).with("axis", letter.to_string())))
+    }
+
+    /// 4.1.5: where the axis stands becomes 0, half, or a value.
+    fn set_relative(&mut self, letter: char, to: RelativeTo) -> Answer {
+        let axis = self.axis_named(letter)?;
+        let place = self.tick.position[axis] - self.cnc.handwheel_shift()[axis];
+        let relative = match to {
+            RelativeTo::Zero => 0.0,
+            RelativeTo::Half => (place - self.origin[axis]) / 2.0,
+            RelativeTo::Value(value) => finite(Some(value))?.unwrap_or(0.0),
+        };
+        self.origin[axis] = place - relative;
+        Ok(Reply::Done)
+    }
+
+    // Rights and histories.
+
+    fn kept(&self) -> Result<Arc<ferrocut_memory::Store>, Box<Alarm>> {
+        let keeping = self.keeping.as_ref().ok_or_else(|| named(Fault::NotFitted, "memory"))?;
+        Ok(keeping.store.clone())
+    }
+
+    fn log_in(&mut self, level: u8, password: &str, author: &Author) -> Answer {
+        let level =
+            Level::of(level.into()).ok_or_else(|| named(Fault::ValueImpossible, level.to_string()))?;
+        let session = match level {
+            Level::Operator => Session::OPERATOR,
+            level => {
+                let log_in = self.kept()?.log_in(level, password, Seat::Machine, author.name());
+                log_in.map_err(|error| error.alarm())?
+            }
+        };
+        let level = session.level().number();
+        self.sessions.insert(author.name().to_owned(), session);
+        self.event(Event::Level { level });
+        Ok(Reply::Level { level })
+    }
+
+    fn set_password(&mut self, level: u8, password: &str, author: &Author) -> Answer {
+        let level =
+            Level::of(level.into()).ok_or_else(|| named(Fault::ValueImpossible, level.to_string()))?;
+        let set = self.kept()?.set_password(author, level, password, Seat::Machine);
+        set.map(|_| Reply::Done).map_err(|error| Box::new(error.alarm()))
+    }
+
+    fn alarm_history(&self, most: u32) -> Answer {
+        let found = self.kept()?.reader().alarms(most.min(1000)).map_err(|error| error.alarm())?;
+        let past = |entry: ferrocut_memory::AlarmEntry| PastAlarm {
+            time: entry.time,
+            id: entry.id,
+            program: entry.program,
+            line: entry.line,
+            values: entry.arguments.into_iter().collect(),
+        };
+        Ok(Reply::AlarmHistory { alarms: found.into_iter().map(past).collect() })
+    }
+
+    fn operation_log(&self, most: u32) -> Answer {
+        let found = self.kept()?.reader().log(most.min(10_000)).map_err(|error| error.alarm())?;
+        let line = |entry: ferrocut_memory::LogEntry| LogLine {
+            time: entry.time,
+            level: entry.level.map(Level::number),
+            who: entry.who,
+            item: entry.item,
+            name: entry.name,
+            from: entry.from,
+            to: entry.to,
+        };
+        Ok(Reply::OperationLog { entries: found.into_iter().map(line).collect() })
+    }
+
+    // Backups.
+
+    fn items(names: &[String]) -> Result<Vec<Item>, Box<Alarm>> {
+        let missing = |name: &String| Box::new(named(Fault::NoSuchName, name.as_str()));
+        let item = |name: &String| Item::named(name).ok_or_else(|| missing(name));
+        names.iter().map(item).collect()
+    }
+
+    fn back_up(&mut self, file: &str, items: &[String]) -> Answer {
+        let items = Control::items(items)?;
+        let items = if items.is_empty() { Item::ALL.to_vec() } else { items };
+        if self.tick.moving || self.cnc.is_under_way() {
+            return Err(Box::new(alarm(Fault::ControlBusy)));
+        }
+        self.flush()?;
+        let store = self.kept()?;
+        store
+            .reader()
+            .back_up(&backup_in(store.folder(), file)?, &items)
+            .map(|_| Reply::Done)
+            .map_err(|error| Box::new(error.alarm()))
+    }
+
+    /// What was restored holds at once, save what the drives are made of.
+    fn restore(&mut self, file: &str, items: &[String], author: &Author) -> Answer {
+        let items = Control::items(items)?;
+        if self.tick.moving || !self.cnc.is_idle() {
+            return Err(Box::new(alarm(Fault::ControlBusy)));
+        }
+        self.flush()?;
+        let store = self.kept()?;
+        let backup = Backup::open(&backup_in(store.folder(), file)?).map_err(|error| error.alarm())?;
+        backup.restore(&store, author, &items).map_err(|error| error.alarm())?;
+        self.read_again()?;
+        for item in items {
+            self.event(Event::Changed { item: item.name().to_owned() });
+        }
+        Ok(Reply::Done)
+    }
+}
+
+/// The file of a backup: nothing that a front names may lie outside the folder, or be anything else in it.
+fn backup_in(folder: &Path, name: &str) -> Result<PathBuf, Box<Alarm>> {
+    let is_plain = |c: char| c.is_alphanumeric() || matches!(c, '-' | '_' | '.' | ' ');
+    let is_bare = name.len() <= 128 && name.chars().all(is_plain) && !name.starts_with(['.', ' ']);
+    match is_bare && name.ends_with(".backup") {
+        true => Ok(folder.join(name)),
+        false => Err(Box::new(named(Fault::ValueImpossible, name))),
+    }
+}
+
+/// A number that is one.
+fn finite(value: Option<f64>) -> Result<Option<f64>, Box<Alarm>> {
+    match value {
+        Some(value) if !value.is_finite() => Err(Box::new(named(Fault::ValueImpossible, value.to_string()))),
+        value => Ok(value),
+    }
+}
+
+/// The first remark of a program's first lines.
+fn comment_of(text: &[u8]) -> String {
+    let head = text.get(..text.len().min(4096)).unwrap_or(text);
+    let head = String::from_utf8_lossy(head);
+    let remark =
+        head.split_once('(').and_then(|(_, rest)| rest.split_once(')')).map(|(remark, _)| remark.trim());
+    remark.unwrap_or_default().chars().take(80).collect()
+}
+
+/// A ladder as a list.
+fn text_of(program: &Program) -> String {
+    list::to_text(&ferrocut_plc::list::Ladder {
+        symbols: program.symbols().to_vec(),
+        instructions: program.instructions().to_vec(),
+        ..Default::default()
+    })
+}

@@ -1,0 +1,126 @@
+//! Axes and spindle moved by hand: what the ladder asks for becomes jog, steps, handwheel (GSK990MC part 2, 4 to 6).
+
+use super::{Control, modes};
+use crate::manual::{JogSpeed, JogWay};
+use crate::signals::{Inputs, Mode, SIGNAL_AXES};
+use ferrocut_geometry::Axis;
+use ferrocut_toolpath::{Speed, SpindleState};
+
+/// Least input increment, mm or degrees.
+const LEAST_INCREMENT: f64 = 0.001;
+
+/// The handwheel has three increments: 0.001, 0.01 and 0.1 (6.1.1).
+const LARGEST_WHEEL_INCREMENT: f64 = 0.1;
+
+impl Control {
+    /// The keys of the axes and the handwheel.
+    pub(super) fn move_by_hand(&mut self) {
+        let shifts = self.bit(56, 3);
+        let counts = std::mem::take(&mut self.counts);
+        self.cnc.set_interruption(modes::by_hand(self.mode, shifts));
+        if self.emergency || !self.inputs.axes_may_move || self.active.is_some() {
+            self.release_axes();
+            return;
+        }
+        match self.mode {
+            Mode::Jog => self.jog(),
+            Mode::Step => self.step(),
+            Mode::Handle => self.turn_wheel(counts),
+            _ => self.release_axes(),
+        }
+    }
+
+    fn axis(&self, number: usize) -> Option<Axis> {
+        self.machine.axes.get(number).map(|axis| axis.name)
+    }
+
+    /// The way that is asked for, if it may be gone.
+    fn way(&self, number: usize) -> i8 {
+        let of = |ways: &[crate::signals::Ways; SIGNAL_AXES]| ways.get(number).copied().unwrap_or_default();
+        let forbidden = of(&self.inputs.no_motion);
+        match of(&self.inputs.jog).sign() {
+            1 if forbidden.plus => 0,
+            -1 if forbidden.minus => 0,
+            sign => sign,
+        }
+    }
+
+    fn jog(&mut self) {
+        for number in 0..SIGNAL_AXES {
+            let Some(axis) = self.axis(number) else { break };
+            // 12#0: rapid before the reference point is established.
+            let is_rapid = self.inputs.manual_rapid && (self.referenced.contains(axis) || self.bit(12, 0));
+            let asked = (self.way(number), is_rapid);
+            let Some(before) = self.jogs.get_mut(number) else { break };
+            if *before == asked || asked.0 == 0 && before.0 == 0 {
+                continue;
+            }
+            let way = match asked.0 {
+                1 => JogWay::Plus,
+                -1 => JogWay::Minus,
+                _ => JogWay::Stop,
+            };
+            let speed = if is_rapid { JogSpeed::Rapid } else { JogSpeed::Feed };
+            if self.cnc.jog(axis, way, speed) || way == JogWay::Stop {
+                *before = asked;
+            }
+        }
+    }
+
+    fn step(&mut self) {
+        let increment = self.inputs.increment_of(LEAST_INCREMENT);
+        for number in 0..SIGNAL_AXES {
+            let Some(axis) = self.axis(number) else { break };
+            let asked = self.way(number);
+            let Some(before) = self.jogs.get_mut(number) else { break };
+            let is_pressed = asked != 0 && before.0 != asked;
+            *before = (asked, false);
+            if is_pressed {
+                self.cnc.jog_step(axis, i64::from(asked), increment);
+            }
+        }
+    }
+
+    fn turn_wheel(&mut self, counts: i32) {
+        let axis = self.inputs.handwheel_axis.and_then(|number| self.axis(number));
+        let increment = self.inputs.increment_of(LEAST_INCREMENT).min(LARGEST_WHEEL_INCREMENT);
+        if let Some(axis) = axis.filter(|_| counts != 0) {
+            self.cnc.handwheel(axis, i64::from(counts), increment);
+        }
+    }
+
+    /// No key of an axis is held any more.
+    pub(super) fn release_axes(&mut self) {
+        for number in 0..SIGNAL_AXES {
+            let Some(axis) = self.axis(number) else { break };
+            if let Some(before) = self.jogs.get_mut(number)
+                && std::mem::take(before).0 != 0
+            {
+                self.cnc.jog(axis, JogWay::Stop, JogSpeed::Feed);
+            }
+        }
+    }
+
+    /// The keys of the spindle, in the modes in which they have effect (4.2): it turns at the S given before.
+    pub(super) fn turn_spindle(&mut self) {
+        let (now, before) = (self.inputs.clone(), self.before.clone());
+        if !matches!(self.mode, Mode::Jog | Mode::Step | Mode::Handle) || self.emergency {
+            return;
+        }
+        let (_, rpm) = self.cnc.interpreter().feed_and_speed();
+        let jog_rpm = self.parameter(242);
+        let turns = |inputs: &Inputs| inputs.spindle_forward || inputs.spindle_reverse || inputs.spindle_jog;
+        let rises = |now: bool, before: bool| now && !before;
+        if rises(now.spindle_orient, before.spindle_orient) {
+            self.cnc.orient_spindle();
+        } else if rises(now.spindle_forward, before.spindle_forward) {
+            self.cnc.turn_spindle(SpindleState::Clockwise(Speed::Rpm(rpm)));
+        } else if rises(now.spindle_reverse, before.spindle_reverse) {
+            self.cnc.turn_spindle(SpindleState::CounterClockwise(Speed::Rpm(rpm)));
+        } else if rises(now.spindle_jog, before.spindle_jog) {
+            self.cnc.turn_spindle(SpindleState::Clockwise(Speed::Rpm(jog_rpm)));
+        } else if turns(&before) && !turns(&now) {
+            self.cnc.turn_spindle(SpindleState::Off);
+        }
+    }
+}

@@ -1,0 +1,350 @@
+//! What survives the power: how the running control and the durable memory stay the same.
+//!
+//! What a person changes is judged and committed by the memory first, and then holds. What a program, the ladder or
+//! the control changes holds at once and follows within a moment; a kill in between leaves the memory as it was a
+//! moment before, never half of it.
+
+use super::status::Count;
+use super::{Control, alarm};
+use crate::api::{AlarmInfo, Event};
+use ferrocut_geometry::Position;
+use ferrocut_machine::{Alarm, Fault, Memory};
+use ferrocut_memory::control::{ENTERED, KEPT_VARIABLES, changes, enter};
+use ferrocut_memory::{AlarmEntry, Author, Change, Counter, Item, LastPosition, Pending, PlcArea, Store};
+use ferrocut_plc::{Address, Area, Plc};
+use std::sync::Arc;
+
+/// Time between looks at what a program has changed, s.
+const LOOK_S: f64 = 0.1;
+
+/// Time between looks at counters, at what the ladder keeps, and at the position of axes that move, s.
+const SLOW_S: f64 = 1.0;
+
+/// The durable memory of a running control.
+pub(super) struct Keeping {
+    pub store: Arc<Store>,
+    /// What is on the disk, or on its way there.
+    kept: Memory,
+    /// Changes of the program that were looked at.
+    writes: u64,
+    plc: Vec<(Address, u8)>,
+    counters: Count,
+    position: Option<Position>,
+    was_moving: bool,
+    /// Changes of persons on their way.
+    pending: Vec<(Pending, Vec<Change>)>,
+    look_in: f64,
+    slow_in: f64,
+    /// The disk was told to be at fault, once.
+    told: bool,
+}
+
+/// What was kept.
+pub(super) struct Found {
+    pub counters: Count,
+    pub position: Option<Position>,
+}
+
+impl Keeping {
+    /// Enters what was kept.
+    pub fn open(
+        store: Arc<Store>,
+        memory: &mut Memory,
+        plc: Option<&mut Plc>,
+    ) -> Result<(Keeping, Found), Box<Alarm>> {
+        let mut items = ENTERED.to_vec();
+        items.extend([Item::Counters, Item::LastPosition, Item::Plc]);
+        let contents = store.reader().contents(&items).map_err(|error| error.alarm())?;
+        // What this control does not take stays in the memory, for one that does.
+        let _ = enter(&contents, memory);
+        let of = |counter| contents.counters.get(&counter).copied().unwrap_or(0.0);
+        let counters = Count {
+            parts: of(Counter::Parts),
+            all_parts: of(Counter::AllParts),
+            run_time: of(Counter::RunTime),
+            cutting_time: of(Counter::CuttingTime),
+            power_on_time: of(Counter::PowerOnTime),
+        };
+        let position = contents.last_position.as_ref().map(|last| last.position);
+        let mut kept_plc = Vec::new();
+        if let Some(plc) = plc {
+            for (area, bytes) in &contents.plc {
+                let area = area_of(*area);
+                for (byte, value) in (0u16..).zip(bytes) {
+                    plc.memory_mut().set_byte(Address { area, byte, bit: None }, *value);
+                }
+            }
+            kept_plc = plc.memory().kept().collect();
+        }
+        let keeping = Keeping {
+            store,
+            kept: memory.clone(),
+            writes: 0,
+            plc: kept_plc,
+            counters,
+            position,
+            was_moving: false,
+            pending: Vec::new(),
+            look_in: 0.0,
+            slow_in: SLOW_S,
+            told: false,
+        };
+        Ok((keeping, Found { counters, position }))
+    }
+
+    /// Puts an alarm into the history.
+    pub fn alarm(&mut self, alarm: &Alarm, program: &str) {
+        let entry = AlarmEntry::of(alarm, program, ferrocut_memory::items::now());
+        self.put(&Author::Control, vec![Change::Alarm(entry)]);
+    }
+
+    /// Changes that nobody waits for.
+    fn put(&mut self, author: &Author, changes: Vec<Change>) {
+        // Told by the flush that finds it, or by the next change that waits.
+        self.told |= self.store.put(author, changes).is_err();
+    }
+
+    /// What the program changed since the last look.
+    fn look_at_program(&mut self, memory: &Memory, writes: u64, program: &str) {
+        if self.writes == writes {
+            return;
+        }
+        self.writes = writes;
+        let found = changes(&self.kept, memory, KEPT_VARIABLES);
+        if !found.is_empty() {
+            self.kept = memory.clone();
+            self.put(&Author::Program { name: program.to_owned() }, found);
+        }
+    }
+
+    fn look_at_ladder(&mut self, plc: &Plc) {
+        let mut runs: Vec<(Address, Vec<u8>)> = Vec::new();
+        for ((address, now), (_, before)) in plc.memory().kept().zip(&mut self.plc) {
+            if *before == now {
+                continue;
+            }
+            *before = now;
+            match runs.last_mut() {
+                Some((first, bytes))
+                    if first.area == address.area
+                        && usize::from(first.byte) + bytes.len() == usize::from(address.byte) =>
+                {
+                    bytes.push(now);
+                }
+                _ => runs.push((address, vec![now])),
+            }
+        }
+        let change = |(first, bytes): (Address, Vec<u8>)| {
+            Some(Change::Plc { area: kept_area(first.area)?, first: first.byte, bytes })
+        };
+        let found: Vec<Change> = runs.into_iter().filter_map(change).collect();
+        if !found.is_empty() {
+            self.put(&Author::Control, found);
+        }
+    }
+
+    fn look_at_counters(&mut self, counters: &Count) {
+        let found: Vec<Change> = counters
+            .named()
+            .zip(self.counters.named())
+            .filter(|((_, now), (_, before))| now != before)
+            .map(|((counter, value), _)| Change::Counter { counter, value })
+            .collect();
+        self.counters = *counters;
+        if !found.is_empty() {
+            self.put(&Author::Control, found);
+        }
+    }
+
+    fn look_at_position(&mut self, at: LastPosition) {
+        if self.position != Some(at.position) {
+            self.position = Some(at.position);
+            self.put(&Author::Control, vec![Change::LastPosition(at)]);
+        }
+    }
+}
+
+impl Control {
+    /// What changed goes to the durable memory.
+    pub(super) fn keep(&mut self) {
+        let seconds = self.machine.servo_period_ms / 1000.0;
+        let Some(mut keeping) = self.keeping.take() else { return };
+        keeping.look_in -= seconds;
+        keeping.slow_in -= seconds;
+        let came_to_rest = keeping.was_moving && !self.tick.moving;
+        keeping.was_moving = self.tick.moving;
+        if keeping.look_in <= 0.0 || came_to_rest {
+            keeping.look_in = LOOK_S;
+            let interpreter = self.cnc.interpreter();
+            let program = interpreter.programs().file_name(ferrocut_program::FileId(0));
+            keeping.look_at_program(interpreter.memory(), interpreter.writes(), program);
+        }
+        if keeping.slow_in <= 0.0 || came_to_rest {
+            keeping.look_at_position(self.last_position());
+        }
+        if keeping.slow_in <= 0.0 {
+            keeping.slow_in = SLOW_S;
+            keeping.look_at_counters(&self.counters);
+            if let Some(plc) = &self.plc {
+                keeping.look_at_ladder(plc);
+            }
+        }
+        let mut done = Vec::new();
+        keeping.pending = std::mem::take(&mut keeping.pending)
+            .into_iter()
+            .filter_map(|(pending, changes)| match pending.poll() {
+                None => Some((pending, changes)),
+                Some(answer) => {
+                    done.push((answer, changes));
+                    None
+                }
+            })
+            .collect();
+        let told = std::mem::take(&mut keeping.told);
+        self.keeping = Some(keeping);
+        if told {
+            let alarm = AlarmInfo::of(&alarm(Fault::NotKept));
+            self.event(Event::Alarm { alarm });
+        }
+        for (answer, changes) in done {
+            match answer {
+                Ok(_) => self.apply(&changes),
+                Err(error) => self.event(Event::Refused { alarm: AlarmInfo::of(&error.alarm()) }),
+            }
+        }
+    }
+
+    fn last_position(&self) -> LastPosition {
+        LastPosition {
+            time: ferrocut_memory::items::now(),
+            position: self.tick.position,
+            referenced: self.referenced,
+            work_system: self.cnc.interpreter().work_system(),
+        }
+    }
+
+    /// What is to be kept is on the disk when this returns; before power goes off.
+    pub fn flush(&mut self) -> Result<(), Box<Alarm>> {
+        if let Some(keeping) = &mut self.keeping {
+            (keeping.look_in, keeping.slow_in) = (0.0, 0.0);
+        }
+        self.keep();
+        let Some(keeping) = &self.keeping else { return Ok(()) };
+        keeping.store.flush().map(drop).map_err(|error| Box::new(error.alarm()))
+    }
+
+    /// Takes the data up again that the memory has, after a restore.
+    pub(super) fn read_again(&mut self) -> Result<(), Box<Alarm>> {
+        let Some(keeping) = &self.keeping else { return Ok(()) };
+        let mut items = ENTERED.to_vec();
+        items.push(Item::Counters);
+        let contents = keeping.store.reader().contents(&items).map_err(|error| error.alarm())?;
+        let mut memory = super::as_delivered(&self.machine)?;
+        let _ = enter(&contents, &mut memory);
+        for (counter, value) in &contents.counters {
+            self.counters.set(*counter, *value);
+        }
+        *self.cnc.interpreter_mut().memory_mut() = memory.clone();
+        self.cnc.interpreter_mut().parameters_changed();
+        self.cnc.interpreter_mut().zeros_changed();
+        if let Some(keeping) = &mut self.keeping {
+            keeping.kept = memory;
+            keeping.counters = self.counters;
+        }
+        self.loaded = super::Loaded::Nothing;
+        Ok(())
+    }
+
+    /// Has the memory judge and keep a change, then makes it. `Ok(false)`: it is on its way, since the axes must not
+    /// wait for the disk; an event follows.
+    pub(super) fn change(&mut self, author: &Author, change: Change) -> Result<bool, Box<Alarm>> {
+        let changes = vec![change];
+        let is_busy = self.tick.moving || self.cnc.is_under_way();
+        if let Some(keeping) = &mut self.keeping {
+            if is_busy {
+                let pending = keeping.store.begin(author, changes.clone()).map_err(|error| error.alarm())?;
+                keeping.pending.push((pending, changes));
+                return Ok(false);
+            }
+            keeping.store.commit(author, changes.clone()).map_err(|error| error.alarm())?;
+        }
+        self.apply(&changes);
+        Ok(true)
+    }
+
+    /// Makes changes that were kept.
+    fn apply(&mut self, changes: &[Change]) {
+        for change in changes {
+            let memory = self.cnc.interpreter_mut().memory_mut();
+            let item = match change {
+                Change::Offset { number, offset } => {
+                    if let Some(row) = memory.tools.get_mut(*number) {
+                        *row = *offset;
+                    }
+                    Item::Offsets
+                }
+                Change::WorkZero { name, zero } => {
+                    if let Some(place) = memory.work.get_mut(*name) {
+                        *place = *zero;
+                    }
+                    self.cnc.interpreter_mut().zeros_changed();
+                    Item::WorkZeros
+                }
+                Change::Variable { name, value } => {
+                    use ferrocut_machine::setup::VariableName;
+                    // Its number and room were judged before.
+                    let _ = match name {
+                        VariableName::Number(number) => memory.variables.set(*number, *value),
+                        VariableName::Named(name) => memory.variables.set_named(name, *value),
+                    };
+                    Item::Variables
+                }
+                Change::Parameter { key, value } => {
+                    let table = memory.parameters.table();
+                    let delivered = ferrocut_machine::Parameters::new(table).get(key);
+                    // Judged before.
+                    let _ = memory.set_parameter(key, value.unwrap_or(delivered));
+                    self.cnc.interpreter_mut().parameters_changed();
+                    Item::Parameters
+                }
+                Change::Counter { counter, value } => {
+                    self.counters.set(*counter, *value);
+                    Item::Counters
+                }
+                Change::Program { name, .. } | Change::DeleteProgram { name } => {
+                    if self.loaded == super::Loaded::Auto(name.clone()) {
+                        self.loaded = super::Loaded::Nothing;
+                    }
+                    Item::Programs
+                }
+                Change::LockProgram { .. } => Item::Programs,
+                Change::ClearAlarms => Item::Alarms,
+                Change::ClearLog => Item::Log,
+                _ => continue,
+            };
+            if let Some(keeping) = &mut self.keeping {
+                keeping.kept = self.cnc.interpreter().memory().clone();
+            }
+            self.event(Event::Changed { item: item.name().to_owned() });
+        }
+    }
+}
+
+fn area_of(area: PlcArea) -> Area {
+    match area {
+        PlcArea::K => Area::K,
+        PlcArea::T => Area::T,
+        PlcArea::C => Area::C,
+        PlcArea::D => Area::D,
+    }
+}
+
+fn kept_area(area: Area) -> Option<PlcArea> {
+    match area {
+        Area::K => Some(PlcArea::K),
+        Area::T => Some(PlcArea::T),
+        Area::C => Some(PlcArea::C),
+        Area::D => Some(PlcArea::D),
+        _ => None,
+    }
+}

@@ -1,0 +1,631 @@
+//! The whole control, for any front: the NC with its axes, the ladder, the memory, the mode, and who may do what.
+//!
+//! [`Control::tick`] is one servo period: the ladder reads keys and switches and says what it wants of the NC
+//! ([`Inputs`]), the NC does it, moves the axes, and tells the ladder ([`Outputs`]). [`Control::command`] is what a
+//! front says, [`Control::events`] and [`Control::status`] what it hears ([`crate::api`]). A key of the panel is a
+//! signal to the ladder; nothing but the ladder starts a motion. A control without a ladder is given its inputs
+//! ([`Control::set_inputs`]).
+//!
+//! Read [`modes`] for what a change of mode does, `programs.rs` for what cycle start runs, `hand.rs` for axes moved by
+//! hand, `keeping.rs` for what survives the power.
+
+mod commands;
+mod hand;
+mod keeping;
+mod library;
+pub mod modes;
+mod programs;
+mod status;
+
+use crate::api::{Activity, AlarmInfo, Event};
+use crate::cnc::{self, Cnc, DryRun, State, Tick};
+use crate::drives::{Drives, Simulated};
+use crate::signals::{Inputs, Mode, Outputs, SIGNAL_AXES};
+use ferrocut_geometry::{AxisSet, Position};
+use ferrocut_interpreter::{Interpreter, Options, dialects};
+use ferrocut_machine::{Alarm, Fault, Machine, Memory, ParameterKey};
+use ferrocut_memory::Store;
+use ferrocut_plc::{Pace, Plc};
+use ferrocut_program::{ProgramMemory, Span, Text};
+use keeping::Keeping;
+use library::Library;
+use modes::{Change, Standing, Start};
+use programs::Loaded;
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex};
+
+/// Most events that wait for a front; the oldest go.
+const MOST_EVENTS: usize = 1000;
+
+/// What a control is made of besides its machine.
+#[derive(Default)]
+pub struct Parts {
+    /// What the control remembers as delivered and set up; that of the durable memory goes over it.
+    pub memory: Option<Memory>,
+    /// The durable memory.
+    pub store: Option<Arc<Store>>,
+    /// The ladder.
+    pub ladder: Option<ferrocut_plc::Program>,
+    /// The drives; simulated ones where there are none.
+    pub drives: Option<Box<dyn Drives>>,
+}
+
+/// The whole control.
+pub struct Control {
+    machine: Machine,
+    cnc: Cnc,
+    plc: Option<Plc>,
+    library: Library,
+    keeping: Option<Keeping>,
+    /// What the ladder wants in this period, and in the one before.
+    inputs: Inputs,
+    before: Inputs,
+    outputs: Outputs,
+    mode: Mode,
+    loaded: Loaded,
+    selected: Option<String>,
+    /// The line where AUTO begins, from 1.
+    cursor: u32,
+    mdi: String,
+    mdi_block: String,
+    mdi_cursor: u32,
+    dnc: Vec<u8>,
+    /// Program and sequence number behind which to stop.
+    stop_at: Option<(Option<String>, u32)>,
+    /// The keys of the axes in the last period: way, and rapid.
+    jogs: [(i8, bool); SIGNAL_AXES],
+    /// Counts of the handwheel that were not given yet.
+    counts: i32,
+    /// The button of a front.
+    button: bool,
+    emergency: bool,
+    /// The alarm that stands, besides the emergency stop.
+    active: Option<Alarm>,
+    /// Relative coordinates are counted from this machine position.
+    origin: Position,
+    referenced: AxisSet,
+    tick: Tick,
+    moving: AxisSet,
+    periods: u64,
+    /// Periods for which the reset signal is still given.
+    reset_left: u64,
+    state: State,
+    parts: u32,
+    cutting_before: f64,
+    ladder_text: Option<String>,
+    counters: status::Count,
+    sessions: BTreeMap<String, ferrocut_memory::Session>,
+    /// The machine's messages that stand.
+    messages: BTreeMap<String, bool>,
+    events: Vec<Event>,
+}
+
+impl Control {
+    /// A control at power-on. Its axes stand where the durable memory says, else at zero.
+    pub fn new(machine: &Machine, parts: Parts) -> Result<Control, Box<Alarm>> {
+        let unknown = || alarm(Fault::UnknownDialect).with("name", machine.dialect.as_str());
+        let dialect = dialects::by_name(&machine.dialect).ok_or_else(unknown)?;
+        let mut memory = match parts.memory {
+            Some(memory) => memory,
+            None => as_delivered(machine)?,
+        };
+        let library = match &parts.store {
+            Some(store) => Library::Kept(store.clone()),
+            None => Library::Held(Arc::new(Mutex::new(BTreeMap::new()))),
+        };
+        let mut plc = parts.ladder.map(|ladder| Plc::new(ladder, pace(machine)));
+        let mut counters = status::Count::default();
+        let mut start = Position::ZERO;
+        let keeping = match parts.store {
+            Some(store) => {
+                let (keeping, found) = Keeping::open(store, &mut memory, plc.as_mut())?;
+                counters = found.counters;
+                start = found.position.unwrap_or(start);
+                Some(keeping)
+            }
+            None => None,
+        };
+        let text = Text::from_bytes(b"%".to_vec()).map_err(|_| alarm(Fault::FileNotText))?;
+        let programs = ProgramMemory::new("", text, dialect.syntax);
+        let options = Options { start, optional_stop: true, loops_forever: true, ..Options::default() };
+        let interpreter = Interpreter::new(dialect, programs, memory, options);
+        let drives = parts.drives.unwrap_or_else(|| Box::new(Simulated));
+        let cnc = Cnc::with_drives(machine, interpreter, drives);
+        let tick =
+            Tick { position: start, actual: start, velocity: 0.0, span: Span::default(), moving: false };
+        Ok(Control {
+            // Drives that know where they are have their reference.
+            referenced: machine.axis_set(),
+            machine: machine.clone(),
+            state: cnc.state().clone(),
+            cnc,
+            plc,
+            library,
+            keeping,
+            inputs: Inputs::default(),
+            before: Inputs::default(),
+            outputs: Outputs::default(),
+            mode: Mode::default(),
+            loaded: Loaded::Nothing,
+            selected: None,
+            cursor: 1,
+            mdi: String::new(),
+            mdi_block: String::new(),
+            mdi_cursor: 1,
+            dnc: Vec::new(),
+            stop_at: None,
+            jogs: [(0, false); SIGNAL_AXES],
+            counts: 0,
+            button: false,
+            emergency: false,
+            active: None,
+            origin: Position::ZERO,
+            tick,
+            moving: AxisSet::EMPTY,
+            periods: 0,
+            reset_left: 0,
+            parts: 0,
+            cutting_before: 0.0,
+            ladder_text: None,
+            counters,
+            sessions: BTreeMap::new(),
+            messages: BTreeMap::new(),
+            events: Vec::new(),
+        })
+    }
+
+    /// Inputs of a machine that is well, with nothing pressed: every permission given, overrides at 100 %. For a
+    /// control without a ladder.
+    pub fn free_inputs(mode: Mode) -> Inputs {
+        Inputs {
+            mode,
+            axes_may_move: true,
+            spindle_may_turn: true,
+            spindle_at_speed: true,
+            feed_override: 1.0,
+            manual_override: 1.0,
+            spindle_override: 1.0,
+            ..Inputs::default()
+        }
+    }
+
+    /// Sets what the NC is told from the next period on. A control with a ladder is told by that.
+    pub fn set_inputs(&mut self, inputs: Inputs) {
+        self.inputs = inputs;
+    }
+
+    /// What the NC was told last.
+    pub fn inputs(&self) -> &Inputs {
+        &self.inputs
+    }
+
+    /// What the NC told last.
+    pub fn outputs(&self) -> &Outputs {
+        &self.outputs
+    }
+
+    /// The ladder with its signals, for drives and tests that set inputs of the machine.
+    pub fn plc_mut(&mut self) -> Option<&mut Plc> {
+        self.plc.as_mut()
+    }
+
+    /// The NC.
+    pub fn cnc(&self) -> &Cnc {
+        &self.cnc
+    }
+
+    /// The machine.
+    pub fn machine(&self) -> &Machine {
+        &self.machine
+    }
+
+    /// Takes what happened since the last call, oldest first.
+    pub fn events(&mut self) -> Vec<Event> {
+        std::mem::take(&mut self.events)
+    }
+
+    /// Goes on by one servo period.
+    pub fn tick(&mut self) -> Tick {
+        self.periods += 1;
+        self.scan();
+        self.take_emergency();
+        self.take_switches();
+        self.take_mode();
+        self.take_keys();
+        self.move_by_hand();
+        self.turn_spindle();
+        let before = self.tick.position;
+        self.tick = self.cnc.tick();
+        let names = self.machine.axes.iter().map(|axis| axis.name);
+        self.moving = names.filter(|axis| self.tick.position[*axis] != before[*axis]).collect();
+        self.follow_cnc();
+        self.count();
+        self.keep();
+        self.tell(before);
+        self.before.clone_from(&self.inputs);
+        self.tick
+    }
+
+    /// The ladder, and what it wants.
+    fn scan(&mut self) {
+        let Some(plc) = &mut self.plc else { return };
+        let was_stopped = plc.stopped().is_some();
+        plc.scan();
+        let is_stopped = plc.stopped().is_some();
+        self.inputs = Inputs::read(plc.memory());
+        if is_stopped && !was_stopped {
+            self.raise(alarm(Fault::LadderStopped));
+        }
+        self.tell_machine_messages();
+    }
+
+    /// Messages of the ladder, area A: those with a name come and go as events.
+    fn tell_machine_messages(&mut self) {
+        let Some(plc) = &self.plc else { return };
+        let mut told = Vec::new();
+        for symbol in plc.program().symbols() {
+            if symbol.address.area != ferrocut_plc::Area::A || symbol.address.bit.is_none() {
+                continue;
+            }
+            let on = plc.memory().bit(symbol.address);
+            if self.messages.get(&symbol.name).copied().unwrap_or(false) != on {
+                told.push((symbol.name.clone(), on));
+            }
+        }
+        for (name, on) in told {
+            self.messages.insert(name.clone(), on);
+            self.event(Event::MachineMessage { name, on });
+        }
+    }
+
+    /// The emergency stop (2.3.2): everything stands while it is pressed; released, it is gone.
+    fn take_emergency(&mut self) {
+        let pressed = self.button || self.inputs.emergency_stop;
+        if pressed && !self.emergency {
+            self.cnc.emergency_stop();
+            self.cnc.turn_spindle(ferrocut_toolpath::SpindleState::Off);
+            self.release_axes();
+            self.give_up();
+            self.log_alarm(&alarm(Fault::EmergencyStop));
+        } else if !pressed && self.emergency && self.active.is_none() {
+            self.event(Event::AlarmsCleared);
+        }
+        self.emergency = pressed;
+    }
+
+    /// Switches and overrides.
+    fn take_switches(&mut self) {
+        let f0 = match self.bit(12, 4) {
+            true => 0.0,
+            false => {
+                let fastest = self.machine.axes.iter().map(|axis| axis.rapid).fold(1.0, f64::max);
+                self.parameter(93) / fastest
+            }
+        };
+        let inputs = &self.inputs;
+        let rapid = inputs.rapid_override.factor();
+        let (feed, manual) = (inputs.feed_override, inputs.manual_override);
+        let dry = inputs.dry_run.then(|| DryRun {
+            speed: self.parameter(86) / 60.0,
+            cutting: self.bit(12, 6),
+            rapid: self.bit(12, 7),
+        });
+        let (single, skip) = (inputs.single_block, inputs.block_skip);
+        let (optional, auxiliary, lock) = (inputs.optional_stop, inputs.auxiliary_lock, inputs.machine_lock);
+        let may = inputs.axes_may_move;
+        self.cnc.set_overrides(feed, rapid.unwrap_or(f0), manual, rapid.unwrap_or(0.0));
+        self.cnc.set_dry_run(dry);
+        self.cnc.set_single_block(single);
+        self.cnc.set_auxiliary_lock(auxiliary);
+        self.cnc.set_optional_stop(optional);
+        self.cnc.set_machine_lock(lock);
+        self.cnc.set_may_move(may);
+        // M01 is given out always: whether it stops is decided where it stands.
+        self.cnc.interpreter_mut().set_switches(skip, true);
+    }
+
+    fn standing(&self) -> Standing {
+        match self.cnc.state() {
+            State::Running if self.cnc.finishes_block() => Standing::Finishes,
+            State::Running => Standing::Runs,
+            State::Held | State::BlockEnd | State::Stopped(_) => Standing::Stopped,
+            _ => Standing::None,
+        }
+    }
+
+    /// The mode of the program that is loaded.
+    fn program_mode(&self) -> Mode {
+        self.loaded.mode().unwrap_or(Mode::Auto)
+    }
+
+    fn take_mode(&mut self) {
+        if self.inputs.mode == self.mode {
+            return;
+        }
+        self.mode = self.inputs.mode;
+        self.release_axes();
+        self.event(Event::Mode { mode: self.mode });
+        if matches!(self.standing(), Standing::Runs | Standing::Finishes) {
+            match modes::change(self.program_mode(), self.mode) {
+                Change::Nothing => {}
+                Change::FinishBlock => self.cnc.finish_block(),
+                Change::StopAtOnce => self.cnc.feed_hold(),
+            }
+        }
+    }
+
+    /// Cycle start, feed hold, reset.
+    fn take_keys(&mut self) {
+        if self.inputs.reset && !self.before.reset || self.inputs.rewind && !self.before.rewind {
+            self.reset();
+            if self.inputs.rewind {
+                self.cursor = 1;
+            }
+        }
+        if self.inputs.feed_hold || self.inputs.start_lock && self.standing() == Standing::Runs {
+            if self.cnc.returns() || modes::holds(self.standing()) {
+                self.cnc.feed_hold();
+            }
+            return;
+        }
+        // It starts when the key is let go (Fanuc 0i, ST).
+        let is_let_go = self.before.cycle_start && !self.inputs.cycle_start;
+        if is_let_go && let Err(why) = self.cycle_start() {
+            let alarm = AlarmInfo::of(&why);
+            self.event(Event::Refused { alarm });
+        }
+    }
+
+    fn cycle_start(&mut self) -> Result<(), Box<Alarm>> {
+        if self.emergency {
+            return Err(Box::new(alarm(Fault::EmergencyStop)));
+        }
+        if self.active.is_some() {
+            return Err(Box::new(alarm(Fault::ControlAlarmed)));
+        }
+        if self.inputs.start_lock {
+            return Err(Box::new(alarm(Fault::StartLocked)));
+        }
+        match modes::start(self.program_mode(), self.standing(), self.mode) {
+            Start::Nothing => Ok(()),
+            Start::WrongMode => Err(Box::new(alarm(Fault::ControlMode).with("mode", name_of(self.mode)))),
+            Start::OtherMode => {
+                Err(Box::new(alarm(Fault::ControlInterrupted).with("mode", name_of(self.program_mode()))))
+            }
+            Start::GoesOn => {
+                self.cnc.do_not_finish_block();
+                self.cnc.cycle_start();
+                Ok(())
+            }
+            Start::Starts if !self.cnc.is_idle() => Err(Box::new(alarm(Fault::ControlBusy))),
+            Start::Starts => self.start_program(),
+        }
+    }
+
+    /// Reset (2.3.1): axes and spindle stop, the program is given up, parameters say what else is cleared.
+    fn reset(&mut self) {
+        if self.cnc.is_idle() {
+            self.cnc.clear();
+        } else {
+            self.cnc.reset();
+        }
+        self.release_axes();
+        self.give_up();
+        if self.active.take().is_some() && !self.emergency {
+            self.event(Event::AlarmsCleared);
+        }
+        // P203: ms for which the signal is given.
+        self.reset_left = (self.parameter(203) / self.machine.servo_period_ms).clamp(1.0, 1e6) as u64;
+        // 28#7, in MDI.
+        if self.mode == Mode::Mdi && self.bit(28, 7) {
+            self.mdi.clear();
+        }
+        // 10#3.
+        if self.bit(10, 3) {
+            self.origin = Position::ZERO;
+        }
+        // 10#7.
+        if self.mode != Mode::Edit && self.bit(10, 7) {
+            self.cursor = 1;
+        }
+    }
+
+    /// The program under way is given up: the cursor stays on its block.
+    fn give_up(&mut self) {
+        self.mdi_block.clear();
+    }
+
+    /// What the NC came to in this period.
+    fn follow_cnc(&mut self) {
+        for event in self.cnc.events() {
+            match event {
+                cnc::Event::Warning(alarm) => self.event(Event::Alarm { alarm: AlarmInfo::of(&alarm) }),
+                cnc::Event::Message(text) => self.event(Event::Message { text: text.into() }),
+                cnc::Event::ToolChange(tool) => self.event(Event::ToolChange { tool }),
+            }
+        }
+        if self.cnc.state() == &State::Running
+            && matches!(self.loaded, Loaded::Auto(_))
+            && self.tick.span.file.0 == 0
+            && self.tick.span.line > 0
+        {
+            self.cursor = self.tick.span.line;
+        }
+        if self.cnc.state() == &self.state {
+            return;
+        }
+        let state = self.cnc.state().clone();
+        match &state {
+            State::Alarmed(alarm) => self.raise((**alarm).clone()),
+            State::Ended => self.program_ended(self.cnc.ended_by()),
+            State::BlockEnd if self.cnc.stops_behind().is_none() => self.stop_at_is_done(),
+            _ => {}
+        }
+        self.state = state;
+        let activity = self.activity();
+        self.event(Event::Activity { activity });
+    }
+
+    /// 3.4.1: the stop number goes once it has stopped.
+    fn stop_at_is_done(&mut self) {
+        let line = self.stop_at.as_ref().map(|(_, sequence)| *sequence);
+        let text = self.cnc.interpreter().programs().slice(self.tick.span);
+        let is_there = line.is_some_and(|n| {
+            let text = text.trim_start().trim_start_matches('/').trim_start();
+            let number: String = text.chars().skip(1).take_while(char::is_ascii_digit).collect();
+            text.starts_with(['N', 'n']) && number.parse() == Ok(n)
+        });
+        if is_there {
+            self.stop_at = None;
+        }
+    }
+
+    /// An alarm stands until reset.
+    fn raise(&mut self, alarm: Alarm) {
+        self.log_alarm(&alarm);
+        self.active = Some(alarm);
+    }
+
+    /// Tells of an alarm and puts it into the history.
+    fn log_alarm(&mut self, alarm: &Alarm) {
+        self.event(Event::Alarm { alarm: AlarmInfo::of(alarm) });
+        let program = self.running_program();
+        if let Some(keeping) = &mut self.keeping {
+            keeping.alarm(alarm, &program);
+        }
+    }
+
+    /// The name of the file of the block being run.
+    fn running_program(&self) -> String {
+        self.cnc.interpreter().programs().file_name(self.tick.span.file).to_owned()
+    }
+
+    /// What the control does.
+    pub fn activity(&self) -> Activity {
+        if self.emergency {
+            return Activity::Emergency;
+        }
+        if self.active.is_some() {
+            return Activity::Alarm;
+        }
+        if self.cnc.returns() {
+            return Activity::Returning;
+        }
+        match self.cnc.state() {
+            State::Running => Activity::Running,
+            State::Held => Activity::Held,
+            State::BlockEnd => Activity::BlockEnd,
+            State::Stopped(_) => Activity::Stopped,
+            State::Resetting => Activity::Resetting,
+            State::Alarmed(_) => Activity::Alarm,
+            State::Ready | State::Ended | State::Reset if self.tick.moving => Activity::ByHand,
+            State::Ready | State::Ended | State::Reset => Activity::Idle,
+        }
+    }
+
+    /// What the ladder is told.
+    fn tell(&mut self, before: Position) {
+        let state = self.cnc.state();
+        let is_alarm = self.active.is_some() || self.emergency;
+        let mut outputs = Outputs {
+            mode: self.mode,
+            ready: true,
+            servo_ready: !self.emergency,
+            alarm: is_alarm,
+            reset: self.reset_left > 0 || matches!(state, State::Resetting),
+            automatic: self.cnc.is_under_way(),
+            running: matches!(state, State::Running),
+            held: matches!(state, State::Held),
+            distribution_end: !self.tick.moving,
+            dry_run: self.inputs.dry_run,
+            block_skip: self.inputs.block_skip,
+            machine_lock: self.cnc.is_locked(),
+            single_block: self.inputs.single_block,
+            auxiliary_lock: self.inputs.auxiliary_lock,
+            spindle_rpm: self.cnc.spindle().rpm().clamp(0.0, 65_535.0) as u16,
+            spindle_enabled: self.cnc.spindle().rpm() > 0.0,
+            spindle_zero: self.cnc.spindle().rpm() == 0.0,
+            ..self.outputs.clone()
+        };
+        for (number, axis) in self.machine.axes.iter().enumerate().take(SIGNAL_AXES) {
+            let way = self.tick.position[axis.name] - before[axis.name];
+            let set = |bits: &mut [bool; SIGNAL_AXES], on: bool| {
+                if let Some(bit) = bits.get_mut(number) {
+                    *bit = on;
+                }
+            };
+            set(&mut outputs.moving, way != 0.0);
+            if way != 0.0 {
+                set(&mut outputs.downwards, way < 0.0);
+            }
+            set(&mut outputs.referenced, self.referenced.contains(axis.name));
+            let points = &self.cnc.interpreter().memory().reference_points;
+            let at = |point: Option<&Position>| {
+                point.is_some_and(|point| (point[axis.name] - self.tick.position[axis.name]).abs() < 1e-6)
+            };
+            let knows = self.referenced.contains(axis.name) && way == 0.0;
+            set(&mut outputs.at_reference, knows && at(points.first()));
+            set(&mut outputs.at_second_reference, knows && at(points.get(1)));
+            set(&mut outputs.in_position, way == 0.0);
+        }
+        self.reset_left = self.reset_left.saturating_sub(1);
+        self.outputs = outputs;
+        if let Some(plc) = &mut self.plc {
+            self.outputs.write(plc.memory_mut());
+        }
+    }
+
+    fn event(&mut self, event: Event) {
+        if self.events.len() >= MOST_EVENTS {
+            self.events.remove(0);
+        }
+        self.events.push(event);
+    }
+
+    /// A bit parameter; off on controls that do not have it.
+    fn bit(&self, number: u16, bit: u8) -> bool {
+        self.cnc.interpreter().memory().parameters.bit(number, bit)
+    }
+
+    /// A data parameter.
+    fn parameter(&self, number: u16) -> f64 {
+        self.cnc.interpreter().memory().parameters.get(&ParameterKey::Data(number))
+    }
+}
+
+fn alarm(fault: Fault) -> Alarm {
+    Alarm::core(fault, Span::default())
+}
+
+/// The name of a mode in alarms.
+fn name_of(mode: Mode) -> &'static str {
+    match mode {
+        Mode::Edit => "EDIT",
+        Mode::Auto => "AUTO",
+        Mode::Mdi => "MDI",
+        Mode::Home => "HOME",
+        Mode::Jog => "JOG",
+        Mode::Step => "STEP",
+        Mode::Handle => "HANDLE",
+        Mode::Dnc => "DNC",
+    }
+}
+
+fn pace(machine: &Machine) -> Pace {
+    Pace { period_us: (machine.servo_period_ms * 1000.0).clamp(1.0, 1e6) as u32, ..Pace::default() }
+}
+
+/// The memory of a new control, with the parameters of the machine file.
+fn as_delivered(machine: &Machine) -> Result<Memory, Box<Alarm>> {
+    let mut memory = Memory::new(&machine.dialect);
+    let unusable = |reason: String| alarm(Fault::ConfigUnusable).with("reason", reason);
+    let mut parameters = Vec::new();
+    for (name, value) in &machine.parameters {
+        let key: ParameterKey = name.parse().map_err(|error| unusable(format!("{error}")))?;
+        parameters.push((key, *value));
+    }
+    memory
+        .set_parameters(parameters.iter().map(|(key, value)| (key, *value)))
+        .map_err(|error| unusable(error.to_string()))?;
+    Ok(memory)
+}

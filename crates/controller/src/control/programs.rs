@@ -1,0 +1,187 @@
+//! Which program runs: that of AUTO from the memory, what the operator typed in MDI, what comes from outside in DNC.
+
+use super::{Control, library};
+use crate::signals::Mode;
+use ferrocut_interpreter::Interpreter;
+use ferrocut_machine::{Alarm, Fault};
+use ferrocut_program::{FileId, ProgramMemory, Span, Text};
+
+/// What is loaded for the next cycle start.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) enum Loaded {
+    /// Nothing.
+    Nothing,
+    /// The program of this name.
+    Auto(String),
+    /// The text of the MDI page, or one block.
+    Mdi,
+    /// A program from outside.
+    Dnc,
+}
+
+impl Loaded {
+    /// The mode that runs it.
+    pub fn mode(&self) -> Option<Mode> {
+        match self {
+            Loaded::Nothing => None,
+            Loaded::Auto(_) => Some(Mode::Auto),
+            Loaded::Mdi => Some(Mode::Mdi),
+            Loaded::Dnc => Some(Mode::Dnc),
+        }
+    }
+}
+
+fn alarm(fault: Fault) -> Alarm {
+    Alarm::core(fault, Span::default())
+}
+
+impl Control {
+    /// Loads what the mode runs and starts it. Says why not.
+    pub(super) fn start_program(&mut self) -> Result<(), Box<Alarm>> {
+        match self.mode {
+            Mode::Auto => self.start_auto()?,
+            Mode::Mdi => self.start_mdi()?,
+            Mode::Dnc => self.start_dnc()?,
+            _ => return Err(Box::new(alarm(Fault::ControlMode))),
+        }
+        self.stop_line_of_program();
+        self.cnc.cycle_start();
+        Ok(())
+    }
+
+    fn start_auto(&mut self) -> Result<(), Box<Alarm>> {
+        let name = self.selected.clone().ok_or_else(|| alarm(Fault::NothingToRun))?;
+        let line = (self.cursor > 1).then_some(self.cursor);
+        if self.loaded != Loaded::Auto(name.clone()) {
+            let missing = || alarm(Fault::NoSuchName).with("name", name.as_str());
+            let text = self.library.text(&name).ok_or_else(missing)?;
+            self.load(&name, text, false)?;
+            self.loaded = Loaded::Auto(name);
+        }
+        self.begin_at(line)
+    }
+
+    fn begin_at(&mut self, line: Option<u32>) -> Result<(), Box<Alarm>> {
+        let is_there = self.cnc.rewind(line);
+        let is_there =
+            is_there.map_err(|error| alarm(Fault::FileUnreadable).with("reason", error.to_string()))?;
+        let line = f64::from(line.unwrap_or(1));
+        if is_there { Ok(()) } else { Err(Box::new(alarm(Fault::NoSuchLine).with("line", line))) }
+    }
+
+    /// 8.2 note 2: what stands on the page of the current block runs before the text of the MDI page.
+    fn start_mdi(&mut self) -> Result<(), Box<Alarm>> {
+        let is_block = !self.mdi_block.trim().is_empty();
+        let text = if is_block { std::mem::take(&mut self.mdi_block) } else { self.mdi.clone() };
+        if text.trim().is_empty() {
+            return Err(Box::new(alarm(Fault::NothingToRun)));
+        }
+        self.load("MDI", text.into_bytes(), true)?;
+        self.loaded = Loaded::Mdi;
+        // 10#6: from the line of the cursor.
+        let line = (!is_block && self.bit(10, 6) && self.mdi_cursor > 1).then_some(self.mdi_cursor);
+        self.begin_at(line)
+    }
+
+    fn start_dnc(&mut self) -> Result<(), Box<Alarm>> {
+        if self.dnc.is_empty() {
+            return Err(Box::new(alarm(Fault::NothingToRun)));
+        }
+        let text = self.dnc.clone();
+        self.load("DNC", text, true)?;
+        self.loaded = Loaded::Dnc;
+        Ok(())
+    }
+
+    /// Gives the interpreter a text as its main program; all programs of the memory can be called from it.
+    fn load(&mut self, name: &str, text: Vec<u8>, open_end: bool) -> Result<(), Box<Alarm>> {
+        let text = Text::from_bytes(text).map_err(|_| alarm(Fault::FileNotText).with("file", name))?;
+        let syntax = self.cnc.interpreter().dialect().syntax;
+        let mut programs = ProgramMemory::new(name, text, syntax);
+        programs.set_source(Box::new(self.library.clone()));
+        if !self.cnc.load_programs(programs) {
+            return Err(Box::new(alarm(Fault::ControlBusy)));
+        }
+        self.cnc.interpreter_mut().set_open_end(open_end);
+        Ok(())
+    }
+
+    /// Chooses the program of AUTO. Says why not.
+    pub(super) fn select(&mut self, name: &str) -> Result<String, Box<Alarm>> {
+        if self.cnc.is_under_way() {
+            return Err(Box::new(alarm(Fault::ControlBusy)));
+        }
+        if !matches!(self.mode, Mode::Auto | Mode::Edit) {
+            return Err(Box::new(alarm(Fault::ControlMode).with("mode", super::name_of(self.mode))));
+        }
+        let missing = || alarm(Fault::NoSuchName).with("name", name);
+        let (name, _) = self.library.named(&library::id_of(name)).ok_or_else(missing)?;
+        self.selected = Some(name.clone());
+        self.cursor = 1;
+        self.loaded = Loaded::Nothing;
+        Ok(name)
+    }
+
+    /// Whether a program is under way and this is its text, or that of a subprogram it has called.
+    pub(super) fn is_in_use(&self, name: &str) -> bool {
+        let programs = self.cnc.interpreter().programs();
+        let files = (0..u16::MAX).map(|n| programs.file_name(FileId(n)));
+        self.cnc.is_under_way() && files.take_while(|file| !file.is_empty()).any(|file| file == name)
+    }
+
+    /// 3.4.1, stop number: the line that has the sequence number in the program that is started.
+    fn stop_line_of_program(&mut self) {
+        let Some((program, sequence)) = self.stop_at.clone() else { return };
+        let Loaded::Auto(name) = &self.loaded else { return };
+        if program.is_some_and(|program| program != *name) {
+            return;
+        }
+        let line = self.library.text(name).and_then(|text| line_of(&text, sequence));
+        self.cnc.stop_behind(line.map(|line| (FileId(0), line)));
+    }
+
+    /// The program has ended: where the next start begins, and what is left of MDI.
+    pub(super) fn program_ended(&mut self, code: Option<u32>) {
+        // 33#2 and 33#4: M02 and M30 lead back to the start.
+        let rewinds = match code {
+            Some(2) => self.bit(33, 2),
+            Some(30) => self.bit(33, 4),
+            _ => true,
+        };
+        match self.loaded {
+            Loaded::Auto(_) if rewinds => self.cursor = 1,
+            // 28#4.
+            Loaded::Mdi if matches!(code, Some(2 | 30)) && self.bit(28, 4) => self.mdi.clear(),
+            _ => {}
+        }
+    }
+
+    /// The interpreter, to look at.
+    pub fn interpreter(&self) -> &Interpreter {
+        self.cnc.interpreter()
+    }
+}
+
+/// The line on which a block begins with a sequence number, counted from 1.
+fn line_of(text: &[u8], sequence: u32) -> Option<u32> {
+    let number = |line: &[u8]| -> Option<u32> {
+        let line = line.trim_ascii_start();
+        let line = line.strip_prefix(b"/").unwrap_or(line).trim_ascii_start();
+        let digits = line.strip_prefix(b"N").or_else(|| line.strip_prefix(b"n"))?;
+        let end = digits.iter().position(|b| !b.is_ascii_digit()).unwrap_or(digits.len());
+        std::str::from_utf8(digits.get(..end)?).ok()?.parse().ok()
+    };
+    let at = text.split(|b| *b == b'\n').position(|line| number(line) == Some(sequence))?;
+    u32::try_from(at).ok()?.checked_add(1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::line_of;
+
+    #[test]
+    fn a_sequence_number_is_found_at_the_start_of_its_line() {
+        let text = b"O1\nN10 G0\n/ n20 G1 N30\nX5 N40\nN010\n";
+        assert_eq!([10, 20, 30, 40, 1].map(|n| line_of(text, n)), [Some(2), Some(3), None, None, None]);
+    }
+}

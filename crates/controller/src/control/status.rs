@@ -1,0 +1,181 @@
+//! How things stand, and the counters.
+
+use super::Control;
+use crate::api::{
+    AlarmInfo, ByAxis, Counters, Event, FeedStatus, Positions, ProgramStatus, SpindleStatus, Status,
+    SwitchStatus,
+};
+use crate::cnc::State;
+use crate::report::Activity;
+use ferrocut_geometry::{Axis, Position};
+use ferrocut_machine::Fault;
+use ferrocut_memory::Counter;
+use ferrocut_plc::Area;
+use ferrocut_plc::list::Symbol;
+use std::collections::BTreeMap;
+
+/// Counters as they are kept: pieces and s.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub(super) struct Count {
+    pub parts: f64,
+    pub all_parts: f64,
+    pub run_time: f64,
+    pub cutting_time: f64,
+    pub power_on_time: f64,
+}
+
+impl Count {
+    /// Each with its name.
+    pub fn named(&self) -> impl Iterator<Item = (Counter, f64)> {
+        [
+            (Counter::Parts, self.parts),
+            (Counter::AllParts, self.all_parts),
+            (Counter::RunTime, self.run_time),
+            (Counter::CuttingTime, self.cutting_time),
+            (Counter::PowerOnTime, self.power_on_time),
+        ]
+        .into_iter()
+    }
+
+    /// Sets one.
+    pub fn set(&mut self, counter: Counter, value: f64) {
+        match counter {
+            Counter::Parts => self.parts = value,
+            Counter::AllParts => self.all_parts = value,
+            Counter::RunTime => self.run_time = value,
+            Counter::CuttingTime => self.cutting_time = value,
+            Counter::PowerOnTime => self.power_on_time = value,
+        }
+    }
+}
+
+impl Control {
+    /// Counts parts and times (3.1.2: parts by M30 and M02).
+    pub(super) fn count(&mut self) {
+        let seconds = self.machine.servo_period_ms / 1000.0;
+        self.counters.power_on_time += seconds;
+        if self.cnc.state() == &State::Running {
+            self.counters.run_time += seconds;
+        }
+        let cutting = self.cnc.report().time(Activity::Cutting);
+        self.counters.cutting_time += cutting - self.cutting_before;
+        self.cutting_before = cutting;
+        let made = self.cnc.report().parts.saturating_sub(self.parts);
+        self.parts = self.cnc.report().parts;
+        // Blocks typed in MDI make no parts.
+        if made > 0 && self.program_mode() != crate::signals::Mode::Mdi {
+            self.counters.parts += f64::from(made);
+            self.counters.all_parts += f64::from(made);
+            let parts = self.counters.parts as u64;
+            self.event(Event::Part { parts });
+        }
+    }
+
+    /// How things stand.
+    pub fn status(&self) -> Status {
+        let interpreter = self.cnc.interpreter();
+        let inputs = &self.inputs;
+        let (feed, speed) = interpreter.feed_and_speed();
+        let (h, d) = interpreter.offsets_in_force();
+        let (tool, called_tool) = interpreter.tools();
+        let is_loaded = !matches!(self.loaded, super::Loaded::Nothing);
+        let mut alarms = Vec::new();
+        if self.emergency {
+            alarms.push(AlarmInfo::of(&super::alarm(Fault::EmergencyStop)));
+        }
+        alarms.extend(self.active.as_ref().map(AlarmInfo::of));
+        let code = |tenths: u16| match tenths % 10 {
+            0 => format!("G{:02}", tenths / 10),
+            part => format!("G{:02}.{part}", tenths / 10),
+        };
+        Status {
+            periods: self.periods,
+            mode: self.mode,
+            program_mode: self.cnc.is_under_way().then(|| self.program_mode()),
+            activity: self.activity(),
+            finishing_block: self.cnc.finishes_block(),
+            alarms,
+            position: self.positions(),
+            feed: FeedStatus {
+                actual: self.tick.velocity * 60.0,
+                programmed: feed,
+                feed_override: inputs.feed_override,
+                rapid_override: inputs.rapid_override.factor().unwrap_or(0.0),
+                manual_override: inputs.manual_override,
+            },
+            spindle: SpindleStatus {
+                programmed: speed,
+                told: self.cnc.spindle().rpm(),
+                spindle_override: inputs.spindle_override,
+                tool,
+                called_tool,
+            },
+            program: ProgramStatus {
+                selected: self.selected.clone(),
+                cursor: self.cursor,
+                running: Some(self.running_program()).filter(|name| is_loaded && !name.is_empty()),
+                line: self.tick.span.line,
+                block: interpreter.programs().slice(self.tick.span),
+                g_codes: interpreter.codes_in_force().map(code).collect(),
+                h,
+                d,
+            },
+            switches: SwitchStatus {
+                single_block: inputs.single_block,
+                block_skip: inputs.block_skip,
+                optional_stop: inputs.optional_stop,
+                dry_run: inputs.dry_run,
+                machine_lock: self.cnc.is_locked(),
+                auxiliary_lock: inputs.auxiliary_lock,
+            },
+            counters: Counters {
+                parts: self.counters.parts as u64,
+                all_parts: self.counters.all_parts as u64,
+                run_time: self.counters.run_time,
+                cutting_time: self.counters.cutting_time,
+                power_on_time: self.counters.power_on_time,
+            },
+            referenced: self.referenced.iter().map(Axis::letter).collect(),
+            lamps: self.lamps(),
+            panel: self.panel(),
+            level: self.sessions.values().map(|session| session.level().number()).min().unwrap_or(5),
+        }
+    }
+
+    fn lamps(&self) -> Vec<String> {
+        let Some(plc) = &self.plc else { return Vec::new() };
+        let is_lamp = |name: &str| name.starts_with("LAMP_") || name.starts_with("TOWER_");
+        let symbols = plc.program().symbols().iter();
+        let lamps =
+            symbols.filter(|s| s.address.area == Area::Y && s.address.bit.is_some() && is_lamp(&s.name));
+        lamps.filter(|lamp| plc.memory().bit(lamp.address)).map(|lamp| lamp.name.clone()).collect()
+    }
+
+    fn panel(&self) -> BTreeMap<String, u8> {
+        let Some(plc) = &self.plc else { return BTreeMap::new() };
+        let is_switch = |s: &&Symbol| {
+            s.address.area == Area::X && s.address.bit.is_none() && s.name.starts_with("SWITCH_")
+        };
+        let switches = plc.program().symbols().iter().filter(is_switch);
+        switches.map(|s| (s.name.clone(), plc.memory().byte(s.address))).collect()
+    }
+
+    fn positions(&self) -> Positions {
+        let path = self.tick.position - self.cnc.handwheel_shift();
+        Positions {
+            machine: self.by_axis(self.tick.position),
+            actual: self.by_axis(self.tick.actual),
+            // 6.2.2: a handwheel interruption changes neither.
+            work: self.by_axis(path - self.cnc.program_zero()),
+            relative: self.by_axis(path - self.origin),
+            to_go: self.by_axis(self.cnc.to_go()),
+            interruption: self.by_axis(self.cnc.handwheel_shift()),
+            system: self.cnc.interpreter().work_system().map(|name| name.to_string()),
+        }
+    }
+
+    /// The axes of the machine.
+    pub(super) fn by_axis(&self, position: Position) -> ByAxis {
+        self.machine.axes.iter().map(|axis| (axis.name.letter(), position[axis.name])).collect()
+    }
+}

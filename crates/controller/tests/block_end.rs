@@ -1,0 +1,267 @@
+//! Single block, blocks that are finished on demand, locks, dry run, and axes moved by hand on the way.
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
+
+mod common;
+
+use common::{cnc, cnc_with, ended, machine};
+use ferrocut_controller::{Cnc, DryRun, Interruption, State, Tick};
+use ferrocut_geometry::{Axis, Position};
+use ferrocut_program::FileId;
+
+/// Goes on until the program stops or ends.
+fn until_it_stops(cnc: &mut Cnc) -> Vec<Tick> {
+    let mut ticks = Vec::new();
+    for _ in 0..200_000 {
+        ticks.push(cnc.tick());
+        if !matches!(cnc.state(), State::Running | State::Resetting) {
+            return ticks;
+        }
+    }
+    panic!("does not stop: {:?}", cnc.state());
+}
+
+fn settle(cnc: &mut Cnc) -> Position {
+    for _ in 0..100_000 {
+        let tick = cnc.tick();
+        if !tick.moving {
+            return tick.position;
+        }
+    }
+    panic!("never at rest");
+}
+
+/// X of the stops, cycle start pressed at each.
+fn stops(cnc: &mut Cnc) -> Vec<(f64, f64)> {
+    let mut found = Vec::new();
+    for _ in 0..100 {
+        cnc.cycle_start();
+        until_it_stops(cnc);
+        if cnc.state() != &State::BlockEnd {
+            return found;
+        }
+        let at = cnc.tick().position;
+        found.push((at[Axis::X], at[Axis::Y]));
+    }
+    panic!("never ends");
+}
+
+const CORNERS: &str = "G90 G1 X10 F3000\nX20 Y10\nG2 X30 Y0 R10\nG4 X0.1\nG1 X40\nM30\n";
+
+#[test]
+fn single_block_stops_on_the_end_of_every_block() {
+    let mut cnc = cnc(&machine(), CORNERS);
+    cnc.set_single_block(true);
+    let expected = [(10.0, 0.0), (20.0, 10.0), (30.0, 0.0), (30.0, 0.0), (40.0, 0.0)];
+    assert_eq!(stops(&mut cnc), expected);
+    assert_eq!(cnc.state(), &State::Ended);
+}
+
+#[test]
+fn g28_stops_at_its_intermediate_point_too() {
+    let mut cnc = cnc(&machine(), "G90 G0 X30 Y5\nG28 X40 Y20\nG1 X5 F3000\nM30\n");
+    cnc.set_single_block(true);
+    assert_eq!(stops(&mut cnc), [(30.0, 5.0), (40.0, 20.0), (0.0, 0.0), (5.0, 0.0)]);
+}
+
+#[test]
+fn a_block_is_finished_exactly_whenever_that_is_asked_for() {
+    let machine = machine();
+    let (_, through) = ended(&machine, CORNERS);
+    let ends = [(10.0, 0.0), (20.0, 10.0), (30.0, 0.0), (40.0, 0.0)];
+    for at in (0..through.ticks.len()).step_by(37) {
+        let mut cnc = cnc(&machine, CORNERS);
+        let start = cnc.tick().position;
+        cnc.cycle_start();
+        let mut ticks: Vec<_> = (0..at).map(|_| cnc.tick()).collect();
+        cnc.finish_block();
+        ticks.extend(until_it_stops(&mut cnc));
+        if cnc.state() == &State::Ended {
+            continue;
+        }
+        assert_eq!(cnc.state(), &State::BlockEnd, "{at}");
+        let stop = cnc.tick().position;
+        let found = ends.iter().position(|(x, y)| (stop[Axis::X], stop[Axis::Y]) == (*x, *y));
+        assert!(found.is_some(), "asked at tick {at}: stopped at {stop:?}");
+        cnc.cycle_start();
+        ticks.extend(until_it_stops(&mut cnc));
+        assert_eq!(cnc.state(), &State::Ended, "{at}");
+        let run = common::Run { start, ticks, events: Vec::new() };
+        run.follows(&through, 0.02);
+        assert_eq!(cnc.report().moves, 4);
+    }
+}
+
+#[test]
+fn single_block_in_the_middle_of_short_blocks_stops_on_one_of_them() {
+    let machine = machine();
+    let line = |i: i32| format!("G1 X{:.3} Y{:.3} F6000\n", f64::from(i) * 0.1, (f64::from(i) * 0.05).sin());
+    let text: String = (1..200).map(line).collect();
+    let program = format!("G90\n{text}M30\n");
+    for at in [20, 60, 111, 180, 260] {
+        let mut cnc = cnc(&machine, &program);
+        cnc.cycle_start();
+        for _ in 0..at {
+            cnc.tick();
+        }
+        cnc.set_single_block(true);
+        until_it_stops(&mut cnc);
+        assert_eq!(cnc.state(), &State::BlockEnd);
+        let x = cnc.tick().position[Axis::X] * 10.0;
+        assert!((x - x.round()).abs() < 1e-9 && x > 0.0, "{x}");
+        cnc.cycle_start();
+        until_it_stops(&mut cnc);
+        let next = cnc.tick().position[Axis::X] * 10.0;
+        assert!((next - x - 1.0).abs() < 1e-9, "{x} {next}");
+        cnc.set_single_block(false);
+        cnc.cycle_start();
+        until_it_stops(&mut cnc);
+        assert_eq!((cnc.state(), cnc.report().moves), (&State::Ended, 199));
+    }
+}
+
+#[test]
+fn a_program_stops_once_behind_the_line_that_was_named() {
+    let mut cnc = cnc(&machine(), CORNERS);
+    cnc.stop_behind(Some((FileId(0), 2)));
+    cnc.cycle_start();
+    until_it_stops(&mut cnc);
+    assert_eq!((cnc.state(), cnc.stops_behind()), (&State::BlockEnd, None));
+    assert_eq!(cnc.tick().position, Position::xyz(20.0, 10.0, 0.0));
+    cnc.cycle_start();
+    until_it_stops(&mut cnc);
+    assert_eq!(cnc.state(), &State::Ended);
+}
+
+#[test]
+fn manual_intervention_returns_and_a_shift_stays() {
+    let machine = machine();
+    for (kind, end) in [(Interruption::Return, 50.0), (Interruption::Shift, 53.0)] {
+        let mut cnc = cnc(&machine, "G90 G1 X50 F3000\nM30\n");
+        cnc.cycle_start();
+        for _ in 0..400 {
+            cnc.tick();
+        }
+        cnc.feed_hold();
+        let held = settle(&mut cnc);
+        assert!(!cnc.jog_step(Axis::X, 3, 1.0), "nobody may unless it is said");
+        cnc.set_interruption(kind);
+        assert!(cnc.jog_step(Axis::X, 3, 1.0) && cnc.jog_step(Axis::Z, 2, 1.0));
+        let aside = settle(&mut cnc);
+        assert!((aside[Axis::X] - held[Axis::X] - 3.0).abs() < 1e-9 && aside[Axis::Z] == 2.0);
+        assert_eq!(cnc.state(), &State::Held);
+        cnc.cycle_start();
+        let mut back = false;
+        for _ in 0..20_000 {
+            let tick = cnc.tick();
+            back |= (tick.position - held).0.iter().all(|d| d.abs() < 1e-5);
+            if cnc.state() == &State::Ended {
+                break;
+            }
+        }
+        assert_eq!(cnc.state(), &State::Ended);
+        assert_eq!(back, kind == Interruption::Return);
+        let at = cnc.tick().position;
+        assert!((at[Axis::X] - end).abs() < 1e-9, "{at:?}");
+        // The work coordinates do not know of a shift.
+        assert_eq!(cnc.interpreter().position()[Axis::X], 50.0);
+        if kind == Interruption::Shift {
+            assert!((cnc.handwheel_shift()[Axis::X] - 3.0).abs() < 1e-9);
+            assert!(cnc.clear_handwheel_shift(None));
+            assert!((cnc.interpreter().position()[Axis::X] - 53.0).abs() < 1e-9);
+            assert!((cnc.tick().position[Axis::X] - 53.0).abs() < 1e-9);
+        }
+    }
+}
+
+#[test]
+fn reset_after_an_intervention_leaves_the_axes_and_their_coordinates_in_agreement() {
+    for kind in [Interruption::Return, Interruption::Shift] {
+        let mut cnc = cnc(&machine(), "G90 G1 X50 F3000\nM30\n");
+        cnc.set_interruption(kind);
+        cnc.cycle_start();
+        for _ in 0..400 {
+            cnc.tick();
+        }
+        cnc.feed_hold();
+        settle(&mut cnc);
+        cnc.jog_step(Axis::Y, 7, 1.0);
+        let aside = settle(&mut cnc);
+        cnc.reset();
+        for _ in 0..100 {
+            assert_eq!(cnc.tick().position, aside);
+        }
+        assert_eq!((cnc.state(), cnc.interpreter().position()), (&State::Reset, aside));
+        assert_eq!(cnc.handwheel_shift(), Position::ZERO);
+    }
+}
+
+#[test]
+fn locked_axes_stand_while_positions_go_on_and_nothing_is_lost_after() {
+    use std::sync::{Arc, Mutex};
+    struct Told(Arc<Mutex<Position>>);
+    impl ferrocut_controller::Drives for Told {
+        fn exchange(&mut self, commanded: &Position) -> Position {
+            *self.0.lock().unwrap() = *commanded;
+            *commanded
+        }
+    }
+    let told = Arc::new(Mutex::new(Position::ZERO));
+    let interpreter = common::interpreter("G90 G1 X50 F3000\nM30\n", "");
+    let mut cnc = Cnc::with_drives(&machine(), interpreter, Box::new(Told(told.clone())));
+    cnc.jog_step(Axis::X, 2, 1.0);
+    settle(&mut cnc);
+    assert!(cnc.set_machine_lock(true));
+    cnc.cycle_start();
+    for _ in 0..300 {
+        cnc.tick();
+        assert!(!cnc.set_machine_lock(false), "not while a program runs");
+    }
+    let ticks = until_it_stops(&mut cnc);
+    assert_eq!(ticks.last().unwrap().position[Axis::X], 50.0);
+    assert_eq!(told.lock().unwrap()[Axis::X], 2.0);
+    assert!(cnc.set_machine_lock(false));
+    assert_eq!(cnc.tick().position[Axis::X], 2.0);
+    assert_eq!((told.lock().unwrap()[Axis::X], cnc.interpreter().position()[Axis::X]), (2.0, 2.0));
+}
+
+#[test]
+fn dry_run_sets_the_speed_of_what_it_holds_for_and_takes_effect_on_the_way() {
+    let machine = machine();
+    let top = |ticks: &[Tick]| (ticks.iter().map(|t| t.velocity).fold(0.0, f64::max) * 60.0).round();
+    let dry = DryRun { speed: 4000.0 / 60.0, cutting: true, rapid: false };
+    let mut control = cnc(&machine, "G1 X60 F1000\nM30\n");
+    control.set_dry_run(Some(dry));
+    control.cycle_start();
+    assert_eq!(top(&until_it_stops(&mut control)), 4000.0);
+    let mut control = cnc(&machine, "G1 X60 F1000\nM30\n");
+    control.cycle_start();
+    let before: Vec<_> = (0..500).map(|_| control.tick()).collect();
+    assert_eq!(top(&before), 1000.0);
+    control.set_dry_run(Some(dry));
+    assert_eq!(top(&until_it_stops(&mut control)), 4000.0);
+    assert_eq!(control.tick().position[Axis::X], 60.0);
+    let mut control = cnc_with(&machine, "G0 X60\nM30\n", "[parameters]\n\"NO12.1\" = 1");
+    control.set_dry_run(Some(DryRun { rapid: true, cutting: false, speed: 50.0 }));
+    control.cycle_start();
+    assert_eq!(top(&until_it_stops(&mut control)), 3000.0);
+}
+
+#[test]
+fn an_interlock_holds_the_axes_and_the_program_goes_on_after_it() {
+    let mut cnc = cnc(&machine(), "G1 X60 F3000\nM30\n");
+    cnc.cycle_start();
+    for _ in 0..200 {
+        cnc.tick();
+    }
+    cnc.set_may_move(false);
+    for _ in 0..500 {
+        cnc.tick();
+    }
+    let at = cnc.tick().position;
+    assert_eq!((cnc.tick().position, cnc.state()), (at, &State::Running));
+    assert!(at[Axis::X] < 60.0);
+    cnc.set_may_move(true);
+    until_it_stops(&mut cnc);
+    assert_eq!(cnc.state(), &State::Ended);
+    assert_eq!(cnc.tick().position[Axis::X], 60.0);
+}

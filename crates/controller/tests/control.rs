@@ -1,0 +1,470 @@
+//! The whole control, played as an operator plays it: modes, keys, programs, alarms. Without a ladder: inputs are
+//! given as the ladder would give them.
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
+
+use ferrocut_controller::api::{Activity, Command, Event, OffsetValues, RelativeTo, Reply, Status};
+use ferrocut_controller::signals::{Inputs, RapidOverride, Ways};
+use ferrocut_controller::{Control, Mode, Parts};
+use ferrocut_machine::Machine;
+use ferrocut_memory::{Author, Session};
+
+fn person() -> Author {
+    Author::Person { session: Session::OPERATOR, name: "panel".into() }
+}
+
+/// An operator at a control.
+struct Shop {
+    control: Control,
+    inputs: Inputs,
+    events: Vec<Event>,
+}
+
+impl Shop {
+    fn new(parameters: &[(&str, f64)]) -> Shop {
+        let mut machine = Machine::demo_mill();
+        machine.spindle.acceleration_rpm_s = 40_000.0;
+        for (name, value) in parameters {
+            machine.parameters.insert((*name).to_owned(), *value);
+        }
+        let control = Control::new(&machine, Parts::default()).unwrap();
+        let mut shop = Shop { control, inputs: Control::free_inputs(Mode::Edit), events: Vec::new() };
+        shop.wait(2);
+        shop
+    }
+
+    fn wait(&mut self, periods: usize) -> Status {
+        for _ in 0..periods {
+            self.control.set_inputs(self.inputs.clone());
+            self.control.tick();
+        }
+        self.events.extend(self.control.events());
+        self.control.status()
+    }
+
+    fn mode(&mut self, mode: Mode) {
+        self.inputs.mode = mode;
+        self.wait(2);
+    }
+
+    fn start(&mut self) {
+        self.inputs.cycle_start = true;
+        self.wait(5);
+        self.inputs.cycle_start = false;
+        self.wait(1);
+    }
+
+    fn hold(&mut self) {
+        self.inputs.feed_hold = true;
+        self.wait(5);
+        self.inputs.feed_hold = false;
+        self.wait(1);
+    }
+
+    fn say(&mut self, command: Command) -> Reply {
+        self.control.command(command, &person()).unwrap()
+    }
+
+    fn refused(&mut self, command: Command) -> String {
+        self.control.command(command, &person()).unwrap_err().alarm.id
+    }
+
+    fn store(&mut self, program: &str, text: &str) {
+        self.say(Command::Store { program: program.into(), text: text.into() });
+    }
+
+    fn select(&mut self, program: &str) {
+        self.mode(Mode::Auto);
+        self.say(Command::Select { program: program.into() });
+    }
+
+    /// Until the control does something else than run.
+    fn until_it_stops(&mut self) -> Status {
+        for _ in 0..3000 {
+            let status = self.wait(100);
+            let is_at_rest = status.feed.actual == 0.0;
+            if is_at_rest
+                && !matches!(status.activity, Activity::Running | Activity::Returning | Activity::Resetting)
+            {
+                return status;
+            }
+        }
+        panic!("never stops: {:?}", self.control.status());
+    }
+
+    fn x(&self) -> f64 {
+        self.control.status().position.machine[&'X']
+    }
+
+    /// The refusals and alarms told since the last look.
+    fn told(&mut self) -> Vec<String> {
+        let told = std::mem::take(&mut self.events).into_iter().filter_map(|event| match event {
+            Event::Alarm { alarm } | Event::Refused { alarm } => Some(alarm.id),
+            _ => None,
+        });
+        told.collect()
+    }
+}
+
+const LONG: &str = "O1\nN1 G90 G94 G1 X20 F1200\nN2 X40 Y10\nN3 X60 Y0\nN4 X80\nM30\n";
+
+#[test]
+fn an_operator_powers_on_jogs_types_runs_holds_and_runs_again() {
+    let mut shop = Shop::new(&[]);
+    // Jog: 2000 mm/min as delivered, and to rest when the key is let go.
+    shop.mode(Mode::Jog);
+    shop.inputs.jog[0] = Ways { plus: true, minus: false };
+    let status = shop.wait(500);
+    assert_eq!((status.feed.actual.round(), status.activity), (2000.0, Activity::ByHand));
+    shop.inputs.jog[0] = Ways::default();
+    let status = shop.until_it_stops();
+    assert!(status.position.machine[&'X'] > 10.0 && status.activity == Activity::Idle);
+    shop.start();
+    assert_eq!(shop.told(), ["FC-1400"]);
+
+    // MDI: one block runs before the text of the page, whose codes stay.
+    shop.mode(Mode::Mdi);
+    shop.say(Command::Mdi { text: "G91 X5\nG90 S600 M3".into() });
+    shop.say(Command::MdiBlock { block: "G90 G0 X0".into() });
+    shop.start();
+    assert_eq!(shop.until_it_stops().position.machine[&'X'], 0.0);
+    shop.start();
+    let status = shop.until_it_stops();
+    assert_eq!((status.position.machine[&'X'], status.spindle.told), (5.0, 600.0));
+    assert_eq!(status.counters.parts, 0);
+
+    // AUTO, with hold, override and feed 0.
+    shop.store("O0001", LONG);
+    shop.select("O1");
+    shop.start();
+    assert_eq!(shop.wait(300).feed.actual.round(), 1200.0);
+    shop.inputs.feed_override = 0.5;
+    assert_eq!(shop.wait(200).feed.actual.round(), 600.0);
+    shop.hold();
+    let held = shop.wait(300);
+    assert_eq!((held.feed.actual, held.activity, held.program_mode), (0.0, Activity::Held, Some(Mode::Auto)));
+    assert_eq!(shop.refused(Command::Select { program: "O1".into() }), "FC-1401");
+    assert_eq!(shop.refused(Command::Store { program: "O0001".into(), text: "M30".into() }), "FC-1408");
+    // Another program may be written meanwhile.
+    shop.store("O0002", "G1 X1 F0\nM30\n");
+    shop.inputs.feed_override = 1.0;
+    shop.start();
+    let status = shop.until_it_stops();
+    assert_eq!((status.activity, status.counters.parts, status.program.cursor), (Activity::Idle, 1, 1));
+    assert_eq!(status.position.work[&'X'], 80.0);
+
+    // An alarm stands until reset, then the next start runs.
+    shop.select("O2");
+    shop.told();
+    shop.start();
+    let status = shop.until_it_stops();
+    assert_eq!((status.activity, status.alarms.len()), (Activity::Alarm, 1));
+    let alarms = shop.told();
+    assert_eq!(alarms.len(), 1);
+    shop.start();
+    assert_eq!(shop.told(), ["FC-1405"]);
+    shop.say(Command::Reset);
+    let status = shop.until_it_stops();
+    assert_eq!((status.activity, status.alarms.len(), status.spindle.told), (Activity::Idle, 0, 0.0));
+    assert!(shop.control.outputs().reset);
+    shop.select("O1");
+    shop.start();
+    assert_eq!(shop.until_it_stops().counters.parts, 2);
+}
+
+/// A run of LONG in its second block, at some speed.
+fn running(parameters: &[(&str, f64)]) -> Shop {
+    let mut shop = Shop::new(parameters);
+    shop.store("O0001", LONG);
+    shop.select("O1");
+    shop.start();
+    shop.wait(1500);
+    assert_eq!(shop.control.status().program.line, 3);
+    shop
+}
+
+#[test]
+fn a_change_to_a_mode_of_programs_finishes_the_block() {
+    for mode in [Mode::Edit, Mode::Mdi, Mode::Dnc] {
+        let mut shop = running(&[]);
+        shop.mode(mode);
+        assert!(shop.control.status().finishing_block);
+        // Feed hold has no effect now, cycle start none in EDIT.
+        shop.hold();
+        if mode == Mode::Edit {
+            shop.start();
+        }
+        let status = shop.until_it_stops();
+        assert_eq!((status.activity, status.position.machine[&'X']), (Activity::BlockEnd, 40.0), "{mode:?}");
+        shop.told();
+        shop.start();
+        assert_eq!(shop.told(), [if mode == Mode::Edit { "FC-1400" } else { "FC-1402" }]);
+        shop.mode(Mode::Auto);
+        shop.start();
+        let status = shop.until_it_stops();
+        assert_eq!((status.activity, status.counters.parts), (Activity::Idle, 1));
+    }
+}
+
+#[test]
+fn cycle_start_has_effect_until_the_block_is_finished() {
+    let mut shop = running(&[]);
+    shop.mode(Mode::Mdi);
+    shop.start();
+    assert!(!shop.control.status().finishing_block);
+    let status = shop.until_it_stops();
+    assert_eq!((status.activity, status.counters.parts), (Activity::Idle, 1));
+}
+
+#[test]
+fn a_change_to_a_mode_by_hand_stops_at_once() {
+    for mode in [Mode::Home, Mode::Jog, Mode::Step, Mode::Handle] {
+        let mut shop = running(&[]);
+        shop.mode(mode);
+        let status = shop.until_it_stops();
+        assert_eq!(status.activity, Activity::Held, "{mode:?}");
+        assert!(status.position.machine[&'X'] < 39.0);
+        shop.mode(Mode::Auto);
+        shop.start();
+        let status = shop.until_it_stops();
+        assert_eq!((status.activity, status.counters.parts, shop.x()), (Activity::Idle, 1, 80.0));
+    }
+}
+
+#[test]
+fn a_way_by_hand_is_given_back_or_stays_as_the_bit_says() {
+    for (mode, shifts, end) in [(Mode::Jog, 0.0, 0.0), (Mode::Handle, 0.0, 0.0), (Mode::Handle, 1.0, 0.5)] {
+        let mut shop = running(&[("NO56.3", shifts)]);
+        shop.hold();
+        shop.wait(300);
+        shop.mode(mode);
+        let before = shop.control.status().position;
+        if mode == Mode::Jog {
+            shop.inputs.jog[2] = Ways { plus: true, minus: false };
+            shop.wait(300);
+            shop.inputs.jog[2] = Ways::default();
+        } else {
+            (shop.inputs.handwheel_axis, shop.inputs.increment) = (Some(2), 2);
+            shop.say(Command::Handwheel { counts: 5 });
+        }
+        let moved = shop.until_it_stops().position;
+        assert!(moved.machine[&'Z'] > before.machine[&'Z'] + 0.4, "{mode:?}");
+        assert_eq!(shop.control.status().activity, Activity::Held);
+        if shifts == 1.0 {
+            assert_eq!((moved.work[&'Z'], moved.relative[&'Z'], moved.interruption[&'Z']), (0.0, 0.0, 0.5));
+        }
+        shop.mode(Mode::Auto);
+        shop.start();
+        let status = shop.until_it_stops();
+        assert_eq!(
+            (status.counters.parts, shop.x(), status.position.machine[&'Z']),
+            (1, 80.0, end),
+            "{mode:?}"
+        );
+        if shifts == 1.0 {
+            assert_eq!(status.position.work[&'Z'], 0.0);
+            shop.say(Command::ClearInterruption { axis: Some('Z') });
+            assert_eq!(shop.wait(1).position.work[&'Z'], 0.5);
+        }
+    }
+}
+
+#[test]
+fn single_block_and_the_stop_number_stop_where_they_should() {
+    let mut shop = Shop::new(&[]);
+    shop.store("O0001", LONG);
+    shop.select("O1");
+    shop.inputs.single_block = true;
+    for x in [20.0, 40.0] {
+        shop.start();
+        let status = shop.until_it_stops();
+        assert_eq!((status.activity, status.position.machine[&'X']), (Activity::BlockEnd, x));
+    }
+    shop.inputs.single_block = false;
+    shop.say(Command::Reset);
+    shop.wait(2);
+    // The cursor stays where the program was left (10#7 = 0): the run begins there (7.2).
+    assert_eq!(shop.control.status().program.cursor, 3);
+    shop.say(Command::Cursor { line: 2 });
+    shop.say(Command::StopAt { program: None, sequence: Some(3) });
+    shop.start();
+    let status = shop.until_it_stops();
+    assert_eq!((status.activity, shop.x()), (Activity::BlockEnd, 60.0));
+    shop.start();
+    assert_eq!(shop.until_it_stops().counters.parts, 1);
+    // Once is enough.
+    shop.start();
+    assert_eq!(shop.until_it_stops().counters.parts, 2);
+}
+
+#[test]
+fn a_run_begins_at_the_cursor() {
+    let mut shop = Shop::new(&[]);
+    shop.store("O0001", LONG);
+    shop.select("O1");
+    shop.say(Command::Cursor { line: 5 });
+    shop.mode(Mode::Mdi);
+    shop.say(Command::Mdi { text: "G1 F2000".into() });
+    shop.start();
+    shop.until_it_stops();
+    shop.mode(Mode::Auto);
+    shop.start();
+    let status = shop.until_it_stops();
+    assert_eq!((shop.x(), status.position.machine[&'Y'], status.counters.parts), (80.0, 0.0, 1));
+    shop.say(Command::Cursor { line: 500 });
+    shop.told();
+    shop.start();
+    assert_eq!(shop.told(), ["FC-1411"]);
+}
+
+#[test]
+fn emergency_stop_stops_axes_and_spindle_and_nothing_starts_before_it_is_released() {
+    let mut shop = Shop::new(&[]);
+    shop.store("O0001", "S1000 M3\nG1 X100 F3000\nM30\n");
+    shop.select("O1");
+    shop.start();
+    shop.wait(800);
+    shop.say(Command::EmergencyStop { pressed: true });
+    let status = shop.wait(200);
+    assert_eq!((status.activity, status.feed.actual, status.spindle.told), (Activity::Emergency, 0.0, 0.0));
+    let x = shop.x();
+    shop.told();
+    shop.start();
+    shop.mode(Mode::Jog);
+    shop.inputs.jog[0] = Ways { plus: true, minus: false };
+    shop.wait(200);
+    assert_eq!((shop.told(), shop.x()), (vec!["FC-1410".to_owned()], x));
+    shop.inputs.jog[0] = Ways::default();
+    shop.say(Command::EmergencyStop { pressed: false });
+    assert_eq!(shop.wait(2).activity, Activity::Idle);
+    shop.mode(Mode::Auto);
+    shop.say(Command::Cursor { line: 1 });
+    shop.start();
+    assert_eq!(shop.until_it_stops().counters.parts, 1);
+}
+
+#[test]
+fn locks_and_interlocks() {
+    let mut shop = Shop::new(&[]);
+    shop.store("O0001", "M1\nS1000 M3 T5\nM6\nG1 X100 F3000\nM30\n");
+    shop.select("O1");
+    shop.inputs.start_lock = true;
+    shop.start();
+    assert_eq!(shop.told(), ["FC-1404"]);
+    shop.inputs.start_lock = false;
+    // Machine lock and auxiliary lock: the part is counted, nothing was moved or put out.
+    (shop.inputs.machine_lock, shop.inputs.auxiliary_lock) = (true, true);
+    shop.wait(2);
+    shop.start();
+    let status = shop.until_it_stops();
+    assert_eq!((status.position.machine[&'X'], status.counters.parts, status.spindle.told), (100.0, 1, 0.0));
+    assert!(!shop.events.iter().any(|event| matches!(event, Event::ToolChange { .. })));
+    (shop.inputs.machine_lock, shop.inputs.auxiliary_lock) = (false, false);
+    assert_eq!(shop.wait(2).position.machine[&'X'], 0.0);
+    // Optional stop.
+    shop.inputs.optional_stop = true;
+    shop.start();
+    assert_eq!(shop.until_it_stops().activity, Activity::Stopped);
+    shop.start();
+    // An interlock holds the axes, and they go on.
+    shop.wait(8000);
+    shop.inputs.axes_may_move = false;
+    let x = shop.wait(500).position.machine[&'X'];
+    assert_eq!(shop.wait(100).position.machine[&'X'], x);
+    shop.inputs.axes_may_move = true;
+    assert_eq!(shop.until_it_stops().position.machine[&'X'], 100.0);
+}
+
+#[test]
+fn dry_run_runs_at_its_own_speed_where_the_bits_say() {
+    let mut shop = Shop::new(&[("P86", 3000.0), ("NO12.6", 1.0)]);
+    shop.store("O0001", "G1 X100 F600\nM30\n");
+    shop.select("O1");
+    shop.inputs.dry_run = true;
+    shop.start();
+    assert_eq!(shop.wait(400).feed.actual.round(), 3000.0);
+    shop.inputs.dry_run = false;
+    assert_eq!(shop.wait(800).feed.actual.round(), 600.0);
+}
+
+#[test]
+fn steps_and_the_rapid_key() {
+    let mut shop = Shop::new(&[]);
+    shop.mode(Mode::Step);
+    shop.inputs.increment = 3;
+    for _ in 0..3 {
+        shop.inputs.jog[0] = Ways { plus: true, minus: false };
+        shop.wait(10);
+        shop.inputs.jog[0] = Ways::default();
+        shop.wait(10);
+    }
+    shop.until_it_stops();
+    assert_eq!(shop.x(), 3.0);
+    shop.mode(Mode::Jog);
+    shop.inputs.manual_rapid = true;
+    shop.inputs.jog[0] = Ways { plus: true, minus: false };
+    assert_eq!(shop.wait(400).feed.actual.round(), 5000.0);
+    shop.inputs.rapid_override = RapidOverride::Lowest;
+    assert_eq!(shop.wait(400).feed.actual.round(), 30.0);
+    // A way that is forbidden is not gone.
+    shop.inputs.no_motion[0] = Ways { plus: true, minus: false };
+    assert_eq!(shop.wait(300).feed.actual, 0.0);
+}
+
+#[test]
+fn data_by_hand() {
+    let mut shop = Shop::new(&[]);
+    let values = OffsetValues { length: Some(-50.0), ..OffsetValues::default() };
+    shop.say(Command::SetOffset { number: 3, values, add: false });
+    shop.say(Command::SetOffset {
+        number: 3,
+        values: OffsetValues { length: Some(-0.5), ..values },
+        add: true,
+    });
+    let Reply::Offsets { offsets } = shop.say(Command::Offsets { from: 3, to: 3 }) else { panic!() };
+    assert_eq!(offsets[&3].length, Some(-50.5));
+    assert_eq!(shop.refused(Command::SetOffset { number: 9999, values, add: false }), "FC-1407");
+    // Variables and parameters in MDI.
+    assert_eq!(shop.refused(Command::SetVariable { number: 500, value: Some(1.5) }), "FC-1400");
+    shop.mode(Mode::Mdi);
+    shop.say(Command::SetVariable { number: 500, value: Some(1.5) });
+    shop.say(Command::Mdi { text: "G0 X#500".into() });
+    shop.start();
+    shop.until_it_stops();
+    assert_eq!(shop.x(), 1.5);
+    shop.say(Command::SetParameter { name: "P98".into(), value: Some(1000.0) });
+    assert_eq!(shop.refused(Command::SetParameter { name: "P98".into(), value: Some(-1.0) }), "FC-1206");
+    assert_eq!(shop.refused(Command::SetParameter { name: "HAT".into(), value: Some(1.0) }), "FC-1206");
+    // The place of the axis gets a coordinate: 1.5 = zero + 10.
+    shop.say(Command::ZeroHere { system: "G54".into(), axes: [('X', 10.0)].into() });
+    let position = shop.wait(1).position;
+    assert_eq!((position.work[&'X'], position.machine[&'X']), (10.0, 1.5));
+    let Reply::Zeros { zeros } = shop.say(Command::Zeros) else { panic!() };
+    assert_eq!(zeros["G54"][&'X'], -8.5);
+    // Relative: zero, then the half of 4.
+    shop.say(Command::Relative { axis: 'X', to: RelativeTo::Zero });
+    shop.say(Command::Mdi { text: "G91 G0 X4".into() });
+    shop.start();
+    shop.until_it_stops();
+    shop.say(Command::Relative { axis: 'X', to: RelativeTo::Half });
+    assert_eq!(shop.wait(1).position.relative[&'X'], 2.0);
+    assert_eq!(shop.refused(Command::Relative { axis: 'W', to: RelativeTo::Zero }), "FC-0212");
+    assert_eq!(shop.refused(Command::Key { key: "KEY_START".into(), down: true }), "FC-1406");
+}
+
+#[test]
+fn subprograms_come_from_the_memory_and_dnc_from_outside() {
+    let mut shop = Shop::new(&[]);
+    shop.store("O0007", "O7\nG91 G1 X1 F3000\nG90\nM99\n");
+    shop.store("O0001", "M98 P7 L3\nM30\n");
+    shop.select("O1");
+    shop.start();
+    assert_eq!((shop.until_it_stops().counters.parts, shop.x()), (1, 3.0));
+    shop.mode(Mode::Dnc);
+    shop.told();
+    shop.start();
+    assert_eq!(shop.told(), ["FC-1403"]);
+    shop.say(Command::Dnc { text: "G1 X10 F3000\nX2".into(), first: true, last: false });
+    shop.say(Command::Dnc { text: "0\nM98 P7\nM30\n".into(), first: false, last: true });
+    shop.start();
+    assert_eq!((shop.until_it_stops().counters.parts, shop.x()), (2, 21.0));
+}

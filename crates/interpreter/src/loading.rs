@@ -1,0 +1,137 @@
+//! Another program on the same control: what a program leaves behind stays, only the order of blocks begins anew.
+//!
+//! A control has one modal state, whatever runs: blocks that the operator types set codes for the program that is
+//! started after them (GSK990MC part 2, 7.4).
+
+use crate::barrier::Present;
+use crate::custom::CustomCodes;
+use crate::flow::Flow;
+use crate::interpreter::Interpreter;
+use crate::modal::Group;
+use crate::output::Output;
+use crate::stages::work_offset::System;
+use ferrocut_geometry::Position;
+use ferrocut_machine::{Alarm, Memory};
+use ferrocut_program::{FileId, ProgramMemory};
+use std::io;
+
+impl Interpreter {
+    /// Takes other programs; the first block of the main one comes next. Modal codes, words, offsets and variables
+    /// stay as they are. The axes are at rest at `machine`. Gives the programs back that it had.
+    pub fn load(&mut self, programs: ProgramMemory, machine: Position) -> ProgramMemory {
+        let old = std::mem::replace(&mut self.programs, programs);
+        self.origins = None;
+        self.rewind(machine);
+        let found = self.dialect.custom.map(|custom| CustomCodes::find(custom, &mut self.programs));
+        self.custom = match found {
+            Some(Ok(custom)) => custom,
+            Some(Err(error)) => {
+                self.note(Interpreter::unreadable_programs(&error));
+                None
+            }
+            None => None,
+        };
+        old
+    }
+
+    /// The first block of the main program comes next, whatever was to come. Modal codes, words, offsets and
+    /// variables stay as they are. The axes are at rest at `machine`.
+    pub fn rewind(&mut self, machine: Position) {
+        self.cycle.drop_holes();
+        self.leave_zone();
+        self.described.reset();
+        self.data_setting = None;
+        self.technology.data_code = 11.0;
+        self.pass_state = None;
+        self.alarms.clear();
+        // The compensated path of the program before is no path of this one.
+        let initial = (self.dialect.power_on)(&self.memory.parameters);
+        let cutter = initial.codes().find(|code| code.group == Group::Cutter).map(|code| code.group_number);
+        self.modal = self.modal.reset_to(&initial, |group| Some(group) == cutter);
+        self.flow = Flow::new();
+        self.present = Present::default();
+        self.ended = false;
+        self.parameters_changed();
+        self.output = Output::new(self.rules.cutter, machine);
+        self.location.machine = machine;
+        self.location.take_machine();
+        self.ngc.at = self.ngc.program_of(machine);
+    }
+
+    /// The block of the main program that stands on `line`, counted from 1, comes next: the first one from there on
+    /// (GSK990MC part 2, 7.4). What is passed over has no effect. `false` where there is none.
+    pub fn start_at(&mut self, line: u32) -> io::Result<bool> {
+        let found = self.programs.block_from_line(FileId(0), line)?;
+        if let Some(place) = found {
+            self.flow.start_at(place);
+        }
+        Ok(found.is_some())
+    }
+
+    /// How the operator's switches stand, for the blocks that are read from now on.
+    pub fn set_switches(&mut self, block_skip: bool, optional_stop: bool) {
+        self.options.block_skip = block_skip;
+        self.options.optional_stop = optional_stop;
+    }
+
+    /// Whether the text of the main program may end without an end of program, as blocks do that the operator types.
+    pub fn set_open_end(&mut self, open: bool) {
+        self.options.open_end = open;
+    }
+
+    /// What the machine remembers, to be changed by others than the program. After parameters
+    /// [`parameters_changed`](Self::parameters_changed) is called, after zeros
+    /// [`zeros_changed`](Self::zeros_changed).
+    pub fn memory_mut(&mut self) -> &mut Memory {
+        &mut self.memory
+    }
+
+    /// Parameters were changed: what follows from them does too.
+    pub fn parameters_changed(&mut self) {
+        self.rules = (self.dialect.rules)(&self.memory.parameters);
+        self.output.set_rules(self.rules.cutter);
+    }
+
+    /// Zeros were changed: the coordinates of the place where the axes stand change with them.
+    pub fn zeros_changed(&mut self) {
+        self.work_zero_changed();
+    }
+
+    /// Counts up when the program changes what the machine remembers.
+    pub fn writes(&self) -> u64 {
+        self.variable_writes
+    }
+
+    /// The work coordinate system in force, as the program calls it.
+    pub fn work_system(&self) -> Option<ferrocut_machine::WorkOffset> {
+        match self.location.work.system {
+            System::Table(name) => Some(name),
+            System::Floating => None,
+        }
+    }
+
+    /// Machine position of the tool tip at the zero of the work coordinate system: its zero and the tool length.
+    pub fn program_zero(&self) -> Position {
+        self.location.work.shift + self.location.length.vector
+    }
+
+    /// The last F word in mm/min, and S in r/min.
+    pub fn feed_and_speed(&self) -> (f64, f64) {
+        (self.technology.feed_per_minute, self.technology.speed.unwrap_or(0.0))
+    }
+
+    /// Numbers of the offsets in force: H and D.
+    pub fn offsets_in_force(&self) -> (u16, f64) {
+        (self.location.length.number, self.technology.radius_number)
+    }
+
+    /// The tool in the spindle, and the one that was called last.
+    pub fn tools(&self) -> (u32, u32) {
+        (self.technology.in_spindle, self.technology.tool)
+    }
+
+    /// The alarm that the dialect has for a fault.
+    pub fn alarm_of(&self, fault: ferrocut_machine::Fault) -> Alarm {
+        *self.alarm(fault, ferrocut_program::Span::default())
+    }
+}
