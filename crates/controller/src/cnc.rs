@@ -28,8 +28,11 @@ use ferrocut_motion::{Motion, Move};
 use ferrocut_program::Span;
 use ferrocut_toolpath::{Dwell, Feed, Op, PathMode, SpindleState, Step};
 use overtravel::Overtravel;
+use sent::Sent;
 use skip::Probing;
 use std::collections::VecDeque;
+
+mod sent;
 
 /// What the control is doing.
 #[derive(Clone, PartialEq, Debug)]
@@ -190,6 +193,7 @@ pub struct Cnc {
     failed: Option<Box<Alarm>>,
     /// The ladder, where the machine has one.
     auxiliary: Option<Box<Auxiliary>>,
+    sent: Sent,
 }
 
 impl Cnc {
@@ -246,6 +250,7 @@ impl Cnc {
             events: Vec::new(),
             failed: None,
             auxiliary: None,
+            sent: Sent::default(),
         };
         if !knows_places {
             cnc.set_referenced(AxisSet::EMPTY);
@@ -369,6 +374,7 @@ impl Cnc {
         self.manual.stop();
         self.homing.abort();
         self.probing = None;
+        self.forget_held();
         self.synchron.stop();
         self.hole = None;
         self.motion.abort();
@@ -449,6 +455,7 @@ impl Cnc {
     /// Goes on by one servo period.
     pub fn tick(&mut self) -> Tick {
         self.serve_ladder();
+        self.wait_for_more();
         let tick = self.period();
         if self.stroke.is_none_or(|stroke| !stroke.has_begun) {
             self.spindle.tick(self.period);
@@ -489,6 +496,7 @@ impl Cnc {
                 }
                 match self.waiting.take() {
                     Some(waiting) => self.act(waiting),
+                    None if self.is_between_lines() => return self.at_rest(),
                     None if self.hands_over_speed() => {}
                     None => self.state = State::Ended,
                 }
@@ -776,11 +784,20 @@ impl Cnc {
     fn take_steps(&mut self) {
         let is_free = |cnc: &Cnc| cnc.waiting.is_none() && cnc.busy.is_none() && cnc.stroke.is_none();
         while is_free(self) && self.state == State::Running && self.motion.free() > 0 {
-            match self.next_step() {
+            if let Some(step) = self.sent.next_jog() {
+                self.give(step);
+                continue;
+            }
+            if self.sent.is_jogging {
+                return;
+            }
+            match self.interpreter.next() {
+                None if self.interpreter.is_starved() => return,
                 None => {
                     self.motion.finish();
                     return;
                 }
+                Some(Err(alarm)) if self.sent.refuses => self.sent.refused.push(alarm),
                 Some(Err(alarm)) => self.wait_for(Waiting::Alarm(alarm)),
                 Some(Ok(step)) => self.take_step(step),
             }
@@ -804,6 +821,11 @@ impl Cnc {
         if let Some(alarm) = refused {
             return self.wait_for(Waiting::Alarm(alarm));
         }
+        self.give(step);
+    }
+
+    /// Gives a move to motion; any other step waits for it to come to rest.
+    fn give(&mut self, step: Step) {
         let is_thread = matches!(step.op, Op::Tap { .. });
         if self.hole.is_some() && !is_thread && !matches!(step.op, Op::Dwell(_)) {
             // A program that leaves the thread by another move.

@@ -74,6 +74,7 @@
 //! | `Ladder` | `word` |
 //! | `MemoryOfOther`, `BackupOfOther` | `name` |
 //! | `MemoryDisk` | `reason` |
+//! | `CannotServe` | `place`, `reason` |
 //! | `MemoryMissing` | `file`: the folder |
 //! | `NotABackup` | `file`; `version` of a later one |
 //! | `BackupDamaged` | `file`, `line` |
