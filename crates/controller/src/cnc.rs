@@ -12,6 +12,7 @@ mod ladder;
 mod loading;
 mod overtravel;
 mod reference;
+mod sent;
 mod skip;
 mod switches;
 
@@ -37,6 +38,7 @@ use ferrocut_program::Span;
 use ferrocut_toolpath::{Dwell, Feed, Op, PathMode, SpindleState, Step};
 use interruption::Aside;
 use overtravel::Overtravel;
+use sent::Sent;
 use skip::Probing;
 use std::collections::VecDeque;
 use switches::Switches;
@@ -222,6 +224,7 @@ pub struct Cnc {
     braking: [f64; 2],
     /// The code that the program ended by.
     ended_by: Option<u32>,
+    sent: Sent,
 }
 
 impl Cnc {
@@ -285,6 +288,7 @@ impl Cnc {
             velocity: 0.0,
             braking: braking(machine),
             ended_by: None,
+            sent: Sent::default(),
         };
         if !knows_places {
             cnc.set_referenced(AxisSet::EMPTY);
@@ -430,6 +434,7 @@ impl Cnc {
         self.manual.stop();
         self.homing.abort();
         self.probing = None;
+        self.forget_held();
         self.synchron.stop();
         self.hole = None;
         self.motion.abort();
@@ -524,6 +529,7 @@ impl Cnc {
     /// Goes on by one servo period.
     pub fn tick(&mut self) -> Tick {
         self.serve_ladder();
+        self.wait_for_more();
         let tick = self.period();
         if self.stroke.is_none_or(|stroke| !stroke.has_begun) {
             self.spindle.tick(self.period);
@@ -570,6 +576,7 @@ impl Cnc {
                 }
                 match self.waiting.take() {
                     Some(waiting) => self.act(waiting),
+                    None if self.is_between_lines() => return self.at_rest(),
                     None if self.hands_over_speed() => {}
                     None => {
                         self.ended_by = None;
@@ -877,8 +884,16 @@ impl Cnc {
         }
         let is_free = |cnc: &Cnc| cnc.waiting.is_none() && cnc.busy.is_none() && cnc.stroke.is_none();
         while is_free(self) && self.state == State::Running && self.motion.free() > 0 {
+            if let Some(step) = self.sent.next_jog() {
+                self.give(step);
+                continue;
+            }
+            if self.sent.is_jogging {
+                return;
+            }
             match self.next_step() {
                 None => return,
+                Some(Err(alarm)) if self.sent.refuses => self.sent.refused.push(alarm),
                 Some(Err(alarm)) => self.wait_for(Waiting::Alarm(alarm)),
                 Some(Ok(step)) => self.take_step(step),
             }
@@ -886,14 +901,17 @@ impl Cnc {
     }
 
     fn wait_for(&mut self, what: Waiting) {
-        let span = match &what {
+        self.blocks.waiting = Some(self.taken(self.span_of(&what)));
+        self.waiting = Some(what);
+        self.motion.finish();
+    }
+
+    fn span_of(&self, waiting: &Waiting) -> Span {
+        match waiting {
             Waiting::Step(step) => step.span,
             Waiting::Alarm(alarm) => alarm.span,
             Waiting::Skip => self.given.back().map_or(self.span, |given| given.span),
-        };
-        self.blocks.waiting = Some(self.taken(span));
-        self.waiting = Some(what);
-        self.motion.finish();
+        }
     }
 
     fn take_step(&mut self, mut step: Step) {
@@ -908,6 +926,11 @@ impl Cnc {
         if let Some(alarm) = refused {
             return self.wait_for(Waiting::Alarm(alarm));
         }
+        self.give(step);
+    }
+
+    /// Gives a move to motion; any other step waits for it to come to rest.
+    fn give(&mut self, step: Step) {
         let is_thread = matches!(step.op, Op::Tap { .. });
         if self.hole.is_some() && !is_thread && !matches!(step.op, Op::Dwell(_)) {
             // A program that leaves the thread by another move.

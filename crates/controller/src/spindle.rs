@@ -77,6 +77,19 @@ impl Spindle {
         change / self.rate
     }
 
+    /// Speed that it was told, r/min; clockwise positive.
+    pub fn told(&self) -> f64 {
+        self.told
+    }
+
+    /// Tells it a speed, r/min, clockwise positive; the time until it has it, s.
+    pub fn tell(&mut self, rpm: f64) -> f64 {
+        let change = (rpm - self.told).abs();
+        self.told = rpm.clamp(-self.max, self.max);
+        self.rest_at = None;
+        change / self.rate
+    }
+
     /// Brings it to rest at an angle from the marker, degrees; the time until then, s. A spindle at rest turns on
     /// to the angle, with half of the way to run up and half to brake.
     pub fn orient(&mut self, degrees: f64) -> f64 {

@@ -12,7 +12,7 @@ use ferrocut_toolpath::{Op, Speed, Step};
 const ON_LIMIT: f64 = 1e-6;
 
 /// Follows the steps of a program and tells what the machine has against them.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Supervisor {
     dialect: &'static Dialect,
     axes: Vec<AxisLimits>,
@@ -72,6 +72,15 @@ impl Supervisor {
         for limits in self.axes.iter_mut().filter(|limits| limits.axis == axis) {
             limits.holds = holds;
         }
+    }
+
+    /// What the machine has against a move by hand from `from`, which nothing is noted of.
+    pub fn refusal(&self, from: Position, step: &Step) -> Option<Box<Alarm>> {
+        let mut asked = self.clone();
+        asked.at = from;
+        let mut refused = None;
+        asked.travel(step, &mut |alarm| refused = refused.take().or(Some(Box::new(alarm))));
+        refused
     }
 
     /// Tells each thing that the machine has against a step. A tool that stays beyond a limit, or a

@@ -8,15 +8,14 @@ use ferrocut_controller::{Activity, Cnc, Drives, State};
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_machine::{AlarmId, Backlash, Fault, Machine, PitchErrors, Smoothing};
 use proptest::prelude::*;
-use std::cell::RefCell;
-use std::rc::Rc;
+use std::sync::{Arc, Mutex};
 
 /// Drives that write down what they are told, and do it.
-struct Recorder(Rc<RefCell<Vec<Position>>>);
+struct Recorder(Arc<Mutex<Vec<Position>>>);
 
 impl Drives for Recorder {
     fn exchange(&mut self, commanded: &Position) -> Position {
-        self.0.borrow_mut().push(*commanded);
+        self.0.lock().unwrap().push(*commanded);
         *commanded
     }
 }
@@ -91,13 +90,13 @@ fn drives_are_told_the_compensated_position_and_nobody_else() {
     });
     let program = "G0 X50 Y50\nX20\nG4 X0.1\nM30\n";
     let (_, plain) = ended(&common::machine(), program);
-    let told = Rc::new(RefCell::new(Vec::new()));
+    let told = Arc::new(Mutex::new(Vec::new()));
     let drives = Box::new(Recorder(told.clone()));
     let run = run(&mut Cnc::with_drives(&machine, interpreter(program, ""), drives));
     let positions = |run: &Run| run.ticks.iter().map(|t| t.position).collect::<Vec<_>>();
     assert_eq!(positions(&run), positions(&plain));
     assert!(run.ticks.iter().all(|t| t.actual == t.position));
-    let last = *told.borrow().last().unwrap();
+    let last = *told.lock().unwrap().last().unwrap();
     assert!((last - Position::xyz(19.98, 50.05, 0.0)).0.iter().all(|d| d.abs() < 1e-12), "{last:?}");
 }
 

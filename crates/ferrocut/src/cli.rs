@@ -88,6 +88,20 @@ pub enum Command {
     Memory(MemoryArgs),
     /// Ladders of the PLC: check them, run them at a desk, import them from PLCopen XML
     Plc(PlcArgs),
+    /// Offer the machine to other programs on this computer: Grbl senders (UGS, CNCjs, bCNC)
+    #[command(
+        long_about = "Offer the machine to other programs on this computer.\n\n\
+            With --grbl the machine speaks the protocol of Grbl 1.1, so that senders made for it connect,\n\
+            home, jog, stream programs, hold, override and read positions. Programs are RS274/NGC as Grbl\n\
+            takes it, run with look-ahead, within the limits of the machine file, at true speed.\n\n\
+            tcp:PORT listens on this computer only (0 lets the system choose); pty makes a pseudo-terminal\n\
+            that looks like a serial port. What was opened is printed in one line: `grbl tcp 127.0.0.1:2323`.\n\n\
+            docs/serve.md says how each sender is connected, and what differs from Grbl.",
+        after_help = "Examples:\n  \
+            ferrocut serve --headless --grbl tcp:2323\n  \
+            ferrocut serve --headless --grbl pty --machine mill.toml"
+    )]
+    Serve(ServeArgs),
 }
 
 /// What every command that reads a program takes.
@@ -249,6 +263,26 @@ pub struct PlotArgs {
     /// Rapid override in percent, 1 to 100
     #[arg(long, value_name = "PERCENT", default_value_t = 100.0, value_parser = percent::<100>)]
     pub rapid_override: f64,
+    /// What every command takes.
+    #[command(flatten)]
+    pub common: Common,
+}
+
+/// `ferrocut serve`
+#[derive(Args)]
+pub struct ServeArgs {
+    /// Without a panel
+    #[arg(long, required = true)]
+    pub headless: bool,
+    /// Where Grbl senders connect: tcp:PORT or pty
+    #[arg(long, value_name = "WHERE")]
+    pub grbl: crate::commands::serve::GrblAt,
+    /// Run the machine before all other work of this computer, where it lets us: 1 to 99 (SCHED_FIFO)
+    #[arg(long, value_name = "PRIORITY", value_parser = clap::value_parser!(u8).range(1..=99))]
+    pub priority: Option<u8>,
+    /// Say on standard error every so many seconds how long the periods took and how late they began
+    #[arg(long, value_name = "SECONDS")]
+    pub timing: Option<u64>,
     /// What every command takes.
     #[command(flatten)]
     pub common: Common,

@@ -70,6 +70,16 @@ impl Failure {
         Failure::wrong_use(Fault::PlotSetting).with("setting", setting).with("value", value)
     }
 
+    /// A configuration that cannot be used.
+    pub fn config(file: &str, reason: &str) -> Failure {
+        Failure::wrong_use(Fault::ConfigUnusable).with("file", file).with("reason", reason)
+    }
+
+    /// A place where nobody can be served.
+    pub fn cannot_serve(place: &str, reason: &str) -> Failure {
+        Failure::wrong_use(Fault::CannotServe).with("place", place).with("reason", reason)
+    }
+
     /// A file that is no drawing.
     pub fn no_drawing(file: &str) -> Failure {
         Failure::wrong_use(Fault::NoDrawing).with("file", file)

@@ -164,6 +164,17 @@ impl Flow {
         self.place
     }
 
+    /// Begins a program in the middle of a text, of which `lines` were read.
+    pub(crate) fn go_on_at(&mut self, place: Place, lines: u32) {
+        self.place = place;
+        self.last.line = lines;
+    }
+
+    /// Line of the block run last.
+    pub(crate) fn last_line(&self) -> u32 {
+        self.last.line
+    }
+
     /// The block being executed.
     pub(crate) fn executing(&self) -> Place {
         Place { block: self.place.block.saturating_sub(1), ..self.place }
@@ -312,6 +323,7 @@ impl Interpreter {
     /// Runs one block.
     pub(crate) fn run_block(&mut self) -> Fallible<()> {
         self.flow.idle += 1;
+        self.starved = false;
         if let Some(suspended) = self.flow.resumed.take() {
             return self.resume(*suspended);
         }
@@ -323,6 +335,12 @@ impl Interpreter {
         let (page, index) = match self.flow.next(&mut self.programs) {
             Ok(Some(found)) => found,
             Ok(None) => return self.end_of_text(),
+            // What follows was not sent yet.
+            Err(error) if error.kind() == io::ErrorKind::WouldBlock => {
+                self.flow.idle = 0;
+                self.starved = true;
+                return Ok(());
+            }
             Err(error) => {
                 self.ended = true;
                 return Err(self.unreadable(error, self.flow.last));
@@ -363,6 +381,10 @@ impl Interpreter {
     }
 
     pub(crate) fn unreadable(&self, error: io::Error, span: Span) -> Box<Alarm> {
+        // A jump, a loop or a search in a program of which only the next lines are there.
+        if matches!(error.kind(), io::ErrorKind::WouldBlock | io::ErrorKind::NotSeekable) {
+            return self.alarm(Fault::LinesNotKept, span);
+        }
         Box::new(Alarm::core(Fault::FileUnreadable, span).with("reason", error.to_string()))
     }
 

@@ -229,6 +229,8 @@ pub struct Interpreter {
     /// State of RS274/NGC.
     pub(crate) ngc: State,
     pub(crate) ended: bool,
+    /// All that came of a program that is sent was run.
+    pub(crate) starved: bool,
     pub(crate) output: Output,
     pub(crate) alarms: VecDeque<Box<Alarm>>,
     /// The drawing that the main program was made from.
@@ -330,6 +332,7 @@ impl Interpreter {
             pass_state: None,
             ngc: State::new(work.shift, options.start),
             ended: false,
+            starved: false,
             output,
             alarms,
             origins: None,
@@ -455,7 +458,8 @@ impl Interpreter {
         self.data_setting = None;
         self.technology.data_code = 11.0;
         self.pass_state = None;
-        self.flow = Flow::new();
+        // What was sent of a program and not run is forgotten with it.
+        self.begin_at(None);
         self.alarms.clear();
         self.present = Present::default();
         self.ended = false;
@@ -528,6 +532,14 @@ impl Interpreter {
         self.alarms.push_back(alarm);
     }
 
+    /// Whether steps, alarms or holes of the block run last are still to be given out.
+    pub(crate) fn has_more_of_block(&self) -> bool {
+        !self.output.is_empty()
+            || !self.alarms.is_empty()
+            || self.described.is_running()
+            || self.has_holes_left()
+    }
+
     pub(crate) fn fingerprint(&self) -> Fingerprint {
         Fingerprint {
             modal: self.modal,
@@ -568,6 +580,9 @@ impl Interpreter {
             }
             if let Err(alarm) = self.run_block() {
                 self.stop_by(alarm);
+            }
+            if self.starved {
+                return None;
             }
         }
     }

@@ -76,6 +76,11 @@ impl Output {
         self.queue.steps.pop_front()
     }
 
+    /// Whether no step waits to be given out.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.queue.steps.is_empty()
+    }
+
     /// Whether steps pass by the stages.
     #[inline]
     fn is_direct(&self) -> bool {

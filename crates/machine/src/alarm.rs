@@ -666,6 +666,12 @@ faults! {
     ReferenceByProgram = 1435,
     /// An axis is on its travel switch.
     HardLimit = 1436,
+
+    // 1460: programs and commands over a connection
+    /// A jump, loop or search in a program of which only the next lines are kept.
+    LinesNotKept = 1460,
+    /// A port, socket or terminal that cannot be opened.
+    CannotServe = 1461,
 }
 
 /// How bad it is.

@@ -78,6 +78,7 @@
 //! | `NotKept` | `reason` |
 //! | `MemoryOfOther`, `BackupOfOther` | `name` |
 //! | `MemoryDisk` | `reason` |
+//! | `CannotServe` | `place`, `reason` |
 //! | `MemoryMissing` | `file`: the folder |
 //! | `NotABackup` | `file`; `version` of a later one |
 //! | `BackupDamaged` | `file`, `line` |

@@ -8,7 +8,9 @@
 //! text at a time) → [`page`] (blocks, words, expression nodes, flat) → [`memory`] (the programs, and
 //! reading them block by block). Read [`page`] first.
 //!
-//! Flat programs stream: a file is lexed page by page, and only the pages last used are kept.
+//! Flat programs stream: a file is lexed page by page, and only the pages last used are kept. A main program
+//! may also be sent bit by bit ([`Text::sent`]): it is read as far as it came, and lines that are done are given
+//! back.
 
 pub mod encoding;
 pub mod expression;
@@ -17,6 +19,7 @@ pub mod memory;
 pub mod names;
 pub mod number;
 pub mod page;
+mod sent;
 pub mod span;
 pub mod syntax;
 pub mod text;
@@ -30,6 +33,7 @@ pub use page::{
     Argument, Block, Defect, DefectKind, Directive, ExprRange, Label, OKeyword, OWord, Page, Statement,
     TextRange, Value, Word,
 };
+pub use sent::{MOST_KEPT, Refused};
 pub use span::{FileId, Span};
 pub use syntax::{Keyword, Syntax, numbered_axis, numbered_axis_name};
 pub use text::{OpenError, Text};

@@ -7,9 +7,10 @@
 use crate::lexer::{self, Start};
 use crate::names::Names;
 use crate::page::{Page, Value};
+use crate::sent::Refused;
 use crate::span::{FileId, Span};
 use crate::syntax::Syntax;
-use crate::text::{OpenError, Text};
+use crate::text::{OpenError, Text, given_back};
 use std::collections::{HashMap, VecDeque};
 use std::io;
 use std::ops::Range;
@@ -65,7 +66,7 @@ impl ProgramId {
 }
 
 /// Programs that can be called and are neither files added nor files of the folder: those of a control's memory.
-pub trait Source: std::fmt::Debug {
+pub trait Source: std::fmt::Debug + Send {
     /// The name and text of a program.
     fn find(&mut self, id: &ProgramId) -> Option<(String, Text)>;
 }
@@ -92,7 +93,10 @@ struct PageSlot {
 struct ProgramFile {
     name: Box<str>,
     text: Text,
-    slots: Vec<PageSlot>,
+    /// The pages from `first` on that were read.
+    slots: VecDeque<PageSlot>,
+    /// Number of the first page that is not given back.
+    first: u32,
     /// Where the page after the last slot starts; `None` once the end is known.
     next: Option<Start>,
     /// Number of its last line, once the end is known.
@@ -168,7 +172,8 @@ impl ProgramMemory {
         self.files.push(ProgramFile {
             name,
             text,
-            slots: Vec::new(),
+            slots: VecDeque::new(),
+            first: 0,
             next,
             last_line: None,
             programs: None,
@@ -260,12 +265,67 @@ impl ProgramMemory {
         text.slice(span).map(|bytes| text.encoding().decode(&bytes).into_owned()).unwrap_or_default()
     }
 
+    /// More of a main program that is sent bit by bit. Refused as a whole where there is no room.
+    pub fn append(&mut self, bytes: &[u8]) -> Result<(), Refused> {
+        self.files.first_mut().map_or(Err(Refused::Ended), |file| file.text.append(bytes))
+    }
+
+    /// Nothing more of the main program comes.
+    pub fn end_text(&mut self) {
+        if let Some(file) = self.files.first_mut() {
+            file.text.end();
+        }
+    }
+
+    /// Lines of a main program that is sent are not needed any more before `offset`.
+    pub fn give_back(&mut self, offset: u64) {
+        let Some(file) = self.files.first_mut().filter(|file| file.text.is_sent()) else { return };
+        // What was not read yet stays.
+        let offset = file.next.map_or(offset, |next| next.offset.min(offset));
+        let ends = |file: &ProgramFile| match file.slots.get(1) {
+            Some(second) => Some(second.start.offset),
+            None => file.next.map(|next| next.offset),
+        };
+        while !file.slots.is_empty() && ends(file).is_some_and(|end| end <= offset) {
+            file.slots.pop_front();
+            file.first = file.first.saturating_add(1);
+        }
+        file.text.give_back(offset);
+        let first = file.first;
+        while let Some((_, _, bytes)) = self.kept.pop_front_if(|(id, number, _)| id.0 == 0 && *number < first)
+        {
+            self.kept_bytes -= bytes;
+        }
+    }
+
+    /// How many lines of the main program were read.
+    pub fn lines_read(&self) -> u32 {
+        let next = self.files.first().and_then(|file| file.next);
+        next.map_or(0, |next| next.line.saturating_sub(1))
+    }
+
+    /// Forgets what of a main program that is sent was not read; where the next line will stand.
+    pub fn forget_unread(&mut self) -> Option<Place> {
+        let file = self.files.first_mut().filter(|file| file.text.is_sent())?;
+        let next = file.next?;
+        let lines = file.text.forget(next.offset);
+        let line = next.line.saturating_add(lines);
+        file.next = Some(Start { offset: file.text.len(), line, is_head: true, ..next });
+        file.first = file.first.saturating_add(u32::try_from(file.slots.len()).unwrap_or(u32::MAX));
+        file.slots.clear();
+        Some(Place { file: FileId(0), page: file.first, block: 0 })
+    }
+
     /// The page with this number, counted from 0; `None` past the end of the file. Pages before it that
     /// were not read yet are read first, to find where it starts.
+    ///
+    /// Of a text that is sent bit by bit, a page that did not come yet is [`io::ErrorKind::WouldBlock`], and one
+    /// that was given back [`io::ErrorKind::NotSeekable`].
     pub fn page(&mut self, id: FileId, number: u32) -> io::Result<Option<Arc<Page>>> {
         loop {
             let Some(file) = self.files.get_mut(usize::from(id.0)) else { return Ok(None) };
-            if let Some(slot) = file.slots.get(number as usize) {
+            let Some(index) = number.checked_sub(file.first) else { return Err(given_back()) };
+            if let Some(slot) = file.slots.get(index as usize) {
                 if let Some(page) = &slot.page {
                     return Ok(Some(page.clone()));
                 }
@@ -273,11 +333,16 @@ impl ProgramMemory {
                 return self.lex(number, start).map(Some);
             }
             let Some(start) = file.next else { return Ok(None) };
-            if start.offset >= file.text.len() {
+            if start.offset >= file.text.readable() {
+                if file.text.is_open() {
+                    return Err(io::Error::from(io::ErrorKind::WouldBlock));
+                }
                 file.next = None;
                 return Ok(None);
             }
-            let next = file.slots.len() as u32;
+            let Some(next) = file.first.checked_add(file.slots.len() as u32) else {
+                return Err(given_back());
+            };
             self.lex(next, start)?;
         }
     }
@@ -298,11 +363,13 @@ impl ProgramMemory {
     fn lex(&mut self, number: u32, start: Start) -> io::Result<Arc<Page>> {
         let (syntax, names) = (self.syntax, &mut self.names);
         let Some(file) = self.files.get_mut(usize::from(start.file.0)) else { return Ok(Arc::default()) };
-        let len = file.text.len();
+        let (len, is_open) = (file.text.readable(), file.text.is_open());
+        let most = usize::try_from(len.saturating_sub(start.offset)).unwrap_or(PAGE_BYTES).min(PAGE_BYTES);
         let (lexed, is_last, ends_line) =
-            file.text.window(start.offset, PAGE_BYTES, &mut self.buffer, |bytes| {
+            file.text.window(start.offset, most, &mut self.buffer, |bytes| {
                 // Fewer bytes than asked for: the file became shorter while it is read, and ends here.
                 let is_last = start.offset + PAGE_BYTES as u64 >= len || bytes.len() < PAGE_BYTES;
+                let is_last = is_last && !is_open;
                 let ends_line = matches!(bytes.last(), Some(b'\n' | b'\r'));
                 (lexer::lex_from(bytes, start, is_last, syntax, names), is_last, ends_line)
             })?;
@@ -310,7 +377,7 @@ impl ProgramMemory {
             file.last_line = Some(lexed.next_line.saturating_sub(u32::from(ends_line)).max(1));
         }
         let page = Arc::new(lexed.page);
-        if let Some(slot) = file.slots.get_mut(number as usize) {
+        if let Some(slot) = slot_mut(file, number) {
             slot.page = Some(page.clone());
         } else {
             let mut end = (start.offset + lexed.consumed as u64, lexed.next_line);
@@ -319,7 +386,7 @@ impl ProgramMemory {
             }
             let is_head = start.is_head && page.blocks.is_empty();
             file.next = (!is_last).then_some(Start { offset: end.0, line: end.1, is_head, ..start });
-            file.slots.push(PageSlot { start, page: Some(page.clone()) });
+            file.slots.push_back(PageSlot { start, page: Some(page.clone()) });
         }
         self.keep(start.file, number, bytes_of(&page));
         Ok(page)
@@ -333,7 +400,7 @@ impl ProgramMemory {
             let Some((id, number, bytes)) = self.kept.pop_front() else { return };
             self.kept_bytes -= bytes;
             let file = self.files.get_mut(usize::from(id.0));
-            if let Some(slot) = file.and_then(|f| f.slots.get_mut(number as usize)) {
+            if let Some(slot) = file.and_then(|f| slot_mut(f, number)) {
                 slot.page = None;
             }
         }
@@ -457,6 +524,10 @@ impl ProgramMemory {
     fn index_file(&mut self, id: FileId) -> io::Result<HashMap<ProgramId, Place>> {
         let mut programs = HashMap::new();
         let mut number = 0;
+        // What is being sent is not all there to be called.
+        if self.text(id).is_some_and(Text::is_sent) {
+            return Ok(programs);
+        }
         if let Some(file) = self.files.get(usize::from(id.0))
             && !may_hold_programs(&file.text, &mut self.buffer)?
         {
@@ -477,6 +548,11 @@ impl ProgramMemory {
         }
         Ok(programs)
     }
+}
+
+/// The place of a page that is not given back.
+fn slot_mut(file: &mut ProgramFile, number: u32) -> Option<&mut PageSlot> {
+    file.slots.get_mut(number.checked_sub(file.first)? as usize)
 }
 
 /// Finds the programs in the part programs of a folder: by the names of the files, and by the O words

@@ -4,6 +4,7 @@
 //! rather than mapping, because a file that someone shortens while it is mapped kills the process.
 
 use crate::encoding::Encoding;
+use crate::sent::{Refused, Sent};
 use crate::span::Span;
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom};
@@ -37,6 +38,8 @@ enum Bytes {
     Held(Vec<u8>),
     /// Locked from moving the file's position until what stands there is read.
     Windows(Mutex<File>),
+    /// More of it may come.
+    Sent(Sent),
 }
 
 /// The bytes of one program file.
@@ -97,7 +100,68 @@ impl Text {
         Ok(Text { len: bytes.len() as u64, bytes: Bytes::Held(bytes), encoding })
     }
 
-    /// Length, bytes.
+    /// Text that is sent bit by bit, nothing of it yet. What people read in it is UTF-8.
+    pub fn sent() -> Text {
+        Text { bytes: Bytes::Sent(Sent::default()), len: 0, encoding: Encoding::default() }
+    }
+
+    /// More of a text that is sent. Nothing is taken where this is refused.
+    pub fn append(&mut self, bytes: &[u8]) -> Result<(), Refused> {
+        let Bytes::Sent(sent) = &mut self.bytes else { return Err(Refused::Ended) };
+        sent.append(bytes)?;
+        self.len = sent.len();
+        Ok(())
+    }
+
+    /// Nothing more of a text comes that is sent.
+    pub fn end(&mut self) {
+        if let Bytes::Sent(sent) = &mut self.bytes {
+            sent.end();
+        }
+    }
+
+    /// Whether it is sent bit by bit, ended or not.
+    pub fn is_sent(&self) -> bool {
+        matches!(self.bytes, Bytes::Sent(_))
+    }
+
+    /// Whether more of it may come.
+    pub fn is_open(&self) -> bool {
+        matches!(&self.bytes, Bytes::Sent(sent) if sent.is_open())
+    }
+
+    /// Offset behind what can be read as lines by now.
+    pub(crate) fn readable(&self) -> u64 {
+        match &self.bytes {
+            Bytes::Sent(sent) => sent.whole(),
+            _ => self.len,
+        }
+    }
+
+    /// Offset of the first byte that is kept.
+    fn start(&self) -> u64 {
+        match &self.bytes {
+            Bytes::Sent(sent) => sent.start(),
+            _ => 0,
+        }
+    }
+
+    /// The bytes of a text that is sent are not needed any more before `offset`.
+    pub(crate) fn give_back(&mut self, offset: u64) {
+        if let Bytes::Sent(sent) = &mut self.bytes {
+            sent.give_back(offset);
+        }
+    }
+
+    /// Forgets what came of a text that is sent from `offset` on; how many lines they were.
+    pub(crate) fn forget(&mut self, offset: u64) -> u32 {
+        match &mut self.bytes {
+            Bytes::Sent(sent) => sent.forget(offset),
+            _ => 0,
+        }
+    }
+
+    /// Length, bytes; of a text that is sent, all that came so far.
     pub fn len(&self) -> u64 {
         self.len
     }
@@ -113,7 +177,7 @@ impl Text {
     }
 
     /// Calls `with` with up to `len` bytes from `offset` on, fewer only at the end of the file. What
-    /// must be read for it is read into `buffer`.
+    /// must be read for it is read into `buffer`. Bytes that were given back are [`io::ErrorKind::NotSeekable`].
     pub fn window<R>(
         &self,
         offset: u64,
@@ -135,13 +199,18 @@ impl Text {
                 drop(file);
                 Ok(with(buffer))
             }
+            Bytes::Sent(sent) => match sent.window(offset, len) {
+                Some(bytes) => Ok(with(bytes)),
+                None => Err(given_back()),
+            },
         }
     }
 
     /// The line that `span` stands in, without its end, at most `most` bytes of it, and where in what
     /// is returned the span starts. A long line is shortened around the start of the span.
     pub fn line_of(&self, span: Span, most: usize) -> io::Result<(Vec<u8>, usize)> {
-        let before = span.offset.saturating_sub(self.encoding.mark as u64).min(most as u64 / 2);
+        let first = self.start().max(self.encoding.mark as u64);
+        let before = span.offset.saturating_sub(first).min(most as u64 / 2);
         let start = span.offset - before;
         let mut buffer = Vec::new();
         self.window(start, most.saturating_add(before as usize), &mut buffer, |bytes| {
@@ -162,6 +231,11 @@ impl Text {
         let mut buffer = Vec::new();
         self.window(span.offset, span.len as usize, &mut buffer, <[u8]>::to_vec)
     }
+}
+
+/// The error of lines that are not kept any more.
+pub(crate) fn given_back() -> io::Error {
+    io::Error::from(io::ErrorKind::NotSeekable)
 }
 
 /// Tells text from other data and finds its encoding, from the start of a file or all of it.

@@ -195,7 +195,10 @@ impl Cnc {
             None => self.next_from_ladder(),
         };
         let Some(next) = next else {
-            self.motion.finish();
+            // What is sent bit by bit may go on in time.
+            if !self.interpreter.is_starved() {
+                self.motion.finish();
+            }
             return None;
         };
         let block = self.block_of(&next);

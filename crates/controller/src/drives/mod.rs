@@ -47,7 +47,7 @@ impl Switches {
 ///
 /// Places of markers, edges and touches are kept by the drives themselves, which sample faster than a servo period
 /// lasts.
-pub trait Drives {
+pub trait Drives: Send {
     /// Commands a position and returns where the axes are.
     fn exchange(&mut self, commanded: &Position) -> Position;
 

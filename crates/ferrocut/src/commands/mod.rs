@@ -10,6 +10,7 @@ pub mod names;
 pub mod plc;
 pub mod plot;
 pub mod run;
+pub mod serve;
 pub mod time;
 pub mod trace;
 pub mod view;

@@ -801,3 +801,11 @@ FC-1435 = Programs may not home an axis
 FC-1436 = An axis is on its travel switch
     .detail = { $axis }{ $side }
     .help = Hold the overtravel release and move the axis back by hand.
+
+## 1460: over a connection
+
+FC-1460 = This leads to lines of the program that are not here
+    .help = A program that is sent line by line runs straight on. Store the program first, or call one that is stored.
+FC-1461 = Nobody can connect there
+    .detail = { $place }: { $reason }
+    .help = Choose another port or path, or end what has it.

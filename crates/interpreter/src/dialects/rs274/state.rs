@@ -142,6 +142,13 @@ impl State {
         self.at = self.program_of(machine);
     }
 
+    /// A program ended where another may follow: its subprograms and loops are not those of the next.
+    pub fn end_calls(&mut self) {
+        self.o_words = OWords::default();
+        self.named.leave_all();
+        self.saved.clear();
+    }
+
     /// Machine position of a programmed point.
     #[inline]
     pub fn machine_of(&self, point: Position) -> Position {

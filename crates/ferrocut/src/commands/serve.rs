@@ -1,0 +1,103 @@
+//! `ferrocut serve`: the machine for others.
+
+use crate::cli::ServeArgs;
+use crate::job::{Exit, Failure, Shop};
+use ferrocut_machine::Memory;
+use ferrocut_server::grbl::Grbl;
+use ferrocut_server::link::{self, Terminal};
+use ferrocut_server::mill::Mill;
+use ferrocut_server::remote::Remote;
+use ferrocut_server::runner::Timing;
+use std::fmt;
+use std::io::Write;
+use std::str::FromStr;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+use std::time::Duration;
+
+/// Where Grbl senders connect.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum GrblAt {
+    /// A TCP port of this computer.
+    Tcp(u16),
+    /// A pseudo-terminal.
+    Terminal,
+}
+
+impl FromStr for GrblAt {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<GrblAt, String> {
+        match text.split_once(':') {
+            None if text == "pty" => Ok(GrblAt::Terminal),
+            Some(("tcp", port)) => {
+                port.parse().map(GrblAt::Tcp).map_err(|_| "give a port: tcp:2323".to_owned())
+            }
+            _ => Err("give tcp:PORT or pty".to_owned()),
+        }
+    }
+}
+
+impl fmt::Display for GrblAt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            GrblAt::Tcp(port) => write!(f, "tcp:{port}"),
+            GrblAt::Terminal => f.write_str("pty"),
+        }
+    }
+}
+
+/// Runs the command.
+pub fn run(args: &ServeArgs) -> Result<Exit, Failure> {
+    let shop = Shop::open(&args.common)?;
+    serve_grbl(args, &shop, args.grbl)
+}
+
+fn cannot(place: impl fmt::Display) -> impl Fn(std::io::Error) -> Failure {
+    move |error| Failure::cannot_serve(&place.to_string(), &error.to_string())
+}
+
+/// The machine for Grbl senders, until the process ends.
+fn serve_grbl(args: &ServeArgs, shop: &Shop, place: GrblAt) -> Result<Exit, Failure> {
+    let mut memory = Memory::new(ferrocut_interpreter::dialects::rs274::DIALECT.name);
+    shop.setup.apply(&mut memory).map_err(|error| Failure::config("setup", &error.to_string()))?;
+    let mill = Mill::new(&shop.machine, memory, shop.options());
+    let mut grbl = Grbl::new(&shop.machine);
+    let stops = AtomicBool::new(false);
+    let start = || Remote::start(&shop.machine, mill, args.priority).map_err(cannot(place));
+    match place {
+        GrblAt::Tcp(port) => {
+            let listener = link::listen(port).map_err(cannot(place))?;
+            let at = listener.local_addr().map_err(cannot(place))?;
+            let (runner, mut machine) = start()?;
+            say(&format!("grbl tcp {at}"));
+            tell_timing(args.timing, runner.timing());
+            link::serve_tcp(&listener, &mut grbl, &mut machine, &stops).map_err(cannot(place))?;
+        }
+        GrblAt::Terminal => {
+            let terminal = Terminal::open().map_err(cannot(place))?;
+            let (runner, mut machine) = start()?;
+            say(&format!("grbl pty {}", terminal.path().display()));
+            tell_timing(args.timing, runner.timing());
+            link::serve_terminal(&terminal, &mut grbl, &mut machine, &stops).map_err(cannot(place))?;
+        }
+    }
+    Ok(Exit::Fine)
+}
+
+/// Says how the periods went, now and then.
+fn tell_timing(every: Option<u64>, timing: Arc<Timing>) {
+    let Some(seconds) = every else { return };
+    std::thread::spawn(move || {
+        loop {
+            std::thread::sleep(Duration::from_secs(seconds.max(1)));
+            eprintln!("{timing}");
+        }
+    });
+}
+
+/// A line for whoever started it. One that does not listen is no fault.
+fn say(line: &str) {
+    let mut out = std::io::stdout().lock();
+    let _ = writeln!(out, "{line}").and_then(|()| out.flush());
+}

@@ -1,0 +1,14 @@
+//! The machine for others.
+//!
+//! In: bytes of whoever connects. Out: answers, and what the machine is told.
+//!
+//! [`grbl`] is the protocol of Grbl 1.1 as a state machine without a connection; read it first. [`mill`] is the machine
+//! that it drives.
+
+pub mod grbl;
+pub mod lines;
+pub mod link;
+pub mod mill;
+pub mod remote;
+pub mod runner;
+pub mod service;

@@ -1,0 +1,553 @@
+//! The protocol as senders use it: sessions of UGS, CNCjs and bCNC on the machine itself, and whatever else may come
+//! over a connection.
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
+
+use ferrocut_geometry::{Axis, Position};
+use ferrocut_interpreter::Options;
+use ferrocut_machine::{Machine as File, Memory};
+use ferrocut_server::grbl::{Doing, Grbl, Machine};
+use ferrocut_server::mill::Mill;
+use proptest::prelude::*;
+
+/// A sender at a machine. Between two periods of the machine, the protocol does what it can.
+struct Session {
+    grbl: Grbl,
+    mill: Mill,
+    heard: String,
+}
+
+impl Session {
+    fn new() -> Session {
+        Session::with(Options::default())
+    }
+
+    fn with(options: Options) -> Session {
+        let mut file = File::demo_mill();
+        file.axes.retain(|axis| axis.name.is_linear());
+        let mut session = Session {
+            grbl: Grbl::new(&file),
+            mill: Mill::new(&file, Memory::new("rs274"), options),
+            heard: String::new(),
+        };
+        session.grbl.connect(&mut session.mill);
+        session.wait(5);
+        session
+    }
+
+    /// One that is unlocked, its greeting heard.
+    fn unlocked() -> Session {
+        let mut session = Session::new();
+        session.say("$X\n");
+        session
+    }
+
+    fn wait(&mut self, periods: usize) {
+        for _ in 0..periods {
+            self.mill.tick();
+            self.grbl.poll(&mut self.mill);
+        }
+        self.heard += &self.grbl.take_output();
+    }
+
+    fn send(&mut self, bytes: &[u8]) {
+        self.grbl.receive(bytes, &mut self.mill);
+    }
+
+    /// Sends, waits a little, and returns what was heard since the last time.
+    fn say(&mut self, text: &str) -> String {
+        self.heard.clear();
+        self.send(text.as_bytes());
+        self.wait(20);
+        std::mem::take(&mut self.heard)
+    }
+
+    fn byte(&mut self, byte: u8) -> String {
+        self.heard.clear();
+        self.send(&[byte]);
+        self.wait(20);
+        std::mem::take(&mut self.heard)
+    }
+
+    /// Waits until the machine is idle; what was heard.
+    fn settle(&mut self) -> String {
+        for _ in 0..300_000 {
+            self.wait(1);
+            if self.mill.status().doing == Doing::Idle {
+                self.wait(5);
+                return std::mem::take(&mut self.heard);
+            }
+        }
+        panic!("never idle: {:?} {}", self.mill.status(), self.heard);
+    }
+
+    fn at(&self) -> Position {
+        self.mill.now().position
+    }
+
+    fn state(&mut self) -> String {
+        let report = self.say("?");
+        report.split(['<', '|']).nth(1).unwrap_or("").to_owned()
+    }
+}
+
+/// Sends a program as most senders do: as many lines as fit 128 bytes, and more when lines are answered.
+fn stream(session: &mut Session, program: &str) -> Vec<String> {
+    let mut sent: std::collections::VecDeque<usize> = std::collections::VecDeque::new();
+    let mut lines = program.lines().peekable();
+    let mut answers = Vec::new();
+    let mut rest = String::new();
+    for _ in 0..2_000_000 {
+        while let Some(line) = lines.peek() {
+            if sent.iter().sum::<usize>() + line.len() + 1 > 127 {
+                break;
+            }
+            sent.push_back(line.len() + 1);
+            session.send(format!("{line}\n").as_bytes());
+            lines.next();
+        }
+        session.wait(1);
+        rest += &std::mem::take(&mut session.heard);
+        while let Some((line, more)) = rest.split_once("\r\n") {
+            if line == "ok" || line.starts_with("error") {
+                assert!(sent.pop_front().is_some(), "an answer to nothing");
+                answers.push(line.to_owned());
+            }
+            rest = more.to_owned();
+        }
+        if sent.is_empty() && lines.peek().is_none() {
+            return answers;
+        }
+    }
+    panic!("never answered: {sent:?}, {:?}", session.mill.status());
+}
+
+#[test]
+fn a_machine_that_was_switched_on_is_locked_until_it_is_homed() {
+    let start = Position::xyz(50.0, -20.0, -10.0);
+    let mut session = Session::with(Options { start, ..Options::default() });
+    assert_eq!(
+        std::mem::take(&mut session.heard),
+        "\r\nGrbl 1.1h ['$' for help]\r\n[MSG:'$H'|'$X' to unlock]\r\n"
+    );
+    assert_eq!((session.say("G0X1\n").as_str(), session.state().as_str()), ("error:9\r\n", "Alarm"));
+    assert_eq!(session.say("$J=G91X1F100\n"), "error:8\r\n");
+    session.send(b"$H\n");
+    session.wait(50);
+    assert_eq!(session.heard, "", "no answer before the axes are there");
+    assert_eq!((session.settle().as_str(), session.state().as_str()), ("ok\r\n", "Idle"));
+    assert_eq!(session.at(), Position::ZERO);
+    assert_eq!(session.say("G0X1\n"), "ok\r\n");
+    assert_eq!(session.say("$X\n"), "ok\r\n");
+}
+
+#[test]
+fn every_line_has_one_answer_and_blank_ones_too() {
+    let mut session = Session::unlocked();
+    assert_eq!(session.say("\n\r\n(nothing)\r; nothing\n  \n%\n"), "ok\r\n".repeat(6));
+    assert_eq!(session.say("G1X1F10\nG5X1\n\nG1X1X2\nG1\n"), "ok\r\nerror:20\r\nok\r\nerror:25\r\nok\r\n");
+    assert_eq!(session.say(&format!("G1{}\n", "X".repeat(2000))), "error:11\r\n");
+    assert_eq!(
+        session.say("G2X5F100\nG2X5R0.1\nG94F0G1X1\nG10L2P9X1\n"),
+        "error:35\r\nerror:34\r\nerror:22\r\nerror:29\r\n"
+    );
+}
+
+#[test]
+fn ugs_finds_its_controller() {
+    // UGS: asks for a status, for the build, the settings and the codes.
+    let mut session = Session::unlocked();
+    let report = session.say("?");
+    assert!(report.starts_with("<Idle|MPos:0.000,0.000,0.000|FS:0,0|WCO:0.000,0.000,0.000>\r\n"), "{report}");
+    assert_eq!(session.say("$I\n"), "[VER:1.1h.20190830:]\r\n[OPT:VNM,15,128]\r\nok\r\n");
+    let settings = session.say("$$\n");
+    for number in [10, 11, 13, 20, 21, 22, 23, 24, 25, 26, 27, 30, 31, 32, 100, 110, 120, 130, 132] {
+        assert!(settings.contains(&format!("${number}=")), "{number} {settings}");
+    }
+    assert_eq!(session.say("$G\n"), "[GC:G0 G54 G17 G21 G90 G94 M5 M9 T0 F0 S0]\r\nok\r\n");
+    let offsets = session.say("$#\n");
+    assert!(
+        offsets.starts_with("[G54:0.000,0.000,0.000]\r\n[G55:") && offsets.ends_with(":0]\r\nok\r\n"),
+        "{offsets}"
+    );
+    assert_eq!(session.say("$N\n"), "$N0=\r\n$N1=\r\nok\r\n");
+    assert!(session.say("$\n").starts_with("[HLP:"));
+    assert_eq!(
+        session.say("$Q\n$110=1\n$110=abc\n$10=-1\n"),
+        "error:3\r\nerror:17\r\nerror:2\r\nerror:4\r\n"
+    );
+}
+
+#[test]
+fn a_jog_leaves_codes_alone_and_ends_at_its_key() {
+    let mut session = Session::unlocked();
+    session.say("G91G1F77\n");
+    assert_eq!(session.say("$J=G90G21X20Y-5F3000\n"), "ok\r\n");
+    assert_eq!(session.state(), "Jog");
+    assert_eq!(session.say("G0X1\n"), "error:9\r\n");
+    session.settle();
+    assert_eq!((session.at()[Axis::X], session.at()[Axis::Y]), (20.0, -5.0));
+    assert!(session.say("$G\n").contains("G1 G54 G17 G21 G91 G94 M5 M9 T0 F77 S0"));
+    // Held down: one after the other, and none of them counts once the key is released.
+    for _ in 0..10 {
+        session.say("$J=G91X5F3000\n");
+    }
+    session.wait(100);
+    assert_eq!(session.byte(0x85), "");
+    session.settle();
+    let at = session.at()[Axis::X];
+    assert!((20.5..69.5).contains(&at), "{at}");
+    assert_eq!(
+        session.say("$J=X9999F100\n$J=X1\n$J=G2X1F1\n$J\n"),
+        "error:15\r\nerror:22\r\nerror:16\r\nerror:16\r\n"
+    );
+    assert_eq!((session.state().as_str(), session.at()[Axis::X]), ("Idle", at));
+    // From where the jog ended, incremental as before.
+    session.say("X1\n");
+    session.settle();
+    assert!((session.at()[Axis::X] - at - 1.0).abs() < 1e-9);
+}
+
+#[test]
+fn a_hold_ends_a_jog() {
+    let mut session = Session::unlocked();
+    session.say("$J=X100F3000\n");
+    session.wait(200);
+    session.byte(b'!');
+    session.settle();
+    assert!(session.at()[Axis::X] < 50.0 && session.state() == "Idle");
+}
+
+#[test]
+fn a_program_is_held_and_goes_on() {
+    let mut session = Session::unlocked();
+    assert_eq!(session.say("M3S1000\nG1X50F3000\nX100\n"), "");
+    session.wait(1500);
+    assert!(session.state() == "Run" && session.at()[Axis::X] > 1.0);
+    assert!(session.byte(b'!').is_empty() && session.state().starts_with("Hold"));
+    session.wait(500);
+    let at = session.at();
+    assert_eq!(session.state(), "Hold:0");
+    // The spindle stops in a hold, and starts again.
+    session.byte(0x9E);
+    assert_eq!(session.mill.status().rpm, 0.0);
+    session.wait(1000);
+    assert_eq!(session.at(), at);
+    session.byte(b'~');
+    assert!(session.mill.status().rpm > 0.0);
+    session.settle();
+    assert_eq!(session.at()[Axis::X], 100.0);
+}
+
+#[test]
+fn a_reset_in_motion_is_an_alarm_and_at_rest_none() {
+    let mut session = Session::unlocked();
+    session.say("M3S500\nG1X100F3000\nX0\n");
+    session.wait(1000);
+    let heard = session.byte(0x18);
+    assert_eq!(heard, "ALARM:3\r\n\r\nGrbl 1.1h ['$' for help]\r\n[MSG:'$H'|'$X' to unlock]\r\n");
+    session.wait(500);
+    let at = session.at();
+    assert!((1.0..99.0).contains(&at[Axis::X]) && session.mill.status().rpm == 0.0);
+    assert_eq!((session.state().as_str(), session.say("G0X0\n").as_str()), ("Alarm", "error:9\r\n"));
+    assert_eq!(session.say("$X\n"), "[MSG:Caution: Unlocked]\r\nok\r\n");
+    assert_eq!((session.state().as_str(), session.at()), ("Idle", at));
+    // As bCNC ends a job: hold, reset.
+    session.byte(b'!');
+    assert_eq!(session.state(), "Hold:0");
+    assert_eq!(session.byte(0x18), "\r\nGrbl 1.1h ['$' for help]\r\n");
+    assert_eq!((session.state().as_str(), session.at()), ("Idle", at));
+    assert_eq!(session.say("G1X0F1000\n"), "ok\r\n");
+    session.settle();
+    assert_eq!(session.at()[Axis::X], 0.0);
+}
+
+#[test]
+fn a_reset_brings_the_codes_of_the_start_back() {
+    let mut session = Session::unlocked();
+    session.say("G20G91G93G18G55G1\nG92X1\nG43.1Z2\nG10L2P1X5\n");
+    session.byte(0x18);
+    assert!(session.say("$G\n").contains("[GC:G0 G54 G17 G21 G90 G94 M5 M9 T0"));
+    let offsets = session.say("$#\n");
+    assert!(offsets.contains("[G92:0.000,0.000,0.000]\r\n[TLO:0.000]"), "{offsets}");
+    assert!(offsets.contains("[G54:127.000,0.000,0.000]"), "zeros stay: {offsets}");
+}
+
+#[test]
+fn offsets_shift_what_is_reported() {
+    let mut session = Session::unlocked();
+    assert_eq!(session.say("G0X10Y5\nG10L20P1X0Y0\nG92Z3\n"), "ok\r\n".repeat(3));
+    session.settle();
+    let report = session.say("?");
+    assert!(report.contains("|WCO:10.000,5.000,-3.000>"), "{report}");
+    session.say("$10=0\n");
+    assert!(session.say("?").contains("WPos:0.000,0.000,3.000"), "work positions");
+    session.say("G0X1\n");
+    session.settle();
+    assert_eq!(session.at()[Axis::X], 11.0);
+    session.say("G28.1\nG0X0\nG28X0\n");
+    session.settle();
+    assert_eq!(session.at()[Axis::X], 11.0);
+}
+
+#[test]
+fn overrides_count_as_grbl_counts_them() {
+    let mut session = Session::unlocked();
+    // CNCjs sends them as UTF-8.
+    for byte in "\u{91}\u{91}\u{94}\u{96}\u{9A}".chars() {
+        session.say(&byte.to_string());
+    }
+    let reports: String = (0..3).map(|_| session.say("?")).collect();
+    assert!(reports.contains("|Ov:119,50,110"), "{reports}");
+    for _ in 0..30 {
+        session.byte(0x92);
+    }
+    let reports: String = (0..3).map(|_| session.say("?")).collect();
+    assert!(reports.contains("|Ov:10,50,110"), "{reports}");
+    session.byte(0x90);
+    session.byte(0x91);
+    session.say("G1X200F3000\n");
+    session.wait(1500);
+    let feed = session.mill.status().feed;
+    assert!((feed - 3300.0).abs() < 1.0, "{feed}");
+    session.byte(0x92);
+    session.byte(0x92);
+    session.wait(500);
+    let feed = session.mill.status().feed;
+    assert!((feed - 2700.0).abs() < 1.0, "{feed}");
+}
+
+#[test]
+fn the_door_stops_all_and_goes_on() {
+    let mut session = Session::unlocked();
+    session.say("M3S1000\nG1X200F3000\n");
+    session.wait(1500);
+    assert!(session.byte(0x84).contains("[MSG:Check Door]"));
+    assert_eq!(session.state(), "Door:2");
+    session.wait(600);
+    assert_eq!((session.state().as_str(), session.mill.status().rpm), ("Door:0", 0.0));
+    session.byte(b'~');
+    assert_eq!(session.mill.status().rpm, 1000.0);
+    session.settle();
+    assert_eq!(session.at()[Axis::X], 200.0);
+}
+
+#[test]
+fn check_mode_tells_what_is_wrong_and_moves_nothing() {
+    let mut session = Session::unlocked();
+    assert_eq!(session.say("$C\n"), "[MSG:Enabled]\r\nok\r\n");
+    assert_eq!(session.state(), "Check");
+    assert_eq!(
+        session.say("G1X10\nG1X10F100\nG2X5R1\nG0Y3\nM30\nG0Y1\n"),
+        "error:22\r\nok\r\nerror:34\r\nok\r\nok\r\nok\r\n"
+    );
+    assert_eq!(session.at(), Position::ZERO);
+    assert_eq!(session.say("$C\n"), "[MSG:Disabled]\r\nok\r\n\r\nGrbl 1.1h ['$' for help]\r\n");
+    assert_eq!((session.state().as_str(), session.say("G0X1\n").as_str()), ("Idle", "ok\r\n"));
+}
+
+#[test]
+fn beyond_the_limits_is_an_alarm_that_wants_a_reset() {
+    let mut session = Session::unlocked();
+    session.say("G1X10F1000\nX99999\nX5\n");
+    session.wait(3000);
+    let heard = std::mem::take(&mut session.heard);
+    assert!(heard.ends_with("ALARM:2\r\n[MSG:Reset to continue]\r\n"), "{heard}");
+    assert_eq!((session.state().as_str(), session.say("$X\n").as_str()), ("Alarm", "error:9\r\n"));
+    session.byte(0x18);
+    assert_eq!(session.say("$X\n"), "[MSG:Caution: Unlocked]\r\nok\r\n");
+    assert_eq!(session.at()[Axis::X], 10.0);
+    session.say("G0X0\n");
+    session.settle();
+    assert_eq!(session.at()[Axis::X], 0.0);
+}
+
+#[test]
+fn a_probe_tells_where_it_met_the_work() {
+    let mut session = Session::with(Options { skip: Some((Axis::Z, -3.5)), ..Options::default() });
+    session.say("$X\n");
+    let heard = session.say("G10L2P1Z-1\nG38.2Z-20F1000\nG4P0.1\n") + &session.settle();
+    assert!(heard.contains("[PRB:0.000,0.000,-3.500:1]\r\nok\r\n"), "{heard}");
+    assert!(session.say("$#\n").contains("[PRB:0.000,0.000,-3.500:1]"));
+    // Away from it nothing is met.
+    session.say("G0Z5\nG38.2Z20F1000\nG0X50\n");
+    let heard = session.settle();
+    assert!(heard.contains("ALARM:5"), "{heard}");
+    session.wait(500);
+    assert_eq!(session.at()[Axis::X], 0.0, "what stands behind it is not run");
+}
+
+#[test]
+fn a_dwell_is_answered_when_the_motion_before_it_has_ended() {
+    // CNCjs ends a job so.
+    let mut session = Session::unlocked();
+    let (mut periods, mut heard) = (20, session.say("G1X10F600\nG4P0\n"));
+    while heard.matches("ok").count() < 2 {
+        session.wait(1);
+        periods += 1;
+        heard += &std::mem::take(&mut session.heard);
+    }
+    assert!(periods > 1000 && session.at()[Axis::X] == 10.0, "{periods}");
+}
+
+#[test]
+fn a_program_ends_and_another_follows() {
+    let mut session = Session::unlocked();
+    let program = "G20G91G1X1F10M3S100\nM8\nM30\nG0X1\n";
+    session.send(program.as_bytes());
+    let heard = session.settle();
+    let heard = heard + &session.settle();
+    assert_eq!(heard.matches("ok\r\n").count(), 4, "{heard}");
+    assert!(heard.contains("[MSG:Pgm End]"), "{heard}");
+    // G20 stays, all else is as at the start (Grbl 1.1, M30).
+    assert!(session.say("$G\n").contains("[GC:G0 G54 G17 G20 G90 G94 M5 M9"), "codes");
+    assert!((session.at()[Axis::X] - 25.4).abs() < 1e-9);
+}
+
+#[test]
+fn line_numbers_come_back() {
+    let mut session = Session::unlocked();
+    session.say("N100G1X10F600\nN200X20\n");
+    session.wait(500);
+    assert!(session.say("?").contains("|Ln:100|"));
+    session.wait(1000);
+    assert!(session.say("?").contains("|Ln:200|"));
+}
+
+#[test]
+fn start_lines_run_behind_a_reset() {
+    let mut session = Session::unlocked();
+    assert_eq!(session.say("$N0=G55 (the second)\n$N1=G5\n"), "ok\r\nerror:20\r\n");
+    assert!(session.byte(0x18).ends_with(">G55:ok\r\n"));
+    assert!(session.say("$G\n").contains("G55"));
+}
+
+#[test]
+fn asleep_nothing_but_a_reset_is_taken() {
+    let mut session = Session::unlocked();
+    assert_eq!(session.say("$SLP\n"), "[MSG:Sleeping]\r\nok\r\n");
+    assert_eq!((session.state().as_str(), session.say("G0X1\n").as_str()), ("Sleep", "error:9\r\n"));
+    session.byte(0x18);
+    assert_eq!(session.state(), "Alarm");
+}
+
+#[test]
+fn a_sender_that_goes_away_leaves_nothing_running() {
+    let mut session = Session::unlocked();
+    session.say("$J=X300F1000\n");
+    session.wait(200);
+    let Session { grbl, mill, .. } = &mut session;
+    grbl.disconnect(mill);
+    session.settle();
+    assert!(session.at()[Axis::X] < 20.0);
+    session.say("G1X200F1000\n");
+    session.wait(300);
+    let Session { grbl, mill, .. } = &mut session;
+    grbl.disconnect(mill);
+    session.wait(500);
+    assert_eq!(session.mill.status().doing, Doing::Held);
+    session.grbl.connect(&mut session.mill);
+    assert_eq!(session.state(), "Hold:0");
+}
+
+#[test]
+fn five_thousand_lines_stream_through_128_bytes() {
+    let mut session = Session::unlocked();
+    let mut program = "G21G90G1F6000\n".to_owned();
+    for k in 0..4997 {
+        let angle = f64::from(k) * 0.02;
+        let radius = 2.0 + f64::from(k) * 0.01;
+        program += &format!("X{:.3}Y{:.3}\n", radius * angle.cos(), radius * angle.sin());
+    }
+    program += "G4P0.1\nM2\n";
+    let answers = stream(&mut session, &program);
+    assert!(answers.len() == 5000 && answers.iter().all(|answer| answer == "ok"));
+    session.settle();
+    assert_eq!(session.mill.cnc().report().moves, 4997);
+    assert_eq!(session.mill.cnc().report().parts, 1);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(96))]
+
+    #[test]
+    fn whatever_comes_is_answered_within_bounds(
+        parts in prop::collection::vec(part(), 1..60),
+        pause in 0usize..4,
+    ) {
+        let mut session = Session::unlocked();
+        for part in parts {
+            session.send(&part);
+            prop_assert!(session.grbl.kept() < 1 << 17);
+            session.wait(pause * pause * 10);
+            session.heard.clear();
+        }
+        // Whatever state it is in, a reset and unlocking make it one that works.
+        session.wait(50);
+        session.byte(0x18);
+        for _ in 0..20_000 {
+            session.wait(1);
+            if session.mill.status().doing == Doing::Idle {
+                break;
+            }
+        }
+        session.say("$X\n");
+        session.heard.clear();
+        prop_assert!(session.say("G4P0\n").ends_with("ok\r\n"));
+    }
+}
+
+/// What a sender, or anyone else, may send.
+fn part() -> impl Strategy<Value = Vec<u8>> {
+    let line = prop::sample::select(vec![
+        "G0X10\n",
+        "G1Y5F500\n",
+        "G2X5Y5R9\n",
+        "G91\n",
+        "G90\n",
+        "G20\n",
+        "M3S500\n",
+        "M5\n",
+        "M0\n",
+        "M2\n",
+        "M30\n",
+        "G4P0.01\n",
+        "G92X1\n",
+        "G10L2P1X1\n",
+        "G38.2Z-1F100\n",
+        "G28\n",
+        "$H\n",
+        "$X\n",
+        "$C\n",
+        "$J=G91X1F900\n",
+        "$J=X5F2000\n",
+        "$SLP\n",
+        "$$\n",
+        "$G\n",
+        "$#\n",
+        "$N0=G54\n",
+        "G53G0X-5\n",
+        "X99999\n",
+        "T3M6\n",
+        "\n",
+        "\r\n",
+        "O100 sub\n",
+        "#1=5\n",
+        "N5G1X1F1e9\n",
+        "M7M8\n",
+        "M9\n",
+        "G93G1X1F60\n",
+        "(open\n",
+        ";x\n",
+        "%\n",
+    ]);
+    let realtime = prop::sample::select(vec![
+        0x18u8, b'?', b'!', b'~', 0x84, 0x85, 0x90, 0x91, 0x92, 0x95, 0x96, 0x97, 0x99, 0x9A, 0x9D, 0x9E,
+        0xA0, 0xA1, 0xC2, 0xFF,
+    ]);
+    prop_oneof![
+        6 => line.prop_map(|line| line.as_bytes().to_vec()),
+        3 => realtime.prop_map(|byte| vec![byte]),
+        1 => prop::collection::vec(any::<u8>(), 0..40),
+        1 => (any::<u8>(), 0usize..40_000).prop_map(|(byte, count)| vec![byte; count]),
+    ]
+}

@@ -1,0 +1,276 @@
+//! JSON lines over a socket: answers, watchers, keys that are let go, readers that are too slow, and whatever bytes.
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
+
+use ferrocut_server::lines::{Hub, LONGEST_LINE, serve, start};
+use ferrocut_server::service::{Need, Service};
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::{TcpListener, TcpStream};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::{Duration, Instant};
+
+/// A machine of one axis and one key.
+struct Toy {
+    at: f64,
+    is_pressed: bool,
+    events: Vec<Value>,
+    ticks: Arc<AtomicU64>,
+}
+
+#[derive(Deserialize)]
+#[serde(tag = "do", rename_all = "snake_case")]
+enum Command {
+    Key { key: String, down: bool },
+    Stop,
+    Position,
+    Refuse,
+    Chatter { count: usize },
+}
+
+#[derive(Serialize)]
+struct Status {
+    at: f64,
+    is_pressed: bool,
+}
+
+impl Service for Toy {
+    type Command = Command;
+    type Reply = Value;
+    type Refusal = &'static str;
+    type Event = Value;
+    type Status = Status;
+    const VERSION: u32 = 7;
+
+    fn tick(&mut self) {
+        self.ticks.fetch_add(1, Ordering::Relaxed);
+        self.at += f64::from(u8::from(self.is_pressed));
+    }
+    fn command(&mut self, command: Command, _: u64) -> Result<Value, &'static str> {
+        match command {
+            Command::Key { down, .. } => {
+                self.is_pressed = down;
+                self.events.push(json!({ "event": "key", "down": down }));
+            }
+            Command::Stop => self.is_pressed = false,
+            Command::Position => {
+                return Ok(json!({ "reply": "position", "at": self.at, "moves": self.is_pressed }));
+            }
+            Command::Refuse => return Err("no"),
+            Command::Chatter { count } => {
+                self.events.extend((0..count).map(|_| json!({ "text": "x".repeat(20_000) })))
+            }
+        }
+        Ok(json!({ "reply": "done" }))
+    }
+    fn events(&mut self) -> Vec<Value> {
+        // A few a period, as machines do.
+        let count = self.events.len().min(8);
+        self.events.drain(..count).collect()
+    }
+    fn status(&mut self) -> Status {
+        Status { at: self.at, is_pressed: self.is_pressed }
+    }
+    fn need(command: &Command) -> Need {
+        match command {
+            Command::Position | Command::Stop | Command::Chatter { .. } => Need::Nothing,
+            Command::Key { .. } | Command::Refuse => Need::Command,
+        }
+    }
+    fn key(command: &Command) -> Option<(&str, bool)> {
+        match command {
+            Command::Key { key, down } => Some((key, *down)),
+            _ => None,
+        }
+    }
+    fn release(key: &str) -> Command {
+        Command::Key { key: key.to_owned(), down: false }
+    }
+}
+
+/// A machine that is served, at a port of its own.
+struct Place {
+    port: u16,
+    _runner: ferrocut_server::runner::Runner<ferrocut_server::service::Served<Toy>>,
+    _hub: Arc<Hub<Toy>>,
+}
+
+fn place() -> Place {
+    let toy = Toy { at: 0.0, is_pressed: false, events: Vec::new(), ticks: Arc::default() };
+    let (runner, hub) = start(toy, Duration::from_millis(1), None).unwrap();
+    let listener = TcpListener::bind("127.0.0.1:0").unwrap();
+    let port = listener.local_addr().unwrap().port();
+    serve(hub.clone(), listener).unwrap();
+    Place { port, _runner: runner, _hub: hub }
+}
+
+struct Client {
+    stream: BufReader<TcpStream>,
+}
+
+impl Client {
+    fn new(place: &Place) -> Client {
+        let stream = TcpStream::connect(("127.0.0.1", place.port)).unwrap();
+        stream.set_read_timeout(Some(Duration::from_secs(20))).unwrap();
+        let mut client = Client { stream: BufReader::new(stream) };
+        let hello = client.hear();
+        assert_eq!((hello["hello"].as_str(), hello["api"].as_u64()), (Some("ferrocut"), Some(7)));
+        client
+    }
+
+    fn hear(&mut self) -> Value {
+        let mut line = String::new();
+        assert!(self.stream.read_line(&mut line).unwrap() > 0, "ended");
+        serde_json::from_str(&line).unwrap()
+    }
+
+    fn say(&mut self, line: &str) {
+        self.stream.get_mut().write_all(format!("{line}\n").as_bytes()).unwrap();
+    }
+
+    fn ask(&mut self, line: &str) -> Value {
+        self.say(line);
+        self.hear()
+    }
+
+    fn moves(&mut self) -> bool {
+        self.ask(r#"{"do":"position"}"#)["moves"].as_bool().unwrap()
+    }
+}
+
+#[test]
+fn commands_are_answered_by_their_ids() {
+    let place = place();
+    let mut client = Client::new(&place);
+    let answer = client.ask(r#"{"id":3,"do":"position"}"#);
+    assert_eq!((&answer["id"], &answer["reply"]), (&json!(3), &json!("position")));
+    assert_eq!(client.ask(r#"{"id":"a","do":"refuse"}"#), json!({"id":"a","error":"not_in_command"}));
+    assert_eq!(client.ask(r#"{"id":4,"do":"take_command"}"#), json!({"id":4,"reply":"done"}));
+    assert_eq!(client.ask(r#"{"id":5,"do":"refuse"}"#), json!({"id":5,"refused":"no"}));
+    for (line, code) in [
+        ("", "no_object"),
+        ("[1]", "no_object"),
+        ("{", "no_object"),
+        (r#"{"id":[],"do":"stop"}"#, "bad_id"),
+        (r#"{"do":"dance"}"#, "no_command"),
+        ("{}", "no_command"),
+    ] {
+        assert_eq!(client.ask(line)["error"], json!(code), "{line}");
+    }
+}
+
+#[test]
+fn one_is_in_command_and_others_watch_and_stop() {
+    let place = place();
+    let (mut first, mut second) = (Client::new(&place), Client::new(&place));
+    first.ask(r#"{"do":"take_command"}"#);
+    assert_eq!(second.ask(r#"{"do":"take_command"}"#)["error"], json!("taken"));
+    second.ask(r#"{"do":"watch","events":true}"#);
+    first.ask(r#"{"do":"key","key":"X+","down":true}"#);
+    assert_eq!(second.hear(), json!({"event":"key","down":true}));
+    assert_eq!(second.ask(r#"{"do":"stop"}"#)["reply"], json!("done"));
+    assert!(!second.moves());
+    first.ask(r#"{"do":"give_command"}"#);
+    // The key that was held is let go.
+    assert_eq!(second.hear(), json!({"event":"key","down":false}));
+    assert_eq!(second.ask(r#"{"do":"take_command"}"#)["reply"], json!("done"));
+    drop(second);
+    // It goes back when its connection ends.
+    let until = Instant::now() + Duration::from_secs(10);
+    while first.ask(r#"{"do":"take_command"}"#)["reply"] != json!("done") {
+        assert!(Instant::now() < until);
+        std::thread::sleep(Duration::from_millis(10));
+    }
+}
+
+#[test]
+fn a_key_is_let_go_when_nobody_is_heard_of() {
+    let place = place();
+    let (mut operator, mut other) = (Client::new(&place), Client::new(&place));
+    operator.ask(r#"{"do":"take_command"}"#);
+    operator.ask(r#"{"do":"key","key":"X+","down":true}"#);
+    for _ in 0..10 {
+        std::thread::sleep(Duration::from_millis(60));
+        operator.ask(r#"{"do":"alive"}"#);
+    }
+    assert!(other.moves(), "heard of every 60 ms");
+    let until = Instant::now() + Duration::from_secs(10);
+    while other.moves() {
+        assert!(Instant::now() < until, "still pressed");
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    operator.ask(r#"{"do":"key","key":"X+","down":true}"#);
+    assert!(other.moves());
+    drop(operator);
+    let until = Instant::now() + Duration::from_secs(10);
+    while other.moves() {
+        assert!(Instant::now() < until, "still pressed by nobody");
+        std::thread::sleep(Duration::from_millis(10));
+    }
+}
+
+#[test]
+fn statuses_are_pushed_to_those_who_want_them() {
+    let place = place();
+    let mut client = Client::new(&place);
+    client.ask(r#"{"do":"watch","status":true}"#);
+    let status = client.hear();
+    assert_eq!((&status["event"], &status["status"]["is_pressed"]), (&json!("status"), &json!(false)));
+}
+
+#[test]
+fn a_reader_that_takes_nothing_is_cut_off_and_the_machine_goes_on() {
+    let place = place();
+    let (mut slow, mut other) = (Client::new(&place), Client::new(&place));
+    slow.ask(r#"{"do":"watch","events":true}"#);
+    // 40 MB that it does not read.
+    for _ in 0..4 {
+        other.ask(r#"{"do":"chatter","count":500}"#);
+        std::thread::sleep(Duration::from_millis(200));
+    }
+    let mut all = Vec::new();
+    // What the system held is still there, then it ends.
+    slow.stream.read_to_end(&mut all).unwrap_or_default();
+    assert!(all.len() < 40_000_000);
+    assert!(!other.moves());
+}
+
+#[test]
+fn a_line_without_an_end_is_cut_off() {
+    let place = place();
+    let mut client = Client::new(&place);
+    let piece = vec![b'x'; 1 << 16];
+    let mut sent = 0;
+    while sent <= LONGEST_LINE + piece.len() {
+        if client.stream.get_mut().write_all(&piece).is_err() {
+            break;
+        }
+        sent += piece.len();
+    }
+    let mut rest = String::new();
+    let _ = client.stream.read_to_string(&mut rest);
+    assert!(rest.is_empty() || rest.contains("line_too_long"), "{rest}");
+    assert!(!Client::new(&place).moves());
+}
+
+#[test]
+fn any_bytes_end_in_an_answer() {
+    let place = place();
+    let mut client = Client::new(&place);
+    let mut seed = 1u64;
+    for _ in 0..300 {
+        let mut line: Vec<u8> = (0..seed % 60)
+            .map(|_| {
+                seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+                br#"{}[]",:0123 "do"nulltrue\"#[(seed >> 33) as usize % 25]
+            })
+            .collect();
+        seed = seed.wrapping_add(1);
+        line.push(b'\n');
+        client.stream.get_mut().write_all(&line).unwrap();
+        assert!(client.hear().is_object());
+    }
+    let deep = "[".repeat(100_000);
+    assert_eq!(client.ask(&deep)["error"], json!("no_object"));
+}
