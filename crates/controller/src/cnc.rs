@@ -856,6 +856,10 @@ impl Cnc {
             self.state = match self.failed.take() {
                 Some(alarm) => State::Alarmed(alarm),
                 None => {
+                    // The ladder stops it by itself.
+                    if self.auxiliary.is_none() {
+                        self.spindle.command(SpindleState::Off, &self.commanded);
+                    }
                     self.interpreter.reset(self.commanded);
                     State::Reset
                 }

@@ -79,6 +79,11 @@ impl Interpreter {
         self.options.open_end = open;
     }
 
+    /// The program that a tool change runs; none is the built-in code.
+    pub fn set_tool_change_program(&mut self, program: Option<u32>) {
+        self.options.tool_change_program = program;
+    }
+
     /// What the machine remembers, to be changed by others than the program. After parameters
     /// [`parameters_changed`](Self::parameters_changed) is called, after zeros
     /// [`zeros_changed`](Self::zeros_changed).

@@ -62,6 +62,9 @@ impl Control {
             }
             Command::EmergencyStop { pressed } => {
                 self.button = pressed;
+                if let Some(plant) = self.cnc.drives().plant() {
+                    plant.press_emergency_stop(pressed);
+                }
                 Ok(Reply::Done)
             }
             Command::Reset => {

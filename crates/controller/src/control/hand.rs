@@ -26,6 +26,7 @@ impl Control {
             Mode::Jog => self.jog(),
             Mode::Step => self.step(),
             Mode::Handle => self.turn_wheel(counts),
+            Mode::Home => self.home(),
             _ => self.release_axes(),
         }
     }
@@ -48,8 +49,7 @@ impl Control {
     fn jog(&mut self) {
         for number in 0..SIGNAL_AXES {
             let Some(axis) = self.axis(number) else { break };
-            // 12#0: rapid before the reference point is established.
-            let is_rapid = self.inputs.manual_rapid && (self.referenced.contains(axis) || self.bit(12, 0));
+            let is_rapid = self.inputs.manual_rapid;
             let asked = (self.way(number), is_rapid);
             let Some(before) = self.jogs.get_mut(number) else { break };
             if *before == asked || asked.0 == 0 && before.0 == 0 {
@@ -77,6 +77,21 @@ impl Control {
             *before = (asked, false);
             if is_pressed {
                 self.cnc.jog_step(axis, i64::from(asked), increment);
+            }
+        }
+    }
+
+    /// A key sends its axis to the reference point (9.2); the parameters say what letting it go does.
+    fn home(&mut self) {
+        for number in 0..SIGNAL_AXES {
+            let Some(axis) = self.axis(number) else { break };
+            let asked = self.way(number);
+            let Some(before) = self.jogs.get_mut(number) else { break };
+            let was = std::mem::replace(before, (asked, false)).0;
+            if asked != 0 && was == 0 {
+                self.cnc.home(axis);
+            } else if asked == 0 && was != 0 {
+                self.cnc.release_home(axis);
             }
         }
     }

@@ -42,7 +42,7 @@ pub(super) struct Keeping {
 /// What was kept.
 pub(super) struct Found {
     pub counters: Count,
-    pub position: Option<Position>,
+    pub position: Option<LastPosition>,
 }
 
 impl Keeping {
@@ -65,13 +65,13 @@ impl Keeping {
             cutting_time: of(Counter::CuttingTime),
             power_on_time: of(Counter::PowerOnTime),
         };
-        let position = contents.last_position.as_ref().map(|last| last.position);
+        let position = contents.last_position;
         let mut kept_plc = Vec::new();
         if let Some(plc) = plc {
-            for (area, bytes) in &contents.plc {
-                let area = area_of(*area);
+            for (area, bytes) in contents.plc {
+                let area = area_of(area);
                 for (byte, value) in (0u16..).zip(bytes) {
-                    plc.memory_mut().set_byte(Address { area, byte, bit: None }, *value);
+                    plc.memory_mut().set_byte(Address { area, byte, bit: None }, value);
                 }
             }
             kept_plc = plc.memory().kept().collect();
@@ -82,7 +82,7 @@ impl Keeping {
             writes: 0,
             plc: kept_plc,
             counters,
-            position,
+            position: position.as_ref().map(|last| last.position),
             was_moving: false,
             pending: Vec::new(),
             look_in: 0.0,
@@ -218,7 +218,7 @@ impl Control {
         LastPosition {
             time: ferrocut_memory::items::now(),
             position: self.tick.position,
-            referenced: self.referenced,
+            referenced: self.cnc.referenced(),
             work_system: self.cnc.interpreter().work_system(),
         }
     }

@@ -19,13 +19,13 @@ mod status;
 
 use crate::api::{Activity, AlarmInfo, Event};
 use crate::cnc::{self, Cnc, DryRun, State, Tick};
-use crate::drives::{Drives, Simulated};
+use crate::drives::{Drives, Simulated, Switches};
 use crate::signals::{Inputs, Mode, Outputs, SIGNAL_AXES};
 use ferrocut_geometry::{AxisSet, Position};
 use ferrocut_interpreter::{Interpreter, Options, dialects};
 use ferrocut_machine::{Alarm, Fault, Machine, Memory, ParameterKey};
 use ferrocut_memory::Store;
-use ferrocut_plc::{Pace, Plc};
+use ferrocut_plc::{Address, Area, Pace, Plc};
 use ferrocut_program::{ProgramMemory, Span, Text};
 use keeping::Keeping;
 use library::Library;
@@ -33,6 +33,9 @@ use modes::{Change, Standing, Start};
 use programs::Loaded;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex};
+
+/// The key of the panel that releases overtravel, by the ladder's name.
+const OVERTRAVEL_KEY: &str = "KEY_OT";
 
 /// Most events that wait for a front; the oldest go.
 const MOST_EVENTS: usize = 1000;
@@ -83,7 +86,6 @@ pub struct Control {
     active: Option<Alarm>,
     /// Relative coordinates are counted from this machine position.
     origin: Position,
-    referenced: AxisSet,
     tick: Tick,
     moving: AxisSet,
     periods: u64,
@@ -116,26 +118,37 @@ impl Control {
         let mut plc = parts.ladder.map(|ladder| Plc::new(ladder, pace(machine)));
         let mut counters = status::Count::default();
         let mut start = Position::ZERO;
+        let mut referenced = None;
         let keeping = match parts.store {
             Some(store) => {
                 let (keeping, found) = Keeping::open(store, &mut memory, plc.as_mut())?;
                 counters = found.counters;
-                start = found.position.unwrap_or(start);
+                if let Some(last) = found.position {
+                    start = last.position;
+                    referenced = Some(last.referenced);
+                }
                 Some(keeping)
             }
             None => None,
         };
         let text = Text::from_bytes(b"%".to_vec()).map_err(|_| alarm(Fault::FileNotText))?;
         let programs = ProgramMemory::new("", text, dialect.syntax);
-        let options = Options { start, optional_stop: true, loops_forever: true, ..Options::default() };
+        let every_code = plc.is_some();
+        let options =
+            Options { start, optional_stop: true, loops_forever: true, every_code, ..Options::default() };
         let interpreter = Interpreter::new(dialect, programs, memory, options);
         let drives = parts.drives.unwrap_or_else(|| Box::new(Simulated));
-        let cnc = Cnc::with_drives(machine, interpreter, drives);
+        let mut cnc = Cnc::with_drives(machine, interpreter, drives);
+        if plc.is_some() {
+            cnc.connect_ladder(machine);
+        }
+        // 6#4: reference points that are kept.
+        if let Some(referenced) = referenced.filter(|_| cnc.remembers_reference()) {
+            cnc.set_referenced(referenced);
+        }
         let tick =
             Tick { position: start, actual: start, velocity: 0.0, span: Span::default(), moving: false };
         Ok(Control {
-            // Drives that know where they are have their reference.
-            referenced: machine.axis_set(),
             machine: machine.clone(),
             state: cnc.state().clone(),
             cnc,
@@ -249,10 +262,19 @@ impl Control {
     /// The ladder, and what it wants.
     fn scan(&mut self) {
         let Some(plc) = &mut self.plc else { return };
+        let memory = plc.memory_mut();
+        self.cnc.drives().read(&mut |byte, bit, on| {
+            memory.set_bit(Address { area: Area::X, byte, bit: Some(bit) }, on);
+        });
         let was_stopped = plc.stopped().is_some();
         plc.scan();
         let is_stopped = plc.stopped().is_some();
         self.inputs = Inputs::read(plc.memory());
+        let axes = self.machine.axes.iter().map(|axis| axis.name);
+        self.cnc.set_switches(Some(Switches::of(&self.inputs, axes)));
+        let release = plc.program().signal(OVERTRAVEL_KEY).filter(|key| key.bit.is_some());
+        self.cnc.release_overtravel(release.is_some_and(|key| plc.memory().bit(key)));
+        self.cnc.hear(&self.inputs);
         if is_stopped && !was_stopped {
             self.raise(alarm(Fault::LadderStopped));
         }
@@ -264,7 +286,7 @@ impl Control {
         let Some(plc) = &self.plc else { return };
         let mut told = Vec::new();
         for symbol in plc.program().symbols() {
-            if symbol.address.area != ferrocut_plc::Area::A || symbol.address.bit.is_none() {
+            if symbol.address.area != Area::A || symbol.address.bit.is_none() {
                 continue;
             }
             let on = plc.memory().bit(symbol.address);
@@ -547,6 +569,7 @@ impl Control {
             spindle_zero: self.cnc.spindle().rpm() == 0.0,
             ..self.outputs.clone()
         };
+        let (referenced, at_reference) = (self.cnc.referenced(), self.cnc.at_reference());
         for (number, axis) in self.machine.axes.iter().enumerate().take(SIGNAL_AXES) {
             let way = self.tick.position[axis.name] - before[axis.name];
             let set = |bits: &mut [bool; SIGNAL_AXES], on: bool| {
@@ -558,20 +581,23 @@ impl Control {
             if way != 0.0 {
                 set(&mut outputs.downwards, way < 0.0);
             }
-            set(&mut outputs.referenced, self.referenced.contains(axis.name));
+            set(&mut outputs.referenced, referenced.contains(axis.name));
             let points = &self.cnc.interpreter().memory().reference_points;
             let at = |point: Option<&Position>| {
                 point.is_some_and(|point| (point[axis.name] - self.tick.position[axis.name]).abs() < 1e-6)
             };
-            let knows = self.referenced.contains(axis.name) && way == 0.0;
-            set(&mut outputs.at_reference, knows && at(points.first()));
+            let knows = referenced.contains(axis.name) && way == 0.0;
+            set(&mut outputs.at_reference, at_reference.contains(axis.name));
             set(&mut outputs.at_second_reference, knows && at(points.get(1)));
             set(&mut outputs.in_position, way == 0.0);
         }
         self.reset_left = self.reset_left.saturating_sub(1);
+        self.cnc.tell(&mut outputs);
         self.outputs = outputs;
         if let Some(plc) = &mut self.plc {
             self.outputs.write(plc.memory_mut());
+            let memory = plc.memory();
+            self.cnc.drives().write(&|byte, bit| memory.bit(Address { area: Area::Y, byte, bit: Some(bit) }));
         }
     }
 

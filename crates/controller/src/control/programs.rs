@@ -4,7 +4,10 @@ use super::{Control, library};
 use crate::signals::Mode;
 use ferrocut_interpreter::Interpreter;
 use ferrocut_machine::{Alarm, Fault};
-use ferrocut_program::{FileId, ProgramMemory, Span, Text};
+use ferrocut_program::{FileId, ProgramId, ProgramMemory, Span, Text};
+
+/// The program of the memory that M06 runs, where there is one (GSK990MC 8.1).
+const TOOL_CHANGE_PROGRAM: u32 = 9001;
 
 /// What is loaded for the next cycle start.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -102,7 +105,10 @@ impl Control {
         if !self.cnc.load_programs(programs) {
             return Err(Box::new(alarm(Fault::ControlBusy)));
         }
-        self.cnc.interpreter_mut().set_open_end(open_end);
+        let interpreter = self.cnc.interpreter_mut();
+        interpreter.set_open_end(open_end);
+        let has_program = self.library.named(&ProgramId::Number(TOOL_CHANGE_PROGRAM)).is_some();
+        interpreter.set_tool_change_program(has_program.then_some(TOOL_CHANGE_PROGRAM));
         Ok(())
     }
 
