@@ -164,6 +164,12 @@ impl Mill {
         self.run(300);
     }
 
+    /// The signal of a reset alone: no program is under way.
+    pub fn reset_signal(&mut self) {
+        self.reset_ms = 200;
+        self.run(300);
+    }
+
     pub fn run(&mut self, ms: u32) {
         for _ in 0..ms {
             self.tick();
