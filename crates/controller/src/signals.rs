@@ -628,11 +628,7 @@ mod tests {
             0 => vec![signal.address],
             bytes => (0..u16::from(bytes))
                 .flat_map(|n| (0..8).map(move |bit| (n, bit)))
-                .map(|(n, bit)| Address {
-                    byte: signal.address.byte + n,
-                    bit: Some(bit),
-                    ..signal.address
-                })
+                .map(|(n, bit)| Address { byte: signal.address.byte + n, bit: Some(bit), ..signal.address })
                 .collect(),
         }
     }
@@ -805,7 +801,9 @@ mod tests {
             ..base()
         };
         assert_eq!(told(&axes)[1..], ["ZP_Y", "ZP2_Y", "MV_Y", "INP_Y", "MVD_Y", "ZRF_Y"]);
-        for (mode, name) in Mode::ALL.into_iter().zip(["MEDT", "MMEM", "MMDI", "MREF", "MJ", "MINC", "MH", "MRMT"]) {
+        for (mode, name) in
+            Mode::ALL.into_iter().zip(["MEDT", "MMEM", "MMDI", "MREF", "MJ", "MINC", "MH", "MRMT"])
+        {
             assert_eq!(told(&Outputs { mode, ..base() }), [name]);
         }
     }

@@ -484,7 +484,11 @@ fn limit_switches_are_told_by_axis_and_way() {
         m.run(5);
         for (n, (at, no)) in m.inputs.at_limit.iter().zip(&m.inputs.no_motion).take(4).enumerate() {
             let wanted = (n == axis && is_plus, n == axis && !is_plus);
-            assert_eq!(((at.plus, at.minus), (no.plus, no.minus)), (wanted, wanted), "switch {bit}, axis {n}");
+            assert_eq!(
+                ((at.plus, at.minus), (no.plus, no.minus)),
+                (wanted, wanted),
+                "switch {bit}, axis {n}"
+            );
         }
         assert!(m.is("LAMP_OT"));
         // The key towards it is dead, the one away from it is not.
@@ -513,7 +517,9 @@ fn limit_switches_are_told_by_axis_and_way() {
 fn lubrication_and_air_lock_the_start() {
     let mut m = Mill::new("M30");
     m.press("KEY_AUTO");
-    for (input, message) in [("LUBE_LEVEL", "MSG_LUBE"), ("AIR_PRESSURE", "MSG_AIR"), ("DRIVE_OK", "MSG_DRIVE")] {
+    for (input, message) in
+        [("LUBE_LEVEL", "MSG_LUBE"), ("AIR_PRESSURE", "MSG_AIR"), ("DRIVE_OK", "MSG_DRIVE")]
+    {
         m.machine(input, false);
         m.run(20);
         m.press("KEY_START");
