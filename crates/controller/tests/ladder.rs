@@ -5,7 +5,6 @@ mod common;
 #[path = "common/mill.rs"]
 mod mill;
 
-use common::machine;
 use ferrocut_controller::signals::Mode;
 use ferrocut_controller::{Event, State};
 use ferrocut_geometry::Axis;
@@ -221,28 +220,19 @@ fn an_open_door_holds_the_program_and_stops_the_spindle() {
 
 #[test]
 fn cutting_waits_for_the_speed_where_the_parameter_says_so() {
-    // K0.1: M03 itself does not wait.
+    let maintenance = ferrocut_plc::Maintenance::granted();
     for waits in [true, false] {
         let setup = format!("[parameters]\n\"NO38.0\" = {}\n", u8::from(waits));
         let mut m = Mill::with("G00 X5\nM03 S4000\nG00 X10\nG01 X20 F1000\nM30", &setup, |_| {});
-        m.machine("K_NO_SPEED", true);
         m.start();
-        m.until(|m| m.at[Axis::X] > 10.0);
-        // The ladder of K0.1 gives SAR at once.
-        let had = rpm(&m);
-        assert!(had < 4000, "{had}");
-        // A ladder that passes the speed on.
-        let mut m = Mill::with("G00 X5\nM03 S4000\nG00 X10\nG01 X20 F1000\nM30", &setup, |_| {});
-        let finished = m.address("SARA");
-        m.start();
-        m.until(|m| m.is("MF"));
-        // The signal comes, and goes before cutting begins.
+        // The spindle has its speed, and loses it before cutting begins: positioning goes on.
         m.until(|m| m.is("SAR"));
-        m.plc.force(&ferrocut_plc::Maintenance::granted(), finished, false);
+        let at_speed = m.address("SARA");
+        m.plc.force(&maintenance, at_speed, false);
         m.run(3_000);
         let at = m.at[Axis::X];
-        assert_eq!(if waits { at == 10.0 } else { at > 10.0 }, true, "{at}");
-        m.plc.release(&ferrocut_plc::Maintenance::granted(), finished);
+        assert!(if waits { at == 10.0 } else { at > 10.0 }, "{at}");
+        m.plc.release(&maintenance, at_speed);
         m.until(|m| *m.cnc.state() == State::Ended);
     }
 }
@@ -344,7 +334,6 @@ fn an_emergency_stop_ends_all() {
     m.run(500);
     assert_eq!((m.at, rpm(&m)), (at, 0), "nothing starts by itself");
     assert!(!m.is("TOWER_RED"));
-    let _ = machine();
 }
 
 #[test]
@@ -537,4 +526,26 @@ fn lubrication_and_air_lock_the_start() {
     assert!((14_900..15_100).contains(&took), "{took}");
     m.press("KEY_START");
     m.until(|m| *m.cnc.state() == State::Ended);
+}
+
+#[test]
+fn programs_read_and_set_signals() {
+    let program =
+        "#1102=1\nM00\n#1132=9\nM00\n#1100=0\nIF [#1003 EQ 1] GOTO 5\nG00 X1\nGOTO 6\nN5 G00 X2\nN6 M30";
+    for (input, wanted) in [(false, 1.0), (true, 2.0)] {
+        let mut m = Mill::new(program);
+        let uo = m.address("UO");
+        m.start();
+        m.until(|m| *m.cnc.state() == State::Stopped(0));
+        assert_eq!(m.plc.memory().byte(uo), 0b100);
+        m.press("KEY_START");
+        m.until(|m| *m.cnc.state() == State::Stopped(0));
+        assert_eq!(m.plc.memory().byte(uo), 0b1001);
+        // The signal comes while the program waits.
+        let ui = m.address("UI");
+        m.plc.memory_mut().set_byte(ui, u8::from(input) << 3);
+        m.press("KEY_START");
+        m.until(|m| *m.cnc.state() == State::Ended);
+        assert_eq!((m.at[Axis::X], m.plc.memory().byte(uo)), (wanted, 0b1000));
+    }
 }

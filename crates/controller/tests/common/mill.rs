@@ -74,7 +74,7 @@ impl Mill {
     }
 
     pub fn with(program: &str, setup: &str, change: impl Fn(&mut Machine)) -> Mill {
-        let mut machine = super::machine();
+        let mut machine = crate::common::machine();
         machine.handshake.strobe_delay_ms = 2.0;
         change(&mut machine);
         let mut cnc = Cnc::new(&machine, interpreter(program, setup));
