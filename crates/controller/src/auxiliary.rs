@@ -19,8 +19,8 @@ pub(crate) enum Handing {
     Nothing,
     /// It was handed over.
     Begun,
-    /// It is locked: nothing is done.
-    Locked,
+    /// Nothing more is to be done: it is locked, or was a signal that is set at once.
+    Done,
 }
 
 /// Where the machine is, for the ladder and the spindle.
@@ -53,6 +53,8 @@ pub(crate) struct Auxiliary {
     locked_rpm: f64,
     /// M29 is in force.
     rigid: bool,
+    /// Outputs of programs, #1100 to #1115 from bit 0 on. A reset leaves them.
+    macro_outputs: u16,
     /// Where the axes were in the last period, and in which way they went.
     last: Option<Position>,
     moving: [bool; SIGNAL_AXES],
@@ -72,6 +74,7 @@ impl Auxiliary {
             s_told: None,
             locked_rpm: 0.0,
             rigid: false,
+            macro_outputs: 0,
             last: None,
             moving: [false; SIGNAL_AXES],
             downwards: [false; SIGNAL_AXES],
@@ -108,6 +111,11 @@ impl Auxiliary {
     /// Hands a step to the ladder, if it is for it. The end of a program hands the speed `in_force` over, too, which
     /// no code may have told: keys will turn the spindle at it (GSK990MC part 2, 4.2).
     pub fn hand_over(&mut self, step: &Step, in_force: Speed) -> Handing {
+        if let Op::Output { address, value } = &step.op
+            && self.put_out(address, *value)
+        {
+            return Handing::Done;
+        }
         let Some(mut codes) = codes_of(&step.op) else { return Handing::Nothing };
         let is_locked = self.inputs.auxiliary_lock && !matches!(step.op, Op::Stop(_) | Op::End(_));
         if let Op::Spindle(state) = step.op
@@ -121,7 +129,7 @@ impl Auxiliary {
             }
         }
         if is_locked {
-            return Handing::Locked;
+            return Handing::Done;
         }
         if matches!(step.op, Op::End(_)) && !self.inputs.auxiliary_lock {
             codes.s = self.speed(in_force);
@@ -134,6 +142,29 @@ impl Auxiliary {
         }
         self.begin(codes, step.clone());
         Handing::Begun
+    }
+
+    /// Sets outputs of programs (GSK990MC 4.9.2): one by its variable, or all by #1132. `false` for what is none.
+    fn put_out(&mut self, address: &str, value: f64) -> bool {
+        match address.strip_prefix('#').and_then(|number| number.parse::<u32>().ok()) {
+            Some(number @ 1100..=1115) => {
+                let bit = 1u16 << (number - 1100);
+                self.macro_outputs =
+                    if value == 0.0 { self.macro_outputs & !bit } else { self.macro_outputs | bit };
+                true
+            }
+            Some(1132) => {
+                self.macro_outputs = value.clamp(0.0, f64::from(u16::MAX)) as u16;
+                true
+            }
+            _ => false,
+        }
+    }
+
+    /// Inputs of programs, #1000 to #1015, with their variables.
+    pub fn macro_inputs(&self) -> impl Iterator<Item = (u32, f64)> + use<> {
+        let inputs = self.inputs.macro_inputs;
+        (0..16).map(move |bit| (1000 + bit, f64::from(inputs >> bit & 1)))
     }
 
     /// S at the end of a program that did not turn the spindle: keys will. Whether it is handed over.
@@ -227,6 +258,7 @@ impl Auxiliary {
     /// Tells the ladder of codes, spindle and axes.
     pub fn tell(&self, spindle: &Spindle, is_settled: bool, outputs: &mut Outputs) {
         self.handshake.tell(outputs);
+        outputs.macro_outputs = self.macro_outputs;
         self.spindle.tell(&self.inputs, spindle, outputs);
         (outputs.moving, outputs.downwards) = (self.moving, self.downwards);
         let in_position = self.moving.iter().zip(&mut outputs.in_position).take(self.axes.len());

@@ -139,8 +139,10 @@ pub struct Capture {
 
 impl Capture {
     /// A capture with all its room, at a period of `period` s.
-    pub fn new(settings: &CaptureSettings, period: f64) -> Result<Capture, Alarm> {
-        let refuse = |value: String| Alarm::core(Fault::CaptureSetting, Span::default()).with("value", value);
+    pub fn new(settings: &CaptureSettings, period: f64) -> Result<Capture, Box<Alarm>> {
+        let refuse = |value: String| {
+            Box::new(Alarm::core(Fault::CaptureSetting, Span::default()).with("value", value))
+        };
         let count = settings.quantities.len();
         if count == 0 || count > MOST_QUANTITIES {
             return Err(refuse(format!("quantities: {count}")));

@@ -1044,6 +1044,7 @@ impl Cnc {
                 }
             }
             Op::Barrier => {
+                self.read_macro_inputs();
                 self.skip_shift = Position::ZERO;
                 let (commanded, actual) = (self.commanded, self.actual);
                 self.interpreter.came_to_rest(&AtRest { commanded, actual, skip: None });

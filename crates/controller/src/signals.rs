@@ -617,3 +617,194 @@ pub const ROWS: &[Row] = &[
     f(&["MVD_X", "MVD_Y", "MVD_Z", "MVD_A", "MVD_5", "MVD_6", "MVD_7", "MVD_8"], 106, 0, |o, n| of(&o.downwards, n)),
     f(&["ZRF_X", "ZRF_Y", "ZRF_Z", "ZRF_A", "ZRF_5", "ZRF_6", "ZRF_7", "ZRF_8"], 120, 0, |o, n| of(&o.referenced, n)),
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every bit of a signal.
+    fn bits(signal: &Signal) -> Vec<Address> {
+        match signal.bytes {
+            0 => vec![signal.address],
+            bytes => (0..u16::from(bytes))
+                .flat_map(|n| (0..8).map(move |bit| (n, bit)))
+                .map(|(n, bit)| Address { byte: signal.address.byte + n, bit: Some(bit), ..signal.address })
+                .collect(),
+        }
+    }
+
+    #[test]
+    fn no_two_signals_share_a_place_or_a_name() {
+        let (mut places, mut names) = (Vec::new(), Vec::new());
+        for signal in signals() {
+            assert!(!names.contains(&signal.name), "{}", signal.name);
+            names.push(signal.name);
+            for address in bits(&signal) {
+                assert!(address.holds(1) && !places.contains(&address), "{} at {address:?}", signal.name);
+                places.push(address);
+            }
+            let area = signal.address.area;
+            assert!(if signal.is_read { area != Area::F } else { area == Area::F }, "{}", signal.name);
+        }
+        assert!(names.len() > 200 && signal("FIN").is_some_and(|s| s.is_read) && signal("NOPE").is_none());
+    }
+
+    #[test]
+    fn every_bit_that_is_read_says_something() {
+        // Over a memory of zeros, of ones, or of modes that others may change.
+        let filled = |byte: u8| {
+            let mut memory = Memory::new();
+            signals().for_each(|signal| bits(&signal).iter().for_each(|a| memory.set_byte(*a, byte)));
+            memory
+        };
+        let mut grounds = vec![filled(0), filled(0xFF)];
+        for mode in 0..8 {
+            let mut memory = filled(0);
+            memory.set_byte(Address::parse("G43").unwrap(), mode);
+            grounds.push(memory);
+        }
+        for signal in signals().filter(|signal| signal.is_read) {
+            for address in bits(&signal) {
+                let speaks = grounds.iter().any(|ground| {
+                    let mut memory = ground.clone();
+                    memory.set_bit(address, !memory.bit(address));
+                    Inputs::read(&memory) != Inputs::read(ground)
+                });
+                assert!(speaks, "{} at {address:?} is not read", signal.name);
+            }
+        }
+    }
+
+    #[test]
+    fn a_ladder_that_stands_still_lets_nothing_move() {
+        let inputs = Inputs::read(&Memory::new());
+        assert!(inputs.emergency_stop && inputs.feed_hold && inputs.spindle_emergency_stop);
+        assert!(!inputs.axes_may_move && !inputs.spindle_may_turn && !inputs.cycle_start);
+        assert_eq!([inputs.feed_override, inputs.manual_override, inputs.spindle_override], [0.0; 3]);
+        assert!(inputs.at_limit.iter().all(|ways| ways.plus && ways.minus));
+        assert!(inputs.jog.iter().all(|ways| ways.sign() == 0));
+    }
+
+    #[test]
+    fn modes_are_those_of_their_codes() {
+        let mode = |bits: u8| {
+            let mut memory = Memory::new();
+            memory.set_byte(Address::parse("G43").unwrap(), bits);
+            Inputs::read(&memory).mode
+        };
+        // ZRN 7, STEPI 6, DNCI 5, MD4 2, MD2 1, MD1 0.
+        for (bits, wanted) in [
+            (0b0000_0000, Mode::Mdi),
+            (0b0000_0001, Mode::Auto),
+            (0b0010_0001, Mode::Dnc),
+            (0b0000_0011, Mode::Edit),
+            (0b0000_0100, Mode::Handle),
+            (0b0100_0100, Mode::Step),
+            (0b0000_0101, Mode::Jog),
+            (0b1000_0101, Mode::Home),
+            (0b0000_0010, Mode::Edit),
+        ] {
+            assert_eq!(mode(bits), wanted, "{bits:08b}");
+        }
+    }
+
+    #[test]
+    fn values_have_their_units() {
+        let mut memory = Memory::new();
+        let at = |text: &str| Address::parse(text).unwrap();
+        memory.set_byte(at("G12"), !120);
+        memory.write(at("G10").place(), Width::Two, !15_000);
+        memory.set_byte(at("G30"), 80);
+        memory.set_byte(at("G14"), 0b10);
+        memory.set_byte(at("G18"), 0b011);
+        memory.set_byte(at("G19"), 0b0011_0000);
+        memory.set_byte(at("G28"), 0b100);
+        memory.write(at("G54").place(), Width::Two, 0x8001);
+        let inputs = Inputs::read(&memory);
+        let near = |a: f64, b: f64| (a - b).abs() < 1e-12;
+        assert!(near(inputs.feed_override, 1.2) && near(inputs.manual_override, 1.5));
+        assert!(near(inputs.spindle_override, 0.8) && near(inputs.increment_of(0.001), 1.0));
+        assert_eq!((inputs.rapid_override, inputs.handwheel_axis), (RapidOverride::Quarter, Some(2)));
+        assert_eq!((inputs.gear, inputs.macro_inputs), (3, 0x8001));
+        // All bits on are 0, too.
+        memory.set_byte(at("G12"), 0xFF);
+        assert!(near(Inputs::read(&memory).feed_override, 0.0));
+    }
+
+    /// What of F is on for some outputs, by name.
+    fn told(outputs: &Outputs) -> Vec<&'static str> {
+        let mut memory = Memory::new();
+        outputs.write(&mut memory);
+        let is_on = |signal: &Signal| bits(signal).iter().any(|address| memory.bit(*address));
+        signals().filter(|signal| !signal.is_read && is_on(signal)).map(|signal| signal.name).collect()
+    }
+
+    #[test]
+    fn each_output_is_told_by_its_signal() {
+        let base = || Outputs { mode: Mode::Edit, ..Outputs::default() };
+        assert_eq!(told(&base()), ["MEDT"]);
+        let code = Code { strobe: true, code: 7 };
+        let table: Vec<(Outputs, Vec<&str>)> = vec![
+            (Outputs { rewinding: true, ..base() }, vec!["RWD"]),
+            (Outputs { held: true, ..base() }, vec!["SPL"]),
+            (Outputs { running: true, ..base() }, vec!["STL"]),
+            (Outputs { servo_ready: true, ..base() }, vec!["SA"]),
+            (Outputs { automatic: true, ..base() }, vec!["OP"]),
+            (Outputs { alarm: true, ..base() }, vec!["AL"]),
+            (Outputs { reset: true, ..base() }, vec!["RESET"]),
+            (Outputs { distribution_end: true, ..base() }, vec!["DEN"]),
+            (Outputs { spindle_enabled: true, ..base() }, vec!["ENB"]),
+            (Outputs { tapping: true, ..base() }, vec!["TAP"]),
+            (Outputs { ready: true, ..base() }, vec!["MA"]),
+            (Outputs { rapid: true, ..base() }, vec!["RPDO"]),
+            (Outputs { surface_speed: true, ..base() }, vec!["CSS"]),
+            (Outputs { threading: true, ..base() }, vec!["THRD"]),
+            (Outputs { restarting: true, ..base() }, vec!["SRNMV"]),
+            (Outputs { cutting: true, ..base() }, vec!["CUT"]),
+            (Outputs { dry_run: true, ..base() }, vec!["MDRN"]),
+            (Outputs { block_skip: true, ..base() }, vec!["MBDT"]),
+            (Outputs { machine_lock: true, ..base() }, vec!["MMLK"]),
+            (Outputs { single_block: true, ..base() }, vec!["MSBK"]),
+            (Outputs { auxiliary_lock: true, ..base() }, vec!["MAFL"]),
+            (Outputs { m: code, ..base() }, vec!["MF", "M_CODE"]),
+            (Outputs { s: code, ..base() }, vec!["SF", "S_CODE"]),
+            (Outputs { t: code, ..base() }, vec!["TF", "T_CODE"]),
+            (Outputs { b: code, ..base() }, vec!["BF", "B_CODE"]),
+            (Outputs { m00: true, ..base() }, vec!["DM00"]),
+            (Outputs { m01: true, ..base() }, vec!["DM01"]),
+            (Outputs { m02: true, ..base() }, vec!["DM02"]),
+            (Outputs { m30: true, ..base() }, vec!["DM30"]),
+            (Outputs { gear: 1, ..base() }, vec!["GR1O"]),
+            (Outputs { gear: 3, ..base() }, vec!["GR3O"]),
+            (Outputs { spindle_rpm: 1, ..base() }, vec!["AR"]),
+            (Outputs { spindle_alarm: true, ..base() }, vec!["ALMA"]),
+            (Outputs { spindle_zero: true, ..base() }, vec!["SSTA"]),
+            (Outputs { spindle_at_speed: true, ..base() }, vec!["SARA"]),
+            (Outputs { spindle_oriented: true, ..base() }, vec!["ORARA"]),
+            (Outputs { macro_outputs: 2, ..base() }, vec!["UO"]),
+            (Outputs { parts_reached: true, ..base() }, vec!["PRTSF"]),
+            (Outputs { rigid_tapping: true, ..base() }, vec!["RTAP"]),
+        ];
+        for (outputs, wanted) in table {
+            let mut found = told(&outputs);
+            found.retain(|name| *name != "MEDT");
+            assert_eq!(found, wanted);
+        }
+        let second = [false, true, false, false, false, false, false, false];
+        let axes = Outputs {
+            at_reference: second,
+            at_second_reference: second,
+            referenced: second,
+            moving: second,
+            downwards: second,
+            in_position: second,
+            ..base()
+        };
+        assert_eq!(told(&axes)[1..], ["ZP_Y", "ZP2_Y", "MV_Y", "INP_Y", "MVD_Y", "ZRF_Y"]);
+        for (mode, name) in
+            Mode::ALL.into_iter().zip(["MEDT", "MMEM", "MMDI", "MREF", "MJ", "MINC", "MH", "MRMT"])
+        {
+            assert_eq!(told(&Outputs { mode, ..base() }), [name]);
+        }
+    }
+}

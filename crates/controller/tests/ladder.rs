@@ -5,7 +5,6 @@ mod common;
 #[path = "common/mill.rs"]
 mod mill;
 
-use common::machine;
 use ferrocut_controller::signals::Mode;
 use ferrocut_controller::{Event, State};
 use ferrocut_geometry::Axis;
@@ -221,28 +220,19 @@ fn an_open_door_holds_the_program_and_stops_the_spindle() {
 
 #[test]
 fn cutting_waits_for_the_speed_where_the_parameter_says_so() {
-    // K0.1: M03 itself does not wait.
+    let maintenance = ferrocut_plc::Maintenance::granted();
     for waits in [true, false] {
         let setup = format!("[parameters]\n\"NO38.0\" = {}\n", u8::from(waits));
         let mut m = Mill::with("G00 X5\nM03 S4000\nG00 X10\nG01 X20 F1000\nM30", &setup, |_| {});
-        m.machine("K_NO_SPEED", true);
         m.start();
-        m.until(|m| m.at[Axis::X] > 10.0);
-        // The ladder of K0.1 gives SAR at once.
-        let had = rpm(&m);
-        assert!(had < 4000, "{had}");
-        // A ladder that passes the speed on.
-        let mut m = Mill::with("G00 X5\nM03 S4000\nG00 X10\nG01 X20 F1000\nM30", &setup, |_| {});
-        let finished = m.address("SARA");
-        m.start();
-        m.until(|m| m.is("MF"));
-        // The signal comes, and goes before cutting begins.
+        // The spindle has its speed, and loses it before cutting begins: positioning goes on.
         m.until(|m| m.is("SAR"));
-        m.plc.force(&ferrocut_plc::Maintenance::granted(), finished, false);
+        let at_speed = m.address("SARA");
+        m.plc.force(&maintenance, at_speed, false);
         m.run(3_000);
         let at = m.at[Axis::X];
-        assert_eq!(if waits { at == 10.0 } else { at > 10.0 }, true, "{at}");
-        m.plc.release(&ferrocut_plc::Maintenance::granted(), finished);
+        assert!(if waits { at == 10.0 } else { at > 10.0 }, "{at}");
+        m.plc.release(&maintenance, at_speed);
         m.until(|m| *m.cnc.state() == State::Ended);
     }
 }
@@ -344,7 +334,6 @@ fn an_emergency_stop_ends_all() {
     m.run(500);
     assert_eq!((m.at, rpm(&m)), (at, 0), "nothing starts by itself");
     assert!(!m.is("TOWER_RED"));
-    let _ = machine();
 }
 
 #[test]
@@ -371,4 +360,192 @@ fn a_hold_lets_a_code_come_to_its_end() {
     m.press("KEY_START");
     m.until(|m| *m.cnc.state() == State::Ended);
     assert_eq!(m.at[Axis::X], 5.0);
+}
+
+#[test]
+fn keys_of_modes_choose_the_mode_and_light_its_lamp() {
+    let mut m = Mill::new("M30");
+    let table = [
+        ("AUTO", Mode::Auto),
+        ("EDIT", Mode::Edit),
+        ("MDI", Mode::Mdi),
+        ("DNC", Mode::Dnc),
+        ("HOME", Mode::Home),
+        ("JOG", Mode::Jog),
+        ("STEP", Mode::Step),
+        ("MPG", Mode::Handle),
+    ];
+    let lamps: Vec<String> = table.iter().map(|(name, _)| format!("LAMP_{name}")).collect();
+    assert_eq!(m.mode(), Mode::Jog, "after power-on");
+    for (name, mode) in table {
+        m.press(&format!("KEY_{name}"));
+        let lit: Vec<&String> = lamps.iter().filter(|lamp| m.is(lamp)).collect();
+        assert_eq!((m.mode(), lit), (mode, vec![&format!("LAMP_{name}")]));
+    }
+}
+
+#[test]
+fn switches_reach_the_nc_and_come_back_as_lamps() {
+    type Is = fn(&ferrocut_controller::Inputs) -> bool;
+    let table: [(&str, &str, Is); 8] = [
+        ("SINGLE", "KEY_AUTO", |i| i.single_block),
+        ("SKIP", "KEY_MDI", |i| i.block_skip),
+        ("OPTSTOP", "KEY_DNC", |i| i.optional_stop),
+        ("DRY", "KEY_AUTO", |i| i.dry_run),
+        ("MLOCK", "KEY_JOG", |i| i.machine_lock),
+        ("AUXLOCK", "KEY_AUTO", |i| i.auxiliary_lock),
+        ("RESTART", "KEY_AUTO", |i| i.restart),
+        ("RAPID", "KEY_JOG", |i| i.manual_rapid),
+    ];
+    let mut m = Mill::new("M30");
+    for (name, mode, is_on) in table {
+        m.press(mode);
+        for wanted in [true, false] {
+            m.press(&format!("KEY_{name}"));
+            assert_eq!((is_on(&m.inputs), m.is(&format!("LAMP_{name}"))), (wanted, wanted), "{name}");
+        }
+    }
+    for (name, output) in [("LIGHT", "LIGHT"), ("COOLANT", "COOLANT"), ("CHIP", "CONVEYOR")] {
+        for wanted in [true, false] {
+            m.press(&format!("KEY_{name}"));
+            assert_eq!((m.is(output), m.is(&format!("LAMP_{name}"))), (wanted, wanted), "{name}");
+        }
+    }
+    m.machine("KEY_LUBE", true);
+    m.run(20);
+    assert!(m.is("LUBE") && m.is("LAMP_LUBE"));
+    m.machine("KEY_LUBE", false);
+    m.run(20);
+    assert!(!m.is("LUBE") && !m.is("LAMP_LUBE"));
+    assert!(m.is("LAMP_ZERO_Z") && !m.is("LAMP_ZERO_X"));
+}
+
+#[test]
+fn overrides_and_selections_reach_the_nc() {
+    use ferrocut_controller::signals::RapidOverride;
+    let mut m = Mill::new("M30");
+    for position in 0..=20 {
+        m.turn("SWITCH_FEED", position);
+        m.run(5);
+        let wanted = f64::from(position) / 10.0;
+        let found = [m.inputs.feed_override, m.inputs.manual_override];
+        assert!(found.iter().all(|f| (f - wanted).abs() < 1e-12), "{position}: {found:?}");
+    }
+    for (position, wanted) in (0..8).zip([0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2]) {
+        m.turn("SWITCH_SPINDLE", position);
+        m.run(5);
+        assert!((m.inputs.spindle_override - wanted).abs() < 1e-12);
+    }
+    for (key, wanted) in [
+        ("R_F0", RapidOverride::Lowest),
+        ("R_25", RapidOverride::Quarter),
+        ("R_50", RapidOverride::Half),
+        ("R_100", RapidOverride::Full),
+    ] {
+        m.press(&format!("KEY_{key}"));
+        assert_eq!(m.inputs.rapid_override, wanted);
+        let lamps = ["LAMP_R_F0", "LAMP_R_25", "LAMP_R_50", "LAMP_R_100"];
+        assert_eq!(m.on(&lamps), [format!("LAMP_{key}")]);
+    }
+    for (n, axis) in ["X", "Y", "Z", "A"].into_iter().enumerate() {
+        m.press(&format!("KEY_W{axis}"));
+        assert_eq!(m.inputs.handwheel_axis, Some(n));
+        m.press(&format!("KEY_S{n}"));
+        assert!((m.inputs.increment_of(0.001) - 0.001 * 10f64.powi(n as i32)).abs() < 1e-12);
+        for (way, sign) in [("+", 1), ("-", -1)] {
+            m.machine(&format!("KEY_{axis}{way}"), true);
+            m.run(5);
+            let wanted: Vec<i8> = (0..8).map(|k| if k == n { sign } else { 0 }).collect();
+            assert_eq!(m.inputs.jog.iter().map(|ways| ways.sign()).collect::<Vec<_>>(), wanted);
+            m.machine(&format!("KEY_{axis}{way}"), false);
+            m.run(5);
+        }
+    }
+}
+
+#[test]
+fn limit_switches_are_told_by_axis_and_way() {
+    let mut m = Mill::new("M30");
+    m.press("KEY_JOG");
+    for bit in 0..8 {
+        let (axis, is_plus) = (bit / 2, bit % 2 == 0);
+        m.limits = !(1 << bit);
+        m.run(5);
+        for (n, (at, no)) in m.inputs.at_limit.iter().zip(&m.inputs.no_motion).take(4).enumerate() {
+            let wanted = (n == axis && is_plus, n == axis && !is_plus);
+            assert_eq!(
+                ((at.plus, at.minus), (no.plus, no.minus)),
+                (wanted, wanted),
+                "switch {bit}, axis {n}"
+            );
+        }
+        assert!(m.is("LAMP_OT"));
+        // The key towards it is dead, the one away from it is not.
+        let letter = ["X", "Y", "Z", "A"][axis];
+        for (way, sign) in [("+", 1), ("-", -1)] {
+            m.machine(&format!("KEY_{letter}{way}"), true);
+            m.run(5);
+            let dead = is_plus == (sign == 1);
+            assert_eq!(m.inputs.jog[axis].sign(), if dead { 0 } else { sign });
+            m.machine(&format!("KEY_{letter}{way}"), false);
+            m.run(5);
+        }
+        // The release key takes the alarm away, the way on stays shut.
+        m.machine("KEY_OT", true);
+        m.run(5);
+        let ways = m.inputs.at_limit[axis];
+        assert!(!ways.plus && !ways.minus && (m.inputs.no_motion[axis].plus == is_plus));
+        m.machine("KEY_OT", false);
+    }
+    m.limits = 0xFF;
+    m.run(5);
+    assert!(!m.is("LAMP_OT"));
+}
+
+#[test]
+fn lubrication_and_air_lock_the_start() {
+    let mut m = Mill::new("M30");
+    m.press("KEY_AUTO");
+    for (input, message) in
+        [("LUBE_LEVEL", "MSG_LUBE"), ("AIR_PRESSURE", "MSG_AIR"), ("DRIVE_OK", "MSG_DRIVE")]
+    {
+        m.machine(input, false);
+        m.run(20);
+        m.press("KEY_START");
+        assert_eq!((m.is(message), m.cnc.state()), (true, &State::Ready), "{input}");
+        assert_eq!(m.inputs.axes_may_move, input != "AIR_PRESSURE");
+        m.machine(input, true);
+        m.reset_signal();
+        assert!(!m.is(message));
+    }
+    // Every half hour for 15 s.
+    let minutes = m.address("LUBE_MINUTES");
+    m.plc.memory_mut().set_byte(minutes, 1);
+    m.until(|m| m.is("LUBE"));
+    let took = m.until(|m| !m.is("LUBE"));
+    assert!((14_900..15_100).contains(&took), "{took}");
+    m.press("KEY_START");
+    m.until(|m| *m.cnc.state() == State::Ended);
+}
+
+#[test]
+fn programs_read_and_set_signals() {
+    let program =
+        "#1102=1\nM00\n#1132=9\nM00\n#1100=0\nIF [#1003 EQ 1] GOTO 5\nG00 X1\nGOTO 6\nN5 G00 X2\nN6 M30";
+    for (input, wanted) in [(false, 1.0), (true, 2.0)] {
+        let mut m = Mill::new(program);
+        let uo = m.address("UO");
+        m.start();
+        m.until(|m| *m.cnc.state() == State::Stopped(0));
+        assert_eq!(m.plc.memory().byte(uo), 0b100);
+        m.press("KEY_START");
+        m.until(|m| *m.cnc.state() == State::Stopped(0));
+        assert_eq!(m.plc.memory().byte(uo), 0b1001);
+        // The signal comes while the program waits.
+        let ui = m.address("UI");
+        m.plc.memory_mut().set_byte(ui, u8::from(input) << 3);
+        m.press("KEY_START");
+        m.until(|m| *m.cnc.state() == State::Ended);
+        assert_eq!((m.at[Axis::X], m.plc.memory().byte(uo)), (wanted, 0b1000));
+    }
 }

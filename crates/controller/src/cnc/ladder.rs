@@ -104,6 +104,15 @@ impl Cnc {
         }
     }
 
+    /// Inputs that a program reads are those of the ladder, now that the axes are at rest.
+    pub(super) fn read_macro_inputs(&mut self) {
+        if let Some(auxiliary) = &self.auxiliary {
+            for (variable, value) in auxiliary.macro_inputs() {
+                self.interpreter.set_input(variable, value);
+            }
+        }
+    }
+
     /// Speed of the spindle for a feed per revolution, r/min: under auxiliary lock the one it would have.
     pub(super) fn feed_rpm(&self) -> f64 {
         let locked = self.auxiliary.as_ref().and_then(|auxiliary| auxiliary.locked_rpm());
@@ -122,7 +131,7 @@ impl Cnc {
                 true
             }
             Handing::Nothing => false,
-            Handing::Begun | Handing::Locked => true,
+            Handing::Begun | Handing::Done => true,
         }
     }
 }

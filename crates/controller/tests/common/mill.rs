@@ -74,7 +74,7 @@ impl Mill {
     }
 
     pub fn with(program: &str, setup: &str, change: impl Fn(&mut Machine)) -> Mill {
-        let mut machine = super::machine();
+        let mut machine = crate::common::machine();
         machine.handshake.strobe_delay_ms = 2.0;
         change(&mut machine);
         let mut cnc = Cnc::new(&machine, interpreter(program, setup));
@@ -160,6 +160,12 @@ impl Mill {
     /// The key RESET, which is the NC's own.
     pub fn reset(&mut self) {
         self.cnc.reset();
+        self.reset_ms = 200;
+        self.run(300);
+    }
+
+    /// The signal of a reset alone: no program is under way.
+    pub fn reset_signal(&mut self) {
         self.reset_ms = 200;
         self.run(300);
     }
