@@ -88,7 +88,7 @@ pub enum Command {
     Memory(MemoryArgs),
     /// Ladders of the PLC: check them, run them at a desk, import them from PLCopen XML
     Plc(PlcArgs),
-    /// Offer the machine to other programs on this computer: Grbl senders (UGS, CNCjs, bCNC)
+    /// Offer the machine to other programs on this computer: Grbl senders (UGS, CNCjs, bCNC), JSON lines
     #[command(
         long_about = "Offer the machine to other programs on this computer.\n\n\
             With --grbl the machine speaks the protocol of Grbl 1.1, so that senders made for it connect,\n\
@@ -96,9 +96,12 @@ pub enum Command {
             takes it, run with look-ahead, within the limits of the machine file, at true speed.\n\n\
             tcp:PORT listens on this computer only (0 lets the system choose); pty makes a pseudo-terminal\n\
             that looks like a serial port. What was opened is printed in one line: `grbl tcp 127.0.0.1:2323`.\n\n\
-            docs/serve.md says how each sender is connected, and what differs from Grbl.",
+            With --socket or --tcp it is the whole control with ladder, modes and memory, and takes the commands\n\
+            of docs/api.md as JSON lines.\n\n\
+            docs/serve.md has both protocols, how each sender is connected, and what differs from Grbl.",
         after_help = "Examples:\n  \
             ferrocut serve --headless --grbl tcp:2323\n  \
+            ferrocut serve --headless --socket /run/ferrocut.sock --memory /var/lib/ferrocut\n  \
             ferrocut serve --headless --grbl pty --machine mill.toml"
     )]
     Serve(ServeArgs),
@@ -275,8 +278,20 @@ pub struct ServeArgs {
     #[arg(long, required = true)]
     pub headless: bool,
     /// Where Grbl senders connect: tcp:PORT or pty
-    #[arg(long, value_name = "WHERE")]
-    pub grbl: crate::commands::serve::GrblAt,
+    #[arg(long, value_name = "WHERE", required_unless_present_any = ["socket", "tcp"])]
+    pub grbl: Option<crate::commands::serve::GrblAt>,
+    /// Unix socket of the control's own commands, as JSON lines
+    #[arg(long, value_name = "PATH", conflicts_with = "grbl")]
+    pub socket: Option<PathBuf>,
+    /// The same over TCP on this computer, such as 127.0.0.1:7878; port 0 lets the system choose
+    #[arg(long, value_name = "ADDRESS", conflicts_with = "grbl")]
+    pub tcp: Option<std::net::SocketAddr>,
+    /// Folder of what the control keeps without power [default: nothing is kept]
+    #[arg(long, value_name = "DIR", conflicts_with = "grbl")]
+    pub memory: Option<PathBuf>,
+    /// Ladder of the machine [default: the standard one]
+    #[arg(long, value_name = "FILE", conflicts_with = "grbl")]
+    pub ladder: Option<PathBuf>,
     /// Run the machine before all other work of this computer, where it lets us: 1 to 99 (SCHED_FIFO)
     #[arg(long, value_name = "PRIORITY", value_parser = clap::value_parser!(u8).range(1..=99))]
     pub priority: Option<u8>,

@@ -9,6 +9,7 @@ pub mod grbl;
 pub mod lines;
 pub mod link;
 pub mod mill;
+pub mod panel;
 pub mod remote;
 pub mod runner;
 pub mod service;

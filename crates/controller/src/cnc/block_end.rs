@@ -215,6 +215,16 @@ impl Cnc {
         Some(next)
     }
 
+    /// Line of what was taken from the interpreter and does not begin yet.
+    pub(super) fn held_line(&self) -> Option<u32> {
+        let later = self.blocks.later.front().map(|given| given.span.line);
+        let of = |next: &Result<Step, Box<Alarm>>| match next {
+            Ok(step) => step.span.line,
+            Err(alarm) => alarm.span.line,
+        };
+        later.or(self.blocks.next.as_ref().map(of))
+    }
+
     /// The block of what was taken last.
     pub(super) fn taken(&self, span: Span) -> Block {
         self.blocks.taken.unwrap_or(Block::at(span))

@@ -84,6 +84,7 @@ impl Cnc {
     /// of it is done.
     pub fn lines_done(&self) -> u32 {
         let read = self.interpreter.lines_done();
+        let read = self.held_line().map_or(read, |line| read.min(line.saturating_sub(1)));
         match self.waiting.is_some() || self.busy.is_some() || self.stroke.is_some() {
             // What waits is of the line read last, or of one before.
             true => read.min(self.waiting_line().saturating_sub(1)),

@@ -4,6 +4,8 @@ mod keep;
 mod look;
 mod tables;
 
+pub use keep::open;
+
 use crate::cli::{Common, Show};
 use crate::diagnostics::Diagnostics;
 use crate::job::{Exit, Failure};

@@ -198,7 +198,7 @@ impl Source {
 }
 
 /// A fault of a ladder as the control's alarm.
-fn alarm(error: &Error) -> Alarm {
+pub fn alarm(error: &Error) -> Alarm {
     let span = Span {
         offset: error.span.offset as u64,
         len: u32::try_from(error.span.len).unwrap_or(u32::MAX),

@@ -2,14 +2,18 @@
 
 use crate::cli::ServeArgs;
 use crate::job::{Exit, Failure, Shop};
+use ferrocut_controller::control::{Control, Parts};
 use ferrocut_machine::Memory;
 use ferrocut_server::grbl::Grbl;
+use ferrocut_server::lines;
 use ferrocut_server::link::{self, Terminal};
 use ferrocut_server::mill::Mill;
+use ferrocut_server::panel::Panel;
 use ferrocut_server::remote::Remote;
 use ferrocut_server::runner::Timing;
 use std::fmt;
 use std::io::Write;
+use std::net::TcpListener;
 use std::str::FromStr;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -47,10 +51,16 @@ impl fmt::Display for GrblAt {
     }
 }
 
+/// The ladder of a machine that names none.
+const STANDARD: &str = include_str!("../../../../machines/standard.lad");
+
 /// Runs the command.
 pub fn run(args: &ServeArgs) -> Result<Exit, Failure> {
     let shop = Shop::open(&args.common)?;
-    serve_grbl(args, &shop, args.grbl)
+    match args.grbl {
+        Some(place) => serve_grbl(args, &shop, place),
+        None => serve_control(args, &shop),
+    }
 }
 
 fn cannot(place: impl fmt::Display) -> impl Fn(std::io::Error) -> Failure {
@@ -83,6 +93,49 @@ fn serve_grbl(args: &ServeArgs, shop: &Shop, place: GrblAt) -> Result<Exit, Fail
         }
     }
     Ok(Exit::Fine)
+}
+
+/// The whole control for JSON lines, until its thread ends.
+fn serve_control(args: &ServeArgs, shop: &Shop) -> Result<Exit, Failure> {
+    if let Some(address) = args.tcp.filter(|address| !address.ip().is_loopback()) {
+        return Err(Failure::cannot_serve(&address.to_string(), "not an address of this computer alone"));
+    }
+    let text = match &args.ladder {
+        None => STANDARD.as_bytes().to_vec(),
+        Some(path) => std::fs::read(path)
+            .map_err(|error| Failure::unreadable(&path.to_string_lossy(), &error.to_string()))?,
+    };
+    let ladder =
+        ferrocut_plc::Program::from_text(&text, &ferrocut_plc::Limits::default()).map_err(|errors| {
+            match errors.first() {
+                Some(error) => Failure::setting(Box::new(super::plc::alarm(error))),
+                None => Failure::config("ladder", ""),
+            }
+        })?;
+    let store = match &args.memory {
+        None => None,
+        Some(folder) => Some(Arc::new(super::memory::open(folder, &shop.machine.dialect)?)),
+    };
+    let parts = Parts { store, ladder: Some(ladder), ..Parts::default() };
+    let control = Control::new(&shop.machine, parts).map_err(|alarm| Failure::setting(alarm))?;
+    let period = Duration::from_secs_f64(shop.machine.servo_period_ms / 1000.0);
+    let (runner, hub) = lines::start(Panel::new(control), period, args.priority).map_err(cannot("thread"))?;
+    if let Some(path) = &args.socket {
+        let listener = lines::listen_at(path).map_err(cannot(path.display()))?;
+        lines::serve(hub.clone(), listener).map_err(cannot(path.display()))?;
+        say(&format!("socket {}", path.display()));
+    }
+    if let Some(address) = args.tcp {
+        let listener = TcpListener::bind(address).map_err(cannot(address))?;
+        let at = listener.local_addr().map_err(cannot(address))?;
+        lines::serve(hub, listener).map_err(cannot(address))?;
+        say(&format!("tcp {at}"));
+    }
+    tell_timing(args.timing, runner.timing());
+    while runner.is_alive() {
+        std::thread::sleep(Duration::from_millis(200));
+    }
+    Ok(Exit::Finding)
 }
 
 /// Says how the periods went, now and then.

@@ -17,7 +17,8 @@ use std::path::Path;
 /// Longest line that is read as a password, bytes.
 const LINE: u64 = 1024;
 
-fn open(folder: &Path, control: &str) -> Result<Store, Failure> {
+/// The memory in a folder, made where there is none.
+pub fn open(folder: &Path, control: &str) -> Result<Store, Failure> {
     Store::open(folder, Settings::new(control)).map_err(|error| unopened(folder, &error))
 }
 
