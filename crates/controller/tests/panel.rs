@@ -79,7 +79,8 @@ fn a_shift_through_the_keys() {
         mill.wait(200);
         mill.key(key, false);
     }
-    let status = mill.until("homed", |status| ['X', 'Y', 'Z'].iter().all(|axis| status.referenced.contains(axis)));
+    let status =
+        mill.until("homed", |status| ['X', 'Y', 'Z'].iter().all(|axis| status.referenced.contains(axis)));
     assert!(status.lamps.contains(&"LAMP_HOME".to_owned()), "{:?}", status.lamps);
 
     // Jog, with a lamp for the mode.
