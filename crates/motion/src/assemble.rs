@@ -157,6 +157,11 @@ impl Assembler {
                 self.parts.extend(Member::new(from, &part, &self.rules));
                 from = part.to();
             }
+            // Only the last of them ends as the move does.
+            let inside = self.parts.len().saturating_sub(1);
+            for part in self.parts.iter_mut().take(inside) {
+                part.tolerance = part.tolerance.or(Some(0.0));
+            }
         } else {
             self.parts.push(member);
         }

@@ -124,6 +124,19 @@ fn inner_corners_by_speed_difference_are_as_slow_as_the_axes_ask_for() {
 }
 
 #[test]
+fn inner_corners_of_a_machine_that_stops_everywhere_stop_at_ends_of_blocks_alone() {
+    let mut machine = round_machine();
+    machine.path.exact_stop = true;
+    let run = judged(&machine, &corner(90.0, PathMode::InnerCorners(INNER)));
+    assert!(speeds(&run, VERTEX, 0.0, 1.0, &[0, 1])[1] <= SLOW * 1.0001);
+    let rests = |s: &&ferrocut_motion::Setpoint| s.velocity == 0.0 && distance(s.position, VERTEX) > 1e-9;
+    let ends = [Position::ZERO, Position::xyz(30.0, 30.0, 0.0)];
+    let mut rests = run.samples.iter().filter(rests).map(|s| s.position);
+    assert!(rests.all(|p| ends.iter().any(|end| distance(p, *end) < 1e-9)));
+    assert!(run.rests_on(VERTEX));
+}
+
+#[test]
 fn inner_corners_are_overridden_like_any_feed() {
     let machine = round_machine();
     let ops = corner(90.0, PathMode::InnerCorners(INNER));
