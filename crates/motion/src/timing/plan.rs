@@ -87,6 +87,13 @@ const BRAKE_SHARE: f64 = 0.95;
 /// Shares of the allowed speed that braking for a lower override ends at, tried in this order.
 const BRAKE_TO: [f64; 5] = [1.0, 0.85, 0.65, 0.4, 0.15];
 
+/// Cells that are planned at once at most, besides those that are planned again. What is left comes in the periods after;
+/// until then the path is planned to rest before it.
+const MOST_CELLS: u64 = 256;
+
+/// They reach as far as the speed at their start does in this time, s: twice as far as braking for as long.
+const REACH: f64 = 2.0;
+
 /// Stretches that are run before a plan that failed is tried again.
 const PATIENCE: usize = 8;
 
@@ -164,6 +171,8 @@ pub(crate) struct Plan {
     next: Start,
     /// The first cell that is not planned.
     planned: u64,
+    /// Cells from this one on count as not known yet.
+    horizon: u64,
     overrides: Overrides,
     grid: Grid,
     /// Number of the first stretch of the list.
@@ -188,6 +197,7 @@ impl Plan {
             fixed: 0,
             next: start,
             planned: 0,
+            horizon: 0,
             overrides: Overrides { feed: 1.0, rapid: 1.0 },
             grid: Grid::new(),
             base: 0,
@@ -260,6 +270,7 @@ impl Plan {
         let Some(start) = self.behind_current(queue) else { return Some(changed) };
         let fixed = self.stretches.len().min(self.current + 1);
         self.stretches.truncate(fixed);
+        self.look_ahead(queue, start, start.cell);
         if self.sections(queue, start, 1.0) {
             return Some(changed);
         }
@@ -276,6 +287,7 @@ impl Plan {
             let behind = Start { port, cell: self.find(queue, start.cell, end) };
             self.fixed = self.stretches.len();
             self.next = behind;
+            self.look_ahead(queue, behind, behind.cell);
             if self.sections(queue, behind, 1.0) {
                 return Some(changed);
             }
@@ -299,6 +311,7 @@ impl Plan {
             self.fixed = self.stretches.len().min(self.current + 1);
         }
         let (start, fixed) = (self.next, self.fixed);
+        self.look_ahead(queue, start, self.planned.max(start.cell));
         for round in 0..ROUNDS {
             self.stretches.truncate(fixed);
             (self.next, self.fixed) = (start, fixed);
@@ -311,6 +324,15 @@ impl Plan {
         }
         self.give_up(queue);
         None
+    }
+
+    /// Decides how far a plan from `start` looks, of which the cells up to `known` are planned again.
+    fn look_ahead(&mut self, queue: &Queue, start: Start, known: u64) {
+        let far = start.port.s + REACH * start.port.state.v;
+        self.horizon = queue.tail().min(known + MOST_CELLS);
+        while self.horizon < queue.tail() && queue.node(self.horizon).s < far {
+            self.horizon += 1;
+        }
     }
 
     /// Notes the plan as it is. What was run is forgotten.
@@ -499,8 +521,9 @@ impl Plan {
     /// Plans from `start` to the end of what is known. `false` if a section cannot be planned.
     fn sections(&mut self, queue: &Queue, start: Start, share: f64) -> bool {
         let Start { mut port, mut cell } = start;
+        let tail = self.horizon;
         cell = cell.max(queue.head());
-        while cell < queue.tail() && self.stretches.len() + SPARE < STRETCHES {
+        while cell < tail && self.stretches.len() + SPARE < STRETCHES {
             // Where the section ends: before a corner, at a rest, at the end of the queue.
             let mut last = cell;
             let mut pace = 1.0;
@@ -518,7 +541,7 @@ impl Plan {
                         break;
                     }
                 }
-                if last + 1 == queue.tail() {
+                if last + 1 == tail {
                     break;
                 }
                 last += 1;
@@ -551,13 +574,13 @@ impl Plan {
                     cell = last;
                     continue;
                 }
-                Pass::Corner { .. } if last + 1 == queue.tail() => {
+                Pass::Corner { .. } if last + 1 == tail => {
                     // What follows is not known yet: to rest before it.
                     let to = Port { s: node.s, state: State::REST };
                     if cell < last && !self.section(queue, port, to, cell, last - 1) {
                         return false;
                     }
-                    self.planned = queue.tail();
+                    self.planned = tail;
                     return true;
                 }
                 Pass::Corner { foot, time, .. } => {
@@ -580,7 +603,7 @@ impl Plan {
                         time,
                     });
                     port = Port { s: node.end(), state: State { v: foot_now.v, a: foot_now.a } };
-                    if last + 1 < queue.tail() {
+                    if last + 1 < tail {
                         self.fix(Start { port, cell: last + 1 });
                     }
                 }
@@ -616,7 +639,7 @@ impl Plan {
         let mut cap = self.overrides.cap(queue.node(cell));
         let before = (queue.head()..cell).rev().map(|cell| queue.node(cell)).take_while(|node| !node.rests);
         let mut ends = false;
-        let after = (cell + 1..queue.tail()).map(|cell| queue.node(cell));
+        let after = (cell + 1..self.horizon).map(|cell| queue.node(cell));
         let after = after.take_while(|node| !std::mem::replace(&mut ends, node.rests));
         let mut sides = [self.side(before, &mut cap), self.side(after, &mut cap)];
         if from.state == State::REST {
