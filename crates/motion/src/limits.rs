@@ -256,7 +256,7 @@ impl Load {
 }
 
 /// What is left to the path at a speed.
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub(crate) struct Room {
     /// Acceleration, mm/s².
     pub a: f64,

@@ -39,7 +39,7 @@ const BACK_CHORD: f64 = 1.998_096;
 /// share that the path takes (see [`crate::limits`]) it stays under the whole.
 const JOINT_SHARE: f64 = 0.0004;
 
-/// Share of the jerk that easing a joint shall take; a shorter ease keeps more of the programmed path.
+/// Share of the jerk and the acceleration that easing a joint shall take; a shorter ease keeps more of the programmed path.
 const EASE_SHARE: f64 = 0.1;
 
 /// Joints that would have to be run through slower than this come to rest, mm/s.
@@ -59,6 +59,16 @@ pub(crate) const MOST_CHORDS: f64 = 96.0;
 
 /// Shortest ease, mm.
 const LEAST_EASE: f64 = 1e-7;
+
+/// What easing a corner without a limit of jerk takes, times what is worked out: the spline is the one of least third
+/// derivative, not of least curvature.
+const FREE_EASE: f64 = 1.25;
+
+/// Lines shorter than this, or with less tolerance, are looked at in full, mm.
+const LEAST_RUN: f64 = 1e-5;
+
+/// Two directions that differ by less than this, by every triple of axes, do not turn back: 2·sin(150°/2).
+const RUN_CHORD: f64 = 1.93;
 
 /// Largest of `x·(1−x)³`, over 12.
 const BEND_MISS: f64 = 0.008_789_1;
@@ -182,16 +192,22 @@ impl Member {
             return Joint::Rest;
         }
         let (len, next_len) = (self.piece.len(), next.piece.len());
+        let is_chain =
+            !is_rapid && self.class == next.class && tolerance > 0.0 && next.tolerance != Some(0.0);
+        let is_chain = is_chain && matches!((&self.piece, &next.piece), (Piece::Line(_), Piece::Line(_)));
         let (before, after) = (self.piece.tangent(len), next.piece.tangent(0.0));
+        let cap = match rules.corner {
+            Some(corner) if matches!(self.class, Class::Cut | Class::Full) => corner.speed(&before, &after),
+            _ => f64::INFINITY,
+        };
+        if is_chain && cap == f64::INFINITY && runs_on(&before, &after, len.min(next_len), tolerance) {
+            return Joint::Chain;
+        }
         let jump = after - before;
         let bend = next.piece.bend(0.0) - self.piece.bend(len);
         // Rotary axes that turn much a millimetre would hide a reversal of X, Y, Z.
         let angle = turn(&before.0, &after.0).max(turn(&before.0[..3], &after.0[..3]));
         let top = self.top(inverse, len).min(next.top(inverse, 0.0));
-        let cap = match rules.corner {
-            Some(corner) if matches!(self.class, Class::Cut | Class::Full) => corner.speed(&before, &after),
-            _ => f64::INFINITY,
-        };
         let is_slow = cap < top;
         let top = top.min(cap);
         // Several joints may fall into the periods that jerk is seen over.
@@ -200,9 +216,6 @@ impl Member {
         let step = inverse.change_time(&jump.0).max(peak(&jump.0, &inverse.jerk) / rules.period);
         let through =
             (share / step.max(1e-300)).min((share / peak(&bend.0, &inverse.jerk).max(1e-300)).sqrt());
-        let is_chain =
-            !is_rapid && self.class == next.class && tolerance > 0.0 && next.tolerance != Some(0.0);
-        let is_chain = is_chain && matches!((&self.piece, &next.piece), (Piece::Line(_), Piece::Line(_)));
         let is_chain = is_chain && !is_slow;
         if through >= top {
             return if is_chain { Joint::Chain } else { Joint::Through(cap) };
@@ -264,6 +277,18 @@ impl Member {
     }
 }
 
+/// Whether two lines, the shorter `len` long, need no closer look to be smoothed together: they do not turn back, and a
+/// corner rounded in time would take more of them than there is.
+fn runs_on(before: &Position, after: &Position, len: f64, tolerance: f64) -> bool {
+    let is_other = |p: &Position| p.0[3..].iter().any(|c| *c != 0.0);
+    if len < LEAST_RUN || tolerance < LEAST_RUN || is_other(before) || is_other(after) {
+        return false;
+    }
+    let square: f64 = (0..3).map(|i| (after.0[i] - before.0[i]) * (after.0[i] - before.0[i])).sum();
+    let most = 8.0 * tolerance / (CORNER_ROOM * len);
+    square <= (most * most).min(RUN_CHORD * RUN_CHORD)
+}
+
 /// The quicker of both.
 fn choose(
     ease: Option<Ease>,
@@ -275,7 +300,12 @@ fn choose(
     match (ease, corner) {
         (Some(ease), Some(corner)) => {
             let v = ease.speed(inverse);
-            let is_eased = v >= feed || valley_loss(v, feed, drive) <= corner.loss(feed, drive);
+            let mut loss = valley_loss(v, feed, drive);
+            // Where the jerk is not limited, the ease itself is run at a steady speed.
+            if peak(&ease.jump.0, &inverse.jerk) == 0.0 {
+                loss = FREE_EASE * (loss + 2.0 * ease.h * (1.0 / v - 1.0 / feed));
+            }
+            let is_eased = v >= feed || loss <= corner.loss(feed, drive);
             Some(if is_eased { Joint::Ease(ease) } else { Joint::Corner(corner) })
         }
         (Some(ease), None) => Some(Joint::Ease(ease)),
@@ -335,6 +365,8 @@ impl Ease {
         let (d, k) = (peak(&jump.0, &inverse.jerk), 1.5 * peak(&bend.0, &inverse.jerk));
         let cube = top * top * top / EASE_SHARE;
         let enough = 0.5 * (k * cube + (k * k * cube * cube + 4.0 * d * cube).sqrt());
+        // The bend that takes up the jump is |Δ|/h.
+        let enough = enough.max(peak(&jump.0, &inverse.acceleration) * top * top / EASE_SHARE);
         let h = h.min(room).min(enough.max(0.5 * tolerance));
         if !(h > LEAST_EASE) {
             return None;

@@ -1,6 +1,7 @@
 //! Where: the curves of the moves, and what replaces them at joints and along runs of short blocks.
 
 pub(crate) mod corner;
+pub(crate) mod fit;
 pub(crate) mod joint;
 pub(crate) mod piece;
 pub(crate) mod shape;

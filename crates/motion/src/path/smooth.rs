@@ -22,6 +22,7 @@
 #![allow(clippy::needless_range_loop)]
 
 use crate::limits::Class;
+use crate::path::fit::{BAND, Fit};
 use crate::path::shape::Cubic;
 use ferrocut_geometry::{AXES, Position};
 
@@ -36,6 +37,9 @@ const KNOTS: usize = 9 * (POINTS + SPARE) + 32;
 
 /// Most points left out in a row.
 const MOST_LEFT_OUT: usize = 48;
+
+/// On how many of the points left out a chord is judged, about.
+const FITTED: usize = 8;
 
 /// How far smoothing goes, from the boldest on.
 struct Level {
@@ -66,29 +70,6 @@ const FIRST: f64 = 0.7;
 /// Beyond so many of them a line is left as it is.
 const FAN_FREE: usize = 3;
 
-/// Diagonals of the normal equations: four control points bear on a span.
-const BAND: usize = 4;
-
-/// How often the spline is made anew with other weights.
-const REFINEMENTS: usize = 8;
-
-/// Share of the tolerance beyond which a place weighs more.
-const CLOSE: f64 = 0.86;
-
-/// How much more: by the square of how far beyond that it is, with a little added, and no more than this.
-const CLOSER: f64 = 1.15;
-const MOST_CLOSER: f64 = 30.0;
-
-/// A span is made stiffer if it is held back so many times as much as those beside it, by as much, up to this.
-const PEAK: f64 = 1.4;
-const MOST_STIFFER: f64 = 4.0;
-
-/// Those beside it count as held back this much at least; 1 is where the jerk allows just the feed.
-const LEAST_HELD: f64 = 0.5;
-
-/// The last refinements only bring the spline closer.
-const CLOSING: usize = 2;
-
 /// Knots and control points that stand where a run goes on: what one span needs.
 const STANDING_KNOTS: usize = 6;
 const STANDING_CONTROLS: usize = 4;
@@ -101,17 +82,6 @@ const END_WEIGHT: f64 = 1e6;
 
 /// How often levels are raised one by one.
 const ROUNDS: usize = 20;
-
-/// A place where the spline is set against the lines.
-#[derive(Clone, Copy, Debug)]
-struct Look {
-    span: usize,
-    basis: [f64; 4],
-    weight: f64,
-    p: Vector,
-    tolerance: f64,
-    feed: f64,
-}
 
 /// In how many places a span is set against the lines.
 const LEAST_LOOKS: usize = 3;
@@ -173,19 +143,11 @@ pub(crate) struct Smoother {
     controls: Vec<Vector>,
     /// Whether the span that begins at knot `k` of the run lies on more than one line.
     is_dense: Vec<bool>,
-    is_free: Vec<bool>,
-    looks: Vec<Look>,
-    end_looks: Vec<Look>,
-    /// Weight of the third derivative of every span, 0 where nothing is free, and of the four control points in it.
-    stiff: Vec<f64>,
-    thirds: Vec<[f64; 4]>,
-    /// Third derivative of every span, as a share of what the jerk allows at the feed.
-    held: Vec<f64>,
+    /// The control points being fitted: of X, Y, Z, and of all axes where others move.
+    fit: Fit<3>,
+    fit_all: Fit<AXES>,
     /// Inverse of the jerk of the axes.
     jerk: [f64; AXES],
-    /// Normal equations.
-    rows: Vec<[f64; BAND]>,
-    sides: Vec<Vector>,
     /// The run goes on: its first knots and control points stand, because a part of it is in the queue already.
     goes_on: bool,
     /// Where the last knot that stands lies.
@@ -210,15 +172,9 @@ impl Smoother {
             knots: Vec::with_capacity(KNOTS),
             controls: Vec::with_capacity(KNOTS),
             is_dense: Vec::with_capacity(KNOTS),
-            is_free: Vec::with_capacity(KNOTS),
-            looks: Vec::with_capacity(MOST_LOOKS * KNOTS / 2),
-            end_looks: Vec::with_capacity(2),
-            stiff: Vec::with_capacity(KNOTS),
-            thirds: Vec::with_capacity(KNOTS),
-            held: Vec::with_capacity(KNOTS),
+            fit: Fit::new(KNOTS, MOST_LOOKS * KNOTS / 2),
+            fit_all: Fit::new(KNOTS, MOST_LOOKS * KNOTS / 2),
             jerk,
-            rows: Vec::with_capacity(KNOTS),
-            sides: Vec::with_capacity(KNOTS),
             goes_on: false,
             anchor: (0.0, [0.0; AXES]),
             anchor_reach: 0.0,
@@ -293,7 +249,10 @@ impl Smoother {
             let last = self.last(open);
             // What is kept back rests on the knots that stand, so these must be good too.
             let spans = self.knots.len().saturating_sub(5);
-            if self.check((last + KEPT_SPANS).min(spans), round) {
+            let last = (last + KEPT_SPANS).min(spans);
+            let is_good =
+                if self.count == 3 { self.check::<3>(last, round) } else { self.check::<AXES>(last, round) };
+            if is_good {
                 break;
             }
         }
@@ -379,7 +338,8 @@ impl Smoother {
         let n = self.count;
         let to = &self.points[end];
         let len = to.u - from_u;
-        for i in first..end {
+        // Of many, some: the check of the spline looks at all of them.
+        for i in (first..end).rev().step_by(1 + (end - first) / FITTED) {
             let point = &self.points[i];
             let level = point.level();
             if level.chord == 0.0 {
@@ -563,78 +523,58 @@ impl Smoother {
             }
             self.controls.push(control);
         }
-        self.relax(open);
+        if self.count == 3 {
+            let mut fit = std::mem::take(&mut self.fit);
+            self.relax(&mut fit, open);
+            self.fit = fit;
+        } else {
+            let mut fit = std::mem::take(&mut self.fit_all);
+            self.relax(&mut fit, open);
+            self.fit_all = fit;
+        }
     }
 
-    /// Moves the control points of dense stretches to where `∫|S − P|² + ∫ℓ⁶·|S‴|²` is least.
-    ///
-    /// The integral over the distance from the programmed lines is taken at some places of every span; the third
-    /// derivative is constant on a span. That is a system of normal equations with three diagonals on either side,
-    /// solved by Cholesky's method.
-    fn relax(&mut self, open: bool) {
+    /// Moves the control points of dense stretches to where `∫|S − P|² + ∫ℓ⁶·|S‴|²` is least ([`crate::path::fit`]). The
+    /// integral over the distance from the programmed lines is taken at some places of every span; the third derivative
+    /// is constant on a span.
+    fn relax<const N: usize>(&mut self, fit: &mut Fit<N>, open: bool) {
         let total = self.controls.len();
         let spans = self.knots.len().saturating_sub(5);
-        self.rows.resize(total, [0.0; BAND]);
-        self.sides.resize(total, [0.0; AXES]);
-        self.is_free.clear();
+        fit.clear();
         // Control point `j` bears on the spans j−3…j.
         // An end at rest may turn and bend; only its place stands.
         let turns = [!self.goes_on && !self.keeps[0], open || !self.keeps[1]];
         let first = if self.goes_on { STANDING_CONTROLS } else { 3 * usize::from(!turns[0]) };
         let last = total - 3 * usize::from(!turns[1]);
+        // One behind the last span that is not dense.
+        let mut dense = 0;
         for j in 0..total {
-            let mut bears = j.saturating_sub(3)..(j + 1).min(spans);
-            self.is_free.push((first..last).contains(&j) && bears.all(|k| self.is_dense[k]));
-        }
-        if !self.is_free.contains(&true) {
-            return self.hold_ends(turns, open);
-        }
-        self.look();
-        for (k, is_end) in [(0, turns[0]), (spans - 1, turns[1] && !open)] {
-            if is_end {
-                self.look_at_end(k);
+            if j < spans && !self.is_dense[j] {
+                dense = j + 1;
             }
+            fit.is_free.push((first..last).contains(&j) && dense <= j.saturating_sub(3));
         }
-        for round in 0..REFINEMENTS {
-            self.rows.fill([0.0; BAND]);
-            self.sides.fill([0.0; AXES]);
-            for i in 0..self.looks.len() {
-                let look = self.looks[i];
-                self.press(look.span, &look.basis, look.weight, Some(&look.p));
-            }
-            for i in 0..self.end_looks.len() {
-                let look = self.end_looks[i];
-                self.press(look.span, &look.basis, look.weight, Some(&look.p));
-            }
-            for k in 0..spans {
-                let stiff = self.stiff[k];
-                if stiff > 0.0 {
-                    let third = self.thirds[k];
-                    self.press(k, &third, stiff, None);
+        if fit.is_free.contains(&true) {
+            fit.controls.extend(self.controls.iter().map(front));
+            self.look(fit);
+            for (k, is_end) in [(0, turns[0]), (spans - 1, turns[1] && !open)] {
+                if is_end {
+                    self.tie_end(fit, k);
                 }
             }
-            self.solve();
-            if !self.refine(spans, round) {
-                break;
+            fit.run(&front(&self.jerk));
+            for (control, fitted) in self.controls.iter_mut().zip(&fit.controls) {
+                control[..N].copy_from_slice(fitted);
             }
         }
         self.hold_ends(turns, open);
     }
 
     /// The spline ends on the ends of the run.
-    fn look_at_end(&mut self, k: usize) {
-        let (line, u) = if k == 0 { (0, self.t(0)) } else { (self.points.len() - 2, self.t(k + 1)) };
-        let (a, b) = (&self.points[line], &self.points[line + 1]);
-        let p = if k == 0 { a.p.0 } else { b.p.0 };
-        let look = Look {
-            span: k,
-            basis: self.basis(k, u),
-            weight: END_WEIGHT * (self.t(k + 1) - self.t(k)),
-            p,
-            tolerance: f64::INFINITY,
-            feed: a.feed,
-        };
-        self.end_looks.push(look);
+    fn tie_end<const N: usize>(&self, fit: &mut Fit<N>, k: usize) {
+        let (point, u) = if k == 0 { (0, self.t(0)) } else { (self.points.len() - 1, self.t(k + 1)) };
+        let weight = END_WEIGHT * (self.t(k + 1) - self.t(k));
+        fit.tie(k, self.place(k).weights(u), weight, front(&self.points[point].p.0));
     }
 
     /// Sets the outermost control points so that the spline ends on the ends of the run to the last bit.
@@ -659,197 +599,45 @@ impl Smoother {
     }
 
     /// Where the spline is set against the lines, and how stiff its spans are.
-    fn look(&mut self) {
-        let n = self.count;
+    fn look<const N: usize>(&self, fit: &mut Fit<N>) {
         let spans = self.knots.len().saturating_sub(5);
-        self.looks.clear();
-        self.end_looks.clear();
-        self.stiff.clear();
-        self.thirds.clear();
         let mut line = 0;
         for k in 0..spans {
-            if !(k..k + 4).any(|j| self.is_free[j]) {
-                self.stiff.push(0.0);
-                self.thirds.push([0.0; 4]);
+            if !fit.bears(k) {
+                fit.skip();
                 continue;
             }
             let (begin, end) = (self.t(k), self.t(k + 1));
             let len = end - begin;
             line = self.segment(begin, line);
             let lines = self.points[line + 1..].iter().take_while(|point| point.u < end).count();
+            let last = (line + lines).min(self.points.len() - 2);
+            let near = |k: usize| self.t(k + 1) - self.t(k);
+            let least = near(k.saturating_sub(1)).min(len).min(near((k + 1).min(spans - 1)));
+            let l = self.points[last].level().reach * least;
+            let stiff = l * l * l * l * l * l * len;
+            fit.add_span(self.third(k), stiff, self.points[last].feed);
+            let place = self.place(k);
             let looks = (lines + 1).clamp(LEAST_LOOKS, MOST_LOOKS);
             let weight = len / looks as f64;
             for look in 0..looks {
-                let u = begin + len * (look as f64 + 0.5) / looks as f64;
+                let u = begin + weight * (look as f64 + 0.5);
                 line = self.segment(u, line);
                 let (a, b) = (&self.points[line], &self.points[line + 1]);
                 let share = (u - a.u) / (b.u - a.u);
-                let mut p = [0.0; AXES];
-                for i in 0..n {
-                    p[i] = a.p.0[i] + (b.p.0[i] - a.p.0[i]) * share;
-                }
-                let basis = self.basis(k, u);
-                let tolerance = a.tolerance;
-                self.looks.push(Look { span: k, basis, weight, p, tolerance, feed: a.feed });
-            }
-            let near = |k: usize| self.t(k + 1) - self.t(k);
-            let least = near(k.saturating_sub(1)).min(len).min(near((k + 1).min(spans - 1)));
-            let l = self.points[line].level().reach * least;
-            self.stiff.push(l.powi(6) * len);
-            self.thirds.push(self.third(k));
-        }
-    }
-
-    /// Weighs more where the spline is far from the lines, and makes spans stiffer of which the third derivative, by the
-    /// jerk of the axes, holds the feed back. Whether anything changed.
-    fn refine(&mut self, spans: usize, round: usize) -> bool {
-        let n = self.count;
-        let mut changed = false;
-        let mut next = 0;
-        self.held.resize(spans, 0.0);
-        for k in 0..spans {
-            self.held[k] = 0.0;
-            if self.stiff[k] == 0.0 {
-                continue;
-            }
-            let at = |g: &[f64; 4], controls: &[Vector], axis: usize| {
-                g[0] * controls[k][axis]
-                    + g[1] * controls[k + 1][axis]
-                    + g[2] * controls[k + 2][axis]
-                    + g[3] * controls[k + 3][axis]
-            };
-            let mut feed: f64 = 0.0;
-            while let Some(look) = self.looks.get_mut(next).filter(|look| look.span == k) {
-                let mut square = 0.0;
-                for axis in 0..n {
-                    let off = at(&look.basis, &self.controls, axis) - look.p[axis];
-                    square += off * off;
-                }
-                let share = square.sqrt() / look.tolerance;
-                if share > CLOSE {
-                    look.weight *= (share / CLOSE * CLOSER).powi(2).min(MOST_CLOSER);
-                    changed = true;
-                }
-                feed = look.feed;
-                next += 1;
-            }
-            let third = self.thirds[k];
-            let mut jerk: f64 = 0.0;
-            for axis in 0..n {
-                jerk = jerk.max(at(&third, &self.controls, axis).abs() * self.jerk[axis]);
-            }
-            self.held[k] = jerk * feed * feed * feed;
-        }
-        if round + CLOSING >= REFINEMENTS {
-            return changed;
-        }
-        for k in 0..spans {
-            let near = &self.held[k.saturating_sub(3)..(k + 4).min(spans)];
-            let mean = (near.iter().sum::<f64>() - self.held[k]) / (near.len() as f64 - 1.0).max(1.0);
-            let over = self.held[k] / mean.max(LEAST_HELD);
-            if over > PEAK {
-                self.stiff[k] *= over.min(MOST_STIFFER);
-                changed = true;
-            }
-        }
-        changed
-    }
-
-    /// Adds `weight·(Σ gᵢ·cᵢ − p)²`, over the four control points of span `k`, to what is to be least.
-    fn press(&mut self, k: usize, g: &[f64; 4], weight: f64, p: Option<&Vector>) {
-        let n = self.count;
-        for i in 0..4 {
-            if !self.is_free[k + i] {
-                continue;
-            }
-            for j in 0..=i {
-                if self.is_free[k + j] {
-                    self.rows[k + i][i - j] += weight * g[i] * g[j];
-                }
-            }
-            // What is as wished beside the control points that stand.
-            let mut side: Vector = p.copied().unwrap_or([0.0; AXES]);
-            for j in 0..4 {
-                if !self.is_free[k + j] {
-                    for axis in 0..n {
-                        side[axis] -= g[j] * self.controls[k + j][axis];
-                    }
-                }
-            }
-            for axis in 0..n {
-                self.sides[k + i][axis] += weight * g[i] * side[axis];
+                let p = std::array::from_fn(|i| a.p.0[i] + (b.p.0[i] - a.p.0[i]) * share);
+                fit.look_at(place.weights(u), weight, p, a.tolerance);
             }
         }
     }
 
-    /// Solves the normal equations. `rows[i][d]` is the entry of row `i` and column `i − d`.
-    fn solve(&mut self) {
-        let n = self.count;
-        let total = self.rows.len();
-        for i in 0..total {
-            if !self.is_free[i] {
-                self.rows[i] = [1.0, 0.0, 0.0, 0.0];
-                continue;
-            }
-            let mut row = self.rows[i];
-            for d in (0..BAND).rev() {
-                if d > i {
-                    row[d] = 0.0;
-                    continue;
-                }
-                let above = if d > 0 { self.rows[i - d] } else { row };
-                let mut sum = row[d];
-                for e in d + 1..BAND {
-                    sum -= row[e] * above[e - d];
-                }
-                row[d] = if d > 0 { sum / above[0] } else { sum.max(f64::MIN_POSITIVE).sqrt() };
-            }
-            self.rows[i] = row;
-            let mut side = self.sides[i];
-            for d in 1..BAND.min(i + 1) {
-                for axis in 0..n {
-                    side[axis] -= row[d] * self.sides[i - d][axis];
-                }
-            }
-            for axis in 0..n {
-                side[axis] /= row[0];
-            }
-            self.sides[i] = side;
-        }
-        for i in (0..total).rev() {
-            if !self.is_free[i] {
-                continue;
-            }
-            let mut side = self.sides[i];
-            for d in 1..BAND.min(total - i) {
-                if self.is_free[i + d] {
-                    let share = self.rows[i + d][d];
-                    for axis in 0..n {
-                        side[axis] -= share * self.controls[i + d][axis];
-                    }
-                }
-            }
-            for axis in 0..n {
-                self.controls[i][axis] = side[axis] / self.rows[i][0];
-            }
-        }
-    }
-
-    /// Weights of the four control points of span `k` at `u` (de Boor).
-    fn basis(&self, k: usize, u: f64) -> [f64; 4] {
+    /// What the weights of the control points of span `k` are found with.
+    fn place(&self, k: usize) -> Place {
         let t: [f64; 6] = std::array::from_fn(|i| self.knots[k + i]);
-        let (left, right) = ([u - t[2], u - t[1], u - t[0]], [t[3] - u, t[4] - u, t[5] - u]);
-        let mut w = [1.0, 0.0, 0.0, 0.0];
-        for degree in 0..3 {
-            let mut saved = 0.0;
-            for r in 0..=degree {
-                let part = w[r] / (right[r] + left[degree - r]);
-                w[r] = saved + right[r] * part;
-                saved = left[degree - r] * part;
-            }
-            w[degree + 1] = saved;
-        }
-        w
+        let inverse = |low: usize, high: usize| (t[high] - t[low]).recip();
+        let inverses =
+            [inverse(2, 3), inverse(1, 3), inverse(2, 4), inverse(0, 3), inverse(1, 4), inverse(2, 5)];
+        Place { t, inverses }
     }
 
     /// Weights of the four control points in the third derivative on span `k`.
@@ -910,66 +698,74 @@ impl Smoother {
     }
 
     /// Whether the spans up to `last` keep the tolerance; if not, the points concerned go to their next level.
-    fn check(&mut self, last: usize, round: usize) -> bool {
-        let n = self.count;
+    fn check<const N: usize>(&mut self, last: usize, round: usize) -> bool {
         let mut is_good = true;
-        let mut at = 0;
+        let mut first = 0;
         for k in 0..last {
-            let cubic = self.cubic(k);
-            let (begin, end) = (self.t(k), self.t(k + 1));
-            at = self.segment(begin, at);
-            let first = at;
-            let mut worst: f64 = 0.0;
-            let mut i = at;
-            let mut tolerance = self.points[i].tolerance;
-            // Programmed points from the spline.
-            while i + 1 < self.points.len() && self.points[i + 1].u <= end {
-                i += 1;
-                let point = &self.points[i];
-                tolerance = tolerance.min(point.tolerance);
-                worst = worst.max(across(&cubic, point.u - begin, &point.p.0, n));
-            }
-            // The spline from the programmed lines, between them.
-            let mut line = first;
-            let looks = CHECKS.max(2 * (i - first));
-            for look in 1..looks {
-                let u = begin + (end - begin) * look as f64 / looks as f64;
-                line = self.segment(u, line);
-                let q = cubic.at(u - begin);
-                let mut near = self.distance_to_line(line, &q.0);
-                if near > tolerance * TOLERANCE_SHARE && line > 0 {
-                    near = near.min(self.distance_to_line(line - 1, &q.0));
-                }
-                if near > tolerance * TOLERANCE_SHARE && line + 2 < self.points.len() {
-                    near = near.min(self.distance_to_line(line + 1, &q.0));
-                }
-                worst = worst.max(near);
-            }
-            if worst > tolerance * TOLERANCE_SHARE {
-                is_good = false;
-                let until = (i + 2).min(self.points.len());
-                for point in &mut self.points[first.saturating_sub(1)..until] {
-                    // One level a round, however many spans are at fault.
-                    point.level =
-                        (point.level + 1).min(round as u8 + 1).min(LEVELS.len() as u8 - 1).max(point.level);
-                }
+            first = self.segment(self.t(k), first);
+            let Some(behind) = self.strays::<N>(k, first) else { continue };
+            is_good = false;
+            let until = (behind + 2).min(self.points.len());
+            for point in &mut self.points[first.saturating_sub(1)..until] {
+                // One level a round, however many spans are at fault.
+                point.level =
+                    (point.level + 1).min(round as u8 + 1).min(LEVELS.len() as u8 - 1).max(point.level);
             }
         }
         is_good
     }
 
-    /// Distance of `q` from line `i`.
-    fn distance_to_line(&self, i: usize, q: &Vector) -> f64 {
-        let (a, b) = (&self.points[i], &self.points[i + 1]);
+    /// The last point of span `k`, which begins on line `first`, if the span is too far from the lines.
+    fn strays<const N: usize>(&self, k: usize, first: usize) -> Option<usize> {
+        let (begin, end) = (self.t(k), self.t(k + 1));
+        let c = self.cubic(k).c.map(|c| front::<N>(&c.0));
+        let inside = self.points[first + 1..].iter().take_while(|point| point.u <= end).count();
+        let last = first + inside;
+        let tolerance =
+            self.points[first..=last].iter().map(|point| point.tolerance).fold(f64::INFINITY, f64::min);
+        let limit = (tolerance * TOLERANCE_SHARE) * (tolerance * TOLERANCE_SHARE);
+        // Programmed points from the spline.
+        let points = &self.points[first + 1..=last];
+        if points.iter().any(|point| is_across(&c, point.u - begin, &point.p.0, limit)) {
+            return Some(last);
+        }
+        // The spline from the programmed lines, between them.
+        let mut line = first;
+        let looks = CHECKS.max(2 * inside);
+        let step = (end - begin) / looks as f64;
+        for look in 1..looks {
+            let s = step * look as f64;
+            line = self.segment(begin + s, line);
+            let q: [f64; N] = std::array::from_fn(|i| c[0][i] + s * (c[1][i] + s * (c[2][i] + s * c[3][i])));
+            let is_near = |i: usize| self.is_near(i, &q, limit);
+            if !is_near(line)
+                && !(line > 0 && is_near(line - 1))
+                && !(line + 2 < self.points.len() && is_near(line + 1))
+            {
+                return Some(last);
+            }
+        }
+        None
+    }
+
+    /// Whether `q` is no further from line `i` than the root of `limit`.
+    #[inline]
+    fn is_near<const N: usize>(&self, i: usize, q: &[f64; N], limit: f64) -> bool {
+        let (a, b) = (&self.points[i].p.0, &self.points[i + 1].p.0);
         let (mut dot, mut square, mut own) = (0.0, 0.0, 0.0);
-        for k in 0..self.count {
-            let (d, e) = (b.p.0[k] - a.p.0[k], q[k] - a.p.0[k]);
+        for k in 0..N {
+            let (d, e) = (b[k] - a[k], q[k] - a[k]);
             dot += d * e;
             square += d * d;
             own += e * e;
         }
-        let share = if square > 0.0 { (dot / square).clamp(0.0, 1.0) } else { 0.0 };
-        (own - 2.0 * share * dot + share * share * square).max(0.0).sqrt()
+        if dot <= 0.0 || square == 0.0 {
+            own <= limit
+        } else if dot >= square {
+            own - 2.0 * dot + square <= limit
+        } else {
+            own * square - dot * dot <= limit * square
+        }
     }
 
     /// Span `k`; `at` is where its line is looked for.
@@ -1012,16 +808,41 @@ impl Smoother {
     }
 }
 
-/// How far `p` is from the spline beside the length `s`, across its direction.
-fn across(cubic: &Cubic, s: f64, p: &Vector, n: usize) -> f64 {
-    let [c0, c1, c2, c3] = &cubic.c;
+/// The axes in front.
+fn front<const N: usize>(p: &Vector) -> [f64; N] {
+    std::array::from_fn(|i| p[i])
+}
+
+/// The knots of a span, and the inverses of their distances.
+struct Place {
+    t: [f64; 6],
+    inverses: [f64; 6],
+}
+
+impl Place {
+    /// Weights of the four control points at `u` (de Boor).
+    fn weights(&self, u: f64) -> [f64; BAND] {
+        let t = &self.t;
+        let (left, right) = ([u - t[2], u - t[1], u - t[0]], [t[3] - u, t[4] - u, t[5] - u]);
+        let [h0, h1, h2, h3, h4, h5] = self.inverses;
+        let (a0, a1) = (right[0] * h0, left[0] * h0);
+        let (b0, b1) = (a0 * h1, a1 * h2);
+        let (c0, c1, c2) = (right[0] * b0 * h3, (left[1] * b0 + right[1] * b1) * h4, left[0] * b1 * h5);
+        [right[0] * c0, left[2] * c0 + right[1] * c1, left[1] * c1 + right[2] * c2, left[0] * c2]
+    }
+}
+
+/// Whether `p` is further from the cubic beside the length `s`, across its direction, than the root of `limit`.
+#[inline]
+fn is_across<const N: usize>(c: &[[f64; N]; 4], s: f64, p: &Vector, limit: f64) -> bool {
+    let [c0, c1, c2, c3] = c;
     let (mut square, mut along, mut speed) = (0.0, 0.0, 0.0);
-    for k in 0..n {
-        let e = c0.0[k] + s * (c1.0[k] + s * (c2.0[k] + s * c3.0[k])) - p[k];
-        let d = c1.0[k] + s * (2.0 * c2.0[k] + s * 3.0 * c3.0[k]);
+    for k in 0..N {
+        let e = c0[k] + s * (c1[k] + s * (c2[k] + s * c3[k])) - p[k];
+        let d = c1[k] + s * (2.0 * c2[k] + s * 3.0 * c3[k]);
         square += e * e;
         along += e * d;
         speed += d * d;
     }
-    (square - along * along / speed.max(1e-12)).max(0.0).sqrt()
+    square > limit && (square - limit) * speed.max(1e-12) > along * along
 }

@@ -7,7 +7,8 @@
 //!
 //! 1. *Cells*: the speed at their ends by acceleration alone, forward and backward. This is more than jerk allows, so
 //!    what the bounds leave at this speed may be used.
-//! 2. *Bounds*: in every step the acceleration and jerk that are left to the path.
+//! 2. *Bounds*: in every step the acceleration and jerk that are left to the path. Where the plan then turns out much
+//!    slower, a curve takes less of them than was thought, and they are found once more at about the speed planned.
 //! 3. *Foresight*: acceleration can only be taken back at the pace of the jerk, so where the bound of acceleration
 //!    falls, the acceleration before is bounded too; of braking the same, mirrored.
 //! 4. *Speeding up* from every valley, forward, and *slowing down* into every valley, backward: acceleration grows with
@@ -21,7 +22,8 @@
 //!
 //! Everything left of a step at which the speed is the cap does not depend on what follows the section.
 
-use crate::timing::piece::{Piece, State, step};
+use crate::limits::Room;
+use crate::timing::piece::{Piece, ROUNDING, State, acceleration_behind, step};
 use crate::timing::queue::{CELLS, Node, Queue};
 use crate::timing::ramp::{Foot, most_speed};
 
@@ -40,11 +42,20 @@ const JERK_SHARE: f64 = 0.97;
 const ACCELERATION_SHARE: f64 = 0.995;
 
 /// How often a section is planned with less where a piece is beyond its bounds.
-const ROUNDS: usize = 10;
+const ROUNDS: usize = 16;
 
-/// How much less is used there.
-const LESS: f64 = 0.88;
+/// How much less is used there: what makes up for the excess, this much more, and by a little more every round.
+const LESS: f64 = 0.98;
+const EVERY_ROUND: f64 = 0.01;
+const SAFELY_LESS: f64 = 0.88;
+
+/// Nothing is lessened below this share at once.
+const MUCH_LESS: f64 = 0.7;
 const LEAST_SHARE: f64 = 0.02;
+
+/// Bounds found at more than this times the speed of a plan are found again at that speed, with so much to spare.
+const FAR_ABOVE: f64 = 1.25;
+const ABOVE: f64 = 1.1;
 
 /// A step of the uniform slow-down.
 const SLOWER: f64 = 0.9;
@@ -63,6 +74,15 @@ const RUN: usize = 4;
 
 /// Slower summits count as this fast, mm/s.
 const LEAST_SUMMIT: f64 = 1e-6;
+
+/// How a plan is looked for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Care {
+    /// With the bounds at about the speed that results.
+    Bold,
+    /// With bounds at more than that speed, where this fails.
+    Safe,
+}
 
 /// What decides the speed of a step.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -89,7 +109,9 @@ struct Step {
     cap: f64,
     /// More than the speed here.
     most: f64,
-    /// Acceleration left, and jerk left at no acceleration and at that one.
+    /// What is left to the path at that speed.
+    room: Room,
+    /// Acceleration left, and jerk left at no acceleration and at that one: the share of it that is used.
     a: f64,
     j: [f64; 2],
     /// Acceleration and braking at its start and its end, with foresight.
@@ -166,20 +188,13 @@ impl Grid {
     ) -> bool {
         self.to = to;
         self.reach_cells(queue, from, first, last, &cap);
-        self.place(queue, from, first, last, &cap);
-        if self.steps.is_empty() {
-            return false;
-        }
-        for _ in 0..ROUNDS {
-            self.bound(queue);
-            self.foresee();
-            self.speed_up(from.state);
-            if !self.slow_down(from.state) {
+        for care in [Care::Bold, Care::Safe] {
+            self.to = to;
+            self.place(queue, from, first, last, &cap);
+            if self.steps.is_empty() {
                 return false;
             }
-            self.round_summits(from);
-            self.join(from.state);
-            if self.check(queue) {
+            if self.find(queue, from, care) {
                 return true;
             }
         }
@@ -189,7 +204,7 @@ impl Grid {
                     step.from.v *= SLOWER;
                     step.from.a *= SLOWER * SLOWER;
                 }
-                if self.check(queue) {
+                if self.check(queue, SAFELY_LESS) {
                     return true;
                 }
             }
@@ -310,12 +325,76 @@ impl Grid {
         }
     }
 
-    /// Pass 2.
-    fn bound(&mut self, queue: &Queue) {
+    /// Passes 2 to 6, again and again; `false` if no plan was found.
+    fn find(&mut self, queue: &Queue, from: Port, care: Care) -> bool {
+        self.leave(queue);
+        if !self.pass(from) {
+            return false;
+        }
+        if care == Care::Bold && self.come_closer(queue) && !self.pass(from) {
+            return false;
+        }
+        for round in 0..ROUNDS {
+            let less = match care {
+                Care::Bold => LESS - EVERY_ROUND * round as f64,
+                Care::Safe => SAFELY_LESS,
+            };
+            if self.check(queue, less) {
+                return true;
+            }
+            if !self.pass(from) {
+                return false;
+            }
+        }
+        false
+    }
+
+    /// Passes 2 to 5; `false` if the path cannot be slowed down from its first state.
+    fn pass(&mut self, from: Port) -> bool {
+        self.bound();
+        self.foresee();
+        self.speed_up(from.state);
+        if !self.slow_down(from.state) {
+            return false;
+        }
+        self.round_summits(from);
+        self.join(from.state);
+        true
+    }
+
+    /// What is left to the path in every step.
+    fn leave(&mut self, queue: &Queue) {
         for step in &mut self.steps {
-            let room = queue.node(step.cell).load.room(step.most);
-            step.a = room.a * step.share * ACCELERATION_SHARE;
-            step.j = room.j.map(|j| j * step.share * JERK_SHARE);
+            step.room = queue.node(step.cell).load.room(step.most);
+        }
+    }
+
+    /// Where a step of a curve is run much slower than its bounds were found at, they are found again. Whether there is
+    /// such a step.
+    fn come_closer(&mut self, queue: &Queue) -> bool {
+        let mut comes_closer = false;
+        let n = self.steps.len();
+        let mut before = self.steps[0].x;
+        for i in 0..n {
+            let behind = self.steps[(i + 1).min(n - 1)].x;
+            let step = &mut self.steps[i];
+            let x = before.max(step.x).max(behind);
+            before = step.x;
+            let load = &queue.node(step.cell).load;
+            if step.most * step.most > FAR_ABOVE * FAR_ABOVE * x && !load.is_straight() {
+                step.most = step.most.min(ABOVE * x.sqrt().max(LEAST_SUMMIT));
+                step.room = load.room(step.most);
+                comes_closer = true;
+            }
+        }
+        comes_closer
+    }
+
+    /// Pass 2.
+    fn bound(&mut self) {
+        for step in &mut self.steps {
+            step.a = step.room.a * step.share * ACCELERATION_SHARE;
+            step.j = step.room.j.map(|j| j * step.share * JERK_SHARE);
         }
     }
 
@@ -457,20 +536,25 @@ impl Grid {
         }
     }
 
-    /// Pass 6: whether every piece keeps all bounds; where not, less is used next time.
-    fn check(&mut self, queue: &Queue) -> bool {
+    /// Pass 6: whether every piece keeps all bounds; where not, that much less is used next time.
+    fn check(&mut self, queue: &Queue, less: f64) -> bool {
         let mut is_good = true;
         let n = self.steps.len();
         for i in 0..n {
             let here = &self.steps[i];
             let to = self.steps.get(i + 1).map_or(self.to.state, |step| step.from);
-            let load = &queue.node(here.cell).load;
-            let piece = Piece::new(here.s, here.h, here.from, to);
-            let keeps = piece.is_some_and(|piece| piece.is_forward() && piece.keeps(load));
-            if !keeps {
+            let node = queue.node(here.cell);
+            // A steady speed that is allowed.
+            if here.from == to && to.a == 0.0 && to.v > 0.0 && to.v <= node.top {
+                continue;
+            }
+            let piece = Piece::new(here.s, here.h, here.from, to).filter(Piece::is_forward);
+            let used = piece.map_or(f64::INFINITY, |piece| piece.used(&node.load));
+            if !(used <= ROUNDING) {
                 is_good = false;
+                let less = (less / used).max(MUCH_LESS);
                 for step in &mut self.steps[i.saturating_sub(1)..(i + 2).min(n)] {
-                    step.share = (step.share * LESS).max(LEAST_SHARE);
+                    step.share = (step.share * less).max(LEAST_SHARE);
                 }
             }
         }
@@ -483,12 +567,15 @@ impl Grid {
 #[inline]
 fn climb(at: &Step, most: f64, state: State) -> [State; 2] {
     let h = at.h;
-    let mut j = at.jerk(state.a.max(0.0));
-    let mut end = step(state, j, h);
-    if at.j[0] != at.j[1] {
-        j = at.jerk(end.a.clamp(0.0, most.max(0.0)));
-        end = step(state, j, h);
+    if state.v >= at.cap && state.a <= 0.0 {
+        return [State { v: at.cap, a: 0.0 }; 2];
     }
+    let mut j = at.jerk(state.a.max(0.0));
+    if at.j[0] != at.j[1] {
+        let a = acceleration_behind(state, j, h);
+        j = at.jerk(a.clamp(0.0, most.max(0.0)));
+    }
+    let mut end = step(state, j, h);
     if end.a > most {
         // (2a₀+a₁)/6·T² + v₀·T = h.
         let a = most.max(0.0);

@@ -15,7 +15,10 @@
 use crate::limits::Load;
 
 /// How far a piece may be above a bound by rounding.
-const ROUNDING: f64 = 1.0 + 1e-4;
+pub(crate) const ROUNDING: f64 = 1.0 + 1e-4;
+
+/// A last change of a time by this share leaves an error of its square.
+const NEAR: f64 = 1e-5;
 
 /// Speed and acceleration along the path, mm/s and mm/s².
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
@@ -91,8 +94,15 @@ impl Piece {
 
     /// Whether the bounds of `load` hold at both ends.
     pub fn keeps(&self, load: &Load) -> bool {
-        let ends = [self.from, self.to].into_iter().zip(self.jerks());
-        ends.into_iter().all(|(state, j)| load.used(state.v, state.a.abs(), j.abs()) <= ROUNDING)
+        self.used(load) <= ROUNDING
+    }
+
+    /// Largest share of the bounds of `load` that is used at either end.
+    #[inline]
+    pub fn used(&self, load: &Load) -> f64 {
+        let [from, to] = self.jerks();
+        let at = |state: State, j: f64| load.used(state.v, state.a.abs(), j.abs());
+        at(self.from, from).max(at(self.to, to))
     }
 
     /// Place on the path and speed after `t`.
@@ -111,6 +121,18 @@ impl Piece {
 /// than `h`, and the sum is convex.
 #[inline]
 pub(crate) fn step(from: State, j: f64, h: f64) -> State {
+    behind(from, j, h, 6)
+}
+
+/// The acceleration there, about.
+#[inline]
+pub(crate) fn acceleration_behind(from: State, j: f64, h: f64) -> f64 {
+    behind(from, j, h, 1).a
+}
+
+/// [`step`] with at most so many iterations. Each squares the error, so one that changes little is the last.
+#[inline]
+fn behind(from: State, j: f64, h: f64, iterations: usize) -> State {
     let State { v, a } = from;
     let mut t = if a >= 0.0 {
         let t = 2.0 * h / (v + (v * v + 2.0 * a * h).sqrt());
@@ -119,11 +141,11 @@ pub(crate) fn step(from: State, j: f64, h: f64) -> State {
         // Never slower than where the braking is gone.
         h / (v - 0.5 * a * a / j)
     };
-    for _ in 0..6 {
+    for _ in 0..iterations {
         let off = t * (v + t * (0.5 * a + t * j / 6.0)) - h;
         let less = off / (v + t * (a + 0.5 * t * j));
         t -= less;
-        if !(less.abs() > 1e-9 * t) {
+        if !(less.abs() > NEAR * t) {
             break;
         }
     }

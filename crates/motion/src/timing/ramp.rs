@@ -83,7 +83,9 @@ pub(crate) fn most_speed(foot: Foot, len: f64, drive: Drive) -> f64 {
     if foot.a > 0.0 {
         return by_acceleration;
     }
-    let t = (6.0 * len / drive.j).cbrt().min(if foot.v > 0.0 { len / foot.v } else { f64::INFINITY });
+    let steady = if foot.v > 0.0 { len / foot.v } else { f64::INFINITY };
+    let t =
+        if steady * steady * steady * drive.j <= 6.0 * len { steady } else { (6.0 * len / drive.j).cbrt() };
     by_acceleration.min(foot.v + 0.5 * drive.j * t * t)
 }
 

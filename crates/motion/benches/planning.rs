@@ -1,0 +1,230 @@
+//! How many short segments a second are planned: path and speed, without the setpoints between.
+//!
+//! A servo period of 1 s takes hundreds of segments at once, so what is measured is smoothing and look-ahead with jerk
+//! limits. Beside it the same moves go through the textbook's planner ([`Trapezoids`]), which keeps acceleration alone
+//! and goes through every point: the least that any look-ahead does.
+
+use ferrocut_geometry::{AXES, Position};
+use ferrocut_machine::Machine;
+use ferrocut_motion::{Limits, Motion, Move, State};
+use ferrocut_toolpath::PathMode;
+use std::collections::VecDeque;
+use std::hint::black_box;
+use std::time::Instant;
+
+const COUNT: usize = 1_000_000;
+const FEED: f64 = 100.0;
+
+/// Runs of which the quickest counts.
+const RUNS: usize = 3;
+
+fn main() {
+    let shapes: [(&str, Vec<Position>); 4] = [
+        ("curve of 0.1 mm chords", curve(COUNT)),
+        ("raster, rows of 100 mm", raster(COUNT)),
+        ("3D finishing, noise of 1 um", finishing(COUNT, 1e-3)),
+        ("3D finishing, 0.02 mm blocks", fine(COUNT)),
+    ];
+    println!("{COUNT} segments           planned, M/s   trapezoids, M/s   ratio");
+    // `cargo bench … -- raster` runs the shapes of which the name has this word.
+    let words: Vec<String> = std::env::args().skip(1).filter(|word| !word.starts_with('-')).collect();
+    for (name, points) in shapes {
+        if !words.is_empty() && !words.iter().any(|word| name.contains(word.as_str())) {
+            continue;
+        }
+        let machine = Machine::demo_mill();
+        let ours = rate(|| plan(&machine, &points));
+        let limits = Limits::new(&machine);
+        let peer = rate(|| Trapezoids::run(&limits, machine.path.tolerance, &points));
+        println!("{name:<30} {:>8.2} {:>17.2} {:>9.3}", ours / 1e6, peer / 1e6, ours / peer);
+    }
+}
+
+/// Segments a second of the quickest run.
+fn rate<T>(run: impl Fn() -> T) -> f64 {
+    let time = |_| {
+        let began = Instant::now();
+        black_box(run());
+        began.elapsed().as_secs_f64()
+    };
+    COUNT as f64 / (0..RUNS).map(time).fold(f64::INFINITY, f64::min)
+}
+
+fn rounded(p: [f64; 3], to: f64) -> Position {
+    let [x, y, z] = p.map(|c| (c / to).round() * to);
+    Position::xyz(x, y, z)
+}
+
+/// A closed curve with bends of 5 mm radius and straighter stretches, run again and again; 0.1 µm coordinates.
+fn curve(count: usize) -> Vec<Position> {
+    let (mut points, mut at, mut heading) = (Vec::with_capacity(count), [0.0_f64; 2], 0.0_f64);
+    for k in 1..=count {
+        let s = k as f64 * 0.1;
+        heading += 0.1 * (0.02 + 0.15 * (s / 12.0).sin());
+        at = [at[0] + 0.1 * heading.cos(), at[1] + 0.1 * heading.sin()];
+        points.push(rounded([at[0], at[1], 0.0], 1e-4));
+    }
+    points
+}
+
+/// Rows of 100 mm to and fro over a gently curved surface, 0.5 mm apart, in steps of 0.25 mm.
+fn raster(count: usize) -> Vec<Position> {
+    const ROW: usize = 400;
+    let point = |k: usize| {
+        let (row, column) = (k / ROW, k % ROW);
+        let column = if row.is_multiple_of(2) { column } else { ROW - 1 - column };
+        let (x, y) = (column as f64 * 0.25, row as f64 * 0.5);
+        rounded([x, y, 3.0 * (x * 0.08).sin() * (y * 0.05).cos()], 1e-4)
+    };
+    (1..=count).map(point).collect()
+}
+
+/// A waterline spiral about a wavy body in blocks of about 0.15 mm, as a CAM system writes it: every coordinate is off
+/// by up to `noise` and rounded to it.
+fn finishing(count: usize, noise: f64) -> Vec<Position> {
+    let mut seed = 0x2545_f491_4f6c_dd1d_u64;
+    let mut off = || {
+        seed ^= seed << 13;
+        seed ^= seed >> 7;
+        seed ^= seed << 17;
+        noise * ((seed >> 11) as f64 / (1u64 << 53) as f64 - 0.5)
+    };
+    let point = |k: usize| {
+        let angle = k as f64 * 0.15 / 40.0;
+        let r = 40.0 + 2.0 * (angle * 7.0).sin();
+        let p = [r * angle.cos(), r * angle.sin(), -0.05 * angle + 0.5 * (angle * 5.0).cos()];
+        rounded(p.map(|c| c + off()), noise)
+    };
+    (1..=count).map(point).collect()
+}
+
+/// The same in blocks of 0.02 mm with coordinates of 1 µm: directions are off by degrees.
+fn fine(count: usize) -> Vec<Position> {
+    let point = |k: usize| {
+        let angle = k as f64 * 0.02 / 40.0;
+        let r = 40.0 + 2.0 * (angle * 7.0).sin();
+        rounded([r * angle.cos(), r * angle.sin(), -0.05 * angle + 0.5 * (angle * 5.0).cos()], 1e-3)
+    };
+    (1..=count).map(point).collect()
+}
+
+fn plan(machine: &Machine, points: &[Position]) -> usize {
+    let mut machine = machine.clone();
+    machine.servo_period_ms = 1000.0;
+    let mut motion = Motion::new(&machine, Position::ZERO);
+    let mut left = points.iter().enumerate();
+    let mut periods = 0;
+    loop {
+        while motion.free() > 0 {
+            let Some((k, to)) = left.next() else {
+                motion.finish();
+                break;
+            };
+            if let Some(m) = Move::line(*to, FEED, PathMode::Continuous, k as u64) {
+                let _ = motion.push(&m);
+            }
+        }
+        periods += 1;
+        if black_box(motion.tick()).state == State::Idle {
+            return periods;
+        }
+    }
+}
+
+/// A block of the textbook's planner: everything in mm and s.
+struct Block {
+    len: f64,
+    direction: [f64; AXES],
+    /// Acceleration and speed that the axes allow in its direction.
+    a: f64,
+    top: f64,
+    /// Square of the highest speed at its start by the corner, and as planned.
+    corner: f64,
+    entry: f64,
+}
+
+/// Look-ahead as in any textbook: junction deviation, a backward sweep over the blocks that are known, a forward sweep
+/// when they are handed out as trapezoids of speed.
+struct Trapezoids {
+    blocks: VecDeque<Block>,
+    limits: Limits,
+    deviation: f64,
+    /// The oldest block of which the entry can still rise.
+    open: usize,
+    time: f64,
+}
+
+/// Blocks that are looked ahead over.
+const AHEAD: usize = 1024;
+
+impl Trapezoids {
+    fn run(limits: &Limits, deviation: f64, points: &[Position]) -> f64 {
+        let mut planner = Trapezoids {
+            blocks: VecDeque::with_capacity(AHEAD + 1),
+            limits: limits.clone(),
+            deviation,
+            open: 0,
+            time: 0.0,
+        };
+        let mut from = Position::ZERO;
+        for to in points {
+            planner.push(from, *to);
+            from = *to;
+        }
+        planner.sweep();
+        while planner.blocks.len() > 0 {
+            planner.hand_out();
+        }
+        planner.time
+    }
+
+    fn push(&mut self, from: Position, to: Position) {
+        let d = to - from;
+        let len = d.0.iter().map(|c| c * c).sum::<f64>().sqrt();
+        if len == 0.0 {
+            return;
+        }
+        let direction = d.0.map(|c| c / len);
+        let least = |limits: &[f64; AXES]| {
+            limits.iter().zip(direction).map(|(l, d)| l / d.abs()).fold(f64::INFINITY, f64::min)
+        };
+        let (a, top) = (least(&self.limits.acceleration), least(&self.limits.velocity).min(FEED));
+        let corner = self.blocks.back().map_or(0.0, |before| {
+            let cos: f64 = before.direction.iter().zip(direction).map(|(a, b)| -a * b).sum();
+            let half = (0.5 * (1.0 - cos)).max(0.0).sqrt();
+            let square = a.min(before.a) * self.deviation * half / (1.0 - half).max(1e-12);
+            square.min(top * top).min(before.top * before.top)
+        });
+        self.blocks.push_back(Block { len, direction, a, top, corner, entry: 0.0 });
+        if self.blocks.len() >= AHEAD {
+            self.sweep();
+            // Half of what is known is kept, so that every block is swept over about twice.
+            for _ in 0..AHEAD / 2 {
+                self.hand_out();
+            }
+        }
+    }
+
+    fn sweep(&mut self) {
+        let mut exit = 0.0;
+        for block in self.blocks.iter_mut().skip(self.open + 1).rev() {
+            block.entry = block.corner.min(exit + 2.0 * block.a * block.len);
+            exit = block.entry;
+        }
+    }
+
+    fn hand_out(&mut self) {
+        let Some(block) = self.blocks.pop_front() else { return };
+        let reach = block.entry + 2.0 * block.a * block.len;
+        let mut exit = 0.0;
+        if let Some(next) = self.blocks.front_mut() {
+            next.entry = next.entry.min(reach);
+            exit = next.entry;
+        }
+        // Up to the summit, steady, and down.
+        let square = (0.5 * (block.entry + exit) + block.a * block.len).min(block.top * block.top);
+        let (v0, v, v1) = (block.entry.sqrt(), square.sqrt(), exit.sqrt());
+        let steady = block.len - (2.0 * square - block.entry - exit) / (2.0 * block.a);
+        self.time += (2.0 * v - v0 - v1) / block.a + steady.max(0.0) / v;
+    }
+}

@@ -1,0 +1,313 @@
+//! Control points where a weighted sum of squares is least.
+//!
+//! What is to be least is `Σ w·|Σ bᵢ·cᵢ − p|²` over places set against the lines and `Σ ℓ⁶·|Σ tᵢ·cᵢ|²` over spans, where
+//! `bᵢ` and `tᵢ` weigh the four control points of a span in the value and in the third derivative. The normal equations
+//! have three diagonals on either side and are solved by `L·D·Lᵀ`. The weights are then changed and it is solved again:
+//!
+//! - a place that comes near the tolerance weighs more,
+//! - a span that holds the speed back more than those beside it is made stiffer.
+//!
+//! Every span keeps its own sum of products, so a round costs what has changed in it: the places are looked at, and only
+//! those that weigh more are added again.
+
+// Only as many axes as move are looped over; their number is known when compiling.
+#![allow(clippy::needless_range_loop)]
+
+/// Control points that bear on a span, and diagonals of the normal equations.
+pub(crate) const BAND: usize = 4;
+
+/// How often the spline is made anew with other weights.
+const REFINEMENTS: usize = 8;
+
+/// Share of the tolerance beyond which a place weighs more.
+const CLOSE: f64 = 0.86;
+
+/// How much more: by the square of how far beyond that it is, with a little added, and no more than this.
+const CLOSER: f64 = 1.15;
+const MOST_CLOSER: f64 = 30.0;
+
+/// A span is made stiffer if it is held back so many times as much as those beside it, by as much, up to this.
+const PEAK: f64 = 1.4;
+const MOST_STIFFER: f64 = 4.0;
+
+/// Those beside it count as held back this much at least; 1 is where the jerk allows just the feed.
+const LEAST_HELD: f64 = 0.5;
+
+/// The last refinements only bring the spline closer.
+const CLOSING: usize = 2;
+
+/// How many spans on either side are beside one.
+const BESIDE: usize = 3;
+
+/// A place where the spline is set against the lines.
+#[derive(Clone, Copy, Debug)]
+struct Look<const N: usize> {
+    basis: [f64; BAND],
+    weight: f64,
+    /// `1/(tolerance·CLOSE)²`.
+    close: f64,
+    p: [f64; N],
+}
+
+/// What a span adds to the normal equations.
+#[derive(Clone, Copy, Debug)]
+struct Strip<const N: usize> {
+    /// Products of the weights of its control points, of which `j ≤ i` are used, and their right sides.
+    gram: [[f64; BAND]; BAND],
+    side: [[f64; N]; BAND],
+    /// Weights of the control points in the third derivative.
+    third: [f64; BAND],
+    stiff: f64,
+    /// Third power of the feed.
+    cube: f64,
+    /// Behind the last of its places.
+    looks: usize,
+}
+
+/// Control points being fitted, of `N` axes.
+#[derive(Debug, Default)]
+pub(crate) struct Fit<const N: usize> {
+    pub controls: Vec<[f64; N]>,
+    pub is_free: Vec<bool>,
+    looks: Vec<Look<N>>,
+    strips: Vec<Strip<N>>,
+    /// The third derivative of every span, as a share of what the jerk allows at the feed.
+    held: Vec<f64>,
+    /// `rows[i][d]` is the entry of row `i` and column `i − d`.
+    rows: Vec<[f64; BAND]>,
+    sides: Vec<[f64; N]>,
+}
+
+impl<const N: usize> Fit<N> {
+    /// For so many control points and places.
+    pub fn new(controls: usize, looks: usize) -> Fit<N> {
+        Fit {
+            controls: Vec::with_capacity(controls),
+            is_free: Vec::with_capacity(controls),
+            looks: Vec::with_capacity(looks),
+            strips: Vec::with_capacity(controls),
+            held: Vec::with_capacity(controls),
+            rows: Vec::with_capacity(controls),
+            sides: Vec::with_capacity(controls),
+        }
+    }
+
+    pub fn clear(&mut self) {
+        self.controls.clear();
+        self.is_free.clear();
+        self.looks.clear();
+        self.strips.clear();
+    }
+
+    /// Whether one of the control points of span `k` is free.
+    pub fn bears(&self, k: usize) -> bool {
+        self.is_free[k..k + BAND].contains(&true)
+    }
+
+    /// The next span, of which nothing is free.
+    pub fn skip(&mut self) {
+        self.add_span([0.0; BAND], 0.0, 0.0);
+    }
+
+    /// The next span: weights in its third derivative, how stiff it is, and its feed.
+    pub fn add_span(&mut self, third: [f64; BAND], stiff: f64, feed: f64) {
+        let (gram, side) = ([[0.0; BAND]; BAND], [[0.0; N]; BAND]);
+        let cube = feed * feed * feed;
+        let mut strip = Strip { gram, side, third, stiff, cube, looks: self.looks.len() };
+        add(&mut strip.gram, &third, stiff);
+        self.strips.push(strip);
+    }
+
+    /// A place of the newest span that shall be within `tolerance` of `p`.
+    pub fn look_at(&mut self, basis: [f64; BAND], weight: f64, p: [f64; N], tolerance: f64) {
+        let limit = tolerance * CLOSE;
+        let look = Look { basis, weight, close: (limit * limit).recip(), p };
+        if let Some(strip) = self.strips.last_mut() {
+            strip.press(&look, weight);
+            self.looks.push(look);
+            strip.looks = self.looks.len();
+        }
+    }
+
+    /// Span `k` shall go through `p`.
+    pub fn tie(&mut self, k: usize, basis: [f64; BAND], weight: f64, p: [f64; N]) {
+        let look = Look { basis, weight, close: 0.0, p };
+        if let Some(strip) = self.strips.get_mut(k) {
+            strip.press(&look, weight);
+        }
+    }
+
+    /// Finds the control points that are free. `jerk` is the inverse of the jerk of the axes.
+    pub fn run(&mut self, jerk: &[f64; N]) {
+        for round in 0..REFINEMENTS {
+            self.assemble();
+            self.solve();
+            if round + 1 == REFINEMENTS || !self.refine(jerk, round + CLOSING < REFINEMENTS) {
+                return;
+            }
+        }
+    }
+
+    /// Adds the spans up to the normal equations.
+    fn assemble(&mut self) {
+        let total = self.controls.len();
+        self.rows.clear();
+        self.rows.resize(total, [0.0; BAND]);
+        self.sides.clear();
+        self.sides.resize(total, [0.0; N]);
+        for (k, strip) in self.strips.iter().enumerate() {
+            let free = &self.is_free[k..k + BAND];
+            let (rows, sides) = (&mut self.rows[k..k + BAND], &mut self.sides[k..k + BAND]);
+            if free.iter().all(|is_free| *is_free) {
+                for i in 0..BAND {
+                    for j in 0..=i {
+                        rows[i][i - j] += strip.gram[i][j];
+                    }
+                    for axis in 0..N {
+                        sides[i][axis] += strip.side[i][axis];
+                    }
+                }
+                continue;
+            }
+            let controls = &self.controls[k..k + BAND];
+            for i in (0..BAND).filter(|i| free[*i]) {
+                let mut side = strip.side[i];
+                for j in 0..BAND {
+                    let entry = strip.gram[i.max(j)][i.min(j)];
+                    if !free[j] {
+                        // What is as wished beside the control points that stand.
+                        for axis in 0..N {
+                            side[axis] -= entry * controls[j][axis];
+                        }
+                    } else if j <= i {
+                        rows[i][i - j] += entry;
+                    }
+                }
+                for axis in 0..N {
+                    sides[i][axis] += side[axis];
+                }
+            }
+        }
+        for (i, is_free) in self.is_free.iter().enumerate() {
+            if !is_free {
+                (self.rows[i], self.sides[i]) = ([1.0, 0.0, 0.0, 0.0], self.controls[i]);
+            }
+        }
+    }
+
+    /// Solves the normal equations.
+    fn solve(&mut self) {
+        // The three rows and right sides above, the nearest first.
+        let (mut above, mut high) = ([[0.0; BAND]; 3], [[0.0; N]; 3]);
+        for (row, side) in self.rows.iter_mut().zip(&mut self.sides) {
+            let [a0, a1, a2, a3] = *row;
+            // Entries of `L·D`, then of `L`.
+            let e3 = a3;
+            let e2 = a2 - e3 * above[1][1];
+            let e1 = a1 - e2 * above[0][1] - e3 * above[0][2];
+            let (l1, l2, l3) = (e1 * above[0][0], e2 * above[1][0], e3 * above[2][0]);
+            let d = a0 - e1 * l1 - e2 * l2 - e3 * l3;
+            *row = [d.max(f64::MIN_POSITIVE).recip(), l1, l2, l3];
+            for axis in 0..N {
+                side[axis] -= l1 * high[0][axis] + l2 * high[1][axis] + l3 * high[2][axis];
+            }
+            above = [*row, above[0], above[1]];
+            high = [*side, high[0], high[1]];
+        }
+        let mut below = [[0.0; BAND]; 3];
+        let mut low = [[0.0; N]; 3];
+        for (control, (row, side)) in self.controls.iter_mut().zip(self.rows.iter().zip(&self.sides)).rev() {
+            for axis in 0..N {
+                control[axis] = side[axis] * row[0]
+                    - below[0][1] * low[0][axis]
+                    - below[1][2] * low[1][axis]
+                    - below[2][3] * low[2][axis];
+            }
+            below = [*row, below[0], below[1]];
+            low = [*control, low[0], low[1]];
+        }
+    }
+
+    /// Weighs more where the spline is far from the lines and, if it `stiffens`, makes spans stiffer of which the third
+    /// derivative, by the jerk of the axes, holds the feed back. Whether anything changed.
+    fn refine(&mut self, jerk: &[f64; N], stiffens: bool) -> bool {
+        let mut changed = false;
+        let mut first = 0;
+        self.held.clear();
+        for (k, strip) in self.strips.iter_mut().enumerate() {
+            if strip.looks == first {
+                self.held.push(0.0);
+                continue;
+            }
+            let controls = &self.controls[k..k + BAND];
+            let at = |g: &[f64; BAND], axis: usize| {
+                g[0] * controls[0][axis]
+                    + g[1] * controls[1][axis]
+                    + g[2] * controls[2][axis]
+                    + g[3] * controls[3][axis]
+            };
+            for look in &mut self.looks[first..strip.looks] {
+                let mut square = 0.0;
+                for axis in 0..N {
+                    let off = at(&look.basis, axis) - look.p[axis];
+                    square += off * off;
+                }
+                let over = square * look.close;
+                if over > 1.0 {
+                    let more = look.weight * ((over * CLOSER * CLOSER).min(MOST_CLOSER) - 1.0);
+                    look.weight += more;
+                    strip.press(look, more);
+                    changed = true;
+                }
+            }
+            first = strip.looks;
+            let mut most: f64 = 0.0;
+            for axis in 0..N {
+                most = most.max(at(&strip.third, axis).abs() * jerk[axis]);
+            }
+            self.held.push(most * strip.cube);
+        }
+        if !stiffens {
+            return changed;
+        }
+        let spans = self.strips.len();
+        for (k, strip) in self.strips.iter_mut().enumerate() {
+            let near = &self.held[k.saturating_sub(BESIDE)..(k + BESIDE + 1).min(spans)];
+            let mean = (near.iter().sum::<f64>() - self.held[k]) / (near.len() as f64 - 1.0).max(1.0);
+            let most = mean.max(LEAST_HELD);
+            if self.held[k] > PEAK * most {
+                let more = strip.stiff * ((self.held[k] / most).min(MOST_STIFFER) - 1.0);
+                strip.stiff += more;
+                let third = strip.third;
+                add(&mut strip.gram, &third, more);
+                changed = true;
+            }
+        }
+        changed
+    }
+}
+
+impl<const N: usize> Strip<N> {
+    /// Adds the place with this weight.
+    #[inline]
+    fn press(&mut self, look: &Look<N>, weight: f64) {
+        add(&mut self.gram, &look.basis, weight);
+        for i in 0..BAND {
+            let share = weight * look.basis[i];
+            for axis in 0..N {
+                self.side[i][axis] += share * look.p[axis];
+            }
+        }
+    }
+}
+
+/// Adds `weight·gᵢ·gⱼ`.
+#[inline]
+fn add(gram: &mut [[f64; BAND]; BAND], g: &[f64; BAND], weight: f64) {
+    for i in 0..BAND {
+        let share = weight * g[i];
+        for j in 0..=i {
+            gram[i][j] += share * g[j];
+        }
+    }
+}
