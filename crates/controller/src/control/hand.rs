@@ -23,6 +23,7 @@ impl Control {
             return;
         }
         match self.mode {
+            Mode::Home => self.home(),
             Mode::Jog => self.jog(),
             Mode::Step => self.step(),
             Mode::Handle => self.turn_wheel(counts),
@@ -30,7 +31,7 @@ impl Control {
         }
     }
 
-    fn axis(&self, number: usize) -> Option<Axis> {
+    pub(super) fn axis(&self, number: usize) -> Option<Axis> {
         self.machine.axes.get(number).map(|axis| axis.name)
     }
 
@@ -49,7 +50,8 @@ impl Control {
         for number in 0..SIGNAL_AXES {
             let Some(axis) = self.axis(number) else { break };
             // 12#0: rapid before the reference point is established.
-            let is_rapid = self.inputs.manual_rapid && (self.referenced.contains(axis) || self.bit(12, 0));
+            let is_rapid =
+                self.inputs.manual_rapid && (self.cnc.referenced().contains(axis) || self.bit(12, 0));
             let asked = (self.way(number), is_rapid);
             let Some(before) = self.jogs.get_mut(number) else { break };
             if *before == asked || asked.0 == 0 && before.0 == 0 {

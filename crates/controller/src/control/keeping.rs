@@ -7,7 +7,7 @@
 use super::status::Count;
 use super::{Control, alarm};
 use crate::api::{AlarmInfo, Event};
-use ferrocut_geometry::Position;
+use ferrocut_geometry::{AxisSet, Position};
 use ferrocut_machine::{Alarm, Fault, Memory};
 use ferrocut_memory::control::{ENTERED, KEPT_VARIABLES, changes, enter};
 use ferrocut_memory::{AlarmEntry, Author, Change, Counter, Item, LastPosition, Pending, PlcArea, Store};
@@ -43,6 +43,8 @@ pub(super) struct Keeping {
 pub(super) struct Found {
     pub counters: Count,
     pub position: Option<Position>,
+    /// Axes whose reference points were known.
+    pub referenced: AxisSet,
 }
 
 impl Keeping {
@@ -66,6 +68,7 @@ impl Keeping {
             power_on_time: of(Counter::PowerOnTime),
         };
         let position = contents.last_position.as_ref().map(|last| last.position);
+        let referenced = contents.last_position.as_ref().map_or(AxisSet::EMPTY, |last| last.referenced);
         let mut kept_plc = Vec::new();
         if let Some(plc) = plc {
             for (area, bytes) in &contents.plc {
@@ -89,7 +92,7 @@ impl Keeping {
             slow_in: SLOW_S,
             told: false,
         };
-        Ok((keeping, Found { counters, position }))
+        Ok((keeping, Found { counters, position, referenced }))
     }
 
     /// Puts an alarm into the history.
@@ -218,7 +221,7 @@ impl Control {
         LastPosition {
             time: ferrocut_memory::items::now(),
             position: self.tick.position,
-            referenced: self.referenced,
+            referenced: self.cnc.referenced(),
             work_system: self.cnc.interpreter().work_system(),
         }
     }

@@ -13,13 +13,14 @@ mod commands;
 mod hand;
 mod keeping;
 mod library;
+mod machine;
 pub mod modes;
 mod programs;
 mod status;
 
 use crate::api::{Activity, AlarmInfo, Event};
 use crate::cnc::{self, Cnc, DryRun, State, Tick};
-use crate::drives::{Drives, Simulated};
+use crate::drives::Drives;
 use crate::signals::{Inputs, Mode, Outputs, SIGNAL_AXES};
 use ferrocut_geometry::{AxisSet, Position};
 use ferrocut_interpreter::{Interpreter, Options, dialects};
@@ -83,7 +84,6 @@ pub struct Control {
     active: Option<Alarm>,
     /// Relative coordinates are counted from this machine position.
     origin: Position,
-    referenced: AxisSet,
     tick: Tick,
     moving: AxisSet,
     periods: u64,
@@ -116,11 +116,13 @@ impl Control {
         let mut plc = parts.ladder.map(|ladder| Plc::new(ladder, pace(machine)));
         let mut counters = status::Count::default();
         let mut start = Position::ZERO;
+        let mut known = AxisSet::EMPTY;
         let keeping = match parts.store {
             Some(store) => {
                 let (keeping, found) = Keeping::open(store, &mut memory, plc.as_mut())?;
                 counters = found.counters;
                 start = found.position.unwrap_or(start);
+                known = found.referenced;
                 Some(keeping)
             }
             None => None,
@@ -129,13 +131,15 @@ impl Control {
         let programs = ProgramMemory::new("", text, dialect.syntax);
         let options = Options { start, optional_stop: true, loops_forever: true, ..Options::default() };
         let interpreter = Interpreter::new(dialect, programs, memory, options);
-        let drives = parts.drives.unwrap_or_else(|| Box::new(Simulated));
-        let cnc = Cnc::with_drives(machine, interpreter, drives);
+        let drives = parts.drives.unwrap_or_else(|| machine::drives(machine, &interpreter, known));
+        let mut cnc = Cnc::with_drives(machine, interpreter, drives);
+        if cnc.remembers_reference() {
+            // What is known by itself stays known.
+            cnc.set_referenced(cnc.referenced().iter().chain(known.iter()).collect());
+        }
         let tick =
             Tick { position: start, actual: start, velocity: 0.0, span: Span::default(), moving: false };
         Ok(Control {
-            // Drives that know where they are have their reference.
-            referenced: machine.axis_set(),
             machine: machine.clone(),
             state: cnc.state().clone(),
             cnc,
@@ -235,7 +239,10 @@ impl Control {
         self.move_by_hand();
         self.turn_spindle();
         let before = self.tick.position;
+        let arrived = self.cnc.at_reference();
+        self.take_machine_switches();
         self.tick = self.cnc.tick();
+        self.note_homed(arrived, self.tick.position);
         let names = self.machine.axes.iter().map(|axis| axis.name);
         self.moving = names.filter(|axis| self.tick.position[*axis] != before[*axis]).collect();
         self.follow_cnc();
@@ -250,7 +257,9 @@ impl Control {
     fn scan(&mut self) {
         let Some(plc) = &mut self.plc else { return };
         let was_stopped = plc.stopped().is_some();
+        machine::read(self.cnc.drives(), plc);
         plc.scan();
+        machine::write(self.cnc.drives(), plc);
         let is_stopped = plc.stopped().is_some();
         self.inputs = Inputs::read(plc.memory());
         if is_stopped && !was_stopped {
@@ -342,6 +351,7 @@ impl Control {
         if self.inputs.mode == self.mode {
             return;
         }
+        self.leave_home(self.mode);
         self.mode = self.inputs.mode;
         self.release_axes();
         self.event(Event::Mode { mode: self.mode });
@@ -558,13 +568,13 @@ impl Control {
             if way != 0.0 {
                 set(&mut outputs.downwards, way < 0.0);
             }
-            set(&mut outputs.referenced, self.referenced.contains(axis.name));
+            set(&mut outputs.referenced, self.cnc.referenced().contains(axis.name));
             let points = &self.cnc.interpreter().memory().reference_points;
             let at = |point: Option<&Position>| {
                 point.is_some_and(|point| (point[axis.name] - self.tick.position[axis.name]).abs() < 1e-6)
             };
-            let knows = self.referenced.contains(axis.name) && way == 0.0;
-            set(&mut outputs.at_reference, knows && at(points.first()));
+            let knows = self.cnc.referenced().contains(axis.name) && way == 0.0;
+            set(&mut outputs.at_reference, self.cnc.at_reference().contains(axis.name));
             set(&mut outputs.at_second_reference, knows && at(points.get(1)));
             set(&mut outputs.in_position, way == 0.0);
         }

@@ -135,7 +135,7 @@ impl Control {
                 cutting_time: self.counters.cutting_time,
                 power_on_time: self.counters.power_on_time,
             },
-            referenced: self.referenced.iter().map(Axis::letter).collect(),
+            referenced: self.cnc.referenced().iter().map(Axis::letter).collect(),
             lamps: self.lamps(),
             panel: self.panel(),
             level: self.sessions.values().map(|session| session.level().number()).min().unwrap_or(5),
