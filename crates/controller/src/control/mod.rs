@@ -13,13 +13,14 @@ mod commands;
 mod hand;
 mod keeping;
 mod library;
+mod machine;
 pub mod modes;
 mod programs;
 mod status;
 
 use crate::api::{Activity, AlarmInfo, Event};
 use crate::cnc::{self, Cnc, DryRun, State, Tick};
-use crate::drives::{Drives, Simulated, Switches};
+use crate::drives::{Drives, Switches};
 use crate::signals::{Inputs, Mode, Outputs, SIGNAL_AXES};
 use ferrocut_geometry::{AxisSet, Position};
 use ferrocut_interpreter::{Interpreter, Options, dialects};
@@ -137,7 +138,9 @@ impl Control {
         let options =
             Options { start, optional_stop: true, loops_forever: true, every_code, ..Options::default() };
         let interpreter = Interpreter::new(dialect, programs, memory, options);
-        let drives = parts.drives.unwrap_or_else(|| Box::new(Simulated));
+        let drives = parts
+            .drives
+            .unwrap_or_else(|| machine::drives(machine, &interpreter, referenced.unwrap_or(AxisSet::EMPTY)));
         let mut cnc = Cnc::with_drives(machine, interpreter, drives);
         if plc.is_some() {
             cnc.connect_ladder(machine);
@@ -248,7 +251,9 @@ impl Control {
         self.move_by_hand();
         self.turn_spindle();
         let before = self.tick.position;
+        let arrived = self.cnc.at_reference();
         self.tick = self.cnc.tick();
+        self.note_homed(arrived, self.tick.position);
         let names = self.machine.axes.iter().map(|axis| axis.name);
         self.moving = names.filter(|axis| self.tick.position[*axis] != before[*axis]).collect();
         self.follow_cnc();
@@ -364,6 +369,7 @@ impl Control {
         if self.inputs.mode == self.mode {
             return;
         }
+        self.leave_home(self.mode);
         self.mode = self.inputs.mode;
         self.release_axes();
         self.event(Event::Mode { mode: self.mode });

@@ -118,6 +118,15 @@ impl Plant {
         }
     }
 
+    /// These axes stand where the control takes them to be: their places and names are the same.
+    pub fn stand_as_called(&mut self, axes: AxisSet) {
+        for axis in axes.iter() {
+            if let Some(Some(axis)) = self.axes.get_mut(axis.index()) {
+                axis.stand_as_called();
+            }
+        }
+    }
+
     /// Puts a block into the machine that the probe can touch.
     pub fn place(&mut self, block: Block) {
         self.blocks.push(block);

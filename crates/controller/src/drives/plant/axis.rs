@@ -132,6 +132,12 @@ impl PlantedAxis {
         self.offset = self.command - at;
     }
 
+    /// The axis stands where its name says.
+    pub fn stand_as_called(&mut self) {
+        self.command -= self.offset;
+        (self.place, self.before, self.speed, self.offset) = (self.command, self.command, 0.0, 0.0);
+    }
+
     /// The name of a place, as the encoder counts it.
     pub fn called(&self, place: f64) -> f64 {
         let step = self.config.resolution;

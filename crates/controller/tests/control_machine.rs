@@ -1,0 +1,123 @@
+//! The whole control with ladder and simulated machine, by the keys of the panel: homing, travel switches, power-off.
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
+
+use ferrocut_controller::{Control, Parts, State};
+use ferrocut_geometry::{Axis, AxisSet};
+use ferrocut_machine::{Fault, Machine, PlantAxis, PlantConfig};
+use ferrocut_plc::{Limits, Program};
+
+const LADDER: &str = include_str!("../../../machines/standard.lad");
+
+fn control(machine: &Machine) -> Control {
+    let ladder = Program::from_text(LADDER.as_bytes(), &Limits::default()).unwrap();
+    let mut control = Control::new(machine, Parts { ladder: Some(ladder), ..Parts::default() }).unwrap();
+    wait(&mut control, 100);
+    control
+}
+
+/// The demo mill with its simulated machine, X with close travel switches.
+fn machine() -> Machine {
+    let x = PlantAxis { limits: Some([-120.0, 60.0]), ..PlantAxis::new(Axis::X) };
+    Machine { plant: Some(PlantConfig { axes: vec![x], ..PlantConfig::default() }), ..Machine::demo_mill() }
+}
+
+fn wait(control: &mut Control, periods: usize) {
+    (0..periods).for_each(|_| {
+        control.tick();
+    });
+}
+
+fn set(control: &mut Control, key: &str, on: bool) {
+    let plc = control.plc_mut().unwrap();
+    let address = plc.program().signal(key).unwrap();
+    plc.memory_mut().set_bit(address, on);
+}
+
+fn is(control: &mut Control, name: &str) -> bool {
+    let plc = control.plc_mut().unwrap();
+    let address = plc.program().signal(name).unwrap();
+    plc.memory().bit(address)
+}
+
+fn press(control: &mut Control, key: &str, periods: usize) {
+    set(control, key, true);
+    wait(control, periods);
+    set(control, key, false);
+    wait(control, 30);
+}
+
+fn until_homed(control: &mut Control) {
+    for _ in 0..60_000 {
+        control.tick();
+        if !control.cnc().is_homing() {
+            return wait(control, 50);
+        }
+    }
+    panic!("homes for ever");
+}
+
+#[test]
+fn the_keys_of_the_panel_home_the_axes_and_light_their_lamps() {
+    let mut control = control(&machine());
+    assert_eq!(control.cnc().referenced(), AxisSet::EMPTY);
+    press(&mut control, "KEY_HOME", 50);
+    press(&mut control, "KEY_R_100", 50);
+    assert!(is(&mut control, "LAMP_HOME") && !is(&mut control, "LAMP_ZERO_X"));
+    press(&mut control, "KEY_X+", 50);
+    press(&mut control, "KEY_Z-", 50);
+    assert!(control.cnc().is_homing());
+    until_homed(&mut control);
+    let lamps = ["LAMP_ZERO_X", "LAMP_ZERO_Y", "LAMP_ZERO_Z"].map(|lamp| is(&mut control, lamp));
+    assert_eq!(lamps, [true, false, true]);
+    assert_eq!(control.status().referenced, ['X', 'Z']);
+    assert_eq!(control.status().position.machine[&'X'], 0.0);
+    // Another mode ends what is not done.
+    press(&mut control, "KEY_Y+", 50);
+    assert!(control.cnc().is_homing());
+    press(&mut control, "KEY_JOG", 50);
+    wait(&mut control, 200);
+    assert!(!control.cnc().is_homing() && !is(&mut control, "LAMP_ZERO_Y"));
+    assert_eq!(control.status().referenced, ['X', 'Z']);
+}
+
+#[test]
+fn an_axis_leaves_its_travel_switch_by_the_release_key() {
+    let mut control = control(&machine());
+    press(&mut control, "KEY_JOG", 50);
+    // 100 % of the jog feed: step 10 of the switch.
+    let switch = control.plc_mut().unwrap().program().signal("SWITCH_FEED").unwrap();
+    control.plc_mut().unwrap().memory_mut().set_byte(switch, 10);
+    // X stands at -80, its switch is at -120.
+    set(&mut control, "KEY_X-", true);
+    wait(&mut control, 3000);
+    let fault = |control: &Control| match control.cnc().state() {
+        State::Alarmed(alarm) => Some(alarm.fault),
+        _ => None,
+    };
+    assert_eq!(fault(&control), Some(Fault::HardLimit));
+    assert!(is(&mut control, "LAMP_OT") && is(&mut control, "TOWER_RED"));
+    set(&mut control, "KEY_X-", false);
+    wait(&mut control, 20);
+    let stands = control.status().position.machine[&'X'];
+    // The release, reset, and back.
+    set(&mut control, "KEY_OT", true);
+    wait(&mut control, 20);
+    let reset = ferrocut_controller::api::Command::Reset;
+    let author =
+        ferrocut_memory::Author::Person { session: ferrocut_memory::Session::OPERATOR, name: "panel".into() };
+    control.command(reset, &author).unwrap();
+    wait(&mut control, 50);
+    assert_eq!(fault(&control), None);
+    set(&mut control, "KEY_X-", true);
+    wait(&mut control, 300);
+    set(&mut control, "KEY_X-", false);
+    wait(&mut control, 20);
+    assert!((control.status().position.machine[&'X'] - stands).abs() < 1e-9);
+    set(&mut control, "KEY_X+", true);
+    wait(&mut control, 1000);
+    set(&mut control, "KEY_X+", false);
+    set(&mut control, "KEY_OT", false);
+    wait(&mut control, 500);
+    assert!(!is(&mut control, "LAMP_OT") && fault(&control).is_none());
+    assert!(control.status().position.machine[&'X'] > stands + 10.0);
+}
