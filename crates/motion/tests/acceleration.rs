@@ -22,7 +22,15 @@ fn cutting(ramp: Ramp) -> Machine {
     machine
 }
 
-/// Period after which the speed is first this.
+/// A run without the periods before it moves.
+fn moving(machine: &Machine, ops: &[Op]) -> Run {
+    let mut run = run(machine, Position::ZERO, ops);
+    let first = run.samples.iter().position(|s| s.velocity > 0.0).unwrap();
+    run.samples.drain(..first);
+    run
+}
+
+/// Time after which the speed is first this.
 fn time_to(run: &Run, v: f64) -> f64 {
     (run.samples.iter().position(|s| s.velocity >= v * (1.0 - 1e-6)).unwrap() + 1) as f64 * PERIOD
 }
@@ -32,7 +40,7 @@ fn a_linear_ramp_has_one_acceleration() {
     let machine = cutting(Ramp { acceleration: 1000.0, jerk: 0.0 });
     // To 100 mm/s in 100 ms, in whatever direction.
     for to in [[60.0, 0.0], [40.0, 40.0]] {
-        let run = run(&machine, Position::ZERO, &[line(to[0], to[1], 0.0, 6000.0, PathMode::Continuous)]);
+        let run = moving(&machine, &[line(to[0], to[1], 0.0, 6000.0, PathMode::Continuous)]);
         assert!((time_to(&run, 100.0) - 0.1).abs() <= 0.0012, "{}", time_to(&run, 100.0));
         for (k, s) in run.samples.iter().enumerate().take(99) {
             let straight = (k + 1) as f64;
@@ -50,7 +58,7 @@ fn an_s_ramp_builds_its_acceleration_up() {
     // To 100 mm/s in 200 ms: 1000 mm/s² in the middle, 10,000 mm/s³.
     let machine = cutting(Ramp { acceleration: 1000.0, jerk: 10_000.0 });
     let ops = [line(40.0, 40.0, 0.0, 6000.0, PathMode::Continuous)];
-    let run = run(&machine, Position::ZERO, &ops);
+    let run = moving(&machine, &ops);
     run.check_limits(&machine);
     assert!((time_to(&run, 100.0) - 0.2).abs() <= 0.002, "{}", time_to(&run, 100.0));
     // v = j·t²/2 in the first half.
@@ -59,7 +67,7 @@ fn an_s_ramp_builds_its_acceleration_up() {
         assert!((v - 5000.0 * t * t).abs() < 0.15, "{t}: {v}");
     }
     // Less speed takes less time, as the square root: 25 mm/s in 100 ms.
-    let run = common::run(&machine, Position::ZERO, &[line(40.0, 0.0, 0.0, 1500.0, PathMode::Continuous)]);
+    let run = moving(&machine, &[line(40.0, 0.0, 0.0, 1500.0, PathMode::Continuous)]);
     assert!((time_to(&run, 25.0) - 0.1).abs() <= 0.002, "{}", time_to(&run, 25.0));
 }
 
@@ -85,7 +93,7 @@ fn positioning_has_ramps_of_its_own() {
     for straight in [true, false] {
         for to in [Position::xyz(200.0, 0.0, 0.0), Position::xyz(0.0, 200.0, 0.0)] {
             let ops = [Op::Rapid { to, straight, speed: None }];
-            let run = run(&machine, Position::ZERO, &ops);
+            let run = moving(&machine, &ops);
             assert!(
                 (time_to(&run, 250.0) - 0.25).abs() <= 0.002,
                 "{straight} {to:?} {}",
@@ -99,7 +107,7 @@ fn positioning_has_ramps_of_its_own() {
     assert_eq!(run(&machine, Position::ZERO, &cut).samples, plain.samples);
     // Together on a line neither axis passes its own.
     let to = Position::xyz(200.0, 200.0, 0.0);
-    let run = run(&machine, Position::ZERO, &[Op::Rapid { to, straight: true, speed: None }]);
+    let run = moving(&machine, &[Op::Rapid { to, straight: true, speed: None }]);
     let all: Vec<f64> = run.samples.iter().map(|s| s.position.0[0]).collect();
     for w in all.windows(3) {
         let a = (w[2] - 2.0 * w[1] + w[0]) / (PERIOD * PERIOD);
