@@ -847,7 +847,9 @@ impl Cnc {
         }
         // A failed axis may never come to its place.
         let can_settle = self.failed.is_none();
-        if !self.motion.is_still() {
+        // What is given up is forgotten by motion before the place of the axes gets its coordinates.
+        let forgets = self.state == State::Resetting && !self.motion.is_empty();
+        if !self.motion.is_still() || forgets {
             return if can_settle && self.must_settle_now() { self.settle() } else { self.move_on() };
         }
         match self.stroke {

@@ -290,7 +290,7 @@ impl Cnc {
                     self.hold_motion();
                 }
             }
-            Stage::Braking if self.motion.at_rest() => {
+            Stage::Braking if self.motion.is_still() => {
                 self.motion.abort();
                 // Else it comes with the next period.
                 if self.motion.is_empty() {
@@ -330,6 +330,7 @@ impl Cnc {
         // From a constant speed: 2·√(v/j) s where the acceleration is not reached, else v/a + a/j; at half the
         // speed on average. A curve, and a path that speeds up, need more: twice as much, and two periods.
         let time = if v * j >= a * a { v / a + a / j } else { 2.0 * (v / j).sqrt() };
-        v * time + 2.0 * v * self.period
+        // A hold takes over somewhat later.
+        v * (time + ferrocut_motion::LEAD_S) + 2.0 * v * self.period
     }
 }

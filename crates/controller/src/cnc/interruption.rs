@@ -73,7 +73,7 @@ impl Cnc {
     pub(super) fn may_be_interrupted(&self) -> bool {
         self.aside.kind != Interruption::Refused
             && matches!(self.state, State::Held | State::BlockEnd | State::Stopped(_))
-            && self.motion.at_rest()
+            && self.motion.is_still()
             && self.stroke.is_none()
             && self.hole.is_none()
             && !self.aside.returns
