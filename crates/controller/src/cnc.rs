@@ -905,7 +905,7 @@ impl Cnc {
             }
             match self.next_step() {
                 None => return,
-                Some(Err(alarm)) if self.sent.refuses => self.sent.refused.push(alarm),
+                Some(Err(alarm)) if self.sent.refuses => self.sent.refused.push(*alarm),
                 Some(Err(alarm)) => self.wait_for(Waiting::Alarm(alarm)),
                 Some(Ok(step)) => self.take_step(step),
             }

@@ -28,7 +28,7 @@ const MOST_JOGS: usize = 32;
 pub(super) struct Sent {
     /// An alarm of a block is told, and the blocks behind it go on.
     pub refuses: bool,
-    pub refused: Vec<Box<Alarm>>,
+    pub refused: Vec<Alarm>,
     /// The axes are moved by hand in lines.
     pub is_jogging: bool,
     jogs: VecDeque<Step>,
@@ -58,7 +58,7 @@ impl Cnc {
     }
 
     /// Takes the alarms of blocks that were refused since the last call.
-    pub fn refused(&mut self) -> Vec<Box<Alarm>> {
+    pub fn refused(&mut self) -> Vec<Alarm> {
         std::mem::take(&mut self.sent.refused)
     }
 

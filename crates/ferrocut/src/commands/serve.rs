@@ -117,7 +117,7 @@ fn serve_control(args: &ServeArgs, shop: &Shop) -> Result<Exit, Failure> {
         Some(folder) => Some(Arc::new(super::memory::open(folder, &shop.machine.dialect)?)),
     };
     let parts = Parts { store, ladder: Some(ladder), ..Parts::default() };
-    let control = Control::new(&shop.machine, parts).map_err(|alarm| Failure::setting(alarm))?;
+    let control = Control::new(&shop.machine, parts).map_err(Failure::setting)?;
     let period = Duration::from_secs_f64(shop.machine.servo_period_ms / 1000.0);
     let (runner, hub) = lines::start(Panel::new(control), period, args.priority).map_err(cannot("thread"))?;
     if let Some(path) = &args.socket {
