@@ -15,6 +15,7 @@ mod reference;
 mod sent;
 mod skip;
 mod switches;
+mod taking_up;
 
 pub use interruption::Interruption;
 pub use switches::DryRun;
@@ -97,6 +98,8 @@ pub struct Tick {
 #[derive(Clone, Copy, Debug)]
 struct Given {
     tag: u64,
+    /// The number of its block.
+    number: u64,
     span: Span,
     activity: Activity,
     length: f64,
@@ -215,6 +218,7 @@ pub struct Cnc {
     failed: Option<Box<Alarm>>,
     /// The ladder, where the machine has one.
     auxiliary: Option<Box<Auxiliary>>,
+    taking_up: taking_up::TakingUp,
     blocks: Blocks,
     aside: Aside,
     switches: Switches,
@@ -264,6 +268,7 @@ impl Cnc {
             patience: machine.servo.in_position_ms / 1000.0,
             kind: Kind::Cutting,
             exact_stop: machine.path.exact_stop,
+            taking_up: taking_up::TakingUp::new(interpreter.tools()),
             interpreter,
             drives,
             spindle: Spindle::new(machine),
@@ -372,6 +377,7 @@ impl Cnc {
         if let Some(hole) = self.hole.as_mut().filter(|hole| hole.asked == Some(Asked::Hold)) {
             hole.asked = None;
         }
+        self.begin_journal();
         if matches!(self.state, State::Ready | State::BlockEnd | State::Stopped(_)) {
             self.blocks.begin();
         }
@@ -609,6 +615,7 @@ impl Cnc {
             given.travelled += setpoint.velocity * self.period;
             let given = *given;
             self.span = given.span;
+            self.comes_to(given.number, given.span);
             self.kind = given.kind();
             self.report.period(given.activity);
             let (running, block) = (given.tag, given.block);
@@ -856,7 +863,7 @@ impl Cnc {
             self.state = match self.failed.take() {
                 Some(alarm) => State::Alarmed(alarm),
                 None => {
-                    self.interpreter.reset(self.commanded);
+                    self.forget_program();
                     State::Reset
                 }
             };
@@ -966,6 +973,7 @@ impl Cnc {
         let (span, block, path_length) = (step.span, self.taken(step.span), step.op.length(from));
         let given = Given {
             tag,
+            number: step.block,
             span,
             activity,
             length,
@@ -1023,6 +1031,7 @@ impl Cnc {
             Waiting::Step(step) => step,
         };
         self.span = step.span;
+        self.comes_to(step.block, step.span);
         if let Some(block) = self.blocks.waiting.take() {
             self.runs(block);
         }
@@ -1042,7 +1051,7 @@ impl Cnc {
             Op::Barrier => {
                 self.skip_shift = Position::ZERO;
                 let (commanded, actual) = (self.commanded, self.actual);
-                self.interpreter.came_to_rest(&AtRest { commanded, actual, skip: None });
+                self.tell_program(&AtRest { commanded, actual, skip: None });
                 // A program that waits for an input in a loop lets time go on.
                 self.keep_busy(Activity::Dwell, self.period);
             }
@@ -1077,7 +1086,9 @@ impl Cnc {
     /// What is so once the machine has done a step.
     fn done(&mut self, op: &Op) {
         match *op {
+            Op::Select(tool) => self.taking_up.tools.1 = tool,
             Op::Change(tool) => {
+                self.taking_up.tools = (tool, tool);
                 self.report.change_tool(tool);
                 self.events.push(Event::ToolChange(tool));
             }

@@ -83,6 +83,12 @@ impl Supervisor {
         refused
     }
 
+    /// Notes that axes and spindle stand still, the axes at `at`.
+    pub fn comes_to_rest(&mut self, at: Position) {
+        self.at = at;
+        (self.turning, self.told_spindle) = (false, false);
+    }
+
     /// Tells each thing that the machine has against a step. A tool that stays beyond a limit, or a
     /// spindle that stays at rest, is told once.
     #[inline]

@@ -178,6 +178,11 @@ pub struct RunArgs {
     /// Run at true speed instead of as fast as possible
     #[arg(long)]
     pub realtime: bool,
+    /// Take the program up at this line, of a subprogram too: what lies before it is interpreted without motion,
+    /// then the axes go there one by one. PASS says the how manieth time a line that is run several times is
+    /// reached; FILE names a file beside the program
+    #[arg(long, value_name = "[FILE:]LINE[:PASS]", value_parser = Place::parse)]
+    pub from: Option<Place>,
     /// Write the position of every axis each servo period to this CSV file; - is standard output
     #[arg(long, value_name = "FILE")]
     pub samples: Option<PathBuf>,
@@ -361,6 +366,35 @@ fn seconds(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(value) if (0.0..=1e9).contains(&value) => Ok(value),
         _ => Err("give seconds from 0 on".to_owned()),
+    }
+}
+
+/// A line of a program or of a file beside it, and in which pass.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Place {
+    /// The file; none for the program's own.
+    pub file: Option<String>,
+    /// Counted from 1.
+    pub line: u32,
+    /// Counted from 1.
+    pub pass: u64,
+}
+
+impl Place {
+    fn parse(text: &str) -> Result<Place, String> {
+        let number = |part: &str| part.parse::<u64>().ok().filter(|n| *n > 0);
+        let wrong = || "give a line, or LINE:PASS, both counted from 1; FILE: may go before".to_owned();
+        let parts: Vec<&str> = text.rsplitn(3, ':').collect();
+        let (file, line, pass) = match parts.as_slice() {
+            [line] => (None, *line, "1"),
+            [pass, line] if number(line).is_some() => (None, *line, *pass),
+            [line, file] => (Some(file.to_string()), *line, "1"),
+            [pass, line, file] if number(line).is_some() => (Some(file.to_string()), *line, *pass),
+            [line, ..] => (text.rsplit_once(':').map(|(file, _)| file.to_owned()), *line, "1"),
+            [] => return Err(wrong()),
+        };
+        let line = number(line).and_then(|line| u32::try_from(line).ok()).ok_or_else(wrong)?;
+        Ok(Place { file: file.filter(|file| !file.is_empty()), line, pass: number(pass).ok_or_else(wrong)? })
     }
 }
 

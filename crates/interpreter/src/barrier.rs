@@ -13,7 +13,7 @@ use crate::interpreter::Interpreter;
 use ferrocut_geometry::Position;
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_program::Span;
-use ferrocut_toolpath::{Op, Step};
+use ferrocut_toolpath::Op;
 
 /// The machine as it came to rest at a barrier. Machine positions of the axes, mm and degrees.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -101,7 +101,7 @@ impl Interpreter {
     /// Gives out a barrier. What cutter compensation holds back ends here, square to its last move, as
     /// before a block that it cannot look beyond (GSK990MC 4.7.3, 7).
     pub(crate) fn emit_barrier(&mut self) -> Fallible<()> {
-        let step = Step { op: Op::Barrier, span: self.words.block_span() };
+        let step = self.step(Op::Barrier);
         // Not by `emit`: a program that only waits does not get on.
         let done = self.output.flush().and_then(|()| self.output.push(step));
         done.map_err(|(fault, span)| self.alarm(fault, span))

@@ -33,7 +33,7 @@ static ROWS: [MCode; MOST] = {
 };
 
 /// The codes that programs stand for.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct CustomCodes {
     programs: CustomPrograms,
     g: [bool; MOST],
@@ -55,6 +55,7 @@ pub(crate) enum Custom {
 }
 
 /// A block set aside while the program of one of its codes runs.
+#[derive(Clone)]
 pub(crate) struct Suspended {
     code: Custom,
     words: Words,

@@ -8,7 +8,7 @@ use crate::stages::cutter::{Offset, Side};
 use crate::words::{self};
 use ferrocut_machine::{Fault, ToolOffset};
 use ferrocut_program::Span;
-use ferrocut_toolpath::{Op, Step};
+use ferrocut_toolpath::Op;
 
 impl Interpreter {
     /// Radius of a row of the offset table, which may hold diameters (40#7), mm.
@@ -79,7 +79,7 @@ impl Interpreter {
             return Err(self.alarm(Fault::CornerArcForm, span));
         }
         let op = Op::Feed { to: self.location.machine, feed: self.feed()?, path: self.path_mode() };
-        let step = Step { op, span: self.words.block_span() };
+        let step = self.step(op);
         self.output.corner_arc(step).map_err(|(fault, span)| self.alarm(fault, span))
     }
 }

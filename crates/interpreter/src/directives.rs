@@ -83,6 +83,7 @@ pub struct Contour {
 type DraftCorner = Option<(CornerKind, f64, Span)>;
 
 /// A contour being defined.
+#[derive(Clone)]
 struct Draft {
     start: [f64; 2],
     elements: Vec<(Element, DraftCorner)>,
@@ -91,6 +92,7 @@ struct Draft {
 }
 
 /// A profile being defined.
+#[derive(Clone)]
 struct Recording {
     name: Box<str>,
     letters: [u8; 2],
@@ -105,7 +107,7 @@ struct Recording {
 }
 
 /// The profiles of a program, and the one being defined.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub struct Profiles {
     known: BTreeMap<Box<str>, RecordedProfile>,
     recording: Option<Box<Recording>>,

@@ -69,7 +69,7 @@ impl Arithmetic {
 const LARGEST: f64 = 1e47;
 
 /// The stack that expressions are evaluated on; kept to spare its allocation.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Evaluator {
     stack: Vec<Value>,
     arithmetic: Arithmetic,

@@ -18,7 +18,7 @@ use smallvec::SmallVec;
 const FEED_LETTERS: u32 = words::letters(b"FI");
 
 /// What the codes of a block ask for beyond the modal state.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(crate) struct Codes {
     /// The non-modal code, if there is one.
     pub(crate) non_modal: Option<Code<GCode>>,
@@ -48,7 +48,7 @@ pub(crate) struct RotaryBlock {
 }
 
 /// What is still to be done of a block: from one of its parts on. Programs that stand for codes come between.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(crate) struct Rest {
     pub(crate) codes: Codes,
     pub(crate) axes: AxisSet,

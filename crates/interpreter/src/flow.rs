@@ -4,6 +4,7 @@ use crate::Fallible;
 use crate::barrier::Present;
 use crate::custom::{Custom, Suspended};
 use crate::interpreter::Interpreter;
+use crate::search::Mark;
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_program::{Block, Page, Place, ProgramId, ProgramMemory, Span, Statement, Value};
 use rustc_hash::FxHashMap;
@@ -11,7 +12,7 @@ use std::io;
 use std::sync::Arc;
 
 /// A subprogram or macro being run.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Call {
     /// First block of the program called.
     program: Place,
@@ -47,7 +48,7 @@ const MAX_OPEN: usize = 10_000;
 const MAX_REMEMBERED: usize = 65_536;
 
 /// Where execution stands.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Flow {
     /// The next block.
     place: Place,
@@ -65,6 +66,10 @@ pub(crate) struct Flow {
     /// The beginning of a loop that counts, come to from its end.
     again: Option<Place>,
     idle: u64,
+    /// Blocks begun so far.
+    begun: u64,
+    /// Where blocks are no longer begun.
+    mark: Option<Mark>,
     passes: u64,
     jumps_back: u64,
     /// Where a jump from a block to a sequence number leads.
@@ -110,6 +115,8 @@ impl Flow {
             branch: None,
             again: None,
             idle: 0,
+            begun: 0,
+            mark: None,
             passes: 0,
             jumps_back: 0,
             targets: FxHashMap::default(),
@@ -140,6 +147,34 @@ impl Flow {
     #[inline]
     pub(crate) fn count_hole(&mut self) {
         self.idle += 1;
+    }
+
+    /// Blocks begun so far, each pass counted. A block that waited for the machine is begun once.
+    #[inline]
+    pub(crate) fn begun(&self) -> u64 {
+        self.begun
+    }
+
+    /// Where blocks are no longer begun.
+    #[inline]
+    pub(crate) fn mark(&self) -> Option<&Mark> {
+        self.mark.as_ref()
+    }
+
+    pub(crate) fn set_mark(&mut self, mark: Option<Mark>) {
+        self.mark = mark;
+    }
+
+    /// Whether the block that comes is marked, so that it is not begun.
+    #[inline]
+    fn stops_before(&mut self, at: Place) -> bool {
+        let begun = self.begun;
+        self.mark.as_mut().is_some_and(|mark| mark.stops_before(at, begun))
+    }
+
+    /// The subprograms and macros being run.
+    pub(crate) fn depth_of_calls(&self) -> usize {
+        self.calls.len()
     }
 
     /// Sets a block aside until the program just called returns.
@@ -354,6 +389,13 @@ impl Interpreter {
             return self.run_described();
         }
         let at = self.flow.place;
+        if self.present != Present::Known {
+            if self.flow.stops_before(at) {
+                self.flow.page = Some(page);
+                return Ok(());
+            }
+            self.flow.begun += 1;
+        }
         let (entered, alarms) = (self.flow.entered, self.alarms_noted());
         self.flow.place.block += 1;
         let mut result = match page.blocks.get(index) {

@@ -17,6 +17,7 @@ use crate::dialect::{Dialect, Meaning, Rules, Variable};
 use crate::dialects::rs274::State;
 use crate::evaluate::Evaluator;
 use crate::flow::Flow;
+use crate::look_back::LookBack;
 use crate::macros::INPUT_WORD;
 use crate::modal::{Group, Modal};
 use crate::origins::Origins;
@@ -36,6 +37,7 @@ use ferrocut_machine::{Alarm, Fault, Memory};
 use ferrocut_program::{FileId, ProgramMemory, Span, lexer};
 use ferrocut_toolpath::{Speed, SpindleState, Step};
 use std::collections::{BTreeMap, VecDeque};
+use std::sync::Arc;
 
 /// How the operator's switches stand, and what the steps are for.
 #[derive(Clone, Copy, Debug, Default)]
@@ -170,7 +172,7 @@ pub(crate) struct Technology {
 }
 
 /// What makes two passes of a program alike.
-#[derive(PartialEq)]
+#[derive(Clone, PartialEq)]
 pub(crate) struct Fingerprint {
     modal: Modal,
     location: Location,
@@ -179,6 +181,7 @@ pub(crate) struct Fingerprint {
 }
 
 /// Turns the blocks of a program into steps.
+#[derive(Clone)]
 pub struct Interpreter {
     pub(crate) dialect: &'static Dialect,
     pub(crate) tables: Tables,
@@ -197,7 +200,7 @@ pub struct Interpreter {
     /// Directives of a cycle and what they describe.
     pub(crate) described: Described,
     /// Where computed pockets are kept, if anywhere.
-    pub(crate) kept_pockets: Option<Box<dyn KeptPockets>>,
+    pub(crate) kept_pockets: Option<Arc<dyn KeptPockets>>,
     /// Where polar words count from.
     pub(crate) polar_origin: [f64; 2],
     pub(crate) intermediate: Intermediate,
@@ -231,6 +234,10 @@ pub struct Interpreter {
     pub(crate) ended: bool,
     /// All that came of a program that is sent was run.
     pub(crate) starved: bool,
+    /// What is in force with the blocks under way, where somebody asked for it.
+    pub(crate) look_back: Option<Box<LookBack>>,
+    /// Steps of blocks up to this one are not given out: they were done before.
+    pub(crate) passed: u64,
     pub(crate) output: Output,
     pub(crate) alarms: VecDeque<Box<Alarm>>,
     /// The drawing that the main program was made from.
@@ -333,6 +340,8 @@ impl Interpreter {
             ngc: State::new(work.shift, options.start),
             ended: false,
             starved: false,
+            look_back: None,
+            passed: 0,
             output,
             alarms,
             origins: None,
@@ -350,7 +359,7 @@ impl Interpreter {
 
     /// Gives computed pockets a place where they are kept between runs.
     pub fn keep_pockets(&mut self, kept: Box<dyn KeptPockets>) {
-        self.kept_pockets = Some(kept);
+        self.kept_pockets = Some(kept.into());
     }
 
     /// The file that people know as the main program: the drawing, where the program was made from one.
@@ -463,6 +472,7 @@ impl Interpreter {
         self.alarms.clear();
         self.present = Present::default();
         self.ended = false;
+        self.passed = 0;
         self.output = Output::new(self.rules.cutter, machine);
         self.location.machine = machine;
         self.location.take_machine();
@@ -554,6 +564,9 @@ impl Interpreter {
     fn advance(&mut self) -> Option<Fallible<Step>> {
         loop {
             if let Some(step) = self.output.pop() {
+                if step.block <= self.passed {
+                    continue;
+                }
                 return Some(Ok(step));
             }
             if let Some(alarm) = self.alarms.pop_front() {
@@ -563,7 +576,7 @@ impl Interpreter {
                 }
                 return Some(Err(alarm));
             }
-            if self.ended {
+            if self.ended || self.stands() {
                 return None;
             }
             if self.described.is_running() {

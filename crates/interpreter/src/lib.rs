@@ -29,6 +29,7 @@ mod in_force;
 pub mod interpreter;
 mod length_words;
 mod loading;
+mod look_back;
 mod m_functions;
 mod machine_words;
 mod macros;
@@ -37,8 +38,10 @@ pub mod motion;
 mod non_modal;
 pub mod origins;
 mod output;
+pub mod program_state;
 mod reference;
 mod referenced;
+pub mod search;
 mod sent;
 pub mod stages;
 pub mod stroke;
@@ -53,6 +56,7 @@ pub use in_force::InForce;
 pub use interpreter::{Interpreter, Options};
 pub use origins::Origins;
 pub use referenced::Unreferenced;
+pub use search::Until;
 
 use ferrocut_machine::Alarm;
 

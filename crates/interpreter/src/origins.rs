@@ -3,6 +3,7 @@
 use ferrocut_program::{FileId, Span};
 
 /// The piece of a drawing that caused each line of the main program.
+#[derive(Clone)]
 pub struct Origins {
     drawing: FileId,
     lines: Vec<Span>,

@@ -25,6 +25,7 @@ pub(crate) struct OneWay {
 }
 
 /// What compensated steps go into.
+#[derive(Clone)]
 struct Queue {
     steps: VecDeque<Step>,
     /// Where the axes are commanded to be, compensation included.
@@ -34,6 +35,7 @@ struct Queue {
 }
 
 /// The stages that look ahead, and the queue behind them.
+#[derive(Clone)]
 pub(crate) struct Output {
     queue: Queue,
     corner: Corner,
@@ -364,10 +366,11 @@ impl Queue {
     /// A positioning to `to` from one side.
     fn arrive(&mut self, step: Step, to: Position) {
         if let (Some((span, how)), Op::Rapid { straight, speed, .. }) = (self.one_way.pop_front(), &step.op) {
+            let block = step.block;
             let first = Op::Rapid { to: to + how.beyond, straight: *straight, speed: *speed };
-            self.steps.push_back(Step { op: first, span });
+            self.steps.push_back(Step { op: first, span, block });
             if how.dwell_s > 0.0 {
-                self.steps.push_back(Step { op: Op::Dwell(Dwell::Seconds(how.dwell_s)), span });
+                self.steps.push_back(Step { op: Op::Dwell(Dwell::Seconds(how.dwell_s)), span, block });
             }
         }
         self.actual = to;
@@ -412,15 +415,24 @@ pub(crate) fn fault_of(fault: cutter::Fault) -> Fault {
 }
 
 impl Interpreter {
+    /// A step of the block being executed.
+    #[inline]
+    pub(crate) fn step(&self, op: Op) -> Step {
+        Step { op, span: self.words.block_span(), block: self.flow.begun() }
+    }
+
     /// Gives out a step of the block being executed.
     #[inline]
     pub(crate) fn emit(&mut self, op: Op) {
         self.flow.got_on();
+        if self.look_back.is_some() {
+            self.note_in_force();
+        }
         if let Some(alarm) = self.stroke_alarm(self.output.path_end, &op) {
             self.output.refused = true;
             return self.note(alarm);
         }
-        let step = Step { op, span: self.words.block_span() };
+        let step = self.step(op);
         if let Err(refused) = self.output.push(step) {
             self.refuse(refused);
         }

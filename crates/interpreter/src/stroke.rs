@@ -77,7 +77,7 @@ impl Interpreter {
     }
 
     /// The alarm of a move from `from`, if it enters a forbidden area.
-    pub(crate) fn stroke_alarm(&self, from: Position, op: &Op) -> Option<Box<Alarm>> {
+    pub fn stroke_alarm(&self, from: Position, op: &Op) -> Option<Box<Alarm>> {
         let stroke = &self.rules.stroke;
         if !stroke.first_is_set && !self.stroke_check_2 {
             return None;

@@ -15,6 +15,7 @@ use smallvec::SmallVec;
 const MAX_CODES: usize = 16;
 
 /// Tables of a dialect by direct index, made once.
+#[derive(Clone)]
 pub(crate) struct Tables {
     /// G codes by tenths.
     g: Vec<Option<&'static GCode>>,

@@ -19,6 +19,7 @@ const OF_THE_MACHINE: &[Fault] = &[
     Fault::ReferenceByProgram,
     Fault::HomingStopped,
     Fault::RigidTappingOff,
+    Fault::RestartOrder,
 ];
 
 /// The rule, its number in appendix 2, a program that breaks it, the words at fault, and a set-up.

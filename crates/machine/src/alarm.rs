@@ -672,6 +672,19 @@ faults! {
     LinesNotKept = 1460,
     /// A port, socket or terminal that cannot be opened.
     CannotServe = 1461,
+    // 1440: program restart
+    /// No block on a line or below it.
+    RestartBlockMissing = 1440,
+    /// The program does not reach the block as often as asked for.
+    RestartNotReached = 1441,
+    /// The order of the axes on the way to a restart does not name each once.
+    RestartOrder = 1442,
+    /// Nothing was interrupted that could be taken up again.
+    RestartNothing = 1443,
+    /// A restart while the axes are under way.
+    RestartMoving = 1444,
+    /// What the machine told the program in the first run is not known.
+    RestartUnknown = 1445,
 }
 
 /// How bad it is.

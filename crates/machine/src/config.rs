@@ -5,6 +5,7 @@ use crate::homing::{AxisHoming, HomingConfig};
 use crate::manual::ManualConfig;
 use crate::path::{PathConfig, Ramp};
 use crate::plant::PlantConfig;
+use crate::restart::RestartConfig;
 use crate::servo::{Backlash, PitchErrors, ServoConfig, Smoothing};
 use ferrocut_geometry::{Axis, AxisSet, Position};
 use serde::Deserialize;
@@ -52,6 +53,9 @@ pub struct Machine {
     /// How codes are handed to the ladder.
     #[serde(default)]
     pub handshake: HandshakeConfig,
+    /// The way to a restart.
+    #[serde(default)]
+    pub restart: RestartConfig,
     /// The control's own parameters that differ from its factory setting, by their own names.
     #[serde(default)]
     pub parameters: std::collections::BTreeMap<String, f64>,
@@ -313,6 +317,7 @@ impl Machine {
         self.plant.iter().try_for_each(PlantConfig::check)?;
         self.handshake.check()?;
         self.spindle.gears.check()?;
+        self.restart.check()?;
         not_negative("servo: in_position_ms", self.servo.in_position_ms)?;
         not_negative("tool_change: time_s", self.tool_change.time_s)?;
         self.path.check()
@@ -335,6 +340,7 @@ impl Machine {
             homing: HomingConfig::default(),
             plant: None,
             handshake: HandshakeConfig::default(),
+            restart: RestartConfig::default(),
             parameters: Default::default(),
         })
     }

@@ -213,6 +213,11 @@ impl Variables {
         put(&mut self.named, name.into(), value.filter(|v| !v.is_nan()))
     }
 
+    /// The variables that have a name, in order.
+    pub fn iter_named(&self) -> impl Iterator<Item = (&str, f64)> {
+        self.named.iter().map(|(name, value)| (&**name, *value))
+    }
+
     /// Gives values of names to the numbers that they are kept by, where `number` knows them.
     pub fn name_numbers(&mut self, number: impl Fn(&str) -> Option<u32>) {
         let named: Vec<(u32, f64)> =

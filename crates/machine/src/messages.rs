@@ -88,6 +88,9 @@
 //! | `PasswordWait` | `time` in s |
 //! | `CodeNotFinished` | `word`: the code |
 //! | `CaptureSetting` | `value` |
+//! | `RestartBlockMissing` | `line` |
+//! | `RestartNotReached` | `line`, `passes`: how often it was reached |
+//! | `RestartUnknown` | `count` |
 
 use crate::alarm::{Alarm, AlarmId, Argument};
 use fluent_bundle::concurrent::FluentBundle;

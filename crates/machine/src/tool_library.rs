@@ -66,6 +66,17 @@ impl ToolLibrary {
         self.tools.get_mut(&number)
     }
 
+    /// Puts a tool in the place of the one with its number; none takes it out. A table that is full takes no more.
+    pub fn put(&mut self, number: u32, tool: Option<Tool>) {
+        match tool {
+            None => drop(self.tools.remove(&number)),
+            Some(tool) if self.tools.len() < ToolLibrary::MOST || self.tools.contains_key(&number) => {
+                self.tools.insert(number, tool);
+            }
+            Some(_) => {}
+        }
+    }
+
     /// The tools with their numbers, in order.
     pub fn iter(&self) -> impl Iterator<Item = (u32, &Tool)> {
         self.tools.iter().map(|(number, tool)| (*number, tool))

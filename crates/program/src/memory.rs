@@ -15,7 +15,7 @@ use std::collections::{HashMap, VecDeque};
 use std::io;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, LazyLock};
+use std::sync::{Arc, LazyLock, Mutex};
 
 /// Bytes of text lexed at a time. A line with its end fits ([`lexer::MAX_LINE`]).
 const PAGE_BYTES: usize = 1 << 16;
@@ -83,16 +83,16 @@ pub struct Place {
 }
 
 /// Where a page of a file starts, and the page while it is kept.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct PageSlot {
     start: Start,
     page: Option<Arc<Page>>,
 }
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct ProgramFile {
     name: Box<str>,
-    text: Text,
+    text: Arc<Text>,
     /// The pages from `first` on that were read.
     slots: VecDeque<PageSlot>,
     /// Number of the first page that is not given back.
@@ -109,8 +109,15 @@ struct ProgramFile {
     is_shown_only: bool,
 }
 
+impl ProgramFile {
+    /// The text, to be changed; none while a copy of the memory has it too.
+    fn text_mut(&mut self) -> Option<&mut Text> {
+        Arc::get_mut(&mut self.text)
+    }
+}
+
 /// The programs that can be run and called.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct ProgramMemory {
     syntax: &'static Syntax,
     names: Names,
@@ -126,7 +133,7 @@ pub struct ProgramMemory {
     /// Programs found in the folder, once something was asked that the files do not hold.
     folder_index: Option<HashMap<ProgramId, PathBuf>>,
     /// Where else programs are found.
-    source: Option<Box<dyn Source>>,
+    source: Option<Arc<Mutex<Box<dyn Source>>>>,
 }
 
 impl ProgramMemory {
@@ -168,7 +175,7 @@ impl ProgramMemory {
             return FileId(u16::MAX);
         };
         let next = Some(Start { file, offset: text.encoding().mark as u64, line: 1, is_head: true });
-        let name = name.into();
+        let (name, text) = (name.into(), Arc::new(text));
         self.files.push(ProgramFile {
             name,
             text,
@@ -196,7 +203,7 @@ impl ProgramMemory {
 
     /// Has programs that are nowhere else taken from `source`, when they are called first.
     pub fn set_source(&mut self, source: Box<dyn Source>) {
-        self.source = Some(source);
+        self.source = Some(Arc::new(Mutex::new(source)));
     }
 
     /// Names that the programs read so far give to variables and subprograms.
@@ -256,7 +263,7 @@ impl ProgramMemory {
 
     /// Bytes of a file.
     pub fn text(&self, file: FileId) -> Option<&Text> {
-        self.files.get(usize::from(file.0)).map(|f| &f.text)
+        self.files.get(usize::from(file.0)).map(|f| &*f.text)
     }
 
     /// The text of a span, decoded.
@@ -267,13 +274,16 @@ impl ProgramMemory {
 
     /// More of a main program that is sent bit by bit. Refused as a whole where there is no room.
     pub fn append(&mut self, bytes: &[u8]) -> Result<(), Refused> {
-        self.files.first_mut().map_or(Err(Refused::Ended), |file| file.text.append(bytes))
+        self.files
+            .first_mut()
+            .and_then(ProgramFile::text_mut)
+            .map_or(Err(Refused::Ended), |text| text.append(bytes))
     }
 
     /// Nothing more of the main program comes.
     pub fn end_text(&mut self) {
-        if let Some(file) = self.files.first_mut() {
-            file.text.end();
+        if let Some(text) = self.files.first_mut().and_then(ProgramFile::text_mut) {
+            text.end();
         }
     }
 
@@ -290,7 +300,9 @@ impl ProgramMemory {
             file.slots.pop_front();
             file.first = file.first.saturating_add(1);
         }
-        file.text.give_back(offset);
+        if let Some(text) = file.text_mut() {
+            text.give_back(offset);
+        }
         let first = file.first;
         while let Some((_, _, bytes)) = self.kept.pop_front_if(|(id, number, _)| id.0 == 0 && *number < first)
         {
@@ -308,7 +320,7 @@ impl ProgramMemory {
     pub fn forget_unread(&mut self) -> Option<Place> {
         let file = self.files.first_mut().filter(|file| file.text.is_sent())?;
         let next = file.next?;
-        let lines = file.text.forget(next.offset);
+        let lines = file.text_mut()?.forget(next.offset);
         let line = next.line.saturating_add(lines);
         file.next = Some(Start { offset: file.text.len(), line, is_head: true, ..next });
         file.first = file.first.saturating_add(u32::try_from(file.slots.len()).unwrap_or(u32::MAX));
@@ -430,7 +442,7 @@ impl ProgramMemory {
         }
         match self.find_in_folder(id) {
             Some(file) => self.start_in_file(file, id).map(Some),
-            None => match self.source.as_mut().and_then(|source| source.find(id)) {
+            None => match self.source.as_ref().and_then(|source| source.lock().ok()?.find(id)) {
                 Some((name, text)) => {
                     let file = self.add(&name, text);
                     self.start_in_file(file, id).map(Some)

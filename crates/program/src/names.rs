@@ -15,7 +15,7 @@ const MAX_NAMES: usize = 1 << 16;
 pub const FIRST_NAMED: u32 = 1 << 31;
 
 /// The names met so far.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Names {
     numbers: HashMap<Box<str>, u32>,
     texts: Vec<Box<str>>,

@@ -10,6 +10,9 @@ pub struct Step {
     pub op: Op,
     /// The block that caused it; for the moves of a canned cycle, the cycle's block.
     pub span: Span,
+    /// How many blocks had been begun with its own: tells the passes of one line apart. 0 where no program
+    /// was run.
+    pub block: u64,
 }
 
 /// Feed of a cutting move.

@@ -452,7 +452,7 @@ mod tests {
         let at = Position::xyz(1.0, 2.0, 3.0);
         let mut trace = TraceWriter::new(&mut out, at);
         let span = Span { line: 7, ..Span::default() };
-        trace.step(&Step { op: Op::Rapid { to: at, straight: true, speed: None }, span }).unwrap();
+        trace.step(&Step { op: Op::Rapid { to: at, straight: true, speed: None }, span, block: 0 }).unwrap();
         let feed = Feed::PerMinute(100.0);
         let path = PathMode::Continuous;
         let circle = Op::Arc {
@@ -464,7 +464,7 @@ mod tests {
             feed_along: crate::step::FeedAlong::Path,
             path,
         };
-        trace.step(&Step { op: circle, span }).unwrap();
+        trace.step(&Step { op: circle, span, block: 0 }).unwrap();
         trace.finish().unwrap();
         assert_eq!(
             String::from_utf8(out).unwrap(),

@@ -84,12 +84,19 @@ impl Cnc {
 
     /// A program that ends hands over a speed that was not told to the spindle.
     pub(super) fn hands_over_speed(&mut self) -> bool {
-        let (speed, step) = (self.interpreter.spindle_speed(), Step { op: Op::Barrier, span: self.span });
+        let speed = self.interpreter.spindle_speed();
+        let step = Step { op: Op::Barrier, span: self.span, block: self.taking_up.at.0 };
         self.auxiliary.as_mut().is_some_and(|auxiliary| auxiliary.hand_over_speed(speed, &step))
     }
 
     /// The next step; none while it has to wait for what was handed to the ladder.
     pub(super) fn next_from_ladder(&mut self) -> Option<Result<Step, Box<Alarm>>> {
+        if self.auxiliary.as_ref().is_none_or(|auxiliary| !auxiliary.is_full())
+            && let Some(step) = self.next_of_lead_in()
+        {
+            let kept = self.auxiliary.as_mut().is_some_and(|auxiliary| auxiliary.keeps(&step));
+            return if kept { None } else { Some(Ok(step)) };
+        }
         let Some(auxiliary) = &mut self.auxiliary else { return self.interpreter.next() };
         if auxiliary.is_full() {
             return None;

@@ -29,6 +29,7 @@ impl Cnc {
             self.interpreter.came_to_rest(&AtRest { commanded, actual: self.actual, skip: None });
         }
         self.wait_for_start();
+        self.forget_journal();
         Ok(old)
     }
 
@@ -39,6 +40,7 @@ impl Cnc {
         if is_idle {
             self.interpreter.load(programs, self.motion.position());
             self.wait_for_start();
+            self.forget_journal();
         }
         is_idle
     }
@@ -55,6 +57,7 @@ impl Cnc {
             None => true,
         };
         self.wait_for_start();
+        self.forget_journal();
         Ok(is_there)
     }
 
@@ -74,7 +77,7 @@ impl Cnc {
         &mut self.interpreter
     }
 
-    fn wait_for_start(&mut self) {
+    pub(super) fn wait_for_start(&mut self) {
         self.blocks.forget();
         self.given.clear();
         self.waiting = None;

@@ -66,7 +66,7 @@ impl Cnc {
             Some(_) => None,
             None => self.interpreter.missed_signal(),
         };
-        self.interpreter.came_to_rest(&AtRest { commanded: at, actual: self.actual, skip: probing.touched });
+        self.tell_program(&AtRest { commanded: at, actual: self.actual, skip: probing.touched });
         if let Some(alarm) = missed {
             self.span = alarm.span;
             self.state = State::Alarmed(alarm);

@@ -1,6 +1,8 @@
 //! A control with a program, run tick by tick and judged by what its axes did.
 #![allow(dead_code, missing_docs, clippy::unwrap_used, clippy::panic)]
 
+pub mod random;
+
 use ferrocut_controller::{Activity, Cnc, Event, State, Tick};
 use ferrocut_geometry::{AXES, Axis, Position};
 use ferrocut_interpreter::{Interpreter, Options, dialects};

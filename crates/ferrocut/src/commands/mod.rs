@@ -9,6 +9,7 @@ pub mod memory;
 pub mod names;
 pub mod plc;
 pub mod plot;
+pub mod restart;
 pub mod run;
 pub mod serve;
 pub mod time;

@@ -2,6 +2,7 @@
 
 use crate::cli::RunArgs;
 use crate::commands::check::point_at_word;
+use crate::commands::restart::{self, JsonRestart};
 use crate::diagnostics::Diagnostics;
 use crate::job::{Exit, Failure, Shop};
 use crate::report::{self, JsonReport};
@@ -25,6 +26,8 @@ struct JsonRun<'a> {
     /// `ended`, `alarm`
     state: &'static str,
     alarm: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    restart: Option<JsonRestart>,
     #[serde(flatten)]
     report: JsonReport,
 }
@@ -49,6 +52,24 @@ pub fn run(args: &RunArgs) -> Result<Exit, Failure> {
     let interpreter = job.keeping().interpreter(Options { loops_forever: args.realtime, ..shop.options() });
     let length = interpreter.programs().text(interpreter.main_file()).map_or(0, |t| t.len());
     let mut cnc = Cnc::new(&shop.machine, interpreter);
+    let mut restart = None;
+    if let Some(from) = &args.from {
+        let lead = match restart::prepare(&mut cnc, &shop, from) {
+            Ok(lead) => lead,
+            Err(mut alarm) => {
+                point_at_word(&mut alarm, cnc.interpreter());
+                shop.diagnostics.report(&alarm, &name, Some(cnc.interpreter().programs()));
+                return Ok(Exit::Finding);
+            }
+        };
+        if let Some(warning) = &lead.warning {
+            shop.diagnostics.report(warning, &name, Some(cnc.interpreter().programs()));
+        }
+        if !is_json && !samples_on_stdout {
+            let _ = lead.write_text(&mut io::stdout().lock(), &shop);
+        }
+        restart = Some(lead.json);
+    }
     cnc.set_override(args.feed_override / 100.0, args.rapid_override / 100.0);
     let clock = if args.realtime { Clock::real(shop.machine.servo_period_ms) } else { Clock::Virtual };
     let mut screen = Screen::new(&shop, length, args.realtime);
@@ -72,7 +93,7 @@ pub fn run(args: &RunArgs) -> Result<Exit, Failure> {
     };
     // A reader that went away is no fault of the run.
     let _ = match is_json {
-        true => write_json(&mut out, &cnc, &shop.machine, &name, dialect),
+        true => write_json(&mut out, &cnc, &shop.machine, &name, dialect, restart),
         false => write_text(&mut out, &cnc, &shop),
     };
     Ok(exit)
@@ -114,6 +135,7 @@ fn write_json(
     machine: &Machine,
     name: &str,
     dialect: &str,
+    restart: Option<JsonRestart>,
 ) -> io::Result<()> {
     let alarm = match cnc.state() {
         State::Alarmed(alarm) => Some(alarm.id.to_string()),
@@ -125,6 +147,7 @@ fn write_json(
         dialect,
         state: if alarm.is_some() { "alarm" } else { "ended" },
         alarm,
+        restart,
         report: JsonReport::new(cnc.report(), machine),
     };
     serde_json::to_writer(&mut *out, &run)?;

@@ -227,6 +227,7 @@ pub struct Stage {
 }
 
 /// A cycle being collected.
+#[derive(Clone)]
 struct Collected {
     cycle: &'static DescribedCycle,
     sections: [Option<Section>; PARTS],
@@ -235,6 +236,7 @@ struct Collected {
 }
 
 /// A cycle being run.
+#[derive(Clone)]
 struct Running {
     plan: Plan,
     figure: Option<Figure>,
@@ -247,7 +249,7 @@ struct Running {
 }
 
 /// Described cycles: what is collected, run and kept.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(crate) struct Described {
     collected: Option<Box<Collected>>,
     running: Option<Box<Running>>,

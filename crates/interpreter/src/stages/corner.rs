@@ -336,7 +336,7 @@ fn join(held: &Held, corner: Position, next: &Step) -> Result<Joined, Refused> {
     };
     let to = next.op.target().copied().unwrap_or(end);
     let after = shortened(next, end, to, plane);
-    let between = Some(Step { op: between, span: held.step.span });
+    let between = Some(Step { op: between, ..held.step.clone() });
     Ok(Joined { before, between, after })
 }
 

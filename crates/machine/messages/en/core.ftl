@@ -809,3 +809,23 @@ FC-1460 = This leads to lines of the program that are not here
 FC-1461 = Nobody can connect there
     .detail = { $place }: { $reason }
     .help = Choose another port or path, or end what has it.
+FC-1440 = There is no block on this line or below it
+    .detail = line { $line }
+    .help = Give a line of the program at which a block begins.
+
+FC-1441 = The program does not reach the block as often as asked for
+    .detail = line { $line } is reached { $passes } times
+    .help = Give a lower pass, or a line that is run with the present variables, inputs and switches.
+
+FC-1442 = The order of the axes on the way to a restart is wrong
+    .help = Name each axis of the machine exactly once.
+
+FC-1443 = Nothing was interrupted
+    .help = Give the line at which the program is to be taken up.
+
+FC-1444 = A program is not taken up again while the axes are under way
+    .help = Press reset and wait until the axes stand.
+
+FC-1445 = Values that the machine told the program in the first run are not known
+    .detail = { $count } places; the commanded position stands for the machine's
+    .help = Check what the program measured before this line, or start before the measuring.

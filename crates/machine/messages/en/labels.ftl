@@ -242,3 +242,25 @@ label-plot-jerk = jerk { $axis }, { $length }/s³
 label-plot-error = path error and tolerance (dashed), mm
 label-plot-peak = highest { $value } at { $time } s, line { $line }
 label-plot-time = time since motion began, s
+
+## Restart
+
+label-restart-at = taken up at line { $line }, reached for time { $pass }
+label-restart-position = block begins at
+label-restart-modal = program / machine before
+label-restart-sent = sent first
+label-restart-approach = the axes go there
+label-restart-nothing = nothing
+label-restart-group = G group { $group }
+label-restart-feed = F
+label-restart-feed-per-turn = F of a turn
+label-restart-speed = S
+label-restart-spindle = spindle
+label-restart-flood = coolant
+label-restart-mist = mist
+label-restart-tool = T
+label-restart-in-spindle = tool in the spindle
+label-restart-length = H
+label-restart-radius = D
+label-restart-zero = zero of { $axis }
+label-restart-tool-length = tool length on { $axis }

@@ -227,3 +227,25 @@ label-plot-jerk = { $axis } 轴加加速度，{ $length }/s³
 label-plot-error = 轨迹误差与允差（虚线），mm
 label-plot-peak = 最大 { $value }，{ $time } s，第 { $line } 行
 label-plot-time = 开始运动后的时间，s
+
+## Restart
+
+label-restart-at = 从第 { $line } 行继续，第 { $pass } 次到达
+label-restart-position = 程序段起点
+label-restart-modal = 程序 / 机床此前
+label-restart-sent = 先发出
+label-restart-approach = 各轴依次移动
+label-restart-nothing = 无
+label-restart-group = G 代码第 { $group } 组
+label-restart-feed = F
+label-restart-feed-per-turn = 每转 F
+label-restart-speed = S
+label-restart-spindle = 主轴
+label-restart-flood = 冷却液
+label-restart-mist = 喷雾
+label-restart-tool = T
+label-restart-in-spindle = 主轴上的刀具
+label-restart-length = H
+label-restart-radius = D
+label-restart-zero = { $axis } 轴零点
+label-restart-tool-length = { $axis } 轴刀具长度

@@ -8,7 +8,7 @@ use super::problem::PocketFault;
 pub use super::store::Kind as PocketKind;
 
 /// A place where computed pockets are kept.
-pub trait KeptPockets: Send {
+pub trait KeptPockets: Send + Sync {
     /// What is kept of a pocket, by its name and kind; none where there is nothing, or it cannot be read.
     fn load(&self, name: &str, kind: PocketKind) -> Option<Vec<u8>>;
 

@@ -117,6 +117,7 @@ pub const ALARMS: &[(Fault, u16)] = &[
     (Fault::ReferenceNeeded, 47),
     (Fault::ReferenceByProgram, 145),
     (Fault::HomingStopped, 251),
+    (Fault::RestartOrder, 236),
     (Fault::JumpIntoLoop, 137),
     (Fault::SequenceMissing, 128),
     (Fault::UnknownVariable, 115),

@@ -6,6 +6,7 @@
 use super::acceleration;
 use ferrocut_machine::config::SpindleConfig;
 use ferrocut_machine::manual::ManualConfig;
+use ferrocut_machine::restart::RestartConfig;
 use ferrocut_machine::{AxisConfig, AxisHoming, GearConfig, HomingConfig, Machine, Parameters};
 
 /// An encoder counts both edges of both of its tracks.
@@ -26,6 +27,7 @@ pub fn machine_parameters(parameters: &Parameters, machine: &mut Machine) {
     acceleration::machine_parameters(parameters, machine);
     let period = machine.servo_period_ms;
     homing(parameters, &mut machine.homing);
+    restart(parameters, &mut machine.restart);
     for (k, name) in (0u8..).zip(parameters.axis_names()) {
         let Some(axis) = machine.axes.iter_mut().find(|axis| axis.name == name) else { continue };
         backlash(parameters, k, axis, period);
@@ -86,6 +88,21 @@ fn axis_homing(parameters: &Parameters, k: u8) -> AxisHoming {
         // Upwards, as Fanuc 1850; P184 is no fifth of them.
         shift: if k < 4 { of_axis(180) } else { 0.0 },
     }
+}
+
+/// P86, P376 and bit 49#0: the way to a restart (part 2, 10.1.9). The digits of P376 are the axes by their numbers,
+/// the first to move first; 0 is none.
+fn restart(parameters: &Parameters, restart: &mut RestartConfig) {
+    let (axes, digits) = (parameters.axis_names(), parameters.data(376).max(0.0) as u32);
+    let digit = |place: u32| (digits / 10u32.pow(place) % 10) as usize;
+    let named = (0..5).rev().map(digit).filter(|digit| *digit > 0);
+    restart.order = named.filter_map(|number| axes.get(number - 1).copied()).collect();
+    // One that names no axis is refused, and not as none given.
+    if restart.order.is_empty() {
+        restart.order = axes.iter().take(1).copied().collect();
+    }
+    restart.speed = parameters.data(86).max(0.0);
+    restart.cuts_z = parameters.bit(49, 0);
 }
 
 /// P261, P286 to P305 and bits 38#6, 38#7, 44#1, 45#2: encoder of the spindle, and its acceleration in rigid tapping.
@@ -214,6 +231,30 @@ mod tests {
         assert_eq!(window(&[("NO17.7", 0.0)]), None);
         assert_eq!(window(&[("NO15.0", 1.0)]), None);
         assert_eq!(window(&[("NO15.0", 1.0), ("NO15.3", 1.0), ("P141", 0.2)]), Some(0.2));
+    }
+
+    #[test]
+    fn the_way_to_a_restart_is_read() {
+        let restart = |set: &[(&str, f64)]| {
+            let machine = machine(set, |_| {});
+            let order = machine.restart.order_of(&machine).unwrap_or_default();
+            (
+                order.iter().map(|a| a.letter()).collect::<String>(),
+                machine.restart.speed,
+                machine.restart.cuts_z,
+            )
+        };
+        // As delivered X Y Z A, at the speed of dry run, Z positioned.
+        assert_eq!(restart(&[]), ("XYZA".to_owned(), 5000.0, false));
+        assert_eq!(
+            restart(&[("P376", 31245.0), ("P86", 800.0), ("NO49.0", 1.0)]),
+            ("ZXYA".to_owned(), 800.0, true)
+        );
+        assert_eq!(restart(&[("P376", 42301.0)]).0, "AYZX");
+        // Each axis once: else it is alarm 0236.
+        for wrong in [0.0, 123.0, 11345.0, 45.0, 99999.0] {
+            assert_eq!(restart(&[("P376", wrong)]).0, "", "{wrong}");
+        }
     }
 
     #[test]

@@ -96,7 +96,7 @@ impl Interpreter {
     }
 
     /// Puts a coordinate system in force.
-    pub(super) fn ngc_take_system(&mut self, number: u8) {
+    pub(crate) fn ngc_take_system(&mut self, number: u8) {
         self.ngc.system = number;
         (self.ngc.zero, self.ngc.turn) = self.ngc_zero_of(number);
         self.ngc_remember(SYSTEM, f64::from(number));

@@ -29,7 +29,7 @@ const MOST_REPEATS: f64 = 1e9;
 const STOP: u32 = 0;
 
 /// Words of cycles in force, in the units of the program, and the block being carried out.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Cycles {
     r: f64,
     bottom: f64,

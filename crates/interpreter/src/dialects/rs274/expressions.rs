@@ -17,7 +17,7 @@ const SAME: f64 = 1e-4;
 pub(super) const WHOLE: f64 = 1e-4;
 
 /// Values of parameters with names.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(crate) struct Named {
     values: Vec<Binding>,
     /// What subprograms hide, to be put back when they end.

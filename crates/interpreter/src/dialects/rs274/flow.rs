@@ -48,7 +48,7 @@ struct Subprogram {
 }
 
 /// A subprogram being run.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Frame {
     /// Block after the call.
     back: Place,
@@ -63,7 +63,7 @@ struct Frame {
 }
 
 /// Subprograms, loops and conditions.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct OWords {
     calls: Vec<Frame>,
     /// Subprograms that are known.
@@ -80,7 +80,7 @@ pub(crate) struct OWords {
 
 impl OWords {
     /// Subprograms being run.
-    pub(super) fn depth(&self) -> usize {
+    pub(crate) fn depth(&self) -> usize {
         self.calls.len()
     }
 

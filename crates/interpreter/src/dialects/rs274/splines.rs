@@ -24,7 +24,7 @@ const MOST_CONTROL_POINTS: usize = 10_000;
 const ORDER: f64 = 3.0;
 
 /// Splines as they are being programmed. Lengths in mm.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Splines {
     /// I and J for a G5 that gives none: the end of the one before goes on straight.
     lead: [f64; 2],

@@ -14,6 +14,7 @@ use crate::stages::rotation::sin_cos_degrees;
 use ferrocut_geometry::{Axis, Position};
 
 /// State of an interpreter of this language. Lengths are mm whatever the units of the program.
+#[derive(Clone)]
 pub(crate) struct State {
     /// The programmed point in force, in the coordinate system in force.
     pub at: Position,

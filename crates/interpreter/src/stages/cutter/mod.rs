@@ -196,7 +196,7 @@ enum Phase {
 }
 
 /// A block whose corner at the end is not known yet.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Pending<T> {
     element: Element,
     payload: T,
@@ -215,14 +215,14 @@ struct Pending<T> {
     idle: usize,
 }
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 enum Waiting<T> {
     Other(T),
     CornerArc(T),
 }
 
 /// The stage. It owns its queue and nothing else.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Compensator<T> {
     rules: Rules,
     offset: Option<Offset>,

@@ -76,14 +76,14 @@ struct Round {
 }
 
 /// What waits: the move in the plane first, then what stands still in the plane.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 enum Queued<T> {
     Move(T),
     Other(T),
 }
 
 /// The stage. It owns its queue and nothing else.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct OneAhead<T> {
     offset: Option<Offset>,
     /// How much longer a trimmed arc may be than it was, rad.
@@ -99,6 +99,7 @@ pub struct OneAhead<T> {
 }
 
 /// A programmed move and the directions at its ends.
+#[derive(Clone)]
 struct Programmed {
     from: Point,
     to: Point,

@@ -4,7 +4,7 @@ use super::{Compensator, Done, FaultAt, Method, Offset, OneAhead, Out, PlaneMove
 
 /// The stage.
 #[expect(clippy::large_enum_variant, reason = "a run has one of it")]
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub enum Stage<T> {
     /// Vectors at the crossings of offset curves.
     Vectors(Compensator<T>),

@@ -1,0 +1,116 @@
+//! A program is taken up in its midst, and what a reset leaves for it (`restart`).
+
+use super::{Cnc, State};
+use crate::restart::{Interrupted, Journal, Present, Restart};
+use ferrocut_geometry::Position;
+use ferrocut_interpreter::AtRest;
+use ferrocut_machine::{Alarm, Fault};
+use ferrocut_program::Span;
+use ferrocut_toolpath::{SpindleState, Step};
+use std::collections::VecDeque;
+
+/// What is kept to take a run up again.
+#[derive(Default)]
+pub(super) struct TakingUp {
+    journal: Option<Box<Journal>>,
+    /// What is done before the program goes on.
+    lead_in: VecDeque<Step>,
+    /// The number and the text of the block being run.
+    pub at: (u64, Span),
+    /// The tool in the spindle, and the one that was called last.
+    pub tools: (u32, u32),
+}
+
+impl TakingUp {
+    pub fn new(tools: (u32, u32)) -> TakingUp {
+        TakingUp { tools, ..TakingUp::default() }
+    }
+}
+
+impl Cnc {
+    /// What is kept of the run, once it was started: until another program is loaded, or this one anew.
+    pub fn journal(&self) -> Option<&Journal> {
+        self.taking_up.journal.as_deref()
+    }
+
+    /// The machine as a restart compares it with the program.
+    pub fn present(&self) -> Present {
+        let state = self.interpreter.program_state();
+        Present { state, position: self.motion.position(), renamed: self.renamed }
+    }
+
+    /// Takes a program up in its midst: at cycle start what leads there is done, then it goes on. Only while the
+    /// axes stand and no program is under way.
+    ///
+    /// # Errors
+    /// [`Fault::RestartMoving`] else.
+    pub fn restart(&mut self, restart: Restart, lead_in: VecDeque<Step>) -> Result<(), Box<Alarm>> {
+        let is_free = matches!(self.state, State::Ready | State::Ended | State::Reset);
+        if !is_free || self.manual.is_active || !self.motion.at_rest() {
+            return Err(Box::new(Alarm::core(Fault::RestartMoving, restart.span)));
+        }
+        let span = restart.span;
+        let (mut interpreter, journal) = restart.into_parts();
+        interpreter.look_back();
+        self.wait_for_start();
+        self.span = span;
+        self.taking_up.at = (interpreter.blocks_begun() + 1, span);
+        self.taking_up.lead_in = lead_in;
+        self.taking_up.journal = Some(Box::new(journal));
+        self.interpreter = interpreter;
+        let at = self.motion.position();
+        self.motion.rename(at);
+        Ok(())
+    }
+
+    /// A program is started from its first block: what it starts from is kept. What is sent bit by bit is not taken
+    /// up again (GSK990MC part 2, 10.1.9, note 8).
+    pub(super) fn begin_journal(&mut self) {
+        if self.state == State::Ready && self.taking_up.journal.is_none() && !self.interpreter.is_open() {
+            self.interpreter.look_back();
+            self.taking_up.journal = Some(Box::new(Journal::begin(&self.interpreter, self.renamed)));
+        }
+    }
+
+    /// Another program, or this one anew.
+    pub(super) fn forget_journal(&mut self) {
+        self.taking_up.journal = None;
+        self.taking_up.lead_in.clear();
+    }
+
+    pub(super) fn next_of_lead_in(&mut self) -> Option<Step> {
+        self.taking_up.lead_in.pop_front()
+    }
+
+    /// The machine comes to a block.
+    pub(super) fn comes_to(&mut self, block: u64, span: Span) {
+        if self.taking_up.at.0 != block {
+            self.interpreter.forget_before(block);
+        }
+        self.taking_up.at = (block, span);
+    }
+
+    /// Tells the program what the machine found, and keeps it for a restart.
+    pub(super) fn tell_program(&mut self, at_rest: &AtRest) {
+        self.interpreter.came_to_rest(at_rest);
+        if let Some(journal) = &mut self.taking_up.journal {
+            journal.answer(self.taking_up.at.0, *at_rest);
+        }
+    }
+
+    /// The rest of the program is forgotten, and M functions end (GSK990MC part 2, 2.3.1). The interpreter was ahead
+    /// of the machine: it is told of it.
+    pub(super) fn forget_program(&mut self) {
+        if self.auxiliary.is_none() {
+            self.spindle.command(SpindleState::Off, &Position::ZERO);
+        }
+        let ((block, span), tools) = (self.taking_up.at, self.taking_up.tools);
+        self.supervisor.comes_to_rest(self.commanded);
+        self.interpreter.reset_at(block, self.commanded);
+        self.interpreter.set_tools(tools);
+        self.taking_up.lead_in.clear();
+        if let Some(journal) = &mut self.taking_up.journal {
+            journal.interrupt(Interrupted { block, span }, self.interpreter.memory().clone());
+        }
+    }
+}

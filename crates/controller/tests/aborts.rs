@@ -1,0 +1,223 @@
+//! A run that is broken off at any instant leaves interpreter, position, offsets, tools and spindle in agreement,
+//! and nothing moves any more; the program can be taken up again where it was.
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
+
+mod common;
+
+use common::random::Random;
+use common::{HANGS, cnc_with, machine};
+use ferrocut_controller::restart::{At, How};
+use ferrocut_controller::{Cnc, Event, State};
+use ferrocut_geometry::Position;
+use ferrocut_interpreter::{Interpreter, Until};
+use ferrocut_machine::Machine;
+use ferrocut_toolpath::SpindleState;
+use std::fmt::Write;
+
+/// Aborts that are tried; `FERROCUT_CASES` says otherwise.
+const ABORTS: usize = 150;
+
+/// One in so many is taken up again and run to its end.
+const TAKEN_UP: usize = 5;
+
+const SETUP: &str = "
+[start]
+z = -20.0
+[work_offsets]
+G54 = { x = 10.0, y = -20.0, z = -100.0 }
+G55 = { x = -30.0, y = 5.0, z = -110.0 }
+[tools.1]
+length = 12.0
+radius = 3.0
+[tools.2]
+length = 20.0
+radius = 2.0
+[variables]
+\"#500\" = 7.0
+";
+
+/// A program of whatever a shop writes, within the limits of the machine.
+fn program(random: &mut Random) -> String {
+    let mut text = "O1\nG90 G54 G17 G21 G40 G49 G80 G94 F2000\nT1 M6\nS1000 M3\n".to_owned();
+    for k in 0..10 + random.below(10) {
+        let mut mm = |most: f64| (random.unit() * 2.0 - 1.0) * most;
+        let (x, y, z) = (mm(30.0), mm(30.0), mm(5.0));
+        let r = 1.0 + mm(0.5).abs() * 10.0;
+        let line = match random.below(18) {
+            0 | 1 => format!("G00 X{x:.3} Y{y:.3}"),
+            2..=4 => format!("G01 X{x:.3} Y{y:.3} Z{z:.3}"),
+            5 => format!("G91 G02 X{r:.3} Y{r:.3} R{r:.3}\nG90"),
+            6 => format!("G01 X{x:.3}\nG03 I{r:.3} J0"),
+            7 => "G04 X0.05".to_owned(),
+            8 => random.one(&["M3 S2000", "M4 S500", "M5", "M3 S0"]).to_owned(),
+            9 => random.one(&["M8", "M9", "M8\nM35", "M36"]).to_owned(),
+            10 => random.one(&["G54", "G55", "G43 H2 Z5", "G43 H1 Z0", "G49"]).to_owned(),
+            11 => random.one(&["T2 M6\nM3 S1500", "T1 M6\nM3 S900", "T2"]).to_owned(),
+            12 => format!("#500=#500+1\nG01 X{x:.3}\n#501=#5001"),
+            13 => format!("G10 L2 P2 X{:.3} Y5 Z-110\nG01 Y{y:.3}", -30.0 + r),
+            14 => format!("G01 Z8\nG99 G81 X{x:.3} Y{y:.3} Z-3 R2 F1500\nX{:.3}\nG80 F2000", x + 5.0),
+            15 => format!("G00 X{x:.3} Y{y:.3}\nG91 G41 D1 G01 X8 Y0\nY20\nX20\nY-20\nG40 X5\nG90"),
+            16 => format!("M98 P{} L{}", random.one(&[2, 3]), 1 + k % 3),
+            _ => format!("#1=0\nWHILE[#1 LT 3]DO1\n#1=#1+1\nG91 G01 X{:.2} Y1\nG90\nEND1", x / 10.0),
+        };
+        writeln!(text, "{line}").unwrap();
+    }
+    text + "M30\nO2\nG91 G01 X3 Y-2\n#502=#502+1\nG90\nM99\nO3\nG91 G00 X-2\nX2\nG90\nM98 P2\nM99\n"
+}
+
+/// Runs until the control waits for nobody but the operator.
+fn settle(cnc: &mut Cnc, changes: &mut [u32; 2]) {
+    for _ in 0..HANGS {
+        cnc.tick();
+        note(cnc, changes);
+        if !matches!(cnc.state(), State::Running | State::Resetting) {
+            return;
+        }
+    }
+    panic!("does not end: {:?}", cnc.state());
+}
+
+/// How many tools were changed, and which came last.
+fn note(cnc: &mut Cnc, changes: &mut [u32; 2]) {
+    for event in cnc.events() {
+        if let Event::ToolChange(tool) = event {
+            *changes = [changes[0] + 1, tool];
+        }
+    }
+}
+
+/// Machine, interpreter and memory say the same.
+fn agrees(cnc: &mut Cnc, machine: &Machine, tool: u32, place: &str) {
+    let at = cnc.tick();
+    // Longer than the spindle needs.
+    let seconds = machine.spindle.max_rpm / machine.spindle.acceleration_rpm_s + 0.1;
+    for _ in 0..(seconds * 1000.0 / machine.servo_period_ms) as usize {
+        let tick = cnc.tick();
+        assert_eq!((tick.position, tick.actual), (at.position, at.position), "{place}: moves on");
+        assert!(!tick.moving && tick.velocity == 0.0, "{place}");
+    }
+    assert_eq!(cnc.spindle().rpm(), 0.0, "{place}");
+    let interpreter = cnc.interpreter();
+    let in_force = interpreter.program_state();
+    assert_eq!(interpreter.position(), at.position, "{place}");
+    assert_eq!((in_force.spindle, in_force.coolant), (SpindleState::Off, [false; 2]), "{place}");
+    assert_eq!(in_force.in_spindle, tool, "{place}");
+    assert_eq!(in_force.calls, 0, "{place}");
+    // The zero in force is that of the table, and the coordinates lead to where the axes stand.
+    let system = in_force.codes().find(|code| (540..=590).contains(&code.tenths)).unwrap();
+    let zero = interpreter.memory().work.standard[usize::from(system.tenths / 10 - 54)];
+    assert_eq!(in_force.work_zero, zero, "{place}");
+    let there = in_force.programmed + in_force.work_zero + in_force.length;
+    assert!(there.distance(at.position) < 1e-9, "{place}: {there:?} is not {at:?}");
+    assert!(in_force.machine == at.position, "{place}");
+}
+
+/// The G codes of motion, distance, plane and zero in force, and F.
+fn codes(interpreter: &Interpreter) -> (Vec<u16>, f64) {
+    let in_force = interpreter.program_state();
+    let all = in_force.codes().map(|code| code.tenths);
+    let kept = all.filter(|code| matches!(code, 0..=30 | 170..=190 | 540..=590 | 900 | 910));
+    (kept.collect(), in_force.feed_per_minute)
+}
+
+/// What was read ahead is forgotten: the codes in force are those of the block that was being run, as it begins or
+/// as it ends.
+fn codes_are_of_the_block(cnc: &Cnc, text: &str, place: &str) {
+    let block = cnc.journal().unwrap().interrupted().unwrap().block;
+    let mut run = common::interpreter(text, SETUP);
+    let ends = [block, block + 1].map(|number| {
+        run.set_mark(Some(Until::Number(number)));
+        (&mut run).for_each(|step| drop(step.unwrap()));
+        codes(&run)
+    });
+    let found = codes(cnc.interpreter());
+    for (k, code) in found.0.iter().enumerate() {
+        assert!(
+            ends.iter().any(|(codes, _)| codes[k] == *code),
+            "{place}: {found:?}, block {block} has {ends:?}"
+        );
+    }
+    assert!(ends.iter().any(|(_, feed)| *feed == found.1), "{place}: {found:?}, block {block} has {ends:?}");
+}
+
+/// Where a full run ends, and what it leaves in #500 to #502 and G55.
+fn outcome(cnc: &Cnc) -> (Position, [Option<f64>; 3], Position) {
+    let memory = cnc.interpreter().memory();
+    let variables = [500, 501, 502].map(|n| memory.variables.get(n));
+    (cnc.interpreter().position(), variables, memory.work.standard[1])
+}
+
+#[test]
+fn at_random_instants_everything_agrees_and_nothing_moves_any_more() {
+    let aborts = std::env::var("FERROCUT_CASES").ok().and_then(|n| n.parse().ok()).unwrap_or(ABORTS);
+    let machine = machine();
+    let mut random = Random::new(29);
+    let (mut broken_off, mut taken_up) = (0, 0);
+    let mut program_run = None;
+    for case in 0..aborts {
+        // Ten aborts of each program.
+        let (text, length, whole) = match program_run.take().filter(|_| case % 10 > 0) {
+            Some(run) => run,
+            None => {
+                // One that the control takes.
+                let is_good = |text: &String| common::interpreter(text, SETUP).all(|step| step.is_ok());
+                let text = loop {
+                    let text = program(&mut random);
+                    if is_good(&text) {
+                        break text;
+                    }
+                };
+                let mut cnc = cnc_with(&machine, &text, SETUP);
+                cnc.cycle_start();
+                let mut ticks = 0;
+                while cnc.state() == &State::Running && ticks < HANGS {
+                    cnc.tick();
+                    ticks += 1;
+                }
+                assert_eq!(cnc.state(), &State::Ended, "{text}");
+                let whole = outcome(&cnc);
+                (text, ticks, whole)
+            }
+        };
+        let instant = random.below(length);
+        let place = format!("case {case}, tick {instant} of {length}\n{text}");
+        let mut cnc = cnc_with(&machine, &text, SETUP);
+        let mut changes = [0, 0];
+        cnc.cycle_start();
+        for _ in 0..instant {
+            cnc.tick();
+            note(&mut cnc, &mut changes);
+        }
+        match random.below(3) {
+            0 => cnc.emergency_stop(),
+            1 => cnc.reset(),
+            _ => {
+                cnc.feed_hold();
+                (0..random.below(200)).for_each(|_| _ = cnc.tick());
+                cnc.reset();
+            }
+        }
+        settle(&mut cnc, &mut changes);
+        assert_eq!(cnc.state(), &State::Reset, "{place}");
+        agrees(&mut cnc, &machine, changes[1], &place);
+        if instant > 0 {
+            codes_are_of_the_block(&cnc, &text, &place);
+        }
+        broken_off += 1;
+        if case % TAKEN_UP == 0 {
+            let journal = cnc.journal().unwrap().clone();
+            let restart = journal.find(At::Interrupted, cnc.interpreter().memory());
+            let restart = restart.unwrap_or_else(|alarm| panic!("{place}\n{alarm:?}"));
+            let how = How { sends: true, axis_by_axis: false };
+            let lead_in = restart.lead_in(&cnc.present(), &machine, how).unwrap();
+            cnc.restart(restart, lead_in).unwrap();
+            cnc.cycle_start();
+            settle(&mut cnc, &mut changes);
+            assert_eq!(cnc.state(), &State::Ended, "{place}");
+            assert_eq!(outcome(&cnc), whole, "{place}");
+            taken_up += 1;
+        }
+        program_run = Some((text, length, whole));
+    }
+    println!("{broken_off} aborts, {taken_up} taken up again");
+}

@@ -1,0 +1,223 @@
+//! `ferrocut run --from`: a program that is taken up in its midst, at a desk. What the control would tell the
+//! operator (docs/restart.md) is shown, then it is carried out.
+
+use crate::cli::Place;
+use crate::job::Shop;
+use ferrocut_controller::Cnc;
+use ferrocut_controller::restart::{At, Compared, Difference, How, Journal, Restart, Setting};
+use ferrocut_geometry::{Axis, Position};
+use ferrocut_interpreter::Fallible;
+use ferrocut_machine::{Alarm, Argument, Catalogue, Fault, Machine, g_code_name};
+use ferrocut_program::{FileId, Span};
+use ferrocut_toolpath::{Op, Speed, SpindleState};
+use serde::Serialize;
+use serde_json::{Map, Value};
+use std::io::{self, Write};
+
+/// A restart as JSON.
+#[derive(Serialize)]
+pub struct JsonRestart {
+    file: String,
+    line: u32,
+    pass: u64,
+    /// Where the block begins, machine coordinates, mm and degrees.
+    position: Map<String, Value>,
+    /// What the program has and the machine had not.
+    modal: Vec<JsonDifference>,
+    /// What is sent before the axes move.
+    sent: Vec<String>,
+    /// The axes in the order in which they move, with where to and, where there is one, the speed in mm/min.
+    approach: Vec<JsonMove>,
+}
+
+#[derive(Serialize)]
+struct JsonDifference {
+    /// `G01`: the modal group by the manual's number; `F`, `S`, `zero.X` …
+    of: String,
+    program: Option<String>,
+    machine: Option<String>,
+}
+
+#[derive(Serialize)]
+struct JsonMove {
+    axis: String,
+    to: f64,
+    /// `rapid`, `feed`
+    kind: &'static str,
+    speed: Option<f64>,
+}
+
+/// A restart that the control is about to carry out.
+pub struct Lead {
+    /// What of it is told.
+    pub json: JsonRestart,
+    /// What the search could not know.
+    pub warning: Option<Alarm>,
+    differences: Vec<Difference>,
+}
+
+/// Finds the place and makes the control ready to go on there.
+pub fn prepare(cnc: &mut Cnc, shop: &Shop, from: &Place) -> Fallible<Lead> {
+    let mut ahead = cnc.interpreter().clone();
+    let file = match &from.file {
+        None => FileId(0),
+        Some(name) => ahead.file_named(name).ok_or_else(|| {
+            let alarm = Alarm::core(Fault::FileUnreadable, Span::default());
+            Box::new(alarm.with("file", name.as_str()))
+        })?,
+    };
+    // The files that were opened stay known by their numbers.
+    let journal = Journal::begin(&ahead, Position::ZERO);
+    let at = At::Line { file, line: from.line, pass: from.pass };
+    let restart = journal.find(at, cnc.interpreter().memory())?;
+    let present = cnc.present();
+    let lead_in = restart.lead_in(&present, &shop.machine, How { sends: true, axis_by_axis: false })?;
+    let differences = restart.differences(&present.state);
+    let json = JsonRestart {
+        file: restart.interpreter().programs().file_name(restart.span.file).to_owned(),
+        line: restart.span.line,
+        pass: restart.pass,
+        position: position(&restart, &shop.machine),
+        modal: differences.iter().map(json_difference).collect(),
+        sent: lead_in.iter().filter_map(|step| function(&step.op, &restart.position)).collect(),
+        approach: moves(lead_in.iter().map(|step| &step.op), restart.renamed(&present)),
+    };
+    let warning = restart.warning();
+    cnc.restart(restart, lead_in)?;
+    Ok(Lead { json, warning, differences })
+}
+
+fn position(restart: &Restart, machine: &Machine) -> Map<String, Value> {
+    let of = |axis: Axis| (axis.name().to_owned(), Value::from(restart.position[axis]));
+    machine.axes.iter().map(|axis| of(axis.name)).collect()
+}
+
+/// The moves that lead to the block, one axis each.
+fn moves<'a>(ops: impl Iterator<Item = &'a Op>, from: Position) -> Vec<JsonMove> {
+    let mut at = from;
+    let mut moves = Vec::new();
+    for op in ops {
+        let Some(to) = op.target() else { continue };
+        let (kind, speed) = match op {
+            Op::Rapid { speed, .. } => ("rapid", *speed),
+            Op::Feed { feed: ferrocut_toolpath::Feed::PerMinute(feed), .. } => ("feed", Some(*feed)),
+            _ => ("feed", None),
+        };
+        for axis in Axis::ALL.into_iter().filter(|axis| at[*axis] != to[*axis]) {
+            moves.push(JsonMove { axis: axis.name().to_owned(), to: to[axis], kind, speed });
+        }
+        at = *to;
+    }
+    moves
+}
+
+/// A function as a program has it.
+fn function(op: &Op, at: &Position) -> Option<String> {
+    Some(match op {
+        Op::Select(tool) => format!("T{tool}"),
+        Op::Change(_) => "M06".to_owned(),
+        Op::Machine(code) => format!("M{code:02}"),
+        Op::Spindle(state) => spindle(*state, at),
+        Op::Coolant(on) => if *on { "M08" } else { "M09" }.to_owned(),
+        Op::Output { address, value } => format!("{address} = {value}"),
+        _ => return None,
+    })
+}
+
+fn spindle(state: SpindleState, at: &Position) -> String {
+    let code = match state {
+        SpindleState::Off => return "M05".to_owned(),
+        SpindleState::Clockwise(_) => "M03",
+        SpindleState::CounterClockwise(_) => "M04",
+    };
+    let rpm = state.speed().map_or(0.0, |speed| speed.rpm(at));
+    let surface = matches!(state.speed(), Some(Speed::Surface { .. }));
+    format!("{code} S{}{}", short(rpm), if surface { " (G96)" } else { "" })
+}
+
+fn short(value: f64) -> String {
+    let text = format!("{value:.4}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+fn setting(value: Setting) -> Option<String> {
+    Some(match value {
+        Setting::None => return None,
+        Setting::Code(tenths) => g_code_name(tenths),
+        Setting::Number(number) => short(number),
+        Setting::Spindle(state) => spindle(state, &Position::ZERO),
+        Setting::Switch(on) => if on { "on" } else { "off" }.to_owned(),
+    })
+}
+
+fn json_difference(difference: &Difference) -> JsonDifference {
+    let of = match difference.of {
+        Compared::Code(group) => format!("G{group:02}"),
+        Compared::Feed => "F".to_owned(),
+        Compared::FeedPerRevolution => "F_per_turn".to_owned(),
+        Compared::Speed => "S".to_owned(),
+        Compared::Spindle => "spindle".to_owned(),
+        Compared::Coolant(0) => "flood".to_owned(),
+        Compared::Coolant(_) => "mist".to_owned(),
+        Compared::Tool => "T".to_owned(),
+        Compared::InSpindle => "in_spindle".to_owned(),
+        Compared::LengthNumber => "H".to_owned(),
+        Compared::RadiusNumber => "D".to_owned(),
+        Compared::WorkZero(axis) => format!("zero.{}", axis.letter()),
+        Compared::Length(axis) => format!("length.{}", axis.letter()),
+    };
+    JsonDifference { of, program: setting(difference.program), machine: setting(difference.machine) }
+}
+
+/// What is compared, in words.
+fn label(of: Compared, catalogue: Catalogue) -> String {
+    let of_axis = |key: &str, axis: Axis| catalogue.label(key, &[("axis", axis.letter().to_string().into())]);
+    let key = match of {
+        Compared::Code(group) => {
+            let group = Argument::from(format!("{group:02}"));
+            return catalogue.label("label-restart-group", &[("group", group)]);
+        }
+        Compared::WorkZero(axis) => return of_axis("label-restart-zero", axis),
+        Compared::Length(axis) => return of_axis("label-restart-tool-length", axis),
+        Compared::Feed => "label-restart-feed",
+        Compared::FeedPerRevolution => "label-restart-feed-per-turn",
+        Compared::Speed => "label-restart-speed",
+        Compared::Spindle => "label-restart-spindle",
+        Compared::Coolant(0) => "label-restart-flood",
+        Compared::Coolant(_) => "label-restart-mist",
+        Compared::Tool => "label-restart-tool",
+        Compared::InSpindle => "label-restart-in-spindle",
+        Compared::LengthNumber => "label-restart-length",
+        Compared::RadiusNumber => "label-restart-radius",
+    };
+    catalogue.label(key, &[])
+}
+
+impl Lead {
+    /// Shows it for people.
+    pub fn write_text(&self, out: &mut dyn Write, shop: &Shop) -> io::Result<()> {
+        let catalogue = shop.diagnostics.catalogue();
+        let word = |key: &str| catalogue.label(key, &[]);
+        let JsonRestart { line, pass, position, sent, approach, .. } = &self.json;
+        let at = [("line", Argument::from(line.to_string())), ("pass", Argument::from(pass.to_string()))];
+        writeln!(out, "{}", catalogue.label("label-restart-at", &at))?;
+        let place = position
+            .iter()
+            .map(|(axis, at)| format!("{}{}", axis.to_uppercase(), short(at.as_f64().unwrap_or_default())));
+        let place: Vec<String> = place.collect();
+        writeln!(out, "  {}: {}", word("label-restart-position"), place.join(" "))?;
+        let list = |items: Vec<String>| match items.is_empty() {
+            true => word("label-restart-nothing"),
+            false => items.join(" "),
+        };
+        writeln!(out, "  {}: {}", word("label-restart-sent"), list(sent.clone()))?;
+        let ways = approach.iter().map(|way| format!("{}{}", way.axis.to_uppercase(), short(way.to)));
+        writeln!(out, "  {}: {}", word("label-restart-approach"), list(ways.collect()))?;
+        writeln!(out, "  {}:", word("label-restart-modal"))?;
+        for Difference { of, program, machine } in &self.differences {
+            let shown = |value: Setting| setting(value).unwrap_or_else(|| "-".to_owned());
+            writeln!(out, "    {}: {} / {}", label(*of, catalogue), shown(*program), shown(*machine))?;
+        }
+        Ok(())
+    }
+}
