@@ -738,10 +738,9 @@ impl Smoother {
             line = self.segment(begin + s, line);
             let q: [f64; N] = std::array::from_fn(|i| c[0][i] + s * (c[1][i] + s * (c[2][i] + s * c[3][i])));
             let is_near = |i: usize| self.is_near(i, &q, limit);
-            if !is_near(line)
-                && !(line > 0 && is_near(line - 1))
-                && !(line + 2 < self.points.len() && is_near(line + 1))
-            {
+            let is_beside =
+                || (line > 0 && is_near(line - 1)) || (line + 2 < self.points.len() && is_near(line + 1));
+            if !(is_near(line) || is_beside()) {
                 return Some(last);
             }
         }
