@@ -367,7 +367,9 @@ impl Cnc {
 
     /// Starts the program, or goes on after feed hold, M00 or M01. Not while axes are moved by hand.
     pub fn cycle_start(&mut self) {
-        if self.manual.is_active || self.return_to_path() {
+        // Homing that a program began goes on with it.
+        let homes = self.state == State::Held && self.homing.is_active();
+        if !homes && (self.manual.is_active || self.return_to_path()) {
             return;
         }
         self.manual.stop();
