@@ -180,6 +180,8 @@ pub struct Cnc {
     homing: Homing,
     /// The axes of the machine.
     machine_axes: AxisSet,
+    /// Their software limits.
+    travel: (Position, Position),
     /// What the ladder says of the switches.
     wired: Option<drives::Switches>,
     overtravel: Overtravel,
@@ -257,6 +259,7 @@ impl Cnc {
             manual: Manual::new(machine, start),
             homing: Homing::new(machine),
             machine_axes: machine.axis_set(),
+            travel: machine.limits(),
             wired: None,
             overtravel: Overtravel::new(machine.homing.ignores_switches),
             probing: None,
@@ -298,10 +301,7 @@ impl Cnc {
         if !knows_places {
             cnc.set_referenced(AxisSet::EMPTY);
         }
-        if cnc.drives.has_probe() {
-            let (min, max) = machine.limits();
-            cnc.interpreter.fit_probe(min, max);
-        }
+        cnc.fit_interpreter();
         cnc
     }
 
@@ -508,7 +508,8 @@ impl Cnc {
             self.interpreter.reset(self.commanded);
             self.state = State::Reset;
         }
-        let interrupts = self.may_be_interrupted();
+        // Axes that a program homes are nobody else's.
+        let interrupts = self.may_be_interrupted() && !self.homing.is_active();
         let takes = self.may_move()
             && (interrupts || matches!(self.state, State::Ready | State::Ended | State::Reset));
         if takes {

@@ -24,6 +24,7 @@ impl Cnc {
             return Err(Box::new(interpreter));
         }
         let old = std::mem::replace(&mut self.interpreter, interpreter);
+        self.fit_interpreter();
         let commanded = self.motion.position();
         if self.interpreter.position() != commanded {
             self.interpreter.came_to_rest(&AtRest { commanded, actual: self.actual, skip: None });

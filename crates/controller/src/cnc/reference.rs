@@ -11,7 +11,8 @@ impl Cnc {
     /// find it by their switches, or are positioned on it where it is known and remembered. Whether it goes: not
     /// while a program is under way, nor while the axis moves, nor beside another where one at a time may home.
     pub fn home(&mut self, axis: Axis) -> bool {
-        if !self.machine_axes.contains(axis) || !self.take_by_hand() || !self.manual.stands(axis) {
+        let may = matches!(self.state, State::Ready | State::Ended | State::Reset);
+        if !may || !self.machine_axes.contains(axis) || !self.take_by_hand() || !self.manual.stands(axis) {
             return false;
         }
         self.begin_homing(axis, true)
@@ -20,6 +21,13 @@ impl Cnc {
     /// The key of an axis in the mode HOME was let go.
     pub fn release_home(&mut self, axis: Axis) {
         self.homing.let_go(axis, &mut self.manual);
+    }
+
+    /// Axes that home by hand come to rest where they are, as when another mode is chosen.
+    pub fn stop_homing_by_hand(&mut self) {
+        if matches!(self.state, State::Ready | State::Ended | State::Reset) && self.homing.abort().is_some() {
+            self.manual.stop();
+        }
     }
 
     /// Axes whose reference points are known.
@@ -65,6 +73,15 @@ impl Cnc {
         self.interpreter.memory().reference_points.first().copied().unwrap_or_default()
     }
 
+    /// What a new interpreter is told of the machine.
+    pub(super) fn fit_interpreter(&mut self) {
+        if self.drives.has_probe() {
+            let (min, max) = self.travel;
+            self.interpreter.fit_probe(min, max);
+        }
+        self.tell_unreferenced();
+    }
+
     fn begin_homing(&mut self, axis: Axis, by_hand: bool) -> bool {
         let reference = self.reference()[axis];
         let begins = self.homing.begin(axis, by_hand, reference);
@@ -104,7 +121,7 @@ impl Cnc {
         self.homing.stand(axes);
         let axes = axes.and(self.machine_axes);
         for axis in axes.iter().filter(|axis| !referenced.contains(*axis)) {
-            self.manual.take(self.motion.position());
+            self.manual.take(self.beside(self.motion.position()));
             self.begin_homing(axis, false);
         }
     }
@@ -141,6 +158,8 @@ impl Cnc {
             if let Some(place) = place {
                 // The axis came onto its place but for what counting in units leaves.
                 named[axis] = reference[axis] + (at[axis] - place);
+                // What the handwheel put the axis aside by is gone (part 2, 6.2.2).
+                self.aside.shift[axis] = 0.0;
             }
         }
         if found.iter().any(Option::is_some) {
