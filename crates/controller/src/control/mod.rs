@@ -364,6 +364,9 @@ impl Control {
         if self.inputs.mode == self.mode {
             return;
         }
+        if self.mode == Mode::Home {
+            self.cnc.stop_homing_by_hand();
+        }
         self.mode = self.inputs.mode;
         self.release_axes();
         self.event(Event::Mode { mode: self.mode });
