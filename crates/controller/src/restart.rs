@@ -547,16 +547,18 @@ fn differences(program: &ProgramState, machine: &ProgramState) -> Vec<Difference
         compare(Compared::Code(code.group), Setting::Code(code.tenths), code_of(machine, code.group));
     }
     let number = |value: f64| Setting::Number(value);
-    let numbers: [(Compared, fn(&ProgramState) -> f64); 6] = [
-        (Compared::Feed, |s| s.feed_per_minute),
-        (Compared::FeedPerRevolution, |s| s.feed_per_revolution),
-        (Compared::Tool, |s| f64::from(s.tool)),
-        (Compared::InSpindle, |s| f64::from(s.in_spindle)),
-        (Compared::LengthNumber, |s| f64::from(s.length_number)),
-        (Compared::RadiusNumber, |s| s.radius_number),
-    ];
-    for (of, read) in numbers {
-        compare(of, number(read(program)), number(read(machine)));
+    let numbers = |state: &ProgramState| {
+        [
+            (Compared::Feed, state.feed_per_minute),
+            (Compared::FeedPerRevolution, state.feed_per_revolution),
+            (Compared::Tool, f64::from(state.tool)),
+            (Compared::InSpindle, f64::from(state.in_spindle)),
+            (Compared::LengthNumber, f64::from(state.length_number)),
+            (Compared::RadiusNumber, state.radius_number),
+        ]
+    };
+    for ((of, a), (_, b)) in numbers(program).into_iter().zip(numbers(machine)) {
+        compare(of, number(a), number(b));
     }
     let speed = |state: &ProgramState| state.speed.map_or(Setting::None, number);
     compare(Compared::Speed, speed(program), speed(machine));

@@ -97,7 +97,7 @@ fn what_cannot_be_is_refused() {
         assert!(answer.code == 1 && answer.err.contains(id), "{from}: {}", answer.err);
     }
     for from in ["0", "x", "3:0", "-1", "", "3:x"] {
-        assert_eq!(run(&format!("{from}")).code, 2, "{from}");
+        assert_eq!(run(from).code, 2, "{from}");
     }
     // A place outside of the limits moves nothing.
     let answer = with_input(&["run", "-", "--from", "3"], "G00 X9000\nG00 X9000 Y1\nG00 Y2\nG00 X0\nM30\n");

@@ -172,7 +172,7 @@ impl Trapezoids {
             from = *to;
         }
         planner.sweep();
-        while planner.blocks.len() > 0 {
+        while !planner.blocks.is_empty() {
             planner.hand_out();
         }
         planner.time

@@ -135,12 +135,11 @@ pub fn listen_at(path: &Path) -> io::Result<UnixListener> {
     listener
 }
 
+/// A service that runs, and what connects to it.
+type Begun<S> = (Runner<Served<S>>, Arc<Hub<S>>);
+
 /// Starts the machine's thread and the one that tells its events.
-pub fn start<S: Service>(
-    service: S,
-    period: Duration,
-    priority: Option<u8>,
-) -> io::Result<(Runner<Served<S>>, Arc<Hub<S>>)> {
+pub fn start<S: Service>(service: S, period: Duration, priority: Option<u8>) -> io::Result<Begun<S>> {
     let (events, told) = sync_channel(MOST_WAITING);
     let runner = Runner::start(Served::new(service, events), period, priority)?;
     let hub = Arc::new(Hub {
