@@ -44,8 +44,8 @@ fn program(seed: u64, count: u64) -> impl Iterator<Item = Move> {
     (0..count).filter_map(move |_| blocks.next())
 }
 
-const COUNT: u64 = 6000;
-const PERIODS: usize = 40_000;
+const COUNT: u64 = 9000;
+const PERIODS: usize = 60_000;
 
 #[test]
 fn two_threads_give_the_setpoints_of_one() {
@@ -196,7 +196,7 @@ fn without_its_planner_the_interpolator_comes_to_rest_on_the_path() {
     let all = moves(&ops);
     let at_rest = |interpolator: &Interpolator| interpolator.at_rest();
     let mut went = 0.0_f64;
-    for gone in (200..9000).step_by(900) {
+    for gone in (0..9000).step_by(331) {
         let (mut planner, mut interpolator) = Motion::halves(&machine, Position::ZERO);
         let (mut left, mut hands) = (all.iter().copied(), Hands::new(7));
         let mut samples = Vec::new();
@@ -208,12 +208,10 @@ fn without_its_planner_the_interpolator_comes_to_rest_on_the_path() {
         }
         drop(planner);
         let gone_at = interpolator.sample().position;
-        let end = (0..60_000).find(|_| {
+        for _ in 0..60_000 {
             samples.push(interpolator.tick());
-            let last = samples.iter().rev().take(50);
-            at_rest(&interpolator) && last.clone().count() == 50 && last.clone().all(|s| s.velocity == 0.0)
-        });
-        assert!(end.is_some());
+        }
+        assert!(at_rest(&interpolator));
         went = went.max(gone_at.distance(interpolator.sample().position));
         let run = run_of(ops.clone(), &samples, machine.servo_period_ms / 1e3);
         run.check_limits(&machine);

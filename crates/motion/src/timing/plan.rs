@@ -91,9 +91,6 @@ const BRAKE_TO: [f64; 5] = [1.0, 0.85, 0.65, 0.4, 0.15];
 /// until then the path is planned to rest before it.
 const MOST_CELLS: u64 = 256;
 
-/// They reach as far as the speed at their start does in this time, s: twice as far as braking for as long.
-const REACH: f64 = 2.0;
-
 /// Stretches that are run before a plan that failed is tried again.
 const PATIENCE: usize = 8;
 
@@ -270,10 +267,12 @@ impl Plan {
         let Some(start) = self.behind_current(queue) else { return Some(changed) };
         let fixed = self.stretches.len().min(self.current + 1);
         self.stretches.truncate(fixed);
-        self.look_ahead(queue, start, start.cell);
+        self.horizon = queue.tail().min(start.cell + MOST_CELLS);
         if self.sections(queue, start, 1.0) {
             return Some(changed);
         }
+        // It may need more way to come to rest.
+        self.horizon = queue.tail();
         let limit = self.limit(queue, start.cell);
         for share in BRAKE_TO {
             self.stretches.truncate(fixed);
@@ -287,7 +286,6 @@ impl Plan {
             let behind = Start { port, cell: self.find(queue, start.cell, end) };
             self.fixed = self.stretches.len();
             self.next = behind;
-            self.look_ahead(queue, behind, behind.cell);
             if self.sections(queue, behind, 1.0) {
                 return Some(changed);
             }
@@ -311,7 +309,7 @@ impl Plan {
             self.fixed = self.stretches.len().min(self.current + 1);
         }
         let (start, fixed) = (self.next, self.fixed);
-        self.look_ahead(queue, start, self.planned.max(start.cell));
+        self.horizon = queue.tail().min(self.planned.max(start.cell) + MOST_CELLS);
         for round in 0..ROUNDS {
             self.stretches.truncate(fixed);
             (self.next, self.fixed) = (start, fixed);
@@ -324,15 +322,6 @@ impl Plan {
         }
         self.give_up(queue);
         None
-    }
-
-    /// Decides how far a plan from `start` looks, of which the cells up to `known` are planned again.
-    fn look_ahead(&mut self, queue: &Queue, start: Start, known: u64) {
-        let far = start.port.s + REACH * start.port.state.v;
-        self.horizon = queue.tail().min(known + MOST_CELLS);
-        while self.horizon < queue.tail() && queue.node(self.horizon).s < far {
-            self.horizon += 1;
-        }
     }
 
     /// Notes the plan as it is. What was run is forgotten.
