@@ -87,10 +87,6 @@ const BRAKE_SHARE: f64 = 0.95;
 /// Shares of the allowed speed that braking for a lower override ends at, tried in this order.
 const BRAKE_TO: [f64; 5] = [1.0, 0.85, 0.65, 0.4, 0.15];
 
-/// Cells that are planned at once at most, besides those that are planned again. What is left comes in the periods after;
-/// until then the path is planned to rest before it.
-const MOST_CELLS: u64 = 256;
-
 /// Stretches that are run before a plan that failed is tried again.
 const PATIENCE: usize = 8;
 
@@ -168,8 +164,6 @@ pub(crate) struct Plan {
     next: Start,
     /// The first cell that is not planned.
     planned: u64,
-    /// Cells from this one on count as not known yet.
-    horizon: u64,
     overrides: Overrides,
     grid: Grid,
     /// Number of the first stretch of the list.
@@ -194,7 +188,6 @@ impl Plan {
             fixed: 0,
             next: start,
             planned: 0,
-            horizon: 0,
             overrides: Overrides { feed: 1.0, rapid: 1.0 },
             grid: Grid::new(),
             base: 0,
@@ -267,12 +260,9 @@ impl Plan {
         let Some(start) = self.behind_current(queue) else { return Some(changed) };
         let fixed = self.stretches.len().min(self.current + 1);
         self.stretches.truncate(fixed);
-        self.horizon = queue.tail().min(start.cell + MOST_CELLS);
         if self.sections(queue, start, 1.0) {
             return Some(changed);
         }
-        // It may need more way to come to rest.
-        self.horizon = queue.tail();
         let limit = self.limit(queue, start.cell);
         for share in BRAKE_TO {
             self.stretches.truncate(fixed);
@@ -309,7 +299,6 @@ impl Plan {
             self.fixed = self.stretches.len().min(self.current + 1);
         }
         let (start, fixed) = (self.next, self.fixed);
-        self.horizon = queue.tail().min(self.planned.max(start.cell) + MOST_CELLS);
         for round in 0..ROUNDS {
             self.stretches.truncate(fixed);
             (self.next, self.fixed) = (start, fixed);
@@ -510,9 +499,8 @@ impl Plan {
     /// Plans from `start` to the end of what is known. `false` if a section cannot be planned.
     fn sections(&mut self, queue: &Queue, start: Start, share: f64) -> bool {
         let Start { mut port, mut cell } = start;
-        let tail = self.horizon;
         cell = cell.max(queue.head());
-        while cell < tail && self.stretches.len() + SPARE < STRETCHES {
+        while cell < queue.tail() && self.stretches.len() + SPARE < STRETCHES {
             // Where the section ends: before a corner, at a rest, at the end of the queue.
             let mut last = cell;
             let mut pace = 1.0;
@@ -530,7 +518,7 @@ impl Plan {
                         break;
                     }
                 }
-                if last + 1 == tail {
+                if last + 1 == queue.tail() {
                     break;
                 }
                 last += 1;
@@ -563,13 +551,13 @@ impl Plan {
                     cell = last;
                     continue;
                 }
-                Pass::Corner { .. } if last + 1 == tail => {
+                Pass::Corner { .. } if last + 1 == queue.tail() => {
                     // What follows is not known yet: to rest before it.
                     let to = Port { s: node.s, state: State::REST };
                     if cell < last && !self.section(queue, port, to, cell, last - 1) {
                         return false;
                     }
-                    self.planned = tail;
+                    self.planned = queue.tail();
                     return true;
                 }
                 Pass::Corner { foot, time, .. } => {
@@ -592,7 +580,7 @@ impl Plan {
                         time,
                     });
                     port = Port { s: node.end(), state: State { v: foot_now.v, a: foot_now.a } };
-                    if last + 1 < tail {
+                    if last + 1 < queue.tail() {
                         self.fix(Start { port, cell: last + 1 });
                     }
                 }
@@ -628,7 +616,7 @@ impl Plan {
         let mut cap = self.overrides.cap(queue.node(cell));
         let before = (queue.head()..cell).rev().map(|cell| queue.node(cell)).take_while(|node| !node.rests);
         let mut ends = false;
-        let after = (cell + 1..self.horizon).map(|cell| queue.node(cell));
+        let after = (cell + 1..queue.tail()).map(|cell| queue.node(cell));
         let after = after.take_while(|node| !std::mem::replace(&mut ends, node.rests));
         let mut sides = [self.side(before, &mut cap), self.side(after, &mut cap)];
         if from.state == State::REST {

@@ -166,7 +166,7 @@ const STEP_NS: u64 = 50;
 
 impl Default for Times {
     fn default() -> Times {
-        Times { counts: vec![0; 2_000_000], worst: 0, total: 0 }
+        Times { counts: vec![0; 200_000], worst: 0, total: 0 }
     }
 }
 
