@@ -132,7 +132,8 @@ fn a_hold_and_a_reset_act_on_what_was_sent() {
     let held = cnc.tick();
     assert!(held.velocity == 0.0 && (1.0..199.0).contains(&held.position[Axis::X]) && !cnc.awaits_work());
     cnc.reset();
-    cnc.tick();
+    // What was planned ahead is taken back first.
+    wait(&mut cnc, 20);
     assert_eq!(cnc.state(), &State::Reset);
     assert!(!cnc.tick().moving);
 }

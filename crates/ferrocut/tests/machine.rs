@@ -74,7 +74,7 @@ fn check_tells_what_is_wrong_and_summarises() {
     let answer = ferrocut(&["machine", "check", &odd, "--format", "json"]);
     let severities: Vec<_> = json_lines(&answer.out).iter().map(|r| r["severity"].clone()).collect();
     assert_eq!(severities, ["warning", "error"]);
-    let bad = write(&folder, "bad.toml", Machine::DEMO_MILL.replacen("rapid =", "rapids =", 1));
+    let bad = write(&folder, "bad.toml", Machine::DEMO_MILL.replacen("\nrapid =", "\nrapids =", 1));
     let answer = ferrocut(&["machine", "check", &bad, &good]);
     assert!(answer.code == 1 && answer.out.contains("unknown field `rapids`"), "{}", answer.out);
     assert!(answer.out.contains("Demo mill"), "the other file is checked all the same");

@@ -101,6 +101,6 @@ fn what_cannot_be_is_refused() {
     }
     // A place outside of the limits moves nothing.
     let answer = with_input(&["run", "-", "--from", "3"], "G00 X9000\nG00 X9000 Y1\nG00 Y2\nG00 X0\nM30\n");
-    assert!(answer.code == 1 && answer.err.contains("gsk990mc:0500"), "{}", answer.err);
+    assert!(answer.code == 1 && answer.err.contains("gsk990mc:0501"), "{}", answer.err);
     assert!(!answer.out.contains("parts"), "{}", answer.out);
 }

@@ -66,7 +66,7 @@ fn a_sender_drives_the_machine() {
     stream.write_all(b"$X\nG1X5F6000\nG4P0.01\n").unwrap();
     until(&mut stream, "ok\r\nok\r\nok\r\n");
     stream.write_all(b"?").unwrap();
-    assert!(until(&mut stream, ">\r\n").starts_with("<Idle|MPos:5.000,0.000,0.000|"));
+    assert!(until(&mut stream, ">\r\n").starts_with("<Idle|MPos:5.000,0.000,0.000"));
     // The one that comes next finds it as it is: unlocked.
     drop(stream);
     let began = Instant::now();

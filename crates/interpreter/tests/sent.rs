@@ -43,7 +43,7 @@ fn bits(dialect: &'static Dialect, program: &str, lengths: &[usize]) -> Vec<Step
 }
 
 const GSK: &str = "O1\r\nG54 G90 G0 X10 Y20 Z50\nM3 S800\n\n(a comment)\nG1 Z-2 F200\r\nG2 X20 Y20 R5\n\
-    G41 D1 X30\nY40\nX50 Y60\nG40 X70\nG81 X10 Y10 Z-5 R2 F100\nX20\nX30 L2\nG80\nG4 X1.5\nM30\n";
+    G41 G1 D1 X30\nY40\nX50 Y60\nG40 X70\nG81 X10 Y10 Z-5 R2 F100\nX20\nX30 L2\nG80\nG4 X1.5\nM30\n";
 const NGC: &str = "G21 G90 G94\nG0 X1 Y2\n#<depth> = 3\nG1 Z-#<depth> F100\n\
     o1 if [#<depth> GT 2]\nG1 X5\no1 endif\nG3 X10 I2.5\nM2\n";
 

@@ -201,9 +201,10 @@ impl Lead {
         let JsonRestart { line, pass, position, sent, approach, .. } = &self.json;
         let at = [("line", Argument::from(line.to_string())), ("pass", Argument::from(pass.to_string()))];
         writeln!(out, "{}", catalogue.label("label-restart-at", &at))?;
-        let place = position
-            .iter()
-            .map(|(axis, at)| format!("{}{}", axis.to_uppercase(), short(at.as_f64().unwrap_or_default())));
+        let place = shop.machine.axes.iter().filter_map(|axis| {
+            let at = position.get(axis.name.name())?.as_f64()?;
+            Some(format!("{}{}", axis.name.letter(), short(at)))
+        });
         let place: Vec<String> = place.collect();
         writeln!(out, "  {}: {}", word("label-restart-position"), place.join(" "))?;
         let list = |items: Vec<String>| match items.is_empty() {

@@ -463,6 +463,10 @@ impl Grbl {
                     if !status.is_current || status.lines_done < line {
                         return;
                     }
+                    if refused == Some(Error::NO_CONTACT) {
+                        self.owed.pop_front();
+                        return self.alarm(AlarmCode::ProbeMissed);
+                    }
                     if let (Some(needs_contact), None) = (probes, refused) {
                         self.reporter.probe(&mut self.out, status, &self.settings);
                         if needs_contact && !status.probe.1 {
