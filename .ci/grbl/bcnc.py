@@ -52,7 +52,9 @@ class Bcnc:
         self.screen = subprocess.Popen(
             ["Xvfb", f":{display}", "-screen", "0", "1280x900x24", "-nolisten", "tcp"], **show
         )
-        environment = dict(os.environ, HOME=home, DISPLAY=f":{display}", LANG="C.UTF-8")
+        # Debian's program with Debian's Python: another one that comes first has not its libraries.
+        path = f"/usr/bin:/bin:{os.environ.get('PATH', '')}"
+        environment = dict(os.environ, HOME=home, DISPLAY=f":{display}", LANG="C.UTF-8", PATH=path)
         time.sleep(1)
         self.program = subprocess.Popen(["bCNC", "-s", port], env=environment, cwd=home, **show)
 

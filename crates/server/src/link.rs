@@ -1,7 +1,7 @@
 //! Connections of Grbl senders: TCP on this computer, or a pseudo-terminal that looks like a serial port.
 //!
 //! One sender at a time has the machine. Bytes are taken as they come, and answers are sent as fast as they are taken;
-//! whoever takes none for [`PATIENCE`] is cut off.
+//! whoever takes none for five seconds is cut off.
 
 use crate::grbl::{Grbl, Machine};
 use rustix::fs::{OFlags, fcntl_getfl, fcntl_setfl};

@@ -4,7 +4,7 @@
 //! nothing: [`Grbl::receive`] takes bytes, [`Grbl::poll`] does what can be done by now.
 //!
 //! The way of a line: [`realtime`] bytes are taken out and act at once; what is left becomes lines ([`front`]); `$`
-//! commands are done there and in [`system`], jogs in [`jog`], and blocks are checked by Grbl's rules and written
+//! commands are done there and in `system`, jogs in `jog`, and blocks are checked by Grbl's rules and written
 //! anew for the interpreter in [`words`]. Answers come in the order of the lines. Sources in comments name the chapter
 //! of Grbl's published documents.
 
