@@ -68,9 +68,6 @@ impl Error {
     /// A tool number too large.
     pub const TOOL: Error = Error(38);
 
-    /// A probe that meets nothing: told as an alarm, never as this.
-    pub const NO_CONTACT: Error = Error(0);
-
     /// The number for what the interpreter found.
     pub fn of(fault: Fault) -> Error {
         match fault {
@@ -95,7 +92,6 @@ impl Error {
             Fault::ArcWithoutCentre => Error::NO_CENTRE,
             Fault::WordUnused => Error::UNUSED,
             Fault::ToolNumber | Fault::ToolMissing => Error::TOOL,
-            Fault::SkipWithoutSignal => Error::NO_CONTACT,
             _ => Error::TARGET,
         }
     }

@@ -8,7 +8,7 @@ use super::report::{Reporter, Shown};
 use super::settings::Settings;
 use super::words::{self, LONGEST_LINE, Limits};
 use ferrocut_geometry::{Axis, Position};
-use ferrocut_machine::Machine as MachineFile;
+use ferrocut_machine::{Fault, Machine as MachineFile};
 use std::collections::VecDeque;
 use std::fmt::Write;
 
@@ -58,7 +58,7 @@ enum Owed {
     /// Known already.
     Answer(Result<(), Error>),
     /// Once this block is taken, or refused.
-    Block { line: u32, refused: Option<Error>, probes: Option<bool>, is_own: bool },
+    Block { line: u32, refused: Option<Fault>, probes: Option<bool>, is_own: bool },
     /// Once the axes are homed.
     Home,
 }
@@ -425,7 +425,7 @@ impl Grbl {
                     |owed: &&mut Owed| matches!(owed, Owed::Block { line: own, .. } if *own == line);
                 if let Some(Owed::Block { refused, .. }) = self.owed.iter_mut().find(of_line) {
                     // The first thing that was found counts.
-                    *refused = refused.or(Some(Error::of(fault)));
+                    *refused = refused.or(Some(fault));
                 }
             }
             Event::Alarm(fault) => self.alarm(AlarmCode::of(fault)),
@@ -463,9 +463,9 @@ impl Grbl {
                     if !status.is_current || status.lines_done < line {
                         return;
                     }
-                    if refused == Some(Error::NO_CONTACT) {
+                    if let Some(fault @ Fault::SkipWithoutSignal) = refused {
                         self.owed.pop_front();
-                        return self.alarm(AlarmCode::ProbeMissed);
+                        return self.alarm(AlarmCode::of(fault));
                     }
                     if let (Some(needs_contact), None) = (probes, refused) {
                         self.reporter.probe(&mut self.out, status, &self.settings);
@@ -474,7 +474,7 @@ impl Grbl {
                             return self.alarm(AlarmCode::ProbeMissed);
                         }
                     }
-                    (!is_own).then_some(refused.map_or(Ok(()), Err))
+                    (!is_own).then_some(refused.map_or(Ok(()), |fault| Err(Error::of(fault))))
                 }
                 Owed::Home => {
                     if !status.is_current || matches!(status.doing, Doing::Home | Doing::Resetting) {
