@@ -6,10 +6,10 @@
 #[path = "../tests/common/demanding.rs"]
 mod demanding;
 
-use demanding::{Asked, Blocks, Hands, Times};
+use demanding::{Asked, Blocks, Hands, Times, compensate, nine_axes};
 use divan::counter::ItemsCount;
-use ferrocut_geometry::{Axis, Position};
-use ferrocut_machine::{AxisConfig, Backlash, Machine, PITCH_POINTS, PitchErrors, Smoothing};
+use ferrocut_geometry::Position;
+use ferrocut_machine::{AxisConfig, Machine, Smoothing};
 use ferrocut_motion::servo::Kind;
 use ferrocut_motion::{Motion, Servo};
 use std::time::Instant;
@@ -61,30 +61,13 @@ fn worst() {
 
 const PERIODS: u32 = 100_000;
 
-/// Nine axes like the X axis of the demo mill.
-fn nine_axes(change: impl Fn(&mut AxisConfig)) -> Machine {
-    let mut machine = Machine::demo_mill();
-    machine.servo_period_ms = 0.25;
-    let model = machine.axes.first().cloned();
-    machine.axes = Axis::ALL
-        .iter()
-        .flat_map(|name| model.clone().map(|axis| AxisConfig { name: *name, ..axis }))
-        .collect();
-    machine.axes.iter_mut().for_each(change);
-    machine
-}
+const PERIOD_MS: f64 = 0.25;
 
 fn everything(axis: &mut AxisConfig) {
     axis.after_rapid = Smoothing::Linear { time_ms: 80.0 };
     axis.after_cutting = Smoothing::Linear { time_ms: 400.0 };
     axis.after_jog = Smoothing::Exponential { time_ms: 60.0, least: 10.0 };
-    axis.backlash = Backlash { cutting: 0.01, rapid: Some(0.02), time_ms: 400.0, ..Backlash::default() };
-    axis.pitch_errors = Some(PitchErrors {
-        start: Some(-500.0),
-        interval: Some(0.1),
-        corrections: (0..PITCH_POINTS).map(|k| (k as f64 * 0.01).sin() * 0.01).collect(),
-        opposite: (0..PITCH_POINTS).map(|k| (k as f64 * 0.01).cos() * 0.01).collect(),
-    });
+    compensate(axis);
     (axis.following_error, axis.in_position) = (0.5, 0.01);
 }
 
@@ -112,10 +95,10 @@ fn measure(bencher: divan::Bencher, machine: &Machine) {
 
 #[divan::bench(sample_count = 20, sample_size = 1)]
 fn nine_axes_with_everything(bencher: divan::Bencher) {
-    measure(bencher, &nine_axes(everything));
+    measure(bencher, &nine_axes(PERIOD_MS, everything));
 }
 
 #[divan::bench(sample_count = 20, sample_size = 1)]
 fn nine_axes_with_nothing(bencher: divan::Bencher) {
-    measure(bencher, &nine_axes(|_| {}));
+    measure(bencher, &nine_axes(PERIOD_MS, |_| {}));
 }

@@ -6,28 +6,38 @@ use ferrocut_machine::{AxisConfig, Backlash, Machine, PITCH_POINTS, PitchErrors,
 use ferrocut_motion::Move;
 use ferrocut_toolpath::PathMode;
 
-/// Nine axes like the X axis of the demo mill, with everything that there is between path and drives.
-pub fn machine() -> Machine {
+/// Nine axes like the X axis of the demo mill, each changed.
+pub fn nine_axes(period_ms: f64, change: impl Fn(&mut AxisConfig)) -> Machine {
     let mut machine = Machine::demo_mill();
-    machine.servo_period_ms = 1.0;
+    machine.servo_period_ms = period_ms;
     let model = machine.axes.first().cloned();
     machine.axes = Axis::ALL
         .iter()
         .flat_map(|name| model.clone().map(|axis| AxisConfig { name: *name, ..axis }))
         .collect();
-    for axis in &mut machine.axes {
+    machine.axes.iter_mut().for_each(change);
+    machine
+}
+
+/// An axis with backlash, and pitch errors in both directions.
+pub fn compensate(axis: &mut AxisConfig) {
+    axis.backlash = Backlash { cutting: 0.01, rapid: Some(0.02), time_ms: 400.0, ..Backlash::default() };
+    axis.pitch_errors = Some(PitchErrors {
+        start: Some(-500.0),
+        interval: Some(0.1),
+        corrections: (0..PITCH_POINTS).map(|k| (k as f64 * 0.01).sin() * 0.01).collect(),
+        opposite: (0..PITCH_POINTS).map(|k| (k as f64 * 0.01).cos() * 0.01).collect(),
+    });
+}
+
+/// Nine axes with everything that there is between path and drives.
+pub fn machine() -> Machine {
+    nine_axes(1.0, |axis| {
         axis.after_rapid = Smoothing::Linear { time_ms: 8.0 };
         axis.after_cutting = Smoothing::Linear { time_ms: 16.0 };
-        axis.backlash = Backlash { cutting: 0.01, rapid: Some(0.02), time_ms: 400.0, ..Backlash::default() };
-        axis.pitch_errors = Some(PitchErrors {
-            start: Some(-500.0),
-            interval: Some(0.1),
-            corrections: (0..PITCH_POINTS).map(|k| (k as f64 * 0.01).sin() * 0.01).collect(),
-            opposite: (0..PITCH_POINTS).map(|k| (k as f64 * 0.01).cos() * 0.01).collect(),
-        });
+        compensate(axis);
         axis.following_error = 50.0;
-    }
-    machine
+    })
 }
 
 /// Numbers without order that are the same every time (a linear congruential generator, the constants of Knuth's MMIX).
