@@ -3,10 +3,9 @@
 use ferrocut_controller::signals::{Inputs, Mode, Outputs};
 use ferrocut_controller::{Cnc, Event, State};
 use ferrocut_geometry::{Axis, Position};
-use ferrocut_interpreter::{Interpreter, Options, dialects};
-use ferrocut_machine::{Machine, Memory, Setup};
+use ferrocut_interpreter::Interpreter;
+use ferrocut_machine::Machine;
 use ferrocut_plc::{Address, Limits, Pace, Plc, Program};
-use ferrocut_program::{ProgramMemory, Text};
 
 const LADDER: &str = include_str!("../../../../machines/standard.lad");
 pub const TOOL_CHANGE: &str = include_str!("../../../../machines/tool-change.nc");
@@ -53,19 +52,10 @@ pub struct Mill {
 
 /// A program with a set-up, on a machine with the standard ladder.
 pub fn interpreter(program: &str, setup: &str) -> Interpreter {
-    let dialect = &dialects::gsk990mc::DIALECT;
-    let text = Text::from_bytes(format!("{program}\n{TOOL_CHANGE}").into_bytes()).unwrap();
-    let programs = ProgramMemory::new("test.nc", text, dialect.syntax);
-    let setup = Setup::from_toml(setup).unwrap();
-    let mut memory = Memory::new(dialect.name);
-    setup.apply(&mut memory).unwrap();
-    let options = Options {
-        start: setup.start.position(),
-        every_code: true,
-        tool_change_program: Some(9001),
-        ..Options::default()
-    };
-    Interpreter::new(dialect, programs, memory, options)
+    crate::common::interpreter_with(&format!("{program}\n{TOOL_CHANGE}"), setup, |options| {
+        options.every_code = true;
+        options.tool_change_program = Some(9001);
+    })
 }
 
 impl Mill {

@@ -23,17 +23,23 @@ pub fn cnc_with(machine: &Machine, program: &str, setup: &str) -> Cnc {
 }
 
 pub fn interpreter(program: &str, setup: &str) -> Interpreter {
+    interpreter_with(program, setup, |_| {})
+}
+
+/// The same with other options.
+pub fn interpreter_with(program: &str, setup: &str, change: impl FnOnce(&mut Options)) -> Interpreter {
     let dialect = &dialects::gsk990mc::DIALECT;
     let text = Text::from_bytes(program.as_bytes().to_vec()).unwrap();
     let programs = ProgramMemory::new("test.nc", text, dialect.syntax);
     let setup = Setup::from_toml(setup).unwrap();
     let mut memory = Memory::new(dialect.name);
     setup.apply(&mut memory).unwrap();
-    let options = Options {
+    let mut options = Options {
         start: setup.start.position(),
         optional_stop: setup.options.optional_stop,
         ..Options::default()
     };
+    change(&mut options);
     Interpreter::new(dialect, programs, memory, options)
 }
 
