@@ -88,6 +88,9 @@ impl Cnc {
         match self.waiting.is_some() || self.busy.is_some() || self.stroke.is_some() {
             // What waits is of the line read last, or of one before.
             true => read.min(self.waiting_line().saturating_sub(1)),
+            // What was waited for has just ended: the line is done once what is behind it was asked for, so that
+            // whoever hears of it finds the machine idle.
+            false if self.stands() && !self.interpreter.is_starved() => read.saturating_sub(1),
             false => read,
         }
     }
@@ -97,12 +100,19 @@ impl Cnc {
         self.waiting.as_ref().map_or(self.span, |waiting| self.span_of(waiting)).line
     }
 
+    /// Whether a program runs that has no move under way.
+    fn stands(&self) -> bool {
+        self.state == State::Running && self.motion.is_empty() && self.motion.at_rest()
+    }
+
     /// Whether the axes stand and nothing that came is left to do.
     pub fn awaits_work(&self) -> bool {
-        let is_empty = self.motion.is_empty() && self.motion.at_rest() && self.sent.jogs.is_empty();
         let waits = self.waiting.is_some() || self.busy.is_some() || self.stroke.is_some();
         match self.state {
-            State::Running => is_empty && !waits && !self.sent.is_jogging && self.interpreter.is_starved(),
+            State::Running => {
+                let jogs = self.sent.is_jogging || !self.sent.jogs.is_empty();
+                self.stands() && !waits && !jogs && self.interpreter.is_starved()
+            }
             State::Held | State::Resetting => false,
             _ => !self.manual.is_active,
         }
