@@ -1,7 +1,10 @@
 //! `ferrocut serve` as a sender meets it.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
+mod common;
+
 use assert_cmd::cargo::CommandCargoExt;
+use common::json;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::{TcpListener, TcpStream};
 use std::process::{Child, Command, Stdio};
@@ -14,10 +17,10 @@ struct Served {
 }
 
 impl Served {
-    fn new(grbl: &str) -> Served {
+    fn new(how: &str, place: &str) -> Served {
         let mut command = Command::cargo_bin("ferrocut").unwrap();
         let mut process =
-            command.args(["serve", "--headless", "--grbl", grbl]).stdout(Stdio::piped()).spawn().unwrap();
+            command.args(["serve", "--headless", how, place]).stdout(Stdio::piped()).spawn().unwrap();
         let mut line = String::new();
         BufReader::new(process.stdout.take().unwrap()).read_line(&mut line).unwrap();
         let place = line.trim().rsplit(' ').next().unwrap().to_owned();
@@ -56,7 +59,7 @@ fn connect(place: &str) -> TcpStream {
 
 #[test]
 fn a_sender_drives_the_machine() {
-    let served = Served::new("tcp:0");
+    let served = Served::new("--grbl", "tcp:0");
     assert!(served.place.starts_with("127.0.0.1:"), "{}", served.place);
     let mut stream = connect(&served.place);
     until(&mut stream, "to unlock]\r\n");
@@ -66,7 +69,8 @@ fn a_sender_drives_the_machine() {
     stream.write_all(b"$X\nG1X5F6000\nG4P0.01\n").unwrap();
     until(&mut stream, "ok\r\nok\r\nok\r\n");
     stream.write_all(b"?").unwrap();
-    assert!(until(&mut stream, ">\r\n").starts_with("<Idle|MPos:5.000,0.000,0.000"));
+    let report = until(&mut stream, ">\r\n");
+    assert!(report.starts_with("<Idle|MPos:5.000,0.000,0.000"), "{report}");
     // The one that comes next finds it as it is: unlocked.
     drop(stream);
     let began = Instant::now();
@@ -90,5 +94,36 @@ fn wrong_use_is_said() {
         let done = command.args(["serve", "--headless", "--grbl", &place]).output().unwrap();
         assert_eq!(done.status.code(), Some(2), "{place}");
         assert!(String::from_utf8_lossy(&done.stderr).contains(says), "{done:?}");
+    }
+}
+
+/// The demo mill, whose file describes no simulated machine, is one that can be used.
+#[test]
+fn a_front_finds_a_machine_that_is_well() {
+    let served = Served::new("--tcp", "127.0.0.1:0");
+    let mut stream = connect(&served.place);
+    stream.set_read_timeout(None).unwrap();
+    let mut lines = BufReader::new(stream.try_clone().unwrap()).lines();
+    let mut hear = || json(&lines.next().unwrap().unwrap());
+    assert_eq!(hear()["hello"], "ferrocut");
+    let mut ask = |id: u32, command: &str| {
+        stream.write_all(format!("{{\"id\":{id},{command}}}\n").as_bytes()).unwrap();
+        loop {
+            let line = hear();
+            if line["id"] == id {
+                return line;
+            }
+        }
+    };
+    assert_eq!(ask(1, "\"do\":\"take_command\"")["reply"], "done");
+    assert_eq!(ask(2, "\"do\":\"key\",\"key\":\"KEY_AUTO\",\"down\":true")["reply"], "done");
+    let began = Instant::now();
+    loop {
+        let status = ask(3, "\"do\":\"status\"");
+        if (&status["mode"], &status["activity"]) == (&"auto".into(), &"idle".into()) {
+            assert_eq!(status["alarms"], serde_json::json!([]));
+            break;
+        }
+        assert!(began.elapsed() < Duration::from_secs(30), "{status}");
     }
 }

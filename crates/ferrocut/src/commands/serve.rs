@@ -117,7 +117,10 @@ fn serve_control(args: &ServeArgs, shop: &Shop) -> Result<Exit, Failure> {
         Some(folder) => Some(Arc::new(super::memory::open(folder, &shop.machine.dialect)?)),
     };
     let parts = Parts { store, ladder: Some(ladder), ..Parts::default() };
-    let control = Control::new(&shop.machine, parts).map_err(Failure::setting)?;
+    // The ladder looks at switches: a machine that its file does not describe has those of a simulated one.
+    let mut machine = shop.machine.clone();
+    machine.plant.get_or_insert_default();
+    let control = Control::new(&machine, parts).map_err(Failure::setting)?;
     let period = Duration::from_secs_f64(shop.machine.servo_period_ms / 1000.0);
     let (runner, hub) = lines::start(Panel::new(control), period, args.priority).map_err(cannot("thread"))?;
     if let Some(path) = &args.socket {
