@@ -240,9 +240,14 @@ impl Assembler {
         self.smoother.add(next.piece.end(), self.s);
     }
 
+    /// The same, as soon as cells are added again.
+    pub fn close_later(&mut self) {
+        self.closing = self.open.is_some() || !self.parts.is_empty();
+    }
+
     /// The open move ends at rest.
     pub fn close(&mut self, queue: &mut Queue) {
-        self.closing = self.open.is_some() || !self.parts.is_empty();
+        self.close_later();
         self.run(queue);
     }
 
@@ -368,7 +373,7 @@ impl Assembler {
                 pass: Pass::Path,
                 rests: false,
             };
-            queue.append(Cell { shape, rest: None }, node);
+            queue.append(Cell::new(shape, None), node);
         });
         if goes_on {
             return;
@@ -401,7 +406,7 @@ impl Assembler {
             Start::Plain(cap) => {
                 if cap.is_finite() {
                     let p = open.member.piece.at(0.0);
-                    let cell = Cell { shape: Shape::Line { p, d: Position::ZERO }, rest: None };
+                    let cell = Cell::new(Shape::Line { p, d: Position::ZERO }, None);
                     let node = Node {
                         s: open.s,
                         len: 0.0,
@@ -418,7 +423,7 @@ impl Assembler {
             }
             Start::Ease(_) => 0.0,
             Start::Corner(corner) => {
-                let cell = Cell { shape: Shape::Corner(corner), rest: None };
+                let cell = Cell::new(Shape::Corner(corner), None);
                 let rates = corner.rates();
                 let inverse = self.inverses.of(open.member.class);
                 let top = inverse.speed(&rates);
@@ -466,7 +471,7 @@ impl Assembler {
             pass: Pass::Path,
             rests: false,
         };
-        queue.append(Cell { shape, rest: None }, node);
+        queue.append(Cell::new(shape, None), node);
     }
 
     /// Largest `|q′|` over X, Y, Z of an eased stretch, looked at in some places: it changes by little and smoothly.
@@ -492,6 +497,6 @@ impl Assembler {
             rests: true,
         };
         queue.mark(open.s + AXES_LENGTH, open.member.tag);
-        queue.append(Cell { shape: Shape::Axes { from, to }, rest: Some(to) }, node);
+        queue.append(Cell::new(Shape::Axes { from, to }, Some(to)), node);
     }
 }

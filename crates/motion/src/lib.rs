@@ -25,7 +25,7 @@
 //! servo period. [`Motion`] is both in one thread. None of them allocates, takes a lock or fails, and the same calls
 //! give the same setpoints, bit by bit, in one thread or in two.
 //!
-//! What it does not do yet: round sharp corners between arcs; go back along the path.
+//! What was passed can be run back, as far as it is still known (`retrace`).
 //!
 //! What lies between setpoint and drive, axis by axis, is [`servo`]. Moves in step with the spindle do not go
 //! through the planner: they are [`synchron`].
@@ -42,6 +42,7 @@ mod motion;
 mod moves;
 mod path;
 mod planner;
+mod retrace;
 pub mod servo;
 mod stroke;
 pub mod synchron;

@@ -364,6 +364,16 @@ impl Inverse {
         }
     }
 
+    /// Whether nothing that moves in direction `d` has a limit of jerk.
+    pub fn is_free_of_jerk(&self, d: &[f64; AXES]) -> bool {
+        self.along[1] == 0.0 && peak(d, &self.jerk) == 0.0
+    }
+
+    /// [`change_time`](Self::change_time), where the path, whose velocity changes by `change`, has a limit too.
+    pub fn turn_time(&self, d: &[f64; AXES], change: f64) -> f64 {
+        self.change_time(d).max(self.along[0] * change)
+    }
+
     /// Time that the axes need at least to change their velocity by `d`, s.
     pub fn change_time(&self, d: &[f64; AXES]) -> f64 {
         peak(d, &self.acceleration)

@@ -59,8 +59,8 @@ impl std::error::Error for Full {}
 /// caller that fills up before every tick thus gets the same setpoints whatever the rhythm of its own
 /// input.
 ///
-/// **When something takes over.** What is asked for takes over [`LEAD_S`](crate::LEAD_S) later: the beginning of a run
-/// from rest, an override, a feed hold.
+/// **When something takes over.** An override, a feed hold and an abort take over [`LEAD_S`](crate::LEAD_S) after they are
+/// asked for; a run from rest begins with the next period.
 ///
 /// **When moves fail to come.** What was pushed is always planned to rest, so a run that is not fed comes to
 /// rest on the path, before the joint that is not known yet, and goes on as a run that begins.
@@ -115,6 +115,17 @@ impl Motion {
     /// Ends feed hold. A stop under way is brought to its end first.
     pub fn resume(&mut self) {
         self.planner.resume();
+    }
+
+    /// From now on the path is run back (`true`), or forward again; whether it is: only at rest, see
+    /// [`Planner::retrace`].
+    pub fn retrace(&mut self, back: bool) -> bool {
+        self.planner.retrace(back)
+    }
+
+    /// Whether the path is run back.
+    pub fn is_back(&self) -> bool {
+        self.planner.is_back()
     }
 
     /// Comes to rest on the path as soon as the limits allow, tapping or not, and forgets the moves that

@@ -7,9 +7,13 @@
 //! and takes over there, exactly. As nothing depends on when in between the planner came to it, a run on a real clock
 //! and one on a virtual clock give the same setpoints, bit by bit.
 //!
+//! **At rest** it is ahead of nothing: once the axes stand and nothing is known that could be run, it waits until they
+//! have come as far as it has. So what is asked for then begins with their next period, and the lead is taken as the
+//! run begins.
+//!
 //! **Too late.** If the period has begun before its change is ready, the gate ([`crate::handover`]) refuses it, the
 //! plan before is brought back, and the planner goes on from what runs: with twice the lead, until a change is in time
-//! again. Every such period is counted ([`Planner::late`]).
+//! again, and with the half of it to spare for the next. Every such period is counted ([`Planner::late`]).
 //!
 //! **Always to rest.** What the interpolator has been given ends at rest within all limits, whatever becomes of the
 //! planner.
@@ -21,6 +25,7 @@ use crate::motion::{Full, State};
 use crate::moves::Move;
 use crate::path::joint::JointRules;
 use crate::path::shape::Shape;
+use crate::retrace::Tape;
 use crate::timing::interpolate::{Outcome, Track, Walk};
 use crate::timing::plan::{BRAKE_STEPS, Overrides, Plan, STRETCHES, Stretch};
 use crate::timing::queue::Queue;
@@ -50,6 +55,7 @@ pub struct Planner {
     limits: Limits,
     assembler: Assembler,
     queue: Queue,
+    tape: Tape,
     plan: Plan,
     walk: Walk,
     sender: Sender,
@@ -68,8 +74,9 @@ pub struct Planner {
     /// How many periods it is ahead, and how many it is where it is in time.
     lead: u64,
     least_lead: u64,
-    /// Whether what this period changes can be ready before it begins.
+    /// Whether what this period changes can be ready before it begins, and before which period nothing is tried.
     decides: bool,
+    hopeless_to: u64,
     changes: u32,
     late: u64,
     /// The periods before these have moves, move the axes, or are of an abort.
@@ -125,6 +132,7 @@ impl Planner {
             assembler: Assembler::new(Inverses::new(&limits), rules, start),
             limits,
             queue: Queue::new(),
+            tape: Tape::new(),
             plan: Plan::new(),
             walk: Walk::new(start),
             sender,
@@ -134,10 +142,11 @@ impl Planner {
             stopping: false,
             outdated: false,
             patience: 0.0,
-            front: lead,
+            front: 0,
             lead,
             least_lead: lead,
             decides: false,
+            hopeless_to: 0,
             changes: 0,
             late: 0,
             busy_to: 0,
@@ -147,9 +156,9 @@ impl Planner {
     }
 
     /// How many lines can be pushed now; 0 is full. An arc of many turns may fill what is free alone, so ask
-    /// before every push. During an abort it is 0.
+    /// before every push. During an abort and on the way back it is 0.
     pub fn free(&self) -> usize {
-        if self.assembler.is_blocked() || self.aborting {
+        if self.assembler.is_blocked() || self.aborting || self.tape.is_back() {
             return 0;
         }
         (self.queue.room() / CELLS_A_MOVE).min(self.queue.mark_room())
@@ -167,7 +176,42 @@ impl Planner {
 
     /// Nothing follows for now: what is there is run to rest on its end.
     pub fn finish(&mut self) {
-        self.assembler.close(&mut self.queue);
+        if self.tape.is_back() {
+            self.assembler.close_later();
+        } else {
+            self.assembler.close(&mut self.queue);
+        }
+    }
+
+    /// From now on the path is run back (`true`), or forward again; whether it is. Only at rest, which is what
+    /// [`hold`](Self::hold) is for, and back only where something was passed that is still known and may be run back.
+    ///
+    /// Back is within all limits, with overrides, holds and tolerances as ever, through the same points on which the
+    /// path rests; at the end of what is known it rests too. Forward goes on with the program from there. No move is
+    /// taken meanwhile.
+    pub fn retrace(&mut self, back: bool) -> bool {
+        if back == self.tape.is_back() {
+            return true;
+        }
+        if !self.is_still() || self.aborting {
+            return false;
+        }
+        let (s, position) = (self.walk.s(), self.walk.position());
+        let s = if back {
+            self.tape.turn_back(&mut self.queue, s, &position)
+        } else {
+            Some(self.tape.turn_forward(&mut self.queue, s, &position))
+        };
+        self.plan.clear(&self.queue);
+        if let Some(s) = s {
+            self.walk.set_s(s);
+        }
+        s.is_some()
+    }
+
+    /// Whether the path is run back.
+    pub fn is_back(&self) -> bool {
+        self.tape.is_back()
     }
 
     /// Feed override 0…2 and rapid override 0…1 as factors; clamped, and left as they are if not a
@@ -241,7 +285,8 @@ impl Planner {
         }
     }
 
-    /// How many periods could not be decided before they began, all in all: what ran went on in them.
+    /// How many periods could not be decided before they began, all in all: what ran went on in them, or a run began
+    /// later.
     pub fn late(&self) -> u64 {
         self.late
     }
@@ -254,20 +299,20 @@ impl Planner {
 
     /// Whether a period is to be gone through.
     pub fn is_due(&self) -> bool {
-        self.front <= self.sender.gate.begun() + self.lead
+        let lead = if self.runs || self.may_begin() { self.lead } else { 0 };
+        self.front <= self.sender.gate.begun() + lead
     }
 
     /// Goes on by one servo period, and hands over what changes with it.
     pub fn tick(&mut self) {
         self.changes = 0;
-        // A period that begins in less than half of the lead is left as it is.
-        self.decides = self.sender.gate.begun() + self.lead / 2 <= self.front;
-        let (was_busy, ran) = (!self.has_nothing(), self.runs);
-        if !self.decides && (was_busy || ran) {
+        self.decides = self.front >= self.sender.gate.begun().max(self.hopeless_to);
+        let was_busy = !self.has_nothing();
+        if !self.decides && self.runs {
             self.late += 1;
         }
         // After an abort what is planned ends at rest, wherever no stop was found before.
-        if !self.aborting {
+        if !self.aborting && !self.tape.is_back() {
             self.assembler.run(&mut self.queue);
         }
         if !self.runs && self.may_begin() {
@@ -292,7 +337,7 @@ impl Planner {
 
     /// Whether every move is behind the front.
     fn has_nothing(&self) -> bool {
-        self.queue.len() == 0 && self.assembler.is_empty()
+        self.queue.len() == 0 && self.assembler.is_empty() && !self.tape.is_back()
     }
 
     fn begin(&mut self) {
@@ -483,6 +528,8 @@ impl Planner {
         self.decides = false;
         self.late += 1;
         self.lead = (2 * self.lead).min(LONGEST_LEAD);
+        // As soon again would be too late again.
+        self.hopeless_to = self.sender.gate.begun() + self.lead / 2;
         false
     }
 
@@ -507,6 +554,7 @@ impl Planner {
 
     fn forget(&mut self) {
         self.queue.clear();
+        self.tape.clear();
         self.plan.clear(&self.queue);
         self.walk.clear();
         self.assembler.clear(self.walk.position());

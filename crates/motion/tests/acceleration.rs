@@ -118,3 +118,38 @@ fn positioning_has_ramps_of_its_own() {
         assert!(j.abs() <= 16_100.0, "{j}");
     }
 }
+
+#[test]
+fn a_corner_without_limits_of_jerk_is_quicker_than_a_stop() {
+    let mut machine = round_machine();
+    for axis in &mut machine.axes {
+        axis.jerk = 0.0;
+    }
+    for turn in [45.0_f64, 60.0, 90.0, 135.0, 170.0] {
+        let (sin, cos) = turn.to_radians().sin_cos();
+        let ops = |path| {
+            [line(30.0, 0.0, 0.0, 6000.0, path), line(30.0 + 30.0 * cos, 30.0 * sin, 0.0, 6000.0, path)]
+        };
+        let rounded = run(&machine, Position::ZERO, &ops(PathMode::ContinuousWithin(0.02)));
+        rounded.check_limits(&machine);
+        rounded.check_feed();
+        rounded.check_path(0.02 + 1e-9);
+        assert!(!rounded.stops_inside());
+        let stopped = run(&machine, Position::ZERO, &ops(PathMode::ExactStop));
+        // With d = |d₂ − d₁| and its largest part e, the corner is entered at v = √(8·δ·A/(d·e)) and takes 8·δ/(d·v).
+        let (d, e) = ((2.0 - 2.0 * cos).sqrt(), (1.0 - cos).max(sin));
+        let v = (8.0 * 0.02 * 2000.0 / (d * e)).sqrt();
+        let a = 2000.0 / cos.abs().max(sin.abs());
+        let reach = 4.0 * 0.02 / d;
+        // Either side: what is left to slow down, and the way at the feed that it saves.
+        let side = |from: f64, a: f64, way: f64| {
+            (100.0 - from) / a + (way - (1e4 - from * from) / (2.0 * a)) / 100.0
+        };
+        let saved = side(0.0, 2000.0, 30.0) - side(v, 2000.0, 30.0 - reach) + side(0.0, a, 30.0)
+            - side(v, a, 30.0 - reach)
+            - 2.0 * reach / v;
+        assert!(saved > 0.0);
+        let found = stopped.time() - rounded.time();
+        assert!((found - saved).abs() < 0.0025, "{turn}: {found} {saved}");
+    }
+}

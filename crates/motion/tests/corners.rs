@@ -8,7 +8,7 @@ use common::{Event, Run, arc, line, round_machine, run, run_with};
 use ferrocut_geometry::{Plane, Position};
 use ferrocut_machine::{ArcSlowdown, CornerSlowdown, Machine};
 use ferrocut_toolpath::{CornerRule, InnerCorners, Op, PathMode};
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 const GO: PathMode = PathMode::Continuous;
 
@@ -260,4 +260,42 @@ fn arcs_keep_an_acceleration_towards_their_centre() {
     machine.path.arc = Some(ArcSlowdown { acceleration: 250.0, lowest_feed: 4200.0 });
     let v = top(&machine, 6000.0, 1.0);
     assert!(v > 69.9 && v <= 70.001, "{v}");
+}
+
+#[test]
+fn sharp_corners_beside_arcs_are_rounded_within_the_tolerance() {
+    let way = |angle: f64, len: f64| {
+        let (sin, cos) = angle.to_radians().sin_cos();
+        Position::xyz(len * cos, len * sin, 0.0)
+    };
+    for jerk in [50_000.0, 0.0] {
+        let mut machine = round_machine();
+        for axis in &mut machine.axes {
+            axis.jerk = jerk;
+        }
+        for (r, feed) in [(10.0, 6000.0), (10.0, 600.0), (1.0, 3000.0), (0.2, 3000.0)] {
+            // A half circle to the left that goes to `angle` begins at right angles to that and ends the other way: from
+            // the line by 90°, to the next by 60°, to the last line by 100°.
+            let half = |from: Position, angle: f64| {
+                let center = from + way(angle, r);
+                arc(from + way(angle, 2.0 * r), [center.0[0], center.0[1]], PI, feed)
+            };
+            let first = half(VERTEX, 0.0);
+            let second = half(*first.target().unwrap(), 120.0);
+            let end = *second.target().unwrap() + way(310.0, 30.0);
+            let ops =
+                [line(30.0, 0.0, 0.0, feed, GO), first, second, line(end.0[0], end.0[1], 0.0, feed, GO)];
+            let rounded = judged(&machine, &ops);
+            assert!(!rounded.stops_inside(), "jerk {jerk} radius {r} F{feed}");
+            // Small arcs are smoothed as the lines that they nearly are; the others are no slower than with stops.
+            if r < 10.0 {
+                continue;
+            }
+            let mut exact = machine.clone();
+            exact.path.exact_stop = true;
+            let stopped = run(&exact, Position::ZERO, &ops);
+            assert!(stopped.stops_inside());
+            assert!(rounded.time() <= stopped.time() + 0.001, "{} {}", rounded.time(), stopped.time());
+        }
+    }
 }

@@ -1,4 +1,4 @@
-//! Sharp corners between two lines, rounded in time.
+//! Sharp corners between two moves, rounded in time.
 //!
 //! Slowing down for a corner ends with a ramp that takes the acceleration back to nothing at the vertex, and
 //! leaving it begins with one that builds it up again. Inside the tolerance both can run at once: with `x` from 0
@@ -24,18 +24,72 @@
 //! For a right angle this is the overlap of the two jerk ramps by `T = (48·δ/(√2·J))^⅓`; for a turn of nearly
 //! 180° `|d₁+d₂|` vanishes and the corner is passed with the full acceleration.
 //!
+//! Where no jerk is limited that form has no use: braking is taken back in no time, and the acceleration may jump. Then
+//! the corner has one acceleration all along, and is a parabola, entered and left at a steady speed:
+//!
+//! ```text
+//! q(x) = p + r·( −d₁·(1−x)² + d₂·x² )
+//! q̇    = v·( d₁·(1−x) + d₂·x )          v = 2r/T
+//! q̈    = v/T·( d₂ − d₁ )                 r = 4·δ/|d₂−d₁|      v·|d₂−d₁|ᵢ ≤ Aᵢ·T
+//! ```
+//!
+//! **Beside arcs** both moves run at once in the same way: the one before to its end by the length `r·(1−x)³`, the one
+//! behind from its start by `r·x³`, each along its own curve, and what each goes is added. With `Q ≥ |q″|` and `R ≥ |q‴|`
+//! within `r` of the vertex, and `v² = 3r·a/2`,
+//!
+//! ```text
+//! acceleration   a·( |d| + Q·3r/2 )
+//! jerk           a^{3/2}·( (|d₁+d₂| + 2r·Q)/√(6r) + 3Q·√(3r/2) + R·(3r/2)^{3/2} )
+//! ```
+//!
+//! In the middle both are `u = r/8` from the vertex, and the curves bend by `κ₁`, `κ₂`: `u·|d₂−d₁| + 2u²·(κ₁+κ₂) ≤ δ`.
+//!
 //! A corner run at the share `λ` of its pace has speed `λ·v` and acceleration `λ²·a`, its jerk is `λ³` of the whole.
 
 use crate::limits::{Drive, Inverse, Rates, peak};
+use crate::path::piece::{Piece, Reach};
 use crate::timing::ramp::{Foot, distance, duration};
 use ferrocut_geometry::{AXES, Position};
+
+/// What is the same all along a rounded corner.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Form {
+    /// The jerk.
+    Cubic,
+    /// The acceleration, where no jerk is limited.
+    Parabola,
+}
+
+impl Form {
+    fn of(rates: &Rates, inverse: &Inverse) -> Form {
+        if inverse.is_free_of_jerk(&rates.first) { Form::Parabola } else { Form::Cubic }
+    }
+
+    /// The share of the reach that both sides are from the vertex in the middle.
+    fn depth(self) -> f64 {
+        match self {
+            Form::Cubic => 1.0 / 8.0,
+            Form::Parabola => 1.0 / 4.0,
+        }
+    }
+
+    /// How far a side is from the vertex, as shares of the reach, and how fast, of the speed at the ends.
+    fn sides(self, x: f64) -> [[f64; 2]; 2] {
+        let y = 1.0 - x;
+        match self {
+            Form::Cubic => [[y * y * y, x * x * x], [y * y, x * x]],
+            Form::Parabola => [[y * y, x * x], [y, x]],
+        }
+    }
+}
 
 /// A rounded corner.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Corner {
+    form: Form,
     vertex: Position,
-    before: Position,
-    after: Position,
+    before: Reach,
+    after: Reach,
     /// How far before and behind the vertex it begins and ends, mm.
     pub reach: f64,
     /// Duration at full pace, s.
@@ -52,36 +106,67 @@ const LONGEST: f64 = 10.0;
 /// Corners that would be shorter than this are stops, mm.
 const LEAST_REACH: f64 = 1e-7;
 
+/// A corner beside an arc is no longer than this share of its radius.
+const CURVE_ROOM: f64 = 0.4;
+
 impl Corner {
-    /// The corner at `vertex` within `tolerance`, taking at most `room` of either line.
+    /// The corner between two moves within `tolerance`, taking at most `room` of either.
     pub fn new(
-        vertex: Position,
-        before: Position,
-        after: Position,
+        before: &Piece,
+        after: &Piece,
         tolerance: f64,
         room: f64,
         inverse: &Inverse,
     ) -> Option<Corner> {
-        let turn = norm(&(after - before).0);
-        let reach = (8.0 * tolerance / turn).min(room);
+        let len = before.len();
+        let (d1, d2) = (before.tangent(len), after.tangent(0.0));
+        let jump = d2 - d1;
+        let (here, there) = (before.seen_from(len), after.seen_from(0.0));
+        let bends = [norm(&before.bend(len).0), norm(&after.bend(0.0).0)];
+        let room = room.min(CURVE_ROOM / bends[0].max(bends[1]).max(1e-9));
+        let rates = both(&here.rates(room), &there.rates(room));
+        let form = Form::of(&rates, inverse);
+        let bend = bends[0] + bends[1];
+        let turn = norm(&jump.0);
+        let depth = 2.0 * tolerance / (turn + (turn * turn + 8.0 * bend * tolerance).sqrt());
+        let reach = (depth / form.depth()).min(room);
         if !(reach > LEAST_REACH) {
             return None;
         }
-        let drive = inverse.straight(&before.0).min(inverse.straight(&after.0));
-        // a·S ≤ T and T² = 6r/a: a³ ≤ 6r/S².
-        let s = peak(&(after + before).0, &inverse.jerk).max(1e-12);
-        let a = drive.a.min((6.0 * reach / (s * s)).cbrt());
-        let time = (6.0 * reach / a).sqrt();
-        if !(a > 0.0 && time > 0.0 && time < LONGEST) {
-            return None;
-        }
-        Some(Corner {
-            vertex,
-            before,
-            after,
+        let rates = both(&here.rates(reach), &there.rates(reach));
+        let widened = |d: &Position, by: f64| std::array::from_fn(|i| d.0[i].abs() + by * rates.second[i]);
+        let (time, foot) = match form {
+            Form::Parabola => {
+                let change: [f64; AXES] = widened(&jump, 4.0 * reach);
+                let time = (2.0 * reach * inverse.turn_time(&change, turn + 4.0 * reach * bend)).sqrt();
+                (time, Foot::still(2.0 * reach / time))
+            }
+            Form::Cubic => {
+                let straight =
+                    Position(std::array::from_fn(|i| rates.first[i] + 1.5 * reach * rates.second[i]));
+                // The jerk for an acceleration of 1.
+                let sum = widened(&(d1 + d2), 2.0 * reach);
+                let root = (1.5 * reach).sqrt();
+                let jerk: [f64; AXES] = std::array::from_fn(|i| {
+                    sum[i] / (6.0 * reach).sqrt()
+                        + 3.0 * rates.second[i] * root
+                        + rates.third[i] * root * root * root
+                });
+                let most = peak(&jerk, &inverse.jerk).max(1e-12).recip();
+                let a = inverse.straight(&straight.0).a.min(most.cbrt() * most.cbrt());
+                let time = (6.0 * reach / a).sqrt();
+                (time, Foot { v: 0.5 * a * time, a })
+            }
+        };
+        let is_possible = time > 0.0 && time < LONGEST && foot.v > 0.0 && foot.v.is_finite() && foot.a >= 0.0;
+        is_possible.then_some(Corner {
+            form,
+            vertex: before.end(),
+            before: here,
+            after: there,
             reach,
             time,
-            foot: Foot { v: 0.5 * a * time, a },
+            foot,
             cap: f64::INFINITY,
         })
     }
@@ -93,27 +178,26 @@ impl Corner {
 
     /// The point at the share `x` of the duration.
     pub fn at(&self, x: f64) -> Position {
-        let (left, gone) = ((1.0 - x).powi(3) * self.reach, x.powi(3) * self.reach);
-        Position(std::array::from_fn(|i| self.vertex.0[i] - self.before.0[i] * left + self.after.0[i] * gone))
+        let [[left, gone], _] = self.form.sides(x);
+        self.vertex + self.before.at(-left * self.reach) + self.after.at(gone * self.reach)
     }
 
-    /// Bounds of the derivatives of the two lines, for a corner that is stopped at.
+    /// Bounds of the derivatives of the two moves, for a corner that is stopped at.
     pub fn rates(&self) -> Rates {
-        let most = |i: usize| self.before.0[i].abs().max(self.after.0[i].abs());
-        Rates { first: std::array::from_fn(most), second: [0.0; AXES], third: [0.0; AXES] }
+        both(&self.before.rates(self.reach), &self.after.rates(self.reach))
     }
 
-    /// The point at length `s` on the two lines.
+    /// The point at length `s` on the two moves.
     pub fn square(&self, s: f64) -> Position {
         let off = s - self.reach;
-        let direction = if off < 0.0 { self.before } else { self.after };
-        self.vertex.zip(direction, |p, d| p + d * off)
+        self.vertex + if off < 0.0 { self.before.at(off) } else { self.after.at(off) }
     }
 
     /// Speed at the share `x`, at full pace.
     pub fn speed(&self, x: f64) -> f64 {
-        let (left, gone) = ((1.0 - x) * (1.0 - x), x * x);
-        let v: [f64; AXES] = std::array::from_fn(|i| self.before.0[i] * left + self.after.0[i] * gone);
+        let [[left, gone], [slower, faster]] = self.form.sides(x);
+        let (before, after) = (self.before.slope(-left * self.reach), self.after.slope(gone * self.reach));
+        let v: [f64; AXES] = std::array::from_fn(|i| before.0[i] * slower + after.0[i] * faster);
         norm(&v) * self.foot.v
     }
 
@@ -124,6 +208,16 @@ impl Corner {
         let way = foot.distance(feed, drive).unwrap_or(0.0);
         let ramp = crate::timing::ramp::Phases::new(foot, feed, drive).total();
         self.time / pace - 2.0 * self.reach / feed + 2.0 * (ramp - way / feed)
+    }
+}
+
+/// Bounds that hold for both.
+fn both(a: &Rates, b: &Rates) -> Rates {
+    let most = |x: &[f64; AXES], y: &[f64; AXES]| std::array::from_fn(|i| x[i].abs().max(y[i].abs()));
+    Rates {
+        first: most(&a.first, &b.first),
+        second: most(&a.second, &b.second),
+        third: most(&a.third, &b.third),
     }
 }
 

@@ -160,6 +160,21 @@ impl Piece {
         }
     }
 
+    /// The piece as it is seen from its place `s`.
+    pub fn seen_from(&self, s: f64) -> Reach {
+        match self {
+            Piece::Arc(turn) => turn.seen_from(s),
+            _ => Reach {
+                along: self.tangent(s),
+                plane: [0; 2],
+                angle: 0.0,
+                turn: 0.0,
+                radius: 0.0,
+                growth: 0.0,
+            },
+        }
+    }
+
     /// Bounds of the derivatives over `from`…`to`.
     pub fn rates(&self, from: f64, to: f64) -> Rates {
         match self {
@@ -175,6 +190,62 @@ impl Piece {
             Piece::Arc(turn) => turn.stretch(from, to),
             _ => 1.0,
         }
+    }
+}
+
+/// A piece as it is seen from one of its ends: where it is, by the length `u` from there on, negative before the end.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Reach {
+    /// What is straight of it.
+    along: Position,
+    /// Indices of the axes of the plane.
+    plane: [u8; 2],
+    /// Angle and radius at `u = 0`, and what they change by over a millimetre.
+    angle: f64,
+    turn: f64,
+    radius: f64,
+    growth: f64,
+}
+
+impl Reach {
+    /// From the vertex to the place `u`.
+    pub fn at(&self, u: f64) -> Position {
+        let mut d = Position(self.along.0.map(|c| c * u));
+        if self.turn != 0.0 {
+            let ((sin0, cos0), (sin, cos)) = (self.angle.sin_cos(), (self.angle + self.turn * u).sin_cos());
+            let r = self.radius + self.growth * u;
+            d.0[usize::from(self.plane[0])] += r * cos - self.radius * cos0;
+            d.0[usize::from(self.plane[1])] += r * sin - self.radius * sin0;
+        }
+        d
+    }
+
+    /// Bounds of its derivatives as far as `u`.
+    pub fn rates(&self, u: f64) -> Rates {
+        let mut rates = Rates { first: self.along.0, second: [0.0; AXES], third: [0.0; AXES] };
+        if self.turn != 0.0 {
+            let turn = self.turn.abs();
+            let (r, out) = (self.radius.abs() + (self.growth * u).abs(), self.growth.abs());
+            let (slope, bend) = (self.slope(0.0), turn * (r * turn + 2.0 * out));
+            for axis in self.plane.map(usize::from) {
+                rates.first[axis] = slope.0[axis].abs() + bend * u.abs();
+                rates.second[axis] = bend;
+                rates.third[axis] = turn * turn * (r * turn + 3.0 * out);
+            }
+        }
+        rates
+    }
+
+    /// Its direction there.
+    pub fn slope(&self, u: f64) -> Position {
+        let mut d = self.along;
+        if self.turn != 0.0 {
+            let (sin, cos) = (self.angle + self.turn * u).sin_cos();
+            let across = (self.radius + self.growth * u) * self.turn;
+            d.0[usize::from(self.plane[0])] += self.growth * cos - across * sin;
+            d.0[usize::from(self.plane[1])] += self.growth * sin + across * cos;
+        }
+        d
     }
 }
 
@@ -240,6 +311,21 @@ impl Turn {
         p.0[self.plane[0]] = a + missing(0);
         p.0[self.plane[1]] = b + missing(1);
         p
+    }
+
+    fn seen_from(&self, s: f64) -> Reach {
+        let mut along = self.start.zip(self.end, |a, b| (b - a) / self.len);
+        for i in [0, 1] {
+            along.0[self.plane[i]] = self.closing(i);
+        }
+        Reach {
+            along,
+            plane: self.plane.map(|axis| axis as u8),
+            angle: self.angle + self.sweep * s / self.len,
+            turn: self.sweep / self.len,
+            radius: self.radius + self.growth * s / self.len,
+            growth: self.growth / self.len,
+        }
     }
 
     /// What closing the arc onto its end point adds to `q′`.

@@ -24,7 +24,7 @@
 
 use crate::limits::Room;
 use crate::timing::piece::{Piece, ROUNDING, State, acceleration_behind, step};
-use crate::timing::queue::{CELLS, Node, Queue};
+use crate::timing::queue::{CELL_RING, Node, Queue};
 use crate::timing::ramp::{Foot, most_speed};
 
 /// Length of steps in time, s.
@@ -168,7 +168,7 @@ impl Grid {
         Grid {
             steps: Vec::with_capacity(STEPS + 8),
             to: Port { s: 0.0, state: State::REST },
-            ends: Vec::with_capacity(CELLS + 8),
+            ends: Vec::with_capacity(CELL_RING + 8),
             hull: Vec::with_capacity(STEPS + 8),
             bulges: Vec::with_capacity(STEPS + 8),
             is_cut: false,

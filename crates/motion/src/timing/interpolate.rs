@@ -92,6 +92,11 @@ impl Walk {
         self.speed
     }
 
+    /// The same place is another length on the path; only at rest.
+    pub fn set_s(&mut self, s: f64) {
+        self.s = s;
+    }
+
     /// Time inside the stretch being run.
     pub fn t(&self) -> f64 {
         self.t
@@ -212,12 +217,15 @@ impl Walk {
             Place::Same => None,
             Place::Point(point) => Some((point, self.speed)),
             Place::Path { cell, s } => {
-                let look = |strip: &Strip| strip.cell.shape.at((s - strip.s).clamp(0.0, strip.len));
+                let look = |strip: &Strip| strip.cell.at((s - strip.s).clamp(0.0, strip.len), strip.len);
                 track.cell(cell, look).map(|point| (point, self.speed))
             }
             Place::Corner { cell, x, pace } => track
                 .cell(cell, |strip| match &strip.cell.shape {
-                    Shape::Corner(corner) => Some((corner.at(x), corner.speed(x) * pace)),
+                    Shape::Corner(corner) => {
+                        let x = if strip.cell.is_back { 1.0 - x } else { x };
+                        Some((corner.at(x), corner.speed(x) * pace))
+                    }
                     _ => None,
                 })
                 .flatten(),

@@ -72,6 +72,12 @@ const STOP_ROOM: f64 = 1.1;
 /// How many cells beside a corner are looked at.
 const SIDE: usize = 24;
 
+/// Speeds up to this many times that of a corner count there.
+const NEAR_CORNER: f64 = 4.0;
+
+/// Share of the jerk that a curve leaves to the path that a corner beside it counts on.
+const SIDE_SHARE: f64 = 0.7;
+
 /// At a corner that could only be run at a lower share of its pace the path stops instead.
 const LEAST_PACE: f64 = 0.1;
 
@@ -87,8 +93,18 @@ const BRAKE_SHARE: f64 = 0.95;
 /// Shares of the allowed speed that braking for a lower override ends at, tried in this order.
 const BRAKE_TO: [f64; 5] = [1.0, 0.85, 0.65, 0.4, 0.15];
 
+/// Cells that are planned at once at most, besides those that are planned again. What is left comes in the periods after;
+/// until then the path is planned to rest before it.
+const MOST_CELLS: u64 = 256;
+
+/// They reach as far as the speed at their start does in this time, s: twice as far as braking for as long.
+const REACH: f64 = 2.0;
+
 /// Stretches that are run before a plan that failed is tried again.
 const PATIENCE: usize = 8;
+
+/// Final stretches before the path that are enough: planning on would bring nothing forward, and costs a copy of them all.
+const ENOUGH: usize = 4096;
 
 /// How often a plan from rest is tried with slower corners.
 const ROUNDS: i32 = 8;
@@ -164,6 +180,8 @@ pub(crate) struct Plan {
     next: Start,
     /// The first cell that is not planned.
     planned: u64,
+    /// Cells from this one on count as not known yet.
+    horizon: u64,
     overrides: Overrides,
     grid: Grid,
     /// Number of the first stretch of the list.
@@ -188,6 +206,7 @@ impl Plan {
             fixed: 0,
             next: start,
             planned: 0,
+            horizon: 0,
             overrides: Overrides { feed: 1.0, rapid: 1.0 },
             grid: Grid::new(),
             base: 0,
@@ -233,10 +252,11 @@ impl Plan {
         self.current + 1 >= self.fixed && self.planned < queue.tail() && self.patience == 0
     }
 
-    /// Whether so much is new that planning it is worth while.
+    /// Whether so much is new that planning it is worth while, and not enough is final already.
     pub fn is_due(&self, queue: &Queue) -> bool {
         let new = queue.tail() - self.planned;
-        self.patience == 0 && new >= 64 && new >= self.planned.saturating_sub(self.next.cell)
+        let has_enough = self.fixed >= self.current + ENOUGH;
+        self.patience == 0 && !has_enough && new >= 64 && new >= self.planned.saturating_sub(self.next.cell)
     }
 
     /// Forgets everything.
@@ -260,6 +280,9 @@ impl Plan {
         let Some(start) = self.behind_current(queue) else { return Some(changed) };
         let fixed = self.stretches.len().min(self.current + 1);
         self.stretches.truncate(fixed);
+        // Of the plan before nothing behind this moment is final.
+        (self.fixed, self.next) = (fixed, start);
+        self.look_ahead(queue, start, start.cell);
         if self.sections(queue, start, 1.0) {
             return Some(changed);
         }
@@ -276,11 +299,12 @@ impl Plan {
             let behind = Start { port, cell: self.find(queue, start.cell, end) };
             self.fixed = self.stretches.len();
             self.next = behind;
+            self.look_ahead(queue, behind, behind.cell);
             if self.sections(queue, behind, 1.0) {
                 return Some(changed);
             }
         }
-        self.give_up(queue);
+        self.give_up();
         None
     }
 
@@ -299,6 +323,7 @@ impl Plan {
             self.fixed = self.stretches.len().min(self.current + 1);
         }
         let (start, fixed) = (self.next, self.fixed);
+        self.look_ahead(queue, start, self.planned.max(start.cell));
         for round in 0..ROUNDS {
             self.stretches.truncate(fixed);
             (self.next, self.fixed) = (start, fixed);
@@ -309,8 +334,17 @@ impl Plan {
                 break;
             }
         }
-        self.give_up(queue);
+        self.give_up();
         None
+    }
+
+    /// Decides how far a plan from `start` looks, of which the cells up to `known` are planned again.
+    fn look_ahead(&mut self, queue: &Queue, start: Start, known: u64) {
+        let far = start.port.s + REACH * start.port.state.v;
+        self.horizon = queue.tail().min(known + MOST_CELLS);
+        while self.horizon < queue.tail() && queue.node(self.horizon).s < far {
+            self.horizon += 1;
+        }
     }
 
     /// Notes the plan as it is. What was run is forgotten.
@@ -346,10 +380,10 @@ impl Plan {
         self.fixed = self.stretches.len();
     }
 
-    /// The plan noted stands; planning is not tried again before there is something new and a part of it was run.
-    fn give_up(&mut self, queue: &Queue) {
+    /// The plan noted stands; planning is tried again when a part of it was run.
+    fn give_up(&mut self) {
         self.restore();
-        self.planned = queue.tail();
+        self.planned = self.horizon.max(self.kept.planned);
         self.patience = PATIENCE.min(self.stretches.len().saturating_sub(self.current));
     }
 
@@ -499,8 +533,10 @@ impl Plan {
     /// Plans from `start` to the end of what is known. `false` if a section cannot be planned.
     fn sections(&mut self, queue: &Queue, start: Start, share: f64) -> bool {
         let Start { mut port, mut cell } = start;
+        let tail = self.horizon;
+        let is_portion = tail < queue.tail();
         cell = cell.max(queue.head());
-        while cell < queue.tail() && self.stretches.len() + SPARE < STRETCHES {
+        while cell < tail && self.stretches.len() + SPARE < STRETCHES {
             // Where the section ends: before a corner, at a rest, at the end of the queue.
             let mut last = cell;
             let mut pace = 1.0;
@@ -518,7 +554,7 @@ impl Plan {
                         break;
                     }
                 }
-                if last + 1 == queue.tail() {
+                if last + 1 == tail {
                     break;
                 }
                 last += 1;
@@ -537,6 +573,17 @@ impl Plan {
                         return false;
                     }
                 }
+                Pass::Corner { .. } if is_portion && last + SIDE as u64 >= tail => {
+                    // What follows is not looked at yet: to rest before it.
+                    let to = Port { s: node.s, state: State::REST };
+                    if cell < last && !self.section(queue, port, to, cell, last - 1) {
+                        return false;
+                    }
+                    if cell == last || !self.grid.is_cut {
+                        self.planned = last;
+                    }
+                    return true;
+                }
                 Pass::Corner { .. } if pace < LEAST_PACE => {
                     // Without room to stop on beside it, at the vertex.
                     let to = Port { s: node.s + 0.5 * node.len, state: State::REST };
@@ -551,13 +598,15 @@ impl Plan {
                     cell = last;
                     continue;
                 }
-                Pass::Corner { .. } if last + 1 == queue.tail() => {
+                Pass::Corner { .. } if last + 1 == tail => {
                     // What follows is not known yet: to rest before it.
                     let to = Port { s: node.s, state: State::REST };
                     if cell < last && !self.section(queue, port, to, cell, last - 1) {
                         return false;
                     }
-                    self.planned = queue.tail();
+                    if cell == last || !self.grid.is_cut {
+                        self.planned = tail;
+                    }
                     return true;
                 }
                 Pass::Corner { foot, time, .. } => {
@@ -580,7 +629,7 @@ impl Plan {
                         time,
                     });
                     port = Port { s: node.end(), state: State { v: foot_now.v, a: foot_now.a } };
-                    if last + 1 < queue.tail() {
+                    if last + 1 < tail {
                         self.fix(Start { port, cell: last + 1 });
                     }
                 }
@@ -616,9 +665,10 @@ impl Plan {
         let mut cap = self.overrides.cap(queue.node(cell));
         let before = (queue.head()..cell).rev().map(|cell| queue.node(cell)).take_while(|node| !node.rests);
         let mut ends = false;
-        let after = (cell + 1..queue.tail()).map(|cell| queue.node(cell));
+        let after = (cell + 1..self.horizon).map(|cell| queue.node(cell));
         let after = after.take_while(|node| !std::mem::replace(&mut ends, node.rests));
-        let mut sides = [self.side(before, &mut cap), self.side(after, &mut cap)];
+        let near = NEAR_CORNER * foot.v;
+        let mut sides = [self.side(before, near, &mut cap), self.side(after, near, &mut cap)];
         if from.state == State::REST {
             sides[0].0 = sides[0].0.min(queue.node(cell).s - from.s);
         }
@@ -631,23 +681,32 @@ impl Plan {
                     return false;
                 }
                 let top = foot.top(drive.j);
+                if top > near {
+                    return false;
+                }
                 let rise = foot.distance(top, *drive).unwrap_or(f64::INFINITY);
                 (rise + distance(0.0, top, *drive)) * STOP_ROOM <= *len
             })
         })
     }
 
-    /// How long the path beside a corner is known to go on, and what it leaves to the path all along; its lowest cap
-    /// counts. Nothing is known of what is not there yet.
-    fn side<'a>(&self, nodes: impl Iterator<Item = &'a Node>, cap: &mut f64) -> (f64, Drive) {
+    /// How long the path beside a corner is known to go on, and what it leaves to the path all along up to the speed
+    /// `near`; its lowest cap counts. Nothing is known of what is not there yet.
+    fn side<'a>(&self, nodes: impl Iterator<Item = &'a Node>, near: f64, cap: &mut f64) -> (f64, Drive) {
         let (mut len, mut drive) = (0.0, Drive::MOST);
+        let mut is_line = true;
         for node in nodes.take(SIDE).take_while(|node| node.pass == Pass::Path) {
+            is_line &= node.load.is_straight();
             let top = self.overrides.cap(node);
             *cap = cap.min(top);
-            // On a curve, what is left at its highest speed.
-            let room = node.load.room(top);
+            // On a curve, what is left at the highest speed.
+            let room = node.load.room(top.min(near));
             drive = drive.min(Drive { a: room.a, j: room.j[1] });
             len += node.len;
+        }
+        if !is_line {
+            // Steps on a curve need some room below the cap.
+            drive.j *= SIDE_SHARE;
         }
         if len > 0.0 { (len, drive) } else { (f64::INFINITY, Drive::MOST) }
     }

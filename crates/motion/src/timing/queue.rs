@@ -4,6 +4,9 @@
 //! arc, a span of a smoothed run, a rounded corner. Cells are numbered from the start of the program on; `head` is
 //! the oldest. Along a run that is not at rest between moves the length `s` goes on from cell to cell; it is the
 //! programmed length, so the end of a block is known by it, however many blocks one cell replaces (**marks**).
+//!
+//! What was passed is kept for as long as its place is not needed: so far the path can be gone back
+//! ([`crate::retrace`]).
 
 use crate::limits::{Class, Load};
 use crate::path::shape::Shape;
@@ -17,6 +20,13 @@ pub(crate) const CELLS: usize = 8192;
 /// blocks of 0.01 mm.
 pub(crate) const MARKS: usize = 8192;
 
+/// Cells and marks that are kept behind the axes at least.
+pub(crate) const PASSED: usize = 4096;
+
+/// Places of both rings.
+pub(crate) const CELL_RING: usize = CELLS + PASSED;
+pub(crate) const MARK_RING: usize = MARKS + PASSED;
+
 /// Lengths on the path this close are the same: sums that were rounded, mm.
 const SAME_LENGTH: f64 = 1e-9;
 
@@ -26,6 +36,20 @@ pub(crate) struct Cell {
     pub shape: Shape,
     /// The programmed point on which the path comes to rest at the end of this cell.
     pub rest: Option<Position>,
+    /// It is run from its end to its start.
+    pub is_back: bool,
+}
+
+impl Cell {
+    pub fn new(shape: Shape, rest: Option<Position>) -> Cell {
+        Cell { shape, rest, is_back: false }
+    }
+
+    /// The point at length `s` of the cell, which is `len` long.
+    #[inline]
+    pub fn at(&self, s: f64, len: f64) -> Position {
+        self.shape.at(if self.is_back { len - s } else { s })
+    }
 }
 
 /// How a cell is passed.
@@ -66,7 +90,7 @@ impl Node {
 /// The end of a block.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Mark {
-    s: f64,
+    pub s: f64,
     pub tag: u64,
 }
 
@@ -92,14 +116,16 @@ pub(crate) struct Queue {
     rests: usize,
     /// Cells and marks before these were handed over.
     handed: [u64; 2],
+    /// The oldest cell and the oldest mark that belong to the same path.
+    first: [u64; 2],
 }
 
 fn slot(number: u64) -> usize {
-    (number % CELLS as u64) as usize
+    (number % CELL_RING as u64) as usize
 }
 
 fn mark_slot(number: u64) -> usize {
-    (number % MARKS as u64) as usize
+    (number % MARK_RING as u64) as usize
 }
 
 impl Queue {
@@ -116,15 +142,16 @@ impl Queue {
             rests: false,
         };
         Queue {
-            cells: vec![Cell { shape, rest: None }; CELLS],
-            nodes: vec![node; CELLS],
+            cells: vec![Cell::new(shape, None); CELL_RING],
+            nodes: vec![node; CELL_RING],
             head: 0,
             tail: 0,
-            marks: vec![Mark::default(); MARKS],
+            marks: vec![Mark::default(); MARK_RING],
             first_mark: 0,
             last_mark: 0,
             rests: 0,
             handed: [0; 2],
+            first: [0; 2],
         }
     }
 
@@ -133,12 +160,12 @@ impl Queue {
     }
 
     pub fn room(&self) -> usize {
-        CELLS - self.len()
+        CELLS.saturating_sub(self.len())
     }
 
     /// Room for ends of blocks.
     pub fn mark_room(&self) -> usize {
-        MARKS - (self.last_mark - self.first_mark) as usize
+        MARKS.saturating_sub((self.last_mark - self.first_mark) as usize)
     }
 
     /// Number of the oldest cell.
@@ -183,7 +210,7 @@ impl Queue {
         if newest < self.handed[0] && self.room() > 0 {
             // What was handed over stays as it is.
             let node = *self.node(newest);
-            let cell = Cell { shape: Shape::Line { p: point, d: Position::ZERO }, rest: Some(point) };
+            let cell = Cell::new(Shape::Line { p: point, d: Position::ZERO }, Some(point));
             let load = Load::NONE;
             return self
                 .append(cell, Node { s: node.end(), len: 0.0, load, pass: Pass::Path, rests: true, ..node });
@@ -210,6 +237,24 @@ impl Queue {
     /// Number of the oldest mark.
     pub fn first_mark(&self) -> u64 {
         self.first_mark
+    }
+
+    /// Numbers of the oldest cell and the oldest mark that are still there, passed or not.
+    pub fn kept(&self) -> [u64; 2] {
+        [
+            self.first[0].max(self.tail.saturating_sub(CELL_RING as u64)),
+            self.first[1].max(self.last_mark.saturating_sub(MARK_RING as u64)),
+        ]
+    }
+
+    /// Number that the next mark will have.
+    pub fn last_mark(&self) -> u64 {
+        self.last_mark
+    }
+
+    /// The mark `number`.
+    pub fn mark_of(&self, number: u64) -> Mark {
+        self.marks[mark_slot(number)]
     }
 
     /// How many cells and marks are to be handed over.
@@ -247,13 +292,14 @@ impl Queue {
         }
     }
 
-    /// Forgets every cell.
+    /// Forgets every cell, the passed ones too.
     pub fn clear(&mut self) {
         // Numbers that nobody else knows are used again.
         self.tail = self.handed[0].max(self.head);
         self.last_mark = self.handed[1].max(self.first_mark);
         self.head = self.tail;
         self.first_mark = self.last_mark;
+        self.first = [self.head, self.first_mark];
         self.rests = 0;
     }
 }
