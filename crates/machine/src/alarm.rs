@@ -642,6 +642,16 @@ faults! {
     LadderStopped = 1412,
     /// What was put on the way to the durable memory is not there.
     NotKept = 1413,
+    /// A restart with axes whose reference points were not found.
+    RestartNotReferenced = 1414,
+    /// A restart of another program than the one that is selected.
+    RestartOtherProgram = 1415,
+    /// A restart whose program or data were changed since.
+    RestartChanged = 1416,
+    /// A restart with another tool or a spindle that does not turn as the program has it.
+    RestartNotAsProgram = 1417,
+    /// No room for more of a program that is sent, until blocks are done.
+    NoRoomYet = 1418,
 
     // 1420: the ladder and the codes that are handed to it
     /// A code is not done in time.
@@ -672,6 +682,37 @@ faults! {
     LinesNotKept = 1460,
     /// A port, socket or terminal that cannot be opened.
     CannotServe = 1461,
+
+    // 1470: measuring
+    /// Measuring without a probe or tool setter.
+    ProbeMissing = 1470,
+    /// The probe touches where it should be free.
+    ProbeTouches = 1471,
+    /// The probe met nothing within its limit.
+    ProbeMissed = 1472,
+    /// Points that give no shape.
+    PointsUnusable = 1473,
+    /// Measuring with axes whose reference points were not found.
+    MeasureNotReferenced = 1474,
+    /// A size that was measured lies outside its tolerance.
+    MeasuredSize = 1475,
+    /// A value without which nothing can be measured.
+    MeasureSetting = 1476,
+    /// Measuring while something forbids it: a lock, dry run, a spindle that turns.
+    MeasureForbidden = 1477,
+
+    // 1500: the panel in a browser
+    /// The panel was not built into the program.
+    PanelMissing = 1500,
+    /// A check that was ended before the program was.
+    CheckEnded = 1501,
+    /// A panel for other computers without encryption.
+    PanelNotEncrypted = 1502,
+    /// A panel for other computers that nobody has a password for.
+    PanelWithoutPassword = 1503,
+    /// A certificate or key that cannot be used.
+    Certificate = 1504,
+
     // 1440: program restart
     /// No block on a line or below it.
     RestartBlockMissing = 1440,
@@ -685,6 +726,55 @@ faults! {
     RestartMoving = 1444,
     /// What the machine told the program in the first run is not known.
     RestartUnknown = 1445,
+
+    // 1480: the drives of a real machine
+    /// Nobody answers where the drives are said to be.
+    DrivesSilent = 1480,
+    /// Nothing is heard of the drives any more.
+    DrivesLost = 1481,
+    /// The connection to the drives is broken.
+    DrivesCut = 1482,
+    /// The drives cannot do what the machine file asks for.
+    DrivesUnsuited = 1483,
+    /// The highest speed of an axis needs more steps a second than can be made.
+    StepRate = 1484,
+    /// The drives heard nothing for too long and stopped.
+    DriveWatchdog = 1485,
+    /// A setpoint was not there in time.
+    DriveStarved = 1486,
+    /// A setpoint was lost on the way.
+    DriveFrameLost = 1487,
+    /// A setpoint asked for more steps a second than agreed.
+    DriveTooFast = 1488,
+    /// The emergency stop at the drives.
+    DriveEmergencyStop = 1489,
+    /// An amplifier reports a fault.
+    DriveAmplifier = 1490,
+    /// The drives stopped for another reason.
+    DriveStopped = 1491,
+    /// The spindle has a speed and no angle: it cannot be oriented, nor tap in step with the axes.
+    SpindleNotLed = 1492,
+    /// What would move a simulated machine alone.
+    DrivesNotMeant = 1493,
+    // 1520: forms of cycles
+    /// A cycle that the editor does not have.
+    CycleUnknown = 1520,
+    /// A value of a form out of its range.
+    CycleValue = 1521,
+    /// A word that a choice of a form does not have.
+    CycleChoice = 1522,
+    /// A name of a profile or pocket that cannot stand in a program.
+    CycleName = 1523,
+    /// Positions that a cycle cannot be repeated on.
+    CyclePositions = 1524,
+    /// A profile that a cycle cannot have, or that it lacks.
+    CycleProfile = 1525,
+    /// A cycle whose text would be too long.
+    CycleTooLong = 1526,
+    /// A cycle that moves in step with the spindle, in a language whose own cycles move otherwise.
+    CycleSynchronised = 1527,
+    /// A cycle that cannot be written in a language.
+    CycleNotWritten = 1528,
 }
 
 /// How bad it is.

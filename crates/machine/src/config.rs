@@ -1,5 +1,6 @@
 //! The machine file: axes with their limits, spindle, tool changer, path control.
 
+use crate::drives::DrivesConfig;
 use crate::handshake::{GearConfig, HandshakeConfig};
 use crate::homing::{AxisHoming, HomingConfig};
 use crate::manual::ManualConfig;
@@ -50,6 +51,9 @@ pub struct Machine {
     /// The simulated machine, where the drives are not ideal.
     #[serde(default)]
     pub plant: Option<PlantConfig>,
+    /// The drives of a real machine; simulated ones where it says nothing of them.
+    #[serde(default)]
+    pub drives: Option<DrivesConfig>,
     /// How codes are handed to the ladder.
     #[serde(default)]
     pub handshake: HandshakeConfig,
@@ -315,6 +319,7 @@ impl Machine {
         self.manual.check()?;
         self.homing.check()?;
         self.plant.iter().try_for_each(PlantConfig::check)?;
+        self.drives.iter().try_for_each(|drives| drives.check(&self.axes, self.servo_period_ms))?;
         self.handshake.check()?;
         self.spindle.gears.check()?;
         self.restart.check()?;
@@ -339,6 +344,7 @@ impl Machine {
             manual: ManualConfig::default(),
             homing: HomingConfig::default(),
             plant: None,
+            drives: None,
             handshake: HandshakeConfig::default(),
             restart: RestartConfig::default(),
             parameters: Default::default(),

@@ -1,7 +1,7 @@
 //! The texts of alarms, in the languages that people read.
 //!
-//! Texts live in Fluent catalogues under `messages/<language>/`: `core.ftl`, `drawings.ftl`, `ladder.ftl` and
-//! `memory.ftl` for the faults common to all controls (`FC-0302`), one further file for each control with alarm numbers of its own
+//! Texts live in Fluent catalogues under `messages/<language>/`: `core.ftl`, `cycles.ftl`, `drawings.ftl`, `ladder.ftl`
+//! and `memory.ftl` for the faults common to all controls (`FC-0302`), one further file for each control with alarm numbers of its own
 //! (`gsk990mc-0045`). A message has
 //!
 //! - a value: what is wrong, in one sentence without a full stop and without arguments;
@@ -76,9 +76,17 @@
 //! | `NotFitted`, `NoSuchName`, `ProgramInUse`, `ValueImpossible` | `name` |
 //! | `NoSuchLine` | `line` |
 //! | `NotKept` | `reason` |
+//! | `RestartOtherProgram`, `RestartChanged`, `RestartNotAsProgram` | `name` |
+//! | `RestartNotReferenced`, `MeasureNotReferenced` | `axis` |
+//! | `ProbeMissing`, `PointsUnusable`, `MeasureSetting`, `MeasureForbidden` | `name` |
+//! | `ProbeMissed` | `axis`, `position` |
+//! | `MeasuredSize` | `value`, `nominal`, `limit` |
 //! | `MemoryOfOther`, `BackupOfOther` | `name` |
 //! | `MemoryDisk` | `reason` |
 //! | `CannotServe` | `place`, `reason` |
+//! | `CheckEnded` | `line` |
+//! | `PanelNotEncrypted`, `PanelWithoutPassword` | `place` |
+//! | `Certificate` | `file`, `reason` |
 //! | `MemoryMissing` | `file`: the folder |
 //! | `NotABackup` | `file`; `version` of a later one |
 //! | `BackupDamaged` | `file`, `line` |
@@ -91,10 +99,22 @@
 //! | `RestartBlockMissing` | `line` |
 //! | `RestartNotReached` | `line`, `passes`: how often it was reached |
 //! | `RestartUnknown` | `count` |
+//! | `DrivesSilent`, `DrivesCut` | `place`, `reason` |
+//! | `DrivesLost`, `DriveWatchdog` | `time` in ms |
+//! | `DrivesUnsuited` | `name`: the key of the machine file; `value`, `limit` |
+//! | `StepRate` | `axis`; `value`, `limit` in steps/s |
+//! | `DriveFrameLost` | `count` |
+//! | `DriveTooFast`, `DriveAmplifier` | `axis` |
+//! | `DriveStopped` | `code` |
+//! | `CycleUnknown`, `CycleSynchronised`, `CycleNotWritten` | `name` |
+//! | `CycleValue` | `parameter`, `value`, `min`, `max` |
+//! | `CycleChoice`, `CycleName` | `parameter` |
+//! | `CycleTooLong` | `limit` |
 
-use crate::alarm::{Alarm, AlarmId, Argument};
+use crate::alarm::{Alarm, AlarmId, Argument, Fault};
 use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::{FluentArgs, FluentMessage, FluentResource};
+use std::collections::BTreeMap;
 use std::sync::OnceLock;
 use unic_langid::LanguageIdentifier;
 
@@ -145,6 +165,7 @@ impl Language {
             Language::En => &[
                 include_str!("../messages/en/core.ftl"),
                 include_str!("../messages/en/drawings.ftl"),
+                include_str!("../messages/en/cycles.ftl"),
                 include_str!("../messages/en/ladder.ftl"),
                 include_str!("../messages/en/memory.ftl"),
                 include_str!("../messages/en/labels.ftl"),
@@ -154,13 +175,22 @@ impl Language {
             Language::Zh => &[
                 include_str!("../messages/zh/core.ftl"),
                 include_str!("../messages/zh/drawings.ftl"),
+                include_str!("../messages/zh/cycles.ftl"),
                 include_str!("../messages/zh/ladder.ftl"),
                 include_str!("../messages/zh/memory.ftl"),
                 include_str!("../messages/zh/labels.ftl"),
                 include_str!("../messages/zh/signals.ftl"),
                 include_str!("../messages/zh/gsk990mc.ftl"),
             ],
-            Language::Ru | Language::Es | Language::Tr => &[],
+            Language::Ru => {
+                &[include_str!("../messages/ru/control.ftl"), include_str!("../messages/ru/cycles.ftl")]
+            }
+            Language::Es => {
+                &[include_str!("../messages/es/control.ftl"), include_str!("../messages/es/cycles.ftl")]
+            }
+            Language::Tr => {
+                &[include_str!("../messages/tr/control.ftl"), include_str!("../messages/tr/cycles.ftl")]
+            }
         }
     }
 }
@@ -177,17 +207,15 @@ pub struct Catalogue {
     english: &'static Texts,
 }
 
-static ENGLISH: OnceLock<Texts> = OnceLock::new();
-static CHINESE: OnceLock<Texts> = OnceLock::new();
+static TEXTS: [OnceLock<Texts>; 5] = [const { OnceLock::new() }; 5];
 
 impl Catalogue {
     /// The texts in `language`. They are read at the first use and kept.
     pub fn new(language: Language) -> Catalogue {
-        let english = ENGLISH.get_or_init(|| Texts::read(Language::En));
-        let texts = match language {
-            Language::Zh => CHINESE.get_or_init(|| Texts::read(Language::Zh)),
-            Language::En | Language::Ru | Language::Es | Language::Tr => english,
-        };
+        let [first, ..] = &TEXTS;
+        let english = first.get_or_init(|| Texts::read(Language::En));
+        let place = Language::ALL.iter().position(|l| *l == language).unwrap_or(0);
+        let texts = TEXTS.get(place).map_or(english, |texts| texts.get_or_init(|| Texts::read(language)));
         Catalogue { language, texts, english }
     }
 
@@ -198,14 +226,32 @@ impl Catalogue {
 
     /// What is wrong, in one sentence without a full stop, with the values at hand.
     pub fn message(self, alarm: &Alarm) -> String {
-        let fault = AlarmId::Core(alarm.fault);
-        let Some(text) = self.text(alarm.id).or_else(|| self.text(fault)) else {
-            return alarm.id.to_string();
-        };
         let arguments = arguments(alarm);
-        let given = || alarm.arguments.iter().find(|(name, _)| *name == "detail").map(|(_, a)| shown(a));
-        let detail = self.detail(alarm.id, &arguments).or_else(|| self.detail(fault, &arguments));
-        match detail.or_else(given) {
+        let given = alarm.arguments.iter().find(|(name, _)| *name == "detail").map(|(_, a)| shown(a));
+        self.sentence(alarm.id, &[alarm.fault], &arguments, given)
+    }
+
+    /// The same of an alarm that somebody was told of by its number and values, as fronts are. `faults` are the broken
+    /// rules that the number may stand for.
+    pub fn told(self, id: AlarmId, faults: &[Fault], values: &BTreeMap<String, String>) -> String {
+        let of = |text: &String| match text.parse::<f64>() {
+            Ok(number) if number.to_string() == *text => short(number),
+            _ => text.clone(),
+        };
+        let arguments: FluentArgs = values.iter().map(|(name, text)| (name.clone(), of(text))).collect();
+        self.sentence(id, faults, &arguments, values.get("detail").map(of))
+    }
+
+    fn sentence(
+        self,
+        id: AlarmId,
+        faults: &[Fault],
+        arguments: &FluentArgs,
+        given: Option<String>,
+    ) -> String {
+        let ids = || [id].into_iter().chain(faults.iter().map(|fault| AlarmId::Core(*fault)));
+        let Some(text) = ids().find_map(|id| self.text(id)) else { return id.to_string() };
+        match ids().find_map(|id| self.detail(id, arguments)).or(given) {
             Some(detail) => self.joined(&text, &detail).unwrap_or(text),
             None => text,
         }
@@ -355,7 +401,6 @@ fn short(number: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::alarm::Fault;
     use crate::alarm_table::alarm_table;
     use ferrocut_program::Span;
     use std::collections::BTreeSet;
@@ -434,6 +479,37 @@ mod tests {
                 assert!(help.is_none_or(full_stop), "{key}: help is whole sentences");
             }
         }
+    }
+
+    /// Russian, Spanish and Turkish have the alarms of the running control, with the values that the English texts show.
+    #[test]
+    fn alarms_of_the_running_control_are_in_every_language() {
+        let places = |text: &str| -> BTreeSet<String> {
+            text.split("{ $").skip(1).filter_map(|rest| rest.split(' ').next().map(str::to_owned)).collect()
+        };
+        // The details of a message as they are written.
+        let details = |language: Language, key: &str| -> BTreeSet<String> {
+            let lines = language.sources().iter().flat_map(|source| source.lines());
+            let own = lines.skip_while(|line| !line.starts_with(&format!("{key} ="))).skip(1);
+            let own = own.take_while(|line| line.starts_with(' '));
+            own.filter(|line| line.trim_start().starts_with(".detail")).flat_map(places).collect()
+        };
+        let of_the_control = Fault::ALL.iter().filter(|fault| (1400..1500).contains(&(**fault as u16)));
+        for fault in of_the_control {
+            let key = format!("FC-{:04}", *fault as u16);
+            for language in [Language::Ru, Language::Es, Language::Tr] {
+                let texts = Texts::read(language);
+                let message = texts.bundle.get_message(&key).unwrap_or_else(|| panic!("{language:?} {key}"));
+                let text = texts.complete(&message, None, None).unwrap();
+                let help = texts.complete(&message, Some("help"), None).unwrap();
+                assert!(!text.ends_with('.') && help.ends_with('.'), "{language:?} {key}");
+                assert_eq!(details(language, &key), details(Language::En, &key), "{language:?} {key}");
+                assert_eq!(Catalogue::new(language).text(AlarmId::Core(*fault)), Some(text));
+            }
+        }
+        // What a language lacks is shown in English.
+        let other = AlarmId::Core(Fault::SoftLimit);
+        assert_eq!(Catalogue::new(Language::Ru).text(other), Catalogue::new(Language::En).text(other));
     }
 
     /// Every alarm whose program can be mended says how.

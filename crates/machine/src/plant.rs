@@ -14,6 +14,10 @@ use std::collections::BTreeMap;
 pub struct PlantConfig {
     /// Axes, where they differ from the usual; each at most once.
     pub axes: Vec<PlantAxis>,
+    /// Gain of the position loop of the spindle, in which it taps in step with the axes, 1/s; 0 is an ideal one.
+    pub spindle_gain: f64,
+    /// Share of its commanded speed that is fed forward.
+    pub spindle_feed_forward: f64,
     /// Pockets of the magazine.
     pub pockets: u32,
     /// Time from one pocket to the next, ms.
@@ -34,6 +38,8 @@ impl Default for PlantConfig {
     fn default() -> PlantConfig {
         PlantConfig {
             axes: Vec::new(),
+            spindle_gain: 50.0,
+            spindle_feed_forward: 0.95,
             pockets: 16,
             pocket_ms: 400.0,
             magazine_ms: 800.0,
@@ -145,6 +151,8 @@ impl PlantConfig {
                 within(&format!("axis {name}: a place"), place, -1e6, 1e6)?;
             }
         }
+        within("spindle_gain", self.spindle_gain, 0.0, 1e4)?;
+        within("spindle_feed_forward", self.spindle_feed_forward, 0.0, 1.0)?;
         within("pockets", f64::from(self.pockets), 1.0, 1000.0)?;
         for (key, ms) in [
             ("pocket_ms", self.pocket_ms),

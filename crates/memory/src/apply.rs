@@ -7,8 +7,8 @@ use crate::items::{Change, Item, LogEntry, PlcArea, Program, Time, limits};
 use crate::rights::{self, Level};
 use crate::rows::{self, BLOCK};
 use crate::table::{
-    ALARM, COUNTER, Cell, LAST_POSITION, LOG, PARAMETER, PITCH, PROGRAM, REFERENCE_POINT, Row, SIGNAL,
-    TOOL_OFFSET, Table, VARIABLE, WORK_ZERO,
+    ALARM, COUNTER, Cell, INTERRUPTED, LAST_POSITION, LOG, PARAMETER, PITCH, PROGRAM, REFERENCE_POINT, Row,
+    SIGNAL, TOOL_OFFSET, Table, VARIABLE, WORK_ZERO,
 };
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_machine::setup::VariableName;
@@ -78,6 +78,7 @@ impl Applier {
                 let name = match change {
                     Change::Program { name, .. }
                     | Change::DeleteProgram { name }
+                    | Change::RenameProgram { name, .. }
                     | Change::LockProgram { name, .. } => name,
                     _ => return Ok(()),
                 };
@@ -104,14 +105,16 @@ impl Applier {
             true => Err(Error::Protected(format!("NO{number}.{bit}").into())),
             false => Ok(()),
         };
+        let of_number = |name: &str| match program_number(name) {
+            Some(80_000..=89_999) => forbidden(27, 0),
+            Some(90_000..=99_999) => forbidden(27, 4),
+            _ => Ok(()),
+        };
         match change {
             Change::Program { name, .. }
             | Change::DeleteProgram { name }
-            | Change::LockProgram { name, .. } => match program_number(name) {
-                Some(80_000..=89_999) => forbidden(27, 0),
-                Some(90_000..=99_999) => forbidden(27, 4),
-                _ => Ok(()),
-            },
+            | Change::LockProgram { name, .. } => of_number(name),
+            Change::RenameProgram { name, to, .. } => of_number(name).and_then(|()| of_number(to)),
             Change::Offset { number, offset } => {
                 let data = |number| self.judge.parameters.data(number);
                 let (first, place) = (data(211), f64::from(*number));
@@ -144,6 +147,16 @@ impl Applier {
         match change {
             Change::Program { name, text, comment } => {
                 named(rows::is_name(name) && comment.len() <= limits::TEXT, name)?;
+                match text.len() <= limits::PROGRAM {
+                    true => Ok(()),
+                    false => Err(Error::Full(Item::Programs)),
+                }
+            }
+            Change::RenameProgram { name, to, text } => {
+                let exists =
+                    |name: &str| Ok::<_, Error>(self.database.get(&PROGRAM, &[name.into()])?.is_some());
+                named(exists(name)?, name)?;
+                named(rows::is_name(to) && !exists(to)?, to)?;
                 match text.len() <= limits::PROGRAM {
                     true => Ok(()),
                     false => Err(Error::Full(Item::Programs)),
@@ -186,7 +199,7 @@ impl Applier {
             Change::Counter { counter, value } => named(value.is_finite() && *value >= 0.0, counter.name()),
             Change::Alarm(alarm) => named(rows::fits(alarm), &alarm.id),
             Change::LastPosition(last) => named(last.position.is_finite(), "position"),
-            Change::ClearAlarms | Change::ClearLog => Ok(()),
+            Change::Interrupted(_) | Change::ClearAlarms | Change::ClearLog => Ok(()),
         }
     }
 
@@ -207,6 +220,13 @@ impl Applier {
                 self.database.delete(&PROGRAM, &[name.as_str().into()])?;
                 let size = old.map_or(String::new(), |old| old.text.len().to_string());
                 log.changed(self, Item::Programs, name, size, String::new())
+            }
+            Change::RenameProgram { name, to, text } => {
+                let Some(program) = self.program(name)? else { return Ok(()) };
+                let program = Program { text: text.clone(), changed: time, ..program };
+                self.database.delete(&PROGRAM, &[name.as_str().into()])?;
+                self.database.put(&PROGRAM, &rows::program_row(to, &program))?;
+                log.changed(self, Item::Programs, to, name.clone(), to.clone())
             }
             Change::LockProgram { name, locked } => {
                 let Some(mut program) = self.program(name)? else { return Ok(()) };
@@ -252,6 +272,10 @@ impl Applier {
                 log.changed(self, Item::Log, "all", old, "0".to_owned())
             }
             Change::LastPosition(last) => self.database.put(&LAST_POSITION, &rows::last_position_row(last)),
+            Change::Interrupted(Some(run)) => self.database.put(&INTERRUPTED, &rows::interrupted_row(run)),
+            Change::Interrupted(None) => {
+                self.database.delete(&INTERRUPTED, &[rows::INTERRUPTED_KEY.into()]).map(drop)
+            }
         }
     }
 

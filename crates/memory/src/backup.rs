@@ -465,10 +465,11 @@ impl Backup {
         &self.entries
     }
 
-    /// The items that are restored where none are named: all but the last position, which is that of another
-    /// moment and perhaps of another machine.
+    /// The items that are restored where none are named: all but the last position and the interrupted run, which
+    /// are of another moment and perhaps of another machine.
     pub fn items(&self) -> Vec<Item> {
-        self.entries.iter().map(|entry| entry.item).filter(|item| *item != Item::LastPosition).collect()
+        let of_a_moment = |item: &Item| matches!(item, Item::LastPosition | Item::Interrupted);
+        self.entries.iter().map(|entry| entry.item).filter(|item| !of_a_moment(item)).collect()
     }
 
     /// Restores items, all or nothing. Programs are put beside those that there are, in place of those of the same

@@ -43,11 +43,13 @@ pub enum Item {
     Log,
     /// Where the axes stood when power went off.
     LastPosition,
+    /// The block at which a run was broken off.
+    Interrupted,
 }
 
 impl Item {
     /// Every item.
-    pub const ALL: [Item; 12] = [
+    pub const ALL: [Item; 13] = [
         Item::Programs,
         Item::Parameters,
         Item::Offsets,
@@ -60,6 +62,7 @@ impl Item {
         Item::Alarms,
         Item::Log,
         Item::LastPosition,
+        Item::Interrupted,
     ];
 
     /// Its name in files and on the command line.
@@ -77,6 +80,7 @@ impl Item {
             Item::Alarms => "alarms",
             Item::Log => "log",
             Item::LastPosition => "position",
+            Item::Interrupted => "interrupted",
         }
     }
 
@@ -262,6 +266,25 @@ pub struct LastPosition {
     pub work_system: Option<WorkOffset>,
 }
 
+/// The block at which a run was broken off, or of a run that is under way the one that was told last.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct InterruptedRun {
+    /// When that was told.
+    pub time: Time,
+    /// The program that was started.
+    pub program: String,
+    /// The line from which it was started, from 1.
+    pub from_line: u32,
+    /// The file of the block: the program itself, or one that it called.
+    pub file: String,
+    /// Its line, from 1.
+    pub line: u32,
+    /// The number of the block, each pass of a block counted.
+    pub block: u64,
+    /// Its text, cut where it is long: by this it is known again.
+    pub text: String,
+}
+
 /// A change to the memory.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Change {
@@ -278,6 +301,15 @@ pub enum Change {
     DeleteProgram {
         /// Its name.
         name: String,
+    },
+    /// Gives a program another name. What there is of that name stays: then it is refused.
+    RenameProgram {
+        /// Its name.
+        name: String,
+        /// Its new name.
+        to: String,
+        /// Its text, which may name the program too.
+        text: Vec<u8>,
     },
     /// Locks a program with the level of who asks, or unlocks it.
     LockProgram {
@@ -327,7 +359,7 @@ pub enum Change {
         axis: Axis,
         /// Number of the point.
         point: u16,
-        /// The error of the screw there.
+        /// What is added to the commanded position there.
         value: f64,
     },
     /// Sets bytes that the ladder keeps.
@@ -354,6 +386,8 @@ pub enum Change {
     ClearLog,
     /// Says where the axes stand.
     LastPosition(LastPosition),
+    /// Says where a run was broken off; none when it came to its end.
+    Interrupted(Option<InterruptedRun>),
 }
 
 /// Everything that the memory holds, of one moment.
@@ -383,6 +417,8 @@ pub struct Contents {
     pub log: Vec<LogEntry>,
     /// Where the axes stood.
     pub last_position: Option<LastPosition>,
+    /// Where a run was broken off.
+    pub interrupted: Option<InterruptedRun>,
 }
 
 /// Bounds of the memory. Each is far above what the controls have; none can be passed, so that neither a

@@ -30,7 +30,8 @@ pub use backup::{Backup, BackupEntry};
 pub use damage::{Damage, GoodState, Source};
 pub use error::{Error, Finding};
 pub use items::{
-    AlarmEntry, Change, Contents, Counter, Item, LastPosition, LogEntry, PlcArea, Program, ProgramEntry, Time,
+    AlarmEntry, Change, Contents, Counter, InterruptedRun, Item, LastPosition, LogEntry, PlcArea, Program,
+    ProgramEntry, Time,
 };
 pub use password::Seat;
 pub use rights::Level;

@@ -7,7 +7,10 @@
 use crate::database::{Access, Database, SCHEMA};
 use crate::error::Error;
 use crate::snapshot;
-use crate::table::{Row, TABLES, Table};
+use crate::table::{
+    ABOUT, ALARM, COUNTER, LAST_POSITION, LOG, PARAMETER, PASSWORD, PITCH, PROGRAM, REFERENCE_POINT, Row,
+    SIGNAL, TABLES, TOOL_OFFSET, TOTAL, TRIES, Table, VARIABLE, WORK_ZERO,
+};
 use std::path::Path;
 
 /// One version to the next.
@@ -21,8 +24,33 @@ pub struct Step {
     pub row: fn(&str, Row) -> Option<(&'static str, Row)>,
 }
 
+/// The tables of version 1: it did not know where a run was broken off.
+const FIRST: &[Table] = &[
+    ABOUT,
+    TOTAL,
+    PROGRAM,
+    PARAMETER,
+    TOOL_OFFSET,
+    WORK_ZERO,
+    REFERENCE_POINT,
+    VARIABLE,
+    PITCH,
+    SIGNAL,
+    COUNTER,
+    ALARM,
+    LOG,
+    LAST_POSITION,
+    PASSWORD,
+    TRIES,
+];
+
+/// A row that stays as it is.
+fn as_it_is(table: &str, row: Row) -> Option<(&'static str, Row)> {
+    Table::named(table).map(|table| (table.name, row))
+}
+
 /// The steps, in order. Version 1 is the first.
-const STEPS: &[Step] = &[];
+const STEPS: &[Step] = &[Step { from: 1, tables: FIRST, row: as_it_is }];
 
 /// The tables of a version; none of one that is not known.
 pub fn tables_of(version: u32) -> Option<&'static [Table]> {
@@ -61,7 +89,7 @@ fn migrate_by(steps: &[Step], folder: &Path, path: &Path, from: u32, snapshots: 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::table::{ABOUT, Cell, Kind, TOTAL, VARIABLE};
+    use crate::table::{Cell, Kind};
 
     /// A version before the first, for the test alone: variables had no names but numbers.
     const OLD_VARIABLE: Table =
@@ -99,10 +127,11 @@ mod tests {
         // A database that no step leads from is not touched.
         assert!(Database::verify(&path, Access::Read, tables_of).is_err());
         for step in &steps {
-            Database::rewrite(&path, step.tables, TABLES, 1, step.row).unwrap();
+            Database::rewrite(&path, step.tables, FIRST, 1, step.row).unwrap();
         }
+        migrate(folder.path(), &path, 1, 3).unwrap();
         let after = Database::verify(&path, Access::Read, tables_of).unwrap();
-        assert_eq!((after.schema, after.control.as_str()), (1, "gsk990mc"));
+        assert_eq!((after.schema, after.control.as_str()), (SCHEMA, "gsk990mc"));
         let database = Database::open(&path, Access::Read).unwrap();
         assert_eq!(
             database.get(&VARIABLE, &["#501".into()]).unwrap(),

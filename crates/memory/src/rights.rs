@@ -76,6 +76,7 @@ pub fn needed(table: &ParameterTable, change: &Change) -> Level {
     match change {
         Change::Program { .. }
         | Change::DeleteProgram { .. }
+        | Change::RenameProgram { .. }
         | Change::Offset { .. }
         | Change::WorkZero { .. }
         | Change::Variable { .. } => Level::Operator,
@@ -87,7 +88,7 @@ pub fn needed(table: &ParameterTable, change: &Change) -> Level {
         // 3.7: histories are deleted from commissioning on.
         Change::ClearAlarms | Change::ClearLog => Level::Commissioning,
         Change::Plc { area: PlcArea::K | PlcArea::T | PlcArea::C | PlcArea::D, .. } => Level::Builder,
-        Change::Alarm(_) | Change::LastPosition(_) => Level::Maker,
+        Change::Alarm(_) | Change::LastPosition(_) | Change::Interrupted(_) => Level::Maker,
     }
 }
 
@@ -102,7 +103,7 @@ pub fn needed_to_restore(item: Item) -> Level {
         | Item::ReferencePoints
         | Item::Alarms
         | Item::Log => Level::Commissioning,
-        Item::Plc | Item::Counters | Item::LastPosition => Level::Builder,
+        Item::Plc | Item::Counters | Item::LastPosition | Item::Interrupted => Level::Builder,
     }
 }
 

@@ -2,12 +2,13 @@
 //! from a foreign backup.
 
 use crate::items::{
-    AlarmEntry, Contents, Counter, Item, LastPosition, LogEntry, PlcArea, Program, ProgramEntry, Time, limits,
+    AlarmEntry, Contents, Counter, InterruptedRun, Item, LastPosition, LogEntry, PlcArea, Program,
+    ProgramEntry, Time, limits,
 };
 use crate::rights::Level;
 use crate::table::{
-    ALARM, COUNTER, Cell, LAST_POSITION, LOG, PARAMETER, PITCH, PROGRAM, REFERENCE_POINT, Row, SIGNAL,
-    TOOL_OFFSET, Table, VARIABLE, WORK_ZERO,
+    ALARM, COUNTER, Cell, INTERRUPTED, LAST_POSITION, LOG, PARAMETER, PITCH, PROGRAM, REFERENCE_POINT, Row,
+    SIGNAL, TOOL_OFFSET, Table, VARIABLE, WORK_ZERO,
 };
 use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_machine::setup::VariableName;
@@ -31,6 +32,7 @@ pub fn table(item: Item) -> &'static Table {
         Item::Alarms => &ALARM,
         Item::Log => &LOG,
         Item::LastPosition => &LAST_POSITION,
+        Item::Interrupted => &INTERRUPTED,
     }
 }
 
@@ -51,7 +53,7 @@ pub fn most_rows(item: Item) -> i64 {
         Item::Counters => Counter::ALL.len() as i64,
         Item::Alarms => limits::ALARMS,
         Item::Log => limits::LOG,
-        Item::LastPosition => 1,
+        Item::LastPosition | Item::Interrupted => 1,
     }
 }
 
@@ -387,6 +389,51 @@ pub fn last_position(row: &[Cell]) -> Option<LastPosition> {
     })
 }
 
+/// The key of the one row of an interrupted run.
+pub const INTERRUPTED_KEY: u8 = 1;
+
+/// An interrupted run as a row.
+pub fn interrupted_row(run: &InterruptedRun) -> Row {
+    vec![
+        INTERRUPTED_KEY.into(),
+        run.time.into(),
+        cut(&run.program).into(),
+        i64::from(run.from_line).into(),
+        cut(&run.file).into(),
+        i64::from(run.line).into(),
+        i64::try_from(run.block).unwrap_or(i64::MAX).into(),
+        cut(&run.text).into(),
+    ]
+}
+
+/// The interrupted run of a row.
+pub fn interrupted(row: &[Cell]) -> Option<InterruptedRun> {
+    let [
+        Cell::Whole(1),
+        Cell::Whole(time),
+        Cell::Text(program),
+        Cell::Whole(from),
+        Cell::Text(file),
+        Cell::Whole(line),
+        Cell::Whole(block),
+        Cell::Text(text),
+    ] = row
+    else {
+        return None;
+    };
+    let is_short = [program, file, text].iter().all(|text| text.len() <= limits::TEXT);
+    is_short.then_some(())?;
+    Some(InterruptedRun {
+        time: *time,
+        program: program.clone(),
+        from_line: u32::try_from(*from).ok()?,
+        file: file.clone(),
+        line: u32::try_from(*line).ok()?,
+        block: u64::try_from(*block).ok()?,
+        text: text.clone(),
+    })
+}
+
 /// Whether a row of an item's table holds what the item can hold.
 pub fn is_valid(item: Item, row: &Row) -> bool {
     table(item).fits(row)
@@ -403,6 +450,7 @@ pub fn is_valid(item: Item, row: &Row) -> bool {
             Item::Alarms => alarm(row).is_some(),
             Item::Log => log(row).is_some(),
             Item::LastPosition => last_position(row).is_some(),
+            Item::Interrupted => interrupted(row).is_some(),
         }
 }
 
@@ -448,6 +496,7 @@ impl Contents {
             Item::Alarms => put(alarm(&row), |alarm| self.alarms.push(alarm)),
             Item::Log => put(log(&row), |entry| self.log.push(entry)),
             Item::LastPosition => put(last_position(&row), |last| self.last_position = Some(last)),
+            Item::Interrupted => put(interrupted(&row), |run| self.interrupted = Some(run)),
         }
     }
 }

@@ -222,6 +222,22 @@ pub const LAST_POSITION: Table = Table {
     ],
 };
 
+/// The block at which a run was broken off; one row.
+pub const INTERRUPTED: Table = Table {
+    name: "interrupted",
+    keys: 1,
+    columns: &[
+        ("number", Whole),
+        ("time", Whole),
+        ("program", Text),
+        ("from_line", Whole),
+        ("file", Text),
+        ("line", Whole),
+        ("block", Whole),
+        ("text", Text),
+    ],
+};
+
 /// Passwords as argon2 writes them (PHC form), by level.
 pub const PASSWORD: Table = Table { name: "password", keys: 1, columns: &[("level", Whole), ("hash", Text)] };
 
@@ -245,6 +261,7 @@ pub const TABLES: &[Table] = &[
     ALARM,
     LOG,
     LAST_POSITION,
+    INTERRUPTED,
     PASSWORD,
     TRIES,
 ];

@@ -7,8 +7,8 @@ use common::{CONTROL, all, key, number, open, owner, parameter, program, setting
 use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_machine::{Alarm, Fault, Memory, ToolOffset, WorkOffset};
 use ferrocut_memory::{
-    AlarmEntry, Author, Change, Counter, Error, Item, LastPosition, Level, OpenError, PlcArea, Seat, Session,
-    Settings, Store, control, items,
+    AlarmEntry, Author, Change, Counter, Error, InterruptedRun, Item, LastPosition, Level, OpenError,
+    PlcArea, Seat, Session, Settings, Store, control, items,
 };
 use ferrocut_program::Span;
 use proptest::prelude::*;
@@ -34,10 +34,23 @@ fn everything_is_there_after_power_off() {
     };
     let alarm = Alarm::core(Fault::SoftLimit, Span::default()).with("axis", "X").with("limit", 500.0);
     let alarm = AlarmEntry::of(&alarm, "O1234", 7);
+    let run = InterruptedRun {
+        time: 6,
+        program: "O1234".to_owned(),
+        from_line: 1,
+        file: "O0002".to_owned(),
+        line: 7,
+        block: 31,
+        text: "G1 X3".to_owned(),
+    };
     let before = {
         let store = open(folder.path());
         store.commit(&owner(), something(3)).unwrap();
-        let more = vec![Change::LastPosition(last.clone()), Change::Alarm(alarm.clone())];
+        let more = vec![
+            Change::LastPosition(last.clone()),
+            Change::Alarm(alarm.clone()),
+            Change::Interrupted(Some(run.clone())),
+        ];
         store.commit(&Author::Control, more).unwrap();
         all(&store)
     };
@@ -45,6 +58,7 @@ fn everything_is_there_after_power_off() {
     let after = all(&store);
     assert_eq!(before, after);
     assert_eq!(after.last_position, Some(last));
+    assert_eq!(after.interrupted, Some(run));
     assert_eq!(after.alarms, [alarm]);
     assert_eq!(after.alarms[0].alarm_id(), Some(ferrocut_machine::AlarmId::Core(Fault::SoftLimit)));
     assert_eq!(after.programs["O1234"].text, b"O1234 (PART 3)\nG0 X3\nM30\n");
@@ -61,6 +75,8 @@ fn everything_is_there_after_power_off() {
     assert_eq!(after.counters[&Counter::Parts], 3.0);
     assert_eq!(store.reader().alarms(10).unwrap().len(), 1);
     assert_eq!(store.reader().check(folder.path()), Ok(store.reader().commits().unwrap()));
+    store.commit(&Author::Control, vec![Change::Interrupted(None)]).unwrap();
+    assert_eq!(all(&store).interrupted, None);
 }
 
 #[test]

@@ -97,6 +97,8 @@ enum Ended {
 pub struct Plc {
     program: Box<Program>,
     previous: Option<Box<Program>>,
+    /// How often another ladder was put in, or the one before put back.
+    exchanges: u64,
     /// Until level 2 came to its end once, a ladder that was put in is taken out again if it is stopped.
     on_trial: bool,
     memory: Memory,
@@ -122,6 +124,7 @@ impl Plc {
         Plc {
             program: Box::new(program),
             previous: None,
+            exchanges: 0,
             on_trial: false,
             memory: Memory::new(),
             state: State::new(),
@@ -364,6 +367,7 @@ impl Plc {
     /// where time does not matter.
     pub fn exchange(&mut self, program: Box<Program>) -> Option<Box<Program>> {
         let old = self.previous.replace(std::mem::replace(&mut self.program, program));
+        self.exchanges += 1;
         self.on_trial = self.stop.is_none();
         self.begin();
         self.stop = None;
@@ -375,10 +379,17 @@ impl Plc {
     pub fn roll_back(&mut self) -> bool {
         let Some(previous) = &mut self.previous else { return false };
         std::mem::swap(previous, &mut self.program);
+        self.exchanges += 1;
         self.on_trial = false;
         self.begin();
         self.stop = None;
         true
+    }
+
+    /// How often another ladder came, by [`exchange`](Plc::exchange), by [`roll_back`](Plc::roll_back), or because one
+    /// on trial was taken out again: what is remembered of a ladder holds while this stays.
+    pub fn exchanges(&self) -> u64 {
+        self.exchanges
     }
 
     /// Begins to trace signals, with all room that it takes; `None` ends it.

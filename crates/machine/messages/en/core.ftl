@@ -1,4 +1,5 @@
 # Faults common to all controls. What a message is made of and which arguments a detail may name
+
 # stands in src/messages.rs.
 
 with-detail = { $text } ({ $detail })
@@ -779,6 +780,20 @@ FC-1412 = the ladder stands still
 FC-1413 = a change was made and could not be kept
     .help = Look at the disk; the change is lost when power goes off.
     .detail = { $reason }
+FC-1414 = A program is not taken up again by axes that were not homed
+    .detail = axis { $axis }
+    .help = Home the axes, then prepare the restart again.
+FC-1415 = Another program was interrupted than the one that is selected
+    .detail = interrupted: { $name }
+    .help = Select the program that was interrupted, or give a line of this one.
+FC-1416 = The program or the data are not those of before
+    .detail = { $name }
+    .help = Prepare the restart again; give the line if the program was changed.
+FC-1417 = Tool or spindle are not as the program has them
+    .detail = { $name }
+    .help = Type the codes that the restart shows in MDI, or have the control send them.
+FC-1418 = there is no room for more of the program yet
+    .help = Send this part again once blocks are done.
 
 FC-1430 = Homing does not find the home switch
     .detail = axis { $axis }
@@ -829,3 +844,90 @@ FC-1444 = A program is not taken up again while the axes are under way
 FC-1445 = Values that the machine told the program in the first run are not known
     .detail = { $count } places; the commanded position stands for the machine's
     .help = Check what the program measured before this line, or start before the measuring.
+
+## 1470: measuring
+
+FC-1470 = There is no probe or tool setter
+    .detail = { $name }
+    .help = Connect it to the skip input, and say so in the parameters.
+FC-1471 = The probe touches where it should be free
+    .help = Move it away, check its way and its signal, then start measuring anew.
+FC-1472 = The probe met nothing
+    .detail = { $axis } to { $position }
+    .help = Check the nominal size, the centre and the height; raise the overtravel if the part may be there.
+FC-1473 = These points give no shape
+    .detail = { $name }
+    .help = Take the points anew: three that are not in a line for a circle, two on each axis for a slot.
+FC-1474 = Axes are not homed
+    .detail = axis { $axis }
+    .help = Home the axes before measuring.
+FC-1475 = The measured size is outside its tolerance
+    .detail = { $value }, nominal { $nominal }, tolerance { $limit }
+    .help = Nothing was stored. Check part or tool, and measure anew.
+FC-1476 = This cannot be measured with such a value
+    .detail = { $name }
+    .help = Enter every size and angle that this form needs.
+FC-1477 = Nothing can be measured now
+    .detail = { $name }
+    .help = Turn off dry run and the locks, stop the spindle, then start anew.
+
+## 1480: drives
+
+FC-1480 = The drives do not answer
+    .detail = { $place }
+    .help = Check power and cable of the board, and the link in the machine file.
+FC-1481 = Nothing is heard of the drives any more
+    .detail = for { $time } ms
+    .help = Check cable and power of the board. Press reset, and home the axes again.
+FC-1482 = The connection to the drives is broken
+    .detail = { $place }: { $reason }
+    .help = Check cable and port of the board. Press reset, and home the axes again.
+FC-1483 = The drives cannot do what the machine file asks for
+    .detail = { $name }: { $value } asked for, { $limit } possible
+    .help = Change the value in the machine file, or take another board.
+FC-1484 = An axis is to move faster than it can be stepped
+    .detail = axis { $axis }: { $value } steps/s needed, { $limit } possible
+    .help = Lower the speeds of the axis, its steps or its pulse times in the machine file.
+FC-1485 = The drives have stopped since they heard nothing
+    .detail = for { $time } ms
+    .help = Check the cable and the load of the computer. Press reset, and home the axes again.
+FC-1486 = A setpoint came too late for the drives
+    .help = Give the control's thread priority, or make the buffer longer. Press reset, and home the axes again.
+FC-1487 = A setpoint was lost on the way to the drives
+    .detail = { $count } frames unreadable
+    .help = Check the cable, its shield and its length. Press reset, and home the axes again.
+FC-1488 = A setpoint was faster than the drives can follow
+    .detail = axis { $axis }
+    .help = Check the speeds of the axis and its compensation. Press reset, and home the axes again.
+FC-1489 = The drives are stopped by the emergency stop
+    .help = Remove the danger and release the button. Press reset, and home the axes again.
+FC-1490 = The amplifier of an axis reports a fault
+    .detail = axis { $axis }
+    .help = Read the amplifier's display and its manual. Press reset, and home the axes again.
+FC-1491 = The drives have stopped
+    .detail = code { $code }
+    .help = Look the code up in the manual of the board. Press reset, and home the axes again.
+FC-1492 = The spindle of this machine cannot be led by its angle
+    .help = Tap with a floating holder. Orientation needs a ladder that asks the spindle's amplifier for it.
+FC-1493 = Grbl senders drive a simulated machine alone
+    .help = Serve the machine without --grbl, or take a machine file without [drives].
+
+# The panel in a browser
+FC-1500 = The panel is not built
+    .help = Build it in the folder hmi with "npm ci" and "npm run build", then Ferrocut again. The control runs all the same.
+
+FC-1501 = The program was not checked to its end
+    .detail = behind line { $line }
+    .help = It has too many faults, or takes too long. Put right what was found and check again; "ferrocut check" has no bounds.
+
+FC-1502 = The panel is offered to other computers over encrypted connections only
+    .detail = { $place }
+    .help = Give --tls-cert and --tls-key, or --tls-self-signed. Or keep it on this computer (127.0.0.1) and tunnel it.
+
+FC-1503 = The panel is offered to other computers only where people can log in
+    .detail = { $place }
+    .help = Give the folder of the memory with --memory, and set a password in it with "ferrocut memory password".
+
+FC-1504 = This certificate or key cannot be used
+    .detail = { $file }: { $reason }
+    .help = Give a certificate chain and its private key as PEM files, or --tls-self-signed.

@@ -94,3 +94,4 @@ label-item-counters = counters
 label-item-alarms = alarm history
 label-item-log = operation log
 label-item-position = position at power-off
+label-item-interrupted = interrupted program

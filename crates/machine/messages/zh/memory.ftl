@@ -91,3 +91,4 @@ label-item-counters = 计数器
 label-item-alarms = 报警历史
 label-item-log = 操作履历
 label-item-position = 断电时的位置
+label-item-interrupted = 中断的程序

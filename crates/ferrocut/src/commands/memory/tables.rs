@@ -128,6 +128,21 @@ pub fn rows(contents: &Contents, item: Item, diagnostics: &Diagnostics) -> Vec<R
                 row
             })
             .collect(),
+        Item::Interrupted => contents
+            .interrupted
+            .iter()
+            .map(|run| {
+                vec![
+                    ("time", utc(run.time).into()),
+                    ("program", run.program.as_str().into()),
+                    ("from_line", run.from_line.into()),
+                    ("file", run.file.as_str().into()),
+                    ("line", run.line.into()),
+                    ("block", run.block.into()),
+                    ("text", run.text.as_str().into()),
+                ]
+            })
+            .collect(),
     }
 }
 
