@@ -6,9 +6,10 @@
 //! hold back then belongs to blocks before; it comes out behind the mark and is left out, having been done.
 
 use crate::Fallible;
+use crate::custom::Custom;
 use crate::interpreter::Interpreter;
 use ferrocut_geometry::Position;
-use ferrocut_program::{FileId, Place, Span};
+use ferrocut_program::{FileId, Place, ProgramId, Span};
 use std::io;
 
 /// Where interpretation ends.
@@ -83,6 +84,11 @@ impl Interpreter {
         self.programs.file_named(name)
     }
 
+    /// The file that has a program that can be called, opened if it was not yet.
+    pub fn file_of(&mut self, id: &ProgramId) -> Option<FileId> {
+        self.programs.find_program(id).ok().flatten().map(|place| place.file)
+    }
+
     /// Gives out nothing more once this block comes; `None` lets the program go on.
     pub fn set_mark(&mut self, until: Option<Until>) {
         match until {
@@ -116,6 +122,11 @@ impl Interpreter {
     /// Blocks begun so far, each pass counted.
     pub fn blocks_begun(&self) -> u64 {
         self.flow.begun()
+    }
+
+    /// Whether the program that stands for the tool change is being run.
+    pub fn changes_tool(&self) -> bool {
+        self.flow.runs_custom(Custom::ToolChange)
     }
 
     /// How many subprograms and macros are being run.

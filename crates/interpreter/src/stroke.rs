@@ -6,7 +6,7 @@
 use crate::Fallible;
 use crate::interpreter::Interpreter;
 use crate::stages::units;
-use ferrocut_geometry::Position;
+use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_machine::{Alarm, Fault, ParameterKey};
 use ferrocut_program::Span;
 use ferrocut_toolpath::Op;
@@ -107,6 +107,45 @@ impl Interpreter {
             false => self.crosses(&stroke.second, from, op),
         };
         enters.then(|| self.alarm(Fault::StoredStroke, self.words.block_span()))
+    }
+
+    /// How far an axis may be moved by hand from `at`, lower and upper machine position. Axes that are `moving` may be
+    /// anywhere. Within an area that is forbidden an axis may go on, so that it comes out of it (2.6).
+    pub fn stroke_room(&self, axis: Axis, at: Position, moving: AxisSet) -> (f64, f64) {
+        let stroke = &self.rules.stroke;
+        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+        let Some(index) = self.rules.axis_order.iter().position(|other| *other == axis) else {
+            return (low, high);
+        };
+        let mut within = |bounds: &[(f64, f64); STROKE_AXES]| {
+            if let Some((lower, upper)) = bounds.get(index) {
+                (low, high) = (low.max(*lower), high.min(*upper));
+            }
+        };
+        if stroke.first_is_set {
+            within(&stroke.first);
+        }
+        if self.stroke_check_2 && stroke.second_forbids_outside {
+            within(&stroke.second);
+        }
+        let box_of = |n: usize| stroke.second.get(n).copied();
+        if let Some((lower, upper)) = box_of(index).filter(|_| index < 3)
+            && self.stroke_check_2
+            && !stroke.second_forbids_outside
+        {
+            let others = self.rules.axis_order.iter().enumerate().take(3).filter(|(n, _)| *n != index);
+            let mut others = others.filter_map(|(n, other)| Some((*other, box_of(n)?)));
+            let is_beside = others.all(|(other, (lower, upper))| {
+                let place = at[other];
+                moving.contains(other) || place > lower + ON_BOUND && place < upper - ON_BOUND
+            });
+            if is_beside && at[axis] <= lower + ON_BOUND {
+                high = high.min(lower);
+            } else if is_beside && at[axis] >= upper - ON_BOUND {
+                low = low.max(upper);
+            }
+        }
+        (low, high)
     }
 
     /// The first axis that leaves its bounds, and on which side.

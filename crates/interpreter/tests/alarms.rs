@@ -20,6 +20,10 @@ const OF_THE_MACHINE: &[Fault] = &[
     Fault::HomingStopped,
     Fault::RigidTappingOff,
     Fault::RestartOrder,
+    Fault::RestartNotReferenced,
+    Fault::RestartOtherProgram,
+    Fault::MeasureNotReferenced,
+    Fault::ProbeMissing,
 ];
 
 /// The rule, its number in appendix 2, a program that breaks it, the words at fault, and a set-up.

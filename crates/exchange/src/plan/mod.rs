@@ -50,7 +50,7 @@ pub fn plan(drawing: &Drawing, order: Order) -> Vec<Move> {
 }
 
 /// The curves of a drawing. A pen set down and raised again in one place is a curve without length.
-fn cuts(drawing: &Drawing) -> impl Iterator<Item = Cut> {
+pub fn cuts(drawing: &Drawing) -> impl Iterator<Item = Cut> {
     let mut at = [0.0; 2];
     let mut dot: Option<Move> = None;
     drawing.moves.iter().filter_map(move |m| {
