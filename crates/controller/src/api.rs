@@ -19,6 +19,7 @@ pub type ByAxis = BTreeMap<char, f64>;
 
 /// What a front wants.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(tag = "do", rename_all = "snake_case")]
 pub enum Command {
     /// A key of the machine panel goes down or up. What it does is the ladder's.
@@ -72,6 +73,13 @@ pub enum Command {
         /// Its name.
         program: String,
     },
+    /// Gives a program another name.
+    Rename {
+        /// Its name.
+        program: String,
+        /// Its new name, which no other has. An O number at its start follows.
+        to: String,
+    },
     /// Locks a program against those of lower rights, or unlocks it.
     Lock {
         /// Its name.
@@ -111,14 +119,29 @@ pub enum Command {
         /// The sequence number N; none takes the stop back.
         sequence: Option<u32>,
     },
-    /// Prepares the restart of an interrupted program.
+    /// Prepares the restart of a program, in AUTO. It is searched beside the machine: the event `restart` tells that it
+    /// is ready, `refused` that it cannot be. The next cycle start carries it out.
     Restart {
-        /// The line, from 1.
-        line: u32,
+        /// The line, from 1; the block that was interrupted where it is missing.
+        #[serde(default)]
+        line: Option<u32>,
         /// Which time that the line is reached, from 1.
         #[serde(default = "once")]
         pass: u32,
+        /// The file of the line: a program that the one selected calls; itself where it is missing.
+        #[serde(default)]
+        file: Option<String>,
+        /// Whether the control sends T, M and S itself; else the operator does so in MDI before.
+        #[serde(default)]
+        sends: bool,
+        /// Whether each axis waits for cycle start; it does with single block too.
+        #[serde(default)]
+        axis_by_axis: bool,
     },
+    /// What can be taken up again, and the restart that is prepared.
+    Restarts,
+    /// Forgets the restart that is prepared or being searched.
+    CancelRestart,
 
     /// Reads tool offsets.
     Offsets {
@@ -182,6 +205,28 @@ pub enum Command {
         name: String,
         /// Its value; none is as delivered.
         value: Option<f64>,
+    },
+    /// Reads the reference points.
+    ReferencePoints,
+    /// Sets a reference point on some axes, in MDI and the right of commissioning (level 3).
+    SetReferencePoint {
+        /// Its number, 1 to 4.
+        number: u8,
+        /// Machine positions, mm and degrees.
+        axes: ByAxis,
+    },
+    /// Reads the table of pitch errors of an axis.
+    Pitch {
+        /// The axis.
+        axis: char,
+    },
+    /// Sets points of the table of pitch errors of an axis, in MDI and the right of commissioning (level 3). They hold
+    /// from the next start on.
+    SetPitch {
+        /// The axis.
+        axis: char,
+        /// What is added to the commanded position, mm, by number of the point.
+        points: BTreeMap<u16, f64>,
     },
     /// Sets the relative coordinate of an axis.
     Relative {
@@ -273,9 +318,57 @@ pub enum Command {
         quantities: Vec<String>,
         /// Time that is recorded, s.
         seconds: f64,
+        /// Periods from one sample to the next, from 1.
+        #[serde(default = "once")]
+        every: u32,
+        /// What sets off the end; without it the recording begins at once.
+        #[serde(default)]
+        trigger: Option<CaptureTrigger>,
+        /// Time before the trigger that is kept, s.
+        #[serde(default)]
+        before: f64,
     },
-    /// What was recorded, as CSV.
-    Captured,
+    /// What was recorded, as CSV, in as many parts as asked for.
+    Captured {
+        /// The first row, from 0.
+        #[serde(default)]
+        from: u32,
+        /// How many rows at most.
+        #[serde(default = "many_rows")]
+        most: u32,
+    },
+    /// Ends a recording; what was recorded stays.
+    EndCapture,
+
+    /// Takes the place where the axes stand as a point to measure by hand.
+    TouchPoint {
+        /// Its number, 1 to 8.
+        number: u8,
+    },
+    /// The points that were taken.
+    Points,
+    /// Forgets the points.
+    ClearPoints,
+    /// The centre of the points, by hand: to a work zero where one is named.
+    Centre {
+        /// `true`: a circle through three points or more; else a rectangle: points 1 and 2 on walls across X, 3 and 4
+        /// on walls across Y.
+        circle: bool,
+        /// The work coordinate system: `G54`.
+        #[serde(default)]
+        system: Option<String>,
+        /// Coordinates of the centre there; 0 where they are missing.
+        #[serde(default)]
+        values: ByAxis,
+    },
+    /// Prepares the measuring of a work zero by the probe, in AUTO; cycle start does it.
+    Measure(Box<MeasureWork>),
+    /// Prepares the measuring of a tool, in AUTO; cycle start does it.
+    MeasureTool(Box<MeasureTool>),
+    /// Forgets the measuring that is prepared.
+    CancelMeasure,
+    /// What was measured last.
+    Measured,
 
     /// Writes a backup of items to a file in the folder of the memory.
     Backup {
@@ -302,8 +395,225 @@ fn once() -> u32 {
     1
 }
 
+fn many_rows() -> u32 {
+    1000
+}
+
+/// What sets off the end of a recording.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+pub struct CaptureTrigger {
+    /// One of the quantities that are recorded.
+    pub quantity: String,
+    /// The value that it passes.
+    pub level: f64,
+    /// From below; else from above.
+    pub rises: bool,
+}
+
+/// A form that a probe measures. Sizes are mm, angles degrees from X+ to Y+.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[serde(tag = "form", rename_all = "snake_case")]
+pub enum MeasureForm {
+    /// A hole, from its rough centre.
+    Hole {
+        /// Nominal diameter.
+        diameter: f64,
+    },
+    /// A boss.
+    Boss {
+        /// Nominal diameter.
+        diameter: f64,
+    },
+    /// A slot: the axes of which a width is given.
+    Slot {
+        /// Nominal width along X.
+        #[serde(default)]
+        lx: Option<f64>,
+        /// Nominal width along Y.
+        #[serde(default)]
+        ly: Option<f64>,
+    },
+    /// A web or block.
+    Web {
+        /// Nominal width along X.
+        #[serde(default)]
+        lx: Option<f64>,
+        /// Nominal width along Y.
+        #[serde(default)]
+        ly: Option<f64>,
+    },
+    /// A hole touched at three angles.
+    VectorHole {
+        /// Nominal diameter.
+        diameter: f64,
+        /// The angles, each 5 or more from the others.
+        angles: [f64; 3],
+    },
+    /// A boss touched at three angles.
+    VectorBoss {
+        /// Nominal diameter.
+        diameter: f64,
+        /// The angles, each 5 or more from the others.
+        angles: [f64; 3],
+    },
+    /// A slot that lies at an angle.
+    VectorSlot {
+        /// Nominal width.
+        width: f64,
+        /// The direction across it.
+        angle: f64,
+    },
+    /// A web that lies at an angle.
+    VectorWeb {
+        /// Nominal width.
+        width: f64,
+        /// The direction across it.
+        angle: f64,
+    },
+    /// One surface.
+    Edge {
+        /// The axis along which it is touched; Z downwards alone.
+        axis: char,
+        /// In its positive direction.
+        #[serde(default)]
+        positive: bool,
+        /// How far it is searched, mm.
+        distance: f64,
+    },
+}
+
+/// Measuring of a work zero by a probe (GSK990MC part 2, 3.4.3.1). Places are coordinates of the work system in force.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+pub struct MeasureWork {
+    /// The form.
+    #[serde(flatten)]
+    pub form: MeasureForm,
+    /// Rough centre; where the probe stands where it is missing.
+    #[serde(default)]
+    pub x: Option<f64>,
+    /// Rough centre; where the probe stands where it is missing.
+    #[serde(default)]
+    pub y: Option<f64>,
+    /// The height at which is touched; where the probe stands where it is missing. Needed from outside.
+    #[serde(default)]
+    pub z: Option<f64>,
+    /// The work coordinate system that gets the zero: `G54`; none measures alone.
+    #[serde(default)]
+    pub system: Option<String>,
+    /// Coordinates that the place found has there; 0 where they are missing.
+    #[serde(default)]
+    pub values: ByAxis,
+    /// Number of the length offset of the probe, for a surface across Z.
+    #[serde(default)]
+    pub h: Option<u16>,
+    /// Most by which a size may be beside its nominal one, mm.
+    #[serde(default)]
+    pub tolerance: Option<f64>,
+    /// From a surface to where the probe goes down, mm: 8.
+    #[serde(default)]
+    pub clearance: Option<f64>,
+    /// How far is searched behind the nominal surface, mm: 10.
+    #[serde(default)]
+    pub overtravel: Option<f64>,
+    /// Diameter of the probe's ball, mm: P391.
+    #[serde(default)]
+    pub probe: Option<f64>,
+    /// How fast.
+    #[serde(default)]
+    pub pace: MeasurePace,
+}
+
+/// Speeds of measuring, mm/min, and how far the probe backs off, mm. Those missing are 1500, 300, 60 and 1.
+#[derive(Clone, Copy, PartialEq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[serde(default)]
+pub struct MeasurePace {
+    /// Moves between touches, on which a touch is an alarm.
+    pub way: Option<f64>,
+    /// The search.
+    pub search: Option<f64>,
+    /// The touch that counts.
+    pub fine: Option<f64>,
+    /// Back from the search.
+    pub back_off: Option<f64>,
+}
+
+/// What of a tool is measured.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[serde(rename_all = "snake_case")]
+pub enum ToolMode {
+    /// Its length.
+    Length,
+    /// Its diameter.
+    Diameter,
+    /// Both.
+    Both,
+    /// The setter's place, by a tool of known length that stands over its middle.
+    CalibrateLength,
+    /// The setter's diameter, by a tool of known diameter.
+    CalibrateDiameter,
+}
+
+/// Measuring of a tool (GSK990MC part 2, 3.4.3.2).
+#[derive(Clone, Copy, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+pub struct MeasureTool {
+    /// What.
+    pub mode: ToolMode,
+    /// Number of the offset that gets the length; 0 stores nothing.
+    #[serde(default)]
+    pub h: u16,
+    /// Number of the offset that gets the radius (a diameter where the control's parameter says so); 0 stores nothing.
+    #[serde(default)]
+    pub d: u16,
+    /// Estimated length, mm; that of the offset H where it is missing.
+    #[serde(default)]
+    pub length: Option<f64>,
+    /// Estimated diameter, mm; that of the offset D where it is missing.
+    #[serde(default)]
+    pub diameter: Option<f64>,
+    /// How far below the top of the setter its side is touched, mm: 5.
+    #[serde(default)]
+    pub depth: Option<f64>,
+    /// From where and how far behind the estimate is searched, mm: 4; to calibrate a length 50.
+    #[serde(default)]
+    pub overtravel: Option<f64>,
+    /// Most by which a size may be beside the estimate, mm: a tool that broke.
+    #[serde(default)]
+    pub tolerance: Option<f64>,
+    /// Diameter of the setter, mm: P391.
+    #[serde(default)]
+    pub stylus: Option<f64>,
+    /// Speed of the spindle while a diameter is measured, r/min, clockwise positive: against the sense of cutting. It
+    /// stands where it is missing.
+    #[serde(default)]
+    pub rpm: Option<f64>,
+    /// How fast.
+    #[serde(default)]
+    pub pace: MeasurePace,
+}
+
+/// What was measured.
+#[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+pub struct Measurement {
+    /// Machine positions of the place that was found, by axis, mm.
+    pub place: ByAxis,
+    /// Sizes that were found, mm: a diameter; widths along X and Y; length and diameter of a tool.
+    pub sizes: Vec<f64>,
+    /// The farthest that a touch lies beside the circle, mm.
+    pub out_of_round: f64,
+    /// What it was stored to: `G54`, `H3`, `D3`, parameters.
+    pub stored: Vec<String>,
+}
+
 /// Values of a tool offset, mm.
 #[derive(Clone, Copy, PartialEq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(default)]
 pub struct OffsetValues {
     /// Length, H.
@@ -322,6 +632,7 @@ pub struct OffsetValues {
 
 /// What a relative coordinate is set to.
 #[derive(Clone, Copy, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum RelativeTo {
     /// Zero.
@@ -334,6 +645,7 @@ pub enum RelativeTo {
 
 /// What a command comes to.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(tag = "reply", rename_all = "snake_case")]
 pub enum Reply {
     /// It is done.
@@ -362,6 +674,18 @@ pub enum Reply {
     Zeros {
         /// Machine positions by name and axis.
         zeros: BTreeMap<String, ByAxis>,
+    },
+    /// Reference points.
+    ReferencePoints {
+        /// Machine positions by number, 1 to 4.
+        points: BTreeMap<u8, ByAxis>,
+    },
+    /// A table of pitch errors.
+    Pitch {
+        /// The axis.
+        axis: char,
+        /// What is added to the commanded position, mm, by number of the point; points that are not here add nothing.
+        points: BTreeMap<u16, f64>,
     },
     /// Macro variables that are not empty.
     Variables {
@@ -403,6 +727,39 @@ pub enum Reply {
         /// Whether power flows behind each instruction.
         power: Vec<bool>,
     },
+    /// What was recorded.
+    Captured {
+        /// Whether all samples are there.
+        done: bool,
+        /// When the trigger came, s since the recording began.
+        triggered: Option<f64>,
+        /// Samples that are there.
+        samples: u32,
+        /// Rows as CSV: time in s since the trigger or the beginning, and the quantities; the line of the names stands
+        /// before row 0. Fewer than asked for at the end, and where the answer would be too long.
+        csv: String,
+    },
+    /// Points that were taken by hand, machine positions by number.
+    Points {
+        /// By number.
+        points: BTreeMap<u8, ByAxis>,
+    },
+    /// What was measured; none yet.
+    Measured {
+        /// The last.
+        measured: Option<Measurement>,
+        /// Whether cycle start measures.
+        ready: bool,
+    },
+    /// What can be taken up again.
+    Restarts {
+        /// The run that was broken off.
+        interrupted: Option<InterruptedBlock>,
+        /// Whether a restart is being searched.
+        searching: bool,
+        /// The restart that is ready for cycle start.
+        ready: Option<Box<RestartPlan>>,
+    },
     /// The status.
     Status(Box<Status>),
     /// Versions.
@@ -424,6 +781,7 @@ pub enum Reply {
 
 /// A command that was refused, and why.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Refusal {
     /// Why.
     pub alarm: AlarmInfo,
@@ -431,6 +789,7 @@ pub struct Refusal {
 
 /// An alarm or warning. Catalogues have its text by its number and values.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct AlarmInfo {
     /// Its number: `gsk990mc:0045`, `FC-0302`.
     pub id: String,
@@ -466,6 +825,7 @@ impl From<Alarm> for Refusal {
 
 /// A program of the list.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct ProgramInfo {
     /// Its name.
     pub name: String,
@@ -481,6 +841,7 @@ pub struct ProgramInfo {
 
 /// An alarm of the history.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct PastAlarm {
     /// When, ms since 1970 (UTC).
     pub time: i64,
@@ -496,6 +857,7 @@ pub struct PastAlarm {
 
 /// An entry of the operation log.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct LogLine {
     /// When, ms since 1970 (UTC).
     pub time: i64,
@@ -513,8 +875,93 @@ pub struct LogLine {
     pub to: String,
 }
 
+/// The block at which a run was broken off.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+pub struct InterruptedBlock {
+    /// The program that was started.
+    pub program: String,
+    /// The file of the block: the program, or one that it called.
+    pub file: String,
+    /// Its line, from 1.
+    pub line: u32,
+    /// Its text.
+    pub text: String,
+    /// When, ms since 1970 (UTC).
+    pub time: i64,
+    /// Whether the state at the program's start was kept: then a restart goes on with the variables of the run. After
+    /// power-off it is not.
+    pub kept: bool,
+}
+
+/// A restart that is ready: what cycle start will do, and what is not yet as the program has it.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+pub struct RestartPlan {
+    /// The program.
+    pub program: String,
+    /// The file of the block.
+    pub file: String,
+    /// Its line, from 1.
+    pub line: u32,
+    /// The how manieth time it is reached; 0 for the block that was interrupted.
+    pub pass: u64,
+    /// Its text.
+    pub text: String,
+    /// The hole of a canned cycle with which it begins, from 1.
+    pub hole: u32,
+    /// What the search started from: `kept` or `present` (docs/restart.md).
+    pub origin: String,
+    /// Where the axes stand when the block begins, machine positions.
+    pub position: ByAxis,
+    /// What program and machine do not have alike now.
+    pub differences: Vec<RestartDifference>,
+    /// T, M and S that make the machine as the program has it, in their order.
+    pub functions: Vec<String>,
+    /// Whether the control sends them.
+    pub sends: bool,
+    /// The moves of the axes, in their order, from where they stand now.
+    pub approach: Vec<RestartMove>,
+    /// Whether each waits for cycle start.
+    pub axis_by_axis: bool,
+    /// Differences for which cycle start is refused: tool and spindle, where the control does not send them.
+    pub missing: Vec<String>,
+    /// Values of the memory that the search changes: variables that the program writes again.
+    pub changes: u32,
+    /// What the search could not know.
+    pub warning: Option<AlarmInfo>,
+}
+
+/// Something that program and machine do not have alike.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+pub struct RestartDifference {
+    /// What: `G03` (the modal group by the manual's number), `F`, `S`, `spindle`, `flood`, `mist`, `T`, `in_spindle`,
+    /// `H`, `D`, `zero.X`, `length.Z`.
+    pub of: String,
+    /// What the program has.
+    pub program: Option<String>,
+    /// What the machine has.
+    pub machine: Option<String>,
+}
+
+/// A move of one axis.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+pub struct RestartMove {
+    /// The axis.
+    pub axis: char,
+    /// Machine position, mm or degrees.
+    pub to: f64,
+    /// Whether it positions; else it cuts.
+    pub rapid: bool,
+    /// mm/min; none is that of positioning.
+    pub speed: Option<f64>,
+}
+
 /// What happens, as it happens.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(tag = "event", rename_all = "snake_case")]
 pub enum Event {
     /// Something worth knowing, or that stands until reset.
@@ -576,10 +1023,30 @@ pub enum Event {
         /// 1 to 5.
         level: u8,
     },
+    /// A restart is ready for cycle start, or no longer.
+    Restart {
+        /// Whether it is ready.
+        ready: bool,
+        /// The line of its block, from 1.
+        line: u32,
+    },
+    /// Something was measured.
+    Measured {
+        /// What.
+        measured: Measurement,
+    },
+    /// A run was broken off: it can be taken up again.
+    Interrupted {
+        /// The program.
+        program: String,
+        /// The line of the block, from 1.
+        line: u32,
+    },
 }
 
 /// What the control does.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum Activity {
     /// Nothing; no program is under way.
@@ -606,6 +1073,7 @@ pub enum Activity {
 
 /// How things stand.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Status {
     /// Periods since the start.
     pub periods: u64,
@@ -633,6 +1101,15 @@ pub struct Status {
     pub counters: Counters,
     /// Axes whose reference is established.
     pub referenced: Vec<char>,
+    /// The run that was broken off, which can be taken up again.
+    #[serde(default)]
+    pub interrupted: Option<InterruptedBlock>,
+    /// Whether cycle start carries out a restart.
+    #[serde(default)]
+    pub restart_ready: bool,
+    /// Whether cycle start measures.
+    #[serde(default)]
+    pub measure_ready: bool,
     /// Lamps of the panel and of the tower that are lit, by the ladder's names.
     pub lamps: Vec<String>,
     /// Positions of the panel's switches, by the ladder's names.
@@ -643,6 +1120,7 @@ pub struct Status {
 
 /// Positions, mm and degrees.
 #[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Positions {
     /// Commanded machine position.
     pub machine: ByAxis,
@@ -662,6 +1140,7 @@ pub struct Positions {
 
 /// Speeds along the path, mm/min, and overrides, factors.
 #[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct FeedStatus {
     /// What is run now.
     pub actual: f64,
@@ -677,6 +1156,7 @@ pub struct FeedStatus {
 
 /// The spindle, r/min.
 #[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct SpindleStatus {
     /// The S word in force.
     pub programmed: f64,
@@ -692,6 +1172,7 @@ pub struct SpindleStatus {
 
 /// The program.
 #[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct ProgramStatus {
     /// The program that AUTO runs.
     pub selected: Option<String>,
@@ -713,6 +1194,7 @@ pub struct ProgramStatus {
 
 /// Switches in force.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct SwitchStatus {
     /// Single block.
     pub single_block: bool,
@@ -730,6 +1212,7 @@ pub struct SwitchStatus {
 
 /// Counters and times.
 #[derive(Clone, Copy, PartialEq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Counters {
     /// Parts.
     pub parts: u64,

@@ -72,6 +72,21 @@ impl Quantity {
     }
 }
 
+impl Quantity {
+    /// The axis that it is of.
+    pub fn axis(self) -> Option<Axis> {
+        match self {
+            Quantity::Commanded(axis)
+            | Quantity::Actual(axis)
+            | Quantity::FollowingError(axis)
+            | Quantity::Velocity(axis)
+            | Quantity::Acceleration(axis)
+            | Quantity::Jerk(axis) => Some(axis),
+            Quantity::PathVelocity | Quantity::Spindle | Quantity::Signal(_) => None,
+        }
+    }
+}
+
 /// When a quantity sets off the end of a capture.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Trigger {
@@ -254,6 +269,26 @@ impl Capture {
         }
     }
 
+    /// Takes nothing more.
+    pub fn end(&mut self) {
+        self.left = Some(0);
+    }
+
+    /// Samples that are there.
+    pub fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Whether there is no sample yet.
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    /// How many quantities each sample has.
+    pub fn quantities(&self) -> usize {
+        self.quantities.len()
+    }
+
     /// Whether all samples are there.
     pub fn is_done(&self) -> bool {
         self.left == Some(0)
@@ -284,13 +319,20 @@ impl Capture {
     /// Writes `t` in s and the quantities by their names, one row a sample. The time is that since the trigger, or
     /// since the capture began where there is none.
     pub fn write_csv(&self, out: &mut impl Write) -> io::Result<()> {
-        write!(out, "t")?;
-        for (name, _) in &self.quantities {
-            write!(out, ",{name}")?;
+        self.write_rows(out, 0, usize::MAX)
+    }
+
+    /// The same for `most` rows from the row `from`; the line of the names stands before the first row.
+    pub fn write_rows(&self, out: &mut impl Write, from: usize, most: usize) -> io::Result<()> {
+        if from == 0 {
+            write!(out, "t")?;
+            for (name, _) in &self.quantities {
+                write!(out, ",{name}")?;
+            }
+            writeln!(out)?;
         }
-        writeln!(out)?;
         let origin = self.triggered_s().unwrap_or_default();
-        for (time, values) in self.samples() {
+        for (time, values) in self.samples().skip(from).take(most) {
             write!(out, "{:.6}", time - origin)?;
             for value in values {
                 write!(out, ",{value}")?;

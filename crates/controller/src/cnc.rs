@@ -7,15 +7,18 @@
 //! the same way: the moves before it are finished, the one at fault does not begin.
 
 mod block_end;
+mod drive_failure;
 mod interruption;
 mod ladder;
 mod loading;
 mod overtravel;
+mod planning;
 mod reference;
 mod sent;
 mod skip;
 mod switches;
 mod taking_up;
+mod touching;
 
 pub use interruption::Interruption;
 pub use switches::DryRun;
@@ -32,17 +35,25 @@ use block_end::{Block, Blocks};
 use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_interpreter::{AtRest, Interpreter};
 use ferrocut_machine::{Alarm, Fault, Machine, Severity};
+use ferrocut_motion::Move;
 use ferrocut_motion::servo::{Kind, Servo, ServoFault, ServoFaultKind};
 use ferrocut_motion::synchron::{Synchron, Thread};
-use ferrocut_motion::{Motion, Move};
 use ferrocut_program::Span;
 use ferrocut_toolpath::{Dwell, Feed, Op, PathMode, SpindleState, Step};
 use interruption::Aside;
 use overtravel::Overtravel;
+use planning::Planning;
 use sent::Sent;
 use skip::Probing;
 use std::collections::VecDeque;
+use std::time::{Duration, Instant};
 use switches::Switches;
+
+/// Steps taken from the interpreter in a period where it must be short: some microseconds each.
+const STEPS_A_PERIOD: usize = 12;
+
+/// Time for more of them once the period is over, as a part of it.
+const AHEAD: f64 = 0.3;
 
 /// What the control is doing.
 #[derive(Clone, PartialEq, Debug)]
@@ -173,7 +184,13 @@ struct Busy {
 pub struct Cnc {
     interpreter: Interpreter,
     supervisor: Supervisor,
-    motion: Motion,
+    motion: Planning,
+    /// Steps taken from the interpreter in a period at most.
+    steps_a_period: usize,
+    /// How many are left in this one.
+    steps_left: usize,
+    /// When to look ahead no further, where that matters.
+    ahead_until: Option<Instant>,
     servo: Servo,
     synchron: Synchron,
     manual: Manual,
@@ -218,9 +235,13 @@ pub struct Cnc {
     events: Vec<Event>,
     /// What was wrong with an axis, once they have come to rest.
     failed: Option<Box<Alarm>>,
+    /// The alarm of drives that stopped by themselves was given.
+    drives_failed: bool,
     /// The ladder, where the machine has one.
     auxiliary: Option<Box<Auxiliary>>,
     taking_up: taking_up::TakingUp,
+    /// Touches of a probe in the place of a program.
+    touches: Option<Box<touching::Touches>>,
     blocks: Blocks,
     aside: Aside,
     switches: Switches,
@@ -247,13 +268,16 @@ impl Cnc {
         let machine = &machine;
         let start = interpreter.position();
         let period = machine.servo_period_ms / 1000.0;
-        let motion = Motion::new(machine, start);
+        let motion = Planning::new(machine, start);
         let room = motion.free() + 1;
         let knows_places = drives.knows_places() || machine.homing.absolute;
         let mut cnc = Cnc {
             supervisor: Supervisor::new(machine, interpreter.dialect(), start),
             given: VecDeque::with_capacity(room),
             motion,
+            steps_a_period: usize::MAX,
+            steps_left: usize::MAX,
+            ahead_until: None,
             servo: Servo::new(machine, start),
             synchron: Synchron::new(machine, start),
             manual: Manual::new(machine, start),
@@ -289,7 +313,9 @@ impl Cnc {
             report: Report::new(period),
             events: Vec::new(),
             failed: None,
+            drives_failed: false,
             auxiliary: None,
+            touches: None,
             blocks: Blocks::new(room),
             aside: Aside::default(),
             switches: Switches::new(start),
@@ -406,9 +432,13 @@ impl Cnc {
     pub fn reset(&mut self) {
         self.manual.stop();
         self.homing.abort();
-        if matches!(self.state, State::Ended | State::Reset) || self.asked_in_hole(Asked::Reset) {
+        // The alarm of drives that failed comes first.
+        let is_failing = self.drives_failed && self.state == State::Resetting;
+        if is_failing || matches!(self.state, State::Ended | State::Reset) || self.asked_in_hole(Asked::Reset)
+        {
             return;
         }
+        self.restart_drives();
         self.come_to_rest();
     }
 
@@ -478,6 +508,7 @@ impl Cnc {
     pub fn jog(&mut self, axis: Axis, way: JogWay, speed: JogSpeed) -> bool {
         let takes = self.take_by_hand();
         if takes {
+            self.keep_out(axis);
             self.manual.jog(axis, self.off_switch(axis, way), speed);
         }
         takes
@@ -487,6 +518,7 @@ impl Cnc {
     pub fn jog_step(&mut self, axis: Axis, steps: i64, increment: f64) -> bool {
         let takes = self.take_by_hand();
         if takes {
+            self.keep_out(axis);
             self.manual.step(axis, self.steps_off_switch(axis, steps, increment), increment);
         }
         takes
@@ -497,6 +529,7 @@ impl Cnc {
     pub fn handwheel(&mut self, axis: Axis, counts: i64, increment: f64) -> bool {
         let takes = self.take_by_hand();
         if takes {
+            self.keep_out(axis);
             self.manual.wheel(axis, self.steps_off_switch(axis, counts, increment), increment);
         }
         takes
@@ -525,24 +558,55 @@ impl Cnc {
     /// over, it leaves to [`tick`](Self::tick) what runs in the period; without it `tick` does all, with the same
     /// setpoints.
     pub fn prepare(&mut self) {
+        self.motion.fetch();
+        self.steps_left = usize::MAX;
         if self.state != State::Running {
             return;
         }
+        let is_short = self.steps_a_period != usize::MAX;
+        self.ahead_until = is_short.then(|| Instant::now() + Duration::from_secs_f64(AHEAD * self.period));
         self.take_steps();
+        self.ahead_until = None;
         let moves = self.state == State::Running && self.busy.is_none() && self.stroke.is_none();
         if moves && !self.motion.is_empty() && !self.must_settle_now() {
             self.motion.plan();
         }
     }
 
+    /// From now on motion is planned in a thread of its own, which gets the priority of the one that calls this, and no
+    /// period takes more than a few blocks from the interpreter, nor [`prepare`](Self::prepare) longer than a part of one:
+    /// for a clock at true speed, whose periods are short. The setpoints are the same as long as that thread is in time,
+    /// save that a queue that is empty fills in some periods.
+    ///
+    /// # Errors
+    /// The system gives no thread; then all is done in the period as before.
+    pub fn plan_beside(&mut self) -> std::io::Result<()> {
+        self.motion.plan_beside()?;
+        self.steps_a_period = STEPS_A_PERIOD;
+        Ok(())
+    }
+
+    /// Waits until what is due is planned, for a clock that does not wait itself.
+    pub fn await_planner(&mut self) {
+        self.motion.await_planner();
+    }
+
+    /// Periods that were not planned in time, all in all.
+    pub fn late_plans(&self) -> u64 {
+        self.motion.late()
+    }
+
     /// Goes on by one servo period.
     pub fn tick(&mut self) -> Tick {
+        self.motion.fetch();
+        self.steps_left = self.steps_a_period;
         self.serve_ladder();
         self.wait_for_more();
         let tick = self.period();
         if self.stroke.is_none_or(|stroke| !stroke.has_begun) {
             self.spindle.tick(self.period);
         }
+        self.drives.turn_spindle(self.spindle.told());
         tick
     }
 
@@ -585,6 +649,8 @@ impl Cnc {
                 }
                 match self.waiting.take() {
                     Some(waiting) => self.act(waiting),
+                    // The program goes on in the next period.
+                    None if self.steps_left == 0 => return self.at_rest(),
                     None if self.is_between_lines() => return self.at_rest(),
                     None if self.hands_over_speed() => {}
                     None => {
@@ -787,7 +853,9 @@ impl Cnc {
             true => command.position,
             false => actual - self.servo.added(),
         };
-        if let Some(fault) = fault {
+        if self.drives.has_failed() {
+            self.fail_drives();
+        } else if let Some(fault) = fault {
             self.fail(&fault);
         }
         self.watch_switches();
@@ -895,7 +963,13 @@ impl Cnc {
             return;
         }
         let is_free = |cnc: &Cnc| cnc.waiting.is_none() && cnc.busy.is_none() && cnc.stroke.is_none();
-        while is_free(self) && self.state == State::Running && self.motion.free() > 0 {
+        while is_free(self)
+            && self.state == State::Running
+            && self.motion.free() > 0
+            && self.steps_left > 0
+            && self.ahead_until.is_none_or(|until| Instant::now() < until)
+        {
+            self.steps_left -= 1;
             if let Some(step) = self.sent.next_jog() {
                 self.give(step);
                 continue;
@@ -930,7 +1004,10 @@ impl Cnc {
         self.shift_skip(&mut step);
         let mut refused = None;
         let events = &mut self.events;
+        // A probe needs no spindle that turns.
+        let probes = self.touches.is_some();
         self.supervisor.step(&step, |alarm| match alarm.severity {
+            Severity::Warning if probes => {}
             Severity::Warning => events.push(Event::Warning(Box::new(alarm))),
             Severity::Error if refused.is_none() => refused = Some(Box::new(alarm)),
             Severity::Error => {}
@@ -995,7 +1072,7 @@ impl Cnc {
             left: 1.0,
         };
         // There is room: the caller asked.
-        if self.motion.push(&self.paced(&given)).is_ok() {
+        if self.motion.push(&self.paced(&given)) {
             self.given.push_back(given);
         }
         if matches!(step.op, Op::Skip { .. }) {
@@ -1041,6 +1118,10 @@ impl Cnc {
             self.runs(block);
         }
         if self.is_kept_back(&step.op) || self.is_for_ladder(&step) {
+            return;
+        }
+        if matches!(step.op, Op::Tap { .. } | Op::Orient(_)) && !self.drives.leads_spindle() {
+            self.state = State::Alarmed(Box::new(Alarm::core(Fault::SpindleNotLed, step.span)));
             return;
         }
         match step.op {

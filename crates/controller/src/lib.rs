@@ -19,6 +19,7 @@ pub mod drives;
 pub mod handshake;
 mod homing;
 pub mod manual;
+pub mod measure;
 pub mod programmed;
 pub mod report;
 pub mod restart;

@@ -40,6 +40,8 @@ struct Speeds {
     travel: Travel,
     /// Whether the rapid key is dead: before homing, where a parameter says so (GSK990MC 12#0).
     no_rapid: bool,
+    /// Whether the software limits hold.
+    holds: bool,
 }
 
 /// Axes moved by hand.
@@ -67,6 +69,7 @@ impl Manual {
                     rapid: rapid / 60.0,
                     travel: (axis.min, axis.max),
                     no_rapid: false,
+                    holds: true,
                 };
             }
         }
@@ -153,8 +156,20 @@ impl Manual {
     pub fn set_travel(&mut self, axis: Axis, holds: bool, rapid: bool) {
         if let Some(speeds) = self.speeds.get_mut(axis.index()) {
             speeds.no_rapid = !rapid;
+            speeds.holds = holds;
             self.jog.set_travel(axis, holds.then_some(speeds.travel));
         }
+    }
+
+    /// Areas that are forbidden leave an axis this room, lower and upper machine position, within its software limits.
+    /// An axis that moves keeps what it has.
+    pub fn set_room(&mut self, axis: Axis, (low, high): (f64, f64)) {
+        let Speeds { travel, holds, .. } = self.of(axis);
+        let (least, most) = if holds { travel } else { (f64::NEG_INFINITY, f64::INFINITY) };
+        let (least, most) = (least.max(low), most.min(high));
+        // Bounds that leave no room leave the axis where it is.
+        let room = if least <= most { (least, most) } else { (self.at(axis), self.at(axis)) };
+        self.jog.set_travel(axis, Some(room));
     }
 
     /// Moves an axis on at a speed, mm/s with sign; 0 stops it.

@@ -20,14 +20,20 @@
 //!   that was not run before. This is the Q type. A variable that the program counts up then counts twice;
 //!   [`Restart::changes`] lists what the search changed.
 
+mod holes;
+pub mod told;
+
 use crate::supervision::Supervisor;
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_interpreter::program_state::ProgramState;
 use ferrocut_interpreter::{AtRest, Dialect, Fallible, Interpreter, Until};
 use ferrocut_machine::{Alarm, Fault, Machine, Memory, MemoryChange, Severity};
-use ferrocut_program::{FileId, Span};
+use ferrocut_program::{FileId, ProgramId, Span};
 use ferrocut_toolpath::{Feed, Op, PathMode, SpindleState, Step};
 use std::collections::VecDeque;
+use std::sync::atomic::{AtomicBool, Ordering};
+use told::differences;
+pub use told::{Compared, Difference, Setting};
 
 /// Answers of the machine that are kept, 240 bytes each: far more than a part has places to measure.
 const MOST_ANSWERS: usize = 10_000;
@@ -61,6 +67,8 @@ pub struct Interrupted {
     pub block: u64,
     /// Its text.
     pub span: Span,
+    /// Where the axes came to rest, mm and degrees.
+    pub at: Position,
 }
 
 /// What a control keeps of a run so that it can be taken up again.
@@ -100,6 +108,8 @@ pub enum At {
     },
     /// The block that was interrupted, in the pass in which it was.
     Interrupted,
+    /// The block with this number, each pass of a block counted, from 1.
+    Number(u64),
 }
 
 impl Journal {
@@ -134,6 +144,11 @@ impl Journal {
         self.left = Some(left);
     }
 
+    /// The file that has a program which those of the run can call, as this journal knows it from now on.
+    pub fn file_of(&mut self, id: &ProgramId) -> Option<FileId> {
+        self.start.file_of(id)
+    }
+
     /// Where the run was broken off, if it was.
     pub fn interrupted(&self) -> Option<Interrupted> {
         self.interrupted
@@ -145,6 +160,14 @@ impl Journal {
     /// # Errors
     /// Every alarm that the program raises before it comes there, and those of a place that it does not come to.
     pub fn find(&self, at: At, present: &Memory) -> Fallible<Restart> {
+        self.find_unless(at, present, &AtomicBool::new(false))
+    }
+
+    /// The same, given up when `stop` says so: with the alarm of a place that was not reached.
+    ///
+    /// # Errors
+    /// As [`find`](Self::find).
+    pub fn find_unless(&self, at: At, present: &Memory, stop: &AtomicBool) -> Fallible<Restart> {
         let mut journal = self.clone();
         if let Some(left) = &self.left {
             let by_hand = left.changes_to(present);
@@ -164,12 +187,12 @@ impl Journal {
             Until::Block { pass, .. } if loops_forever => {
                 let mut once = interpreter.clone();
                 once.set_loops_forever(false);
-                match journal.search(&mut once, until, u64::MAX) {
+                match journal.search(&mut once, until, u64::MAX, stop) {
                     Err(alarm) if alarm.fault == Fault::RestartNotReached => {
                         let most = (once.blocks_begun() + 1).saturating_mul(pass.saturating_add(1));
                         match once.passes_of_mark() {
                             0 => Err(alarm),
-                            _ => journal.search(&mut interpreter, until, most),
+                            _ => journal.search(&mut interpreter, until, most, stop),
                         }
                     }
                     found => {
@@ -179,7 +202,7 @@ impl Journal {
                     }
                 }
             }
-            _ => journal.search(&mut interpreter, until, u64::MAX),
+            _ => journal.search(&mut interpreter, until, u64::MAX, stop),
         };
         let functions = functions.map_err(|mut alarm| {
             if alarm.fault == Fault::RestartNotReached {
@@ -192,16 +215,23 @@ impl Journal {
         interpreter.set_mark(None);
         let position = interpreter.start_of_next_block()?;
         let in_force = interpreter.program_state();
+        let block = interpreter.blocks_begun() + 1;
+        let broken_at = self.interrupted.filter(|_| at == At::Interrupted).map(|interrupted| interrupted.at);
+        let left = broken_at.and_then(|broken| holes::done_before(&interpreter, position, broken));
         interpreter.leave_begun_blocks_behind();
-        Ok(Restart { journal, interpreter, span, pass, position, in_force, functions })
+        // The block is begun, and what was done of it is not given out again.
+        let (position, hole) = left.map_or((position, 1), |left| (left.position, left.hole));
+        (&mut interpreter).take(left.map_or(0, |left| left.steps)).for_each(drop);
+        Ok(Restart { journal, interpreter, span, pass, block, hole, position, in_force, functions })
     }
 
     fn until(&self, at: At, interpreter: &mut Interpreter) -> Fallible<(Until, Span)> {
         match at {
             At::Interrupted => match self.interrupted {
-                Some(Interrupted { block, span }) => Ok((Until::Number(block), span)),
+                Some(Interrupted { block, span, .. }) => Ok((Until::Number(block), span)),
                 None => Err(Box::new(Alarm::core(Fault::RestartNothing, Span::default()))),
             },
+            At::Number(block) => Ok((Until::Number(block), Span::default())),
             At::Line { file, line, pass } => {
                 let found = interpreter.block_of_line(file, line).map_err(|error| {
                     let alarm = Alarm::core(Fault::FileUnreadable, Span { file, line, ..Span::default() });
@@ -217,12 +247,20 @@ impl Journal {
     }
 
     /// Interprets to a block, or until `most` blocks were begun.
-    fn search(&self, interpreter: &mut Interpreter, until: Until, most: u64) -> Fallible<Functions> {
+    fn search(
+        &self,
+        interpreter: &mut Interpreter,
+        until: Until,
+        most: u64,
+        stop: &AtomicBool,
+    ) -> Fallible<Functions> {
         let mut functions = Functions { renamed: self.renamed, ..Functions::default() };
         let mut at = Interpreter::position(interpreter);
         let mut answers = self.answers.iter().peekable();
         interpreter.set_mark_within(until, most);
-        while let Some(step) = interpreter.next() {
+        while !stop.load(Ordering::Relaxed)
+            && let Some(step) = interpreter.next()
+        {
             let step = step?;
             match &step.op {
                 // Where the signal came, and then the barrier behind it.
@@ -247,7 +285,10 @@ impl Journal {
                     at = *name;
                 }
                 op => {
-                    functions.note(op);
+                    // What moves the magazine belongs to the change, which is made anew where it is needed.
+                    if !interpreter.changes_tool() {
+                        functions.note(op);
+                    }
                     at = op.target().copied().unwrap_or(at);
                 }
             }
@@ -316,6 +357,10 @@ pub struct Restart {
     pub span: Span,
     /// The how manieth time it is reached; 0 where it was found by its number.
     pub pass: u64,
+    /// Its number, each pass of a block counted.
+    pub block: u64,
+    /// The hole of a canned cycle with which it begins, from 1.
+    pub hole: u32,
     /// Where the axes stand when it begins, machine coordinates, compensation included, mm and degrees.
     pub position: Position,
     /// What is in force then.
@@ -468,107 +513,11 @@ impl Restart {
     }
 
     fn step(&self, op: Op) -> Step {
-        Step { op, span: self.span, block: self.interpreter.blocks_begun() + 1 }
+        Step { op, span: self.span, block: self.block }
     }
 }
 
 /// An alarm by the control's own number, where it has one.
-fn own_alarm(dialect: &Dialect, fault: Fault, span: Span) -> Alarm {
+pub(crate) fn own_alarm(dialect: &Dialect, fault: Fault, span: Span) -> Alarm {
     Alarm::new(dialect.alarm_id(fault), fault, span)
-}
-
-/// Something that program and machine do not have alike.
-#[derive(Clone, PartialEq, Debug)]
-pub struct Difference {
-    /// What it is.
-    pub of: Compared,
-    /// What the program has.
-    pub program: Setting,
-    /// What the machine has.
-    pub machine: Setting,
-}
-
-/// What is compared.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub enum Compared {
-    /// The G code of a modal group, by the manual's number.
-    Code(u8),
-    /// F, mm/min.
-    Feed,
-    /// F, mm a turn.
-    FeedPerRevolution,
-    /// S, r/min.
-    Speed,
-    /// What the spindle does.
-    Spindle,
-    /// Coolant: flood, mist.
-    Coolant(usize),
-    /// T: the tool chosen last.
-    Tool,
-    /// The tool in the spindle.
-    InSpindle,
-    /// H.
-    LengthNumber,
-    /// D.
-    RadiusNumber,
-    /// Machine position of the zero that an axis is measured from, mm or degrees.
-    WorkZero(Axis),
-    /// Tool length on an axis, mm.
-    Length(Axis),
-}
-
-/// A value of what is compared.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub enum Setting {
-    /// Nothing.
-    None,
-    /// A G code in tenths.
-    Code(u16),
-    /// A number.
-    Number(f64),
-    /// What the spindle does.
-    Spindle(SpindleState),
-    /// On or off.
-    Switch(bool),
-}
-
-fn differences(program: &ProgramState, machine: &ProgramState) -> Vec<Difference> {
-    let mut all = Vec::new();
-    let mut compare = |of, program: Setting, machine: Setting| {
-        if program != machine {
-            all.push(Difference { of, program, machine });
-        }
-    };
-    let code_of = |state: &ProgramState, group| {
-        let code = state.codes().find(|code| code.group == group);
-        code.map_or(Setting::None, |code| Setting::Code(code.tenths))
-    };
-    for code in program.codes() {
-        compare(Compared::Code(code.group), Setting::Code(code.tenths), code_of(machine, code.group));
-    }
-    let number = |value: f64| Setting::Number(value);
-    let numbers = |state: &ProgramState| {
-        [
-            (Compared::Feed, state.feed_per_minute),
-            (Compared::FeedPerRevolution, state.feed_per_revolution),
-            (Compared::Tool, f64::from(state.tool)),
-            (Compared::InSpindle, f64::from(state.in_spindle)),
-            (Compared::LengthNumber, f64::from(state.length_number)),
-            (Compared::RadiusNumber, state.radius_number),
-        ]
-    };
-    for ((of, a), (_, b)) in numbers(program).into_iter().zip(numbers(machine)) {
-        compare(of, number(a), number(b));
-    }
-    let speed = |state: &ProgramState| state.speed.map_or(Setting::None, number);
-    compare(Compared::Speed, speed(program), speed(machine));
-    compare(Compared::Spindle, Setting::Spindle(program.spindle), Setting::Spindle(machine.spindle));
-    for (which, (a, b)) in program.coolant.iter().zip(&machine.coolant).enumerate() {
-        compare(Compared::Coolant(which), Setting::Switch(*a), Setting::Switch(*b));
-    }
-    for axis in Axis::ALL {
-        compare(Compared::WorkZero(axis), number(program.work_zero[axis]), number(machine.work_zero[axis]));
-        compare(Compared::Length(axis), number(program.length[axis]), number(machine.length[axis]));
-    }
-    all
 }

@@ -14,6 +14,7 @@ pub const SIGNAL_AXES: usize = 8;
 
 /// The mode of the control (GSK990MC part 2, 1.2.4).
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum Mode {
     /// Programs are written; nothing runs.

@@ -1,7 +1,12 @@
-//! The simulated spindle: runs up and brakes at a constant rate, and has an encoder.
+//! The simulated spindle: runs up and brakes at a constant rate, has an encoder, and follows angles as its drive does.
+//!
+//! On a machine whose file describes a plant the position loop of the drive lags: it commands the speed
+//! `Kv·(c − x) + F·c'`, so that the lag `e = c − x` obeys `e' = (1 − F)·c' − Kv·e`. While the command goes straight through
+//! a period of `T` it comes nearer to `(1 − F)·c'/Kv` by `1 − exp(−Kv·T)`.
 
+use crate::drives::plant::kept;
 use ferrocut_geometry::Position;
-use ferrocut_machine::Machine;
+use ferrocut_machine::{Machine, PlantConfig};
 use ferrocut_toolpath::SpindleState;
 
 /// What the encoder of a spindle says.
@@ -11,6 +16,17 @@ pub struct Encoder {
     pub turns: f64,
     /// The marker was passed in the last period, once a turn.
     pub marker: bool,
+}
+
+/// The position loop of a drive that is not ideal.
+#[derive(Clone, Copy, Debug)]
+struct Following {
+    /// Part of the lag that a period leaves of what it is above the steady one.
+    kept: f64,
+    /// The steady lag at a speed of a turn a period, turns.
+    steady: f64,
+    /// Angle commanded last, turns.
+    command: f64,
 }
 
 /// A spindle with its speed and angle.
@@ -29,6 +45,18 @@ pub struct Spindle {
     rate: f64,
     max: f64,
     counts: f64,
+    following: Option<Following>,
+}
+
+impl Following {
+    fn new(plant: &PlantConfig, period_ms: f64) -> Option<Following> {
+        let (gain, period) = (plant.spindle_gain, period_ms / 1000.0);
+        (gain > 0.0).then(|| Following {
+            kept: kept(gain, period),
+            steady: (1.0 - plant.spindle_feed_forward) / (gain * period),
+            command: 0.0,
+        })
+    }
 }
 
 impl Spindle {
@@ -43,6 +71,10 @@ impl Spindle {
             rate: machine.spindle.acceleration_rpm_s,
             max: machine.spindle.max_rpm,
             counts: machine.spindle.encoder_counts,
+            following: machine
+                .plant
+                .as_ref()
+                .and_then(|plant| Following::new(plant, machine.servo_period_ms)),
         }
     }
 
@@ -129,12 +161,21 @@ impl Spindle {
             angle = if on >= angle - least { on } else { on + 1.0 };
         }
         self.turn_to(angle);
+        if let Some(following) = &mut self.following {
+            following.command = angle;
+        }
     }
 
-    /// Follows a commanded angle, turns, as an axis does. Its drive is ideal.
+    /// Follows a commanded angle for a period, turns, as an axis does.
     pub fn follow(&mut self, angle: f64) {
         (self.told, self.speed, self.rest_at) = (0.0, 0.0, None);
-        self.turn_to(angle);
+        let lag = self.following.as_mut().map_or(0.0, |following| {
+            let steady = following.steady * (angle - following.command);
+            let lag = following.command - self.angle;
+            following.command = angle;
+            steady + (lag - steady) * following.kept
+        });
+        self.turn_to(angle - lag);
     }
 
     fn turn_to(&mut self, angle: f64) {
@@ -152,6 +193,20 @@ impl Spindle {
 mod tests {
     use super::*;
     use ferrocut_toolpath::Speed;
+
+    #[test]
+    fn its_drive_lags_as_the_gain_says_and_comes_to_its_angle() {
+        let plant = PlantConfig { spindle_gain: 40.0, spindle_feed_forward: 0.9, ..PlantConfig::default() };
+        let mut spindle = Spindle::new(&Machine { plant: Some(plant), ..Machine::demo_mill() });
+        // 10 turns a second: a tenth of them in 1/40 s is 0.025 turns behind.
+        for k in 1..=1000 {
+            spindle.follow(f64::from(k) * 0.01);
+            let after = 1.0 - (-0.04 * f64::from(k)).exp();
+            assert!((f64::from(k) * 0.01 - spindle.angle() - 0.025 * after).abs() < 1e-9, "{k}");
+        }
+        (0..1000).for_each(|_| spindle.follow(10.0));
+        assert!((spindle.angle() - 10.0).abs() < 1e-12);
+    }
 
     #[test]
     fn the_encoder_counts_turns_and_passes_its_marker_once_in_each() {

@@ -2,108 +2,12 @@
 //! given as the ladder would give them.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
 
-use ferrocut_controller::api::{Activity, Command, Event, OffsetValues, RelativeTo, Reply, Status};
-use ferrocut_controller::signals::{Inputs, RapidOverride, Ways};
-use ferrocut_controller::{Control, Mode, Parts};
-use ferrocut_machine::Machine;
-use ferrocut_memory::{Author, Session};
+mod common;
 
-fn person() -> Author {
-    Author::Person { session: Session::OPERATOR, name: "panel".into() }
-}
-
-/// An operator at a control.
-struct Shop {
-    control: Control,
-    inputs: Inputs,
-    events: Vec<Event>,
-}
-
-impl Shop {
-    fn new(parameters: &[(&str, f64)]) -> Shop {
-        let mut machine = Machine::demo_mill();
-        machine.spindle.acceleration_rpm_s = 40_000.0;
-        for (name, value) in parameters {
-            machine.parameters.insert((*name).to_owned(), *value);
-        }
-        let control = Control::new(&machine, Parts::default()).unwrap();
-        let mut shop = Shop { control, inputs: Control::free_inputs(Mode::Edit), events: Vec::new() };
-        shop.wait(2);
-        shop
-    }
-
-    fn wait(&mut self, periods: usize) -> Status {
-        for _ in 0..periods {
-            self.control.set_inputs(self.inputs.clone());
-            self.control.tick();
-        }
-        self.events.extend(self.control.events());
-        self.control.status()
-    }
-
-    fn mode(&mut self, mode: Mode) {
-        self.inputs.mode = mode;
-        self.wait(2);
-    }
-
-    fn start(&mut self) {
-        self.inputs.cycle_start = true;
-        self.wait(5);
-        self.inputs.cycle_start = false;
-        self.wait(1);
-    }
-
-    fn hold(&mut self) {
-        self.inputs.feed_hold = true;
-        self.wait(5);
-        self.inputs.feed_hold = false;
-        self.wait(1);
-    }
-
-    fn say(&mut self, command: Command) -> Reply {
-        self.control.command(command, &person()).unwrap()
-    }
-
-    fn refused(&mut self, command: Command) -> String {
-        self.control.command(command, &person()).unwrap_err().alarm.id
-    }
-
-    fn store(&mut self, program: &str, text: &str) {
-        self.say(Command::Store { program: program.into(), text: text.into() });
-    }
-
-    fn select(&mut self, program: &str) {
-        self.mode(Mode::Auto);
-        self.say(Command::Select { program: program.into() });
-    }
-
-    /// Until the control does something else than run.
-    fn until_it_stops(&mut self) -> Status {
-        for _ in 0..3000 {
-            let status = self.wait(100);
-            let is_at_rest = status.feed.actual == 0.0;
-            if is_at_rest
-                && !matches!(status.activity, Activity::Running | Activity::Returning | Activity::Resetting)
-            {
-                return status;
-            }
-        }
-        panic!("never stops: {:?}", self.control.status());
-    }
-
-    fn x(&self) -> f64 {
-        self.control.status().position.machine[&'X']
-    }
-
-    /// The refusals and alarms told since the last look.
-    fn told(&mut self) -> Vec<String> {
-        let told = std::mem::take(&mut self.events).into_iter().filter_map(|event| match event {
-            Event::Alarm { alarm } | Event::Refused { alarm } => Some(alarm.id),
-            _ => None,
-        });
-        told.collect()
-    }
-}
+use common::shop::Shop;
+use ferrocut_controller::Mode;
+use ferrocut_controller::api::{Activity, Command, Event, OffsetValues, RelativeTo, Reply};
+use ferrocut_controller::signals::{RapidOverride, Ways};
 
 const LONG: &str = "O1\nN1 G90 G94 G1 X20 F1200\nN2 X40 Y10\nN3 X60 Y0\nN4 X80\nM30\n";
 

@@ -121,3 +121,66 @@ fn an_axis_leaves_its_travel_switch_by_the_release_key() {
     assert!(!is(&mut control, "LAMP_OT") && fault(&control).is_none());
     assert!(control.status().position.machine[&'X'] > stands + 10.0);
 }
+
+#[test]
+fn the_text_of_the_ladder_is_that_of_the_one_that_runs() {
+    use ferrocut_controller::api::{Command, Reply};
+    let author = ferrocut_memory::Author::Maintenance { name: "builder".into() };
+    let mut control = control(&machine());
+    let mut text = |command: Command| {
+        let reply = control.command(command, &author).unwrap();
+        wait(&mut control, 20);
+        match reply {
+            Reply::Text { text } => text,
+            other => format!("{other:?}"),
+        }
+    };
+    let standard = text(Command::Ladder);
+    let exchanged = format!("{LADDER}\n; a remark of the builder\n");
+    text(Command::ExchangeLadder { text: exchanged.clone() });
+    assert_eq!(text(Command::Ladder), exchanged);
+    text(Command::RollBackLadder);
+    assert_eq!(text(Command::Ladder), standard);
+    // And back again: remarks are not in the ladder itself.
+    text(Command::RollBackLadder);
+    assert_eq!(text(Command::Ladder), standard);
+}
+
+#[test]
+fn messages_of_a_ladder_go_with_it() {
+    use ferrocut_controller::Plant;
+    use ferrocut_controller::api::{Command, Event};
+    let author = ferrocut_memory::Author::Maintenance { name: "builder".into() };
+    let machine = Machine::demo_mill();
+    let mut plant = Plant::new(&machine, Default::default(), Default::default());
+    assert!(plant.set_level("AIR_PRESSURE", false));
+    let ladder = Program::from_text(LADDER.as_bytes(), &Limits::default()).unwrap();
+    let parts = Parts { ladder: Some(ladder), drives: Some(Box::new(plant)), ..Parts::default() };
+    let mut control = Control::new(&machine, parts).unwrap();
+    let messages = |control: &mut Control| {
+        wait(control, 100);
+        let told = control.events().into_iter().filter_map(|event| match event {
+            Event::MachineMessage { name, on } => Some((name, on)),
+            _ => None,
+        });
+        told.collect::<Vec<_>>()
+    };
+    assert!(messages(&mut control).contains(&("MSG_AIR".to_owned(), true)));
+    // The same ladder: the message stands, and is not told again.
+    control.command(Command::ExchangeLadder { text: LADDER.into() }, &author).unwrap();
+    assert_eq!(messages(&mut control), []);
+    // One that calls it otherwise.
+    let text = LADDER.replace("MSG_AIR", "MSG_AIR_LOW");
+    control.command(Command::ExchangeLadder { text }, &author).unwrap();
+    let told = messages(&mut control);
+    assert!(
+        told.contains(&("MSG_AIR".to_owned(), false)) && told.contains(&("MSG_AIR_LOW".to_owned(), true)),
+        "{told:?}"
+    );
+    control.command(Command::RollBackLadder, &author).unwrap();
+    let told = messages(&mut control);
+    assert!(
+        told.contains(&("MSG_AIR".to_owned(), true)) && told.contains(&("MSG_AIR_LOW".to_owned(), false)),
+        "{told:?}"
+    );
+}

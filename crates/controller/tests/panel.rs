@@ -1,12 +1,15 @@
 //! The whole control with the standard ladder and the simulated machine, played through the keys of the panel alone.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
 
-use ferrocut_controller::api::{Activity, Command, Event, Reply, Status};
+use ferrocut_controller::api::{Activity, Command, Event, Measurement, Reply, Status};
+use ferrocut_controller::drives::Block;
 use ferrocut_controller::{Control, Mode, Parts, Plant};
 use ferrocut_geometry::Position;
 use ferrocut_machine::Machine;
-use ferrocut_memory::{Author, Session};
+use ferrocut_memory::{Author, Session, Settings, Store};
 use ferrocut_plc::{Limits, Program};
+use serde_json::json;
+use std::sync::Arc;
 
 const LADDER: &str = include_str!("../../../machines/standard.lad");
 
@@ -18,12 +21,17 @@ struct Mill {
 impl Mill {
     fn power_on() -> Mill {
         let machine = Machine::demo_mill();
+        Mill::of(&machine, Plant::new(&machine, Position::ZERO, Position::ZERO), None)
+    }
+
+    fn of(machine: &Machine, plant: Plant, store: Option<Arc<Store>>) -> Mill {
         let parts = Parts {
             ladder: Some(Program::from_text(LADDER.as_bytes(), &Limits::default()).unwrap()),
-            drives: Some(Box::new(Plant::new(&machine, Position::ZERO, Position::ZERO))),
+            drives: Some(Box::new(plant)),
+            store,
             ..Parts::default()
         };
-        let mut mill = Mill { control: Control::new(&machine, parts).unwrap(), events: Vec::new() };
+        let mut mill = Mill { control: Control::new(machine, parts).unwrap(), events: Vec::new() };
         mill.say(Command::Switch { switch: "SWITCH_FEED".into(), position: 10 });
         mill.say(Command::Switch { switch: "SWITCH_SPINDLE".into(), position: 5 });
         mill.wait(100);
@@ -54,8 +62,41 @@ impl Mill {
         self.key(key, false);
     }
 
+    /// Every axis to its reference point.
+    fn home(&mut self) -> Status {
+        self.press("KEY_HOME");
+        for key in ["KEY_Z+", "KEY_X+", "KEY_Y+"] {
+            self.key(key, true);
+            self.wait(200);
+            self.key(key, false);
+        }
+        self.until("homed", |status| ['X', 'Y', 'Z'].iter().all(|axis| status.referenced.contains(axis)))
+    }
+
+    /// Blocks of MDI, run to their end.
+    fn mdi(&mut self, text: &str) {
+        self.press("KEY_MDI");
+        self.say(Command::Mdi { text: text.into() });
+        self.press("KEY_START");
+        self.until(text, |status| status.activity == Activity::Idle);
+    }
+
+    /// Measures in AUTO.
+    fn measure(&mut self, command: serde_json::Value) -> Measurement {
+        self.press("KEY_AUTO");
+        self.events.clear();
+        self.say(serde_json::from_value(command).unwrap());
+        self.press("KEY_START");
+        self.until("measured", |status| status.activity == Activity::Idle && !status.measure_ready);
+        let measured = self.events.iter().find_map(|event| match event {
+            Event::Measured { measured } => Some(measured.clone()),
+            _ => None,
+        });
+        measured.unwrap_or_else(|| panic!("{:?}", self.events))
+    }
+
     fn until(&mut self, what: &str, is: impl Fn(&Status) -> bool) -> Status {
-        for _ in 0..4000 {
+        for _ in 0..20_000 {
             let status = self.wait(50);
             if is(&status) {
                 return status;
@@ -73,14 +114,7 @@ fn a_shift_through_the_keys() {
     assert!(mill.wait(1).referenced.is_empty() || !mill.wait(1).referenced.contains(&'X'));
 
     // Every axis to its reference point; the lamps tell.
-    mill.press("KEY_HOME");
-    for key in ["KEY_Z+", "KEY_X+", "KEY_Y+"] {
-        mill.key(key, true);
-        mill.wait(200);
-        mill.key(key, false);
-    }
-    let status =
-        mill.until("homed", |status| ['X', 'Y', 'Z'].iter().all(|axis| status.referenced.contains(axis)));
+    let status = mill.home();
     assert!(status.lamps.contains(&"LAMP_HOME".to_owned()), "{:?}", status.lamps);
 
     // Jog, with a lamp for the mode.
@@ -133,4 +167,165 @@ fn a_shift_through_the_keys() {
     mill.wait(50);
     mill.say(Command::Reset);
     mill.until("well", |status| status.activity == Activity::Idle && status.alarms.is_empty());
+}
+
+const BRACKET: &str = include_str!("../../../examples/gsk990mc/bracket.nc");
+const TOOL_CHANGE: &str = include_str!("../../../machines/tool-change.nc");
+
+/// The setter: X, Y, and Z where a tool of no length touches it. Diameter of setter and probe.
+const SETTER: [f64; 3] = [200.0, 100.0, -300.0];
+const BALL: f64 = 2.0;
+/// The first tool, and the bore that the zero is measured by.
+const LENGTH: f64 = 90.0;
+const CENTRE: [f64; 2] = [12.3, -7.8];
+const RADIUS: f64 = 15.0;
+
+/// The setter with the first tool over it, and the bore as the middle of the probe meets it on the lines through its
+/// centre.
+fn things() -> Vec<Block> {
+    let [x, y, z] = SETTER;
+    let (far, [cx, cy]) = (RADIUS - BALL / 2.0, CENTRE);
+    let wall =
+        |min: [f64; 2], max: [f64; 2]| Block { min: [min[0], min[1], -100.0], max: [max[0], max[1], -60.0] };
+    vec![
+        Block { min: [x - 8.0, y - 8.0, -400.0], max: [x + 8.0, y + 8.0, z + LENGTH] },
+        wall([cx + far, cy - 5.0], [cx + far + 5.0, cy + 5.0]),
+        wall([cx - far - 5.0, cy - 5.0], [cx - far, cy + 5.0]),
+        wall([cx - 5.0, cy + far], [cx + 5.0, cy + far + 5.0]),
+        wall([cx - 5.0, cy - far - 5.0], [cx + 5.0, cy - far]),
+    ]
+}
+
+#[test]
+fn a_shift_with_measuring_and_an_emergency_stop_in_a_cut() {
+    let folder = tempfile::tempdir().unwrap();
+    let store = Arc::new(Store::open(folder.path(), Settings::new("gsk990mc")).unwrap());
+    let mut machine = Machine::demo_mill();
+    for (name, value) in
+        [("NO4.0", 1.0), ("P387", SETTER[0]), ("P388", SETTER[1]), ("P389", SETTER[2]), ("P391", BALL)]
+    {
+        machine.parameters.insert(name.to_owned(), value);
+    }
+    let mut plant = Plant::new(&machine, Position::ZERO, Position::ZERO);
+    things().into_iter().for_each(|block| plant.place(block));
+    let mut mill = Mill::of(&machine, plant, Some(store));
+    mill.press("KEY_EDIT");
+    for (name, text) in [("O1000", BRACKET), ("O9001", TOOL_CHANGE)] {
+        mill.say(Command::Store { program: name.into(), text: text.into() });
+    }
+    mill.home();
+
+    // The first tool, measured on the setter; the others are known.
+    mill.mdi("T1 M06");
+    assert_eq!(mill.control.status().spindle.tool, 1);
+    let tool = mill.measure(json!({"do": "measure_tool", "mode": "length", "h": 1, "length": 88.0}));
+    assert!((tool.sizes[0] - LENGTH).abs() < 5e-4 && tool.stored == ["H1"], "{tool:?}");
+    for number in 2..=6 {
+        let known = json!({"do": "set_offset", "number": number, "length": LENGTH});
+        mill.say(serde_json::from_value(known).unwrap());
+    }
+
+    // The zero: X and Y by the bore, Z typed.
+    mill.mdi(&format!("G90 G53 G0 Z-20\nG53 X{} Y{}", CENTRE[0], CENTRE[1]));
+    let zero = json!({"do": "measure", "form": "hole", "diameter": 2.0 * RADIUS, "z": -70, "system": "G54",
+        "tolerance": 0.05});
+    let found = mill.measure(zero);
+    assert!((found.sizes[0] - 2.0 * RADIUS).abs() < 1e-3 && found.stored == ["G54"], "{found:?}");
+    mill.say(Command::SetZero { system: "G54".into(), axes: [('Z', -150.0)].into(), add: false });
+    let Reply::Zeros { zeros } = mill.say(Command::Zeros) else { panic!() };
+    let zero = zeros["G54"].clone();
+    for (axis, wanted) in [('X', CENTRE[0]), ('Y', CENTRE[1]), ('Z', -150.0)] {
+        assert!((zero[&axis] - wanted).abs() < 1e-3, "{zero:?}");
+    }
+
+    // The bracket: hold, another feed, an axis moved by hand and back.
+    mill.press("KEY_AUTO");
+    mill.say(Command::Select { program: "O1000".into() });
+    mill.press("KEY_START");
+    mill.until("facing", |status| status.program.line == 23 && status.feed.actual > 100.0);
+    mill.press("KEY_HOLD");
+    let held = mill.until("held", |status| status.activity == Activity::Held && status.feed.actual == 0.0);
+    mill.press("KEY_JOG");
+    mill.key("KEY_Y+", true);
+    mill.wait(500);
+    mill.key("KEY_Y+", false);
+    let away = mill.until("at rest", |status| status.feed.actual == 0.0);
+    assert!(away.position.machine[&'Y'] > held.position.machine[&'Y'] + 5.0);
+    mill.press("KEY_AUTO");
+    mill.say(Command::Switch { switch: "SWITCH_FEED".into(), position: 15 });
+    mill.press("KEY_START");
+    let runs =
+        mill.until("faces on", |status| status.activity == Activity::Running && status.program.line == 23);
+    let back = runs.position.machine[&'Y'] - held.position.machine[&'Y'];
+    assert!(back.abs() < 1e-6, "the way went back first: {back}");
+    assert_eq!(runs.feed.feed_override, 1.5);
+    mill.say(Command::Switch { switch: "SWITCH_FEED".into(), position: 10 });
+
+    // Emergency stop in the second level of the contour, on its long side.
+    let deep = -150.0 + LENGTH - 12.0;
+    mill.until("deep in the contour", |status| {
+        status.program.line == 142 && status.position.machine[&'Z'] < deep && status.feed.actual > 100.0
+    });
+    mill.say(Command::EmergencyStop { pressed: true });
+    let stopped = mill.wait(1000);
+    assert_eq!((stopped.activity, stopped.feed.actual), (Activity::Emergency, 0.0));
+    assert_eq!(stopped.spindle.told, 0.0);
+    mill.press("KEY_START");
+    assert_eq!(mill.wait(200).position.machine, stopped.position.machine);
+    mill.say(Command::EmergencyStop { pressed: false });
+    mill.wait(100);
+    mill.say(Command::Reset);
+    let status = mill.until("well", |status| status.activity == Activity::Idle && status.alarms.is_empty());
+    let told = status.interrupted.unwrap();
+    assert_eq!((told.program.as_str(), told.line, told.kept), ("O1000", 142, true));
+
+    // Z up by hand, the restart prepared, cycle start.
+    mill.press("KEY_JOG");
+    mill.key("KEY_Z+", true);
+    mill.wait(1000);
+    mill.key("KEY_Z+", false);
+    mill.until("at rest", |status| status.feed.actual == 0.0);
+    mill.press("KEY_AUTO");
+    mill.say(serde_json::from_value(json!({"do": "restart", "sends": true})).unwrap());
+    for _ in 0..5000 {
+        if mill.wait(1).restart_ready {
+            break;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+    let Reply::Restarts { ready, .. } = mill.say(Command::Restarts) else { panic!() };
+    let plan = *ready.unwrap();
+    assert_eq!((plan.line, plan.origin.as_str()), (142, "kept"));
+    assert_eq!(plan.functions, ["M03 S4500", "M08"]);
+    // Line 142 begins at X-70 Y48; Z comes last, at the second level.
+    let wanted = [('X', zero[&'X'] - 70.0), ('Y', zero[&'Y'] + 48.0), ('Z', zero[&'Z'] + LENGTH - 12.5)];
+    for ((axis, to), way) in wanted.into_iter().zip(&plan.approach) {
+        assert!(way.axis == axis && (way.to - to).abs() < 1e-3, "{:?}", plan.approach);
+    }
+    assert_eq!(plan.approach.len(), 3);
+    mill.press("KEY_START");
+    mill.until("goes on in the block", |status| status.program.line == 142 && status.feed.actual > 1000.0);
+    let done = mill.until("done", |status| status.activity == Activity::Idle);
+
+    // The part, the positions, the variables, the log.
+    assert_eq!((done.counters.parts, done.alarms.len(), done.interrupted), (1, 0, None));
+    for (axis, to) in [('X', zero[&'X'] - 70.0), ('Y', zero[&'Y'] + 30.0), ('Z', 150.0)] {
+        assert!((done.position.machine[&axis] - to).abs() < 1e-6, "{:?}", done.position.machine);
+    }
+    assert_eq!(done.spindle.tool, 6);
+    let Reply::Variables { variables } = mill.say(Command::Variables { from: 500, to: 500 }) else {
+        panic!()
+    };
+    assert_eq!(variables[&500], 6.0, "the tool in the spindle, as O9001 keeps it");
+    mill.control.flush().unwrap();
+    let Reply::AlarmHistory { alarms } = mill.say(Command::AlarmHistory { most: 10 }) else { panic!() };
+    assert_eq!(alarms.iter().filter(|past| past.id == "FC-1410").count(), 1, "{alarms:?}");
+    assert_eq!(alarms[0].program, "O1000");
+    let Reply::OperationLog { entries } = mill.say(Command::OperationLog { most: 100 }) else { panic!() };
+    let by_panel = |item: &str, name: &str| {
+        entries.iter().any(|line| line.who == "panel" && line.item == item && line.name.starts_with(name))
+    };
+    assert!(by_panel("offsets", "1 length"), "{entries:?}");
+    assert!(by_panel("zeros", "G54 x") && by_panel("zeros", "G54 y") && by_panel("zeros", "G54 z"));
+    assert!(by_panel("programs", "O1000"));
 }

@@ -6,7 +6,6 @@ mod common;
 use common::{ACTIVITIES, Hand, cnc, cnc_with, ended, machine, run, run_with};
 use ferrocut_controller::{Activity, Cnc, Drives, Event, State, Tick};
 use ferrocut_geometry::{Axis, Position};
-use ferrocut_motion::LEAD_S;
 
 /// A little of everything that moves.
 const MIXED: &str = "G0 Z20\nT1 M6\nG0 X10 Y10 S1000 M3\nG1 Z-2 F600\nX40 F2000\nG3 X50 Y20 R10\nG1 Y40\n\
@@ -177,8 +176,8 @@ fn a_pause_stands_still_where_the_move_before_it_ended() {
     let at_ten: Vec<Tick> =
         run.ticks.iter().copied().filter(|t| t.position == Position::xyz(10.0, 0.0, 0.0)).collect();
     let (moving, still): (Vec<Tick>, Vec<Tick>) = at_ten.into_iter().partition(|t| t.moving);
-    // The one that arrives, 50 of the dwell, and 8 ms until the run that is asked for behind it begins.
-    assert_eq!((moving.len(), still.len()), (1 + 8, 50));
+    // The one that arrives, and 50 of the dwell.
+    assert_eq!((moving.len(), still.len()), (1, 50));
     assert!(still.iter().all(|t| t.velocity == 0.0 && t.span.line == 2));
 }
 
@@ -220,11 +219,10 @@ fn feed_override_scales_cuts_and_rapid_override_positioning() {
         let run = run(&mut cnc);
         run.check_limits(&machine, false);
         assert_eq!(run.end(), Position::ZERO);
-        (cnc.report().time(Activity::Cutting) - LEAD_S, cnc.report().time(Activity::Rapid))
+        (cnc.report().time(Activity::Cutting), cnc.report().time(Activity::Rapid))
     };
     // 300 mm at 20 mm/s: 15 s and one time of speeding up at 50000 mm/s³, 2·√(20/50000) s; at rapid 250 mm/s
-    // 1.2 s, 250/2000 s and 2000/50000 s. A period each for the remainder. Behind the spindle the run begins 8 ms
-    // after it is asked for.
+    // 1.2 s, 250/2000 s and 2000/50000 s. A period each for the remainder.
     let close = |a: f64, b: f64| (a - b).abs() <= 0.0021;
     let (cut, rapid) = times(1.0, 1.0);
     assert!(close(cut, 15.04) && close(rapid, 1.365), "{cut} {rapid}");
@@ -254,7 +252,7 @@ fn feed_per_revolution_takes_the_spindle_s_speed() {
     // 0.5 mm a turn at 600 r/min: 5 mm/s, and 2·√(5/50000) s of speeding up.
     let (cnc, _) = ended(&machine, "M3 S600\nG95 G1 X10 F0.5\nM30\n");
     let cut = cnc.report().time(Activity::Cutting);
-    assert!((cut - LEAD_S - 2.02).abs() <= 0.0021, "{cut}");
+    assert!((cut - 2.02).abs() <= 0.0021, "{cut}");
     // Turns of the spindle as a dwell (34#0): 10 turns at 600 r/min.
     let mut cnc = cnc_with(&machine, "M3 S600\nG95 G4 X10\nM30\n", "[parameters]\n\"NO34.0\" = 1");
     run(&mut cnc);

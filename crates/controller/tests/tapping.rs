@@ -7,7 +7,7 @@ use common::{alarmed, cnc, machine};
 use ferrocut_controller::{Activity, Cnc, State, Tick};
 use ferrocut_geometry::Axis;
 use ferrocut_interpreter::{Interpreter, Options, dialects};
-use ferrocut_machine::{Fault, Machine, Memory, Smoothing};
+use ferrocut_machine::{Fault, Machine, Memory, PlantConfig, Smoothing};
 use ferrocut_program::{ProgramMemory, Text};
 use proptest::prelude::*;
 
@@ -84,6 +84,29 @@ fn a_hole_is_tapped_in_step_with_the_spindle() {
     let cutting = control.report().time(Activity::Cutting);
     assert!((3.63..3.66).contains(&cutting), "{cutting}");
     assert_eq!(control.report().cutting_mm, 50.0);
+}
+
+#[test]
+fn axes_follow_a_spindle_that_lags() {
+    let machine = Machine { plant: Some(PlantConfig::default()), ..machine() };
+    let mut ideal = cnc(&common::machine(), PROGRAM);
+    let ideal = run(&mut ideal, |_, _| {});
+    let mut control = cnc(&machine, PROGRAM);
+    let moments = run(&mut control, |_, _| {});
+    assert_eq!(control.state(), &State::Ended);
+    // 1 ms behind at 10 turns a second: 0.01 turns, 15 µm if the axis went by the command.
+    let lag = ideal.iter().zip(&moments).map(|(a, b)| (a.1 - b.1).abs()).take(1500).fold(0.0, f64::max);
+    assert!((0.005..0.02).contains(&lag), "{lag}");
+    // pitch · (1.5 counts + 1.5·h·|de/dt|), the lag growing by 1 ms · 4000 r/min per second; and a count of the encoder.
+    let bound = 1.5 * (2.5 / 4096.0 + 1.5 * 0.006 * 0.001 * 4000.0 / 60.0);
+    for w in moments.windows(2).filter(|w| w[0].1 != w[1].1) {
+        let meant = 5.0 - w[1].1 * 1.5;
+        assert!((z(&w[1]) - meant).abs() <= bound, "{} instead of {meant}", z(&w[1]));
+    }
+    check_limits(&machine, &moments);
+    assert!(moments.iter().any(|m| z(m) == -20.0 && !m.0.moving));
+    let last = moments.last().unwrap();
+    assert!(last.1.abs() < 1e-3, "{}", last.1);
 }
 
 #[test]

@@ -1,7 +1,8 @@
 //! Alarms as people and programs read them.
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
-use ferrocut_machine::{Alarm, Argument, Catalogue, Severity};
+use ferrocut_desk::finding::with_word;
+use ferrocut_machine::{Alarm, Catalogue, Severity};
 use ferrocut_program::ProgramMemory;
 use serde::Serialize;
 use std::io::{self, IsTerminal, Write};
@@ -11,9 +12,6 @@ const LINE_SHOWN: usize = 160;
 
 /// Bytes of a line that are read to count columns: more than any control takes in a line.
 const LINE_READ: usize = 1 << 16;
-
-/// Longest piece of program quoted within a sentence, characters.
-const WORD_QUOTED: usize = 40;
 
 /// Shows alarms in one language, for people or for programs.
 #[derive(Clone, Copy)]
@@ -63,20 +61,7 @@ impl Diagnostics {
 
     /// Text of an alarm in one line.
     pub fn message(&self, alarm: &Alarm, programs: Option<&ProgramMemory>) -> String {
-        self.catalogue.message(&self.with_word(alarm, programs))
-    }
-
-    /// The alarm with the words at fault as an argument.
-    fn with_word(&self, alarm: &Alarm, programs: Option<&ProgramMemory>) -> Alarm {
-        let mut alarm = alarm.clone();
-        if let Some(programs) = programs
-            && alarm.span.len > 0
-            && alarm.arguments.iter().all(|(name, _)| *name != "word")
-        {
-            let word: String = programs.slice(alarm.span).chars().take(WORD_QUOTED).collect();
-            alarm.arguments.push(("word", Argument::from(word.trim())));
-        }
-        alarm
+        self.catalogue.message(&with_word(alarm, programs))
     }
 
     /// Writes a finding: with the line and the words underlined for people, as one object for
@@ -89,7 +74,7 @@ impl Diagnostics {
         programs: Option<&ProgramMemory>,
         colour: bool,
     ) -> io::Result<()> {
-        let alarm = self.with_word(alarm, programs);
+        let alarm = with_word(alarm, programs);
         let file = programs.filter(|_| alarm.span.line > 0).map_or(file, |p| p.file_name(alarm.span.file));
         let place = programs.filter(|_| alarm.span.line > 0).and_then(|p| place(&alarm, p));
         let message = self.catalogue.message(&alarm);

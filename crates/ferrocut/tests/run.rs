@@ -334,23 +334,30 @@ fn overrides_stretch_their_kind_of_motion() {
         let report = json(&with_input(&all, program).out);
         (number(&report, "cutting_s"), number(&report, "rapid_s"))
     };
-    // A run from rest begins 8 ms after it is asked for.
     let (cut, rapid) = times(&[]);
-    assert!((cut - 15.048).abs() < 0.0021, "{cut}");
+    assert!((cut - 15.04).abs() < 0.0021, "{cut}");
     let (slow_cut, same) = times(&["--feed-override", "50"]);
-    assert!((slow_cut - 30.0363).abs() < 0.0021 && same == rapid, "{slow_cut} {same}");
+    assert!((slow_cut - 30.0283).abs() < 0.0021 && same == rapid, "{slow_cut} {same}");
     let (same, slow_rapid) = times(&["--rapid-override", "25%"]);
     assert!(slow_rapid > 3.5 * rapid && same == cut, "{slow_rapid} {same}");
 }
 
 #[test]
-fn real_time_takes_its_time_and_gives_the_same_report() {
+fn real_time_takes_its_time_and_does_the_same() {
     let program = "G0 X20\nG4 X0.3\nX0\nM30\n";
     let began = Instant::now();
     let real = with_input(&["run", "-", "--realtime", "--format", "json"], program);
     let took = began.elapsed();
     let report = json(&real.out);
-    assert_eq!(report, json(&with_input(&["run", "-", "--format", "json"], program).out));
+    let virtual_clock = json(&with_input(&["run", "-", "--format", "json"], program).out);
+    // The planner works beside: a run from rest may begin some periods later, two of them here.
+    for key in ["total_s", "rapid_s", "dwell_s"] {
+        let late = number(&report, key) - number(&virtual_clock, key);
+        assert!((0.0..0.3).contains(&late), "{key} {late}");
+    }
+    for key in ["state", "alarm", "moves", "max", "min", "rapid_mm", "parts", "dwell_s"] {
+        assert_eq!(report[key], virtual_clock[key], "{key}");
+    }
     // Never early; how late is the business of the machine that the test runs on.
     assert!(took >= Duration::from_secs_f64(number(&report, "total_s") * 0.98), "{took:?}");
 }

@@ -240,7 +240,7 @@ impl Cnc {
                 self.motion.finish();
                 return false;
             }
-            if self.motion.free() == 0 || self.motion.push(&self.paced(&given)).is_err() {
+            if self.motion.free() == 0 || !self.motion.push(&self.paced(&given)) {
                 return false;
             }
             self.blocks.later.pop_front();

@@ -91,24 +91,24 @@ impl Cnc {
 
     /// The next step; none while it has to wait for what was handed to the ladder.
     pub(super) fn next_from_ladder(&mut self) -> Option<Result<Step, Box<Alarm>>> {
-        if self.auxiliary.as_ref().is_none_or(|auxiliary| !auxiliary.is_full())
-            && let Some(step) = self.next_of_lead_in()
-        {
-            let kept = self.auxiliary.as_mut().is_some_and(|auxiliary| auxiliary.keeps(&step));
-            return if kept { None } else { Some(Ok(step)) };
-        }
-        let Some(auxiliary) = &mut self.auxiliary else { return self.interpreter.next() };
-        if auxiliary.is_full() {
-            return None;
-        }
-        let next = match auxiliary.take_next() {
-            Some(step) => Some(Ok(step)),
-            None => self.interpreter.next(),
+        let kept = match &mut self.auxiliary {
+            Some(auxiliary) if auxiliary.is_full() => return None,
+            Some(auxiliary) => auxiliary.take_next(),
+            None => None,
         };
-        match next {
-            Some(Ok(step)) if auxiliary.keeps(&step) => None,
-            next => next,
-        }
+        let next = match kept {
+            Some(step) => Some(Ok(step)),
+            None if self.touches.is_some() => self.next_of_touches(),
+            None => match self.next_of_lead_in() {
+                Some(step) => Some(Ok(step)),
+                None => self.interpreter.next(),
+            },
+        };
+        let waits = match (&next, &mut self.auxiliary) {
+            (Some(Ok(step)), Some(auxiliary)) => auxiliary.keeps(step),
+            _ => false,
+        };
+        if waits { None } else { next }
     }
 
     /// Inputs that a program reads are those of the ladder, now that the axes are at rest.

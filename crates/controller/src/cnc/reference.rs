@@ -103,6 +103,18 @@ impl Cnc {
         self.supervisor.set_travel(axis, holds);
     }
 
+    /// An axis that is about to be moved by hand stays out of stored strokes, as it stays within its software limits
+    /// (GSK990MC part 2, 2.6). Only places that are known are judged.
+    pub(super) fn keep_out(&mut self, axis: Axis) {
+        let known = self.homing.referenced();
+        if !known.contains(axis) || self.homing.searches(axis) {
+            return;
+        }
+        let at = Position(Axis::ALL.map(|axis| self.manual.at(axis)));
+        let moving = self.machine_axes.iter().filter(|other| !self.manual.stands(*other)).collect();
+        self.manual.set_room(axis, self.interpreter.stroke_room(axis, at, moving));
+    }
+
     /// Tells the interpreter which axes are to be homed yet.
     pub(super) fn tell_unreferenced(&mut self) {
         let config = self.homing.config();

@@ -120,7 +120,7 @@ impl Cnc {
 
     /// How many lines motion has room for.
     pub fn room(&self) -> usize {
-        self.motion.free()
+        self.motion.room()
     }
 
     /// A move by hand in a straight line to a machine position, at a feed in mm/min whatever the override. Others

@@ -1,8 +1,8 @@
 //! Skip moves on a machine with a probe: they end where it touches (GSK990MC 4.2.16).
 //!
 //! The drives keep where the axes were when the signal came; the move is braked from there within the limits of the
-//! axes, the rest of it is forgotten. The program is told both. A signal that is there already ends the move where
-//! it begins. Without a probe a skip move is run as the program gives it out, as at a desk.
+//! axes, the rest of it is forgotten. The program is told both. A signal that is there already stops the
+//! move at once, 8 ms from where it begins. Without a probe a skip move is run as the program gives it out, as at a desk.
 
 use super::{Cnc, State};
 use ferrocut_geometry::Position;
@@ -62,6 +62,9 @@ impl Cnc {
         self.skip_shift = self.skip_shift + at - self.commanded;
         self.commanded = at;
         self.supervisor.moved_to(at);
+        if self.touches.is_some() {
+            return self.end_touch(probing.touched);
+        }
         let missed = match probing.touched {
             Some(_) => None,
             None => self.interpreter.missed_signal(),

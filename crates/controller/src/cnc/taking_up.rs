@@ -33,9 +33,23 @@ impl Cnc {
         self.taking_up.journal.as_deref()
     }
 
+    /// Takes the journal of a run that is over.
+    pub fn take_journal(&mut self) -> Option<Journal> {
+        self.taking_up.journal.take().map(|journal| *journal)
+    }
+
+    /// The number and the text of the block being run, or that was run last.
+    pub fn block_run(&self) -> (u64, Span) {
+        self.taking_up.at
+    }
+
     /// The machine as a restart compares it with the program.
     pub fn present(&self) -> Present {
-        let state = self.interpreter.program_state();
+        let mut state = self.interpreter.program_state();
+        // Keys and reset stop a spindle that no program does.
+        if self.spindle.told() == 0.0 {
+            state.spindle = SpindleState::Off;
+        }
         Present { state, position: self.motion.position(), renamed: self.renamed }
     }
 
@@ -49,12 +63,13 @@ impl Cnc {
         if !is_free || self.manual.is_active || !self.motion.at_rest() {
             return Err(Box::new(Alarm::core(Fault::RestartMoving, restart.span)));
         }
-        let span = restart.span;
+        let (block, span) = (restart.block, restart.span);
         let (mut interpreter, journal) = restart.into_parts();
         interpreter.look_back();
+        self.touches = None;
         self.wait_for_start();
         self.span = span;
-        self.taking_up.at = (interpreter.blocks_begun() + 1, span);
+        self.taking_up.at = (block, span);
         self.taking_up.lead_in = lead_in;
         self.taking_up.journal = Some(Box::new(journal));
         self.interpreter = interpreter;
@@ -66,7 +81,8 @@ impl Cnc {
     /// A program is started from its first block: what it starts from is kept. What is sent bit by bit is not taken
     /// up again (GSK990MC part 2, 10.1.9, note 8).
     pub(super) fn begin_journal(&mut self) {
-        if self.state == State::Ready && self.taking_up.journal.is_none() && !self.interpreter.is_open() {
+        let is_program = self.touches.is_none() && !self.interpreter.is_open();
+        if self.state == State::Ready && self.taking_up.journal.is_none() && is_program {
             self.interpreter.look_back();
             self.taking_up.journal = Some(Box::new(Journal::begin(&self.interpreter, self.renamed)));
         }
@@ -74,6 +90,7 @@ impl Cnc {
 
     /// Another program, or this one anew.
     pub(super) fn forget_journal(&mut self) {
+        self.forget_touches();
         self.taking_up.journal = None;
         self.taking_up.lead_in.clear();
     }
@@ -106,11 +123,18 @@ impl Cnc {
         }
         let ((block, span), tools) = (self.taking_up.at, self.taking_up.tools);
         self.supervisor.comes_to_rest(self.commanded);
-        self.interpreter.reset_at(block, self.commanded);
+        match self.touches.take() {
+            // No block of the program was run.
+            Some(_) => self.interpreter.reset(self.commanded),
+            None => self.interpreter.reset_at(block, self.commanded),
+        }
         self.interpreter.set_tools(tools);
         self.taking_up.lead_in.clear();
         if let Some(journal) = &mut self.taking_up.journal {
-            journal.interrupt(Interrupted { block, span }, self.interpreter.memory().clone());
+            journal.interrupt(
+                Interrupted { block, span, at: self.commanded },
+                self.interpreter.memory().clone(),
+            );
         }
     }
 }

@@ -1,10 +1,12 @@
 //! What a front says, and what comes of it. Data go through the durable memory, which judges rights.
 
-use super::{Control, alarm, library, name_of};
+use super::taking_up::Wanted;
+use super::{Control, alarm, capture, library, name_of};
 use crate::api::{
     API_VERSION, ByAxis, Command, Event, LogLine, OffsetValues, PastAlarm, ProgramInfo, Refusal, RelativeTo,
     Reply,
 };
+use crate::restart::How;
 use crate::signals::Mode;
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_machine::setup::VariableName;
@@ -23,9 +25,6 @@ const MOST_VALUES: usize = 10_000;
 /// Longest text of MDI, bytes (10.1.1.2: 65 characters a block).
 const LONGEST_MDI: usize = 1 << 20;
 
-/// Longest program of DNC that is held, bytes.
-const LONGEST_DNC: usize = 256 << 20;
-
 type Answer = Result<Reply, Box<Alarm>>;
 
 fn named(fault: Fault, name: impl Into<String>) -> Alarm {
@@ -36,6 +35,7 @@ impl Control {
     /// Does what a front wants, or says why not. `author` is who wants it: rights are his, or those that he logged
     /// in with here. What reads or changes the durable memory waits for it while nothing moves.
     pub fn command(&mut self, command: Command, author: &Author) -> Result<Reply, Refusal> {
+        self.settle_changes();
         let author = self.with_rights(author);
         self.obey(command, &author).map_err(|alarm| Refusal::from(*alarm))
     }
@@ -80,6 +80,7 @@ impl Control {
             Command::Store { program, text } => self.store(program, text, author),
             Command::Read { program } => self.read(&program),
             Command::Delete { program } => self.delete(&program, author),
+            Command::Rename { program, to } => self.rename(&program, &to, author),
             Command::Lock { program, locked } => {
                 let name = self.known(&program)?;
                 if self.keeping.is_none() {
@@ -90,7 +91,7 @@ impl Control {
             Command::Cursor { line } => self.put_cursor(line),
             Command::Mdi { text } => self.type_mdi(text, false),
             Command::MdiBlock { block } => self.type_mdi(block, true),
-            Command::Dnc { text, first, last: _ } => self.take_dnc(&text, first),
+            Command::Dnc { text, first, last } => self.take_dnc(&text, first, last),
             Command::StopAt { program, sequence } => {
                 self.stop_at = sequence.map(|sequence| (program, sequence));
                 if sequence.is_none() {
@@ -111,6 +112,10 @@ impl Control {
             }
             Command::Parameters { names } => self.parameters(&names),
             Command::SetParameter { name, value } => self.set_parameter(&name, value, author),
+            Command::ReferencePoints => Ok(self.reference_points()),
+            Command::SetReferencePoint { number, axes } => self.set_reference_point(number, &axes, author),
+            Command::Pitch { axis } => self.pitch(axis),
+            Command::SetPitch { axis, points } => self.set_pitch(axis, &points, author),
             Command::Relative { axis, to } => self.set_relative(axis, to),
             Command::ClearInterruption { axis } => {
                 let axis = axis.map(|letter| self.axis_named(letter)).transpose()?;
@@ -138,7 +143,8 @@ impl Control {
             Command::Signals { names } => self.signals(&names),
             Command::Ladder => {
                 let plc = self.plc.as_ref().ok_or_else(|| named(Fault::NotFitted, "ladder"))?;
-                Ok(Reply::Text { text: self.ladder_text.clone().unwrap_or_else(|| text_of(plc.program())) })
+                let kept = self.ladder_names.text(plc).map(str::to_owned);
+                Ok(Reply::Text { text: kept.unwrap_or_else(|| text_of(plc.program())) })
             }
             Command::WatchLadder { on } => {
                 self.plc.as_mut().ok_or_else(|| named(Fault::NotFitted, "ladder"))?.watch(on);
@@ -162,8 +168,27 @@ impl Control {
                 self.plc.as_mut().ok_or_else(|| named(Fault::NotFitted, "ladder"))?.restart();
                 Ok(Reply::Done)
             }
-            Command::Restart { .. } => Err(Box::new(named(Fault::NotFitted, "restart"))),
-            Command::Capture { .. } | Command::Captured => Err(Box::new(named(Fault::NotFitted, "capture"))),
+            Command::Restart { line, pass, file, sends, axis_by_axis } => {
+                self.prepare_restart(Wanted { line, pass, file, how: How { sends, axis_by_axis } })
+            }
+            Command::Restarts => self.restarts(),
+            Command::CancelRestart => {
+                self.forget_restart();
+                Ok(Reply::Done)
+            }
+            Command::Capture { quantities, seconds, every, trigger, before } => {
+                self.begin_capture(capture::Wanted { quantities, seconds, every, trigger, before })
+            }
+            Command::Captured { from, most } => self.captured(from, most),
+            Command::EndCapture => self.end_capture(),
+            Command::TouchPoint { number } => self.touch_point(number),
+            Command::Points => Ok(self.points()),
+            Command::ClearPoints => Ok(self.clear_points()),
+            Command::Centre { circle, system, values } => self.centre(circle, system, &values, author),
+            Command::Measure(asked) => self.prepare_work(*asked, author),
+            Command::MeasureTool(asked) => self.prepare_tool(*asked, author),
+            Command::CancelMeasure => Ok(self.cancel_measure()),
+            Command::Measured => Ok(self.measured()),
             Command::Backup { file, items } => self.back_up(&file, &items),
             Command::Restore { file, items } => self.restore(&file, &items, author),
             Command::Status => {
@@ -183,7 +208,7 @@ impl Control {
     }
 
     /// A change of data, which the memory judges.
-    fn change_data(&mut self, author: &Author, change: Change) -> Answer {
+    pub(super) fn change_data(&mut self, author: &Author, change: Change) -> Answer {
         match self.change(author, change)? {
             true => Ok(Reply::Done),
             false => Ok(Reply::OnItsWay),
@@ -198,7 +223,7 @@ impl Control {
     }
 
     /// A person does it in this mode alone.
-    fn needs(&self, mode: Mode, author: &Author) -> Result<(), Box<Alarm>> {
+    pub(super) fn needs(&self, mode: Mode, author: &Author) -> Result<(), Box<Alarm>> {
         match author {
             Author::Person { .. } if self.mode != mode => {
                 Err(Box::new(alarm(Fault::ControlMode).with("mode", name_of(self.mode))))
@@ -280,7 +305,7 @@ impl Control {
             alarm
         })?;
         plc.exchange(Box::new(program));
-        self.ladder_text = Some(text.to_owned());
+        self.ladder_names.keep_text(plc, text.to_owned());
         Ok(Reply::Done)
     }
 
@@ -361,6 +386,29 @@ impl Control {
         self.change_data(author, Change::DeleteProgram { name })
     }
 
+    /// A program gets another name, and the O number at its start with it.
+    fn rename(&mut self, program: &str, to: &str, author: &Author) -> Answer {
+        let name = self.known(program)?;
+        let to = to.trim().to_owned();
+        if to.is_empty() || to.len() > 128 {
+            return Err(Box::new(named(Fault::ValueImpossible, to)));
+        }
+        if self.library.text(&to).is_some() {
+            return Err(Box::new(named(Fault::ValueImpossible, to)));
+        }
+        if self.is_in_use(&name) {
+            return Err(Box::new(named(Fault::ProgramInUse, name)));
+        }
+        let text = self.library.text(&name).ok_or_else(|| named(Fault::NoSuchName, name.as_str()))?;
+        let text = library::renumbered(&text, &name, &to).unwrap_or(text);
+        if let library::Library::Held(programs) = &self.library {
+            let mut programs = programs.lock().unwrap_or_else(PoisonError::into_inner);
+            programs.remove(&name);
+            programs.insert(to.clone(), text.clone());
+        }
+        self.change_data(author, Change::RenameProgram { name, to, text })
+    }
+
     /// 7.4: the cursor is moved in EDIT, and then stays.
     fn put_cursor(&mut self, line: u32) -> Answer {
         if self.cnc.is_under_way() {
@@ -387,20 +435,6 @@ impl Control {
             self.mdi = text;
             self.mdi_cursor = 1;
         }
-        Ok(Reply::Done)
-    }
-
-    fn take_dnc(&mut self, text: &str, first: bool) -> Answer {
-        if self.cnc.is_under_way() && self.program_mode() == Mode::Dnc {
-            return Err(Box::new(alarm(Fault::ControlBusy)));
-        }
-        if first {
-            self.dnc.clear();
-        }
-        if self.dnc.len() + text.len() > LONGEST_DNC {
-            return Err(Box::new(named(Fault::ValueImpossible, "DNC")));
-        }
-        self.dnc.extend_from_slice(text.as_bytes());
         Ok(Reply::Done)
     }
 
@@ -447,7 +481,7 @@ impl Control {
         Reply::Zeros { zeros: zeros.collect() }
     }
 
-    fn set_zero(&mut self, system: &str, axes: &ByAxis, add: bool, author: &Author) -> Answer {
+    pub(super) fn set_zero(&mut self, system: &str, axes: &ByAxis, add: bool, author: &Author) -> Answer {
         // 7.2: not while a program runs.
         if self.cnc.is_under_way() && self.standing() != super::Standing::Stopped {
             return Err(Box::new(alarm(Fault::ControlBusy)));
@@ -461,7 +495,7 @@ impl Control {
         self.change_data(author, Change::WorkZero { name, zero })
     }
 
-    fn zero_of(&self, system: &str) -> Result<(WorkOffset, Position), Box<Alarm>> {
+    pub(super) fn zero_of(&self, system: &str) -> Result<(WorkOffset, Position), Box<Alarm>> {
         let missing = || named(Fault::NoSuchName, system);
         let name: WorkOffset = system.parse().map_err(|_| missing())?;
         let zero = self.cnc.interpreter().memory().work.get(name).ok_or_else(missing)?;
@@ -473,15 +507,22 @@ impl Control {
         if self.tick.moving || self.cnc.is_under_way() {
             return Err(Box::new(alarm(Fault::ControlBusy)));
         }
-        let (name, _) = self.zero_of(system)?;
-        let external = self.cnc.interpreter().memory().work.get(WorkOffset::External).unwrap_or_default();
-        let external = if name == WorkOffset::External { Position::ZERO } else { external };
         let mut wanted = ByAxis::new();
         for (letter, value) in axes {
             let axis = self.axis_named(*letter)?;
-            wanted.insert(*letter, self.tick.position[axis] - external[axis] - value);
+            wanted.insert(*letter, self.tick.position[axis] - value);
         }
+        let wanted = self.without_external(system, wanted)?;
         self.set_zero(system, &wanted, false, author)
+    }
+
+    /// Machine positions of a zero, as the zero of a system that the external one is added to.
+    pub(super) fn without_external(&self, system: &str, zeros: ByAxis) -> Result<ByAxis, Box<Alarm>> {
+        let (name, _) = self.zero_of(system)?;
+        let external = self.cnc.interpreter().memory().work.get(WorkOffset::External).unwrap_or_default();
+        let external = if name == WorkOffset::External { Position::ZERO } else { external };
+        let less = |(letter, at)| Ok((letter, at - external[self.axis_named(letter)?]));
+        zeros.into_iter().map(less).collect()
     }
 
     fn variables(&self, from: u32, to: u32) -> Reply {
@@ -524,7 +565,7 @@ impl Control {
         self.change_data(author, Change::Parameter { key, value })
     }
 
-    fn axis_named(&self, letter: char) -> Result<Axis, Box<Alarm>> {
+    pub(super) fn axis_named(&self, letter: char) -> Result<Axis, Box<Alarm>> {
         let axis = u8::try_from(letter).ok().and_then(Axis::from_letter);
         let axis = axis.filter(|axis| self.machine.axis(*axis).is_some());
         axis.ok_or_else(|| Box::new(alarm(Fault::UnknownAxis).with("axis", letter.to_string())))
@@ -560,10 +601,21 @@ impl Control {
                 log_in.map_err(|error| error.alarm())?
             }
         };
+        Ok(self.admit(author.name(), session))
+    }
+
+    /// Gives somebody the rights of a session that the durable memory has given him, until he logs out. For whoever
+    /// looks at passwords on another thread than the machine's: that takes longer than a period.
+    pub fn admit(&mut self, name: &str, session: Session) -> Reply {
         let level = session.level().number();
-        self.sessions.insert(author.name().to_owned(), session);
+        self.sessions.insert(name.to_owned(), session);
         self.event(Event::Level { level });
-        Ok(Reply::Level { level })
+        Reply::Level { level }
+    }
+
+    /// The rights that somebody has logged in with.
+    pub fn rights_of(&self, name: &str) -> Option<Session> {
+        self.sessions.get(name).cloned()
     }
 
     fn set_password(&mut self, level: u8, password: &str, author: &Author) -> Answer {

@@ -4,13 +4,16 @@
 //! the control changes holds at once and follows within a moment; a kill in between leaves the memory as it was a
 //! moment before, never half of it.
 
+use super::machine_data::Pitch;
 use super::status::Count;
 use super::{Control, alarm};
 use crate::api::{AlarmInfo, Event};
 use ferrocut_geometry::Position;
 use ferrocut_machine::{Alarm, Fault, Memory};
 use ferrocut_memory::control::{ENTERED, KEPT_VARIABLES, changes, enter};
-use ferrocut_memory::{AlarmEntry, Author, Change, Counter, Item, LastPosition, Pending, PlcArea, Store};
+use ferrocut_memory::{
+    AlarmEntry, Author, Change, Counter, InterruptedRun, Item, LastPosition, Pending, PlcArea, Store,
+};
 use ferrocut_plc::{Address, Area, Plc};
 use std::sync::Arc;
 
@@ -30,6 +33,8 @@ pub(super) struct Keeping {
     plc: Vec<(Address, u8)>,
     counters: Count,
     position: Option<Position>,
+    /// The block of the run that was told last.
+    block: u64,
     was_moving: bool,
     /// Changes of persons on their way.
     pending: Vec<(Pending, Vec<Change>)>,
@@ -43,6 +48,8 @@ pub(super) struct Keeping {
 pub(super) struct Found {
     pub counters: Count,
     pub position: Option<LastPosition>,
+    pub interrupted: Option<InterruptedRun>,
+    pub pitch: Pitch,
 }
 
 impl Keeping {
@@ -53,7 +60,7 @@ impl Keeping {
         plc: Option<&mut Plc>,
     ) -> Result<(Keeping, Found), Box<Alarm>> {
         let mut items = ENTERED.to_vec();
-        items.extend([Item::Counters, Item::LastPosition, Item::Plc]);
+        items.extend([Item::Counters, Item::LastPosition, Item::Interrupted, Item::Plc, Item::Pitch]);
         let contents = store.reader().contents(&items).map_err(|error| error.alarm())?;
         // What this control does not take stays in the memory, for one that does.
         let _ = enter(&contents, memory);
@@ -83,13 +90,14 @@ impl Keeping {
             plc: kept_plc,
             counters,
             position: position.as_ref().map(|last| last.position),
+            block: 0,
             was_moving: false,
             pending: Vec::new(),
             look_in: 0.0,
             slow_in: SLOW_S,
             told: false,
         };
-        Ok((keeping, Found { counters, position }))
+        Ok((keeping, Found { counters, position, interrupted: contents.interrupted, pitch: contents.pitch }))
     }
 
     /// Puts an alarm into the history.
@@ -181,6 +189,13 @@ impl Control {
         }
         if keeping.slow_in <= 0.0 || came_to_rest {
             keeping.look_at_position(self.last_position());
+            if self.runs_remembered()
+                && keeping.block != self.cnc.block_run().0
+                && let Some(at) = self.place_of_run()
+            {
+                keeping.block = at.block;
+                keeping.put(&Author::Control, vec![Change::Interrupted(Some(at))]);
+            }
         }
         if keeping.slow_in <= 0.0 {
             keeping.slow_in = SLOW_S;
@@ -211,6 +226,21 @@ impl Control {
                 Ok(_) => self.apply(&changes),
                 Err(error) => self.event(Event::Refused { alarm: AlarmInfo::of(&error.alarm()) }),
             }
+        }
+    }
+
+    /// Where a run was broken off goes to the durable memory; none when it came to its end.
+    pub(super) fn keep_interrupted(&mut self, at: Option<InterruptedRun>) {
+        if let Some(keeping) = &mut self.keeping {
+            keeping.block = at.as_ref().map_or(0, |at| at.block);
+            keeping.put(&Author::Control, vec![Change::Interrupted(at)]);
+        }
+    }
+
+    /// The memory of the program is another one: all of it is looked at.
+    pub(super) fn keep_all_of_program(&mut self) {
+        if let Some(keeping) = &mut self.keeping {
+            keeping.writes = u64::MAX;
         }
     }
 
@@ -258,8 +288,16 @@ impl Control {
     /// Has the memory judge and keep a change, then makes it. `Ok(false)`: it is on its way, since the axes must not
     /// wait for the disk; an event follows.
     pub(super) fn change(&mut self, author: &Author, change: Change) -> Result<bool, Box<Alarm>> {
-        let changes = vec![change];
-        let is_busy = self.tick.moving || self.cnc.is_under_way();
+        self.change_together(author, vec![change])
+    }
+
+    /// The same for changes that are made together or not at all.
+    pub(super) fn change_together(
+        &mut self,
+        author: &Author,
+        changes: Vec<Change>,
+    ) -> Result<bool, Box<Alarm>> {
+        let is_busy = self.tick.moving || self.cnc.is_under_way() || self.is_in_period;
         if let Some(keeping) = &mut self.keeping {
             if is_busy {
                 let pending = keeping.store.begin(author, changes.clone()).map_err(|error| error.alarm())?;
@@ -270,6 +308,21 @@ impl Control {
         }
         self.apply(&changes);
         Ok(true)
+    }
+
+    /// Changes that are on their way are made before the next command sees the data, so that none takes back what the
+    /// one before it set; not while axes may not wait for the disk.
+    pub(super) fn settle_changes(&mut self) {
+        if self.tick.moving || self.cnc.is_under_way() {
+            return;
+        }
+        let Some(keeping) = &mut self.keeping else { return };
+        for (pending, changes) in std::mem::take(&mut keeping.pending) {
+            match pending.wait() {
+                Ok(_) => self.apply(&changes),
+                Err(error) => self.event(Event::Refused { alarm: AlarmInfo::of(&error.alarm()) }),
+            }
+        }
     }
 
     /// Makes changes that were kept.
@@ -311,10 +364,33 @@ impl Control {
                     self.counters.set(*counter, *value);
                     Item::Counters
                 }
+                Change::ReferencePoint { number, position } => {
+                    let place = usize::from(*number).checked_sub(1);
+                    if let Some(place) = place.and_then(|n| memory.reference_points.get_mut(n)) {
+                        *place = *position;
+                    }
+                    self.cnc.interpreter_mut().parameters_changed();
+                    Item::ReferencePoints
+                }
+                Change::Pitch { axis, point, value } => {
+                    self.pitch.insert((*axis, *point), *value);
+                    Item::Pitch
+                }
+                Change::RenameProgram { name, to, .. } => {
+                    if self.selected.as_ref() == Some(name) {
+                        self.selected = Some(to.clone());
+                    }
+                    if self.loaded == super::Loaded::Auto(name.clone()) {
+                        self.loaded = super::Loaded::Nothing;
+                    }
+                    self.taking_up.program_changed();
+                    Item::Programs
+                }
                 Change::Program { name, .. } | Change::DeleteProgram { name } => {
                     if self.loaded == super::Loaded::Auto(name.clone()) {
                         self.loaded = super::Loaded::Nothing;
                     }
+                    self.taking_up.program_changed();
                     Item::Programs
                 }
                 Change::LockProgram { .. } => Item::Programs,

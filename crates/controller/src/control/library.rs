@@ -6,9 +6,9 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Where programs are found.
+/// The programs of a control. Copies are of the same programs, and may be read on any thread.
 #[derive(Clone)]
-pub(super) enum Library {
+pub enum Library {
     /// In memory, by name.
     Held(Arc<Mutex<BTreeMap<String, Vec<u8>>>>),
     /// In the durable memory.
@@ -55,12 +55,47 @@ impl Source for Library {
 }
 
 /// What a program is called by whoever types its name.
-pub(super) fn id_of(name: &str) -> ProgramId {
+pub fn id_of(name: &str) -> ProgramId {
     let name = name.trim();
     match name.strip_prefix(['O', 'o']) {
         Some(digits) if !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit()) => {
             ProgramId::named(digits)
         }
         _ => ProgramId::named(name),
+    }
+}
+
+/// The text of a program with the O number of its new name at its start; none where it has none there, or the names are
+/// no numbers.
+pub(super) fn renumbered(text: &[u8], name: &str, to: &str) -> Option<Vec<u8>> {
+    let number = |name: &str| -> Option<u32> { name.trim().strip_prefix(['O', 'o'])?.parse().ok() };
+    let (old, _) = (number(name)?, number(to)?);
+    let start = text.iter().position(|b| !b.is_ascii_whitespace() && *b != b'%')?;
+    let digits = text.get(start..)?.strip_prefix(b"O").or_else(|| text.get(start..)?.strip_prefix(b"o"))?;
+    let length = digits.iter().position(|b| !b.is_ascii_digit()).unwrap_or(digits.len());
+    let found: u32 = std::str::from_utf8(digits.get(..length)?).ok()?.parse().ok()?;
+    if found != old {
+        return None;
+    }
+    Some([text.get(..start)?, to.trim().as_bytes(), digits.get(length..)?].concat())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::renumbered;
+
+    #[test]
+    fn the_number_at_the_start_follows_the_name() {
+        for (text, name, to, wanted) in [
+            ("O1 (PART)\nM30\n", "O0001", "O0077", Some("O0077 (PART)\nM30\n")),
+            ("%\nO0001\nG0\n%", "O0001", "O12", Some("%\nO12\nG0\n%")),
+            ("O2\nM30\n", "O0001", "O0077", None),
+            ("G0 X0\n", "O0001", "O0077", None),
+            ("O1\n", "O0001", "MAIN", None),
+            ("", "O0001", "O0002", None),
+        ] {
+            let found = renumbered(text.as_bytes(), name, to);
+            assert_eq!(found.as_deref(), wanted.map(str::as_bytes), "{text}");
+        }
     }
 }

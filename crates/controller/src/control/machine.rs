@@ -1,17 +1,24 @@
 //! The simulated machine that a machine file describes, and what follows when axes come to their reference points.
 
 use super::Control;
-use crate::drives::{Drives, Plant, Simulated};
+use crate::drives::{self, Drives, Plant, Simulated};
 use crate::signals::Mode;
 use ferrocut_geometry::{AxisSet, Position};
 use ferrocut_interpreter::Interpreter;
-use ferrocut_machine::Machine;
+use ferrocut_machine::{Alarm, Machine};
 
-/// The drives of a machine whose file describes a simulated one; ideal ones where it does not. The axes `known` stand
-/// where the control takes them to be.
-pub(super) fn drives(machine: &Machine, interpreter: &Interpreter, known: AxisSet) -> Box<dyn Drives> {
+/// The drives that a machine file describes: real ones, else a simulated machine, else ideal ones. The axes `known` of
+/// a simulated one stand where the control takes them to be.
+pub(super) fn drives(
+    machine: &Machine,
+    interpreter: &Interpreter,
+    known: AxisSet,
+) -> Result<Box<dyn Drives>, Box<Alarm>> {
+    if let Some(real) = drives::connect(machine, interpreter.position())? {
+        return Ok(real);
+    }
     if machine.plant.is_none() {
-        return Box::new(Simulated);
+        return Ok(Box::new(Simulated));
     }
     let mut as_set = machine.clone();
     let memory = interpreter.memory();
@@ -19,10 +26,23 @@ pub(super) fn drives(machine: &Machine, interpreter: &Interpreter, known: AxisSe
     let reference = memory.reference_points.first().copied().unwrap_or_default();
     let mut plant = Plant::new(&as_set, interpreter.position(), reference);
     plant.stand_as_called(known);
-    Box::new(plant)
+    Ok(Box::new(plant))
 }
 
 impl Control {
+    /// Plans motion in a thread of its own from now on ([`Cnc::plan_beside`](crate::Cnc::plan_beside)).
+    ///
+    /// # Errors
+    /// The system gives no thread.
+    pub fn plan_beside(&mut self) -> std::io::Result<()> {
+        self.cnc.plan_beside()
+    }
+
+    /// Looks ahead, in the time that a period leaves ([`Cnc::prepare`](crate::Cnc::prepare)).
+    pub fn prepare(&mut self) {
+        self.cnc.prepare();
+    }
+
     /// Another mode than HOME was chosen: axes that home by hand come to rest.
     pub(super) fn leave_home(&mut self, before: Mode) {
         if before == Mode::Home {

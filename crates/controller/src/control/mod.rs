@@ -9,19 +9,27 @@
 //! Read [`modes`] for what a change of mode does, `programs.rs` for what cycle start runs, `hand.rs` for axes moved by
 //! hand, `keeping.rs` for what survives the power.
 
+mod capture;
 mod commands;
+mod desk;
+mod dnc;
 mod hand;
 mod keeping;
+mod ladder_names;
 mod library;
 mod machine;
+mod machine_data;
+mod measuring;
 pub mod modes;
 mod programs;
 mod status;
+mod taking_up;
 
 use crate::api::{Activity, AlarmInfo, Event};
 use crate::cnc::{self, Cnc, DryRun, State, Tick};
 use crate::drives::{Drives, Switches};
 use crate::signals::{Inputs, Mode, Outputs, SIGNAL_AXES};
+pub use desk::Desk;
 use ferrocut_geometry::{AxisSet, Position};
 use ferrocut_interpreter::{Interpreter, Options, dialects};
 use ferrocut_machine::{Alarm, Fault, Machine, Memory, ParameterKey};
@@ -29,14 +37,11 @@ use ferrocut_memory::Store;
 use ferrocut_plc::{Address, Area, Pace, Plc};
 use ferrocut_program::{ProgramMemory, Span, Text};
 use keeping::Keeping;
-use library::Library;
+pub use library::{Library, id_of};
 use modes::{Change, Standing, Start};
 use programs::Loaded;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex};
-
-/// The key of the panel that releases overtravel, by the ladder's name.
-const OVERTRAVEL_KEY: &str = "KEY_OT";
 
 /// Most events that wait for a front; the oldest go.
 const MOST_EVENTS: usize = 1000;
@@ -50,7 +55,7 @@ pub struct Parts {
     pub store: Option<Arc<Store>>,
     /// The ladder.
     pub ladder: Option<ferrocut_plc::Program>,
-    /// The drives; simulated ones where there are none.
+    /// The drives; those of the machine file where there are none.
     pub drives: Option<Box<dyn Drives>>,
 }
 
@@ -73,7 +78,7 @@ pub struct Control {
     mdi: String,
     mdi_block: String,
     mdi_cursor: u32,
-    dnc: Vec<u8>,
+    dnc: dnc::Dnc,
     /// Program and sequence number behind which to stop.
     stop_at: Option<(Option<String>, u32)>,
     /// The keys of the axes in the last period: way, and rapid.
@@ -95,11 +100,16 @@ pub struct Control {
     state: State,
     parts: u32,
     cutting_before: f64,
-    ladder_text: Option<String>,
+    ladder_names: ladder_names::LadderNames,
     counters: status::Count,
     sessions: BTreeMap<String, ferrocut_memory::Session>,
-    /// The machine's messages that stand.
-    messages: BTreeMap<String, bool>,
+    taking_up: taking_up::TakingUp,
+    capture: Option<Box<crate::capture::Capture>>,
+    measuring: measuring::Measuring,
+    /// Pitch errors that were set here; they hold from the next start on.
+    pitch: machine_data::Pitch,
+    /// Something is done within a servo period, which must not wait for the disk.
+    is_in_period: bool,
     events: Vec<Event>,
 }
 
@@ -120,10 +130,14 @@ impl Control {
         let mut counters = status::Count::default();
         let mut start = Position::ZERO;
         let mut referenced = None;
+        let mut interrupted = None;
+        let mut pitch = machine_data::Pitch::new();
         let keeping = match parts.store {
             Some(store) => {
                 let (keeping, found) = Keeping::open(store, &mut memory, plc.as_mut())?;
                 counters = found.counters;
+                interrupted = found.interrupted;
+                pitch = found.pitch;
                 if let Some(last) = found.position {
                     start = last.position;
                     referenced = Some(last.referenced);
@@ -132,15 +146,17 @@ impl Control {
             }
             None => None,
         };
+        let machine = &machine_data::with_pitch(machine, &pitch);
         let text = Text::from_bytes(b"%".to_vec()).map_err(|_| alarm(Fault::FileNotText))?;
         let programs = ProgramMemory::new("", text, dialect.syntax);
         let every_code = plc.is_some();
         let options =
             Options { start, optional_stop: true, loops_forever: true, every_code, ..Options::default() };
         let interpreter = Interpreter::new(dialect, programs, memory, options);
-        let drives = parts
-            .drives
-            .unwrap_or_else(|| machine::drives(machine, &interpreter, referenced.unwrap_or(AxisSet::EMPTY)));
+        let drives = match parts.drives {
+            Some(drives) => drives,
+            None => machine::drives(machine, &interpreter, referenced.unwrap_or(AxisSet::EMPTY))?,
+        };
         let mut cnc = Cnc::with_drives(machine, interpreter, drives);
         if plc.is_some() {
             cnc.connect_ladder(machine);
@@ -168,7 +184,7 @@ impl Control {
             mdi: String::new(),
             mdi_block: String::new(),
             mdi_cursor: 1,
-            dnc: Vec::new(),
+            dnc: dnc::Dnc::default(),
             stop_at: None,
             jogs: [(0, false); SIGNAL_AXES],
             counts: 0,
@@ -182,10 +198,14 @@ impl Control {
             reset_left: 0,
             parts: 0,
             cutting_before: 0.0,
-            ladder_text: None,
+            ladder_names: ladder_names::LadderNames::default(),
             counters,
             sessions: BTreeMap::new(),
-            messages: BTreeMap::new(),
+            taking_up: taking_up::TakingUp::of(interrupted),
+            capture: None,
+            measuring: measuring::Measuring::default(),
+            pitch,
+            is_in_period: false,
             events: Vec::new(),
         })
     }
@@ -257,9 +277,11 @@ impl Control {
         let names = self.machine.axes.iter().map(|axis| axis.name);
         self.moving = names.filter(|axis| self.tick.position[*axis] != before[*axis]).collect();
         self.follow_cnc();
+        self.follow_search();
         self.count();
         self.keep();
         self.tell(before);
+        self.sample();
         self.before.clone_from(&self.inputs);
         self.tick
     }
@@ -277,32 +299,15 @@ impl Control {
         self.inputs = Inputs::read(plc.memory());
         let axes = self.machine.axes.iter().map(|axis| axis.name);
         self.cnc.set_switches(Some(Switches::of(&self.inputs, axes)));
-        let release = plc.program().signal(OVERTRAVEL_KEY).filter(|key| key.bit.is_some());
-        self.cnc.release_overtravel(release.is_some_and(|key| plc.memory().bit(key)));
         self.cnc.hear(&self.inputs);
+        self.renew_ladder_names();
+        if let Some(plc) = &self.plc {
+            self.cnc.release_overtravel(self.ladder_names.releases_overtravel(plc));
+        }
         if is_stopped && !was_stopped {
             self.raise(alarm(Fault::LadderStopped));
         }
         self.tell_machine_messages();
-    }
-
-    /// Messages of the ladder, area A: those with a name come and go as events.
-    fn tell_machine_messages(&mut self) {
-        let Some(plc) = &self.plc else { return };
-        let mut told = Vec::new();
-        for symbol in plc.program().symbols() {
-            if symbol.address.area != Area::A || symbol.address.bit.is_none() {
-                continue;
-            }
-            let on = plc.memory().bit(symbol.address);
-            if self.messages.get(&symbol.name).copied().unwrap_or(false) != on {
-                told.push((symbol.name.clone(), on));
-            }
-        }
-        for (name, on) in told {
-            self.messages.insert(name.clone(), on);
-            self.event(Event::MachineMessage { name, on });
-        }
     }
 
     /// The emergency stop (2.3.2): everything stands while it is pressed; released, it is gone.
@@ -439,6 +444,9 @@ impl Control {
         }
         self.release_axes();
         self.give_up();
+        // 10.1.9 note 3: the restart is to be prepared anew.
+        self.forget_restart();
+        self.cancel_measure();
         if self.active.take().is_some() && !self.emergency {
             self.event(Event::AlarmsCleared);
         }
@@ -483,12 +491,16 @@ impl Control {
             return;
         }
         let state = self.cnc.state().clone();
+        self.is_in_period = true;
         match &state {
             State::Alarmed(alarm) => self.raise((**alarm).clone()),
+            State::Ended if self.loaded == Loaded::Measuring => self.end_measuring(),
             State::Ended => self.program_ended(self.cnc.ended_by()),
             State::BlockEnd if self.cnc.stops_behind().is_none() => self.stop_at_is_done(),
             _ => {}
         }
+        self.follow_run(&state);
+        self.is_in_period = false;
         self.state = state;
         let activity = self.activity();
         self.event(Event::Activity { activity });

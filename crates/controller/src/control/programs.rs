@@ -7,7 +7,7 @@ use ferrocut_machine::{Alarm, Fault};
 use ferrocut_program::{FileId, ProgramId, ProgramMemory, Span, Text};
 
 /// The program of the memory that M06 runs, where there is one (GSK990MC 8.1).
-const TOOL_CHANGE_PROGRAM: u32 = 9001;
+pub(super) const TOOL_CHANGE_PROGRAM: u32 = 9001;
 
 /// What is loaded for the next cycle start.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -20,6 +20,8 @@ pub(super) enum Loaded {
     Mdi,
     /// A program from outside.
     Dnc,
+    /// Touches of a probe.
+    Measuring,
 }
 
 impl Loaded {
@@ -30,6 +32,7 @@ impl Loaded {
             Loaded::Auto(_) => Some(Mode::Auto),
             Loaded::Mdi => Some(Mode::Mdi),
             Loaded::Dnc => Some(Mode::Dnc),
+            Loaded::Measuring => Some(Mode::Auto),
         }
     }
 }
@@ -53,18 +56,33 @@ impl Control {
     }
 
     fn start_auto(&mut self) -> Result<(), Box<Alarm>> {
+        if self.taking_up.is_ready() {
+            return self.start_restart();
+        }
+        if self.measuring.is_ready() {
+            return self.start_measuring();
+        }
         let name = self.selected.clone().ok_or_else(|| alarm(Fault::NothingToRun))?;
         let line = (self.cursor > 1).then_some(self.cursor);
-        if self.loaded != Loaded::Auto(name.clone()) {
-            let missing = || alarm(Fault::NoSuchName).with("name", name.as_str());
-            let text = self.library.text(&name).ok_or_else(missing)?;
-            self.load(&name, text, false)?;
-            self.loaded = Loaded::Auto(name);
-        }
-        self.begin_at(line)
+        self.load_auto(&name)?;
+        self.begin_at(line)?;
+        self.forget_interrupted();
+        self.taking_up.from_line = line.unwrap_or(1);
+        Ok(())
     }
 
-    fn begin_at(&mut self, line: Option<u32>) -> Result<(), Box<Alarm>> {
+    /// Gives the interpreter a program of the memory, unless it has it.
+    pub(super) fn load_auto(&mut self, name: &str) -> Result<(), Box<Alarm>> {
+        if self.loaded != Loaded::Auto(name.to_owned()) {
+            let missing = || alarm(Fault::NoSuchName).with("name", name);
+            let text = self.library.text(name).ok_or_else(missing)?;
+            self.load(name, text, false)?;
+            self.loaded = Loaded::Auto(name.to_owned());
+        }
+        Ok(())
+    }
+
+    pub(super) fn begin_at(&mut self, line: Option<u32>) -> Result<(), Box<Alarm>> {
         let is_there = self.cnc.rewind(line);
         let is_there =
             is_there.map_err(|error| alarm(Fault::FileUnreadable).with("reason", error.to_string()))?;
@@ -86,19 +104,13 @@ impl Control {
         self.begin_at(line)
     }
 
-    fn start_dnc(&mut self) -> Result<(), Box<Alarm>> {
-        if self.dnc.is_empty() {
-            return Err(Box::new(alarm(Fault::NothingToRun)));
-        }
-        let text = self.dnc.clone();
-        self.load("DNC", text, true)?;
-        self.loaded = Loaded::Dnc;
-        Ok(())
-    }
-
     /// Gives the interpreter a text as its main program; all programs of the memory can be called from it.
     fn load(&mut self, name: &str, text: Vec<u8>, open_end: bool) -> Result<(), Box<Alarm>> {
         let text = Text::from_bytes(text).map_err(|_| alarm(Fault::FileNotText).with("file", name))?;
+        self.load_text(name, text, open_end)
+    }
+
+    pub(super) fn load_text(&mut self, name: &str, text: Text, open_end: bool) -> Result<(), Box<Alarm>> {
         let syntax = self.cnc.interpreter().dialect().syntax;
         let mut programs = ProgramMemory::new(name, text, syntax);
         programs.set_source(Box::new(self.library.clone()));
@@ -122,6 +134,8 @@ impl Control {
         }
         let missing = || alarm(Fault::NoSuchName).with("name", name);
         let (name, _) = self.library.named(&library::id_of(name)).ok_or_else(missing)?;
+        self.forget_restart();
+        self.cancel_measure();
         self.selected = Some(name.clone());
         self.cursor = 1;
         self.loaded = Loaded::Nothing;

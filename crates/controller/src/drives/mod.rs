@@ -1,13 +1,18 @@
 //! What moves the axes, and what they feel on the way: switches, markers, a probe.
 
 pub mod plant;
+pub mod pulse;
 mod simulated;
+mod wires;
 
 pub use plant::{Block, Plant, Trouble};
+pub use pulse::Pulse;
 pub use simulated::Simulated;
 
 use crate::signals::Inputs;
 use ferrocut_geometry::{Axis, AxisSet, Position};
+use ferrocut_machine::{Alarm, DrivesConfig, Machine};
+use ferrocut_program::Span;
 
 /// The switches of the axes and the probe, as they stand now.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -97,8 +102,42 @@ pub trait Drives: Send {
     /// Outputs Y to the machine, by byte and bit, for the next period.
     fn write(&mut self, _is_on: &dyn Fn(u16, u8) -> bool) {}
 
+    /// The speed that the spindle is to have, r/min; clockwise positive.
+    fn turn_spindle(&mut self, _rpm: f64) {}
+
+    /// Whether the spindle follows angles: it can be oriented, and tap in step with the axes.
+    fn leads_spindle(&self) -> bool {
+        true
+    }
+
+    /// Whether they have stopped by themselves, and follow no command until they are restarted.
+    fn has_failed(&self) -> bool {
+        false
+    }
+
+    /// Why, as the alarm of a block.
+    fn failure(&self, _span: Span) -> Option<Box<Alarm>> {
+        None
+    }
+
+    /// Whoever was told of it wants to go on: they begin anew, from where the axes stand.
+    fn restart(&mut self) {}
+
     /// The simulated machine, where these drives move one.
     fn plant(&mut self) -> Option<&mut Plant> {
         None
+    }
+}
+
+/// The drives that a machine file describes, ready, with the axes called `at`; `None` where it describes none, so that
+/// the machine is a simulated one.
+///
+/// # Errors
+/// [`ferrocut_machine::Fault::DrivesSilent`] and those behind it: the drives are not there, or cannot do what the machine
+/// file asks for.
+pub fn connect(machine: &Machine, at: Position) -> Result<Option<Box<dyn Drives>>, Box<Alarm>> {
+    match &machine.drives {
+        None => Ok(None),
+        Some(DrivesConfig::Pulse(config)) => Ok(Some(Box::new(Pulse::connect(machine, config, at)?))),
     }
 }

@@ -10,11 +10,12 @@
 mod axis;
 mod periphery;
 
+use super::wires::AxisWires;
 use super::{Drives, Switches};
 use axis::{PlantedAxis, Where};
 use ferrocut_geometry::{AXES, Axis, AxisSet, Position};
 use ferrocut_machine::{AxisConfig, Machine, PlantAxis, PlantConfig};
-use periphery::{Periphery, Wire, wire};
+use periphery::Periphery;
 
 /// A block that a probe touches, a piece of stock or a tool setter: the physical places of X, Y and Z of its lower and
 /// upper corner. A plane is a block that is large enough.
@@ -46,48 +47,19 @@ const HOME_SWITCH: f64 = 30.0;
 /// Way from the reference point to where an axis stands at power-on, mm or degrees.
 const TO_REFERENCE: f64 = 80.0;
 
-/// Where `SKIP` and the home switches stand in the standard ladder (Fanuc 0i).
-const SKIP: (&str, Wire) = ("SKIP", (4, 7));
-const HOME: [(&str, Wire); 8] = [
-    ("*DEC_X", (9, 0)),
-    ("*DEC_Y", (9, 1)),
-    ("*DEC_Z", (9, 2)),
-    ("*DEC_A", (9, 3)),
-    ("*DEC_5", (9, 4)),
-    ("*DEC_6", (9, 5)),
-    ("*DEC_7", (9, 6)),
-    ("*DEC_8", (9, 7)),
-];
-/// The travel switches of the first four axes, upper ones first.
-const LIMITS: [(&str, Wire); 8] = [
-    ("*LX+", (0, 0)),
-    ("*LX-", (0, 1)),
-    ("*LY+", (0, 2)),
-    ("*LY-", (0, 3)),
-    ("*LZ+", (0, 4)),
-    ("*LZ-", (0, 5)),
-    ("*LA+", (0, 6)),
-    ("*LA-", (0, 7)),
-];
-
 /// A simulated machine.
 #[derive(Clone, Debug)]
 pub struct Plant {
     axes: [Option<PlantedAxis>; AXES],
-    /// Axes in the order of the machine file, which signals are numbered by.
-    order: Vec<Axis>,
     /// Axes whose home switch is closed where it is reached.
     home_closes: AxisSet,
     absolute: bool,
     periphery: Periphery,
     blocks: Vec<Block>,
-    probe_opens: bool,
     armed: bool,
     touches: bool,
     touched: Option<Position>,
-    skip: Wire,
-    home: [Wire; HOME.len()],
-    limits: [Wire; LIMITS.len()],
+    wires: AxisWires,
 }
 
 impl Plant {
@@ -103,18 +75,14 @@ impl Plant {
         }
         Plant {
             axes,
-            order: machine.axes.iter().map(|axis| axis.name).collect(),
             home_closes: machine.axes.iter().filter(|a| a.homing.closes).map(|a| a.name).collect(),
             absolute: machine.homing.absolute,
             periphery: Periphery::new(config, machine.servo_period_ms),
             blocks: Vec::new(),
-            probe_opens: config.probe_opens,
             armed: false,
             touches: false,
             touched: None,
-            skip: wire(config, SKIP.0, SKIP.1),
-            home: HOME.map(|(name, usual)| wire(config, name, usual)),
-            limits: LIMITS.map(|(name, usual)| wire(config, name, usual)),
+            wires: AxisWires::new(machine, &config.wiring, config.probe_opens),
         }
     }
 
@@ -219,6 +187,12 @@ impl Plant {
             self.axis_at(i).map_or(0.0, |axis| axis.called(axis.before + part * (axis.place - axis.before)))
         }))
     }
+}
+
+/// What a position loop of this gain, 1/s, leaves of its lag after a time, s.
+pub(crate) fn kept(gain: f64, time: f64) -> f64 {
+    let [[kept, _], _] = axis::over(gain, 0.0, time);
+    kept
 }
 
 fn axes_place(axis: Axis) -> Option<usize> {
@@ -326,16 +300,7 @@ impl Drives for Plant {
 
     fn read(&self, put: &mut dyn FnMut(u16, u8, bool)) {
         self.periphery.read(put);
-        let switches = self.switches();
-        for (axis, (byte, bit)) in self.order.iter().zip(self.home) {
-            put(byte, bit, !switches.home.contains(*axis));
-        }
-        let sides = self.order.iter().flat_map(|axis| [(axis, switches.above), (axis, switches.below)]);
-        for ((axis, beyond), (byte, bit)) in sides.zip(self.limits) {
-            put(byte, bit, !beyond.contains(*axis));
-        }
-        let (byte, bit) = self.skip;
-        put(byte, bit, switches.skip != self.probe_opens);
+        self.wires.put(&self.switches(), put);
     }
 
     fn write(&mut self, is_on: &dyn Fn(u16, u8) -> bool) {

@@ -2,6 +2,7 @@
 #![allow(dead_code, missing_docs, clippy::unwrap_used, clippy::panic)]
 
 pub mod random;
+pub mod shop;
 
 use ferrocut_controller::{Activity, Cnc, Event, State, Tick};
 use ferrocut_geometry::{AXES, Axis, Position};

@@ -3,8 +3,8 @@
 use crate::cli::CheckArgs;
 use crate::job::{Exit, Failure, Shop};
 use ferrocut_controller::Supervisor;
-use ferrocut_interpreter::{Interpreter, Options};
-use ferrocut_machine::{Alarm, Argument, Fault};
+use ferrocut_desk::finding::point_at_word;
+use ferrocut_interpreter::Options;
 use rayon::prelude::*;
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
@@ -94,21 +94,4 @@ fn check(shop: &Shop, path: &Path, colour: bool) -> Findings {
         );
     }
     found
-}
-
-/// Narrows an alarm about a block to the word at fault, where the alarm tells which.
-pub fn point_at_word(alarm: &mut Alarm, interpreter: &Interpreter) {
-    let axis = alarm.arguments.iter().find_map(|(name, value)| match value {
-        Argument::Text(letter) if *name == "axis" => letter.bytes().next(),
-        _ => None,
-    });
-    let letter = match alarm.fault {
-        Fault::SoftLimit | Fault::UnknownAxis => axis,
-        Fault::ToolMissing => Some(b'T'),
-        Fault::SpindleTooFast => Some(b'S'),
-        _ => None,
-    };
-    if let Some(span) = letter.and_then(|letter| interpreter.locate_word(alarm.span, letter)) {
-        alarm.span = span;
-    }
 }

@@ -1,22 +1,16 @@
 //! `ferrocut explain`: what a code, parameter, alarm, variable or word of a program is.
 
-mod asked;
-mod describe;
-pub mod page;
-mod place;
-mod word;
-
 use crate::cli::{Common, Show};
 use crate::commands::names::complain;
 use crate::diagnostics::Diagnostics;
 use crate::job::{Exit, Failure, Shop};
-use asked::Asked;
 use clap::Args;
+use ferrocut_desk::{Asked, Page, asked, memory_of};
 use ferrocut_interpreter::{Dialect, dialects};
-use ferrocut_machine::{Alarm, Fault, Machine, Memory, ParameterTable, Reference};
-use ferrocut_program::Span;
-use page::Page;
+use ferrocut_machine::{Alarm, Fault, Machine, Memory};
+use ferrocut_program::{OpenError, ProgramMemory, Span, Text};
 use std::io::{self, Write};
+use std::ops::Deref;
 use std::path::{Path, PathBuf};
 
 /// `ferrocut explain`
@@ -62,8 +56,8 @@ pub fn run(args: &ExplainArgs) -> Result<Exit, Failure> {
     let book = Book::open(&args.common())?;
     let mut pages: Vec<Page> = Vec::new();
     let mut exit = Exit::Fine;
-    for asked in asked::read(&args.what, &book) {
-        match asked.and_then(|things| book.pages(&things)) {
+    for asked in asked::read(&args.what, &book, &|name| Path::new(name).is_file()) {
+        match asked.and_then(|things| pages_of(&book, &things)) {
             Ok(found) => pages.extend(found),
             Err(reason) => {
                 complain(&reason, &book.diagnostics);
@@ -93,16 +87,19 @@ pub fn print(pages: &[Page], diagnostics: &Diagnostics) {
     }
 }
 
-/// Everything that is known of a control, and the values of a machine.
+/// All that is known of a control, and how messages of a command are shown.
 pub struct Book {
-    /// The control language.
-    pub dialect: &'static Dialect,
-    /// What its manual says; none where there are no such tables.
-    pub reference: Option<&'static Reference>,
-    /// Parameters as the machine sets them.
-    pub memory: Memory,
+    book: ferrocut_desk::Book,
     /// How messages are shown.
     pub diagnostics: Diagnostics,
+}
+
+impl Deref for Book {
+    type Target = ferrocut_desk::Book;
+
+    fn deref(&self) -> &ferrocut_desk::Book {
+        &self.book
+    }
 }
 
 impl Book {
@@ -118,7 +115,7 @@ impl Book {
                 let file = path.to_string_lossy();
                 let arguments = [("file", (&*file).into()), ("reason", reason.into())];
                 let text = shop.diagnostics.catalogue().label("label-passed-over", &arguments);
-                crate::commands::names::complain(&text, &shop.diagnostics);
+                complain(&text, &shop.diagnostics);
             }
         }
         Ok(Book::new(dialect, memory, shop.diagnostics))
@@ -126,55 +123,44 @@ impl Book {
 
     /// The tables of a control.
     pub fn new(dialect: &'static Dialect, memory: Memory, diagnostics: Diagnostics) -> Book {
-        Book { dialect, reference: Reference::of(dialect.name), memory, diagnostics }
+        Book { book: ferrocut_desk::Book::new(dialect, memory, diagnostics.catalogue()), diagnostics }
     }
+}
 
-    /// The list of parameters.
-    pub fn table(&self) -> &'static ParameterTable {
-        self.memory.parameters.table()
-    }
-
-    fn g_codes(&self) -> Vec<u16> {
-        let listed = self.reference.into_iter().flat_map(|r| r.g_codes()).map(|row| row.tenths);
-        let mut codes: Vec<u16> = self.dialect.g_codes.iter().map(|g| g.tenths).chain(listed).collect();
-        codes.sort_unstable();
-        codes.dedup();
-        codes
-    }
-
-    fn m_codes(&self) -> Vec<u16> {
-        let listed = self.reference.into_iter().flat_map(|r| r.m_codes()).map(|row| row.code);
-        let mut codes: Vec<u16> = self.dialect.m_codes.iter().map(|m| m.code).chain(listed).collect();
-        codes.sort_unstable();
-        codes.dedup();
-        codes
-    }
-
-    fn knows_g(&self, tenths: u16) -> bool {
-        self.g_codes().contains(&tenths)
-    }
-
-    /// The variable of a name without a sign, where the language has such.
-    fn unsigned_variable(&self, name: &str) -> Option<u32> {
-        let syntax = self.dialect.syntax;
-        syntax.parameter_letter.and_then(|_| syntax.variable(name.as_bytes()))
-    }
-
-    fn knows_m(&self, code: u16) -> bool {
-        self.m_codes().contains(&code)
-    }
-
-    /// The pages of things; the reason where one is a place at which nothing stands.
-    fn pages(&self, things: &[Asked]) -> Result<Vec<Page>, String> {
-        let mut pages = Vec::new();
-        for thing in things {
-            match thing {
-                Asked::Place(file, line, column) => pages.extend(self.place(file, *line, *column)?),
-                thing => pages.extend(self.page(thing)),
+/// The pages of things; the reason where one is a place at which nothing stands.
+fn pages_of(book: &Book, things: &[Asked]) -> Result<Vec<Page>, String> {
+    let mut pages = Vec::new();
+    for thing in things {
+        match thing {
+            Asked::Place(file, line, column) => {
+                let name = file.to_string_lossy();
+                let found = open_program(file, book.dialect)
+                    .and_then(|mut programs| book.place(&name, &mut programs, *line, *column));
+                pages.extend(found.map_err(|error| open_error(&name, &error, &book.diagnostics))??);
             }
+            thing => pages.extend(book.page(thing)),
         }
-        Ok(pages)
     }
+    Ok(pages)
+}
+
+fn open_program(file: &Path, dialect: &'static Dialect) -> Result<ProgramMemory, OpenError> {
+    match file == Path::new("-") {
+        true => Text::from_reader(io::stdin().lock())
+            .map(|text| ProgramMemory::new("standard input", text, dialect.syntax)),
+        false => ProgramMemory::open(file, dialect.syntax),
+    }
+}
+
+fn open_error(name: &str, error: &OpenError, diagnostics: &Diagnostics) -> String {
+    let alarm = |fault| Alarm::core(fault, Span::default()).with("file", name);
+    let alarm = match error {
+        OpenError::Io(error) => alarm(Fault::FileUnreadable).with("reason", error.to_string()),
+        OpenError::Folder => alarm(Fault::FileUnreadable).with("reason", "it is a folder"),
+        OpenError::NotText | OpenError::Utf16 => alarm(Fault::FileNotText),
+        OpenError::Empty => alarm(Fault::FileEmpty),
+    };
+    diagnostics.message(&alarm, None)
 }
 
 /// The control language that a command is about.
@@ -184,27 +170,6 @@ pub fn dialect_of(common: &Common, machine: &Machine) -> Result<&'static Dialect
         let alarm = Alarm::core(Fault::UnknownDialect, Span::default()).with("name", name);
         Failure::new(Box::new(alarm), Exit::WrongUse)
     })
-}
-
-/// What a machine's control remembers: the list's values, and those of the machine file; and why some of
-/// the file's are passed over.
-pub fn memory_of(machine: &Machine, dialect: &Dialect) -> (Memory, Vec<String>) {
-    let mut memory = Memory::new(dialect.name);
-    let mut sound = Vec::new();
-    let mut wrong = Vec::new();
-    for (name, value) in &machine.parameters {
-        let checked = name
-            .parse::<ferrocut_machine::ParameterKey>()
-            .and_then(|key| memory.parameters.check(&key, *value).map(|()| key));
-        match checked {
-            Ok(key) => sound.push((key, *value)),
-            Err(error) => wrong.push(error.to_string()),
-        }
-    }
-    if let Err(error) = memory.set_parameters(sound.iter().map(|(key, value)| (key, *value))) {
-        wrong.push(error.to_string());
-    }
-    (memory, wrong)
 }
 
 /// A machine file that cannot be used.

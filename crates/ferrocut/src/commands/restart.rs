@@ -4,12 +4,12 @@
 use crate::cli::Place;
 use crate::job::Shop;
 use ferrocut_controller::Cnc;
+use ferrocut_controller::restart::told::{AxisMove, axis_moves, function, short};
 use ferrocut_controller::restart::{At, Compared, Difference, How, Journal, Restart, Setting};
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_interpreter::Fallible;
-use ferrocut_machine::{Alarm, Argument, Catalogue, Fault, Machine, g_code_name};
+use ferrocut_machine::{Alarm, Argument, Catalogue, Fault, Machine};
 use ferrocut_program::{FileId, Span};
-use ferrocut_toolpath::{Op, Speed, SpindleState};
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::io::{self, Write};
@@ -80,7 +80,10 @@ pub fn prepare(cnc: &mut Cnc, shop: &Shop, from: &Place) -> Fallible<Lead> {
         position: position(&restart, &shop.machine),
         modal: differences.iter().map(json_difference).collect(),
         sent: lead_in.iter().filter_map(|step| function(&step.op, &restart.position)).collect(),
-        approach: moves(lead_in.iter().map(|step| &step.op), restart.renamed(&present)),
+        approach: axis_moves(lead_in.iter().map(|step| &step.op), restart.renamed(&present))
+            .iter()
+            .map(json_move)
+            .collect(),
     };
     let warning = restart.warning();
     cnc.restart(restart, lead_in)?;
@@ -92,81 +95,17 @@ fn position(restart: &Restart, machine: &Machine) -> Map<String, Value> {
     machine.axes.iter().map(|axis| of(axis.name)).collect()
 }
 
-/// The moves that lead to the block, one axis each.
-fn moves<'a>(ops: impl Iterator<Item = &'a Op>, from: Position) -> Vec<JsonMove> {
-    let mut at = from;
-    let mut moves = Vec::new();
-    for op in ops {
-        let Some(to) = op.target() else { continue };
-        let (kind, speed) = match op {
-            Op::Rapid { speed, .. } => ("rapid", *speed),
-            Op::Feed { feed: ferrocut_toolpath::Feed::PerMinute(feed), .. } => ("feed", Some(*feed)),
-            _ => ("feed", None),
-        };
-        for axis in Axis::ALL.into_iter().filter(|axis| at[*axis] != to[*axis]) {
-            moves.push(JsonMove { axis: axis.name().to_owned(), to: to[axis], kind, speed });
-        }
-        at = *to;
-    }
-    moves
-}
-
-/// A function as a program has it.
-fn function(op: &Op, at: &Position) -> Option<String> {
-    Some(match op {
-        Op::Select(tool) => format!("T{tool}"),
-        Op::Change(_) => "M06".to_owned(),
-        Op::Machine(code) => format!("M{code:02}"),
-        Op::Spindle(state) => spindle(*state, at),
-        Op::Coolant(on) => if *on { "M08" } else { "M09" }.to_owned(),
-        Op::Output { address, value } => format!("{address} = {value}"),
-        _ => return None,
-    })
-}
-
-fn spindle(state: SpindleState, at: &Position) -> String {
-    let code = match state {
-        SpindleState::Off => return "M05".to_owned(),
-        SpindleState::Clockwise(_) => "M03",
-        SpindleState::CounterClockwise(_) => "M04",
-    };
-    let rpm = state.speed().map_or(0.0, |speed| speed.rpm(at));
-    let surface = matches!(state.speed(), Some(Speed::Surface { .. }));
-    format!("{code} S{}{}", short(rpm), if surface { " (G96)" } else { "" })
-}
-
-fn short(value: f64) -> String {
-    let text = format!("{value:.4}");
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
-}
-
-fn setting(value: Setting) -> Option<String> {
-    Some(match value {
-        Setting::None => return None,
-        Setting::Code(tenths) => g_code_name(tenths),
-        Setting::Number(number) => short(number),
-        Setting::Spindle(state) => spindle(state, &Position::ZERO),
-        Setting::Switch(on) => if on { "on" } else { "off" }.to_owned(),
-    })
+fn json_move(way: &AxisMove) -> JsonMove {
+    let kind = if way.is_rapid { "rapid" } else { "feed" };
+    JsonMove { axis: way.axis.name().to_owned(), to: way.to, kind, speed: way.speed }
 }
 
 fn json_difference(difference: &Difference) -> JsonDifference {
-    let of = match difference.of {
-        Compared::Code(group) => format!("G{group:02}"),
-        Compared::Feed => "F".to_owned(),
-        Compared::FeedPerRevolution => "F_per_turn".to_owned(),
-        Compared::Speed => "S".to_owned(),
-        Compared::Spindle => "spindle".to_owned(),
-        Compared::Coolant(0) => "flood".to_owned(),
-        Compared::Coolant(_) => "mist".to_owned(),
-        Compared::Tool => "T".to_owned(),
-        Compared::InSpindle => "in_spindle".to_owned(),
-        Compared::LengthNumber => "H".to_owned(),
-        Compared::RadiusNumber => "D".to_owned(),
-        Compared::WorkZero(axis) => format!("zero.{}", axis.letter()),
-        Compared::Length(axis) => format!("length.{}", axis.letter()),
-    };
-    JsonDifference { of, program: setting(difference.program), machine: setting(difference.machine) }
+    JsonDifference {
+        of: difference.of.name(),
+        program: difference.program.text(),
+        machine: difference.machine.text(),
+    }
 }
 
 /// What is compared, in words.
@@ -216,7 +155,7 @@ impl Lead {
         writeln!(out, "  {}: {}", word("label-restart-approach"), list(ways.collect()))?;
         writeln!(out, "  {}:", word("label-restart-modal"))?;
         for Difference { of, program, machine } in &self.differences {
-            let shown = |value: Setting| setting(value).unwrap_or_else(|| "-".to_owned());
+            let shown = |value: Setting| value.text().unwrap_or_else(|| "-".to_owned());
             writeln!(out, "    {}: {} / {}", label(*of, catalogue), shown(*program), shown(*machine))?;
         }
         Ok(())

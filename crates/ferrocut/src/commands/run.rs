@@ -1,13 +1,14 @@
 //! `ferrocut run`: the main job. Runs a program on the machine and reports.
 
 use crate::cli::RunArgs;
-use crate::commands::check::point_at_word;
 use crate::commands::restart::{self, JsonRestart};
 use crate::diagnostics::Diagnostics;
 use crate::job::{Exit, Failure, Shop};
 use crate::report::{self, JsonReport};
 use crate::samples::Samples;
+use ferrocut_controller::drives::{self, Simulated};
 use ferrocut_controller::{Clock, Cnc, Event, State, Tick};
+use ferrocut_desk::finding::point_at_word;
 use ferrocut_geometry::Axis;
 use ferrocut_interpreter::Options;
 use ferrocut_machine::Machine;
@@ -51,7 +52,13 @@ pub fn run(args: &RunArgs) -> Result<Exit, Failure> {
     }
     let interpreter = job.keeping().interpreter(Options { loops_forever: args.realtime, ..shop.options() });
     let length = interpreter.programs().text(interpreter.main_file()).map_or(0, |t| t.len());
-    let mut cnc = Cnc::new(&shop.machine, interpreter);
+    // Nothing but a run at true speed moves a real machine.
+    let real = match args.realtime {
+        true => drives::connect(&shop.machine, interpreter.position()).map_err(Failure::setting)?,
+        false => None,
+    };
+    let drives = real.unwrap_or_else(|| Box::new(Simulated));
+    let mut cnc = Cnc::with_drives(&shop.machine, interpreter, drives);
     let mut restart = None;
     if let Some(from) = &args.from {
         let lead = match restart::prepare(&mut cnc, &shop, from) {
@@ -71,6 +78,10 @@ pub fn run(args: &RunArgs) -> Result<Exit, Failure> {
         restart = Some(lead.json);
     }
     cnc.set_override(args.feed_override / 100.0, args.rapid_override / 100.0);
+    if args.realtime {
+        // Without a thread for it, planning is done in the period.
+        let _ = cnc.plan_beside();
+    }
     let clock = if args.realtime { Clock::real(shop.machine.servo_period_ms) } else { Clock::Virtual };
     let mut screen = Screen::new(&shop, length, args.realtime);
     let mut take = |_: &Cnc, tick: &Tick| match samples.as_mut() {

@@ -1,9 +1,9 @@
 //! `ferrocut view`: a picture of the tool path.
 
 use crate::cli::ViewArgs;
-use crate::commands::check::point_at_word;
 use crate::job::{Exit, Failure, Shop};
 use crate::view::{PathModel, Picture, render};
+use ferrocut_desk::finding::point_at_word;
 use std::path::Path;
 
 /// Runs the command.

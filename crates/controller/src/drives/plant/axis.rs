@@ -171,7 +171,7 @@ impl PlantedAxis {
 
 /// The matrix of `ε' = w`, `w' = −(Kv·ε + w)/T` over a time: its series over a small part of it, squared until the
 /// time is over. Sums and products alone, so that it is the same on every machine.
-fn over(gain: f64, lag: f64, time: f64) -> Matrix {
+pub(super) fn over(gain: f64, lag: f64, time: f64) -> Matrix {
     // A speed loop as fast as this is ideal.
     if lag < time * 1e-3 {
         let [[kept, _], _] = power([[-gain, 0.0], [0.0, 0.0]], time);

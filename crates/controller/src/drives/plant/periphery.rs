@@ -1,6 +1,7 @@
 //! What stands about the axes of the simulated machine: tool clamp, clamp of the fourth axis, magazine without an
 //! arm, lubrication, door, levels and pressures. Inputs X answer outputs Y after the time that the thing takes.
 
+use crate::drives::wires::{Wire, wire};
 use ferrocut_machine::PlantConfig;
 
 /// Something that goes from one end to the other in some time, while it is driven, and back while it is not.
@@ -86,9 +87,6 @@ pub(super) struct Periphery {
     driven: [bool; OUTPUTS.len()],
 }
 
-/// Byte and bit.
-pub(super) type Wire = (u16, u8);
-
 /// Outputs that the machine answers, and where they stand in the standard ladder.
 const OUTPUTS: [(&str, Wire); 8] = [
     ("LUBE", (0, 6)),
@@ -141,17 +139,6 @@ const NAMES: [(&str, Wire); OUTPUTS.len() + LEVELS.len() + ANSWERS.len()] = {
     names
 };
 
-/// The wire of a signal: that of the machine file, `X1.0` or `Y1.0`, or that of the standard ladder.
-pub(super) fn wire(config: &PlantConfig, name: &str, usual: Wire) -> Wire {
-    let place = |text: &str| {
-        let text = text.strip_prefix(['X', 'Y', 'x', 'y'])?;
-        let (byte, bit) = text.split_once('.')?;
-        let bit = bit.parse::<u8>().ok().filter(|bit| *bit < 8)?;
-        Some((byte.parse().ok()?, bit))
-    };
-    config.wiring.get(name).and_then(|text| place(text)).unwrap_or(usual)
-}
-
 impl Periphery {
     pub fn new(config: &PlantConfig, period_ms: f64) -> Periphery {
         let pockets = config.pockets.max(1);
@@ -173,7 +160,7 @@ impl Periphery {
             door_is_locked: false,
             emergency_stop: false,
             faults: [false; LEVELS.len()],
-            wires: NAMES.map(|(name, usual)| wire(config, name, usual)),
+            wires: NAMES.map(|(name, usual)| wire(&config.wiring, name, usual)),
             driven: [false; OUTPUTS.len()],
         }
     }

@@ -3,11 +3,12 @@
 use super::edit::{self, Change};
 use super::{ExportArgs, ImportArgs, ListArgs, ParamsCommand, SetArgs};
 use crate::cli::Common;
-use crate::commands::explain::page::{meaning, parameter_json};
 use crate::commands::explain::{self, Book, dialect_of, unusable};
 use crate::commands::layout::{print, table};
 use crate::commands::names::{self, complain, name_error, parameter_error, range};
 use crate::job::{Exit, Failure, Shop};
+use ferrocut_desk::memory_of;
+use ferrocut_desk::page::{meaning, parameter_json};
 use ferrocut_machine::parameter_checks::{ContradictionKind, contradictions};
 use ferrocut_machine::parameter_csv::{ParameterCsvError, read_parameters, write_parameters};
 use ferrocut_machine::{Machine, Memory, ParameterDef, ParameterKey};
@@ -40,7 +41,7 @@ impl Target {
     fn open(common: &Common, path: &Path) -> Result<Target, Failure> {
         let shop = Shop::open(common)?;
         let dialect = dialect_of(common, &shop.machine)?;
-        let (memory, _) = explain::memory_of(&shop.machine, dialect);
+        let (memory, _) = memory_of(&shop.machine, dialect);
         let book = Book::new(dialect, memory, shop.diagnostics);
         let text = std::fs::read_to_string(path).map_err(|error| unusable(path, &error.to_string()))?;
         Ok(Target { book, machine: shop.machine, text })
@@ -153,7 +154,7 @@ fn keys(names: &[String], book: &Book) -> Option<Vec<ParameterKey>> {
                 }
             }
             Err(error) => {
-                complain(&name_error(&error, book.dialect.name, &book.diagnostics), &book.diagnostics);
+                complain(&name_error(&error, book.dialect.name, book.catalogue), &book.diagnostics);
                 found = None;
             }
         }
@@ -208,7 +209,7 @@ fn change(name: &str, text: &str, memory: &mut Memory, target: &Target) -> Resul
     {
         return Ok((key, None));
     }
-    let key = names::parameter(name, book.table()).map_err(|e| name_error(&e, dialect, &book.diagnostics))?;
+    let key = names::parameter(name, book.table()).map_err(|e| name_error(&e, dialect, book.catalogue))?;
     let Some(value) = value(text) else {
         let arguments = [("name", book.table().name(&key).into()), ("value", text.trim().into())];
         return Err(book.diagnostics.catalogue().label("label-no-number", &arguments));
@@ -216,7 +217,7 @@ fn change(name: &str, text: &str, memory: &mut Memory, target: &Target) -> Resul
     // What stands already is no change, even where the list's own default is outside its range (P4).
     if let Some(value) = value.filter(|value| *value != memory.parameter(&key)) {
         let set = memory.set_parameter(&key, value);
-        set.map_err(|error| parameter_error(&error, dialect, &book.diagnostics))?;
+        set.map_err(|error| parameter_error(&error, dialect, book.catalogue))?;
     }
     Ok((key, value))
 }
@@ -280,12 +281,12 @@ pub fn problems(machine: &Machine, book: &Book) -> Vec<(String, String)> {
         let key = match name.parse::<ParameterKey>() {
             Ok(key) => key,
             Err(error) => {
-                found.push((name.clone(), parameter_error(&error, dialect, &book.diagnostics)));
+                found.push((name.clone(), parameter_error(&error, dialect, book.catalogue)));
                 continue;
             }
         };
         if let Err(error) = memory.set_parameter(&key, *value) {
-            found.push((name.clone(), parameter_error(&error, dialect, &book.diagnostics)));
+            found.push((name.clone(), parameter_error(&error, dialect, book.catalogue)));
         }
         if let Some(other) = seen.insert(key, name) {
             let arguments = [("name", name.as_str().into()), ("other", other.as_str().into())];

@@ -1,9 +1,9 @@
 //! What the tables say of a thing, put together on a page.
 
-use super::Book;
-use super::asked::Asked;
-use super::page::{Page, with_unit};
-use crate::commands::names::range;
+use crate::asked::Asked;
+use crate::book::Book;
+use crate::names::range;
+use crate::page::{Page, with_unit};
 use ferrocut_interpreter::dialect::Variable;
 use ferrocut_machine::{
     AlarmClass, AlarmId, Argument, Fault, GCodeRow, Meaning, ParameterKey, Subject, VariableRow, WorkOffset,
@@ -30,7 +30,7 @@ impl Book {
     }
 
     fn label(&self, key: &str, arguments: &[(&str, Argument)]) -> String {
-        self.diagnostics.catalogue().label(key, arguments)
+        self.catalogue.label(key, arguments)
     }
 
     fn g_code(&self, tenths: u16) -> Page {
@@ -178,7 +178,7 @@ impl Book {
     }
 
     fn alarm(&self, number: u16) -> Page {
-        let catalogue = self.diagnostics.catalogue();
+        let catalogue = self.catalogue;
         let id = AlarmId::Dialect(self.dialect.name, number);
         let mut page = Page::new("alarm", id.to_string(), catalogue.text(id).unwrap_or_default());
         page.say("help", catalogue.help_of(id).unwrap_or_default());
@@ -194,7 +194,7 @@ impl Book {
     }
 
     fn fault(&self, fault: Fault) -> Page {
-        let catalogue = self.diagnostics.catalogue();
+        let catalogue = self.catalogue;
         let id = AlarmId::Core(fault);
         let mut page = Page::new("alarm", id.to_string(), catalogue.text(id).unwrap_or_default());
         page.say("help", catalogue.help_of(id).unwrap_or_default());
@@ -311,7 +311,7 @@ impl Book {
         let codes = reference.codes_of(subject).into_iter();
         page.list("codes", codes.filter_map(|code| self.code_line(&code)).collect());
         if !matches!(subject, Subject::Alarm(_)) {
-            let catalogue = self.diagnostics.catalogue();
+            let catalogue = self.catalogue;
             let line = |id: AlarmId| (id.to_string(), catalogue.text(id).unwrap_or_default());
             page.list("alarms", reference.alarms_of(subject).into_iter().map(line).collect());
         }
@@ -336,7 +336,7 @@ impl Book {
 
 fn core_alarm(book: &Book, fault: Fault) -> (String, String) {
     let id = AlarmId::Core(fault);
-    (id.to_string(), book.diagnostics.catalogue().text(id).unwrap_or_default())
+    (id.to_string(), book.catalogue.text(id).unwrap_or_default())
 }
 
 /// What a thing is: its meaning up to the first semicolon.

@@ -1,30 +1,32 @@
 //! The words of a program, explained where they stand.
 
-use super::Book;
-use super::asked::Asked;
-use super::page::Page;
-use super::place::{self, Line, Spot};
+use crate::asked::Asked;
+use crate::book::Book;
+use crate::page::Page;
+use crate::place::{self, Line, Spot};
 use ferrocut_geometry::Axis;
-use ferrocut_interpreter::Dialect;
 use ferrocut_interpreter::modal::Group;
-use ferrocut_machine::{Alarm, Argument, Fault, Subject, g_code_name};
-use ferrocut_program::{OpenError, ProgramMemory, Span, Text};
-use std::io;
-use std::path::Path;
+use ferrocut_machine::{Argument, Subject, g_code_name};
+use ferrocut_program::{OpenError, ProgramMemory};
 
 impl Book {
-    /// The pages of the words at a place; the reason where there is none.
-    pub fn place(&self, file: &Path, number: u32, column: Option<usize>) -> Result<Vec<Page>, String> {
-        let name = file.to_string_lossy();
+    /// The pages of the words at a place of a program that is called `name`; the reason where there is none, and what
+    /// is wrong with a program that cannot be read.
+    pub fn place(
+        &self,
+        name: &str,
+        programs: &mut ProgramMemory,
+        number: u32,
+        column: Option<usize>,
+    ) -> Result<Result<Vec<Page>, String>, OpenError> {
         let label = |key: &str, more: &[(&str, Argument)]| {
-            let mut arguments = vec![("file", (&*name).into()), ("line", number.to_string().into())];
+            let mut arguments = vec![("file", name.into()), ("line", number.to_string().into())];
             arguments.extend_from_slice(more);
-            self.diagnostics.catalogue().label(key, &arguments)
+            self.catalogue.label(key, &arguments)
         };
-        let mut programs = open(file, self.dialect).map_err(|error| self.open_error(&name, &error))?;
-        let line = place::line(&mut programs, number, self.dialect, &self.memory.parameters);
-        let line = line.map_err(|error| self.open_error(&name, &OpenError::Io(error)))?;
-        let Some(line) = line else { return Err(label("label-explain-no-block", &[])) };
+        let line = place::line(programs, number, self.dialect, &self.memory.parameters);
+        let line = line.map_err(OpenError::Io)?;
+        let Some(line) = line else { return Ok(Err(label("label-explain-no-block", &[]))) };
         let spots = match column {
             None => line.words.iter().filter_map(|w| line.at(w.column)).collect(),
             Some(column) => match line.at(column) {
@@ -38,11 +40,11 @@ impl Book {
                         (false, true) => "label-explain-no-word",
                         (false, false) => "label-explain-no-word-there",
                     };
-                    return Err(label(key, &more));
+                    return Ok(Err(label(key, &more)));
                 }
             },
         };
-        Ok(spots.iter().map(|spot| self.spot(&name, number, spot, &line)).collect())
+        Ok(Ok(spots.iter().map(|spot| self.spot(name, number, spot, &line)).collect()))
     }
 
     /// The page of a word where it stands.
@@ -142,24 +144,5 @@ impl Book {
         let meant = functions.iter().find(|(name, _)| name.eq_ignore_ascii_case(text)).map(|(_, f)| f);
         let first = meant.and_then(|meant| functions.iter().find(|(_, f)| f == meant));
         first.map_or(text, |(name, _)| name).to_ascii_uppercase()
-    }
-
-    fn open_error(&self, name: &str, error: &OpenError) -> String {
-        let alarm = |fault| Alarm::core(fault, Span::default()).with("file", name);
-        let alarm = match error {
-            OpenError::Io(error) => alarm(Fault::FileUnreadable).with("reason", error.to_string()),
-            OpenError::Folder => alarm(Fault::FileUnreadable).with("reason", "it is a folder"),
-            OpenError::NotText | OpenError::Utf16 => alarm(Fault::FileNotText),
-            OpenError::Empty => alarm(Fault::FileEmpty),
-        };
-        self.diagnostics.message(&alarm, None)
-    }
-}
-
-fn open(file: &Path, dialect: &'static Dialect) -> Result<ProgramMemory, OpenError> {
-    match file == Path::new("-") {
-        true => Text::from_reader(io::stdin().lock())
-            .map(|text| ProgramMemory::new("standard input", text, dialect.syntax)),
-        false => ProgramMemory::open(file, dialect.syntax),
     }
 }

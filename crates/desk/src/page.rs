@@ -1,6 +1,6 @@
 //! An explanation as data, and how it reads in a terminal and as JSON.
 
-use crate::commands::layout::{padded, width, wrapped};
+use crate::layout::{padded, width, wrapped};
 use ferrocut_machine::{Catalogue, Meaning, ParameterDef};
 use serde_json::{Map, Value, json};
 

@@ -1,9 +1,10 @@
 //! What somebody asks about: from the words of the command line to a thing with a number.
 
-use super::Book;
-use crate::commands::names::{self, NameError, name_error, near, with_near};
-use crate::diagnostics::Diagnostics;
-use ferrocut_machine::{AlarmId, Fault, ParameterKey, Subject, VariableRow, alarm_table, g_code_name};
+use crate::book::Book;
+use crate::names::{self, NameError, name_error, near, with_near};
+use ferrocut_machine::{
+    AlarmId, Catalogue, Fault, ParameterKey, Subject, VariableRow, alarm_table, g_code_name,
+};
 use std::path::PathBuf;
 
 /// Codes offered for a word that some of them speak of.
@@ -32,8 +33,12 @@ pub type Unknown = String;
 /// A word before a number that says what the number is of.
 const KINDS: [&str; 4] = ["alarm", "parameter", "variable", "code"];
 
-/// The things that the words of a command line ask about.
-pub fn read(words: &[String], book: &Book) -> Vec<Result<Vec<Asked>, Unknown>> {
+/// The things that words ask about. `is_file` says whether a name in front of a line number is a program's.
+pub fn read(
+    words: &[String],
+    book: &Book,
+    is_file: &dyn Fn(&str) -> bool,
+) -> Vec<Result<Vec<Asked>, Unknown>> {
     let mut asked = Vec::new();
     let mut words = words.iter();
     while let Some(word) = words.next() {
@@ -42,12 +47,12 @@ pub fn read(words: &[String], book: &Book) -> Vec<Result<Vec<Asked>, Unknown>> {
         asked.push(match (kind, word.split_once(' ')) {
             (Some(kind), _) => match words.next() {
                 Some(number) => of_kind(kind, number.trim(), book),
-                None => one(word, book),
+                None => one(word, book, is_file),
             },
             (None, Some((kind, number))) if KINDS.iter().any(|k| kind.eq_ignore_ascii_case(k)) => {
                 of_kind(kind, number.trim(), book)
             }
-            _ => one(word, book),
+            _ => one(word, book, is_file),
         });
     }
     asked
@@ -58,15 +63,15 @@ fn of_kind(kind: &str, number: &str, book: &Book) -> Result<Vec<Asked>, Unknown>
         "alarm" => alarm(number, book),
         "parameter" => parameters(number, book),
         "variable" => variable(number.trim_start_matches('#'), book),
-        _ => one(number, book),
+        _ => one(number, book, &|_| false),
     }
 }
 
-fn one(word: &str, book: &Book) -> Result<Vec<Asked>, Unknown> {
+fn one(word: &str, book: &Book, is_file: &dyn Fn(&str) -> bool) -> Result<Vec<Asked>, Unknown> {
     let upper = word.to_ascii_uppercase();
     let digits = |t: &str| !t.is_empty() && t.bytes().all(|b| b.is_ascii_digit());
     let is_number = |t: &str| t.starts_with(|c: char| c.is_ascii_digit());
-    if let Some(place) = place(word, book) {
+    if let Some(place) = place(word, book, is_file) {
         return Ok(vec![place]);
     }
     if upper.starts_with("FC-") || upper.contains(':') || digits(word) {
@@ -100,15 +105,13 @@ fn one(word: &str, book: &Book) -> Result<Vec<Asked>, Unknown> {
     }
     match names::parameters(word, book.table()) {
         Ok(keys) if !book.table().is_open() => Ok(of_keys(keys)),
-        Err(error @ NameError::Ambiguous(..)) => {
-            Err(name_error(&error, book.dialect.name, &book.diagnostics))
-        }
+        Err(error @ NameError::Ambiguous(..)) => Err(name_error(&error, book.dialect.name, book.catalogue)),
         _ => Err(unknown(word, book)),
     }
 }
 
 /// `part.nc:12:5`, `part.nc:12`; not `gsk990mc:0045`.
-fn place(word: &str, book: &Book) -> Option<Asked> {
+fn place(word: &str, book: &Book, is_file: &dyn Fn(&str) -> bool) -> Option<Asked> {
     let (rest, last) = word.rsplit_once(':')?;
     let last = last.parse::<u32>().ok()?;
     match rest.rsplit_once(':').and_then(|(file, line)| Some((file, line.parse().ok()?))) {
@@ -117,7 +120,7 @@ fn place(word: &str, book: &Book) -> Option<Asked> {
         }
         _ if rest.is_empty() || rest.eq_ignore_ascii_case(book.dialect.name) => None,
         // A place without a column, if there is such a file; else the alarm of another control.
-        _ => std::path::Path::new(rest).is_file().then(|| Asked::Place(rest.into(), last, None)),
+        _ => is_file(rest).then(|| Asked::Place(rest.into(), last, None)),
     }
 }
 
@@ -126,8 +129,8 @@ fn alarm(word: &str, book: &Book) -> Result<Vec<Asked>, Unknown> {
     let name = book.dialect.name;
     let no_alarm = |near: &[String]| {
         let arguments = [("name", word.into()), ("dialect", name.into())];
-        let text = book.diagnostics.catalogue().label("label-no-alarm", &arguments);
-        with_near(text, near, &book.diagnostics)
+        let text = book.catalogue.label("label-no-alarm", &arguments);
+        with_near(text, near, book.catalogue)
     };
     if let Some(number) = word.to_ascii_uppercase().strip_prefix("FC-") {
         let number: Option<u16> = number.parse().ok();
@@ -141,7 +144,7 @@ fn alarm(word: &str, book: &Book) -> Result<Vec<Asked>, Unknown> {
         None => word,
     };
     let id = number.parse::<u16>().ok().map(|n| AlarmId::Dialect(name, n));
-    match id.filter(|id| book.diagnostics.catalogue().text(*id).is_some()).and_then(AlarmId::number) {
+    match id.filter(|id| book.catalogue.text(*id).is_some()).and_then(AlarmId::number) {
         Some(number) => Ok(vec![Asked::Subject(Subject::Alarm(number))]),
         None => {
             let padded = format!("{number:0>4}");
@@ -158,8 +161,8 @@ fn variable(number: &str, book: &Book) -> Result<Vec<Asked>, Unknown> {
     });
     known.map(|n| vec![Asked::Subject(Subject::Variable(n))]).ok_or_else(|| {
         let arguments = [("name", number.into()), ("dialect", book.dialect.name.into())];
-        let text = book.diagnostics.catalogue().label("label-no-variable", &arguments);
-        with_near(text, &near_variables(number, book), &book.diagnostics)
+        let text = book.catalogue.label("label-no-variable", &arguments);
+        with_near(text, &near_variables(number, book), book.catalogue)
     })
 }
 
@@ -187,7 +190,7 @@ fn parameters(name: &str, book: &Book) -> Result<Vec<Asked>, Unknown> {
     let bare = name.bytes().all(|b| b.is_ascii_digit());
     let name = if bare { format!("P{name}") } else { name.to_owned() };
     let found = names::parameters(&name, book.table());
-    found.map(of_keys).map_err(|error| name_error(&error, book.dialect.name, &book.diagnostics))
+    found.map(of_keys).map_err(|error| name_error(&error, book.dialect.name, book.catalogue))
 }
 
 fn of_keys(keys: Vec<ParameterKey>) -> Vec<Asked> {
@@ -216,8 +219,8 @@ fn g_code(number: &str, form: &str, book: &Book) -> Result<Vec<Asked>, Unknown> 
                 ("name", format!("{} {form}", g_code_name(tenths)).into()),
                 ("dialect", book.dialect.name.into()),
             ];
-            let text = book.diagnostics.catalogue().label("label-no-code", &arguments);
-            Err(with_near(text, &near, &book.diagnostics))
+            let text = book.catalogue.label("label-no-code", &arguments);
+            Err(with_near(text, &near, book.catalogue))
         }
     }
 }
@@ -233,23 +236,23 @@ fn no_code(name: &str, book: &Book) -> Unknown {
     let g = book.g_codes().into_iter().map(g_code_name);
     let m = book.m_codes().into_iter().map(|code| format!("M{code:02}"));
     let arguments = [("name", name.into()), ("dialect", book.dialect.name.into())];
-    let text = book.diagnostics.catalogue().label("label-no-code", &arguments);
+    let text = book.catalogue.label("label-no-code", &arguments);
     // `G54.1` of another control is likely meant as a `G54`.
     let whole = name.split('.').next().unwrap_or(name);
     let shown = match whole.split_at_checked(1) {
         Some((letter, number)) => format!("{letter}{number:0>2}"),
         None => name.to_owned(),
     };
-    with_near(text, &near(&shown, g.chain(m)), &book.diagnostics)
+    with_near(text, &near(&shown, g.chain(m)), book.catalogue)
 }
 
 /// A word that names nothing: names like it, else codes whose meaning speaks of it.
 fn unknown(word: &str, book: &Book) -> Unknown {
-    let label = |key, near: &[String], diagnostics: &Diagnostics| {
+    let label = |key, near: &[String], texts: Catalogue| {
         let arguments = [("name", word.into()), ("dialect", book.dialect.name.into())];
-        with_near(diagnostics.catalogue().label(key, &arguments), near, diagnostics)
+        with_near(texts.label(key, &arguments), near, texts)
     };
-    let Some(reference) = book.reference else { return label("label-unknown", &[], &book.diagnostics) };
+    let Some(reference) = book.reference else { return label("label-unknown", &[], book.catalogue) };
     let symbols = book.table().iter().map(|d| d.symbol.to_string());
     let words = reference.macro_words().iter().map(|row| row.word.to_string());
     let mut found = near(word, symbols.chain(words));
@@ -261,5 +264,5 @@ fn unknown(word: &str, book: &Book) -> Unknown {
         let m = reference.m_codes().iter().filter(|r| speaks(&r.meaning)).map(|r| format!("M{:02}", r.code));
         found = g.chain(m).take(OFFERED).collect();
     }
-    label("label-unknown", &found, &book.diagnostics)
+    label("label-unknown", &found, book.catalogue)
 }

@@ -1,0 +1,105 @@
+//! Looking at programs beside the one that runs: with the control's memory as it is, and nothing that moves.
+
+use super::{Control, Library, programs};
+use crate::supervision::Supervisor;
+use ferrocut_geometry::Position;
+use ferrocut_interpreter::{Dialect, Interpreter, Options};
+use ferrocut_machine::{Alarm, Fault, Machine, Memory};
+use ferrocut_program::{OpenError, ProgramId, ProgramMemory, Span, Text};
+
+/// A copy of what programs are interpreted with. Parameters, offsets and zeros are those at the time of the copy;
+/// programs are read from the control's memory as it is when they are called.
+#[derive(Clone, Debug)]
+pub struct Desk {
+    machine: Machine,
+    dialect: &'static Dialect,
+    memory: Memory,
+    library: Library,
+    start: Position,
+    block_skip: bool,
+    every_code: bool,
+}
+
+impl Control {
+    /// A copy of what programs are interpreted with.
+    pub fn desk(&self) -> Desk {
+        let interpreter = self.cnc.interpreter();
+        Desk {
+            machine: self.machine.clone(),
+            dialect: interpreter.dialect(),
+            memory: interpreter.memory().clone(),
+            library: self.library.clone(),
+            start: self.tick.position,
+            block_skip: self.inputs.block_skip,
+            every_code: self.plc.is_some(),
+        }
+    }
+
+    /// The programs of the control.
+    pub fn library(&self) -> Library {
+        self.library.clone()
+    }
+}
+
+impl Desk {
+    /// The machine.
+    pub fn machine(&self) -> &Machine {
+        &self.machine
+    }
+
+    /// The control language.
+    pub fn dialect(&self) -> &'static Dialect {
+        self.dialect
+    }
+
+    /// What the control remembers.
+    pub fn memory(&self) -> &Memory {
+        &self.memory
+    }
+
+    /// Where the axes stood, machine position.
+    pub fn start(&self) -> Position {
+        self.start
+    }
+
+    /// The same for a program of another control language: it meets none of the control's own parameters.
+    pub fn speaking(mut self, dialect: &'static Dialect) -> Desk {
+        if dialect.name != self.dialect.name {
+            self.memory = Memory::new(dialect.name);
+            self.dialect = dialect;
+        }
+        self
+    }
+
+    /// An interpreter of a text that is called `name`, before its first block. With `keep_going` it goes on behind
+    /// alarms. Programs that it calls are those of the control; no file is read.
+    pub fn interpreter(
+        &self,
+        name: &str,
+        text: Vec<u8>,
+        keep_going: bool,
+    ) -> Result<Interpreter, Box<Alarm>> {
+        let text = Text::from_bytes(text).map_err(|error| {
+            let fault = if matches!(error, OpenError::Empty) { Fault::FileEmpty } else { Fault::FileNotText };
+            Alarm::core(fault, Span::default()).with("file", name)
+        })?;
+        let mut programs = ProgramMemory::new(name, text, self.dialect.syntax);
+        programs.set_source(Box::new(self.library.clone()));
+        let changes_tools = self.library.named(&ProgramId::Number(programs::TOOL_CHANGE_PROGRAM)).is_some();
+        let options = Options {
+            start: self.start,
+            block_skip: self.block_skip,
+            optional_stop: true,
+            keep_going,
+            every_code: self.every_code,
+            tool_change_program: changes_tools.then_some(programs::TOOL_CHANGE_PROGRAM),
+            ..Options::default()
+        };
+        Ok(Interpreter::new(self.dialect, programs, self.memory.clone(), options))
+    }
+
+    /// What the machine refuses of a program.
+    pub fn supervisor(&self) -> Supervisor {
+        Supervisor::new(&self.machine, self.dialect, self.start)
+    }
+}

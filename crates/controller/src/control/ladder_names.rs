@@ -1,0 +1,91 @@
+//! What the control reads of a ladder in every period, looked up by name once for each ladder that runs.
+
+use super::Control;
+use crate::api::Event;
+use ferrocut_plc::{Address, Area, Plc, Program};
+
+/// The key of the panel that releases overtravel, by the ladder's name.
+const OVERTRAVEL_KEY: &str = "KEY_OT";
+
+/// A message of the machine, area A.
+struct Message {
+    name: String,
+    address: Address,
+    is_on: bool,
+}
+
+/// What was looked up.
+#[derive(Default)]
+pub(super) struct LadderNames {
+    /// The ladder that it is of: how often it was exchanged; none before the first look.
+    exchanges: Option<u64>,
+    overtravel_key: Option<Address>,
+    messages: Vec<Message>,
+    /// The text of the ladder that a front put in, and which one that was.
+    text: Option<(u64, String)>,
+}
+
+impl LadderNames {
+    /// Whether the key that releases overtravel is pressed.
+    pub fn releases_overtravel(&self, plc: &Plc) -> bool {
+        self.overtravel_key.is_some_and(|key| plc.memory().bit(key))
+    }
+
+    /// Keeps the text of the ladder that was just put in.
+    pub fn keep_text(&mut self, plc: &Plc, text: String) {
+        self.text = Some((plc.exchanges(), text));
+    }
+
+    /// The text of the ladder that runs, where a front put it in; else it is to be made of the ladder.
+    pub fn text(&self, plc: &Plc) -> Option<&str> {
+        self.text.as_ref().filter(|(of, _)| *of == plc.exchanges()).map(|(_, text)| text.as_str())
+    }
+
+    /// Looks names up anew where another ladder runs. Messages that it does not have have gone: their names are given.
+    fn renew(&mut self, plc: &Plc) -> Vec<String> {
+        if self.exchanges == Some(plc.exchanges()) {
+            return Vec::new();
+        }
+        self.exchanges = Some(plc.exchanges());
+        let program: &Program = plc.program();
+        self.overtravel_key = program.signal(OVERTRAVEL_KEY).filter(|key| key.bit.is_some());
+        let before = std::mem::take(&mut self.messages);
+        let was_on = |name: &str| before.iter().any(|message| message.is_on && message.name == name);
+        let symbols = program.symbols().iter();
+        self.messages = symbols
+            .filter(|symbol| symbol.address.area == Area::A && symbol.address.bit.is_some())
+            .map(|symbol| Message {
+                name: symbol.name.clone(),
+                address: symbol.address,
+                is_on: was_on(&symbol.name),
+            })
+            .collect();
+        let is_there = |name: &str| self.messages.iter().any(|message| message.name == name);
+        before.iter().filter(|old| old.is_on && !is_there(&old.name)).map(|old| old.name.clone()).collect()
+    }
+}
+
+impl Control {
+    /// Names of another ladder.
+    pub(super) fn renew_ladder_names(&mut self) {
+        let Some(plc) = &self.plc else { return };
+        for name in self.ladder_names.renew(plc) {
+            self.event(Event::MachineMessage { name, on: false });
+        }
+    }
+
+    /// Messages of the ladder: those with a name come and go as events. Allocates only as they do.
+    pub(super) fn tell_machine_messages(&mut self) {
+        let Some(plc) = &self.plc else { return };
+        let mut told = Vec::new();
+        for message in &mut self.ladder_names.messages {
+            let on = plc.memory().bit(message.address);
+            if std::mem::replace(&mut message.is_on, on) != on {
+                told.push((message.name.clone(), on));
+            }
+        }
+        for (name, on) in told {
+            self.event(Event::MachineMessage { name, on });
+        }
+    }
+}

@@ -1,0 +1,112 @@
+//! What of the machine a front reads and changes: reference points, tables of pitch errors. Who may is judged by the
+//! durable memory.
+
+use super::{Control, alarm};
+use crate::api::{ByAxis, Reply};
+use crate::signals::Mode;
+use ferrocut_geometry::Axis;
+use ferrocut_machine::servo::{PITCH_POINTS, PitchErrors};
+use ferrocut_machine::{Alarm, Fault, Machine};
+use ferrocut_memory::{Author, Change};
+use std::collections::BTreeMap;
+
+/// Tables of pitch errors by axis and point, mm.
+pub(super) type Pitch = BTreeMap<(Axis, u16), f64>;
+
+/// Most points that one command sets: what is committed together.
+const MOST_POINTS: usize = 10_000;
+
+/// The tables of a machine file, with what was set at the control over them.
+pub(super) fn with_pitch(machine: &Machine, set: &Pitch) -> Machine {
+    let mut machine = machine.clone();
+    for axis in &mut machine.axes {
+        for ((_, point), value) in set.range((axis.name, 0)..=(axis.name, u16::MAX)) {
+            let point = usize::from(*point);
+            if point >= PITCH_POINTS {
+                continue;
+            }
+            let table = axis.pitch_errors.get_or_insert_with(PitchErrors::default);
+            if table.corrections.len() <= point {
+                table.corrections.resize(point + 1, 0.0);
+            }
+            if let Some(place) = table.corrections.get_mut(point) {
+                *place = *value;
+            }
+        }
+    }
+    machine
+}
+
+fn impossible(name: String) -> Box<Alarm> {
+    Box::new(alarm(Fault::ValueImpossible).with("name", name))
+}
+
+impl Control {
+    pub(super) fn reference_points(&self) -> Reply {
+        let points = self.cnc.interpreter().memory().reference_points;
+        Reply::ReferencePoints { points: (1u8..).zip(points.map(|point| self.by_axis(point))).collect() }
+    }
+
+    pub(super) fn set_reference_point(
+        &mut self,
+        number: u8,
+        axes: &ByAxis,
+        author: &Author,
+    ) -> Result<Reply, Box<Alarm>> {
+        self.may_set_machine(author)?;
+        let points = self.cnc.interpreter().memory().reference_points;
+        let found = usize::from(number).checked_sub(1).and_then(|n| points.get(n));
+        let mut position = *found.ok_or_else(|| alarm(Fault::NoSuchName).with("name", number.to_string()))?;
+        for (letter, value) in axes {
+            let axis = self.axis_named(*letter)?;
+            if !value.is_finite() {
+                return Err(impossible(letter.to_string()));
+            }
+            position[axis] = *value;
+        }
+        self.change_data(author, Change::ReferencePoint { number, position })
+    }
+
+    pub(super) fn pitch(&self, letter: char) -> Result<Reply, Box<Alarm>> {
+        let axis = self.axis_named(letter)?;
+        let table = self.machine.axis(axis).and_then(|axis| axis.pitch_errors.as_ref());
+        let corrections = table.into_iter().flat_map(|table| (0u16..).zip(table.corrections.iter().copied()));
+        let mut points: BTreeMap<u16, f64> = corrections.filter(|(_, value)| *value != 0.0).collect();
+        points.extend(
+            self.pitch.range((axis, 0)..=(axis, u16::MAX)).map(|((_, point), value)| (*point, *value)),
+        );
+        points.retain(|_, value| *value != 0.0);
+        Ok(Reply::Pitch { axis: letter, points })
+    }
+
+    pub(super) fn set_pitch(
+        &mut self,
+        letter: char,
+        points: &BTreeMap<u16, f64>,
+        author: &Author,
+    ) -> Result<Reply, Box<Alarm>> {
+        self.may_set_machine(author)?;
+        let axis = self.axis_named(letter)?;
+        let is_good = |(point, value): (&u16, &f64)| usize::from(*point) < PITCH_POINTS && value.is_finite();
+        if let Some((point, _)) = points.iter().find(|point| !is_good(*point)) {
+            return Err(impossible(format!("{letter} {point}")));
+        }
+        if points.len() > MOST_POINTS {
+            return Err(impossible(points.len().to_string()));
+        }
+        let change = |(point, value): (&u16, &f64)| Change::Pitch { axis, point: *point, value: *value };
+        match self.change_together(author, points.iter().map(change).collect())? {
+            true => Ok(Reply::Done),
+            false => Ok(Reply::OnItsWay),
+        }
+    }
+
+    /// Data of the machine are set in MDI, as parameters are, and not while a program is under way.
+    fn may_set_machine(&self, author: &Author) -> Result<(), Box<Alarm>> {
+        self.needs(Mode::Mdi, author)?;
+        match self.cnc.is_under_way() {
+            true => Err(Box::new(alarm(Fault::ControlBusy))),
+            false => Ok(()),
+        }
+    }
+}

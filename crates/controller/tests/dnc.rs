@@ -1,0 +1,76 @@
+//! DNC: a program from outside, whole or while it comes.
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
+
+mod common;
+
+use common::shop::{Shop, person};
+use ferrocut_controller::Mode;
+use ferrocut_controller::api::{Activity, Command};
+
+fn dnc(text: &str, first: bool, last: bool) -> Command {
+    Command::Dnc { text: text.into(), first, last }
+}
+
+#[test]
+fn a_program_longer_than_what_is_kept_runs_while_it_comes() {
+    let mut shop = Shop::new(&[]);
+    shop.mode(Mode::Dnc);
+    // 1.9 MB, each line 0.01 or 0.02 mm.
+    let remark = "x".repeat(100);
+    let line =
+        |n: u32| format!("G91 G1 X{} F6000 ({remark})\n", if n.is_multiple_of(2) { "0.01" } else { "0.02" });
+    let mut lines = (0..15_000).map(line);
+    shop.say(dnc("G94\n", true, false));
+    shop.say(dnc(&lines.next().unwrap(), false, false));
+    // There is no end to what is held before it is started.
+    let half = "\n".repeat(600_000);
+    shop.say(dnc(&half, false, false));
+    assert_eq!(shop.refused(dnc(&half, false, false)), "FC-1418");
+    shop.say(dnc("G94\n", true, false));
+    shop.start();
+    let mut refused = 0;
+    for line in lines {
+        while let Err(refusal) = shop.control.command(dnc(&line, false, false), &person()) {
+            let events = shop.control.events();
+            assert_eq!(refusal.alarm.id, "FC-1418", "{:?} {events:?}", shop.control.status());
+            refused += 1;
+            shop.wait(20);
+        }
+    }
+    assert!(refused > 0, "it was never full");
+    assert_eq!(shop.refused(dnc("G0", true, true)), "FC-1401", "another one meanwhile");
+    shop.say(dnc("M30\n", false, true));
+    let status = shop.until_it_stops();
+    assert_eq!((status.activity, status.counters.parts), (Activity::Idle, 1));
+    // 7500 odd lines of 0.02 and 7499 even ones of 0.01: the first was taken back.
+    assert!((shop.x() - (7500.0 * 0.02 + 7499.0 * 0.01)).abs() < 1e-6, "{}", shop.x());
+    // It is gone: nothing of it is kept to run again.
+    shop.told();
+    shop.start();
+    assert_eq!(shop.told(), ["FC-1403"]);
+}
+
+#[test]
+fn a_sender_that_is_late_costs_a_stop_and_reset_gives_up() {
+    let mut shop = Shop::new(&[]);
+    shop.mode(Mode::Dnc);
+    shop.say(dnc("G91 G1 X5 F6000\n", true, false));
+    shop.start();
+    let status = shop.wait(2000);
+    assert_eq!((status.activity, status.feed.actual, shop.x()), (Activity::Running, 0.0, 5.0));
+    shop.say(dnc("X5\nGOTO 10\nX5\n", false, false));
+    let status = shop.until_it_stops();
+    // Lines are not kept, so that nothing can be jumped to.
+    assert_eq!((status.activity, shop.x()), (Activity::Alarm, 10.0));
+    assert_eq!(shop.told().last().unwrap(), "FC-1460");
+    shop.say(Command::Reset);
+    shop.wait(10);
+    assert_eq!(shop.refused(dnc("X5\n", false, false)), "FC-1401");
+    // What is whole before it starts is held: it jumps, and runs as often as it is started.
+    shop.say(dnc("G91 G1 X1 F6000\nGOTO 10\nX100\n", true, false));
+    shop.say(dnc("N10 X1\nM30\n", false, true));
+    for run in 1..=2 {
+        shop.start();
+        assert_eq!((shop.until_it_stops().counters.parts, shop.x()), (run, 10.0 + 2.0 * run as f64));
+    }
+}

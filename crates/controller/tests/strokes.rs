@@ -1,0 +1,83 @@
+//! Areas that are forbidden to programs are so to axes moved by hand (GSK990MC part 2, 2.6).
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
+
+mod common;
+
+use common::shop::Shop;
+use ferrocut_controller::Mode;
+use ferrocut_controller::api::Command;
+use ferrocut_controller::signals::Ways;
+
+const PLUS: Ways = Ways { plus: true, minus: false };
+const MINUS: Ways = Ways { plus: false, minus: true };
+
+/// A box from 20 to 60 on X, -50 to 50 on Y and Z: forbidden inside, or outside.
+fn shop(outside: bool, at: &str) -> Shop {
+    let mut shop = Shop::new(&[("NO11.0", f64::from(u8::from(outside)))]);
+    mdi(&mut shop, &format!("G90 G0 {at}\nG12 X60 Y50 Z50 I20 J-50 K-50"));
+    shop
+}
+
+fn mdi(shop: &mut Shop, text: &str) {
+    shop.mode(Mode::Mdi);
+    shop.say(Command::Mdi { text: text.into() });
+    shop.start();
+    shop.until_it_stops();
+}
+
+/// Holds the keys of X and Y for a while, and lets them go.
+fn jog(shop: &mut Shop, x: Ways, y: Ways) -> [f64; 2] {
+    shop.mode(Mode::Jog);
+    shop.inputs.manual_rapid = true;
+    shop.inputs.jog[0] = x;
+    shop.wait(40);
+    shop.inputs.jog[1] = y;
+    shop.wait(1500);
+    shop.inputs.jog = Default::default();
+    shop.until_it_stops();
+    let machine = shop.wait(50).position.machine;
+    [machine[&'X'], machine[&'Y']]
+}
+
+#[test]
+fn an_axis_stops_at_the_box_and_passes_beside_it() {
+    let none = Ways::default();
+    let mut inside = shop(false, "X0 Y0");
+    assert_eq!(jog(&mut inside, PLUS, none), [20.0, 0.0]);
+    // Back, and from the other side.
+    assert!(jog(&mut inside, MINUS, none)[0] < -100.0);
+    let mut other = shop(false, "X90 Y0");
+    assert_eq!(jog(&mut other, MINUS, none), [60.0, 0.0]);
+    // Beside it there is room.
+    let mut beside = shop(false, "X0 Y55");
+    assert!(jog(&mut beside, PLUS, none)[0] > 60.0);
+    // With G13 there is none to keep out of.
+    let mut off = shop(false, "X0 Y0");
+    mdi(&mut off, "G13");
+    assert!(jog(&mut off, PLUS, none)[0] > 60.0);
+}
+
+#[test]
+fn no_corner_is_cut_by_two_axes() {
+    // X is on its way past the box when Y is sent towards it.
+    let mut shop = shop(false, "X0 Y70");
+    let [x, y] = jog(&mut shop, PLUS, MINUS);
+    assert!(x > 60.0 && y == 50.0, "{x} {y}");
+}
+
+#[test]
+fn the_outside_can_be_forbidden_and_steps_and_handwheel_keep_in() {
+    let mut shop = shop(true, "X30 Y0");
+    assert_eq!(jog(&mut shop, PLUS, Ways::default()), [60.0, 0.0]);
+    assert_eq!(jog(&mut shop, MINUS, PLUS), [20.0, 50.0]);
+    shop.mode(Mode::Handle);
+    shop.inputs.handwheel_axis = Some(0);
+    shop.wait(2);
+    shop.say(Command::Handwheel { counts: -100_000 });
+    shop.wait(3000);
+    assert_eq!(shop.x(), 20.0);
+    // One that stands in a forbidden place comes out of it.
+    mdi(&mut shop, "G13\nG0 X-10\nG12");
+    let [x, _] = jog(&mut shop, PLUS, Ways::default());
+    assert_eq!(x, 60.0);
+}
