@@ -88,9 +88,13 @@ pub enum Command {
     Memory(MemoryArgs),
     /// Ladders of the PLC: check them, run them at a desk, import them from PLCopen XML
     Plc(PlcArgs),
-    /// Offer the machine to other programs on this computer: Grbl senders (UGS, CNCjs, bCNC), JSON lines
+    /// Run the control with its panel in a browser, or offer the machine to other programs on this computer
     #[command(
-        long_about = "Offer the machine to other programs on this computer.\n\n\
+        long_about = "Run the control with its panel in a browser, or offer the machine to other programs.\n\n\
+            The panel is at http://127.0.0.1:8080 and can be reached from this computer only. With --http another\n\
+            address is taken; beyond this computer connections must be encrypted (--tls-cert, --tls-self-signed), and\n\
+            people log in with a password of the memory. Ctrl-C ends it.\n\n\
+            With --headless there is no panel:\n\n\
             With --grbl the machine speaks the protocol of Grbl 1.1, so that senders made for it connect,\n\
             home, jog, stream programs, hold, override and read positions. Programs are RS274/NGC as Grbl\n\
             takes it, run with look-ahead, within the limits of the machine file, at true speed.\n\n\
@@ -100,6 +104,8 @@ pub enum Command {
             of docs/api.md as JSON lines.\n\n\
             docs/serve.md has both protocols, how each sender is connected, and what differs from Grbl.",
         after_help = "Examples:\n  \
+            ferrocut serve --memory /var/lib/ferrocut\n  \
+            ferrocut serve --memory /var/lib/ferrocut --http 0.0.0.0:8443 --tls-self-signed\n  \
             ferrocut serve --headless --grbl tcp:2323\n  \
             ferrocut serve --headless --socket /run/ferrocut.sock --memory /var/lib/ferrocut\n  \
             ferrocut serve --headless --grbl pty --machine mill.toml"
@@ -278,18 +284,34 @@ pub struct PlotArgs {
 
 /// `ferrocut serve`
 #[derive(Args)]
+#[command(group(clap::ArgGroup::new("others").multiple(true)))]
 pub struct ServeArgs {
     /// Without a panel
-    #[arg(long, required = true)]
+    #[arg(long, requires = "others")]
     pub headless: bool,
-    /// Where Grbl senders connect: tcp:PORT or pty
-    #[arg(long, value_name = "WHERE", required_unless_present_any = ["socket", "tcp"])]
+    /// Where browsers find the panel; port 0 lets the system choose
+    #[arg(long, value_name = "ADDRESS", default_value = "127.0.0.1:8080", conflicts_with = "headless")]
+    pub http: std::net::SocketAddr,
+    /// Encrypt the panel's connections with this certificate chain (PEM)
+    #[arg(long, value_name = "FILE", requires = "tls_key", conflicts_with = "headless")]
+    pub tls_cert: Option<PathBuf>,
+    /// Private key of the certificate (PEM)
+    #[arg(long, value_name = "FILE", requires = "tls_cert")]
+    pub tls_key: Option<PathBuf>,
+    /// Encrypt them with a certificate that this computer makes for itself, kept with the memory
+    #[arg(long, conflicts_with_all = ["tls_cert", "headless"])]
+    pub tls_self_signed: bool,
+    /// A name that browsers may call this computer by, beside its own. May be given several times
+    #[arg(long, value_name = "NAME", conflicts_with = "headless")]
+    pub http_name: Vec<String>,
+    /// Where Grbl senders connect, who have the machine for themselves: tcp:PORT or pty
+    #[arg(long, value_name = "WHERE", requires = "headless", group = "others")]
     pub grbl: Option<crate::commands::serve::GrblAt>,
     /// Unix socket of the control's own commands, as JSON lines
-    #[arg(long, value_name = "PATH", conflicts_with = "grbl")]
+    #[arg(long, value_name = "PATH", conflicts_with = "grbl", group = "others")]
     pub socket: Option<PathBuf>,
     /// The same over TCP on this computer, such as 127.0.0.1:7878; port 0 lets the system choose
-    #[arg(long, value_name = "ADDRESS", conflicts_with = "grbl")]
+    #[arg(long, value_name = "ADDRESS", conflicts_with = "grbl", group = "others")]
     pub tcp: Option<std::net::SocketAddr>,
     /// Folder of what the control keeps without power [default: nothing is kept]
     #[arg(long, value_name = "DIR", conflicts_with = "grbl")]

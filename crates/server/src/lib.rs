@@ -3,9 +3,10 @@
 //! In: bytes of whoever connects. Out: answers, and what the machine is told.
 //!
 //! [`grbl`] is the protocol of Grbl 1.1 as a state machine without a connection; read it first. [`mill`] is the machine
-//! that it drives.
+//! that it drives. [`web`] is the panel in a browser.
 
 pub mod grbl;
+pub mod hub;
 pub mod lines;
 pub mod link;
 pub mod mill;
@@ -13,3 +14,4 @@ pub mod panel;
 pub mod remote;
 pub mod runner;
 pub mod service;
+pub mod web;

@@ -1,18 +1,80 @@
 //! The whole control for sockets (`docs/api.md` has its commands).
 
-use crate::service::{Need, Service};
+use crate::service::{Aside, Caller, Need, Service};
+use ferrocut_controller::Tick;
 use ferrocut_controller::api::{API_VERSION, Command, Event, Refusal, Reply, Status};
 use ferrocut_controller::control::Control;
-use ferrocut_memory::{Author, Session};
+use ferrocut_machine::{Alarm, Fault};
+use ferrocut_memory::Level;
+use ferrocut_memory::{Author, Store};
+use ferrocut_program::Span;
+use std::sync::Arc;
 
 /// A control whose connections are operators until they log in.
-pub struct Panel(Control);
+pub struct Panel {
+    control: Control,
+    watcher: Option<Watcher>,
+}
+
+/// Sees what each period came to.
+pub type Watcher = Box<dyn FnMut(&Tick) + Send>;
 
 impl Panel {
     /// Serves a control.
     pub fn new(control: Control) -> Panel {
-        Panel(control)
+        Panel { control, watcher: None }
     }
+
+    /// The same for somebody who looks at each period, on the machine's thread: at setpoints as they go to the drives.
+    pub fn watched(control: Control, watcher: Watcher) -> Panel {
+        Panel { control, watcher: Some(watcher) }
+    }
+
+    /// The control.
+    pub fn control(&mut self) -> &mut Control {
+        &mut self.control
+    }
+}
+
+/// Looks at passwords on the thread of whoever gives them, since that takes many periods. What was found is told to
+/// the control, which has the rights from then on.
+pub fn aside(store: Arc<Store>) -> Aside<Panel> {
+    Box::new(move |hub, command, from| {
+        let done = match command {
+            Command::LogIn { level, password } => match level_of(*level) {
+                Ok(Level::Operator) => return None,
+                Ok(level) => store.log_in(level, password, from.seat, &from.name).map(Some),
+                Err(refusal) => return Some(Err(refusal)),
+            },
+            Command::SetPassword { level, password } => match level_of(*level) {
+                Ok(level) => {
+                    let name = from.name.clone();
+                    let rights = hub.look(move |panel| panel.control().rights_of(&name));
+                    // Those that he logged in with, or those of his session: the control takes the higher ones too.
+                    let taken = rights.flatten().filter(|taken| taken.level().covers(from.session.level()));
+                    let session = taken.unwrap_or_else(|| from.session.clone());
+                    let author = Author::Person { session, name: from.name.clone() };
+                    store.set_password(&author, level, password, from.seat).map(|()| None)
+                }
+                Err(refusal) => return Some(Err(refusal)),
+            },
+            _ => return None,
+        };
+        Some(match done {
+            Err(error) => Err(Refusal::from(error.alarm())),
+            Ok(None) => Ok(Reply::Done),
+            Ok(Some(session)) => {
+                let (name, level) = (from.name.clone(), session.level().number());
+                let reply = hub.look(move |panel| panel.control().admit(&name, session));
+                Ok(reply.unwrap_or(Reply::Level { level }))
+            }
+        })
+    })
+}
+
+fn level_of(number: u8) -> Result<Level, Refusal> {
+    let impossible = || Alarm::core(Fault::ValueImpossible, Span::default()).with("name", number.to_string());
+    Level::of(number.into()).ok_or_else(|| Refusal::from(impossible()))
 }
 
 impl Service for Panel {
@@ -24,22 +86,33 @@ impl Service for Panel {
 
     const VERSION: u32 = API_VERSION;
 
-    fn tick(&mut self) {
-        self.0.tick();
+    fn begin(&mut self) {
+        // Without a thread for it, planning is done in the period.
+        let _ = self.control.plan_beside();
     }
 
-    fn command(&mut self, command: Command, from: u64) -> Result<Reply, Refusal> {
-        // Rights that were taken belong to the connection: its number comes but once.
-        let author = Author::Person { session: Session::OPERATOR, name: format!("connection {from}") };
-        self.0.command(command, &author)
+    fn tick(&mut self) {
+        let tick = self.control.tick();
+        if let Some(watcher) = &mut self.watcher {
+            watcher(&tick);
+        }
+    }
+
+    fn prepare(&mut self) {
+        self.control.prepare();
+    }
+
+    fn command(&mut self, command: Command, from: &Caller) -> Result<Reply, Refusal> {
+        // Rights that were taken belong to the connection: its number, and so its name, comes but once.
+        self.control.command(command, &from.author())
     }
 
     fn events(&mut self) -> Vec<Event> {
-        self.0.events()
+        self.control.events()
     }
 
     fn status(&mut self) -> Status {
-        self.0.status()
+        self.control.status()
     }
 
     fn need(command: &Command) -> Need {
@@ -57,7 +130,12 @@ impl Service for Panel {
             | Command::Signals { .. }
             | Command::Ladder
             | Command::LadderFlow
-            | Command::Captured
+            | Command::Captured { .. }
+            | Command::Restarts
+            | Command::ReferencePoints
+            | Command::Pitch { .. }
+            | Command::Points
+            | Command::Measured
             | Command::Status
             | Command::Version => Need::Nothing,
             _ => Need::Command,

@@ -31,6 +31,10 @@ impl Owned for Driven {
     type Command = Command;
     type Snapshot = Stand;
 
+    fn begin(&mut self) {
+        self.mill.plan_beside();
+    }
+
     fn take(&mut self, command: Command) {
         self.mill.take(command);
     }

@@ -7,6 +7,7 @@
 //! Deadlines are absolute, so that a late period does not shift those after it. It measures its own work and how late it
 //! was woken, since the two have other causes: the one is this software's, the other the computer's.
 
+use rustix::time::{ClockId, clock_gettime};
 use std::fmt;
 use std::io;
 use std::process::Stdio;
@@ -33,13 +34,16 @@ pub trait Owned: Send + 'static {
     /// How it stands.
     type Snapshot: Send + Sync + 'static;
 
+    /// Called once, in the thread that it is on, before the first period.
+    fn begin(&mut self) {}
+
     /// Does a command.
     fn take(&mut self, command: Self::Command);
 
     /// Goes on by one servo period.
     fn tick(&mut self);
 
-    /// Does what may take longer than a period, in the time that a period leaves: interpreting and planning ahead.
+    /// Looks ahead, in the time that a period leaves.
     fn prepare(&mut self) {}
 
     /// Whether something happened that should not wait for the next snapshot in turn.
@@ -134,6 +138,10 @@ impl Times {
 pub struct Timing {
     /// Work of a period: commands, tick and snapshot.
     pub work: Times,
+    /// What of it the thread computed, by the system's account of its time: without what others took meanwhile.
+    pub computing: Times,
+    /// Looking ahead behind it.
+    pub ahead: Times,
     /// How late periods began.
     pub lateness: Times,
     /// Periods that were not done before the next was due.
@@ -148,6 +156,8 @@ impl fmt::Display for Timing {
         };
         write!(f, "{} periods, {} missed", self.work.count(), self.missed.load(Ordering::Relaxed))?;
         shown(f, "work", &self.work)?;
+        shown(f, "computing", &self.computing)?;
+        shown(f, "looking ahead", &self.ahead)?;
         shown(f, "woken late", &self.lateness)
     }
 }
@@ -174,7 +184,7 @@ impl<M: Owned> Runner<M> {
         let latest = Arc::new(Latest(Mutex::new(Arc::new(machine.snapshot(0)))));
         let timing = Arc::new(Timing::default());
         let stops = Arc::new(AtomicBool::new(false));
-        let owner = Owner {
+        let mut owner = Owner {
             machine,
             received,
             latest: latest.clone(),
@@ -186,6 +196,7 @@ impl<M: Owned> Runner<M> {
             if let Some(priority) = priority {
                 run_before_others(priority);
             }
+            owner.machine.begin();
             owner.run(period);
         })?;
         Ok(Runner { commands, latest, timing, stops, thread: Some(thread) })
@@ -230,6 +241,12 @@ fn run_before_others(priority: u8) {
     let _ = chrt.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).status();
 }
 
+/// Time that the calling thread has computed.
+fn computed() -> Duration {
+    let time = clock_gettime(ClockId::ThreadCPUTime);
+    Duration::new(u64::try_from(time.tv_sec).unwrap_or(0), u32::try_from(time.tv_nsec).unwrap_or(0))
+}
+
 /// What the thread has.
 struct Owner<M: Owned> {
     machine: M,
@@ -253,7 +270,7 @@ impl<M: Owned> Owner<M> {
                 None if now - due > Duration::from_secs(1) => due = now,
                 None => drop(self.timing.missed.fetch_add(1, Ordering::Relaxed)),
             }
-            let began = Instant::now();
+            let (began, computed) = (Instant::now(), computed());
             self.timing.lateness.add(began.saturating_duration_since(due));
             let mut news = false;
             for command in self.received.try_iter().take(COMMANDS_A_PERIOD) {
@@ -270,7 +287,10 @@ impl<M: Owned> Owner<M> {
                 published = began;
             }
             self.timing.work.add(began.elapsed());
+            self.timing.computing.add(self::computed().saturating_sub(computed));
+            let began = Instant::now();
             self.machine.prepare();
+            self.timing.ahead.add(began.elapsed());
         }
     }
 }

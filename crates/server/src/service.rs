@@ -1,6 +1,9 @@
 //! A control as sockets offer it: commands with answers, events, a status. [`Served`] puts it on the machine's thread.
 
+use crate::hub::Hub;
 use crate::runner::Owned;
+use ferrocut_memory::password::Seat;
+use ferrocut_memory::{Author, Session};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::sync::mpsc::SyncSender;
@@ -30,11 +33,17 @@ pub trait Service: Send + 'static {
     /// Version of its commands.
     const VERSION: u32;
 
+    /// Called once, in the thread that it is on, before the first period.
+    fn begin(&mut self) {}
+
     /// Goes on by one servo period.
     fn tick(&mut self);
 
+    /// Looks ahead, in the time that a period leaves.
+    fn prepare(&mut self) {}
+
     /// Does a command of a connection.
-    fn command(&mut self, command: Self::Command, from: u64) -> Result<Self::Reply, Self::Refusal>;
+    fn command(&mut self, command: Self::Command, from: &Caller) -> Result<Self::Reply, Self::Refusal>;
 
     /// What happened since the last call.
     fn events(&mut self) -> Vec<Self::Event>;
@@ -57,14 +66,48 @@ pub trait Service: Send + 'static {
     }
 }
 
-/// A command, from whom, and where its answer goes.
-pub struct Request<S: Service> {
-    /// What.
-    pub command: S::Command,
-    /// The number of the connection.
-    pub from: u64,
-    /// Where the answer goes; none where nobody waits for it.
-    pub answer: Option<SyncSender<Result<S::Reply, S::Refusal>>>,
+/// Who gives a command.
+#[derive(Clone, Debug)]
+pub struct Caller {
+    /// How the log names him.
+    pub name: String,
+    /// Where he gives passwords.
+    pub seat: Seat,
+    /// What he may.
+    pub session: Session,
+}
+
+impl Caller {
+    /// The same as an author of changes.
+    pub fn author(&self) -> Author {
+        Author::Person { session: self.session.clone(), name: self.name.clone() }
+    }
+}
+
+/// What is done on the thread of whoever gives a command, since it takes longer than a period; none is the machine's.
+pub type Aside<S> = Box<
+    dyn Fn(
+            &Hub<S>,
+            &<S as Service>::Command,
+            &Caller,
+        ) -> Option<Result<<S as Service>::Reply, <S as Service>::Refusal>>
+        + Send
+        + Sync,
+>;
+
+/// What the machine's thread is asked for.
+pub enum Request<S: Service> {
+    /// A command.
+    Command {
+        /// What.
+        command: S::Command,
+        /// From whom.
+        from: Caller,
+        /// Where the answer goes; none where nobody waits for it.
+        answer: Option<SyncSender<Result<S::Reply, S::Refusal>>>,
+    },
+    /// A look at the service itself.
+    Look(Box<dyn FnOnce(&mut S) + Send>),
 }
 
 /// A control on the machine's thread.
@@ -85,10 +128,19 @@ impl<S: Service> Owned for Served<S> {
     type Command = Request<S>;
     type Snapshot = S::Status;
 
+    fn begin(&mut self) {
+        self.service.begin();
+    }
+
     fn take(&mut self, request: Request<S>) {
-        let done = self.service.command(request.command, request.from);
-        if let Some(answer) = request.answer {
-            let _ = answer.try_send(done);
+        match request {
+            Request::Command { command, from, answer } => {
+                let done = self.service.command(command, &from);
+                if let Some(answer) = answer {
+                    let _ = answer.try_send(done);
+                }
+            }
+            Request::Look(look) => look(&mut self.service),
         }
     }
 
@@ -98,6 +150,10 @@ impl<S: Service> Owned for Served<S> {
             let _ = self.events.try_send(event);
             self.news = true;
         }
+    }
+
+    fn prepare(&mut self) {
+        self.service.prepare();
     }
 
     fn has_news(&self) -> bool {

@@ -1,8 +1,9 @@
 //! JSON lines over a socket: answers, watchers, keys that are let go, readers that are too slow, and whatever bytes.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
-use ferrocut_server::lines::{Hub, LONGEST_LINE, serve, start};
-use ferrocut_server::service::{Need, Service};
+use ferrocut_server::hub::{Hub, LONGEST_LINE, start};
+use ferrocut_server::lines::serve;
+use ferrocut_server::service::{Caller, Need, Service};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use std::io::{BufRead, BufReader, Read, Write};
@@ -47,7 +48,7 @@ impl Service for Toy {
         self.ticks.fetch_add(1, Ordering::Relaxed);
         self.at += f64::from(u8::from(self.is_pressed));
     }
-    fn command(&mut self, command: Command, _: u64) -> Result<Value, &'static str> {
+    fn command(&mut self, command: Command, _: &Caller) -> Result<Value, &'static str> {
         match command {
             Command::Key { down, .. } => {
                 self.is_pressed = down;
@@ -98,7 +99,7 @@ struct Place {
 
 fn place() -> Place {
     let toy = Toy { at: 0.0, is_pressed: false, events: Vec::new(), ticks: Arc::default() };
-    let (runner, hub) = start(toy, Duration::from_millis(1), None).unwrap();
+    let (runner, hub) = start(toy, Duration::from_millis(1), None, None).unwrap();
     let listener = TcpListener::bind("127.0.0.1:0").unwrap();
     let port = listener.local_addr().unwrap().port();
     serve(hub.clone(), listener).unwrap();
@@ -167,14 +168,19 @@ fn one_is_in_command_and_others_watch_and_stop() {
     first.ask(r#"{"do":"take_command"}"#);
     assert_eq!(second.ask(r#"{"do":"take_command"}"#)["error"], json!("taken"));
     second.ask(r#"{"do":"watch","events":true}"#);
+    assert_eq!(second.hear(), json!({"event":"command","holder":1,"you":false}));
     first.ask(r#"{"do":"key","key":"X+","down":true}"#);
     assert_eq!(second.hear(), json!({"event":"key","down":true}));
     assert_eq!(second.ask(r#"{"do":"stop"}"#)["reply"], json!("done"));
     assert!(!second.moves());
     first.ask(r#"{"do":"give_command"}"#);
     // The key that was held is let go.
-    assert_eq!(second.hear(), json!({"event":"key","down":false}));
-    assert_eq!(second.ask(r#"{"do":"take_command"}"#)["reply"], json!("done"));
+    let mut heard = [second.hear(), second.hear()];
+    heard.sort_by_key(|event| event["event"].to_string());
+    assert_eq!(heard[0], json!({"event":"command","holder":null,"you":false}));
+    assert_eq!(heard[1], json!({"event":"key","down":false}));
+    assert_eq!(second.ask(r#"{"do":"take_command"}"#), json!({"event":"command","holder":2,"you":true}));
+    assert_eq!(second.hear()["reply"], json!("done"));
     drop(second);
     // It goes back when its connection ends.
     let until = Instant::now() + Duration::from_secs(10);
@@ -215,8 +221,13 @@ fn statuses_are_pushed_to_those_who_want_them() {
     let place = place();
     let mut client = Client::new(&place);
     client.ask(r#"{"do":"watch","status":true}"#);
-    let status = client.hear();
-    assert_eq!((&status["event"], &status["status"]["is_pressed"]), (&json!("status"), &json!(false)));
+    let began = Instant::now();
+    for _ in 0..10 {
+        let status = client.hear();
+        assert_eq!(status, json!({"status": { "at": 0.0, "is_pressed": false }}));
+    }
+    // Every 20 ms.
+    assert!(began.elapsed() >= Duration::from_millis(150), "{:?}", began.elapsed());
 }
 
 #[test]
@@ -224,6 +235,7 @@ fn a_reader_that_takes_nothing_is_cut_off_and_the_machine_goes_on() {
     let place = place();
     let (mut slow, mut other) = (Client::new(&place), Client::new(&place));
     slow.ask(r#"{"do":"watch","events":true}"#);
+    slow.hear();
     // 40 MB that it does not read.
     for _ in 0..4 {
         other.ask(r#"{"do":"chatter","count":500}"#);

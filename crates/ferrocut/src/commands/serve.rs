@@ -3,14 +3,18 @@
 use crate::cli::ServeArgs;
 use crate::job::{Exit, Failure, Shop};
 use ferrocut_controller::control::{Control, Parts};
-use ferrocut_machine::Memory;
+use ferrocut_machine::{Alarm, Fault, Memory};
+use ferrocut_memory::Store;
+use ferrocut_program::Span;
 use ferrocut_server::grbl::Grbl;
+use ferrocut_server::hub::{self, Hub};
 use ferrocut_server::lines;
 use ferrocut_server::link::{self, Terminal};
 use ferrocut_server::mill::Mill;
-use ferrocut_server::panel::Panel;
+use ferrocut_server::panel::{self, Panel};
 use ferrocut_server::remote::Remote;
 use ferrocut_server::runner::Timing;
+use ferrocut_server::web::{Certificate, Settings, StartError, Web};
 use std::fmt;
 use std::io::Write;
 use std::net::TcpListener;
@@ -69,6 +73,10 @@ fn cannot(place: impl fmt::Display) -> impl Fn(std::io::Error) -> Failure {
 
 /// The machine for Grbl senders, until the process ends.
 fn serve_grbl(args: &ServeArgs, shop: &Shop, place: GrblAt) -> Result<Exit, Failure> {
+    if shop.machine.drives.is_some() {
+        // Its homing knows no switches.
+        return Err(Failure::setting(Box::new(Alarm::core(Fault::DrivesNotMeant, Span::default()))));
+    }
     let mut memory = Memory::new(ferrocut_interpreter::dialects::rs274::DIALECT.name);
     shop.setup.apply(&mut memory).map_err(|error| Failure::config("setup", &error.to_string()))?;
     let mill = Mill::new(&shop.machine, memory, shop.options());
@@ -116,13 +124,15 @@ fn serve_control(args: &ServeArgs, shop: &Shop) -> Result<Exit, Failure> {
         None => None,
         Some(folder) => Some(Arc::new(super::memory::open(folder, &shop.machine.dialect)?)),
     };
-    let parts = Parts { store, ladder: Some(ladder), ..Parts::default() };
+    let parts = Parts { store: store.clone(), ladder: Some(ladder), ..Parts::default() };
     // The ladder looks at switches: a machine that its file does not describe has those of a simulated one.
     let mut machine = shop.machine.clone();
     machine.plant.get_or_insert_default();
     let control = Control::new(&machine, parts).map_err(Failure::setting)?;
     let period = Duration::from_secs_f64(shop.machine.servo_period_ms / 1000.0);
-    let (runner, hub) = lines::start(Panel::new(control), period, args.priority).map_err(cannot("thread"))?;
+    let aside = store.clone().map(panel::aside);
+    let (runner, hub) =
+        hub::start(Panel::new(control), period, args.priority, aside).map_err(cannot("thread"))?;
     if let Some(path) = &args.socket {
         let listener = lines::listen_at(path).map_err(cannot(path.display()))?;
         lines::serve(hub.clone(), listener).map_err(cannot(path.display()))?;
@@ -131,14 +141,60 @@ fn serve_control(args: &ServeArgs, shop: &Shop) -> Result<Exit, Failure> {
     if let Some(address) = args.tcp {
         let listener = TcpListener::bind(address).map_err(cannot(address))?;
         let at = listener.local_addr().map_err(cannot(address))?;
-        lines::serve(hub, listener).map_err(cannot(address))?;
+        lines::serve(hub.clone(), listener).map_err(cannot(address))?;
         say(&format!("tcp {at}"));
     }
+    let web = if args.headless { None } else { Some(serve_panel(args, shop, store, hub)?) };
     tell_timing(args.timing, runner.timing());
     while runner.is_alive() {
-        std::thread::sleep(Duration::from_millis(200));
+        if web.as_ref().is_some_and(Web::is_told_to_stop) {
+            return Ok(Exit::Fine);
+        }
+        std::thread::sleep(Duration::from_millis(50));
     }
     Ok(Exit::Finding)
+}
+
+/// The panel for browsers.
+fn serve_panel(
+    args: &ServeArgs,
+    shop: &Shop,
+    store: Option<Arc<Store>>,
+    hub: Arc<Hub<Panel>>,
+) -> Result<Web, Failure> {
+    let certificate = match (&args.tls_cert, &args.tls_key) {
+        (Some(chain), Some(key)) => Some(Certificate::Files { chain: chain.clone(), key: key.clone() }),
+        _ => args.tls_self_signed.then(|| Certificate::Own(args.memory.clone())),
+    };
+    let settings = Settings {
+        address: args.http,
+        certificate,
+        names: args.http_name.clone(),
+        machine: shop.machine.clone(),
+        store,
+    };
+    let web = Web::start(settings, hub).map_err(|error| {
+        let place = args.http.to_string();
+        let alarm = |fault| Box::new(Alarm::core(fault, Span::default()).with("place", place.as_str()));
+        match error {
+            StartError::Io(error) => cannot(&place)(error),
+            StartError::NotEncrypted => Failure::setting(alarm(Fault::PanelNotEncrypted)),
+            StartError::WithoutPassword => Failure::setting(alarm(Fault::PanelWithoutPassword)),
+            StartError::Certificate(unusable) => {
+                let alarm = Alarm::core(Fault::Certificate, Span::default());
+                let file = unusable.file.to_string_lossy().into_owned();
+                Failure::setting(Box::new(alarm.with("file", file).with("reason", unusable.reason)))
+            }
+        }
+    })?;
+    if !Web::has_panel() {
+        shop.diagnostics.report(&Alarm::core(Fault::PanelMissing, Span::default()).as_warning(), "", None);
+    }
+    say(&format!("panel {}", web.url()));
+    if let Some(fingerprint) = web.fingerprint() {
+        say(&format!("certificate {fingerprint}"));
+    }
+    Ok(web)
 }
 
 /// Says how the periods went, now and then.

@@ -1,0 +1,129 @@
+//! The whole control on the real clock, with the standard ladder, the simulated machine and the thread that `ferrocut
+//! serve` runs it on: what the periods took, and how late they were woken.
+//!
+//! `control_real_time [SECONDS] [PRIORITY]`: 60 s if not given, at 1 kHz, the bracket and a demanding program in turn. With
+//! a priority (1 to 99) the machine's thread, and the planner's with it, run before all others.
+#![allow(missing_docs)]
+
+use ferrocut_controller::api::{Activity, Command, Status};
+use ferrocut_controller::{Control, Parts};
+use ferrocut_machine::{Machine, PlantConfig};
+use ferrocut_memory::{Author, Seat, Session};
+use ferrocut_plc::{Limits, Program};
+use ferrocut_server::panel::Panel;
+use ferrocut_server::runner::{Runner, Times};
+use ferrocut_server::service::{Caller, Request, Served};
+use std::fmt::Write;
+use std::sync::Arc;
+use std::sync::mpsc::sync_channel;
+use std::time::{Duration, Instant};
+
+const LADDER: &str = include_str!("../../../machines/standard.lad");
+const BRACKET: &str = include_str!("../../../examples/gsk990mc/bracket.nc");
+
+/// Blocks of 0.1 mm and less on a curve, helices, corners, exact stops and positioning.
+fn demanding() -> String {
+    let mut text = "G17 G21 G90 G54\nG64\nS3000 M3\n".to_owned();
+    for round in 0..12 {
+        let shift = f64::from(round) * 2.0 - 12.0;
+        let _ = writeln!(text, "G0 X{:.3} Y0 Z5\nG1 Z-1 F2000\nF6000", 40.0 + shift);
+        for k in 0..4000 {
+            let t = f64::from(k) * 0.0016;
+            let (x, y) = ((40.0 + shift) * t.cos() + 4.0 * (9.0 * t).sin(), 40.0 * t.sin());
+            let _ = writeln!(text, "X{x:.3} Y{y:.3} Z{:.3}", -1.0 - 0.3 * (5.0 * t).sin());
+        }
+        for k in 0..40 {
+            let (x, y) = ((k * 37 % 61) - 30, (k * 53 % 47) - 23);
+            let exact = if k % 5 == 0 { "G61" } else { "G64" };
+            let _ = writeln!(text, "{exact} G1 X{x} Y{y}");
+        }
+        let _ = writeln!(
+            text,
+            "G64 G0 X30 Y0\nG2 X30 Y0 Z-3 I-15 J0 F3000\nG0 Z20 \nA{}\nM8\nG4 X0.05\nM9",
+            round * 30
+        );
+    }
+    text + "M30\n"
+}
+
+fn main() {
+    let mut words = std::env::args().skip(1).filter_map(|word| word.parse::<u64>().ok());
+    let seconds = words.next().unwrap_or(60);
+    let priority = words.next().and_then(|priority| u8::try_from(priority).ok());
+    let machine = Machine { plant: Some(PlantConfig::default()), ..Machine::demo_mill() };
+    let Ok(ladder) = Program::from_text(LADDER.as_bytes(), &Limits::default()) else {
+        return eprintln!("the ladder is wrong");
+    };
+    let mut control = match Control::new(&machine, Parts { ladder: Some(ladder), ..Parts::default() }) {
+        Ok(control) => control,
+        Err(alarm) => return eprintln!("{alarm:?}"),
+    };
+    let operator = Author::Person { session: Session::OPERATOR, name: "bench".to_owned() };
+    for (program, text) in [("O0001", BRACKET.to_owned()), ("O0002", demanding())] {
+        if let Err(why) = control.command(Command::Store { program: program.to_owned(), text }, &operator) {
+            return eprintln!("{why:?}");
+        }
+    }
+    let (events, _heard) = sync_channel(1024);
+    let period = Duration::from_secs_f64(machine.servo_period_ms / 1000.0);
+    let runner = match Runner::start(Served::<Panel>::new(Panel::new(control), events), period, priority) {
+        Ok(runner) => runner,
+        Err(error) => return eprintln!("{error}"),
+    };
+    let (commands, latest, timing) = (runner.commands(), runner.latest(), runner.timing());
+    let caller = Caller { name: "bench".to_owned(), seat: Seat::Machine, session: Session::OPERATOR };
+    let say = |command: Command| {
+        let _ = commands.send(Request::Command { command, from: caller.clone(), answer: None });
+    };
+    let status = || -> Arc<Status> { latest.get() };
+    let pause = |ms: u64| std::thread::sleep(Duration::from_millis(ms));
+    let press = |key: &str| {
+        say(Command::Key { key: key.to_owned(), down: true });
+        pause(120);
+        say(Command::Key { key: key.to_owned(), down: false });
+        pause(120);
+    };
+    say(Command::Switch { switch: "SWITCH_FEED".to_owned(), position: 10 });
+    say(Command::Switch { switch: "SWITCH_SPINDLE".to_owned(), position: 5 });
+    pause(200);
+    press("KEY_R_100");
+    press("KEY_HOME");
+    for key in ["KEY_Z+", "KEY_X+", "KEY_Y+"] {
+        press(key);
+    }
+    let patience = Instant::now();
+    while !['X', 'Y', 'Z'].iter().all(|axis| status().referenced.contains(axis)) {
+        if patience.elapsed() > Duration::from_secs(120) {
+            return eprintln!("not homed: {:?}", status().alarms);
+        }
+        pause(50);
+    }
+    press("KEY_AUTO");
+    let (began, mut runs, mut at) = (Instant::now(), 0u32, [0.0; 2]);
+    while began.elapsed().as_secs() < seconds {
+        pause(20);
+        let now = status();
+        if !now.alarms.is_empty() {
+            return eprintln!("alarm: {:?}", now.alarms);
+        }
+        at[1] += f64::from(u8::from(now.activity == Activity::Running));
+        at[0] += 1.0;
+        if now.activity == Activity::Idle {
+            runs += 1;
+            say(Command::Select { program: if runs % 3 == 0 { "O1" } else { "O2" }.to_owned() });
+            pause(50);
+            press("KEY_START");
+        }
+    }
+    println!("{runs} programs begun, running {:.0} % of {seconds} s", 100.0 * at[1] / at[0]);
+    println!("{timing}");
+    for share in [0.5, 0.99, 0.999, 0.9999] {
+        let us = |times: &Times| times.below(share).as_secs_f64() * 1e6;
+        let (work, ahead, late) = (us(&timing.work), us(&timing.ahead), us(&timing.lateness));
+        println!(
+            "{:7.2} %: work {work:6.0} us, looking ahead {ahead:6.0} us, woken late {late:6.0} us",
+            share * 100.0
+        );
+    }
+    drop(runner);
+}

@@ -1,0 +1,467 @@
+//! What all connections to a control share: who is connected, who is in command, what each is told.
+//!
+//! A connection reads on a thread of its own and answers there ([`Connection::converse`]); what it is told waits in a
+//! bounded queue. A key that is pressed over a connection is let go when the connection ends, or is not heard of for
+//! [`DEAD_MAN`]. Where the bytes come from is the caller's affair: [`crate::lines`] has sockets of this computer,
+//! [`crate::web`] browsers.
+
+use crate::runner::{Latest, Runner};
+use crate::service::{Aside, Caller, Need, Request, Served, Service};
+use ferrocut_memory::Session;
+use ferrocut_memory::password::Seat;
+use serde_json::{Map, Value, json};
+use std::collections::HashMap;
+use std::io::{self, ErrorKind};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, SyncSender, sync_channel};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+use tokio::sync::mpsc;
+
+/// How long a connection that holds a key may be silent: then the key has been let go.
+pub const DEAD_MAN: Duration = Duration::from_millis(250);
+
+/// What the machine, and a computer that is busy, may need of it until the axes stop.
+const RESERVE: Duration = Duration::from_millis(40);
+
+/// Bytes of a line: a program that is stored with it.
+pub const LONGEST_LINE: usize = 4 << 20;
+
+/// Lines that wait for a reader.
+const MOST_WAITING: usize = 256;
+
+/// Connections at once.
+pub const MOST_CONNECTIONS: usize = 48;
+
+/// Time between two looks of a connection at its dead man's key.
+pub(crate) const LOOK: Duration = Duration::from_millis(25);
+
+/// Time between two statuses that are pushed.
+const STATUS: Duration = Duration::from_millis(20);
+
+/// How long an answer of the machine may take.
+const ANSWER: Duration = Duration::from_secs(10);
+
+/// A line that is told, shared by all who are told it.
+pub type Line = Arc<str>;
+
+/// A connection, as the others see it.
+struct Member {
+    out: mpsc::Sender<Line>,
+    /// It wants events.
+    events: bool,
+    /// It wants statuses.
+    statuses: bool,
+    /// It did not take what waited for it.
+    is_slow: Arc<AtomicBool>,
+    /// Who it is, for those who ask whether one of theirs is in command.
+    owner: u64,
+}
+
+/// What connections share.
+pub struct Hub<S: Service> {
+    commands: SyncSender<Request<S>>,
+    latest: Arc<Latest<S::Status>>,
+    members: Mutex<HashMap<u64, Member>>,
+    /// The connection in command.
+    commander: Mutex<Option<u64>>,
+    next: AtomicU64,
+    aside: Option<Aside<S>>,
+}
+
+/// Who connects.
+pub struct Visitor {
+    /// Where from, as the log has it behind the connection's number; may be empty.
+    pub from: String,
+    /// Where passwords are given.
+    pub seat: Seat,
+    /// His rights at the moment; none once he may not be here any more.
+    pub rights: Arc<dyn Fn() -> Option<Session> + Send + Sync>,
+    /// What else the first line says.
+    pub hello: Map<String, Value>,
+    /// A number that all connections of one person have, 0 for none.
+    pub owner: u64,
+}
+
+impl Visitor {
+    /// A program on this computer.
+    pub fn local() -> Visitor {
+        Visitor {
+            from: String::new(),
+            seat: Seat::Machine,
+            rights: Arc::new(|| Some(Session::OPERATOR)),
+            hello: Map::new(),
+            owner: 0,
+        }
+    }
+}
+
+/// Where lines come from.
+pub trait Incoming {
+    /// The next line; none where none came for a moment (`LOOK` at most, so that the dead man's key is looked at).
+    fn next(&mut self) -> io::Result<Option<Vec<u8>>>;
+    /// When something came last.
+    fn heard(&self) -> Instant;
+}
+
+/// A service that runs, and what connects to it.
+type Begun<S> = (Runner<Served<S>>, Arc<Hub<S>>);
+
+/// Starts the machine's thread and the one that tells its events. `aside` does what is not done on the machine's thread.
+pub fn start<S: Service>(
+    service: S,
+    period: Duration,
+    priority: Option<u8>,
+    aside: Option<Aside<S>>,
+) -> io::Result<Begun<S>> {
+    let (events, told) = sync_channel(MOST_WAITING);
+    let runner = Runner::start(Served::new(service, events), period, priority)?;
+    let hub = Arc::new(Hub {
+        commands: runner.commands(),
+        latest: runner.latest(),
+        members: Mutex::new(HashMap::new()),
+        commander: Mutex::new(None),
+        next: AtomicU64::new(1),
+        aside,
+    });
+    let teller = Arc::downgrade(&hub);
+    std::thread::Builder::new().name("events".to_owned()).spawn(move || {
+        let mut next = Instant::now();
+        loop {
+            let event = told.recv_timeout(next.saturating_duration_since(Instant::now()));
+            let Some(hub) = teller.upgrade() else { return };
+            match event {
+                Ok(event) => hub.tell(|member| member.events, &event),
+                Err(RecvTimeoutError::Timeout) => {}
+                Err(RecvTimeoutError::Disconnected) => return,
+            }
+            let now = Instant::now();
+            if now >= next {
+                next = (next + STATUS).max(now);
+                hub.tell_status();
+            }
+        }
+    })?;
+    Ok((runner, hub))
+}
+
+pub(crate) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// What is told, as a line without its end.
+pub(crate) fn line_of(value: &impl serde::Serialize) -> Line {
+    // What is served has no maps with keys that are no text.
+    serde_json::to_string(value).unwrap_or_default().into()
+}
+
+/// A connection that has joined. Whatever ends it lets its keys go.
+pub struct Connection<S: Service> {
+    hub: Arc<Hub<S>>,
+    number: u64,
+    visitor: Visitor,
+    out: mpsc::Sender<Line>,
+    is_slow: Arc<AtomicBool>,
+    keys: Vec<String>,
+}
+
+impl<S: Service> Hub<S> {
+    /// Takes a connection in, with the queue of what it is told; none where there are too many.
+    pub fn join(self: &Arc<Hub<S>>, visitor: Visitor) -> Option<(Connection<S>, mpsc::Receiver<Line>)> {
+        let number = self.next.fetch_add(1, Ordering::Relaxed);
+        let (out, waiting) = mpsc::channel(MOST_WAITING);
+        let is_slow = Arc::new(AtomicBool::new(false));
+        let member = Member {
+            out: out.clone(),
+            events: false,
+            statuses: false,
+            is_slow: is_slow.clone(),
+            owner: visitor.owner,
+        };
+        {
+            let mut members = lock(&self.members);
+            if members.len() >= MOST_CONNECTIONS {
+                return None;
+            }
+            members.insert(number, member);
+        }
+        let mut hello = json!({ "hello": "ferrocut", "api": S::VERSION, "connection": number,
+            "longest_line": LONGEST_LINE, "dead_man_ms": DEAD_MAN.as_millis() as u64 });
+        if let Value::Object(fields) = &mut hello {
+            fields.extend(visitor.hello.clone());
+        }
+        let _ = out.try_send(line_of(&hello));
+        let hub = self.clone();
+        Some((Connection { hub, number, visitor, out, is_slow, keys: Vec::new() }, waiting))
+    }
+
+    /// How many are connected.
+    pub fn connections(&self) -> usize {
+        lock(&self.members).len()
+    }
+
+    /// How things stand.
+    pub fn status(&self) -> Arc<S::Status> {
+        self.latest.get()
+    }
+
+    /// Whether a connection of this owner is in command.
+    pub fn commands(&self, owner: u64) -> bool {
+        let commander = *lock(&self.commander);
+        commander.is_some_and(|number| {
+            lock(&self.members).get(&number).is_some_and(|member| owner != 0 && member.owner == owner)
+        })
+    }
+
+    /// Has the service looked at between two periods, and waits for what comes of it; none where there is no service
+    /// any more. What is done must be as short as a command.
+    pub fn look<T: Send + 'static>(&self, look: impl FnOnce(&mut S) -> T + Send + 'static) -> Option<T> {
+        let (to, seen) = sync_channel(1);
+        let look = move |service: &mut S| drop(to.try_send(look(service)));
+        self.commands.send(Request::Look(Box::new(look))).ok()?;
+        seen.recv_timeout(ANSWER).ok()
+    }
+
+    /// Has a command done, and waits for the answer. Whether the caller may give it was looked at before.
+    pub fn ask(
+        &self,
+        command: S::Command,
+        from: Caller,
+    ) -> Result<Result<S::Reply, S::Refusal>, &'static str> {
+        if let Some(done) = self.aside.as_ref().and_then(|aside| aside(self, &command, &from)) {
+            return Ok(done);
+        }
+        let (to, answer) = sync_channel(1);
+        let request = Request::Command { command, from, answer: Some(to) };
+        self.commands.send(request).map_err(|_| "no_machine")?;
+        answer.recv_timeout(ANSWER).map_err(|_| "no_answer")
+    }
+
+    /// Sends to those who want it. Who does not keep up is marked, and its reader ends the connection.
+    pub fn tell(&self, wants: impl Fn(&ToldTo) -> bool, what: &impl serde::Serialize) {
+        let members = lock(&self.members);
+        let wants = |member: &Member| wants(&ToldTo { events: member.events, statuses: member.statuses });
+        if !members.values().any(wants) {
+            return;
+        }
+        let line = line_of(what);
+        for member in members.values().filter(|member| wants(member)) {
+            send(member, line.clone());
+        }
+    }
+
+    /// Sends how things stand. It is left out where much waits already: the next one has it all.
+    fn tell_status(&self) {
+        let members = lock(&self.members);
+        let takes = |member: &&Member| member.statuses && member.out.capacity() > MOST_WAITING / 2;
+        if !members.values().any(|member| takes(&member)) {
+            return;
+        }
+        let line = line_of(&json!({ "status": &*self.latest.get() }));
+        members.values().filter(takes).for_each(|member| send(member, line.clone()));
+    }
+
+    /// Says who is in command.
+    fn tell_command(&self) {
+        let holder = *lock(&self.commander);
+        for (number, member) in lock(&self.members).iter().filter(|(_, member)| member.events) {
+            send(member, command_event(holder, *number));
+        }
+    }
+}
+
+/// What a connection wants to be told.
+pub struct ToldTo {
+    /// Events.
+    pub events: bool,
+    /// Statuses.
+    pub statuses: bool,
+}
+
+fn command_event(holder: Option<u64>, number: u64) -> Line {
+    line_of(&json!({ "event": "command", "holder": holder, "you": holder == Some(number) }))
+}
+
+fn send(member: &Member, line: Line) {
+    if let Err(mpsc::error::TrySendError::Full(_)) = member.out.try_send(line) {
+        member.is_slow.store(true, Ordering::Relaxed);
+    }
+}
+
+impl<S: Service> Drop for Connection<S> {
+    fn drop(&mut self) {
+        self.release();
+        if let Some(command) = S::farewell() {
+            self.order(command);
+        }
+        lock(&self.hub.members).remove(&self.number);
+        self.give_command();
+    }
+}
+
+impl<S: Service> Connection<S> {
+    /// Answers what comes until it ends. Says why it does.
+    pub fn converse(mut self, incoming: &mut impl Incoming) -> &'static str {
+        let out = self.out.clone();
+        let reason = loop {
+            if self.is_slow.load(Ordering::Relaxed) {
+                break "too_slow";
+            }
+            if (self.visitor.rights)().is_none() {
+                break "logged_out";
+            }
+            // The next look would come too late.
+            if !self.keys.is_empty() && incoming.heard().elapsed() + LOOK + RESERVE > DEAD_MAN {
+                self.release();
+            }
+            match incoming.next() {
+                Ok(Some(line)) => {
+                    let (answer, then) = self.answer(&line);
+                    if out.try_send(line_of(&answer)).is_err() {
+                        break "too_slow";
+                    }
+                    if let Some(then) = then {
+                        let _ = out.try_send(then);
+                    }
+                }
+                Ok(None) => {}
+                Err(error) if error.kind() == ErrorKind::FileTooLarge => break "line_too_long",
+                Err(error) if error.kind() == ErrorKind::TimedOut => break "too_slow",
+                Err(_) => break "closed",
+            }
+        };
+        drop(self);
+        let _ = out.try_send(line_of(&json!({ "end": reason })));
+        reason
+    }
+
+    /// Set where what waits is not taken.
+    pub fn slow(&self) -> Arc<AtomicBool> {
+        self.is_slow.clone()
+    }
+
+    fn caller(&self) -> Caller {
+        let name = match self.visitor.from.as_str() {
+            "" => format!("connection {}", self.number),
+            from => format!("connection {} from {from}", self.number),
+        };
+        let session = (self.visitor.rights)().unwrap_or(Session::OPERATOR);
+        Caller { name, seat: self.visitor.seat, session }
+    }
+
+    /// Gives a command that nobody waits for.
+    fn order(&self, command: S::Command) {
+        let _ = self.hub.commands.send(Request::Command { command, from: self.caller(), answer: None });
+    }
+
+    /// Lets all keys go.
+    fn release(&mut self) {
+        for key in std::mem::take(&mut self.keys) {
+            self.order(S::release(&key));
+        }
+    }
+
+    fn note(&mut self, key: &str, down: bool) {
+        self.keys.retain(|own| own != key);
+        if down {
+            self.keys.push(key.to_owned());
+        }
+    }
+
+    fn give_command(&self) {
+        let mut commander = lock(&self.hub.commander);
+        if *commander == Some(self.number) {
+            *commander = None;
+            drop(commander);
+            self.hub.tell_command();
+        }
+    }
+
+    /// The answer to a line, and what is told behind it.
+    fn answer(&mut self, line: &[u8]) -> (Value, Option<Line>) {
+        let Ok(Value::Object(mut object)) = serde_json::from_slice::<Value>(line) else {
+            return (json!({ "id": null, "error": "no_object" }), None);
+        };
+        let id = object.remove("id").unwrap_or(Value::Null);
+        if !matches!(id, Value::Null | Value::Number(_) | Value::String(_)) {
+            return (json!({ "id": null, "error": "bad_id" }), None);
+        }
+        let mut answer = Map::new();
+        let mut then = None;
+        match self.own_command(&object, &mut then).unwrap_or_else(|| self.request(object)) {
+            Ok(Value::Object(reply)) => answer = reply,
+            Ok(_) => drop(answer.insert("reply".to_owned(), json!("done"))),
+            Err(error) => answer = error,
+        }
+        answer.insert("id".to_owned(), id);
+        (Value::Object(answer), then)
+    }
+
+    /// Commands of the connection itself.
+    fn own_command(&mut self, object: &Map<String, Value>, then: &mut Option<Line>) -> Option<Answer> {
+        let flag = |name: &str| object.get(name).and_then(Value::as_bool).unwrap_or(false);
+        match object.get("do").and_then(Value::as_str)? {
+            "alive" => {}
+            "watch" => {
+                if let Some(member) = lock(&self.hub.members).get_mut(&self.number) {
+                    (member.events, member.statuses) = (flag("events"), flag("status"));
+                }
+                if flag("events") {
+                    *then = Some(command_event(*lock(&self.hub.commander), self.number));
+                }
+            }
+            "take_command" => {
+                let mut commander = lock(&self.hub.commander);
+                match *commander {
+                    Some(other) if other != self.number => {
+                        return Some(Err(error("taken", &other.to_string())));
+                    }
+                    Some(_) => {}
+                    None => {
+                        *commander = Some(self.number);
+                        drop(commander);
+                        self.hub.tell_command();
+                    }
+                }
+            }
+            "give_command" => {
+                self.release();
+                self.give_command();
+            }
+            _ => return None,
+        }
+        Some(Ok(Value::Null))
+    }
+
+    fn request(&mut self, object: Map<String, Value>) -> Answer {
+        let command: S::Command =
+            serde_json::from_value(Value::Object(object)).map_err(|e| error("no_command", &e.to_string()))?;
+        if S::need(&command) == Need::Command && *lock(&self.hub.commander) != Some(self.number) {
+            return Err(error("not_in_command", ""));
+        }
+        if let Some((key, down)) = S::key(&command) {
+            self.note(key, down);
+        }
+        match self.hub.ask(command, self.caller()) {
+            Ok(Ok(reply)) => Ok(serde_json::to_value(&reply).unwrap_or_default()),
+            Ok(Err(refusal)) => {
+                let mut map = Map::new();
+                map.insert("refused".to_owned(), serde_json::to_value(&refusal).unwrap_or_default());
+                Err(map)
+            }
+            Err(code) => Err(error(code, "")),
+        }
+    }
+}
+
+/// A reply, or what stands in its place.
+type Answer = Result<Value, Map<String, Value>>;
+
+fn error(code: &str, detail: &str) -> Map<String, Value> {
+    let mut map = Map::new();
+    map.insert("error".to_owned(), json!(code));
+    if !detail.is_empty() {
+        map.insert("detail".to_owned(), json!(detail));
+    }
+    map
+}

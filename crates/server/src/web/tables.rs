@@ -1,0 +1,384 @@
+//! What the control's tables say: codes, parameters, alarms, signals, and one search through all of them. The same as
+//! `ferrocut explain` has.
+
+use super::Shared;
+use super::problem::Problem;
+use super::query::{Spoken, catalogue};
+use axum::extract::{Query, State};
+use axum::routing::get;
+use axum::{Json, Router};
+use ferrocut_controller::diagnosis::{Entry, entries};
+use ferrocut_desk::page::meaning;
+use ferrocut_desk::{Book, asked, memory_of};
+use ferrocut_interpreter::{Dialect, dialects};
+use ferrocut_machine::{
+    AlarmId, Catalogue, Fault, Machine, Meaning, ParameterDef, ParameterKey, Reference, alarm_table,
+    g_code_name,
+};
+use ferrocut_memory::rights::needed_for_parameter;
+use ferrocut_plc::{Area, Program};
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// Longest thing that is asked for, bytes.
+const LONGEST: usize = 256;
+
+/// Values of an alarm.
+const MOST_VALUES: usize = 32;
+
+/// What a search finds at most.
+const MOST_FOUND: usize = 100;
+
+/// Areas of signals that people look at.
+const AREAS: [Area; 7] = [Area::X, Area::Y, Area::F, Area::G, Area::A, Area::K, Area::D];
+
+pub(super) fn routes() -> Router<Arc<Shared>> {
+    Router::new()
+        .route("/api/alarm", get(alarm))
+        .route("/api/explain", get(explain))
+        .route("/api/words", get(words))
+        .route("/api/parameters", get(parameters))
+        .route("/api/signals", get(signals))
+        .route("/api/search", get(search))
+}
+
+fn book(machine: &Machine, dialect: &'static Dialect, texts: Catalogue) -> Book {
+    Book::new(dialect, memory_of(machine, dialect).0, texts)
+}
+
+fn short(text: String) -> Result<String, Problem> {
+    if text.len() <= LONGEST { Ok(text) } else { Err(Problem::TooLarge) }
+}
+
+#[derive(Deserialize)]
+struct AskedAlarm {
+    id: String,
+    values: Option<String>,
+    language: Option<String>,
+}
+
+/// The number of an alarm as it is written, with the rules that it may stand for.
+fn alarm_id(text: &str) -> Option<(AlarmId, Vec<Fault>)> {
+    if let Some(number) = text.strip_prefix("FC-") {
+        let number: u16 = number.parse().ok()?;
+        let fault = Fault::ALL.iter().find(|fault| **fault as u16 == number)?;
+        return Some((AlarmId::Core(*fault), Vec::new()));
+    }
+    let (dialect, number) = text.split_once(':')?;
+    let dialect = dialects::by_name(dialect)?;
+    let number: u16 = number.parse().ok()?;
+    let faults = dialect.alarms.iter().filter(|(_, own)| *own == number).map(|(fault, _)| *fault);
+    Some((AlarmId::Dialect(dialect.name, number), faults.collect()))
+}
+
+async fn alarm(Query(asked): Query<AskedAlarm>) -> Result<Json<Value>, Problem> {
+    let texts = catalogue(asked.language.as_deref())?;
+    let (id, faults) = alarm_id(&short(asked.id)?).ok_or(Problem::Missing)?;
+    let values: BTreeMap<String, Value> = match asked.values.as_deref() {
+        None | Some("") => BTreeMap::new(),
+        Some(text) => serde_json::from_str(text).map_err(|error| Problem::Unreadable(error.to_string()))?,
+    };
+    let as_text = |value: Value| match value {
+        Value::String(text) => text,
+        other => other.to_string(),
+    };
+    let values = values.into_iter().take(MOST_VALUES).map(|(name, value)| (name, as_text(value))).collect();
+    let help = texts.help_of(id);
+    let help = help.or_else(|| faults.iter().find_map(|fault| texts.help_of(AlarmId::Core(*fault))));
+    Ok(Json(json!({ "id": id.to_string(), "text": texts.told(id, &faults, &values), "help": help })))
+}
+
+#[derive(Deserialize)]
+struct AskedWord {
+    word: String,
+    language: Option<String>,
+    dialect: Option<String>,
+}
+
+async fn explain(
+    State(shared): State<Arc<Shared>>,
+    Query(asked): Query<AskedWord>,
+) -> Result<Json<Value>, Problem> {
+    let spoken = Spoken { language: asked.language, dialect: asked.dialect };
+    let book = book(&shared.machine, spoken.dialect(&shared)?, spoken.catalogue()?);
+    let word = short(asked.word)?;
+    // A place of a file is asked for by nobody here.
+    let things = asked::read(&[word], &book, &|_| false).into_iter().next();
+    let page = match things {
+        Some(Ok(things)) => book.pages(&things).into_iter().next(),
+        Some(Err(reason)) => {
+            return Ok(Json(
+                json!({ "found": false, "kind": "", "title": "", "text": reason, "source": "" }),
+            ));
+        }
+        None => None,
+    };
+    let Some(page) = page else { return Err(Problem::Missing) };
+    let text = page.text(book.catalogue);
+    let page_json = page.json();
+    let source = page_json.get("section").cloned().unwrap_or_else(|| json!(""));
+    let title = match page.title.as_str() {
+        "" => page.name.clone(),
+        title => format!("{}  {title}", page.name),
+    };
+    Ok(Json(json!({
+        "found": true, "kind": page.kind, "title": title, "text": text, "source": source, "page": page_json,
+    })))
+}
+
+#[derive(Serialize)]
+struct Word {
+    word: String,
+    kind: &'static str,
+    title: String,
+    form: String,
+}
+
+fn words_of(book: &Book) -> Vec<Word> {
+    let title = |name: Option<(String, String)>| name.map(|(_, title)| title).unwrap_or_default();
+    let g = book.g_codes().into_iter().map(|tenths| Word {
+        word: g_code_name(tenths),
+        kind: "g-code",
+        title: title(book.code_line(&ferrocut_machine::Subject::G(tenths))),
+        form: book
+            .reference
+            .and_then(|r| r.g_code(tenths))
+            .map_or(String::new(), |row| row.format.to_string()),
+    });
+    let m = book.m_codes().into_iter().map(|code| Word {
+        word: format!("M{code:02}"),
+        kind: "m-code",
+        title: title(book.code_line(&ferrocut_machine::Subject::M(code))),
+        form: String::new(),
+    });
+    let macros = book.reference.into_iter().flat_map(Reference::macro_words).map(|row| Word {
+        word: row.word.to_string(),
+        kind: "macro",
+        title: row.meaning.to_string(),
+        form: row.format.to_string(),
+    });
+    g.chain(m).chain(macros).collect()
+}
+
+async fn words(
+    State(shared): State<Arc<Shared>>,
+    Query(spoken): Query<Spoken>,
+) -> Result<Json<Vec<Word>>, Problem> {
+    Ok(Json(words_of(&book(&shared.machine, spoken.dialect(&shared)?, spoken.catalogue()?))))
+}
+
+#[derive(Serialize)]
+struct Parameter {
+    /// The number, or the name of one without.
+    number: Value,
+    /// What the command `parameters` calls it; of bits each has its own.
+    name: String,
+    kind: &'static str,
+    bits: Vec<Bit>,
+    symbol: String,
+    meaning: String,
+    unit: String,
+    minimum: Option<f64>,
+    maximum: Option<f64>,
+    standard: f64,
+    level: u8,
+    room: String,
+    /// Whether this version does something with it.
+    used: bool,
+}
+
+#[derive(Serialize)]
+struct Bit {
+    bit: u8,
+    name: String,
+    symbol: String,
+    meaning: String,
+    standard: f64,
+    level: u8,
+    used: bool,
+}
+
+/// The control's parameters by rising number, the bits of one together.
+fn parameters_of(book: &Book) -> Vec<Parameter> {
+    let table = book.table();
+    let level = |key: &ParameterKey| needed_for_parameter(table, key).number();
+    let mut found: Vec<Parameter> = Vec::new();
+    for definition in table.iter() {
+        let parameter = |number: Value, name: String, kind| Parameter {
+            number,
+            name,
+            kind,
+            bits: Vec::new(),
+            symbol: definition.symbol.to_string(),
+            meaning: if kind == "bit" { String::new() } else { meaning(definition) },
+            unit: definition.unit.to_string(),
+            minimum: definition.min,
+            maximum: definition.max,
+            standard: definition.default,
+            level: level(&definition.key),
+            room: definition.applies_to.to_string(),
+            used: definition.used,
+        };
+        match &definition.key {
+            ParameterKey::Data(number) => {
+                found.push(parameter(json!(number), definition.name.to_string(), "data"));
+            }
+            ParameterKey::Named(name) => found.push(parameter(json!(name), name.to_string(), "data")),
+            ParameterKey::Bit { number, bit } => {
+                let of = json!(number);
+                if found.last().is_none_or(|last| last.kind != "bit" || last.number != of) {
+                    found.push(parameter(of, table.name_of_bits(*number), "bit"));
+                }
+                let bit = Bit {
+                    bit: *bit,
+                    name: definition.name.to_string(),
+                    symbol: definition.symbol.to_string(),
+                    meaning: meaning(definition),
+                    standard: definition.default,
+                    level: level(&definition.key),
+                    used: definition.used,
+                };
+                if let Some(last) = found.last_mut() {
+                    last.bits.push(bit);
+                }
+            }
+        }
+    }
+    found
+}
+
+async fn parameters(
+    State(shared): State<Arc<Shared>>,
+    Query(spoken): Query<Spoken>,
+) -> Result<Json<Vec<Parameter>>, Problem> {
+    let texts = spoken.catalogue()?;
+    let own = Spoken::default().dialect(&shared)?;
+    Ok(Json(parameters_of(&book(&shared.machine, own, texts))))
+}
+
+#[derive(Serialize)]
+struct Signal {
+    name: String,
+    address: String,
+    meaning: String,
+}
+
+/// The ladder that runs.
+async fn ladder(shared: &Arc<Shared>) -> Result<Option<Program>, Problem> {
+    let hub = shared.hub.clone();
+    let copy = move || hub.look(|panel| panel.control().plc_mut().map(|plc| plc.program().clone()));
+    tokio::task::spawn_blocking(copy).await.ok().flatten().ok_or(Problem::NoMachine("no_machine"))
+}
+
+fn signals_of(ladder: Option<&Program>, texts: Catalogue) -> Vec<Signal> {
+    let Some(ladder) = ladder else { return Vec::new() };
+    let address = |entry: &Entry| {
+        let bit = entry.address.bit.map_or_else(String::new, |bit| format!(".{bit}"));
+        format!("{:?}{}{bit}", entry.address.area, entry.address.byte)
+    };
+    let all = AREAS.into_iter().flat_map(|area| entries(area, ladder));
+    all.map(|entry| Signal {
+        address: address(&entry),
+        meaning: entry.meaning(texts.language(), ladder),
+        name: entry.name,
+    })
+    .collect()
+}
+
+async fn signals(
+    State(shared): State<Arc<Shared>>,
+    Query(spoken): Query<Spoken>,
+) -> Result<Json<Vec<Signal>>, Problem> {
+    let texts = spoken.catalogue()?;
+    Ok(Json(signals_of(ladder(&shared).await?.as_ref(), texts)))
+}
+
+#[derive(Deserialize)]
+struct Sought {
+    q: String,
+    language: Option<String>,
+}
+
+#[derive(Serialize)]
+struct Found {
+    kind: &'static str,
+    key: String,
+    title: String,
+    text: String,
+    /// How well it fits: less is better.
+    #[serde(skip)]
+    rank: u8,
+}
+
+/// How well a thing fits what is sought; none where it does not. Every word must be in it.
+fn rank(sought: &[String], key: &str, text: &str) -> Option<u8> {
+    let (key, text) = (key.to_lowercase(), text.to_lowercase());
+    if !sought.iter().all(|word| key.contains(word) || text.contains(word)) {
+        return None;
+    }
+    let whole = sought.join(" ");
+    Some(match () {
+        () if key == whole => 0,
+        () if key.starts_with(&whole) => 1,
+        () if key.contains(&whole) => 2,
+        () if text.starts_with(&whole) => 3,
+        () => 4,
+    })
+}
+
+fn found_in(book: &Book, ladder: Option<&Program>, sought: &[String]) -> Vec<Found> {
+    let mut found = Vec::new();
+    let mut add = |kind: &'static str, key: String, title: String, text: String| {
+        if let Some(rank) = rank(sought, &key, &format!("{title} {text}")) {
+            found.push(Found { kind, key, title, text, rank });
+        }
+    };
+    for word in words_of(book) {
+        add("code", word.word, word.title, word.form);
+    }
+    let parameter = |definition: &ParameterDef| match &definition.meaning {
+        Meaning::Value(text) => text.to_string(),
+        Meaning::Bit { .. } => meaning(definition),
+    };
+    for definition in book.table().iter() {
+        let title = format!("{} {}", definition.symbol, definition.unit);
+        add("parameter", definition.name.to_string(), title.trim().to_owned(), parameter(definition));
+    }
+    let own = alarm_table(book.dialect.name).iter().map(|row| row.id);
+    for id in own.chain(Fault::ALL.iter().map(|fault| AlarmId::Core(*fault))) {
+        let text = |text: Option<String>| text.unwrap_or_default();
+        add("alarm", id.to_string(), text(book.catalogue.text(id)), text(book.catalogue.help_of(id)));
+    }
+    for row in book.reference.into_iter().flat_map(Reference::variables) {
+        add("variable", row.name(), row.meaning.to_string(), row.notes.to_string());
+    }
+    for letter in b'A'..=b'Z' {
+        if let Some(meaning) = book.reference.and_then(|reference| reference.address(letter)) {
+            add("address", char::from(letter).to_string(), meaning.to_owned(), String::new());
+        }
+    }
+    for signal in signals_of(ladder, book.catalogue) {
+        add("signal", signal.name, signal.address, signal.meaning);
+    }
+    found.sort_by_key(|found| found.rank);
+    found.truncate(MOST_FOUND);
+    found
+}
+
+async fn search(
+    State(shared): State<Arc<Shared>>,
+    Query(sought): Query<Sought>,
+) -> Result<Json<Vec<Found>>, Problem> {
+    let texts = catalogue(sought.language.as_deref())?;
+    let sought: Vec<String> = short(sought.q)?.to_lowercase().split_whitespace().map(str::to_owned).collect();
+    if sought.is_empty() {
+        return Ok(Json(Vec::new()));
+    }
+    let own = Spoken::default().dialect(&shared)?;
+    let ladder = ladder(&shared).await?;
+    let machine = shared.machine.clone();
+    let found = super::work::work(move |_| found_in(&book(&machine, own, texts), ladder.as_ref(), &sought));
+    Ok(Json(found.await?))
+}
