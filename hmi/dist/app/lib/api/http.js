@@ -1,0 +1,126 @@
+// src/lib/api/http.ts
+/** An answer that is no success. */
+var HttpError = class extends Error {
+	status;
+	constructor(status, message) {
+		super(message);
+		this.status = status;
+		this.name = "HttpError";
+	}
+};
+var csrf = "";
+/** Asks a path of the server. Throws an `HttpError` unless it succeeds. */
+async function request(path, options = {}) {
+	const headers = new Headers(options.headers);
+	if (csrf && options.method && options.method !== "GET") headers.set("x-csrf", csrf);
+	const response = await fetch(path, {
+		...options,
+		headers,
+		credentials: "same-origin"
+	});
+	if (!response.ok) throw new HttpError(response.status, (await response.text()).slice(0, 500));
+	return response;
+}
+async function json(path, options) {
+	return await (await request(path, options)).json();
+}
+var query = (values) => new URLSearchParams(values).toString();
+/** Answers that stay the same while the server runs. */
+var kept = /* @__PURE__ */ new Map();
+function once(path) {
+	let answer = kept.get(path);
+	if (!answer) {
+		answer = json(path);
+		kept.set(path, answer);
+		answer.catch(() => kept.delete(path));
+	}
+	return answer;
+}
+var http = {
+	async session() {
+		const session = await json("/api/session");
+		csrf = session.csrf ?? "";
+		return session;
+	},
+	async logIn(level, password) {
+		const session = await json("/api/session", {
+			method: "POST",
+			headers: { "content-type": "application/json" },
+			body: JSON.stringify({
+				level,
+				password
+			})
+		});
+		csrf = session.csrf ?? "";
+		return session;
+	},
+	async logOut() {
+		await request("/api/session", { method: "DELETE" });
+	},
+	check(text, dialect, language, signal) {
+		const options = {
+			method: "POST",
+			body: text,
+			headers: { "content-type": "text/plain" }
+		};
+		if (signal) options.signal = signal;
+		return json(`/api/check?${query({
+			dialect,
+			language
+		})}`, options);
+	},
+	async path(program, signal) {
+		return (await request(`/api/path?${query({ program })}`, signal ? { signal } : {})).arrayBuffer();
+	},
+	async pathOf(text, dialect, signal) {
+		const options = {
+			method: "POST",
+			body: text,
+			headers: { "content-type": "text/plain" }
+		};
+		if (signal) options.signal = signal;
+		return (await request(`/api/path?${query({ dialect })}`, options)).arrayBuffer();
+	},
+	alarm(id, values, language) {
+		return once(`/api/alarm?${query({
+			id,
+			values: JSON.stringify(values),
+			language
+		})}`);
+	},
+	explain(word, dialect, language) {
+		return once(`/api/explain?${query({
+			word,
+			dialect,
+			language
+		})}`);
+	},
+	words(dialect, language) {
+		return once(`/api/words?${query({
+			dialect,
+			language
+		})}`);
+	},
+	parameters(language) {
+		return once(`/api/parameters?${query({ language })}`);
+	},
+	signals(language) {
+		return once(`/api/signals?${query({ language })}`);
+	},
+	search(q, language) {
+		return json(`/api/search?${query({
+			q,
+			language
+		})}`);
+	},
+	async upload(name, body) {
+		await request(`/api/programs/${encodeURIComponent(name)}`, {
+			method: "PUT",
+			body
+		});
+	},
+	download(name) {
+		return `/api/programs/${encodeURIComponent(name)}`;
+	}
+};
+export { HttpError, http, request };

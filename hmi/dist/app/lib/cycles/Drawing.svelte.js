@@ -1,0 +1,170 @@
+import { box } from "./geometry.js";
+import { places } from "./scene.js";
+import "svelte/internal/disclose-version";
+import * as $ from "svelte/internal/client";
+// src/lib/cycles/Drawing.svelte
+var root = $.from_svg(`<path></path>`);
+var root_1 = $.from_svg(`<g><path class="helper s-1mzf8kx"></path><path class="line s-1mzf8kx"></path><text text-anchor="middle" class="s-1mzf8kx"> </text></g>`);
+var root_2 = $.from_svg(`<g><path class="line s-1mzf8kx"></path><text class="s-1mzf8kx"> </text></g>`);
+var root_3 = $.from_svg(`<g><path class="s-1mzf8kx"></path><circle class="s-1mzf8kx"></circle></g>`);
+var root_4 = $.from_svg(`<svg preserveAspectRatio="xMidYMid meet" role="img" class="s-1mzf8kx"><!><!></svg>`);
+function Drawing($$anchor, $$props) {
+	$.push($$props, true);
+	/** The field that stands out. */
+	const frame = $.derived(() => box(places($$props.items), .16));
+	const unit = $.derived(() => Math.max($.get(frame).w, $.get(frame).h) / 100);
+	const y = (point) => -point[1];
+	const path = (points, close = false) => points.map((p, i) => `${i ? "L" : "M"}${p[0].toFixed(4)} ${y(p).toFixed(4)}`).join("") + (close ? "Z" : "");
+	/** `L 80` of a field. */
+	function text(name) {
+		const field = $$props.fields.find((one) => one.name === name);
+		const value = $$props.values[name];
+		const shown = typeof value === "number" ? `${Math.round(value * 1e4) / 1e4}` : "";
+		return `${field?.symbol ?? name} ${shown}`.trim();
+	}
+	function measure(item) {
+		const [dx, dy] = [item.to[0] - item.from[0], item.to[1] - item.from[1]];
+		const long = Math.hypot(dx, dy);
+		const n = long > 1e-9 ? [-dy / long, dx / long] : [0, 1];
+		const shift = (p) => [p[0] + n[0] * item.aside, p[1] + n[1] * item.aside];
+		const [a, b] = [shift(item.from), shift(item.to)];
+		const at = [(a[0] + b[0]) / 2 + n[0] * $.get(unit) * 1.2, (a[1] + b[1]) / 2 + n[1] * $.get(unit) * 1.2];
+		const arrow = (p, sign) => {
+			const u = long > 1e-9 ? [dx / long * sign, dy / long * sign] : [0, 0];
+			const size = Math.min($.get(unit) * 1.8, long / 3);
+			return path([
+				[p[0] + (u[0] + n[0] * .35) * size, p[1] + (u[1] + n[1] * .35) * size],
+				p,
+				[p[0] + (u[0] - n[0] * .35) * size, p[1] + (u[1] - n[1] * .35) * size]
+			]);
+		};
+		return {
+			lines: long > 1e-9 ? path([a, b]) + arrow(a, 1) + arrow(b, -1) : "",
+			helpers: path([item.from, a]) + path([item.to, b]),
+			at
+		};
+	}
+	function angle(item) {
+		const points = Array.from({ length: 25 }, (_, i) => {
+			const a = (item.from + (item.to - item.from) * i / 24) * Math.PI / 180;
+			return [item.at[0] + item.radius * Math.cos(a), item.at[1] + item.radius * Math.sin(a)];
+		});
+		return {
+			d: path([
+				item.at,
+				...points,
+				item.at
+			]),
+			at: points[12]
+		};
+	}
+	var svg = root_4();
+	var node = $.child(svg);
+	$.each(node, 17, () => $$props.items, $.index, ($$anchor, item) => {
+		var fragment = $.comment();
+		var node_1 = $.first_child(fragment);
+		var consequent = ($$anchor) => {
+			var path_1 = root();
+			$.template_effect(($0) => {
+				$.set_class(path_1, 0, `area ${$.get(item).look ?? ""}`, "s-1mzf8kx");
+				$.set_attribute(path_1, "d", $0);
+			}, [() => path($.get(item).points, true)]);
+			$.append($$anchor, path_1);
+		};
+		var consequent_1 = ($$anchor) => {
+			var path_2 = root();
+			let classes;
+			$.template_effect(($0) => {
+				classes = $.set_class(path_2, 0, `line ${$.get(item).look ?? ""}`, "s-1mzf8kx", classes, { focus: $.get(item).field === $$props.focus });
+				$.set_attribute(path_2, "d", $0);
+			}, [() => path($.get(item).points)]);
+			$.append($$anchor, path_2);
+		};
+		$.if(node_1, ($$render) => {
+			if ($.get(item).kind === "area") $$render(consequent);
+			else if ($.get(item).kind === "line") $$render(consequent_1, 1);
+		});
+		$.append($$anchor, fragment);
+	});
+	var node_2 = $.sibling(node);
+	$.each(node_2, 17, () => $$props.items, $.index, ($$anchor, item) => {
+		var fragment_1 = $.comment();
+		var node_3 = $.first_child(fragment_1);
+		var consequent_2 = ($$anchor) => {
+			const made = $.derived(() => measure($.get(item)));
+			var g = root_1();
+			let classes_1;
+			var path_3 = $.child(g);
+			var path_4 = $.sibling(path_3);
+			var text_1 = $.sibling(path_4);
+			var text_2 = $.only_child(text_1, true);
+			$.reset(g);
+			$.template_effect(($0, $1) => {
+				classes_1 = $.set_class(g, 0, "measure s-1mzf8kx", null, classes_1, { focus: $.get(item).field === $$props.focus });
+				$.set_attribute(g, "data-field", $.get(item).field);
+				$.set_attribute(path_3, "d", $.get(made).helpers);
+				$.set_attribute(path_4, "d", $.get(made).lines);
+				$.set_attribute(text_1, "x", $.get(made).at[0]);
+				$.set_attribute(text_1, "y", $0);
+				$.set_text(text_2, $1);
+			}, [() => y($.get(made).at), () => text($.get(item).field)]);
+			$.delegated("click", text_1, () => $$props.onfield($.get(item).field));
+			$.append($$anchor, g);
+		};
+		var consequent_3 = ($$anchor) => {
+			const made = $.derived(() => angle($.get(item)));
+			var g_1 = root_2();
+			let classes_2;
+			var path_5 = $.child(g_1);
+			var text_3 = $.sibling(path_5);
+			var text_4 = $.only_child(text_3, true);
+			$.reset(g_1);
+			$.template_effect(($0, $1) => {
+				classes_2 = $.set_class(g_1, 0, "measure s-1mzf8kx", null, classes_2, { focus: $.get(item).field === $$props.focus });
+				$.set_attribute(g_1, "data-field", $.get(item).field);
+				$.set_attribute(path_5, "d", $.get(made).d);
+				$.set_attribute(text_3, "x", $.get(made).at[0] + $.get(unit));
+				$.set_attribute(text_3, "y", $0);
+				$.set_text(text_4, $1);
+			}, [() => y($.get(made).at), () => text($.get(item).field)]);
+			$.delegated("click", text_3, () => $$props.onfield($.get(item).field));
+			$.append($$anchor, g_1);
+		};
+		var consequent_4 = ($$anchor) => {
+			var g_2 = root_3();
+			let classes_3;
+			var path_6 = $.child(g_2);
+			var circle = $.sibling(path_6);
+			$.reset(g_2);
+			$.template_effect(($0, $1, $2, $3) => {
+				classes_3 = $.set_class(g_2, 0, "mark s-1mzf8kx", null, classes_3, { focus: $.get(item).field === $$props.focus });
+				$.set_attribute(path_6, "d", `M${$.get(item).at[0] - $.get(unit) * 2} ${$0 ?? ""}H${$.get(item).at[0] + $.get(unit) * 2}M${$.get(item).at[0] ?? ""} ${$1 ?? ""}V${$2 ?? ""}`);
+				$.set_attribute(circle, "cx", $.get(item).at[0]);
+				$.set_attribute(circle, "cy", $3);
+				$.set_attribute(circle, "r", $.get(unit) * 1.1);
+			}, [
+				() => y($.get(item).at),
+				() => y($.get(item).at) - $.get(unit) * 2,
+				() => y($.get(item).at) + $.get(unit) * 2,
+				() => y($.get(item).at)
+			]);
+			$.append($$anchor, g_2);
+		};
+		$.if(node_3, ($$render) => {
+			if ($.get(item).kind === "measure") $$render(consequent_2);
+			else if ($.get(item).kind === "angle") $$render(consequent_3, 1);
+			else if ($.get(item).kind === "mark") $$render(consequent_4, 2);
+		});
+		$.append($$anchor, fragment_1);
+	});
+	$.reset(svg);
+	$.template_effect(() => {
+		$.set_attribute(svg, "viewBox", `${$.get(frame).x ?? ""} ${-$.get(frame).y - $.get(frame).h} ${$.get(frame).w ?? ""} ${$.get(frame).h ?? ""}`);
+		$.set_attribute(svg, "aria-label", $$props.label);
+		$.set_attribute(svg, "font-size", $.get(unit) * 3.2);
+	});
+	$.append($$anchor, svg);
+	$.pop();
+}
+$.delegate(["click"]);
+export { Drawing as default };

@@ -1,0 +1,293 @@
+// src/lib/cycles/geometry.ts
+var TURN = 2 * Math.PI;
+function distance(a, b) {
+	return Math.hypot(a[0] - b[0], a[1] - b[1]);
+}
+/** A number of the values; `other` where it is none. */
+function number(values, name, other = 0) {
+	const value = values[name];
+	return typeof value === "number" && Number.isFinite(value) ? value : other;
+}
+function word(values, name, other = "") {
+	const value = values[name];
+	return typeof value === "string" ? value : other;
+}
+/** A point turned about another, degrees. */
+function turned(point, about, degrees) {
+	const angle = degrees * Math.PI / 180;
+	const [x, y] = [point[0] - about[0], point[1] - about[1]];
+	const [sin, cos] = [Math.sin(angle), Math.cos(angle)];
+	return [about[0] + x * cos - y * sin, about[1] + x * sin + y * cos];
+}
+function circle(center, radius, count = 72) {
+	return Array.from({ length: count + 1 }, (_, i) => {
+		const angle = i / count * TURN;
+		return [center[0] + radius * Math.cos(angle), center[1] + radius * Math.sin(angle)];
+	});
+}
+/** The angle that an arc turns, counter-clockwise positive; a whole turn where it ends where it begins. */
+function sweep(from, to, center, clockwise) {
+	const a = Math.atan2(from[1] - center[1], from[0] - center[0]);
+	const b = Math.atan2(to[1] - center[1], to[0] - center[0]);
+	if (distance(from, to) < 1e-6) return clockwise ? -TURN : TURN;
+	let angle = (b - a) % TURN;
+	if (angle < 0) angle += TURN;
+	return clockwise ? angle - TURN : angle;
+}
+/** Points of an arc behind its first. */
+function arcPoints(from, to, center, clockwise) {
+	const angle = sweep(from, to, center, clockwise);
+	const radius = distance(from, center);
+	const first = Math.atan2(from[1] - center[1], from[0] - center[0]);
+	const count = Math.max(2, Math.ceil(Math.abs(angle) / .1));
+	const points = Array.from({ length: count }, (_, i) => {
+		const at = first + angle * (i + 1) / count;
+		return [center[0] + radius * Math.cos(at), center[1] + radius * Math.sin(at)];
+	});
+	points[count - 1] = to;
+	return points;
+}
+/** A corner between two straight sides, as points in its place. */
+function corner(before, at, after, kind, size) {
+	const [a, b] = [distance(before, at), distance(at, after)];
+	if (!(size > 0) || a < 1e-9 || b < 1e-9) return [at];
+	const u = [(before[0] - at[0]) / a, (before[1] - at[1]) / a];
+	const v = [(after[0] - at[0]) / b, (after[1] - at[1]) / b];
+	const cos = u[0] * v[0] + u[1] * v[1];
+	const half = Math.acos(Math.max(-1, Math.min(1, cos))) / 2;
+	const cut = kind === "round" ? size / Math.tan(half) : size;
+	if (!(half > 1e-6) || !(cut <= Math.min(a, b))) return [at];
+	const first = [at[0] + u[0] * cut, at[1] + u[1] * cut];
+	const last = [at[0] + v[0] * cut, at[1] + v[1] * cut];
+	if (kind !== "round") return [first, last];
+	const along = size / Math.sin(half);
+	const w = [u[0] + v[0], u[1] + v[1]];
+	const length = Math.hypot(w[0], w[1]);
+	if (length < 1e-9) return [at];
+	return [first, ...arcPoints(first, last, [at[0] + w[0] / length * along, at[1] + w[1] / length * along], u[0] * v[1] - u[1] * v[0] > 0)];
+}
+/** A rectangle of a cycle, by X Y L H start alpha corner r. */
+function rectangle(values) {
+	const at = [number(values, "X"), number(values, "Y")];
+	const [l, h] = [number(values, "L"), number(values, "H")];
+	const centre = word(values, "start", "corner") === "centre";
+	const [x, y] = centre ? [at[0] - Math.abs(l) / 2, at[1] - Math.abs(h) / 2] : at;
+	const [w, d] = centre ? [Math.abs(l), Math.abs(h)] : [l, h];
+	const sharp = [
+		[x, y],
+		[x + w, y],
+		[x + w, y + d],
+		[x, y + d]
+	];
+	const kind = word(values, "corner", "sharp");
+	const size = number(values, "r");
+	const points = kind === "sharp" ? sharp : sharp.flatMap((p, i) => corner(sharp[(i + 3) % 4], p, sharp[(i + 1) % 4], kind, size));
+	return [...points, points[0]].map((p) => turned(p, at, number(values, "alpha")));
+}
+/** A contour as points, the corners between straight sides made. */
+function outline(contour) {
+	const points = [contour.start];
+	let at = contour.start;
+	const closed = isClosed(contour);
+	contour.elements.forEach((element, i) => {
+		const next = contour.elements[i + 1] ?? (closed ? contour.elements[0] : void 0);
+		const made = element.corner ?? null;
+		const straight = element.kind === "line" && next?.kind === "line";
+		if (element.kind === "arc") points.push(...arcPoints(at, element.to, element.center, element.clockwise));
+		else if (made && straight && next) points.push(...corner(at, element.to, next.to, made.kind, made.size));
+		else points.push(element.to);
+		at = element.to;
+	});
+	const last = contour.elements.at(-1);
+	if (closed && last?.kind === "line" && last.corner && contour.elements[0]?.kind === "line") points[0] = points.at(-1);
+	return points;
+}
+function isClosed(contour) {
+	const last = contour.elements.at(-1);
+	return last !== void 0 && distance(last.to, contour.start) < .001;
+}
+/** Where an element begins. */
+function startOf(contour, index) {
+	return index === 0 ? contour.start : contour.elements[index - 1].to;
+}
+/** An element moved to another end; an arc keeps its middle on the new chord's side as well as it can. */
+function movedEnd(element, from, to) {
+	if (element.kind === "line") return {
+		...element,
+		to
+	};
+	if (distance(from, to) < 1e-9) return {
+		...element,
+		to
+	};
+	return {
+		...element,
+		to,
+		center: nearestCenter(from, to, element.center)
+	};
+}
+/** The centre of a circle through two points that lies nearest to a given one. */
+function nearestCenter(from, to, center) {
+	const chord = distance(from, to);
+	if (chord < 1e-9) return center;
+	const middle = [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2];
+	const normal = [-(to[1] - from[1]) / chord, (to[0] - from[0]) / chord];
+	const along = (center[0] - middle[0]) * normal[0] + (center[1] - middle[1]) * normal[1];
+	return [middle[0] + normal[0] * along, middle[1] + normal[1] * along];
+}
+/** Radius of an arc with its sign as controls take it is not needed here: the centre says all. */
+function radiusOf(element, from) {
+	return element.kind === "arc" ? distance(element.center, from) : 0;
+}
+/** The centre of an arc of a radius between two points, on the side of a given centre. */
+function centerOfRadius(from, to, radius, center) {
+	const chord = distance(from, to);
+	if (chord < 1e-9 || radius < chord / 2) return nearestCenter(from, to, center);
+	const middle = [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2];
+	const normal = [-(to[1] - from[1]) / chord, (to[0] - from[0]) / chord];
+	const away = ((center[0] - middle[0]) * normal[0] + (center[1] - middle[1]) * normal[1] < 0 ? -1 : 1) * Math.sqrt(Math.max(0, radius * radius - (chord / 2) ** 2));
+	return [middle[0] + normal[0] * away, middle[1] + normal[1] * away];
+}
+/** The place that is meant near a point: of what is within reach, ends before centres, middles, alignment, grid. */
+function snap(point, contours, reach, to, from) {
+	const places = [];
+	for (const contour of contours) {
+		if (to.ends) places.push({
+			at: contour.start,
+			kind: "end"
+		});
+		let at = contour.start;
+		for (const element of contour.elements) {
+			if (to.ends) places.push({
+				at: element.to,
+				kind: "end"
+			});
+			if (element.kind === "arc") {
+				if (to.centres) places.push({
+					at: element.center,
+					kind: "centre"
+				});
+			} else if (to.middles) places.push({
+				at: [(at[0] + element.to[0]) / 2, (at[1] + element.to[1]) / 2],
+				kind: "middle"
+			});
+			at = element.to;
+		}
+	}
+	for (const kind of [
+		"end",
+		"centre",
+		"middle"
+	]) {
+		const near = places.filter((place) => place.kind === kind && distance(place.at, point) <= reach);
+		near.sort((a, b) => distance(a.at, point) - distance(b.at, point));
+		if (near[0]) return near[0];
+	}
+	const grid = (value) => to.grid > 0 ? Math.round(value / to.grid) * to.grid : value;
+	const clean = (value) => Math.round(value * 1e4) / 1e4;
+	const on = [clean(grid(point[0])), clean(grid(point[1]))];
+	if (to.aligned && from) {
+		if (Math.abs(point[0] - from[0]) <= reach) return {
+			at: [from[0], on[1]],
+			kind: "aligned"
+		};
+		if (Math.abs(point[1] - from[1]) <= reach) return {
+			at: [on[0], from[1]],
+			kind: "aligned"
+		};
+	}
+	return {
+		at: on,
+		kind: to.grid > 0 ? "grid" : "free"
+	};
+}
+/** Most points of a figure that are drawn. */
+var MOST_POINTS = 500;
+function steps(length, distance, count) {
+	if (length !== void 0 && distance) {
+		const n = Math.round(Math.abs(length / distance)) + 1;
+		return [length / Math.max(1, n - 1), n];
+	}
+	if (length !== void 0 && count !== void 0) return [length / Math.max(1, count - 1), count];
+	return [distance ?? 0, count ?? 1];
+}
+/** Where a figure lies, from the cycle's own point. */
+function figure(positions, from) {
+	if (!positions) return [from];
+	const v = positions.values;
+	const given = (name) => typeof v[name] === "number" ? v[name] : void 0;
+	const rad = (degrees) => degrees * Math.PI / 180;
+	const most = (count) => Math.max(1, Math.min(MOST_POINTS, Math.round(count)));
+	switch (positions.kind) {
+		case "LINE": {
+			const [xn, yn] = [given("XN"), given("YN")];
+			const to = xn !== void 0 && yn !== void 0 ? [xn, yn] : null;
+			const [step, count] = steps(to ? distance(from, to) : given("L"), given("I"), given("N"));
+			const angle = to ? Math.atan2(to[1] - from[1], to[0] - from[0]) : rad(given("alpha") ?? 0);
+			return Array.from({ length: most(count) }, (_, i) => [from[0] + Math.cos(angle) * step * i, from[1] + Math.sin(angle) * step * i]);
+		}
+		case "ARC": {
+			const [radius, first] = [given("R"), given("alpha")];
+			const arm = radius !== void 0 && first !== void 0 ? [radius * Math.cos(rad(first)), radius * Math.sin(rad(first))] : null;
+			const [xa, ya] = [given("XA"), given("YA")];
+			const center = xa !== void 0 && ya !== void 0 ? [xa, ya] : arm ? [from[0] - arm[0], from[1] - arm[1]] : null;
+			if (!center) return [from];
+			const begins = arm ? [center[0] + arm[0], center[1] + arm[1]] : from;
+			const start = Math.atan2(begins[1] - center[1], begins[0] - center[0]);
+			const reach = distance(begins, center);
+			const [count, between, last] = [
+				given("N"),
+				given("beta"),
+				given("tau")
+			];
+			const span = (sense) => {
+				const turn = (((last ?? 0) - start * 180 / Math.PI) * sense % 360 + 360) % 360;
+				return sense * (turn < 1e-9 ? 360 : turn);
+			};
+			let [step, n] = [between ?? 0, count ?? 1];
+			if (between === void 0 && last !== void 0) step = span(1) / Math.max(1, n - 1);
+			else if (count === void 0 && between && last !== void 0) n = Math.abs(span(Math.sign(between)) / between) + 1;
+			return Array.from({ length: most(n) }, (_, i) => i === 0 ? from : [center[0] + reach * Math.cos(start + rad(step) * i), center[1] + reach * Math.sin(start + rad(step) * i)]);
+		}
+		case "RECT":
+		case "GRID": {
+			const [dx, nx] = steps(given("LX"), given("IX"), given("NX"));
+			const [dy, ny] = steps(given("LY"), given("IY"), given("NY"));
+			const [a, b] = [rad(given("alpha") ?? 0), rad((given("alpha") ?? 0) + (given("beta") ?? 90))];
+			const points = [];
+			for (let j = 0; j < most(ny); j += 1) for (let i = 0; i < most(nx) && points.length < MOST_POINTS; i += 1) {
+				const edge = j === 0 || j === most(ny) - 1 || i === 0 || i === most(nx) - 1;
+				if (positions.kind === "RECT" && !edge) continue;
+				points.push([from[0] + Math.cos(a) * dx * i + Math.cos(b) * dy * j, from[1] + Math.sin(a) * dx * i + Math.sin(b) * dy * j]);
+			}
+			return points;
+		}
+		default: return [from, ...positions.points];
+	}
+}
+/** The least box around points, with a margin; a box about zero where there are none. */
+function box(points, margin) {
+	const finite = points.filter((p) => Number.isFinite(p[0]) && Number.isFinite(p[1]));
+	if (finite.length === 0) return {
+		x: -50,
+		y: -50,
+		w: 100,
+		h: 100
+	};
+	const xs = finite.map((p) => p[0]);
+	const ys = finite.map((p) => p[1]);
+	const [x0, x1, y0, y1] = [
+		Math.min(...xs),
+		Math.max(...xs),
+		Math.min(...ys),
+		Math.max(...ys)
+	];
+	const room = Math.max(x1 - x0, y1 - y0, 4) * margin;
+	return {
+		x: x0 - room,
+		y: y0 - room,
+		w: x1 - x0 + 2 * room,
+		h: y1 - y0 + 2 * room
+	};
+}
+export { arcPoints, box, centerOfRadius, circle, corner, distance, figure, isClosed, movedEnd, nearestCenter, number, outline, radiusOf, rectangle, snap, startOf, sweep, turned, word };

@@ -1,0 +1,200 @@
+import { machine } from "../state/machine.svelte.js";
+import { highlighter } from "./highlight.js";
+import { controlLanguage } from "./language.js";
+import { theme } from "./theme.js";
+import { untrack } from "svelte";
+import "svelte/internal/disclose-version";
+import * as $ from "svelte/internal/client";
+import { defaultKeymap, history, historyKeymap, redo, undo } from "@codemirror/commands";
+import { lintGutter, lintKeymap } from "@codemirror/lint";
+import { highlightSelectionMatches, openSearchPanel, search, searchKeymap } from "@codemirror/search";
+import { EditorState, StateEffect, StateField } from "@codemirror/state";
+import { Decoration, EditorView, drawSelection, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers } from "@codemirror/view";
+// src/lib/editor/Editor.svelte
+var root = $.from_html(`<div class="editor s-prdwtv"></div>`);
+function Editor($$anchor, $$props) {
+	$.push($$props, true);
+	let readonly = $.prop($$props, "readonly", 3, false), active = $.prop($$props, "active", 3, 0), cursor = $.prop($$props, "cursor", 3, 0), plain = $.prop($$props, "plain", 3, false);
+	/** What is opened; another text is another document. */
+	/** The line being run, from 1; 0 for none. */
+	/** The line where cycle start begins, from 1. */
+	/** Not a part program: without its colours and checks. */
+	/** A line was chosen. */
+	/** Another page is shown: what stands there, and the line of the cursor. */
+	let host = $.state(void 0);
+	let view;
+	const lines = StateEffect.define();
+	const activeMark = Decoration.line({ class: "nc-active" });
+	const cursorMark = Decoration.line({ class: "nc-cursor" });
+	const marked = StateField.define({
+		create: () => Decoration.none,
+		update(old, transaction) {
+			let now = old.map(transaction.changes);
+			for (const effect of transaction.effects) {
+				if (!effect.is(lines)) continue;
+				const { doc } = transaction.state;
+				const at = (line) => line >= 1 && line <= doc.lines ? doc.line(line).from : null;
+				const run = at(effect.value.active);
+				const start = at(effect.value.cursor);
+				if (run !== null) now = Decoration.set(activeMark.range(run));
+				else now = start === null ? Decoration.none : Decoration.set(cursorMark.range(start));
+			}
+			return now;
+		},
+		provide: (field) => EditorView.decorations.from(field)
+	});
+	function opening(doc) {
+		return EditorState.create({
+			doc,
+			extensions: [
+				lineNumbers(),
+				plain() ? [] : highlighter,
+				theme,
+				marked,
+				search({ top: true }),
+				drawSelection(),
+				EditorView.contentAttributes.of({
+					"aria-label": $$props.label,
+					spellcheck: "false",
+					autocapitalize: "characters"
+				}),
+				keymap.of([
+					{
+						key: "Mod-s",
+						preventDefault: true,
+						run: () => {
+							$$props.onsave?.();
+							return true;
+						}
+					},
+					...searchKeymap,
+					...historyKeymap,
+					...lintKeymap,
+					...defaultKeymap
+				]),
+				readonly() ? [EditorState.readOnly.of(true), EditorView.updateListener.of((update) => {
+					if (update.selectionSet && update.transactions.some((one) => one.isUserEvent("select"))) $$props.online?.(update.state.doc.lineAt(update.state.selection.main.head).number);
+				})] : [
+					history(),
+					highlightActiveLine(),
+					highlightActiveLineGutter(),
+					highlightSelectionMatches({ minSelectionLength: 2 }),
+					EditorView.updateListener.of((update) => {
+						if (update.docChanged) $$props.onchange?.();
+					}),
+					plain() ? [] : [lintGutter(), controlLanguage(() => machine.dialect, (findings) => $$props.onfindings?.(findings))]
+				]
+			]
+		});
+	}
+	$.user_effect(() => {
+		if (!$.get(host)) return;
+		const made = untrack(() => new EditorView({
+			state: opening($$props.text),
+			parent: $.get(host)
+		}));
+		view = made;
+		return () => {
+			const { doc, selection } = made.state;
+			$$props.onleave?.(() => doc.toString(), doc.lineAt(selection.main.head).number);
+			made.destroy();
+			view = void 0;
+		};
+	});
+	let opened = "";
+	$.user_effect(() => {
+		const now = $$props.text;
+		if (!view || now === opened) {
+			opened = now;
+			return;
+		}
+		opened = now;
+		untrack(() => view?.setState(opening(now)));
+	});
+	$.user_effect(() => {
+		const now = {
+			active: active(),
+			cursor: cursor()
+		};
+		$$props.text;
+		if (!view) return;
+		const { doc } = view.state;
+		const line = now.active || now.cursor;
+		const effects = [lines.of(now)];
+		if (readonly() && line >= 1 && line <= doc.lines) effects.push(EditorView.scrollIntoView(doc.line(line).from, { y: "center" }));
+		view.dispatch({ effects });
+	});
+	/** What stands there now. */
+	function value() {
+		return view?.state.doc.toString() ?? $$props.text;
+	}
+	/** Puts another text in the place of all, so that it can be undone. */
+	function replace(now) {
+		view?.dispatch({ changes: {
+			from: 0,
+			to: view.state.doc.length,
+			insert: now
+		} });
+	}
+	/** Inserts at the cursor. */
+	function insert(piece) {
+		view?.dispatch(view.state.replaceSelection(piece));
+		view?.focus();
+	}
+	/** Inserts whole lines behind a line, and shows them. */
+	function insertBehind(line, lines) {
+		if (!view) return;
+		const { doc } = view.state;
+		const at = line < 1 ? 0 : doc.line(Math.min(line, doc.lines)).to;
+		const piece = lines.replace(/\r?\n$/, "");
+		const from = line < 1 ? 0 : at + 1;
+		view.dispatch({
+			changes: {
+				from: at,
+				insert: line < 1 ? `${piece}\n` : `\n${piece}`
+			},
+			selection: {
+				anchor: from,
+				head: from + piece.length
+			},
+			effects: EditorView.scrollIntoView(from, {
+				y: "start",
+				yMargin: 60
+			})
+		});
+		view.focus();
+	}
+	function find() {
+		if (view) openSearchPanel(view);
+	}
+	function back() {
+		if (view) undo(view);
+	}
+	function again() {
+		if (view) redo(view);
+	}
+	function show(line) {
+		if (!view || line < 1 || line > view.state.doc.lines) return;
+		const at = view.state.doc.line(line).from;
+		view.dispatch({
+			selection: { anchor: at },
+			effects: EditorView.scrollIntoView(at, { y: "center" })
+		});
+		view.focus();
+	}
+	var $$exports = {
+		value,
+		replace,
+		insert,
+		insertBehind,
+		find,
+		back,
+		again,
+		show
+	};
+	var div = root();
+	$.bind_this(div, ($$value) => $.set(host, $$value), () => $.get(host));
+	$.append($$anchor, div);
+	return $.pop($$exports);
+}
+export { Editor as default };

@@ -1,0 +1,35 @@
+// src/lib/editor/renumber.ts
+/** Numbers the blocks of a program anew, and follows with GOTO, P and Q of what names them. Comments, program numbers,
+empty lines and lines of `%` get none. */
+function renumber(text, first, step) {
+	const lines = text.split("\n");
+	const numbers = /* @__PURE__ */ new Map();
+	let next = first;
+	const bare = (line) => line.replace(/\([^)]*\)/g, "").trim();
+	const wants = lines.map((line) => {
+		const body = bare(line);
+		return body !== "" && !body.startsWith("%") && !/^[O:;]/i.test(body);
+	});
+	lines.forEach((line, index) => {
+		if (!wants[index]) return;
+		const old = /^(\s*\/?\d?\s*)N\s*(\d+)/i.exec(line);
+		if (old && !numbers.has(Number(old[2]))) numbers.set(Number(old[2]), next);
+		next += step;
+	});
+	next = first;
+	return lines.map((line, index) => {
+		if (!wants[index]) return line;
+		const number = next;
+		next += step;
+		const [, skip = "", rest = ""] = /^(\s*(?:\/\d?\s*)?)(?:N\s*\d+\s*)?(.*)$/i.exec(line) ?? [];
+		return `${skip}N${number} ${follow(rest, numbers)}`;
+	}).join("\n");
+}
+/** Jumps of a block: GOTO, and P and Q of the cycles that name blocks (G70 to G73 of lathes name none here). */
+function follow(block, numbers) {
+	return block.replace(/\b(GOTO\s*)(\d+)/gi, (all, word, number) => {
+		const now = numbers.get(Number(number));
+		return now === void 0 ? all : `${word}${now}`;
+	});
+}
+export { renumber };

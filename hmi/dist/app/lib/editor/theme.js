@@ -1,0 +1,100 @@
+import { EditorView } from "@codemirror/view";
+// src/lib/editor/theme.ts
+/** The editor in the colours of the panel. */
+var theme = EditorView.theme({
+	"&": {
+		height: "100%",
+		backgroundColor: "var(--sunken)",
+		color: "var(--text)",
+		fontSize: "1rem"
+	},
+	"&.cm-focused": { outline: "none" },
+	".cm-scroller": {
+		fontFamily: "var(--mono)",
+		lineHeight: "1.55"
+	},
+	".cm-content": { caretColor: "var(--accent)" },
+	".cm-cursor": {
+		borderLeftColor: "var(--accent)",
+		borderLeftWidth: "2px"
+	},
+	".cm-gutters": {
+		backgroundColor: "var(--surface)",
+		color: "var(--faint)",
+		border: "none"
+	},
+	".cm-activeLineGutter": {
+		backgroundColor: "var(--raised)",
+		color: "var(--text)"
+	},
+	".cm-activeLine": { backgroundColor: "color-mix(in srgb, var(--raised) 60%, transparent)" },
+	"&.cm-focused .cm-selectionBackground, .cm-selectionBackground": { backgroundColor: "var(--accent-soft) !important" },
+	".cm-panels": {
+		backgroundColor: "var(--surface)",
+		color: "var(--text)",
+		borderColor: "var(--line)"
+	},
+	".cm-panel.cm-search": {
+		padding: "0.5rem",
+		display: "flex",
+		flexWrap: "wrap",
+		gap: "0.3rem",
+		alignItems: "center"
+	},
+	".cm-panel.cm-search br": { display: "none" },
+	".cm-panel .cm-textfield": {
+		fontSize: "1rem",
+		minHeight: "44px"
+	},
+	".cm-panel .cm-button": {
+		minHeight: "44px",
+		fontSize: "0.9rem",
+		background: "var(--raised)",
+		border: "1px solid var(--line)",
+		borderRadius: "var(--radius)",
+		color: "var(--text)"
+	},
+	".cm-tooltip": {
+		backgroundColor: "var(--raised)",
+		border: "1px solid var(--line-strong)",
+		borderRadius: "var(--radius)",
+		boxShadow: "var(--shadow)",
+		maxWidth: "34rem"
+	},
+	".cm-tooltip-autocomplete ul li": { padding: "0.35rem 0.6rem !important" },
+	".cm-tooltip-autocomplete ul li[aria-selected]": {
+		background: "var(--accent-soft) !important",
+		color: "var(--text) !important"
+	},
+	".cm-diagnostic": {
+		padding: "0.5rem 0.8rem",
+		fontFamily: "var(--sans)"
+	},
+	".cm-searchMatch": { backgroundColor: "var(--hold-soft)" },
+	".nc-active": {
+		backgroundColor: "var(--run-soft)",
+		boxShadow: "inset 3px 0 var(--run)"
+	},
+	".nc-cursor": {
+		backgroundColor: "var(--accent-soft)",
+		boxShadow: "inset 3px 0 var(--accent)"
+	},
+	".nc-comment": { color: "var(--faint)" },
+	".nc-g": {
+		color: "var(--accent)",
+		fontWeight: "600"
+	},
+	".nc-m": {
+		color: "var(--hold)",
+		fontWeight: "600"
+	},
+	".nc-n": { color: "var(--faint)" },
+	".nc-word": { color: "var(--run)" },
+	".nc-macro": { color: "#c58af9" },
+	".nc-hover": {
+		padding: "0.6rem 0.9rem",
+		fontFamily: "var(--sans)",
+		maxWidth: "30rem"
+	}
+});
+export { theme };

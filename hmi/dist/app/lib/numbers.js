@@ -1,0 +1,30 @@
+// src/lib/numbers.ts
+/** A measure with so many digits behind the point. What rounds to zero has no sign. */
+function fixed(value, digits = 3) {
+	if (value === null || value === void 0 || !Number.isFinite(value)) return "–";
+	const text = Math.abs(value).toFixed(digits);
+	return value < 0 && Number(text) !== 0 ? `−${text}` : text;
+}
+/** A factor in per cent, without the sign. */
+function percent(factor) {
+	return Math.round(factor * 100).toString();
+}
+/** Seconds as hours, minutes and seconds. */
+function duration(seconds) {
+	const whole = Math.max(0, Math.floor(seconds));
+	const two = (value) => value.toString().padStart(2, "0");
+	return `${two(Math.floor(whole / 3600))}:${two(Math.floor(whole / 60) % 60)}:${two(whole % 60)}`;
+}
+/** Bytes in the unit that gives up to four digits. */
+function bytes(count) {
+	if (count < 1e4) return `${count} B`;
+	if (count < 1e7) return `${(count / 1024).toFixed(0)} KiB`;
+	return `${(count / 1024 / 1024).toFixed(1)} MiB`;
+}
+/** A number as a person types it: with point or comma, with either minus. Null where it is none. */
+function typed(text) {
+	const clean = text.trim().replace("−", "-").replace(",", ".");
+	if (!/^[+-]?(\d+\.?\d*|\.\d+)$/.test(clean)) return null;
+	return Number(clean);
+}
+export { bytes, duration, fixed, percent, typed };

@@ -1,0 +1,64 @@
+import { machine } from "../state/machine.svelte.js";
+import { held } from "./held.js";
+import "svelte/internal/disclose-version";
+import * as $ from "svelte/internal/client";
+// src/lib/parts/Key.svelte
+var root = $.from_html(`<i class="lamp s-unlv5q" aria-hidden="true"></i>`);
+var root_1 = $.from_html(`<button type="button"><!> <!></button>`);
+function Key($$anchor, $$props) {
+	$.push($$props, true);
+	let lamp = $.prop($$props, "lamp", 3, ""), kind = $.prop($$props, "kind", 3, "plain"), disabled = $.prop($$props, "disabled", 3, false), chosen = $.prop($$props, "chosen", 3, false);
+	/** The ladder's name of its input: `KEY_START`. */
+	/** The ladder's name of its lamp. */
+	/** Whether what it chooses is in force; for keys without a lamp. */
+	const lit = $.derived(() => lamp() !== "" && (machine.status?.lamps.includes(lamp()) ?? false));
+	const off = $.derived(() => disabled() || !machine.inCommand);
+	var button = root_1();
+	let classes;
+	var node = $.child(button);
+	var consequent = ($$anchor) => {
+		var fragment = $.comment();
+		var node_1 = $.first_child(fragment);
+		$.snippet(node_1, () => $$props.children);
+		$.append($$anchor, fragment);
+	};
+	var alternate = ($$anchor) => {
+		var text = $.text();
+		$.template_effect(() => $.set_text(text, $$props.label));
+		$.append($$anchor, text);
+	};
+	$.if(node, ($$render) => {
+		if ($$props.children) $$render(consequent);
+		else $$render(alternate, -1);
+	});
+	var node_2 = $.sibling(node, 2);
+	var consequent_1 = ($$anchor) => {
+		var i = root();
+		$.append($$anchor, i);
+	};
+	$.if(node_2, ($$render) => {
+		if (lamp()) $$render(consequent_1);
+	});
+	$.reset(button);
+	$.attach(button, () => held(() => {
+		const name = $$props.signal;
+		return {
+			down: () => machine.hold(name),
+			up: () => machine.release(name)
+		};
+	}));
+	$.template_effect(() => {
+		classes = $.set_class(button, 1, `key ${kind() ?? ""}`, "s-unlv5q", classes, {
+			lit: $.get(lit),
+			chosen: chosen()
+		});
+		$.set_attribute(button, "data-signal", $$props.signal);
+		$.set_attribute(button, "title", $$props.label);
+		$.set_attribute(button, "aria-label", $$props.label);
+		$.set_attribute(button, "aria-pressed", lamp() ? $.get(lit) : void 0);
+		button.disabled = $.get(off);
+	});
+	$.append($$anchor, button);
+	$.pop();
+}
+export { Key as default };

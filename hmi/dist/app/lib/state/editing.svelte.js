@@ -1,0 +1,51 @@
+import * as $ from "svelte/internal/client";
+// src/lib/state/editing.svelte.ts
+var open = $.state(null);
+var pending = $.state(null);
+var editing = {
+	get program() {
+		return $.get(open)?.program ?? null;
+	},
+	/** The line of its cursor, from 1. */
+	get line() {
+		return $.get(open)?.line ?? 0;
+	},
+	/** What stands in the editor and not yet in the memory; null where both are the same. */
+	draft(program) {
+		return $.get(open)?.program === program ? $.get(open).draft : null;
+	},
+	leave(program, line, draft) {
+		$.set(open, {
+			program,
+			line,
+			draft
+		});
+	},
+	/** Text for a program; the editor takes it up when it shows it. */
+	put(program, text) {
+		$.set(pending, {
+			program,
+			text
+		});
+	},
+	/** Whether text waits for a program. */
+	waits(program) {
+		return $.get(pending)?.program === program;
+	},
+	/** Takes the text that waits. */
+	take() {
+		const { text } = $.get(pending) ?? { text: "" };
+		$.set(pending, null);
+		return text;
+	}
+};
+/** The line behind which text goes into a program: that of the cursor, but never behind the end of the program, where
+nothing is run. Without a cursor before the end. */
+function lineFor(program, cursor) {
+	const lines = program.split(/\r?\n/);
+	const code = (line) => line.replace(/\([^)]*\)|[;'].*$/g, "");
+	const end = lines.findIndex((line) => /(^|[^A-Z0-9])M0*(30|2|99)([^0-9]|$)/i.test(code(line)));
+	const last = end >= 0 ? end : lines.length - (lines.at(-1) === "" ? 1 : 0);
+	return cursor > 0 ? Math.min(cursor, last) : last;
+}
+export { editing, lineFor };

@@ -1,0 +1,52 @@
+import { http } from "../api/http.js";
+import { Refused } from "../api/socket.js";
+import { machine } from "./machine.svelte.js";
+import * as $ from "svelte/internal/client";
+// src/lib/state/programs.svelte.ts
+var list = $.state(null);
+var programs = {
+	get list() {
+		return $.get(list);
+	},
+	async refresh() {
+		const reply = await machine.fetch("programs", { do: "programs" });
+		if (reply) $.set(list, reply.programs);
+	},
+	/** The text of a program. */
+	async read(program) {
+		try {
+			const reply = await machine.ask({
+				do: "read",
+				program
+			});
+			if (reply.reply === "program") return reply.text;
+		} catch (refused) {
+			if (!(refused instanceof Refused) || refused.alarm || refused.code === "no_connection") throw refused;
+		}
+		return (await fetch(http.download(program))).text();
+	},
+	/** Stores a program: over the socket, or as a file where it is too long for a line. */
+	async store(program, text) {
+		const longest = machine.hello?.longest_line ?? 4e6;
+		if (text.length * 1.1 + 200 < longest) return machine.tell({
+			do: "store",
+			program,
+			text
+		});
+		try {
+			await http.upload(program, text);
+			return true;
+		} catch (failed) {
+			machine.refused(failed);
+			return false;
+		}
+	}
+};
+/** The name under which a file is stored: `O` and a number where it has one, such as `O12.nc`. */
+function programName(file, text) {
+	const inside = /^\s*%?\s*[O:](\d{1,8})/i.exec(text)?.[1];
+	const outside = /(\d{1,8})/.exec(file)?.[1];
+	const number = inside ?? (/^O?\d+(\.\w+)?$/i.test(file) ? outside : void 0);
+	return number ? `O${number.replace(/^0+(?=\d{4})/, "").padStart(4, "0")}` : file.replace(/\.[^.]*$/, "");
+}
+export { programName, programs };

@@ -1,0 +1,21 @@
+// src/locales/en/alarms.json
+var alarms_default = {
+	"title": "Alarms",
+	"active": "Active",
+	"history": "History",
+	"log": "Operation log",
+	"none": "No alarm stands",
+	"none_text": "The machine is well. Past alarms are in the history.",
+	"remedy": "What to do:",
+	"to_program": "To the program",
+	"time": "Time",
+	"number": "Number",
+	"text": "Alarm",
+	"program": "Program",
+	"who": "Who",
+	"what": "What",
+	"change": "From what to what",
+	"clear": "Empty",
+	"clear_right": "Needs level 3"
+};
+export { alarms_default as default };

@@ -1,0 +1,14 @@
+// src/locales/en/error.json
+var error_default = {
+	"failed": "That did not work",
+	"not_in_command": "Take command first",
+	"taken": "Somebody else is in command",
+	"no_connection": "No connection to the machine",
+	"no_machine": "The machine does not answer",
+	"no_answer": "The machine gave no answer in time",
+	"no_command": "The machine does not know this command",
+	"no_object": "The machine could not read this",
+	"bad_id": "The machine could not read this",
+	"refused": "The machine refused this"
+};
+export { error_default as default };

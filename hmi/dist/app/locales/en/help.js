@@ -1,0 +1,20 @@
+// src/locales/en/help.json
+var help_default = {
+	"title": "Help",
+	"search": "Search",
+	"codes": "Codes",
+	"calculator": "Calculator",
+	"placeholder": "Codes, parameters, alarms, variables, signals, addresses",
+	"nothing": "Nothing was found",
+	"empty": "Look something up",
+	"empty_text": "Type a code such as G84, a number of an alarm or parameter, or a word.",
+	"kind_code": "Code",
+	"kind_parameter": "Parameter",
+	"kind_alarm": "Alarm",
+	"kind_variable": "Variable",
+	"kind_signal": "Signal",
+	"kind_address": "Address",
+	"choose": "Choose a code on the left.",
+	"sum": "Sum"
+};
+export { help_default as default };

@@ -1,0 +1,12 @@
+// src/locales/en/keymap.json
+var keymap_default = {
+	"title": "Keyboard",
+	"jog_xy": "Move X and Y while held (mode jog)",
+	"jog_z": "Move Z while held (mode jog)",
+	"wheel": "Handwheel, when it has the focus",
+	"save": "Save the program",
+	"find": "Find and replace",
+	"complete": "Complete a code",
+	"held": "Keys that move act only while they are held and stop when the window loses the focus."
+};
+export { keymap_default as default };

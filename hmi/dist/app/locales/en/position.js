@@ -1,0 +1,30 @@
+// src/locales/en/position.json
+var position_default = {
+	"title": "Position",
+	"relative": "Relative",
+	"absolute": "Absolute",
+	"all": "All",
+	"program": "With program",
+	"machine": "Machine",
+	"actual": "Actual",
+	"to_go": "To go",
+	"interruption": "Handwheel",
+	"clear_interruption": "Forget the handwheel's shift",
+	"g92": "G92",
+	"set": "Relative coordinate {axis}",
+	"programmed": "Programmed",
+	"called": "called: {tool}",
+	"modal": "In force",
+	"single_block": "Single block",
+	"block_skip": "Block skip",
+	"optional_stop": "Optional stop",
+	"dry_run": "Dry run",
+	"machine_lock": "Machine lock",
+	"auxiliary_lock": "Auxiliary lock",
+	"parts": "Parts",
+	"run_time": "Run time",
+	"cutting_time": "Cutting time",
+	"power_on_time": "Power on",
+	"clear": "Set to zero: {what}"
+};
+export { position_default as default };

@@ -1,0 +1,21 @@
+// src/locales/es/alarms.json
+var alarms_default = {
+	"title": "Alarmas",
+	"active": "Activas",
+	"history": "Historial",
+	"log": "Registro",
+	"none": "No hay alarmas",
+	"none_text": "La máquina está bien. Las alarmas pasadas están en el historial.",
+	"remedy": "Qué hacer:",
+	"to_program": "Ir al programa",
+	"time": "Hora",
+	"number": "Número",
+	"text": "Alarma",
+	"program": "Programa",
+	"who": "Quién",
+	"what": "Qué",
+	"change": "De qué a qué",
+	"clear": "Vaciar",
+	"clear_right": "Requiere nivel 3"
+};
+export { alarms_default as default };

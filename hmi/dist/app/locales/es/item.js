@@ -1,0 +1,18 @@
+// src/locales/es/item.json
+var item_default = {
+	"programs": "Programas",
+	"parameters": "Parámetros",
+	"offsets": "Correctores",
+	"zeros": "Ceros de pieza",
+	"reference-points": "Puntos de referencia",
+	"variables": "Variables macro",
+	"pitch": "Error de paso",
+	"plc": "Datos del PLC",
+	"counters": "Contadores",
+	"alarms": "Historial de alarmas",
+	"log": "Registro de operaciones",
+	"position": "Posición",
+	"rights": "Permisos",
+	"memory": "Memoria"
+};
+export { item_default as default };

@@ -1,0 +1,12 @@
+// src/locales/es/keymap.json
+var keymap_default = {
+	"title": "Teclado",
+	"jog_xy": "Mover X e Y mientras se pulsa (modo manual)",
+	"jog_z": "Mover Z mientras se pulsa (modo manual)",
+	"wheel": "Volante, cuando tiene el foco",
+	"save": "Guardar el programa",
+	"find": "Buscar y reemplazar",
+	"complete": "Completar un código",
+	"held": "Las teclas que mueven actúan solo mientras se mantienen pulsadas y se sueltan si la ventana pierde el foco."
+};
+export { keymap_default as default };

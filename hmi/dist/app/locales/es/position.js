@@ -1,0 +1,30 @@
+// src/locales/es/position.json
+var position_default = {
+	"title": "Posición",
+	"relative": "Relativas",
+	"absolute": "Absolutas",
+	"all": "Todas",
+	"program": "Con programa",
+	"machine": "Máquina",
+	"actual": "Real",
+	"to_go": "Por recorrer",
+	"interruption": "Volante",
+	"clear_interruption": "Olvidar el desplazamiento",
+	"g92": "G92",
+	"set": "Relativa {axis}",
+	"programmed": "Programado",
+	"called": "llamada: {tool}",
+	"modal": "Vigentes",
+	"single_block": "Bloque a bloque",
+	"block_skip": "Salto de bloque",
+	"optional_stop": "Parada opcional",
+	"dry_run": "Prueba en vacío",
+	"machine_lock": "Bloqueo de máquina",
+	"auxiliary_lock": "Bloqueo M S T",
+	"parts": "Piezas",
+	"run_time": "Tiempo de marcha",
+	"cutting_time": "Tiempo de corte",
+	"power_on_time": "Encendido",
+	"clear": "Poner a cero: {what}"
+};
+export { position_default as default };

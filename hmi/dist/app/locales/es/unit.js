@@ -1,0 +1,10 @@
+// src/locales/es/unit.json
+var unit_default = {
+	"mm": "mm",
+	"mm_min": "mm/min",
+	"rpm": "r/min",
+	"s": "s",
+	"ms": "ms",
+	"deg": "°"
+};
+export { unit_default as default };

@@ -1,0 +1,21 @@
+// src/locales/ru/alarms.json
+var alarms_default = {
+	"title": "Аварии",
+	"active": "Текущие",
+	"history": "История",
+	"log": "Журнал действий",
+	"none": "Аварий нет",
+	"none_text": "Станок в порядке. Прошлые аварии – в истории.",
+	"remedy": "Что делать:",
+	"to_program": "К программе",
+	"time": "Время",
+	"number": "Номер",
+	"text": "Авария",
+	"program": "Программа",
+	"who": "Кто",
+	"what": "Что",
+	"change": "Было → стало",
+	"clear": "Очистить",
+	"clear_right": "Нужен уровень 3"
+};
+export { alarms_default as default };

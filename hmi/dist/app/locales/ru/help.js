@@ -1,0 +1,20 @@
+// src/locales/ru/help.json
+var help_default = {
+	"title": "Справка",
+	"search": "Поиск",
+	"codes": "Коды",
+	"calculator": "Калькулятор",
+	"placeholder": "Коды, параметры, аварии, переменные, сигналы, адреса",
+	"nothing": "Ничего не найдено",
+	"empty": "Найдите нужное",
+	"empty_text": "Введите код, например G84, номер аварии или параметра, либо слово.",
+	"kind_code": "Код",
+	"kind_parameter": "Параметр",
+	"kind_alarm": "Авария",
+	"kind_variable": "Переменная",
+	"kind_signal": "Сигнал",
+	"kind_address": "Адрес",
+	"choose": "Выберите код слева.",
+	"sum": "Выражение"
+};
+export { help_default as default };

@@ -1,0 +1,30 @@
+// src/locales/ru/position.json
+var position_default = {
+	"title": "Положение",
+	"relative": "Относительные",
+	"absolute": "Абсолютные",
+	"all": "Все",
+	"program": "С программой",
+	"machine": "Станок",
+	"actual": "Фактически",
+	"to_go": "Осталось",
+	"interruption": "Маховичок",
+	"clear_interruption": "Забыть смещение маховичком",
+	"g92": "G92",
+	"set": "Относительная {axis}",
+	"programmed": "Задано",
+	"called": "вызван: {tool}",
+	"modal": "Действуют",
+	"single_block": "Покадрово",
+	"block_skip": "Пропуск кадра",
+	"optional_stop": "Останов по M01",
+	"dry_run": "Пробный ход",
+	"machine_lock": "Блокировка осей",
+	"auxiliary_lock": "Блокировка M S T",
+	"parts": "Детали",
+	"run_time": "Время работы",
+	"cutting_time": "Время резания",
+	"power_on_time": "Включён",
+	"clear": "Обнулить: {what}"
+};
+export { position_default as default };

@@ -1,0 +1,21 @@
+// src/locales/tr/alarms.json
+var alarms_default = {
+	"title": "Alarmlar",
+	"active": "Etkin",
+	"history": "Geçmiş",
+	"log": "İşlem kaydı",
+	"none": "Alarm yok",
+	"none_text": "Tezgâh iyi durumda. Eski alarmlar geçmiştedir.",
+	"remedy": "Ne yapmalı:",
+	"to_program": "Programa git",
+	"time": "Zaman",
+	"number": "No.",
+	"text": "Alarm",
+	"program": "Program",
+	"who": "Kim",
+	"what": "Ne",
+	"change": "Neden neye",
+	"clear": "Boşalt",
+	"clear_right": "Düzey 3 gerekir"
+};
+export { alarms_default as default };

@@ -1,0 +1,12 @@
+// src/locales/tr/keymap.json
+var keymap_default = {
+	"title": "Klavye",
+	"jog_xy": "Basılıyken X ve Y hareketi (elle modu)",
+	"jog_z": "Basılıyken Z hareketi (elle modu)",
+	"wheel": "El çarkı (odaktayken)",
+	"save": "Programı kaydet",
+	"find": "Bul ve değiştir",
+	"complete": "Kodu tamamla",
+	"held": "Hareket tuşları yalnız basılıyken çalışır; pencere odağı yitirince durur."
+};
+export { keymap_default as default };

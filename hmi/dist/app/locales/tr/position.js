@@ -1,0 +1,30 @@
+// src/locales/tr/position.json
+var position_default = {
+	"title": "Konum",
+	"relative": "Bağıl",
+	"absolute": "Mutlak",
+	"all": "Tümü",
+	"program": "Programla",
+	"machine": "Tezgâh",
+	"actual": "Gerçek",
+	"to_go": "Kalan",
+	"interruption": "Çark",
+	"clear_interruption": "Çark kaymasını sil",
+	"g92": "G92",
+	"set": "Bağıl {axis}",
+	"programmed": "Programlanan",
+	"called": "çağrılan: {tool}",
+	"modal": "Geçerli",
+	"single_block": "Tek satır",
+	"block_skip": "Satır atlama",
+	"optional_stop": "Seçimli durma",
+	"dry_run": "Boş çalışma",
+	"machine_lock": "Tezgâh kilidi",
+	"auxiliary_lock": "M S T kilidi",
+	"parts": "Parçalar",
+	"run_time": "Çalışma süresi",
+	"cutting_time": "Kesme süresi",
+	"power_on_time": "Açık kalma",
+	"clear": "Sıfırla: {what}"
+};
+export { position_default as default };

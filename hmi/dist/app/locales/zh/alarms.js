@@ -1,0 +1,21 @@
+// src/locales/zh/alarms.json
+var alarms_default = {
+	"title": "报警",
+	"active": "报警",
+	"history": "历史",
+	"log": "履历",
+	"none": "没有报警",
+	"none_text": "机床正常。以往的报警在历史中。",
+	"remedy": "处理方法：",
+	"to_program": "打开程序",
+	"time": "时间",
+	"number": "编号",
+	"text": "报警",
+	"program": "程序",
+	"who": "操作者",
+	"what": "内容",
+	"change": "变更",
+	"clear": "清除",
+	"clear_right": "需要 3 级权限"
+};
+export { alarms_default as default };

@@ -1,0 +1,12 @@
+// src/locales/zh/keymap.json
+var keymap_default = {
+	"title": "键盘",
+	"jog_xy": "按住时移动 X、Y（手动方式）",
+	"jog_z": "按住时移动 Z（手动方式）",
+	"wheel": "手轮（获得焦点时）",
+	"save": "保存程序",
+	"find": "查找和替换",
+	"complete": "补全代码",
+	"held": "移动键仅在按住时有效，窗口失去焦点时停止。"
+};
+export { keymap_default as default };

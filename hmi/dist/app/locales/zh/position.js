@@ -1,0 +1,30 @@
+// src/locales/zh/position.json
+var position_default = {
+	"title": "位置",
+	"relative": "相对坐标",
+	"absolute": "绝对坐标",
+	"all": "综合",
+	"program": "程监",
+	"machine": "机床",
+	"actual": "实际",
+	"to_go": "余移动量",
+	"interruption": "手轮中断",
+	"clear_interruption": "清除手轮中断量",
+	"g92": "G92",
+	"set": "相对坐标 {axis}",
+	"programmed": "编程",
+	"called": "已选：{tool}",
+	"modal": "模态",
+	"single_block": "单段",
+	"block_skip": "程序段选跳",
+	"optional_stop": "选择停",
+	"dry_run": "空运行",
+	"machine_lock": "机床锁住",
+	"auxiliary_lock": "辅助功能锁",
+	"parts": "零件数",
+	"run_time": "运行时间",
+	"cutting_time": "切削时间",
+	"power_on_time": "通电时间",
+	"clear": "清零：{what}"
+};
+export { position_default as default };

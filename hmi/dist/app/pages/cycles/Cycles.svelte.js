@@ -1,0 +1,872 @@
+import { language, t } from "../../lib/i18n/index.svelte.js";
+import { client } from "../../lib/cycles/client.js";
+import Drawing from "../../lib/cycles/Drawing.svelte.js";
+import FieldInput from "../../lib/cycles/FieldInput.svelte.js";
+import { axisOf, forms, request, toolsOf } from "../../lib/cycles/form.svelte.js";
+import { insert } from "../../lib/cycles/insert.js";
+import PositionsEditor from "../../lib/cycles/PositionsEditor.svelte.js";
+import ProfileEditor from "../../lib/cycles/ProfileEditor.svelte.js";
+import { scene } from "../../lib/cycles/scene.js";
+import Simulation from "../../lib/cycles/Simulation.svelte.js";
+import { readPath } from "../../lib/graphics/path.js";
+import Button from "../../lib/parts/Button.svelte.js";
+import Card from "../../lib/parts/Card.svelte.js";
+import Empty from "../../lib/parts/Empty.svelte.js";
+import NumberField from "../../lib/parts/NumberField.svelte.js";
+import Page from "../../lib/parts/Page.svelte.js";
+import Segmented from "../../lib/parts/Segmented.svelte.js";
+import { machine } from "../../lib/state/machine.svelte.js";
+import { notify } from "../../lib/state/notices.svelte.js";
+import "svelte/internal/disclose-version";
+import * as $ from "svelte/internal/client";
+// src/pages/cycles/Cycles.svelte
+var root = $.from_html(`<button type="button"><span class="code s-1ghc2z3"> </span><span> </span></button>`);
+var root_1 = $.from_html(`<h3 class="s-1ghc2z3"> </h3> <!>`, 1);
+var root_2 = $.from_html(`<p role="alert"> <small class="code s-1ghc2z3"> </small><br/><span class="muted"> </span></p>`);
+var root_3 = $.from_html(`<!> <!>`, 1);
+var root_4 = $.from_html(`<div class="row wrap"><span class="code"></span> <!> <!> <!> <!> <!></div>`);
+var root_5 = $.from_html(`<div class="tools s-1ghc2z3"><b class="code"> </b> <label class="s-1ghc2z3"><span class="muted"> </span><!></label> <label class="s-1ghc2z3"><span class="muted"> </span><!></label> <label class="s-1ghc2z3"><span class="muted"> </span><!></label></div>`);
+var root_6 = $.from_html(`<div class="form scroll s-1ghc2z3"><header class="row wrap"><h2 class="grow"> </h2> <!></header> <!> <!> <!> <!> <!></div>`);
+var root_7 = $.from_html(`<div class="plan s-1ghc2z3"><!></div> <div class="section s-1ghc2z3"><!></div>`, 1);
+var root_8 = $.from_html(`<pre class="code scroll s-1ghc2z3"> </pre>`);
+var root_9 = $.from_html(`<div class="room s-1ghc2z3"><div class="cycles s-1ghc2z3"><nav class="list scroll s-1ghc2z3"></nav> <!> <div class="side s-1ghc2z3"><div class="row wrap"><!></div> <div class="shown s-1ghc2z3"><!></div> <p aria-live="polite"><!></p> <div class="row wrap"><!> <!> <!></div></div></div></div>`);
+function Cycles($$anchor, $$props) {
+	$.push($$props, true);
+	/** How long after the last change the cycle is written, ms. */
+	const PAUSE = 250;
+	let all = $.state([]);
+	let failed = $.state(false);
+	let focus = $.state("");
+	let side = $.state("drawing");
+	let written = $.state(null);
+	let path = $.state(null);
+	let busy = $.state(false);
+	let simulated = "";
+	$.user_effect(() => {
+		client.forms(language()).then((answer) => {
+			$.set(all, answer);
+			$.set(failed, false);
+		}, () => $.set(failed, true));
+	});
+	const form = $.derived(() => $.get(all).find((one) => one.id === forms.chosen) ?? $.get(all)[0]);
+	$.user_pre_effect(() => {
+		if ($.get(form)) forms.begin($.get(form));
+	});
+	const filled = $.derived(() => $.get(form) ? forms.of($.get(form)) : void 0);
+	const asked = $.derived(() => $.get(form) && $.get(filled) ? request($.get(form), $.get(filled)) : null);
+	const drawn = $.derived(() => $.get(form) && $.get(asked) ? scene($.get(form), $.get(asked)) : null);
+	const findings = $.derived(() => $.get(written)?.findings ?? []);
+	const errors = $.derived(() => $.get(findings).filter((one) => one.severity === "error"));
+	const general = $.derived(() => $.get(findings).filter((one) => !shown(one)));
+	const dialect = $.derived(() => machine.dialect);
+	const groups = $.derived(() => [...new Set($.get(all).map((one) => one.group))].map((group) => $.get(all).filter((one) => one.group === group)));
+	const called = $.derived(() => $.get(asked) ? toolsOf($.get(asked).values) : []);
+	/** Whether a finding stands at its field. */
+	function shown(finding) {
+		const name = finding.parameter;
+		if (name.startsWith("positions")) return ($.get(form)?.positions.length ?? 0) > 0;
+		if (name === "profile" && $.get(form)?.profile !== "none") return true;
+		return $.get(form)?.parameters.some((field) => field.name === name) ?? false;
+	}
+	$.user_effect(() => {
+		const unknown = $.get(called).filter((number) => !forms.knows(number));
+		if (unknown.length === 0 || machine.link !== "open") return;
+		const [from, to] = [Math.min(...unknown), Math.max(...unknown)];
+		if (to - from > 200) return;
+		machine.fetch("offsets", {
+			do: "offsets",
+			from,
+			to
+		}).then((reply) => {
+			for (const number of unknown) {
+				const radius = reply?.offsets[number]?.radius ?? 0;
+				forms.setTool({
+					...forms.tool(number),
+					diameter: radius > 0 ? 2 * radius : forms.tool(number).diameter
+				});
+			}
+		});
+	});
+	$.user_effect(() => {
+		const body = $.get(asked);
+		const [into, tongue] = [$.get(dialect), language()];
+		if (!body) return;
+		const abort = new AbortController();
+		const text = JSON.stringify(body);
+		const timer = setTimeout(() => {
+			$.set(busy, true);
+			client.write(JSON.parse(text), into, tongue, abort.signal).then((answer) => {
+				$.set(written, answer);
+				$.set(busy, false);
+			}, (refused) => {
+				if (abort.signal.aborted) return;
+				$.set(busy, false);
+				machine.refused(refused);
+			});
+		}, PAUSE);
+		return () => {
+			clearTimeout(timer);
+			abort.abort();
+		};
+	});
+	async function simulate() {
+		$.set(side, "simulation");
+		if (!$.get(asked)) return;
+		const body = JSON.stringify($.get(asked));
+		if (body === simulated && $.get(path)) return;
+		$.set(busy, true);
+		try {
+			$.set(path, readPath(await client.path(JSON.parse(body))));
+			simulated = body;
+		} catch (refused) {
+			$.set(path, null);
+			machine.refused(refused);
+		} finally {
+			$.set(busy, false);
+		}
+	}
+	/** Where the machine stands on an axis, counted from 0, in the work coordinate system; null where not known. */
+	function here(axis) {
+		const letter = machine.axes[axis];
+		const at = letter === void 0 ? void 0 : machine.status?.position.work[letter];
+		return at === void 0 ? null : Math.round(at * 1e4) / 1e4;
+	}
+	function teach(field) {
+		const axis = axisOf(field);
+		if (axis === null) return null;
+		return () => {
+			const at = here(axis);
+			if (at !== null && $.get(filled)) $.get(filled).values[field.name] = at;
+		};
+	}
+	function go(name) {
+		$.set(focus, name, true);
+		document.getElementById(`field-${name}`)?.focus();
+	}
+	async function copy() {
+		if (!$.get(written)?.text) return;
+		try {
+			await navigator.clipboard.writeText($.get(written).text);
+			notify({
+				kind: "done",
+				title: t("cycles.copied")
+			});
+		} catch {
+			$.set(side, "text");
+			notify({
+				kind: "warning",
+				title: t("cycles.not_copied")
+			});
+		}
+	}
+	function put(value, field) {
+		if (!$.get(filled)) return;
+		if (value === void 0) delete $.get(filled).values[field.name];
+		else $.get(filled).values[field.name] = value;
+	}
+	Page($$anchor, {
+		page: "cycles",
+		children: ($$anchor, $$slotProps) => {
+			var fragment_1 = $.comment();
+			var node = $.first_child(fragment_1);
+			var consequent = ($$anchor) => {
+				{
+					let $0 = $.derived(() => t("cycles.failed"));
+					let $1 = $.derived(() => t("cycles.failed_text"));
+					Empty($$anchor, {
+						icon: "cycles",
+						get title() {
+							return $.get($0);
+						},
+						get text() {
+							return $.get($1);
+						}
+					});
+				}
+			};
+			var consequent_12 = ($$anchor) => {
+				var div = root_9();
+				var div_1 = $.child(div);
+				var nav = $.child(div_1);
+				$.each(nav, 21, () => $.get(groups), (group) => group[0]?.group, ($$anchor, group) => {
+					var fragment_3 = root_1();
+					var h3 = $.first_child(fragment_3);
+					var text_1 = $.only_child(h3, true);
+					var node_1 = $.sibling(h3, 2);
+					$.each(node_1, 17, () => $.get(group), (one) => one.id, ($$anchor, one) => {
+						var button = root();
+						let classes;
+						var span = $.child(button);
+						var text_2 = $.only_child(span, true);
+						var span_1 = $.sibling(span);
+						var text_3 = $.only_child(span_1, true);
+						$.reset(button);
+						$.template_effect(() => {
+							$.set_attribute(button, "data-cycle", $.get(one).id);
+							$.set_attribute(button, "aria-pressed", $.get(one).id === $.get(form).id);
+							classes = $.set_class(button, 1, "s-1ghc2z3", null, classes, { chosen: $.get(one).id === $.get(form).id });
+							$.set_text(text_2, $.get(one).id);
+							$.set_text(text_3, $.get(one).title);
+						});
+						$.delegated("click", button, () => {
+							forms.choose($.get(one).id);
+							$.set(focus, "");
+							$.set(path, null);
+							$.set(written, null);
+						});
+						$.append($$anchor, button);
+					});
+					$.template_effect(() => $.set_text(text_1, $.get(group)[0]?.group_title));
+					$.append($$anchor, fragment_3);
+				});
+				$.reset(nav);
+				var node_2 = $.sibling(nav, 2);
+				$.key(node_2, () => $.get(form).id, ($$anchor) => {
+					var div_2 = root_6();
+					var header = $.child(div_2);
+					var h2 = $.child(header);
+					var text_4 = $.only_child(h2, true);
+					var node_3 = $.sibling(h2, 2);
+					Button(node_3, {
+						kind: "quiet",
+						icon: "reset",
+						onclick: () => forms.clear($.get(form)),
+						children: ($$anchor, $$slotProps) => {
+							$.next();
+							var text_5 = $.text();
+							$.template_effect(($0) => $.set_text(text_5, $0), [() => t("cycles.clear")]);
+							$.append($$anchor, text_5);
+						},
+						$$slots: { default: true }
+					});
+					$.reset(header);
+					var node_4 = $.sibling(header, 2);
+					$.each(node_4, 17, () => $.get(general), (finding) => finding.id + finding.text, ($$anchor, finding) => {
+						var p = root_2();
+						var text_6 = $.child(p);
+						var small = $.sibling(text_6);
+						var text_7 = $.only_child(small, true);
+						var span_2 = $.sibling(small, 2);
+						var text_8 = $.only_child(span_2, true);
+						$.reset(p);
+						$.template_effect(() => {
+							$.set_class(p, 1, `general ${$.get(finding).severity ?? ""}`, "s-1ghc2z3");
+							$.set_text(text_6, `${$.get(finding).text ?? ""} `);
+							$.set_text(text_7, $.get(finding).id);
+							$.set_text(text_8, $.get(finding).help);
+						});
+						$.append($$anchor, p);
+					});
+					var node_5 = $.sibling(node_4, 2);
+					var consequent_1 = ($$anchor) => {
+						{
+							let $0 = $.derived(() => t("cycles.profile"));
+							Card($$anchor, {
+								get title() {
+									return $.get($0);
+								},
+								children: ($$anchor, $$slotProps) => {
+									ProfileEditor($$anchor, {
+										get form() {
+											return $.get(form);
+										},
+										get filled() {
+											return $.get(filled);
+										},
+										get findings() {
+											return $.get(findings);
+										},
+										here
+									});
+								},
+								$$slots: { default: true }
+							});
+						}
+					};
+					$.if(node_5, ($$render) => {
+						if ($.get(form).profile !== "none") $$render(consequent_1);
+					});
+					var node_6 = $.sibling(node_5, 2);
+					$.each(node_6, 17, () => $.get(form).stages, (stage) => stage.value, ($$anchor, stage) => {
+						const fields = $.derived(() => $.get(form).parameters.filter((field) => field.stage === $.get(stage).value));
+						var fragment_7 = $.comment();
+						var node_7 = $.first_child(fragment_7);
+						var consequent_5 = ($$anchor) => {
+							{
+								let $0 = $.derived(() => $.get(form).stages.length > 1 ? $.get(stage).title : "");
+								Card($$anchor, {
+									get title() {
+										return $.get($0);
+									},
+									children: ($$anchor, $$slotProps) => {
+										var fragment_9 = root_3();
+										var node_8 = $.first_child(fragment_9);
+										$.each(node_8, 16, () => [
+											"place",
+											"shape",
+											"planes",
+											"cutting",
+											"tool"
+										], (group) => group, ($$anchor, group) => {
+											const own = $.derived(() => $.get(fields).filter((field) => field.group === group && !(/^Z[1-4]$/.test(field.name) && !$.get(filled).depths[Number(field.name[1]) - 1])));
+											var fragment_10 = $.comment();
+											var node_9 = $.first_child(fragment_10);
+											var consequent_2 = ($$anchor) => {
+												var fragment_11 = root_1();
+												var h3_1 = $.first_child(fragment_11);
+												var text_9 = $.only_child(h3_1, true);
+												var node_10 = $.sibling(h3_1, 2);
+												$.each(node_10, 17, () => $.get(own), (field) => field.name, ($$anchor, field) => {
+													{
+														let $0 = $.derived(() => $.get(findings).filter((one) => one.parameter === $.get(field).name));
+														let $1 = $.derived(() => $.get(focus) === $.get(field).name);
+														let $2 = $.derived(() => teach($.get(field)));
+														FieldInput($$anchor, {
+															get field() {
+																return $.get(field);
+															},
+															get value() {
+																return $.get(filled).values[$.get(field).name];
+															},
+															get findings() {
+																return $.get($0);
+															},
+															get focused() {
+																return $.get($1);
+															},
+															get teach() {
+																return $.get($2);
+															},
+															onfocus: () => $.set(focus, $.get(field).name, true),
+															onvalue: (value) => put(value, $.get(field))
+														});
+													}
+												});
+												$.template_effect(($0) => $.set_text(text_9, $0), [() => t(`cycles.group_${group}`)]);
+												$.append($$anchor, fragment_11);
+											};
+											$.if(node_9, ($$render) => {
+												if ($.get(own).length) $$render(consequent_2);
+											});
+											$.append($$anchor, fragment_10);
+										});
+										var node_11 = $.sibling(node_8, 2);
+										var consequent_4 = ($$anchor) => {
+											var fragment_13 = root_3();
+											var node_12 = $.first_child(fragment_13);
+											$.each(node_12, 17, () => $.get(filled).depths, $.index, ($$anchor, depth, i) => {
+												var div_3 = root_4();
+												var span_3 = $.child(div_3);
+												span_3.textContent = `P.Z${i + 1}`;
+												var node_13 = $.sibling(span_3, 2);
+												{
+													let $0 = $.derived(() => t("cycles.depth_plane"));
+													Segmented(node_13, {
+														get label() {
+															return $.get($0);
+														},
+														options: [{
+															value: "XZ",
+															label: "XZ"
+														}, {
+															value: "YZ",
+															label: "YZ"
+														}],
+														get value() {
+															return $.get(depth).plane;
+														},
+														set value($$value) {
+															$.get(depth).plane = $$value;
+														}
+													});
+												}
+												var node_14 = $.sibling(node_13, 2);
+												{
+													let $0 = $.derived(() => t("cycles.depth_from"));
+													NumberField(node_14, {
+														get label() {
+															return $.get($0);
+														},
+														get value() {
+															return $.get(depth).contour.start[0];
+														},
+														onvalue: (value) => $.get(depth).contour.start = [value ?? 0, $.get(depth).contour.start[1]]
+													});
+												}
+												var node_15 = $.sibling(node_14, 2);
+												{
+													let $0 = $.derived(() => t("cycles.depth_from_z"));
+													NumberField(node_15, {
+														get label() {
+															return $.get($0);
+														},
+														unit: "Z",
+														get value() {
+															return $.get(depth).contour.start[1];
+														},
+														onvalue: (value) => $.get(depth).contour.start = [$.get(depth).contour.start[0], value ?? 0]
+													});
+												}
+												var node_16 = $.sibling(node_15, 2);
+												var consequent_3 = ($$anchor) => {
+													const end = $.derived(() => $.get(depth).contour.elements[0]);
+													var fragment_14 = root_3();
+													var node_17 = $.first_child(fragment_14);
+													{
+														let $0 = $.derived(() => t("cycles.depth_to"));
+														NumberField(node_17, {
+															get label() {
+																return $.get($0);
+															},
+															get value() {
+																return $.get(end).to[0];
+															},
+															onvalue: (value) => $.get(end).to = [value ?? 0, $.get(end).to[1]]
+														});
+													}
+													var node_18 = $.sibling(node_17, 2);
+													{
+														let $0 = $.derived(() => t("cycles.depth_to_z"));
+														NumberField(node_18, {
+															get label() {
+																return $.get($0);
+															},
+															unit: "Z",
+															get value() {
+																return $.get(end).to[1];
+															},
+															onvalue: (value) => $.get(end).to = [$.get(end).to[0], value ?? 0]
+														});
+													}
+													$.append($$anchor, fragment_14);
+												};
+												$.if(node_16, ($$render) => {
+													if ($.get(depth).contour.elements[0]) $$render(consequent_3);
+												});
+												var node_19 = $.sibling(node_16, 2);
+												{
+													let $0 = $.derived(() => t("cycles.delete"));
+													Button(node_19, {
+														kind: "quiet",
+														icon: "trash",
+														get "aria-label"() {
+															return $.get($0);
+														},
+														onclick: () => $.get(filled).depths.splice(i, 1)
+													});
+												}
+												$.reset(div_3);
+												$.append($$anchor, div_3);
+											});
+											var node_20 = $.sibling(node_12, 2);
+											{
+												let $0 = $.derived(() => $.get(filled).depths.length >= Math.min(4, $.get(filled).contours.length));
+												Button(node_20, {
+													icon: "plus",
+													get disabled() {
+														return $.get($0);
+													},
+													onclick: () => {
+														const start = $.get(filled).contours[$.get(filled).depths.length]?.start ?? [0, 0];
+														$.get(filled).depths.push({
+															plane: "XZ",
+															contour: {
+																start: [start[0], 0],
+																elements: [{
+																	kind: "line",
+																	to: [start[0] + 5, -10]
+																}]
+															}
+														});
+													},
+													children: ($$anchor, $$slotProps) => {
+														$.next();
+														var text_10 = $.text();
+														$.template_effect(($0) => $.set_text(text_10, $0), [() => t("cycles.add_depth")]);
+														$.append($$anchor, text_10);
+													},
+													$$slots: { default: true }
+												});
+											}
+											$.append($$anchor, fragment_13);
+										};
+										$.if(node_11, ($$render) => {
+											if ($.get(stage).value === "cycle" && $.get(form).profile === "depths") $$render(consequent_4);
+										});
+										$.append($$anchor, fragment_9);
+									},
+									$$slots: { default: true }
+								});
+							}
+						};
+						$.if(node_7, ($$render) => {
+							if ($.get(fields).length) $$render(consequent_5);
+						});
+						$.append($$anchor, fragment_7);
+					});
+					var node_21 = $.sibling(node_6, 2);
+					var consequent_6 = ($$anchor) => {
+						{
+							let $0 = $.derived(() => t("cycles.positions"));
+							Card($$anchor, {
+								get title() {
+									return $.get($0);
+								},
+								children: ($$anchor, $$slotProps) => {
+									PositionsEditor($$anchor, {
+										get form() {
+											return $.get(form);
+										},
+										get filled() {
+											return $.get(filled);
+										},
+										get findings() {
+											return $.get(findings);
+										},
+										here,
+										get focus() {
+											return $.get(focus);
+										},
+										set focus($$value) {
+											$.set(focus, $$value, true);
+										}
+									});
+								},
+								$$slots: { default: true }
+							});
+						}
+					};
+					$.if(node_21, ($$render) => {
+						if ($.get(form).positions.length) $$render(consequent_6);
+					});
+					var node_22 = $.sibling(node_21, 2);
+					var consequent_7 = ($$anchor) => {
+						{
+							let $0 = $.derived(() => t("cycles.tools"));
+							Card($$anchor, {
+								get title() {
+									return $.get($0);
+								},
+								children: ($$anchor, $$slotProps) => {
+									var fragment_19 = $.comment();
+									var node_23 = $.first_child(fragment_19);
+									$.each(node_23, 16, () => $.get(called), (number) => number, ($$anchor, number) => {
+										const tool = $.derived(() => forms.tool(number));
+										var div_4 = root_5();
+										var b = $.child(div_4);
+										var text_11 = $.only_child(b);
+										var label = $.sibling(b, 2);
+										var span_4 = $.child(label);
+										var text_12 = $.only_child(span_4, true);
+										var node_24 = $.sibling(span_4);
+										{
+											let $0 = $.derived(() => t("cycles.diameter"));
+											NumberField(node_24, {
+												get label() {
+													return $.get($0);
+												},
+												get value() {
+													return $.get(tool).diameter;
+												},
+												minimum: 0,
+												maximum: 1e3,
+												onvalue: (value) => forms.setTool({
+													...$.get(tool),
+													diameter: value ?? 0
+												})
+											});
+										}
+										$.reset(label);
+										var label_1 = $.sibling(label, 2);
+										var span_5 = $.child(label_1);
+										var text_13 = $.only_child(span_5, true);
+										var node_25 = $.sibling(span_5);
+										{
+											let $0 = $.derived(() => t("cycles.cutting_length"));
+											NumberField(node_25, {
+												get label() {
+													return $.get($0);
+												},
+												get value() {
+													return $.get(tool).cutting_length;
+												},
+												minimum: 0,
+												maximum: 1e3,
+												onvalue: (value) => forms.setTool({
+													...$.get(tool),
+													cutting_length: value ?? 0
+												})
+											});
+										}
+										$.reset(label_1);
+										var label_2 = $.sibling(label_1, 2);
+										var span_6 = $.child(label_2);
+										var text_14 = $.only_child(span_6, true);
+										var node_26 = $.sibling(span_6);
+										{
+											let $0 = $.derived(() => t("cycles.entry_angle"));
+											NumberField(node_26, {
+												get label() {
+													return $.get($0);
+												},
+												get value() {
+													return $.get(tool).entry_angle;
+												},
+												minimum: 0,
+												maximum: 90,
+												onvalue: (value) => forms.setTool({
+													...$.get(tool),
+													entry_angle: value ?? 0
+												})
+											});
+										}
+										$.reset(label_2);
+										$.reset(div_4);
+										$.template_effect(($0, $1, $2) => {
+											$.set_text(text_11, `T${number ?? ""}`);
+											$.set_text(text_12, $0);
+											$.set_text(text_13, $1);
+											$.set_text(text_14, $2);
+										}, [
+											() => t("cycles.diameter"),
+											() => t("cycles.cutting_length"),
+											() => t("cycles.entry_angle")
+										]);
+										$.append($$anchor, div_4);
+									});
+									$.append($$anchor, fragment_19);
+								},
+								$$slots: { default: true }
+							});
+						}
+					};
+					$.if(node_22, ($$render) => {
+						if ($.get(called).length) $$render(consequent_7);
+					});
+					$.reset(div_2);
+					$.template_effect(() => {
+						$.set_attribute(div_2, "data-cycle", $.get(form).id);
+						$.set_text(text_4, $.get(form).title);
+					});
+					$.append($$anchor, div_2);
+				});
+				var div_5 = $.sibling(node_2, 2);
+				var div_6 = $.child(div_5);
+				var node_27 = $.child(div_6);
+				{
+					let $0 = $.derived(() => t("cycles.show"));
+					let $1 = $.derived(() => [
+						{
+							value: "drawing",
+							label: t("cycles.drawing")
+						},
+						{
+							value: "simulation",
+							label: t("cycles.simulation")
+						},
+						{
+							value: "text",
+							label: t("cycles.text")
+						}
+					]);
+					Segmented(node_27, {
+						get label() {
+							return $.get($0);
+						},
+						onchange: (value) => value === "simulation" && void simulate(),
+						get options() {
+							return $.get($1);
+						},
+						get value() {
+							return $.get(side);
+						},
+						set value($$value) {
+							$.set(side, $$value, true);
+						}
+					});
+				}
+				$.reset(div_6);
+				var div_7 = $.sibling(div_6, 2);
+				var node_28 = $.child(div_7);
+				var consequent_8 = ($$anchor) => {
+					var fragment_20 = root_7();
+					var div_8 = $.first_child(fragment_20);
+					var node_29 = $.child(div_8);
+					{
+						let $0 = $.derived(() => t("cycles.plan"));
+						Drawing(node_29, {
+							get items() {
+								return $.get(drawn).plan;
+							},
+							get values() {
+								return $.get(filled).values;
+							},
+							get fields() {
+								return $.get(form).parameters;
+							},
+							get focus() {
+								return $.get(focus);
+							},
+							get label() {
+								return $.get($0);
+							},
+							onfield: go
+						});
+					}
+					$.reset(div_8);
+					var div_9 = $.sibling(div_8, 2);
+					var node_30 = $.child(div_9);
+					{
+						let $0 = $.derived(() => t("cycles.section"));
+						Drawing(node_30, {
+							get items() {
+								return $.get(drawn).section;
+							},
+							get values() {
+								return $.get(filled).values;
+							},
+							get fields() {
+								return $.get(form).parameters;
+							},
+							get focus() {
+								return $.get(focus);
+							},
+							get label() {
+								return $.get($0);
+							},
+							onfield: go
+						});
+					}
+					$.reset(div_9);
+					$.append($$anchor, fragment_20);
+				};
+				var consequent_9 = ($$anchor) => {
+					Simulation($$anchor, {
+						get path() {
+							return $.get(path);
+						},
+						get busy() {
+							return $.get(busy);
+						}
+					});
+				};
+				var alternate = ($$anchor) => {
+					var pre = root_8();
+					var text_15 = $.only_child(pre, true);
+					$.template_effect(($0) => {
+						$.set_attribute(pre, "data-expanded", $.get(written)?.expanded ?? false);
+						$.set_text(text_15, $0);
+					}, [() => $.get(written)?.text || t("cycles.no_text")]);
+					$.append($$anchor, pre);
+				};
+				$.if(node_28, ($$render) => {
+					if ($.get(side) === "drawing") $$render(consequent_8);
+					else if ($.get(side) === "simulation") $$render(consequent_9, 1);
+					else $$render(alternate, -1);
+				});
+				$.reset(div_7);
+				var p_1 = $.sibling(div_7, 2);
+				let classes_1;
+				var node_31 = $.child(p_1);
+				var consequent_10 = ($$anchor) => {
+					var text_16 = $.text();
+					$.template_effect(($0) => $.set_text(text_16, $0), [() => t("cycles.errors", { count: $.get(errors).length })]);
+					$.append($$anchor, text_16);
+				};
+				var consequent_11 = ($$anchor) => {
+					var text_17 = $.text();
+					$.template_effect(($0, $1) => $.set_text(text_17, `${$0 ?? ""} · ${$1 ?? ""}`), [() => $.get(written).expanded ? t("cycles.expanded", { dialect: $.get(dialect) }) : t("cycles.as_cycle", { dialect: $.get(dialect) }), () => t("cycles.lines", { count: $.get(written).text.trimEnd().split("\n").length })]);
+					$.append($$anchor, text_17);
+				};
+				var alternate_1 = ($$anchor) => {
+					var text_18 = $.text();
+					$.template_effect(($0) => $.set_text(text_18, $0), [() => t("cycles.writing")]);
+					$.append($$anchor, text_18);
+				};
+				$.if(node_31, ($$render) => {
+					if ($.get(errors).length) $$render(consequent_10);
+					else if ($.get(written)?.text) $$render(consequent_11, 1);
+					else $$render(alternate_1, -1);
+				});
+				$.reset(p_1);
+				var div_10 = $.sibling(p_1, 2);
+				var node_32 = $.child(div_10);
+				{
+					let $0 = $.derived(() => $.get(errors).length > 0);
+					Button(node_32, {
+						icon: "play",
+						"data-testid": "simulate",
+						onclick: simulate,
+						get disabled() {
+							return $.get($0);
+						},
+						children: ($$anchor, $$slotProps) => {
+							$.next();
+							var text_19 = $.text();
+							$.template_effect(($0) => $.set_text(text_19, $0), [() => t("cycles.simulate")]);
+							$.append($$anchor, text_19);
+						},
+						$$slots: { default: true }
+					});
+				}
+				var node_33 = $.sibling(node_32, 2);
+				{
+					let $0 = $.derived(() => !$.get(written)?.text);
+					Button(node_33, {
+						icon: "list",
+						onclick: copy,
+						get disabled() {
+							return $.get($0);
+						},
+						children: ($$anchor, $$slotProps) => {
+							$.next();
+							var text_20 = $.text();
+							$.template_effect(($0) => $.set_text(text_20, $0), [() => t("cycles.copy")]);
+							$.append($$anchor, text_20);
+						},
+						$$slots: { default: true }
+					});
+				}
+				var node_34 = $.sibling(node_33, 2);
+				{
+					let $0 = $.derived(() => !$.get(written)?.text || $.get(errors).length > 0 || $.get(busy));
+					Button(node_34, {
+						kind: "primary",
+						icon: "plus",
+						get disabled() {
+							return $.get($0);
+						},
+						onclick: () => $.get(written) && insert($.get(written).text),
+						"data-testid": "insert",
+						children: ($$anchor, $$slotProps) => {
+							$.next();
+							var text_21 = $.text();
+							$.template_effect(($0) => $.set_text(text_21, $0), [() => t("cycles.insert")]);
+							$.append($$anchor, text_21);
+						},
+						$$slots: { default: true }
+					});
+				}
+				$.reset(div_10);
+				$.reset(div_5);
+				$.reset(div_1);
+				$.reset(div);
+				$.template_effect(($0) => {
+					$.set_attribute(nav, "aria-label", $0);
+					classes_1 = $.set_class(p_1, 1, "state s-1ghc2z3", null, classes_1, { wrong: $.get(errors).length > 0 });
+					$.set_attribute(p_1, "data-ready", !$.get(busy) && !!$.get(written)?.text);
+				}, [() => t("cycles.title")]);
+				$.append($$anchor, div);
+			};
+			$.if(node, ($$render) => {
+				if ($.get(failed)) $$render(consequent);
+				else if ($.get(form) && $.get(filled) && $.get(drawn)) $$render(consequent_12, 1);
+			});
+			$.append($$anchor, fragment_1);
+		},
+		$$slots: { default: true }
+	});
+	$.pop();
+}
+$.delegate(["click"]);
+export { Cycles as default };

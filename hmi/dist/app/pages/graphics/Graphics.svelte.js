@@ -1,0 +1,464 @@
+import { http } from "../../lib/api/http.js";
+import { number, t } from "../../lib/i18n/index.svelte.js";
+import { at, follow, readPath } from "../../lib/graphics/path.js";
+import PathView from "../../lib/graphics/PathView.svelte.js";
+import { duration, fixed } from "../../lib/numbers.js";
+import Button from "../../lib/parts/Button.svelte.js";
+import Empty from "../../lib/parts/Empty.svelte.js";
+import Page from "../../lib/parts/Page.svelte.js";
+import { go } from "../../lib/routing.svelte.js";
+import { machine } from "../../lib/state/machine.svelte.js";
+import "svelte/internal/disclose-version";
+import * as $ from "svelte/internal/client";
+// src/pages/graphics/Graphics.svelte
+var root = $.from_html(`<p class="over muted s-1bdb8kn"> </p>`);
+var root_1 = $.from_html(`<p class="over bad s-1bdb8kn"> <br/><small> </small></p>`);
+var root_2 = $.from_html(`<p class="note bad s-1bdb8kn"> </p>`);
+var root_3 = $.from_html(`<p class="note s-1bdb8kn"> </p>`);
+var root_4 = $.from_html(`<div> <span class="muted"> </span></div>`);
+var root_5 = $.from_html(`<strong> </strong>`);
+var root_6 = $.from_html(`<span class="muted"> </span>`);
+var root_7 = $.from_html(`<div class="picked number s-1bdb8kn"><!> <!> <!></div>`);
+var root_8 = $.from_html(`<div class="row"><span class="label"> </span> <input type="range" class="grow s-1bdb8kn" step="any"/> <output class="number"> </output></div>`);
+var root_9 = $.from_html(`<p class="muted facts s-1bdb8kn"> </p>`);
+var root_10 = $.from_html(`<div class="graphics s-1bdb8kn"><div class="row wrap"><strong class="code"> </strong> <span class="grow"></span> <!> <!> <!> <!> <!></div> <div class="canvas s-1bdb8kn"><!> <!> <!> <!> <!> <!></div> <!> <div class="row"><!> <input type="range" class="grow s-1bdb8kn" min="0" step="any" data-testid="time"/> <output class="number times s-1bdb8kn"> </output> <span class="muted"> </span></div> <!></div>`);
+function Graphics($$anchor, $$props) {
+	$.push($$props, true);
+	const program = $.derived(() => machine.status?.program.selected ?? null);
+	let path = $.state(null);
+	let failed = $.state("");
+	let loading = $.state(false);
+	let took = $.state(0);
+	let view = $.state(void 0);
+	let live = $.state(true);
+	let place = $.state(0);
+	let time = $.state(0);
+	let rapids = $.state(true);
+	let cut = $.state(false);
+	let height = $.state(0);
+	let thick = $.state(1);
+	let measuring = $.state(false);
+	let picked = $.state([]);
+	$.user_effect(() => {
+		const wanted = $.get(program);
+		machine.changed("programs");
+		machine.changed("zeros");
+		machine.changed("offsets");
+		const abort = new AbortController();
+		$.set(failed, "");
+		$.set(path, null);
+		$.set(picked, []);
+		if (!wanted || machine.link !== "open") return;
+		$.set(loading, true);
+		const start = performance.now();
+		http.path(wanted, abort.signal).then((buffer) => {
+			$.set(path, readPath(buffer));
+			$.set(took, performance.now() - start);
+			$.set(place, 0);
+			$.set(time, 0);
+			$.set(height, $.get(path).box.high[2], true);
+			$.set(thick, Math.max(.1, ($.get(path).box.high[2] - $.get(path).box.low[2]) / 20), true);
+			$.set(loading, false);
+		}, (reason) => {
+			if (abort.signal.aborted) return;
+			$.set(failed, String(reason instanceof Error ? reason.message : reason), true);
+			$.set(loading, false);
+		});
+		return () => abort.abort();
+	});
+	const tool = () => {
+		if (!$.get(live) && $.get(path)) {
+			const index = at($.get(path), $.get(time));
+			return {
+				x: $.get(path).points[3 * index],
+				y: $.get(path).points[3 * index + 1],
+				z: $.get(path).points[3 * index + 2]
+			};
+		}
+		const here = machine.status?.position.machine;
+		return here ? {
+			x: here.X ?? 0,
+			y: here.Y ?? 0,
+			z: here.Z ?? 0
+		} : null;
+	};
+	$.user_effect(() => machine.watch((status) => {
+		if (!$.get(live)) return;
+		const line = status.program.line;
+		if ($.get(path) && line > 0 && status.program.running === $.get(program)) {
+			const here = status.position.machine;
+			$.set(place, follow($.get(path), line, [
+				here.X ?? 0,
+				here.Y ?? 0,
+				here.Z ?? 0
+			], $.get(place)), true);
+		} else if (status.activity === "idle") $.set(place, 0);
+		$.get(view)?.overlay();
+	}));
+	const total = $.derived(() => $.get(path) && $.get(path).count > 0 ? $.get(path).times[$.get(path).count - 1] : 0);
+	const shownTime = $.derived(() => $.get(live) ? $.get(path)?.times[$.get(place)] ?? 0 : $.get(time));
+	const shownPlace = $.derived(() => $.get(path) ? $.get(live) ? $.get(place) : at($.get(path), $.get(time)) : -1);
+	const override = $.derived(() => Math.max(.01, machine.status?.feed.feed_override ?? 1));
+	const rest = $.derived(() => ($.get(total) - $.get(shownTime)) / $.get(override));
+	const marks = $.derived(() => $.get(path) ? $.get(picked).map((index) => ({
+		x: $.get(path).points[3 * index],
+		y: $.get(path).points[3 * index + 1],
+		z: $.get(path).points[3 * index + 2]
+	})) : []);
+	const distance = $.derived(() => $.get(marks).length === 2 ? Math.hypot($.get(marks)[0].x - $.get(marks)[1].x, $.get(marks)[0].y - $.get(marks)[1].y, $.get(marks)[0].z - $.get(marks)[1].z) : null);
+	function pick(index) {
+		if ($.get(measuring)) $.set(picked, $.get(picked).length === 1 ? [$.get(picked)[0], index] : [index]);
+		else $.set(picked, [index]);
+	}
+	const views = [
+		"iso",
+		"top",
+		"front",
+		"side"
+	];
+	Page($$anchor, {
+		page: "graphics",
+		children: ($$anchor, $$slotProps) => {
+			var fragment_1 = $.comment();
+			var node = $.first_child(fragment_1);
+			var consequent = ($$anchor) => {
+				{
+					let $0 = $.derived(() => t("graphics.none"));
+					let $1 = $.derived(() => t("graphics.none_text"));
+					Empty($$anchor, {
+						icon: "graphics",
+						get title() {
+							return $.get($0);
+						},
+						get text() {
+							return $.get($1);
+						},
+						children: ($$anchor, $$slotProps) => {
+							Button($$anchor, {
+								kind: "primary",
+								icon: "list",
+								onclick: () => go("program", "directory"),
+								children: ($$anchor, $$slotProps) => {
+									$.next();
+									var text = $.text();
+									$.template_effect(($0) => $.set_text(text, $0), [() => t("program.directory")]);
+									$.append($$anchor, text);
+								},
+								$$slots: { default: true }
+							});
+						},
+						$$slots: { default: true }
+					});
+				}
+			};
+			var alternate = ($$anchor) => {
+				var div = root_10();
+				var div_1 = $.child(div);
+				var strong = $.child(div_1);
+				var text_1 = $.only_child(strong, true);
+				var node_1 = $.sibling(strong, 4);
+				$.each(node_1, 16, () => views, (one) => one, ($$anchor, one) => {
+					Button($$anchor, {
+						onclick: () => $.get(view)?.look(one),
+						get "data-view"() {
+							return one;
+						},
+						children: ($$anchor, $$slotProps) => {
+							$.next();
+							var text_2 = $.text();
+							$.template_effect(($0) => $.set_text(text_2, $0), [() => t(`graphics.${one}`)]);
+							$.append($$anchor, text_2);
+						},
+						$$slots: { default: true }
+					});
+				});
+				var node_2 = $.sibling(node_1, 2);
+				{
+					let $0 = $.derived(() => t("graphics.fit"));
+					let $1 = $.derived(() => t("graphics.fit"));
+					Button(node_2, {
+						icon: "expand",
+						get "aria-label"() {
+							return $.get($0);
+						},
+						get title() {
+							return $.get($1);
+						},
+						onclick: () => $.get(view)?.fit()
+					});
+				}
+				var node_3 = $.sibling(node_2, 2);
+				Button(node_3, {
+					get pressed() {
+						return $.get(rapids);
+					},
+					onclick: () => $.set(rapids, !$.get(rapids)),
+					children: ($$anchor, $$slotProps) => {
+						$.next();
+						var text_3 = $.text();
+						$.template_effect(($0) => $.set_text(text_3, $0), [() => t("graphics.rapids")]);
+						$.append($$anchor, text_3);
+					},
+					$$slots: { default: true }
+				});
+				var node_4 = $.sibling(node_3, 2);
+				Button(node_4, {
+					get pressed() {
+						return $.get(cut);
+					},
+					onclick: () => $.set(cut, !$.get(cut)),
+					"data-testid": "section",
+					children: ($$anchor, $$slotProps) => {
+						$.next();
+						var text_4 = $.text();
+						$.template_effect(($0) => $.set_text(text_4, $0), [() => t("graphics.section")]);
+						$.append($$anchor, text_4);
+					},
+					$$slots: { default: true }
+				});
+				var node_5 = $.sibling(node_4, 2);
+				Button(node_5, {
+					icon: "ruler",
+					get pressed() {
+						return $.get(measuring);
+					},
+					onclick: () => {
+						$.set(measuring, !$.get(measuring));
+						$.set(picked, []);
+					},
+					"data-testid": "measure",
+					children: ($$anchor, $$slotProps) => {
+						$.next();
+						var text_5 = $.text();
+						$.template_effect(($0) => $.set_text(text_5, $0), [() => t("graphics.measure")]);
+						$.append($$anchor, text_5);
+					},
+					$$slots: { default: true }
+				});
+				$.reset(div_1);
+				var div_2 = $.sibling(div_1, 2);
+				var node_6 = $.child(div_2);
+				{
+					let $0 = $.derived(() => $.get(cut) ? [$.get(height) - $.get(thick), $.get(height)] : null);
+					let $1 = $.derived(() => t("graphics.title"));
+					$.bind_this(PathView(node_6, {
+						get path() {
+							return $.get(path);
+						},
+						get done() {
+							return $.get(shownPlace);
+						},
+						get rapids() {
+							return $.get(rapids);
+						},
+						get section() {
+							return $.get($0);
+						},
+						get marks() {
+							return $.get(marks);
+						},
+						tool,
+						get label() {
+							return $.get($1);
+						},
+						onpick: pick
+					}), ($$value) => $.set(view, $$value, true), () => $.get(view));
+				}
+				var node_7 = $.sibling(node_6, 2);
+				var consequent_1 = ($$anchor) => {
+					var p = root();
+					var text_6 = $.only_child(p, true);
+					$.template_effect(($0) => $.set_text(text_6, $0), [() => t("app.loading")]);
+					$.append($$anchor, p);
+				};
+				$.if(node_7, ($$render) => {
+					if ($.get(loading)) $$render(consequent_1);
+				});
+				var node_8 = $.sibling(node_7, 2);
+				var consequent_2 = ($$anchor) => {
+					var p_1 = root_1();
+					var text_7 = $.child(p_1, true);
+					var small = $.sibling(text_7, 2);
+					var text_8 = $.only_child(small, true);
+					$.reset(p_1);
+					$.template_effect(($0) => {
+						$.set_text(text_7, $0);
+						$.set_text(text_8, $.get(failed));
+					}, [() => t("graphics.failed")]);
+					$.append($$anchor, p_1);
+				};
+				$.if(node_8, ($$render) => {
+					if ($.get(failed)) $$render(consequent_2);
+				});
+				var node_9 = $.sibling(node_8, 2);
+				var consequent_3 = ($$anchor) => {
+					var p_2 = root_2();
+					var text_9 = $.only_child(p_2, true);
+					$.template_effect(($0) => $.set_text(text_9, $0), [() => t("graphics.cut_by_alarm")]);
+					$.append($$anchor, p_2);
+				};
+				$.if(node_9, ($$render) => {
+					if ($.get(path)?.alarm) $$render(consequent_3);
+				});
+				var node_10 = $.sibling(node_9, 2);
+				var consequent_4 = ($$anchor) => {
+					var p_3 = root_3();
+					var text_10 = $.only_child(p_3, true);
+					$.template_effect(($0) => $.set_text(text_10, $0), [() => t("graphics.cut_by_size")]);
+					$.append($$anchor, p_3);
+				};
+				$.if(node_10, ($$render) => {
+					if ($.get(path)?.short) $$render(consequent_4);
+				});
+				var node_11 = $.sibling(node_10, 2);
+				var consequent_7 = ($$anchor) => {
+					var div_3 = root_7();
+					var node_12 = $.child(div_3);
+					$.each(node_12, 17, () => $.get(marks), $.index, ($$anchor, mark, index) => {
+						var div_4 = root_4();
+						var text_11 = $.child(div_4);
+						var span = $.sibling(text_11);
+						var text_12 = $.only_child(span, true);
+						$.reset(div_4);
+						$.template_effect(($0, $1, $2, $3) => {
+							$.set_text(text_11, `X ${$0 ?? ""} Y ${$1 ?? ""} Z ${$2 ?? ""} `);
+							$.set_text(text_12, $3);
+						}, [
+							() => fixed($.get(mark).x),
+							() => fixed($.get(mark).y),
+							() => fixed($.get(mark).z),
+							() => t("graphics.line", { line: $.get(path)?.lines[$.get(picked)[index]] ?? 0 })
+						]);
+						$.append($$anchor, div_4);
+					});
+					var node_13 = $.sibling(node_12, 2);
+					var consequent_5 = ($$anchor) => {
+						var strong_1 = root_5();
+						var text_13 = $.only_child(strong_1, true);
+						$.template_effect(($0) => $.set_text(text_13, $0), [() => t("graphics.distance", { distance: fixed($.get(distance)) })]);
+						$.append($$anchor, strong_1);
+					};
+					$.if(node_13, ($$render) => {
+						if ($.get(distance) !== null) $$render(consequent_5);
+					});
+					var node_14 = $.sibling(node_13, 2);
+					var consequent_6 = ($$anchor) => {
+						var span_1 = root_6();
+						var text_14 = $.only_child(span_1, true);
+						$.template_effect(($0) => $.set_text(text_14, $0), [() => t("graphics.second")]);
+						$.append($$anchor, span_1);
+					};
+					$.if(node_14, ($$render) => {
+						if ($.get(measuring) && $.get(marks).length === 1) $$render(consequent_6);
+					});
+					$.reset(div_3);
+					$.append($$anchor, div_3);
+				};
+				$.if(node_11, ($$render) => {
+					if ($.get(marks).length) $$render(consequent_7);
+				});
+				$.reset(div_2);
+				var node_15 = $.sibling(div_2, 2);
+				var consequent_8 = ($$anchor) => {
+					var div_5 = root_8();
+					var span_2 = $.child(div_5);
+					var text_15 = $.only_child(span_2, true);
+					var input = $.sibling(span_2, 2);
+					$.remove_input_defaults(input);
+					var output = $.sibling(input, 2);
+					var text_16 = $.only_child(output);
+					$.reset(div_5);
+					$.template_effect(($0, $1, $2) => {
+						$.set_text(text_15, $0);
+						$.set_attribute(input, "min", $.get(path).box.low[2]);
+						$.set_attribute(input, "max", $.get(path).box.high[2]);
+						$.set_attribute(input, "aria-label", $1);
+						$.set_text(text_16, `Z ${$2 ?? ""}`);
+					}, [
+						() => t("graphics.height"),
+						() => t("graphics.height"),
+						() => fixed($.get(height))
+					]);
+					$.bind_value(input, () => $.get(height), ($$value) => $.set(height, $$value));
+					$.append($$anchor, div_5);
+				};
+				$.if(node_15, ($$render) => {
+					if ($.get(cut) && $.get(path)) $$render(consequent_8);
+				});
+				var div_6 = $.sibling(node_15, 2);
+				var node_16 = $.child(div_6);
+				Button(node_16, {
+					get pressed() {
+						return $.get(live);
+					},
+					onclick: () => {
+						$.set(time, $.get(shownTime), true);
+						$.set(live, !$.get(live));
+					},
+					"data-testid": "live",
+					children: ($$anchor, $$slotProps) => {
+						$.next();
+						var text_17 = $.text();
+						$.template_effect(($0) => $.set_text(text_17, $0), [() => t("graphics.live")]);
+						$.append($$anchor, text_17);
+					},
+					$$slots: { default: true }
+				});
+				var input_1 = $.sibling(node_16, 2);
+				$.remove_input_defaults(input_1);
+				var output_1 = $.sibling(input_1, 2);
+				var text_18 = $.only_child(output_1);
+				var span_3 = $.sibling(output_1, 2);
+				var text_19 = $.only_child(span_3, true);
+				$.reset(div_6);
+				var node_17 = $.sibling(div_6, 2);
+				var consequent_9 = ($$anchor) => {
+					var p_4 = root_9();
+					var text_20 = $.only_child(p_4, true);
+					$.template_effect(($0) => $.set_text(text_20, $0), [() => t("graphics.facts", {
+						n: number($.get(path).count),
+						x: fixed($.get(path).box.high[0] - $.get(path).box.low[0], 1),
+						y: fixed($.get(path).box.high[1] - $.get(path).box.low[1], 1),
+						z: fixed($.get(path).box.high[2] - $.get(path).box.low[2], 1)
+					})]);
+					$.append($$anchor, p_4);
+				};
+				$.if(node_17, ($$render) => {
+					if ($.get(path)) $$render(consequent_9);
+				});
+				$.reset(div);
+				$.template_effect(($0, $1, $2, $3) => {
+					$.set_attribute(div, "data-loaded", $.get(path) !== null);
+					$.set_attribute(div, "data-points", $.get(path)?.count ?? 0);
+					$.set_attribute(div, "data-took", $.get(took));
+					$.set_text(text_1, $.get(program));
+					$.set_attribute(input_1, "max", $.get(total));
+					$.set_value(input_1, $.get(shownTime));
+					$.set_attribute(input_1, "aria-label", $0);
+					$.set_text(text_18, `${$1 ?? ""} / ${$2 ?? ""}`);
+					$.set_text(text_19, $3);
+				}, [
+					() => t("graphics.time"),
+					() => duration($.get(shownTime)),
+					() => duration($.get(total)),
+					() => t("graphics.rest", { time: duration($.get(rest)) })
+				]);
+				$.delegated("input", input_1, (event) => {
+					$.set(live, false);
+					$.set(time, Number(event.currentTarget.value), true);
+					$.get(view)?.overlay();
+				});
+				$.append($$anchor, div);
+			};
+			$.if(node, ($$render) => {
+				if (!$.get(program)) $$render(consequent);
+				else $$render(alternate, -1);
+			});
+			$.append($$anchor, fragment_1);
+		},
+		$$slots: { default: true }
+	});
+	$.pop();
+}
+$.delegate(["input"]);
+export { Graphics as default };

@@ -1,0 +1,139 @@
+import { http } from "../../lib/api/http.js";
+import { language, t } from "../../lib/i18n/index.svelte.js";
+import Card from "../../lib/parts/Card.svelte.js";
+import NumberField from "../../lib/parts/NumberField.svelte.js";
+import { machine } from "../../lib/state/machine.svelte.js";
+import "svelte/internal/disclose-version";
+import * as $ from "svelte/internal/client";
+// src/pages/offsets/Pitch.svelte
+var root = $.from_html(`<tr><th scope="row" class="code"> </th><td> </td><td class="field s-1r6gvmx"><!></td><td class="number muted"> </td></tr>`);
+var root_1 = $.from_html(`<table class="table"><thead><tr><th> </th><th> </th><th class="right"> </th><th> </th></tr></thead><tbody></tbody></table>`);
+var root_2 = $.from_html(`<!> <p class="muted"> </p>`, 1);
+function Pitch($$anchor, $$props) {
+	$.push($$props, true);
+	let all = $.state([]);
+	let values = $.state({});
+	const wanted = [
+		"P216",
+		"P217",
+		"P218",
+		"P219",
+		"P221",
+		"P222",
+		"P223",
+		"P224",
+		"P226",
+		"P227",
+		"P228",
+		"P229"
+	];
+	$.user_effect(() => {
+		http.parameters(language()).then((now) => $.set(all, now), (failed) => machine.refused(failed));
+	});
+	$.user_effect(() => {
+		machine.changed("parameters");
+		if (machine.link !== "open") return;
+		machine.fetch("parameters", {
+			do: "parameters",
+			names: wanted.filter((name) => $.get(all).some((one) => one.name === name))
+		}).then((reply) => {
+			if (reply) $.set(values, reply.parameters);
+		});
+	});
+	const shown = $.derived(() => $.get(all).filter((one) => wanted.includes(one.name)));
+	var fragment = root_2();
+	var node = $.first_child(fragment);
+	{
+		let $0 = $.derived(() => t("offsets.pitch"));
+		Card(node, {
+			get title() {
+				return $.get($0);
+			},
+			flush: true,
+			children: ($$anchor, $$slotProps) => {
+				var table = root_1();
+				var thead = $.child(table);
+				var tr = $.child(thead);
+				var th = $.child(tr);
+				var text = $.only_child(th, true);
+				var th_1 = $.sibling(th);
+				var text_1 = $.only_child(th_1, true);
+				var th_2 = $.sibling(th_1);
+				var text_2 = $.only_child(th_2, true);
+				var th_3 = $.sibling(th_2);
+				var text_3 = $.only_child(th_3, true);
+				$.reset(tr);
+				$.reset(thead);
+				var tbody = $.sibling(thead);
+				$.each(tbody, 21, () => $.get(shown), (one) => one.name, ($$anchor, one) => {
+					var tr_1 = root();
+					var th_4 = $.child(tr_1);
+					var text_4 = $.only_child(th_4, true);
+					var td = $.sibling(th_4);
+					var text_5 = $.only_child(td, true);
+					var td_1 = $.sibling(td);
+					var node_1 = $.child(td_1);
+					{
+						let $0 = $.derived(() => $.get(values)[$.get(one).name] ?? $.get(one).standard);
+						let $1 = $.derived(() => $.get(one).minimum ?? -Infinity);
+						let $2 = $.derived(() => $.get(one).maximum ?? Infinity);
+						NumberField(node_1, {
+							get value() {
+								return $.get($0);
+							},
+							digits: 4,
+							get label() {
+								return $.get(one).name;
+							},
+							get unit() {
+								return $.get(one).unit;
+							},
+							get minimum() {
+								return $.get($1);
+							},
+							get maximum() {
+								return $.get($2);
+							},
+							onvalue: (value) => void machine.tell({
+								do: "set_parameter",
+								name: $.get(one).name,
+								value
+							})
+						});
+					}
+					$.reset(td_1);
+					var td_2 = $.sibling(td_1);
+					var text_6 = $.only_child(td_2);
+					$.reset(tr_1);
+					$.template_effect(() => {
+						$.set_text(text_4, $.get(one).name);
+						$.set_text(text_5, $.get(one).meaning);
+						$.set_text(text_6, `${$.get(one).minimum ?? "–" ?? ""} … ${$.get(one).maximum ?? "–" ?? ""}`);
+					});
+					$.append($$anchor, tr_1);
+				});
+				$.reset(tbody);
+				$.reset(table);
+				$.template_effect(($0, $1, $2, $3) => {
+					$.set_text(text, $0);
+					$.set_text(text_1, $1);
+					$.set_text(text_2, $2);
+					$.set_text(text_3, $3);
+				}, [
+					() => t("offsets.number"),
+					() => t("offsets.meaning"),
+					() => t("offsets.value"),
+					() => t("offsets.range")
+				]);
+				$.append($$anchor, table);
+			},
+			$$slots: { default: true }
+		});
+	}
+	var p = $.sibling(node, 2);
+	var text_7 = $.only_child(p, true);
+	$.template_effect(($0) => $.set_text(text_7, $0), [() => t("offsets.pitch_hint")]);
+	$.append($$anchor, fragment);
+	$.pop();
+}
+export { Pitch as default };

@@ -1,0 +1,203 @@
+import { t } from "../../lib/i18n/index.svelte.js";
+import Editor from "../../lib/editor/Editor.svelte.js";
+import { readLadder } from "../../lib/ladder/ladder.js";
+import Button from "../../lib/parts/Button.svelte.js";
+import Dialog from "../../lib/parts/Dialog.svelte.js";
+import { machine } from "../../lib/state/machine.svelte.js";
+import { notify } from "../../lib/state/notices.svelte.js";
+import "svelte/internal/disclose-version";
+import * as $ from "svelte/internal/client";
+// src/pages/plc/Edit.svelte
+var root = $.from_html(`<span class="need s-iyog2j"> </span>`);
+var root_1 = $.from_html(`<!> <!>`, 1);
+var root_2 = $.from_html(`<p> </p>`);
+var root_3 = $.from_html(`<div class="row wrap"><span class="muted"> </span> <!> <span class="grow"></span> <!> <!> <!> <!></div> <div class="text s-iyog2j"><!></div> <!>`, 1);
+function Edit($$anchor, $$props) {
+	$.push($$props, true);
+	let editor = $.state(void 0);
+	let text = $.state("");
+	let changed = $.state(false);
+	let asking = $.state(false);
+	let facts = $.state($.proxy({
+		rungs: 0,
+		instructions: 0
+	}));
+	const level = $.derived(() => machine.level);
+	async function read() {
+		const reply = await machine.fetch("text", { do: "ladder" });
+		if (!reply) return;
+		$.set(text, reply.text, true);
+		$.set(changed, false);
+		const ladder = readLadder(reply.text);
+		$.set(facts, {
+			rungs: ladder.rungs.length,
+			instructions: ladder.instructions
+		}, true);
+	}
+	$.user_effect(() => {
+		if (machine.link === "open" && $.get(text) === "") read();
+	});
+	async function exchange() {
+		$.set(asking, false);
+		const now = $.get(editor)?.value() ?? $.get(text);
+		if (!await machine.tell({
+			do: "exchange_ladder",
+			text: now
+		})) return;
+		notify({
+			kind: "done",
+			title: t("plc.exchanged")
+		});
+		$.set(text, now, true);
+		$.set(changed, false);
+	}
+	async function back() {
+		if (await machine.tell({ do: "roll_back_ladder" })) await read();
+	}
+	var fragment = root_3();
+	var div = $.first_child(fragment);
+	var span = $.child(div);
+	var text_1 = $.only_child(span, true);
+	var node = $.sibling(span, 2);
+	var consequent = ($$anchor) => {
+		var span_1 = root();
+		var text_2 = $.only_child(span_1, true);
+		$.template_effect(($0) => $.set_text(text_2, $0), [() => t("offsets.need", {
+			level: 2,
+			name: t("rights.level_2")
+		})]);
+		$.append($$anchor, span_1);
+	};
+	$.if(node, ($$render) => {
+		if ($.get(level) > 2) $$render(consequent);
+	});
+	var node_1 = $.sibling(node, 4);
+	{
+		let $0 = $.derived(() => t("program.find"));
+		Button(node_1, {
+			icon: "search",
+			get "aria-label"() {
+				return $.get($0);
+			},
+			onclick: () => $.get(editor)?.find()
+		});
+	}
+	var node_2 = $.sibling(node_1, 2);
+	Button(node_2, {
+		icon: "undo",
+		onclick: () => void back(),
+		children: ($$anchor, $$slotProps) => {
+			$.next();
+			var text_3 = $.text();
+			$.template_effect(($0) => $.set_text(text_3, $0), [() => t("plc.roll_back")]);
+			$.append($$anchor, text_3);
+		},
+		$$slots: { default: true }
+	});
+	var node_3 = $.sibling(node_2, 2);
+	Button(node_3, {
+		icon: "play",
+		onclick: () => void machine.tell({ do: "start_ladder" }),
+		children: ($$anchor, $$slotProps) => {
+			$.next();
+			var text_4 = $.text();
+			$.template_effect(($0) => $.set_text(text_4, $0), [() => t("plc.start")]);
+			$.append($$anchor, text_4);
+		},
+		$$slots: { default: true }
+	});
+	var node_4 = $.sibling(node_3, 2);
+	{
+		let $0 = $.derived(() => !$.get(changed));
+		Button(node_4, {
+			kind: "primary",
+			icon: "upload",
+			get disabled() {
+				return $.get($0);
+			},
+			onclick: () => $.set(asking, true),
+			children: ($$anchor, $$slotProps) => {
+				$.next();
+				var text_5 = $.text();
+				$.template_effect(($0) => $.set_text(text_5, $0), [() => t("plc.exchange")]);
+				$.append($$anchor, text_5);
+			},
+			$$slots: { default: true }
+		});
+	}
+	$.reset(div);
+	var div_1 = $.sibling(div, 2);
+	var node_5 = $.child(div_1);
+	{
+		let $0 = $.derived(() => t("plc.edit"));
+		$.bind_this(Editor(node_5, {
+			get text() {
+				return $.get(text);
+			},
+			plain: true,
+			get label() {
+				return $.get($0);
+			},
+			onchange: () => $.set(changed, true),
+			onsave: () => $.set(asking, true)
+		}), ($$value) => $.set(editor, $$value, true), () => $.get(editor));
+	}
+	$.reset(div_1);
+	var node_6 = $.sibling(div_1, 2);
+	{
+		const actions = ($$anchor) => {
+			var fragment_4 = root_1();
+			var node_7 = $.first_child(fragment_4);
+			Button(node_7, {
+				onclick: () => $.set(asking, false),
+				children: ($$anchor, $$slotProps) => {
+					$.next();
+					var text_6 = $.text();
+					$.template_effect(($0) => $.set_text(text_6, $0), [() => t("app.cancel")]);
+					$.append($$anchor, text_6);
+				},
+				$$slots: { default: true }
+			});
+			var node_8 = $.sibling(node_7, 2);
+			Button(node_8, {
+				kind: "danger",
+				onclick: () => void exchange(),
+				children: ($$anchor, $$slotProps) => {
+					$.next();
+					var text_7 = $.text();
+					$.template_effect(($0) => $.set_text(text_7, $0), [() => t("plc.exchange")]);
+					$.append($$anchor, text_7);
+				},
+				$$slots: { default: true }
+			});
+			$.append($$anchor, fragment_4);
+		};
+		let $0 = $.derived(() => t("plc.exchange"));
+		Dialog(node_6, {
+			get title() {
+				return $.get($0);
+			},
+			get open() {
+				return $.get(asking);
+			},
+			set open($$value) {
+				$.set(asking, $$value, true);
+			},
+			actions,
+			children: ($$anchor, $$slotProps) => {
+				var p = root_2();
+				var text_8 = $.only_child(p, true);
+				$.template_effect(($0) => $.set_text(text_8, $0), [() => t("plc.exchange_text")]);
+				$.append($$anchor, p);
+			},
+			$$slots: {
+				actions: true,
+				default: true
+			}
+		});
+	}
+	$.template_effect(($0) => $.set_text(text_1, $0), [() => t("plc.facts", $.get(facts))]);
+	$.append($$anchor, fragment);
+	$.pop();
+}
+export { Edit as default };

@@ -1,0 +1,249 @@
+import { number, t } from "../../lib/i18n/index.svelte.js";
+import { readLadder, signalsOf } from "../../lib/ladder/ladder.js";
+import Button from "../../lib/parts/Button.svelte.js";
+import Card from "../../lib/parts/Card.svelte.js";
+import { machine } from "../../lib/state/machine.svelte.js";
+import Rung from "./Rung.svelte.js";
+import "svelte/internal/disclose-version";
+import * as $ from "svelte/internal/client";
+// src/pages/plc/Monitor.svelte
+var root = $.from_html(`<input type="search" data-testid="plc-search"/> <!> <span class="number muted"> </span> <!>`, 1);
+var root_1 = $.from_html(`<p class="muted none s-1mefo31"> </p>`);
+var root_2 = $.from_html(`<div data-testid="ladder"></div>`);
+var root_3 = $.from_html(`<div class="signal row wrap s-1mefo31"><strong class="code"> </strong> <span class="code muted"> </span> <span class="grow"> </span> <span class="number"> </span> <!> <!> <!> <!></div>`);
+var root_4 = $.from_html(`<!> <!>`, 1);
+function Monitor($$anchor, $$props) {
+	$.push($$props, true);
+	const PAGE = 20;
+	let ladder = $.state(null);
+	let sought = $.state("");
+	let first = $.state(0);
+	let power = $.state([]);
+	let values = $.state({});
+	let signal = $.state("");
+	const found = $.derived(() => {
+		const words = $.get(sought).toLowerCase().split(/\s+/).filter(Boolean);
+		if (!$.get(ladder)) return [];
+		const { symbols } = $.get(ladder);
+		return $.get(ladder).rungs.filter((rung) => {
+			if (words.length === 0) return true;
+			const text = `${rung.comment} ${rung.outputs.map((one) => `${one.text} ${one.meaning}`).join(" ")} ${signalsOf(rung).map((name) => `${name} ${symbols.get(name)?.address ?? ""} ${symbols.get(name)?.meaning ?? ""}`).join(" ")}`.toLowerCase();
+			return words.every((word) => text.includes(word));
+		});
+	});
+	const shown = $.derived(() => $.get(found).slice($.get(first), $.get(first) + PAGE));
+	const names = $.derived(() => [...new Set($.get(shown).flatMap(signalsOf))].slice(0, 250));
+	$.user_effect(() => {
+		machine.changed("plc");
+		if (machine.link !== "open") return;
+		machine.fetch("text", { do: "ladder" }).then((reply) => {
+			if (reply) $.set(ladder, readLadder(reply.text));
+		});
+		machine.ask({
+			do: "watch_ladder",
+			on: true
+		}).catch(() => void 0);
+		return () => {
+			machine.ask({
+				do: "watch_ladder",
+				on: false
+			}).catch(() => void 0);
+		};
+	});
+	$.user_effect(() => {
+		const wanted = $.get(names);
+		let stopped = false;
+		const ask = async () => {
+			while (!stopped) {
+				if (document.visibilityState === "visible" && machine.link === "open" && wanted.length) {
+					const [flow, signals] = await Promise.all([machine.ask({ do: "ladder_flow" }).catch(() => null), machine.ask({
+						do: "signals",
+						names: wanted
+					}).catch(() => null)]);
+					if (stopped) return;
+					if (flow?.reply === "ladder_flow") $.set(power, flow.power);
+					if (signals?.reply === "signals") $.set(values, signals.signals);
+				}
+				await new Promise((resolve) => setTimeout(resolve, 150));
+			}
+		};
+		ask();
+		return () => {
+			stopped = true;
+		};
+	});
+	function force(value) {
+		machine.tell({
+			do: "force",
+			signal: $.get(signal),
+			value
+		});
+	}
+	var fragment = root_4();
+	var node = $.first_child(fragment);
+	{
+		const actions = ($$anchor) => {
+			var fragment_1 = root();
+			var input = $.first_child(fragment_1);
+			$.remove_input_defaults(input);
+			var node_1 = $.sibling(input, 2);
+			{
+				let $0 = $.derived(() => t("offsets.before"));
+				let $1 = $.derived(() => $.get(first) === 0);
+				Button(node_1, {
+					icon: "up",
+					get "aria-label"() {
+						return $.get($0);
+					},
+					get disabled() {
+						return $.get($1);
+					},
+					onclick: () => $.set(first, Math.max(0, $.get(first) - PAGE), true)
+				});
+			}
+			var span = $.sibling(node_1, 2);
+			var text_1 = $.only_child(span);
+			var node_2 = $.sibling(span, 2);
+			{
+				let $0 = $.derived(() => t("offsets.after"));
+				let $1 = $.derived(() => $.get(first) + PAGE >= $.get(found).length);
+				Button(node_2, {
+					icon: "down",
+					get "aria-label"() {
+						return $.get($0);
+					},
+					get disabled() {
+						return $.get($1);
+					},
+					onclick: () => $.set(first, $.get(first) + PAGE)
+				});
+			}
+			$.template_effect(($0, $1, $2, $3, $4) => {
+				$.set_attribute(input, "placeholder", $0);
+				$.set_attribute(input, "aria-label", $1);
+				$.set_text(text_1, `${$2 ?? ""}–${$3 ?? ""} / ${$4 ?? ""}`);
+			}, [
+				() => t("app.search"),
+				() => t("app.search"),
+				() => number(Math.min($.get(first) + 1, $.get(found).length)),
+				() => number(Math.min($.get(first) + PAGE, $.get(found).length)),
+				() => number($.get(found).length)
+			]);
+			$.delegated("input", input, () => $.set(first, 0));
+			$.bind_value(input, () => $.get(sought), ($$value) => $.set(sought, $$value));
+			$.append($$anchor, fragment_1);
+		};
+		let $0 = $.derived(() => t("plc.monitor"));
+		Card(node, {
+			get title() {
+				return $.get($0);
+			},
+			fill: true,
+			flush: true,
+			actions,
+			children: ($$anchor, $$slotProps) => {
+				var div = root_2();
+				$.each(div, 21, () => $.get(shown), (rung) => rung.line, ($$anchor, rung) => {
+					Rung($$anchor, {
+						get rung() {
+							return $.get(rung);
+						},
+						get symbols() {
+							return $.get(ladder).symbols;
+						},
+						get values() {
+							return $.get(values);
+						},
+						get power() {
+							return $.get(power);
+						},
+						onsignal: (name) => $.set(signal, name, true)
+					});
+				}, ($$anchor) => {
+					var p = root_1();
+					var text_2 = $.only_child(p, true);
+					$.template_effect(($0) => $.set_text(text_2, $0), [() => $.get(ladder) ? t("plc.nothing") : t("app.loading")]);
+					$.append($$anchor, p);
+				});
+				$.reset(div);
+				$.append($$anchor, div);
+			},
+			$$slots: {
+				actions: true,
+				default: true
+			}
+		});
+	}
+	var node_3 = $.sibling(node, 2);
+	var consequent = ($$anchor) => {
+		var div_1 = root_3();
+		var strong = $.child(div_1);
+		var text_3 = $.only_child(strong, true);
+		var span_1 = $.sibling(strong, 2);
+		var text_4 = $.only_child(span_1, true);
+		var span_2 = $.sibling(span_1, 2);
+		var text_5 = $.only_child(span_2, true);
+		var span_3 = $.sibling(span_2, 2);
+		var text_6 = $.only_child(span_3, true);
+		var node_4 = $.sibling(span_3, 2);
+		Button(node_4, {
+			onclick: () => force(true),
+			children: ($$anchor, $$slotProps) => {
+				$.next();
+				var text_7 = $.text();
+				$.template_effect(($0) => $.set_text(text_7, $0), [() => t("plc.force_on")]);
+				$.append($$anchor, text_7);
+			},
+			$$slots: { default: true }
+		});
+		var node_5 = $.sibling(node_4, 2);
+		Button(node_5, {
+			onclick: () => force(false),
+			children: ($$anchor, $$slotProps) => {
+				$.next();
+				var text_8 = $.text();
+				$.template_effect(($0) => $.set_text(text_8, $0), [() => t("plc.force_off")]);
+				$.append($$anchor, text_8);
+			},
+			$$slots: { default: true }
+		});
+		var node_6 = $.sibling(node_5, 2);
+		Button(node_6, {
+			onclick: () => force(null),
+			children: ($$anchor, $$slotProps) => {
+				$.next();
+				var text_9 = $.text();
+				$.template_effect(($0) => $.set_text(text_9, $0), [() => t("plc.force_release")]);
+				$.append($$anchor, text_9);
+			},
+			$$slots: { default: true }
+		});
+		var node_7 = $.sibling(node_6, 2);
+		{
+			let $0 = $.derived(() => t("app.close"));
+			Button(node_7, {
+				kind: "quiet",
+				icon: "close",
+				get "aria-label"() {
+					return $.get($0);
+				},
+				onclick: () => $.set(signal, "")
+			});
+		}
+		$.reset(div_1);
+		$.template_effect(($0, $1) => {
+			$.set_text(text_3, $.get(signal));
+			$.set_text(text_4, $0);
+			$.set_text(text_5, $1);
+			$.set_text(text_6, $.get(values)[$.get(signal)] ?? "");
+		}, [() => $.get(ladder)?.symbols.get($.get(signal))?.address, () => $.get(ladder)?.symbols.get($.get(signal))?.meaning]);
+		$.append($$anchor, div_1);
+	};
+	$.if(node_3, ($$render) => {
+		if ($.get(signal)) $$render(consequent);
+	});
+	$.append($$anchor, fragment);
+	$.pop();
+}
+$.delegate(["input"]);
+export { Monitor as default };

@@ -1,0 +1,103 @@
+import { t } from "../../lib/i18n/index.svelte.js";
+import { fixed } from "../../lib/numbers.js";
+import Button from "../../lib/parts/Button.svelte.js";
+import Card from "../../lib/parts/Card.svelte.js";
+import { machine } from "../../lib/state/machine.svelte.js";
+import "svelte/internal/disclose-version";
+import * as $ from "svelte/internal/client";
+// src/pages/position/All.svelte
+var root = $.from_html(`<th class="right"> </th>`);
+var root_1 = $.from_html(`<td> </td>`);
+var root_2 = $.from_html(`<tr><th scope="row" class="s-4b771b"> </th><!></tr>`);
+var root_3 = $.from_html(`<div class="scroll"><table class="table"><thead><tr><th></th><!></tr></thead><tbody></tbody></table></div>`);
+function All($$anchor, $$props) {
+	$.push($$props, true);
+	const status = $.derived(() => machine.status);
+	const kinds = [
+		"work",
+		"relative",
+		"machine",
+		"actual",
+		"to_go",
+		"interruption"
+	];
+	const interrupted = $.derived(() => Object.values($.get(status).position.interruption).some((value) => Math.abs(value) > 1e-6));
+	{
+		const actions = ($$anchor) => {
+			var fragment_1 = $.comment();
+			var node = $.first_child(fragment_1);
+			var consequent = ($$anchor) => {
+				Button($$anchor, {
+					onclick: () => void machine.tell({ do: "clear_interruption" }),
+					children: ($$anchor, $$slotProps) => {
+						$.next();
+						var text = $.text();
+						$.template_effect(($0) => $.set_text(text, $0), [() => t("position.clear_interruption")]);
+						$.append($$anchor, text);
+					},
+					$$slots: { default: true }
+				});
+			};
+			$.if(node, ($$render) => {
+				if ($.get(interrupted)) $$render(consequent);
+			});
+			$.append($$anchor, fragment_1);
+		};
+		let $0 = $.derived(() => t("position.all"));
+		Card($$anchor, {
+			get title() {
+				return $.get($0);
+			},
+			flush: true,
+			actions,
+			children: ($$anchor, $$slotProps) => {
+				var div = root_3();
+				var table = $.child(div);
+				var thead = $.child(table);
+				var tr = $.child(thead);
+				var node_1 = $.sibling($.child(tr));
+				$.each(node_1, 16, () => kinds, (kind) => kind, ($$anchor, kind) => {
+					var th = root();
+					var text_1 = $.only_child(th, true);
+					$.template_effect(($0) => $.set_text(text_1, $0), [() => kind === "work" ? $.get(status).position.system ?? t("position.g92") : t(`position.${kind}`)]);
+					$.append($$anchor, th);
+				});
+				$.reset(tr);
+				$.reset(thead);
+				var tbody = $.sibling(thead);
+				$.each(tbody, 20, () => machine.axes, (axis) => axis, ($$anchor, axis) => {
+					var tr_1 = root_2();
+					var th_1 = $.child(tr_1);
+					var text_2 = $.only_child(th_1, true);
+					var node_2 = $.sibling(th_1);
+					$.each(node_2, 16, () => kinds, (kind) => kind, ($$anchor, kind) => {
+						var td = root_1();
+						let classes;
+						var text_3 = $.only_child(td, true);
+						$.template_effect(($0) => {
+							classes = $.set_class(td, 1, "right value s-4b771b", null, classes, { main: kind === "work" });
+							$.set_text(text_3, $0);
+						}, [() => fixed($.get(status).position[kind][axis])]);
+						$.append($$anchor, td);
+					});
+					$.reset(tr_1);
+					$.template_effect(() => {
+						$.set_attribute(tr_1, "data-axis", axis);
+						$.set_text(text_2, axis);
+					});
+					$.append($$anchor, tr_1);
+				});
+				$.reset(tbody);
+				$.reset(table);
+				$.reset(div);
+				$.append($$anchor, div);
+			},
+			$$slots: {
+				actions: true,
+				default: true
+			}
+		});
+	}
+	$.pop();
+}
+export { All as default };

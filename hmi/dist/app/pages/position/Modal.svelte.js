@@ -1,0 +1,58 @@
+import { t } from "../../lib/i18n/index.svelte.js";
+import Card from "../../lib/parts/Card.svelte.js";
+import { href } from "../../lib/routing.svelte.js";
+import { machine } from "../../lib/state/machine.svelte.js";
+import "svelte/internal/disclose-version";
+import * as $ from "svelte/internal/client";
+// src/pages/position/Modal.svelte
+var root = $.from_html(`<a class="s-1a1xzf1"> </a>`);
+var root_1 = $.from_html(`<span class="s-1a1xzf1"> </span>`);
+var root_2 = $.from_html(`<div class="switches s-1a1xzf1"></div>`);
+var root_3 = $.from_html(`<div class="codes code s-1a1xzf1"></div> <!>`, 1);
+function Modal($$anchor, $$props) {
+	$.push($$props, true);
+	const codes = $.derived(() => machine.status.program.g_codes);
+	const switches = $.derived(() => machine.status.switches);
+	const on = $.derived(() => Object.keys($.get(switches)).filter((name) => $.get(switches)[name]));
+	{
+		let $0 = $.derived(() => t("position.modal"));
+		Card($$anchor, {
+			get title() {
+				return $.get($0);
+			},
+			children: ($$anchor, $$slotProps) => {
+				var fragment_1 = root_3();
+				var div = $.first_child(fragment_1);
+				$.each(div, 20, () => $.get(codes), (code) => code, ($$anchor, code) => {
+					var a = root();
+					var text = $.only_child(a, true);
+					$.template_effect(($0) => {
+						$.set_attribute(a, "href", $0);
+						$.set_text(text, code);
+					}, [() => href("help", "codes", code)]);
+					$.append($$anchor, a);
+				});
+				$.reset(div);
+				var node = $.sibling(div, 2);
+				var consequent = ($$anchor) => {
+					var div_1 = root_2();
+					$.each(div_1, 20, () => $.get(on), (name) => name, ($$anchor, name) => {
+						var span = root_1();
+						var text_1 = $.only_child(span, true);
+						$.template_effect(($0) => $.set_text(text_1, $0), [() => t(`position.${name}`)]);
+						$.append($$anchor, span);
+					});
+					$.reset(div_1);
+					$.append($$anchor, div_1);
+				};
+				$.if(node, ($$render) => {
+					if ($.get(on).length) $$render(consequent);
+				});
+				$.append($$anchor, fragment_1);
+			},
+			$$slots: { default: true }
+		});
+	}
+	$.pop();
+}
+export { Modal as default };

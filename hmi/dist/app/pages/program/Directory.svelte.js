@@ -1,0 +1,520 @@
+import { http } from "../../lib/api/http.js";
+import { moment, number, t } from "../../lib/i18n/index.svelte.js";
+import Editor from "../../lib/editor/Editor.svelte.js";
+import { bytes } from "../../lib/numbers.js";
+import Button from "../../lib/parts/Button.svelte.js";
+import Card from "../../lib/parts/Card.svelte.js";
+import Dialog from "../../lib/parts/Dialog.svelte.js";
+import Empty from "../../lib/parts/Empty.svelte.js";
+import Icon from "../../lib/parts/Icon.svelte.js";
+import Labelled from "../../lib/parts/Labelled.svelte.js";
+import { go } from "../../lib/routing.svelte.js";
+import { machine } from "../../lib/state/machine.svelte.js";
+import { notify } from "../../lib/state/notices.svelte.js";
+import { programName, programs } from "../../lib/state/programs.svelte.js";
+import "svelte/internal/disclose-version";
+import * as $ from "svelte/internal/client";
+// src/pages/program/Directory.svelte
+var root = $.from_html(`<input class="filter s-1s4upvf" type="search"/> <!> <!> <input type="file" multiple="" hidden="" data-testid="upload"/>`, 1);
+var root_1 = $.from_html(`<tr draggable="true"><td><button type="button" class="name code s-1s4upvf"> <!><!></button></td><td class="comment s-1s4upvf"> </td><td class="right"> </td><td class="muted"> </td></tr>`);
+var root_2 = $.from_html(`<table class="table"><thead><tr><th> </th><th> </th><th class="right"> </th><th> </th></tr></thead><tbody></tbody></table> <p class="muted total s-1s4upvf"> </p>`, 1);
+var root_3 = $.from_html(`<div class="preview s-1s4upvf"><div class="row wrap"><strong class="code"> </strong> <span class="grow muted comment s-1s4upvf"> </span> <!> <!></div> <div class="text s-1s4upvf"><!></div> <div class="row wrap"><a class="download s-1s4upvf"><!> </a> <!> <span class="grow"></span> <!></div></div>`);
+var root_4 = $.from_html(`<!> <!>`, 1);
+var root_5 = $.from_html(`<input class="code" placeholder="O0001" data-testid="new-name"/>`);
+var root_6 = $.from_html(`<form id="new-program"><!></form>`);
+var root_7 = $.from_html(`<p> </p>`);
+var root_8 = $.from_html(`<div role="region"><!> <!></div> <!> <!>`, 1);
+function Directory($$anchor, $$props) {
+	$.push($$props, true);
+	/** Of a program as much is previewed. */
+	const PREVIEW = 2e4;
+	let wanted = $.state("");
+	let filter = $.state("");
+	let preview = $.state("");
+	let over = $.state(false);
+	let making = $.state(false);
+	let fresh = $.state("");
+	let doomed = $.state("");
+	let deleting = $.state(false);
+	let picker = $.state(void 0);
+	const selected = $.derived(() => machine.status?.program.selected ?? null);
+	const list = $.derived(() => (programs.list ?? []).filter((one) => `${one.name} ${one.comment}`.toLowerCase().includes($.get(filter).toLowerCase())));
+	const chosen = $.derived(() => $.get(list).find((one) => one.name === $.get(wanted)) ?? $.get(list).find((one) => one.name === $.get(selected)) ?? $.get(list)[0]);
+	const total = $.derived(() => (programs.list ?? []).reduce((sum, one) => sum + one.bytes, 0));
+	$.user_effect(() => {
+		machine.changed("programs");
+		if (machine.link === "open") programs.refresh();
+	});
+	$.user_effect(() => {
+		const name = $.get(chosen)?.name;
+		$.get(chosen)?.changed;
+		$.set(preview, "");
+		if (name) programs.read(name).then((text) => name === $.get(chosen)?.name ? $.set(preview, text.slice(0, PREVIEW), true) : null, () => void 0);
+	});
+	async function take(files) {
+		for (const file of files) {
+			const text = await file.text();
+			const name = programName(file.name, text);
+			if (await programs.store(name, text)) {
+				notify({
+					kind: "done",
+					title: t("program.stored", { program: name })
+				});
+				$.set(wanted, name, true);
+			}
+		}
+		programs.refresh();
+	}
+	async function make(event) {
+		event.preventDefault();
+		const name = programName($.get(fresh).trim(), "");
+		if (name && await machine.tell({
+			do: "store",
+			program: name,
+			text: `${name}\n\nM30\n`
+		})) {
+			$.set(making, false);
+			go("program", "edit", name);
+		}
+	}
+	async function remove() {
+		if (await machine.tell({
+			do: "delete",
+			program: $.get(doomed)
+		})) programs.refresh();
+		$.set(deleting, false);
+	}
+	var fragment = root_8();
+	var div = $.first_child(fragment);
+	let classes;
+	var node = $.child(div);
+	{
+		const actions = ($$anchor) => {
+			var fragment_1 = root();
+			var input = $.first_child(fragment_1);
+			$.remove_input_defaults(input);
+			var node_1 = $.sibling(input, 2);
+			{
+				let $0 = $.derived(() => t("program.upload"));
+				let $1 = $.derived(() => t("program.upload"));
+				Button(node_1, {
+					icon: "upload",
+					get "aria-label"() {
+						return $.get($0);
+					},
+					get title() {
+						return $.get($1);
+					},
+					onclick: () => $.get(picker)?.click()
+				});
+			}
+			var node_2 = $.sibling(node_1, 2);
+			Button(node_2, {
+				icon: "plus",
+				onclick: () => $.set(making, true),
+				children: ($$anchor, $$slotProps) => {
+					$.next();
+					var text_1 = $.text();
+					$.template_effect(($0) => $.set_text(text_1, $0), [() => t("program.new")]);
+					$.append($$anchor, text_1);
+				},
+				$$slots: { default: true }
+			});
+			var input_1 = $.sibling(node_2, 2);
+			$.bind_this(input_1, ($$value) => $.set(picker, $$value), () => $.get(picker));
+			$.template_effect(($0, $1) => {
+				$.set_attribute(input, "placeholder", $0);
+				$.set_attribute(input, "aria-label", $1);
+			}, [() => t("app.search"), () => t("app.search")]);
+			$.bind_value(input, () => $.get(filter), ($$value) => $.set(filter, $$value));
+			$.delegated("change", input_1, (event) => void take(event.currentTarget.files ?? []));
+			$.append($$anchor, fragment_1);
+		};
+		let $0 = $.derived(() => t("program.directory"));
+		Card(node, {
+			fill: true,
+			flush: true,
+			get title() {
+				return $.get($0);
+			},
+			actions,
+			children: ($$anchor, $$slotProps) => {
+				var fragment_3 = $.comment();
+				var node_3 = $.first_child(fragment_3);
+				var consequent = ($$anchor) => {
+					{
+						let $0 = $.derived(() => t("program.empty"));
+						let $1 = $.derived(() => t("program.empty_text"));
+						Empty($$anchor, {
+							icon: "program",
+							get title() {
+								return $.get($0);
+							},
+							get text() {
+								return $.get($1);
+							}
+						});
+					}
+				};
+				var alternate = ($$anchor) => {
+					var fragment_5 = root_2();
+					var table = $.first_child(fragment_5);
+					var thead = $.child(table);
+					var tr = $.child(thead);
+					var th = $.child(tr);
+					var text_2 = $.only_child(th, true);
+					var th_1 = $.sibling(th);
+					var text_3 = $.only_child(th_1, true);
+					var th_2 = $.sibling(th_1);
+					var text_4 = $.only_child(th_2, true);
+					var th_3 = $.sibling(th_2);
+					var text_5 = $.only_child(th_3, true);
+					$.reset(tr);
+					$.reset(thead);
+					var tbody = $.sibling(thead);
+					$.each(tbody, 21, () => $.get(list), (one) => one.name, ($$anchor, one) => {
+						var tr_1 = root_1();
+						let classes_1;
+						var td = $.child(tr_1);
+						var button = $.child(td);
+						var text_6 = $.child(button, true);
+						var node_4 = $.sibling(text_6);
+						var consequent_1 = ($$anchor) => {
+							Icon($$anchor, {
+								name: "play",
+								size: "0.9rem",
+								fill: true
+							});
+						};
+						$.if(node_4, ($$render) => {
+							if ($.get(one).name === $.get(selected)) $$render(consequent_1);
+						});
+						var node_5 = $.sibling(node_4);
+						var consequent_2 = ($$anchor) => {
+							Icon($$anchor, {
+								name: "lock",
+								size: "0.9rem"
+							});
+						};
+						$.if(node_5, ($$render) => {
+							if ($.get(one).locked !== null) $$render(consequent_2);
+						});
+						$.reset(button);
+						$.reset(td);
+						var td_1 = $.sibling(td);
+						var text_7 = $.only_child(td_1, true);
+						var td_2 = $.sibling(td_1);
+						var text_8 = $.only_child(td_2, true);
+						var td_3 = $.sibling(td_2);
+						var text_9 = $.only_child(td_3, true);
+						$.reset(tr_1);
+						$.template_effect(($0, $1) => {
+							$.set_attribute(tr_1, "data-program", $.get(one).name);
+							classes_1 = $.set_class(tr_1, 1, "s-1s4upvf", null, classes_1, { chosen: $.get(one).name === $.get(chosen)?.name });
+							$.set_text(text_6, $.get(one).name);
+							$.set_text(text_7, $.get(one).comment);
+							$.set_text(text_8, $0);
+							$.set_text(text_9, $1);
+						}, [() => bytes($.get(one).bytes), () => moment($.get(one).changed)]);
+						$.event("dragstart", tr_1, (event) => {
+							const url = new URL(http.download($.get(one).name), location.href).href;
+							event.dataTransfer?.setData("DownloadURL", `text/plain:${$.get(one).name}.nc:${url}`);
+							event.dataTransfer?.setData("text/uri-list", url);
+						});
+						$.delegated("click", tr_1, () => $.set(wanted, $.get(one).name, true));
+						$.delegated("dblclick", tr_1, () => go("program", "edit", $.get(one).name));
+						$.delegated("click", button, () => $.set(wanted, $.get(one).name, true));
+						$.append($$anchor, tr_1);
+					});
+					$.reset(tbody);
+					$.reset(table);
+					var p = $.sibling(table, 2);
+					var text_10 = $.only_child(p, true);
+					$.template_effect(($0, $1, $2, $3, $4) => {
+						$.set_text(text_2, $0);
+						$.set_text(text_3, $1);
+						$.set_text(text_4, $2);
+						$.set_text(text_5, $3);
+						$.set_text(text_10, $4);
+					}, [
+						() => t("program.name"),
+						() => t("program.comment"),
+						() => t("program.size"),
+						() => t("program.changed"),
+						() => t("program.total", {
+							count: programs.list?.length ?? 0,
+							n: number(programs.list?.length ?? 0),
+							bytes: bytes($.get(total))
+						})
+					]);
+					$.append($$anchor, fragment_5);
+				};
+				$.if(node_3, ($$render) => {
+					if (programs.list && $.get(list).length === 0) $$render(consequent);
+					else $$render(alternate, -1);
+				});
+				$.append($$anchor, fragment_3);
+			},
+			$$slots: {
+				actions: true,
+				default: true
+			}
+		});
+	}
+	var node_6 = $.sibling(node, 2);
+	var consequent_3 = ($$anchor) => {
+		var div_1 = root_3();
+		var div_2 = $.child(div_1);
+		var strong = $.child(div_2);
+		var text_11 = $.only_child(strong, true);
+		var span = $.sibling(strong, 2);
+		var text_12 = $.only_child(span, true);
+		var node_7 = $.sibling(span, 2);
+		Button(node_7, {
+			kind: "primary",
+			icon: "play",
+			onclick: () => void machine.tell({
+				do: "select",
+				program: $.get(chosen).name
+			}),
+			"data-testid": "select",
+			children: ($$anchor, $$slotProps) => {
+				$.next();
+				var text_13 = $.text();
+				$.template_effect(($0) => $.set_text(text_13, $0), [() => t("program.select")]);
+				$.append($$anchor, text_13);
+			},
+			$$slots: { default: true }
+		});
+		var node_8 = $.sibling(node_7, 2);
+		Button(node_8, {
+			icon: "edit",
+			onclick: () => go("program", "edit", $.get(chosen).name),
+			"data-testid": "edit",
+			children: ($$anchor, $$slotProps) => {
+				$.next();
+				var text_14 = $.text();
+				$.template_effect(($0) => $.set_text(text_14, $0), [() => t("program.edit")]);
+				$.append($$anchor, text_14);
+			},
+			$$slots: { default: true }
+		});
+		$.reset(div_2);
+		var div_3 = $.sibling(div_2, 2);
+		var node_9 = $.child(div_3);
+		{
+			let $0 = $.derived(() => t("program.preview"));
+			Editor(node_9, {
+				get text() {
+					return $.get(preview);
+				},
+				readonly: true,
+				get label() {
+					return $.get($0);
+				}
+			});
+		}
+		$.reset(div_3);
+		var div_4 = $.sibling(div_3, 2);
+		var a = $.child(div_4);
+		var node_10 = $.child(a);
+		Icon(node_10, { name: "download" });
+		var text_15 = $.sibling(node_10, 1, true);
+		$.reset(a);
+		var node_11 = $.sibling(a, 2);
+		Button(node_11, {
+			icon: "lock",
+			onclick: () => void machine.tell({
+				do: "lock",
+				program: $.get(chosen).name,
+				locked: $.get(chosen).locked === null
+			}),
+			children: ($$anchor, $$slotProps) => {
+				$.next();
+				var text_16 = $.text();
+				$.template_effect(($0) => $.set_text(text_16, $0), [() => $.get(chosen).locked === null ? t("program.lock") : t("program.unlock")]);
+				$.append($$anchor, text_16);
+			},
+			$$slots: { default: true }
+		});
+		var node_12 = $.sibling(node_11, 4);
+		{
+			let $0 = $.derived(() => t("app.delete"));
+			Button(node_12, {
+				kind: "danger",
+				icon: "trash",
+				get "aria-label"() {
+					return $.get($0);
+				},
+				onclick: () => {
+					$.set(doomed, $.get(chosen).name, true);
+					$.set(deleting, true);
+				}
+			});
+		}
+		$.reset(div_4);
+		$.reset(div_1);
+		$.template_effect(($0, $1) => {
+			$.set_text(text_11, $.get(chosen).name);
+			$.set_text(text_12, $.get(chosen).comment);
+			$.set_attribute(a, "href", $0);
+			$.set_attribute(a, "download", `${$.get(chosen).name}.nc`);
+			$.set_text(text_15, $1);
+		}, [() => http.download($.get(chosen).name), () => t("program.download")]);
+		$.append($$anchor, div_1);
+	};
+	$.if(node_6, ($$render) => {
+		if ($.get(chosen)) $$render(consequent_3);
+	});
+	$.reset(div);
+	var node_13 = $.sibling(div, 2);
+	{
+		const actions = ($$anchor) => {
+			var fragment_11 = root_4();
+			var node_14 = $.first_child(fragment_11);
+			Button(node_14, {
+				onclick: () => $.set(making, false),
+				children: ($$anchor, $$slotProps) => {
+					$.next();
+					var text_17 = $.text();
+					$.template_effect(($0) => $.set_text(text_17, $0), [() => t("app.cancel")]);
+					$.append($$anchor, text_17);
+				},
+				$$slots: { default: true }
+			});
+			var node_15 = $.sibling(node_14, 2);
+			Button(node_15, {
+				kind: "primary",
+				type: "submit",
+				form: "new-program",
+				children: ($$anchor, $$slotProps) => {
+					$.next();
+					var text_18 = $.text();
+					$.template_effect(($0) => $.set_text(text_18, $0), [() => t("program.new")]);
+					$.append($$anchor, text_18);
+				},
+				$$slots: { default: true }
+			});
+			$.append($$anchor, fragment_11);
+		};
+		let $0 = $.derived(() => t("program.new"));
+		Dialog(node_13, {
+			get title() {
+				return $.get($0);
+			},
+			get open() {
+				return $.get(making);
+			},
+			set open($$value) {
+				$.set(making, $$value, true);
+			},
+			actions,
+			children: ($$anchor, $$slotProps) => {
+				var form = root_6();
+				var node_16 = $.child(form);
+				{
+					let $0 = $.derived(() => t("program.name"));
+					let $1 = $.derived(() => t("program.name_hint"));
+					Labelled(node_16, {
+						get label() {
+							return $.get($0);
+						},
+						get hint() {
+							return $.get($1);
+						},
+						children: ($$anchor, $$slotProps) => {
+							var input_2 = root_5();
+							$.remove_input_defaults(input_2);
+							$.bind_value(input_2, () => $.get(fresh), ($$value) => $.set(fresh, $$value));
+							$.append($$anchor, input_2);
+						},
+						$$slots: { default: true }
+					});
+				}
+				$.reset(form);
+				$.event("submit", form, make);
+				$.append($$anchor, form);
+			},
+			$$slots: {
+				actions: true,
+				default: true
+			}
+		});
+	}
+	var node_17 = $.sibling(node_13, 2);
+	{
+		const actions = ($$anchor) => {
+			var fragment_14 = root_4();
+			var node_18 = $.first_child(fragment_14);
+			Button(node_18, {
+				onclick: () => $.set(deleting, false),
+				children: ($$anchor, $$slotProps) => {
+					$.next();
+					var text_19 = $.text();
+					$.template_effect(($0) => $.set_text(text_19, $0), [() => t("app.cancel")]);
+					$.append($$anchor, text_19);
+				},
+				$$slots: { default: true }
+			});
+			var node_19 = $.sibling(node_18, 2);
+			Button(node_19, {
+				kind: "danger",
+				icon: "trash",
+				onclick: () => void remove(),
+				children: ($$anchor, $$slotProps) => {
+					$.next();
+					var text_20 = $.text();
+					$.template_effect(($0) => $.set_text(text_20, $0), [() => t("app.delete")]);
+					$.append($$anchor, text_20);
+				},
+				$$slots: { default: true }
+			});
+			$.append($$anchor, fragment_14);
+		};
+		let $0 = $.derived(() => t("program.delete", { program: $.get(doomed) }));
+		Dialog(node_17, {
+			get title() {
+				return $.get($0);
+			},
+			get open() {
+				return $.get(deleting);
+			},
+			set open($$value) {
+				$.set(deleting, $$value, true);
+			},
+			actions,
+			children: ($$anchor, $$slotProps) => {
+				var p_1 = root_7();
+				var text_21 = $.only_child(p_1, true);
+				$.template_effect(($0) => $.set_text(text_21, $0), [() => t("program.delete_text")]);
+				$.append($$anchor, p_1);
+			},
+			$$slots: {
+				actions: true,
+				default: true
+			}
+		});
+	}
+	$.template_effect(($0) => {
+		classes = $.set_class(div, 1, "directory s-1s4upvf", null, classes, { over: $.get(over) });
+		$.set_attribute(div, "aria-label", $0);
+	}, [() => t("program.directory")]);
+	$.event("dragover", div, (event) => {
+		event.preventDefault();
+		$.set(over, true);
+	});
+	$.event("dragleave", div, () => $.set(over, false));
+	$.event("drop", div, (event) => {
+		event.preventDefault();
+		$.set(over, false);
+		take(event.dataTransfer?.files ?? []);
+	});
+	$.append($$anchor, fragment);
+	$.pop();
+}
+$.delegate([
+	"change",
+	"click",
+	"dblclick"
+]);
+export { Directory as default };

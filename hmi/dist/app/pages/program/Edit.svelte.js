@@ -1,0 +1,426 @@
+import { t } from "../../lib/i18n/index.svelte.js";
+import Editor from "../../lib/editor/Editor.svelte.js";
+import { renumber } from "../../lib/editor/renumber.js";
+import Button from "../../lib/parts/Button.svelte.js";
+import Dialog from "../../lib/parts/Dialog.svelte.js";
+import Empty from "../../lib/parts/Empty.svelte.js";
+import Icon from "../../lib/parts/Icon.svelte.js";
+import Labelled from "../../lib/parts/Labelled.svelte.js";
+import NumberField from "../../lib/parts/NumberField.svelte.js";
+import { go, route } from "../../lib/routing.svelte.js";
+import { editing, lineFor } from "../../lib/state/editing.svelte.js";
+import { machine } from "../../lib/state/machine.svelte.js";
+import { notify } from "../../lib/state/notices.svelte.js";
+import { programs } from "../../lib/state/programs.svelte.js";
+import "svelte/internal/disclose-version";
+import * as $ from "svelte/internal/client";
+// src/pages/program/Edit.svelte
+var root = $.from_html(`<i class="s-1h8swef"></i>`);
+var root_1 = $.from_html(`<span class="background s-1h8swef"> </span>`);
+var root_2 = $.from_html(`<p class="muted"> </p>`);
+var root_3 = $.from_html(`<li><button type="button"><!><span class="number"> </span><span class="code muted"> </span><span> </span></button></li>`);
+var root_4 = $.from_html(`<ul class="findings scroll s-1h8swef" data-testid="findings"></ul>`);
+var root_5 = $.from_html(`<div class="edit s-1h8swef" data-testid="editor"><div class="row wrap"><strong class="code name s-1h8swef"> <!></strong> <!> <!> <span class="grow"></span> <!> <!> <!> <!> <!> <!></div> <div class="text s-1h8swef"><!></div> <!></div>`);
+var root_6 = $.from_html(`<!> <!>`, 1);
+var root_7 = $.from_html(`<div class="row"><!> <!></div>`);
+function Edit($$anchor, $$props) {
+	$.push($$props, true);
+	const name = $.derived(() => route.item || machine.status?.program.selected || "");
+	const running = $.derived(() => machine.status?.program.running ?? null);
+	let editor = $.state(void 0);
+	let text = $.state("");
+	let shown = $.state("");
+	let changed = $.state(false);
+	let findings = $.state([]);
+	let numbering = $.state(false);
+	let first = $.state(10);
+	let step = $.state(10);
+	let opening = $.state(false);
+	$.user_effect(() => {
+		const wanted = $.get(name);
+		if (!wanted || wanted === $.get(shown) || machine.link !== "open") return;
+		$.set(opening, true);
+		programs.read(wanted).then((now) => {
+			if (wanted !== $.get(name)) return;
+			const draft = editing.draft(wanted);
+			$.set(text, draft ?? now, true);
+			$.set(shown, wanted, true);
+			$.set(changed, draft !== null);
+			$.set(findings, []);
+			$.set(opening, false);
+		}, (refused) => {
+			$.set(opening, false);
+			machine.refused(refused);
+			go("program", "directory");
+		});
+	});
+	$.user_effect(() => {
+		const name = $.get(shown);
+		if (!$.get(editor) || !name || !editing.waits(name)) return;
+		const at = editing.program === name ? editing.line : 0;
+		const into = $.get(editor);
+		queueMicrotask(() => into.insertBehind(lineFor(into.value(), at), editing.take()));
+	});
+	$.user_effect(() => {
+		const ask = (event) => {
+			if ($.get(changed)) event.preventDefault();
+		};
+		addEventListener("beforeunload", ask);
+		return () => removeEventListener("beforeunload", ask);
+	});
+	async function save() {
+		if (!$.get(editor) || !await programs.store($.get(shown), $.get(editor).value())) return;
+		$.set(changed, false);
+		notify({
+			kind: "done",
+			title: t("program.saved", { program: $.get(shown) })
+		});
+	}
+	async function select() {
+		if ($.get(changed)) await save();
+		if (!$.get(changed) && await machine.tell({
+			do: "select",
+			program: $.get(shown)
+		})) go("program", "run");
+	}
+	function number() {
+		if ($.get(editor)) $.get(editor).replace(renumber($.get(editor).value(), $.get(first), $.get(step)));
+		$.set(numbering, false);
+	}
+	var fragment = root_6();
+	var node = $.first_child(fragment);
+	var consequent = ($$anchor) => {
+		{
+			let $0 = $.derived(() => t("program.none"));
+			let $1 = $.derived(() => t("program.edit_none"));
+			Empty($$anchor, {
+				icon: "edit",
+				get title() {
+					return $.get($0);
+				},
+				get text() {
+					return $.get($1);
+				},
+				children: ($$anchor, $$slotProps) => {
+					Button($$anchor, {
+						kind: "primary",
+						icon: "list",
+						onclick: () => go("program", "directory"),
+						children: ($$anchor, $$slotProps) => {
+							$.next();
+							var text_1 = $.text();
+							$.template_effect(($0) => $.set_text(text_1, $0), [() => t("program.directory")]);
+							$.append($$anchor, text_1);
+						},
+						$$slots: { default: true }
+					});
+				},
+				$$slots: { default: true }
+			});
+		}
+	};
+	var alternate = ($$anchor) => {
+		var div = root_5();
+		var div_1 = $.child(div);
+		var strong = $.child(div_1);
+		var text_2 = $.child(strong, true);
+		var node_1 = $.sibling(text_2);
+		var consequent_1 = ($$anchor) => {
+			var i = root();
+			$.template_effect(($0) => $.set_attribute(i, "title", $0), [() => t("program.unsaved")]);
+			$.append($$anchor, i);
+		};
+		$.if(node_1, ($$render) => {
+			if ($.get(changed)) $$render(consequent_1);
+		});
+		$.reset(strong);
+		var node_2 = $.sibling(strong, 2);
+		var consequent_2 = ($$anchor) => {
+			var span = root_1();
+			var text_3 = $.only_child(span, true);
+			$.template_effect(($0) => $.set_text(text_3, $0), [() => t("program.background")]);
+			$.append($$anchor, span);
+		};
+		$.if(node_2, ($$render) => {
+			if ($.get(running) && $.get(running) !== $.get(shown)) $$render(consequent_2);
+		});
+		var node_3 = $.sibling(node_2, 2);
+		var consequent_3 = ($$anchor) => {
+			var span_1 = root_1();
+			var text_4 = $.only_child(span_1, true);
+			$.template_effect(($0) => $.set_text(text_4, $0), [() => t("program.under_way")]);
+			$.append($$anchor, span_1);
+		};
+		$.if(node_3, ($$render) => {
+			if ($.get(running) === $.get(shown) && $.get(shown)) $$render(consequent_3);
+		});
+		var node_4 = $.sibling(node_3, 4);
+		{
+			let $0 = $.derived(() => t("program.undo"));
+			let $1 = $.derived(() => t("program.undo"));
+			Button(node_4, {
+				icon: "undo",
+				get "aria-label"() {
+					return $.get($0);
+				},
+				get title() {
+					return $.get($1);
+				},
+				onclick: () => $.get(editor)?.back()
+			});
+		}
+		var node_5 = $.sibling(node_4, 2);
+		{
+			let $0 = $.derived(() => t("program.redo"));
+			let $1 = $.derived(() => t("program.redo"));
+			Button(node_5, {
+				icon: "cw",
+				get "aria-label"() {
+					return $.get($0);
+				},
+				get title() {
+					return $.get($1);
+				},
+				onclick: () => $.get(editor)?.again()
+			});
+		}
+		var node_6 = $.sibling(node_5, 2);
+		{
+			let $0 = $.derived(() => t("program.find"));
+			let $1 = $.derived(() => t("program.find"));
+			Button(node_6, {
+				icon: "search",
+				get "aria-label"() {
+					return $.get($0);
+				},
+				get title() {
+					return $.get($1);
+				},
+				onclick: () => $.get(editor)?.find()
+			});
+		}
+		var node_7 = $.sibling(node_6, 2);
+		Button(node_7, {
+			icon: "list",
+			onclick: () => $.set(numbering, true),
+			children: ($$anchor, $$slotProps) => {
+				$.next();
+				var text_5 = $.text();
+				$.template_effect(($0) => $.set_text(text_5, $0), [() => t("program.renumber")]);
+				$.append($$anchor, text_5);
+			},
+			$$slots: { default: true }
+		});
+		var node_8 = $.sibling(node_7, 2);
+		Button(node_8, {
+			icon: "play",
+			onclick: () => void select(),
+			children: ($$anchor, $$slotProps) => {
+				$.next();
+				var text_6 = $.text();
+				$.template_effect(($0) => $.set_text(text_6, $0), [() => t("program.select")]);
+				$.append($$anchor, text_6);
+			},
+			$$slots: { default: true }
+		});
+		var node_9 = $.sibling(node_8, 2);
+		{
+			let $0 = $.derived(() => !$.get(changed));
+			Button(node_9, {
+				kind: "primary",
+				icon: "save",
+				get disabled() {
+					return $.get($0);
+				},
+				onclick: () => void save(),
+				"data-testid": "save",
+				children: ($$anchor, $$slotProps) => {
+					$.next();
+					var text_7 = $.text();
+					$.template_effect(($0) => $.set_text(text_7, $0), [() => t("app.save")]);
+					$.append($$anchor, text_7);
+				},
+				$$slots: { default: true }
+			});
+		}
+		$.reset(div_1);
+		var div_2 = $.sibling(div_1, 2);
+		var node_10 = $.child(div_2);
+		var consequent_4 = ($$anchor) => {
+			{
+				let $0 = $.derived(() => t("program.edit"));
+				$.bind_this(Editor($$anchor, {
+					get text() {
+						return $.get(text);
+					},
+					get label() {
+						return $.get($0);
+					},
+					onchange: () => $.set(changed, true),
+					onsave: () => void save(),
+					onfindings: (now) => $.set(findings, now),
+					onleave: (now, line) => editing.leave($.get(shown), line, $.get(changed) ? now() : null)
+				}), ($$value) => $.set(editor, $$value, true), () => $.get(editor));
+			}
+		};
+		var consequent_5 = ($$anchor) => {
+			var p = root_2();
+			var text_8 = $.only_child(p, true);
+			$.template_effect(($0) => $.set_text(text_8, $0), [() => t("app.loading")]);
+			$.append($$anchor, p);
+		};
+		$.if(node_10, ($$render) => {
+			if ($.get(shown)) $$render(consequent_4);
+			else if ($.get(opening)) $$render(consequent_5, 1);
+		});
+		$.reset(div_2);
+		var node_11 = $.sibling(div_2, 2);
+		var consequent_6 = ($$anchor) => {
+			var ul = root_4();
+			$.each(ul, 21, () => $.get(findings).slice(0, 200), $.index, ($$anchor, finding) => {
+				var li = root_3();
+				var button = $.child(li);
+				var node_12 = $.child(button);
+				Icon(node_12, { name: "alarms" });
+				var span_2 = $.sibling(node_12);
+				var text_9 = $.only_child(span_2);
+				var span_3 = $.sibling(span_2);
+				var text_10 = $.only_child(span_3, true);
+				var span_4 = $.sibling(span_3);
+				var text_11 = $.only_child(span_4, true);
+				$.reset(button);
+				$.reset(li);
+				$.template_effect(() => {
+					$.set_class(button, 1, $.clsx($.get(finding).severity), "s-1h8swef");
+					$.set_text(text_9, `${$.get(finding).line ?? ""}:${$.get(finding).column ?? ""}`);
+					$.set_text(text_10, $.get(finding).id);
+					$.set_text(text_11, $.get(finding).text);
+				});
+				$.delegated("click", button, () => $.get(editor)?.show($.get(finding).line));
+				$.append($$anchor, li);
+			});
+			$.reset(ul);
+			$.append($$anchor, ul);
+		};
+		$.if(node_11, ($$render) => {
+			if ($.get(findings).length) $$render(consequent_6);
+		});
+		$.reset(div);
+		$.template_effect(() => $.set_text(text_2, $.get(shown) || $.get(name)));
+		$.append($$anchor, div);
+	};
+	$.if(node, ($$render) => {
+		if (!$.get(name)) $$render(consequent);
+		else $$render(alternate, -1);
+	});
+	var node_13 = $.sibling(node, 2);
+	{
+		const actions = ($$anchor) => {
+			var fragment_8 = root_6();
+			var node_14 = $.first_child(fragment_8);
+			Button(node_14, {
+				onclick: () => $.set(numbering, false),
+				children: ($$anchor, $$slotProps) => {
+					$.next();
+					var text_12 = $.text();
+					$.template_effect(($0) => $.set_text(text_12, $0), [() => t("app.cancel")]);
+					$.append($$anchor, text_12);
+				},
+				$$slots: { default: true }
+			});
+			var node_15 = $.sibling(node_14, 2);
+			Button(node_15, {
+				kind: "primary",
+				onclick: number,
+				children: ($$anchor, $$slotProps) => {
+					$.next();
+					var text_13 = $.text();
+					$.template_effect(($0) => $.set_text(text_13, $0), [() => t("program.renumber")]);
+					$.append($$anchor, text_13);
+				},
+				$$slots: { default: true }
+			});
+			$.append($$anchor, fragment_8);
+		};
+		let $0 = $.derived(() => t("program.renumber"));
+		Dialog(node_13, {
+			get title() {
+				return $.get($0);
+			},
+			get open() {
+				return $.get(numbering);
+			},
+			set open($$value) {
+				$.set(numbering, $$value, true);
+			},
+			actions,
+			children: ($$anchor, $$slotProps) => {
+				var div_3 = root_7();
+				var node_16 = $.child(div_3);
+				{
+					let $0 = $.derived(() => t("program.first"));
+					Labelled(node_16, {
+						get label() {
+							return $.get($0);
+						},
+						children: ($$anchor, $$slotProps) => {
+							{
+								let $0 = $.derived(() => t("program.first"));
+								NumberField($$anchor, {
+									get value() {
+										return $.get(first);
+									},
+									digits: 0,
+									minimum: 0,
+									maximum: 99999,
+									get label() {
+										return $.get($0);
+									},
+									onvalue: (value) => $.set(first, value ?? 10, true)
+								});
+							}
+						},
+						$$slots: { default: true }
+					});
+				}
+				var node_17 = $.sibling(node_16, 2);
+				{
+					let $0 = $.derived(() => t("program.step"));
+					Labelled(node_17, {
+						get label() {
+							return $.get($0);
+						},
+						children: ($$anchor, $$slotProps) => {
+							{
+								let $0 = $.derived(() => t("program.step"));
+								NumberField($$anchor, {
+									get value() {
+										return $.get(step);
+									},
+									digits: 0,
+									minimum: 1,
+									maximum: 1e3,
+									get label() {
+										return $.get($0);
+									},
+									onvalue: (value) => $.set(step, value ?? 10, true)
+								});
+							}
+						},
+						$$slots: { default: true }
+					});
+				}
+				$.reset(div_3);
+				$.append($$anchor, div_3);
+			},
+			$$slots: {
+				actions: true,
+				default: true
+			}
+		});
+	}
+	$.append($$anchor, fragment);
+	$.pop();
+}
+$.delegate(["click"]);
+export { Edit as default };

@@ -1,0 +1,258 @@
+import { t } from "../../lib/i18n/index.svelte.js";
+import Editor from "../../lib/editor/Editor.svelte.js";
+import { fixed } from "../../lib/numbers.js";
+import Button from "../../lib/parts/Button.svelte.js";
+import Empty from "../../lib/parts/Empty.svelte.js";
+import NumberField from "../../lib/parts/NumberField.svelte.js";
+import { go } from "../../lib/routing.svelte.js";
+import { machine } from "../../lib/state/machine.svelte.js";
+import { programs } from "../../lib/state/programs.svelte.js";
+import "svelte/internal/disclose-version";
+import * as $ from "svelte/internal/client";
+// src/pages/program/RunView.svelte
+var root = $.from_html(`<span><small class="s-q005vc"> </small> </span>`);
+var root_1 = $.from_html(`<span class="number go s-q005vc"></span>`);
+var root_2 = $.from_html(`<div class="head row wrap s-q005vc"><strong class="code s-q005vc"> </strong> <span class="block code grow s-q005vc" data-testid="block"> </span> <!></div>`);
+var root_3 = $.from_html(`<div class="row wrap"><!> <!> <span class="stop s-q005vc"><!></span> <span class="muted"> </span> <span class="grow"></span> <!> <!></div>`);
+var root_4 = $.from_html(`<div data-testid="run-view"><!> <div class="text s-q005vc"><!></div> <!></div>`);
+function RunView($$anchor, $$props) {
+	$.push($$props, true);
+	let compact = $.prop($$props, "compact", 3, false);
+	const program = $.derived(() => machine.status?.program);
+	const name = $.derived(() => $.get(program)?.running ?? $.get(program)?.selected ?? null);
+	const changed = $.derived(() => machine.changed("programs"));
+	let text = $.state("");
+	let shown = $.state(null);
+	let chosen = $.state(0);
+	let stopAt = $.state(null);
+	$.user_effect(() => {
+		const wanted = $.get(name);
+		$.get(changed);
+		if (!wanted) {
+			$.set(shown, null);
+			return;
+		}
+		programs.read(wanted).then((now) => {
+			if (wanted !== $.get(name)) return;
+			$.set(text, now, true);
+			$.set(shown, wanted, true);
+		}, () => {
+			if (wanted === $.get(name)) $.set(shown, null);
+		});
+	});
+	const active = $.derived(() => $.get(shown) === $.get(program)?.running ? $.get(program)?.line ?? 0 : 0);
+	var fragment = $.comment();
+	var node = $.first_child(fragment);
+	var consequent = ($$anchor) => {
+		{
+			let $0 = $.derived(() => t("program.none"));
+			let $1 = $.derived(() => t("program.none_text"));
+			Empty($$anchor, {
+				icon: "program",
+				get title() {
+					return $.get($0);
+				},
+				get text() {
+					return $.get($1);
+				},
+				children: ($$anchor, $$slotProps) => {
+					Button($$anchor, {
+						kind: "primary",
+						icon: "list",
+						onclick: () => go("program", "directory"),
+						children: ($$anchor, $$slotProps) => {
+							$.next();
+							var text_1 = $.text();
+							$.template_effect(($0) => $.set_text(text_1, $0), [() => t("program.directory")]);
+							$.append($$anchor, text_1);
+						},
+						$$slots: { default: true }
+					});
+				},
+				$$slots: { default: true }
+			});
+		}
+	};
+	var alternate = ($$anchor) => {
+		var div = root_4();
+		let classes;
+		var node_1 = $.child(div);
+		var consequent_2 = ($$anchor) => {
+			var div_1 = root_2();
+			var strong = $.child(div_1);
+			var text_2 = $.only_child(strong, true);
+			var span = $.sibling(strong, 2);
+			var text_3 = $.only_child(span, true);
+			var node_2 = $.sibling(span, 2);
+			var consequent_1 = ($$anchor) => {
+				var span_1 = root_1();
+				$.each(span_1, 20, () => machine.axes, (axis) => axis, ($$anchor, axis) => {
+					var span_2 = root();
+					var small = $.child(span_2);
+					var text_4 = $.only_child(small, true);
+					var text_5 = $.sibling(small, 1, true);
+					$.reset(span_2);
+					$.template_effect(($0) => {
+						$.set_text(text_4, axis);
+						$.set_text(text_5, $0);
+					}, [() => fixed(machine.status.position.work[axis])]);
+					$.append($$anchor, span_2);
+				});
+				$.reset(span_1);
+				$.append($$anchor, span_1);
+			};
+			$.if(node_2, ($$render) => {
+				if (machine.status) $$render(consequent_1);
+			});
+			$.reset(div_1);
+			$.template_effect(() => {
+				$.set_text(text_2, $.get(name));
+				$.set_text(text_3, $.get(program)?.block);
+			});
+			$.append($$anchor, div_1);
+		};
+		$.if(node_1, ($$render) => {
+			if (!compact()) $$render(consequent_2);
+		});
+		var div_2 = $.sibling(node_1, 2);
+		var node_3 = $.child(div_2);
+		{
+			let $0 = $.derived(() => $.get(program)?.cursor ?? 0);
+			let $1 = $.derived(() => t("program.run"));
+			Editor(node_3, {
+				get text() {
+					return $.get(text);
+				},
+				readonly: true,
+				get active() {
+					return $.get(active);
+				},
+				get cursor() {
+					return $.get($0);
+				},
+				get label() {
+					return $.get($1);
+				},
+				online: (line) => $.set(chosen, line, true)
+			});
+		}
+		$.reset(div_2);
+		var node_4 = $.sibling(div_2, 2);
+		var consequent_3 = ($$anchor) => {
+			var div_3 = root_3();
+			var node_5 = $.child(div_3);
+			{
+				let $0 = $.derived(() => $.get(chosen) === 0);
+				Button(node_5, {
+					icon: "target",
+					get disabled() {
+						return $.get($0);
+					},
+					onclick: () => void machine.tell({
+						do: "cursor",
+						line: $.get(chosen)
+					}),
+					"data-testid": "cursor",
+					children: ($$anchor, $$slotProps) => {
+						$.next();
+						var text_6 = $.text();
+						$.template_effect(($0) => $.set_text(text_6, $0), [() => t("program.start_here", { line: $.get(chosen) || "–" })]);
+						$.append($$anchor, text_6);
+					},
+					$$slots: { default: true }
+				});
+			}
+			var node_6 = $.sibling(node_5, 2);
+			{
+				let $0 = $.derived(() => $.get(chosen) === 0);
+				Button(node_6, {
+					icon: "undo",
+					get disabled() {
+						return $.get($0);
+					},
+					onclick: () => void machine.tell({
+						do: "restart",
+						line: $.get(chosen),
+						pass: 1,
+						sends: false,
+						axis_by_axis: false
+					}),
+					children: ($$anchor, $$slotProps) => {
+						$.next();
+						var text_7 = $.text();
+						$.template_effect(($0) => $.set_text(text_7, $0), [() => t("program.restart_here", { line: $.get(chosen) || "–" })]);
+						$.append($$anchor, text_7);
+					},
+					$$slots: { default: true }
+				});
+			}
+			var span_3 = $.sibling(node_6, 2);
+			var node_7 = $.child(span_3);
+			{
+				let $0 = $.derived(() => t("program.stop_at"));
+				NumberField(node_7, {
+					get value() {
+						return $.get(stopAt);
+					},
+					digits: 0,
+					minimum: 0,
+					empty: true,
+					get label() {
+						return $.get($0);
+					},
+					unit: "N",
+					onvalue: (value) => {
+						$.set(stopAt, value, true);
+						machine.tell({
+							do: "stop_at",
+							sequence: value
+						});
+					}
+				});
+			}
+			$.reset(span_3);
+			var span_4 = $.sibling(span_3, 2);
+			var text_8 = $.only_child(span_4, true);
+			var node_8 = $.sibling(span_4, 4);
+			Button(node_8, {
+				icon: "graphics",
+				onclick: () => go("graphics"),
+				children: ($$anchor, $$slotProps) => {
+					$.next();
+					var text_9 = $.text();
+					$.template_effect(($0) => $.set_text(text_9, $0), [() => t("graphics.title")]);
+					$.append($$anchor, text_9);
+				},
+				$$slots: { default: true }
+			});
+			var node_9 = $.sibling(node_8, 2);
+			Button(node_9, {
+				icon: "edit",
+				onclick: () => go("program", "edit", $.get(name)),
+				children: ($$anchor, $$slotProps) => {
+					$.next();
+					var text_10 = $.text();
+					$.template_effect(($0) => $.set_text(text_10, $0), [() => t("program.edit")]);
+					$.append($$anchor, text_10);
+				},
+				$$slots: { default: true }
+			});
+			$.reset(div_3);
+			$.template_effect(($0) => $.set_text(text_8, $0), [() => t("program.stop_at")]);
+			$.append($$anchor, div_3);
+		};
+		$.if(node_4, ($$render) => {
+			if (!compact()) $$render(consequent_3);
+		});
+		$.reset(div);
+		$.template_effect(() => classes = $.set_class(div, 1, "run s-q005vc", null, classes, { compact: compact() }));
+		$.append($$anchor, div);
+	};
+	$.if(node, ($$render) => {
+		if (!$.get(name)) $$render(consequent);
+		else $$render(alternate, -1);
+	});
+	$.append($$anchor, fragment);
+	$.pop();
+}
+export { RunView as default };

@@ -1,0 +1,504 @@
+import { t } from "../../lib/i18n/index.svelte.js";
+import { circle, edge, middle } from "../../lib/measuring.js";
+import { fixed } from "../../lib/numbers.js";
+import Button from "../../lib/parts/Button.svelte.js";
+import Card from "../../lib/parts/Card.svelte.js";
+import Labelled from "../../lib/parts/Labelled.svelte.js";
+import NumberField from "../../lib/parts/NumberField.svelte.js";
+import Segmented from "../../lib/parts/Segmented.svelte.js";
+import { machine } from "../../lib/state/machine.svelte.js";
+import { notify } from "../../lib/state/notices.svelte.js";
+import "svelte/internal/disclose-version";
+import * as $ from "svelte/internal/client";
+// src/pages/settings/Centring.svelte
+var root = $.from_svg(`<circle r="10"></circle>`);
+var root_1 = $.from_svg(`<circle cx="120" cy="75" r="58" class="work s-1tpnn43"></circle><!>`, 1);
+var root_2 = $.from_svg(`<circle cx="59" cy="75" r="11"></circle>`);
+var root_3 = $.from_svg(`<circle cx="181" cy="75" r="11"></circle>`);
+var root_4 = $.from_svg(`<rect x="70" y="40" width="100" height="70" class="work s-1tpnn43"></rect><!><!>`, 1);
+var root_5 = $.from_svg(`<path class="zero s-1tpnn43"></path>`);
+var root_6 = $.from_html(`<option> </option>`);
+var root_7 = $.from_html(`<select></select>`);
+var root_8 = $.from_html(`<div class="row wrap"><!> <!></div>`);
+var root_9 = $.from_html(`<div class="form s-1tpnn43"><!> <svg viewBox="0 0 240 150" role="img" class="s-1tpnn43"><!><!></svg> <div class="fields s-1tpnn43"><!> <!> <!></div> <!></div>`);
+var root_10 = $.from_html(`<td class="right"><small class="muted"> </small> </td>`);
+var root_11 = $.from_html(`<td class="right"> </td>`);
+var root_12 = $.from_html(`<tr><th class="number"></th><!></tr>`);
+var root_13 = $.from_html(`<strong> </strong>`);
+var root_14 = $.from_html(`<div class="result number s-1tpnn43"><!> <p class="muted s-1tpnn43"> </p></div>`);
+var root_15 = $.from_html(`<p class="bad s-1tpnn43"> </p>`);
+var root_16 = $.from_html(`<div class="form s-1tpnn43"><p class="muted"> </p> <table class="table"><tbody><tr><th> </th><!></tr><!></tbody></table> <div class="row"><!> <!></div> <!> <!></div>`);
+var root_17 = $.from_html(`<div class="centring s-1tpnn43"><!> <!></div>`);
+function Centring($$anchor, $$props) {
+	$.push($$props, true);
+	let kind = $.state("middle");
+	let system = $.state("G54");
+	let axis = $.state("X");
+	let from = $.state("below");
+	let radius = $.state(5);
+	let coordinate = $.state(0);
+	let points = $.state([]);
+	const kinds = $.derived(() => [
+		"edge",
+		"middle",
+		"circle"
+	].map((value) => ({
+		value,
+		label: t(`settings.${value}`)
+	})));
+	const axes = $.derived(() => machine.axes.filter((one) => "XYZ".includes(one)).map((value) => ({
+		value,
+		label: value
+	})));
+	const sides = $.derived(() => ["below", "above"].map((value) => ({
+		value,
+		label: t(`settings.from_${value}`)
+	})));
+	const wanted = $.derived(() => ({
+		edge: 1,
+		middle: 2,
+		circle: 3
+	})[$.get(kind)]);
+	const here = $.derived(() => machine.status?.position.machine ?? {});
+	const result = $.derived(() => {
+		if ($.get(points).length < $.get(wanted)) return null;
+		if ($.get(kind) === "edge") return {
+			axes: { [$.get(axis)]: edge($.get(points)[0][$.get(axis)] ?? 0, $.get(radius), $.get(from)) },
+			text: ""
+		};
+		if ($.get(kind) === "middle") {
+			const found = middle($.get(points)[0][$.get(axis)] ?? 0, $.get(points)[1][$.get(axis)] ?? 0, $.get(radius));
+			return {
+				axes: { [$.get(axis)]: found.centre },
+				text: t("settings.apart", {
+					inner: fixed(found.inner),
+					outer: fixed(found.outer)
+				})
+			};
+		}
+		const found = circle([
+			$.get(points)[0],
+			$.get(points)[1],
+			$.get(points)[2]
+		]);
+		return found ? {
+			axes: {
+				X: found.x,
+				Y: found.y
+			},
+			text: t("settings.diameters", {
+				inner: fixed(2 * (found.radius + $.get(radius))),
+				outer: fixed(2 * (found.radius - $.get(radius)))
+			})
+		} : null;
+	});
+	function take() {
+		$.set(points, [...$.get(points).slice(0, $.get(wanted) - 1), { ...$.get(here) }]);
+	}
+	async function apply() {
+		if (!$.get(result)) return;
+		const zero = Object.fromEntries(Object.entries($.get(result).axes).map(([name, place]) => [name, place - $.get(coordinate)]));
+		if (await machine.tell({
+			do: "set_zero",
+			system: $.get(system),
+			axes: zero
+		})) {
+			notify({
+				kind: "done",
+				title: t("settings.zero_set", { system: $.get(system) })
+			});
+			$.set(points, []);
+		}
+	}
+	var div = root_17();
+	var node = $.child(div);
+	{
+		let $0 = $.derived(() => t("settings.centring"));
+		Card(node, {
+			get title() {
+				return $.get($0);
+			},
+			children: ($$anchor, $$slotProps) => {
+				var div_1 = root_9();
+				var node_1 = $.child(div_1);
+				{
+					let $0 = $.derived(() => t("settings.centring"));
+					Segmented(node_1, {
+						get options() {
+							return $.get(kinds);
+						},
+						get label() {
+							return $.get($0);
+						},
+						onchange: () => $.set(points, []),
+						get value() {
+							return $.get(kind);
+						},
+						set value($$value) {
+							$.set(kind, $$value, true);
+						}
+					});
+				}
+				var svg = $.sibling(node_1, 2);
+				var node_2 = $.child(svg);
+				var consequent = ($$anchor) => {
+					var fragment = root_1();
+					var node_3 = $.sibling($.first_child(fragment));
+					$.each(node_3, 18, () => [
+						-90,
+						30,
+						150
+					], (angle) => angle, ($$anchor, angle, index) => {
+						var circle_1 = root();
+						let classes;
+						$.template_effect(($0, $1) => {
+							$.set_attribute(circle_1, "cx", $0);
+							$.set_attribute(circle_1, "cy", $1);
+							classes = $.set_class(circle_1, 0, "touch s-1tpnn43", null, classes, { done: $.get(points).length > $.get(index) });
+						}, [() => 120 + 48 * Math.cos(angle * Math.PI / 180), () => 75 + 48 * Math.sin(angle * Math.PI / 180)]);
+						$.append($$anchor, circle_1);
+					});
+					$.append($$anchor, fragment);
+				};
+				var alternate = ($$anchor) => {
+					var fragment_1 = root_4();
+					var node_4 = $.sibling($.first_child(fragment_1));
+					var consequent_1 = ($$anchor) => {
+						var circle_2 = root_2();
+						let classes_1;
+						$.template_effect(() => classes_1 = $.set_class(circle_2, 0, "touch s-1tpnn43", null, classes_1, { done: $.get(points).length > 0 }));
+						$.append($$anchor, circle_2);
+					};
+					$.if(node_4, ($$render) => {
+						if ($.get(kind) === "middle" || $.get(from) === "below") $$render(consequent_1);
+					});
+					var node_5 = $.sibling(node_4);
+					var consequent_2 = ($$anchor) => {
+						var circle_3 = root_3();
+						let classes_2;
+						$.template_effect(() => classes_2 = $.set_class(circle_3, 0, "touch s-1tpnn43", null, classes_2, { done: $.get(points).length > ($.get(kind) === "middle" ? 1 : 0) }));
+						$.append($$anchor, circle_3);
+					};
+					$.if(node_5, ($$render) => {
+						if ($.get(kind) === "middle" || $.get(from) === "above") $$render(consequent_2);
+					});
+					$.append($$anchor, fragment_1);
+				};
+				$.if(node_2, ($$render) => {
+					if ($.get(kind) === "circle") $$render(consequent);
+					else $$render(alternate, -1);
+				});
+				var node_6 = $.sibling(node_2);
+				var consequent_3 = ($$anchor) => {
+					var path = root_5();
+					$.template_effect(() => $.set_attribute(path, "d", $.get(kind) === "edge" ? $.get(from) === "below" ? "M70 20V130M55 75H85" : "M170 20V130M155 75H185" : "M120 20V130M65 75H175"));
+					$.append($$anchor, path);
+				};
+				$.if(node_6, ($$render) => {
+					if ($.get(result)) $$render(consequent_3);
+				});
+				$.reset(svg);
+				var div_2 = $.sibling(svg, 2);
+				var node_7 = $.child(div_2);
+				{
+					let $0 = $.derived(() => t("settings.system"));
+					Labelled(node_7, {
+						get label() {
+							return $.get($0);
+						},
+						children: ($$anchor, $$slotProps) => {
+							var select = root_7();
+							$.each(select, 20, () => [
+								"G54",
+								"G55",
+								"G56",
+								"G57",
+								"G58",
+								"G59"
+							], (one) => one, ($$anchor, one) => {
+								var option = root_6();
+								var text = $.only_child(option, true);
+								var option_value = {};
+								$.template_effect(() => {
+									$.set_text(text, one);
+									if (option_value !== (option_value = one)) option.__value = option_value;
+								});
+								$.append($$anchor, option);
+							});
+							$.reset(select);
+							$.init_select(select);
+							$.bind_select_value(select, () => $.get(system), ($$value) => $.set(system, $$value));
+							$.append($$anchor, select);
+						},
+						$$slots: { default: true }
+					});
+				}
+				var node_8 = $.sibling(node_7, 2);
+				{
+					let $0 = $.derived(() => t("settings.tool_radius"));
+					Labelled(node_8, {
+						get label() {
+							return $.get($0);
+						},
+						children: ($$anchor, $$slotProps) => {
+							{
+								let $0 = $.derived(() => t("unit.mm"));
+								let $1 = $.derived(() => t("settings.tool_radius"));
+								NumberField($$anchor, {
+									get value() {
+										return $.get(radius);
+									},
+									minimum: 0,
+									get unit() {
+										return $.get($0);
+									},
+									get label() {
+										return $.get($1);
+									},
+									onvalue: (value) => $.set(radius, value ?? 0, true)
+								});
+							}
+						},
+						$$slots: { default: true }
+					});
+				}
+				var node_9 = $.sibling(node_8, 2);
+				{
+					let $0 = $.derived(() => t("settings.coordinate"));
+					Labelled(node_9, {
+						get label() {
+							return $.get($0);
+						},
+						children: ($$anchor, $$slotProps) => {
+							{
+								let $0 = $.derived(() => t("unit.mm"));
+								let $1 = $.derived(() => t("settings.coordinate"));
+								NumberField($$anchor, {
+									get value() {
+										return $.get(coordinate);
+									},
+									get unit() {
+										return $.get($0);
+									},
+									get label() {
+										return $.get($1);
+									},
+									onvalue: (value) => $.set(coordinate, value ?? 0, true)
+								});
+							}
+						},
+						$$slots: { default: true }
+					});
+				}
+				$.reset(div_2);
+				var node_10 = $.sibling(div_2, 2);
+				var consequent_5 = ($$anchor) => {
+					var div_3 = root_8();
+					var node_11 = $.child(div_3);
+					{
+						let $0 = $.derived(() => t("panel.axes"));
+						Segmented(node_11, {
+							get options() {
+								return $.get(axes);
+							},
+							get label() {
+								return $.get($0);
+							},
+							onchange: () => $.set(points, []),
+							get value() {
+								return $.get(axis);
+							},
+							set value($$value) {
+								$.set(axis, $$value, true);
+							}
+						});
+					}
+					var node_12 = $.sibling(node_11, 2);
+					var consequent_4 = ($$anchor) => {
+						{
+							let $0 = $.derived(() => t("settings.from"));
+							Segmented($$anchor, {
+								get options() {
+									return $.get(sides);
+								},
+								get label() {
+									return $.get($0);
+								},
+								get value() {
+									return $.get(from);
+								},
+								set value($$value) {
+									$.set(from, $$value, true);
+								}
+							});
+						}
+					};
+					$.if(node_12, ($$render) => {
+						if ($.get(kind) === "edge") $$render(consequent_4);
+					});
+					$.reset(div_3);
+					$.append($$anchor, div_3);
+				};
+				$.if(node_10, ($$render) => {
+					if ($.get(kind) !== "circle") $$render(consequent_5);
+				});
+				$.reset(div_1);
+				$.template_effect(($0) => $.set_attribute(svg, "aria-label", $0), [() => t(`settings.${$.get(kind)}`)]);
+				$.append($$anchor, div_1);
+			},
+			$$slots: { default: true }
+		});
+	}
+	var node_13 = $.sibling(node, 2);
+	{
+		let $0 = $.derived(() => t("settings.points", {
+			taken: $.get(points).length,
+			wanted: $.get(wanted)
+		}));
+		Card(node_13, {
+			get title() {
+				return $.get($0);
+			},
+			children: ($$anchor, $$slotProps) => {
+				var div_4 = root_16();
+				var p = $.child(div_4);
+				var text_1 = $.only_child(p, true);
+				var table = $.sibling(p, 2);
+				var tbody = $.child(table);
+				var tr = $.child(tbody);
+				var th = $.child(tr);
+				var text_2 = $.only_child(th, true);
+				var node_14 = $.sibling(th);
+				$.each(node_14, 16, () => [
+					"X",
+					"Y",
+					"Z"
+				], (one) => one, ($$anchor, one) => {
+					var td = root_10();
+					var small = $.child(td);
+					var text_3 = $.only_child(small, true);
+					var text_4 = $.sibling(small);
+					$.reset(td);
+					$.template_effect(($0) => {
+						$.set_text(text_3, one);
+						$.set_text(text_4, ` ${$0 ?? ""}`);
+					}, [() => fixed($.get(here)[one])]);
+					$.append($$anchor, td);
+				});
+				$.reset(tr);
+				var node_15 = $.sibling(tr);
+				$.each(node_15, 17, () => $.get(points), $.index, ($$anchor, point, index) => {
+					var tr_1 = root_12();
+					var th_1 = $.child(tr_1);
+					th_1.textContent = index + 1;
+					var node_16 = $.sibling(th_1);
+					$.each(node_16, 16, () => [
+						"X",
+						"Y",
+						"Z"
+					], (one) => one, ($$anchor, one) => {
+						var td_1 = root_11();
+						var text_5 = $.only_child(td_1, true);
+						$.template_effect(($0) => $.set_text(text_5, $0), [() => fixed($.get(point)[one])]);
+						$.append($$anchor, td_1);
+					});
+					$.reset(tr_1);
+					$.append($$anchor, tr_1);
+				});
+				$.reset(tbody);
+				$.reset(table);
+				var div_5 = $.sibling(table, 2);
+				var node_17 = $.child(div_5);
+				Button(node_17, {
+					icon: "target",
+					onclick: take,
+					children: ($$anchor, $$slotProps) => {
+						$.next();
+						var text_6 = $.text();
+						$.template_effect(($0) => $.set_text(text_6, $0), [() => t("settings.take")]);
+						$.append($$anchor, text_6);
+					},
+					$$slots: { default: true }
+				});
+				var node_18 = $.sibling(node_17, 2);
+				{
+					let $0 = $.derived(() => $.get(points).length === 0);
+					Button(node_18, {
+						icon: "reset",
+						get disabled() {
+							return $.get($0);
+						},
+						onclick: () => $.set(points, []),
+						children: ($$anchor, $$slotProps) => {
+							$.next();
+							var text_7 = $.text();
+							$.template_effect(($0) => $.set_text(text_7, $0), [() => t("settings.again")]);
+							$.append($$anchor, text_7);
+						},
+						$$slots: { default: true }
+					});
+				}
+				$.reset(div_5);
+				var node_19 = $.sibling(div_5, 2);
+				var consequent_6 = ($$anchor) => {
+					var div_6 = root_14();
+					var node_20 = $.child(div_6);
+					$.each(node_20, 17, () => Object.entries($.get(result).axes), ([name, place]) => name, ($$anchor, $$item) => {
+						var $$array = $.derived(() => $.to_array($.get($$item), 2));
+						let name = () => $.get($$array)[0];
+						let place = () => $.get($$array)[1];
+						var strong = root_13();
+						var text_8 = $.only_child(strong);
+						$.template_effect(($0) => $.set_text(text_8, `${name() ?? ""} ${$0 ?? ""}`), [() => fixed(place())]);
+						$.append($$anchor, strong);
+					});
+					var p_1 = $.sibling(node_20, 2);
+					var text_9 = $.only_child(p_1, true);
+					$.reset(div_6);
+					$.template_effect(() => $.set_text(text_9, $.get(result).text));
+					$.append($$anchor, div_6);
+				};
+				var consequent_7 = ($$anchor) => {
+					var p_2 = root_15();
+					var text_10 = $.only_child(p_2, true);
+					$.template_effect(($0) => $.set_text(text_10, $0), [() => t("settings.on_a_line")]);
+					$.append($$anchor, p_2);
+				};
+				$.if(node_19, ($$render) => {
+					if ($.get(result)) $$render(consequent_6);
+					else if ($.get(points).length === $.get(wanted)) $$render(consequent_7, 1);
+				});
+				var node_21 = $.sibling(node_19, 2);
+				{
+					let $0 = $.derived(() => !$.get(result));
+					Button(node_21, {
+						kind: "primary",
+						icon: "check",
+						get disabled() {
+							return $.get($0);
+						},
+						onclick: () => void apply(),
+						children: ($$anchor, $$slotProps) => {
+							$.next();
+							var text_11 = $.text();
+							$.template_effect(($0) => $.set_text(text_11, $0), [() => t("settings.apply", { system: $.get(system) })]);
+							$.append($$anchor, text_11);
+						},
+						$$slots: { default: true }
+					});
+				}
+				$.reset(div_4);
+				$.template_effect(($0, $1) => {
+					$.set_text(text_1, $0);
+					$.set_text(text_2, $1);
+				}, [() => t(`settings.${$.get(kind)}_text`), () => t("settings.now")]);
+				$.append($$anchor, div_4);
+			},
+			$$slots: { default: true }
+		});
+	}
+	$.reset(div);
+	$.append($$anchor, div);
+	$.pop();
+}
+export { Centring as default };

@@ -1,0 +1,17 @@
+// src/shell/tone.ts
+/** What a state of the machine means to who looks at it: it runs, waits for somebody, is in danger, is moved by hand. */
+function tone(activity) {
+	switch (activity) {
+		case "running": return "run";
+		case "held":
+		case "stopped":
+		case "block_end": return "wait";
+		case "alarm":
+		case "emergency": return "bad";
+		case "by_hand":
+		case "returning":
+		case "resetting": return "hand";
+		default: return "idle";
+	}
+}
+export { tone };

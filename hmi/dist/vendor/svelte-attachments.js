@@ -1,0 +1,1 @@
+export { Fn as createAttachmentKey, In as fromAction } from "./shared/index-client.js";

@@ -1,0 +1,141 @@
+// What is asked over HTTP: tables and texts that do not change, checks, paths, files.
+
+/** A finding of the check, with columns in UTF-16 units from 1; the end is behind the last. */
+export type Finding = {
+  id: string;
+  severity: 'error' | 'warning';
+  line: number;
+  column: number;
+  end_line: number;
+  end_column: number;
+  text: string;
+  help: string;
+};
+export type AlarmText = { id: string; text: string; help: string };
+export type Explanation = { found: boolean; kind: string; title: string; text: string; source: string };
+export type CodeWord = { word: string; kind: string; title: string; form: string };
+export type ParameterBit = {
+  bit: number;
+  name: string;
+  symbol: string;
+  meaning: string;
+  standard: number;
+  level: number;
+  used: boolean;
+};
+export type ParameterInfo = {
+  number: number | string;
+  /** What the command `parameters` calls it. */
+  name: string;
+  kind: 'bit' | 'data';
+  bits: ParameterBit[];
+  symbol: string;
+  meaning: string;
+  unit: string;
+  minimum: number | null;
+  maximum: number | null;
+  standard: number;
+  level: number;
+  used: boolean;
+};
+export type SignalInfo = { name: string; address: string; meaning: string };
+export type Found = { kind: string; key: string; title: string; text: string };
+export type SessionInfo = { level: number; needs_log_in: boolean; csrf?: string };
+
+/** An answer that is no success. */
+export class HttpError extends Error {
+  constructor(
+    readonly status: number,
+    message: string,
+  ) {
+    super(message);
+    this.name = 'HttpError';
+  }
+}
+
+let csrf = '';
+
+/** Asks a path of the server. Throws an `HttpError` unless it succeeds. */
+export async function request(path: string, options: RequestInit = {}): Promise<Response> {
+  const headers = new Headers(options.headers);
+  if (csrf && options.method && options.method !== 'GET') headers.set('x-csrf', csrf);
+  const response = await fetch(path, { ...options, headers, credentials: 'same-origin' });
+  if (!response.ok) throw new HttpError(response.status, (await response.text()).slice(0, 500));
+  return response;
+}
+
+async function json<T>(path: string, options?: RequestInit): Promise<T> {
+  return (await (await request(path, options)).json()) as T;
+}
+
+const query = (values: Record<string, string>) => new URLSearchParams(values).toString();
+
+/** Answers that stay the same while the server runs. */
+const kept = new Map<string, Promise<unknown>>();
+
+function once<T>(path: string): Promise<T> {
+  let answer = kept.get(path) as Promise<T> | undefined;
+  if (!answer) {
+    answer = json<T>(path);
+    kept.set(path, answer);
+    answer.catch(() => kept.delete(path));
+  }
+  return answer;
+}
+
+export const http = {
+  async session(): Promise<SessionInfo> {
+    const session = await json<SessionInfo>('/api/session');
+    csrf = session.csrf ?? '';
+    return session;
+  },
+  async logIn(level: number, password: string): Promise<SessionInfo> {
+    const session = await json<SessionInfo>('/api/session', {
+      method: 'POST',
+      headers: { 'content-type': 'application/json' },
+      body: JSON.stringify({ level, password }),
+    });
+    csrf = session.csrf ?? '';
+    return session;
+  },
+  async logOut(): Promise<void> {
+    await request('/api/session', { method: 'DELETE' });
+  },
+  check(text: string, dialect: string, language: string, signal?: AbortSignal): Promise<{ findings: Finding[] }> {
+    const options: RequestInit = { method: 'POST', body: text, headers: { 'content-type': 'text/plain' } };
+    if (signal) options.signal = signal;
+    return json(`/api/check?${query({ dialect, language })}`, options);
+  },
+  async path(program: string, signal?: AbortSignal): Promise<ArrayBuffer> {
+    return (await request(`/api/path?${query({ program })}`, signal ? { signal } : {})).arrayBuffer();
+  },
+  async pathOf(text: string, dialect: string, signal?: AbortSignal): Promise<ArrayBuffer> {
+    const options: RequestInit = { method: 'POST', body: text, headers: { 'content-type': 'text/plain' } };
+    if (signal) options.signal = signal;
+    return (await request(`/api/path?${query({ dialect })}`, options)).arrayBuffer();
+  },
+  alarm(id: string, values: Record<string, string>, language: string): Promise<AlarmText> {
+    return once(`/api/alarm?${query({ id, values: JSON.stringify(values), language })}`);
+  },
+  explain(word: string, dialect: string, language: string): Promise<Explanation> {
+    return once(`/api/explain?${query({ word, dialect, language })}`);
+  },
+  words(dialect: string, language: string): Promise<CodeWord[]> {
+    return once(`/api/words?${query({ dialect, language })}`);
+  },
+  parameters(language: string): Promise<ParameterInfo[]> {
+    return once(`/api/parameters?${query({ language })}`);
+  },
+  signals(language: string): Promise<SignalInfo[]> {
+    return once(`/api/signals?${query({ language })}`);
+  },
+  search(q: string, language: string): Promise<Found[]> {
+    return json(`/api/search?${query({ q, language })}`);
+  },
+  async upload(name: string, body: Blob | string): Promise<void> {
+    await request(`/api/programs/${encodeURIComponent(name)}`, { method: 'PUT', body });
+  },
+  download(name: string): string {
+    return `/api/programs/${encodeURIComponent(name)}`;
+  },
+};

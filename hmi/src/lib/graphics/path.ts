@@ -1,0 +1,125 @@
+// The path of a program as the server sends it (FCP1): a polyline with the time and the line of each point.
+
+export type Path = {
+  count: number;
+  /** Cut short by an alarm, by its size. */
+  alarm: boolean;
+  short: boolean;
+  /** Smallest and largest x, y, z; mm of the machine. */
+  box: { low: [number, number, number]; high: [number, number, number] };
+  points: Float32Array;
+  /** s since the start. */
+  times: Float32Array;
+  /** The line of the move that ends here. */
+  lines: Uint32Array;
+  /** 0 start or jump, 1 rapid, 2 line, 3 arc: the move that ends here. */
+  kinds: Uint8Array;
+};
+
+const HEAD = 64;
+
+/** Reads a path; the arrays are views of the buffer. Throws where it is none. */
+export function readPath(buffer: ArrayBuffer): Path {
+  const view = new DataView(buffer);
+  if (buffer.byteLength < HEAD || view.getUint32(0, true) !== 0x31504346) throw new Error('no path');
+  const count = view.getUint32(4, true);
+  const flags = view.getUint32(8, true);
+  if (buffer.byteLength < HEAD + count * 21) throw new Error('path is cut short');
+  const box = Array.from({ length: 6 }, (_, at) => view.getFloat64(16 + at * 8, true));
+  let at = HEAD;
+  const points = new Float32Array(buffer, at, 3 * count);
+  at += 12 * count;
+  const times = new Float32Array(buffer, at, count);
+  at += 4 * count;
+  const lines = new Uint32Array(buffer, at, count);
+  at += 4 * count;
+  const kinds = new Uint8Array(buffer, at, count);
+  return {
+    count,
+    alarm: (flags & 1) !== 0,
+    short: (flags & 2) !== 0,
+    box: { low: [box[0]!, box[1]!, box[2]!], high: [box[3]!, box[4]!, box[5]!] },
+    points,
+    times,
+    lines,
+    kinds,
+  };
+}
+
+/** The segments of a path as pairs of points, with so many points left out between two: for the eye of somebody who
+    turns it. Ends of rapids and jumps stay. */
+export function segments(path: Path, every: number): Uint32Array {
+  const { count, kinds } = path;
+  const pairs = new Uint32Array(2 * Math.max(0, count - 1));
+  let used = 0;
+  let last = 0;
+  for (let at = 1; at < count; at++) {
+    const kind = kinds[at];
+    if (kind === 0) {
+      last = at;
+      continue;
+    }
+    const next = at + 1 < count ? kinds[at + 1] : 0;
+    const isEnd = next !== kind;
+    if (isEnd || at - last >= every) {
+      pairs[used++] = last;
+      pairs[used++] = at;
+      last = at;
+    }
+  }
+  return pairs.slice(0, used);
+}
+
+/** The last point that is reached at a time. */
+export function at(path: Path, time: number): number {
+  let low = 0;
+  let high = path.count - 1;
+  while (low < high) {
+    const middle = (low + high + 1) >> 1;
+    if ((path.times[middle] ?? 0) <= time) low = middle;
+    else high = middle - 1;
+  }
+  return low;
+}
+
+/** How far ahead of the last place the tool is looked for before the whole path is. */
+const AHEAD = 4000;
+
+/** The point whose segment the tool is on: of those of the line being run the nearest one, ahead of where it was. */
+export function follow(path: Path, line: number, tool: readonly number[], from: number): number {
+  let best = -1;
+  let least = Infinity;
+  const look = (first: number, last: number) => {
+    for (let index = Math.max(1, first); index < Math.min(last, path.count); index++) {
+      if (path.lines[index] !== line || path.kinds[index] === 0) continue;
+      const distance = toSegment(path.points, index, tool);
+      // Passes of a loop lie on each other: the first of the nearest holds.
+      if (distance < least - 1e-4) {
+        least = distance;
+        best = index;
+      }
+    }
+  };
+  look(from, from + AHEAD);
+  if (best < 0) look(1, path.count);
+  return best < 0 ? from : best;
+}
+
+function toSegment(points: Float32Array, index: number, tool: readonly number[]): number {
+  let along = 0;
+  let length = 0;
+  const a = 3 * (index - 1);
+  const b = 3 * index;
+  for (let axis = 0; axis < 3; axis++) {
+    const way = points[b + axis]! - points[a + axis]!;
+    along += way * (tool[axis]! - points[a + axis]!);
+    length += way * way;
+  }
+  const part = length === 0 ? 0 : Math.max(0, Math.min(1, along / length));
+  let sum = 0;
+  for (let axis = 0; axis < 3; axis++) {
+    const place = points[a + axis]! + part * (points[b + axis]! - points[a + axis]!);
+    sum += (tool[axis]! - place) ** 2;
+  }
+  return Math.sqrt(sum);
+}

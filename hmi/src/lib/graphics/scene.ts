@@ -1,0 +1,353 @@
+// The path on a canvas of its own, drawn only when camera, data or what is done change. While the camera moves a coarse
+// form is drawn; the whole follows in pieces, a piece a frame, so that no frame holds up the hand that turns it.
+import {
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  LineBasicMaterial,
+  LineSegments,
+  OrthographicCamera,
+  Scene,
+  ShaderMaterial,
+  Vector3,
+  WebGLRenderer,
+} from 'three';
+import { segments, type Path } from './path';
+
+/** Segments of the coarse form, and of a piece of the whole. */
+const COARSE = 40_000;
+const PIECE = 60_000;
+/** ms without movement of the camera after which the whole is drawn. */
+const SETTLED = 180;
+/** ms from one picture of what is done to the next, at least. */
+const LEAST = 200;
+
+export type View = 'iso' | 'top' | 'front' | 'side';
+export type Shades = { done: string; cut: string; arc: string; rapid: string; grid: string };
+
+const vertex = /* glsl */ `
+in float kind;
+uniform float done;
+uniform vec3 shadeDone, shadeCut, shadeArc, shadeRapid;
+uniform float showRapid;
+flat out vec4 shade;
+out float height;
+void main() {
+  bool isDone = float(gl_VertexID) <= done;
+  vec3 rgb = kind < 1.5 ? shadeRapid : kind < 2.5 ? shadeCut : shadeArc;
+  shade = vec4(isDone ? (kind < 1.5 ? shadeRapid : shadeDone) : rgb, kind < 1.5 ? 0.55 * showRapid : 1.0);
+  height = position.z;
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+}`;
+const fragment = /* glsl */ `
+flat in vec4 shade;
+in float height;
+uniform vec2 section;
+out vec4 colour;
+void main() {
+  if (shade.a < 0.01 || height < section.x || height > section.y) discard;
+  colour = shade;
+}`;
+
+export class PathScene {
+  readonly camera = new OrthographicCamera(-1, 1, 1, -1, -10_000, 10_000);
+  readonly target = new Vector3();
+  yaw = -0.7;
+  pitch = 0.6;
+  /** mm that are seen in the smaller of width and height. */
+  span = 200;
+  /** ms that the last frame took to submit, and the segments of it: for who measures. */
+  lastFrame = { ms: 0, segments: 0, whole: false };
+  onview: () => void = () => undefined;
+
+  #renderer: WebGLRenderer;
+  #scene = new Scene();
+  #material: ShaderMaterial;
+  #whole: LineSegments | null = null;
+  #coarse: LineSegments | null = null;
+  #grid: LineSegments | null = null;
+  #gridMaterial = new LineBasicMaterial();
+  #path: Path | null = null;
+  #total = 0;
+  #at = 0;
+  #moved = 0;
+  #frame = 0;
+  #slow = 0;
+  #next = 0;
+  #timer: ReturnType<typeof setTimeout> | undefined;
+  #later: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(readonly canvas: HTMLCanvasElement) {
+    this.#renderer = new WebGLRenderer({ canvas, antialias: false, alpha: true, preserveDrawingBuffer: true, powerPreference: 'high-performance' });
+    this.#renderer.autoClear = false;
+    this.#material = new ShaderMaterial({
+      glslVersion: '300 es',
+      vertexShader: vertex,
+      fragmentShader: fragment,
+      transparent: true,
+      depthTest: false,
+      uniforms: {
+        done: { value: -1 },
+        showRapid: { value: 1 },
+        section: { value: [-1e9, 1e9] },
+        shadeDone: { value: new Color() },
+        shadeCut: { value: new Color() },
+        shadeArc: { value: new Color() },
+        shadeRapid: { value: new Color() },
+      },
+    });
+  }
+
+  /** Colours, as CSS has them. */
+  shades(shades: Shades): void {
+    const { uniforms } = this.#material;
+    uniforms.shadeDone!.value.setStyle(shades.done, '');
+    uniforms.shadeCut!.value.setStyle(shades.cut, '');
+    uniforms.shadeArc!.value.setStyle(shades.arc, '');
+    uniforms.shadeRapid!.value.setStyle(shades.rapid, '');
+    this.#gridMaterial.color.setStyle(shades.grid, '');
+    this.#renderer.outputColorSpace = 'srgb-linear';
+    this.draw();
+  }
+
+  /** Another path. */
+  load(path: Path | null): void {
+    for (const old of [this.#whole, this.#coarse, this.#grid]) {
+      if (old) {
+        this.#scene.remove(old);
+        old.geometry.dispose();
+      }
+    }
+    this.#whole = this.#coarse = this.#grid = null;
+    this.#path = path;
+    this.#total = 0;
+    if (path && path.count > 1) {
+      const position = new BufferAttribute(path.points, 3);
+      const kind = new BufferAttribute(path.kinds, 1);
+      const lines = (index: Uint32Array) => {
+        const geometry = new BufferGeometry();
+        geometry.setAttribute('position', position);
+        geometry.setAttribute('kind', kind);
+        geometry.setIndex(new BufferAttribute(index, 1));
+        const made = new LineSegments(geometry, this.#material);
+        made.frustumCulled = false;
+        this.#scene.add(made);
+        return made;
+      };
+      const all = segments(path, 1);
+      this.#total = all.length / 2;
+      this.#whole = lines(all);
+      this.#coarse = this.#total > COARSE ? this.#thinned(lines, path, all) : null;
+      this.#grid = this.#floor(path);
+    }
+    this.fit();
+  }
+
+  /** The coarse form; where ends of moves alone are more than it may have, of these so many are taken. */
+  #thinned(lines: (index: Uint32Array) => LineSegments, path: Path, all: Uint32Array): LineSegments {
+    const thin = segments(path, Math.ceil(this.#total / COARSE) * 2);
+    const from = thin.length / 2 > 2 * COARSE ? all : thin;
+    const every = Math.ceil(from.length / 2 / (2 * COARSE));
+    if (every <= 1) return lines(from);
+    const some = new Uint32Array(2 * Math.floor(from.length / 2 / every));
+    for (let pair = 0; 2 * pair < some.length; pair++) {
+      some[2 * pair] = from[2 * pair * every]!;
+      some[2 * pair + 1] = from[2 * pair * every + 1]!;
+    }
+    return lines(some);
+  }
+
+  #floor(path: Path): LineSegments {
+    const [x0, y0, z0] = path.box.low;
+    const [x1, y1] = path.box.high;
+    const size = Math.max(x1 - x0, y1 - y0, 10);
+    const step = 10 ** Math.floor(Math.log10(size / 4));
+    const points: number[] = [];
+    const from = (value: number) => Math.floor(value / step - 1) * step;
+    const to = (value: number) => Math.ceil(value / step + 1) * step;
+    for (let x = from(x0); x <= to(x1) + 1e-6; x += step) points.push(x, from(y0), z0, x, to(y1), z0);
+    for (let y = from(y0); y <= to(y1) + 1e-6; y += step) points.push(from(x0), y, z0, to(x1), y, z0);
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(new Float32Array(points), 3));
+    const grid = new LineSegments(geometry, this.#gridMaterial);
+    grid.renderOrder = -1;
+    grid.frustumCulled = false;
+    this.#scene.add(grid);
+    return grid;
+  }
+
+  /** Looks at the whole path. */
+  fit(): void {
+    const path = this.#path;
+    if (path) {
+      const { low, high } = path.box;
+      this.target.set((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2);
+      this.span = Math.max(1, Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2])) * 1.15;
+    }
+    this.moved();
+  }
+
+  look(view: View): void {
+    [this.yaw, this.pitch] = { iso: [-0.7, 0.6], top: [0, Math.PI / 2], front: [0, 0], side: [Math.PI / 2, 0] }[view] as [number, number];
+    this.moved();
+  }
+
+  /** Points up to this one are done. On a path that takes long to draw it is drawn now and then. */
+  done(index: number): void {
+    const uniform = this.#material.uniforms.done!;
+    if (uniform.value === index) return;
+    uniform.value = index;
+    const wait = this.#next - performance.now();
+    if (wait <= 0) this.draw();
+    else this.#later ??= setTimeout(() => this.draw(), Math.min(wait, 1000));
+  }
+
+  rapids(shown: boolean): void {
+    this.#material.uniforms.showRapid!.value = shown ? 1 : 0;
+    this.draw();
+  }
+
+  section(low: number, high: number): void {
+    this.#material.uniforms.section!.value = [low, high];
+    this.draw();
+  }
+
+  size(width: number, height: number, ratio: number): void {
+    this.#renderer.setPixelRatio(ratio);
+    this.#renderer.setSize(width, height, false);
+    this.moved();
+  }
+
+  /** The camera moved. */
+  moved(): void {
+    this.#moved = performance.now();
+    this.draw();
+    clearTimeout(this.#timer);
+    if (this.#coarse) this.#timer = setTimeout(() => this.draw(), SETTLED + 10);
+    this.onview();
+  }
+
+  /** Turns by angles, shifts by pixels. */
+  turn(yaw: number, pitch: number): void {
+    this.yaw += yaw;
+    this.pitch = Math.max(-Math.PI / 2, Math.min(Math.PI / 2, this.pitch + pitch));
+    this.moved();
+  }
+  shift(x: number, y: number): void {
+    const scale = this.span / Math.min(this.canvas.clientWidth, this.canvas.clientHeight);
+    const right = new Vector3().setFromMatrixColumn(this.camera.matrixWorld, 0);
+    const up = new Vector3().setFromMatrixColumn(this.camera.matrixWorld, 1);
+    this.target.addScaledVector(right, -x * scale).addScaledVector(up, y * scale);
+    this.moved();
+  }
+  zoom(factor: number): void {
+    this.span = Math.max(0.01, Math.min(1e6, this.span * factor));
+    this.moved();
+  }
+
+  #place(): void {
+    const width = this.canvas.clientWidth || 1;
+    const height = this.canvas.clientHeight || 1;
+    const half = this.span / 2;
+    const [w, h] = width < height ? [half, (half * height) / width] : [(half * width) / height, half];
+    Object.assign(this.camera, { left: -w, right: w, top: h, bottom: -h, near: -1e5, far: 1e5 });
+    const { yaw, pitch } = this;
+    const away = new Vector3(Math.sin(yaw) * Math.cos(pitch), -Math.cos(yaw) * Math.cos(pitch), Math.sin(pitch));
+    this.camera.up.set(-Math.sin(yaw) * Math.sin(pitch), Math.cos(yaw) * Math.sin(pitch), Math.cos(pitch));
+    this.camera.position.copy(this.target).add(away);
+    this.camera.lookAt(this.target);
+    this.camera.updateProjectionMatrix();
+    this.camera.updateMatrixWorld();
+  }
+
+  /** Pixels of a point of the machine. */
+  project(x: number, y: number, z: number): [number, number] {
+    const point = new Vector3(x, y, z).project(this.camera);
+    return [((point.x + 1) / 2) * this.canvas.clientWidth, ((1 - point.y) / 2) * this.canvas.clientHeight];
+  }
+
+  /** The point of the path nearest to a pixel; null where none is near. */
+  pick(x: number, y: number, near = 14): number | null {
+    const path = this.#path;
+    if (!path) return null;
+    const m = this.camera.projectionMatrix.clone().multiply(this.camera.matrixWorldInverse).elements;
+    const wide = this.canvas.clientWidth / 2;
+    const high = this.canvas.clientHeight / 2;
+    const [low, top] = this.#material.uniforms.section!.value as [number, number];
+    let best: number | null = null;
+    let least = near * near;
+    for (let index = 0; index < path.count; index++) {
+      const px = path.points[3 * index]!;
+      const py = path.points[3 * index + 1]!;
+      const pz = path.points[3 * index + 2]!;
+      if (pz < low || pz > top) continue;
+      const dx = (m[0]! * px + m[4]! * py + m[8]! * pz + m[12]! + 1) * wide - x;
+      const dy = (1 - (m[1]! * px + m[5]! * py + m[9]! * pz + m[13]!)) * high - y;
+      const distance = dx * dx + dy * dy;
+      if (distance < least) {
+        least = distance;
+        best = index;
+      }
+    }
+    return best;
+  }
+
+  /** Draws anew, soon. */
+  draw(): void {
+    clearTimeout(this.#later);
+    this.#later = undefined;
+    this.#at = 0;
+    if (!this.#frame) this.#frame = requestAnimationFrame(() => this.#step());
+  }
+
+  #step(): void {
+    this.#frame = 0;
+    const start = performance.now();
+    if (this.#at === 0) {
+      this.#slow = start;
+      this.#place();
+    }
+    const moving = this.#coarse !== null && start - this.#moved < SETTLED;
+    let drawn = 0;
+    if (this.#at === 0) this.#renderer.clear();
+    if (this.#grid) this.#grid.visible = this.#at === 0;
+    if (this.#coarse) this.#coarse.visible = moving;
+    if (this.#whole) {
+      this.#whole.visible = !moving;
+      if (!moving) {
+        const left = this.#total - this.#at;
+        drawn = Math.min(left, PIECE);
+        this.#whole.geometry.setDrawRange(2 * this.#at, 2 * drawn);
+        this.#at += drawn;
+      }
+    }
+    this.#renderer.render(this.#scene, this.camera);
+    this.lastFrame = { ms: performance.now() - start, segments: drawn, whole: !moving && this.#at >= this.#total };
+    if (!moving && this.#at > 0 && this.#at < this.#total) {
+      this.#frame = requestAnimationFrame(() => this.#step());
+    } else {
+      this.#at = 0;
+      // What is done is drawn for a tenth of the time at most. How long a picture takes is known when the browser is
+      // ready for the next one.
+      this.#next = Infinity;
+      requestAnimationFrame(() =>
+        requestAnimationFrame(() => {
+          const took = performance.now() - this.#slow;
+          this.#next = performance.now() + Math.max(LEAST, 10 * took);
+        }),
+      );
+    }
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.#frame);
+    clearTimeout(this.#timer);
+    clearTimeout(this.#later);
+    this.load(null);
+    cancelAnimationFrame(this.#frame);
+    clearTimeout(this.#timer);
+    this.#material.dispose();
+    this.#gridMaterial.dispose();
+    this.#renderer.dispose();
+  }
+}

@@ -1,0 +1,113 @@
+import { readFileSync, readdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { parse, type AST } from 'svelte/compiler';
+import { describe, expect, it } from 'vitest';
+import { form, text } from './plural';
+
+const root = join(import.meta.dirname, '../..');
+const languages = ['en', 'zh', 'ru', 'es', 'tr'];
+
+function files(folder: string, end: string): string[] {
+  return readdirSync(folder, { recursive: true })
+    .map(String)
+    .filter((name) => name.endsWith(end))
+    .map((name) => join(folder, name))
+    .sort();
+}
+
+function catalogue(language: string): Record<string, string> {
+  const all: Record<string, string> = {};
+  for (const file of files(join(root, 'locales', language), '.json')) {
+    const page = file.split('/').at(-1)!.slice(0, -5);
+    const texts = JSON.parse(readFileSync(file, 'utf8')) as Record<string, string>;
+    for (const [key, value] of Object.entries(texts)) all[`${page}.${key}`] = value;
+  }
+  return all;
+}
+
+const catalogues = Object.fromEntries(languages.map((language) => [language, catalogue(language)]));
+const plural = /_(one|two|few|many|other)$/;
+/** Keys without their plural forms. */
+const bare = (keys: string[]) => [...new Set(keys.map((key) => key.replace(plural, '')))].sort();
+const names = (value: string) => [...value.matchAll(/\{(\w+)\}/g)].map((found) => found[1]).sort();
+
+describe('catalogues', () => {
+  const english = catalogues.en!;
+  it.each(languages)('%s has every key, and no other', (language) => {
+    const mine = catalogues[language]!;
+    expect(bare(Object.keys(mine))).toEqual(bare(Object.keys(english)));
+    expect(Object.keys(mine).filter((key) => mine[key]!.trim() === '')).toEqual([]);
+  });
+  it.each(languages)('%s has the plural forms that the language needs', (language) => {
+    const mine = catalogues[language]!;
+    const forms = new Set(Array.from({ length: 200 }, (_, count) => form(language, count)));
+    for (const key of Object.keys(mine).filter((one) => plural.test(one))) {
+      const base = key.replace(plural, '');
+      for (const one of forms) expect(mine, `${base}_${one}`).toHaveProperty([`${base}_${one}`]);
+    }
+  });
+  it.each(languages)('%s names the same values as English', (language) => {
+    const mine = catalogues[language]!;
+    for (const [key, value] of Object.entries(mine)) {
+      const other = english[key] ?? english[key.replace(plural, '_other')];
+      if (other !== undefined) expect(names(value), `${language} ${key}`).toEqual(names(other));
+    }
+  });
+  it('are not copies of English', () => {
+    for (const language of ['zh', 'ru', 'es', 'tr']) {
+      const mine = catalogues[language]!;
+      const words = Object.keys(english).filter((key) => /[a-z]{4,} [a-z]{3,}/.test(english[key]!));
+      expect(words.filter((key) => mine[key] === english[key]), language).toEqual([]);
+    }
+  });
+});
+
+describe('the source', () => {
+  const components = files(root, '.svelte');
+  const scripts = files(root, '.ts').filter((file) => !file.endsWith('.test.ts'));
+
+  it('asks for no key that is missing', () => {
+    const english = catalogues.en!;
+    const known = new Set([...Object.keys(english), ...bare(Object.keys(english))]);
+    const missing: string[] = [];
+    for (const file of [...components, ...scripts]) {
+      for (const [, key] of readFileSync(file, 'utf8').matchAll(/\bt\(\s*'([\w.-]+)'/g)) {
+        if (!known.has(key!)) missing.push(`${file}: ${key}`);
+      }
+    }
+    expect(missing).toEqual([]);
+  });
+
+  it('has no text of its own in its templates', () => {
+    const told = new Set(['title', 'aria-label', 'placeholder', 'alt', 'label', 'text', 'hint', 'aria-valuetext']);
+    const wrong: string[] = [];
+    for (const file of components) {
+      const tree = parse(readFileSync(file, 'utf8'), { modern: true, filename: file });
+      const visit = (node: unknown): void => {
+        if (Array.isArray(node)) return node.forEach(visit);
+        if (typeof node !== 'object' || node === null || !('type' in node)) return;
+        const at = node as AST.SvelteNode & Record<string, unknown>;
+        if (at.type === 'Text' && /\p{L}{2,}/u.test(at.data)) wrong.push(`${file}: ${at.data.trim()}`);
+        if (at.type === 'Attribute') {
+          if (told.has(at.name)) visit(at.value);
+          return;
+        }
+        for (const [key, value] of Object.entries(at)) {
+          if (key !== 'expression' || typeof value === 'object') visit(value);
+        }
+      };
+      visit(tree.fragment);
+    }
+    expect(wrong).toEqual([]);
+  });
+});
+
+describe('texts', () => {
+  it('take values and plural forms', () => {
+    const texts = { 'a.parts_one': '{count} деталь', 'a.parts_few': '{count} детали', 'a.parts_many': '{count} деталей' };
+    expect(text(texts, 'ru', 'a.parts', { count: 21 })).toBe('21 деталь');
+    expect(text(texts, 'ru', 'a.parts', { count: 3 })).toBe('3 детали');
+    expect(text(texts, 'ru', 'a.parts', { count: 11 })).toBe('11 деталей');
+    expect(text(texts, 'ru', 'a.nothing')).toBe('a.nothing');
+  });
+});

@@ -1,0 +1,22 @@
+import { expect, it } from 'vitest';
+import { duration, fixed, typed } from './numbers';
+
+it('measures have a fixed number of digits and no minus zero', () => {
+  expect(fixed(-0.0004)).toBe('0.000');
+  expect(fixed(-12.5)).toBe('−12.500');
+  expect(fixed(1234.5678, 2)).toBe('1234.57');
+  expect(fixed(undefined)).toBe('–');
+  expect(fixed(Number.NaN)).toBe('–');
+});
+
+it('typed numbers take point and comma, and nothing that is no number', () => {
+  expect(typed('12,5')).toBe(12.5);
+  expect(typed(' −.5 ')).toBe(-0.5);
+  expect(typed('5.')).toBe(5);
+  for (const wrong of ['', '.', '1e5', '1,2,3', 'x', '--1', 'Infinity']) expect(typed(wrong)).toBeNull();
+});
+
+it('durations are hours, minutes, seconds', () => {
+  expect(duration(3661.9)).toBe('01:01:01');
+  expect(duration(360_000)).toBe('100:00:00');
+});

@@ -1,0 +1,34 @@
+// Measures as a control shows them: a fixed number of digits, a true minus, no grouping.
+
+/** A measure with so many digits behind the point. What rounds to zero has no sign. */
+export function fixed(value: number | null | undefined, digits = 3): string {
+  if (value === null || value === undefined || !Number.isFinite(value)) return '–';
+  const text = Math.abs(value).toFixed(digits);
+  return value < 0 && Number(text) !== 0 ? `−${text}` : text;
+}
+
+/** A factor in per cent, without the sign. */
+export function percent(factor: number): string {
+  return Math.round(factor * 100).toString();
+}
+
+/** Seconds as hours, minutes and seconds. */
+export function duration(seconds: number): string {
+  const whole = Math.max(0, Math.floor(seconds));
+  const two = (value: number) => value.toString().padStart(2, '0');
+  return `${two(Math.floor(whole / 3600))}:${two(Math.floor(whole / 60) % 60)}:${two(whole % 60)}`;
+}
+
+/** Bytes in the unit that gives up to four digits. */
+export function bytes(count: number): string {
+  if (count < 10_000) return `${count} B`;
+  if (count < 10_000_000) return `${(count / 1024).toFixed(0)} KiB`;
+  return `${(count / 1024 / 1024).toFixed(1)} MiB`;
+}
+
+/** A number as a person types it: with point or comma, with either minus. Null where it is none. */
+export function typed(text: string): number | null {
+  const clean = text.trim().replace('−', '-').replace(',', '.');
+  if (!/^[+-]?(\d+\.?\d*|\.\d+)$/.test(clean)) return null;
+  return Number(clean);
+}

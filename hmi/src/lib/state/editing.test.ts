@@ -1,0 +1,25 @@
+import { describe, expect, it } from 'vitest';
+import { editing, lineFor } from './editing.svelte';
+
+const program = 'O0001\nG0 X0\nM3 S300 (M30 COMES LATER)\nM30\n';
+
+describe('text for a program', () => {
+  it('goes behind the cursor, but never behind the end', () => {
+    expect(lineFor(program, 2)).toBe(2);
+    expect(lineFor(program, 9)).toBe(3);
+  });
+  it('goes before the end where there is no cursor', () => {
+    expect(lineFor(program, 0)).toBe(3);
+    expect(lineFor('G0\r\nM02', 0)).toBe(1);
+    expect(lineFor('G0 X1\nG0 X2\n', 0)).toBe(2);
+    expect(lineFor("G0 ' M30\nG1", 0)).toBe(2);
+  });
+  it('waits until its program is shown, once', () => {
+    editing.put('O0001', 'G81');
+    expect([editing.waits('O0002'), editing.waits('O0001'), editing.take(), editing.waits('O0001')]).toEqual([false, true, 'G81', false]);
+  });
+  it('keeps what is not saved, of its program alone', () => {
+    editing.leave('O0001', 3, 'G1');
+    expect([editing.draft('O0001'), editing.draft('O0002'), editing.line]).toEqual(['G1', null, 3]);
+  });
+});

@@ -1,0 +1,255 @@
+// The machine as this browser knows it: connection, status, who commands, events. One for the whole page.
+import { Connection, Refused, type Hello, type HolderEvent, type Wish } from '$lib/api/socket';
+import { http } from '$lib/api/http';
+import type { AlarmInfo, Event, Reply, Status } from '$lib/api/types';
+import { language, t } from '$lib/i18n/index.svelte';
+import { notify } from './notices.svelte';
+
+export type Version = Extract<Reply, { reply: 'version' }>;
+
+let link = $state.raw<'connecting' | 'open' | 'lost'>('connecting');
+let greeting = $state.raw<Hello | null>(null);
+let version = $state.raw<Version | null>(null);
+let status = $state.raw<Status | null>(null);
+let inCommand = $state.raw(false);
+let holder = $state.raw<number | null>(null);
+/** Of the session, 1 to 4; 0 for the operator. */
+let rights = $state.raw(0);
+let messages = $state.raw<string[]>([]);
+let programMessage = $state.raw('');
+/** Counts up with each event `changed`, by item; pages that show an item read it again. */
+const changes = $state<Record<string, number>>({});
+
+const hearers = new Set<(event: Event) => void>();
+const watchers = new Set<(status: Status) => void>();
+
+function heard(event: Event | HolderEvent): void {
+  switch (event.event) {
+    case 'command':
+      inCommand = event.you;
+      holder = event.holder;
+      keepCommand(event.you, event.holder);
+      return;
+    case 'refused':
+      void tellAlarm(event.alarm);
+      break;
+    case 'message':
+      programMessage = event.text;
+      break;
+    case 'machine_message':
+      messages = event.on ? [...messages.filter((name) => name !== event.name), event.name] : messages.filter((name) => name !== event.name);
+      break;
+    case 'changed':
+      changes[event.item] = (changes[event.item] ?? 0) + 1;
+      break;
+    case 'activity':
+      if (event.activity === 'idle') programMessage = '';
+      break;
+    default:
+  }
+  for (const hear of hearers) hear(event);
+}
+
+/** Who commanded before a reload or a lost connection takes command again, if nobody else did. */
+const COMMANDED = 'ferrocut.commanded';
+let again = sessionStorage.getItem(COMMANDED) !== null;
+
+function keepCommand(you: boolean, by: number | null): void {
+  if (you) {
+    again = false;
+    sessionStorage.setItem(COMMANDED, '');
+  } else if (by !== null) {
+    again = false;
+    sessionStorage.removeItem(COMMANDED);
+  }
+}
+
+function takeAgain(): void {
+  if (!again) return;
+  again = false;
+  connection.ask({ do: 'take_command' }).catch(() => undefined);
+}
+
+async function tellAlarm(alarm: AlarmInfo): Promise<void> {
+  try {
+    const { text, help } = await http.alarm(alarm.id, alarm.values, language());
+    notify({ kind: 'warning', title: text, text: help, code: alarm.id });
+  } catch {
+    notify({ kind: 'warning', title: alarm.id });
+  }
+}
+
+const protocol = location.protocol === 'https:' ? 'wss:' : 'ws:';
+const connection = new Connection(`${protocol}//${location.host}/api/socket`, {
+  state(now) {
+    link = now;
+    if (now === 'lost') {
+      again ||= inCommand;
+      inCommand = false;
+      holder = null;
+    }
+  },
+  hello(now) {
+    greeting = now;
+    rights = now.session?.level ?? 0;
+    takeAgain();
+    connection.ask({ do: 'version' }).then(
+      (reply) => {
+        if (reply.reply === 'version') version = reply;
+      },
+      () => undefined,
+    );
+  },
+  event: heard,
+  status(now) {
+    status = now;
+    for (const watch of watchers) watch(now);
+  },
+  end(reason) {
+    if (reason !== 'closed') notify({ kind: 'warning', title: t('app.ended'), text: reason });
+  },
+});
+
+/** Errors of the connection that have a text of their own. */
+function tellRefused(refused: unknown): void {
+  if (refused instanceof Refused) {
+    if (refused.alarm) void tellAlarm(refused.alarm);
+    else notify({ kind: 'warning', title: t(`error.${refused.code}`), text: refused.detail });
+  } else {
+    notify({ kind: 'warning', title: t('error.failed'), text: String(refused) });
+  }
+}
+
+export const machine = {
+  get link() {
+    return link;
+  },
+  get hello() {
+    return greeting;
+  },
+  get version() {
+    return version;
+  },
+  /** The latest status; null before the first. It comes 50 times a second and is never changed in place. */
+  get status() {
+    return status;
+  },
+  /** Whether this browser commands. */
+  get inCommand() {
+    return inCommand;
+  },
+  /** The connection that commands. */
+  get holder() {
+    return holder;
+  },
+  /** Messages of the ladder that stand. */
+  get messages() {
+    return messages;
+  },
+  /** What the program says. */
+  get programMessage() {
+    return programMessage;
+  },
+  /** The level whose rights this browser has: 5 is the operator. The level of the status is that of all who gave their
+      password over the socket, and says nothing of a session. */
+  get level(): number {
+    return rights || 5;
+  },
+  /** Letters of the axes. */
+  get axes(): string[] {
+    return version?.axes ?? Object.keys(status?.position.machine ?? {});
+  },
+  get dialect(): string {
+    return version?.dialect ?? 'gsk990mc';
+  },
+  /** How often an item of the memory was changed: to be read where it must be shown anew. */
+  changed(item: string): number {
+    return changes[item] ?? 0;
+  },
+
+  start(): void {
+    // The socket is of the session whose cookie the browser has when it opens.
+    void http.session().then(
+      () => connection.open(),
+      () => connection.open(),
+    );
+    const letGo = () => connection.releaseAll();
+    addEventListener('blur', letGo);
+    addEventListener('pagehide', letGo);
+    document.addEventListener('visibilitychange', () => {
+      if (document.visibilityState === 'hidden') letGo();
+    });
+  },
+  /** Connects anew, such as after a log-in. */
+  reconnect(): void {
+    connection.close();
+    connection.open();
+  },
+  /** Gives command away: a reload does not take it again. */
+  giveCommand(): void {
+    sessionStorage.removeItem(COMMANDED);
+    void this.tell({ do: 'give_command' });
+  },
+  /** Takes the rights of a level. */
+  async logIn(level: number, password: string): Promise<void> {
+    rights = (await http.logIn(level, password)).level;
+  },
+  /** Gives up the rights that were logged in with. */
+  async logOut(): Promise<void> {
+    try {
+      await http.logOut();
+      await http.session();
+    } catch (failed) {
+      tellRefused(failed);
+    }
+    this.reconnect();
+  },
+  /** Says a command; the answer, or `Refused`. */
+  ask(wish: Wish): Promise<Reply> {
+    return connection.ask(wish);
+  },
+  /** Says a command and tells the user where it is refused. Whether it was done. */
+  async tell(wish: Wish): Promise<boolean> {
+    try {
+      await connection.ask(wish);
+      return true;
+    } catch (refused) {
+      tellRefused(refused);
+      return false;
+    }
+  },
+  /** Asks for data of one kind; null, and the user was told, where it is refused. */
+  async fetch<R extends Reply['reply']>(kind: R, wish: Wish): Promise<Extract<Reply, { reply: R }> | null> {
+    try {
+      const reply = await connection.ask(wish);
+      return reply.reply === kind ? (reply as Extract<Reply, { reply: R }>) : null;
+    } catch (refused) {
+      if (!(refused instanceof Refused && refused.code === 'no_connection')) tellRefused(refused);
+      return null;
+    }
+  },
+  hold(key: string): void {
+    connection.hold(key).catch((refused) => {
+      void connection.release(key)?.catch(() => undefined);
+      tellRefused(refused);
+    });
+  },
+  release(key: string): void {
+    connection.release(key)?.catch(() => undefined);
+  },
+  /** Hears events until the answer is called. */
+  hear(hearer: (event: Event) => void): () => void {
+    hearers.add(hearer);
+    return () => hearers.delete(hearer);
+  },
+  /** Hears each status until the answer is called: for what draws itself. */
+  watch(watcher: (status: Status) => void): () => void {
+    watchers.add(watcher);
+    return () => watchers.delete(watcher);
+  },
+  refused: tellRefused,
+  /** Tells the user that a command was not even sent. */
+  refuse(code: string): void {
+    tellRefused(new Refused(code, null));
+  },
+};

@@ -1,0 +1,59 @@
+// What a browser remembers for its user: language, theme, what is shown.
+
+export const LANGUAGES = ['en', 'zh', 'ru', 'es', 'tr'] as const;
+export type Language = (typeof LANGUAGES)[number];
+export type Theme = 'system' | 'light' | 'dark';
+
+const KEY = 'ferrocut.panel';
+
+type Kept = {
+  language: Language;
+  theme: Theme;
+  /** Whether the machine panel stands beside the page. */
+  panel: boolean;
+  /** Whether the first start was gone through. */
+  welcomed: boolean;
+};
+
+function fromBrowser(): Language {
+  for (const wanted of navigator.languages) {
+    const short = wanted.slice(0, 2).toLowerCase();
+    const found = LANGUAGES.find((language) => language === short);
+    if (found) return found;
+  }
+  return 'en';
+}
+
+function read(): Kept {
+  const standard: Kept = { language: fromBrowser(), theme: 'system', panel: innerWidth > 1100, welcomed: false };
+  try {
+    const kept = JSON.parse(localStorage.getItem(KEY) ?? '{}') as Partial<Kept>;
+    if (kept.language && !LANGUAGES.includes(kept.language)) delete kept.language;
+    return { ...standard, ...kept };
+  } catch {
+    return standard;
+  }
+}
+
+export const prefs: Kept = $state(read());
+
+/** Keeps what changes, and puts theme and language into the page. */
+export function keepPrefs(): void {
+  const system = matchMedia('(prefers-color-scheme: light)');
+  const show = () => {
+    const theme = prefs.theme === 'system' ? (system.matches ? 'light' : 'dark') : prefs.theme;
+    document.documentElement.dataset.theme = theme;
+  };
+  system.addEventListener('change', show);
+  $effect.root(() => {
+    $effect(() => {
+      show();
+      document.documentElement.lang = prefs.language;
+      try {
+        localStorage.setItem(KEY, JSON.stringify(prefs));
+      } catch {
+        // A browser that keeps nothing asks again next time.
+      }
+    });
+  });
+}

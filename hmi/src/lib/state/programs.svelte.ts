@@ -1,0 +1,48 @@
+// The programs of the memory.
+import { http } from '$lib/api/http';
+import type { ProgramInfo } from '$lib/api/types';
+import { Refused } from '$lib/api/socket';
+import { machine } from './machine.svelte';
+
+let list = $state.raw<ProgramInfo[] | null>(null);
+
+export const programs = {
+  get list() {
+    return list;
+  },
+  async refresh(): Promise<void> {
+    const reply = await machine.fetch('programs', { do: 'programs' });
+    if (reply) list = reply.programs;
+  },
+  /** The text of a program. */
+  async read(program: string): Promise<string> {
+    try {
+      const reply = await machine.ask({ do: 'read', program });
+      if (reply.reply === 'program') return reply.text;
+    } catch (refused) {
+      // One that is too long for a line comes as a file.
+      if (!(refused instanceof Refused) || refused.alarm || refused.code === 'no_connection') throw refused;
+    }
+    return (await fetch(http.download(program))).text();
+  },
+  /** Stores a program: over the socket, or as a file where it is too long for a line. */
+  async store(program: string, text: string): Promise<boolean> {
+    const longest = machine.hello?.longest_line ?? 4_000_000;
+    if (text.length * 1.1 + 200 < longest) return machine.tell({ do: 'store', program, text });
+    try {
+      await http.upload(program, text);
+      return true;
+    } catch (failed) {
+      machine.refused(failed);
+      return false;
+    }
+  },
+};
+
+/** The name under which a file is stored: `O` and a number where it has one, such as `O12.nc`. */
+export function programName(file: string, text: string): string {
+  const inside = /^\s*%?\s*[O:](\d{1,8})/i.exec(text)?.[1];
+  const outside = /(\d{1,8})/.exec(file)?.[1];
+  const number = inside ?? (/^O?\d+(\.\w+)?$/i.test(file) ? outside : undefined);
+  return number ? `O${number.replace(/^0+(?=\d{4})/, '').padStart(4, '0')}` : file.replace(/\.[^.]*$/, '');
+}

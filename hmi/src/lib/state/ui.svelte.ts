@@ -1,0 +1,2 @@
+// What is open on the screen.
+export const ui = $state({ keyMap: false, logIn: false });

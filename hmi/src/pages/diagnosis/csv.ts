@@ -1,0 +1,11 @@
+/** A recording as columns. Cells that are no numbers are 0. */
+export function csv(text: string): { names: string[]; columns: number[][] } {
+  const rows = text.trim().split('\n').filter((row) => !row.startsWith('#'));
+  const names = (rows[0] ?? '').split(',').map((name) => name.trim());
+  const columns: number[][] = names.map(() => []);
+  for (const row of rows.slice(1)) {
+    const cells = row.split(',');
+    names.forEach((_, index) => columns[index]!.push(Number(cells[index]) || 0));
+  }
+  return { names, columns };
+}

@@ -1,0 +1,147 @@
+// The cycle editor: a pocket filled in, put right, simulated and put into a program; positions, a profile from a drawing.
+import { expect, test, type Page } from './server';
+
+const PROGRAM = 'O7101';
+
+/** A program in the memory, stored over a connection of its own. */
+async function stored(page: Page, text: string): Promise<void> {
+  const answer = await page.evaluate(
+    ([program, text]) =>
+      new Promise<string>((resolve) => {
+        const socket = new WebSocket(`ws://${location.host}/api/socket`);
+        const wishes = [{ do: 'take_command' }, { do: 'store', program, text }, { do: 'give_command' }];
+        let next = 0;
+        const ask = () => socket.send(JSON.stringify({ id: next + 1, ...wishes[next] }));
+        socket.onmessage = ({ data }) => {
+          const message = JSON.parse(data as string) as Record<string, unknown>;
+          if (message.hello) ask();
+          else if (message.id === next + 1) {
+            if (!('reply' in message)) resolve(data as string);
+            next += 1;
+            if (next < wishes.length) ask();
+            else {
+              socket.close();
+              resolve('');
+            }
+          }
+        };
+        socket.onerror = () => resolve('no connection');
+      }),
+    [PROGRAM, text] as const,
+  );
+  expect(answer).toBe('');
+}
+
+async function open(page: Page, cycle: string): Promise<void> {
+  await page.goto('/#/cycles');
+  await page.locator(`nav [data-cycle="${cycle}"]`).click();
+  await expect(page.locator(`.form[data-cycle="${cycle}"]`)).toBeVisible();
+}
+
+const state = (page: Page) => page.locator('p.state');
+const written = (page: Page) => expect(state(page)).toHaveAttribute('data-ready', 'true');
+const put = (page: Page, field: string, value: string) => page.locator(`[id="field-${field}"]`).fill(value);
+
+test.beforeEach(async ({ page }) => {
+  await page.addInitScript(() => {
+    // The first start has a page of its own.
+    localStorage.setItem('ferrocut.panel', JSON.stringify({ welcomed: true, panel: false, language: 'en', theme: 'dark' }));
+  });
+});
+
+test('a pocket is filled in, simulated and put into a program', async ({ page }) => {
+  await page.goto('/');
+  await stored(page, `${PROGRAM}\nG54 G90\nG0 Z50.\n(HERE)\nM30\n`);
+  await page.goto(`/#/program/edit/${PROGRAM}`);
+  await expect(page.locator('.cm-content')).toContainText('HERE');
+  await page.locator('.cm-line', { hasText: 'HERE' }).click();
+
+  await open(page, 'G287');
+  await put(page, 'L', '60');
+  // What the field means stands out in the drawing, with its value.
+  const measure = page.locator('.plan [data-field="L"]');
+  await expect(measure).toHaveClass(/focus/);
+  await expect(measure).toContainText('60');
+  await page.locator('[id="field-corner"]').selectOption('round');
+  await put(page, 'r', '8');
+
+  // A step wider than the tool is told at its field, and nothing can be inserted.
+  await put(page, 'rough.step', '50');
+  const wrong = page.locator('.field[data-name="rough.step"] .finding');
+  await expect(wrong).toContainText('FC-');
+  await expect(page.getByTestId('insert')).toBeDisabled();
+  await put(page, 'rough.step', '5');
+  await expect(wrong).toHaveCount(0);
+  await written(page);
+  await page.screenshot({ path: 'test-results/cycles-form.png' });
+
+  await page.getByTestId('simulate').click();
+  const simulation = page.getByTestId('simulation');
+  await expect.poll(async () => Number(await simulation.getAttribute('data-points'))).toBeGreaterThan(200);
+  expect(Number(await simulation.getAttribute('data-seconds'))).toBeGreaterThan(30);
+  await simulation.locator('input[type=range]').fill('0');
+  await expect(simulation).toHaveAttribute('data-time', '0');
+  await simulation.getByRole('button', { name: 'Run' }).click();
+  await expect.poll(async () => Number(await simulation.getAttribute('data-time'))).toBeGreaterThan(3);
+  await page.screenshot({ path: 'test-results/cycles-simulation.png' });
+
+  await page.getByTestId('insert').click();
+  const text = page.locator('.cm-content');
+  await expect(text).toContainText('G287 RECTANGULAR POCKET');
+  // Behind the line of the cursor, before the end.
+  await expect(page.locator('.cm-activeLine, .cm-line').filter({ hasText: 'G17 G21 G90' }).first()).toBeVisible();
+  // The check of the whole is through, and has found nothing.
+  const checked = page.waitForResponse((response) => response.url().includes('/api/check'));
+  await page.locator('.cm-content').press('End');
+  await page.keyboard.press('Space');
+  await checked;
+  await expect(page.getByTestId('findings')).toHaveCount(0);
+  await page.screenshot({ path: 'test-results/cycles-inserted.png' });
+});
+
+test('holes lie on a grid and are the control\'s own cycle', async ({ page }) => {
+  await open(page, 'G281');
+  await page.locator('[data-figure="GRID"]').click();
+  await put(page, 'positions.NX', '4');
+  await written(page);
+  await page.getByRole('radio', { name: 'Text' }).click();
+  await expect(page.locator('pre')).toContainText('G98 G81');
+  await expect(page.locator('pre')).toHaveAttribute('data-expanded', 'false');
+  await expect(page.locator('pre')).toContainText('X60.0 Y20.0');
+});
+
+test('a pocket is drawn from a DXF with its island', async ({ page }) => {
+  const entities = [
+    ['LINE', 10, 0, 20, 0, 11, 90, 21, 0],
+    ['LINE', 10, 90, 20, 0, 11, 90, 21, 60],
+    ['LINE', 10, 90, 20, 60, 11, 0, 21, 60],
+    ['LINE', 10, 0, 20, 60, 11, 0, 21, 0],
+    ['CIRCLE', 10, 45, 20, 30, 40, 10],
+  ];
+  const body = entities.map(([name, ...pairs]) => `0\n${name}\n8\n0\n${pairs.join('\n')}\n`).join('');
+  const dxf = `0\nSECTION\n2\nENTITIES\n${body}0\nENDSEC\n0\nEOF\n`;
+  await open(page, 'P2D');
+  await page.locator('.editor input[type=file]').setInputFiles({ name: 'plate.dxf', mimeType: 'image/vnd.dxf', buffer: Buffer.from(dxf) });
+  await expect(page.locator('.editor .contour')).toHaveCount(2);
+  await written(page);
+  await page.getByTestId('simulate').click();
+  await expect.poll(async () => Number(await page.getByTestId('simulation').getAttribute('data-points'))).toBeGreaterThan(200);
+  await page.screenshot({ path: 'test-results/cycles-profile.png' });
+});
+
+test('forms are in the language and the shade that are chosen, and fit a small screen', async ({ page }) => {
+  await page.addInitScript(() =>
+    localStorage.setItem('ferrocut.panel', JSON.stringify({ welcomed: true, panel: false, language: 'zh', theme: 'light' })),
+  );
+  await page.setViewportSize({ width: 800, height: 600 });
+  await open(page, 'G287');
+  await expect(page.locator('.form h2').first()).toHaveText('矩形型腔');
+  await expect(page.locator('[data-name="ZS"]')).toContainText('安全平面');
+  const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+  expect(wide).toBeLessThanOrEqual(800);
+  // What is touched is large enough.
+  for (const one of await page.locator('.form input:visible, .form select:visible, .form button:visible').all()) {
+    expect((await one.boundingBox())?.height ?? 44).toBeGreaterThanOrEqual(43.9);
+  }
+  await page.screenshot({ path: 'test-results/cycles-small.png' });
+});

@@ -1,0 +1,151 @@
+// The figures of the panel, measured and written to `test-results/figures.json`. They are told, not judged: how fast a
+// machine is that runs the tests says nothing of the panel. `FIGURES=strict` judges them.
+import { expect, test, type Page } from '@playwright/test';
+import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { gzipSync } from 'node:zlib';
+import { mock } from './mock';
+
+const figures: Record<string, number> = {};
+const strict = process.env.FIGURES === 'strict';
+
+function tell(name: string, value: number, limit: number): void {
+  figures[name] = Math.round(value * 100) / 100;
+  console.log(`${name}: ${figures[name]} (at most ${limit})`);
+  if (strict) expect(value, name).toBeLessThanOrEqual(limit);
+}
+
+test.afterAll(() => {
+  const folder = join(import.meta.dirname, '../test-results');
+  mkdirSync(folder, { recursive: true });
+  writeFileSync(join(folder, 'figures.json'), `${JSON.stringify(figures, null, 2)}\n`);
+});
+
+test('the first page', async ({ context }) => {
+  const dist = join(import.meta.dirname, '../dist');
+  const asked: string[] = [];
+  context.on('request', (request) => asked.push(new URL(request.url()).pathname));
+  const { page } = await mock(context);
+  await expect(page.getByTestId('axes')).toBeVisible();
+  const files = new Set(asked.filter((path) => !path.startsWith('/api/')).map((path) => (path === '/' ? '/index.html' : path)));
+  const bytes = [...files].reduce((sum, file) => sum + gzipSync(readFileSync(join(dist, file))).length, 0);
+  expect(files.size).toBeGreaterThan(20);
+  expect(readdirSync(dist)).toContain('vendor');
+  tell('first page, kB gzip', bytes / 1000, 450);
+});
+
+type Traced = { name: string; ph: string; dur?: number; tdur?: number; pid: number; tid: number; args?: { name?: string } };
+
+/** What the main thread of the page did meanwhile: ms of processor time of each piece of work of a kind. Processor time,
+    since other programs on the computer that measures are no work of the panel. */
+async function work(page: Page, kind: string, meanwhile: () => Promise<unknown>): Promise<number[]> {
+  const cdp = await page.context().newCDPSession(page);
+  const events: Traced[] = [];
+  cdp.on('Tracing.dataCollected', ({ value }) => events.push(...(value as unknown as Traced[])));
+  const complete = new Promise((resolve) => cdp.once('Tracing.tracingComplete', resolve));
+  await cdp.send('Tracing.start', { traceConfig: { includedCategories: ['devtools.timeline', 'toplevel', '__metadata'] } });
+  await meanwhile();
+  await cdp.send('Tracing.end');
+  await complete;
+  const main = events.find((one) => one.name === 'thread_name' && one.args?.name === 'CrRendererMain');
+  const spent = events.filter((one) => one.name === kind && one.ph === 'X' && one.pid === main?.pid && one.tid === main?.tid);
+  return spent.map((one) => (one.tdur ?? one.dur ?? 0) / 1000).filter((ms) => ms > 0).sort((a, b) => a - b);
+}
+
+const part = (sorted: number[], share: number) => sorted[Math.min(sorted.length - 1, Math.floor(sorted.length * share))] ?? 0;
+
+test('position updates at 50 Hz', async ({ context }) => {
+  const { page } = await mock(context);
+  await expect(page.getByTestId('axes')).toBeVisible();
+  await page.waitForTimeout(1500);
+  const spent = await work(page, 'FunctionCall', () => page.waitForTimeout(8000));
+  expect(spent.length).toBeGreaterThan(200);
+  tell('a position update, ms of script, half', part(spent, 0.5), 2);
+  tell('a position update, ms of script, 99 %', part(spent, 0.99), 2);
+});
+
+/** A path of so many segments, as the server sends it. */
+function path(count: number): Buffer {
+  const bytes = Buffer.alloc(64 + 21 * count);
+  bytes.write('FCP1');
+  bytes.writeUInt32LE(count, 4);
+  [-100, -100, -20, 100, 100, 0].forEach((value, index) => bytes.writeDoubleLE(value, 16 + 8 * index));
+  for (let index = 0; index < count; index++) {
+    const row = Math.floor(index / 1000);
+    const along = index % 1000;
+    const x = -100 + 0.2 * (row % 2 ? 999 - along : along);
+    const y = -100 + (200 * row) / (count / 1000);
+    bytes.writeFloatLE(x, 64 + 12 * index);
+    bytes.writeFloatLE(y, 68 + 12 * index);
+    bytes.writeFloatLE(-10 + 8 * Math.sin(x / 9) * Math.cos(y / 11), 72 + 12 * index);
+    bytes.writeFloatLE(index * 0.01, 64 + 12 * count + 4 * index);
+    bytes.writeUInt32LE(index + 1, 64 + 16 * count + 4 * index);
+    bytes.writeUInt8(index === 0 ? 0 : 2, 64 + 20 * count + index);
+  }
+  return bytes;
+}
+
+test('a path of a million segments', async ({ context }) => {
+  test.setTimeout(180_000);
+  const { page } = await mock(context, { path: path(1_000_001), moves: false });
+  await expect(page.getByTestId('axes')).toBeVisible();
+  const start = await page.evaluate(() => {
+    location.hash = '#/graphics';
+    return performance.now();
+  });
+  const loaded = await page.evaluate(
+    () =>
+      new Promise<number>((resolve) => {
+        const look = () => {
+          if (document.querySelector('[data-points="1000001"]')) requestAnimationFrame(() => resolve(performance.now()));
+          else setTimeout(look, 5);
+        };
+        look();
+      }),
+  );
+  tell('1 M segments, ms to the first picture', loaded - start, 3000);
+  await page.waitForTimeout(3000);
+  const box = (await page.getByTestId('path').boundingBox())!;
+  const tasks = await work(page, 'RunTask', async () => {
+    await page.mouse.move(box.x + 200, box.y + 200);
+    await page.mouse.down();
+    for (let step = 0; step < 60; step++) await page.mouse.move(box.x + 200 + 4 * step, box.y + 200 + step);
+    await page.mouse.up();
+    await page.waitForTimeout(1000);
+  });
+  tell('1 M segments, ms that turning blocks at most', tasks.at(-1) ?? 0, 100);
+});
+
+test('a program of 10 MB', async ({ context }) => {
+  test.setTimeout(180_000);
+  const lines = Array.from({ length: 240_000 }, (_, index) => `N${index} G01 X${(index % 997) / 10} Y${(index % 613) / 10} Z-${index % 7} F900 (pass)`);
+  const program = lines.join('\n');
+  const { page } = await mock(context, { program, moves: false });
+  await expect(page.getByTestId('axes')).toBeVisible();
+  // The editor itself is loaded once; what is measured is the program.
+  await page.evaluate(() => (location.hash = '#/program/mdi'));
+  await page.locator('.cm-content').first().waitFor();
+  const opened = await page.evaluate(async () => {
+    location.hash = '#/program/edit/O0001';
+    const start = performance.now();
+    return new Promise<number>((resolve) => {
+      const look = () => {
+        const first = document.querySelector('[data-testid="editor"] .cm-line');
+        if (first?.textContent?.startsWith('N0 ')) requestAnimationFrame(() => resolve(performance.now() - start));
+        else setTimeout(look, 2);
+      };
+      look();
+    });
+  });
+  tell(`${(program.length / 1e6).toFixed(1)} MB program, ms to open`, opened, 500);
+  await page.waitForTimeout(1500);
+  await page.locator('[data-testid="editor"] .cm-content').click();
+  const keys = await work(page, 'EventDispatch', async () => {
+    for (let index = 0; index < 120; index++) await page.keyboard.press(index % 3 ? 'X' : '1');
+  });
+  // Of the events of a key the longest 120 are those that change the text.
+  const typed = keys.slice(-120);
+  expect(typed.length).toBeGreaterThan(100);
+  tell('10 MB program, ms of a keystroke, half', part(typed, 0.5), 16);
+  tell('10 MB program, ms of a keystroke, 99 %', part(typed, 0.99), 16);
+});

@@ -1,0 +1,104 @@
+// What keeps a machine safe in a browser: a key acts while it is held, and what must be touched can be touched.
+import { expect, test } from '@playwright/test';
+import { mock, type Sent } from './mock';
+
+const keys = (sent: Sent[]) => sent.filter((one) => one.do === 'key').map((one) => `${String(one.key)} ${one.down ? 'down' : 'up'}`);
+
+test('an axis key is down while it is held, with signs of life, and up when it is let go', async ({ context }) => {
+  const { page, sent } = await mock(context, { mode: 'jog' });
+  const key = page.locator('[data-signal="KEY_X+"]');
+  await expect(key).toBeEnabled();
+  await key.hover();
+  await page.mouse.down();
+  await page.waitForTimeout(600);
+  await page.mouse.up();
+  await expect.poll(() => keys(sent)).toEqual(['KEY_X+ down', 'KEY_X+ up']);
+  const [down, up] = sent.filter((one) => one.do === 'key');
+  const alive = sent.filter((one) => one.do === 'alive' && one.at > down!.at && one.at < up!.at);
+  expect(alive.length).toBeGreaterThanOrEqual(3);
+  const after = sent.length;
+  await page.waitForTimeout(400);
+  expect(sent.slice(after).filter((one) => one.do === 'alive')).toEqual([]);
+});
+
+for (const [name, end] of [
+  ['the window loses the focus', () => window.dispatchEvent(new Event('blur'))],
+  ['the page is hidden', () => {
+    Object.defineProperty(document, 'visibilityState', { value: 'hidden', configurable: true });
+    document.dispatchEvent(new Event('visibilitychange'));
+  }],
+  ['the pointer is taken away', () => document.querySelector('[data-signal="KEY_Z-"]')!.dispatchEvent(new PointerEvent('pointercancel', { pointerId: 1 }))],
+  ['the page is left', () => window.dispatchEvent(new Event('pagehide'))],
+] as const) {
+  test(`a held key is let go when ${name}`, async ({ context }) => {
+    const { page, sent } = await mock(context, { mode: 'jog' });
+    await page.locator('[data-signal="KEY_Z-"]').hover();
+    await page.mouse.down();
+    await expect.poll(() => keys(sent)).toEqual(['KEY_Z- down']);
+    await page.evaluate(end as () => void);
+    await expect.poll(() => keys(sent)).toEqual(['KEY_Z- down', 'KEY_Z- up']);
+    await page.mouse.up();
+  });
+}
+
+test('the pointer may leave a held key; the key stays down until the pointer is up', async ({ context }) => {
+  const { page, sent } = await mock(context, { mode: 'jog' });
+  await page.locator('[data-signal="KEY_Y+"]').hover();
+  await page.mouse.down();
+  await page.mouse.move(200, 300);
+  await page.waitForTimeout(200);
+  expect(keys(sent)).toEqual(['KEY_Y+ down']);
+  await page.mouse.up();
+  await expect.poll(() => keys(sent)).toEqual(['KEY_Y+ down', 'KEY_Y+ up']);
+});
+
+test('keys of the keyboard: emergency stop from any page, jog only with Ctrl and in jog', async ({ context }) => {
+  const { page, home, sent } = await mock(context, { mode: 'jog' });
+  await expect(page.getByTestId('activity')).toHaveText('Running');
+  await page.goto(`${home}#/help/search`);
+  await page.keyboard.press('F1');
+  await expect.poll(() => sent.filter((one) => one.do === 'emergency_stop').map((one) => one.pressed)).toEqual([true]);
+  await page.goto(`${home}#/position`);
+  await page.locator('[data-testid="axes"]').click();
+  await page.keyboard.press('ArrowRight');
+  expect(keys(sent)).toEqual([]);
+  await page.keyboard.down('Control');
+  await page.keyboard.down('ArrowRight');
+  await expect.poll(() => keys(sent)).toEqual(['KEY_X+ down']);
+  await page.keyboard.up('ArrowRight');
+  await page.keyboard.up('Control');
+  await expect.poll(() => keys(sent)).toEqual(['KEY_X+ down', 'KEY_X+ up']);
+  await page.keyboard.press('?');
+  await expect(page.getByRole('dialog')).toContainText('F10');
+});
+
+test('a connection that is lost is told, and comes back', async ({ context }) => {
+  const { page, cut } = await mock(context);
+  await expect(page.getByTestId('activity')).toHaveText('Running');
+  cut();
+  await expect(page.getByTestId('activity')).toHaveText('No connection');
+  await expect(page.getByTestId('activity')).toHaveText('Running');
+});
+
+for (const [width, height] of [[800, 600], [1024, 768], [3840, 2160]] as const) {
+  test(`everything fits and can be touched at ${width} × ${height}`, async ({ browser }) => {
+    const context = await browser.newContext({ viewport: { width, height } });
+    const { page, home } = await mock(context);
+    for (const hash of ['position', 'program/directory', 'offsets/tools', 'settings/zeros', 'alarms', 'help/calculator']) {
+      await page.goto(`${home}#/${hash}`);
+      await page.locator(`[data-page="${hash.split('/')[0]}"]`).waitFor();
+      const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+      expect(wide, hash).toBeLessThanOrEqual(0);
+      const small = await page.evaluate(() =>
+        [...document.querySelectorAll<HTMLElement>('button, input:not([type=file]):not([type=range]), select, nav a')]
+          .filter((one) => one.checkVisibility() && !one.closest('[popover]:not(:popover-open)'))
+          .map((one) => ({ name: one.getAttribute('aria-label') ?? one.textContent?.trim() ?? one.tagName, box: one.getBoundingClientRect(), inner: one.closest('[role=radiogroup], td') !== null }))
+          // What lies in a frame of 44 px, as the parts of a segmented switch do, is touched by the frame.
+          .filter(({ box, inner }) => box.width > 0 && (box.height < (inner ? 34 : 43.5) || box.width < (inner ? 30 : 43.5)))
+          .map(({ name, box }) => `${name} ${box.width.toFixed(0)}×${box.height.toFixed(0)}`),
+      );
+      expect(small, hash).toEqual([]);
+    }
+    await context.close();
+  });
+}

@@ -1,0 +1,160 @@
+// A machine made of answers, for what needs no true one: figures, sizes, keys. The files are those of `dist`.
+import type { BrowserContext, Page, WebSocketRoute } from '@playwright/test';
+import { existsSync, readFileSync } from 'node:fs';
+import { createServer, type ServerResponse } from 'node:http';
+import type { AddressInfo } from 'node:net';
+import { join } from 'node:path';
+
+const dist = join(import.meta.dirname, '../dist');
+const types: Record<string, string> = { html: 'text/html', js: 'text/javascript', css: 'text/css', svg: 'image/svg+xml' };
+export type Sent = { at: number; do: string; [field: string]: unknown };
+export type Mock = {
+  page: Page;
+  /** The address of the panel. */
+  home: string;
+  sent: Sent[];
+  /** Cuts the connection. */
+  cut(): void;
+};
+export type Options = {
+  program?: string;
+  /** What /api/path answers. */
+  path?: Buffer;
+  alarm?: boolean;
+  mode?: string;
+  welcomed?: boolean;
+  /** Whether the status moves, 50 times a second. */
+  moves?: boolean;
+};
+
+const short = 'O0001 (PART)\nN10 G00 X0 Y0\nN20 G01 X50 F900\nN30 G03 X60 Y10 R10\nM30\n';
+
+export async function mock(context: BrowserContext, options: Options = {}): Promise<Mock> {
+  const page = await context.newPage();
+  const sent: Sent[] = [];
+  let socket: WebSocketRoute | null = null;
+  if (options.welcomed !== false) {
+    await page.addInitScript(() => {
+      if (!localStorage.getItem('ferrocut.panel')) localStorage.setItem('ferrocut.panel', '{"welcomed":true}');
+    });
+  }
+  const server = createServer((request, response) => {
+    const url = new URL(request.url ?? '/', 'http://localhost');
+    if (url.pathname.startsWith('/api/')) return answer(response, url, options);
+    const file = join(dist, url.pathname === '/' ? 'index.html' : url.pathname);
+    if (!file.startsWith(dist) || !existsSync(file)) return response.writeHead(404).end();
+    response.writeHead(200, { 'content-type': types[file.split('.').at(-1) ?? ''] ?? 'text/plain' });
+    response.end(readFileSync(file));
+  });
+  await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
+  context.on('close', () => {
+    server.closeAllConnections();
+    server.close();
+  });
+  const home = `http://127.0.0.1:${(server.address() as AddressInfo).port}/`;
+  await page.routeWebSocket(/\/api\/socket$/, (ws) => {
+    socket = ws;
+    let timer: ReturnType<typeof setInterval> | undefined;
+    let tick = 0;
+    const say = (line: object) => ws.send(JSON.stringify(line));
+    say({
+      hello: 'ferrocut', api: 1, connection: 1, longest_line: 4194304, dead_man_ms: 250,
+      panel: { ladder: true, languages: ['en', 'zh', 'ru', 'es', 'tr'] }, session: { level: 0, needs_log_in: false },
+    });
+    say({ event: 'command', holder: 1, you: true });
+    ws.onClose(() => clearInterval(timer));
+    ws.onMessage((text) => {
+      const command = JSON.parse(String(text)) as Sent & { id?: number; program?: string };
+      sent.push({ ...command, at: performance.now() });
+      if (command.id === undefined) return;
+      if (command.do === 'watch') {
+        timer = setInterval(() => say({ status: status(options.moves === false ? 0 : tick++, options) }), 20);
+      }
+      say({ id: command.id, ...reply(command, options) });
+    });
+  });
+  await page.goto(home);
+  return { page, home, sent, cut: () => void socket?.close() };
+}
+
+function reply(command: Sent & { program?: string }, options: Options): object {
+  switch (command.do) {
+    case 'version':
+      return { reply: 'version', api: 1, software: '0.1.0', dialect: 'gsk990mc', machine: 'Demo mill', axes: ['X', 'Y', 'Z', 'A'], period_ms: 1 };
+    case 'programs':
+      return { reply: 'programs', programs: [{ name: 'O0001', bytes: 420, comment: 'PART', changed: 1.79e12, locked: null }] };
+    case 'read':
+      // One that is longer than a line of the socket comes as a file.
+      if ((options.program?.length ?? 0) > 1e6) return { error: 'no_answer', detail: 'too long' };
+      return { reply: 'program', program: command.program, text: options.program ?? short };
+    case 'offsets':
+      return { reply: 'offsets', offsets: { 1: { length: -102.35, radius: 5 } } };
+    case 'zeros':
+      return { reply: 'zeros', zeros: { G54: { X: 1, Y: 2, Z: 3, A: 0 } } };
+    case 'variables':
+      return { reply: 'variables', variables: { 100: 1.5 } };
+    case 'parameters':
+      return { reply: 'parameters', parameters: {} };
+    case 'signals':
+      return { reply: 'signals', signals: {} };
+    case 'ladder':
+      return { reply: 'text', text: 'KEY_A = X20.0 ; key\nRD KEY_A\nWRT R1.0\nEND1\nEND2\nEND\n' };
+    case 'ladder_flow':
+      return { reply: 'ladder_flow', power: [true, true] };
+    case 'alarm_history':
+      return { reply: 'alarm_history', alarms: [] };
+    case 'operation_log':
+      return { reply: 'operation_log', entries: [] };
+    default:
+      return { reply: 'done' };
+  }
+}
+
+function status(tick: number, options: Options): object {
+  const angle = tick / 50;
+  const work = { X: 50 + 30 * Math.sin(angle), Y: 40 + 20 * Math.cos(angle), Z: -3 + 2 * Math.sin(3 * angle), A: 10 * angle };
+  const zero = { X: 0, Y: 0, Z: 0, A: 0 };
+  return {
+    periods: tick * 20, mode: options.mode ?? 'auto', program_mode: 'auto', activity: options.alarm ? 'alarm' : 'running',
+    finishing_block: false, alarms: options.alarm ? [{ id: 'FC-0302', line: 3, warning: false, values: {} }] : [],
+    position: { machine: work, actual: work, work, relative: work, to_go: { ...zero, X: 80 - work.X }, interruption: zero, system: 'G54' },
+    feed: { actual: 890 + 10 * Math.sin(angle), programmed: 900, feed_override: 1, rapid_override: 0.5, manual_override: 1 },
+    spindle: { programmed: 2400, told: 2400, spindle_override: 1.1, tool: 1, called_tool: 2 },
+    program: { selected: 'O0001', cursor: 1, running: 'O0001', line: 2 + (Math.floor(angle) % 3), block: 'N20 G01 X50 F900', g_codes: ['G01', 'G17', 'G21', 'G54', 'G90'], h: 1, d: 5 },
+    switches: { single_block: false, block_skip: false, optional_stop: true, dry_run: false, machine_lock: false, auxiliary_lock: false },
+    counters: { parts: 17, all_parts: 1200, run_time: 4000 + angle, cutting_time: 3200 + angle, power_on_time: 90_000 },
+    referenced: ['X', 'Y', 'Z'], lamps: ['LAMP_AUTO', 'LAMP_START'], panel: { SWITCH_FEED: 10, SWITCH_SPINDLE: 6 }, level: 5,
+  };
+}
+
+function answer(response: ServerResponse, url: URL, options: Options): void {
+  const json = (value: unknown) => {
+    response.writeHead(200, { 'content-type': 'application/json' });
+    response.end(JSON.stringify(value));
+  };
+  switch (url.pathname) {
+    case '/api/path':
+      response.writeHead(options.path ? 200 : 404);
+      response.end(options.path);
+      return;
+    case '/api/programs/O0001':
+      response.writeHead(200, { 'content-type': 'text/plain' });
+      response.end(options.program ?? short);
+      return;
+    case '/api/check':
+      return json({ findings: [] });
+    case '/api/session':
+      return json({ level: 0, needs_log_in: false });
+    case '/api/alarm':
+      return json({ id: 'FC-0302', text: 'An arc has no centre', help: 'Give I, J, K or R.' });
+    case '/api/explain':
+      return json({ found: false, kind: '', title: '', text: '', source: '' });
+    case '/api/words':
+    case '/api/parameters':
+    case '/api/signals':
+    case '/api/search':
+      return json([]);
+    default:
+      response.writeHead(404).end();
+  }
+}

@@ -1,0 +1,69 @@
+// A control for the tests: `ferrocut serve` with a memory of its own, on a port that the system chooses.
+import { test as base } from '@playwright/test';
+import { spawn, spawnSync, type ChildProcess } from 'node:child_process';
+import { existsSync, mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+
+/** Passwords of the levels that the tests log in with. */
+export const PASSWORDS: Record<number, string> = { 1: 'maker of controls', 3: 'commissioning crew', 4: 'head of the shop' };
+const binary = process.env.FERROCUT ?? join(import.meta.dirname, '../../target/debug/ferrocut');
+
+export type Server = { url: string; memory: string };
+
+/** Starts it and waits for its address. */
+async function serve(memory: string): Promise<{ child: ChildProcess; url: string }> {
+  const child = spawn(binary, ['serve', '--memory', memory, '--http', '127.0.0.1:0'], { stdio: ['ignore', 'pipe', 'pipe'] });
+  let said = '';
+  const url = await new Promise<string>((resolve, reject) => {
+    const late = setTimeout(() => reject(new Error(`${binary} serve has not told its address:\n${said}`)), 60_000);
+    const hear = (part: Buffer) => {
+      said += part.toString();
+      const found = /^panel (http:\/\/\S+)\s/m.exec(said);
+      if (!found) return;
+      clearTimeout(late);
+      resolve(found[1]!.replace(/\/?$/, '/'));
+    };
+    child.stdout.on('data', hear);
+    child.stderr.on('data', hear);
+    child.on('error', (failed) => reject(new Error(`${binary}: ${failed.message}`)));
+    child.on('exit', (code) => reject(new Error(`${binary} serve ended with ${code}:\n${said}`)));
+  });
+  return { child, url };
+}
+
+async function end(child: ChildProcess): Promise<void> {
+  if (child.exitCode !== null || child.signalCode !== null) return;
+  const ended = new Promise<void>((resolve) => child.once('exit', () => resolve()));
+  child.kill('SIGINT');
+  const late = setTimeout(() => child.kill('SIGKILL'), 20_000);
+  await ended;
+  clearTimeout(late);
+}
+
+/** `server` is one control for all tests of a file's worker; `baseURL` is its panel. */
+export const test = base.extend<object, { server: Server }>({
+  server: [
+    async ({}, use) => {
+      if (!existsSync(binary)) throw new Error(`There is no ${binary}: build it, or name another in FERROCUT`);
+      const memory = mkdtempSync(join(tmpdir(), 'ferrocut-panel-'));
+      // A first start makes the memory; then the passwords are set at the machine, which nobody can do from a browser
+      // while there is none.
+      await end((await serve(memory)).child);
+      for (const [level, password] of Object.entries(PASSWORDS)) {
+        const done = spawnSync(binary, ['memory', 'password', memory, '--level', level], { input: `${password}\n`, encoding: 'utf8' });
+        if (done.status !== 0) throw new Error(done.stderr);
+      }
+      const { child, url } = await serve(memory);
+      try {
+        await use({ url, memory });
+      } finally {
+        await end(child);
+        rmSync(memory, { recursive: true, force: true });
+      }
+    },
+    { scope: 'worker', timeout: 120_000 },
+  ],
+  baseURL: async ({ server }, use) => use(server.url),
+});
+export { expect, type Page } from '@playwright/test';
