@@ -1,8 +1,8 @@
 //! Skip moves on a machine with a probe: they end where it touches (GSK990MC 4.2.16).
 //!
 //! The drives keep where the axes were when the signal came; the move is braked from there within the limits of the
-//! axes, the rest of it is forgotten. The program is told both. A signal that is there already stops the
-//! move at once, 8 ms from where it begins. Without a probe a skip move is run as the program gives it out, as at a desk.
+//! axes, the rest of it is forgotten. The program is told both. A signal that is there already ends the move where
+//! it begins. Without a probe a skip move is run as the program gives it out, as at a desk.
 
 use super::{Cnc, State};
 use ferrocut_geometry::Position;
@@ -22,10 +22,16 @@ pub(super) struct Probing {
 }
 
 impl Cnc {
-    /// A skip move was given to motion.
+    /// A skip move was given to motion. From rest the probe is looked at before anything is planned: a move that was
+    /// not begun is forgotten, while one on its way takes some periods to be stopped.
     pub(super) fn begin_probing(&mut self, tag: u64, from: Position) {
-        if self.drives.has_probe() {
-            self.probing = Some(Probing { tag, from, armed: false, touched: None });
+        if !self.drives.has_probe() {
+            return;
+        }
+        self.probing = Some(Probing { tag, from, armed: false, touched: None });
+        if self.given.len() == 1 && self.motion.is_still() {
+            self.arm_probe(tag);
+            self.watch_probe();
         }
     }
 
