@@ -586,6 +586,11 @@ impl Cnc {
         Ok(())
     }
 
+    /// Whether the drives need a setpoint each period ([`Drives::keeps_time`]).
+    pub fn keeps_time(&self) -> bool {
+        self.drives.keeps_time()
+    }
+
     /// Waits until what is due is planned, for a clock that does not wait itself.
     pub fn await_planner(&mut self) {
         self.motion.await_planner();

@@ -66,7 +66,11 @@ fn main() {
     }
     let (events, _heard) = sync_channel(1024);
     let period = Duration::from_secs_f64(machine.servo_period_ms / 1000.0);
-    let runner = match Runner::start(Served::<Panel>::new(Panel::new(control), events), period, priority) {
+    let runner = match Runner::start(
+        Served::<Panel>::new(Panel::new(control).planned_beside(), events),
+        period,
+        priority,
+    ) {
         Ok(runner) => runner,
         Err(error) => return eprintln!("{error}"),
     };

@@ -120,11 +120,6 @@ impl Mill {
         self.tick
     }
 
-    /// Plans in a thread of its own from now on; without one, in the period.
-    pub fn plan_beside(&mut self) {
-        let _ = self.cnc.plan_beside();
-    }
-
     /// What of the next period may take longer than one: interpreting and planning ahead.
     pub fn prepare(&mut self) {
         self.cnc.prepare();

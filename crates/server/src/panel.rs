@@ -14,6 +14,7 @@ use std::sync::Arc;
 pub struct Panel {
     control: Control,
     watcher: Option<Watcher>,
+    plans_beside: bool,
 }
 
 /// Sees what each period came to.
@@ -22,12 +23,19 @@ pub type Watcher = Box<dyn FnMut(&Tick) + Send>;
 impl Panel {
     /// Serves a control.
     pub fn new(control: Control) -> Panel {
-        Panel { control, watcher: None }
+        let plans_beside = control.keeps_time();
+        Panel { control, watcher: None, plans_beside }
+    }
+
+    /// The same planned in a thread of its own even where simulated drives would wait: to see how long periods take.
+    #[must_use]
+    pub fn planned_beside(self) -> Panel {
+        Panel { plans_beside: true, ..self }
     }
 
     /// The same for somebody who looks at each period, on the machine's thread: at setpoints as they go to the drives.
     pub fn watched(control: Control, watcher: Watcher) -> Panel {
-        Panel { control, watcher: Some(watcher) }
+        Panel { watcher: Some(watcher), ..Panel::new(control) }
     }
 
     /// The control.
@@ -87,8 +95,10 @@ impl Service for Panel {
     const VERSION: u32 = API_VERSION;
 
     fn begin(&mut self) {
-        // Without a thread for it, planning is done in the period.
-        let _ = self.control.plan_beside();
+        if self.plans_beside {
+            // Without a thread for it, planning is done in the period.
+            let _ = self.control.plan_beside();
+        }
     }
 
     fn tick(&mut self) {

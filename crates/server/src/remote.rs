@@ -31,10 +31,6 @@ impl Owned for Driven {
     type Command = Command;
     type Snapshot = Stand;
 
-    fn begin(&mut self) {
-        self.mill.plan_beside();
-    }
-
     fn take(&mut self, command: Command) {
         self.mill.take(command);
     }

@@ -30,6 +30,11 @@ pub(super) fn drives(
 }
 
 impl Control {
+    /// Whether the drives need a setpoint each period ([`Drives::keeps_time`](crate::drives::Drives::keeps_time)).
+    pub fn keeps_time(&self) -> bool {
+        self.cnc.keeps_time()
+    }
+
     /// Plans motion in a thread of its own from now on ([`Cnc::plan_beside`](crate::Cnc::plan_beside)).
     ///
     /// # Errors

@@ -60,6 +60,12 @@ pub trait Drives: Send {
     /// themselves take them over; to others, which are told positions alone, it is nothing.
     fn rename(&mut self, _at: &Position) {}
 
+    /// Whether they need a setpoint each period, whatever else the computer does. Simulated ones wait for theirs, so that
+    /// a run is the same on a slow computer.
+    fn keeps_time(&self) -> bool {
+        false
+    }
+
     /// Whether it is known from power-on where the axes are.
     fn knows_places(&self) -> bool {
         true

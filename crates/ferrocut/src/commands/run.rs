@@ -78,7 +78,7 @@ pub fn run(args: &RunArgs) -> Result<Exit, Failure> {
         restart = Some(lead.json);
     }
     cnc.set_override(args.feed_override / 100.0, args.rapid_override / 100.0);
-    if args.realtime {
+    if cnc.keeps_time() {
         // Without a thread for it, planning is done in the period.
         let _ = cnc.plan_beside();
     }

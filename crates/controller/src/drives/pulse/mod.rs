@@ -394,6 +394,10 @@ fn next_number(number: u8) -> u8 {
 }
 
 impl Drives for Pulse {
+    fn keeps_time(&self) -> bool {
+        true
+    }
+
     fn exchange(&mut self, commanded: &Position) -> Position {
         self.commanded = *commanded;
         self.listen();
