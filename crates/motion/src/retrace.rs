@@ -10,11 +10,8 @@
 
 use crate::limits::Class;
 use crate::path::shape::Shape;
-use crate::timing::queue::{CELL_RING, Cell, MARK_RING, Mark, Node, PASSED, Pass, Queue};
+use crate::timing::queue::{CELL_RING, Cell, MARK_RING, Mark, Node, PASSED, Pass, Queue, SAME_LENGTH};
 use ferrocut_geometry::Position;
-
-/// Lengths this close are the same, mm.
-const SAME_LENGTH: f64 = 1e-9;
 
 /// Cells in the order of the program, with the ends of blocks.
 #[derive(Debug)]

@@ -18,8 +18,8 @@
 //!   blend of constant speed, `Δv = |Δ|·v = (36·δ²·J)^⅓`.
 //! - **Chain**: lines are smoothed as a whole ([`crate::path::smooth`]); where two of them meet alone, that is the
 //!   same as an ease.
-//! - **Corner**, rounded in time ([`crate::path::corner`]): beside an arc where the path turns by more than 20° and easing would
-//!   cost time, between lines where that is quicker.
+//! - **Corner**, rounded in time ([`crate::path::corner`]): beside an arc where the path turns by more than 20° and
+//!   easing would cost time, between lines where that is quicker.
 
 use crate::limits::{Class, Drive, Inverse, Inverses, MAX_FEED_OVERRIDE, Rates, peak};
 use crate::moves::{Kind, Move};
@@ -30,7 +30,8 @@ use ferrocut_geometry::{AXES, Position};
 use ferrocut_machine::{ArcSlowdown, Machine};
 use ferrocut_toolpath::{InnerCorners, PathMode};
 
-/// Joints with an arc that turn by more than 20° are corners, where easing them would be slower than the feed. This is 2·sin(20°/2).
+/// Joints with an arc that turn by more than 20° are corners, where easing them would be slower than the feed. This is
+/// 2·sin(20°/2).
 const ARC_CHORD: f64 = 0.347_296_355_333_860_7;
 
 /// A path that turns by more than 175° turns back and comes to rest: 2·sin(175°/2).
@@ -231,18 +232,19 @@ impl Member {
         let drive = inverse.straight(&before.0).min(inverse.straight(&after.0));
         let feed = top.min(self.feed).min(next.feed);
         let shorter = CORNER_ROOM * len.min(next_len);
-        let corner = Corner::new(&self.piece, &next.piece, tolerance, shorter, inverse);
-        let corner = corner.map(|corner| corner.capped(cap));
+        let corner = || {
+            Corner::new(&self.piece, &next.piece, tolerance, shorter, inverse)
+                .map(|corner| corner.capped(cap))
+        };
         let (Piece::Line(_), Piece::Line(_)) = (&self.piece, &next.piece) else {
-            return match (ease, corner) {
-                (Some(ease), _) if angle <= ARC_CHORD || ease.speed(inverse) >= feed => Joint::Ease(ease),
+            return match ease {
+                Some(ease) if angle <= ARC_CHORD || ease.speed(inverse) >= feed => Joint::Ease(ease),
                 _ if angle <= ARC_CHORD => or_through(through),
-                (_, Some(corner)) => Joint::Corner(corner),
-                _ => Joint::Rest,
+                _ => corner().map_or(Joint::Rest, Joint::Corner),
             };
         };
         // Of short lines the direction is no corner yet.
-        let corner = corner.filter(|corner| !is_chain || corner.reach < shorter);
+        let corner = corner().filter(|corner| !is_chain || corner.reach < shorter);
         match choose(ease, corner, feed, drive, inverse) {
             Some(Joint::Ease(_)) if is_chain => Joint::Chain,
             Some(joint) => joint,

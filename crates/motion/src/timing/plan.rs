@@ -26,7 +26,7 @@ use crate::limits::{Class, Drive};
 use crate::path::corner::{pace_below, paced};
 use crate::timing::grid::{Grid, Port};
 use crate::timing::piece::{Piece, State};
-use crate::timing::queue::{CELLS, Node, Pass, Queue};
+use crate::timing::queue::{CELLS, Node, Pass, Queue, SAME_LENGTH};
 use crate::timing::ramp::{Foot, Phases, distance, summit};
 
 /// Overrides as factors.
@@ -61,9 +61,6 @@ const HELD_SHARE: f64 = 0.05;
 
 /// Slower than this nothing is planned, mm/s.
 const LEAST_SPEED: f64 = 1e-6;
-
-/// Lengths this close are the same, mm.
-const SAME_LENGTH: f64 = 1e-9;
 
 /// A ramp down to a third of a speed takes up to 1.089 times the length of the ramp down to rest. Lines beside
 /// corners are this much longer than stopping takes, so that any speed can be reached on them.

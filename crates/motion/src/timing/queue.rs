@@ -28,7 +28,7 @@ pub(crate) const CELL_RING: usize = CELLS + PASSED;
 pub(crate) const MARK_RING: usize = MARKS + PASSED;
 
 /// Lengths on the path this close are the same: sums that were rounded, mm.
-const SAME_LENGTH: f64 = 1e-9;
+pub(crate) const SAME_LENGTH: f64 = 1e-9;
 
 /// A stretch of path: what interpolation needs of it.
 #[derive(Clone, Copy, Debug)]
