@@ -4,7 +4,7 @@
 //! what the machine does.
 
 use ferrocut_geometry::{Axis, AxisSet, Position};
-use ferrocut_interpreter::Dialect;
+use ferrocut_interpreter::{Dialect, Interpreter};
 use ferrocut_machine::{Alarm, Fault, Machine};
 use ferrocut_toolpath::{Op, Speed, Step};
 
@@ -87,6 +87,21 @@ impl Supervisor {
     pub fn comes_to_rest(&mut self, at: Position) {
         self.at = at;
         (self.turning, self.told_spindle) = (false, false);
+    }
+
+    /// Follows a program that is only read by its next step: adds what its language and the machine have against it.
+    /// Whether there was a step.
+    pub fn follow(&mut self, interpreter: &mut Interpreter, found: &mut Vec<Alarm>) -> bool {
+        match interpreter.next() {
+            Some(Ok(step)) => self.step(&step, |alarm| found.push(alarm)),
+            Some(Err(alarm)) => {
+                // An iterator has a method of that name too.
+                self.moved_to(Interpreter::position(interpreter));
+                found.push(*alarm);
+            }
+            None => return false,
+        }
+        true
     }
 
     /// Tells each thing that the machine has against a step. A tool that stays beyond a limit, or a

@@ -131,7 +131,7 @@ pub fn start<S: Service>(
             let event = told.recv_timeout(next.saturating_duration_since(Instant::now()));
             let Some(hub) = teller.upgrade() else { return };
             match event {
-                Ok(event) => hub.tell(|member| member.events, &event),
+                Ok(event) => hub.tell_event(&event),
                 Err(RecvTimeoutError::Timeout) => {}
                 Err(RecvTimeoutError::Disconnected) => return,
             }
@@ -237,17 +237,14 @@ impl<S: Service> Hub<S> {
         answer.recv_timeout(ANSWER).map_err(|_| "no_answer")
     }
 
-    /// Sends to those who want it. Who does not keep up is marked, and its reader ends the connection.
-    pub fn tell(&self, wants: impl Fn(&ToldTo) -> bool, what: &impl serde::Serialize) {
+    /// Sends an event to those who want them. Who does not keep up is marked, and its reader ends the connection.
+    fn tell_event(&self, event: &S::Event) {
         let members = lock(&self.members);
-        let wants = |member: &Member| wants(&ToldTo { events: member.events, statuses: member.statuses });
-        if !members.values().any(wants) {
+        if !members.values().any(|member| member.events) {
             return;
         }
-        let line = line_of(what);
-        for member in members.values().filter(|member| wants(member)) {
-            send(member, line.clone());
-        }
+        let line = line_of(event);
+        members.values().filter(|member| member.events).for_each(|member| send(member, line.clone()));
     }
 
     /// Sends how things stand. It is left out where much waits already: the next one has it all.
@@ -268,14 +265,6 @@ impl<S: Service> Hub<S> {
             send(member, command_event(holder, *number));
         }
     }
-}
-
-/// What a connection wants to be told.
-pub struct ToldTo {
-    /// Events.
-    pub events: bool,
-    /// Statuses.
-    pub statuses: bool,
 }
 
 fn command_event(holder: Option<u64>, number: u64) -> Line {

@@ -10,7 +10,7 @@ use ferrocut_geometry::Position;
 use ferrocut_machine::Machine;
 use ferrocut_motion::{Interpolator, Motion, Move, Planner, Sample};
 use rtrb::{Consumer, Producer, RingBuffer};
-use std::thread::{JoinHandle, Thread};
+use std::thread::JoinHandle;
 use std::time::Duration;
 
 /// How long the thread sleeps before it looks for work again: far less than the planner is ahead. It is not woken, since
@@ -21,8 +21,7 @@ const NAP: Duration = Duration::from_micros(500);
 struct Beside {
     give: Producer<Box<Planner>>,
     take: Consumer<Box<Planner>>,
-    thread: Thread,
-    joined: Option<JoinHandle<()>>,
+    thread: JoinHandle<()>,
 }
 
 /// What was asked for while the planner was away.
@@ -60,7 +59,7 @@ impl Planning {
         }
         let (give, mut given) = RingBuffer::<Box<Planner>>::new(1);
         let (mut done, take) = RingBuffer::new(1);
-        let joined = std::thread::Builder::new().name("planner".to_owned()).spawn(move || {
+        let thread = std::thread::Builder::new().name("planner".to_owned()).spawn(move || {
             while !given.is_abandoned() {
                 let Ok(mut planner) = given.pop() else {
                     std::thread::park_timeout(NAP);
@@ -73,8 +72,7 @@ impl Planning {
                 let _ = done.push(planner);
             }
         })?;
-        let thread = joined.thread().clone();
-        self.beside = Some(Beside { give, take, thread, joined: Some(joined) });
+        self.beside = Some(Beside { give, take, thread });
         Ok(())
     }
 
@@ -216,12 +214,10 @@ impl Planning {
 
 impl Drop for Planning {
     fn drop(&mut self) {
-        if let Some(Beside { give, thread, joined, .. }) = self.beside.take() {
+        if let Some(Beside { give, thread, .. }) = self.beside.take() {
             drop(give);
-            thread.unpark();
-            if let Some(joined) = joined {
-                let _ = joined.join();
-            }
+            thread.thread().unpark();
+            let _ = thread.join();
         }
     }
 }

@@ -390,10 +390,7 @@ impl Control {
     fn rename(&mut self, program: &str, to: &str, author: &Author) -> Answer {
         let name = self.known(program)?;
         let to = to.trim().to_owned();
-        if to.is_empty() || to.len() > 128 {
-            return Err(Box::new(named(Fault::ValueImpossible, to)));
-        }
-        if self.library.text(&to).is_some() {
+        if to.is_empty() || to.len() > 128 || self.library.text(&to).is_some() {
             return Err(Box::new(named(Fault::ValueImpossible, to)));
         }
         if self.is_in_use(&name) {

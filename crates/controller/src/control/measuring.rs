@@ -188,7 +188,7 @@ impl Control {
     }
 
     fn ready_to_measure(&mut self, what: What, author: &Author) -> Result<Reply, Box<Alarm>> {
-        self.forget_restart();
+        self.forget_prepared();
         self.measuring.prepared = Some(Box::new((what, author.clone())));
         Ok(Reply::Done)
     }

@@ -445,8 +445,7 @@ impl Control {
         self.release_axes();
         self.give_up();
         // 10.1.9 note 3: the restart is to be prepared anew.
-        self.forget_restart();
-        self.cancel_measure();
+        self.forget_prepared();
         if self.active.take().is_some() && !self.emergency {
             self.event(Event::AlarmsCleared);
         }

@@ -134,8 +134,7 @@ impl Control {
         }
         let missing = || alarm(Fault::NoSuchName).with("name", name);
         let (name, _) = self.library.named(&library::id_of(name)).ok_or_else(missing)?;
-        self.forget_restart();
-        self.cancel_measure();
+        self.forget_prepared();
         self.selected = Some(name.clone());
         self.cursor = 1;
         self.loaded = Loaded::Nothing;

@@ -168,6 +168,12 @@ impl Control {
         }
     }
 
+    /// Neither a restart nor a measuring that was prepared waits for cycle start any more.
+    pub(super) fn forget_prepared(&mut self) {
+        self.forget_restart();
+        self.cancel_measure();
+    }
+
     /// Begins to search a place.
     pub(super) fn prepare_restart(&mut self, wanted: Wanted) -> Result<Reply, Box<Alarm>> {
         if self.cnc.is_under_way() || !self.cnc.is_idle() || self.tick.moving {
@@ -176,8 +182,7 @@ impl Control {
         if self.mode != Mode::Auto {
             return Err(Box::new(alarm(Fault::ControlMode).with("mode", super::name_of(self.mode))));
         }
-        self.forget_restart();
-        self.cancel_measure();
+        self.forget_prepared();
         let Wanted { line, pass, file, how } = wanted;
         let broken = self.taking_up.broken.as_ref();
         let (program, from_line, expected) = match line {

@@ -65,14 +65,7 @@ fn check(shop: &Shop, path: &Path, colour: bool) -> Findings {
     let mut supervisor = Supervisor::new(&shop.machine, job.dialect, shop.options().start);
     let mut interpreter = job.interpreter(Options { keep_going: true, ..shop.options() });
     let mut pending = warnings;
-    while let Some(step) = interpreter.next() {
-        match step {
-            Ok(step) => supervisor.step(&step, |alarm| pending.push(alarm)),
-            Err(alarm) => {
-                supervisor.moved_to(interpreter.position());
-                pending.push(*alarm);
-            }
-        }
+    while supervisor.follow(&mut interpreter, &mut pending) {
         for mut alarm in pending.drain(..) {
             found.count += 1;
             found.exit = Exit::Finding;

@@ -4,7 +4,7 @@ use super::Shared;
 use super::body::read;
 use super::problem::Problem;
 use super::query::{Spoken, desk};
-use super::work::{Wanted, work};
+use super::work::{LOOK_STEPS, Wanted, work};
 use axum::extract::{Query, Request, State};
 use axum::routing::post;
 use axum::{Json, Router};
@@ -20,9 +20,6 @@ pub(super) const LONGEST_PROGRAM: usize = 32 << 20;
 
 /// Findings of one program.
 const MOST_FINDINGS: usize = 1000;
-
-/// Steps between two looks whether somebody still waits.
-const LOOK: u64 = 256;
 
 #[derive(Serialize)]
 pub(crate) struct Findings {
@@ -57,20 +54,13 @@ pub(crate) fn findings(desk: &Desk, text: Vec<u8>, catalogue: Catalogue, wanted:
     };
     let mut supervisor = desk.supervisor();
     let (mut findings, mut pending, mut steps) = (Vec::new(), Vec::new(), 0u64);
-    while let Some(step) = interpreter.next() {
-        match step {
-            Ok(step) => supervisor.step(&step, |alarm| pending.push(alarm)),
-            Err(alarm) => {
-                supervisor.moved_to(interpreter.position());
-                pending.push(*alarm);
-            }
-        }
+    while supervisor.follow(&mut interpreter, &mut pending) {
         for mut alarm in pending.drain(..) {
             point_at_word(&mut alarm, &interpreter);
             findings.push(Finding::of(&alarm, interpreter.programs(), interpreter.main_file(), catalogue));
         }
         steps += 1;
-        if findings.len() >= MOST_FINDINGS || steps.is_multiple_of(LOOK) && !wanted.is() {
+        if findings.len() >= MOST_FINDINGS || steps.is_multiple_of(LOOK_STEPS) && !wanted.is() {
             let line = findings.last().map_or(0, |last| last.line);
             let ended =
                 Alarm::core(Fault::CheckEnded, Span::default()).with("line", f64::from(line)).as_warning();

@@ -12,7 +12,7 @@ use super::body::read;
 use super::check::{LONGEST_PROGRAM, NAME};
 use super::problem::Problem;
 use super::query::{Spoken, desk};
-use super::work::{Wanted, work};
+use super::work::{LOOK_STEPS, Wanted, work};
 use axum::Router;
 use axum::body::Bytes;
 use axum::extract::{Query, Request, State};
@@ -36,9 +36,6 @@ const COARSER: [f64; 2] = [0.1, 1.0];
 /// Chords of one turn, at least and at most; turns of one helix that are drawn.
 const CHORDS: (f64, f64) = (12.0, 512.0);
 const MOST_TURNS: f64 = 2000.0;
-
-/// Steps between two looks whether somebody still waits.
-const LOOK: u64 = 256;
 
 /// Coordinates are held within this, mm, so that none is infinite as f32.
 const FAR: f64 = 1e9;
@@ -157,7 +154,7 @@ fn drawn(desk: &Desk, text: Vec<u8>, tolerance: f64, wanted: &Wanted) -> Result<
             Some(Ok(step)) => step,
         };
         steps += 1;
-        if pen.path.is_full() || steps.is_multiple_of(LOOK) && !wanted.is() {
+        if pen.path.is_full() || steps.is_multiple_of(LOOK_STEPS) && !wanted.is() {
             pen.path.flags |= BOUND;
             break;
         }

@@ -8,6 +8,7 @@ use super::Shared;
 use super::body::read;
 use super::listen::Peer;
 use super::problem::Problem;
+use crate::hub::lock;
 use axum::extract::{Request, State};
 use axum::http::header::{COOKIE, SET_COOKIE};
 use axum::http::{HeaderMap, HeaderValue};
@@ -29,7 +30,7 @@ use std::collections::HashMap;
 use std::net::IpAddr;
 use std::num::NonZeroU32;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 /// Sessions at once; the one that was idle longest goes.
@@ -85,10 +86,6 @@ fn shown(session: &Session) -> u8 {
         Level::Operator => 0,
         level => level.number(),
     }
-}
-
-fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// All sessions.

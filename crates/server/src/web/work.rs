@@ -13,6 +13,9 @@ const MOST_WAITING: usize = 8;
 /// How long one may take.
 const LONGEST: Duration = Duration::from_secs(20);
 
+/// Steps of a program between two looks whether somebody still waits for what is made of it.
+pub(super) const LOOK_STEPS: u64 = 256;
+
 static TURNS: Semaphore = Semaphore::const_new(AT_ONCE);
 static WAITING: AtomicUsize = AtomicUsize::new(0);
 
