@@ -8,7 +8,7 @@ use crate::check::{Limits, Sections, check};
 use crate::fault::{Error, Fault, Span};
 use crate::functions::Function;
 use crate::instruction::{Basic, Code, Instruction, Name};
-use crate::list::{Ladder, Symbol, read};
+use crate::list::{Ladder, Symbol, read, to_text};
 use rustc_hash::FxHashMap;
 use std::ops::Range;
 
@@ -68,6 +68,8 @@ pub struct Program {
     pub(crate) flow: Vec<u8>,
     instructions: Vec<Instruction>,
     symbols: Vec<Symbol>,
+    /// What it was read from, with its remarks; empty where that was no text.
+    text: String,
 }
 
 impl Program {
@@ -75,7 +77,8 @@ impl Program {
     pub fn from_text(text: &[u8], limits: &Limits) -> Result<Program, Vec<Error>> {
         let mut errors = Vec::new();
         let ladder = read(text, &mut errors);
-        Program::from_ladder(ladder, limits, errors)
+        let program = Program::from_ladder(ladder, limits, errors)?;
+        Ok(Program { text: String::from_utf8_lossy(text).into_owned(), ..program })
     }
 
     /// Compiles a ladder that was read with the faults `errors`.
@@ -116,6 +119,15 @@ impl Program {
     /// The instructions, in the order of the text.
     pub fn instructions(&self) -> &[Instruction] {
         &self.instructions
+    }
+
+    /// The ladder as a list: the text that it was read from, with its remarks, where it was.
+    pub fn text(&self) -> String {
+        if !self.text.is_empty() {
+            return self.text.clone();
+        }
+        let (symbols, instructions) = (self.symbols.clone(), self.instructions.clone());
+        to_text(&Ladder { symbols, instructions, ..Ladder::default() })
     }
 
     /// Signals that the ladder names.
@@ -173,6 +185,7 @@ impl<'a> Compiler<'a> {
             flow: Vec::new(),
             instructions: Vec::new(),
             symbols: Vec::new(),
+            text: String::new(),
         };
         Compiler {
             ladder,

@@ -13,7 +13,6 @@ use ferrocut_machine::setup::VariableName;
 use ferrocut_machine::{Alarm, Fault, ParameterKey, ToolOffset, WorkOffset};
 use ferrocut_memory::password::Seat;
 use ferrocut_memory::{Author, Backup, Change, Counter, Item, Level, Session};
-use ferrocut_plc::list;
 use ferrocut_plc::{Address, Area, Limits, Maintenance, Program};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -143,8 +142,7 @@ impl Control {
             Command::Signals { names } => self.signals(&names),
             Command::Ladder => {
                 let plc = self.plc.as_ref().ok_or_else(|| named(Fault::NotFitted, "ladder"))?;
-                let kept = self.ladder_names.text(plc).map(str::to_owned);
-                Ok(Reply::Text { text: kept.unwrap_or_else(|| text_of(plc.program())) })
+                Ok(Reply::Text { text: plc.program().text() })
             }
             Command::WatchLadder { on } => {
                 self.plc.as_mut().ok_or_else(|| named(Fault::NotFitted, "ladder"))?.watch(on);
@@ -305,7 +303,6 @@ impl Control {
             alarm
         })?;
         plc.exchange(Box::new(program));
-        self.ladder_names.keep_text(plc, text.to_owned());
         Ok(Reply::Done)
     }
 
@@ -714,13 +711,4 @@ fn comment_of(text: &[u8]) -> String {
     let remark =
         head.split_once('(').and_then(|(_, rest)| rest.split_once(')')).map(|(remark, _)| remark.trim());
     remark.unwrap_or_default().chars().take(80).collect()
-}
-
-/// A ladder as a list.
-fn text_of(program: &Program) -> String {
-    list::to_text(&ferrocut_plc::list::Ladder {
-        symbols: program.symbols().to_vec(),
-        instructions: program.instructions().to_vec(),
-        ..Default::default()
-    })
 }

@@ -21,24 +21,12 @@ pub(super) struct LadderNames {
     exchanges: Option<u64>,
     overtravel_key: Option<Address>,
     messages: Vec<Message>,
-    /// The text of the ladder that a front put in, and which one that was.
-    text: Option<(u64, String)>,
 }
 
 impl LadderNames {
     /// Whether the key that releases overtravel is pressed.
     pub fn releases_overtravel(&self, plc: &Plc) -> bool {
         self.overtravel_key.is_some_and(|key| plc.memory().bit(key))
-    }
-
-    /// Keeps the text of the ladder that was just put in.
-    pub fn keep_text(&mut self, plc: &Plc, text: String) {
-        self.text = Some((plc.exchanges(), text));
-    }
-
-    /// The text of the ladder that runs, where a front put it in; else it is to be made of the ladder.
-    pub fn text(&self, plc: &Plc) -> Option<&str> {
-        self.text.as_ref().filter(|(of, _)| *of == plc.exchanges()).map(|(_, text)| text.as_str())
     }
 
     /// Looks names up anew where another ladder runs. Messages that it does not have have gone: their names are given.
