@@ -523,12 +523,12 @@ fn overrides_follow_their_switches_and_keys() {
         assert_eq!(m.byte("SOV"), percent);
     }
     let rapid = ["ROV1", "ROV2", "LAMP_R_F0", "LAMP_R_25", "LAMP_R_50", "LAMP_R_100"];
-    assert_eq!(m.on(&rapid), ["ROV1", "ROV2", "LAMP_R_F0"]);
+    assert_eq!(m.on(&rapid), ["ROV2", "LAMP_R_25"]);
     for (key, wanted) in [
-        ("KEY_R_25", &["ROV2", "LAMP_R_25"][..]),
-        ("KEY_R_50", &["ROV1", "LAMP_R_50"]),
+        ("KEY_R_50", &["ROV1", "LAMP_R_50"][..]),
         ("KEY_R_100", &["LAMP_R_100"]),
         ("KEY_R_F0", &["ROV1", "ROV2", "LAMP_R_F0"]),
+        ("KEY_R_25", &["ROV2", "LAMP_R_25"]),
     ] {
         m.press(key);
         assert_eq!(m.on(&rapid), wanted, "{key}");

@@ -20,9 +20,18 @@ pub struct Panel {
 /// Sees what each period came to.
 pub type Watcher = Box<dyn FnMut(&Tick) + Send>;
 
+/// The override switches at 100 % (`docs/plc.md`): a panel on a screen has no knobs that stand somewhere when the
+/// machine is switched on, and at 0 % nothing would move.
+const SWITCHES: [(&str, u8); 2] = [("SWITCH_FEED", 10), ("SWITCH_SPINDLE", 5)];
+
 impl Panel {
-    /// Serves a control.
-    pub fn new(control: Control) -> Panel {
+    /// Serves a control, whose override switches stand at 100 % until somebody turns them.
+    pub fn new(mut control: Control) -> Panel {
+        for (switch, position) in SWITCHES {
+            // A ladder of other names has switches of its own.
+            let _ =
+                control.command(Command::Switch { switch: switch.to_owned(), position }, &Author::Control);
+        }
         let plans_beside = control.keeps_time();
         Panel { control, watcher: None, plans_beside }
     }

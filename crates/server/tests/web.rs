@@ -70,6 +70,29 @@ fn a_socket_speaks_the_lines_of_the_control() {
 }
 
 #[test]
+fn a_machine_that_was_just_started_can_be_used() {
+    let place = Place::local();
+    let mut socket = place.socket();
+    // As soon as the ladder has looked at the panel.
+    let status = socket.until("at 100 %", |status| {
+        status["feed"]["feed_override"] == json!(1.0) && status["spindle"]["spindle_override"] == json!(1.0)
+    });
+    assert_eq!(
+        (&status["feed"]["manual_override"], &status["feed"]["rapid_override"]),
+        (&json!(1.0), &json!(0.25))
+    );
+    assert_eq!(status["panel"], json!({ "SWITCH_FEED": 10, "SWITCH_SPINDLE": 5 }));
+    assert!(status["lamps"].as_array().unwrap().contains(&json!("LAMP_R_25")), "{status}");
+}
+
+#[test]
+fn the_ladder_is_told_as_it_was_written() {
+    let place = Place::local();
+    let text = place.socket().ask(json!({ "do": "ladder" }))["text"].as_str().unwrap().to_owned();
+    assert_eq!(text, include_str!("../../../machines/standard.lad"));
+}
+
+#[test]
 fn statuses_come_fifty_times_a_second() {
     let place = Place::local();
     let mut socket = place.socket();
