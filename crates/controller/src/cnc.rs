@@ -1080,8 +1080,8 @@ impl Cnc {
         if self.motion.push(&self.paced(&given)) {
             self.given.push_back(given);
         }
-        if matches!(step.op, Op::Skip { .. }) {
-            self.begin_probing(tag, from);
+        if let Op::Skip { away, .. } = step.op {
+            self.begin_probing(tag, from, away);
             if self.probing.is_some() {
                 self.wait_for(Waiting::Skip);
             }

@@ -5,7 +5,7 @@ mod common;
 
 use assert_no_alloc::{AllocDisabler, assert_no_alloc};
 use common::{interpreter, machine};
-use ferrocut_controller::drives::{Block, Drives, Plant, Switches, Trouble};
+use ferrocut_controller::drives::{Block, Contact, Drives, Plant, Switches, Trouble};
 use ferrocut_controller::signals::Inputs;
 use ferrocut_controller::{Cnc, State};
 use ferrocut_geometry::{Axis, AxisSet, Position};
@@ -162,7 +162,7 @@ fn a_period_allocates_nothing() {
             let phi = f64::from(k) * 0.002;
             plant.exchange(&Position::xyz(phi.sin() * 600.0, phi.cos() * 90.0, phi.sin() * 50.0));
             if k % 1000 == 0 {
-                plant.arm_probe();
+                plant.arm_probe(if k % 2000 == 0 { Contact::Made } else { Contact::Lost });
                 plant.arm_marker(Axis::X);
             }
             plant.write(&|byte, bit| (u32::from(byte) + u32::from(bit) + k / 2000) % 3 == 0);

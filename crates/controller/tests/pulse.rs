@@ -7,12 +7,13 @@ mod common;
 
 use assert_no_alloc::{AllocDisabler, assert_no_alloc};
 use board::{Able, Board, frame_of};
-use common::interpreter;
+use common::{in_language, interpreter};
 use ferrocut_controller::drives::Drives;
 use ferrocut_controller::drives::pulse::{Link, Port};
 use ferrocut_controller::drives::{Pulse, connect};
 use ferrocut_controller::{Cnc, JogSpeed, JogWay, State, Tick};
 use ferrocut_geometry::{Axis, Position};
+use ferrocut_interpreter::Interpreter;
 use ferrocut_machine::{DrivesConfig, Fault, Machine, PulseConfig};
 use std::collections::VecDeque;
 use std::fs::File;
@@ -94,8 +95,11 @@ impl Bench {
     }
 
     fn with(machine: &Machine, program: &str, setup: &str, board: Board) -> Bench {
+        Bench::of(machine, interpreter(program, setup), board)
+    }
+
+    fn of(machine: &Machine, interpreter: Interpreter, board: Board) -> Bench {
         let line = Arc::new(Mutex::new(Line::default()));
-        let interpreter = interpreter(program, setup);
         let start = interpreter.position();
         let drives = Pulse::new(machine, config(machine), Box::new(Way(line.clone())), start);
         let mut cnc = Cnc::with_drives(machine, interpreter, Box::new(drives));
@@ -441,6 +445,25 @@ fn a_probe_stops_where_it_touched_and_switches_are_read() {
     bench.cnc.drives().write(&|byte, bit| (byte, bit) == (20, 3));
     (0..20).for_each(|_| bench.tick());
     assert_eq!(bench.board.outputs[0], 8);
+}
+
+#[test]
+fn a_probe_is_waited_for_as_it_is_wired_and_until_it_is_free() {
+    for opens in [false, true] {
+        let mut machine = machine("");
+        let Some(DrivesConfig::Pulse(config)) = &mut machine.drives else { panic!() };
+        config.probe_opens = opens;
+        let mut board = Board::new(Able::default());
+        (board.plane, board.probe_opens) = (Some((2, -4000)), opens);
+        // Down to the plane at -5 mm, on into it, and up until it is free again.
+        let program =
+            "G38.2 Z-10 F600\n#1 = #5063\nG1 Z-7 F600\nG38.4 Z0 F600\n#2 = #5063\nG0 X[-#1] Y[-#2]\nM2\n";
+        let mut bench = Bench::of(&machine, in_language("rs274", program), board);
+        bench.run();
+        assert_eq!(bench.cnc.state(), &State::Ended, "{opens}");
+        let at = bench.last.position;
+        assert!((at[Axis::X] - 5.0).abs() < 2e-3 && (at[Axis::Y] - 5.0).abs() < 2e-3, "{at:?}");
+    }
 }
 
 #[test]

@@ -3,13 +3,12 @@
 
 mod common;
 
-use common::{cnc, interpreter, machine};
+use common::{cnc, in_language, interpreter, machine};
 use ferrocut_controller::drives::{Block, Plant};
 use ferrocut_controller::{Cnc, State, Tick};
 use ferrocut_geometry::{Axis, Position};
-use ferrocut_interpreter::{Interpreter, Options, dialects};
-use ferrocut_machine::{Fault, Machine, Memory, PlantAxis, PlantConfig};
-use ferrocut_program::{ProgramMemory, Text};
+use ferrocut_interpreter::Interpreter;
+use ferrocut_machine::{Fault, Machine, PlantAxis, PlantConfig};
 use proptest::prelude::*;
 
 /// The demo mill, its axes known, among blocks of metal.
@@ -38,13 +37,6 @@ fn run(cnc: &mut Cnc) -> Vec<Tick> {
 /// A wall from X upwards.
 fn wall(x: f64) -> Block {
     Block { min: [x, -1e3, -1e3], max: [1e3, 1e3, 1e3] }
-}
-
-fn in_language(name: &str, program: &str) -> Interpreter {
-    let dialect = dialects::ALL.iter().find(|dialect| dialect.name == name).copied().unwrap();
-    let text = Text::from_bytes(program.as_bytes().to_vec()).unwrap();
-    let programs = ProgramMemory::new("test.nc", text, dialect.syntax);
-    Interpreter::new(dialect, programs, Memory::new(dialect.name), Options::default())
 }
 
 #[test]
@@ -108,6 +100,36 @@ fn a_signal_that_does_not_come_is_an_alarm_where_the_control_wants_one() {
     let mut cnc = probing(&machine(), in_language("rs274", found), &[wall(20.0)]);
     let end = run(&mut cnc).last().unwrap().position;
     assert!((end[Axis::X] - 20.0).abs() < 1e-4 && end[Axis::Y] == 1.0, "{end:?}");
+}
+
+#[test]
+fn a_probe_that_is_led_away_ends_the_move_where_it_comes_free() {
+    // Out of a block that ends at X 25; the probe touches it from the start.
+    let plate = Block { min: [-5.0, -1e3, -1e3], max: [25.0, 1e3, 1e3] };
+    let program = "G38.4 X50 F600\n#1 = #5061\n#2 = #5070\nG1 X#1 Y#2 F600\nM2\n";
+    let mut cnc = probing(&machine(), in_language("rs274", program), &[plate]);
+    let ticks = run(&mut cnc);
+    assert_eq!(cnc.state(), &State::Ended);
+    let farthest = ticks.iter().map(|tick| tick.position[Axis::X]).fold(0.0, f64::max);
+    assert!(farthest > 25.1 && farthest < 25.3, "{farthest}");
+    let end = ticks.last().unwrap().position;
+    assert!((end[Axis::X] - 25.0).abs() < 1e-4 && end[Axis::Y] == 1.0, "{end:?}");
+    // Into a second block before it leaves the first: it is free behind both.
+    let second = Block { min: [20.0, -1e3, -1e3], max: [31.0, 1e3, 1e3] };
+    let mut cnc = probing(&machine(), in_language("rs274", program), &[plate, second]);
+    assert!((run(&mut cnc).last().unwrap().position[Axis::X] - 31.0).abs() < 1e-4);
+    // One that stays in contact: an alarm with G38.4, told by #5070 with G38.5.
+    let alarmed = |cnc: &Cnc| matches!(cnc.state(), State::Alarmed(a) if a.fault == Fault::SkipWithoutSignal);
+    let mut stays = probing(&machine(), in_language("rs274", program), &[wall(-5.0)]);
+    run(&mut stays);
+    assert!(alarmed(&stays), "{:?}", stays.state());
+    let quiet = program.replace("G38.4", "G38.5");
+    let mut stays = probing(&machine(), in_language("rs274", &quiet), &[wall(-5.0)]);
+    assert_eq!(run(&mut stays).last().unwrap().position, Position::xyz(50.0, 0.0, 0.0));
+    // One that is free already moves nothing.
+    let mut free = probing(&machine(), in_language("rs274", "G38.5 X50 F600\nM2\n"), &[wall(20.0)]);
+    assert!(run(&mut free).iter().all(|tick| tick.position == Position::ZERO));
+    assert_eq!(free.state(), &State::Ended);
 }
 
 #[test]

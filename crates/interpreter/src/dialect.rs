@@ -656,6 +656,8 @@ pub struct Dialect {
     pub one_way_modal: &'static GCode,
     /// Whether a parameter cannot be set by the program.
     pub is_fixed_parameter: fn(&ParameterKey) -> bool,
+    /// Whether parameters are changed by hand only while the parameter switch is on.
+    pub parameter_switch: bool,
     /// The code that calls a macro with variables of its own, in tenths.
     pub macro_call: u16,
     /// What a variable holds that was never set.

@@ -165,7 +165,7 @@ impl Interpreter {
             self.location.skip = to - self.location.work.shift;
         }
         self.output.suspend_cutter();
-        self.emit(Op::Skip { to, feed: Feed::PerMinute(speed.abs()), hit });
+        self.emit(Op::Skip { to, feed: Feed::PerMinute(speed.abs()), hit, away: false });
         Ok(())
     }
 

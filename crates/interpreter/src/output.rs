@@ -393,7 +393,7 @@ fn with_shape(op: Op, to: Position, plane: Plane, shape: Option<Shape>) -> Op {
         }
         (Op::Feed { feed, path, .. }, None) => Op::Feed { to, feed, path },
         (Op::Tap { pitch, rpm, .. }, _) => Op::Tap { to, pitch, rpm },
-        (Op::Skip { feed, hit, .. }, _) => Op::Skip { to, feed, hit },
+        (Op::Skip { feed, hit, away, .. }, _) => Op::Skip { to, feed, hit, away },
         (op, _) => op,
     }
 }

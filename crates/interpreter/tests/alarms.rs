@@ -24,6 +24,9 @@ const OF_THE_MACHINE: &[Fault] = &[
     Fault::RestartOtherProgram,
     Fault::MeasureNotReferenced,
     Fault::ProbeMissing,
+    Fault::SetterMissed,
+    Fault::ParametersClosed,
+    Fault::ParametersOpen,
 ];
 
 /// The rule, its number in appendix 2, a program that breaks it, the words at fault, and a set-up.

@@ -652,6 +652,8 @@ faults! {
     RestartNotAsProgram = 1417,
     /// No room for more of a program that is sent, until blocks are done.
     NoRoomYet = 1418,
+    /// A parameter is changed while the parameter switch is off.
+    ParametersClosed = 1419,
 
     // 1420: the ladder and the codes that are handed to it
     /// A code is not done in time.
@@ -660,6 +662,8 @@ faults! {
     RigidTappingOff = 1421,
     /// A waveform that cannot be captured.
     CaptureSetting = 1422,
+    /// The parameter switch is on.
+    ParametersOpen = 1423,
 
     // 1430: reference points and travel switches
     /// Homing did not meet the home switch, or did not leave it.
@@ -700,6 +704,8 @@ faults! {
     MeasureSetting = 1476,
     /// Measuring while something forbids it: a lock, dry run, a spindle that turns.
     MeasureForbidden = 1477,
+    /// The tool setter was not met where the tool should have touched it.
+    SetterMissed = 1478,
 
     // 1500: the panel in a browser
     /// The panel was not built into the program.

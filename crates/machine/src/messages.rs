@@ -79,7 +79,7 @@
 //! | `RestartOtherProgram`, `RestartChanged`, `RestartNotAsProgram` | `name` |
 //! | `RestartNotReferenced`, `MeasureNotReferenced` | `axis` |
 //! | `ProbeMissing`, `PointsUnusable`, `MeasureSetting`, `MeasureForbidden` | `name` |
-//! | `ProbeMissed` | `axis`, `position` |
+//! | `ProbeMissed`, `SetterMissed` | `axis`, `position` |
 //! | `MeasuredSize` | `value`, `nominal`, `limit` |
 //! | `MemoryOfOther`, `BackupOfOther` | `name` |
 //! | `MemoryDisk` | `reason` |

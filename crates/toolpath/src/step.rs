@@ -210,7 +210,7 @@ pub enum Op {
         /// Spindle speed, r/min.
         rpm: f64,
     },
-    /// Feed until the skip signal comes (G31). The next step is a [`Barrier`](Op::Barrier), so that the
+    /// Feed until the skip signal comes (G31), or goes. The next step is a [`Barrier`](Op::Barrier), so that the
     /// interpreter learns where motion stopped before it goes on.
     Skip {
         /// Where motion ends: where the simulated signal comes, or without one the end point.
@@ -219,6 +219,8 @@ pub enum Op {
         feed: Feed,
         /// Whether the signal comes.
         hit: bool,
+        /// The signal is that the probe is free, not that it touches.
+        away: bool,
     },
     /// Nothing is done; the block behind it reads what only a machine at rest knows. Whoever runs steps
     /// lets the axes come to rest on the end of the move before, tells the interpreter where they are,

@@ -223,7 +223,7 @@ impl<W: Write> TraceWriter<W> {
                 self.field("pitch", *pitch);
                 self.field("rpm", *rpm);
             }
-            Op::Skip { to, feed, hit } => {
+            Op::Skip { to, feed, hit, away } => {
                 self.op("skip");
                 // A signal that is there from the start is worth a line, though nothing moves.
                 if !self.to(to) && !hit {
@@ -231,6 +231,9 @@ impl<W: Write> TraceWriter<W> {
                 }
                 self.feed(*feed);
                 self.flag("hit", *hit);
+                if *away {
+                    self.flag("away", true);
+                }
             }
             // Nothing that an axis is commanded to do.
             Op::Barrier => return false,

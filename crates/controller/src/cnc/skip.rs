@@ -1,10 +1,12 @@
-//! Skip moves on a machine with a probe: they end where it touches (GSK990MC 4.2.16).
+//! Skip moves on a machine with a probe: they end where it touches (GSK990MC 4.2.16), or where it comes free (LinuxCNC,
+//! G38.4 and G38.5).
 //!
 //! The drives keep where the axes were when the signal came; the move is braked from there within the limits of the
 //! axes, the rest of it is forgotten. The program is told both. A signal that is there already ends the move where
 //! it begins. Without a probe a skip move is run as the program gives it out, as at a desk.
 
 use super::{Cnc, State};
+use crate::drives::Contact;
 use ferrocut_geometry::Position;
 use ferrocut_interpreter::AtRest;
 use ferrocut_toolpath::{Op, Step};
@@ -15,20 +17,22 @@ pub(super) struct Probing {
     /// Its mark in motion.
     tag: u64,
     from: Position,
+    until: Contact,
     /// It is being run, and the drives wait for the signal.
     armed: bool,
-    /// Where the signal came.
+    /// Where the signal came: where the probe touched, or was free.
     touched: Option<Position>,
 }
 
 impl Cnc {
     /// A skip move was given to motion. From rest the probe is looked at before anything is planned: a move that was
     /// not begun is forgotten, while one on its way takes some periods to be stopped.
-    pub(super) fn begin_probing(&mut self, tag: u64, from: Position) {
+    pub(super) fn begin_probing(&mut self, tag: u64, from: Position, away: bool) {
         if !self.drives.has_probe() {
             return;
         }
-        self.probing = Some(Probing { tag, from, armed: false, touched: None });
+        let until = if away { Contact::Lost } else { Contact::Made };
+        self.probing = Some(Probing { tag, from, until, armed: false, touched: None });
         if self.given.len() == 1 && self.motion.is_still() {
             self.arm_probe(tag);
             self.watch_probe();
@@ -48,7 +52,7 @@ impl Cnc {
             self.probing.as_mut().filter(|probing| !probing.armed && probing.tag == running)
         {
             probing.armed = true;
-            self.drives.arm_probe();
+            self.drives.arm_probe(probing.until);
         }
     }
 

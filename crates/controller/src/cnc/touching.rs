@@ -93,7 +93,8 @@ impl Touches {
     /// The next operation; none once all is done. `at` is where the axes stand or will stand before it.
     fn step(&mut self, at: Position) -> Option<Op> {
         let pace = self.plan.pace;
-        let skip = |to: Position, speed: f64| Op::Skip { to, feed: Feed::PerMinute(speed), hit: true };
+        let skip =
+            |to: Position, speed: f64| Op::Skip { to, feed: Feed::PerMinute(speed), hit: true, away: false };
         let back = |to: Position| Op::Rapid { to, straight: true, speed: Some(pace.way) };
         let now = self.next;
         let (op, next) = match now {
@@ -150,7 +151,7 @@ impl Touches {
                     .into_iter()
                     .max_by(|a, b| way[*a].abs().total_cmp(&way[*b].abs()))
                     .unwrap_or(ferrocut_geometry::Axis::X);
-                let missed = alarm(Fault::ProbeMissed).with("axis", axis.letter().to_string());
+                let missed = alarm(self.plan.missed).with("axis", axis.letter().to_string());
                 return Err(Box::new(missed.with("position", at[axis])));
             }
             (_, Some(_)) => return Err(Box::new(alarm(Fault::ProbeTouches))),
@@ -216,7 +217,8 @@ impl Cnc {
         let at = self.motion.position();
         self.skip_shift = Position::ZERO;
         let Some(touches) = &mut self.touches else { return };
-        if let Err(alarm) = touches.ended(touched, at) {
+        if let Err(mut alarm) = touches.ended(touched, at) {
+            alarm.id = self.interpreter.dialect().alarm_id(alarm.fault);
             self.state = State::Alarmed(alarm);
         }
     }

@@ -48,6 +48,15 @@ impl Switches {
     }
 }
 
+/// What a probe is waited for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Contact {
+    /// That it touches.
+    Made,
+    /// That it is free.
+    Lost,
+}
+
 /// The drives of a machine, asked once a servo period. Positions are mm and degrees, by the names that the axes have.
 ///
 /// Places of markers, edges and touches are kept by the drives themselves, which sample faster than a servo period
@@ -94,10 +103,10 @@ pub trait Drives: Send {
         false
     }
 
-    /// Keeps where the axes are when the probe touches next; at once if it touches now.
-    fn arm_probe(&mut self) {}
+    /// Keeps where the axes are when the probe touches next, or is free; at once if it is so now.
+    fn arm_probe(&mut self, _until: Contact) {}
 
-    /// That place, once it touched.
+    /// That place, once it was so.
     fn probe(&self) -> Option<Position> {
         None
     }

@@ -11,7 +11,7 @@ mod axis;
 mod periphery;
 
 use super::wires::AxisWires;
-use super::{Drives, Switches};
+use super::{Contact, Drives, Switches};
 use axis::{PlantedAxis, Where};
 use ferrocut_geometry::{AXES, Axis, AxisSet, Position};
 use ferrocut_machine::{AxisConfig, Machine, PlantAxis, PlantConfig};
@@ -56,7 +56,7 @@ pub struct Plant {
     absolute: bool,
     periphery: Periphery,
     blocks: Vec<Block>,
-    armed: bool,
+    armed: Option<Contact>,
     touches: bool,
     touched: Option<Position>,
     wires: AxisWires,
@@ -79,7 +79,7 @@ impl Plant {
             absolute: machine.homing.absolute,
             periphery: Periphery::new(config, machine.servo_period_ms),
             blocks: Vec::new(),
-            armed: false,
+            armed: None,
             touches: false,
             touched: None,
             wires: AxisWires::new(machine, &config.wiring, config.probe_opens),
@@ -159,26 +159,36 @@ impl Plant {
         self.blocks.iter().any(inside)
     }
 
+    /// The parts of this period's way from and to which the probe touches a block, where it does.
+    fn contact(&self, block: &Block) -> Option<(f64, f64)> {
+        let of = |i: usize| self.axis_at(i).map_or((0.0, 0.0), |axis| (axis.before, axis.place));
+        let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
+        for (i, (min, max)) in block.min.into_iter().zip(block.max).enumerate() {
+            let (from, to) = of(i);
+            let step = to - from;
+            if step == 0.0 {
+                if from < min || from > max {
+                    return None;
+                }
+            } else {
+                let (near, far) = ((min - from) / step, (max - from) / step);
+                (enter, leave) = (enter.max(near.min(far)), leave.min(near.max(far)));
+            }
+        }
+        (enter <= leave).then_some((enter, leave))
+    }
+
     /// The part of this period's way after which the probe touches first.
     fn touch(&self) -> Option<f64> {
-        let of = |i: usize| self.axis_at(i).map_or((0.0, 0.0), |axis| (axis.before, axis.place));
-        let way = [of(0), of(1), of(2)];
-        let first = |block: &Block| {
-            let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
-            for ((from, to), (min, max)) in way.into_iter().zip(block.min.into_iter().zip(block.max)) {
-                let step = to - from;
-                if step == 0.0 {
-                    if from < min || from > max {
-                        return None;
-                    }
-                } else {
-                    let (near, far) = ((min - from) / step, (max - from) / step);
-                    (enter, leave) = (enter.max(near.min(far)), leave.min(near.max(far)));
-                }
-            }
-            (enter <= leave).then_some(enter)
-        };
-        self.blocks.iter().filter_map(first).min_by(f64::total_cmp)
+        let contacts = self.blocks.iter().filter_map(|block| self.contact(block));
+        contacts.map(|(enter, _)| enter).min_by(f64::total_cmp)
+    }
+
+    /// The part of it after which the probe is free; none where it touches something at the end.
+    fn freed(&self) -> Option<f64> {
+        let contacts = self.blocks.iter().filter_map(|block| self.contact(block));
+        let last = contacts.map(|(_, leave)| leave).fold(0.0, f64::max);
+        (!self.touches).then_some(last)
     }
 
     /// What the encoders count at a part of this period's way.
@@ -239,11 +249,13 @@ impl Drives for Plant {
         }
         self.periphery.tick();
         self.touches = self.is_inside(self.places());
-        if self.armed
-            && let Some(part) = self.touch()
-        {
+        let part = self.armed.and_then(|until| match until {
+            Contact::Made => self.touch(),
+            Contact::Lost => self.freed(),
+        });
+        if let Some(part) = part {
             self.touched = Some(self.counted(part));
-            self.armed = false;
+            self.armed = None;
         }
         actual
     }
@@ -289,9 +301,10 @@ impl Drives for Plant {
         true
     }
 
-    fn arm_probe(&mut self) {
-        self.touched = self.touches.then(|| self.counted(1.0));
-        self.armed = !self.touches;
+    fn arm_probe(&mut self, until: Contact) {
+        let is_so = self.touches == (until == Contact::Made);
+        self.touched = is_so.then(|| self.counted(1.0));
+        self.armed = (!is_so).then_some(until);
     }
 
     fn probe(&self) -> Option<Position> {

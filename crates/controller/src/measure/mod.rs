@@ -13,6 +13,7 @@ pub mod tool;
 pub mod work;
 
 use ferrocut_geometry::Position;
+use ferrocut_machine::Fault;
 use ferrocut_toolpath::SpindleState;
 
 /// A touch, and the way to it. Machine positions, mm.
@@ -54,6 +55,8 @@ pub struct Touching {
     pub pace: Pace,
     /// What the spindle does meanwhile; it stands where there is nothing.
     pub spindle: Option<SpindleState>,
+    /// What a search that meets nothing is.
+    pub missed: Fault,
 }
 
 /// A size that cannot be measured with: its name.

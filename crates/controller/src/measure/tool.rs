@@ -5,6 +5,7 @@
 
 use super::{Pace, Touch, Touching, Unusable, size};
 use ferrocut_geometry::{Axis, Position};
+use ferrocut_machine::Fault;
 use ferrocut_toolpath::SpindleState;
 
 /// What is measured.
@@ -87,7 +88,8 @@ impl Tool {
             let mut limit = self.from;
             limit[Axis::Z] -= overtravel;
             touches.push(Touch { via: Vec::new(), limit });
-            return Ok(Touching { touches, end: vec![self.from], pace: self.pace, spindle: None });
+            let (end, pace, missed) = (vec![self.from], self.pace, Fault::SetterMissed);
+            return Ok(Touching { touches, end, pace, spindle: None, missed });
         }
         // Over the setter at a height at which it is free of it, the one where it stands if that is higher.
         let top = self.from[Axis::Z].max(tip + overtravel);
@@ -114,7 +116,7 @@ impl Tool {
         let last = touches.last().and_then(|touch| touch.via.last()).copied();
         let end = last.map(|last| self.at(last[Axis::X], top)).into_iter().collect();
         let spindle = if self.mode == Mode::Length { None } else { self.spindle };
-        Ok(Touching { touches, end, pace: self.pace, spindle })
+        Ok(Touching { touches, end, pace: self.pace, spindle, missed: Fault::SetterMissed })
     }
 
     fn stylus_of(&self) -> Result<f64, Unusable> {

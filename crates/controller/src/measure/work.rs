@@ -3,6 +3,7 @@
 use super::shape::{self, Circle, Point};
 use super::{Pace, Touch, Touching, Unusable, size};
 use ferrocut_geometry::{Axis, Position};
+use ferrocut_machine::Fault;
 
 /// Least angle between two of three touches of a circle, degrees (3.4.3.1, D; `#5` of program O9729 there).
 pub const LEAST_ANGLE: f64 = 5.0;
@@ -136,7 +137,7 @@ impl Work {
         }
         let last = rays.last().map_or((0.0, 0.0), |ray| (ray.from, ray.angle));
         let end = vec![at(last.0, last.1, top)];
-        Ok(Touching { touches, end, pace: self.pace, spindle: None })
+        Ok(Touching { touches, end, pace: self.pace, spindle: None, missed: Fault::ProbeMissed })
     }
 
     /// Directions and distances of the touches.
@@ -209,7 +210,13 @@ impl Work {
         let mut limit = start;
         limit[axis] += if positive { distance } else { -distance };
         let touches = vec![Touch { via: vec![start], limit }];
-        Ok(Touching { touches, end: vec![self.from], pace: self.pace, spindle: None })
+        Ok(Touching {
+            touches,
+            end: vec![self.from],
+            pace: self.pace,
+            spindle: None,
+            missed: Fault::ProbeMissed,
+        })
     }
 
     /// What the touches come to, in the order of the way; none where they give no shape.

@@ -85,6 +85,7 @@ pub struct Stepper {
 #[derive(Clone, Debug)]
 struct Waiting {
     enable: bool,
+    until_open: bool,
     spindle: i16,
     probe: u8,
     outputs: [u8; 8],
@@ -99,6 +100,8 @@ pub struct Board {
     pub keeps_pulses: bool,
     /// The probe touches where this axis is at this step or below.
     pub plane: Option<(usize, i64)>,
+    /// Its input carries current while it touches nothing.
+    pub probe_opens: bool,
     pub emergency_stop: bool,
     pub amplifier_fault: Option<u8>,
     pub inputs: [u8; 8],
@@ -137,6 +140,7 @@ impl Board {
             drift: 0.0,
             keeps_pulses: true,
             plane: None,
+            probe_opens: false,
             emergency_stop: false,
             amplifier_fault: None,
             inputs: [0; 8],
@@ -262,8 +266,10 @@ impl Board {
         }
         self.heard = Some(self.now);
         let number = at.u32();
+        let bits = at.take::<1>()[0];
         let setpoint = Waiting {
-            enable: at.take::<1>()[0] & 1 == 1,
+            enable: bits & 1 == 1,
+            until_open: bits & 2 == 2,
             spindle: at.u16() as i16,
             probe: at.take::<1>()[0],
             outputs: at.take(),
@@ -356,8 +362,10 @@ impl Board {
             let plane = step as f64 * PARTS;
             let from = self.axes[number].place;
             let to = from + way(&self.axes[number], setpoint.axes[number].0);
-            if from <= plane || to <= plane {
-                let part = if from <= plane { 0.0 } else { (from - plane) / (from - to) };
+            // Carries the input current, and is that what is waited for?
+            let is_met = |place: f64| ((place <= plane) != self.probe_opens) != setpoint.until_open;
+            if is_met(from) || is_met(to) {
+                let part = if is_met(from) { 0.0 } else { (from - plane) / (from - to) };
                 for (axis, (to, _)) in self.axes.iter_mut().zip(&setpoint.axes) {
                     axis.touch = (axis.place + part * way(axis, *to)).round() as i64 as i32;
                 }
@@ -383,7 +391,7 @@ impl Board {
         say.extend((self.waiting.len() as u16).to_le_bytes());
         say.extend([self.doing, self.fault, self.fault_axis]);
         say.extend(self.unreadable.to_le_bytes());
-        say.extend([u8::from(probe), self.touched]);
+        say.extend([u8::from(probe != self.probe_opens), self.touched]);
         say.extend(self.inputs);
         say.push(self.axes.len() as u8);
         for axis in &self.axes {

@@ -44,6 +44,14 @@ pub fn interpreter_with(program: &str, setup: &str, change: impl FnOnce(&mut Opt
     Interpreter::new(dialect, programs, memory, options)
 }
 
+/// A program in a language.
+pub fn in_language(name: &str, program: &str) -> Interpreter {
+    let dialect = dialects::ALL.iter().find(|dialect| dialect.name == name).copied().unwrap();
+    let text = Text::from_bytes(program.as_bytes().to_vec()).unwrap();
+    let programs = ProgramMemory::new("test.nc", text, dialect.syntax);
+    Interpreter::new(dialect, programs, Memory::new(dialect.name), Options::default())
+}
+
 /// Ticks after which a run is taken as hanging: twenty minutes of machine time.
 pub const HANGS: usize = 1_200_000;
 

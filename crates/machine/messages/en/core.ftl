@@ -794,6 +794,8 @@ FC-1417 = Tool or spindle are not as the program has them
     .help = Type the codes that the restart shows in MDI, or have the control send them.
 FC-1418 = there is no room for more of the program yet
     .help = Send this part again once blocks are done.
+FC-1419 = the parameter switch is off
+    .help = Turn the parameter switch on, on the setting page, in MDI.
 
 FC-1430 = Homing does not find the home switch
     .detail = axis { $axis }
@@ -870,6 +872,9 @@ FC-1476 = This cannot be measured with such a value
 FC-1477 = Nothing can be measured now
     .detail = { $name }
     .help = Turn off dry run and the locks, stop the spindle, then start anew.
+FC-1478 = The tool setter was not met
+    .detail = { $axis } to { $position }
+    .help = Check the tool setter, its height and the estimated length of the tool.
 
 ## 1480: drives
 

@@ -16,6 +16,8 @@ FC-1421 = The ladder does not take part in rigid tapping
 FC-1422 = This waveform cannot be captured
     .detail = { $value }
     .help = Name axes and signals that the machine has, at least one of them, and not more than there is room for.
+FC-1423 = the parameter switch is on
+    .help = Turn it off once the parameters are as they should be, or accept it on the setting page.
 
 label-ladder-checked = { $file }: { $steps } steps, { $first } of them in level 1, { $signals } named signals
 label-ladder-faults = { $count ->

@@ -16,6 +16,8 @@ FC-1421 = 梯形图未进入刚性攻丝状态
 FC-1422 = 无法采集该波形
     .detail = { $value }
     .help = 请指定机床具有的轴和信号，至少一个，且不超过允许的数量。
+FC-1423 = 参数开关已打开
+    .help = 参数设定结束后关闭参数开关，或在设置页面取消报警。
 
 label-ladder-checked = { $file }：{ $steps } 步，其中第一级 { $first } 步，{ $signals } 个命名信号
 label-ladder-faults = { $count } 个故障

@@ -69,6 +69,8 @@ pub struct Setpoint {
     pub spindle: i16,
     /// The touch of the probe that is waited for; 0 is none.
     pub probe: u8,
+    /// It is that the probe's input carries no current.
+    pub until_open: bool,
     /// General outputs.
     pub outputs: [u8; PULSE_BYTES],
     /// How many axes there are.
@@ -229,7 +231,7 @@ impl Frame {
         let mut frame = Frame::new(MOVE);
         frame.put(&setpoint.session.to_le_bytes());
         frame.put(&setpoint.number.to_le_bytes());
-        frame.put(&[u8::from(setpoint.enable)]);
+        frame.put(&[u8::from(setpoint.enable) | u8::from(setpoint.until_open) << 1]);
         frame.put(&setpoint.spindle.to_le_bytes());
         frame.put(&[setpoint.probe]);
         frame.put(&setpoint.outputs);

@@ -15,7 +15,7 @@ mod link;
 pub use link::{Link, Port};
 
 use super::wires::AxisWires;
-use super::{Drives, Switches};
+use super::{Contact, Drives, Switches};
 use fault::PulseFault;
 use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_machine::{Alarm, AxisConfig, LinkAt, Machine, PulseAxis, PulseConfig};
@@ -470,7 +470,9 @@ impl Drives for Pulse {
         self.config.probe
     }
 
-    fn arm_probe(&mut self) {
+    fn arm_probe(&mut self, until: Contact) {
+        // The input that carries current while the probe is free is waited for the other way round.
+        self.setpoint.until_open = (until == Contact::Lost) != self.config.probe_opens;
         self.setpoint.probe = next_number(self.setpoint.probe);
     }
 

@@ -30,6 +30,8 @@ pub static DIALECT: Dialect = Dialect {
     length_off: &fanuc::LENGTH_OFF,
     one_way_modal: &fanuc::ONE_WAY_MODAL,
     is_fixed_parameter: rules::is_fixed,
+    // Part 2, 3.4.1.
+    parameter_switch: true,
     macro_call: 650,
     unset_variable: None,
     custom: None,

@@ -49,7 +49,7 @@ impl Interpreter {
             Meaning::Synchronised => self.ngc_synchronised(axes, false),
             Meaning::RigidTap => self.ngc_synchronised(axes, true),
             Meaning::Threading => self.ngc_thread(axes),
-            Meaning::Probe { needs_contact, .. } => self.ngc_probe(axes, needs_contact),
+            Meaning::Probe { away, needs_contact } => self.ngc_probe(axes, away, needs_contact),
             Meaning::Cycle(kind) => self.ngc_cycle(kind, axes, goes_on),
             _ => Err(self.ngc_alarm(Fault::NotSupported)),
         }

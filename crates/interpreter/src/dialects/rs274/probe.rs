@@ -15,8 +15,8 @@ const PROBED: u32 = 5061;
 const FOUND: u32 = 5070;
 
 impl Interpreter {
-    /// Probes to the point that the block leads to.
-    pub(super) fn ngc_probe(&mut self, axes: AxisSet, needs_contact: bool) -> Fallible<()> {
+    /// Probes to the point that the block leads to, until the probe touches or, `away`, is free.
+    pub(super) fn ngc_probe(&mut self, axes: AxisSet, away: bool, needs_contact: bool) -> Fallible<()> {
         if self.output.in_cutter_mode() {
             return Err(self.ngc_alarm(Fault::NotInCutter));
         }
@@ -43,7 +43,7 @@ impl Interpreter {
         let reached = at.map_or(aim, |t| from.lerp(aim, t));
         self.location.machine = reached;
         self.ngc.at = self.ngc.program_of(reached);
-        self.emit(Op::Skip { to: reached, feed, hit: at.is_some() });
+        self.emit(Op::Skip { to: reached, feed, hit: at.is_some(), away });
         self.ngc_note_probe(self.ngc.at, at.is_some())?;
         self.emit_barrier()?;
         // Where no one simulates a probe there is none to miss.
