@@ -336,8 +336,8 @@ pub struct Outputs {
     pub parts_reached: bool,
     /// Axes at their reference point.
     pub at_reference: [bool; SIGNAL_AXES],
-    /// Axes at their second reference point.
-    pub at_second_reference: [bool; SIGNAL_AXES],
+    /// Axes at their second, third and fourth reference point.
+    pub at_further_reference: [[bool; SIGNAL_AXES]; 3],
     /// Axes whose reference point is established.
     pub referenced: [bool; SIGNAL_AXES],
     /// Axes that move.
@@ -612,7 +612,11 @@ pub const ROWS: &[Row] = &[
     f(&["RTAP"], 76, 3, |o, _| o.rigid_tapping.into()),
     f(&["ZP_X", "ZP_Y", "ZP_Z", "ZP_A", "ZP_5", "ZP_6", "ZP_7", "ZP_8"], 94, 0, |o, n| of(&o.at_reference, n)),
     f(&["ZP2_X", "ZP2_Y", "ZP2_Z", "ZP2_A", "ZP2_5", "ZP2_6", "ZP2_7", "ZP2_8"], 96, 0,
-        |o, n| of(&o.at_second_reference, n)),
+        |o, n| of(&o.at_further_reference[0], n)),
+    f(&["ZP3_X", "ZP3_Y", "ZP3_Z", "ZP3_A", "ZP3_5", "ZP3_6", "ZP3_7", "ZP3_8"], 98, 0,
+        |o, n| of(&o.at_further_reference[1], n)),
+    f(&["ZP4_X", "ZP4_Y", "ZP4_Z", "ZP4_A", "ZP4_5", "ZP4_6", "ZP4_7", "ZP4_8"], 100, 0,
+        |o, n| of(&o.at_further_reference[2], n)),
     f(&["MV_X", "MV_Y", "MV_Z", "MV_A", "MV_5", "MV_6", "MV_7", "MV_8"], 102, 0, |o, n| of(&o.moving, n)),
     f(&["INP_X", "INP_Y", "INP_Z", "INP_A", "INP_5", "INP_6", "INP_7", "INP_8"], 104, 0, |o, n| of(&o.in_position, n)),
     f(&["MVD_X", "MVD_Y", "MVD_Z", "MVD_A", "MVD_5", "MVD_6", "MVD_7", "MVD_8"], 106, 0, |o, n| of(&o.downwards, n)),
@@ -794,14 +798,14 @@ mod tests {
         let second = [false, true, false, false, false, false, false, false];
         let axes = Outputs {
             at_reference: second,
-            at_second_reference: second,
+            at_further_reference: [second, [false; SIGNAL_AXES], second],
             referenced: second,
             moving: second,
             downwards: second,
             in_position: second,
             ..base()
         };
-        assert_eq!(told(&axes)[1..], ["ZP_Y", "ZP2_Y", "MV_Y", "INP_Y", "MVD_Y", "ZRF_Y"]);
+        assert_eq!(told(&axes)[1..], ["ZP_Y", "ZP2_Y", "ZP4_Y", "MV_Y", "INP_Y", "MVD_Y", "ZRF_Y"]);
         for (mode, name) in
             Mode::ALL.into_iter().zip(["MEDT", "MMEM", "MMDI", "MREF", "MJ", "MINC", "MH", "MRMT"])
         {

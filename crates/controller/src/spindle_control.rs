@@ -41,6 +41,10 @@ pub struct SpindleControl {
     /// Speed that the spindle was told, r/min.
     told: f64,
     gear: u8,
+    /// The gear is to be chosen for a new speed.
+    chooses: bool,
+    /// It is to turn, whether it may or not.
+    is_asked: bool,
 }
 
 impl SpindleControl {
@@ -56,12 +60,15 @@ impl SpindleControl {
             surface_at: Position::ZERO,
             told: 0.0,
             gear: 1,
+            chooses: true,
+            is_asked: false,
         }
     }
 
     /// The speed of the program from now on.
     pub fn set_speed(&mut self, speed: Speed) {
         self.speed = speed;
+        self.chooses = true;
     }
 
     /// The angle of the next orientation, degrees.
@@ -76,7 +83,7 @@ impl SpindleControl {
 
     /// Whether cutting is to wait: the spindle is to turn and the ladder does not say that it has its speed.
     pub fn cutting_waits(&self, inputs: &Inputs) -> bool {
-        self.gears.cutting_waits && self.doing == Doing::Turns && !inputs.spindle_at_speed
+        self.gears.cutting_waits && self.is_asked && !inputs.spindle_at_speed
     }
 
     /// Goes on by a period. `taps`: the spindle belongs to a thread that is being tapped. `rapid_to`: the end of
@@ -89,11 +96,14 @@ impl SpindleControl {
         rapid_to: Option<Position>,
         spindle: &mut Spindle,
     ) {
-        self.gear = self.gear(inputs);
         self.surface_at = match rapid_to {
             Some(to) if !self.gears.surface_follows_rapid => to,
             _ => *at,
         };
+        // Where the speed follows the axes (G96) no gear is shifted in a cut.
+        if std::mem::take(&mut self.chooses) || self.gears.chosen_by_ladder {
+            self.gear = self.gear(inputs);
+        }
         let ended = std::mem::replace(&mut self.taps, taps) && !taps;
         if taps {
             return;
@@ -103,13 +113,16 @@ impl SpindleControl {
             && !inputs.spindle_emergency_stop
             && !inputs.emergency_stop;
         if inputs.spindle_orient && may_turn {
+            self.is_asked = false;
             if self.doing != Doing::Orients || ended {
                 (self.doing, self.told) = (Doing::Orients, 0.0);
                 spindle.orient(self.angle);
             }
             return;
         }
-        let rpm = if may_turn { self.rpm(inputs) } else { 0.0 };
+        let asked = self.rpm(inputs);
+        self.is_asked = asked > 0.0 && inputs.spindle_forward != inputs.spindle_reverse;
+        let rpm = if may_turn { asked } else { 0.0 };
         let state = match (inputs.spindle_forward, inputs.spindle_reverse) {
             (true, false) if rpm > 0.0 => SpindleState::Clockwise(Speed::Rpm(rpm)),
             (false, true) if rpm > 0.0 => SpindleState::CounterClockwise(Speed::Rpm(rpm)),

@@ -184,3 +184,72 @@ fn messages_of_a_ladder_go_with_it() {
         "{told:?}"
     );
 }
+
+#[test]
+fn the_ladder_shifts_the_gears_of_the_spindle_while_it_stands() {
+    let mut geared = machine();
+    for (name, value) in
+        [("P246", 500.0), ("P247", 2000.0), ("P248", 6000.0), ("NO38.0", 1.0), ("NO6.0", 0.0)]
+    {
+        geared.parameters.insert(name.to_owned(), value);
+    }
+    let all_speeds = |control: &mut Control| {
+        for (name, position) in [("SWITCH_SPINDLE", 5), ("SWITCH_FEED", 10)] {
+            let switch = control.plc_mut().unwrap().program().signal(name).unwrap();
+            control.plc_mut().unwrap().memory_mut().set_byte(switch, position);
+        }
+    };
+    let mut control = control(&geared);
+    set(&mut control, "K_GEARS", true);
+    all_speeds(&mut control);
+    press(&mut control, "KEY_MDI", 50);
+    let author =
+        ferrocut_memory::Author::Person { session: ferrocut_memory::Session::OPERATOR, name: "panel".into() };
+    let say = |control: &mut Control, text: &str| {
+        let mdi = ferrocut_controller::api::Command::Mdi { text: text.into() };
+        control.command(mdi, &author).unwrap();
+        press(control, "KEY_START", 50);
+    };
+    let valves = |control: &mut Control| [1, 2, 3].map(|n| is(control, &format!("GEAR_SHIFT_{n}")));
+    say(&mut control, "M03 S400\nS3000\nG91 G1 X5 F600\nM05");
+    let (mut before, mut shifted, mut cut) = (valves(&mut control), 0, false);
+    for _ in 0..30_000 {
+        let x = control.status().position.machine[&'X'];
+        control.tick();
+        let rpm = control.cnc().spindle().actual_rpm();
+        let now = valves(&mut control);
+        if now.into_iter().zip(before).any(|(now, before)| now && !before) {
+            // No fork moves while the spindle turns.
+            assert!(rpm.abs() < 1.0, "{rpm} {before:?} {now:?}");
+            shifted += 1;
+        }
+        before = now;
+        if control.status().position.machine[&'X'] != x && rpm != 0.0 {
+            // Cutting waited for the gear and the speed.
+            assert!(is(&mut control, "GEAR_IN_3") && rpm > 2900.0, "{rpm}");
+            cut = true;
+        }
+        if control.cnc().state() == &State::Ended {
+            break;
+        }
+    }
+    assert_eq!((control.cnc().state(), shifted > 0, cut), (&State::Ended, true, true));
+    assert_eq!(valves(&mut control), [false, false, true]);
+    // 1#2 (part 1, 6.2): S1 to S3 are the gears themselves.
+    geared.parameters.insert("NO1.2".to_owned(), 1.0);
+    let mut control = self::control(&geared);
+    set(&mut control, "K_GEARS", true);
+    all_speeds(&mut control);
+    press(&mut control, "KEY_MDI", 50);
+    say(&mut control, "M03 S2\nG04 X2\nM05");
+    let mut fastest = 0.0_f64;
+    for _ in 0..30_000 {
+        control.tick();
+        fastest = fastest.max(control.cnc().spindle().actual_rpm());
+        if control.cnc().state() == &State::Ended {
+            break;
+        }
+    }
+    assert_eq!(control.cnc().state(), &State::Ended);
+    assert!(is(&mut control, "GEAR_IN_2") && (fastest - 2000.0).abs() < 1.0, "{fastest}");
+}

@@ -137,6 +137,16 @@ impl Trace {
         &self.signals
     }
 
+    /// How many samples there are.
+    pub fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Whether there is none yet.
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
     /// The samples, oldest first.
     pub fn samples(&self) -> impl Iterator<Item = Sample> {
         let (newer, older) = self.ring.split_at(self.next.min(self.ring.len()));

@@ -331,6 +331,67 @@ fn an_open_door_holds_the_feed_and_stops_the_spindle() {
 }
 
 #[test]
+fn gears_are_shifted_while_the_spindle_stands_and_codes_wait_for_them() {
+    let mut m = Machine::new();
+    let valves = ["GEAR_SHIFT_1", "GEAR_SHIFT_2", "GEAR_SHIFT_3"];
+    m.set("GEAR_IN_1", 1);
+    m.press("KEY_AUTO");
+    // A machine without gears has none to wait for, whatever the NC asks for.
+    m.set("GR2O", 1);
+    m.run(3);
+    assert!(m.on(&valves).is_empty() && m.is("*SSTP"));
+    m.set("GR2O", 0);
+    m.set("K_GEARS", 1);
+    // It turns in gear 1, as the NC asks.
+    m.set("GR1O", 1);
+    assert!(!m.m(3));
+    m.set("SSTA", 0);
+    m.set("SARA", 1);
+    m.run(3);
+    m.done();
+    assert_eq!(m.on(&["SFRA", "*SSTP", "SAR", "GR1", "GR2"]), ["SFRA", "*SSTP", "SAR"]);
+    // A speed of gear 3: the spindle is stopped first, its sense stays.
+    m.set("GR1O", 0);
+    m.set("GR3O", 1);
+    m.set("SF", 1);
+    m.run(3);
+    assert_eq!(m.on(&["SFRA", "*SSTP", "SAR", "FIN"]), ["SFRA"]);
+    assert_eq!(m.on(&valves), Vec::<&str>::new());
+    m.set("SARA", 0);
+    m.set("SSTA", 1);
+    m.run(3);
+    assert_eq!(m.on(&valves), ["GEAR_SHIFT_3"]);
+    m.set("GEAR_IN_1", 0);
+    m.run(3);
+    assert!(!m.is("FIN"));
+    m.set("GEAR_IN_3", 1);
+    m.run(3);
+    assert_eq!(m.on(&["FIN", "*SSTP", "SFRA", "GR1", "GR2", "SAR"]), ["FIN", "*SSTP", "SFRA", "GR2"]);
+    m.set("SF", 0);
+    m.run(3);
+    assert!(!m.is("FIN"));
+    // The valve holds it while the spindle turns; an emergency stop lets go.
+    m.set("SSTA", 0);
+    m.run(3);
+    assert_eq!(m.on(&valves), ["GEAR_SHIFT_3"]);
+    m.set("SSTA", 1);
+    m.m(5);
+    m.done();
+    // Gears that the ladder chooses by M41 to M43.
+    m.set("GR3O", 0);
+    assert!(!m.m(42));
+    assert_eq!((m.on(&valves), m.is("*SSTP")), (vec!["GEAR_SHIFT_2"], false));
+    m.set("GEAR_IN_3", 0);
+    m.set("GEAR_IN_2", 1);
+    m.run(3);
+    m.done();
+    assert_eq!(m.on(&["GR1", "GR2", "*SSTP", "GEAR_SHIFT_2"]), ["GR1", "*SSTP", "GEAR_SHIFT_2"]);
+    // It stays in it.
+    m.run(50);
+    assert_eq!(m.on(&valves), ["GEAR_SHIFT_2"]);
+}
+
+#[test]
 fn m_codes_of_the_spindle_wait_for_it() {
     let mut m = Machine::new();
     let outputs = ["SPINDLE_CW", "SPINDLE_CCW", "SFRA", "SRVA", "ORCMA"];

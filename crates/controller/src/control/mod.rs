@@ -600,12 +600,12 @@ impl Control {
             }
             set(&mut outputs.referenced, referenced.contains(axis.name));
             let points = &self.cnc.interpreter().memory().reference_points;
-            let at = |point: Option<&Position>| {
-                point.is_some_and(|point| (point[axis.name] - self.tick.position[axis.name]).abs() < 1e-6)
-            };
+            let at = |point: &Position| (point[axis.name] - self.tick.position[axis.name]).abs() < 1e-6;
             let knows = referenced.contains(axis.name) && way == 0.0;
             set(&mut outputs.at_reference, at_reference.contains(axis.name));
-            set(&mut outputs.at_second_reference, knows && at(points.get(1)));
+            for (further, point) in outputs.at_further_reference.iter_mut().zip(points.iter().skip(1)) {
+                set(further, knows && at(point));
+            }
             set(&mut outputs.in_position, way == 0.0);
         }
         self.reset_left = self.reset_left.saturating_sub(1);

@@ -70,12 +70,17 @@ impl Magazine {
     }
 }
 
+/// Gears of the spindle.
+const GEARS: usize = 3;
+
 /// All of it.
 #[derive(Clone, Debug)]
 pub(super) struct Periphery {
     release: Mover,
     axis_release: Mover,
     lubrication: Mover,
+    /// The forks of the spindle's gears, each on its way in.
+    gears: [Mover; GEARS],
     magazine: Magazine,
     in_spindle: u32,
     pub door_is_open: bool,
@@ -88,7 +93,7 @@ pub(super) struct Periphery {
 }
 
 /// Outputs that the machine answers, and where they stand in the standard ladder.
-const OUTPUTS: [(&str, Wire); 8] = [
+const OUTPUTS: [(&str, Wire); 11] = [
     ("LUBE", (0, 6)),
     ("A_CLAMP", (1, 0)),
     ("A_RELEASE", (1, 1)),
@@ -97,6 +102,9 @@ const OUTPUTS: [(&str, Wire); 8] = [
     ("MAG_CCW", (1, 4)),
     ("MAG_TO_SPINDLE", (1, 5)),
     ("DOOR_LOCK", (1, 6)),
+    ("GEAR_SHIFT_1", (1, 7)),
+    ("GEAR_SHIFT_2", (2, 3)),
+    ("GEAR_SHIFT_3", (2, 4)),
 ];
 
 /// Inputs that are on while all is well.
@@ -109,7 +117,7 @@ const LEVELS: [(&str, Wire); 5] = [
 ];
 
 /// Inputs that answer.
-const ANSWERS: [(&str, Wire); 10] = [
+const ANSWERS: [(&str, Wire); 13] = [
     ("DOOR_CLOSED", (1, 0)),
     ("LUBE_PRESSURE", (1, 2)),
     ("TOOL_CLAMPED", (2, 0)),
@@ -120,6 +128,9 @@ const ANSWERS: [(&str, Wire); 10] = [
     ("MAG_AT_SPINDLE", (2, 5)),
     ("MAG_AWAY", (2, 6)),
     ("*ESP_BUTTON", (8, 4)),
+    ("GEAR_IN_1", (3, 0)),
+    ("GEAR_IN_2", (3, 1)),
+    ("GEAR_IN_3", (3, 2)),
 ];
 
 /// Everything that has a wire: outputs, levels, answers.
@@ -149,7 +160,11 @@ impl Periphery {
             // Pocket 1 is empty: its tool is in the spindle.
             tools: (0..pockets).map(|n| if n == 0 { 0 } else { n + 1 }).collect(),
         };
+        let mut gears = [Mover::new(config.clamp_ms, period_ms); GEARS];
+        // The first is in at power-on.
+        gears[0].at = 1.0;
         Periphery {
+            gears,
             release: Mover::new(config.clamp_ms, period_ms),
             // Clamped at power-on.
             axis_release: Mover::new(config.clamp_ms, period_ms),
@@ -203,7 +218,11 @@ impl Periphery {
 
     /// Goes on by a period.
     pub fn tick(&mut self) {
-        let [lube, a_clamp, a_release, tool_release, up, down, to_spindle, lock] = self.driven;
+        let [lube, a_clamp, a_release, tool_release, up, down, to_spindle, lock, shifts @ ..] = self.driven;
+        // Without pressure a fork stays where it is; with one on each side too.
+        if shifts.into_iter().filter(|shifts| *shifts).count() == 1 {
+            self.gears.iter_mut().zip(shifts).for_each(|(gear, shifts)| gear.go(shifts));
+        }
         self.door_is_locked = lock && !self.door_is_open;
         self.lubrication.go(lube);
         if a_clamp != a_release {
@@ -239,6 +258,7 @@ impl Periphery {
             self.magazine.way.is_back(),
             !self.emergency_stop,
         ];
+        let answers = answers.into_iter().chain(self.gears.iter().map(Mover::is_there));
         let inputs = self.faults.into_iter().map(|fault| !fault).chain(answers);
         for ((byte, bit), is_on) in self.wires.into_iter().skip(OUTPUTS.len()).zip(inputs) {
             put(byte, bit, is_on);
@@ -266,7 +286,7 @@ mod tests {
         on
     }
 
-    const WELL: [&str; 7] = [
+    const WELL: [&str; 8] = [
         "LUBE_LEVEL",
         "AIR_PRESSURE",
         "COOLANT_LEVEL",
@@ -274,6 +294,7 @@ mod tests {
         "DRIVE_OK",
         "DOOR_CLOSED",
         "*ESP_BUTTON",
+        "GEAR_IN_1",
     ];
 
     /// Inputs beside those of a machine that is well.
@@ -339,6 +360,18 @@ mod tests {
         assert!(!machine.move_door(true) && door(&machine) == Some(true));
         run(&mut machine, &[], 1);
         assert!(machine.move_door(true) && door(&machine) == Some(false));
+        // From gear to gear; with nothing on a fork stays.
+        let gears = |machine: &Periphery| {
+            let on = inputs(machine);
+            ["GEAR_IN_1", "GEAR_IN_2", "GEAR_IN_3"].map(|name| on.contains(&name))
+        };
+        run(&mut machine, &["GEAR_SHIFT_3"], 149);
+        assert_eq!(gears(&machine), [false, false, false]);
+        run(&mut machine, &["GEAR_SHIFT_3"], 1);
+        run(&mut machine, &[], 10);
+        assert_eq!(gears(&machine), [false, false, true]);
+        run(&mut machine, &["GEAR_SHIFT_1"], 150);
+        assert_eq!(gears(&machine), [true, false, false]);
         assert!(machine.set_level("AIR_PRESSURE", false) && !machine.set_level("DOOR_CLOSED", false));
         assert!(!inputs(&machine).contains(&"AIR_PRESSURE"));
     }
