@@ -145,9 +145,14 @@ impl Assembler {
     /// Takes a move. The caller saw that nothing is blocked.
     pub fn push(&mut self, m: &Move, queue: &mut Queue) {
         let from = self.end;
-        let Some(member) = Member::new(from, m, &self.rules) else { return };
+        let Some(mut member) = Member::new(from, m, &self.rules) else { return };
         self.end = m.to;
         let chords = member.chords();
+        if chords == 1 && member.inner.is_none() {
+            // What most moves are: nothing to be cut up.
+            self.push_member(&mut member, queue);
+            return self.run(queue);
+        }
         if chords > 1 {
             self.push_chords(&member, chords);
         } else if let Some([first, last]) = member.reaches() {
@@ -182,62 +187,60 @@ impl Assembler {
     }
 
     /// Takes a part of a move. The caller saw that nothing is on its way into the queue.
-    fn push_member(&mut self, mut member: Member, queue: &mut Queue) {
+    fn push_member(&mut self, member: &mut Member, queue: &mut Queue) {
         let s = self.s;
         self.s += if let Piece::Axes { .. } = member.piece { AXES_LENGTH } else { member.piece.len() };
-        let Some(mut open) = self.open.take() else {
-            self.open = Some(Open { member, start: Start::Rest, s });
+        let Some(open) = &mut self.open else {
+            self.open = Some(Open { member: *member, start: Start::Rest, s });
             return;
         };
-        if let Some(feed) = open.member.slow_inner_corner(&mut member)
+        if let Some(feed) = open.member.slow_inner_corner(member)
             && self.chained
         {
             self.smoother.slow_last(feed);
         }
-        let joint = match open.member.join(&member, &self.rules, &self.inverses) {
+        let joint = match open.member.join(member, &self.rules, &self.inverses) {
             // What is lost in rounding behind so long a path is not smoothed.
             Joint::Chain if open.member.piece.len().min(member.piece.len()) < LEAST_SHARE * self.s => {
                 Joint::Rest
             }
             joint => joint,
         };
-        let next = |start| Some(Open { member, start, s });
         let (end, start) = match joint {
-            Joint::Chain => {
-                self.chain(&open, &member, queue);
-                self.open = next(Start::Plain(f64::INFINITY));
-                if self.smoother.is_full() {
-                    self.flow =
-                        Some(Flow { open, end: End::Through, chain: Some(true), at: 0.0, begun: false });
-                }
-                return;
-            }
+            Joint::Chain => return self.chain(member, s, queue),
             Joint::Rest => (End::Rest(open.member.piece.end()), Start::Rest),
             Joint::Through(cap) => (End::Through, Start::Plain(cap)),
             Joint::Ease(ease) => (End::Ease(ease), Start::Ease(ease.behind())),
             Joint::Corner(corner) => (End::Corner(corner.reach), Start::Corner(corner)),
         };
-        self.open = next(start);
+        let open = std::mem::replace(open, Open { member: *member, start, s });
         let chain = self.chained.then_some(false);
         self.chained = false;
         self.flow = Some(Flow { open, end, chain, at: 0.0, begun: false });
     }
 
-    /// The line `open` runs on into the line `next`.
-    fn chain(&mut self, open: &Open, next: &Member, queue: &mut Queue) {
+    /// The open line runs on into the line `next`, which begins at `s`.
+    fn chain(&mut self, next: &Member, s: f64, queue: &mut Queue) {
+        let Some(open) = &mut self.open else { return };
         let tolerance = open.member.tolerance.unwrap_or(0.0);
         // A line that ends with an exact stop is joined to the one before within its tolerance.
         let next_tolerance = next.tolerance.unwrap_or(tolerance);
+        let end = open.s + open.member.piece.len();
         if !self.chained {
             let from = open.member.piece.at(0.0);
             self.smoother.begin(from, open.s, open.member.feed, tolerance, open.member.class);
-            self.smoother.add(open.member.piece.end(), open.s + open.member.piece.len());
+            self.smoother.add(open.member.piece.end(), end);
             self.first = Some(*open);
             self.chained = true;
         }
-        queue.mark(open.s + open.member.piece.len(), open.member.tag);
+        queue.mark(end, open.member.tag);
         self.smoother.set_last(next.feed, next_tolerance);
         self.smoother.add(next.piece.end(), self.s);
+        if self.smoother.is_full() {
+            let open = *open;
+            self.flow = Some(Flow { open, end: End::Through, chain: Some(true), at: 0.0, begun: false });
+        }
+        (open.member, open.start, open.s) = (*next, Start::Plain(f64::INFINITY), s);
     }
 
     /// The same, as soon as cells are added again.
@@ -260,8 +263,8 @@ impl Assembler {
                     return;
                 }
             }
-            if let Some(part) = self.parts.pop() {
-                self.push_member(part, queue);
+            if let Some(mut part) = self.parts.pop() {
+                self.push_member(&mut part, queue);
                 continue;
             }
             if !self.closing {

@@ -318,7 +318,7 @@ impl Smoother {
                     b.u - a.u < SHORT_FEED * a.tolerance
                 };
                 if (point.feed != feed && !is_short(end) && !is_short(anchor))
-                    || !self.fits(from_u, &from_p, anchor + 1, end + 1)
+                    || !self.fits_all(from_u, &from_p, anchor + 1, end + 1)
                 {
                     break;
                 }
@@ -334,8 +334,16 @@ impl Smoother {
     }
 
     /// Whether the points `first`…`end − 1` are close enough to the chord from a place to point `end`.
-    fn fits(&self, from_u: f64, from: &Vector, first: usize, end: usize) -> bool {
-        let n = self.count;
+    #[inline]
+    fn fits_all(&self, from_u: f64, from: &Vector, first: usize, end: usize) -> bool {
+        if self.count == 3 {
+            self.fits::<3>(from_u, &front(from), first, end)
+        } else {
+            self.fits::<AXES>(from_u, from, first, end)
+        }
+    }
+
+    fn fits<const N: usize>(&self, from_u: f64, from: &[f64; N], first: usize, end: usize) -> bool {
         let to = &self.points[end];
         let len = to.u - from_u;
         // Of many, some: the check of the spline looks at all of them.
@@ -347,7 +355,7 @@ impl Smoother {
             }
             let share = (point.u - from_u) / len;
             let mut square = 0.0;
-            for k in 0..n {
+            for k in 0..N {
                 let on = from[k] + (to.p.0[k] - from[k]) * share;
                 square += (point.p.0[k] - on) * (point.p.0[k] - on);
             }

@@ -98,6 +98,15 @@ enum By {
     Summit,
 }
 
+/// A ramp through a step and what it was worked out for. Where a section is planned again because a few of its pieces were
+/// beyond their bounds, most steps are entered as before.
+#[derive(Clone, Copy, Debug, Default)]
+struct Climb {
+    state: State,
+    most: f64,
+    to: [State; 2],
+}
+
 /// A step.
 #[derive(Clone, Copy, Debug, Default)]
 struct Step {
@@ -129,11 +138,26 @@ struct Step {
     rising: State,
     falling: State,
     from: State,
+    /// Whether its bounds are other than in the pass before.
+    is_new: bool,
+    up_climb: Climb,
+    down_climb: Climb,
+    /// The ends of a piece that keeps its bounds.
+    good: Option<[State; 2]>,
 }
 
 impl Step {
     fn middle(&self) -> f64 {
         self.s + 0.5 * self.h
+    }
+
+    /// [`climb`], unless it is known from the pass before.
+    #[inline]
+    fn climb(&self, before: &Climb, most: f64, state: State) -> Climb {
+        if !self.is_new && before.state == state && before.most == most {
+            return *before;
+        }
+        Climb { state, most, to: climb(self, most, state) }
     }
 
     /// Jerk left at the acceleration `a`.
@@ -393,8 +417,10 @@ impl Grid {
     /// Pass 2.
     fn bound(&mut self) {
         for step in &mut self.steps {
-            step.a = step.room.a * step.share * ACCELERATION_SHARE;
-            step.j = step.room.j.map(|j| j * step.share * JERK_SHARE);
+            let a = step.room.a * step.share * ACCELERATION_SHARE;
+            let j = step.room.j.map(|j| j * step.share * JERK_SHARE);
+            step.is_new = a != step.a || j != step.j;
+            (step.a, step.j) = (a, j);
         }
     }
 
@@ -423,7 +449,8 @@ impl Grid {
         let mut state = from;
         for step in &mut self.steps {
             step.rising = state;
-            let [middle, end] = climb(step, step.up[1], state);
+            step.up_climb = step.climb(&step.up_climb, step.up[1], state);
+            let [middle, end] = step.up_climb.to;
             step.x = middle.v * middle.v;
             step.slope = middle.a;
             step.by = if middle.v < step.cap { By::Up } else { By::Cap };
@@ -436,7 +463,8 @@ impl Grid {
         // Mirrored: braking is speeding up.
         let mut state = State { v: self.to.state.v, a: -self.to.state.a };
         for step in self.steps.iter_mut().rev() {
-            let [middle, end] = climb(step, step.down[0], state);
+            step.down_climb = step.climb(&step.down_climb, step.down[0], state);
+            let [middle, end] = step.down_climb.to;
             let x = middle.v * middle.v;
             if x < step.x {
                 step.x = x;
@@ -548,6 +576,9 @@ impl Grid {
             if here.from == to && to.a == 0.0 && to.v > 0.0 && to.v <= node.top {
                 continue;
             }
+            if here.good == Some([here.from, to]) {
+                continue;
+            }
             let piece = Piece::new(here.s, here.h, here.from, to).filter(Piece::is_forward);
             let used = piece.map_or(f64::INFINITY, |piece| piece.used(&node.load));
             if !(used <= ROUNDING) {
@@ -556,6 +587,8 @@ impl Grid {
                 for step in &mut self.steps[i.saturating_sub(1)..(i + 2).min(n)] {
                     step.share = (step.share * less).max(LEAST_SHARE);
                 }
+            } else {
+                self.steps[i].good = Some([self.steps[i].from, to]);
             }
         }
         is_good

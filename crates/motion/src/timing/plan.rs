@@ -100,7 +100,7 @@ const REACH: f64 = 2.0;
 /// Stretches that are run before a plan that failed is tried again.
 const PATIENCE: usize = 8;
 
-/// Final stretches before the path that are enough: planning on would bring nothing forward, and costs a copy of them all.
+/// Final stretches before the path that are enough: planning on would bring nothing forward.
 const ENOUGH: usize = 4096;
 
 /// How often a plan from rest is tried with slower corners.
@@ -161,6 +161,7 @@ struct Start {
 /// What is brought back with the plan before.
 #[derive(Clone, Copy, Debug)]
 struct Kept {
+    from: usize,
     fixed: usize,
     next: Start,
     planned: u64,
@@ -183,7 +184,7 @@ pub(crate) struct Plan {
     grid: Grid,
     /// Number of the first stretch of the list.
     base: u64,
-    /// The plan before, should the new one fail.
+    /// The plan before from stretch `kept.from` of the list on, should the new one fail.
     before: Vec<Stretch>,
     kept: Kept,
     brake: Vec<Piece>,
@@ -208,7 +209,7 @@ impl Plan {
             grid: Grid::new(),
             base: 0,
             before: Vec::with_capacity(STRETCHES),
-            kept: Kept { fixed: 0, next: start, planned: 0 },
+            kept: Kept { from: 0, fixed: 0, next: start, planned: 0 },
             brake: Vec::with_capacity(BRAKE_STEPS + 1),
             patience: 0,
         }
@@ -271,7 +272,7 @@ impl Plan {
     /// stretch being run. `None` if no plan is possible from there: then the one before stands, and it is to be tried
     /// again later. Else what is another, from the stretch being run on.
     pub fn renew(&mut self, queue: &Queue, t: f64) -> Option<u64> {
-        self.keep();
+        self.keep(true);
         self.cut(t);
         let changed = self.number();
         let Some(start) = self.behind_current(queue) else { return Some(changed) };
@@ -308,7 +309,7 @@ impl Plan {
     /// Plans the cells behind what is final, to rest at the last one. `at` is where the path begins if nothing is
     /// planned. From which stretch on the plan is another; `None` if it stands.
     pub fn plan(&mut self, queue: &Queue, at: f64) -> Option<u64> {
-        self.keep();
+        self.keep(false);
         if self.stretches.is_empty() {
             let s = at.max(queue_start(queue, queue.head()));
             let cell = self.find(queue, queue.head(), s);
@@ -344,23 +345,27 @@ impl Plan {
         }
     }
 
-    /// Notes the plan as it is. What was run is forgotten.
-    fn keep(&mut self) {
-        if self.current > 0 {
+    /// Notes the plan as it is. The stretches before the one being run are forgotten when they are as many as the others:
+    /// so each is moved once, about.
+    fn keep(&mut self, cuts: bool) {
+        if 2 * self.current >= self.stretches.len() || self.stretches.len() + SPARE > STRETCHES / 2 {
             let gone = self.current.min(self.stretches.len());
             self.stretches.drain(..gone);
             self.fixed = self.fixed.saturating_sub(gone);
             self.current -= gone;
             self.base += gone as u64;
         }
+        // What is final stays, unless the stretch being run is cut.
+        let from = (if cuts { self.current } else { self.fixed }).min(self.stretches.len());
         self.before.clear();
-        self.before.extend_from_slice(&self.stretches);
-        self.kept = Kept { fixed: self.fixed, next: self.next, planned: self.planned };
+        self.before.extend_from_slice(&self.stretches[from..]);
+        self.kept = Kept { from, fixed: self.fixed, next: self.next, planned: self.planned };
     }
 
     /// The plan noted stands.
     fn restore(&mut self) {
-        std::mem::swap(&mut self.before, &mut self.stretches);
+        self.stretches.truncate(self.kept.from);
+        self.stretches.extend_from_slice(&self.before);
         (self.fixed, self.next) = (self.kept.fixed, self.kept.next);
     }
 
@@ -372,7 +377,7 @@ impl Plan {
 
     /// Nothing is run behind what was run so far.
     pub fn end_here(&mut self) {
-        self.keep();
+        self.keep(true);
         self.stretches.truncate(self.current);
         self.fixed = self.stretches.len();
     }
@@ -415,7 +420,7 @@ impl Plan {
     /// on the plan is another. `None` if it cannot be stopped before a corner or a rest, or not from this state: then
     /// it is to be tried again later.
     pub fn stop(&mut self, queue: &Queue, t: f64) -> Option<u64> {
-        self.keep();
+        self.keep(true);
         self.cut(t);
         if let (Some(Stretch::Piece(_)), Some(start)) = (self.current(), self.behind_current(queue)) {
             let limit = self.limit(queue, start.cell);
