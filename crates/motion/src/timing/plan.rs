@@ -551,6 +551,11 @@ impl Plan {
                     // Behind a vertex that was stopped at.
                     Pass::Corner { .. }
                         if last == cell && port.s >= node.s + 0.5 * node.len - SAME_LENGTH => {}
+                    // On the way to a vertex that is stopped at: the corner began before.
+                    Pass::Corner { .. } if port.s > node.s + SAME_LENGTH => {
+                        pace = 0.0;
+                        break;
+                    }
                     Pass::Corner { foot, .. } => {
                         pace = self.pace(queue, last, foot, &port, share);
                         break;
@@ -563,6 +568,7 @@ impl Plan {
             }
             let node = queue.node(last);
             let behind = queue_start(queue, last + 1);
+            let is_inside = port.s > node.s + SAME_LENGTH;
             match node.pass {
                 Pass::Axes => {
                     self.stretches.push(Stretch::Axes { s: node.s, cell: last });
@@ -575,7 +581,7 @@ impl Plan {
                         return false;
                     }
                 }
-                Pass::Corner { .. } if is_portion && last + SIDE as u64 >= tail => {
+                Pass::Corner { .. } if !is_inside && is_portion && last + SIDE as u64 >= tail => {
                     // What follows is not looked at yet: to rest before it.
                     let to = Port { s: node.s, state: State::REST };
                     if cell < last && !self.section(queue, port, to, cell, last - 1) {
