@@ -25,7 +25,7 @@
 use crate::limits::{Class, Drive};
 use crate::path::corner::{pace_below, paced};
 use crate::timing::grid::{Grid, Port};
-use crate::timing::piece::{Piece, State};
+use crate::timing::piece::{Piece, State, step};
 use crate::timing::queue::{CELLS, Node, Pass, Queue, SAME_LENGTH};
 use crate::timing::ramp::{Foot, Phases, distance, summit};
 
@@ -105,6 +105,37 @@ const ENOUGH: usize = 4096;
 
 /// How often a plan from rest is tried with slower corners.
 const ROUNDS: i32 = 8;
+
+/// How fast corners are taken.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct Corners {
+    /// Share of the pace.
+    share: f64,
+    /// On curves beside them the acceleration counts that a ramp from the corner has where it is, not that at the corner
+    /// at a multiple of the speed.
+    is_bold: bool,
+}
+
+impl Corners {
+    /// In this order they are tried.
+    const BOLD: Corners = Corners { share: 1.0, is_bold: true };
+    const SAFE: Corners = Corners { share: 1.0, is_bold: false };
+
+    fn slower(self, round: i32) -> Corners {
+        Corners { share: self.share * 0.3_f64.powi(round), ..self }
+    }
+}
+
+/// What the path beside a corner allows.
+#[derive(Clone, Copy, Debug)]
+struct Side {
+    /// How long it is known to go on.
+    len: f64,
+    /// What it leaves to the path all along.
+    drive: Drive,
+    /// Highest pace at which the acceleration at the corner is allowed there.
+    pace: f64,
+}
 
 /// A stretch of the plan.
 #[derive(Clone, Copy, Debug)]
@@ -281,7 +312,12 @@ impl Plan {
         // Of the plan before nothing behind this moment is final.
         (self.fixed, self.next) = (fixed, start);
         self.look_ahead(queue, start, start.cell);
-        if self.sections(queue, start, 1.0) {
+        if self.sections(queue, start, Corners::BOLD) {
+            return Some(changed);
+        }
+        self.stretches.truncate(fixed);
+        (self.fixed, self.next) = (fixed, start);
+        if self.sections(queue, start, Corners::SAFE) {
             return Some(changed);
         }
         let limit = self.limit(queue, start.cell);
@@ -298,7 +334,7 @@ impl Plan {
             self.fixed = self.stretches.len();
             self.next = behind;
             self.look_ahead(queue, behind, behind.cell);
-            if self.sections(queue, behind, 1.0) {
+            if self.sections(queue, behind, Corners::SAFE) {
                 return Some(changed);
             }
         }
@@ -322,14 +358,13 @@ impl Plan {
         }
         let (start, fixed) = (self.next, self.fixed);
         self.look_ahead(queue, start, self.planned.max(start.cell));
-        for round in 0..ROUNDS {
+        let is_rest = start.port.state == State::REST;
+        let slower = (0..if is_rest { ROUNDS } else { 1 }).map(|round| Corners::SAFE.slower(round));
+        for corners in std::iter::once(Corners::BOLD).chain(slower) {
             self.stretches.truncate(fixed);
             (self.next, self.fixed) = (start, fixed);
-            if self.sections(queue, start, 0.3_f64.powi(round)) {
+            if self.sections(queue, start, corners) {
                 return Some(self.base + fixed as u64);
-            }
-            if start.port.state != State::REST {
-                break;
             }
         }
         self.give_up();
@@ -533,7 +568,7 @@ impl Plan {
     }
 
     /// Plans from `start` to the end of what is known. `false` if a section cannot be planned.
-    fn sections(&mut self, queue: &Queue, start: Start, share: f64) -> bool {
+    fn sections(&mut self, queue: &Queue, start: Start, corners: Corners) -> bool {
         let Start { mut port, mut cell } = start;
         let tail = self.horizon;
         let is_portion = tail < queue.tail();
@@ -557,7 +592,7 @@ impl Plan {
                         break;
                     }
                     Pass::Corner { foot, .. } => {
-                        pace = self.pace(queue, last, foot, &port, share);
+                        pace = self.pace(queue, last, foot, &port, corners);
                         break;
                     }
                 }
@@ -669,40 +704,48 @@ impl Plan {
     }
 
     /// Highest pace of a corner that the path beside it leaves room to stop for.
-    fn pace(&self, queue: &Queue, cell: u64, foot: Foot, from: &Port, share: f64) -> f64 {
+    fn pace(&self, queue: &Queue, cell: u64, foot: Foot, from: &Port, corners: Corners) -> f64 {
         let mut cap = self.overrides.cap(queue.node(cell));
         let before = (queue.head()..cell).rev().map(|cell| queue.node(cell)).take_while(|node| !node.rests);
         let mut ends = false;
         let after = (cell + 1..self.horizon).map(|cell| queue.node(cell));
         let after = after.take_while(|node| !std::mem::replace(&mut ends, node.rests));
-        let near = NEAR_CORNER * foot.v;
-        let mut sides = [self.side(before, near, &mut cap), self.side(after, near, &mut cap)];
+        let (near, is_bold) = (NEAR_CORNER * foot.v, corners.is_bold);
+        let mut sides =
+            [self.side(before, foot, is_bold, &mut cap), self.side(after, foot, is_bold, &mut cap)];
         if from.state == State::REST {
-            sides[0].0 = sides[0].0.min(queue.node(cell).s - from.s);
+            sides[0].len = sides[0].len.min(queue.node(cell).s - from.s);
         }
-        let j = sides[0].1.j.min(sides[1].1.j);
-        let most = pace_below(foot, cap, j) * share;
-        largest(most, |pace| {
+        let j = sides[0].drive.j.min(sides[1].drive.j);
+        let most = pace_below(foot, cap, j) * corners.share;
+        largest(most.min(sides[0].pace).min(sides[1].pace), |pace| {
             let foot = paced(foot, pace);
-            sides.iter().all(|(len, drive)| {
-                if foot.a > drive.a {
-                    return false;
-                }
+            sides.iter().all(|Side { len, drive, .. }| {
+                let rising = Drive { a: drive.a.max(foot.a), ..*drive };
                 let top = foot.top(drive.j);
                 if top > near {
                     return false;
                 }
-                let rise = foot.distance(top, *drive).unwrap_or(f64::INFINITY);
+                let rise = foot.distance(top, rising).unwrap_or(f64::INFINITY);
                 (rise + distance(0.0, top, *drive)) * STOP_ROOM <= *len
             })
         })
     }
 
-    /// How long the path beside a corner is known to go on, and what it leaves to the path all along up to the speed
-    /// `near`; its lowest cap counts. Nothing is known of what is not there yet.
-    fn side<'a>(&self, nodes: impl Iterator<Item = &'a Node>, near: f64, cap: &mut f64) -> (f64, Drive) {
+    /// The path beside a corner as far as it is known; its lowest cap counts. Nothing is known of what is not there yet.
+    fn side<'a>(
+        &self,
+        nodes: impl Iterator<Item = &'a Node>,
+        foot: Foot,
+        is_bold: bool,
+        cap: &mut f64,
+    ) -> Side {
+        let near = NEAR_CORNER * foot.v;
         let (mut len, mut drive) = (0.0, Drive::MOST);
         let mut is_line = true;
+        // Of the acceleration allowed, the least share that the corner asks for.
+        let mut share: f64 = 1.0;
+        let mut state = State { v: foot.v, a: foot.a };
         for node in nodes.take(SIDE).take_while(|node| node.pass == Pass::Path) {
             is_line &= node.load.is_straight();
             let top = self.overrides.cap(node);
@@ -710,13 +753,30 @@ impl Plan {
             // On a curve, what is left at the highest speed.
             let room = node.load.room(top.min(near));
             drive = drive.min(Drive { a: room.a, j: room.j[1] });
+            if is_bold && state.a > 0.0 {
+                // The ramp that takes the acceleration back.
+                let j = SIDE_SHARE * node.load.most().j;
+                let back = state.a / j;
+                let peak = state.v + 0.5 * state.a * back;
+                let way = back * (state.v + state.a * back / 3.0);
+                let to = if way > node.len { step(state, -j, node.len) } else { State { v: peak, a: 0.0 } };
+                share = share.min(node.load.room(top.min(to.v)).a / state.a);
+                state = to;
+            }
             len += node.len;
+        }
+        if len == 0.0 {
+            return Side { len: f64::INFINITY, drive: Drive::MOST, pace: 1.0 };
+        }
+        if !is_bold {
+            share = drive.a / foot.a;
         }
         if !is_line {
             // Steps on a curve need some room below the cap.
             drive.j *= SIDE_SHARE;
         }
-        if len > 0.0 { (len, drive) } else { (f64::INFINITY, Drive::MOST) }
+        // The acceleration falls with the square of the pace.
+        Side { len, drive, pace: share.min(1.0).sqrt() }
     }
 
     /// Plans one section; its pieces are added.
