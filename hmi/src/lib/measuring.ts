@@ -13,18 +13,3 @@ export function middle(a: number, b: number, radius: number): { centre: number; 
   const apart = Math.abs(a - b);
   return { centre: (a + b) / 2, inner: apart + 2 * radius, outer: apart - 2 * radius };
 }
-
-/** The circle through three points of a plane; null where they lie on a line. */
-export function circle(points: [Point, Point, Point]): { x: number; y: number; radius: number } | null {
-  const [a, b, c] = points.map((point) => [point.X ?? 0, point.Y ?? 0]) as [[number, number], [number, number], [number, number]];
-  // From the first point on, so that far from zero no digits are lost.
-  const [bx, by, cx, cy] = [b[0] - a[0], b[1] - a[1], c[0] - a[0], c[1] - a[1]];
-  const twice = 2 * (bx * cy - by * cx);
-  const size = Math.max(Math.hypot(bx, by), Math.hypot(cx, cy));
-  if (Math.abs(twice) < 1e-9 * size * size || size === 0) return null;
-  const b2 = bx * bx + by * by;
-  const c2 = cx * cx + cy * cy;
-  const x = (cy * b2 - by * c2) / twice;
-  const y = (bx * c2 - cx * b2) / twice;
-  return { x: a[0] + x, y: a[1] + y, radius: Math.hypot(x, y) };
-}

@@ -4,6 +4,9 @@ import type { ProgramInfo } from '$lib/api/types';
 import { Refused } from '$lib/api/socket';
 import { machine } from './machine.svelte';
 
+/** Bytes from which on a program comes as a file: a file is read faster than a line of JSON. */
+const LONG = 500_000;
+
 let list = $state.raw<ProgramInfo[] | null>(null);
 
 export const programs = {
@@ -16,12 +19,16 @@ export const programs = {
   },
   /** The text of a program. */
   async read(program: string): Promise<string> {
-    try {
-      const reply = await machine.ask({ do: 'read', program });
-      if (reply.reply === 'program') return reply.text;
-    } catch (refused) {
-      // One that is too long for a line comes as a file.
-      if (!(refused instanceof Refused) || refused.alarm || refused.code === 'no_connection') throw refused;
+    // One that is known to be too long for a line is not asked for over the socket first.
+    const bytes = list?.find((one) => one.name === program)?.bytes ?? 0;
+    if (bytes < LONG) {
+      try {
+        const reply = await machine.ask({ do: 'read', program });
+        if (reply.reply === 'program') return reply.text;
+      } catch (refused) {
+        // One that is too long for a line comes as a file.
+        if (!(refused instanceof Refused) || refused.alarm || refused.code === 'no_connection') throw refused;
+      }
     }
     return (await fetch(http.download(program))).text();
   },

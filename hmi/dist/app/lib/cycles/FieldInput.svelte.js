@@ -124,8 +124,9 @@ function FieldInput($$anchor, $$props) {
 					return $.get($1);
 				},
 				onmousedown: (event) => event.preventDefault(),
-				get onclick() {
-					return teach();
+				onclick: () => {
+					$.set(draft, null);
+					teach()();
 				}
 			});
 		}

@@ -8,7 +8,7 @@ import * as $ from "svelte/internal/client";
 import { defaultKeymap, history, historyKeymap, redo, undo } from "@codemirror/commands";
 import { lintGutter, lintKeymap } from "@codemirror/lint";
 import { highlightSelectionMatches, openSearchPanel, search, searchKeymap } from "@codemirror/search";
-import { EditorState, StateEffect, StateField } from "@codemirror/state";
+import { EditorState, StateEffect, StateField, Text } from "@codemirror/state";
 import { Decoration, EditorView, drawSelection, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers } from "@codemirror/view";
 // src/lib/editor/Editor.svelte
 var root = $.from_html(`<div class="editor s-prdwtv"></div>`);
@@ -23,6 +23,8 @@ function Editor($$anchor, $$props) {
 	/** Another page is shown: what stands there, and the line of the cursor. */
 	let host = $.state(void 0);
 	let view;
+	/** The text that was opened. */
+	let opened = "";
 	const lines = StateEffect.define();
 	const activeMark = Decoration.line({ class: "nc-active" });
 	const cursorMark = Decoration.line({ class: "nc-cursor" });
@@ -43,9 +45,11 @@ function Editor($$anchor, $$props) {
 		},
 		provide: (field) => EditorView.decorations.from(field)
 	});
-	function opening(doc) {
+	/** A long text that has line feeds alone is split at these, which is faster than the editor's own search for all kinds of ends. */
+	const linesOf = (text) => text.includes("\r") ? text : Text.of(text.split("\n"));
+	function opening(text) {
 		return EditorState.create({
-			doc,
+			doc: linesOf(text),
 			extensions: [
 				lineNumbers(),
 				plain() ? [] : highlighter,
@@ -89,6 +93,7 @@ function Editor($$anchor, $$props) {
 	}
 	$.user_effect(() => {
 		if (!$.get(host)) return;
+		opened = untrack(() => $$props.text);
 		const made = untrack(() => new EditorView({
 			state: opening($$props.text),
 			parent: $.get(host)
@@ -101,13 +106,9 @@ function Editor($$anchor, $$props) {
 			view = void 0;
 		};
 	});
-	let opened = "";
 	$.user_effect(() => {
 		const now = $$props.text;
-		if (!view || now === opened) {
-			opened = now;
-			return;
-		}
+		if (!view || now === opened) return;
 		opened = now;
 		untrack(() => view?.setState(opening(now)));
 	});

@@ -1,5 +1,5 @@
 import { segments } from "./path.js";
-import { BufferAttribute, BufferGeometry, Color, LineBasicMaterial, LineSegments, OrthographicCamera, Scene, ShaderMaterial, Vector3, WebGLRenderer } from "three";
+import { BufferAttribute, BufferGeometry, Color, Line, LineBasicMaterial, LineSegments, OrthographicCamera, Scene, ShaderMaterial, Vector3, WebGLRenderer } from "three";
 // src/lib/graphics/scene.ts
 /** Segments of the coarse form, and of a piece of the whole. */
 var COARSE = 4e4;
@@ -18,7 +18,8 @@ out float height;
 void main() {
   bool isDone = float(gl_VertexID) <= done;
   vec3 rgb = kind < 1.5 ? shadeRapid : kind < 2.5 ? shadeCut : shadeArc;
-  shade = vec4(isDone ? (kind < 1.5 ? shadeRapid : shadeDone) : rgb, kind < 1.5 ? 0.55 * showRapid : 1.0);
+  // A jump is no move: its segment of the strip is left out.
+  shade = vec4(isDone ? (kind < 1.5 ? shadeRapid : shadeDone) : rgb, kind < 0.5 ? 0.0 : kind < 1.5 ? 0.55 * showRapid : 1.0);
   height = position.z;
   gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
 }`;
@@ -49,6 +50,7 @@ var PathScene = class {
 	#renderer;
 	#scene = new Scene();
 	#material;
+	/** All points as one strip, without an index: what is sent to the graphics is the server's answer as it came. */
 	#whole = null;
 	#coarse = null;
 	#grid = null;
@@ -116,36 +118,35 @@ var PathScene = class {
 		if (path && path.count > 1) {
 			const position = new BufferAttribute(path.points, 3);
 			const kind = new BufferAttribute(path.kinds, 1);
-			const lines = (index) => {
-				const geometry = new BufferGeometry();
-				geometry.setAttribute("position", position);
-				geometry.setAttribute("kind", kind);
-				geometry.setIndex(new BufferAttribute(index, 1));
-				const made = new LineSegments(geometry, this.#material);
-				made.frustumCulled = false;
-				this.#scene.add(made);
+			const geometry = () => {
+				const made = new BufferGeometry();
+				made.setAttribute("position", position);
+				made.setAttribute("kind", kind);
 				return made;
 			};
-			const all = segments(path, 1);
-			this.#total = all.length / 2;
-			this.#whole = lines(all);
-			this.#coarse = this.#total > COARSE ? this.#thinned(lines, path, all) : null;
+			const show = (lines) => {
+				lines.frustumCulled = false;
+				this.#scene.add(lines);
+				return lines;
+			};
+			this.#total = path.count - 1;
+			this.#whole = show(new Line(geometry(), this.#material));
+			if (this.#total > COARSE) this.#coarse = show(new LineSegments(geometry().setIndex(new BufferAttribute(this.#thinned(path), 1)), this.#material));
 			this.#grid = this.#floor(path);
 		}
 		this.fit();
 	}
 	/** The coarse form; where ends of moves alone are more than it may have, of these so many are taken. */
-	#thinned(lines, path, all) {
+	#thinned(path) {
 		const thin = segments(path, Math.ceil(this.#total / COARSE) * 2);
-		const from = thin.length / 2 > 2 * COARSE ? all : thin;
-		const every = Math.ceil(from.length / 2 / (2 * COARSE));
-		if (every <= 1) return lines(from);
-		const some = new Uint32Array(2 * Math.floor(from.length / 2 / every));
+		const every = Math.ceil(thin.length / 2 / (2 * COARSE));
+		if (every <= 1) return thin;
+		const some = new Uint32Array(2 * Math.floor(thin.length / 2 / every));
 		for (let pair = 0; 2 * pair < some.length; pair++) {
-			some[2 * pair] = from[2 * pair * every];
-			some[2 * pair + 1] = from[2 * pair * every + 1];
+			some[2 * pair] = thin[2 * pair * every];
+			some[2 * pair + 1] = thin[2 * pair * every + 1];
 		}
-		return lines(some);
+		return some;
 	}
 	#floor(path) {
 		const [x0, y0, z0] = path.box.low;
@@ -212,6 +213,7 @@ var PathScene = class {
 		this.draw();
 		clearTimeout(this.#timer);
 		if (this.#coarse) this.#timer = setTimeout(() => this.draw(), 190);
+		this.#place();
 		this.onview();
 	}
 	/** Turns by angles, shifts by pixels. */
@@ -306,7 +308,7 @@ var PathScene = class {
 			if (!moving) {
 				const left = this.#total - this.#at;
 				drawn = Math.min(left, PIECE);
-				this.#whole.geometry.setDrawRange(2 * this.#at, 2 * drawn);
+				this.#whole.geometry.setDrawRange(this.#at, drawn + 1);
 				this.#at += drawn;
 			}
 		}

@@ -3,6 +3,7 @@ import { Refused } from "../api/socket.js";
 import { machine } from "./machine.svelte.js";
 import * as $ from "svelte/internal/client";
 // src/lib/state/programs.svelte.ts
+var LONG = 5e5;
 var list = $.state(null);
 var programs = {
 	get list() {
@@ -14,7 +15,7 @@ var programs = {
 	},
 	/** The text of a program. */
 	async read(program) {
-		try {
+		if (($.get(list)?.find((one) => one.name === program)?.bytes ?? 0) < LONG) try {
 			const reply = await machine.ask({
 				do: "read",
 				program

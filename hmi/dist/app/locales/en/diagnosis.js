@@ -17,6 +17,17 @@ var diagnosis_default = {
 	"drift": "Ahead of this clock",
 	"gap": "Between updates: half, 99 %",
 	"gaps": "Time between updates",
-	"round": "There and back"
+	"round": "There and back",
+	"begin": "Begin",
+	"at_once": "At once",
+	"at_level": "At a level",
+	"quantity": "Quantity of the trigger",
+	"edge": "Edge",
+	"rises": "Rises",
+	"falls": "Falls",
+	"level": "Level",
+	"before": "Before it",
+	"recording": "Recording …",
+	"end": "End"
 };
 export { diagnosis_default as default };

@@ -69,6 +69,10 @@ var settings_default = {
 	"password_again": "Once more",
 	"differ": "The two differ.",
 	"set_password": "Set the password",
-	"password_set": "The password of {level} is set"
+	"password_set": "The password of {level} is set",
+	"probe": "Probe",
+	"rectangle": "Rectangle",
+	"rectangle_text": "Touch both sides across X, then both sides across Y, and take a point at each.",
+	"out_of_round": "Out of round by {value} mm."
 };
 export { settings_default as default };

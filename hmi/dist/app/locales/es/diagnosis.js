@@ -17,6 +17,17 @@ var diagnosis_default = {
 	"drift": "Adelanto sobre este reloj",
 	"gap": "Entre actualizaciones: mitad, 99 %",
 	"gaps": "Tiempo entre actualizaciones",
-	"round": "Ida y vuelta"
+	"round": "Ida y vuelta",
+	"begin": "Inicio",
+	"at_once": "Enseguida",
+	"at_level": "Por nivel",
+	"quantity": "Magnitud del disparo",
+	"edge": "Flanco",
+	"rises": "Sube",
+	"falls": "Baja",
+	"level": "Nivel",
+	"before": "Antes del disparo",
+	"recording": "Registrando …",
+	"end": "Terminar"
 };
 export { diagnosis_default as default };

@@ -14,7 +14,9 @@ import offsets_default from "./offsets.js";
 import panel_default from "./panel.js";
 import plc_default from "./plc.js";
 import position_default from "./position.js";
+import probe_default from "./probe.js";
 import program_default from "./program.js";
+import restart_default from "./restart.js";
 import rights_default from "./rights.js";
 import settings_default from "./settings.js";
 import unit_default from "./unit.js";
@@ -38,7 +40,9 @@ var es_default = gather(/* #__PURE__ */ Object.assign({
 	"./panel.json": panel_default,
 	"./plc.json": plc_default,
 	"./position.json": position_default,
+	"./probe.json": probe_default,
 	"./program.json": program_default,
+	"./restart.json": restart_default,
 	"./rights.json": rights_default,
 	"./settings.json": settings_default,
 	"./unit.json": unit_default,

@@ -69,6 +69,10 @@ var settings_default = {
 	"password_again": "Otra vez",
 	"differ": "No coinciden.",
 	"set_password": "Fijar la contraseña",
-	"password_set": "Contraseña fijada: {level}"
+	"password_set": "Contraseña fijada: {level}",
+	"probe": "Palpador",
+	"rectangle": "Rectángulo",
+	"rectangle_text": "Toque los dos lados según X y después los dos según Y, y tome un punto en cada uno.",
+	"out_of_round": "Falta de redondez: {value} mm."
 };
 export { settings_default as default };

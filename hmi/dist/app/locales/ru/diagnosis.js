@@ -17,6 +17,17 @@ var diagnosis_default = {
 	"drift": "Опережение этих часов",
 	"gap": "Между обновлениями: половина, 99 %",
 	"gaps": "Время между обновлениями",
-	"round": "Туда и обратно"
+	"round": "Туда и обратно",
+	"begin": "Начало",
+	"at_once": "Сразу",
+	"at_level": "По уровню",
+	"quantity": "Величина запуска",
+	"edge": "Фронт",
+	"rises": "Рост",
+	"falls": "Спад",
+	"level": "Уровень",
+	"before": "До запуска",
+	"recording": "Идёт запись …",
+	"end": "Закончить"
 };
 export { diagnosis_default as default };

@@ -69,6 +69,10 @@ var settings_default = {
 	"password_again": "Ещё раз",
 	"differ": "Они различаются.",
 	"set_password": "Задать пароль",
-	"password_set": "Пароль задан: {level}"
+	"password_set": "Пароль задан: {level}",
+	"probe": "Щуп",
+	"rectangle": "Прямоугольник",
+	"rectangle_text": "Коснитесь обеих сторон поперёк X, затем обеих поперёк Y; в каждом месте возьмите точку.",
+	"out_of_round": "Некруглость {value} мм."
 };
 export { settings_default as default };

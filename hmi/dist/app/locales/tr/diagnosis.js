@@ -17,6 +17,17 @@ var diagnosis_default = {
 	"drift": "Bu saatten ileri",
 	"gap": "Güncelleme aralığı: yarısı, %99",
 	"gaps": "Güncellemeler arası süre",
-	"round": "Gidiş dönüş"
+	"round": "Gidiş dönüş",
+	"begin": "Başlangıç",
+	"at_once": "Hemen",
+	"at_level": "Düzeyde",
+	"quantity": "Tetikleme büyüklüğü",
+	"edge": "Kenar",
+	"rises": "Yükselen",
+	"falls": "Düşen",
+	"level": "Düzey",
+	"before": "Tetiklemeden önce",
+	"recording": "Kaydediliyor …",
+	"end": "Bitir"
 };
 export { diagnosis_default as default };

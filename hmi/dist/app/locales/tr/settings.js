@@ -69,6 +69,10 @@ var settings_default = {
 	"password_again": "Bir daha",
 	"differ": "İkisi farklı.",
 	"set_password": "Parolayı ayarla",
-	"password_set": "Parola ayarlandı: {level}"
+	"password_set": "Parola ayarlandı: {level}",
+	"probe": "Prob",
+	"rectangle": "Dikdörtgen",
+	"rectangle_text": "Önce X boyunca iki yana, sonra Y boyunca iki yana dokunun; her birinde bir nokta alın.",
+	"out_of_round": "Yuvarlaklık sapması {value} mm."
 };
 export { settings_default as default };

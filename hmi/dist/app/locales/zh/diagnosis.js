@@ -17,6 +17,17 @@ var diagnosis_default = {
 	"drift": "相对本机时钟超前",
 	"gap": "更新间隔：中位、99 %",
 	"gaps": "更新间隔",
-	"round": "往返时间"
+	"round": "往返时间",
+	"begin": "开始",
+	"at_once": "立即",
+	"at_level": "到达电平时",
+	"quantity": "触发量",
+	"edge": "边沿",
+	"rises": "上升",
+	"falls": "下降",
+	"level": "电平",
+	"before": "触发前",
+	"recording": "正在记录…",
+	"end": "结束"
 };
 export { diagnosis_default as default };

@@ -69,6 +69,10 @@ var settings_default = {
 	"password_again": "再次输入",
 	"differ": "两次输入不同。",
 	"set_password": "设定密码",
-	"password_set": "已设定{level}密码"
+	"password_set": "已设定{level}密码",
+	"probe": "测头",
+	"rectangle": "矩形",
+	"rectangle_text": "先触碰 X 方向的两侧，再触碰 Y 方向的两侧，每处取一点。",
+	"out_of_round": "圆度误差 {value} mm。"
 };
 export { settings_default as default };

@@ -5,19 +5,22 @@ import Icon from "../../lib/parts/Icon.svelte.js";
 import { go } from "../../lib/routing.svelte.js";
 import { alarmText } from "../../lib/state/alarm-texts.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
+import { restart } from "../../lib/state/restart.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/alarms/Active.svelte
 var root = $.from_html(`<span class="muted"> </span>`);
-var root_1 = $.from_html(`<p data-testid="remedy" class="s-1iyddtz"><strong class="s-1iyddtz"> </strong> </p>`);
-var root_2 = $.from_html(`<article data-testid="alarm"><!> <div class="grow"><header class="s-1iyddtz"><span class="code"> </span><!></header> <h2 class="s-1iyddtz"> </h2> <!> <div class="row wrap"><!> <!> <!></div></div></article>`);
-var root_3 = $.from_html(`<article class="warning s-1iyddtz"><!><div class="grow"><header class="s-1iyddtz"><span class="code"> </span></header><h2 class="s-1iyddtz"> </h2></div></article>`);
+var root_1 = $.from_html(`<p data-testid="remedy" class="s-tveqzr"><strong class="s-tveqzr"> </strong> </p>`);
+var root_2 = $.from_html(`<article data-testid="alarm"><!> <div class="grow"><header class="s-tveqzr"><span class="code"> </span><!></header> <h2 class="s-tveqzr"> </h2> <!> <div class="row wrap"><!> <!> <!></div></div></article>`);
+var root_3 = $.from_html(`<article class="warning s-tveqzr"><!><div class="grow"><header class="s-tveqzr"><span class="code"> </span></header><h2 class="s-tveqzr"> </h2></div></article>`);
 var root_4 = $.from_html(`<!> <!>`, 1);
+var root_5 = $.from_html(`<article class="told s-tveqzr" data-testid="interrupted"><!> <div class="grow"><h2 class="s-tveqzr"> </h2> <p class="code s-tveqzr"> </p> <!></div></article>`);
 function Active($$anchor, $$props) {
 	$.push($$props, true);
 	const alarms = $.derived(() => machine.status?.alarms ?? []);
+	const interrupted = $.derived(() => machine.status?.interrupted ?? null);
 	const program = $.derived(() => machine.status?.program.running ?? machine.status?.program.selected ?? "");
-	var fragment = $.comment();
+	var fragment = root_4();
 	var node = $.first_child(fragment);
 	var consequent = ($$anchor) => {
 		{
@@ -126,7 +129,7 @@ function Active($$anchor, $$props) {
 			$.reset(div);
 			$.reset(article);
 			$.template_effect(() => {
-				classes = $.set_class(article, 1, "s-1iyddtz", null, classes, { warning: $.get(alarm).warning });
+				classes = $.set_class(article, 1, "s-tveqzr", null, classes, { warning: $.get(alarm).warning });
 				$.set_text(text, $.get(alarm).id);
 				$.set_text(text_2, $.get(about).text || $.get(alarm).id);
 			});
@@ -160,6 +163,48 @@ function Active($$anchor, $$props) {
 	$.if(node, ($$render) => {
 		if ($.get(alarms).length === 0 && machine.messages.length === 0) $$render(consequent);
 		else $$render(alternate, -1);
+	});
+	var node_10 = $.sibling(node, 2);
+	var consequent_4 = ($$anchor) => {
+		var article_2 = root_5();
+		var node_11 = $.child(article_2);
+		Icon(node_11, {
+			name: "undo",
+			size: "2rem"
+		});
+		var div_3 = $.sibling(node_11, 2);
+		var h2_2 = $.child(div_3);
+		var text_10 = $.only_child(h2_2, true);
+		var p_1 = $.sibling(h2_2, 2);
+		var text_11 = $.only_child(p_1, true);
+		var node_12 = $.sibling(p_1, 2);
+		Button(node_12, {
+			icon: "undo",
+			onclick: () => {
+				restart.ask(null);
+				go("program", "run");
+			},
+			children: ($$anchor, $$slotProps) => {
+				$.next();
+				var text_12 = $.text();
+				$.template_effect(($0) => $.set_text(text_12, $0), [() => t("restart.take_up")]);
+				$.append($$anchor, text_12);
+			},
+			$$slots: { default: true }
+		});
+		$.reset(div_3);
+		$.reset(article_2);
+		$.template_effect(($0) => {
+			$.set_text(text_10, $0);
+			$.set_text(text_11, $.get(interrupted).text);
+		}, [() => t("restart.interrupted", {
+			program: $.get(interrupted).file,
+			line: $.get(interrupted).line
+		})]);
+		$.append($$anchor, article_2);
+	};
+	$.if(node_10, ($$render) => {
+		if ($.get(interrupted) && $.get(alarms).length === 0) $$render(consequent_4);
 	});
 	$.append($$anchor, fragment);
 	$.pop();

@@ -7,14 +7,17 @@ import NumberField from "../../lib/parts/NumberField.svelte.js";
 import { go } from "../../lib/routing.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import { programs } from "../../lib/state/programs.svelte.js";
+import { restart } from "../../lib/state/restart.svelte.js";
+import Restart from "./Restart.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/program/RunView.svelte
-var root = $.from_html(`<span><small class="s-q005vc"> </small> </span>`);
-var root_1 = $.from_html(`<span class="number go s-q005vc"></span>`);
-var root_2 = $.from_html(`<div class="head row wrap s-q005vc"><strong class="code s-q005vc"> </strong> <span class="block code grow s-q005vc" data-testid="block"> </span> <!></div>`);
-var root_3 = $.from_html(`<div class="row wrap"><!> <!> <span class="stop s-q005vc"><!></span> <span class="muted"> </span> <span class="grow"></span> <!> <!></div>`);
-var root_4 = $.from_html(`<div data-testid="run-view"><!> <div class="text s-q005vc"><!></div> <!></div>`);
+var root = $.from_html(`<span><small class="s-1jctaus"> </small> </span>`);
+var root_1 = $.from_html(`<span class="number go s-1jctaus"></span>`);
+var root_2 = $.from_html(`<div class="head row wrap s-1jctaus"><strong class="code s-1jctaus"> </strong> <span class="block code grow s-1jctaus" data-testid="block"> </span> <!></div>`);
+var root_3 = $.from_html(`<div class="interrupted row wrap s-1jctaus" data-testid="interrupted"><span class="grow"> </span> <!></div>`);
+var root_4 = $.from_html(`<div class="row wrap"><!> <!> <span class="stop s-1jctaus"><!></span> <span class="muted"> </span> <span class="grow"></span> <!> <!></div>`);
+var root_5 = $.from_html(`<div data-testid="run-view"><!> <!> <div class="text s-1jctaus"><!></div> <!></div>`);
 function RunView($$anchor, $$props) {
 	$.push($$props, true);
 	let compact = $.prop($$props, "compact", 3, false);
@@ -74,7 +77,7 @@ function RunView($$anchor, $$props) {
 		}
 	};
 	var alternate = ($$anchor) => {
-		var div = root_4();
+		var div = root_5();
 		let classes;
 		var node_1 = $.child(div);
 		var consequent_2 = ($$anchor) => {
@@ -114,12 +117,44 @@ function RunView($$anchor, $$props) {
 		$.if(node_1, ($$render) => {
 			if (!compact()) $$render(consequent_2);
 		});
-		var div_2 = $.sibling(node_1, 2);
-		var node_3 = $.child(div_2);
+		var node_3 = $.sibling(node_1, 2);
+		var consequent_3 = ($$anchor) => {
+			Restart($$anchor, {});
+		};
+		var consequent_4 = ($$anchor) => {
+			var div_2 = root_3();
+			var span_3 = $.child(div_2);
+			var text_6 = $.only_child(span_3, true);
+			var node_4 = $.sibling(span_3, 2);
+			Button(node_4, {
+				icon: "undo",
+				onclick: () => restart.ask(null),
+				"data-testid": "take-up",
+				children: ($$anchor, $$slotProps) => {
+					$.next();
+					var text_7 = $.text();
+					$.template_effect(($0) => $.set_text(text_7, $0), [() => t("restart.take_up")]);
+					$.append($$anchor, text_7);
+				},
+				$$slots: { default: true }
+			});
+			$.reset(div_2);
+			$.template_effect(($0) => $.set_text(text_6, $0), [() => t("restart.interrupted", {
+				program: machine.status.interrupted.file,
+				line: machine.status.interrupted.line
+			})]);
+			$.append($$anchor, div_2);
+		};
+		$.if(node_3, ($$render) => {
+			if (!compact() && (restart.asked || machine.status?.restart_ready)) $$render(consequent_3);
+			else if (!compact() && machine.status?.interrupted) $$render(consequent_4, 1);
+		});
+		var div_3 = $.sibling(node_3, 2);
+		var node_5 = $.child(div_3);
 		{
 			let $0 = $.derived(() => $.get(program)?.cursor ?? 0);
 			let $1 = $.derived(() => t("program.run"));
-			Editor(node_3, {
+			Editor(node_5, {
 				get text() {
 					return $.get(text);
 				},
@@ -136,14 +171,14 @@ function RunView($$anchor, $$props) {
 				online: (line) => $.set(chosen, line, true)
 			});
 		}
-		$.reset(div_2);
-		var node_4 = $.sibling(div_2, 2);
-		var consequent_3 = ($$anchor) => {
-			var div_3 = root_3();
-			var node_5 = $.child(div_3);
+		$.reset(div_3);
+		var node_6 = $.sibling(div_3, 2);
+		var consequent_5 = ($$anchor) => {
+			var div_4 = root_4();
+			var node_7 = $.child(div_4);
 			{
 				let $0 = $.derived(() => $.get(chosen) === 0);
-				Button(node_5, {
+				Button(node_7, {
 					icon: "target",
 					get disabled() {
 						return $.get($0);
@@ -155,42 +190,37 @@ function RunView($$anchor, $$props) {
 					"data-testid": "cursor",
 					children: ($$anchor, $$slotProps) => {
 						$.next();
-						var text_6 = $.text();
-						$.template_effect(($0) => $.set_text(text_6, $0), [() => t("program.start_here", { line: $.get(chosen) || "–" })]);
-						$.append($$anchor, text_6);
+						var text_8 = $.text();
+						$.template_effect(($0) => $.set_text(text_8, $0), [() => t("program.start_here", { line: $.get(chosen) || "–" })]);
+						$.append($$anchor, text_8);
 					},
 					$$slots: { default: true }
 				});
 			}
-			var node_6 = $.sibling(node_5, 2);
+			var node_8 = $.sibling(node_7, 2);
 			{
 				let $0 = $.derived(() => $.get(chosen) === 0);
-				Button(node_6, {
+				Button(node_8, {
 					icon: "undo",
 					get disabled() {
 						return $.get($0);
 					},
-					onclick: () => void machine.tell({
-						do: "restart",
-						line: $.get(chosen),
-						pass: 1,
-						sends: false,
-						axis_by_axis: false
-					}),
+					onclick: () => restart.ask($.get(chosen)),
+					"data-testid": "restart-here",
 					children: ($$anchor, $$slotProps) => {
 						$.next();
-						var text_7 = $.text();
-						$.template_effect(($0) => $.set_text(text_7, $0), [() => t("program.restart_here", { line: $.get(chosen) || "–" })]);
-						$.append($$anchor, text_7);
+						var text_9 = $.text();
+						$.template_effect(($0) => $.set_text(text_9, $0), [() => t("program.restart_here", { line: $.get(chosen) || "–" })]);
+						$.append($$anchor, text_9);
 					},
 					$$slots: { default: true }
 				});
 			}
-			var span_3 = $.sibling(node_6, 2);
-			var node_7 = $.child(span_3);
+			var span_4 = $.sibling(node_8, 2);
+			var node_9 = $.child(span_4);
 			{
 				let $0 = $.derived(() => t("program.stop_at"));
-				NumberField(node_7, {
+				NumberField(node_9, {
 					get value() {
 						return $.get(stopAt);
 					},
@@ -210,42 +240,42 @@ function RunView($$anchor, $$props) {
 					}
 				});
 			}
-			$.reset(span_3);
-			var span_4 = $.sibling(span_3, 2);
-			var text_8 = $.only_child(span_4, true);
-			var node_8 = $.sibling(span_4, 4);
-			Button(node_8, {
+			$.reset(span_4);
+			var span_5 = $.sibling(span_4, 2);
+			var text_10 = $.only_child(span_5, true);
+			var node_10 = $.sibling(span_5, 4);
+			Button(node_10, {
 				icon: "graphics",
 				onclick: () => go("graphics"),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_9 = $.text();
-					$.template_effect(($0) => $.set_text(text_9, $0), [() => t("graphics.title")]);
-					$.append($$anchor, text_9);
+					var text_11 = $.text();
+					$.template_effect(($0) => $.set_text(text_11, $0), [() => t("graphics.title")]);
+					$.append($$anchor, text_11);
 				},
 				$$slots: { default: true }
 			});
-			var node_9 = $.sibling(node_8, 2);
-			Button(node_9, {
+			var node_11 = $.sibling(node_10, 2);
+			Button(node_11, {
 				icon: "edit",
 				onclick: () => go("program", "edit", $.get(name)),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_10 = $.text();
-					$.template_effect(($0) => $.set_text(text_10, $0), [() => t("program.edit")]);
-					$.append($$anchor, text_10);
+					var text_12 = $.text();
+					$.template_effect(($0) => $.set_text(text_12, $0), [() => t("program.edit")]);
+					$.append($$anchor, text_12);
 				},
 				$$slots: { default: true }
 			});
-			$.reset(div_3);
-			$.template_effect(($0) => $.set_text(text_8, $0), [() => t("program.stop_at")]);
-			$.append($$anchor, div_3);
+			$.reset(div_4);
+			$.template_effect(($0) => $.set_text(text_10, $0), [() => t("program.stop_at")]);
+			$.append($$anchor, div_4);
 		};
-		$.if(node_4, ($$render) => {
-			if (!compact()) $$render(consequent_3);
+		$.if(node_6, ($$render) => {
+			if (!compact()) $$render(consequent_5);
 		});
 		$.reset(div);
-		$.template_effect(() => classes = $.set_class(div, 1, "run s-q005vc", null, classes, { compact: compact() }));
+		$.template_effect(() => classes = $.set_class(div, 1, "run s-1jctaus", null, classes, { compact: compact() }));
 		$.append($$anchor, div);
 	};
 	$.if(node, ($$render) => {

@@ -1,5 +1,5 @@
 import { t } from "../../lib/i18n/index.svelte.js";
-import { circle, edge, middle } from "../../lib/measuring.js";
+import { edge, middle } from "../../lib/measuring.js";
 import { fixed } from "../../lib/numbers.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import Card from "../../lib/parts/Card.svelte.js";
@@ -13,22 +13,24 @@ import * as $ from "svelte/internal/client";
 // src/pages/settings/Centring.svelte
 var root = $.from_svg(`<circle r="10"></circle>`);
 var root_1 = $.from_svg(`<circle cx="120" cy="75" r="58" class="work s-1tpnn43"></circle><!>`, 1);
-var root_2 = $.from_svg(`<circle cx="59" cy="75" r="11"></circle>`);
-var root_3 = $.from_svg(`<circle cx="181" cy="75" r="11"></circle>`);
-var root_4 = $.from_svg(`<rect x="70" y="40" width="100" height="70" class="work s-1tpnn43"></rect><!><!>`, 1);
-var root_5 = $.from_svg(`<path class="zero s-1tpnn43"></path>`);
-var root_6 = $.from_html(`<option> </option>`);
-var root_7 = $.from_html(`<select></select>`);
-var root_8 = $.from_html(`<div class="row wrap"><!> <!></div>`);
-var root_9 = $.from_html(`<div class="form s-1tpnn43"><!> <svg viewBox="0 0 240 150" role="img" class="s-1tpnn43"><!><!></svg> <div class="fields s-1tpnn43"><!> <!> <!></div> <!></div>`);
-var root_10 = $.from_html(`<td class="right"><small class="muted"> </small> </td>`);
-var root_11 = $.from_html(`<td class="right"> </td>`);
-var root_12 = $.from_html(`<tr><th class="number"></th><!></tr>`);
-var root_13 = $.from_html(`<strong> </strong>`);
-var root_14 = $.from_html(`<div class="result number s-1tpnn43"><!> <p class="muted s-1tpnn43"> </p></div>`);
-var root_15 = $.from_html(`<p class="bad s-1tpnn43"> </p>`);
-var root_16 = $.from_html(`<div class="form s-1tpnn43"><p class="muted"> </p> <table class="table"><tbody><tr><th> </th><!></tr><!></tbody></table> <div class="row"><!> <!></div> <!> <!></div>`);
-var root_17 = $.from_html(`<div class="centring s-1tpnn43"><!> <!></div>`);
+var root_2 = $.from_svg(`<circle cx="120" cy="29" r="11"></circle><circle cx="120" cy="121" r="11"></circle>`, 1);
+var root_3 = $.from_svg(`<circle cx="59" cy="75" r="11"></circle>`);
+var root_4 = $.from_svg(`<circle cx="181" cy="75" r="11"></circle>`);
+var root_5 = $.from_svg(`<rect x="70" y="40" width="100" height="70" class="work s-1tpnn43"></rect><!><!><!>`, 1);
+var root_6 = $.from_svg(`<path class="zero s-1tpnn43"></path>`);
+var root_7 = $.from_html(`<option> </option>`);
+var root_8 = $.from_html(`<select></select>`);
+var root_9 = $.from_html(`<div class="row wrap"><!> <!></div>`);
+var root_10 = $.from_html(`<div class="form s-1tpnn43"><!> <svg viewBox="0 0 240 150" role="img" class="s-1tpnn43"><!><!></svg> <div class="fields s-1tpnn43"><!> <!> <!></div> <!></div>`);
+var root_11 = $.from_html(`<td class="right"><small class="muted"> </small> </td>`);
+var root_12 = $.from_html(`<td class="right"> </td>`);
+var root_13 = $.from_html(`<tr><th class="number"></th><!></tr>`);
+var root_14 = $.from_html(`<strong> </strong>`);
+var root_15 = $.from_html(`<p class="muted s-1tpnn43"> </p>`);
+var root_16 = $.from_html(`<div class="result number s-1tpnn43"><!> <!></div>`);
+var root_17 = $.from_html(`<p class="bad s-1tpnn43"> </p>`);
+var root_18 = $.from_html(`<div class="form s-1tpnn43"><p class="muted"> </p> <table class="table"><tbody><tr><th> </th><!></tr><!></tbody></table> <div class="row"><!> <!></div> <!> <!></div>`);
+var root_19 = $.from_html(`<div class="centring s-1tpnn43"><!> <!></div>`);
 function Centring($$anchor, $$props) {
 	$.push($$props, true);
 	let kind = $.state("middle");
@@ -37,10 +39,14 @@ function Centring($$anchor, $$props) {
 	let from = $.state("below");
 	let radius = $.state(5);
 	let coordinate = $.state(0);
+	/** Points that the control has taken, machine positions. */
 	let points = $.state([]);
+	/** What the control makes of them. */
+	let centre = $.state(null);
 	const kinds = $.derived(() => [
 		"edge",
 		"middle",
+		"rectangle",
 		"circle"
 	].map((value) => ({
 		value,
@@ -57,60 +63,88 @@ function Centring($$anchor, $$props) {
 	const wanted = $.derived(() => ({
 		edge: 1,
 		middle: 2,
+		rectangle: 4,
 		circle: 3
 	})[$.get(kind)]);
+	/** A circle may have more points than it needs. */
+	const most = $.derived(() => $.get(kind) === "circle" ? 8 : $.get(wanted));
 	const here = $.derived(() => machine.status?.position.machine ?? {});
 	const result = $.derived(() => {
 		if ($.get(points).length < $.get(wanted)) return null;
 		if ($.get(kind) === "edge") return {
 			axes: { [$.get(axis)]: edge($.get(points)[0][$.get(axis)] ?? 0, $.get(radius), $.get(from)) },
-			text: ""
+			texts: []
 		};
 		if ($.get(kind) === "middle") {
 			const found = middle($.get(points)[0][$.get(axis)] ?? 0, $.get(points)[1][$.get(axis)] ?? 0, $.get(radius));
 			return {
 				axes: { [$.get(axis)]: found.centre },
-				text: t("settings.apart", {
+				texts: [t("settings.apart", {
 					inner: fixed(found.inner),
 					outer: fixed(found.outer)
-				})
+				})]
 			};
 		}
-		const found = circle([
-			$.get(points)[0],
-			$.get(points)[1],
-			$.get(points)[2]
-		]);
-		return found ? {
+		if (!$.get(centre)) return null;
+		const { X = 0, Y = 0 } = $.get(centre).place;
+		const size = $.get(kind) === "circle" ? "settings.diameters" : "settings.apart";
+		const texts = $.get(centre).sizes.map((apart) => t(size, {
+			inner: fixed(apart + 2 * $.get(radius)),
+			outer: fixed(apart - 2 * $.get(radius))
+		}));
+		return {
 			axes: {
-				X: found.x,
-				Y: found.y
+				X,
+				Y
 			},
-			text: t("settings.diameters", {
-				inner: fixed(2 * (found.radius + $.get(radius))),
-				outer: fixed(2 * (found.radius - $.get(radius)))
-			})
-		} : null;
+			texts: $.get(kind) === "circle" && $.get(points).length > 3 ? [...texts, t("settings.out_of_round", { value: fixed($.get(centre).out_of_round) })] : texts
+		};
 	});
-	function take() {
-		$.set(points, [...$.get(points).slice(0, $.get(wanted) - 1), { ...$.get(here) }]);
+	async function read() {
+		const reply = await machine.fetch("points", { do: "points" });
+		if (reply) $.set(points, Object.values(reply.points));
+		$.set(centre, null);
+		if ($.get(points).length < $.get(wanted) || $.get(kind) === "edge" || $.get(kind) === "middle") return;
+		const measured = await machine.fetch("measured", {
+			do: "centre",
+			circle: $.get(kind) === "circle",
+			values: {}
+		});
+		$.set(centre, measured?.measured ?? null);
+	}
+	async function again() {
+		$.set(points, []);
+		$.set(centre, null);
+		await machine.tell({ do: "clear_points" });
+	}
+	async function take() {
+		if (await machine.tell({
+			do: "touch_point",
+			number: Math.min($.get(points).length + 1, $.get(most))
+		})) await read();
 	}
 	async function apply() {
 		if (!$.get(result)) return;
-		const zero = Object.fromEntries(Object.entries($.get(result).axes).map(([name, place]) => [name, place - $.get(coordinate)]));
-		if (await machine.tell({
+		if (!($.get(kind) === "edge" || $.get(kind) === "middle" ? await machine.tell({
 			do: "set_zero",
 			system: $.get(system),
-			axes: zero
-		})) {
-			notify({
-				kind: "done",
-				title: t("settings.zero_set", { system: $.get(system) })
-			});
-			$.set(points, []);
-		}
+			axes: Object.fromEntries(Object.entries($.get(result).axes).map(([name, place]) => [name, place - $.get(coordinate)]))
+		}) : await machine.tell({
+			do: "centre",
+			circle: $.get(kind) === "circle",
+			system: $.get(system),
+			values: {
+				X: $.get(coordinate),
+				Y: $.get(coordinate)
+			}
+		}))) return;
+		notify({
+			kind: "done",
+			title: t("settings.zero_set", { system: $.get(system) })
+		});
+		await again();
 	}
-	var div = root_17();
+	var div = root_19();
 	var node = $.child(div);
 	{
 		let $0 = $.derived(() => t("settings.centring"));
@@ -119,7 +153,7 @@ function Centring($$anchor, $$props) {
 				return $.get($0);
 			},
 			children: ($$anchor, $$slotProps) => {
-				var div_1 = root_9();
+				var div_1 = root_10();
 				var node_1 = $.child(div_1);
 				{
 					let $0 = $.derived(() => t("settings.centring"));
@@ -130,7 +164,7 @@ function Centring($$anchor, $$props) {
 						get label() {
 							return $.get($0);
 						},
-						onchange: () => $.set(points, []),
+						onchange: () => void again(),
 						get value() {
 							return $.get(kind);
 						},
@@ -149,38 +183,54 @@ function Centring($$anchor, $$props) {
 						30,
 						150
 					], (angle) => angle, ($$anchor, angle, index) => {
-						var circle_1 = root();
+						var circle = root();
 						let classes;
 						$.template_effect(($0, $1) => {
-							$.set_attribute(circle_1, "cx", $0);
-							$.set_attribute(circle_1, "cy", $1);
-							classes = $.set_class(circle_1, 0, "touch s-1tpnn43", null, classes, { done: $.get(points).length > $.get(index) });
+							$.set_attribute(circle, "cx", $0);
+							$.set_attribute(circle, "cy", $1);
+							classes = $.set_class(circle, 0, "touch s-1tpnn43", null, classes, { done: $.get(points).length > $.get(index) });
 						}, [() => 120 + 48 * Math.cos(angle * Math.PI / 180), () => 75 + 48 * Math.sin(angle * Math.PI / 180)]);
-						$.append($$anchor, circle_1);
+						$.append($$anchor, circle);
 					});
 					$.append($$anchor, fragment);
 				};
 				var alternate = ($$anchor) => {
-					var fragment_1 = root_4();
+					var fragment_1 = root_5();
 					var node_4 = $.sibling($.first_child(fragment_1));
 					var consequent_1 = ($$anchor) => {
-						var circle_2 = root_2();
+						var fragment_2 = root_2();
+						var circle_1 = $.first_child(fragment_2);
 						let classes_1;
-						$.template_effect(() => classes_1 = $.set_class(circle_2, 0, "touch s-1tpnn43", null, classes_1, { done: $.get(points).length > 0 }));
-						$.append($$anchor, circle_2);
+						var circle_2 = $.sibling(circle_1);
+						let classes_2;
+						$.template_effect(() => {
+							classes_1 = $.set_class(circle_1, 0, "touch s-1tpnn43", null, classes_1, { done: $.get(points).length > 3 });
+							classes_2 = $.set_class(circle_2, 0, "touch s-1tpnn43", null, classes_2, { done: $.get(points).length > 2 });
+						});
+						$.append($$anchor, fragment_2);
 					};
 					$.if(node_4, ($$render) => {
-						if ($.get(kind) === "middle" || $.get(from) === "below") $$render(consequent_1);
+						if ($.get(kind) === "rectangle") $$render(consequent_1);
 					});
 					var node_5 = $.sibling(node_4);
 					var consequent_2 = ($$anchor) => {
 						var circle_3 = root_3();
-						let classes_2;
-						$.template_effect(() => classes_2 = $.set_class(circle_3, 0, "touch s-1tpnn43", null, classes_2, { done: $.get(points).length > ($.get(kind) === "middle" ? 1 : 0) }));
+						let classes_3;
+						$.template_effect(() => classes_3 = $.set_class(circle_3, 0, "touch s-1tpnn43", null, classes_3, { done: $.get(points).length > 0 }));
 						$.append($$anchor, circle_3);
 					};
 					$.if(node_5, ($$render) => {
-						if ($.get(kind) === "middle" || $.get(from) === "above") $$render(consequent_2);
+						if ($.get(kind) !== "edge" || $.get(from) === "below") $$render(consequent_2);
+					});
+					var node_6 = $.sibling(node_5);
+					var consequent_3 = ($$anchor) => {
+						var circle_4 = root_4();
+						let classes_4;
+						$.template_effect(() => classes_4 = $.set_class(circle_4, 0, "touch s-1tpnn43", null, classes_4, { done: $.get(points).length > ($.get(kind) === "edge" ? 0 : 1) }));
+						$.append($$anchor, circle_4);
+					};
+					$.if(node_6, ($$render) => {
+						if ($.get(kind) !== "edge" || $.get(from) === "above") $$render(consequent_3);
 					});
 					$.append($$anchor, fragment_1);
 				};
@@ -188,26 +238,26 @@ function Centring($$anchor, $$props) {
 					if ($.get(kind) === "circle") $$render(consequent);
 					else $$render(alternate, -1);
 				});
-				var node_6 = $.sibling(node_2);
-				var consequent_3 = ($$anchor) => {
-					var path = root_5();
+				var node_7 = $.sibling(node_2);
+				var consequent_4 = ($$anchor) => {
+					var path = root_6();
 					$.template_effect(() => $.set_attribute(path, "d", $.get(kind) === "edge" ? $.get(from) === "below" ? "M70 20V130M55 75H85" : "M170 20V130M155 75H185" : "M120 20V130M65 75H175"));
 					$.append($$anchor, path);
 				};
-				$.if(node_6, ($$render) => {
-					if ($.get(result)) $$render(consequent_3);
+				$.if(node_7, ($$render) => {
+					if ($.get(result)) $$render(consequent_4);
 				});
 				$.reset(svg);
 				var div_2 = $.sibling(svg, 2);
-				var node_7 = $.child(div_2);
+				var node_8 = $.child(div_2);
 				{
 					let $0 = $.derived(() => t("settings.system"));
-					Labelled(node_7, {
+					Labelled(node_8, {
 						get label() {
 							return $.get($0);
 						},
 						children: ($$anchor, $$slotProps) => {
-							var select = root_7();
+							var select = root_8();
 							$.each(select, 20, () => [
 								"G54",
 								"G55",
@@ -216,11 +266,11 @@ function Centring($$anchor, $$props) {
 								"G58",
 								"G59"
 							], (one) => one, ($$anchor, one) => {
-								var option = root_6();
-								var text = $.only_child(option, true);
+								var option = root_7();
+								var text_1 = $.only_child(option, true);
 								var option_value = {};
 								$.template_effect(() => {
-									$.set_text(text, one);
+									$.set_text(text_1, one);
 									if (option_value !== (option_value = one)) option.__value = option_value;
 								});
 								$.append($$anchor, option);
@@ -233,10 +283,10 @@ function Centring($$anchor, $$props) {
 						$$slots: { default: true }
 					});
 				}
-				var node_8 = $.sibling(node_7, 2);
+				var node_9 = $.sibling(node_8, 2);
 				{
 					let $0 = $.derived(() => t("settings.tool_radius"));
-					Labelled(node_8, {
+					Labelled(node_9, {
 						get label() {
 							return $.get($0);
 						},
@@ -262,10 +312,10 @@ function Centring($$anchor, $$props) {
 						$$slots: { default: true }
 					});
 				}
-				var node_9 = $.sibling(node_8, 2);
+				var node_10 = $.sibling(node_9, 2);
 				{
 					let $0 = $.derived(() => t("settings.coordinate"));
-					Labelled(node_9, {
+					Labelled(node_10, {
 						get label() {
 							return $.get($0);
 						},
@@ -291,20 +341,20 @@ function Centring($$anchor, $$props) {
 					});
 				}
 				$.reset(div_2);
-				var node_10 = $.sibling(div_2, 2);
-				var consequent_5 = ($$anchor) => {
-					var div_3 = root_8();
-					var node_11 = $.child(div_3);
+				var node_11 = $.sibling(div_2, 2);
+				var consequent_6 = ($$anchor) => {
+					var div_3 = root_9();
+					var node_12 = $.child(div_3);
 					{
 						let $0 = $.derived(() => t("panel.axes"));
-						Segmented(node_11, {
+						Segmented(node_12, {
 							get options() {
 								return $.get(axes);
 							},
 							get label() {
 								return $.get($0);
 							},
-							onchange: () => $.set(points, []),
+							onchange: () => void again(),
 							get value() {
 								return $.get(axis);
 							},
@@ -313,8 +363,8 @@ function Centring($$anchor, $$props) {
 							}
 						});
 					}
-					var node_12 = $.sibling(node_11, 2);
-					var consequent_4 = ($$anchor) => {
+					var node_13 = $.sibling(node_12, 2);
+					var consequent_5 = ($$anchor) => {
 						{
 							let $0 = $.derived(() => t("settings.from"));
 							Segmented($$anchor, {
@@ -333,14 +383,14 @@ function Centring($$anchor, $$props) {
 							});
 						}
 					};
-					$.if(node_12, ($$render) => {
-						if ($.get(kind) === "edge") $$render(consequent_4);
+					$.if(node_13, ($$render) => {
+						if ($.get(kind) === "edge") $$render(consequent_5);
 					});
 					$.reset(div_3);
 					$.append($$anchor, div_3);
 				};
-				$.if(node_10, ($$render) => {
-					if ($.get(kind) !== "circle") $$render(consequent_5);
+				$.if(node_11, ($$render) => {
+					if ($.get(kind) === "edge" || $.get(kind) === "middle") $$render(consequent_6);
 				});
 				$.reset(div_1);
 				$.template_effect(($0) => $.set_attribute(svg, "aria-label", $0), [() => t(`settings.${$.get(kind)}`)]);
@@ -349,57 +399,57 @@ function Centring($$anchor, $$props) {
 			$$slots: { default: true }
 		});
 	}
-	var node_13 = $.sibling(node, 2);
+	var node_14 = $.sibling(node, 2);
 	{
 		let $0 = $.derived(() => t("settings.points", {
 			taken: $.get(points).length,
 			wanted: $.get(wanted)
 		}));
-		Card(node_13, {
+		Card(node_14, {
 			get title() {
 				return $.get($0);
 			},
 			children: ($$anchor, $$slotProps) => {
-				var div_4 = root_16();
+				var div_4 = root_18();
 				var p = $.child(div_4);
-				var text_1 = $.only_child(p, true);
+				var text_2 = $.only_child(p, true);
 				var table = $.sibling(p, 2);
 				var tbody = $.child(table);
 				var tr = $.child(tbody);
 				var th = $.child(tr);
-				var text_2 = $.only_child(th, true);
-				var node_14 = $.sibling(th);
-				$.each(node_14, 16, () => [
+				var text_3 = $.only_child(th, true);
+				var node_15 = $.sibling(th);
+				$.each(node_15, 16, () => [
 					"X",
 					"Y",
 					"Z"
 				], (one) => one, ($$anchor, one) => {
-					var td = root_10();
+					var td = root_11();
 					var small = $.child(td);
-					var text_3 = $.only_child(small, true);
-					var text_4 = $.sibling(small);
+					var text_4 = $.only_child(small, true);
+					var text_5 = $.sibling(small);
 					$.reset(td);
 					$.template_effect(($0) => {
-						$.set_text(text_3, one);
-						$.set_text(text_4, ` ${$0 ?? ""}`);
+						$.set_text(text_4, one);
+						$.set_text(text_5, ` ${$0 ?? ""}`);
 					}, [() => fixed($.get(here)[one])]);
 					$.append($$anchor, td);
 				});
 				$.reset(tr);
-				var node_15 = $.sibling(tr);
-				$.each(node_15, 17, () => $.get(points), $.index, ($$anchor, point, index) => {
-					var tr_1 = root_12();
+				var node_16 = $.sibling(tr);
+				$.each(node_16, 17, () => $.get(points), $.index, ($$anchor, point, index) => {
+					var tr_1 = root_13();
 					var th_1 = $.child(tr_1);
 					th_1.textContent = index + 1;
-					var node_16 = $.sibling(th_1);
-					$.each(node_16, 16, () => [
+					var node_17 = $.sibling(th_1);
+					$.each(node_17, 16, () => [
 						"X",
 						"Y",
 						"Z"
 					], (one) => one, ($$anchor, one) => {
-						var td_1 = root_11();
-						var text_5 = $.only_child(td_1, true);
-						$.template_effect(($0) => $.set_text(text_5, $0), [() => fixed($.get(point)[one])]);
+						var td_1 = root_12();
+						var text_6 = $.only_child(td_1, true);
+						$.template_effect(($0) => $.set_text(text_6, $0), [() => fixed($.get(point)[one])]);
 						$.append($$anchor, td_1);
 					});
 					$.reset(tr_1);
@@ -408,89 +458,95 @@ function Centring($$anchor, $$props) {
 				$.reset(tbody);
 				$.reset(table);
 				var div_5 = $.sibling(table, 2);
-				var node_17 = $.child(div_5);
-				Button(node_17, {
+				var node_18 = $.child(div_5);
+				Button(node_18, {
 					icon: "target",
-					onclick: take,
+					onclick: () => void take(),
+					"data-testid": "touch",
 					children: ($$anchor, $$slotProps) => {
 						$.next();
-						var text_6 = $.text();
-						$.template_effect(($0) => $.set_text(text_6, $0), [() => t("settings.take")]);
-						$.append($$anchor, text_6);
+						var text_7 = $.text();
+						$.template_effect(($0) => $.set_text(text_7, $0), [() => t("settings.take")]);
+						$.append($$anchor, text_7);
 					},
 					$$slots: { default: true }
 				});
-				var node_18 = $.sibling(node_17, 2);
+				var node_19 = $.sibling(node_18, 2);
 				{
 					let $0 = $.derived(() => $.get(points).length === 0);
-					Button(node_18, {
+					Button(node_19, {
 						icon: "reset",
 						get disabled() {
 							return $.get($0);
 						},
-						onclick: () => $.set(points, []),
+						onclick: () => void again(),
 						children: ($$anchor, $$slotProps) => {
 							$.next();
-							var text_7 = $.text();
-							$.template_effect(($0) => $.set_text(text_7, $0), [() => t("settings.again")]);
-							$.append($$anchor, text_7);
+							var text_8 = $.text();
+							$.template_effect(($0) => $.set_text(text_8, $0), [() => t("settings.again")]);
+							$.append($$anchor, text_8);
 						},
 						$$slots: { default: true }
 					});
 				}
 				$.reset(div_5);
-				var node_19 = $.sibling(div_5, 2);
-				var consequent_6 = ($$anchor) => {
-					var div_6 = root_14();
-					var node_20 = $.child(div_6);
-					$.each(node_20, 17, () => Object.entries($.get(result).axes), ([name, place]) => name, ($$anchor, $$item) => {
+				var node_20 = $.sibling(div_5, 2);
+				var consequent_7 = ($$anchor) => {
+					var div_6 = root_16();
+					var node_21 = $.child(div_6);
+					$.each(node_21, 17, () => Object.entries($.get(result).axes), ([name, place]) => name, ($$anchor, $$item) => {
 						var $$array = $.derived(() => $.to_array($.get($$item), 2));
 						let name = () => $.get($$array)[0];
 						let place = () => $.get($$array)[1];
-						var strong = root_13();
-						var text_8 = $.only_child(strong);
-						$.template_effect(($0) => $.set_text(text_8, `${name() ?? ""} ${$0 ?? ""}`), [() => fixed(place())]);
+						var strong = root_14();
+						var text_9 = $.only_child(strong);
+						$.template_effect(($0) => $.set_text(text_9, `${name() ?? ""} ${$0 ?? ""}`), [() => fixed(place())]);
 						$.append($$anchor, strong);
 					});
-					var p_1 = $.sibling(node_20, 2);
-					var text_9 = $.only_child(p_1, true);
+					var node_22 = $.sibling(node_21, 2);
+					$.each(node_22, 17, () => $.get(result).texts, $.index, ($$anchor, text) => {
+						var p_1 = root_15();
+						var text_10 = $.only_child(p_1, true);
+						$.template_effect(() => $.set_text(text_10, $.get(text)));
+						$.append($$anchor, p_1);
+					});
 					$.reset(div_6);
-					$.template_effect(() => $.set_text(text_9, $.get(result).text));
 					$.append($$anchor, div_6);
 				};
-				var consequent_7 = ($$anchor) => {
-					var p_2 = root_15();
-					var text_10 = $.only_child(p_2, true);
-					$.template_effect(($0) => $.set_text(text_10, $0), [() => t("settings.on_a_line")]);
+				var consequent_8 = ($$anchor) => {
+					var p_2 = root_17();
+					var text_11 = $.only_child(p_2, true);
+					$.template_effect(($0) => $.set_text(text_11, $0), [() => t("settings.on_a_line")]);
 					$.append($$anchor, p_2);
 				};
-				$.if(node_19, ($$render) => {
-					if ($.get(result)) $$render(consequent_6);
-					else if ($.get(points).length === $.get(wanted)) $$render(consequent_7, 1);
+				$.if(node_20, ($$render) => {
+					if ($.get(result)) $$render(consequent_7);
+					else if ($.get(points).length >= $.get(wanted)) $$render(consequent_8, 1);
 				});
-				var node_21 = $.sibling(node_19, 2);
+				var node_23 = $.sibling(node_20, 2);
 				{
 					let $0 = $.derived(() => !$.get(result));
-					Button(node_21, {
+					Button(node_23, {
 						kind: "primary",
 						icon: "check",
 						get disabled() {
 							return $.get($0);
 						},
 						onclick: () => void apply(),
+						"data-testid": "set-zero",
 						children: ($$anchor, $$slotProps) => {
 							$.next();
-							var text_11 = $.text();
-							$.template_effect(($0) => $.set_text(text_11, $0), [() => t("settings.apply", { system: $.get(system) })]);
-							$.append($$anchor, text_11);
+							var text_12 = $.text();
+							$.template_effect(($0) => $.set_text(text_12, $0), [() => t("settings.apply", { system: $.get(system) })]);
+							$.append($$anchor, text_12);
 						},
 						$$slots: { default: true }
 					});
 				}
 				$.reset(div_4);
 				$.template_effect(($0, $1) => {
-					$.set_text(text_1, $0);
-					$.set_text(text_2, $1);
+					$.set_text(text_2, $0);
+					$.set_text(text_3, $1);
 				}, [() => t(`settings.${$.get(kind)}_text`), () => t("settings.now")]);
 				$.append($$anchor, div_4);
 			},

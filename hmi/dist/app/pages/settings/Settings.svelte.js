@@ -4,6 +4,7 @@ import { route } from "../../lib/routing.svelte.js";
 import Centring from "./Centring.svelte.js";
 import Data from "./Data.svelte.js";
 import General from "./General.svelte.js";
+import Probe from "./Probe.svelte.js";
 import Rights from "./Rights.svelte.js";
 import ToolLength from "./ToolLength.svelte.js";
 import Zeros from "./Zeros.svelte.js";
@@ -15,6 +16,7 @@ function Settings($$anchor, $$props) {
 	const tabs = $.derived(() => [
 		"zeros",
 		"centring",
+		"probe",
 		"tool",
 		"general",
 		"data",
@@ -42,12 +44,15 @@ function Settings($$anchor, $$props) {
 				Centring($$anchor, {});
 			};
 			var consequent_2 = ($$anchor) => {
-				ToolLength($$anchor, {});
+				Probe($$anchor, {});
 			};
 			var consequent_3 = ($$anchor) => {
-				General($$anchor, {});
+				ToolLength($$anchor, {});
 			};
 			var consequent_4 = ($$anchor) => {
+				General($$anchor, {});
+			};
+			var consequent_5 = ($$anchor) => {
 				Data($$anchor, {});
 			};
 			var alternate = ($$anchor) => {
@@ -56,9 +61,10 @@ function Settings($$anchor, $$props) {
 			$.if(node, ($$render) => {
 				if ($.get(active) === "zeros") $$render(consequent);
 				else if ($.get(active) === "centring") $$render(consequent_1, 1);
-				else if ($.get(active) === "tool") $$render(consequent_2, 2);
-				else if ($.get(active) === "general") $$render(consequent_3, 3);
-				else if ($.get(active) === "data") $$render(consequent_4, 4);
+				else if ($.get(active) === "probe") $$render(consequent_2, 2);
+				else if ($.get(active) === "tool") $$render(consequent_3, 3);
+				else if ($.get(active) === "general") $$render(consequent_4, 4);
+				else if ($.get(active) === "data") $$render(consequent_5, 5);
 				else $$render(alternate, -1);
 			});
 			$.append($$anchor, fragment_1);
