@@ -1,5 +1,5 @@
 // The cycle editor: a pocket filled in, put right, simulated and put into a program; positions, a profile from a drawing.
-import { expect, test, type Page } from './server';
+import { expect, shoot, test, type Page } from './server';
 
 const PROGRAM = 'O7101';
 
@@ -73,7 +73,7 @@ test('a pocket is filled in, simulated and put into a program', async ({ page })
   await put(page, 'rough.step', '5');
   await expect(wrong).toHaveCount(0);
   await written(page);
-  await page.screenshot({ path: 'test-results/cycles-form.png' });
+  await shoot(page, 'cycles-form');
 
   await page.getByTestId('simulate').click();
   const simulation = page.getByTestId('simulation');
@@ -83,7 +83,7 @@ test('a pocket is filled in, simulated and put into a program', async ({ page })
   await expect(simulation).toHaveAttribute('data-time', '0');
   await simulation.getByRole('button', { name: 'Run' }).click();
   await expect.poll(async () => Number(await simulation.getAttribute('data-time'))).toBeGreaterThan(3);
-  await page.screenshot({ path: 'test-results/cycles-simulation.png' });
+  await shoot(page, 'cycles-simulation', 'panel-cycles');
 
   await page.getByTestId('insert').click();
   const text = page.locator('.cm-content');
@@ -96,7 +96,7 @@ test('a pocket is filled in, simulated and put into a program', async ({ page })
   await page.keyboard.press('Space');
   await checked;
   await expect(page.getByTestId('findings')).toHaveCount(0);
-  await page.screenshot({ path: 'test-results/cycles-inserted.png' });
+  await shoot(page, 'cycles-inserted');
 });
 
 test('holes lie on a grid and are the control\'s own cycle', async ({ page }) => {
@@ -126,7 +126,31 @@ test('a pocket is drawn from a DXF with its island', async ({ page }) => {
   await written(page);
   await page.getByTestId('simulate').click();
   await expect.poll(async () => Number(await page.getByTestId('simulation').getAttribute('data-points'))).toBeGreaterThan(200);
-  await page.screenshot({ path: 'test-results/cycles-profile.png' });
+  await shoot(page, 'cycles-profile');
+});
+
+test('a field is taught where the machine stands', async ({ page }) => {
+  await open(page, 'G288');
+  const at = page.locator('[id="field-XC"]');
+  await at.fill('12.5');
+  await expect(at).toHaveValue('12.5');
+  const axis = await page.evaluate(
+    () =>
+      new Promise<number>((resolve) => {
+        const socket = new WebSocket(`ws://${location.host}/api/socket`);
+        socket.onmessage = ({ data }) => {
+          const message = JSON.parse(data as string) as { hello?: string; position?: { work: { X: number } } };
+          if (message.hello) socket.send('{"id":1,"do":"status"}');
+          else if (message.position) {
+            socket.close();
+            resolve(message.position.work.X);
+          }
+        };
+      }),
+  );
+  await at.focus();
+  await page.locator('.field[data-name="XC"]').getByRole('button', { name: "Take the machine's position" }).click();
+  await expect.poll(async () => Number(await at.inputValue())).toBeCloseTo(axis, 3);
 });
 
 test('forms are in the language and the shade that are chosen, and fit a small screen', async ({ page }) => {
@@ -143,5 +167,5 @@ test('forms are in the language and the shade that are chosen, and fit a small s
   for (const one of await page.locator('.form input:visible, .form select:visible, .form button:visible').all()) {
     expect((await one.boundingBox())?.height ?? 44).toBeGreaterThanOrEqual(43.9);
   }
-  await page.screenshot({ path: 'test-results/cycles-small.png' });
+  await shoot(page, 'cycles-small');
 });

@@ -43,7 +43,7 @@ async function work(page: Page, kind: string, meanwhile: () => Promise<unknown>)
   const events: Traced[] = [];
   cdp.on('Tracing.dataCollected', ({ value }) => events.push(...(value as unknown as Traced[])));
   const complete = new Promise((resolve) => cdp.once('Tracing.tracingComplete', resolve));
-  await cdp.send('Tracing.start', { traceConfig: { includedCategories: ['devtools.timeline', 'toplevel', '__metadata'] } });
+  await cdp.send('Tracing.start', { traceConfig: { includedCategories: ['devtools.timeline', 'disabled-by-default-devtools.timeline', 'toplevel', '__metadata'] } });
   await meanwhile();
   await cdp.send('Tracing.end');
   await complete;
@@ -113,6 +113,7 @@ test('a path of a million segments', async ({ context }) => {
     await page.mouse.up();
     await page.waitForTimeout(1000);
   });
+  expect(tasks.length).toBeGreaterThan(60);
   tell('1 M segments, ms that turning blocks at most', tasks.at(-1) ?? 0, 100);
 });
 

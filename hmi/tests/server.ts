@@ -1,13 +1,19 @@
 // A control for the tests: `ferrocut serve` with a memory of its own, on a port that the system chooses.
-import { test as base } from '@playwright/test';
+import { test as base, type Page } from '@playwright/test';
 import { spawn, spawnSync, type ChildProcess } from 'node:child_process';
-import { existsSync, mkdtempSync, rmSync } from 'node:fs';
+import { existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
 /** Passwords of the levels that the tests log in with. */
 export const PASSWORDS: Record<number, string> = { 1: 'maker of controls', 3: 'commissioning crew', 4: 'head of the shop' };
 const binary = process.env.FERROCUT ?? join(import.meta.dirname, '../../target/debug/ferrocut');
+
+/** A picture of a page: an artefact of the tests, and with `SCREENS=write` one of the README besides. */
+export async function shoot(page: Page, name: string, shown = ''): Promise<void> {
+  const picture = await page.screenshot({ path: join(import.meta.dirname, `../test-results/screens/${name}.png`) });
+  if (shown && process.env.SCREENS === 'write') writeFileSync(join(import.meta.dirname, `../../docs/${shown}.png`), picture);
+}
 
 export type Server = { url: string; memory: string };
 
