@@ -389,7 +389,7 @@ test('the ladder shows where power flows', async ({ page }) => {
   await key.hover();
   await page.mouse.down();
   await expect(start).toHaveClass(/conducts/);
-  await shoot(page, 'plc', 'panel-plc');
+  await shoot(page, 'plc');
   await page.mouse.up();
   await expect(start).not.toHaveClass(/conducts/);
 });
