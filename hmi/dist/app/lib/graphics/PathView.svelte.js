@@ -36,6 +36,7 @@ function PathView($$anchor, $$props) {
 			made.size(canvas.clientWidth, canvas.clientHeight, ratio);
 			$.get(above).width = canvas.clientWidth * ratio;
 			$.get(above).height = canvas.clientHeight * ratio;
+			last = "";
 			overlay();
 		});
 		sized.observe(canvas);
