@@ -206,6 +206,13 @@ pub enum Command {
         /// Its value; none is as delivered.
         value: Option<f64>,
     },
+    /// Turns the parameter switch, in MDI. While it is on an alarm stands (GSK990MC part 2, 3.4.1).
+    ParameterSwitch {
+        /// On: parameters may be changed by hand.
+        on: bool,
+    },
+    /// The alarm of the parameter switch goes, and the switch stays on.
+    AcceptParameterSwitch,
     /// Reads the reference points.
     ReferencePoints,
     /// Sets a reference point on some axes, in MDI and the right of commissioning (level 3).
@@ -295,6 +302,34 @@ pub enum Command {
     },
     /// The powered flow of the ladder as of its last scan.
     LadderFlow,
+    /// Begins to trace signals of the ladder, sampled at each scan, in place of the trace before.
+    Trace {
+        /// Names or addresses of bits, up to 32.
+        signals: Vec<String>,
+        /// Samples that are kept, up to 100,000.
+        #[serde(default = "many_samples")]
+        samples: u32,
+        /// What sets off the end; without it the last samples are kept.
+        #[serde(default)]
+        trigger: Option<TraceTrigger>,
+        /// Samples behind the trigger; half of all where it is missing.
+        #[serde(default)]
+        behind: Option<u32>,
+        /// Whether only samples that differ from the one before are kept.
+        #[serde(default)]
+        changes_only: bool,
+    },
+    /// What was traced, in as many parts as asked for.
+    Traced {
+        /// The first sample, from 0.
+        #[serde(default)]
+        from: u32,
+        /// How many samples at most.
+        #[serde(default = "many_rows")]
+        most: u32,
+    },
+    /// Ends the trace and forgets it.
+    EndTrace,
     /// Forces a signal, in the right of maintenance (level 2).
     Force {
         /// Its name or address.
@@ -397,6 +432,33 @@ fn once() -> u32 {
 
 fn many_rows() -> u32 {
     1000
+}
+
+fn many_samples() -> u32 {
+    10_000
+}
+
+/// What sets off the end of a trace.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+pub struct TraceTrigger {
+    /// Its name or address.
+    pub signal: String,
+    /// What it does.
+    pub edge: TraceEdge,
+}
+
+/// What a signal does.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[serde(rename_all = "snake_case")]
+pub enum TraceEdge {
+    /// It turns on.
+    Rising,
+    /// It turns off.
+    Falling,
+    /// Either.
+    Change,
 }
 
 /// What sets off the end of a recording.
@@ -738,6 +800,20 @@ pub enum Reply {
         /// Rows as CSV: time in s since the trigger or the beginning, and the quantities; the line of the names stands
         /// before row 0. Fewer than asked for at the end, and where the answer would be too long.
         csv: String,
+    },
+    /// What was traced of the ladder.
+    Traced {
+        /// Whether all samples are there.
+        done: bool,
+        /// When the trigger came, s since the ladder started.
+        triggered: Option<f64>,
+        /// The signals in the order of the bits, as addresses.
+        signals: Vec<String>,
+        /// Samples that are there.
+        samples: u32,
+        /// Samples: time, s since the ladder started, and the signals, bit n for signal n. The oldest is number 0: one
+        /// that is written over while the trace runs is lost.
+        rows: Vec<(f64, u32)>,
     },
     /// Points that were taken by hand, machine positions by number.
     Points {
@@ -1114,8 +1190,10 @@ pub struct Status {
     pub lamps: Vec<String>,
     /// Positions of the panel's switches, by the ladder's names.
     pub panel: BTreeMap<String, u8>,
-    /// The rights of who asks, 1 to 5; else the highest that anyone has logged in with.
-    pub level: u8,
+    /// The rights of who asks, 1 to 5. A status that nobody asked for has none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "typescript", ts(optional))]
+    pub level: Option<u8>,
 }
 
 /// Positions, mm and degrees.
@@ -1208,6 +1286,9 @@ pub struct SwitchStatus {
     pub machine_lock: bool,
     /// Auxiliary lock.
     pub auxiliary_lock: bool,
+    /// The parameter switch: parameters may be changed by hand. None on a control without one.
+    #[serde(default)]
+    pub parameters: Option<bool>,
 }
 
 /// Counters and times.

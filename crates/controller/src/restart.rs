@@ -81,6 +81,8 @@ pub struct Journal {
     origin: Origin,
     answers: VecDeque<Answer>,
     interrupted: Option<Interrupted>,
+    /// Where the axes stood in a run of which nothing else was kept.
+    stood: Option<Position>,
     /// The memory as the run left it.
     left: Option<Memory>,
 }
@@ -121,6 +123,7 @@ impl Journal {
             origin: Origin::Kept,
             answers: VecDeque::new(),
             interrupted: None,
+            stood: None,
             left: None,
         }
     }
@@ -128,6 +131,13 @@ impl Journal {
     /// A journal of no run, which starts from the present state of `interpreter`.
     pub fn of_present(interpreter: &Interpreter, renamed: Position) -> Journal {
         Journal { origin: Origin::Present, ..Journal::begin(interpreter, renamed) }
+    }
+
+    /// The same of a run that was broken off with the axes at this machine position, in the block that is searched by
+    /// its number.
+    #[must_use]
+    pub fn broken_at(self, stood: Option<Position>) -> Journal {
+        Journal { stood, ..self }
     }
 
     /// Notes what the machine told the program.
@@ -216,7 +226,11 @@ impl Journal {
         let position = interpreter.start_of_next_block()?;
         let in_force = interpreter.program_state();
         let block = interpreter.blocks_begun() + 1;
-        let broken_at = self.interrupted.filter(|_| at == At::Interrupted).map(|interrupted| interrupted.at);
+        let broken_at = match at {
+            At::Interrupted => self.interrupted.map(|interrupted| interrupted.at),
+            At::Number(_) => self.stood,
+            At::Line { .. } => None,
+        };
         let left = broken_at.and_then(|broken| holes::done_before(&interpreter, position, broken));
         interpreter.leave_begun_blocks_behind();
         // The block is begun, and what was done of it is not given out again.

@@ -5,9 +5,10 @@
 mod common;
 
 use common::shop::Shop;
-use ferrocut_controller::Mode;
-use ferrocut_controller::api::{Activity, Command, Event, OffsetValues, RelativeTo, Reply};
+use ferrocut_controller::api::{Activity, Command, Event, OffsetValues, RelativeTo, Reply, Status};
 use ferrocut_controller::signals::{RapidOverride, Ways};
+use ferrocut_controller::{Mode, Parts};
+use ferrocut_machine::Machine;
 
 const LONG: &str = "O1\nN1 G90 G94 G1 X20 F1200\nN2 X40 Y10\nN3 X60 Y0\nN4 X80\nM30\n";
 
@@ -335,9 +336,14 @@ fn data_by_hand() {
     shop.start();
     shop.until_it_stops();
     assert_eq!(shop.x(), 1.5);
-    shop.say(Command::SetParameter { name: "P98".into(), value: Some(1000.0) });
+    // 3.4.1: only while the parameter switch is on.
+    let set = Command::SetParameter { name: "P98".into(), value: Some(1000.0) };
+    assert_eq!(shop.refused(set.clone()), "gsk990mc:0068");
+    shop.say(Command::ParameterSwitch { on: true });
+    shop.say(set);
     assert_eq!(shop.refused(Command::SetParameter { name: "P98".into(), value: Some(-1.0) }), "FC-1206");
     assert_eq!(shop.refused(Command::SetParameter { name: "HAT".into(), value: Some(1.0) }), "FC-1206");
+    shop.say(Command::ParameterSwitch { on: false });
     // The place of the axis gets a coordinate: 1.5 = zero + 10.
     shop.say(Command::ZeroHere { system: "G54".into(), axes: [('X', 10.0)].into() });
     let position = shop.wait(1).position;
@@ -371,4 +377,68 @@ fn subprograms_come_from_the_memory_and_dnc_from_outside() {
     shop.say(Command::Dnc { text: "0\nM98 P7\nM30\n".into(), first: false, last: true });
     shop.start();
     assert_eq!((shop.until_it_stops().counters.parts, shop.x()), (2, 21.0));
+}
+
+#[test]
+fn the_parameter_switch_lets_parameters_be_changed_and_is_an_alarm_meanwhile() {
+    let mut shop = Shop::new(&[]);
+    let turn = |on| Command::ParameterSwitch { on };
+    let ids = |status: Status| status.alarms.into_iter().map(|alarm| alarm.id).collect::<Vec<_>>();
+    // In MDI, and not before.
+    assert_eq!(shop.refused(turn(true)), "FC-1400");
+    shop.mode(Mode::Mdi);
+    assert_eq!(shop.wait(1).switches.parameters, Some(false));
+    let point = Command::SetReferencePoint { number: 2, axes: [('X', 5.0)].into() };
+    assert_eq!(shop.refused(point.clone()), "gsk990mc:0068");
+    shop.events.clear();
+    shop.say(turn(true));
+    let status = shop.wait(2);
+    assert_eq!((status.activity, status.switches.parameters), (Activity::Alarm, Some(true)));
+    assert_eq!(
+        (ids(status), shop.told()),
+        (vec!["gsk990mc:0100".to_owned()], vec!["gsk990mc:0100".to_owned()])
+    );
+    shop.say(point);
+    // Nothing is started and no axis moved; reset is no help.
+    shop.say(Command::Mdi { text: "G0 X1".into() });
+    shop.start();
+    assert_eq!(shop.told(), ["FC-1405"]);
+    shop.say(Command::Reset);
+    assert_eq!(ids(shop.wait(20)), ["gsk990mc:0100"]);
+    shop.mode(Mode::Jog);
+    shop.inputs.jog[0].plus = true;
+    assert_eq!(shop.wait(300).position.machine[&'X'], 0.0);
+    shop.inputs.jog[0].plus = false;
+    shop.mode(Mode::Mdi);
+    // Accepted, it is on still; off and on it is an alarm again.
+    shop.say(Command::AcceptParameterSwitch);
+    let status = shop.wait(2);
+    assert_eq!((status.activity, status.switches.parameters), (Activity::Idle, Some(true)));
+    assert!(shop.events.contains(&Event::AlarmsCleared));
+    shop.say(Command::SetParameter { name: "P98".into(), value: Some(900.0) });
+    shop.start();
+    shop.until_it_stops();
+    assert_eq!(shop.x(), 1.0);
+    shop.say(turn(false));
+    assert_eq!(shop.refused(Command::SetParameter { name: "P98".into(), value: None }), "gsk990mc:0068");
+    shop.say(turn(true));
+    assert_eq!(shop.wait(2).activity, Activity::Alarm);
+    shop.events.clear();
+    shop.say(turn(false));
+    assert_eq!(shop.wait(2).activity, Activity::Idle);
+    assert!(shop.events.contains(&Event::AlarmsCleared));
+    // What a program sets (G10) is its own affair.
+    shop.say(Command::Mdi { text: "G10 L51\nN98 R800\nG11".into() });
+    shop.start();
+    shop.until_it_stops();
+    let Reply::Parameters { parameters } = shop.say(Command::Parameters { names: vec!["P98".into()] }) else {
+        panic!()
+    };
+    assert_eq!(parameters["P98"], 800.0);
+    // A control that has no such switch.
+    let machine = Machine { dialect: "rs274".into(), ..Machine::demo_mill() };
+    let mut shop = Shop::of(&machine, Parts::default());
+    shop.mode(Mode::Mdi);
+    assert_eq!(shop.wait(1).switches.parameters, None);
+    assert_eq!(shop.refused(turn(true)), "FC-1406");
 }

@@ -271,6 +271,39 @@ fn power_that_fails_in_a_cut_leaves_the_place_of_a_moment_before() {
 }
 
 #[test]
+fn a_cycle_goes_on_with_its_hole_after_the_power_too() {
+    let folder = tempfile::tempdir().unwrap();
+    let holes = "G54 G90 G0 X0 Y0 Z5\nM3 S1000\nG91 G99 G81 X10 Z-8 R-6 F600 K5\nG90 G80 G0 Z5\nM5\nM30\n";
+    {
+        let mut shop = shop_on(folder.path());
+        shop.store("O0001", holes);
+        shop.select("O1");
+        shop.start();
+        // In the fourth hole; the power fails a second and more later, in the fourth or the fifth.
+        for _ in 0..100_000 {
+            if shop.wait(1).position.machine[&'X'] == 40.0 {
+                break;
+            }
+        }
+        shop.wait(1100);
+    }
+    let mut shop = shop_on(folder.path());
+    shop.mode(Mode::Mdi);
+    shop.say(Command::Mdi { text: "G90 G0 Z20\nX10".into() });
+    shop.start();
+    shop.until_it_stops();
+    shop.control.flush().unwrap();
+    drop(shop);
+    // Once more: what was moved since says nothing of the run.
+    let mut shop = shop_on(folder.path());
+    shop.mode(Mode::Auto);
+    let plan = prepared(&mut shop, restart(None, true)).unwrap();
+    assert_eq!((plan.line, plan.origin.as_str()), (3, "present"));
+    assert!(matches!(plan.hole, 4 | 5), "{plan:?}");
+    assert_eq!(plan.position[&'X'], f64::from(plan.hole - 1) * 10.0);
+}
+
+#[test]
 fn a_cycle_goes_on_with_the_hole_that_was_interrupted() {
     // Five holes in one block, ten apart, from R at Z -1 to -9.
     let holes = "G54 G90 G0 X0 Y0 Z5\nM3 S1000\nG91 G99 G81 X10 Z-8 R-6 F600 K5\nG90 G80 G0 Z5\nM5\nM30\n";

@@ -32,14 +32,29 @@ fn a_reference_point_is_set_used_and_kept() {
     {
         let mut shop = shop_on(folder.path(), &[]);
         shop.mode(Mode::Mdi);
+        shop.say(Command::ParameterSwitch { on: true });
         let denied = shop.control.command(set.clone(), &person()).unwrap_err().alarm.id;
         assert_eq!(denied, "FC-1213", "an operator may not");
         shop.control.command(set.clone(), &maintenance()).unwrap();
         shop.wait(1);
         assert!(shop.events.contains(&Event::Changed { item: "reference-points".into() }));
+        shop.say(Command::ParameterSwitch { on: false });
         shop.say(Command::Mdi { text: "G91 G30 P2 X0".into() });
         shop.start();
         assert_eq!(shop.until_it_stops().position.machine[&'X'], 33.0);
+        // Of the other two likewise; the ladder hears where an axis stands.
+        assert!(shop.control.outputs().at_further_reference[0][0]);
+        for number in [3, 4] {
+            shop.say(Command::ParameterSwitch { on: true });
+            let axes = [('X', f64::from(number) * 7.0)].into();
+            shop.control.command(Command::SetReferencePoint { number, axes }, &maintenance()).unwrap();
+            shop.say(Command::ParameterSwitch { on: false });
+            shop.say(Command::Mdi { text: format!("G91 G30 P{number} X0") });
+            shop.start();
+            assert_eq!(shop.until_it_stops().position.machine[&'X'], f64::from(number) * 7.0);
+            let stands = shop.control.outputs().at_further_reference.map(|axes| axes[0]);
+            assert_eq!(stands, [2, 3, 4].map(|of| of == number));
+        }
         for bad in [0, 5] {
             let command = Command::SetReferencePoint { number: bad, axes: [('X', 1.0)].into() };
             let refused = shop.control.command(command, &maintenance()).unwrap_err();
@@ -50,7 +65,7 @@ fn a_reference_point_is_set_used_and_kept() {
     }
     let mut shop = shop_on(folder.path(), &[]);
     let Reply::ReferencePoints { points } = shop.say(Command::ReferencePoints) else { panic!() };
-    assert_eq!((points[&2][&'X'], points[&2][&'Z'], points[&3][&'X']), (33.0, -5.0, 0.0));
+    assert_eq!((points[&2][&'X'], points[&2][&'Z'], points[&3][&'X']), (33.0, -5.0, 21.0));
 }
 
 #[test]

@@ -392,11 +392,18 @@ fn a_tool_is_measured_on_the_setter_and_the_setter_by_a_known_tool() {
     assert_eq!(measure(&mut shop, command(broken.clone(), "measure_tool")).unwrap_err(), "FC-1475");
     shop.say(Command::Reset);
     shop.wait(20);
+    // One that misses the setter goes no farther than it may.
+    let short = json!({"mode": "length", "h": 4, "length": 95.0});
+    assert_eq!(measure(&mut shop, command(short, "measure_tool")).unwrap_err(), "gsk990mc:0283");
+    shop.say(Command::Reset);
+    shop.wait(20);
     broken["tolerance"] = json!(5.0);
     assert!(measure(&mut shop, command(broken, "measure_tool")).is_ok());
     // NO4.0: without a setter there is none to measure on.
     shop.mode(Mode::Mdi);
+    shop.say(Command::ParameterSwitch { on: true });
     shop.say(Command::SetParameter { name: "NO4.0".into(), value: Some(0.0) });
+    shop.say(Command::AcceptParameterSwitch);
     shop.mode(Mode::Auto);
     let asked = json!({"mode": "length", "h": 4});
     assert_eq!(shop.refused(command(asked, "measure_tool")), "gsk990mc:0282");

@@ -66,7 +66,10 @@ fn what_was_entered_run_and_counted_is_there_after_the_power() {
         // An operator may not change the machine; the refusal says what is needed.
         mode(&mut control, Mode::Mdi);
         let set = Command::SetParameter { name: "P66".into(), value: Some(1.0) };
+        assert_eq!(control.command(set.clone(), &person()).unwrap_err().alarm.id, "gsk990mc:0068");
+        say(&mut control, Command::ParameterSwitch { on: true });
         assert_eq!(control.command(set, &person()).unwrap_err().alarm.id, "FC-1213");
+        say(&mut control, Command::ParameterSwitch { on: false });
         mode(&mut control, Mode::Auto);
         for _ in 0..2 {
             start(&mut control, Mode::Auto);
@@ -103,7 +106,8 @@ fn what_was_entered_run_and_counted_is_there_after_the_power() {
     let Reply::AlarmHistory { alarms } = say(&mut control, Command::AlarmHistory { most: 9 }) else {
         panic!()
     };
-    assert_eq!((alarms.len(), alarms[0].program.as_str(), alarms[0].line), (1, "O0002", 1));
+    assert_eq!((alarms.len(), alarms[0].program.as_str(), alarms[0].line), (2, "O0002", 1));
+    assert_eq!(alarms[1].id, "gsk990mc:0100");
     let Reply::OperationLog { entries } = say(&mut control, Command::OperationLog { most: 99 }) else {
         panic!()
     };
@@ -138,6 +142,65 @@ fn a_change_while_axes_move_does_not_wait_for_the_disk() {
     }
     assert!(changed);
     assert_eq!(control.interpreter().memory().tools.get(3).unwrap().length, 2.5);
+}
+
+/// Waits until so many changes of offsets are made.
+fn until_changed(control: &mut Control, mut times: usize) {
+    for _ in 0..20_000 {
+        wait(control, 1);
+        let is_change = |event: &Event| *event == Event::Changed { item: "offsets".into() };
+        times = times.saturating_sub(control.events().iter().filter(|event| is_change(event)).count());
+        if times == 0 {
+            return;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+    panic!("{times} changes are missing");
+}
+
+#[test]
+fn quick_changes_of_one_row_while_axes_move_are_made_in_their_order_and_all_logged() {
+    let folder = tempfile::tempdir().unwrap();
+    {
+        let mut control = control(folder.path());
+        mode(&mut control, Mode::Auto);
+        let text = "#500=7\nG1 X400 F1200\nM30\n".to_owned();
+        say(&mut control, Command::Store { program: "O0001".into(), text });
+        say(&mut control, Command::Select { program: "O1".into() });
+        start(&mut control, Mode::Auto);
+        let set = |control: &mut Control, values: OffsetValues, add: bool| {
+            assert_eq!(say(control, Command::SetOffset { number: 3, values, add }), Reply::OnItsWay);
+        };
+        let (length, radius) = (OffsetValues::default(), OffsetValues::default());
+        set(&mut control, OffsetValues { length: Some(1.0), ..length.clone() }, false);
+        set(&mut control, OffsetValues { radius: Some(5.0), ..radius }, false);
+        set(&mut control, OffsetValues { length: Some(2.0), ..length.clone() }, false);
+        set(&mut control, OffsetValues { length: Some(0.5), ..length.clone() }, true);
+        set(&mut control, OffsetValues { length: Some(0.25), ..length }, true);
+        let zero = |x| Command::SetZero { system: "external".into(), axes: [('X', x)].into(), add: true };
+        // 7.2: zeros are not changed while a program runs.
+        assert!(control.command(zero(1.0), &person()).is_err());
+        until_changed(&mut control, 5);
+        let row = *control.interpreter().memory().tools.get(3).unwrap();
+        assert_eq!((row.length, row.radius), (2.75, 5.0));
+        control.flush().unwrap();
+    }
+    let mut control = control(folder.path());
+    let memory = control.interpreter().memory();
+    let row = memory.tools.get(3).unwrap();
+    assert_eq!((row.length, row.radius), (2.75, 5.0));
+    // What the program wrote before is not lost among them.
+    assert_eq!(memory.variables.get(500), Some(7.0));
+    let Reply::OperationLog { entries } = say(&mut control, Command::OperationLog { most: 99 }) else {
+        panic!()
+    };
+    let of_offset = entries.iter().rev().filter(|entry| entry.name.starts_with("3 "));
+    let logged: Vec<String> =
+        of_offset.map(|entry| format!("{} {}>{}", entry.name, entry.from, entry.to)).collect();
+    assert_eq!(
+        logged,
+        ["3 length 0>1", "3 radius 0>5", "3 length 1>2", "3 length 2>2.5", "3 length 2.5>2.75"]
+    );
 }
 
 /// The child: counts #500 up by a program, again and again, and an offset by hand; says what a person was told is kept.

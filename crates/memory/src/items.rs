@@ -267,7 +267,7 @@ pub struct LastPosition {
 }
 
 /// The block at which a run was broken off, or of a run that is under way the one that was told last.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct InterruptedRun {
     /// When that was told.
     pub time: Time,
@@ -283,6 +283,8 @@ pub struct InterruptedRun {
     pub block: u64,
     /// Its text, cut where it is long: by this it is known again.
     pub text: String,
+    /// Machine position where the axes stood; none in what an older version kept.
+    pub at: Option<Position>,
 }
 
 /// A change to the memory.

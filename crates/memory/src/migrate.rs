@@ -6,10 +6,11 @@
 
 use crate::database::{Access, Database, SCHEMA};
 use crate::error::Error;
+use crate::rows::interrupted_without_place;
 use crate::snapshot;
 use crate::table::{
-    ABOUT, ALARM, COUNTER, LAST_POSITION, LOG, PARAMETER, PASSWORD, PITCH, PROGRAM, REFERENCE_POINT, Row,
-    SIGNAL, TABLES, TOOL_OFFSET, TOTAL, TRIES, Table, VARIABLE, WORK_ZERO,
+    ABOUT, ALARM, COUNTER, INTERRUPTED, Kind, LAST_POSITION, LOG, PARAMETER, PASSWORD, PITCH, PROGRAM,
+    REFERENCE_POINT, Row, SIGNAL, TABLES, TOOL_OFFSET, TOTAL, TRIES, Table, VARIABLE, WORK_ZERO,
 };
 use std::path::Path;
 
@@ -44,13 +45,57 @@ const FIRST: &[Table] = &[
     TRIES,
 ];
 
+/// The run that was broken off, in version 2: without the place where the axes stood.
+const SECOND_INTERRUPTED: Table = Table {
+    name: "interrupted",
+    keys: 1,
+    columns: &[
+        ("number", Kind::Whole),
+        ("time", Kind::Whole),
+        ("program", Kind::Text),
+        ("from_line", Kind::Whole),
+        ("file", Kind::Text),
+        ("line", Kind::Whole),
+        ("block", Kind::Whole),
+        ("text", Kind::Text),
+    ],
+};
+
+/// The tables of version 2.
+const SECOND: &[Table] = &[
+    ABOUT,
+    TOTAL,
+    PROGRAM,
+    PARAMETER,
+    TOOL_OFFSET,
+    WORK_ZERO,
+    REFERENCE_POINT,
+    VARIABLE,
+    PITCH,
+    SIGNAL,
+    COUNTER,
+    ALARM,
+    LOG,
+    LAST_POSITION,
+    SECOND_INTERRUPTED,
+    PASSWORD,
+    TRIES,
+];
+
+/// A row of version 2 as one of version 3.
+fn with_place(table: &str, row: Row) -> Option<(&'static str, Row)> {
+    let row = if table == INTERRUPTED.name { interrupted_without_place(row) } else { row };
+    as_it_is(table, row)
+}
+
 /// A row that stays as it is.
 fn as_it_is(table: &str, row: Row) -> Option<(&'static str, Row)> {
     Table::named(table).map(|table| (table.name, row))
 }
 
 /// The steps, in order. Version 1 is the first.
-const STEPS: &[Step] = &[Step { from: 1, tables: FIRST, row: as_it_is }];
+const STEPS: &[Step] =
+    &[Step { from: 1, tables: FIRST, row: as_it_is }, Step { from: 2, tables: SECOND, row: with_place }];
 
 /// The tables of a version; none of one that is not known.
 pub fn tables_of(version: u32) -> Option<&'static [Table]> {
@@ -89,7 +134,7 @@ fn migrate_by(steps: &[Step], folder: &Path, path: &Path, from: u32, snapshots: 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::table::{Cell, Kind};
+    use crate::table::Cell;
 
     /// A version before the first, for the test alone: variables had no names but numbers.
     const OLD_VARIABLE: Table =
@@ -138,5 +183,34 @@ mod tests {
             Some(vec!["#501".into(), 250.5.into()])
         );
         assert_eq!(database.get(&VARIABLE, &["#0".into()]).unwrap(), None);
+    }
+
+    #[test]
+    fn a_run_that_an_older_version_kept_has_no_place() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("memory.db");
+        Database::create_as(&path, "gsk990mc", 2, SECOND).unwrap();
+        let row: Row = vec![
+            1i64.into(),
+            9i64.into(),
+            "O0001".into(),
+            1i64.into(),
+            "O0002".into(),
+            3i64.into(),
+            12i64.into(),
+            "G81 X1 K5".into(),
+        ];
+        {
+            let mut database = Database::open(&path, Access::Write).unwrap();
+            database.begin().unwrap();
+            database.put(&SECOND_INTERRUPTED, &row).unwrap();
+            database.commit().unwrap();
+        }
+        migrate(folder.path(), &path, 2, 3).unwrap();
+        assert_eq!(Database::verify(&path, Access::Read, tables_of).unwrap().schema, SCHEMA);
+        let database = Database::open(&path, Access::Read).unwrap();
+        let row = database.get(&INTERRUPTED, &[1i64.into()]).unwrap().unwrap();
+        let run = crate::rows::interrupted(&row).unwrap();
+        assert_eq!((run.block, run.text.as_str(), run.at), (12, "G81 X1 K5", None));
     }
 }

@@ -394,7 +394,7 @@ pub const INTERRUPTED_KEY: u8 = 1;
 
 /// An interrupted run as a row.
 pub fn interrupted_row(run: &InterruptedRun) -> Row {
-    vec![
+    let run_cells: [Cell; 9] = [
         INTERRUPTED_KEY.into(),
         run.time.into(),
         cut(&run.program).into(),
@@ -403,7 +403,16 @@ pub fn interrupted_row(run: &InterruptedRun) -> Row {
         i64::from(run.line).into(),
         i64::try_from(run.block).unwrap_or(i64::MAX).into(),
         cut(&run.text).into(),
-    ]
+        u8::from(run.at.is_some()).into(),
+    ];
+    run_cells.into_iter().chain(position_cells(&run.at.unwrap_or_default())).collect()
+}
+
+/// A row of an interrupted run of version 2 of the schema, which knew no place, as one of today.
+pub fn interrupted_without_place(mut row: Row) -> Row {
+    row.push(0u8.into());
+    row.extend(position_cells(&Position::ZERO));
+    row
 }
 
 /// The interrupted run of a row.
@@ -417,10 +426,13 @@ pub fn interrupted(row: &[Cell]) -> Option<InterruptedRun> {
         Cell::Whole(line),
         Cell::Whole(block),
         Cell::Text(text),
+        Cell::Whole(has_place @ (0 | 1)),
+        axes @ ..,
     ] = row
     else {
         return None;
     };
+    let at = position(axes)?;
     let is_short = [program, file, text].iter().all(|text| text.len() <= limits::TEXT);
     is_short.then_some(())?;
     Some(InterruptedRun {
@@ -431,6 +443,7 @@ pub fn interrupted(row: &[Cell]) -> Option<InterruptedRun> {
         line: u32::try_from(*line).ok()?,
         block: u64::try_from(*block).ok()?,
         text: text.clone(),
+        at: (*has_place == 1).then_some(at),
     })
 }
 

@@ -226,7 +226,7 @@ pub const LAST_POSITION: Table = Table {
 pub const INTERRUPTED: Table = Table {
     name: "interrupted",
     keys: 1,
-    columns: &[
+    columns: position_columns![
         ("number", Whole),
         ("time", Whole),
         ("program", Text),
@@ -235,6 +235,7 @@ pub const INTERRUPTED: Table = Table {
         ("line", Whole),
         ("block", Whole),
         ("text", Text),
+        ("has_place", Whole)
     ],
 };
 

@@ -42,6 +42,7 @@ fn everything_is_there_after_power_off() {
         line: 7,
         block: 31,
         text: "G1 X3".to_owned(),
+        at: Some(Position::xyz(3.0, -4.5, 0.25)),
     };
     let before = {
         let store = open(folder.path());

@@ -150,6 +150,7 @@ impl Service for Panel {
             | Command::Ladder
             | Command::LadderFlow
             | Command::Captured { .. }
+            | Command::Traced { .. }
             | Command::Restarts
             | Command::ReferencePoints
             | Command::Pitch { .. }

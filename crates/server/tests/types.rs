@@ -80,7 +80,7 @@ fn written() -> String {
         Reply,
         Event,
     );
-    declare!(said: CaptureTrigger, MeasureForm, MeasurePace, MeasureWork, MeasureTool, Command);
+    declare!(said: TraceEdge, TraceTrigger, CaptureTrigger, MeasureForm, MeasurePace, MeasureWork, MeasureTool, Command);
     for (always, optional) in LEFT_OUT {
         assert!(text.contains(always), "{always:?} is not there any more");
         text = text.replace(always, optional);

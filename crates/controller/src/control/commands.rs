@@ -1,7 +1,7 @@
 //! What a front says, and what comes of it. Data go through the durable memory, which judges rights.
 
 use super::taking_up::Wanted;
-use super::{Control, alarm, capture, library, name_of};
+use super::{Control, alarm, capture, library, name_of, trace};
 use crate::api::{
     API_VERSION, ByAxis, Command, Event, LogLine, OffsetValues, PastAlarm, ProgramInfo, Refusal, RelativeTo,
     Reply,
@@ -111,6 +111,8 @@ impl Control {
             }
             Command::Parameters { names } => self.parameters(&names),
             Command::SetParameter { name, value } => self.set_parameter(&name, value, author),
+            Command::ParameterSwitch { on } => self.turn_parameter_switch(on, author),
+            Command::AcceptParameterSwitch => Ok(self.accept_parameter_switch()),
             Command::ReferencePoints => Ok(self.reference_points()),
             Command::SetReferencePoint { number, axes } => self.set_reference_point(number, &axes, author),
             Command::Pitch { axis } => self.pitch(axis),
@@ -152,6 +154,11 @@ impl Control {
                 let plc = self.plc.as_ref().ok_or_else(|| named(Fault::NotFitted, "ladder"))?;
                 Ok(Reply::LadderFlow { power: plc.flow().map(|flow| flow.is_powered).collect() })
             }
+            Command::Trace { signals, samples, trigger, behind, changes_only } => {
+                self.begin_trace(&trace::Wanted { signals, samples, trigger, behind, changes_only })
+            }
+            Command::Traced { from, most } => self.traced(from, most),
+            Command::EndTrace => Ok(self.end_trace()),
             Command::Force { signal, value } => self.force(&signal, value, author),
             Command::ExchangeLadder { text } => self.exchange_ladder(&text, author),
             Command::RollBackLadder => {
@@ -191,7 +198,7 @@ impl Control {
             Command::Restore { file, items } => self.restore(&file, &items, author),
             Command::Status => {
                 let mut status = self.status();
-                status.level = author.level().map_or(status.level, Level::number);
+                status.level = author.level().map(Level::number);
                 Ok(Reply::Status(Box::new(status)))
             }
             Command::Version => Ok(Reply::Version {
@@ -259,7 +266,7 @@ impl Control {
         Ok(Reply::Done)
     }
 
-    fn address(&self, name: &str) -> Result<Address, Box<Alarm>> {
+    pub(super) fn address(&self, name: &str) -> Result<Address, Box<Alarm>> {
         let plc = self.plc.as_ref().ok_or_else(|| named(Fault::NotFitted, "ladder"))?;
         let known = plc.program().signal(name).or_else(|| Address::parse(name).ok());
         known.ok_or_else(|| Box::new(named(Fault::NoSuchName, name)))
@@ -448,8 +455,7 @@ impl Control {
     }
 
     fn set_offset(&mut self, number: u16, values: OffsetValues, add: bool, author: &Author) -> Answer {
-        let table = &self.cnc.interpreter().memory().tools;
-        let row = table.get(number).filter(|_| number > 0).copied();
+        let row = self.offset_asked(number).filter(|_| number > 0);
         let mut offset = row.ok_or_else(|| named(Fault::NoSuchName, number.to_string()))?;
         for (slot, value) in [
             (&mut offset.length, values.length),
@@ -492,8 +498,7 @@ impl Control {
     pub(super) fn zero_of(&self, system: &str) -> Result<(WorkOffset, Position), Box<Alarm>> {
         let missing = || named(Fault::NoSuchName, system);
         let name: WorkOffset = system.parse().map_err(|_| missing())?;
-        let zero = self.cnc.interpreter().memory().work.get(name).ok_or_else(missing)?;
-        Ok((name, zero))
+        Ok((name, self.zero_asked(name).ok_or_else(missing)?))
     }
 
     /// The axis at rest has this coordinate in the system, other shifts aside (3.4.2).
@@ -513,7 +518,7 @@ impl Control {
     /// Machine positions of a zero, as the zero of a system that the external one is added to.
     pub(super) fn without_external(&self, system: &str, zeros: ByAxis) -> Result<ByAxis, Box<Alarm>> {
         let (name, _) = self.zero_of(system)?;
-        let external = self.cnc.interpreter().memory().work.get(WorkOffset::External).unwrap_or_default();
+        let external = self.zero_asked(WorkOffset::External).unwrap_or_default();
         let external = if name == WorkOffset::External { Position::ZERO } else { external };
         let less = |(letter, at)| Ok((letter, at - external[self.axis_named(letter)?]));
         zeros.into_iter().map(less).collect()
@@ -544,12 +549,8 @@ impl Control {
         Ok(Reply::Parameters { parameters })
     }
 
-    /// Parameters are set in MDI, and not while a program is under way.
     fn set_parameter(&mut self, name: &str, value: Option<f64>, author: &Author) -> Answer {
-        self.needs(Mode::Mdi, author)?;
-        if self.cnc.is_under_way() {
-            return Err(Box::new(alarm(Fault::ControlBusy)));
-        }
+        self.may_set_parameters(author)?;
         let key: ParameterKey = name.parse().map_err(|_| named(Fault::NoSuchName, name))?;
         if let Some(value) = finite(value)? {
             let parameters = &self.cnc.interpreter().memory().parameters;

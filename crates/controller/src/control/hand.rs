@@ -18,7 +18,7 @@ impl Control {
         let shifts = self.bit(56, 3);
         let counts = std::mem::take(&mut self.counts);
         self.cnc.set_interruption(modes::by_hand(self.mode, shifts));
-        if self.emergency || !self.inputs.axes_may_move || self.active.is_some() {
+        if !self.inputs.axes_may_move || self.is_alarmed() {
             self.release_axes();
             return;
         }

@@ -9,12 +9,15 @@ use super::status::Count;
 use super::{Control, alarm};
 use crate::api::{AlarmInfo, Event};
 use ferrocut_geometry::Position;
-use ferrocut_machine::{Alarm, Fault, Memory};
+use ferrocut_interpreter::Interpreter;
+use ferrocut_machine::{Alarm, Fault, Memory, ToolOffset, WorkOffset};
 use ferrocut_memory::control::{ENTERED, KEPT_VARIABLES, changes, enter};
 use ferrocut_memory::{
     AlarmEntry, Author, Change, Counter, InterruptedRun, Item, LastPosition, Pending, PlcArea, Store,
 };
 use ferrocut_plc::{Address, Area, Plc};
+use ferrocut_program::FileId;
+use std::collections::VecDeque;
 use std::sync::Arc;
 
 /// Time between looks at what a program has changed, s.
@@ -33,11 +36,12 @@ pub(super) struct Keeping {
     plc: Vec<(Address, u8)>,
     counters: Count,
     position: Option<Position>,
-    /// The block of the run that was told last.
+    /// The block of the run that was told last, and where the axes stood.
     block: u64,
+    stood: Option<Position>,
     was_moving: bool,
     /// Changes of persons on their way.
-    pending: Vec<(Pending, Vec<Change>)>,
+    pending: VecDeque<(Pending, Vec<Change>)>,
     look_in: f64,
     slow_in: f64,
     /// The disk was told to be at fault, once.
@@ -91,8 +95,9 @@ impl Keeping {
             counters,
             position: position.as_ref().map(|last| last.position),
             block: 0,
+            stood: None,
             was_moving: false,
-            pending: Vec::new(),
+            pending: VecDeque::new(),
             look_in: 0.0,
             slow_in: SLOW_S,
             told: false,
@@ -113,15 +118,16 @@ impl Keeping {
     }
 
     /// What the program changed since the last look.
-    fn look_at_program(&mut self, memory: &Memory, writes: u64, program: &str) {
-        if self.writes == writes {
+    fn look_at_program(&mut self, interpreter: &Interpreter) {
+        if self.writes == interpreter.writes() {
             return;
         }
-        self.writes = writes;
-        let found = changes(&self.kept, memory, KEPT_VARIABLES);
+        self.writes = interpreter.writes();
+        let found = changes(&self.kept, interpreter.memory(), KEPT_VARIABLES);
         if !found.is_empty() {
-            self.kept = memory.clone();
-            self.put(&Author::Program { name: program.to_owned() }, found);
+            self.kept = interpreter.memory().clone();
+            let name = interpreter.programs().file_name(FileId(0)).to_owned();
+            self.put(&Author::Program { name }, found);
         }
     }
 
@@ -183,17 +189,15 @@ impl Control {
         keeping.was_moving = self.tick.moving;
         if keeping.look_in <= 0.0 || came_to_rest {
             keeping.look_in = LOOK_S;
-            let interpreter = self.cnc.interpreter();
-            let program = interpreter.programs().file_name(ferrocut_program::FileId(0));
-            keeping.look_at_program(interpreter.memory(), interpreter.writes(), program);
+            keeping.look_at_program(self.cnc.interpreter());
         }
         if keeping.slow_in <= 0.0 || came_to_rest {
             keeping.look_at_position(self.last_position());
             if self.runs_remembered()
-                && keeping.block != self.cnc.block_run().0
                 && let Some(at) = self.place_of_run()
+                && (keeping.block, keeping.stood) != (at.block, at.at)
             {
-                keeping.block = at.block;
+                (keeping.block, keeping.stood) = (at.block, at.at);
                 keeping.put(&Author::Control, vec![Change::Interrupted(Some(at))]);
             }
         }
@@ -205,16 +209,10 @@ impl Control {
             }
         }
         let mut done = Vec::new();
-        keeping.pending = std::mem::take(&mut keeping.pending)
-            .into_iter()
-            .filter_map(|(pending, changes)| match pending.poll() {
-                None => Some((pending, changes)),
-                Some(answer) => {
-                    done.push((answer, changes));
-                    None
-                }
-            })
-            .collect();
+        // In the order in which they were asked for: the last one is what holds.
+        while let Some(answer) = keeping.pending.front().and_then(|(pending, _)| pending.poll()) {
+            done.extend(keeping.pending.pop_front().map(|(_, changes)| (answer, changes)));
+        }
         let told = std::mem::take(&mut keeping.told);
         self.keeping = Some(keeping);
         if told {
@@ -232,7 +230,7 @@ impl Control {
     /// Where a run was broken off goes to the durable memory; none when it came to its end.
     pub(super) fn keep_interrupted(&mut self, at: Option<InterruptedRun>) {
         if let Some(keeping) = &mut self.keeping {
-            keeping.block = at.as_ref().map_or(0, |at| at.block);
+            (keeping.block, keeping.stood) = at.as_ref().map_or((0, None), |at| (at.block, at.at));
             keeping.put(&Author::Control, vec![Change::Interrupted(at)]);
         }
     }
@@ -285,6 +283,40 @@ impl Control {
         Ok(())
     }
 
+    /// What was asked for last of something, and is still on its way: what is asked for next goes on from there.
+    fn on_its_way<T>(&self, of: impl Fn(&Change) -> Option<T>) -> Option<T> {
+        let pending = self.keeping.iter().flat_map(|keeping| &keeping.pending);
+        pending.rev().find_map(|(_, changes)| changes.iter().rev().find_map(&of))
+    }
+
+    /// A tool offset as persons have asked for it.
+    pub(super) fn offset_asked(&self, number: u16) -> Option<ToolOffset> {
+        let asked = self.on_its_way(|change| match change {
+            Change::Offset { number: of, offset } if *of == number => Some(*offset),
+            _ => None,
+        });
+        asked.or_else(|| self.cnc.interpreter().memory().tools.get(number).copied())
+    }
+
+    /// A work zero as persons have asked for it.
+    pub(super) fn zero_asked(&self, name: WorkOffset) -> Option<Position> {
+        let asked = self.on_its_way(|change| match change {
+            Change::WorkZero { name: of, zero } if *of == name => Some(*zero),
+            _ => None,
+        });
+        asked.or_else(|| self.cnc.interpreter().memory().work.get(name))
+    }
+
+    /// A reference point, from 1, as persons have asked for it.
+    pub(super) fn reference_point_asked(&self, number: u8) -> Option<Position> {
+        let asked = self.on_its_way(|change| match change {
+            Change::ReferencePoint { number: of, position } if *of == number => Some(*position),
+            _ => None,
+        });
+        let points = &self.cnc.interpreter().memory().reference_points;
+        asked.or_else(|| points.get(usize::from(number).checked_sub(1)?).copied())
+    }
+
     /// Has the memory judge and keep a change, then makes it. `Ok(false)`: it is on its way, since the axes must not
     /// wait for the disk; an event follows.
     pub(super) fn change(&mut self, author: &Author, change: Change) -> Result<bool, Box<Alarm>> {
@@ -301,7 +333,7 @@ impl Control {
         if let Some(keeping) = &mut self.keeping {
             if is_busy {
                 let pending = keeping.store.begin(author, changes.clone()).map_err(|error| error.alarm())?;
-                keeping.pending.push((pending, changes));
+                keeping.pending.push_back((pending, changes));
                 return Ok(false);
             }
             keeping.store.commit(author, changes.clone()).map_err(|error| error.alarm())?;
@@ -327,6 +359,10 @@ impl Control {
 
     /// Makes changes that were kept.
     fn apply(&mut self, changes: &[Change]) {
+        // What the program changed before is not what a person changed.
+        if let Some(keeping) = &mut self.keeping {
+            keeping.look_at_program(self.cnc.interpreter());
+        }
         for change in changes {
             let memory = self.cnc.interpreter_mut().memory_mut();
             let item = match change {

@@ -3,7 +3,6 @@
 
 use super::{Control, alarm};
 use crate::api::{ByAxis, Reply};
-use crate::signals::Mode;
 use ferrocut_geometry::Axis;
 use ferrocut_machine::servo::{PITCH_POINTS, PitchErrors};
 use ferrocut_machine::{Alarm, Fault, Machine};
@@ -53,10 +52,9 @@ impl Control {
         axes: &ByAxis,
         author: &Author,
     ) -> Result<Reply, Box<Alarm>> {
-        self.may_set_machine(author)?;
-        let points = self.cnc.interpreter().memory().reference_points;
-        let found = usize::from(number).checked_sub(1).and_then(|n| points.get(n));
-        let mut position = *found.ok_or_else(|| alarm(Fault::NoSuchName).with("name", number.to_string()))?;
+        self.may_set_parameters(author)?;
+        let missing = || alarm(Fault::NoSuchName).with("name", number.to_string());
+        let mut position = self.reference_point_asked(number).ok_or_else(missing)?;
         for (letter, value) in axes {
             let axis = self.axis_named(*letter)?;
             if !value.is_finite() {
@@ -98,15 +96,6 @@ impl Control {
         match self.change_together(author, points.iter().map(change).collect())? {
             true => Ok(Reply::Done),
             false => Ok(Reply::OnItsWay),
-        }
-    }
-
-    /// Data of the machine are set in MDI, as parameters are, and not while a program is under way.
-    fn may_set_machine(&self, author: &Author) -> Result<(), Box<Alarm>> {
-        self.needs(Mode::Mdi, author)?;
-        match self.cnc.is_under_way() {
-            true => Err(Box::new(alarm(Fault::ControlBusy))),
-            false => Ok(()),
         }
     }
 }

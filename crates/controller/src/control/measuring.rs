@@ -394,7 +394,8 @@ impl Control {
         if number == 0 {
             return Ok(None);
         }
-        let row = self.cnc.interpreter().memory().tools.get(number).copied();
+        // Length and radius of one row are stored one after the other.
+        let row = self.offset_asked(number);
         row.map(Some).ok_or_else(|| Box::new(alarm(Fault::NoSuchName).with("name", number.to_string())))
     }
 

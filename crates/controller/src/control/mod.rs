@@ -21,9 +21,11 @@ mod machine;
 mod machine_data;
 mod measuring;
 pub mod modes;
+mod parameter_switch;
 mod programs;
 mod status;
 mod taking_up;
+mod trace;
 
 use crate::api::{Activity, AlarmInfo, Event};
 use crate::cnc::{self, Cnc, DryRun, State, Tick};
@@ -39,6 +41,7 @@ use ferrocut_program::{ProgramMemory, Span, Text};
 use keeping::Keeping;
 pub use library::{Library, id_of};
 use modes::{Change, Standing, Start};
+use parameter_switch::ParameterSwitch;
 use programs::Loaded;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex};
@@ -88,8 +91,9 @@ pub struct Control {
     /// The button of a front.
     button: bool,
     emergency: bool,
-    /// The alarm that stands, besides the emergency stop.
+    /// The alarm that stands, besides those of the emergency stop and the parameter switch.
     active: Option<Alarm>,
+    parameter_switch: ParameterSwitch,
     /// Relative coordinates are counted from this machine position.
     origin: Position,
     tick: Tick,
@@ -191,6 +195,7 @@ impl Control {
             button: false,
             emergency: false,
             active: None,
+            parameter_switch: ParameterSwitch::default(),
             origin: Position::ZERO,
             tick,
             moving: AxisSet::EMPTY,
@@ -319,10 +324,12 @@ impl Control {
             self.release_axes();
             self.give_up();
             self.log_alarm(&alarm(Fault::EmergencyStop));
-        } else if !pressed && self.emergency && self.active.is_none() {
+        }
+        let is_released = !pressed && self.emergency;
+        self.emergency = pressed;
+        if is_released && !self.is_alarmed() {
             self.event(Event::AlarmsCleared);
         }
-        self.emergency = pressed;
     }
 
     /// Switches and overrides.
@@ -413,7 +420,7 @@ impl Control {
         if self.emergency {
             return Err(Box::new(alarm(Fault::EmergencyStop)));
         }
-        if self.active.is_some() {
+        if self.is_alarmed() {
             return Err(Box::new(alarm(Fault::ControlAlarmed)));
         }
         if self.inputs.start_lock {
@@ -446,7 +453,7 @@ impl Control {
         self.give_up();
         // 10.1.9 note 3: the restart is to be prepared anew.
         self.forget_prepared();
-        if self.active.take().is_some() && !self.emergency {
+        if self.active.take().is_some() && !self.is_alarmed() {
             self.event(Event::AlarmsCleared);
         }
         // P203: ms for which the signal is given.
@@ -525,6 +532,11 @@ impl Control {
         self.active = Some(alarm);
     }
 
+    /// Whether an alarm stands.
+    fn is_alarmed(&self) -> bool {
+        self.emergency || self.active.is_some() || self.parameter_switch == ParameterSwitch::On
+    }
+
     /// Tells of an alarm and puts it into the history.
     fn log_alarm(&mut self, alarm: &Alarm) {
         self.event(Event::Alarm { alarm: AlarmInfo::of(alarm) });
@@ -544,7 +556,7 @@ impl Control {
         if self.emergency {
             return Activity::Emergency;
         }
-        if self.active.is_some() {
+        if self.is_alarmed() {
             return Activity::Alarm;
         }
         if self.cnc.returns() {
@@ -565,7 +577,7 @@ impl Control {
     /// What the ladder is told.
     fn tell(&mut self, before: Position) {
         let state = self.cnc.state();
-        let is_alarm = self.active.is_some() || self.emergency;
+        let is_alarm = self.is_alarmed();
         let mut outputs = Outputs {
             mode: self.mode,
             ready: true,

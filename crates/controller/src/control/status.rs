@@ -84,6 +84,7 @@ impl Control {
             alarms.push(AlarmInfo::of(&super::alarm(Fault::EmergencyStop)));
         }
         alarms.extend(self.active.as_ref().map(AlarmInfo::of));
+        alarms.extend(self.parameter_alarm().as_ref().map(AlarmInfo::of));
         let code = |tenths: u16| match tenths % 10 {
             0 => format!("G{:02}", tenths / 10),
             part => format!("G{:02}.{part}", tenths / 10),
@@ -127,6 +128,7 @@ impl Control {
                 dry_run: inputs.dry_run,
                 machine_lock: self.cnc.is_locked(),
                 auxiliary_lock: inputs.auxiliary_lock,
+                parameters: self.parameters_open(),
             },
             counters: Counters {
                 parts: self.counters.parts as u64,
@@ -141,7 +143,7 @@ impl Control {
             referenced: self.cnc.referenced().iter().map(Axis::letter).collect(),
             lamps: self.lamps(),
             panel: self.panel(),
-            level: self.sessions.values().map(|session| session.level().number()).min().unwrap_or(5),
+            level: None,
         }
     }
 

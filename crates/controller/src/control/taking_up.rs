@@ -122,6 +122,7 @@ impl Control {
             line: span.line,
             block,
             text: text_of(&programs.slice(span)),
+            at: Some(self.tick.position),
         })
     }
 
@@ -202,7 +203,11 @@ impl Control {
         let kept = broken.filter(|broken| broken.at.program == program && broken.at.from_line == from_line);
         let mut journal = match kept.and_then(|broken| broken.journal.clone()) {
             Some(journal) => journal,
-            None => self.journal_of_present(&program, from_line)?,
+            None => {
+                // Where the axes stood when the power failed says which hole of a cycle it was.
+                let stood = broken.filter(|_| line.is_none()).and_then(|broken| broken.at.at);
+                self.journal_of_present(&program, from_line)?.broken_at(stood)
+            }
         };
         let at = match (line, &expected) {
             (Some(line), _) => {

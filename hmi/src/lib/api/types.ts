@@ -300,7 +300,11 @@ machine_lock: boolean,
 /**
  * Auxiliary lock.
  */
-auxiliary_lock: boolean, };
+auxiliary_lock: boolean,
+/**
+ * The parameter switch: parameters may be changed by hand. None on a control without one.
+ */
+parameters: boolean | null, };
 
 /**
  * Counters and times.
@@ -404,9 +408,9 @@ lamps: Array<string>,
  */
 panel: { [key in string]: number },
 /**
- * The rights of who asks, 1 to 5; else the highest that anyone has logged in with.
+ * The rights of who asks, 1 to 5. A status that nobody asked for has none.
  */
-level: number, };
+level?: number, };
 
 /**
  * What of a tool is measured.
@@ -656,7 +660,28 @@ samples: number,
  * Rows as CSV: time in s since the trigger or the beginning, and the quantities; the line of the names stands
  * before row 0. Fewer than asked for at the end, and where the answer would be too long.
  */
-csv: string, } | { "reply": "points",
+csv: string, } | { "reply": "traced",
+/**
+ * Whether all samples are there.
+ */
+done: boolean,
+/**
+ * When the trigger came, s since the ladder started.
+ */
+triggered: number | null,
+/**
+ * The signals in the order of the bits, as addresses.
+ */
+signals: Array<string>,
+/**
+ * Samples that are there.
+ */
+samples: number,
+/**
+ * Samples: time, s since the ladder started, and the signals, bit n for signal n. The oldest is number 0: one
+ * that is written over while the trace runs is lost.
+ */
+rows: Array<[number, number]>, } | { "reply": "points",
 /**
  * By number.
  */
@@ -778,6 +803,24 @@ program: string,
  * The line of the block, from 1.
  */
 line: number, };
+
+/**
+ * What a signal does.
+ */
+export type TraceEdge = "rising" | "falling" | "change";
+
+/**
+ * What sets off the end of a trace.
+ */
+export type TraceTrigger = {
+/**
+ * Its name or address.
+ */
+signal: string,
+/**
+ * What it does.
+ */
+edge: TraceEdge, };
 
 /**
  * What sets off the end of a recording.
@@ -1252,7 +1295,11 @@ name: string,
 /**
  * Its value; none is as delivered.
  */
-value?: number | null, } | { "do": "reference_points" } | { "do": "set_reference_point",
+value?: number | null, } | { "do": "parameter_switch",
+/**
+ * On: parameters may be changed by hand.
+ */
+on: boolean, } | { "do": "accept_parameter_switch" } | { "do": "reference_points" } | { "do": "set_reference_point",
 /**
  * Its number, 1 to 4.
  */
@@ -1324,7 +1371,35 @@ names: Array<string>, } | { "do": "ladder" } | { "do": "watch_ladder",
 /**
  * Whether.
  */
-on: boolean, } | { "do": "ladder_flow" } | { "do": "force",
+on: boolean, } | { "do": "ladder_flow" } | { "do": "trace",
+/**
+ * Names or addresses of bits, up to 32.
+ */
+signals: Array<string>,
+/**
+ * Samples that are kept, up to 100,000.
+ */
+samples: number,
+/**
+ * What sets off the end; without it the last samples are kept.
+ */
+trigger?: TraceTrigger | null,
+/**
+ * Samples behind the trigger; half of all where it is missing.
+ */
+behind?: number | null,
+/**
+ * Whether only samples that differ from the one before are kept.
+ */
+changes_only: boolean, } | { "do": "traced",
+/**
+ * The first sample, from 0.
+ */
+from: number,
+/**
+ * How many samples at most.
+ */
+most: number, } | { "do": "end_trace" } | { "do": "force",
 /**
  * Its name or address.
  */

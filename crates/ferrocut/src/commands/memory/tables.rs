@@ -132,7 +132,7 @@ pub fn rows(contents: &Contents, item: Item, diagnostics: &Diagnostics) -> Vec<R
             .interrupted
             .iter()
             .map(|run| {
-                vec![
+                let mut row: Row = vec![
                     ("time", utc(run.time).into()),
                     ("program", run.program.as_str().into()),
                     ("from_line", run.from_line.into()),
@@ -140,7 +140,10 @@ pub fn rows(contents: &Contents, item: Item, diagnostics: &Diagnostics) -> Vec<R
                     ("line", run.line.into()),
                     ("block", run.block.into()),
                     ("text", run.text.as_str().into()),
-                ]
+                ];
+                let place = run.at.iter().flat_map(|at| Axis::ALL.map(|axis| (axis.name(), at[axis].into())));
+                row.extend(place);
+                row
             })
             .collect(),
     }

@@ -1,0 +1,94 @@
+//! The parameter switch of the setting page (GSK990MC part 2, 3.4.1): parameters are changed by hand only while it is
+//! on, and while it is on an alarm stands until somebody accepts it there. It is off at power-on.
+
+use super::{Control, alarm};
+use crate::api::{Event, Reply};
+use crate::restart::own_alarm;
+use crate::signals::Mode;
+use ferrocut_machine::{Alarm, Fault};
+use ferrocut_memory::Author;
+use ferrocut_program::Span;
+
+/// How the switch stands.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub(super) enum ParameterSwitch {
+    /// Nobody changes parameters by hand.
+    #[default]
+    Off,
+    /// On, with its alarm.
+    On,
+    /// On, and the alarm was accepted.
+    Accepted,
+}
+
+impl Control {
+    /// Whether parameters may be changed by hand; none on a control without the switch.
+    pub(super) fn parameters_open(&self) -> Option<bool> {
+        let has_switch = self.cnc.interpreter().dialect().parameter_switch;
+        has_switch.then_some(self.parameter_switch != ParameterSwitch::Off)
+    }
+
+    /// The alarm that stands while the switch is on.
+    pub(super) fn parameter_alarm(&self) -> Option<Alarm> {
+        let dialect = self.cnc.interpreter().dialect();
+        let stands = self.parameter_switch == ParameterSwitch::On;
+        stands.then(|| own_alarm(dialect, Fault::ParametersOpen, Span::default()))
+    }
+
+    /// Data of the machine are set in MDI, as parameters are, and not while a program is under way.
+    pub(super) fn may_set_machine(&self, author: &Author) -> Result<(), Box<Alarm>> {
+        self.needs(Mode::Mdi, author)?;
+        match self.cnc.is_under_way() {
+            true => Err(Box::new(alarm(Fault::ControlBusy))),
+            false => Ok(()),
+        }
+    }
+
+    /// Whether somebody may set parameters now, rights aside.
+    pub(super) fn may_set_parameters(&self, author: &Author) -> Result<(), Box<Alarm>> {
+        self.may_set_machine(author)?;
+        match (self.parameters_open(), author) {
+            (Some(false), Author::Person { .. }) => {
+                let dialect = self.cnc.interpreter().dialect();
+                Err(Box::new(own_alarm(dialect, Fault::ParametersClosed, Span::default())))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    pub(super) fn turn_parameter_switch(&mut self, on: bool, author: &Author) -> Result<Reply, Box<Alarm>> {
+        if self.parameters_open().is_none() {
+            return Err(Box::new(alarm(Fault::NotFitted).with("name", "parameter switch")));
+        }
+        self.may_set_machine(author)?;
+        match (on, self.parameter_switch) {
+            (true, ParameterSwitch::Off) => {
+                self.parameter_switch = ParameterSwitch::On;
+                if let Some(alarm) = self.parameter_alarm() {
+                    self.log_alarm(&alarm);
+                }
+            }
+            (false, stood) => {
+                self.parameter_switch = ParameterSwitch::Off;
+                self.end_parameter_alarm(stood);
+            }
+            _ => {}
+        }
+        Ok(Reply::Done)
+    }
+
+    pub(super) fn accept_parameter_switch(&mut self) -> Reply {
+        let stood = self.parameter_switch;
+        if stood == ParameterSwitch::On {
+            self.parameter_switch = ParameterSwitch::Accepted;
+            self.end_parameter_alarm(stood);
+        }
+        Reply::Done
+    }
+
+    fn end_parameter_alarm(&mut self, stood: ParameterSwitch) {
+        if stood == ParameterSwitch::On && !self.is_alarmed() {
+            self.event(Event::AlarmsCleared);
+        }
+    }
+}
