@@ -356,6 +356,11 @@ test('a parameter is refused without the right, and changed with it', async ({ p
   await page.locator('[data-parameter="P98"]').click();
   const field = page.getByTestId('parameter').locator('input');
   await expect(page.getByTestId('parameter')).toContainText('Needs level 3');
+  await expect(page.getByTestId('parameter')).toContainText('Turn the parameter switch on first');
+  await page.getByTestId('parameter-switch').click();
+  await expect(page.getByTestId('parameter-switch')).toHaveAttribute('aria-pressed', 'true');
+  await page.getByTestId('accept-parameter-switch').click();
+  await expect(page.getByTestId('accept-parameter-switch')).toHaveCount(0);
   const before = await field.inputValue();
   const after = String(Number(before) / 2);
   await field.fill(after);

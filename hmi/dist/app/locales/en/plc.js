@@ -20,6 +20,6 @@ var plc_default = {
 	"signals": "Names of signals, up to 12",
 	"record": "Record",
 	"stop": "Stop",
-	"trace_text": "Read over the connection some 30 times a second; shorter pulses may go unseen."
+	"trace_text": "Sampled by the control at each scan of the ladder; what does not change is not kept."
 };
 export { plc_default as default };

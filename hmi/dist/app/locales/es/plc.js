@@ -20,6 +20,6 @@ var plc_default = {
 	"signals": "Nombres de señales, hasta 12",
 	"record": "Registrar",
 	"stop": "Parar",
-	"trace_text": "Se lee por la conexión unas 30 veces por segundo; pulsos más cortos pueden no verse."
+	"trace_text": "El control muestrea en cada ciclo del PLC; lo que no cambia no se guarda."
 };
 export { plc_default as default };

@@ -20,6 +20,6 @@ var plc_default = {
 	"signals": "Sinyal adları, en çok 12",
 	"record": "Kaydet",
 	"stop": "Dur",
-	"trace_text": "Bağlantı üzerinden saniyede 30 kez okunur; daha kısa darbeler görünmeyebilir."
+	"trace_text": "Kontrol her merdiven taramasında örnekler; değişmeyen saklanmaz."
 };
 export { plc_default as default };

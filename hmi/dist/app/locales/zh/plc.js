@@ -20,6 +20,6 @@ var plc_default = {
 	"signals": "信号名称，最多 12 个",
 	"record": "记录",
 	"stop": "停止",
-	"trace_text": "通过连接每秒读取约 30 次，更短的脉冲可能看不到。"
+	"trace_text": "由控制器在每次梯形图扫描时采样；没有变化的不保存。"
 };
 export { plc_default as default };

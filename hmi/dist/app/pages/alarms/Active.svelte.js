@@ -2,6 +2,7 @@ import { t } from "../../lib/i18n/index.svelte.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import Empty from "../../lib/parts/Empty.svelte.js";
 import Icon from "../../lib/parts/Icon.svelte.js";
+import ParameterSwitch from "../../lib/parts/ParameterSwitch.svelte.js";
 import { go } from "../../lib/routing.svelte.js";
 import { alarmText } from "../../lib/state/alarm-texts.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
@@ -37,7 +38,7 @@ function Active($$anchor, $$props) {
 			});
 		}
 	};
-	var alternate = ($$anchor) => {
+	var alternate_1 = ($$anchor) => {
 		var fragment_2 = root_4();
 		var node_1 = $.first_child(fragment_2);
 		$.each(node_1, 17, () => $.get(alarms), $.index, ($$anchor, alarm) => {
@@ -84,20 +85,29 @@ function Active($$anchor, $$props) {
 			});
 			var div_1 = $.sibling(node_4, 2);
 			var node_5 = $.child(div_1);
-			Button(node_5, {
-				kind: "primary",
-				icon: "reset",
-				onclick: () => void machine.tell({ do: "reset" }),
-				children: ($$anchor, $$slotProps) => {
-					$.next();
-					var text_5 = $.text();
-					$.template_effect(($0) => $.set_text(text_5, $0), [() => t("panel.reset")]);
-					$.append($$anchor, text_5);
-				},
-				$$slots: { default: true }
+			var consequent_3 = ($$anchor) => {
+				ParameterSwitch($$anchor, {});
+			};
+			var alternate = ($$anchor) => {
+				Button($$anchor, {
+					kind: "primary",
+					icon: "reset",
+					onclick: () => void machine.tell({ do: "reset" }),
+					children: ($$anchor, $$slotProps) => {
+						$.next();
+						var text_5 = $.text();
+						$.template_effect(($0) => $.set_text(text_5, $0), [() => t("panel.reset")]);
+						$.append($$anchor, text_5);
+					},
+					$$slots: { default: true }
+				});
+			};
+			$.if(node_5, ($$render) => {
+				if ($.get(alarm).id === "gsk990mc:0100") $$render(consequent_3);
+				else $$render(alternate, -1);
 			});
 			var node_6 = $.sibling(node_5, 2);
-			var consequent_3 = ($$anchor) => {
+			var consequent_4 = ($$anchor) => {
 				Button($$anchor, {
 					icon: "edit",
 					onclick: () => go("program", "edit", $.get(program)),
@@ -111,7 +121,7 @@ function Active($$anchor, $$props) {
 				});
 			};
 			$.if(node_6, ($$render) => {
-				if ($.get(alarm).line > 0 && $.get(program)) $$render(consequent_3);
+				if ($.get(alarm).line > 0 && $.get(program)) $$render(consequent_4);
 			});
 			var node_7 = $.sibling(node_6, 2);
 			Button(node_7, {
@@ -162,10 +172,10 @@ function Active($$anchor, $$props) {
 	};
 	$.if(node, ($$render) => {
 		if ($.get(alarms).length === 0 && machine.messages.length === 0) $$render(consequent);
-		else $$render(alternate, -1);
+		else $$render(alternate_1, -1);
 	});
 	var node_10 = $.sibling(node, 2);
-	var consequent_4 = ($$anchor) => {
+	var consequent_5 = ($$anchor) => {
 		var article_2 = root_5();
 		var node_11 = $.child(article_2);
 		Icon(node_11, {
@@ -204,7 +214,7 @@ function Active($$anchor, $$props) {
 		$.append($$anchor, article_2);
 	};
 	$.if(node_10, ($$render) => {
-		if ($.get(interrupted) && $.get(alarms).length === 0) $$render(consequent_4);
+		if ($.get(interrupted) && $.get(alarms).length === 0) $$render(consequent_5);
 	});
 	$.append($$anchor, fragment);
 	$.pop();

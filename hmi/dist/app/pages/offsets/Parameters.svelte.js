@@ -2,6 +2,7 @@ import { http } from "../../lib/api/http.js";
 import { language, number, t } from "../../lib/i18n/index.svelte.js";
 import Card from "../../lib/parts/Card.svelte.js";
 import NumberField from "../../lib/parts/NumberField.svelte.js";
+import ParameterSwitch from "../../lib/parts/ParameterSwitch.svelte.js";
 import Segmented from "../../lib/parts/Segmented.svelte.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import { route } from "../../lib/routing.svelte.js";
@@ -9,7 +10,7 @@ import { machine } from "../../lib/state/machine.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/offsets/Parameters.svelte
-var root = $.from_html(`<input type="search" data-testid="parameter-search"/> <!> <!>`, 1);
+var root = $.from_html(`<input type="search" data-testid="parameter-search"/> <!> <!> <!>`, 1);
 var root_1 = $.from_html(`<i> </i>`);
 var root_2 = $.from_html(`<span class="code bits s-63nfg5"></span> <span class="meaning muted s-63nfg5"> </span>`, 1);
 var root_3 = $.from_html(`<span class="number value s-63nfg5"> <small class="s-63nfg5"> </small></span> <span class="meaning s-63nfg5"> </span>`, 1);
@@ -126,6 +127,8 @@ function Parameters($$anchor, $$props) {
 				},
 				$$slots: { default: true }
 			});
+			var node_3 = $.sibling(node_2, 2);
+			ParameterSwitch(node_3, {});
 			$.template_effect(($0, $1) => {
 				$.set_attribute(input, "placeholder", $0);
 				$.set_attribute(input, "aria-label", $1);
@@ -148,7 +151,7 @@ function Parameters($$anchor, $$props) {
 					let classes;
 					var span = $.child(button);
 					var text_2 = $.only_child(span, true);
-					var node_3 = $.sibling(span, 2);
+					var node_4 = $.sibling(span, 2);
 					var consequent = ($$anchor) => {
 						var fragment_3 = root_2();
 						var span_1 = $.first_child(fragment_3);
@@ -184,7 +187,7 @@ function Parameters($$anchor, $$props) {
 						}, [() => value($.get(one).name, $.get(one).standard)]);
 						$.append($$anchor, fragment_4);
 					};
-					$.if(node_3, ($$render) => {
+					$.if(node_4, ($$render) => {
 						if ($.get(one).kind === "bit") $$render(consequent);
 						else $$render(alternate, -1);
 					});
@@ -213,34 +216,34 @@ function Parameters($$anchor, $$props) {
 			}
 		});
 	}
-	var node_4 = $.sibling(node, 2);
-	var consequent_8 = ($$anchor) => {
+	var node_5 = $.sibling(node, 2);
+	var consequent_9 = ($$anchor) => {
 		var div_2 = root_14();
 		var h2 = $.child(div_2);
 		var text_9 = $.child(h2, true);
-		var node_5 = $.sibling(text_9);
+		var node_6 = $.sibling(text_9);
 		var consequent_1 = ($$anchor) => {
 			var span_5 = root_7();
 			var text_10 = $.only_child(span_5, true);
 			$.template_effect(() => $.set_text(text_10, $.get(current).symbol));
 			$.append($$anchor, span_5);
 		};
-		$.if(node_5, ($$render) => {
+		$.if(node_6, ($$render) => {
 			if ($.get(current).symbol) $$render(consequent_1);
 		});
 		$.reset(h2);
-		var node_6 = $.sibling(h2, 2);
+		var node_7 = $.sibling(h2, 2);
 		var consequent_3 = ($$anchor) => {
 			var fragment_5 = root_8();
 			var p_1 = $.first_child(fragment_5);
 			var text_11 = $.only_child(p_1, true);
-			var node_7 = $.sibling(p_1, 2);
+			var node_8 = $.sibling(p_1, 2);
 			{
 				let $0 = $.derived(() => value($.get(current).name, $.get(current).standard));
 				let $1 = $.derived(() => Number.isInteger(value($.get(current).name, $.get(current).standard)) ? 0 : 4);
 				let $2 = $.derived(() => $.get(current).minimum ?? -Infinity);
 				let $3 = $.derived(() => $.get(current).maximum ?? Infinity);
-				NumberField(node_7, {
+				NumberField(node_8, {
 					get value() {
 						return $.get($0);
 					},
@@ -262,7 +265,7 @@ function Parameters($$anchor, $$props) {
 					onvalue: (to) => set($.get(current).name, to)
 				});
 			}
-			var dl = $.sibling(node_7, 2);
+			var dl = $.sibling(node_8, 2);
 			var dt = $.child(dl);
 			var text_12 = $.only_child(dt, true);
 			var dd = $.sibling(dt);
@@ -276,7 +279,7 @@ function Parameters($$anchor, $$props) {
 			var dd_2 = $.sibling(dt_2);
 			var text_17 = $.only_child(dd_2);
 			$.reset(dl);
-			var node_8 = $.sibling(dl, 2);
+			var node_9 = $.sibling(dl, 2);
 			var consequent_2 = ($$anchor) => {
 				Button($$anchor, {
 					icon: "undo",
@@ -291,7 +294,7 @@ function Parameters($$anchor, $$props) {
 				});
 			};
 			var d = $.derived(() => value($.get(current).name, $.get(current).standard) !== $.get(current).standard);
-			$.if(node_8, ($$render) => {
+			$.if(node_9, ($$render) => {
 				if ($.get(d)) $$render(consequent_2);
 			});
 			$.template_effect(($0, $1, $2, $3) => {
@@ -320,7 +323,7 @@ function Parameters($$anchor, $$props) {
 				var div_3 = $.sibling(button_1, 2);
 				var strong = $.child(div_3);
 				var text_20 = $.only_child(strong);
-				var node_9 = $.sibling(strong);
+				var node_10 = $.sibling(strong);
 				var consequent_4 = ($$anchor) => {
 					var small_1 = root_9();
 					var text_21 = $.only_child(small_1);
@@ -328,10 +331,10 @@ function Parameters($$anchor, $$props) {
 					$.append($$anchor, small_1);
 				};
 				var d_1 = $.derived(() => value($.get(bit).name, $.get(bit).standard) !== $.get(bit).standard);
-				$.if(node_9, ($$render) => {
+				$.if(node_10, ($$render) => {
 					if ($.get(d_1)) $$render(consequent_4);
 				});
-				var p_2 = $.sibling(node_9, 2);
+				var p_2 = $.sibling(node_10, 2);
 				var text_22 = $.only_child(p_2, true);
 				$.reset(div_3);
 				$.reset(li);
@@ -348,21 +351,21 @@ function Parameters($$anchor, $$props) {
 			$.reset(ul);
 			$.append($$anchor, ul);
 		};
-		$.if(node_6, ($$render) => {
+		$.if(node_7, ($$render) => {
 			if ($.get(current).kind === "data") $$render(consequent_3);
 			else $$render(alternate_1, -1);
 		});
-		var node_10 = $.sibling(node_6, 2);
+		var node_11 = $.sibling(node_7, 2);
 		var consequent_5 = ($$anchor) => {
 			var p_3 = root_12();
 			var text_23 = $.only_child(p_3, true);
 			$.template_effect(($0) => $.set_text(text_23, $0), [() => t("offsets.unused")]);
 			$.append($$anchor, p_3);
 		};
-		$.if(node_10, ($$render) => {
+		$.if(node_11, ($$render) => {
 			if (!$.get(current).used) $$render(consequent_5);
 		});
-		var node_11 = $.sibling(node_10, 2);
+		var node_12 = $.sibling(node_11, 2);
 		var consequent_6 = ($$anchor) => {
 			var p_4 = root_13();
 			var text_24 = $.only_child(p_4, true);
@@ -372,30 +375,37 @@ function Parameters($$anchor, $$props) {
 			})]);
 			$.append($$anchor, p_4);
 		};
-		$.if(node_11, ($$render) => {
+		$.if(node_12, ($$render) => {
 			if ($.get(level) > $.get(current).level) $$render(consequent_6);
 		});
-		var node_12 = $.sibling(node_11, 2);
+		var node_13 = $.sibling(node_12, 2);
 		var consequent_7 = ($$anchor) => {
 			var p_5 = root_13();
 			var text_25 = $.only_child(p_5, true);
 			$.template_effect(($0) => $.set_text(text_25, $0), [() => t("offsets.need_mdi")]);
 			$.append($$anchor, p_5);
 		};
-		$.if(node_12, ($$render) => {
+		var consequent_8 = ($$anchor) => {
+			var p_6 = root_13();
+			var text_26 = $.only_child(p_6, true);
+			$.template_effect(($0) => $.set_text(text_26, $0), [() => t("offsets.need_switch")]);
+			$.append($$anchor, p_6);
+		};
+		$.if(node_13, ($$render) => {
 			if (machine.status?.mode !== "mdi") $$render(consequent_7);
+			else if (machine.status.switches.parameters === false) $$render(consequent_8, 1);
 		});
 		$.reset(div_2);
 		$.template_effect(() => $.set_text(text_9, $.get(current).name));
 		$.append($$anchor, div_2);
 	};
-	$.if(node_4, ($$render) => {
-		if ($.get(current)) $$render(consequent_8);
+	$.if(node_5, ($$render) => {
+		if ($.get(current)) $$render(consequent_9);
 	});
 	$.reset(div);
-	var p_6 = $.sibling(div, 2);
-	var text_26 = $.only_child(p_6, true);
-	$.template_effect(($0) => $.set_text(text_26, $0), [() => t("offsets.count", {
+	var p_7 = $.sibling(div, 2);
+	var text_27 = $.only_child(p_7, true);
+	$.template_effect(($0) => $.set_text(text_27, $0), [() => t("offsets.count", {
 		n: number($.get(shown).length),
 		all: number($.get(all).length)
 	})]);

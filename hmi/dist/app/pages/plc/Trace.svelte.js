@@ -10,39 +10,63 @@ var root = $.from_html(`<input class="code s-1f460z2"/> <!>`, 1);
 var root_1 = $.from_html(`<!> <p class="muted s-1f460z2"> </p>`, 1);
 function Trace($$anchor, $$props) {
 	$.push($$props, true);
+	/** Changes that are recorded at most, and how many are read at once. */
+	const MOST = 2e4;
+	const AT_ONCE = 2e3;
 	let wanted = $.state("KEY_START LAMP_START STL MF FIN");
 	let runs = $.state(false);
 	let times = $.state([]);
 	let lines = $.state([]);
-	const names = $.derived(() => $.get(wanted).split(/[\s,]+/).filter(Boolean).slice(0, 12));
-	$.user_effect(() => {
-		if (!$.get(runs)) return;
-		const asked = $.get(names);
-		let stopped = false;
-		const start = performance.now();
-		$.set(times, []);
-		$.set(lines, asked.map(() => []));
-		const ask = async () => {
-			while (!stopped) {
-				const reply = await machine.ask({
-					do: "signals",
-					names: asked
-				}).catch((refused) => {
-					machine.refused(refused);
-					$.set(runs, false);
-					return null;
-				});
-				if (stopped || reply?.reply !== "signals") return;
-				$.set(times, [...$.get(times).slice(-3e3), (performance.now() - start) / 1e3]);
-				$.set(lines, asked.map((name, index) => [...($.get(lines)[index] ?? []).slice(-3e3), (reply.signals[name] ?? 0) !== 0 ? 1 : 0]));
-				await new Promise((resolve) => setTimeout(resolve, 20));
-			}
-		};
-		ask();
-		return () => {
-			stopped = true;
-		};
+	let names = $.state([]);
+	/** When the first sample was taken, s. */
+	let start = 0;
+	$.user_effect(() => () => {
+		$.set(runs, false);
 	});
+	/** Adds what was recorded since; whether there is more. */
+	async function read() {
+		const reply = await machine.ask({
+			do: "traced",
+			from: $.get(times).length,
+			most: AT_ONCE
+		});
+		if (reply.reply !== "traced") return false;
+		if ($.get(times).length === 0) start = reply.rows[0]?.[0] ?? 0;
+		$.set(times, [...$.get(times), ...reply.rows.map(([at]) => at - start)]);
+		$.set(lines, $.get(names).map((_, bit) => [...$.get(lines)[bit] ?? [], ...reply.rows.map(([, bits]) => bits >>> bit & 1)]));
+		return $.get(times).length < reply.samples;
+	}
+	async function record() {
+		const asked = $.get(wanted).split(/[\s,]+/).filter(Boolean).slice(0, 32);
+		if (!await machine.tell({
+			do: "trace",
+			signals: asked,
+			samples: MOST,
+			changes_only: true
+		})) return;
+		(($$value) => {
+			var $$array = $.to_array($$value, 3);
+			$.set(names, $$array[0]);
+			$.set(times, $$array[1]);
+			$.set(lines, $$array[2]);
+		})([
+			asked,
+			[],
+			[]
+		]);
+		$.set(runs, true);
+		try {
+			for (let more = true; $.get(runs) || more;) {
+				more = await read();
+				if ($.get(times).length >= MOST) $.set(runs, false);
+				if (!more && $.get(runs)) await new Promise((resolve) => setTimeout(resolve, 100));
+			}
+			await machine.tell({ do: "end_trace" });
+		} catch (refused) {
+			$.set(runs, false);
+			machine.refused(refused);
+		}
+	}
 	var fragment = root_1();
 	var node = $.first_child(fragment);
 	{
@@ -61,7 +85,8 @@ function Trace($$anchor, $$props) {
 					get icon() {
 						return $.get($1);
 					},
-					onclick: () => $.set(runs, !$.get(runs)),
+					"data-testid": "trace-record",
+					onclick: () => $.get(runs) ? $.set(runs, false) : void record(),
 					children: ($$anchor, $$slotProps) => {
 						$.next();
 						var text = $.text();

@@ -3,6 +3,7 @@ import { language, t } from "../../lib/i18n/index.svelte.js";
 import { duration } from "../../lib/numbers.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import Card from "../../lib/parts/Card.svelte.js";
+import ParameterSwitch from "../../lib/parts/ParameterSwitch.svelte.js";
 import { go } from "../../lib/routing.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import "svelte/internal/disclose-version";
@@ -107,12 +108,16 @@ function General($$anchor, $$props) {
 	}
 	var node_1 = $.sibling(node, 2);
 	{
+		const actions = ($$anchor) => {
+			ParameterSwitch($$anchor, {});
+		};
 		let $0 = $.derived(() => t("settings.often"));
 		Card(node_1, {
 			get title() {
 				return $.get($0);
 			},
 			flush: true,
+			actions,
 			children: ($$anchor, $$slotProps) => {
 				var table = root_2();
 				var tbody = $.child(table);
@@ -150,7 +155,10 @@ function General($$anchor, $$props) {
 				$.reset(table);
 				$.append($$anchor, table);
 			},
-			$$slots: { default: true }
+			$$slots: {
+				actions: true,
+				default: true
+			}
 		});
 	}
 	$.reset(div);
