@@ -172,10 +172,10 @@ fn quick_changes_of_one_row_while_axes_move_are_made_in_their_order_and_all_logg
             assert_eq!(say(control, Command::SetOffset { number: 3, values, add }), Reply::OnItsWay);
         };
         let (length, radius) = (OffsetValues::default(), OffsetValues::default());
-        set(&mut control, OffsetValues { length: Some(1.0), ..length.clone() }, false);
+        set(&mut control, OffsetValues { length: Some(1.0), ..length }, false);
         set(&mut control, OffsetValues { radius: Some(5.0), ..radius }, false);
-        set(&mut control, OffsetValues { length: Some(2.0), ..length.clone() }, false);
-        set(&mut control, OffsetValues { length: Some(0.5), ..length.clone() }, true);
+        set(&mut control, OffsetValues { length: Some(2.0), ..length }, false);
+        set(&mut control, OffsetValues { length: Some(0.5), ..length }, true);
         set(&mut control, OffsetValues { length: Some(0.25), ..length }, true);
         let zero = |x| Command::SetZero { system: "external".into(), axes: [('X', x)].into(), add: true };
         // 7.2: zeros are not changed while a program runs.
