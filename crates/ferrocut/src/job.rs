@@ -50,6 +50,11 @@ impl Failure {
         Failure::new(Box::new(Alarm::core(fault, Span::default())), Exit::WrongUse)
     }
 
+    /// A control language that there is none of.
+    pub fn unknown_dialect(name: &str) -> Failure {
+        Failure::wrong_use(Fault::UnknownDialect).with("name", name)
+    }
+
     /// A setting that cannot be used.
     pub fn setting(alarm: Box<Alarm>) -> Failure {
         Failure::new(alarm, Exit::WrongUse)
@@ -238,7 +243,7 @@ impl Shop {
     pub fn own_dialect(&self) -> Result<(&'static Dialect, Told), Failure> {
         let name = self.dialect.as_ref().unwrap_or(&self.machine.dialect);
         let Some(dialect) = dialects::by_name(name) else {
-            return Err(Failure::wrong_use(Fault::UnknownDialect).with("name", name.as_str()));
+            return Err(Failure::unknown_dialect(name));
         };
         let is_named = self.dialect.is_some() || !self.machine_is_built_in;
         Ok((dialect, if is_named { Told::Named } else { Told::NotNamed }))

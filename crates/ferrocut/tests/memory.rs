@@ -197,6 +197,27 @@ fn a_password_is_set_by_who_has_the_files() {
 }
 
 #[test]
+fn a_new_control_gets_its_first_password_before_it_runs() {
+    let folder = tempdir().unwrap();
+    let path = folder.path().join("new").to_str().unwrap().to_owned();
+    let set = |more: &[&str]| {
+        let arguments = [&["memory", "password", &path, "--level", "1"], more].concat();
+        answer(command(&arguments).write_stdin("correct horse\n"))
+    };
+    // Without the control there is nothing to make.
+    let missing = set(&[]);
+    assert_eq!((missing.code, missing.err.contains("FC-1208")), (2, true), "{}", missing.err);
+    assert_eq!(set(&["--dialect", "hat"]).code, 2);
+    assert!(!Path::new(&path).exists());
+    assert_eq!(set(&["--dialect", "gsk990mc"]).code, 0);
+    let store = open(Path::new(&path));
+    assert!(store.log_in(Level::Maker, "correct horse", Seat::Machine, "Li").is_ok());
+    drop(store);
+    // The memory of one control is not that of another.
+    assert_eq!(set(&["--dialect", "kaitong"]).code, 2);
+}
+
+#[test]
 fn wrong_use_is_told() {
     let (folder, path) = memory();
     let empty = folder.path().join("empty").to_str().unwrap().to_owned();

@@ -166,10 +166,7 @@ fn open_error(name: &str, error: &OpenError, diagnostics: &Diagnostics) -> Strin
 /// The control language that a command is about.
 pub fn dialect_of(common: &Common, machine: &Machine) -> Result<&'static Dialect, Failure> {
     let name = common.dialect.as_deref().unwrap_or(&machine.dialect);
-    dialects::by_name(name).ok_or_else(|| {
-        let alarm = Alarm::core(Fault::UnknownDialect, Span::default()).with("name", name);
-        Failure::new(Box::new(alarm), Exit::WrongUse)
-    })
+    dialects::by_name(name).ok_or_else(|| Failure::unknown_dialect(name))
 }
 
 /// A machine file that cannot be used.

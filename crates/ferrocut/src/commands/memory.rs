@@ -159,12 +159,16 @@ pub struct RecoverArgs {
     password is locked. 1 is the maker of the control, 2 the builder of the machine, 3 commissioning, 4 the shop; the\n\
     operator, 5, needs none.\n\n\
     Example:\n  \
-    ferrocut memory password /var/lib/ferrocut --level 3"
+    ferrocut memory password /var/lib/ferrocut --level 3\n  \
+    ferrocut memory password /var/lib/ferrocut --level 1 --dialect gsk990mc   # a new control"
 )]
 pub struct PasswordArgs {
     /// The folder of the memory
     #[arg(value_name = "FOLDER")]
     pub folder: PathBuf,
+    /// Make a memory of this control where there is none yet
+    #[arg(long, value_name = "NAME")]
+    pub dialect: Option<String>,
     /// The level, 1 to 4
     #[arg(long, value_name = "LEVEL", value_parser = clap::value_parser!(u8).range(1..=4))]
     pub level: u8,

@@ -7,6 +7,7 @@ use super::{
 use crate::commands::layout::print;
 use crate::diagnostics::Diagnostics;
 use crate::job::{Exit, Failure};
+use ferrocut_interpreter::dialects;
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_memory::{Backup, Level, OpenError, Reader, Seat, Settings, Store, damage};
 use ferrocut_program::Span;
@@ -126,7 +127,14 @@ pub fn password(args: &PasswordArgs, diagnostics: &Diagnostics) -> Result<Exit, 
     let read = io::stdin().lock().take(LINE).read_line(&mut line);
     read.map_err(|error| Failure::unreadable("standard input", &error.to_string()))?;
     let password = line.trim_end_matches(['\n', '\r']);
-    let store = open(&args.folder, &control_of(&args.folder)?)?;
+    let control = match &args.dialect {
+        Some(name) => {
+            let dialect = dialects::by_name(name).ok_or_else(|| Failure::unknown_dialect(name))?;
+            dialect.name.to_owned()
+        }
+        None => control_of(&args.folder)?,
+    };
+    let store = open(&args.folder, &control)?;
     // The parser lets 1 to 4 through.
     let level = Level::of(args.level.into()).unwrap_or(Level::Shop);
     store.set_password(&author(), level, password, Seat::Machine).map_err(|error| refused(&error))?;
