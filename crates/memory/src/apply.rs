@@ -586,11 +586,11 @@ impl Log<'_> {
         to.log(&LogEntry {
             time: self.time,
             level: self.author.level(),
-            who: rows::cut(self.author.name()).to_owned(),
+            who: self.author.name().to_owned(),
             item: item.name().to_owned(),
-            name: rows::cut(name).to_owned(),
-            from: rows::cut(&old).to_owned(),
-            to: rows::cut(&new).to_owned(),
+            name: name.to_owned(),
+            from: old,
+            to: new,
         })
     }
 }

@@ -497,10 +497,10 @@ impl Backup {
         let entry = LogEntry {
             time: now(),
             level: author.level(),
-            who: rows::cut(author.name()).to_owned(),
+            who: author.name().to_owned(),
             item: "memory".to_owned(),
             name: "restored".to_owned(),
-            from: rows::cut(&self.path.to_string_lossy()).to_owned(),
+            from: self.path.to_string_lossy().into_owned(),
             to: names.join(" "),
         };
         store.within_commit(move |applier| {

@@ -9,6 +9,7 @@ use crate::migrate::tables_of;
 use crate::snapshot::{self, remove_if_there, sync_folder};
 use crate::store::{self, DATABASE, MARK, NEW, OpenError, Reader, Settings, Store};
 use std::fs::{self, File};
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::time::UNIX_EPOCH;
 
@@ -28,9 +29,11 @@ impl Whole {
         !is_there(DATABASE)
             && !is_there(MARK)
             && snapshot::list(folder).is_empty()
-            && fs::read_dir(folder).is_ok_and(|mut entries| {
-                entries.all(|entry| entry.is_ok_and(|e| !e.file_name().to_string_lossy().starts_with(ASIDE)))
-            })
+            && match fs::read_dir(folder) {
+                Ok(mut entries) => entries
+                    .all(|entry| entry.is_ok_and(|e| !e.file_name().to_string_lossy().starts_with(ASIDE))),
+                Err(error) => error.kind() == ErrorKind::NotFound,
+            }
     }
 
     /// Looks at the memory of a folder.

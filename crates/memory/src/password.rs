@@ -21,7 +21,6 @@ use crate::database::Database;
 use crate::error::Error;
 use crate::items::{LogEntry, now};
 use crate::rights::Level;
-use crate::rows;
 use crate::store::{Reader, Store};
 use crate::table::{Cell, PASSWORD, TRIES};
 use argon2::Argon2;
@@ -162,7 +161,7 @@ impl Store {
         let entry = LogEntry {
             time: now(),
             level: Some(level),
-            who: rows::cut(who).to_owned(),
+            who: who.to_owned(),
             item: "rights".to_owned(),
             name: format!("log in {}", level.number()),
             from: seat.name().to_owned(),
@@ -234,7 +233,7 @@ impl Store {
         let entry = LogEntry {
             time: now(),
             level: own,
-            who: rows::cut(author.name()).to_owned(),
+            who: author.name().to_owned(),
             item: "rights".to_owned(),
             name: format!("password {}", level.number()),
             from: seat.name().to_owned(),

@@ -312,17 +312,17 @@ pub fn fits(alarm: &AlarmEntry) -> bool {
         && alarm.arguments.iter().all(|(name, value)| is_text(name) && is_text(value))
 }
 
-/// An entry of the log as a row.
+/// An entry of the log as a row; texts that are too long are cut.
 pub fn log_row(number: i64, entry: &LogEntry) -> Row {
     vec![
         number.into(),
         entry.time.into(),
         level_cell(entry.level),
-        entry.who.as_str().into(),
-        entry.item.as_str().into(),
-        entry.name.as_str().into(),
-        entry.from.as_str().into(),
-        entry.to.as_str().into(),
+        cut(&entry.who).into(),
+        cut(&entry.item).into(),
+        cut(&entry.name).into(),
+        cut(&entry.from).into(),
+        cut(&entry.to).into(),
     ]
 }
 
