@@ -182,7 +182,8 @@ pub fn drive(
             screen.event(&event, cnc, diagnostics, name);
         }
         match cnc.state() {
-            State::Running => {}
+            // Axes that failed come to rest before their alarm is given.
+            State::Running | State::Resetting => {}
             State::Stopped(code) => {
                 screen.stopped(*code, tick.span.line, diagnostics);
                 cnc.cycle_start();
