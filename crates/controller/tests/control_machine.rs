@@ -141,9 +141,9 @@ fn the_text_of_the_ladder_is_that_of_the_one_that_runs() {
     assert_eq!(text(Command::Ladder), exchanged);
     text(Command::RollBackLadder);
     assert_eq!(text(Command::Ladder), standard);
-    // And back again: remarks are not in the ladder itself.
+    // And back again, with its remarks.
     text(Command::RollBackLadder);
-    assert_eq!(text(Command::Ladder), standard);
+    assert_eq!(text(Command::Ladder), exchanged);
 }
 
 #[test]
