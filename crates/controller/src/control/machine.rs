@@ -30,7 +30,7 @@ pub(super) fn drives(
 }
 
 impl Control {
-    /// Whether the drives need a setpoint each period ([`Drives::keeps_time`](crate::drives::Drives::keeps_time)).
+    /// Whether the drives need a setpoint each period ([`Drives::keeps_time`]).
     pub fn keeps_time(&self) -> bool {
         self.cnc.keeps_time()
     }
