@@ -379,6 +379,8 @@ test('a parameter is refused without the right, and changed with it', async ({ p
   await page.getByTestId('parameter-search').fill('P98');
   await expect(page.locator('[data-parameter="P98"]')).toHaveClass(/differs/);
   await shoot(page, 'parameter-changed');
+  await page.getByTestId('parameter-switch').click();
+  await expect(page.getByTestId('parameter-switch')).toHaveAttribute('aria-pressed', 'false');
   await show(page, 'alarms/log');
   await expect(page.getByTestId('log')).toContainText('P98');
 });
@@ -462,7 +464,7 @@ for (const [theme, width, height] of [
 ] as const) {
   test(`pages in ${theme} at ${width} × ${height}`, async ({ page }) => {
     await enter(page);
-    if (!(await selected(page).textContent())?.includes('O1234')) await load(page, 'O1234', PLATE);
+    if ((await selected(page).filter({ hasText: 'O1234' }).count()) === 0) await load(page, 'O1234', PLATE);
     // On a small screen the machine panel is called up when it is needed.
     const panel = width > 1100;
     await page.evaluate((prefs) => localStorage.setItem('ferrocut.panel', JSON.stringify(prefs)), { welcomed: true, language: 'en', theme, panel });
@@ -504,7 +506,7 @@ for (const [name, tabs] of Object.entries(pages)) {
   test(`the page ${name} shows itself whole`, async ({ page }) => {
     await enter(page);
     // The one before has brought it already, unless this is the first.
-    if (!(await selected(page).textContent())?.includes('O1234')) await load(page, 'O1234', PLATE);
+    if ((await selected(page).filter({ hasText: 'O1234' }).count()) === 0) await load(page, 'O1234', PLATE);
     await expect(notice(page)).toHaveCount(0);
     for (const tab of tabs.length ? tabs : ['']) {
       await show(page, tab ? `${name}/${tab}` : name);

@@ -21,6 +21,7 @@ var position_default = {
 	"dry_run": "Dry run",
 	"machine_lock": "Machine lock",
 	"auxiliary_lock": "Auxiliary lock",
+	"parameters": "Parameter switch",
 	"parts": "Parts",
 	"run_time": "Run time",
 	"cutting_time": "Cutting time",

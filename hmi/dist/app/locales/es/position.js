@@ -21,6 +21,7 @@ var position_default = {
 	"dry_run": "Prueba en vacío",
 	"machine_lock": "Bloqueo de máquina",
 	"auxiliary_lock": "Bloqueo M S T",
+	"parameters": "Interruptor de parámetros",
 	"parts": "Piezas",
 	"run_time": "Tiempo de marcha",
 	"cutting_time": "Tiempo de corte",

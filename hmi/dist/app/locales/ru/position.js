@@ -21,6 +21,7 @@ var position_default = {
 	"dry_run": "Пробный ход",
 	"machine_lock": "Блокировка осей",
 	"auxiliary_lock": "Блокировка M S T",
+	"parameters": "Переключатель параметров",
 	"parts": "Детали",
 	"run_time": "Время работы",
 	"cutting_time": "Время резания",

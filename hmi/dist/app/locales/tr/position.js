@@ -21,6 +21,7 @@ var position_default = {
 	"dry_run": "Boş çalışma",
 	"machine_lock": "Tezgâh kilidi",
 	"auxiliary_lock": "M S T kilidi",
+	"parameters": "Parametre anahtarı",
 	"parts": "Parçalar",
 	"run_time": "Çalışma süresi",
 	"cutting_time": "Kesme süresi",

@@ -21,6 +21,7 @@ var position_default = {
 	"dry_run": "空运行",
 	"machine_lock": "机床锁住",
 	"auxiliary_lock": "辅助功能锁",
+	"parameters": "参数开关",
 	"parts": "零件数",
 	"run_time": "运行时间",
 	"cutting_time": "切削时间",
