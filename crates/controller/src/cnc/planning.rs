@@ -3,8 +3,9 @@
 //! The planner takes milliseconds at times. Beside, it is handed over as soon as a period is to be planned, and taken
 //! back when it is done: a period neither waits for it nor shares anything with it while it is away. It is ahead of the
 //! axes by [`LEAD_S`](ferrocut_motion::LEAD_S), so that what it plans is in time although it comes some periods later;
-//! setpoints are the same. While it is away motion takes no moves and counts as busy, and what is asked of it (a hold, an
-//! override) waits until it is back.
+//! setpoints are the same. Joining moves into a path takes its time too, so they lie in a ring until the planner takes
+//! them where it plans. While it is away motion counts as busy, and what is asked of it (a hold, an override) waits until
+//! it is back.
 
 use ferrocut_geometry::Position;
 use ferrocut_machine::Machine;
@@ -17,17 +18,65 @@ use std::time::Duration;
 /// that takes the system longer than all else in a period.
 const NAP: Duration = Duration::from_micros(500);
 
+/// Moves and ends that lie on their way to the planner at most.
+const WAY: usize = 256;
+
+/// What the planner is given on its way.
+#[derive(Clone, Copy)]
+enum Given {
+    Move(Move),
+    /// Nothing follows for now.
+    Finish,
+}
+
+/// The planner with what lies on its way to it.
+struct Work {
+    planner: Planner,
+    way: Consumer<Given>,
+}
+
+impl Work {
+    /// Takes what lies there, as far as there is room.
+    fn take(&mut self) {
+        while let Ok(given) = self.way.peek() {
+            match given {
+                Given::Move(m) if self.planner.push(m).is_err() => return,
+                Given::Move(_) => {}
+                Given::Finish => self.planner.finish(),
+            }
+            let _ = self.way.pop();
+        }
+    }
+
+    /// Whether it has something to do.
+    fn is_due(&self) -> bool {
+        self.planner.is_due() || !self.way.is_empty() && self.planner.free() > 0
+    }
+
+    fn plan(&mut self) {
+        self.take();
+        while self.planner.is_due() {
+            self.planner.tick();
+            self.take();
+        }
+    }
+
+    fn abort(&mut self) {
+        while self.way.pop().is_ok() {}
+        self.planner.abort();
+    }
+}
+
 /// The thread beside.
 struct Beside {
-    give: Producer<Box<Planner>>,
-    take: Consumer<Box<Planner>>,
+    give: Producer<Box<Work>>,
+    take: Consumer<Box<Work>>,
     thread: JoinHandle<()>,
 }
 
 /// What was asked for while the planner was away.
 #[derive(Clone, Copy, Default)]
 struct Asked {
-    finish: bool,
     overrides: Option<(f64, f64)>,
     hold: Option<bool>,
     abort: bool,
@@ -36,7 +85,11 @@ struct Asked {
 /// Motion.
 pub(super) struct Planning {
     /// The planner, while it is here.
-    planner: Option<Box<Planner>>,
+    work: Option<Box<Work>>,
+    /// The way to it, which is used where it plans beside.
+    way: Producer<Given>,
+    /// What was put there last is that nothing follows.
+    is_finished: bool,
     interpolator: Interpolator,
     beside: Option<Beside>,
     asked: Asked,
@@ -48,8 +101,17 @@ pub(super) struct Planning {
 impl Planning {
     pub fn new(machine: &Machine, start: Position) -> Planning {
         let (planner, interpolator) = Motion::halves(machine, start);
-        let planner = Some(Box::new(planner));
-        Planning { planner, interpolator, beside: None, asked: Asked::default(), late: 0, room: 0 }
+        let (producer, way) = RingBuffer::new(WAY);
+        Planning {
+            room: planner.free(),
+            work: Some(Box::new(Work { planner, way })),
+            way: producer,
+            is_finished: false,
+            interpolator,
+            beside: None,
+            asked: Asked::default(),
+            late: 0,
+        }
     }
 
     /// From now on the planner works in a thread of its own, which has the priority of this one.
@@ -57,41 +119,42 @@ impl Planning {
         if self.beside.is_some() {
             return Ok(());
         }
-        let (give, mut given) = RingBuffer::<Box<Planner>>::new(1);
+        let (give, mut given) = RingBuffer::<Box<Work>>::new(1);
         let (mut done, take) = RingBuffer::new(1);
         let thread = std::thread::Builder::new().name("planner".to_owned()).spawn(move || {
             while !given.is_abandoned() {
-                let Ok(mut planner) = given.pop() else {
+                let Ok(mut work) = given.pop() else {
                     std::thread::park_timeout(NAP);
                     continue;
                 };
-                while planner.is_due() {
-                    planner.tick();
-                }
+                work.plan();
                 // There is room: it is the only one.
-                let _ = done.push(planner);
+                let _ = done.push(work);
             }
         })?;
         self.beside = Some(Beside { give, take, thread });
         Ok(())
     }
 
+    fn planner(&self) -> Option<&Planner> {
+        self.work.as_ref().map(|work| &work.planner)
+    }
+
     /// Takes the planner back, if it is done: at the beginning of each period.
     pub fn fetch(&mut self) {
-        if self.planner.is_none()
+        if self.work.is_none()
             && let Some(beside) = &mut self.beside
-            && let Ok(planner) = beside.take.pop()
+            && let Ok(work) = beside.take.pop()
         {
-            self.late = planner.late();
-            self.planner = Some(planner);
+            self.late = work.planner.late();
+            self.work = Some(work);
             self.ask();
         }
     }
 
     /// Waits until the planner is back: at rest, and for clocks that do not wait themselves.
     pub fn await_planner(&mut self) {
-        while self.planner.is_none() && self.beside.as_ref().is_some_and(|beside| !beside.take.is_abandoned())
-        {
+        while self.work.is_none() && self.beside.as_ref().is_some_and(|beside| !beside.take.is_abandoned()) {
             self.fetch();
             std::thread::yield_now();
         }
@@ -99,41 +162,54 @@ impl Planning {
 
     /// Tells the planner what it was asked for meanwhile.
     fn ask(&mut self) {
-        let Some(planner) = &mut self.planner else { return };
+        let Some(work) = &mut self.work else { return };
         let asked = std::mem::take(&mut self.asked);
         if let Some((feed, rapid)) = asked.overrides {
-            planner.set_override(feed, rapid);
+            work.planner.set_override(feed, rapid);
         }
         match asked.hold {
-            Some(true) => planner.hold(),
-            Some(false) => planner.resume(),
+            Some(true) => work.planner.hold(),
+            Some(false) => work.planner.resume(),
             None => {}
         }
-        if asked.finish {
-            planner.finish();
-        }
         if asked.abort {
-            planner.abort();
+            work.abort();
         }
     }
 
+    /// How many moves may be given now. What is aborted has no room, so nothing comes behind that while it is away.
     pub fn free(&self) -> usize {
-        self.planner.as_ref().map_or(0, |planner| planner.free())
+        if self.asked.abort {
+            return 0;
+        }
+        let room = self.room();
+        match self.beside {
+            None => room,
+            // Behind each move may lie that nothing follows.
+            Some(_) => room.saturating_sub(WAY - self.way.slots()).min(self.way.slots() / 2),
+        }
     }
 
     /// The room that there is, or was when the planner went: for whoever shows it.
     pub fn room(&self) -> usize {
-        self.planner.as_ref().map_or(self.room, |planner| planner.free())
+        self.planner().map_or(self.room, |planner| planner.free())
     }
 
     /// Whether the move was taken. Whoever asked [`free`](Self::free) before is sure of it.
     pub fn push(&mut self, m: &Move) -> bool {
-        self.planner.as_mut().is_some_and(|planner| planner.push(m).is_ok())
+        self.is_finished = false;
+        match (&mut self.work, &self.beside) {
+            (Some(work), None) => work.planner.push(m).is_ok(),
+            _ => self.way.push(Given::Move(*m)).is_ok(),
+        }
     }
 
     pub fn finish(&mut self) {
-        self.asked.finish = true;
-        self.ask();
+        match (&mut self.work, &self.beside) {
+            (Some(work), None) => work.planner.finish(),
+            _ if self.is_finished => {}
+            _ => self.is_finished = self.way.push(Given::Finish).is_ok(),
+        }
     }
 
     pub fn set_override(&mut self, feed: f64, rapid: f64) {
@@ -153,13 +229,16 @@ impl Planning {
 
     pub fn abort(&mut self) {
         self.asked.abort = true;
+        self.is_finished = false;
         self.ask();
     }
 
     /// Calls the place where the axes stand by another position; only at rest.
     pub fn rename(&mut self, at: Position) {
         self.await_planner();
-        if self.planner.as_mut().is_some_and(|planner| planner.rename(at)) {
+        let Some(work) = &mut self.work else { return };
+        work.take();
+        if work.planner.rename(at) {
             self.interpolator.rename(at);
         }
     }
@@ -173,35 +252,33 @@ impl Planning {
     }
 
     pub fn is_still(&self) -> bool {
-        self.planner.as_ref().is_some_and(|planner| planner.is_still())
+        self.planner().is_some_and(|planner| planner.is_still())
     }
 
     pub fn is_empty(&self) -> bool {
-        self.planner.as_ref().is_some_and(|planner| planner.is_empty())
+        self.work.as_ref().is_some_and(|work| work.planner.is_empty() && work.way.is_empty())
     }
 
     /// Periods that were not planned in time: the axes ran on as they did, or stood.
     pub fn late(&self) -> u64 {
-        self.planner.as_ref().map_or(self.late, |planner| planner.late())
+        self.planner().map_or(self.late, |planner| planner.late())
     }
 
     /// Plans what is due, here or beside.
     pub fn plan(&mut self) {
-        match (self.planner.take(), &mut self.beside) {
-            (Some(mut planner), None) => {
-                while planner.is_due() {
-                    planner.tick();
-                }
-                self.planner = Some(planner);
+        match (self.work.take(), &mut self.beside) {
+            (Some(mut work), None) => {
+                work.plan();
+                self.work = Some(work);
             }
-            (Some(planner), Some(beside)) if planner.is_due() => {
-                self.room = planner.free();
+            (Some(work), Some(beside)) if work.is_due() => {
+                self.room = work.planner.free();
                 // It is never full, as there is one planner.
-                if let Err(rtrb::PushError::Full(planner)) = beside.give.push(planner) {
-                    self.planner = Some(planner);
+                if let Err(rtrb::PushError::Full(work)) = beside.give.push(work) {
+                    self.work = Some(work);
                 }
             }
-            (planner, _) => self.planner = planner,
+            (work, _) => self.work = work,
         }
     }
 
