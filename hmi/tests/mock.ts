@@ -82,7 +82,7 @@ function reply(command: Sent & { program?: string }, options: Options): object {
     case 'version':
       return { reply: 'version', api: 1, software: '0.1.0', dialect: 'gsk990mc', machine: 'Demo mill', axes: ['X', 'Y', 'Z', 'A'], period_ms: 1 };
     case 'programs':
-      return { reply: 'programs', programs: [{ name: 'O0001', bytes: 420, comment: 'PART', changed: 1.79e12, locked: null }] };
+      return { reply: 'programs', programs: [{ name: 'O0001', bytes: (options.program ?? short).length, comment: 'PART', changed: 1.79e12, locked: null }] };
     case 'read':
       // One that is longer than a line of the socket comes as a file.
       if ((options.program?.length ?? 0) > 1e6) return { error: 'no_answer', detail: 'too long' };

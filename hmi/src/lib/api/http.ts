@@ -135,6 +135,9 @@ export const http = {
   async upload(name: string, body: Blob | string): Promise<void> {
     await request(`/api/programs/${encodeURIComponent(name)}`, { method: 'PUT', body });
   },
+  async program(name: string): Promise<string> {
+    return (await request(this.download(name))).text();
+  },
   download(name: string): string {
     return `/api/programs/${encodeURIComponent(name)}`;
   },

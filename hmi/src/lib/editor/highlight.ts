@@ -3,17 +3,16 @@
 import { RangeSetBuilder } from '@codemirror/state';
 import { Decoration, ViewPlugin, type DecorationSet, type EditorView, type ViewUpdate } from '@codemirror/view';
 
-/** Kinds of pieces, and how each looks. */
-const marks = {
+export type Kind = 'comment' | 'g' | 'm' | 'n' | 'axis' | 'word' | 'macro';
+/** How each kind looks. Axis words look like the text itself: most words are, and each mark costs at every keystroke. */
+const marks: Partial<Record<Kind, Decoration>> = {
   comment: Decoration.mark({ class: 'nc-comment' }),
   g: Decoration.mark({ class: 'nc-g' }),
   m: Decoration.mark({ class: 'nc-m' }),
   n: Decoration.mark({ class: 'nc-n' }),
-  axis: Decoration.mark({ class: 'nc-axis' }),
   word: Decoration.mark({ class: 'nc-word' }),
   macro: Decoration.mark({ class: 'nc-macro' }),
 };
-export type Kind = keyof typeof marks;
 
 const PIECES =
   /(\([^)\n]*\)?|;.*|"[^"\n]*"?)|\b(IF|GOTO|WHILE|DO|END|THEN|EQ|NE|GT|LT|GE|LE|AND|OR|XOR|MOD|SIN|COS|TAN|ATAN|ASIN|ACOS|SQRT|ABS|ROUND|FIX|FUP|LN|EXP|BIN|BCD)\b\d*|(#\d*|#[A-Z]\w*)|([A-Za-z])(?=\s*[-+.#[\d])\s*[-+]?\d*\.?\d*/gi;
@@ -46,7 +45,10 @@ function visible(view: EditorView): DecorationSet {
   for (const { from, to } of view.visibleRanges) {
     for (let at = from; at <= to; ) {
       const line = view.state.doc.lineAt(at);
-      for (const piece of pieces(line.text)) builder.add(line.from + piece.from, line.from + piece.to, marks[piece.kind]);
+      for (const { kind, from, to } of pieces(line.text)) {
+        const mark = marks[kind];
+        if (mark) builder.add(line.from + from, line.from + to, mark);
+      }
       at = line.to + 1;
     }
   }

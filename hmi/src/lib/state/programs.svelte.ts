@@ -2,6 +2,7 @@
 import { http } from '$lib/api/http';
 import type { ProgramInfo } from '$lib/api/types';
 import { Refused } from '$lib/api/socket';
+import { untrack } from 'svelte';
 import { machine } from './machine.svelte';
 
 /** Bytes from which on a program comes as a file: a file is read faster than a line of JSON. */
@@ -19,8 +20,10 @@ export const programs = {
   },
   /** The text of a program. */
   async read(program: string): Promise<string> {
-    // One that is known to be too long for a line is not asked for over the socket first.
-    const bytes = list?.find((one) => one.name === program)?.bytes ?? 0;
+    // One that is too long for a line is not asked for over the socket first. An effect that reads a program is not run
+    // again for a new list.
+    if (untrack(() => list) === null) await this.refresh();
+    const bytes = untrack(() => list)?.find((one) => one.name === program)?.bytes ?? 0;
     if (bytes < LONG) {
       try {
         const reply = await machine.ask({ do: 'read', program });
@@ -30,7 +33,7 @@ export const programs = {
         if (!(refused instanceof Refused) || refused.alarm || refused.code === 'no_connection') throw refused;
       }
     }
-    return (await fetch(http.download(program))).text();
+    return http.program(program);
   },
   /** Stores a program: over the socket, or as a file where it is too long for a line. */
   async store(program: string, text: string): Promise<boolean> {

@@ -119,6 +119,9 @@ var http = {
 			body
 		});
 	},
+	async program(name) {
+		return (await request(this.download(name))).text();
+	},
 	download(name) {
 		return `/api/programs/${encodeURIComponent(name)}`;
 	}

@@ -1,6 +1,7 @@
 import { machine } from "../state/machine.svelte.js";
 import { highlighter } from "./highlight.js";
 import { controlLanguage } from "./language.js";
+import { linesOf } from "./lines.js";
 import { theme } from "./theme.js";
 import { untrack } from "svelte";
 import "svelte/internal/disclose-version";
@@ -45,11 +46,9 @@ function Editor($$anchor, $$props) {
 		},
 		provide: (field) => EditorView.decorations.from(field)
 	});
-	/** A long text that has line feeds alone is split at these, which is faster than the editor's own search for all kinds of ends. */
-	const linesOf = (text) => text.includes("\r") ? text : Text.of(text.split("\n"));
 	function opening(text) {
 		return EditorState.create({
-			doc: linesOf(text),
+			doc: Text.of(linesOf(text)),
 			extensions: [
 				lineNumbers(),
 				plain() ? [] : highlighter,

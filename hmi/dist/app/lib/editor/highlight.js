@@ -1,13 +1,12 @@
 import { RangeSetBuilder } from "@codemirror/state";
 import { Decoration, ViewPlugin } from "@codemirror/view";
 // src/lib/editor/highlight.ts
-/** Kinds of pieces, and how each looks. */
+/** How each kind looks. Axis words look like the text itself: most words are, and each mark costs at every keystroke. */
 var marks = {
 	comment: Decoration.mark({ class: "nc-comment" }),
 	g: Decoration.mark({ class: "nc-g" }),
 	m: Decoration.mark({ class: "nc-m" }),
 	n: Decoration.mark({ class: "nc-n" }),
-	axis: Decoration.mark({ class: "nc-axis" }),
 	word: Decoration.mark({ class: "nc-word" }),
 	macro: Decoration.mark({ class: "nc-macro" })
 };
@@ -42,7 +41,10 @@ function visible(view) {
 	const builder = new RangeSetBuilder();
 	for (const { from, to } of view.visibleRanges) for (let at = from; at <= to;) {
 		const line = view.state.doc.lineAt(at);
-		for (const piece of pieces(line.text)) builder.add(line.from + piece.from, line.from + piece.to, marks[piece.kind]);
+		for (const { kind, from, to } of pieces(line.text)) {
+			const mark = marks[kind];
+			if (mark) builder.add(line.from + from, line.from + to, mark);
+		}
 		at = line.to + 1;
 	}
 	return builder.finish();

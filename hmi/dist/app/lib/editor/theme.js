@@ -11,7 +11,8 @@ var theme = EditorView.theme({
 	"&.cm-focused": { outline: "none" },
 	".cm-scroller": {
 		fontFamily: "var(--mono)",
-		lineHeight: "1.55"
+		lineHeight: "1.55",
+		contain: "strict"
 	},
 	".cm-content": { caretColor: "var(--accent)" },
 	".cm-cursor": {

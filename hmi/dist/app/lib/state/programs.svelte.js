@@ -1,6 +1,7 @@
 import { http } from "../api/http.js";
 import { Refused } from "../api/socket.js";
 import { machine } from "./machine.svelte.js";
+import { untrack } from "svelte";
 import * as $ from "svelte/internal/client";
 // src/lib/state/programs.svelte.ts
 var LONG = 5e5;
@@ -15,7 +16,8 @@ var programs = {
 	},
 	/** The text of a program. */
 	async read(program) {
-		if (($.get(list)?.find((one) => one.name === program)?.bytes ?? 0) < LONG) try {
+		if (untrack(() => $.get(list)) === null) await this.refresh();
+		if ((untrack(() => $.get(list))?.find((one) => one.name === program)?.bytes ?? 0) < LONG) try {
 			const reply = await machine.ask({
 				do: "read",
 				program
@@ -24,7 +26,7 @@ var programs = {
 		} catch (refused) {
 			if (!(refused instanceof Refused) || refused.alarm || refused.code === "no_connection") throw refused;
 		}
-		return (await fetch(http.download(program))).text();
+		return http.program(program);
 	},
 	/** Stores a program: over the socket, or as a file where it is too long for a line. */
 	async store(program, text) {
