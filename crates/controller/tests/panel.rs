@@ -329,3 +329,74 @@ fn a_shift_with_measuring_and_an_emergency_stop_in_a_cut() {
     assert!(by_panel("zeros", "G54 x") && by_panel("zeros", "G54 y") && by_panel("zeros", "G54 z"));
     assert!(by_panel("programs", "O1000"));
 }
+
+#[test]
+fn a_key_that_is_pressed_and_let_go_between_two_scans_acts() {
+    let mut mill = Mill::power_on();
+    let tap = |mill: &mut Mill, key: &str| {
+        mill.say(Command::Key { key: key.into(), down: true });
+        mill.say(Command::Key { key: key.into(), down: false });
+    };
+    for (key, mode) in [("KEY_EDIT", Mode::Edit), ("KEY_JOG", Mode::Jog), ("KEY_MDI", Mode::Mdi)] {
+        tap(&mut mill, key);
+        mill.until(key, |status| status.mode == mode);
+    }
+    mill.say(Command::Mdi { text: "G91 G1 X-20 F600".into() });
+    tap(&mut mill, "KEY_START");
+    mill.until("moving", |status| status.activity == Activity::Running);
+    tap(&mut mill, "KEY_HOLD");
+    mill.until("holding", |status| status.activity == Activity::Held);
+    tap(&mut mill, "KEY_START");
+    mill.until("at rest", |status| status.activity == Activity::Idle);
+    // An axis key moves its axis no longer than the ladder took to see it.
+    tap(&mut mill, "KEY_JOG");
+    mill.until("KEY_JOG", |status| status.mode == Mode::Jog);
+    tap(&mut mill, "KEY_X-");
+    let status = mill.wait(1000);
+    assert_eq!(status.activity, Activity::Idle);
+}
+
+#[test]
+fn level_2_sees_every_press_however_long_it_takes() {
+    // Level 2 counts the presses in D0; its 10,000 networks take several periods.
+    let idle: String = (0..10_000).map(|n| format!("RD X1.0\nWRT R{}.{}\n", 100 + n / 8, n % 8)).collect();
+    let text = format!(
+        "KEY_A = X20.0\nRD KEY_A\nWRT Y0.0\nEND1\nRD KEY_A\nDIFU 1\nWRT R0.0\n\
+         RD.NOT R9091.1\nRD.STK R0.0\nADDB 1 D0 1 D0\n{idle}END2\n"
+    );
+    let machine = Machine::demo_mill();
+    let ladder = Program::from_text(text.as_bytes(), &Limits::default()).unwrap();
+    let parts = Parts { ladder: Some(ladder), ..Parts::default() };
+    let mut mill = Mill { control: Control::new(&machine, parts).unwrap(), events: Vec::new() };
+    let key = |mill: &mut Mill, down| mill.say(Command::Key { key: "KEY_A".into(), down });
+    let signal = |mill: &mut Mill, name: &str| match mill.say(Command::Signals { names: vec![name.into()] }) {
+        Reply::Signals { signals } => signals[name],
+        reply => panic!("{reply:?}"),
+    };
+    // Pressed in the midst of level 2 and let go a period later: it counts, and so does each press of several at once.
+    let mut presses = 0;
+    for periods in [1, 2, 3, 1] {
+        mill.wait(periods);
+        key(&mut mill, true);
+        mill.wait(1);
+        key(&mut mill, false);
+        mill.wait(40);
+        presses += 1;
+        assert_eq!((signal(&mut mill, "D0"), signal(&mut mill, "KEY_A")), (presses, 0));
+    }
+    for _ in 0..3 {
+        key(&mut mill, true);
+        key(&mut mill, false);
+    }
+    mill.wait(100);
+    assert_eq!((signal(&mut mill, "D0"), signal(&mut mill, "KEY_A")), (presses + 3, 0));
+    // However many come, the key is in the end what it is at last.
+    for down in [true, false].iter().cycle().take(99) {
+        key(&mut mill, *down);
+    }
+    mill.wait(400);
+    assert_eq!(signal(&mut mill, "KEY_A"), 1);
+    // What was seen is let go at once.
+    key(&mut mill, false);
+    assert_eq!(signal(&mut mill, "KEY_A"), 0);
+}

@@ -51,6 +51,8 @@ pub enum Stop {
 pub struct Scanned {
     /// Steps carried out.
     pub steps: u32,
+    /// Whether level 2 began, and took in its inputs.
+    pub has_begun: bool,
     /// Whether level 2 came to its end.
     pub is_round: bool,
     /// Why the ladder was stopped, in the scan that stopped it and all after.
@@ -180,8 +182,10 @@ impl Plc {
 
     /// Carries out one period.
     pub fn scan(&mut self) -> Scanned {
-        let mut scanned = Scanned { steps: 0, is_round: false, stop: self.stop, rolled_back: false };
+        let mut scanned =
+            Scanned { steps: 0, has_begun: false, is_round: false, stop: self.stop, rolled_back: false };
         if self.stop.is_none() {
+            scanned.has_begun = self.begins;
             self.system_signals();
             let done = if self.is_watched { self.levels::<true>() } else { self.levels::<false>() };
             match done {
@@ -193,7 +197,7 @@ impl Plc {
                     }
                 }
                 Err(_) if self.on_trial => {
-                    scanned.rolled_back = true;
+                    (scanned.rolled_back, scanned.has_begun) = (true, false);
                     self.roll_back();
                 }
                 Err(stop) => {

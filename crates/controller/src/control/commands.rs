@@ -254,7 +254,7 @@ impl Control {
         let plc = self.plc.as_mut().ok_or_else(|| named(Fault::NotFitted, "ladder"))?;
         let address = plc.program().signal(key).filter(|a| a.area == Area::X && a.bit.is_some());
         let address = address.ok_or_else(|| named(Fault::NoSuchName, key))?;
-        plc.memory_mut().set_bit(address, down);
+        self.keys.change(plc.memory_mut(), address, down);
         Ok(Reply::Done)
     }
 

@@ -15,6 +15,7 @@ mod desk;
 mod dnc;
 mod hand;
 mod keeping;
+mod keys;
 mod ladder_names;
 mod library;
 mod machine;
@@ -67,6 +68,7 @@ pub struct Control {
     machine: Machine,
     cnc: Cnc,
     plc: Option<Plc>,
+    keys: keys::Keys,
     library: Library,
     keeping: Option<Keeping>,
     /// What the ladder wants in this period, and in the one before.
@@ -176,6 +178,7 @@ impl Control {
             state: cnc.state().clone(),
             cnc,
             plc,
+            keys: keys::Keys::default(),
             library,
             keeping,
             inputs: Inputs::default(),
@@ -299,8 +302,13 @@ impl Control {
             memory.set_bit(Address { area: Area::X, byte, bit: Some(bit) }, on);
         });
         let was_stopped = plc.stopped().is_some();
-        plc.scan();
+        let scanned = plc.scan();
         let is_stopped = plc.stopped().is_some();
+        match is_stopped {
+            true => self.keys.settle(plc.memory_mut()),
+            false if scanned.has_begun => self.keys.seen(plc.memory_mut()),
+            false => {}
+        }
         self.inputs = Inputs::read(plc.memory());
         let axes = self.machine.axes.iter().map(|axis| axis.name);
         self.cnc.set_switches(Some(Switches::of(&self.inputs, axes)));
