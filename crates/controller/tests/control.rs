@@ -202,6 +202,38 @@ fn single_block_and_the_stop_number_stop_where_they_should() {
 }
 
 #[test]
+fn a_stop_number_is_of_a_program_and_may_be_given_while_it_runs() {
+    // The name as it is kept, as somebody types it, and another program's.
+    for (program, stops) in [("O0001", true), ("O1", true), ("o00001", true), ("O2", false)] {
+        let mut shop = Shop::new(&[]);
+        shop.store("O0001", LONG);
+        shop.store("O0002", LONG);
+        shop.select("O1");
+        shop.say(Command::StopAt { program: Some(program.into()), sequence: Some(2) });
+        shop.start();
+        let status = shop.until_it_stops();
+        let wanted = if stops { (Activity::BlockEnd, 40.0) } else { (Activity::Idle, 80.0) };
+        assert_eq!((status.activity, shop.x()), wanted, "{program}");
+    }
+    let stop_at = |sequence| Command::StopAt { program: None, sequence };
+    let mut shop = running(&[]);
+    shop.say(stop_at(Some(3)));
+    let status = shop.until_it_stops();
+    assert_eq!((status.activity, shop.x()), (Activity::BlockEnd, 60.0));
+    shop.start();
+    assert_eq!(shop.until_it_stops().counters.parts, 1);
+    // Taken back, or of another program, while it runs.
+    let mut shop = running(&[]);
+    shop.say(stop_at(Some(3)));
+    shop.say(stop_at(None));
+    assert_eq!(shop.until_it_stops().activity, Activity::Idle);
+    let mut shop = running(&[]);
+    shop.say(stop_at(Some(3)));
+    shop.say(Command::StopAt { program: Some("O7".into()), sequence: Some(3) });
+    assert_eq!(shop.until_it_stops().activity, Activity::Idle);
+}
+
+#[test]
 fn a_run_begins_at_the_cursor() {
     let mut shop = Shop::new(&[]);
     shop.store("O0001", LONG);

@@ -93,9 +93,7 @@ impl Control {
             Command::Dnc { text, first, last } => self.take_dnc(&text, first, last),
             Command::StopAt { program, sequence } => {
                 self.stop_at = sequence.map(|sequence| (program, sequence));
-                if sequence.is_none() {
-                    self.cnc.stop_behind(None);
-                }
+                self.arm_stop();
                 Ok(Reply::Done)
             }
             Command::Offsets { from, to } => Ok(self.offsets(from, to)),

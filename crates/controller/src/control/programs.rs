@@ -50,7 +50,7 @@ impl Control {
             Mode::Dnc => self.start_dnc()?,
             _ => return Err(Box::new(alarm(Fault::ControlMode))),
         }
-        self.stop_line_of_program();
+        self.arm_stop();
         self.cnc.cycle_start();
         Ok(())
     }
@@ -148,14 +148,17 @@ impl Control {
         self.cnc.is_under_way() && files.take_while(|file| !file.is_empty()).any(|file| file == name)
     }
 
-    /// 3.4.1, stop number: the line that has the sequence number in the program that is started.
-    fn stop_line_of_program(&mut self) {
-        let Some((program, sequence)) = self.stop_at.clone() else { return };
-        let Loaded::Auto(name) = &self.loaded else { return };
-        if program.is_some_and(|program| program != *name) {
-            return;
-        }
-        let line = self.library.text(name).and_then(|text| line_of(&text, sequence));
+    /// 3.4.1, stop number: the run that begins, or is under way, stops behind the line that has the sequence number,
+    /// if it is a run of the program.
+    pub(super) fn arm_stop(&mut self) {
+        let line = match (&self.stop_at, &self.loaded) {
+            (Some((program, sequence)), Loaded::Auto(name)) => {
+                let is_of = |program: &String| library::id_of(program) == library::id_of(name);
+                let text = self.library.text(name).filter(|_| program.as_ref().is_none_or(is_of));
+                text.and_then(|text| line_of(&text, *sequence))
+            }
+            _ => None,
+        };
         self.cnc.stop_behind(line.map(|line| (FileId(0), line)));
     }
 
