@@ -311,6 +311,43 @@ fn locks_and_interlocks() {
     assert_eq!(shop.until_it_stops().position.machine[&'X'], 100.0);
 }
 
+/// 3.1.2 note 4: P356 is the counter of parts, P357 how many are wanted.
+#[test]
+fn parts_are_counted_in_their_parameter_up_to_those_that_are_wanted() {
+    let mut shop = Shop::new(&[("P357", 3.0)]);
+    shop.store("O0001", "M30\n");
+    shop.select("O1");
+    let state = |shop: &mut Shop| {
+        let parts = shop.wait(2).counters.parts;
+        let Reply::Parameters { parameters } = shop.say(Command::Parameters { names: vec!["P356".into()] })
+        else {
+            panic!()
+        };
+        (parts, parameters["P356"], shop.control.outputs().parts_reached)
+    };
+    assert_eq!(state(&mut shop), (0, 0.0, false));
+    shop.start();
+    shop.until_it_stops();
+    assert_eq!(state(&mut shop), (1, 1.0, false));
+    shop.say(Command::SetCounter { counter: "parts".into(), value: 2.0 });
+    assert_eq!(state(&mut shop), (2, 2.0, false));
+    shop.start();
+    shop.until_it_stops();
+    assert_eq!(state(&mut shop), (3, 3.0, true));
+    // By the parameter, from a person and from a program.
+    shop.mode(Mode::Mdi);
+    shop.say(Command::ParameterSwitch { on: true });
+    shop.say(Command::SetParameter { name: "P356".into(), value: Some(1.0) });
+    assert_eq!(state(&mut shop), (1, 1.0, false));
+    shop.say(Command::SetParameter { name: "P357".into(), value: Some(0.0) });
+    shop.say(Command::ParameterSwitch { on: false });
+    shop.say(Command::Mdi { text: "G10 L51\nN356 R7\nG11".into() });
+    shop.start();
+    shop.until_it_stops();
+    // None are wanted.
+    assert_eq!(state(&mut shop), (7, 7.0, false));
+}
+
 #[test]
 fn dry_run_runs_at_its_own_speed_where_the_bits_say() {
     let mut shop = Shop::new(&[("P86", 3000.0), ("NO12.6", 1.0)]);

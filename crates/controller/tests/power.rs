@@ -92,6 +92,7 @@ fn what_was_entered_run_and_counted_is_there_after_the_power() {
     mode(&mut control, Mode::Edit);
     let status = control.status();
     assert_eq!((status.counters.parts, status.position.machine[&'X']), (2, 7.0));
+    assert_eq!(control.interpreter().memory().parameters.data(356), 2.0);
     assert!(status.counters.run_time > 0.1 && status.counters.power_on_time > 6.0);
     let Reply::Variables { variables } = say(&mut control, Command::Variables { from: 500, to: 999 }) else {
         panic!()

@@ -1,5 +1,6 @@
 //! What a front says, and what comes of it. Data go through the durable memory, which judges rights.
 
+use super::status::PARTS_MACHINED;
 use super::taking_up::Wanted;
 use super::{Control, alarm, capture, library, name_of, trace};
 use crate::api::{
@@ -212,7 +213,11 @@ impl Control {
 
     /// A change of data, which the memory judges.
     pub(super) fn change_data(&mut self, author: &Author, change: Change) -> Answer {
-        match self.change(author, change)? {
+        self.change_data_together(author, vec![change])
+    }
+
+    fn change_data_together(&mut self, author: &Author, changes: Vec<Change>) -> Answer {
+        match self.change_together(author, changes)? {
             true => Ok(Reply::Done),
             false => Ok(Reply::OnItsWay),
         }
@@ -555,7 +560,12 @@ impl Control {
             let check = parameters.check(&key, value);
             check.map_err(|error| alarm(Fault::MemoryValue).with("detail", error.to_string()))?;
         }
-        self.change_data(author, Change::Parameter { key, value })
+        let mut changes = vec![Change::Parameter { key: key.clone(), value }];
+        if key == PARTS_MACHINED {
+            // The counter is what is kept of it.
+            changes.push(Change::Counter { counter: Counter::Parts, value: value.unwrap_or_default() });
+        }
+        self.change_data_together(author, changes)
     }
 
     pub(super) fn axis_named(&self, letter: char) -> Result<Axis, Box<Alarm>> {

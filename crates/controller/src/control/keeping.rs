@@ -10,7 +10,7 @@ use super::{Control, alarm};
 use crate::api::{AlarmInfo, Event};
 use ferrocut_geometry::Position;
 use ferrocut_interpreter::Interpreter;
-use ferrocut_machine::{Alarm, Fault, Memory, ToolOffset, WorkOffset};
+use ferrocut_machine::{Alarm, Fault, Memory, ParameterKey, ToolOffset, WorkOffset};
 use ferrocut_memory::control::{ENTERED, KEPT_VARIABLES, changes, enter};
 use ferrocut_memory::{
     AlarmEntry, Author, Change, Counter, InterruptedRun, Item, LastPosition, Pending, PlcArea, Store,
@@ -109,6 +109,12 @@ impl Keeping {
     pub fn alarm(&mut self, alarm: &Alarm, program: &str) {
         let entry = AlarmEntry::of(alarm, program, ferrocut_memory::items::now());
         self.put(&Author::Control, vec![Change::Alarm(entry)]);
+    }
+
+    /// A parameter has this value, and it is kept elsewhere.
+    pub fn has(&mut self, key: &ParameterKey, value: f64) {
+        // The value is one that the control has taken.
+        let _ = self.kept.parameters.set(key, value);
     }
 
     /// Changes that nobody waits for.
@@ -279,6 +285,7 @@ impl Control {
             keeping.kept = memory;
             keeping.counters = self.counters;
         }
+        self.show_parts();
         self.loaded = super::Loaded::Nothing;
         Ok(())
     }
@@ -398,6 +405,7 @@ impl Control {
                 }
                 Change::Counter { counter, value } => {
                     self.counters.set(*counter, *value);
+                    self.show_parts();
                     Item::Counters
                 }
                 Change::ReferencePoint { number, position } => {

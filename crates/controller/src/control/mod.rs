@@ -105,6 +105,8 @@ pub struct Control {
     reset_left: u64,
     state: State,
     parts: u32,
+    /// Parts as their parameter had them last.
+    shown_parts: f64,
     cutting_before: f64,
     ladder_names: ladder_names::LadderNames,
     counters: status::Count,
@@ -173,7 +175,7 @@ impl Control {
         }
         let tick =
             Tick { position: start, actual: start, velocity: 0.0, span: Span::default(), moving: false };
-        Ok(Control {
+        let mut control = Control {
             machine: machine.clone(),
             state: cnc.state().clone(),
             cnc,
@@ -205,6 +207,7 @@ impl Control {
             periods: 0,
             reset_left: 0,
             parts: 0,
+            shown_parts: 0.0,
             cutting_before: 0.0,
             ladder_names: ladder_names::LadderNames::default(),
             counters,
@@ -215,7 +218,9 @@ impl Control {
             pitch,
             is_in_period: false,
             events: Vec::new(),
-        })
+        };
+        control.show_parts();
+        Ok(control)
     }
 
     /// Inputs of a machine that is well, with nothing pressed: every permission given, overrides at 100 %. For a
@@ -604,6 +609,7 @@ impl Control {
             spindle_rpm: self.cnc.spindle().rpm().clamp(0.0, 65_535.0) as u16,
             spindle_enabled: self.cnc.spindle().rpm() > 0.0,
             spindle_zero: self.cnc.spindle().rpm() == 0.0,
+            parts_reached: self.parts_are_made(),
             ..self.outputs.clone()
         };
         let (referenced, at_reference) = (self.cnc.referenced(), self.cnc.at_reference());

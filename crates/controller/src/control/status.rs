@@ -8,11 +8,15 @@ use crate::api::{
 use crate::cnc::State;
 use crate::report::Activity;
 use ferrocut_geometry::{Axis, Position};
-use ferrocut_machine::Fault;
+use ferrocut_machine::{Fault, ParameterKey};
 use ferrocut_memory::Counter;
 use ferrocut_plc::Area;
 use ferrocut_plc::list::Symbol;
 use std::collections::BTreeMap;
+
+/// P356: parts machined, and P357: parts to be machined (GSK990MC part 2, 3.1.2 note 4).
+pub(super) const PARTS_MACHINED: ParameterKey = ParameterKey::Data(356);
+const PARTS_REQUIRED: ParameterKey = ParameterKey::Data(357);
 
 /// Counters as they are kept: pieces and s.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
@@ -52,6 +56,12 @@ impl Count {
 impl Control {
     /// Counts parts and times (3.1.2: parts by M30 and M02).
     pub(super) fn count(&mut self) {
+        // A program or a person wrote the parameter.
+        let written = self.cnc.interpreter().memory().parameters.get(&PARTS_MACHINED);
+        if written != self.shown_parts {
+            self.counters.parts = written;
+            self.shown_parts = written;
+        }
         let seconds = self.machine.servo_period_ms / 1000.0;
         self.counters.power_on_time += seconds;
         if self.cnc.state() == &State::Running {
@@ -66,9 +76,29 @@ impl Control {
         if made > 0 && self.program_mode() != crate::signals::Mode::Mdi {
             self.counters.parts += f64::from(made);
             self.counters.all_parts += f64::from(made);
+            self.show_parts();
             let parts = self.counters.parts as u64;
             self.event(Event::Part { parts });
         }
+    }
+
+    /// The parts that were counted are the value of their parameter, as far as it goes.
+    pub(super) fn show_parts(&mut self) {
+        let parameters = &self.cnc.interpreter().memory().parameters;
+        let Some(row) = parameters.table().get(&PARTS_MACHINED) else { return };
+        let shown = self.counters.parts.floor().min(row.max.unwrap_or(f64::MAX));
+        // Within its range.
+        let _ = self.cnc.interpreter_mut().memory_mut().parameters.set(&PARTS_MACHINED, shown);
+        if let Some(keeping) = &mut self.keeping {
+            keeping.has(&PARTS_MACHINED, shown);
+        }
+        self.shown_parts = shown;
+    }
+
+    /// The parts that were wanted are made.
+    pub(super) fn parts_are_made(&self) -> bool {
+        let wanted = self.cnc.interpreter().memory().parameters.get(&PARTS_REQUIRED);
+        wanted > 0.0 && self.counters.parts >= wanted
     }
 
     /// How things stand.

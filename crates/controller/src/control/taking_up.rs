@@ -368,6 +368,8 @@ impl Control {
         self.taking_up.from_line = from_line;
         self.taking_up.broken = None;
         self.loaded = Loaded::Auto(program);
+        // Parts were counted since the run began.
+        self.show_parts();
         // What the search wrote is looked at by the durable memory.
         self.keep_all_of_program();
         Ok(())
