@@ -27,11 +27,14 @@ fn machine() -> Machine {
 
 /// A control that knows its axes, among blocks, the probe at this place, in AUTO.
 fn among(blocks: &[Block], at: [f64; 3]) -> Shop {
-    let machine = machine();
-    let mut plant = Plant::new(&machine, Position::ZERO, Position::ZERO);
+    among_of(&machine(), blocks, at)
+}
+
+fn among_of(machine: &Machine, blocks: &[Block], at: [f64; 3]) -> Shop {
+    let mut plant = Plant::new(machine, Position::ZERO, Position::ZERO);
     blocks.iter().for_each(|block| plant.place(*block));
     let parts = Parts { drives: Some(Box::new(plant)), ..Parts::default() };
-    let mut shop = Shop::of(&machine, parts);
+    let mut shop = Shop::of(machine, parts);
     shop.mode(Mode::Mdi);
     shop.say(Command::Mdi { text: format!("G54 G90 G0 Z{}\nX{} Y{}", at[2], at[0], at[1]) });
     shop.start();
@@ -446,6 +449,41 @@ fn points_by_hand_give_a_centre() {
     let rectangle =
         Command::Centre { circle: false, system: Some("G56".into()), values: [('Y', 5.0)].into() };
     assert_eq!(shop.refused(rectangle.clone()), "FC-1473");
+/// The length asked for: given, else that of the offset, else P390.
+#[test]
+fn a_length_that_nobody_gave_is_that_of_the_offset_or_of_the_parameter() {
+    let (setter, length) = ([60.0, -40.0, -180.0], 82.5);
+    let body = block([50.0, -50.0, -400.0], [70.0, -30.0, setter[2] + length]);
+    // Offset H 4, P390, and what comes of it: found only within 4 mm of the estimate.
+    for (h, estimate, wanted) in [
+        (0.0, 0.0, Err("FC-1476")),
+        (0.0, 84.0, Ok(())),
+        (0.0, 90.0, Err("gsk990mc:0283")),
+        (84.0, 90.0, Ok(())),
+        (90.0, 84.0, Err("gsk990mc:0283")),
+    ] {
+        let mut machine = machine();
+        for (name, value) in
+            [("P387", setter[0]), ("P388", setter[1]), ("P389", setter[2]), ("P390", estimate)]
+        {
+            machine.parameters.insert(name.to_owned(), value);
+        }
+        let mut shop = among_of(&machine, &[body], [0.0, 0.0, -60.0]);
+        let offset = json!({"do": "set_offset", "number": 4, "length": h});
+        shop.say(serde_json::from_value(offset).unwrap());
+        let asked = command(json!({"mode": "length", "h": 4}), "measure_tool");
+        let found = measure(&mut shop, asked).map(|found| near(found.sizes[0], length));
+        assert_eq!(found, wanted.map_err(str::to_owned), "H {h}, P390 {estimate}");
+        if found.is_err() {
+            shop.say(Command::Reset);
+            shop.wait(20);
+        }
+        // A calibration takes neither.
+        let calibrate = command(json!({"mode": "calibrate_length", "h": 4}), "measure_tool");
+        assert_eq!(shop.refused(calibrate), "FC-1476");
+    }
+}
+
     shop.say(Command::SetZero { system: "G54".into(), axes: [('X', 0.0), ('Y', 0.0)].into(), add: false });
     for (number, x, y) in [(1, -10.0, 3.0), (2, 30.0, -2.0), (3, 1.0, 50.0), (4, 9.0, -20.0)] {
         go(&mut shop, x, y, number);

@@ -23,6 +23,9 @@ const MOST_POINTS: u8 = 8;
 const SETTER: [u16; 3] = [387, 388, 389];
 const PROBE_DIAMETER: u16 = 391;
 
+/// P390: estimated length of a tool, from its tip to the holder.
+const LENGTH_ESTIMATE: u16 = 390;
+
 /// How far a setter is searched whose height nobody knows, mm.
 const UNKNOWN_HEIGHT: f64 = 50.0;
 
@@ -161,7 +164,10 @@ impl Control {
         };
         let calibrates = mode == tool::Mode::CalibrateLength;
         let (length, radius) = (self.offset(asked.h)?, self.offset(asked.d)?);
-        let length = asked.length.or(length.filter(|_| !calibrates).map(|of| of.length + of.length_wear));
+        // 3.4.3.2, A 6 note 1: to calibrate it must be given.
+        let estimates = [length.map(|of| of.length + of.length_wear), Some(self.parameter(LENGTH_ESTIMATE))];
+        let mut estimates = estimates.into_iter().flatten().filter(|length| !calibrates && *length != 0.0);
+        let length = asked.length.or_else(|| estimates.next());
         let as_diameter = if self.radius_is_diameter() { 1.0 } else { 2.0 };
         let diameter = asked.diameter.or(radius.map(|of| (of.radius + of.radius_wear) * as_diameter));
         let spindle = asked.rpm.filter(|rpm| *rpm != 0.0).map(|rpm| match rpm > 0.0 {
