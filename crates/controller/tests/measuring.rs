@@ -222,6 +222,43 @@ fn forms_that_lie_at_an_angle() {
     let set = zero(&mut shop, "G58");
     near(set[0], centre[0]);
     near(set[1], centre[1]);
+
+    // A boss, by three blocks whose faces stand where the rays leave it.
+    let radius = 25.0 + BALL / 2.0;
+    let mut blocks = Vec::new();
+    for angle in angles {
+        let (sin, cos) = f64::to_radians(angle).sin_cos();
+        let away = [at[0] - centre[0], at[1] - centre[1]];
+        let along = away[0] * cos + away[1] * sin;
+        let far = -along + (along * along + radius * radius - away[0] * away[0] - away[1] * away[1]).sqrt();
+        let hit = [at[0] + far * cos, at[1] + far * sin];
+        let (min, max) = if cos > 0.0 { (hit[0] - 8.0, hit[0]) } else { (hit[0], hit[0] + 8.0) };
+        blocks.push(block([min, hit[1] - 4.0, -100.0], [max, hit[1] + 4.0, 0.0]));
+    }
+    let mut shop = among(&blocks, [at[0], at[1], 5.0]);
+    let asked = json!({"form": "vector_boss", "diameter": 50, "angles": angles, "z": -3, "system": "G59"});
+    let found = measure(&mut shop, command(asked, "measure")).unwrap();
+    near(found.sizes[0], 50.0);
+    let set = zero(&mut shop, "G59");
+    near(set[0], centre[0]);
+    near(set[1], centre[1]);
+
+    // A slot at 30°, with walls across X where the line through the place meets it.
+    let (sin, cos) = 30f64.to_radians().sin_cos();
+    let (at, offset, half) = ([5.0, -3.0], -0.3, 20.0 - BALL / 2.0);
+    let on = |distance: f64| [at[0] + distance * cos, at[1] + distance * sin];
+    let (right, left) = (on(offset + half), on(offset - half));
+    let walls = [
+        block([right[0], -80.0, -100.0], [right[0] + 20.0, 80.0, 0.0]),
+        block([left[0] - 20.0, -80.0, -100.0], [left[0], 80.0, 0.0]),
+    ];
+    let mut shop = among(&walls, [at[0], at[1], 5.0]);
+    let asked = json!({"form": "vector_slot", "width": 40, "angle": 30, "z": -3, "system": "G54 P2"});
+    let found = measure(&mut shop, command(asked, "measure")).unwrap();
+    near(found.sizes[0], 40.0);
+    let set = zero(&mut shop, "G54 P2");
+    near(set[0], on(offset)[0]);
+    near(set[1], on(offset)[1]);
     // Angles too close to each other (3.4.3.1, D).
     let close = json!({"form": "vector_hole", "diameter": 50, "angles": [10, 14, 250], "z": -3});
     assert_eq!(measure(&mut shop, command(close, "measure")).unwrap_err(), "FC-1476");
@@ -412,6 +449,41 @@ fn a_tool_is_measured_on_the_setter_and_the_setter_by_a_known_tool() {
     assert_eq!(shop.refused(command(asked, "measure_tool")), "gsk990mc:0282");
 }
 
+/// The length asked for: given, else that of the offset, else P390.
+#[test]
+fn a_length_that_nobody_gave_is_that_of_the_offset_or_of_the_parameter() {
+    let (setter, length) = ([60.0, -40.0, -180.0], 82.5);
+    let body = block([50.0, -50.0, -400.0], [70.0, -30.0, setter[2] + length]);
+    // Offset H 4, P390, and what comes of it: found only within 4 mm of the estimate.
+    for (h, estimate, wanted) in [
+        (0.0, 0.0, Err("FC-1476")),
+        (0.0, 84.0, Ok(())),
+        (0.0, 90.0, Err("gsk990mc:0283")),
+        (84.0, 90.0, Ok(())),
+        (90.0, 84.0, Err("gsk990mc:0283")),
+    ] {
+        let mut machine = machine();
+        for (name, value) in
+            [("P387", setter[0]), ("P388", setter[1]), ("P389", setter[2]), ("P390", estimate)]
+        {
+            machine.parameters.insert(name.to_owned(), value);
+        }
+        let mut shop = among_of(&machine, &[body], [0.0, 0.0, -60.0]);
+        let offset = json!({"do": "set_offset", "number": 4, "length": h});
+        shop.say(serde_json::from_value(offset).unwrap());
+        let asked = command(json!({"mode": "length", "h": 4}), "measure_tool");
+        let found = measure(&mut shop, asked).map(|found| near(found.sizes[0], length));
+        assert_eq!(found, wanted.map_err(str::to_owned), "H {h}, P390 {estimate}");
+        if found.is_err() {
+            shop.say(Command::Reset);
+            shop.wait(20);
+        }
+        // A calibration takes neither.
+        let calibrate = command(json!({"mode": "calibrate_length", "h": 4}), "measure_tool");
+        assert_eq!(shop.refused(calibrate), "FC-1476");
+    }
+}
+
 #[test]
 fn points_by_hand_give_a_centre() {
     let mut shop = Shop::new(&[]);
@@ -449,41 +521,6 @@ fn points_by_hand_give_a_centre() {
     let rectangle =
         Command::Centre { circle: false, system: Some("G56".into()), values: [('Y', 5.0)].into() };
     assert_eq!(shop.refused(rectangle.clone()), "FC-1473");
-/// The length asked for: given, else that of the offset, else P390.
-#[test]
-fn a_length_that_nobody_gave_is_that_of_the_offset_or_of_the_parameter() {
-    let (setter, length) = ([60.0, -40.0, -180.0], 82.5);
-    let body = block([50.0, -50.0, -400.0], [70.0, -30.0, setter[2] + length]);
-    // Offset H 4, P390, and what comes of it: found only within 4 mm of the estimate.
-    for (h, estimate, wanted) in [
-        (0.0, 0.0, Err("FC-1476")),
-        (0.0, 84.0, Ok(())),
-        (0.0, 90.0, Err("gsk990mc:0283")),
-        (84.0, 90.0, Ok(())),
-        (90.0, 84.0, Err("gsk990mc:0283")),
-    ] {
-        let mut machine = machine();
-        for (name, value) in
-            [("P387", setter[0]), ("P388", setter[1]), ("P389", setter[2]), ("P390", estimate)]
-        {
-            machine.parameters.insert(name.to_owned(), value);
-        }
-        let mut shop = among_of(&machine, &[body], [0.0, 0.0, -60.0]);
-        let offset = json!({"do": "set_offset", "number": 4, "length": h});
-        shop.say(serde_json::from_value(offset).unwrap());
-        let asked = command(json!({"mode": "length", "h": 4}), "measure_tool");
-        let found = measure(&mut shop, asked).map(|found| near(found.sizes[0], length));
-        assert_eq!(found, wanted.map_err(str::to_owned), "H {h}, P390 {estimate}");
-        if found.is_err() {
-            shop.say(Command::Reset);
-            shop.wait(20);
-        }
-        // A calibration takes neither.
-        let calibrate = command(json!({"mode": "calibrate_length", "h": 4}), "measure_tool");
-        assert_eq!(shop.refused(calibrate), "FC-1476");
-    }
-}
-
     shop.say(Command::SetZero { system: "G54".into(), axes: [('X', 0.0), ('Y', 0.0)].into(), add: false });
     for (number, x, y) in [(1, -10.0, 3.0), (2, 30.0, -2.0), (3, 1.0, 50.0), (4, 9.0, -20.0)] {
         go(&mut shop, x, y, number);
