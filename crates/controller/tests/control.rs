@@ -6,6 +6,7 @@ mod common;
 
 use common::shop::Shop;
 use ferrocut_controller::api::{Activity, Command, Event, OffsetValues, RelativeTo, Reply, Status};
+use ferrocut_controller::control::modes::{self, Change};
 use ferrocut_controller::signals::{RapidOverride, Ways};
 use ferrocut_controller::{Mode, Parts};
 use ferrocut_machine::Machine;
@@ -78,19 +79,72 @@ fn an_operator_powers_on_jogs_types_runs_holds_and_runs_again() {
 
 /// A run of LONG in its second block, at some speed.
 fn running(parameters: &[(&str, f64)]) -> Shop {
-    let mut shop = Shop::new(parameters);
-    shop.store("O0001", LONG);
-    shop.select("O1");
+    running_in(Mode::Auto, parameters)
+}
+
+/// The modes that run programs.
+const PROGRAMS: [Mode; 3] = [Mode::Auto, Mode::Mdi, Mode::Dnc];
+
+/// The same in one of them.
+fn running_in(program: Mode, parameters: &[(&str, f64)]) -> Shop {
+    run_long(Shop::new(parameters), program)
+}
+
+fn run_long(mut shop: Shop, program: Mode) -> Shop {
+    match program {
+        Mode::Auto => {
+            shop.store("O0001", LONG);
+            shop.select("O1");
+        }
+        Mode::Mdi => {
+            shop.mode(program);
+            shop.say(Command::Mdi { text: LONG.into() });
+        }
+        _ => {
+            shop.mode(program);
+            shop.say(Command::Dnc { text: LONG.into(), first: true, last: true });
+        }
+    }
     shop.start();
-    shop.wait(1500);
-    assert_eq!(shop.control.status().program.line, 3);
+    let status = shop.wait(1500);
+    assert_eq!((status.program.line, status.program_mode), (3, Some(program)));
     shop
+}
+
+/// It goes on in its mode and comes to its end; what was typed in makes no parts.
+fn ends(shop: &mut Shop, program: Mode) {
+    let status = shop.until_it_stops();
+    let parts = u64::from(program != Mode::Mdi);
+    assert_eq!(
+        (status.activity, status.counters.parts, shop.x()),
+        (Activity::Idle, parts, 80.0),
+        "{program:?}"
+    );
+}
+
+/// Every cell of 2.4 and 8.4 that does the same to a run: the mode that it was started in, and the one that is chosen.
+fn cells(change: Change) -> impl Iterator<Item = (Mode, Mode)> {
+    let all = PROGRAMS.into_iter().flat_map(|program| Mode::ALL.map(|to| (program, to)));
+    all.filter(move |(program, to)| modes::change(*program, *to) == change)
+}
+
+#[test]
+fn every_cell_of_the_table_of_modes_is_played() {
+    let played =
+        [Change::Nothing, Change::FinishBlock, Change::StopAtOnce].map(|change| cells(change).count());
+    assert_eq!(played, [3, 9, 12]);
+    for (program, to) in cells(Change::Nothing) {
+        let mut shop = running_in(program, &[]);
+        shop.mode(to);
+        assert_eq!(shop.control.status().activity, Activity::Running);
+        ends(&mut shop, program);
+    }
 }
 
 #[test]
 fn a_change_to_a_mode_of_programs_finishes_the_block() {
-    for mode in [Mode::Edit, Mode::Mdi, Mode::Dnc] {
-        let mut shop = running(&[]);
+    for (program, mode) in cells(Change::FinishBlock) {
+        let mut shop = running_in(program, &[]);
         shop.mode(mode);
         assert!(shop.control.status().finishing_block);
         // Feed hold has no effect now, cycle start none in EDIT.
@@ -99,39 +153,50 @@ fn a_change_to_a_mode_of_programs_finishes_the_block() {
             shop.start();
         }
         let status = shop.until_it_stops();
-        assert_eq!((status.activity, status.position.machine[&'X']), (Activity::BlockEnd, 40.0), "{mode:?}");
+        assert_eq!(
+            (status.activity, status.position.machine[&'X']),
+            (Activity::BlockEnd, 40.0),
+            "{program:?} {mode:?}"
+        );
         shop.told();
         shop.start();
         assert_eq!(shop.told(), [if mode == Mode::Edit { "FC-1400" } else { "FC-1402" }]);
-        shop.mode(Mode::Auto);
+        shop.mode(program);
         shop.start();
-        let status = shop.until_it_stops();
-        assert_eq!((status.activity, status.counters.parts), (Activity::Idle, 1));
+        ends(&mut shop, program);
     }
 }
 
 #[test]
 fn cycle_start_has_effect_until_the_block_is_finished() {
-    let mut shop = running(&[]);
-    shop.mode(Mode::Mdi);
-    shop.start();
-    assert!(!shop.control.status().finishing_block);
-    let status = shop.until_it_stops();
-    assert_eq!((status.activity, status.counters.parts), (Activity::Idle, 1));
+    for (program, mode) in cells(Change::FinishBlock).filter(|(_, mode)| *mode != Mode::Edit) {
+        let mut shop = running_in(program, &[]);
+        shop.mode(mode);
+        shop.start();
+        assert!(!shop.control.status().finishing_block);
+        ends(&mut shop, program);
+    }
 }
 
 #[test]
 fn a_change_to_a_mode_by_hand_stops_at_once() {
-    for mode in [Mode::Home, Mode::Jog, Mode::Step, Mode::Handle] {
-        let mut shop = running(&[]);
+    for (program, mode) in cells(Change::StopAtOnce) {
+        let mut shop = running_in(program, &[]);
         shop.mode(mode);
         let status = shop.until_it_stops();
-        assert_eq!(status.activity, Activity::Held, "{mode:?}");
+        assert_eq!(status.activity, Activity::Held, "{program:?} {mode:?}");
         assert!(status.position.machine[&'X'] < 39.0);
-        shop.mode(Mode::Auto);
+        // Cycle start has effect in its own mode alone.
+        shop.told();
+        for other in Mode::ALL.into_iter().filter(|other| *other != program) {
+            shop.mode(other);
+            shop.start();
+            let refused = if other.is_automatic() { "FC-1402" } else { "FC-1400" };
+            assert_eq!(shop.told(), [refused], "{program:?} in {other:?}");
+        }
+        shop.mode(program);
         shop.start();
-        let status = shop.until_it_stops();
-        assert_eq!((status.activity, status.counters.parts, shop.x()), (Activity::Idle, 1, 80.0));
+        ends(&mut shop, program);
     }
 }
 
