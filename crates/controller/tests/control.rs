@@ -9,7 +9,7 @@ use ferrocut_controller::api::{Activity, Command, Event, OffsetValues, RelativeT
 use ferrocut_controller::control::modes::{self, Change};
 use ferrocut_controller::signals::{RapidOverride, Ways};
 use ferrocut_controller::{Mode, Parts};
-use ferrocut_machine::Machine;
+use ferrocut_machine::{Machine, PlantConfig};
 
 const LONG: &str = "O1\nN1 G90 G94 G1 X20 F1200\nN2 X40 Y10\nN3 X60 Y0\nN4 X80\nM30\n";
 
@@ -236,6 +236,67 @@ fn a_way_by_hand_is_given_back_or_stays_as_the_bit_says() {
             assert_eq!(shop.wait(1).position.work[&'Z'], 0.5);
         }
     }
+}
+
+/// 4.1.4: with single block the axes wait at the point to which they have returned.
+#[test]
+fn with_single_block_the_way_back_ends_at_its_point() {
+    for single in [false, true] {
+        let mut shop = running(&[]);
+        shop.hold();
+        let held = shop.until_it_stops();
+        assert_eq!(held.activity, Activity::Held);
+        shop.mode(Mode::Jog);
+        shop.inputs.jog[2] = Ways { plus: true, minus: false };
+        shop.wait(300);
+        shop.inputs.jog[2] = Ways::default();
+        shop.until_it_stops();
+        shop.mode(Mode::Auto);
+        shop.inputs.single_block = single;
+        shop.start();
+        assert_eq!(shop.wait(1).activity, Activity::Returning);
+        let status = shop.until_it_stops();
+        if !single {
+            assert_eq!((status.activity, status.counters.parts), (Activity::Idle, 1));
+            continue;
+        }
+        assert_eq!((status.activity, status.position.machine), (Activity::Held, held.position.machine));
+        // Then the block is finished, and no further.
+        shop.start();
+        let status = shop.until_it_stops();
+        assert_eq!((status.activity, status.position.machine[&'X']), (Activity::BlockEnd, 40.0));
+    }
+}
+
+/// 6.2.2: machine zero return takes back what the handwheel put an axis aside by.
+#[test]
+fn homing_clears_the_way_of_the_handwheel_for_its_axis_alone() {
+    let mut machine = Machine::demo_mill();
+    machine.plant = Some(PlantConfig::default());
+    machine.parameters.insert("NO56.3".to_owned(), 1.0);
+    let mut shop = run_long(Shop::of(&machine, Parts::default()), Mode::Auto);
+    shop.hold();
+    shop.until_it_stops();
+    shop.mode(Mode::Handle);
+    for axis in [1, 2] {
+        (shop.inputs.handwheel_axis, shop.inputs.increment) = (Some(axis), 2);
+        shop.wait(2);
+        shop.say(Command::Handwheel { counts: 5 });
+        shop.until_it_stops();
+    }
+    shop.mode(Mode::Auto);
+    shop.start();
+    let ended = shop.until_it_stops();
+    let shift = |status: &Status| ['Y', 'Z'].map(|axis| status.position.interruption[&axis]);
+    assert_eq!((ended.activity, shift(&ended)), (Activity::Idle, [0.5, 0.5]));
+    shop.mode(Mode::Home);
+    shop.inputs.jog[2] = Ways { plus: true, minus: false };
+    shop.wait(50);
+    shop.inputs.jog[2] = Ways::default();
+    let homed = shop.until_it_stops();
+    assert!(homed.referenced.contains(&'Z'), "{homed:?}");
+    assert_eq!(shift(&homed), [0.5, 0.0]);
+    assert_eq!(homed.position.work[&'Z'], homed.position.machine[&'Z']);
 }
 
 #[test]
