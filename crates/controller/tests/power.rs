@@ -2,9 +2,11 @@
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
 
 use ferrocut_controller::api::{Command, Event, OffsetValues, Reply};
-use ferrocut_controller::{Control, Mode, Parts};
+use ferrocut_controller::{Control, Mode, Parts, Plant};
+use ferrocut_geometry::Position;
 use ferrocut_machine::Machine;
-use ferrocut_memory::{Author, Session, Settings, Store};
+use ferrocut_memory::{Author, Item, PlcArea, Session, Settings, Store};
+use ferrocut_plc::{Address, Limits, Program};
 use std::io::{BufRead, BufReader};
 use std::path::Path;
 use std::process::{Command as Process, Stdio};
@@ -120,6 +122,64 @@ fn what_was_entered_run_and_counted_is_there_after_the_power() {
     say(&mut control, Command::Restore { file: "shift.backup".into(), items: vec!["offsets".into()] });
     let Reply::Offsets { offsets } = say(&mut control, Command::Offsets { from: 3, to: 3 }) else { panic!() };
     assert_eq!(offsets[&3].length, Some(-12.5));
+}
+
+const LADDER: &str = include_str!("../../../machines/standard.lad");
+
+/// All that is restored holds at once, not only after the next power-on.
+#[test]
+fn each_item_holds_at_once_when_it_was_restored() {
+    let folder = tempfile::tempdir().unwrap();
+    let store = Arc::new(Store::open(folder.path(), Settings::new("gsk990mc")).unwrap());
+    let machine = Machine::demo_mill();
+    let parts = Parts {
+        store: Some(store),
+        ladder: Some(Program::from_text(LADDER.as_bytes(), &Limits::default()).unwrap()),
+        drives: Some(Box::new(Plant::new(&machine, Position::ZERO, Position::ZERO))),
+        ..Parts::default()
+    };
+    let mut control = Control::new(&machine, parts).unwrap();
+    wait(&mut control, 100);
+    let by_control = |control: &mut Control, command: Command| {
+        control.command(command, &Author::Control).unwrap();
+        wait(control, 1);
+        control.flush().unwrap();
+    };
+    let address = |text: &str| Address::parse(text).unwrap();
+    let keep = |control: &mut Control, values: [u8; 2]| {
+        let memory = control.plc_mut().unwrap().memory_mut();
+        memory.set_byte(address("K99"), values[0]);
+        memory.set_byte(address("D5000"), values[1]);
+    };
+    let kept = |control: &mut Control| {
+        let memory = control.plc_mut().unwrap().memory();
+        [memory.byte(address("K99")), memory.byte(address("D5000"))]
+    };
+    let pitch = |value| Command::SetPitch { axis: 'X', points: [(1, value)].into() };
+    let program = |text: &str| Command::Store { program: "O0001".into(), text: text.into() };
+    keep(&mut control, [0b1, 7]);
+    by_control(&mut control, pitch(0.003));
+    by_control(&mut control, program("G0 X1\nM30\n"));
+    by_control(&mut control, Command::Backup { file: "all.backup".into(), items: vec![] });
+    keep(&mut control, [0b10, 9]);
+    by_control(&mut control, pitch(0.005));
+    by_control(&mut control, program("G0 X2\nM30\n"));
+    let items = ["plc", "pitch", "programs"].map(str::to_owned).to_vec();
+    by_control(&mut control, Command::Restore { file: "all.backup".into(), items });
+    assert_eq!(kept(&mut control), [0b1, 7]);
+    let Reply::Pitch { points, .. } = say(&mut control, Command::Pitch { axis: 'X' }) else { panic!() };
+    assert_eq!(points[&1], 0.003);
+    let Reply::Program { text, .. } = say(&mut control, Command::Read { program: "O1".into() }) else {
+        panic!()
+    };
+    assert_eq!(text, "G0 X1\nM30\n");
+    // What the ladder changes from there on is kept, too, and nothing else of before.
+    keep(&mut control, [0b10, 7]);
+    control.flush().unwrap();
+    drop(control);
+    let store = Store::open(folder.path(), Settings::new("gsk990mc")).unwrap();
+    let found = store.reader().contents(&[Item::Plc]).unwrap().plc;
+    assert_eq!((found[&PlcArea::K][99], found[&PlcArea::D][5000]), (0b10, 7));
 }
 
 #[test]

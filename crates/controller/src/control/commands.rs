@@ -687,7 +687,7 @@ impl Control {
         let store = self.kept()?;
         let backup = Backup::open(&backup_in(store.folder(), file)?).map_err(|error| error.alarm())?;
         backup.restore(&store, author, &items).map_err(|error| error.alarm())?;
-        self.read_again()?;
+        self.read_again(&items)?;
         for item in items {
             self.event(Event::Changed { item: item.name().to_owned() });
         }

@@ -6,6 +6,7 @@
 
 use super::machine_data::Pitch;
 use super::status::Count;
+use super::taking_up::TakingUp;
 use super::{Control, alarm};
 use crate::api::{AlarmInfo, Event};
 use ferrocut_geometry::Position;
@@ -17,7 +18,7 @@ use ferrocut_memory::{
 };
 use ferrocut_plc::{Address, Area, Plc};
 use ferrocut_program::FileId;
-use std::collections::VecDeque;
+use std::collections::{BTreeMap, VecDeque};
 use std::sync::Arc;
 
 /// Time between looks at what a program has changed, s.
@@ -79,13 +80,7 @@ impl Keeping {
         let position = contents.last_position;
         let mut kept_plc = Vec::new();
         if let Some(plc) = plc {
-            for (area, bytes) in contents.plc {
-                let area = area_of(area);
-                for (byte, value) in (0u16..).zip(bytes) {
-                    plc.memory_mut().set_byte(Address { area, byte, bit: None }, value);
-                }
-            }
-            kept_plc = plc.memory().kept().collect();
+            kept_plc = enter_plc(contents.plc, plc);
         }
         let keeping = Keeping {
             store,
@@ -267,11 +262,12 @@ impl Control {
         keeping.store.flush().map(drop).map_err(|error| Box::new(error.alarm()))
     }
 
-    /// Takes the data up again that the memory has, after a restore.
-    pub(super) fn read_again(&mut self) -> Result<(), Box<Alarm>> {
+    /// Takes the data up again that the memory has, after a restore of these items. Not where the axes stood last,
+    /// which is of another moment.
+    pub(super) fn read_again(&mut self, restored: &[Item]) -> Result<(), Box<Alarm>> {
         let Some(keeping) = &self.keeping else { return Ok(()) };
         let mut items = ENTERED.to_vec();
-        items.push(Item::Counters);
+        items.extend([Item::Counters, Item::Interrupted, Item::Plc, Item::Pitch]);
         let contents = keeping.store.reader().contents(&items).map_err(|error| error.alarm())?;
         let mut memory = super::as_delivered(&self.machine)?;
         let _ = enter(&contents, &mut memory);
@@ -286,6 +282,22 @@ impl Control {
             keeping.counters = self.counters;
         }
         self.show_parts();
+        for item in restored {
+            match item {
+                Item::Plc => {
+                    if let Some(plc) = &mut self.plc {
+                        let kept = enter_plc(contents.plc.clone(), plc);
+                        if let Some(keeping) = &mut self.keeping {
+                            keeping.plc = kept;
+                        }
+                    }
+                }
+                Item::Pitch => self.pitch.clone_from(&contents.pitch),
+                Item::Programs => self.taking_up.program_changed(),
+                Item::Interrupted => self.taking_up = TakingUp::of(contents.interrupted.clone()),
+                _ => {}
+            }
+        }
         self.loaded = super::Loaded::Nothing;
         Ok(())
     }
@@ -448,6 +460,20 @@ impl Control {
             self.event(Event::Changed { item: item.name().to_owned() });
         }
     }
+}
+
+/// Puts what a ladder keeps into its signals; what was never stored is off. All that it keeps then.
+fn enter_plc(kept: BTreeMap<PlcArea, Vec<u8>>, plc: &mut Plc) -> Vec<(Address, u8)> {
+    let memory = plc.memory_mut();
+    let all: Vec<Address> = memory.kept().map(|(address, _)| address).collect();
+    all.into_iter().for_each(|address| memory.set_byte(address, 0));
+    for (area, bytes) in kept {
+        let area = area_of(area);
+        for (byte, value) in (0u16..).zip(bytes) {
+            memory.set_byte(Address { area, byte, bit: None }, value);
+        }
+    }
+    memory.kept().collect()
 }
 
 fn area_of(area: PlcArea) -> Area {
