@@ -179,6 +179,74 @@ fn any_line_is_taken_up_in_the_pass_that_is_asked_for() {
     assert_eq!(shop.until_it_stops().counters.parts, 1);
 }
 
+/// 10.1.9, 2 and 5: the key, what is missing by MDI, the key, cycle start.
+#[test]
+fn the_key_prepares_what_was_interrupted_and_cycle_start_carries_it_out() {
+    let mut shop = Shop::new(&[]);
+    // Nothing was interrupted.
+    shop.store("O0001", PART);
+    shop.select("O1");
+    shop.told();
+    let key = |shop: &mut Shop, on: bool| {
+        shop.inputs.restart = on;
+        shop.wait(1);
+    };
+    key(&mut shop, true);
+    assert_eq!(shop.told(), ["FC-1443"]);
+    key(&mut shop, false);
+    broken_off(&mut shop);
+    // In another mode it says nothing; held while the mode changes it does not either.
+    shop.mode(Mode::Mdi);
+    key(&mut shop, true);
+    shop.mode(Mode::Auto);
+    assert!(!shop.wait(20).restart_ready && !shop.control.outputs().restarting);
+    key(&mut shop, false);
+    shop.told();
+    let until_ready = |shop: &mut Shop| {
+        for _ in 0..5000 {
+            if shop.wait(1).restart_ready {
+                return;
+            }
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        panic!("never ready: {:?}", shop.told());
+    };
+    key(&mut shop, true);
+    until_ready(&mut shop);
+    assert!(shop.wait(1).restart_ready && shop.control.outputs().restarting);
+    // Note 3: after reset it is to be pressed anew.
+    shop.say(Command::Reset);
+    assert!(!shop.wait(50).restart_ready && !shop.control.outputs().restarting);
+    key(&mut shop, false);
+    key(&mut shop, true);
+    until_ready(&mut shop);
+    // The spindle is not as the program has it: the operator sends it.
+    shop.told();
+    shop.start();
+    assert_eq!(shop.told(), ["FC-1417"]);
+    shop.mode(Mode::Mdi);
+    shop.say(Command::Mdi { text: "M3 S1200".into() });
+    shop.start();
+    shop.until_it_stops();
+    shop.mode(Mode::Auto);
+    key(&mut shop, false);
+    assert!(shop.wait(2).restart_ready, "the key is off, and what it prepared waits for cycle start");
+    let z = shop.control.status().position.machine[&'Z'];
+    shop.start();
+    assert_eq!(shop.wait(1).activity, Activity::Running);
+    let mut led = 0;
+    while shop.control.outputs().restarting {
+        led += 1;
+        assert!(led < 100_000, "{:?}", shop.control.status());
+        shop.wait(1);
+    }
+    // Cutting goes on where the tool came to, and not before.
+    assert!(led > 10, "{led} from {z}");
+    let done = shop.until_it_stops();
+    assert_eq!((done.activity, done.counters.parts, done.interrupted), (Activity::Idle, 1, None));
+    assert!(!shop.control.outputs().restarting);
+}
+
 #[test]
 fn what_forbids_a_restart() {
     let mut shop = Shop::new(&[]);

@@ -258,6 +258,22 @@ fn switches_turn_over_in_their_modes() {
     }
 }
 
+/// GSK990MC part 2, 10.1.9 note 3: after reset the key is pressed anew.
+#[test]
+fn reset_turns_program_restart_off() {
+    let mut m = Machine::new();
+    m.press("KEY_AUTO");
+    m.press("KEY_RESTART");
+    assert!(m.is("SRN"));
+    m.set("RESET", 1);
+    m.run(20);
+    m.set("RESET", 0);
+    m.run(20);
+    assert!(!m.is("SRN") && !m.is("LAMP_RESTART"));
+    m.press("KEY_RESTART");
+    assert!(m.is("SRN") && m.is("LAMP_RESTART"));
+}
+
 #[test]
 fn cycle_start_has_its_interlocks() {
     let mut m = Machine::new();

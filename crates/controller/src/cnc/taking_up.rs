@@ -15,10 +15,22 @@ pub(super) struct TakingUp {
     journal: Option<Box<Journal>>,
     /// What is done before the program goes on.
     lead_in: VecDeque<Step>,
+    leads: Leads,
     /// The number and the text of the block being run.
     pub at: (u64, Span),
     /// The tool in the spindle, and the one that was called last.
     pub tools: (u32, u32),
+}
+
+/// How far what leads to the place of a restart has come.
+#[derive(Clone, Copy, PartialEq, Eq, Default)]
+enum Leads {
+    #[default]
+    Nothing,
+    /// Its steps are being taken.
+    Steps,
+    /// They are taken; moves up to this tag are of it.
+    Moves(u64),
 }
 
 impl TakingUp {
@@ -71,6 +83,7 @@ impl Cnc {
         self.span = span;
         self.taking_up.at = (block, span);
         self.taking_up.lead_in = lead_in;
+        self.taking_up.leads = Leads::Steps;
         self.taking_up.journal = Some(Box::new(journal));
         self.interpreter = interpreter;
         let at = self.motion.position();
@@ -92,11 +105,29 @@ impl Cnc {
     pub(super) fn forget_journal(&mut self) {
         self.forget_touches();
         self.taking_up.journal = None;
+        self.forget_lead_in();
+    }
+
+    fn forget_lead_in(&mut self) {
         self.taking_up.lead_in.clear();
+        self.taking_up.leads = Leads::Nothing;
     }
 
     pub(super) fn next_of_lead_in(&mut self) -> Option<Step> {
-        self.taking_up.lead_in.pop_front()
+        let step = self.taking_up.lead_in.pop_front();
+        if step.is_none() && self.taking_up.leads == Leads::Steps {
+            self.taking_up.leads = Leads::Moves(self.next_tag);
+        }
+        step
+    }
+
+    /// Whether the machine is still on its way to the place where a program is taken up.
+    pub fn is_leading_in(&self) -> bool {
+        match self.taking_up.leads {
+            Leads::Nothing => false,
+            Leads::Steps => true,
+            Leads::Moves(end) => self.given.front().is_some_and(|given| given.tag < end),
+        }
     }
 
     /// The machine comes to a block.
@@ -129,7 +160,7 @@ impl Cnc {
             None => self.interpreter.reset_at(block, self.commanded),
         }
         self.interpreter.set_tools(tools);
-        self.taking_up.lead_in.clear();
+        self.forget_lead_in();
         if let Some(journal) = &mut self.taking_up.journal {
             journal.interrupt(
                 Interrupted { block, span, at: self.commanded },

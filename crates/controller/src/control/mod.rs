@@ -407,8 +407,9 @@ impl Control {
         }
     }
 
-    /// Cycle start, feed hold, reset.
+    /// Cycle start, feed hold, reset, program restart.
     fn take_keys(&mut self) {
+        self.take_restart_key();
         if self.inputs.reset && !self.before.reset || self.inputs.rewind && !self.before.rewind {
             self.reset();
             if self.inputs.rewind {
@@ -610,6 +611,7 @@ impl Control {
             spindle_enabled: self.cnc.spindle().rpm() > 0.0,
             spindle_zero: self.cnc.spindle().rpm() == 0.0,
             parts_reached: self.parts_are_made(),
+            restarting: self.taking_up.is_ready() || self.cnc.is_leading_in(),
             ..self.outputs.clone()
         };
         let (referenced, at_reference) = (self.cnc.referenced(), self.cnc.at_reference());

@@ -175,6 +175,20 @@ impl Control {
         self.cancel_measure();
     }
 
+    /// The key of program restart (10.1.9, 2): turned on in AUTO it prepares the block that was interrupted, unless
+    /// somebody prepared another one (note 2). Turned off again it leaves what is prepared to cycle start (10.1.9, 5;
+    /// Fanuc 0i, SRN); after reset it is to be turned on anew (note 3).
+    pub(super) fn take_restart_key(&mut self) {
+        let is_turned_on = self.inputs.restart && !self.before.restart && self.mode == Mode::Auto;
+        if !is_turned_on || self.taking_up.is_ready() || self.taking_up.search.is_some() {
+            return;
+        }
+        let how = How { sends: false, axis_by_axis: false };
+        if let Err(why) = self.prepare_restart(Wanted { line: None, pass: 1, file: None, how }) {
+            self.event(Event::Refused { alarm: AlarmInfo::of(&why) });
+        }
+    }
+
     /// Begins to search a place.
     pub(super) fn prepare_restart(&mut self, wanted: Wanted) -> Result<Reply, Box<Alarm>> {
         if self.cnc.is_under_way() || !self.cnc.is_idle() || self.tick.moving {
