@@ -8,8 +8,11 @@
 
 mod block_end;
 mod drive_failure;
+mod giving;
+mod interpreting;
 mod interruption;
 mod ladder;
+mod lent;
 mod loading;
 mod overtravel;
 mod planning;
@@ -18,6 +21,7 @@ mod sent;
 mod skip;
 mod switches;
 mod taking_up;
+mod tapping;
 mod touching;
 
 pub use interruption::Interruption;
@@ -27,33 +31,29 @@ use crate::auxiliary::Auxiliary;
 use crate::drives::{self, Drives, Simulated};
 use crate::homing::Homing;
 use crate::manual::{JogSpeed, JogWay, Manual};
-use crate::programmed::{Programmed, Way};
+use crate::programmed::Programmed;
 use crate::report::{Activity, Report};
 use crate::spindle::Spindle;
 use crate::supervision::Supervisor;
 use block_end::{Block, Blocks};
 use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_interpreter::{AtRest, Interpreter};
-use ferrocut_machine::{Alarm, Fault, Machine, Severity};
+use ferrocut_machine::{Alarm, Fault, Machine};
 use ferrocut_motion::Move;
 use ferrocut_motion::servo::{Kind, Servo, ServoFault, ServoFaultKind};
-use ferrocut_motion::synchron::{Synchron, Thread};
+use ferrocut_motion::synchron::Synchron;
 use ferrocut_program::Span;
-use ferrocut_toolpath::{Dwell, Feed, Op, PathMode, SpindleState, Step};
+use ferrocut_toolpath::{Dwell, Op, SpindleState, Step};
+use interpreting::Interpreting;
 use interruption::Aside;
 use overtravel::Overtravel;
 use planning::Planning;
 use sent::Sent;
 use skip::Probing;
 use std::collections::VecDeque;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 use switches::Switches;
-
-/// Steps taken from the interpreter in a period where it must be short: some microseconds each.
-const STEPS_A_PERIOD: usize = 12;
-
-/// Time for more of them once the period is over, as a part of it.
-const AHEAD: f64 = 0.3;
+use tapping::{Asked, Hole, Stroke};
 
 /// What the control is doing.
 #[derive(Clone, PartialEq, Debug)]
@@ -148,31 +148,6 @@ enum Waiting {
     Alarm(Box<Alarm>),
 }
 
-/// A hole that is being tapped, or a thread being cut.
-#[derive(Clone, Copy, Debug)]
-struct Hole {
-    /// Where the tool entered it.
-    entry: Position,
-    /// What the operator asked for, which waits until the tool is out.
-    asked: Option<Asked>,
-}
-
-/// A stroke in a hole.
-#[derive(Clone, Copy, Debug)]
-struct Stroke {
-    from: Position,
-    thread: Thread,
-    programmed: Programmed,
-    /// Whether the axes move already; else the spindle comes to rest first.
-    has_begun: bool,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Asked {
-    Hold,
-    Reset,
-}
-
 /// What the control is busy with while the axes stand still.
 #[derive(Clone, Copy, Debug)]
 struct Busy {
@@ -182,7 +157,7 @@ struct Busy {
 
 /// A control with its machine.
 pub struct Cnc {
-    interpreter: Interpreter,
+    interpreter: Interpreting,
     supervisor: Supervisor,
     motion: Planning,
     /// Steps taken from the interpreter in a period at most.
@@ -296,7 +271,7 @@ impl Cnc {
             kind: Kind::Cutting,
             exact_stop: machine.path.exact_stop,
             taking_up: taking_up::TakingUp::new(interpreter.tools()),
-            interpreter,
+            interpreter: Interpreting::new(interpreter),
             drives,
             spindle: Spindle::new(machine),
             period,
@@ -381,11 +356,6 @@ impl Cnc {
         self.ended_by
     }
 
-    /// The interpreter, for its program's text.
-    pub fn interpreter(&self) -> &Interpreter {
-        &self.interpreter
-    }
-
     /// Takes what happened since the last call.
     pub fn events(&mut self) -> Vec<Event> {
         std::mem::take(&mut self.events)
@@ -453,21 +423,6 @@ impl Cnc {
         }
     }
 
-    /// Whether the tool is in a thread while the program runs; then it remembers what was asked for.
-    fn asked_in_hole(&mut self, asked: Asked) -> bool {
-        let is_running = self.state == State::Running;
-        match self.hole.as_mut().filter(|_| is_running) {
-            Some(hole) => {
-                // A reset is more than a hold.
-                if hole.asked != Some(Asked::Reset) {
-                    hole.asked = Some(asked);
-                }
-                true
-            }
-            None => false,
-        }
-    }
-
     fn come_to_rest(&mut self) {
         self.manual.stop();
         self.homing.abort();
@@ -482,7 +437,7 @@ impl Cnc {
         self.waiting = None;
         self.busy = None;
         self.failed = None;
-        self.blocks.forget();
+        self.forget_blocks();
         self.state = State::Resetting;
     }
 
@@ -538,7 +493,7 @@ impl Cnc {
     /// Gives the axes to whoever moves them by hand, if no program has them.
     fn take_by_hand(&mut self) -> bool {
         if self.may_leave_switch() {
-            self.interpreter.reset(self.commanded);
+            self.interpreter.own().reset(self.commanded);
             self.state = State::Reset;
         }
         // Axes that a program homes are nobody else's.
@@ -554,48 +509,6 @@ impl Cnc {
         takes
     }
 
-    /// What of the next period may take longer than a period: interpreting, and planning. Called as soon as a period is
-    /// over, it leaves to [`tick`](Self::tick) what runs in the period; without it `tick` does all, with the same
-    /// setpoints.
-    pub fn prepare(&mut self) {
-        self.motion.fetch();
-        self.steps_left = usize::MAX;
-        if self.state != State::Running {
-            return;
-        }
-        let is_short = self.steps_a_period != usize::MAX;
-        self.ahead_until = is_short.then(|| Instant::now() + Duration::from_secs_f64(AHEAD * self.period));
-        self.take_steps();
-        self.ahead_until = None;
-        let moves = self.state == State::Running && self.busy.is_none() && self.stroke.is_none();
-        if moves && !self.motion.is_empty() && !self.must_settle_now() {
-            self.motion.plan();
-        }
-    }
-
-    /// From now on motion is planned in a thread of its own, which gets the priority of the one that calls this, and no
-    /// period takes more than a few blocks from the interpreter, nor [`prepare`](Self::prepare) longer than a part of one:
-    /// for a clock at true speed, whose periods are short. The setpoints are the same as long as that thread is in time,
-    /// save that a queue that is empty fills in some periods.
-    ///
-    /// # Errors
-    /// The system gives no thread; then all is done in the period as before.
-    pub fn plan_beside(&mut self) -> std::io::Result<()> {
-        self.motion.plan_beside()?;
-        self.steps_a_period = STEPS_A_PERIOD;
-        Ok(())
-    }
-
-    /// Whether the drives need a setpoint each period ([`Drives::keeps_time`]).
-    pub fn keeps_time(&self) -> bool {
-        self.drives.keeps_time()
-    }
-
-    /// Waits until what is due is planned, for a clock that does not wait itself.
-    pub fn await_planner(&mut self) {
-        self.motion.await_planner();
-    }
-
     /// Periods that were not planned in time, all in all.
     pub fn late_plans(&self) -> u64 {
         self.motion.late()
@@ -603,7 +516,7 @@ impl Cnc {
 
     /// Goes on by one servo period.
     pub fn tick(&mut self) -> Tick {
-        self.motion.fetch();
+        self.fetch();
         self.steps_left = self.steps_a_period;
         self.serve_ladder();
         self.wait_for_more();
@@ -651,6 +564,9 @@ impl Cnc {
                 if self.is_at_block_end() {
                     self.end_block();
                     return self.at_rest();
+                }
+                if !self.interpreter.is_here() {
+                    return self.wait_for_interpreter();
                 }
                 match self.waiting.take() {
                     Some(waiting) => self.act(waiting),
@@ -721,7 +637,7 @@ impl Cnc {
             self.motion.rename(at);
             self.supervisor.moved_to(at);
             self.commanded = at;
-            self.interpreter.came_to_rest(&AtRest { commanded: at, actual: self.actual, skip: None });
+            self.interpreter.own().came_to_rest(&AtRest { commanded: at, actual: self.actual, skip: None });
         }
         tick
     }
@@ -740,97 +656,6 @@ impl Cnc {
         match (self.given.front(), next.next()) {
             (Some(run), Some(next)) => run.stops || run.kind() != next.kind() || !self.servo.has_taken_up(),
             _ => self.motion.is_empty(),
-        }
-    }
-
-    /// A period of a stroke in a thread.
-    fn cut_thread(&mut self) -> Tick {
-        let Some(stroke) = self.stroke else { return self.at_rest() };
-        if !stroke.has_begun {
-            // The spindle is at rest by now.
-            let Stroke { from, thread, .. } = stroke;
-            if !self.synchron.begin(from, self.spindle.angle(), &thread) {
-                (self.stroke, self.hole) = (None, None);
-                let alarm = Alarm::core(Fault::FeedNotReachable, self.span);
-                self.state = State::Alarmed(Box::new(alarm));
-                return self.at_rest();
-            }
-            self.stroke = Some(Stroke { has_begun: true, ..stroke });
-        }
-        self.spindle.follow(self.synchron.advance());
-        let setpoint = self.synchron.follow(self.spindle.encoder().turns);
-        self.kind = Kind::Tapping;
-        self.report.period(Activity::Cutting);
-        let position = self.exchange(&self.beside(setpoint));
-        let tick = Tick {
-            position,
-            actual: self.actual,
-            velocity: self.synchron.speed(),
-            span: self.span,
-            moving: true,
-        };
-        if self.synchron.is_done() {
-            self.end_stroke(&stroke);
-        } else if self.synchron.overdue() > self.patience {
-            self.fail_spindle();
-        }
-        tick
-    }
-
-    /// The stroke is run to its end, or was stopped.
-    fn end_stroke(&mut self, stroke: &Stroke) {
-        let at = self.synchron.position();
-        self.stroke = None;
-        self.motion.rename(at);
-        self.commanded = at;
-        let (from, length) = (stroke.from, stroke.from.distance(at));
-        self.report.finished(Activity::Cutting, length, from.min(at), from.max(at));
-        if self.hole.is_some_and(|hole| hole.entry == at) {
-            self.leave_hole();
-        }
-    }
-
-    /// The tool is out: what the operator asked for is done now.
-    fn leave_hole(&mut self) {
-        match self.hole.take().and_then(|hole| hole.asked) {
-            Some(Asked::Hold) => self.feed_hold(),
-            Some(Asked::Reset) => self.come_to_rest(),
-            None => {}
-        }
-    }
-
-    /// A move in step with the spindle. The first one of a thread begins with the spindle at rest on its marker, so
-    /// that passes, and threads that are cut again, meet (GSK990MC 4.5.2).
-    fn begin_stroke(&mut self, to: Position, pitch: f64, rpm: f64) {
-        let from = self.commanded;
-        let way = to - from;
-        // The sense of the way is that of the axis that goes farthest.
-        let farthest = way.0.iter().fold(0.0, |far: f64, d| if d.abs() > far.abs() { *d } else { far });
-        let is_first = self.hole.is_none();
-        let hole = self.hole.get_or_insert(Hole { entry: from, asked: None });
-        let is_out = from.distance(hole.entry) > to.distance(hole.entry);
-        let [inwards, outwards] = self.tapping_rates;
-        let thread = Thread {
-            to,
-            pitch: pitch.abs(),
-            rpm,
-            // A right-hand thread goes in clockwise, in the negative direction.
-            is_clockwise: farthest * pitch < 0.0,
-            acceleration_rpm_s: if is_out { outwards } else { inwards },
-        };
-        let number = self.next_tag;
-        self.next_tag += 1;
-        let programmed = Programmed {
-            number,
-            way: Way::Line(from, to),
-            is_rapid: false,
-            feed: Some((pitch * rpm / 60.0).abs()),
-            tolerance: None,
-        };
-        self.stroke = Some(Stroke { from, thread, programmed, has_begun: false });
-        if is_first && !self.spindle.is_at_marker() {
-            let seconds = self.spindle.orient(0.0);
-            self.keep_busy(Activity::Spindle, seconds);
         }
     }
 
@@ -895,15 +720,12 @@ impl Cnc {
         self.failed = Some(Box::new(alarm));
     }
 
-    /// The spindle does not come to its angle: without it no axis may move on.
-    fn fail_spindle(&mut self) {
-        let rule = Fault::NotInPosition;
-        let alarm = Alarm::new(self.interpreter.dialect().alarm_id(rule), rule, self.span).with("axis", "S");
-        if let Some(stroke) = self.stroke {
-            self.end_stroke(&stroke);
+    /// A period in which nothing is to be done but what the interpreter reads beside, or may do so once it is back.
+    fn wait_for_interpreter(&mut self) -> Tick {
+        if self.waiting.is_some() {
+            self.interpreter.call_back();
         }
-        self.come_to_rest();
-        self.failed = Some(Box::new(alarm));
+        self.at_rest()
     }
 
     /// A period in which the axes stand still.
@@ -935,6 +757,10 @@ impl Cnc {
             return self.settle();
         }
         if self.state == State::Resetting {
+            if !self.interpreter.is_here() {
+                // The axes stand; what is forgotten of the program waits for the end of the block that is read.
+                return self.at_rest();
+            }
             self.given.clear();
             self.absorb();
             self.commanded = self.motion.position();
@@ -959,150 +785,6 @@ impl Cnc {
             if busy.periods == 0 {
                 self.busy = None;
             }
-        }
-    }
-
-    /// Takes steps from the interpreter while motion has room and nothing waits.
-    fn take_steps(&mut self) {
-        if !self.give_later() {
-            return;
-        }
-        let is_free = |cnc: &Cnc| cnc.waiting.is_none() && cnc.busy.is_none() && cnc.stroke.is_none();
-        while is_free(self)
-            && self.state == State::Running
-            && self.motion.free() > 0
-            && self.steps_left > 0
-            && self.ahead_until.is_none_or(|until| Instant::now() < until)
-        {
-            self.steps_left -= 1;
-            if let Some(step) = self.sent.next_jog() {
-                self.give(step);
-                continue;
-            }
-            if self.sent.is_jogging {
-                return;
-            }
-            match self.next_step() {
-                None => return,
-                Some(Err(alarm)) if self.sent.refuses => self.sent.refused.push(*alarm),
-                Some(Err(alarm)) => self.wait_for(Waiting::Alarm(alarm)),
-                Some(Ok(step)) => self.take_step(step),
-            }
-        }
-    }
-
-    fn wait_for(&mut self, what: Waiting) {
-        self.blocks.waiting = Some(self.taken(self.span_of(&what)));
-        self.waiting = Some(what);
-        self.motion.finish();
-    }
-
-    fn span_of(&self, waiting: &Waiting) -> Span {
-        match waiting {
-            Waiting::Step(step) => step.span,
-            Waiting::Alarm(alarm) => alarm.span,
-            Waiting::Skip => self.given.back().map_or(self.span, |given| given.span),
-        }
-    }
-
-    fn take_step(&mut self, mut step: Step) {
-        self.shift_skip(&mut step);
-        let mut refused = None;
-        let events = &mut self.events;
-        // A probe needs no spindle that turns.
-        let probes = self.touches.is_some();
-        self.supervisor.step(&step, |alarm| match alarm.severity {
-            Severity::Warning if probes => {}
-            Severity::Warning => events.push(Event::Warning(Box::new(alarm))),
-            Severity::Error if refused.is_none() => refused = Some(Box::new(alarm)),
-            Severity::Error => {}
-        });
-        if let Some(alarm) = refused {
-            return self.wait_for(Waiting::Alarm(alarm));
-        }
-        self.give(step);
-    }
-
-    /// Gives a move to motion; any other step waits for it to come to rest.
-    fn give(&mut self, step: Step) {
-        let is_thread = matches!(step.op, Op::Tap { .. });
-        if self.hole.is_some() && !is_thread && !matches!(step.op, Op::Dwell(_)) {
-            // A program that leaves the thread by another move.
-            self.leave_hole();
-            if self.state == State::Resetting {
-                return;
-            }
-        }
-        if is_thread || step.op.target().is_none() {
-            return self.wait_for(Waiting::Step(step));
-        }
-        if self.feed_stands_still(&step.op) {
-            let alarm = Alarm::core(Fault::FeedNotReachable, step.span);
-            return self.wait_for(Waiting::Alarm(Box::new(alarm)));
-        }
-        let from = self.commanded;
-        let tag = self.next_tag;
-        let Some(to) = step.op.target().copied() else { return };
-        let Some(motion) = Move::from_step(&step.op, from, self.feed_rpm(), tag) else { return };
-        let Some(programmed) = Programmed::new(&step.op, from, motion.feed(), tag) else { return };
-        self.next_tag += 1;
-        self.commanded = to;
-        let activity = if step.op.is_cutting() { Activity::Cutting } else { Activity::Rapid };
-        let (min, max) = step.op.extent(from).unwrap_or((from, to));
-        // Degrees of a rotary axis are no distance.
-        let is_linear = (0..3).any(|i| from.0[i] != to.0[i]) || step.op.arc(from).is_some();
-        let length = if is_linear { step.op.length(from) } else { 0.0 };
-        let stops = match &step.op {
-            Op::Feed { path, .. } | Op::Arc { path, .. } => *path == PathMode::ExactStop || self.exact_stop,
-            // Positioning always ends in position.
-            _ => true,
-        };
-        let (span, block, path_length) = (step.span, self.taken(step.span), step.op.length(from));
-        let given = Given {
-            tag,
-            number: step.block,
-            span,
-            activity,
-            length,
-            min,
-            max,
-            to,
-            stops,
-            programmed,
-            block,
-            motion,
-            path_length,
-            travelled: 0.0,
-            zero: self.interpreter.program_zero(),
-            left: 1.0,
-        };
-        // There is room: the caller asked.
-        if self.motion.push(&self.paced(&given)) {
-            self.given.push_back(given);
-        }
-        if let Op::Skip { away, .. } = step.op {
-            self.begin_probing(tag, from, away);
-            if self.probing.is_some() {
-                self.wait_for(Waiting::Skip);
-            }
-        }
-    }
-
-    /// Whether a feed per revolution waits for a spindle that does not turn.
-    fn feed_stands_still(&self, op: &Op) -> bool {
-        let (Op::Feed { feed, .. } | Op::Arc { feed, .. } | Op::Skip { feed, .. }) = op else { return false };
-        matches!(feed, Feed::PerRevolution(_)) && self.feed_rpm() == 0.0
-    }
-
-    /// Counts the moves before the one being run.
-    fn finish_moves(&mut self, running: u64) {
-        while let Some(given) = self.given.front().copied().filter(|g| g.tag < running) {
-            self.given.pop_front();
-            let (length, min, max) = match self.braked_way(given.tag) {
-                Some((from, to)) => (from.distance(to), from.min(to), from.max(to)),
-                None => (given.length, given.min, given.max),
-            };
-            self.report.finished(given.activity, length, min, max);
         }
     }
 

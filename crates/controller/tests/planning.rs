@@ -26,7 +26,7 @@ fn curve(blocks: u32) -> String {
 /// The program with the planner beside, `wait` at each tick.
 fn beside(program: &str, mut wait: impl FnMut(usize, &mut Cnc)) -> (Cnc, Run) {
     let mut cnc = cnc(&machine(), program);
-    cnc.plan_beside().unwrap();
+    cnc.work_beside().unwrap();
     let start = cnc.tick().position;
     cnc.cycle_start();
     let mut run = Run { start, ticks: Vec::new(), events: Vec::new() };
@@ -47,7 +47,7 @@ fn moving(run: &Run) -> Vec<Position> {
 #[test]
 fn setpoints_are_those_of_one_thread() {
     let (plain, there) = ended(&machine(), PROGRAM);
-    let (cnc, run) = beside(PROGRAM, |_, cnc| cnc.await_planner());
+    let (cnc, run) = beside(PROGRAM, |_, cnc| cnc.await_beside());
     assert_eq!((cnc.state(), cnc.late_plans()), (&State::Ended, 0));
     assert_eq!((cnc.report().moves, cnc.report().parts), (plain.report().moves, plain.report().parts));
     // Where nothing moves it may be a period longer, until the planner is asked.
@@ -64,10 +64,10 @@ fn many_short_blocks_run_as_they_do_in_one_thread() {
     let (plain, there) = ended(&machine(), &program);
     for looks_ahead in [false, true] {
         let (cnc, run) = beside(&program, |_, cnc| {
-            cnc.await_planner();
+            cnc.await_beside();
             if looks_ahead {
                 cnc.prepare();
-                cnc.await_planner();
+                cnc.await_beside();
             }
         });
         assert_eq!((cnc.state(), cnc.late_plans()), (&State::Ended, 0));
@@ -87,7 +87,7 @@ fn a_planner_that_is_late_or_asked_while_it_is_away_keeps_within_the_limits() {
     for every in [3, 7, 50] {
         let (cnc, run) = beside(&program, |tick, cnc| {
             if tick % every == 0 {
-                cnc.await_planner();
+                cnc.await_beside();
             }
             match tick % 400 {
                 100 => cnc.feed_hold(),
@@ -106,10 +106,10 @@ fn a_planner_that_is_late_or_asked_while_it_is_away_keeps_within_the_limits() {
 fn a_reset_while_the_planner_is_away_is_not_lost() {
     for at in [120, 121, 122, 123, 200, 333] {
         let mut cnc = cnc(&machine(), &curve(3000));
-        cnc.plan_beside().unwrap();
+        cnc.work_beside().unwrap();
         cnc.cycle_start();
         for _ in 0..at {
-            cnc.await_planner();
+            cnc.await_beside();
             cnc.tick();
         }
         cnc.reset();
@@ -129,6 +129,6 @@ fn a_reset_while_the_planner_is_away_is_not_lost() {
 fn a_program_of_many_blocks_without_a_way_does_not_end_early() {
     // More of them than are taken in a period.
     let program = format!("{}G1 X5 F3000\nM30\n", "G1 X0 F1000\n".repeat(100));
-    let (cnc, run) = beside(&program, |_, cnc| cnc.await_planner());
+    let (cnc, run) = beside(&program, |_, cnc| cnc.await_beside());
     assert_eq!((cnc.state(), cnc.report().parts, run.end().0[0]), (&State::Ended, 1, 5.0));
 }

@@ -86,6 +86,14 @@ impl Interpreter {
         }
     }
 
+    /// A copy for those who look while this one works elsewhere: without what is kept for a reset.
+    pub fn copy_to_look_at(&mut self) -> Interpreter {
+        let kept = self.look_back.take();
+        let copy = self.clone();
+        self.look_back = kept;
+        copy
+    }
+
     /// The same as [`reset`](Self::reset) for a machine that is at a block behind those that were read.
     pub fn reset_at(&mut self, block: u64, machine: Position) {
         self.go_back_to(block);

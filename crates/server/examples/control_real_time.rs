@@ -67,7 +67,7 @@ fn main() {
     let (events, _heard) = sync_channel(1024);
     let period = Duration::from_secs_f64(machine.servo_period_ms / 1000.0);
     let runner = match Runner::start(
-        Served::<Panel>::new(Panel::new(control).planned_beside(), events),
+        Served::<Panel>::new(Panel::new(control).timed(), events),
         period,
         priority,
     ) {

@@ -14,7 +14,7 @@ use std::sync::Arc;
 pub struct Panel {
     control: Control,
     watcher: Option<Watcher>,
-    plans_beside: bool,
+    is_timed: bool,
 }
 
 /// Sees what each period came to.
@@ -32,14 +32,13 @@ impl Panel {
             let _ =
                 control.command(Command::Switch { switch: switch.to_owned(), position }, &Author::Control);
         }
-        let plans_beside = control.keeps_time();
-        Panel { control, watcher: None, plans_beside }
+        Panel { control, watcher: None, is_timed: false }
     }
 
-    /// The same planned in a thread of its own even where simulated drives would wait: to see how long periods take.
+    /// The same with what takes long done beside even where simulated drives would wait: to see how long periods take.
     #[must_use]
-    pub fn planned_beside(self) -> Panel {
-        Panel { plans_beside: true, ..self }
+    pub fn timed(self) -> Panel {
+        Panel { is_timed: true, ..self }
     }
 
     /// The same for somebody who looks at each period, on the machine's thread: at setpoints as they go to the drives.
@@ -104,10 +103,8 @@ impl Service for Panel {
     const VERSION: u32 = API_VERSION;
 
     fn begin(&mut self) {
-        if self.plans_beside {
-            // Without a thread for it, planning is done in the period.
-            let _ = self.control.plan_beside();
-        }
+        // Without threads for it all is done in the period.
+        let _ = if self.is_timed { self.control.work_beside() } else { self.control.keep_time() };
     }
 
     fn tick(&mut self) {

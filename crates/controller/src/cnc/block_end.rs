@@ -123,6 +123,12 @@ impl Blocks {
 }
 
 impl Cnc {
+    /// Forgets what was to come of the program, read ahead or not.
+    pub(super) fn forget_blocks(&mut self) {
+        self.blocks.forget();
+        self.interpreter.forget();
+    }
+
     /// Single block: the program stops behind every block.
     pub fn set_single_block(&mut self, on: bool) {
         self.blocks.single = on;
@@ -195,8 +201,8 @@ impl Cnc {
             None => self.next_from_ladder(),
         };
         let Some(next) = next else {
-            // What is sent bit by bit may go on in time.
-            if !self.interpreter.is_starved() {
+            // What is sent bit by bit may go on in time, and what is read beside.
+            if !self.interpreter.is_starved() && !self.interpreter.waits() {
                 self.motion.finish();
             }
             return None;

@@ -101,7 +101,7 @@ impl Cnc {
             None if self.touches.is_some() => self.next_of_touches(),
             None => match self.next_of_lead_in() {
                 Some(step) => Some(Ok(step)),
-                None => self.interpreter.next(),
+                None => self.interpreter.next(self.blocks.is_single()),
             },
         };
         let waits = match (&next, &mut self.auxiliary) {
@@ -115,7 +115,7 @@ impl Cnc {
     pub(super) fn read_macro_inputs(&mut self) {
         if let Some(auxiliary) = &self.auxiliary {
             for (variable, value) in auxiliary.macro_inputs() {
-                self.interpreter.set_input(variable, value);
+                self.interpreter.own().set_input(variable, value);
             }
         }
     }

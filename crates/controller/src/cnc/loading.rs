@@ -23,11 +23,11 @@ impl Cnc {
         if !self.is_idle() {
             return Err(Box::new(interpreter));
         }
-        let old = std::mem::replace(&mut self.interpreter, interpreter);
+        let old = std::mem::replace(self.interpreter.own(), interpreter);
         self.fit_interpreter();
         let commanded = self.motion.position();
         if self.interpreter.position() != commanded {
-            self.interpreter.came_to_rest(&AtRest { commanded, actual: self.actual, skip: None });
+            self.interpreter.own().came_to_rest(&AtRest { commanded, actual: self.actual, skip: None });
         }
         self.wait_for_start();
         self.forget_journal();
@@ -39,7 +39,7 @@ impl Cnc {
     pub fn load_programs(&mut self, programs: ProgramMemory) -> bool {
         let is_idle = self.is_idle();
         if is_idle {
-            self.interpreter.load(programs, self.motion.position());
+            self.interpreter.own().load(programs, self.motion.position());
             self.wait_for_start();
             self.forget_journal();
         }
@@ -52,9 +52,9 @@ impl Cnc {
         if !self.is_idle() {
             return Ok(false);
         }
-        self.interpreter.rewind(self.motion.position());
+        self.interpreter.own().rewind(self.motion.position());
         let is_there = match line {
-            Some(line) => self.interpreter.start_at(line)?,
+            Some(line) => self.interpreter.own().start_at(line)?,
             None => true,
         };
         self.wait_for_start();
@@ -67,19 +67,14 @@ impl Cnc {
     pub fn clear(&mut self) {
         if self.is_idle() {
             self.spindle.command(SpindleState::Off, &self.commanded);
-            self.interpreter.reset(self.motion.position());
-            self.blocks.forget();
+            self.interpreter.own().reset(self.motion.position());
+            self.forget_blocks();
             self.state = State::Reset;
         }
     }
 
-    /// The interpreter, to change what it remembers while no program is under way.
-    pub fn interpreter_mut(&mut self) -> &mut Interpreter {
-        &mut self.interpreter
-    }
-
     pub(super) fn wait_for_start(&mut self) {
-        self.blocks.forget();
+        self.forget_blocks();
         self.given.clear();
         self.waiting = None;
         self.busy = None;

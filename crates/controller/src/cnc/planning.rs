@@ -7,16 +7,11 @@
 //! them where it plans. While it is away motion counts as busy, and what is asked of it (a hold, an override) waits until
 //! it is back.
 
+use super::lent::Beside;
 use ferrocut_geometry::Position;
 use ferrocut_machine::Machine;
 use ferrocut_motion::{Interpolator, Motion, Move, Planner, Sample};
 use rtrb::{Consumer, Producer, RingBuffer};
-use std::thread::JoinHandle;
-use std::time::Duration;
-
-/// How long the thread sleeps before it looks for work again: far less than the planner is ahead. It is not woken, since
-/// that takes the system longer than all else in a period.
-const NAP: Duration = Duration::from_micros(500);
 
 /// Moves and ends that lie on their way to the planner at most.
 const WAY: usize = 256;
@@ -67,13 +62,6 @@ impl Work {
     }
 }
 
-/// The thread beside.
-struct Beside {
-    give: Producer<Box<Work>>,
-    take: Consumer<Box<Work>>,
-    thread: JoinHandle<()>,
-}
-
 /// What was asked for while the planner was away.
 #[derive(Clone, Copy, Default)]
 struct Asked {
@@ -91,7 +79,7 @@ pub(super) struct Planning {
     /// What was put there last is that nothing follows.
     is_finished: bool,
     interpolator: Interpolator,
-    beside: Option<Beside>,
+    beside: Option<Beside<Box<Work>>>,
     asked: Asked,
     /// Periods that the planner did not decide in time, and the room that it had, when it went.
     late: u64,
@@ -119,20 +107,7 @@ impl Planning {
         if self.beside.is_some() {
             return Ok(());
         }
-        let (give, mut given) = RingBuffer::<Box<Work>>::new(1);
-        let (mut done, take) = RingBuffer::new(1);
-        let thread = std::thread::Builder::new().name("planner".to_owned()).spawn(move || {
-            while !given.is_abandoned() {
-                let Ok(mut work) = given.pop() else {
-                    std::thread::park_timeout(NAP);
-                    continue;
-                };
-                work.plan();
-                // There is room: it is the only one.
-                let _ = done.push(work);
-            }
-        })?;
-        self.beside = Some(Beside { give, take, thread });
+        self.beside = Some(Beside::start("planner", |work: &mut Box<Work>| work.plan())?);
         Ok(())
     }
 
@@ -144,7 +119,7 @@ impl Planning {
     pub fn fetch(&mut self) {
         if self.work.is_none()
             && let Some(beside) = &mut self.beside
-            && let Ok(work) = beside.take.pop()
+            && let Some(work) = beside.fetch()
         {
             self.late = work.planner.late();
             self.work = Some(work);
@@ -154,7 +129,7 @@ impl Planning {
 
     /// Waits until the planner is back: at rest, and for clocks that do not wait themselves.
     pub fn await_planner(&mut self) {
-        while self.work.is_none() && self.beside.as_ref().is_some_and(|beside| !beside.take.is_abandoned()) {
+        while self.work.is_none() && self.beside.as_ref().is_some_and(|beside| !beside.is_gone()) {
             self.fetch();
             std::thread::yield_now();
         }
@@ -274,9 +249,7 @@ impl Planning {
             (Some(work), Some(beside)) if work.is_due() => {
                 self.room = work.planner.free();
                 // It is never full, as there is one planner.
-                if let Err(rtrb::PushError::Full(work)) = beside.give.push(work) {
-                    self.work = Some(work);
-                }
+                self.work = beside.lend(work).err();
             }
             (work, _) => self.work = work,
         }
@@ -286,15 +259,5 @@ impl Planning {
     pub fn tick(&mut self) -> Sample {
         self.plan();
         self.interpolator.tick()
-    }
-}
-
-impl Drop for Planning {
-    fn drop(&mut self) {
-        if let Some(Beside { give, thread, .. }) = self.beside.take() {
-            drop(give);
-            thread.thread().unpark();
-            let _ = thread.join();
-        }
     }
 }

@@ -77,7 +77,7 @@ impl Cnc {
     pub(super) fn fit_interpreter(&mut self) {
         if self.drives.has_probe() {
             let (min, max) = self.travel;
-            self.interpreter.fit_probe(min, max);
+            self.interpreter.own().fit_probe(min, max);
         }
         self.tell_unreferenced();
     }
@@ -124,7 +124,7 @@ impl Cnc {
             stand: config.needed,
             not_by_program: config.not_by_program,
         };
-        self.interpreter.set_unreferenced(unreferenced);
+        self.interpreter.own().set_unreferenced(unreferenced);
     }
 
     /// A program sent axes to their reference points: those that are not known are searched from where they stand.
@@ -181,7 +181,7 @@ impl Cnc {
             self.actual = self.actual + named - at;
             self.tell_unreferenced();
             if !matches!(self.state, State::Running | State::Held) {
-                self.interpreter.homed_by_hand();
+                self.interpreter.own().homed_by_hand();
             }
         }
         // The generator of manual motion takes the names with its limits.

@@ -65,11 +65,11 @@ impl Cnc {
     /// More of a program that is sent. Refused as a whole where there is no room until blocks are done.
     pub fn append(&mut self, text: &[u8]) -> Result<(), Refused> {
         // Text is kept for whoever shows the block that is run.
-        self.interpreter.give_back(self.span);
-        self.interpreter.append(text)?;
+        self.interpreter.own().give_back(self.span);
+        self.interpreter.own().append(text)?;
         self.sent.starved = 0.0;
         if matches!(self.state, State::Ended | State::Reset) && self.interpreter.is_open() {
-            self.interpreter.go_on();
+            self.interpreter.own().go_on();
             self.state = State::Ready;
         }
         Ok(())
@@ -77,7 +77,7 @@ impl Cnc {
 
     /// Nothing more of the program comes.
     pub fn end_text(&mut self) {
-        self.interpreter.end_text();
+        self.interpreter.own().end_text();
     }
 
     /// Number of the last line of a program that is sent which was taken: its moves are given to motion, all else
@@ -214,6 +214,6 @@ impl Cnc {
         self.given.clear();
         self.commanded = at;
         self.supervisor.moved_to(at);
-        self.interpreter.came_to_rest(&AtRest { commanded: at, actual: self.actual, skip: None });
+        self.interpreter.own().came_to_rest(&AtRest { commanded: at, actual: self.actual, skip: None });
     }
 }

@@ -77,7 +77,7 @@ impl Cnc {
         }
         let missed = match probing.touched {
             Some(_) => None,
-            None => self.interpreter.missed_signal(),
+            None => self.interpreter.own().missed_signal(),
         };
         self.tell_program(&AtRest { commanded: at, actual: self.actual, skip: probing.touched });
         if let Some(alarm) = missed {

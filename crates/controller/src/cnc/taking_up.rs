@@ -85,7 +85,7 @@ impl Cnc {
         self.taking_up.lead_in = lead_in;
         self.taking_up.leads = Leads::Steps;
         self.taking_up.journal = Some(Box::new(journal));
-        self.interpreter = interpreter;
+        *self.interpreter.own() = interpreter;
         let at = self.motion.position();
         self.motion.rename(at);
         Ok(())
@@ -96,7 +96,7 @@ impl Cnc {
     pub(super) fn begin_journal(&mut self) {
         let is_program = self.touches.is_none() && !self.interpreter.is_open();
         if self.state == State::Ready && self.taking_up.journal.is_none() && is_program {
-            self.interpreter.look_back();
+            self.interpreter.own().look_back();
             self.taking_up.journal = Some(Box::new(Journal::begin(&self.interpreter, self.renamed)));
         }
     }
@@ -140,7 +140,7 @@ impl Cnc {
 
     /// Tells the program what the machine found, and keeps it for a restart.
     pub(super) fn tell_program(&mut self, at_rest: &AtRest) {
-        self.interpreter.came_to_rest(at_rest);
+        self.interpreter.own().came_to_rest(at_rest);
         if let Some(journal) = &mut self.taking_up.journal {
             journal.answer(self.taking_up.at.0, *at_rest);
         }
@@ -156,10 +156,10 @@ impl Cnc {
         self.supervisor.comes_to_rest(self.commanded);
         match self.touches.take() {
             // No block of the program was run.
-            Some(_) => self.interpreter.reset(self.commanded),
-            None => self.interpreter.reset_at(block, self.commanded),
+            Some(_) => self.interpreter.own().reset(self.commanded),
+            None => self.interpreter.own().reset_at(block, self.commanded),
         }
-        self.interpreter.set_tools(tools);
+        self.interpreter.own().set_tools(tools);
         self.forget_lead_in();
         if let Some(journal) = &mut self.taking_up.journal {
             journal.interrupt(

@@ -210,8 +210,10 @@ impl Control {
             }
         }
         let mut done = Vec::new();
-        // In the order in which they were asked for: the last one is what holds.
-        while let Some(answer) = keeping.pending.front().and_then(|(pending, _)| pending.poll()) {
+        // In the order in which they were asked for: the last one is what holds. None while blocks are being read.
+        while !self.cnc.is_reading()
+            && let Some(answer) = keeping.pending.front().and_then(|(pending, _)| pending.poll())
+        {
             done.extend(keeping.pending.pop_front().map(|(_, changes)| (answer, changes)));
         }
         let told = std::mem::take(&mut keeping.told);
@@ -348,7 +350,8 @@ impl Control {
         author: &Author,
         changes: Vec<Change>,
     ) -> Result<bool, Box<Alarm>> {
-        let is_busy = self.tick.moving || self.cnc.is_under_way() || self.is_in_period;
+        let is_busy =
+            self.tick.moving || self.cnc.is_under_way() || self.cnc.is_reading() || self.is_in_period;
         if let Some(keeping) = &mut self.keeping {
             if is_busy {
                 let pending = keeping.store.begin(author, changes.clone()).map_err(|error| error.alarm())?;
@@ -364,7 +367,7 @@ impl Control {
     /// Changes that are on their way are made before the next command sees the data, so that none takes back what the
     /// one before it set; not while axes may not wait for the disk.
     pub(super) fn settle_changes(&mut self) {
-        if self.tick.moving || self.cnc.is_under_way() {
+        if self.tick.moving || self.cnc.is_under_way() || self.cnc.is_reading() {
             return;
         }
         let Some(keeping) = &mut self.keeping else { return };

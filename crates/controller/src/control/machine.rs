@@ -30,17 +30,21 @@ pub(super) fn drives(
 }
 
 impl Control {
-    /// Whether the drives need a setpoint each period ([`Drives::keeps_time`]).
-    pub fn keeps_time(&self) -> bool {
-        self.cnc.keeps_time()
-    }
-
-    /// Plans motion in a thread of its own from now on ([`Cnc::plan_beside`](crate::Cnc::plan_beside)).
+    /// What takes long is done beside from now on, where the drives need a setpoint each period
+    /// ([`Cnc::keep_time`](crate::Cnc::keep_time)).
     ///
     /// # Errors
     /// The system gives no thread.
-    pub fn plan_beside(&mut self) -> std::io::Result<()> {
-        self.cnc.plan_beside()
+    pub fn keep_time(&mut self) -> std::io::Result<()> {
+        self.cnc.keep_time()
+    }
+
+    /// The same whatever the drives need ([`Cnc::work_beside`](crate::Cnc::work_beside)).
+    ///
+    /// # Errors
+    /// The system gives no thread.
+    pub fn work_beside(&mut self) -> std::io::Result<()> {
+        self.cnc.work_beside()
     }
 
     /// Looks ahead, in the time that a period leaves ([`Cnc::prepare`](crate::Cnc::prepare)).

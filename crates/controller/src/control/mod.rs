@@ -373,7 +373,7 @@ impl Control {
         self.cnc.set_machine_lock(lock);
         self.cnc.set_may_move(may);
         // M01 is given out always: whether it stops is decided where it stands.
-        self.cnc.interpreter_mut().set_switches(skip, true);
+        self.cnc.set_block_skip(skip, true);
     }
 
     fn standing(&self) -> Standing {

@@ -1,0 +1,388 @@
+//! The interpreter, which reads blocks in the thread of the servo period, or in one beside it.
+//!
+//! Most blocks take microseconds; a pocket that is computed, a loop of macro statements or a file that is read may take
+//! as long as it likes. Beside, the interpreter is handed over when steps are wanted and fills a ring with them: up to a
+//! bound, or to a step that is no move. What it does behind that one may depend on the machine, so it goes on once that
+//! step was taken. Steps are taken from the ring as they come; the interpreter itself comes back when it is done.
+//!
+//! While it is away a copy stands in its place, as it was when it went: whoever looks ([`Interpreting`] dereferences to
+//! it) waits for nothing. Whoever changes something ([`Interpreting::own`]) has it called back, and waits for the end of
+//! the block that it is at; in the servo period nothing is changed but at rest, when [`Interpreting::is_here`].
+//!
+//! A program that is sent bit by bit is read in the period: its text comes by the same thread, and is short.
+
+use super::lent::Beside;
+use super::{Cnc, State};
+use ferrocut_geometry::Position;
+use ferrocut_interpreter::Interpreter;
+use ferrocut_machine::Alarm;
+use ferrocut_toolpath::{Op, Step};
+use rtrb::{Consumer, Producer, RingBuffer};
+use std::ops::Deref;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+/// Steps that are read ahead of motion's own look-ahead at most.
+const STEPS: usize = 64;
+
+/// Steps taken in a period where it must be short: a microsecond or some each.
+const STEPS_A_PERIOD: usize = 12;
+
+/// Time for more of them once the period is over, as a part of it.
+const AHEAD: f64 = 0.3;
+
+/// What the interpreter gave out.
+type Next = Option<Result<Step, Box<Alarm>>>;
+
+/// The same with the machine position of the program's zero, tool length included, that it was given out with.
+struct Taken {
+    next: Next,
+    zero: Position,
+}
+
+/// The interpreter on its way.
+struct Work {
+    interpreter: Box<Interpreter>,
+    /// A copy as it is when it comes back; on the way there one that nobody needs any more.
+    copy: Option<Box<Interpreter>>,
+    steps: Producer<Taken>,
+    /// Steps to take at most.
+    most: usize,
+    /// It stopped for want of room, or since it was called back.
+    goes_on: bool,
+    called: Arc<AtomicBool>,
+}
+
+impl Work {
+    fn read(&mut self) {
+        // It is freed here and not in the period.
+        self.copy = None;
+        self.goes_on = true;
+        for _ in 0..self.most {
+            if self.called.load(Ordering::Relaxed) || self.steps.is_full() {
+                break;
+            }
+            let next = self.interpreter.next();
+            self.goes_on = next.as_ref().is_some_and(is_move);
+            let _ = self.steps.push(Taken { next, zero: self.interpreter.program_zero() });
+            if !self.goes_on {
+                break;
+            }
+        }
+        self.copy = Some(Box::new(self.interpreter.copy_to_look_at()));
+    }
+}
+
+/// Whether nothing behind it depends on what the machine does with it.
+fn is_move(next: &Result<Step, Box<Alarm>>) -> bool {
+    matches!(next, Ok(Step { op: Op::Rapid { .. } | Op::Feed { .. } | Op::Arc { .. }, .. }))
+}
+
+/// What is needed to read beside.
+struct Elsewhere {
+    thread: Beside<Work>,
+    taken: Consumer<Taken>,
+    called: Arc<AtomicBool>,
+    /// The other end of the ring; it goes with the interpreter.
+    steps: Option<Producer<Taken>>,
+    /// A copy of the interpreter as it came back, and one that is to be freed where time is.
+    copy: Option<Box<Interpreter>>,
+    old: Option<Box<Interpreter>>,
+    /// Something was changed since it came back: the copy is none any more.
+    is_changed: bool,
+    /// It stopped at a move.
+    goes_on: bool,
+    /// What it has read and reads is not wanted any more.
+    is_stale: bool,
+}
+
+/// The interpreter.
+pub(super) struct Interpreting {
+    /// It, or while it is away a copy.
+    present: Box<Interpreter>,
+    elsewhere: Option<Elsewhere>,
+    /// Where the program's zero was with the step taken last, while the interpreter is ahead of it.
+    zero: Option<Position>,
+    /// No step has come yet, since the interpreter is not done.
+    waits: bool,
+    /// The program has given out all that it had.
+    is_over: bool,
+    /// Switches, and the block that the machine has come to, which it was not told of yet.
+    switches: Option<(bool, bool)>,
+    passed: Option<u64>,
+}
+
+impl Deref for Interpreting {
+    type Target = Interpreter;
+
+    fn deref(&self) -> &Interpreter {
+        &self.present
+    }
+}
+
+impl Interpreting {
+    pub fn new(interpreter: Interpreter) -> Interpreting {
+        Interpreting {
+            present: Box::new(interpreter),
+            elsewhere: None,
+            zero: None,
+            waits: false,
+            is_over: false,
+            switches: None,
+            passed: None,
+        }
+    }
+
+    /// From now on blocks are read in a thread of their own, which has the priority of this one.
+    pub fn read_beside(&mut self) -> std::io::Result<()> {
+        if self.elsewhere.is_some() {
+            return Ok(());
+        }
+        let (steps, taken) = RingBuffer::new(STEPS);
+        self.elsewhere = Some(Elsewhere {
+            thread: Beside::start("interpreter", Work::read)?,
+            taken,
+            called: Arc::new(AtomicBool::new(false)),
+            steps: Some(steps),
+            copy: None,
+            old: None,
+            is_changed: true,
+            goes_on: false,
+            is_stale: false,
+        });
+        Ok(())
+    }
+
+    /// Whether it is here: then it may be changed without waiting for it. Where it was lost on its way the copy is all
+    /// that is left, to be reset; no step comes of it.
+    pub fn is_here(&self) -> bool {
+        let is_lost = |elsewhere: &Elsewhere| elsewhere.is_stale && elsewhere.thread.is_gone();
+        self.elsewhere.as_ref().is_none_or(|elsewhere| elsewhere.steps.is_some() || is_lost(elsewhere))
+    }
+
+    /// Whether the next step has not come yet.
+    pub fn waits(&self) -> bool {
+        self.waits
+    }
+
+    /// Takes it back, if it is done: at the beginning of each period.
+    pub fn fetch(&mut self) {
+        let Some(elsewhere) = &mut self.elsewhere else { return };
+        let Some(work) = elsewhere.thread.fetch() else { return };
+        elsewhere.old = Some(std::mem::replace(&mut self.present, work.interpreter));
+        elsewhere.copy = work.copy;
+        elsewhere.steps = Some(work.steps);
+        elsewhere.goes_on = work.goes_on;
+        elsewhere.is_changed = false;
+        if std::mem::take(&mut elsewhere.is_stale) {
+            elsewhere.goes_on = false;
+            while elsewhere.taken.pop().is_ok() {}
+        }
+        self.tell();
+    }
+
+    /// Has it come back with the end of the block that it is at.
+    pub fn call_back(&self) {
+        if let Some(elsewhere) = &self.elsewhere {
+            elsewhere.called.store(true, Ordering::Relaxed);
+        }
+    }
+
+    /// Waits until it is back.
+    pub fn wait(&mut self) {
+        while !self.is_here() && self.elsewhere.as_ref().is_some_and(|elsewhere| !elsewhere.thread.is_gone())
+        {
+            std::thread::yield_now();
+            self.fetch();
+        }
+    }
+
+    /// The interpreter, to be changed. It is waited for where it is away.
+    pub fn own(&mut self) -> &mut Interpreter {
+        if !self.is_here() {
+            self.call_back();
+            self.wait();
+        }
+        if let Some(elsewhere) = &mut self.elsewhere {
+            // What it reads next is asked for.
+            (elsewhere.is_changed, elsewhere.goes_on) = (true, false);
+        }
+        (self.zero, self.is_over) = (None, false);
+        &mut self.present
+    }
+
+    /// How the operator's switches stand, for the blocks that are read from now on.
+    pub fn set_switches(&mut self, block_skip: bool, optional_stop: bool) {
+        self.switches = Some((block_skip, optional_stop));
+        self.tell();
+    }
+
+    /// The machine is at this block: what is kept of those before it is not needed.
+    pub fn forget_before(&mut self, block: u64) {
+        self.passed = Some(block);
+        self.tell();
+    }
+
+    /// Tells it what it is to know, if it is here. A copy of it needs none of that.
+    fn tell(&mut self) {
+        if !self.is_here() {
+            return;
+        }
+        if let Some((block_skip, optional_stop)) = self.switches.take() {
+            self.present.set_switches(block_skip, optional_stop);
+        }
+        if let Some(block) = self.passed.take() {
+            self.present.forget_before(block);
+        }
+    }
+
+    /// Machine position of the program's zero with the step taken last, tool length included.
+    pub fn program_zero(&self) -> Position {
+        self.zero.unwrap_or_else(|| self.present.program_zero())
+    }
+
+    /// The program is given up or begins anew: what was read is not wanted.
+    pub fn forget(&mut self) {
+        let is_away = !self.is_here();
+        self.call_back();
+        (self.zero, self.is_over) = (None, false);
+        if let Some(elsewhere) = &mut self.elsewhere {
+            elsewhere.goes_on = false;
+            elsewhere.is_stale = is_away;
+            while elsewhere.taken.pop().is_ok() {}
+        }
+    }
+
+    /// The next step, if there is one now ([`waits`](Self::waits)). With `single` none is read ahead of it.
+    pub fn next(&mut self, single: bool) -> Next {
+        self.waits = false;
+        let is_here = self.is_here();
+        let Some(elsewhere) = &mut self.elsewhere else { return self.present.next() };
+        // The text of a step's block is there only with the interpreter.
+        let may_take = !elsewhere.is_stale && (is_here || !single);
+        if may_take && let Ok(taken) = elsewhere.taken.pop() {
+            self.zero = Some(taken.zero);
+            self.is_over = taken.next.is_none();
+            return taken.next;
+        }
+        if is_here && self.present.is_open() {
+            self.zero = None;
+            return self.own().next();
+        }
+        if !self.is_over {
+            self.lend(single);
+            self.waits = true;
+        }
+        None
+    }
+
+    /// Has more steps read where there is room, before they are wanted.
+    pub fn look_ahead(&mut self, single: bool) {
+        let wants = |elsewhere: &Elsewhere| elsewhere.goes_on && elsewhere.taken.slots() < STEPS / 2;
+        if !single && self.elsewhere.as_ref().is_some_and(wants) {
+            self.lend(single);
+        }
+    }
+
+    fn lend(&mut self, single: bool) {
+        let Some(elsewhere) = &mut self.elsewhere else { return };
+        let Some(steps) = elsewhere.steps.take() else { return };
+        let copy = elsewhere.copy.take().filter(|_| !elsewhere.is_changed);
+        let copy = copy.unwrap_or_else(|| Box::new(self.present.copy_to_look_at()));
+        elsewhere.called.store(false, Ordering::Relaxed);
+        let work = Work {
+            interpreter: std::mem::replace(&mut self.present, copy),
+            copy: elsewhere.old.take(),
+            steps,
+            most: if single { 1 } else { STEPS },
+            goes_on: false,
+            called: elsewhere.called.clone(),
+        };
+        // There is room: it is the only one.
+        if let Err(work) = elsewhere.thread.lend(work) {
+            (self.present, elsewhere.steps) = (work.interpreter, Some(work.steps));
+        }
+    }
+}
+
+impl Cnc {
+    /// The interpreter, for its program's text. While it reads blocks beside, a copy as it was when it began to.
+    pub fn interpreter(&self) -> &Interpreter {
+        &self.interpreter
+    }
+
+    /// The interpreter, to change what it remembers. Where it reads blocks beside, the end of the block that it is at is
+    /// waited for ([`is_reading`](Self::is_reading)).
+    pub fn interpreter_mut(&mut self) -> &mut Interpreter {
+        self.interpreter.own()
+    }
+
+    /// Whether the interpreter is reading blocks beside, so that whoever wants to change something had better wait.
+    pub fn is_reading(&self) -> bool {
+        !self.interpreter.is_here()
+    }
+
+    /// How the operator's switches stand, for the blocks that are read from now on.
+    pub fn set_block_skip(&mut self, block_skip: bool, optional_stop: bool) {
+        self.interpreter.set_switches(block_skip, optional_stop);
+    }
+
+    /// What of the next period may take longer than a period: interpreting, and planning. Called as soon as a period is
+    /// over, it leaves to [`tick`](Self::tick) what runs in the period; without it `tick` does all, with the same
+    /// setpoints.
+    pub fn prepare(&mut self) {
+        self.fetch();
+        self.steps_left = usize::MAX;
+        if self.state != State::Running {
+            return;
+        }
+        let is_short = self.steps_a_period != usize::MAX;
+        self.ahead_until = is_short.then(|| Instant::now() + Duration::from_secs_f64(AHEAD * self.period));
+        self.take_steps();
+        self.ahead_until = None;
+        let moves = self.state == State::Running && self.busy.is_none() && self.stroke.is_none();
+        if moves && !self.motion.is_empty() && !self.must_settle_now() {
+            self.motion.plan();
+        }
+    }
+
+    /// Called by whoever is about to run periods on a real clock, in the thread that will. Do the drives need a setpoint
+    /// each period, whatever else the computer does ([`keeps_time`](crate::drives::Drives::keeps_time)), what takes long is done beside from now on
+    /// ([`work_beside`](Self::work_beside)).
+    ///
+    /// # Errors
+    /// The system gives no thread; then all is done in the period as before.
+    pub fn keep_time(&mut self) -> std::io::Result<()> {
+        if self.drives.keeps_time() { self.work_beside() } else { Ok(()) }
+    }
+
+    /// From now on motion is planned and blocks are read in threads of their own, which get the priority of the one that
+    /// calls this, and no period takes more than a few steps: for a clock at true speed, whose periods are short. The
+    /// setpoints are the same as long as those threads are in time, save that a queue that is empty fills in some
+    /// periods, and that a step which waits for rest is followed a period or two later.
+    ///
+    /// # Errors
+    /// The system gives no thread; then all is done in the period as before.
+    pub fn work_beside(&mut self) -> std::io::Result<()> {
+        self.motion.plan_beside()?;
+        self.interpreter.read_beside()?;
+        self.steps_a_period = STEPS_A_PERIOD;
+        Ok(())
+    }
+
+    /// Takes back what is done beside.
+    pub(super) fn fetch(&mut self) {
+        self.motion.fetch();
+        self.interpreter.fetch();
+        if self.state == State::Running {
+            self.interpreter.look_ahead(self.blocks.is_single());
+        }
+    }
+
+    /// Waits until what is due beside is done, for a clock that does not wait itself.
+    pub fn await_beside(&mut self) {
+        self.motion.await_planner();
+        self.interpreter.wait();
+    }
+}

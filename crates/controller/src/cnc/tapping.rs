@@ -1,0 +1,155 @@
+//! Holes that are tapped and threads that are cut: strokes of axes and spindle in step.
+//!
+//! What the operator asks for waits until the tool is out (GSK990MC 4.5.1).
+
+use super::{Cnc, State, Tick};
+use crate::programmed::{Programmed, Way};
+use crate::report::Activity;
+use ferrocut_geometry::Position;
+use ferrocut_machine::{Alarm, Fault};
+use ferrocut_motion::servo::Kind;
+use ferrocut_motion::synchron::Thread;
+
+/// A hole that is being tapped, or a thread being cut.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Hole {
+    /// Where the tool entered it.
+    pub entry: Position,
+    /// What the operator asked for, which waits until the tool is out.
+    pub asked: Option<Asked>,
+}
+
+/// A stroke in a hole.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stroke {
+    pub from: Position,
+    pub thread: Thread,
+    pub programmed: Programmed,
+    /// Whether the axes move already; else the spindle comes to rest first.
+    pub has_begun: bool,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Asked {
+    Hold,
+    Reset,
+}
+
+impl Cnc {
+    /// Whether the tool is in a thread while the program runs; then it remembers what was asked for.
+    pub(super) fn asked_in_hole(&mut self, asked: Asked) -> bool {
+        let is_running = self.state == State::Running;
+        match self.hole.as_mut().filter(|_| is_running) {
+            Some(hole) => {
+                // A reset is more than a hold.
+                if hole.asked != Some(Asked::Reset) {
+                    hole.asked = Some(asked);
+                }
+                true
+            }
+            None => false,
+        }
+    }
+
+    /// A move in step with the spindle. The first one of a thread begins with the spindle at rest on its marker, so
+    /// that passes, and threads that are cut again, meet (GSK990MC 4.5.2).
+    pub(super) fn begin_stroke(&mut self, to: Position, pitch: f64, rpm: f64) {
+        let from = self.commanded;
+        let way = to - from;
+        // The sense of the way is that of the axis that goes farthest.
+        let farthest = way.0.iter().fold(0.0, |far: f64, d| if d.abs() > far.abs() { *d } else { far });
+        let is_first = self.hole.is_none();
+        let hole = self.hole.get_or_insert(Hole { entry: from, asked: None });
+        let is_out = from.distance(hole.entry) > to.distance(hole.entry);
+        let [inwards, outwards] = self.tapping_rates;
+        let thread = Thread {
+            to,
+            pitch: pitch.abs(),
+            rpm,
+            // A right-hand thread goes in clockwise, in the negative direction.
+            is_clockwise: farthest * pitch < 0.0,
+            acceleration_rpm_s: if is_out { outwards } else { inwards },
+        };
+        let number = self.next_tag;
+        self.next_tag += 1;
+        let programmed = Programmed {
+            number,
+            way: Way::Line(from, to),
+            is_rapid: false,
+            feed: Some((pitch * rpm / 60.0).abs()),
+            tolerance: None,
+        };
+        self.stroke = Some(Stroke { from, thread, programmed, has_begun: false });
+        if is_first && !self.spindle.is_at_marker() {
+            let seconds = self.spindle.orient(0.0);
+            self.keep_busy(Activity::Spindle, seconds);
+        }
+    }
+
+    /// A period of a stroke in a thread.
+    pub(super) fn cut_thread(&mut self) -> Tick {
+        let Some(stroke) = self.stroke else { return self.at_rest() };
+        if !stroke.has_begun {
+            // The spindle is at rest by now.
+            let Stroke { from, thread, .. } = stroke;
+            if !self.synchron.begin(from, self.spindle.angle(), &thread) {
+                (self.stroke, self.hole) = (None, None);
+                let alarm = Alarm::core(Fault::FeedNotReachable, self.span);
+                self.state = State::Alarmed(Box::new(alarm));
+                return self.at_rest();
+            }
+            self.stroke = Some(Stroke { has_begun: true, ..stroke });
+        }
+        self.spindle.follow(self.synchron.advance());
+        let setpoint = self.synchron.follow(self.spindle.encoder().turns);
+        self.kind = Kind::Tapping;
+        self.report.period(Activity::Cutting);
+        let position = self.exchange(&self.beside(setpoint));
+        let tick = Tick {
+            position,
+            actual: self.actual,
+            velocity: self.synchron.speed(),
+            span: self.span,
+            moving: true,
+        };
+        if self.synchron.is_done() {
+            self.end_stroke(&stroke);
+        } else if self.synchron.overdue() > self.patience {
+            self.fail_spindle();
+        }
+        tick
+    }
+
+    /// The stroke is run to its end, or was stopped.
+    pub(super) fn end_stroke(&mut self, stroke: &Stroke) {
+        let at = self.synchron.position();
+        self.stroke = None;
+        self.motion.rename(at);
+        self.commanded = at;
+        let (from, length) = (stroke.from, stroke.from.distance(at));
+        self.report.finished(Activity::Cutting, length, from.min(at), from.max(at));
+        if self.hole.is_some_and(|hole| hole.entry == at) {
+            self.leave_hole();
+        }
+    }
+
+    /// The tool is out: what the operator asked for is done now.
+    pub(super) fn leave_hole(&mut self) {
+        match self.hole.take().and_then(|hole| hole.asked) {
+            Some(Asked::Hold) => self.feed_hold(),
+            Some(Asked::Reset) => self.come_to_rest(),
+            None => {}
+        }
+    }
+
+    /// The spindle does not come to its angle: without it no axis may move on.
+    pub(super) fn fail_spindle(&mut self) {
+        let rule = Fault::NotInPosition;
+        let alarm = Alarm::new(self.interpreter.dialect().alarm_id(rule), rule, self.span).with("axis", "S");
+        if let Some(stroke) = self.stroke {
+            self.end_stroke(&stroke);
+        }
+        self.come_to_rest();
+        self.failed = Some(Box::new(alarm));
+    }
+}
