@@ -1,5 +1,7 @@
 //! The whole control on the real clock, with the standard ladder, the simulated machine and the thread that `ferrocut
-//! serve` runs it on: what the periods took, and how late they were woken.
+//! serve` runs it on: what the periods took, and how late they were woken. Beside it, on a thread of the same kind, a
+//! computation that is always the same: what it takes longer at times is the computer's doing and not that of the software,
+//! and so is as much of what the control takes.
 //!
 //! `control_real_time [SECONDS] [PRIORITY]`: 60 s if not given, at 1 kHz, the bracket and a demanding program in turn. With
 //! a priority (1 to 99) the machine's thread, and the planner's with it, run before all others.
@@ -11,9 +13,10 @@ use ferrocut_machine::{Machine, PlantConfig};
 use ferrocut_memory::{Author, Seat, Session};
 use ferrocut_plc::{Limits, Program};
 use ferrocut_server::panel::Panel;
-use ferrocut_server::runner::{Runner, Times};
+use ferrocut_server::runner::{Owned, Runner, Times};
 use ferrocut_server::service::{Caller, Request, Served};
 use std::fmt::Write;
+use std::hint::black_box;
 use std::sync::Arc;
 use std::sync::mpsc::sync_channel;
 use std::time::{Duration, Instant};
@@ -46,6 +49,28 @@ fn demanding() -> String {
     text + "M30\n"
 }
 
+/// The same few microseconds of computing in each period, about as many as the control's.
+struct Yardstick(f64);
+
+impl Owned for Yardstick {
+    type Command = ();
+    type Snapshot = ();
+
+    fn take(&mut self, (): ()) {}
+
+    fn tick(&mut self) {
+        for _ in 0..7000 {
+            self.0 = black_box(self.0 * 0.999 + 1.0);
+        }
+    }
+
+    fn has_news(&self) -> bool {
+        false
+    }
+
+    fn snapshot(&mut self, _: u64) {}
+}
+
 fn main() {
     let mut words = std::env::args().skip(1).filter_map(|word| word.parse::<u64>().ok());
     let seconds = words.next().unwrap_or(60);
@@ -66,14 +91,11 @@ fn main() {
     }
     let (events, _heard) = sync_channel(1024);
     let period = Duration::from_secs_f64(machine.servo_period_ms / 1000.0);
-    let runner = match Runner::start(
-        Served::<Panel>::new(Panel::new(control).timed(), events),
-        period,
-        priority,
-    ) {
-        Ok(runner) => runner,
-        Err(error) => return eprintln!("{error}"),
-    };
+    let runner =
+        match Runner::start(Served::<Panel>::new(Panel::new(control).timed(), events), period, priority) {
+            Ok(runner) => runner,
+            Err(error) => return eprintln!("{error}"),
+        };
     let (commands, latest, timing) = (runner.commands(), runner.latest(), runner.timing());
     let caller = Caller { name: "bench".to_owned(), seat: Seat::Machine, session: Session::OPERATOR };
     let say = |command: Command| {
@@ -102,6 +124,10 @@ fn main() {
         }
         pause(50);
     }
+    let yardstick = match Runner::start(Yardstick(0.0), period, priority) {
+        Ok(yardstick) => yardstick,
+        Err(error) => return eprintln!("{error}"),
+    };
     press("KEY_AUTO");
     let (began, mut runs, mut at) = (Instant::now(), 0u32, [0.0; 2]);
     while began.elapsed().as_secs() < seconds {
@@ -121,12 +147,18 @@ fn main() {
     }
     println!("{runs} programs begun, running {:.0} % of {seconds} s", 100.0 * at[1] / at[0]);
     println!("{timing}");
-    for share in [0.5, 0.99, 0.999, 0.9999] {
+    let fixed = yardstick.timing();
+    println!("a fixed computation: {fixed}");
+    for share in [0.5, 0.9, 0.99, 0.999, 0.9999] {
         let us = |times: &Times| times.below(share).as_secs_f64() * 1e6;
-        let (work, ahead, late) = (us(&timing.work), us(&timing.ahead), us(&timing.lateness));
         println!(
-            "{:7.2} %: work {work:6.0} us, looking ahead {ahead:6.0} us, woken late {late:6.0} us",
-            share * 100.0
+            "{:7.2} %: computing {:6.0} us, fixed {:6.0} us; work {:6.0} us, looking ahead {:6.0} us, woken late {:6.0} us",
+            share * 100.0,
+            us(&timing.computing),
+            us(&fixed.computing),
+            us(&timing.work),
+            us(&timing.ahead),
+            us(&timing.lateness)
         );
     }
     drop(runner);
