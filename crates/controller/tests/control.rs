@@ -8,8 +8,12 @@ use common::shop::Shop;
 use ferrocut_controller::api::{Activity, Command, Event, OffsetValues, RelativeTo, Reply, Status};
 use ferrocut_controller::control::modes::{self, Change};
 use ferrocut_controller::signals::{RapidOverride, Ways};
-use ferrocut_controller::{Mode, Parts};
-use ferrocut_machine::{Machine, PlantConfig};
+use ferrocut_controller::{Drives, Mode, Parts};
+use ferrocut_geometry::Position;
+use ferrocut_machine::{Alarm, Fault, Machine, PlantConfig};
+use ferrocut_program::Span;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 const LONG: &str = "O1\nN1 G90 G94 G1 X20 F1200\nN2 X40 Y10\nN3 X60 Y0\nN4 X80\nM30\n";
 
@@ -403,6 +407,58 @@ fn emergency_stop_stops_axes_and_spindle_and_nothing_starts_before_it_is_release
     shop.say(Command::Cursor { line: 1 });
     shop.start();
     assert_eq!(shop.until_it_stops().counters.parts, 1);
+}
+
+/// Drives that stop by themselves while this is on.
+struct Failing(Arc<AtomicBool>);
+
+impl Drives for Failing {
+    fn exchange(&mut self, commanded: &Position) -> Position {
+        *commanded
+    }
+
+    fn has_failed(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+
+    fn failure(&self, span: Span) -> Option<Box<Alarm>> {
+        self.has_failed().then(|| Box::new(Alarm::core(Fault::DrivesSilent, span)))
+    }
+
+    fn restart(&mut self) {
+        self.0.store(false, Ordering::Relaxed);
+    }
+}
+
+#[test]
+fn the_ladder_is_told_of_drives_that_failed_and_of_a_program_that_is_rewound() {
+    let fails = Arc::new(AtomicBool::new(false));
+    let parts = Parts { drives: Some(Box::new(Failing(fails.clone()))), ..Parts::default() };
+    let mut shop = Shop::of(&Machine::demo_mill(), parts);
+    let told = |shop: &Shop| {
+        let outputs = shop.control.outputs();
+        (outputs.servo_ready, outputs.spindle_alarm, outputs.rewinding, outputs.reset)
+    };
+    assert_eq!(told(&shop), (true, false, false, false));
+    shop.say(Command::EmergencyStop { pressed: true });
+    shop.wait(100);
+    assert_eq!(told(&shop), (false, false, false, false));
+    shop.say(Command::EmergencyStop { pressed: false });
+    shop.wait(2);
+    fails.store(true, Ordering::Relaxed);
+    assert_eq!(shop.wait(100).activity, Activity::Alarm);
+    assert_eq!(told(&shop), (false, true, false, false));
+    shop.say(Command::Reset);
+    shop.wait(1);
+    assert_eq!(told(&shop), (true, false, false, true));
+    // P203: 200 periods. RRW leads to the head of the program, too.
+    shop.wait(300);
+    shop.inputs.rewind = true;
+    shop.wait(150);
+    assert_eq!(told(&shop), (true, false, true, true));
+    shop.inputs.rewind = false;
+    shop.wait(100);
+    assert_eq!(told(&shop), (true, false, false, false));
 }
 
 #[test]

@@ -3,18 +3,22 @@
 
 use ferrocut_controller::api::{Activity, Command, Event, Measurement, Reply, Status};
 use ferrocut_controller::drives::Block;
+use ferrocut_controller::signals::ROWS;
 use ferrocut_controller::{Control, Mode, Parts, Plant};
 use ferrocut_geometry::Position;
 use ferrocut_machine::Machine;
 use ferrocut_memory::{Author, Session, Settings, Store};
 use ferrocut_plc::{Limits, Program};
 use serde_json::json;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 const LADDER: &str = include_str!("../../../machines/standard.lad");
 
 struct Mill {
     control: Control,
+    /// The rows of signals that were on once, by their first names.
+    told: BTreeSet<&'static str>,
     events: Vec<Event>,
 }
 
@@ -31,7 +35,11 @@ impl Mill {
             store,
             ..Parts::default()
         };
-        let mut mill = Mill { control: Control::new(machine, parts).unwrap(), events: Vec::new() };
+        let mut mill = Mill {
+            control: Control::new(machine, parts).unwrap(),
+            told: BTreeSet::new(),
+            events: Vec::new(),
+        };
         mill.say(Command::Switch { switch: "SWITCH_FEED".into(), position: 10 });
         mill.say(Command::Switch { switch: "SWITCH_SPINDLE".into(), position: 5 });
         mill.wait(100);
@@ -47,6 +55,16 @@ impl Mill {
     fn wait(&mut self, periods: usize) -> Status {
         for _ in 0..periods {
             self.control.tick();
+            let memory = self.control.plc_mut().unwrap().memory();
+            for row in ROWS.iter().filter(|row| !row.is_read()) {
+                let is_on = |n: usize| match row.bytes() {
+                    0 => memory.bit(row.address(n)),
+                    _ => memory.byte(row.address(n)) != 0,
+                };
+                if (0..row.names.len()).any(is_on) {
+                    self.told.insert(row.names[0]);
+                }
+            }
         }
         self.events.extend(self.control.events());
         self.control.status()
@@ -167,6 +185,82 @@ fn a_shift_through_the_keys() {
     mill.wait(50);
     mill.say(Command::Reset);
     mill.until("well", |status| status.activity == Activity::Idle && status.alarms.is_empty());
+}
+
+/// Signals that this machine has no cause to give, and where they are tried.
+const NOT_HERE: [(&str, &str); 3] = [
+    ("BF", "no language here has a second auxiliary function; handshake.rs"),
+    ("B_CODE", "the same"),
+    ("ALMA", "control.rs: drives that failed"),
+];
+
+/// Nothing of what the ladder may be told is forgotten.
+#[test]
+fn every_signal_of_the_nc_is_told_once() {
+    let mut machine = Machine::demo_mill();
+    for (name, value) in [("P357", 1.0), ("NO61.0", 1.0)] {
+        machine.parameters.insert(name.to_owned(), value);
+    }
+    let mut mill = Mill::of(&machine, Plant::new(&machine, Position::ZERO, Position::ZERO), None);
+    mill.home();
+    for key in ["KEY_EDIT", "KEY_DNC", "KEY_JOG", "KEY_STEP", "KEY_MPG"] {
+        mill.press(key);
+        mill.wait(10);
+    }
+    let force = |mill: &mut Mill, signal: &str, value: Option<bool>| {
+        mill.control.command(Command::Force { signal: signal.into(), value }, &Author::Control).unwrap();
+        mill.wait(20);
+    };
+    let goes_on = |mill: &mut Mill, times: usize| {
+        for _ in 0..times {
+            mill.until("stopped", |status| status.activity == Activity::Stopped);
+            mill.press("KEY_START");
+        }
+        mill.until("done", |status| status.activity == Activity::Idle);
+    };
+    // Codes, stops, tapping, surface speed, outputs, reference points.
+    mill.press("KEY_MDI");
+    mill.press("KEY_OPTSTOP");
+    let text = "G91 G0 Z-20\nG1 X-5 F1000\nT1\nM3 S300\nM0\nM1\nM19\nM18\n#1100=1\nG96 P1 S20000\nM3\nG4 X0.1\nG97 S300\n\
+                M29 S300\nG98 G84 X0 Y0 Z-3 R-1 F300\nG80\nM28\nM5\nG90\nG30 P2 Z0\nG30 P3 Z0\nG30 P4 Z0\nM2\n";
+    mill.say(Command::Mdi { text: text.into() });
+    mill.press("KEY_START");
+    goes_on(&mut mill, 2);
+    // A program with switches, hold, restart.
+    mill.press("KEY_AUTO");
+    for (name, text) in [("O0001", "M30\n"), ("O0002", "G91 G1 X-20 F600\nX20\nM30\n")] {
+        mill.say(Command::Store { program: name.into(), text: text.into() });
+    }
+    mill.say(Command::Select { program: "O1".into() });
+    let switches = ["KEY_SINGLE", "KEY_SKIP", "KEY_DRY", "KEY_MLOCK", "KEY_AUXLOCK"];
+    switches.iter().for_each(|key| mill.press(key));
+    switches.iter().for_each(|key| mill.press(key));
+    mill.press("KEY_START");
+    mill.until("a part", |status| status.counters.parts == 1 && status.activity == Activity::Idle);
+    mill.say(Command::Select { program: "O2".into() });
+    mill.press("KEY_START");
+    mill.press("KEY_HOLD");
+    mill.until("held", |status| status.activity == Activity::Held);
+    mill.say(Command::EmergencyStop { pressed: true });
+    mill.wait(500);
+    mill.say(Command::EmergencyStop { pressed: false });
+    force(&mut mill, "G8.6", Some(true));
+    force(&mut mill, "G8.6", None);
+    mill.until("well", |status| status.activity == Activity::Idle && status.alarms.is_empty());
+    mill.events.clear();
+    // The reset signal lasts (P203).
+    mill.wait(300);
+    mill.press("KEY_RESTART");
+    for _ in 0..5000 {
+        if mill.wait(1).restart_ready {
+            break;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+    assert!(mill.wait(1).restart_ready, "{:?}", mill.events);
+    let exceptions = NOT_HERE.map(|(name, _)| name);
+    let forgotten = ROWS.iter().filter(|row| !row.is_read() && !mill.told.contains(row.names[0]));
+    assert_eq!(forgotten.map(|row| row.names[0]).collect::<Vec<_>>(), exceptions);
 }
 
 const BRACKET: &str = include_str!("../../../examples/gsk990mc/bracket.nc");

@@ -17,6 +17,11 @@ impl Cnc {
         self.set_referenced(AxisSet::EMPTY);
     }
 
+    /// Whether the drives have stopped by themselves and were not reset since.
+    pub fn drives_have_failed(&self) -> bool {
+        self.drives_failed
+    }
+
     /// Reset: drives whose alarm was given begin anew. Without it they would go on from a place that nobody was told of.
     pub(super) fn restart_drives(&mut self) {
         if std::mem::take(&mut self.drives_failed) {

@@ -103,6 +103,8 @@ pub struct Control {
     periods: u64,
     /// Periods for which the reset signal is still given.
     reset_left: u64,
+    /// The reset brought the program to its head.
+    rewinds: bool,
     state: State,
     parts: u32,
     /// Parts as their parameter had them last.
@@ -206,6 +208,7 @@ impl Control {
             moving: AxisSet::EMPTY,
             periods: 0,
             reset_left: 0,
+            rewinds: false,
             parts: 0,
             shown_parts: 0.0,
             cutting_before: 0.0,
@@ -412,7 +415,8 @@ impl Control {
         self.take_restart_key();
         if self.inputs.reset && !self.before.reset || self.inputs.rewind && !self.before.rewind {
             self.reset();
-            if self.inputs.rewind {
+            self.rewinds = self.inputs.rewind;
+            if self.rewinds {
                 self.cursor = 1;
             }
         }
@@ -458,6 +462,7 @@ impl Control {
 
     /// Reset (2.3.1): axes and spindle stop, the program is given up, parameters say what else is cleared.
     fn reset(&mut self) {
+        self.rewinds = false;
         if self.cnc.is_idle() {
             self.cnc.clear();
         } else {
@@ -592,12 +597,16 @@ impl Control {
     fn tell(&mut self, before: Position) {
         let state = self.cnc.state();
         let is_alarm = self.is_alarmed();
+        let failed = self.cnc.drives_have_failed();
         let mut outputs = Outputs {
             mode: self.mode,
             ready: true,
-            servo_ready: !self.emergency,
+            servo_ready: !self.emergency && !failed,
+            // They turn the spindle, too.
+            spindle_alarm: failed,
             alarm: is_alarm,
             reset: self.reset_left > 0 || matches!(state, State::Resetting),
+            rewinding: self.reset_left > 0 && self.rewinds,
             automatic: self.cnc.is_under_way(),
             running: matches!(state, State::Running),
             held: matches!(state, State::Held),
