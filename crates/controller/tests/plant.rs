@@ -152,6 +152,28 @@ fn clamps_lubrication_door_and_limits_meet_the_ladder() {
 }
 
 #[test]
+fn a_machine_file_says_what_the_probe_can_touch() {
+    let file = |max: &str| {
+        let block = format!("[[plant.blocks]]\nmin = [10.0, -5.0, -5.0]\nmax = {max}\n");
+        Machine::from_toml(&format!("{}\n{block}", Machine::DEMO_MILL))
+    };
+    let machine = file("[20.0, 5.0, 5.0]").unwrap();
+    let mut plant = Plant::new(&machine, Position::ZERO, Position::ZERO);
+    plant.stand_as_called([Axis::X, Axis::Y, Axis::Z].into_iter().collect());
+    assert_eq!(plant.probe(), None);
+    plant.arm_probe(Contact::Made);
+    for period in 0..4000 {
+        let mut to = Position::ZERO;
+        to[Axis::X] = 0.005 * f64::from(period);
+        plant.exchange(&to);
+    }
+    let touched = plant.probe().unwrap();
+    assert!((touched[Axis::X] - 10.0).abs() < 1e-3, "{touched:?}");
+    let refused = file("[20.0, 5.0, -6.0]").unwrap_err().to_string();
+    assert!(refused.contains("the upper corner of a block is -6: it must be -5 to"), "{refused}");
+}
+
+#[test]
 fn a_period_allocates_nothing() {
     let machine = planted();
     let mut plant = Plant::new(&machine, Position::ZERO, Position::ZERO);

@@ -42,7 +42,7 @@ pub use offsets::{ToolOffset, ToolTable, WorkOffset, WorkOffsets};
 pub use parameter_file::ParameterFile;
 pub use parameters::{Meaning, ParameterDef, ParameterError, ParameterKey, ParameterTable, Parameters};
 pub use path::{ArcSlowdown, CornerSlowdown, PathConfig, Ramp};
-pub use plant::{PlantAxis, PlantConfig};
+pub use plant::{PlantAxis, PlantBlock, PlantConfig};
 pub use reference::{GCodeRow, MCodeRow, Reference, Subject, VariableRow, g_code_name};
 pub use servo::{Backlash, PITCH_POINTS, PitchErrors, ServoConfig, Smoothing};
 pub use setup::{AxisValues, CuttingSetup, ImportSetup, Setup, SkipSignal};

@@ -30,6 +30,8 @@ pub struct PlantConfig {
     pub lube_ms: f64,
     /// The probe is on while it touches nothing; else while it touches.
     pub probe_opens: bool,
+    /// What the probe can touch.
+    pub blocks: Vec<PlantBlock>,
     /// Addresses of signals that are wired otherwise than in the standard ladder, by name.
     pub wiring: BTreeMap<String, String>,
 }
@@ -46,9 +48,21 @@ impl Default for PlantConfig {
             clamp_ms: 300.0,
             lube_ms: 500.0,
             probe_opens: false,
+            blocks: Vec::new(),
             wiring: BTreeMap::new(),
         }
     }
+}
+
+/// A block that a probe touches, a piece of stock or a tool setter: the physical places of X, Y and Z of its lower and
+/// upper corner. A plane is a block that is large enough.
+#[derive(Clone, Copy, PartialEq, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PlantBlock {
+    /// Lower corner.
+    pub min: [f64; 3],
+    /// Upper corner.
+    pub max: [f64; 3],
 }
 
 /// An axis of the simulated machine. Lengths are mm, of rotary axes degrees.
@@ -149,6 +163,12 @@ impl PlantConfig {
             }
             for place in [axis.marker, axis.at].into_iter().flatten() {
                 within(&format!("axis {name}: a place"), place, -1e6, 1e6)?;
+            }
+        }
+        for block in &self.blocks {
+            for (min, max) in block.min.into_iter().zip(block.max) {
+                within("the lower corner of a block", min, -1e6, 1e6)?;
+                within("the upper corner of a block", max, min, 1e6)?;
             }
         }
         within("spindle_gain", self.spindle_gain, 0.0, 1e4)?;

@@ -14,18 +14,9 @@ use super::wires::AxisWires;
 use super::{Contact, Drives, Switches};
 use axis::{PlantedAxis, Where};
 use ferrocut_geometry::{AXES, Axis, AxisSet, Position};
+pub use ferrocut_machine::PlantBlock as Block;
 use ferrocut_machine::{AxisConfig, Machine, PlantAxis, PlantConfig};
 use periphery::Periphery;
-
-/// A block that a probe touches, a piece of stock or a tool setter: the physical places of X, Y and Z of its lower and
-/// upper corner. A plane is a block that is large enough.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Block {
-    /// Lower corner.
-    pub min: [f64; 3],
-    /// Upper corner.
-    pub max: [f64; 3],
-}
 
 /// What can go wrong with an axis.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -73,7 +64,7 @@ impl Plant {
                 *place = Some(planted(machine, config, axis, called[axis.name], reference[axis.name]));
             }
         }
-        Plant {
+        let mut plant = Plant {
             axes,
             home_closes: machine.axes.iter().filter(|a| a.homing.closes).map(|a| a.name).collect(),
             absolute: machine.homing.absolute,
@@ -83,7 +74,9 @@ impl Plant {
             touches: false,
             touched: None,
             wires: AxisWires::new(machine, &config.wiring, config.probe_opens),
-        }
+        };
+        config.blocks.iter().for_each(|block| plant.place(*block));
+        plant
     }
 
     /// These axes stand where the control takes them to be: their places and names are the same.
