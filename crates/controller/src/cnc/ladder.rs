@@ -130,8 +130,10 @@ impl Cnc {
     pub(super) fn is_for_ladder(&mut self, step: &Step) -> bool {
         let in_force = self.interpreter.spindle_speed();
         let Some(auxiliary) = &mut self.auxiliary else { return false };
+        // A tool that is in a thread must come out of it: a reset takes the signal back meanwhile.
+        let enters = matches!(step.op, Op::Tap { .. }) && self.hole.is_none();
         match auxiliary.hand_over(step, in_force) {
-            Handing::Nothing if matches!(step.op, Op::Tap { .. }) && auxiliary.lacks_rigid_tapping() => {
+            Handing::Nothing if enters && auxiliary.lacks_rigid_tapping() => {
                 let rule = Fault::RigidTappingOff;
                 let alarm = Alarm::new(self.interpreter.dialect().alarm_id(rule), rule, step.span);
                 self.state = State::Alarmed(Box::new(alarm));
