@@ -3,15 +3,20 @@
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
 
 mod common;
+#[allow(dead_code)]
+#[path = "common/panel.rs"]
+mod panel;
 
 use common::random::Random;
 use common::{HANGS, cnc_with, machine};
+use ferrocut_controller::api::{Activity, Command, Status};
 use ferrocut_controller::restart::{At, How};
 use ferrocut_controller::{Cnc, Event, State};
 use ferrocut_geometry::Position;
 use ferrocut_interpreter::{Interpreter, Until};
 use ferrocut_machine::Machine;
 use ferrocut_toolpath::SpindleState;
+use panel::Mill;
 use std::fmt::Write;
 
 /// Aborts that are tried; `FERROCUT_CASES` says otherwise.
@@ -220,4 +225,112 @@ fn at_random_instants_everything_agrees_and_nothing_moves_any_more() {
         program_run = Some((text, length, whole));
     }
     println!("{broken_off} aborts, {taken_up} taken up again");
+}
+
+/// Aborts of the whole control; `FERROCUT_CASES` says otherwise.
+const WHOLE: usize = 60;
+
+/// What the ladder has to do with: spindle both ways, coolant, tools called, tapping, stops of the block.
+const BY_LADDER: &str = "O1\nG90 G17 G21 G40 G49 G80 G94\nG53 G0 Z-60\nG53 X-120 Y-120\nT3\nM3 S800\nM8\nG91\nG1 X30 Y10 F2500\n\
+    G2 X10 Y10 R10\nT5\nG1 Z-5\nX-20\nM5\nG4 X0.2\nM4 S500\nM98 P2 L2\nG0 Z10\nM9\nM5\nM29 S400\n\
+    G98 G84 X0 Y0 Z-6 R-2 F400\nG80\nM28\nM3 S1500\nG1 X-15 Y-15 F1800\nG90\nM30\n";
+const PASS: &str = "O2\nG1 X12 F3000\nM8\nG3 X-12 R6\nM99\n";
+
+/// Nothing of the machine is left as the run had it, and everybody knows where the axes are.
+fn is_quiet(mill: &mut Mill, place: &str) {
+    let signal = |mill: &mut Mill, name: &str| {
+        let plc = mill.control.plc_mut().unwrap();
+        let address = plc.program().signal(name).unwrap_or_else(|| panic!("no signal {name}"));
+        plc.memory().bit(address)
+    };
+    let stands = mill.until("quiet", |status| status.activity == Activity::Idle && status.alarms.is_empty());
+    // The reset signal, the ramp of the spindle.
+    for _ in 0..200 {
+        if signal(mill, "SSTA") && !signal(mill, "RESET") {
+            break;
+        }
+        mill.wait(50);
+    }
+    for name in ["MF", "SF", "TF", "OP", "STL", "SPL", "SFRA", "SRVA", "COOLANT"] {
+        assert!(!signal(mill, name), "{place}: {name}");
+    }
+    assert!(signal(mill, "SSTA"), "{place}: the spindle turns");
+    let place_of = |status: &Status| (status.position.machine.clone(), status.feed.actual);
+    for _ in 0..300 {
+        let status = mill.wait(1);
+        assert_eq!(place_of(&status), place_of(&stands), "{place}: moves on");
+        for (axis, at) in &status.position.machine {
+            // The encoders count in units of the machine file.
+            assert!((status.position.actual[axis] - at).abs() < 0.002, "{place}: {axis} {status:?}");
+        }
+    }
+    let interpreter = mill.control.interpreter();
+    for (axis, at) in &stands.position.machine {
+        let axis = ferrocut_geometry::Axis::from_letter(*axis as u8).unwrap();
+        assert_eq!(interpreter.position()[axis], *at, "{place}: {axis:?}");
+    }
+    let in_force = interpreter.program_state();
+    assert_eq!(
+        (in_force.spindle, in_force.coolant, in_force.calls),
+        (SpindleState::Off, [false; 2], 0),
+        "{place}"
+    );
+    let there = in_force.programmed + in_force.work_zero + in_force.length;
+    assert!(there.distance(interpreter.position()) < 1e-9, "{place}: {there:?}");
+}
+
+#[test]
+fn at_random_instants_ladder_and_machine_agree_too() {
+    let aborts = std::env::var("FERROCUT_CASES").ok().and_then(|n| n.parse().ok()).unwrap_or(WHOLE);
+    let mut mill = Mill::power_on();
+    mill.press("KEY_EDIT");
+    for (name, text) in [("O0001", BY_LADDER), ("O0002", PASS)] {
+        mill.say(Command::Store { program: name.into(), text: text.into() });
+    }
+    mill.home();
+    mill.press("KEY_AUTO");
+    mill.say(Command::Select { program: "O1".into() });
+    mill.press("KEY_START");
+    let mut length = 0;
+    while mill.wait(1).counters.parts == 0 {
+        length += 1;
+        assert!(length < HANGS, "{:?}", mill.control.status());
+    }
+    mill.until("done", |status| status.activity == Activity::Idle);
+    let mut random = Random::new(31);
+    for case in 0..aborts {
+        mill.press("KEY_AUTO");
+        mill.say(Command::Cursor { line: 1 });
+        mill.press("KEY_START");
+        let instant = random.below(length);
+        mill.wait(instant);
+        let how = random.below(4);
+        let status = mill.control.status();
+        let block = status.program.block.clone();
+        match how {
+            0 => {
+                mill.say(Command::EmergencyStop { pressed: true });
+                mill.wait(1 + random.below(800));
+                mill.say(Command::EmergencyStop { pressed: false });
+                mill.wait(20);
+            }
+            1 => {}
+            2 => {
+                mill.key("KEY_HOLD", true);
+                mill.wait(random.below(200));
+                mill.key("KEY_HOLD", false);
+            }
+            // Another mode takes the program's way first.
+            _ => mill.press(random.one(&["KEY_JOG", "KEY_MDI", "KEY_EDIT"])),
+        }
+        mill.say(Command::Reset);
+        let place = format!("case {case}, {how} at {instant} of {length}, {block}");
+        is_quiet(&mut mill, &place);
+    }
+    // All of it runs again, to its end.
+    let before = mill.control.status().counters.parts;
+    mill.press("KEY_AUTO");
+    mill.say(Command::Cursor { line: 1 });
+    mill.press("KEY_START");
+    mill.until("another part", |status| status.counters.parts == before + 1);
 }
