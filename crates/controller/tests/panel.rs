@@ -8,7 +8,7 @@ mod panel;
 use ferrocut_controller::api::{Activity, Command, Reply};
 use ferrocut_controller::drives::Block;
 use ferrocut_controller::signals::ROWS;
-use ferrocut_controller::{Mode, Plant};
+use ferrocut_controller::{Mode, Parts, Plant};
 use ferrocut_geometry::Position;
 use ferrocut_machine::Machine;
 use ferrocut_memory::{Author, Settings, Store};
@@ -351,9 +351,7 @@ fn level_2_sees_every_press_however_long_it_takes() {
          RD.NOT R9091.1\nRD.STK R0.0\nADDB 1 D0 1 D0\n{idle}END2\n"
     );
     let machine = Machine::demo_mill();
-    let ladder = Program::from_text(text.as_bytes(), &Limits::default()).unwrap();
-    let parts = Parts { ladder: Some(ladder), ..Parts::default() };
-    let mut mill = Mill { control: Control::new(&machine, parts).unwrap(), events: Vec::new() };
+    let mut mill = Mill::with_ladder(&machine, &text, Parts::default());
     let key = |mill: &mut Mill, down| mill.say(Command::Key { key: "KEY_A".into(), down });
     let signal = |mill: &mut Mill, name: &str| match mill.say(Command::Signals { names: vec![name.into()] }) {
         Reply::Signals { signals } => signals[name],

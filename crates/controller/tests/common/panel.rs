@@ -27,22 +27,20 @@ impl Mill {
     }
 
     pub fn of(machine: &Machine, plant: Plant, store: Option<Arc<Store>>) -> Mill {
-        let parts = Parts {
-            ladder: Some(Program::from_text(LADDER.as_bytes(), &Limits::default()).unwrap()),
-            drives: Some(Box::new(plant)),
-            store,
-            ..Parts::default()
-        };
-        let mut mill = Mill {
-            control: Control::new(machine, parts).unwrap(),
-            told: BTreeSet::new(),
-            events: Vec::new(),
-        };
+        let parts = Parts { drives: Some(Box::new(plant)), store, ..Parts::default() };
+        let mut mill = Mill::with_ladder(machine, LADDER, parts);
         mill.say(Command::Switch { switch: "SWITCH_FEED".into(), position: 10 });
         mill.say(Command::Switch { switch: "SWITCH_SPINDLE".into(), position: 5 });
         mill.wait(100);
         mill.press("KEY_R_100");
         mill
+    }
+
+    /// With another ladder.
+    pub fn with_ladder(machine: &Machine, ladder: &str, parts: Parts) -> Mill {
+        let ladder = Some(Program::from_text(ladder.as_bytes(), &Limits::default()).unwrap());
+        let control = Control::new(machine, Parts { ladder, ..parts }).unwrap();
+        Mill { control, told: BTreeSet::new(), events: Vec::new() }
     }
 
     pub fn say(&mut self, command: Command) -> Reply {
