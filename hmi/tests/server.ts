@@ -1,7 +1,7 @@
 // A control for the tests: `ferrocut serve` with a memory of its own, on a port that the system chooses.
 import { test as base, type Page } from '@playwright/test';
 import { spawn, spawnSync, type ChildProcess } from 'node:child_process';
-import { existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
@@ -17,9 +17,15 @@ export async function shoot(page: Page, name: string, shown = ''): Promise<void>
 
 export type Server = { url: string; memory: string };
 
-/** Starts it and waits for its address. */
-async function serve(memory: string): Promise<{ child: ChildProcess; url: string }> {
-  const child = spawn(binary, ['serve', '--memory', memory, '--http', '127.0.0.1:0'], { stdio: ['ignore', 'pipe', 'pipe'] });
+/** Starts it and waits for its address. `machine` is what a machine file has besides the demo mill's. */
+async function serve(memory: string, machine: string): Promise<{ child: ChildProcess; url: string }> {
+  const file = `${memory}.toml`;
+  if (machine) {
+    const mill = readFileSync(join(import.meta.dirname, '../../machines/demo-mill.toml'), 'utf8');
+    writeFileSync(file, `${mill.replace(/^public_programs.*$/m, '')}\n${machine}`);
+  }
+  const which = machine ? ['--machine', file] : [];
+  const child = spawn(binary, ['serve', '--memory', memory, '--http', '127.0.0.1:0', ...which], { stdio: ['ignore', 'pipe', 'pipe'] });
   let said = '';
   const url = await new Promise<string>((resolve, reject) => {
     const late = setTimeout(() => reject(new Error(`${binary} serve has not told its address:\n${said}`)), 60_000);
@@ -47,25 +53,27 @@ async function end(child: ChildProcess): Promise<void> {
   clearTimeout(late);
 }
 
-/** `server` is one control for all tests of a file's worker; `baseURL` is its panel. */
-export const test = base.extend<object, { server: Server }>({
+/** `server` is one control for all tests of a file's worker, `mill` what its machine has besides; `baseURL` is its panel. */
+export const test = base.extend<object, { server: Server; mill: string }>({
+  mill: ['', { option: true, scope: 'worker' }],
   server: [
-    async ({}, use) => {
+    async ({ mill }, use) => {
       if (!existsSync(binary)) throw new Error(`There is no ${binary}: build it, or name another in FERROCUT`);
       const memory = mkdtempSync(join(tmpdir(), 'ferrocut-panel-'));
       // A first start makes the memory; then the passwords are set at the machine, which nobody can do from a browser
       // while there is none.
-      await end((await serve(memory)).child);
+      await end((await serve(memory, mill)).child);
       for (const [level, password] of Object.entries(PASSWORDS)) {
         const done = spawnSync(binary, ['memory', 'password', memory, '--level', level], { input: `${password}\n`, encoding: 'utf8' });
         if (done.status !== 0) throw new Error(done.stderr);
       }
-      const { child, url } = await serve(memory);
+      const { child, url } = await serve(memory, mill);
       try {
         await use({ url, memory });
       } finally {
         await end(child);
         rmSync(memory, { recursive: true, force: true });
+        rmSync(`${memory}.toml`, { force: true });
       }
     },
     { scope: 'worker', timeout: 120_000 },

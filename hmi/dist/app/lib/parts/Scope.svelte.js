@@ -20,7 +20,9 @@ function Scope($$anchor, $$props) {
 		"--muted"
 	];
 	const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+	/** What is drawn: nothing while the lines are still those of other names. */
 	const data = () => {
+		if ($$props.lines.length !== $$props.names.length) return [[], ...$$props.names.map(() => [])];
 		const lanes = $$props.lines.map((line, index) => steps() ? line.map((value) => value * .7 + ($$props.lines.length - 1 - index)) : line);
 		return [$$props.times, ...lanes];
 	};
@@ -87,7 +89,7 @@ function Scope($$anchor, $$props) {
 	});
 	$.user_effect(() => {
 		const now = data();
-		if (plot && now.length === $$props.names.length + 1) plot.setData(now);
+		plot?.setData(now);
 	});
 	var div = root();
 	$.bind_this(div, ($$value) => $.set(host, $$value), () => $.get(host));

@@ -44,11 +44,12 @@ function Waveform($$anchor, $$props) {
 		const kind = $.get(what);
 		const period = (machine.version?.period_ms ?? 1) / 1e3;
 		const axes = machine.axes;
-		$.set(names, kind === "path" ? ["F", "S"] : axes);
+		const drawn = kind === "path" ? ["F", "S"] : axes;
+		$.set(names, drawn);
 		let t0 = null;
 		let before = null;
 		let at = [];
-		let values = $.get(names).map(() => []);
+		let values = drawn.map(() => []);
 		let shownAt = 0;
 		return machine.watch((status) => {
 			const now = status.periods * period;
