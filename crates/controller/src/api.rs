@@ -8,7 +8,8 @@
 
 use crate::signals::Mode;
 use ferrocut_machine::{Alarm, Argument, Severity};
-use serde::{Deserialize, Serialize};
+use serde::de::{Error as _, Unexpected};
+use serde::{Deserialize, Deserializer, Serialize};
 use std::collections::BTreeMap;
 
 /// Version of this interface. It counts up when a field changes its meaning or goes; new fields may come without.
@@ -16,6 +17,17 @@ pub const API_VERSION: u32 = 1;
 
 /// Values by the letters of axes.
 pub type ByAxis = BTreeMap<char, f64>;
+
+/// Values by number. A command is told by its field `do`, which may come last: until then all of it is kept as JSON has
+/// it, numbers that name fields as text.
+fn by_number<'de, D: Deserializer<'de>>(deserializer: D) -> Result<BTreeMap<u16, f64>, D::Error> {
+    let named = BTreeMap::<String, f64>::deserialize(deserializer)?;
+    let number = |(name, value): (String, f64)| match name.parse() {
+        Ok(number) => Ok((number, value)),
+        Err(_) => Err(D::Error::invalid_value(Unexpected::Str(&name), &"a whole number up to 65535")),
+    };
+    named.into_iter().map(number).collect()
+}
 
 /// What a front wants.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
@@ -233,6 +245,7 @@ pub enum Command {
         /// The axis.
         axis: char,
         /// What is added to the commanded position, mm, by number of the point.
+        #[serde(deserialize_with = "by_number")]
         points: BTreeMap<u16, f64>,
     },
     /// Sets the relative coordinate of an axis.
@@ -1335,13 +1348,24 @@ mod tests {
                 Command::SetZero { system: "G54".into(), axes: ByAxis::from([('X', 1.5)]), add: false },
                 r#"{"do":"set_zero","system":"G54","axes":{"X":1.5},"add":false}"#,
             ),
+            (
+                Command::SetPitch { axis: 'Y', points: BTreeMap::from([(2, 0.0035)]) },
+                r#"{"do":"set_pitch","axis":"Y","points":{"2":0.0035}}"#,
+            ),
         ] {
             assert_eq!(serde_json::to_string(&command).unwrap(), json);
             assert_eq!(serde_json::from_str::<Command>(json).unwrap(), command);
         }
         let short = r#"{"do":"set_zero","system":"G54","axes":{}}"#;
         assert!(matches!(serde_json::from_str(short).unwrap(), Command::SetZero { add: false, .. }));
-        for bad in ["{}", r#"{"do":"dance"}"#, r#"{"do":"key","key":"KEY_START"}"#, "7", "[]"] {
+        for bad in [
+            "{}",
+            r#"{"do":"dance"}"#,
+            r#"{"do":"key","key":"KEY_START"}"#,
+            "7",
+            "[]",
+            r#"{"do":"set_pitch","axis":"Y","points":{"-2":0.1}}"#,
+        ] {
             assert!(serde_json::from_str::<Command>(bad).is_err(), "{bad}");
         }
     }

@@ -40,6 +40,7 @@ var offsets_default = {
 	"read_again": "Read again",
 	"meaning": "Meaning",
 	"value": "Value",
-	"pitch_hint": "Errors of the points are part of the data backup, item pitch."
+	"pitch_points": "Errors by point",
+	"pitch_hint": "What is added to the commanded position at each point, mm. What is set here holds from the next start on."
 };
 export { offsets_default as default };

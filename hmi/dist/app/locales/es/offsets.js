@@ -40,6 +40,7 @@ var offsets_default = {
 	"read_again": "Leer de nuevo",
 	"meaning": "Significado",
 	"value": "Valor",
-	"pitch_hint": "Los errores de los puntos van en la copia de datos, apartado error de paso."
+	"pitch_points": "Errores por punto",
+	"pitch_hint": "Lo que se suma a la posición ordenada en cada punto, mm. Lo que se fija aquí vale desde el próximo arranque."
 };
 export { offsets_default as default };

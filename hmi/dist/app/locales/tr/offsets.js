@@ -40,6 +40,7 @@ var offsets_default = {
 	"read_again": "Yeniden oku",
 	"meaning": "Anlamı",
 	"value": "Değer",
-	"pitch_hint": "Nokta hataları veri yedeğinin hatve hatası bölümündedir."
+	"pitch_points": "Noktalara göre hatalar",
+	"pitch_hint": "Her noktada komut konumuna eklenen değer, mm. Burada girilenler bir sonraki açılıştan itibaren geçerlidir."
 };
 export { offsets_default as default };

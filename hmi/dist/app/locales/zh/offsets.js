@@ -40,6 +40,7 @@ var offsets_default = {
 	"read_again": "重新读取",
 	"meaning": "含义",
 	"value": "值",
-	"pitch_hint": "各点误差包含在数据备份的螺补项目中。"
+	"pitch_points": "各点误差",
+	"pitch_hint": "各点加到指令位置上的值，mm。在此设定的值从下次启动起生效。"
 };
 export { offsets_default as default };

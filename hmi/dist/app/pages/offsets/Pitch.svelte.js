@@ -1,14 +1,19 @@
 import { http } from "../../lib/api/http.js";
 import { language, t } from "../../lib/i18n/index.svelte.js";
+import Button from "../../lib/parts/Button.svelte.js";
 import Card from "../../lib/parts/Card.svelte.js";
 import NumberField from "../../lib/parts/NumberField.svelte.js";
+import Segmented from "../../lib/parts/Segmented.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/offsets/Pitch.svelte
-var root = $.from_html(`<tr><th scope="row" class="code"> </th><td> </td><td class="field s-1r6gvmx"><!></td><td class="number muted"> </td></tr>`);
+var root = $.from_html(`<tr><th scope="row" class="code s-1x2ht7p"> </th><td> </td><td class="field s-1x2ht7p"><!></td><td class="number muted"> </td></tr>`);
 var root_1 = $.from_html(`<table class="table"><thead><tr><th> </th><th> </th><th class="right"> </th><th> </th></tr></thead><tbody></tbody></table>`);
-var root_2 = $.from_html(`<!> <p class="muted"> </p>`, 1);
+var root_2 = $.from_html(`<!> <!> <!>`, 1);
+var root_3 = $.from_html(`<div><span class="code s-1x2ht7p"> </span> <!></div>`);
+var root_4 = $.from_html(`<p class="muted"> </p> <div class="grid s-1x2ht7p" data-testid="pitch-points"></div>`, 1);
+var root_5 = $.from_html(`<!> <!>`, 1);
 function Pitch($$anchor, $$props) {
 	$.push($$props, true);
 	let all = $.state([]);
@@ -41,7 +46,31 @@ function Pitch($$anchor, $$props) {
 		});
 	});
 	const shown = $.derived(() => $.get(all).filter((one) => wanted.includes(one.name)));
-	var fragment = root_2();
+	/** Points of an axis, and how many are shown at once. */
+	const POINTS = 1e4;
+	const PAGE = 100;
+	let axis = $.state("X");
+	let first = $.state(0);
+	let points = $.state({});
+	const axes = $.derived(() => machine.axes.map((value) => ({
+		value,
+		label: value
+	})));
+	const numbers = $.derived(() => Array.from({ length: PAGE }, (_, index) => $.get(first) + index));
+	async function read() {
+		const of = $.get(axis);
+		const reply = await machine.fetch("pitch", {
+			do: "pitch",
+			axis: of
+		});
+		if (reply && of === $.get(axis)) $.set(points, reply.points);
+	}
+	$.user_effect(() => {
+		machine.changed("pitch");
+		$.get(axis);
+		if (machine.link === "open") read();
+	});
+	var fragment = root_5();
 	var node = $.first_child(fragment);
 	{
 		let $0 = $.derived(() => t("offsets.pitch"));
@@ -130,9 +159,113 @@ function Pitch($$anchor, $$props) {
 			$$slots: { default: true }
 		});
 	}
-	var p = $.sibling(node, 2);
-	var text_7 = $.only_child(p, true);
-	$.template_effect(($0) => $.set_text(text_7, $0), [() => t("offsets.pitch_hint")]);
+	var node_2 = $.sibling(node, 2);
+	{
+		const actions = ($$anchor) => {
+			var fragment_1 = root_2();
+			var node_3 = $.first_child(fragment_1);
+			{
+				let $0 = $.derived(() => t("panel.axes"));
+				Segmented(node_3, {
+					get options() {
+						return $.get(axes);
+					},
+					get label() {
+						return $.get($0);
+					},
+					onchange: () => $.set(first, 0),
+					get value() {
+						return $.get(axis);
+					},
+					set value($$value) {
+						$.set(axis, $$value, true);
+					}
+				});
+			}
+			var node_4 = $.sibling(node_3, 2);
+			{
+				let $0 = $.derived(() => t("offsets.before"));
+				let $1 = $.derived(() => $.get(first) === 0);
+				Button(node_4, {
+					icon: "left",
+					get "aria-label"() {
+						return $.get($0);
+					},
+					get disabled() {
+						return $.get($1);
+					},
+					onclick: () => $.set(first, $.get(first) - PAGE)
+				});
+			}
+			var node_5 = $.sibling(node_4, 2);
+			{
+				let $0 = $.derived(() => t("offsets.after"));
+				let $1 = $.derived(() => $.get(first) + PAGE >= POINTS);
+				Button(node_5, {
+					icon: "right",
+					get "aria-label"() {
+						return $.get($0);
+					},
+					get disabled() {
+						return $.get($1);
+					},
+					onclick: () => $.set(first, $.get(first) + PAGE)
+				});
+			}
+			$.append($$anchor, fragment_1);
+		};
+		let $0 = $.derived(() => t("offsets.pitch_points"));
+		Card(node_2, {
+			get title() {
+				return $.get($0);
+			},
+			actions,
+			children: ($$anchor, $$slotProps) => {
+				var fragment_2 = root_4();
+				var p = $.first_child(fragment_2);
+				var text_7 = $.only_child(p, true);
+				var div = $.sibling(p, 2);
+				$.each(div, 20, () => $.get(numbers), (number) => number, ($$anchor, number) => {
+					var div_1 = root_3();
+					let classes;
+					var span = $.child(div_1);
+					var text_8 = $.only_child(span, true);
+					var node_6 = $.sibling(span, 2);
+					{
+						let $0 = $.derived(() => $.get(points)[number] ?? 0);
+						let $1 = $.derived(() => `${$.get(axis)} ${number}`);
+						NumberField(node_6, {
+							get value() {
+								return $.get($0);
+							},
+							digits: 4,
+							get label() {
+								return $.get($1);
+							},
+							onvalue: (value) => void machine.tell({
+								do: "set_pitch",
+								axis: $.get(axis),
+								points: { [number]: value ?? 0 }
+							}).then(() => read())
+						});
+					}
+					$.reset(div_1);
+					$.template_effect(() => {
+						classes = $.set_class(div_1, 1, "point s-1x2ht7p", null, classes, { set: number in $.get(points) });
+						$.set_text(text_8, number);
+					});
+					$.append($$anchor, div_1);
+				});
+				$.reset(div);
+				$.template_effect(($0) => $.set_text(text_7, $0), [() => t("offsets.pitch_hint")]);
+				$.append($$anchor, fragment_2);
+			},
+			$$slots: {
+				actions: true,
+				default: true
+			}
+		});
+	}
 	$.append($$anchor, fragment);
 	$.pop();
 }
