@@ -439,6 +439,27 @@ test('a parameter is refused without the right, and changed with it', async ({ p
   await expect(page.getByTestId('log')).toContainText('P98');
 });
 
+test('a point of a pitch table is set and kept', async ({ page }) => {
+  await enter(page, '#/offsets/pitch');
+  await mode(page, 'KEY_MDI', 'Manual data input');
+  const point = page.getByTestId('pitch-points').getByLabel('Y 2', { exact: true });
+  await page.getByRole('radio', { name: 'Y' }).click();
+  await expect(point).toHaveValue('0.0000');
+  await point.fill('0.0035');
+  await point.press('Enter');
+  await expect(notice(page).first()).toContainText('FC-');
+  await expect(point).toHaveValue('0.0000');
+  await logIn(page, 3);
+  await expect(page.getByTestId('user')).toHaveText('3');
+  await point.fill('0.0035');
+  await point.press('Enter');
+  await expect(point).toHaveValue('0.0035');
+  await page.reload();
+  await page.getByRole('radio', { name: 'Y' }).click();
+  await expect(point).toHaveValue('0.0035');
+  await shoot(page, 'pitch');
+});
+
 test('the ladder shows where power flows', async ({ page }) => {
   await enter(page, '#/plc');
   await mode(page, 'KEY_AUTO', 'Automatic');
