@@ -47,6 +47,12 @@ impl Control {
         self.cnc.work_beside()
     }
 
+    /// Waits until what is due beside is done, for a clock that does not wait itself
+    /// ([`Cnc::await_beside`](crate::Cnc::await_beside)).
+    pub fn await_beside(&mut self) {
+        self.cnc.await_beside();
+    }
+
     /// Looks ahead, in the time that a period leaves ([`Cnc::prepare`](crate::Cnc::prepare)).
     pub fn prepare(&mut self) {
         self.cnc.prepare();

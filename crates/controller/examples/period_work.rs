@@ -1,0 +1,104 @@
+//! What the software itself computes in the servo periods of the whole control, with the standard ladder and the simulated
+//! machine, without what the computer does to it meanwhile: the same run is made several times, and the least time that
+//! each of its periods took counts.
+//!
+//! `period_work [SECONDS] [RUNS]`: 60 s of a demanding program, five times, as fast as it goes. What is planned and read
+//! beside is waited for outside of the periods; how things stand is asked for every 20 periods, as for a panel.
+#![allow(missing_docs)]
+
+use ferrocut_controller::api::Command;
+use ferrocut_controller::{Control, Parts};
+use ferrocut_machine::{Machine, PlantConfig};
+use ferrocut_memory::{Author, Session};
+use ferrocut_plc::{Limits, Program};
+use std::fmt::Write;
+use std::hint::black_box;
+use std::time::Instant;
+
+const LADDER: &str = include_str!("../../../machines/standard.lad");
+
+/// Blocks of 0.3 mm and less on a curve, corners, exact stops, arcs and positioning, over and over.
+fn demanding() -> String {
+    let mut text = "G17 G21 G90 G54\nG64\nS3000 M3\n".to_owned();
+    for round in 0..40 {
+        let shift = f64::from(round % 12) * 2.0 - 12.0;
+        let _ = writeln!(text, "G0 X{:.3} Y0 Z5\nG1 Z-1 F2000\nF6000", 40.0 + shift);
+        for k in 0..4000 {
+            let t = f64::from(k) * 0.0016;
+            let (x, y) = ((40.0 + shift) * t.cos() + 4.0 * (9.0 * t).sin(), 40.0 * t.sin());
+            let _ = writeln!(text, "X{x:.3} Y{y:.3} Z{:.3}", -1.0 - 0.3 * (5.0 * t).sin());
+        }
+        for k in 0..40 {
+            let exact = if k % 5 == 0 { "G61" } else { "G64" };
+            let _ = writeln!(text, "{exact} G1 X{} Y{}", (k * 37 % 61) - 30, (k * 53 % 47) - 23);
+        }
+        let _ = writeln!(text, "G64 G0 X30 Y0\nG2 X30 Y0 Z-3 I-15 J0 F3000\nG0 Z20\nM8\nG4 X0.05\nM9");
+    }
+    text + "M30\n"
+}
+
+/// A control whose program was just started; `None` where it did not come so far.
+fn started() -> Option<Control> {
+    let machine = Machine { plant: Some(PlantConfig::default()), ..Machine::demo_mill() };
+    let ladder = Program::from_text(LADDER.as_bytes(), &Limits::default()).ok()?;
+    let mut control = Control::new(&machine, Parts { ladder: Some(ladder), ..Parts::default() }).ok()?;
+    control.work_beside().ok()?;
+    let operator = Author::Person { session: Session::OPERATOR, name: "bench".to_owned() };
+    let mut say = |control: &mut Control, command: Command| control.command(command, &operator).ok();
+    let press =
+        |control: &mut Control, key: &str, say: &mut dyn FnMut(&mut Control, Command) -> Option<_>| {
+            for down in [true, false] {
+                say(control, Command::Key { key: key.to_owned(), down });
+                for _ in 0..120 {
+                    control.tick();
+                }
+            }
+        };
+    say(&mut control, Command::Store { program: "O0001".to_owned(), text: demanding() })?;
+    for (switch, position) in [("SWITCH_FEED", 10), ("SWITCH_SPINDLE", 5)] {
+        say(&mut control, Command::Switch { switch: switch.to_owned(), position });
+    }
+    for key in ["KEY_R_100", "KEY_HOME", "KEY_Z+", "KEY_X+", "KEY_Y+"] {
+        press(&mut control, key, &mut say);
+    }
+    for _ in 0..120_000 {
+        control.tick();
+        if ['X', 'Y', 'Z'].iter().all(|axis| control.status().referenced.contains(axis)) {
+            break;
+        }
+    }
+    press(&mut control, "KEY_AUTO", &mut say);
+    say(&mut control, Command::Select { program: "O1".to_owned() })?;
+    press(&mut control, "KEY_START", &mut say);
+    control.cnc().is_under_way().then_some(control)
+}
+
+fn main() {
+    let mut words = std::env::args().skip(1).filter_map(|word| word.parse::<usize>().ok());
+    let periods = 1000 * words.next().unwrap_or(60);
+    let runs = words.next().unwrap_or(5);
+    let mut least = vec![f64::INFINITY; periods];
+    for _ in 0..runs {
+        let Some(mut control) = started() else { return eprintln!("the program does not start") };
+        for (period, least) in least.iter_mut().enumerate() {
+            control.await_beside();
+            let began = Instant::now();
+            control.tick();
+            drop(black_box(control.events()));
+            if period % 20 == 0 {
+                black_box(control.status());
+            }
+            *least = least.min(began.elapsed().as_secs_f64() * 1e6);
+            control.prepare();
+        }
+        if !control.cnc().is_under_way() {
+            return eprintln!("the program has ended, or was stopped: {:?}", control.cnc().state());
+        }
+    }
+    least.sort_by(f64::total_cmp);
+    println!("{periods} periods, the least of {runs} runs each");
+    for share in [0.5, 0.9, 0.99, 0.999, 0.9999, 1.0] {
+        let at = ((share * periods as f64).ceil() as usize).clamp(1, periods) - 1;
+        println!("{:7.2} %: {:6.1} us", share * 100.0, least.get(at).copied().unwrap_or_default());
+    }
+}
