@@ -1,6 +1,9 @@
 //! What survives the power: a control on a durable memory, put off between two sentences, or killed.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
 
+mod common;
+
+use common::random::Random;
 use ferrocut_controller::api::{Command, Event, OffsetValues, Reply};
 use ferrocut_controller::{Control, Mode, Parts, Plant};
 use ferrocut_geometry::Position;
@@ -262,6 +265,55 @@ fn quick_changes_of_one_row_while_axes_move_are_made_in_their_order_and_all_logg
         logged,
         ["3 length 0>1", "3 radius 0>5", "3 length 1>2", "3 length 2>2.5", "3 length 2.5>2.75"]
     );
+}
+
+/// A program that writes offsets while a person does: what the control runs with is what the disk has.
+#[test]
+fn a_program_and_a_person_who_write_the_same_rows_leave_memory_and_disk_alike() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut random = Random::new(5);
+    for pass in 0..3 {
+        let store = Arc::new(Store::open(folder.path(), Settings::new("gsk990mc")).unwrap());
+        let parts = Parts { store: Some(store.clone()), ..Parts::default() };
+        let mut control = Control::new(&Machine::demo_mill(), parts).unwrap();
+        mode(&mut control, Mode::Auto);
+        let text = "#1=0\nWHILE[#1 LT 40]DO1\n#1=#1+1\nG10 L10 P3 R[100+#1]\nG10 L12 P4 R#1\nG91 G1 X0.2 F3000\nG90\nG4 X0.01\n\
+                    G10 L2 P1 X#1\nEND1\nM30\n";
+        say(&mut control, Command::Store { program: "O0001".into(), text: text.into() });
+        say(&mut control, Command::Select { program: "O1".into() });
+        start(&mut control, Mode::Auto);
+        let mut asked = 0;
+        for _ in 0..5000 {
+            wait(&mut control, 1 + random.below(30));
+            if !control.cnc().is_under_way() {
+                break;
+            }
+            let number = 3 + random.below(3) as u16;
+            let value = Some(random.below(50) as f64);
+            let values = match random.below(2) {
+                0 => OffsetValues { length: value, ..OffsetValues::default() },
+                _ => OffsetValues { radius: value, ..OffsetValues::default() },
+            };
+            let add = random.below(3) == 0;
+            say(&mut control, Command::SetOffset { number, values, add });
+            asked += 1;
+            if random.below(4) == 0 {
+                // The disk is sometimes quick.
+                std::thread::sleep(std::time::Duration::from_micros(300));
+            }
+        }
+        assert!(asked > 20 && control.cnc().is_idle(), "{asked} {:?}", control.status());
+        control.flush().unwrap();
+        // Idle, it waits for what is on its way.
+        say(&mut control, Command::Version);
+        control.flush().unwrap();
+        let kept = store.reader().contents(&[Item::Offsets]).unwrap().offsets;
+        for number in 3..=5 {
+            let runs_with = *control.interpreter().memory().tools.get(number).unwrap();
+            let on_disk = kept.get(&number).copied().unwrap_or_default();
+            assert_eq!(on_disk, runs_with, "offset {number}, pass {pass}");
+        }
+    }
 }
 
 /// The child: counts #500 up by a program, again and again, and an offset by hand; says what a person was told is kept.

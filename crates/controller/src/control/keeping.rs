@@ -42,11 +42,39 @@ pub(super) struct Keeping {
     stood: Option<Position>,
     was_moving: bool,
     /// Changes of persons on their way.
-    pending: VecDeque<(Pending, Vec<Change>)>,
+    pending: VecDeque<Asked>,
     look_in: f64,
     slow_in: f64,
     /// The disk was told to be at fault, once.
     told: bool,
+}
+
+/// Changes that a person asked for and that the disk has not confirmed.
+struct Asked {
+    pending: Pending,
+    changes: Vec<Change>,
+    /// What the program wrote since: the disk has that behind them.
+    written: Vec<Change>,
+}
+
+impl Asked {
+    /// The changes over which the program has not written.
+    fn stand(&self) -> impl DoubleEndedIterator<Item = &Change> {
+        self.changes.iter().filter(|change| !is_of_one_of(change, &self.written))
+    }
+}
+
+/// Whether a change is of the same value as one of others.
+fn is_of_one_of(change: &Change, others: &[Change]) -> bool {
+    use Change::{Offset, Parameter, ReferencePoint, Variable, WorkZero};
+    others.iter().any(|other| match (change, other) {
+        (Offset { number: one, .. }, Offset { number: other, .. }) => one == other,
+        (WorkZero { name: one, .. }, WorkZero { name: other, .. }) => one == other,
+        (Variable { name: one, .. }, Variable { name: other, .. }) => one == other,
+        (Parameter { key: one, .. }, Parameter { key: other, .. }) => one == other,
+        (ReferencePoint { number: one, .. }, ReferencePoint { number: other, .. }) => one == other,
+        _ => false,
+    })
 }
 
 /// What was kept.
@@ -127,6 +155,7 @@ impl Keeping {
         let found = changes(&self.kept, interpreter.memory(), KEPT_VARIABLES);
         if !found.is_empty() {
             self.kept = interpreter.memory().clone();
+            self.pending.iter_mut().for_each(|asked| asked.written.extend_from_slice(&found));
             let name = interpreter.programs().file_name(FileId(0)).to_owned();
             self.put(&Author::Program { name }, found);
         }
@@ -188,7 +217,7 @@ impl Control {
         keeping.slow_in -= seconds;
         let came_to_rest = keeping.was_moving && !self.tick.moving;
         keeping.was_moving = self.tick.moving;
-        if keeping.look_in <= 0.0 || came_to_rest {
+        if keeping.look_in <= 0.0 || came_to_rest || !keeping.pending.is_empty() {
             keeping.look_in = LOOK_S;
             keeping.look_at_program(self.cnc.interpreter());
         }
@@ -212,9 +241,9 @@ impl Control {
         let mut done = Vec::new();
         // In the order in which they were asked for: the last one is what holds. None while blocks are being read.
         while !self.cnc.is_reading()
-            && let Some(answer) = keeping.pending.front().and_then(|(pending, _)| pending.poll())
+            && let Some(answer) = keeping.pending.front().and_then(|asked| asked.pending.poll())
         {
-            done.extend(keeping.pending.pop_front().map(|(_, changes)| (answer, changes)));
+            done.extend(keeping.pending.pop_front().map(|asked| (answer, asked)));
         }
         let told = std::mem::take(&mut keeping.told);
         self.keeping = Some(keeping);
@@ -222,9 +251,9 @@ impl Control {
             let alarm = AlarmInfo::of(&alarm(Fault::NotKept));
             self.event(Event::Alarm { alarm });
         }
-        for (answer, changes) in done {
+        for (answer, asked) in done {
             match answer {
-                Ok(_) => self.apply(&changes),
+                Ok(_) => self.apply(&asked.changes, &asked.written),
                 Err(error) => self.event(Event::Refused { alarm: AlarmInfo::of(&error.alarm()) }),
             }
         }
@@ -307,7 +336,7 @@ impl Control {
     /// What was asked for last of something, and is still on its way: what is asked for next goes on from there.
     fn on_its_way<T>(&self, of: impl Fn(&Change) -> Option<T>) -> Option<T> {
         let pending = self.keeping.iter().flat_map(|keeping| &keeping.pending);
-        pending.rev().find_map(|(_, changes)| changes.iter().rev().find_map(&of))
+        pending.rev().find_map(|asked| asked.stand().rev().find_map(&of))
     }
 
     /// A tool offset as persons have asked for it.
@@ -353,14 +382,16 @@ impl Control {
         let is_busy =
             self.tick.moving || self.cnc.is_under_way() || self.cnc.is_reading() || self.is_in_period;
         if let Some(keeping) = &mut self.keeping {
+            // What the program wrote before is on the disk before, too.
+            keeping.look_at_program(self.cnc.interpreter());
             if is_busy {
                 let pending = keeping.store.begin(author, changes.clone()).map_err(|error| error.alarm())?;
-                keeping.pending.push_back((pending, changes));
+                keeping.pending.push_back(Asked { pending, changes, written: Vec::new() });
                 return Ok(false);
             }
             keeping.store.commit(author, changes.clone()).map_err(|error| error.alarm())?;
         }
-        self.apply(&changes);
+        self.apply(&changes, &[]);
         Ok(true)
     }
 
@@ -371,23 +402,27 @@ impl Control {
             return;
         }
         let Some(keeping) = &mut self.keeping else { return };
-        for (pending, changes) in std::mem::take(&mut keeping.pending) {
+        keeping.look_at_program(self.cnc.interpreter());
+        for Asked { pending, changes, written } in std::mem::take(&mut keeping.pending) {
             match pending.wait() {
-                Ok(_) => self.apply(&changes),
+                Ok(_) => self.apply(&changes, &written),
                 Err(error) => self.event(Event::Refused { alarm: AlarmInfo::of(&error.alarm()) }),
             }
         }
     }
 
-    /// Makes changes that were kept.
-    fn apply(&mut self, changes: &[Change]) {
-        // What the program changed before is not what a person changed.
-        if let Some(keeping) = &mut self.keeping {
-            keeping.look_at_program(self.cnc.interpreter());
-        }
+    /// Makes changes that were kept. What the program has `written` since they were asked for holds: the disk has it
+    /// last.
+    fn apply(&mut self, changes: &[Change], written: &[Change]) {
         for change in changes {
+            let is_overwritten = is_of_one_of(change, written);
             let memory = self.cnc.interpreter_mut().memory_mut();
             let item = match change {
+                Change::Offset { .. } if is_overwritten => Item::Offsets,
+                Change::WorkZero { .. } if is_overwritten => Item::WorkZeros,
+                Change::Variable { .. } if is_overwritten => Item::Variables,
+                Change::Parameter { .. } if is_overwritten => Item::Parameters,
+                Change::ReferencePoint { .. } if is_overwritten => Item::ReferencePoints,
                 Change::Offset { number, offset } => {
                     if let Some(row) = memory.tools.get_mut(*number) {
                         *row = *offset;
