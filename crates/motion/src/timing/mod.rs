@@ -7,4 +7,3 @@ pub(crate) mod piece;
 pub(crate) mod plan;
 pub(crate) mod queue;
 pub(crate) mod ramp;
-pub(crate) mod valley;
