@@ -97,7 +97,7 @@ fn single_block_in_the_middle_of_short_blocks_stops_on_one_of_them() {
     let line = |i: i32| format!("G1 X{:.3} Y{:.3} F6000\n", f64::from(i) * 0.1, (f64::from(i) * 0.05).sin());
     let text: String = (1..200).map(line).collect();
     let program = format!("G90\n{text}M30\n");
-    for at in [20, 60, 111, 180, 220] {
+    for at in [20, 60, 111, 180, 260] {
         let mut cnc = cnc(&machine, &program);
         cnc.cycle_start();
         for _ in 0..at {
