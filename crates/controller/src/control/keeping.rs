@@ -415,89 +415,99 @@ impl Control {
     /// last.
     fn apply(&mut self, changes: &[Change], written: &[Change]) {
         for change in changes {
-            let is_overwritten = is_of_one_of(change, written);
-            let memory = self.cnc.interpreter_mut().memory_mut();
-            let item = match change {
-                Change::Offset { .. } if is_overwritten => Item::Offsets,
-                Change::WorkZero { .. } if is_overwritten => Item::WorkZeros,
-                Change::Variable { .. } if is_overwritten => Item::Variables,
-                Change::Parameter { .. } if is_overwritten => Item::Parameters,
-                Change::ReferencePoint { .. } if is_overwritten => Item::ReferencePoints,
-                Change::Offset { number, offset } => {
-                    if let Some(row) = memory.tools.get_mut(*number) {
-                        *row = *offset;
-                    }
-                    Item::Offsets
-                }
-                Change::WorkZero { name, zero } => {
-                    if let Some(place) = memory.work.get_mut(*name) {
-                        *place = *zero;
-                    }
-                    self.cnc.interpreter_mut().zeros_changed();
-                    Item::WorkZeros
-                }
-                Change::Variable { name, value } => {
-                    use ferrocut_machine::setup::VariableName;
-                    // Its number and room were judged before.
-                    let _ = match name {
-                        VariableName::Number(number) => memory.variables.set(*number, *value),
-                        VariableName::Named(name) => memory.variables.set_named(name, *value),
-                    };
-                    Item::Variables
-                }
-                Change::Parameter { key, value } => {
-                    let table = memory.parameters.table();
-                    let delivered = ferrocut_machine::Parameters::new(table).get(key);
-                    // Judged before.
-                    let _ = memory.set_parameter(key, value.unwrap_or(delivered));
-                    self.cnc.interpreter_mut().parameters_changed();
-                    Item::Parameters
-                }
-                Change::Counter { counter, value } => {
-                    self.counters.set(*counter, *value);
-                    self.show_parts();
-                    Item::Counters
-                }
-                Change::ReferencePoint { number, position } => {
-                    let place = usize::from(*number).checked_sub(1);
-                    if let Some(place) = place.and_then(|n| memory.reference_points.get_mut(n)) {
-                        *place = *position;
-                    }
-                    self.cnc.interpreter_mut().parameters_changed();
-                    Item::ReferencePoints
-                }
-                Change::Pitch { axis, point, value } => {
-                    self.pitch.insert((*axis, *point), *value);
-                    Item::Pitch
-                }
-                Change::RenameProgram { name, to, .. } => {
-                    if self.selected.as_ref() == Some(name) {
-                        self.selected = Some(to.clone());
-                    }
-                    if self.loaded == super::Loaded::Auto(name.clone()) {
-                        self.loaded = super::Loaded::Nothing;
-                    }
-                    self.taking_up.program_changed();
-                    Item::Programs
-                }
-                Change::Program { name, .. } | Change::DeleteProgram { name } => {
-                    if self.loaded == super::Loaded::Auto(name.clone()) {
-                        self.loaded = super::Loaded::Nothing;
-                    }
-                    self.taking_up.program_changed();
-                    Item::Programs
-                }
-                Change::LockProgram { .. } => Item::Programs,
-                Change::ClearAlarms => Item::Alarms,
-                Change::ClearLog => Item::Log,
-                _ => continue,
-            };
+            let Some(item) = item_of(change) else { continue };
+            if !is_of_one_of(change, written) {
+                self.make(change);
+            }
             if let Some(keeping) = &mut self.keeping {
                 keeping.kept = self.cnc.interpreter().memory().clone();
             }
             self.event(Event::Changed { item: item.name().to_owned() });
         }
     }
+
+    /// Makes a change where the control has what it is of.
+    fn make(&mut self, change: &Change) {
+        let memory = self.cnc.interpreter_mut().memory_mut();
+        match change {
+            Change::Offset { number, offset } => {
+                if let Some(row) = memory.tools.get_mut(*number) {
+                    *row = *offset;
+                }
+            }
+            Change::WorkZero { name, zero } => {
+                if let Some(place) = memory.work.get_mut(*name) {
+                    *place = *zero;
+                }
+                self.cnc.interpreter_mut().zeros_changed();
+            }
+            Change::Variable { name, value } => {
+                use ferrocut_machine::setup::VariableName;
+                // Its number and room were judged before.
+                let _ = match name {
+                    VariableName::Number(number) => memory.variables.set(*number, *value),
+                    VariableName::Named(name) => memory.variables.set_named(name, *value),
+                };
+            }
+            Change::Parameter { key, value } => {
+                let table = memory.parameters.table();
+                let delivered = ferrocut_machine::Parameters::new(table).get(key);
+                // Judged before.
+                let _ = memory.set_parameter(key, value.unwrap_or(delivered));
+                self.cnc.interpreter_mut().parameters_changed();
+            }
+            Change::Counter { counter, value } => {
+                self.counters.set(*counter, *value);
+                self.show_parts();
+            }
+            Change::ReferencePoint { number, position } => {
+                let place = usize::from(*number).checked_sub(1);
+                if let Some(place) = place.and_then(|n| memory.reference_points.get_mut(n)) {
+                    *place = *position;
+                }
+                self.cnc.interpreter_mut().parameters_changed();
+            }
+            Change::Pitch { axis, point, value } => {
+                self.pitch.insert((*axis, *point), *value);
+            }
+            Change::RenameProgram { name, to, .. } => {
+                if self.selected.as_ref() == Some(name) {
+                    self.selected = Some(to.clone());
+                }
+                if self.loaded == super::Loaded::Auto(name.clone()) {
+                    self.loaded = super::Loaded::Nothing;
+                }
+                self.taking_up.program_changed();
+            }
+            Change::Program { name, .. } | Change::DeleteProgram { name } => {
+                if self.loaded == super::Loaded::Auto(name.clone()) {
+                    self.loaded = super::Loaded::Nothing;
+                }
+                self.taking_up.program_changed();
+            }
+            _ => {}
+        }
+    }
+}
+
+/// What a change is of that fronts are told of.
+fn item_of(change: &Change) -> Option<Item> {
+    Some(match change {
+        Change::Offset { .. } => Item::Offsets,
+        Change::WorkZero { .. } => Item::WorkZeros,
+        Change::Variable { .. } => Item::Variables,
+        Change::Parameter { .. } => Item::Parameters,
+        Change::Counter { .. } => Item::Counters,
+        Change::ReferencePoint { .. } => Item::ReferencePoints,
+        Change::Pitch { .. } => Item::Pitch,
+        Change::RenameProgram { .. }
+        | Change::Program { .. }
+        | Change::DeleteProgram { .. }
+        | Change::LockProgram { .. } => Item::Programs,
+        Change::ClearAlarms => Item::Alarms,
+        Change::ClearLog => Item::Log,
+        _ => return None,
+    })
 }
 
 /// Puts what a ladder keeps into its signals; what was never stored is off. All that it keeps then.
