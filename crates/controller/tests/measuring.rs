@@ -183,6 +183,15 @@ fn slots_webs_and_edges_set_the_axes_that_were_measured() {
     near(zero(&mut shop, "G54")[2], -70.25);
 }
 
+/// Where the ray from a place inside a circle meets it, and the cosine of the ray's angle.
+fn on_circle(at: [f64; 2], angle: f64, centre: [f64; 2], radius: f64) -> ([f64; 2], f64) {
+    let (sin, cos) = angle.to_radians().sin_cos();
+    let away = [at[0] - centre[0], at[1] - centre[1]];
+    let along = away[0] * cos + away[1] * sin;
+    let far = -along + (along * along + radius * radius - away[0] * away[0] - away[1] * away[1]).sqrt();
+    ([at[0] + far * cos, at[1] + far * sin], cos)
+}
+
 #[test]
 fn forms_that_lie_at_an_angle() {
     // A web at 30°: walls across the direction, met on the line through the place.
@@ -205,12 +214,7 @@ fn forms_that_lie_at_an_angle() {
     let at = [8.3, 1.8];
     let mut blocks = Vec::new();
     for angle in angles {
-        // The distance from `at` along the angle to the circle.
-        let (sin, cos) = f64::to_radians(angle).sin_cos();
-        let away = [at[0] - centre[0], at[1] - centre[1]];
-        let along = away[0] * cos + away[1] * sin;
-        let far = -along + (along * along + radius * radius - away[0] * away[0] - away[1] * away[1]).sqrt();
-        let hit = [at[0] + far * cos, at[1] + far * sin];
+        let (hit, cos) = on_circle(at, angle, centre, radius);
         // A wall across X whose face stands where the ray meets the circle.
         let (min, max) = if cos > 0.0 { (hit[0], hit[0] + 30.0) } else { (hit[0] - 30.0, hit[0]) };
         blocks.push(block([min, hit[1] - 4.0, -100.0], [max, hit[1] + 4.0, 0.0]));
@@ -227,11 +231,7 @@ fn forms_that_lie_at_an_angle() {
     let radius = 25.0 + BALL / 2.0;
     let mut blocks = Vec::new();
     for angle in angles {
-        let (sin, cos) = f64::to_radians(angle).sin_cos();
-        let away = [at[0] - centre[0], at[1] - centre[1]];
-        let along = away[0] * cos + away[1] * sin;
-        let far = -along + (along * along + radius * radius - away[0] * away[0] - away[1] * away[1]).sqrt();
-        let hit = [at[0] + far * cos, at[1] + far * sin];
+        let (hit, cos) = on_circle(at, angle, centre, radius);
         let (min, max) = if cos > 0.0 { (hit[0] - 8.0, hit[0]) } else { (hit[0], hit[0] + 8.0) };
         blocks.push(block([min, hit[1] - 4.0, -100.0], [max, hit[1] + 4.0, 0.0]));
     }
