@@ -6,36 +6,18 @@
 //! beside is waited for outside of the periods; how things stand is asked for every 20 periods, as for a panel.
 #![allow(missing_docs)]
 
+#[path = "shared/demanding.rs"]
+mod program;
+
 use ferrocut_controller::api::Command;
 use ferrocut_controller::{Control, Parts};
 use ferrocut_machine::{Machine, PlantConfig};
 use ferrocut_memory::{Author, Session};
 use ferrocut_plc::{Limits, Program};
-use std::fmt::Write;
 use std::hint::black_box;
 use std::time::Instant;
 
 const LADDER: &str = include_str!("../../../machines/standard.lad");
-
-/// Blocks of 0.3 mm and less on a curve, corners, exact stops, arcs and positioning, over and over.
-fn demanding() -> String {
-    let mut text = "G17 G21 G90 G54\nG64\nS3000 M3\n".to_owned();
-    for round in 0..40 {
-        let shift = f64::from(round % 12) * 2.0 - 12.0;
-        let _ = writeln!(text, "G0 X{:.3} Y0 Z5\nG1 Z-1 F2000\nF6000", 40.0 + shift);
-        for k in 0..4000 {
-            let t = f64::from(k) * 0.0016;
-            let (x, y) = ((40.0 + shift) * t.cos() + 4.0 * (9.0 * t).sin(), 40.0 * t.sin());
-            let _ = writeln!(text, "X{x:.3} Y{y:.3} Z{:.3}", -1.0 - 0.3 * (5.0 * t).sin());
-        }
-        for k in 0..40 {
-            let exact = if k % 5 == 0 { "G61" } else { "G64" };
-            let _ = writeln!(text, "{exact} G1 X{} Y{}", (k * 37 % 61) - 30, (k * 53 % 47) - 23);
-        }
-        let _ = writeln!(text, "G64 G0 X30 Y0\nG2 X30 Y0 Z-3 I-15 J0 F3000\nG0 Z20\nM8\nG4 X0.05\nM9");
-    }
-    text + "M30\n"
-}
 
 /// A control whose program was just started; `None` where it did not come so far.
 fn started() -> Option<Control> {
@@ -54,7 +36,7 @@ fn started() -> Option<Control> {
                 }
             }
         };
-    say(&mut control, Command::Store { program: "O0001".to_owned(), text: demanding() })?;
+    say(&mut control, Command::Store { program: "O0001".to_owned(), text: program::demanding(40) })?;
     for (switch, position) in [("SWITCH_FEED", 10), ("SWITCH_SPINDLE", 5)] {
         say(&mut control, Command::Switch { switch: switch.to_owned(), position });
     }

@@ -7,6 +7,9 @@
 //! a priority (1 to 99) the machine's thread, and the planner's with it, run before all others.
 #![allow(missing_docs)]
 
+#[path = "../../controller/examples/shared/demanding.rs"]
+mod program;
+
 use ferrocut_controller::api::{Activity, Command, Status};
 use ferrocut_controller::{Control, Parts};
 use ferrocut_machine::{Machine, PlantConfig};
@@ -15,7 +18,6 @@ use ferrocut_plc::{Limits, Program};
 use ferrocut_server::panel::Panel;
 use ferrocut_server::runner::{Owned, Runner, Times};
 use ferrocut_server::service::{Caller, Request, Served};
-use std::fmt::Write;
 use std::hint::black_box;
 use std::sync::Arc;
 use std::sync::mpsc::sync_channel;
@@ -23,31 +25,6 @@ use std::time::{Duration, Instant};
 
 const LADDER: &str = include_str!("../../../machines/standard.lad");
 const BRACKET: &str = include_str!("../../../examples/gsk990mc/bracket.nc");
-
-/// Blocks of 0.1 mm and less on a curve, helices, corners, exact stops and positioning.
-fn demanding() -> String {
-    let mut text = "G17 G21 G90 G54\nG64\nS3000 M3\n".to_owned();
-    for round in 0..12 {
-        let shift = f64::from(round) * 2.0 - 12.0;
-        let _ = writeln!(text, "G0 X{:.3} Y0 Z5\nG1 Z-1 F2000\nF6000", 40.0 + shift);
-        for k in 0..4000 {
-            let t = f64::from(k) * 0.0016;
-            let (x, y) = ((40.0 + shift) * t.cos() + 4.0 * (9.0 * t).sin(), 40.0 * t.sin());
-            let _ = writeln!(text, "X{x:.3} Y{y:.3} Z{:.3}", -1.0 - 0.3 * (5.0 * t).sin());
-        }
-        for k in 0..40 {
-            let (x, y) = ((k * 37 % 61) - 30, (k * 53 % 47) - 23);
-            let exact = if k % 5 == 0 { "G61" } else { "G64" };
-            let _ = writeln!(text, "{exact} G1 X{x} Y{y}");
-        }
-        let _ = writeln!(
-            text,
-            "G64 G0 X30 Y0\nG2 X30 Y0 Z-3 I-15 J0 F3000\nG0 Z20 \nA{}\nM8\nG4 X0.05\nM9",
-            round * 30
-        );
-    }
-    text + "M30\n"
-}
 
 /// The same few microseconds of computing in each period, about as many as the control's.
 struct Yardstick(f64);
@@ -84,7 +61,7 @@ fn main() {
         Err(alarm) => return eprintln!("{alarm:?}"),
     };
     let operator = Author::Person { session: Session::OPERATOR, name: "bench".to_owned() };
-    for (program, text) in [("O0001", BRACKET.to_owned()), ("O0002", demanding())] {
+    for (program, text) in [("O0001", BRACKET.to_owned()), ("O0002", program::demanding(12))] {
         if let Err(why) = control.command(Command::Store { program: program.to_owned(), text }, &operator) {
             return eprintln!("{why:?}");
         }
