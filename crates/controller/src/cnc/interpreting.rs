@@ -348,8 +348,8 @@ impl Cnc {
     }
 
     /// Called by whoever is about to run periods on a real clock, in the thread that will. Do the drives need a setpoint
-    /// each period, whatever else the computer does ([`keeps_time`](crate::drives::Drives::keeps_time)), what takes long is done beside from now on
-    /// ([`work_beside`](Self::work_beside)).
+    /// each period, whatever else the computer does ([`keeps_time`](crate::drives::Drives::keeps_time)), what takes long
+    /// is done beside from now on ([`work_beside`](Self::work_beside)).
     ///
     /// # Errors
     /// The system gives no thread; then all is done in the period as before.
