@@ -277,7 +277,7 @@ pub(crate) struct Inverse {
     pub acceleration: [f64; AXES],
     pub jerk: [f64; AXES],
     /// Of acceleration and jerk along the path; 0 where they are not limited.
-    along: [f64; 2],
+    pub along: [f64; 2],
 }
 
 /// The limits of both kinds of move.
@@ -321,9 +321,14 @@ fn up(x: f64) -> f32 {
 }
 
 impl Inverse {
+    /// Highest speed along a piece by the velocity of the axes alone, mm/s.
+    pub fn velocity(&self, rates: &Rates) -> f64 {
+        peak(&rates.first, &self.velocity).max(LEAST_INVERSE[0]).recip()
+    }
+
     /// Highest speed along a piece, mm/s.
     pub fn speed(&self, rates: &Rates) -> f64 {
-        let along = peak(&rates.first, &self.velocity).max(LEAST_INVERSE[0]).recip();
+        let along = self.velocity(rates);
         let bend = peak(&rates.second, &self.acceleration);
         let twist = peak(&rates.third, &self.jerk);
         along.min((CURVE_SHARE / bend.max(1e-15)).sqrt()).min((TWIST_SHARE / twist.max(1e-20)).cbrt())

@@ -129,11 +129,11 @@ impl Planner {
         let lead = ((LEAD_S / period - 1e-9).ceil().max(1.0) as u64).min(LONGEST_LEAD);
         Planner {
             period,
+            plan: Plan::new(Inverses::new(&limits)),
             assembler: Assembler::new(Inverses::new(&limits), rules, start),
             limits,
             queue: Queue::new(),
             tape: Tape::new(),
-            plan: Plan::new(),
             walk: Walk::new(start),
             sender,
             hold: false,

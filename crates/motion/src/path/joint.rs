@@ -412,6 +412,17 @@ impl Ease {
         self.jump.zip(self.bend, |d, k| square * (k * (self.h - 4.0 * x) - 3.0 * d))
     }
 
+    /// Its second and third derivative at length `s` of the move, no further from the joint than it reaches.
+    pub fn bends(&self, s: f64) -> [Position; 2] {
+        let x = (s - self.joint).abs();
+        let left = (self.h - x).max(0.0);
+        let side = if s < self.joint { -1.0 } else { 1.0 };
+        [
+            self.jump.zip(self.bend, |d, k| 6.0 * left * (d + k * (2.0 * x - self.h))),
+            self.jump.zip(self.bend, |d, k| side * (k * (18.0 * self.h - 24.0 * x) - 6.0 * d)),
+        ]
+    }
+
     /// Bounds of its derivatives over `from`…`to`.
     pub fn rates(&self, from: f64, to: f64) -> Rates {
         let h = self.h;

@@ -160,6 +160,14 @@ impl Piece {
         }
     }
 
+    /// `q‴(s)`.
+    pub fn twist(&self, s: f64) -> Position {
+        match self {
+            Piece::Arc(turn) => turn.twist(s),
+            _ => Position::ZERO,
+        }
+    }
+
     /// The piece as it is seen from its place `s`.
     pub fn seen_from(&self, s: f64) -> Reach {
         match self {
@@ -351,6 +359,17 @@ impl Turn {
         let mut q = Position::ZERO;
         q.0[self.plane[0]] = -along * sin - out * cos;
         q.0[self.plane[1]] = along * cos - out * sin;
+        q
+    }
+
+    fn twist(&self, s: f64) -> Position {
+        let turn = self.sweep / self.len;
+        let r = self.radius + self.growth * s / self.len;
+        let (across, out) = (r * turn * turn * turn, 3.0 * self.growth / self.len * turn * turn);
+        let (sin, cos) = (self.angle + turn * s).sin_cos();
+        let mut q = Position::ZERO;
+        q.0[self.plane[0]] = across * sin - out * cos;
+        q.0[self.plane[1]] = -across * cos - out * sin;
         q
     }
 

@@ -38,6 +38,30 @@ impl Shape {
     }
 }
 
+impl Shape {
+    /// `q′`, `q″` and `q‴` at length `s` of the cell, where it is run along a path.
+    pub fn derivatives(&self, s: f64) -> [[f64; AXES]; 3] {
+        let none = [0.0; AXES];
+        match self {
+            Shape::Line { d, .. } => [d.0, none, none],
+            Shape::Cubic(cubic) => cubic.derivatives(s),
+            Shape::Slice(piece, from) => {
+                [piece.tangent(from + s).0, piece.bend(from + s).0, piece.twist(from + s).0]
+            }
+            Shape::Eased(piece, from, ease) => {
+                let at = from + s;
+                let [bend, twist] = ease.bends(at);
+                [
+                    (piece.tangent(at) + ease.slope(at)).0,
+                    (piece.bend(at) + bend).0,
+                    (piece.twist(at) + twist).0,
+                ]
+            }
+            Shape::Corner(_) | Shape::Axes { .. } => [none; 3],
+        }
+    }
+}
+
 /// `c₀ + c₁·s + c₂·s² + c₃·s³`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Cubic {
@@ -51,6 +75,16 @@ impl Cubic {
     pub fn at(&self, s: f64) -> Position {
         let [c0, c1, c2, c3] = &self.c;
         Position(std::array::from_fn(|i| c0.0[i] + s * (c1.0[i] + s * (c2.0[i] + s * c3.0[i]))))
+    }
+
+    /// Its derivatives at `s`.
+    fn derivatives(&self, s: f64) -> [[f64; AXES]; 3] {
+        let [_, c1, c2, c3] = &self.c;
+        [
+            std::array::from_fn(|i| c1.0[i] + s * (2.0 * c2.0[i] + s * 3.0 * c3.0[i])),
+            std::array::from_fn(|i| 2.0 * c2.0[i] + s * 6.0 * c3.0[i]),
+            std::array::from_fn(|i| 6.0 * c3.0[i]),
+        ]
     }
 
     /// The Bézier points of `q′`, which is quadratic and stays inside their hull.

@@ -7,3 +7,4 @@ pub(crate) mod piece;
 pub(crate) mod plan;
 pub(crate) mod queue;
 pub(crate) mod ramp;
+pub(crate) mod valley;

@@ -105,6 +105,22 @@ impl Piece {
         at(self.from, from).max(at(self.to, to))
     }
 
+    /// When it is at `s`, by Newton's method.
+    pub fn time_at(&self, s: f64) -> f64 {
+        let mut t = (s - self.s) / self.h * self.time;
+        for _ in 0..4 {
+            let (at, v) = self.at(t);
+            t = (t + (s - at) / v.max(1e-9)).clamp(0.0, self.time);
+        }
+        t
+    }
+
+    /// Place on the path, speed and acceleration, and jerk after `t`.
+    pub fn state(&self, t: f64) -> (f64, State, f64) {
+        let (s, v) = self.at(t);
+        (s, State { v, a: self.from.a + t * (self.j + 0.5 * t * self.k) }, self.j + t * self.k)
+    }
+
     /// Place on the path and speed after `t`.
     #[inline]
     pub fn at(&self, t: f64) -> (f64, f64) {

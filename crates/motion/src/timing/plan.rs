@@ -22,12 +22,13 @@
 //! **Corners** are run at a pace at which the lines beside them are long enough to stop on, so that sections on
 //! either side can be planned apart.
 
-use crate::limits::{Class, Drive};
+use crate::limits::{Class, Drive, Inverses};
 use crate::path::corner::{pace_below, paced};
 use crate::timing::grid::{Grid, Port};
 use crate::timing::piece::{Piece, State, step};
 use crate::timing::queue::{CELLS, Node, Pass, Queue, SAME_LENGTH};
 use crate::timing::ramp::{Foot, Phases, distance, summit};
+use crate::timing::valley::Valley;
 
 /// Overrides as factors.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -49,10 +50,21 @@ impl Overrides {
     /// Highest speed in a cell, mm/s.
     #[inline]
     fn cap(&self, node: &Node) -> f64 {
-        let feed = if node.feed.is_finite() { node.feed } else { node.top };
+        node.top.min(self.feed(node)).max(LEAST_SPEED)
+    }
+
+    /// The same, curves aside.
+    fn most(&self, node: &Node) -> f64 {
+        node.most.min(self.feed(node)).max(LEAST_SPEED)
+    }
+
+    /// The programmed speed as it is now.
+    #[inline]
+    fn feed(&self, node: &Node) -> f64 {
+        let feed = if node.feed.is_finite() { node.feed } else { node.most };
         // At override 0 the path is held, or passes what it cannot be stopped before.
         let share = Some(self.of(node.class)).filter(|share| *share > 0.0).unwrap_or(HELD_SHARE);
-        node.top.min(feed * share).max(LEAST_SPEED)
+        feed * share
     }
 }
 
@@ -102,6 +114,12 @@ const PATIENCE: usize = 8;
 
 /// Final stretches before the path that are enough: planning on would bring nothing forward.
 const ENOUGH: usize = 4096;
+
+/// Pieces from rest and to rest that stay as they are.
+const AT_REST: usize = 3;
+
+/// Valleys are this much slower than their ends.
+const DEEP: f64 = 0.9;
 
 /// How often a plan from rest is tried with slower corners.
 const ROUNDS: i32 = 8;
@@ -213,6 +231,10 @@ pub(crate) struct Plan {
     horizon: u64,
     overrides: Overrides,
     grid: Grid,
+    valley: Valley,
+    inverses: Inverses,
+    /// A section as the grid planned it.
+    rough: Vec<Piece>,
     /// Number of the first stretch of the list.
     base: u64,
     /// The plan before from stretch `kept.from` of the list on, should the new one fail.
@@ -227,7 +249,7 @@ pub(crate) struct Plan {
 pub(crate) const STRETCHES: usize = 8 * CELLS;
 
 impl Plan {
-    pub fn new() -> Plan {
+    pub fn new(inverses: Inverses) -> Plan {
         let start = Start { port: Port { s: 0.0, state: State::REST }, cell: 0 };
         Plan {
             stretches: Vec::with_capacity(STRETCHES),
@@ -238,6 +260,9 @@ impl Plan {
             horizon: 0,
             overrides: Overrides { feed: 1.0, rapid: 1.0 },
             grid: Grid::new(),
+            valley: Valley::new(),
+            inverses,
+            rough: Vec::with_capacity(crate::timing::grid::STEPS + 8),
             base: 0,
             before: Vec::with_capacity(STRETCHES),
             kept: Kept { from: 0, fixed: 0, next: start, planned: 0 },
@@ -806,8 +831,16 @@ impl Plan {
             let Some(piece) = piece else { return false };
             self.stretches.push(Stretch::Piece(piece));
         }
-        if is_open || self.grid.is_cut {
-            if let Some((count, cell, port)) = self.grid.last_touch() {
+        let is_open = is_open || self.grid.is_cut;
+        let touch = if is_open { self.grid.last_touch() } else { None };
+        let count = match touch {
+            Some((count, ..)) => count,
+            None if is_open => 0,
+            None => self.stretches.len() - known,
+        };
+        let count = self.deepen(queue, known, count, first);
+        if is_open {
+            if let Some((_, cell, port)) = touch {
                 self.fixed = known + count;
                 self.next = Start { port, cell };
             }
@@ -816,6 +849,58 @@ impl Plan {
             }
         }
         true
+    }
+
+    /// Runs the valleys of the `count` pieces from stretch `known` on in less time ([`crate::timing::valley`]); they are
+    /// in no cell before `first`. How many pieces there are then.
+    fn deepen(&mut self, queue: &Queue, known: usize, count: usize, first: u64) -> usize {
+        self.rough.clear();
+        self.rough.extend(self.stretches[known..].iter().filter_map(|stretch| match stretch {
+            Stretch::Piece(piece) => Some(*piece),
+            _ => None,
+        }));
+        let overrides = self.overrides;
+        let (mut from, mut cell, mut is_other) = (0, first, false);
+        let mut new = count;
+        for k in 1..=count {
+            // From one place of steady speed, or end, to the next.
+            let state = self.rough[k - 1].to;
+            let is_fast = || {
+                let node = queue.node(self.find(queue, cell, self.rough[k - 1].end() - 1e-9));
+                state.v >= overrides.most(node) * (1.0 - 1e-6)
+            };
+            if k < count && !(state.a == 0.0 && is_fast()) {
+                continue;
+            }
+            let begin = if self.rough[from].from == State::REST { from + AT_REST } else { from };
+            let end = if self.rough[k - 1].to == State::REST { k.saturating_sub(AT_REST) } else { k };
+            let mut found = None;
+            if begin + 4 < end {
+                let plan = &self.rough[begin..end];
+                cell = self.find(queue, cell, plan[0].s + 1e-9);
+                if is_valley(queue, plan, cell) {
+                    found = self.valley.run(queue, &self.inverses, plan, cell, |node| overrides.most(node));
+                }
+            }
+            if let Some(pieces) = found {
+                if !is_other {
+                    self.stretches.truncate(known + begin);
+                    is_other = true;
+                } else {
+                    self.stretches.extend(self.rough[from..begin].iter().map(|piece| Stretch::Piece(*piece)));
+                }
+                new = new + pieces.len() - (end - begin);
+                self.stretches.extend(pieces.iter().map(|piece| Stretch::Piece(*piece)));
+                self.stretches.extend(self.rough[end..k].iter().map(|piece| Stretch::Piece(*piece)));
+            } else if is_other {
+                self.stretches.extend(self.rough[from..k].iter().map(|piece| Stretch::Piece(*piece)));
+            }
+            from = k;
+        }
+        if is_other {
+            self.stretches.extend(self.rough[count..].iter().map(|piece| Stretch::Piece(*piece)));
+        }
+        new
     }
 
     /// The shortest motion on a line: up to a summit, steady, and down. `false` if it has another form. If the line is
@@ -861,6 +946,22 @@ impl Plan {
             self.stretches.push(Stretch::Piece(piece));
         }
     }
+}
+
+/// Whether there is something to be gained: a curve in which it is much slower than at an end.
+fn is_valley(queue: &Queue, plan: &[Piece], first: u64) -> bool {
+    let (from, to) = (plan[0].from.v, plan[plan.len() - 1].to.v);
+    let end = plan[plan.len() - 1].end();
+    let least = plan.iter().map(|piece| piece.to.v).fold(from, f64::min);
+    least < DEEP * from.max(to)
+        && (first..queue.tail())
+            .map(|cell| queue.node(cell))
+            .take_while(|node| node.s < end)
+            .all(|node| node.pass == Pass::Path)
+        && (first..queue.tail())
+            .map(|cell| queue.node(cell))
+            .take_while(|node| node.s < end)
+            .any(|node| !node.load.is_straight())
 }
 
 /// Room that one section takes: its steps and what ends it.

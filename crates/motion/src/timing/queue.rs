@@ -11,7 +11,7 @@
 use crate::limits::{Class, Load};
 use crate::path::shape::Shape;
 use crate::timing::ramp::Foot;
-use ferrocut_geometry::Position;
+use ferrocut_geometry::{AXES, Position};
 
 /// Cells in the queue; one to three a block where blocks are long, one for many where they are short.
 pub(crate) const CELLS: usize = 8192;
@@ -50,6 +50,15 @@ impl Cell {
     pub fn at(&self, s: f64, len: f64) -> Position {
         self.shape.at(if self.is_back { len - s } else { s })
     }
+
+    /// `q′`, `q″` and `q‴` there, in the direction that it is run in.
+    pub fn derivatives(&self, s: f64, len: f64) -> [[f64; AXES]; 3] {
+        if !self.is_back {
+            return self.shape.derivatives(s);
+        }
+        let [first, second, third] = self.shape.derivatives(len - s);
+        [first.map(|c| -c), second, third.map(|c| -c)]
+    }
 }
 
 /// How a cell is passed.
@@ -73,6 +82,8 @@ pub(crate) struct Node {
     pub load: Load,
     /// Highest speed by the axes, mm/s.
     pub top: f64,
+    /// The same, curves aside.
+    pub most: f64,
     /// Programmed speed, mm/s; infinite for rapids.
     pub feed: f64,
     pub class: Class,
@@ -136,6 +147,7 @@ impl Queue {
             len: 0.0,
             load: Load::NONE,
             top: 0.0,
+            most: 0.0,
             feed: 0.0,
             class: Class::Cut,
             pass: Pass::Path,

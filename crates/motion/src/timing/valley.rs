@@ -1,0 +1,620 @@
+//! Valleys: where a curve is slower than what is before and behind, at the lowest time.
+//!
+//! The passes over steps ([`crate::timing::grid`]) bound every axis by the sum of the magnitudes of its three terms. On a
+//! way into a curve and out of it these cancel: braking takes from the jerk what the growing curvature adds to it. Here a
+//! valley between two places of a plan, at which the states stay as they are, is run in nearly the least time that the
+//! true derivatives of the curve allow.
+//!
+//! **Variables** are `x = v²`, the control points of a quadratic B-spline over steps of their own, as in the passes.
+//! Between the steps `k` and `k + 1`, of lengths `h`, it is
+//!
+//! ```text
+//! X = (xₖ·hₖ₊₁ + xₖ₊₁·hₖ)/(hₖ + hₖ₊₁)      a = (xₖ₊₁ − xₖ)/(hₖ + hₖ₊₁)      j = √X·(aₖ − aₖ₋₁)/hₖ
+//! ```
+//!
+//! and with the derivatives of the path there, signs included, each axis has
+//!
+//! ```text
+//! −A ≤ q″·X + q′·a ≤ A          −J ≤ √X·(q‴·X + 3·q″·a + q′·j/√X) ≤ J          X ≤ cap
+//! ```
+//!
+//! Without `√X` these are linear in `x` and each touches three neighbours at most. The time `Σ h/√x` is convex.
+//!
+//! **Method**: a primal-dual interior point method with slacks (Nocedal and Wright, Numerical Optimization, chapter 19):
+//! with `c(x) ≥ 0` for each side of each bound, slacks `z` and multipliers `λ`, each iteration solves
+//!
+//! ```text
+//! (∇²f + Σ λ/z·∇c·∇cᵀ)·dx = −∇f + Σ ∇c·(μ − λ·(c − z))/z
+//! dz = ∇cᵀ·dx + c − z          dλ = (μ − λ·z − λ·dz)/z
+//! ```
+//!
+//! whose matrix has two diagonals on either side, and goes as far as `z` and `λ` stay positive. What is left of the
+//! curvature of `√X` would only make steps longer.
+//!
+//! What comes out is taken if it is faster and every piece of it keeps all bounds, looked at in five places and wherever cells
+//! meet; if not, once more with less where it did not. The plan before stands otherwise. So an iteration that goes astray costs time alone.
+
+use crate::limits::Inverses;
+use crate::timing::piece::{Piece, ROUNDING, State};
+use crate::timing::queue::{Node, Queue};
+use ferrocut_geometry::AXES;
+
+/// Most steps of a valley.
+pub(crate) const STEPS: usize = 160;
+
+/// A step in time, s, and how far the path turns in it at most, rad.
+const TAU: f64 = 0.004;
+const TURN: f64 = 0.1;
+
+/// Shares of acceleration and jerk that are used; the rest is for what lies between the places looked at.
+const ACCELERATION_SHARE: f64 = 0.998;
+const JERK_SHARE: f64 = 0.985;
+
+/// Iterations at most, and the share of the time that may be missing to the least.
+const ITERATIONS: usize = 30;
+const GAP: f64 = 1e-3;
+
+/// Multipliers at first: the share of the time that all of them together are worth.
+const FIRST_GAP: f64 = 0.1;
+
+/// How close to zero slacks and multipliers go in an iteration.
+const NEARLY: f64 = 0.95;
+
+/// Where a bound is far, it is none: a valley gets no faster than this share of `x` is more, the path no stronger than
+/// this share of what its axes leave on a line, and less than this share of a bound is used then.
+const FASTER: f64 = 2.5;
+const STRONGER: f64 = 1.2;
+const HARMLESS: f64 = 0.95;
+
+/// How often it is tried with less where a piece was beyond its bounds, and with how much less.
+const ROUNDS: usize = 4;
+const LESS: f64 = 0.98;
+
+/// In how many parts a piece is looked at.
+const PARTS: u8 = 4;
+
+/// What is gained must be worth it.
+const WORTH: f64 = 0.997;
+
+/// Rows of a place: acceleration and jerk on both sides, of each axis and of the path, and the speed.
+const ROWS: usize = 3 * (AXES + 1) + 1;
+
+/// One bound, on both sides: `|√Xᵖ·(c₀x₀ + c₁x₁ + c₂x₂)| ≤ 1`.
+#[derive(Clone, Copy, Debug, Default)]
+struct Row {
+    c: [f64; 3],
+    /// Number of `x₀`.
+    base: usize,
+    /// Where the place's own `x` is among the three, if the bound is one of jerk.
+    root: Option<usize>,
+    /// Slacks and multipliers of both sides.
+    z: [f64; 2],
+    l: [f64; 2],
+    /// Value and gradient as of now.
+    value: f64,
+    g: [f64; 3],
+}
+
+/// Memory for one valley.
+#[derive(Debug)]
+pub(crate) struct Valley {
+    /// Lengths of the steps; one more on either side than there are.
+    h: Vec<f64>,
+    /// Where they begin.
+    s: Vec<f64>,
+    x: Vec<f64>,
+    /// Shares of the bounds at the places.
+    share: Vec<f64>,
+    rows: Vec<Row>,
+    /// Diagonals of the matrix, and the right side.
+    band: Vec<[f64; 3]>,
+    right: Vec<f64>,
+    pieces: Vec<Piece>,
+}
+
+impl Valley {
+    pub fn new() -> Valley {
+        Valley {
+            h: Vec::with_capacity(STEPS + 2),
+            s: Vec::with_capacity(STEPS + 2),
+            x: Vec::with_capacity(STEPS + 2),
+            share: Vec::with_capacity(STEPS + 2),
+            rows: Vec::with_capacity(ROWS * (STEPS + 1)),
+            band: Vec::with_capacity(STEPS + 2),
+            right: Vec::with_capacity(STEPS + 2),
+            pieces: Vec::with_capacity(STEPS),
+        }
+    }
+
+    /// The same way as `plan`, which begins in cell `first`, in less time; `cap` is the speed allowed in a cell, curves
+    /// aside. `None` where no less is found.
+    pub fn run(
+        &mut self,
+        queue: &Queue,
+        inverses: &Inverses,
+        plan: &[Piece],
+        first: u64,
+        cap: impl Fn(&Node) -> f64,
+    ) -> Option<&[Piece]> {
+        let time = |pieces: &[Piece]| pieces.iter().map(|piece| piece.time).sum::<f64>();
+        let road = Road { queue, inverses, cap };
+        let (from, to) = (plan.first()?.from, plan.last()?.to);
+        if !self.place(&road, plan, first) {
+            return None;
+        }
+        for _ in 0..ROUNDS {
+            self.begin(plan, from, to);
+            self.bound(&road, first);
+            self.solve();
+            if !self.cut(from, to) {
+                return None;
+            }
+            if self.keeps(&road, first) {
+                return (time(&self.pieces) < WORTH * time(plan)).then_some(&self.pieces);
+            }
+        }
+        None
+    }
+
+    /// Sets the steps. `false` if there are too many.
+    fn place(&mut self, road: &Road<'_, impl Fn(&Node) -> f64>, plan: &[Piece], first: u64) -> bool {
+        let (begin, end) = (plan[0].s, plan[plan.len() - 1].end());
+        let (mut s, mut cell, mut k) = (begin, first, 0);
+        self.s.clear();
+        self.h.clear();
+        // One more before and behind, as long as its neighbour.
+        self.h.push(0.0);
+        while s < end {
+            if self.s.len() == STEPS {
+                return false;
+            }
+            while k + 1 < plan.len() && plan[k].end() <= s {
+                k += 1;
+            }
+            cell = road.cell(cell, s);
+            let derivatives = road.derivatives(cell, s);
+            let norm = |d: &[f64; AXES]| d.iter().map(|c| c * c).sum::<f64>().sqrt();
+            let turn = norm(&derivatives[1]) / norm(&derivatives[0]).max(1e-9);
+            let mut h = TAU * speed(plan, k, s);
+            h = h.min(TAU * speed(plan, k, (s + h).min(end)).max(0.3 * h / TAU));
+            h = h.min(TURN / turn.max(1e-9)).max(1e-6);
+            // It ends where the path changes, if that is about there.
+            let (mut to, mut next) = (s + h, cell);
+            while next < road.queue.tail() && road.queue.node(next).end() <= s + 1.3 * h {
+                let border = road.queue.node(next).end();
+                if border >= s + 0.25 * h {
+                    to = border;
+                }
+                next += 1;
+            }
+            if to > end - 0.5 * h {
+                to = end;
+            }
+            self.s.push(s);
+            self.h.push(to - s);
+            s = to;
+        }
+        self.s.push(end);
+        let n = self.h.len();
+        if n < 5 {
+            return false;
+        }
+        self.h[0] = self.h[1];
+        self.h.push(self.h[n - 1]);
+        self.share.clear();
+        self.share.resize(self.s.len(), 1.0);
+        true
+    }
+
+    /// The plan as it is: the first two and the last two of `x` are what the states at the ends say.
+    fn begin(&mut self, plan: &[Piece], from: State, to: State) {
+        let n = self.h.len();
+        self.x.clear();
+        self.x.resize(n, 0.0);
+        let mut k = 0;
+        for i in 1..n - 1 {
+            let s = self.s[i - 1] + 0.5 * self.h[i];
+            while k + 1 < plan.len() && plan[k].end() <= s {
+                k += 1;
+            }
+            let v = speed(plan, k, s);
+            self.x[i] = v * v;
+        }
+        let (w, h) = (from.v * from.v, self.h[1]);
+        (self.x[0], self.x[1]) = (w - from.a * h, w + from.a * h);
+        let (w, h) = (to.v * to.v, self.h[n - 2]);
+        (self.x[n - 2], self.x[n - 1]) = (w - to.a * h, w + to.a * h);
+    }
+
+    /// The bounds at all places.
+    fn bound(&mut self, road: &Road<'_, impl Fn(&Node) -> f64>, first: u64) {
+        self.rows.clear();
+        let places = self.s.len();
+        let mut cell = first;
+        // Between three of them the spline lies below the highest.
+        for k in 2..self.x.len() - 2 {
+            let (begin, end) = (self.s[k - 2], self.s[k + 1]);
+            cell = road.cell(cell, begin);
+            let cap = road.least_cap(cell, end);
+            if FASTER * self.x[k] < cap * cap {
+                continue;
+            }
+            self.rows.push(Row { c: [1.0 / (cap * cap), 0.0, 0.0], base: k, ..Row::default() });
+        }
+        cell = first;
+        for k in 0..places {
+            let s = self.s[k];
+            cell = road.cell(cell, s);
+            let node = road.queue.node(cell);
+            let inverse = road.inverses.of(node.class);
+            // A border belongs to both sides.
+            let left = if s <= node.s + 1e-12 && k > 0 { road.side_before(cell, s) } else { cell };
+            let here = road.derivatives(cell, s);
+            let there = if left == cell { here } else { road.derivatives(left, s) };
+            let (h0, h1) = (self.h[k], self.h[k + 1]);
+            let both = h0 + h1;
+            // X and a by x of both steps.
+            let (x, a) = ([h1 / both, h0 / both], [-1.0 / both, 1.0 / both]);
+            let is_inner = k > 0 && k + 1 < places;
+            let share = self.share[k];
+            let most = ACCELERATION_SHARE * share;
+            let most_jerk = JERK_SHARE * share;
+            // Acceleration behind minus acceleration before, over the length of the step on either side.
+            let left_push = (k > 0).then(|| {
+                let (a0, h) = (1.0 / (self.h[k - 1] + h0), h0);
+                // a of the place before: (x₁ − x₀)·a0.
+                [a0 / h, (a[0] - a0) / h, a[1] / h]
+            });
+            let right_push = (k + 1 < places).then(|| {
+                let (a1, h) = (1.0 / (h1 + self.h[k + 2]), h1);
+                [-a[0] / h, (-a1 - a[1]) / h, a1 / h]
+            });
+            // More than the path can do here: what stays below its bounds then is none.
+            let v = (FASTER * self.at(k).0).max(0.0).sqrt();
+            let most_of = |d: &[f64; AXES], limits: &[f64; AXES], along: f64| {
+                d.iter().zip(limits).fold(along, |m, (d, l)| (d.abs() * l).max(m)).max(1e-12).recip()
+            };
+            let a_most = STRONGER * most_of(&here[0], &inverse.acceleration, inverse.along[0]);
+            let j_most = STRONGER * most_of(&here[0], &inverse.jerk, inverse.along[1]);
+            // On a line the end of a step at which it is faster decides.
+            let is_line = |d: &[[f64; AXES]; 3]| d[1..].iter().flatten().all(|c| *c == 0.0);
+            let has_left = !is_line(&there) || (k > 0 && self.at(k).0 >= self.at(k - 1).0);
+            let has_right = !is_line(&here) || (k + 1 < places && self.at(k).0 >= self.at(k + 1).0);
+            for i in 0..=AXES {
+                let (amax, jmax) = if i < AXES {
+                    (inverse.acceleration[i] / most, inverse.jerk[i] / most_jerk)
+                } else {
+                    (inverse.along[0] / most, inverse.along[1] / most_jerk)
+                };
+                let of = |d: &[[f64; AXES]; 3]| {
+                    if i < AXES { [d[0][i], d[1][i], d[2][i]] } else { [1.0, 0.0, 0.0] }
+                };
+                let [d1, d2, d3] = of(&here);
+                if is_inner && (d2.abs() * v * v + d1.abs() * a_most) * amax > HARMLESS {
+                    let c = [(d2 * x[0] + d1 * a[0]) * amax, (d2 * x[1] + d1 * a[1]) * amax, 0.0];
+                    self.rows.push(Row { c, base: k, ..Row::default() });
+                }
+                let is_harmful = |[d1, d2, d3]: [f64; 3]| {
+                    ((d3.abs() * v * v + 3.0 * d2.abs() * a_most) * v + d1.abs() * j_most) * jmax > HARMLESS
+                };
+                let [e1, e2, e3] = of(&there);
+                if let Some(push) = left_push.filter(|_| has_left && is_harmful([e1, e2, e3])) {
+                    let c = [
+                        e1 * push[0] * jmax,
+                        (e3 * x[0] + 3.0 * e2 * a[0] + e1 * push[1]) * jmax,
+                        (e3 * x[1] + 3.0 * e2 * a[1] + e1 * push[2]) * jmax,
+                    ];
+                    self.rows.push(Row { c, base: k - 1, root: Some(1), ..Row::default() });
+                }
+                if let Some(push) = right_push.filter(|_| has_right && is_harmful([d1, d2, d3])) {
+                    let c = [
+                        (d3 * x[0] + 3.0 * d2 * a[0] + d1 * push[0]) * jmax,
+                        (d3 * x[1] + 3.0 * d2 * a[1] + d1 * push[1]) * jmax,
+                        d1 * push[2] * jmax,
+                    ];
+                    self.rows.push(Row { c, base: k, root: Some(0), ..Row::default() });
+                }
+            }
+        }
+    }
+
+    /// `X` at the place between the steps `k` and `k + 1`, and what both steps weigh in it.
+    fn at(&self, k: usize) -> (f64, [f64; 2]) {
+        let (h0, h1) = (self.h[k], self.h[k + 1]);
+        let weights = [h1 / (h0 + h1), h0 / (h0 + h1)];
+        (self.x[k] * weights[0] + self.x[k + 1] * weights[1], weights)
+    }
+
+    /// Value and gradient of every bound as of now.
+    fn look(&mut self) {
+        for i in 0..self.rows.len() {
+            let row = self.rows[i];
+            let x = &self.x[row.base..(row.base + 3).min(self.x.len())];
+            let line = row.c[0] * x[0] + row.c[1] * x[1] + row.c[2] * x.get(2).copied().unwrap_or(0.0);
+            let (mut value, mut g) = (line, row.c);
+            if let Some(root) = row.root {
+                let (square, weights) = self.at(row.base + root);
+                let v = square.max(1e-12).sqrt();
+                value *= v;
+                g = g.map(|c| c * v);
+                g[root] += 0.5 * line / v * weights[0];
+                g[root + 1] += 0.5 * line / v * weights[1];
+            }
+            (self.rows[i].value, self.rows[i].g) = (value, g);
+        }
+    }
+
+    /// The interior point method from the plan as it is.
+    fn solve(&mut self) {
+        let n = self.x.len();
+        let sides = 2.0 * self.rows.len() as f64;
+        let time: f64 = (1..n - 1).map(|i| self.h[i] / self.x[i].max(1e-12).sqrt()).sum();
+        let mut mu = FIRST_GAP * time / sides;
+        self.look();
+        for row in &mut self.rows {
+            for (side, sign) in [(0, -1.0), (1, 1.0)] {
+                row.z[side] = (1.0 + sign * row.value).max(0.05);
+                row.l[side] = mu / row.z[side];
+            }
+        }
+        for _ in 0..ITERATIONS {
+            self.assemble(mu);
+            if !self.eliminate() {
+                return;
+            }
+            // Where it leads, as far as slacks and multipliers stay positive.
+            let (mut far, mut far_l) = (1.0_f64, 1.0_f64);
+            for i in 2..n - 2 {
+                if self.right[i] < 0.0 {
+                    far = far.min(-0.7 * self.x[i] / self.right[i]);
+                }
+            }
+            for row in &self.rows {
+                let d = self.slope(row);
+                for (side, sign) in [(0, -1.0), (1, 1.0)] {
+                    let (z, l) = (row.z[side], row.l[side]);
+                    let dz = sign * d + 1.0 + sign * row.value - z;
+                    let dl = (mu - l * dz) / z - l;
+                    if dz < 0.0 {
+                        far = far.min(-NEARLY * z / dz);
+                    }
+                    if dl < 0.0 {
+                        far_l = far_l.min(-NEARLY * l / dl);
+                    }
+                }
+            }
+            let mut sum = 0.0;
+            for i in 0..self.rows.len() {
+                let row = self.rows[i];
+                let d = self.slope(&row);
+                for (side, sign) in [(0, -1.0), (1, 1.0)] {
+                    let (z, l) = (row.z[side], row.l[side]);
+                    let dz = sign * d + 1.0 + sign * row.value - z;
+                    let dl = (mu - l * dz) / z - l;
+                    let (z, l) = (z + far * dz, l + far_l * dl);
+                    (self.rows[i].z[side], self.rows[i].l[side]) = (z, l);
+                    sum += z * l;
+                }
+            }
+            for i in 2..n - 2 {
+                self.x[i] += far * self.right[i];
+            }
+            self.look();
+            let far = far.min(far_l);
+            if far > 0.9 && sum < GAP * time {
+                return;
+            }
+            mu = (if far > 0.8 { 0.1 } else { 0.5 }) * sum / sides;
+        }
+    }
+
+    /// What `dx` changes in a bound.
+    #[inline]
+    fn slope(&self, row: &Row) -> f64 {
+        let d = &self.right[row.base..];
+        row.g[0] * d[0] + row.g[1] * d[1] + row.g[2] * d.get(2).copied().unwrap_or(0.0)
+    }
+
+    /// The matrix and the right side.
+    fn assemble(&mut self, mu: f64) {
+        let n = self.x.len();
+        self.band.clear();
+        self.right.clear();
+        for i in 0..n {
+            let x = self.x[i].max(1e-12);
+            let slow = self.h[i] / (x * x.sqrt());
+            self.band.push([0.75 * slow / x, 0.0, 0.0]);
+            self.right.push(0.5 * slow);
+        }
+        for row in &self.rows {
+            let (mut weight, mut push) = (0.0, 0.0);
+            for (side, sign) in [(0, -1.0), (1, 1.0)] {
+                let (z, l) = (row.z[side], row.l[side]);
+                let off = 1.0 + sign * row.value - z;
+                weight += l / z;
+                push += sign * (mu - l * off) / z;
+            }
+            let b = row.base;
+            let g = row.g;
+            let wg = g.map(|g| weight * g);
+            self.band[b][0] += wg[0] * g[0];
+            self.band[b][1] += wg[0] * g[1];
+            self.band[b + 1][0] += wg[1] * g[1];
+            self.right[b] += push * g[0];
+            self.right[b + 1] += push * g[1];
+            if b + 2 < n {
+                self.band[b][2] += wg[0] * g[2];
+                self.band[b + 1][1] += wg[1] * g[2];
+                self.band[b + 2][0] += wg[2] * g[2];
+                self.right[b + 2] += push * g[2];
+            }
+        }
+        // What is given stays.
+        for i in [0, 1, n - 2, n - 1] {
+            self.band[i][0] = 1e30;
+            self.right[i] = 0.0;
+        }
+    }
+
+    /// Solves `L·D·Lᵀ·dx = right` in place.
+    fn eliminate(&mut self) -> bool {
+        let n = self.x.len();
+        for i in 0..n {
+            let [d, e, f] = self.band[i];
+            if !(d > 0.0) {
+                return false;
+            }
+            let (l1, l2) = (e / d, f / d);
+            if i + 1 < n {
+                self.band[i + 1][0] -= l1 * e;
+                self.band[i + 1][1] -= l1 * f;
+                self.right[i + 1] -= l1 * self.right[i];
+            }
+            if i + 2 < n {
+                self.band[i + 2][0] -= l2 * f;
+                self.right[i + 2] -= l2 * self.right[i];
+            }
+            self.band[i][1] = l1;
+            self.band[i][2] = l2;
+        }
+        for i in (0..n).rev() {
+            let mut x = self.right[i] / self.band[i][0];
+            if i + 1 < n {
+                x -= self.band[i][1] * self.right[i + 1];
+            }
+            if i + 2 < n {
+                x -= self.band[i][2] * self.right[i + 2];
+            }
+            self.right[i] = x;
+        }
+        true
+    }
+
+    /// The pieces between the places. `false` if there is one that goes back.
+    fn cut(&mut self, from: State, to: State) -> bool {
+        self.pieces.clear();
+        let mut state = from;
+        for k in 1..self.s.len() {
+            let next = if k + 1 == self.s.len() {
+                to
+            } else {
+                let a = (self.x[k + 1] - self.x[k]) / (self.h[k] + self.h[k + 1]);
+                State { v: self.at(k).0.max(0.0).sqrt(), a }
+            };
+            let piece = Piece::new(self.s[k - 1], self.h[k], state, next).filter(Piece::is_forward);
+            let Some(piece) = piece else { return false };
+            self.pieces.push(piece);
+            state = next;
+        }
+        true
+    }
+
+    /// Whether every piece keeps all bounds; where not, less is used at its ends the next time.
+    fn keeps(&mut self, road: &Road<'_, impl Fn(&Node) -> f64>, first: u64) -> bool {
+        let mut is_good = true;
+        let mut cell = first;
+        for k in 0..self.pieces.len() {
+            let piece = self.pieces[k];
+            let mut used: f64 = 0.0;
+            for part in 0..=PARTS {
+                let (s, state, j) = piece.state(f64::from(part) / f64::from(PARTS) * piece.time);
+                let at = road.cell(cell, s.min(piece.end() - 1e-9));
+                used = used.max(road.used(at, s, state, j));
+            }
+            // Where cells meet inside it the derivatives may jump.
+            loop {
+                let border = road.queue.node(cell).end();
+                if border >= piece.end() - 1e-9 || cell + 1 >= road.queue.tail() {
+                    break;
+                }
+                if border > piece.s + 1e-9 {
+                    let (s, state, j) = piece.state(piece.time_at(border));
+                    used = used.max(road.used(cell, s, state, j)).max(road.used(cell + 1, s, state, j));
+                }
+                cell += 1;
+            }
+            if !(used <= ROUNDING) {
+                is_good = false;
+                let less = (LESS / used).max(0.85);
+                self.share[k] *= less;
+                self.share[k + 1] *= less;
+            }
+        }
+        is_good
+    }
+}
+
+/// Speed at the length `s` of the plan, in its piece `k` or one behind.
+fn speed(plan: &[Piece], mut k: usize, s: f64) -> f64 {
+    while k + 1 < plan.len() && plan[k].end() <= s {
+        k += 1;
+    }
+    let piece = &plan[k];
+    let (w0, w1) = (piece.from.v * piece.from.v, piece.to.v * piece.to.v);
+    let u = ((s - piece.s) / piece.h).clamp(0.0, 1.0);
+    // Hermite's cubic through both states.
+    let (d0, d1) = (2.0 * piece.from.a * piece.h, 2.0 * piece.to.a * piece.h);
+    let left = 1.0 - u;
+    let w = left * left * ((1.0 + 2.0 * u) * w0 + u * d0) + u * u * ((1.0 + 2.0 * left) * w1 - left * d1);
+    w.max(0.25 * w0.min(w1)).max(1e-12).sqrt()
+}
+
+/// What a valley lies on.
+struct Road<'a, C: Fn(&Node) -> f64> {
+    queue: &'a Queue,
+    inverses: &'a Inverses,
+    cap: C,
+}
+
+impl<C: Fn(&Node) -> f64> Road<'_, C> {
+    /// The cell in which `s` lies, from `cell` on.
+    fn cell(&self, mut cell: u64, s: f64) -> u64 {
+        while cell + 1 < self.queue.tail() && self.queue.node(cell).end() <= s + 1e-12 {
+            cell += 1;
+        }
+        cell
+    }
+
+    /// The cell before the border of `cell` at `s` that has a length.
+    fn side_before(&self, cell: u64, s: f64) -> u64 {
+        let mut side = cell;
+        while side > self.queue.head() && self.queue.node(side).s >= s - 1e-12 {
+            side -= 1;
+        }
+        side
+    }
+
+    /// `q′`, `q″` and `q‴` at `s`, which lies in `cell`.
+    fn derivatives(&self, cell: u64, s: f64) -> [[f64; AXES]; 3] {
+        let node = self.queue.node(cell);
+        self.queue.cell(cell).derivatives((s - node.s).clamp(0.0, node.len), node.len)
+    }
+
+    /// Lowest speed allowed, curves aside, from cell `from` to the length `to`.
+    fn least_cap(&self, from: u64, to: f64) -> f64 {
+        let mut least = f64::MAX.sqrt();
+        for cell in from..self.queue.tail() {
+            let node = self.queue.node(cell);
+            if node.s >= to && cell > from {
+                break;
+            }
+            least = least.min((self.cap)(node));
+        }
+        least
+    }
+
+    /// Largest share of a bound that is used at `s`.
+    fn used(&self, cell: u64, s: f64, state: State, j: f64) -> f64 {
+        let node = self.queue.node(cell);
+        let inverse = self.inverses.of(node.class);
+        let [d1, d2, d3] = self.derivatives(cell, s);
+        let State { v, a } = state;
+        let mut most = (v / (self.cap)(node)).max(a.abs() * inverse.along[0]).max(j.abs() * inverse.along[1]);
+        for i in 0..AXES {
+            let acceleration = (d2[i] * v * v + d1[i] * a) * inverse.acceleration[i];
+            let jerk = (d3[i] * v * v * v + 3.0 * d2[i] * v * a + d1[i] * j) * inverse.jerk[i];
+            most = most.max(acceleration.abs()).max(jerk.abs());
+        }
+        most
+    }
+}
