@@ -52,7 +52,7 @@ const JERK_SHARE: f64 = 0.985;
 
 /// Iterations at most, and the share of the time that may be missing to the least.
 const ITERATIONS: usize = 30;
-const GAP: f64 = 1e-3;
+const GAP: f64 = 2e-3;
 
 /// Multipliers at first: the share of the time that all of them together are worth.
 const FIRST_GAP: f64 = 0.1;
@@ -90,6 +90,8 @@ struct Row {
     /// Slacks and multipliers of both sides.
     z: [f64; 2],
     l: [f64; 2],
+    dz: [f64; 2],
+    dl: [f64; 2],
     /// Value and gradient as of now.
     value: f64,
     g: [f64; 3],
@@ -106,6 +108,7 @@ pub(crate) struct Valley {
     /// Shares of the bounds at the places.
     share: Vec<f64>,
     rows: Vec<Row>,
+    speeds: Vec<[f64; 3]>,
     /// Diagonals of the matrix, and the right side.
     band: Vec<[f64; 3]>,
     right: Vec<f64>,
@@ -120,6 +123,7 @@ impl Valley {
             x: Vec::with_capacity(STEPS + 2),
             share: Vec::with_capacity(STEPS + 2),
             rows: Vec::with_capacity(ROWS * (STEPS + 1)),
+            speeds: Vec::with_capacity(STEPS + 2),
             band: Vec::with_capacity(STEPS + 2),
             right: Vec::with_capacity(STEPS + 2),
             pieces: Vec::with_capacity(STEPS),
@@ -327,20 +331,26 @@ impl Valley {
 
     /// Value and gradient of every bound as of now.
     fn look(&mut self) {
-        for i in 0..self.rows.len() {
-            let row = self.rows[i];
-            let x = &self.x[row.base..(row.base + 3).min(self.x.len())];
-            let line = row.c[0] * x[0] + row.c[1] * x[1] + row.c[2] * x.get(2).copied().unwrap_or(0.0);
-            let (mut value, mut g) = (line, row.c);
+        let Valley { x, h, rows, speeds, .. } = self;
+        // Speed between the steps, and what the control points before and behind bear on it.
+        speeds.clear();
+        speeds.extend(x.windows(2).zip(h.windows(2)).map(|(x, h)| {
+            let both = (h[0] + h[1]).recip();
+            let v = ((x[0] * h[1] + x[1] * h[0]) * both).max(1e-12).sqrt();
+            let share = 0.5 * both / v;
+            [v, h[1] * share, h[0] * share]
+        }));
+        for row in rows {
+            let x = &x[row.base..row.base + 3];
+            let line = row.c[0] * x[0] + row.c[1] * x[1] + row.c[2] * x[2];
+            (row.value, row.g) = (line, row.c);
             if let Some(root) = row.root {
-                let (square, weights) = self.at(row.base + root);
-                let v = square.max(1e-12).sqrt();
-                value *= v;
-                g = g.map(|c| c * v);
-                g[root] += 0.5 * line / v * weights[0];
-                g[root + 1] += 0.5 * line / v * weights[1];
+                let [v, before, behind] = speeds[row.base + root];
+                row.value *= v;
+                row.g = row.c.map(|c| c * v);
+                row.g[root] += line * before;
+                row.g[root + 1] += line * behind;
             }
-            (self.rows[i].value, self.rows[i].g) = (value, g);
         }
     }
 
@@ -369,31 +379,29 @@ impl Valley {
                     far = far.min(-0.7 * self.x[i] / self.right[i]);
                 }
             }
-            for row in &self.rows {
-                let d = self.slope(row);
+            let right = &self.right;
+            for row in &mut self.rows {
+                let d = &right[row.base..row.base + 3];
+                let d = row.g[0] * d[0] + row.g[1] * d[1] + row.g[2] * d[2] + row.value;
                 for (side, sign) in [(0, -1.0), (1, 1.0)] {
                     let (z, l) = (row.z[side], row.l[side]);
-                    let dz = sign * d + 1.0 + sign * row.value - z;
+                    let dz = 1.0 + sign * d - z;
                     let dl = (mu - l * dz) / z - l;
-                    if dz < 0.0 {
+                    (row.dz[side], row.dl[side]) = (dz, dl);
+                    if dz < -NEARLY * z {
                         far = far.min(-NEARLY * z / dz);
                     }
-                    if dl < 0.0 {
+                    if dl < -NEARLY * l {
                         far_l = far_l.min(-NEARLY * l / dl);
                     }
                 }
             }
             let mut sum = 0.0;
-            for i in 0..self.rows.len() {
-                let row = self.rows[i];
-                let d = self.slope(&row);
-                for (side, sign) in [(0, -1.0), (1, 1.0)] {
-                    let (z, l) = (row.z[side], row.l[side]);
-                    let dz = sign * d + 1.0 + sign * row.value - z;
-                    let dl = (mu - l * dz) / z - l;
-                    let (z, l) = (z + far * dz, l + far_l * dl);
-                    (self.rows[i].z[side], self.rows[i].l[side]) = (z, l);
-                    sum += z * l;
+            for row in &mut self.rows {
+                for side in [0, 1] {
+                    row.z[side] += far * row.dz[side];
+                    row.l[side] += far_l * row.dl[side];
+                    sum += row.z[side] * row.l[side];
                 }
             }
             for i in 2..n - 2 {
@@ -404,15 +412,8 @@ impl Valley {
             if far > 0.9 && sum < GAP * time {
                 return;
             }
-            mu = (if far > 0.8 { 0.1 } else { 0.5 }) * sum / sides;
+            mu = (if far > 0.8 { 0.1 } else { 0.3 }) * sum / sides;
         }
-    }
-
-    /// What `dx` changes in a bound.
-    #[inline]
-    fn slope(&self, row: &Row) -> f64 {
-        let d = &self.right[row.base..];
-        row.g[0] * d[0] + row.g[1] * d[1] + row.g[2] * d.get(2).copied().unwrap_or(0.0)
     }
 
     /// The matrix and the right side.
@@ -429,24 +430,20 @@ impl Valley {
         for row in &self.rows {
             let (mut weight, mut push) = (0.0, 0.0);
             for (side, sign) in [(0, -1.0), (1, 1.0)] {
-                let (z, l) = (row.z[side], row.l[side]);
-                let off = 1.0 + sign * row.value - z;
-                weight += l / z;
-                push += sign * (mu - l * off) / z;
+                let (l, inverse) = (row.l[side], row.z[side].recip());
+                let off = 1.0 + sign * row.value - row.z[side];
+                weight += l * inverse;
+                push += sign * (mu - l * off) * inverse;
             }
-            let b = row.base;
             let g = row.g;
             let wg = g.map(|g| weight * g);
-            self.band[b][0] += wg[0] * g[0];
-            self.band[b][1] += wg[0] * g[1];
-            self.band[b + 1][0] += wg[1] * g[1];
-            self.right[b] += push * g[0];
-            self.right[b + 1] += push * g[1];
-            if b + 2 < n {
-                self.band[b][2] += wg[0] * g[2];
-                self.band[b + 1][1] += wg[1] * g[2];
-                self.band[b + 2][0] += wg[2] * g[2];
-                self.right[b + 2] += push * g[2];
+            let (band, right) =
+                (&mut self.band[row.base..row.base + 3], &mut self.right[row.base..row.base + 3]);
+            for i in 0..3 {
+                for j in i..3 {
+                    band[i][j - i] += wg[i] * g[j];
+                }
+                right[i] += push * g[i];
             }
         }
         // What is given stays.
