@@ -17,7 +17,7 @@
 //!    (`path/corner`). The path then has a continuous `q″` and a bounded `q‴`.
 //! 2. Stretches of it are cells (`timing/queue`), each with bounds of its three derivatives (`limits`).
 //! 3. Look-ahead goes section by section (`timing/plan`): on a single line in closed form (`timing/ramp`), else by
-//!    passes over steps of a few milliseconds (`timing/grid`). The plan is a list of pieces (`timing/piece`).
+//!    passes over steps of a few milliseconds (`timing/grid`), and curves between fast stretches once more (`timing/valley`). The plan is a list of pieces (`timing/piece`).
 //! 4. They are handed over some periods before they are run (`planner`, `handover`).
 //! 5. They are evaluated in closed form every period (`interpolator`, `timing/interpolate`).
 //!

@@ -385,6 +385,12 @@ impl Ease {
         })
     }
 
+    /// With these jumps, over the length `h`.
+    #[cfg(test)]
+    pub fn example(joint: f64, jump: Position, bend: Position, h: f64) -> Ease {
+        Ease { jump, bend, h, joint, cap: f64::INFINITY }
+    }
+
     /// The same behind the joint, where the next move begins.
     pub fn behind(&self) -> Ease {
         Ease { bend: Position(self.bend.0.map(|c| -c)), joint: 0.0, ..*self }

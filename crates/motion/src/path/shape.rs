@@ -114,3 +114,59 @@ impl Cubic {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::moves::Move;
+    use crate::path::joint::Ease;
+    use ferrocut_toolpath::{Feed, FeedAlong, Op, PathMode};
+
+    /// A spiral helix.
+    fn turn() -> Piece {
+        let from = Position::xyz(10.0, 0.0, 0.0);
+        let op = Op::Arc {
+            to: Position::xyz(-1.0, 12.0, 3.0),
+            plane: ferrocut_geometry::Plane::Xy,
+            center: [0.0, 0.0],
+            sweep: 1.654,
+            feed: Feed::PerMinute(1000.0),
+            feed_along: FeedAlong::Path,
+            path: PathMode::Continuous,
+        };
+        let moves: Vec<Move> = Move::from_step(&op, from, 1000.0, 0).into_iter().collect();
+        Piece::new(from, &moves[0]).unwrap()
+    }
+
+    #[test]
+    fn derivatives_are_those_of_the_points() {
+        let p = |x, y, z| Position::xyz(x, y, z);
+        let cubic =
+            Cubic { c: [p(1.0, 2.0, 3.0), p(1.0, 0.1, 0.0), p(0.2, -0.3, 0.1), p(-0.4, 0.5, 0.2)], len: 2.0 };
+        let ease = Ease::example(1.5, p(0.01, -0.02, 0.005), p(0.3, 0.1, 0.0), 1.2);
+        let behind = Ease::example(0.0, p(0.01, -0.02, 0.005), p(0.3, 0.1, 0.0), 1.2);
+        let line = Shape::Line { p: p(1.0, 0.0, 0.0), d: p(0.6, 0.8, 0.0) };
+        let shapes = [
+            line,
+            Shape::Cubic(cubic),
+            Shape::Slice(turn(), 0.7),
+            Shape::Eased(turn(), 0.4, ease),
+            Shape::Eased(turn(), 0.0, behind),
+        ];
+        for shape in shapes {
+            for s in [0.1, 0.45, 1.0] {
+                let h = 1e-3;
+                let [a, b, c, d, e] = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|k| shape.at(s + k * h).0);
+                let [first, second, third] = shape.derivatives(s);
+                for i in 0..3 {
+                    let near = |x: f64, y: f64, most: f64| {
+                        assert!((x - y).abs() < most, "{shape:?} {s} {i}: {x} {y}")
+                    };
+                    near(first[i], (a[i] - 8.0 * b[i] + 8.0 * d[i] - e[i]) / (12.0 * h), 1e-9);
+                    near(second[i], (b[i] - 2.0 * c[i] + d[i]) / (h * h), 1e-5);
+                    near(third[i], (e[i] - 2.0 * d[i] + 2.0 * b[i] - a[i]) / (2.0 * h * h * h), 1e-4);
+                }
+            }
+        }
+    }
+}

@@ -28,7 +28,7 @@ use crate::timing::grid::{Grid, Port};
 use crate::timing::piece::{Piece, State, step};
 use crate::timing::queue::{CELLS, Node, Pass, Queue, SAME_LENGTH};
 use crate::timing::ramp::{Foot, Phases, distance, summit};
-use crate::timing::valley::Valley;
+use crate::timing::valley::{self, Valley};
 
 /// Overrides as factors.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -117,6 +117,9 @@ const ENOUGH: usize = 4096;
 
 /// Pieces from rest and to rest that stay as they are.
 const AT_REST: usize = 3;
+
+/// Pieces that valleys may add to a section.
+const DEEPER: usize = 1024;
 
 /// Valleys are this much slower than their ends.
 const DEEP: f64 = 0.9;
@@ -875,7 +878,7 @@ impl Plan {
             let begin = if self.rough[from].from == State::REST { from + AT_REST } else { from };
             let end = if self.rough[k - 1].to == State::REST { k.saturating_sub(AT_REST) } else { k };
             let mut found = None;
-            if begin + 4 < end {
+            if begin + 4 < end && new + valley::STEPS < count + DEEPER {
                 let plan = &self.rough[begin..end];
                 cell = self.find(queue, cell, plan[0].s + 1e-9);
                 if is_valley(queue, plan, cell) {
@@ -964,8 +967,8 @@ fn is_valley(queue: &Queue, plan: &[Piece], first: u64) -> bool {
             .any(|node| !node.load.is_straight())
 }
 
-/// Room that one section takes: its steps and what ends it.
-const SPARE: usize = crate::timing::grid::STEPS + 16;
+/// Room that one section takes: its steps, what valleys add, and what ends it.
+const SPARE: usize = crate::timing::grid::STEPS + DEEPER + 16;
 
 /// Where cell `number` begins; if it does not exist yet, where the last one ends.
 fn queue_start(queue: &Queue, number: u64) -> f64 {
