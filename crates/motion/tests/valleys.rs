@@ -48,6 +48,21 @@ fn a_turn_between_two_rows_takes_little_more_than_the_least_time() {
 }
 
 #[test]
+fn a_half_circle_between_two_lines_takes_little_more_than_the_least_time() {
+    let machine = machine();
+    let mut turn = arc(Position::xyz(20.0, 10.0, 0.0), [20.0, 5.0], std::f64::consts::PI, 9000.0);
+    if let Op::Arc { path, .. } = &mut turn {
+        *path = GO;
+    }
+    let ops = [line(20.0, 0.0, 0.0, 9000.0, GO), turn, line(0.0, 10.0, 0.0, 9000.0, GO)];
+    let run = run_with(&machine, Position::ZERO, &ops, &[], &[]);
+    run.check_limits(&machine);
+    run.check_path(0.01 + 1e-6);
+    // The near-optimum anywhere inside the tolerance takes 0.5354 s; bounds by magnitudes 0.607 s.
+    assert!(run.time() < 1.08 * 0.5354, "{}", run.time());
+}
+
+#[test]
 fn a_hold_in_a_valley_stops_before_its_end() {
     let plain = judged(&[]);
     let turn = plain.samples.iter().position(|s| s.position.0[1] > 0.25).unwrap();

@@ -35,6 +35,7 @@
 //! meet; if not, once more with less where it did not. The plan before stands otherwise. So an iteration that goes astray costs time alone.
 
 use crate::limits::Inverses;
+use crate::path::shape::Shape;
 use crate::timing::piece::{Piece, ROUNDING, State};
 use crate::timing::queue::{Node, Queue};
 use ferrocut_geometry::AXES;
@@ -45,6 +46,12 @@ pub(crate) const STEPS: usize = 160;
 /// A step in time, s, and how far the path turns in it at most, rad.
 const TAU: f64 = 0.004;
 const TURN: f64 = 0.1;
+
+/// A step may be so much shorter to end where cells meet, and so much to end where the third derivative jumps by more than
+/// this share of itself.
+const SHORT: f64 = 0.25;
+const SHORTEST: f64 = 0.1;
+const JUMP: f64 = 0.1;
 
 /// Shares of acceleration and jerk that are used; the rest is for what lies between the places looked at.
 const ACCELERATION_SHARE: f64 = 0.998;
@@ -182,12 +189,16 @@ impl Valley {
             let mut h = TAU * speed(plan, k, s);
             h = h.min(TAU * speed(plan, k, (s + h).min(end)).max(0.3 * h / TAU));
             h = h.min(TURN / turn.max(1e-9)).max(1e-6);
-            // It ends where the path changes, if that is about there.
+            // It ends where the path changes, if that is about there, and does not reach over a jump.
             let (mut to, mut next) = (s + h, cell);
-            while next < road.queue.tail() && road.queue.node(next).end() <= s + 1.3 * h {
+            while next + 1 < road.queue.tail() && road.queue.node(next).end() <= s + 1.3 * h {
                 let border = road.queue.node(next).end();
-                if border >= s + 0.25 * h {
+                let jumps = border > s + SHORTEST * h && road.jumps(next);
+                if jumps || border >= s + SHORT * h {
                     to = border;
+                }
+                if jumps {
+                    break;
                 }
                 next += 1;
             }
@@ -585,6 +596,19 @@ impl<C: Fn(&Node) -> f64> Road<'_, C> {
     fn derivatives(&self, cell: u64, s: f64) -> [[f64; AXES]; 3] {
         let node = self.queue.node(cell);
         self.queue.cell(cell).derivatives((s - node.s).clamp(0.0, node.len), node.len)
+    }
+
+    /// Whether the third derivative jumps behind `cell`. Slices are of one arc as a rule.
+    fn jumps(&self, cell: u64) -> bool {
+        let shape = |cell: u64| &self.queue.cell(cell).shape;
+        if let (Shape::Slice(..), Shape::Slice(..)) = (shape(cell), shape(cell + 1)) {
+            return false;
+        }
+        let border = self.queue.node(cell).end();
+        let (before, behind) = (self.derivatives(cell, border)[2], self.derivatives(cell + 1, border)[2]);
+        let norm = |d: [f64; AXES]| d.iter().map(|c| c * c).sum::<f64>();
+        let jump = std::array::from_fn(|i| behind[i] - before[i]);
+        norm(jump) > JUMP * JUMP * norm(before).max(norm(behind))
     }
 
     /// Lowest speed allowed, curves aside, from cell `from` to the length `to`.
