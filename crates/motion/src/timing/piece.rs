@@ -75,6 +75,23 @@ impl Piece {
         Piece { h: (s - self.s).min(self.h), time: t, to: State { v, a }, ..*self }
     }
 
+    /// The same in parts of equal duration, `time` at most.
+    pub fn parts(self, time: f64) -> impl Iterator<Item = Piece> {
+        let count = (self.time / time).ceil().max(1.0);
+        let (mut s, mut from) = (self.s, self.from);
+        (1..=count as u64).map_while(move |k| {
+            let (end, to) = if k as f64 == count {
+                (self.end(), self.to)
+            } else {
+                let (end, state, _) = self.state(self.time * k as f64 / count);
+                (end, state)
+            };
+            let part = Piece::new(s, end - s, from, to);
+            (s, from) = (end, to);
+            part
+        })
+    }
+
     /// Where it ends.
     pub fn end(&self) -> f64 {
         self.s + self.h
@@ -181,6 +198,22 @@ mod tests {
         assert!((s - 5.1).abs() < 1e-12 && (v - 21.3).abs() < 1e-10, "{s} {v}");
         let [j0, j1] = piece.jerks();
         assert!((from.a + 0.5 * (j0 + j1) * piece.time - to.a).abs() < 1e-9);
+    }
+
+    #[test]
+    fn parts_of_a_piece_are_that_piece() {
+        let piece = Piece::new(5.0, 2.0, State { v: 20.0, a: 300.0 }, State { v: 35.0, a: -20.0 }).unwrap();
+        let parts: Vec<_> = piece.parts(0.01).collect();
+        assert_eq!(parts.len(), (piece.time / 0.01).ceil() as usize);
+        let mut before = 0.0;
+        for part in &parts {
+            let (s, v) = part.at(0.3 * part.time);
+            let (whole_s, whole_v) = piece.at(before + 0.3 * part.time);
+            assert!((s - whole_s).abs() < 1e-9 && (v - whole_v).abs() < 1e-7, "{part:?}");
+            before += part.time;
+        }
+        assert_eq!((parts.last().unwrap().end(), parts.last().unwrap().to), (piece.end(), piece.to));
+        assert!((before - piece.time).abs() < 1e-9);
     }
 
     #[test]

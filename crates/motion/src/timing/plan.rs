@@ -24,6 +24,7 @@
 
 use crate::limits::{Class, Drive, Inverses};
 use crate::path::corner::{pace_below, paced};
+use crate::timing::brake::{Brake, Start};
 use crate::timing::grid::{Grid, Port};
 use crate::timing::piece::{Piece, State, step};
 use crate::timing::queue::{CELLS, Node, Pass, Queue, SAME_LENGTH};
@@ -90,15 +91,6 @@ const SIDE_SHARE: f64 = 0.7;
 /// At a corner that could only be run at a lower share of its pace the path stops instead.
 const LEAST_PACE: f64 = 0.1;
 
-/// A step of braking, s.
-const BRAKE_STEP: f64 = 0.002;
-
-/// Most steps of braking.
-pub(crate) const BRAKE_STEPS: usize = 2000;
-
-/// Share of the bounds that braking uses.
-const BRAKE_SHARE: f64 = 0.95;
-
 /// Shares of the allowed speed that braking for a lower override ends at, tried in this order.
 const BRAKE_TO: [f64; 5] = [1.0, 0.85, 0.65, 0.4, 0.15];
 
@@ -120,6 +112,9 @@ const AT_REST: usize = 3;
 
 /// Pieces that valleys may add to a section.
 const DEEPER: usize = 1024;
+
+/// Pieces that are followed with less speed take this long at most, s.
+const EASE_STEP: f64 = 0.004;
 
 /// Valleys are this much slower than their ends.
 const DEEP: f64 = 0.9;
@@ -203,13 +198,6 @@ impl Stretch {
     }
 }
 
-/// Where planning goes on.
-#[derive(Clone, Copy, Debug)]
-struct Start {
-    port: Port,
-    cell: u64,
-}
-
 /// What is brought back with the plan before.
 #[derive(Clone, Copy, Debug)]
 struct Kept {
@@ -243,7 +231,7 @@ pub(crate) struct Plan {
     /// The plan before from stretch `kept.from` of the list on, should the new one fail.
     before: Vec<Stretch>,
     kept: Kept,
-    brake: Vec<Piece>,
+    brake: Brake,
     /// Stretches to be run before planning is tried again.
     patience: usize,
 }
@@ -269,7 +257,7 @@ impl Plan {
             base: 0,
             before: Vec::with_capacity(STRETCHES),
             kept: Kept { from: 0, fixed: 0, next: start, planned: 0 },
-            brake: Vec::with_capacity(BRAKE_STEPS + 1),
+            brake: Brake::new(),
             patience: 0,
         }
     }
@@ -355,10 +343,10 @@ impl Plan {
             if !(target < start.port.state.v) || !self.brake(queue, start, target, limit) {
                 continue;
             }
-            let end = self.brake.last().map_or(start.port.s, Piece::end);
-            self.stretches.extend(self.brake.iter().map(|piece| Stretch::Piece(*piece)));
+            let end = self.brake.pieces().last().map_or(start.port.s, Piece::end);
+            self.stretches.extend(self.brake.pieces().iter().map(|piece| Stretch::Piece(*piece)));
             let port = Port { s: end, state: State { v: target, a: 0.0 } };
-            let behind = Start { port, cell: self.find(queue, start.cell, end) };
+            let behind = Start { port, cell: queue.find(start.cell, end) };
             self.fixed = self.stretches.len();
             self.next = behind;
             self.look_ahead(queue, behind, behind.cell);
@@ -376,7 +364,7 @@ impl Plan {
         self.keep(false);
         if self.stretches.is_empty() {
             let s = at.max(queue_start(queue, queue.head()));
-            let cell = self.find(queue, queue.head(), s);
+            let cell = queue.find(queue.head(), s);
             self.next = Start { port: Port { s, state: State::REST }, cell };
             self.fixed = 0;
         } else if self.fixed <= self.current {
@@ -466,7 +454,7 @@ impl Plan {
         Some(match *self.stretches.get(self.current)? {
             Stretch::Piece(piece) => {
                 let s = piece.end();
-                Start { port: Port { s, state: piece.to }, cell: self.find(queue, queue.head(), s) }
+                Start { port: Port { s, state: piece.to }, cell: queue.find(queue.head(), s) }
             }
             Stretch::Corner { end, cell, pace, foot, .. } => {
                 let foot = paced(foot, pace);
@@ -489,7 +477,7 @@ impl Plan {
             let limit = self.limit(queue, start.cell);
             if self.brake(queue, start, 0.0, limit) {
                 self.stretches.truncate(self.current + 1);
-                self.stretches.extend(self.brake.iter().map(|piece| Stretch::Piece(*piece)));
+                self.stretches.extend(self.brake.pieces().iter().map(|piece| Stretch::Piece(*piece)));
                 self.fixed = self.stretches.len();
                 return Some(self.number());
             }
@@ -498,72 +486,25 @@ impl Plan {
         None
     }
 
-    /// Finds the pieces that slow down from `start` to `target` before `limit`.
+    /// Finds the pieces that slow down from `start`, in the stretch that was cut, to `target` before `limit`.
     fn brake(&mut self, queue: &Queue, start: Start, target: f64, limit: f64) -> bool {
-        self.brake.clear();
-        let (mut s, mut state, mut cell) = (start.port.s, start.port.state, start.cell);
-        for _ in 0..BRAKE_STEPS {
-            if state.v <= target && state.a == 0.0 {
-                return s <= limit;
-            }
-            if cell >= queue.tail() || s > limit {
-                return false;
-            }
-            let room = queue.node(cell).load.room(state.v);
-            let (a, j) = (room.a * BRAKE_SHARE, room.j[1] * BRAKE_SHARE);
-            // After braking a little more the acceleration can be taken back just in time.
-            let then = |t: f64| {
-                let a = (state.a - j * t).max(-a).min(state.a.max(-a));
-                State { v: state.v + 0.5 * (state.a + a) * t, a }
-            };
-            let is_late = |state: State| state.a < 0.0 && state.v - state.a * state.a / (2.0 * j) <= target;
-            if is_late(state) {
-                let left = state.v - target;
-                if left <= 0.0 {
-                    return false;
-                }
-                let (time, jerk) = (-2.0 * left / state.a, state.a * state.a / (2.0 * left));
-                let mut piece = Piece::steady(s, state, jerk, time);
-                piece.to = State { v: target, a: 0.0 };
-                return self.push_brake(queue, piece, cell).is_some() && piece.end() <= limit;
-            }
-            let mut t = BRAKE_STEP;
-            if is_late(then(t)) {
-                let (mut low, mut high) = (0.0, t);
-                for _ in 0..20 {
-                    let middle = 0.5 * (low + high);
-                    if is_late(then(middle)) {
-                        high = middle;
-                    } else {
-                        low = middle;
-                    }
-                }
-                t = high;
-            }
-            let to = then(t);
-            let piece = Piece::steady(s, state, (to.a - state.a) / t, t);
-            let Some(reached) = self.push_brake(queue, piece, cell) else { return false };
-            (s, state, cell) = (piece.end(), piece.to, reached);
+        if self.brake.run(queue, start, target, limit) {
+            return true;
         }
-        false
-    }
-
-    /// Adds a piece of braking that begins in cell `from`; the cell in which it ends, `None` if a bound is passed.
-    fn push_brake(&mut self, queue: &Queue, piece: Piece, from: u64) -> Option<u64> {
-        let mut cell = from;
-        let v = piece.from.v.max(piece.to.v);
-        while cell < queue.tail() {
-            let node = queue.node(cell);
-            if !piece.keeps(&node.load) || v > node.top * (1.0 + 1e-6) {
-                return None;
-            }
-            if node.end() >= piece.end() || node.rests {
-                self.brake.push(piece);
-                return Some(cell);
-            }
-            cell += 1;
+        // What is left of the piece that was cut, and what was planned behind it.
+        let mut planned = self.before.iter().map_while(|stretch| match stretch {
+            Stretch::Piece(piece) => Some(*piece),
+            _ => None,
+        });
+        self.rough.clear();
+        let Port { s, state } = start.port;
+        let cut = planned.next().filter(|piece| piece.end() > s + SAME_LENGTH);
+        let rest = cut.and_then(|piece| Piece::new(s, piece.end() - s, state, piece.to));
+        for piece in rest.into_iter().chain(planned) {
+            let room = self.rough.capacity() - self.rough.len();
+            self.rough.extend(piece.parts(EASE_STEP).take(room));
         }
-        None
+        self.brake.ease_off(queue, &self.inverses, &self.rough, start, target, limit)
     }
 
     /// Where the next corner or rest is.
@@ -580,19 +521,6 @@ impl Plan {
             }
         }
         queue_start(queue, cell)
-    }
-
-    /// The cell of `queue` from `from` on that `s` lies in.
-    fn find(&self, queue: &Queue, from: u64, s: f64) -> u64 {
-        let mut cell = from;
-        while cell < queue.tail() {
-            let node = queue.node(cell);
-            if node.end() > s + 1e-12 || node.rests {
-                break;
-            }
-            cell += 1;
-        }
-        cell
     }
 
     /// Plans from `start` to the end of what is known. `false` if a section cannot be planned.
@@ -848,7 +776,7 @@ impl Plan {
                 self.next = Start { port, cell };
             }
             if self.grid.is_cut {
-                self.planned = self.find(queue, first, self.stretches.last().map_or(from.s, Stretch::end));
+                self.planned = queue.find(first, self.stretches.last().map_or(from.s, Stretch::end));
             }
         }
         true
@@ -869,7 +797,7 @@ impl Plan {
             // From one place of steady speed, or end, to the next.
             let state = self.rough[k - 1].to;
             let is_fast = || {
-                let node = queue.node(self.find(queue, cell, self.rough[k - 1].end() - 1e-9));
+                let node = queue.node(queue.find(cell, self.rough[k - 1].end() - 1e-9));
                 state.v >= overrides.most(node) * (1.0 - 1e-6)
             };
             if k < count && !(state.a == 0.0 && is_fast()) {
@@ -877,15 +805,16 @@ impl Plan {
             }
             let begin = if self.rough[from].from == State::REST { from + AT_REST } else { from };
             let end = if self.rough[k - 1].to == State::REST { k.saturating_sub(AT_REST) } else { k };
-            let mut found = None;
+            let mut found = false;
             if begin + 4 < end && new + valley::STEPS < count + DEEPER {
                 let plan = &self.rough[begin..end];
-                cell = self.find(queue, cell, plan[0].s + 1e-9);
+                cell = queue.find(cell, plan[0].s + 1e-9);
                 if is_valley(queue, plan, cell) {
                     found = self.valley.run(queue, &self.inverses, plan, cell, |node| overrides.most(node));
                 }
             }
-            if let Some(pieces) = found {
+            if found {
+                let pieces = self.valley.pieces();
                 if !is_other {
                     self.stretches.truncate(known + begin);
                     is_other = true;

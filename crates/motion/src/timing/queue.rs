@@ -213,6 +213,19 @@ impl Queue {
         self.tail += 1;
     }
 
+    /// The cell from `from` on that the length `s` lies in.
+    pub fn find(&self, from: u64, s: f64) -> u64 {
+        let mut cell = from;
+        while cell < self.tail() {
+            let node = self.node(cell);
+            if node.end() > s + 1e-12 || node.rests {
+                break;
+            }
+            cell += 1;
+        }
+        cell
+    }
+
     /// The path rests at the end of the newest cell, on this point.
     pub fn rest_at(&mut self, point: Position) {
         if self.head == self.tail {

@@ -138,7 +138,7 @@ impl Valley {
     }
 
     /// The same way as `plan`, which begins in cell `first`, in less time; `cap` is the speed allowed in a cell, curves
-    /// aside. `None` where no less is found.
+    /// aside. `false` where no less is found; else it is in [`pieces`](Self::pieces).
     pub fn run(
         &mut self,
         queue: &Queue,
@@ -146,25 +146,31 @@ impl Valley {
         plan: &[Piece],
         first: u64,
         cap: impl Fn(&Node) -> f64,
-    ) -> Option<&[Piece]> {
+    ) -> bool {
         let time = |pieces: &[Piece]| pieces.iter().map(|piece| piece.time).sum::<f64>();
         let road = Road { queue, inverses, cap };
-        let (from, to) = (plan.first()?.from, plan.last()?.to);
+        let (Some(begin), Some(end)) = (plan.first(), plan.last()) else { return false };
+        let (from, to) = (begin.from, end.to);
         if !self.place(&road, plan, first) {
-            return None;
+            return false;
         }
         for _ in 0..ROUNDS {
             self.begin(plan, from, to);
             self.bound(&road, first);
             self.solve();
             if !self.cut(from, to) {
-                return None;
+                return false;
             }
             if self.keeps(&road, first) {
-                return (time(&self.pieces) < WORTH * time(plan)).then_some(&self.pieces);
+                return time(&self.pieces) < WORTH * time(plan);
             }
         }
-        None
+        false
+    }
+
+    /// What was found.
+    pub fn pieces(&self) -> &[Piece] {
+        &self.pieces
     }
 
     /// Sets the steps. `false` if there are too many.
@@ -523,24 +529,7 @@ impl Valley {
         let mut cell = first;
         for k in 0..self.pieces.len() {
             let piece = self.pieces[k];
-            let mut used: f64 = 0.0;
-            for part in 0..=PARTS {
-                let (s, state, j) = piece.state(f64::from(part) / f64::from(PARTS) * piece.time);
-                let at = road.cell(cell, s.min(piece.end() - 1e-9));
-                used = used.max(road.used(at, s, state, j));
-            }
-            // Where cells meet inside it the derivatives may jump.
-            loop {
-                let border = road.queue.node(cell).end();
-                if border >= piece.end() - 1e-9 || cell + 1 >= road.queue.tail() {
-                    break;
-                }
-                if border > piece.s + 1e-9 {
-                    let (s, state, j) = piece.state(piece.time_at(border));
-                    used = used.max(road.used(cell, s, state, j)).max(road.used(cell + 1, s, state, j));
-                }
-                cell += 1;
-            }
+            let used = road.most_used(&piece, &mut cell);
             if !(used <= ROUNDING) {
                 is_good = false;
                 let less = (LESS / used).max(0.85);
@@ -565,6 +554,17 @@ fn speed(plan: &[Piece], mut k: usize, s: f64) -> f64 {
     let left = 1.0 - u;
     let w = left * left * ((1.0 + 2.0 * u) * w0 + u * d0) + u * u * ((1.0 + 2.0 * left) * w1 - left * d1);
     w.max(0.25 * w0.min(w1)).max(1e-12).sqrt()
+}
+
+/// Whether a piece keeps all bounds by the true derivatives; it begins in `cell`, which goes on to where it ends.
+pub(crate) fn keeps(
+    queue: &Queue,
+    inverses: &Inverses,
+    piece: &Piece,
+    cell: &mut u64,
+    cap: impl Fn(&Node) -> f64,
+) -> bool {
+    piece.is_forward() && Road { queue, inverses, cap }.most_used(piece, cell) <= ROUNDING
 }
 
 /// What a valley lies on.
@@ -622,6 +622,29 @@ impl<C: Fn(&Node) -> f64> Road<'_, C> {
             least = least.min((self.cap)(node));
         }
         least
+    }
+
+    /// Largest share of a bound that a piece uses, which begins in `cell` or behind it.
+    fn most_used(&self, piece: &Piece, cell: &mut u64) -> f64 {
+        *cell = self.cell(*cell, piece.s);
+        let mut used: f64 = 0.0;
+        for part in 0..=PARTS {
+            let (s, state, j) = piece.state(f64::from(part) / f64::from(PARTS) * piece.time);
+            let at = self.cell(*cell, s.min(piece.end() - 1e-9));
+            used = used.max(self.used(at, s, state, j));
+        }
+        // Where cells meet inside it the derivatives may jump.
+        loop {
+            let border = self.queue.node(*cell).end();
+            if border >= piece.end() - 1e-9 || *cell + 1 >= self.queue.tail() {
+                return used;
+            }
+            if border > piece.s + 1e-9 {
+                let (s, state, j) = piece.state(piece.time_at(border));
+                used = used.max(self.used(*cell, s, state, j)).max(self.used(*cell + 1, s, state, j));
+            }
+            *cell += 1;
+        }
     }
 
     /// Largest share of a bound that is used at `s`.
