@@ -153,7 +153,7 @@ pub struct Show {
     /// How results are printed; JSON is one object a line
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
-    /// Language of labels and messages: en, zh, ru, es or tr; what is not translated comes in English [default: from LANG]
+    /// Language of labels and messages: en, zh, ru, es or tr [default: from LANG]
     #[arg(long, value_name = "LANGUAGE")]
     pub language: Option<String>,
 }
