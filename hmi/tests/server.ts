@@ -79,5 +79,14 @@ export const test = base.extend<object, { server: Server; mill: string }>({
     { scope: 'worker', timeout: 120_000 },
   ],
   baseURL: async ({ server }, use) => use(server.url),
+  // `PANEL=dist` plays the panel that was built last, in place of the one that the binary has in it.
+  context: async ({ context }, use) => {
+    if (process.env.PANEL === 'dist') {
+      await context.route(/\/(app|vendor)\//, (route) =>
+        route.fulfill({ path: join(import.meta.dirname, '../dist', new URL(route.request().url()).pathname) }),
+      );
+    }
+    await use(context);
+  },
 });
 export { expect, type Page } from '@playwright/test';

@@ -1,4 +1,5 @@
 // What is asked over HTTP: tables and texts that do not change, checks, paths, files.
+import type { AlarmInfo } from './types';
 
 /** A finding of the check, with columns in UTF-16 units from 1; the end is behind the last. */
 export type Finding = {
@@ -44,12 +45,23 @@ export type SessionInfo = { level: number; needs_log_in: boolean; csrf?: string 
 
 /** An answer that is no success. */
 export class HttpError extends Error {
+  /** Why, for programs. */
+  readonly code: string = '';
+  /** The alarm with which the control refused it. */
+  readonly alarm: AlarmInfo | null = null;
   constructor(
     readonly status: number,
     message: string,
   ) {
     super(message);
     this.name = 'HttpError';
+    try {
+      const { error, refused } = JSON.parse(message) as { error?: string; refused?: { alarm?: AlarmInfo } };
+      this.code = error ?? '';
+      this.alarm = refused?.alarm ?? null;
+    } catch {
+      // No answer of the control's.
+    }
   }
 }
 
@@ -136,7 +148,9 @@ export const http = {
     await request(`/api/programs/${encodeURIComponent(name)}`, { method: 'PUT', body });
   },
   async program(name: string): Promise<string> {
-    return (await request(this.download(name))).text();
+    // `text()` would take the mark away that a program may begin with.
+    const bytes = await (await request(this.download(name))).arrayBuffer();
+    return new TextDecoder('utf-8', { ignoreBOM: true }).decode(bytes);
   },
   download(name: string): string {
     return `/api/programs/${encodeURIComponent(name)}`;

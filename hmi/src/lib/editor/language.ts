@@ -5,6 +5,7 @@ import { hoverTooltip, type EditorView } from '@codemirror/view';
 import type { Extension, Text } from '@codemirror/state';
 import { http, type Finding } from '$lib/api/http';
 import { language } from '$lib/i18n/index.svelte';
+import { completions } from './completions';
 
 /** Programs longer than this are checked when they are saved, not as they are typed. */
 const LARGEST_CHECKED = 400_000;
@@ -45,14 +46,12 @@ function checked(dialect: () => string, found: (findings: Finding[]) => void): E
 
 function complete(dialect: () => string) {
   return async (context: CompletionContext): Promise<CompletionResult | null> => {
-    const word = context.matchBefore(/[GMgm]\d*\.?\d*/);
-    if (!word || (word.from === word.to && !context.explicit)) return null;
+    const typed = context.matchBefore(/[A-Za-z]+\d*\.?\d*/);
+    // A letter alone is an address; only of G and M are there codes to choose from.
+    if (!context.explicit && (!typed || (typed.text.length < 2 && !/[GM]/i.test(typed.text)))) return null;
     const words = await http.words(dialect(), language()).catch(() => []);
-    return {
-      from: word.from,
-      options: words.map(({ word: label, title }) => ({ label, detail: title, type: 'keyword' })),
-      validFor: /^[GMgm]\d*\.?\d*$/,
-    };
+    const options = completions(words, typed?.text ?? '').map(({ word: label, title }) => ({ label, detail: title, type: 'keyword' }));
+    return { from: typed?.from ?? context.pos, options, filter: false };
   };
 }
 
@@ -92,7 +91,8 @@ function explained(dialect: () => string): Extension {
 /** Completion, explanations and checks of a control language. */
 export function controlLanguage(dialect: () => string, found: (findings: Finding[]) => void): Extension {
   return [
-    autocompletion({ override: [complete(dialect)], icons: false }),
+    // Enter ends a line unless a code was chosen first.
+    autocompletion({ override: [complete(dialect)], icons: false, selectOnOpen: false }),
     explained(dialect),
     checked(dialect, found),
   ];

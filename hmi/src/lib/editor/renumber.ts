@@ -1,7 +1,6 @@
-/** Numbers the blocks of a program anew, and follows with GOTO, P and Q of what names them. Comments, program numbers,
-    empty lines and lines of `%` get none. */
-export function renumber(text: string, first: number, step: number): string {
-  const lines = text.split('\n');
+/** Numbers the blocks of a program anew, and follows with the GOTOs that name them. Comments, program numbers, empty
+    lines and lines of `%` get none. */
+export function renumber(lines: readonly string[], first: number, step: number): string[] {
   const numbers = new Map<number, number>();
   let next = first;
   const bare = (line: string) => line.replace(/\([^)]*\)/g, '').trim();
@@ -16,18 +15,16 @@ export function renumber(text: string, first: number, step: number): string {
     next += step;
   });
   next = first;
-  return lines
-    .map((line, index) => {
-      if (!wants[index]) return line;
-      const number = next;
-      next += step;
-      const [, skip = '', rest = ''] = /^(\s*(?:\/\d?\s*)?)(?:N\s*\d+\s*)?(.*)$/i.exec(line) ?? [];
-      return `${skip}N${number} ${follow(rest, numbers)}`;
-    })
-    .join('\n');
+  return lines.map((line, index) => {
+    if (!wants[index]) return line;
+    const number = next;
+    next += step;
+    const [, skip = '', rest = ''] = /^(\s*(?:\/\d?\s*)?)(?:N\s*\d+\s*)?(.*)$/i.exec(line) ?? [];
+    return `${skip}N${number} ${follow(rest, numbers)}`;
+  });
 }
 
-/** Jumps of a block: GOTO, and P and Q of the cycles that name blocks (G70 to G73 of lathes name none here). */
+/** Jumps of a block. */
 function follow(block: string, numbers: Map<number, number>): string {
   return block.replace(/\b(GOTO\s*)(\d+)/gi, (all, word: string, number: string) => {
     const now = numbers.get(Number(number));

@@ -1,8 +1,8 @@
 // The machine as this browser knows it: connection, status, who commands, events. One for the whole page.
 import { Connection, Refused, type Hello, type HolderEvent, type Wish } from '$lib/api/socket';
-import { http } from '$lib/api/http';
+import { http, HttpError } from '$lib/api/http';
 import type { AlarmInfo, Event, Reply, Status } from '$lib/api/types';
-import { language, t } from '$lib/i18n/index.svelte';
+import { has, language, t } from '$lib/i18n/index.svelte';
 import { notify } from './notices.svelte';
 
 export type Version = Extract<Reply, { reply: 'version' }>;
@@ -110,13 +110,13 @@ const connection = new Connection(`${protocol}//${location.host}/api/socket`, {
   },
 });
 
-/** Errors of the connection that have a text of their own. */
+/** Tells the user what was refused: by the control with an alarm, or with the text of its code where there is one. */
 function tellRefused(refused: unknown): void {
-  if (refused instanceof Refused) {
-    if (refused.alarm) void tellAlarm(refused.alarm);
-    else notify({ kind: 'warning', title: t(`error.${refused.code}`), text: refused.detail });
-  } else {
-    notify({ kind: 'warning', title: t('error.failed'), text: String(refused) });
+  if (!(refused instanceof Refused || refused instanceof HttpError)) notify({ kind: 'warning', title: t('error.failed'), text: String(refused) });
+  else if (refused.alarm) void tellAlarm(refused.alarm);
+  else {
+    const key = `error.${refused.code}`;
+    notify({ kind: 'warning', title: has(key) ? t(key) : t('error.failed'), text: refused instanceof Refused ? refused.detail : has(key) ? '' : refused.message });
   }
 }
 

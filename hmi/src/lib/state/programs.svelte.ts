@@ -39,8 +39,12 @@ export const programs = {
   async store(program: string, text: string): Promise<boolean> {
     const longest = machine.hello?.longest_line ?? 4_000_000;
     if (text.length * 1.1 + 200 < longest) return machine.tell({ do: 'store', program, text });
+    return this.bring(program, text);
+  },
+  /** Stores a file as a program. Of the encodings that shops have its own is found. */
+  async bring(program: string, file: Blob | string): Promise<boolean> {
     try {
-      await http.upload(program, text);
+      await http.upload(program, file);
       return true;
     } catch (failed) {
       machine.refused(failed);

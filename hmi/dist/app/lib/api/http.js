@@ -2,10 +2,19 @@
 /** An answer that is no success. */
 var HttpError = class extends Error {
 	status;
+	/** Why, for programs. */
+	code = "";
+	/** The alarm with which the control refused it. */
+	alarm = null;
 	constructor(status, message) {
 		super(message);
 		this.status = status;
 		this.name = "HttpError";
+		try {
+			const { error, refused } = JSON.parse(message);
+			this.code = error ?? "";
+			this.alarm = refused?.alarm ?? null;
+		} catch {}
 	}
 };
 var csrf = "";
@@ -120,7 +129,8 @@ var http = {
 		});
 	},
 	async program(name) {
-		return (await request(this.download(name))).text();
+		const bytes = await (await request(this.download(name))).arrayBuffer();
+		return new TextDecoder("utf-8", { ignoreBOM: true }).decode(bytes);
 	},
 	download(name) {
 		return `/api/programs/${encodeURIComponent(name)}`;

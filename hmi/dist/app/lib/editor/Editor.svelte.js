@@ -1,15 +1,17 @@
 import { machine } from "../state/machine.svelte.js";
+import { lineEnds, othersIn } from "./ends.js";
 import { highlighter } from "./highlight.js";
 import { controlLanguage } from "./language.js";
-import { linesOf } from "./lines.js";
+import { linesOf, textOf } from "./lines.js";
+import { phrases } from "./phrases.js";
 import { theme } from "./theme.js";
 import { untrack } from "svelte";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 import { defaultKeymap, history, historyKeymap, redo, undo } from "@codemirror/commands";
 import { lintGutter, lintKeymap } from "@codemirror/lint";
-import { highlightSelectionMatches, openSearchPanel, search, searchKeymap } from "@codemirror/search";
-import { EditorState, StateEffect, StateField, Text } from "@codemirror/state";
+import { gotoLine, highlightSelectionMatches, openSearchPanel, search, searchKeymap } from "@codemirror/search";
+import { Compartment, EditorState, StateEffect, StateField, Text } from "@codemirror/state";
 import { Decoration, EditorView, drawSelection, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers } from "@codemirror/view";
 // src/lib/editor/Editor.svelte
 var root = $.from_html(`<div class="editor s-prdwtv"></div>`);
@@ -21,11 +23,16 @@ function Editor($$anchor, $$props) {
 	/** The line where cycle start begins, from 1. */
 	/** Not a part program: without its colours and checks. */
 	/** A line was chosen. */
-	/** Another page is shown: what stands there, and the line of the cursor. */
+	/** Another page is shown: what stands there, as `value` has it, and the line of the cursor. */
 	let host = $.state(void 0);
 	let view;
-	/** The text that was opened. */
+	/** The text that was opened, and of it what the editor does not show. */
 	let opened = "";
+	let form = {
+		mark: false,
+		end: "\n"
+	};
+	const said = new Compartment();
 	const lines = StateEffect.define();
 	const activeMark = Decoration.line({ class: "nc-active" });
 	const cursorMark = Decoration.line({ class: "nc-cursor" });
@@ -47,13 +54,18 @@ function Editor($$anchor, $$props) {
 		provide: (field) => EditorView.decorations.from(field)
 	});
 	function opening(text) {
+		const { lines, others, ...rest } = linesOf(text);
+		form = rest;
+		const doc = Text.of(lines);
 		return EditorState.create({
-			doc: Text.of(linesOf(text)),
+			doc,
 			extensions: [
+				lineEnds(doc, others),
 				lineNumbers(),
 				plain() ? [] : highlighter,
 				theme,
 				marked,
+				said.of(untrack(phrases)),
 				search({ top: true }),
 				drawSelection(),
 				EditorView.contentAttributes.of({
@@ -99,8 +111,8 @@ function Editor($$anchor, $$props) {
 		}));
 		view = made;
 		return () => {
-			const { doc, selection } = made.state;
-			$$props.onleave?.(() => doc.toString(), doc.lineAt(selection.main.head).number);
+			const { state } = made;
+			$$props.onleave?.(() => textIn(state), state.doc.lineAt(state.selection.main.head).number);
 			made.destroy();
 			view = void 0;
 		};
@@ -110,6 +122,10 @@ function Editor($$anchor, $$props) {
 		if (!view || now === opened) return;
 		opened = now;
 		untrack(() => view?.setState(opening(now)));
+	});
+	$.user_effect(() => {
+		const now = phrases();
+		view?.dispatch({ effects: said.reconfigure(now) });
 	});
 	$.user_effect(() => {
 		const now = {
@@ -124,17 +140,32 @@ function Editor($$anchor, $$props) {
 		if (readonly() && line >= 1 && line <= doc.lines) effects.push(EditorView.scrollIntoView(doc.line(line).from, { y: "center" }));
 		view.dispatch({ effects });
 	});
-	/** What stands there now. */
+	const textIn = (state) => textOf({
+		...form,
+		lines: state.doc.toJSON(),
+		others: othersIn(state)
+	});
+	/** What stands there now, with the line ends of the text that was opened. */
 	function value() {
-		return view?.state.doc.toString() ?? $$props.text;
+		return view ? textIn(view.state) : $$props.text;
 	}
-	/** Puts another text in the place of all, so that it can be undone. */
-	function replace(now) {
-		view?.dispatch({ changes: {
-			from: 0,
-			to: view.state.doc.length,
-			insert: now
-		} });
+	/** Writes each line anew, so that it can be undone at once. */
+	function rewrite(write) {
+		if (!view) return;
+		const { doc } = view.state;
+		const lines = doc.toJSON();
+		const changes = [];
+		let from = 0;
+		write(lines).forEach((insert, at) => {
+			const to = from + lines[at].length;
+			if (insert !== lines[at]) changes.push({
+				from,
+				to,
+				insert
+			});
+			from = to + 1;
+		});
+		view.dispatch({ changes });
 	}
 	/** Inserts at the cursor. */
 	function insert(piece) {
@@ -167,6 +198,9 @@ function Editor($$anchor, $$props) {
 	function find() {
 		if (view) openSearchPanel(view);
 	}
+	function toLine() {
+		if (view) gotoLine(view);
+	}
 	function back() {
 		if (view) undo(view);
 	}
@@ -184,10 +218,11 @@ function Editor($$anchor, $$props) {
 	}
 	var $$exports = {
 		value,
-		replace,
+		rewrite,
 		insert,
 		insertBehind,
 		find,
+		toLine,
 		back,
 		again,
 		show

@@ -1,5 +1,6 @@
 import { http } from "../api/http.js";
 import { language } from "../i18n/index.svelte.js";
+import { completions } from "./completions.js";
 import { linter } from "@codemirror/lint";
 import { hoverTooltip } from "@codemirror/view";
 import { autocompletion } from "@codemirror/autocomplete";
@@ -42,17 +43,18 @@ function checked(dialect, found) {
 }
 function complete(dialect) {
 	return async (context) => {
-		const word = context.matchBefore(/[GMgm]\d*\.?\d*/);
-		if (!word || word.from === word.to && !context.explicit) return null;
+		const typed = context.matchBefore(/[A-Za-z]+\d*\.?\d*/);
+		if (!context.explicit && (!typed || typed.text.length < 2 && !/[GM]/i.test(typed.text))) return null;
 		const words = await http.words(dialect(), language()).catch(() => []);
+		const options = completions(words, typed?.text ?? "").map(({ word: label, title }) => ({
+			label,
+			detail: title,
+			type: "keyword"
+		}));
 		return {
-			from: word.from,
-			options: words.map(({ word: label, title }) => ({
-				label,
-				detail: title,
-				type: "keyword"
-			})),
-			validFor: /^[GMgm]\d*\.?\d*$/
+			from: typed?.from ?? context.pos,
+			options,
+			filter: false
 		};
 	};
 }
@@ -93,7 +95,8 @@ function controlLanguage(dialect, found) {
 	return [
 		autocompletion({
 			override: [complete(dialect)],
-			icons: false
+			icons: false,
+			selectOnOpen: false
 		}),
 		explained(dialect),
 		checked(dialect, found)

@@ -1,8 +1,7 @@
 // src/lib/editor/renumber.ts
-/** Numbers the blocks of a program anew, and follows with GOTO, P and Q of what names them. Comments, program numbers,
-empty lines and lines of `%` get none. */
-function renumber(text, first, step) {
-	const lines = text.split("\n");
+/** Numbers the blocks of a program anew, and follows with the GOTOs that name them. Comments, program numbers, empty
+lines and lines of `%` get none. */
+function renumber(lines, first, step) {
 	const numbers = /* @__PURE__ */ new Map();
 	let next = first;
 	const bare = (line) => line.replace(/\([^)]*\)/g, "").trim();
@@ -23,9 +22,9 @@ function renumber(text, first, step) {
 		next += step;
 		const [, skip = "", rest = ""] = /^(\s*(?:\/\d?\s*)?)(?:N\s*\d+\s*)?(.*)$/i.exec(line) ?? [];
 		return `${skip}N${number} ${follow(rest, numbers)}`;
-	}).join("\n");
+	});
 }
-/** Jumps of a block: GOTO, and P and Q of the cycles that name blocks (G70 to G73 of lathes name none here). */
+/** Jumps of a block. */
 function follow(block, numbers) {
 	return block.replace(/\b(GOTO\s*)(\d+)/gi, (all, word, number) => {
 		const now = numbers.get(Number(number));

@@ -55,6 +55,25 @@ var theme = EditorView.theme({
 		borderRadius: "var(--radius)",
 		color: "var(--text)"
 	},
+	".cm-panel label": {
+		display: "inline-flex",
+		alignItems: "center",
+		gap: "0.4rem",
+		minHeight: "44px",
+		fontSize: "0.9rem"
+	},
+	".cm-panel.cm-search [name=close], .cm-dialog-close": {
+		position: "static",
+		minWidth: "44px",
+		minHeight: "44px",
+		fontSize: "1.2rem"
+	},
+	".cm-panel.cm-dialog": {
+		display: "flex",
+		alignItems: "center",
+		gap: "0.5rem",
+		padding: "0.5rem"
+	},
 	".cm-tooltip": {
 		backgroundColor: "var(--raised)",
 		border: "1px solid var(--line-strong)",
@@ -62,7 +81,10 @@ var theme = EditorView.theme({
 		boxShadow: "var(--shadow)",
 		maxWidth: "34rem"
 	},
-	".cm-tooltip-autocomplete ul li": { padding: "0.35rem 0.6rem !important" },
+	".cm-tooltip-autocomplete ul li": {
+		minHeight: "44px",
+		padding: "0.6rem !important"
+	},
 	".cm-tooltip-autocomplete ul li[aria-selected]": {
 		background: "var(--accent-soft) !important",
 		color: "var(--text) !important"

@@ -1,6 +1,6 @@
 import { Connection, Refused } from "../api/socket.js";
-import { http } from "../api/http.js";
-import { language, t } from "../i18n/index.svelte.js";
+import { HttpError, http } from "../api/http.js";
+import { has, language, t } from "../i18n/index.svelte.js";
 import { notify } from "./notices.svelte.js";
 import * as $ from "svelte/internal/client";
 // src/lib/state/machine.svelte.ts
@@ -103,20 +103,22 @@ var connection = new Connection(`${protocol}//${location.host}/api/socket`, {
 		});
 	}
 });
-/** Errors of the connection that have a text of their own. */
+/** Tells the user what was refused: by the control with an alarm, or with the text of its code where there is one. */
 function tellRefused(refused) {
-	if (refused instanceof Refused) {
-		if (refused.alarm) tellAlarm(refused.alarm);
-		else notify({
-			kind: "warning",
-			title: t(`error.${refused.code}`),
-			text: refused.detail
-		});
-	} else notify({
+	if (!(refused instanceof Refused || refused instanceof HttpError)) notify({
 		kind: "warning",
 		title: t("error.failed"),
 		text: String(refused)
 	});
+	else if (refused.alarm) tellAlarm(refused.alarm);
+	else {
+		const key = `error.${refused.code}`;
+		notify({
+			kind: "warning",
+			title: has(key) ? t(key) : t("error.failed"),
+			text: refused instanceof Refused ? refused.detail : has(key) ? "" : refused.message
+		});
+	}
 }
 var machine = {
 	get link() {

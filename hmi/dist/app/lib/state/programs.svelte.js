@@ -36,8 +36,12 @@ var programs = {
 			program,
 			text
 		});
+		return this.bring(program, text);
+	},
+	/** Stores a file as a program. Of the encodings that shops have its own is found. */
+	async bring(program, file) {
 		try {
-			await http.upload(program, text);
+			await http.upload(program, file);
 			return true;
 		} catch (failed) {
 			machine.refused(failed);

@@ -9,6 +9,10 @@ var error_default = {
 	"no_command": "The machine does not know this command",
 	"no_object": "The machine could not read this",
 	"bad_id": "The machine could not read this",
-	"refused": "The machine refused this"
+	"refused": "The machine refused this",
+	"unreadable": "The file is no text",
+	"too_large": "The file is too large",
+	"log_in": "Log in first",
+	"busy": "The machine is busy, try again"
 };
 export { error_default as default };

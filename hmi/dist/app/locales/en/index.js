@@ -3,6 +3,7 @@ import alarms_default from "./alarms.js";
 import app_default from "./app.js";
 import cycles_default from "./cycles.js";
 import diagnosis_default from "./diagnosis.js";
+import editor_default from "./editor.js";
 import error_default from "./error.js";
 import graphics_default from "./graphics.js";
 import help_default from "./help.js";
@@ -29,6 +30,7 @@ var en_default = gather(/* #__PURE__ */ Object.assign({
 	"./app.json": app_default,
 	"./cycles.json": cycles_default,
 	"./diagnosis.json": diagnosis_default,
+	"./editor.json": editor_default,
 	"./error.json": error_default,
 	"./graphics.json": graphics_default,
 	"./help.json": help_default,

@@ -9,6 +9,10 @@ var error_default = {
 	"no_command": "La máquina no conoce esta orden",
 	"no_object": "La máquina no pudo leer esto",
 	"bad_id": "La máquina no pudo leer esto",
-	"refused": "La máquina lo rechazó"
+	"refused": "La máquina lo rechazó",
+	"unreadable": "El archivo no es texto",
+	"too_large": "El archivo es demasiado grande",
+	"log_in": "Inicie sesión primero",
+	"busy": "La máquina está ocupada, inténtelo de nuevo"
 };
 export { error_default as default };

@@ -9,6 +9,10 @@ var error_default = {
 	"no_command": "Tezgâh bu komutu bilmiyor",
 	"no_object": "Tezgâh bunu okuyamadı",
 	"bad_id": "Tezgâh bunu okuyamadı",
-	"refused": "Tezgâh bunu reddetti"
+	"refused": "Tezgâh bunu reddetti",
+	"unreadable": "Dosya metin değil",
+	"too_large": "Dosya çok büyük",
+	"log_in": "Önce oturum açın",
+	"busy": "Makine meşgul, yeniden deneyin"
 };
 export { error_default as default };

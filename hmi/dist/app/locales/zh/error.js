@@ -9,6 +9,10 @@ var error_default = {
 	"no_command": "机床不认识此命令",
 	"no_object": "机床无法读取此内容",
 	"bad_id": "机床无法读取此内容",
-	"refused": "机床拒绝了此操作"
+	"refused": "机床拒绝了此操作",
+	"unreadable": "该文件不是文本",
+	"too_large": "文件过大",
+	"log_in": "请先登录",
+	"busy": "机床忙，请稍后再试"
 };
 export { error_default as default };

@@ -53,9 +53,8 @@ function Directory($$anchor, $$props) {
 	});
 	async function take(files) {
 		for (const file of files) {
-			const text = await file.text();
-			const name = programName(file.name, text);
-			if (await programs.store(name, text)) {
+			const name = programName(file.name, await file.slice(0, 500).text());
+			if (await programs.bring(name, file)) {
 				notify({
 					kind: "done",
 					title: t("program.stored", { program: name })

@@ -20,7 +20,7 @@ var root_1 = $.from_html(`<span class="background s-1h8swef"> </span>`);
 var root_2 = $.from_html(`<p class="muted"> </p>`);
 var root_3 = $.from_html(`<li><button type="button"><!><span class="number"> </span><span class="code muted"> </span><span> </span></button></li>`);
 var root_4 = $.from_html(`<ul class="findings scroll s-1h8swef" data-testid="findings"></ul>`);
-var root_5 = $.from_html(`<div class="edit s-1h8swef" data-testid="editor"><div class="row wrap"><strong class="code name s-1h8swef"> <!></strong> <!> <!> <span class="grow"></span> <!> <!> <!> <!> <!> <!></div> <div class="text s-1h8swef"><!></div> <!></div>`);
+var root_5 = $.from_html(`<div class="edit s-1h8swef" data-testid="editor"><div class="row wrap"><strong class="code name s-1h8swef"> <!></strong> <!> <!> <span class="grow"></span> <!> <!> <!> <!> <!> <!> <!></div> <div class="text s-1h8swef"><!></div> <!></div>`);
 var root_6 = $.from_html(`<!> <!>`, 1);
 var root_7 = $.from_html(`<div class="row"><!> <!></div>`);
 function Edit($$anchor, $$props) {
@@ -84,7 +84,7 @@ function Edit($$anchor, $$props) {
 		})) go("program", "run");
 	}
 	function number() {
-		if ($.get(editor)) $.get(editor).replace(renumber($.get(editor).value(), $.get(first), $.get(step)));
+		$.get(editor)?.rewrite((lines) => renumber(lines, $.get(first), $.get(step)));
 		$.set(numbering, false);
 	}
 	var fragment = root_6();
@@ -200,7 +200,22 @@ function Edit($$anchor, $$props) {
 			});
 		}
 		var node_7 = $.sibling(node_6, 2);
-		Button(node_7, {
+		{
+			let $0 = $.derived(() => t("editor.line"));
+			let $1 = $.derived(() => t("editor.line"));
+			Button(node_7, {
+				icon: "target",
+				get "aria-label"() {
+					return $.get($0);
+				},
+				get title() {
+					return $.get($1);
+				},
+				onclick: () => $.get(editor)?.toLine()
+			});
+		}
+		var node_8 = $.sibling(node_7, 2);
+		Button(node_8, {
 			icon: "list",
 			onclick: () => $.set(numbering, true),
 			children: ($$anchor, $$slotProps) => {
@@ -211,8 +226,8 @@ function Edit($$anchor, $$props) {
 			},
 			$$slots: { default: true }
 		});
-		var node_8 = $.sibling(node_7, 2);
-		Button(node_8, {
+		var node_9 = $.sibling(node_8, 2);
+		Button(node_9, {
 			icon: "play",
 			onclick: () => void select(),
 			children: ($$anchor, $$slotProps) => {
@@ -223,10 +238,10 @@ function Edit($$anchor, $$props) {
 			},
 			$$slots: { default: true }
 		});
-		var node_9 = $.sibling(node_8, 2);
+		var node_10 = $.sibling(node_9, 2);
 		{
 			let $0 = $.derived(() => !$.get(changed));
-			Button(node_9, {
+			Button(node_10, {
 				kind: "primary",
 				icon: "save",
 				get disabled() {
@@ -245,7 +260,7 @@ function Edit($$anchor, $$props) {
 		}
 		$.reset(div_1);
 		var div_2 = $.sibling(div_1, 2);
-		var node_10 = $.child(div_2);
+		var node_11 = $.child(div_2);
 		var consequent_4 = ($$anchor) => {
 			{
 				let $0 = $.derived(() => t("program.edit"));
@@ -269,20 +284,20 @@ function Edit($$anchor, $$props) {
 			$.template_effect(($0) => $.set_text(text_8, $0), [() => t("app.loading")]);
 			$.append($$anchor, p);
 		};
-		$.if(node_10, ($$render) => {
+		$.if(node_11, ($$render) => {
 			if ($.get(shown)) $$render(consequent_4);
 			else if ($.get(opening)) $$render(consequent_5, 1);
 		});
 		$.reset(div_2);
-		var node_11 = $.sibling(div_2, 2);
+		var node_12 = $.sibling(div_2, 2);
 		var consequent_6 = ($$anchor) => {
 			var ul = root_4();
 			$.each(ul, 21, () => $.get(findings).slice(0, 200), $.index, ($$anchor, finding) => {
 				var li = root_3();
 				var button = $.child(li);
-				var node_12 = $.child(button);
-				Icon(node_12, { name: "alarms" });
-				var span_2 = $.sibling(node_12);
+				var node_13 = $.child(button);
+				Icon(node_13, { name: "alarms" });
+				var span_2 = $.sibling(node_13);
 				var text_9 = $.only_child(span_2);
 				var span_3 = $.sibling(span_2);
 				var text_10 = $.only_child(span_3, true);
@@ -302,7 +317,7 @@ function Edit($$anchor, $$props) {
 			$.reset(ul);
 			$.append($$anchor, ul);
 		};
-		$.if(node_11, ($$render) => {
+		$.if(node_12, ($$render) => {
 			if ($.get(findings).length) $$render(consequent_6);
 		});
 		$.reset(div);
@@ -313,12 +328,12 @@ function Edit($$anchor, $$props) {
 		if (!$.get(name)) $$render(consequent);
 		else $$render(alternate, -1);
 	});
-	var node_13 = $.sibling(node, 2);
+	var node_14 = $.sibling(node, 2);
 	{
 		const actions = ($$anchor) => {
 			var fragment_8 = root_6();
-			var node_14 = $.first_child(fragment_8);
-			Button(node_14, {
+			var node_15 = $.first_child(fragment_8);
+			Button(node_15, {
 				onclick: () => $.set(numbering, false),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
@@ -328,8 +343,8 @@ function Edit($$anchor, $$props) {
 				},
 				$$slots: { default: true }
 			});
-			var node_15 = $.sibling(node_14, 2);
-			Button(node_15, {
+			var node_16 = $.sibling(node_15, 2);
+			Button(node_16, {
 				kind: "primary",
 				onclick: number,
 				children: ($$anchor, $$slotProps) => {
@@ -343,7 +358,7 @@ function Edit($$anchor, $$props) {
 			$.append($$anchor, fragment_8);
 		};
 		let $0 = $.derived(() => t("program.renumber"));
-		Dialog(node_13, {
+		Dialog(node_14, {
 			get title() {
 				return $.get($0);
 			},
@@ -356,10 +371,10 @@ function Edit($$anchor, $$props) {
 			actions,
 			children: ($$anchor, $$slotProps) => {
 				var div_3 = root_7();
-				var node_16 = $.child(div_3);
+				var node_17 = $.child(div_3);
 				{
 					let $0 = $.derived(() => t("program.first"));
-					Labelled(node_16, {
+					Labelled(node_17, {
 						get label() {
 							return $.get($0);
 						},
@@ -383,10 +398,10 @@ function Edit($$anchor, $$props) {
 						$$slots: { default: true }
 					});
 				}
-				var node_17 = $.sibling(node_16, 2);
+				var node_18 = $.sibling(node_17, 2);
 				{
 					let $0 = $.derived(() => t("program.step"));
-					Labelled(node_17, {
+					Labelled(node_18, {
 						get label() {
 							return $.get($0);
 						},
