@@ -267,6 +267,7 @@ var PathScene = class {
 		const wide = this.canvas.clientWidth / 2;
 		const high = this.canvas.clientHeight / 2;
 		const [low, top] = this.#material.uniforms.section.value;
+		const rapids = this.#material.uniforms.showRapid.value !== 0;
 		let best = null;
 		let least = near * near;
 		for (let index = 0; index < path.count; index++) {
@@ -274,6 +275,7 @@ var PathScene = class {
 			const py = path.points[3 * index + 1];
 			const pz = path.points[3 * index + 2];
 			if (pz < low || pz > top) continue;
+			if (!rapids && path.kinds[index] <= 1 && (path.kinds[index + 1] ?? 0) <= 1) continue;
 			const dx = (m[0] * px + m[4] * py + m[8] * pz + m[12] + 1) * wide - x;
 			const dy = (1 - (m[1] * px + m[5] * py + m[9] * pz + m[13])) * high - y;
 			const distance = dx * dx + dy * dy;

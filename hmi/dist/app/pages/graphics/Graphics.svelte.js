@@ -16,10 +16,10 @@ var root_1 = $.from_html(`<p class="over bad s-1bdb8kn"> <br/><small> </small></
 var root_2 = $.from_html(`<p class="note bad s-1bdb8kn"> </p>`);
 var root_3 = $.from_html(`<p class="note s-1bdb8kn"> </p>`);
 var root_4 = $.from_html(`<div> <span class="muted"> </span></div>`);
-var root_5 = $.from_html(`<strong> </strong>`);
+var root_5 = $.from_html(`<div></div> <strong> </strong>`, 1);
 var root_6 = $.from_html(`<span class="muted"> </span>`);
-var root_7 = $.from_html(`<div class="picked number s-1bdb8kn"><!> <!> <!></div>`);
-var root_8 = $.from_html(`<div class="row"><span class="label"> </span> <input type="range" class="grow s-1bdb8kn" step="any"/> <output class="number"> </output></div>`);
+var root_7 = $.from_html(`<div class="picked number s-1bdb8kn" data-testid="picked"><small class="muted"> </small> <!> <!> <!></div>`);
+var root_8 = $.from_html(`<div class="row"><span class="label"> </span> <input type="range" class="grow s-1bdb8kn" step="any"/> <output class="number"> </output> <small class="muted"> </small></div>`);
 var root_9 = $.from_html(`<p class="muted facts s-1bdb8kn"> </p>`);
 var root_10 = $.from_html(`<div class="graphics s-1bdb8kn"><div class="row wrap"><strong class="code"> </strong> <span class="grow"></span> <!> <!> <!> <!> <!></div> <div class="canvas s-1bdb8kn"><!> <!> <!> <!> <!> <!></div> <!> <div class="row"><!> <input type="range" class="grow s-1bdb8kn" min="0" step="any" data-testid="time"/> <output class="number times s-1bdb8kn"> </output> <span class="muted"> </span></div> <!></div>`);
 function Graphics($$anchor, $$props) {
@@ -105,7 +105,12 @@ function Graphics($$anchor, $$props) {
 		y: $.get(path).points[3 * index + 1],
 		z: $.get(path).points[3 * index + 2]
 	})) : []);
-	const distance = $.derived(() => $.get(marks).length === 2 ? Math.hypot($.get(marks)[0].x - $.get(marks)[1].x, $.get(marks)[0].y - $.get(marks)[1].y, $.get(marks)[0].z - $.get(marks)[1].z) : null);
+	/** The way from the first point to the second. */
+	const between = $.derived(() => $.get(marks).length === 2 ? [
+		"x",
+		"y",
+		"z"
+	].map((axis) => [axis.toUpperCase(), $.get(marks)[1][axis] - $.get(marks)[0][axis]]) : null);
 	function pick(index) {
 		if ($.get(measuring)) $.set(picked, $.get(picked).length === 1 ? [$.get(picked)[0], index] : [index]);
 		else $.set(picked, [index]);
@@ -313,16 +318,18 @@ function Graphics($$anchor, $$props) {
 				var node_11 = $.sibling(node_10, 2);
 				var consequent_7 = ($$anchor) => {
 					var div_3 = root_7();
-					var node_12 = $.child(div_3);
+					var small_1 = $.child(div_3);
+					var text_11 = $.only_child(small_1, true);
+					var node_12 = $.sibling(small_1, 2);
 					$.each(node_12, 17, () => $.get(marks), $.index, ($$anchor, mark, index) => {
 						var div_4 = root_4();
-						var text_11 = $.child(div_4);
-						var span = $.sibling(text_11);
-						var text_12 = $.only_child(span, true);
+						var text_12 = $.child(div_4);
+						var span = $.sibling(text_12);
+						var text_13 = $.only_child(span, true);
 						$.reset(div_4);
 						$.template_effect(($0, $1, $2, $3) => {
-							$.set_text(text_11, `X ${$0 ?? ""} Y ${$1 ?? ""} Z ${$2 ?? ""} `);
-							$.set_text(text_12, $3);
+							$.set_text(text_12, `X ${$0 ?? ""} Y ${$1 ?? ""} Z ${$2 ?? ""} `);
+							$.set_text(text_13, $3);
 						}, [
 							() => fixed($.get(mark).x),
 							() => fixed($.get(mark).y),
@@ -333,25 +340,38 @@ function Graphics($$anchor, $$props) {
 					});
 					var node_13 = $.sibling(node_12, 2);
 					var consequent_5 = ($$anchor) => {
-						var strong_1 = root_5();
-						var text_13 = $.only_child(strong_1, true);
-						$.template_effect(($0) => $.set_text(text_13, $0), [() => t("graphics.distance", { distance: fixed($.get(distance)) })]);
-						$.append($$anchor, strong_1);
+						var fragment_10 = root_5();
+						var div_5 = $.first_child(fragment_10);
+						$.each(div_5, 21, () => $.get(between), ([axis, way]) => axis, ($$anchor, $$item) => {
+							var $$array = $.derived(() => $.to_array($.get($$item), 2));
+							let axis = () => $.get($$array)[0];
+							let way = () => $.get($$array)[1];
+							$.next();
+							var text_14 = $.text();
+							$.template_effect(($0) => $.set_text(text_14, `${`Δ${axis()}`} ${$0 ?? ""} `), [() => fixed(way())]);
+							$.append($$anchor, text_14);
+						});
+						$.reset(div_5);
+						var strong_1 = $.sibling(div_5, 2);
+						var text_15 = $.only_child(strong_1, true);
+						$.template_effect(($0) => $.set_text(text_15, $0), [() => t("graphics.distance", { distance: fixed(Math.hypot(...$.get(between).map(([, way]) => way))) })]);
+						$.append($$anchor, fragment_10);
 					};
 					$.if(node_13, ($$render) => {
-						if ($.get(distance) !== null) $$render(consequent_5);
+						if ($.get(between)) $$render(consequent_5);
 					});
 					var node_14 = $.sibling(node_13, 2);
 					var consequent_6 = ($$anchor) => {
 						var span_1 = root_6();
-						var text_14 = $.only_child(span_1, true);
-						$.template_effect(($0) => $.set_text(text_14, $0), [() => t("graphics.second")]);
+						var text_16 = $.only_child(span_1, true);
+						$.template_effect(($0) => $.set_text(text_16, $0), [() => t("graphics.second")]);
 						$.append($$anchor, span_1);
 					};
 					$.if(node_14, ($$render) => {
 						if ($.get(measuring) && $.get(marks).length === 1) $$render(consequent_6);
 					});
 					$.reset(div_3);
+					$.template_effect(($0) => $.set_text(text_11, $0), [() => t("position.machine")]);
 					$.append($$anchor, div_3);
 				};
 				$.if(node_11, ($$render) => {
@@ -360,33 +380,37 @@ function Graphics($$anchor, $$props) {
 				$.reset(div_2);
 				var node_15 = $.sibling(div_2, 2);
 				var consequent_8 = ($$anchor) => {
-					var div_5 = root_8();
-					var span_2 = $.child(div_5);
-					var text_15 = $.only_child(span_2, true);
+					var div_6 = root_8();
+					var span_2 = $.child(div_6);
+					var text_17 = $.only_child(span_2, true);
 					var input = $.sibling(span_2, 2);
 					$.remove_input_defaults(input);
 					var output = $.sibling(input, 2);
-					var text_16 = $.only_child(output);
-					$.reset(div_5);
-					$.template_effect(($0, $1, $2) => {
-						$.set_text(text_15, $0);
+					var text_18 = $.only_child(output);
+					var small_2 = $.sibling(output, 2);
+					var text_19 = $.only_child(small_2, true);
+					$.reset(div_6);
+					$.template_effect(($0, $1, $2, $3) => {
+						$.set_text(text_17, $0);
 						$.set_attribute(input, "min", $.get(path).box.low[2]);
 						$.set_attribute(input, "max", $.get(path).box.high[2]);
 						$.set_attribute(input, "aria-label", $1);
-						$.set_text(text_16, `Z ${$2 ?? ""}`);
+						$.set_text(text_18, `Z ${$2 ?? ""}`);
+						$.set_text(text_19, $3);
 					}, [
 						() => t("graphics.height"),
 						() => t("graphics.height"),
-						() => fixed($.get(height))
+						() => fixed($.get(height)),
+						() => t("position.machine")
 					]);
 					$.bind_value(input, () => $.get(height), ($$value) => $.set(height, $$value));
-					$.append($$anchor, div_5);
+					$.append($$anchor, div_6);
 				};
 				$.if(node_15, ($$render) => {
 					if ($.get(cut) && $.get(path)) $$render(consequent_8);
 				});
-				var div_6 = $.sibling(node_15, 2);
-				var node_16 = $.child(div_6);
+				var div_7 = $.sibling(node_15, 2);
+				var node_16 = $.child(div_7);
 				Button(node_16, {
 					get pressed() {
 						return $.get(live);
@@ -398,24 +422,24 @@ function Graphics($$anchor, $$props) {
 					"data-testid": "live",
 					children: ($$anchor, $$slotProps) => {
 						$.next();
-						var text_17 = $.text();
-						$.template_effect(($0) => $.set_text(text_17, $0), [() => t("graphics.live")]);
-						$.append($$anchor, text_17);
+						var text_20 = $.text();
+						$.template_effect(($0) => $.set_text(text_20, $0), [() => t("graphics.live")]);
+						$.append($$anchor, text_20);
 					},
 					$$slots: { default: true }
 				});
 				var input_1 = $.sibling(node_16, 2);
 				$.remove_input_defaults(input_1);
 				var output_1 = $.sibling(input_1, 2);
-				var text_18 = $.only_child(output_1);
+				var text_21 = $.only_child(output_1);
 				var span_3 = $.sibling(output_1, 2);
-				var text_19 = $.only_child(span_3, true);
-				$.reset(div_6);
-				var node_17 = $.sibling(div_6, 2);
+				var text_22 = $.only_child(span_3, true);
+				$.reset(div_7);
+				var node_17 = $.sibling(div_7, 2);
 				var consequent_9 = ($$anchor) => {
 					var p_4 = root_9();
-					var text_20 = $.only_child(p_4, true);
-					$.template_effect(($0) => $.set_text(text_20, $0), [() => t("graphics.facts", {
+					var text_23 = $.only_child(p_4, true);
+					$.template_effect(($0) => $.set_text(text_23, $0), [() => t("graphics.facts", {
 						n: number($.get(path).count),
 						x: fixed($.get(path).box.high[0] - $.get(path).box.low[0], 1),
 						y: fixed($.get(path).box.high[1] - $.get(path).box.low[1], 1),
@@ -435,8 +459,8 @@ function Graphics($$anchor, $$props) {
 					$.set_attribute(input_1, "max", $.get(total));
 					$.set_value(input_1, $.get(shownTime));
 					$.set_attribute(input_1, "aria-label", $0);
-					$.set_text(text_18, `${$1 ?? ""} / ${$2 ?? ""}`);
-					$.set_text(text_19, $3);
+					$.set_text(text_21, `${$1 ?? ""} / ${$2 ?? ""}`);
+					$.set_text(text_22, $3);
 				}, [
 					() => t("graphics.time"),
 					() => duration($.get(shownTime)),

@@ -1,0 +1,149 @@
+// The drawing of a part whose measures are known: views, points, distances, sections, and how far it is done.
+import type { Page } from '@playwright/test';
+import { expect, shoot, test } from './server';
+import { enter, load, watchFaults } from './walk';
+
+watchFaults();
+
+/** A frame of 40 × 30 mm at Z-2 and, 20 mm beside it, a groove of 40 mm at Z-8. */
+const PART = 'O1600 (KNOWN)\nG21 G90 G54 G17\nG0 X0 Y0 Z10.\nG1 Z-2. F500\nX40. F1000\nY30.\nX0\nY0\nG0 Z10.\nX60.\nG1 Z-8. F500\nX100. F1000\nG0 Z10.\nM30\n';
+const LOW = [0, 0, -8] as const;
+const HIGH = [100, 30, 10] as const;
+type View = 'top' | 'front' | 'side';
+/** The axes that a view has to the right and up. */
+const SEEN: Record<View, [number, number]> = { top: [0, 1], front: [0, 2], side: [1, 2] };
+
+async function look(page: Page, view: View): Promise<void> {
+  await page.locator(`[data-view="${view}"]`).click();
+  await page.getByRole('button', { name: 'Show all' }).click();
+}
+
+/** Where a point of the machine is on the canvas when the whole is shown. */
+async function pixel(page: Page, view: View, point: readonly [number, number, number]): Promise<{ x: number; y: number }> {
+  const box = (await page.getByTestId('path').boundingBox())!;
+  const span = Math.hypot(...HIGH.map((high, axis) => high - LOW[axis]!)) * 1.15;
+  const scale = Math.min(box.width, box.height) / span;
+  const [right, up] = SEEN[view].map((axis) => (point[axis]! - (LOW[axis]! + HIGH[axis]!) / 2) * scale) as [number, number];
+  return { x: box.width / 2 + right, y: box.height / 2 - up };
+}
+
+async function pick(page: Page, view: View, point: readonly [number, number, number]): Promise<void> {
+  await page.getByTestId('path').click({ position: await pixel(page, view, point) });
+}
+
+/** Whether something of the path is drawn at a point in one of the panel's shades. */
+async function drawn(page: Page, view: View, point: readonly [number, number, number], shade: string): Promise<boolean> {
+  return page.evaluate(
+    ([{ x, y }, shade]) => {
+      const canvas = document.querySelector<HTMLCanvasElement>('.view canvas:not(.above)')!;
+      const copy = document.createElement('canvas');
+      [copy.width, copy.height] = [1, 1];
+      const context = copy.getContext('2d', { willReadFrequently: true })!;
+      context.fillStyle = getComputedStyle(document.documentElement).getPropertyValue(shade);
+      context.fillRect(0, 0, 1, 1);
+      const [red, green, blue] = context.getImageData(0, 0, 1, 1).data;
+      [copy.width, copy.height] = [canvas.width, canvas.height];
+      context.drawImage(canvas, 0, 0);
+      const ratio = canvas.width / canvas.clientWidth;
+      const { data } = context.getImageData(Math.round(x * ratio) - 3, Math.round(y * ratio) - 3, 7, 7);
+      for (let at = 0; at < data.length; at += 4) {
+        if (data[at + 3]! > 200 && Math.max(Math.abs(data[at]! - red!), Math.abs(data[at + 1]! - green!), Math.abs(data[at + 2]! - blue!)) < 12) return true;
+      }
+      return false;
+    },
+    [await pixel(page, view, point), shade] as const,
+  );
+}
+
+async function open(page: Page): Promise<void> {
+  await enter(page);
+  await load(page, 'O1600', PART);
+  await page.evaluate(() => (location.hash = '#/graphics'));
+  await expect(page.locator('.graphics')).toHaveAttribute('data-loaded', 'true');
+}
+
+test('points of a known part are measured in each view', async ({ page }) => {
+  await open(page);
+  await expect(page.locator('.facts')).toContainText('100.0 × 30.0 × 18.0 mm');
+  await page.getByTestId('measure').click();
+  const picked = page.getByTestId('picked');
+  await look(page, 'top');
+  await pick(page, 'top', [40, 30, -2]);
+  await expect(picked).toContainText('Machine');
+  await expect(picked).toContainText('X 40.000 Y 30.000 Z −2.000 line 6');
+  await expect(picked).toContainText('Choose the second point');
+  await pick(page, 'top', [100, 0, -8]);
+  await expect(picked).toContainText('X 100.000 Y 0.000 Z −8.000 line 12');
+  await expect(picked).toContainText('ΔX 60.000 ΔY −30.000 ΔZ −6.000');
+  await expect(picked).toContainText(`${Math.hypot(60, 30, 6).toFixed(3)} mm apart`);
+  await shoot(page, 'graphics-measured');
+  // A third point begins anew.
+  await look(page, 'front');
+  await pick(page, 'front', [60, 0, -8]);
+  await expect(picked).not.toContainText('apart');
+  await expect(picked).toContainText('X 60.000 Y 0.000 Z −8.000 line 11');
+  await pick(page, 'front', [100, 0, -8]);
+  await expect(picked).toContainText('40.000 mm apart');
+  await look(page, 'side');
+  await pick(page, 'side', [40, 30, -2]);
+  await expect(picked).toContainText('X 40.000 Y 30.000 Z −2.000 line 6');
+  // Nothing is near here, and what was picked stays.
+  await pick(page, 'side', [0, 15, 6]);
+  await expect(picked).toContainText('Y 30.000');
+});
+
+test('a section shows and offers what lies at its height alone, and hidden rapids are not offered', async ({ page }) => {
+  await open(page);
+  await look(page, 'top');
+  await expect.poll(() => drawn(page, 'top', [80, 0, -8], '--accent')).toBe(true);
+  await expect.poll(() => drawn(page, 'top', [40, 15, -2], '--accent')).toBe(true);
+  await page.getByTestId('section').click();
+  const height = page.getByRole('slider', { name: 'Height of the section' });
+  await height.fill('-2');
+  await expect(page.locator('.graphics output', { hasText: 'Z −2.000' })).toBeVisible();
+  await expect.poll(() => drawn(page, 'top', [80, 0, -8], '--accent')).toBe(false);
+  expect(await drawn(page, 'top', [40, 15, -2], '--accent')).toBe(true);
+  await shoot(page, 'graphics-section');
+  const picked = page.getByTestId('picked');
+  await pick(page, 'top', [40, 30, -2]);
+  await expect(picked).toContainText('line 6');
+  await pick(page, 'top', [100, 0, -8]);
+  await expect(picked).toContainText('line 6');
+  await height.fill('-8');
+  await expect.poll(() => drawn(page, 'top', [80, 0, -8], '--accent')).toBe(true);
+  await expect.poll(() => drawn(page, 'top', [40, 15, -2], '--accent')).toBe(false);
+  await pick(page, 'top', [100, 0, -8]);
+  await expect(picked).toContainText('Z −8.000 line 12');
+  await page.getByTestId('section').click();
+
+  // The corner above the groove is reached by a rapid alone.
+  await look(page, 'front');
+  await pick(page, 'front', [100, 0, 10]);
+  await expect(picked).toContainText('Z 10.000 line 13');
+  await page.getByRole('button', { name: 'Rapids' }).click();
+  await pick(page, 'front', [60, 0, -8]);
+  await expect(picked).toContainText('line 11');
+  await pick(page, 'front', [100, 0, 10]);
+  await expect(picked).toContainText('line 11');
+});
+
+test('time is moved over the path: what is done has its own shade', async ({ page }) => {
+  await open(page);
+  await look(page, 'top');
+  const time = page.getByTestId('time');
+  const end = Number(await time.getAttribute('max'));
+  // 40 + 30 + 40 + 30 + 40 mm at 1000 mm/min, 12 + 18 mm at 500 mm/min, and the rapids.
+  expect(end).toBeGreaterThan(10.8 + 3.6);
+  expect(end).toBeLessThan(10.8 + 3.6 + 2);
+  await time.fill('0');
+  await expect(page.getByTestId('live')).toHaveAttribute('aria-pressed', 'false');
+  await expect.poll(() => drawn(page, 'top', [40, 15, -2], '--accent')).toBe(true);
+  await time.fill(String(end / 2));
+  await expect.poll(() => drawn(page, 'top', [40, 15, -2], '--run')).toBe(true);
+  expect(await drawn(page, 'top', [80, 0, -8], '--accent')).toBe(true);
+  await time.fill(String(end));
+  await expect.poll(() => drawn(page, 'top', [80, 0, -8], '--run')).toBe(true);
+  await page.getByTestId('live').click();
+  await expect(page.getByTestId('live')).toHaveAttribute('aria-pressed', 'true');
+  await expect.poll(() => drawn(page, 'top', [80, 0, -8], '--accent')).toBe(true);
+});
