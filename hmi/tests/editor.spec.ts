@@ -4,6 +4,8 @@ import { expect, shoot, test } from './server';
 import { enter, notice, show, watchFaults } from './walk';
 
 watchFaults();
+// A loaded computer takes its time.
+test.describe.configure({ timeout: 180_000 });
 
 const text = (page: Page) => page.getByTestId('editor').locator('.cm-content');
 const line = (page: Page, what: string) => text(page).locator('.cm-line', { hasText: what });

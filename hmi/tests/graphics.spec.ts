@@ -4,6 +4,8 @@ import { expect, shoot, test } from './server';
 import { enter, load, watchFaults } from './walk';
 
 watchFaults();
+// A loaded computer takes its time.
+test.describe.configure({ timeout: 180_000 });
 
 /** A frame of 40 × 30 mm at Z-2 and, 20 mm beside it, a groove of 40 mm at Z-8. */
 const PART = 'O1600 (KNOWN)\nG21 G90 G54 G17\nG0 X0 Y0 Z10.\nG1 Z-2. F500\nX40. F1000\nY30.\nX0\nY0\nG0 Z10.\nX60.\nG1 Z-8. F500\nX100. F1000\nG0 Z10.\nM30\n';

@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
 /** Passwords of the levels that the tests log in with. */
-export const PASSWORDS: Record<number, string> = { 1: 'maker of controls', 3: 'commissioning crew', 4: 'head of the shop' };
+export const PASSWORDS: Record<number, string> = { 1: 'maker of controls', 2: 'builder of mills', 3: 'commissioning crew', 4: 'head of the shop' };
 const binary = process.env.FERROCUT ?? join(import.meta.dirname, '../../target/debug/ferrocut');
 
 /** A picture of a page: an artefact of the tests, and with `SCREENS=write` one of the README besides. */

@@ -20,6 +20,8 @@ function Scope($$anchor, $$props) {
 		"--muted"
 	];
 	const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+	/** 0 or 1 of a signal, from its height in its lane. */
+	const bit = (index) => (_, height) => height === null ? "" : String(Math.round((height - ($$props.lines.length - 1 - index)) / .7));
 	/** What is drawn: nothing while the lines are still those of other names. */
 	const data = () => {
 		if ($$props.lines.length !== $$props.names.length) return [[], ...$$props.names.map(() => [])];
@@ -62,7 +64,6 @@ function Scope($$anchor, $$props) {
 				...axis,
 				size: 80
 			}],
-			legend: { show: !steps() },
 			cursor: { drag: {
 				x: true,
 				y: false
@@ -72,7 +73,10 @@ function Scope($$anchor, $$props) {
 				stroke: colour(shades[index % shades.length]),
 				width: 2,
 				points: { show: false },
-				...steps() ? { paths: uPlot.paths.stepped({ align: 1 }) } : {}
+				...steps() ? {
+					paths: uPlot.paths.stepped({ align: 1 }),
+					value: bit(index)
+				} : {}
 			}))]
 		}, data(), box));
 		plot = made;

@@ -17,9 +17,13 @@ var plc_default = {
 	"exchange": "Exchange",
 	"exchange_text": "The ladder is exchanged between two scans while the machine runs. Signals, timers and counters stay as they are.",
 	"exchanged": "The ladder is exchanged",
-	"signals": "Names of signals, up to 12",
+	"signals": "Names of signals, up to 32",
 	"record": "Record",
 	"stop": "Stop",
-	"trace_text": "Sampled by the control at each scan of the ladder; what does not change is not kept."
+	"trace_text": "Sampled by the control at each scan of the ladder; what does not change is not kept.",
+	"at_signal": "On a signal",
+	"changes": "Changes",
+	"trigger": "Signal of the trigger",
+	"waits": "Waits for the signal …"
 };
 export { plc_default as default };

@@ -17,9 +17,13 @@ var plc_default = {
 	"exchange": "Sustituir",
 	"exchange_text": "El diagrama se sustituye entre dos ciclos con la máquina en marcha. Señales, temporizadores y contadores se conservan.",
 	"exchanged": "Diagrama sustituido",
-	"signals": "Nombres de señales, hasta 12",
+	"signals": "Nombres de señales, hasta 32",
 	"record": "Registrar",
 	"stop": "Parar",
-	"trace_text": "El control muestrea en cada ciclo del PLC; lo que no cambia no se guarda."
+	"trace_text": "El control muestrea en cada ciclo del PLC; lo que no cambia no se guarda.",
+	"at_signal": "Con una señal",
+	"changes": "Cambia",
+	"trigger": "Señal de disparo",
+	"waits": "Espera la señal …"
 };
 export { plc_default as default };

@@ -17,9 +17,13 @@ var plc_default = {
 	"exchange": "Değiştir",
 	"exchange_text": "Merdiven, tezgâh çalışırken iki tarama arasında değiştirilir. Sinyaller, zamanlayıcılar ve sayaçlar korunur.",
 	"exchanged": "Merdiven değiştirildi",
-	"signals": "Sinyal adları, en çok 12",
+	"signals": "Sinyal adları, en çok 32",
 	"record": "Kaydet",
 	"stop": "Dur",
-	"trace_text": "Kontrol her merdiven taramasında örnekler; değişmeyen saklanmaz."
+	"trace_text": "Kontrol her merdiven taramasında örnekler; değişmeyen saklanmaz.",
+	"at_signal": "Sinyalle",
+	"changes": "Değişen",
+	"trigger": "Tetikleme sinyali",
+	"waits": "Sinyal bekleniyor …"
 };
 export { plc_default as default };

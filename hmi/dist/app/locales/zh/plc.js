@@ -17,9 +17,13 @@ var plc_default = {
 	"exchange": "更换",
 	"exchange_text": "梯形图在机床运行中于两次扫描之间更换，信号、定时器和计数器保持不变。",
 	"exchanged": "梯形图已更换",
-	"signals": "信号名称，最多 12 个",
+	"signals": "信号名称，最多 32 个",
 	"record": "记录",
 	"stop": "停止",
-	"trace_text": "由控制器在每次梯形图扫描时采样；没有变化的不保存。"
+	"trace_text": "由控制器在每次梯形图扫描时采样；没有变化的不保存。",
+	"at_signal": "按信号",
+	"changes": "变化",
+	"trigger": "触发信号",
+	"waits": "等待信号…"
 };
 export { plc_default as default };

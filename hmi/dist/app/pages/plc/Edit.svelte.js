@@ -1,3 +1,4 @@
+import { Refused } from "../../lib/api/socket.js";
 import { t } from "../../lib/i18n/index.svelte.js";
 import Editor from "../../lib/editor/Editor.svelte.js";
 import { readLadder } from "../../lib/ladder/ladder.js";
@@ -11,7 +12,7 @@ import * as $ from "svelte/internal/client";
 var root = $.from_html(`<span class="need s-iyog2j"> </span>`);
 var root_1 = $.from_html(`<!> <!>`, 1);
 var root_2 = $.from_html(`<p> </p>`);
-var root_3 = $.from_html(`<div class="row wrap"><span class="muted"> </span> <!> <span class="grow"></span> <!> <!> <!> <!></div> <div class="text s-iyog2j"><!></div> <!>`, 1);
+var root_3 = $.from_html(`<div class="row wrap"><span class="muted"> </span> <!> <span class="grow"></span> <!> <!> <!> <!> <!></div> <div class="text s-iyog2j"><!></div> <!>`, 1);
 function Edit($$anchor, $$props) {
 	$.push($$props, true);
 	let editor = $.state(void 0);
@@ -40,10 +41,16 @@ function Edit($$anchor, $$props) {
 	async function exchange() {
 		$.set(asking, false);
 		const now = $.get(editor)?.value() ?? $.get(text);
-		if (!await machine.tell({
-			do: "exchange_ladder",
-			text: now
-		})) return;
+		try {
+			await machine.ask({
+				do: "exchange_ladder",
+				text: now
+			});
+		} catch (refused) {
+			machine.refused(refused);
+			if (refused instanceof Refused && refused.alarm) $.get(editor)?.show(refused.alarm.line);
+			return;
+		}
 		notify({
 			kind: "done",
 			title: t("plc.exchanged")
@@ -83,7 +90,22 @@ function Edit($$anchor, $$props) {
 		});
 	}
 	var node_2 = $.sibling(node_1, 2);
-	Button(node_2, {
+	{
+		let $0 = $.derived(() => t("editor.line"));
+		let $1 = $.derived(() => t("editor.line"));
+		Button(node_2, {
+			icon: "target",
+			get "aria-label"() {
+				return $.get($0);
+			},
+			get title() {
+				return $.get($1);
+			},
+			onclick: () => $.get(editor)?.toLine()
+		});
+	}
+	var node_3 = $.sibling(node_2, 2);
+	Button(node_3, {
 		icon: "undo",
 		onclick: () => void back(),
 		children: ($$anchor, $$slotProps) => {
@@ -94,8 +116,8 @@ function Edit($$anchor, $$props) {
 		},
 		$$slots: { default: true }
 	});
-	var node_3 = $.sibling(node_2, 2);
-	Button(node_3, {
+	var node_4 = $.sibling(node_3, 2);
+	Button(node_4, {
 		icon: "play",
 		onclick: () => void machine.tell({ do: "start_ladder" }),
 		children: ($$anchor, $$slotProps) => {
@@ -106,10 +128,10 @@ function Edit($$anchor, $$props) {
 		},
 		$$slots: { default: true }
 	});
-	var node_4 = $.sibling(node_3, 2);
+	var node_5 = $.sibling(node_4, 2);
 	{
 		let $0 = $.derived(() => !$.get(changed));
-		Button(node_4, {
+		Button(node_5, {
 			kind: "primary",
 			icon: "upload",
 			get disabled() {
@@ -127,10 +149,10 @@ function Edit($$anchor, $$props) {
 	}
 	$.reset(div);
 	var div_1 = $.sibling(div, 2);
-	var node_5 = $.child(div_1);
+	var node_6 = $.child(div_1);
 	{
 		let $0 = $.derived(() => t("plc.edit"));
-		$.bind_this(Editor(node_5, {
+		$.bind_this(Editor(node_6, {
 			get text() {
 				return $.get(text);
 			},
@@ -143,12 +165,12 @@ function Edit($$anchor, $$props) {
 		}), ($$value) => $.set(editor, $$value, true), () => $.get(editor));
 	}
 	$.reset(div_1);
-	var node_6 = $.sibling(div_1, 2);
+	var node_7 = $.sibling(div_1, 2);
 	{
 		const actions = ($$anchor) => {
 			var fragment_4 = root_1();
-			var node_7 = $.first_child(fragment_4);
-			Button(node_7, {
+			var node_8 = $.first_child(fragment_4);
+			Button(node_8, {
 				onclick: () => $.set(asking, false),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
@@ -158,8 +180,8 @@ function Edit($$anchor, $$props) {
 				},
 				$$slots: { default: true }
 			});
-			var node_8 = $.sibling(node_7, 2);
-			Button(node_8, {
+			var node_9 = $.sibling(node_8, 2);
+			Button(node_9, {
 				kind: "danger",
 				onclick: () => void exchange(),
 				children: ($$anchor, $$slotProps) => {
@@ -173,7 +195,7 @@ function Edit($$anchor, $$props) {
 			$.append($$anchor, fragment_4);
 		};
 		let $0 = $.derived(() => t("plc.exchange"));
-		Dialog(node_6, {
+		Dialog(node_7, {
 			get title() {
 				return $.get($0);
 			},

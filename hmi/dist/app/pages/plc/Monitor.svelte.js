@@ -10,7 +10,7 @@ import * as $ from "svelte/internal/client";
 var root = $.from_html(`<input type="search" data-testid="plc-search"/> <!> <span class="number muted"> </span> <!>`, 1);
 var root_1 = $.from_html(`<p class="muted none s-1mefo31"> </p>`);
 var root_2 = $.from_html(`<div data-testid="ladder"></div>`);
-var root_3 = $.from_html(`<div class="signal row wrap s-1mefo31"><strong class="code"> </strong> <span class="code muted"> </span> <span class="grow"> </span> <span class="number"> </span> <!> <!> <!> <!></div>`);
+var root_3 = $.from_html(`<div class="signal row wrap s-1mefo31" data-testid="signal"><strong class="code"> </strong> <span class="code muted"> </span> <span class="grow"> </span> <span class="number"> </span> <!> <!> <!> <!></div>`);
 var root_4 = $.from_html(`<!> <!>`, 1);
 function Monitor($$anchor, $$props) {
 	$.push($$props, true);
@@ -232,6 +232,7 @@ function Monitor($$anchor, $$props) {
 		}
 		$.reset(div_1);
 		$.template_effect(($0, $1) => {
+			$.set_attribute(div_1, "data-value", $.get(values)[$.get(signal)]);
 			$.set_text(text_3, $.get(signal));
 			$.set_text(text_4, $0);
 			$.set_text(text_5, $1);

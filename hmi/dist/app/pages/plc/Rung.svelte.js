@@ -3,19 +3,31 @@ import { CELL, layout } from "../../lib/ladder/layout.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/plc/Rung.svelte
-var root = $.from_html(`<figcaption class="s-1iyx72s"> </figcaption>`);
+var root = $.from_html(`<figcaption class="s-xc2thf"> </figcaption>`);
 var root_1 = $.from_svg(`<path></path>`);
-var root_2 = $.from_svg(`<path class="bars s-1iyx72s"></path>`);
-var root_3 = $.from_svg(`<g><title> </title><rect height="52" class="hit s-1iyx72s"></rect><path></path><path class="bars s-1iyx72s"></path><!><text class="s-1iyx72s"> </text><text class="address s-1iyx72s"> </text></g>`);
-var root_4 = $.from_svg(`<circle r="14" class="s-1iyx72s"></circle><text class="s-1iyx72s"> </text><text class="name s-1iyx72s"> </text><text class="address start s-1iyx72s"> </text>`, 1);
-var root_5 = $.from_svg(`<rect width="180" height="38" rx="5" class="s-1iyx72s"></rect><text class="name s-1iyx72s"> </text>`, 1);
+var root_2 = $.from_svg(`<path class="bars s-xc2thf"></path>`);
+var root_3 = $.from_svg(`<g><title> </title><rect height="52" class="hit s-xc2thf"></rect><path></path><path class="bars s-xc2thf"></path><!><text class="s-xc2thf"> </text><text class="address s-xc2thf"> </text></g>`);
+var root_4 = $.from_svg(`<rect width="186" height="52" class="hit s-xc2thf"></rect><circle r="14" class="s-xc2thf"></circle><text class="s-xc2thf"> </text><text class="name s-xc2thf"> </text><text class="address start s-xc2thf"> </text>`, 1);
+var root_5 = $.from_svg(`<rect width="180" height="38" rx="5" class="s-xc2thf"></rect><text class="name s-xc2thf"> </text>`, 1);
 var root_6 = $.from_svg(`<g><title> </title><path></path><!></g>`);
-var root_7 = $.from_html(`<figure class="s-1iyx72s"><!> <svg role="img" class="s-1iyx72s"><path class="rail s-1iyx72s"></path><!><!><!></svg></figure>`);
+var root_7 = $.from_html(`<figure class="s-xc2thf"><!> <svg role="group" class="s-xc2thf"><path class="rail s-xc2thf"></path><!><!><!></svg></figure>`);
 function Rung($$anchor, $$props) {
 	$.push($$props, true);
 	const drawn = $.derived(() => layout($$props.rung, (contact) => ($$props.values[contact.name] ?? 0) !== 0 !== contact.not, (index) => $$props.power[index] ?? false));
 	const short = (text, most) => text.length > most ? `${text.slice(0, most - 1)}…` : text;
 	const { width: W } = CELL;
+	/** What makes a part of the drawing one that is chosen, by touch or by key. */
+	const choice = (name) => ({
+		role: "button",
+		tabindex: 0,
+		"aria-label": name,
+		onclick: () => $$props.onsignal(name),
+		onkeydown: (event) => {
+			if (event.key !== "Enter" && event.key !== " ") return;
+			event.preventDefault();
+			$$props.onsignal(name);
+		}
+	});
 	var figure = root_7();
 	var node = $.child(figure);
 	var consequent = ($$anchor) => {
@@ -34,7 +46,7 @@ function Rung($$anchor, $$props) {
 		var path_1 = root_1();
 		let classes;
 		$.template_effect(() => {
-			classes = $.set_class(path_1, 0, "wire s-1iyx72s", null, classes, { on: $.get(wire).on });
+			classes = $.set_class(path_1, 0, "wire s-xc2thf", null, classes, { on: $.get(wire).on });
 			$.set_attribute(path_1, "d", `M${$.get(wire).x1} ${$.get(wire).y1}L${$.get(wire).x2} ${$.get(wire).y2}`);
 		});
 		$.append($$anchor, path_1);
@@ -47,12 +59,19 @@ function Rung($$anchor, $$props) {
 		let on = () => $.get($$item).on;
 		let conducts = () => $.get($$item).conducts;
 		var g = root_3();
-		let classes_1;
+		$.attribute_effect(g, ($0) => ({
+			class: "contact",
+			...$0,
+			[$.CLASS]: {
+				on: on(),
+				conducts: conducts()
+			}
+		}), [() => choice(contact().name)], void 0, void 0, "s-xc2thf");
 		var title = $.child(g);
 		var text_2 = $.only_child(title);
 		var rect = $.sibling(title);
 		var path_2 = $.sibling(rect);
-		let classes_2;
+		let classes_1;
 		var path_3 = $.sibling(path_2);
 		var node_3 = $.sibling(path_3);
 		var consequent_1 = ($$anchor) => {
@@ -69,15 +88,11 @@ function Rung($$anchor, $$props) {
 		var text_6 = $.only_child(text_5, true);
 		$.reset(g);
 		$.template_effect(($0, $1, $2) => {
-			classes_1 = $.set_class(g, 0, "contact s-1iyx72s", null, classes_1, {
-				on: on(),
-				conducts: conducts()
-			});
 			$.set_text(text_2, `${$0 ?? ""}${contact().meaning ?? ""}`);
 			$.set_attribute(rect, "x", x() + 4);
 			$.set_attribute(rect, "y", y() - 26);
 			$.set_attribute(rect, "width", W - 8);
-			classes_2 = $.set_class(path_2, 0, "wire s-1iyx72s", null, classes_2, { on: on() });
+			classes_1 = $.set_class(path_2, 0, "wire s-xc2thf", null, classes_1, { on: on() });
 			$.set_attribute(path_2, "d", `M${x()} ${y()}H${x() + 46}M${x() + W - 46} ${y()}H${x() + W}`);
 			$.set_attribute(path_3, "d", `M${x() + 46} ${y() - 11}V${y() + 11}M${x() + W - 46} ${y() - 11}V${y() + 11}`);
 			$.set_attribute(text_3, "x", x() + W / 2);
@@ -91,7 +106,6 @@ function Rung($$anchor, $$props) {
 			() => short(contact().name, 14),
 			() => $$props.symbols.get(contact().name)?.address ?? ""
 		]);
-		$.delegated("click", g, () => $$props.onsignal(contact().name));
 		$.append($$anchor, g);
 	});
 	var node_4 = $.sibling(node_2);
@@ -101,15 +115,20 @@ function Rung($$anchor, $$props) {
 		let y = () => $.get($$item).y;
 		let on = () => $.get($$item).on;
 		var g_1 = root_6();
-		let classes_3;
+		$.attribute_effect(g_1, ($0) => ({
+			class: "output",
+			...$0,
+			[$.CLASS]: { on: on() }
+		}), [() => output().kind === "coil" ? choice(output().name) : {}], void 0, void 0, "s-xc2thf");
 		var title_1 = $.child(g_1);
 		var text_7 = $.only_child(title_1);
 		var path_5 = $.sibling(title_1);
-		let classes_4;
+		let classes_2;
 		var node_5 = $.sibling(path_5);
 		var consequent_2 = ($$anchor) => {
 			var fragment = root_4();
-			var circle = $.first_child(fragment);
+			var rect_1 = $.first_child(fragment);
+			var circle = $.sibling(rect_1);
 			var text_8 = $.sibling(circle);
 			var text_9 = $.only_child(text_8, true);
 			var text_10 = $.sibling(text_8);
@@ -117,6 +136,8 @@ function Rung($$anchor, $$props) {
 			var text_12 = $.sibling(text_10);
 			var text_13 = $.only_child(text_12, true);
 			$.template_effect(($0, $1) => {
+				$.set_attribute(rect_1, "x", x() + 30);
+				$.set_attribute(rect_1, "y", y() - 26);
 				$.set_attribute(circle, "cx", x() + 50);
 				$.set_attribute(circle, "cy", y());
 				$.set_attribute(text_8, "x", x() + 50);
@@ -133,12 +154,12 @@ function Rung($$anchor, $$props) {
 		};
 		var alternate = ($$anchor) => {
 			var fragment_1 = root_5();
-			var rect_1 = $.first_child(fragment_1);
-			var text_14 = $.sibling(rect_1);
+			var rect_2 = $.first_child(fragment_1);
+			var text_14 = $.sibling(rect_2);
 			var text_15 = $.only_child(text_14, true);
 			$.template_effect(($0) => {
-				$.set_attribute(rect_1, "x", x() + 36);
-				$.set_attribute(rect_1, "y", y() - 19);
+				$.set_attribute(rect_2, "x", x() + 36);
+				$.set_attribute(rect_2, "y", y() - 19);
 				$.set_attribute(text_14, "x", x() + 46);
 				$.set_attribute(text_14, "y", y() + 5);
 				$.set_text(text_15, $0);
@@ -151,12 +172,10 @@ function Rung($$anchor, $$props) {
 		});
 		$.reset(g_1);
 		$.template_effect(($0) => {
-			classes_3 = $.set_class(g_1, 0, "output s-1iyx72s", null, classes_3, { on: on() });
 			$.set_text(text_7, `${$0 ?? ""}${output().meaning ?? ""}`);
-			classes_4 = $.set_class(path_5, 0, "wire s-1iyx72s", null, classes_4, { on: on() });
+			classes_2 = $.set_class(path_5, 0, "wire s-xc2thf", null, classes_2, { on: on() });
 			$.set_attribute(path_5, "d", `M${x()} ${y()}H${x() + 36}`);
 		}, [() => $$props.symbols.get(output().name)?.address ?? output().text]);
-		$.delegated("click", g_1, () => output().kind === "coil" && $$props.onsignal(output().name));
 		$.append($$anchor, g_1);
 	});
 	$.reset(svg);
@@ -171,5 +190,4 @@ function Rung($$anchor, $$props) {
 	$.append($$anchor, figure);
 	$.pop();
 }
-$.delegate(["click"]);
 export { Rung as default };

@@ -1,0 +1,153 @@
+// The ladder at the machine: exchanged while it runs, put back, its signals forced and traced.
+import type { Page } from '@playwright/test';
+import { expect, shoot, test } from './server';
+import { enter, logIn, notice, press, show, watchFaults } from './walk';
+
+watchFaults();
+// A loaded computer takes its time.
+test.describe.configure({ timeout: 180_000 });
+
+/** The lamp of the work light's key, as the panel shows it. */
+const light = (page: Page) => page.locator('[data-signal="KEY_LIGHT"]');
+const lit = (page: Page, on: boolean) => expect(light(page)).toHaveAttribute('aria-pressed', String(on));
+
+async function mayChange(page: Page): Promise<void> {
+  await logIn(page, 2);
+  await expect(page.getByTestId('user')).toHaveText('2');
+}
+
+/** Writes something else all over the ladder's text. */
+async function rewrite(page: Page, from: string, to: string): Promise<void> {
+  await page.locator('[data-page="plc"]').getByRole('button', { name: 'Find and replace' }).click();
+  const panel = page.locator('.cm-search');
+  await panel.getByRole('textbox', { name: 'Find' }).fill(from);
+  await panel.getByRole('textbox', { name: 'Replace with' }).fill(to);
+  await panel.getByRole('button', { name: 'Next' }).click();
+  await expect(page.locator('.cm-searchMatch-selected')).toHaveText(from);
+  await panel.getByRole('button', { name: 'Replace all' }).click();
+  await expect(page.locator('.cm-searchMatch')).toHaveCount(0);
+  await panel.getByRole('button', { name: 'Close' }).click();
+}
+
+/** Puts what stands there in the place of the running ladder. */
+async function exchange(page: Page): Promise<void> {
+  await page.locator('[data-page="plc"]').getByRole('button', { name: 'Exchange' }).first().click();
+  await page.getByRole('dialog').getByRole('button', { name: 'Exchange' }).click();
+  await expect(page.getByRole('dialog')).toBeHidden();
+}
+
+test('the ladder is exchanged while it runs, under right, and the one before is put back', async ({ page }) => {
+  await enter(page, '#/plc/edit');
+  await expect(page.locator('.cm-content')).toContainText('The standard ladder');
+  await lit(page, false);
+  await rewrite(page, 'WRT LAMP_LIGHT', 'WRT.NOT LAMP_LIGHT');
+  await exchange(page);
+  await expect(notice(page)).toContainText('FC-');
+  await lit(page, false);
+  await mayChange(page);
+  // Who logs in finds the change still there.
+  await exchange(page);
+  await expect(notice(page).filter({ hasText: 'The ladder is exchanged' })).toBeVisible();
+  await lit(page, true);
+  await press(page, 'KEY_LIGHT');
+  await lit(page, false);
+  await press(page, 'KEY_LIGHT');
+  await lit(page, true);
+  await shoot(page, 'plc-exchanged');
+
+  // A ladder with a fault is refused, its line is shown, and the running one runs on.
+  await rewrite(page, 'WRT.NOT LAMP_LIGHT', 'WRT.NOT NOBODY_KNOWS');
+  await exchange(page);
+  await expect(notice(page).filter({ hasText: 'FC-' }).last()).toBeVisible();
+  await expect(page.locator('.cm-activeLine.cm-line')).toContainText('NOBODY_KNOWS');
+  await press(page, 'KEY_LIGHT');
+  await lit(page, false);
+  await press(page, 'KEY_LIGHT');
+
+  await page.getByRole('button', { name: 'Put the one before back' }).click();
+  await lit(page, false);
+  await expect(page.locator('.cm-content')).toContainText('The standard ladder');
+  await press(page, 'KEY_LIGHT');
+  await lit(page, true);
+  await press(page, 'KEY_LIGHT');
+  await lit(page, false);
+  // It is drawn as it runs.
+  await show(page, 'plc/monitor');
+  await page.getByTestId('plc-search').fill('LAMP_LIGHT');
+  await expect(page.getByTestId('ladder').locator('g.output', { hasText: 'LAMP_LIGHT' })).toBeVisible();
+});
+
+test('a signal is forced under right, and released', async ({ page }) => {
+  await enter(page, '#/plc');
+  await page.getByTestId('plc-search').fill('LAMP_LIGHT');
+  await page.getByTestId('ladder').locator('g.output', { hasText: 'LAMP_LIGHT' }).click();
+  const bar = page.getByTestId('signal');
+  await expect(bar).toContainText('Y21.7');
+  await expect(bar).toHaveAttribute('data-value', '0');
+  await bar.getByRole('button', { name: 'Force on' }).click();
+  await expect(notice(page)).toContainText('FC-');
+  await lit(page, false);
+  await mayChange(page);
+  await bar.getByRole('button', { name: 'Force on' }).click();
+  await lit(page, true);
+  await expect(bar).toHaveAttribute('data-value', '1');
+  await shoot(page, 'plc-forced');
+  // The ladder has no say while it is forced.
+  await press(page, 'KEY_LIGHT');
+  await lit(page, true);
+  await bar.getByRole('button', { name: 'Force off' }).click();
+  await lit(page, false);
+  await bar.getByRole('button', { name: 'Release' }).click();
+  await lit(page, true);
+  await press(page, 'KEY_LIGHT');
+  await lit(page, false);
+});
+
+test('signals are traced around their trigger, and as they change', async ({ page }) => {
+  await enter(page, '#/plc/trace');
+  const record = page.getByTestId('trace-record');
+  const samples = page.getByTestId('traced');
+  await page.getByLabel('Names of signals').fill('KEY_LIGHT LAMP_LIGHT');
+  await page.getByRole('radio', { name: 'On a signal' }).click();
+  await page.getByLabel('Signal of the trigger').fill('KEY_LIGHT');
+  await record.click();
+  await expect(page.getByText('Waits for the signal')).toBeVisible();
+  await press(page, 'KEY_LIGHT');
+  await lit(page, true);
+  // So many scans behind the trigger, and it ends by itself.
+  await expect(record).toHaveText('Record', { timeout: 60_000 });
+  await expect(samples).toHaveAttribute('data-samples', /^[12]\d{3}$/);
+  // What stands under the pointer is told: the lamp goes on behind the trigger, from which times count.
+  const over = page.locator('.u-over');
+  const told = (name: string) => page.locator('.u-legend .u-series', { hasText: name }).locator('.u-value');
+  const { width } = (await over.boundingBox())!;
+  await over.hover({ position: { x: 0.1 * width, y: 20 } });
+  await expect(told('s').first()).toContainText('-');
+  await expect(told('LAMP_LIGHT')).toHaveText('0');
+  await over.hover({ position: { x: 0.9 * width, y: 20 } });
+  await expect(told('s').first()).not.toContainText('-');
+  await expect(told('LAMP_LIGHT')).toHaveText('1');
+  await expect(told('KEY_LIGHT')).toHaveText('0');
+  await shoot(page, 'plc-traced');
+
+  await press(page, 'KEY_LIGHT');
+  await lit(page, false);
+  await page.getByRole('radio', { name: 'At once' }).click();
+  await record.click();
+  for (const on of [true, false, true, false]) {
+    await press(page, 'KEY_LIGHT');
+    await lit(page, on);
+  }
+  // At least both edges of four presses.
+  await expect.poll(async () => Number(await samples.getAttribute('data-samples'))).toBeGreaterThanOrEqual(8);
+  await record.click();
+  await expect(record).toHaveText('Record');
+  // A wait for what does not come is ended by hand.
+  await page.getByRole('radio', { name: 'On a signal' }).click();
+  await page.getByLabel('Signal of the trigger').fill('KEY_START');
+  await record.click();
+  await expect(page.getByText('Waits for the signal')).toBeVisible();
+  await record.click();
+  await expect(record).toHaveText('Record');
+  await expect(page.getByText('Waits for the signal')).toHaveCount(0);
+});
