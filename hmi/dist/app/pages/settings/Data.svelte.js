@@ -30,7 +30,9 @@ function Data($$anchor, $$props) {
 		["log", 3],
 		["position", 2]
 	];
-	let chosen = $.state($.proxy(items.map(([name]) => name)));
+	/** All but what is of another moment, and is restored only by who names it. */
+	const lasting = items.map(([name]) => name).filter((name) => name !== "position");
+	let chosen = $.state($.proxy(lasting));
 	let file = $.state(`${(/* @__PURE__ */ new Date()).toISOString().slice(0, 10)}.backup`);
 	let asking = $.state(false);
 	let busy = $.state(false);
@@ -39,10 +41,11 @@ function Data($$anchor, $$props) {
 	}
 	async function backUp() {
 		$.set(busy, true);
+		const whole = lasting.every((name) => $.get(chosen).includes(name));
 		if (await machine.tell({
 			do: "backup",
 			file: $.get(file),
-			items: $.get(chosen).length === items.length ? [] : $.get(chosen)
+			items: whole ? [] : $.get(chosen)
 		})) notify({
 			kind: "done",
 			title: t("settings.backed_up", { file: $.get(file) })
@@ -102,7 +105,7 @@ function Data($$anchor, $$props) {
 				var div_2 = $.sibling(div_1, 2);
 				var node_1 = $.child(div_2);
 				Button(node_1, {
-					onclick: () => $.set(chosen, items.map(([name]) => name), true),
+					onclick: () => $.set(chosen, lasting, true),
 					children: ($$anchor, $$slotProps) => {
 						$.next();
 						var text_2 = $.text();
@@ -157,6 +160,7 @@ function Data($$anchor, $$props) {
 							return $.get($0);
 						},
 						onclick: () => void backUp(),
+						"data-testid": "back-up",
 						children: ($$anchor, $$slotProps) => {
 							$.next();
 							var text_4 = $.text();
@@ -176,6 +180,7 @@ function Data($$anchor, $$props) {
 							return $.get($0);
 						},
 						onclick: () => $.set(asking, true),
+						"data-testid": "restore",
 						children: ($$anchor, $$slotProps) => {
 							$.next();
 							var text_5 = $.text();
@@ -211,6 +216,7 @@ function Data($$anchor, $$props) {
 			Button(node_8, {
 				kind: "danger",
 				onclick: () => void restore(),
+				"data-testid": "restore-go",
 				children: ($$anchor, $$slotProps) => {
 					$.next();
 					var text_7 = $.text();
