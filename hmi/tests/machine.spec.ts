@@ -170,6 +170,7 @@ test('a run that was broken off is taken up behind a plan of what is done first'
   await stands(page, 'running');
   await show(page, 'program/run');
   await expect(page.getByTestId('block')).toContainText('G1 X90.', { timeout: 60_000 });
+  await expect(page.getByTestId('next')).toContainText('G3 X100. Y0 R10.');
   await page.getByTestId('reset').click();
   await stands(page, 'idle');
   // Whoever looks at the alarms is told too.

@@ -149,6 +149,10 @@ function Editor($$anchor, $$props) {
 	function value() {
 		return view ? textIn(view.state) : $$props.text;
 	}
+	/** A line, from 1; null where there is none. */
+	function line(number) {
+		return view && number >= 1 && number <= view.state.doc.lines ? view.state.doc.line(number).text : null;
+	}
 	/** Writes each line anew, so that it can be undone at once. */
 	function rewrite(write) {
 		if (!view) return;
@@ -218,6 +222,7 @@ function Editor($$anchor, $$props) {
 	}
 	var $$exports = {
 		value,
+		line,
 		rewrite,
 		insert,
 		insertBehind,

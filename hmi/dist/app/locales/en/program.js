@@ -1,6 +1,7 @@
 // src/locales/en/program.json
 var program_default = {
 	"title": "Program",
+	"next": "Next",
 	"run": "Run",
 	"edit": "Edit",
 	"mdi": "MDI",

@@ -1,6 +1,7 @@
 // src/locales/es/program.json
 var program_default = {
 	"title": "Programa",
+	"next": "Siguiente",
 	"run": "Ejecución",
 	"edit": "Editar",
 	"mdi": "MDI",

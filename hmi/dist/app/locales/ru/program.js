@@ -1,6 +1,7 @@
 // src/locales/ru/program.json
 var program_default = {
 	"title": "Программа",
+	"next": "Следующий",
 	"run": "Выполнение",
 	"edit": "Правка",
 	"mdi": "MDI",

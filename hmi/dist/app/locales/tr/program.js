@@ -1,6 +1,7 @@
 // src/locales/tr/program.json
 var program_default = {
 	"title": "Program",
+	"next": "Sonraki",
 	"run": "Çalışma",
 	"edit": "Düzenle",
 	"mdi": "MDI",

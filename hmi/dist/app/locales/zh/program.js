@@ -1,6 +1,7 @@
 // src/locales/zh/program.json
 var program_default = {
 	"title": "程序",
+	"next": "下一段",
 	"run": "运行",
 	"edit": "编辑",
 	"mdi": "MDI",

@@ -1,5 +1,6 @@
 import { t } from "../../lib/i18n/index.svelte.js";
 import Editor from "../../lib/editor/Editor.svelte.js";
+import { nextBlock } from "../../lib/editor/next.js";
 import { fixed } from "../../lib/numbers.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import Empty from "../../lib/parts/Empty.svelte.js";
@@ -12,12 +13,12 @@ import Restart from "./Restart.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/program/RunView.svelte
-var root = $.from_html(`<span><small class="s-1jctaus"> </small> </span>`);
-var root_1 = $.from_html(`<span class="number go s-1jctaus"></span>`);
-var root_2 = $.from_html(`<div class="head row wrap s-1jctaus"><strong class="code s-1jctaus"> </strong> <span class="block code grow s-1jctaus" data-testid="block"> </span> <!></div>`);
-var root_3 = $.from_html(`<div class="interrupted row wrap s-1jctaus" data-testid="interrupted"><span class="grow"> </span> <!></div>`);
-var root_4 = $.from_html(`<div class="row wrap"><!> <!> <span class="stop s-1jctaus"><!></span> <span class="muted"> </span> <span class="grow"></span> <!> <!></div>`);
-var root_5 = $.from_html(`<div data-testid="run-view"><!> <!> <div class="text s-1jctaus"><!></div> <!></div>`);
+var root = $.from_html(`<span><small class="s-ifwji7"> </small> </span>`);
+var root_1 = $.from_html(`<span class="number go s-ifwji7"></span>`);
+var root_2 = $.from_html(`<div class="head row wrap s-ifwji7"><strong class="code s-ifwji7"> </strong> <span class="blocks grow code s-ifwji7"><span class="block s-ifwji7" data-testid="block"> </span> <span class="next s-ifwji7" data-testid="next"><small class="s-ifwji7"> </small> </span></span> <!></div>`);
+var root_3 = $.from_html(`<div class="interrupted row wrap s-ifwji7" data-testid="interrupted"><span class="grow"> </span> <!></div>`);
+var root_4 = $.from_html(`<div class="row wrap"><!> <!> <span class="stop s-ifwji7"><!></span> <span class="muted"> </span> <span class="grow"></span> <!> <!></div>`);
+var root_5 = $.from_html(`<div data-testid="run-view"><!> <!> <div class="text s-ifwji7"><!></div> <!></div>`);
 function RunView($$anchor, $$props) {
 	$.push($$props, true);
 	let compact = $.prop($$props, "compact", 3, false);
@@ -40,10 +41,21 @@ function RunView($$anchor, $$props) {
 			$.set(text, now, true);
 			$.set(shown, wanted, true);
 		}, () => {
-			if (wanted === $.get(name)) $.set(shown, null);
+			if (wanted === $.get(name)) (($$value) => {
+				var $$array = $.to_array($$value, 2);
+				$.set(text, $$array[0], true);
+				$.set(shown, $$array[1], true);
+			})(["", null]);
 		});
 	});
 	const active = $.derived(() => $.get(shown) === $.get(program)?.running ? $.get(program)?.line ?? 0 : 0);
+	let editor = $.state(void 0);
+	let next = $.state(null);
+	$.user_effect(() => {
+		const [from, at] = [$.get(editor), $.get(active)];
+		$.get(text);
+		$.set(next, from ? nextBlock((line) => from.line(line), at) : null, true);
+	});
 	var fragment = $.comment();
 	var node = $.first_child(fragment);
 	var consequent = ($$anchor) => {
@@ -85,33 +97,42 @@ function RunView($$anchor, $$props) {
 			var strong = $.child(div_1);
 			var text_2 = $.only_child(strong, true);
 			var span = $.sibling(strong, 2);
-			var text_3 = $.only_child(span, true);
+			var span_1 = $.child(span);
+			var text_3 = $.only_child(span_1, true);
+			var span_2 = $.sibling(span_1, 2);
+			var small = $.child(span_2);
+			var text_4 = $.only_child(small, true);
+			var text_5 = $.sibling(small, 1, true);
+			$.reset(span_2);
+			$.reset(span);
 			var node_2 = $.sibling(span, 2);
 			var consequent_1 = ($$anchor) => {
-				var span_1 = root_1();
-				$.each(span_1, 20, () => machine.axes, (axis) => axis, ($$anchor, axis) => {
-					var span_2 = root();
-					var small = $.child(span_2);
-					var text_4 = $.only_child(small, true);
-					var text_5 = $.sibling(small, 1, true);
-					$.reset(span_2);
+				var span_3 = root_1();
+				$.each(span_3, 20, () => machine.axes, (axis) => axis, ($$anchor, axis) => {
+					var span_4 = root();
+					var small_1 = $.child(span_4);
+					var text_6 = $.only_child(small_1, true);
+					var text_7 = $.sibling(small_1, 1, true);
+					$.reset(span_4);
 					$.template_effect(($0) => {
-						$.set_text(text_4, axis);
-						$.set_text(text_5, $0);
+						$.set_text(text_6, axis);
+						$.set_text(text_7, $0);
 					}, [() => fixed(machine.status.position.work[axis])]);
-					$.append($$anchor, span_2);
+					$.append($$anchor, span_4);
 				});
-				$.reset(span_1);
-				$.append($$anchor, span_1);
+				$.reset(span_3);
+				$.append($$anchor, span_3);
 			};
 			$.if(node_2, ($$render) => {
 				if (machine.status) $$render(consequent_1);
 			});
 			$.reset(div_1);
-			$.template_effect(() => {
+			$.template_effect(($0) => {
 				$.set_text(text_2, $.get(name));
 				$.set_text(text_3, $.get(program)?.block);
-			});
+				$.set_text(text_4, $0);
+				$.set_text(text_5, $.get(next));
+			}, [() => t("program.next")]);
 			$.append($$anchor, div_1);
 		};
 		$.if(node_1, ($$render) => {
@@ -123,23 +144,23 @@ function RunView($$anchor, $$props) {
 		};
 		var consequent_4 = ($$anchor) => {
 			var div_2 = root_3();
-			var span_3 = $.child(div_2);
-			var text_6 = $.only_child(span_3, true);
-			var node_4 = $.sibling(span_3, 2);
+			var span_5 = $.child(div_2);
+			var text_8 = $.only_child(span_5, true);
+			var node_4 = $.sibling(span_5, 2);
 			Button(node_4, {
 				icon: "undo",
 				onclick: () => restart.ask(null),
 				"data-testid": "take-up",
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_7 = $.text();
-					$.template_effect(($0) => $.set_text(text_7, $0), [() => t("restart.take_up")]);
-					$.append($$anchor, text_7);
+					var text_9 = $.text();
+					$.template_effect(($0) => $.set_text(text_9, $0), [() => t("restart.take_up")]);
+					$.append($$anchor, text_9);
 				},
 				$$slots: { default: true }
 			});
 			$.reset(div_2);
-			$.template_effect(($0) => $.set_text(text_6, $0), [() => t("restart.interrupted", {
+			$.template_effect(($0) => $.set_text(text_8, $0), [() => t("restart.interrupted", {
 				program: machine.status.interrupted.file,
 				line: machine.status.interrupted.line
 			})]);
@@ -154,7 +175,7 @@ function RunView($$anchor, $$props) {
 		{
 			let $0 = $.derived(() => $.get(program)?.cursor ?? 0);
 			let $1 = $.derived(() => t("program.run"));
-			Editor(node_5, {
+			$.bind_this(Editor(node_5, {
 				get text() {
 					return $.get(text);
 				},
@@ -169,7 +190,7 @@ function RunView($$anchor, $$props) {
 					return $.get($1);
 				},
 				online: (line) => $.set(chosen, line, true)
-			});
+			}), ($$value) => $.set(editor, $$value, true), () => $.get(editor));
 		}
 		$.reset(div_3);
 		var node_6 = $.sibling(div_3, 2);
@@ -190,9 +211,9 @@ function RunView($$anchor, $$props) {
 					"data-testid": "cursor",
 					children: ($$anchor, $$slotProps) => {
 						$.next();
-						var text_8 = $.text();
-						$.template_effect(($0) => $.set_text(text_8, $0), [() => t("program.start_here", { line: $.get(chosen) || "–" })]);
-						$.append($$anchor, text_8);
+						var text_10 = $.text();
+						$.template_effect(($0) => $.set_text(text_10, $0), [() => t("program.start_here", { line: $.get(chosen) || "–" })]);
+						$.append($$anchor, text_10);
 					},
 					$$slots: { default: true }
 				});
@@ -209,15 +230,15 @@ function RunView($$anchor, $$props) {
 					"data-testid": "restart-here",
 					children: ($$anchor, $$slotProps) => {
 						$.next();
-						var text_9 = $.text();
-						$.template_effect(($0) => $.set_text(text_9, $0), [() => t("program.restart_here", { line: $.get(chosen) || "–" })]);
-						$.append($$anchor, text_9);
+						var text_11 = $.text();
+						$.template_effect(($0) => $.set_text(text_11, $0), [() => t("program.restart_here", { line: $.get(chosen) || "–" })]);
+						$.append($$anchor, text_11);
 					},
 					$$slots: { default: true }
 				});
 			}
-			var span_4 = $.sibling(node_8, 2);
-			var node_9 = $.child(span_4);
+			var span_6 = $.sibling(node_8, 2);
+			var node_9 = $.child(span_6);
 			{
 				let $0 = $.derived(() => t("program.stop_at"));
 				NumberField(node_9, {
@@ -240,18 +261,18 @@ function RunView($$anchor, $$props) {
 					}
 				});
 			}
-			$.reset(span_4);
-			var span_5 = $.sibling(span_4, 2);
-			var text_10 = $.only_child(span_5, true);
-			var node_10 = $.sibling(span_5, 4);
+			$.reset(span_6);
+			var span_7 = $.sibling(span_6, 2);
+			var text_12 = $.only_child(span_7, true);
+			var node_10 = $.sibling(span_7, 4);
 			Button(node_10, {
 				icon: "graphics",
 				onclick: () => go("graphics"),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_11 = $.text();
-					$.template_effect(($0) => $.set_text(text_11, $0), [() => t("graphics.title")]);
-					$.append($$anchor, text_11);
+					var text_13 = $.text();
+					$.template_effect(($0) => $.set_text(text_13, $0), [() => t("graphics.title")]);
+					$.append($$anchor, text_13);
 				},
 				$$slots: { default: true }
 			});
@@ -261,21 +282,21 @@ function RunView($$anchor, $$props) {
 				onclick: () => go("program", "edit", $.get(name)),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_12 = $.text();
-					$.template_effect(($0) => $.set_text(text_12, $0), [() => t("program.edit")]);
-					$.append($$anchor, text_12);
+					var text_14 = $.text();
+					$.template_effect(($0) => $.set_text(text_14, $0), [() => t("program.edit")]);
+					$.append($$anchor, text_14);
 				},
 				$$slots: { default: true }
 			});
 			$.reset(div_4);
-			$.template_effect(($0) => $.set_text(text_10, $0), [() => t("program.stop_at")]);
+			$.template_effect(($0) => $.set_text(text_12, $0), [() => t("program.stop_at")]);
 			$.append($$anchor, div_4);
 		};
 		$.if(node_6, ($$render) => {
 			if (!compact()) $$render(consequent_5);
 		});
 		$.reset(div);
-		$.template_effect(() => classes = $.set_class(div, 1, "run s-1jctaus", null, classes, { compact: compact() }));
+		$.template_effect(() => classes = $.set_class(div, 1, "run s-ifwji7", null, classes, { compact: compact() }));
 		$.append($$anchor, div);
 	};
 	$.if(node, ($$render) => {
