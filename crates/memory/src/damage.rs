@@ -49,8 +49,8 @@ impl Whole {
                     let found = identity.commits;
                     Whole::Bad(Verdict::Damaged(vec![Finding::CommitsLost { found, reported }]))
                 }
-                // Power went off before the first mark was made.
-                None if identity.commits == 0 => Whole::Good(identity),
+                // Power went off before the first mark was made; there was no snapshot then.
+                None if identity.commits == 0 && snapshot::list(folder).is_empty() => Whole::Good(identity),
                 None => Whole::Bad(Verdict::Damaged(vec![Finding::MarkLost])),
                 Some(_) => Whole::Good(identity),
             },

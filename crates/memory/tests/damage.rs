@@ -203,6 +203,24 @@ fn damage_everywhere_is_said() {
     }
 }
 
+/// The log and the mark together: what is left looks like a control that was never used, but for its snapshots.
+#[test]
+fn a_memory_that_lost_every_commit_and_its_mark_is_not_a_new_one() {
+    let scene = scene();
+    let empty = scene.folder.path().join("empty");
+    drop(open(&empty));
+    let folder = scene.fresh("emptied");
+    for rest in ["memory.db-wal", "memory.db-shm"] {
+        let _ = fs::remove_file(folder.join(rest));
+    }
+    fs::copy(empty.join("memory.db"), folder.join("memory.db")).unwrap();
+    fs::write(folder.join("mark"), [0xA5; 32]).unwrap();
+    match Store::open(&folder, settings()) {
+        Err(OpenError::Damaged(damage)) => assert_eq!(damage.findings(), [Finding::MarkLost]),
+        other => panic!("{:?}", other.map(|_| ())),
+    }
+}
+
 #[test]
 fn a_file_that_vanished_is_damage_and_no_new_control() {
     let scene = scene();
