@@ -47,10 +47,14 @@ pub(crate) struct Piece {
 }
 
 impl Piece {
-    /// Between two states; `None` where both are at rest, or nothing is finite.
+    /// Between two states; `None` where both are at rest, where no motion of this form is as long, or nothing is finite.
     pub fn new(s: f64, h: f64, from: State, to: State) -> Option<Piece> {
         let mean = 0.5 * (from.v + to.v);
-        let root = (mean * mean + (from.a - to.a) * h / 3.0).max(0.0).sqrt();
+        let square = mean * mean + (from.a - to.a) * h / 3.0;
+        if !(square >= -1e-9 * mean * mean) {
+            return None;
+        }
+        let root = square.max(0.0).sqrt();
         let time = 2.0 * h / (mean + root);
         if !(time.is_finite() && time > 0.0) {
             return None;
@@ -214,6 +218,14 @@ mod tests {
         }
         assert_eq!((parts.last().unwrap().end(), parts.last().unwrap().to), (piece.end(), piece.to));
         assert!((before - piece.time).abs() < 1e-9);
+    }
+
+    #[test]
+    fn what_cannot_be_that_long_is_no_piece() {
+        let (from, to) = (State { v: 0.2179, a: -104.15 }, State { v: 0.0066, a: -0.3632 });
+        assert_eq!(Piece::new(0.0, 4.54e-4, from, to), None);
+        let piece = Piece::new(0.0, 3.4e-4, from, to).unwrap();
+        assert!((piece.at(piece.time).0 - 3.4e-4).abs() < 1e-12);
     }
 
     #[test]
