@@ -29,6 +29,16 @@ impl Book {
         })
     }
 
+    /// A text of the tables in the language of the book.
+    pub fn words<'a>(&self, english: &'a str) -> &'a str {
+        self.catalogue.of_reference(english)
+    }
+
+    /// What an address letter stands for; empty where it is none.
+    pub fn address_meaning(&self, letter: u8) -> &'static str {
+        self.reference.and_then(|r| r.address(letter)).map_or("", |text| self.words(text))
+    }
+
     fn label(&self, key: &str, arguments: &[(&str, Argument)]) -> String {
         self.catalogue.label(key, arguments)
     }
@@ -36,12 +46,13 @@ impl Book {
     fn g_code(&self, tenths: u16) -> Page {
         let row = self.reference.and_then(|r| r.g_code(tenths));
         let name = g_code_name(tenths);
-        let mut page = Page::new("g-code", name, row.map_or("", |r| title(&r.meaning)));
+        let meaning = row.map_or("", |r| self.words(&r.meaning));
+        let mut page = Page::new("g-code", name, title(meaning));
         if let Some(row) = row {
             page.say("form", &*row.format);
             self.say_group(&mut page, row);
-            if title(&row.meaning).len() < row.meaning.len() {
-                page.say("does", &*row.meaning);
+            if title(meaning).len() < meaning.len() {
+                page.say("does", meaning);
             }
             page.say("section", &*row.section);
         } else if let Some(code) = self.dialect.g_code(tenths) {
@@ -51,7 +62,7 @@ impl Book {
             page.tell("note", self.label("label-explain-not-done", &[]), "not carried out");
         }
         if let Some(reference) = self.reference {
-            let form = |r: &GCodeRow| (r.format.to_string(), r.meaning.to_string());
+            let form = |r: &GCodeRow| (r.format.to_string(), self.words(&r.meaning).to_owned());
             page.list("forms", reference.forms(tenths).map(form).collect());
         }
         self.add_related(&mut page, &Subject::G(tenths));
@@ -89,10 +100,11 @@ impl Book {
     }
 
     fn form(&self, row: &GCodeRow) -> Page {
-        let mut page = Page::new("g-code", row.name(), title(&row.meaning));
+        let meaning = self.words(&row.meaning);
+        let mut page = Page::new("g-code", row.name(), title(meaning));
         page.say("form", &*row.format);
-        if title(&row.meaning).len() < row.meaning.len() {
-            page.say("does", &*row.meaning);
+        if title(meaning).len() < meaning.len() {
+            page.say("does", meaning);
         }
         page.say("section", &*row.section);
         if !self.carries_out(row.tenths) {
@@ -110,7 +122,7 @@ impl Book {
 
     fn m_code(&self, code: u16) -> Page {
         let row = self.reference.and_then(|r| r.m_code(code));
-        let meaning = row.map_or("", |r| &*r.meaning);
+        let meaning = row.map_or("", |r| self.words(&r.meaning));
         let name = format!("M{code:02}");
         let mut page = match meaning {
             "" => Page::new("m-code", name, self.label("label-explain-no-meaning", &[])),
@@ -148,10 +160,10 @@ impl Book {
         };
         let mut page = Page::new("parameter", &*definition.name, &*definition.symbol);
         match &definition.meaning {
-            Meaning::Value(text) => page.say("meaning", &**text),
+            Meaning::Value(text) => page.say("meaning", self.words(text)),
             Meaning::Bit { one, zero } => {
-                page.say("one", &**one);
-                page.say("zero", &**zero);
+                page.say("one", self.words(one));
+                page.say("zero", self.words(zero));
             }
         }
         page.tell("value", with_unit(value, definition), value);
@@ -214,7 +226,7 @@ impl Book {
         let mut rows = rows.into_iter();
         let row = rows.next();
         let name = self.dialect.syntax.variable_name(number);
-        let mut page = Page::new("variable", name, row.map_or("", |r| &*r.meaning));
+        let mut page = Page::new("variable", name, row.map_or("", |r| self.words(&r.meaning)));
         if let Some(row) = row {
             page.say("numbers", self.range_of_variables(row));
             let access = match &*row.access {
@@ -230,8 +242,9 @@ impl Book {
             None => page.tell("note", self.label("label-explain-no-variable", &[]), "not carried out"),
             Some(variable) => page.say("this_one", self.variable_meaning(variable)),
         }
-        page.say("notes", row.map_or("", |r| &*r.notes));
-        page.list("part_of", rows.map(|r| (self.range_of_variables(r), r.meaning.to_string())).collect());
+        page.say("notes", row.map_or("", |r| self.words(&r.notes)));
+        let line = |r: &VariableRow| (self.range_of_variables(r), self.words(&r.meaning).to_owned());
+        page.list("part_of", rows.map(line).collect());
         self.add_related(&mut page, &Subject::Variable(number));
         page
     }
@@ -275,7 +288,7 @@ impl Book {
     }
 
     fn address(&self, letter: u8) -> Page {
-        let meaning = self.reference.and_then(|r| r.address(letter)).unwrap_or_default();
+        let meaning = self.address_meaning(letter);
         let mut page = Page::new("address", char::from(letter).to_string(), title(meaning));
         if title(meaning).len() < meaning.len() {
             page.say("does", meaning);
@@ -298,7 +311,7 @@ impl Book {
 
     fn macro_word(&self, word: &str) -> Option<Page> {
         let row = self.reference?.macro_word(word)?;
-        let mut page = Page::new("macro", &*row.word, &*row.meaning);
+        let mut page = Page::new("macro", &*row.word, self.words(&row.meaning));
         page.say("form", &*row.format);
         Some(page)
     }
@@ -323,11 +336,11 @@ impl Book {
         match code {
             Subject::G(tenths) => {
                 let row = reference.g_code(*tenths)?;
-                Some((row.name(), title(&row.meaning).to_owned()))
+                Some((row.name(), title(self.words(&row.meaning)).to_owned()))
             }
             Subject::M(code) => {
                 let row = reference.m_code(*code)?;
-                Some((format!("M{:02}", row.code), title(&row.meaning).to_owned()))
+                Some((format!("M{:02}", row.code), title(self.words(&row.meaning)).to_owned()))
             }
             _ => None,
         }

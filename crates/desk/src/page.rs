@@ -64,7 +64,7 @@ impl Page {
     }
 
     /// As one object.
-    pub fn json(&self) -> Value {
+    pub fn json(&self, catalogue: Catalogue) -> Value {
         let mut object = Map::new();
         object.insert("kind".into(), self.kind.into());
         object.insert("name".into(), self.name.clone().into());
@@ -77,7 +77,8 @@ impl Page {
             object.insert((*key).into(), rows.into());
         }
         if !self.parameters.is_empty() {
-            let rows: Vec<Value> = self.parameters.iter().map(|(d, v)| parameter_json(d, *v)).collect();
+            let of = |(d, v): &(&ParameterDef, f64)| parameter_json(d, *v, catalogue);
+            let rows: Vec<Value> = self.parameters.iter().map(of).collect();
             object.insert("parameters".into(), rows.into());
         }
         Value::Object(object)
@@ -124,10 +125,11 @@ fn hanging(head: &str, text: &str) -> Vec<String> {
 }
 
 /// What a parameter says, in one line.
-pub fn meaning(definition: &ParameterDef) -> String {
+pub fn meaning(definition: &ParameterDef, catalogue: Catalogue) -> String {
+    let of = |text| catalogue.of_reference(text);
     match &definition.meaning {
-        Meaning::Value(text) => text.to_string(),
-        Meaning::Bit { one, zero } => format!("1: {one}; 0: {zero}"),
+        Meaning::Value(text) => of(text).to_owned(),
+        Meaning::Bit { one, zero } => format!("1: {}; 0: {}", of(one), of(zero)),
     }
 }
 
@@ -149,7 +151,7 @@ pub fn value_text(definition: &ParameterDef, value: f64, catalogue: Catalogue) -
 }
 
 /// A parameter as an object.
-pub fn parameter_json(definition: &ParameterDef, value: f64) -> Value {
+pub fn parameter_json(definition: &ParameterDef, value: f64, catalogue: Catalogue) -> Value {
     let mut object = json!({
         "name": definition.name,
         "symbol": definition.symbol,
@@ -162,11 +164,11 @@ pub fn parameter_json(definition: &ParameterDef, value: f64) -> Value {
         "axis": definition.axis,
         "room": definition.applies_to,
         "used": definition.used,
-        "meaning": meaning(definition),
+        "meaning": meaning(definition, catalogue),
     });
     if let (Value::Object(fields), Meaning::Bit { one, zero }) = (&mut object, &definition.meaning) {
-        fields.insert("one".into(), (&**one).into());
-        fields.insert("zero".into(), (&**zero).into());
+        fields.insert("one".into(), catalogue.of_reference(one).into());
+        fields.insert("zero".into(), catalogue.of_reference(zero).into());
     }
     object
 }
@@ -189,13 +191,37 @@ fn families(parameters: &[(&ParameterDef, f64)], catalogue: Catalogue) -> Vec<(S
         rows.push(match (last, member) {
             (Some((last, _)), Some((before, number, after))) => {
                 let name = format!("{}-{}", first.name, last.name);
-                (name, value, format!("{before}{number}-{}{after}", number + count))
+                let english = format!("{before}{number}{after}");
+                let run = runs_of_digits(before).filter(|run| run.1 == number.to_string()).count();
+                (name, value, up_to(catalogue.of_reference(&english), number, run, number + count))
             }
-            _ => (first.name.to_string(), value, meaning(first)),
+            _ => (first.name.to_string(), value, meaning(first, catalogue)),
         });
         rest = behind.get(count..).unwrap_or(&[]);
     }
     rows
+}
+
+/// Where there are digits in a text, and which.
+fn runs_of_digits(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    let starts = text.match_indices(|c: char| c.is_ascii_digit()).map(|(at, _)| at);
+    let starts = starts.filter(|at| !text[..*at].ends_with(|c: char| c.is_ascii_digit()));
+    starts.map(|at| {
+        let end = text[at..].find(|c: char| !c.is_ascii_digit()).map_or(text.len(), |len| at + len);
+        (at, &text[at..end])
+    })
+}
+
+/// A text with `number-last` in place of `number`, where that stands for the time `run`, counted from 0.
+fn up_to(text: &str, number: usize, run: usize, last: usize) -> String {
+    let number = number.to_string();
+    match runs_of_digits(text).filter(|found| found.1 == number).nth(run) {
+        Some((at, _)) => {
+            let (before, after) = text.split_at(at + number.len());
+            format!("{before}-{last}{after}")
+        }
+        None => text.to_owned(),
+    }
 }
 
 /// What stands before and behind the number of an axis or gear in the meaning of a number.

@@ -86,8 +86,7 @@ impl Book {
 
     /// A word beside G and M: what its address holds, and which code reads it.
     fn word(&self, letter: u8, text: &str, line: &Line) -> Page {
-        let meaning = self.reference.and_then(|r| r.address(letter)).unwrap_or_default();
-        let mut page = Page::new("word", text, meaning);
+        let mut page = Page::new("word", text, self.address_meaning(letter));
         self.say_range(&mut page, letter);
         if let Some(reader) = self.reader(letter, line) {
             let (name, title) = self.code_line(&reader).unwrap_or_default();

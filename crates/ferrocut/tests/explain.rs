@@ -336,6 +336,14 @@ fn everything_in_the_tables_has_a_page_in_every_language() {
         }
     }
     assert!(explain(&["G84", "--language", "zh"]).out.contains("相关参数"));
+    // Neighbours that differ in the number of their axis alone are one row in every language.
+    let of_axes = |language: &str| {
+        let out = explain(&["G00", "--language", language]).out;
+        out.lines().find(|line| line.trim_start().starts_with("P88-P92")).map(str::to_owned).unwrap_or(out)
+    };
+    for (language, text) in [("en", "axis 1-5"), ("ru", "1-5"), ("zh", "1-5"), ("es", "1-5"), ("tr", "1-5")] {
+        assert!(of_axes(language).contains(text), "{language}: {}", of_axes(language));
+    }
     // What is said of a code is related both ways.
     let reference = Reference::of("gsk990mc").unwrap();
     assert!(reference.codes_of(&Subject::Parameter("P257".parse().unwrap())).contains(&Subject::G(840)));
@@ -352,7 +360,7 @@ fn everything_has_a_page(dialect: &str, reference: &Reference) {
     let words = reference.macro_words().iter().map(|r| r.word.to_string());
     let all: Vec<String> =
         codes.chain(m).chain(parameters).chain(alarms).chain(variables).chain(letters).chain(words).collect();
-    for language in ["en", "zh"] {
+    for language in ["en", "zh", "ru", "es", "tr"] {
         let mut arguments = vec!["explain", "--dialect", dialect, "--language", language];
         arguments.extend(all.iter().map(String::as_str));
         let answer = ferrocut(&arguments);

@@ -24,6 +24,7 @@ pub mod parameters;
 pub mod path;
 pub mod plant;
 pub mod reference;
+mod reference_texts;
 pub mod restart;
 pub mod servo;
 pub mod setup;

@@ -112,6 +112,7 @@
 //! | `CycleTooLong` | `limit` |
 
 use crate::alarm::{Alarm, AlarmId, Argument, Fault};
+use crate::reference_texts::in_language;
 use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::{FluentArgs, FluentMessage, FluentResource};
 use std::collections::BTreeMap;
@@ -210,6 +211,11 @@ impl Catalogue {
     /// The language asked for.
     pub fn language(self) -> Language {
         self.language
+    }
+
+    /// What a text of the reference tables is in this language.
+    pub fn of_reference(self, english: &str) -> &str {
+        in_language(english, self.language)
     }
 
     /// What is wrong, in one sentence without a full stop, with the values at hand.

@@ -74,7 +74,7 @@ pub fn print(pages: &[Page], diagnostics: &Diagnostics) {
     let mut out = io::stdout().lock();
     for (at, page) in pages.iter().enumerate() {
         let written = match diagnostics.is_json() {
-            true => writeln!(out, "{}", page.json()),
+            true => writeln!(out, "{}", page.json(diagnostics.catalogue())),
             false => {
                 let gap = if at > 0 { "\n" } else { "" };
                 write!(out, "{gap}{}", page.text(diagnostics.catalogue()))

@@ -12,8 +12,7 @@ use ferrocut_desk::page::meaning;
 use ferrocut_desk::{Book, asked, memory_of};
 use ferrocut_interpreter::{Dialect, dialects};
 use ferrocut_machine::{
-    AlarmId, Catalogue, Fault, Machine, Meaning, ParameterDef, ParameterKey, Reference, alarm_table,
-    g_code_name,
+    AlarmId, Catalogue, Fault, Machine, ParameterKey, Reference, alarm_table, g_code_name,
 };
 use ferrocut_memory::rights::needed_for_parameter;
 use ferrocut_plc::{Area, Program};
@@ -117,7 +116,7 @@ async fn explain(
     };
     let Some(page) = page else { return Err(Problem::Missing) };
     let text = page.text(book.catalogue);
-    let page_json = page.json();
+    let page_json = page.json(book.catalogue);
     let source = page_json.get("section").cloned().unwrap_or_else(|| json!(""));
     let title = match page.title.as_str() {
         "" => page.name.clone(),
@@ -156,7 +155,7 @@ fn words_of(book: &Book) -> Vec<Word> {
     let macros = book.reference.into_iter().flat_map(Reference::macro_words).map(|row| Word {
         word: row.word.to_string(),
         kind: "macro",
-        title: row.meaning.to_string(),
+        title: book.words(&row.meaning).to_owned(),
         form: row.format.to_string(),
     });
     g.chain(m).chain(macros).collect()
@@ -212,7 +211,7 @@ fn parameters_of(book: &Book) -> Vec<Parameter> {
             kind,
             bits: Vec::new(),
             symbol: definition.symbol.to_string(),
-            meaning: if kind == "bit" { String::new() } else { meaning(definition) },
+            meaning: if kind == "bit" { String::new() } else { meaning(definition, book.catalogue) },
             unit: definition.unit.to_string(),
             minimum: definition.min,
             maximum: definition.max,
@@ -235,7 +234,7 @@ fn parameters_of(book: &Book) -> Vec<Parameter> {
                     bit: *bit,
                     name: definition.name.to_string(),
                     symbol: definition.symbol.to_string(),
-                    meaning: meaning(definition),
+                    meaning: meaning(definition, book.catalogue),
                     standard: definition.default,
                     level: level(&definition.key),
                     used: definition.used,
@@ -338,13 +337,14 @@ fn found_in(book: &Book, ladder: Option<&Program>, sought: &[String]) -> Vec<Fou
     for word in words_of(book) {
         add("code", word.word, word.title, word.form);
     }
-    let parameter = |definition: &ParameterDef| match &definition.meaning {
-        Meaning::Value(text) => text.to_string(),
-        Meaning::Bit { .. } => meaning(definition),
-    };
     for definition in book.table().iter() {
         let title = format!("{} {}", definition.symbol, definition.unit);
-        add("parameter", definition.name.to_string(), title.trim().to_owned(), parameter(definition));
+        add(
+            "parameter",
+            definition.name.to_string(),
+            title.trim().to_owned(),
+            meaning(definition, book.catalogue),
+        );
     }
     let own = alarm_table(book.dialect.name).iter().map(|row| row.id);
     for id in own.chain(Fault::ALL.iter().map(|fault| AlarmId::Core(*fault))) {
@@ -352,10 +352,12 @@ fn found_in(book: &Book, ladder: Option<&Program>, sought: &[String]) -> Vec<Fou
         add("alarm", id.to_string(), text(book.catalogue.text(id)), text(book.catalogue.help_of(id)));
     }
     for row in book.reference.into_iter().flat_map(Reference::variables) {
-        add("variable", row.name(), row.meaning.to_string(), row.notes.to_string());
+        let words = |text| book.words(text).to_owned();
+        add("variable", row.name(), words(&row.meaning), words(&row.notes));
     }
     for letter in b'A'..=b'Z' {
-        if let Some(meaning) = book.reference.and_then(|reference| reference.address(letter)) {
+        let meaning = book.address_meaning(letter);
+        if !meaning.is_empty() {
             add("address", char::from(letter).to_string(), meaning.to_owned(), String::new());
         }
     }

@@ -97,14 +97,20 @@ fn list(args: &ListArgs, book: &Book) -> Result<Exit, Failure> {
     let wanted = |d: &ParameterDef, value: f64| {
         args.room.as_ref().is_none_or(|room| d.applies_to.eq_ignore_ascii_case(room))
             && (!args.changed || value != d.default)
-            && has(&format!("{} {} {} {}", d.name, d.symbol, meaning(d), d.applies_to))
+            && has(&format!(
+                "{} {} {} {}",
+                d.name,
+                d.symbol,
+                meaning(d, book.diagnostics.catalogue()),
+                d.applies_to
+            ))
     };
     let rows: Vec<_> = values(book).filter(|(d, value)| wanted(d, *value)).collect();
     let mut out = io::stdout().lock();
     if book.diagnostics.is_json() {
         for (definition, value) in rows {
             // A reader that went away is no fault.
-            if writeln!(out, "{}", parameter_json(definition, value)).is_err() {
+            if writeln!(out, "{}", parameter_json(definition, value, book.diagnostics.catalogue())).is_err() {
                 break;
             }
         }
@@ -128,7 +134,7 @@ fn list(args: &ListArgs, book: &Book) -> Result<Exit, Failure> {
             d.unit.to_string(),
             d.applies_to.to_string(),
             label(if d.used { "label-params-used" } else { "label-params-kept" }),
-            meaning(d),
+            meaning(d, book.diagnostics.catalogue()),
         ]
     }));
     let _ = match empty {
@@ -176,7 +182,7 @@ fn get(names: &[String], book: &Book) -> Result<Exit, Failure> {
         let value = book.memory.parameter(&key);
         let written = match book.table().get(&key) {
             Some(definition) if book.diagnostics.is_json() => {
-                writeln!(out, "{}", parameter_json(definition, value))
+                writeln!(out, "{}", parameter_json(definition, value, book.diagnostics.catalogue()))
             }
             None if book.diagnostics.is_json() => {
                 writeln!(out, "{}", serde_json::json!({ "name": book.table().name(&key), "value": value }))
