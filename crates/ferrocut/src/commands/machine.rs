@@ -124,8 +124,8 @@ pub struct Whose {
 #[command(after_help = "A * marks values that differ from the default. The rooms are\n  \
     acceleration, bus-servo, canned-cycles, compensation, coordinates, display, feed, homing, io,\n  \
     limits, lookahead, macro, other, plc, program-edit, security, spindle, tapping, tool-change, tool-life.\n\
-    Parameters marked as kept are stored with their value, meaning and range; programs and their run do\n\
-    not use them yet.\n\n\
+    Parameters marked as kept are stored with their value, meaning and range; this version does\n\
+    nothing with them yet.\n\n\
     Examples:\n  \
     ferrocut machine params list --find retract\n  \
     ferrocut machine params list --room limits | less -S")]
