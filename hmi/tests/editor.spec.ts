@@ -1,7 +1,7 @@
 // The program editor: what it leaves as it was, what it knows of codes, and its tools.
 import type { Page } from '@playwright/test';
 import { expect, shoot, test } from './server';
-import { enter, notice, show, watchFaults } from './walk';
+import { bring, enter, notice, show, watchFaults } from './walk';
 
 watchFaults();
 // A loaded computer takes its time.
@@ -12,9 +12,7 @@ const line = (page: Page, what: string) => text(page).locator('.cm-line', { hasT
 
 /** Brings a file, and opens it in the editor. */
 async function edit(page: Page, name: string, bytes: Buffer): Promise<void> {
-  await show(page, 'program/directory');
-  await page.getByTestId('upload').setInputFiles({ name: `${name}.nc`, mimeType: 'text/plain', buffer: bytes });
-  await expect(page.locator(`[data-program="${name}"]`)).toBeVisible();
+  await bring(page, name, bytes);
   await show(page, `program/edit/${name}`);
   await expect(text(page)).toContainText(name);
 }

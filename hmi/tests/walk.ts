@@ -14,9 +14,9 @@ export const PLATE = 'O1234 (PLATE)\nG21 G90 G54 G17\nM3 S3000\nG0 X0 Y0 Z20.\n'
 export const activity = (page: Page) => page.getByTestId('activity');
 export const stands = (page: Page, what: string, timeout = 20_000) => expect(activity(page)).toHaveAttribute('data-activity', what, { timeout });
 export const notice = (page: Page) => page.locator('.notice');
-/** A key of the machine panel, let go as soon as the page has seen it. */
+/** A key of the machine panel, let go as soon as the page has seen it. A page may have the same key too, before it. */
 export async function press(page: Page, key: string): Promise<void> {
-  const button = page.locator(`[data-signal="${key}"]`);
+  const button = page.locator(`[data-signal="${key}"]`).last();
   await button.hover();
   await page.mouse.down();
   await expect(button).toHaveAttribute('data-held');
@@ -61,14 +61,24 @@ export async function logIn(page: Page, level: number, password = PASSWORDS[leve
 
 export const selected = (page: Page) => page.locator('header a.program');
 
+/** Brings a file, in place of what is there under its name. */
+export async function bring(page: Page, name: string, bytes: Buffer): Promise<void> {
+  await show(page, 'program/directory');
+  await expect(page.getByTestId('directory')).toHaveAttribute('data-loaded', 'true');
+  const row = page.locator(`[data-program="${name}"]`);
+  const isThere = (await row.count()) > 0;
+  const stored = page.waitForResponse((answer) => answer.url().endsWith(`/api/programs/${name}`) && answer.request().method() === 'PUT');
+  await page.getByTestId('upload').setInputFiles({ name: `${name}.nc`, mimeType: 'text/plain', buffer: bytes });
+  if (isThere) await page.getByTestId('replace').click();
+  expect((await stored).status()).toBe(200);
+  await expect(row).toBeVisible();
+}
+
 /** A program is brought as a file, chosen, and stands in AUTO. */
 export async function load(page: Page, name: string, text: string): Promise<void> {
   await mode(page, 'KEY_AUTO', 'Automatic');
-  await show(page, 'program/directory');
-  await page.getByTestId('upload').setInputFiles({ name: `${name}.nc`, mimeType: 'text/plain', buffer: Buffer.from(text) });
-  const row = page.locator(`[data-program="${name}"]`);
-  await expect(row).toBeVisible();
-  await row.getByRole('button').click();
+  await bring(page, name, Buffer.from(text));
+  await page.locator(`[data-program="${name}"]`).getByRole('button').click();
   await page.getByTestId('select').click();
   await expect(selected(page)).toContainText(name);
 }

@@ -15,7 +15,13 @@ export const theme = EditorView.theme({
   '.cm-panels': { backgroundColor: 'var(--surface)', color: 'var(--text)', borderColor: 'var(--line)' },
   '.cm-panel.cm-search': { padding: '0.5rem', display: 'flex', flexWrap: 'wrap', gap: '0.3rem', alignItems: 'center' },
   '.cm-panel.cm-search br': { display: 'none' },
-  '.cm-panel .cm-textfield': { fontSize: '1rem', minHeight: '44px' },
+  '.cm-panel .cm-textfield': {
+    minHeight: '44px',
+    fontSize: '1rem',
+    background: 'var(--sunken)',
+    border: '1px solid var(--line)',
+    color: 'var(--text)',
+  },
   '.cm-panel .cm-button': {
     minHeight: '44px',
     fontSize: '0.9rem',

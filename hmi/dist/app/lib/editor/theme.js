@@ -44,8 +44,11 @@ var theme = EditorView.theme({
 	},
 	".cm-panel.cm-search br": { display: "none" },
 	".cm-panel .cm-textfield": {
+		minHeight: "44px",
 		fontSize: "1rem",
-		minHeight: "44px"
+		background: "var(--sunken)",
+		border: "1px solid var(--line)",
+		color: "var(--text)"
 	},
 	".cm-panel .cm-button": {
 		minHeight: "44px",

@@ -6,8 +6,9 @@ var root = $.from_html(`<span class="unit s-1yzuc8k"> </span>`);
 var root_1 = $.from_html(`<span><input class="number s-1yzuc8k" inputmode="decimal" autocomplete="off" spellcheck="false"/> <!></span>`);
 function NumberField($$anchor, $$props) {
 	$.push($$props, true);
-	let digits = $.prop($$props, "digits", 3, 3), unit = $.prop($$props, "unit", 3, ""), minimum = $.prop($$props, "minimum", 19, () => -Infinity), maximum = $.prop($$props, "maximum", 3, Infinity), empty = $.prop($$props, "empty", 3, false), disabled = $.prop($$props, "disabled", 3, false);
+	let digits = $.prop($$props, "digits", 3, 3), unit = $.prop($$props, "unit", 3, ""), minimum = $.prop($$props, "minimum", 19, () => -Infinity), maximum = $.prop($$props, "maximum", 3, Infinity), empty = $.prop($$props, "empty", 3, false), disabled = $.prop($$props, "disabled", 3, false), again = $.prop($$props, "again", 3, false);
 	/** Whether it may be left empty. */
+	/** Whether it is given also where it is what stands there already. */
 	let draft = $.state(null);
 	const shown = $.derived(() => $.get(draft) ?? ($$props.value === null || $$props.value === void 0 ? "" : $$props.value.toFixed(digits())));
 	const parsed = $.derived(() => typed($.get(shown)));
@@ -16,7 +17,7 @@ function NumberField($$anchor, $$props) {
 		if ($.get(draft) === null) return;
 		if (!$.get(wrong)) {
 			const next = $.get(draft).trim() === "" ? null : $.get(parsed);
-			if (next !== $$props.value) $$props.onvalue(next);
+			if (again() || next !== $$props.value) $$props.onvalue(next);
 		}
 		$.set(draft, null);
 	}

@@ -46,6 +46,12 @@ var program_default = {
 	"lock": "Lock",
 	"unlock": "Unlock",
 	"delete": "Delete {program}?",
-	"delete_text": "The program is gone for good. A backup has it if one was made."
+	"delete_text": "The program is gone for good. A backup has it if one was made.",
+	"copy": "Copy",
+	"rename": "Rename",
+	"taken": "This name is taken",
+	"replace_ask": "Replace what is there?",
+	"replace_text": "These programs are there already: {programs}",
+	"replace": "Replace"
 };
 export { program_default as default };

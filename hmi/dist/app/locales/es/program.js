@@ -47,6 +47,12 @@ var program_default = {
 	"lock": "Bloquear",
 	"unlock": "Desbloquear",
 	"delete": "¿Eliminar {program}?",
-	"delete_text": "El programa desaparece para siempre. Está en la copia de seguridad si se hizo."
+	"delete_text": "El programa desaparece para siempre. Está en la copia de seguridad si se hizo.",
+	"copy": "Copiar",
+	"rename": "Cambiar nombre",
+	"taken": "Este nombre ya existe",
+	"replace_ask": "¿Reemplazar lo que hay?",
+	"replace_text": "Estos programas ya existen: {programs}",
+	"replace": "Reemplazar"
 };
 export { program_default as default };

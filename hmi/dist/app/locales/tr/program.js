@@ -46,6 +46,12 @@ var program_default = {
 	"lock": "Kilitle",
 	"unlock": "Kilidi aç",
 	"delete": "{program} silinsin mi?",
-	"delete_text": "Program kalıcı olarak silinir. Yedek alındıysa orada bulunur."
+	"delete_text": "Program kalıcı olarak silinir. Yedek alındıysa orada bulunur.",
+	"copy": "Kopyala",
+	"rename": "Yeniden adlandır",
+	"taken": "Bu ad kullanılıyor",
+	"replace_ask": "Var olanın yerine konsun mu?",
+	"replace_text": "Bu programlar zaten var: {programs}",
+	"replace": "Değiştir"
 };
 export { program_default as default };

@@ -45,6 +45,12 @@ var program_default = {
 	"lock": "锁定",
 	"unlock": "解锁",
 	"delete": "删除 {program}？",
-	"delete_text": "程序将被永久删除。若有备份，可从备份恢复。"
+	"delete_text": "程序将被永久删除。若有备份，可从备份恢复。",
+	"copy": "复制",
+	"rename": "重命名",
+	"taken": "此名称已被使用",
+	"replace_ask": "替换已有程序？",
+	"replace_text": "以下程序已存在：{programs}",
+	"replace": "替换"
 };
 export { program_default as default };

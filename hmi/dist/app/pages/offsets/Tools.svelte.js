@@ -156,6 +156,9 @@ function Tools($$anchor, $$props) {
 								get value() {
 									return $.get($0);
 								},
+								get again() {
+									return $.get(add);
+								},
 								get label() {
 									return $.get($1);
 								},

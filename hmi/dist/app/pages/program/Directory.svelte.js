@@ -11,19 +11,19 @@ import Labelled from "../../lib/parts/Labelled.svelte.js";
 import { go } from "../../lib/routing.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import { notify } from "../../lib/state/notices.svelte.js";
-import { programName, programs } from "../../lib/state/programs.svelte.js";
+import { numbered, programName, programs } from "../../lib/state/programs.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/program/Directory.svelte
 var root = $.from_html(`<input class="filter s-1s4upvf" type="search"/> <!> <!> <input type="file" multiple="" hidden="" data-testid="upload"/>`, 1);
 var root_1 = $.from_html(`<tr draggable="true"><td><button type="button" class="name code s-1s4upvf"> <!><!></button></td><td class="comment s-1s4upvf"> </td><td class="right"> </td><td class="muted"> </td></tr>`);
 var root_2 = $.from_html(`<table class="table"><thead><tr><th> </th><th> </th><th class="right"> </th><th> </th></tr></thead><tbody></tbody></table> <p class="muted total s-1s4upvf"> </p>`, 1);
-var root_3 = $.from_html(`<div class="preview s-1s4upvf"><div class="row wrap"><strong class="code"> </strong> <span class="grow muted comment s-1s4upvf"> </span> <!> <!></div> <div class="text s-1s4upvf"><!></div> <div class="row wrap"><a class="download s-1s4upvf"><!> </a> <!> <span class="grow"></span> <!></div></div>`);
+var root_3 = $.from_html(`<div class="preview s-1s4upvf"><div class="row wrap"><strong class="code"> </strong> <span class="grow muted comment s-1s4upvf"> </span> <!> <!></div> <div class="text s-1s4upvf"><!></div> <div class="row wrap"><a class="download s-1s4upvf"><!> </a> <!> <!> <!> <span class="grow"></span> <!></div></div>`);
 var root_4 = $.from_html(`<!> <!>`, 1);
 var root_5 = $.from_html(`<input class="code" placeholder="O0001" data-testid="new-name"/>`);
 var root_6 = $.from_html(`<form id="new-program"><!></form>`);
 var root_7 = $.from_html(`<p> </p>`);
-var root_8 = $.from_html(`<div role="region"><!> <!></div> <!> <!>`, 1);
+var root_8 = $.from_html(`<div data-testid="directory" role="region"><!> <!></div> <!> <!> <!>`, 1);
 function Directory($$anchor, $$props) {
 	$.push($$props, true);
 	/** Of a program as much is previewed. */
@@ -34,6 +34,12 @@ function Directory($$anchor, $$props) {
 	let over = $.state(false);
 	let making = $.state(false);
 	let fresh = $.state("");
+	/** What the name is for: a program that is new, or another name or a copy of the one that is chosen. */
+	let naming = $.state("new");
+	const taken = $.derived(() => (programs.list ?? []).some((one) => one.name === programName($.get(fresh).trim(), "")));
+	/** Files whose programs are there already. */
+	let doubles = $.state([]);
+	let replacing = $.state(false);
 	let doomed = $.state("");
 	let deleting = $.state(false);
 	let picker = $.state(void 0);
@@ -52,28 +58,66 @@ function Directory($$anchor, $$props) {
 		if (name) programs.read(name).then((text) => name === $.get(chosen)?.name ? $.set(preview, text.slice(0, PREVIEW), true) : null, () => void 0);
 	});
 	async function take(files) {
+		await programs.refresh();
+		const there = [];
 		for (const file of files) {
 			const name = programName(file.name, await file.slice(0, 500).text());
-			if (await programs.bring(name, file)) {
-				notify({
-					kind: "done",
-					title: t("program.stored", { program: name })
-				});
-				$.set(wanted, name, true);
-			}
+			if (programs.list?.some((one) => one.name === name)) there.push({
+				name,
+				file
+			});
+			else await bring(name, file);
 		}
+		$.set(doubles, there);
+		$.set(replacing, there.length > 0);
 		programs.refresh();
+	}
+	async function bring(name, file) {
+		if (!await programs.bring(name, file)) return;
+		notify({
+			kind: "done",
+			title: t("program.stored", { program: name })
+		});
+		$.set(wanted, name, true);
+	}
+	async function replace() {
+		$.set(replacing, false);
+		for (const { name, file } of $.get(doubles)) await bring(name, file);
+		programs.refresh();
+	}
+	function ask(what) {
+		$.set(naming, what, true);
+		$.set(fresh, what === "new" ? "" : $.get(chosen)?.name ?? "", true);
+		$.set(making, true);
 	}
 	async function make(event) {
 		event.preventDefault();
 		const name = programName($.get(fresh).trim(), "");
-		if (name && await machine.tell({
+		const from = $.get(chosen)?.name ?? "";
+		if (!name || $.get(taken) || !await made(name, from)) return;
+		$.set(making, false);
+		if ($.get(naming) === "new") go("program", "edit", name);
+		else {
+			$.set(wanted, name, true);
+			programs.refresh();
+		}
+	}
+	async function made(name, from) {
+		if ($.get(naming) === "new") return machine.tell({
 			do: "store",
 			program: name,
 			text: `${name}\n\nM30\n`
-		})) {
-			$.set(making, false);
-			go("program", "edit", name);
+		});
+		if ($.get(naming) === "rename") return machine.tell({
+			do: "rename",
+			program: from,
+			to: name
+		});
+		try {
+			return await programs.store(name, numbered(await programs.read(from), name));
+		} catch (refused) {
+			machine.refused(refused);
+			return false;
 		}
 	}
 	async function remove() {
@@ -110,7 +154,7 @@ function Directory($$anchor, $$props) {
 			var node_2 = $.sibling(node_1, 2);
 			Button(node_2, {
 				icon: "plus",
-				onclick: () => $.set(making, true),
+				onclick: () => ask("new"),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
 					var text_1 = $.text();
@@ -126,7 +170,11 @@ function Directory($$anchor, $$props) {
 				$.set_attribute(input, "aria-label", $1);
 			}, [() => t("app.search"), () => t("app.search")]);
 			$.bind_value(input, () => $.get(filter), ($$value) => $.set(filter, $$value));
-			$.delegated("change", input_1, (event) => void take(event.currentTarget.files ?? []));
+			$.delegated("change", input_1, (event) => {
+				const files = [...event.currentTarget.files ?? []];
+				event.currentTarget.value = "";
+				take(files);
+			});
 			$.append($$anchor, fragment_1);
 		};
 		let $0 = $.derived(() => t("program.directory"));
@@ -336,10 +384,34 @@ function Directory($$anchor, $$props) {
 			},
 			$$slots: { default: true }
 		});
-		var node_12 = $.sibling(node_11, 4);
+		var node_12 = $.sibling(node_11, 2);
+		Button(node_12, {
+			onclick: () => ask("copy"),
+			"data-testid": "copy",
+			children: ($$anchor, $$slotProps) => {
+				$.next();
+				var text_17 = $.text();
+				$.template_effect(($0) => $.set_text(text_17, $0), [() => t("program.copy")]);
+				$.append($$anchor, text_17);
+			},
+			$$slots: { default: true }
+		});
+		var node_13 = $.sibling(node_12, 2);
+		Button(node_13, {
+			onclick: () => ask("rename"),
+			"data-testid": "rename",
+			children: ($$anchor, $$slotProps) => {
+				$.next();
+				var text_18 = $.text();
+				$.template_effect(($0) => $.set_text(text_18, $0), [() => t("program.rename")]);
+				$.append($$anchor, text_18);
+			},
+			$$slots: { default: true }
+		});
+		var node_14 = $.sibling(node_13, 4);
 		{
 			let $0 = $.derived(() => t("app.delete"));
-			Button(node_12, {
+			Button(node_14, {
 				kind: "danger",
 				icon: "trash",
 				get "aria-label"() {
@@ -366,38 +438,42 @@ function Directory($$anchor, $$props) {
 		if ($.get(chosen)) $$render(consequent_3);
 	});
 	$.reset(div);
-	var node_13 = $.sibling(div, 2);
+	var node_15 = $.sibling(div, 2);
 	{
 		const actions = ($$anchor) => {
-			var fragment_11 = root_4();
-			var node_14 = $.first_child(fragment_11);
-			Button(node_14, {
+			var fragment_13 = root_4();
+			var node_16 = $.first_child(fragment_13);
+			Button(node_16, {
 				onclick: () => $.set(making, false),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_17 = $.text();
-					$.template_effect(($0) => $.set_text(text_17, $0), [() => t("app.cancel")]);
-					$.append($$anchor, text_17);
+					var text_19 = $.text();
+					$.template_effect(($0) => $.set_text(text_19, $0), [() => t("app.cancel")]);
+					$.append($$anchor, text_19);
 				},
 				$$slots: { default: true }
 			});
-			var node_15 = $.sibling(node_14, 2);
-			Button(node_15, {
+			var node_17 = $.sibling(node_16, 2);
+			Button(node_17, {
 				kind: "primary",
 				type: "submit",
 				form: "new-program",
+				get disabled() {
+					return $.get(taken);
+				},
+				"data-testid": "name-go",
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_18 = $.text();
-					$.template_effect(($0) => $.set_text(text_18, $0), [() => t("program.new")]);
-					$.append($$anchor, text_18);
+					var text_20 = $.text();
+					$.template_effect(($0) => $.set_text(text_20, $0), [() => t(`program.${$.get(naming)}`)]);
+					$.append($$anchor, text_20);
 				},
 				$$slots: { default: true }
 			});
-			$.append($$anchor, fragment_11);
+			$.append($$anchor, fragment_13);
 		};
-		let $0 = $.derived(() => t("program.new"));
-		Dialog(node_13, {
+		let $0 = $.derived(() => $.get(naming) === "new" ? t("program.new") : `${t(`program.${$.get(naming)}`)}: ${$.get(chosen)?.name ?? ""}`);
+		Dialog(node_15, {
 			get title() {
 				return $.get($0);
 			},
@@ -410,11 +486,11 @@ function Directory($$anchor, $$props) {
 			actions,
 			children: ($$anchor, $$slotProps) => {
 				var form = root_6();
-				var node_16 = $.child(form);
+				var node_18 = $.child(form);
 				{
 					let $0 = $.derived(() => t("program.name"));
-					let $1 = $.derived(() => t("program.name_hint"));
-					Labelled(node_16, {
+					let $1 = $.derived(() => $.get(taken) ? t("program.taken") : t("program.name_hint"));
+					Labelled(node_18, {
 						get label() {
 							return $.get($0);
 						},
@@ -440,38 +516,93 @@ function Directory($$anchor, $$props) {
 			}
 		});
 	}
-	var node_17 = $.sibling(node_13, 2);
+	var node_19 = $.sibling(node_15, 2);
 	{
 		const actions = ($$anchor) => {
-			var fragment_14 = root_4();
-			var node_18 = $.first_child(fragment_14);
-			Button(node_18, {
+			var fragment_16 = root_4();
+			var node_20 = $.first_child(fragment_16);
+			Button(node_20, {
+				onclick: () => $.set(replacing, false),
+				children: ($$anchor, $$slotProps) => {
+					$.next();
+					var text_21 = $.text();
+					$.template_effect(($0) => $.set_text(text_21, $0), [() => t("app.cancel")]);
+					$.append($$anchor, text_21);
+				},
+				$$slots: { default: true }
+			});
+			var node_21 = $.sibling(node_20, 2);
+			Button(node_21, {
+				kind: "danger",
+				onclick: () => void replace(),
+				"data-testid": "replace",
+				children: ($$anchor, $$slotProps) => {
+					$.next();
+					var text_22 = $.text();
+					$.template_effect(($0) => $.set_text(text_22, $0), [() => t("program.replace")]);
+					$.append($$anchor, text_22);
+				},
+				$$slots: { default: true }
+			});
+			$.append($$anchor, fragment_16);
+		};
+		let $0 = $.derived(() => t("program.replace_ask"));
+		Dialog(node_19, {
+			get title() {
+				return $.get($0);
+			},
+			get open() {
+				return $.get(replacing);
+			},
+			set open($$value) {
+				$.set(replacing, $$value, true);
+			},
+			actions,
+			children: ($$anchor, $$slotProps) => {
+				var p_1 = root_7();
+				var text_23 = $.only_child(p_1, true);
+				$.template_effect(($0) => $.set_text(text_23, $0), [() => t("program.replace_text", { programs: $.get(doubles).map(({ name }) => name).join(", ") })]);
+				$.append($$anchor, p_1);
+			},
+			$$slots: {
+				actions: true,
+				default: true
+			}
+		});
+	}
+	var node_22 = $.sibling(node_19, 2);
+	{
+		const actions = ($$anchor) => {
+			var fragment_19 = root_4();
+			var node_23 = $.first_child(fragment_19);
+			Button(node_23, {
 				onclick: () => $.set(deleting, false),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_19 = $.text();
-					$.template_effect(($0) => $.set_text(text_19, $0), [() => t("app.cancel")]);
-					$.append($$anchor, text_19);
+					var text_24 = $.text();
+					$.template_effect(($0) => $.set_text(text_24, $0), [() => t("app.cancel")]);
+					$.append($$anchor, text_24);
 				},
 				$$slots: { default: true }
 			});
-			var node_19 = $.sibling(node_18, 2);
-			Button(node_19, {
+			var node_24 = $.sibling(node_23, 2);
+			Button(node_24, {
 				kind: "danger",
 				icon: "trash",
 				onclick: () => void remove(),
+				"data-testid": "delete-go",
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_20 = $.text();
-					$.template_effect(($0) => $.set_text(text_20, $0), [() => t("app.delete")]);
-					$.append($$anchor, text_20);
+					var text_25 = $.text();
+					$.template_effect(($0) => $.set_text(text_25, $0), [() => t("app.delete")]);
+					$.append($$anchor, text_25);
 				},
 				$$slots: { default: true }
 			});
-			$.append($$anchor, fragment_14);
+			$.append($$anchor, fragment_19);
 		};
 		let $0 = $.derived(() => t("program.delete", { program: $.get(doomed) }));
-		Dialog(node_17, {
+		Dialog(node_22, {
 			get title() {
 				return $.get($0);
 			},
@@ -483,10 +614,10 @@ function Directory($$anchor, $$props) {
 			},
 			actions,
 			children: ($$anchor, $$slotProps) => {
-				var p_1 = root_7();
-				var text_21 = $.only_child(p_1, true);
-				$.template_effect(($0) => $.set_text(text_21, $0), [() => t("program.delete_text")]);
-				$.append($$anchor, p_1);
+				var p_2 = root_7();
+				var text_26 = $.only_child(p_2, true);
+				$.template_effect(($0) => $.set_text(text_26, $0), [() => t("program.delete_text")]);
+				$.append($$anchor, p_2);
 			},
 			$$slots: {
 				actions: true,
@@ -496,6 +627,7 @@ function Directory($$anchor, $$props) {
 	}
 	$.template_effect(($0) => {
 		classes = $.set_class(div, 1, "directory s-1s4upvf", null, classes, { over: $.get(over) });
+		$.set_attribute(div, "data-loaded", programs.list !== null);
 		$.set_attribute(div, "aria-label", $0);
 	}, [() => t("program.directory")]);
 	$.event("dragover", div, (event) => {
@@ -506,7 +638,7 @@ function Directory($$anchor, $$props) {
 	$.event("drop", div, (event) => {
 		event.preventDefault();
 		$.set(over, false);
-		take(event.dataTransfer?.files ?? []);
+		take([...event.dataTransfer?.files ?? []]);
 	});
 	$.append($$anchor, fragment);
 	$.pop();

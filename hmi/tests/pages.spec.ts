@@ -1,0 +1,220 @@
+// Pages beside the great walk: MDI, background editing, the directory, relative positions, offsets, variables, help.
+import type { Page } from '@playwright/test';
+import { expect, shoot, test } from './server';
+import { bring, enter, home, load, mode, notice, press, show, stands, watchFaults, x } from './walk';
+
+watchFaults();
+// A loaded computer takes its time.
+test.describe.configure({ timeout: 240_000 });
+
+const kept = async (page: Page, name: string) => (await (await page.request.get(`/api/programs/${name}`)).body()).toString();
+const small = (page: Page, axis: string) => page.locator(`[data-axis="${axis}"] .small .muted`);
+
+test('blocks that are typed in MDI are run, one alone before the others', async ({ page }) => {
+  await enter(page, '#/position');
+  await home(page);
+  await mode(page, 'KEY_MDI', 'Manual data input');
+  await show(page, 'program/mdi');
+  await page.locator('.mdi .cm-content').click();
+  await page.keyboard.type('G90 G54 G0 X5.');
+  await page.keyboard.press('Enter');
+  await page.keyboard.type('#500=2.5*2');
+  await page.getByTestId('mdi-send').click();
+  await expect(page.locator('.past').first()).toContainText('#500=2.5*2');
+  await press(page, 'KEY_START');
+  await show(page, 'position/absolute');
+  await expect.poll(() => x(page)).toBe(5);
+  await stands(page, 'idle');
+  // One block, once; then the blocks are still there.
+  await show(page, 'program/mdi');
+  await page.getByLabel('One block').fill('G0 X7.5');
+  await page.getByLabel('One block').press('Enter');
+  await expect(page.locator('.past').first()).toHaveText('G0 X7.5');
+  await press(page, 'KEY_START');
+  await show(page, 'position/absolute');
+  await expect.poll(() => x(page)).toBe(7.5);
+  await stands(page, 'idle');
+  await show(page, 'offsets/variables');
+  await page.getByRole('radio', { name: '#500–#999' }).click();
+  await expect(page.getByLabel('#500', { exact: true })).toHaveValue('5.0000');
+});
+
+test('relative coordinates are set to zero, to half and to a value, and nothing moves', async ({ page }) => {
+  await enter(page, '#/position/relative');
+  const machine = await small(page, 'X').textContent();
+  const field = page.getByLabel('Relative coordinate X');
+  await field.fill('25');
+  await field.press('Enter');
+  await expect.poll(() => x(page)).toBe(25);
+  await page.getByRole('button', { name: 'X / 2' }).click();
+  await expect.poll(() => x(page)).toBe(12.5);
+  await page.getByTestId('zero-X').click();
+  await expect.poll(() => x(page)).toBe(0);
+  expect(await small(page, 'X').textContent()).toBe(machine);
+});
+
+test('a program is edited beside the one that runs, which is kept from change', async ({ page }) => {
+  await enter(page, '#/position');
+  const long = 'O1801 (LONG)\nG21 G90 G54\nG4 X600.\nM30\n';
+  await bring(page, 'O1802', Buffer.from('O1802 (BESIDE)\nG0 X1.\nM30\n'));
+  await load(page, 'O1801', long);
+  await press(page, 'KEY_START');
+  await stands(page, 'running');
+  await show(page, 'program/edit/O1802');
+  await expect(page.getByText('Background edit')).toBeVisible();
+  await page.locator('.cm-line', { hasText: 'G0 X1.' }).click();
+  await page.keyboard.press('End');
+  await page.keyboard.type(' Y2.');
+  await page.getByTestId('save').click();
+  await expect(page.getByTestId('save')).toBeDisabled();
+  expect(await kept(page, 'O1802')).toBe('O1802 (BESIDE)\nG0 X1. Y2.\nM30\n');
+  await stands(page, 'running');
+  await show(page, 'program/edit/O1801');
+  await expect(page.getByText('Under way: cannot be stored now')).toBeVisible();
+  await page.locator('.cm-line', { hasText: 'G4 X600.' }).click();
+  await page.keyboard.press('End');
+  await page.keyboard.type(' (WAIT)');
+  await page.getByTestId('save').click();
+  await expect(notice(page).filter({ hasText: 'FC-' })).toBeVisible();
+  expect(await kept(page, 'O1801')).toBe(long);
+  await shoot(page, 'edit-background');
+  // What was written is there when the run has ended.
+  await page.getByTestId('reset').click();
+  await stands(page, 'idle');
+  await page.getByTestId('save').click();
+  await expect(page.getByTestId('save')).toBeDisabled();
+  expect(await kept(page, 'O1801')).toContain('(WAIT)');
+});
+
+test('programs are dropped, replaced only when asked, copied, renamed, downloaded and deleted', async ({ page }) => {
+  await enter(page);
+  const text = 'O1810 (DROPPED)\r\nG0 X1.\r\nM30\r\n';
+  await show(page, 'program/directory');
+  const row = (name: string) => page.locator(`[data-program="${name}"]`);
+  const drop = (content: string) =>
+    page.getByTestId('directory').evaluate((onto, content) => {
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File([content], 'dropped.nc'));
+      for (const type of ['dragover', 'drop']) onto.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
+    }, content);
+  await drop(text);
+  await expect(row('O1810')).toContainText('DROPPED');
+  expect(await kept(page, 'O1810')).toBe(text);
+  await drop(text.replace('X1.', 'X9.'));
+  await expect(page.getByRole('dialog')).toContainText('O1810');
+  await page.getByRole('dialog').getByRole('button', { name: 'Cancel' }).click();
+  expect(await kept(page, 'O1810')).toBe(text);
+  await drop(text.replace('X1.', 'X9.'));
+  await page.getByTestId('replace').click();
+  await expect.poll(() => kept(page, 'O1810')).toBe(text.replace('X1.', 'X9.'));
+  await expect(page.locator('.preview .cm-content')).toContainText('X9.');
+
+  const name = page.getByTestId('new-name');
+  await row('O1810').getByRole('button').click();
+  await page.getByTestId('copy').click();
+  // A name that is taken is not taken from its program.
+  await expect(page.getByTestId('name-go')).toBeDisabled();
+  await name.fill('O1811');
+  await page.getByTestId('name-go').click();
+  await expect(row('O1811')).toBeVisible();
+  expect(await kept(page, 'O1811')).toBe(text.replace('X1.', 'X9.').replace('O1810', 'O1811'));
+  await page.getByTestId('rename').click();
+  await name.fill('O1812');
+  await page.getByTestId('name-go').click();
+  await expect(row('O1812')).toBeVisible();
+  await expect(row('O1811')).toHaveCount(0);
+  await expect(row('O1810')).toBeVisible();
+  await page.getByRole('button', { name: 'New' }).click();
+  await name.fill('O1812');
+  await expect(page.getByRole('dialog')).toContainText('This name is taken');
+  await expect(page.getByTestId('name-go')).toBeDisabled();
+  await page.getByRole('dialog').getByRole('button', { name: 'Cancel' }).click();
+
+  await row('O1812').getByRole('button').click();
+  const download = page.waitForEvent('download');
+  await page.locator('a.download').click();
+  const stream = await (await download).createReadStream();
+  const parts: Buffer[] = [];
+  for await (const part of stream) parts.push(part as Buffer);
+  expect(Buffer.concat(parts).toString()).toBe(await kept(page, 'O1812'));
+  await shoot(page, 'directory');
+
+  await page.locator('.preview').getByRole('button', { name: 'Delete' }).click();
+  await page.getByTestId('delete-go').click();
+  await expect(row('O1812')).toHaveCount(0);
+  await expect(row('O1810')).toBeVisible();
+});
+
+test('wear is added to, and a length is measured from relative Z', async ({ page }) => {
+  await enter(page, '#/offsets/tools');
+  const wear = page.getByLabel('9 Wear H', { exact: true });
+  await page.getByRole('button', { name: 'Add to what is there' }).click();
+  for (const sum of ['-0.050', '-0.100']) {
+    await wear.fill('-0.05');
+    await wear.press('Enter');
+    await expect(wear).toHaveValue(sum);
+  }
+  await page.getByRole('button', { name: 'Add to what is there' }).click();
+  await show(page, 'position/relative');
+  await page.getByLabel('Relative coordinate Z').fill('-33.5');
+  await page.getByLabel('Relative coordinate Z').press('Enter');
+  await expect(page.locator('[data-axis="Z"] .large')).toHaveText('−33.500');
+  await show(page, 'offsets/tools');
+  await page.getByRole('button', { name: 'Length 9 from relative Z' }).click();
+  await expect(page.getByLabel('9 Length H', { exact: true })).toHaveValue('-33.500');
+  await expect(page.locator('[data-offset="9"] .muted')).toHaveText('−33.600');
+});
+
+test('a macro variable is set in MDI, and emptied', async ({ page }) => {
+  await enter(page, '#/offsets/variables');
+  await mode(page, 'KEY_MDI', 'Manual data input');
+  await page.getByRole('radio', { name: '#500–#999' }).click();
+  const variable = page.getByLabel('#501', { exact: true });
+  await expect(variable).toHaveValue('');
+  await variable.fill('12.25');
+  await variable.press('Enter');
+  await expect(variable).toHaveValue('12.2500');
+  await page.reload();
+  await page.getByRole('radio', { name: '#500–#999' }).click();
+  await expect(variable).toHaveValue('12.2500');
+  await variable.fill('');
+  await variable.press('Enter');
+  await page.getByRole('button', { name: 'Read again' }).click();
+  await expect(variable).toHaveValue('');
+});
+
+test('one box finds codes, parameters, alarms, variables and signals', async ({ page }) => {
+  await enter(page, '#/help/search', false);
+  const box = page.getByTestId('help-search');
+  const results = page.getByTestId('help-results');
+  for (const [sought, kind, key] of [
+    ['G81', 'Code', 'G81'],
+    ['P98', 'Parameter', 'P98'],
+    ['#5021', 'Variable', '#50'],
+    ['FC-1417', 'Alarm', 'FC-1417'],
+    ['KEY_START', 'Signal', 'KEY_START'],
+  ] as const) {
+    await box.fill(sought);
+    const found = results.locator('li', { hasText: kind }).filter({ hasText: key }).first();
+    await expect(found).toBeVisible();
+    await found.getByRole('button').click();
+    await expect(page.locator('.detail h2')).toContainText(key);
+    await expect(page.locator('.detail')).toContainText(/\p{L}{3,}.*\p{L}{3,}/u);
+  }
+  await shoot(page, 'help-search');
+  await show(page, 'help/calculator');
+  await page.getByTestId('sum').fill('2+3*(4-1)^2');
+  await expect(page.locator('.calculator output')).toHaveText('29');
+});
+
+test('a signal is found by its name, and shows that its key is held', async ({ page }) => {
+  await enter(page, '#/diagnosis/signals');
+  await page.locator('[data-page="diagnosis"]').getByRole('searchbox').fill('KEY_LUBE');
+  const signal = page.getByTestId('signals').locator('> div', { hasText: 'KEY_LUBE' }).first();
+  await expect(signal.locator('b')).toHaveText('0');
+  await page.locator('[data-signal="KEY_LUBE"]').hover();
+  await page.mouse.down();
+  await expect(signal.locator('b')).toHaveText('1');
+  await page.mouse.up();
+  await expect(signal.locator('b')).toHaveText('0');
+});
