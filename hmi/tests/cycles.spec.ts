@@ -129,6 +129,53 @@ test('a pocket is drawn from a DXF with its island', async ({ page }) => {
   await shoot(page, 'cycles-profile');
 });
 
+test('a contour is drawn of lines and arcs, with corners, by pointer and by key', async ({ page }) => {
+  await open(page, 'G294');
+  const elements = page.locator('.elements li');
+  const drawing = page.getByRole('group', { name: 'Profile' });
+  /** Touches the drawing at a place of the profile. */
+  const touch = async (x: number, y: number) => {
+    const at = await drawing.evaluate(
+      (svg, [x, y]) => {
+        const { x: left, y: top } = new DOMPoint(x, -y).matrixTransform((svg as SVGSVGElement).getScreenCTM()!);
+        return [left, top] as const;
+      },
+      [x, y] as const,
+    );
+    await page.mouse.click(...at);
+  };
+  await expect(elements).toHaveText([/Start\s*X -40.000 Y -25.000/, /Line\s*X 40.000 Y -25.000 · R 8/, /Line\s*X 40.000 Y 25.000 · R 8/, /Line\s*X -40.000 Y 25.000/]);
+  await drawing.scrollIntoViewIfNeeded();
+  await page.getByRole('radio', { name: 'Line' }).click();
+  await touch(-40.3, 0.2);
+  // It is drawn to the grid.
+  await expect(elements.nth(4)).toHaveText(/Line\s*X -40.000 Y 0.000/);
+  await page.getByRole('radio', { name: 'Arc' }).click();
+  await touch(-50, 0);
+  await expect(elements.nth(5)).toHaveText(/Arc, counter-clockwise\s*X -50.000 Y 0.000 R 5.000/);
+  await page.getByRole('button', { name: '180°' }).click();
+  await expect(elements.nth(5)).toContainText('Arc, clockwise');
+  await page.getByLabel('Radius', { exact: true }).fill('10');
+  await page.getByLabel('Radius', { exact: true }).press('Enter');
+  await expect(elements.nth(5)).toHaveText(/X -50.000 Y 0.000 R 10.000/);
+  await elements.nth(3).getByRole('button').click();
+  await page.getByRole('radio', { name: 'Chamfer' }).click();
+  await page.getByLabel('Size of the corner').fill('3');
+  await page.getByLabel('Size of the corner').press('Enter');
+  await expect(elements.nth(3)).toHaveText(/Line\s*X -40.000 Y 25.000 · C 3/);
+  await elements.nth(2).getByRole('button').click();
+  await page.getByRole('radio', { name: 'Sharp' }).click();
+  await expect(elements.nth(2)).toHaveText(/Line\s*X 40.000 Y 25.000$/);
+  await page.getByRole('radio', { name: 'Choose' }).click();
+  await page.getByRole('button', { name: 'Point 1', exact: true }).focus();
+  await page.keyboard.press('ArrowLeft');
+  await expect(elements.first()).toHaveText(/X -41.000 Y -25.000/);
+  await written(page);
+  await page.getByTestId('simulate').click();
+  await expect.poll(async () => Number(await page.getByTestId('simulation').getAttribute('data-points'))).toBeGreaterThan(20);
+  await shoot(page, 'cycles-contour');
+});
+
 test('a field is taught where the machine stands', async ({ page }) => {
   await open(page, 'G288');
   const at = page.locator('[id="field-XC"]');

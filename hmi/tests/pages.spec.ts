@@ -165,6 +165,22 @@ test('wear is added to, and a length is measured from relative Z', async ({ page
   await expect(page.locator('[data-offset="9"] .muted')).toHaveText('−33.600');
 });
 
+test('a work zero is set by value and where the axes stand', async ({ page }) => {
+  await enter(page, '#/settings/zeros');
+  const zero = (axis: string) => page.getByLabel(`G58 ${axis}`, { exact: true });
+  await zero('Y').fill('-12.5');
+  await zero('Y').press('Enter');
+  await page.getByRole('button', { name: 'G58 X: zero here' }).click();
+  await show(page, 'position/absolute');
+  const machine = Number((await small(page, 'X').textContent())!.replace('−', '-'));
+  await show(page, 'settings/zeros');
+  await expect(zero('Y')).toHaveValue('-12.500');
+  await expect(zero('X')).toHaveValue(machine.toFixed(3));
+  await page.reload();
+  await expect(zero('Y')).toHaveValue('-12.500');
+  await expect(zero('X')).toHaveValue(machine.toFixed(3));
+});
+
 test('a macro variable is set in MDI, and emptied', async ({ page }) => {
   await enter(page, '#/offsets/variables');
   await mode(page, 'KEY_MDI', 'Manual data input');
