@@ -52,6 +52,30 @@ test('the pointer may leave a held key; the key stays down until the pointer is 
   await expect.poll(() => keys(sent)).toEqual(['KEY_Y+ down', 'KEY_Y+ up']);
 });
 
+test('fingers hold keys: each its own, until it is lifted', async ({ browser }) => {
+  const context = await browser.newContext({ hasTouch: true, viewport: { width: 1366, height: 820 } });
+  const { page, sent } = await mock(context, { mode: 'jog' });
+  const cdp = await context.newCDPSession(page);
+  const finger = async (key: string, id: number) => {
+    const box = (await page.locator(`[data-signal="${key}"]`).boundingBox())!;
+    return { x: box.x + box.width / 2, y: box.y + box.height / 2, id };
+  };
+  const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', ...touchPoints: { x: number; y: number; id: number }[]) =>
+    cdp.send('Input.dispatchTouchEvent', { type, touchPoints });
+  const [first, second] = [await finger('KEY_X+', 1), await finger('KEY_Z-', 2)];
+  await touch('touchStart', first);
+  await expect.poll(() => keys(sent)).toEqual(['KEY_X+ down']);
+  await touch('touchStart', first, second);
+  await expect.poll(() => keys(sent)).toEqual(['KEY_X+ down', 'KEY_Z- down']);
+  // A finger that slips off its key holds it on; the first one is lifted.
+  await touch('touchMove', first, { ...second, y: second.y + 150 });
+  await touch('touchEnd', first);
+  await expect.poll(() => keys(sent)).toEqual(['KEY_X+ down', 'KEY_Z- down', 'KEY_X+ up']);
+  await touch('touchEnd', { ...second, y: second.y + 150 });
+  await expect.poll(() => keys(sent)).toEqual(['KEY_X+ down', 'KEY_Z- down', 'KEY_X+ up', 'KEY_Z- up']);
+  await context.close();
+});
+
 test('keys of the keyboard: emergency stop from any page, jog only with Ctrl and in jog', async ({ context }) => {
   const { page, home, sent } = await mock(context, { mode: 'jog' });
   await expect(page.getByTestId('activity')).toHaveText('Running');
