@@ -58,7 +58,9 @@ test('the ladder is exchanged while it runs, under right, and the one before is 
   // A ladder with a fault is refused, its line is shown, and the running one runs on.
   await rewrite(page, 'WRT.NOT LAMP_LIGHT', 'WRT.NOT NOBODY_KNOWS');
   await exchange(page);
-  await expect(notice(page).filter({ hasText: 'FC-' }).last()).toBeVisible();
+  const fault = notice(page).filter({ hasText: 'Not exchanged: there is a fault in line' });
+  await expect(fault).toContainText('gsk990mc:1012');
+  await expect(fault).toContainText('The address or value is entered wrongly');
   await expect(page.locator('.cm-activeLine.cm-line')).toContainText('NOBODY_KNOWS');
   await press(page, 'KEY_LIGHT');
   await lit(page, false);

@@ -24,6 +24,7 @@ var plc_default = {
 	"at_signal": "On a signal",
 	"changes": "Changes",
 	"trigger": "Signal of the trigger",
-	"waits": "Waits for the signal …"
+	"waits": "Waits for the signal …",
+	"faulty": "Not exchanged: there is a fault in line {line}"
 };
 export { plc_default as default };

@@ -24,6 +24,7 @@ var plc_default = {
 	"at_signal": "Con una señal",
 	"changes": "Cambia",
 	"trigger": "Señal de disparo",
-	"waits": "Espera la señal …"
+	"waits": "Espera la señal …",
+	"faulty": "No se ha cambiado: hay un error en la línea {line}"
 };
 export { plc_default as default };

@@ -24,6 +24,7 @@ var plc_default = {
 	"at_signal": "По сигналу",
 	"changes": "Изменение",
 	"trigger": "Сигнал запуска",
-	"waits": "Ожидание сигнала …"
+	"waits": "Ожидание сигнала …",
+	"faulty": "Не заменено: ошибка в строке {line}"
 };
 export { plc_default as default };

@@ -24,6 +24,7 @@ var plc_default = {
 	"at_signal": "Sinyalle",
 	"changes": "Değişen",
 	"trigger": "Tetikleme sinyali",
-	"waits": "Sinyal bekleniyor …"
+	"waits": "Sinyal bekleniyor …",
+	"faulty": "Değiştirilmedi: {line}. satırda hata var"
 };
 export { plc_default as default };

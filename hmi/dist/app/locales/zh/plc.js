@@ -24,6 +24,7 @@ var plc_default = {
 	"at_signal": "按信号",
 	"changes": "变化",
 	"trigger": "触发信号",
-	"waits": "等待信号…"
+	"waits": "等待信号…",
+	"faulty": "未更换：第 {line} 行有错误"
 };
 export { plc_default as default };

@@ -1,5 +1,6 @@
+import { http } from "../../lib/api/http.js";
 import { Refused } from "../../lib/api/socket.js";
-import { t } from "../../lib/i18n/index.svelte.js";
+import { language, t } from "../../lib/i18n/index.svelte.js";
 import Editor from "../../lib/editor/Editor.svelte.js";
 import { readLadder } from "../../lib/ladder/ladder.js";
 import Button from "../../lib/parts/Button.svelte.js";
@@ -47,8 +48,9 @@ function Edit($$anchor, $$props) {
 				text: now
 			});
 		} catch (refused) {
-			machine.refused(refused);
-			if (refused instanceof Refused && refused.alarm) $.get(editor)?.show(refused.alarm.line);
+			const alarm = refused instanceof Refused ? refused.alarm : null;
+			if (alarm?.line) await tellFault(alarm);
+			else machine.refused(refused);
 			return;
 		}
 		notify({
@@ -57,6 +59,18 @@ function Edit($$anchor, $$props) {
 		});
 		$.set(text, now, true);
 		$.set(changed, false);
+	}
+	/** What is wrong with a ladder that was refused: its first fault, by its number in the list of the GSK990MC. */
+	async function tellFault({ line, values }) {
+		$.get(editor)?.show(line);
+		const id = `gsk990mc:${(values.detail ?? "").padStart(4, "0")}`;
+		const about = await http.alarm(id, {}, language()).catch(() => null);
+		notify({
+			kind: "warning",
+			title: t("plc.faulty", { line }),
+			text: about ? `${about.text}. ${about.help}` : "",
+			code: id
+		});
 	}
 	async function back() {
 		if (await machine.tell({ do: "roll_back_ladder" })) await read();
