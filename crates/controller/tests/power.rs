@@ -8,7 +8,7 @@ use ferrocut_controller::api::{Command, Event, OffsetValues, Reply};
 use ferrocut_controller::{Control, Mode, Parts, Plant};
 use ferrocut_geometry::Position;
 use ferrocut_machine::Machine;
-use ferrocut_memory::{Author, Item, PlcArea, Session, Settings, Store};
+use ferrocut_memory::{Author, Change, Item, PlcArea, Session, Settings, Store};
 use ferrocut_plc::{Address, Limits, Program};
 use std::io::{BufRead, BufReader};
 use std::path::Path;
@@ -183,6 +183,130 @@ fn each_item_holds_at_once_when_it_was_restored() {
     let store = Store::open(folder.path(), Settings::new("gsk990mc")).unwrap();
     let found = store.reader().contents(&[Item::Plc]).unwrap().plc;
     assert_eq!((found[&PlcArea::K][99], found[&PlcArea::D][5000]), (0b10, 7));
+}
+
+/// A control with the standard ladder on the memory of a folder.
+fn with_ladder(folder: &Path) -> Control {
+    let store = Arc::new(Store::open(folder, Settings::new("gsk990mc")).unwrap());
+    let machine = Machine::demo_mill();
+    let parts = Parts {
+        store: Some(store),
+        ladder: Some(Program::from_text(LADDER.as_bytes(), &Limits::default()).unwrap()),
+        drives: Some(Box::new(Plant::new(&machine, Position::ZERO, Position::ZERO))),
+        ..Parts::default()
+    };
+    Control::new(&machine, parts).unwrap()
+}
+
+/// By who is no person, and kept.
+fn by_maintenance(control: &mut Control, command: Command) -> Reply {
+    let author = Author::Maintenance { name: "builder".into() };
+    let reply = control.command(command, &author).unwrap();
+    wait(control, 100);
+    control.flush().unwrap();
+    reply
+}
+
+fn ladder_text(control: &mut Control) -> String {
+    let Reply::Text { text } = say(control, Command::Ladder) else { panic!() };
+    text
+}
+
+/// The alarms that were told.
+fn told(control: &mut Control) -> Vec<String> {
+    let events = control.events();
+    let alarm = |event| match event {
+        Event::Alarm { alarm } => Some(alarm.id),
+        _ => None,
+    };
+    events.into_iter().filter_map(alarm).collect()
+}
+
+/// GSK990MC operation 3.4.4 and 3.7.
+#[test]
+fn a_ladder_that_was_exchanged_while_it_ran_runs_after_the_power() {
+    let folder = tempfile::tempdir().unwrap();
+    let one = format!("{LADDER}\n; one\n");
+    let two = format!("{LADDER}\n; two\n");
+    {
+        let mut control = with_ladder(folder.path());
+        assert_eq!(told(&mut control), [""; 0]);
+        by_maintenance(&mut control, Command::ExchangeLadder { text: one.clone() });
+        assert!(control.events().contains(&Event::Changed { item: "ladder".into() }));
+        by_maintenance(&mut control, Command::Backup { file: "one.backup".into(), items: vec![] });
+    }
+    {
+        let mut control = with_ladder(folder.path());
+        assert_eq!(told(&mut control), ["FC-1424"]);
+        assert!(ladder_text(&mut control) == one);
+        by_maintenance(&mut control, Command::ExchangeLadder { text: two.clone() });
+        by_maintenance(&mut control, Command::RollBackLadder);
+        assert!(ladder_text(&mut control) == one);
+        by_maintenance(&mut control, Command::RollBackLadder);
+    }
+    {
+        // What was rolled back last is as it was left.
+        let mut control = with_ladder(folder.path());
+        assert!(ladder_text(&mut control) == two);
+        by_maintenance(
+            &mut control,
+            Command::Restore { file: "one.backup".into(), items: vec!["ladder".into()] },
+        );
+        assert!(ladder_text(&mut control) == one);
+        by_maintenance(&mut control, Command::Force { signal: "X20.3".into(), value: Some(true) });
+        by_maintenance(&mut control, Command::Force { signal: "X20.3".into(), value: None });
+    }
+    {
+        let mut control = with_ladder(folder.path());
+        assert!(ladder_text(&mut control) == one);
+        // The machine's own ladder is what an exchange that was kept is rolled back to, after power-on too.
+        by_maintenance(&mut control, Command::RollBackLadder);
+        assert!(ladder_text(&mut control) == LADDER);
+        // One that stops is taken out again, and is never kept.
+        told(&mut control);
+        let endless = "END1\nLBL 1\nRD.NOT R9.7\nWRT R9.1\nRD.NOT R9.7\nJMPB 1\nEND2\n".to_owned();
+        by_maintenance(&mut control, Command::ExchangeLadder { text: endless });
+        wait(&mut control, 1000);
+        assert_eq!(
+            (told(&mut control), ladder_text(&mut control).as_str()),
+            (vec!["FC-1426".into()], LADDER)
+        );
+    }
+    let mut control = with_ladder(folder.path());
+    assert_eq!(told(&mut control), [""; 0]);
+    assert!(ladder_text(&mut control) == LADDER);
+    let Reply::OperationLog { entries } = say(&mut control, Command::OperationLog { most: 99 }) else {
+        panic!()
+    };
+    let lines = |item: &str| -> Vec<(String, String, String)> {
+        let of_item = entries.iter().rev().filter(|entry| entry.item == item);
+        of_item.map(|entry| (entry.who.clone(), entry.name.clone(), entry.to.clone())).collect()
+    };
+    let ladder = lines("ladder");
+    assert_eq!(ladder.len(), 5, "{ladder:?}");
+    assert!(ladder.iter().all(|(who, name, _)| who == "builder" && name == "exchanged"));
+    assert_eq!((&ladder[1].2, &ladder[0].2), (&ladder[3].2, &ladder[2].2));
+    assert_eq!(ladder[4].2, "");
+    let forced = lines("plc").into_iter().map(|(who, name, to)| format!("{who} {name} {to}"));
+    assert_eq!(forced.collect::<Vec<_>>(), ["builder X20.3 forced 1", "builder X20.3 released"]);
+}
+
+#[test]
+fn a_kept_ladder_that_cannot_be_run_gives_way_to_the_machines_own() {
+    let folder = tempfile::tempdir().unwrap();
+    {
+        let store = Store::open(folder.path(), Settings::new("gsk990mc")).unwrap();
+        let ladder = Change::Ladder { text: Some("RD NOTHING_HAS_THIS_NAME\n".into()) };
+        store.commit(&Author::Control, vec![ladder]).unwrap();
+    }
+    let mut control = with_ladder(folder.path());
+    assert_eq!(told(&mut control), ["FC-1425"]);
+    assert!(ladder_text(&mut control) == LADDER);
+    wait(&mut control, 100);
+    control.flush().unwrap();
+    drop(control);
+    // It stays what is kept until another takes its place.
+    assert_eq!(told(&mut with_ladder(folder.path())), ["FC-1425"]);
 }
 
 #[test]

@@ -664,6 +664,12 @@ faults! {
     CaptureSetting = 1422,
     /// The parameter switch is on.
     ParametersOpen = 1423,
+    /// Another ladder than the machine's own runs: one that was put in its place.
+    LadderKept = 1424,
+    /// The ladder that was kept cannot be run.
+    LadderUnusable = 1425,
+    /// A ladder that was exchanged stopped before it had run through, and was taken out again.
+    LadderTakenOut = 1426,
 
     // 1430: reference points and travel switches
     /// Homing did not meet the home switch, or did not leave it.

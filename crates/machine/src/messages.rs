@@ -72,6 +72,7 @@
 //! | `PltLeftOut` | `instruction` |
 //! | `ImportSetting`, `LadderSetting`, `PlotSetting` | `setting`, `value` |
 //! | `Ladder` | `word` |
+//! | `LadderUnusable` | `line` |
 //! | `ControlMode`, `ControlInterrupted` | `mode` |
 //! | `NotFitted`, `NoSuchName`, `ProgramInUse`, `ValueImpossible` | `name` |
 //! | `NoSuchLine` | `line` |

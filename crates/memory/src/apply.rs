@@ -7,8 +7,8 @@ use crate::items::{Change, Item, LogEntry, PlcArea, Program, Time, limits};
 use crate::rights::{self, Level};
 use crate::rows::{self, BLOCK};
 use crate::table::{
-    ALARM, COUNTER, Cell, INTERRUPTED, LAST_POSITION, LOG, PARAMETER, PITCH, PROGRAM, REFERENCE_POINT, Row,
-    SIGNAL, TOOL_OFFSET, Table, VARIABLE, WORK_ZERO,
+    ALARM, COUNTER, Cell, FileSum, INTERRUPTED, LADDER, LAST_POSITION, LOG, PARAMETER, PITCH, PROGRAM,
+    REFERENCE_POINT, Row, SIGNAL, TOOL_OFFSET, Table, VARIABLE, WORK_ZERO,
 };
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_machine::setup::VariableName;
@@ -196,10 +196,14 @@ impl Applier {
                 let good = usize::from(*first).saturating_add(bytes.len()) <= limits::AREA;
                 named(good, &format!("{}{first}", area.name()))
             }
+            Change::Ladder { text: Some(text) } if text.len() > limits::LADDER => {
+                Err(Error::Full(Item::Ladder))
+            }
+            Change::Force { signal, .. } => named(rows::is_name(signal), signal),
             Change::Counter { counter, value } => named(value.is_finite() && *value >= 0.0, counter.name()),
             Change::Alarm(alarm) => named(rows::fits(alarm), &alarm.id),
             Change::LastPosition(last) => named(last.position.is_finite(), "position"),
-            Change::Interrupted(_) | Change::ClearAlarms | Change::ClearLog => Ok(()),
+            Change::Ladder { .. } | Change::Interrupted(_) | Change::ClearAlarms | Change::ClearLog => Ok(()),
         }
     }
 
@@ -249,6 +253,12 @@ impl Applier {
                 log.numbers(self, Item::Pitch, &format!("{} {point}", axis.name()), old, *value)
             }
             Change::Plc { area, first, bytes } => self.write_signals(&log, *area, *first, bytes),
+            Change::Ladder { text } => self.write_ladder(&mut log, text.as_deref()),
+            Change::Force { signal, value } => {
+                log.all = true;
+                let shown = value.map_or("released".to_owned(), |on| format!("forced {}", u8::from(on)));
+                log.changed(self, Item::Plc, signal, String::new(), shown)
+            }
             Change::Counter { counter, value } => {
                 let row = rows::counter_row(*counter, *value);
                 let old = self.number(&COUNTER, &row)?.unwrap_or(0.0);
@@ -469,6 +479,19 @@ impl Applier {
         log.changed(self, Item::Plc, &format!("{}{first}", area.name()), shown(&before), shown(bytes))
     }
 
+    fn write_ladder(&mut self, log: &mut Log, text: Option<&str>) -> Result<(), Error> {
+        // GSK990MC operation 3.7: the log has what was changed in the ladder, whoever did it.
+        log.all = true;
+        let key = [rows::LADDER_KEY.into()];
+        let row = self.database.get(&LADDER, &key)?;
+        let old = row.as_deref().and_then(rows::ladder).map(ladder_shown).unwrap_or_default();
+        match text {
+            Some(text) => self.database.put(&LADDER, &rows::ladder_row(text))?,
+            None => self.database.delete(&LADDER, &key).map(drop)?,
+        }
+        log.changed(self, Item::Ladder, "exchanged", old, text.map(ladder_shown).unwrap_or_default())
+    }
+
     /// Replaces an item by rows of a backup: programs are put beside those that there are, histories are merged,
     /// all else becomes what the backup has.
     pub fn clear_for_restore(&mut self, item: Item) -> Result<(), Error> {
@@ -548,6 +571,13 @@ impl Applier {
         }
         Ok(())
     }
+}
+
+/// How the log tells ladders apart: bytes, and the head of the sum over them.
+fn ladder_shown(text: &str) -> String {
+    let mut sum = FileSum::default();
+    sum.add(text.as_bytes());
+    format!("{} {:.12}", text.len(), sum.finish())
 }
 
 /// The number of a program that is named by one: `O80001`.

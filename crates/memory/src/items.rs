@@ -45,11 +45,13 @@ pub enum Item {
     LastPosition,
     /// The block at which a run was broken off.
     Interrupted,
+    /// The ladder that was put in the place of the machine's own.
+    Ladder,
 }
 
 impl Item {
     /// Every item.
-    pub const ALL: [Item; 13] = [
+    pub const ALL: [Item; 14] = [
         Item::Programs,
         Item::Parameters,
         Item::Offsets,
@@ -63,6 +65,7 @@ impl Item {
         Item::Log,
         Item::LastPosition,
         Item::Interrupted,
+        Item::Ladder,
     ];
 
     /// Its name in files and on the command line.
@@ -81,6 +84,7 @@ impl Item {
             Item::Log => "log",
             Item::LastPosition => "position",
             Item::Interrupted => "interrupted",
+            Item::Ladder => "ladder",
         }
     }
 
@@ -373,6 +377,18 @@ pub enum Change {
         /// The bytes.
         bytes: Vec<u8>,
     },
+    /// Says which ladder runs from now on.
+    Ladder {
+        /// Its text; none is the machine's own.
+        text: Option<String>,
+    },
+    /// Adds to the log that a signal of the ladder was forced; nothing else is kept of it.
+    Force {
+        /// Its name or address.
+        signal: String,
+        /// To what; none releases it.
+        value: Option<bool>,
+    },
     /// Sets a counter.
     Counter {
         /// Which.
@@ -421,6 +437,8 @@ pub struct Contents {
     pub last_position: Option<LastPosition>,
     /// Where a run was broken off.
     pub interrupted: Option<InterruptedRun>,
+    /// The ladder that runs in the place of the machine's own.
+    pub ladder: Option<String>,
 }
 
 /// Bounds of the memory. Each is far above what the controls have; none can be passed, so that neither a
@@ -432,6 +450,8 @@ pub mod limits {
     pub const TEXT: usize = 1024;
     /// Longest program, bytes. The GSK990MC asks for DNC above 4 MB (operation 3.4.4).
     pub const PROGRAM: usize = 16 << 20;
+    /// Longest ladder, bytes: far above that of the 4,700 steps of a GSK990MC, with remarks.
+    pub const LADDER: usize = 4 << 20;
     /// Most programs.
     pub const PROGRAMS: i64 = 10_000;
     /// Most bytes of all programs together in a backup.

@@ -82,6 +82,27 @@ const SECOND: &[Table] = &[
     TRIES,
 ];
 
+/// The tables of version 3: no ladder was kept.
+const THIRD: &[Table] = &[
+    ABOUT,
+    TOTAL,
+    PROGRAM,
+    PARAMETER,
+    TOOL_OFFSET,
+    WORK_ZERO,
+    REFERENCE_POINT,
+    VARIABLE,
+    PITCH,
+    SIGNAL,
+    COUNTER,
+    ALARM,
+    LOG,
+    LAST_POSITION,
+    INTERRUPTED,
+    PASSWORD,
+    TRIES,
+];
+
 /// A row of version 2 as one of version 3.
 fn with_place(table: &str, row: Row) -> Option<(&'static str, Row)> {
     let row = if table == INTERRUPTED.name { interrupted_without_place(row) } else { row };
@@ -94,8 +115,11 @@ fn as_it_is(table: &str, row: Row) -> Option<(&'static str, Row)> {
 }
 
 /// The steps, in order. Version 1 is the first.
-const STEPS: &[Step] =
-    &[Step { from: 1, tables: FIRST, row: as_it_is }, Step { from: 2, tables: SECOND, row: with_place }];
+const STEPS: &[Step] = &[
+    Step { from: 1, tables: FIRST, row: as_it_is },
+    Step { from: 2, tables: SECOND, row: with_place },
+    Step { from: 3, tables: THIRD, row: as_it_is },
+];
 
 /// The tables of a version; none of one that is not known.
 pub fn tables_of(version: u32) -> Option<&'static [Table]> {
@@ -134,7 +158,7 @@ fn migrate_by(steps: &[Step], folder: &Path, path: &Path, from: u32, snapshots: 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::table::Cell;
+    use crate::table::{Cell, LADDER};
 
     /// A version before the first, for the test alone: variables had no names but numbers.
     const OLD_VARIABLE: Table =
@@ -212,5 +236,28 @@ mod tests {
         let row = database.get(&INTERRUPTED, &[1i64.into()]).unwrap().unwrap();
         let run = crate::rows::interrupted(&row).unwrap();
         assert_eq!((run.block, run.text.as_str(), run.at), (12, "G81 X1 K5", None));
+    }
+
+    #[test]
+    fn a_memory_of_before_ladders_were_kept_opens_and_takes_one() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("memory.db");
+        Database::create_as(&path, "gsk990mc", 3, THIRD).unwrap();
+        {
+            let mut database = Database::open(&path, Access::Write).unwrap();
+            database.begin().unwrap();
+            database.put(&VARIABLE, &["#500".into(), 2.5.into()]).unwrap();
+            database.commit().unwrap();
+        }
+        migrate(folder.path(), &path, 3, 3).unwrap();
+        assert_eq!(Database::verify(&path, Access::Read, tables_of).unwrap().schema, SCHEMA);
+        let mut database = Database::open(&path, Access::Write).unwrap();
+        assert!(database.get(&VARIABLE, &["#500".into()]).unwrap().is_some());
+        let row = crate::rows::ladder_row("END1\nEND2\n");
+        assert_eq!(database.get(&LADDER, &[1i64.into()]).unwrap(), None);
+        database.begin().unwrap();
+        database.put(&LADDER, &row).unwrap();
+        database.commit().unwrap();
+        assert_eq!(database.get(&LADDER, &[1i64.into()]).unwrap(), Some(row));
     }
 }

@@ -3,7 +3,7 @@
 //! | level | is | may change |
 //! |---|---|---|
 //! | 1 | maker of the control | everything |
-//! | 2 | builder of the machine | everything, and what the ladder keeps |
+//! | 2 | builder of the machine | everything, the ladder and what it keeps |
 //! | 3 | commissioning | every parameter, pitch tables, what is locked by those below; deletes the histories |
 //! | 4 | the shop | parameters that concern the work and not the machine |
 //! | 5 | the operator, without a password | offsets, zeros, variables, programs, counters |
@@ -87,7 +87,10 @@ pub fn needed(table: &ParameterTable, change: &Change) -> Level {
         Change::Pitch { .. } | Change::ReferencePoint { .. } => Level::Commissioning,
         // 3.7: histories are deleted from commissioning on.
         Change::ClearAlarms | Change::ClearLog => Level::Commissioning,
-        Change::Plc { area: PlcArea::K | PlcArea::T | PlcArea::C | PlcArea::D, .. } => Level::Builder,
+        // 3.4.5: ladders are transferred from level 2 on.
+        Change::Plc { area: PlcArea::K | PlcArea::T | PlcArea::C | PlcArea::D, .. }
+        | Change::Ladder { .. }
+        | Change::Force { .. } => Level::Builder,
         Change::Alarm(_) | Change::LastPosition(_) | Change::Interrupted(_) => Level::Maker,
     }
 }
@@ -103,7 +106,7 @@ pub fn needed_to_restore(item: Item) -> Level {
         | Item::ReferencePoints
         | Item::Alarms
         | Item::Log => Level::Commissioning,
-        Item::Plc | Item::Counters | Item::LastPosition | Item::Interrupted => Level::Builder,
+        Item::Plc | Item::Ladder | Item::Counters | Item::LastPosition | Item::Interrupted => Level::Builder,
     }
 }
 

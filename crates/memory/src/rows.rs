@@ -7,8 +7,8 @@ use crate::items::{
 };
 use crate::rights::Level;
 use crate::table::{
-    ALARM, COUNTER, Cell, INTERRUPTED, LAST_POSITION, LOG, PARAMETER, PITCH, PROGRAM, REFERENCE_POINT, Row,
-    SIGNAL, TOOL_OFFSET, Table, VARIABLE, WORK_ZERO,
+    ALARM, COUNTER, Cell, INTERRUPTED, LADDER, LAST_POSITION, LOG, PARAMETER, PITCH, PROGRAM,
+    REFERENCE_POINT, Row, SIGNAL, TOOL_OFFSET, Table, VARIABLE, WORK_ZERO,
 };
 use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_machine::setup::VariableName;
@@ -33,6 +33,7 @@ pub fn table(item: Item) -> &'static Table {
         Item::Log => &LOG,
         Item::LastPosition => &LAST_POSITION,
         Item::Interrupted => &INTERRUPTED,
+        Item::Ladder => &LADDER,
     }
 }
 
@@ -53,7 +54,7 @@ pub fn most_rows(item: Item) -> i64 {
         Item::Counters => Counter::ALL.len() as i64,
         Item::Alarms => limits::ALARMS,
         Item::Log => limits::LOG,
-        Item::LastPosition | Item::Interrupted => 1,
+        Item::LastPosition | Item::Interrupted | Item::Ladder => 1,
     }
 }
 
@@ -447,6 +448,20 @@ pub fn interrupted(row: &[Cell]) -> Option<InterruptedRun> {
     })
 }
 
+/// The key of the one row of the ladder.
+pub const LADDER_KEY: u8 = 1;
+
+/// A ladder as a row.
+pub fn ladder_row(text: &str) -> Row {
+    vec![LADDER_KEY.into(), text.into()]
+}
+
+/// The ladder of a row.
+pub fn ladder(row: &[Cell]) -> Option<&str> {
+    let [Cell::Whole(1), Cell::Text(text)] = row else { return None };
+    (text.len() <= limits::LADDER).then_some(text)
+}
+
 /// Whether a row of an item's table holds what the item can hold.
 pub fn is_valid(item: Item, row: &Row) -> bool {
     table(item).fits(row)
@@ -464,6 +479,7 @@ pub fn is_valid(item: Item, row: &Row) -> bool {
             Item::Log => log(row).is_some(),
             Item::LastPosition => last_position(row).is_some(),
             Item::Interrupted => interrupted(row).is_some(),
+            Item::Ladder => ladder(row).is_some(),
         }
 }
 
@@ -510,6 +526,7 @@ impl Contents {
             Item::Log => put(log(&row), |entry| self.log.push(entry)),
             Item::LastPosition => put(last_position(&row), |last| self.last_position = Some(last)),
             Item::Interrupted => put(interrupted(&row), |run| self.interrupted = Some(run)),
+            Item::Ladder => put(ladder(&row), |text| self.ladder = Some(text.to_owned())),
         }
     }
 }

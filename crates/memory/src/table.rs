@@ -239,6 +239,9 @@ pub const INTERRUPTED: Table = Table {
     ],
 };
 
+/// The ladder that runs in the place of the machine's own; one row, or none.
+pub const LADDER: Table = Table { name: "ladder", keys: 1, columns: &[("number", Whole), ("text", Text)] };
+
 /// Passwords as argon2 writes them (PHC form), by level.
 pub const PASSWORD: Table = Table { name: "password", keys: 1, columns: &[("level", Whole), ("hash", Text)] };
 
@@ -263,6 +266,7 @@ pub const TABLES: &[Table] = &[
     LOG,
     LAST_POSITION,
     INTERRUPTED,
+    LADDER,
     PASSWORD,
     TRIES,
 ];

@@ -74,6 +74,7 @@ fn everything_is_there_after_power_off() {
     assert_eq!(after.plc[&PlcArea::D][3..7], [3, 0, 0, 0]);
     assert_eq!(after.plc[&PlcArea::K][0], 3);
     assert_eq!(after.counters[&Counter::Parts], 3.0);
+    assert_eq!(after.ladder.as_deref(), Some("; ladder 3\nEND1\nEND2\n"));
     assert_eq!(store.reader().alarms(10).unwrap().len(), 1);
     assert_eq!(store.reader().check(folder.path()), Ok(store.reader().commits().unwrap()));
     store.commit(&Author::Control, vec![Change::Interrupted(None)]).unwrap();
@@ -93,6 +94,31 @@ fn an_empty_variable_is_not_zero() {
     for wrong in [variable(0, Some(1.0)), variable(500, Some(f64::INFINITY))] {
         assert!(matches!(store.commit(&part, vec![wrong]), Err(Error::Value(_))));
     }
+}
+
+#[test]
+fn who_exchanges_the_ladder_or_forces_a_signal_stands_in_the_log() {
+    let folder = tempdir().unwrap();
+    let store = open(folder.path());
+    let ladder = |text: Option<&str>| Change::Ladder { text: text.map(str::to_owned) };
+    let force = |value| Change::Force { signal: "X20.3".to_owned(), value };
+    for change in [ladder(Some("END1")), force(Some(true))] {
+        let refused = store.commit(&operator(), vec![change]);
+        assert!(matches!(refused, Err(Error::Right { needed: Level::Builder, .. })));
+    }
+    let huge = "x".repeat(items::limits::LADDER + 1);
+    assert!(matches!(store.commit(&owner(), vec![ladder(Some(&huge))]), Err(Error::Full(Item::Ladder))));
+    store.commit(&owner(), vec![ladder(Some("END1\nEND2\n")), force(Some(true))]).unwrap();
+    store.commit(&owner(), vec![force(None)]).unwrap();
+    // The control takes one out itself that fails: that is logged like what persons do.
+    store.commit(&Author::Control, vec![ladder(None)]).unwrap();
+    assert_eq!(all(&store).ladder, None);
+    let log: Vec<_> = store.reader().log(4).unwrap().into_iter().rev().collect();
+    let shown: Vec<_> = log.iter().map(|e| (e.item.as_str(), e.name.as_str(), e.to.as_str())).collect();
+    assert_eq!((shown[0].0, shown[0].1), ("ladder", "exchanged"));
+    assert!(shown[0].2.starts_with("10 "), "{}", shown[0].2);
+    assert_eq!(shown[1..3], [("plc", "X20.3", "forced 1"), ("plc", "X20.3", "released")]);
+    assert_eq!((log[3].from.as_str(), log[3].to.as_str(), log[3].who.as_str()), (shown[0].2, "", "control"));
 }
 
 #[test]

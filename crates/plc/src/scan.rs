@@ -390,6 +390,11 @@ impl Plc {
         true
     }
 
+    /// Whether a ladder that was exchanged has not run through yet: the first stop takes it out again.
+    pub fn is_on_trial(&self) -> bool {
+        self.on_trial
+    }
+
     /// How often another ladder came, by [`exchange`](Plc::exchange), by [`roll_back`](Plc::roll_back), or because one
     /// on trial was taken out again: what is remembered of a ladder holds while this stays.
     pub fn exchanges(&self) -> u64 {

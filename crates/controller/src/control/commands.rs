@@ -14,7 +14,7 @@ use ferrocut_machine::setup::VariableName;
 use ferrocut_machine::{Alarm, Fault, ParameterKey, ToolOffset, WorkOffset};
 use ferrocut_memory::password::Seat;
 use ferrocut_memory::{Author, Backup, Change, Counter, Item, Level, Session};
-use ferrocut_plc::{Address, Area, Limits, Maintenance, Program};
+use ferrocut_plc::{Address, Area};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, PoisonError};
@@ -25,9 +25,9 @@ const MOST_VALUES: usize = 10_000;
 /// Longest text of MDI, bytes (10.1.1.2: 65 characters a block).
 const LONGEST_MDI: usize = 1 << 20;
 
-type Answer = Result<Reply, Box<Alarm>>;
+pub(super) type Answer = Result<Reply, Box<Alarm>>;
 
-fn named(fault: Fault, name: impl Into<String>) -> Alarm {
+pub(super) fn named(fault: Fault, name: impl Into<String>) -> Alarm {
     alarm(fault).with("name", name.into())
 }
 
@@ -160,14 +160,7 @@ impl Control {
             Command::EndTrace => Ok(self.end_trace()),
             Command::Force { signal, value } => self.force(&signal, value, author),
             Command::ExchangeLadder { text } => self.exchange_ladder(&text, author),
-            Command::RollBackLadder => {
-                self.needs_level(Level::Builder, author)?;
-                let plc = self.plc.as_mut().ok_or_else(|| named(Fault::NotFitted, "ladder"))?;
-                match plc.roll_back() {
-                    true => Ok(Reply::Done),
-                    false => Err(Box::new(named(Fault::NoSuchName, "ladder"))),
-                }
-            }
+            Command::RollBackLadder => self.roll_back_ladder(author),
             Command::StartLadder => {
                 self.plc.as_mut().ok_or_else(|| named(Fault::NotFitted, "ladder"))?.restart();
                 Ok(Reply::Done)
@@ -240,7 +233,7 @@ impl Control {
         }
     }
 
-    fn needs_level(&self, needed: Level, author: &Author) -> Result<(), Box<Alarm>> {
+    pub(super) fn needs_level(&self, needed: Level, author: &Author) -> Result<(), Box<Alarm>> {
         match author.level() {
             Some(level) if !level.covers(needed) => Err(Box::new(
                 alarm(Fault::RightMissing)
@@ -287,33 +280,6 @@ impl Control {
             signals.insert(name.clone(), value);
         }
         Ok(Reply::Signals { signals })
-    }
-
-    fn force(&mut self, signal: &str, value: Option<bool>, author: &Author) -> Answer {
-        self.needs_level(Level::Builder, author)?;
-        let address = self.address(signal)?;
-        if let Some(plc) = &mut self.plc {
-            let right = Maintenance::granted();
-            match value {
-                Some(value) => plc.force(&right, address, value),
-                None => plc.release(&right, address),
-            }
-        }
-        Ok(Reply::Done)
-    }
-
-    fn exchange_ladder(&mut self, text: &str, author: &Author) -> Answer {
-        self.needs_level(Level::Builder, author)?;
-        let plc = self.plc.as_mut().ok_or_else(|| named(Fault::NotFitted, "ladder"))?;
-        let program = Program::from_text(text.as_bytes(), &Limits::default()).map_err(|errors| {
-            let first = errors.first();
-            let number = first.map_or(0, |error| error.fault.number());
-            let mut alarm = alarm(Fault::Ladder).with("detail", number.to_string());
-            alarm.span.line = first.map_or(0, |error| error.span.line);
-            alarm
-        })?;
-        plc.exchange(Box::new(program));
-        Ok(Reply::Done)
     }
 
     // Programs.

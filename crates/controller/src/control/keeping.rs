@@ -7,7 +7,7 @@
 use super::machine_data::Pitch;
 use super::status::Count;
 use super::taking_up::TakingUp;
-use super::{Control, alarm};
+use super::{Control, alarm, exchange};
 use crate::api::{AlarmInfo, Event};
 use ferrocut_geometry::Position;
 use ferrocut_interpreter::Interpreter;
@@ -35,6 +35,7 @@ pub(super) struct Keeping {
     /// Changes of the program that were looked at.
     writes: u64,
     plc: Vec<(Address, u8)>,
+    pub ladder: exchange::Kept,
     counters: Count,
     position: Option<Position>,
     /// The block of the run that was told last, and where the axes stood.
@@ -93,7 +94,14 @@ impl Keeping {
         plc: Option<&mut Plc>,
     ) -> Result<(Keeping, Found), Box<Alarm>> {
         let mut items = ENTERED.to_vec();
-        items.extend([Item::Counters, Item::LastPosition, Item::Interrupted, Item::Plc, Item::Pitch]);
+        items.extend([
+            Item::Counters,
+            Item::LastPosition,
+            Item::Interrupted,
+            Item::Plc,
+            Item::Pitch,
+            Item::Ladder,
+        ]);
         let contents = store.reader().contents(&items).map_err(|error| error.alarm())?;
         // What this control does not take stays in the memory, for one that does.
         let _ = enter(&contents, memory);
@@ -115,6 +123,7 @@ impl Keeping {
             kept: memory.clone(),
             writes: 0,
             plc: kept_plc,
+            ladder: exchange::Kept::of(contents.ladder),
             counters,
             position: position.as_ref().map(|last| last.position),
             block: 0,
@@ -141,7 +150,7 @@ impl Keeping {
     }
 
     /// Changes that nobody waits for.
-    fn put(&mut self, author: &Author, changes: Vec<Change>) {
+    pub fn put(&mut self, author: &Author, changes: Vec<Change>) {
         // Told by the flush that finds it, or by the next change that waits.
         self.told |= self.store.put(author, changes).is_err();
     }
@@ -238,6 +247,10 @@ impl Control {
                 keeping.look_at_ladder(plc);
             }
         }
+        let is_exchanged = match &self.plc {
+            Some(plc) => keeping.look_at_exchanges(plc, &self.own_ladder, &mut self.exchanged_by),
+            None => false,
+        };
         let mut done = Vec::new();
         // In the order in which they were asked for: the last one is what holds. None while blocks are being read.
         while !self.cnc.is_reading()
@@ -247,6 +260,9 @@ impl Control {
         }
         let told = std::mem::take(&mut keeping.told);
         self.keeping = Some(keeping);
+        if is_exchanged {
+            self.event(Event::Changed { item: Item::Ladder.name().to_owned() });
+        }
         if told {
             let alarm = AlarmInfo::of(&alarm(Fault::NotKept));
             self.event(Event::Alarm { alarm });
@@ -298,7 +314,7 @@ impl Control {
     pub(super) fn read_again(&mut self, restored: &[Item]) -> Result<(), Box<Alarm>> {
         let Some(keeping) = &self.keeping else { return Ok(()) };
         let mut items = ENTERED.to_vec();
-        items.extend([Item::Counters, Item::Interrupted, Item::Plc, Item::Pitch]);
+        items.extend([Item::Counters, Item::Interrupted, Item::Plc, Item::Pitch, Item::Ladder]);
         let contents = keeping.store.reader().contents(&items).map_err(|error| error.alarm())?;
         let mut memory = super::as_delivered(&self.machine)?;
         let _ = enter(&contents, &mut memory);
@@ -323,6 +339,7 @@ impl Control {
                         }
                     }
                 }
+                Item::Ladder => self.exchange_for_kept(contents.ladder.clone()),
                 Item::Pitch => self.pitch.clone_from(&contents.pitch),
                 Item::Programs => self.taking_up.program_changed(),
                 Item::Interrupted => self.taking_up = TakingUp::of(contents.interrupted.clone()),

@@ -13,6 +13,7 @@ mod capture;
 mod commands;
 mod desk;
 mod dnc;
+mod exchange;
 mod hand;
 mod keeping;
 mod keys;
@@ -68,6 +69,10 @@ pub struct Control {
     machine: Machine,
     cnc: Cnc,
     plc: Option<Plc>,
+    /// The text of the machine's own ladder.
+    own_ladder: String,
+    /// Who exchanged the ladder that is not kept yet.
+    exchanged_by: Option<ferrocut_memory::Author>,
     keys: keys::Keys,
     library: Library,
     keeping: Option<Keeping>,
@@ -136,7 +141,12 @@ impl Control {
             Some(store) => Library::Kept(store.clone()),
             None => Library::Held(Arc::new(Mutex::new(BTreeMap::new()))),
         };
+        let own_ladder = parts.ladder.as_ref().map(ferrocut_plc::Program::text).unwrap_or_default();
         let mut plc = parts.ladder.map(|ladder| Plc::new(ladder, pace(machine)));
+        let ladder_told = match (&parts.store, &mut plc) {
+            (Some(store), Some(plc)) => exchange::at_power_on(store, plc)?,
+            _ => None,
+        };
         let mut counters = status::Count::default();
         let mut start = Position::ZERO;
         let mut referenced = None;
@@ -182,6 +192,8 @@ impl Control {
             state: cnc.state().clone(),
             cnc,
             plc,
+            own_ladder,
+            exchanged_by: None,
             keys: keys::Keys::default(),
             library,
             keeping,
@@ -222,6 +234,9 @@ impl Control {
             is_in_period: false,
             events: Vec::new(),
         };
+        if let Some(alarm) = ladder_told {
+            control.event(Event::Alarm { alarm: AlarmInfo::of(&alarm) });
+        }
         control.show_parts();
         Ok(control)
     }
@@ -324,6 +339,10 @@ impl Control {
         self.renew_ladder_names();
         if let Some(plc) = &self.plc {
             self.cnc.release_overtravel(self.ladder_names.releases_overtravel(plc));
+        }
+        if scanned.rolled_back {
+            let alarm = AlarmInfo::of(&alarm(Fault::LadderTakenOut).as_warning());
+            self.event(Event::Alarm { alarm });
         }
         if is_stopped && !was_stopped {
             self.raise(alarm(Fault::LadderStopped));

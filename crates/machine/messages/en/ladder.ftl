@@ -18,6 +18,13 @@ FC-1422 = This waveform cannot be captured
     .help = Name axes and signals that the machine has, at least one of them, and not more than there is room for.
 FC-1423 = the parameter switch is on
     .help = Turn it off once the parameters are as they should be, or accept it on the setting page.
+FC-1424 = the ladder that runs is not that of the machine file
+    .help = It was put in its place while the machine ran, and is kept. To have the machine's own again, roll it back or exchange it.
+FC-1425 = the kept ladder cannot be run: the machine's own runs
+    .help = Exchange it for a corrected one; the exchange takes the place of what is kept.
+    .detail = line { $line }
+FC-1426 = the new ladder stopped and was taken out again
+    .help = The one of before runs. Look for an endless loop or too many steps in level 1.
 
 label-ladder-checked = { $file }: { $steps } steps, { $first } of them in level 1, { $signals } named signals
 label-ladder-faults = { $count ->

@@ -95,3 +95,4 @@ label-item-alarms = alarm history
 label-item-log = operation log
 label-item-position = position at power-off
 label-item-interrupted = interrupted program
+label-item-ladder = ladder in the place of the machine's own

@@ -18,6 +18,13 @@ FC-1422 = Esta forma de onda no se puede registrar
     .help = Indique ejes y señales que la máquina tenga, al menos uno y no más de los que caben.
 FC-1423 = El interruptor de parámetros está activado
     .help = Desactívelo cuando los parámetros estén como deben, o acepte la alarma en la página de ajustes.
+FC-1424 = el diagrama de contactos que corre no es el del archivo de la máquina
+    .help = Se puso en su lugar con la máquina en marcha y está guardado. Para volver al propio, deshaga el cambio o cámbielo de nuevo.
+FC-1425 = el diagrama de contactos guardado no puede ejecutarse: corre el de la máquina
+    .help = Cámbielo por uno corregido; ocupará el lugar del guardado.
+    .detail = línea { $line }
+FC-1426 = el nuevo diagrama de contactos se paró y se retiró
+    .help = Corre el anterior. Busque un bucle sin fin o demasiados pasos en el nivel 1.
 
 label-ladder-checked = { $file }: { $steps } pasos, { $first } de ellos en el nivel 1, { $signals } señales con nombre
 label-ladder-faults = { $count ->

@@ -95,3 +95,4 @@ label-item-alarms = historial de alarmas
 label-item-log = registro de operaciones
 label-item-position = posición al apagar
 label-item-interrupted = programa interrumpido
+label-item-ladder = diagrama de contactos en lugar del propio de la máquina

@@ -97,3 +97,4 @@ label-item-alarms = история аварий
 label-item-log = журнал действий
 label-item-position = положение при выключении
 label-item-interrupted = прерванная программа
+label-item-ladder = программа ПЛК взамен встроенной

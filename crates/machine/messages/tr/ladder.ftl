@@ -18,6 +18,14 @@ FC-1422 = Bu dalga biçimi kaydedilemez
     .help = Tezgâhta olan eksen ve sinyalleri yazın: en az bir tane, sığacağından çok değil.
 FC-1423 = parametre anahtarı açık
     .help = Parametreler tamamlanınca kapatın ya da ayar sayfasında kabul edin.
+FC-1424 = çalışan merdiven programı tezgâh dosyasındaki değil
+    .help = Tezgâh çalışırken onun yerine kondu ve saklandı. Tezgâhın kendi merdiven programına dönmek için değişikliği geri alın ya da yeniden değiştirin.
+FC-1425 = saklanan merdiven programı çalıştırılamıyor; tezgâhın kendi merdiven programı çalışıyor
+    .help = Düzeltilmiş olanla değiştirin; saklananın yerini alır.
+    .detail = satır { $line }
+FC-1426 = yeni merdiven programı durdu ve geri alındı
+    .help = Önceki çalışıyor. 1. düzeyde sonsuz döngü ya da fazla adım arayın.
+label-item-merdiven programı = tezgâhın kendi merdiven programı yerine çalışan merdiven programı
 
 label-ladder-checked = { $file }: { $steps } adım, { $first } adımı 1. düzeyde, { $signals } adlı sinyal
 label-ladder-faults = { $count ->

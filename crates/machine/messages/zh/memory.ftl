@@ -92,3 +92,4 @@ label-item-alarms = 报警历史
 label-item-log = 操作履历
 label-item-position = 断电时的位置
 label-item-interrupted = 中断的程序
+label-item-ladder = 替代机床自带梯形图的梯形图

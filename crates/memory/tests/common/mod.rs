@@ -70,6 +70,7 @@ pub fn something(n: u32) -> Vec<Change> {
         },
         Change::Plc { area: PlcArea::K, first: 0, bytes: vec![(n % 256) as u8] },
         Change::Counter { counter: Counter::Parts, value: f },
+        Change::Ladder { text: (!n.is_multiple_of(5)).then(|| format!("; ladder {n}\nEND1\nEND2\n")) },
     ]
 }
 

@@ -146,6 +146,18 @@ pub fn rows(contents: &Contents, item: Item, diagnostics: &Diagnostics) -> Vec<R
                 row
             })
             .collect(),
+        Item::Ladder => {
+            let row = |text: &String| {
+                let lines: Vec<&str> = text.lines().collect();
+                let head = lines.iter().find(|line| !line.trim().is_empty()).copied().unwrap_or_default();
+                vec![
+                    ("bytes", text.len().into()),
+                    ("lines", lines.len().into()),
+                    ("head", head.trim().chars().take(60).collect::<String>().into()),
+                ]
+            };
+            contents.ladder.iter().map(row).collect()
+        }
     }
 }
 

@@ -1,0 +1,129 @@
+//! The ladder that runs: the machine's own, or one that was put in its place while it ran, which is kept (GSK990MC
+//! operation 3.4.4) and stands in the operation log (3.7).
+//!
+//! An exchange holds at once and is kept when the new ladder has run through for the first time. One that stops before is
+//! taken out again and was never kept, so that no power-on meets it.
+
+use super::commands::{Answer, named};
+use super::keeping::Keeping;
+use super::{Control, alarm};
+use crate::api::{AlarmInfo, Event, Reply};
+use ferrocut_machine::{Alarm, Fault};
+use ferrocut_memory::{Author, Change, Item, Level, Store};
+use ferrocut_plc::{Error, Limits, Maintenance, Plc, Program};
+
+/// What is on the disk of the ladder, or on its way there.
+pub(super) struct Kept {
+    /// Its text; none is the machine's own.
+    text: Option<String>,
+    /// Exchanges that were looked at.
+    exchanges: u64,
+}
+
+impl Kept {
+    pub fn of(text: Option<String>) -> Kept {
+        Kept { text, exchanges: 0 }
+    }
+}
+
+impl Keeping {
+    /// Another ladder has come and runs: it is kept, by who exchanged it, or the control that took one out. Whether
+    /// another is kept from now on.
+    pub fn look_at_exchanges(&mut self, plc: &Plc, own: &str, by: &mut Option<Author>) -> bool {
+        if self.ladder.exchanges == plc.exchanges() || plc.is_on_trial() {
+            return false;
+        }
+        self.ladder.exchanges = plc.exchanges();
+        let author = by.take().unwrap_or(Author::Control);
+        let text = Some(plc.program().text()).filter(|text| text != own);
+        if text == self.ladder.text {
+            return false;
+        }
+        self.ladder.text.clone_from(&text);
+        self.put(&author, vec![Change::Ladder { text }]);
+        true
+    }
+}
+
+/// Puts the ladder that was kept in the place of the machine's own, which it is rolled back to; and what is to be said
+/// of it.
+pub(super) fn at_power_on(store: &Store, plc: &mut Plc) -> Result<Option<Alarm>, Box<Alarm>> {
+    let kept = store.reader().contents(&[Item::Ladder]).map_err(|error| error.alarm())?.ladder;
+    Ok(kept.map(|text| match Program::from_text(text.as_bytes(), &Limits::default()) {
+        Ok(program) => {
+            plc.exchange(Box::new(program));
+            alarm(Fault::LadderKept).as_warning()
+        }
+        Err(errors) => unusable(&errors),
+    }))
+}
+
+/// That a ladder that was kept cannot be run.
+fn unusable(errors: &[Error]) -> Alarm {
+    let line = errors.first().map_or(0, |error| error.span.line);
+    alarm(Fault::LadderUnusable).with("line", f64::from(line)).as_warning()
+}
+
+impl Control {
+    /// Puts the ladder that was restored in the place of the one that runs; the machine's own where none was kept.
+    pub(super) fn exchange_for_kept(&mut self, kept: Option<String>) {
+        let Some(plc) = &mut self.plc else { return };
+        let text = kept.as_ref().unwrap_or(&self.own_ladder);
+        let is_another = *text != plc.program().text();
+        match Program::from_text(text.as_bytes(), &Limits::default()) {
+            Ok(program) if is_another => drop(plc.exchange(Box::new(program))),
+            Ok(_) => {}
+            Err(errors) => {
+                let alarm = AlarmInfo::of(&unusable(&errors));
+                self.event(Event::Alarm { alarm });
+            }
+        }
+        if let Some(keeping) = &mut self.keeping {
+            keeping.ladder.text = kept;
+        }
+    }
+
+    pub(super) fn exchange_ladder(&mut self, text: &str, author: &Author) -> Answer {
+        self.needs_level(Level::Builder, author)?;
+        let plc = self.plc.as_mut().ok_or_else(|| named(Fault::NotFitted, "ladder"))?;
+        if text.len() > ferrocut_memory::items::limits::LADDER {
+            return Err(Box::new(named(Fault::ValueImpossible, "ladder")));
+        }
+        let program = Program::from_text(text.as_bytes(), &Limits::default()).map_err(|errors| {
+            let first = errors.first();
+            let number = first.map_or(0, |error| error.fault.number());
+            let mut alarm = alarm(Fault::Ladder).with("detail", number.to_string());
+            alarm.span.line = first.map_or(0, |error| error.span.line);
+            alarm
+        })?;
+        plc.exchange(Box::new(program));
+        self.exchanged_by = Some(author.clone());
+        Ok(Reply::Done)
+    }
+
+    pub(super) fn roll_back_ladder(&mut self, author: &Author) -> Answer {
+        self.needs_level(Level::Builder, author)?;
+        let plc = self.plc.as_mut().ok_or_else(|| named(Fault::NotFitted, "ladder"))?;
+        if !plc.roll_back() {
+            return Err(Box::new(named(Fault::NoSuchName, "ladder")));
+        }
+        self.exchanged_by = Some(author.clone());
+        Ok(Reply::Done)
+    }
+
+    pub(super) fn force(&mut self, signal: &str, value: Option<bool>, author: &Author) -> Answer {
+        self.needs_level(Level::Builder, author)?;
+        let address = self.address(signal)?;
+        if let Some(plc) = &mut self.plc {
+            let right = Maintenance::granted();
+            match value {
+                Some(value) => plc.force(&right, address, value),
+                None => plc.release(&right, address),
+            }
+        }
+        if let Some(keeping) = &mut self.keeping {
+            keeping.put(author, vec![Change::Force { signal: signal.to_owned(), value }]);
+        }
+        Ok(Reply::Done)
+    }
+}
