@@ -141,6 +141,8 @@ pub struct Inputs {
     pub optional_stop: bool,
     /// Dry run.
     pub dry_run: bool,
+    /// With dry run the handwheel drives the program.
+    pub handwheel_drive: bool,
     /// Axes do not move, positions go on.
     pub machine_lock: bool,
     /// M, S, T and B codes are not handed out.
@@ -533,6 +535,7 @@ pub const ROWS: &[Row] = &[
     g(&["SOR"], 29, 5, |r, _, v| r.inputs.spindle_orient |= v != 0),
     g(&["*SSTP"], 29, 6, |r, _, v| r.inputs.spindle_may_turn = v != 0),
     value(&["SOV"], Area::G, 30, 1, Link::Reads(|r, _, v| r.inputs.spindle_override = f64::from(v & 0xFF) / 100.0)),
+    g(&["HDRV"], 42, 0, |r, _, v| r.inputs.handwheel_drive = v != 0),
     g(&["MD1", "MD2", "MD4"], 43, 0, |r, n, v| r.mode |= v << n),
     g(&["DNCI"], 43, 5, |r, _, v| r.mode |= v * DNCI),
     g(&["STEPI"], 43, 6, |r, _, v| r.mode |= v * STEPI),

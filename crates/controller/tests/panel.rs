@@ -79,6 +79,73 @@ fn a_shift_through_the_keys() {
     mill.until("well", |status| status.activity == Activity::Idle && status.alarms.is_empty());
 }
 
+/// GSK990MC part 2, 6.4.
+#[test]
+fn the_handwheel_drives_a_program() {
+    let mut mill = Mill::power_on();
+    mill.home();
+    mill.press("KEY_R_100");
+    mill.press("KEY_AUTO");
+    let text = "G91 G1 X-60 F1200\nG0 Y-10\nG1 X-4\nM30\n".to_owned();
+    mill.say(Command::Store { program: "O0001".into(), text });
+    mill.say(Command::Select { program: "O1".into() });
+    mill.press("KEY_DRY");
+    mill.press("KEY_HDRV");
+    assert!(mill.wait(1).lamps.contains(&"LAMP_HDRV".to_owned()));
+    let from = mill.wait(1).position.machine;
+    mill.press("KEY_START");
+    // Runs, and stands: neither time nor a wheel that is turned back moves an axis.
+    for counts in [0, -5] {
+        for _ in 0..100 {
+            mill.say(Command::Handwheel { counts });
+            mill.wait(10);
+        }
+        let status = mill.wait(1);
+        assert_eq!((status.activity, &status.position.machine), (Activity::Running, &from));
+    }
+    // Turned twice as fast, it goes twice as fast; the rated speed is the programmed one.
+    let turn = |mill: &mut Mill, counts: i32, times: usize| {
+        let mut fastest: f64 = 0.0;
+        for _ in 0..times {
+            mill.say(Command::Handwheel { counts });
+            fastest = fastest.max(mill.wait(10).feed.actual);
+        }
+        fastest
+    };
+    let slow = turn(&mut mill, 0, 1).max(turn(&mut mill, 1, 50));
+    // The wheel stands: so does the program.
+    turn(&mut mill, 0, 200);
+    let stood = mill.wait(1).position.machine;
+    assert_eq!(mill.wait(500).position.machine, stood);
+    assert_ne!(stood, from);
+    mill.press("KEY_SINGLE");
+    let fast = turn(&mut mill, 2, 40);
+    assert!(slow > 1000.0 && slow < 1400.0 && fast > 1.5 * slow, "{slow} {fast}");
+    // Note 2: single block holds at its end, whatever the wheel does.
+    turn(&mut mill, 1, 600);
+    let status = mill.wait(1);
+    assert_eq!(status.activity, Activity::BlockEnd);
+    assert!((status.position.machine[&'X'] - from[&'X'] + 60.0).abs() < 1e-9);
+    assert_eq!(status.position.machine[&'Y'], from[&'Y']);
+    mill.wait(500);
+    mill.press("KEY_SINGLE");
+    mill.press("KEY_START");
+    assert_eq!(mill.wait(500).position.machine[&'Y'], from[&'Y'], "positioning waits for the wheel, too");
+    for _ in 0..1000 {
+        turn(&mut mill, 1, 10);
+        if mill.wait(1).activity == Activity::Idle {
+            break;
+        }
+    }
+    let at = mill.wait(1).position.machine;
+    assert_eq!(mill.wait(1).counters.parts, 1);
+    assert!((at[&'X'] - from[&'X'] + 64.0).abs() < 1e-9 && (at[&'Y'] - from[&'Y'] + 10.0).abs() < 1e-9);
+    // Without it, dry run is what it was.
+    mill.press("KEY_HDRV");
+    mill.press("KEY_START");
+    mill.until("done", |status| status.counters.parts == 2 && status.activity == Activity::Idle);
+}
+
 /// Signals that this machine has no cause to give, and where they are tried.
 const NOT_HERE: [(&str, &str); 3] = [
     ("BF", "no language here has a second auxiliary function; handshake.rs"),

@@ -234,6 +234,7 @@ fn switches_turn_over_in_their_modes() {
         ("KEY_MLOCK", "MLK", "KEY_JOG", "KEY_EDIT"),
         ("KEY_AUXLOCK", "AFL", "KEY_AUTO", "KEY_MPG"),
         ("KEY_RESTART", "SRN", "KEY_AUTO", "KEY_MDI"),
+        ("KEY_HDRV", "HDRV", "KEY_AUTO", "KEY_MDI"),
     ];
     for (key, signal, mode, other) in table {
         m.press(mode);

@@ -28,6 +28,7 @@ mod programs;
 mod status;
 mod taking_up;
 mod trace;
+mod wheel_drive;
 
 use crate::api::{Activity, AlarmInfo, Event};
 use crate::cnc::{self, Cnc, DryRun, State, Tick};
@@ -95,6 +96,8 @@ pub struct Control {
     jogs: [(i8, bool); SIGNAL_AXES],
     /// Counts of the handwheel that were not given yet.
     counts: i32,
+    /// The wheel, where it drives a program.
+    wheel: wheel_drive::Wheel,
     /// The button of a front.
     button: bool,
     emergency: bool,
@@ -211,6 +214,7 @@ impl Control {
             stop_at: None,
             jogs: [(0, false); SIGNAL_AXES],
             counts: 0,
+            wheel: wheel_drive::Wheel::default(),
             button: false,
             emergency: false,
             active: None,
@@ -376,10 +380,12 @@ impl Control {
                 self.parameter(93) / fastest
             }
         };
+        let is_driven = self.is_driven_by_wheel();
+        let wheel = self.take_wheel_drive();
         let inputs = &self.inputs;
         let rapid = inputs.rapid_override.factor();
         let (feed, manual) = (inputs.feed_override, inputs.manual_override);
-        let dry = inputs.dry_run.then(|| DryRun {
+        let dry = (inputs.dry_run && !is_driven).then(|| DryRun {
             speed: self.parameter(86) / 60.0,
             cutting: self.bit(12, 6),
             rapid: self.bit(12, 7),
@@ -387,7 +393,7 @@ impl Control {
         let (single, skip) = (inputs.single_block, inputs.block_skip);
         let (optional, auxiliary, lock) = (inputs.optional_stop, inputs.auxiliary_lock, inputs.machine_lock);
         let may = inputs.axes_may_move;
-        self.cnc.set_overrides(feed, rapid.unwrap_or(f0), manual, rapid.unwrap_or(0.0));
+        self.cnc.set_overrides(feed * wheel, rapid.unwrap_or(f0) * wheel, manual, rapid.unwrap_or(0.0));
         self.cnc.set_dry_run(dry);
         self.cnc.set_single_block(single);
         self.cnc.set_auxiliary_lock(auxiliary);
