@@ -25,7 +25,6 @@ FC-1425 = saklanan merdiven programı çalıştırılamıyor; tezgâhın kendi m
     .detail = satır { $line }
 FC-1426 = yeni merdiven programı durdu ve geri alındı
     .help = Önceki çalışıyor. 1. düzeyde sonsuz döngü ya da fazla adım arayın.
-label-item-merdiven programı = tezgâhın kendi merdiven programı yerine çalışan merdiven programı
 
 label-ladder-checked = { $file }: { $steps } adım, { $first } adımı 1. düzeyde, { $signals } adlı sinyal
 label-ladder-faults = { $count ->

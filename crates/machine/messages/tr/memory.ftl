@@ -95,3 +95,4 @@ label-item-alarms = alarm geçmişi
 label-item-log = işlem kaydı
 label-item-position = güç kesildiğindeki konum
 label-item-interrupted = yarıda kalan program
+label-item-ladder = tezgâhın kendi merdiven programı yerine çalışan
