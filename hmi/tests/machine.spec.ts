@@ -456,7 +456,7 @@ for (const [theme, width, height] of [
 
 const pages = {
   position: ['relative', 'absolute', 'all', 'program'],
-  program: ['run', 'edit', 'mdi', 'directory'],
+  program: ['run', 'edit', 'mdi', 'directory', 'dnc'],
   offsets: ['tools', 'parameters', 'variables', 'pitch'],
   settings: ['zeros', 'centring', 'probe', 'tool', 'general', 'data', 'rights'],
   graphics: [],

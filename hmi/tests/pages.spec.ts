@@ -39,6 +39,41 @@ test('blocks that are typed in MDI are run, one alone before the others', async 
   await expect(page.getByLabel('#500', { exact: true })).toHaveValue('5.0000');
 });
 
+test('a program of DNC runs as it comes from this computer', async ({ page }) => {
+  await enter(page, '#/position');
+  await home(page);
+  await mode(page, 'KEY_DNC', 'DNC');
+  await show(page, 'program/dnc');
+  // Longer than what the control keeps: it comes to its end only while it runs.
+  const remark = `(${'SOME WORDS THAT MAKE THE PROGRAM LONG '.repeat(22)})`;
+  const pass = `G0 X1. ${remark}\nX1.01 ${remark}\n`;
+  const text = `G90 G54\n${pass.repeat(Math.ceil(1_250_000 / pass.length))}G0 X3.25\nM30\n`;
+  await page.getByTestId('dnc-file').setInputFiles({ name: 'long.nc', mimeType: 'text/plain', buffer: Buffer.from(text) });
+  const told = page.getByTestId('dnc');
+  await expect.poll(async () => Number(await told.getAttribute('data-sent'))).toBeGreaterThan(900_000);
+  await expect(told).toHaveAttribute('data-sending', 'true');
+  await press(page, 'KEY_START');
+  await stands(page, 'running');
+  await shoot(page, 'dnc');
+  // Whoever looks at another page meanwhile does not stop it.
+  await show(page, 'position/absolute');
+  await expect.poll(() => x(page), { timeout: 120_000 }).toBe(3.25);
+  await stands(page, 'idle', 60_000);
+  await show(page, 'program/dnc');
+  await expect(told).toHaveAttribute('data-sent', String(text.length));
+  await expect(told).toHaveAttribute('data-sending', 'false');
+  // A short one is whole before the start, and runs again.
+  await page.getByTestId('dnc-file').setInputFiles({ name: 'short.nc', mimeType: 'text/plain', buffer: Buffer.from('G91 G0 X1.\nM30\n') });
+  await expect(told).toHaveAttribute('data-sending', 'false');
+  await expect(told).toContainText('short.nc');
+  for (const place of [4.25, 5.25]) {
+    await press(page, 'KEY_START');
+    await show(page, 'position/absolute');
+    await expect.poll(() => x(page)).toBe(place);
+    await stands(page, 'idle');
+  }
+});
+
 test('relative coordinates are set to zero, to half and to a value, and nothing moves', async ({ page }) => {
   await enter(page, '#/position/relative');
   const machine = await small(page, 'X').textContent();

@@ -52,6 +52,11 @@ var program_default = {
 	"taken": "This name is taken",
 	"replace_ask": "Replace what is there?",
 	"replace_text": "These programs are there already: {programs}",
-	"replace": "Replace"
+	"replace": "Replace",
+	"dnc": "DNC",
+	"dnc_text": "A file of this computer runs as it comes; the control keeps a megabyte of it. One that is longer may not jump. Choose the file, then press cycle start in DNC.",
+	"dnc_choose": "Choose a file",
+	"dnc_sent": "{sent} of {size} sent",
+	"dnc_stop": "Send no more"
 };
 export { program_default as default };

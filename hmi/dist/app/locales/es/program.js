@@ -53,6 +53,11 @@ var program_default = {
 	"taken": "Este nombre ya existe",
 	"replace_ask": "¿Reemplazar lo que hay?",
 	"replace_text": "Estos programas ya existen: {programs}",
-	"replace": "Reemplazar"
+	"replace": "Reemplazar",
+	"dnc": "DNC",
+	"dnc_text": "Un archivo de este ordenador se ejecuta mientras llega; el control guarda un megabyte. Si es más largo, no puede tener saltos. Elija el archivo y pulse marcha en DNC.",
+	"dnc_choose": "Elegir archivo",
+	"dnc_sent": "Enviado {sent} de {size}",
+	"dnc_stop": "No enviar más"
 };
 export { program_default as default };

@@ -52,6 +52,11 @@ var program_default = {
 	"taken": "Bu ad kullanılıyor",
 	"replace_ask": "Var olanın yerine konsun mu?",
 	"replace_text": "Bu programlar zaten var: {programs}",
-	"replace": "Değiştir"
+	"replace": "Değiştir",
+	"dnc": "DNC",
+	"dnc_text": "Bu bilgisayardaki dosya geldikçe çalışır; kontrol bir megabaytını tutar. Daha uzun olan atlama yapamaz. Dosyayı seçin, sonra DNC kipinde çevrim başlatın.",
+	"dnc_choose": "Dosya seç",
+	"dnc_sent": "{sent} / {size} gönderildi",
+	"dnc_stop": "Göndermeyi bırak"
 };
 export { program_default as default };

@@ -51,6 +51,11 @@ var program_default = {
 	"taken": "此名称已被使用",
 	"replace_ask": "替换已有程序？",
 	"replace_text": "以下程序已存在：{programs}",
-	"replace": "替换"
+	"replace": "替换",
+	"dnc": "DNC",
+	"dnc_text": "本机文件边传送边运行；系统保存其中 1 MB。更长的程序不能跳转。请选择文件，然后在 DNC 方式下按循环启动。",
+	"dnc_choose": "选择文件",
+	"dnc_sent": "已传送 {sent} / {size}",
+	"dnc_stop": "停止传送"
 };
 export { program_default as default };

@@ -2,6 +2,7 @@ import { t } from "../../lib/i18n/index.svelte.js";
 import Page from "../../lib/parts/Page.svelte.js";
 import { route } from "../../lib/routing.svelte.js";
 import Directory from "./Directory.svelte.js";
+import Dnc from "./Dnc.svelte.js";
 import Edit from "./Edit.svelte.js";
 import Mdi from "./Mdi.svelte.js";
 import RunView from "./RunView.svelte.js";
@@ -14,7 +15,8 @@ function Program($$anchor, $$props) {
 		"run",
 		"edit",
 		"mdi",
-		"directory"
+		"directory",
+		"dnc"
 	].map((id) => ({
 		id,
 		label: t(`program.${id}`)
@@ -40,6 +42,9 @@ function Program($$anchor, $$props) {
 			var consequent_2 = ($$anchor) => {
 				Mdi($$anchor, {});
 			};
+			var consequent_3 = ($$anchor) => {
+				Dnc($$anchor, {});
+			};
 			var alternate = ($$anchor) => {
 				Directory($$anchor, {});
 			};
@@ -47,6 +52,7 @@ function Program($$anchor, $$props) {
 				if ($.get(active) === "run") $$render(consequent);
 				else if ($.get(active) === "edit") $$render(consequent_1, 1);
 				else if ($.get(active) === "mdi") $$render(consequent_2, 2);
+				else if ($.get(active) === "dnc") $$render(consequent_3, 3);
 				else $$render(alternate, -1);
 			});
 			$.append($$anchor, fragment_1);
