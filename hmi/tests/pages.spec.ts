@@ -40,6 +40,7 @@ test('blocks that are typed in MDI are run, one alone before the others', async 
 });
 
 test('a program of DNC runs as it comes from this computer', async ({ page }) => {
+  test.setTimeout(480_000);
   await enter(page, '#/position');
   await home(page);
   await mode(page, 'KEY_DNC', 'DNC');
@@ -57,7 +58,7 @@ test('a program of DNC runs as it comes from this computer', async ({ page }) =>
   await shoot(page, 'dnc');
   // Whoever looks at another page meanwhile does not stop it.
   await show(page, 'position/absolute');
-  await expect.poll(() => x(page), { timeout: 120_000 }).toBe(3.25);
+  await expect.poll(() => x(page), { timeout: 240_000 }).toBe(3.25);
   await stands(page, 'idle', 60_000);
   await show(page, 'program/dnc');
   await expect(told).toHaveAttribute('data-sent', String(text.length));
