@@ -235,6 +235,32 @@ fn the_ladder_shifts_the_gears_of_the_spindle_while_it_stands() {
     }
     assert_eq!((control.cnc().state(), shifted > 0, cut), (&State::Ended, true, true));
     assert_eq!(valves(&mut control), [false, false, true]);
+    // M41 to M43 with 38#5: codes of the ladder, which the machine file adds to the language.
+    let mut chosen = geared.clone();
+    chosen.parameters.insert("NO38.5".to_owned(), 1.0);
+    for codes in [vec![], vec![41, 42, 43]] {
+        let has_them = !codes.is_empty();
+        chosen.handshake.m_codes = codes;
+        let mut control = self::control(&chosen);
+        set(&mut control, "K_GEARS", true);
+        all_speeds(&mut control);
+        press(&mut control, "KEY_MDI", 50);
+        let mut desk = control.desk().interpreter("O1", b"M42\nM30\n".to_vec(), false).unwrap();
+        let refused = desk.find_map(Result::err);
+        assert_eq!(
+            refused.map(|alarm| alarm.id.to_string()),
+            (!has_them).then(|| "gsk990mc:0181".to_owned())
+        );
+        say(&mut control, "M42\nM43\nM02");
+        for _ in 0..30_000 {
+            control.tick();
+            if matches!(control.cnc().state(), State::Ended | State::Alarmed(_)) {
+                break;
+            }
+        }
+        assert_eq!(control.cnc().state() == &State::Ended, has_them);
+        assert_eq!(valves(&mut control), [false, false, has_them]);
+    }
     // 1#2 (part 1, 6.2): S1 to S3 are the gears themselves.
     geared.parameters.insert("NO1.2".to_owned(), 1.0);
     let mut control = self::control(&geared);

@@ -6,7 +6,7 @@ use crate::drawing::{FromDrawing, Opened, Source};
 use crate::pockets::BesideProgram;
 use ferrocut_geometry::AxisNames;
 use ferrocut_interpreter::dialects::guess::{Reason, guess};
-use ferrocut_interpreter::{Dialect, Interpreter, Options, dialects};
+use ferrocut_interpreter::{Dialect, Interpreter, MachineCodes, Options, dialects};
 use ferrocut_machine::{
     Alarm, Catalogue, Fault, Language, Machine, Memory, ParameterFile, ParameterKey, Setup, ToolLibrary,
 };
@@ -363,6 +363,7 @@ impl Shop {
             block_skip: self.block_skip,
             optional_stop: self.optional_stop,
             skip: self.setup.signals.skip.as_ref().map(|signal| (signal.axis, signal.at)),
+            machine_codes: MachineCodes::of(&self.machine.handshake.m_codes),
             ..Options::default()
         }
     }

@@ -196,6 +196,7 @@ impl Interpreter {
                 block,
                 repeats_are_alarms: self.rules.repeats_are_alarms,
                 max_m_code: self.rules.max_m_code,
+                machine_codes: &self.options.machine_codes,
                 distance_is_exclusive: self.rules.distance_is_exclusive,
                 custom: self.custom.as_deref(),
                 tool_axis,

@@ -13,7 +13,8 @@ use crate::cycles::described::Described;
 use crate::cycles::pocket::KeptPockets;
 use crate::cycles::zone::Zone;
 use crate::data_setting::DataSetting;
-use crate::dialect::{Dialect, Meaning, Rules, Variable};
+use crate::dialect::{Dialect, MCode, Meaning, Rules, Variable};
+use crate::dialects::fanuc::MACHINE_M;
 use crate::dialects::rs274::State;
 use crate::evaluate::Evaluator;
 use crate::flow::Flow;
@@ -38,6 +39,30 @@ use ferrocut_program::{FileId, ProgramMemory, Span, lexer};
 use ferrocut_toolpath::{Speed, SpindleState, Step};
 use std::collections::{BTreeMap, VecDeque};
 use std::sync::Arc;
+
+/// M codes of the machine that its control's language does not have: its ladder knows them (a machine's builder adds
+/// M41 to M43 for gears to a GSK990MC, whose manual has none).
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct MachineCodes([u64; 16]);
+
+impl MachineCodes {
+    /// Those of a list; what is above M999 is not taken.
+    pub fn of(codes: &[u16]) -> MachineCodes {
+        let mut set = MachineCodes::default();
+        for code in codes {
+            if let Some(bits) = set.0.get_mut(usize::from(*code / 64)).filter(|_| *code <= 999) {
+                *bits |= 1 << (code % 64);
+            }
+        }
+        set
+    }
+
+    /// What such a code is to the language, where it is among them.
+    pub(crate) fn row(&self, code: u16) -> Option<&'static MCode> {
+        let is_one = self.0.get(usize::from(code / 64)).is_some_and(|bits| bits >> (code % 64) & 1 == 1);
+        MACHINE_M.get(usize::from(code)).filter(|_| is_one)
+    }
+}
 
 /// How the operator's switches stand, and what the steps are for.
 #[derive(Clone, Copy, Debug, Default)]
@@ -65,6 +90,8 @@ pub struct Options {
     pub tool_change_program: Option<u32>,
     /// The text may end without an end of program, as blocks do that the operator types.
     pub open_end: bool,
+    /// M codes that the machine has beside those of the language.
+    pub machine_codes: MachineCodes,
 }
 
 /// Where the tool is, in the coordinates of both ends of the stages.

@@ -53,7 +53,7 @@ pub mod words;
 pub use barrier::AtRest;
 pub use dialect::{Dialect, Rules};
 pub use in_force::InForce;
-pub use interpreter::{Interpreter, Options};
+pub use interpreter::{Interpreter, MachineCodes, Options};
 pub use origins::Origins;
 pub use referenced::Unreferenced;
 pub use search::Until;

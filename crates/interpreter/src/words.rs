@@ -3,7 +3,7 @@
 use crate::Fallible;
 use crate::custom::CustomCodes;
 use crate::dialect::{Address, Dialect, GCode, MCode, MFunction, Meaning};
-use crate::interpreter::Interpreter;
+use crate::interpreter::{Interpreter, MachineCodes};
 use crate::modal::Group;
 use ferrocut_geometry::{Axis, AxisName, AxisNames, AxisSet};
 use ferrocut_machine::{Alarm, Fault};
@@ -340,6 +340,8 @@ pub(crate) struct Reader<'a> {
     pub block: &'a Block,
     pub repeats_are_alarms: bool,
     pub max_m_code: f64,
+    /// M codes that the machine has beside those of the language.
+    pub machine_codes: &'a MachineCodes,
     pub distance_is_exclusive: bool,
     pub custom: Option<&'a CustomCodes>,
     /// Axis of the tool, for codes that own its word.
@@ -530,7 +532,8 @@ impl Reader<'_> {
             (value >= 0.0 && value.fract() == 0.0 && value <= f64::from(u16::MAX)).then_some(value as u16);
         let known = code.and_then(|c| self.dialect.m_code(c));
         let custom = || code.and_then(|c| self.custom?.m_code(c));
-        let Some(row) = known.or_else(custom) else {
+        let of_machine = || code.and_then(|c| self.machine_codes.row(c));
+        let Some(row) = known.or_else(custom).or_else(of_machine) else {
             return Err(self.alarm(Fault::UnknownMCode, word));
         };
         if words.m.len() == MAX_CODES {

@@ -19,12 +19,20 @@ pub struct HandshakeConfig {
     pub time_out_s: f64,
     /// Each change of a strobe is a code, and its own finish signal follows it (Fanuc 3001#7).
     pub high_speed: bool,
+    /// M codes that the ladder knows and the language does not: they are handed over as they are, up to 999.
+    pub m_codes: Vec<u16>,
 }
 
 impl Default for HandshakeConfig {
     fn default() -> HandshakeConfig {
         // 16 ms are what the Fanuc 0i takes where its parameter is 0.
-        HandshakeConfig { strobe_delay_ms: 16.0, finish_width_ms: 0.0, time_out_s: 60.0, high_speed: false }
+        HandshakeConfig {
+            strobe_delay_ms: 16.0,
+            finish_width_ms: 0.0,
+            time_out_s: 60.0,
+            high_speed: false,
+            m_codes: Vec::new(),
+        }
     }
 }
 
@@ -36,7 +44,8 @@ impl HandshakeConfig {
             ("finish_width_ms", self.finish_width_ms, 1e4),
             ("time_out_s", self.time_out_s, 1e5),
         ];
-        match values.into_iter().find(|(_, value, most)| !(0.0..=*most).contains(value)) {
+        let codes = self.m_codes.iter().map(|code| ("m_codes", f64::from(*code), 999.0));
+        match values.into_iter().chain(codes).find(|(_, value, most)| !(0.0..=*most).contains(value)) {
             Some((key, value, most)) => {
                 Err(ConfigError(format!("handshake: {key} is {value}: it must be 0 to {most}")))
             }

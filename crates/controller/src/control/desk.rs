@@ -3,7 +3,7 @@
 use super::{Control, Library, programs};
 use crate::supervision::Supervisor;
 use ferrocut_geometry::Position;
-use ferrocut_interpreter::{Dialect, Interpreter, Options};
+use ferrocut_interpreter::{Dialect, Interpreter, MachineCodes, Options};
 use ferrocut_machine::{Alarm, Fault, Machine, Memory};
 use ferrocut_program::{OpenError, ProgramId, ProgramMemory, Span, Text};
 
@@ -92,6 +92,7 @@ impl Desk {
             optional_stop: true,
             keep_going,
             every_code: self.every_code,
+            machine_codes: MachineCodes::of(&self.machine.handshake.m_codes),
             tool_change_program: changes_tools.then_some(programs::TOOL_CHANGE_PROGRAM),
             ..Options::default()
         };

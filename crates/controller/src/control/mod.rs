@@ -36,7 +36,7 @@ use crate::drives::{Drives, Switches};
 use crate::signals::{Inputs, Mode, Outputs, SIGNAL_AXES};
 pub use desk::Desk;
 use ferrocut_geometry::{AxisSet, Position};
-use ferrocut_interpreter::{Interpreter, Options, dialects};
+use ferrocut_interpreter::{Interpreter, MachineCodes, Options, dialects};
 use ferrocut_machine::{Alarm, Fault, Machine, Memory, ParameterKey};
 use ferrocut_memory::Store;
 use ferrocut_plc::{Address, Area, Pace, Plc};
@@ -173,8 +173,15 @@ impl Control {
         let text = Text::from_bytes(b"%".to_vec()).map_err(|_| alarm(Fault::FileNotText))?;
         let programs = ProgramMemory::new("", text, dialect.syntax);
         let every_code = plc.is_some();
-        let options =
-            Options { start, optional_stop: true, loops_forever: true, every_code, ..Options::default() };
+        let machine_codes = MachineCodes::of(&machine.handshake.m_codes);
+        let options = Options {
+            start,
+            optional_stop: true,
+            loops_forever: true,
+            every_code,
+            machine_codes,
+            ..Options::default()
+        };
         let interpreter = Interpreter::new(dialect, programs, memory, options);
         let drives = match parts.drives {
             Some(drives) => drives,
