@@ -309,6 +309,29 @@ fn a_kept_ladder_that_cannot_be_run_gives_way_to_the_machines_own() {
     assert_eq!(told(&mut with_ladder(folder.path())), ["FC-1425"]);
 }
 
+/// Points that were kept when the control started, and that a restore takes away, are not shown any more.
+#[test]
+fn pitch_points_that_a_restore_takes_away_are_gone_at_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let pitch =
+        |points: &[(u16, f64)]| Command::SetPitch { axis: 'X', points: points.iter().copied().collect() };
+    let backup = || Command::Backup { file: "few.backup".into(), items: vec!["pitch".into()] };
+    {
+        let mut control = with_ladder(folder.path());
+        by_maintenance(&mut control, pitch(&[(1, 0.003)]));
+        by_maintenance(&mut control, backup());
+        by_maintenance(&mut control, pitch(&[(1, 0.004), (2, 0.005)]));
+    }
+    let mut control = with_ladder(folder.path());
+    let shown = |control: &mut Control| {
+        let Reply::Pitch { points, .. } = say(control, Command::Pitch { axis: 'X' }) else { panic!() };
+        points.into_iter().collect::<Vec<_>>()
+    };
+    assert_eq!(shown(&mut control), [(1, 0.004), (2, 0.005)]);
+    by_maintenance(&mut control, Command::Restore { file: "few.backup".into(), items: vec!["pitch".into()] });
+    assert_eq!(shown(&mut control), [(1, 0.003)]);
+}
+
 #[test]
 fn a_change_while_axes_move_does_not_wait_for_the_disk() {
     let folder = tempfile::tempdir().unwrap();

@@ -36,6 +36,15 @@ pub(super) fn with_pitch(machine: &Machine, set: &Pitch) -> Machine {
     machine
 }
 
+/// The points of the tables of a machine file.
+pub(super) fn points_of(machine: &Machine) -> Pitch {
+    let points = machine.axes.iter().flat_map(|axis| {
+        let table = axis.pitch_errors.iter().flat_map(|table| &table.corrections);
+        (0u16..).zip(table).map(|(point, value)| ((axis.name, point), *value))
+    });
+    points.collect()
+}
+
 fn impossible(name: String) -> Box<Alarm> {
     Box::new(alarm(Fault::ValueImpossible).with("name", name))
 }
@@ -67,12 +76,13 @@ impl Control {
 
     pub(super) fn pitch(&self, letter: char) -> Result<Reply, Box<Alarm>> {
         let axis = self.axis_named(letter)?;
-        let table = self.machine.axis(axis).and_then(|axis| axis.pitch_errors.as_ref());
-        let corrections = table.into_iter().flat_map(|table| (0u16..).zip(table.corrections.iter().copied()));
-        let mut points: BTreeMap<u16, f64> = corrections.filter(|(_, value)| *value != 0.0).collect();
-        points.extend(
-            self.pitch.range((axis, 0)..=(axis, u16::MAX)).map(|((_, point), value)| (*point, *value)),
-        );
+        // What was set here lies over what the machine file has. The tables of the drives may be others until the next
+        // start.
+        let mut points = BTreeMap::new();
+        for of in [&self.own_pitch, &self.pitch] {
+            let of_axis = of.range((axis, 0)..=(axis, u16::MAX));
+            points.extend(of_axis.map(|((_, point), value)| (*point, *value)));
+        }
         points.retain(|_, value| *value != 0.0);
         Ok(Reply::Pitch { axis: letter, points })
     }

@@ -126,6 +126,8 @@ pub struct Control {
     measuring: measuring::Measuring,
     /// Pitch errors that were set here; they hold from the next start on.
     pitch: machine_data::Pitch,
+    /// Those of the machine file.
+    own_pitch: machine_data::Pitch,
     /// Something is done within a servo period, which must not wait for the disk.
     is_in_period: bool,
     events: Vec<Event>,
@@ -169,6 +171,7 @@ impl Control {
             }
             None => None,
         };
+        let own_pitch = machine_data::points_of(machine);
         let machine = &machine_data::with_pitch(machine, &pitch);
         let text = Text::from_bytes(b"%".to_vec()).map_err(|_| alarm(Fault::FileNotText))?;
         let programs = ProgramMemory::new("", text, dialect.syntax);
@@ -242,6 +245,7 @@ impl Control {
             capture: None,
             measuring: measuring::Measuring::default(),
             pitch,
+            own_pitch,
             is_in_period: false,
             events: Vec::new(),
         };
