@@ -435,6 +435,12 @@ pub enum Command {
 
     /// The status.
     Status,
+    /// How long periods and scans of the ladder took at worst, since power-on or since they were forgotten.
+    Timing {
+        /// They are taken anew from here.
+        #[serde(default)]
+        forget: bool,
+    },
     /// Version of this interface, the control and its machine.
     Version,
 }
@@ -851,6 +857,23 @@ pub enum Reply {
     },
     /// The status.
     Status(Box<Status>),
+    /// The longest times.
+    Timing {
+        /// Servo periods since.
+        periods: u64,
+        /// The servo period, us.
+        period_us: f64,
+        /// From the beginning of a period to that of the next, us.
+        worst_period_us: f64,
+        /// What the control did in a period, us.
+        worst_work_us: f64,
+        /// Level 1 of the ladder, us.
+        worst_level_1_us: f64,
+        /// What was carried out of level 2 in a period, us.
+        worst_level_2_us: f64,
+        /// Periods that level 2 took from its beginning to its end.
+        level_2_periods: u32,
+    },
     /// Versions.
     Version {
         /// Of this interface.

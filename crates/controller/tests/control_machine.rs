@@ -186,6 +186,41 @@ fn messages_of_a_ladder_go_with_it() {
 }
 
 #[test]
+fn the_longest_times_are_told_and_forgotten() {
+    use ferrocut_controller::api::{Command, Reply};
+    use ferrocut_memory::Author;
+    let mut control = control(&machine());
+    let mut timing = |forget| match control.command(Command::Timing { forget }, &Author::Control).unwrap() {
+        Reply::Timing {
+            periods,
+            worst_period_us,
+            worst_work_us,
+            worst_level_1_us,
+            worst_level_2_us,
+            level_2_periods,
+            ..
+        } => (periods, [worst_period_us, worst_work_us, worst_level_1_us, worst_level_2_us], level_2_periods),
+        other => panic!("{other:?}"),
+    };
+    let (periods, [period, work, first, second], rounds) = timing(true);
+    assert!(periods > 10 && rounds >= 1, "{periods} {rounds}");
+    // A scan is part of the work, and that of its period.
+    assert!(first > 0.0 && second > 0.0 && work >= first && work >= second && period > 0.0);
+    assert_eq!(timing(false), (0, [0.0; 4], 0));
+    for _ in 0..3 {
+        control.tick();
+    }
+    std::thread::sleep(std::time::Duration::from_millis(30));
+    control.tick();
+    let Ok(Reply::Timing { periods, worst_period_us, .. }) =
+        control.command(Command::Timing { forget: false }, &Author::Control)
+    else {
+        panic!()
+    };
+    assert!(periods == 4 && worst_period_us >= 30_000.0, "{worst_period_us}");
+}
+
+#[test]
 fn the_ladder_shifts_the_gears_of_the_spindle_while_it_stands() {
     let mut geared = machine();
     for (name, value) in

@@ -28,5 +28,5 @@ pub use compile::Program;
 pub use fault::{Error, Fault, Span};
 pub use memory::Memory;
 pub use monitor::Flow;
-pub use scan::{Maintenance, Pace, Plc, Scanned, Stop};
+pub use scan::{Longest, Maintenance, Pace, Plc, Scanned, Stop};
 pub use trace::{Sample, Trace, TraceSettings, Trigger};

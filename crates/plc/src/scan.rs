@@ -11,6 +11,7 @@ use crate::functions::State;
 use crate::memory::{CLOCKS, Memory, STARTED};
 use crate::monitor::{self, Flow};
 use crate::trace::{Trace, TraceSettings};
+use std::time::{Duration, Instant};
 
 /// Subprograms that wait for others.
 const CALLS: usize = crate::check::CALLS;
@@ -72,6 +73,17 @@ impl Maintenance {
     }
 }
 
+/// The longest times of a ladder, since it was made or they were forgotten.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Longest {
+    /// Level 1.
+    pub first: Duration,
+    /// What was carried out of level 2 in one period.
+    pub second: Duration,
+    /// Periods from the beginning of level 2 to its end.
+    pub second_periods: u32,
+}
+
 /// Where a level stands.
 #[derive(Clone, Copy, Debug)]
 struct Place {
@@ -111,6 +123,8 @@ pub struct Plc {
     begins: bool,
     /// Steps of level 2 since it began, and whether its scans are the first ones.
     cycle_steps: u32,
+    cycle_periods: u32,
+    longest: Longest,
     is_first_round: bool,
     /// R9000 of the two levels.
     own: [[u8; OWN]; 2],
@@ -134,6 +148,8 @@ impl Plc {
             second,
             begins: true,
             cycle_steps: 0,
+            cycle_periods: 0,
+            longest: Longest::default(),
             is_first_round: true,
             own: [[0; OWN]; 2],
             stop: None,
@@ -167,6 +183,16 @@ impl Plc {
         self.stop
     }
 
+    /// The longest times until now.
+    pub fn longest(&self) -> Longest {
+        self.longest
+    }
+
+    /// Times are taken anew.
+    pub fn forget_longest(&mut self) {
+        self.longest = Longest::default();
+    }
+
     /// Starts a ladder that was stopped, from its beginning.
     pub fn restart(&mut self) {
         self.stop = None;
@@ -177,6 +203,7 @@ impl Plc {
     fn begin(&mut self) {
         self.begins = true;
         self.cycle_steps = 0;
+        self.cycle_periods = 0;
         self.second = Place::at(self.program.second_level);
     }
 
@@ -227,6 +254,7 @@ impl Plc {
 
     /// Both levels of a period: steps, and whether level 2 came to its end.
     fn levels<const WATCH: bool>(&mut self) -> Result<(u32, bool), Stop> {
+        let began = Instant::now();
         let mut first = Place::at(self.program.first_level);
         let mut left = self.pace.steps;
         self.owned(0);
@@ -234,6 +262,8 @@ impl Plc {
         self.owns(0);
         let Ended::Finished = ended else { return Err(Stop::FirstLevel) };
         let steps = self.pace.steps - left;
+        let between = Instant::now();
+        self.longest.first = self.longest.first.max(between.saturating_duration_since(began));
         let share = left.max(self.pace.steps / 4);
         let mut left = share;
         if self.begins {
@@ -245,10 +275,13 @@ impl Plc {
         let ended = self.run::<WATCH>(&mut second, &mut left);
         self.owns(1);
         self.second = second;
+        self.longest.second = self.longest.second.max(between.elapsed());
+        self.cycle_periods = self.cycle_periods.saturating_add(1);
         let used = share - left;
         self.cycle_steps = self.cycle_steps.saturating_add(used.max(1));
         let is_round = matches!(ended, Ended::Finished);
         if is_round {
+            self.longest.second_periods = self.longest.second_periods.max(self.cycle_periods);
             self.begin();
         } else if self.cycle_steps > self.pace.cycle_steps {
             return Err(Stop::SecondLevel);

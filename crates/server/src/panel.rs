@@ -154,6 +154,7 @@ impl Service for Panel {
             | Command::Points
             | Command::Measured
             | Command::Status
+            | Command::Timing { forget: false }
             | Command::Version => Need::Nothing,
             _ => Need::Command,
         }

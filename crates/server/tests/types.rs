@@ -9,7 +9,7 @@ use std::path::Path;
 use ts_rs::{Config, TS};
 
 /// What may be left out of a command or an answer; serde tells it, the type does not.
-const LEFT_OUT: [(&str, &str); 12] = [
+const LEFT_OUT: [(&str, &str); 13] = [
     ("\nlength: number | null", "\nlength?: number"),
     ("\nlength_wear: number | null", "\nlength_wear?: number"),
     ("\nradius: number | null", "\nradius?: number"),
@@ -17,6 +17,7 @@ const LEFT_OUT: [(&str, &str); 12] = [
     ("\nadd: boolean", "\nadd?: boolean"),
     ("\npass: number, \n/**\n * ", "\npass?: number, \n/**\n * "),
     ("\nevery: number", "\nevery?: number"),
+    ("\nforget: boolean", "\nforget?: boolean"),
     ("\nbefore: number", "\nbefore?: number"),
     ("\npositive: boolean", "\npositive?: boolean"),
     ("\npace: MeasurePace", "\npace?: MeasurePace"),

@@ -193,6 +193,7 @@ impl Control {
                 status.level = author.level().map(Level::number);
                 Ok(Reply::Status(Box::new(status)))
             }
+            Command::Timing { forget } => Ok(self.timing(forget)),
             Command::Version => Ok(Reply::Version {
                 api: API_VERSION,
                 software: env!("CARGO_PKG_VERSION").to_owned(),

@@ -27,6 +27,7 @@ mod parameter_switch;
 mod programs;
 mod status;
 mod taking_up;
+mod timing;
 mod trace;
 mod wheel_drive;
 
@@ -128,6 +129,7 @@ pub struct Control {
     pitch: machine_data::Pitch,
     /// Those of the machine file.
     own_pitch: machine_data::Pitch,
+    timing: timing::Timing,
     /// Something is done within a servo period, which must not wait for the disk.
     is_in_period: bool,
     events: Vec<Event>,
@@ -246,6 +248,7 @@ impl Control {
             measuring: measuring::Measuring::default(),
             pitch,
             own_pitch,
+            timing: timing::Timing::default(),
             is_in_period: false,
             events: Vec::new(),
         };
@@ -308,6 +311,7 @@ impl Control {
 
     /// Goes on by one servo period.
     pub fn tick(&mut self) -> Tick {
+        self.timing.begin();
         self.periods += 1;
         self.scan();
         self.take_emergency();
@@ -329,6 +333,7 @@ impl Control {
         self.tell(before);
         self.sample();
         self.before.clone_from(&self.inputs);
+        self.timing.end();
         self.tick
     }
 

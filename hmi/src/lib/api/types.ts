@@ -705,7 +705,35 @@ searching: boolean,
 /**
  * The restart that is ready for cycle start.
  */
-ready: RestartPlan | null, } | { "reply": "status" } & Status | { "reply": "version",
+ready: RestartPlan | null, } | { "reply": "status" } & Status | { "reply": "timing",
+/**
+ * Servo periods since.
+ */
+periods: number,
+/**
+ * The servo period, us.
+ */
+period_us: number,
+/**
+ * From the beginning of a period to that of the next, us.
+ */
+worst_period_us: number,
+/**
+ * What the control did in a period, us.
+ */
+worst_work_us: number,
+/**
+ * Level 1 of the ladder, us.
+ */
+worst_level_1_us: number,
+/**
+ * What was carried out of level 2 in a period, us.
+ */
+worst_level_2_us: number,
+/**
+ * Periods that level 2 took from its beginning to its end.
+ */
+level_2_periods: number, } | { "reply": "version",
 /**
  * Of this interface.
  */
@@ -1472,4 +1500,8 @@ file: string,
 /**
  * Names of the items.
  */
-items: Array<string>, } | { "do": "status" } | { "do": "version" };
+items: Array<string>, } | { "do": "status" } | { "do": "timing",
+/**
+ * They are taken anew from here.
+ */
+forget?: boolean, } | { "do": "version" };
