@@ -666,6 +666,12 @@ pub struct MeasureTool {
     /// Most by which a size may be beside the estimate, mm: a tool that broke.
     #[serde(default)]
     pub tolerance: Option<f64>,
+    /// Number of an offset that is in no other use: its length becomes 1 where the tool broke, and 0 where it did not.
+    #[serde(default)]
+    pub mark: Option<u16>,
+    /// By how much the radius that is stored is smaller than the one that was measured, mm: 0.
+    #[serde(default)]
+    pub adjust: Option<f64>,
     /// Diameter of the setter, mm: P391.
     #[serde(default)]
     pub stylus: Option<f64>,

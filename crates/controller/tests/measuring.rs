@@ -437,8 +437,29 @@ fn a_tool_is_measured_on_the_setter_and_the_setter_by_a_known_tool() {
     assert_eq!(measure(&mut shop, command(short, "measure_tool")).unwrap_err(), "gsk990mc:0283");
     shop.say(Command::Reset);
     shop.wait(20);
+    // The mark of a broken tool: on, and off again with one that is whole.
+    let mark = |shop: &mut Shop| match shop.say(Command::Offsets { from: 9, to: 9 }) {
+        Reply::Offsets { offsets } => offsets[&9].length,
+        other => panic!("{other:?}"),
+    };
+    broken["mark"] = json!(9);
+    assert_eq!(measure(&mut shop, command(broken.clone(), "measure_tool")).unwrap_err(), "FC-1475");
+    assert_eq!(mark(&mut shop), Some(1.0));
+    shop.say(Command::Reset);
+    shop.wait(20);
     broken["tolerance"] = json!(5.0);
-    assert!(measure(&mut shop, command(broken, "measure_tool")).is_ok());
+    assert!(measure(&mut shop, command(broken.clone(), "measure_tool")).is_ok());
+    assert_eq!(mark(&mut shop), Some(0.0));
+    // It is a number of its own.
+    broken["mark"] = json!(4);
+    assert_eq!(shop.refused(command(broken, "measure_tool")), "FC-1476");
+    // The radius is made smaller by the adjustment I.
+    let asked =
+        json!({"mode": "diameter", "d": 4, "length": 84.0, "diameter": 10.6, "rpm": -300, "adjust": 0.01});
+    let found = measure(&mut shop, command(asked, "measure_tool")).unwrap();
+    near(found.sizes[0], diameter);
+    let Reply::Offsets { offsets } = shop.say(Command::Offsets { from: 4, to: 4 }) else { panic!() };
+    near(offsets[&4].radius.unwrap(), diameter / 2.0 - 0.01);
     // NO4.0: without a setter there is none to measure on.
     shop.mode(Mode::Mdi);
     shop.say(Command::ParameterSwitch { on: true });

@@ -177,6 +177,17 @@ impl Control {
         if asked.rpm.is_some_and(|rpm| !rpm.is_finite()) {
             return Err(setting(Unusable("rpm")));
         }
+        if asked.adjust.is_some_and(|by| !by.is_finite()) {
+            return Err(setting(Unusable("adjust")));
+        }
+        // 3.4.3.2, A 9: a free number, and a tool is called broken by its tolerance alone.
+        if let Some(mark) = asked.mark
+            && (self.offset(mark)?.is_none()
+                || [asked.h, asked.d].contains(&mark)
+                || asked.tolerance.is_none())
+        {
+            return Err(setting(Unusable("mark")));
+        }
         let tool = tool::Tool {
             mode,
             from: self.tick.position,
@@ -310,7 +321,12 @@ impl Control {
             .into_iter()
             .filter_map(|(size, nominal)| Some((size?, nominal)))
             .collect();
-        within(&sizes, asked.tolerance)?;
+        let judged = within(&sizes, asked.tolerance);
+        if let Some((mark, row)) = asked.mark.zip(self.offset(asked.mark.unwrap_or(0))?) {
+            let length = if judged.is_err() { 1.0 } else { 0.0 };
+            self.change(author, Change::Offset { number: mark, offset: ToolOffset { length, ..row } })?;
+        }
+        judged?;
         let mut measured =
             Measurement { sizes: sizes.iter().map(|(size, _)| *size).collect(), ..Measurement::default() };
         // What was measured now has no wear yet.
@@ -320,6 +336,8 @@ impl Control {
             measured.stored.push(format!("H{}", asked.h));
         }
         if let (Some(diameter), Some(row)) = (found.diameter, self.offset(asked.d)?) {
+            // 3.4.3.2, A 10: a positive adjustment makes the radius so much smaller.
+            let diameter = diameter - 2.0 * asked.adjust.unwrap_or(0.0);
             let radius = if self.radius_is_diameter() { diameter } else { diameter / 2.0 };
             let offset = ToolOffset { radius, radius_wear: 0.0, ..row };
             self.change(author, Change::Offset { number: asked.d, offset })?;

@@ -1115,6 +1115,14 @@ overtravel?: number | null,
  */
 tolerance?: number | null,
 /**
+ * Number of an offset that is in no other use: its length becomes 1 where the tool broke, and 0 where it did not.
+ */
+mark?: number | null,
+/**
+ * By how much the radius that is stored is smaller than the one that was measured, mm: 0.
+ */
+adjust?: number | null,
+/**
  * Diameter of the setter, mm: P391.
  */
 stylus?: number | null,
