@@ -32,4 +32,4 @@ FC-1527 = Este control no tiene un ciclo de roscado sincronizado así
 
 FC-1528 = El ciclo no puede escribirse en el lenguaje de este control
     .detail = { $name }
-    .help = Cambie lo que el control no puede seguir, como paradas orientadas del cabezal, funciones M o números de herramienta.
+    .help = Cambie lo que el control no puede seguir, como paradas orientadas del husillo, funciones M o números de herramienta.

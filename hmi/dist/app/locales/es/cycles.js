@@ -8,7 +8,7 @@ var cycles_default = {
 	"group_shape": "Forma",
 	"group_planes": "Planos y profundidad",
 	"group_cutting": "Corte",
-	"group_tool": "Herramienta y cabezal",
+	"group_tool": "Herramienta y husillo",
 	"positions": "Posiciones",
 	"one_point": "En su punto",
 	"tools": "Herramientas",

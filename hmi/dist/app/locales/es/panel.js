@@ -29,7 +29,7 @@ var panel_default = {
 	"dry": "Prueba en vacío",
 	"mlock": "Bloqueo de máquina",
 	"auxlock": "Bloqueo M S T",
-	"restart": "Rearranque",
+	"restart": "Reanudar",
 	"light": "Luz",
 	"spindle": "Husillo",
 	"sp_cw": "Derecha",

@@ -29,7 +29,7 @@ var panel_default = {
 	"dry": "Boş çalışma",
 	"mlock": "Tezgâh kilidi",
 	"auxlock": "M S T kilidi",
-	"restart": "Yeniden başlat",
+	"restart": "Sürdür",
 	"light": "Aydınlatma",
 	"spindle": "İş mili",
 	"sp_cw": "İleri",
