@@ -74,3 +74,32 @@ fn a_sender_that_is_late_costs_a_stop_and_reset_gives_up() {
         assert_eq!((shop.until_it_stops().counters.parts, shop.x()), (run, 10.0 + 2.0 * run as f64));
     }
 }
+
+#[test]
+fn a_megabyte_of_blocks_that_do_nothing_is_run_through() {
+    let mut shop = Shop::new(&[]);
+    shop.mode(Mode::Dnc);
+    let remark = "x".repeat(200);
+    let part = format!("G4 X0 ({remark})\n").repeat(600);
+    shop.say(dnc("G91 G1 X1 F6000\n", true, false));
+    let mut parts = 20;
+    while parts > 0 && shop.control.command(dnc(&part, false, false), &person()).is_ok() {
+        parts -= 1;
+    }
+    assert!((1..15).contains(&parts), "never full: {parts}");
+    shop.start();
+    let mut waits = 0;
+    while parts > 0 {
+        match shop.control.command(dnc(&part, false, false), &person()) {
+            Ok(_) => parts -= 1,
+            Err(refusal) => {
+                assert_eq!(refusal.alarm.id, "FC-1418");
+                waits += 1;
+                assert!(waits < 2000, "nothing is taken any more");
+                shop.wait(20);
+            }
+        }
+    }
+    shop.say(dnc("X1\nM30\n", false, true));
+    assert_eq!((shop.until_it_stops().counters.parts, shop.x()), (1, 2.0));
+}

@@ -49,6 +49,11 @@ impl Interpreter {
         }
     }
 
+    /// All that was read is done: no line of it is needed any more.
+    pub fn give_back_read(&mut self) {
+        self.programs.give_back(u64::MAX);
+    }
+
     /// Goes on behind the end of a program (M02, M30) where the text that is sent goes on.
     pub fn go_on(&mut self) {
         if self.ended && self.is_open() {

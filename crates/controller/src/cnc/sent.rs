@@ -66,7 +66,14 @@ impl Cnc {
     pub fn append(&mut self, text: &[u8]) -> Result<(), Refused> {
         // Text is kept for whoever shows the block that is run.
         self.interpreter.own().give_back(self.span);
-        self.interpreter.own().append(text)?;
+        match self.interpreter.own().append(text) {
+            // Blocks that give no step leave the machine where it is, at one far before them.
+            Err(Refused::Full) if self.awaits_work() => {
+                self.interpreter.own().give_back_read();
+                self.interpreter.own().append(text)?;
+            }
+            taken => taken?,
+        }
         self.sent.starved = 0.0;
         if matches!(self.state, State::Ended | State::Reset) && self.interpreter.is_open() {
             self.interpreter.own().go_on();
