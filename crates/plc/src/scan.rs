@@ -226,6 +226,8 @@ impl Plc {
                 Err(_) if self.on_trial => {
                     (scanned.rolled_back, scanned.has_begun) = (true, false);
                     self.roll_back();
+                    // It ran before; were it taken out too, both would come in turn for ever.
+                    self.on_trial = false;
                 }
                 Err(stop) => {
                     // A PLC that stands still holds no output on: emergency stop and interlocks among G are
@@ -411,13 +413,14 @@ impl Plc {
         old
     }
 
-    /// Puts the ladder of before the last exchange back; again, and the newer one is back. `false` where there
-    /// was no exchange.
+    /// Puts the ladder of before the last exchange back; again, and the newer one is back. Like one that is exchanged it
+    /// is on trial at first: one that was taken out because it stopped is taken out again. `false` where there was no
+    /// exchange.
     pub fn roll_back(&mut self) -> bool {
         let Some(previous) = &mut self.previous else { return false };
         std::mem::swap(previous, &mut self.program);
         self.exchanges += 1;
-        self.on_trial = false;
+        self.on_trial = self.stop.is_none();
         self.begin();
         self.stop = None;
         true

@@ -274,5 +274,9 @@ fn a_new_ladder_that_does_not_end_is_taken_out_again() {
         rolled_back += u32::from(scanned.rolled_back);
     }
     assert_eq!((rolled_back, get(&plc, "Y0.0"), plc.stopped()), (1, true, None));
+    // Whoever brings the faulty one in again sees it taken out again.
+    assert!(plc.roll_back() && plc.is_on_trial());
+    let again = (0..1000).filter(|_| plc.scan().rolled_back).count();
+    assert_eq!((again, get(&plc, "Y0.0"), plc.stopped()), (1, true, None));
     assert_eq!(plc.program().instructions().len(), 4);
 }
