@@ -69,7 +69,7 @@ fn torn(old: &[u8], new: &[u8], random: &mut Random) -> Vec<u8> {
 }
 
 fn commits() -> u32 {
-    std::env::var("FERROCUT_POWER_CUTS").ok().and_then(|text| text.parse().ok()).unwrap_or(60)
+    std::env::var("FERROCUT_POWER_CUTS").ok().and_then(|text| text.parse().ok()).unwrap_or(120)
 }
 
 #[test]
