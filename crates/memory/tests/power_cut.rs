@@ -69,7 +69,7 @@ fn torn(old: &[u8], new: &[u8], random: &mut Random) -> Vec<u8> {
 }
 
 fn commits() -> u32 {
-    std::env::var("FERROCUT_POWER_CUTS").ok().and_then(|text| text.parse().ok()).unwrap_or(120)
+    std::env::var("FERROCUT_POWER_CUTS").ok().and_then(|text| text.parse().ok()).unwrap_or(60)
 }
 
 #[test]
@@ -82,7 +82,11 @@ fn a_power_cut_within_a_commit_loses_nothing_that_was_answered() {
     let (mut before, mut old) = (all(&store), Files::of(&live));
     let mut marks = vec![old.mark.clone()];
     let (mut checkpoints, mut kept, mut taken_back) = (0, 0, 0);
-    for n in 1..=commits() {
+    for n in 1.. {
+        // Until the log was brought into the file, however large it becomes before.
+        if n > commits() && (checkpoints > 0 || n > 1000) {
+            break;
+        }
         store.commit(&owner(), something(n)).unwrap();
         let (after, new) = (all(&store), Files::of(&live));
         let is_checkpoint = new.database != old.database;
