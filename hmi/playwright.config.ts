@@ -1,13 +1,14 @@
 import { defineConfig } from '@playwright/test';
 
-// One test after the other: there is one machine. `tests/server.ts` starts it.
+// The tests of a file one after the other: there is one machine. `tests/server.ts` starts it. Several files at a time
+// (`--workers`) have one each; figures are taken alone.
 export default defineConfig({
   testDir: 'tests',
   testMatch: '*.spec.ts',
   workers: 1,
   fullyParallel: false,
-  timeout: 60_000,
-  expect: { timeout: 10_000 },
+  timeout: 180_000,
+  expect: { timeout: 30_000 },
   outputDir: 'test-results',
   reporter: [['list']],
   use: {
