@@ -189,11 +189,10 @@ fn families(parameters: &[(&ParameterDef, f64)], catalogue: Catalogue) -> Vec<(S
         let last = behind.get(..count).and_then(<[_]>::last);
         let value = value_text(first, *value, catalogue);
         rows.push(match (last, member) {
-            (Some((last, _)), Some((before, number, after))) => {
+            (Some((last, _)), Some((before, number, _))) => {
                 let name = format!("{}-{}", first.name, last.name);
-                let english = format!("{before}{number}{after}");
                 let run = runs_of_digits(before).filter(|run| run.1 == number.to_string()).count();
-                (name, value, up_to(catalogue.of_reference(&english), number, run, number + count))
+                (name, value, up_to(&meaning(first, catalogue), number, run, number + count))
             }
             _ => (first.name.to_string(), value, meaning(first, catalogue)),
         });
