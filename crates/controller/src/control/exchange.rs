@@ -9,7 +9,7 @@ use super::keeping::Keeping;
 use super::{Control, alarm};
 use crate::api::{AlarmInfo, Event, Reply};
 use ferrocut_machine::{Alarm, Fault};
-use ferrocut_memory::{Author, Change, Item, Level, Store};
+use ferrocut_memory::{Author, Change, Level};
 use ferrocut_plc::{Error, Limits, Maintenance, Plc, Program};
 
 /// What is on the disk of the ladder, or on its way there.
@@ -47,15 +47,14 @@ impl Keeping {
 
 /// Puts the ladder that was kept in the place of the machine's own, which it is rolled back to; and what is to be said
 /// of it.
-pub(super) fn at_power_on(store: &Store, plc: &mut Plc) -> Result<Option<Alarm>, Box<Alarm>> {
-    let kept = store.reader().contents(&[Item::Ladder]).map_err(|error| error.alarm())?.ladder;
-    Ok(kept.map(|text| match Program::from_text(text.as_bytes(), &Limits::default()) {
+pub(super) fn at_power_on(kept: &str, plc: &mut Plc) -> Alarm {
+    match Program::from_text(kept.as_bytes(), &Limits::default()) {
         Ok(program) => {
             plc.exchange(Box::new(program));
             alarm(Fault::LadderKept).as_warning()
         }
         Err(errors) => unusable(&errors),
-    }))
+    }
 }
 
 /// That a ladder that was kept cannot be run.

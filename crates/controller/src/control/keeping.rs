@@ -84,6 +84,8 @@ pub(super) struct Found {
     pub position: Option<LastPosition>,
     pub interrupted: Option<InterruptedRun>,
     pub pitch: Pitch,
+    /// What is to be said of a ladder that was kept.
+    pub ladder: Option<Alarm>,
 }
 
 impl Keeping {
@@ -114,8 +116,9 @@ impl Keeping {
             power_on_time: of(Counter::PowerOnTime),
         };
         let position = contents.last_position;
-        let mut kept_plc = Vec::new();
+        let (mut kept_plc, mut ladder) = (Vec::new(), None);
         if let Some(plc) = plc {
+            ladder = contents.ladder.as_deref().map(|text| exchange::at_power_on(text, plc));
             kept_plc = enter_plc(contents.plc, plc);
         }
         let keeping = Keeping {
@@ -134,7 +137,8 @@ impl Keeping {
             slow_in: SLOW_S,
             told: false,
         };
-        Ok((keeping, Found { counters, position, interrupted: contents.interrupted, pitch: contents.pitch }))
+        let (interrupted, pitch) = (contents.interrupted, contents.pitch);
+        Ok((keeping, Found { counters, position, interrupted, pitch, ladder }))
     }
 
     /// Puts an alarm into the history.

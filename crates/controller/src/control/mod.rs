@@ -150,10 +150,7 @@ impl Control {
         };
         let own_ladder = parts.ladder.as_ref().map(ferrocut_plc::Program::text).unwrap_or_default();
         let mut plc = parts.ladder.map(|ladder| Plc::new(ladder, pace(machine)));
-        let ladder_told = match (&parts.store, &mut plc) {
-            (Some(store), Some(plc)) => exchange::at_power_on(store, plc)?,
-            _ => None,
-        };
+        let mut ladder_told = None;
         let mut counters = status::Count::default();
         let mut start = Position::ZERO;
         let mut referenced = None;
@@ -165,6 +162,7 @@ impl Control {
                 counters = found.counters;
                 interrupted = found.interrupted;
                 pitch = found.pitch;
+                ladder_told = found.ladder;
                 if let Some(last) = found.position {
                     start = last.position;
                     referenced = Some(last.referenced);
