@@ -78,6 +78,8 @@ pub const IMAGE_X: u16 = 0x8000;
 pub const IMAGE_F: u16 = 0x8400;
 /// A byte that is always 0.
 pub const ZERO: u16 = 0xFFF0;
+/// Results of a network that wait on its stack, a byte each from here on.
+pub const WAITING: u16 = 0xFFE0;
 
 /// Why a text is no address.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -243,5 +245,6 @@ mod tests {
             }
         }
         assert!(!taken[usize::from(ZERO)]);
+        assert!(taken[usize::from(WAITING)..usize::from(ZERO)].iter().all(|taken| !taken));
     }
 }

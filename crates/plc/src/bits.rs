@@ -2,86 +2,114 @@
 //!
 //! A `match` over kinds of instructions costs a mispredicted jump at every few of them, which is most of the
 //! time that a ladder takes. Here every basic instruction is the same arithmetic with other masks: it reads a
-//! byte, makes a contact of it, joins it to the stack and writes the byte back as a coil would; a contact's
-//! masks for writing are 0, a coil's for joining keep the stack.
+//! byte, makes a contact of it, joins it to ST0 and writes the byte back as a coil would; a contact's masks for
+//! writing change nothing, a coil's for joining keep ST0.
+//!
+//! Results that wait lie in bytes of their own ([`WAITING`]), since where each of them is is known before the ladder
+//! runs: RD.STK writes ST0 there like a coil, AND.STK and OR.STK read it like a contact.
 
+use crate::address::{WAITING, ZERO};
+use crate::check::STACK;
 use crate::instruction::Basic;
 use crate::memory::Memory;
 
-/// One basic instruction. ST0 is bit 0 of the stack, ST1 bit 1 and so on.
+/// One contact or coil.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub(crate) struct BitOp {
     /// Place of the byte.
     at: u16,
-    /// The bit, 0 to 7.
-    bit: u8,
+    /// The bit of it.
+    mask: u8,
     /// 1 turns the contact or coil round.
     not: u8,
-    /// Bits 0 and 1: the stack is pushed by so many; 2 and 3: it is popped by so many; bit 4: the contact
-    /// is ST0, not the byte; bit 5: ST0 is kept where the contact is 0; bit 6: ST0 is set by it.
+    /// 1 keeps ST0 where the contact is 0.
+    keep: u8,
+    /// 1 sets ST0 where the contact is 1.
     join: u8,
-    /// Bits that a coil clears, whatever its state.
-    clear: u8,
-    /// Bits that it clears where its line is on.
-    reset: u8,
+    /// Bits that a coil leaves as they are where its line is off.
+    hold: u8,
     /// Bits that it sets where its line is on.
     set: u8,
 }
 
-const PUSH: u8 = 1;
-const POP: u8 = 1 << 2;
-const FROM_STACK: u8 = 1 << 4;
-const KEEP: u8 = 1 << 5;
-const JOIN: u8 = 1 << 6;
-
 impl BitOp {
-    pub(crate) fn new(basic: Basic, at: u16, bit: u8) -> BitOp {
-        let bit = bit & 7;
-        let mask = 1u8 << bit;
-        let contact = |join: u8, not: u8| BitOp { at, bit, not, join, clear: 0, reset: 0, set: 0 };
-        let coil = |not, clear, reset, set| BitOp { at, bit, not, join: KEEP, clear, reset, set };
-        match basic {
-            Basic::Rd => contact(JOIN, 0),
-            Basic::RdNot => contact(JOIN, 1),
-            Basic::And => contact(0, 0),
-            Basic::AndNot => contact(0, 1),
-            Basic::Or => contact(KEEP | JOIN, 0),
-            Basic::OrNot => contact(KEEP | JOIN, 1),
-            Basic::RdStk => contact(PUSH | JOIN, 0),
-            Basic::RdNotStk => contact(PUSH | JOIN, 1),
-            Basic::AndStk => contact(POP | FROM_STACK, 0),
-            Basic::OrStk => contact(POP | FROM_STACK | KEEP | JOIN, 0),
-            Basic::Wrt => coil(0, mask, 0, mask),
-            Basic::WrtNot => coil(1, mask, 0, mask),
-            Basic::Set => coil(0, 0, 0, mask),
-            Basic::Rst => coil(0, 0, mask, 0),
-        }
+    fn contact(at: u16, mask: u8, not: bool, [keep, join]: [u8; 2]) -> BitOp {
+        BitOp { at, mask, not: u8::from(not), keep, join, hold: !0, set: 0 }
     }
 
-    /// Carries it out; gives the stack behind it.
+    /// `clears` where the line is off, `sets` where it is on.
+    fn coil(at: u16, mask: u8, not: bool, [clears, sets]: [bool; 2]) -> BitOp {
+        let of = |is: bool| if is { mask } else { 0 };
+        BitOp { at, mask, not: u8::from(not), keep: 1, join: 0, hold: !of(clears), set: of(sets) }
+    }
+
+    /// What an instruction comes to, where `depth` results are on the stack, and will be: ST0 that is to wait, and the
+    /// instruction itself.
+    pub(crate) fn of(basic: Basic, at: u16, bit: u8, depth: &mut usize) -> (Option<BitOp>, BitOp) {
+        let mask = 1u8 << (bit & 7);
+        let [read, and, or] = [[0, 1], [0, 0], [1, 1]];
+        let own = match basic {
+            Basic::Rd | Basic::RdNot => {
+                *depth = 1;
+                BitOp::contact(at, mask, basic == Basic::RdNot, read)
+            }
+            Basic::And | Basic::AndNot => BitOp::contact(at, mask, basic == Basic::AndNot, and),
+            Basic::Or | Basic::OrNot => BitOp::contact(at, mask, basic == Basic::OrNot, or),
+            Basic::RdStk | Basic::RdNotStk => {
+                let waits = (*depth > 0).then(|| BitOp::coil(waiting(*depth), 1, false, [true, true]));
+                *depth = STACK.min(*depth + 1);
+                return (waits, BitOp::contact(at, mask, basic == Basic::RdNotStk, read));
+            }
+            Basic::AndStk | Basic::OrStk => {
+                *depth = depth.saturating_sub(1).max(1);
+                BitOp::contact(waiting(*depth), 1, false, if basic == Basic::AndStk { and } else { or })
+            }
+            Basic::Wrt => BitOp::coil(at, mask, false, [true, true]),
+            Basic::WrtNot => BitOp::coil(at, mask, true, [true, true]),
+            Basic::Set => BitOp::coil(at, mask, false, [false, true]),
+            // What clears where a line is off, on a line that is turned round.
+            Basic::Rst => BitOp::coil(at, mask, true, [true, false]),
+        };
+        (None, own)
+    }
+
+    /// What never conducts.
+    pub(crate) fn off() -> BitOp {
+        BitOp::contact(ZERO, 1, false, [0, 1])
+    }
+
+    /// Carries it out; gives ST0 behind it, 0 or 1.
     #[inline(always)]
-    pub(crate) fn run(self, memory: &mut Memory, stack: u32) -> u32 {
+    pub(crate) fn run(self, memory: &mut Memory, st0: u8) -> u8 {
         let at = usize::from(self.at);
         let byte = memory.bytes[at];
-        let join = u32::from(self.join);
-        let read = ((u32::from(byte) >> (self.bit & 7)) ^ u32::from(self.not)) & 1;
-        let from_stack = (join >> 4) & 1;
-        let contact = read ^ ((read ^ stack) & from_stack);
-        let moved = (stack << (join & 3)) >> ((join >> 2) & 3);
-        let kept = !1 | contact | (join >> 5);
-        let stack = (moved & kept) | (contact & (join >> 6));
-        let line = ((stack as u8) ^ self.not) & 1;
-        let on = 0u8.wrapping_sub(line);
-        let written = (byte & !(self.clear | (self.reset & on))) | (self.set & on);
+        let contact = u8::from(byte & self.mask != 0) ^ self.not;
+        let st0 = (st0 & (contact | self.keep)) | (contact & self.join);
+        let on = 0u8.wrapping_sub(st0 ^ self.not);
+        let written = (byte & (self.hold | on)) | (self.set & on);
         memory.bytes[at] = byte ^ ((byte ^ written) & memory.free[at]);
-        stack
+        st0
     }
 
     /// Whether the contact conducts, or the coil is on.
     pub(crate) fn is_on(self, memory: &Memory) -> bool {
-        (memory.bytes[usize::from(self.at)] >> (self.bit & 7)) & 1 != self.not
+        (memory.bytes[usize::from(self.at)] & self.mask != 0) != (self.not == 1)
     }
+}
+
+/// Where ST0 waits while `depth` results are on the stack.
+fn waiting(depth: usize) -> u16 {
+    // Below STACK.
+    WAITING + (depth.clamp(1, STACK) - 1) as u16
+}
+
+/// The stack as the functions see it, where `depth` results are on it: ST0 is bit 0, ST1 bit 1 and so on.
+pub(crate) fn conditions(memory: &Memory, st0: u8, depth: u8) -> u32 {
+    (1..usize::from(depth)).rev().fold(u32::from(st0), |conditions, n| {
+        let waits = u32::from(memory.get(waiting(n)) & 1);
+        conditions | waits << (usize::from(depth) - n)
+    })
 }
 
 #[cfg(test)]
@@ -95,10 +123,13 @@ mod tests {
         memory.set_byte(Address::parse("X0").unwrap(), x);
         let coil = Address::parse("R0.0").unwrap();
         memory.set_bit(coil, before);
-        let mut stack = 0xFFFF_FFFE;
+        let (mut st0, mut depth) = (0, 0);
         for (basic, address) in network {
             let address = Address::parse(address).unwrap();
-            stack = BitOp::new(*basic, address.place(), address.bit.unwrap()).run(&mut memory, stack);
+            let (waits, own) = BitOp::of(*basic, address.place(), address.bit.unwrap(), &mut depth);
+            for op in waits.into_iter().chain([own]) {
+                st0 = op.run(&mut memory, st0);
+            }
         }
         assert_eq!(memory.byte(Address::parse("X0").unwrap()), x);
         memory.bit(coil)

@@ -50,6 +50,8 @@ pub(crate) struct Segment {
     pub steps: u32,
     /// Whether it begins with a network, so that level 2 may be left before it.
     pub is_network: bool,
+    /// Results on the stack behind the run: the conditions of a function.
+    pub depth: u8,
 }
 
 /// A ladder that can be run.
@@ -167,6 +169,8 @@ struct Compiler<'a> {
     first: u32,
     steps: u32,
     is_network: bool,
+    /// Results on the stack.
+    depth: usize,
     is_second: bool,
     /// Where the values of each table begin; a subprogram that is compiled twice has them once.
     tables: FxHashMap<usize, (u32, u32)>,
@@ -193,6 +197,7 @@ impl<'a> Compiler<'a> {
             first: 0,
             steps: 0,
             is_network: true,
+            depth: 0,
             is_second: false,
             tables: FxHashMap::default(),
         }
@@ -391,7 +396,11 @@ impl<'a> Compiler<'a> {
             Some(address) if self.is_second => address.synchronised(),
             Some(address) => address.place(),
         };
-        self.op(BitOp::new(basic, place, bit), source as u32);
+        let (waits, own) = BitOp::of(basic, place, bit, &mut self.depth);
+        if let Some(waits) = waits {
+            self.op(waits, NOWHERE);
+        }
+        self.op(own, source as u32);
     }
 
     fn op(&mut self, op: BitOp, source: u32) {
@@ -409,8 +418,14 @@ impl<'a> Compiler<'a> {
             source,
             steps: self.steps.max(1),
             is_network: self.is_network,
+            // At most nine.
+            depth: self.depth as u8,
         };
         self.program.segments.push(segment);
+        if !matches!(then, Then::Next) {
+            // A function leaves W1 alone.
+            self.depth = 1;
+        }
         (self.first, self.steps, self.is_network) = (end, 0, false);
         self.program.segments.len() - 1
     }
@@ -425,8 +440,9 @@ impl<'a> Compiler<'a> {
                 continue;
             };
             if basic.is_coil() {
-                self.op(BitOp::new(Basic::Rd, ZERO, 0), at as u32);
-                self.op(BitOp::new(*basic, address.place(), address.bit.unwrap_or(0)), at as u32);
+                let (_, coil) = BitOp::of(*basic, address.place(), address.bit.unwrap_or(0), &mut 1);
+                self.op(BitOp::off(), at as u32);
+                self.op(coil, at as u32);
                 self.steps += 1;
             }
         }

@@ -24,8 +24,8 @@ impl Flow {
     }
 }
 
-pub(crate) fn record(flow: &mut [u8], instruction: u32, stack: u32, is_on: bool) {
+pub(crate) fn record(flow: &mut [u8], instruction: u32, is_powered: bool, is_on: bool) {
     if let Some(flow) = flow.get_mut(instruction as usize) {
-        *flow = REACHED | if is_on { ON } else { 0 } | if stack & 1 == 1 { POWERED } else { 0 };
+        *flow = REACHED | if is_on { ON } else { 0 } | if is_powered { POWERED } else { 0 };
     }
 }

@@ -6,6 +6,7 @@
 //! than its steps, whatever the ladder jumps.
 
 use crate::address::{Address, SYSTEM};
+use crate::bits;
 use crate::compile::{NOWHERE, Program, Segment, Then};
 use crate::functions::State;
 use crate::memory::{CLOCKS, Memory, STARTED};
@@ -88,14 +89,15 @@ pub struct Longest {
 #[derive(Clone, Copy, Debug)]
 struct Place {
     segment: u32,
-    stack: u32,
+    /// 0 or 1.
+    st0: u8,
     calls: [u32; CALLS],
     depth: usize,
 }
 
 impl Place {
     fn at(segment: u32) -> Place {
-        Place { segment, stack: 0, calls: [0; CALLS], depth: 0 }
+        Place { segment, st0: 0, calls: [0; CALLS], depth: 0 }
     }
 }
 
@@ -311,38 +313,39 @@ impl Plc {
     fn run<const WATCH: bool>(&mut self, place: &mut Place, left: &mut u32) -> Ended {
         let Plc { program, memory, state, .. } = self;
         let Program { ops, sources, segments, functions, tables, flow, .. } = &mut **program;
-        let mut stack = place.stack;
+        let mut st0 = place.st0;
         loop {
             let Some(segment) = segments.get(place.segment as usize) else { return Ended::Finished };
             if *left < segment.steps && segment.is_network {
-                place.stack = stack;
+                place.st0 = st0;
                 // A network of more steps than a whole period is carried out all the same.
                 if *left < segment.steps.min(self.pace.steps / 4) {
                     return Ended::Left;
                 }
             }
             *left = left.saturating_sub(segment.steps);
-            let Segment { first, end, then, source, .. } = *segment;
+            let Segment { first, end, then, source, depth, .. } = *segment;
             let range = first as usize..end as usize;
             let run = ops.get(range.clone()).unwrap_or_default();
             if WATCH {
                 for (op, source) in run.iter().zip(sources.get(range).unwrap_or_default()) {
                     let is_on = op.is_on(memory);
-                    stack = op.run(memory, stack);
-                    monitor::record(flow, *source, stack, is_on);
+                    st0 = op.run(memory, st0);
+                    monitor::record(flow, *source, st0 == 1, is_on);
                 }
             } else {
                 for op in run {
-                    stack = op.run(memory, stack);
+                    st0 = op.run(memory, st0);
                 }
             }
-            let condition = stack & 1 == 1;
+            let condition = st0 == 1;
             let mut next = place.segment + 1;
             match then {
                 Then::Next => {}
                 Then::Do(index) => {
                     if let Some(function) = functions.get(index as usize) {
-                        stack = function.run(memory, state, tables, stack);
+                        let conditions = bits::conditions(memory, st0, depth);
+                        st0 = u8::from(function.run(memory, state, tables, conditions));
                         *left = left.saturating_sub(std::mem::take(&mut state.cost));
                     }
                 }
@@ -374,7 +377,7 @@ impl Plc {
                 Then::Finish => return Ended::Finished,
             }
             if WATCH && source != NOWHERE {
-                monitor::record(flow, source, stack, condition);
+                monitor::record(flow, source, st0 == 1, condition);
             }
             place.segment = next;
         }

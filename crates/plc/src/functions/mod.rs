@@ -303,11 +303,11 @@ impl Function {
         }
     }
 
-    /// Carries it out on conditions `stack`; gives the stack behind it, with W1 as ST0 where it has one.
-    pub(crate) fn run(self, memory: &mut Memory, state: &mut State, tables: &[i32], stack: u32) -> u32 {
-        let line = Line(stack);
+    /// Carries it out on its conditions, ST0 as bit 0 and so on; gives ST0 behind it: W1, where it has one.
+    pub(crate) fn run(self, memory: &mut Memory, state: &mut State, tables: &[i32], conditions: u32) -> bool {
+        let line = Line(conditions);
         use Function as F;
-        let w1 = match self {
+        match self {
             F::Timer { number } => state.timer(memory, number, line.st(0)),
             F::FixedTimer { number, time_us } => state.fixed_timer(number, time_us, line.st(0)),
             F::Counter { number } => state.counter(memory, number, line),
@@ -367,8 +367,7 @@ impl Function {
             }
             F::Not { width, from, to } => logic::not(memory, width, from, to, line),
             F::Nothing => line.st(0),
-        };
-        (stack & !1) | u32::from(w1)
+        }
     }
 }
 
