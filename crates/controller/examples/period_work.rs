@@ -2,8 +2,9 @@
 //! machine, without what the computer does to it meanwhile: the same run is made several times, and the least time that
 //! each of its periods took counts.
 //!
-//! `period_work [SECONDS] [RUNS]`: 60 s of a demanding program, five times, as fast as it goes. What is planned and read
-//! beside is waited for outside of the periods; how things stand is asked for every 20 periods, as for a panel.
+//! `period_work [SECONDS] [RUNS]`: 60 s of a demanding program from its selection and start on, five times, as fast as it
+//! goes. What is planned and read beside is waited for outside of the periods; how things stand is asked for every 20
+//! periods, as for a panel.
 #![allow(missing_docs)]
 
 #[path = "shared/demanding.rs"]
@@ -15,33 +16,49 @@ use ferrocut_machine::{Machine, PlantConfig};
 use ferrocut_memory::{Author, Session};
 use ferrocut_plc::{Limits, Program};
 use std::hint::black_box;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 const LADDER: &str = include_str!("../../../machines/standard.lad");
 
-/// A control whose program was just started; `None` where it did not come so far.
-fn started() -> Option<Control> {
+/// Periods from one of these to the next.
+const APART: usize = 120;
+
+fn say(control: &mut Control, command: Command) -> Option<()> {
+    let operator = Author::Person { session: Session::OPERATOR, name: "bench".to_owned() };
+    control.command(command, &operator).ok().map(drop)
+}
+
+/// What the operator does in the measured periods.
+fn hand(control: &mut Control, period: usize) {
+    let key = |down| Command::Key { key: "KEY_START".to_owned(), down };
+    let _ = match period {
+        0 => say(control, Command::Select { program: "O1".to_owned() }),
+        APART => say(control, key(true)),
+        _ if period == 2 * APART => say(control, key(false)),
+        _ => None,
+    };
+}
+
+/// A control with a program, ready in AUTO; `None` where it did not come so far.
+fn ready() -> Option<Control> {
     let machine = Machine { plant: Some(PlantConfig::default()), ..Machine::demo_mill() };
     let ladder = Program::from_text(LADDER.as_bytes(), &Limits::default()).ok()?;
     let mut control = Control::new(&machine, Parts { ladder: Some(ladder), ..Parts::default() }).ok()?;
     control.work_beside().ok()?;
-    let operator = Author::Person { session: Session::OPERATOR, name: "bench".to_owned() };
-    let mut say = |control: &mut Control, command: Command| control.command(command, &operator).ok();
-    let press =
-        |control: &mut Control, key: &str, say: &mut dyn FnMut(&mut Control, Command) -> Option<_>| {
-            for down in [true, false] {
-                say(control, Command::Key { key: key.to_owned(), down });
-                for _ in 0..120 {
-                    control.tick();
-                }
+    let press = |control: &mut Control, key: &str| {
+        for down in [true, false] {
+            let _ = say(control, Command::Key { key: key.to_owned(), down });
+            for _ in 0..APART {
+                control.tick();
             }
-        };
+        }
+    };
     say(&mut control, Command::Store { program: "O0001".to_owned(), text: program::demanding(40) })?;
     for (switch, position) in [("SWITCH_FEED", 10), ("SWITCH_SPINDLE", 5)] {
-        say(&mut control, Command::Switch { switch: switch.to_owned(), position });
+        say(&mut control, Command::Switch { switch: switch.to_owned(), position })?;
     }
     for key in ["KEY_R_100", "KEY_HOME", "KEY_Z+", "KEY_X+", "KEY_Y+"] {
-        press(&mut control, key, &mut say);
+        press(&mut control, key);
     }
     for _ in 0..120_000 {
         control.tick();
@@ -49,10 +66,8 @@ fn started() -> Option<Control> {
             break;
         }
     }
-    press(&mut control, "KEY_AUTO", &mut say);
-    say(&mut control, Command::Select { program: "O1".to_owned() })?;
-    press(&mut control, "KEY_START", &mut say);
-    control.cnc().is_under_way().then_some(control)
+    press(&mut control, "KEY_AUTO");
+    Some(control)
 }
 
 fn main() {
@@ -61,10 +76,11 @@ fn main() {
     let runs = words.next().unwrap_or(5);
     let mut least = vec![f64::INFINITY; periods];
     for _ in 0..runs {
-        let Some(mut control) = started() else { return eprintln!("the program does not start") };
+        let Some(mut control) = ready() else { return eprintln!("the machine is not homed") };
         for (period, least) in least.iter_mut().enumerate() {
             control.await_beside();
             let began = Instant::now();
+            hand(&mut control, period);
             control.tick();
             drop(black_box(control.events()));
             if period % 20 == 0 {
@@ -72,6 +88,10 @@ fn main() {
             }
             *least = least.min(began.elapsed().as_secs_f64() * 1e6);
             control.prepare();
+            if period == 0 {
+                // Its text is read as far as an operator is from the one key to the other.
+                std::thread::sleep(Duration::from_millis(200));
+            }
         }
         if !control.cnc().is_under_way() {
             return eprintln!("the program has ended, or was stopped: {:?}", control.cnc().state());

@@ -375,6 +375,12 @@ impl Database {
         rows.next()?.map(|row| Ok(read(row, table)?.0)).transpose()
     }
 
+    /// Whether there is a row with a key.
+    pub fn has(&self, table: &Table, key: &[Cell]) -> Result<bool, Error> {
+        let sql = format!("SELECT 1 FROM {} WHERE {}", table.name, key_is(table));
+        Ok(self.statement(&sql)?.exists(params_from_iter(key))?)
+    }
+
     /// All rows, in the order of their keys.
     pub fn rows(&self, table: &Table, mut each: impl FnMut(Row) -> Result<(), Error>) -> Result<(), Error> {
         self.rows_with_sums(table, |row, _| each(row))

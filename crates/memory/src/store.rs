@@ -386,6 +386,11 @@ impl Reader {
         found.into_iter().map(|(row, bytes)| rows::program_entry(row, bytes).ok_or_else(damaged)).collect()
     }
 
+    /// Whether there is a program of this name.
+    pub fn has_program(&self, name: &str) -> Result<bool, Error> {
+        held(&self.database).has(&PROGRAM, &[name.into()])
+    }
+
     /// A program; none where there is none of this name.
     pub fn program(&self, name: &str) -> Result<Option<Program>, Error> {
         let row = held(&self.database).get(&PROGRAM, &[name.into()])?;

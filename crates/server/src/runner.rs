@@ -194,9 +194,13 @@ impl<M: Owned> Runner<M> {
         };
         let thread = std::thread::Builder::new().name("machine".to_owned()).spawn(move || {
             if let Some(priority) = priority {
-                run_before_others(priority);
+                run_before_others(priority, &[]);
             }
+            // Its threads are in as much of a hurry as this one; those that come later are not.
             owner.machine.begin();
+            if let Some(priority) = priority {
+                run_before_others(priority, &["--reset-on-fork"]);
+            }
             owner.run(period);
         })?;
         Ok(Runner { commands, latest, timing, stops, thread: Some(thread) })
@@ -233,10 +237,10 @@ impl<M: Owned> Drop for Runner<M> {
 }
 
 /// Gives the calling thread real-time priority, if the system permits it.
-fn run_before_others(priority: u8) {
+fn run_before_others(priority: u8, how: &[&str]) {
     let thread = rustix::thread::gettid().as_raw_nonzero().to_string();
     let mut chrt = std::process::Command::new("chrt");
-    chrt.args(["-f", "-p", &priority.to_string(), &thread]);
+    chrt.args(how).args(["-f", "-p", &priority.to_string(), &thread]);
     // Without it the machine runs too, only later at times, which is measured.
     let _ = chrt.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).status();
 }

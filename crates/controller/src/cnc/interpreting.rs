@@ -371,6 +371,11 @@ impl Cnc {
         Ok(())
     }
 
+    /// Whether it is so.
+    pub fn works_beside(&self) -> bool {
+        self.interpreter.elsewhere.is_some()
+    }
+
     /// Takes back what is done beside.
     pub(super) fn fetch(&mut self) {
         self.motion.fetch();

@@ -35,15 +35,15 @@ impl Cnc {
     }
 
     /// Takes other programs for the same interpreter, which keeps its modal state. The first block of the main one
-    /// waits for cycle start. `false` where none may be taken now.
-    pub fn load_programs(&mut self, programs: ProgramMemory) -> bool {
-        let is_idle = self.is_idle();
-        if is_idle {
-            self.interpreter.own().load(programs, self.motion.position());
-            self.wait_for_start();
-            self.forget_journal();
+    /// waits for cycle start. Gives those before back, or the new ones where none may be taken now.
+    pub fn load_programs(&mut self, programs: ProgramMemory) -> Result<ProgramMemory, Box<ProgramMemory>> {
+        if !self.is_idle() {
+            return Err(Box::new(programs));
         }
-        is_idle
+        let old = self.interpreter.own().load(programs, self.motion.position());
+        self.wait_for_start();
+        self.forget_journal();
+        Ok(old)
     }
 
     /// The program that was run waits for cycle start again, at its first block or at the one on `line`. `false`

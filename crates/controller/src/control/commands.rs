@@ -315,7 +315,7 @@ impl Control {
 
     /// The name of a program that there is.
     fn known(&self, program: &str) -> Result<String, Box<Alarm>> {
-        let found = self.library.named(&library::id_of(program)).map(|(name, _)| name);
+        let found = self.library.name_of(&library::id_of(program));
         found.ok_or_else(|| Box::new(named(Fault::NoSuchName, program)))
     }
 
@@ -364,7 +364,7 @@ impl Control {
     fn rename(&mut self, program: &str, to: &str, author: &Author) -> Answer {
         let name = self.known(program)?;
         let to = to.trim().to_owned();
-        if to.is_empty() || to.len() > 128 || self.library.text(&to).is_some() {
+        if to.is_empty() || to.len() > 128 || self.library.has(&to) {
             return Err(Box::new(named(Fault::ValueImpossible, to)));
         }
         if self.is_in_use(&name) {

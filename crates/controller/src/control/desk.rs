@@ -85,7 +85,7 @@ impl Desk {
         })?;
         let mut programs = ProgramMemory::new(name, text, self.dialect.syntax);
         programs.set_source(Box::new(self.library.clone()));
-        let changes_tools = self.library.named(&ProgramId::Number(programs::TOOL_CHANGE_PROGRAM)).is_some();
+        let changes_tools = self.library.name_of(&ProgramId::Number(programs::TOOL_CHANGE_PROGRAM)).is_some();
         let options = Options {
             start: self.start,
             block_skip: self.block_skip,

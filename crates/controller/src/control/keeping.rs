@@ -351,6 +351,7 @@ impl Control {
             }
         }
         self.loaded = super::Loaded::Nothing;
+        self.reading.forget_all();
         Ok(())
     }
 
@@ -495,19 +496,22 @@ impl Control {
                 if self.selected.as_ref() == Some(name) {
                     self.selected = Some(to.clone());
                 }
-                if self.loaded == super::Loaded::Auto(name.clone()) {
-                    self.loaded = super::Loaded::Nothing;
-                }
-                self.taking_up.program_changed();
+                self.text_changed(name);
             }
             Change::Program { name, .. } | Change::DeleteProgram { name } => {
-                if self.loaded == super::Loaded::Auto(name.clone()) {
-                    self.loaded = super::Loaded::Nothing;
-                }
-                self.taking_up.program_changed();
+                self.text_changed(name);
             }
             _ => {}
         }
+    }
+
+    /// What was loaded and kept of the text of a program is no longer so.
+    fn text_changed(&mut self, name: &str) {
+        if self.loaded == super::Loaded::Auto(name.to_owned()) {
+            self.loaded = super::Loaded::Nothing;
+        }
+        self.reading.forget(name);
+        self.taking_up.program_changed();
     }
 }
 

@@ -35,15 +35,34 @@ impl Library {
         }
     }
 
-    /// The name under which there is such a program: `O12` finds `O0012`, small letters capital ones.
-    pub fn named(&self, id: &ProgramId) -> Option<(String, Vec<u8>)> {
-        let names = match id {
-            ProgramId::Number(number) => {
-                vec![format!("O{number:04}"), format!("O{number:05}"), format!("O{number}")]
+    /// Whether there is a program of this name.
+    pub fn has(&self, name: &str) -> bool {
+        match self {
+            Library::Held(programs) => {
+                programs.lock().unwrap_or_else(PoisonError::into_inner).contains_key(name)
             }
-            ProgramId::Name(name) => vec![name.to_string(), name.to_uppercase()],
-        };
-        names.into_iter().find_map(|name| self.text(&name).map(|text| (name, text)))
+            Library::Kept(store) => store.reader().has_program(name).unwrap_or(false),
+        }
+    }
+
+    /// The name under which there is such a program: `O12` finds `O0012`, small letters capital ones.
+    pub fn name_of(&self, id: &ProgramId) -> Option<String> {
+        names(id).into_iter().find(|name| self.has(name))
+    }
+
+    /// The same with its text.
+    pub fn named(&self, id: &ProgramId) -> Option<(String, Vec<u8>)> {
+        names(id).into_iter().find_map(|name| self.text(&name).map(|text| (name, text)))
+    }
+}
+
+/// Under which names a program may lie.
+fn names(id: &ProgramId) -> Vec<String> {
+    match id {
+        ProgramId::Number(number) => {
+            vec![format!("O{number:04}"), format!("O{number:05}"), format!("O{number}")]
+        }
+        ProgramId::Name(name) => vec![name.to_string(), name.to_uppercase()],
     }
 }
 

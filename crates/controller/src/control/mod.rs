@@ -25,6 +25,7 @@ mod measuring;
 pub mod modes;
 mod parameter_switch;
 mod programs;
+mod reading;
 mod status;
 mod taking_up;
 mod timing;
@@ -130,6 +131,7 @@ pub struct Control {
     /// Those of the machine file.
     own_pitch: machine_data::Pitch,
     timing: timing::Timing,
+    reading: reading::Reading,
     /// Something is done within a servo period, which must not wait for the disk.
     is_in_period: bool,
     events: Vec<Event>,
@@ -247,6 +249,7 @@ impl Control {
             pitch,
             own_pitch,
             timing: timing::Timing::default(),
+            reading: reading::Reading::default(),
             is_in_period: false,
             events: Vec::new(),
         };
@@ -316,6 +319,7 @@ impl Control {
         self.take_switches();
         self.take_mode();
         self.take_keys();
+        self.follow_reading();
         self.move_by_hand();
         self.turn_spindle();
         let before = self.tick.position;
@@ -438,6 +442,7 @@ impl Control {
         }
         self.leave_home(self.mode);
         self.mode = self.inputs.mode;
+        self.reading.cancel_start();
         self.release_axes();
         self.event(Event::Mode { mode: self.mode });
         if matches!(self.standing(), Standing::Runs | Standing::Finishes) {
@@ -458,6 +463,9 @@ impl Control {
             if self.rewinds {
                 self.cursor = 1;
             }
+        }
+        if self.inputs.feed_hold {
+            self.reading.cancel_start();
         }
         if self.inputs.feed_hold || self.inputs.start_lock && self.standing() == Standing::Runs {
             if self.cnc.returns() || modes::holds(self.standing()) {
@@ -502,6 +510,7 @@ impl Control {
     /// Reset (2.3.1): axes and spindle stop, the program is given up, parameters say what else is cleared.
     fn reset(&mut self) {
         self.rewinds = false;
+        self.reading.cancel_start();
         if self.cnc.is_idle() {
             self.cnc.clear();
         } else {

@@ -45,7 +45,11 @@ impl Control {
     /// Loads what the mode runs and starts it. Says why not.
     pub(super) fn start_program(&mut self) -> Result<(), Box<Alarm>> {
         match self.mode {
-            Mode::Auto => self.start_auto()?,
+            Mode::Auto => {
+                if self.start_auto()? {
+                    return Ok(());
+                }
+            }
             Mode::Mdi => self.start_mdi()?,
             Mode::Dnc => self.start_dnc()?,
             _ => return Err(Box::new(alarm(Fault::ControlMode))),
@@ -55,28 +59,32 @@ impl Control {
         Ok(())
     }
 
-    fn start_auto(&mut self) -> Result<(), Box<Alarm>> {
+    /// Whether it starts later, since its text is still read.
+    fn start_auto(&mut self) -> Result<bool, Box<Alarm>> {
         if self.taking_up.is_ready() {
-            return self.start_restart();
+            return self.start_restart().map(|()| false);
         }
         if self.measuring.is_ready() {
-            return self.start_measuring();
+            return self.start_measuring().map(|()| false);
         }
         let name = self.selected.clone().ok_or_else(|| alarm(Fault::NothingToRun))?;
+        if self.read_ahead(&name) {
+            self.start_when_read();
+            return Ok(true);
+        }
         let line = (self.cursor > 1).then_some(self.cursor);
         self.load_auto(&name)?;
         self.begin_at(line)?;
         self.forget_interrupted();
         self.taking_up.from_line = line.unwrap_or(1);
-        Ok(())
+        Ok(false)
     }
 
     /// Gives the interpreter a program of the memory, unless it has it.
     pub(super) fn load_auto(&mut self, name: &str) -> Result<(), Box<Alarm>> {
         if self.loaded != Loaded::Auto(name.to_owned()) {
-            let missing = || alarm(Fault::NoSuchName).with("name", name);
-            let text = self.library.text(name).ok_or_else(missing)?;
-            self.load(name, text, false)?;
+            let text = self.text_to_load(name)?;
+            self.load_text(name, text, false)?;
             self.loaded = Loaded::Auto(name.to_owned());
         }
         Ok(())
@@ -97,7 +105,9 @@ impl Control {
         if text.trim().is_empty() {
             return Err(Box::new(alarm(Fault::NothingToRun)));
         }
-        self.load("MDI", text.into_bytes(), true)?;
+        let text =
+            Text::from_bytes(text.into_bytes()).map_err(|_| alarm(Fault::FileNotText).with("file", "MDI"))?;
+        self.load_text("MDI", text, true)?;
         self.loaded = Loaded::Mdi;
         // 10#6: from the line of the cursor.
         let line = (!is_block && self.bit(10, 6) && self.mdi_cursor > 1).then_some(self.mdi_cursor);
@@ -105,21 +115,15 @@ impl Control {
     }
 
     /// Gives the interpreter a text as its main program; all programs of the memory can be called from it.
-    fn load(&mut self, name: &str, text: Vec<u8>, open_end: bool) -> Result<(), Box<Alarm>> {
-        let text = Text::from_bytes(text).map_err(|_| alarm(Fault::FileNotText).with("file", name))?;
-        self.load_text(name, text, open_end)
-    }
-
     pub(super) fn load_text(&mut self, name: &str, text: Text, open_end: bool) -> Result<(), Box<Alarm>> {
         let syntax = self.cnc.interpreter().dialect().syntax;
         let mut programs = ProgramMemory::new(name, text, syntax);
         programs.set_source(Box::new(self.library.clone()));
-        if !self.cnc.load_programs(programs) {
-            return Err(Box::new(alarm(Fault::ControlBusy)));
-        }
+        let old = self.cnc.load_programs(programs).map_err(|_| alarm(Fault::ControlBusy))?;
+        self.reading.free(old);
         let interpreter = self.cnc.interpreter_mut();
         interpreter.set_open_end(open_end);
-        let has_program = self.library.named(&ProgramId::Number(TOOL_CHANGE_PROGRAM)).is_some();
+        let has_program = self.library.name_of(&ProgramId::Number(TOOL_CHANGE_PROGRAM)).is_some();
         interpreter.set_tool_change_program(has_program.then_some(TOOL_CHANGE_PROGRAM));
         Ok(())
     }
@@ -133,11 +137,13 @@ impl Control {
             return Err(Box::new(alarm(Fault::ControlMode).with("mode", super::name_of(self.mode))));
         }
         let missing = || alarm(Fault::NoSuchName).with("name", name);
-        let (name, _) = self.library.named(&library::id_of(name)).ok_or_else(missing)?;
+        let name = self.library.name_of(&library::id_of(name)).ok_or_else(missing)?;
         self.forget_prepared();
         self.selected = Some(name.clone());
         self.cursor = 1;
         self.loaded = Loaded::Nothing;
+        self.reading.cancel_start();
+        self.read_ahead(&name);
         Ok(name)
     }
 
