@@ -10,8 +10,9 @@ use ferrocut_controller::drives::Block;
 use ferrocut_controller::signals::ROWS;
 use ferrocut_controller::{Mode, Parts, Plant};
 use ferrocut_geometry::Position;
-use ferrocut_machine::Machine;
+use ferrocut_machine::{Machine, PlantBlock, PlantConfig};
 use ferrocut_memory::{Author, Settings, Store};
+use ferrocut_plc::Address;
 use panel::Mill;
 use serde_json::json;
 use std::sync::Arc;
@@ -450,4 +451,29 @@ fn level_2_sees_every_press_however_long_it_takes() {
     // What was seen is let go at once.
     key(&mut mill, false);
     assert_eq!(signal(&mut mill, "KEY_A"), 0);
+}
+
+/// 4#7: SKIP is given while X4.7 is 0, or 1. The probe of a machine file that says nothing else is wired so.
+#[test]
+fn the_skip_signal_has_the_level_of_its_parameter() {
+    for given in [false, true] {
+        let mut machine = Machine::demo_mill();
+        machine.parameters.insert("NO4.7".to_owned(), f64::from(u8::from(given)));
+        let block = PlantBlock { min: [10.0, -50.0, -50.0], max: [60.0, 50.0, 50.0] };
+        machine.plant = Some(PlantConfig { blocks: vec![block], ..PlantConfig::default() });
+        let mut mill = Mill::with_ladder(&machine, panel::LADDER, Parts::default());
+        mill.say(Command::Switch { switch: "SWITCH_FEED".into(), position: 10 });
+        mill.wait(100);
+        let level = |mill: &mut Mill| {
+            mill.wait(1);
+            mill.control.plc_mut().unwrap().memory().bit(Address::parse("X4.7").unwrap())
+        };
+        assert_eq!(level(&mut mill), !given);
+        mill.press("KEY_R_100");
+        mill.home();
+        mill.mdi("G91 G31 X30 F600");
+        let x = mill.control.status().position.machine[&'X'];
+        assert!((10.0..10.5).contains(&x), "{given}: {x} {:?}", mill.events);
+        assert_eq!(level(&mut mill), given);
+    }
 }

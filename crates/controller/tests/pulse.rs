@@ -452,7 +452,7 @@ fn a_probe_is_waited_for_as_it_is_wired_and_until_it_is_free() {
     for opens in [false, true] {
         let mut machine = machine("");
         let Some(DrivesConfig::Pulse(config)) = &mut machine.drives else { panic!() };
-        config.probe_opens = opens;
+        config.probe_opens = Some(opens);
         let mut board = Board::new(Able::default());
         (board.plane, board.probe_opens) = (Some((2, -4000)), opens);
         // Down to the plane at -5 mm, on into it, and up until it is free again.

@@ -35,9 +35,10 @@ pub struct PulseConfig {
     /// A probe is connected.
     #[serde(default)]
     pub probe: bool,
-    /// Its input carries current while it touches nothing; else while it touches.
+    /// Its input carries current while it touches nothing; else while it touches. What is not said is as the parameters
+    /// have it.
     #[serde(default)]
-    pub probe_opens: bool,
+    pub probe_opens: Option<bool>,
     /// Bytes X that the general inputs of the board are, its first eight first.
     #[serde(default)]
     pub inputs: Vec<u16>,

@@ -28,8 +28,8 @@ pub struct PlantConfig {
     pub clamp_ms: f64,
     /// Time until the lubrication has pressure, and has lost it, ms.
     pub lube_ms: f64,
-    /// The probe is on while it touches nothing; else while it touches.
-    pub probe_opens: bool,
+    /// The probe is on while it touches nothing; else while it touches. What is not said is as the parameters have it.
+    pub probe_opens: Option<bool>,
     /// What the probe can touch.
     pub blocks: Vec<PlantBlock>,
     /// Addresses of signals that are wired otherwise than in the standard ladder, by name.
@@ -47,7 +47,7 @@ impl Default for PlantConfig {
             magazine_ms: 800.0,
             clamp_ms: 300.0,
             lube_ms: 500.0,
-            probe_opens: false,
+            probe_opens: None,
             blocks: Vec::new(),
             wiring: BTreeMap::new(),
         }

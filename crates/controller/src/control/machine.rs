@@ -14,15 +14,15 @@ pub(super) fn drives(
     interpreter: &Interpreter,
     known: AxisSet,
 ) -> Result<Box<dyn Drives>, Box<Alarm>> {
-    if let Some(real) = drives::connect(machine, interpreter.position())? {
+    let mut as_set = machine.clone();
+    let memory = interpreter.memory();
+    (interpreter.dialect().machine_parameters)(&memory.parameters, &mut as_set);
+    if let Some(real) = drives::connect(&as_set, interpreter.position())? {
         return Ok(real);
     }
     if machine.plant.is_none() {
         return Ok(Box::new(Simulated));
     }
-    let mut as_set = machine.clone();
-    let memory = interpreter.memory();
-    (interpreter.dialect().machine_parameters)(&memory.parameters, &mut as_set);
     let reference = memory.reference_points.first().copied().unwrap_or_default();
     let mut plant = Plant::new(&as_set, interpreter.position(), reference);
     plant.stand_as_called(known);

@@ -356,7 +356,8 @@ impl Control {
         }
         self.inputs = Inputs::read(plc.memory());
         let axes = self.machine.axes.iter().map(|axis| axis.name);
-        self.cnc.set_switches(Some(Switches::of(&self.inputs, axes)));
+        let probe_opens = self.cnc.drives().probe_opens();
+        self.cnc.set_switches(Some(Switches::of(&self.inputs, axes, probe_opens)));
         self.cnc.hear(&self.inputs);
         self.renew_ladder_names();
         if let Some(plc) = &self.plc {

@@ -29,9 +29,9 @@ pub struct Switches {
 
 impl Switches {
     /// The switches as the ladder says that they stand, for a machine with these axes in the order of its file
-    /// (GSK990MC 6#5: home switches go through it).
-    pub fn of(inputs: &Inputs, axes: impl IntoIterator<Item = Axis>) -> Switches {
-        let mut switches = Switches { skip: inputs.skip, ..Switches::default() };
+    /// (GSK990MC 6#5: home switches go through it), whose probe is on while it touches nothing, or is not (4#7).
+    pub fn of(inputs: &Inputs, axes: impl IntoIterator<Item = Axis>, probe_opens: bool) -> Switches {
+        let mut switches = Switches { skip: inputs.skip != probe_opens, ..Switches::default() };
         let ways = inputs.at_limit.iter().zip(inputs.on_home_switch);
         for (axis, (at_limit, on_home_switch)) in axes.into_iter().zip(ways) {
             for (set, is_in) in [
@@ -100,6 +100,11 @@ pub trait Drives: Send {
 
     /// Whether a probe is fitted.
     fn has_probe(&self) -> bool {
+        false
+    }
+
+    /// Whether the input of the probe is on while it touches nothing.
+    fn probe_opens(&self) -> bool {
         false
     }
 

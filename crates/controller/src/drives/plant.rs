@@ -73,7 +73,7 @@ impl Plant {
             armed: None,
             touches: false,
             touched: None,
-            wires: AxisWires::new(machine, &config.wiring, config.probe_opens),
+            wires: AxisWires::new(machine, &config.wiring, config.probe_opens.unwrap_or(false)),
         };
         config.blocks.iter().for_each(|block| plant.place(*block));
         plant
@@ -292,6 +292,10 @@ impl Drives for Plant {
 
     fn has_probe(&self) -> bool {
         true
+    }
+
+    fn probe_opens(&self) -> bool {
+        self.wires.probe_opens
     }
 
     fn arm_probe(&mut self, until: Contact) {

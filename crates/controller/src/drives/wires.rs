@@ -52,7 +52,8 @@ pub(super) struct AxisWires {
     limits: [Wire; LIMITS.len()],
     skip: Wire,
     /// The probe carries current while it touches nothing.
-    probe_opens: bool,
+    /// The probe is on while it touches nothing.
+    pub probe_opens: bool,
 }
 
 impl AxisWires {

@@ -10,7 +10,7 @@ use ferrocut_plc::{Limits, Program};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-const LADDER: &str = include_str!("../../../../machines/standard.lad");
+pub const LADDER: &str = include_str!("../../../../machines/standard.lad");
 
 /// A machining centre with its operator.
 pub struct Mill {

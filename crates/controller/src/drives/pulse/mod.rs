@@ -175,7 +175,7 @@ impl Pulse {
             setup,
             state: None,
             fault: None,
-            wires: AxisWires::new(machine, &BTreeMap::new(), config.probe_opens),
+            wires: AxisWires::new(machine, &BTreeMap::new(), config.probe_opens.unwrap_or(false)),
             most_rpm: machine.spindle.max_rpm,
             actual: at,
             commanded: at,
@@ -446,7 +446,7 @@ impl Drives for Pulse {
             home: self.set_of(|_, switches| switches & HOME_CLOSED == 0),
             above: self.set_of(|axis, switches| axis.limits && switches & UPPER_CLOSED == 0),
             below: self.set_of(|axis, switches| axis.limits && switches & LOWER_CLOSED == 0),
-            skip: self.config.probe && self.state.is_some() && closed != self.config.probe_opens,
+            skip: self.config.probe && self.state.is_some() && closed != self.wires.probe_opens,
         }
     }
 
@@ -470,9 +470,13 @@ impl Drives for Pulse {
         self.config.probe
     }
 
+    fn probe_opens(&self) -> bool {
+        self.wires.probe_opens
+    }
+
     fn arm_probe(&mut self, until: Contact) {
         // The input that carries current while the probe is free is waited for the other way round.
-        self.setpoint.until_open = (until == Contact::Lost) != self.config.probe_opens;
+        self.setpoint.until_open = (until == Contact::Lost) != self.wires.probe_opens;
         self.setpoint.probe = next_number(self.setpoint.probe);
     }
 

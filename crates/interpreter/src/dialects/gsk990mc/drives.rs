@@ -7,7 +7,7 @@ use super::acceleration;
 use ferrocut_machine::config::SpindleConfig;
 use ferrocut_machine::manual::ManualConfig;
 use ferrocut_machine::restart::RestartConfig;
-use ferrocut_machine::{AxisConfig, AxisHoming, GearConfig, HomingConfig, Machine, Parameters};
+use ferrocut_machine::{AxisConfig, AxisHoming, DrivesConfig, GearConfig, HomingConfig, Machine, Parameters};
 
 /// An encoder counts both edges of both of its tracks.
 const COUNTS_A_LINE: f64 = 4.0;
@@ -28,6 +28,7 @@ pub fn machine_parameters(parameters: &Parameters, machine: &mut Machine) {
     let period = machine.servo_period_ms;
     homing(parameters, &mut machine.homing);
     restart(parameters, &mut machine.restart);
+    probe(parameters, machine);
     for (k, name) in (0u8..).zip(parameters.axis_names()) {
         let Some(axis) = machine.axes.iter_mut().find(|axis| axis.name == name) else { continue };
         backlash(parameters, k, axis, period);
@@ -45,6 +46,17 @@ pub fn machine_parameters(parameters: &Parameters, machine: &mut Machine) {
         if axis.following_error == 0.0 {
             axis.following_error = parameters.data(445).max(0.0);
         }
+    }
+}
+
+/// 4#7: SKIP is given while its input is 0, or while it is 1. A machine file that says how the probe is wired is right.
+fn probe(parameters: &Parameters, machine: &mut Machine) {
+    let opens = !parameters.bit(4, 7);
+    if let Some(plant) = &mut machine.plant {
+        plant.probe_opens.get_or_insert(opens);
+    }
+    if let Some(DrivesConfig::Pulse(board)) = &mut machine.drives {
+        board.probe_opens.get_or_insert(opens);
     }
 }
 
