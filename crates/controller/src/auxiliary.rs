@@ -86,6 +86,11 @@ impl Auxiliary {
         self.inputs.clone_from(inputs);
     }
 
+    /// The switch of the spindle override counts as 100 % in this period.
+    pub fn ignore_spindle_override(&mut self) {
+        self.inputs.spindle_override = 1.0;
+    }
+
     /// Goes on by a period. `true` where a code takes too long.
     pub fn tick(&mut self, now: &Now, spindle: &mut Spindle) -> bool {
         self.spindle.tick(&self.inputs, now.taps, &now.at, now.rapid_to, spindle);

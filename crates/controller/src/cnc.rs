@@ -53,7 +53,7 @@ use skip::Probing;
 use std::collections::VecDeque;
 use std::time::Instant;
 use switches::Switches;
-use tapping::{Asked, Hole, Stroke};
+use tapping::{Asked, Floating, Hole, Stroke};
 
 /// What the control is doing.
 #[derive(Clone, PartialEq, Debug)]
@@ -181,6 +181,7 @@ pub struct Cnc {
     /// By how much the skip moves of this block ended beside what is programmed.
     skip_shift: Position,
     hole: Option<Hole>,
+    floating: Option<Floating>,
     stroke: Option<Stroke>,
     /// Highest acceleration of the spindle in a thread, inwards and outwards, r/min per second.
     tapping_rates: [f64; 2],
@@ -264,6 +265,7 @@ impl Cnc {
             probing: None,
             skip_shift: Position::ZERO,
             hole: None,
+            floating: None,
             stroke: None,
             tapping_rates: [machine.spindle.tapping_rpm_s, machine.spindle.tapping_retract_rpm_s]
                 .map(|rate| rate.min(machine.spindle.acceleration_rpm_s)),
@@ -375,6 +377,7 @@ impl Cnc {
         if let Some(hole) = self.hole.as_mut().filter(|hole| hole.asked == Some(Asked::Hold)) {
             hole.asked = None;
         }
+        self.forget_hold_behind_thread();
         self.begin_journal();
         if matches!(self.state, State::Ready | State::BlockEnd | State::Stopped(_)) {
             self.blocks.begin();
@@ -390,7 +393,7 @@ impl Cnc {
     /// 4.5.1).
     pub fn feed_hold(&mut self) {
         self.hold_return();
-        if self.state == State::Running && !self.asked_in_hole(Asked::Hold) {
+        if self.state == State::Running && !self.asked_in_hole(Asked::Hold) && !self.holds_behind_thread() {
             self.state = State::Held;
             self.hold = true;
             self.hold_motion();
@@ -430,6 +433,8 @@ impl Cnc {
         self.forget_held();
         self.synchron.stop();
         self.hole = None;
+        self.forget_hold_behind_thread();
+        self.leave_floating();
         self.motion.abort();
         if let Some(auxiliary) = &mut self.auxiliary {
             auxiliary.cancel();
@@ -558,6 +563,10 @@ impl Cnc {
             }
             if self.motion.is_empty() && self.motion.at_rest() {
                 self.finish_moves(u64::MAX);
+                self.rest_floating();
+                if self.state != State::Running {
+                    return self.slow_down();
+                }
                 if self.waits_for_ladder() {
                     return self.wait_for_ladder();
                 }
@@ -575,7 +584,7 @@ impl Cnc {
                     None if self.is_between_lines() => return self.at_rest(),
                     None if self.hands_over_speed() => {}
                     None => {
-                        self.ended_by = None;
+                        (self.ended_by, self.floating) = (None, None);
                         self.state = State::Ended;
                     }
                 }
@@ -604,6 +613,7 @@ impl Cnc {
         if let Some(given) = self.given.front_mut() {
             given.travelled += setpoint.velocity * self.period;
             let given = *given;
+            self.follow_floating(&given);
             self.span = given.span;
             self.comes_to(given.number, given.span);
             self.kind = given.kind();
@@ -873,7 +883,7 @@ impl Cnc {
                 if code != 99 {
                     self.report.parts += 1;
                 }
-                self.ended_by = Some(code);
+                (self.ended_by, self.floating) = (Some(code), None);
                 self.state = State::Ended;
             }
             _ => {}

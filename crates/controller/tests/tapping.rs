@@ -249,3 +249,77 @@ proptest! {
         }
     }
 }
+
+/// The same, whose hands are told where Z is.
+fn run_at(cnc: &mut Cnc, mut hands: impl FnMut(&mut Cnc, f64)) -> Vec<Moment> {
+    let mut moments: Vec<Moment> = Vec::new();
+    cnc.cycle_start();
+    for _ in 0..200_000 {
+        hands(cnc, moments.last().map_or(0.0, z));
+        let tick = cnc.tick();
+        moments.push((tick, cnc.spindle().angle()));
+        if !matches!(cnc.state(), State::Running | State::Held | State::Resetting) {
+            return moments;
+        }
+    }
+    panic!("does not end: {:?}", cnc.state());
+}
+
+/// GSK990MC 4.4.5: in the thread of a floating tap overrides count as 100 %, dry run changes nothing, and feed hold acts
+/// once the tool is out.
+#[test]
+fn overrides_and_hold_have_no_effect_in_the_thread_of_a_floating_tap() {
+    let program = "G94 G90 G98 G0 X10 Z20\nM3 S600\nG84 Z-20 R5 P300 F900\nG80 X20\nM30\n";
+    let machine = machine();
+    let undisturbed = run(&mut cnc(&machine, program), |_, _| {});
+    let in_thread = |moments: &[Moment]| -> Vec<f64> {
+        let above = moments.iter().position(|m| z(m) == 20.0).unwrap();
+        let first = above + moments[above..].iter().position(|m| z(m) < 5.0).unwrap();
+        let last = moments.iter().rposition(|m| z(m) < 5.0).unwrap();
+        moments[first..=last].iter().map(z).collect()
+    };
+    let wanted = in_thread(&undisturbed);
+    for asked_at in [-1.0, -19.0, -20.0] {
+        let mut control = cnc(&machine, program);
+        let (mut above, mut asked, mut held_at) = (false, false, None);
+        let moments = run_at(&mut control, |control, at| {
+            above |= at == 20.0;
+            if above && at < 5.0 - 1e-9 {
+                control.set_override(0.3, 0.25);
+                control.set_dry_run(Some(ferrocut_controller::DryRun {
+                    speed: 10.0,
+                    cutting: true,
+                    rapid: true,
+                }));
+            } else {
+                control.set_override(1.0, 1.0);
+                control.set_dry_run(None);
+            }
+            if above && !asked && at <= asked_at {
+                asked = true;
+                control.feed_hold();
+                assert_eq!(control.state(), &State::Running, "{asked_at}");
+            }
+            if control.state() == &State::Held && held_at.is_none() {
+                held_at = Some(at);
+                control.cycle_start();
+            }
+        });
+        assert_eq!(control.state(), &State::Ended);
+        // It was held where the tool is out: in R.
+        assert_eq!(held_at, Some(5.0), "{asked_at}");
+        let is = in_thread(&moments);
+        assert_eq!(is.len(), wanted.len(), "{asked_at}");
+        let apart = is.iter().zip(&wanted).map(|(is, wanted)| (is - wanted).abs()).fold(0.0, f64::max);
+        assert!(apart < 1e-9, "{asked_at}: {apart}");
+    }
+    // A reset and an emergency stop act at once.
+    let mut control = cnc(&machine, program);
+    let moments = run_at(&mut control, |control, at| {
+        if at < -10.0 {
+            control.reset();
+        }
+    });
+    assert_eq!(control.state(), &State::Reset);
+    assert!(z(moments.last().unwrap()) < -9.0);
+}

@@ -249,13 +249,18 @@ impl Interpreter {
 
     /// Cuts straight to a programmed point.
     pub(crate) fn cut(&mut self, to: Position) -> Fallible<()> {
+        self.cut_as(to, self.path_mode())
+    }
+
+    /// The same whatever path mode is in force.
+    pub(crate) fn cut_as(&mut self, to: Position, path: PathMode) -> Fallible<()> {
         let machine = self.location.machine_of(to);
         self.check_reach(machine)?;
         let feed = self.feed()?;
         self.location.programmed = to;
         if machine != self.location.machine || self.output.takes_still_moves() {
             self.location.machine = machine;
-            self.emit(Op::Feed { to: machine, feed, path: self.path_mode() });
+            self.emit(Op::Feed { to: machine, feed, path });
         }
         Ok(())
     }

@@ -118,6 +118,14 @@ impl Move {
         Move { tag, to, kind }.checked()
     }
 
+    /// Whether it cuts a thread beside the spindle (G63): no override and no hold acts on it.
+    pub fn is_tapping(&self) -> bool {
+        matches!(
+            self.kind,
+            Kind::Line { path: PathMode::Tapping, .. } | Kind::Arc { path: PathMode::Tapping, .. }
+        )
+    }
+
     /// Straight cut to `to` at `feed` mm/s (degrees/s where only rotary axes move).
     pub fn line(to: Position, feed: f64, path: PathMode, tag: u64) -> Option<Move> {
         Move { tag, to, kind: Kind::Line { feed, path } }.checked()

@@ -22,6 +22,10 @@ impl Cnc {
     pub fn hear(&mut self, inputs: &Inputs) {
         if let Some(auxiliary) = &mut self.auxiliary {
             auxiliary.hear(inputs);
+            if self.floating.is_some() {
+                // GSK990MC 4.4.5: as at 100 %.
+                auxiliary.ignore_spindle_override();
+            }
         }
     }
 
@@ -33,7 +37,7 @@ impl Cnc {
         let kind = self.given.front().map(Given::kind).filter(|_| moves);
         (outputs.rapid, outputs.cutting) = (kind == Some(Kind::Rapid), kind == Some(Kind::Cutting));
         outputs.threading = self.stroke.is_some_and(|stroke| stroke.has_begun);
-        outputs.tapping = self.hole.is_some();
+        outputs.tapping = self.is_in_thread();
         // Moves of the block are done, its codes are not.
         outputs.distribution_end = auxiliary.handed().is_some() && !moves && self.motion.is_empty();
     }

@@ -30,6 +30,8 @@ pub(super) struct Locked {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Switches {
     dry_run: Option<DryRun>,
+    /// What was asked for in a thread, and holds behind it.
+    pub dry_run_behind_thread: Option<Option<DryRun>>,
     pub auxiliary_lock: bool,
     pub optional_stop: bool,
     may_move: bool,
@@ -42,6 +44,7 @@ impl Switches {
     pub fn new(at: Position) -> Switches {
         Switches {
             dry_run: None,
+            dry_run_behind_thread: None,
             auxiliary_lock: false,
             optional_stop: true,
             may_move: true,
@@ -70,7 +73,9 @@ impl Switches {
 impl Cnc {
     /// Dry run on or off. Moves that wait follow too, after a stop.
     pub fn set_dry_run(&mut self, dry_run: Option<DryRun>) {
-        if self.switches.dry_run != dry_run {
+        // In a thread beside the spindle it changes nothing, and no move is taken back.
+        self.switches.dry_run_behind_thread = self.floating.is_some().then_some(dry_run);
+        if self.floating.is_none() && self.switches.dry_run != dry_run {
             self.switches.dry_run = dry_run;
             self.renew_moves();
         }
@@ -140,7 +145,7 @@ impl Cnc {
     /// A move as it is run now.
     pub(super) fn paced(&self, given: &Given) -> Move {
         let is_rapid = given.programmed.is_rapid;
-        match self.switches.dry_run {
+        match self.switches.dry_run.filter(|_| !given.motion.is_tapping()) {
             Some(dry) if (if is_rapid { dry.rapid } else { dry.cutting }) => given.motion.at_speed(dry.speed),
             _ => given.motion,
         }

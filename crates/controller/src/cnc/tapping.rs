@@ -2,7 +2,7 @@
 //!
 //! What the operator asks for waits until the tool is out (GSK990MC 4.5.1).
 
-use super::{Cnc, State, Tick};
+use super::{Cnc, Given, State, Tick};
 use crate::programmed::{Programmed, Way};
 use crate::report::Activity;
 use ferrocut_geometry::Position;
@@ -17,6 +17,15 @@ pub(super) struct Hole {
     pub entry: Position,
     /// What the operator asked for, which waits until the tool is out.
     pub asked: Option<Asked>,
+}
+
+/// A thread that axes and spindle cut beside each other: a tap in a floating holder (GSK990MC 4.4.5), or G63.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Floating {
+    /// Where the tool entered it.
+    entry: Position,
+    /// Feed hold was asked for, which waits until the tool is out.
+    holds: bool,
 }
 
 /// A stroke in a hole.
@@ -36,6 +45,63 @@ pub(super) enum Asked {
 }
 
 impl Cnc {
+    /// Looks whether the move being run is one of a thread that the spindle cuts beside.
+    pub(super) fn follow_floating(&mut self, given: &Given) {
+        match (self.floating, given.motion.is_tapping()) {
+            (None, true) => {
+                let entry = match given.programmed.way {
+                    Way::Line(from, _) => from,
+                    Way::Arc(arc) => arc.at(0.0),
+                    Way::Apart => self.motion.position(),
+                };
+                self.floating = Some(Floating { entry, holds: false });
+            }
+            (Some(_), false) => self.leave_floating(),
+            _ => {}
+        }
+    }
+
+    /// The axes stand where all moves end that were given: the tool is out of the thread where it entered it.
+    pub(super) fn rest_floating(&mut self) {
+        if self.floating.is_some_and(|floating| floating.entry == self.motion.position()) {
+            self.leave_floating();
+        }
+    }
+
+    /// The thread is left, or given up.
+    pub(super) fn leave_floating(&mut self) {
+        if self.floating.take().is_some_and(|floating| floating.holds) {
+            self.feed_hold();
+        }
+        if let Some(dry_run) = self.switches.dry_run_behind_thread.take() {
+            self.set_dry_run(dry_run);
+        }
+    }
+
+    /// A hold that was asked for in a thread is not wanted any more.
+    pub(super) fn forget_hold_behind_thread(&mut self) {
+        if let Some(floating) = &mut self.floating {
+            floating.holds = false;
+        }
+    }
+
+    /// Whether a hold waits until the tool is out of a thread that the spindle cuts beside. A reset does not.
+    pub(super) fn holds_behind_thread(&mut self) -> bool {
+        let is_running = self.state == State::Running;
+        match self.floating.as_mut().filter(|_| is_running) {
+            Some(floating) => {
+                floating.holds = true;
+                true
+            }
+            None => false,
+        }
+    }
+
+    /// Whether the tool is in a thread.
+    pub(super) fn is_in_thread(&self) -> bool {
+        self.hole.is_some() || self.floating.is_some()
+    }
+
     /// Whether the tool is in a thread while the program runs; then it remembers what was asked for.
     pub(super) fn asked_in_hole(&mut self, asked: Asked) -> bool {
         let is_running = self.state == State::Running;

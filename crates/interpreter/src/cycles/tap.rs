@@ -8,7 +8,7 @@ use crate::Fallible;
 use crate::interpreter::Interpreter;
 use ferrocut_geometry::{Axis, MM_PER_INCH, Position, SAME_POINT_MM, Turn};
 use ferrocut_machine::Fault;
-use ferrocut_toolpath::{Feed, Op, SpindleState};
+use ferrocut_toolpath::{Feed, Op, PathMode, SpindleState};
 
 /// A thread cut in steps. A step ends with a draw-back (high-speed) or at the R level (standard), by
 /// 44#5 of the GSK990MC.
@@ -187,13 +187,16 @@ impl Interpreter {
     }
 
     /// Tapping with a floating holder: the spindle turns into the thread and is reversed for the way
-    /// out. A spindle at rest is started at the R level (GSK990MC 4.4.5).
+    /// out. A spindle at rest is started at the R level. Overrides and feed hold have no effect in the thread (GSK990MC
+    /// 4.4.5), as in the mode of G63.
     fn tap_floating(&mut self, r: f64, z: f64, steps: Option<Steps>, left: bool) -> Fallible<()> {
         let (inward, outward) = self.tap_turns(left);
         self.tap_strokes(r, z, steps, |interpreter, z| {
             let down = z < interpreter.location.programmed[Axis::Z];
             interpreter.spindle(if down { inward } else { outward });
-            interpreter.cut_z(z)
+            let mut to = interpreter.location.programmed;
+            to[Axis::Z] = z;
+            interpreter.cut_as(to, PathMode::Tapping)
         })?;
         self.spindle(inward);
         Ok(())
