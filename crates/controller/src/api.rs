@@ -350,6 +350,8 @@ pub enum Command {
         /// On or off; none releases it.
         value: Option<bool>,
     },
+    /// The signals that are forced.
+    Forced,
     /// Puts another ladder in the place of the running one (level 2).
     ExchangeLadder {
         /// Its text.
@@ -804,6 +806,11 @@ pub enum Reply {
         /// By the name that was asked for; bytes and numbers as they are, bits 0 or 1.
         signals: BTreeMap<String, i64>,
     },
+    /// Signals that are forced.
+    Forced {
+        /// In the order of their addresses.
+        signals: Vec<ForcedSignal>,
+    },
     /// Text: a ladder, a recording.
     Text {
         /// The text.
@@ -894,7 +901,21 @@ pub enum Reply {
         axes: Vec<char>,
         /// Servo period, ms.
         period_ms: f64,
+        /// The clock of the control's computer, ms since 1970 (UTC).
+        time: i64,
     },
+}
+
+/// A signal that is forced: nothing writes it until it is released.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+pub struct ForcedSignal {
+    /// Its address: `Y0003.2`.
+    pub address: String,
+    /// What the ladder calls it; empty where it has no name.
+    pub name: String,
+    /// To what.
+    pub value: bool,
 }
 
 /// A command that was refused, and why.
@@ -1133,7 +1154,7 @@ pub enum Event {
     },
     /// Data were changed.
     Changed {
-        /// What kind: the name of an item of the memory.
+        /// What kind: the name of an item of the memory, `forced` or `backups`.
         item: String,
     },
     /// Somebody has other rights.
@@ -1282,6 +1303,9 @@ pub struct SpindleStatus {
     pub programmed: f64,
     /// What it is told, without its sense.
     pub told: f64,
+    /// What it has, clockwise positive: of its encoder, or as its drive is known to run up where it has none.
+    #[serde(default)]
+    pub actual: f64,
     /// Spindle override, a factor.
     pub spindle_override: f64,
     /// The tool in it.
@@ -1310,6 +1334,35 @@ pub struct ProgramStatus {
     pub h: u16,
     /// D in force.
     pub d: f64,
+    /// The block behind the one being run for which the machine does something, across jumps and calls; none where the
+    /// program was not read that far.
+    #[serde(default)]
+    pub next: Option<NextBlock>,
+    /// Where the program stops once.
+    #[serde(default)]
+    pub stop_at: Option<StopAt>,
+}
+
+/// A block that is to come.
+#[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+pub struct NextBlock {
+    /// Its file.
+    pub file: String,
+    /// Its line, from 1.
+    pub line: u32,
+    /// Its text.
+    pub text: String,
+}
+
+/// A block behind which a program stops once (GSK990MC part 2, 3.4.1).
+#[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+pub struct StopAt {
+    /// The program.
+    pub program: Option<String>,
+    /// Its sequence number.
+    pub sequence: u32,
 }
 
 /// Switches in force.
@@ -1331,6 +1384,9 @@ pub struct SwitchStatus {
     /// The parameter switch: parameters may be changed by hand. None on a control without one.
     #[serde(default)]
     pub parameters: Option<bool>,
+    /// The program switch: programs may be edited. None on a control without one.
+    #[serde(default)]
+    pub programs: Option<bool>,
 }
 
 /// Counters and times.

@@ -693,3 +693,93 @@ fn the_parameter_switch_lets_parameters_be_changed_and_is_an_alarm_meanwhile() {
     assert_eq!(shop.wait(1).switches.parameters, None);
     assert_eq!(shop.refused(turn(true)), "FC-1406");
 }
+
+/// GSK990MC part 2, 3.4.1 and 10.2.5.
+#[test]
+fn programs_are_edited_only_while_the_program_switch_is_on() {
+    let mut shop = Shop::new(&[]);
+    let turn = |on: bool| Command::SetParameter { name: "NO54.6".into(), value: Some(f64::from(on)) };
+    shop.store("O0001", "M30\n");
+    assert_eq!(shop.wait(1).switches.programs, Some(true));
+    // In MDI, and without the parameter switch.
+    assert_eq!(shop.refused(turn(false)), "FC-1400");
+    shop.mode(Mode::Mdi);
+    shop.say(turn(false));
+    assert_eq!(shop.wait(1).switches.programs, Some(false));
+    shop.mode(Mode::Edit);
+    for command in [
+        Command::Store { program: "O0001".into(), text: "G0 X1\nM30\n".into() },
+        Command::Store { program: "O0002".into(), text: "M30\n".into() },
+        Command::Delete { program: "O1".into() },
+        Command::Rename { program: "O1".into(), to: "O3".into() },
+    ] {
+        assert_eq!(shop.refused(command), "FC-1427");
+    }
+    let read = Command::Read { program: "O1".into() };
+    let Reply::Program { text, .. } = shop.say(read) else { panic!() };
+    assert_eq!(text, "M30\n");
+    // It is run as ever.
+    shop.select("O1");
+    shop.start();
+    assert_eq!(shop.until_it_stops().counters.parts, 1);
+    shop.mode(Mode::Mdi);
+    shop.say(turn(true));
+    shop.store("O0002", "M30\n");
+    // A control that has no such switch.
+    let machine = Machine { dialect: "fagor8065".into(), ..Machine::demo_mill() };
+    let mut shop = Shop::of(&machine, Parts::default());
+    assert_eq!(shop.wait(1).switches.programs, None);
+    shop.store("PART", "M30\n");
+}
+
+/// GSK990MC part 2, 3.4.1, and 4.2.17 note 4.
+#[test]
+fn the_input_unit_of_the_setting_page_is_in_force_at_once() {
+    let mut shop = Shop::new(&[]);
+    let has = |status: Status, code: &str| status.program.g_codes.iter().any(|own| own == code);
+    shop.mode(Mode::Mdi);
+    assert!(has(shop.wait(1), "G21"));
+    shop.say(Command::SetParameter { name: "NO0.2".into(), value: Some(1.0) });
+    assert!(has(shop.wait(1), "G20"));
+    shop.say(Command::Mdi { text: "G0 X1.".into() });
+    shop.start();
+    shop.until_it_stops();
+    assert!((shop.x() - 25.4).abs() < 1e-9, "{}", shop.x());
+    // What the page does not set needs the parameter switch.
+    let other = Command::SetParameter { name: "NO0.1".into(), value: Some(1.0) };
+    assert_eq!(shop.refused(other), "gsk990mc:0068");
+}
+
+#[test]
+fn the_status_has_the_block_that_comes_next_and_where_the_program_stops() {
+    let mut shop = Shop::new(&[]);
+    shop.inputs.single_block = true;
+    shop.store("O0001", "G1 X1 F600\nGOTO 7\nX50\nN7 X2\nM98 P2\nX5\nM30\n");
+    shop.store("O0002", "X3\nM99\n");
+    shop.select("O1");
+    shop.say(Command::StopAt { program: None, sequence: Some(7) });
+    let stop = shop.wait(1).program.stop_at.unwrap();
+    assert_eq!((stop.program.as_deref(), stop.sequence), (Some("O0001"), 7));
+    let mut seen = Vec::new();
+    for _ in 0..4 {
+        shop.start();
+        let program = shop.until_it_stops().program;
+        let next = program.next.unwrap();
+        seen.push((program.line, next.file, next.line, next.text));
+        if seen.len() == 2 {
+            assert_eq!(program.stop_at, None);
+        }
+    }
+    let next = |line: u32, file: &str, at: u32, text: &str| (line, file.to_owned(), at, text.to_owned());
+    assert_eq!(
+        seen,
+        [
+            next(1, "O0001", 4, "N7 X2"),
+            next(4, "O0002", 1, "X3"),
+            next(1, "O0001", 6, "X5"),
+            next(6, "O0001", 7, "M30"),
+        ]
+    );
+    shop.start();
+    assert_eq!(shop.until_it_stops().program.next, None);
+}

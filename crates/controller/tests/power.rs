@@ -232,7 +232,9 @@ fn a_ladder_that_was_exchanged_while_it_ran_runs_after_the_power() {
         let mut control = with_ladder(folder.path());
         assert_eq!(told(&mut control), [""; 0]);
         by_maintenance(&mut control, Command::ExchangeLadder { text: one.clone() });
-        assert!(control.events().contains(&Event::Changed { item: "ladder".into() }));
+        let events = control.events();
+        let changed = |event: &&Event| **event == Event::Changed { item: "ladder".into() };
+        assert_eq!(events.iter().filter(changed).count(), 1, "those who draw it follow");
         by_maintenance(&mut control, Command::Backup { file: "one.backup".into(), items: vec![] });
     }
     {
@@ -254,7 +256,14 @@ fn a_ladder_that_was_exchanged_while_it_ran_runs_after_the_power() {
         );
         assert!(ladder_text(&mut control) == one);
         by_maintenance(&mut control, Command::Force { signal: "X20.3".into(), value: Some(true) });
+        let forced = |control: &mut Control| -> Vec<(String, bool)> {
+            let Reply::Forced { signals } = say(control, Command::Forced) else { panic!() };
+            signals.into_iter().map(|one| (one.address, one.value)).collect()
+        };
+        assert_eq!(forced(&mut control), [("X0020.3".into(), true)]);
+        assert!(control.events().contains(&Event::Changed { item: "forced".into() }));
         by_maintenance(&mut control, Command::Force { signal: "X20.3".into(), value: None });
+        assert_eq!(forced(&mut control), []);
     }
     {
         let mut control = with_ladder(folder.path());
@@ -520,4 +529,27 @@ fn a_kill_at_any_instant_loses_nothing_that_was_said_to_be_kept() {
         );
         counted = one;
     }
+}
+
+/// GSK990MC part 2, 3.4.1 and 10.2.5: programs stay closed until somebody with the right opens them.
+#[test]
+fn the_program_switch_stands_after_the_power_as_it_was_left() {
+    let folder = tempfile::tempdir().unwrap();
+    let turn = |on: bool| Command::SetParameter { name: "NO54.6".into(), value: Some(f64::from(on)) };
+    let refused = |control: &mut Control, command| control.command(command, &person()).unwrap_err().alarm.id;
+    let program = || Command::Store { program: "O0001".into(), text: "M30\n".into() };
+    {
+        let mut control = control(folder.path());
+        mode(&mut control, Mode::Mdi);
+        say(&mut control, program());
+        by_maintenance(&mut control, turn(false));
+        assert_eq!(refused(&mut control, program()), "FC-1427");
+    }
+    let mut control = control(folder.path());
+    assert_eq!(control.status().switches.programs, Some(false));
+    assert_eq!(refused(&mut control, program()), "FC-1427");
+    mode(&mut control, Mode::Mdi);
+    assert_eq!(refused(&mut control, turn(true)), "FC-1213");
+    by_maintenance(&mut control, turn(true));
+    say(&mut control, program());
 }

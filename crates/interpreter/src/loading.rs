@@ -97,6 +97,14 @@ impl Interpreter {
         self.output.set_rules(self.rules.cutter);
     }
 
+    /// The parameter of the unit of programs was set: G20 or G21 is in force as at power-on.
+    pub fn unit_changed(&mut self) {
+        let initial = (self.dialect.power_on)(&self.memory.parameters);
+        if let Some(code) = initial.code(Group::Units) {
+            self.modal.set(code);
+        }
+    }
+
     /// Zeros were changed: the coordinates of the place where the axes stand change with them.
     pub fn zeros_changed(&mut self) {
         self.work_zero_changed();

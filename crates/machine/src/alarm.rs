@@ -670,6 +670,8 @@ faults! {
     LadderUnusable = 1425,
     /// A ladder that was exchanged stopped before it had run through, and was taken out again.
     LadderTakenOut = 1426,
+    /// A program is changed while the program switch is off.
+    ProgramsClosed = 1427,
 
     // 1430: reference points and travel switches
     /// Homing did not meet the home switch, or did not leave it.

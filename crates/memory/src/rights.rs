@@ -64,11 +64,17 @@ pub const SHOP_ROOMS: [&str; 4] = ["canned-cycles", "display", "macro", "program
 const PROTECTING: [ParameterKey; 2] =
     [ParameterKey::Bit { number: 27, bit: 0 }, ParameterKey::Bit { number: 27, bit: 4 }];
 
+/// The program switch, which guards what the shop has made (54#6 PRGS; operation 3.4.1, 10.2.5): its level is that of
+/// locking a program.
+const PROGRAM_SWITCH: ParameterKey = ParameterKey::Bit { number: 54, bit: 6 };
+
 /// The lowest level that may change a parameter.
 pub fn needed_for_parameter(table: &ParameterTable, key: &ParameterKey) -> Level {
-    let of_the_work =
-        table.get(key).is_some_and(|row| SHOP_ROOMS.contains(&&*row.applies_to)) && !PROTECTING.contains(key);
-    if of_the_work { Level::Shop } else { Level::Commissioning }
+    let is_of_the_work = |room: &str| SHOP_ROOMS.contains(&room) && !PROTECTING.contains(key);
+    match table.get(key) {
+        Some(row) if is_of_the_work(&row.applies_to) || *key == PROGRAM_SWITCH => Level::Shop,
+        _ => Level::Commissioning,
+    }
 }
 
 /// The lowest level that may make a change, as far as the change alone says.
@@ -140,6 +146,7 @@ mod tests {
         for (name, level) in [
             // Where the tool goes between pecks, against the software limits and the rapid of an axis.
             ("P270", Level::Shop),
+            ("NO54.6", Level::Shop),
             ("P66", Level::Commissioning),
             ("P88", Level::Commissioning),
             ("NO27.0", Level::Commissioning),

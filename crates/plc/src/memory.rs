@@ -194,6 +194,19 @@ impl Memory {
         !self.free[usize::from(address.place())] & mask(address) != 0
     }
 
+    /// The bits that are forced, in the order of their areas.
+    pub fn forced(&self) -> impl Iterator<Item = Address> {
+        let bytes = ROOMS.iter().flat_map(|r| (0..r.len).map(move |n| (r, n)));
+        bytes.flat_map(move |(r, n)| {
+            let held = !self.free[usize::from(r.place + n)];
+            (0..8u8).filter(move |bit| held & 1 << bit != 0).map(move |bit| Address {
+                area: r.area,
+                byte: r.first + n,
+                bit: Some(bit),
+            })
+        })
+    }
+
     /// Areas that keep their value while power is off, byte by byte.
     pub fn kept(&self) -> impl Iterator<Item = (Address, u8)> {
         ROOMS.iter().filter(|r| r.is_kept).flat_map(move |r| {
@@ -240,6 +253,7 @@ mod tests {
         memory.force(at("Y3.2"), true);
         memory.set_byte(at("Y3"), 0x01);
         assert_eq!(memory.byte(at("Y3")), 0x05);
+        assert_eq!(memory.forced().map(|address| address.to_string()).collect::<Vec<_>>(), ["Y0003.2"]);
         assert!(memory.is_forced(at("Y3.2")) && memory.is_forced(at("Y3")) && !memory.is_forced(at("Y3.0")));
         memory.release(at("Y3.2"));
         memory.set_byte(at("Y3"), 0x01);

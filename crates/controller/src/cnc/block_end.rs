@@ -231,6 +231,21 @@ impl Cnc {
         later.or(self.blocks.next.as_ref().map(of))
     }
 
+    /// The block behind the one being run for which the machine does something, as far as the program was read.
+    pub fn next_span(&self) -> Option<Span> {
+        if !self.is_under_way() {
+            return None;
+        }
+        let given = self.given.iter().chain(&self.blocks.later).map(|given| given.span);
+        let waiting = self.waiting.as_ref().map(|waiting| self.span_of(waiting));
+        let taken = self.blocks.next.as_ref().map(|next| match next {
+            Ok(step) => step.span,
+            Err(alarm) => alarm.span,
+        });
+        let run = (self.span.file, self.span.line);
+        given.chain(waiting).chain(taken).find(|span| (span.file, span.line) != run && span.line > 0)
+    }
+
     /// The block of what was taken last.
     pub(super) fn taken(&self, span: Span) -> Block {
         self.blocks.taken.unwrap_or(Block::at(span))

@@ -25,6 +25,9 @@ const MOST_VALUES: usize = 10_000;
 /// Longest text of MDI, bytes (10.1.1.2: 65 characters a block).
 const LONGEST_MDI: usize = 1 << 20;
 
+/// What the event `changed` calls the backups in the folder of the memory.
+const BACKUPS: &str = "backups";
+
 pub(super) type Answer = Result<Reply, Box<Alarm>>;
 
 pub(super) fn named(fault: Fault, name: impl Into<String>) -> Alarm {
@@ -158,6 +161,7 @@ impl Control {
             }
             Command::Traced { from, most } => self.traced(from, most),
             Command::EndTrace => Ok(self.end_trace()),
+            Command::Forced => self.forced(),
             Command::Force { signal, value } => self.force(&signal, value, author),
             Command::ExchangeLadder { text } => self.exchange_ladder(&text, author),
             Command::RollBackLadder => self.roll_back_ladder(author),
@@ -201,6 +205,7 @@ impl Control {
                 machine: self.machine.name.clone(),
                 axes: self.machine.axes.iter().map(|axis| axis.name.letter()).collect(),
                 period_ms: self.machine.servo_period_ms,
+                time: ferrocut_memory::items::now(),
             }),
         }
     }
@@ -331,6 +336,7 @@ impl Control {
 
     /// Stores a program. The one under way stays as it is (7.11 note 3); any other may be written meanwhile.
     fn store(&mut self, program: String, text: String, author: &Author) -> Answer {
+        self.may_edit_programs(author)?;
         let name = program.trim().to_owned();
         if name.is_empty() || name.len() > 128 {
             return Err(Box::new(named(Fault::ValueImpossible, name)));
@@ -347,6 +353,7 @@ impl Control {
     }
 
     fn delete(&mut self, program: &str, author: &Author) -> Answer {
+        self.may_edit_programs(author)?;
         let name = self.known(program)?;
         if self.is_in_use(&name) {
             return Err(Box::new(named(Fault::ProgramInUse, name)));
@@ -362,6 +369,7 @@ impl Control {
 
     /// A program gets another name, and the O number at its start with it.
     fn rename(&mut self, program: &str, to: &str, author: &Author) -> Answer {
+        self.may_edit_programs(author)?;
         let name = self.known(program)?;
         let to = to.trim().to_owned();
         if to.is_empty() || to.len() > 128 || self.library.has(&to) {
@@ -520,8 +528,11 @@ impl Control {
     }
 
     fn set_parameter(&mut self, name: &str, value: Option<f64>, author: &Author) -> Answer {
-        self.may_set_parameters(author)?;
         let key: ParameterKey = name.parse().map_err(|_| named(Fault::NoSuchName, name))?;
+        match self.is_setting(&key) {
+            true => self.may_set_machine(author)?,
+            false => self.may_set_parameters(author)?,
+        }
         if let Some(value) = finite(value)? {
             let parameters = &self.cnc.interpreter().memory().parameters;
             let check = parameters.check(&key, value);
@@ -637,11 +648,10 @@ impl Control {
         }
         self.flush()?;
         let store = self.kept()?;
-        store
-            .reader()
-            .back_up(&backup_in(store.folder(), file)?, &items)
-            .map(|_| Reply::Done)
-            .map_err(|error| Box::new(error.alarm()))
+        let written = store.reader().back_up(&backup_in(store.folder(), file)?, &items);
+        written.map_err(|error| error.alarm())?;
+        self.event(Event::Changed { item: BACKUPS.to_owned() });
+        Ok(Reply::Done)
     }
 
     /// What was restored holds at once, save what the drives are made of.
@@ -663,7 +673,10 @@ impl Control {
 }
 
 /// The file of a backup: nothing that a front names may lie outside the folder, or be anything else in it.
-fn backup_in(folder: &Path, name: &str) -> Result<PathBuf, Box<Alarm>> {
+///
+/// # Errors
+/// The name is that of no backup.
+pub fn backup_in(folder: &Path, name: &str) -> Result<PathBuf, Box<Alarm>> {
     let is_plain = |c: char| c.is_alphanumeric() || matches!(c, '-' | '_' | '.' | ' ');
     let is_bare = name.len() <= 128 && name.chars().all(is_plain) && !name.starts_with(['.', ' ']);
     match is_bare && name.ends_with(".backup") {

@@ -7,10 +7,13 @@
 use super::commands::{Answer, named};
 use super::keeping::Keeping;
 use super::{Control, alarm};
-use crate::api::{AlarmInfo, Event, Reply};
+use crate::api::{AlarmInfo, Event, ForcedSignal, Reply};
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_memory::{Author, Change, Level};
-use ferrocut_plc::{Error, Limits, Maintenance, Plc, Program};
+use ferrocut_plc::{Address, Error, Limits, Maintenance, Plc, Program};
+
+/// What the event `changed` calls the signals that are forced.
+const FORCED: &str = "forced";
 
 /// What is on the disk of the ladder, or on its way there.
 pub(super) struct Kept {
@@ -27,21 +30,18 @@ impl Kept {
 }
 
 impl Keeping {
-    /// Another ladder has come and runs: it is kept, by who exchanged it, or the control that took one out. Whether
-    /// another is kept from now on.
-    pub fn look_at_exchanges(&mut self, plc: &Plc, own: &str, by: &mut Option<Author>) -> bool {
+    /// Another ladder has come and runs: it is kept, by who exchanged it, or the control that took one out.
+    pub fn look_at_exchanges(&mut self, plc: &Plc, own: &str, by: &mut Option<Author>) {
         if self.ladder.exchanges == plc.exchanges() || plc.is_on_trial() {
-            return false;
+            return;
         }
         self.ladder.exchanges = plc.exchanges();
         let author = by.take().unwrap_or(Author::Control);
         let text = Some(plc.program().text()).filter(|text| text != own);
-        if text == self.ladder.text {
-            return false;
+        if text != self.ladder.text {
+            self.ladder.text.clone_from(&text);
+            self.put(&author, vec![Change::Ladder { text }]);
         }
-        self.ladder.text.clone_from(&text);
-        self.put(&author, vec![Change::Ladder { text }]);
-        true
     }
 }
 
@@ -123,6 +123,18 @@ impl Control {
         if let Some(keeping) = &mut self.keeping {
             keeping.put(author, vec![Change::Force { signal: signal.to_owned(), value }]);
         }
+        self.event(Event::Changed { item: FORCED.to_owned() });
         Ok(Reply::Done)
+    }
+
+    pub(super) fn forced(&self) -> Answer {
+        let plc = self.plc.as_ref().ok_or_else(|| named(Fault::NotFitted, "ladder"))?;
+        let symbols = plc.program().symbols();
+        let signal = |address: Address| ForcedSignal {
+            address: address.to_string(),
+            name: symbols.iter().find(|s| s.address == address).map(|s| s.name.clone()).unwrap_or_default(),
+            value: plc.memory().bit(address),
+        };
+        Ok(Reply::Forced { signals: plc.memory().forced().map(signal).collect() })
     }
 }

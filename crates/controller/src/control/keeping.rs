@@ -5,6 +5,7 @@
 //! moment before, never half of it.
 
 use super::machine_data::Pitch;
+use super::settings::INPUT_UNIT;
 use super::status::Count;
 use super::taking_up::TakingUp;
 use super::{Control, alarm, exchange};
@@ -251,10 +252,9 @@ impl Control {
                 keeping.look_at_ladder(plc);
             }
         }
-        let is_exchanged = match &self.plc {
-            Some(plc) => keeping.look_at_exchanges(plc, &self.own_ladder, &mut self.exchanged_by),
-            None => false,
-        };
+        if let Some(plc) = &self.plc {
+            keeping.look_at_exchanges(plc, &self.own_ladder, &mut self.exchanged_by);
+        }
         let mut done = Vec::new();
         // In the order in which they were asked for: the last one is what holds. None while blocks are being read.
         while !self.cnc.is_reading()
@@ -264,9 +264,6 @@ impl Control {
         }
         let told = std::mem::take(&mut keeping.told);
         self.keeping = Some(keeping);
-        if is_exchanged {
-            self.event(Event::Changed { item: Item::Ladder.name().to_owned() });
-        }
         if told {
             let alarm = AlarmInfo::of(&alarm(Fault::NotKept));
             self.event(Event::Alarm { alarm });
@@ -476,7 +473,12 @@ impl Control {
                 let delivered = ferrocut_machine::Parameters::new(table).get(key);
                 // Judged before.
                 let _ = memory.set_parameter(key, value.unwrap_or(delivered));
-                self.cnc.interpreter_mut().parameters_changed();
+                let is_under_way = self.cnc.is_under_way();
+                let interpreter = self.cnc.interpreter_mut();
+                interpreter.parameters_changed();
+                if *key == INPUT_UNIT && !is_under_way {
+                    interpreter.unit_changed();
+                }
             }
             Change::Counter { counter, value } => {
                 self.counters.set(*counter, *value);

@@ -2,6 +2,7 @@
 
 use super::Control;
 use crate::api::Event;
+use ferrocut_memory::Item;
 use ferrocut_plc::{Address, Area, Plc, Program};
 
 /// The key of the panel that releases overtravel, by the ladder's name.
@@ -29,11 +30,13 @@ impl LadderNames {
         self.overtravel_key.is_some_and(|key| plc.memory().bit(key))
     }
 
-    /// Looks names up anew where another ladder runs. Messages that it does not have have gone: their names are given.
+    /// Whether names are of another ladder than the one that runs.
+    fn is_old(&self, plc: &Plc) -> bool {
+        self.exchanges != Some(plc.exchanges())
+    }
+
+    /// Looks names up anew. Messages that this ladder does not have have gone: their names are given.
     fn renew(&mut self, plc: &Plc) -> Vec<String> {
-        if self.exchanges == Some(plc.exchanges()) {
-            return Vec::new();
-        }
         self.exchanges = Some(plc.exchanges());
         let program: &Program = plc.program();
         self.overtravel_key = program.signal(OVERTRAVEL_KEY).filter(|key| key.bit.is_some());
@@ -54,11 +57,15 @@ impl LadderNames {
 }
 
 impl Control {
-    /// Names of another ladder.
+    /// Names of another ladder, once one has come: whoever draws it is told.
     pub(super) fn renew_ladder_names(&mut self) {
-        let Some(plc) = &self.plc else { return };
+        let Some(plc) = self.plc.as_ref().filter(|plc| self.ladder_names.is_old(plc)) else { return };
+        let is_first = self.ladder_names.exchanges.is_none();
         for name in self.ladder_names.renew(plc) {
             self.event(Event::MachineMessage { name, on: false });
+        }
+        if !is_first {
+            self.event(Event::Changed { item: Item::Ladder.name().to_owned() });
         }
     }
 

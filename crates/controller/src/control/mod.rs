@@ -26,6 +26,7 @@ pub mod modes;
 mod parameter_switch;
 mod programs;
 mod reading;
+mod settings;
 mod status;
 mod taking_up;
 mod timing;
@@ -36,6 +37,7 @@ use crate::api::{Activity, AlarmInfo, Event};
 use crate::cnc::{self, Cnc, DryRun, State, Tick};
 use crate::drives::{Drives, Switches};
 use crate::signals::{Inputs, Mode, Outputs, SIGNAL_AXES};
+pub use commands::backup_in;
 pub use desk::Desk;
 use ferrocut_geometry::{AxisSet, Position};
 use ferrocut_interpreter::{Interpreter, MachineCodes, Options, dialects};
@@ -257,6 +259,7 @@ impl Control {
             control.event(Event::Alarm { alarm: AlarmInfo::of(&alarm) });
         }
         control.show_parts();
+        control.renew_ladder_names();
         Ok(control)
     }
 

@@ -2,8 +2,8 @@
 
 use super::Control;
 use crate::api::{
-    AlarmInfo, ByAxis, Counters, Event, FeedStatus, Positions, ProgramStatus, SpindleStatus, Status,
-    SwitchStatus,
+    AlarmInfo, ByAxis, Counters, Event, FeedStatus, NextBlock, Positions, ProgramStatus, SpindleStatus,
+    Status, StopAt, SwitchStatus,
 };
 use crate::cnc::State;
 use crate::report::Activity;
@@ -137,6 +137,7 @@ impl Control {
             spindle: SpindleStatus {
                 programmed: speed,
                 told: self.cnc.spindle().rpm(),
+                actual: self.cnc.spindle().actual_rpm(),
                 spindle_override: inputs.spindle_override,
                 tool,
                 called_tool,
@@ -150,6 +151,11 @@ impl Control {
                 g_codes: interpreter.codes_in_force().map(code).collect(),
                 h,
                 d,
+                next: self.next_block(),
+                stop_at: self.stop_at.as_ref().map(|(program, sequence)| StopAt {
+                    program: program.clone().or_else(|| self.selected.clone()),
+                    sequence: *sequence,
+                }),
             },
             switches: SwitchStatus {
                 single_block: inputs.single_block,
@@ -159,6 +165,7 @@ impl Control {
                 machine_lock: self.cnc.is_locked(),
                 auxiliary_lock: inputs.auxiliary_lock,
                 parameters: self.parameters_open(),
+                programs: self.programs_open(),
             },
             counters: Counters {
                 parts: self.counters.parts as u64,
@@ -175,6 +182,17 @@ impl Control {
             panel: self.panel(),
             level: None,
         }
+    }
+
+    /// The block behind the one being run that the machine does something for, as far as the program was read.
+    fn next_block(&self) -> Option<NextBlock> {
+        let span = self.cnc.next_span()?;
+        let programs = self.cnc.interpreter().programs();
+        Some(NextBlock {
+            file: programs.file_name(span.file).to_owned(),
+            line: span.line,
+            text: programs.slice(span),
+        })
     }
 
     fn lamps(&self) -> Vec<String> {

@@ -796,6 +796,8 @@ FC-1418 = there is no room for more of the program yet
     .help = Send this part again once blocks are done.
 FC-1419 = the parameter switch is off
     .help = Turn the parameter switch on, on the setting page, in MDI.
+FC-1427 = the program switch is off
+    .help = Turn the program switch on, on the setting page, in MDI. It needs level 4.
 
 FC-1430 = Homing does not find the home switch
     .detail = axis { $axis }

@@ -796,6 +796,8 @@ FC-1418 = Todavía no hay sitio para más programa
     .help = Envíe otra vez esta parte cuando se hayan ejecutado bloques.
 FC-1419 = El interruptor de parámetros está desactivado
     .help = Actívelo en la página de ajustes, en MDI.
+FC-1427 = El interruptor de programas está desactivado
+    .help = Actívelo en la página de ajustes, en MDI. Requiere el nivel 4.
 
 FC-1430 = La búsqueda de cero no encuentra el interruptor de referencia
     .detail = eje { $axis }

@@ -796,6 +796,8 @@ FC-1418 = programın devamı için henüz yer yok
     .help = Bloklar bittikçe bu parçayı yeniden gönderin.
 FC-1419 = parametre anahtarı kapalı
     .help = MDI modunda, ayar sayfasında parametre anahtarını açın.
+FC-1427 = program anahtarı kapalı
+    .help = MDI modunda, ayar sayfasında program anahtarını açın. 4. seviye gerekir.
 
 FC-1430 = Referansa giderken referans anahtarı bulunamadı
     .detail = eksen { $axis }

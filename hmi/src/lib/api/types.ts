@@ -154,6 +154,53 @@ from: string,
 to: string, };
 
 /**
+ * A signal that is forced: nothing writes it until it is released.
+ */
+export type ForcedSignal = {
+/**
+ * Its address: `Y0003.2`.
+ */
+address: string,
+/**
+ * What the ladder calls it; empty where it has no name.
+ */
+name: string,
+/**
+ * To what.
+ */
+value: boolean, };
+
+/**
+ * A block that is to come.
+ */
+export type NextBlock = {
+/**
+ * Its file.
+ */
+file: string,
+/**
+ * Its line, from 1.
+ */
+line: number,
+/**
+ * Its text.
+ */
+text: string, };
+
+/**
+ * A block behind which a program stops once (GSK990MC part 2, 3.4.1).
+ */
+export type StopAt = {
+/**
+ * The program.
+ */
+program: string | null,
+/**
+ * Its sequence number.
+ */
+sequence: number, };
+
+/**
  * Positions, mm and degrees.
  */
 export type Positions = {
@@ -224,6 +271,10 @@ programmed: number,
  */
 told: number,
 /**
+ * What it has, clockwise positive: of its encoder, or as its drive is known to run up where it has none.
+ */
+actual: number,
+/**
  * Spindle override, a factor.
  */
 spindle_override: number,
@@ -271,7 +322,16 @@ h?: number,
 /**
  * D in force.
  */
-d?: number, };
+d?: number,
+/**
+ * The block behind the one being run for which the machine does something, across jumps and calls; none where the
+ * program was not read that far.
+ */
+next: NextBlock | null,
+/**
+ * Where the program stops once.
+ */
+stop_at: StopAt | null, };
 
 /**
  * Switches in force.
@@ -304,7 +364,11 @@ auxiliary_lock: boolean,
 /**
  * The parameter switch: parameters may be changed by hand. None on a control without one.
  */
-parameters: boolean | null, };
+parameters: boolean | null,
+/**
+ * The program switch: programs may be edited. None on a control without one.
+ */
+programs: boolean | null, };
 
 /**
  * Counters and times.
@@ -635,7 +699,11 @@ entries: Array<LogLine>, } | { "reply": "signals",
 /**
  * By the name that was asked for; bytes and numbers as they are, bits 0 or 1.
  */
-signals: { [key in string]: number }, } | { "reply": "text",
+signals: { [key in string]: number }, } | { "reply": "forced",
+/**
+ * In the order of their addresses.
+ */
+signals: Array<ForcedSignal>, } | { "reply": "text",
 /**
  * The text.
  */
@@ -757,7 +825,11 @@ axes: Array<string>,
 /**
  * Servo period, ms.
  */
-period_ms: number, };
+period_ms: number,
+/**
+ * The clock of the control's computer, ms since 1970 (UTC).
+ */
+time: number, };
 
 /**
  * What happens, as it happens.
@@ -804,7 +876,7 @@ parts: number, } | { "event": "tool_change",
  */
 tool: number, } | { "event": "changed",
 /**
- * What kind: the name of an item of the memory.
+ * What kind: the name of an item of the memory, `forced` or `backups`.
  */
 item: string, } | { "event": "level",
 /**
@@ -1443,7 +1515,7 @@ signal: string,
 /**
  * On or off; none releases it.
  */
-value?: boolean | null, } | { "do": "exchange_ladder",
+value?: boolean | null, } | { "do": "forced" } | { "do": "exchange_ladder",
 /**
  * Its text.
  */
