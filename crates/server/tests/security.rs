@@ -437,3 +437,46 @@ fn five_hundred_sockets_are_too_many_and_harm_nobody() {
     assert_eq!((open.len(), refused), (MOST_CONNECTIONS - 1, 500 - MOST_CONNECTIONS + 1));
     watch.goes_on(&place);
 }
+
+/// GSK990MC operation 3.4.4.
+#[test]
+fn backups_are_listed_and_taken_away_by_right() {
+    let folder = tempfile::tempdir().unwrap();
+    let store = store(&folder);
+    let author = Author::Maintenance { name: "test".into() };
+    store.set_password(&author, Level::Commissioning, "crew of machine 3", Seat::Machine).unwrap();
+    let panel = Panel::new(control(Some(store.clone())));
+    let place = Place::new(panel, Some(store), "127.0.0.1:0", None);
+    let cookie = place.get("/").cookie();
+    assert_eq!(place.get("/api/backups").json(), json!([]));
+    let mut socket = Socket::new(place.address(), &[("cookie", &cookie)]).unwrap();
+    socket.take_command();
+    assert_eq!(socket.ask(json!({ "do": "backup", "file": "shop.backup", "items": [] }))["reply"], "done");
+    std::fs::write(folder.path().join("notes.txt"), "x").unwrap();
+    std::os::unix::fs::symlink("/etc/passwd", folder.path().join("away.backup")).unwrap();
+    let list = place.get("/api/backups").json();
+    let bytes = std::fs::read(folder.path().join("shop.backup")).unwrap();
+    assert_eq!(list.as_array().unwrap().len(), 1, "{list}");
+    assert_eq!((&list[0]["name"], &list[0]["bytes"]), (&json!("shop.backup"), &json!(bytes.len())));
+    assert!(list[0]["changed"].as_i64().unwrap() > 1_700_000_000_000);
+    let take = |name: &str, cookie: &str| {
+        place.http("GET", &format!("/api/backups/{name}"), &[("cookie", cookie)], b"")
+    };
+    let refused = take("shop.backup", &cookie);
+    assert_eq!((refused.status, &refused.json()["refused"]["alarm"]["id"]), (409, &json!("FC-1213")));
+    let log_in = |level: u8, password: &str| {
+        let body = json!({ "level": level, "password": password }).to_string();
+        place.http("POST", "/api/session", &[("cookie", &cookie)], body.as_bytes())
+    };
+    let shop = log_in(4, PASSWORD).cookie();
+    assert_eq!(take("shop.backup", &shop).status, 409);
+    let body = json!({ "level": 3, "password": "crew of machine 3" }).to_string();
+    let crew = place.http("POST", "/api/session", &[("cookie", &shop)], body.as_bytes()).cookie();
+    let taken = take("shop.backup", &crew);
+    assert_eq!((taken.status, taken.body == bytes), (200, true));
+    assert_eq!(taken.head("content-disposition"), Some("attachment; filename=\"shop.backup\""));
+    for name in ["away.backup", "notes.txt", "none.backup", "..%2fshop.backup", "%2fetc%2fpasswd", ".backup"]
+    {
+        assert_eq!(take(name, &crew).status, 404, "{name}");
+    }
+}

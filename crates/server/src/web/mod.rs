@@ -8,6 +8,7 @@
 //! (`query::desk`).
 
 mod assets;
+mod backups;
 mod body;
 mod check;
 mod cycles;
@@ -255,6 +256,7 @@ fn router(shared: Arc<Shared>) -> Router {
         .merge(cycles::routes())
         .merge(tables::routes())
         .merge(programs::routes())
+        .merge(backups::routes())
         .merge(openapi::routes())
         .fallback(assets::serve)
         .layer(from_fn_with_state(shared.clone(), guard::watch))

@@ -1,0 +1,132 @@
+//! Backups that lie in the folder of the memory, and those that take one away (GSK990MC operation 3.4.4).
+
+use super::Shared;
+use super::problem::Problem;
+use super::session::Entry;
+use super::work::work;
+use axum::body::{Body, Bytes};
+use axum::extract::{Path, Request, State};
+use axum::http::HeaderValue;
+use axum::http::header::{CONTENT_DISPOSITION, CONTENT_LENGTH, CONTENT_TYPE};
+use axum::response::{IntoResponse, Response};
+use axum::routing::get;
+use axum::{Json, Router};
+use ferrocut_controller::control::backup_in;
+use ferrocut_machine::{Alarm, Fault};
+use ferrocut_memory::{Level, Session, Store};
+use ferrocut_program::Span;
+use futures_util::stream::try_unfold;
+use serde::Serialize;
+use std::fs::{self, File};
+use std::io::{self, Read};
+use std::sync::Arc;
+use std::time::UNIX_EPOCH;
+
+/// Most backups of a list; the oldest are left out.
+const MOST: usize = 1000;
+
+/// Bytes that are read at a time.
+const PIECE: usize = 256 << 10;
+
+/// Who may take a backup away: the level that may restore all that shops restore. It holds the work of the shop.
+const NEEDED: Level = Level::Commissioning;
+
+pub(super) fn routes() -> Router<Arc<Shared>> {
+    Router::new().route("/api/backups", get(list)).route("/api/backups/{name}", get(download))
+}
+
+/// A backup of the list.
+#[derive(Serialize)]
+struct Backup {
+    name: String,
+    bytes: u64,
+    /// When it was written, ms since 1970 (UTC).
+    changed: i64,
+}
+
+fn store_of(shared: &Shared) -> Result<Arc<Store>, Problem> {
+    let missing = || Alarm::core(Fault::NotFitted, Span::default()).with("name", "memory");
+    Ok(shared.store.clone().ok_or_else(missing)?)
+}
+
+/// The backups of a folder, the newest first.
+fn backups(store: &Store) -> io::Result<Vec<Backup>> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(store.folder())? {
+        let entry = entry?;
+        let Ok(name) = entry.file_name().into_string() else { continue };
+        let is_file = entry.file_type()?.is_file();
+        if !is_file || backup_in(store.folder(), &name).is_err() {
+            continue;
+        }
+        let about = entry.metadata()?;
+        let since = about.modified().ok().and_then(|time| time.duration_since(UNIX_EPOCH).ok());
+        let changed = since.map_or(0, |since| i64::try_from(since.as_millis()).unwrap_or(i64::MAX));
+        found.push(Backup { name, bytes: about.len(), changed });
+    }
+    found.sort_by(|one, other| other.changed.cmp(&one.changed).then_with(|| one.name.cmp(&other.name)));
+    found.truncate(MOST);
+    Ok(found)
+}
+
+async fn list(State(shared): State<Arc<Shared>>) -> Result<Json<Vec<Backup>>, Problem> {
+    let store = store_of(&shared)?;
+    let found = work(move |_| backups(&store)).await?;
+    found.map(Json).map_err(|error| unreadable(&error))
+}
+
+fn unreadable(error: &io::Error) -> Problem {
+    Problem::from(Alarm::core(Fault::FileUnreadable, Span::default()).with("reason", error.to_string()))
+}
+
+async fn download(
+    State(shared): State<Arc<Shared>>,
+    Path(name): Path<String>,
+    request: Request,
+) -> Result<Response, Problem> {
+    let entry = request.extensions().get::<Arc<Entry>>();
+    let session = entry.and_then(|entry| entry.rights()).unwrap_or(Session::OPERATOR);
+    if !session.level().covers(NEEDED) {
+        let number = |level: Level| f64::from(level.number());
+        let alarm = Alarm::core(Fault::RightMissing, Span::default());
+        return Err(Problem::from(
+            alarm.with("needed", number(NEEDED)).with("level", number(session.level())),
+        ));
+    }
+    let store = store_of(&shared)?;
+    let path = backup_in(store.folder(), &name).map_err(|_| Problem::Missing)?;
+    let opened = work(move |_| {
+        // No way out of the folder by a link that somebody has put there.
+        let is_file = fs::symlink_metadata(&path)?.is_file();
+        let file = File::open(&path)?;
+        let bytes = file.metadata()?.len();
+        Ok::<_, io::Error>(is_file.then_some((file, bytes)))
+    });
+    let (file, bytes) = match opened.await? {
+        Ok(Some(opened)) => opened,
+        Ok(None) => return Err(Problem::Missing),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Err(Problem::Missing),
+        Err(error) => return Err(unreadable(&error)),
+    };
+    // No more than it was when it was opened: as many bytes are told to come.
+    let mut response = Body::from_stream(try_unfold(file.take(bytes), next_piece)).into_response();
+    let head = response.headers_mut();
+    head.insert(CONTENT_TYPE, HeaderValue::from_static("application/octet-stream"));
+    head.insert(CONTENT_LENGTH, HeaderValue::from(bytes));
+    let plain = |c: char| !(c.is_ascii_alphanumeric() || matches!(c, '.' | '-' | '_'));
+    let names = format!("attachment; filename=\"{}\"", name.replace(plain, "_"));
+    if let Ok(names) = HeaderValue::from_str(&names) {
+        head.insert(CONTENT_DISPOSITION, names);
+    }
+    Ok(response)
+}
+
+/// The next bytes of a file with what is left of it; none at its end.
+async fn next_piece(mut file: io::Take<File>) -> io::Result<Option<(Bytes, io::Take<File>)>> {
+    let read = move || {
+        let mut piece = Vec::with_capacity(PIECE);
+        (&mut file).take(PIECE as u64).read_to_end(&mut piece)?;
+        Ok((!piece.is_empty()).then(|| (Bytes::from(piece), file)))
+    };
+    tokio::task::spawn_blocking(read).await.map_err(io::Error::other)?
+}
