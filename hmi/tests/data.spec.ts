@@ -1,5 +1,6 @@
 // What the control keeps: backed up, changed, and restored as it was.
 import type { Page } from '@playwright/test';
+import { readFileSync } from 'node:fs';
 import { expect, shoot, test } from './server';
 import { enter, load, logIn, mode, notice, show, watchFaults } from './walk';
 
@@ -44,6 +45,11 @@ test('offsets and programs are as before once they are restored', async ({ page 
   await page.getByLabel('File').fill('played.backup');
   await page.getByTestId('back-up').click();
   await expect(notice(page).filter({ hasText: 'Written: played.backup' })).toBeVisible();
+  // It is listed at once; an operator does not take it away.
+  const listed = page.locator('[data-backup="played.backup"]');
+  await expect(listed).toBeVisible();
+  await expect(listed.getByRole('link')).toHaveCount(0);
+  expect((await page.request.get('/api/backups/played.backup')).status()).toBe(409);
   await shoot(page, 'backup');
 
   await offset(page, 7, '-60.000');
@@ -69,6 +75,16 @@ test('offsets and programs are as before once they are restored', async ({ page 
   await choose(page, 'played.backup', 'Programs');
   await restore(page);
   await expect.poll(() => kept(page, 'O1700')).toBe(before);
+  await show(page, 'settings/data');
+  const coming = page.waitForEvent('download');
+  await listed.getByRole('link', { name: 'Download played.backup' }).click();
+  const file = await coming;
+  expect(file.suggestedFilename()).toBe('played.backup');
+  expect(readFileSync(await file.path(), 'utf8')).toContain('{"ferrocut-backup":1,"control":"gsk990mc"');
+  // One of the list is chosen to be restored.
+  await page.getByLabel('File').fill('');
+  await listed.getByRole('button', { name: 'played.backup' }).click();
+  await expect(page.getByLabel('File')).toHaveValue('played.backup');
   await show(page, 'alarms/log');
   await expect(page.getByTestId('log')).toContainText('played.backup');
 });

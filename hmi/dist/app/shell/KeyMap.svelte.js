@@ -108,7 +108,7 @@ function KeyMap($$anchor, $$props) {
 			text: t("keymap.find")
 		},
 		{
-			keys: ["Ctrl", "Space"],
+			keys: ["Ctrl", t("keymap.space")],
 			text: t("keymap.complete")
 		},
 		{

@@ -41,6 +41,8 @@ export type ParameterInfo = {
 };
 export type SignalInfo = { name: string; address: string; meaning: string };
 export type Found = { kind: string; key: string; title: string; text: string };
+/** A backup in the folder of the memory; `changed` is ms since 1970. */
+export type BackupInfo = { name: string; bytes: number; changed: number };
 export type SessionInfo = { level: number; needs_log_in: boolean; csrf?: string };
 
 /** An answer that is no success. */
@@ -143,6 +145,13 @@ export const http = {
   },
   search(q: string, language: string): Promise<Found[]> {
     return json(`/api/search?${query({ q, language })}`);
+  },
+  backups(): Promise<BackupInfo[]> {
+    return json('/api/backups');
+  },
+  /** Where a backup is taken away. */
+  backup(name: string): string {
+    return `/api/backups/${encodeURIComponent(name)}`;
   },
   async upload(name: string, body: Blob | string): Promise<void> {
     await request(`/api/programs/${encodeURIComponent(name)}`, { method: 'PUT', body });

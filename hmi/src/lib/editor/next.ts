@@ -9,10 +9,15 @@ const LEADS_AWAY = /GOTO|IF|ELSE|END|WHILE|FOR|REPEAT|BREAK|CONTINUE|CALL|RETURN
 /** How many lines without a block are passed over. */
 const MOST = 500;
 
+/** Whether another block may come behind this one than the next line's. */
+export function leadsAway(block: string): boolean {
+  return LEADS_AWAY.test(bare(block));
+}
+
 /** The block behind a line, from 1; null where none is known: behind the last one, and where this one may lead
     elsewhere. `at` has the text of a line, null behind the end. */
 export function nextBlock(at: (line: number) => string | null, line: number): string | null {
-  if (line < 1 || LEADS_AWAY.test(bare(at(line) ?? ''))) return null;
+  if (line < 1 || leadsAway(at(line) ?? '')) return null;
   for (let next = line + 1; next <= line + MOST; next++) {
     const text = at(next);
     if (text === null) return null;

@@ -1,6 +1,7 @@
 import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { parse, type AST } from 'svelte/compiler';
+import ts from 'typescript';
 import { describe, expect, it } from 'vitest';
 import { form, text } from './plural';
 
@@ -97,6 +98,27 @@ describe('the source', () => {
         }
       };
       visit(tree.fragment);
+    }
+    expect(wrong).toEqual([]);
+  });
+
+  it('has no text of its own in its scripts', () => {
+    /** What looks like words and is none that people read: keys, names of errors, styles, shaders; what languages and
+        keys of the keyboard are called everywhere. */
+    const known = new Set(['English', 'Русский', 'Español', 'Türkçe', 'HttpError', 'Refused', 'Enter', 'Delete', 'Control', 'Ctrl', 'Alt', 'Mod-s']);
+    // CodeMirror's phrases are keys: what is said for each is a text of the catalogues.
+    const apart = /(^|\/)(phrases|theme)\.ts$|graphics\/scene\.ts$/;
+    const looks = (value: string) => /\p{Ll}{2,} +\p{L}{2,}/u.test(value) || /^\p{Lu}\p{Ll}{2,}/u.test(value);
+    const wrong: string[] = [];
+    for (const file of [...components, ...scripts].filter((one) => !apart.test(one))) {
+      const source = readFileSync(file, 'utf8');
+      const text = file.endsWith('.svelte') ? [...source.matchAll(/<script[^>]*>([\s\S]*?)<\/script>/g)].map((found) => found[1]).join('\n') : source;
+      const visit = (node: ts.Node): void => {
+        const isText = ts.isStringLiteral(node) || ts.isTemplateLiteralToken(node);
+        if (isText && looks(node.text) && !known.has(node.text) && !/system-ui$/.test(node.text)) wrong.push(`${file}: ${node.text}`);
+        ts.forEachChild(node, visit);
+      };
+      visit(ts.createSourceFile(file, text, ts.ScriptTarget.Latest, true));
     }
     expect(wrong).toEqual([]);
   });

@@ -122,6 +122,13 @@ var http = {
 			language
 		})}`);
 	},
+	backups() {
+		return json("/api/backups");
+	},
+	/** Where a backup is taken away. */
+	backup(name) {
+		return `/api/backups/${encodeURIComponent(name)}`;
+	},
 	async upload(name, body) {
 		await request(`/api/programs/${encodeURIComponent(name)}`, {
 			method: "PUT",

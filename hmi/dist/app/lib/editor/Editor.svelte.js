@@ -3,6 +3,7 @@ import { lineEnds, othersIn } from "./ends.js";
 import { highlighter } from "./highlight.js";
 import { controlLanguage } from "./language.js";
 import { linesOf, textOf } from "./lines.js";
+import { numberBehind } from "./numbering.js";
 import { phrases } from "./phrases.js";
 import { theme } from "./theme.js";
 import { untrack } from "svelte";
@@ -17,11 +18,12 @@ import { Decoration, EditorView, drawSelection, highlightActiveLine, highlightAc
 var root = $.from_html(`<div class="editor s-prdwtv"></div>`);
 function Editor($$anchor, $$props) {
 	$.push($$props, true);
-	let readonly = $.prop($$props, "readonly", 3, false), active = $.prop($$props, "active", 3, 0), cursor = $.prop($$props, "cursor", 3, 0), plain = $.prop($$props, "plain", 3, false);
+	let readonly = $.prop($$props, "readonly", 3, false), active = $.prop($$props, "active", 3, 0), cursor = $.prop($$props, "cursor", 3, 0), plain = $.prop($$props, "plain", 3, false), step = $.prop($$props, "step", 3, 0);
 	/** What is opened; another text is another document. */
 	/** The line being run, from 1; 0 for none. */
 	/** The line where cycle start begins, from 1. */
 	/** Not a part program: without its colours and checks. */
+	/** Increment of the sequence numbers that are inserted as lines are typed; 0 inserts none. */
 	/** A line was chosen. */
 	/** Another page is shown: what stands there, as `value` has it, and the line of the cursor. */
 	let host = $.state(void 0);
@@ -53,6 +55,20 @@ function Editor($$anchor, $$props) {
 		},
 		provide: (field) => EditorView.decorations.from(field)
 	});
+	/** A new line with its number; false where the editor's own does. */
+	function numberLine({ state, dispatch }) {
+		if (state.readOnly || plain() || step() <= 0 || state.selection.ranges.length > 1) return false;
+		const { from, to } = state.selection.main;
+		const line = state.doc.lineAt(from);
+		const at = (number) => number === line.number ? state.doc.sliceString(line.from, from) : number >= 1 ? state.doc.line(number).text : null;
+		const number = numberBehind(at, line.number, step(), state.doc.sliceString(to, state.doc.lineAt(to).to));
+		if (!number) return false;
+		dispatch(state.update(state.replaceSelection(`${state.lineBreak}${number}`), {
+			scrollIntoView: true,
+			userEvent: "input"
+		}));
+		return true;
+	}
 	function opening(text) {
 		const { lines, others, ...rest } = linesOf(text);
 		form = rest;
@@ -81,6 +97,10 @@ function Editor($$anchor, $$props) {
 							$$props.onsave?.();
 							return true;
 						}
+					},
+					{
+						key: "Enter",
+						run: numberLine
 					},
 					...searchKeymap,
 					...historyKeymap,

@@ -5,10 +5,14 @@ var bare = (line) => line.replace(/\([^)]*\)|[;'].*$|^\s*\/*\s*N\d+/gi, "").trim
 var LEADS_AWAY = /GOTO|IF|ELSE|END|WHILE|FOR|REPEAT|BREAK|CONTINUE|CALL|RETURN|PCALL|MCALL|^(O|LL?\s*\d)|(?<![A-Z])(G0*(65|66)|M0*(2|30|98|99|198))(?!\d)/i;
 /** How many lines without a block are passed over. */
 var MOST = 500;
+/** Whether another block may come behind this one than the next line's. */
+function leadsAway(block) {
+	return LEADS_AWAY.test(bare(block));
+}
 /** The block behind a line, from 1; null where none is known: behind the last one, and where this one may lead
 elsewhere. `at` has the text of a line, null behind the end. */
 function nextBlock(at, line) {
-	if (line < 1 || LEADS_AWAY.test(bare(at(line) ?? ""))) return null;
+	if (line < 1 || leadsAway(at(line) ?? "")) return null;
 	for (let next = line + 1; next <= line + MOST; next++) {
 		const text = at(next);
 		if (text === null) return null;
@@ -16,4 +20,4 @@ function nextBlock(at, line) {
 	}
 	return null;
 }
-export { nextBlock };
+export { leadsAway, nextBlock };

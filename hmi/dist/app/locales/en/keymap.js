@@ -6,6 +6,7 @@ var keymap_default = {
 	"wheel": "Handwheel, when it has the focus",
 	"save": "Save the program",
 	"find": "Find and replace",
+	"space": "Space",
 	"complete": "Complete a code",
 	"held": "Keys that move act only while they are held and stop when the window loses the focus."
 };

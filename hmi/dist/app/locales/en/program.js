@@ -57,6 +57,9 @@ var program_default = {
 	"dnc_text": "A file of this computer runs as it comes; the control keeps a megabyte of it. One that is longer may not jump. Choose the file, then press cycle start in DNC.",
 	"dnc_choose": "Choose a file",
 	"dnc_sent": "{sent} of {size} sent",
-	"dnc_stop": "Send no more"
+	"dnc_stop": "Send no more",
+	"closed": "Programs are locked",
+	"lock_all": "Lock all",
+	"lock_all_text": "The program switch: while it is off no program is changed. It is turned in MDI, with level 4."
 };
 export { program_default as default };

@@ -24,7 +24,7 @@ var settings_default = {
 	"coordinate": "Coordinate there",
 	"points": "Points: {taken} of {wanted}",
 	"now": "Now",
-	"take": "Take the point",
+	"take": "Download {file}",
 	"again": "Again",
 	"apart": "A groove is {inner} mm, a part {outer} mm wide.",
 	"diameters": "A hole has {inner} mm, a boss {outer} mm.",
@@ -73,6 +73,23 @@ var settings_default = {
 	"probe": "Probe",
 	"rectangle": "Rectangle",
 	"rectangle_text": "Touch both sides across X, then both sides across Y, and take a point at each.",
-	"out_of_round": "Out of round by {value} mm."
+	"out_of_round": "Out of round by {value} mm.",
+	"switches": "Switches",
+	"program_switch": "Program switch",
+	"input_unit": "Input unit",
+	"metric": "Metric",
+	"inch": "Inch",
+	"channel": "I/O channel",
+	"channel_text": "Kept for programs and backups. This control has neither serial port nor USB page: files come over the network, and DNC too.",
+	"sequence": "Automatic sequence numbers",
+	"increment": "Increment (P210)",
+	"stop": "Stop behind program and N",
+	"clock": "Date and time",
+	"clock_text": "The clock of the control’s computer, which its system sets.",
+	"in_mdi": "These are set in MDI.",
+	"set_level": "level {level}",
+	"backups": "Backups in the memory",
+	"no_backups": "There is no backup yet.",
+	"take_level": "Level {level} downloads them."
 };
 export { settings_default as default };

@@ -6,6 +6,7 @@ var keymap_default = {
 	"wheel": "Volante, cuando tiene el foco",
 	"save": "Guardar el programa",
 	"find": "Buscar y reemplazar",
+	"space": "Espacio",
 	"complete": "Completar un código",
 	"held": "Las teclas que mueven actúan solo mientras se mantienen pulsadas y se sueltan si la ventana pierde el foco."
 };

@@ -58,6 +58,9 @@ var program_default = {
 	"dnc_text": "Un archivo de este ordenador se ejecuta mientras llega; el control guarda un megabyte. Si es más largo, no puede tener saltos. Elija el archivo y pulse marcha en DNC.",
 	"dnc_choose": "Elegir archivo",
 	"dnc_sent": "Enviado {sent} de {size}",
-	"dnc_stop": "No enviar más"
+	"dnc_stop": "No enviar más",
+	"closed": "Programas bloqueados",
+	"lock_all": "Bloquear todos",
+	"lock_all_text": "El interruptor de programas: mientras está desactivado no se cambia ningún programa. Se acciona en MDI, con nivel 4."
 };
 export { program_default as default };

@@ -24,7 +24,7 @@ var settings_default = {
 	"coordinate": "Coordenada allí",
 	"points": "Puntos: {taken} de {wanted}",
 	"now": "Ahora",
-	"take": "Tomar el punto",
+	"take": "Descargar {file}",
 	"again": "De nuevo",
 	"apart": "Ranura de {inner} mm, pieza de {outer} mm.",
 	"diameters": "Agujero de {inner} mm, saliente de {outer} mm.",
@@ -73,6 +73,23 @@ var settings_default = {
 	"probe": "Palpador",
 	"rectangle": "Rectángulo",
 	"rectangle_text": "Toque los dos lados según X y después los dos según Y, y tome un punto en cada uno.",
-	"out_of_round": "Falta de redondez: {value} mm."
+	"out_of_round": "Falta de redondez: {value} mm.",
+	"switches": "Interruptores",
+	"program_switch": "Interruptor de programas",
+	"input_unit": "Unidad de entrada",
+	"metric": "Métrica",
+	"inch": "Pulgadas",
+	"channel": "Canal de E/S",
+	"channel_text": "Se guarda para programas y copias. Este control no tiene puerto serie ni página USB: los ficheros y el DNC llegan por la red.",
+	"sequence": "Números de secuencia automáticos",
+	"increment": "Incremento (P210)",
+	"stop": "Parada tras programa y N",
+	"clock": "Fecha y hora",
+	"clock_text": "El reloj del ordenador del control, que ajusta su sistema.",
+	"in_mdi": "Se ajustan en MDI.",
+	"set_level": "nivel {level}",
+	"backups": "Copias en la memoria",
+	"no_backups": "Aún no hay copias.",
+	"take_level": "El nivel {level} puede descargarlas."
 };
 export { settings_default as default };

@@ -6,6 +6,7 @@ var keymap_default = {
 	"wheel": "El çarkı (odaktayken)",
 	"save": "Programı kaydet",
 	"find": "Bul ve değiştir",
+	"space": "Boşluk",
 	"complete": "Kodu tamamla",
 	"held": "Hareket tuşları yalnız basılıyken çalışır; pencere odağı yitirince durur."
 };

@@ -57,6 +57,9 @@ var program_default = {
 	"dnc_text": "Bu bilgisayardaki dosya geldikçe çalışır; kontrol bir megabaytını tutar. Daha uzun olan atlama yapamaz. Dosyayı seçin, sonra DNC kipinde çevrim başlatın.",
 	"dnc_choose": "Dosya seç",
 	"dnc_sent": "{sent} / {size} gönderildi",
-	"dnc_stop": "Göndermeyi bırak"
+	"dnc_stop": "Göndermeyi bırak",
+	"closed": "Programlar kilitli",
+	"lock_all": "Tümünü kilitle",
+	"lock_all_text": "Program anahtarı: kapalıyken hiçbir program değiştirilemez. MDI modunda, 4. seviye ile çevrilir."
 };
 export { program_default as default };

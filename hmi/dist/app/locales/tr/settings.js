@@ -24,7 +24,7 @@ var settings_default = {
 	"coordinate": "Oradaki koordinat",
 	"points": "Nokta: {taken} / {wanted}",
 	"now": "Şimdi",
-	"take": "Noktayı al",
+	"take": "{file} dosyasını indir",
 	"again": "Baştan",
 	"apart": "Oluk {inner} mm, parça {outer} mm genişlikte.",
 	"diameters": "Delik {inner} mm, göbek {outer} mm.",
@@ -73,6 +73,23 @@ var settings_default = {
 	"probe": "Prob",
 	"rectangle": "Dikdörtgen",
 	"rectangle_text": "Önce X boyunca iki yana, sonra Y boyunca iki yana dokunun; her birinde bir nokta alın.",
-	"out_of_round": "Yuvarlaklık sapması {value} mm."
+	"out_of_round": "Yuvarlaklık sapması {value} mm.",
+	"switches": "Anahtarlar",
+	"program_switch": "Program anahtarı",
+	"input_unit": "Giriş birimi",
+	"metric": "Metrik",
+	"inch": "İnç",
+	"channel": "G/Ç kanalı",
+	"channel_text": "Programlar ve yedekler için saklanır. Bu kontrolde seri port ve USB sayfası yoktur: dosyalar ve DNC ağdan gelir.",
+	"sequence": "Otomatik sıra numaraları",
+	"increment": "Artış (P210)",
+	"stop": "Program ve N arkasında durma",
+	"clock": "Tarih ve saat",
+	"clock_text": "Kontrol bilgisayarının saati; onu işletim sistemi ayarlar.",
+	"in_mdi": "Bunlar MDI modunda ayarlanır.",
+	"set_level": "seviye {level}",
+	"backups": "Bellekteki yedekler",
+	"no_backups": "Henüz yedek yok.",
+	"take_level": "Bunları {level}. seviye indirebilir."
 };
 export { settings_default as default };

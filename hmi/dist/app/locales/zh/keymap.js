@@ -6,6 +6,7 @@ var keymap_default = {
 	"wheel": "手轮（获得焦点时）",
 	"save": "保存程序",
 	"find": "查找和替换",
+	"space": "空格",
 	"complete": "补全代码",
 	"held": "移动键仅在按住时有效，窗口失去焦点时停止。"
 };

@@ -56,6 +56,9 @@ var program_default = {
 	"dnc_text": "本机文件边传送边运行；系统保存其中 1 MB。更长的程序不能跳转。请选择文件，然后在 DNC 方式下按循环启动。",
 	"dnc_choose": "选择文件",
 	"dnc_sent": "已传送 {sent} / {size}",
-	"dnc_stop": "停止传送"
+	"dnc_stop": "停止传送",
+	"closed": "程序已锁住",
+	"lock_all": "全部锁住",
+	"lock_all_text": "程序开关：关闭时不能修改任何程序。在录入方式下以 4 级权限操作。"
 };
 export { program_default as default };

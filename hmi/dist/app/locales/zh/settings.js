@@ -24,7 +24,7 @@ var settings_default = {
 	"coordinate": "该处坐标",
 	"points": "点：{taken} / {wanted}",
 	"now": "当前",
-	"take": "取点",
+	"take": "下载 {file}",
 	"again": "重来",
 	"apart": "槽宽 {inner} mm，零件宽 {outer} mm。",
 	"diameters": "孔径 {inner} mm，凸台直径 {outer} mm。",
@@ -73,6 +73,23 @@ var settings_default = {
 	"probe": "测头",
 	"rectangle": "矩形",
 	"rectangle_text": "先触碰 X 方向的两侧，再触碰 Y 方向的两侧，每处取一点。",
-	"out_of_round": "圆度误差 {value} mm。"
+	"out_of_round": "圆度误差 {value} mm。",
+	"switches": "开关",
+	"program_switch": "程序开关",
+	"input_unit": "输入单位",
+	"metric": "公制",
+	"inch": "英制",
+	"channel": "I/O 通道",
+	"channel_text": "仅为程序和备份保留。本系统没有串口和 U 盘页面：文件和 DNC 均通过网络传输。",
+	"sequence": "自动序号",
+	"increment": "序号增量 (P210)",
+	"stop": "停止程序号和序号",
+	"clock": "日期与时间",
+	"clock_text": "系统计算机的时钟，由其操作系统设定。",
+	"in_mdi": "在录入方式下设定。",
+	"set_level": "{level} 级",
+	"backups": "存储器中的备份",
+	"no_backups": "尚无备份。",
+	"take_level": "{level} 级可下载。"
 };
 export { settings_default as default };

@@ -15,7 +15,7 @@ import { numbered, programName, programs } from "../../lib/state/programs.svelte
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/program/Directory.svelte
-var root = $.from_html(`<input class="filter s-1s4upvf" type="search"/> <!> <!> <input type="file" multiple="" hidden="" data-testid="upload"/>`, 1);
+var root = $.from_html(`<input class="filter s-1s4upvf" type="search"/> <!> <!> <!> <input type="file" multiple="" hidden="" data-testid="upload"/>`, 1);
 var root_1 = $.from_html(`<tr draggable="true"><td><button type="button" class="name code s-1s4upvf"> <!><!></button></td><td class="comment s-1s4upvf"> </td><td class="right"> </td><td class="muted"> </td></tr>`);
 var root_2 = $.from_html(`<table class="table"><thead><tr><th> </th><th> </th><th class="right"> </th><th> </th></tr></thead><tbody></tbody></table> <p class="muted total s-1s4upvf"> </p>`, 1);
 var root_3 = $.from_html(`<div class="preview s-1s4upvf"><div class="row wrap"><strong class="code"> </strong> <span class="grow muted comment s-1s4upvf"> </span> <!> <!></div> <div class="text s-1s4upvf"><!></div> <div class="row wrap"><a class="download s-1s4upvf"><!> </a> <!> <!> <!> <span class="grow"></span> <!></div></div>`);
@@ -46,6 +46,8 @@ function Directory($$anchor, $$props) {
 	const selected = $.derived(() => machine.status?.program.selected ?? null);
 	const list = $.derived(() => (programs.list ?? []).filter((one) => `${one.name} ${one.comment}`.toLowerCase().includes($.get(filter).toLowerCase())));
 	const chosen = $.derived(() => $.get(list).find((one) => one.name === $.get(wanted)) ?? $.get(list).find((one) => one.name === $.get(selected)) ?? $.get(list)[0]);
+	/** The program switch (GSK990MC part 2, 10.2.5); null on controls without one. */
+	const open = $.derived(() => machine.status?.switches.programs ?? null);
 	const total = $.derived(() => (programs.list ?? []).reduce((sum, one) => sum + one.bytes, 0));
 	$.user_effect(() => {
 		machine.changed("programs");
@@ -137,10 +139,46 @@ function Directory($$anchor, $$props) {
 			var input = $.first_child(fragment_1);
 			$.remove_input_defaults(input);
 			var node_1 = $.sibling(input, 2);
+			var consequent = ($$anchor) => {
+				{
+					let $0 = $.derived(() => !$.get(open));
+					let $1 = $.derived(() => machine.status?.mode !== "mdi");
+					let $2 = $.derived(() => t("program.lock_all_text"));
+					Button($$anchor, {
+						icon: "lock",
+						get pressed() {
+							return $.get($0);
+						},
+						get disabled() {
+							return $.get($1);
+						},
+						get title() {
+							return $.get($2);
+						},
+						onclick: () => void machine.tell({
+							do: "set_parameter",
+							name: "NO54.6",
+							value: $.get(open) ? 0 : 1
+						}),
+						"data-testid": "lock-all",
+						children: ($$anchor, $$slotProps) => {
+							$.next();
+							var text_1 = $.text();
+							$.template_effect(($0) => $.set_text(text_1, $0), [() => $.get(open) ? t("program.lock_all") : t("program.closed")]);
+							$.append($$anchor, text_1);
+						},
+						$$slots: { default: true }
+					});
+				}
+			};
+			$.if(node_1, ($$render) => {
+				if ($.get(open) !== null) $$render(consequent);
+			});
+			var node_2 = $.sibling(node_1, 2);
 			{
 				let $0 = $.derived(() => t("program.upload"));
 				let $1 = $.derived(() => t("program.upload"));
-				Button(node_1, {
+				Button(node_2, {
 					icon: "upload",
 					get "aria-label"() {
 						return $.get($0);
@@ -151,19 +189,19 @@ function Directory($$anchor, $$props) {
 					onclick: () => $.get(picker)?.click()
 				});
 			}
-			var node_2 = $.sibling(node_1, 2);
-			Button(node_2, {
+			var node_3 = $.sibling(node_2, 2);
+			Button(node_3, {
 				icon: "plus",
 				onclick: () => ask("new"),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_1 = $.text();
-					$.template_effect(($0) => $.set_text(text_1, $0), [() => t("program.new")]);
-					$.append($$anchor, text_1);
+					var text_2 = $.text();
+					$.template_effect(($0) => $.set_text(text_2, $0), [() => t("program.new")]);
+					$.append($$anchor, text_2);
 				},
 				$$slots: { default: true }
 			});
-			var input_1 = $.sibling(node_2, 2);
+			var input_1 = $.sibling(node_3, 2);
 			$.bind_this(input_1, ($$value) => $.set(picker, $$value), () => $.get(picker));
 			$.template_effect(($0, $1) => {
 				$.set_attribute(input, "placeholder", $0);
@@ -186,9 +224,9 @@ function Directory($$anchor, $$props) {
 			},
 			actions,
 			children: ($$anchor, $$slotProps) => {
-				var fragment_3 = $.comment();
-				var node_3 = $.first_child(fragment_3);
-				var consequent = ($$anchor) => {
+				var fragment_5 = $.comment();
+				var node_4 = $.first_child(fragment_5);
+				var consequent_1 = ($$anchor) => {
 					{
 						let $0 = $.derived(() => t("program.empty"));
 						let $1 = $.derived(() => t("program.empty_text"));
@@ -204,18 +242,18 @@ function Directory($$anchor, $$props) {
 					}
 				};
 				var alternate = ($$anchor) => {
-					var fragment_5 = root_2();
-					var table = $.first_child(fragment_5);
+					var fragment_7 = root_2();
+					var table = $.first_child(fragment_7);
 					var thead = $.child(table);
 					var tr = $.child(thead);
 					var th = $.child(tr);
-					var text_2 = $.only_child(th, true);
+					var text_3 = $.only_child(th, true);
 					var th_1 = $.sibling(th);
-					var text_3 = $.only_child(th_1, true);
+					var text_4 = $.only_child(th_1, true);
 					var th_2 = $.sibling(th_1);
-					var text_4 = $.only_child(th_2, true);
+					var text_5 = $.only_child(th_2, true);
 					var th_3 = $.sibling(th_2);
-					var text_5 = $.only_child(th_3, true);
+					var text_6 = $.only_child(th_3, true);
 					$.reset(tr);
 					$.reset(thead);
 					var tbody = $.sibling(thead);
@@ -224,44 +262,44 @@ function Directory($$anchor, $$props) {
 						let classes_1;
 						var td = $.child(tr_1);
 						var button = $.child(td);
-						var text_6 = $.child(button, true);
-						var node_4 = $.sibling(text_6);
-						var consequent_1 = ($$anchor) => {
+						var text_7 = $.child(button, true);
+						var node_5 = $.sibling(text_7);
+						var consequent_2 = ($$anchor) => {
 							Icon($$anchor, {
 								name: "play",
 								size: "0.9rem",
 								fill: true
 							});
 						};
-						$.if(node_4, ($$render) => {
-							if ($.get(one).name === $.get(selected)) $$render(consequent_1);
+						$.if(node_5, ($$render) => {
+							if ($.get(one).name === $.get(selected)) $$render(consequent_2);
 						});
-						var node_5 = $.sibling(node_4);
-						var consequent_2 = ($$anchor) => {
+						var node_6 = $.sibling(node_5);
+						var consequent_3 = ($$anchor) => {
 							Icon($$anchor, {
 								name: "lock",
 								size: "0.9rem"
 							});
 						};
-						$.if(node_5, ($$render) => {
-							if ($.get(one).locked !== null) $$render(consequent_2);
+						$.if(node_6, ($$render) => {
+							if ($.get(one).locked !== null) $$render(consequent_3);
 						});
 						$.reset(button);
 						$.reset(td);
 						var td_1 = $.sibling(td);
-						var text_7 = $.only_child(td_1, true);
+						var text_8 = $.only_child(td_1, true);
 						var td_2 = $.sibling(td_1);
-						var text_8 = $.only_child(td_2, true);
+						var text_9 = $.only_child(td_2, true);
 						var td_3 = $.sibling(td_2);
-						var text_9 = $.only_child(td_3, true);
+						var text_10 = $.only_child(td_3, true);
 						$.reset(tr_1);
 						$.template_effect(($0, $1) => {
 							$.set_attribute(tr_1, "data-program", $.get(one).name);
 							classes_1 = $.set_class(tr_1, 1, "s-1s4upvf", null, classes_1, { chosen: $.get(one).name === $.get(chosen)?.name });
-							$.set_text(text_6, $.get(one).name);
-							$.set_text(text_7, $.get(one).comment);
-							$.set_text(text_8, $0);
-							$.set_text(text_9, $1);
+							$.set_text(text_7, $.get(one).name);
+							$.set_text(text_8, $.get(one).comment);
+							$.set_text(text_9, $0);
+							$.set_text(text_10, $1);
 						}, [() => bytes($.get(one).bytes), () => moment($.get(one).changed)]);
 						$.event("dragstart", tr_1, (event) => {
 							const url = new URL(http.download($.get(one).name), location.href).href;
@@ -276,13 +314,13 @@ function Directory($$anchor, $$props) {
 					$.reset(tbody);
 					$.reset(table);
 					var p = $.sibling(table, 2);
-					var text_10 = $.only_child(p, true);
+					var text_11 = $.only_child(p, true);
 					$.template_effect(($0, $1, $2, $3, $4) => {
-						$.set_text(text_2, $0);
-						$.set_text(text_3, $1);
-						$.set_text(text_4, $2);
-						$.set_text(text_5, $3);
-						$.set_text(text_10, $4);
+						$.set_text(text_3, $0);
+						$.set_text(text_4, $1);
+						$.set_text(text_5, $2);
+						$.set_text(text_6, $3);
+						$.set_text(text_11, $4);
 					}, [
 						() => t("program.name"),
 						() => t("program.comment"),
@@ -294,13 +332,13 @@ function Directory($$anchor, $$props) {
 							bytes: bytes($.get(total))
 						})
 					]);
-					$.append($$anchor, fragment_5);
+					$.append($$anchor, fragment_7);
 				};
-				$.if(node_3, ($$render) => {
-					if (programs.list && $.get(list).length === 0) $$render(consequent);
+				$.if(node_4, ($$render) => {
+					if (programs.list && $.get(list).length === 0) $$render(consequent_1);
 					else $$render(alternate, -1);
 				});
-				$.append($$anchor, fragment_3);
+				$.append($$anchor, fragment_5);
 			},
 			$$slots: {
 				actions: true,
@@ -308,16 +346,16 @@ function Directory($$anchor, $$props) {
 			}
 		});
 	}
-	var node_6 = $.sibling(node, 2);
-	var consequent_3 = ($$anchor) => {
+	var node_7 = $.sibling(node, 2);
+	var consequent_4 = ($$anchor) => {
 		var div_1 = root_3();
 		var div_2 = $.child(div_1);
 		var strong = $.child(div_2);
-		var text_11 = $.only_child(strong, true);
+		var text_12 = $.only_child(strong, true);
 		var span = $.sibling(strong, 2);
-		var text_12 = $.only_child(span, true);
-		var node_7 = $.sibling(span, 2);
-		Button(node_7, {
+		var text_13 = $.only_child(span, true);
+		var node_8 = $.sibling(span, 2);
+		Button(node_8, {
 			kind: "primary",
 			icon: "play",
 			onclick: () => void machine.tell({
@@ -327,31 +365,31 @@ function Directory($$anchor, $$props) {
 			"data-testid": "select",
 			children: ($$anchor, $$slotProps) => {
 				$.next();
-				var text_13 = $.text();
-				$.template_effect(($0) => $.set_text(text_13, $0), [() => t("program.select")]);
-				$.append($$anchor, text_13);
+				var text_14 = $.text();
+				$.template_effect(($0) => $.set_text(text_14, $0), [() => t("program.select")]);
+				$.append($$anchor, text_14);
 			},
 			$$slots: { default: true }
 		});
-		var node_8 = $.sibling(node_7, 2);
-		Button(node_8, {
+		var node_9 = $.sibling(node_8, 2);
+		Button(node_9, {
 			icon: "edit",
 			onclick: () => go("program", "edit", $.get(chosen).name),
 			"data-testid": "edit",
 			children: ($$anchor, $$slotProps) => {
 				$.next();
-				var text_14 = $.text();
-				$.template_effect(($0) => $.set_text(text_14, $0), [() => t("program.edit")]);
-				$.append($$anchor, text_14);
+				var text_15 = $.text();
+				$.template_effect(($0) => $.set_text(text_15, $0), [() => t("program.edit")]);
+				$.append($$anchor, text_15);
 			},
 			$$slots: { default: true }
 		});
 		$.reset(div_2);
 		var div_3 = $.sibling(div_2, 2);
-		var node_9 = $.child(div_3);
+		var node_10 = $.child(div_3);
 		{
 			let $0 = $.derived(() => t("program.preview"));
-			Editor(node_9, {
+			Editor(node_10, {
 				get text() {
 					return $.get(preview);
 				},
@@ -364,54 +402,61 @@ function Directory($$anchor, $$props) {
 		$.reset(div_3);
 		var div_4 = $.sibling(div_3, 2);
 		var a = $.child(div_4);
-		var node_10 = $.child(a);
-		Icon(node_10, { name: "download" });
-		var text_15 = $.sibling(node_10, 1, true);
+		var node_11 = $.child(a);
+		Icon(node_11, { name: "download" });
+		var text_16 = $.sibling(node_11, 1, true);
 		$.reset(a);
-		var node_11 = $.sibling(a, 2);
-		Button(node_11, {
-			icon: "lock",
-			onclick: () => void machine.tell({
-				do: "lock",
-				program: $.get(chosen).name,
-				locked: $.get(chosen).locked === null
-			}),
-			children: ($$anchor, $$slotProps) => {
-				$.next();
-				var text_16 = $.text();
-				$.template_effect(($0) => $.set_text(text_16, $0), [() => $.get(chosen).locked === null ? t("program.lock") : t("program.unlock")]);
-				$.append($$anchor, text_16);
-			},
-			$$slots: { default: true }
-		});
-		var node_12 = $.sibling(node_11, 2);
-		Button(node_12, {
+		var node_12 = $.sibling(a, 2);
+		{
+			let $0 = $.derived(() => $.get(chosen).locked !== null);
+			Button(node_12, {
+				icon: "lock",
+				get pressed() {
+					return $.get($0);
+				},
+				"data-testid": "lock",
+				onclick: () => void machine.tell({
+					do: "lock",
+					program: $.get(chosen).name,
+					locked: $.get(chosen).locked === null
+				}),
+				children: ($$anchor, $$slotProps) => {
+					$.next();
+					var text_17 = $.text();
+					$.template_effect(($0) => $.set_text(text_17, $0), [() => $.get(chosen).locked === null ? t("program.lock") : t("program.unlock")]);
+					$.append($$anchor, text_17);
+				},
+				$$slots: { default: true }
+			});
+		}
+		var node_13 = $.sibling(node_12, 2);
+		Button(node_13, {
 			onclick: () => ask("copy"),
 			"data-testid": "copy",
 			children: ($$anchor, $$slotProps) => {
 				$.next();
-				var text_17 = $.text();
-				$.template_effect(($0) => $.set_text(text_17, $0), [() => t("program.copy")]);
-				$.append($$anchor, text_17);
-			},
-			$$slots: { default: true }
-		});
-		var node_13 = $.sibling(node_12, 2);
-		Button(node_13, {
-			onclick: () => ask("rename"),
-			"data-testid": "rename",
-			children: ($$anchor, $$slotProps) => {
-				$.next();
 				var text_18 = $.text();
-				$.template_effect(($0) => $.set_text(text_18, $0), [() => t("program.rename")]);
+				$.template_effect(($0) => $.set_text(text_18, $0), [() => t("program.copy")]);
 				$.append($$anchor, text_18);
 			},
 			$$slots: { default: true }
 		});
-		var node_14 = $.sibling(node_13, 4);
+		var node_14 = $.sibling(node_13, 2);
+		Button(node_14, {
+			onclick: () => ask("rename"),
+			"data-testid": "rename",
+			children: ($$anchor, $$slotProps) => {
+				$.next();
+				var text_19 = $.text();
+				$.template_effect(($0) => $.set_text(text_19, $0), [() => t("program.rename")]);
+				$.append($$anchor, text_19);
+			},
+			$$slots: { default: true }
+		});
+		var node_15 = $.sibling(node_14, 4);
 		{
 			let $0 = $.derived(() => t("app.delete"));
-			Button(node_14, {
+			Button(node_15, {
 				kind: "danger",
 				icon: "trash",
 				get "aria-label"() {
@@ -426,35 +471,35 @@ function Directory($$anchor, $$props) {
 		$.reset(div_4);
 		$.reset(div_1);
 		$.template_effect(($0, $1) => {
-			$.set_text(text_11, $.get(chosen).name);
-			$.set_text(text_12, $.get(chosen).comment);
+			$.set_text(text_12, $.get(chosen).name);
+			$.set_text(text_13, $.get(chosen).comment);
 			$.set_attribute(a, "href", $0);
 			$.set_attribute(a, "download", `${$.get(chosen).name}.nc`);
-			$.set_text(text_15, $1);
+			$.set_text(text_16, $1);
 		}, [() => http.download($.get(chosen).name), () => t("program.download")]);
 		$.append($$anchor, div_1);
 	};
-	$.if(node_6, ($$render) => {
-		if ($.get(chosen)) $$render(consequent_3);
+	$.if(node_7, ($$render) => {
+		if ($.get(chosen)) $$render(consequent_4);
 	});
 	$.reset(div);
-	var node_15 = $.sibling(div, 2);
+	var node_16 = $.sibling(div, 2);
 	{
 		const actions = ($$anchor) => {
-			var fragment_13 = root_4();
-			var node_16 = $.first_child(fragment_13);
-			Button(node_16, {
+			var fragment_15 = root_4();
+			var node_17 = $.first_child(fragment_15);
+			Button(node_17, {
 				onclick: () => $.set(making, false),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_19 = $.text();
-					$.template_effect(($0) => $.set_text(text_19, $0), [() => t("app.cancel")]);
-					$.append($$anchor, text_19);
+					var text_20 = $.text();
+					$.template_effect(($0) => $.set_text(text_20, $0), [() => t("app.cancel")]);
+					$.append($$anchor, text_20);
 				},
 				$$slots: { default: true }
 			});
-			var node_17 = $.sibling(node_16, 2);
-			Button(node_17, {
+			var node_18 = $.sibling(node_17, 2);
+			Button(node_18, {
 				kind: "primary",
 				type: "submit",
 				form: "new-program",
@@ -464,16 +509,16 @@ function Directory($$anchor, $$props) {
 				"data-testid": "name-go",
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_20 = $.text();
-					$.template_effect(($0) => $.set_text(text_20, $0), [() => t(`program.${$.get(naming)}`)]);
-					$.append($$anchor, text_20);
+					var text_21 = $.text();
+					$.template_effect(($0) => $.set_text(text_21, $0), [() => t(`program.${$.get(naming)}`)]);
+					$.append($$anchor, text_21);
 				},
 				$$slots: { default: true }
 			});
-			$.append($$anchor, fragment_13);
+			$.append($$anchor, fragment_15);
 		};
 		let $0 = $.derived(() => $.get(naming) === "new" ? t("program.new") : `${t(`program.${$.get(naming)}`)}: ${$.get(chosen)?.name ?? ""}`);
-		Dialog(node_15, {
+		Dialog(node_16, {
 			get title() {
 				return $.get($0);
 			},
@@ -486,11 +531,11 @@ function Directory($$anchor, $$props) {
 			actions,
 			children: ($$anchor, $$slotProps) => {
 				var form = root_6();
-				var node_18 = $.child(form);
+				var node_19 = $.child(form);
 				{
 					let $0 = $.derived(() => t("program.name"));
 					let $1 = $.derived(() => $.get(taken) ? t("program.taken") : t("program.name_hint"));
-					Labelled(node_18, {
+					Labelled(node_19, {
 						get label() {
 							return $.get($0);
 						},
@@ -516,38 +561,38 @@ function Directory($$anchor, $$props) {
 			}
 		});
 	}
-	var node_19 = $.sibling(node_15, 2);
+	var node_20 = $.sibling(node_16, 2);
 	{
 		const actions = ($$anchor) => {
-			var fragment_16 = root_4();
-			var node_20 = $.first_child(fragment_16);
-			Button(node_20, {
+			var fragment_18 = root_4();
+			var node_21 = $.first_child(fragment_18);
+			Button(node_21, {
 				onclick: () => $.set(replacing, false),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_21 = $.text();
-					$.template_effect(($0) => $.set_text(text_21, $0), [() => t("app.cancel")]);
-					$.append($$anchor, text_21);
+					var text_22 = $.text();
+					$.template_effect(($0) => $.set_text(text_22, $0), [() => t("app.cancel")]);
+					$.append($$anchor, text_22);
 				},
 				$$slots: { default: true }
 			});
-			var node_21 = $.sibling(node_20, 2);
-			Button(node_21, {
+			var node_22 = $.sibling(node_21, 2);
+			Button(node_22, {
 				kind: "danger",
 				onclick: () => void replace(),
 				"data-testid": "replace",
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_22 = $.text();
-					$.template_effect(($0) => $.set_text(text_22, $0), [() => t("program.replace")]);
-					$.append($$anchor, text_22);
+					var text_23 = $.text();
+					$.template_effect(($0) => $.set_text(text_23, $0), [() => t("program.replace")]);
+					$.append($$anchor, text_23);
 				},
 				$$slots: { default: true }
 			});
-			$.append($$anchor, fragment_16);
+			$.append($$anchor, fragment_18);
 		};
 		let $0 = $.derived(() => t("program.replace_ask"));
-		Dialog(node_19, {
+		Dialog(node_20, {
 			get title() {
 				return $.get($0);
 			},
@@ -560,8 +605,8 @@ function Directory($$anchor, $$props) {
 			actions,
 			children: ($$anchor, $$slotProps) => {
 				var p_1 = root_7();
-				var text_23 = $.only_child(p_1, true);
-				$.template_effect(($0) => $.set_text(text_23, $0), [() => t("program.replace_text", { programs: $.get(doubles).map(({ name }) => name).join(", ") })]);
+				var text_24 = $.only_child(p_1, true);
+				$.template_effect(($0) => $.set_text(text_24, $0), [() => t("program.replace_text", { programs: $.get(doubles).map(({ name }) => name).join(", ") })]);
 				$.append($$anchor, p_1);
 			},
 			$$slots: {
@@ -570,39 +615,39 @@ function Directory($$anchor, $$props) {
 			}
 		});
 	}
-	var node_22 = $.sibling(node_19, 2);
+	var node_23 = $.sibling(node_20, 2);
 	{
 		const actions = ($$anchor) => {
-			var fragment_19 = root_4();
-			var node_23 = $.first_child(fragment_19);
-			Button(node_23, {
+			var fragment_21 = root_4();
+			var node_24 = $.first_child(fragment_21);
+			Button(node_24, {
 				onclick: () => $.set(deleting, false),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_24 = $.text();
-					$.template_effect(($0) => $.set_text(text_24, $0), [() => t("app.cancel")]);
-					$.append($$anchor, text_24);
+					var text_25 = $.text();
+					$.template_effect(($0) => $.set_text(text_25, $0), [() => t("app.cancel")]);
+					$.append($$anchor, text_25);
 				},
 				$$slots: { default: true }
 			});
-			var node_24 = $.sibling(node_23, 2);
-			Button(node_24, {
+			var node_25 = $.sibling(node_24, 2);
+			Button(node_25, {
 				kind: "danger",
 				icon: "trash",
 				onclick: () => void remove(),
 				"data-testid": "delete-go",
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_25 = $.text();
-					$.template_effect(($0) => $.set_text(text_25, $0), [() => t("app.delete")]);
-					$.append($$anchor, text_25);
+					var text_26 = $.text();
+					$.template_effect(($0) => $.set_text(text_26, $0), [() => t("app.delete")]);
+					$.append($$anchor, text_26);
 				},
 				$$slots: { default: true }
 			});
-			$.append($$anchor, fragment_19);
+			$.append($$anchor, fragment_21);
 		};
 		let $0 = $.derived(() => t("program.delete", { program: $.get(doomed) }));
-		Dialog(node_22, {
+		Dialog(node_23, {
 			get title() {
 				return $.get($0);
 			},
@@ -615,8 +660,8 @@ function Directory($$anchor, $$props) {
 			actions,
 			children: ($$anchor, $$slotProps) => {
 				var p_2 = root_7();
-				var text_26 = $.only_child(p_2, true);
-				$.template_effect(($0) => $.set_text(text_26, $0), [() => t("program.delete_text")]);
+				var text_27 = $.only_child(p_2, true);
+				$.template_effect(($0) => $.set_text(text_27, $0), [() => t("program.delete_text")]);
 				$.append($$anchor, p_2);
 			},
 			$$slots: {

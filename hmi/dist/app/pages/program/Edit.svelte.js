@@ -17,12 +17,13 @@ import * as $ from "svelte/internal/client";
 // src/pages/program/Edit.svelte
 var root = $.from_html(`<i class="s-1h8swef"></i>`);
 var root_1 = $.from_html(`<span class="background s-1h8swef"> </span>`);
-var root_2 = $.from_html(`<p class="muted"> </p>`);
-var root_3 = $.from_html(`<li><button type="button"><!><span class="number"> </span><span class="code muted"> </span><span> </span></button></li>`);
-var root_4 = $.from_html(`<ul class="findings scroll s-1h8swef" data-testid="findings"></ul>`);
-var root_5 = $.from_html(`<div class="edit s-1h8swef" data-testid="editor"><div class="row wrap"><strong class="code name s-1h8swef"> <!></strong> <!> <!> <span class="grow"></span> <!> <!> <!> <!> <!> <!> <!></div> <div class="text s-1h8swef"><!></div> <!></div>`);
-var root_6 = $.from_html(`<!> <!>`, 1);
-var root_7 = $.from_html(`<div class="row"><!> <!></div>`);
+var root_2 = $.from_html(`<span class="background s-1h8swef" data-testid="closed"> </span>`);
+var root_3 = $.from_html(`<p class="muted"> </p>`);
+var root_4 = $.from_html(`<li><button type="button"><!><span class="number"> </span><span class="code muted"> </span><span> </span></button></li>`);
+var root_5 = $.from_html(`<ul class="findings scroll s-1h8swef" data-testid="findings"></ul>`);
+var root_6 = $.from_html(`<div class="edit s-1h8swef" data-testid="editor"><div class="row wrap"><strong class="code name s-1h8swef"> <!></strong> <!> <!> <!> <span class="grow"></span> <!> <!> <!> <!> <!> <!> <!></div> <div class="text s-1h8swef"><!></div> <!></div>`);
+var root_7 = $.from_html(`<!> <!>`, 1);
+var root_8 = $.from_html(`<div class="row"><!> <!></div>`);
 function Edit($$anchor, $$props) {
 	$.push($$props, true);
 	const name = $.derived(() => route.item || machine.status?.program.selected || "");
@@ -52,6 +53,19 @@ function Edit($$anchor, $$props) {
 			$.set(opening, false);
 			machine.refused(refused);
 			go("program", "directory");
+		});
+	});
+	let increment = $.state(0);
+	const isClosed = $.derived(() => machine.status?.switches.programs === false);
+	const hasSettings = $.derived(() => typeof machine.status?.switches.programs === "boolean");
+	$.user_effect(() => {
+		machine.changed("parameters");
+		if (!$.get(hasSettings) || machine.link !== "open") return;
+		machine.fetch("parameters", {
+			do: "parameters",
+			names: ["NO0.5", "P210"]
+		}).then((reply) => {
+			if (reply) $.set(increment, reply.parameters["NO0.5"] ? reply.parameters.P210 ?? 0 : 0, true);
 		});
 	});
 	$.user_effect(() => {
@@ -87,7 +101,7 @@ function Edit($$anchor, $$props) {
 		$.get(editor)?.rewrite((lines) => renumber(lines, $.get(first), $.get(step)));
 		$.set(numbering, false);
 	}
-	var fragment = root_6();
+	var fragment = root_7();
 	var node = $.first_child(fragment);
 	var consequent = ($$anchor) => {
 		{
@@ -120,7 +134,7 @@ function Edit($$anchor, $$props) {
 		}
 	};
 	var alternate = ($$anchor) => {
-		var div = root_5();
+		var div = root_6();
 		var div_1 = $.child(div);
 		var strong = $.child(div_1);
 		var text_2 = $.child(strong, true);
@@ -154,11 +168,21 @@ function Edit($$anchor, $$props) {
 		$.if(node_3, ($$render) => {
 			if ($.get(running) === $.get(shown) && $.get(shown)) $$render(consequent_3);
 		});
-		var node_4 = $.sibling(node_3, 4);
+		var node_4 = $.sibling(node_3, 2);
+		var consequent_4 = ($$anchor) => {
+			var span_2 = root_2();
+			var text_5 = $.only_child(span_2, true);
+			$.template_effect(($0) => $.set_text(text_5, $0), [() => t("program.closed")]);
+			$.append($$anchor, span_2);
+		};
+		$.if(node_4, ($$render) => {
+			if ($.get(isClosed)) $$render(consequent_4);
+		});
+		var node_5 = $.sibling(node_4, 4);
 		{
 			let $0 = $.derived(() => t("program.undo"));
 			let $1 = $.derived(() => t("program.undo"));
-			Button(node_4, {
+			Button(node_5, {
 				icon: "undo",
 				get "aria-label"() {
 					return $.get($0);
@@ -169,11 +193,11 @@ function Edit($$anchor, $$props) {
 				onclick: () => $.get(editor)?.back()
 			});
 		}
-		var node_5 = $.sibling(node_4, 2);
+		var node_6 = $.sibling(node_5, 2);
 		{
 			let $0 = $.derived(() => t("program.redo"));
 			let $1 = $.derived(() => t("program.redo"));
-			Button(node_5, {
+			Button(node_6, {
 				icon: "cw",
 				get "aria-label"() {
 					return $.get($0);
@@ -184,11 +208,11 @@ function Edit($$anchor, $$props) {
 				onclick: () => $.get(editor)?.again()
 			});
 		}
-		var node_6 = $.sibling(node_5, 2);
+		var node_7 = $.sibling(node_6, 2);
 		{
 			let $0 = $.derived(() => t("program.find"));
 			let $1 = $.derived(() => t("program.find"));
-			Button(node_6, {
+			Button(node_7, {
 				icon: "search",
 				get "aria-label"() {
 					return $.get($0);
@@ -199,11 +223,11 @@ function Edit($$anchor, $$props) {
 				onclick: () => $.get(editor)?.find()
 			});
 		}
-		var node_7 = $.sibling(node_6, 2);
+		var node_8 = $.sibling(node_7, 2);
 		{
 			let $0 = $.derived(() => t("editor.line"));
 			let $1 = $.derived(() => t("editor.line"));
-			Button(node_7, {
+			Button(node_8, {
 				icon: "target",
 				get "aria-label"() {
 					return $.get($0);
@@ -214,34 +238,34 @@ function Edit($$anchor, $$props) {
 				onclick: () => $.get(editor)?.toLine()
 			});
 		}
-		var node_8 = $.sibling(node_7, 2);
-		Button(node_8, {
+		var node_9 = $.sibling(node_8, 2);
+		Button(node_9, {
 			icon: "list",
 			onclick: () => $.set(numbering, true),
 			children: ($$anchor, $$slotProps) => {
 				$.next();
-				var text_5 = $.text();
-				$.template_effect(($0) => $.set_text(text_5, $0), [() => t("program.renumber")]);
-				$.append($$anchor, text_5);
-			},
-			$$slots: { default: true }
-		});
-		var node_9 = $.sibling(node_8, 2);
-		Button(node_9, {
-			icon: "play",
-			onclick: () => void select(),
-			children: ($$anchor, $$slotProps) => {
-				$.next();
 				var text_6 = $.text();
-				$.template_effect(($0) => $.set_text(text_6, $0), [() => t("program.select")]);
+				$.template_effect(($0) => $.set_text(text_6, $0), [() => t("program.renumber")]);
 				$.append($$anchor, text_6);
 			},
 			$$slots: { default: true }
 		});
 		var node_10 = $.sibling(node_9, 2);
+		Button(node_10, {
+			icon: "play",
+			onclick: () => void select(),
+			children: ($$anchor, $$slotProps) => {
+				$.next();
+				var text_7 = $.text();
+				$.template_effect(($0) => $.set_text(text_7, $0), [() => t("program.select")]);
+				$.append($$anchor, text_7);
+			},
+			$$slots: { default: true }
+		});
+		var node_11 = $.sibling(node_10, 2);
 		{
-			let $0 = $.derived(() => !$.get(changed));
-			Button(node_10, {
+			let $0 = $.derived(() => !$.get(changed) || $.get(isClosed));
+			Button(node_11, {
 				kind: "primary",
 				icon: "save",
 				get disabled() {
@@ -251,22 +275,25 @@ function Edit($$anchor, $$props) {
 				"data-testid": "save",
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_7 = $.text();
-					$.template_effect(($0) => $.set_text(text_7, $0), [() => t("app.save")]);
-					$.append($$anchor, text_7);
+					var text_8 = $.text();
+					$.template_effect(($0) => $.set_text(text_8, $0), [() => t("app.save")]);
+					$.append($$anchor, text_8);
 				},
 				$$slots: { default: true }
 			});
 		}
 		$.reset(div_1);
 		var div_2 = $.sibling(div_1, 2);
-		var node_11 = $.child(div_2);
-		var consequent_4 = ($$anchor) => {
+		var node_12 = $.child(div_2);
+		var consequent_5 = ($$anchor) => {
 			{
 				let $0 = $.derived(() => t("program.edit"));
 				$.bind_this(Editor($$anchor, {
 					get text() {
 						return $.get(text);
+					},
+					get step() {
+						return $.get(increment);
 					},
 					get label() {
 						return $.get($0);
@@ -278,38 +305,38 @@ function Edit($$anchor, $$props) {
 				}), ($$value) => $.set(editor, $$value, true), () => $.get(editor));
 			}
 		};
-		var consequent_5 = ($$anchor) => {
-			var p = root_2();
-			var text_8 = $.only_child(p, true);
-			$.template_effect(($0) => $.set_text(text_8, $0), [() => t("app.loading")]);
+		var consequent_6 = ($$anchor) => {
+			var p = root_3();
+			var text_9 = $.only_child(p, true);
+			$.template_effect(($0) => $.set_text(text_9, $0), [() => t("app.loading")]);
 			$.append($$anchor, p);
 		};
-		$.if(node_11, ($$render) => {
-			if ($.get(shown)) $$render(consequent_4);
-			else if ($.get(opening)) $$render(consequent_5, 1);
+		$.if(node_12, ($$render) => {
+			if ($.get(shown)) $$render(consequent_5);
+			else if ($.get(opening)) $$render(consequent_6, 1);
 		});
 		$.reset(div_2);
-		var node_12 = $.sibling(div_2, 2);
-		var consequent_6 = ($$anchor) => {
-			var ul = root_4();
+		var node_13 = $.sibling(div_2, 2);
+		var consequent_7 = ($$anchor) => {
+			var ul = root_5();
 			$.each(ul, 21, () => $.get(findings).slice(0, 200), $.index, ($$anchor, finding) => {
-				var li = root_3();
+				var li = root_4();
 				var button = $.child(li);
-				var node_13 = $.child(button);
-				Icon(node_13, { name: "alarms" });
-				var span_2 = $.sibling(node_13);
-				var text_9 = $.only_child(span_2);
-				var span_3 = $.sibling(span_2);
-				var text_10 = $.only_child(span_3, true);
+				var node_14 = $.child(button);
+				Icon(node_14, { name: "alarms" });
+				var span_3 = $.sibling(node_14);
+				var text_10 = $.only_child(span_3);
 				var span_4 = $.sibling(span_3);
 				var text_11 = $.only_child(span_4, true);
+				var span_5 = $.sibling(span_4);
+				var text_12 = $.only_child(span_5, true);
 				$.reset(button);
 				$.reset(li);
 				$.template_effect(() => {
 					$.set_class(button, 1, $.clsx($.get(finding).severity), "s-1h8swef");
-					$.set_text(text_9, `${$.get(finding).line ?? ""}:${$.get(finding).column ?? ""}`);
-					$.set_text(text_10, $.get(finding).id);
-					$.set_text(text_11, $.get(finding).text);
+					$.set_text(text_10, `${$.get(finding).line ?? ""}:${$.get(finding).column ?? ""}`);
+					$.set_text(text_11, $.get(finding).id);
+					$.set_text(text_12, $.get(finding).text);
 				});
 				$.delegated("click", button, () => $.get(editor)?.show($.get(finding).line));
 				$.append($$anchor, li);
@@ -317,8 +344,8 @@ function Edit($$anchor, $$props) {
 			$.reset(ul);
 			$.append($$anchor, ul);
 		};
-		$.if(node_12, ($$render) => {
-			if ($.get(findings).length) $$render(consequent_6);
+		$.if(node_13, ($$render) => {
+			if ($.get(findings).length) $$render(consequent_7);
 		});
 		$.reset(div);
 		$.template_effect(() => $.set_text(text_2, $.get(shown) || $.get(name)));
@@ -328,37 +355,37 @@ function Edit($$anchor, $$props) {
 		if (!$.get(name)) $$render(consequent);
 		else $$render(alternate, -1);
 	});
-	var node_14 = $.sibling(node, 2);
+	var node_15 = $.sibling(node, 2);
 	{
 		const actions = ($$anchor) => {
-			var fragment_8 = root_6();
-			var node_15 = $.first_child(fragment_8);
-			Button(node_15, {
+			var fragment_8 = root_7();
+			var node_16 = $.first_child(fragment_8);
+			Button(node_16, {
 				onclick: () => $.set(numbering, false),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_12 = $.text();
-					$.template_effect(($0) => $.set_text(text_12, $0), [() => t("app.cancel")]);
-					$.append($$anchor, text_12);
+					var text_13 = $.text();
+					$.template_effect(($0) => $.set_text(text_13, $0), [() => t("app.cancel")]);
+					$.append($$anchor, text_13);
 				},
 				$$slots: { default: true }
 			});
-			var node_16 = $.sibling(node_15, 2);
-			Button(node_16, {
+			var node_17 = $.sibling(node_16, 2);
+			Button(node_17, {
 				kind: "primary",
 				onclick: number,
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_13 = $.text();
-					$.template_effect(($0) => $.set_text(text_13, $0), [() => t("program.renumber")]);
-					$.append($$anchor, text_13);
+					var text_14 = $.text();
+					$.template_effect(($0) => $.set_text(text_14, $0), [() => t("program.renumber")]);
+					$.append($$anchor, text_14);
 				},
 				$$slots: { default: true }
 			});
 			$.append($$anchor, fragment_8);
 		};
 		let $0 = $.derived(() => t("program.renumber"));
-		Dialog(node_14, {
+		Dialog(node_15, {
 			get title() {
 				return $.get($0);
 			},
@@ -370,11 +397,11 @@ function Edit($$anchor, $$props) {
 			},
 			actions,
 			children: ($$anchor, $$slotProps) => {
-				var div_3 = root_7();
-				var node_17 = $.child(div_3);
+				var div_3 = root_8();
+				var node_18 = $.child(div_3);
 				{
 					let $0 = $.derived(() => t("program.first"));
-					Labelled(node_17, {
+					Labelled(node_18, {
 						get label() {
 							return $.get($0);
 						},
@@ -398,10 +425,10 @@ function Edit($$anchor, $$props) {
 						$$slots: { default: true }
 					});
 				}
-				var node_18 = $.sibling(node_17, 2);
+				var node_19 = $.sibling(node_18, 2);
 				{
 					let $0 = $.derived(() => t("program.step"));
-					Labelled(node_18, {
+					Labelled(node_19, {
 						get label() {
 							return $.get($0);
 						},

@@ -1,18 +1,27 @@
-import { t } from "../../lib/i18n/index.svelte.js";
+import { http } from "../../lib/api/http.js";
+import { moment, t } from "../../lib/i18n/index.svelte.js";
+import { bytes } from "../../lib/numbers.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import Card from "../../lib/parts/Card.svelte.js";
 import Dialog from "../../lib/parts/Dialog.svelte.js";
+import Icon from "../../lib/parts/Icon.svelte.js";
 import Labelled from "../../lib/parts/Labelled.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import { notify } from "../../lib/state/notices.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/settings/Data.svelte
-var root = $.from_html(`<button type="button" role="checkbox"><i class="s-1ygypkj"></i><span> </span><small class="muted"> </small></button>`);
+var root = $.from_html(`<button type="button" role="checkbox"><i class="s-xcf4p"></i><span> </span><small class="muted"> </small></button>`);
 var root_1 = $.from_html(`<input class="code" spellcheck="false"/>`);
-var root_2 = $.from_html(`<div class="data s-1ygypkj"><div class="items s-1ygypkj"></div> <div class="row wrap"><!> <!></div> <!> <div class="row wrap"><!> <!></div></div>`);
-var root_3 = $.from_html(`<!> <!>`, 1);
-var root_4 = $.from_html(`<p> </p> <p class="muted"> </p>`, 1);
+var root_2 = $.from_html(`<div class="data s-xcf4p"><div class="items s-xcf4p"></div> <div class="row wrap"><!> <!></div> <!> <div class="row wrap"><!> <!></div></div>`);
+var root_3 = $.from_html(`<a class="take s-xcf4p"><!></a>`);
+var root_4 = $.from_html(`<tr><td><button type="button" class="pick code s-xcf4p"> </button></td><td class="right"> </td><td class="muted"> </td><td><!></td></tr>`);
+var root_5 = $.from_html(`<tr><td class="muted"> </td></tr>`);
+var root_6 = $.from_html(`<p class="muted note s-xcf4p"> </p>`);
+var root_7 = $.from_html(`<table class="table" data-testid="backups"><tbody></tbody></table> <!>`, 1);
+var root_8 = $.from_html(`<!> <!>`, 1);
+var root_9 = $.from_html(`<p> </p> <p class="muted"> </p>`, 1);
+var root_10 = $.from_html(`<!> <!> <!>`, 1);
 function Data($$anchor, $$props) {
 	$.push($$props, true);
 	/** Items and the level that may restore each. */
@@ -36,6 +45,14 @@ function Data($$anchor, $$props) {
 	let file = $.state(`${(/* @__PURE__ */ new Date()).toISOString().slice(0, 10)}.backup`);
 	let asking = $.state(false);
 	let busy = $.state(false);
+	let backups = $.state([]);
+	/** The level that takes a backup away. */
+	const TAKES = 3;
+	const takes = $.derived(() => machine.level <= TAKES);
+	$.user_effect(() => {
+		machine.changed("backups");
+		if (machine.link === "open") http.backups().then((now) => $.set(backups, now), (failed) => machine.refused(failed));
+	});
 	function toggle(name) {
 		$.set(chosen, $.get(chosen).includes(name) ? $.get(chosen).filter((one) => one !== name) : [...$.get(chosen), name], true);
 	}
@@ -65,7 +82,7 @@ function Data($$anchor, $$props) {
 		});
 		$.set(busy, false);
 	}
-	var fragment = root_3();
+	var fragment = root_10();
 	var node = $.first_child(fragment);
 	{
 		let $0 = $.derived(() => t("settings.data"));
@@ -89,7 +106,7 @@ function Data($$anchor, $$props) {
 					$.reset(button);
 					$.template_effect(($0, $1, $2, $3) => {
 						$.set_attribute(button, "aria-checked", $0);
-						classes = $.set_class(button, 1, "s-1ygypkj", null, classes, { on: $1 });
+						classes = $.set_class(button, 1, "s-xcf4p", null, classes, { on: $1 });
 						$.set_text(text, $2);
 						$.set_text(text_1, $3);
 					}, [
@@ -199,36 +216,117 @@ function Data($$anchor, $$props) {
 	}
 	var node_6 = $.sibling(node, 2);
 	{
+		let $0 = $.derived(() => t("settings.backups"));
+		Card(node_6, {
+			get title() {
+				return $.get($0);
+			},
+			flush: true,
+			children: ($$anchor, $$slotProps) => {
+				var fragment_5 = root_7();
+				var table = $.first_child(fragment_5);
+				var tbody = $.child(table);
+				$.each(tbody, 21, () => $.get(backups), (one) => one.name, ($$anchor, one) => {
+					var tr = root_4();
+					let classes_1;
+					var td = $.child(tr);
+					var button_1 = $.child(td);
+					var text_6 = $.only_child(button_1, true);
+					$.reset(td);
+					var td_1 = $.sibling(td);
+					var text_7 = $.only_child(td_1, true);
+					var td_2 = $.sibling(td_1);
+					var text_8 = $.only_child(td_2, true);
+					var td_3 = $.sibling(td_2);
+					var node_7 = $.child(td_3);
+					var consequent = ($$anchor) => {
+						var a = root_3();
+						var node_8 = $.child(a);
+						Icon(node_8, { name: "download" });
+						$.reset(a);
+						$.template_effect(($0, $1, $2) => {
+							$.set_attribute(a, "href", $0);
+							$.set_attribute(a, "download", $.get(one).name);
+							$.set_attribute(a, "aria-label", $1);
+							$.set_attribute(a, "title", $2);
+						}, [
+							() => http.backup($.get(one).name),
+							() => t("settings.take", { file: $.get(one).name }),
+							() => t("settings.take", { file: $.get(one).name })
+						]);
+						$.append($$anchor, a);
+					};
+					$.if(node_7, ($$render) => {
+						if ($.get(takes)) $$render(consequent);
+					});
+					$.reset(td_3);
+					$.reset(tr);
+					$.template_effect(($0, $1) => {
+						$.set_attribute(tr, "data-backup", $.get(one).name);
+						classes_1 = $.set_class(tr, 1, "s-xcf4p", null, classes_1, { chosen: $.get(one).name === $.get(file) });
+						$.set_text(text_6, $.get(one).name);
+						$.set_text(text_7, $0);
+						$.set_text(text_8, $1);
+					}, [() => bytes($.get(one).bytes), () => moment($.get(one).changed)]);
+					$.delegated("click", button_1, () => $.set(file, $.get(one).name, true));
+					$.append($$anchor, tr);
+				}, ($$anchor) => {
+					var tr_1 = root_5();
+					var td_4 = $.child(tr_1);
+					var text_9 = $.only_child(td_4, true);
+					$.reset(tr_1);
+					$.template_effect(($0) => $.set_text(text_9, $0), [() => t("settings.no_backups")]);
+					$.append($$anchor, tr_1);
+				});
+				$.reset(tbody);
+				$.reset(table);
+				var node_9 = $.sibling(table, 2);
+				var consequent_1 = ($$anchor) => {
+					var p = root_6();
+					var text_10 = $.only_child(p, true);
+					$.template_effect(($0) => $.set_text(text_10, $0), [() => t("settings.take_level", { level: TAKES })]);
+					$.append($$anchor, p);
+				};
+				$.if(node_9, ($$render) => {
+					if (!$.get(takes) && $.get(backups).length) $$render(consequent_1);
+				});
+				$.append($$anchor, fragment_5);
+			},
+			$$slots: { default: true }
+		});
+	}
+	var node_10 = $.sibling(node_6, 2);
+	{
 		const actions = ($$anchor) => {
-			var fragment_5 = root_3();
-			var node_7 = $.first_child(fragment_5);
-			Button(node_7, {
+			var fragment_6 = root_8();
+			var node_11 = $.first_child(fragment_6);
+			Button(node_11, {
 				onclick: () => $.set(asking, false),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_6 = $.text();
-					$.template_effect(($0) => $.set_text(text_6, $0), [() => t("app.cancel")]);
-					$.append($$anchor, text_6);
+					var text_11 = $.text();
+					$.template_effect(($0) => $.set_text(text_11, $0), [() => t("app.cancel")]);
+					$.append($$anchor, text_11);
 				},
 				$$slots: { default: true }
 			});
-			var node_8 = $.sibling(node_7, 2);
-			Button(node_8, {
+			var node_12 = $.sibling(node_11, 2);
+			Button(node_12, {
 				kind: "danger",
 				onclick: () => void restore(),
 				"data-testid": "restore-go",
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_7 = $.text();
-					$.template_effect(($0) => $.set_text(text_7, $0), [() => t("settings.restore")]);
-					$.append($$anchor, text_7);
+					var text_12 = $.text();
+					$.template_effect(($0) => $.set_text(text_12, $0), [() => t("settings.restore")]);
+					$.append($$anchor, text_12);
 				},
 				$$slots: { default: true }
 			});
-			$.append($$anchor, fragment_5);
+			$.append($$anchor, fragment_6);
 		};
 		let $0 = $.derived(() => t("settings.restore_ask", { file: $.get(file) }));
-		Dialog(node_6, {
+		Dialog(node_10, {
 			get title() {
 				return $.get($0);
 			},
@@ -240,16 +338,16 @@ function Data($$anchor, $$props) {
 			},
 			actions,
 			children: ($$anchor, $$slotProps) => {
-				var fragment_8 = root_4();
-				var p = $.first_child(fragment_8);
-				var text_8 = $.only_child(p, true);
-				var p_1 = $.sibling(p, 2);
-				var text_9 = $.only_child(p_1, true);
+				var fragment_9 = root_9();
+				var p_1 = $.first_child(fragment_9);
+				var text_13 = $.only_child(p_1, true);
+				var p_2 = $.sibling(p_1, 2);
+				var text_14 = $.only_child(p_2, true);
 				$.template_effect(($0, $1) => {
-					$.set_text(text_8, $0);
-					$.set_text(text_9, $1);
+					$.set_text(text_13, $0);
+					$.set_text(text_14, $1);
 				}, [() => t("settings.restore_text"), () => $.get(chosen).map((name) => t(`item.${name}`)).join(", ")]);
-				$.append($$anchor, fragment_8);
+				$.append($$anchor, fragment_9);
 			},
 			$$slots: {
 				actions: true,

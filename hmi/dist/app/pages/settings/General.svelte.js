@@ -3,26 +3,25 @@ import { language, t } from "../../lib/i18n/index.svelte.js";
 import { duration } from "../../lib/numbers.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import Card from "../../lib/parts/Card.svelte.js";
-import ParameterSwitch from "../../lib/parts/ParameterSwitch.svelte.js";
 import { go } from "../../lib/routing.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
+import Switches from "./Switches.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/settings/General.svelte
 var root = $.from_html(`<dl class="s-1rktg24"><dt class="s-1rktg24"> </dt><dd class="s-1rktg24"> </dd> <dt class="s-1rktg24"> </dt><dd class="code s-1rktg24"> </dd> <dt class="s-1rktg24"> </dt><dd class="s-1rktg24"> </dd> <dt class="s-1rktg24"> </dt><dd class="number s-1rktg24"> </dd> <dt class="s-1rktg24"> </dt><dd class="number s-1rktg24"> </dd> <dt class="s-1rktg24"> </dt><dd class="number s-1rktg24"> </dd></dl>`);
 var root_1 = $.from_html(`<tr><th class="code"> </th><td> </td><td class="right number"> <small class="muted"> </small></td><td><!></td></tr>`);
 var root_2 = $.from_html(`<table class="table"><tbody></tbody></table>`);
-var root_3 = $.from_html(`<div class="grid s-1rktg24"><!> <!></div>`);
+var root_3 = $.from_html(`<div class="grid s-1rktg24"><!> <!> <!></div>`);
 function General($$anchor, $$props) {
 	$.push($$props, true);
 	let all = $.state([]);
 	let values = $.state({});
-	/** What people set most often, of the GSK990MC: input unit, sequence numbers, speeds of dry run, jog and rapid. */
+	/** What people set most often beside the switches, of the GSK990MC: speeds of dry run, jog and rapid, times. */
 	const wanted = [
 		"P86",
 		"P93",
 		"P98",
-		"P210",
 		"P242",
 		"P258",
 		"P202"
@@ -107,17 +106,22 @@ function General($$anchor, $$props) {
 		});
 	}
 	var node_1 = $.sibling(node, 2);
+	var consequent = ($$anchor) => {
+		Switches($$anchor, { get all() {
+			return $.get(all);
+		} });
+	};
+	$.if(node_1, ($$render) => {
+		if (machine.status && machine.status.switches.programs !== null) $$render(consequent);
+	});
+	var node_2 = $.sibling(node_1, 2);
 	{
-		const actions = ($$anchor) => {
-			ParameterSwitch($$anchor, {});
-		};
 		let $0 = $.derived(() => t("settings.often"));
-		Card(node_1, {
+		Card(node_2, {
 			get title() {
 				return $.get($0);
 			},
 			flush: true,
-			actions,
 			children: ($$anchor, $$slotProps) => {
 				var table = root_2();
 				var tbody = $.child(table);
@@ -133,8 +137,8 @@ function General($$anchor, $$props) {
 					var text_15 = $.only_child(small, true);
 					$.reset(td_1);
 					var td_2 = $.sibling(td_1);
-					var node_2 = $.child(td_2);
-					Button(node_2, {
+					var node_3 = $.child(td_2);
+					Button(node_3, {
 						icon: "edit",
 						get "aria-label"() {
 							return $.get(one).name;
@@ -155,10 +159,7 @@ function General($$anchor, $$props) {
 				$.reset(table);
 				$.append($$anchor, table);
 			},
-			$$slots: {
-				actions: true,
-				default: true
-			}
+			$$slots: { default: true }
 		});
 	}
 	$.reset(div);
