@@ -28,6 +28,14 @@ var diagnosis_default = {
 	"level": "Level",
 	"before": "Before it",
 	"recording": "Recording …",
-	"end": "End"
+	"end": "End",
+	"control_time": "Times of the control",
+	"anew": "Take anew",
+	"worst_period": "Longest period",
+	"worst_work": "Longest work in a period",
+	"level_1": "Longest scan of level 1",
+	"level_2": "Longest part of level 2 in a period",
+	"level_2_periods": "Periods that level 2 takes",
+	"since": "Periods since then"
 };
 export { diagnosis_default as default };

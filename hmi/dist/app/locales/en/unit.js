@@ -5,6 +5,7 @@ var unit_default = {
 	"rpm": "r/min",
 	"s": "s",
 	"ms": "ms",
-	"deg": "°"
+	"deg": "°",
+	"us": "µs"
 };
 export { unit_default as default };

@@ -28,6 +28,14 @@ var diagnosis_default = {
 	"level": "Nivel",
 	"before": "Antes del disparo",
 	"recording": "Registrando …",
-	"end": "Terminar"
+	"end": "Terminar",
+	"control_time": "Tiempos del control",
+	"anew": "Medir de nuevo",
+	"worst_period": "Período más largo",
+	"worst_work": "Trabajo más largo en un período",
+	"level_1": "Barrido más largo del nivel 1",
+	"level_2": "Parte más larga del nivel 2 en un período",
+	"level_2_periods": "Períodos que toma el nivel 2",
+	"since": "Períodos desde entonces"
 };
 export { diagnosis_default as default };

@@ -5,6 +5,7 @@ var unit_default = {
 	"rpm": "об/мин",
 	"s": "с",
 	"ms": "мс",
-	"deg": "°"
+	"deg": "°",
+	"us": "мкс"
 };
 export { unit_default as default };

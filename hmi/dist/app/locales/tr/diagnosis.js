@@ -28,6 +28,14 @@ var diagnosis_default = {
 	"level": "Düzey",
 	"before": "Tetiklemeden önce",
 	"recording": "Kaydediliyor …",
-	"end": "Bitir"
+	"end": "Bitir",
+	"control_time": "Kontrolün süreleri",
+	"anew": "Yeniden ölç",
+	"worst_period": "En uzun periyot",
+	"worst_work": "Bir periyottaki en uzun iş",
+	"level_1": "1. seviyenin en uzun taraması",
+	"level_2": "2. seviyenin bir periyottaki en uzun parçası",
+	"level_2_periods": "2. seviyenin aldığı periyotlar",
+	"since": "O zamandan beri periyotlar"
 };
 export { diagnosis_default as default };

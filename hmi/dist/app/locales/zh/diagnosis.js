@@ -28,6 +28,14 @@ var diagnosis_default = {
 	"level": "电平",
 	"before": "触发前",
 	"recording": "正在记录…",
-	"end": "结束"
+	"end": "结束",
+	"control_time": "系统时间",
+	"anew": "重新测量",
+	"worst_period": "最长周期",
+	"worst_work": "周期内最长运算",
+	"level_1": "第 1 级最长扫描",
+	"level_2": "周期内第 2 级最长部分",
+	"level_2_periods": "第 2 级所需周期数",
+	"since": "此后的周期数"
 };
 export { diagnosis_default as default };

@@ -1,13 +1,16 @@
 import { t } from "../../lib/i18n/index.svelte.js";
 import { fixed } from "../../lib/numbers.js";
+import Button from "../../lib/parts/Button.svelte.js";
 import Card from "../../lib/parts/Card.svelte.js";
 import Scope from "../../lib/parts/Scope.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/diagnosis/Timing.svelte
-var root = $.from_html(`<dl class="number s-1660oid"><div><dt class="s-1660oid"> </dt><dd class="s-1660oid"> </dd></div> <div><dt class="s-1660oid"> </dt><dd class="s-1660oid"> </dd></div> <div><dt class="s-1660oid"> </dt><dd class="s-1660oid"> </dd></div> <div><dt class="s-1660oid"> </dt><dd class="s-1660oid"> </dd></div> <div><dt class="s-1660oid"> </dt><dd class="s-1660oid"> </dd></div></dl>`);
-var root_1 = $.from_html(`<!> <!>`, 1);
+var root = $.from_html(`<dl class="number s-1sz6db4"><div><dt class="s-1sz6db4"> </dt><dd class="s-1sz6db4"> </dd></div> <div><dt class="s-1sz6db4"> </dt><dd class="s-1sz6db4"> </dd></div> <div><dt class="s-1sz6db4"> </dt><dd class="s-1sz6db4"> </dd></div> <div><dt class="s-1sz6db4"> </dt><dd class="s-1sz6db4"> </dd></div> <div><dt class="s-1sz6db4"> </dt><dd class="s-1sz6db4"> </dd></div></dl>`);
+var root_1 = $.from_html(`<tr><th> </th><td class="right number"> </td><td class="share s-1sz6db4"><meter min="0" class="s-1sz6db4"></meter></td><td class="right number muted"> </td></tr>`);
+var root_2 = $.from_html(`<table class="table" data-testid="timing"><tbody><!><tr><th> </th><td class="right number"> </td><td></td><td></td></tr><tr><th> </th><td class="right number"> </td><td></td><td></td></tr></tbody></table>`);
+var root_3 = $.from_html(`<!> <!> <!>`, 1);
 function Timing($$anchor, $$props) {
 	$.push($$props, true);
 	let times = $.state([]);
@@ -49,9 +52,34 @@ function Timing($$anchor, $$props) {
 		const timer = setInterval(() => void ask(), 1e3);
 		return () => clearInterval(timer);
 	});
+	let own = $.state(null);
+	async function take(forget) {
+		const reply = await machine.fetch("timing", {
+			do: "timing",
+			forget
+		});
+		if (reply) $.set(own, forget ? await machine.fetch("timing", {
+			do: "timing",
+			forget: false
+		}) ?? $.get(own) : reply);
+	}
+	$.user_effect(() => {
+		const ask = () => {
+			if (machine.link === "open" && document.visibilityState === "visible") take(false);
+		};
+		ask();
+		const timer = setInterval(ask, 1e3);
+		return () => clearInterval(timer);
+	});
+	const worst = $.derived(() => $.get(own) ? [
+		["worst_period", $.get(own).worst_period_us],
+		["worst_work", $.get(own).worst_work_us],
+		["level_1", $.get(own).worst_level_1_us],
+		["level_2", $.get(own).worst_level_2_us]
+	] : []);
 	const sorted = $.derived(() => [...$.get(gaps)].sort((a, b) => a - b));
 	const part = (share) => $.get(sorted)[Math.min($.get(sorted).length - 1, Math.floor($.get(sorted).length * share))];
-	var fragment = root_1();
+	var fragment = root_3();
 	var node = $.first_child(fragment);
 	Card(node, {
 		children: ($$anchor, $$slotProps) => {
@@ -119,8 +147,106 @@ function Timing($$anchor, $$props) {
 	});
 	var node_1 = $.sibling(node, 2);
 	{
-		let $0 = $.derived(() => t("diagnosis.gaps"));
+		const actions = ($$anchor) => {
+			Button($$anchor, {
+				icon: "undo",
+				onclick: () => void take(true),
+				"data-testid": "forget-timing",
+				children: ($$anchor, $$slotProps) => {
+					$.next();
+					var text_10 = $.text();
+					$.template_effect(($0) => $.set_text(text_10, $0), [() => t("diagnosis.anew")]);
+					$.append($$anchor, text_10);
+				},
+				$$slots: { default: true }
+			});
+		};
+		let $0 = $.derived(() => t("diagnosis.control_time"));
 		Card(node_1, {
+			get title() {
+				return $.get($0);
+			},
+			flush: true,
+			actions,
+			children: ($$anchor, $$slotProps) => {
+				var fragment_3 = $.comment();
+				var node_2 = $.first_child(fragment_3);
+				var consequent = ($$anchor) => {
+					var table = root_2();
+					var tbody = $.child(table);
+					var node_3 = $.child(tbody);
+					$.each(node_3, 17, () => $.get(worst), ([name, us]) => name, ($$anchor, $$item) => {
+						var $$array = $.derived(() => $.to_array($.get($$item), 2));
+						let name = () => $.get($$array)[0];
+						let us = () => $.get($$array)[1];
+						var tr = root_1();
+						var th = $.child(tr);
+						var text_11 = $.only_child(th, true);
+						var td = $.sibling(th);
+						var text_12 = $.only_child(td);
+						var td_1 = $.sibling(td);
+						var meter = $.only_child(td_1);
+						var td_2 = $.sibling(td_1);
+						var text_13 = $.only_child(td_2);
+						$.reset(tr);
+						$.template_effect(($0, $1, $2, $3, $4, $5) => {
+							$.set_attribute(tr, "data-timing", name());
+							$.set_text(text_11, $0);
+							$.set_text(text_12, `${$1 ?? ""} ${$2 ?? ""}`);
+							$.set_attribute(meter, "max", $.get(own).period_us);
+							$.set_value(meter, $3);
+							$.set_attribute(meter, "aria-label", $4);
+							$.set_text(text_13, `${$5 ?? ""} %`);
+						}, [
+							() => t(`diagnosis.${name()}`),
+							() => fixed(us(), 1),
+							() => t("unit.us"),
+							() => Math.min(us(), $.get(own).period_us),
+							() => t(`diagnosis.${name()}`),
+							() => fixed(us() / $.get(own).period_us * 100, 0)
+						]);
+						$.append($$anchor, tr);
+					});
+					var tr_1 = $.sibling(node_3);
+					var th_1 = $.child(tr_1);
+					var text_14 = $.only_child(th_1, true);
+					var td_3 = $.sibling(th_1);
+					var text_15 = $.only_child(td_3, true);
+					$.next(2);
+					$.reset(tr_1);
+					var tr_2 = $.sibling(tr_1);
+					var th_2 = $.child(tr_2);
+					var text_16 = $.only_child(th_2, true);
+					var td_4 = $.sibling(th_2);
+					var text_17 = $.only_child(td_4, true);
+					$.next(2);
+					$.reset(tr_2);
+					$.reset(tbody);
+					$.reset(table);
+					$.template_effect(($0, $1) => {
+						$.set_attribute(table, "data-periods", $.get(own).periods);
+						$.set_text(text_14, $0);
+						$.set_text(text_15, $.get(own).level_2_periods);
+						$.set_text(text_16, $1);
+						$.set_text(text_17, $.get(own).periods);
+					}, [() => t("diagnosis.level_2_periods"), () => t("diagnosis.since")]);
+					$.append($$anchor, table);
+				};
+				$.if(node_2, ($$render) => {
+					if ($.get(own)) $$render(consequent);
+				});
+				$.append($$anchor, fragment_3);
+			},
+			$$slots: {
+				actions: true,
+				default: true
+			}
+		});
+	}
+	var node_4 = $.sibling(node_1, 2);
+	{
+		let $0 = $.derived(() => t("diagnosis.gaps"));
+		Card(node_4, {
 			get title() {
 				return $.get($0);
 			},
