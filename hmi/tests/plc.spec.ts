@@ -1,6 +1,6 @@
 // The ladder at the machine: exchanged while it runs, put back, its signals forced and traced.
 import type { Page } from '@playwright/test';
-import { expect, shoot, test } from './server';
+import { expect, playDist, shoot, test } from './server';
 import { enter, logIn, notice, press, show, watchFaults } from './walk';
 
 watchFaults();
@@ -97,9 +97,15 @@ test('a signal is forced under right, and released', async ({ page }) => {
   // The ladder has no say while it is forced.
   await press(page, 'KEY_LIGHT');
   await lit(page, true);
+  // What is forced is listed, and released there.
+  const forced = page.getByTestId('forced');
+  await expect(forced.locator('[data-forced]')).toHaveCount(1);
+  await expect(forced.locator('[data-forced="LAMP_LIGHT"]')).toContainText('1');
   await bar.getByRole('button', { name: 'Force off' }).click();
   await lit(page, false);
-  await bar.getByRole('button', { name: 'Release' }).click();
+  await expect(forced.locator('[data-forced="LAMP_LIGHT"]')).toContainText('0');
+  await forced.getByRole('button', { name: 'Release LAMP_LIGHT' }).click();
+  await expect(forced).toHaveCount(0);
   await lit(page, true);
   await press(page, 'KEY_LIGHT');
   await lit(page, false);
@@ -152,4 +158,25 @@ test('signals are traced around their trigger, and as they change', async ({ pag
   await record.click();
   await expect(record).toHaveText('Record');
   await expect(page.getByText('Waits for the signal')).toHaveCount(0);
+});
+
+test('another browser draws the ladder that was exchanged here', async ({ page, browser, baseURL }) => {
+  const other = await browser.newContext(baseURL ? { baseURL } : {});
+  if (process.env.PANEL === 'dist') await playDist(other);
+  const watcher = await other.newPage();
+  await enter(watcher, '#/plc', false);
+  // A coil that is negated is drawn with a stroke.
+  const drawn = watcher.getByTestId('ladder').locator('g.output', { hasText: 'LAMP_LIGHT' });
+  await watcher.getByTestId('plc-search').fill('LAMP_LIGHT');
+  await expect(drawn).toBeVisible();
+  await expect(drawn).not.toContainText('/');
+  await enter(page, '#/plc/edit');
+  await mayChange(page);
+  await expect(page.locator('.cm-content')).toContainText('The standard ladder');
+  await rewrite(page, 'WRT LAMP_LIGHT', 'WRT.NOT LAMP_LIGHT');
+  await exchange(page);
+  await expect(drawn).toContainText('/');
+  await page.getByRole('button', { name: 'Put the one before back' }).click();
+  await expect(drawn).not.toContainText('/');
+  await other.close();
 });

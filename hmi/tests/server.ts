@@ -1,5 +1,5 @@
 // A control for the tests: `ferrocut serve` with a memory of its own, on a port that the system chooses.
-import { test as base, type Page } from '@playwright/test';
+import { test as base, type BrowserContext, type Page } from '@playwright/test';
 import { spawn, spawnSync, type ChildProcess } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -53,6 +53,13 @@ async function end(child: ChildProcess): Promise<void> {
   clearTimeout(late);
 }
 
+/** Has a browser play the panel that was built last. */
+export async function playDist(context: BrowserContext): Promise<void> {
+  await context.route(/\/(app|vendor)\//, (route) =>
+    route.fulfill({ path: join(import.meta.dirname, '../dist', new URL(route.request().url()).pathname) }),
+  );
+}
+
 /** `server` is one control for all tests of a file's worker, `mill` what its machine has besides; `baseURL` is its panel. */
 export const test = base.extend<object, { server: Server; mill: string }>({
   mill: ['', { option: true, scope: 'worker' }],
@@ -81,11 +88,7 @@ export const test = base.extend<object, { server: Server; mill: string }>({
   baseURL: async ({ server }, use) => use(server.url),
   // `PANEL=dist` plays the panel that was built last, in place of the one that the binary has in it.
   context: async ({ context }, use) => {
-    if (process.env.PANEL === 'dist') {
-      await context.route(/\/(app|vendor)\//, (route) =>
-        route.fulfill({ path: join(import.meta.dirname, '../dist', new URL(route.request().url()).pathname) }),
-      );
-    }
+    if (process.env.PANEL === 'dist') await playDist(context);
     await use(context);
   },
 });

@@ -25,6 +25,8 @@ var plc_default = {
 	"changes": "Changes",
 	"trigger": "Signal of the trigger",
 	"waits": "Waits for the signal …",
-	"faulty": "Not exchanged: there is a fault in line {line}"
+	"faulty": "Not exchanged: there is a fault in line {line}",
+	"forced": "Forced",
+	"release_signal": "Release {signal}"
 };
 export { plc_default as default };

@@ -25,6 +25,8 @@ var plc_default = {
 	"changes": "Cambia",
 	"trigger": "Señal de disparo",
 	"waits": "Espera la señal …",
-	"faulty": "No se ha cambiado: hay un error en la línea {line}"
+	"faulty": "No se ha cambiado: hay un error en la línea {line}",
+	"forced": "Forzadas",
+	"release_signal": "Liberar {signal}"
 };
 export { plc_default as default };

@@ -25,6 +25,8 @@ var plc_default = {
 	"changes": "Изменение",
 	"trigger": "Сигнал запуска",
 	"waits": "Ожидание сигнала …",
-	"faulty": "Не заменено: ошибка в строке {line}"
+	"faulty": "Не заменено: ошибка в строке {line}",
+	"forced": "Принудительно",
+	"release_signal": "Отпустить {signal}"
 };
 export { plc_default as default };

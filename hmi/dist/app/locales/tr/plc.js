@@ -25,6 +25,8 @@ var plc_default = {
 	"changes": "Değişen",
 	"trigger": "Tetikleme sinyali",
 	"waits": "Sinyal bekleniyor …",
-	"faulty": "Değiştirilmedi: {line}. satırda hata var"
+	"faulty": "Değiştirilmedi: {line}. satırda hata var",
+	"forced": "Zorlanan",
+	"release_signal": "{signal} bırak"
 };
 export { plc_default as default };

@@ -25,6 +25,8 @@ var plc_default = {
 	"changes": "变化",
 	"trigger": "触发信号",
 	"waits": "等待信号…",
-	"faulty": "未更换：第 {line} 行有错误"
+	"faulty": "未更换：第 {line} 行有错误",
+	"forced": "强制",
+	"release_signal": "解除 {signal}"
 };
 export { plc_default as default };

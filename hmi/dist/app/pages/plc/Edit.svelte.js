@@ -7,6 +7,7 @@ import Button from "../../lib/parts/Button.svelte.js";
 import Dialog from "../../lib/parts/Dialog.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import { notify } from "../../lib/state/notices.svelte.js";
+import { untrack } from "svelte";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/plc/Edit.svelte
@@ -36,8 +37,12 @@ function Edit($$anchor, $$props) {
 			instructions: ladder.instructions
 		}, true);
 	}
+	let seen = -1;
 	$.user_effect(() => {
-		if (machine.link === "open" && $.get(text) === "") read();
+		const exchanges = machine.changed("ladder");
+		if (machine.link !== "open" || exchanges === seen || untrack(() => $.get(changed))) return;
+		seen = exchanges;
+		read();
 	});
 	async function exchange() {
 		$.set(asking, false);

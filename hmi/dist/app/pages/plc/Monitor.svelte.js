@@ -8,10 +8,12 @@ import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/plc/Monitor.svelte
 var root = $.from_html(`<input type="search" data-testid="plc-search"/> <!> <span class="number muted"> </span> <!>`, 1);
-var root_1 = $.from_html(`<p class="muted none s-1mefo31"> </p>`);
+var root_1 = $.from_html(`<p class="muted none s-sx3sie"> </p>`);
 var root_2 = $.from_html(`<div data-testid="ladder"></div>`);
-var root_3 = $.from_html(`<div class="signal row wrap s-1mefo31" data-testid="signal"><strong class="code"> </strong> <span class="code muted"> </span> <span class="grow"> </span> <span class="number"> </span> <!> <!> <!> <!></div>`);
-var root_4 = $.from_html(`<!> <!>`, 1);
+var root_3 = $.from_html(`<span class="one row s-sx3sie"><span class="code"> </span><span class="number"> </span> <!></span>`);
+var root_4 = $.from_html(`<div class="signal row wrap s-sx3sie" data-testid="forced"><strong> </strong> <!></div>`);
+var root_5 = $.from_html(`<div class="signal row wrap s-sx3sie" data-testid="signal"><strong class="code"> </strong> <span class="code muted"> </span> <span class="grow"> </span> <span class="number"> </span> <!> <!> <!> <!></div>`);
+var root_6 = $.from_html(`<!> <!> <!>`, 1);
 function Monitor($$anchor, $$props) {
 	$.push($$props, true);
 	const PAGE = 20;
@@ -34,7 +36,7 @@ function Monitor($$anchor, $$props) {
 	const shown = $.derived(() => $.get(found).slice($.get(first), $.get(first) + PAGE));
 	const names = $.derived(() => [...new Set($.get(shown).flatMap(signalsOf))].slice(0, 250));
 	$.user_effect(() => {
-		machine.changed("plc");
+		machine.changed("ladder");
 		if (machine.link !== "open") return;
 		machine.fetch("text", { do: "ladder" }).then((reply) => {
 			if (reply) $.set(ladder, readLadder(reply.text));
@@ -72,14 +74,23 @@ function Monitor($$anchor, $$props) {
 			stopped = true;
 		};
 	});
-	function force(value) {
+	let forced = $.state([]);
+	$.user_effect(() => {
+		machine.changed("forced");
+		machine.changed("ladder");
+		if (machine.link !== "open") return;
+		machine.fetch("forced", { do: "forced" }).then((reply) => {
+			if (reply) $.set(forced, reply.signals);
+		});
+	});
+	function force(signal, value) {
 		machine.tell({
 			do: "force",
-			signal: $.get(signal),
+			signal,
 			value
 		});
 	}
-	var fragment = root_4();
+	var fragment = root_6();
 	var node = $.first_child(fragment);
 	{
 		const actions = ($$anchor) => {
@@ -176,52 +187,96 @@ function Monitor($$anchor, $$props) {
 	}
 	var node_3 = $.sibling(node, 2);
 	var consequent = ($$anchor) => {
-		var div_1 = root_3();
+		var div_1 = root_4();
 		var strong = $.child(div_1);
 		var text_3 = $.only_child(strong, true);
-		var span_1 = $.sibling(strong, 2);
-		var text_4 = $.only_child(span_1, true);
-		var span_2 = $.sibling(span_1, 2);
-		var text_5 = $.only_child(span_2, true);
-		var span_3 = $.sibling(span_2, 2);
-		var text_6 = $.only_child(span_3, true);
-		var node_4 = $.sibling(span_3, 2);
-		Button(node_4, {
-			onclick: () => force(true),
+		var node_4 = $.sibling(strong, 2);
+		$.each(node_4, 17, () => $.get(forced), (one) => one.address, ($$anchor, one) => {
+			var span_1 = root_3();
+			var span_2 = $.child(span_1);
+			var text_4 = $.only_child(span_2, true);
+			var span_3 = $.sibling(span_2);
+			var text_5 = $.only_child(span_3, true);
+			var node_5 = $.sibling(span_3, 2);
+			{
+				let $0 = $.derived(() => t("plc.release_signal", { signal: $.get(one).name || $.get(one).address }));
+				Button(node_5, {
+					get "aria-label"() {
+						return $.get($0);
+					},
+					onclick: () => force($.get(one).address, null),
+					children: ($$anchor, $$slotProps) => {
+						$.next();
+						var text_6 = $.text();
+						$.template_effect(($0) => $.set_text(text_6, $0), [() => t("plc.force_release")]);
+						$.append($$anchor, text_6);
+					},
+					$$slots: { default: true }
+				});
+			}
+			$.reset(span_1);
+			$.template_effect(() => {
+				$.set_attribute(span_1, "data-forced", $.get(one).name || $.get(one).address);
+				$.set_text(text_4, $.get(one).name || $.get(one).address);
+				$.set_text(text_5, $.get(one).value ? 1 : 0);
+			});
+			$.append($$anchor, span_1);
+		});
+		$.reset(div_1);
+		$.template_effect(($0) => $.set_text(text_3, $0), [() => t("plc.forced")]);
+		$.append($$anchor, div_1);
+	};
+	$.if(node_3, ($$render) => {
+		if ($.get(forced).length) $$render(consequent);
+	});
+	var node_6 = $.sibling(node_3, 2);
+	var consequent_1 = ($$anchor) => {
+		var div_2 = root_5();
+		var strong_1 = $.child(div_2);
+		var text_7 = $.only_child(strong_1, true);
+		var span_4 = $.sibling(strong_1, 2);
+		var text_8 = $.only_child(span_4, true);
+		var span_5 = $.sibling(span_4, 2);
+		var text_9 = $.only_child(span_5, true);
+		var span_6 = $.sibling(span_5, 2);
+		var text_10 = $.only_child(span_6, true);
+		var node_7 = $.sibling(span_6, 2);
+		Button(node_7, {
+			onclick: () => force($.get(signal), true),
 			children: ($$anchor, $$slotProps) => {
 				$.next();
-				var text_7 = $.text();
-				$.template_effect(($0) => $.set_text(text_7, $0), [() => t("plc.force_on")]);
-				$.append($$anchor, text_7);
+				var text_11 = $.text();
+				$.template_effect(($0) => $.set_text(text_11, $0), [() => t("plc.force_on")]);
+				$.append($$anchor, text_11);
 			},
 			$$slots: { default: true }
 		});
-		var node_5 = $.sibling(node_4, 2);
-		Button(node_5, {
-			onclick: () => force(false),
+		var node_8 = $.sibling(node_7, 2);
+		Button(node_8, {
+			onclick: () => force($.get(signal), false),
 			children: ($$anchor, $$slotProps) => {
 				$.next();
-				var text_8 = $.text();
-				$.template_effect(($0) => $.set_text(text_8, $0), [() => t("plc.force_off")]);
-				$.append($$anchor, text_8);
+				var text_12 = $.text();
+				$.template_effect(($0) => $.set_text(text_12, $0), [() => t("plc.force_off")]);
+				$.append($$anchor, text_12);
 			},
 			$$slots: { default: true }
 		});
-		var node_6 = $.sibling(node_5, 2);
-		Button(node_6, {
-			onclick: () => force(null),
+		var node_9 = $.sibling(node_8, 2);
+		Button(node_9, {
+			onclick: () => force($.get(signal), null),
 			children: ($$anchor, $$slotProps) => {
 				$.next();
-				var text_9 = $.text();
-				$.template_effect(($0) => $.set_text(text_9, $0), [() => t("plc.force_release")]);
-				$.append($$anchor, text_9);
+				var text_13 = $.text();
+				$.template_effect(($0) => $.set_text(text_13, $0), [() => t("plc.force_release")]);
+				$.append($$anchor, text_13);
 			},
 			$$slots: { default: true }
 		});
-		var node_7 = $.sibling(node_6, 2);
+		var node_10 = $.sibling(node_9, 2);
 		{
 			let $0 = $.derived(() => t("app.close"));
-			Button(node_7, {
+			Button(node_10, {
 				kind: "quiet",
 				icon: "close",
 				get "aria-label"() {
@@ -230,18 +285,18 @@ function Monitor($$anchor, $$props) {
 				onclick: () => $.set(signal, "")
 			});
 		}
-		$.reset(div_1);
+		$.reset(div_2);
 		$.template_effect(($0, $1) => {
-			$.set_attribute(div_1, "data-value", $.get(values)[$.get(signal)]);
-			$.set_text(text_3, $.get(signal));
-			$.set_text(text_4, $0);
-			$.set_text(text_5, $1);
-			$.set_text(text_6, $.get(values)[$.get(signal)] ?? "");
+			$.set_attribute(div_2, "data-value", $.get(values)[$.get(signal)]);
+			$.set_text(text_7, $.get(signal));
+			$.set_text(text_8, $0);
+			$.set_text(text_9, $1);
+			$.set_text(text_10, $.get(values)[$.get(signal)] ?? "");
 		}, [() => $.get(ladder)?.symbols.get($.get(signal))?.address, () => $.get(ladder)?.symbols.get($.get(signal))?.meaning]);
-		$.append($$anchor, div_1);
+		$.append($$anchor, div_2);
 	};
-	$.if(node_3, ($$render) => {
-		if ($.get(signal)) $$render(consequent);
+	$.if(node_6, ($$render) => {
+		if ($.get(signal)) $$render(consequent_1);
 	});
 	$.append($$anchor, fragment);
 	$.pop();
