@@ -270,3 +270,29 @@ test('a signal is found by its name, and shows that its key is held', async ({ p
   await page.mouse.up();
   await expect(signal.locator('b')).toHaveText('0');
 });
+
+test('the times of the control are shown and taken anew, and the spindle as it turns', async ({ page }) => {
+  await enter(page, '#/diagnosis/timing');
+  const timing = page.getByTestId('timing');
+  const periods = async () => Number(await timing.getAttribute('data-periods'));
+  const worst = async (name: string) => Number((await page.locator(`[data-timing="${name}"] td`).first().textContent())!.replace(/[^\d.]/g, ''));
+  await expect.poll(periods).toBeGreaterThan(1000);
+  // A period is a millisecond, and the longest is no shorter than its work.
+  expect(await worst('worst_period')).toBeGreaterThanOrEqual(900);
+  expect(await worst('worst_work')).toBeGreaterThan(await worst('level_1'));
+  expect(await worst('level_2')).toBeGreaterThan(0);
+  const before = await periods();
+  await page.getByTestId('forget-timing').click();
+  await expect.poll(periods).toBeLessThan(before);
+  await shoot(page, 'timing');
+  await mode(page, 'KEY_MDI', 'Manual data input');
+  await show(page, 'program/mdi');
+  await page.getByLabel('One block').fill('M3 S1200');
+  await page.getByLabel('One block').press('Enter');
+  await press(page, 'KEY_START');
+  await show(page, 'position/absolute');
+  await expect(page.getByTestId('speed')).toHaveText('1200');
+  await expect(page.getByTestId('speed-programmed')).toHaveText('1200');
+  await page.keyboard.press('F8');
+  await expect(page.getByTestId('speed')).toHaveText('0');
+});

@@ -26,6 +26,7 @@ var position_default = {
 	"run_time": "Run time",
 	"cutting_time": "Cutting time",
 	"power_on_time": "Power on",
-	"clear": "Set to zero: {what}"
+	"clear": "Set to zero: {what}",
+	"told": "commanded"
 };
 export { position_default as default };

@@ -26,6 +26,7 @@ var position_default = {
 	"run_time": "Tiempo de marcha",
 	"cutting_time": "Tiempo de corte",
 	"power_on_time": "Encendido",
-	"clear": "Poner a cero: {what}"
+	"clear": "Poner a cero: {what}",
+	"told": "ordenado"
 };
 export { position_default as default };

@@ -26,6 +26,7 @@ var position_default = {
 	"run_time": "Время работы",
 	"cutting_time": "Время резания",
 	"power_on_time": "Включён",
-	"clear": "Обнулить: {what}"
+	"clear": "Обнулить: {what}",
+	"told": "задано"
 };
 export { position_default as default };

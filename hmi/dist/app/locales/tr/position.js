@@ -26,6 +26,7 @@ var position_default = {
 	"run_time": "Çalışma süresi",
 	"cutting_time": "Kesme süresi",
 	"power_on_time": "Açık kalma",
-	"clear": "Sıfırla: {what}"
+	"clear": "Sıfırla: {what}",
+	"told": "komut"
 };
 export { position_default as default };

@@ -26,6 +26,7 @@ var position_default = {
 	"run_time": "运行时间",
 	"cutting_time": "切削时间",
 	"power_on_time": "通电时间",
-	"clear": "清零：{what}"
+	"clear": "清零：{what}",
+	"told": "指令"
 };
 export { position_default as default };
