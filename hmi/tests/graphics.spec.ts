@@ -11,9 +11,9 @@ test.describe.configure({ timeout: 180_000 });
 const PART = 'O1600 (KNOWN)\nG21 G90 G54 G17\nG0 X0 Y0 Z10.\nG1 Z-2. F500\nX40. F1000\nY30.\nX0\nY0\nG0 Z10.\nX60.\nG1 Z-8. F500\nX100. F1000\nG0 Z10.\nM30\n';
 const LOW = [0, 0, -8] as const;
 const HIGH = [100, 30, 10] as const;
-type View = 'top' | 'front' | 'side';
+type View = 'top' | 'front' | 'side' | 'turned';
 /** The axes that a view has to the right and up. */
-const SEEN: Record<View, [number, number]> = { top: [0, 1], front: [0, 2], side: [1, 2] };
+const SEEN: Record<View, [number, number]> = { top: [0, 1], front: [0, 2], side: [1, 2], turned: [2, 1] };
 
 async function look(page: Page, view: View): Promise<void> {
   await page.locator(`[data-view="${view}"]`).click();
@@ -92,6 +92,31 @@ test('points of a known part are measured in each view', async ({ page }) => {
   // Nothing is near here, and what was picked stays.
   await pick(page, 'side', [0, 15, 6]);
   await expect(picked).toContainText('Y 30.000');
+  await look(page, 'turned');
+  await pick(page, 'turned', [100, 0, -8]);
+  await expect(picked).toContainText('Y 0.000 Z −8.000');
+  // Two corners of the frame lie one behind the other.
+  await pick(page, 'turned', [40, 30, -2]);
+  await expect(picked).toContainText('Y 30.000 Z −2.000');
+});
+
+test('six views come one after the other', async ({ page }) => {
+  await open(page);
+  const next = page.getByTestId('next-view');
+  await expect(page.locator('[data-view]')).toHaveText(['XY', 'YZ', 'ZY', 'XZ', 'XYZ', 'ZXY']);
+  await page.locator('[data-view="top"]').click();
+  const seen: string[] = [];
+  const pictures = new Set<string>();
+  for (let view = 0; view < 6; view++) {
+    seen.push((await next.getAttribute('data-seen'))!);
+    // The directions of the axes, drawn above the path at once.
+    pictures.add(await page.getByTestId('path').evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL()));
+    if (seen.at(-1) === 'around') await shoot(page, 'graphics-zxy');
+    await next.click();
+  }
+  expect(seen).toEqual(['top', 'side', 'turned', 'front', 'iso', 'around']);
+  expect(pictures.size).toBe(6);
+  await expect(next).toHaveAttribute('data-seen', 'top');
 });
 
 test('a section shows and offers what lies at its height alone, and hidden rapids are not offered', async ({ page }) => {

@@ -23,7 +23,18 @@ const SETTLED = 180;
 /** ms from one picture of what is done to the next, at least. */
 const LEAST = 200;
 
-export type View = 'iso' | 'top' | 'front' | 'side';
+/** The six views of the machine (GSK990MC part 2, 3.5; as a Fanuc 0i calls them): XYZ, XY, XZ, YZ, ZY, ZXY. */
+export type View = 'iso' | 'top' | 'front' | 'side' | 'turned' | 'around';
+
+/** Angles of the camera, and whether the axes are exchanged: Y up, Z where X is. */
+const LOOKS: Record<View, [yaw: number, pitch: number, turned: boolean]> = {
+  iso: [-0.7, 0.6, false],
+  top: [0, Math.PI / 2, false],
+  front: [0, 0, false],
+  side: [Math.PI / 2, 0, false],
+  turned: [0, 0, true],
+  around: [-0.7, 0.6, true],
+};
 export type Shades = { done: string; cut: string; arc: string; rapid: string; grid: string };
 
 const vertex = /* glsl */ `
@@ -56,6 +67,8 @@ export class PathScene {
   readonly target = new Vector3();
   yaw = -0.7;
   pitch = 0.6;
+  /** Z is where X is else, X where Y is, Y up. */
+  turned = false;
   /** mm that are seen in the smaller of width and height. */
   span = 200;
   /** ms that the last frame took to submit, and the segments of it: for who measures. */
@@ -190,7 +203,7 @@ export class PathScene {
   }
 
   look(view: View): void {
-    [this.yaw, this.pitch] = { iso: [-0.7, 0.6], top: [0, Math.PI / 2], front: [0, 0], side: [Math.PI / 2, 0] }[view] as [number, number];
+    [this.yaw, this.pitch, this.turned] = LOOKS[view];
     this.moved();
   }
 
@@ -256,8 +269,9 @@ export class PathScene {
     const [w, h] = width < height ? [half, (half * height) / width] : [(half * width) / height, half];
     Object.assign(this.camera, { left: -w, right: w, top: h, bottom: -h, near: -1e5, far: 1e5 });
     const { yaw, pitch } = this;
-    const away = new Vector3(Math.sin(yaw) * Math.cos(pitch), -Math.cos(yaw) * Math.cos(pitch), Math.sin(pitch));
-    this.camera.up.set(-Math.sin(yaw) * Math.sin(pitch), Math.cos(yaw) * Math.sin(pitch), Math.cos(pitch));
+    const place = (to: Vector3, x: number, y: number, z: number) => (this.turned ? to.set(y, z, x) : to.set(x, y, z));
+    const away = place(new Vector3(), Math.sin(yaw) * Math.cos(pitch), -Math.cos(yaw) * Math.cos(pitch), Math.sin(pitch));
+    place(this.camera.up, -Math.sin(yaw) * Math.sin(pitch), Math.cos(yaw) * Math.sin(pitch), Math.cos(pitch));
     this.camera.position.copy(this.target).add(away);
     this.camera.lookAt(this.target);
     this.camera.updateProjectionMatrix();

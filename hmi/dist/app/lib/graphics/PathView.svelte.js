@@ -82,7 +82,7 @@ function PathView($$anchor, $$props) {
 		const context = $.get(above)?.getContext("2d");
 		if (!context || !$.get(above) || !$.get(scene)) return;
 		const at = $$props.tool?.() ?? null;
-		const key = `${at?.x},${at?.y},${at?.z},${$.get(scene).yaw},${$.get(scene).pitch},${$.get(scene).span},${$.get(scene).target.toArray()},${marks().length},${$.get(above).width},${marks().map((mark) => mark.x)}`;
+		const key = `${at?.x},${at?.y},${at?.z},${$.get(scene).yaw},${$.get(scene).pitch},${$.get(scene).turned},${$.get(scene).span},${$.get(scene).target.toArray()},${marks().length},${$.get(above).width},${marks().map((mark) => mark.x)}`;
 		if (key === last) return;
 		last = key;
 		const ratio = $.get(above).width / Math.max(1, $.get(above).clientWidth);

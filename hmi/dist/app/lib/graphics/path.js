@@ -1,12 +1,14 @@
 // src/lib/graphics/path.ts
 var HEAD = 64;
+/** What is thrown for bytes that are none; nobody reads it. */
+var NO_PATH = "FCP1";
 /** Reads a path; the arrays are views of the buffer. Throws where it is none. */
 function readPath(buffer) {
 	const view = new DataView(buffer);
-	if (buffer.byteLength < HEAD || view.getUint32(0, true) !== 827343686) throw new Error("no path");
+	if (buffer.byteLength < HEAD || view.getUint32(0, true) !== 827343686) throw new Error(NO_PATH);
 	const count = view.getUint32(4, true);
 	const flags = view.getUint32(8, true);
-	if (buffer.byteLength < HEAD + count * 21) throw new Error("path is cut short");
+	if (buffer.byteLength < HEAD + count * 21) throw new Error(NO_PATH);
 	const box = Array.from({ length: 6 }, (_, at) => view.getFloat64(16 + at * 8, true));
 	let at = HEAD;
 	const points = new Float32Array(buffer, at, 3 * count);

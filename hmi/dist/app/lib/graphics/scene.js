@@ -8,6 +8,39 @@ var PIECE = 6e4;
 var SETTLED = 180;
 /** ms from one picture of what is done to the next, at least. */
 var LEAST = 200;
+/** Angles of the camera, and whether the axes are exchanged: Y up, Z where X is. */
+var LOOKS = {
+	iso: [
+		-.7,
+		.6,
+		false
+	],
+	top: [
+		0,
+		Math.PI / 2,
+		false
+	],
+	front: [
+		0,
+		0,
+		false
+	],
+	side: [
+		Math.PI / 2,
+		0,
+		false
+	],
+	turned: [
+		0,
+		0,
+		true
+	],
+	around: [
+		-.7,
+		.6,
+		true
+	]
+};
 var vertex = `
 in float kind;
 uniform float done;
@@ -38,6 +71,8 @@ var PathScene = class {
 	target = new Vector3();
 	yaw = -.7;
 	pitch = .6;
+	/** Z is where X is else, X where Y is, Y up. */
+	turned = false;
 	/** mm that are seen in the smaller of width and height. */
 	span = 200;
 	/** ms that the last frame took to submit, and the segments of it: for who measures. */
@@ -177,12 +212,7 @@ var PathScene = class {
 		this.moved();
 	}
 	look(view) {
-		[this.yaw, this.pitch] = {
-			iso: [-.7, .6],
-			top: [0, Math.PI / 2],
-			front: [0, 0],
-			side: [Math.PI / 2, 0]
-		}[view];
+		[this.yaw, this.pitch, this.turned] = LOOKS[view];
 		this.moved();
 	}
 	/** Points up to this one are done. On a path that takes long to draw it is drawn now and then. */
@@ -247,8 +277,9 @@ var PathScene = class {
 			far: 1e5
 		});
 		const { yaw, pitch } = this;
-		const away = new Vector3(Math.sin(yaw) * Math.cos(pitch), -Math.cos(yaw) * Math.cos(pitch), Math.sin(pitch));
-		this.camera.up.set(-Math.sin(yaw) * Math.sin(pitch), Math.cos(yaw) * Math.sin(pitch), Math.cos(pitch));
+		const place = (to, x, y, z) => this.turned ? to.set(y, z, x) : to.set(x, y, z);
+		const away = place(new Vector3(), Math.sin(yaw) * Math.cos(pitch), -Math.cos(yaw) * Math.cos(pitch), Math.sin(pitch));
+		place(this.camera.up, -Math.sin(yaw) * Math.sin(pitch), Math.cos(yaw) * Math.sin(pitch), Math.cos(pitch));
 		this.camera.position.copy(this.target).add(away);
 		this.camera.lookAt(this.target);
 		this.camera.updateProjectionMatrix();

@@ -3,7 +3,7 @@ var graphics_default = {
 	"title": "Graphics",
 	"none": "No program is selected",
 	"none_text": "The path of the program that is selected is drawn here.",
-	"iso": "Space",
+	"iso": "XYZ",
 	"top": "XY",
 	"front": "XZ",
 	"side": "YZ",
@@ -21,6 +21,9 @@ var graphics_default = {
 	"facts": "{n} points, {x} × {y} × {z} mm",
 	"failed": "The path could not be computed",
 	"cut_by_alarm": "The path ends at an alarm of the program",
-	"cut_by_size": "The program is longer than what is shown"
+	"cut_by_size": "The program is longer than what is shown",
+	"turned": "ZY",
+	"around": "ZXY",
+	"next": "Next view"
 };
 export { graphics_default as default };

@@ -3,7 +3,7 @@ var graphics_default = {
 	"title": "Gráficos",
 	"none": "No hay programa seleccionado",
 	"none_text": "Aquí se dibuja la trayectoria del programa seleccionado.",
-	"iso": "Espacio",
+	"iso": "XYZ",
 	"top": "XY",
 	"front": "XZ",
 	"side": "YZ",
@@ -21,6 +21,9 @@ var graphics_default = {
 	"facts": "{n} puntos, {x} × {y} × {z} mm",
 	"failed": "No se pudo calcular la trayectoria",
 	"cut_by_alarm": "La trayectoria acaba en una alarma del programa",
-	"cut_by_size": "El programa es más largo que lo mostrado"
+	"cut_by_size": "El programa es más largo que lo mostrado",
+	"turned": "ZY",
+	"around": "ZXY",
+	"next": "Vista siguiente"
 };
 export { graphics_default as default };

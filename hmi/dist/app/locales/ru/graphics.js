@@ -3,7 +3,7 @@ var graphics_default = {
 	"title": "Графика",
 	"none": "Программа не выбрана",
 	"none_text": "Здесь рисуется траектория выбранной программы.",
-	"iso": "Объём",
+	"iso": "XYZ",
 	"top": "XY",
 	"front": "XZ",
 	"side": "YZ",
@@ -21,6 +21,9 @@ var graphics_default = {
 	"facts": "{n} точек, {x} × {y} × {z} мм",
 	"failed": "Траекторию не удалось рассчитать",
 	"cut_by_alarm": "Траектория кончается на ошибке программы",
-	"cut_by_size": "Программа длиннее показанного"
+	"cut_by_size": "Программа длиннее показанного",
+	"turned": "ZY",
+	"around": "ZXY",
+	"next": "Следующий вид"
 };
 export { graphics_default as default };

@@ -3,7 +3,7 @@ var graphics_default = {
 	"title": "Grafik",
 	"none": "Program seçili değil",
 	"none_text": "Seçili programın yolu burada çizilir.",
-	"iso": "Uzay",
+	"iso": "XYZ",
 	"top": "XY",
 	"front": "XZ",
 	"side": "YZ",
@@ -21,6 +21,9 @@ var graphics_default = {
 	"facts": "{n} nokta, {x} × {y} × {z} mm",
 	"failed": "Yol hesaplanamadı",
 	"cut_by_alarm": "Yol programdaki bir alarmda bitiyor",
-	"cut_by_size": "Program gösterilenden uzun"
+	"cut_by_size": "Program gösterilenden uzun",
+	"turned": "ZY",
+	"around": "ZXY",
+	"next": "Sonraki görünüm"
 };
 export { graphics_default as default };

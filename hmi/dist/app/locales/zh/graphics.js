@@ -3,7 +3,7 @@ var graphics_default = {
 	"title": "图形",
 	"none": "未选择程序",
 	"none_text": "此处绘制所选程序的轨迹。",
-	"iso": "立体",
+	"iso": "XYZ",
 	"top": "XY",
 	"front": "XZ",
 	"side": "YZ",
@@ -21,6 +21,9 @@ var graphics_default = {
 	"facts": "{n} 个点，{x} × {y} × {z} mm",
 	"failed": "无法计算轨迹",
 	"cut_by_alarm": "轨迹在程序报警处中止",
-	"cut_by_size": "程序比显示的更长"
+	"cut_by_size": "程序比显示的更长",
+	"turned": "ZY",
+	"around": "ZXY",
+	"next": "切换视图"
 };
 export { graphics_default as default };

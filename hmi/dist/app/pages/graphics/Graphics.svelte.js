@@ -21,7 +21,7 @@ var root_6 = $.from_html(`<span class="muted"> </span>`);
 var root_7 = $.from_html(`<div class="picked number s-1bdb8kn" data-testid="picked"><small class="muted"> </small> <!> <!> <!></div>`);
 var root_8 = $.from_html(`<div class="row"><span class="label"> </span> <input type="range" class="grow s-1bdb8kn" step="any"/> <output class="number"> </output> <small class="muted"> </small></div>`);
 var root_9 = $.from_html(`<p class="muted facts s-1bdb8kn"> </p>`);
-var root_10 = $.from_html(`<div class="graphics s-1bdb8kn"><div class="row wrap"><strong class="code"> </strong> <span class="grow"></span> <!> <!> <!> <!> <!></div> <div class="canvas s-1bdb8kn"><!> <!> <!> <!> <!> <!></div> <!> <div class="row"><!> <input type="range" class="grow s-1bdb8kn" min="0" step="any" data-testid="time"/> <output class="number times s-1bdb8kn"> </output> <span class="muted"> </span></div> <!></div>`);
+var root_10 = $.from_html(`<div class="graphics s-1bdb8kn"><div class="row wrap"><strong class="code"> </strong> <span class="grow"></span> <!> <!> <!> <!> <!> <!></div> <div class="canvas s-1bdb8kn"><!> <!> <!> <!> <!> <!></div> <!> <div class="row"><!> <input type="range" class="grow s-1bdb8kn" min="0" step="any" data-testid="time"/> <output class="number times s-1bdb8kn"> </output> <span class="muted"> </span></div> <!></div>`);
 function Graphics($$anchor, $$props) {
 	$.push($$props, true);
 	const program = $.derived(() => machine.status?.program.selected ?? null);
@@ -116,11 +116,18 @@ function Graphics($$anchor, $$props) {
 		else $.set(picked, [index]);
 	}
 	const views = [
-		"iso",
 		"top",
+		"side",
+		"turned",
 		"front",
-		"side"
+		"iso",
+		"around"
 	];
+	let seen = $.state("iso");
+	function look(to) {
+		$.set(seen, to, true);
+		$.get(view)?.look(to);
+	}
 	Page($$anchor, {
 		page: "graphics",
 		children: ($$anchor, $$slotProps) => {
@@ -164,7 +171,7 @@ function Graphics($$anchor, $$props) {
 				var node_1 = $.sibling(strong, 4);
 				$.each(node_1, 16, () => views, (one) => one, ($$anchor, one) => {
 					Button($$anchor, {
-						onclick: () => $.get(view)?.look(one),
+						onclick: () => look(one),
 						get "data-view"() {
 							return one;
 						},
@@ -179,9 +186,28 @@ function Graphics($$anchor, $$props) {
 				});
 				var node_2 = $.sibling(node_1, 2);
 				{
+					let $0 = $.derived(() => t("graphics.next"));
+					let $1 = $.derived(() => t("graphics.next"));
+					Button(node_2, {
+						icon: "cw",
+						get "aria-label"() {
+							return $.get($0);
+						},
+						get title() {
+							return $.get($1);
+						},
+						get "data-seen"() {
+							return $.get(seen);
+						},
+						"data-testid": "next-view",
+						onclick: () => look(views[(views.indexOf($.get(seen)) + 1) % views.length])
+					});
+				}
+				var node_3 = $.sibling(node_2, 2);
+				{
 					let $0 = $.derived(() => t("graphics.fit"));
 					let $1 = $.derived(() => t("graphics.fit"));
-					Button(node_2, {
+					Button(node_3, {
 						icon: "expand",
 						get "aria-label"() {
 							return $.get($0);
@@ -192,8 +218,8 @@ function Graphics($$anchor, $$props) {
 						onclick: () => $.get(view)?.fit()
 					});
 				}
-				var node_3 = $.sibling(node_2, 2);
-				Button(node_3, {
+				var node_4 = $.sibling(node_3, 2);
+				Button(node_4, {
 					get pressed() {
 						return $.get(rapids);
 					},
@@ -206,8 +232,8 @@ function Graphics($$anchor, $$props) {
 					},
 					$$slots: { default: true }
 				});
-				var node_4 = $.sibling(node_3, 2);
-				Button(node_4, {
+				var node_5 = $.sibling(node_4, 2);
+				Button(node_5, {
 					get pressed() {
 						return $.get(cut);
 					},
@@ -221,8 +247,8 @@ function Graphics($$anchor, $$props) {
 					},
 					$$slots: { default: true }
 				});
-				var node_5 = $.sibling(node_4, 2);
-				Button(node_5, {
+				var node_6 = $.sibling(node_5, 2);
+				Button(node_6, {
 					icon: "ruler",
 					get pressed() {
 						return $.get(measuring);
@@ -242,11 +268,11 @@ function Graphics($$anchor, $$props) {
 				});
 				$.reset(div_1);
 				var div_2 = $.sibling(div_1, 2);
-				var node_6 = $.child(div_2);
+				var node_7 = $.child(div_2);
 				{
 					let $0 = $.derived(() => $.get(cut) ? [$.get(height) - $.get(thick), $.get(height)] : null);
 					let $1 = $.derived(() => t("graphics.title"));
-					$.bind_this(PathView(node_6, {
+					$.bind_this(PathView(node_7, {
 						get path() {
 							return $.get(path);
 						},
@@ -269,17 +295,17 @@ function Graphics($$anchor, $$props) {
 						onpick: pick
 					}), ($$value) => $.set(view, $$value, true), () => $.get(view));
 				}
-				var node_7 = $.sibling(node_6, 2);
+				var node_8 = $.sibling(node_7, 2);
 				var consequent_1 = ($$anchor) => {
 					var p = root();
 					var text_6 = $.only_child(p, true);
 					$.template_effect(($0) => $.set_text(text_6, $0), [() => t("app.loading")]);
 					$.append($$anchor, p);
 				};
-				$.if(node_7, ($$render) => {
+				$.if(node_8, ($$render) => {
 					if ($.get(loading)) $$render(consequent_1);
 				});
-				var node_8 = $.sibling(node_7, 2);
+				var node_9 = $.sibling(node_8, 2);
 				var consequent_2 = ($$anchor) => {
 					var p_1 = root_1();
 					var text_7 = $.child(p_1, true);
@@ -292,36 +318,36 @@ function Graphics($$anchor, $$props) {
 					}, [() => t("graphics.failed")]);
 					$.append($$anchor, p_1);
 				};
-				$.if(node_8, ($$render) => {
+				$.if(node_9, ($$render) => {
 					if ($.get(failed)) $$render(consequent_2);
 				});
-				var node_9 = $.sibling(node_8, 2);
+				var node_10 = $.sibling(node_9, 2);
 				var consequent_3 = ($$anchor) => {
 					var p_2 = root_2();
 					var text_9 = $.only_child(p_2, true);
 					$.template_effect(($0) => $.set_text(text_9, $0), [() => t("graphics.cut_by_alarm")]);
 					$.append($$anchor, p_2);
 				};
-				$.if(node_9, ($$render) => {
+				$.if(node_10, ($$render) => {
 					if ($.get(path)?.alarm) $$render(consequent_3);
 				});
-				var node_10 = $.sibling(node_9, 2);
+				var node_11 = $.sibling(node_10, 2);
 				var consequent_4 = ($$anchor) => {
 					var p_3 = root_3();
 					var text_10 = $.only_child(p_3, true);
 					$.template_effect(($0) => $.set_text(text_10, $0), [() => t("graphics.cut_by_size")]);
 					$.append($$anchor, p_3);
 				};
-				$.if(node_10, ($$render) => {
+				$.if(node_11, ($$render) => {
 					if ($.get(path)?.short) $$render(consequent_4);
 				});
-				var node_11 = $.sibling(node_10, 2);
+				var node_12 = $.sibling(node_11, 2);
 				var consequent_7 = ($$anchor) => {
 					var div_3 = root_7();
 					var small_1 = $.child(div_3);
 					var text_11 = $.only_child(small_1, true);
-					var node_12 = $.sibling(small_1, 2);
-					$.each(node_12, 17, () => $.get(marks), $.index, ($$anchor, mark, index) => {
+					var node_13 = $.sibling(small_1, 2);
+					$.each(node_13, 17, () => $.get(marks), $.index, ($$anchor, mark, index) => {
 						var div_4 = root_4();
 						var text_12 = $.child(div_4);
 						var span = $.sibling(text_12);
@@ -338,7 +364,7 @@ function Graphics($$anchor, $$props) {
 						]);
 						$.append($$anchor, div_4);
 					});
-					var node_13 = $.sibling(node_12, 2);
+					var node_14 = $.sibling(node_13, 2);
 					var consequent_5 = ($$anchor) => {
 						var fragment_10 = root_5();
 						var div_5 = $.first_child(fragment_10);
@@ -357,28 +383,28 @@ function Graphics($$anchor, $$props) {
 						$.template_effect(($0) => $.set_text(text_15, $0), [() => t("graphics.distance", { distance: fixed(Math.hypot(...$.get(between).map(([, way]) => way))) })]);
 						$.append($$anchor, fragment_10);
 					};
-					$.if(node_13, ($$render) => {
+					$.if(node_14, ($$render) => {
 						if ($.get(between)) $$render(consequent_5);
 					});
-					var node_14 = $.sibling(node_13, 2);
+					var node_15 = $.sibling(node_14, 2);
 					var consequent_6 = ($$anchor) => {
 						var span_1 = root_6();
 						var text_16 = $.only_child(span_1, true);
 						$.template_effect(($0) => $.set_text(text_16, $0), [() => t("graphics.second")]);
 						$.append($$anchor, span_1);
 					};
-					$.if(node_14, ($$render) => {
+					$.if(node_15, ($$render) => {
 						if ($.get(measuring) && $.get(marks).length === 1) $$render(consequent_6);
 					});
 					$.reset(div_3);
 					$.template_effect(($0) => $.set_text(text_11, $0), [() => t("position.machine")]);
 					$.append($$anchor, div_3);
 				};
-				$.if(node_11, ($$render) => {
+				$.if(node_12, ($$render) => {
 					if ($.get(marks).length) $$render(consequent_7);
 				});
 				$.reset(div_2);
-				var node_15 = $.sibling(div_2, 2);
+				var node_16 = $.sibling(div_2, 2);
 				var consequent_8 = ($$anchor) => {
 					var div_6 = root_8();
 					var span_2 = $.child(div_6);
@@ -406,12 +432,12 @@ function Graphics($$anchor, $$props) {
 					$.bind_value(input, () => $.get(height), ($$value) => $.set(height, $$value));
 					$.append($$anchor, div_6);
 				};
-				$.if(node_15, ($$render) => {
+				$.if(node_16, ($$render) => {
 					if ($.get(cut) && $.get(path)) $$render(consequent_8);
 				});
-				var div_7 = $.sibling(node_15, 2);
-				var node_16 = $.child(div_7);
-				Button(node_16, {
+				var div_7 = $.sibling(node_16, 2);
+				var node_17 = $.child(div_7);
+				Button(node_17, {
 					get pressed() {
 						return $.get(live);
 					},
@@ -428,14 +454,14 @@ function Graphics($$anchor, $$props) {
 					},
 					$$slots: { default: true }
 				});
-				var input_1 = $.sibling(node_16, 2);
+				var input_1 = $.sibling(node_17, 2);
 				$.remove_input_defaults(input_1);
 				var output_1 = $.sibling(input_1, 2);
 				var text_21 = $.only_child(output_1);
 				var span_3 = $.sibling(output_1, 2);
 				var text_22 = $.only_child(span_3, true);
 				$.reset(div_7);
-				var node_17 = $.sibling(div_7, 2);
+				var node_18 = $.sibling(div_7, 2);
 				var consequent_9 = ($$anchor) => {
 					var p_4 = root_9();
 					var text_23 = $.only_child(p_4, true);
@@ -447,7 +473,7 @@ function Graphics($$anchor, $$props) {
 					})]);
 					$.append($$anchor, p_4);
 				};
-				$.if(node_17, ($$render) => {
+				$.if(node_18, ($$render) => {
 					if ($.get(path)) $$render(consequent_9);
 				});
 				$.reset(div);
