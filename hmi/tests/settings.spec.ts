@@ -32,6 +32,8 @@ test('the program switch closes all programs, and opens them again', async ({ pa
   await setting(page, 'NO54.6').getByRole('radio', { name: 'Off' }).click();
   await expect(setting(page, 'NO54.6')).toHaveAttribute('data-value', '0');
   await shoot(page, 'settings');
+  await show(page, 'position/absolute');
+  await expect(page.getByText('Programs locked')).toBeVisible();
   // The editor says so, the directory too, and the control refuses what comes all the same.
   await show(page, 'program/edit/O1800');
   await expect(page.getByTestId('closed')).toHaveText('Programs are locked');

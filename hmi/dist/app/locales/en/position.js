@@ -27,6 +27,7 @@ var position_default = {
 	"cutting_time": "Cutting time",
 	"power_on_time": "Power on",
 	"clear": "Set to zero: {what}",
-	"told": "commanded"
+	"told": "commanded",
+	"programs": "Programs locked"
 };
 export { position_default as default };

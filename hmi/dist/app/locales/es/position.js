@@ -27,6 +27,7 @@ var position_default = {
 	"cutting_time": "Tiempo de corte",
 	"power_on_time": "Encendido",
 	"clear": "Poner a cero: {what}",
-	"told": "ordenado"
+	"told": "ordenado",
+	"programs": "Programas bloqueados"
 };
 export { position_default as default };

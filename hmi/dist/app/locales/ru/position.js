@@ -27,6 +27,7 @@ var position_default = {
 	"cutting_time": "Время резания",
 	"power_on_time": "Включён",
 	"clear": "Обнулить: {what}",
-	"told": "задано"
+	"told": "задано",
+	"programs": "Программы закрыты"
 };
 export { position_default as default };

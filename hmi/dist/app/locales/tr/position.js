@@ -27,6 +27,7 @@ var position_default = {
 	"cutting_time": "Kesme süresi",
 	"power_on_time": "Açık kalma",
 	"clear": "Sıfırla: {what}",
-	"told": "komut"
+	"told": "komut",
+	"programs": "Programlar kilitli"
 };
 export { position_default as default };

@@ -27,6 +27,7 @@ var position_default = {
 	"cutting_time": "切削时间",
 	"power_on_time": "通电时间",
 	"clear": "清零：{what}",
-	"told": "指令"
+	"told": "指令",
+	"programs": "程序已锁住"
 };
 export { position_default as default };

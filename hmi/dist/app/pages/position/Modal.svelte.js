@@ -13,7 +13,8 @@ function Modal($$anchor, $$props) {
 	$.push($$props, true);
 	const codes = $.derived(() => machine.status.program.g_codes);
 	const switches = $.derived(() => machine.status.switches);
-	const on = $.derived(() => Object.keys($.get(switches)).filter((name) => $.get(switches)[name]));
+	/** Those that bear on what is done: all that are on, but programs are closed while their switch is off. */
+	const on = $.derived(() => Object.keys($.get(switches)).filter((name) => $.get(switches)[name] === (name !== "programs")));
 	{
 		let $0 = $.derived(() => t("position.modal"));
 		Card($$anchor, {
