@@ -69,9 +69,11 @@ pub fn run(args: &ImportArgs) -> Result<Exit, Failure> {
         None => print(&text),
     }
     if let Some((path, format)) = picture {
+        let catalogue = shop.diagnostics.catalogue();
         let title =
             Path::new(&source.name).file_name().map_or_else(String::new, |n| n.to_string_lossy().into());
-        let bytes = render(&model, &title, args.width, format).map_err(|e| cannot_write(path, &e))?;
+        let bytes = render(&model, &title, args.width, format, catalogue)
+            .map_err(|e| cannot_write(path, &e.told(catalogue)))?;
         std::fs::write(path, bytes).map_err(|e| cannot_write(path, &e))?;
     }
     // Standard output is the program's unless it went to a file.

@@ -34,13 +34,15 @@ pub fn run(args: &ViewArgs) -> Result<Exit, Failure> {
     let title =
         args.file.file_name().map_or_else(|| name.clone(), |file| file.to_string_lossy().into_owned());
     let output = args.output.to_string_lossy().into_owned();
-    let cannot_write = |reason: &dyn ToString| Failure::cannot_write_for(&output, &reason.to_string());
+    let catalogue = shop.diagnostics.catalogue();
+    let cannot_write = |reason: String| Failure::cannot_write_for(&output, &reason);
     // What was drawn until an alarm shows where it came.
-    let bytes = render(&model, &title, args.width, format).map_err(|error| cannot_write(&error))?;
-    std::fs::write(&args.output, bytes).map_err(|error| cannot_write(&error))?;
+    let bytes = render(&model, &title, args.width, format, catalogue)
+        .map_err(|error| cannot_write(error.told(catalogue)))?;
+    std::fs::write(&args.output, bytes).map_err(|error| cannot_write(error.to_string()))?;
     let said = match shop.diagnostics.is_json() {
         true => serde_json::json!({ "program": name, "picture": output, "width": args.width }).to_string(),
-        false => shop.diagnostics.catalogue().label("label-written", &[("file", output.into())]),
+        false => catalogue.label("label-written", &[("file", output.into())]),
     };
     crate::commands::layout::print(&format!("{said}\n"));
     Ok(exit)

@@ -1,5 +1,6 @@
 //! What a picture is drawn on: lines and filled shapes, nothing else.
 
+use super::font::Align;
 use super::ramp::Colour;
 
 /// A point of the picture: pixels, x to the right and y down.
@@ -151,6 +152,12 @@ impl Lines {
 
 /// A surface to draw on. What is drawn later covers what was drawn before.
 pub trait Canvas {
+    /// Writes a text with letters of whoever looks at the picture, of a size in pixels, turned about its place
+    /// (radians, counter-clockwise). `false`: it cannot.
+    fn letters(&mut self, _: &str, _: Point, _: f64, _: Align, _: f64, _: Colour) -> bool {
+        false
+    }
+
     /// Draws lines with round joints; ends are round too where the line is unbroken, and a polyline of
     /// one point is a dot.
     fn stroke(&mut self, lines: &Lines, pen: &Pen);

@@ -7,6 +7,7 @@
 //! through their middle).
 
 use super::canvas::{Lines, Point};
+use super::letters::LETTERS;
 
 /// Height of a capital, grid units.
 const CAPITAL: f64 = 12.0;
@@ -18,7 +19,13 @@ const SPACING: f64 = 3.0;
 const CHORDS: u32 = 5;
 
 /// A letter, its width in grid units and its lines.
-type Glyph = (char, f64, &'static str);
+pub type Glyph = (char, f64, &'static str);
+
+/// Width of a letter as wide as the text is high, grid units: of scripts that the font does not have.
+const SQUARE: f64 = CAPITAL / CAPITAL_OF_SIZE - SPACING;
+
+/// Where scripts of such letters begin.
+const SQUARE_FROM: char = '\u{2e80}';
 
 /// The letters.
 #[rustfmt::skip]
@@ -131,7 +138,18 @@ const GLYPHS: &[Glyph] = &[
 const UNKNOWN: Glyph = ('\u{fffd}', 7.0, "0,0 0,12 7,12 7,0 0,0");
 
 fn glyph(c: char) -> &'static Glyph {
-    GLYPHS.iter().find(|g| g.0 == c).unwrap_or(&UNKNOWN)
+    GLYPHS.iter().chain(LETTERS).find(|g| g.0 == c).unwrap_or(&UNKNOWN)
+}
+
+/// Width of a letter, grid units.
+fn advance(c: char) -> f64 {
+    let glyph = glyph(c);
+    if glyph.0 != c && c >= SQUARE_FROM { SQUARE } else { glyph.1 }
+}
+
+/// Whether the font has every letter of a text.
+pub fn has(text: &str) -> bool {
+    text.chars().all(|c| glyph(c).0 == c)
 }
 
 /// Which point of a text stands at its place; vertically it is the base line.
@@ -147,7 +165,7 @@ pub enum Align {
 
 /// Width of a text of this size, pixels.
 pub fn width(text: &str, size: f64) -> f64 {
-    let letters: f64 = text.chars().map(|c| glyph(c).1 + SPACING).sum();
+    let letters: f64 = text.chars().map(|c| advance(c) + SPACING).sum();
     (letters - SPACING).max(0.0) * unit(size)
 }
 
@@ -166,14 +184,14 @@ pub fn write(lines: &mut Lines, text: &str, at: Point, size: f64, align: Align, 
     };
     let (sin, cos) = slope.sin_cos();
     for c in text.chars() {
-        let (_, advance, strokes) = glyph(c);
+        let (_, _, strokes) = glyph(c);
         for stroke in strokes.split('/') {
             lines.polyline(flatten(stroke).into_iter().map(|[gx, gy]| {
                 let (right, up) = (x + gx * unit, gy * unit);
                 [at[0] + right * cos - up * sin, at[1] - right * sin - up * cos]
             }));
         }
-        x += (advance + SPACING) * unit;
+        x += (advance(c) + SPACING) * unit;
     }
 }
 
@@ -241,12 +259,12 @@ mod tests {
 
     #[test]
     fn every_letter_is_well_written_and_inside_its_width() {
-        for (c, width, strokes) in GLYPHS {
+        for (c, width, strokes) in GLYPHS.iter().chain(LETTERS) {
             for word in strokes.split(['/', ' ']).filter(|w| !w.is_empty()) {
                 assert!(parse(word.trim_start_matches('~')).is_some(), "{c}: {word}");
             }
             for [x, y] in strokes.split('/').flat_map(flatten) {
-                assert!((-0.01..=width + 0.01).contains(&x) && (-4.01..=13.5).contains(&y), "{c}: {x},{y}");
+                assert!((-0.01..=width + 0.01).contains(&x) && (-4.01..=15.5).contains(&y), "{c}: {x},{y}");
             }
             assert!(strokes.split('/').all(|s| !s.trim_start().starts_with('~')), "{c} begins off the curve");
         }
@@ -256,6 +274,9 @@ mod tests {
     fn every_printable_ascii_letter_is_there_once() {
         for c in ' '..='~' {
             assert_eq!(GLYPHS.iter().filter(|g| g.0 == c).count(), 1, "{c:?}");
+        }
+        for (c, _, _) in LETTERS {
+            assert_eq!(GLYPHS.iter().chain(LETTERS).filter(|g| g.0 == *c).count(), 1, "{c:?}");
         }
     }
 

@@ -12,7 +12,8 @@ use super::sheet::{FAINT, INK, LABEL, SOFT, Sheet};
 /// Draws the colours of depth as a bar with numbers, counted from the work zero `zero_z`.
 pub fn depth_bar<C: Canvas>(sheet: &mut Sheet<'_, C>, bar: Rect, depths: &Depths, zero_z: f64) {
     let height = font::capital(sheet.px(LABEL));
-    sheet.text("Z mm", [bar.x, bar.y - sheet.px(12.0)], LABEL, Align::Left, INK);
+    let labels = sheet.labels;
+    sheet.text(&labels.depth, [bar.x, bar.y - sheet.px(12.0)], LABEL, Align::Left, INK);
     let (mark, gap) = (sheet.px(4.0), sheet.px(9.0));
     let room = sheet.px(58.0);
     let border = sheet.pen(FAINT, 1.0);
@@ -55,9 +56,10 @@ pub fn key<C: Canvas>(
     widths: &Widths,
     model: &PathModel,
     depths: &Depths,
-    marks: &[(Mark, &str)],
+    marks: &[Mark],
 ) {
     const SAMPLE: f64 = 44.0;
+    let labels = sheet.labels;
     let [mut x, y] = at;
     let (sample, gap, apart) = (sheet.px(SAMPLE), sheet.px(10.0), sheet.px(30.0));
     let base = y + font::capital(sheet.px(LABEL)) / 2.0;
@@ -68,7 +70,7 @@ pub fn key<C: Canvas>(
     if !model.rapid_extent().is_empty() {
         let pen = Pen { colour: RAPID, width: widths.rapid, dash: Some(widths.dash) };
         sheet.canvas.line([x, y], [x + sample, y], &pen);
-        x = word(sheet, "rapid", x + sample + gap);
+        x = word(sheet, &labels.rapid, x + sample + gap);
     }
     if !model.cut_extent().is_empty() {
         let first = if depths.is_flat() { BANDS - 1 } else { 0 };
@@ -77,12 +79,12 @@ pub fn key<C: Canvas>(
             let pen = Pen::solid(ramp::of_band(band), 1.6 * widths.cut);
             sheet.canvas.line([part(band), y], [part(band + 1), y], &pen);
         }
-        let name = if depths.is_flat() { "cut" } else { "cut, shallow to deep" };
+        let name = if depths.is_flat() { &labels.cut } else { &labels.depths };
         x = word(sheet, name, x + sample + gap);
     }
-    for (mark, name) in marks {
+    for mark in marks {
         let half = sheet.px(8.0);
         mark.draw(sheet, [x + half, y]);
-        x = word(sheet, name, x + 2.0 * half + gap);
+        x = word(sheet, labels.mark(*mark), x + 2.0 * half + gap);
     }
 }

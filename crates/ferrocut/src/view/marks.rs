@@ -29,9 +29,8 @@ pub enum Mark {
 }
 
 impl Mark {
-    /// Every mark with its name.
-    pub const ALL: [(Mark, &'static str); 3] =
-        [(Mark::Start, "start"), (Mark::End, "end"), (Mark::WorkZero, "work zero")];
+    /// Every mark.
+    pub const ALL: [Mark; 3] = [Mark::Start, Mark::End, Mark::WorkZero];
 
     /// Where it is, if the path has it.
     pub fn place(self, model: &PathModel) -> Option<Point3> {
@@ -112,8 +111,10 @@ pub fn scale_bar<C: Canvas>(sheet: &mut Sheet<'_, C>, projection: &Projection, r
     const LONGEST: f64 = 140.0;
     let mm = scale::round_down(sheet.px(LONGEST) / projection.along_axis());
     let length = mm * projection.along_axis();
-    let along = if projection.view == View::Isometric { " along X, Y, Z" } else { "" };
-    let text = format!("{} mm{along}", scale::short(mm));
+    let text = match projection.view {
+        View::Isometric => sheet.labels.along_axes(&scale::short(mm)),
+        View::Top => sheet.labels.length(&scale::short(mm)),
+    };
     let (left, middle) = (right - length, y - font::capital(sheet.px(LABEL)) / 2.0);
     let pen = sheet.pen(SOFT, 1.6);
     sheet.canvas.line([left, middle], [right, middle], &pen);

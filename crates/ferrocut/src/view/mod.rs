@@ -14,8 +14,10 @@ mod cover;
 mod extent;
 mod font;
 mod isometric;
+mod labels;
 mod layers;
 mod legend;
+mod letters;
 mod marks;
 mod path;
 mod png;
@@ -27,17 +29,18 @@ pub mod svg;
 mod thin;
 mod top;
 
+pub use labels::Labels;
 pub use path::PathModel;
 
 use canvas::{Canvas, Rect};
 use extent::{Extent, zip};
+use ferrocut_machine::Catalogue;
 use font::Align;
 use layers::{Layers, Widths};
 use marks::Mark;
 use projection::{Projection, View};
 use ramp::Depths;
 use sheet::{FAINT, INK, LABEL, PANEL, PAPER, SOFT, Sheet};
-use std::fmt;
 
 /// Kind of picture file.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -59,19 +62,23 @@ pub enum ViewError {
     Encoding(String),
 }
 
-impl fmt::Display for ViewError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl ViewError {
+    /// What is said of it.
+    pub fn told(&self, catalogue: Catalogue) -> String {
+        let [least, most] = [WIDTHS.start(), WIDTHS.end()].map(u32::to_string);
         match self {
             ViewError::Width(width) => {
-                write!(f, "a picture can be {} to {} pixels wide, not {width}", WIDTHS.start(), WIDTHS.end())
+                let named =
+                    [("least", least.into()), ("most", most.into()), ("width", width.to_string().into())];
+                catalogue.label("label-view-width", &named)
             }
-            ViewError::Memory => f.write_str("not enough memory for the picture"),
-            ViewError::Encoding(why) => write!(f, "the picture cannot be written as PNG: {why}"),
+            ViewError::Memory => catalogue.label("label-view-memory", &[]),
+            ViewError::Encoding(why) => {
+                catalogue.label("label-view-encoding", &[("reason", why.as_str().into())])
+            }
         }
     }
 }
-
-impl std::error::Error for ViewError {}
 
 /// Widths of a picture, pixels. Its height is half the width.
 pub const WIDTHS: std::ops::RangeInclusive<u32> = 400..=10_000;
@@ -79,28 +86,34 @@ pub const WIDTHS: std::ops::RangeInclusive<u32> = 400..=10_000;
 /// Width of a picture when none is asked for, pixels.
 pub const DEFAULT_WIDTH: u32 = 1600;
 
-/// Draws the path as a picture file. `title` is the name of the program.
-pub fn render(model: &PathModel, title: &str, width: u32, format: Picture) -> Result<Vec<u8>, ViewError> {
+/// Draws the path as a picture file, with labels in the language of a catalogue. `title` is the name of the program.
+pub fn render(
+    model: &PathModel,
+    title: &str,
+    width: u32,
+    format: Picture,
+    catalogue: Catalogue,
+) -> Result<Vec<u8>, ViewError> {
     if !WIDTHS.contains(&width) {
         return Err(ViewError::Width(width));
     }
     match format {
         Picture::Png => {
             let mut canvas = png::PngCanvas::new(width, width / 2)?;
-            draw(&mut canvas, model, title, width);
+            draw(&mut canvas, &Labels::drawn(catalogue), model, title, width);
             canvas.finish()
         }
         Picture::Svg => {
             let mut canvas = svg::SvgCanvas::new(width, width / 2, title);
-            draw(&mut canvas, model, title, width);
+            draw(&mut canvas, &Labels::of(catalogue), model, title, width);
             Ok(canvas.finish())
         }
     }
 }
 
 /// Draws the whole sheet.
-fn draw(canvas: &mut impl Canvas, model: &PathModel, title: &str, width: u32) {
-    let mut sheet = Sheet::new(canvas, width);
+fn draw(canvas: &mut impl Canvas, labels: &Labels, model: &PathModel, title: &str, width: u32) {
+    let mut sheet = Sheet::new(canvas, labels, width);
     let whole = sheet.area(0.0, 0.0, 1600.0, 801.0);
     sheet.canvas.rect(whole, PAPER);
     let part = part(model);
@@ -120,9 +133,9 @@ fn draw(canvas: &mut impl Canvas, model: &PathModel, title: &str, width: u32) {
         panel(&mut sheet, model, &projection, frame, &part, &depths);
         if moved(model) {
             visible.extend(
-                Mark::ALL.into_iter().filter(|(mark, _)| {
-                    mark.place(model).is_some_and(|p| frame.contains(projection.pixel(p)))
-                }),
+                Mark::ALL
+                    .into_iter()
+                    .filter(|mark| mark.place(model).is_some_and(|p| frame.contains(projection.pixel(p)))),
             );
         }
     }
@@ -136,8 +149,7 @@ fn draw(canvas: &mut impl Canvas, model: &PathModel, title: &str, width: u32) {
     if moved(model) {
         legend::key(&mut sheet, at, &widths, model, &depths, &key);
     }
-    let counted =
-        if model.work_zero().is_some() { "work coordinates, mm" } else { "machine coordinates, mm" };
+    let counted = if model.work_zero().is_some() { &labels.from_work } else { &labels.from_machine };
     let at = [sheet.px(1576.0), sheet.px(770.0) + font::capital(sheet.px(LABEL)) / 2.0];
     sheet.text(counted, at, LABEL, Align::Right, SOFT);
 }
@@ -160,10 +172,10 @@ fn header<C: Canvas>(sheet: &mut Sheet<'_, C>, model: &PathModel, title: &str, p
         }
     }
     let moves = tally.rapids + tally.cuts;
-    line.push(format!("{} {}", scale::grouped(moves), if moves == 1 { "move" } else { "moves" }));
+    line.push(sheet.labels.moves(moves));
     if moves > 0 {
-        line.push(format!("{} rapid", scale::grouped(tally.rapids)));
-        line.push(format!("{} cut over {} mm", scale::grouped(tally.cuts), scale::fixed(tally.cut_mm, 1)));
+        line.push(sheet.labels.rapids(tally.rapids));
+        line.push(sheet.labels.cuts(tally.cuts, tally.cut_mm));
     }
     let line = font::shortened(&line.join("     "), sheet.px(14.0), sheet.px(1552.0));
     let at = [left, sheet.px(64.0)];
@@ -180,7 +192,8 @@ fn panel<C: Canvas>(
     depths: &Depths,
 ) {
     let view = projection.view;
-    let name = if view == View::Top { "TOP" } else { "ISOMETRIC" };
+    let labels = sheet.labels;
+    let name = if view == View::Top { &labels.top } else { &labels.isometric };
     sheet.canvas.rect(frame, PANEL);
     let base = frame.y - sheet.px(10.0);
     sheet.text(name, [frame.x, base], LABEL, Align::Left, INK);
@@ -188,7 +201,7 @@ fn panel<C: Canvas>(
     if !moved(model) {
         sheet.canvas.outline(&frame.corners(), &border);
         let tally = model.tally();
-        let none = if tally.rapids + tally.cuts == 0 { "no moves" } else { "no moves of X, Y or Z" };
+        let none = if tally.rapids + tally.cuts == 0 { &labels.nothing } else { &labels.no_axes };
         let middle = [frame.x + frame.width / 2.0, frame.y + frame.height / 2.0];
         return sheet.text(none, middle, 20.0, Align::Middle, SOFT);
     }

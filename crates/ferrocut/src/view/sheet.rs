@@ -4,6 +4,7 @@
 
 use super::canvas::{Canvas, Lines, Pen, Point, Rect};
 use super::font::{self, Align};
+use super::labels::Labels;
 use super::ramp::Colour;
 
 /// Ground of the sheet.
@@ -31,13 +32,15 @@ const STROKE: f64 = 0.085;
 pub struct Sheet<'a, C> {
     /// The canvas itself.
     pub canvas: &'a mut C,
+    /// What its labels say.
+    pub labels: &'a Labels,
     unit: f64,
 }
 
 impl<'a, C: Canvas> Sheet<'a, C> {
     /// A canvas of this width, pixels.
-    pub fn new(canvas: &'a mut C, width: u32) -> Sheet<'a, C> {
-        Sheet { canvas, unit: f64::from(width) / FULL_WIDTH }
+    pub fn new(canvas: &'a mut C, labels: &'a Labels, width: u32) -> Sheet<'a, C> {
+        Sheet { canvas, labels, unit: f64::from(width) / FULL_WIDTH }
     }
 
     /// Pixels of a length in units.
@@ -63,6 +66,10 @@ impl<'a, C: Canvas> Sheet<'a, C> {
 
     /// Writes a text turned about its place, radians, counter-clockwise.
     pub fn sloped(&mut self, text: &str, at: Point, size: f64, align: Align, colour: Colour, slope: f64) {
+        let px = self.px(size);
+        if !font::has(text) && self.canvas.letters(text, at, px, align, slope, colour) {
+            return;
+        }
         let mut lines = Lines::default();
         font::write(&mut lines, text, at, self.px(size), align, slope);
         let pen = self.pen(colour, size * STROKE);

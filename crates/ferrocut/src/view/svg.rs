@@ -1,6 +1,7 @@
 //! A canvas that writes SVG.
 
 use super::canvas::{Canvas, Lines, Pen, Point};
+use super::font::Align;
 use super::ramp::Colour;
 use std::fmt::Write;
 
@@ -50,6 +51,28 @@ impl SvgCanvas {
 }
 
 impl Canvas for SvgCanvas {
+    fn letters(&mut self, text: &str, at: Point, size: f64, align: Align, slope: f64, fill: Colour) -> bool {
+        let [x, y] = at;
+        let anchor = match align {
+            Align::Left => "start",
+            Align::Middle => "middle",
+            Align::Right => "end",
+        };
+        self.out.push_str("<text xml:space=\"preserve\" fill=\"");
+        colour(&mut self.out, fill);
+        let _ = write!(
+            self.out,
+            "\" font-family=\"sans-serif\" font-size=\"{size:.2}\" text-anchor=\"{anchor}\" x=\"{x:.2}\" y=\"{y:.2}\""
+        );
+        if slope != 0.0 {
+            let _ = write!(self.out, " transform=\"rotate({:.2} {x:.2} {y:.2})\"", -slope.to_degrees());
+        }
+        self.out.push('>');
+        escape(&mut self.out, text);
+        self.out.push_str("</text>\n");
+        true
+    }
+
     fn stroke(&mut self, lines: &Lines, pen: &Pen) {
         if lines.is_empty() {
             return;

@@ -2,6 +2,7 @@
 
 use super::*;
 use ferrocut_geometry::{Plane, Position};
+use ferrocut_machine::Language;
 use ferrocut_toolpath::{Feed, FeedAlong, Op, PathMode};
 use proptest::prelude::*;
 use std::collections::BTreeSet;
@@ -21,6 +22,10 @@ fn arc(to: Position, plane: Plane, center: [f64; 2], sweep: f64) -> Op {
     Op::Arc { to, plane, center, sweep, feed, feed_along, path: PathMode::Continuous }
 }
 
+fn english() -> Catalogue {
+    Catalogue::new(Language::En)
+}
+
 fn model(ops: &[Op]) -> PathModel {
     let mut model = PathModel::new(Position::ZERO);
     ops.iter().for_each(|op| model.step(op));
@@ -28,7 +33,7 @@ fn model(ops: &[Op]) -> PathModel {
 }
 
 fn svg(ops: &[Op], title: &str) -> String {
-    String::from_utf8(render(&model(ops), title, 800, Picture::Svg).unwrap()).unwrap()
+    String::from_utf8(render(&model(ops), title, 800, Picture::Svg, english()).unwrap()).unwrap()
 }
 
 /// The colours inside a rectangle of a picture.
@@ -45,7 +50,7 @@ fn colours(picture: &Pixmap, area: [u32; 4]) -> BTreeSet<[u8; 3]> {
 fn a_png_decodes_and_shows_two_depths_in_two_colours() {
     let mut ops = vec![feed(0.0, 0.0, -1.0), feed(100.0, 0.0, -1.0), rapid(0.0, 50.0, 5.0)];
     ops.extend([feed(0.0, 50.0, -9.0), feed(100.0, 50.0, -9.0)]);
-    let png = render(&model(&ops), "two.nc", 1600, Picture::Png).unwrap();
+    let png = render(&model(&ops), "two.nc", 1600, Picture::Png, english()).unwrap();
     let picture = Pixmap::decode_png(&png).unwrap();
     assert_eq!((picture.width(), picture.height()), (1600, 800));
     // The middle of the top view: lines along X at Y0, below, and at Y50, above.
@@ -94,7 +99,7 @@ fn a_far_tool_change_does_not_make_the_part_small() {
 #[test]
 fn the_width_has_limits() {
     for width in [0, 399, 10_001, u32::MAX] {
-        assert_eq!(render(&model(&[]), "a", width, Picture::Png), Err(ViewError::Width(width)));
+        assert_eq!(render(&model(&[]), "a", width, Picture::Png, english()), Err(ViewError::Width(width)));
     }
 }
 
@@ -174,10 +179,32 @@ proptest! {
             model.set_work_zero(Position(zero));
         }
         ops.iter().for_each(|op| model.step(op));
-        let png = render(&model, &title, width, Picture::Png).unwrap();
+        let png = render(&model, &title, width, Picture::Png, english()).unwrap();
         prop_assert!(Pixmap::decode_png(&png).is_ok());
-        let svg = String::from_utf8(render(&model, &title, width, Picture::Svg).unwrap()).unwrap();
+        let svg = String::from_utf8(render(&model, &title, width, Picture::Svg, english()).unwrap()).unwrap();
         check_xml(&svg);
         prop_assert!(svg.len() < 40_000_000, "{} bytes", svg.len());
     }
+}
+
+#[test]
+fn labels_are_in_the_language_and_those_that_the_font_lacks_are_letters_of_the_viewer() {
+    let model = model(&[feed(10.0, 0.0, -1.0), rapid(0.0, 5.0, 2.0)]);
+    let svg = |tag: &str| {
+        let catalogue = Catalogue::new(Language::from_tag(tag).unwrap());
+        String::from_utf8(render(&model, "a.nc", 800, Picture::Svg, catalogue).unwrap()).unwrap()
+    };
+    let all = ["en", "zh", "ru", "es", "tr"].map(svg);
+    assert!(all.iter().enumerate().all(|(n, one)| !all.iter().skip(n + 1).any(|other| one == other)));
+    all.iter().for_each(|one| check_xml(one));
+    let [first, chinese, rest @ ..] = &all;
+    assert!(chinese.contains(">俯视图</text>") && !chinese.contains("label-view"));
+    assert!(rest.iter().chain([first]).all(|one| !one.contains("<text")));
+    // A picture of pixels has no letters but its own.
+    for tag in ["ru", "es", "tr"] {
+        let catalogue = Catalogue::new(Language::from_tag(tag).unwrap());
+        assert_ne!(Labels::drawn(catalogue).top, Labels::drawn(english()).top, "{tag}");
+    }
+    let chinese = Catalogue::new(Language::from_tag("zh").unwrap());
+    assert_eq!(Labels::drawn(chinese).top, Labels::of(english()).top);
 }

@@ -243,6 +243,33 @@ label-plot-error = path error and tolerance (dashed), mm
 label-plot-peak = highest { $value } at { $time } s, line { $line }
 label-plot-time = time since motion began, s
 
+## Pictures of paths
+
+label-view-top = TOP
+label-view-isometric = ISOMETRIC
+label-view-start = start
+label-view-end = end
+label-view-zero = work zero
+label-view-rapid = rapid
+label-view-cut = cut
+label-view-depths = cut, shallow to deep
+label-view-nothing = no moves
+label-view-no-axes = no moves of X, Y or Z
+label-view-depth = Z mm
+label-view-length = { $length } mm
+label-view-work = work coordinates, mm
+label-view-machine = machine coordinates, mm
+label-view-moves = { $count ->
+    [one] { $shown } move
+   *[other] { $shown } moves
+}
+label-view-rapids = { $shown } rapid
+label-view-cuts = { $shown } cut over { $length } mm
+label-view-along = { $length } mm along X, Y, Z
+label-view-width = a picture can be { $least } to { $most } pixels wide, not { $width }
+label-view-memory = not enough memory for the picture
+label-view-encoding = the picture cannot be written as PNG: { $reason }
+
 ## Restart
 
 label-restart-at = taken up at line { $line }, reached for time { $pass }

@@ -243,6 +243,36 @@ label-plot-error = error de trayectoria y tolerancia (a trazos), mm
 label-plot-peak = máximo { $value } a los { $time } s, línea { $line }
 label-plot-time = tiempo desde que empezó el movimiento, s
 
+## Pictures of paths
+
+label-view-top = PLANTA
+label-view-isometric = ISOMÉTRICA
+label-view-start = inicio
+label-view-end = fin
+label-view-zero = cero de pieza
+label-view-rapid = rápido
+label-view-cut = corte
+label-view-depths = corte, de somero a profundo
+label-view-nothing = sin movimientos
+label-view-no-axes = sin movimientos de X, Y o Z
+label-view-depth = Z mm
+label-view-length = { $length } mm
+label-view-work = coordenadas de pieza, mm
+label-view-machine = coordenadas de máquina, mm
+label-view-moves = { $count ->
+    [one] { $shown } movimiento
+   *[other] { $shown } movimientos
+}
+label-view-rapids = { $count ->
+    [one] { $shown } rápido
+   *[other] { $shown } rápidos
+}
+label-view-cuts = { $shown } de corte en { $length } mm
+label-view-along = { $length } mm según X, Y, Z
+label-view-width = una imagen puede tener de { $least } a { $most } píxeles de ancho, no { $width }
+label-view-memory = no hay memoria suficiente para la imagen
+label-view-encoding = la imagen no se puede escribir como PNG: { $reason }
+
 ## Restart
 
 label-restart-at = reanudado en la línea { $line }, vez que se alcanza: { $pass }

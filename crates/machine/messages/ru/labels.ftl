@@ -264,6 +264,34 @@ label-plot-error = ошибка траектории и допуск (штрих
 label-plot-peak = наибольшее { $value } в { $time } с, строка { $line }
 label-plot-time = время от начала движения, с
 
+## Pictures of paths
+
+label-view-top = СВЕРХУ
+label-view-isometric = ИЗОМЕТРИЯ
+label-view-start = начало
+label-view-end = конец
+label-view-zero = ноль детали
+label-view-rapid = ускоренный ход
+label-view-cut = резание
+label-view-depths = резание, от мелкого к глубокому
+label-view-nothing = нет перемещений
+label-view-no-axes = нет перемещений X, Y или Z
+label-view-depth = Z, мм
+label-view-length = { $length } мм
+label-view-work = координаты детали, мм
+label-view-machine = координаты станка, мм
+label-view-moves = { $count ->
+    [one] { $shown } перемещение
+    [few] { $shown } перемещения
+   *[other] { $shown } перемещений
+}
+label-view-rapids = { $shown } ускоренно
+label-view-cuts = { $shown } с резанием на { $length } мм
+label-view-along = { $length } мм вдоль X, Y, Z
+label-view-width = ширина картинки — от { $least } до { $most } точек, а не { $width }
+label-view-memory = не хватает памяти для картинки
+label-view-encoding = картинку нельзя записать как PNG: { $reason }
+
 ## Restart
 
 label-restart-at = возобновление со строки { $line }, проход { $pass }

@@ -243,6 +243,30 @@ label-plot-error = yol hatası ve tolerans (kesikli), mm
 label-plot-peak = en yüksek { $value }, { $time } s, satır { $line }
 label-plot-time = hareketin başlangıcından beri geçen süre, s
 
+## Pictures of paths
+
+label-view-top = ÜSTTEN
+label-view-isometric = İZOMETRİK
+label-view-start = başlangıç
+label-view-end = bitiş
+label-view-zero = iş sıfırı
+label-view-rapid = hızlı hareket
+label-view-cut = kesme
+label-view-depths = kesme, sığdan derine
+label-view-nothing = hareket yok
+label-view-no-axes = X, Y veya Z hareketi yok
+label-view-depth = Z mm
+label-view-length = { $length } mm
+label-view-work = iş koordinatları, mm
+label-view-machine = makine koordinatları, mm
+label-view-moves = { $shown } hareket
+label-view-rapids = { $shown } hızlı
+label-view-cuts = { $length } mm boyunca { $shown } kesme
+label-view-along = X, Y, Z boyunca { $length } mm
+label-view-width = bir resim { $least } ile { $most } piksel genişliğinde olabilir, { $width } olamaz
+label-view-memory = resim için bellek yetersiz
+label-view-encoding = resim PNG olarak yazılamıyor: { $reason }
+
 ## Restart
 
 label-restart-at = { $line }. satırdan sürdürülüyor, { $pass }. varışta

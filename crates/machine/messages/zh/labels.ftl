@@ -228,6 +228,30 @@ label-plot-error = 轨迹误差与允差（虚线），mm
 label-plot-peak = 最大 { $value }，{ $time } s，第 { $line } 行
 label-plot-time = 开始运动后的时间，s
 
+## Pictures of paths
+
+label-view-top = 俯视图
+label-view-isometric = 等轴测图
+label-view-start = 起点
+label-view-end = 终点
+label-view-zero = 工件零点
+label-view-rapid = 快速移动
+label-view-cut = 切削
+label-view-depths = 切削，由浅至深
+label-view-nothing = 没有移动
+label-view-no-axes = X、Y、Z 没有移动
+label-view-depth = Z mm
+label-view-length = { $length } mm
+label-view-work = 工件坐标，mm
+label-view-machine = 机床坐标，mm
+label-view-moves = { $shown } 次移动
+label-view-rapids = 快速 { $shown } 次
+label-view-cuts = 切削 { $shown } 次，共 { $length } mm
+label-view-along = 沿 X、Y、Z { $length } mm
+label-view-width = 图像宽度须为 { $least } 至 { $most } 像素，不能为 { $width }
+label-view-memory = 图像内存不足
+label-view-encoding = 图像无法写成 PNG：{ $reason }
+
 ## Restart
 
 label-restart-at = 从第 { $line } 行继续，第 { $pass } 次到达
