@@ -2,8 +2,8 @@
 //!
 //! The switches and numbers of the page are parameters that are set there in MDI without the parameter switch; rights
 //! are those of each parameter. The program switch is the parameter of its initial state (54#6 PRGS), so that it stands
-//! after the power as it was left. It is delivered on, unlike the manual's standard setting: a control without passwords
-//! can be used at once.
+//! after the power as it was left. It is delivered on, unlike the manual's standard setting: a control without
+//! passwords can be used at once.
 
 use super::{Control, alarm};
 use ferrocut_machine::{Alarm, Fault, ParameterKey};
