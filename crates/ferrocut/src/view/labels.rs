@@ -104,7 +104,7 @@ impl Labels {
     /// So many of them cut, over a length in mm.
     pub fn cuts(&self, count: u64, length: f64) -> String {
         let (shown, length) = (scale::grouped(count), scale::fixed(length, 1));
-        let named = [("count", count_of(count)), ("shown", shown.into()), ("length", length.into())];
+        let named = [("shown", shown.into()), ("length", length.into())];
         self.catalogue.label("label-view-cuts", &named)
     }
 

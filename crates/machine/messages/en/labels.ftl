@@ -263,7 +263,9 @@ label-view-moves = { $count ->
     [one] { $shown } move
    *[other] { $shown } moves
 }
-label-view-rapids = { $shown } rapid
+label-view-rapids = { $count ->
+   *[other] { $shown } rapid
+}
 label-view-cuts = { $shown } cut over { $length } mm
 label-view-along = { $length } mm along X, Y, Z
 label-view-width = a picture can be { $least } to { $most } pixels wide, not { $width }

@@ -285,7 +285,9 @@ label-view-moves = { $count ->
     [few] { $shown } перемещения
    *[other] { $shown } перемещений
 }
-label-view-rapids = { $shown } ускоренно
+label-view-rapids = { $count ->
+   *[other] { $shown } ускоренно
+}
 label-view-cuts = { $shown } с резанием на { $length } мм
 label-view-along = { $length } мм вдоль X, Y, Z
 label-view-width = ширина картинки — от { $least } до { $most } точек, а не { $width }

@@ -259,8 +259,12 @@ label-view-depth = Z mm
 label-view-length = { $length } mm
 label-view-work = iş koordinatları, mm
 label-view-machine = makine koordinatları, mm
-label-view-moves = { $shown } hareket
-label-view-rapids = { $shown } hızlı
+label-view-moves = { $count ->
+   *[other] { $shown } hareket
+}
+label-view-rapids = { $count ->
+   *[other] { $shown } hızlı
+}
 label-view-cuts = { $length } mm boyunca { $shown } kesme
 label-view-along = X, Y, Z boyunca { $length } mm
 label-view-width = bir resim { $least } ile { $most } piksel genişliğinde olabilir, { $width } olamaz

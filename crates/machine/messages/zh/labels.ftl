@@ -244,8 +244,12 @@ label-view-depth = Z mm
 label-view-length = { $length } mm
 label-view-work = 工件坐标，mm
 label-view-machine = 机床坐标，mm
-label-view-moves = { $shown } 次移动
-label-view-rapids = 快速 { $shown } 次
+label-view-moves = { $count ->
+   *[other] { $shown } 次移动
+}
+label-view-rapids = { $count ->
+   *[other] 快速 { $shown } 次
+}
 label-view-cuts = 切削 { $shown } 次，共 { $length } mm
 label-view-along = 沿 X、Y、Z { $length } mm
 label-view-width = 图像宽度须为 { $least } 至 { $most } 像素，不能为 { $width }
