@@ -15,6 +15,8 @@ export type Mock = {
   sent: Sent[];
   /** Cuts the connection. */
   cut(): void;
+  /** Who is logged in. */
+  session: { level: number };
 };
 export type Options = {
   program?: string;
@@ -25,6 +27,12 @@ export type Options = {
   welcomed?: boolean;
   /** Whether the status moves, 50 times a second. */
   moves?: boolean;
+  /** Whether nothing is told before a log-in. */
+  needsLogIn?: boolean;
+  /** Whether there is no room for a part of DNC now. */
+  isFull?: boolean;
+  /** Called when a command was answered. */
+  answered?: (command: Sent) => void;
 };
 
 const short = 'O0001 (PART)\nN10 G00 X0 Y0\nN20 G01 X50 F900\nN30 G03 X60 Y10 R10\nM30\n';
@@ -33,6 +41,7 @@ export async function mock(context: BrowserContext, options: Options = {}): Prom
   const page = await context.newPage();
   const sent: Sent[] = [];
   let socket: WebSocketRoute | null = null;
+  const session = { level: 0, needs_log_in: options.needsLogIn ?? false };
   if (options.welcomed !== false) {
     await page.addInitScript(() => {
       if (!localStorage.getItem('ferrocut.panel')) localStorage.setItem('ferrocut.panel', '{"welcomed":true}');
@@ -40,6 +49,12 @@ export async function mock(context: BrowserContext, options: Options = {}): Prom
   }
   const server = createServer((request, response) => {
     const url = new URL(request.url ?? '/', 'http://localhost');
+    if (url.pathname === '/api/session') {
+      if (request.method === 'POST') session.level = 4;
+      if (request.method === 'DELETE') session.level = 0;
+      response.writeHead(200, { 'content-type': 'application/json' });
+      return response.end(JSON.stringify(session));
+    }
     if (url.pathname.startsWith('/api/')) return answer(response, url, options);
     const file = join(dist, url.pathname === '/' ? 'index.html' : url.pathname);
     if (!file.startsWith(dist) || !existsSync(file)) return response.writeHead(404).end();
@@ -53,13 +68,15 @@ export async function mock(context: BrowserContext, options: Options = {}): Prom
   });
   const home = `http://127.0.0.1:${(server.address() as AddressInfo).port}/`;
   await page.routeWebSocket(/\/api\/socket$/, (ws) => {
+    // A socket without a session gets no further than the guard.
+    if (session.needs_log_in && session.level === 0) return void ws.close();
     socket = ws;
     let timer: ReturnType<typeof setInterval> | undefined;
     let tick = 0;
     const say = (line: object) => ws.send(JSON.stringify(line));
     say({
       hello: 'ferrocut', api: 1, connection: 1, longest_line: 4194304, dead_man_ms: 250,
-      panel: { ladder: true, languages: ['en', 'zh', 'ru', 'es', 'tr'] }, session: { level: 0, needs_log_in: false },
+      panel: { ladder: true, languages: ['en', 'zh', 'ru', 'es', 'tr'] }, session: { ...session },
     });
     say({ event: 'command', holder: 1, you: true });
     ws.onClose(() => clearInterval(timer));
@@ -71,10 +88,11 @@ export async function mock(context: BrowserContext, options: Options = {}): Prom
         timer = setInterval(() => say({ status: status(options.moves === false ? 0 : tick++, options) }), 20);
       }
       say({ id: command.id, ...reply(command, options) });
+      options.answered?.(command);
     });
   });
   await page.goto(home);
-  return { page, home, sent, cut: () => void socket?.close() };
+  return { page, home, sent, session, cut: () => void socket?.close() };
 }
 
 function reply(command: Sent & { program?: string }, options: Options): object {
@@ -87,6 +105,8 @@ function reply(command: Sent & { program?: string }, options: Options): object {
       // One that is longer than a line of the socket comes as a file.
       if ((options.program?.length ?? 0) > 1e6) return { error: 'no_answer', detail: 'too long' };
       return { reply: 'program', program: command.program, text: options.program ?? short };
+    case 'dnc':
+      return options.isFull ? { refused: { alarm: { id: 'FC-1418', line: 0, warning: false, values: {} } } } : { reply: 'done' };
     case 'offsets':
       return { reply: 'offsets', offsets: { 1: { length: -102.35, radius: 5 } } };
     case 'zeros':
@@ -143,8 +163,6 @@ function answer(response: ServerResponse, url: URL, options: Options): void {
       return;
     case '/api/check':
       return json({ findings: [] });
-    case '/api/session':
-      return json({ level: 0, needs_log_in: false });
     case '/api/alarm':
       return json({ id: 'FC-0302', text: 'An arc has no centre', help: 'Give I, J, K or R.' });
     case '/api/explain':

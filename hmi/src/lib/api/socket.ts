@@ -30,6 +30,8 @@ export class Refused extends Error {
     readonly code: string,
     readonly alarm: AlarmInfo | null,
     readonly detail = '',
+    /** Whether the machine may have done it all the same: the connection was lost before it answered. */
+    readonly open = false,
   ) {
     super(alarm ? alarm.id : `${code} ${detail}`.trim());
     this.name = 'Refused';
@@ -172,7 +174,7 @@ export class Connection {
     this.#alive = undefined;
     const waiting = [...this.#waiting.values()];
     this.#waiting.clear();
-    for (const one of waiting) one.reject(new Refused('no_connection', null));
+    for (const one of waiting) one.reject(new Refused('no_connection', null, '', true));
     this.listener.state('lost');
     if (this.#closed) return;
     const [first, longest] = RETRY_MS;

@@ -1,7 +1,9 @@
 // The program of DNC (GSK990MC part 2, 11.3): a file of this computer, sent while it runs, whichever page is shown. The
 // control keeps a megabyte of it and refuses what has no room yet.
 import { Refused } from '$lib/api/socket';
+import { t } from '$lib/i18n/index.svelte';
 import { machine } from './machine.svelte';
+import { notify } from './notices.svelte';
 
 /** Bytes of a part. */
 const PART = 128 * 1024;
@@ -12,6 +14,8 @@ const NO_ROOM_YET = 'FC-1418';
 let file = $state.raw<File | null>(null);
 let sent = $state(0);
 let sending = $state(false);
+/** For the connection to come back. */
+let waiting = $state(false);
 let turn = 0;
 
 /** UTF-8, else what Chinese shops write. */
@@ -24,14 +28,23 @@ function decoderFor(beginning: ArrayBuffer): TextDecoder {
   }
 }
 
-/** Sends a part as soon as there is room for it; false where nobody wants it sent any more. */
+/** Whether a part may be said again: there was no room for it yet, or it was never said, since there is no connection
+    or command has not come back yet after one was lost. */
+function isToBeSaidAgain(refused: unknown): boolean {
+  if (!(refused instanceof Refused) || refused.open) return false;
+  return refused.alarm?.id === NO_ROOM_YET || refused.code === 'no_connection' || (refused.code === 'not_in_command' && machine.regains);
+}
+
+/** Sends a part as soon as there is room for it and a connection; false where nobody wants it sent any more. */
 async function part(text: string, first: boolean, last: boolean, mine: number): Promise<boolean> {
   while (mine === turn) {
     try {
       await machine.ask({ do: 'dnc', text, first, last });
+      waiting = false;
       return true;
     } catch (refused) {
-      if (!(refused instanceof Refused && refused.alarm?.id === NO_ROOM_YET)) throw refused;
+      if (!isToBeSaidAgain(refused)) throw refused;
+      waiting = machine.link !== 'open';
       await new Promise((resolve) => setTimeout(resolve, AGAIN));
     }
   }
@@ -49,9 +62,13 @@ export const dnc = {
   get sending() {
     return sending;
   },
+  /** Whether it waits for the connection to come back. */
+  get waiting() {
+    return sending && waiting;
+  },
   async send(chosen: File): Promise<void> {
     const mine = ++turn;
-    [file, sent, sending] = [chosen, 0, true];
+    [file, sent, sending, waiting] = [chosen, 0, true, false];
     try {
       let decoder: TextDecoder | null = null;
       for (let at = 0; at === 0 || at < chosen.size; at += PART) {
@@ -62,7 +79,9 @@ export const dnc = {
         sent = Math.min(chosen.size, at + PART);
       }
     } catch (refused) {
-      machine.refused(refused);
+      // A part that was on its way may be there or not: said twice it would be run twice.
+      if (refused instanceof Refused && refused.open) notify({ kind: 'warning', title: t('program.dnc_broken'), text: t('program.dnc_broken_text') });
+      else machine.refused(refused);
     }
     if (mine === turn) sending = false;
   },

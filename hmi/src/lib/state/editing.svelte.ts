@@ -1,7 +1,9 @@
-// What the program editor leaves behind while another page is shown: which program is open, where its cursor is, what
-// of it is not yet saved; and text that another page puts into it.
+// What the program editor leaves behind while another page or program is shown: which program was open last, where its
+// cursor is, what of each program is not yet saved; and text that another page puts into it.
 
-let open = $state.raw<{ program: string; line: number; draft: string | null } | null>(null);
+let open = $state.raw<{ program: string; line: number } | null>(null);
+/** Texts that are not stored yet, by program. */
+let drafts = $state.raw<ReadonlyMap<string, string>>(new Map());
 let pending = $state.raw<{ program: string; text: string } | null>(null);
 
 export const editing = {
@@ -15,10 +17,27 @@ export const editing = {
   },
   /** What stands in the editor and not yet in the memory; null where both are the same. */
   draft(program: string): string | null {
-    return open?.program === program ? open.draft : null;
+    return drafts.get(program) ?? null;
+  },
+  /** Programs of which something is not stored yet. */
+  get unsaved(): string[] {
+    return [...drafts.keys()];
   },
   leave(program: string, line: number, draft: string | null): void {
-    open = { program, line, draft };
+    open = { program, line };
+    const now = new Map(drafts);
+    if (draft === null) now.delete(program);
+    else now.set(program, draft);
+    drafts = now;
+  },
+  /** A program is gone, or is called something else: its draft goes with it. */
+  moved(program: string, to: string | null): void {
+    const draft = drafts.get(program);
+    if (draft === undefined) return;
+    const now = new Map(drafts);
+    now.delete(program);
+    if (to !== null) now.set(to, draft);
+    drafts = now;
   },
   /** Text for a program; the editor takes it up when it shows it. */
   put(program: string, text: string): void {

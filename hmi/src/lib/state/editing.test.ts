@@ -21,5 +21,13 @@ describe('text for a program', () => {
   it('keeps what is not saved, of its program alone', () => {
     editing.leave('O0001', 3, 'G1');
     expect([editing.draft('O0001'), editing.draft('O0002'), editing.line]).toEqual(['G1', null, 3]);
+    editing.leave('O0002', 1, 'G2');
+    editing.leave('O0003', 1, null);
+    expect([editing.draft('O0001'), editing.draft('O0002'), editing.program]).toEqual(['G1', 'G2', 'O0003']);
+    editing.moved('O0002', 'O0004');
+    editing.leave('O0001', 3, null);
+    expect(editing.unsaved).toEqual(['O0004']);
+    editing.moved('O0004', null);
+    expect(editing.unsaved).toEqual([]);
   });
 });

@@ -13,6 +13,8 @@ let version = $state.raw<Version | null>(null);
 let status = $state.raw<Status | null>(null);
 let inCommand = $state.raw(false);
 let holder = $state.raw<number | null>(null);
+/** Whether nothing is told before somebody logs in; null until the server has said so. */
+let gate = $state.raw<boolean | null>(null);
 /** Of the session, 1 to 4; 0 for the operator. */
 let rights = $state.raw(0);
 let messages = $state.raw<string[]>([]);
@@ -54,6 +56,9 @@ function heard(event: Event | HolderEvent): void {
 const COMMANDED = 'ferrocut.commanded';
 let again = sessionStorage.getItem(COMMANDED) !== null;
 
+/** Until it is answered. */
+let asks = false;
+
 function keepCommand(you: boolean, by: number | null): void {
   if (you) {
     again = false;
@@ -67,7 +72,11 @@ function keepCommand(you: boolean, by: number | null): void {
 function takeAgain(): void {
   if (!again) return;
   again = false;
-  connection.ask({ do: 'take_command' }).catch(() => undefined);
+  asks = true;
+  connection
+    .ask({ do: 'take_command' })
+    .catch(() => undefined)
+    .finally(() => (asks = false));
 }
 
 async function tellAlarm(alarm: AlarmInfo): Promise<void> {
@@ -87,6 +96,8 @@ const connection = new Connection(`${protocol}//${location.host}/api/socket`, {
       again ||= inCommand;
       inCommand = false;
       holder = null;
+      // The session may have ended, as it does with the server: then no socket opens before a log-in.
+      if (gate === false) void admit();
     }
   },
   hello(now) {
@@ -110,6 +121,23 @@ const connection = new Connection(`${protocol}//${location.host}/api/socket`, {
   },
 });
 
+/** Asks who this browser is. Where it must log in first the socket is closed: the server would refuse it. */
+async function admit(): Promise<void> {
+  try {
+    const session = await http.session();
+    gate = session.needs_log_in && session.level === 0;
+  } catch {
+    // The server is away, and the connection goes on trying.
+    gate ??= false;
+  }
+  if (!gate) return;
+  rights = 0;
+  connection.close();
+  // Who logs in next may be somebody else.
+  again = false;
+  sessionStorage.removeItem(COMMANDED);
+}
+
 /** Tells the user what was refused: by the control with an alarm, or with the text of its code where there is one. */
 function tellRefused(refused: unknown): void {
   if (!(refused instanceof Refused || refused instanceof HttpError)) notify({ kind: 'warning', title: t('error.failed'), text: String(refused) });
@@ -130,6 +158,10 @@ export const machine = {
   get version() {
     return version;
   },
+  /** Whether somebody must log in before the server says anything; null until that is known. */
+  get gate() {
+    return gate;
+  },
   /** The latest status; null before the first. It comes 50 times a second and is never changed in place. */
   get status() {
     return status;
@@ -137,6 +169,10 @@ export const machine = {
   /** Whether this browser commands. */
   get inCommand() {
     return inCommand;
+  },
+  /** Whether command is asked for again after the connection was lost. */
+  get regains() {
+    return again || asks;
   },
   /** The connection that commands. */
   get holder() {
@@ -169,10 +205,9 @@ export const machine = {
 
   start(): void {
     // The socket is of the session whose cookie the browser has when it opens.
-    void http.session().then(
-      () => connection.open(),
-      () => connection.open(),
-    );
+    void admit().then(() => {
+      if (!gate) connection.open();
+    });
     const letGo = () => connection.releaseAll();
     addEventListener('blur', letGo);
     addEventListener('pagehide', letGo);
@@ -190,19 +225,22 @@ export const machine = {
     sessionStorage.removeItem(COMMANDED);
     void this.tell({ do: 'give_command' });
   },
-  /** Takes the rights of a level. */
+  /** Takes the rights of a level, and connects where that had to wait for them. */
   async logIn(level: number, password: string): Promise<void> {
     rights = (await http.logIn(level, password)).level;
+    if (!gate) return;
+    gate = false;
+    connection.open();
   },
   /** Gives up the rights that were logged in with. */
   async logOut(): Promise<void> {
     try {
       await http.logOut();
-      await http.session();
     } catch (failed) {
       tellRefused(failed);
     }
-    this.reconnect();
+    await admit();
+    if (!gate) this.reconnect();
   },
   /** Says a command; the answer, or `Refused`. */
   ask(wish: Wish): Promise<Reply> {
