@@ -49,6 +49,8 @@ export type SessionInfo = { level: number; needs_log_in: boolean; csrf?: string 
 export class HttpError extends Error {
   /** Why, for programs. */
   readonly code: string = '';
+  /** What of it, for programs. */
+  readonly detail: string = '';
   /** The alarm with which the control refused it. */
   readonly alarm: AlarmInfo | null = null;
   constructor(
@@ -58,8 +60,9 @@ export class HttpError extends Error {
     super(message);
     this.name = 'HttpError';
     try {
-      const { error, refused } = JSON.parse(message) as { error?: string; refused?: { alarm?: AlarmInfo } };
+      const { error, detail, refused } = JSON.parse(message) as { error?: string; detail?: string; refused?: { alarm?: AlarmInfo } };
       this.code = error ?? '';
+      this.detail = detail ?? '';
       this.alarm = refused?.alarm ?? null;
     } catch {
       // No answer of the control's.

@@ -63,6 +63,23 @@ describe('catalogues', () => {
   });
 });
 
+describe('codes of the server', () => {
+  it('have a text each', () => {
+    const server = join(root, '../../crates/server/src');
+    const codes = new Set<string>();
+    for (const file of ['web/problem.rs', 'web/query.rs', 'web/tables.rs', 'web/programs.rs', 'web/socket.rs', 'hub.rs', 'lines.rs']) {
+      const source = readFileSync(join(server, file), 'utf8');
+      // A status with its code; errors of a line, also those of the loop; ends of a connection; a detail for programs.
+      const said = /StatusCode::\w+, "(\w+)"|\berror\("(\w+)"|"(?:error|end)": "(\w+)"|break "(\w+)"|NoMachine\("(\w+)"|map_err\(\|_\| "(\w+)"\)|Unreadable\("(not_text)"/g;
+      for (const found of source.matchAll(said)) codes.add(found.slice(1).find(Boolean)!);
+    }
+    expect([...codes]).toEqual(expect.arrayContaining(['too_slow', 'too_often', 'missing', 'other_origin', 'unknown_host', 'line_too_long', 'taken', 'no_answer', 'logged_out', 'not_text', 'no_machine']));
+    // The page that is closed itself says nothing.
+    codes.delete('closed');
+    expect([...codes].filter((code) => !(`error.${code}` in catalogues.en!))).toEqual([]);
+  });
+});
+
 describe('the source', () => {
   const components = files(root, '.svelte');
   const scripts = files(root, '.ts').filter((file) => !file.endsWith('.test.ts'));

@@ -79,13 +79,32 @@ function takeAgain(): void {
     .finally(() => (asks = false));
 }
 
-async function tellAlarm(alarm: AlarmInfo): Promise<void> {
+/** What a user is told of something that came to nothing, in his language; never the words of a program. */
+export type Reason = { title: string; text?: string; code?: string };
+
+async function reasonOfAlarm(alarm: AlarmInfo): Promise<Reason> {
   try {
     const { text, help } = await http.alarm(alarm.id, alarm.values, language());
-    notify({ kind: 'warning', title: text, text: help, code: alarm.id });
+    return { title: text, text: help, code: alarm.id };
   } catch {
-    notify({ kind: 'warning', title: alarm.id });
+    return { title: alarm.id };
   }
+}
+
+/** Why: the alarm with which the control refused it, or the text of its code. */
+async function reasonOf(refused: unknown): Promise<Reason> {
+  // A request that found no server.
+  if (refused instanceof TypeError) return { title: t('error.no_connection') };
+  if (!(refused instanceof Refused || refused instanceof HttpError)) return { title: t('error.failed') };
+  if (refused.alarm) return reasonOfAlarm(refused.alarm);
+  const { code, detail } = refused;
+  const key = [`error.${detail}`, `error.${code}`].find((one) => has(one));
+  if (key) return { title: t(key) };
+  return { title: t('error.failed'), code: code || (refused instanceof HttpError ? String(refused.status) : '') };
+}
+
+async function tellAlarm(alarm: AlarmInfo): Promise<void> {
+  notify({ kind: 'warning', ...(await reasonOfAlarm(alarm)) });
 }
 
 const protocol = location.protocol === 'https:' ? 'wss:' : 'ws:';
@@ -117,7 +136,8 @@ const connection = new Connection(`${protocol}//${location.host}/api/socket`, {
     for (const watch of watchers) watch(now);
   },
   end(reason) {
-    if (reason !== 'closed') notify({ kind: 'warning', title: t('app.ended'), text: reason });
+    const key = `error.${reason}`;
+    if (reason !== 'closed') notify({ kind: 'warning', title: t('app.ended'), text: has(key) ? t(key) : '', code: has(key) ? '' : reason });
   },
 });
 
@@ -138,14 +158,9 @@ async function admit(): Promise<void> {
   sessionStorage.removeItem(COMMANDED);
 }
 
-/** Tells the user what was refused: by the control with an alarm, or with the text of its code where there is one. */
+/** Tells the user what was refused. */
 function tellRefused(refused: unknown): void {
-  if (!(refused instanceof Refused || refused instanceof HttpError)) notify({ kind: 'warning', title: t('error.failed'), text: String(refused) });
-  else if (refused.alarm) void tellAlarm(refused.alarm);
-  else {
-    const key = `error.${refused.code}`;
-    notify({ kind: 'warning', title: has(key) ? t(key) : t('error.failed'), text: refused instanceof Refused ? refused.detail : has(key) ? '' : refused.message });
-  }
+  void reasonOf(refused).then((reason) => notify({ kind: 'warning', ...reason }));
 }
 
 export const machine = {
@@ -286,6 +301,8 @@ export const machine = {
     return () => watchers.delete(watcher);
   },
   refused: tellRefused,
+  /** Why something came to nothing. */
+  reason: reasonOf,
   /** Tells the user that a command was not even sent. */
   refuse(code: string): void {
     tellRefused(new Refused(code, null));
