@@ -1,14 +1,14 @@
 // What the control knows of a program while it is written: its codes, what each means, and what is wrong.
 import { autocompletion, type CompletionContext, type CompletionResult } from '@codemirror/autocomplete';
-import { linter, type Diagnostic } from '@codemirror/lint';
+import { linter, setDiagnostics, type Diagnostic } from '@codemirror/lint';
 import { hoverTooltip, type EditorView } from '@codemirror/view';
 import type { Extension, Text } from '@codemirror/state';
 import { http, type Finding } from '$lib/api/http';
 import { language } from '$lib/i18n/index.svelte';
 import { completions } from './completions';
 
-/** Programs longer than this are checked when they are saved, not as they are typed. */
-const LARGEST_CHECKED = 400_000;
+/** Characters: programs longer than this are checked when they are saved, not as they are typed. */
+export const LARGEST_CHECKED = 400_000;
 
 /** Offsets of a finding; places outside the text are brought to its end. */
 export function place(doc: Text, finding: Finding): { from: number; to: number } {
@@ -24,6 +24,25 @@ export function place(doc: Text, finding: Finding): { from: number; to: number }
   return { from: line.from, to: Math.max(line.to, line.from) };
 }
 
+/** Findings as the editor marks them. */
+function marks(doc: Text, findings: Finding[]): Diagnostic[] {
+  return findings.slice(0, 500).map((finding) => ({
+    ...place(doc, finding),
+    severity: finding.severity,
+    source: finding.id,
+    message: finding.help ? `${finding.text}\n${finding.help}` : finding.text,
+  }));
+}
+
+/** Checks what stands there now, however long it is, and marks what is wrong. Findings of a text that was changed
+    meanwhile are marked nowhere. */
+export async function checkNow(view: EditorView, dialect: string): Promise<Finding[]> {
+  const { doc } = view.state;
+  const { findings } = await http.check(doc.toString(), dialect, language());
+  if (view.state.doc.eq(doc)) view.dispatch(setDiagnostics(view.state, marks(doc, findings)));
+  return findings;
+}
+
 function checked(dialect: () => string, found: (findings: Finding[]) => void): Extension {
   let running: AbortController | undefined;
   return linter(
@@ -33,12 +52,7 @@ function checked(dialect: () => string, found: (findings: Finding[]) => void): E
       if (view.state.doc.length > LARGEST_CHECKED) return [];
       const { findings } = await http.check(view.state.doc.toString(), dialect(), language(), running.signal);
       found(findings);
-      return findings.slice(0, 500).map((finding) => ({
-        ...place(view.state.doc, finding),
-        severity: finding.severity,
-        source: finding.id,
-        message: finding.help ? `${finding.text}\n${finding.help}` : finding.text,
-      }));
+      return marks(view.state.doc, findings);
     },
     { delay: 300 },
   );
