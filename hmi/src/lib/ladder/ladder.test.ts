@@ -63,3 +63,10 @@ it('reads the standard ladder', () => {
     for (const contact of drawn.contacts) expect(contact.contact.name).not.toBe('');
   }
 });
+
+it('tells what signals are in the words that it is given', () => {
+  const list = 'KEY_A = X20.0 ; key\nLAMP_A = Y1.0 ; lamp\nRD KEY_A\nWRT LAMP_A\nEND1\nEND2\nEND\n';
+  const { rungs, symbols } = readLadder(list, new Map([['KEY_A', 'Taste'], ['LAMP_A', '']]));
+  expect([symbols.get('KEY_A')?.meaning, symbols.get('LAMP_A')?.meaning]).toEqual(['Taste', 'lamp']);
+  expect(rungs[0]?.outputs[0]?.meaning).toBe('lamp');
+});

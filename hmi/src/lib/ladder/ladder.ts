@@ -35,8 +35,8 @@ function join(kind: 'series', a: Node, b: Node): Node {
   return { kind, parts: [...parts(a), ...parts(b)] };
 }
 
-/** Reads a ladder. What it cannot make sense of it leaves out: the control checks ladders, not the drawing. */
-export function readLadder(text: string): Ladder {
+/** Reads a ladder; `meanings` of signals take the place of its own remarks. What it cannot make sense of it leaves out: the control checks ladders, not the drawing. */
+export function readLadder(text: string, meanings: ReadonlyMap<string, string> = new Map()): Ladder {
   const symbols: Symbols = new Map();
   const rungs: Rung[] = [];
   let stack: Node[] = [];
@@ -45,7 +45,7 @@ export function readLadder(text: string): Ladder {
   let comment = '';
   const lines = linesOf(text);
   for (const { words, comment: remark } of lines) {
-    if (words[1] === '=' && words[0] && words[2]) symbols.set(words[0], { address: words[2], meaning: remark });
+    if (words[1] === '=' && words[0] && words[2]) symbols.set(words[0], { address: words[2], meaning: meanings.get(words[0]) || remark });
   }
   const meaning = (name: string) => symbols.get(name)?.meaning ?? '';
   const contact = (name: string, not: boolean): Contact => ({ kind: 'contact', name, not, index, meaning: meaning(name) });
