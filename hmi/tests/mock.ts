@@ -27,6 +27,10 @@ export type Options = {
   welcomed?: boolean;
   /** Whether the status moves, 50 times a second. */
   moves?: boolean;
+  /** What /api/path answers in the place of a path. */
+  noPath?: { status: number; body: string };
+  /** What a check finds. */
+  findings?: object[];
   /** Whether nothing is told before a log-in. */
   needsLogIn?: boolean;
   /** Whether there is no room for a part of DNC now. */
@@ -154,6 +158,7 @@ function answer(response: ServerResponse, url: URL, options: Options): void {
   };
   switch (url.pathname) {
     case '/api/path':
+      if (options.noPath) return void response.writeHead(options.noPath.status).end(options.noPath.body);
       response.writeHead(options.path ? 200 : 404);
       response.end(options.path);
       return;
@@ -162,7 +167,7 @@ function answer(response: ServerResponse, url: URL, options: Options): void {
       response.end(options.program ?? short);
       return;
     case '/api/check':
-      return json({ findings: [] });
+      return json({ findings: options.findings ?? [] });
     case '/api/alarm':
       return json({ id: 'FC-0302', text: 'An arc has no centre', help: 'Give I, J, K or R.' });
     case '/api/explain':

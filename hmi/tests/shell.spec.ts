@@ -99,3 +99,91 @@ test('a file for DNC goes on where it was when the connection comes back', async
   expect(parts().slice(refused).map((one) => one.text).join('')).toBe(text);
   expect(parts().slice(refused).map((one) => [one.first, one.last])).toEqual([[true, false], [false, false], [false, true]]);
 });
+
+test('a program too long to be checked as it is typed is checked when it is saved', async ({ context }) => {
+  const program = `O0001\n${'G1 X1.\n'.repeat(60_000)}M30\n`;
+  const { page } = await mock(context, {
+    program,
+    mode: 'edit',
+    findings: [{ id: 'FC-0302', severity: 'error', line: 3, column: 1, end_line: 3, end_column: 3, text: 'An arc has no centre', help: '' }],
+  });
+  await page.evaluate(() => (location.hash = '#/program/edit/O0001'));
+  await expect(page.getByTestId('checked-on-save')).toHaveText('Long: checked when it is saved');
+  await expect(page.getByTestId('findings')).toHaveCount(0);
+  await page.getByTestId('editor').locator('.cm-line').nth(1).click();
+  await page.keyboard.type('(A)');
+  await page.getByTestId('save').click();
+  await expect(page.getByTestId('findings')).toContainText('An arc has no centre');
+});
+
+test('what cannot be drawn is told in words, not as the server said it', async ({ context }) => {
+  const { page } = await mock(context, { noPath: { status: 408, body: '{"error":"too_slow"}' } });
+  await page.evaluate(() => (location.hash = '#/graphics'));
+  await expect(page.locator('.over.bad')).toContainText('The connection was too slow');
+  await expect(page.locator('.over.bad')).not.toContainText('{');
+});
+
+test('modes and overrides are chosen by keys, but not while something is typed', async ({ context }) => {
+  const { page, sent } = await mock(context, { mode: 'mdi' });
+  const done = () => sent.filter((one) => ['key', 'switch'].includes(one.do)).map((one) => `${String(one.key ?? one.switch)} ${String(one.down ?? one.position)}`);
+  await expect(page.getByTestId('mode')).toBeVisible();
+  await page.keyboard.press('Alt+Shift+Digit6');
+  await expect.poll(done).toEqual(['KEY_JOG true', 'KEY_JOG false']);
+  await page.keyboard.press('Alt+Shift+ArrowUp');
+  await page.keyboard.press('Alt+Shift+ArrowLeft');
+  await expect.poll(done).toEqual(['KEY_JOG true', 'KEY_JOG false', 'SWITCH_FEED 11', 'SWITCH_SPINDLE 5']);
+  await page.keyboard.press('Alt+Shift+PageUp');
+  await expect.poll(done).toHaveLength(6);
+  expect(done()[4]).toBe('KEY_R_F0 true');
+  await page.evaluate(() => (location.hash = '#/offsets/parameters'));
+  await page.getByTestId('parameter-search').click();
+  await page.keyboard.press('Alt+Shift+Digit1');
+  await page.waitForTimeout(200);
+  expect(done()).toHaveLength(6);
+});
+
+test('every kind of measuring is prepared with its own values', async ({ context }) => {
+  const { page, sent } = await mock(context);
+  await page.evaluate(() => (location.hash = '#/settings/probe'));
+  const work = page.locator('.card').filter({ has: page.getByTestId('measure') });
+  const tool = page.locator('.card').filter({ has: page.getByTestId('measure-tool') });
+  const fill = async (card: typeof work, label: string, value: string) => {
+    await card.getByLabel(label, { exact: true }).last().fill(value);
+    await card.getByLabel(label, { exact: true }).last().press('Enter');
+  };
+  const last = (what: string) => sent.filter((one) => one.do === what).at(-1);
+  await work.getByRole('radio', { name: 'Hole, three angles' }).click();
+  await fill(work, 'Angle 2', '100');
+  await page.getByTestId('more-work').click();
+  await fill(work, 'Clearance', '6');
+  await fill(work, 'Speed of the search', '200');
+  await work.locator('select').selectOption('G54 P12');
+  await page.getByTestId('measure').click();
+  await expect.poll(() => last('measure')).toMatchObject({
+    form: 'vector_hole', diameter: 40, angles: [0, 100, 240], system: 'G54 P12', clearance: 6, pace: { search: 200, way: null }, values: {},
+  });
+  await work.getByRole('radio', { name: 'Slot at an angle' }).click();
+  await fill(work, 'Angle', '30');
+  await page.getByTestId('measure').click();
+  await expect.poll(() => last('measure')).toMatchObject({ form: 'vector_slot', width: 40, angle: 30 });
+  await tool.getByRole('radio', { name: 'Calibrate place' }).click();
+  await fill(tool, 'Known length', '80');
+  await page.getByTestId('measure-tool').click();
+  await expect.poll(() => last('measure_tool')).toMatchObject({ mode: 'calibrate_length', length: 80, h: 0, d: 0 });
+  await tool.getByRole('radio', { name: 'Both' }).click();
+  await page.getByTestId('more-tool').click();
+  await fill(tool, 'Offset that marks breakage', '99');
+  await fill(tool, 'Tolerance', '0.1');
+  await page.getByTestId('measure-tool').click();
+  await expect.poll(() => last('measure_tool')).toMatchObject({ mode: 'both', h: 1, d: 1, mark: 99, tolerance: 0.1, rpm: null });
+});
+
+test('parts are entered on the position page, and codes are large enough for a finger', async ({ context }) => {
+  const { page, sent } = await mock(context);
+  const parts = page.getByTestId('parts').locator('input').last();
+  await parts.fill('250');
+  await parts.press('Enter');
+  await expect.poll(() => sent.filter((one) => one.do === 'set_counter').map((one) => [one.counter, one.value])).toEqual([['parts', 250]]);
+  const box = await page.locator('a[href="#/help/codes/G54"]').boundingBox();
+  expect(Math.min(box?.width ?? 0, box?.height ?? 0)).toBeGreaterThanOrEqual(43.9);
+});
