@@ -1,9 +1,13 @@
 import { load, t } from "./lib/i18n/index.svelte.js";
+import Button from "./lib/parts/Button.svelte.js";
 import Empty from "./lib/parts/Empty.svelte.js";
 import Notices from "./lib/parts/Notices.svelte.js";
 import { route } from "./lib/routing.svelte.js";
+import { dnc } from "./lib/state/dnc.svelte.js";
+import { editing } from "./lib/state/editing.svelte.js";
 import { machine } from "./lib/state/machine.svelte.js";
 import { prefs } from "./lib/state/prefs.svelte.js";
+import { ui } from "./lib/state/ui.svelte.js";
 import { pages } from "./pages/index.js";
 import Banner from "./shell/Banner.svelte.js";
 import BottomBar from "./shell/BottomBar.svelte.js";
@@ -31,6 +35,10 @@ function App($$anchor, $$props) {
 			});
 		}, () => $.set(failed, true));
 	});
+	/** What is not stored, and the rest of a file that is being sent, are in this page alone. */
+	function ask(event) {
+		if (dnc.sending || editing.unsaved.length) event.preventDefault();
+	}
 	$.user_effect(() => {
 		load(prefs.language);
 	});
@@ -38,6 +46,7 @@ function App($$anchor, $$props) {
 		document.title = `${t(`${$.get(page).id}.title`)} · ${machine.version?.machine ?? t("app.name")}`;
 	});
 	var fragment = root();
+	$.event("beforeunload", $.window, ask);
 	var div = $.first_child(fragment);
 	let classes;
 	var node = $.child(div);
@@ -53,6 +62,36 @@ function App($$anchor, $$props) {
 	var node_3 = $.child(div_1);
 	var consequent = ($$anchor) => {
 		{
+			let $0 = $.derived(() => t("rights.gate"));
+			let $1 = $.derived(() => t("rights.gate_text"));
+			Empty($$anchor, {
+				icon: "user",
+				get title() {
+					return $.get($0);
+				},
+				get text() {
+					return $.get($1);
+				},
+				children: ($$anchor, $$slotProps) => {
+					Button($$anchor, {
+						kind: "primary",
+						onclick: () => ui.logIn = true,
+						"data-testid": "gate",
+						children: ($$anchor, $$slotProps) => {
+							$.next();
+							var text = $.text();
+							$.template_effect(($0) => $.set_text(text, $0), [() => t("rights.log_in")]);
+							$.append($$anchor, text);
+						},
+						$$slots: { default: true }
+					});
+				},
+				$$slots: { default: true }
+			});
+		}
+	};
+	var consequent_1 = ($$anchor) => {
+		{
 			let $0 = $.derived(() => t("app.page_failed"));
 			let $1 = $.derived(() => t("app.page_failed_text"));
 			Empty($$anchor, {
@@ -66,27 +105,28 @@ function App($$anchor, $$props) {
 			});
 		}
 	};
-	var consequent_1 = ($$anchor) => {
+	var consequent_2 = ($$anchor) => {
 		const Shown = $.derived(() => $.get(shown).component);
-		var fragment_2 = $.comment();
-		var node_4 = $.first_child(fragment_2);
+		var fragment_5 = $.comment();
+		var node_4 = $.first_child(fragment_5);
 		$.component(node_4, () => $.get(Shown), ($$anchor, Shown_1) => {
 			Shown_1($$anchor, {});
 		});
-		$.append($$anchor, fragment_2);
+		$.append($$anchor, fragment_5);
 	};
 	$.if(node_3, ($$render) => {
-		if ($.get(failed)) $$render(consequent);
-		else if ($.get(shown)) $$render(consequent_1, 1);
+		if (machine.gate) $$render(consequent);
+		else if ($.get(failed)) $$render(consequent_1, 1);
+		else if ($.get(shown) && machine.gate === false) $$render(consequent_2, 2);
 	});
 	$.reset(div_1);
 	$.reset(main);
 	var node_5 = $.sibling(main, 2);
-	var consequent_2 = ($$anchor) => {
+	var consequent_3 = ($$anchor) => {
 		MachinePanel($$anchor, {});
 	};
 	$.if(node_5, ($$render) => {
-		if (prefs.panel) $$render(consequent_2);
+		if (prefs.panel) $$render(consequent_3);
 	});
 	var node_6 = $.sibling(node_5, 2);
 	BottomBar(node_6, {});

@@ -10,7 +10,8 @@ function Banner($$anchor, $$props) {
 	$.push($$props, true);
 	var fragment = $.comment();
 	var node = $.first_child(fragment);
-	var consequent = ($$anchor) => {
+	var consequent = ($$anchor) => {};
+	var consequent_1 = ($$anchor) => {
 		var div = root();
 		var node_1 = $.child(div);
 		Icon(node_1, { name: "link" });
@@ -20,7 +21,7 @@ function Banner($$anchor, $$props) {
 		$.template_effect(($0) => $.set_text(text, $0), [() => t("app.lost_text")]);
 		$.append($$anchor, div);
 	};
-	var consequent_1 = ($$anchor) => {
+	var consequent_2 = ($$anchor) => {
 		var div_1 = root_1();
 		var node_2 = $.child(div_1);
 		Icon(node_2, { name: "eye" });
@@ -31,8 +32,9 @@ function Banner($$anchor, $$props) {
 		$.append($$anchor, div_1);
 	};
 	$.if(node, ($$render) => {
-		if (machine.link !== "open") $$render(consequent);
-		else if (machine.holder !== null && !machine.inCommand) $$render(consequent_1, 1);
+		if (machine.gate) $$render(consequent);
+		else if (machine.link !== "open") $$render(consequent_1, 1);
+		else if (machine.holder !== null && !machine.inCommand) $$render(consequent_2, 2);
 	});
 	$.append($$anchor, fragment);
 	$.pop();

@@ -1,23 +1,17 @@
 import { t } from "../lib/i18n/index.svelte.js";
 import Icon from "../lib/parts/Icon.svelte.js";
 import Key from "../lib/parts/Key.svelte.js";
+import StopButton from "../lib/parts/StopButton.svelte.js";
 import { machine } from "../lib/state/machine.svelte.js";
 import { modes } from "./keys.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/shell/BottomBar.svelte
-var root = $.from_html(`<span class="s-1d3a1jw"> </span>`);
+var root = $.from_html(`<span class="s-yo7ftk"> </span>`);
 var root_1 = $.from_html(`<!><span> </span>`, 1);
-var root_2 = $.from_html(`<footer class="s-1d3a1jw"><div class="modes s-1d3a1jw" role="group"></div> <div class="do s-1d3a1jw"><button type="button" class="reset s-1d3a1jw" data-testid="reset"><!><span> </span></button> <!> <!> <button type="button" data-testid="emergency"><!><span> </span></button></div></footer>`);
+var root_2 = $.from_html(`<footer class="s-yo7ftk"><div class="modes s-yo7ftk" role="group"></div> <div class="do s-yo7ftk"><button type="button" class="reset s-yo7ftk" data-testid="reset"><!><span> </span></button> <!> <!> <!></div></footer>`);
 function BottomBar($$anchor, $$props) {
 	$.push($$props, true);
-	const emergency = $.derived(() => machine.status?.activity === "emergency");
-	function stop() {
-		machine.tell({
-			do: "emergency_stop",
-			pressed: !$.get(emergency)
-		});
-	}
 	var footer = root_2();
 	var div = $.child(footer);
 	$.each(div, 21, () => modes, (mode) => mode.signal, ($$anchor, mode) => {
@@ -98,35 +92,20 @@ function BottomBar($$anchor, $$props) {
 			$$slots: { default: true }
 		});
 	}
-	var button_1 = $.sibling(node_3, 2);
-	let classes;
-	var node_5 = $.child(button_1);
-	{
-		let $0 = $.derived(() => $.get(emergency) ? "undo" : "stop");
-		Icon(node_5, { get name() {
-			return $.get($0);
-		} });
-	}
-	var span_4 = $.sibling(node_5);
-	var text_4 = $.only_child(span_4, true);
-	$.reset(button_1);
+	var node_5 = $.sibling(node_3, 2);
+	StopButton(node_5, { "data-testid": "emergency" });
 	$.reset(div_1);
 	$.reset(footer);
-	$.template_effect(($0, $1, $2, $3) => {
+	$.template_effect(($0, $1, $2) => {
 		$.set_attribute(div, "aria-label", $0);
 		$.set_attribute(button, "title", $1);
 		$.set_text(text_1, $2);
-		classes = $.set_class(button_1, 1, "estop s-1d3a1jw", null, classes, { emergency: $.get(emergency) });
-		$.set_attribute(button_1, "aria-pressed", $.get(emergency));
-		$.set_text(text_4, $3);
 	}, [
 		() => t("panel.modes"),
 		() => t("panel.reset"),
-		() => t("panel.reset"),
-		() => $.get(emergency) ? t("panel.release") : t("panel.emergency")
+		() => t("panel.reset")
 	]);
 	$.delegated("click", button, () => void machine.tell({ do: "reset" }));
-	$.delegated("click", button_1, stop);
 	$.append($$anchor, footer);
 	$.pop();
 }

@@ -4,6 +4,7 @@ import { go } from "../lib/routing.svelte.js";
 import { machine } from "../lib/state/machine.svelte.js";
 import { ui } from "../lib/state/ui.svelte.js";
 import { pages } from "../pages/index.js";
+import { modes, rapids } from "./keys.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/shell/KeyMap.svelte
@@ -30,11 +31,63 @@ function KeyMap($$anchor, $$props) {
 	function typing(target) {
 		return target instanceof HTMLElement && (target.isContentEditable || /^(INPUT|TEXTAREA|SELECT)$/.test(target.tagName));
 	}
+	/** Switches of the panel that a key turns by a step: with the position that they have unless told, and the last one. */
+	const overrideKeys = {
+		ArrowUp: [
+			"SWITCH_FEED",
+			1,
+			10,
+			20
+		],
+		ArrowDown: [
+			"SWITCH_FEED",
+			-1,
+			10,
+			20
+		],
+		ArrowRight: [
+			"SWITCH_SPINDLE",
+			1,
+			5,
+			7
+		],
+		ArrowLeft: [
+			"SWITCH_SPINDLE",
+			-1,
+			5,
+			7
+		]
+	};
+	/** Steps of the rapid override. */
+	const rapidKeys = {
+		PageUp: 1,
+		PageDown: -1
+	};
+	function turn(name, by, standard, last) {
+		const position = (machine.status?.panel[name] ?? standard) + by;
+		if (position >= 0 && position <= last) machine.tell({
+			do: "switch",
+			switch: name,
+			position
+		});
+	}
+	/** The key of the panel for a mode, or for the next step of the rapid override. */
+	function chosen(event) {
+		const mode = /^Digit([1-8])$/.exec(event.code)?.[1];
+		if (mode) return modes[Number(mode) - 1]?.signal;
+		const by = rapidKeys[event.key];
+		if (by === void 0) return void 0;
+		const now = rapids.findIndex((one) => machine.status?.lamps.includes(one.lamp));
+		return rapids[Math.max(0, Math.min(rapids.length - 1, now + by))]?.signal;
+	}
 	function keydown(event) {
-		const page = event.altKey && /^Digit\d$/.test(event.code) ? pages[(Number(event.code.slice(5)) + 9) % 10] : void 0;
+		const page = event.altKey && !event.shiftKey && /^Digit\d$/.test(event.code) ? pages[(Number(event.code.slice(5)) + 9) % 10] : void 0;
 		const jogs = event.ctrlKey && !event.altKey && machine.status?.mode === "jog" && !typing(event.target);
-		const signal = heldKeys[event.key] ?? (jogs ? axisKeys[event.key] : void 0);
+		const chooses = event.altKey && event.shiftKey && !event.ctrlKey && !typing(event.target) && !event.defaultPrevented;
+		const override = chooses ? overrideKeys[event.key] : void 0;
+		const signal = heldKeys[event.key] ?? (jogs ? axisKeys[event.key] : void 0) ?? (chooses ? chosen(event) : void 0);
 		if (page) go(page.id);
+		else if (override) turn(...override);
 		else if (event.key === "F1") {
 			if (!event.repeat) machine.tell({
 				do: "emergency_stop",
@@ -94,6 +147,38 @@ function KeyMap($$anchor, $$props) {
 		{
 			keys: ["↑ ↓", "+ −"],
 			text: t("keymap.wheel")
+		},
+		...modes.map((mode, index) => ({
+			keys: [
+				"Alt",
+				"⇧",
+				String(index + 1)
+			],
+			text: t(`mode.${mode.mode}`)
+		})),
+		{
+			keys: [
+				"Alt",
+				"⇧",
+				"↑ ↓"
+			],
+			text: t("keymap.feed")
+		},
+		{
+			keys: [
+				"Alt",
+				"⇧",
+				"← →"
+			],
+			text: t("keymap.spindle")
+		},
+		{
+			keys: [
+				"Alt",
+				"⇧",
+				"PgUp PgDn"
+			],
+			text: t("keymap.rapid")
 		},
 		...pages.map((page, index) => ({
 			keys: ["Alt", String((index + 1) % 10)],

@@ -10,21 +10,20 @@ import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/shell/LogIn.svelte
 var root = $.from_html(`<!> <!>`, 1);
-var root_1 = $.from_html(`<option> </option>`);
-var root_2 = $.from_html(`<select></select>`);
-var root_3 = $.from_html(`<input type="password" autocomplete="current-password" data-testid="password"/>`);
-var root_4 = $.from_html(`<p class="wrong s-av1tew" role="alert"> </p>`);
-var root_5 = $.from_html(`<form id="log-in-form" class="s-av1tew"><!> <!> <!></form>`);
+var root_1 = $.from_html(`<p> </p>`);
+var root_2 = $.from_html(`<option> </option>`);
+var root_3 = $.from_html(`<select></select>`);
+var root_4 = $.from_html(`<input type="password" autocomplete="current-password" data-testid="password"/>`);
+var root_5 = $.from_html(`<p class="wrong s-av1tew" role="alert"> </p>`);
+var root_6 = $.from_html(`<!> <form id="log-in-form" class="s-av1tew"><!> <!> <!></form>`, 1);
 function LogIn($$anchor, $$props) {
 	$.push($$props, true);
 	let level = $.state(4);
 	let password = $.state("");
 	let wrong = $.state("");
 	let busy = $.state(false);
-	/** Whether the server wants to know who is there before it says anything. */
-	const gate = $.derived(() => machine.hello?.session?.needs_log_in ?? false);
 	$.user_effect(() => {
-		if ($.get(gate) && machine.hello?.session?.level === 0) ui.logIn = true;
+		if (machine.gate) ui.logIn = true;
 	});
 	async function logIn(event) {
 		event.preventDefault();
@@ -32,7 +31,6 @@ function LogIn($$anchor, $$props) {
 		$.set(wrong, "");
 		try {
 			await machine.logIn($.get(level), $.get(password));
-			if ($.get(gate)) machine.reconnect();
 			ui.logIn = false;
 			notify({
 				kind: "done",
@@ -92,27 +90,38 @@ function LogIn($$anchor, $$props) {
 			},
 			actions,
 			children: ($$anchor, $$slotProps) => {
-				var form = root_5();
-				var node_2 = $.child(form);
+				var fragment_4 = root_6();
+				var node_2 = $.first_child(fragment_4);
+				var consequent = ($$anchor) => {
+					var p = root_1();
+					var text_2 = $.only_child(p, true);
+					$.template_effect(($0) => $.set_text(text_2, $0), [() => t("rights.gate_text")]);
+					$.append($$anchor, p);
+				};
+				$.if(node_2, ($$render) => {
+					if (machine.gate) $$render(consequent);
+				});
+				var form = $.sibling(node_2, 2);
+				var node_3 = $.child(form);
 				{
 					let $0 = $.derived(() => t("rights.level_label"));
-					Labelled(node_2, {
+					Labelled(node_3, {
 						get label() {
 							return $.get($0);
 						},
 						children: ($$anchor, $$slotProps) => {
-							var select = root_2();
+							var select = root_3();
 							$.each(select, 20, () => [
 								4,
 								3,
 								2,
 								1
 							], (one) => one, ($$anchor, one) => {
-								var option = root_1();
-								var text_2 = $.only_child(option);
+								var option = root_2();
+								var text_3 = $.only_child(option);
 								var option_value = {};
 								$.template_effect(($0) => {
-									$.set_text(text_2, `${one ?? ""} · ${$0 ?? ""}`);
+									$.set_text(text_3, `${one ?? ""} · ${$0 ?? ""}`);
 									if (option_value !== (option_value = one)) option.value = (option.__value = option_value) ?? "";
 								}, [() => t(`rights.level_${one}`)]);
 								$.append($$anchor, option);
@@ -125,15 +134,15 @@ function LogIn($$anchor, $$props) {
 						$$slots: { default: true }
 					});
 				}
-				var node_3 = $.sibling(node_2, 2);
+				var node_4 = $.sibling(node_3, 2);
 				{
 					let $0 = $.derived(() => t("rights.password"));
-					Labelled(node_3, {
+					Labelled(node_4, {
 						get label() {
 							return $.get($0);
 						},
 						children: ($$anchor, $$slotProps) => {
-							var input = root_3();
+							var input = root_4();
 							$.remove_input_defaults(input);
 							$.bind_value(input, () => $.get(password), ($$value) => $.set(password, $$value));
 							$.append($$anchor, input);
@@ -141,19 +150,19 @@ function LogIn($$anchor, $$props) {
 						$$slots: { default: true }
 					});
 				}
-				var node_4 = $.sibling(node_3, 2);
-				var consequent = ($$anchor) => {
-					var p = root_4();
-					var text_3 = $.only_child(p, true);
-					$.template_effect(() => $.set_text(text_3, $.get(wrong)));
-					$.append($$anchor, p);
+				var node_5 = $.sibling(node_4, 2);
+				var consequent_1 = ($$anchor) => {
+					var p_1 = root_5();
+					var text_4 = $.only_child(p_1, true);
+					$.template_effect(() => $.set_text(text_4, $.get(wrong)));
+					$.append($$anchor, p_1);
 				};
-				$.if(node_4, ($$render) => {
-					if ($.get(wrong)) $$render(consequent);
+				$.if(node_5, ($$render) => {
+					if ($.get(wrong)) $$render(consequent_1);
 				});
 				$.reset(form);
 				$.event("submit", form, logIn);
-				$.append($$anchor, form);
+				$.append($$anchor, fragment_4);
 			},
 			$$slots: {
 				actions: true,

@@ -37,7 +37,7 @@ function Welcome($$anchor, $$props) {
 		prefs.welcomed = true;
 		if (machine.holder === null && !machine.inCommand) machine.tell({ do: "take_command" });
 	}
-	var bind_get = () => !prefs.welcomed;
+	var bind_get = () => !prefs.welcomed && machine.gate === false;
 	var bind_set = (open) => prefs.welcomed = !open;
 	{
 		const actions = ($$anchor) => {

@@ -4,6 +4,8 @@ var HttpError = class extends Error {
 	status;
 	/** Why, for programs. */
 	code = "";
+	/** What of it, for programs. */
+	detail = "";
 	/** The alarm with which the control refused it. */
 	alarm = null;
 	constructor(status, message) {
@@ -11,8 +13,9 @@ var HttpError = class extends Error {
 		this.status = status;
 		this.name = "HttpError";
 		try {
-			const { error, refused } = JSON.parse(message);
+			const { error, detail, refused } = JSON.parse(message);
 			this.code = error ?? "";
+			this.detail = detail ?? "";
 			this.alarm = refused?.alarm ?? null;
 		} catch {}
 	}

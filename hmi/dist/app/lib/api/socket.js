@@ -4,11 +4,13 @@ var Refused = class extends Error {
 	code;
 	alarm;
 	detail;
-	constructor(code, alarm, detail = "") {
+	open;
+	constructor(code, alarm, detail = "", open = false) {
 		super(alarm ? alarm.id : `${code} ${detail}`.trim());
 		this.code = code;
 		this.alarm = alarm;
 		this.detail = detail;
+		this.open = open;
 		this.name = "Refused";
 	}
 };
@@ -142,7 +144,7 @@ var Connection = class {
 		this.#alive = void 0;
 		const waiting = [...this.#waiting.values()];
 		this.#waiting.clear();
-		for (const one of waiting) one.reject(new Refused("no_connection", null));
+		for (const one of waiting) one.reject(new Refused("no_connection", null, "", true));
 		this.listener.state("lost");
 		if (this.#closed) return;
 		const [first, longest] = RETRY_MS;

@@ -3,19 +3,33 @@ import { places } from "./scene.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/lib/cycles/Drawing.svelte
-var root = $.from_svg(`<path></path>`);
-var root_1 = $.from_svg(`<g><path class="helper s-1mzf8kx"></path><path class="line s-1mzf8kx"></path><text text-anchor="middle" class="s-1mzf8kx"> </text></g>`);
-var root_2 = $.from_svg(`<g><path class="line s-1mzf8kx"></path><text class="s-1mzf8kx"> </text></g>`);
-var root_3 = $.from_svg(`<g><path class="s-1mzf8kx"></path><circle class="s-1mzf8kx"></circle></g>`);
-var root_4 = $.from_svg(`<svg preserveAspectRatio="xMidYMid meet" role="img" class="s-1mzf8kx"><!><!></svg>`);
+var root = $.from_svg(`<rect class="target s-hi4cwm" role="presentation"></rect>`);
+var root_1 = $.from_svg(`<path></path>`);
+var root_2 = $.from_svg(`<g><path class="helper s-hi4cwm"></path><path class="line s-hi4cwm"></path><!><text text-anchor="middle" class="s-hi4cwm"> </text></g>`);
+var root_3 = $.from_svg(`<g><path class="line s-hi4cwm"></path><!><text class="s-hi4cwm"> </text></g>`);
+var root_4 = $.from_svg(`<g><path class="s-hi4cwm"></path><circle class="s-hi4cwm"></circle></g>`);
+var root_5 = $.from_svg(`<svg preserveAspectRatio="xMidYMid meet" role="img" class="s-hi4cwm"><!><!></svg>`);
 function Drawing($$anchor, $$props) {
 	$.push($$props, true);
-	/** The field that stands out. */
+	const target = ($$anchor, x = $.noop, middle = $.noop, field = $.noop) => {
+		var rect = root();
+		$.template_effect(() => {
+			$.set_attribute(rect, "x", x());
+			$.set_attribute(rect, "y", middle() - $.get(touch) / 2);
+			$.set_attribute(rect, "width", $.get(touch));
+			$.set_attribute(rect, "height", $.get(touch));
+			$.set_attribute(rect, "data-target", field());
+		});
+		$.delegated("click", rect, () => $$props.onfield(field()));
+		$.append($$anchor, rect);
+	};
 	const frame = $.derived(() => box(places($$props.items), .16));
 	const unit = $.derived(() => Math.max($.get(frame).w, $.get(frame).h) / 100);
+	let width = $.state(0);
+	let height = $.state(0);
+	const touch = $.derived(() => $.get(width) > 0 && $.get(height) > 0 ? 44 / Math.min($.get(width) / $.get(frame).w, $.get(height) / $.get(frame).h) : 0);
 	const y = (point) => -point[1];
 	const path = (points, close = false) => points.map((p, i) => `${i ? "L" : "M"}${p[0].toFixed(4)} ${y(p).toFixed(4)}`).join("") + (close ? "Z" : "");
-	/** `L 80` of a field. */
 	function text(name) {
 		const field = $$props.fields.find((one) => one.name === name);
 		const value = $$props.values[name];
@@ -58,24 +72,24 @@ function Drawing($$anchor, $$props) {
 			at: points[12]
 		};
 	}
-	var svg = root_4();
+	var svg = root_5();
 	var node = $.child(svg);
 	$.each(node, 17, () => $$props.items, $.index, ($$anchor, item) => {
 		var fragment = $.comment();
 		var node_1 = $.first_child(fragment);
 		var consequent = ($$anchor) => {
-			var path_1 = root();
+			var path_1 = root_1();
 			$.template_effect(($0) => {
-				$.set_class(path_1, 0, `area ${$.get(item).look ?? ""}`, "s-1mzf8kx");
+				$.set_class(path_1, 0, `area ${$.get(item).look ?? ""}`, "s-hi4cwm");
 				$.set_attribute(path_1, "d", $0);
 			}, [() => path($.get(item).points, true)]);
 			$.append($$anchor, path_1);
 		};
 		var consequent_1 = ($$anchor) => {
-			var path_2 = root();
+			var path_2 = root_1();
 			let classes;
 			$.template_effect(($0) => {
-				classes = $.set_class(path_2, 0, `line ${$.get(item).look ?? ""}`, "s-1mzf8kx", classes, { focus: $.get(item).field === $$props.focus });
+				classes = $.set_class(path_2, 0, `line ${$.get(item).look ?? ""}`, "s-hi4cwm", classes, { focus: $.get(item).field === $$props.focus });
 				$.set_attribute(path_2, "d", $0);
 			}, [() => path($.get(item).points)]);
 			$.append($$anchor, path_2);
@@ -92,15 +106,20 @@ function Drawing($$anchor, $$props) {
 		var node_3 = $.first_child(fragment_1);
 		var consequent_2 = ($$anchor) => {
 			const made = $.derived(() => measure($.get(item)));
-			var g = root_1();
+			var g = root_2();
 			let classes_1;
 			var path_3 = $.child(g);
 			var path_4 = $.sibling(path_3);
-			var text_1 = $.sibling(path_4);
+			var node_4 = $.sibling(path_4);
+			{
+				let $0 = $.derived(() => y($.get(made).at) - $.get(unit));
+				target(node_4, () => $.get(made).at[0] - $.get(touch) / 2, () => $.get($0), () => $.get(item).field);
+			}
+			var text_1 = $.sibling(node_4);
 			var text_2 = $.only_child(text_1, true);
 			$.reset(g);
 			$.template_effect(($0, $1) => {
-				classes_1 = $.set_class(g, 0, "measure s-1mzf8kx", null, classes_1, { focus: $.get(item).field === $$props.focus });
+				classes_1 = $.set_class(g, 0, "measure s-hi4cwm", null, classes_1, { focus: $.get(item).field === $$props.focus });
 				$.set_attribute(g, "data-field", $.get(item).field);
 				$.set_attribute(path_3, "d", $.get(made).helpers);
 				$.set_attribute(path_4, "d", $.get(made).lines);
@@ -113,14 +132,19 @@ function Drawing($$anchor, $$props) {
 		};
 		var consequent_3 = ($$anchor) => {
 			const made = $.derived(() => angle($.get(item)));
-			var g_1 = root_2();
+			var g_1 = root_3();
 			let classes_2;
 			var path_5 = $.child(g_1);
-			var text_3 = $.sibling(path_5);
+			var node_5 = $.sibling(path_5);
+			{
+				let $0 = $.derived(() => y($.get(made).at) - $.get(unit));
+				target(node_5, () => $.get(made).at[0] + $.get(unit), () => $.get($0), () => $.get(item).field);
+			}
+			var text_3 = $.sibling(node_5);
 			var text_4 = $.only_child(text_3, true);
 			$.reset(g_1);
 			$.template_effect(($0, $1) => {
-				classes_2 = $.set_class(g_1, 0, "measure s-1mzf8kx", null, classes_2, { focus: $.get(item).field === $$props.focus });
+				classes_2 = $.set_class(g_1, 0, "measure s-hi4cwm", null, classes_2, { focus: $.get(item).field === $$props.focus });
 				$.set_attribute(g_1, "data-field", $.get(item).field);
 				$.set_attribute(path_5, "d", $.get(made).d);
 				$.set_attribute(text_3, "x", $.get(made).at[0] + $.get(unit));
@@ -131,13 +155,13 @@ function Drawing($$anchor, $$props) {
 			$.append($$anchor, g_1);
 		};
 		var consequent_4 = ($$anchor) => {
-			var g_2 = root_3();
+			var g_2 = root_4();
 			let classes_3;
 			var path_6 = $.child(g_2);
 			var circle = $.sibling(path_6);
 			$.reset(g_2);
 			$.template_effect(($0, $1, $2, $3) => {
-				classes_3 = $.set_class(g_2, 0, "mark s-1mzf8kx", null, classes_3, { focus: $.get(item).field === $$props.focus });
+				classes_3 = $.set_class(g_2, 0, "mark s-hi4cwm", null, classes_3, { focus: $.get(item).field === $$props.focus });
 				$.set_attribute(path_6, "d", `M${$.get(item).at[0] - $.get(unit) * 2} ${$0 ?? ""}H${$.get(item).at[0] + $.get(unit) * 2}M${$.get(item).at[0] ?? ""} ${$1 ?? ""}V${$2 ?? ""}`);
 				$.set_attribute(circle, "cx", $.get(item).at[0]);
 				$.set_attribute(circle, "cy", $3);
@@ -163,6 +187,8 @@ function Drawing($$anchor, $$props) {
 		$.set_attribute(svg, "aria-label", $$props.label);
 		$.set_attribute(svg, "font-size", $.get(unit) * 3.2);
 	});
+	$.bind_element_size(svg, "clientWidth", ($$value) => $.set(width, $$value));
+	$.bind_element_size(svg, "clientHeight", ($$value) => $.set(height, $$value));
 	$.append($$anchor, svg);
 	$.pop();
 }

@@ -1,7 +1,7 @@
 import { machine } from "../state/machine.svelte.js";
 import { lineEnds, othersIn } from "./ends.js";
 import { highlighter } from "./highlight.js";
-import { controlLanguage } from "./language.js";
+import { checkNow, controlLanguage } from "./language.js";
 import { linesOf, textOf } from "./lines.js";
 import { numberBehind } from "./numbering.js";
 import { phrases } from "./phrases.js";
@@ -30,6 +30,8 @@ function Editor($$anchor, $$props) {
 	let view;
 	/** The text that was opened, and of it what the editor does not show. */
 	let opened = "";
+	/** Whether its owner was told already what stands there. */
+	let left = false;
 	let form = {
 		mark: false,
 		end: "\n"
@@ -131,8 +133,7 @@ function Editor($$anchor, $$props) {
 		}));
 		view = made;
 		return () => {
-			const { state } = made;
-			$$props.onleave?.(() => textIn(state), state.doc.lineAt(state.selection.main.head).number);
+			if (!left) leave();
 			made.destroy();
 			view = void 0;
 		};
@@ -168,6 +169,21 @@ function Editor($$anchor, $$props) {
 	/** What stands there now, with the line ends of the text that was opened. */
 	function value() {
 		return view ? textIn(view.state) : $$props.text;
+	}
+	/** Whether it is checked when it is saved, since it is too long to be checked as it is typed. */
+	function isLong() {
+		return view !== void 0 && view.state.doc.length > 4e5;
+	}
+	/** Checks what stands there now. */
+	async function check() {
+		return view ? checkNow(view, machine.dialect) : [];
+	}
+	/** Tells the owner what stands there, before another text takes this one's place. */
+	function leave() {
+		if (!view) return;
+		left = true;
+		const { state } = view;
+		$$props.onleave?.(() => textIn(state), state.doc.lineAt(state.selection.main.head).number);
 	}
 	/** A line, from 1; null where there is none. */
 	function line(number) {
@@ -242,6 +258,9 @@ function Editor($$anchor, $$props) {
 	}
 	var $$exports = {
 		value,
+		isLong,
+		check,
+		leave,
 		line,
 		rewrite,
 		insert,

@@ -1,11 +1,11 @@
 import { http } from "../api/http.js";
 import { language } from "../i18n/index.svelte.js";
 import { completions } from "./completions.js";
-import { linter } from "@codemirror/lint";
+import { linter, setDiagnostics } from "@codemirror/lint";
 import { hoverTooltip } from "@codemirror/view";
 import { autocompletion } from "@codemirror/autocomplete";
 // src/lib/editor/language.ts
-/** Programs longer than this are checked when they are saved, not as they are typed. */
+/** Characters: programs longer than this are checked when they are saved, not as they are typed. */
 var LARGEST_CHECKED = 4e5;
 /** Offsets of a finding; places outside the text are brought to its end. */
 function place(doc, finding) {
@@ -25,20 +25,32 @@ function place(doc, finding) {
 		to: Math.max(line.to, line.from)
 	};
 }
+/** Findings as the editor marks them. */
+function marks(doc, findings) {
+	return findings.slice(0, 500).map((finding) => ({
+		...place(doc, finding),
+		severity: finding.severity,
+		source: finding.id,
+		message: finding.help ? `${finding.text}\n${finding.help}` : finding.text
+	}));
+}
+/** Checks what stands there now, however long it is, and marks what is wrong. Findings of a text that was changed
+meanwhile are marked nowhere. */
+async function checkNow(view, dialect) {
+	const { doc } = view.state;
+	const { findings } = await http.check(doc.toString(), dialect, language());
+	if (view.state.doc.eq(doc)) view.dispatch(setDiagnostics(view.state, marks(doc, findings)));
+	return findings;
+}
 function checked(dialect, found) {
 	let running;
 	return linter(async (view) => {
 		running?.abort();
 		running = new AbortController();
-		if (view.state.doc.length > LARGEST_CHECKED) return [];
+		if (view.state.doc.length > 4e5) return [];
 		const { findings } = await http.check(view.state.doc.toString(), dialect(), language(), running.signal);
 		found(findings);
-		return findings.slice(0, 500).map((finding) => ({
-			...place(view.state.doc, finding),
-			severity: finding.severity,
-			source: finding.id,
-			message: finding.help ? `${finding.text}\n${finding.help}` : finding.text
-		}));
+		return marks(view.state.doc, findings);
 	}, { delay: 300 });
 }
 function complete(dialect) {
@@ -102,4 +114,4 @@ function controlLanguage(dialect, found) {
 		checked(dialect, found)
 	];
 }
-export { controlLanguage, place };
+export { LARGEST_CHECKED, checkNow, controlLanguage, place };

@@ -33,8 +33,8 @@ function join(kind, a, b) {
 		parts: [...parts(a), ...parts(b)]
 	};
 }
-/** Reads a ladder. What it cannot make sense of it leaves out: the control checks ladders, not the drawing. */
-function readLadder(text) {
+/** Reads a ladder; `meanings` of signals take the place of its own remarks. What it cannot make sense of it leaves out: the control checks ladders, not the drawing. */
+function readLadder(text, meanings = /* @__PURE__ */ new Map()) {
 	const symbols = /* @__PURE__ */ new Map();
 	const rungs = [];
 	let stack = [];
@@ -44,7 +44,7 @@ function readLadder(text) {
 	const lines = linesOf(text);
 	for (const { words, comment: remark } of lines) if (words[1] === "=" && words[0] && words[2]) symbols.set(words[0], {
 		address: words[2],
-		meaning: remark
+		meaning: meanings.get(words[0]) || remark
 	});
 	const meaning = (name) => symbols.get(name)?.meaning ?? "";
 	const contact = (name, not) => ({

@@ -1,5 +1,7 @@
 import { Refused } from "../api/socket.js";
+import { t } from "../i18n/index.svelte.js";
 import { machine } from "./machine.svelte.js";
+import { notify } from "./notices.svelte.js";
 import * as $ from "svelte/internal/client";
 // src/lib/state/dnc.svelte.ts
 var PART = 131072;
@@ -8,6 +10,7 @@ var NO_ROOM_YET = "FC-1418";
 var file = $.state(null);
 var sent = $.state(0);
 var sending = $.state(false);
+var waiting = $.state(false);
 var turn = 0;
 function decoderFor(beginning) {
 	try {
@@ -17,7 +20,13 @@ function decoderFor(beginning) {
 		return new TextDecoder("gb18030");
 	}
 }
-/** Sends a part as soon as there is room for it; false where nobody wants it sent any more. */
+/** Whether a part may be said again: there was no room for it yet, or it was never said, since there is no connection
+or command has not come back yet after one was lost. */
+function isToBeSaidAgain(refused) {
+	if (!(refused instanceof Refused) || refused.open) return false;
+	return refused.alarm?.id === NO_ROOM_YET || refused.code === "no_connection" || refused.code === "not_in_command" && machine.regains;
+}
+/** Sends a part as soon as there is room for it and a connection; false where nobody wants it sent any more. */
 async function part(text, first, last, mine) {
 	while (mine === turn) try {
 		await machine.ask({
@@ -26,9 +35,11 @@ async function part(text, first, last, mine) {
 			first,
 			last
 		});
+		$.set(waiting, false);
 		return true;
 	} catch (refused) {
-		if (!(refused instanceof Refused && refused.alarm?.id === NO_ROOM_YET)) throw refused;
+		if (!isToBeSaidAgain(refused)) throw refused;
+		$.set(waiting, machine.link !== "open");
 		await new Promise((resolve) => setTimeout(resolve, AGAIN));
 	}
 	return false;
@@ -44,17 +55,23 @@ var dnc = {
 	get sending() {
 		return $.get(sending);
 	},
+	/** Whether it waits for the connection to come back. */
+	get waiting() {
+		return $.get(sending) && $.get(waiting);
+	},
 	async send(chosen) {
 		const mine = ++turn;
 		(($$value) => {
-			var $$array = $.to_array($$value, 3);
+			var $$array = $.to_array($$value, 4);
 			$.set(file, $$array[0]);
 			$.set(sent, $$array[1], true);
 			$.set(sending, $$array[2], true);
+			$.set(waiting, $$array[3], true);
 		})([
 			chosen,
 			0,
-			true
+			true,
+			false
 		]);
 		try {
 			let decoder = null;
@@ -66,7 +83,12 @@ var dnc = {
 				$.set(sent, Math.min(chosen.size, at + PART), true);
 			}
 		} catch (refused) {
-			machine.refused(refused);
+			if (refused instanceof Refused && refused.open) notify({
+				kind: "warning",
+				title: t("program.dnc_broken"),
+				text: t("program.dnc_broken_text")
+			});
+			else machine.refused(refused);
 		}
 		if (mine === turn) $.set(sending, false);
 	},

@@ -1,6 +1,7 @@
 import * as $ from "svelte/internal/client";
 // src/lib/state/editing.svelte.ts
 var open = $.state(null);
+var drafts = $.state(/* @__PURE__ */ new Map());
 var pending = $.state(null);
 var editing = {
 	get program() {
@@ -12,14 +13,30 @@ var editing = {
 	},
 	/** What stands in the editor and not yet in the memory; null where both are the same. */
 	draft(program) {
-		return $.get(open)?.program === program ? $.get(open).draft : null;
+		return $.get(drafts).get(program) ?? null;
+	},
+	/** Programs of which something is not stored yet. */
+	get unsaved() {
+		return [...$.get(drafts).keys()];
 	},
 	leave(program, line, draft) {
 		$.set(open, {
 			program,
-			line,
-			draft
+			line
 		});
+		const now = new Map($.get(drafts));
+		if (draft === null) now.delete(program);
+		else now.set(program, draft);
+		$.set(drafts, now);
+	},
+	/** A program is gone, or is called something else: its draft goes with it. */
+	moved(program, to) {
+		const draft = $.get(drafts).get(program);
+		if (draft === void 0) return;
+		const now = new Map($.get(drafts));
+		now.delete(program);
+		if (to !== null) now.set(to, draft);
+		$.set(drafts, now);
 	},
 	/** Text for a program; the editor takes it up when it shows it. */
 	put(program, text) {

@@ -10,6 +10,7 @@ var version = $.state(null);
 var status = $.state(null);
 var inCommand = $.state(false);
 var holder = $.state(null);
+var gate = $.state(null);
 var rights = $.state(0);
 var messages = $.state([]);
 var programMessage = $.state("");
@@ -42,6 +43,8 @@ function heard(event) {
 /** Who commanded before a reload or a lost connection takes command again, if nobody else did. */
 var COMMANDED = "ferrocut.commanded";
 var again = sessionStorage.getItem(COMMANDED) !== null;
+/** Until it is answered. */
+var asks = false;
 function keepCommand(you, by) {
 	if (you) {
 		again = false;
@@ -54,23 +57,39 @@ function keepCommand(you, by) {
 function takeAgain() {
 	if (!again) return;
 	again = false;
-	connection.ask({ do: "take_command" }).catch(() => void 0);
+	asks = true;
+	connection.ask({ do: "take_command" }).catch(() => void 0).finally(() => asks = false);
 }
-async function tellAlarm(alarm) {
+async function reasonOfAlarm(alarm) {
 	try {
 		const { text, help } = await http.alarm(alarm.id, alarm.values, language());
-		notify({
-			kind: "warning",
+		return {
 			title: text,
 			text: help,
 			code: alarm.id
-		});
+		};
 	} catch {
-		notify({
-			kind: "warning",
-			title: alarm.id
-		});
+		return { title: alarm.id };
 	}
+}
+/** Why: the alarm with which the control refused it, or the text of its code. */
+async function reasonOf(refused) {
+	if (refused instanceof TypeError) return { title: t("error.no_connection") };
+	if (!(refused instanceof Refused || refused instanceof HttpError)) return { title: t("error.failed") };
+	if (refused.alarm) return reasonOfAlarm(refused.alarm);
+	const { code, detail } = refused;
+	const key = [`error.${detail}`, `error.${code}`].find((one) => has(one));
+	if (key) return { title: t(key) };
+	return {
+		title: t("error.failed"),
+		code: code || (refused instanceof HttpError ? String(refused.status) : "")
+	};
+}
+async function tellAlarm(alarm) {
+	notify({
+		kind: "warning",
+		...await reasonOfAlarm(alarm)
+	});
 }
 var protocol = location.protocol === "https:" ? "wss:" : "ws:";
 var connection = new Connection(`${protocol}//${location.host}/api/socket`, {
@@ -80,6 +99,7 @@ var connection = new Connection(`${protocol}//${location.host}/api/socket`, {
 			again ||= $.get(inCommand);
 			$.set(inCommand, false);
 			$.set(holder, null);
+			if ($.get(gate) === false) admit();
 		}
 	},
 	hello(now) {
@@ -96,29 +116,35 @@ var connection = new Connection(`${protocol}//${location.host}/api/socket`, {
 		for (const watch of watchers) watch(now);
 	},
 	end(reason) {
+		const key = `error.${reason}`;
 		if (reason !== "closed") notify({
 			kind: "warning",
 			title: t("app.ended"),
-			text: reason
+			text: has(key) ? t(key) : "",
+			code: has(key) ? "" : reason
 		});
 	}
 });
-/** Tells the user what was refused: by the control with an alarm, or with the text of its code where there is one. */
-function tellRefused(refused) {
-	if (!(refused instanceof Refused || refused instanceof HttpError)) notify({
-		kind: "warning",
-		title: t("error.failed"),
-		text: String(refused)
-	});
-	else if (refused.alarm) tellAlarm(refused.alarm);
-	else {
-		const key = `error.${refused.code}`;
-		notify({
-			kind: "warning",
-			title: has(key) ? t(key) : t("error.failed"),
-			text: refused instanceof Refused ? refused.detail : has(key) ? "" : refused.message
-		});
+/** Asks who this browser is. Where it must log in first the socket is closed: the server would refuse it. */
+async function admit() {
+	try {
+		const session = await http.session();
+		$.set(gate, session.needs_log_in && session.level === 0);
+	} catch {
+		$.set(gate, $.get(gate) ?? false);
 	}
+	if (!$.get(gate)) return;
+	$.set(rights, 0);
+	connection.close();
+	again = false;
+	sessionStorage.removeItem(COMMANDED);
+}
+/** Tells the user what was refused. */
+function tellRefused(refused) {
+	reasonOf(refused).then((reason) => notify({
+		kind: "warning",
+		...reason
+	}));
 }
 var machine = {
 	get link() {
@@ -130,6 +156,10 @@ var machine = {
 	get version() {
 		return $.get(version);
 	},
+	/** Whether somebody must log in before the server says anything; null until that is known. */
+	get gate() {
+		return $.get(gate);
+	},
 	/** The latest status; null before the first. It comes 50 times a second and is never changed in place. */
 	get status() {
 		return $.get(status);
@@ -137,6 +167,10 @@ var machine = {
 	/** Whether this browser commands. */
 	get inCommand() {
 		return $.get(inCommand);
+	},
+	/** Whether command is asked for again after the connection was lost. */
+	get regains() {
+		return again || asks;
 	},
 	/** The connection that commands. */
 	get holder() {
@@ -167,7 +201,9 @@ var machine = {
 		return changes[item] ?? 0;
 	},
 	start() {
-		http.session().then(() => connection.open(), () => connection.open());
+		admit().then(() => {
+			if (!$.get(gate)) connection.open();
+		});
 		const letGo = () => connection.releaseAll();
 		addEventListener("blur", letGo);
 		addEventListener("pagehide", letGo);
@@ -185,19 +221,22 @@ var machine = {
 		sessionStorage.removeItem(COMMANDED);
 		this.tell({ do: "give_command" });
 	},
-	/** Takes the rights of a level. */
+	/** Takes the rights of a level, and connects where that had to wait for them. */
 	async logIn(level, password) {
 		$.set(rights, (await http.logIn(level, password)).level);
+		if (!$.get(gate)) return;
+		$.set(gate, false);
+		connection.open();
 	},
 	/** Gives up the rights that were logged in with. */
 	async logOut() {
 		try {
 			await http.logOut();
-			await http.session();
 		} catch (failed) {
 			tellRefused(failed);
 		}
-		this.reconnect();
+		await admit();
+		if (!$.get(gate)) this.reconnect();
 	},
 	/** Says a command; the answer, or `Refused`. */
 	ask(wish) {
@@ -243,6 +282,8 @@ var machine = {
 		return () => watchers.delete(watcher);
 	},
 	refused: tellRefused,
+	/** Why something came to nothing. */
+	reason: reasonOf,
 	/** Tells the user that a command was not even sent. */
 	refuse(code) {
 		tellRefused(new Refused(code, null));

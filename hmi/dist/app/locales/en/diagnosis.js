@@ -36,6 +36,8 @@ var diagnosis_default = {
 	"level_1": "Longest scan of level 1",
 	"level_2": "Longest part of level 2 in a period",
 	"level_2_periods": "Periods that level 2 takes",
-	"since": "Periods since then"
+	"since": "Periods since then",
+	"acceleration": "Acceleration",
+	"jerk": "Jerk"
 };
 export { diagnosis_default as default };

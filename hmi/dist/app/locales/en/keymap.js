@@ -8,6 +8,9 @@ var keymap_default = {
 	"find": "Find and replace",
 	"space": "Space",
 	"complete": "Complete a code",
-	"held": "Keys that move act only while they are held and stop when the window loses the focus."
+	"held": "Keys that move act only while they are held and stop when the window loses the focus.",
+	"feed": "Feed override, a step",
+	"spindle": "Spindle override, a step",
+	"rapid": "Rapid override, a step"
 };
 export { keymap_default as default };

@@ -60,6 +60,11 @@ var program_default = {
 	"dnc_stop": "Send no more",
 	"closed": "Programs are locked",
 	"lock_all": "Lock all",
-	"lock_all_text": "The program switch: while it is off no program is changed. It is turned in MDI, with level 4."
+	"lock_all_text": "The program switch: while it is off no program is changed. It is turned in MDI, with level 4.",
+	"dnc_waits": "Waiting for the connection",
+	"dnc_broken": "Sending has ended",
+	"dnc_broken_text": "The connection was lost while a part of the file was on its way. Whether the machine has that part is not known, so nothing more is sent. Let the machine stop, then begin again.",
+	"checked_on_save": "Long: checked when it is saved",
+	"checking": "Checking …"
 };
 export { program_default as default };

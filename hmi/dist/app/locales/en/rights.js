@@ -14,6 +14,8 @@ var rights_default = {
 	"logged_in": "Logged in: {level}",
 	"password": "Password",
 	"wrong": "That is not the password of this level.",
-	"too_often": "Too many attempts. Wait a minute."
+	"too_often": "Too many attempts. Wait a minute.",
+	"gate": "Log in first",
+	"gate_text": "From this computer the machine is seen and operated only after a log-in."
 };
 export { rights_default as default };

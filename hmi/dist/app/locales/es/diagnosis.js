@@ -36,6 +36,8 @@ var diagnosis_default = {
 	"level_1": "Barrido más largo del nivel 1",
 	"level_2": "Parte más larga del nivel 2 en un período",
 	"level_2_periods": "Períodos que toma el nivel 2",
-	"since": "Períodos desde entonces"
+	"since": "Períodos desde entonces",
+	"acceleration": "Aceleración",
+	"jerk": "Sacudida"
 };
 export { diagnosis_default as default };

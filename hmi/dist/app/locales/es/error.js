@@ -10,9 +10,18 @@ var error_default = {
 	"no_object": "La máquina no pudo leer esto",
 	"bad_id": "La máquina no pudo leer esto",
 	"refused": "La máquina lo rechazó",
-	"unreadable": "El archivo no es texto",
+	"unreadable": "La máquina no pudo leer esto",
 	"too_large": "El archivo es demasiado grande",
 	"log_in": "Inicie sesión primero",
-	"busy": "La máquina está ocupada, inténtelo de nuevo"
+	"busy": "La máquina está ocupada, inténtelo de nuevo",
+	"not_text": "El archivo no es texto",
+	"too_slow": "La conexión fue demasiado lenta",
+	"too_often": "Demasiados intentos: espere un minuto",
+	"missing": "La máquina no lo tiene",
+	"other_origin": "La máquina solo lo acepta desde su propia página",
+	"unknown_host": "La máquina no se reconoce con esta dirección",
+	"line_too_long": "Lo enviado de una vez era demasiado largo",
+	"too_many_connections": "Ya hay demasiadas conexiones",
+	"logged_out": "Se cerró la sesión"
 };
 export { error_default as default };

@@ -8,6 +8,9 @@ var keymap_default = {
 	"find": "Buscar y reemplazar",
 	"space": "Espacio",
 	"complete": "Completar un código",
-	"held": "Las teclas que mueven actúan solo mientras se mantienen pulsadas y se sueltan si la ventana pierde el foco."
+	"held": "Las teclas que mueven actúan solo mientras se mantienen pulsadas y se sueltan si la ventana pierde el foco.",
+	"feed": "Corrección de avance, un paso",
+	"spindle": "Corrección del husillo, un paso",
+	"rapid": "Corrección de rápidos, un paso"
 };
 export { keymap_default as default };

@@ -61,6 +61,11 @@ var program_default = {
 	"dnc_stop": "No enviar más",
 	"closed": "Programas bloqueados",
 	"lock_all": "Bloquear todos",
-	"lock_all_text": "El interruptor de programas: mientras está desactivado no se cambia ningún programa. Se acciona en MDI, con nivel 4."
+	"lock_all_text": "El interruptor de programas: mientras está desactivado no se cambia ningún programa. Se acciona en MDI, con nivel 4.",
+	"dnc_waits": "Esperando la conexión",
+	"dnc_broken": "El envío ha terminado",
+	"dnc_broken_text": "Se perdió la conexión mientras se enviaba una parte del archivo. No se sabe si la máquina la tiene, así que no se envía nada más. Deje que la máquina se detenga y empiece de nuevo.",
+	"checked_on_save": "Largo: se comprueba al guardar",
+	"checking": "Comprobando …"
 };
 export { program_default as default };

@@ -14,6 +14,8 @@ var rights_default = {
 	"logged_in": "Sesión iniciada: {level}",
 	"password": "Contraseña",
 	"wrong": "Esa no es la contraseña de este nivel.",
-	"too_often": "Demasiados intentos. Espere un minuto."
+	"too_often": "Demasiados intentos. Espere un minuto.",
+	"gate": "Inicie sesión primero",
+	"gate_text": "Desde este equipo la máquina se ve y se maneja solo después de iniciar sesión."
 };
 export { rights_default as default };

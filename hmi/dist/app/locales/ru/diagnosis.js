@@ -36,6 +36,8 @@ var diagnosis_default = {
 	"level_1": "Самый долгий обход уровня 1",
 	"level_2": "Самая долгая часть уровня 2 за период",
 	"level_2_periods": "Периодов на уровень 2",
-	"since": "Периодов с тех пор"
+	"since": "Периодов с тех пор",
+	"acceleration": "Ускорение",
+	"jerk": "Рывок"
 };
 export { diagnosis_default as default };

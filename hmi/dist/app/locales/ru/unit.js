@@ -6,6 +6,8 @@ var unit_default = {
 	"s": "с",
 	"ms": "мс",
 	"deg": "°",
-	"us": "мкс"
+	"us": "мкс",
+	"mm_s2": "мм/с²",
+	"mm_s3": "мм/с³"
 };
 export { unit_default as default };

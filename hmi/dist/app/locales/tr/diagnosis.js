@@ -36,6 +36,8 @@ var diagnosis_default = {
 	"level_1": "1. seviyenin en uzun taraması",
 	"level_2": "2. seviyenin bir periyottaki en uzun parçası",
 	"level_2_periods": "2. seviyenin aldığı periyotlar",
-	"since": "O zamandan beri periyotlar"
+	"since": "O zamandan beri periyotlar",
+	"acceleration": "İvme",
+	"jerk": "Sarsıntı"
 };
 export { diagnosis_default as default };

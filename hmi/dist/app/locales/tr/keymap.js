@@ -8,6 +8,9 @@ var keymap_default = {
 	"find": "Bul ve değiştir",
 	"space": "Boşluk",
 	"complete": "Kodu tamamla",
-	"held": "Hareket tuşları yalnız basılıyken çalışır; pencere odağı yitirince durur."
+	"held": "Hareket tuşları yalnız basılıyken çalışır; pencere odağı yitirince durur.",
+	"feed": "İlerleme oranı, bir adım",
+	"spindle": "İş mili oranı, bir adım",
+	"rapid": "Hızlı hareket oranı, bir adım"
 };
 export { keymap_default as default };

@@ -60,6 +60,11 @@ var program_default = {
 	"dnc_stop": "Göndermeyi bırak",
 	"closed": "Programlar kilitli",
 	"lock_all": "Tümünü kilitle",
-	"lock_all_text": "Program anahtarı: kapalıyken hiçbir program değiştirilemez. MDI modunda, 4. seviye ile çevrilir."
+	"lock_all_text": "Program anahtarı: kapalıyken hiçbir program değiştirilemez. MDI modunda, 4. seviye ile çevrilir.",
+	"dnc_waits": "Bağlantı bekleniyor",
+	"dnc_broken": "Gönderme sona erdi",
+	"dnc_broken_text": "Dosyanın bir bölümü yoldayken bağlantı koptu. Makinenin bu bölümü alıp almadığı bilinmiyor, bu yüzden başka bir şey gönderilmiyor. Makinenin durmasını bekleyin ve yeniden başlayın.",
+	"checked_on_save": "Uzun: kaydedilince denetlenir",
+	"checking": "Denetleniyor …"
 };
 export { program_default as default };

@@ -14,6 +14,8 @@ var rights_default = {
 	"logged_in": "Oturum açıldı: {level}",
 	"password": "Parola",
 	"wrong": "Bu, o düzeyin parolası değil.",
-	"too_often": "Çok fazla deneme. Bir dakika bekleyin."
+	"too_often": "Çok fazla deneme. Bir dakika bekleyin.",
+	"gate": "Önce giriş yapın",
+	"gate_text": "Bu bilgisayardan makine ancak giriş yapıldıktan sonra görülür ve kullanılır."
 };
 export { rights_default as default };

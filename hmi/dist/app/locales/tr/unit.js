@@ -6,6 +6,8 @@ var unit_default = {
 	"s": "s",
 	"ms": "ms",
 	"deg": "°",
-	"us": "µs"
+	"us": "µs",
+	"mm_s2": "mm/s²",
+	"mm_s3": "mm/s³"
 };
 export { unit_default as default };

@@ -36,6 +36,8 @@ var diagnosis_default = {
 	"level_1": "第 1 级最长扫描",
 	"level_2": "周期内第 2 级最长部分",
 	"level_2_periods": "第 2 级所需周期数",
-	"since": "此后的周期数"
+	"since": "此后的周期数",
+	"acceleration": "加速度",
+	"jerk": "加加速度"
 };
 export { diagnosis_default as default };

@@ -8,6 +8,9 @@ var keymap_default = {
 	"find": "查找和替换",
 	"space": "空格",
 	"complete": "补全代码",
-	"held": "移动键仅在按住时有效，窗口失去焦点时停止。"
+	"held": "移动键仅在按住时有效，窗口失去焦点时停止。",
+	"feed": "进给倍率，一档",
+	"spindle": "主轴倍率，一档",
+	"rapid": "快速倍率，一档"
 };
 export { keymap_default as default };

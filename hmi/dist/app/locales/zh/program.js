@@ -59,6 +59,11 @@ var program_default = {
 	"dnc_stop": "停止传送",
 	"closed": "程序已锁住",
 	"lock_all": "全部锁住",
-	"lock_all_text": "程序开关：关闭时不能修改任何程序。在录入方式下以 4 级权限操作。"
+	"lock_all_text": "程序开关：关闭时不能修改任何程序。在录入方式下以 4 级权限操作。",
+	"dnc_waits": "等待连接",
+	"dnc_broken": "发送已结束",
+	"dnc_broken_text": "文件的一部分正在发送时连接中断。机床是否已收到这一部分无法确定，因此不再继续发送。请让机床停下后重新开始。",
+	"checked_on_save": "程序较长：保存时检查",
+	"checking": "正在检查…"
 };
 export { program_default as default };

@@ -14,6 +14,8 @@ var rights_default = {
 	"logged_in": "已登录：{level}",
 	"password": "密码",
 	"wrong": "密码与此级别不符。",
-	"too_often": "尝试次数过多，请稍候一分钟。"
+	"too_often": "尝试次数过多，请稍候一分钟。",
+	"gate": "请先登录",
+	"gate_text": "从这台计算机查看和操作机床前必须先登录。"
 };
 export { rights_default as default };

@@ -13,7 +13,7 @@ var root = $.from_html(`<!> <!> <span class="seconds s-ykuuby"><!></span> <!>`, 
 var root_1 = $.from_html(`<option> </option>`);
 var root_2 = $.from_html(`<select class="code"></select> <!> <span class="measure s-ykuuby"><!></span> <span class="muted"> </span> <span class="measure s-ykuuby"><!></span>`, 1);
 var root_3 = $.from_html(`<span class="muted" role="status"> </span>`);
-var root_4 = $.from_html(`<div class="recorder s-ykuuby"><div class="trigger row wrap s-ykuuby"><!> <!> <!></div> <div class="plot s-ykuuby"><!></div></div>`);
+var root_4 = $.from_html(`<div class="recorder s-ykuuby"><div class="trigger row wrap s-ykuuby"><!> <!> <span class="muted" data-testid="unit"> </span> <!></div> <div class="plot s-ykuuby"><!></div></div>`);
 var root_5 = $.from_html(`<!> <p class="muted s-ykuuby" data-testid="samples"> </p>`, 1);
 function Waveform($$anchor, $$props) {
 	$.push($$props, true);
@@ -32,6 +32,8 @@ function Waveform($$anchor, $$props) {
 	let names = $.state([]);
 	const options = $.derived(() => [
 		"velocity",
+		"acceleration",
+		"jerk",
 		"position",
 		"error",
 		"path"
@@ -39,15 +41,26 @@ function Waveform($$anchor, $$props) {
 		value,
 		label: t(`diagnosis.${value}`)
 	})));
+	/** Speeds are shown by the minute, and recorded by the second. */
+	const PER_MINUTE = 60;
+	const byMinute = (quantity) => /^velocity(\.|$)/.test(quantity);
+	const unit = $.derived(() => $.get(what) === "velocity" ? t("unit.mm_min") : $.get(what) === "acceleration" ? t("unit.mm_s2") : $.get(what) === "jerk" ? t("unit.mm_s3") : $.get(what) === "path" ? `${t("unit.mm_min")}, ${t("unit.rpm")}` : t("unit.mm"));
 	$.user_effect(() => {
 		if (!$.get(runs)) return;
 		const kind = $.get(what);
 		const period = (machine.version?.period_ms ?? 1) / 1e3;
 		const axes = machine.axes;
-		const drawn = kind === "path" ? ["F", "S"] : axes;
+		const drawn = kind === "path" ? [
+			"F",
+			`S ${t("position.told")}`,
+			`S ${t("position.actual")}`
+		] : axes;
 		$.set(names, drawn);
 		let t0 = null;
 		let before = null;
+		/** Velocity and acceleration of the sample before, mm/s and mm/s², by axis; zero at first. */
+		let v = {};
+		let a = {};
 		let at = [];
 		let values = drawn.map(() => []);
 		let shownAt = 0;
@@ -59,10 +72,26 @@ function Waveform($$anchor, $$props) {
 				const here = status.position.machine[axis] ?? 0;
 				if (kind === "position") return here;
 				if (kind === "error") return here - (status.position.actual[axis] ?? here);
-				return dt > 0 ? (here - (before?.position.machine[axis] ?? here)) / dt * 60 : 0;
+				if (dt <= 0) return 0;
+				const velocity = (here - (before?.position.machine[axis] ?? here)) / dt;
+				const acceleration = (velocity - (v[axis] ?? velocity)) / dt;
+				const jerk = (acceleration - (a[axis] ?? acceleration)) / dt;
+				v = {
+					...v,
+					[axis]: velocity
+				};
+				a = {
+					...a,
+					[axis]: acceleration
+				};
+				return kind === "velocity" ? velocity * PER_MINUTE : kind === "acceleration" ? acceleration : jerk;
 			};
 			at = [...at.slice(-999), now - t0];
-			values = (kind === "path" ? [status.feed.actual, status.spindle.told] : axes.map(sample)).map((value, index) => [...(values[index] ?? []).slice(-999), value]);
+			values = (kind === "path" ? [
+				status.feed.actual,
+				status.spindle.told,
+				Math.abs(status.spindle.actual)
+			] : axes.map(sample)).map((value, index) => [...(values[index] ?? []).slice(-999), value]);
 			before = status;
 			if (performance.now() - shownAt > 100) {
 				shownAt = performance.now();
@@ -71,7 +100,7 @@ function Waveform($$anchor, $$props) {
 			}
 		});
 	});
-	const recordable = $.derived(() => $.get(what) === "path" ? ["velocity", "spindle"] : machine.axes.map((axis) => `${$.get(what) === "position" ? "commanded" : $.get(what) === "error" ? "error" : "velocity"}.${axis}`));
+	const recordable = $.derived(() => $.get(what) === "path" ? ["velocity", "spindle"] : machine.axes.map((axis) => `${$.get(what) === "position" ? "commanded" : $.get(what)}.${axis}`));
 	const beginnings = $.derived(() => [{
 		value: "now",
 		label: t("diagnosis.at_once")
@@ -92,9 +121,10 @@ function Waveform($$anchor, $$props) {
 			await machine.tell({ do: "end_capture" });
 			return;
 		}
+		const by = $.get(recordable)[$.get(of)] ?? $.get(recordable)[0] ?? "";
 		const trigger = $.get(starts) === "level" ? {
-			quantity: $.get(recordable)[$.get(of)] ?? $.get(recordable)[0] ?? "",
-			level: $.get(level),
+			quantity: by,
+			level: byMinute(by) ? $.get(level) / PER_MINUTE : $.get(level),
 			rises: $.get(edge) === "rises"
 		} : null;
 		if (!await machine.tell({
@@ -119,7 +149,10 @@ function Waveform($$anchor, $$props) {
 				await new Promise((resolve) => setTimeout(resolve, 100));
 				return shown;
 			});
-			if (read) $.set(names, read.names), $.set(times, read.times), $.set(lines, read.lines);
+			if (read) {
+				$.set(names, read.names), $.set(times, read.times);
+				$.set(lines, read.lines.map((line, index) => byMinute(read.names[index] ?? "") ? line.map((value) => value * PER_MINUTE) : line));
+			}
 		} catch (refused) {
 			machine.refused(refused);
 		}
@@ -287,6 +320,9 @@ function Waveform($$anchor, $$props) {
 							get value() {
 								return $.get(level);
 							},
+							get unit() {
+								return $.get(unit);
+							},
 							get label() {
 								return $.get($0);
 							},
@@ -330,12 +366,14 @@ function Waveform($$anchor, $$props) {
 				$.if(node_6, ($$render) => {
 					if ($.get(starts) === "level") $$render(consequent);
 				});
-				var node_10 = $.sibling(node_6, 2);
+				var span_4 = $.sibling(node_6, 2);
+				var text_4 = $.only_child(span_4, true);
+				var node_10 = $.sibling(span_4, 2);
 				var consequent_1 = ($$anchor) => {
-					var span_4 = root_3();
-					var text_4 = $.only_child(span_4, true);
-					$.template_effect(($0) => $.set_text(text_4, $0), [() => t("diagnosis.recording")]);
-					$.append($$anchor, span_4);
+					var span_5 = root_3();
+					var text_5 = $.only_child(span_5, true);
+					$.template_effect(($0) => $.set_text(text_5, $0), [() => t("diagnosis.recording")]);
+					$.append($$anchor, span_5);
 				};
 				$.if(node_10, ($$render) => {
 					if ($.get(recording)) $$render(consequent_1);
@@ -362,6 +400,7 @@ function Waveform($$anchor, $$props) {
 				}
 				$.reset(div_2);
 				$.reset(div);
+				$.template_effect(() => $.set_text(text_4, $.get(unit)));
 				$.append($$anchor, div);
 			},
 			$$slots: {
@@ -371,10 +410,10 @@ function Waveform($$anchor, $$props) {
 		});
 	}
 	var p = $.sibling(node, 2);
-	var text_5 = $.only_child(p, true);
+	var text_6 = $.only_child(p, true);
 	$.template_effect(($0) => {
 		$.set_attribute(p, "data-samples", $.get(times).length);
-		$.set_text(text_5, $0);
+		$.set_text(text_6, $0);
 	}, [() => t("diagnosis.waveform_text")]);
 	$.append($$anchor, fragment);
 	$.pop();

@@ -61,8 +61,10 @@ function Graphics($$anchor, $$props) {
 			$.set(loading, false);
 		}, (reason) => {
 			if (abort.signal.aborted) return;
-			$.set(failed, String(reason instanceof Error ? reason.message : reason), true);
 			$.set(loading, false);
+			machine.reason(reason).then(({ title, text = "" }) => {
+				if (!abort.signal.aborted) $.set(failed, `${title} ${text}`.trim(), true);
+			});
 		});
 		return () => abort.abort();
 	});
@@ -152,9 +154,9 @@ function Graphics($$anchor, $$props) {
 								onclick: () => go("program", "directory"),
 								children: ($$anchor, $$slotProps) => {
 									$.next();
-									var text = $.text();
-									$.template_effect(($0) => $.set_text(text, $0), [() => t("program.directory")]);
-									$.append($$anchor, text);
+									var text_1 = $.text();
+									$.template_effect(($0) => $.set_text(text_1, $0), [() => t("program.directory")]);
+									$.append($$anchor, text_1);
 								},
 								$$slots: { default: true }
 							});
@@ -167,7 +169,7 @@ function Graphics($$anchor, $$props) {
 				var div = root_10();
 				var div_1 = $.child(div);
 				var strong = $.child(div_1);
-				var text_1 = $.only_child(strong, true);
+				var text_2 = $.only_child(strong, true);
 				var node_1 = $.sibling(strong, 4);
 				$.each(node_1, 16, () => views, (one) => one, ($$anchor, one) => {
 					Button($$anchor, {
@@ -177,9 +179,9 @@ function Graphics($$anchor, $$props) {
 						},
 						children: ($$anchor, $$slotProps) => {
 							$.next();
-							var text_2 = $.text();
-							$.template_effect(($0) => $.set_text(text_2, $0), [() => t(`graphics.${one}`)]);
-							$.append($$anchor, text_2);
+							var text_3 = $.text();
+							$.template_effect(($0) => $.set_text(text_3, $0), [() => t(`graphics.${one}`)]);
+							$.append($$anchor, text_3);
 						},
 						$$slots: { default: true }
 					});
@@ -226,9 +228,9 @@ function Graphics($$anchor, $$props) {
 					onclick: () => $.set(rapids, !$.get(rapids)),
 					children: ($$anchor, $$slotProps) => {
 						$.next();
-						var text_3 = $.text();
-						$.template_effect(($0) => $.set_text(text_3, $0), [() => t("graphics.rapids")]);
-						$.append($$anchor, text_3);
+						var text_4 = $.text();
+						$.template_effect(($0) => $.set_text(text_4, $0), [() => t("graphics.rapids")]);
+						$.append($$anchor, text_4);
 					},
 					$$slots: { default: true }
 				});
@@ -241,9 +243,9 @@ function Graphics($$anchor, $$props) {
 					"data-testid": "section",
 					children: ($$anchor, $$slotProps) => {
 						$.next();
-						var text_4 = $.text();
-						$.template_effect(($0) => $.set_text(text_4, $0), [() => t("graphics.section")]);
-						$.append($$anchor, text_4);
+						var text_5 = $.text();
+						$.template_effect(($0) => $.set_text(text_5, $0), [() => t("graphics.section")]);
+						$.append($$anchor, text_5);
 					},
 					$$slots: { default: true }
 				});
@@ -260,9 +262,9 @@ function Graphics($$anchor, $$props) {
 					"data-testid": "measure",
 					children: ($$anchor, $$slotProps) => {
 						$.next();
-						var text_5 = $.text();
-						$.template_effect(($0) => $.set_text(text_5, $0), [() => t("graphics.measure")]);
-						$.append($$anchor, text_5);
+						var text_6 = $.text();
+						$.template_effect(($0) => $.set_text(text_6, $0), [() => t("graphics.measure")]);
+						$.append($$anchor, text_6);
 					},
 					$$slots: { default: true }
 				});
@@ -298,8 +300,8 @@ function Graphics($$anchor, $$props) {
 				var node_8 = $.sibling(node_7, 2);
 				var consequent_1 = ($$anchor) => {
 					var p = root();
-					var text_6 = $.only_child(p, true);
-					$.template_effect(($0) => $.set_text(text_6, $0), [() => t("app.loading")]);
+					var text_7 = $.only_child(p, true);
+					$.template_effect(($0) => $.set_text(text_7, $0), [() => t("app.loading")]);
 					$.append($$anchor, p);
 				};
 				$.if(node_8, ($$render) => {
@@ -308,13 +310,13 @@ function Graphics($$anchor, $$props) {
 				var node_9 = $.sibling(node_8, 2);
 				var consequent_2 = ($$anchor) => {
 					var p_1 = root_1();
-					var text_7 = $.child(p_1, true);
-					var small = $.sibling(text_7, 2);
-					var text_8 = $.only_child(small, true);
+					var text_8 = $.child(p_1, true);
+					var small = $.sibling(text_8, 2);
+					var text_9 = $.only_child(small, true);
 					$.reset(p_1);
 					$.template_effect(($0) => {
-						$.set_text(text_7, $0);
-						$.set_text(text_8, $.get(failed));
+						$.set_text(text_8, $0);
+						$.set_text(text_9, $.get(failed));
 					}, [() => t("graphics.failed")]);
 					$.append($$anchor, p_1);
 				};
@@ -324,8 +326,8 @@ function Graphics($$anchor, $$props) {
 				var node_10 = $.sibling(node_9, 2);
 				var consequent_3 = ($$anchor) => {
 					var p_2 = root_2();
-					var text_9 = $.only_child(p_2, true);
-					$.template_effect(($0) => $.set_text(text_9, $0), [() => t("graphics.cut_by_alarm")]);
+					var text_10 = $.only_child(p_2, true);
+					$.template_effect(($0) => $.set_text(text_10, $0), [() => t("graphics.cut_by_alarm")]);
 					$.append($$anchor, p_2);
 				};
 				$.if(node_10, ($$render) => {
@@ -334,8 +336,8 @@ function Graphics($$anchor, $$props) {
 				var node_11 = $.sibling(node_10, 2);
 				var consequent_4 = ($$anchor) => {
 					var p_3 = root_3();
-					var text_10 = $.only_child(p_3, true);
-					$.template_effect(($0) => $.set_text(text_10, $0), [() => t("graphics.cut_by_size")]);
+					var text_11 = $.only_child(p_3, true);
+					$.template_effect(($0) => $.set_text(text_11, $0), [() => t("graphics.cut_by_size")]);
 					$.append($$anchor, p_3);
 				};
 				$.if(node_11, ($$render) => {
@@ -345,17 +347,17 @@ function Graphics($$anchor, $$props) {
 				var consequent_7 = ($$anchor) => {
 					var div_3 = root_7();
 					var small_1 = $.child(div_3);
-					var text_11 = $.only_child(small_1, true);
+					var text_12 = $.only_child(small_1, true);
 					var node_13 = $.sibling(small_1, 2);
 					$.each(node_13, 17, () => $.get(marks), $.index, ($$anchor, mark, index) => {
 						var div_4 = root_4();
-						var text_12 = $.child(div_4);
-						var span = $.sibling(text_12);
-						var text_13 = $.only_child(span, true);
+						var text_13 = $.child(div_4);
+						var span = $.sibling(text_13);
+						var text_14 = $.only_child(span, true);
 						$.reset(div_4);
 						$.template_effect(($0, $1, $2, $3) => {
-							$.set_text(text_12, `X ${$0 ?? ""} Y ${$1 ?? ""} Z ${$2 ?? ""} `);
-							$.set_text(text_13, $3);
+							$.set_text(text_13, `X ${$0 ?? ""} Y ${$1 ?? ""} Z ${$2 ?? ""} `);
+							$.set_text(text_14, $3);
 						}, [
 							() => fixed($.get(mark).x),
 							() => fixed($.get(mark).y),
@@ -373,14 +375,14 @@ function Graphics($$anchor, $$props) {
 							let axis = () => $.get($$array)[0];
 							let way = () => $.get($$array)[1];
 							$.next();
-							var text_14 = $.text();
-							$.template_effect(($0) => $.set_text(text_14, `${`Δ${axis()}`} ${$0 ?? ""} `), [() => fixed(way())]);
-							$.append($$anchor, text_14);
+							var text_15 = $.text();
+							$.template_effect(($0) => $.set_text(text_15, `${`Δ${axis()}`} ${$0 ?? ""} `), [() => fixed(way())]);
+							$.append($$anchor, text_15);
 						});
 						$.reset(div_5);
 						var strong_1 = $.sibling(div_5, 2);
-						var text_15 = $.only_child(strong_1, true);
-						$.template_effect(($0) => $.set_text(text_15, $0), [() => t("graphics.distance", { distance: fixed(Math.hypot(...$.get(between).map(([, way]) => way))) })]);
+						var text_16 = $.only_child(strong_1, true);
+						$.template_effect(($0) => $.set_text(text_16, $0), [() => t("graphics.distance", { distance: fixed(Math.hypot(...$.get(between).map(([, way]) => way))) })]);
 						$.append($$anchor, fragment_10);
 					};
 					$.if(node_14, ($$render) => {
@@ -389,15 +391,15 @@ function Graphics($$anchor, $$props) {
 					var node_15 = $.sibling(node_14, 2);
 					var consequent_6 = ($$anchor) => {
 						var span_1 = root_6();
-						var text_16 = $.only_child(span_1, true);
-						$.template_effect(($0) => $.set_text(text_16, $0), [() => t("graphics.second")]);
+						var text_17 = $.only_child(span_1, true);
+						$.template_effect(($0) => $.set_text(text_17, $0), [() => t("graphics.second")]);
 						$.append($$anchor, span_1);
 					};
 					$.if(node_15, ($$render) => {
 						if ($.get(measuring) && $.get(marks).length === 1) $$render(consequent_6);
 					});
 					$.reset(div_3);
-					$.template_effect(($0) => $.set_text(text_11, $0), [() => t("position.machine")]);
+					$.template_effect(($0) => $.set_text(text_12, $0), [() => t("position.machine")]);
 					$.append($$anchor, div_3);
 				};
 				$.if(node_12, ($$render) => {
@@ -408,21 +410,21 @@ function Graphics($$anchor, $$props) {
 				var consequent_8 = ($$anchor) => {
 					var div_6 = root_8();
 					var span_2 = $.child(div_6);
-					var text_17 = $.only_child(span_2, true);
+					var text_18 = $.only_child(span_2, true);
 					var input = $.sibling(span_2, 2);
 					$.remove_input_defaults(input);
 					var output = $.sibling(input, 2);
-					var text_18 = $.only_child(output);
+					var text_19 = $.only_child(output);
 					var small_2 = $.sibling(output, 2);
-					var text_19 = $.only_child(small_2, true);
+					var text_20 = $.only_child(small_2, true);
 					$.reset(div_6);
 					$.template_effect(($0, $1, $2, $3) => {
-						$.set_text(text_17, $0);
+						$.set_text(text_18, $0);
 						$.set_attribute(input, "min", $.get(path).box.low[2]);
 						$.set_attribute(input, "max", $.get(path).box.high[2]);
 						$.set_attribute(input, "aria-label", $1);
-						$.set_text(text_18, `Z ${$2 ?? ""}`);
-						$.set_text(text_19, $3);
+						$.set_text(text_19, `Z ${$2 ?? ""}`);
+						$.set_text(text_20, $3);
 					}, [
 						() => t("graphics.height"),
 						() => t("graphics.height"),
@@ -448,24 +450,24 @@ function Graphics($$anchor, $$props) {
 					"data-testid": "live",
 					children: ($$anchor, $$slotProps) => {
 						$.next();
-						var text_20 = $.text();
-						$.template_effect(($0) => $.set_text(text_20, $0), [() => t("graphics.live")]);
-						$.append($$anchor, text_20);
+						var text_21 = $.text();
+						$.template_effect(($0) => $.set_text(text_21, $0), [() => t("graphics.live")]);
+						$.append($$anchor, text_21);
 					},
 					$$slots: { default: true }
 				});
 				var input_1 = $.sibling(node_17, 2);
 				$.remove_input_defaults(input_1);
 				var output_1 = $.sibling(input_1, 2);
-				var text_21 = $.only_child(output_1);
+				var text_22 = $.only_child(output_1);
 				var span_3 = $.sibling(output_1, 2);
-				var text_22 = $.only_child(span_3, true);
+				var text_23 = $.only_child(span_3, true);
 				$.reset(div_7);
 				var node_18 = $.sibling(div_7, 2);
 				var consequent_9 = ($$anchor) => {
 					var p_4 = root_9();
-					var text_23 = $.only_child(p_4, true);
-					$.template_effect(($0) => $.set_text(text_23, $0), [() => t("graphics.facts", {
+					var text_24 = $.only_child(p_4, true);
+					$.template_effect(($0) => $.set_text(text_24, $0), [() => t("graphics.facts", {
 						n: number($.get(path).count),
 						x: fixed($.get(path).box.high[0] - $.get(path).box.low[0], 1),
 						y: fixed($.get(path).box.high[1] - $.get(path).box.low[1], 1),
@@ -481,12 +483,12 @@ function Graphics($$anchor, $$props) {
 					$.set_attribute(div, "data-loaded", $.get(path) !== null);
 					$.set_attribute(div, "data-points", $.get(path)?.count ?? 0);
 					$.set_attribute(div, "data-took", $.get(took));
-					$.set_text(text_1, $.get(program));
+					$.set_text(text_2, $.get(program));
 					$.set_attribute(input_1, "max", $.get(total));
 					$.set_value(input_1, $.get(shownTime));
 					$.set_attribute(input_1, "aria-label", $0);
-					$.set_text(text_21, `${$1 ?? ""} / ${$2 ?? ""}`);
-					$.set_text(text_22, $3);
+					$.set_text(text_22, `${$1 ?? ""} / ${$2 ?? ""}`);
+					$.set_text(text_23, $3);
 				}, [
 					() => t("graphics.time"),
 					() => duration($.get(shownTime)),

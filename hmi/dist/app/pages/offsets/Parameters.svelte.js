@@ -146,7 +146,7 @@ function Parameters($$anchor, $$props) {
 			actions,
 			children: ($$anchor, $$slotProps) => {
 				var div_1 = root_6();
-				$.each(div_1, 21, () => $.get(shown).slice(0, 400), (one) => one.name, ($$anchor, one) => {
+				$.each(div_1, 21, () => $.get(shown), (one) => one.name, ($$anchor, one) => {
 					var button = root_4();
 					let classes;
 					var span = $.child(button);

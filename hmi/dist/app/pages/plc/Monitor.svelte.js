@@ -1,4 +1,5 @@
-import { number, t } from "../../lib/i18n/index.svelte.js";
+import { http } from "../../lib/api/http.js";
+import { language, number, t } from "../../lib/i18n/index.svelte.js";
 import { readLadder, signalsOf } from "../../lib/ladder/ladder.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import Card from "../../lib/parts/Card.svelte.js";
@@ -17,7 +18,10 @@ var root_6 = $.from_html(`<!> <!> <!>`, 1);
 function Monitor($$anchor, $$props) {
 	$.push($$props, true);
 	const PAGE = 20;
-	let ladder = $.state(null);
+	let text = $.state(null);
+	/** What signals are, in the language of the user; the ladder's own remarks are in that of who wrote it. */
+	let meanings = $.state(/* @__PURE__ */ new Map());
+	const ladder = $.derived(() => $.get(text) === null ? null : readLadder($.get(text), $.get(meanings)));
 	let sought = $.state("");
 	let first = $.state(0);
 	let power = $.state([]);
@@ -39,7 +43,7 @@ function Monitor($$anchor, $$props) {
 		machine.changed("ladder");
 		if (machine.link !== "open") return;
 		machine.fetch("text", { do: "ladder" }).then((reply) => {
-			if (reply) $.set(ladder, readLadder(reply.text));
+			if (reply) $.set(text, reply.text);
 		});
 		machine.ask({
 			do: "watch_ladder",
@@ -51,6 +55,12 @@ function Monitor($$anchor, $$props) {
 				on: false
 			}).catch(() => void 0);
 		};
+	});
+	$.user_effect(() => {
+		const wanted = language();
+		http.signals(wanted).then((all) => {
+			if (wanted === language()) $.set(meanings, new Map(all.map((one) => [one.name, one.meaning])));
+		}, () => void 0);
 	});
 	$.user_effect(() => {
 		const wanted = $.get(names);

@@ -5,10 +5,10 @@ import { machine } from "../../lib/state/machine.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/position/Modal.svelte
-var root = $.from_html(`<a class="s-1a1xzf1"> </a>`);
-var root_1 = $.from_html(`<span class="s-1a1xzf1"> </span>`);
-var root_2 = $.from_html(`<div class="switches s-1a1xzf1"></div>`);
-var root_3 = $.from_html(`<div class="codes code s-1a1xzf1"></div> <!>`, 1);
+var root = $.from_html(`<a class="s-lo14b6"> </a>`);
+var root_1 = $.from_html(`<span class="s-lo14b6"> </span>`);
+var root_2 = $.from_html(`<div class="switches s-lo14b6"></div>`);
+var root_3 = $.from_html(`<div class="codes code s-lo14b6"></div> <!>`, 1);
 function Modal($$anchor, $$props) {
 	$.push($$props, true);
 	const codes = $.derived(() => machine.status.program.g_codes);

@@ -1,31 +1,51 @@
-import { number, t } from "../../lib/i18n/index.svelte.js";
+import { t } from "../../lib/i18n/index.svelte.js";
 import { duration } from "../../lib/numbers.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import Card from "../../lib/parts/Card.svelte.js";
+import NumberField from "../../lib/parts/NumberField.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/position/Times.svelte
-var root = $.from_html(`<dl class="s-zfjqa2"><dt class="s-zfjqa2"> </dt> <dd class="number s-zfjqa2" data-testid="parts"> </dd> <!> <dt class="s-zfjqa2"> </dt> <dd class="number s-zfjqa2"> </dd> <!> <dt class="s-zfjqa2"> </dt> <dd class="number s-zfjqa2"> </dd> <!> <dt class="s-zfjqa2"> </dt> <dd class="number s-zfjqa2"> </dd></dl>`);
+var root = $.from_html(`<dl class="s-7my8ui"><dt class="s-7my8ui"> </dt> <dd class="number parts s-7my8ui" data-testid="parts"><!></dd> <!> <dt class="s-7my8ui"> </dt> <dd class="number s-7my8ui"> </dd> <!> <dt class="s-7my8ui"> </dt> <dd class="number s-7my8ui"> </dd> <!> <dt class="s-7my8ui"> </dt> <dd class="number s-7my8ui"> </dd></dl>`);
 function Times($$anchor, $$props) {
 	$.push($$props, true);
 	const counters = $.derived(() => machine.status.counters);
-	const clear = (counter) => void machine.tell({
+	/** What the page of the control has room for (GSK990MC part 2, 3.1.2). */
+	const MOST_PARTS = 9999999;
+	const set = (counter, value) => void machine.tell({
 		do: "set_counter",
 		counter,
-		value: 0
+		value
 	});
+	const clear = (counter) => set(counter, 0);
 	Card($$anchor, {
 		children: ($$anchor, $$slotProps) => {
 			var dl = root();
 			var dt = $.child(dl);
 			var text = $.only_child(dt, true);
 			var dd = $.sibling(dt, 2);
-			var text_1 = $.only_child(dd, true);
-			var node = $.sibling(dd, 2);
+			var node = $.child(dd);
+			{
+				let $0 = $.derived(() => t("position.parts"));
+				NumberField(node, {
+					get value() {
+						return $.get(counters).parts;
+					},
+					digits: 0,
+					minimum: 0,
+					maximum: MOST_PARTS,
+					get label() {
+						return $.get($0);
+					},
+					onvalue: (value) => set("parts", value ?? 0)
+				});
+			}
+			$.reset(dd);
+			var node_1 = $.sibling(dd, 2);
 			{
 				let $0 = $.derived(() => t("position.clear", { what: t("position.parts") }));
-				Button(node, {
+				Button(node_1, {
 					kind: "quiet",
 					icon: "reset",
 					get "aria-label"() {
@@ -34,14 +54,14 @@ function Times($$anchor, $$props) {
 					onclick: () => clear("parts")
 				});
 			}
-			var dt_1 = $.sibling(node, 2);
-			var text_2 = $.only_child(dt_1, true);
+			var dt_1 = $.sibling(node_1, 2);
+			var text_1 = $.only_child(dt_1, true);
 			var dd_1 = $.sibling(dt_1, 2);
-			var text_3 = $.only_child(dd_1, true);
-			var node_1 = $.sibling(dd_1, 2);
+			var text_2 = $.only_child(dd_1, true);
+			var node_2 = $.sibling(dd_1, 2);
 			{
 				let $0 = $.derived(() => t("position.clear", { what: t("position.run_time") }));
-				Button(node_1, {
+				Button(node_2, {
 					kind: "quiet",
 					icon: "reset",
 					get "aria-label"() {
@@ -50,14 +70,14 @@ function Times($$anchor, $$props) {
 					onclick: () => clear("run-time")
 				});
 			}
-			var dt_2 = $.sibling(node_1, 2);
-			var text_4 = $.only_child(dt_2, true);
+			var dt_2 = $.sibling(node_2, 2);
+			var text_3 = $.only_child(dt_2, true);
 			var dd_2 = $.sibling(dt_2, 2);
-			var text_5 = $.only_child(dd_2, true);
-			var node_2 = $.sibling(dd_2, 2);
+			var text_4 = $.only_child(dd_2, true);
+			var node_3 = $.sibling(dd_2, 2);
 			{
 				let $0 = $.derived(() => t("position.clear", { what: t("position.cutting_time") }));
-				Button(node_2, {
+				Button(node_3, {
 					kind: "quiet",
 					icon: "reset",
 					get "aria-label"() {
@@ -66,23 +86,22 @@ function Times($$anchor, $$props) {
 					onclick: () => clear("cutting-time")
 				});
 			}
-			var dt_3 = $.sibling(node_2, 2);
-			var text_6 = $.only_child(dt_3, true);
+			var dt_3 = $.sibling(node_3, 2);
+			var text_5 = $.only_child(dt_3, true);
 			var dd_3 = $.sibling(dt_3, 2);
-			var text_7 = $.only_child(dd_3, true);
+			var text_6 = $.only_child(dd_3, true);
 			$.reset(dl);
-			$.template_effect(($0, $1, $2, $3, $4, $5, $6, $7) => {
+			$.template_effect(($0, $1, $2, $3, $4, $5, $6) => {
 				$.set_text(text, $0);
+				$.set_attribute(dd, "data-parts", $.get(counters).parts);
 				$.set_text(text_1, $1);
 				$.set_text(text_2, $2);
 				$.set_text(text_3, $3);
 				$.set_text(text_4, $4);
 				$.set_text(text_5, $5);
 				$.set_text(text_6, $6);
-				$.set_text(text_7, $7);
 			}, [
 				() => t("position.parts"),
-				() => number($.get(counters).parts),
 				() => t("position.run_time"),
 				() => duration($.get(counters).run_time),
 				() => t("position.cutting_time"),

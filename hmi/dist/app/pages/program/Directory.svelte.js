@@ -9,21 +9,23 @@ import Empty from "../../lib/parts/Empty.svelte.js";
 import Icon from "../../lib/parts/Icon.svelte.js";
 import Labelled from "../../lib/parts/Labelled.svelte.js";
 import { go } from "../../lib/routing.svelte.js";
+import { editing } from "../../lib/state/editing.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import { notify } from "../../lib/state/notices.svelte.js";
 import { numbered, programName, programs } from "../../lib/state/programs.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/program/Directory.svelte
-var root = $.from_html(`<input class="filter s-1s4upvf" type="search"/> <!> <!> <!> <input type="file" multiple="" hidden="" data-testid="upload"/>`, 1);
-var root_1 = $.from_html(`<tr draggable="true"><td><button type="button" class="name code s-1s4upvf"> <!><!></button></td><td class="comment s-1s4upvf"> </td><td class="right"> </td><td class="muted"> </td></tr>`);
-var root_2 = $.from_html(`<table class="table"><thead><tr><th> </th><th> </th><th class="right"> </th><th> </th></tr></thead><tbody></tbody></table> <p class="muted total s-1s4upvf"> </p>`, 1);
-var root_3 = $.from_html(`<div class="preview s-1s4upvf"><div class="row wrap"><strong class="code"> </strong> <span class="grow muted comment s-1s4upvf"> </span> <!> <!></div> <div class="text s-1s4upvf"><!></div> <div class="row wrap"><a class="download s-1s4upvf"><!> </a> <!> <!> <!> <span class="grow"></span> <!></div></div>`);
-var root_4 = $.from_html(`<!> <!>`, 1);
-var root_5 = $.from_html(`<input class="code" placeholder="O0001" data-testid="new-name"/>`);
-var root_6 = $.from_html(`<form id="new-program"><!></form>`);
-var root_7 = $.from_html(`<p> </p>`);
-var root_8 = $.from_html(`<div data-testid="directory" role="region"><!> <!></div> <!> <!> <!>`, 1);
+var root = $.from_html(`<input class="filter s-enqpm4" type="search"/> <!> <!> <!> <input type="file" multiple="" hidden="" data-testid="upload"/>`, 1);
+var root_1 = $.from_html(`<i class="s-enqpm4"></i>`);
+var root_2 = $.from_html(`<tr draggable="true"><td><button type="button" class="name code s-enqpm4"> <!><!><!></button></td><td class="comment s-enqpm4"> </td><td class="right"> </td><td class="muted"> </td></tr>`);
+var root_3 = $.from_html(`<table class="table"><thead><tr><th> </th><th> </th><th class="right"> </th><th> </th></tr></thead><tbody></tbody></table> <p class="muted total s-enqpm4"> </p>`, 1);
+var root_4 = $.from_html(`<div class="preview s-enqpm4"><div class="row wrap"><strong class="code"> </strong> <span class="grow muted comment s-enqpm4"> </span> <!> <!></div> <div class="text s-enqpm4"><!></div> <div class="row wrap"><a class="download s-enqpm4"><!> </a> <!> <!> <!> <span class="grow"></span> <!></div></div>`);
+var root_5 = $.from_html(`<!> <!>`, 1);
+var root_6 = $.from_html(`<input class="code" placeholder="O0001" data-testid="new-name"/>`);
+var root_7 = $.from_html(`<form id="new-program"><!></form>`);
+var root_8 = $.from_html(`<p> </p>`);
+var root_9 = $.from_html(`<div data-testid="directory" role="region"><!> <!></div> <!> <!> <!>`, 1);
 function Directory($$anchor, $$props) {
 	$.push($$props, true);
 	/** Of a program as much is previewed. */
@@ -110,11 +112,15 @@ function Directory($$anchor, $$props) {
 			program: name,
 			text: `${name}\n\nM30\n`
 		});
-		if ($.get(naming) === "rename") return machine.tell({
-			do: "rename",
-			program: from,
-			to: name
-		});
+		if ($.get(naming) === "rename") {
+			if (!await machine.tell({
+				do: "rename",
+				program: from,
+				to: name
+			})) return false;
+			editing.moved(from, name);
+			return true;
+		}
 		try {
 			return await programs.store(name, numbered(await programs.read(from), name));
 		} catch (refused) {
@@ -126,10 +132,13 @@ function Directory($$anchor, $$props) {
 		if (await machine.tell({
 			do: "delete",
 			program: $.get(doomed)
-		})) programs.refresh();
+		})) {
+			editing.moved($.get(doomed), null);
+			programs.refresh();
+		}
 		$.set(deleting, false);
 	}
-	var fragment = root_8();
+	var fragment = root_9();
 	var div = $.first_child(fragment);
 	let classes;
 	var node = $.child(div);
@@ -242,7 +251,7 @@ function Directory($$anchor, $$props) {
 					}
 				};
 				var alternate = ($$anchor) => {
-					var fragment_7 = root_2();
+					var fragment_7 = root_3();
 					var table = $.first_child(fragment_7);
 					var thead = $.child(table);
 					var tr = $.child(thead);
@@ -258,7 +267,7 @@ function Directory($$anchor, $$props) {
 					$.reset(thead);
 					var tbody = $.sibling(thead);
 					$.each(tbody, 21, () => $.get(list), (one) => one.name, ($$anchor, one) => {
-						var tr_1 = root_1();
+						var tr_1 = root_2();
 						let classes_1;
 						var td = $.child(tr_1);
 						var button = $.child(td);
@@ -284,6 +293,16 @@ function Directory($$anchor, $$props) {
 						$.if(node_6, ($$render) => {
 							if ($.get(one).locked !== null) $$render(consequent_3);
 						});
+						var node_7 = $.sibling(node_6);
+						var consequent_4 = ($$anchor) => {
+							var i = root_1();
+							$.template_effect(($0) => $.set_attribute(i, "title", $0), [() => t("program.unsaved")]);
+							$.append($$anchor, i);
+						};
+						var d = $.derived(() => editing.draft($.get(one).name) !== null);
+						$.if(node_7, ($$render) => {
+							if ($.get(d)) $$render(consequent_4);
+						});
 						$.reset(button);
 						$.reset(td);
 						var td_1 = $.sibling(td);
@@ -295,7 +314,7 @@ function Directory($$anchor, $$props) {
 						$.reset(tr_1);
 						$.template_effect(($0, $1) => {
 							$.set_attribute(tr_1, "data-program", $.get(one).name);
-							classes_1 = $.set_class(tr_1, 1, "s-1s4upvf", null, classes_1, { chosen: $.get(one).name === $.get(chosen)?.name });
+							classes_1 = $.set_class(tr_1, 1, "s-enqpm4", null, classes_1, { chosen: $.get(one).name === $.get(chosen)?.name });
 							$.set_text(text_7, $.get(one).name);
 							$.set_text(text_8, $.get(one).comment);
 							$.set_text(text_9, $0);
@@ -346,16 +365,16 @@ function Directory($$anchor, $$props) {
 			}
 		});
 	}
-	var node_7 = $.sibling(node, 2);
-	var consequent_4 = ($$anchor) => {
-		var div_1 = root_3();
+	var node_8 = $.sibling(node, 2);
+	var consequent_5 = ($$anchor) => {
+		var div_1 = root_4();
 		var div_2 = $.child(div_1);
 		var strong = $.child(div_2);
 		var text_12 = $.only_child(strong, true);
 		var span = $.sibling(strong, 2);
 		var text_13 = $.only_child(span, true);
-		var node_8 = $.sibling(span, 2);
-		Button(node_8, {
+		var node_9 = $.sibling(span, 2);
+		Button(node_9, {
 			kind: "primary",
 			icon: "play",
 			onclick: () => void machine.tell({
@@ -371,8 +390,8 @@ function Directory($$anchor, $$props) {
 			},
 			$$slots: { default: true }
 		});
-		var node_9 = $.sibling(node_8, 2);
-		Button(node_9, {
+		var node_10 = $.sibling(node_9, 2);
+		Button(node_10, {
 			icon: "edit",
 			onclick: () => go("program", "edit", $.get(chosen).name),
 			"data-testid": "edit",
@@ -386,10 +405,10 @@ function Directory($$anchor, $$props) {
 		});
 		$.reset(div_2);
 		var div_3 = $.sibling(div_2, 2);
-		var node_10 = $.child(div_3);
+		var node_11 = $.child(div_3);
 		{
 			let $0 = $.derived(() => t("program.preview"));
-			Editor(node_10, {
+			Editor(node_11, {
 				get text() {
 					return $.get(preview);
 				},
@@ -402,14 +421,14 @@ function Directory($$anchor, $$props) {
 		$.reset(div_3);
 		var div_4 = $.sibling(div_3, 2);
 		var a = $.child(div_4);
-		var node_11 = $.child(a);
-		Icon(node_11, { name: "download" });
-		var text_16 = $.sibling(node_11, 1, true);
+		var node_12 = $.child(a);
+		Icon(node_12, { name: "download" });
+		var text_16 = $.sibling(node_12, 1, true);
 		$.reset(a);
-		var node_12 = $.sibling(a, 2);
+		var node_13 = $.sibling(a, 2);
 		{
 			let $0 = $.derived(() => $.get(chosen).locked !== null);
-			Button(node_12, {
+			Button(node_13, {
 				icon: "lock",
 				get pressed() {
 					return $.get($0);
@@ -429,8 +448,8 @@ function Directory($$anchor, $$props) {
 				$$slots: { default: true }
 			});
 		}
-		var node_13 = $.sibling(node_12, 2);
-		Button(node_13, {
+		var node_14 = $.sibling(node_13, 2);
+		Button(node_14, {
 			onclick: () => ask("copy"),
 			"data-testid": "copy",
 			children: ($$anchor, $$slotProps) => {
@@ -441,8 +460,8 @@ function Directory($$anchor, $$props) {
 			},
 			$$slots: { default: true }
 		});
-		var node_14 = $.sibling(node_13, 2);
-		Button(node_14, {
+		var node_15 = $.sibling(node_14, 2);
+		Button(node_15, {
 			onclick: () => ask("rename"),
 			"data-testid": "rename",
 			children: ($$anchor, $$slotProps) => {
@@ -453,10 +472,10 @@ function Directory($$anchor, $$props) {
 			},
 			$$slots: { default: true }
 		});
-		var node_15 = $.sibling(node_14, 4);
+		var node_16 = $.sibling(node_15, 4);
 		{
 			let $0 = $.derived(() => t("app.delete"));
-			Button(node_15, {
+			Button(node_16, {
 				kind: "danger",
 				icon: "trash",
 				get "aria-label"() {
@@ -479,16 +498,16 @@ function Directory($$anchor, $$props) {
 		}, [() => http.download($.get(chosen).name), () => t("program.download")]);
 		$.append($$anchor, div_1);
 	};
-	$.if(node_7, ($$render) => {
-		if ($.get(chosen)) $$render(consequent_4);
+	$.if(node_8, ($$render) => {
+		if ($.get(chosen)) $$render(consequent_5);
 	});
 	$.reset(div);
-	var node_16 = $.sibling(div, 2);
+	var node_17 = $.sibling(div, 2);
 	{
 		const actions = ($$anchor) => {
-			var fragment_15 = root_4();
-			var node_17 = $.first_child(fragment_15);
-			Button(node_17, {
+			var fragment_15 = root_5();
+			var node_18 = $.first_child(fragment_15);
+			Button(node_18, {
 				onclick: () => $.set(making, false),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
@@ -498,8 +517,8 @@ function Directory($$anchor, $$props) {
 				},
 				$$slots: { default: true }
 			});
-			var node_18 = $.sibling(node_17, 2);
-			Button(node_18, {
+			var node_19 = $.sibling(node_18, 2);
+			Button(node_19, {
 				kind: "primary",
 				type: "submit",
 				form: "new-program",
@@ -518,7 +537,7 @@ function Directory($$anchor, $$props) {
 			$.append($$anchor, fragment_15);
 		};
 		let $0 = $.derived(() => $.get(naming) === "new" ? t("program.new") : `${t(`program.${$.get(naming)}`)}: ${$.get(chosen)?.name ?? ""}`);
-		Dialog(node_16, {
+		Dialog(node_17, {
 			get title() {
 				return $.get($0);
 			},
@@ -530,12 +549,12 @@ function Directory($$anchor, $$props) {
 			},
 			actions,
 			children: ($$anchor, $$slotProps) => {
-				var form = root_6();
-				var node_19 = $.child(form);
+				var form = root_7();
+				var node_20 = $.child(form);
 				{
 					let $0 = $.derived(() => t("program.name"));
 					let $1 = $.derived(() => $.get(taken) ? t("program.taken") : t("program.name_hint"));
-					Labelled(node_19, {
+					Labelled(node_20, {
 						get label() {
 							return $.get($0);
 						},
@@ -543,7 +562,7 @@ function Directory($$anchor, $$props) {
 							return $.get($1);
 						},
 						children: ($$anchor, $$slotProps) => {
-							var input_2 = root_5();
+							var input_2 = root_6();
 							$.remove_input_defaults(input_2);
 							$.bind_value(input_2, () => $.get(fresh), ($$value) => $.set(fresh, $$value));
 							$.append($$anchor, input_2);
@@ -561,12 +580,12 @@ function Directory($$anchor, $$props) {
 			}
 		});
 	}
-	var node_20 = $.sibling(node_16, 2);
+	var node_21 = $.sibling(node_17, 2);
 	{
 		const actions = ($$anchor) => {
-			var fragment_18 = root_4();
-			var node_21 = $.first_child(fragment_18);
-			Button(node_21, {
+			var fragment_18 = root_5();
+			var node_22 = $.first_child(fragment_18);
+			Button(node_22, {
 				onclick: () => $.set(replacing, false),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
@@ -576,8 +595,8 @@ function Directory($$anchor, $$props) {
 				},
 				$$slots: { default: true }
 			});
-			var node_22 = $.sibling(node_21, 2);
-			Button(node_22, {
+			var node_23 = $.sibling(node_22, 2);
+			Button(node_23, {
 				kind: "danger",
 				onclick: () => void replace(),
 				"data-testid": "replace",
@@ -592,7 +611,7 @@ function Directory($$anchor, $$props) {
 			$.append($$anchor, fragment_18);
 		};
 		let $0 = $.derived(() => t("program.replace_ask"));
-		Dialog(node_20, {
+		Dialog(node_21, {
 			get title() {
 				return $.get($0);
 			},
@@ -604,7 +623,7 @@ function Directory($$anchor, $$props) {
 			},
 			actions,
 			children: ($$anchor, $$slotProps) => {
-				var p_1 = root_7();
+				var p_1 = root_8();
 				var text_24 = $.only_child(p_1, true);
 				$.template_effect(($0) => $.set_text(text_24, $0), [() => t("program.replace_text", { programs: $.get(doubles).map(({ name }) => name).join(", ") })]);
 				$.append($$anchor, p_1);
@@ -615,12 +634,12 @@ function Directory($$anchor, $$props) {
 			}
 		});
 	}
-	var node_23 = $.sibling(node_20, 2);
+	var node_24 = $.sibling(node_21, 2);
 	{
 		const actions = ($$anchor) => {
-			var fragment_21 = root_4();
-			var node_24 = $.first_child(fragment_21);
-			Button(node_24, {
+			var fragment_21 = root_5();
+			var node_25 = $.first_child(fragment_21);
+			Button(node_25, {
 				onclick: () => $.set(deleting, false),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
@@ -630,8 +649,8 @@ function Directory($$anchor, $$props) {
 				},
 				$$slots: { default: true }
 			});
-			var node_25 = $.sibling(node_24, 2);
-			Button(node_25, {
+			var node_26 = $.sibling(node_25, 2);
+			Button(node_26, {
 				kind: "danger",
 				icon: "trash",
 				onclick: () => void remove(),
@@ -647,7 +666,7 @@ function Directory($$anchor, $$props) {
 			$.append($$anchor, fragment_21);
 		};
 		let $0 = $.derived(() => t("program.delete", { program: $.get(doomed) }));
-		Dialog(node_23, {
+		Dialog(node_24, {
 			get title() {
 				return $.get($0);
 			},
@@ -659,7 +678,7 @@ function Directory($$anchor, $$props) {
 			},
 			actions,
 			children: ($$anchor, $$slotProps) => {
-				var p_2 = root_7();
+				var p_2 = root_8();
 				var text_27 = $.only_child(p_2, true);
 				$.template_effect(($0) => $.set_text(text_27, $0), [() => t("program.delete_text")]);
 				$.append($$anchor, p_2);
@@ -671,7 +690,7 @@ function Directory($$anchor, $$props) {
 		});
 	}
 	$.template_effect(($0) => {
-		classes = $.set_class(div, 1, "directory s-1s4upvf", null, classes, { over: $.get(over) });
+		classes = $.set_class(div, 1, "directory s-enqpm4", null, classes, { over: $.get(over) });
 		$.set_attribute(div, "data-loaded", programs.list !== null);
 		$.set_attribute(div, "aria-label", $0);
 	}, [() => t("program.directory")]);

@@ -10,8 +10,9 @@ import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/program/Dnc.svelte
 var root = $.from_html(`<!> <!> <!> <input type="file" hidden="" data-testid="dnc-file"/>`, 1);
-var root_1 = $.from_html(`<div class="row wrap" data-testid="dnc"><strong class="code"> </strong> <progress class="grow s-gujldb"></progress> <span class="number"> </span> <!></div>`);
-var root_2 = $.from_html(`<div class="dnc s-gujldb"><p class="muted"> </p> <!> <p class="block code s-gujldb"> </p></div>`);
+var root_1 = $.from_html(`<span class="muted" role="status"> </span>`);
+var root_2 = $.from_html(`<div class="row wrap" data-testid="dnc"><strong class="code"> </strong> <progress class="grow s-gujldb"></progress> <span class="number"> </span> <!> <!></div>`);
+var root_3 = $.from_html(`<div class="dnc s-gujldb"><p class="muted"> </p> <!> <p class="block code s-gujldb"> </p></div>`);
 function Dnc($$anchor, $$props) {
 	$.push($$props, true);
 	let picker = $.state(void 0);
@@ -93,12 +94,12 @@ function Dnc($$anchor, $$props) {
 			},
 			actions,
 			children: ($$anchor, $$slotProps) => {
-				var div = root_2();
+				var div = root_3();
 				var p = $.child(div);
 				var text_1 = $.only_child(p, true);
 				var node_3 = $.sibling(p, 2);
-				var consequent_2 = ($$anchor) => {
-					var div_1 = root_1();
+				var consequent_3 = ($$anchor) => {
+					var div_1 = root_2();
 					var strong = $.child(div_1);
 					var text_2 = $.only_child(strong, true);
 					var progress = $.sibling(strong, 2);
@@ -106,20 +107,30 @@ function Dnc($$anchor, $$props) {
 					var text_3 = $.only_child(span, true);
 					var node_4 = $.sibling(span, 2);
 					var consequent_1 = ($$anchor) => {
+						var span_1 = root_1();
+						var text_4 = $.only_child(span_1, true);
+						$.template_effect(($0) => $.set_text(text_4, $0), [() => t("program.dnc_waits")]);
+						$.append($$anchor, span_1);
+					};
+					$.if(node_4, ($$render) => {
+						if (dnc.waiting) $$render(consequent_1);
+					});
+					var node_5 = $.sibling(node_4, 2);
+					var consequent_2 = ($$anchor) => {
 						Button($$anchor, {
 							icon: "stop",
 							onclick: () => dnc.stop(),
 							children: ($$anchor, $$slotProps) => {
 								$.next();
-								var text_4 = $.text();
-								$.template_effect(($0) => $.set_text(text_4, $0), [() => t("program.dnc_stop")]);
-								$.append($$anchor, text_4);
+								var text_5 = $.text();
+								$.template_effect(($0) => $.set_text(text_5, $0), [() => t("program.dnc_stop")]);
+								$.append($$anchor, text_5);
 							},
 							$$slots: { default: true }
 						});
 					};
-					$.if(node_4, ($$render) => {
-						if (dnc.sending) $$render(consequent_1);
+					$.if(node_5, ($$render) => {
+						if (dnc.sending) $$render(consequent_2);
 					});
 					$.reset(div_1);
 					$.template_effect(($0, $1) => {
@@ -136,14 +147,14 @@ function Dnc($$anchor, $$props) {
 					$.append($$anchor, div_1);
 				};
 				$.if(node_3, ($$render) => {
-					if (dnc.file) $$render(consequent_2);
+					if (dnc.file) $$render(consequent_3);
 				});
 				var p_1 = $.sibling(node_3, 2);
-				var text_5 = $.only_child(p_1, true);
+				var text_6 = $.only_child(p_1, true);
 				$.reset(div);
 				$.template_effect(($0) => {
 					$.set_text(text_1, $0);
-					$.set_text(text_5, machine.status?.program_mode === "dnc" ? machine.status.program.block : "");
+					$.set_text(text_6, machine.status?.program_mode === "dnc" ? machine.status.program.block : "");
 				}, [() => t("program.dnc_text")]);
 				$.append($$anchor, div);
 			},

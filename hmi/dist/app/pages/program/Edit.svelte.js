@@ -17,13 +17,14 @@ import * as $ from "svelte/internal/client";
 // src/pages/program/Edit.svelte
 var root = $.from_html(`<i class="s-1h8swef"></i>`);
 var root_1 = $.from_html(`<span class="background s-1h8swef"> </span>`);
-var root_2 = $.from_html(`<span class="background s-1h8swef" data-testid="closed"> </span>`);
-var root_3 = $.from_html(`<p class="muted"> </p>`);
-var root_4 = $.from_html(`<li><button type="button"><!><span class="number"> </span><span class="code muted"> </span><span> </span></button></li>`);
-var root_5 = $.from_html(`<ul class="findings scroll s-1h8swef" data-testid="findings"></ul>`);
-var root_6 = $.from_html(`<div class="edit s-1h8swef" data-testid="editor"><div class="row wrap"><strong class="code name s-1h8swef"> <!></strong> <!> <!> <!> <span class="grow"></span> <!> <!> <!> <!> <!> <!> <!></div> <div class="text s-1h8swef"><!></div> <!></div>`);
-var root_7 = $.from_html(`<!> <!>`, 1);
-var root_8 = $.from_html(`<div class="row"><!> <!></div>`);
+var root_2 = $.from_html(`<span class="muted" data-testid="checked-on-save" role="status"> </span>`);
+var root_3 = $.from_html(`<span class="background s-1h8swef" data-testid="closed"> </span>`);
+var root_4 = $.from_html(`<p class="muted"> </p>`);
+var root_5 = $.from_html(`<li><button type="button"><!><span class="number"> </span><span class="code muted"> </span><span> </span></button></li>`);
+var root_6 = $.from_html(`<ul class="findings scroll s-1h8swef" data-testid="findings"></ul>`);
+var root_7 = $.from_html(`<div class="edit s-1h8swef" data-testid="editor"><div class="row wrap"><strong class="code name s-1h8swef"> <!></strong> <!> <!> <!> <!> <span class="grow"></span> <!> <!> <!> <!> <!> <!> <!></div> <div class="text s-1h8swef"><!></div> <!></div>`);
+var root_8 = $.from_html(`<!> <!>`, 1);
+var root_9 = $.from_html(`<div class="row"><!> <!></div>`);
 function Edit($$anchor, $$props) {
 	$.push($$props, true);
 	const name = $.derived(() => route.item || machine.status?.program.selected || "");
@@ -37,12 +38,20 @@ function Edit($$anchor, $$props) {
 	let first = $.state(10);
 	let step = $.state(10);
 	let opening = $.state(false);
+	let checking = $.state(false);
+	/** Too long to be checked as it is typed. */
+	let isLong = $.state(false);
+	$.user_effect(() => {
+		$.get(shown);
+		$.set(isLong, $.get(editor)?.isLong() ?? false, true);
+	});
 	$.user_effect(() => {
 		const wanted = $.get(name);
 		if (!wanted || wanted === $.get(shown) || machine.link !== "open") return;
 		$.set(opening, true);
 		programs.read(wanted).then((now) => {
 			if (wanted !== $.get(name)) return;
+			$.get(editor)?.leave();
 			const draft = editing.draft(wanted);
 			$.set(text, draft ?? now, true);
 			$.set(shown, wanted, true);
@@ -89,6 +98,16 @@ function Edit($$anchor, $$props) {
 			kind: "done",
 			title: t("program.saved", { program: $.get(shown) })
 		});
+		if (!$.get(editor).isLong()) return;
+		$.set(checking, true);
+		const program = $.get(shown);
+		try {
+			const now = await $.get(editor).check();
+			if (program === $.get(shown)) $.set(findings, now);
+		} catch (refused) {
+			machine.refused(refused);
+		}
+		$.set(checking, false);
 	}
 	async function select() {
 		if ($.get(changed)) await save();
@@ -101,7 +120,7 @@ function Edit($$anchor, $$props) {
 		$.get(editor)?.rewrite((lines) => renumber(lines, $.get(first), $.get(step)));
 		$.set(numbering, false);
 	}
-	var fragment = root_7();
+	var fragment = root_8();
 	var node = $.first_child(fragment);
 	var consequent = ($$anchor) => {
 		{
@@ -134,7 +153,7 @@ function Edit($$anchor, $$props) {
 		}
 	};
 	var alternate = ($$anchor) => {
-		var div = root_6();
+		var div = root_7();
 		var div_1 = $.child(div);
 		var strong = $.child(div_1);
 		var text_2 = $.child(strong, true);
@@ -172,17 +191,27 @@ function Edit($$anchor, $$props) {
 		var consequent_4 = ($$anchor) => {
 			var span_2 = root_2();
 			var text_5 = $.only_child(span_2, true);
-			$.template_effect(($0) => $.set_text(text_5, $0), [() => t("program.closed")]);
+			$.template_effect(($0) => $.set_text(text_5, $0), [() => $.get(checking) ? t("program.checking") : t("program.checked_on_save")]);
 			$.append($$anchor, span_2);
 		};
 		$.if(node_4, ($$render) => {
-			if ($.get(isClosed)) $$render(consequent_4);
+			if ($.get(isLong)) $$render(consequent_4);
 		});
-		var node_5 = $.sibling(node_4, 4);
+		var node_5 = $.sibling(node_4, 2);
+		var consequent_5 = ($$anchor) => {
+			var span_3 = root_3();
+			var text_6 = $.only_child(span_3, true);
+			$.template_effect(($0) => $.set_text(text_6, $0), [() => t("program.closed")]);
+			$.append($$anchor, span_3);
+		};
+		$.if(node_5, ($$render) => {
+			if ($.get(isClosed)) $$render(consequent_5);
+		});
+		var node_6 = $.sibling(node_5, 4);
 		{
 			let $0 = $.derived(() => t("program.undo"));
 			let $1 = $.derived(() => t("program.undo"));
-			Button(node_5, {
+			Button(node_6, {
 				icon: "undo",
 				get "aria-label"() {
 					return $.get($0);
@@ -193,11 +222,11 @@ function Edit($$anchor, $$props) {
 				onclick: () => $.get(editor)?.back()
 			});
 		}
-		var node_6 = $.sibling(node_5, 2);
+		var node_7 = $.sibling(node_6, 2);
 		{
 			let $0 = $.derived(() => t("program.redo"));
 			let $1 = $.derived(() => t("program.redo"));
-			Button(node_6, {
+			Button(node_7, {
 				icon: "cw",
 				get "aria-label"() {
 					return $.get($0);
@@ -208,11 +237,11 @@ function Edit($$anchor, $$props) {
 				onclick: () => $.get(editor)?.again()
 			});
 		}
-		var node_7 = $.sibling(node_6, 2);
+		var node_8 = $.sibling(node_7, 2);
 		{
 			let $0 = $.derived(() => t("program.find"));
 			let $1 = $.derived(() => t("program.find"));
-			Button(node_7, {
+			Button(node_8, {
 				icon: "search",
 				get "aria-label"() {
 					return $.get($0);
@@ -223,11 +252,11 @@ function Edit($$anchor, $$props) {
 				onclick: () => $.get(editor)?.find()
 			});
 		}
-		var node_8 = $.sibling(node_7, 2);
+		var node_9 = $.sibling(node_8, 2);
 		{
 			let $0 = $.derived(() => t("editor.line"));
 			let $1 = $.derived(() => t("editor.line"));
-			Button(node_8, {
+			Button(node_9, {
 				icon: "target",
 				get "aria-label"() {
 					return $.get($0);
@@ -238,34 +267,34 @@ function Edit($$anchor, $$props) {
 				onclick: () => $.get(editor)?.toLine()
 			});
 		}
-		var node_9 = $.sibling(node_8, 2);
-		Button(node_9, {
+		var node_10 = $.sibling(node_9, 2);
+		Button(node_10, {
 			icon: "list",
 			onclick: () => $.set(numbering, true),
 			children: ($$anchor, $$slotProps) => {
 				$.next();
-				var text_6 = $.text();
-				$.template_effect(($0) => $.set_text(text_6, $0), [() => t("program.renumber")]);
-				$.append($$anchor, text_6);
-			},
-			$$slots: { default: true }
-		});
-		var node_10 = $.sibling(node_9, 2);
-		Button(node_10, {
-			icon: "play",
-			onclick: () => void select(),
-			children: ($$anchor, $$slotProps) => {
-				$.next();
 				var text_7 = $.text();
-				$.template_effect(($0) => $.set_text(text_7, $0), [() => t("program.select")]);
+				$.template_effect(($0) => $.set_text(text_7, $0), [() => t("program.renumber")]);
 				$.append($$anchor, text_7);
 			},
 			$$slots: { default: true }
 		});
 		var node_11 = $.sibling(node_10, 2);
+		Button(node_11, {
+			icon: "play",
+			onclick: () => void select(),
+			children: ($$anchor, $$slotProps) => {
+				$.next();
+				var text_8 = $.text();
+				$.template_effect(($0) => $.set_text(text_8, $0), [() => t("program.select")]);
+				$.append($$anchor, text_8);
+			},
+			$$slots: { default: true }
+		});
+		var node_12 = $.sibling(node_11, 2);
 		{
 			let $0 = $.derived(() => !$.get(changed) || $.get(isClosed));
-			Button(node_11, {
+			Button(node_12, {
 				kind: "primary",
 				icon: "save",
 				get disabled() {
@@ -275,68 +304,76 @@ function Edit($$anchor, $$props) {
 				"data-testid": "save",
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_8 = $.text();
-					$.template_effect(($0) => $.set_text(text_8, $0), [() => t("app.save")]);
-					$.append($$anchor, text_8);
+					var text_9 = $.text();
+					$.template_effect(($0) => $.set_text(text_9, $0), [() => t("app.save")]);
+					$.append($$anchor, text_9);
 				},
 				$$slots: { default: true }
 			});
 		}
 		$.reset(div_1);
 		var div_2 = $.sibling(div_1, 2);
-		var node_12 = $.child(div_2);
-		var consequent_5 = ($$anchor) => {
-			{
-				let $0 = $.derived(() => t("program.edit"));
-				$.bind_this(Editor($$anchor, {
-					get text() {
-						return $.get(text);
-					},
-					get step() {
-						return $.get(increment);
-					},
-					get label() {
-						return $.get($0);
-					},
-					onchange: () => $.set(changed, true),
-					onsave: () => void save(),
-					onfindings: (now) => $.set(findings, now),
-					onleave: (now, line) => editing.leave($.get(shown), line, $.get(changed) ? now() : null)
-				}), ($$value) => $.set(editor, $$value, true), () => $.get(editor));
-			}
-		};
+		var node_13 = $.child(div_2);
 		var consequent_6 = ($$anchor) => {
-			var p = root_3();
-			var text_9 = $.only_child(p, true);
-			$.template_effect(($0) => $.set_text(text_9, $0), [() => t("app.loading")]);
+			var fragment_7 = $.comment();
+			var node_14 = $.first_child(fragment_7);
+			$.key(node_14, () => $.get(shown), ($$anchor) => {
+				{
+					let $0 = $.derived(() => t("program.edit"));
+					$.bind_this(Editor($$anchor, {
+						get text() {
+							return $.get(text);
+						},
+						get step() {
+							return $.get(increment);
+						},
+						get label() {
+							return $.get($0);
+						},
+						onchange: () => {
+							$.set(changed, true);
+							$.set(isLong, $.get(editor)?.isLong() ?? false, true);
+						},
+						onsave: () => void save(),
+						onfindings: (now) => $.set(findings, now),
+						onleave: (now, line) => editing.leave($.get(shown), line, $.get(changed) ? now() : null)
+					}), ($$value) => $.set(editor, $$value, true), () => $.get(editor));
+				}
+			});
+			$.append($$anchor, fragment_7);
+		};
+		var consequent_7 = ($$anchor) => {
+			var p = root_4();
+			var text_10 = $.only_child(p, true);
+			$.template_effect(($0) => $.set_text(text_10, $0), [() => t("app.loading")]);
 			$.append($$anchor, p);
 		};
-		$.if(node_12, ($$render) => {
-			if ($.get(shown)) $$render(consequent_5);
-			else if ($.get(opening)) $$render(consequent_6, 1);
+		$.if(node_13, ($$render) => {
+			if ($.get(shown)) $$render(consequent_6);
+			else if ($.get(opening)) $$render(consequent_7, 1);
 		});
 		$.reset(div_2);
-		var node_13 = $.sibling(div_2, 2);
-		var consequent_7 = ($$anchor) => {
-			var ul = root_5();
+		var node_15 = $.sibling(div_2, 2);
+		var consequent_8 = ($$anchor) => {
+			var ul = root_6();
 			$.each(ul, 21, () => $.get(findings).slice(0, 200), $.index, ($$anchor, finding) => {
-				var li = root_4();
+				var li = root_5();
 				var button = $.child(li);
-				var node_14 = $.child(button);
-				Icon(node_14, { name: "alarms" });
-				var span_3 = $.sibling(node_14);
-				var text_10 = $.only_child(span_3);
-				var span_4 = $.sibling(span_3);
-				var text_11 = $.only_child(span_4, true);
+				var node_16 = $.child(button);
+				Icon(node_16, { name: "alarms" });
+				var span_4 = $.sibling(node_16);
+				var text_11 = $.only_child(span_4);
 				var span_5 = $.sibling(span_4);
 				var text_12 = $.only_child(span_5, true);
+				var span_6 = $.sibling(span_5);
+				var text_13 = $.only_child(span_6, true);
 				$.reset(button);
 				$.reset(li);
 				$.template_effect(() => {
 					$.set_class(button, 1, $.clsx($.get(finding).severity), "s-1h8swef");
-					$.set_text(text_10, `${$.get(finding).line ?? ""}:${$.get(finding).column ?? ""}`);
-					$.set_text(text_11, $.get(finding).id);
-					$.set_text(text_12, $.get(finding).text);
+					$.set_text(text_11, `${$.get(finding).line ?? ""}:${$.get(finding).column ?? ""}`);
+					$.set_text(text_12, $.get(finding).id);
+					$.set_text(text_13, $.get(finding).text);
 				});
 				$.delegated("click", button, () => $.get(editor)?.show($.get(finding).line));
 				$.append($$anchor, li);
@@ -344,8 +381,8 @@ function Edit($$anchor, $$props) {
 			$.reset(ul);
 			$.append($$anchor, ul);
 		};
-		$.if(node_13, ($$render) => {
-			if ($.get(findings).length) $$render(consequent_7);
+		$.if(node_15, ($$render) => {
+			if ($.get(findings).length) $$render(consequent_8);
 		});
 		$.reset(div);
 		$.template_effect(() => $.set_text(text_2, $.get(shown) || $.get(name)));
@@ -355,37 +392,37 @@ function Edit($$anchor, $$props) {
 		if (!$.get(name)) $$render(consequent);
 		else $$render(alternate, -1);
 	});
-	var node_15 = $.sibling(node, 2);
+	var node_17 = $.sibling(node, 2);
 	{
 		const actions = ($$anchor) => {
-			var fragment_8 = root_7();
-			var node_16 = $.first_child(fragment_8);
-			Button(node_16, {
+			var fragment_9 = root_8();
+			var node_18 = $.first_child(fragment_9);
+			Button(node_18, {
 				onclick: () => $.set(numbering, false),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_13 = $.text();
-					$.template_effect(($0) => $.set_text(text_13, $0), [() => t("app.cancel")]);
-					$.append($$anchor, text_13);
-				},
-				$$slots: { default: true }
-			});
-			var node_17 = $.sibling(node_16, 2);
-			Button(node_17, {
-				kind: "primary",
-				onclick: number,
-				children: ($$anchor, $$slotProps) => {
-					$.next();
 					var text_14 = $.text();
-					$.template_effect(($0) => $.set_text(text_14, $0), [() => t("program.renumber")]);
+					$.template_effect(($0) => $.set_text(text_14, $0), [() => t("app.cancel")]);
 					$.append($$anchor, text_14);
 				},
 				$$slots: { default: true }
 			});
-			$.append($$anchor, fragment_8);
+			var node_19 = $.sibling(node_18, 2);
+			Button(node_19, {
+				kind: "primary",
+				onclick: number,
+				children: ($$anchor, $$slotProps) => {
+					$.next();
+					var text_15 = $.text();
+					$.template_effect(($0) => $.set_text(text_15, $0), [() => t("program.renumber")]);
+					$.append($$anchor, text_15);
+				},
+				$$slots: { default: true }
+			});
+			$.append($$anchor, fragment_9);
 		};
 		let $0 = $.derived(() => t("program.renumber"));
-		Dialog(node_15, {
+		Dialog(node_17, {
 			get title() {
 				return $.get($0);
 			},
@@ -397,11 +434,11 @@ function Edit($$anchor, $$props) {
 			},
 			actions,
 			children: ($$anchor, $$slotProps) => {
-				var div_3 = root_8();
-				var node_18 = $.child(div_3);
+				var div_3 = root_9();
+				var node_20 = $.child(div_3);
 				{
 					let $0 = $.derived(() => t("program.first"));
-					Labelled(node_18, {
+					Labelled(node_20, {
 						get label() {
 							return $.get($0);
 						},
@@ -425,10 +462,10 @@ function Edit($$anchor, $$props) {
 						$$slots: { default: true }
 					});
 				}
-				var node_19 = $.sibling(node_18, 2);
+				var node_21 = $.sibling(node_20, 2);
 				{
 					let $0 = $.derived(() => t("program.step"));
-					Labelled(node_19, {
+					Labelled(node_21, {
 						get label() {
 							return $.get($0);
 						},
