@@ -32,7 +32,7 @@ pub struct Pace {
 }
 
 impl Default for Pace {
-    /// The servo period of the demo mill. 5,000 steps take some 20 µs of it, and the 4,700 of the largest
+    /// The servo period of the demo mill. 5,000 steps take some 12 µs of it, and the 4,700 of the largest
     /// ladder of the GSK990MC are carried out in each period. 1,000,000 are 3 s at the 3 µs of that control.
     fn default() -> Pace {
         Pace { period_us: 1_000, steps: 5_000, cycle_steps: 1_000_000 }

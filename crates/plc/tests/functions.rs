@@ -569,6 +569,16 @@ fn subprograms_are_called_and_left() {
 }
 
 #[test]
+fn nop_leaves_line_and_signals_as_they_are() {
+    let mut plc = second("RD X0.0\nWRT Y0.0\nNOP\nRD.NOT X0.0\nWRT Y0.1\nSUB 70");
+    for on in [false, true] {
+        set(&mut plc, "X0.0", on);
+        run(&mut plc, 1);
+        assert_eq!((get(&plc, "Y0.0"), get(&plc, "Y0.1")), (on, !on));
+    }
+}
+
+#[test]
 fn every_function_has_its_row_in_the_manual() {
     let manual = include_str!("../../../docs/plc.md");
     for row in ferrocut_plc::instruction::FUNCTIONS {
