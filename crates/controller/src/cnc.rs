@@ -432,9 +432,7 @@ impl Cnc {
         self.probing = None;
         self.forget_held();
         self.synchron.stop();
-        self.hole = None;
-        self.forget_hold_behind_thread();
-        self.leave_floating();
+        (self.hole, self.floating) = (None, None);
         self.motion.abort();
         if let Some(auxiliary) = &mut self.auxiliary {
             auxiliary.cancel();

@@ -30,8 +30,6 @@ pub(super) struct Locked {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Switches {
     dry_run: Option<DryRun>,
-    /// What was asked for in a thread, and holds behind it.
-    pub dry_run_behind_thread: Option<Option<DryRun>>,
     pub auxiliary_lock: bool,
     pub optional_stop: bool,
     may_move: bool,
@@ -44,7 +42,6 @@ impl Switches {
     pub fn new(at: Position) -> Switches {
         Switches {
             dry_run: None,
-            dry_run_behind_thread: None,
             auxiliary_lock: false,
             optional_stop: true,
             may_move: true,
@@ -71,10 +68,9 @@ impl Switches {
 }
 
 impl Cnc {
-    /// Dry run on or off. Moves that wait follow too, after a stop.
+    /// Dry run on or off, as the switch stands in each period. Moves that wait follow too, after a stop; so in a thread
+    /// that the spindle cuts beside it changes nothing yet.
     pub fn set_dry_run(&mut self, dry_run: Option<DryRun>) {
-        // In a thread beside the spindle it changes nothing, and no move is taken back.
-        self.switches.dry_run_behind_thread = self.floating.is_some().then_some(dry_run);
         if self.floating.is_none() && self.switches.dry_run != dry_run {
             self.switches.dry_run = dry_run;
             self.renew_moves();

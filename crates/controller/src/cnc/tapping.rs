@@ -48,7 +48,8 @@ impl Cnc {
     /// Looks whether the move being run is one of a thread that the spindle cuts beside.
     pub(super) fn follow_floating(&mut self, given: &Given) {
         match (self.floating, given.motion.is_tapping()) {
-            (None, true) => {
+            // What is given up by a reset comes to rest, and cuts no thread any more.
+            (None, true) if self.state == State::Running => {
                 let entry = match given.programmed.way {
                     Way::Line(from, _) => from,
                     Way::Arc(arc) => arc.at(0.0),
@@ -68,13 +69,9 @@ impl Cnc {
         }
     }
 
-    /// The thread is left, or given up.
-    pub(super) fn leave_floating(&mut self) {
+    fn leave_floating(&mut self) {
         if self.floating.take().is_some_and(|floating| floating.holds) {
             self.feed_hold();
-        }
-        if let Some(dry_run) = self.switches.dry_run_behind_thread.take() {
-            self.set_dry_run(dry_run);
         }
     }
 
