@@ -66,8 +66,8 @@ enum End {
     Rest(Position),
     Through,
     Ease(Ease),
-    /// The corner takes this much.
-    Corner(f64),
+    /// The corner takes its reach.
+    Corner(Corner),
 }
 
 /// A move, or the end of a chain, on its way into the queue.
@@ -110,7 +110,7 @@ impl Assembler {
             open: None,
             flow: None,
             closing: false,
-            smoother: Smoother::new(inverses.of(Class::Cut).jerk),
+            smoother: Smoother::new(*inverses.of(Class::Cut)),
             inverses,
             first: None,
             chained: false,
@@ -211,7 +211,7 @@ impl Assembler {
             Joint::Rest => (End::Rest(open.member.piece.end()), Start::Rest),
             Joint::Through(cap) => (End::Through, Start::Plain(cap)),
             Joint::Ease(ease) => (End::Ease(ease), Start::Ease(ease.behind())),
-            Joint::Corner(corner) => (End::Corner(corner.reach), Start::Corner(corner)),
+            Joint::Corner(corner) => (End::Corner(corner), Start::Corner(corner)),
         };
         let open = std::mem::replace(open, Open { member: *member, start, s });
         let chain = self.chained.then_some(false);
@@ -302,7 +302,7 @@ impl Assembler {
         let ends = match flow.end {
             End::Rest(_) | End::Through => len,
             End::Ease(ease) => len - ease.h,
-            End::Corner(reach) => len - reach,
+            End::Corner(corner) => len - corner.reach,
         };
         if !flow.begun {
             if queue.room() < 2 || queue.mark_room() == 0 {
@@ -342,22 +342,37 @@ impl Assembler {
         let last = &flow.open;
         let len = last.member.piece.len();
         let mut keeps = [false, !matches!(flow.end, End::Rest(_))];
-        let mut from = 0.0;
+        let (mut from, mut speed) = (0.0, f64::INFINITY);
         if let Some(first) = self.first.take() {
             let mut at = self.begin(&first, queue);
             if let Start::Ease(ease) = first.start {
                 at = self.eased(&first, ease, 0.0, ease.h, queue);
             }
             keeps[0] = !matches!(first.start, Start::Rest);
+            speed = match first.start {
+                Start::Rest => 0.0,
+                Start::Plain(cap) => cap,
+                Start::Ease(ease) => ease.speed(self.inverses.of(self.smoother.class)),
+                Start::Corner(corner) => corner.foot.v,
+            };
             from = first.s + at;
         }
         let to = match flow.end {
             End::Rest(_) | End::Through => len,
             End::Ease(ease) => len - ease.h,
-            End::Corner(reach) => len - reach,
+            End::Corner(corner) => len - corner.reach,
         };
         let class = self.smoother.class;
         let inverse = self.inverses.of(class);
+        self.smoother.set_speeds([
+            speed,
+            match flow.end {
+                End::Rest(_) => 0.0,
+                End::Through => f64::INFINITY,
+                End::Ease(ease) => ease.speed(inverse),
+                End::Corner(corner) => corner.foot.v,
+            },
+        ]);
         self.smoother.run(from, last.s + to, keeps, goes_on, |span| {
             let cubic = span.cubic;
             let rates = cubic.rates();

@@ -271,7 +271,7 @@ const JERK_KEPT: f64 = 0.4;
 const LEAST_LEFT: f64 = 0.02;
 
 /// The limits in the form that planning multiplies with, for one kind of move.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Inverse {
     velocity: [f64; AXES],
     pub acceleration: [f64; AXES],

@@ -117,9 +117,9 @@ fn inner_corners_by_speed_difference_are_as_slow_as_the_axes_ask_for() {
     let machine = round_machine();
     let rule = CornerRule::SpeedDifference(300.0);
     let path = PathMode::InnerCorners(InnerCorners { rule, ..INNER });
-    // 5 mm/s where both axes change by all of it.
+    // 5 mm/s where both axes change by all of it; the corner itself takes less than 0.3 mm on either side.
     let run = judged(&machine, &corner(90.0, path));
-    let [low, high] = speeds(&run, VERTEX, 0.2, 0.9, &[0, 1]);
+    let [low, high] = speeds(&run, VERTEX, 0.3, 0.9, &[0, 1]);
     assert!(low > 4.9 && high <= 5.0005, "{low} {high}");
 }
 

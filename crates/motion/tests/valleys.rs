@@ -69,7 +69,8 @@ fn a_hold_in_a_valley_stops_before_its_end() {
     for tick in (turn - 80..turn + 80).step_by(8) {
         let run = judged(&[(tick, Event::Hold), (tick + 400, Event::Resume)]);
         let stands = run.samples.iter().enumerate().skip(tick).find(|(_, s)| s.velocity == 0.0).unwrap().0;
-        assert!(stands < tick + 170, "held in period {tick}, at rest in {stands}");
+        // A stop from the feed takes 0.1 s on a line.
+        assert!(stands < tick + 190, "held in period {tick}, at rest in {stands}");
         assert_eq!(run.samples.last().unwrap().position, plain.samples.last().unwrap().position);
     }
 }

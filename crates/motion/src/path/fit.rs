@@ -2,10 +2,17 @@
 //!
 //! What is to be least is `Σ w·|Σ bᵢ·cᵢ − p|²` over places set against the lines and `Σ ℓ⁶·|Σ tᵢ·cᵢ|²` over spans, where
 //! `bᵢ` and `tᵢ` weigh the four control points of a span in the value and in the third derivative. The normal equations
-//! have three diagonals on either side and are solved by `L·D·Lᵀ`. The weights are then changed and it is solved again:
+//! have three diagonals on either side and are solved by `L·D·Lᵀ`. A place that comes near the tolerance then weighs more,
+//! and it is solved again.
 //!
-//! - a place that comes near the tolerance weighs more,
-//! - a span that holds the speed back more than those beside it is made stiffer.
+//! How stiff a span is: a third derivative `S‴` takes the jerk `v³·S‴` at the speed `v`. With
+//!
+//! ```text
+//! ℓ = v·(δ/J)^⅓
+//! ```
+//!
+//! `ℓ³·S‴` is `δ` where that jerk is `J`: the curve spends tolerance and jerk alike, everywhere as much as it is run fast
+//! there ([`Pace`]). It is stiff far from a turn, where it is still fast, and swings out before it.
 //!
 //! Every span keeps its own sum of products, so a round costs what has changed in it: the places are looked at, and only
 //! those that weigh more are added again.
@@ -13,31 +20,27 @@
 // Only as many axes as move are looped over; their number is known when compiling.
 #![allow(clippy::needless_range_loop)]
 
+use crate::limits::Inverse;
+use crate::path::pace::{Pace, Stretch};
+
 /// Control points that bear on a span, and diagonals of the normal equations.
 pub(crate) const BAND: usize = 4;
 
-/// How often the spline is made anew with other weights.
-const REFINEMENTS: usize = 8;
+/// How often the spline is brought closer.
+const ROUNDS: usize = 12;
 
 /// Share of the tolerance beyond which a place weighs more.
-const CLOSE: f64 = 0.86;
+const CLOSE: f64 = 0.9;
 
 /// How much more: by the square of how far beyond that it is, with a little added, and no more than this.
-const CLOSER: f64 = 1.15;
+const CLOSER: f64 = 1.05;
 const MOST_CLOSER: f64 = 30.0;
 
-/// A span is made stiffer if it is held back so many times as much as those beside it, by as much, up to this.
-const PEAK: f64 = 1.4;
-const MOST_STIFFER: f64 = 4.0;
+/// `ℓ` is no more than this many times the length of the span.
+const STIFFEST: f64 = 5.0;
 
-/// Those beside it count as held back this much at least; 1 is where the jerk allows just the feed.
-const LEAST_HELD: f64 = 0.5;
-
-/// The last refinements only bring the spline closer.
-const CLOSING: usize = 2;
-
-/// How many spans on either side are beside one.
-const BESIDE: usize = 3;
+/// Before the open end of a run it is no more than this share of the way to that end: the fit there is still to change.
+const OPEN_SHARE: f64 = 0.5;
 
 /// A place where the spline is set against the lines.
 #[derive(Clone, Copy, Debug)]
@@ -46,6 +49,7 @@ struct Look<const N: usize> {
     weight: f64,
     /// `1/(tolerance·CLOSE)²`.
     close: f64,
+    /// Where it shall be, from where the first control points have it.
     p: [f64; N],
 }
 
@@ -57,22 +61,31 @@ struct Strip<const N: usize> {
     side: [[f64; N]; BAND],
     /// Weights of the control points in the third derivative.
     third: [f64; BAND],
+    /// The same in the mean second one.
+    bend: [f64; BAND],
+    /// Both of the first control points.
+    first_third: [f64; N],
+    first_bend: [f64; N],
     stiff: f64,
-    /// Third power of the feed.
-    cube: f64,
+    tolerance: f64,
     /// Behind the last of its places.
     looks: usize,
 }
 
 /// Control points being fitted, of `N` axes.
+///
+/// What is looked for is by how much they are moved from the first ones: where these lie on a line, nothing is moved, not
+/// even by rounding.
 #[derive(Debug, Default)]
 pub(crate) struct Fit<const N: usize> {
+    /// The first ones.
     pub controls: Vec<[f64; N]>,
+    pub moved: Vec<[f64; N]>,
     pub is_free: Vec<bool>,
     looks: Vec<Look<N>>,
     strips: Vec<Strip<N>>,
-    /// The third derivative of every span, as a share of what the jerk allows at the feed.
-    held: Vec<f64>,
+    /// How fast every span is run, about.
+    pub pace: Pace,
     /// `rows[i][d]` is the entry of row `i` and column `i − d`.
     rows: Vec<[f64; BAND]>,
     sides: Vec<[f64; N]>,
@@ -83,10 +96,11 @@ impl<const N: usize> Fit<N> {
     pub fn new(controls: usize, looks: usize) -> Fit<N> {
         Fit {
             controls: Vec::with_capacity(controls),
+            moved: Vec::with_capacity(controls),
             is_free: Vec::with_capacity(controls),
             looks: Vec::with_capacity(looks),
             strips: Vec::with_capacity(controls),
-            held: Vec::with_capacity(controls),
+            pace: Pace::new(controls),
             rows: Vec::with_capacity(controls),
             sides: Vec::with_capacity(controls),
         }
@@ -94,9 +108,22 @@ impl<const N: usize> Fit<N> {
 
     pub fn clear(&mut self) {
         self.controls.clear();
+        self.moved.clear();
         self.is_free.clear();
         self.looks.clear();
         self.strips.clear();
+        self.pace.stretches.clear();
+    }
+
+    /// Sets the first control points.
+    pub fn begin(&mut self, controls: impl Iterator<Item = [f64; N]>) {
+        self.controls.extend(controls);
+        self.moved.resize(self.controls.len(), [0.0; N]);
+    }
+
+    /// What the first control points of span `k` make of the weights `g`.
+    fn at_first(&self, k: usize, g: &[f64; BAND]) -> [f64; N] {
+        weighted(g, &self.controls[k..k + BAND])
     }
 
     /// Whether one of the control points of span `k` is free.
@@ -105,22 +132,34 @@ impl<const N: usize> Fit<N> {
     }
 
     /// The next span, of which nothing is free.
-    pub fn skip(&mut self) {
-        self.add_span([0.0; BAND], 0.0, 0.0);
+    pub fn skip(&mut self, stretch: Stretch) {
+        self.add_span([[0.0; BAND]; 2], 0.0, 0.0, stretch);
     }
 
-    /// The next span: weights in its third derivative, how stiff it is, and its feed.
-    pub fn add_span(&mut self, third: [f64; BAND], stiff: f64, feed: f64) {
+    /// The next span: weights in its third derivative and in the mean of its second, how stiff it is, and the tolerance.
+    pub fn add_span(
+        &mut self,
+        [third, bend]: [[f64; BAND]; 2],
+        stiff: f64,
+        tolerance: f64,
+        stretch: Stretch,
+    ) {
         let (gram, side) = ([[0.0; BAND]; BAND], [[0.0; N]; BAND]);
-        let cube = feed * feed * feed;
-        let mut strip = Strip { gram, side, third, stiff, cube, looks: self.looks.len() };
-        add(&mut strip.gram, &third, stiff);
+        let k = self.strips.len();
+        let (first_third, first_bend) = (self.at_first(k, &third), self.at_first(k, &bend));
+        let looks = self.looks.len();
+        let mut strip =
+            Strip { gram, side, third, bend, first_third, first_bend, stiff: 0.0, tolerance, looks };
+        strip.stiffen(stiff);
         self.strips.push(strip);
+        self.pace.stretches.push(stretch);
     }
 
     /// A place of the newest span that shall be within `tolerance` of `p`.
     pub fn look_at(&mut self, basis: [f64; BAND], weight: f64, p: [f64; N], tolerance: f64) {
         let limit = tolerance * CLOSE;
+        let Some(k) = self.strips.len().checked_sub(1) else { return };
+        let p = apart(p, self.at_first(k, &basis));
         let look = Look { basis, weight, close: (limit * limit).recip(), p };
         if let Some(strip) = self.strips.last_mut() {
             strip.press(&look, weight);
@@ -131,20 +170,68 @@ impl<const N: usize> Fit<N> {
 
     /// Span `k` shall go through `p`.
     pub fn tie(&mut self, k: usize, basis: [f64; BAND], weight: f64, p: [f64; N]) {
+        let p = apart(p, self.at_first(k, &basis));
         let look = Look { basis, weight, close: 0.0, p };
         if let Some(strip) = self.strips.get_mut(k) {
             strip.press(&look, weight);
         }
     }
 
-    /// Finds the control points that are free. `jerk` is the inverse of the jerk of the axes.
-    pub fn run(&mut self, jerk: &[f64; N]) {
-        for round in 0..REFINEMENTS {
-            self.assemble();
-            self.solve();
-            if round + 1 == REFINEMENTS || !self.refine(jerk, round + CLOSING < REFINEMENTS) {
+    /// Finds the control points that are free.
+    pub fn solve(&mut self) {
+        self.assemble();
+        self.eliminate();
+    }
+
+    /// The same again, with more weight where the spline is far from the lines, as long as it is.
+    pub fn close(&mut self) {
+        for _ in 0..ROUNDS {
+            if !self.press() {
                 return;
             }
+            self.solve();
+        }
+    }
+
+    /// The tolerance of span `k`.
+    pub fn tolerance(&self, k: usize) -> f64 {
+        self.strips[k].tolerance
+    }
+
+    /// How fast every span is run with the control points as they are.
+    pub fn find_pace(&mut self, inverse: &Inverse) {
+        for (k, (strip, stretch)) in self.strips.iter().zip(&mut self.pace.stretches).enumerate() {
+            if strip.tolerance == 0.0 {
+                stretch.v = stretch.top;
+                continue;
+            }
+            let moved = &self.moved[k..k + BAND];
+            let (third, bend) = (weighted(&strip.third, moved), weighted(&strip.bend, moved));
+            let (mut jerk, mut acceleration): (f64, f64) = (0.0, 0.0);
+            for axis in 0..N {
+                jerk = jerk.max((strip.first_third[axis] + third[axis]).abs() * inverse.jerk[axis]);
+                let bend = (strip.first_bend[axis] + bend[axis]).abs();
+                acceleration = acceleration.max(bend * inverse.acceleration[axis]);
+            }
+            stretch.limit(jerk, acceleration);
+        }
+        self.pace.find();
+    }
+
+    /// Makes spans as stiff as their speed asks for. Before an end that is still `open`, `ℓ` is no more than a share of what
+    /// is known behind.
+    pub fn stiffen(&mut self, open: bool) {
+        let mut known: f64 = self.pace.stretches.iter().map(|stretch| stretch.len).sum();
+        for (k, strip) in self.strips.iter_mut().enumerate() {
+            let len = self.pace.stretches[k].len;
+            let most = if open { OPEN_SHARE * known } else { f64::INFINITY };
+            known -= len;
+            if strip.tolerance == 0.0 {
+                continue;
+            }
+            let l = self.pace.reach(k, strip.tolerance).min(STIFFEST * len).min(most);
+            let cube = l * l * l;
+            strip.stiffen(cube * cube * len - strip.stiff);
         }
     }
 
@@ -169,34 +256,25 @@ impl<const N: usize> Fit<N> {
                 }
                 continue;
             }
-            let controls = &self.controls[k..k + BAND];
+            // Those that stand are not moved.
             for i in (0..BAND).filter(|i| free[*i]) {
-                let mut side = strip.side[i];
-                for j in 0..BAND {
-                    let entry = strip.gram[i.max(j)][i.min(j)];
-                    if !free[j] {
-                        // What is as wished beside the control points that stand.
-                        for axis in 0..N {
-                            side[axis] -= entry * controls[j][axis];
-                        }
-                    } else if j <= i {
-                        rows[i][i - j] += entry;
-                    }
+                for j in (0..=i).filter(|j| free[*j]) {
+                    rows[i][i - j] += strip.gram[i][j];
                 }
                 for axis in 0..N {
-                    sides[i][axis] += side[axis];
+                    sides[i][axis] += strip.side[i][axis];
                 }
             }
         }
-        for (i, is_free) in self.is_free.iter().enumerate() {
+        for (row, is_free) in self.rows.iter_mut().zip(&self.is_free) {
             if !is_free {
-                (self.rows[i], self.sides[i]) = ([1.0, 0.0, 0.0, 0.0], self.controls[i]);
+                *row = [1.0, 0.0, 0.0, 0.0];
             }
         }
     }
 
     /// Solves the normal equations.
-    fn solve(&mut self) {
+    fn eliminate(&mut self) {
         // The three rows and right sides above, the nearest first.
         let (mut above, mut high) = ([[0.0; BAND]; 3], [[0.0; N]; 3]);
         for (row, side) in self.rows.iter_mut().zip(&mut self.sides) {
@@ -216,42 +294,27 @@ impl<const N: usize> Fit<N> {
         }
         let mut below = [[0.0; BAND]; 3];
         let mut low = [[0.0; N]; 3];
-        for (control, (row, side)) in self.controls.iter_mut().zip(self.rows.iter().zip(&self.sides)).rev() {
+        for (moved, (row, side)) in self.moved.iter_mut().zip(self.rows.iter().zip(&self.sides)).rev() {
             for axis in 0..N {
-                control[axis] = side[axis] * row[0]
+                moved[axis] = side[axis] * row[0]
                     - below[0][1] * low[0][axis]
                     - below[1][2] * low[1][axis]
                     - below[2][3] * low[2][axis];
             }
             below = [*row, below[0], below[1]];
-            low = [*control, low[0], low[1]];
+            low = [*moved, low[0], low[1]];
         }
     }
 
-    /// Weighs more where the spline is far from the lines and, if it `stiffens`, makes spans stiffer of which the third
-    /// derivative, by the jerk of the axes, holds the feed back. Whether anything changed.
-    fn refine(&mut self, jerk: &[f64; N], stiffens: bool) -> bool {
+    /// Weighs more where the spline is far from the lines. Whether it is anywhere.
+    pub fn press(&mut self) -> bool {
         let mut changed = false;
         let mut first = 0;
-        self.held.clear();
         for (k, strip) in self.strips.iter_mut().enumerate() {
-            if strip.looks == first {
-                self.held.push(0.0);
-                continue;
-            }
-            let controls = &self.controls[k..k + BAND];
-            let at = |g: &[f64; BAND], axis: usize| {
-                g[0] * controls[0][axis]
-                    + g[1] * controls[1][axis]
-                    + g[2] * controls[2][axis]
-                    + g[3] * controls[3][axis]
-            };
+            let moved = &self.moved[k..k + BAND];
             for look in &mut self.looks[first..strip.looks] {
-                let mut square = 0.0;
-                for axis in 0..N {
-                    let off = at(&look.basis, axis) - look.p[axis];
-                    square += off * off;
-                }
+                let off = apart(weighted(&look.basis, moved), look.p);
+                let square: f64 = off.iter().map(|off| off * off).sum();
                 let over = square * look.close;
                 if over > 1.0 {
                     let more = look.weight * ((over * CLOSER * CLOSER).min(MOST_CLOSER) - 1.0);
@@ -261,33 +324,24 @@ impl<const N: usize> Fit<N> {
                 }
             }
             first = strip.looks;
-            let mut most: f64 = 0.0;
-            for axis in 0..N {
-                most = most.max(at(&strip.third, axis).abs() * jerk[axis]);
-            }
-            self.held.push(most * strip.cube);
-        }
-        if !stiffens {
-            return changed;
-        }
-        let spans = self.strips.len();
-        for (k, strip) in self.strips.iter_mut().enumerate() {
-            let near = &self.held[k.saturating_sub(BESIDE)..(k + BESIDE + 1).min(spans)];
-            let mean = (near.iter().sum::<f64>() - self.held[k]) / (near.len() as f64 - 1.0).max(1.0);
-            let most = mean.max(LEAST_HELD);
-            if self.held[k] > PEAK * most {
-                let more = strip.stiff * ((self.held[k] / most).min(MOST_STIFFER) - 1.0);
-                strip.stiff += more;
-                let third = strip.third;
-                add(&mut strip.gram, &third, more);
-                changed = true;
-            }
         }
         changed
     }
 }
 
 impl<const N: usize> Strip<N> {
+    /// Makes it stiffer by so much.
+    fn stiffen(&mut self, more: f64) {
+        self.stiff += more;
+        add(&mut self.gram, &self.third, more);
+        for i in 0..BAND {
+            let share = more * self.third[i];
+            for axis in 0..N {
+                self.side[i][axis] -= share * self.first_third[axis];
+            }
+        }
+    }
+
     /// Adds the place with this weight.
     #[inline]
     fn press(&mut self, look: &Look<N>, weight: f64) {
@@ -299,6 +353,18 @@ impl<const N: usize> Strip<N> {
             }
         }
     }
+}
+
+/// What the control points of a span are with these weights.
+#[inline]
+fn weighted<const N: usize>(g: &[f64; BAND], controls: &[[f64; N]]) -> [f64; N] {
+    let [a, b, c, d] = controls else { return [0.0; N] };
+    std::array::from_fn(|i| g[0] * a[i] + g[1] * b[i] + g[2] * c[i] + g[3] * d[i])
+}
+
+#[inline]
+fn apart<const N: usize>(a: [f64; N], b: [f64; N]) -> [f64; N] {
+    std::array::from_fn(|i| a[i] - b[i])
 }
 
 /// Adds `weight·gᵢ·gⱼ`.

@@ -397,7 +397,7 @@ impl Ease {
     }
 
     /// Highest speed at which it alone keeps acceleration and jerk.
-    fn speed(&self, inverse: &Inverse) -> f64 {
+    pub fn speed(&self, inverse: &Inverse) -> f64 {
         let rates = self.rates(self.joint, self.joint);
         inverse.speed(&Rates { first: [0.0; AXES], ..rates }).min(self.cap)
     }

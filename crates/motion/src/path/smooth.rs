@@ -9,8 +9,8 @@
 //!    from it: a corner that turns by `Δ` between knots `h` apart is missed by `Δ·h/6`.
 //! 3. **Control points** first on the chords at the Greville lengths `ξₖ = (tₖ₋₁ + tₖ + tₖ₊₁)/3`, so that straight
 //!    stretches are reproduced exactly, at unit speed (Schoenberg's operator). Those of dense stretches then go where
-//!    `∫|S − P|² + ∫ℓ⁶·|S‴|²` is least, some times over: places that come near the tolerance weigh more, and spans that
-//!    hold the speed back more than those beside them are made stiffer.
+//!    `∫|S − P|² + ∫ℓ⁶·|S‴|²` is least, some times over: places that come near the tolerance weigh more. Once it is known
+//!    about how fast the run will be ([`crate::path::pace`]), slow places get more knots, and `ℓ` is `v·(δ/J)^⅓`.
 //! 4. **Check** of the true distance, of every programmed point from the spline and of the spline from the
 //!    programmed lines. Where it is beyond the tolerance, less is left out, knots come closer and in the end control
 //!    points stay on the chords ([`LEVELS`]); the last level keeps the tolerance by construction.
@@ -21,8 +21,9 @@
 // Only the axes in front that move are looped over, in several vectors at once.
 #![allow(clippy::needless_range_loop)]
 
-use crate::limits::Class;
+use crate::limits::{Class, Inverse, Rates};
 use crate::path::fit::{BAND, Fit};
+use crate::path::pace::Stretch;
 use crate::path::shape::Cubic;
 use ferrocut_geometry::{AXES, Position};
 
@@ -64,6 +65,9 @@ const LEVELS: [Level; 7] = [
 /// Knots beside a vertex, in shares of the first distance.
 const FAN: [f64; 4] = [1.0, 3.0, 7.0, 15.0];
 
+/// A step of knots is set if the way that is left is so many times as long.
+const FAN_ROOM: f64 = 2.25;
+
 /// The first knot beside a vertex, in shares of its reach.
 const FIRST: f64 = 0.7;
 
@@ -86,6 +90,16 @@ const ROUNDS: usize = 20;
 /// In how many places a span is set against the lines.
 const LEAST_LOOKS: usize = 3;
 const MOST_LOOKS: usize = 16;
+
+/// A slow span is no longer than this share of what is smoothed away there, where so many parts are enough.
+const SPLIT: f64 = 0.7;
+const MOST_PARTS: usize = 4;
+
+/// Knots a line at most, with those put in.
+const KNOTS_A_LINE: usize = 9;
+
+/// Faster is nothing, mm/s.
+const FASTEST: f64 = 1e6;
 
 /// Share of the tolerance that is used.
 const TOLERANCE_SHARE: f64 = 0.95;
@@ -146,8 +160,11 @@ pub(crate) struct Smoother {
     /// The control points being fitted: of X, Y, Z, and of all axes where others move.
     fit: Fit<3>,
     fit_all: Fit<AXES>,
-    /// Inverse of the jerk of the axes.
-    jerk: [f64; AXES],
+    /// Limits of the axes.
+    inverse: Inverse,
+    /// Knots while some are added.
+    finer: Vec<f64>,
+    is_finer_dense: Vec<bool>,
     /// The run goes on: its first knots and control points stand, because a part of it is in the queue already.
     goes_on: bool,
     /// Where the last knot that stands lies.
@@ -155,6 +172,8 @@ pub(crate) struct Smoother {
     /// How far apart knots may be about it.
     anchor_reach: f64,
     anchor_size: f64,
+    /// Highest speeds at both ends, mm/s.
+    speeds: [f64; 2],
     /// The first and the last line stay as they are: something is joined to them.
     keeps: [bool; 2],
     /// How many axes in front move.
@@ -162,7 +181,7 @@ pub(crate) struct Smoother {
 }
 
 impl Smoother {
-    pub fn new(jerk: [f64; AXES]) -> Smoother {
+    pub fn new(inverse: Inverse) -> Smoother {
         Smoother {
             class: Class::Cut,
             points: Vec::with_capacity(POINTS + SPARE),
@@ -174,11 +193,14 @@ impl Smoother {
             is_dense: Vec::with_capacity(KNOTS),
             fit: Fit::new(KNOTS, MOST_LOOKS * KNOTS / 2),
             fit_all: Fit::new(KNOTS, MOST_LOOKS * KNOTS / 2),
-            jerk,
+            inverse,
+            finer: Vec::with_capacity(KNOTS),
+            is_finer_dense: Vec::with_capacity(KNOTS),
             goes_on: false,
             anchor: (0.0, [0.0; AXES]),
             anchor_reach: 0.0,
             anchor_size: 0.0,
+            speeds: [f64::INFINITY; 2],
             keeps: [false; 2],
             count: 3,
         }
@@ -226,6 +248,11 @@ impl Smoother {
         if let [.., begin, _] = self.points.as_mut_slice() {
             begin.feed = begin.feed.min(feed);
         }
+    }
+
+    /// Highest speeds at the begin and the end of the run, mm/s.
+    pub fn set_speeds(&mut self, speeds: [f64; 2]) {
+        self.speeds = speeds;
     }
 
     /// Smooths the run between the lengths `from` and `to`, which lie on its first and its last line, and hands its
@@ -454,7 +481,11 @@ impl Smoother {
             self.is_dense.resize(self.knots.len() - 3, false);
             before = after;
         }
-        // Mirrored beyond the ends.
+        self.mirror_knots();
+    }
+
+    /// The two knots beyond each end.
+    fn mirror_knots(&mut self) {
         if !self.goes_on {
             let t0 = self.knots[2];
             self.knots[1] = 2.0 * t0 - self.knots[3];
@@ -488,10 +519,18 @@ impl Smoother {
     /// Knots of the chord from `start` to `end`, close beside a vertex and further apart away from it. What lies far from
     /// both vertices of a programmed line stays on it.
     fn fan(&mut self, start: f64, end: f64, [before, after]: [f64; 2], is_thinned: bool) {
-        let half = 0.5 * (end - start);
-        let count = |reach: f64| FAN.iter().take_while(|share| *share * reach < 0.8 * half).count();
-        let (left, right) =
-            (if before > 0.0 { count(before) } else { 0 }, if after > 0.0 { count(after) } else { 0 });
+        // The shorter step first, each twice the one before on its side.
+        let (mut left, mut right) = (0, 0);
+        let step = |size: f64| if size > 0.0 { size } else { f64::INFINITY };
+        let (mut next, mut last, mut gap) = (step(before), step(after), end - start);
+        while FAN_ROOM * next.min(last) < gap && left.max(right) < FAN.len() {
+            gap -= next.min(last);
+            if next <= last {
+                (left, next) = (left + 1, 2.0 * next);
+            } else {
+                (right, last) = (right + 1, 2.0 * last);
+            }
+        }
         let is_far = |k: usize| k >= FAN_FREE && !is_thinned;
         for (k, share) in FAN[..left].iter().enumerate() {
             self.knots.push(start + share * before);
@@ -499,7 +538,7 @@ impl Smoother {
         }
         let mut middle = !(is_far(left) && is_far(right));
         if is_thinned && left + right == 0 {
-            self.knots.push(start + half);
+            self.knots.push(0.5 * (start + end));
             self.is_dense.push(true);
         }
         for (k, share) in FAN[..right].iter().enumerate().rev() {
@@ -512,6 +551,20 @@ impl Smoother {
     }
 
     fn place_controls(&mut self, open: bool) {
+        self.place_on_chords();
+        if self.count == 3 {
+            let mut fit = std::mem::take(&mut self.fit);
+            self.relax(&mut fit, open);
+            self.fit = fit;
+        } else {
+            let mut fit = std::mem::take(&mut self.fit_all);
+            self.relax(&mut fit, open);
+            self.fit_all = fit;
+        }
+    }
+
+    /// Control points on the chords.
+    fn place_on_chords(&mut self) {
         let n = self.count;
         let standing = if self.goes_on { STANDING_CONTROLS } else { 0 };
         self.controls.truncate(standing);
@@ -531,27 +584,63 @@ impl Smoother {
             }
             self.controls.push(control);
         }
-        if self.count == 3 {
-            let mut fit = std::mem::take(&mut self.fit);
-            self.relax(&mut fit, open);
-            self.fit = fit;
-        } else {
-            let mut fit = std::mem::take(&mut self.fit_all);
-            self.relax(&mut fit, open);
-            self.fit_all = fit;
-        }
     }
 
     /// Moves the control points of dense stretches to where `∫|S − P|² + ∫ℓ⁶·|S‴|²` is least ([`crate::path::fit`]). The
     /// integral over the distance from the programmed lines is taken at some places of every span; the third derivative
     /// is constant on a span.
     fn relax<const N: usize>(&mut self, fit: &mut Fit<N>, open: bool) {
+        // An end at rest may turn and bend; only its place stands.
+        let turns = [!self.goes_on && !self.keeps[0], open || !self.keeps[1]];
+        let unknown = f64::INFINITY;
+        fit.pace.ends = [
+            if self.goes_on { unknown } else { self.speeds[0] },
+            if open { unknown } else { self.speeds[1] },
+        ];
+        if self.set(fit, turns, open) {
+            fit.solve();
+            if fit.press() {
+                fit.solve();
+            }
+            if !self.inverse.is_free_of_jerk(&[1.0; AXES]) {
+                fit.find_pace(&self.inverse);
+                if fit.pace.is_slow() {
+                    self.pace(fit, turns, open);
+                }
+            }
+            fit.close();
+            for (control, moved) in self.controls.iter_mut().zip(&fit.moved) {
+                for i in 0..N {
+                    control[i] += moved[i];
+                }
+            }
+        }
+        self.hold_ends(turns, open);
+    }
+
+    /// Makes the fit as fine and as stiff as the speed asks for.
+    fn pace<const N: usize>(&mut self, fit: &mut Fit<N>, turns: [bool; 2], open: bool) {
+        if !self.split(fit, open) {
+            return;
+        }
+        self.place_on_chords();
+        self.set(fit, turns, open);
+        fit.pace.take_parts();
+        fit.stiffen(open);
+        fit.solve();
+        // Once more with the speeds of what came out of it.
+        fit.find_pace(&self.inverse);
+        fit.stiffen(open);
+        fit.press();
+        fit.solve();
+    }
+
+    /// Sets up what is to be least. Whether anything is free.
+    fn set<const N: usize>(&mut self, fit: &mut Fit<N>, turns: [bool; 2], open: bool) -> bool {
         let total = self.controls.len();
         let spans = self.knots.len().saturating_sub(5);
         fit.clear();
         // Control point `j` bears on the spans j−3…j.
-        // An end at rest may turn and bend; only its place stands.
-        let turns = [!self.goes_on && !self.keeps[0], open || !self.keeps[1]];
         let first = if self.goes_on { STANDING_CONTROLS } else { 3 * usize::from(!turns[0]) };
         let last = total - 3 * usize::from(!turns[1]);
         // One behind the last span that is not dense.
@@ -562,20 +651,60 @@ impl Smoother {
             }
             fit.is_free.push((first..last).contains(&j) && dense <= j.saturating_sub(3));
         }
-        if fit.is_free.contains(&true) {
-            fit.controls.extend(self.controls.iter().map(front));
-            self.look(fit);
-            for (k, is_end) in [(0, turns[0]), (spans - 1, turns[1] && !open)] {
-                if is_end {
-                    self.tie_end(fit, k);
-                }
-            }
-            fit.run(&front(&self.jerk));
-            for (control, fitted) in self.controls.iter_mut().zip(&fit.controls) {
-                control[..N].copy_from_slice(fitted);
+        if !fit.is_free.contains(&true) {
+            return false;
+        }
+        fit.begin(self.controls.iter().map(front));
+        self.look(fit);
+        for (k, is_end) in [(0, turns[0]), (spans - 1, turns[1] && !open)] {
+            if is_end {
+                self.tie_end(fit, k);
             }
         }
-        self.hold_ends(turns, open);
+        true
+    }
+
+    /// Puts knots into slow spans that are longer than what is to be smoothed away there. Whether there are any. Knots stay
+    /// as they are close to an end that something is joined to, where the spline has to bend away from the line, and close
+    /// to an open one, where it is still to change.
+    fn split<const N: usize>(&mut self, fit: &mut Fit<N>, open: bool) -> bool {
+        let spans = self.knots.len().saturating_sub(5);
+        let standing = if self.goes_on { STANDING_KNOTS - 3 } else { 0 };
+        // No more than cells are kept room for.
+        let mut left = (KNOTS_A_LINE * self.lines()).saturating_sub(spans);
+        self.finer.clear();
+        self.is_finer_dense.clear();
+        fit.pace.begin_split();
+        self.finer.extend_from_slice(&self.knots[..3]);
+        let keeps = [!self.goes_on && self.keeps[0], open || self.keeps[1]];
+        for k in 0..spans {
+            let (begin, end) = (self.t(k), self.t(k + 1));
+            let mut parts = 1;
+            if k >= standing && fit.pace.stretches[k].is_slow && self.is_dense[k] && fit.bears(k) {
+                let tolerance = fit.tolerance(k);
+                let away = fit.pace.most_reach(k, tolerance);
+                let is_close = keeps[0] && begin - self.t(0) < away || keeps[1] && self.t(spans) - end < away;
+                if !is_close {
+                    let most = SPLIT * fit.pace.reach(k, tolerance);
+                    parts = (((end - begin) / most) as usize + 1).min(MOST_PARTS).min(left + 1);
+                    left -= parts - 1;
+                }
+            }
+            fit.pace.split(k, parts);
+            for part in 1..parts {
+                self.finer.push(begin + (end - begin) * part as f64 / parts as f64);
+                self.is_finer_dense.push(true);
+            }
+            self.finer.push(end);
+            self.is_finer_dense.push(self.is_dense[k]);
+        }
+        if self.finer.len() + 2 == self.knots.len() {
+            return false;
+        }
+        std::mem::swap(&mut self.knots, &mut self.finer);
+        std::mem::swap(&mut self.is_dense, &mut self.is_finer_dense);
+        self.mirror_knots();
+        true
     }
 
     /// The spline ends on the ends of the run.
@@ -611,12 +740,13 @@ impl Smoother {
         let spans = self.knots.len().saturating_sub(5);
         let mut line = 0;
         for k in 0..spans {
-            if !fit.bears(k) {
-                fit.skip();
-                continue;
-            }
             let (begin, end) = (self.t(k), self.t(k + 1));
             let len = end - begin;
+            if !fit.bears(k) {
+                line = self.segment(begin, line);
+                fit.skip(Stretch::free(len, self.points[line].feed.min(FASTEST)));
+                continue;
+            }
             line = self.segment(begin, line);
             let lines = self.points[line + 1..].iter().take_while(|point| point.u < end).count();
             let last = (line + lines).min(self.points.len() - 2);
@@ -624,17 +754,46 @@ impl Smoother {
             let least = near(k.saturating_sub(1)).min(len).min(near((k + 1).min(spans - 1)));
             let l = self.points[last].level().reach * least;
             let stiff = l * l * l * l * l * l * len;
-            fit.add_span(self.third(k), stiff, self.points[last].feed);
-            let place = self.place(k);
-            let looks = (lines + 1).clamp(LEAST_LOOKS, MOST_LOOKS);
-            let weight = len / looks as f64;
-            for look in 0..looks {
-                let u = begin + weight * (look as f64 + 0.5);
-                line = self.segment(u, line);
+            let on = |line: usize, u: f64| {
                 let (a, b) = (&self.points[line], &self.points[line + 1]);
                 let share = (u - a.u) / (b.u - a.u);
-                let p = std::array::from_fn(|i| a.p.0[i] + (b.p.0[i] - a.p.0[i]) * share);
-                fit.look_at(place.weights(u), weight, p, a.tolerance);
+                std::array::from_fn::<f64, N, _>(|i| a.p.0[i] + (b.p.0[i] - a.p.0[i]) * share)
+            };
+            let (from, to) = (on(line, begin), on(last, end));
+            let mut rates = Rates { first: [0.0; AXES], second: [0.0; AXES], third: [0.0; AXES] };
+            for i in 0..N {
+                rates.first[i] = (to[i] - from[i]) / len;
+            }
+            let top = self.points[last].feed.min(self.inverse.velocity(&rates)).min(FASTEST);
+            let drive = self.inverse.straight(&rates.first);
+            let tolerance = self.points[line].tolerance.min(self.points[last].tolerance);
+            let stretch = Stretch { drive, ..Stretch::free(len, top) };
+            fit.add_span(self.bends(k), stiff, tolerance, stretch);
+            let place = self.place(k);
+            let mut look = |line: usize, u: f64, weight: f64| {
+                fit.look_at(place.weights(u), weight, on(line, u), self.points[line].tolerance);
+            };
+            if lines < LEAST_LOOKS {
+                // At every vertex, and between them.
+                let mut from = begin;
+                for line in line..=last {
+                    let to = if line == last { end } else { self.points[line + 1].u.min(end) };
+                    let looks = (LEAST_LOOKS as f64 * (to - from) / len).ceil().max(1.0);
+                    let weight = (to - from) / looks;
+                    for i in 0..looks as usize {
+                        look(line, from + weight * i as f64, weight);
+                    }
+                    from = to;
+                }
+                continue;
+            }
+            let looks = (lines + 1).min(MOST_LOOKS);
+            let weight = len / looks as f64;
+            let mut line = line;
+            for i in 0..looks {
+                let u = begin + weight * i as f64;
+                line = self.segment(u, line);
+                look(line, u, weight);
             }
         }
     }
@@ -648,13 +807,17 @@ impl Smoother {
         Place { t, inverses }
     }
 
-    /// Weights of the four control points in the third derivative on span `k`.
-    fn third(&self, k: usize) -> [f64; 4] {
+    /// Weights of the four control points in the third derivative on span `k`, and in the mean of the second.
+    fn bends(&self, k: usize) -> [[f64; BAND]; 2] {
         let t: [f64; 6] = std::array::from_fn(|i| self.knots[k + i]);
         let h = t[3] - t[2];
         let [f0, f1, f2] = [3.0 / (t[3] - t[0]), 3.0 / (t[4] - t[1]), 3.0 / (t[5] - t[2])];
-        let [w0, w1] = [2.0 / ((t[3] - t[1]) * h), 2.0 / ((t[4] - t[2]) * h)];
-        [-w0 * f0, w1 * f1 + w0 * (f1 + f0), -w1 * (f2 + f1) - w0 * f1, w1 * f2]
+        let [a, b] = [(t[3] - t[1]).recip(), (t[4] - t[2]).recip()];
+        let [w0, w1] = [2.0 * a / h, 2.0 * b / h];
+        [
+            [-w0 * f0, w1 * f1 + w0 * (f1 + f0), -w1 * (f2 + f1) - w0 * f1, w1 * f2],
+            [a * f0, b * f1 - a * (f1 + f0), a * f1 - b * (f2 + f1), b * f2],
+        ]
     }
 
     /// Weights of the three control points about knot `k` in the value there.
