@@ -550,6 +550,11 @@ fn the_program_switch_stands_after_the_power_as_it_was_left() {
     assert_eq!(refused(&mut control, program()), "FC-1427");
     mode(&mut control, Mode::Mdi);
     assert_eq!(refused(&mut control, turn(true)), "FC-1213");
+    // Nor does a backup bring programs.
+    by_maintenance(&mut control, Command::Backup { file: "all.backup".into(), items: Vec::new() });
+    let restore = |item: &str| Command::Restore { file: "all.backup".into(), items: vec![item.into()] };
+    assert_eq!(refused(&mut control, restore("programs")), "FC-1427");
+    say(&mut control, restore("variables"));
     by_maintenance(&mut control, turn(true));
     say(&mut control, program());
 }

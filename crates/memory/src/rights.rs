@@ -116,6 +116,10 @@ pub fn needed_to_restore(item: Item) -> Level {
     }
 }
 
+/// The lowest level that takes a backup away or brings one: the level that may restore all that shops restore. It
+/// holds the work of the shop.
+pub const CARRIES_BACKUPS: Level = Level::Commissioning;
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -26,7 +26,7 @@ const MOST_VALUES: usize = 10_000;
 const LONGEST_MDI: usize = 1 << 20;
 
 /// What the event `changed` calls the backups in the folder of the memory.
-const BACKUPS: &str = "backups";
+pub const BACKUPS: &str = "backups";
 
 pub(super) type Answer = Result<Reply, Box<Alarm>>;
 
@@ -657,6 +657,9 @@ impl Control {
     /// What was restored holds at once, save what the drives are made of.
     fn restore(&mut self, file: &str, items: &[String], author: &Author) -> Answer {
         let items = Control::items(items)?;
+        if items.contains(&Item::Programs) {
+            self.may_edit_programs(author)?;
+        }
         if self.tick.moving || !self.cnc.is_idle() {
             return Err(Box::new(alarm(Fault::ControlBusy)));
         }

@@ -37,7 +37,7 @@ use crate::api::{Activity, AlarmInfo, Event};
 use crate::cnc::{self, Cnc, DryRun, State, Tick};
 use crate::drives::{Drives, Switches};
 use crate::signals::{Inputs, Mode, Outputs, SIGNAL_AXES};
-pub use commands::backup_in;
+pub use commands::{BACKUPS, backup_in};
 pub use desk::Desk;
 use ferrocut_geometry::{AxisSet, Position};
 use ferrocut_interpreter::{Interpreter, MachineCodes, Options, dialects};

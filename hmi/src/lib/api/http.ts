@@ -152,6 +152,10 @@ export const http = {
   backups(): Promise<BackupInfo[]> {
     return json('/api/backups');
   },
+  /** Brings a backup into the folder of the memory. */
+  async bringBackup(name: string, body: Blob): Promise<void> {
+    await request(this.backup(name), { method: 'PUT', body });
+  },
   /** Where a backup is taken away. */
   backup(name: string): string {
     return `/api/backups/${encodeURIComponent(name)}`;
