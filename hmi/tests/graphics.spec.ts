@@ -1,7 +1,7 @@
 // The drawing of a part whose measures are known: views, points, distances, sections, and how far it is done.
 import type { Page } from '@playwright/test';
 import { expect, shoot, test } from './server';
-import { enter, load, watchFaults } from './walk';
+import { bring, enter, load, press, show, stands, watchFaults } from './walk';
 
 watchFaults();
 // A loaded computer takes its time.
@@ -173,4 +173,35 @@ test('time is moved over the path: what is done has its own shade', async ({ pag
   await page.getByTestId('live').click();
   await expect(page.getByTestId('live')).toHaveAttribute('aria-pressed', 'true');
   await expect.poll(() => drawn(page, 'top', [80, 0, -8], '--accent')).toBe(true);
+});
+
+test('the tool and what is done go on while a subprogram of another file runs', async ({ page }) => {
+  await enter(page);
+  await bring(page, 'O1611', Buffer.from('O1611 (THREE SIDES)\nG91 G1 X60. F600\nY40.\nX-60.\nG90\nM99\n'));
+  await load(page, 'O1610', 'O1610 (CALLS)\nG21 G90 G54 G17\nG0 X0 Y0 Z10.\nM98 P1611\nG1 X0 Y0 F1200\nM30\n');
+  await show(page, 'graphics');
+  const drawing = page.locator('.graphics');
+  await expect(drawing).toHaveAttribute('data-loaded', 'true');
+  await page.locator('[data-view="top"]').click();
+  await press(page, 'KEY_START');
+  await expect(page.locator('header a.program')).toContainText('O1611', { timeout: 20_000 });
+  // The layer above has nothing that moves but the tool.
+  const tool = () => page.getByTestId('path').evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL());
+  const places = new Set<number>();
+  const pictures = new Set<string>();
+  let looks = 0;
+  for (; looks < 200; looks++) {
+    const running = await page.locator('header a.program').textContent();
+    const [place, picture] = [Number(await drawing.getAttribute('data-place')), await tool()];
+    if (!running?.includes('O1611')) break;
+    places.add(place);
+    pictures.add(picture);
+    await page.waitForTimeout(100);
+  }
+  // Sixteen seconds of three lines: the tool is elsewhere at each look.
+  expect(looks).toBeGreaterThanOrEqual(5);
+  expect(pictures.size).toBeGreaterThanOrEqual(0.9 * looks);
+  expect([...places].filter((place) => place > 0).length).toBeGreaterThanOrEqual(3);
+  expect([...places]).toEqual([...places].sort((one, other) => one - other));
+  await stands(page, 'idle', 60_000);
 });
