@@ -15,6 +15,8 @@ export type Mock = {
   sent: Sent[];
   /** Cuts the connection. */
   cut(): void;
+  /** Says something besides, such as an event. */
+  say(line: object): void;
   /** Who is logged in. */
   session: { level: number };
 };
@@ -31,6 +33,8 @@ export type Options = {
   noPath?: { status: number; body: string };
   /** What a check finds. */
   findings?: object[];
+  /** Values of parameters. */
+  parameters?: Record<string, number>;
   /** Whether nothing is told before a log-in. */
   needsLogIn?: boolean;
   /** Whether there is no room for a part of DNC now. */
@@ -96,7 +100,7 @@ export async function mock(context: BrowserContext, options: Options = {}): Prom
     });
   });
   await page.goto(home);
-  return { page, home, sent, session, cut: () => void socket?.close() };
+  return { page, home, sent, session, cut: () => void socket?.close(), say: (line) => socket?.send(JSON.stringify(line)) };
 }
 
 function reply(command: Sent & { program?: string }, options: Options): object {
@@ -118,7 +122,7 @@ function reply(command: Sent & { program?: string }, options: Options): object {
     case 'variables':
       return { reply: 'variables', variables: { 100: 1.5 } };
     case 'parameters':
-      return { reply: 'parameters', parameters: {} };
+      return { reply: 'parameters', parameters: options.parameters ?? {} };
     case 'signals':
       return { reply: 'signals', signals: {} };
     case 'ladder':
@@ -147,7 +151,7 @@ function status(tick: number, options: Options): object {
     program: { selected: 'O0001', cursor: 1, running: 'O0001', line: 2 + (Math.floor(angle) % 3), block: 'N20 G01 X50 F900', g_codes: ['G01', 'G17', 'G21', 'G54', 'G90'], h: 1, d: 5 },
     switches: { single_block: false, block_skip: false, optional_stop: true, dry_run: false, machine_lock: false, auxiliary_lock: false },
     counters: { parts: 17, all_parts: 1200, run_time: 4000 + angle, cutting_time: 3200 + angle, power_on_time: 90_000 },
-    referenced: ['X', 'Y', 'Z'], lamps: ['LAMP_AUTO', 'LAMP_START'], panel: { SWITCH_FEED: 10, SWITCH_SPINDLE: 6 }, level: 5,
+    referenced: ['X', 'Y', 'Z'], messages: [], lamps: ['LAMP_AUTO', 'LAMP_START'], panel: { SWITCH_FEED: 10, SWITCH_SPINDLE: 6 }, level: 5,
   };
 }
 

@@ -111,6 +111,26 @@ test('a signal is forced under right, and released', async ({ page }) => {
   await lit(page, false);
 });
 
+test('a message of the ladder stands on the page of alarms, also in a page that was loaded since', async ({ page }) => {
+  await enter(page, '#/plc');
+  await mayChange(page);
+  await page.getByTestId('plc-search').fill('AIR_PRESSURE');
+  await page.getByTestId('ladder').locator('g', { hasText: 'AIR_PRESSURE' }).last().click();
+  const bar = page.getByTestId('signal');
+  await expect(bar).toContainText('AIR_PRESSURE');
+  await bar.getByRole('button', { name: 'Force off' }).click();
+  const message = page.locator('[data-message="MSG_AIR"]');
+  await show(page, 'alarms');
+  await expect(message).toContainText('Compressed air is too low');
+  await page.reload();
+  await expect(message).toContainText('Compressed air is too low');
+  await expect(page.locator('header .message')).toContainText('Compressed air is too low');
+  await show(page, 'plc');
+  await page.getByTestId('forced').getByRole('button', { name: 'Release AIR_PRESSURE' }).click();
+  await show(page, 'alarms');
+  await expect(message).toHaveCount(0);
+});
+
 test('signals are traced around their trigger, and as they change', async ({ page }) => {
   await enter(page, '#/plc/trace');
   const record = page.getByTestId('trace-record');

@@ -187,3 +187,20 @@ test('parts are entered on the position page, and codes are large enough for a f
   const box = await page.locator('a[href="#/help/codes/G54"]').boundingBox();
   expect(Math.min(box?.width ?? 0, box?.height ?? 0)).toBeGreaterThanOrEqual(43.9);
 });
+
+for (const opens of [true, false]) {
+  test(`an alarm ${opens ? 'shows' : 'leaves'} the page with 24#6 = ${Number(opens)} (GSK990MC part 2, 3.7)`, async ({ context }) => {
+    const { page, say } = await mock(context, { parameters: opens ? { 'NO24.6': 1 } : { 'NO24.6': 0 } });
+    await expect(page.locator('[data-page="position"]')).toBeVisible();
+    // A warning stops nothing, and takes no page away.
+    say({ event: 'alarm', alarm: { id: 'FC-1424', line: 0, warning: true, values: {} } });
+    await page.waitForTimeout(300);
+    await expect(page.locator('[data-page="position"]')).toBeVisible();
+    say({ event: 'alarm', alarm: { id: 'FC-0302', line: 3, warning: false, values: {} } });
+    if (opens) await expect(page.locator('[data-page="alarms"]')).toBeVisible();
+    else {
+      await page.waitForTimeout(500);
+      await expect(page.locator('[data-page="position"]')).toBeVisible();
+    }
+  });
+}

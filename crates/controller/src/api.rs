@@ -1249,6 +1249,9 @@ pub struct Status {
     /// Whether cycle start measures.
     #[serde(default)]
     pub measure_ready: bool,
+    /// Messages of the ladder that stand, by its names.
+    #[serde(default)]
+    pub messages: Vec<String>,
     /// Lamps of the panel and of the tower that are lit, by the ladder's names.
     pub lamps: Vec<String>,
     /// Positions of the panel's switches, by the ladder's names.

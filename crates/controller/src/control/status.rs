@@ -178,6 +178,7 @@ impl Control {
             restart_ready: self.taking_up.is_ready(),
             measure_ready: self.measuring.is_ready(),
             referenced: self.cnc.referenced().iter().map(Axis::letter).collect(),
+            messages: self.ladder_names.standing().map(str::to_owned).collect(),
             lamps: self.lamps(),
             panel: self.panel(),
             level: None,

@@ -464,6 +464,10 @@ restart_ready: boolean,
  */
 measure_ready: boolean,
 /**
+ * Messages of the ladder that stand, by its names.
+ */
+messages: Array<string>,
+/**
  * Lamps of the panel and of the tower that are lit, by the ladder's names.
  */
 lamps: Array<string>,

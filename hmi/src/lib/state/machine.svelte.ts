@@ -38,9 +38,6 @@ function heard(event: Event | HolderEvent): void {
     case 'message':
       programMessage = event.text;
       break;
-    case 'machine_message':
-      messages = event.on ? [...messages.filter((name) => name !== event.name), event.name] : messages.filter((name) => name !== event.name);
-      break;
     case 'changed':
       changes[event.item] = (changes[event.item] ?? 0) + 1;
       break;
@@ -133,6 +130,8 @@ const connection = new Connection(`${protocol}//${location.host}/api/socket`, {
   event: heard,
   status(now) {
     status = now;
+    // What shows them is drawn anew only when they change.
+    if (now.messages.join() !== messages.join()) messages = now.messages;
     for (const watch of watchers) watch(now);
   },
   end(reason) {
