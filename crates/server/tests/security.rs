@@ -502,17 +502,16 @@ fn backups_are_brought_by_right_and_only_whole() {
     assert_eq!((refused.status, &refused.json()["refused"]["alarm"]["id"]), (409, &json!("FC-1213")));
     let body = json!({ "level": 3, "password": "crew of machine 3" }).to_string();
     let crew = place.http("POST", "/api/session", &[("cookie", &cookie)], body.as_bytes()).cookie();
-    // The socket of the session that was has ended; nobody is in command.
+    assert_eq!(socket.ask(json!({ "do": "give_command" }))["reply"], "done");
     let refused = bring("new.backup", &crew, &whole);
     assert_eq!((refused.status, &refused.json()["error"]), (403, &json!("not_in_command")));
-    let mut socket = Socket::new(place.address(), &[("cookie", &crew)]).unwrap();
     socket.take_command();
     socket.ask(json!({ "do": "watch", "events": true }));
 
     let brought = bring("new.backup", &crew, &whole);
     assert_eq!((brought.status, &brought.json()["bytes"]), (200, &json!(whole.len())), "{}", brought.text());
     assert_eq!(std::fs::read(folder.path().join("new.backup")).unwrap(), whole);
-    socket.until("a new backup", |told| told["event"] == "changed" && told["item"] == "backups");
+    while socket.hear() != json!({ "event": "changed", "item": "backups" }) {}
     assert_eq!(
         socket.ask(json!({ "do": "restore", "file": "new.backup", "items": ["offsets"] }))["reply"],
         "done"

@@ -59,7 +59,8 @@ fn may_carry(session: &Session) -> Result<(), Problem> {
 
 /// A backup of the list.
 #[derive(Serialize)]
-struct Backup {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(super) struct Backup {
     name: String,
     bytes: u64,
     /// When it was written, ms since 1970 (UTC).

@@ -1,5 +1,6 @@
 // Texts of alarms, which the server has in its catalogues; asked for once each and language.
-import { http, type AlarmText } from '$lib/api/http';
+import type { AlarmText } from '$lib/api/answers';
+import { http } from '$lib/api/http';
 import { has, language, t } from '$lib/i18n/index.svelte';
 import { SvelteMap } from 'svelte/reactivity';
 

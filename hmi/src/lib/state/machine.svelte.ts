@@ -82,7 +82,7 @@ export type Reason = { title: string; text?: string; code?: string };
 async function reasonOfAlarm(alarm: AlarmInfo): Promise<Reason> {
   try {
     const { text, help } = await http.alarm(alarm.id, alarm.values, language());
-    return { title: text, text: help, code: alarm.id };
+    return { title: text, text: help ?? '', code: alarm.id };
   } catch {
     return { title: alarm.id };
   }
