@@ -41,6 +41,7 @@ pub(super) fn routes() -> Router<Arc<Shared>> {
         .route("/api/parameters", get(parameters))
         .route("/api/signals", get(signals))
         .route("/api/search", get(search))
+        .route("/api/list", get(list))
 }
 
 fn book(machine: &Machine, dialect: &'static Dialect, texts: Catalogue) -> Book {
@@ -255,7 +256,11 @@ fn parameters_of(book: &Book) -> Vec<Parameter> {
             kind,
             bits: Vec::new(),
             symbol: definition.symbol.to_string(),
-            meaning: if kind == ParameterKind::Bit { String::new() } else { meaning(definition, book.catalogue) },
+            meaning: if kind == ParameterKind::Bit {
+                String::new()
+            } else {
+                meaning(definition, book.catalogue)
+            },
             unit: definition.unit.to_string(),
             minimum: definition.min,
             maximum: definition.max,
@@ -377,13 +382,8 @@ fn rank(sought: &[String], key: &str, text: &str) -> Option<u8> {
     })
 }
 
-fn found_in(book: &Book, ladder: Option<&Program>, sought: &[String]) -> Vec<Found> {
-    let mut found = Vec::new();
-    let mut add = |kind: &'static str, key: String, title: String, text: String| {
-        if let Some(rank) = rank(sought, &key, &format!("{title} {text}")) {
-            found.push(Found { kind, key, title, text, rank });
-        }
-    };
+/// Everything that can be looked up: kind, key, title and text of each.
+fn each_of(book: &Book, ladder: Option<&Program>, mut add: impl FnMut(&'static str, String, String, String)) {
     for word in words_of(book) {
         add("code", word.word, word.title, word.form);
     }
@@ -414,9 +414,45 @@ fn found_in(book: &Book, ladder: Option<&Program>, sought: &[String]) -> Vec<Fou
     for signal in signals_of(ladder, book.catalogue) {
         add("signal", signal.name, signal.address, signal.meaning);
     }
+}
+
+fn found_in(book: &Book, ladder: Option<&Program>, sought: &[String]) -> Vec<Found> {
+    let mut found = Vec::new();
+    each_of(book, ladder, |kind, key, title, text| {
+        if let Some(rank) = rank(sought, &key, &format!("{title} {text}")) {
+            found.push(Found { kind, key, title, text, rank });
+        }
+    });
     found.sort_by_key(|found| found.rank);
     found.truncate(MOST_FOUND);
     found
+}
+
+#[derive(Deserialize)]
+struct Listed {
+    kind: String,
+    language: Option<String>,
+}
+
+/// All of a kind, in the control's order.
+async fn list(
+    State(shared): State<Arc<Shared>>,
+    Query(listed): Query<Listed>,
+) -> Result<Json<Vec<Found>>, Problem> {
+    let texts = catalogue(listed.language.as_deref())?;
+    let own = Spoken::default().dialect(&shared)?;
+    let ladder = ladder(&shared).await?;
+    let machine = shared.machine.clone();
+    let all = super::work::work(move |_| {
+        let mut found = Vec::new();
+        each_of(&book(&machine, own, texts), ladder.as_ref(), |kind, key, title, text| {
+            if kind == listed.kind {
+                found.push(Found { kind, key, title, text, rank: 0 });
+            }
+        });
+        found
+    });
+    Ok(Json(all.await?))
 }
 
 async fn search(
