@@ -107,7 +107,8 @@ fn what_was_entered_run_and_counted_is_there_after_the_power() {
     assert_eq!(offsets[&3].length, Some(-12.5));
     let Reply::Zeros { zeros } = say(&mut control, Command::Zeros) else { panic!() };
     assert_eq!(zeros["G54"][&'X'], -5.0);
-    let Reply::Programs { programs } = say(&mut control, Command::Programs) else { panic!() };
+    let Reply::Programs { programs, most, room } = say(&mut control, Command::Programs) else { panic!() };
+    assert!(most == Some(10_000) && room.is_some_and(|bytes| bytes > 0));
     assert_eq!(programs.iter().map(|p| p.name.as_str()).collect::<Vec<_>>(), ["O0001", "O0002"]);
     let Reply::AlarmHistory { alarms } = say(&mut control, Command::AlarmHistory { most: 9 }) else {
         panic!()

@@ -12,6 +12,7 @@ use crate::signals::Mode;
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_machine::setup::VariableName;
 use ferrocut_machine::{Alarm, Fault, ParameterKey, ToolOffset, WorkOffset};
+use ferrocut_memory::items::limits;
 use ferrocut_memory::password::Seat;
 use ferrocut_memory::{Author, Backup, Change, Counter, Item, Level, Session};
 use ferrocut_plc::{Address, Area};
@@ -315,7 +316,11 @@ impl Control {
                 found.into_iter().map(info).collect()
             }
         };
-        Ok(Reply::Programs { programs })
+        let most = match &self.library {
+            library::Library::Held(_) => None,
+            library::Library::Kept(_) => u32::try_from(limits::PROGRAMS).ok(),
+        };
+        Ok(Reply::Programs { programs, most, room: self.library.room() })
     }
 
     /// The name of a program that there is.
