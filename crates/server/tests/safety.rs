@@ -143,8 +143,8 @@ struct Taken {
     held_up: Duration,
 }
 
-/// Every one of these is in time. What the computer held up everybody is no work of the machine and is taken off; on one
-/// that has nothing else to do that is nothing.
+/// Every one of these is in time. What the computer held up everybody is no work of the machine and is taken off; on
+/// one that has nothing else to do that is nothing.
 fn assert_below(what: &str, mut times: Vec<Taken>, bound: Duration) {
     times.sort();
     let at = |share: usize| times[(times.len() * share / 100).min(times.len() - 1)].time;

@@ -37,7 +37,8 @@ const PIECE: usize = 256 << 10;
 /// Longest backup that is taken, bytes; a larger one is laid into the folder by who has the computer.
 const LONGEST: usize = 256 << 20;
 
-/// What a backup that comes is called until it is judged: in the folder of the memory, so that it only changes its name.
+/// What a backup that comes is called until it is judged: in the folder of the memory, so that it only changes its
+/// name.
 const COMING: &str = "upload.part";
 
 /// One backup comes at a time.
