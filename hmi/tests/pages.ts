@@ -7,7 +7,7 @@ export const pages = {
   graphics: [],
   cycles: [],
   diagnosis: ['signals', 'waveform', 'timing'],
-  plc: ['monitor', 'edit', 'trace'],
+  plc: ['monitor', 'data', 'edit', 'trace'],
   alarms: ['active', 'history', 'log'],
   help: ['search', 'operations', 'codes', 'parameters', 'alarms', 'variables', 'addresses', 'calculator'],
 } as const;

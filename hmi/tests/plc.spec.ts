@@ -200,3 +200,46 @@ test('another browser draws the ladder that was exchanged here', async ({ page, 
   await expect(drawn).not.toContainText('/');
   await other.close();
 });
+
+test('what the ladder keeps is shown, and changed under right', async ({ page }) => {
+  await enter(page, '#/plc/data');
+  const row = (address: string) => page.locator(`[data-address="${address}"]`);
+  const bit = row('K90').getByRole('switch', { name: 'K90.3' });
+  await page.getByTestId('data-search').fill('K90');
+  await expect(bit).toBeDisabled();
+  await expect(page.getByText('Level 2 changes them')).toBeVisible();
+  await mayChange(page);
+  await expect(bit).toHaveAttribute('aria-checked', 'false');
+  await bit.click();
+  await expect(bit).toHaveAttribute('aria-checked', 'true');
+  await shoot(page, 'plc-data');
+  // Timers and counters are words, the first eight timers in units of 48 ms.
+  await page.getByRole('radio', { name: 'T timers' }).click();
+  await page.getByTestId('data-search').fill('TMR 250');
+  const timer = page.getByLabel('T498 Time');
+  await timer.fill('1250');
+  await timer.press('Enter');
+  await expect(row('T498')).toContainText('10,000 ms');
+  await page.getByRole('radio', { name: 'C counters' }).click();
+  await page.getByTestId('data-search').fill('CTR 100');
+  const preset = page.getByLabel('C396 Preset');
+  await preset.fill('777');
+  await preset.press('Enter');
+  await expect(preset).toHaveValue('777');
+  // The data table in bytes and in numbers of four.
+  await page.getByRole('radio', { name: 'D data' }).click();
+  await page.getByRole('radio', { name: '4 bytes' }).click();
+  await page.getByTestId('data-search').fill('D9996');
+  const data = page.getByLabel('D9996 Value');
+  await data.fill('70000');
+  await data.press('Enter');
+  await page.getByRole('radio', { name: '1 byte' }).click();
+  await page.getByTestId('data-search').fill('D9997');
+  await expect(page.getByLabel('D9997 Value')).toHaveValue(String((70_000 >> 8) & 255));
+  // It is kept, and the log has it.
+  await page.reload();
+  await page.getByTestId('data-search').fill('K90');
+  await expect(bit).toHaveAttribute('aria-checked', 'true');
+  await show(page, 'alarms/log');
+  await expect(page.getByTestId('log')).toContainText('D9996');
+});

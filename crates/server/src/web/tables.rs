@@ -31,7 +31,7 @@ const MOST_VALUES: usize = 32;
 const MOST_FOUND: usize = 100;
 
 /// Areas of signals that people look at.
-const AREAS: [Area; 7] = [Area::X, Area::Y, Area::F, Area::G, Area::A, Area::K, Area::D];
+const AREAS: [Area; 9] = [Area::X, Area::Y, Area::F, Area::G, Area::A, Area::K, Area::T, Area::C, Area::D];
 
 pub(super) fn routes() -> Router<Arc<Shared>> {
     Router::new()
