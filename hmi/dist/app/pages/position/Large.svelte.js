@@ -5,9 +5,9 @@ import { machine } from "../../lib/state/machine.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/position/Large.svelte
-var root = $.from_html(`<span class="tools s-j8eiln"><!></span>`);
-var root_1 = $.from_html(`<div class="axis s-j8eiln"><span> <!></span> <output class="large number s-j8eiln"> </output> <span class="small s-j8eiln"><span> </span> <span class="number muted"> </span></span> <!></div>`);
-var root_2 = $.from_html(`<section class="axes s-j8eiln" data-testid="axes"><header class="s-j8eiln"><h2> </h2> <span class="legend muted s-j8eiln"><span> </span><span> </span></span></header> <!></section>`);
+var root = $.from_html(`<span class="tools s-10rxchp"><!></span>`);
+var root_1 = $.from_html(`<div class="axis s-10rxchp"><span> <!></span> <output class="large number s-10rxchp"> </output> <span class="small s-10rxchp"><span> </span> <span class="number muted"> </span></span> <!></div>`);
+var root_2 = $.from_html(`<section class="axes s-10rxchp" data-testid="axes"><header class="s-10rxchp"><h2> </h2> <span class="legend muted s-10rxchp"><span> </span><span> </span></span></header> <!></section>`);
 function Large($$anchor, $$props) {
 	$.push($$props, true);
 	const status = $.derived(() => machine.status);
@@ -63,10 +63,10 @@ function Large($$anchor, $$props) {
 		$.reset(div);
 		$.template_effect(($0, $1, $2, $3) => {
 			$.set_attribute(div, "data-axis", axis);
-			classes = $.set_class(span_3, 1, "letter s-j8eiln", null, classes, { homed: $.get(homed) });
+			classes = $.set_class(span_3, 1, "letter s-10rxchp", null, classes, { homed: $.get(homed) });
 			$.set_text(text_3, `${axis ?? ""} `);
 			$.set_text(text_4, $0);
-			classes_1 = $.set_class(span_5, 1, "number s-j8eiln", null, classes_1, { moves: $1 });
+			classes_1 = $.set_class(span_5, 1, "number s-10rxchp", null, classes_1, { moves: $1 });
 			$.set_text(text_5, $2);
 			$.set_text(text_6, $3);
 		}, [
