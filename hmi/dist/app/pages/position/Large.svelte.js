@@ -6,7 +6,7 @@ import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/position/Large.svelte
 var root = $.from_html(`<span class="tools s-10rxchp"><!></span>`);
-var root_1 = $.from_html(`<div class="axis s-10rxchp"><span> <!></span> <output class="large number s-10rxchp"> </output> <span class="small s-10rxchp"><span> </span> <span class="number muted"> </span></span> <!></div>`);
+var root_1 = $.from_html(`<div class="axis s-10rxchp"><span> <!></span> <output class="large number s-10rxchp" aria-live="off"> </output> <span class="small s-10rxchp"><span> </span> <span class="number muted"> </span></span> <!></div>`);
 var root_2 = $.from_html(`<section class="axes s-10rxchp" data-testid="axes"><header class="s-10rxchp"><h2> </h2> <span class="legend muted s-10rxchp"><span> </span><span> </span></span></header> <!></section>`);
 function Large($$anchor, $$props) {
 	$.push($$props, true);
