@@ -81,6 +81,44 @@ test('offsets and programs are as before once they are restored', async ({ page 
   const file = await coming;
   expect(file.suggestedFilename()).toBe('played.backup');
   expect(readFileSync(await file.path(), 'utf8')).toContain('{"ferrocut-backup":1,"control":"gsk990mc"');
+  // A backup that comes from elsewhere is restored as the others: brought by the button, or dropped onto the list.
+  await mode(page, 'KEY_MDI', 'Manual data input');
+  await offset(page, 7, '-61.000');
+  await show(page, 'settings/data');
+  const bytes = readFileSync(await file.path());
+  await page.getByTestId('bring-backup').setInputFiles({ name: 'from elsewhere (1).backup', mimeType: 'application/octet-stream', buffer: bytes });
+  await expect(notice(page).filter({ hasText: 'Uploaded: from_elsewhere__1_.backup' })).toBeVisible();
+  await expect(page.locator('[data-backup="from_elsewhere__1_.backup"]')).toBeVisible();
+  await choose(page, 'from_elsewhere__1_.backup', 'Tool offsets');
+  await restore(page);
+  await show(page, 'offsets/tools');
+  await expect(page.locator('[data-offset="7"] input').first()).toHaveValue('-50.125');
+  await show(page, 'settings/data');
+  const drop = async (name: string, text: string) => {
+    const files = await page.evaluateHandle(([name, text]) => {
+      const files = new DataTransfer();
+      files.items.add(new File([text!], name!));
+      return files;
+    }, [name, text]);
+    await page.getByTestId('backup-drop').dispatchEvent('drop', { dataTransfer: files });
+  };
+  await drop('dropped.backup', bytes.toString());
+  await expect(page.locator('[data-backup="dropped.backup"]')).toBeVisible();
+  // What is none is refused in words, and leaves what has its name.
+  await drop('dropped.backup', 'nothing');
+  await page.getByTestId('bring-replace').click();
+  await expect(notice(page).filter({ hasText: 'FC-1209' })).toBeVisible();
+  expect((await (await page.request.get('/api/backups/dropped.backup')).body()).equals(bytes)).toBe(true);
+  // While programs are closed none is restored (3.4.1).
+  const turn = (on: boolean) => page.getByTestId('lock-all').click().then(() => expect(page.getByTestId('lock-all')).toHaveAttribute('aria-pressed', String(!on)));
+  await show(page, 'program/directory');
+  await turn(false);
+  await choose(page, 'dropped.backup', 'Programs');
+  await restore(page);
+  await expect(notice(page).filter({ hasText: 'FC-1427' })).toBeVisible();
+  await show(page, 'program/directory');
+  await turn(true);
+  await show(page, 'settings/data');
   // One of the list is chosen to be restored.
   await page.getByLabel('File').fill('');
   await listed.getByRole('button', { name: 'played.backup' }).click();

@@ -1,7 +1,7 @@
 // The drawing of a part whose measures are known: views, points, distances, sections, and how far it is done.
 import type { Page } from '@playwright/test';
 import { expect, shoot, test } from './server';
-import { enter, load, watchFaults } from './walk';
+import { bring, enter, load, press, show, stands, watchFaults } from './walk';
 
 watchFaults();
 // A loaded computer takes its time.
@@ -21,11 +21,11 @@ async function look(page: Page, view: View): Promise<void> {
 }
 
 /** Where a point of the machine is on the canvas when the whole is shown. */
-async function pixel(page: Page, view: View, point: readonly [number, number, number]): Promise<{ x: number; y: number }> {
+async function pixel(page: Page, view: View, point: readonly [number, number, number], low: readonly number[] = LOW, high: readonly number[] = HIGH): Promise<{ x: number; y: number }> {
   const box = (await page.getByTestId('path').boundingBox())!;
-  const span = Math.hypot(...HIGH.map((high, axis) => high - LOW[axis]!)) * 1.15;
+  const span = Math.hypot(...high.map((most, axis) => most - low[axis]!)) * 1.15;
   const scale = Math.min(box.width, box.height) / span;
-  const [right, up] = SEEN[view].map((axis) => (point[axis]! - (LOW[axis]! + HIGH[axis]!) / 2) * scale) as [number, number];
+  const [right, up] = SEEN[view].map((axis) => (point[axis]! - (low[axis]! + high[axis]!) / 2) * scale) as [number, number];
   return { x: box.width / 2 + right, y: box.height / 2 - up };
 }
 
@@ -173,4 +173,100 @@ test('time is moved over the path: what is done has its own shade', async ({ pag
   await page.getByTestId('live').click();
   await expect(page.getByTestId('live')).toHaveAttribute('aria-pressed', 'true');
   await expect.poll(() => drawn(page, 'top', [80, 0, -8], '--accent')).toBe(true);
+});
+
+test('the tool and what is done go on while a subprogram of another file runs', async ({ page }) => {
+  await enter(page);
+  await bring(page, 'O1611', Buffer.from('O1611 (THREE SIDES)\nG91 G1 X60. F600\nY40.\nX-60.\nG90\nM99\n'));
+  await load(page, 'O1610', 'O1610 (CALLS)\nG21 G90 G54 G17\nG0 X0 Y0 Z10.\nM98 P1611\nG1 X0 Y0 F1200\nM30\n');
+  await show(page, 'graphics');
+  const drawing = page.locator('.graphics');
+  await expect(drawing).toHaveAttribute('data-loaded', 'true');
+  await page.locator('[data-view="top"]').click();
+  await press(page, 'KEY_START');
+  await expect(page.locator('header a.program')).toContainText('O1611', { timeout: 20_000 });
+  // The layer above has nothing that moves but the tool.
+  const tool = () => page.getByTestId('path').evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL());
+  const places = new Set<number>();
+  const pictures = new Set<string>();
+  let looks = 0;
+  for (; looks < 200; looks++) {
+    const running = await page.locator('header a.program').textContent();
+    const [place, picture] = [Number(await drawing.getAttribute('data-place')), await tool()];
+    if (!running?.includes('O1611')) break;
+    places.add(place);
+    pictures.add(picture);
+    await page.waitForTimeout(100);
+  }
+  // Sixteen seconds of three lines: the tool is elsewhere at each look.
+  expect(looks).toBeGreaterThanOrEqual(5);
+  expect(pictures.size).toBeGreaterThanOrEqual(0.9 * looks);
+  expect([...places].filter((place) => place > 0).length).toBeGreaterThanOrEqual(3);
+  expect([...places]).toEqual([...places].sort((one, other) => one - other));
+  await stands(page, 'idle', 60_000);
+});
+
+test('the range that is shown is set, kept by the browser, and taken back', async ({ page }) => {
+  await open(page);
+  await look(page, 'top');
+  const range = async (...values: [string, string][]) => {
+    await page.getByTestId('drawing').click();
+    for (const [name, value] of values) {
+      const field = page.getByLabel(name, { exact: true });
+      await field.fill(value);
+      await field.press('Enter');
+      await expect(field).toHaveValue(Number(value).toFixed(3));
+    }
+    await page.getByRole('dialog').getByRole('button', { name: 'Close' }).last().click();
+  };
+  await range(['X Greatest', '50'], ['Y Least', '-10'], ['Y Greatest', '40']);
+  const [low, high] = [[0, -10, -8], [50, 40, 10]];
+  const picked = page.getByTestId('picked');
+  const corner = async () => page.getByTestId('path').click({ position: await pixel(page, 'top', [40, 30, -2], low, high) });
+  await corner();
+  await expect(picked).toContainText('line 6');
+  // A page that is loaded anew looks at the same.
+  await page.reload();
+  await expect(page.locator('.graphics')).toHaveAttribute('data-loaded', 'true');
+  await look(page, 'top');
+  await corner();
+  await expect(picked).toContainText('X 40.000 Y 30.000 Z −2.000 line 6');
+  await page.getByTestId('drawing').click();
+  await page.getByTestId('whole-path').click();
+  await expect(page.getByLabel('X Greatest')).toHaveValue('100.000');
+  await page.getByRole('dialog').getByRole('button', { name: 'Close' }).last().click();
+  await pick(page, 'top', [100, 0, -8]);
+  await expect(picked).toContainText('line 12');
+});
+
+test('what was run stays drawn until the next cycle start, or until it is erased', async ({ page }) => {
+  await enter(page);
+  await load(page, 'O1612', 'O1612\nG21 G90 G54 G17\nG4 X3.\nG91 G1 X10. F3000\nY10.\nX-10.\nY-10.\nM30\n');
+  await show(page, 'graphics');
+  const drawing = page.locator('.graphics');
+  await expect(drawing).toHaveAttribute('data-loaded', 'true');
+  const drawn = async () => Number(await drawing.getAttribute('data-drawn'));
+  const run = async () => {
+    await press(page, 'KEY_START');
+    await stands(page, 'running');
+  };
+  await run();
+  await stands(page, 'idle', 60_000);
+  const all = await drawn();
+  expect(all).toBeGreaterThanOrEqual(4);
+  // It goes as the next one starts, which dwells first.
+  await run();
+  await expect.poll(drawn).toBeLessThan(all);
+  await stands(page, 'idle', 60_000);
+  await expect.poll(drawn).toBe(all);
+  await page.getByTestId('drawing').click();
+  await page.getByTestId('erases').click();
+  await expect(page.getByTestId('erases')).toHaveAttribute('aria-pressed', 'false');
+  await page.getByRole('dialog').getByRole('button', { name: 'Close' }).last().click();
+  await run();
+  await page.waitForTimeout(500);
+  expect(await drawn()).toBe(all);
+  await stands(page, 'idle', 60_000);
+  await page.getByTestId('erase').click();
+  await expect.poll(drawn).toBe(0);
 });

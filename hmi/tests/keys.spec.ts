@@ -103,26 +103,3 @@ test('a connection that is lost is told, and comes back', async ({ context }) =>
   await expect(page.getByTestId('activity')).toHaveText('No connection');
   await expect(page.getByTestId('activity')).toHaveText('Running');
 });
-
-for (const [width, height] of [[800, 600], [1024, 768], [3840, 2160]] as const) {
-  test(`everything fits and can be touched at ${width} × ${height}`, async ({ browser }) => {
-    const context = await browser.newContext({ viewport: { width, height } });
-    const { page, home } = await mock(context);
-    for (const hash of ['position', 'program/directory', 'offsets/tools', 'settings/zeros', 'alarms', 'help/calculator']) {
-      await page.goto(`${home}#/${hash}`);
-      await page.locator(`[data-page="${hash.split('/')[0]}"]`).waitFor();
-      const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
-      expect(wide, hash).toBeLessThanOrEqual(0);
-      const small = await page.evaluate(() =>
-        [...document.querySelectorAll<HTMLElement>('button, input:not([type=file]):not([type=range]), select, nav a')]
-          .filter((one) => one.checkVisibility() && !one.closest('[popover]:not(:popover-open)'))
-          .map((one) => ({ name: one.getAttribute('aria-label') ?? one.textContent?.trim() ?? one.tagName, box: one.getBoundingClientRect(), inner: one.closest('[role=radiogroup], td') !== null }))
-          // What lies in a frame of 44 px, as the parts of a segmented switch do, is touched by the frame.
-          .filter(({ box, inner }) => box.width > 0 && (box.height < (inner ? 34 : 43.5) || box.width < (inner ? 30 : 43.5)))
-          .map(({ name, box }) => `${name} ${box.width.toFixed(0)}×${box.height.toFixed(0)}`),
-      );
-      expect(small, hash).toEqual([]);
-    }
-    await context.close();
-  });
-}

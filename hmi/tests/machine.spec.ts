@@ -1,6 +1,7 @@
 // A walk through the panel with a true control behind it: what somebody does at the machine, page by page.
 import type { Page } from '@playwright/test';
 import { expect, PASSWORDS, shoot, test } from './server';
+import { pages } from './pages';
 import { enter, home, load, logIn, mode, notice, PLATE, press, selected, show, stands, take, watchFaults, whole, x } from './walk';
 
 /** A probe of 2 mm, and deep below the reference point what its middle meets of a hole of 30 mm about X0.5 Y-0.25, on the
@@ -453,19 +454,6 @@ for (const [theme, width, height] of [
     }
   });
 }
-
-const pages = {
-  position: ['relative', 'absolute', 'all', 'program'],
-  program: ['run', 'edit', 'mdi', 'directory', 'dnc'],
-  offsets: ['tools', 'parameters', 'variables', 'pitch'],
-  settings: ['zeros', 'centring', 'probe', 'tool', 'general', 'data', 'rights'],
-  graphics: [],
-  cycles: [],
-  diagnosis: ['signals', 'waveform', 'timing'],
-  plc: ['monitor', 'edit', 'trace'],
-  alarms: ['active', 'history', 'log'],
-  help: ['search', 'codes', 'calculator'],
-} as const;
 
 /** What the panel says on a page, without the programs and ladders that it shows: those are no texts of its own. */
 const said = (page: Page) =>

@@ -15,6 +15,8 @@ export type Mock = {
   sent: Sent[];
   /** Cuts the connection. */
   cut(): void;
+  /** Says something besides, such as an event. */
+  say(line: object): void;
   /** Who is logged in. */
   session: { level: number };
 };
@@ -31,10 +33,16 @@ export type Options = {
   noPath?: { status: number; body: string };
   /** What a check finds. */
   findings?: object[];
+  /** Values of parameters. */
+  parameters?: Record<string, number>;
   /** Whether nothing is told before a log-in. */
   needsLogIn?: boolean;
   /** Whether there is no room for a part of DNC now. */
   isFull?: boolean;
+  /** What the control has of a program of DNC. */
+  dnc?: { taken: number; tail: string; awaited: boolean };
+  /** Whether the connection is lost with a command, which is not answered. */
+  lost?: (command: Sent) => boolean;
   /** Called when a command was answered. */
   answered?: (command: Sent) => void;
 };
@@ -91,18 +99,21 @@ export async function mock(context: BrowserContext, options: Options = {}): Prom
       if (command.do === 'watch') {
         timer = setInterval(() => say({ status: status(options.moves === false ? 0 : tick++, options) }), 20);
       }
+      if (options.lost?.(command)) return void ws.close();
       say({ id: command.id, ...reply(command, options) });
       options.answered?.(command);
     });
   });
   await page.goto(home);
-  return { page, home, sent, session, cut: () => void socket?.close() };
+  return { page, home, sent, session, cut: () => void socket?.close(), say: (line) => socket?.send(JSON.stringify(line)) };
 }
 
 function reply(command: Sent & { program?: string }, options: Options): object {
   switch (command.do) {
     case 'version':
       return { reply: 'version', api: 1, software: '0.1.0', dialect: 'gsk990mc', machine: 'Demo mill', axes: ['X', 'Y', 'Z', 'A'], period_ms: 1 };
+    case 'status':
+      return { reply: 'status', ...status(0, options) };
     case 'programs':
       return { reply: 'programs', programs: [{ name: 'O0001', bytes: (options.program ?? short).length, comment: 'PART', changed: 1.79e12, locked: null }] };
     case 'read':
@@ -118,7 +129,7 @@ function reply(command: Sent & { program?: string }, options: Options): object {
     case 'variables':
       return { reply: 'variables', variables: { 100: 1.5 } };
     case 'parameters':
-      return { reply: 'parameters', parameters: {} };
+      return { reply: 'parameters', parameters: options.parameters ?? {} };
     case 'signals':
       return { reply: 'signals', signals: {} };
     case 'ladder':
@@ -147,7 +158,7 @@ function status(tick: number, options: Options): object {
     program: { selected: 'O0001', cursor: 1, running: 'O0001', line: 2 + (Math.floor(angle) % 3), block: 'N20 G01 X50 F900', g_codes: ['G01', 'G17', 'G21', 'G54', 'G90'], h: 1, d: 5 },
     switches: { single_block: false, block_skip: false, optional_stop: true, dry_run: false, machine_lock: false, auxiliary_lock: false },
     counters: { parts: 17, all_parts: 1200, run_time: 4000 + angle, cutting_time: 3200 + angle, power_on_time: 90_000 },
-    referenced: ['X', 'Y', 'Z'], lamps: ['LAMP_AUTO', 'LAMP_START'], panel: { SWITCH_FEED: 10, SWITCH_SPINDLE: 6 }, level: 5,
+    referenced: ['X', 'Y', 'Z'], messages: [], dnc: options.dnc ?? null, lamps: ['LAMP_AUTO', 'LAMP_START'], panel: { SWITCH_FEED: 10, SWITCH_SPINDLE: 6 }, level: 5,
   };
 }
 

@@ -296,3 +296,109 @@ test('the times of the control are shown and taken anew, and the spindle as it t
   await page.keyboard.press('F8');
   await expect(page.getByTestId('speed')).toHaveText('0');
 });
+
+test('S is set on the page of positions, and is in force at cycle start', async ({ page }) => {
+  await enter(page, '#/position/absolute');
+  const field = page.getByLabel('Set S');
+  await mode(page, 'KEY_AUTO', 'Automatic');
+  await expect(field).toBeDisabled();
+  await expect(page.getByText('S is set in MDI')).toBeVisible();
+  await mode(page, 'KEY_MDI', 'Manual data input');
+  // P258 is the highest.
+  await field.fill('99999');
+  await field.press('Enter');
+  await expect(field).toHaveAttribute('aria-invalid', 'true');
+  await field.fill('1234');
+  await field.press('Enter');
+  await expect(page.getByText('S 1234: press cycle start')).toBeVisible();
+  await press(page, 'KEY_START');
+  await expect(page.getByTestId('speed-programmed')).toHaveText('1234');
+  await expect(page.getByText('S 1234: press cycle start')).toHaveCount(0);
+  await stands(page, 'idle');
+});
+
+test('the page of all positions has the speed of each axis', async ({ page }) => {
+  await enter(page);
+  await load(page, 'O1820', 'O1820\nG21 G90 G54\nG91 G1 X-90. Y-120. F600\nX90. Y120. F3000\nM30\n');
+  await show(page, 'position/all');
+  await expect(page.locator('[data-kind="speed"]')).toContainText('mm/min');
+  await press(page, 'KEY_START');
+  await expect(page.locator('[data-speed="X"]')).toHaveText('−360', { timeout: 20_000 });
+  await expect(page.locator('[data-speed="Y"]')).toHaveText('−480');
+  await expect(page.locator('[data-speed="Z"]')).toHaveText('0');
+  await press(page, 'KEY_HOLD');
+  await expect(page.locator('[data-speed="X"]')).toHaveText('0', { timeout: 20_000 });
+  await page.getByRole('button', { name: 'Reset' }).first().click();
+  await stands(page, 'idle');
+});
+
+test('the directory tells how many programs there are, how many there may be, and what is free', async ({ page }) => {
+  await enter(page, '#/program/directory');
+  const told = page.getByTestId('capacity');
+  await expect(told).toContainText(/\d+ programs?, [\d.]+ (B|KiB|MiB)/);
+  await expect(told).toContainText('of at most 10,000');
+  await expect(told).toContainText(/[\d.]+ (MiB|GiB) free/);
+});
+
+test('tables of help are browsed without a search, and operations lead to their pages', async ({ page }) => {
+  await enter(page, '#/help/alarms');
+  const count = page.getByTestId('browse-count');
+  await expect.poll(async () => Number(await count.getAttribute('data-count'))).toBeGreaterThan(300);
+  await page.getByTestId('browse-filter').fill('FC-0302');
+  await page.locator('[data-key="FC-0302"]').click();
+  await expect(page.getByTestId('browse-detail')).toContainText('FC-0302');
+  await expect(page.getByTestId('browse-detail')).toContainText(/\w+ \w+ \w+/);
+  for (const [tab, key] of [['parameters', 'P88'], ['variables', '#3000'], ['addresses', 'KEY_START']] as const) {
+    await show(page, `help/${tab}`);
+    await page.getByTestId('browse-filter').fill(key);
+    await page.locator(`[data-key="${key}"]`).click();
+    await expect(page.getByTestId('browse-detail')).toContainText(key);
+    await shoot(page, `help-${tab}`);
+  }
+  await page.getByTestId('browse-filter').fill('');
+  await page.getByRole('radio', { name: 'Address' }).click();
+  await expect(page.locator('[data-key="F"]')).toBeVisible();
+  await show(page, 'help/operations');
+  await shoot(page, 'help-operations');
+  await expect(page.locator('[data-operation]')).toHaveCount(29);
+  await expect(page.locator('[data-not-here="bus"]')).toContainText('0#0 = 0');
+  await page.locator('[data-operation="data"] a').click();
+  await expect(page.getByTestId('backups')).toBeVisible();
+});
+
+test('a page that is loaded anew goes on with a file for DNC behind what the control took', async ({ page }) => {
+  test.setTimeout(480_000);
+  await enter(page, '#/position');
+  await home(page);
+  await mode(page, 'KEY_DNC', 'DNC');
+  await show(page, 'program/dnc');
+  const remark = `(${'SOME WORDS THAT MAKE THE PROGRAM LONG 中文 '.repeat(22)})`;
+  const pass = `G91 G1 X0.01 F60 ${remark}\nX0.01 ${remark}\n`;
+  const passes = Math.ceil(1_250_000 / Buffer.byteLength(pass));
+  const buffer = Buffer.from(`G90 G54 G0 X0\n${pass.repeat(passes)}M30\n`);
+  const file = (text: Buffer) => page.getByTestId('dnc-file').setInputFiles({ name: 'long.nc', mimeType: 'text/plain', buffer: text });
+  await file(buffer);
+  await expect.poll(async () => Number(await page.getByTestId('dnc').getAttribute('data-sent'))).toBeGreaterThan(900_000);
+  await press(page, 'KEY_START');
+  await stands(page, 'running');
+  page.on('dialog', (dialog) => void dialog.accept());
+  await page.reload();
+  await expect(page.getByTestId('command')).toHaveText('In command');
+  const left = page.getByTestId('dnc-left');
+  await expect(left).toBeVisible();
+  expect(Number(await left.getAttribute('data-taken'))).toBeGreaterThan(900_000);
+  await shoot(page, 'dnc-left');
+  // Another file is not gone on with.
+  const onward = async (text: Buffer) => {
+    const chooser = page.waitForEvent('filechooser');
+    await left.getByRole('button', { name: 'Go on with the file' }).click();
+    await (await chooser).setFiles({ name: 'long.nc', mimeType: 'text/plain', buffer: text });
+  };
+  await onward(Buffer.from(`G90 G54 G0 X00\n${pass.repeat(passes)}M30\n`));
+  await expect(notice(page)).toContainText('This is another file');
+  await onward(buffer);
+  await show(page, 'position/absolute');
+  // Not a block is lost, and none is run twice.
+  await expect.poll(() => x(page), { timeout: 300_000 }).toBe(Number((2 * passes * 0.01).toFixed(3)));
+  await stands(page, 'idle', 60_000);
+});

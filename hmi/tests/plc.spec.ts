@@ -111,6 +111,26 @@ test('a signal is forced under right, and released', async ({ page }) => {
   await lit(page, false);
 });
 
+test('a message of the ladder stands on the page of alarms, also in a page that was loaded since', async ({ page }) => {
+  await enter(page, '#/plc');
+  await mayChange(page);
+  await page.getByTestId('plc-search').fill('AIR_PRESSURE');
+  await page.getByTestId('ladder').locator('g', { hasText: 'AIR_PRESSURE' }).last().click();
+  const bar = page.getByTestId('signal');
+  await expect(bar).toContainText('AIR_PRESSURE');
+  await bar.getByRole('button', { name: 'Force off' }).click();
+  const message = page.locator('[data-message="MSG_AIR"]');
+  await show(page, 'alarms');
+  await expect(message).toContainText('Compressed air is too low');
+  await page.reload();
+  await expect(message).toContainText('Compressed air is too low');
+  await expect(page.locator('header .message')).toContainText('Compressed air is too low');
+  await show(page, 'plc');
+  await page.getByTestId('forced').getByRole('button', { name: 'Release AIR_PRESSURE' }).click();
+  await show(page, 'alarms');
+  await expect(message).toHaveCount(0);
+});
+
 test('signals are traced around their trigger, and as they change', async ({ page }) => {
   await enter(page, '#/plc/trace');
   const record = page.getByTestId('trace-record');
@@ -179,4 +199,47 @@ test('another browser draws the ladder that was exchanged here', async ({ page, 
   await page.getByRole('button', { name: 'Put the one before back' }).click();
   await expect(drawn).not.toContainText('/');
   await other.close();
+});
+
+test('what the ladder keeps is shown, and changed under right', async ({ page }) => {
+  await enter(page, '#/plc/data');
+  const row = (address: string) => page.locator(`[data-address="${address}"]`);
+  const bit = row('K90').getByRole('switch', { name: 'K90.3' });
+  await page.getByTestId('data-search').fill('K90');
+  await expect(bit).toBeDisabled();
+  await expect(page.getByText('Level 2 changes them')).toBeVisible();
+  await mayChange(page);
+  await expect(bit).toHaveAttribute('aria-checked', 'false');
+  await bit.click();
+  await expect(bit).toHaveAttribute('aria-checked', 'true');
+  await shoot(page, 'plc-data');
+  // Timers and counters are words, the first eight timers in units of 48 ms.
+  await page.getByRole('radio', { name: 'T timers' }).click();
+  await page.getByTestId('data-search').fill('TMR 250');
+  const timer = page.getByLabel('T498 Time');
+  await timer.fill('1250');
+  await timer.press('Enter');
+  await expect(row('T498')).toContainText('10,000 ms');
+  await page.getByRole('radio', { name: 'C counters' }).click();
+  await page.getByTestId('data-search').fill('CTR 100');
+  const preset = page.getByLabel('C396 Preset');
+  await preset.fill('777');
+  await preset.press('Enter');
+  await expect(preset).toHaveValue('777');
+  // The data table in bytes and in numbers of four.
+  await page.getByRole('radio', { name: 'D data' }).click();
+  await page.getByRole('radio', { name: '4 bytes' }).click();
+  await page.getByTestId('data-search').fill('D9996');
+  const data = page.getByLabel('D9996 Value');
+  await data.fill('70000');
+  await data.press('Enter');
+  await page.getByRole('radio', { name: '1 byte' }).click();
+  await page.getByTestId('data-search').fill('D9997');
+  await expect(page.getByLabel('D9997 Value')).toHaveValue(String((70_000 >> 8) & 255));
+  // It is kept, and the log has it.
+  await page.reload();
+  await page.getByTestId('data-search').fill('K90');
+  await expect(bit).toHaveAttribute('aria-checked', 'true');
+  await show(page, 'alarms/log');
+  await expect(page.getByTestId('log')).toContainText('D9996');
 });

@@ -100,6 +100,30 @@ test('a file for DNC goes on where it was when the connection comes back', async
   expect(parts().slice(refused).map((one) => [one.first, one.last])).toEqual([[true, false], [false, false], [false, true]]);
 });
 
+for (const counted of [true, false]) {
+  test(`a part of DNC that was on its way is ${counted ? 'not said twice' : 'said again'} where the control ${counted ? 'has' : 'has not'} counted it`, async ({ context }) => {
+    const text = Array.from({ length: 20_000 }, (_, n) => `N${n} G1 X${n}.\n`).join('');
+    const options: Options = { mode: 'dnc' };
+    let parts = 0;
+    let taken = '';
+    options.lost = (command) => {
+      if (command.do !== 'dnc') return false;
+      parts += 1;
+      const isLost = parts === 2;
+      if (!isLost || counted) taken += String(command.text);
+      options.dnc = { taken: taken.length, tail: taken.slice(-64), awaited: !command.last };
+      return isLost;
+    };
+    const { page } = await mock(context, options);
+    await page.evaluate(() => (location.hash = '#/program/dnc'));
+    await page.getByTestId('dnc-file').setInputFiles({ name: 'long.nc', mimeType: 'text/plain', buffer: Buffer.from(text) });
+    await expect(page.getByTestId('dnc')).toHaveAttribute('data-sent', String(text.length));
+    await expect(page.getByTestId('dnc')).toHaveAttribute('data-sending', 'false');
+    expect(taken).toBe(text);
+    expect(parts).toBe(counted ? 3 : 4);
+  });
+}
+
 test('a program too long to be checked as it is typed is checked when it is saved', async ({ context }) => {
   const program = `O0001\n${'G1 X1.\n'.repeat(60_000)}M30\n`;
   const { page } = await mock(context, {
@@ -187,3 +211,20 @@ test('parts are entered on the position page, and codes are large enough for a f
   const box = await page.locator('a[href="#/help/codes/G54"]').boundingBox();
   expect(Math.min(box?.width ?? 0, box?.height ?? 0)).toBeGreaterThanOrEqual(43.9);
 });
+
+for (const opens of [true, false]) {
+  test(`an alarm ${opens ? 'shows' : 'leaves'} the page with 24#6 = ${Number(opens)} (GSK990MC part 2, 3.7)`, async ({ context }) => {
+    const { page, say } = await mock(context, { parameters: opens ? { 'NO24.6': 1 } : { 'NO24.6': 0 } });
+    await expect(page.locator('[data-page="position"]')).toBeVisible();
+    // A warning stops nothing, and takes no page away.
+    say({ event: 'alarm', alarm: { id: 'FC-1424', line: 0, warning: true, values: {} } });
+    await page.waitForTimeout(300);
+    await expect(page.locator('[data-page="position"]')).toBeVisible();
+    say({ event: 'alarm', alarm: { id: 'FC-0302', line: 3, warning: false, values: {} } });
+    if (opens) await expect(page.locator('[data-page="alarms"]')).toBeVisible();
+    else {
+      await page.waitForTimeout(500);
+      await expect(page.locator('[data-page="position"]')).toBeVisible();
+    }
+  });
+}

@@ -352,6 +352,16 @@ pub enum Command {
     },
     /// The signals that are forced.
     Forced,
+    /// Sets data of the ladder, K, T, C or D (level 2). They are kept, and the operation log has it.
+    SetSignal {
+        /// Its name or address.
+        signal: String,
+        /// A bit, or a number with or without sign.
+        value: i64,
+        /// Bytes of the number, the lowest first; where it is missing 2 in T and C, 1 in K and D.
+        #[serde(default)]
+        bytes: Option<u8>,
+    },
     /// Puts another ladder in the place of the running one (level 2).
     ExchangeLadder {
         /// Its text.
@@ -746,6 +756,12 @@ pub enum Reply {
     Programs {
         /// In the order of their names.
         programs: Vec<ProgramInfo>,
+        /// How many there can be at most; none where nothing is kept.
+        #[serde(default)]
+        most: Option<u32>,
+        /// Bytes that there is room for yet; none where nothing is kept, or the disk does not tell.
+        #[serde(default)]
+        room: Option<u64>,
     },
     /// A program's text, decoded.
     Program {
@@ -1210,6 +1226,18 @@ pub enum Activity {
     Emergency,
 }
 
+/// How far a program of DNC has come.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+pub struct DncStatus {
+    /// Bytes of its text, in UTF-8, that the control took.
+    pub taken: u64,
+    /// The last 64 of them or fewer, by which who sends it knows the place again.
+    pub tail: String,
+    /// Whether more of it is awaited: it has no end yet, and was not given up.
+    pub awaited: bool,
+}
+
 /// How things stand.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
@@ -1249,6 +1277,12 @@ pub struct Status {
     /// Whether cycle start measures.
     #[serde(default)]
     pub measure_ready: bool,
+    /// How far the program of DNC has come: who sends it goes on from there.
+    #[serde(default)]
+    pub dnc: Option<DncStatus>,
+    /// Messages of the ladder that stand, by its names.
+    #[serde(default)]
+    pub messages: Vec<String>,
     /// Lamps of the panel and of the tower that are lit, by the ladder's names.
     pub lamps: Vec<String>,
     /// Positions of the panel's switches, by the ladder's names.
@@ -1285,6 +1319,9 @@ pub struct Positions {
 pub struct FeedStatus {
     /// What is run now.
     pub actual: f64,
+    /// The same by axis, with its sense (GSK990MC part 2, 3.1.1).
+    #[serde(default)]
+    pub components: ByAxis,
     /// The F word in force.
     pub programmed: f64,
     /// Feed override.

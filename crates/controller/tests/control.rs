@@ -783,3 +783,18 @@ fn the_status_has_the_block_that_comes_next_and_where_the_program_stops() {
     shop.start();
     assert_eq!(shop.until_it_stops().program.next, None);
 }
+
+/// GSK990MC part 2, 3.1.1: the page of all positions has the components of the speed.
+#[test]
+fn the_status_has_the_speed_of_each_axis() {
+    let mut shop = Shop::new(&[]);
+    shop.store("O0001", "G91 G1 X-30 Y40 F600\nM30\n");
+    shop.select("O1");
+    shop.start();
+    let feed = shop.wait(1500).feed;
+    assert_eq!(feed.actual.round(), 600.0);
+    let component = |letter: char| feed.components[&letter].round();
+    assert_eq!((component('X'), component('Y'), component('Z')), (-360.0, 480.0, 0.0));
+    let feed = shop.until_it_stops().feed;
+    assert!(feed.components.values().all(|speed| speed.abs() < 1e-9), "{feed:?}");
+}

@@ -166,9 +166,10 @@ fn messages_of_a_ladder_go_with_it() {
         told.collect::<Vec<_>>()
     };
     assert!(messages(&mut control).contains(&("MSG_AIR".to_owned(), true)));
-    // The same ladder: the message stands, and is not told again.
+    // The same ladder: the message stands, and is not told again. Who comes later finds it in the status.
     control.command(Command::ExchangeLadder { text: LADDER.into() }, &author).unwrap();
     assert_eq!(messages(&mut control), []);
+    assert!(control.status().messages.contains(&"MSG_AIR".to_owned()));
     // One that calls it otherwise.
     let text = LADDER.replace("MSG_AIR", "MSG_AIR_LOW");
     control.command(Command::ExchangeLadder { text }, &author).unwrap();
@@ -177,6 +178,8 @@ fn messages_of_a_ladder_go_with_it() {
         told.contains(&("MSG_AIR".to_owned(), false)) && told.contains(&("MSG_AIR_LOW".to_owned(), true)),
         "{told:?}"
     );
+    assert!(control.status().messages.contains(&"MSG_AIR_LOW".to_owned()));
+    assert!(!control.status().messages.contains(&"MSG_AIR".to_owned()));
     control.command(Command::RollBackLadder, &author).unwrap();
     let told = messages(&mut control);
     assert!(

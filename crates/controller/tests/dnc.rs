@@ -58,7 +58,11 @@ fn a_sender_that_is_late_costs_a_stop_and_reset_gives_up() {
     shop.start();
     let status = shop.wait(2000);
     assert_eq!((status.activity, status.feed.actual, shop.x()), (Activity::Running, 0.0, 5.0));
+    // What came is counted, so that who lost his connection goes on behind it.
+    let told = |shop: &mut Shop| shop.wait(1).dnc.map(|dnc| (dnc.taken, dnc.tail, dnc.awaited));
+    assert_eq!(told(&mut shop), Some((16, "G91 G1 X5 F6000\n".into(), true)));
     shop.say(dnc("X5\nGOTO 10\nX5\n", false, false));
+    assert_eq!(told(&mut shop).unwrap().0, 30);
     let status = shop.until_it_stops();
     // Lines are not kept, so that nothing can be jumped to.
     assert_eq!((status.activity, shop.x()), (Activity::Alarm, 10.0));
@@ -66,7 +70,15 @@ fn a_sender_that_is_late_costs_a_stop_and_reset_gives_up() {
     shop.say(Command::Reset);
     shop.wait(10);
     assert_eq!(shop.refused(dnc("X5\n", false, false)), "FC-1401");
+    assert!(!told(&mut shop).unwrap().2, "it was given up");
     // What is whole before it starts is held: it jumps, and runs as often as it is started.
+    shop.say(dnc("G91 G1 X1 F6000\nGOTO 10\nX100\n", true, false));
+    assert_eq!(told(&mut shop), Some((29, "G91 G1 X1 F6000\nGOTO 10\nX100\n".into(), true)));
+    shop.say(dnc("N10 X1\nM30\n", false, true));
+    assert_eq!(told(&mut shop).map(|(taken, _, awaited)| (taken, awaited)), Some((40, false)));
+    shop.say(dnc(&"中".repeat(100), true, false));
+    let (taken, tail, _) = told(&mut shop).unwrap();
+    assert_eq!((taken, tail), (300, "中".repeat(21)));
     shop.say(dnc("G91 G1 X1 F6000\nGOTO 10\nX100\n", true, false));
     shop.say(dnc("N10 X1\nM30\n", false, true));
     for run in 1..=2 {

@@ -13,10 +13,12 @@ const WORD_QUOTED: usize = 40;
 
 /// Something wrong in a program.
 #[derive(Clone, PartialEq, Debug, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Finding {
     /// The alarm's number: `gsk990mc:0045`, `FC-0302`.
     pub id: String,
     /// `error` or `warning`.
+    #[cfg_attr(feature = "typescript", ts(type = "'error' | 'warning'"))]
     pub severity: &'static str,
     /// The program that it is in, where that is not the one that was checked.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -6,12 +6,14 @@ use serde::Serialize;
 
 /// A finding as a form shows it.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Finding {
     /// The field: the name of a value, `positions.N`, `profile`; empty where it is of the cycle as a whole.
     pub parameter: String,
     /// The alarm, `FC-0302`.
     pub id: String,
     /// `error` or `warning`.
+    #[cfg_attr(feature = "typescript", ts(type = "'error' | 'warning'"))]
     pub severity: &'static str,
     /// What is wrong.
     pub text: String,

@@ -9,6 +9,7 @@ use serde::Serialize;
 
 /// A value that a fresh form holds.
 #[derive(Clone, Copy, PartialEq, Debug, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(untagged)]
 pub enum Fresh {
     /// A number.
@@ -19,6 +20,7 @@ pub enum Fresh {
 
 /// A choice of a field.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Choice {
     /// The word in a block.
     pub value: &'static str,
@@ -28,6 +30,7 @@ pub struct Choice {
 
 /// A field of a form.
 #[derive(Clone, PartialEq, Debug, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct FormField {
     /// Key of its value: the parameter's name, behind its stage and a point where that is not the cycle itself
     /// (`ZS`, `rough.F`).
@@ -57,6 +60,7 @@ pub struct FormField {
 
 /// A figure of positions.
 #[derive(Clone, PartialEq, Debug, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct FigureForm {
     /// `LINE`, `ARC`, `RECT`, `GRID` or `POINTS`.
     pub kind: &'static str,
@@ -70,6 +74,7 @@ pub struct FigureForm {
 
 /// What a cycle needs of a profile.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "lowercase")]
 pub enum ProfileUse {
     /// Nothing.
@@ -86,6 +91,7 @@ pub enum ProfileUse {
 
 /// A cycle as a form.
 #[derive(Clone, PartialEq, Debug, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Form {
     /// `G281` to `G299`, `P2D`, `P3D`.
     pub id: &'static str,

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 
 /// A value of a field.
 #[derive(Clone, PartialEq, Debug, Deserialize, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(untagged)]
 pub enum Value {
     /// A number.
@@ -15,6 +16,7 @@ pub enum Value {
 
 /// A cycle as a form was filled in.
 #[derive(Clone, PartialEq, Debug, Default, Deserialize, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct Request {
     /// The cycle, `G287`.
@@ -38,6 +40,7 @@ pub struct Request {
 
 /// A figure of positions.
 #[derive(Clone, PartialEq, Debug, Default, Deserialize, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct Positions {
     /// `LINE`, `ARC`, `RECT`, `GRID` or `POINTS`.
@@ -52,6 +55,7 @@ pub struct Positions {
 
 /// A profile in the plane.
 #[derive(Clone, PartialEq, Debug, Default, Deserialize, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct Profile {
     /// The outer contour, then islands.
@@ -60,6 +64,7 @@ pub struct Profile {
 
 /// A profile of depth: its abscissa, and the tool axis.
 #[derive(Clone, PartialEq, Debug, Deserialize, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct Depth {
     /// `XZ` or `YZ`.
@@ -70,6 +75,7 @@ pub struct Depth {
 
 /// The plane of a profile of depth.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Deserialize, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub enum DepthPlane {
     /// X and Z.
     #[serde(rename = "XZ")]
@@ -81,6 +87,7 @@ pub enum DepthPlane {
 
 /// A contour.
 #[derive(Clone, PartialEq, Debug, Default, Deserialize, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct Contour {
     /// Where it begins, mm.
@@ -97,6 +104,7 @@ pub struct Contour {
 
 /// An element of a contour.
 #[derive(Clone, PartialEq, Debug, Deserialize, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(tag = "kind", rename_all = "lowercase", deny_unknown_fields)]
 pub enum Element {
     /// A straight line.
@@ -139,6 +147,7 @@ impl Element {
 
 /// A corner that is not sharp.
 #[derive(Clone, Copy, PartialEq, Debug, Deserialize, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct Corner {
     /// What is made of it.
@@ -149,6 +158,7 @@ pub struct Corner {
 
 /// What is made of a corner.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Deserialize, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "lowercase")]
 pub enum CornerKind {
     /// An arc.
@@ -159,6 +169,7 @@ pub enum CornerKind {
 
 /// What is known of a tool.
 #[derive(Clone, Copy, PartialEq, Debug, Default, Deserialize, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct ToolData {
     /// Its number.

@@ -511,6 +511,46 @@ impl Backup {
     }
 }
 
+impl Store {
+    /// Takes a backup that was brought: the file `part`, in the folder of the memory, gets the name `path` there, in
+    /// place of the one that had it, once all of it was judged and is on the disk. The operation log has it.
+    ///
+    /// # Errors
+    /// It is no backup of this control, or the author may not. Then what had the name stands.
+    pub fn admit_backup(&self, part: &Path, path: &Path, author: &Author) -> Result<u64, Error> {
+        let needed = rights::CARRIES_BACKUPS;
+        match author {
+            Author::Person { session, .. } if !session.level().covers(needed) => {
+                return Err(Error::Right { needed, level: session.level() });
+            }
+            Author::Program { .. } => return Err(Error::NotByThis),
+            _ => {}
+        }
+        let backup = Backup::open(part)?;
+        if backup.control != self.control() {
+            return Err(Error::OtherControl(backup.control.as_str().into()));
+        }
+        File::open(part)?.sync_all()?;
+        let names: Vec<&str> = backup.entries.iter().map(|entry| entry.item.name()).collect();
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let entry = LogEntry {
+            time: now(),
+            level: author.level(),
+            who: author.name().to_owned(),
+            item: "memory".to_owned(),
+            name: "uploaded".to_owned(),
+            from: names.join(" "),
+            to: name.into_owned(),
+        };
+        let (part, path, folder) = (part.to_owned(), path.to_owned(), self.folder().to_owned());
+        self.within_commit(move |applier| {
+            applier.log(&entry)?;
+            fs::rename(&part, &path)?;
+            sync_folder(&folder)
+        })
+    }
+}
+
 fn restore(
     applier: &mut Applier,
     path: &Path,

@@ -95,6 +95,7 @@ pub fn needed(table: &ParameterTable, change: &Change) -> Level {
         Change::ClearAlarms | Change::ClearLog => Level::Commissioning,
         // 3.4.5: ladders are transferred from level 2 on.
         Change::Plc { area: PlcArea::K | PlcArea::T | PlcArea::C | PlcArea::D, .. }
+        | Change::Signal { .. }
         | Change::Ladder { .. }
         | Change::Force { .. } => Level::Builder,
         Change::Alarm(_) | Change::LastPosition(_) | Change::Interrupted(_) => Level::Maker,
@@ -115,6 +116,10 @@ pub fn needed_to_restore(item: Item) -> Level {
         Item::Plc | Item::Ladder | Item::Counters | Item::LastPosition | Item::Interrupted => Level::Builder,
     }
 }
+
+/// The lowest level that takes a backup away or brings one: the level that may restore all that shops restore. It
+/// holds the work of the shop.
+pub const CARRIES_BACKUPS: Level = Level::Commissioning;
 
 #[cfg(test)]
 mod tests {

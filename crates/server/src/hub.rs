@@ -238,7 +238,7 @@ impl<S: Service> Hub<S> {
     }
 
     /// Sends an event to those who want them. Who does not keep up is marked, and its reader ends the connection.
-    fn tell_event(&self, event: &S::Event) {
+    pub fn tell_event(&self, event: &S::Event) {
         let members = lock(&self.members);
         if !members.values().any(|member| member.events) {
             return;

@@ -14,9 +14,54 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
+/// Times for which the computer held up who wanted to run: a thread that sleeps for a millisecond at a time finds
+/// them, and the machine's. It ends with its last owner.
+#[derive(Clone)]
+struct Stalls(Arc<Mutex<Vec<(Instant, Duration)>>>);
+
+impl Stalls {
+    /// Later than this is a stall.
+    const LATE: Duration = Duration::from_millis(2);
+
+    fn new() -> Stalls {
+        let stalls = Stalls(Arc::default());
+        let own = Arc::downgrade(&stalls.0);
+        std::thread::spawn(move || {
+            let mut last = Instant::now();
+            while let Some(stalls) = own.upgrade().map(Stalls) {
+                std::thread::sleep(Duration::from_millis(1));
+                last = stalls.look(last);
+            }
+        });
+        stalls
+    }
+
+    /// Notes by how much more than a millisecond has gone since the last look.
+    fn look(&self, last: Instant) -> Instant {
+        let now = Instant::now();
+        let late = (now - last).saturating_sub(Duration::from_millis(1));
+        if late > Self::LATE {
+            self.0.lock().unwrap().push((now, late));
+        }
+        now
+    }
+
+    /// How long everything may have been held up in a time that began at a moment.
+    fn since(&self, moment: Instant, time: Duration) -> Duration {
+        let stalls = self.0.lock().unwrap();
+        let (from, to) = (moment, moment + time);
+        let within = |(end, late): &(Instant, Duration)| {
+            let begin = (*end - *late).max(from);
+            (*end).min(to).saturating_duration_since(begin)
+        };
+        stalls.iter().map(within).sum()
+    }
+}
+
 /// How the X axis moves, as the machine's thread sees it.
 #[derive(Clone)]
 struct Motion {
+    stalls: Stalls,
     began: Instant,
     /// When the axis was last being sped up or kept going, us since `began`.
     pushed: Arc<AtomicU64>,
@@ -26,10 +71,13 @@ struct Motion {
 
 impl Motion {
     fn new() -> (Motion, impl FnMut(&Tick) + Send + 'static) {
-        let motion = Motion { began: Instant::now(), pushed: Arc::default(), rests: Arc::default() };
+        let stalls = Stalls::new();
+        let motion = Motion { stalls, began: Instant::now(), pushed: Arc::default(), rests: Arc::default() };
         let own = motion.clone();
+        let mut last = Instant::now();
         let (mut at, mut velocity, mut acceleration) = (0.0f64, 0.0f64, 0.0f64);
         let watcher = move |tick: &Tick| {
+            last = own.stalls.look(last);
             let now = tick.position[Axis::X];
             let (v, was) = ((now - at).abs(), velocity);
             let a = v - was;
@@ -55,10 +103,14 @@ impl Motion {
     }
 
     /// How long after a moment, at which it was on its way, the axis was still being pushed.
-    fn pushed_after(&self, moment: Instant) -> Duration {
+    fn pushed_after(&self, moment: Instant) -> Taken {
         let pushed = self.began + Duration::from_micros(self.pushed.load(Ordering::Relaxed));
         assert!(pushed + Duration::from_millis(100) > moment, "it did not move");
-        pushed.saturating_duration_since(moment)
+        self.taken(moment, pushed.saturating_duration_since(moment))
+    }
+
+    fn taken(&self, moment: Instant, time: Duration) -> Taken {
+        Taken { time, held_up: self.stalls.since(moment, time) }
     }
 }
 
@@ -84,20 +136,28 @@ fn hold(socket: &mut Socket, key: &str) {
     socket.tell(json!({ "do": "key", "key": key, "down": true }));
 }
 
-/// Times that must keep below a bound. The computer may stop everything for a moment, which the machine does not
-/// notice: so of many a few may be later, but none by much.
-fn assert_below(what: &str, mut times: Vec<Duration>, bound: Duration) {
+/// How long something took, and for how much of that the computer is known to have let nobody run.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+struct Taken {
+    time: Duration,
+    held_up: Duration,
+}
+
+/// Every one of these is in time. What the computer held up everybody is no work of the machine and is taken off; on
+/// one that has nothing else to do that is nothing.
+fn assert_below(what: &str, mut times: Vec<Taken>, bound: Duration) {
     times.sort();
-    let at = |share: usize| times[(times.len() * share / 100).min(times.len() - 1)];
+    let at = |share: usize| times[(times.len() * share / 100).min(times.len() - 1)].time;
+    let held_up = times.iter().map(|taken| taken.held_up).max();
     eprintln!(
-        "{what}: {} times, half below {:?}, 99 % {:?}, worst {:?}",
+        "{what}: {} times, half below {:?}, 99 % {:?}, worst {:?}; held up at most {held_up:?}",
         times.len(),
         at(50),
         at(99),
         at(100)
     );
-    assert!(at(95) <= bound, "{what}: {times:?}");
-    assert!(at(100) <= bound * 8, "{what}: {times:?}");
+    let late: Vec<_> = times.iter().filter(|taken| taken.time > bound + taken.held_up).collect();
+    assert!(late.is_empty(), "{what}: late are {late:?}");
 }
 
 #[test]
@@ -130,7 +190,8 @@ fn a_jog_stops_when_its_key_is_let_go_and_when_its_connection_is_lost() {
         motion.comes_to_rest_after(Duration::from_millis(100));
         silent.push(motion.pushed_after(moment));
     }
-    assert!(silent.iter().all(|time| *time >= Duration::from_millis(100)), "not held at all: {silent:?}");
+    let is_held = |taken: &Taken| taken.time >= Duration::from_millis(100);
+    assert!(silent.iter().all(is_held), "not held at all: {silent:?}");
     assert_below("released", released, Duration::from_millis(50));
     assert_below("lost", lost, Duration::from_millis(250));
     assert_below("silent", silent, Duration::from_millis(250));
@@ -168,7 +229,7 @@ fn a_thousand_dropped_connections_leave_no_key_pressed() {
             assert!(moment.elapsed() < Duration::from_secs(5), "{key} is pressed by nobody, round {round}");
             std::thread::sleep(Duration::from_millis(1));
         }
-        gone.push(moment.elapsed());
+        gone.push(motion.taken(moment, moment.elapsed()));
         drop(kept);
     }
     assert_below("let go", gone, Duration::from_millis(250));

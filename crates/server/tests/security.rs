@@ -480,3 +480,70 @@ fn backups_are_listed_and_taken_away_by_right() {
         assert_eq!(take(name, &crew).status, 404, "{name}");
     }
 }
+
+/// GSK990MC operation 3.4.4.
+#[test]
+fn backups_are_brought_by_right_and_only_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    let store = store(&folder);
+    let author = Author::Maintenance { name: "test".into() };
+    store.set_password(&author, Level::Commissioning, "crew of machine 3", Seat::Machine).unwrap();
+    let panel = Panel::new(control(Some(store.clone())));
+    let place = Place::new(panel, Some(store.clone()), "127.0.0.1:0", None);
+    let cookie = place.get("/").cookie();
+    let mut socket = Socket::new(place.address(), &[("cookie", &cookie)]).unwrap();
+    socket.take_command();
+    assert_eq!(socket.ask(json!({ "do": "backup", "file": "shop.backup", "items": [] }))["reply"], "done");
+    let whole = std::fs::read(folder.path().join("shop.backup")).unwrap();
+    let bring = |name: &str, cookie: &str, body: &[u8]| {
+        place.http("PUT", &format!("/api/backups/{name}"), &[("cookie", cookie)], body)
+    };
+    let refused = bring("new.backup", &cookie, &whole);
+    assert_eq!((refused.status, &refused.json()["refused"]["alarm"]["id"]), (409, &json!("FC-1213")));
+    let body = json!({ "level": 3, "password": "crew of machine 3" }).to_string();
+    let crew = place.http("POST", "/api/session", &[("cookie", &cookie)], body.as_bytes()).cookie();
+    assert_eq!(socket.ask(json!({ "do": "give_command" }))["reply"], "done");
+    let refused = bring("new.backup", &crew, &whole);
+    assert_eq!((refused.status, &refused.json()["error"]), (403, &json!("not_in_command")));
+    socket.take_command();
+    socket.ask(json!({ "do": "watch", "events": true }));
+
+    let brought = bring("new.backup", &crew, &whole);
+    assert_eq!((brought.status, &brought.json()["bytes"]), (200, &json!(whole.len())), "{}", brought.text());
+    assert_eq!(std::fs::read(folder.path().join("new.backup")).unwrap(), whole);
+    while socket.hear() != json!({ "event": "changed", "item": "backups" }) {}
+    assert_eq!(
+        socket.ask(json!({ "do": "restore", "file": "new.backup", "items": ["offsets"] }))["reply"],
+        "done"
+    );
+    let log = socket.ask(json!({ "do": "operation_log", "most": 10 }));
+    let logged = log["reply"]["entries"].as_array().or(log["entries"].as_array()).unwrap();
+    assert!(logged.iter().any(|line| line["name"] == "uploaded" && line["to"] == "new.backup"), "{log}");
+
+    // What is no backup, is cut off, was changed or is of another control leaves what was there.
+    let mut changed = whole.clone();
+    let middle = changed.len() / 2;
+    changed[middle] ^= 1;
+    let other = String::from_utf8(whole.clone()).unwrap().replacen("\"gsk990mc\"", "\"rs274\"", 1);
+    for (body, alarm) in [
+        (&b"not a backup"[..], "FC-1209"),
+        (b"", "FC-1209"),
+        (&whole[..whole.len() - 1], "FC-1210"),
+        (&changed, "FC-1210"),
+        (other.as_bytes(), "FC-1210"),
+    ] {
+        let refused = bring("new.backup", &crew, body);
+        assert_eq!((refused.status, &refused.json()["refused"]["alarm"]["id"]), (409, &json!(alarm)));
+        assert_eq!(std::fs::read(folder.path().join("new.backup")).unwrap(), whole);
+    }
+    for name in ["notes.txt", "..%2fnew.backup", "%2ftmp%2fnew.backup", ".backup", "upload.part"] {
+        let refused = bring(name, &crew, &whole);
+        assert!(matches!(refused.status, 404 | 409), "{name}: {}", refused.status);
+    }
+    let told = [("cookie", crew.as_str()), ("content-length", "300000000")];
+    assert_eq!(place.http("PUT", "/api/backups/new.backup", &told, b"").status, 413);
+    // Nothing but backups and the memory is left in the folder, and no link leads out of it.
+    std::os::unix::fs::symlink(folder.path().join("outside"), folder.path().join("upload.part")).unwrap();
+    assert_eq!(bring("new.backup", &crew, &whole).status, 200);
+    assert!(!folder.path().join("outside").exists() && !folder.path().join("upload.part").exists());
+}

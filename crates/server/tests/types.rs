@@ -1,6 +1,7 @@
 //! The browser's types of commands, answers, events and status: written from those of the control.
 //!
-//! `FERROCUT_WRITE=1 cargo test -p ferrocut-server --test types` writes the file; without it a difference fails.
+//! `FERROCUT_WRITE=1 cargo test -p ferrocut-server types` writes the file, those of HTTP besides; without it a
+//! difference fails.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
 use ferrocut_controller::Mode;
@@ -74,6 +75,7 @@ fn written() -> String {
         ProgramStatus,
         SwitchStatus,
         Counters,
+        DncStatus,
         Status,
         ToolMode,
         Measurement,

@@ -228,6 +228,22 @@ fn tables_say_what_explain_says() {
     let kinds: std::collections::BTreeSet<_> =
         kinds.as_array().unwrap().iter().map(|row| row["kind"].as_str().unwrap().to_owned()).collect();
     assert!(kinds.len() >= 3, "{kinds:?}");
+    // All of a kind.
+    for (kind, least, one) in [
+        ("alarm", 300, "FC-0302"),
+        ("parameter", 500, "P88"),
+        ("variable", 20, "#3000"),
+        ("address", 15, "F"),
+        ("signal", 200, "KEY_START"),
+        ("code", 100, "G84"),
+    ] {
+        let list = place.get(&format!("/api/list?kind={kind}")).json();
+        let rows = list.as_array().unwrap();
+        assert!(rows.len() >= least && rows.iter().all(|row| row["kind"] == kind), "{kind}: {}", rows.len());
+        assert!(rows.iter().any(|row| row["key"] == one), "{kind} {one}");
+    }
+    assert_eq!(place.get("/api/list?kind=nothing").json(), json!([]));
+    assert_eq!(place.get("/api/list").status, 400);
 }
 
 #[test]

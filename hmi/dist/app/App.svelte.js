@@ -2,7 +2,7 @@ import { load, t } from "./lib/i18n/index.svelte.js";
 import Button from "./lib/parts/Button.svelte.js";
 import Empty from "./lib/parts/Empty.svelte.js";
 import Notices from "./lib/parts/Notices.svelte.js";
-import { route } from "./lib/routing.svelte.js";
+import { go, route } from "./lib/routing.svelte.js";
 import { dnc } from "./lib/state/dnc.svelte.js";
 import { editing } from "./lib/state/editing.svelte.js";
 import { machine } from "./lib/state/machine.svelte.js";
@@ -19,7 +19,7 @@ import Welcome from "./shell/Welcome.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/App.svelte
-var root = $.from_html(`<div><!> <!> <main class="s-1b7lqua"><!> <div class="page s-1b7lqua"><!></div></main> <!> <!></div> <!> <!> <!>`, 1);
+var root = $.from_html(`<div><!> <!> <main class="s-1yij42y"><!> <div class="page s-1yij42y"><!></div></main> <!> <!></div> <!> <!> <!>`, 1);
 function App($$anchor, $$props) {
 	$.push($$props, true);
 	const page = $.derived(() => pages.find((one) => one.id === route.page) ?? pages[0]);
@@ -39,6 +39,19 @@ function App($$anchor, $$props) {
 	function ask(event) {
 		if (dnc.sending || editing.unsaved.length) event.preventDefault();
 	}
+	/** Whether an alarm shows its page (24#6); controls that have no such parameter leave it. */
+	let opens = false;
+	$.user_effect(() => {
+		machine.changed("parameters");
+		if (machine.link !== "open") return;
+		machine.ask({
+			do: "parameters",
+			names: ["NO24.6"]
+		}).then((reply) => opens = reply.reply === "parameters" && Object.values(reply.parameters).some((value) => value !== 0), () => opens = false);
+	});
+	$.user_effect(() => machine.hear((event) => {
+		if (opens && event.event === "alarm" && !event.alarm.warning) go("alarms");
+	}));
 	$.user_effect(() => {
 		load(prefs.language);
 	});
@@ -137,7 +150,7 @@ function App($$anchor, $$props) {
 	Notices(node_8, {});
 	var node_9 = $.sibling(node_8, 2);
 	Welcome(node_9, {});
-	$.template_effect(() => classes = $.set_class(div, 1, "app s-1b7lqua", null, classes, { panel: prefs.panel }));
+	$.template_effect(() => classes = $.set_class(div, 1, "app s-1yij42y", null, classes, { panel: prefs.panel }));
 	$.append($$anchor, fragment);
 	$.pop();
 }

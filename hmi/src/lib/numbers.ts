@@ -23,7 +23,8 @@ export function duration(seconds: number): string {
 export function bytes(count: number): string {
   if (count < 10_000) return `${count} B`;
   if (count < 10_000_000) return `${(count / 1024).toFixed(0)} KiB`;
-  return `${(count / 1024 / 1024).toFixed(1)} MiB`;
+  if (count < 10_000_000_000) return `${(count / 1024 / 1024).toFixed(1)} MiB`;
+  return `${(count / 1024 ** 3).toFixed(1)} GiB`;
 }
 
 /** A number as a person types it: with point or comma, with either minus. Null where it is none. */

@@ -12,6 +12,7 @@ use crate::signals::Mode;
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_machine::setup::VariableName;
 use ferrocut_machine::{Alarm, Fault, ParameterKey, ToolOffset, WorkOffset};
+use ferrocut_memory::items::limits;
 use ferrocut_memory::password::Seat;
 use ferrocut_memory::{Author, Backup, Change, Counter, Item, Level, Session};
 use ferrocut_plc::{Address, Area};
@@ -26,7 +27,7 @@ const MOST_VALUES: usize = 10_000;
 const LONGEST_MDI: usize = 1 << 20;
 
 /// What the event `changed` calls the backups in the folder of the memory.
-const BACKUPS: &str = "backups";
+pub const BACKUPS: &str = "backups";
 
 pub(super) type Answer = Result<Reply, Box<Alarm>>;
 
@@ -163,6 +164,7 @@ impl Control {
             Command::EndTrace => Ok(self.end_trace()),
             Command::Forced => self.forced(),
             Command::Force { signal, value } => self.force(&signal, value, author),
+            Command::SetSignal { signal, value, bytes } => self.set_signal(&signal, value, bytes, author),
             Command::ExchangeLadder { text } => self.exchange_ladder(&text, author),
             Command::RollBackLadder => self.roll_back_ladder(author),
             Command::StartLadder => {
@@ -315,7 +317,11 @@ impl Control {
                 found.into_iter().map(info).collect()
             }
         };
-        Ok(Reply::Programs { programs })
+        let most = match &self.library {
+            library::Library::Held(_) => None,
+            library::Library::Kept(_) => u32::try_from(limits::PROGRAMS).ok(),
+        };
+        Ok(Reply::Programs { programs, most, room: self.library.room() })
     }
 
     /// The name of a program that there is.
@@ -657,6 +663,9 @@ impl Control {
     /// What was restored holds at once, save what the drives are made of.
     fn restore(&mut self, file: &str, items: &[String], author: &Author) -> Answer {
         let items = Control::items(items)?;
+        if items.contains(&Item::Programs) {
+            self.may_edit_programs(author)?;
+        }
         if self.tick.moving || !self.cnc.is_idle() {
             return Err(Box::new(alarm(Fault::ControlBusy)));
         }

@@ -5,9 +5,12 @@
 //! refused, to be sent again; jumps in such a program are alarms, since its lines are not kept.
 
 use super::{Control, Loaded, alarm};
-use crate::api::Reply;
+use crate::api::{DncStatus, Reply};
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_program::{MOST_KEPT, Refused, Text};
+
+/// Bytes of the end of what came that are told: by them who sends it knows his file again.
+const TAIL: usize = 64;
 
 /// The program of DNC.
 #[derive(Debug, Default)]
@@ -18,6 +21,21 @@ pub(super) struct Dnc {
     is_whole: bool,
     /// It runs while it comes.
     is_sent: bool,
+    /// Bytes that came of it.
+    taken: u64,
+    /// The end of what came.
+    tail: String,
+}
+
+impl Dnc {
+    /// Counts a part that was taken.
+    fn count(&mut self, text: &str) {
+        self.taken = self.taken.saturating_add(text.len() as u64);
+        self.tail
+            .push_str(text.get(text.floor_char_boundary(text.len().saturating_sub(TAIL))..).unwrap_or(text));
+        let before = self.tail.ceil_char_boundary(self.tail.len().saturating_sub(TAIL));
+        self.tail.drain(..before);
+    }
 }
 
 impl Control {
@@ -39,6 +57,7 @@ impl Control {
             return Err(Box::new(alarm(Fault::NoRoomYet)));
         }
         self.dnc.held.extend_from_slice(text.as_bytes());
+        self.dnc.count(text);
         self.dnc.is_whole = last;
         Ok(Reply::Done)
     }
@@ -50,11 +69,20 @@ impl Control {
             Refused::LineTooLong => Box::new(alarm(Fault::LineTooLong)),
             Refused::Ended => Box::new(alarm(Fault::ControlBusy)),
         })?;
+        self.dnc.count(text);
         if last {
             self.dnc.is_whole = true;
             self.cnc.end_text();
         }
         Ok(Reply::Done)
+    }
+
+    /// How far the program has come.
+    pub(super) fn dnc_status(&self) -> Option<DncStatus> {
+        let dnc = &self.dnc;
+        let runs = self.cnc.is_under_way() && self.loaded == Loaded::Dnc;
+        let awaited = !dnc.is_whole && (runs || !dnc.is_sent);
+        (dnc.taken > 0).then(|| DncStatus { taken: dnc.taken, tail: dnc.tail.clone(), awaited })
     }
 
     /// Loads what came for cycle start.

@@ -54,6 +54,11 @@ impl LadderNames {
         let is_there = |name: &str| self.messages.iter().any(|message| message.name == name);
         before.iter().filter(|old| old.is_on && !is_there(&old.name)).map(|old| old.name.clone()).collect()
     }
+
+    /// Messages that stand.
+    pub(super) fn standing(&self) -> impl Iterator<Item = &str> {
+        self.messages.iter().filter(|message| message.is_on).map(|message| message.name.as_str())
+    }
 }
 
 impl Control {

@@ -37,7 +37,7 @@ use crate::api::{Activity, AlarmInfo, Event};
 use crate::cnc::{self, Cnc, DryRun, State, Tick};
 use crate::drives::{Drives, Switches};
 use crate::signals::{Inputs, Mode, Outputs, SIGNAL_AXES};
-pub use commands::backup_in;
+pub use commands::{BACKUPS, backup_in};
 pub use desk::Desk;
 use ferrocut_geometry::{AxisSet, Position};
 use ferrocut_interpreter::{Interpreter, MachineCodes, Options, dialects};
@@ -84,6 +84,8 @@ pub struct Control {
     /// What the ladder wants in this period, and in the one before.
     inputs: Inputs,
     before: Inputs,
+    /// Commanded position of the period before.
+    came_from: Position,
     outputs: Outputs,
     mode: Mode,
     loaded: Loaded,
@@ -216,6 +218,7 @@ impl Control {
             keeping,
             inputs: Inputs::default(),
             before: Inputs::default(),
+            came_from: start,
             outputs: Outputs::default(),
             mode: Mode::default(),
             loaded: Loaded::Nothing,
@@ -328,6 +331,7 @@ impl Control {
         let before = self.tick.position;
         let arrived = self.cnc.at_reference();
         self.tick = self.cnc.tick();
+        self.came_from = before;
         self.note_homed(arrived, self.tick.position);
         let names = self.machine.axes.iter().map(|axis| axis.name);
         self.moving = names.filter(|axis| self.tick.position[*axis] != before[*axis]).collect();

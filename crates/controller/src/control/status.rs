@@ -129,6 +129,7 @@ impl Control {
             position: self.positions(),
             feed: FeedStatus {
                 actual: self.tick.velocity * 60.0,
+                components: self.components(),
                 programmed: feed,
                 feed_override: inputs.feed_override,
                 rapid_override: inputs.rapid_override.factor().unwrap_or(0.0),
@@ -157,6 +158,7 @@ impl Control {
                     sequence: *sequence,
                 }),
             },
+            dnc: self.dnc_status(),
             switches: SwitchStatus {
                 single_block: inputs.single_block,
                 block_skip: inputs.block_skip,
@@ -178,6 +180,7 @@ impl Control {
             restart_ready: self.taking_up.is_ready(),
             measure_ready: self.measuring.is_ready(),
             referenced: self.cnc.referenced().iter().map(Axis::letter).collect(),
+            messages: self.ladder_names.standing().map(str::to_owned).collect(),
             lamps: self.lamps(),
             panel: self.panel(),
             level: None,
@@ -211,6 +214,14 @@ impl Control {
         };
         let switches = plc.program().symbols().iter().filter(is_switch);
         switches.map(|s| (s.name.clone(), plc.memory().byte(s.address))).collect()
+    }
+
+    /// Speeds of the axes, mm/min and degrees/min, as they are commanded.
+    fn components(&self) -> ByAxis {
+        let mut speeds = self.by_axis(self.tick.position - self.came_from);
+        let a_minute = 60_000.0 / self.machine.servo_period_ms;
+        speeds.values_mut().for_each(|speed| *speed *= a_minute);
+        speeds
     }
 
     fn positions(&self) -> Positions {

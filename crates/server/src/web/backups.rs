@@ -1,9 +1,12 @@
-//! Backups that lie in the folder of the memory, and those that take one away (GSK990MC operation 3.4.4).
+//! Backups that lie in the folder of the memory, and those that take one away or bring one (GSK990MC operation 3.4.4).
 
 use super::Shared;
+use super::body::read_in_pieces;
+use super::listen::Peer;
 use super::problem::Problem;
-use super::session::Entry;
+use super::session::{Entry, seat_of};
 use super::work::work;
+use crate::service::Caller;
 use axum::body::{Body, Bytes};
 use axum::extract::{Path, Request, State};
 use axum::http::HeaderValue;
@@ -11,16 +14,19 @@ use axum::http::header::{CONTENT_DISPOSITION, CONTENT_LENGTH, CONTENT_TYPE};
 use axum::response::{IntoResponse, Response};
 use axum::routing::get;
 use axum::{Json, Router};
-use ferrocut_controller::control::backup_in;
+use ferrocut_controller::api::Event;
+use ferrocut_controller::control::{BACKUPS, backup_in};
 use ferrocut_machine::{Alarm, Fault};
+use ferrocut_memory::rights::CARRIES_BACKUPS;
 use ferrocut_memory::{Level, Session, Store};
 use ferrocut_program::Span;
 use futures_util::stream::try_unfold;
 use serde::Serialize;
-use std::fs::{self, File};
-use std::io::{self, Read};
+use std::fs::{self, File, Metadata};
+use std::io::{self, Read, Write};
 use std::sync::Arc;
 use std::time::UNIX_EPOCH;
+use tokio::sync::Semaphore;
 
 /// Most backups of a list; the oldest are left out.
 const MOST: usize = 1000;
@@ -28,16 +34,34 @@ const MOST: usize = 1000;
 /// Bytes that are read at a time.
 const PIECE: usize = 256 << 10;
 
-/// Who may take a backup away: the level that may restore all that shops restore. It holds the work of the shop.
-const NEEDED: Level = Level::Commissioning;
+/// Longest backup that is taken, bytes; a larger one is laid into the folder by who has the computer.
+const LONGEST: usize = 256 << 20;
+
+/// What a backup that comes is called until it is judged: in the folder of the memory, so that it only changes its
+/// name.
+const COMING: &str = "upload.part";
+
+/// One backup comes at a time.
+static TURN: Semaphore = Semaphore::const_new(1);
 
 pub(super) fn routes() -> Router<Arc<Shared>> {
-    Router::new().route("/api/backups", get(list)).route("/api/backups/{name}", get(download))
+    Router::new().route("/api/backups", get(list)).route("/api/backups/{name}", get(download).put(upload))
+}
+
+/// Refuses who may not carry backups.
+fn may_carry(session: &Session) -> Result<(), Problem> {
+    if session.level().covers(CARRIES_BACKUPS) {
+        return Ok(());
+    }
+    let number = |level: Level| f64::from(level.number());
+    let alarm = Alarm::core(Fault::RightMissing, Span::default());
+    Err(Problem::from(alarm.with("needed", number(CARRIES_BACKUPS)).with("level", number(session.level()))))
 }
 
 /// A backup of the list.
 #[derive(Serialize)]
-struct Backup {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(super) struct Backup {
     name: String,
     bytes: u64,
     /// When it was written, ms since 1970 (UTC).
@@ -47,6 +71,12 @@ struct Backup {
 fn store_of(shared: &Shared) -> Result<Arc<Store>, Problem> {
     let missing = || Alarm::core(Fault::NotFitted, Span::default()).with("name", "memory");
     Ok(shared.store.clone().ok_or_else(missing)?)
+}
+
+/// When a file was written, ms since 1970 (UTC).
+fn changed(about: &Metadata) -> i64 {
+    let since = about.modified().ok().and_then(|time| time.duration_since(UNIX_EPOCH).ok());
+    since.map_or(0, |since| i64::try_from(since.as_millis()).unwrap_or(i64::MAX))
 }
 
 /// The backups of a folder, the newest first.
@@ -60,9 +90,7 @@ fn backups(store: &Store) -> io::Result<Vec<Backup>> {
             continue;
         }
         let about = entry.metadata()?;
-        let since = about.modified().ok().and_then(|time| time.duration_since(UNIX_EPOCH).ok());
-        let changed = since.map_or(0, |since| i64::try_from(since.as_millis()).unwrap_or(i64::MAX));
-        found.push(Backup { name, bytes: about.len(), changed });
+        found.push(Backup { name, bytes: about.len(), changed: changed(&about) });
     }
     found.sort_by(|one, other| other.changed.cmp(&one.changed).then_with(|| one.name.cmp(&other.name)));
     found.truncate(MOST);
@@ -86,13 +114,7 @@ async fn download(
 ) -> Result<Response, Problem> {
     let entry = request.extensions().get::<Arc<Entry>>();
     let session = entry.and_then(|entry| entry.rights()).unwrap_or(Session::OPERATOR);
-    if !session.level().covers(NEEDED) {
-        let number = |level: Level| f64::from(level.number());
-        let alarm = Alarm::core(Fault::RightMissing, Span::default());
-        return Err(Problem::from(
-            alarm.with("needed", number(NEEDED)).with("level", number(session.level())),
-        ));
-    }
+    may_carry(&session)?;
     let store = store_of(&shared)?;
     let path = backup_in(store.folder(), &name).map_err(|_| Problem::Missing)?;
     let opened = work(move |_| {
@@ -119,6 +141,64 @@ async fn download(
         head.insert(CONTENT_DISPOSITION, names);
     }
     Ok(response)
+}
+
+/// Takes a backup into the folder, to be restored from there; for the browser whose socket is in command.
+async fn upload(
+    State(shared): State<Arc<Shared>>,
+    Path(name): Path<String>,
+    request: Request,
+) -> Result<Json<Backup>, Problem> {
+    let entry = request.extensions().get::<Arc<Entry>>().cloned().ok_or(Problem::Command)?;
+    let peer = request.extensions().get::<Peer>().copied().ok_or(Problem::Command)?;
+    if !shared.hub.commands(entry.number) {
+        return Err(Problem::Command);
+    }
+    let session = entry.rights().ok_or(Problem::LogIn)?;
+    may_carry(&session)?;
+    let store = store_of(&shared)?;
+    let path = backup_in(store.folder(), &name)?;
+    let _turn = TURN.try_acquire().map_err(|_| Problem::Busy)?;
+    let part = store.folder().join(COMING);
+    let come = receive(request, &part).await;
+    let author =
+        Caller { name: format!("panel from {}", peer.0.ip()), seat: seat_of(peer), session }.author();
+    let done = match come {
+        Ok(()) => {
+            let (hub, part, name) = (shared.hub.clone(), part.clone(), name.clone());
+            let admit = move |_: &_| {
+                // Command may have been given away while it came.
+                if !hub.commands(entry.number) {
+                    return Err(Problem::Command);
+                }
+                store.admit_backup(&part, &path, &author).map_err(|error| Problem::from(error.alarm()))?;
+                let about = fs::metadata(&path).map_err(|error| unreadable(&error))?;
+                Ok(Backup { name, bytes: about.len(), changed: changed(&about) })
+            };
+            work(admit).await.and_then(|done| done)
+        }
+        Err(problem) => Err(problem),
+    };
+    if done.is_ok() {
+        shared.hub.tell_event(&Event::Changed { item: BACKUPS.to_owned() });
+    } else {
+        // What is left of it is overwritten by the next.
+        let _ = fs::remove_file(&part);
+    }
+    done.map(Json)
+}
+
+/// Writes the body of a request into a file that is made anew.
+async fn receive(request: Request, part: &std::path::Path) -> Result<(), Problem> {
+    let begin = || {
+        // No way out of the folder by a link that somebody has put there.
+        match fs::remove_file(part) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+            _ => File::create_new(part),
+        }
+    };
+    let mut file = begin().map_err(|error| unreadable(&error))?;
+    read_in_pieces(request, LONGEST, |piece| file.write_all(piece).map_err(|error| unreadable(&error))).await
 }
 
 /// The next bytes of a file with what is left of it; none at its end.

@@ -22,6 +22,7 @@ pub(super) const LONGEST_PROGRAM: usize = 32 << 20;
 const MOST_FINDINGS: usize = 1000;
 
 #[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct Findings {
     findings: Vec<Finding>,
 }

@@ -42,7 +42,8 @@ async fn form(request: Request) -> Result<ferrocut_editor::Request, Problem> {
 }
 
 #[derive(Serialize)]
-struct Written {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(super) struct Written {
     text: String,
     expanded: bool,
     findings: Vec<Finding>,
@@ -89,14 +90,16 @@ async fn path_of(State(shared): State<Arc<Shared>>, request: Request) -> Result<
 }
 
 #[derive(Serialize)]
-struct Drawn {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(super) struct Drawn {
     #[serde(flatten)]
     contour: Contour,
     closed: bool,
 }
 
 #[derive(Serialize)]
-struct Drawing {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(super) struct Drawing {
     contours: Vec<Drawn>,
     findings: Vec<Finding>,
 }

@@ -24,6 +24,8 @@ mod session;
 mod socket;
 mod tables;
 mod tls;
+#[cfg(test)]
+mod types;
 mod work;
 
 pub use tls::{Certificate, Unusable};

@@ -5,7 +5,7 @@ use axum::http::{HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use ferrocut_controller::api::{AlarmInfo, Refusal};
 use ferrocut_machine::Alarm;
-use serde_json::json;
+use serde::Serialize;
 
 /// Why a request was refused.
 #[derive(Clone, PartialEq, Debug)]
@@ -36,6 +36,21 @@ pub(crate) enum Problem {
     Refused(Box<AlarmInfo>),
 }
 
+/// Why a request was refused, as it is told.
+#[derive(Serialize, Default)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(super) struct Trouble {
+    /// A code, for programs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    error: Option<String>,
+    /// What of it, for programs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    detail: Option<String>,
+    /// What the control refused it with.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    refused: Option<Refusal>,
+}
+
 impl Problem {
     fn code(&self) -> (StatusCode, &'static str) {
         match self {
@@ -58,10 +73,13 @@ impl Problem {
 impl IntoResponse for Problem {
     fn into_response(self) -> Response {
         let (status, code) = self.code();
+        let error = Some(code.to_owned());
         let body = match &self {
-            Problem::Refused(alarm) => json!({ "refused": { "alarm": alarm } }),
-            Problem::Unreadable(detail) => json!({ "error": code, "detail": detail }),
-            _ => json!({ "error": code }),
+            Problem::Refused(alarm) => {
+                Trouble { refused: Some(Refusal { alarm: (**alarm).clone() }), ..Trouble::default() }
+            }
+            Problem::Unreadable(detail) => Trouble { error, detail: Some(detail.clone()), refused: None },
+            _ => Trouble { error, ..Trouble::default() },
         };
         let mut response = (status, Json(body)).into_response();
         if matches!(self, Problem::TooOften | Problem::Busy) {

@@ -23,8 +23,7 @@ use ferrocut_program::Span;
 use governor::clock::DefaultClock;
 use governor::state::keyed::HashMapStateStore;
 use governor::{Quota, RateLimiter};
-use serde::Deserialize;
-use serde_json::{Value, json};
+use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::collections::HashMap;
 use std::net::IpAddr;
@@ -201,15 +200,25 @@ pub(super) fn token_of(headers: &HeaderMap) -> Option<Vec<u8>> {
 }
 
 /// The session as it is told.
-pub(super) fn told(sessions: &Sessions, entry: Option<&Arc<Entry>>) -> Value {
-    json!({ "level": entry.map_or(0, |entry| entry.level()), "needs_log_in": sessions.needs_log_in() })
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(super) struct SessionInfo {
+    /// 1 to 4; 0 for the operator, and before a log-in where that is needed.
+    level: u8,
+    /// Whether nothing is told before somebody logs in.
+    needs_log_in: bool,
+}
+
+/// The session as it is told.
+pub(super) fn told(sessions: &Sessions, entry: Option<&Arc<Entry>>) -> SessionInfo {
+    SessionInfo { level: entry.map_or(0, |entry| entry.level()), needs_log_in: sessions.needs_log_in() }
 }
 
 pub(super) fn routes() -> Router<Arc<Shared>> {
     Router::new().route("/api/session", get(read_session).post(log_in).delete(log_out))
 }
 
-fn with_cookie(body: Value, cookie: Option<HeaderValue>) -> Response {
+fn with_cookie(body: SessionInfo, cookie: Option<HeaderValue>) -> Response {
     let mut response = Json(body).into_response();
     if let Some(cookie) = cookie {
         response.headers_mut().append(SET_COOKIE, cookie);

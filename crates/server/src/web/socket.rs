@@ -66,7 +66,7 @@ fn visitor(shared: &Arc<Shared>, peer: Peer, entry: Option<Arc<Entry>>) -> Visit
     let mut hello = Map::new();
     let languages: Vec<&str> = Language::ALL.into_iter().map(Language::tag).collect();
     hello.insert("panel".to_owned(), json!({ "ladder": shared.has_ladder, "languages": languages }));
-    hello.insert("session".to_owned(), told(&shared.sessions, entry.as_ref()));
+    hello.insert("session".to_owned(), json!(told(&shared.sessions, entry.as_ref())));
     let owner = entry.as_ref().map_or(0, |entry| entry.number);
     let needs_log_in = shared.sessions.needs_log_in();
     Visitor {

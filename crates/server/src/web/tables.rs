@@ -31,7 +31,7 @@ const MOST_VALUES: usize = 32;
 const MOST_FOUND: usize = 100;
 
 /// Areas of signals that people look at.
-const AREAS: [Area; 7] = [Area::X, Area::Y, Area::F, Area::G, Area::A, Area::K, Area::D];
+const AREAS: [Area; 9] = [Area::X, Area::Y, Area::F, Area::G, Area::A, Area::K, Area::T, Area::C, Area::D];
 
 pub(super) fn routes() -> Router<Arc<Shared>> {
     Router::new()
@@ -41,6 +41,7 @@ pub(super) fn routes() -> Router<Arc<Shared>> {
         .route("/api/parameters", get(parameters))
         .route("/api/signals", get(signals))
         .route("/api/search", get(search))
+        .route("/api/list", get(list))
 }
 
 fn book(machine: &Machine, dialect: &'static Dialect, texts: Catalogue) -> Book {
@@ -72,7 +73,17 @@ fn alarm_id(text: &str) -> Option<(AlarmId, Vec<Fault>)> {
     Some((AlarmId::Dialect(dialect.name, number), faults.collect()))
 }
 
-async fn alarm(Query(asked): Query<AskedAlarm>) -> Result<Json<Value>, Problem> {
+/// An alarm in words.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(super) struct AlarmText {
+    id: String,
+    text: String,
+    /// What to do about it.
+    help: Option<String>,
+}
+
+async fn alarm(Query(asked): Query<AskedAlarm>) -> Result<Json<AlarmText>, Problem> {
     let texts = catalogue(asked.language.as_deref())?;
     let (id, faults) = alarm_id(&short(asked.id)?).ok_or(Problem::Missing)?;
     let values: BTreeMap<String, Value> = match asked.values.as_deref() {
@@ -86,7 +97,7 @@ async fn alarm(Query(asked): Query<AskedAlarm>) -> Result<Json<Value>, Problem> 
     let values = values.into_iter().take(MOST_VALUES).map(|(name, value)| (name, as_text(value))).collect();
     let help = texts.help_of(id);
     let help = help.or_else(|| faults.iter().find_map(|fault| texts.help_of(AlarmId::Core(*fault))));
-    Ok(Json(json!({ "id": id.to_string(), "text": texts.told(id, &faults, &values), "help": help })))
+    Ok(Json(AlarmText { id: id.to_string(), text: texts.told(id, &faults, &values), help }))
 }
 
 #[derive(Deserialize)]
@@ -96,10 +107,28 @@ struct AskedWord {
     dialect: Option<String>,
 }
 
+/// What `ferrocut explain` says of a word.
+#[derive(Serialize, Default)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(super) struct Explanation {
+    /// Whether there is such a thing; else `text` says why not.
+    found: bool,
+    kind: String,
+    title: String,
+    text: String,
+    /// Where the manual has it.
+    #[cfg_attr(test, ts(type = "string"))]
+    source: Value,
+    /// The same for programs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(type = "unknown"))]
+    page: Option<Value>,
+}
+
 async fn explain(
     State(shared): State<Arc<Shared>>,
     Query(asked): Query<AskedWord>,
-) -> Result<Json<Value>, Problem> {
+) -> Result<Json<Explanation>, Problem> {
     let spoken = Spoken { language: asked.language, dialect: asked.dialect };
     let book = book(&shared.machine, spoken.dialect(&shared)?, spoken.catalogue()?);
     let word = short(asked.word)?;
@@ -108,9 +137,8 @@ async fn explain(
     let page = match things {
         Some(Ok(things)) => book.pages(&things).into_iter().next(),
         Some(Err(reason)) => {
-            return Ok(Json(
-                json!({ "found": false, "kind": "", "title": "", "text": reason, "source": "" }),
-            ));
+            let source = json!("");
+            return Ok(Json(Explanation { text: reason, source, ..Explanation::default() }));
         }
         None => None,
     };
@@ -122,13 +150,14 @@ async fn explain(
         "" => page.name.clone(),
         title => format!("{}  {title}", page.name),
     };
-    Ok(Json(json!({
-        "found": true, "kind": page.kind, "title": title, "text": text, "source": source, "page": page_json,
-    })))
+    let (kind, page) = (page.kind.to_string(), Some(page_json));
+    Ok(Json(Explanation { found: true, kind, title, text, source, page }))
 }
 
+/// A code or keyword of the control language.
 #[derive(Serialize)]
-struct Word {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(super) struct Word {
     word: String,
     kind: &'static str,
     title: String,
@@ -168,13 +197,27 @@ async fn words(
     Ok(Json(words_of(&book(&shared.machine, spoken.dialect(&shared)?, spoken.catalogue()?))))
 }
 
+/// What a parameter is.
+#[derive(Serialize, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(rename_all = "lowercase")]
+pub(super) enum ParameterKind {
+    /// Bits, each with a meaning of its own.
+    Bit,
+    /// A value.
+    Data,
+}
+
+/// A parameter of the control, with its bits.
 #[derive(Serialize)]
-struct Parameter {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(super) struct Parameter {
     /// The number, or the name of one without.
+    #[cfg_attr(test, ts(type = "number | string"))]
     number: Value,
     /// What the command `parameters` calls it; of bits each has its own.
     name: String,
-    kind: &'static str,
+    kind: ParameterKind,
     bits: Vec<Bit>,
     symbol: String,
     meaning: String,
@@ -188,8 +231,10 @@ struct Parameter {
     used: bool,
 }
 
+/// A bit of a parameter.
 #[derive(Serialize)]
-struct Bit {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(super) struct Bit {
     bit: u8,
     name: String,
     symbol: String,
@@ -211,7 +256,11 @@ fn parameters_of(book: &Book) -> Vec<Parameter> {
             kind,
             bits: Vec::new(),
             symbol: definition.symbol.to_string(),
-            meaning: if kind == "bit" { String::new() } else { meaning(definition, book.catalogue) },
+            meaning: if kind == ParameterKind::Bit {
+                String::new()
+            } else {
+                meaning(definition, book.catalogue)
+            },
             unit: definition.unit.to_string(),
             minimum: definition.min,
             maximum: definition.max,
@@ -222,13 +271,15 @@ fn parameters_of(book: &Book) -> Vec<Parameter> {
         };
         match &definition.key {
             ParameterKey::Data(number) => {
-                found.push(parameter(json!(number), definition.name.to_string(), "data"));
+                found.push(parameter(json!(number), definition.name.to_string(), ParameterKind::Data));
             }
-            ParameterKey::Named(name) => found.push(parameter(json!(name), name.to_string(), "data")),
+            ParameterKey::Named(name) => {
+                found.push(parameter(json!(name), name.to_string(), ParameterKind::Data));
+            }
             ParameterKey::Bit { number, bit } => {
                 let of = json!(number);
-                if found.last().is_none_or(|last| last.kind != "bit" || last.number != of) {
-                    found.push(parameter(of, table.name_of_bits(*number), "bit"));
+                if found.last().is_none_or(|last| last.kind != ParameterKind::Bit || last.number != of) {
+                    found.push(parameter(of, table.name_of_bits(*number), ParameterKind::Bit));
                 }
                 let bit = Bit {
                     bit: *bit,
@@ -257,8 +308,10 @@ async fn parameters(
     Ok(Json(parameters_of(&book(&shared.machine, own, texts))))
 }
 
+/// A signal of the ladder.
 #[derive(Serialize)]
-struct Signal {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(super) struct Signal {
     name: String,
     address: String,
     meaning: String,
@@ -300,8 +353,10 @@ struct Sought {
     language: Option<String>,
 }
 
+/// Something that can be looked up.
 #[derive(Serialize)]
-struct Found {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(super) struct Found {
     kind: &'static str,
     key: String,
     title: String,
@@ -327,13 +382,8 @@ fn rank(sought: &[String], key: &str, text: &str) -> Option<u8> {
     })
 }
 
-fn found_in(book: &Book, ladder: Option<&Program>, sought: &[String]) -> Vec<Found> {
-    let mut found = Vec::new();
-    let mut add = |kind: &'static str, key: String, title: String, text: String| {
-        if let Some(rank) = rank(sought, &key, &format!("{title} {text}")) {
-            found.push(Found { kind, key, title, text, rank });
-        }
-    };
+/// Everything that can be looked up: kind, key, title and text of each.
+fn each_of(book: &Book, ladder: Option<&Program>, mut add: impl FnMut(&'static str, String, String, String)) {
     for word in words_of(book) {
         add("code", word.word, word.title, word.form);
     }
@@ -364,9 +414,45 @@ fn found_in(book: &Book, ladder: Option<&Program>, sought: &[String]) -> Vec<Fou
     for signal in signals_of(ladder, book.catalogue) {
         add("signal", signal.name, signal.address, signal.meaning);
     }
+}
+
+fn found_in(book: &Book, ladder: Option<&Program>, sought: &[String]) -> Vec<Found> {
+    let mut found = Vec::new();
+    each_of(book, ladder, |kind, key, title, text| {
+        if let Some(rank) = rank(sought, &key, &format!("{title} {text}")) {
+            found.push(Found { kind, key, title, text, rank });
+        }
+    });
     found.sort_by_key(|found| found.rank);
     found.truncate(MOST_FOUND);
     found
+}
+
+#[derive(Deserialize)]
+struct Listed {
+    kind: String,
+    language: Option<String>,
+}
+
+/// All of a kind, in the control's order.
+async fn list(
+    State(shared): State<Arc<Shared>>,
+    Query(listed): Query<Listed>,
+) -> Result<Json<Vec<Found>>, Problem> {
+    let texts = catalogue(listed.language.as_deref())?;
+    let own = Spoken::default().dialect(&shared)?;
+    let ladder = ladder(&shared).await?;
+    let machine = shared.machine.clone();
+    let all = super::work::work(move |_| {
+        let mut found = Vec::new();
+        each_of(&book(&machine, own, texts), ladder.as_ref(), |kind, key, title, text| {
+            if kind == listed.kind {
+                found.push(Found { kind, key, title, text, rank: 0 });
+            }
+        });
+        found
+    });
+    Ok(Json(all.await?))
 }
 
 async fn search(

@@ -19,7 +19,8 @@ function duration(seconds) {
 function bytes(count) {
 	if (count < 1e4) return `${count} B`;
 	if (count < 1e7) return `${(count / 1024).toFixed(0)} KiB`;
-	return `${(count / 1024 / 1024).toFixed(1)} MiB`;
+	if (count < 1e10) return `${(count / 1024 / 1024).toFixed(1)} MiB`;
+	return `${(count / 1024 ** 3).toFixed(1)} GiB`;
 }
 /** A number as a person types it: with point or comma, with either minus. Null where it is none. */
 function typed(text) {

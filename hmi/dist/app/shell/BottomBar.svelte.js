@@ -7,9 +7,9 @@ import { modes } from "./keys.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/shell/BottomBar.svelte
-var root = $.from_html(`<span class="s-yo7ftk"> </span>`);
+var root = $.from_html(`<span class="s-1gunawp"> </span>`);
 var root_1 = $.from_html(`<!><span> </span>`, 1);
-var root_2 = $.from_html(`<footer class="s-yo7ftk"><div class="modes s-yo7ftk" role="group"></div> <div class="do s-yo7ftk"><button type="button" class="reset s-yo7ftk" data-testid="reset"><!><span> </span></button> <!> <!> <!></div></footer>`);
+var root_2 = $.from_html(`<footer class="s-1gunawp"><div class="modes s-1gunawp" role="group"></div> <div class="do s-1gunawp"><button type="button" class="reset s-1gunawp" data-testid="reset"><!><span> </span></button> <!> <!> <!></div></footer>`);
 function BottomBar($$anchor, $$props) {
 	$.push($$props, true);
 	var footer = root_2();

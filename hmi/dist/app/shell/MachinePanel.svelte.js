@@ -10,10 +10,10 @@ import Overrides from "./panel/Overrides.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/shell/MachinePanel.svelte
-var root = $.from_html(`<p class="muted note s-1vdhxza"> </p>`);
+var root = $.from_html(`<p class="muted note s-1hl4w3v"> </p>`);
 var root_1 = $.from_html(`<!><span> </span>`, 1);
-var root_2 = $.from_html(`<section class="s-1vdhxza"><h3> </h3> <!></section> <!> <section class="s-1vdhxza"><h3> </h3> <!></section> <section class="s-1vdhxza"><h3> </h3> <div class="keys s-1vdhxza"></div></section> <section class="s-1vdhxza"><h3> </h3> <div class="keys three s-1vdhxza"></div></section> <section class="s-1vdhxza"><h3> </h3> <div class="keys three s-1vdhxza"></div></section>`, 1);
-var root_3 = $.from_html(`<aside class="scroll s-1vdhxza" data-testid="machine-panel"><button type="button" class="close s-1vdhxza"><!></button> <!></aside>`);
+var root_2 = $.from_html(`<section class="s-1hl4w3v"><h3> </h3> <!></section> <!> <section class="s-1hl4w3v"><h3> </h3> <!></section> <section class="s-1hl4w3v"><h3> </h3> <div class="keys s-1hl4w3v"></div></section> <section class="s-1hl4w3v"><h3> </h3> <div class="keys three s-1hl4w3v"></div></section> <section class="s-1hl4w3v"><h3> </h3> <div class="keys three s-1hl4w3v"></div></section>`, 1);
+var root_3 = $.from_html(`<aside class="scroll s-1hl4w3v" data-testid="machine-panel"><button type="button" class="close s-1hl4w3v"><!></button> <!></aside>`);
 function MachinePanel($$anchor, $$props) {
 	$.push($$props, true);
 	const asked = [

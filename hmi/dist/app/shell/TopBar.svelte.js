@@ -1,7 +1,7 @@
 import { t } from "../lib/i18n/index.svelte.js";
 import Icon from "../lib/parts/Icon.svelte.js";
 import { go, href } from "../lib/routing.svelte.js";
-import { alarmText } from "../lib/state/alarm-texts.svelte.js";
+import { alarmText, messageText } from "../lib/state/alarm-texts.svelte.js";
 import { machine } from "../lib/state/machine.svelte.js";
 import { prefs } from "../lib/state/prefs.svelte.js";
 import { ui } from "../lib/state/ui.svelte.js";
@@ -10,11 +10,11 @@ import UserMenu from "./UserMenu.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/shell/TopBar.svelte
-var root = $.from_html(`<a class="program code s-oqhrzc"> <span class="muted"> </span></a>`);
-var root_1 = $.from_html(`<span class="mode s-oqhrzc" data-testid="mode"> </span> <!>`, 1);
-var root_2 = $.from_html(`<button type="button" data-testid="alarm-strip"><!><span class="code"> </span><span class="text s-oqhrzc"> </span></button>`);
-var root_3 = $.from_html(`<span class="message s-oqhrzc"><!><span class="text s-oqhrzc"> </span></span>`);
-var root_4 = $.from_html(`<header class="s-oqhrzc"><div data-testid="activity"><i class="s-oqhrzc"></i> <span> </span></div> <!> <div class="middle s-oqhrzc"><!></div> <button type="button" data-testid="command"><!> <span class="wide s-oqhrzc"> </span></button> <!> <button type="button" class="icon s-oqhrzc"><!></button> <button type="button" class="icon s-oqhrzc" data-testid="panel-toggle"><!></button> <time class="number s-oqhrzc"> </time></header>`);
+var root = $.from_html(`<a class="program code s-1221wew"> <span class="muted"> </span></a>`);
+var root_1 = $.from_html(`<span class="mode s-1221wew" data-testid="mode"> </span> <!>`, 1);
+var root_2 = $.from_html(`<button type="button" data-testid="alarm-strip"><!><span class="code"> </span><span class="text s-1221wew"> </span></button>`);
+var root_3 = $.from_html(`<span class="message s-1221wew"><!><span class="text s-1221wew"> </span></span>`);
+var root_4 = $.from_html(`<header class="s-1221wew"><div data-testid="activity"><i class="s-1221wew"></i> <span> </span></div> <!> <div class="middle s-1221wew"><!></div> <button type="button" data-testid="command"><!> <span class="wide s-1221wew"> </span></button> <!> <button type="button" class="icon s-1221wew"><!></button> <button type="button" class="icon s-1221wew" data-testid="panel-toggle"><!></button> <time class="number s-1221wew"> </time></header>`);
 function TopBar($$anchor, $$props) {
 	$.push($$props, true);
 	const status = $.derived(() => machine.status);
@@ -77,7 +77,7 @@ function TopBar($$anchor, $$props) {
 		var text_5 = $.only_child(span_4, true);
 		$.reset(button);
 		$.template_effect(($0) => {
-			classes = $.set_class(button, 1, "alarm s-oqhrzc", null, classes, { warning: $.get(standing).warning });
+			classes = $.set_class(button, 1, "alarm s-1221wew", null, classes, { warning: $.get(standing).warning });
 			$.set_text(text_4, $.get(standing).id);
 			$.set_text(text_5, $0);
 		}, [() => alarmText($.get(standing)).text]);
@@ -101,7 +101,7 @@ function TopBar($$anchor, $$props) {
 		var span_8 = $.sibling(node_5);
 		var text_7 = $.only_child(span_8, true);
 		$.reset(span_7);
-		$.template_effect(($0) => $.set_text(text_7, $0), [() => machine.messages.map((name) => t(`message.${name}`)).join(" · ")]);
+		$.template_effect(($0) => $.set_text(text_7, $0), [() => machine.messages.map(messageText).join(" · ")]);
 		$.append($$anchor, span_7);
 	};
 	$.if(node_2, ($$render) => {
@@ -136,10 +136,10 @@ function TopBar($$anchor, $$props) {
 	var text_9 = $.only_child(time, true);
 	$.reset(header);
 	$.template_effect(($0, $1, $2, $3, $4, $5, $6, $7) => {
-		$.set_class(div, 1, `state ${$0 ?? ""}`, "s-oqhrzc");
+		$.set_class(div, 1, `state ${$0 ?? ""}`, "s-1221wew");
 		$.set_attribute(div, "data-activity", $.get(activity));
 		$.set_text(text, $1);
-		classes_1 = $.set_class(button_1, 1, "who s-oqhrzc", null, classes_1, { you: machine.inCommand });
+		classes_1 = $.set_class(button_1, 1, "who s-1221wew", null, classes_1, { you: machine.inCommand });
 		button_1.disabled = machine.link !== "open";
 		$.set_text(text_8, $2);
 		$.set_attribute(button_2, "aria-label", $3);

@@ -1,49 +1,6 @@
 // What is asked over HTTP: tables and texts that do not change, checks, paths, files.
+import type { AlarmText, Backup, Explanation, Findings, Found, Parameter, SessionInfo, Signal, Trouble, Word } from './answers';
 import type { AlarmInfo } from './types';
-
-/** A finding of the check, with columns in UTF-16 units from 1; the end is behind the last. */
-export type Finding = {
-  id: string;
-  severity: 'error' | 'warning';
-  line: number;
-  column: number;
-  end_line: number;
-  end_column: number;
-  text: string;
-  help: string;
-};
-export type AlarmText = { id: string; text: string; help: string };
-export type Explanation = { found: boolean; kind: string; title: string; text: string; source: string };
-export type CodeWord = { word: string; kind: string; title: string; form: string };
-export type ParameterBit = {
-  bit: number;
-  name: string;
-  symbol: string;
-  meaning: string;
-  standard: number;
-  level: number;
-  used: boolean;
-};
-export type ParameterInfo = {
-  number: number | string;
-  /** What the command `parameters` calls it. */
-  name: string;
-  kind: 'bit' | 'data';
-  bits: ParameterBit[];
-  symbol: string;
-  meaning: string;
-  unit: string;
-  minimum: number | null;
-  maximum: number | null;
-  standard: number;
-  level: number;
-  used: boolean;
-};
-export type SignalInfo = { name: string; address: string; meaning: string };
-export type Found = { kind: string; key: string; title: string; text: string };
-/** A backup in the folder of the memory; `changed` is ms since 1970. */
-export type BackupInfo = { name: string; bytes: number; changed: number };
-export type SessionInfo = { level: number; needs_log_in: boolean; csrf?: string };
 
 /** An answer that is no success. */
 export class HttpError extends Error {
@@ -60,7 +17,7 @@ export class HttpError extends Error {
     super(message);
     this.name = 'HttpError';
     try {
-      const { error, detail, refused } = JSON.parse(message) as { error?: string; detail?: string; refused?: { alarm?: AlarmInfo } };
+      const { error, detail, refused } = JSON.parse(message) as Partial<Trouble>;
       this.code = error ?? '';
       this.detail = detail ?? '';
       this.alarm = refused?.alarm ?? null;
@@ -70,13 +27,9 @@ export class HttpError extends Error {
   }
 }
 
-let csrf = '';
-
 /** Asks a path of the server. Throws an `HttpError` unless it succeeds. */
 export async function request(path: string, options: RequestInit = {}): Promise<Response> {
-  const headers = new Headers(options.headers);
-  if (csrf && options.method && options.method !== 'GET') headers.set('x-csrf', csrf);
-  const response = await fetch(path, { ...options, headers, credentials: 'same-origin' });
+  const response = await fetch(path, { ...options, credentials: 'same-origin' });
   if (!response.ok) throw new HttpError(response.status, (await response.text()).slice(0, 500));
   return response;
 }
@@ -101,24 +54,20 @@ function once<T>(path: string): Promise<T> {
 }
 
 export const http = {
-  async session(): Promise<SessionInfo> {
-    const session = await json<SessionInfo>('/api/session');
-    csrf = session.csrf ?? '';
-    return session;
+  session(): Promise<SessionInfo> {
+    return json('/api/session');
   },
-  async logIn(level: number, password: string): Promise<SessionInfo> {
-    const session = await json<SessionInfo>('/api/session', {
+  logIn(level: number, password: string): Promise<SessionInfo> {
+    return json('/api/session', {
       method: 'POST',
       headers: { 'content-type': 'application/json' },
       body: JSON.stringify({ level, password }),
     });
-    csrf = session.csrf ?? '';
-    return session;
   },
   async logOut(): Promise<void> {
     await request('/api/session', { method: 'DELETE' });
   },
-  check(text: string, dialect: string, language: string, signal?: AbortSignal): Promise<{ findings: Finding[] }> {
+  check(text: string, dialect: string, language: string, signal?: AbortSignal): Promise<Findings> {
     const options: RequestInit = { method: 'POST', body: text, headers: { 'content-type': 'text/plain' } };
     if (signal) options.signal = signal;
     return json(`/api/check?${query({ dialect, language })}`, options);
@@ -137,20 +86,27 @@ export const http = {
   explain(word: string, dialect: string, language: string): Promise<Explanation> {
     return once(`/api/explain?${query({ word, dialect, language })}`);
   },
-  words(dialect: string, language: string): Promise<CodeWord[]> {
+  words(dialect: string, language: string): Promise<Word[]> {
     return once(`/api/words?${query({ dialect, language })}`);
   },
-  parameters(language: string): Promise<ParameterInfo[]> {
+  parameters(language: string): Promise<Parameter[]> {
     return once(`/api/parameters?${query({ language })}`);
   },
-  signals(language: string): Promise<SignalInfo[]> {
+  signals(language: string): Promise<Signal[]> {
     return once(`/api/signals?${query({ language })}`);
   },
   search(q: string, language: string): Promise<Found[]> {
     return json(`/api/search?${query({ q, language })}`);
   },
-  backups(): Promise<BackupInfo[]> {
+  list(kind: string, language: string): Promise<Found[]> {
+    return json(`/api/list?${query({ kind, language })}`);
+  },
+  backups(): Promise<Backup[]> {
     return json('/api/backups');
+  },
+  /** Brings a backup into the folder of the memory. */
+  async bringBackup(name: string, body: Blob): Promise<void> {
+    await request(this.backup(name), { method: 'PUT', body });
   },
   /** Where a backup is taken away. */
   backup(name: string): string {

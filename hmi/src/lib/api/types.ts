@@ -242,6 +242,10 @@ export type FeedStatus = {
  */
 actual: number,
 /**
+ * The same by axis, with its sense (GSK990MC part 2, 3.1.1).
+ */
+components: { [key in string]: number },
+/**
  * The F word in force.
  */
 programmed: number,
@@ -396,6 +400,23 @@ cutting_time: number,
 power_on_time: number, };
 
 /**
+ * How far a program of DNC has come.
+ */
+export type DncStatus = {
+/**
+ * Bytes of its text, in UTF-8, that the control took.
+ */
+taken: number,
+/**
+ * The last 64 of them or fewer, by which who sends it knows the place again.
+ */
+tail: string,
+/**
+ * Whether more of it is awaited: it has no end yet, and was not given up.
+ */
+awaited: boolean, };
+
+/**
  * How things stand.
  */
 export type Status = {
@@ -463,6 +484,14 @@ restart_ready: boolean,
  * Whether cycle start measures.
  */
 measure_ready: boolean,
+/**
+ * How far the program of DNC has come: who sends it goes on from there.
+ */
+dnc: DncStatus | null,
+/**
+ * Messages of the ladder that stand, by its names.
+ */
+messages: Array<string>,
 /**
  * Lamps of the panel and of the tower that are lit, by the ladder's names.
  */
@@ -647,7 +676,15 @@ export type Reply = { "reply": "done" } | { "reply": "on_its_way" } | { "reply":
 /**
  * In the order of their names.
  */
-programs: Array<ProgramInfo>, } | { "reply": "program",
+programs: Array<ProgramInfo>,
+/**
+ * How many there can be at most; none where nothing is kept.
+ */
+most: number | null,
+/**
+ * Bytes that there is room for yet; none where nothing is kept, or the disk does not tell.
+ */
+room: number | null, } | { "reply": "program",
 /**
  * Its name.
  */
@@ -1515,7 +1552,19 @@ signal: string,
 /**
  * On or off; none releases it.
  */
-value?: boolean | null, } | { "do": "forced" } | { "do": "exchange_ladder",
+value?: boolean | null, } | { "do": "forced" } | { "do": "set_signal",
+/**
+ * Its name or address.
+ */
+signal: string,
+/**
+ * A bit, or a number with or without sign.
+ */
+value: number,
+/**
+ * Bytes of the number, the lowest first; where it is missing 2 in T and C, 1 in K and D.
+ */
+bytes?: number | null, } | { "do": "exchange_ladder",
 /**
  * Its text.
  */

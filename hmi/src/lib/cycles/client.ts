@@ -1,6 +1,6 @@
 // What is asked of the server about cycles.
 import { request } from '$lib/api/http';
-import type { Form, FromDrawing, Request, Written } from './types';
+import type { Drawing, Form, Request, Written } from '$lib/api/cycles';
 
 const query = (values: Record<string, string>) => new URLSearchParams(values).toString();
 
@@ -37,8 +37,8 @@ export const client = {
     return (await request('/api/cycle/path', post(body, signal))).arrayBuffer();
   },
   /** Contours of a DXF drawing. */
-  async drawing(file: Blob, language: string): Promise<FromDrawing> {
+  async drawing(file: Blob, language: string): Promise<Drawing> {
     const response = await request(`/api/profile/dxf?${query({ language })}`, { method: 'POST', body: file });
-    return (await response.json()) as FromDrawing;
+    return (await response.json()) as Drawing;
   },
 };

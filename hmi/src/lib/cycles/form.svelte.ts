@@ -1,5 +1,6 @@
 // Forms as they were filled in, each cycle's its own, kept while the panel is open.
-import type { Contour, Depth, Element, Field, Form, Positions, Request, Tool, Value, Values } from './types';
+import type { Contour, Depth, Element, Form, FormField, Positions, Request, ToolData, Value } from '$lib/api/cycles';
+import type { Values } from './geometry';
 
 export type Filled = {
   values: Values;
@@ -9,10 +10,10 @@ export type Filled = {
 };
 
 const filled = $state<Record<string, Filled>>({});
-const tools = $state<Record<number, Tool>>({});
+const tools = $state<Record<number, ToolData>>({});
 let chosen = $state('G287');
 
-function fresh(fields: Field[]): Values {
+function fresh(fields: FormField[]): Values {
   const values: Values = {};
   for (const field of fields) if (field.standard !== null) values[field.name] = field.standard;
   return values;
@@ -56,10 +57,10 @@ export const forms = {
     return found ? { kind, values: fresh(found.parameters), points: [] } : null;
   },
   /** What is known of a tool. */
-  tool(number: number): Tool {
+  tool(number: number): ToolData {
     return tools[number] ?? { number, diameter: 8, cutting_length: 20, entry_angle: 0 };
   },
-  setTool(tool: Tool): void {
+  setTool(tool: ToolData): void {
     tools[tool.number] = tool;
   },
   knows(number: number): boolean {
@@ -94,7 +95,7 @@ export function request(form: Form, of: Filled): Request {
 }
 
 /** The axis whose position a field may take, counted from 0; none where it is no position (3.3). */
-export function axisOf(field: Field): number | null {
+export function axisOf(field: FormField): number | null {
   if (field.kind !== 'length' || field.stage !== 'cycle') return null;
   if (['X', 'XC', 'X1', 'XN', 'XA'].includes(field.name)) return 0;
   if (['Y', 'YC', 'Y1', 'YN', 'YA'].includes(field.name)) return 1;

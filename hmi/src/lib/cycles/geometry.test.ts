@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { centerOfRadius, corner, distance, figure, isClosed, outline, rectangle, snap, sweep } from './geometry';
-import type { Contour, Point } from './types';
+import type { Contour } from '$lib/api/cycles';
+import type { Point } from './geometry';
 
 const near = (a: Point, b: Point) => expect(distance(a, b)).toBeLessThan(1e-9);
 

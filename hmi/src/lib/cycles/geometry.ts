@@ -1,5 +1,8 @@
 // Shapes of cycles in the plane: what drawings show. The machine's own motion comes from the server.
-import type { Contour, Element, Point, Positions, Values } from './types';
+import type { Contour, Element, Positions } from '$lib/api/cycles';
+
+export type Point = Contour['start'];
+export type Values = Positions['values'];
 
 const TURN = 2 * Math.PI;
 

@@ -1,7 +1,8 @@
 // What the drawing of a form shows: the shape to scale from above and in section, and a measure for each parameter
 // that is one.
 import { circle, distance, figure, number, outline, rectangle, turned, word } from './geometry';
-import type { Form, Point, Request } from './types';
+import type { Form, Request } from '$lib/api/cycles';
+import type { Point } from './geometry';
 
 /** A piece of a drawing, mm; in the section the ordinate is the tool axis. */
 export type Item =

@@ -3,7 +3,8 @@ import { autocompletion, type CompletionContext, type CompletionResult } from '@
 import { linter, setDiagnostics, type Diagnostic } from '@codemirror/lint';
 import { hoverTooltip, type EditorView } from '@codemirror/view';
 import type { Extension, Text } from '@codemirror/state';
-import { http, type Finding } from '$lib/api/http';
+import type { Finding } from '$lib/api/answers';
+import { http } from '$lib/api/http';
 import { language } from '$lib/i18n/index.svelte';
 import { completions } from './completions';
 

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { at, follow, readPath, segments } from './path';
+import { at, follow, OTHER, readPath, segments } from './path';
 
 /** A path of points, kinds, with 1 s and one line a point. */
 export function buffer(points: number[][], kinds: number[], flags = 0): ArrayBuffer {
@@ -44,5 +44,9 @@ it('finds a time and the tool', () => {
   expect(at(path, -1)).toBe(0);
   expect(at(path, 99)).toBe(5);
   expect(follow(path, 2, [10, 4, 0], 0)).toBe(2);
+  // What a subprogram of another file does has no lines.
+  path.lines.fill(0);
+  expect(follow(path, OTHER, [10, 4, 0], 0)).toBe(2);
+  expect(follow(path, OTHER, [4, 10, 0], 2)).toBe(3);
   expect(follow(path, 77, [10, 4, 0], 3)).toBe(3);
 });

@@ -10,11 +10,14 @@ export type Path = {
   points: Float32Array;
   /** s since the start. */
   times: Float32Array;
-  /** The line of the move that ends here. */
+  /** The line of the move that ends here; `OTHER` where another program makes it. */
   lines: Uint32Array;
   /** 0 start or jump, 1 rapid, 2 line, 3 arc: the move that ends here. */
   kinds: Uint8Array;
 };
+
+/** The line of a move that a program in another file makes. */
+export const OTHER = 0;
 
 const HEAD = 64;
 /** What is thrown for bytes that are none; nobody reads it. */

@@ -1,6 +1,7 @@
 // Texts of alarms, which the server has in its catalogues; asked for once each and language.
-import { http, type AlarmText } from '$lib/api/http';
-import { language } from '$lib/i18n/index.svelte';
+import type { AlarmText } from '$lib/api/answers';
+import { http } from '$lib/api/http';
+import { has, language, t } from '$lib/i18n/index.svelte';
 import { SvelteMap } from 'svelte/reactivity';
 
 const texts = new SvelteMap<string, AlarmText>();
@@ -20,4 +21,9 @@ export function alarmText(alarm: { id: string; values: Record<string, string> })
     );
   }
   return { id: alarm.id, text: '', help: '' };
+}
+
+/** What a message of the ladder says; its name where it is of a ladder that brought its own. */
+export function messageText(name: string): string {
+  return has(`message.${name}`) ? t(`message.${name}`) : name;
 }

@@ -1,9 +1,10 @@
 // The machine as this browser knows it: connection, status, who commands, events. One for the whole page.
 import { Connection, Refused, type Hello, type HolderEvent, type Wish } from '$lib/api/socket';
 import { http, HttpError } from '$lib/api/http';
-import type { AlarmInfo, Event, Reply, Status } from '$lib/api/types';
+import type { AlarmInfo, Event, Mode, Reply, Status } from '$lib/api/types';
 import { has, language, t } from '$lib/i18n/index.svelte';
 import { notify } from './notices.svelte';
+import { share } from './share';
 
 export type Version = Extract<Reply, { reply: 'version' }>;
 
@@ -18,6 +19,9 @@ let gate = $state.raw<boolean | null>(null);
 /** Of the session, 1 to 4; 0 for the operator. */
 let rights = $state.raw(0);
 let messages = $state.raw<string[]>([]);
+let mode = $state.raw<Mode | null>(null);
+let lit: readonly string[] = [];
+let lamps = $state.raw<ReadonlySet<string>>(new Set());
 let programMessage = $state.raw('');
 /** Counts up with each event `changed`, by item; pages that show an item read it again. */
 const changes = $state<Record<string, number>>({});
@@ -37,9 +41,6 @@ function heard(event: Event | HolderEvent): void {
       break;
     case 'message':
       programMessage = event.text;
-      break;
-    case 'machine_message':
-      messages = event.on ? [...messages.filter((name) => name !== event.name), event.name] : messages.filter((name) => name !== event.name);
       break;
     case 'changed':
       changes[event.item] = (changes[event.item] ?? 0) + 1;
@@ -85,7 +86,7 @@ export type Reason = { title: string; text?: string; code?: string };
 async function reasonOfAlarm(alarm: AlarmInfo): Promise<Reason> {
   try {
     const { text, help } = await http.alarm(alarm.id, alarm.values, language());
-    return { title: text, text: help, code: alarm.id };
+    return { title: text, text: help ?? '', code: alarm.id };
   } catch {
     return { title: alarm.id };
   }
@@ -131,8 +132,16 @@ const connection = new Connection(`${protocol}//${location.host}/api/socket`, {
     );
   },
   event: heard,
-  status(now) {
+  status(told) {
+    const now = share(status, told);
     status = now;
+    // The same object where they are as they were.
+    messages = now.messages;
+    mode = now.mode;
+    if (now.lamps !== lit) {
+      lit = now.lamps;
+      lamps = new Set(lit);
+    }
     for (const watch of watchers) watch(now);
   },
   end(reason) {
@@ -177,9 +186,18 @@ export const machine = {
   get gate() {
     return gate;
   },
-  /** The latest status; null before the first. It comes 50 times a second and is never changed in place. */
+  /** The latest status; null before the first. It comes 50 times a second and is never changed in place; parts that are as they
+      were are the same objects as before. */
   get status() {
     return status;
+  },
+  /** The mode of the latest status: for what looks at that alone. */
+  get mode() {
+    return mode;
+  },
+  /** The lamps that are lit, likewise. */
+  get lamps() {
+    return lamps;
   },
   /** Whether this browser commands. */
   get inCommand() {

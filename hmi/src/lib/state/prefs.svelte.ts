@@ -11,6 +11,9 @@ type Kept = {
   theme: Theme;
   /** Whether the machine panel stands beside the page. */
   panel: boolean;
+  /** The drawing (GSK990MC part 2, 3.5): whether what is drawn goes at the next cycle start, and the range that is shown,
+      coordinates of the work, mm; null for that of the program. */
+  drawing: { erases: boolean; range: { low: [number, number, number]; high: [number, number, number] } | null };
   /** Whether the first start was gone through. */
   welcomed: boolean;
 };
@@ -25,7 +28,7 @@ function fromBrowser(): Language {
 }
 
 function read(): Kept {
-  const standard: Kept = { language: fromBrowser(), theme: 'system', panel: innerWidth > 1100, welcomed: false };
+  const standard: Kept = { language: fromBrowser(), theme: 'system', panel: innerWidth > 1100, drawing: { erases: true, range: null }, welcomed: false };
   try {
     const kept = JSON.parse(localStorage.getItem(KEY) ?? '{}') as Partial<Kept>;
     if (kept.language && !LANGUAGES.includes(kept.language)) delete kept.language;

@@ -9,14 +9,23 @@ import { machine } from './machine.svelte';
 const LONG = 500_000;
 
 let list = $state.raw<ProgramInfo[] | null>(null);
+/** How many there can be, and bytes that there is room for; null where the control does not tell. */
+let most = $state.raw<number | null>(null);
+let room = $state.raw<number | null>(null);
 
 export const programs = {
   get list() {
     return list;
   },
+  get most() {
+    return most;
+  },
+  get room() {
+    return room;
+  },
   async refresh(): Promise<void> {
     const reply = await machine.fetch('programs', { do: 'programs' });
-    if (reply) list = reply.programs;
+    if (reply) ({ programs: list, most, room } = reply);
   },
   /** The text of a program. */
   async read(program: string): Promise<string> {

@@ -20,14 +20,10 @@ var HttpError = class extends Error {
 		} catch {}
 	}
 };
-var csrf = "";
 /** Asks a path of the server. Throws an `HttpError` unless it succeeds. */
 async function request(path, options = {}) {
-	const headers = new Headers(options.headers);
-	if (csrf && options.method && options.method !== "GET") headers.set("x-csrf", csrf);
 	const response = await fetch(path, {
 		...options,
-		headers,
 		credentials: "same-origin"
 	});
 	if (!response.ok) throw new HttpError(response.status, (await response.text()).slice(0, 500));
@@ -49,13 +45,11 @@ function once(path) {
 	return answer;
 }
 var http = {
-	async session() {
-		const session = await json("/api/session");
-		csrf = session.csrf ?? "";
-		return session;
+	session() {
+		return json("/api/session");
 	},
-	async logIn(level, password) {
-		const session = await json("/api/session", {
+	logIn(level, password) {
+		return json("/api/session", {
 			method: "POST",
 			headers: { "content-type": "application/json" },
 			body: JSON.stringify({
@@ -63,8 +57,6 @@ var http = {
 				password
 			})
 		});
-		csrf = session.csrf ?? "";
-		return session;
 	},
 	async logOut() {
 		await request("/api/session", { method: "DELETE" });
@@ -125,8 +117,21 @@ var http = {
 			language
 		})}`);
 	},
+	list(kind, language) {
+		return json(`/api/list?${query({
+			kind,
+			language
+		})}`);
+	},
 	backups() {
 		return json("/api/backups");
+	},
+	/** Brings a backup into the folder of the memory. */
+	async bringBackup(name, body) {
+		await request(this.backup(name), {
+			method: "PUT",
+			body
+		});
 	},
 	/** Where a backup is taken away. */
 	backup(name) {

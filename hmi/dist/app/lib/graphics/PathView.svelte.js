@@ -7,9 +7,10 @@ import * as $ from "svelte/internal/client";
 var root = $.from_html(`<div class="view s-1y1wt0i"><canvas class="s-1y1wt0i"></canvas> <canvas class="above s-1y1wt0i" tabindex="0" data-testid="path"></canvas></div>`);
 function PathView($$anchor, $$props) {
 	$.push($$props, true);
-	let done = $.prop($$props, "done", 19, () => -1), rapids = $.prop($$props, "rapids", 3, true), section = $.prop($$props, "section", 3, null), marks = $.prop($$props, "marks", 19, () => []);
+	let done = $.prop($$props, "done", 19, () => -1), rapids = $.prop($$props, "rapids", 3, true), section = $.prop($$props, "section", 3, null), range = $.prop($$props, "range", 3, null), marks = $.prop($$props, "marks", 19, () => []);
 	/** Points up to this one are done. */
 	/** Heights between which the path is shown. */
+	/** What is looked at in place of the whole path. */
 	/** Points that are measured. */
 	/** Where the tool is; asked for each frame of the layer above. */
 	let below = $.state(void 0);
@@ -59,6 +60,10 @@ function PathView($$anchor, $$props) {
 	$.user_effect(() => {
 		const [to, now] = [$.get(scene), $$props.path];
 		untrack(() => to?.load(now));
+	});
+	$.user_effect(() => {
+		const [to, now] = [$.get(scene), range()];
+		untrack(() => to?.range(now));
 	});
 	$.user_effect(() => {
 		const [to, now] = [$.get(scene), done()];

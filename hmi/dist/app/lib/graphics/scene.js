@@ -91,6 +91,7 @@ var PathScene = class {
 	#grid = null;
 	#gridMaterial = new LineBasicMaterial();
 	#path = null;
+	#range = null;
 	#total = 0;
 	#at = 0;
 	#moved = 0;
@@ -201,11 +202,16 @@ var PathScene = class {
 		this.#scene.add(grid);
 		return grid;
 	}
-	/** Looks at the whole path. */
+	/** Looks at another range than the whole path, mm of the machine; null for the path again. */
+	range(box) {
+		this.#range = box;
+		this.fit();
+	}
+	/** Looks at the whole path, or at the range that is set. */
 	fit() {
-		const path = this.#path;
-		if (path) {
-			const { low, high } = path.box;
+		const box = this.#range ?? this.#path?.box;
+		if (box) {
+			const { low, high } = box;
 			this.target.set((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2);
 			this.span = Math.max(1, Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2])) * 1.15;
 		}

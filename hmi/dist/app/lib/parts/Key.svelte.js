@@ -11,7 +11,7 @@ function Key($$anchor, $$props) {
 	/** The ladder's name of its input: `KEY_START`. */
 	/** The ladder's name of its lamp. */
 	/** Whether what it chooses is in force; for keys without a lamp. */
-	const lit = $.derived(() => lamp() !== "" && (machine.status?.lamps.includes(lamp()) ?? false));
+	const lit = $.derived(() => lamp() !== "" && machine.lamps.has(lamp()));
 	const off = $.derived(() => disabled() || !machine.inCommand);
 	var button = root_1();
 	let classes;

@@ -1,5 +1,5 @@
 import { http } from "../api/http.js";
-import { language } from "../i18n/index.svelte.js";
+import { has, language, t } from "../i18n/index.svelte.js";
 import "svelte/internal/client";
 import { SvelteMap } from "svelte/reactivity";
 // src/lib/state/alarm-texts.svelte.ts
@@ -20,4 +20,8 @@ function alarmText(alarm) {
 		help: ""
 	};
 }
-export { alarmText };
+/** What a message of the ladder says; its name where it is of a ladder that brought its own. */
+function messageText(name) {
+	return has(`message.${name}`) ? t(`message.${name}`) : name;
+}
+export { alarmText, messageText };

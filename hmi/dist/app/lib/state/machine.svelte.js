@@ -2,6 +2,7 @@ import { Connection, Refused } from "../api/socket.js";
 import { HttpError, http } from "../api/http.js";
 import { has, language, t } from "../i18n/index.svelte.js";
 import { notify } from "./notices.svelte.js";
+import { share } from "./share.js";
 import * as $ from "svelte/internal/client";
 // src/lib/state/machine.svelte.ts
 var link = $.state("connecting");
@@ -13,6 +14,9 @@ var holder = $.state(null);
 var gate = $.state(null);
 var rights = $.state(0);
 var messages = $.state([]);
+var mode = $.state(null);
+var lit = [];
+var lamps = $.state(/* @__PURE__ */ new Set());
 var programMessage = $.state("");
 var changes = $.proxy({});
 var hearers = /* @__PURE__ */ new Set();
@@ -29,9 +33,6 @@ function heard(event) {
 			break;
 		case "message":
 			$.set(programMessage, event.text);
-			break;
-		case "machine_message":
-			$.set(messages, event.on ? [...$.get(messages).filter((name) => name !== event.name), event.name] : $.get(messages).filter((name) => name !== event.name));
 			break;
 		case "changed":
 			changes[event.item] = (changes[event.item] ?? 0) + 1;
@@ -65,7 +66,7 @@ async function reasonOfAlarm(alarm) {
 		const { text, help } = await http.alarm(alarm.id, alarm.values, language());
 		return {
 			title: text,
-			text: help,
+			text: help ?? "",
 			code: alarm.id
 		};
 	} catch {
@@ -111,8 +112,15 @@ var connection = new Connection(`${protocol}//${location.host}/api/socket`, {
 		}, () => void 0);
 	},
 	event: heard,
-	status(now) {
+	status(told) {
+		const now = share($.get(status), told);
 		$.set(status, now);
+		$.set(messages, now.messages);
+		$.set(mode, now.mode);
+		if (now.lamps !== lit) {
+			lit = now.lamps;
+			$.set(lamps, new Set(lit));
+		}
 		for (const watch of watchers) watch(now);
 	},
 	end(reason) {
@@ -160,9 +168,18 @@ var machine = {
 	get gate() {
 		return $.get(gate);
 	},
-	/** The latest status; null before the first. It comes 50 times a second and is never changed in place. */
+	/** The latest status; null before the first. It comes 50 times a second and is never changed in place; parts that are as they
+	were are the same objects as before. */
 	get status() {
 		return $.get(status);
+	},
+	/** The mode of the latest status: for what looks at that alone. */
+	get mode() {
+		return $.get(mode);
+	},
+	/** The lamps that are lit, likewise. */
+	get lamps() {
+		return $.get(lamps);
 	},
 	/** Whether this browser commands. */
 	get inCommand() {

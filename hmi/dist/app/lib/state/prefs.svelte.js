@@ -21,6 +21,10 @@ function read() {
 		language: fromBrowser(),
 		theme: "system",
 		panel: innerWidth > 1100,
+		drawing: {
+			erases: true,
+			range: null
+		},
 		welcomed: false
 	};
 	try {

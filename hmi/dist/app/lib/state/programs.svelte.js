@@ -6,13 +6,21 @@ import * as $ from "svelte/internal/client";
 // src/lib/state/programs.svelte.ts
 var LONG = 5e5;
 var list = $.state(null);
+var most = $.state(null);
+var room = $.state(null);
 var programs = {
 	get list() {
 		return $.get(list);
 	},
+	get most() {
+		return $.get(most);
+	},
+	get room() {
+		return $.get(room);
+	},
 	async refresh() {
 		const reply = await machine.fetch("programs", { do: "programs" });
-		if (reply) $.set(list, reply.programs);
+		if (reply) $.set(list, reply.programs), $.set(most, reply.most), $.set(room, reply.room);
 	},
 	/** The text of a program. */
 	async read(program) {

@@ -24,6 +24,14 @@ var graphics_default = {
 	"cut_by_size": "The program is longer than what is shown",
 	"turned": "ZY",
 	"around": "ZXY",
-	"next": "Next view"
+	"next": "Next view",
+	"erase": "Erase what is drawn as done",
+	"settings": "Drawing",
+	"erases": "Erase at the next cycle start",
+	"erases_text": "What was run stays drawn as done when the program has ended, until the next cycle start or until it is erased.",
+	"range": "Range shown",
+	"least": "Least",
+	"greatest": "Greatest",
+	"whole": "As the program"
 };
 export { graphics_default as default };

@@ -15,6 +15,13 @@ var help_default = {
 	"kind_signal": "Signal",
 	"kind_address": "Address",
 	"choose": "Choose a code on the left.",
-	"sum": "Sum"
+	"sum": "Sum",
+	"operations": "Operations",
+	"parameters": "Parameters",
+	"alarms": "Alarms",
+	"variables": "Variables",
+	"addresses": "Addresses",
+	"choose_row": "Choose a row on the left.",
+	"not_here": "Pages of the GSK990MC that this machine has no use for"
 };
 export { help_default as default };

@@ -27,6 +27,19 @@ var plc_default = {
 	"waits": "Waits for the signal …",
 	"faulty": "Not exchanged: there is a fault in line {line}",
 	"forced": "Forced",
-	"release_signal": "Release {signal}"
+	"release_signal": "Release {signal}",
+	"data": "Data",
+	"area_K": "K relays",
+	"area_T": "T timers",
+	"area_C": "C counters",
+	"area_D": "D data",
+	"time": "Time",
+	"preset": "Preset",
+	"count": "Count",
+	"value": "Value",
+	"data_level": "Level {level} changes them. Every change stands in the operation log.",
+	"nothing_kept": "Nothing fits",
+	"bytes_one": "{n} byte",
+	"bytes_other": "{n} bytes"
 };
 export { plc_default as default };

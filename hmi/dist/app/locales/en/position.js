@@ -28,6 +28,10 @@ var position_default = {
 	"power_on_time": "Power on",
 	"clear": "Set to zero: {what}",
 	"told": "commanded",
-	"programs": "Programs locked"
+	"programs": "Programs locked",
+	"speed": "Speed",
+	"set_speed": "Set S",
+	"speed_mdi": "S is set in MDI",
+	"speed_waits": "S {speed}: press cycle start"
 };
 export { position_default as default };

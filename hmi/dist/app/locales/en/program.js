@@ -63,8 +63,12 @@ var program_default = {
 	"lock_all_text": "The program switch: while it is off no program is changed. It is turned in MDI, with level 4.",
 	"dnc_waits": "Waiting for the connection",
 	"dnc_broken": "Sending has ended",
-	"dnc_broken_text": "The connection was lost while a part of the file was on its way. Whether the machine has that part is not known, so nothing more is sent. Let the machine stop, then begin again.",
+	"dnc_broken_text": "The connection was lost while a part of the file was on its way, and the machine has something else than was sent. Nothing more is sent. Let the machine stop, then begin again.",
 	"checked_on_save": "Long: checked when it is saved",
-	"checking": "Checking …"
+	"checking": "Checking …",
+	"dnc_left": "The control has {taken} of a file and awaits more. Choose the same file to go on behind that.",
+	"dnc_onward": "Go on with the file",
+	"most": "of at most {most}",
+	"room": "{room} free"
 };
 export { program_default as default };

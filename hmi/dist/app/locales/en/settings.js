@@ -90,6 +90,11 @@ var settings_default = {
 	"set_level": "level {level}",
 	"backups": "Backups in the memory",
 	"no_backups": "There is no backup yet.",
-	"take_level": "Level {level} downloads them."
+	"take_level": "Level {level} downloads and uploads them.",
+	"bring": "Upload a backup",
+	"brought": "Uploaded: {file}",
+	"bring_replace": "{file} is there already. Replace it?",
+	"bring_hint": "Files dropped here are uploaded too.",
+	"bring_replace_text": "What has this name is lost."
 };
 export { settings_default as default };

@@ -24,6 +24,14 @@ var graphics_default = {
 	"cut_by_size": "El programa es más largo que lo mostrado",
 	"turned": "ZY",
 	"around": "ZXY",
-	"next": "Vista siguiente"
+	"next": "Vista siguiente",
+	"erase": "Borrar lo dibujado",
+	"settings": "Parámetros del dibujo",
+	"erases": "Borrar en la próxima marcha",
+	"erases_text": "Al acabar el programa lo hecho queda dibujado hasta la próxima marcha o hasta que se borre.",
+	"range": "Rango mostrado",
+	"least": "Mínimo",
+	"greatest": "Máximo",
+	"whole": "Como el programa"
 };
 export { graphics_default as default };

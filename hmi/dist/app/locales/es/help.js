@@ -15,6 +15,13 @@ var help_default = {
 	"kind_signal": "Señal",
 	"kind_address": "Dirección",
 	"choose": "Elija un código a la izquierda.",
-	"sum": "Operación"
+	"sum": "Operación",
+	"operations": "Operaciones",
+	"parameters": "Parámetros",
+	"alarms": "Alarmas",
+	"variables": "Variables",
+	"addresses": "Direcciones",
+	"choose_row": "Elija una fila a la izquierda.",
+	"not_here": "Páginas del GSK990MC que esta máquina no usa"
 };
 export { help_default as default };

@@ -27,6 +27,20 @@ var plc_default = {
 	"waits": "Espera la señal …",
 	"faulty": "No se ha cambiado: hay un error en la línea {line}",
 	"forced": "Forzadas",
-	"release_signal": "Liberar {signal}"
+	"release_signal": "Liberar {signal}",
+	"data": "Datos",
+	"area_K": "K relés",
+	"area_T": "T temporizadores",
+	"area_C": "C contadores",
+	"area_D": "D datos",
+	"time": "Tiempo",
+	"preset": "Preselección",
+	"count": "Cuenta",
+	"value": "Valor",
+	"data_level": "El nivel {level} puede cambiarlos. Cada cambio queda en el registro.",
+	"nothing_kept": "Nada coincide",
+	"bytes_one": "{n} byte",
+	"bytes_many": "{n} bytes",
+	"bytes_other": "{n} bytes"
 };
 export { plc_default as default };

@@ -28,6 +28,10 @@ var position_default = {
 	"power_on_time": "Encendido",
 	"clear": "Poner a cero: {what}",
 	"told": "ordenado",
-	"programs": "Programas bloqueados"
+	"programs": "Programas bloqueados",
+	"speed": "Velocidad",
+	"set_speed": "Fijar S",
+	"speed_mdi": "S se fija en MDI",
+	"speed_waits": "S {speed}: pulse marcha"
 };
 export { position_default as default };

@@ -64,8 +64,12 @@ var program_default = {
 	"lock_all_text": "El interruptor de programas: mientras está desactivado no se cambia ningún programa. Se acciona en MDI, con nivel 4.",
 	"dnc_waits": "Esperando la conexión",
 	"dnc_broken": "El envío ha terminado",
-	"dnc_broken_text": "Se perdió la conexión mientras se enviaba una parte del archivo. No se sabe si la máquina la tiene, así que no se envía nada más. Deje que la máquina se detenga y empiece de nuevo.",
+	"dnc_broken_text": "La conexión se perdió mientras una parte del archivo estaba en camino, y la máquina tiene otra cosa que lo enviado. No se envía más. Deje que la máquina pare y empiece de nuevo.",
 	"checked_on_save": "Largo: se comprueba al guardar",
-	"checking": "Comprobando …"
+	"checking": "Comprobando …",
+	"dnc_left": "El control tiene {taken} de un archivo y espera más. Elija el mismo archivo para continuar.",
+	"dnc_onward": "Continuar con el archivo",
+	"most": "de {most} como máximo",
+	"room": "{room} libres"
 };
 export { program_default as default };

@@ -90,6 +90,11 @@ var settings_default = {
 	"set_level": "nivel {level}",
 	"backups": "Copias en la memoria",
 	"no_backups": "Aún no hay copias.",
-	"take_level": "El nivel {level} puede descargarlas."
+	"take_level": "El nivel {level} puede descargarlas y subirlas.",
+	"bring": "Subir una copia",
+	"brought": "Subido: {file}",
+	"bring_replace": "{file} ya existe. ¿Reemplazarlo?",
+	"bring_hint": "También se suben los archivos que se sueltan aquí.",
+	"bring_replace_text": "Lo que tiene este nombre se pierde."
 };
 export { settings_default as default };

@@ -22,6 +22,8 @@ var error_default = {
 	"unknown_host": "Станок не знает себя под этим адресом",
 	"line_too_long": "Отправлено слишком много сразу",
 	"too_many_connections": "Слишком много подключений",
-	"logged_out": "Вы вышли из системы"
+	"logged_out": "Вы вышли из системы",
+	"dnc_over": "Продолжение файла не ожидается",
+	"dnc_foreign": "Это не тот файл, который посылался"
 };
 export { error_default as default };

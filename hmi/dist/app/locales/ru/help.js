@@ -15,6 +15,13 @@ var help_default = {
 	"kind_signal": "Сигнал",
 	"kind_address": "Адрес",
 	"choose": "Выберите код слева.",
-	"sum": "Выражение"
+	"sum": "Выражение",
+	"operations": "Операции",
+	"parameters": "Параметры",
+	"alarms": "Аварии",
+	"variables": "Переменные",
+	"addresses": "Адреса",
+	"choose_row": "Выберите строку слева.",
+	"not_here": "Страницы GSK990MC, не нужные этому станку"
 };
 export { help_default as default };

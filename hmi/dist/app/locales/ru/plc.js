@@ -27,6 +27,21 @@ var plc_default = {
 	"waits": "Ожидание сигнала …",
 	"faulty": "Не заменено: ошибка в строке {line}",
 	"forced": "Принудительно",
-	"release_signal": "Отпустить {signal}"
+	"release_signal": "Отпустить {signal}",
+	"data": "Данные",
+	"area_K": "K реле",
+	"area_T": "T таймеры",
+	"area_C": "C счётчики",
+	"area_D": "D данные",
+	"time": "Время",
+	"preset": "Уставка",
+	"count": "Счёт",
+	"value": "Значение",
+	"data_level": "Изменять может уровень {level}. Каждое изменение записано в журнал.",
+	"nothing_kept": "Ничего не подходит",
+	"bytes_one": "{n} байт",
+	"bytes_few": "{n} байта",
+	"bytes_many": "{n} байт",
+	"bytes_other": "{n} байта"
 };
 export { plc_default as default };

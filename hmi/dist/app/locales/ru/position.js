@@ -28,6 +28,10 @@ var position_default = {
 	"power_on_time": "Включён",
 	"clear": "Обнулить: {what}",
 	"told": "задано",
-	"programs": "Программы закрыты"
+	"programs": "Программы закрыты",
+	"speed": "Скорость",
+	"set_speed": "Задать S",
+	"speed_mdi": "S задаётся в MDI",
+	"speed_waits": "S {speed}: нажмите пуск"
 };
 export { position_default as default };

@@ -90,6 +90,11 @@ var settings_default = {
 	"set_level": "уровень {level}",
 	"backups": "Копии в памяти",
 	"no_backups": "Копий пока нет.",
-	"take_level": "Скачивать может уровень {level}."
+	"take_level": "Скачивать и загружать может уровень {level}.",
+	"bring": "Загрузить копию",
+	"brought": "Загружен: {file}",
+	"bring_replace": "{file} уже есть. Заменить?",
+	"bring_hint": "Файлы можно перетащить сюда.",
+	"bring_replace_text": "То, что носит это имя, будет потеряно."
 };
 export { settings_default as default };

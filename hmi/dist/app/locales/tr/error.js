@@ -22,6 +22,8 @@ var error_default = {
 	"unknown_host": "Tezgâh kendini bu adresle tanımıyor",
 	"line_too_long": "Bir defada gönderilen çok uzundu",
 	"too_many_connections": "Zaten çok fazla bağlantı var",
-	"logged_out": "Oturum kapatıldı"
+	"logged_out": "Oturum kapatıldı",
+	"dnc_over": "Dosyanın devamı beklenmiyor",
+	"dnc_foreign": "Bu, gönderilmekte olan dosya değil"
 };
 export { error_default as default };

@@ -24,6 +24,14 @@ var graphics_default = {
 	"cut_by_size": "Program gösterilenden uzun",
 	"turned": "ZY",
 	"around": "ZXY",
-	"next": "Sonraki görünüm"
+	"next": "Sonraki görünüm",
+	"erase": "Çizileni sil",
+	"settings": "Çizim ayarları",
+	"erases": "Sonraki başlatmada sil",
+	"erases_text": "Program bitince yapılan kısım sonraki başlatmaya ya da silinene dek çizili kalır.",
+	"range": "Gösterilen aralık",
+	"least": "En küçük",
+	"greatest": "En büyük",
+	"whole": "Programdaki gibi"
 };
 export { graphics_default as default };

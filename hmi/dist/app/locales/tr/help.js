@@ -15,6 +15,13 @@ var help_default = {
 	"kind_signal": "Sinyal",
 	"kind_address": "Adres",
 	"choose": "Soldan bir kod seçin.",
-	"sum": "İşlem"
+	"sum": "İşlem",
+	"operations": "İşlemler",
+	"parameters": "Parametreler",
+	"alarms": "Alarmlar",
+	"variables": "Değişkenler",
+	"addresses": "Adresler",
+	"choose_row": "Soldan bir satır seçin.",
+	"not_here": "GSK990MC’nin bu makinede kullanılmayan sayfaları"
 };
 export { help_default as default };

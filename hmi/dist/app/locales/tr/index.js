@@ -12,6 +12,7 @@ import keymap_default from "./keymap.js";
 import message_default from "./message.js";
 import mode_default from "./mode.js";
 import offsets_default from "./offsets.js";
+import operations_default from "./operations.js";
 import panel_default from "./panel.js";
 import plc_default from "./plc.js";
 import position_default from "./position.js";
@@ -39,6 +40,7 @@ var tr_default = gather(/* #__PURE__ */ Object.assign({
 	"./message.json": message_default,
 	"./mode.json": mode_default,
 	"./offsets.json": offsets_default,
+	"./operations.json": operations_default,
 	"./panel.json": panel_default,
 	"./plc.json": plc_default,
 	"./position.json": position_default,

@@ -27,6 +27,19 @@ var plc_default = {
 	"waits": "Sinyal bekleniyor …",
 	"faulty": "Değiştirilmedi: {line}. satırda hata var",
 	"forced": "Zorlanan",
-	"release_signal": "{signal} bırak"
+	"release_signal": "{signal} bırak",
+	"data": "Veri",
+	"area_K": "K röleler",
+	"area_T": "T zamanlayıcılar",
+	"area_C": "C sayaçlar",
+	"area_D": "D veri",
+	"time": "Süre",
+	"preset": "Ön değer",
+	"count": "Sayım",
+	"value": "Değer",
+	"data_level": "Bunları {level}. düzey değiştirir. Her değişiklik işlem kaydındadır.",
+	"nothing_kept": "Uyan yok",
+	"bytes_one": "{n} bayt",
+	"bytes_other": "{n} bayt"
 };
 export { plc_default as default };

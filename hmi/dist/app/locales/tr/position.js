@@ -28,6 +28,10 @@ var position_default = {
 	"power_on_time": "Açık kalma",
 	"clear": "Sıfırla: {what}",
 	"told": "komut",
-	"programs": "Programlar kilitli"
+	"programs": "Programlar kilitli",
+	"speed": "Hız",
+	"set_speed": "S ver",
+	"speed_mdi": "S, MDI kipinde verilir",
+	"speed_waits": "S {speed}: çevrim başlatın"
 };
 export { position_default as default };

@@ -63,8 +63,12 @@ var program_default = {
 	"lock_all_text": "Program anahtarı: kapalıyken hiçbir program değiştirilemez. MDI modunda, 4. seviye ile çevrilir.",
 	"dnc_waits": "Bağlantı bekleniyor",
 	"dnc_broken": "Gönderme sona erdi",
-	"dnc_broken_text": "Dosyanın bir bölümü yoldayken bağlantı koptu. Makinenin bu bölümü alıp almadığı bilinmiyor, bu yüzden başka bir şey gönderilmiyor. Makinenin durmasını bekleyin ve yeniden başlayın.",
+	"dnc_broken_text": "Dosyanın bir parçası yoldayken bağlantı koptu ve makinedeki, gönderilenle aynı değil. Artık gönderilmiyor. Makinenin durmasını bekleyip yeniden başlayın.",
 	"checked_on_save": "Uzun: kaydedilince denetlenir",
-	"checking": "Denetleniyor …"
+	"checking": "Denetleniyor …",
+	"dnc_left": "Denetimde bir dosyanın {taken} kadarı var ve gerisini bekliyor. Sürdürmek için aynı dosyayı seçin.",
+	"dnc_onward": "Dosyayı sürdür",
+	"most": "en çok {most}",
+	"room": "{room} boş"
 };
 export { program_default as default };

@@ -90,6 +90,11 @@ var settings_default = {
 	"set_level": "seviye {level}",
 	"backups": "Bellekteki yedekler",
 	"no_backups": "Henüz yedek yok.",
-	"take_level": "Bunları {level}. seviye indirebilir."
+	"take_level": "Bunları {level}. seviye indirebilir ve yükleyebilir.",
+	"bring": "Yedek yükle",
+	"brought": "Yüklendi: {file}",
+	"bring_replace": "{file} zaten var. Yerine konsun mu?",
+	"bring_hint": "Buraya bırakılan dosyalar da yüklenir.",
+	"bring_replace_text": "Bu addaki yedek kaybolur."
 };
 export { settings_default as default };

@@ -24,6 +24,14 @@ var graphics_default = {
 	"cut_by_size": "程序比显示的更长",
 	"turned": "ZY",
 	"around": "ZXY",
-	"next": "切换视图"
+	"next": "切换视图",
+	"erase": "清除已绘图形",
+	"settings": "图参",
+	"erases": "自动擦除",
+	"erases_text": "程序结束后已加工轨迹保持显示，直到下一次循环启动或被清除。",
+	"range": "显示范围",
+	"least": "最小值",
+	"greatest": "最大值",
+	"whole": "按程序"
 };
 export { graphics_default as default };

@@ -15,6 +15,13 @@ var help_default = {
 	"kind_signal": "信号",
 	"kind_address": "地址",
 	"choose": "请在左侧选择代码。",
-	"sum": "算式"
+	"sum": "算式",
+	"operations": "操作表",
+	"parameters": "参数表",
+	"alarms": "报警表",
+	"variables": "宏变量",
+	"addresses": "地址表",
+	"choose_row": "请在左侧选择一行。",
+	"not_here": "GSK990MC 中本机不适用的页面"
 };
 export { help_default as default };

@@ -27,6 +27,18 @@ var plc_default = {
 	"waits": "等待信号…",
 	"faulty": "未更换：第 {line} 行有错误",
 	"forced": "强制",
-	"release_signal": "解除 {signal}"
+	"release_signal": "解除 {signal}",
+	"data": "数据",
+	"area_K": "K 继电器",
+	"area_T": "T 定时器",
+	"area_C": "C 计数器",
+	"area_D": "D 数据",
+	"time": "时间",
+	"preset": "预置值",
+	"count": "当前值",
+	"value": "值",
+	"data_level": "{level} 级可修改。每次修改记入操作履历。",
+	"nothing_kept": "没有匹配项",
+	"bytes_other": "{n} 字节"
 };
 export { plc_default as default };

@@ -28,6 +28,10 @@ var position_default = {
 	"power_on_time": "通电时间",
 	"clear": "清零：{what}",
 	"told": "指令",
-	"programs": "程序已锁住"
+	"programs": "程序已锁住",
+	"speed": "速度",
+	"set_speed": "设定 S",
+	"speed_mdi": "在录入方式下设定 S",
+	"speed_waits": "S {speed}：请按循环启动"
 };
 export { position_default as default };

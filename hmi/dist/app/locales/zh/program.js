@@ -62,8 +62,12 @@ var program_default = {
 	"lock_all_text": "程序开关：关闭时不能修改任何程序。在录入方式下以 4 级权限操作。",
 	"dnc_waits": "等待连接",
 	"dnc_broken": "发送已结束",
-	"dnc_broken_text": "文件的一部分正在发送时连接中断。机床是否已收到这一部分无法确定，因此不再继续发送。请让机床停下后重新开始。",
+	"dnc_broken_text": "传送途中连接中断，且机床所有内容与发送的不符，因此不再发送。请等机床停止后重新开始。",
 	"checked_on_save": "程序较长：保存时检查",
-	"checking": "正在检查…"
+	"checking": "正在检查…",
+	"dnc_left": "系统已有文件的 {taken}，等待后续内容。请再选同一文件以继续。",
+	"dnc_onward": "继续发送文件",
+	"most": "最多 {most} 个",
+	"room": "可用 {room}"
 };
 export { program_default as default };

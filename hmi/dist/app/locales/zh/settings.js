@@ -90,6 +90,11 @@ var settings_default = {
 	"set_level": "{level} 级",
 	"backups": "存储器中的备份",
 	"no_backups": "尚无备份。",
-	"take_level": "{level} 级可下载。"
+	"take_level": "{level} 级可下载和上传。",
+	"bring": "上传备份",
+	"brought": "已上传：{file}",
+	"bring_replace": "{file} 已存在。替换吗？",
+	"bring_hint": "也可将文件拖放到此处上传。",
+	"bring_replace_text": "同名备份将丢失。"
 };
 export { settings_default as default };

@@ -4,7 +4,7 @@ import Empty from "../../lib/parts/Empty.svelte.js";
 import Icon from "../../lib/parts/Icon.svelte.js";
 import ParameterSwitch from "../../lib/parts/ParameterSwitch.svelte.js";
 import { go } from "../../lib/routing.svelte.js";
-import { alarmText } from "../../lib/state/alarm-texts.svelte.js";
+import { alarmText, messageText } from "../../lib/state/alarm-texts.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import { restart } from "../../lib/state/restart.svelte.js";
 import "svelte/internal/disclose-version";
@@ -163,9 +163,10 @@ function Active($$anchor, $$props) {
 			$.reset(div_2);
 			$.reset(article_1);
 			$.template_effect(($0) => {
+				$.set_attribute(article_1, "data-message", message);
 				$.set_text(text_8, message);
 				$.set_text(text_9, $0);
-			}, [() => t(`message.${message}`)]);
+			}, [() => messageText(message)]);
 			$.append($$anchor, article_1);
 		});
 		$.append($$anchor, fragment_2);

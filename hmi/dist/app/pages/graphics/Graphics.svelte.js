@@ -4,10 +4,13 @@ import { at, follow, readPath } from "../../lib/graphics/path.js";
 import PathView from "../../lib/graphics/PathView.svelte.js";
 import { duration, fixed } from "../../lib/numbers.js";
 import Button from "../../lib/parts/Button.svelte.js";
+import Dialog from "../../lib/parts/Dialog.svelte.js";
 import Empty from "../../lib/parts/Empty.svelte.js";
+import NumberField from "../../lib/parts/NumberField.svelte.js";
 import Page from "../../lib/parts/Page.svelte.js";
 import { go } from "../../lib/routing.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
+import { prefs } from "../../lib/state/prefs.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/graphics/Graphics.svelte
@@ -21,9 +24,18 @@ var root_6 = $.from_html(`<span class="muted"> </span>`);
 var root_7 = $.from_html(`<div class="picked number s-1bdb8kn" data-testid="picked"><small class="muted"> </small> <!> <!> <!></div>`);
 var root_8 = $.from_html(`<div class="row"><span class="label"> </span> <input type="range" class="grow s-1bdb8kn" step="any"/> <output class="number"> </output> <small class="muted"> </small></div>`);
 var root_9 = $.from_html(`<p class="muted facts s-1bdb8kn"> </p>`);
-var root_10 = $.from_html(`<div class="graphics s-1bdb8kn"><div class="row wrap"><strong class="code"> </strong> <span class="grow"></span> <!> <!> <!> <!> <!> <!></div> <div class="canvas s-1bdb8kn"><!> <!> <!> <!> <!> <!></div> <!> <div class="row"><!> <input type="range" class="grow s-1bdb8kn" min="0" step="any" data-testid="time"/> <output class="number times s-1bdb8kn"> </output> <span class="muted"> </span></div> <!></div>`);
+var root_10 = $.from_html(`<div class="graphics s-1bdb8kn"><div class="row wrap"><strong class="code"> </strong> <span class="grow"></span> <!> <!> <!> <!> <!> <!> <!> <!></div> <div class="canvas s-1bdb8kn"><!> <!> <!> <!> <!> <!></div> <!> <div class="row"><!> <input type="range" class="grow s-1bdb8kn" min="0" step="any" data-testid="time"/> <output class="number times s-1bdb8kn"> </output> <span class="muted"> </span></div> <!></div>`);
+var root_11 = $.from_html(`<!> <!>`, 1);
+var root_12 = $.from_html(`<td><!></td>`);
+var root_13 = $.from_html(`<tr><th scope="row"> </th><!></tr>`);
+var root_14 = $.from_html(`<!> <p class="muted"> </p> <table class="table"><thead><tr><th> </th><th> </th><th> </th></tr></thead><tbody></tbody></table>`, 1);
 function Graphics($$anchor, $$props) {
 	$.push($$props, true);
+	const AXES = [
+		"X",
+		"Y",
+		"Z"
+	];
 	const program = $.derived(() => machine.status?.program.selected ?? null);
 	let path = $.state(null);
 	let failed = $.state("");
@@ -32,6 +44,16 @@ function Graphics($$anchor, $$props) {
 	let view = $.state(void 0);
 	let live = $.state(true);
 	let place = $.state(0);
+	/** Up to here the path is drawn as done. */
+	let drawn = $.state(0);
+	let draws = false;
+	let setting = $.state(false);
+	/** Machine position of the zero of the work, by which the range that is set is turned into one of the machine. */
+	let zero = $.state([
+		0,
+		0,
+		0
+	]);
 	let time = $.state(0);
 	let rapids = $.state(true);
 	let cut = $.state(false);
@@ -55,6 +77,7 @@ function Graphics($$anchor, $$props) {
 			$.set(path, readPath(buffer));
 			$.set(took, performance.now() - start);
 			$.set(place, 0);
+			$.set(drawn, 0);
 			$.set(time, 0);
 			$.set(height, $.get(path).box.high[2], true);
 			$.set(thick, Math.max(.1, ($.get(path).box.high[2] - $.get(path).box.low[2]) / 20), true);
@@ -86,20 +109,69 @@ function Graphics($$anchor, $$props) {
 	};
 	$.user_effect(() => machine.watch((status) => {
 		if (!$.get(live)) return;
-		const line = status.program.line;
-		if ($.get(path) && line > 0 && status.program.running === $.get(program)) {
+		const { line, running } = status.program;
+		const { machine: at, work } = status.position;
+		const now = AXES.map((axis) => (at[axis] ?? 0) - (work[axis] ?? 0));
+		if (now.some((value, axis) => Math.abs(value - $.get(zero)[axis]) > 1e-4)) $.set(zero, now);
+		if ($.get(path) && line > 0 && running && status.program_mode === "auto") {
 			const here = status.position.machine;
-			$.set(place, follow($.get(path), line, [
+			if (!draws) {
+				$.set(place, 0);
+				if (prefs.drawing.erases) $.set(drawn, 0);
+			}
+			draws = true;
+			$.set(place, follow($.get(path), running === $.get(program) ? line : 0, [
 				here.X ?? 0,
 				here.Y ?? 0,
 				here.Z ?? 0
 			], $.get(place)), true);
-		} else if (status.activity === "idle") $.set(place, 0);
+			$.set(drawn, Math.max($.get(drawn), $.get(place)), true);
+		} else if (status.activity === "idle") {
+			$.set(place, 0);
+			draws = false;
+		}
 		$.get(view)?.overlay();
 	}));
 	const total = $.derived(() => $.get(path) && $.get(path).count > 0 ? $.get(path).times[$.get(path).count - 1] : 0);
 	const shownTime = $.derived(() => $.get(live) ? $.get(path)?.times[$.get(place)] ?? 0 : $.get(time));
 	const shownPlace = $.derived(() => $.get(path) ? $.get(live) ? $.get(place) : at($.get(path), $.get(time)) : -1);
+	const range = $.derived(() => {
+		const set = prefs.drawing.range;
+		const moved = (to) => to.map((value, axis) => value + $.get(zero)[axis]);
+		return set && {
+			low: moved(set.low),
+			high: moved(set.high)
+		};
+	});
+	/** What the fields of the range have: what is set, or that of the program. */
+	const extremes = $.derived(() => {
+		if (prefs.drawing.range) return prefs.drawing.range;
+		const back = (to) => to.map((value, axis) => value - $.get(zero)[axis]);
+		return $.get(path) ? {
+			low: back($.get(path).box.low),
+			high: back($.get(path).box.high)
+		} : {
+			low: [
+				0,
+				0,
+				0
+			],
+			high: [
+				100,
+				100,
+				100
+			]
+		};
+	});
+	function setExtreme(which, axis, value) {
+		if (value === null) return;
+		const next = {
+			low: [...$.get(extremes).low],
+			high: [...$.get(extremes).high]
+		};
+		next[which][axis] = value;
+		prefs.drawing.range = next;
+	}
 	const override = $.derived(() => Math.max(.01, machine.status?.feed.feed_override ?? 1));
 	const rest = $.derived(() => ($.get(total) - $.get(shownTime)) / $.get(override));
 	const marks = $.derived(() => $.get(path) ? $.get(picked).map((index) => ({
@@ -130,11 +202,13 @@ function Graphics($$anchor, $$props) {
 		$.set(seen, to, true);
 		$.get(view)?.look(to);
 	}
-	Page($$anchor, {
+	var fragment = root_11();
+	var node = $.first_child(fragment);
+	Page(node, {
 		page: "graphics",
 		children: ($$anchor, $$slotProps) => {
 			var fragment_1 = $.comment();
-			var node = $.first_child(fragment_1);
+			var node_1 = $.first_child(fragment_1);
 			var consequent = ($$anchor) => {
 				{
 					let $0 = $.derived(() => t("graphics.none"));
@@ -170,8 +244,8 @@ function Graphics($$anchor, $$props) {
 				var div_1 = $.child(div);
 				var strong = $.child(div_1);
 				var text_2 = $.only_child(strong, true);
-				var node_1 = $.sibling(strong, 4);
-				$.each(node_1, 16, () => views, (one) => one, ($$anchor, one) => {
+				var node_2 = $.sibling(strong, 4);
+				$.each(node_2, 16, () => views, (one) => one, ($$anchor, one) => {
 					Button($$anchor, {
 						onclick: () => look(one),
 						get "data-view"() {
@@ -186,11 +260,11 @@ function Graphics($$anchor, $$props) {
 						$$slots: { default: true }
 					});
 				});
-				var node_2 = $.sibling(node_1, 2);
+				var node_3 = $.sibling(node_2, 2);
 				{
 					let $0 = $.derived(() => t("graphics.next"));
 					let $1 = $.derived(() => t("graphics.next"));
-					Button(node_2, {
+					Button(node_3, {
 						icon: "cw",
 						get "aria-label"() {
 							return $.get($0);
@@ -205,11 +279,11 @@ function Graphics($$anchor, $$props) {
 						onclick: () => look(views[(views.indexOf($.get(seen)) + 1) % views.length])
 					});
 				}
-				var node_3 = $.sibling(node_2, 2);
+				var node_4 = $.sibling(node_3, 2);
 				{
 					let $0 = $.derived(() => t("graphics.fit"));
 					let $1 = $.derived(() => t("graphics.fit"));
-					Button(node_3, {
+					Button(node_4, {
 						icon: "expand",
 						get "aria-label"() {
 							return $.get($0);
@@ -220,8 +294,40 @@ function Graphics($$anchor, $$props) {
 						onclick: () => $.get(view)?.fit()
 					});
 				}
-				var node_4 = $.sibling(node_3, 2);
-				Button(node_4, {
+				var node_5 = $.sibling(node_4, 2);
+				{
+					let $0 = $.derived(() => t("graphics.erase"));
+					let $1 = $.derived(() => t("graphics.erase"));
+					Button(node_5, {
+						icon: "trash",
+						get "aria-label"() {
+							return $.get($0);
+						},
+						get title() {
+							return $.get($1);
+						},
+						onclick: () => $.set(drawn, 0),
+						"data-testid": "erase"
+					});
+				}
+				var node_6 = $.sibling(node_5, 2);
+				{
+					let $0 = $.derived(() => t("graphics.settings"));
+					let $1 = $.derived(() => t("graphics.settings"));
+					Button(node_6, {
+						icon: "settings",
+						get "aria-label"() {
+							return $.get($0);
+						},
+						get title() {
+							return $.get($1);
+						},
+						onclick: () => $.set(setting, true),
+						"data-testid": "drawing"
+					});
+				}
+				var node_7 = $.sibling(node_6, 2);
+				Button(node_7, {
 					get pressed() {
 						return $.get(rapids);
 					},
@@ -234,8 +340,8 @@ function Graphics($$anchor, $$props) {
 					},
 					$$slots: { default: true }
 				});
-				var node_5 = $.sibling(node_4, 2);
-				Button(node_5, {
+				var node_8 = $.sibling(node_7, 2);
+				Button(node_8, {
 					get pressed() {
 						return $.get(cut);
 					},
@@ -249,8 +355,8 @@ function Graphics($$anchor, $$props) {
 					},
 					$$slots: { default: true }
 				});
-				var node_6 = $.sibling(node_5, 2);
-				Button(node_6, {
+				var node_9 = $.sibling(node_8, 2);
+				Button(node_9, {
 					icon: "ruler",
 					get pressed() {
 						return $.get(measuring);
@@ -270,44 +376,48 @@ function Graphics($$anchor, $$props) {
 				});
 				$.reset(div_1);
 				var div_2 = $.sibling(div_1, 2);
-				var node_7 = $.child(div_2);
+				var node_10 = $.child(div_2);
 				{
-					let $0 = $.derived(() => $.get(cut) ? [$.get(height) - $.get(thick), $.get(height)] : null);
-					let $1 = $.derived(() => t("graphics.title"));
-					$.bind_this(PathView(node_7, {
+					let $0 = $.derived(() => $.get(live) ? $.get(drawn) : $.get(shownPlace));
+					let $1 = $.derived(() => $.get(cut) ? [$.get(height) - $.get(thick), $.get(height)] : null);
+					let $2 = $.derived(() => t("graphics.title"));
+					$.bind_this(PathView(node_10, {
 						get path() {
 							return $.get(path);
 						},
 						get done() {
-							return $.get(shownPlace);
+							return $.get($0);
+						},
+						get range() {
+							return $.get(range);
 						},
 						get rapids() {
 							return $.get(rapids);
 						},
 						get section() {
-							return $.get($0);
+							return $.get($1);
 						},
 						get marks() {
 							return $.get(marks);
 						},
 						tool,
 						get label() {
-							return $.get($1);
+							return $.get($2);
 						},
 						onpick: pick
 					}), ($$value) => $.set(view, $$value, true), () => $.get(view));
 				}
-				var node_8 = $.sibling(node_7, 2);
+				var node_11 = $.sibling(node_10, 2);
 				var consequent_1 = ($$anchor) => {
 					var p = root();
 					var text_7 = $.only_child(p, true);
 					$.template_effect(($0) => $.set_text(text_7, $0), [() => t("app.loading")]);
 					$.append($$anchor, p);
 				};
-				$.if(node_8, ($$render) => {
+				$.if(node_11, ($$render) => {
 					if ($.get(loading)) $$render(consequent_1);
 				});
-				var node_9 = $.sibling(node_8, 2);
+				var node_12 = $.sibling(node_11, 2);
 				var consequent_2 = ($$anchor) => {
 					var p_1 = root_1();
 					var text_8 = $.child(p_1, true);
@@ -320,36 +430,36 @@ function Graphics($$anchor, $$props) {
 					}, [() => t("graphics.failed")]);
 					$.append($$anchor, p_1);
 				};
-				$.if(node_9, ($$render) => {
+				$.if(node_12, ($$render) => {
 					if ($.get(failed)) $$render(consequent_2);
 				});
-				var node_10 = $.sibling(node_9, 2);
+				var node_13 = $.sibling(node_12, 2);
 				var consequent_3 = ($$anchor) => {
 					var p_2 = root_2();
 					var text_10 = $.only_child(p_2, true);
 					$.template_effect(($0) => $.set_text(text_10, $0), [() => t("graphics.cut_by_alarm")]);
 					$.append($$anchor, p_2);
 				};
-				$.if(node_10, ($$render) => {
+				$.if(node_13, ($$render) => {
 					if ($.get(path)?.alarm) $$render(consequent_3);
 				});
-				var node_11 = $.sibling(node_10, 2);
+				var node_14 = $.sibling(node_13, 2);
 				var consequent_4 = ($$anchor) => {
 					var p_3 = root_3();
 					var text_11 = $.only_child(p_3, true);
 					$.template_effect(($0) => $.set_text(text_11, $0), [() => t("graphics.cut_by_size")]);
 					$.append($$anchor, p_3);
 				};
-				$.if(node_11, ($$render) => {
+				$.if(node_14, ($$render) => {
 					if ($.get(path)?.short) $$render(consequent_4);
 				});
-				var node_12 = $.sibling(node_11, 2);
+				var node_15 = $.sibling(node_14, 2);
 				var consequent_7 = ($$anchor) => {
 					var div_3 = root_7();
 					var small_1 = $.child(div_3);
 					var text_12 = $.only_child(small_1, true);
-					var node_13 = $.sibling(small_1, 2);
-					$.each(node_13, 17, () => $.get(marks), $.index, ($$anchor, mark, index) => {
+					var node_16 = $.sibling(small_1, 2);
+					$.each(node_16, 17, () => $.get(marks), $.index, ($$anchor, mark, index) => {
 						var div_4 = root_4();
 						var text_13 = $.child(div_4);
 						var span = $.sibling(text_13);
@@ -366,7 +476,7 @@ function Graphics($$anchor, $$props) {
 						]);
 						$.append($$anchor, div_4);
 					});
-					var node_14 = $.sibling(node_13, 2);
+					var node_17 = $.sibling(node_16, 2);
 					var consequent_5 = ($$anchor) => {
 						var fragment_10 = root_5();
 						var div_5 = $.first_child(fragment_10);
@@ -385,28 +495,28 @@ function Graphics($$anchor, $$props) {
 						$.template_effect(($0) => $.set_text(text_16, $0), [() => t("graphics.distance", { distance: fixed(Math.hypot(...$.get(between).map(([, way]) => way))) })]);
 						$.append($$anchor, fragment_10);
 					};
-					$.if(node_14, ($$render) => {
+					$.if(node_17, ($$render) => {
 						if ($.get(between)) $$render(consequent_5);
 					});
-					var node_15 = $.sibling(node_14, 2);
+					var node_18 = $.sibling(node_17, 2);
 					var consequent_6 = ($$anchor) => {
 						var span_1 = root_6();
 						var text_17 = $.only_child(span_1, true);
 						$.template_effect(($0) => $.set_text(text_17, $0), [() => t("graphics.second")]);
 						$.append($$anchor, span_1);
 					};
-					$.if(node_15, ($$render) => {
+					$.if(node_18, ($$render) => {
 						if ($.get(measuring) && $.get(marks).length === 1) $$render(consequent_6);
 					});
 					$.reset(div_3);
 					$.template_effect(($0) => $.set_text(text_12, $0), [() => t("position.machine")]);
 					$.append($$anchor, div_3);
 				};
-				$.if(node_12, ($$render) => {
+				$.if(node_15, ($$render) => {
 					if ($.get(marks).length) $$render(consequent_7);
 				});
 				$.reset(div_2);
-				var node_16 = $.sibling(div_2, 2);
+				var node_19 = $.sibling(div_2, 2);
 				var consequent_8 = ($$anchor) => {
 					var div_6 = root_8();
 					var span_2 = $.child(div_6);
@@ -434,12 +544,12 @@ function Graphics($$anchor, $$props) {
 					$.bind_value(input, () => $.get(height), ($$value) => $.set(height, $$value));
 					$.append($$anchor, div_6);
 				};
-				$.if(node_16, ($$render) => {
+				$.if(node_19, ($$render) => {
 					if ($.get(cut) && $.get(path)) $$render(consequent_8);
 				});
-				var div_7 = $.sibling(node_16, 2);
-				var node_17 = $.child(div_7);
-				Button(node_17, {
+				var div_7 = $.sibling(node_19, 2);
+				var node_20 = $.child(div_7);
+				Button(node_20, {
 					get pressed() {
 						return $.get(live);
 					},
@@ -456,14 +566,14 @@ function Graphics($$anchor, $$props) {
 					},
 					$$slots: { default: true }
 				});
-				var input_1 = $.sibling(node_17, 2);
+				var input_1 = $.sibling(node_20, 2);
 				$.remove_input_defaults(input_1);
 				var output_1 = $.sibling(input_1, 2);
 				var text_22 = $.only_child(output_1);
 				var span_3 = $.sibling(output_1, 2);
 				var text_23 = $.only_child(span_3, true);
 				$.reset(div_7);
-				var node_18 = $.sibling(div_7, 2);
+				var node_21 = $.sibling(div_7, 2);
 				var consequent_9 = ($$anchor) => {
 					var p_4 = root_9();
 					var text_24 = $.only_child(p_4, true);
@@ -475,7 +585,7 @@ function Graphics($$anchor, $$props) {
 					})]);
 					$.append($$anchor, p_4);
 				};
-				$.if(node_18, ($$render) => {
+				$.if(node_21, ($$render) => {
 					if ($.get(path)) $$render(consequent_9);
 				});
 				$.reset(div);
@@ -483,6 +593,8 @@ function Graphics($$anchor, $$props) {
 					$.set_attribute(div, "data-loaded", $.get(path) !== null);
 					$.set_attribute(div, "data-points", $.get(path)?.count ?? 0);
 					$.set_attribute(div, "data-took", $.get(took));
+					$.set_attribute(div, "data-place", $.get(shownPlace));
+					$.set_attribute(div, "data-drawn", $.get(drawn));
 					$.set_text(text_2, $.get(program));
 					$.set_attribute(input_1, "max", $.get(total));
 					$.set_value(input_1, $.get(shownTime));
@@ -502,7 +614,7 @@ function Graphics($$anchor, $$props) {
 				});
 				$.append($$anchor, div);
 			};
-			$.if(node, ($$render) => {
+			$.if(node_1, ($$render) => {
 				if (!$.get(program)) $$render(consequent);
 				else $$render(alternate, -1);
 			});
@@ -510,6 +622,142 @@ function Graphics($$anchor, $$props) {
 		},
 		$$slots: { default: true }
 	});
+	var node_22 = $.sibling(node, 2);
+	{
+		const actions = ($$anchor) => {
+			var fragment_13 = root_11();
+			var node_23 = $.first_child(fragment_13);
+			{
+				let $0 = $.derived(() => !prefs.drawing.range);
+				Button(node_23, {
+					get disabled() {
+						return $.get($0);
+					},
+					onclick: () => prefs.drawing.range = null,
+					"data-testid": "whole-path",
+					children: ($$anchor, $$slotProps) => {
+						$.next();
+						var text_25 = $.text();
+						$.template_effect(($0) => $.set_text(text_25, $0), [() => t("graphics.whole")]);
+						$.append($$anchor, text_25);
+					},
+					$$slots: { default: true }
+				});
+			}
+			var node_24 = $.sibling(node_23, 2);
+			Button(node_24, {
+				kind: "primary",
+				onclick: () => $.set(setting, false),
+				children: ($$anchor, $$slotProps) => {
+					$.next();
+					var text_26 = $.text();
+					$.template_effect(($0) => $.set_text(text_26, $0), [() => t("app.close")]);
+					$.append($$anchor, text_26);
+				},
+				$$slots: { default: true }
+			});
+			$.append($$anchor, fragment_13);
+		};
+		let $0 = $.derived(() => t("graphics.settings"));
+		Dialog(node_22, {
+			get title() {
+				return $.get($0);
+			},
+			get open() {
+				return $.get(setting);
+			},
+			set open($$value) {
+				$.set(setting, $$value, true);
+			},
+			actions,
+			children: ($$anchor, $$slotProps) => {
+				var fragment_16 = root_14();
+				var node_25 = $.first_child(fragment_16);
+				Button(node_25, {
+					get pressed() {
+						return prefs.drawing.erases;
+					},
+					onclick: () => prefs.drawing.erases = !prefs.drawing.erases,
+					"data-testid": "erases",
+					children: ($$anchor, $$slotProps) => {
+						$.next();
+						var text_27 = $.text();
+						$.template_effect(($0) => $.set_text(text_27, $0), [() => t("graphics.erases")]);
+						$.append($$anchor, text_27);
+					},
+					$$slots: { default: true }
+				});
+				var p_5 = $.sibling(node_25, 2);
+				var text_28 = $.only_child(p_5, true);
+				var table = $.sibling(p_5, 2);
+				var thead = $.child(table);
+				var tr = $.child(thead);
+				var th = $.child(tr);
+				var text_29 = $.only_child(th, true);
+				var th_1 = $.sibling(th);
+				var text_30 = $.only_child(th_1, true);
+				var th_2 = $.sibling(th_1);
+				var text_31 = $.only_child(th_2, true);
+				$.reset(tr);
+				$.reset(thead);
+				var tbody = $.sibling(thead);
+				$.each(tbody, 22, () => AXES, (axis) => axis, ($$anchor, axis, index) => {
+					var tr_1 = root_13();
+					var th_3 = $.child(tr_1);
+					var text_32 = $.only_child(th_3, true);
+					var node_26 = $.sibling(th_3);
+					$.each(node_26, 16, () => ["low", "high"], (which) => which, ($$anchor, which) => {
+						var td = root_12();
+						var node_27 = $.child(td);
+						{
+							let $0 = $.derived(() => `${axis} ${t(which === "low" ? "graphics.least" : "graphics.greatest")}`);
+							let $1 = $.derived(() => which === "high" ? $.get(extremes).low[$.get(index)] : -99999);
+							let $2 = $.derived(() => which === "low" ? $.get(extremes).high[$.get(index)] : 99999);
+							NumberField(node_27, {
+								get label() {
+									return $.get($0);
+								},
+								get value() {
+									return $.get(extremes)[which][$.get(index)];
+								},
+								get minimum() {
+									return $.get($1);
+								},
+								get maximum() {
+									return $.get($2);
+								},
+								onvalue: (value) => setExtreme(which, $.get(index), value)
+							});
+						}
+						$.reset(td);
+						$.append($$anchor, td);
+					});
+					$.reset(tr_1);
+					$.template_effect(() => $.set_text(text_32, axis));
+					$.append($$anchor, tr_1);
+				});
+				$.reset(tbody);
+				$.reset(table);
+				$.template_effect(($0, $1, $2, $3) => {
+					$.set_text(text_28, $0);
+					$.set_text(text_29, $1);
+					$.set_text(text_30, $2);
+					$.set_text(text_31, $3);
+				}, [
+					() => t("graphics.erases_text"),
+					() => t("graphics.range"),
+					() => t("graphics.least"),
+					() => t("graphics.greatest")
+				]);
+				$.append($$anchor, fragment_16);
+			},
+			$$slots: {
+				actions: true,
+				default: true
+			}
+		});
+	}
+	$.append($$anchor, fragment);
 	$.pop();
 }
 $.delegate(["input"]);

@@ -3,6 +3,7 @@ import Empty from "../../lib/parts/Empty.svelte.js";
 import Page from "../../lib/parts/Page.svelte.js";
 import { route } from "../../lib/routing.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
+import Data from "./Data.svelte.js";
 import Edit from "./Edit.svelte.js";
 import Monitor from "./Monitor.svelte.js";
 import Trace from "./Trace.svelte.js";
@@ -13,6 +14,7 @@ function Plc($$anchor, $$props) {
 	$.push($$props, true);
 	const tabs = $.derived(() => [
 		"monitor",
+		"data",
 		"edit",
 		"trace"
 	].map((id) => ({
@@ -50,6 +52,9 @@ function Plc($$anchor, $$props) {
 				Monitor($$anchor, {});
 			};
 			var consequent_2 = ($$anchor) => {
+				Data($$anchor, {});
+			};
+			var consequent_3 = ($$anchor) => {
 				Edit($$anchor, {});
 			};
 			var alternate = ($$anchor) => {
@@ -58,7 +63,8 @@ function Plc($$anchor, $$props) {
 			$.if(node, ($$render) => {
 				if (machine.hello?.panel?.ladder === false) $$render(consequent);
 				else if ($.get(active) === "monitor") $$render(consequent_1, 1);
-				else if ($.get(active) === "edit") $$render(consequent_2, 2);
+				else if ($.get(active) === "data") $$render(consequent_2, 2);
+				else if ($.get(active) === "edit") $$render(consequent_3, 3);
 				else $$render(alternate, -1);
 			});
 			$.append($$anchor, fragment_1);

@@ -8,8 +8,8 @@ import * as $ from "svelte/internal/client";
 // src/pages/position/All.svelte
 var root = $.from_html(`<th class="right"> </th>`);
 var root_1 = $.from_html(`<td> </td>`);
-var root_2 = $.from_html(`<tr><th scope="row" class="s-4b771b"> </th><!></tr>`);
-var root_3 = $.from_html(`<div class="scroll"><table class="table"><thead><tr><th></th><!></tr></thead><tbody></tbody></table></div>`);
+var root_2 = $.from_html(`<tr><th scope="row" class="s-4b771b"> </th><!><td class="right value s-4b771b"> </td></tr>`);
+var root_3 = $.from_html(`<div class="scroll"><table class="table"><thead><tr><th></th><!><th class="right" data-kind="speed"> <small> </small></th></tr></thead><tbody></tbody></table></div>`);
 function All($$anchor, $$props) {
 	$.push($$props, true);
 	const status = $.derived(() => machine.status);
@@ -59,37 +59,53 @@ function All($$anchor, $$props) {
 				$.each(node_1, 16, () => kinds, (kind) => kind, ($$anchor, kind) => {
 					var th = root();
 					var text_1 = $.only_child(th, true);
-					$.template_effect(($0) => $.set_text(text_1, $0), [() => kind === "work" ? $.get(status).position.system ?? t("position.g92") : t(`position.${kind}`)]);
+					$.template_effect(($0) => {
+						$.set_attribute(th, "data-kind", kind);
+						$.set_text(text_1, $0);
+					}, [() => kind === "work" ? $.get(status).position.system ?? t("position.g92") : t(`position.${kind}`)]);
 					$.append($$anchor, th);
 				});
+				var th_1 = $.sibling(node_1);
+				var text_2 = $.child(th_1);
+				var small = $.sibling(text_2);
+				var text_3 = $.only_child(small, true);
+				$.reset(th_1);
 				$.reset(tr);
 				$.reset(thead);
 				var tbody = $.sibling(thead);
 				$.each(tbody, 20, () => machine.axes, (axis) => axis, ($$anchor, axis) => {
 					var tr_1 = root_2();
-					var th_1 = $.child(tr_1);
-					var text_2 = $.only_child(th_1, true);
-					var node_2 = $.sibling(th_1);
+					var th_2 = $.child(tr_1);
+					var text_4 = $.only_child(th_2, true);
+					var node_2 = $.sibling(th_2);
 					$.each(node_2, 16, () => kinds, (kind) => kind, ($$anchor, kind) => {
 						var td = root_1();
 						let classes;
-						var text_3 = $.only_child(td, true);
+						var text_5 = $.only_child(td, true);
 						$.template_effect(($0) => {
 							classes = $.set_class(td, 1, "right value s-4b771b", null, classes, { main: kind === "work" });
-							$.set_text(text_3, $0);
+							$.set_text(text_5, $0);
 						}, [() => fixed($.get(status).position[kind][axis])]);
 						$.append($$anchor, td);
 					});
+					var td_1 = $.sibling(node_2);
+					var text_6 = $.only_child(td_1, true);
 					$.reset(tr_1);
-					$.template_effect(() => {
+					$.template_effect(($0) => {
 						$.set_attribute(tr_1, "data-axis", axis);
-						$.set_text(text_2, axis);
-					});
+						$.set_text(text_4, axis);
+						$.set_attribute(td_1, "data-speed", axis);
+						$.set_text(text_6, $0);
+					}, [() => fixed($.get(status).feed.components[axis] ?? 0, 0)]);
 					$.append($$anchor, tr_1);
 				});
 				$.reset(tbody);
 				$.reset(table);
 				$.reset(div);
+				$.template_effect(($0, $1) => {
+					$.set_text(text_2, `${$0 ?? ""} `);
+					$.set_text(text_3, $1);
+				}, [() => t("position.speed"), () => t("unit.mm_min")]);
 				$.append($$anchor, div);
 			},
 			$$slots: {

@@ -5,9 +5,9 @@ import { machine } from "../../lib/state/machine.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/position/Large.svelte
-var root = $.from_html(`<span class="tools s-j8eiln"><!></span>`);
-var root_1 = $.from_html(`<div class="axis s-j8eiln"><span> <!></span> <output class="large number s-j8eiln"> </output> <span class="small s-j8eiln"><span> </span> <span class="number muted"> </span></span> <!></div>`);
-var root_2 = $.from_html(`<section class="axes s-j8eiln" data-testid="axes"><header class="s-j8eiln"><h2> </h2> <span class="legend muted s-j8eiln"><span> </span><span> </span></span></header> <!></section>`);
+var root = $.from_html(`<span class="tools s-1kbybbx"><!></span>`);
+var root_1 = $.from_html(`<div class="axis s-1kbybbx"><span> <!></span> <output class="large number s-1kbybbx" aria-live="off"><span class="digits s-1kbybbx"> </span></output> <span class="small s-1kbybbx"><span> </span> <span class="number muted s-1kbybbx"> </span></span> <!></div>`);
+var root_2 = $.from_html(`<section class="axes s-1kbybbx" data-testid="axes"><header class="s-1kbybbx"><h2> </h2> <span class="legend muted s-1kbybbx"><span> </span><span> </span></span></header> <!></section>`);
 function Large($$anchor, $$props) {
 	$.push($$props, true);
 	const status = $.derived(() => machine.status);
@@ -41,21 +41,23 @@ function Large($$anchor, $$props) {
 		});
 		$.reset(span_3);
 		var output = $.sibling(span_3, 2);
-		var text_4 = $.only_child(output, true);
-		var span_4 = $.sibling(output, 2);
-		var span_5 = $.child(span_4);
+		var span_4 = $.child(output);
+		var text_4 = $.only_child(span_4, true);
+		$.reset(output);
+		var span_5 = $.sibling(output, 2);
+		var span_6 = $.child(span_5);
 		let classes_1;
-		var text_5 = $.only_child(span_5, true);
-		var span_6 = $.sibling(span_5, 2);
-		var text_6 = $.only_child(span_6, true);
-		$.reset(span_4);
-		var node_2 = $.sibling(span_4, 2);
+		var text_5 = $.only_child(span_6, true);
+		var span_7 = $.sibling(span_6, 2);
+		var text_6 = $.only_child(span_7, true);
+		$.reset(span_5);
+		var node_2 = $.sibling(span_5, 2);
 		var consequent_1 = ($$anchor) => {
-			var span_7 = root();
-			var node_3 = $.child(span_7);
+			var span_8 = root();
+			var node_3 = $.child(span_8);
 			$.snippet(node_3, () => $$props.tools, () => axis);
-			$.reset(span_7);
-			$.append($$anchor, span_7);
+			$.reset(span_8);
+			$.append($$anchor, span_8);
 		};
 		$.if(node_2, ($$render) => {
 			if ($$props.tools) $$render(consequent_1);
@@ -63,10 +65,10 @@ function Large($$anchor, $$props) {
 		$.reset(div);
 		$.template_effect(($0, $1, $2, $3) => {
 			$.set_attribute(div, "data-axis", axis);
-			classes = $.set_class(span_3, 1, "letter s-j8eiln", null, classes, { homed: $.get(homed) });
+			classes = $.set_class(span_3, 1, "letter s-1kbybbx", null, classes, { homed: $.get(homed) });
 			$.set_text(text_3, `${axis ?? ""} `);
 			$.set_text(text_4, $0);
-			classes_1 = $.set_class(span_5, 1, "number s-j8eiln", null, classes_1, { moves: $1 });
+			classes_1 = $.set_class(span_6, 1, "number s-1kbybbx", null, classes_1, { moves: $1 });
 			$.set_text(text_5, $2);
 			$.set_text(text_6, $3);
 		}, [

@@ -12,8 +12,8 @@ import { __vitePreload } from "../../_virtual/_vite/preload-helper.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/position/Position.svelte
-var root = $.from_html(`<div class="program s-1mvav98"><!></div>`);
-var root_1 = $.from_html(`<div><div class="main s-1mvav98"><!></div> <div class="side s-1mvav98"><!> <!> <!></div> <!></div>`);
+var root = $.from_html(`<div class="program s-101xs7i"><!></div>`);
+var root_1 = $.from_html(`<div><div class="main s-101xs7i"><!></div> <div class="side s-101xs7i"><!> <!> <!></div> <!></div>`);
 var root_2 = $.from_html(`<p class="muted"> </p>`);
 function Position($$anchor, $$props) {
 	$.push($$props, true);
@@ -78,7 +78,12 @@ function Position($$anchor, $$props) {
 				$.reset(div_1);
 				var div_2 = $.sibling(div_1, 2);
 				var node_3 = $.child(div_2);
-				Speeds(node_3, {});
+				{
+					let $0 = $.derived(() => $.get(active) === "relative" || $.get(active) === "absolute");
+					Speeds(node_3, { get settable() {
+						return $.get($0);
+					} });
+				}
 				var node_4 = $.sibling(node_3, 2);
 				Modal(node_4, {});
 				var node_5 = $.sibling(node_4, 2);
@@ -108,7 +113,7 @@ function Position($$anchor, $$props) {
 					if ($.get(active) === "program") $$render(consequent_2);
 				});
 				$.reset(div);
-				$.template_effect(() => classes = $.set_class(div, 1, "grid s-1mvav98", null, classes, { "with-program": $.get(active) === "program" }));
+				$.template_effect(() => classes = $.set_class(div, 1, "grid s-101xs7i", null, classes, { "with-program": $.get(active) === "program" }));
 				$.append($$anchor, div);
 			};
 			var alternate_1 = ($$anchor) => {

@@ -2,14 +2,42 @@ import { t } from "../../lib/i18n/index.svelte.js";
 import { fixed, percent } from "../../lib/numbers.js";
 import Card from "../../lib/parts/Card.svelte.js";
 import Icon from "../../lib/parts/Icon.svelte.js";
+import NumberField from "../../lib/parts/NumberField.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/position/Speeds.svelte
-var root = $.from_html(`<small class="s-1idfk3s"> </small>`);
-var root_1 = $.from_html(`<dl class="s-1idfk3s"><div class="s-1idfk3s"><dt class="s-1idfk3s">F</dt> <dd class="s-1idfk3s"><output class="number s-1idfk3s" data-testid="feed"> </output><small class="s-1idfk3s"> </small></dd> <dd class="under s-1idfk3s"><span> <b class="number s-1idfk3s"> </b></span><span> </span></dd></div> <div class="s-1idfk3s"><dt class="s-1idfk3s">S</dt> <dd class="s-1idfk3s"><output class="number s-1idfk3s" data-testid="speed"> </output><small class="s-1idfk3s"> </small> <!></dd> <dd class="under s-1idfk3s"><span> <b class="number s-1idfk3s" data-testid="speed-programmed"> </b> <b class="number s-1idfk3s"> </b></span><span> </span></dd></div> <div class="s-1idfk3s"><dt class="s-1idfk3s">T</dt> <dd class="s-1idfk3s"><output class="number s-1idfk3s"> </output> <!></dd> <dd class="under s-1idfk3s"><span>H <b class="number s-1idfk3s"> </b> · D <b class="number s-1idfk3s"> </b></span><span> </span></dd></div></dl>`);
+var root = $.from_html(`<dd class="under set s-1bpkw1c"><span class="field s-1bpkw1c"><!></span> <span role="status"> </span></dd>`);
+var root_1 = $.from_html(`<small class="s-1bpkw1c"> </small>`);
+var root_2 = $.from_html(`<dl class="s-1bpkw1c"><div class="s-1bpkw1c"><dt class="s-1bpkw1c">F</dt> <dd class="s-1bpkw1c"><output class="number s-1bpkw1c" aria-live="off" data-testid="feed"> </output><small class="s-1bpkw1c"> </small></dd> <dd class="under s-1bpkw1c"><span> <b class="number s-1bpkw1c"> </b></span><span> </span></dd></div> <div class="s-1bpkw1c"><dt class="s-1bpkw1c">S</dt> <dd class="s-1bpkw1c"><output class="number s-1bpkw1c" aria-live="off" data-testid="speed"> </output><small class="s-1bpkw1c"> </small> <!></dd> <dd class="under s-1bpkw1c"><span> <b class="number s-1bpkw1c" data-testid="speed-programmed"> </b> <b class="number s-1bpkw1c"> </b></span><span> </span></dd> <!></div> <div class="s-1bpkw1c"><dt class="s-1bpkw1c">T</dt> <dd class="s-1bpkw1c"><output class="number s-1bpkw1c"> </output> <!></dd> <dd class="under s-1bpkw1c"><span>H <b class="number s-1bpkw1c"> </b> · D <b class="number s-1bpkw1c"> </b></span><span> </span></dd></div></dl>`);
 function Speeds($$anchor, $$props) {
 	$.push($$props, true);
+	let settable = $.prop(
+		$$props,
+		"settable",
+		3,
+		false
+		/** Whether S can be typed here. */
+	);
+	/** The highest speed (P258); what the control says where it has one. */
+	let highest = $.state(99999);
+	$.user_effect(() => {
+		machine.changed("parameters");
+		if (machine.link !== "open") return;
+		machine.ask({
+			do: "parameters",
+			names: ["P258"]
+		}).then((reply) => $.set(highest, reply.reply === "parameters" && Object.values(reply.parameters)[0] || $.get(highest), true), () => void 0);
+	});
+	/** S that was typed and is not in force yet: cycle start of MDI puts it there. */
+	let typed = $.state(null);
+	const waits = $.derived(() => $.get(typed) !== null && $.get(typed) !== machine.status.spindle.programmed ? $.get(typed) : null);
+	async function set(speed) {
+		if (await machine.tell({
+			do: "mdi_block",
+			block: `S${speed}`
+		})) $.set(typed, speed, true);
+	}
 	const feed = $.derived(() => machine.status.feed);
 	const spindle = $.derived(() => machine.status.spindle);
 	/** Less than this is standing still, r/min. */
@@ -17,7 +45,7 @@ function Speeds($$anchor, $$props) {
 	const turns = $.derived(() => Math.abs($.get(spindle).actual) < STANDS ? null : $.get(spindle).actual > 0 ? "cw" : "ccw");
 	Card($$anchor, {
 		children: ($$anchor, $$slotProps) => {
-			var dl = root_1();
+			var dl = root_2();
 			var div = $.child(dl);
 			var dd = $.sibling($.child(div), 2);
 			var output = $.child(dd);
@@ -68,32 +96,70 @@ function Speeds($$anchor, $$props) {
 			let classes_1;
 			var text_11 = $.only_child(span_3);
 			$.reset(dd_3);
-			$.reset(div_1);
-			var div_2 = $.sibling(div_1, 2);
-			var dd_4 = $.sibling($.child(div_2), 2);
-			var output_2 = $.child(dd_4);
-			var text_12 = $.only_child(output_2, true);
-			var node_1 = $.sibling(output_2, 2);
+			var node_1 = $.sibling(dd_3, 2);
 			var consequent_1 = ($$anchor) => {
-				var small_2 = root();
-				var text_13 = $.only_child(small_2, true);
-				$.template_effect(($0) => $.set_text(text_13, $0), [() => t("position.called", { tool: $.get(spindle).called_tool })]);
-				$.append($$anchor, small_2);
+				var dd_4 = root();
+				var span_4 = $.child(dd_4);
+				var node_2 = $.child(span_4);
+				{
+					let $0 = $.derived(() => t("position.set_speed"));
+					let $1 = $.derived(() => $.get(typed) ?? $.get(spindle).programmed);
+					let $2 = $.derived(() => machine.status.mode !== "mdi");
+					NumberField(node_2, {
+						get label() {
+							return $.get($0);
+						},
+						get value() {
+							return $.get($1);
+						},
+						digits: 0,
+						minimum: 0,
+						get maximum() {
+							return $.get(highest);
+						},
+						again: true,
+						get disabled() {
+							return $.get($2);
+						},
+						onvalue: (value) => value !== null && void set(value)
+					});
+				}
+				$.reset(span_4);
+				var span_5 = $.sibling(span_4, 2);
+				var text_12 = $.only_child(span_5, true);
+				$.reset(dd_4);
+				$.template_effect(($0) => $.set_text(text_12, $0), [() => machine.status.mode !== "mdi" ? t("position.speed_mdi") : $.get(waits) === null ? "" : t("position.speed_waits", { speed: $.get(waits) })]);
+				$.append($$anchor, dd_4);
 			};
 			$.if(node_1, ($$render) => {
-				if ($.get(spindle).called_tool !== $.get(spindle).tool) $$render(consequent_1);
+				if (settable()) $$render(consequent_1);
 			});
-			$.reset(dd_4);
-			var dd_5 = $.sibling(dd_4, 2);
-			var span_4 = $.child(dd_5);
-			var b_3 = $.sibling($.child(span_4));
-			var text_14 = $.only_child(b_3, true);
-			var b_4 = $.sibling(b_3, 2);
-			var text_15 = $.only_child(b_4, true);
-			$.reset(span_4);
-			var span_5 = $.sibling(span_4);
-			var text_16 = $.only_child(span_5);
+			$.reset(div_1);
+			var div_2 = $.sibling(div_1, 2);
+			var dd_5 = $.sibling($.child(div_2), 2);
+			var output_2 = $.child(dd_5);
+			var text_13 = $.only_child(output_2, true);
+			var node_3 = $.sibling(output_2, 2);
+			var consequent_2 = ($$anchor) => {
+				var small_2 = root_1();
+				var text_14 = $.only_child(small_2, true);
+				$.template_effect(($0) => $.set_text(text_14, $0), [() => t("position.called", { tool: $.get(spindle).called_tool })]);
+				$.append($$anchor, small_2);
+			};
+			$.if(node_3, ($$render) => {
+				if ($.get(spindle).called_tool !== $.get(spindle).tool) $$render(consequent_2);
+			});
 			$.reset(dd_5);
+			var dd_6 = $.sibling(dd_5, 2);
+			var span_6 = $.child(dd_6);
+			var b_3 = $.sibling($.child(span_6));
+			var text_15 = $.only_child(b_3, true);
+			var b_4 = $.sibling(b_3, 2);
+			var text_16 = $.only_child(b_4, true);
+			$.reset(span_6);
+			var span_7 = $.sibling(span_6);
+			var text_17 = $.only_child(span_7);
+			$.reset(dd_6);
 			$.reset(div_2);
 			$.reset(dl);
 			$.template_effect(($0, $1, $2, $3, $4, $5, $6, $7, $8, $9, $10, $11, $12, $13, $14, $15, $16) => {
@@ -101,7 +167,7 @@ function Speeds($$anchor, $$props) {
 				$.set_text(text_1, $1);
 				$.set_text(text_2, `${$2 ?? ""} `);
 				$.set_text(text_3, $3);
-				classes = $.set_class(span_1, 1, "override s-1idfk3s", null, classes, { off: $4 });
+				classes = $.set_class(span_1, 1, "override s-1bpkw1c", null, classes, { off: $4 });
 				$.set_text(text_4, `${$5 ?? ""} %`);
 				$.set_attribute(output_1, "title", $6);
 				$.set_text(text_5, $7);
@@ -110,12 +176,12 @@ function Speeds($$anchor, $$props) {
 				$.set_text(text_8, $10);
 				$.set_text(text_9, ` · ${$11 ?? ""} `);
 				$.set_text(text_10, $12);
-				classes_1 = $.set_class(span_3, 1, "override s-1idfk3s", null, classes_1, { off: $13 });
+				classes_1 = $.set_class(span_3, 1, "override s-1bpkw1c", null, classes_1, { off: $13 });
 				$.set_text(text_11, `${$14 ?? ""} %`);
-				$.set_text(text_12, $.get(spindle).tool);
-				$.set_text(text_14, machine.status.program.h);
-				$.set_text(text_15, machine.status.program.d);
-				$.set_text(text_16, `${$15 ?? ""} ${$16 ?? ""} %`);
+				$.set_text(text_13, $.get(spindle).tool);
+				$.set_text(text_15, machine.status.program.h);
+				$.set_text(text_16, machine.status.program.d);
+				$.set_text(text_17, `${$15 ?? ""} ${$16 ?? ""} %`);
 			}, [
 				() => fixed($.get(feed).actual, 0),
 				() => t("unit.mm_min"),

@@ -16,16 +16,17 @@ import { numbered, programName, programs } from "../../lib/state/programs.svelte
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/program/Directory.svelte
-var root = $.from_html(`<input class="filter s-enqpm4" type="search"/> <!> <!> <!> <input type="file" multiple="" hidden="" data-testid="upload"/>`, 1);
-var root_1 = $.from_html(`<i class="s-enqpm4"></i>`);
-var root_2 = $.from_html(`<tr draggable="true"><td><button type="button" class="name code s-enqpm4"> <!><!><!></button></td><td class="comment s-enqpm4"> </td><td class="right"> </td><td class="muted"> </td></tr>`);
-var root_3 = $.from_html(`<table class="table"><thead><tr><th> </th><th> </th><th class="right"> </th><th> </th></tr></thead><tbody></tbody></table> <p class="muted total s-enqpm4"> </p>`, 1);
-var root_4 = $.from_html(`<div class="preview s-enqpm4"><div class="row wrap"><strong class="code"> </strong> <span class="grow muted comment s-enqpm4"> </span> <!> <!></div> <div class="text s-enqpm4"><!></div> <div class="row wrap"><a class="download s-enqpm4"><!> </a> <!> <!> <!> <span class="grow"></span> <!></div></div>`);
-var root_5 = $.from_html(`<!> <!>`, 1);
-var root_6 = $.from_html(`<input class="code" placeholder="O0001" data-testid="new-name"/>`);
-var root_7 = $.from_html(`<form id="new-program"><!></form>`);
-var root_8 = $.from_html(`<p> </p>`);
-var root_9 = $.from_html(`<div data-testid="directory" role="region"><!> <!></div> <!> <!> <!>`, 1);
+var root = $.from_html(`<input class="filter s-1l9uiap" type="search"/> <!> <!> <!> <input type="file" multiple="" hidden="" data-testid="upload"/>`, 1);
+var root_1 = $.from_html(`<i class="s-1l9uiap"></i>`);
+var root_2 = $.from_html(`<tr draggable="true"><td><button type="button" class="name code s-1l9uiap"> <!><!><!></button></td><td class="comment s-1l9uiap"> </td><td class="right"> </td><td class="muted"> </td></tr>`);
+var root_3 = $.from_html(`<span> </span>`);
+var root_4 = $.from_html(`<table class="table"><thead><tr><th> </th><th> </th><th class="right"> </th><th> </th></tr></thead><tbody></tbody></table> <p class="muted total s-1l9uiap" data-testid="capacity"> <!> <!></p>`, 1);
+var root_5 = $.from_html(`<div class="preview s-1l9uiap"><div class="row wrap"><strong class="code"> </strong> <span class="grow muted comment s-1l9uiap"> </span> <!> <!></div> <div class="text s-1l9uiap"><!></div> <div class="row wrap"><a class="download s-1l9uiap"><!> </a> <!> <!> <!> <span class="grow"></span> <!></div></div>`);
+var root_6 = $.from_html(`<!> <!>`, 1);
+var root_7 = $.from_html(`<input class="code" placeholder="O0001" data-testid="new-name"/>`);
+var root_8 = $.from_html(`<form id="new-program"><!></form>`);
+var root_9 = $.from_html(`<p> </p>`);
+var root_10 = $.from_html(`<div data-testid="directory" role="region"><!> <!></div> <!> <!> <!>`, 1);
 function Directory($$anchor, $$props) {
 	$.push($$props, true);
 	/** Of a program as much is previewed. */
@@ -138,7 +139,7 @@ function Directory($$anchor, $$props) {
 		}
 		$.set(deleting, false);
 	}
-	var fragment = root_9();
+	var fragment = root_10();
 	var div = $.first_child(fragment);
 	let classes;
 	var node = $.child(div);
@@ -251,7 +252,7 @@ function Directory($$anchor, $$props) {
 					}
 				};
 				var alternate = ($$anchor) => {
-					var fragment_7 = root_3();
+					var fragment_7 = root_4();
 					var table = $.first_child(fragment_7);
 					var thead = $.child(table);
 					var tr = $.child(thead);
@@ -314,7 +315,7 @@ function Directory($$anchor, $$props) {
 						$.reset(tr_1);
 						$.template_effect(($0, $1) => {
 							$.set_attribute(tr_1, "data-program", $.get(one).name);
-							classes_1 = $.set_class(tr_1, 1, "s-enqpm4", null, classes_1, { chosen: $.get(one).name === $.get(chosen)?.name });
+							classes_1 = $.set_class(tr_1, 1, "s-1l9uiap", null, classes_1, { chosen: $.get(one).name === $.get(chosen)?.name });
 							$.set_text(text_7, $.get(one).name);
 							$.set_text(text_8, $.get(one).comment);
 							$.set_text(text_9, $0);
@@ -333,13 +334,34 @@ function Directory($$anchor, $$props) {
 					$.reset(tbody);
 					$.reset(table);
 					var p = $.sibling(table, 2);
-					var text_11 = $.only_child(p, true);
+					var text_11 = $.child(p);
+					var node_8 = $.sibling(text_11);
+					var consequent_5 = ($$anchor) => {
+						var span = root_3();
+						var text_12 = $.only_child(span, true);
+						$.template_effect(($0) => $.set_text(text_12, $0), [() => t("program.most", { most: number(programs.most) })]);
+						$.append($$anchor, span);
+					};
+					$.if(node_8, ($$render) => {
+						if (programs.most !== null) $$render(consequent_5);
+					});
+					var node_9 = $.sibling(node_8, 2);
+					var consequent_6 = ($$anchor) => {
+						var span_1 = root_3();
+						var text_13 = $.only_child(span_1, true);
+						$.template_effect(($0) => $.set_text(text_13, $0), [() => t("program.room", { room: bytes(programs.room) })]);
+						$.append($$anchor, span_1);
+					};
+					$.if(node_9, ($$render) => {
+						if (programs.room !== null) $$render(consequent_6);
+					});
+					$.reset(p);
 					$.template_effect(($0, $1, $2, $3, $4) => {
 						$.set_text(text_3, $0);
 						$.set_text(text_4, $1);
 						$.set_text(text_5, $2);
 						$.set_text(text_6, $3);
-						$.set_text(text_11, $4);
+						$.set_text(text_11, `${$4 ?? ""} `);
 					}, [
 						() => t("program.name"),
 						() => t("program.comment"),
@@ -365,16 +387,16 @@ function Directory($$anchor, $$props) {
 			}
 		});
 	}
-	var node_8 = $.sibling(node, 2);
-	var consequent_5 = ($$anchor) => {
-		var div_1 = root_4();
+	var node_10 = $.sibling(node, 2);
+	var consequent_7 = ($$anchor) => {
+		var div_1 = root_5();
 		var div_2 = $.child(div_1);
 		var strong = $.child(div_2);
-		var text_12 = $.only_child(strong, true);
-		var span = $.sibling(strong, 2);
-		var text_13 = $.only_child(span, true);
-		var node_9 = $.sibling(span, 2);
-		Button(node_9, {
+		var text_14 = $.only_child(strong, true);
+		var span_2 = $.sibling(strong, 2);
+		var text_15 = $.only_child(span_2, true);
+		var node_11 = $.sibling(span_2, 2);
+		Button(node_11, {
 			kind: "primary",
 			icon: "play",
 			onclick: () => void machine.tell({
@@ -384,31 +406,31 @@ function Directory($$anchor, $$props) {
 			"data-testid": "select",
 			children: ($$anchor, $$slotProps) => {
 				$.next();
-				var text_14 = $.text();
-				$.template_effect(($0) => $.set_text(text_14, $0), [() => t("program.select")]);
-				$.append($$anchor, text_14);
+				var text_16 = $.text();
+				$.template_effect(($0) => $.set_text(text_16, $0), [() => t("program.select")]);
+				$.append($$anchor, text_16);
 			},
 			$$slots: { default: true }
 		});
-		var node_10 = $.sibling(node_9, 2);
-		Button(node_10, {
+		var node_12 = $.sibling(node_11, 2);
+		Button(node_12, {
 			icon: "edit",
 			onclick: () => go("program", "edit", $.get(chosen).name),
 			"data-testid": "edit",
 			children: ($$anchor, $$slotProps) => {
 				$.next();
-				var text_15 = $.text();
-				$.template_effect(($0) => $.set_text(text_15, $0), [() => t("program.edit")]);
-				$.append($$anchor, text_15);
+				var text_17 = $.text();
+				$.template_effect(($0) => $.set_text(text_17, $0), [() => t("program.edit")]);
+				$.append($$anchor, text_17);
 			},
 			$$slots: { default: true }
 		});
 		$.reset(div_2);
 		var div_3 = $.sibling(div_2, 2);
-		var node_11 = $.child(div_3);
+		var node_13 = $.child(div_3);
 		{
 			let $0 = $.derived(() => t("program.preview"));
-			Editor(node_11, {
+			Editor(node_13, {
 				get text() {
 					return $.get(preview);
 				},
@@ -421,14 +443,14 @@ function Directory($$anchor, $$props) {
 		$.reset(div_3);
 		var div_4 = $.sibling(div_3, 2);
 		var a = $.child(div_4);
-		var node_12 = $.child(a);
-		Icon(node_12, { name: "download" });
-		var text_16 = $.sibling(node_12, 1, true);
+		var node_14 = $.child(a);
+		Icon(node_14, { name: "download" });
+		var text_18 = $.sibling(node_14, 1, true);
 		$.reset(a);
-		var node_13 = $.sibling(a, 2);
+		var node_15 = $.sibling(a, 2);
 		{
 			let $0 = $.derived(() => $.get(chosen).locked !== null);
-			Button(node_13, {
+			Button(node_15, {
 				icon: "lock",
 				get pressed() {
 					return $.get($0);
@@ -441,41 +463,41 @@ function Directory($$anchor, $$props) {
 				}),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_17 = $.text();
-					$.template_effect(($0) => $.set_text(text_17, $0), [() => $.get(chosen).locked === null ? t("program.lock") : t("program.unlock")]);
-					$.append($$anchor, text_17);
+					var text_19 = $.text();
+					$.template_effect(($0) => $.set_text(text_19, $0), [() => $.get(chosen).locked === null ? t("program.lock") : t("program.unlock")]);
+					$.append($$anchor, text_19);
 				},
 				$$slots: { default: true }
 			});
 		}
-		var node_14 = $.sibling(node_13, 2);
-		Button(node_14, {
+		var node_16 = $.sibling(node_15, 2);
+		Button(node_16, {
 			onclick: () => ask("copy"),
 			"data-testid": "copy",
 			children: ($$anchor, $$slotProps) => {
 				$.next();
-				var text_18 = $.text();
-				$.template_effect(($0) => $.set_text(text_18, $0), [() => t("program.copy")]);
-				$.append($$anchor, text_18);
+				var text_20 = $.text();
+				$.template_effect(($0) => $.set_text(text_20, $0), [() => t("program.copy")]);
+				$.append($$anchor, text_20);
 			},
 			$$slots: { default: true }
 		});
-		var node_15 = $.sibling(node_14, 2);
-		Button(node_15, {
+		var node_17 = $.sibling(node_16, 2);
+		Button(node_17, {
 			onclick: () => ask("rename"),
 			"data-testid": "rename",
 			children: ($$anchor, $$slotProps) => {
 				$.next();
-				var text_19 = $.text();
-				$.template_effect(($0) => $.set_text(text_19, $0), [() => t("program.rename")]);
-				$.append($$anchor, text_19);
+				var text_21 = $.text();
+				$.template_effect(($0) => $.set_text(text_21, $0), [() => t("program.rename")]);
+				$.append($$anchor, text_21);
 			},
 			$$slots: { default: true }
 		});
-		var node_16 = $.sibling(node_15, 4);
+		var node_18 = $.sibling(node_17, 4);
 		{
 			let $0 = $.derived(() => t("app.delete"));
-			Button(node_16, {
+			Button(node_18, {
 				kind: "danger",
 				icon: "trash",
 				get "aria-label"() {
@@ -490,35 +512,35 @@ function Directory($$anchor, $$props) {
 		$.reset(div_4);
 		$.reset(div_1);
 		$.template_effect(($0, $1) => {
-			$.set_text(text_12, $.get(chosen).name);
-			$.set_text(text_13, $.get(chosen).comment);
+			$.set_text(text_14, $.get(chosen).name);
+			$.set_text(text_15, $.get(chosen).comment);
 			$.set_attribute(a, "href", $0);
 			$.set_attribute(a, "download", `${$.get(chosen).name}.nc`);
-			$.set_text(text_16, $1);
+			$.set_text(text_18, $1);
 		}, [() => http.download($.get(chosen).name), () => t("program.download")]);
 		$.append($$anchor, div_1);
 	};
-	$.if(node_8, ($$render) => {
-		if ($.get(chosen)) $$render(consequent_5);
+	$.if(node_10, ($$render) => {
+		if ($.get(chosen)) $$render(consequent_7);
 	});
 	$.reset(div);
-	var node_17 = $.sibling(div, 2);
+	var node_19 = $.sibling(div, 2);
 	{
 		const actions = ($$anchor) => {
-			var fragment_15 = root_5();
-			var node_18 = $.first_child(fragment_15);
-			Button(node_18, {
+			var fragment_15 = root_6();
+			var node_20 = $.first_child(fragment_15);
+			Button(node_20, {
 				onclick: () => $.set(making, false),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_20 = $.text();
-					$.template_effect(($0) => $.set_text(text_20, $0), [() => t("app.cancel")]);
-					$.append($$anchor, text_20);
+					var text_22 = $.text();
+					$.template_effect(($0) => $.set_text(text_22, $0), [() => t("app.cancel")]);
+					$.append($$anchor, text_22);
 				},
 				$$slots: { default: true }
 			});
-			var node_19 = $.sibling(node_18, 2);
-			Button(node_19, {
+			var node_21 = $.sibling(node_20, 2);
+			Button(node_21, {
 				kind: "primary",
 				type: "submit",
 				form: "new-program",
@@ -528,16 +550,16 @@ function Directory($$anchor, $$props) {
 				"data-testid": "name-go",
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_21 = $.text();
-					$.template_effect(($0) => $.set_text(text_21, $0), [() => t(`program.${$.get(naming)}`)]);
-					$.append($$anchor, text_21);
+					var text_23 = $.text();
+					$.template_effect(($0) => $.set_text(text_23, $0), [() => t(`program.${$.get(naming)}`)]);
+					$.append($$anchor, text_23);
 				},
 				$$slots: { default: true }
 			});
 			$.append($$anchor, fragment_15);
 		};
 		let $0 = $.derived(() => $.get(naming) === "new" ? t("program.new") : `${t(`program.${$.get(naming)}`)}: ${$.get(chosen)?.name ?? ""}`);
-		Dialog(node_17, {
+		Dialog(node_19, {
 			get title() {
 				return $.get($0);
 			},
@@ -549,12 +571,12 @@ function Directory($$anchor, $$props) {
 			},
 			actions,
 			children: ($$anchor, $$slotProps) => {
-				var form = root_7();
-				var node_20 = $.child(form);
+				var form = root_8();
+				var node_22 = $.child(form);
 				{
 					let $0 = $.derived(() => t("program.name"));
 					let $1 = $.derived(() => $.get(taken) ? t("program.taken") : t("program.name_hint"));
-					Labelled(node_20, {
+					Labelled(node_22, {
 						get label() {
 							return $.get($0);
 						},
@@ -562,7 +584,7 @@ function Directory($$anchor, $$props) {
 							return $.get($1);
 						},
 						children: ($$anchor, $$slotProps) => {
-							var input_2 = root_6();
+							var input_2 = root_7();
 							$.remove_input_defaults(input_2);
 							$.bind_value(input_2, () => $.get(fresh), ($$value) => $.set(fresh, $$value));
 							$.append($$anchor, input_2);
@@ -580,38 +602,38 @@ function Directory($$anchor, $$props) {
 			}
 		});
 	}
-	var node_21 = $.sibling(node_17, 2);
+	var node_23 = $.sibling(node_19, 2);
 	{
 		const actions = ($$anchor) => {
-			var fragment_18 = root_5();
-			var node_22 = $.first_child(fragment_18);
-			Button(node_22, {
+			var fragment_18 = root_6();
+			var node_24 = $.first_child(fragment_18);
+			Button(node_24, {
 				onclick: () => $.set(replacing, false),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_22 = $.text();
-					$.template_effect(($0) => $.set_text(text_22, $0), [() => t("app.cancel")]);
-					$.append($$anchor, text_22);
+					var text_24 = $.text();
+					$.template_effect(($0) => $.set_text(text_24, $0), [() => t("app.cancel")]);
+					$.append($$anchor, text_24);
 				},
 				$$slots: { default: true }
 			});
-			var node_23 = $.sibling(node_22, 2);
-			Button(node_23, {
+			var node_25 = $.sibling(node_24, 2);
+			Button(node_25, {
 				kind: "danger",
 				onclick: () => void replace(),
 				"data-testid": "replace",
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_23 = $.text();
-					$.template_effect(($0) => $.set_text(text_23, $0), [() => t("program.replace")]);
-					$.append($$anchor, text_23);
+					var text_25 = $.text();
+					$.template_effect(($0) => $.set_text(text_25, $0), [() => t("program.replace")]);
+					$.append($$anchor, text_25);
 				},
 				$$slots: { default: true }
 			});
 			$.append($$anchor, fragment_18);
 		};
 		let $0 = $.derived(() => t("program.replace_ask"));
-		Dialog(node_21, {
+		Dialog(node_23, {
 			get title() {
 				return $.get($0);
 			},
@@ -623,9 +645,9 @@ function Directory($$anchor, $$props) {
 			},
 			actions,
 			children: ($$anchor, $$slotProps) => {
-				var p_1 = root_8();
-				var text_24 = $.only_child(p_1, true);
-				$.template_effect(($0) => $.set_text(text_24, $0), [() => t("program.replace_text", { programs: $.get(doubles).map(({ name }) => name).join(", ") })]);
+				var p_1 = root_9();
+				var text_26 = $.only_child(p_1, true);
+				$.template_effect(($0) => $.set_text(text_26, $0), [() => t("program.replace_text", { programs: $.get(doubles).map(({ name }) => name).join(", ") })]);
 				$.append($$anchor, p_1);
 			},
 			$$slots: {
@@ -634,39 +656,39 @@ function Directory($$anchor, $$props) {
 			}
 		});
 	}
-	var node_24 = $.sibling(node_21, 2);
+	var node_26 = $.sibling(node_23, 2);
 	{
 		const actions = ($$anchor) => {
-			var fragment_21 = root_5();
-			var node_25 = $.first_child(fragment_21);
-			Button(node_25, {
+			var fragment_21 = root_6();
+			var node_27 = $.first_child(fragment_21);
+			Button(node_27, {
 				onclick: () => $.set(deleting, false),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_25 = $.text();
-					$.template_effect(($0) => $.set_text(text_25, $0), [() => t("app.cancel")]);
-					$.append($$anchor, text_25);
+					var text_27 = $.text();
+					$.template_effect(($0) => $.set_text(text_27, $0), [() => t("app.cancel")]);
+					$.append($$anchor, text_27);
 				},
 				$$slots: { default: true }
 			});
-			var node_26 = $.sibling(node_25, 2);
-			Button(node_26, {
+			var node_28 = $.sibling(node_27, 2);
+			Button(node_28, {
 				kind: "danger",
 				icon: "trash",
 				onclick: () => void remove(),
 				"data-testid": "delete-go",
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_26 = $.text();
-					$.template_effect(($0) => $.set_text(text_26, $0), [() => t("app.delete")]);
-					$.append($$anchor, text_26);
+					var text_28 = $.text();
+					$.template_effect(($0) => $.set_text(text_28, $0), [() => t("app.delete")]);
+					$.append($$anchor, text_28);
 				},
 				$$slots: { default: true }
 			});
 			$.append($$anchor, fragment_21);
 		};
 		let $0 = $.derived(() => t("program.delete", { program: $.get(doomed) }));
-		Dialog(node_24, {
+		Dialog(node_26, {
 			get title() {
 				return $.get($0);
 			},
@@ -678,9 +700,9 @@ function Directory($$anchor, $$props) {
 			},
 			actions,
 			children: ($$anchor, $$slotProps) => {
-				var p_2 = root_8();
-				var text_27 = $.only_child(p_2, true);
-				$.template_effect(($0) => $.set_text(text_27, $0), [() => t("program.delete_text")]);
+				var p_2 = root_9();
+				var text_29 = $.only_child(p_2, true);
+				$.template_effect(($0) => $.set_text(text_29, $0), [() => t("program.delete_text")]);
 				$.append($$anchor, p_2);
 			},
 			$$slots: {
@@ -690,7 +712,7 @@ function Directory($$anchor, $$props) {
 		});
 	}
 	$.template_effect(($0) => {
-		classes = $.set_class(div, 1, "directory s-enqpm4", null, classes, { over: $.get(over) });
+		classes = $.set_class(div, 1, "directory s-1l9uiap", null, classes, { over: $.get(over) });
 		$.set_attribute(div, "data-loaded", programs.list !== null);
 		$.set_attribute(div, "aria-label", $0);
 	}, [() => t("program.directory")]);

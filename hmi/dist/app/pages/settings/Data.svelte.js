@@ -11,17 +11,19 @@ import { notify } from "../../lib/state/notices.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/settings/Data.svelte
-var root = $.from_html(`<button type="button" role="checkbox"><i class="s-xcf4p"></i><span> </span><small class="muted"> </small></button>`);
+var root = $.from_html(`<button type="button" role="checkbox"><i class="s-1y1fbbu"></i><span> </span><small class="muted"> </small></button>`);
 var root_1 = $.from_html(`<input class="code" spellcheck="false"/>`);
-var root_2 = $.from_html(`<div class="data s-xcf4p"><div class="items s-xcf4p"></div> <div class="row wrap"><!> <!></div> <!> <div class="row wrap"><!> <!></div></div>`);
-var root_3 = $.from_html(`<a class="take s-xcf4p"><!></a>`);
-var root_4 = $.from_html(`<tr><td><button type="button" class="pick code s-xcf4p"> </button></td><td class="right"> </td><td class="muted"> </td><td><!></td></tr>`);
-var root_5 = $.from_html(`<tr><td class="muted"> </td></tr>`);
-var root_6 = $.from_html(`<p class="muted note s-xcf4p"> </p>`);
-var root_7 = $.from_html(`<table class="table" data-testid="backups"><tbody></tbody></table> <!>`, 1);
-var root_8 = $.from_html(`<!> <!>`, 1);
-var root_9 = $.from_html(`<p> </p> <p class="muted"> </p>`, 1);
-var root_10 = $.from_html(`<!> <!> <!>`, 1);
+var root_2 = $.from_html(`<div class="data s-1y1fbbu"><div class="items s-1y1fbbu"></div> <div class="row wrap"><!> <!></div> <!> <div class="row wrap"><!> <!></div></div>`);
+var root_3 = $.from_html(`<span class="muted hint s-1y1fbbu"> </span> <!> <input type="file" accept=".backup" hidden="" data-testid="bring-backup"/>`, 1);
+var root_4 = $.from_html(`<a class="take s-1y1fbbu"><!></a>`);
+var root_5 = $.from_html(`<tr><td><button type="button" class="pick code s-1y1fbbu"> </button></td><td class="right"> </td><td class="muted"> </td><td><!></td></tr>`);
+var root_6 = $.from_html(`<tr><td class="muted"> </td></tr>`);
+var root_7 = $.from_html(`<p class="muted note s-1y1fbbu"> </p>`);
+var root_8 = $.from_html(`<table class="table" data-testid="backups"><tbody></tbody></table> <!>`, 1);
+var root_9 = $.from_html(`<!> <!>`, 1);
+var root_10 = $.from_html(`<p> </p>`);
+var root_11 = $.from_html(`<p> </p> <p class="muted"> </p>`, 1);
+var root_12 = $.from_html(`<!> <div role="region" data-testid="backup-drop"><!></div> <!> <!>`, 1);
 function Data($$anchor, $$props) {
 	$.push($$props, true);
 	/** Items and the level that may restore each. */
@@ -49,6 +51,39 @@ function Data($$anchor, $$props) {
 	/** The level that takes a backup away. */
 	const TAKES = 3;
 	const takes = $.derived(() => machine.level <= TAKES);
+	let over = $.state(false);
+	let picker = $.state(void 0);
+	/** A backup that is brought, and has the name of one that there is. */
+	let double = $.state(null);
+	let replacing = $.state(false);
+	/** The name that a file has in the folder of the memory. */
+	const nameOf = (file) => `${file.name.replace(/\.backup$/i, "").replace(/[^\p{L}\p{N}._-]/gu, "_").replace(/^[._-]+/, "").slice(0, 30)}.backup`;
+	function brought(files) {
+		const given = files?.[0];
+		if (!given) return;
+		const name = nameOf(given);
+		if (!$.get(backups).some((one) => one.name === name)) return void bring(name, given);
+		$.set(double, {
+			name,
+			file: given
+		});
+		$.set(replacing, true);
+	}
+	async function bring(name, given) {
+		$.set(replacing, false);
+		$.set(busy, true);
+		try {
+			await http.bringBackup(name, given);
+			$.set(file, name, true);
+			notify({
+				kind: "done",
+				title: t("settings.brought", { file: name })
+			});
+		} catch (failed) {
+			machine.refused(failed);
+		}
+		$.set(busy, false);
+	}
 	$.user_effect(() => {
 		machine.changed("backups");
 		if (machine.link === "open") http.backups().then((now) => $.set(backups, now), (failed) => machine.refused(failed));
@@ -82,7 +117,7 @@ function Data($$anchor, $$props) {
 		});
 		$.set(busy, false);
 	}
-	var fragment = root_10();
+	var fragment = root_12();
 	var node = $.first_child(fragment);
 	{
 		let $0 = $.derived(() => t("settings.data"));
@@ -106,7 +141,7 @@ function Data($$anchor, $$props) {
 					$.reset(button);
 					$.template_effect(($0, $1, $2, $3) => {
 						$.set_attribute(button, "aria-checked", $0);
-						classes = $.set_class(button, 1, "s-xcf4p", null, classes, { on: $1 });
+						classes = $.set_class(button, 1, "s-1y1fbbu", null, classes, { on: $1 });
 						$.set_text(text, $2);
 						$.set_text(text_1, $3);
 					}, [
@@ -214,35 +249,74 @@ function Data($$anchor, $$props) {
 			$$slots: { default: true }
 		});
 	}
-	var node_6 = $.sibling(node, 2);
+	var div_4 = $.sibling(node, 2);
+	let classes_1;
+	var node_6 = $.child(div_4);
 	{
+		const actions = ($$anchor) => {
+			var fragment_5 = $.comment();
+			var node_7 = $.first_child(fragment_5);
+			var consequent = ($$anchor) => {
+				var fragment_6 = root_3();
+				var span_1 = $.first_child(fragment_6);
+				var text_6 = $.only_child(span_1, true);
+				var node_8 = $.sibling(span_1, 2);
+				Button(node_8, {
+					icon: "upload",
+					get busy() {
+						return $.get(busy);
+					},
+					onclick: () => $.get(picker)?.click(),
+					children: ($$anchor, $$slotProps) => {
+						$.next();
+						var text_7 = $.text();
+						$.template_effect(($0) => $.set_text(text_7, $0), [() => t("settings.bring")]);
+						$.append($$anchor, text_7);
+					},
+					$$slots: { default: true }
+				});
+				var input_1 = $.sibling(node_8, 2);
+				$.bind_this(input_1, ($$value) => $.set(picker, $$value), () => $.get(picker));
+				$.template_effect(($0) => $.set_text(text_6, $0), [() => t("settings.bring_hint")]);
+				$.delegated("change", input_1, (event) => {
+					brought(event.currentTarget.files);
+					event.currentTarget.value = "";
+				});
+				$.append($$anchor, fragment_6);
+			};
+			$.if(node_7, ($$render) => {
+				if ($.get(takes)) $$render(consequent);
+			});
+			$.append($$anchor, fragment_5);
+		};
 		let $0 = $.derived(() => t("settings.backups"));
 		Card(node_6, {
 			get title() {
 				return $.get($0);
 			},
 			flush: true,
+			actions,
 			children: ($$anchor, $$slotProps) => {
-				var fragment_5 = root_7();
-				var table = $.first_child(fragment_5);
+				var fragment_8 = root_8();
+				var table = $.first_child(fragment_8);
 				var tbody = $.child(table);
 				$.each(tbody, 21, () => $.get(backups), (one) => one.name, ($$anchor, one) => {
-					var tr = root_4();
-					let classes_1;
+					var tr = root_5();
+					let classes_2;
 					var td = $.child(tr);
 					var button_1 = $.child(td);
-					var text_6 = $.only_child(button_1, true);
+					var text_8 = $.only_child(button_1, true);
 					$.reset(td);
 					var td_1 = $.sibling(td);
-					var text_7 = $.only_child(td_1, true);
+					var text_9 = $.only_child(td_1, true);
 					var td_2 = $.sibling(td_1);
-					var text_8 = $.only_child(td_2, true);
+					var text_10 = $.only_child(td_2, true);
 					var td_3 = $.sibling(td_2);
-					var node_7 = $.child(td_3);
-					var consequent = ($$anchor) => {
-						var a = root_3();
-						var node_8 = $.child(a);
-						Icon(node_8, { name: "download" });
+					var node_9 = $.child(td_3);
+					var consequent_1 = ($$anchor) => {
+						var a = root_4();
+						var node_10 = $.child(a);
+						Icon(node_10, { name: "download" });
 						$.reset(a);
 						$.template_effect(($0, $1, $2) => {
 							$.set_attribute(a, "href", $0);
@@ -256,77 +330,135 @@ function Data($$anchor, $$props) {
 						]);
 						$.append($$anchor, a);
 					};
-					$.if(node_7, ($$render) => {
-						if ($.get(takes)) $$render(consequent);
+					$.if(node_9, ($$render) => {
+						if ($.get(takes)) $$render(consequent_1);
 					});
 					$.reset(td_3);
 					$.reset(tr);
 					$.template_effect(($0, $1) => {
 						$.set_attribute(tr, "data-backup", $.get(one).name);
-						classes_1 = $.set_class(tr, 1, "s-xcf4p", null, classes_1, { chosen: $.get(one).name === $.get(file) });
-						$.set_text(text_6, $.get(one).name);
-						$.set_text(text_7, $0);
-						$.set_text(text_8, $1);
+						classes_2 = $.set_class(tr, 1, "s-1y1fbbu", null, classes_2, { chosen: $.get(one).name === $.get(file) });
+						$.set_text(text_8, $.get(one).name);
+						$.set_text(text_9, $0);
+						$.set_text(text_10, $1);
 					}, [() => bytes($.get(one).bytes), () => moment($.get(one).changed)]);
 					$.delegated("click", button_1, () => $.set(file, $.get(one).name, true));
 					$.append($$anchor, tr);
 				}, ($$anchor) => {
-					var tr_1 = root_5();
+					var tr_1 = root_6();
 					var td_4 = $.child(tr_1);
-					var text_9 = $.only_child(td_4, true);
+					var text_11 = $.only_child(td_4, true);
 					$.reset(tr_1);
-					$.template_effect(($0) => $.set_text(text_9, $0), [() => t("settings.no_backups")]);
+					$.template_effect(($0) => $.set_text(text_11, $0), [() => t("settings.no_backups")]);
 					$.append($$anchor, tr_1);
 				});
 				$.reset(tbody);
 				$.reset(table);
-				var node_9 = $.sibling(table, 2);
-				var consequent_1 = ($$anchor) => {
-					var p = root_6();
-					var text_10 = $.only_child(p, true);
-					$.template_effect(($0) => $.set_text(text_10, $0), [() => t("settings.take_level", { level: TAKES })]);
+				var node_11 = $.sibling(table, 2);
+				var consequent_2 = ($$anchor) => {
+					var p = root_7();
+					var text_12 = $.only_child(p, true);
+					$.template_effect(($0) => $.set_text(text_12, $0), [() => t("settings.take_level", { level: TAKES })]);
 					$.append($$anchor, p);
 				};
-				$.if(node_9, ($$render) => {
-					if (!$.get(takes) && $.get(backups).length) $$render(consequent_1);
+				$.if(node_11, ($$render) => {
+					if (!$.get(takes)) $$render(consequent_2);
 				});
-				$.append($$anchor, fragment_5);
+				$.append($$anchor, fragment_8);
 			},
-			$$slots: { default: true }
+			$$slots: {
+				actions: true,
+				default: true
+			}
 		});
 	}
-	var node_10 = $.sibling(node_6, 2);
+	$.reset(div_4);
+	var node_12 = $.sibling(div_4, 2);
 	{
 		const actions = ($$anchor) => {
-			var fragment_6 = root_8();
-			var node_11 = $.first_child(fragment_6);
-			Button(node_11, {
-				onclick: () => $.set(asking, false),
+			var fragment_9 = root_9();
+			var node_13 = $.first_child(fragment_9);
+			Button(node_13, {
+				onclick: () => $.set(replacing, false),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_11 = $.text();
-					$.template_effect(($0) => $.set_text(text_11, $0), [() => t("app.cancel")]);
-					$.append($$anchor, text_11);
+					var text_13 = $.text();
+					$.template_effect(($0) => $.set_text(text_13, $0), [() => t("app.cancel")]);
+					$.append($$anchor, text_13);
 				},
 				$$slots: { default: true }
 			});
-			var node_12 = $.sibling(node_11, 2);
-			Button(node_12, {
+			var node_14 = $.sibling(node_13, 2);
+			Button(node_14, {
+				kind: "danger",
+				onclick: () => $.get(double) && void bring($.get(double).name, $.get(double).file),
+				"data-testid": "bring-replace",
+				children: ($$anchor, $$slotProps) => {
+					$.next();
+					var text_14 = $.text();
+					$.template_effect(($0) => $.set_text(text_14, $0), [() => t("program.replace")]);
+					$.append($$anchor, text_14);
+				},
+				$$slots: { default: true }
+			});
+			$.append($$anchor, fragment_9);
+		};
+		let $0 = $.derived(() => t("settings.bring_replace", { file: $.get(double)?.name ?? "" }));
+		Dialog(node_12, {
+			get title() {
+				return $.get($0);
+			},
+			get open() {
+				return $.get(replacing);
+			},
+			set open($$value) {
+				$.set(replacing, $$value, true);
+			},
+			actions,
+			children: ($$anchor, $$slotProps) => {
+				var p_1 = root_10();
+				var text_15 = $.only_child(p_1, true);
+				$.template_effect(($0) => $.set_text(text_15, $0), [() => t("settings.bring_replace_text")]);
+				$.append($$anchor, p_1);
+			},
+			$$slots: {
+				actions: true,
+				default: true
+			}
+		});
+	}
+	var node_15 = $.sibling(node_12, 2);
+	{
+		const actions = ($$anchor) => {
+			var fragment_12 = root_9();
+			var node_16 = $.first_child(fragment_12);
+			Button(node_16, {
+				onclick: () => $.set(asking, false),
+				children: ($$anchor, $$slotProps) => {
+					$.next();
+					var text_16 = $.text();
+					$.template_effect(($0) => $.set_text(text_16, $0), [() => t("app.cancel")]);
+					$.append($$anchor, text_16);
+				},
+				$$slots: { default: true }
+			});
+			var node_17 = $.sibling(node_16, 2);
+			Button(node_17, {
 				kind: "danger",
 				onclick: () => void restore(),
 				"data-testid": "restore-go",
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_12 = $.text();
-					$.template_effect(($0) => $.set_text(text_12, $0), [() => t("settings.restore")]);
-					$.append($$anchor, text_12);
+					var text_17 = $.text();
+					$.template_effect(($0) => $.set_text(text_17, $0), [() => t("settings.restore")]);
+					$.append($$anchor, text_17);
 				},
 				$$slots: { default: true }
 			});
-			$.append($$anchor, fragment_6);
+			$.append($$anchor, fragment_12);
 		};
 		let $0 = $.derived(() => t("settings.restore_ask", { file: $.get(file) }));
-		Dialog(node_10, {
+		Dialog(node_15, {
 			get title() {
 				return $.get($0);
 			},
@@ -338,16 +470,16 @@ function Data($$anchor, $$props) {
 			},
 			actions,
 			children: ($$anchor, $$slotProps) => {
-				var fragment_9 = root_9();
-				var p_1 = $.first_child(fragment_9);
-				var text_13 = $.only_child(p_1, true);
-				var p_2 = $.sibling(p_1, 2);
-				var text_14 = $.only_child(p_2, true);
+				var fragment_15 = root_11();
+				var p_2 = $.first_child(fragment_15);
+				var text_18 = $.only_child(p_2, true);
+				var p_3 = $.sibling(p_2, 2);
+				var text_19 = $.only_child(p_3, true);
 				$.template_effect(($0, $1) => {
-					$.set_text(text_13, $0);
-					$.set_text(text_14, $1);
+					$.set_text(text_18, $0);
+					$.set_text(text_19, $1);
 				}, [() => t("settings.restore_text"), () => $.get(chosen).map((name) => t(`item.${name}`)).join(", ")]);
-				$.append($$anchor, fragment_9);
+				$.append($$anchor, fragment_15);
 			},
 			$$slots: {
 				actions: true,
@@ -355,8 +487,22 @@ function Data($$anchor, $$props) {
 			}
 		});
 	}
+	$.template_effect(($0) => {
+		classes_1 = $.set_class(div_4, 1, "drop s-1y1fbbu", null, classes_1, { over: $.get(over) });
+		$.set_attribute(div_4, "aria-label", $0);
+	}, [() => t("settings.backups")]);
+	$.event("dragover", div_4, (event) => {
+		event.preventDefault();
+		$.set(over, $.get(takes), true);
+	});
+	$.event("dragleave", div_4, () => $.set(over, false));
+	$.event("drop", div_4, (event) => {
+		event.preventDefault();
+		$.set(over, false);
+		if ($.get(takes)) brought(event.dataTransfer?.files);
+	});
 	$.append($$anchor, fragment);
 	$.pop();
 }
-$.delegate(["click"]);
+$.delegate(["click", "change"]);
 export { Data as default };

@@ -46,7 +46,7 @@ function AxisKeys($$anchor, $$props) {
 		"jog",
 		"step",
 		"home"
-	].includes(machine.status?.mode ?? ""));
+	].includes(machine.mode ?? ""));
 	var fragment_1 = root_5();
 	var div = $.first_child(fragment_1);
 	var div_1 = $.child(div);

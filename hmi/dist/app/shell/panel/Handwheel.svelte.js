@@ -18,7 +18,7 @@ function Handwheel($$anchor, $$props) {
 	let waiting = 0;
 	let sent = false;
 	const axes = $.derived(() => machine.axes.filter((name) => "XYZA".includes(name)));
-	const ready = $.derived(() => machine.inCommand && machine.status?.mode === "handle");
+	const ready = $.derived(() => machine.inCommand && machine.mode === "handle");
 	function at(event) {
 		const box = $.get(wheel).getBoundingClientRect();
 		return Math.atan2(event.clientY - (box.top + box.height / 2), event.clientX - (box.left + box.width / 2));

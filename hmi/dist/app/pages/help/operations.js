@@ -1,0 +1,41 @@
+// src/pages/help/operations.ts
+var operations = [
+	["home", "position"],
+	["jog", "position"],
+	["step", "position"],
+	["relative", "position/relative"],
+	["speed", "position"],
+	["run", "program/run"],
+	["check", "program/edit"],
+	["edit", "program/edit"],
+	["replace", "program/edit"],
+	["mdi", "program/mdi"],
+	["files", "program/directory"],
+	["dnc", "program/dnc"],
+	["restart", "program/run"],
+	["offset", "offsets/tools"],
+	["parameter", "offsets/parameters"],
+	["macro", "offsets/variables"],
+	["pitch", "offsets/pitch"],
+	["zero", "settings/zeros"],
+	["centre", "settings/centring"],
+	["tool", "settings/tool"],
+	["switches", "settings/general"],
+	["data", "settings/data"],
+	["rights", "settings/rights"],
+	["draw", "graphics"],
+	["cycle", "cycles"],
+	["signal", "diagnosis/signals"],
+	["ladder", "plc/monitor"],
+	["alarm", "alarms"],
+	["limit", "alarms"]
+];
+/** Pages of the GSK990MC that this machine has no use for, with their sections; `operations.not_ID_why` says why. */
+var notHere = [
+	["bus", "3.1.4, 3.3.5, 3.6.1"],
+	["servo", "3.3.5.1, 3.3.5.2"],
+	["tune", "3.3.5.3"],
+	["dual", "3.3.5.4"],
+	["channel", "3.4.1, 11.1, 11.2"]
+];
+export { notHere, operations };

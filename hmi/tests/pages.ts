@@ -1,0 +1,13 @@
+// Every page of the panel with its tabs.
+export const pages = {
+  position: ['relative', 'absolute', 'all', 'program'],
+  program: ['run', 'edit', 'mdi', 'directory', 'dnc'],
+  offsets: ['tools', 'parameters', 'variables', 'pitch'],
+  settings: ['zeros', 'centring', 'probe', 'tool', 'general', 'data', 'rights'],
+  graphics: [],
+  cycles: [],
+  diagnosis: ['signals', 'waveform', 'timing'],
+  plc: ['monitor', 'data', 'edit', 'trace'],
+  alarms: ['active', 'history', 'log'],
+  help: ['search', 'operations', 'codes', 'parameters', 'alarms', 'variables', 'addresses', 'calculator'],
+} as const;
