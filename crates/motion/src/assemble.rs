@@ -11,15 +11,12 @@
 use crate::limits::{Class, Inverses, Load, Rates};
 use crate::moves::Move;
 use crate::path::corner::Corner;
-use crate::path::joint::{Ease, Joint, JointRules, MOST_CHORDS, Member, add};
+use crate::path::joint::{Ease, Joint, JointRules, MOST_CHORDS, Member, add, is_lost};
 use crate::path::piece::Piece;
 use crate::path::shape::Shape;
 use crate::path::smooth::Smoother;
 use crate::timing::queue::{Cell, Node, Pass, Queue};
 use ferrocut_geometry::{AXES, Position};
-
-/// Lines shorter than this share of the path so far are not smoothed.
-const LEAST_SHARE: f64 = 1e-8;
 
 /// Stretches shorter than this between two joints are left out, mm.
 const LEAST_CELL: f64 = 1e-10;
@@ -144,6 +141,9 @@ impl Assembler {
 
     /// Takes a move. The caller saw that nothing is blocked.
     pub fn push(&mut self, m: &Move, queue: &mut Queue) {
+        if self.run_on(m, queue) {
+            return;
+        }
         let from = self.end;
         let Some(mut member) = Member::new(from, m, &self.rules) else { return };
         self.end = m.to;
@@ -201,9 +201,7 @@ impl Assembler {
         }
         let joint = match open.member.join(member, &self.rules, &self.inverses) {
             // What is lost in rounding behind so long a path is not smoothed.
-            Joint::Chain if open.member.piece.len().min(member.piece.len()) < LEAST_SHARE * self.s => {
-                Joint::Rest
-            }
+            Joint::Chain if is_lost(open.member.piece.len().min(member.piece.len()), self.s) => Joint::Rest,
             joint => joint,
         };
         let (end, start) = match joint {
@@ -241,6 +239,25 @@ impl Assembler {
             self.flow = Some(Flow { open, end: End::Through, chain: Some(true), at: 0.0, begun: false });
         }
         (open.member, open.start, open.s) = (*next, Start::Plain(f64::INFINITY), s);
+    }
+
+    /// Smooths the line `m` with those before it, if it runs on from them ([`Member::run_on`]).
+    #[inline]
+    fn run_on(&mut self, m: &Move, queue: &mut Queue) -> bool {
+        // With the last point of a run more is to be done.
+        if !self.chained || self.smoother.is_nearly_full() {
+            return false;
+        }
+        let Some(Open { member, start, s }) = &mut self.open else { return false };
+        let (end, tag, tolerance) = (*s + member.piece.len(), member.tag, member.tolerance.unwrap_or(0.0));
+        let Some(len) = member.run_on(m, &self.rules, self.s) else { return false };
+        queue.mark(end, tag);
+        self.smoother.set_last(member.feed, member.tolerance.unwrap_or(tolerance));
+        (*start, *s) = (Start::Plain(f64::INFINITY), self.s);
+        self.s += len;
+        self.end = m.to;
+        self.smoother.add(m.to, self.s);
+        true
     }
 
     /// The same, as soon as cells are added again.

@@ -240,6 +240,17 @@ impl Load {
         Room { a, j }
     }
 
+    /// Largest share of acceleration or jerk that the curve alone takes from the path at `v` and `a`.
+    pub fn taken(&self, v: f64, a: f64) -> f64 {
+        let w = v * v;
+        let mut most: f64 = 0.0;
+        for i in 0..self.count {
+            let jerk = (f64::from(self.twist[i]) * w + f64::from(self.swing[i]) * a) * v;
+            most = most.max(f64::from(self.bend[i]) * w).max(jerk);
+        }
+        most
+    }
+
     /// Largest share of acceleration or jerk used at `v`, `a` and `j`.
     #[inline]
     pub fn used(&self, v: f64, a: f64, j: f64) -> f64 {
@@ -262,6 +273,13 @@ pub(crate) struct Room {
     pub a: f64,
     /// Jerk at no acceleration and at that one, mm/s³.
     pub j: [f64; 2],
+}
+
+impl Room {
+    /// What both leave.
+    pub fn min(self, other: Room) -> Room {
+        Room { a: self.a.min(other.a), j: [self.j[0].min(other.j[0]), self.j[1].min(other.j[1])] }
+    }
 }
 
 /// See [`Load::room`].

@@ -128,6 +128,18 @@ impl JointRules {
             arc: path.arc,
         }
     }
+
+    /// How far the joint behind a move may leave the path, mm; `None` is an exact stop.
+    fn tolerance_of(&self, path: PathMode) -> Option<f64> {
+        match path {
+            _ if self.exact_stop => None,
+            PathMode::ExactStop => None,
+            PathMode::Continuous | PathMode::InnerCorners(_) | PathMode::Tapping | PathMode::FullFeed => {
+                Some(self.tolerance)
+            }
+            PathMode::ContinuousWithin(t) => Some(if t.is_finite() { t.max(0.0) } else { self.tolerance }),
+        }
+    }
 }
 
 impl Member {
@@ -139,20 +151,11 @@ impl Member {
             Kind::RapidStraight { speed } => (speed, PathMode::ContinuousWithin(0.0)),
             Kind::Line { feed, path } | Kind::Arc { feed, path, .. } => (feed, path),
         };
-        let class = match (m.kind, path) {
-            (Kind::RapidAxes | Kind::RapidStraight { .. }, _) => Class::Rapid,
-            (_, PathMode::Tapping) => Class::Locked,
-            (_, PathMode::FullFeed) => Class::Full,
-            _ => Class::Cut,
+        let class = match m.kind {
+            Kind::RapidAxes | Kind::RapidStraight { .. } => Class::Rapid,
+            Kind::Line { .. } | Kind::Arc { .. } => cutting_class(path),
         };
-        let tolerance = match path {
-            _ if rules.exact_stop => None,
-            PathMode::ExactStop => None,
-            PathMode::Continuous | PathMode::InnerCorners(_) | PathMode::Tapping | PathMode::FullFeed => {
-                Some(rules.tolerance)
-            }
-            PathMode::ContinuousWithin(t) => Some(if t.is_finite() { t.max(0.0) } else { rules.tolerance }),
-        };
+        let tolerance = rules.tolerance_of(path);
         let inner = if let PathMode::InnerCorners(corners) = path { Some(corners) } else { None };
         let most = match (&piece, &rules.arc) {
             (Piece::Arc(turn), Some(arc)) => on_arc(arc, turn.radius()),
@@ -160,6 +163,33 @@ impl Member {
         };
         let feed = (feed * piece.pace()).min(most);
         Some(Member { tag: m.tag, piece, class, feed, tolerance, most, inner })
+    }
+
+    /// Goes on with the line `m`, if both are smoothed together and nothing asks for a closer look: then it is that line.
+    /// The same as [`Member::new`] and [`join`](Self::join) would say, without a copy; nearly all moves of programs of
+    /// short lines go this way. `s` is the length of the path up to there; the length of the line, or `None`.
+    #[inline]
+    pub fn run_on(&mut self, m: &Move, rules: &JointRules, s: f64) -> Option<f64> {
+        let (Kind::Line { feed, path }, Piece::Line(line)) = (m.kind, &mut self.piece) else { return None };
+        if rules.corner.is_some()
+            || matches!(path, PathMode::InnerCorners(_))
+            || self.class != cutting_class(path)
+        {
+            return None;
+        }
+        let (tolerance, next_tolerance) = (self.tolerance?, rules.tolerance_of(path));
+        if !(tolerance > 0.0) || next_tolerance == Some(0.0) {
+            return None;
+        }
+        let (dir, len) = line.next(m.to)?;
+        let shorter = line.len.min(len);
+        if !runs_on(&line.dir, &dir, shorter, tolerance) || is_lost(shorter, s + len) {
+            return None;
+        }
+        line.go_on(m.to, dir, len);
+        (self.tag, self.feed, self.tolerance) = (m.tag, feed, next_tolerance);
+        (self.most, self.inner) = (f64::INFINITY, None);
+        Some(len)
     }
 
     /// Where the inner corners at its ends begin and end to act, as shares of its length (G62).
@@ -279,6 +309,23 @@ impl Member {
         let speed = inverse.speed(&rates).min(self.most);
         if self.feed.is_finite() { speed.min(self.feed * MAX_FEED_OVERRIDE) } else { speed }
     }
+}
+
+/// Under which limits and override a cut is.
+fn cutting_class(path: PathMode) -> Class {
+    match path {
+        PathMode::Tapping => Class::Locked,
+        PathMode::FullFeed => Class::Full,
+        _ => Class::Cut,
+    }
+}
+
+/// Of a path that is so many times as long, a shorter line is lost in rounding.
+const LEAST_SHARE: f64 = 1e-8;
+
+/// Whether a line of this length is lost in rounding behind the path `s`.
+pub(crate) fn is_lost(len: f64, s: f64) -> bool {
+    len < LEAST_SHARE * s
 }
 
 /// Whether two lines, the shorter `len` long, need no closer look to be smoothed together: they do not turn back, and a

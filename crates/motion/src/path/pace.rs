@@ -18,7 +18,7 @@ const RAMP_SHARE: f64 = 0.35;
 const LEAST: f64 = 1.0;
 
 /// Below this share of the speed aside from curves a span is slow.
-const SLOW: f64 = 0.97;
+const SLOW: f64 = 0.85;
 
 /// A span of a run.
 #[derive(Clone, Copy, Debug)]

@@ -17,7 +17,7 @@
 
 use crate::limits::Rates;
 use crate::moves::{Kind, Measure, Move};
-use ferrocut_geometry::{AXES, Arc, Position};
+use ferrocut_geometry::{AXES, Arc, Position, SAME_POINT_MM};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// An arc is planned in slices no longer than this angle, each under its own bounds, because the share of
@@ -267,6 +267,25 @@ impl Line {
 
     fn at(&self, s: f64) -> Position {
         self.from.zip(self.dir, |p, d| p + d * s)
+    }
+
+    /// Direction and length of a line of X, Y and Z alone from its end to `to`, if it is one of them itself; else
+    /// `None`. As [`Line::new`] finds them.
+    #[inline]
+    pub fn next(&self, to: Position) -> Option<(Position, f64)> {
+        if self.measure != Measure::Xyz || self.to.0[3..] != to.0[3..] {
+            return None;
+        }
+        let [x, y, z] = [0, 1, 2].map(|i| to.0[i] - self.to.0[i]);
+        let len = (x * x + y * y + z * z).sqrt();
+        (len > SAME_POINT_MM && len.is_finite()).then(|| (Position::xyz(x / len, y / len, z / len), len))
+    }
+
+    /// From now on it is the line from its end to `to`, with this direction and length.
+    #[inline]
+    pub fn go_on(&mut self, to: Position, dir: Position, len: f64) {
+        (self.from, self.to, self.dir) = (self.to, to, dir);
+        (self.len, self.pace) = (len, 1.0);
     }
 }
 

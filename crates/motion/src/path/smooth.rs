@@ -221,6 +221,11 @@ impl Smoother {
         self.points.len() >= POINTS
     }
 
+    /// Whether it is full with one more.
+    pub fn is_nearly_full(&self) -> bool {
+        self.points.len() + 1 >= POINTS
+    }
+
     /// Begins a run.
     pub fn begin(&mut self, p: Position, u: f64, feed: f64, tolerance: f64, class: Class) {
         self.clear();

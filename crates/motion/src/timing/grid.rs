@@ -24,7 +24,7 @@
 
 use crate::limits::Room;
 use crate::timing::piece::{Piece, ROUNDING, State, acceleration_behind, step};
-use crate::timing::queue::{CELL_RING, Node, Queue};
+use crate::timing::queue::{CELL_RING, Node, Pass, Queue};
 use crate::timing::ramp::{Foot, most_speed};
 
 /// Length of steps in time, s.
@@ -59,6 +59,12 @@ const ABOVE: f64 = 1.1;
 
 /// A step of the uniform slow-down.
 const SLOWER: f64 = 0.9;
+
+/// Caps that differ by no more than this share are one, the lowest.
+pub(crate) const ALIKE: f64 = 5e-4;
+
+/// Only where the curve would allow so many times as much, which is where the feed is the cap.
+const FREE: f64 = 1.02;
 
 /// Cells shorter than this are no more than a cap on the speed, mm.
 const LEAST_STEP: f64 = 1e-9;
@@ -113,7 +119,9 @@ struct Step {
     /// Where it begins, mm.
     s: f64,
     h: f64,
+    /// The cells that it lies in, the last one included.
     cell: u64,
+    last: u64,
     /// Highest speed, here and in the steps beside it.
     cap: f64,
     /// More than the speed here.
@@ -149,6 +157,20 @@ struct Step {
 impl Step {
     fn middle(&self) -> f64 {
         self.s + 0.5 * self.h
+    }
+
+    /// The loads that it is under.
+    #[inline]
+    fn nodes<'a>(&self, queue: &'a Queue) -> impl Iterator<Item = &'a Node> + use<'a> {
+        (self.cell..=self.last).map(|cell| queue.node(cell))
+    }
+
+    /// What is left to the path all along it at the speed `v`.
+    #[inline]
+    fn room_at(&self, queue: &Queue, v: f64) -> Room {
+        let mut nodes = self.nodes(queue);
+        let room = nodes.next().map_or_else(Room::default, |node| node.load.room(v));
+        nodes.fold(room, |room, node| room.min(node.load.room(v)))
     }
 
     /// [`climb`], unless it is known from the pass before.
@@ -282,15 +304,47 @@ impl Grid {
         self.ends[0] = self.ends[0].max(from.state.v);
     }
 
-    /// Sets the steps.
+    /// The last cell of those from `cell` to `last` over which nothing changes, and the lowest cap there: caps are about
+    /// the same, and reached at every end between the cells. `first` is that of the section, which begins at speed `v`.
+    fn alike(
+        &self,
+        queue: &Queue,
+        [first, cell, last]: [u64; 3],
+        v: f64,
+        cap: &impl Fn(&Node) -> f64,
+    ) -> (u64, f64) {
+        let here = cap(queue.node(cell));
+        let lowest = (here * (1.0 - ALIKE)).max(if cell == first { v } else { 0.0 });
+        let (mut farthest, mut least) = (cell, here);
+        while farthest < last {
+            let [node, next] = [queue.node(farthest), queue.node(farthest + 1)];
+            let there = cap(next);
+            let is_alike = node.pass == Pass::Path
+                && next.pass == Pass::Path
+                && node.top > FREE * here
+                && next.top > FREE * here
+                && (lowest..=here * (1.0 + ALIKE)).contains(&there)
+                && self.ends[(farthest + 1 - first) as usize] >= least.min(there);
+            if !is_alike {
+                break;
+            }
+            (farthest, least) = (farthest + 1, least.min(there));
+        }
+        (farthest, least)
+    }
+
+    /// Sets the steps. Where the speed is a cap that goes on over many cells, so do steps.
     fn place(&mut self, queue: &Queue, from: Port, first: u64, last: u64, cap: &impl Fn(&Node) -> f64) {
         self.steps.clear();
         self.is_cut = false;
         let mut door = f64::INFINITY;
-        'cells: for cell in first..=last {
-            let node = queue.node(cell);
-            let (begin, end) = (node.s.max(from.s), node.end().min(self.to.s));
-            let here = cap(node);
+        let mut next = first;
+        'cells: while next <= last {
+            let mut cell = next;
+            let (farthest, here) = self.alike(queue, [first, cell, last], from.state.v, cap);
+            next = farthest + 1;
+            let (left_node, right_node) = (queue.node(cell), queue.node(farthest));
+            let (begin, end) = (left_node.s.max(from.s), right_node.end().min(self.to.s));
             door = door.min(here);
             if end - begin <= LEAST_STEP {
                 continue;
@@ -299,46 +353,77 @@ impl Grid {
             if let Some(step) = self.steps.last_mut() {
                 step.cap = step.cap.min(door);
             }
-            let i = (cell - first) as usize;
-            let drive = node.load.most();
-            let (low, high) = (Foot::still(self.ends[i]), Foot::still(self.ends[i + 1]));
-            let speed =
-                |s: f64| here.min(most_speed(low, s - begin, drive)).min(most_speed(high, end - s, drive));
+            let end_of = |cell: u64| self.ends[(cell - first) as usize];
+            // What changes the speed at either end is in the cell there.
+            let drives = [left_node.load.most(), right_node.load.most()];
+            let foot = |cell: u64| Foot::still(end_of(cell).min(here));
+            let (low, high) = (foot(cell), foot(next));
+            let rising = |s: f64| most_speed(low, s - begin, drives[0]);
+            let falling = |s: f64| most_speed(high, end - s, drives[1]);
+            let speed = |s: f64| here.min(rising(s)).min(falling(s));
             // The first step from rest is TAU long by the jerk or, where that is not limited, by the acceleration.
             // However short, a section has room to speed up and slow down in.
+            let drive = drives[0].min(drives[1]);
             let least = (drive.j * TAU / 3.0).min(drive.a) * 0.5 * TAU * TAU;
             let least = least.min((self.to.s - from.s) / FEWEST);
-            // Where the highest speed begins, and where slowing down for the end of the cell begins.
+            // Over many cells the highest speed is reached that much later: by the jerk, and by what a curve takes from the
+            // acceleration there.
+            let left = left_node.load.room(here).a.min(right_node.load.room(here).a);
+            let longer =
+                if farthest > cell { here * drive.a / drive.j + here * here / (2.0 * left) } else { 0.0 };
+            // Where the highest speed begins, and where slowing down for the end begins.
             let mut top_begin = None;
-            let top_end = end - (here * here - high.v * high.v).max(0.0) / (2.0 * drive.a);
+            let top_end = end - (here * here - high.v * high.v).max(0.0) / (2.0 * drives[1].a);
             let mut s = begin;
             while s < end {
                 if self.steps.len() >= STEPS {
                     self.is_cut = true;
                     break 'cells;
                 }
+                while cell < farthest && queue.node(cell).end() <= s + LEAST_STEP {
+                    cell += 1;
+                }
                 let now = speed(s);
                 let mut h = (TAU * now).max(least).min((self.to.s - from.s) / 4.0);
                 if now >= here {
                     // Nothing changes for a while.
                     let begin = *top_begin.get_or_insert(s);
-                    h = h.max((GROWTH * (s - begin).min(top_end - s)).min(LONGEST * now));
+                    h = h.max((GROWTH * ((s - begin).min(top_end - s) - longer)).min(LONGEST * now));
                 }
                 // A step that meets a lower speed at its end is shorter.
-                h = h.min((TAU * speed((s + h).min(end))).max(least));
-                let left = end - s;
+                let met = speed((s + h).min(end));
+                if met < here {
+                    h = h.min((TAU * met).max(least));
+                }
+                // Of many cells, to the end of one.
+                let mut reached = cell;
+                while reached < farthest && now >= here && queue.node(reached + 1).end() <= s + h {
+                    reached += 1;
+                }
+                let stop = queue.node(reached).end().min(end);
+                let left = stop - s;
                 if left < 1.5 * h {
                     h = left;
                 } else if left < 2.5 * h {
                     h = 0.5 * left;
                 }
-                let then = if h < left { speed(s + h) } else { high.v };
+                let to = if h < left { s + h } else { stop };
+                let then = if to < end { speed(to) } else { high.v };
                 // Between both the speed may rise above them.
-                let between = most_speed(low, s + h - begin, drive).min(most_speed(high, end - s, drive));
+                let between = rising(s + h).min(falling(s));
                 let most = here.min(now.max(then).max(between));
-                self.steps.push(Step { s, h, cell, cap: door, most, share: 1.0, ..Step::default() });
+                self.steps.push(Step {
+                    s,
+                    h,
+                    cell,
+                    last: reached,
+                    cap: door,
+                    most,
+                    share: 1.0,
+                    ..Step::default()
+                });
                 door = here;
-                s = if h < left { s + h } else { end };
+                s = to;
             }
         }
         if let Some(step) = self.steps.last_mut() {
@@ -389,7 +474,7 @@ impl Grid {
     /// What is left to the path in every step.
     fn leave(&mut self, queue: &Queue) {
         for step in &mut self.steps {
-            step.room = queue.node(step.cell).load.room(step.most);
+            step.room = step.room_at(queue, step.most);
         }
     }
 
@@ -404,10 +489,11 @@ impl Grid {
             let step = &mut self.steps[i];
             let x = before.max(step.x).max(behind);
             before = step.x;
-            let load = &queue.node(step.cell).load;
-            if step.most * step.most > FAR_ABOVE * FAR_ABOVE * x && !load.is_straight() {
+            if step.most * step.most > FAR_ABOVE * FAR_ABOVE * x
+                && !step.nodes(queue).all(|node| node.load.is_straight())
+            {
                 step.most = step.most.min(ABOVE * x.sqrt().max(LEAST_SUMMIT));
-                step.room = load.room(step.most);
+                step.room = step.room_at(queue, step.most);
                 comes_closer = true;
             }
         }
@@ -571,16 +657,18 @@ impl Grid {
         for i in 0..n {
             let here = &self.steps[i];
             let to = self.steps.get(i + 1).map_or(self.to.state, |step| step.from);
-            let node = queue.node(here.cell);
             // A steady speed that is allowed.
-            if here.from == to && to.a == 0.0 && to.v > 0.0 && to.v <= node.top {
+            let is_steady = here.from == to && to.a == 0.0 && to.v > 0.0;
+            if is_steady && here.nodes(queue).all(|node| to.v <= node.top) {
                 continue;
             }
             if here.good == Some([here.from, to]) {
                 continue;
             }
             let piece = Piece::new(here.s, here.h, here.from, to).filter(Piece::is_forward);
-            let used = piece.map_or(f64::INFINITY, |piece| piece.used(&node.load));
+            let most_used =
+                |piece: Piece| here.nodes(queue).map(|node| piece.used(&node.load)).fold(0.0, f64::max);
+            let used = piece.map_or(f64::INFINITY, most_used);
             if !(used <= ROUNDING) {
                 is_good = false;
                 let less = (less / used).max(MUCH_LESS);

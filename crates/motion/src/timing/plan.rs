@@ -25,7 +25,7 @@
 use crate::limits::{Class, Drive, Inverses};
 use crate::path::corner::{pace_below, paced};
 use crate::timing::brake::{Brake, Start};
-use crate::timing::grid::{Grid, Port};
+use crate::timing::grid::{ALIKE, Grid, Port};
 use crate::timing::piece::{Piece, State, step};
 use crate::timing::queue::{CELLS, Node, Pass, Queue, SAME_LENGTH};
 use crate::timing::ramp::{Foot, Phases, distance, summit};
@@ -118,6 +118,9 @@ const EASE_STEP: f64 = 0.004;
 
 /// Valleys are this much slower than their ends.
 const DEEP: f64 = 0.9;
+
+/// What a curve takes of a bound somewhere in a valley, if it is worth to be looked at.
+const TAKEN: f64 = 0.25;
 
 /// How often a plan from rest is tried with slower corners.
 const ROUNDS: i32 = 8;
@@ -798,7 +801,7 @@ impl Plan {
             let state = self.rough[k - 1].to;
             let is_fast = || {
                 let node = queue.node(queue.find(cell, self.rough[k - 1].end() - 1e-9));
-                state.v >= overrides.most(node) * (1.0 - 1e-6)
+                state.v >= overrides.most(node) * (1.0 - 2.0 * ALIKE)
             };
             if k < count && !(state.a == 0.0 && is_fast()) {
                 continue;
@@ -880,20 +883,24 @@ impl Plan {
     }
 }
 
-/// Whether there is something to be gained: a curve in which it is much slower than at an end.
+/// Whether there is something to be gained: it is much slower than at an end, and where it is, a curve takes a share of the
+/// bounds that could be shared better.
 fn is_valley(queue: &Queue, plan: &[Piece], first: u64) -> bool {
     let (from, to) = (plan[0].from.v, plan[plan.len() - 1].to.v);
     let end = plan[plan.len() - 1].end();
     let least = plan.iter().map(|piece| piece.to.v).fold(from, f64::min);
-    least < DEEP * from.max(to)
-        && (first..queue.tail())
+    let is_path = || {
+        (first..queue.tail())
             .map(|cell| queue.node(cell))
             .take_while(|node| node.s < end)
             .all(|node| node.pass == Pass::Path)
-        && (first..queue.tail())
-            .map(|cell| queue.node(cell))
-            .take_while(|node| node.s < end)
-            .any(|node| !node.load.is_straight())
+    };
+    let mut cell = first;
+    let bends = |piece: &Piece| {
+        cell = queue.find(cell, piece.s);
+        queue.node(cell).load.taken(piece.from.v, piece.from.a.abs()) > TAKEN
+    };
+    least < DEEP * from.max(to) && is_path() && plan.iter().any(bends)
 }
 
 /// Room that one section takes: its steps, what valleys add, and what ends it.
