@@ -17,6 +17,7 @@ mod loading;
 mod overtravel;
 mod planning;
 mod reference;
+mod retracing;
 mod sent;
 mod skip;
 mod switches;
@@ -39,15 +40,16 @@ use block_end::{Block, Blocks};
 use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_interpreter::{AtRest, Interpreter};
 use ferrocut_machine::{Alarm, Fault, Machine};
-use ferrocut_motion::Move;
 use ferrocut_motion::servo::{Kind, Servo, ServoFault, ServoFaultKind};
 use ferrocut_motion::synchron::Synchron;
+use ferrocut_motion::{Move, Sample};
 use ferrocut_program::Span;
 use ferrocut_toolpath::{Dwell, Op, SpindleState, Step};
 use interpreting::Interpreting;
 use interruption::Aside;
 use overtravel::Overtravel;
 use planning::Planning;
+use retracing::Retrace;
 use sent::Sent;
 use skip::Probing;
 use std::collections::VecDeque;
@@ -220,6 +222,7 @@ pub struct Cnc {
     touches: Option<Box<touching::Touches>>,
     blocks: Blocks,
     aside: Aside,
+    retrace: Retrace,
     switches: Switches,
     /// Speed along the path in the last period, mm/s.
     velocity: f64,
@@ -295,6 +298,7 @@ impl Cnc {
             touches: None,
             blocks: Blocks::new(room),
             aside: Aside::default(),
+            retrace: Retrace::new(),
             switches: Switches::new(start),
             velocity: 0.0,
             braking: braking(machine),
@@ -367,11 +371,15 @@ impl Cnc {
     pub fn cycle_start(&mut self) {
         // Homing that a program began goes on with it.
         let homes = self.state == State::Held && self.homing.is_active();
+        if self.goes_forward() {
+            return;
+        }
         if !homes && (self.manual.is_active || self.return_to_path()) {
             return;
         }
         self.manual.stop();
         if self.state == State::Ready {
+            self.forget_passed();
             self.tell_unreferenced();
         }
         if let Some(hole) = self.hole.as_mut().filter(|hole| hole.asked == Some(Asked::Hold)) {
@@ -393,6 +401,7 @@ impl Cnc {
     /// 4.5.1).
     pub fn feed_hold(&mut self) {
         self.hold_return();
+        self.hold_retrace();
         if self.state == State::Running && !self.asked_in_hole(Asked::Hold) && !self.holds_behind_thread() {
             self.state = State::Held;
             self.hold = true;
@@ -434,6 +443,7 @@ impl Cnc {
         self.synchron.stop();
         (self.hole, self.floating) = (None, None);
         self.motion.abort();
+        self.retrace.forget();
         if let Some(auxiliary) = &mut self.auxiliary {
             auxiliary.cancel();
         }
@@ -534,6 +544,10 @@ impl Cnc {
     fn period(&mut self) -> Tick {
         match self.state {
             State::Running if self.manual.is_active => return self.move_by_hand(),
+            State::Running if self.retrace.is_behind() => {
+                // Nothing of the program is begun until the axes are where it was held.
+                return self.move_on();
+            }
             State::Running => {}
             State::Held | State::Resetting => return self.slow_down(),
             State::BlockEnd if !self.manual.is_active => return self.slow_down(),
@@ -606,8 +620,21 @@ impl Cnc {
     /// A period of motion.
     fn move_on(&mut self) -> Tick {
         let setpoint = self.motion.tick();
-        self.finish_moves(setpoint.tag);
         self.velocity = setpoint.velocity;
+        if self.retrace.is_behind() {
+            self.follow_retrace(&setpoint);
+        } else {
+            self.follow(&setpoint);
+        }
+        let position = self.exchange(&self.beside(setpoint.position));
+        self.watch_probe();
+        let (actual, velocity) = (self.actual, setpoint.velocity);
+        Tick { position, actual, velocity, span: self.span, moving: true }
+    }
+
+    /// Follows the program as the axes run it.
+    fn follow(&mut self, setpoint: &Sample) {
+        self.finish_moves(setpoint.tag);
         if let Some(given) = self.given.front_mut() {
             given.travelled += setpoint.velocity * self.period;
             let given = *given;
@@ -620,10 +647,6 @@ impl Cnc {
             self.runs(block);
             self.arm_probe(running);
         }
-        let position = self.exchange(&self.beside(setpoint.position));
-        self.watch_probe();
-        let (actual, velocity) = (self.actual, setpoint.velocity);
-        Tick { position, actual, velocity, span: self.span, moving: true }
     }
 
     /// A period of moving by hand. Once the axes stand, the program goes on from there.
@@ -748,11 +771,12 @@ impl Cnc {
         if self.manual.is_active {
             return self.move_by_hand();
         }
+        self.turn();
         // A failed axis may never come to its place.
         let can_settle = self.failed.is_none();
         // What is given up is forgotten by motion before the place of the axes gets its coordinates.
         let forgets = self.state == State::Resetting && !self.motion.is_empty();
-        if !self.motion.is_still() || forgets {
+        if !self.motion.is_still() || forgets || self.retrace.goes() {
             return if can_settle && self.must_settle_now() { self.settle() } else { self.move_on() };
         }
         match self.stroke {
@@ -798,6 +822,7 @@ impl Cnc {
 
     /// Does what waited, the axes being at rest.
     fn act(&mut self, waiting: Waiting) {
+        self.forget_passed();
         let step = match waiting {
             Waiting::Alarm(alarm) => {
                 self.span = alarm.span;

@@ -123,6 +123,11 @@ impl Motion {
         self.planner.retrace(back)
     }
 
+    /// What was passed up to here is not run back over.
+    pub fn forget_passed(&mut self) {
+        self.planner.forget_passed();
+    }
+
     /// Whether the path is run back.
     pub fn is_back(&self) -> bool {
         self.planner.is_back()

@@ -210,6 +210,14 @@ impl Planner {
         s.is_some()
     }
 
+    /// What was passed up to here is not run back over: something else was done in this place.
+    pub fn forget_passed(&mut self) {
+        if !self.tape.is_back() {
+            self.queue.forget_passed();
+            self.tape.clear();
+        }
+    }
+
     /// Whether the path is run back.
     pub fn is_back(&self) -> bool {
         self.tape.is_back()

@@ -116,6 +116,11 @@ impl Blocks {
         self.single
     }
 
+    /// Whether nothing was taken back from motion.
+    pub fn is_plain(&self) -> bool {
+        self.stage == Stage::Off && self.later.is_empty()
+    }
+
     /// Whether motion is being braked for the end of a block.
     pub fn is_braking(&self) -> bool {
         self.stage == Stage::Braking

@@ -146,6 +146,7 @@ impl Cnc {
     pub(super) fn finish_moves(&mut self, running: u64) {
         while let Some(given) = self.given.front().copied().filter(|g| g.tag < running) {
             self.given.pop_front();
+            self.retrace.passed(given);
             let (length, min, max) = match self.braked_way(given.tag) {
                 Some((from, to)) => (from.distance(to), from.min(to), from.max(to)),
                 None => (given.length, given.min, given.max),

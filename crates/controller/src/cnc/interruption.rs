@@ -76,8 +76,14 @@ impl Cnc {
             && self.motion.is_still()
             && self.stroke.is_none()
             && self.hole.is_none()
+            && !self.is_retraced()
             && !self.aside.returns
             && (self.servo.is_at_rest() || self.manual.is_active)
+    }
+
+    /// Whether the axes are beside the path, or on their way back to it.
+    pub(super) fn is_aside(&self) -> bool {
+        self.aside.returns || self.aside.taken_at.is_some() || self.aside.away != Position::ZERO
     }
 
     /// Notes that axes are moved by hand from here on.

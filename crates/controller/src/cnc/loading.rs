@@ -75,6 +75,7 @@ impl Cnc {
 
     pub(super) fn wait_for_start(&mut self) {
         self.forget_blocks();
+        self.retrace.forget();
         self.given.clear();
         (self.waiting, self.floating) = (None, None);
         self.busy = None;

@@ -208,6 +208,23 @@ impl Planning {
         self.ask();
     }
 
+    /// Turns the path back, or forward again; whether it is ([`Planner::retrace`]). `None` while the planner is away.
+    pub fn retrace(&mut self, back: bool) -> Option<bool> {
+        let work = self.work.as_mut()?;
+        if back {
+            work.take();
+        }
+        Some(work.planner.retrace(back))
+    }
+
+    /// What was passed up to here is not run back over; only at rest.
+    pub fn forget_passed(&mut self) {
+        self.await_planner();
+        if let Some(work) = &mut self.work {
+            work.planner.forget_passed();
+        }
+    }
+
     /// Calls the place where the axes stand by another position; only at rest.
     pub fn rename(&mut self, at: Position) {
         self.await_planner();

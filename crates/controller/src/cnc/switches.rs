@@ -32,7 +32,7 @@ pub(super) struct Switches {
     dry_run: Option<DryRun>,
     pub auxiliary_lock: bool,
     pub optional_stop: bool,
-    may_move: bool,
+    pub may_move: bool,
     locked: Option<Locked>,
     /// What the drives were told last.
     drive: Position,

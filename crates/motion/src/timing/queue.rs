@@ -317,6 +317,11 @@ impl Queue {
         }
     }
 
+    /// Forgets what was passed.
+    pub fn forget_passed(&mut self) {
+        self.first = [self.head, self.first_mark];
+    }
+
     /// Forgets every cell, the passed ones too.
     pub fn clear(&mut self) {
         // Numbers that nobody else knows are used again.
