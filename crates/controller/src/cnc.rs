@@ -523,6 +523,7 @@ impl Cnc {
         self.steps_left = self.steps_a_period;
         self.serve_ladder();
         self.wait_for_more();
+        self.override_spindle();
         let tick = self.period();
         if self.stroke.is_none_or(|stroke| !stroke.has_begun) {
             self.spindle.tick(self.period);

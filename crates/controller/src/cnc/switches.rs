@@ -36,6 +36,8 @@ pub(super) struct Switches {
     locked: Option<Locked>,
     /// What the drives were told last.
     drive: Position,
+    /// A factor.
+    spindle_override: f64,
 }
 
 impl Switches {
@@ -47,6 +49,7 @@ impl Switches {
             may_move: true,
             locked: None,
             drive: at,
+            spindle_override: 1.0,
         }
     }
 
@@ -172,6 +175,19 @@ impl Cnc {
         match op {
             Op::Stop(1) => !self.switches.optional_stop,
             _ => is_auxiliary && self.switches.auxiliary_lock && self.auxiliary.is_none(),
+        }
+    }
+
+    /// Spindle override as a factor, of a machine without a ladder: with one, its signal counts.
+    pub fn set_spindle_override(&mut self, factor: f64) {
+        self.switches.spindle_override = factor;
+    }
+
+    /// Once a period, where there is no ladder. In a thread that the spindle cuts beside it is as at 100 %.
+    pub(super) fn override_spindle(&mut self) {
+        if self.auxiliary.is_none() {
+            let factor = if self.floating.is_some() { 1.0 } else { self.switches.spindle_override };
+            self.spindle.set_override(factor);
         }
     }
 
