@@ -352,6 +352,16 @@ pub enum Command {
     },
     /// The signals that are forced.
     Forced,
+    /// Sets data of the ladder, K, T, C or D (level 2). They are kept, and the operation log has it.
+    SetSignal {
+        /// Its name or address.
+        signal: String,
+        /// A bit, or a number with or without sign.
+        value: i64,
+        /// Bytes of the number, the lowest first; where it is missing 2 in T and C, 1 in K and D.
+        #[serde(default)]
+        bytes: Option<u8>,
+    },
     /// Puts another ladder in the place of the running one (level 2).
     ExchangeLadder {
         /// Its text.

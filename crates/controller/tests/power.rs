@@ -300,6 +300,83 @@ fn a_ladder_that_was_exchanged_while_it_ran_runs_after_the_power() {
     assert_eq!(forced.collect::<Vec<_>>(), ["builder X20.3 forced 1", "builder X20.3 released"]);
 }
 
+/// GSK990MC operation 3.4.5: data of the ladder are for level 2.
+#[test]
+fn data_of_the_ladder_that_a_person_sets_survive_the_power_and_stand_in_the_log() {
+    let (folder, killed) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+    let set = |signal: &str, value, bytes| Command::SetSignal { signal: signal.into(), value, bytes };
+    let read = |control: &mut Control, names: &[&str]| -> Vec<i64> {
+        let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
+        let Reply::Signals { signals } = say(control, Command::Signals { names: names.clone() }) else {
+            panic!()
+        };
+        names.iter().map(|name| signals[name]).collect()
+    };
+    let places = ["D5012", "D5013", "T90", "T91", "C80", "C81", "K90.3", "K90.4", "K91", "D5020", "D5023"];
+    let wanted = [0x34, 0x12, 0xFF, 0x7F, 0xFE, 0xFF, 1, 0, 0xA5, 0xD6, 0xFF];
+    {
+        let mut control = with_ladder(folder.path());
+        let refusal = control.command(set("D5012", 1, None), &person()).unwrap_err();
+        assert_eq!(refusal.alarm.id, "FC-1213");
+        let builder = Author::Maintenance { name: "builder".into() };
+        for (signal, value, bytes, id) in [
+            ("R100", 1, None, "FC-1428"),
+            ("X1.0", 1, None, "FC-1428"),
+            ("NOTHING", 1, None, "FC-1407"),
+            ("D10000", 1, None, "FC-1407"),
+            ("D9999", 1, Some(2), "FC-1409"),
+            ("D5012", 256, None, "FC-1409"),
+            ("D5012", -129, None, "FC-1409"),
+            ("D5012", 65536, Some(2), "FC-1409"),
+            ("D5012", 1, Some(3), "FC-1409"),
+            ("K90.3", 2, None, "FC-1409"),
+            ("K90.3", -1, None, "FC-1409"),
+            ("K90.3", 1, Some(1), "FC-1409"),
+            ("D5012", i64::MIN, Some(4), "FC-1409"),
+        ] {
+            let refusal = control.command(set(signal, value, bytes), &builder).unwrap_err();
+            assert_eq!(refusal.alarm.id, id, "{signal} {value} {bytes:?}");
+        }
+        told(&mut control);
+        for (signal, value, bytes) in [
+            ("D5012", 0x1234, Some(2)),
+            ("T90", 32_767, None),
+            ("C80", -2, None),
+            ("K90.3", 1, None),
+            ("K91", 0xA5, None),
+            ("D5020", -42, Some(4)),
+        ] {
+            assert_eq!(control.command(set(signal, value, bytes), &builder).unwrap(), Reply::Done);
+        }
+        assert_eq!(read(&mut control, &places), wanted);
+        let changed = Event::Changed { item: "plc".into() };
+        assert_eq!(control.events().iter().filter(|event| **event == changed).count(), 6);
+        // What is on the disk now is what a kill would leave.
+        let files = std::fs::read_dir(folder.path()).unwrap().map(Result::unwrap);
+        for file in files.filter(|file| file.file_type().unwrap().is_file()) {
+            std::fs::copy(file.path(), killed.path().join(file.file_name())).unwrap();
+        }
+    }
+    let mut control = with_ladder(killed.path());
+    assert_eq!(read(&mut control, &places), wanted);
+    let Reply::OperationLog { entries } = say(&mut control, Command::OperationLog { most: 99 }) else {
+        panic!()
+    };
+    let of_plc = entries.iter().rev().filter(|entry| entry.item == "plc");
+    let lines: Vec<String> = of_plc.map(|e| format!("{} {} {} {}", e.who, e.name, e.from, e.to)).collect();
+    assert_eq!(
+        lines,
+        [
+            "builder D5012 0 4660",
+            "builder T0090 0 32767",
+            "builder C0080 0 65534",
+            "builder K0090.3 0 1",
+            "builder K0091 0 165",
+            "builder D5020 0 4294967254",
+        ]
+    );
+}
+
 #[test]
 fn a_kept_ladder_that_cannot_be_run_gives_way_to_the_machines_own() {
     let folder = tempfile::tempdir().unwrap();

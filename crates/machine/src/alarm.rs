@@ -672,6 +672,8 @@ faults! {
     LadderTakenOut = 1426,
     /// A program is changed while the program switch is off.
     ProgramsClosed = 1427,
+    /// A signal that is no data of the ladder is to be set.
+    SignalNotData = 1428,
 
     // 1430: reference points and travel switches
     /// Homing did not meet the home switch, or did not leave it.

@@ -74,7 +74,7 @@
 //! | `Ladder` | `word` |
 //! | `LadderUnusable` | `line` |
 //! | `ControlMode`, `ControlInterrupted` | `mode` |
-//! | `NotFitted`, `NoSuchName`, `ProgramInUse`, `ValueImpossible` | `name` |
+//! | `NotFitted`, `NoSuchName`, `ProgramInUse`, `ValueImpossible`, `SignalNotData` | `name` |
 //! | `NoSuchLine` | `line` |
 //! | `NotKept` | `reason` |
 //! | `RestartOtherProgram`, `RestartChanged`, `RestartNotAsProgram` | `name` |

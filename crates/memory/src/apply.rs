@@ -3,7 +3,7 @@
 use crate::author::Author;
 use crate::database::Database;
 use crate::error::{Error, Finding};
-use crate::items::{Change, Item, LogEntry, PlcArea, Program, Time, limits};
+use crate::items::{Change, Item, LogEntry, PlcArea, Program, SignalSize, Time, limits};
 use crate::rights::{self, Level};
 use crate::rows::{self, BLOCK};
 use crate::table::{
@@ -196,6 +196,16 @@ impl Applier {
                 let good = usize::from(*first).saturating_add(bytes.len()) <= limits::AREA;
                 named(good, &format!("{}{first}", area.name()))
             }
+            Change::Signal { area, first, size, value } => {
+                let (bytes, most) = match size {
+                    SignalSize::Bit(bit) => (u32::from(*bit < 8), 1),
+                    SignalSize::Bytes(bytes) => (u32::from(*bytes), u32::MAX),
+                };
+                let fits = bytes >= 4 || u64::from(*value) < 1 << (8 * bytes);
+                let exists = usize::from(*first) + bytes as usize <= limits::AREA;
+                let good = (1..=4).contains(&bytes) && exists && fits && *value <= most;
+                named(good, &signal_shown(*area, *first, *size))
+            }
             Change::Ladder { text: Some(text) } if text.len() > limits::LADDER => {
                 Err(Error::Full(Item::Ladder))
             }
@@ -253,6 +263,9 @@ impl Applier {
                 log.numbers(self, Item::Pitch, &format!("{} {point}", axis.name()), old, *value)
             }
             Change::Plc { area, first, bytes } => self.write_signals(&log, *area, *first, bytes),
+            Change::Signal { area, first, size, value } => {
+                self.write_signal(&log, *area, *first, *size, *value)
+            }
             Change::Ladder { text } => self.write_ladder(&mut log, text.as_deref()),
             Change::Force { signal, value } => {
                 log.all = true;
@@ -456,27 +469,64 @@ impl Applier {
     }
 
     fn write_signals(&mut self, log: &Log, area: PlcArea, first: u16, bytes: &[u8]) -> Result<(), Error> {
+        let before = self.replace_bytes(area, first, bytes)?;
+        let shown = |bytes: &[u8]| bytes.iter().take(SHOWN).map(|b| format!("{b:02x}")).collect::<String>();
+        log.changed(self, Item::Plc, &format!("{}{first}", area.name()), shown(&before), shown(bytes))
+    }
+
+    fn write_signal(
+        &mut self,
+        log: &Log,
+        area: PlcArea,
+        first: u16,
+        size: SignalSize,
+        value: u32,
+    ) -> Result<(), Error> {
+        let before = match size {
+            SignalSize::Bit(bit) => {
+                let block = self.signal_block(area, usize::from(first) / BLOCK)?;
+                let byte = block.get(usize::from(first) % BLOCK).copied().unwrap_or(0);
+                let cleared = byte & !(1 << bit);
+                self.replace_bytes(area, first, &[if value == 0 { cleared } else { byte | 1 << bit }])?;
+                u32::from(byte >> bit & 1)
+            }
+            SignalSize::Bytes(count) => {
+                let bytes = value.to_le_bytes();
+                let before = self.replace_bytes(area, first, bytes.get(..count.into()).unwrap_or(&bytes))?;
+                before.iter().rev().fold(0, |all, byte| all << 8 | u32::from(*byte))
+            }
+        };
+        log.changed(self, Item::Plc, &signal_shown(area, first, size), before.to_string(), value.to_string())
+    }
+
+    /// A block of bytes that the ladder keeps.
+    fn signal_block(&self, area: PlcArea, block: usize) -> Result<Vec<u8>, Error> {
+        let number = u16::try_from(block).unwrap_or(u16::MAX);
+        let row = self.database.get(&SIGNAL, &[area.name().into(), number.into()])?;
+        match row.as_deref() {
+            Some([_, _, Cell::Bytes(kept)]) if kept.len() == BLOCK => Ok(kept.clone()),
+            Some(_) => Err(Error::damaged(Finding::Row { table: SIGNAL.name })),
+            None => Ok(vec![0; BLOCK]),
+        }
+    }
+
+    /// Writes bytes that the ladder keeps; what they were.
+    fn replace_bytes(&mut self, area: PlcArea, first: u16, bytes: &[u8]) -> Result<Vec<u8>, Error> {
         let mut at = usize::from(first);
         let mut left = bytes;
         let mut before: Vec<u8> = Vec::new();
         while !left.is_empty() {
             let (block, within) = (at / BLOCK, at % BLOCK);
             let (now, rest) = left.split_at(left.len().min(BLOCK - within));
-            let number = u16::try_from(block).unwrap_or(u16::MAX);
-            let row = self.database.get(&SIGNAL, &[area.name().into(), number.into()])?;
-            let mut kept = match row.as_deref() {
-                Some([_, _, Cell::Bytes(kept)]) if kept.len() == BLOCK => kept.clone(),
-                Some(_) => return Err(Error::damaged(Finding::Row { table: SIGNAL.name })),
-                None => vec![0; BLOCK],
-            };
+            let mut kept = self.signal_block(area, block)?;
             for (to, from) in kept.iter_mut().skip(within).zip(now) {
                 before.push(std::mem::replace(to, *from));
             }
+            let number = u16::try_from(block).unwrap_or(u16::MAX);
             self.put_unless(&SIGNAL, &rows::signal_row(area, number, kept), false, Item::Plc)?;
             (at, left) = (at + now.len(), rest);
         }
-        let shown = |bytes: &[u8]| bytes.iter().take(SHOWN).map(|b| format!("{b:02x}")).collect::<String>();
-        log.changed(self, Item::Plc, &format!("{}{first}", area.name()), shown(&before), shown(bytes))
+        Ok(before)
     }
 
     fn write_ladder(&mut self, log: &mut Log, text: Option<&str>) -> Result<(), Error> {
@@ -570,6 +620,14 @@ impl Applier {
             self.database.put(table, &row)?;
         }
         Ok(())
+    }
+}
+
+/// `D0012`, `K0003.2`.
+fn signal_shown(area: PlcArea, first: u16, size: SignalSize) -> String {
+    match size {
+        SignalSize::Bit(bit) => format!("{}{first:04}.{bit}", area.name()),
+        SignalSize::Bytes(_) => format!("{}{first:04}", area.name()),
     }
 }
 

@@ -139,6 +139,15 @@ pub enum PlcArea {
     D,
 }
 
+/// How much of an area a value takes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum SignalSize {
+    /// This bit of a byte, 0 to 7.
+    Bit(u8),
+    /// So many bytes, 1 to 4, the lowest first.
+    Bytes(u8),
+}
+
 impl PlcArea {
     /// Every area.
     pub const ALL: [PlcArea; 4] = [PlcArea::K, PlcArea::T, PlcArea::C, PlcArea::D];
@@ -376,6 +385,17 @@ pub enum Change {
         first: u16,
         /// The bytes.
         bytes: Vec<u8>,
+    },
+    /// Sets a value that the ladder keeps.
+    Signal {
+        /// The area.
+        area: PlcArea,
+        /// The first byte.
+        first: u16,
+        /// What of it.
+        size: SignalSize,
+        /// The value, without sign.
+        value: u32,
     },
     /// Says which ladder runs from now on.
     Ladder {

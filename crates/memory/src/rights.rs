@@ -95,6 +95,7 @@ pub fn needed(table: &ParameterTable, change: &Change) -> Level {
         Change::ClearAlarms | Change::ClearLog => Level::Commissioning,
         // 3.4.5: ladders are transferred from level 2 on.
         Change::Plc { area: PlcArea::K | PlcArea::T | PlcArea::C | PlcArea::D, .. }
+        | Change::Signal { .. }
         | Change::Ladder { .. }
         | Change::Force { .. } => Level::Builder,
         Change::Alarm(_) | Change::LastPosition(_) | Change::Interrupted(_) => Level::Maker,

@@ -163,6 +163,7 @@ impl Control {
             Command::EndTrace => Ok(self.end_trace()),
             Command::Forced => self.forced(),
             Command::Force { signal, value } => self.force(&signal, value, author),
+            Command::SetSignal { signal, value, bytes } => self.set_signal(&signal, value, bytes, author),
             Command::ExchangeLadder { text } => self.exchange_ladder(&text, author),
             Command::RollBackLadder => self.roll_back_ladder(author),
             Command::StartLadder => {

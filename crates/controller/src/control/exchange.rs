@@ -5,12 +5,12 @@
 //! taken out again and was never kept, so that no power-on meets it.
 
 use super::commands::{Answer, named};
-use super::keeping::Keeping;
+use super::keeping::{Keeping, kept_area};
 use super::{Control, alarm};
 use crate::api::{AlarmInfo, Event, ForcedSignal, Reply};
 use ferrocut_machine::{Alarm, Fault};
-use ferrocut_memory::{Author, Change, Level};
-use ferrocut_plc::{Address, Error, Limits, Maintenance, Plc, Program};
+use ferrocut_memory::{Author, Change, Level, SignalSize};
+use ferrocut_plc::{Address, Area, Error, Limits, Maintenance, Plc, Program};
 
 /// What the event `changed` calls the signals that are forced.
 const FORCED: &str = "forced";
@@ -125,6 +125,35 @@ impl Control {
         }
         self.event(Event::Changed { item: FORCED.to_owned() });
         Ok(Reply::Done)
+    }
+
+    /// 3.4.5: data of the ladder are for level 2.
+    pub(super) fn set_signal(
+        &mut self,
+        signal: &str,
+        value: i64,
+        bytes: Option<u8>,
+        author: &Author,
+    ) -> Answer {
+        self.needs_level(Level::Builder, author)?;
+        let address = self.address(signal)?;
+        let area = kept_area(address.area).ok_or_else(|| named(Fault::SignalNotData, signal))?;
+        let impossible = || Box::new(named(Fault::ValueImpossible, signal));
+        // Times and counts are words.
+        let usual = if matches!(address.area, Area::T | Area::C) { 2 } else { 1 };
+        let (size, bits) = match (address.bit, bytes) {
+            (Some(bit), None) => (SignalSize::Bit(bit), 1),
+            (None, bytes @ (None | Some(1 | 2 | 4))) => {
+                let bytes = bytes.unwrap_or(usual);
+                (SignalSize::Bytes(bytes), 8 * u32::from(bytes))
+            }
+            _ => return Err(impossible()),
+        };
+        let least = if bits == 1 { 0 } else { -(1i64 << (bits - 1)) };
+        let fits = (least..1i64 << bits).contains(&value) && address.holds(bits.div_ceil(8));
+        let value =
+            u32::try_from(value & ((1i64 << bits) - 1)).ok().filter(|_| fits).ok_or_else(impossible)?;
+        self.change_data(author, Change::Signal { area, first: address.byte, size, value })
     }
 
     pub(super) fn forced(&self) -> Answer {

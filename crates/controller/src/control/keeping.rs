@@ -15,7 +15,8 @@ use ferrocut_interpreter::Interpreter;
 use ferrocut_machine::{Alarm, Fault, Memory, ParameterKey, ToolOffset, WorkOffset};
 use ferrocut_memory::control::{ENTERED, KEPT_VARIABLES, changes, enter};
 use ferrocut_memory::{
-    AlarmEntry, Author, Change, Counter, InterruptedRun, Item, LastPosition, Pending, PlcArea, Store,
+    AlarmEntry, Author, Change, Counter, InterruptedRun, Item, LastPosition, Pending, PlcArea, SignalSize,
+    Store,
 };
 use ferrocut_plc::{Address, Area, Plc};
 use ferrocut_program::FileId;
@@ -401,8 +402,12 @@ impl Control {
         let is_busy =
             self.tick.moving || self.cnc.is_under_way() || self.cnc.is_reading() || self.is_in_period;
         if let Some(keeping) = &mut self.keeping {
-            // What the program wrote before is on the disk before, too.
+            // What program and ladder wrote before is on the disk before, too.
             keeping.look_at_program(self.cnc.interpreter());
+            let sets_signals = changes.iter().any(|change| matches!(change, Change::Signal { .. }));
+            if let Some(plc) = self.plc.as_ref().filter(|_| sets_signals) {
+                keeping.look_at_ladder(plc);
+            }
             if is_busy {
                 let pending = keeping.store.begin(author, changes.clone()).map_err(|error| error.alarm())?;
                 keeping.pending.push_back(Asked { pending, changes, written: Vec::new() });
@@ -484,6 +489,12 @@ impl Control {
                 self.counters.set(*counter, *value);
                 self.show_parts();
             }
+            Change::Signal { area, first, size, value } => {
+                // What the ladder keeps is compared with the disk afterwards, as if the ladder had written it.
+                if let Some(plc) = &mut self.plc {
+                    set_signal(plc, area_of(*area), *first, *size, *value);
+                }
+            }
             Change::ReferencePoint { number, position } => {
                 let place = usize::from(*number).checked_sub(1);
                 if let Some(place) = place.and_then(|n| memory.reference_points.get_mut(n)) {
@@ -525,6 +536,7 @@ fn item_of(change: &Change) -> Option<Item> {
         Change::Variable { .. } => Item::Variables,
         Change::Parameter { .. } => Item::Parameters,
         Change::Counter { .. } => Item::Counters,
+        Change::Signal { .. } => Item::Plc,
         Change::ReferencePoint { .. } => Item::ReferencePoints,
         Change::Pitch { .. } => Item::Pitch,
         Change::RenameProgram { .. }
@@ -551,6 +563,18 @@ fn enter_plc(kept: BTreeMap<PlcArea, Vec<u8>>, plc: &mut Plc) -> Vec<(Address, u
     memory.kept().collect()
 }
 
+fn set_signal(plc: &mut Plc, area: Area, byte: u16, size: SignalSize, value: u32) {
+    let memory = plc.memory_mut();
+    match size {
+        SignalSize::Bit(bit) => memory.set_bit(Address { area, byte, bit: Some(bit) }, value != 0),
+        SignalSize::Bytes(bytes) => {
+            for (byte, value) in (byte..).zip(value.to_le_bytes()).take(bytes.into()) {
+                memory.set_byte(Address { area, byte, bit: None }, value);
+            }
+        }
+    }
+}
+
 fn area_of(area: PlcArea) -> Area {
     match area {
         PlcArea::K => Area::K,
@@ -560,7 +584,7 @@ fn area_of(area: PlcArea) -> Area {
     }
 }
 
-fn kept_area(area: Area) -> Option<PlcArea> {
+pub(super) fn kept_area(area: Area) -> Option<PlcArea> {
     match area {
         Area::K => Some(PlcArea::K),
         Area::T => Some(PlcArea::T),

@@ -798,6 +798,9 @@ FC-1419 = the parameter switch is off
     .help = Turn the parameter switch on, on the setting page, in MDI.
 FC-1427 = the program switch is off
     .help = Turn the program switch on, on the setting page, in MDI. It needs level 4.
+FC-1428 = this signal is none that can be set
+    .help = Data of the ladder can be set: K, T, C and D. Other signals are forced.
+    .detail = { $name }
 
 FC-1430 = Homing does not find the home switch
     .detail = axis { $axis }

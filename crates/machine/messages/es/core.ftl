@@ -798,6 +798,9 @@ FC-1419 = El interruptor de parámetros está desactivado
     .help = Actívelo en la página de ajustes, en MDI.
 FC-1427 = El interruptor de programas está desactivado
     .help = Actívelo en la página de ajustes, en MDI. Requiere el nivel 4.
+FC-1428 = Esta señal no se puede fijar
+    .help = Se pueden fijar los datos del programa de contactos: K, T, C y D. Las demás señales se fuerzan.
+    .detail = { $name }
 
 FC-1430 = La búsqueda de cero no encuentra el interruptor de referencia
     .detail = eje { $axis }

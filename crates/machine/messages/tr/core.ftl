@@ -798,6 +798,9 @@ FC-1419 = parametre anahtarı kapalı
     .help = MDI modunda, ayar sayfasında parametre anahtarını açın.
 FC-1427 = program anahtarı kapalı
     .help = MDI modunda, ayar sayfasında program anahtarını açın. 4. seviye gerekir.
+FC-1428 = bu sinyal ayarlanamaz
+    .help = Merdiven programının verileri ayarlanabilir: K, T, C ve D. Öteki sinyaller zorlanır.
+    .detail = { $name }
 
 FC-1430 = Referansa giderken referans anahtarı bulunamadı
     .detail = eksen { $axis }

@@ -1515,7 +1515,19 @@ signal: string,
 /**
  * On or off; none releases it.
  */
-value?: boolean | null, } | { "do": "forced" } | { "do": "exchange_ladder",
+value?: boolean | null, } | { "do": "forced" } | { "do": "set_signal",
+/**
+ * Its name or address.
+ */
+signal: string,
+/**
+ * A bit, or a number with or without sign.
+ */
+value: number,
+/**
+ * Bytes of the number, the lowest first; where it is missing 2 in T and C, 1 in K and D.
+ */
+bytes?: number | null, } | { "do": "exchange_ladder",
 /**
  * Its text.
  */
