@@ -28,6 +28,7 @@ pub use interruption::Interruption;
 pub use switches::DryRun;
 
 use crate::auxiliary::Auxiliary;
+use crate::capture::Chain;
 use crate::drives::{self, Drives, Simulated};
 use crate::homing::Homing;
 use crate::manual::{JogSpeed, JogWay, Manual};
@@ -204,7 +205,9 @@ pub struct Cnc {
     next_tag: u64,
     waiting: Option<Waiting>,
     busy: Option<Busy>,
-    /// Where the axes were in the last servo period.
+    /// What the servo chain was given in the last servo period.
+    setpoint: Position,
+    /// Where the axes were in it.
     actual: Position,
     span: Span,
     report: Report,
@@ -285,6 +288,7 @@ impl Cnc {
             next_tag: 1,
             waiting: None,
             busy: None,
+            setpoint: start,
             actual: start,
             span: Span::default(),
             report: Report::new(period),
@@ -351,6 +355,11 @@ impl Cnc {
             Some(given) if self.is_under_way() => given.motion.to() - self.motion.position(),
             _ => Position::ZERO,
         }
+    }
+
+    /// What is between interpolator and drives in the last servo period.
+    pub fn chain(&self) -> Chain {
+        Chain { setpoint: self.setpoint, compensation: self.servo.added(), to_go: self.to_go() }
     }
 
     /// The code by which the program has ended: 2, 30 or 99; none where its text did.
@@ -680,6 +689,7 @@ impl Cnc {
 
     /// Commands the drives; where the axes shall be. Sets where they are, both without compensation.
     fn exchange(&mut self, setpoint: &Position) -> Position {
+        self.setpoint = *setpoint;
         let command = self.servo.tick(setpoint, self.kind);
         let drive = self.switches.drive(command.drive);
         let mut actual = self.drives.exchange(&drive);
