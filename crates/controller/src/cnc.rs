@@ -54,7 +54,7 @@ use skip::Probing;
 use std::collections::VecDeque;
 use std::time::Instant;
 use switches::Switches;
-use tapping::{Asked, Floating, Hole, Stroke};
+use tapping::{Asked, InThread, Stroke};
 
 /// What the control is doing.
 #[derive(Clone, PartialEq, Debug)]
@@ -181,8 +181,7 @@ pub struct Cnc {
     probing: Option<Probing>,
     /// By how much the skip moves of this block ended beside what is programmed.
     skip_shift: Position,
-    hole: Option<Hole>,
-    floating: Option<Floating>,
+    thread: Option<InThread>,
     stroke: Option<Stroke>,
     /// Highest acceleration of the spindle in a thread, inwards and outwards, r/min per second.
     tapping_rates: [f64; 2],
@@ -267,8 +266,7 @@ impl Cnc {
             overtravel: Overtravel::new(machine.homing.ignores_switches),
             probing: None,
             skip_shift: Position::ZERO,
-            hole: None,
-            floating: None,
+            thread: None,
             stroke: None,
             tapping_rates: [machine.spindle.tapping_rpm_s, machine.spindle.tapping_retract_rpm_s]
                 .map(|rate| rate.min(machine.spindle.acceleration_rpm_s)),
@@ -383,9 +381,6 @@ impl Cnc {
         if self.state == State::Ready {
             self.tell_unreferenced();
         }
-        if let Some(hole) = self.hole.as_mut().filter(|hole| hole.asked == Some(Asked::Hold)) {
-            hole.asked = None;
-        }
         self.forget_hold_behind_thread();
         self.begin_journal();
         if matches!(self.state, State::Ready | State::BlockEnd | State::Stopped(_)) {
@@ -402,7 +397,7 @@ impl Cnc {
     /// 4.5.1).
     pub fn feed_hold(&mut self) {
         self.hold_return();
-        if self.state == State::Running && !self.asked_in_hole(Asked::Hold) && !self.holds_behind_thread() {
+        if self.state == State::Running && !self.waits_in_thread(Asked::Hold) {
             self.state = State::Held;
             self.hold = true;
             self.hold_motion();
@@ -416,7 +411,9 @@ impl Cnc {
         self.homing.abort();
         // The alarm of drives that failed comes first.
         let is_failing = self.drives_failed && self.state == State::Resetting;
-        if is_failing || matches!(self.state, State::Ended | State::Reset) || self.asked_in_hole(Asked::Reset)
+        if is_failing
+            || matches!(self.state, State::Ended | State::Reset)
+            || self.waits_in_thread(Asked::Reset)
         {
             return;
         }
@@ -441,7 +438,7 @@ impl Cnc {
         self.probing = None;
         self.forget_held();
         self.synchron.stop();
-        (self.hole, self.floating) = (None, None);
+        self.thread = None;
         self.motion.abort();
         if let Some(auxiliary) = &mut self.auxiliary {
             auxiliary.cancel();
@@ -592,7 +589,7 @@ impl Cnc {
                     None if self.is_between_lines() => return self.at_rest(),
                     None if self.hands_over_speed() => {}
                     None => {
-                        (self.ended_by, self.floating) = (None, None);
+                        (self.ended_by, self.thread) = (None, None);
                         self.state = State::Ended;
                     }
                 }
@@ -606,6 +603,10 @@ impl Cnc {
                 continue;
             }
             if self.motion.at_rest() && self.cutting_waits() {
+                self.report.period(Activity::Spindle);
+                return self.at_rest();
+            }
+            if self.motion.at_rest() && self.tap_waits() {
                 self.report.period(Activity::Spindle);
                 return self.at_rest();
             }
@@ -892,7 +893,7 @@ impl Cnc {
                 if code != 99 {
                     self.report.parts += 1;
                 }
-                (self.ended_by, self.floating) = (Some(code), None);
+                (self.ended_by, self.thread) = (Some(code), None);
                 self.state = State::Ended;
             }
             _ => {}

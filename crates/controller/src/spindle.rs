@@ -94,6 +94,11 @@ impl Spindle {
         self.speed
     }
 
+    /// Whether it has the speed that it was told.
+    pub fn has_its_speed(&self) -> bool {
+        self.speed == self.told
+    }
+
     /// Whether it stands at the angle that it was to come to.
     pub fn is_oriented(&self) -> bool {
         self.told == 0.0 && self.speed == 0.0 && self.rest_at.is_none()

@@ -76,7 +76,7 @@ impl Cnc {
     pub(super) fn wait_for_start(&mut self) {
         self.forget_blocks();
         self.given.clear();
-        (self.waiting, self.floating) = (None, None);
+        (self.waiting, self.thread) = (None, None);
         self.busy = None;
         self.commanded = self.motion.position();
         self.supervisor.moved_to(self.commanded);

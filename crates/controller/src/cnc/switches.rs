@@ -1,5 +1,6 @@
 //! Switches that change how a program is run: locks, dry run, optional stop, interlock.
 
+use super::tapping::ThreadKind;
 use super::{Cnc, Given, State};
 use ferrocut_geometry::Position;
 use ferrocut_interpreter::AtRest;
@@ -74,7 +75,7 @@ impl Cnc {
     /// Dry run on or off, as the switch stands in each period. Moves that wait follow too, after a stop; so in a thread
     /// that the spindle cuts beside it changes nothing yet.
     pub fn set_dry_run(&mut self, dry_run: Option<DryRun>) {
-        if self.floating.is_none() && self.switches.dry_run != dry_run {
+        if !self.is_in(ThreadKind::Beside) && self.switches.dry_run != dry_run {
             self.switches.dry_run = dry_run;
             self.renew_moves();
         }
@@ -186,7 +187,7 @@ impl Cnc {
     /// Once a period, where there is no ladder. In a thread that the spindle cuts beside it is as at 100 %.
     pub(super) fn override_spindle(&mut self) {
         if self.auxiliary.is_none() {
-            let factor = if self.floating.is_some() { 1.0 } else { self.switches.spindle_override };
+            let factor = if self.is_in(ThreadKind::Beside) { 1.0 } else { self.switches.spindle_override };
             self.spindle.set_override(factor);
         }
     }
