@@ -429,6 +429,9 @@ impl Cnc {
             self.come_to_rest();
             self.spindle.command(SpindleState::Off, &self.commanded);
             self.failed = homing;
+        } else {
+            // With nothing under way it clears what a reset does (GSK990MC 34#7, 35, 36).
+            self.clear();
         }
     }
 
