@@ -99,6 +99,9 @@ pub enum Command {
         /// Whether it is locked.
         locked: bool,
     },
+    /// The axes of a program that is held go back along its path, as far as it is known, until feed hold; with cycle
+    /// start they go forward again, and the program goes on where it was held.
+    Retrace,
     /// Puts the cursor into the program that is selected: cycle start begins there.
     Cursor {
         /// The line, from 1.
@@ -1378,6 +1381,9 @@ pub struct ProgramStatus {
     /// Where the program stops once.
     #[serde(default)]
     pub stop_at: Option<StopAt>,
+    /// The axes are behind the place where the program was held: cycle start brings them there again first.
+    #[serde(default)]
+    pub retraced: bool,
 }
 
 /// A block that is to come.

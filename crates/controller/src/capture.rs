@@ -27,6 +27,16 @@ pub enum Quantity {
     Actual(Axis),
     /// How far it is behind, mm or degrees.
     FollowingError(Axis),
+    /// What the interpolator gave, before acceleration after interpolation, mm or degrees.
+    Setpoint(Axis),
+    /// What compensates backlash and pitch errors, mm or degrees.
+    Compensation(Axis),
+    /// What its drive is told: commanded position and compensation, mm or degrees.
+    Drive(Axis),
+    /// Where its encoder is, compensation included, mm or degrees.
+    Encoder(Axis),
+    /// What is left of the move being run, mm or degrees.
+    ToGo(Axis),
     /// Its commanded velocity, mm/s or degrees/s.
     Velocity(Axis),
     /// Its commanded acceleration, mm/s² or degrees/s².
@@ -42,8 +52,9 @@ pub enum Quantity {
 }
 
 impl Quantity {
-    /// The quantity of a name: `commanded.X`, `actual.X`, `error.X`, `velocity.X`, `acceleration.X`, `jerk.X`,
-    /// `velocity`, `spindle`, or a signal by name or address.
+    /// The quantity of a name: `commanded.X`, `actual.X`, `error.X`, `setpoint.X`, `compensation.X`, `drive.X`,
+    /// `encoder.X`, `to_go.X`, `velocity.X`, `acceleration.X`, `jerk.X`, `velocity`, `spindle`, or a signal by name or
+    /// address.
     pub fn parse(name: &str, ladder: Option<&Program>) -> Option<Quantity> {
         match name {
             "velocity" => return Some(Quantity::PathVelocity),
@@ -58,6 +69,11 @@ impl Quantity {
                 "commanded" => Quantity::Commanded(axis),
                 "actual" => Quantity::Actual(axis),
                 "error" => Quantity::FollowingError(axis),
+                "setpoint" => Quantity::Setpoint(axis),
+                "compensation" => Quantity::Compensation(axis),
+                "drive" => Quantity::Drive(axis),
+                "encoder" => Quantity::Encoder(axis),
+                "to_go" => Quantity::ToGo(axis),
                 "velocity" => Quantity::Velocity(axis),
                 "acceleration" => Quantity::Acceleration(axis),
                 "jerk" => Quantity::Jerk(axis),
@@ -79,6 +95,11 @@ impl Quantity {
             Quantity::Commanded(axis)
             | Quantity::Actual(axis)
             | Quantity::FollowingError(axis)
+            | Quantity::Setpoint(axis)
+            | Quantity::Compensation(axis)
+            | Quantity::Drive(axis)
+            | Quantity::Encoder(axis)
+            | Quantity::ToGo(axis)
             | Quantity::Velocity(axis)
             | Quantity::Acceleration(axis)
             | Quantity::Jerk(axis) => Some(axis),
@@ -113,11 +134,24 @@ pub struct CaptureSettings {
     pub behind: usize,
 }
 
+/// Between the interpolator and the drives, mm and degrees.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Chain {
+    /// What the interpolator gave, before acceleration after interpolation.
+    pub setpoint: Position,
+    /// What compensates backlash and pitch errors.
+    pub compensation: Position,
+    /// What is left of the move being run.
+    pub to_go: Position,
+}
+
 /// What can be sampled of a period.
 #[derive(Clone, Copy, Debug)]
 pub struct Present<'a> {
     /// The axes.
     pub tick: &'a Tick,
+    /// What is between interpolator and drives.
+    pub chain: &'a Chain,
     /// Speed of the spindle, r/min.
     pub spindle_rpm: f64,
     /// The signals, where there is a ladder.
@@ -246,6 +280,11 @@ impl Capture {
             Quantity::Commanded(axis) => now.tick.position[axis],
             Quantity::Actual(axis) => now.tick.actual[axis],
             Quantity::FollowingError(axis) => now.tick.position[axis] - now.tick.actual[axis],
+            Quantity::Setpoint(axis) => now.chain.setpoint[axis],
+            Quantity::Compensation(axis) => now.chain.compensation[axis],
+            Quantity::Drive(axis) => now.tick.position[axis] + now.chain.compensation[axis],
+            Quantity::Encoder(axis) => now.tick.actual[axis] + now.chain.compensation[axis],
+            Quantity::ToGo(axis) => now.chain.to_go[axis],
             Quantity::Velocity(axis) => of(&self.velocity, axis),
             Quantity::Acceleration(axis) => of(&self.acceleration, axis),
             Quantity::Jerk(axis) => of(&self.jerk, axis),
@@ -362,7 +401,10 @@ mod tests {
 
     fn run(capture: &mut Capture, xs: impl IntoIterator<Item = f64>) {
         for x in xs {
-            capture.sample(&Present { tick: &tick(x), spindle_rpm: 100.0, signals: None });
+            let mut chain = Chain::default();
+            (chain.setpoint[Axis::X], chain.compensation[Axis::X], chain.to_go[Axis::X]) = (x + 2.0, 0.5, -x);
+            let present = Present { tick: &tick(x), chain: &chain, spindle_rpm: 100.0, signals: None };
+            capture.sample(&present);
         }
     }
 
@@ -382,6 +424,15 @@ mod tests {
             1.000000,3,2.75,0.25,4,4,0,7,100\n\
             1.500000,3,2.75,0.25,0,-8,-24,7,100\n";
         assert_eq!(String::from_utf8(text).unwrap(), wanted);
+    }
+
+    #[test]
+    fn what_is_between_interpolator_and_drives_is_sampled_too() {
+        let names = ["setpoint.X", "compensation.X", "drive.X", "encoder.X", "to_go.X"];
+        let mut capture = Capture::new(&settings(&names), 0.001).unwrap();
+        run(&mut capture, [3.0]);
+        // 3 is commanded, 0.25 of it not reached, 0.5 compensates.
+        assert_eq!(capture.samples().next().unwrap().1, [5.0, 0.5, 3.5, 3.25, -3.0]);
     }
 
     #[test]
@@ -432,7 +483,8 @@ mod tests {
         memory.set_byte(Address::parse("F10").unwrap(), 8);
         memory.set_bit(Address::parse("G4.3").unwrap(), true);
         let mut capture = Capture::new(&settings(&["F10", "G4.3", "G4.2"]), 0.001).unwrap();
-        capture.sample(&Present { tick: &tick(0.0), spindle_rpm: 0.0, signals: Some(&memory) });
+        let (tick, chain) = (&tick(0.0), &Chain::default());
+        capture.sample(&Present { tick, chain, spindle_rpm: 0.0, signals: Some(&memory) });
         assert_eq!(capture.samples().next().unwrap().1, [8.0, 1.0, 0.0]);
     }
 }

@@ -29,6 +29,7 @@ pub use interruption::Interruption;
 pub use switches::DryRun;
 
 use crate::auxiliary::Auxiliary;
+use crate::capture::Chain;
 use crate::drives::{self, Drives, Simulated};
 use crate::homing::Homing;
 use crate::manual::{JogSpeed, JogWay, Manual};
@@ -55,7 +56,7 @@ use skip::Probing;
 use std::collections::VecDeque;
 use std::time::Instant;
 use switches::Switches;
-use tapping::{Asked, Floating, Hole, Stroke};
+use tapping::{Asked, InThread, Stroke};
 
 /// What the control is doing.
 #[derive(Clone, PartialEq, Debug)]
@@ -182,8 +183,7 @@ pub struct Cnc {
     probing: Option<Probing>,
     /// By how much the skip moves of this block ended beside what is programmed.
     skip_shift: Position,
-    hole: Option<Hole>,
-    floating: Option<Floating>,
+    thread: Option<InThread>,
     stroke: Option<Stroke>,
     /// Highest acceleration of the spindle in a thread, inwards and outwards, r/min per second.
     tapping_rates: [f64; 2],
@@ -206,7 +206,9 @@ pub struct Cnc {
     next_tag: u64,
     waiting: Option<Waiting>,
     busy: Option<Busy>,
-    /// Where the axes were in the last servo period.
+    /// What the servo chain was given in the last servo period.
+    setpoint: Position,
+    /// Where the axes were in it.
     actual: Position,
     span: Span,
     report: Report,
@@ -267,8 +269,7 @@ impl Cnc {
             overtravel: Overtravel::new(machine.homing.ignores_switches),
             probing: None,
             skip_shift: Position::ZERO,
-            hole: None,
-            floating: None,
+            thread: None,
             stroke: None,
             tapping_rates: [machine.spindle.tapping_rpm_s, machine.spindle.tapping_retract_rpm_s]
                 .map(|rate| rate.min(machine.spindle.acceleration_rpm_s)),
@@ -288,6 +289,7 @@ impl Cnc {
             next_tag: 1,
             waiting: None,
             busy: None,
+            setpoint: start,
             actual: start,
             span: Span::default(),
             report: Report::new(period),
@@ -357,6 +359,11 @@ impl Cnc {
         }
     }
 
+    /// What is between interpolator and drives in the last servo period.
+    pub fn chain(&self) -> Chain {
+        Chain { setpoint: self.setpoint, compensation: self.servo.added(), to_go: self.to_go() }
+    }
+
     /// The code by which the program has ended: 2, 30 or 99; none where its text did.
     pub fn ended_by(&self) -> Option<u32> {
         self.ended_by
@@ -382,9 +389,6 @@ impl Cnc {
             self.forget_passed();
             self.tell_unreferenced();
         }
-        if let Some(hole) = self.hole.as_mut().filter(|hole| hole.asked == Some(Asked::Hold)) {
-            hole.asked = None;
-        }
         self.forget_hold_behind_thread();
         self.begin_journal();
         if matches!(self.state, State::Ready | State::BlockEnd | State::Stopped(_)) {
@@ -402,7 +406,7 @@ impl Cnc {
     pub fn feed_hold(&mut self) {
         self.hold_return();
         self.hold_retrace();
-        if self.state == State::Running && !self.asked_in_hole(Asked::Hold) && !self.holds_behind_thread() {
+        if self.state == State::Running && !self.waits_in_thread(Asked::Hold) {
             self.state = State::Held;
             self.hold = true;
             self.hold_motion();
@@ -416,7 +420,9 @@ impl Cnc {
         self.homing.abort();
         // The alarm of drives that failed comes first.
         let is_failing = self.drives_failed && self.state == State::Resetting;
-        if is_failing || matches!(self.state, State::Ended | State::Reset) || self.asked_in_hole(Asked::Reset)
+        if is_failing
+            || matches!(self.state, State::Ended | State::Reset)
+            || self.waits_in_thread(Asked::Reset)
         {
             return;
         }
@@ -432,6 +438,9 @@ impl Cnc {
             self.come_to_rest();
             self.spindle.command(SpindleState::Off, &self.commanded);
             self.failed = homing;
+        } else {
+            // With nothing under way it clears what a reset does (GSK990MC 34#7, 35, 36).
+            self.clear();
         }
     }
 
@@ -441,7 +450,7 @@ impl Cnc {
         self.probing = None;
         self.forget_held();
         self.synchron.stop();
-        (self.hole, self.floating) = (None, None);
+        self.thread = None;
         self.motion.abort();
         self.retrace.forget();
         if let Some(auxiliary) = &mut self.auxiliary {
@@ -533,6 +542,7 @@ impl Cnc {
         self.steps_left = self.steps_a_period;
         self.serve_ladder();
         self.wait_for_more();
+        self.override_spindle();
         let tick = self.period();
         if self.stroke.is_none_or(|stroke| !stroke.has_begun) {
             self.spindle.tick(self.period);
@@ -596,7 +606,7 @@ impl Cnc {
                     None if self.is_between_lines() => return self.at_rest(),
                     None if self.hands_over_speed() => {}
                     None => {
-                        (self.ended_by, self.floating) = (None, None);
+                        (self.ended_by, self.thread) = (None, None);
                         self.state = State::Ended;
                     }
                 }
@@ -610,6 +620,10 @@ impl Cnc {
                 continue;
             }
             if self.motion.at_rest() && self.cutting_waits() {
+                self.report.period(Activity::Spindle);
+                return self.at_rest();
+            }
+            if self.motion.at_rest() && self.tap_waits() {
                 self.report.period(Activity::Spindle);
                 return self.at_rest();
             }
@@ -702,6 +716,7 @@ impl Cnc {
 
     /// Commands the drives; where the axes shall be. Sets where they are, both without compensation.
     fn exchange(&mut self, setpoint: &Position) -> Position {
+        self.setpoint = *setpoint;
         let command = self.servo.tick(setpoint, self.kind);
         let drive = self.switches.drive(command.drive);
         let mut actual = self.drives.exchange(&drive);
@@ -906,7 +921,7 @@ impl Cnc {
                 if code != 99 {
                     self.report.parts += 1;
                 }
-                (self.ended_by, self.floating) = (Some(code), None);
+                (self.ended_by, self.thread) = (Some(code), None);
                 self.state = State::Ended;
             }
             _ => {}

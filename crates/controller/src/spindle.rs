@@ -32,6 +32,10 @@ struct Following {
 /// A spindle with its speed and angle.
 #[derive(Clone, Copy, Debug)]
 pub struct Spindle {
+    /// Speed that was asked for, r/min; clockwise positive.
+    asked: f64,
+    /// What that is multiplied by.
+    factor: f64,
     /// Speed that it was told, r/min; clockwise positive.
     told: f64,
     /// Speed that it has, r/min.
@@ -63,6 +67,8 @@ impl Spindle {
     /// The spindle of a machine, at rest.
     pub fn new(machine: &Machine) -> Spindle {
         Spindle {
+            asked: 0.0,
+            factor: 1.0,
             told: 0.0,
             speed: 0.0,
             angle: 0.0,
@@ -88,6 +94,11 @@ impl Spindle {
         self.speed
     }
 
+    /// Whether it has the speed that it was told.
+    pub fn has_its_speed(&self) -> bool {
+        self.speed == self.told
+    }
+
     /// Whether it stands at the angle that it was to come to.
     pub fn is_oriented(&self) -> bool {
         self.told == 0.0 && self.speed == 0.0 && self.rest_at.is_none()
@@ -101,12 +112,23 @@ impl Spindle {
     /// Commands a state with the axes at `at`; the time until it is reached, s. A surface speed is
     /// turned into the speed that it means there.
     pub fn command(&mut self, state: SpindleState, at: &Position) -> f64 {
-        let rpm = state.speed().map_or(0.0, |speed| speed.rpm(at)).min(self.max);
-        let target = if matches!(state, SpindleState::CounterClockwise(_)) { -rpm } else { rpm };
-        let change = (target - self.told).abs();
-        self.told = target;
-        self.rest_at = None;
-        change / self.rate
+        let rpm = state.speed().map_or(0.0, |speed| speed.rpm(at));
+        self.tell(if matches!(state, SpindleState::CounterClockwise(_)) { -rpm } else { rpm })
+    }
+
+    /// What speeds are multiplied by that are asked for, the one in force too. One that follows angles has none.
+    pub fn set_override(&mut self, factor: f64) {
+        if self.factor != factor {
+            self.factor = factor;
+            if self.asked != 0.0 {
+                self.tell(self.asked);
+            }
+        }
+    }
+
+    /// Speed that was asked for, without the override, r/min; clockwise positive.
+    pub fn asked(&self) -> f64 {
+        self.asked
     }
 
     /// Speed that it was told, r/min; clockwise positive.
@@ -114,10 +136,12 @@ impl Spindle {
         self.told
     }
 
-    /// Tells it a speed, r/min, clockwise positive; the time until it has it, s.
+    /// Asks it for a speed, r/min, clockwise positive; the time until it has it, s.
     pub fn tell(&mut self, rpm: f64) -> f64 {
-        let change = (rpm - self.told).abs();
-        self.told = rpm.clamp(-self.max, self.max);
+        self.asked = rpm;
+        let target = (rpm * self.factor).clamp(-self.max, self.max);
+        let change = (target - self.told).abs();
+        self.told = target;
         self.rest_at = None;
         change / self.rate
     }
@@ -168,7 +192,7 @@ impl Spindle {
 
     /// Follows a commanded angle for a period, turns, as an axis does.
     pub fn follow(&mut self, angle: f64) {
-        (self.told, self.speed, self.rest_at) = (0.0, 0.0, None);
+        (self.asked, self.told, self.speed, self.rest_at) = (0.0, 0.0, 0.0, None);
         let lag = self.following.as_mut().map_or(0.0, |following| {
             let steady = following.steady * (angle - following.command);
             let lag = following.command - self.angle;

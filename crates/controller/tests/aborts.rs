@@ -9,7 +9,7 @@ mod panel;
 
 use common::random::Random;
 use common::{HANGS, cnc_with, machine};
-use ferrocut_controller::api::{Activity, Command, Status};
+use ferrocut_controller::api::{Activity, Command};
 use ferrocut_controller::restart::{At, How};
 use ferrocut_controller::{Cnc, Event, State};
 use ferrocut_geometry::Position;
@@ -230,11 +230,37 @@ fn at_random_instants_everything_agrees_and_nothing_moves_any_more() {
 /// Aborts of the whole control; `FERROCUT_CASES` says otherwise.
 const WHOLE: usize = 60;
 
+/// Machines that share them, a thread each. Each has its own cases, so that they are the same on any computer.
+const MILLS: usize = 4;
+
+/// How long a key is held, and let go before the next, ms: some scans of the ladder.
+const KEY_MS: usize = 30;
+
+/// How long the axes take at most to come to where their drives are commanded to be, ms.
+const LAG: usize = 60;
+
+/// How long nothing may move behind an abort, ms.
+const QUIET: usize = 100;
+
 /// What the ladder has to do with: spindle both ways, coolant, tools called, tapping, stops of the block.
-const BY_LADDER: &str = "O1\nG90 G17 G21 G40 G49 G80 G94\nG53 G0 Z-60\nG53 X-120 Y-120\nT3\nM3 S800\nM8\nG91\nG1 X30 Y10 F2500\n\
-    G2 X10 Y10 R10\nT5\nG1 Z-5\nX-20\nM5\nG4 X0.2\nM4 S500\nM98 P2 L2\nG0 Z10\nM9\nM5\nM29 S400\n\
-    G98 G84 X0 Y0 Z-6 R-2 F400\nG80\nM28\nM3 S1500\nG1 X-15 Y-15 F1800\nG90\nM30\n";
-const PASS: &str = "O2\nG1 X12 F3000\nM8\nG3 X-12 R6\nM99\n";
+const BY_LADDER: &str = "O1\nG90 G17 G21 G40 G49 G80 G94\nG53 G0 Z-60\nG53 X-120 Y-120\nT3\nM3 S600\nM8\nG91\nG1 X15 Y5 F6000\n\
+    G2 X6 Y6 R6\nT4\nG1 Z-5\nX-10\nM5\nG4 X0.05\nM4 S500\nM98 P2 L2\nG0 Z10\nM9\nM5\nM29 S800\n\
+    G98 G84 X0 Y0 Z-4 R-2 F800\nG80\nM28\nM3 S700\nG1 X-10 Y-8 F5000\nG90\nM30\n";
+const PASS: &str = "O2\nG1 X8 F6000\nM8\nG3 X-8 R4\nM99\n";
+
+/// Periods that the machine goes on by, without looking at it.
+fn run(mill: &mut Mill, periods: usize) {
+    (0..periods).for_each(|_| _ = mill.control.tick());
+    mill.control.events();
+}
+
+/// A key that is pressed and let go, for as long as the ladder needs to see it.
+fn press(mill: &mut Mill, key: &str) {
+    for down in [true, false] {
+        mill.say(Command::Key { key: key.into(), down });
+        run(mill, KEY_MS);
+    }
+}
 
 /// Nothing of the machine is left as the run had it, and everybody knows where the axes are.
 fn is_quiet(mill: &mut Mill, place: &str) {
@@ -243,32 +269,41 @@ fn is_quiet(mill: &mut Mill, place: &str) {
         let address = plc.program().signal(name).unwrap_or_else(|| panic!("no signal {name}"));
         plc.memory().bit(address)
     };
-    let stands = mill.until("quiet", |status| status.activity == Activity::Idle && status.alarms.is_empty());
-    // The reset signal, the ramp of the spindle.
-    for _ in 0..200 {
-        if signal(mill, "SSTA") && !signal(mill, "RESET") {
+    let is_calm = |mill: &mut Mill| {
+        let status = mill.control.status();
+        let is_idle = status.activity == Activity::Idle && status.alarms.is_empty();
+        // The reset signal, the ramp of the spindle.
+        is_idle && signal(mill, "SSTA") && !signal(mill, "RESET")
+    };
+    // The signal of the reset comes with the next period.
+    run(mill, 2);
+    for _ in 0..HANGS {
+        if is_calm(mill) {
             break;
         }
-        mill.wait(50);
+        run(mill, 10);
     }
+    run(mill, LAG);
+    let at = mill.control.tick();
+    for _ in 0..QUIET {
+        let tick = mill.control.tick();
+        assert_eq!(
+            (tick.position, tick.velocity, tick.moving),
+            (at.position, 0.0, false),
+            "{place}: moves on"
+        );
+        // The encoders count in units of the machine file.
+        assert!(tick.actual.distance(tick.position) < 0.002, "{place}: {tick:?}");
+    }
+    mill.control.events();
+    let status = mill.control.status();
+    assert_eq!((status.activity, status.feed.actual), (Activity::Idle, 0.0), "{place}");
     for name in ["MF", "SF", "TF", "OP", "STL", "SPL", "SFRA", "SRVA", "COOLANT"] {
         assert!(!signal(mill, name), "{place}: {name}");
     }
     assert!(signal(mill, "SSTA"), "{place}: the spindle turns");
-    let place_of = |status: &Status| (status.position.machine.clone(), status.feed.actual);
-    for _ in 0..300 {
-        let status = mill.wait(1);
-        assert_eq!(place_of(&status), place_of(&stands), "{place}: moves on");
-        for (axis, at) in &status.position.machine {
-            // The encoders count in units of the machine file.
-            assert!((status.position.actual[axis] - at).abs() < 0.002, "{place}: {axis} {status:?}");
-        }
-    }
     let interpreter = mill.control.interpreter();
-    for (axis, at) in &stands.position.machine {
-        let axis = ferrocut_geometry::Axis::from_letter(*axis as u8).unwrap();
-        assert_eq!(interpreter.position()[axis], *at, "{place}: {axis:?}");
-    }
+    assert_eq!(interpreter.position(), at.position, "{place}");
     let in_force = interpreter.program_state();
     assert_eq!(
         (in_force.spindle, in_force.coolant, in_force.calls),
@@ -279,9 +314,8 @@ fn is_quiet(mill: &mut Mill, place: &str) {
     assert!(there.distance(interpreter.position()) < 1e-9, "{place}: {there:?}");
 }
 
-#[test]
-fn at_random_instants_ladder_and_machine_agree_too() {
-    let aborts = std::env::var("FERROCUT_CASES").ok().and_then(|n| n.parse().ok()).unwrap_or(WHOLE);
+/// Aborts of a machine of its own, with random numbers of its own.
+fn abort_whole(mut random: Random, aborts: usize) {
     let mut mill = Mill::power_on();
     mill.press("KEY_EDIT");
     for (name, text) in [("O0001", BY_LADDER), ("O0002", PASS)] {
@@ -297,31 +331,30 @@ fn at_random_instants_ladder_and_machine_agree_too() {
         assert!(length < HANGS, "{:?}", mill.control.status());
     }
     mill.until("done", |status| status.activity == Activity::Idle);
-    let mut random = Random::new(31);
     for case in 0..aborts {
-        mill.press("KEY_AUTO");
+        press(&mut mill, "KEY_AUTO");
         mill.say(Command::Cursor { line: 1 });
-        mill.press("KEY_START");
+        press(&mut mill, "KEY_START");
         let instant = random.below(length);
-        mill.wait(instant);
+        run(&mut mill, instant);
         let how = random.below(4);
-        let status = mill.control.status();
-        let block = status.program.block.clone();
+        let block = mill.control.status().program.block.clone();
         match how {
             0 => {
                 mill.say(Command::EmergencyStop { pressed: true });
-                mill.wait(1 + random.below(800));
+                run(&mut mill, 1 + random.below(800));
                 mill.say(Command::EmergencyStop { pressed: false });
-                mill.wait(20);
+                run(&mut mill, 20);
             }
             1 => {}
             2 => {
-                mill.key("KEY_HOLD", true);
-                mill.wait(random.below(200));
-                mill.key("KEY_HOLD", false);
+                mill.say(Command::Key { key: "KEY_HOLD".into(), down: true });
+                run(&mut mill, KEY_MS + random.below(200));
+                mill.say(Command::Key { key: "KEY_HOLD".into(), down: false });
+                run(&mut mill, random.below(KEY_MS));
             }
             // Another mode takes the program's way first.
-            _ => mill.press(random.one(&["KEY_JOG", "KEY_MDI", "KEY_EDIT"])),
+            _ => press(&mut mill, random.one(&["KEY_JOG", "KEY_MDI", "KEY_EDIT"])),
         }
         mill.say(Command::Reset);
         let place = format!("case {case}, {how} at {instant} of {length}, {block}");
@@ -333,4 +366,15 @@ fn at_random_instants_ladder_and_machine_agree_too() {
     mill.say(Command::Cursor { line: 1 });
     mill.press("KEY_START");
     mill.until("another part", |status| status.counters.parts == before + 1);
+}
+
+#[test]
+fn at_random_instants_everything_agrees_with_ladder_and_machine_too() {
+    let aborts = std::env::var("FERROCUT_CASES").ok().and_then(|n| n.parse().ok()).unwrap_or(WHOLE);
+    std::thread::scope(|scope| {
+        for mill in 0..MILLS {
+            let share = aborts / MILLS + usize::from(mill < aborts % MILLS);
+            scope.spawn(move || abort_whole(Random::new(31 + mill as u64), share));
+        }
+    });
 }

@@ -798,3 +798,22 @@ fn the_status_has_the_speed_of_each_axis() {
     let feed = shop.until_it_stops().feed;
     assert!(feed.components.values().all(|speed| speed.abs() < 1e-9), "{feed:?}");
 }
+
+/// The document of the API has every field of the status.
+#[test]
+fn every_field_of_the_status_is_described() {
+    let document = include_str!("../../../docs/api.md");
+    let section = document.split("## Status").nth(1).unwrap().split("\n## ").next().unwrap();
+    let status = serde_json::to_value(Shop::new(&[]).control.status()).unwrap();
+    for (name, value) in status.as_object().unwrap() {
+        let parts = ["position", "feed", "spindle", "program", "switches", "counters"];
+        let fields: Vec<&String> = match value.as_object() {
+            Some(fields) if parts.contains(&name.as_str()) => fields.keys().collect(),
+            _ => vec![name],
+        };
+        for field in fields {
+            let is_there = [format!("`{field}`"), format!("`{name}.{field}`")];
+            assert!(is_there.iter().any(|text| section.contains(text)), "{name} {field}");
+        }
+    }
+}

@@ -4,8 +4,10 @@
 mod common;
 
 use common::shop::Shop;
-use ferrocut_controller::Mode;
 use ferrocut_controller::api::{CaptureTrigger, Command, Reply};
+use ferrocut_controller::{Mode, Parts};
+use ferrocut_machine::servo::Backlash;
+use ferrocut_machine::{Machine, PlantConfig};
 
 fn capture(quantities: &[&str], seconds: f64) -> Command {
     let quantities = quantities.iter().map(|name| (*name).to_owned()).collect();
@@ -51,6 +53,42 @@ fn a_move_is_recorded_at_the_servo_period() {
         assert!((pair[1][1] - pair[0][1] - pair[1][2] * 0.001).abs() < 1e-9, "velocity is the difference");
     }
     assert!((rows[60][2] - 20.0).abs() < 1e-6 && (rows[60][3] - 20.0).abs() < 1e-6);
+}
+
+/// A move forth and back on axes with lag and play: what the drive is told, where its encoder is, what is left.
+#[test]
+fn the_servo_chain_is_recorded_from_the_interpolator_to_the_encoder() {
+    let mut machine = Machine { plant: Some(PlantConfig::default()), ..Machine::demo_mill() };
+    machine.homing.absolute = true;
+    machine.axes[0].backlash = Backlash { cutting: 0.02, ..Backlash::default() };
+    let mut shop = Shop::of(&machine, Parts::default());
+    shop.mode(Mode::Mdi);
+    shop.say(Command::Mdi { text: "G1 X10 F1200\nX5".into() });
+    let names = ["commanded", "actual", "error", "setpoint", "compensation", "drive", "encoder", "to_go"]
+        .map(|name| format!("{name}.X"));
+    let before = shop.control.status().position.machine[&'X'];
+    let quantities = names.to_vec();
+    shop.say(Command::Capture { quantities, seconds: 1.5, every: 1, trigger: None, before: 0.0 });
+    shop.start();
+    shop.until_it_stops();
+    shop.wait(1500);
+    let (_, _, _, rows) = captured(&mut shop);
+    let near = |one: f64, other: f64| (one - other).abs() < 1e-9;
+    for row in &rows {
+        let &[_, commanded, actual, error, _, compensation, drive, encoder, _] = &row[..] else { panic!() };
+        assert!(near(drive, commanded + compensation) && near(encoder, actual + compensation), "{row:?}");
+        assert!(near(error, commanded - actual), "{row:?}");
+    }
+    let most = |of: usize| rows.iter().map(|row| row[of].abs()).fold(0.0, f64::max);
+    assert!(most(3) > 0.02, "the drive lags: {}", most(3));
+    // The play is taken up on the way back alone.
+    let turned = rows.iter().position(|row| row[5] != 0.0).unwrap();
+    assert!(rows[turned - 1][1] > 9.9 && near(rows.last().unwrap()[5], -0.02), "{:?}", rows[turned - 1]);
+    // What is left falls from the whole way to nothing, twice.
+    let farthest = rows.iter().map(|row| row[8]).fold(0.0, f64::max);
+    let back = rows.iter().map(|row| row[8]).fold(0.0, f64::min);
+    assert!(farthest > 0.99 * (10.0 - before) && back < -4.95, "{farthest} {back}");
+    assert_eq!((rows.last().unwrap()[8], rows.last().unwrap()[4]), (0.0, 5.0));
 }
 
 #[test]

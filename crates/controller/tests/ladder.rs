@@ -175,6 +175,49 @@ fn rigid_tapping_wants_its_signal() {
     assert_eq!(alarm.id, AlarmId::Dialect("gsk990mc", 205));
 }
 
+/// An M10 x 1.5 hole in a floating holder (no M29), from Z 20 over R 5.
+const FLOATING: &str = "M03 S600\nG00 Z20\nG98 G84 X0 Y0 Z-20 R5 P100 F900\nG80\nG04 X2\nM30";
+
+/// GSK990MC 4.4.5: while it taps the spindle turns as at 100 %, from the first turn in the work on.
+#[test]
+fn a_floating_tap_turns_at_its_speed_from_its_first_turn_on() {
+    let mut m = Mill::new(FLOATING);
+    m.turn("SWITCH_SPINDLE", 0);
+    m.start();
+    m.until(|m| m.at[Axis::Z] > 19.0);
+    assert_eq!(rpm(&m), 300, "at 50 %");
+    m.until(|m| m.at[Axis::Z] < 5.0);
+    assert_eq!((rpm(&m), m.is("TAP")), (600, true));
+    m.until(|m| m.at[Axis::Z] < -19.9);
+    assert_eq!(rpm(&m), 600);
+    m.until(|m| m.at[Axis::Z] > 5.0);
+    m.run(300);
+    assert_eq!((rpm(&m), m.is("TAP")), (300, false), "out of the thread the override counts again");
+}
+
+/// A reset acts at once in such a thread, and leaves nothing of it behind.
+#[test]
+fn a_reset_in_the_thread_of_a_floating_tap_ends_it_and_the_override_counts_again() {
+    let mut m = Mill::new(FLOATING);
+    m.turn("SWITCH_SPINDLE", 0);
+    m.start();
+    m.until(|m| m.at[Axis::Z] < -10.0);
+    assert_eq!((rpm(&m), m.is("TAP")), (600, true));
+    m.reset();
+    m.until(|m| *m.cnc.state() == State::Reset);
+    m.run(500);
+    assert_eq!((rpm(&m), m.is("TAP")), (0, false));
+    assert!(m.at[Axis::Z] < -9.0, "it stays where it was stopped");
+    // The spindle by its key, at the last speed.
+    m.press("KEY_JOG");
+    m.press("KEY_SP_CW");
+    m.run(400);
+    assert_eq!((rpm(&m), m.is("TAP")), (300, false));
+    m.turn("SWITCH_SPINDLE", 7);
+    m.run(400);
+    assert_eq!(rpm(&m), 720);
+}
+
 #[test]
 fn under_auxiliary_lock_no_code_leaves_the_control() {
     let mut m = Mill::new("M03 S1000\nT5\nM08\nG95 G01 X1 F0.5\nM00\nM30");

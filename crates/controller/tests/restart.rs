@@ -11,9 +11,9 @@ use ferrocut_interpreter::cycles::pocket::{KeptPockets, PocketKind};
 use ferrocut_interpreter::program_state::ProgramState;
 use ferrocut_interpreter::{Interpreter, Options, Until, dialects};
 use ferrocut_machine::{Machine, Memory, Setup};
-use ferrocut_program::{FileId, ProgramMemory, Text};
+use ferrocut_program::{FileId, ProgramId, ProgramMemory, Source, Text};
 use ferrocut_toolpath::Step;
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
@@ -45,7 +45,29 @@ struct Part {
     setup: String,
     machine: Machine,
     public: Option<Vec<u8>>,
+    /// Programs in files of their own, found when they are called first.
+    others: Others,
     kept: Kept,
+}
+
+/// Programs by their numbers.
+#[derive(Clone, Debug, Default)]
+struct Others(BTreeMap<u32, Vec<u8>>);
+
+impl Source for Others {
+    fn find(&mut self, id: &ProgramId) -> Option<(String, Text)> {
+        let ProgramId::Number(number) = id else { return None };
+        Some((format!("O{number}"), Text::from_bytes(self.0.get(number)?.clone()).unwrap()))
+    }
+}
+
+impl Others {
+    /// The programs of a folder; none where there is no such folder.
+    fn of(folder: &Path) -> Others {
+        let files = std::fs::read_dir(folder).into_iter().flatten().map(|file| file.unwrap().path());
+        let number = |path: &Path| path.file_stem().unwrap().to_str().unwrap()[1..].parse().unwrap();
+        Others(files.map(|path| (number(&path), std::fs::read(&path).unwrap())).collect())
+    }
 }
 
 impl Part {
@@ -57,6 +79,7 @@ impl Part {
             setup: setup.to_owned(),
             machine: Machine::demo_mill(),
             public: None,
+            others: Others::default(),
             kept: Kept::default(),
         }
     }
@@ -68,6 +91,7 @@ impl Part {
         if let Some(public) = &self.public {
             programs.add("public.dat", Text::from_bytes(public.clone()).unwrap());
         }
+        programs.set_source(Box::new(self.others.clone()));
         let setup = Setup::from_toml(&self.setup).unwrap();
         let mut memory = Memory::new(dialect.name);
         if self.machine.dialect == self.dialect {
@@ -86,6 +110,10 @@ impl Part {
         };
         let mut interpreter = Interpreter::new(dialect, programs, memory, options);
         interpreter.keep_pockets(Box::new(self.kept.clone()));
+        // Files are numbered as they are met, here in the same order in each run.
+        for number in self.others.0.keys() {
+            interpreter.file_of(&ProgramId::Number(*number)).unwrap();
+        }
         for (name, value) in &setup.signals.inputs {
             match name.strip_prefix('#') {
                 Some(number) => interpreter.set_input(number.parse().unwrap(), *value),
@@ -107,6 +135,7 @@ fn part_of(path: &Path) -> Part {
     let name = path.strip_prefix(path.parent().unwrap().parent().unwrap()).unwrap().to_str().unwrap();
     let mut part = Part::new(name, dialect, &setup, "");
     part.text = std::fs::read(path).unwrap();
+    part.others = Others::of(&path.with_extension(""));
     if let Ok(machine) = std::fs::read_to_string(path.with_extension("machine.toml")) {
         part.machine = Machine::from_toml(&machine).unwrap();
     }
@@ -134,6 +163,7 @@ fn parts() -> Vec<Part> {
 /// A block of a full run, as it stands before it.
 struct Reached {
     block: u64,
+    file: FileId,
     line: u32,
     pass: u64,
     in_force: ProgramState,
@@ -161,15 +191,15 @@ fn full_run(part: &Part, random: &mut Random, samples: usize) -> (Vec<Step>, Vec
         let pass = passes.entry((span.file, span.offset)).or_default();
         *pass += 1;
         let first = interpreter.block_of_line(span.file, span.line).unwrap().unwrap();
-        if span.file == FileId(0) && first.1 == span {
-            blocks.push((block, span.line, *pass));
+        if first.1 == span {
+            blocks.push((block, span.file, span.line, *pass));
         }
     }
     let mut chosen: Vec<_> = (0..samples).map(|_| blocks[random.below(blocks.len())]).collect();
     chosen.sort_unstable();
     chosen.dedup();
     let mut interpreter = part.interpreter();
-    let reached = chosen.into_iter().map(|(block, line, pass)| {
+    let reached = chosen.into_iter().map(|(block, file, line, pass)| {
         interpreter.set_mark(Some(Until::Number(block)));
         (&mut interpreter).for_each(|step| drop(step.unwrap()));
         // Where the full run's own steps say that the axes are.
@@ -180,18 +210,17 @@ fn full_run(part: &Part, random: &mut Random, samples: usize) -> (Vec<Step>, Vec
             op => op.target().copied().unwrap_or(at),
         });
         let (in_force, memory) = (interpreter.program_state(), interpreter.memory().clone());
-        Reached { block, line, pass, in_force, memory, position }
+        Reached { block, file, line, pass, in_force, memory, position }
     });
     let reached = reached.collect();
     (steps, reached)
 }
 
-fn find(part: &Part, line: u32, pass: u64) -> Restart {
+fn find(part: &Part, file: FileId, line: u32, pass: u64) -> Restart {
     let interpreter = part.interpreter();
     let memory = interpreter.memory().clone();
-    let found =
-        Journal::begin(&interpreter, Position::ZERO).find(At::Line { file: FileId(0), line, pass }, &memory);
-    found.unwrap_or_else(|alarm| panic!("{}:{line}:{pass}: {alarm:?}", part.name))
+    let found = Journal::begin(&interpreter, Position::ZERO).find(At::Line { file, line, pass }, &memory);
+    found.unwrap_or_else(|alarm| panic!("{} {file:?}:{line}:{pass}: {alarm:?}", part.name))
 }
 
 #[test]
@@ -200,13 +229,13 @@ fn from_random_lines_programs_go_on_as_in_a_full_run() {
     let parts = parts();
     assert!(parts.len() >= 20);
     let mut random = Random::new(17);
-    let mut tried = 0;
+    let (mut tried, mut in_others) = (0, 0);
     for part in &parts {
         let (steps, reached) = full_run(part, &mut random, lines.div_ceil(parts.len()) * 5 / 4);
         for full in &reached {
-            let Reached { block, line, pass, .. } = *full;
-            let place = format!("{}:{line}:{pass} (block {block})", part.name);
-            let restart = find(part, line, pass);
+            let Reached { block, file, line, pass, .. } = *full;
+            let place = format!("{} {file:?}:{line}:{pass} (block {block})", part.name);
+            let restart = find(part, file, line, pass);
             assert_eq!(restart.pass, pass, "{place}");
             assert_eq!(restart.in_force, full.in_force, "{place}");
             assert_eq!(restart.interpreter().memory().changes_to(&full.memory), [], "{place}");
@@ -218,8 +247,10 @@ fn from_random_lines_programs_go_on_as_in_a_full_run() {
             }
             assert_eq!(rest.next(), None, "{place}");
             tried += 1;
+            in_others += usize::from(file != FileId(0));
         }
     }
-    println!("{tried} lines of {} programs", parts.len());
+    println!("{tried} lines of {} programs, {in_others} in files of their own", parts.len());
     assert!(tried >= lines.min(LINES) * 5 / 6, "{tried}");
+    assert!(in_others * 10 >= tried, "{in_others} of {tried}");
 }

@@ -674,6 +674,8 @@ faults! {
     ProgramsClosed = 1427,
     /// A signal that is no data of the ladder is to be set.
     SignalNotData = 1428,
+    /// The axes cannot go back along the path.
+    NoWayBack = 1429,
 
     // 1430: reference points and travel switches
     /// Homing did not meet the home switch, or did not leave it.

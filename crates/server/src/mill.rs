@@ -1,10 +1,12 @@
 //! A machine that a sender drives: blocks come one by one, in RS274/NGC, and run with look-ahead across them.
 //!
 //! Its axes know where they are (drives with absolute encoders, as the simulated ones): homing drives them to machine
-//! zero, Z first.
+//! zero, Z first. Where its file describes a simulated machine (`[plant]`), that has the inputs: probe, travel switches,
+//! door and emergency stop.
 
 use crate::grbl::checker::Checker;
-use crate::grbl::{Doing, Event, Machine, Modal, Offsets, Overrides, Status};
+use crate::grbl::{Doing, Event, Machine, Modal, Offsets, Overrides, Pins, Status};
+use ferrocut_controller::drives::{Drives, Plant, Simulated};
 use ferrocut_controller::{Cnc, Event as CncEvent, State, Tick};
 use ferrocut_geometry::{Axis, MM_PER_INCH, Position};
 use ferrocut_interpreter::{Interpreter, Options, dialects};
@@ -66,6 +68,7 @@ pub struct Mill {
     was: State,
     homing: Option<Homing>,
     is_homed: bool,
+    pins: Pins,
     status: Status,
     checker: Option<Checker>,
 }
@@ -76,17 +79,30 @@ impl Mill {
         let dialect = &dialects::rs274::DIALECT;
         let programs = ProgramMemory::new("sent", Text::sent(), dialect.syntax);
         let options = Options { keep_going: true, ..options };
-        let mut cnc = Cnc::new(file, Interpreter::new(dialect, programs, memory, options));
+        let mut file = file.clone();
+        file.homing.absolute = true;
+        let drives: Box<dyn Drives> = match file.plant {
+            Some(_) => {
+                let reference = memory.reference_points.first().copied().unwrap_or_default();
+                let mut plant = Plant::new(&file, options.start, reference);
+                plant.stand_as_called(file.axis_set());
+                Box::new(plant)
+            }
+            None => Box::new(Simulated),
+        };
+        let interpreter = Interpreter::new(dialect, programs, memory, options);
+        let mut cnc = Cnc::with_drives(&file, interpreter, drives);
         cnc.refuse_blocks(true);
         let tick = cnc.tick();
         Mill {
-            file: file.clone(),
+            file,
             cnc,
             tick,
             events: VecDeque::new(),
             was: State::Ready,
             homing: None,
             is_homed: false,
+            pins: Pins::default(),
             status: Status::default(),
             checker: None,
         }
@@ -117,7 +133,26 @@ impl Mill {
             }
         }
         self.go_home();
+        self.look_at_pins();
         self.tick
+    }
+
+    /// Inputs as they stand now. A switch that a reset was behind lets its axis go until it is off it.
+    fn look_at_pins(&mut self) {
+        let Some(plant) = self.cnc.drives().plant() else { return };
+        let switches = plant.switches();
+        self.pins = Pins {
+            probe: switches.skip,
+            limits: Axis::ALL
+                .into_iter()
+                .filter(|axis| switches.above.contains(*axis) || switches.below.contains(*axis))
+                .collect(),
+            door: plant.door_is_open(),
+            reset: plant.emergency_stop_is_pressed(),
+        };
+        if self.pins.limits.is_empty() {
+            self.cnc.release_overtravel(false);
+        }
     }
 
     /// What of the next period may take longer than one: interpreting and planning ahead.
@@ -141,6 +176,11 @@ impl Mill {
         &self.cnc
     }
 
+    /// The drives, for what a person does at a simulated machine.
+    pub fn drives(&mut self) -> &mut dyn Drives {
+        self.cnc.drives()
+    }
+
     /// Does a command.
     pub fn take(&mut self, command: Command) {
         match command {
@@ -157,6 +197,8 @@ impl Mill {
                 self.homing = None;
                 // The spindle stops too.
                 self.cnc.emergency_stop();
+                // As with Grbl, whose limits act when they are met: unlocked, the axis can leave its switch.
+                self.cnc.release_overtravel(true);
             }
             Command::Jog(to, feed) => {
                 // One beyond a limit was refused before it came here.
@@ -167,8 +209,9 @@ impl Mill {
                 self.cnc.cancel_jog();
             }
             Command::Home => self.homing = Some(Homing::Asked),
-            Command::Overrides(Overrides { feed, rapid, .. }) => {
+            Command::Overrides(Overrides { feed, rapid, spindle }) => {
                 self.cnc.set_override(f64::from(feed) / 100.0, f64::from(rapid) / 100.0);
+                self.cnc.set_spindle_override(f64::from(spindle) / 100.0);
             }
             Command::StopSpindle(stops) => self.cnc.stop_spindle(stops),
         }
@@ -281,6 +324,7 @@ impl Mill {
             },
             offsets,
             probe: if found { (probed, true) } else { (Position::ZERO, false) },
+            pins: self.pins,
         }
     }
 }

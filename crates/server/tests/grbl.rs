@@ -24,9 +24,13 @@ impl Session {
     fn with(options: Options) -> Session {
         let mut file = File::demo_mill();
         file.axes.retain(|axis| axis.name.is_linear());
+        Session::of(&file, options)
+    }
+
+    fn of(file: &File, options: Options) -> Session {
         let mut session = Session {
-            grbl: Grbl::new(&file),
-            mill: Mill::new(&file, Memory::new("rs274"), options),
+            grbl: Grbl::new(file),
+            mill: Mill::new(file, Memory::new("rs274"), options),
             heard: String::new(),
         };
         session.grbl.connect(&mut session.mill);
@@ -314,6 +318,131 @@ fn overrides_count_as_grbl_counts_them() {
     session.wait(500);
     let feed = session.mill.status().feed;
     assert!((feed - 2700.0).abs() < 1.0, "{feed}");
+}
+
+#[test]
+fn the_spindle_override_acts_at_once() {
+    let mut session = Session::unlocked();
+    session.say("M3S1000\n");
+    session.wait(300);
+    let rpm = |session: &mut Session| session.mill.status().rpm;
+    assert_eq!(rpm(&mut session), 1000.0);
+    session.byte(0x9A);
+    assert_eq!(rpm(&mut session), 1100.0);
+    assert!(session.say("?").contains("|FS:0,1100"), "what is shown is what it turns at");
+    // What comes behind it is overridden too, either way, within what the spindle can do.
+    session.say("M4S2000\nG4P1\n");
+    session.settle();
+    assert_eq!(rpm(&mut session), 2200.0);
+    let highest = File::demo_mill().spindle.max_rpm;
+    session.say(&format!("M3S{highest}\nG4P3\n"));
+    session.settle();
+    assert_eq!(rpm(&mut session), highest);
+    session.byte(0x9B);
+    session.byte(0x9B);
+    assert_eq!(rpm(&mut session), highest * 0.9);
+    session.byte(0x99);
+    assert_eq!(rpm(&mut session), highest);
+    // One that stands stays so.
+    session.say("M5\n");
+    session.settle();
+    session.byte(0x9A);
+    assert_eq!(rpm(&mut session), 0.0);
+    // Stopped in a hold, it comes back with the override that is in force then.
+    session.say("S1000M3\nG1X100F1000\n");
+    session.wait(1000);
+    session.byte(b'!');
+    session.wait(300);
+    session.byte(0x9E);
+    assert_eq!(rpm(&mut session), 0.0);
+    session.byte(0x9A);
+    assert_eq!(rpm(&mut session), 0.0);
+    session.byte(b'~');
+    assert_eq!(rpm(&mut session), 1200.0);
+    session.settle();
+    // A reset sets it back.
+    session.byte(0x18);
+    session.say("M3S1000\nG4P1\n");
+    session.settle();
+    assert_eq!(rpm(&mut session), 1000.0);
+}
+
+/// Grbl 1.1, status reports: inputs that are on stand in `Pn:`.
+#[test]
+fn inputs_of_the_simulated_machine_are_shown_and_act() {
+    let mut file = File::demo_mill();
+    file.axes.retain(|axis| axis.name.is_linear());
+    file.plant = Some(ferrocut_machine::PlantConfig::default());
+    let mut session = Session::of(&file, Options::default());
+    session.say("$X\n");
+    let pins = |session: &mut Session| {
+        let report = session.say("?");
+        let pins = report.split(['|', '>']).find_map(|field| field.strip_prefix("Pn:").map(str::to_owned));
+        pins.unwrap_or_default()
+    };
+    assert_eq!(pins(&mut session), "");
+    // The probe goes down onto a block and stays on it.
+    let block = ferrocut_controller::drives::Block { min: [-50.0, -50.0, -30.0], max: [50.0, 50.0, -4.0] };
+    session.mill.drives().plant().unwrap().place(block);
+    let heard = session.say("G38.2Z-20F200\n") + &session.settle();
+    let met = heard.split(['[', ':', ',']).nth(4).and_then(|z| z.parse::<f64>().ok());
+    assert!(met.is_some_and(|z| (z + 4.0).abs() < 0.01), "{heard}");
+    assert_eq!(pins(&mut session), "P");
+    session.say("G0Z0\n");
+    session.settle();
+    assert_eq!(pins(&mut session), "");
+    session.mill.drives().plant().unwrap().clear();
+    // The door holds all until it is closed, and `~` was given then.
+    session.say("M3S1000\nG1X200F3000\n");
+    session.wait(1500);
+    session.mill.drives().plant().unwrap().move_door(true);
+    session.wait(1000);
+    assert_eq!((session.state().as_str(), session.mill.status().rpm), ("Door:1", 0.0));
+    assert_eq!(pins(&mut session), "D");
+    session.byte(b'~');
+    assert_eq!(session.state(), "Door:1");
+    session.mill.drives().plant().unwrap().move_door(false);
+    session.wait(5);
+    assert_eq!((session.state().as_str(), pins(&mut session).as_str()), ("Door:0", ""));
+    session.byte(b'~');
+    session.settle();
+    assert_eq!(session.at()[Axis::X], 200.0);
+    // The emergency stop is a reset.
+    session.say("G1X0F3000\n");
+    session.wait(500);
+    session.mill.drives().plant().unwrap().press_emergency_stop(true);
+    session.wait(600);
+    let heard = std::mem::take(&mut session.heard);
+    assert!(heard.contains("ALARM:3"), "{heard}");
+    assert_eq!((session.state().as_str(), pins(&mut session).as_str()), ("Alarm", "R"));
+    session.mill.drives().plant().unwrap().press_emergency_stop(false);
+    assert_eq!(pins(&mut session), "");
+}
+
+#[test]
+fn a_travel_switch_is_an_alarm_and_lets_its_axis_go_back() {
+    let mut file = File::demo_mill();
+    file.axes.retain(|axis| axis.name.is_linear());
+    let mut x = ferrocut_machine::PlantAxis::new(Axis::X);
+    x.limits = Some([-1000.0, 20.0]);
+    file.plant = Some(ferrocut_machine::PlantConfig { axes: vec![x], ..Default::default() });
+    let mut session = Session::of(&file, Options::default());
+    session.say("$X\nG1X50F1000\n");
+    session.wait(4000);
+    let heard = std::mem::take(&mut session.heard);
+    assert!(heard.contains("ALARM:1\r\n[MSG:Reset to continue]"), "{heard}");
+    let report = session.say("?");
+    assert!(report.starts_with("<Alarm|") && report.contains("|Pn:X|"), "{report}");
+    session.byte(0x18);
+    assert_eq!(session.say("$X\n"), "[MSG:Caution: Unlocked]\r\nok\r\n");
+    assert_eq!(session.say("$J=G90X0F1000\n"), "ok\r\n");
+    session.settle();
+    assert_eq!((session.at()[Axis::X], session.say("?").contains("Pn:")), (0.0, false));
+    // It acts again.
+    session.say("G1X50F1000\n");
+    session.wait(4000);
+    let heard = std::mem::take(&mut session.heard);
+    assert!(heard.contains("ALARM:1"), "{heard}");
 }
 
 #[test]

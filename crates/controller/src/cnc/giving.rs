@@ -1,5 +1,6 @@
 //! Steps on their way from the program to motion: moves as far as it looks ahead, all else one by one.
 
+use super::tapping::ThreadKind;
 use super::{Cnc, Event, Given, State, Waiting};
 use crate::programmed::Programmed;
 use crate::report::Activity;
@@ -74,9 +75,9 @@ impl Cnc {
     /// Gives a move to motion; any other step waits for it to come to rest.
     pub(super) fn give(&mut self, step: Step) {
         let is_thread = matches!(step.op, Op::Tap { .. });
-        if self.hole.is_some() && !is_thread && !matches!(step.op, Op::Dwell(_)) {
+        if self.is_in(ThreadKind::InStep) && !is_thread && !matches!(step.op, Op::Dwell(_)) {
             // A program that leaves the thread by another move.
-            self.leave_hole();
+            self.leave_thread();
             if self.state == State::Resetting {
                 return;
             }

@@ -5,6 +5,7 @@
 //! the way that was moved stays; the program goes on beside its own path, with its own coordinates. Both are gone
 //! with reset and with an alarm: then the coordinates are those of the place where the axes are.
 
+use super::tapping::ThreadKind;
 use super::{Cnc, State};
 use ferrocut_geometry::{Axis, Position};
 
@@ -75,7 +76,7 @@ impl Cnc {
             && matches!(self.state, State::Held | State::BlockEnd | State::Stopped(_))
             && self.motion.is_still()
             && self.stroke.is_none()
-            && self.hole.is_none()
+            && !self.is_in(ThreadKind::InStep)
             && !self.is_retraced()
             && !self.aside.returns
             && (self.servo.is_at_rest() || self.manual.is_active)

@@ -1,5 +1,6 @@
 //! The control with a ladder: what is handed to it, and what waits for it.
 
+use super::tapping::ThreadKind;
 use super::{Cnc, Given, State, Tick};
 use crate::auxiliary::{Auxiliary, Handing, Now};
 use crate::report::Activity;
@@ -20,10 +21,11 @@ impl Cnc {
 
     /// What the ladder says of codes and spindle in the period that comes.
     pub fn hear(&mut self, inputs: &Inputs) {
+        // GSK990MC 4.4.5: as at 100 %.
+        let ignores_override = self.is_in(ThreadKind::Beside);
         if let Some(auxiliary) = &mut self.auxiliary {
             auxiliary.hear(inputs);
-            if self.floating.is_some() {
-                // GSK990MC 4.4.5: as at 100 %.
+            if ignores_override {
                 auxiliary.ignore_spindle_override();
             }
         }
@@ -37,7 +39,7 @@ impl Cnc {
         let kind = self.given.front().map(Given::kind).filter(|_| moves);
         (outputs.rapid, outputs.cutting) = (kind == Some(Kind::Rapid), kind == Some(Kind::Cutting));
         outputs.threading = self.stroke.is_some_and(|stroke| stroke.has_begun);
-        outputs.tapping = self.is_in_thread();
+        outputs.tapping = self.thread.is_some();
         // Moves of the block are done, its codes are not.
         outputs.distribution_end = auxiliary.handed().is_some() && !moves && self.motion.is_empty();
     }
@@ -49,12 +51,13 @@ impl Cnc {
 
     /// Codes and spindle, where there is a ladder.
     pub(super) fn serve_ladder(&mut self) {
+        let is_in_step = self.is_in(ThreadKind::InStep);
         let Some(auxiliary) = &mut self.auxiliary else { return };
         let positions = self.given.front().filter(|given| given.kind() == Kind::Rapid);
         let now = Now {
             at: if self.manual.is_active { self.actual } else { self.motion.position() },
             rapid_to: positions.filter(|_| !self.motion.at_rest()).map(|given| given.to),
-            taps: self.hole.is_some() || self.stroke.is_some(),
+            taps: is_in_step || self.stroke.is_some(),
         };
         if auxiliary.tick(&now, &mut self.spindle) {
             let alarm = Alarm::core(Fault::CodeNotFinished, self.span);
@@ -133,9 +136,9 @@ impl Cnc {
     /// Hands a step to the ladder, if there is one and the step is for it.
     pub(super) fn is_for_ladder(&mut self, step: &Step) -> bool {
         let in_force = self.interpreter.spindle_speed();
-        let Some(auxiliary) = &mut self.auxiliary else { return false };
         // A tool that is in a thread must come out of it: a reset takes the signal back meanwhile.
-        let enters = matches!(step.op, Op::Tap { .. }) && self.hole.is_none();
+        let enters = matches!(step.op, Op::Tap { .. }) && !self.is_in(ThreadKind::InStep);
+        let Some(auxiliary) = &mut self.auxiliary else { return false };
         match auxiliary.hand_over(step, in_force) {
             Handing::Nothing if enters && auxiliary.lacks_rigid_tapping() => {
                 let rule = Fault::RigidTappingOff;

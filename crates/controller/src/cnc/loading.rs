@@ -77,7 +77,7 @@ impl Cnc {
         self.forget_blocks();
         self.retrace.forget();
         self.given.clear();
-        (self.waiting, self.floating) = (None, None);
+        (self.waiting, self.thread) = (None, None);
         self.busy = None;
         self.commanded = self.motion.position();
         self.supervisor.moved_to(self.commanded);

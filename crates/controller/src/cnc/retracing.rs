@@ -74,8 +74,7 @@ impl Cnc {
         let may = self.state == State::Held
             && self.switches.may_move
             && self.stroke.is_none()
-            && self.hole.is_none()
-            && self.floating.is_none()
+            && self.thread.is_none()
             && self.probing.is_none()
             && self.busy.is_none()
             && self.failed.is_none()

@@ -40,7 +40,7 @@ pub(super) struct Sent {
     starved: f64,
     /// Since when a path waits to begin, s.
     waiting: f64,
-    /// Speed of a spindle that was stopped in a hold, r/min, clockwise positive.
+    /// Speed asked of a spindle that was stopped in a hold, r/min, clockwise positive.
     stopped_spindle: Option<f64>,
 }
 
@@ -169,8 +169,8 @@ impl Cnc {
     /// Stops the spindle in a hold, or starts it as it was. The axes wait until it has its speed.
     pub fn stop_spindle(&mut self, stops: bool) {
         if stops {
-            let told = self.spindle.told();
-            self.sent.stopped_spindle.get_or_insert(told);
+            let asked = self.spindle.asked();
+            self.sent.stopped_spindle.get_or_insert(asked);
             self.spindle.tell(0.0);
         } else if let Some(rpm) = self.sent.stopped_spindle.take() {
             let seconds = self.spindle.tell(rpm);

@@ -1,5 +1,6 @@
 //! Switches that change how a program is run: locks, dry run, optional stop, interlock.
 
+use super::tapping::ThreadKind;
 use super::{Cnc, Given, State};
 use ferrocut_geometry::Position;
 use ferrocut_interpreter::AtRest;
@@ -36,6 +37,8 @@ pub(super) struct Switches {
     locked: Option<Locked>,
     /// What the drives were told last.
     drive: Position,
+    /// A factor.
+    spindle_override: f64,
 }
 
 impl Switches {
@@ -47,6 +50,7 @@ impl Switches {
             may_move: true,
             locked: None,
             drive: at,
+            spindle_override: 1.0,
         }
     }
 
@@ -71,7 +75,7 @@ impl Cnc {
     /// Dry run on or off, as the switch stands in each period. Moves that wait follow too, after a stop; so in a thread
     /// that the spindle cuts beside it changes nothing yet.
     pub fn set_dry_run(&mut self, dry_run: Option<DryRun>) {
-        if self.floating.is_none() && self.switches.dry_run != dry_run {
+        if !self.is_in(ThreadKind::Beside) && self.switches.dry_run != dry_run {
             self.switches.dry_run = dry_run;
             self.renew_moves();
         }
@@ -172,6 +176,19 @@ impl Cnc {
         match op {
             Op::Stop(1) => !self.switches.optional_stop,
             _ => is_auxiliary && self.switches.auxiliary_lock && self.auxiliary.is_none(),
+        }
+    }
+
+    /// Spindle override as a factor, of a machine without a ladder: with one, its signal counts.
+    pub fn set_spindle_override(&mut self, factor: f64) {
+        self.switches.spindle_override = factor;
+    }
+
+    /// Once a period, where there is no ladder. In a thread that the spindle cuts beside it is as at 100 %.
+    pub(super) fn override_spindle(&mut self) {
+        if self.auxiliary.is_none() {
+            let factor = if self.is_in(ThreadKind::Beside) { 1.0 } else { self.switches.spindle_override };
+            self.spindle.set_override(factor);
         }
     }
 

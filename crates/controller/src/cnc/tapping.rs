@@ -10,22 +10,23 @@ use ferrocut_machine::{Alarm, Fault};
 use ferrocut_motion::servo::Kind;
 use ferrocut_motion::synchron::Thread;
 
-/// A hole that is being tapped, or a thread being cut.
+/// A thread that the tool is in.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Hole {
+pub(super) struct InThread {
     /// Where the tool entered it.
     pub entry: Position,
+    pub kind: ThreadKind,
     /// What the operator asked for, which waits until the tool is out.
     pub asked: Option<Asked>,
 }
 
-/// A thread that axes and spindle cut beside each other: a tap in a floating holder (GSK990MC 4.4.5), or G63.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Floating {
-    /// Where the tool entered it.
-    entry: Position,
-    /// Feed hold was asked for, which waits until the tool is out.
-    holds: bool,
+/// How axes and spindle cut it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum ThreadKind {
+    /// The axes follow the spindle: a rigid tap, a thread.
+    InStep,
+    /// Beside each other: a tap in a floating holder (GSK990MC 4.4.5), or G63.
+    Beside,
 }
 
 /// A stroke in a hole.
@@ -47,7 +48,7 @@ pub(super) enum Asked {
 impl Cnc {
     /// Looks whether the move being run is one of a thread that the spindle cuts beside.
     pub(super) fn follow_floating(&mut self, given: &Given) {
-        match (self.floating, given.motion.is_tapping()) {
+        match (self.thread.map(|thread| thread.kind), given.motion.is_tapping()) {
             // What is given up by a reset comes to rest, and cuts no thread any more.
             (None, true) if self.state == State::Running => {
                 let entry = match given.programmed.way {
@@ -55,58 +56,64 @@ impl Cnc {
                     Way::Arc(arc) => arc.at(0.0),
                     Way::Apart => self.motion.position(),
                 };
-                self.floating = Some(Floating { entry, holds: false });
+                self.thread = Some(InThread { entry, kind: ThreadKind::Beside, asked: None });
             }
-            (Some(_), false) => self.leave_floating(),
+            (Some(ThreadKind::Beside), false) => self.leave_thread(),
             _ => {}
         }
     }
 
     /// The axes stand where all moves end that were given: the tool is out of the thread where it entered it.
     pub(super) fn rest_floating(&mut self) {
-        if self.floating.is_some_and(|floating| floating.entry == self.motion.position()) {
-            self.leave_floating();
+        if self.is_in(ThreadKind::Beside)
+            && self.thread.is_some_and(|thread| thread.entry == self.motion.position())
+        {
+            self.leave_thread();
         }
     }
 
-    fn leave_floating(&mut self) {
-        if self.floating.take().is_some_and(|floating| floating.holds) {
-            self.feed_hold();
+    /// Whether the tool is in a thread of this kind.
+    pub(super) fn is_in(&self, kind: ThreadKind) -> bool {
+        self.thread.is_some_and(|thread| thread.kind == kind)
+    }
+
+    /// Whether a tap in a floating holder that is about to enter, the axes at rest, waits for the spindle: from here on
+    /// that turns as at 100 % (4.4.5), and has its speed before the first turn in the work.
+    pub(super) fn tap_waits(&mut self) -> bool {
+        let at = self.motion.position();
+        // The first move may be run to its end already.
+        let mut moves = self.given.iter().enumerate().filter(|(n, given)| *n > 0 || given.to != at);
+        if !moves.next().is_some_and(|(_, given)| given.motion.is_tapping()) {
+            return false;
+        }
+        match self.thread {
+            None => {
+                self.thread = Some(InThread { entry: at, kind: ThreadKind::Beside, asked: None });
+                true
+            }
+            Some(thread) => thread.entry == at && !self.spindle.has_its_speed(),
         }
     }
 
     /// A hold that was asked for in a thread is not wanted any more.
     pub(super) fn forget_hold_behind_thread(&mut self) {
-        if let Some(floating) = &mut self.floating {
-            floating.holds = false;
+        if let Some(thread) = self.thread.as_mut().filter(|thread| thread.asked == Some(Asked::Hold)) {
+            thread.asked = None;
         }
     }
 
-    /// Whether a hold waits until the tool is out of a thread that the spindle cuts beside. A reset does not.
-    pub(super) fn holds_behind_thread(&mut self) -> bool {
+    /// Whether what is asked for waits until the tool is out of the thread that it is in while the program runs; then
+    /// it is remembered. A reset waits for one in step alone.
+    pub(super) fn waits_in_thread(&mut self, asked: Asked) -> bool {
         let is_running = self.state == State::Running;
-        match self.floating.as_mut().filter(|_| is_running) {
-            Some(floating) => {
-                floating.holds = true;
-                true
-            }
-            None => false,
-        }
-    }
-
-    /// Whether the tool is in a thread.
-    pub(super) fn is_in_thread(&self) -> bool {
-        self.hole.is_some() || self.floating.is_some()
-    }
-
-    /// Whether the tool is in a thread while the program runs; then it remembers what was asked for.
-    pub(super) fn asked_in_hole(&mut self, asked: Asked) -> bool {
-        let is_running = self.state == State::Running;
-        match self.hole.as_mut().filter(|_| is_running) {
-            Some(hole) => {
+        let waits = |thread: &&mut InThread| {
+            is_running && (asked == Asked::Hold || thread.kind == ThreadKind::InStep)
+        };
+        match self.thread.as_mut().filter(waits) {
+            Some(thread) => {
                 // A reset is more than a hold.
-                if hole.asked != Some(Asked::Reset) {
-                    hole.asked = Some(asked);
+                if thread.asked != Some(Asked::Reset) {
+                    thread.asked = Some(asked);
                 }
                 true
             }
@@ -121,9 +128,12 @@ impl Cnc {
         let way = to - from;
         // The sense of the way is that of the axis that goes farthest.
         let farthest = way.0.iter().fold(0.0, |far: f64, d| if d.abs() > far.abs() { *d } else { far });
-        let is_first = self.hole.is_none();
-        let hole = self.hole.get_or_insert(Hole { entry: from, asked: None });
-        let is_out = from.distance(hole.entry) > to.distance(hole.entry);
+        let is_first = !self.is_in(ThreadKind::InStep);
+        if is_first {
+            self.thread = Some(InThread { entry: from, kind: ThreadKind::InStep, asked: None });
+        }
+        let entry = self.thread.map_or(from, |thread| thread.entry);
+        let is_out = from.distance(entry) > to.distance(entry);
         let [inwards, outwards] = self.tapping_rates;
         let thread = Thread {
             to,
@@ -156,7 +166,7 @@ impl Cnc {
             // The spindle is at rest by now.
             let Stroke { from, thread, .. } = stroke;
             if !self.synchron.begin(from, self.spindle.angle(), &thread) {
-                (self.stroke, self.hole) = (None, None);
+                (self.stroke, self.thread) = (None, None);
                 let alarm = Alarm::core(Fault::FeedNotReachable, self.span);
                 self.state = State::Alarmed(Box::new(alarm));
                 return self.at_rest();
@@ -191,14 +201,14 @@ impl Cnc {
         self.commanded = at;
         let (from, length) = (stroke.from, stroke.from.distance(at));
         self.report.finished(Activity::Cutting, length, from.min(at), from.max(at));
-        if self.hole.is_some_and(|hole| hole.entry == at) {
-            self.leave_hole();
+        if self.thread.is_some_and(|thread| thread.entry == at) {
+            self.leave_thread();
         }
     }
 
     /// The tool is out: what the operator asked for is done now.
-    pub(super) fn leave_hole(&mut self) {
-        match self.hole.take().and_then(|hole| hole.asked) {
+    pub(super) fn leave_thread(&mut self) {
+        match self.thread.take().and_then(|thread| thread.asked) {
             Some(Asked::Hold) => self.feed_hold(),
             Some(Asked::Reset) => self.come_to_rest(),
             None => {}

@@ -61,7 +61,8 @@ impl Control {
         if let Some(capture) = &mut self.capture {
             let signals = self.plc.as_ref().map(|plc| plc.memory());
             let spindle_rpm = self.cnc.spindle().actual_rpm();
-            capture.sample(&Present { tick: &self.tick, spindle_rpm, signals });
+            let chain = &self.cnc.chain();
+            capture.sample(&Present { tick: &self.tick, chain, spindle_rpm, signals });
         }
     }
 

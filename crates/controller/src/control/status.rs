@@ -153,6 +153,7 @@ impl Control {
                 h,
                 d,
                 next: self.next_block(),
+                retraced: self.cnc.is_retraced(),
                 stop_at: self.stop_at.as_ref().map(|(program, sequence)| StopAt {
                     program: program.clone().or_else(|| self.selected.clone()),
                     sequence: *sequence,

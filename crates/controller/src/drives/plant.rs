@@ -125,6 +125,16 @@ impl Plant {
         self.periphery.move_door(open)
     }
 
+    /// Whether the door is open.
+    pub fn door_is_open(&self) -> bool {
+        self.periphery.door_is_open
+    }
+
+    /// Whether the emergency stop is pressed.
+    pub fn emergency_stop_is_pressed(&self) -> bool {
+        self.periphery.emergency_stop
+    }
+
     /// Presses the emergency stop, or lets it out.
     pub fn press_emergency_stop(&mut self, pressed: bool) {
         self.periphery.emergency_stop = pressed;

@@ -801,6 +801,8 @@ FC-1427 = the program switch is off
 FC-1428 = this signal is none that can be set
     .help = Data of the ladder can be set: K, T, C and D. Other signals are forced.
     .detail = { $name }
+FC-1429 = the axes cannot go back along the path now
+    .help = They go back while a program is held by feed hold and they stand on its path: not in a thread, in a dwell, while homing, or with the interlock of motion on. Press feed hold first.
 
 FC-1430 = Homing does not find the home switch
     .detail = axis { $axis }

@@ -801,6 +801,8 @@ FC-1427 = El interruptor de programas está desactivado
 FC-1428 = Esta señal no se puede fijar
     .help = Se pueden fijar los datos del programa de contactos: K, T, C y D. Las demás señales se fuerzan.
     .detail = { $name }
+FC-1429 = Ahora los ejes no pueden retroceder por la trayectoria
+    .help = Retroceden mientras un programa está parado con la parada de avance y los ejes están en su trayectoria: no en una rosca, ni en una temporización, ni durante la búsqueda de referencia, ni con el enclavamiento del movimiento. Pulse antes la parada de avance.
 
 FC-1430 = La búsqueda de cero no encuentra el interruptor de referencia
     .detail = eje { $axis }

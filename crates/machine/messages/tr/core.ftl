@@ -801,6 +801,8 @@ FC-1427 = program anahtarı kapalı
 FC-1428 = bu sinyal ayarlanamaz
     .help = Merdiven programının verileri ayarlanabilir: K, T, C ve D. Öteki sinyaller zorlanır.
     .detail = { $name }
+FC-1429 = eksenler şu anda yol boyunca geri gidemez
+    .help = Program ilerleme durdurma ile tutulurken ve eksenler yolunun üzerinde dururken geri gidilir: diş içinde, beklemede, referansa giderken ya da hareket kilidi varken olmaz. Önce ilerleme durdurmaya basın.
 
 FC-1430 = Referansa giderken referans anahtarı bulunamadı
     .detail = eksen { $axis }

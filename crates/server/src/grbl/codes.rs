@@ -124,7 +124,7 @@ impl AlarmCode {
         match fault {
             Fault::SoftLimit => AlarmCode::SoftLimit,
             Fault::SkipWithoutSignal => AlarmCode::ProbeMissed,
-            Fault::FollowingError | Fault::NotInPosition => AlarmCode::HardLimit,
+            Fault::HardLimit | Fault::FollowingError | Fault::NotInPosition => AlarmCode::HardLimit,
             _ => AlarmCode::Abort,
         }
     }

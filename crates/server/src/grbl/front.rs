@@ -2,7 +2,7 @@
 
 use super::codes::{AlarmCode, Error};
 use super::jog;
-use super::machine::{Doing, Event, Machine, Overrides, Status};
+use super::machine::{Doing, Event, Machine, Overrides, Pins, Status};
 use super::realtime::{Realtime, realtime};
 use super::report::{Reporter, Shown};
 use super::settings::Settings;
@@ -98,6 +98,8 @@ pub struct Grbl {
     spindle_is_stopped: bool,
     /// Start lines to be run.
     start_lines: VecDeque<String>,
+    /// As they were at the last poll.
+    pins: Pins,
     pub(super) out: String,
 }
 
@@ -133,6 +135,7 @@ impl Grbl {
             ends_program: false,
             spindle_is_stopped: false,
             start_lines: VecDeque::new(),
+            pins: Pins::default(),
             out: String::new(),
         }
     }
@@ -285,7 +288,7 @@ impl Grbl {
     fn start(&mut self, machine: &mut dyn Machine) {
         let doing = machine.status().doing;
         match self.lock {
-            Lock::Door { is_parked } if doing != Doing::Holding => {
+            Lock::Door { is_parked } if doing != Doing::Holding && !self.pins.door => {
                 self.lock = Lock::Free;
                 if is_parked {
                     machine.stop_spindle(false);
@@ -379,6 +382,13 @@ impl Grbl {
         let status = machine.status().clone();
         while let Some(event) = machine.event() {
             self.happened(event, machine);
+        }
+        let before = std::mem::replace(&mut self.pins, status.pins);
+        if self.pins.door && !before.door {
+            self.act(Realtime::Door, machine);
+        }
+        if self.pins.reset && !before.reset {
+            self.act(Realtime::Reset, machine);
         }
         if let Lock::Door { is_parked: false } = self.lock
             && status.is_current
@@ -625,6 +635,7 @@ impl Grbl {
             (Lock::Sleep, _) => "Sleep",
             (Lock::Check, _) => "Check",
             (Lock::Door { .. }, Doing::Holding | Doing::Jog | Doing::Run) => "Door:2",
+            (Lock::Door { .. }, _) if status.pins.door => "Door:1",
             (Lock::Door { .. }, _) => "Door:0",
             (Lock::Free, doing) => match doing {
                 Doing::Idle => "Idle",

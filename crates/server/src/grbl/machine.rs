@@ -1,6 +1,6 @@
 //! What the protocol needs of a machine.
 
-use ferrocut_geometry::Position;
+use ferrocut_geometry::{AxisSet, Position};
 use ferrocut_machine::Fault;
 
 /// What a machine does.
@@ -52,6 +52,21 @@ pub struct Status {
     pub offsets: Offsets,
     /// Where the last probe ended, and whether it met something.
     pub probe: (Position, bool),
+    /// Inputs that are on.
+    pub pins: Pins,
+}
+
+/// Inputs of the machine that are on.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Pins {
+    /// The probe touches.
+    pub probe: bool,
+    /// Axes beyond a travel switch.
+    pub limits: AxisSet,
+    /// The safety door is open.
+    pub door: bool,
+    /// The emergency stop is pressed. Grbl's input for it is that of reset.
+    pub reset: bool,
 }
 
 /// What is in force behind the lines taken.

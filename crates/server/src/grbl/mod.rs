@@ -20,4 +20,4 @@ mod system;
 pub mod words;
 
 pub use front::Grbl;
-pub use machine::{Doing, Event, Machine, Modal, Offsets, Overrides, Status};
+pub use machine::{Doing, Event, Machine, Modal, Offsets, Overrides, Pins, Status};

@@ -1,6 +1,6 @@
 //! What Grbl tells: status reports, codes in force, offsets (Grbl 1.1, interface).
 
-use super::machine::{Modal, Offsets, Overrides, Status};
+use super::machine::{Modal, Offsets, Overrides, Pins, Status};
 use super::settings::Settings;
 use ferrocut_geometry::{Axis, MM_PER_INCH, Position};
 use std::fmt::Write;
@@ -77,6 +77,7 @@ impl Reporter {
             let _ = write!(out, "|Ln:{number}");
         }
         let _ = write!(out, "|FS:{:.0},{:.0}", no_minus(status.feed / unit, 0), status.rpm.abs());
+        self.pins(out, &status.pins);
         let state =
             (zero, shown.overrides, [status.modal.flood, status.modal.mist, status.modal.spindle == 5]);
         let is_busy = usize::from(shown.state != "Idle");
@@ -104,6 +105,17 @@ impl Reporter {
         self.zero_in = self.zero_in.saturating_sub(1);
         self.overrides_in = self.overrides_in.saturating_sub(1);
         out.push_str(">\r\n");
+    }
+
+    /// `|Pn:PXYZDR`, in the order in which Grbl writes them; nothing while all are off.
+    fn pins(&self, out: &mut String, pins: &Pins) {
+        let limits = self.axes.iter().map(|axis| (pins.limits.contains(*axis), axis.letter()));
+        let all = [(pins.probe, 'P')].into_iter().chain(limits).chain([(pins.door, 'D'), (pins.reset, 'R')]);
+        let mut on = all.filter(|(is_on, _)| *is_on).map(|(_, letter)| letter).peekable();
+        if on.peek().is_some() {
+            out.push_str("|Pn:");
+            out.extend(on);
+        }
     }
 
     /// `$#`
@@ -180,6 +192,7 @@ fn no_minus(value: f64, digits: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use ferrocut_geometry::AxisSet;
     use ferrocut_machine::Machine;
 
     #[test]
@@ -202,6 +215,10 @@ mod tests {
         );
         assert_eq!(report(&status, &settings), "<Idle|MPos:1.500,0.000,3.000|FS:500,0|Ov:100,100,100>\r\n");
         assert_eq!(report(&status, &settings), "<Idle|MPos:1.500,0.000,3.000|FS:500,0>\r\n");
+        status.pins.limits = AxisSet::EMPTY.with(Axis::Z).with(Axis::X);
+        (status.pins.probe, status.pins.door, status.pins.reset) = (true, true, true);
+        assert_eq!(report(&status, &settings), "<Idle|MPos:1.500,0.000,3.000|FS:500,0|Pn:PXZDR>\r\n");
+        status.pins = Pins::default();
         settings.set(10, 2.0).unwrap();
         settings.set(13, 1.0).unwrap();
         (status.modal.spindle, status.modal.flood, status.room) = (3, true, 900);
