@@ -135,8 +135,22 @@ test('a program runs, is held, goes on faster, and is watched while it runs', as
   await press(page, 'KEY_HOLD');
   await stands(page, 'held');
   await expect(page.getByTestId('feed')).toHaveText('0');
-  const at = await x(page);
+  let at = await x(page);
   await shoot(page, 'hold');
+
+  // Back along the path, and forward again with cycle start.
+  await show(page, 'program/run');
+  await page.getByTestId('retrace').click();
+  await expect(page.getByTestId('retraced')).toBeVisible();
+  await show(page, 'position');
+  await expect.poll(() => x(page)).not.toBe(at);
+  await press(page, 'KEY_HOLD');
+  await press(page, 'KEY_START');
+  await stands(page, 'running');
+  await press(page, 'KEY_HOLD');
+  await stands(page, 'held');
+  await expect(page.getByTestId('feed')).toHaveText('0');
+  at = await x(page);
 
   // The override is turned while it is held, and holds from the next start on.
   const feed = page.locator('[data-override="SWITCH_FEED"]');

@@ -335,7 +335,11 @@ next: NextBlock | null,
 /**
  * Where the program stops once.
  */
-stop_at: StopAt | null, };
+stop_at: StopAt | null,
+/**
+ * The axes are behind the place where the program was held: cycle start brings them there again first.
+ */
+retraced: boolean, };
 
 /**
  * Switches in force.
@@ -1308,7 +1312,7 @@ program: string,
 /**
  * Whether it is locked.
  */
-locked: boolean, } | { "do": "cursor",
+locked: boolean, } | { "do": "retrace" } | { "do": "cursor",
 /**
  * The line, from 1.
  */

@@ -11,6 +11,8 @@ var program_default = {
 	"edit_none": "Choose the program to be edited in the directory.",
 	"start_here": "Start at line {line}",
 	"restart_here": "Restart at line {line}",
+	"retrace": "Back along the path",
+	"retraced": "Behind the place where the program was held: cycle start brings the axes there first.",
 	"stop_at": "Stop behind N",
 	"saved": "{program} is stored",
 	"stored": "{program} is stored",

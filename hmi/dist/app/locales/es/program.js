@@ -11,6 +11,8 @@ var program_default = {
 	"edit_none": "Elija en el directorio el programa que va a editar.",
 	"start_here": "Empezar en la línea {line}",
 	"restart_here": "Reanudar en la línea {line}",
+	"retrace": "Atrás por la trayectoria",
+	"retraced": "Los ejes están detrás del punto de parada del programa: la marcha los lleva primero hasta allí.",
 	"stop_at": "Parar tras N",
 	"saved": "{program} guardado",
 	"stored": "{program} guardado",

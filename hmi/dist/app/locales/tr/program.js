@@ -11,6 +11,8 @@ var program_default = {
 	"edit_none": "Düzenlenecek programı dizinden seçin.",
 	"start_here": "{line}. satırdan başla",
 	"restart_here": "{line}. satırdan sürdür",
+	"retrace": "Yol boyunca geri",
+	"retraced": "Eksenler programın tutulduğu yerin gerisinde: çevrim başlat onları önce oraya götürür.",
 	"stop_at": "N satırından sonra dur",
 	"saved": "{program} kaydedildi",
 	"stored": "{program} kaydedildi",

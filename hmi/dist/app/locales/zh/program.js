@@ -11,6 +11,8 @@ var program_default = {
 	"edit_none": "请在目录中选择要编辑的程序。",
 	"start_here": "从第 {line} 行启动",
 	"restart_here": "从第 {line} 行再启动",
+	"retrace": "沿路径退回",
+	"retraced": "各轴在程序被保持之处的后方：循环启动先使其回到该处。",
 	"stop_at": "在序号 N 后停止",
 	"saved": "{program} 已保存",
 	"stored": "{program} 已存储",

@@ -13,14 +13,15 @@ import Restart from "./Restart.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/program/RunView.svelte
-var root = $.from_html(`<span class="behind s-b5uns5" data-testid="behind">→ <small class="s-b5uns5"> </small> </span>`);
-var root_1 = $.from_html(`<span class="blocks grow code s-b5uns5"><span class="block s-b5uns5" data-testid="block"> </span> <span class="next s-b5uns5" data-testid="next"><small class="s-b5uns5"> </small> <!></span></span>`);
-var root_2 = $.from_html(`<span><small class="s-b5uns5"> </small> </span>`);
-var root_3 = $.from_html(`<span class="number go s-b5uns5"></span>`);
-var root_4 = $.from_html(`<div class="head row wrap s-b5uns5"><strong class="code s-b5uns5"> </strong> <!> <!></div>`);
-var root_5 = $.from_html(`<div class="interrupted row wrap s-b5uns5" data-testid="interrupted"><span class="grow"> </span> <!></div>`);
-var root_6 = $.from_html(`<div class="row wrap"><!> <!> <span class="stop s-b5uns5"><!></span> <span class="muted"> </span> <span class="grow"></span> <!> <!></div>`);
-var root_7 = $.from_html(`<div data-testid="run-view"><!> <!> <div class="text s-b5uns5"><!></div> <!></div>`);
+var root = $.from_html(`<span class="behind s-1agk9m3" data-testid="behind">→ <small class="s-1agk9m3"> </small> </span>`);
+var root_1 = $.from_html(`<span class="blocks grow code s-1agk9m3"><span class="block s-1agk9m3" data-testid="block"> </span> <span class="next s-1agk9m3" data-testid="next"><small class="s-1agk9m3"> </small> <!></span></span>`);
+var root_2 = $.from_html(`<span><small class="s-1agk9m3"> </small> </span>`);
+var root_3 = $.from_html(`<span class="number go s-1agk9m3"></span>`);
+var root_4 = $.from_html(`<div class="head row wrap s-1agk9m3"><strong class="code s-1agk9m3"> </strong> <!> <!></div>`);
+var root_5 = $.from_html(`<div class="interrupted row wrap s-1agk9m3" data-testid="interrupted"><span class="grow"> </span> <!></div>`);
+var root_6 = $.from_html(`<p class="retraced s-1agk9m3" role="status" data-testid="retraced"> </p>`);
+var root_7 = $.from_html(`<div class="row wrap"><!> <!> <!> <span class="stop s-1agk9m3"><!></span> <span class="muted"> </span> <span class="grow"></span> <!> <!></div>`);
+var root_8 = $.from_html(`<div data-testid="run-view"><!> <!> <!> <div class="text s-1agk9m3"><!></div> <!></div>`);
 function RunView($$anchor, $$props) {
 	$.push($$props, true);
 	let compact = $.prop($$props, "compact", 3, false);
@@ -99,7 +100,7 @@ function RunView($$anchor, $$props) {
 		}
 	};
 	var alternate_1 = ($$anchor) => {
-		var div = root_7();
+		var div = root_8();
 		let classes;
 		{
 			const blocks = ($$anchor) => {
@@ -206,12 +207,22 @@ function RunView($$anchor, $$props) {
 				if (!compact() && (restart.asked || machine.status?.restart_ready)) $$render(consequent_4);
 				else if (!compact() && machine.status?.interrupted) $$render(consequent_5, 1);
 			});
-			var div_3 = $.sibling(node_5, 2);
-			var node_7 = $.child(div_3);
+			var node_7 = $.sibling(node_5, 2);
+			var consequent_6 = ($$anchor) => {
+				var p = root_6();
+				var text_12 = $.only_child(p, true);
+				$.template_effect(($0) => $.set_text(text_12, $0), [() => t("program.retraced")]);
+				$.append($$anchor, p);
+			};
+			$.if(node_7, ($$render) => {
+				if ($.get(program)?.retraced) $$render(consequent_6);
+			});
+			var div_3 = $.sibling(node_7, 2);
+			var node_8 = $.child(div_3);
 			{
 				let $0 = $.derived(() => $.get(program)?.cursor ?? 0);
 				let $1 = $.derived(() => t("program.run"));
-				$.bind_this(Editor(node_7, {
+				$.bind_this(Editor(node_8, {
 					get text() {
 						return $.get(text);
 					},
@@ -229,13 +240,13 @@ function RunView($$anchor, $$props) {
 				}), ($$value) => $.set(editor, $$value, true), () => $.get(editor));
 			}
 			$.reset(div_3);
-			var node_8 = $.sibling(div_3, 2);
-			var consequent_6 = ($$anchor) => {
-				var div_4 = root_6();
-				var node_9 = $.child(div_4);
+			var node_9 = $.sibling(div_3, 2);
+			var consequent_8 = ($$anchor) => {
+				var div_4 = root_7();
+				var node_10 = $.child(div_4);
 				{
 					let $0 = $.derived(() => $.get(chosen) === 0);
-					Button(node_9, {
+					Button(node_10, {
 						icon: "target",
 						get disabled() {
 							return $.get($0);
@@ -247,17 +258,17 @@ function RunView($$anchor, $$props) {
 						"data-testid": "cursor",
 						children: ($$anchor, $$slotProps) => {
 							$.next();
-							var text_12 = $.text();
-							$.template_effect(($0) => $.set_text(text_12, $0), [() => t("program.start_here", { line: $.get(chosen) || "–" })]);
-							$.append($$anchor, text_12);
+							var text_13 = $.text();
+							$.template_effect(($0) => $.set_text(text_13, $0), [() => t("program.start_here", { line: $.get(chosen) || "–" })]);
+							$.append($$anchor, text_13);
 						},
 						$$slots: { default: true }
 					});
 				}
-				var node_10 = $.sibling(node_9, 2);
+				var node_11 = $.sibling(node_10, 2);
 				{
 					let $0 = $.derived(() => $.get(chosen) === 0);
-					Button(node_10, {
+					Button(node_11, {
 						icon: "undo",
 						get disabled() {
 							return $.get($0);
@@ -266,18 +277,36 @@ function RunView($$anchor, $$props) {
 						"data-testid": "restart-here",
 						children: ($$anchor, $$slotProps) => {
 							$.next();
-							var text_13 = $.text();
-							$.template_effect(($0) => $.set_text(text_13, $0), [() => t("program.restart_here", { line: $.get(chosen) || "–" })]);
-							$.append($$anchor, text_13);
+							var text_14 = $.text();
+							$.template_effect(($0) => $.set_text(text_14, $0), [() => t("program.restart_here", { line: $.get(chosen) || "–" })]);
+							$.append($$anchor, text_14);
 						},
 						$$slots: { default: true }
 					});
 				}
-				var span_7 = $.sibling(node_10, 2);
-				var node_11 = $.child(span_7);
+				var node_12 = $.sibling(node_11, 2);
+				var consequent_7 = ($$anchor) => {
+					Button($$anchor, {
+						icon: "undo",
+						onclick: () => void machine.tell({ do: "retrace" }),
+						"data-testid": "retrace",
+						children: ($$anchor, $$slotProps) => {
+							$.next();
+							var text_15 = $.text();
+							$.template_effect(($0) => $.set_text(text_15, $0), [() => t("program.retrace")]);
+							$.append($$anchor, text_15);
+						},
+						$$slots: { default: true }
+					});
+				};
+				$.if(node_12, ($$render) => {
+					if (machine.status?.activity === "held" || $.get(program)?.retraced) $$render(consequent_7);
+				});
+				var span_7 = $.sibling(node_12, 2);
+				var node_13 = $.child(span_7);
 				{
 					let $0 = $.derived(() => t("program.stop_at"));
-					NumberField(node_11, {
+					NumberField(node_13, {
 						get value() {
 							return $.get(stopAt);
 						},
@@ -296,41 +325,41 @@ function RunView($$anchor, $$props) {
 				}
 				$.reset(span_7);
 				var span_8 = $.sibling(span_7, 2);
-				var text_14 = $.only_child(span_8, true);
-				var node_12 = $.sibling(span_8, 4);
-				Button(node_12, {
+				var text_16 = $.only_child(span_8, true);
+				var node_14 = $.sibling(span_8, 4);
+				Button(node_14, {
 					icon: "graphics",
 					onclick: () => go("graphics"),
 					children: ($$anchor, $$slotProps) => {
 						$.next();
-						var text_15 = $.text();
-						$.template_effect(($0) => $.set_text(text_15, $0), [() => t("graphics.title")]);
-						$.append($$anchor, text_15);
+						var text_17 = $.text();
+						$.template_effect(($0) => $.set_text(text_17, $0), [() => t("graphics.title")]);
+						$.append($$anchor, text_17);
 					},
 					$$slots: { default: true }
 				});
-				var node_13 = $.sibling(node_12, 2);
-				Button(node_13, {
+				var node_15 = $.sibling(node_14, 2);
+				Button(node_15, {
 					icon: "edit",
 					onclick: () => go("program", "edit", $.get(name)),
 					children: ($$anchor, $$slotProps) => {
 						$.next();
-						var text_16 = $.text();
-						$.template_effect(($0) => $.set_text(text_16, $0), [() => t("program.edit")]);
-						$.append($$anchor, text_16);
+						var text_18 = $.text();
+						$.template_effect(($0) => $.set_text(text_18, $0), [() => t("program.edit")]);
+						$.append($$anchor, text_18);
 					},
 					$$slots: { default: true }
 				});
 				$.reset(div_4);
-				$.template_effect(($0) => $.set_text(text_14, $0), [() => t("program.stop_at")]);
+				$.template_effect(($0) => $.set_text(text_16, $0), [() => t("program.stop_at")]);
 				$.append($$anchor, div_4);
 			};
-			$.if(node_8, ($$render) => {
-				if (!compact()) $$render(consequent_6);
+			$.if(node_9, ($$render) => {
+				if (!compact()) $$render(consequent_8);
 			});
 			$.reset(div);
 		}
-		$.template_effect(() => classes = $.set_class(div, 1, "run s-b5uns5", null, classes, { compact: compact() }));
+		$.template_effect(() => classes = $.set_class(div, 1, "run s-1agk9m3", null, classes, { compact: compact() }));
 		$.append($$anchor, div);
 	};
 	$.if(node, ($$render) => {
