@@ -405,7 +405,9 @@ impl Cnc {
     /// 4.5.1).
     pub fn feed_hold(&mut self) {
         self.hold_return();
-        self.hold_retrace();
+        if self.state == State::Held {
+            self.stop_retrace();
+        }
         if self.state == State::Running && !self.waits_in_thread(Asked::Hold) {
             self.state = State::Held;
             self.hold = true;
@@ -452,7 +454,7 @@ impl Cnc {
         self.synchron.stop();
         self.thread = None;
         self.motion.abort();
-        self.retrace.forget();
+        self.retrace.give_up();
         if let Some(auxiliary) = &mut self.auxiliary {
             auxiliary.cancel();
         }
@@ -554,10 +556,7 @@ impl Cnc {
     fn period(&mut self) -> Tick {
         match self.state {
             State::Running if self.manual.is_active => return self.move_by_hand(),
-            State::Running if self.retrace.is_behind() => {
-                // Nothing of the program is begun until the axes are where it was held.
-                return self.move_on();
-            }
+            State::Running if self.retrace.is_behind() => return self.catch_up(),
             State::Running => {}
             State::Held | State::Resetting => return self.slow_down(),
             State::BlockEnd if !self.manual.is_active => return self.slow_down(),
@@ -635,9 +634,7 @@ impl Cnc {
     fn move_on(&mut self) -> Tick {
         let setpoint = self.motion.tick();
         self.velocity = setpoint.velocity;
-        if self.retrace.is_behind() {
-            self.follow_retrace(&setpoint);
-        } else {
+        if !self.follow_retrace(&setpoint) {
             self.follow(&setpoint);
         }
         let position = self.exchange(&self.beside(setpoint.position));
@@ -786,12 +783,14 @@ impl Cnc {
         if self.manual.is_active {
             return self.move_by_hand();
         }
-        self.turn();
+        if self.state == State::Held {
+            self.turn();
+        }
         // A failed axis may never come to its place.
         let can_settle = self.failed.is_none();
         // What is given up is forgotten by motion before the place of the axes gets its coordinates.
         let forgets = self.state == State::Resetting && !self.motion.is_empty();
-        if !self.motion.is_still() || forgets || self.retrace.goes() {
+        if !self.motion.is_still() || forgets || self.retrace.goes_back() {
             return if can_settle && self.must_settle_now() { self.settle() } else { self.move_on() };
         }
         match self.stroke {

@@ -799,6 +799,49 @@ fn the_status_has_the_speed_of_each_axis() {
     assert!(feed.components.values().all(|speed| speed.abs() < 1e-9), "{feed:?}");
 }
 
+/// The axes of a held program go back until feed hold, or until another mode is chosen; they go under the conditions of
+/// cycle start.
+#[test]
+fn a_held_program_goes_back_until_feed_hold() {
+    let x = |status: &Status| status.position.machine[&'X'];
+    let mut shop = Shop::new(&[]);
+    shop.store("O0001", LONG);
+    shop.select("O1");
+    assert_eq!(shop.refused(Command::Retrace), "FC-1429");
+    shop.start();
+    shop.wait(2000);
+    assert_eq!(shop.refused(Command::Retrace), "FC-1429");
+    shop.hold();
+    let held = shop.until_it_stops();
+    assert_eq!(held.activity, Activity::Held);
+    shop.inputs.feed_hold = true;
+    shop.wait(5);
+    assert_eq!(shop.refused(Command::Retrace), "FC-1429");
+    shop.inputs.feed_hold = false;
+    shop.inputs.start_lock = true;
+    shop.wait(5);
+    assert_eq!(shop.refused(Command::Retrace), "FC-1404");
+    shop.inputs.start_lock = false;
+    shop.wait(5);
+    // The key of feed hold stops them, and so does another mode.
+    shop.say(Command::Retrace);
+    assert!(x(&shop.wait(500)) < x(&held));
+    shop.hold();
+    let back = shop.until_it_stops();
+    assert!(back.program.retraced && x(&back) > 1.0, "{back:?}");
+    shop.say(Command::Retrace);
+    shop.wait(200);
+    shop.mode(Mode::Jog);
+    let back = shop.until_it_stops();
+    assert!(x(&back) > 1.0);
+    assert_eq!(shop.refused(Command::Retrace), "FC-1400");
+    shop.mode(Mode::Auto);
+    shop.start();
+    while shop.wait(1).counters.parts == 0 {}
+    let status = shop.until_it_stops();
+    assert_eq!((x(&status), status.counters.parts, status.program.retraced), (80.0, 1, false));
+}
+
 /// The document of the API has every field of the status.
 #[test]
 fn every_field_of_the_status_is_described() {

@@ -4,7 +4,7 @@
 mod common;
 
 use common::{cnc, ended, machine};
-use ferrocut_controller::{Cnc, Interruption, JogSpeed, JogWay, State};
+use ferrocut_controller::{Cnc, DryRun, Interruption, JogSpeed, JogWay, State};
 use ferrocut_geometry::{Axis, Position};
 
 const ALONG_X: &str = "G90 G1 X30 F3000\nX60\nM8\nX100\nM30\n";
@@ -65,11 +65,13 @@ fn back_to_the_start_and_forward_to_the_end() {
     lines.dedup();
     assert_eq!(lines, [2, 1]);
     assert_eq!(rest(&mut cnc)[Axis::X], 0.0);
+    assert!(!cnc.tick().moving);
     assert_eq!(cnc.state(), &State::Held);
     cnc.cycle_start();
     let places = to_end(&mut cnc);
     assert_eq!(places.last().unwrap()[Axis::X], 100.0);
     assert!(places.windows(2).all(|pair| pair[1][Axis::X] >= pair[0][Axis::X]));
+    assert_eq!(cnc.report().parts, 1);
     assert_eq!(cnc.state(), &State::Ended);
     assert!(!cnc.is_retraced());
 }
@@ -170,4 +172,86 @@ fn nobody_moves_the_axes_by_hand_behind_the_place() {
     cnc.feed_hold();
     rest(&mut cnc);
     assert!(!cnc.jog(Axis::Y, JogWay::Plus, JogSpeed::Feed));
+}
+
+#[test]
+fn it_comes_to_rest_before_the_place_where_it_was_held() {
+    let mut cnc = cnc(&machine(), ALONG_X);
+    let held = hold_beyond(&mut cnc, 50.0);
+    assert!(cnc.retrace());
+    while x(&mut cnc) > 20.0 {}
+    cnc.feed_hold();
+    rest(&mut cnc);
+    cnc.cycle_start();
+    let mut before = x(&mut cnc);
+    let stops: Vec<f64> = std::iter::from_fn(|| {
+        let was = std::mem::replace(&mut before, x(&mut cnc));
+        (cnc.state() == &State::Running).then_some((was, before))
+    })
+    .skip(50)
+    .filter(|(was, is)| was == is && *is < 59.0)
+    .map(|(_, is)| is)
+    .collect();
+    assert!(
+        !stops.is_empty() && stops.iter().all(|at| (held - 20.0..=held).contains(at)),
+        "{held} {stops:?}"
+    );
+}
+
+#[test]
+fn the_way_is_not_gone_with_the_axes_interlocked() {
+    let mut cnc = cnc(&machine(), ALONG_X);
+    let held = hold_beyond(&mut cnc, 50.0);
+    cnc.set_may_move(false);
+    assert!(!cnc.retrace());
+    cnc.set_may_move(true);
+    assert!(cnc.retrace());
+    while x(&mut cnc) > 45.0 {}
+    cnc.set_may_move(false);
+    let there = rest(&mut cnc)[Axis::X];
+    assert!(there > 20.0 && there < held);
+    cnc.set_may_move(true);
+    assert_eq!(rest(&mut cnc)[Axis::X], 0.0);
+}
+
+#[test]
+fn dry_run_switched_behind_acts_before_the_place_is_passed() {
+    let mut cnc = cnc(&machine(), "G90 G1 X100 F600\nM30\n");
+    cnc.set_dry_run(Some(DryRun { speed: 100.0, cutting: true, rapid: false }));
+    let held = hold_beyond(&mut cnc, 50.0);
+    assert!(cnc.retrace());
+    rest(&mut cnc);
+    cnc.set_dry_run(None);
+    cnc.cycle_start();
+    let mut fastest: f64 = 0.0;
+    while matches!(cnc.state(), State::Held | State::Running) {
+        let tick = cnc.tick();
+        if tick.position[Axis::X] > held + 0.01 {
+            fastest = fastest.max(tick.velocity);
+        }
+    }
+    assert!((9.9..10.01).contains(&fastest), "{fastest} mm/s");
+}
+
+#[test]
+fn what_was_run_beside_a_handwheel_interruption_is_not_run_back() {
+    let mut cnc = cnc(&machine(), ALONG_X);
+    cnc.set_interruption(Interruption::Shift);
+    hold_beyond(&mut cnc, 50.0);
+    assert!(cnc.handwheel(Axis::Z, 5, 0.1));
+    rest(&mut cnc);
+    assert!(!cnc.retrace());
+}
+
+#[test]
+fn a_program_given_up_behind_is_broken_off_where_it_was_held() {
+    let mut cnc = cnc(&machine(), ALONG_X);
+    hold_beyond(&mut cnc, 50.0);
+    let lines = cnc.tick().span.line;
+    assert!(cnc.retrace());
+    while x(&mut cnc) > 10.0 {}
+    cnc.reset();
+    rest(&mut cnc);
+    assert_eq!((cnc.state(), lines), (&State::Reset, 2));
+    assert_eq!(cnc.report().parts, 0);
 }

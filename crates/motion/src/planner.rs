@@ -223,6 +223,11 @@ impl Planner {
         self.tape.is_back()
     }
 
+    /// Whether the path was run back as far as it is known, and the axes stand there.
+    pub fn is_at_back_end(&self) -> bool {
+        self.is_back() && self.queue.len() == 0 && self.is_still()
+    }
+
     /// Feed override 0…2 and rapid override 0…1 as factors; clamped, and left as they are if not a
     /// number. Both take effect at the front, within the limits, or as soon as a plan is possible with them.
     pub fn set_override(&mut self, feed: f64, rapid: f64) {

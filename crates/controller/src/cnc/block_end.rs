@@ -307,6 +307,8 @@ impl Cnc {
     /// Looks after the end of the block being run, where motion has more than that.
     pub(super) fn watch_block_end(&mut self) {
         match self.blocks.stage {
+            // The move that would be taken back has not begun.
+            Stage::Off if self.retrace.is_before() => {}
             Stage::Off => {
                 let Some(run) = self.given.front().map(|given| given.block) else { return };
                 let is_mixed = || self.given.back().is_some_and(|given| given.block != run);
@@ -350,7 +352,7 @@ impl Cnc {
     }
 
     /// Length in which the path surely comes to rest, mm or degrees.
-    fn stopping_distance(&self) -> f64 {
+    pub(super) fn stopping_distance(&self) -> f64 {
         let v = self.velocity;
         let [a, j] = self.braking;
         // From a constant speed: 2·√(v/j) s where the acceleration is not reached, else v/a + a/j; at half the

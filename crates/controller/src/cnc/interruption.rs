@@ -100,6 +100,7 @@ impl Cnc {
         let way = at - from;
         if self.aside.kind == Interruption::Shift && !self.aside.returns {
             self.aside.shift = self.aside.shift + way;
+            self.retrace.shift();
         } else {
             self.aside.away = self.aside.away + way;
         }

@@ -217,6 +217,11 @@ impl Planning {
         Some(work.planner.retrace(back))
     }
 
+    /// Whether the path was run back as far as it is known, and the axes stand there.
+    pub fn is_at_back_end(&self) -> bool {
+        self.planner().is_some_and(Planner::is_at_back_end)
+    }
+
     /// What was passed up to here is not run back over; only at rest.
     pub fn forget_passed(&mut self) {
         self.await_planner();

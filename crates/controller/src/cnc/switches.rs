@@ -33,7 +33,7 @@ pub(super) struct Switches {
     dry_run: Option<DryRun>,
     pub auxiliary_lock: bool,
     pub optional_stop: bool,
-    pub may_move: bool,
+    may_move: bool,
     locked: Option<Locked>,
     /// What the drives were told last.
     drive: Position,
@@ -154,7 +154,9 @@ impl Cnc {
 
     /// Holds motion or lets it go on, whoever asks for it.
     pub(super) fn hold_motion(&mut self) {
-        if self.hold || !self.switches.may_move || self.blocks.is_braking() {
+        // A program that is held may be on its way back.
+        let holds = self.hold && !self.retrace.goes_back() || self.retrace.holds();
+        if holds || !self.switches.may_move || self.blocks.is_braking() {
             self.motion.hold();
         } else {
             self.motion.resume();
@@ -194,16 +196,21 @@ impl Cnc {
 
     /// Tells the spindle what a key asks for (4.2); not while a program runs.
     pub fn turn_spindle(&mut self, state: SpindleState) -> bool {
-        let may = !matches!(self.state, State::Running | State::Resetting) && self.stroke.is_none();
+        let may = self.may_turn_spindle();
         if may {
             self.spindle.command(state, &self.commanded);
         }
         may
     }
 
+    fn may_turn_spindle(&self) -> bool {
+        let runs = matches!(self.state, State::Running | State::Resetting);
+        !runs && self.stroke.is_none() && !self.goes_back()
+    }
+
     /// Brings the spindle to rest at its marker; not while a program runs.
     pub fn orient_spindle(&mut self) -> bool {
-        let may = !matches!(self.state, State::Running | State::Resetting) && self.stroke.is_none();
+        let may = self.may_turn_spindle();
         if may {
             self.spindle.orient(0.0);
         }

@@ -153,6 +153,7 @@ impl Cnc {
             self.spindle.command(SpindleState::Off, &Position::ZERO);
         }
         let ((block, span), tools) = (self.taking_up.at, self.taking_up.tools);
+        let at = self.retrace.take_broken_off().unwrap_or(self.commanded);
         self.supervisor.comes_to_rest(self.commanded);
         match self.touches.take() {
             // No block of the program was run.
@@ -162,10 +163,7 @@ impl Cnc {
         self.interpreter.own().set_tools(tools);
         self.forget_lead_in();
         if let Some(journal) = &mut self.taking_up.journal {
-            journal.interrupt(
-                Interrupted { block, span, at: self.commanded },
-                self.interpreter.memory().clone(),
-            );
+            journal.interrupt(Interrupted { block, span, at }, self.interpreter.memory().clone());
         }
     }
 }

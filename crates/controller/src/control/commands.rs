@@ -92,7 +92,7 @@ impl Control {
                 }
                 self.change_data(author, Change::LockProgram { name, locked })
             }
-            Command::Retrace => self.retrace(),
+            Command::Retrace => self.retrace().map(|()| Reply::Done),
             Command::Cursor { line } => self.put_cursor(line),
             Command::Mdi { text } => self.type_mdi(text, false),
             Command::MdiBlock { block } => self.type_mdi(block, true),
@@ -396,17 +396,6 @@ impl Control {
     }
 
     /// 7.4: the cursor is moved in EDIT, and then stays.
-    /// Back along the path of the program that is held.
-    fn retrace(&mut self) -> Answer {
-        if !matches!(self.mode, Mode::Auto | Mode::Mdi | Mode::Dnc) {
-            return Err(Box::new(alarm(Fault::ControlMode).with("mode", name_of(self.mode))));
-        }
-        match self.cnc.retrace() {
-            true => Ok(Reply::Done),
-            false => Err(Box::new(alarm(Fault::NoWayBack))),
-        }
-    }
-
     fn put_cursor(&mut self, line: u32) -> Answer {
         if self.cnc.is_under_way() {
             return Err(Box::new(alarm(Fault::ControlBusy)));

@@ -453,6 +453,9 @@ impl Control {
         self.reading.cancel_start();
         self.release_axes();
         self.event(Event::Mode { mode: self.mode });
+        if self.cnc.goes_back() {
+            self.cnc.feed_hold();
+        }
         if matches!(self.standing(), Standing::Runs | Standing::Finishes) {
             match modes::change(self.program_mode(), self.mode) {
                 Change::Nothing => {}
@@ -475,8 +478,9 @@ impl Control {
         if self.inputs.feed_hold {
             self.reading.cancel_start();
         }
-        if self.inputs.feed_hold || self.inputs.start_lock && self.standing() == Standing::Runs {
-            if self.cnc.returns() || modes::holds(self.standing()) {
+        let moves = self.standing() == Standing::Runs || self.cnc.goes_back();
+        if self.inputs.feed_hold || self.inputs.start_lock && moves {
+            if self.cnc.returns() || self.cnc.goes_back() || modes::holds(self.standing()) {
                 self.cnc.feed_hold();
             }
             return;
@@ -489,7 +493,8 @@ impl Control {
         }
     }
 
-    fn cycle_start(&mut self) -> Result<(), Box<Alarm>> {
+    /// Whether a program may be started, or its axes be sent back.
+    fn may_start(&self) -> Result<(), Box<Alarm>> {
         if self.emergency {
             return Err(Box::new(alarm(Fault::EmergencyStop)));
         }
@@ -499,6 +504,23 @@ impl Control {
         if self.inputs.start_lock {
             return Err(Box::new(alarm(Fault::StartLocked)));
         }
+        Ok(())
+    }
+
+    /// Sends the axes of a program that is held back along its path.
+    fn retrace(&mut self) -> Result<(), Box<Alarm>> {
+        self.may_start()?;
+        if self.mode != self.program_mode() {
+            return Err(Box::new(alarm(Fault::ControlMode).with("mode", name_of(self.mode))));
+        }
+        match !self.inputs.feed_hold && self.cnc.retrace() {
+            true => Ok(()),
+            false => Err(Box::new(alarm(Fault::NoWayBack))),
+        }
+    }
+
+    fn cycle_start(&mut self) -> Result<(), Box<Alarm>> {
+        self.may_start()?;
         match modes::start(self.program_mode(), self.standing(), self.mode) {
             Start::Nothing => Ok(()),
             Start::WrongMode => Err(Box::new(alarm(Fault::ControlMode).with("mode", name_of(self.mode)))),
@@ -664,8 +686,8 @@ impl Control {
             reset: self.reset_left > 0 || matches!(state, State::Resetting),
             rewinding: self.reset_left > 0 && self.rewinds,
             automatic: self.cnc.is_under_way(),
-            running: matches!(state, State::Running),
-            held: matches!(state, State::Held),
+            running: matches!(state, State::Running) || self.cnc.goes_back(),
+            held: matches!(state, State::Held) && !self.cnc.goes_back(),
             distribution_end: !self.tick.moving,
             dry_run: self.inputs.dry_run,
             block_skip: self.inputs.block_skip,
