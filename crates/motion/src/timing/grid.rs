@@ -368,9 +368,12 @@ impl Grid {
             let least = least.min((self.to.s - from.s) / FEWEST);
             // Over many cells the highest speed is reached that much later: by the jerk, and by what a curve takes from the
             // acceleration there.
-            let left = left_node.load.room(here).a.min(right_node.load.room(here).a);
-            let longer =
-                if farthest > cell { here * drive.a / drive.j + here * here / (2.0 * left) } else { 0.0 };
+            let longer = if farthest > cell {
+                let left = left_node.load.room(here).a.min(right_node.load.room(here).a);
+                here * drive.a / drive.j + here * here / (2.0 * left)
+            } else {
+                0.0
+            };
             // Where the highest speed begins, and where slowing down for the end begins.
             let mut top_begin = None;
             let top_end = end - (here * here - high.v * high.v).max(0.0) / (2.0 * drives[1].a);
