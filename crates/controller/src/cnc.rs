@@ -197,6 +197,8 @@ pub struct Cnc {
     period: f64,
     tool_change_s: f64,
     state: State,
+    /// What a reset clears is cleared once axes moved by hand stand.
+    clears: bool,
     hold: bool,
     /// End of the last move given to motion.
     commanded: Position,
@@ -283,6 +285,7 @@ impl Cnc {
             period,
             tool_change_s: machine.tool_change.time_s,
             state: State::Ready,
+            clears: false,
             hold: false,
             commanded: start,
             renamed: Position::default(),
@@ -426,6 +429,7 @@ impl Cnc {
             || matches!(self.state, State::Ended | State::Reset)
             || self.waits_in_thread(Asked::Reset)
         {
+            self.clears |= self.manual.is_active && matches!(self.state, State::Ended | State::Reset);
             return;
         }
         self.restart_drives();
@@ -442,6 +446,8 @@ impl Cnc {
             self.failed = homing;
         } else {
             // With nothing under way it clears what a reset does (GSK990MC 34#7, 35, 36).
+            self.spindle.command(SpindleState::Off, &self.commanded);
+            self.clears = self.manual.is_active;
             self.clear();
         }
     }
@@ -680,6 +686,9 @@ impl Cnc {
             self.supervisor.moved_to(at);
             self.commanded = at;
             self.interpreter.own().came_to_rest(&AtRest { commanded: at, actual: self.actual, skip: None });
+            if std::mem::take(&mut self.clears) {
+                self.clear();
+            }
         }
         tick
     }

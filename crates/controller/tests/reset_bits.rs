@@ -7,6 +7,7 @@ mod common;
 use common::shop::Shop;
 use ferrocut_controller::Mode;
 use ferrocut_controller::api::{Activity, Command, OffsetValues, RelativeTo};
+use ferrocut_controller::signals::Ways;
 
 /// How a run is given up.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -21,13 +22,17 @@ enum When {
     /// Stopped on its way, by M00.
     UnderWay,
     Ended,
+    /// The same, and an axis is moved by hand.
+    Jogging,
 }
 
-const CASES: [(Stop, When); 4] = [
+const CASES: [(Stop, When); 6] = [
     (Stop::Reset, When::UnderWay),
     (Stop::Reset, When::Ended),
     (Stop::Emergency, When::UnderWay),
     (Stop::Emergency, When::Ended),
+    (Stop::Reset, When::Jogging),
+    (Stop::Emergency, When::Jogging),
 ];
 
 fn stop(shop: &mut Shop, how: Stop) {
@@ -62,6 +67,12 @@ fn stopped(parameters: &[(&str, f64)], blocks: &str, (how, when): (Stop, When)) 
     let activity = shop.until_it_stops().activity;
     let wanted = if when == When::UnderWay { Activity::Stopped } else { Activity::Idle };
     assert_eq!(activity, wanted, "{blocks}: {:?}", shop.told());
+    if when == When::Jogging {
+        shop.mode(Mode::Jog);
+        shop.inputs.jog[0] = Ways { plus: true, minus: false };
+        assert_eq!(shop.wait(300).activity, Activity::ByHand);
+        shop.inputs.jog[0] = Ways::default();
+    }
     stop(&mut shop, how);
     shop
 }
@@ -122,6 +133,7 @@ fn what_is_kept_of_coordinates_acts_and_what_is_cleared_does_not() {
         for case in CASES {
             for (value, wanted) in [(0.0, kept), (1.0, cleared)] {
                 let mut shop = stopped(&[(bit, value)], blocks, case);
+                shop.mode(Mode::Mdi);
                 shop.say(Command::Mdi { text: next.into() });
                 shop.start();
                 shop.until_it_stops();
@@ -139,6 +151,7 @@ fn the_data_of_a_hole_are_kept_or_cleared_with_its_cycle() {
     for case in CASES {
         for (value, depth) in [(0.0, -2.0), (1.0, 0.0)] {
             let mut shop = stopped(&[("NO36.1", value)], "S900 M03\nG90 G98 G81 X1 Y1 Z-2 R-1 F500", case);
+            shop.mode(Mode::Mdi);
             shop.say(Command::Mdi { text: "S900 M03\nX9".into() });
             shop.start();
             let mut deepest = 0.0_f64;
