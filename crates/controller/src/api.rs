@@ -309,6 +309,14 @@ pub enum Command {
         /// The names.
         names: Vec<String>,
     },
+    /// The signals of an area that have a name, with what they mean.
+    SignalTable {
+        /// Letter of the area: X, Y, F, G, A, K, T, C, D, R.
+        area: char,
+        /// Tag of the language of the meanings; English where it is missing.
+        #[serde(default)]
+        language: Option<String>,
+    },
     /// The ladder that runs, as a list.
     Ladder,
     /// Has the powered flow of the ladder recorded, or no longer.
@@ -825,6 +833,11 @@ pub enum Reply {
         /// By the name that was asked for; bytes and numbers as they are, bits 0 or 1.
         signals: BTreeMap<String, i64>,
     },
+    /// Signals that have a name.
+    SignalTable {
+        /// In the order of their addresses.
+        signals: Vec<NamedSignal>,
+    },
     /// Signals that are forced.
     Forced {
         /// In the order of their addresses.
@@ -923,6 +936,20 @@ pub enum Reply {
         /// The clock of the control's computer, ms since 1970 (UTC).
         time: i64,
     },
+}
+
+/// A signal that the NC or the ladder has a name for.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+pub struct NamedSignal {
+    /// Its name.
+    pub name: String,
+    /// Its address, `F7.0`; of a number, that of its first byte.
+    pub address: String,
+    /// What it means.
+    pub meaning: String,
+    /// What it is: a bit 0 or 1, a number without sign.
+    pub value: u32,
 }
 
 /// A signal that is forced: nothing writes it until it is released.

@@ -59,6 +59,12 @@ fn named(name: &str, address: Address) -> Entry {
 }
 
 impl Entry {
+    /// Its address as people write it: `F7.0`, `D12`.
+    pub fn place(&self) -> String {
+        let bit = self.address.bit.map_or_else(String::new, |bit| format!(".{bit}"));
+        format!("{:?}{}{bit}", self.address.area, self.address.byte)
+    }
+
     /// Its value: a bit 0 or 1, a number without sign.
     pub fn value(&self, memory: &Memory) -> u32 {
         match self.bytes {
@@ -103,11 +109,6 @@ mod tests {
         Program::from_text(LADDER.as_bytes(), &Limits::default()).unwrap()
     }
 
-    fn shown(address: Address) -> String {
-        let bit = address.bit.map_or_else(String::new, |bit| format!(".{bit}"));
-        format!("{:?}{}{bit}", address.area, address.byte)
-    }
-
     #[test]
     fn every_signal_has_a_meaning_in_every_language_and_the_document_says_the_same() {
         let ladder = ladder();
@@ -118,7 +119,7 @@ mod tests {
                     [Language::En, Language::Zh].map(|l| Catalogue::new(l).label(&label(&entry.name), &[]));
                 assert!(en != label(&entry.name), "no text for {}", entry.name);
                 assert!(zh != en && !zh.is_ascii(), "{}: {zh}", entry.name);
-                let row = format!("| `{}` | `{}` | {en} |", shown(entry.address), entry.name);
+                let row = format!("| `{}` | `{}` | {en} |", entry.place(), entry.name);
                 assert!(DOCUMENT.contains(&row), "docs/plc.md lacks\n{row}");
                 rows += 1;
             }

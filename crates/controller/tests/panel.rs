@@ -5,7 +5,7 @@
 #[path = "common/panel.rs"]
 mod panel;
 
-use ferrocut_controller::api::{Activity, Command, Reply};
+use ferrocut_controller::api::{Activity, Command, NamedSignal, Reply};
 use ferrocut_controller::drives::Block;
 use ferrocut_controller::signals::ROWS;
 use ferrocut_controller::{Mode, Parts, Plant};
@@ -408,6 +408,33 @@ fn a_key_that_is_pressed_and_let_go_between_two_scans_acts() {
     tap(&mut mill, "KEY_X-");
     let status = mill.wait(1000);
     assert_eq!(status.activity, Activity::Idle);
+}
+
+#[test]
+fn signals_have_names_meanings_and_values_for_any_front() {
+    let machine = Machine::demo_mill();
+    let text = "KEY_A = X20.0 ; the key A\nRD KEY_A\nWRT Y0.0\nEND1\nEND2\n";
+    let mut mill = Mill::with_ladder(&machine, text, Parts::default());
+    mill.say(Command::Key { key: "KEY_A".into(), down: true });
+    mill.wait(2);
+    let of = |mill: &mut Mill, area, language: &str| match mill
+        .say(Command::SignalTable { area, language: Some(language.into()) })
+    {
+        Reply::SignalTable { signals } => signals,
+        reply => panic!("{reply:?}"),
+    };
+    let keys = of(&mut mill, 'X', "en");
+    let key = keys.iter().find(|signal| signal.name == "KEY_A").unwrap();
+    assert_eq!((&*key.address, &*key.meaning, key.value), ("X20.0", "the key A", 1));
+    let ready = |signals: Vec<NamedSignal>| signals.into_iter().find(|signal| signal.name == "MA").unwrap();
+    let [english, russian] = ["en", "ru"].map(|tag| ready(of(&mut mill, 'F', tag)));
+    assert_eq!(english.value, 1);
+    assert!(!english.meaning.is_empty() && english.meaning != russian.meaning, "{english:?} {russian:?}");
+    for (area, language) in [('Q', "en"), ('X', "xx")] {
+        let command = Command::SignalTable { area, language: Some(language.into()) };
+        let refusal = mill.control.command(command, &Author::Control).unwrap_err();
+        assert_eq!(refusal.alarm.id, "FC-1407");
+    }
 }
 
 #[test]

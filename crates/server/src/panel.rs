@@ -144,6 +144,7 @@ impl Service for Panel {
             | Command::AlarmHistory { .. }
             | Command::OperationLog { .. }
             | Command::Signals { .. }
+            | Command::SignalTable { .. }
             | Command::Forced
             | Command::Ladder
             | Command::LadderFlow

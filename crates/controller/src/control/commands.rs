@@ -4,14 +4,15 @@ use super::status::PARTS_MACHINED;
 use super::taking_up::Wanted;
 use super::{Control, alarm, capture, library, name_of, trace};
 use crate::api::{
-    API_VERSION, ByAxis, Command, Event, LogLine, OffsetValues, PastAlarm, ProgramInfo, Refusal, RelativeTo,
-    Reply,
+    API_VERSION, ByAxis, Command, Event, LogLine, NamedSignal, OffsetValues, PastAlarm, ProgramInfo, Refusal,
+    RelativeTo, Reply,
 };
+use crate::diagnosis::{Entry, entries};
 use crate::restart::How;
 use crate::signals::Mode;
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_machine::setup::VariableName;
-use ferrocut_machine::{Alarm, Fault, ParameterKey, ToolOffset, WorkOffset};
+use ferrocut_machine::{Alarm, Fault, Language, ParameterKey, ToolOffset, WorkOffset};
 use ferrocut_memory::items::limits;
 use ferrocut_memory::password::Seat;
 use ferrocut_memory::{Author, Backup, Change, Counter, Item, Level, Session};
@@ -146,6 +147,7 @@ impl Control {
             Command::OperationLog { most } => self.operation_log(most),
             Command::ClearOperationLog => self.needs_memory(author, Change::ClearLog),
             Command::Signals { names } => self.signals(&names),
+            Command::SignalTable { area, language } => self.signal_table(area, language.as_deref()),
             Command::Ladder => {
                 let plc = self.plc.as_ref().ok_or_else(|| named(Fault::NotFitted, "ladder"))?;
                 Ok(Reply::Text { text: plc.program().text() })
@@ -289,6 +291,22 @@ impl Control {
             signals.insert(name.clone(), value);
         }
         Ok(Reply::Signals { signals })
+    }
+
+    fn signal_table(&self, area: char, language: Option<&str>) -> Answer {
+        let plc = self.plc.as_ref().ok_or_else(|| named(Fault::NotFitted, "ladder"))?;
+        let area = Area::from_letter(area).ok_or_else(|| named(Fault::NoSuchName, area))?;
+        let language = language.map_or(Ok(Language::En), |tag| {
+            Language::from_tag(tag).ok_or_else(|| named(Fault::NoSuchName, tag))
+        })?;
+        let entry = |entry: Entry| NamedSignal {
+            address: entry.place(),
+            meaning: entry.meaning(language, plc.program()),
+            value: entry.value(plc.memory()),
+            name: entry.name,
+        };
+        let signals = entries(area, plc.program()).into_iter().map(entry).collect();
+        Ok(Reply::SignalTable { signals })
     }
 
     // Programs.

@@ -7,7 +7,7 @@ use super::query::{Spoken, catalogue};
 use axum::extract::{Query, State};
 use axum::routing::get;
 use axum::{Json, Router};
-use ferrocut_controller::diagnosis::{Entry, entries};
+use ferrocut_controller::diagnosis::entries;
 use ferrocut_desk::page::meaning;
 use ferrocut_desk::{Book, asked, memory_of};
 use ferrocut_interpreter::{Dialect, dialects};
@@ -326,13 +326,9 @@ async fn ladder(shared: &Arc<Shared>) -> Result<Option<Program>, Problem> {
 
 fn signals_of(ladder: Option<&Program>, texts: Catalogue) -> Vec<Signal> {
     let Some(ladder) = ladder else { return Vec::new() };
-    let address = |entry: &Entry| {
-        let bit = entry.address.bit.map_or_else(String::new, |bit| format!(".{bit}"));
-        format!("{:?}{}{bit}", entry.address.area, entry.address.byte)
-    };
     let all = AREAS.into_iter().flat_map(|area| entries(area, ladder));
     all.map(|entry| Signal {
-        address: address(&entry),
+        address: entry.place(),
         meaning: entry.meaning(texts.language(), ladder),
         name: entry.name,
     })

@@ -740,7 +740,11 @@ entries: Array<LogLine>, } | { "reply": "signals",
 /**
  * By the name that was asked for; bytes and numbers as they are, bits 0 or 1.
  */
-signals: { [key in string]: number }, } | { "reply": "forced",
+signals: { [key in string]: number }, } | { "reply": "signal_table",
+/**
+ * In the order of their addresses.
+ */
+signals: Array<NamedSignal>, } | { "reply": "forced",
 /**
  * In the order of their addresses.
  */
@@ -1516,7 +1520,15 @@ most: number, } | { "do": "clear_operation_log" } | { "do": "signals",
 /**
  * The names.
  */
-names: Array<string>, } | { "do": "ladder" } | { "do": "watch_ladder",
+names: Array<string>, } | { "do": "signal_table",
+/**
+ * Letter of the area: X, Y, F, G, A, K, T, C, D, R.
+ */
+area: string,
+/**
+ * Tag of the language of the meanings; English where it is missing.
+ */
+language?: string | null, } | { "do": "ladder" } | { "do": "watch_ladder",
 /**
  * Whether.
  */
