@@ -81,6 +81,11 @@ impl Auxiliary {
         }
     }
 
+    /// The gear of the spindle that is engaged, counted from 1.
+    pub fn gear(&self) -> u8 {
+        self.spindle.engaged()
+    }
+
     /// What the ladder says in this period.
     pub fn hear(&mut self, inputs: &Inputs) {
         self.inputs.clone_from(inputs);

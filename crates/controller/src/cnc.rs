@@ -40,6 +40,7 @@ use crate::supervision::Supervisor;
 use block_end::{Block, Blocks};
 use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_interpreter::{AtRest, Interpreter};
+use ferrocut_machine::config::SpindleConfig;
 use ferrocut_machine::{Alarm, Fault, Machine};
 use ferrocut_motion::servo::{Kind, Servo, ServoFault, ServoFaultKind};
 use ferrocut_motion::synchron::Synchron;
@@ -185,8 +186,8 @@ pub struct Cnc {
     skip_shift: Position,
     thread: Option<InThread>,
     stroke: Option<Stroke>,
-    /// Highest acceleration of the spindle in a thread, inwards and outwards, r/min per second.
-    tapping_rates: [f64; 2],
+    /// The spindle with its gears.
+    spindle_config: SpindleConfig,
     /// How long after its command the spindle may come to rest, s.
     patience: f64,
     /// What the axes moved for last.
@@ -273,8 +274,7 @@ impl Cnc {
             skip_shift: Position::ZERO,
             thread: None,
             stroke: None,
-            tapping_rates: [machine.spindle.tapping_rpm_s, machine.spindle.tapping_retract_rpm_s]
-                .map(|rate| rate.min(machine.spindle.acceleration_rpm_s)),
+            spindle_config: machine.spindle.clone(),
             patience: machine.servo.in_position_ms / 1000.0,
             kind: Kind::Cutting,
             exact_stop: machine.path.exact_stop,

@@ -84,6 +84,11 @@ impl Spindle {
         }
     }
 
+    /// Another gear is engaged, in which the encoder has so many counts in a turn of the spindle.
+    pub fn set_encoder(&mut self, counts: f64) {
+        self.counts = counts.max(1.0);
+    }
+
     /// Speed without its sense, r/min.
     pub fn rpm(&self) -> f64 {
         self.told.abs()

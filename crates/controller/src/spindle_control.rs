@@ -178,23 +178,14 @@ impl SpindleControl {
         }
     }
 
-    /// The gear: what the ladder says, the number that S is, or the lowest one that has the speed (part 2,
-    /// 4.2.4: three of them are chosen by speed).
+    /// The gear: what the ladder says, or what the speed needs.
     fn gear(&self, inputs: &Inputs) -> u8 {
-        if self.gears.chosen_by_ladder {
-            return inputs.gear;
-        }
-        let wanted = self.speed.rpm(&self.surface_at);
-        if self.gears.switched {
-            // The last two digits of S count (part 1, 6.2).
-            return (wanted.max(0.0) % 100.0) as u8;
-        }
-        let [first, second, ..] = self.gears.max_rpm;
-        match wanted {
-            rpm if rpm <= first || second <= 0.0 => 1,
-            rpm if rpm <= second || self.gears.max_rpm.get(2).is_none_or(|third| *third <= 0.0) => 2,
-            _ => 3,
-        }
+        self.gears.of_speed(self.speed.rpm(&self.surface_at)).unwrap_or(inputs.gear)
+    }
+
+    /// The gear that is engaged.
+    pub fn engaged(&self) -> u8 {
+        self.gear
     }
 
     /// Tells the ladder.

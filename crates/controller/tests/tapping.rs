@@ -56,7 +56,6 @@ fn check_limits(machine: &Machine, moments: &[Moment]) {
     let axis = machine.axis(Axis::Z).unwrap();
     let t = machine.servo_period_ms / 1000.0;
     let mut d: Vec<f64> = moments.iter().map(z).collect();
-    // Positioning has no limit of jerk yet: what tapping adds is looked at alone.
     for (n, limit) in [(1, axis.rapid / 60.0), (2, axis.acceleration)] {
         d = d.windows(2).map(|w| (w[1] - w[0]) / t).collect();
         let most = d.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
@@ -135,14 +134,40 @@ fn smoothing_of_cutting_does_not_delay_a_tap() {
 
 #[test]
 fn the_way_out_has_its_own_time_constant() {
-    let setup = "[parameters]\nP294 = 600\nP298 = 300\nP302 = 600";
-    let mut control = common::cnc_with(&machine(), PROGRAM, setup);
-    let moments = run(&mut control, |_, _| {});
-    check_in_step(&moments, 1.5);
-    // 600 r/min in 0.3 s takes 1.5 turns, in 0.6 s 3; the rest at 10 turns a second.
-    let cutting = control.report().time(Activity::Cutting);
-    let expected = 2.0 * TURNS / 10.0 + 0.3 + 0.6;
-    assert!((cutting - expected).abs() < 0.02, "{cutting} {expected}");
+    // In the first gear, and in the second and the third one, which S 600 needs.
+    for setup in [
+        "P294 = 600\nP298 = 300\nP302 = 600",
+        "P246 = 599\nP294 = 100\nP295 = 600\nP299 = 300\nP303 = 600",
+        "P246 = 500\nP247 = 599\nP295 = 100\nP296 = 600\nP300 = 300\nP304 = 600",
+    ] {
+        let mut control = common::cnc_with(&machine(), PROGRAM, &format!("[parameters]\n{setup}"));
+        let moments = run(&mut control, |_, _| {});
+        check_in_step(&moments, 1.5);
+        // 600 r/min in 0.3 s takes 1.5 turns, in 0.6 s 3; the rest at 10 turns a second.
+        let cutting = control.report().time(Activity::Cutting);
+        let expected = 2.0 * TURNS / 10.0 + 0.3 + 0.6;
+        assert!((cutting - expected).abs() < 0.02, "{setup}: {cutting} {expected}");
+    }
+}
+
+/// GSK990MC P294 to P297: 0200. Where the ladder chooses the gear (38#5) the machine judges it, not the program's
+/// reader.
+#[test]
+fn no_gear_taps_faster_than_it_may() {
+    for (setup, in_program) in [
+        ("P294 = 599", true),
+        ("P246 = 599\nP295 = 599", true),
+        ("P246 = 599\nP294 = 1", false),
+        ("\"NO38.5\" = 1\nP294 = 599\nP246 = 600", true),
+    ] {
+        let mut control = common::cnc_with(&machine(), PROGRAM, &format!("[parameters]\n{setup}"));
+        run(&mut control, |_, _| {});
+        let fault = match control.state() {
+            State::Alarmed(alarm) => Some((alarm.fault, alarm.span.line)),
+            _ => None,
+        };
+        assert_eq!(fault, in_program.then_some((Fault::TappingSpeed, 3)), "{setup}");
+    }
 }
 
 #[test]

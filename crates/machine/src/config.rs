@@ -168,6 +168,35 @@ pub struct SpindleConfig {
     /// How it is told its speed on a machine with a ladder.
     #[serde(default)]
     pub gears: GearConfig,
+    /// Rigid tapping in each gear, the first one first; empty where the keys above hold for all of them.
+    #[serde(skip)]
+    pub tapping: Vec<TappingGear>,
+}
+
+/// Rigid tapping in a gear of the spindle.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct TappingGear {
+    /// Highest speed, r/min.
+    pub max_rpm: f64,
+    /// Counts of the encoder in a turn of the spindle.
+    pub encoder_counts: f64,
+    /// Acceleration on the way in and on the way out, r/min per second.
+    pub rpm_s: [f64; 2],
+}
+
+impl SpindleConfig {
+    /// Rigid tapping in a gear, counted from 1. A gear that is not known taps as the first.
+    pub fn tapping_in(&self, gear: u8) -> TappingGear {
+        let of_keys = TappingGear {
+            max_rpm: f64::INFINITY,
+            encoder_counts: self.encoder_counts,
+            rpm_s: [self.tapping_rpm_s, self.tapping_retract_rpm_s],
+        };
+        let of_gear =
+            usize::from(gear).checked_sub(1).and_then(|n| self.tapping.get(n)).or(self.tapping.first());
+        let found = of_gear.copied().unwrap_or(of_keys);
+        TappingGear { rpm_s: found.rpm_s.map(|rate| rate.min(self.acceleration_rpm_s)), ..found }
+    }
 }
 
 impl Default for SpindleConfig {
@@ -179,6 +208,7 @@ impl Default for SpindleConfig {
             tapping_retract_rpm_s: unlimited(),
             encoder_counts: default_counts(),
             gears: GearConfig::default(),
+            tapping: Vec::new(),
         }
     }
 }

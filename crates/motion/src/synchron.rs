@@ -61,6 +61,8 @@ pub struct Thread {
     pub is_clockwise: bool,
     /// Highest acceleration of the spindle, r/min per second.
     pub acceleration_rpm_s: f64,
+    /// Counts of its encoder in a turn of it, in the gear that is engaged.
+    pub encoder_counts: f64,
 }
 
 /// The gear.
@@ -125,6 +127,7 @@ impl Synchron {
         let turns = from.distance(thread.to) / thread.pitch;
         let is_thread =
             turns > 0.0 && turns < MOST_TURNS && thread.rpm > 0.0 && thread.acceleration_rpm_s > 0.0;
+        self.counts = thread.encoder_counts.max(1.0);
         if !is_thread || !thread.pitch.is_finite() || !angle.is_finite() {
             return false;
         }

@@ -29,7 +29,7 @@ impl Spindle {
 }
 
 fn thread(to: Position, pitch: f64, rpm: f64, is_clockwise: bool) -> Thread {
-    Thread { to, pitch, rpm, is_clockwise, acceleration_rpm_s: 4000.0 }
+    Thread { to, pitch, rpm, is_clockwise, acceleration_rpm_s: 4000.0, encoder_counts: 4096.0 }
 }
 
 /// What a stroke did: positions of Z and angles of the spindle, period by period, and the greatest change of its
@@ -86,7 +86,7 @@ proptest! {
         stop in prop::option::of(0usize..3000),
     ) {
         let mut machine = Machine::demo_mill();
-        (machine.servo_period_ms, machine.spindle.encoder_counts) = (period_ms, counts);
+        machine.servo_period_ms = period_ms;
         let period = period_ms / 1000.0;
         let mut gear = Synchron::new(&machine, Position::ZERO);
         let mut spindle = Spindle::new(lag_ms / 1000.0, counts, period);
@@ -96,7 +96,7 @@ proptest! {
         let mut angle = 0.0;
         let mut from = Position::ZERO;
         for (k, (_, to, rpm, clockwise)) in strokes.into_iter().enumerate() {
-            prop_assert!(gear.begin(from, angle, &thread(to, pitch, rpm, clockwise)));
+            prop_assert!(gear.begin(from, angle, &Thread { encoder_counts: counts, ..thread(to, pitch, rpm, clockwise) }));
             let stop = stop.filter(|_| k == 0);
             let run = run(&mut gear, &mut spindle, period, stop);
             let way = to - from;

@@ -5,6 +5,7 @@
 use super::{Cnc, Given, State, Tick};
 use crate::programmed::{Programmed, Way};
 use crate::report::Activity;
+use crate::restart::own_alarm;
 use ferrocut_geometry::Position;
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_motion::servo::Kind;
@@ -134,22 +135,33 @@ impl Cnc {
         }
         let entry = self.thread.map_or(from, |thread| thread.entry);
         let is_out = from.distance(entry) > to.distance(entry);
-        let [inwards, outwards] = self.tapping_rates;
+        let of_gear = self.spindle_config.tapping_in(self.gear(rpm));
+        let [inwards, outwards] = of_gear.rpm_s;
+        self.spindle.set_encoder(of_gear.encoder_counts);
         let thread = Thread {
             to,
             pitch: pitch.abs(),
-            rpm,
+            // The way out may be asked for at more than the gear has (GSK990MC 44#4, P283).
+            rpm: if is_out { rpm.min(of_gear.max_rpm) } else { rpm },
             // A right-hand thread goes in clockwise, in the negative direction.
             is_clockwise: farthest * pitch < 0.0,
             acceleration_rpm_s: if is_out { outwards } else { inwards },
+            encoder_counts: of_gear.encoder_counts,
         };
+        if thread.rpm > of_gear.max_rpm {
+            // P294 to P297. Where the ladder chooses the gear nobody knew it before.
+            self.thread = None;
+            let alarm = own_alarm(self.interpreter.dialect(), Fault::TappingSpeed, self.span);
+            self.state = State::Alarmed(Box::new(alarm));
+            return;
+        }
         let number = self.next_tag;
         self.next_tag += 1;
         let programmed = Programmed {
             number,
             way: Way::Line(from, to),
             is_rapid: false,
-            feed: Some((pitch * rpm / 60.0).abs()),
+            feed: Some((pitch * thread.rpm / 60.0).abs()),
             tolerance: None,
         };
         self.stroke = Some(Stroke { from, thread, programmed, has_begun: false });
@@ -157,6 +169,12 @@ impl Cnc {
             let seconds = self.spindle.orient(0.0);
             self.keep_busy(Activity::Spindle, seconds);
         }
+    }
+
+    /// The gear in which the spindle turns so fast.
+    fn gear(&self, rpm: f64) -> u8 {
+        let by_speed = || self.spindle_config.gears.of_speed(rpm).unwrap_or(1);
+        self.auxiliary.as_ref().map_or_else(by_speed, |auxiliary| auxiliary.gear())
     }
 
     /// A period of a stroke in a thread.

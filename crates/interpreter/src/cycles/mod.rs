@@ -36,7 +36,7 @@ pub use mill::MillShape;
 use mill::MillWords;
 pub use pattern::Pattern;
 use pattern::Places;
-pub use rules::{NoDepth, Repeat, Restart, Rules, Tapping};
+pub use rules::{NoDepth, Repeat, Restart, RigidSpeeds, Rules, Tapping};
 
 use crate::Fallible;
 use crate::dialect::Meaning;

@@ -32,6 +32,32 @@ pub enum Restart {
     Clockwise,
 }
 
+/// How fast the spindle may turn in rigid tapping, r/min.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct RigidSpeeds {
+    /// In any gear.
+    pub highest: f64,
+    /// In each gear.
+    pub in_gear: [f64; 4],
+    /// Up to which speed the spindle turns in the first and in the second gear; none where the ladder chooses it,
+    /// and the machine judges the speed in the gear that is engaged.
+    pub gear_up_to: Option<[f64; 2]>,
+}
+
+impl RigidSpeeds {
+    /// The highest speed in the gear that `rpm` needs.
+    pub fn limit(&self, rpm: f64) -> f64 {
+        let [first, second, third, fourth] = self.in_gear;
+        let in_gear = match self.gear_up_to {
+            None => first.max(second).max(third).max(fourth),
+            Some([up_to, _]) if rpm <= up_to => first,
+            Some([_, up_to]) if rpm <= up_to => second,
+            Some(_) => third,
+        };
+        in_gear.min(self.highest)
+    }
+}
+
 /// How the feed of a tapping cycle comes about.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Tapping {
@@ -40,8 +66,8 @@ pub enum Tapping {
     Feed {
         /// Rigid tapping is fitted.
         rigid: bool,
-        /// Highest spindle speed of it, r/min.
-        max_rigid_rpm: f64,
+        /// Highest spindle speeds of it.
+        rigid_speeds: RigidSpeeds,
         /// Speed of the spindle on the way out of a rigidly tapped thread, over that on the way in.
         rigid_retract: f64,
         /// It begins with an oriented spindle stop.

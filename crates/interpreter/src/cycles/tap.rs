@@ -26,7 +26,7 @@ impl Interpreter {
             return Err(self.level_alarm(Fault::CycleDepthAboveR));
         }
         let rpm = self.technology.speed.unwrap_or(0.0);
-        let Tapping::Feed { max_rigid_rpm, rigid_retract, rigid_orients, steps_are_fast, retract, .. } =
+        let Tapping::Feed { rigid_speeds, rigid_retract, rigid_orients, steps_are_fast, retract, .. } =
             self.rules.cycles.tapping
         else {
             return match self.rules.cycles.tapping {
@@ -48,7 +48,7 @@ impl Interpreter {
             self.check_pecks(r - z, steps.depth)?;
         }
         let rigid = self.taps_rigidly();
-        let limit = if rigid { max_rigid_rpm } else { self.rules.cycles.max_tapping_rpm };
+        let limit = if rigid { rigid_speeds.limit(rpm) } else { self.rules.cycles.max_tapping_rpm };
         if rpm <= 0.0 || rpm > limit {
             return Err(self.alarm(Fault::TappingSpeed, self.cycle_span()));
         }

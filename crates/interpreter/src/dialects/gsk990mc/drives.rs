@@ -4,7 +4,7 @@
 //! is kept. What P201 to P235 do is otherwise what their names say, and Fanuc 0i-M where they say no more.
 
 use super::acceleration;
-use ferrocut_machine::config::SpindleConfig;
+use ferrocut_machine::config::{SpindleConfig, TappingGear};
 use ferrocut_machine::manual::ManualConfig;
 use ferrocut_machine::restart::RestartConfig;
 use ferrocut_machine::{AxisConfig, AxisHoming, DrivesConfig, GearConfig, HomingConfig, Machine, Parameters};
@@ -117,25 +117,33 @@ fn restart(parameters: &Parameters, restart: &mut RestartConfig) {
     restart.cuts_z = parameters.bit(49, 0);
 }
 
-/// P261, P286 to P305 and bits 38#6, 38#7, 44#1, 45#2: encoder of the spindle, and its acceleration in rigid tapping.
-/// Gear 1; the ladder selects the others.
+/// P261, P286 to P305 and bits 38#6, 38#7, 44#1, 45#2: encoder of the spindle, and rigid tapping in each gear.
 fn spindle(parameters: &Parameters, spindle: &mut SpindleConfig) {
-    let p = |number: u16| parameters.data(number);
+    spindle.tapping = (0..4).map(|gear| tapping(parameters, gear, spindle)).collect();
+    if let Some(first) = spindle.tapping.first() {
+        spindle.encoder_counts = first.encoder_counts;
+        [spindle.tapping_rpm_s, spindle.tapping_retract_rpm_s] = first.rpm_s;
+    }
+    gears(parameters, &mut spindle.gears);
+}
+
+/// Rigid tapping in a gear, counted from 0.
+fn tapping(parameters: &Parameters, gear: u16, spindle: &SpindleConfig) -> TappingGear {
+    let p = |first: u16| parameters.data(first + gear);
     // Turns of the encoder in one of the spindle.
     let ratio = match parameters.bit(44, 1) {
         true => p(286) / p(290),
         false => f64::from(1 << (u8::from(parameters.bit(38, 6)) + 2 * u8::from(parameters.bit(38, 7)))),
     };
-    let counts = COUNTS_A_LINE * p(261) * ratio;
-    if counts.is_finite() && counts >= 1.0 {
-        spindle.encoder_counts = counts;
-    }
+    let counts = COUNTS_A_LINE * parameters.data(261) * ratio;
     // The time constant leads to the highest speed of the gear (Fanuc 5241, 5261). 45#2: one for both ways.
     let (inwards, outwards) = (p(298), if parameters.bit(45, 2) { p(298) } else { p(302) });
     let rate = |ms: f64| if ms > 0.0 && p(294) > 0.0 { p(294) / ms * 1000.0 } else { f64::INFINITY };
-    spindle.tapping_rpm_s = spindle.tapping_rpm_s.min(rate(inwards));
-    spindle.tapping_retract_rpm_s = spindle.tapping_retract_rpm_s.min(rate(outwards));
-    gears(parameters, &mut spindle.gears);
+    TappingGear {
+        max_rpm: p(294),
+        encoder_counts: if counts.is_finite() && counts >= 1.0 { counts } else { spindle.encoder_counts },
+        rpm_s: [spindle.tapping_rpm_s.min(rate(inwards)), spindle.tapping_retract_rpm_s.min(rate(outwards))],
+    }
 }
 
 /// P242, P246 to P249, P262 and bits 1#2, 37#2, 37#3, 38#0, 38#5 (part 2, 4.2.4; part 1, 6.1 to 6.3).

@@ -2,7 +2,7 @@
 
 use super::codes::G_CODES;
 use crate::coordinates::{self, SetPosition};
-use crate::cycles::{self, NoDepth, Repeat, Restart, Tapping};
+use crate::cycles::{self, NoDepth, Repeat, Restart, RigidSpeeds, Tapping};
 use crate::dialect::{ResetRules, Rules, ScalingRules};
 use crate::dialects::fanuc;
 use crate::modal::Modal;
@@ -19,6 +19,18 @@ const CALL_DEPTH: usize = 4;
 
 /// Macro calls nested (4.9.3 note 4).
 const MACRO_DEPTH: usize = 5;
+
+/// P257, P294 to P297 and the gears (P246 to P248, bits 1#2 and 38#5).
+fn rigid_speeds(parameters: &Parameters) -> RigidSpeeds {
+    let p = |number| parameters.data(number);
+    let up_to =
+        |speed: u16| if p(speed + 1) > 0.0 && !parameters.bit(1, 2) { p(speed) } else { f64::INFINITY };
+    RigidSpeeds {
+        highest: p(257),
+        in_gear: [294, 295, 296, 297].map(p),
+        gear_up_to: (!parameters.bit(38, 5)).then(|| [246, 247].map(up_to)),
+    }
+}
 
 /// 15#2, P144, P146: which corners are slowed down for.
 pub fn corner_rule(parameters: &Parameters) -> CornerRule {
@@ -152,8 +164,7 @@ fn cycles(parameters: &Parameters) -> cycles::Rules {
         restart: Restart::AsBefore,
         tapping: Tapping::Feed {
             rigid: parameters.bit(46, 1),
-            // P295 to P297 are those of further gears, which the ladder selects.
-            max_rigid_rpm: p(257).min(p(294)),
+            rigid_speeds: rigid_speeds(parameters),
             // 44#4, P283 in steps of 1 % or with 45#3 of 10 %.
             rigid_retract: match parameters.bit(44, 4) {
                 true => p(283).max(1.0) * if parameters.bit(45, 3) { 0.1 } else { 0.01 },
