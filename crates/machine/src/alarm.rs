@@ -745,6 +745,10 @@ faults! {
     /// What the machine told the program in the first run is not known.
     RestartUnknown = 1445,
 
+    // 1446: what the machine says through its ladder
+    /// A message of the ladder has come.
+    MachineMessage = 1446,
+
     // 1480: the drives of a real machine
     /// Nobody answers where the drives are said to be.
     DrivesSilent = 1480,

@@ -74,7 +74,7 @@
 //! | `Ladder` | `word` |
 //! | `LadderUnusable` | `line` |
 //! | `ControlMode`, `ControlInterrupted` | `mode` |
-//! | `NotFitted`, `NoSuchName`, `ProgramInUse`, `ValueImpossible`, `SignalNotData` | `name` |
+//! | `NotFitted`, `NoSuchName`, `ProgramInUse`, `ValueImpossible`, `SignalNotData`, `MachineMessage` | `name` |
 //! | `NoSuchLine` | `line` |
 //! | `NotKept` | `reason` |
 //! | `RestartOtherProgram`, `RestartChanged`, `RestartNotAsProgram` | `name` |

@@ -1,7 +1,9 @@
 //! What the control reads of a ladder in every period, looked up by name once for each ladder that runs.
 
 use super::Control;
+use super::commands::named;
 use crate::api::Event;
+use ferrocut_machine::Fault;
 use ferrocut_memory::Item;
 use ferrocut_plc::{Address, Area, Plc, Program};
 
@@ -13,7 +15,13 @@ struct Message {
     name: String,
     address: Address,
     is_on: bool,
+    /// When the history last got it, ms since 1970.
+    logged: i64,
 }
+
+/// A message that comes again within this time, ms, is the same in the history: one that flickers would push the
+/// others out of it.
+const SAME_MESSAGE: i64 = 10_000;
 
 /// What was looked up.
 #[derive(Default)]
@@ -49,6 +57,7 @@ impl LadderNames {
                 name: symbol.name.clone(),
                 address: symbol.address,
                 is_on: was_on(&symbol.name),
+                logged: 0,
             })
             .collect();
         let is_there = |name: &str| self.messages.iter().any(|message| message.name == name);
@@ -74,17 +83,27 @@ impl Control {
         }
     }
 
-    /// Messages of the ladder: those with a name come and go as events. Allocates only as they do.
+    /// Messages of the ladder: those with a name come and go as events, and their coming stands in the history of
+    /// alarms (GSK990MC part 2, 3.7). Allocates only as they do.
     pub(super) fn tell_machine_messages(&mut self) {
         let Some(plc) = &self.plc else { return };
         let mut told = Vec::new();
         for message in &mut self.ladder_names.messages {
             let on = plc.memory().bit(message.address);
             if std::mem::replace(&mut message.is_on, on) != on {
-                told.push((message.name.clone(), on));
+                let now = ferrocut_memory::items::now();
+                let is_logged = on && now.saturating_sub(message.logged) >= SAME_MESSAGE;
+                message.logged = if is_logged { now } else { message.logged };
+                told.push((message.name.clone(), on, is_logged));
             }
         }
-        for (name, on) in told {
+        for (name, on, is_logged) in told {
+            if is_logged {
+                let program = self.running_program();
+                if let Some(keeping) = &mut self.keeping {
+                    keeping.alarm(&named(Fault::MachineMessage, &*name), &program);
+                }
+            }
             self.event(Event::MachineMessage { name, on });
         }
     }

@@ -854,6 +854,12 @@ FC-1445 = Values that the machine told the program in the first run are not know
     .detail = { $count } places; the commanded position stands for the machine's
     .help = Check what the program measured before this line, or start before the measuring.
 
+## 1446: messages of the machine
+
+FC-1446 = a message of the machine
+    .detail = { $name }
+    .help = It comes from the ladder of the machine: the page of alarms and the manual of the machine say what it means. It goes when its cause goes.
+
 ## 1470: measuring
 
 FC-1470 = There is no probe or tool setter

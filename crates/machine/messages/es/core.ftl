@@ -854,6 +854,12 @@ FC-1445 = No se conocen los valores que la máquina dio al programa la primera v
     .detail = lugares: { $count }; se toma la posición de consigna en lugar de la de la máquina
     .help = Revise lo que el programa midió antes de esta línea o empiece antes de medir.
 
+## 1446: mensajes de la máquina
+
+FC-1446 = Mensaje de la máquina
+    .detail = { $name }
+    .help = Viene del ladder de la máquina: la página de alarmas y el manual de la máquina dicen qué significa. Desaparece con su causa.
+
 ## 1470: measuring
 
 FC-1470 = No hay palpador ni medidor de herramienta

@@ -854,6 +854,12 @@ FC-1445 = Tezgâhın ilk çalışmada programa bildirdiği değerler bilinmiyor
     .detail = { $count } yer; tezgâh konumunun yerine komut konumu alınır
     .help = Programın bu satırdan önce ne ölçtüğünü denetleyin ya da ölçmenin öncesinden başlayın.
 
+## 1446: tezgâh iletileri
+
+FC-1446 = tezgâhın iletisi
+    .detail = { $name }
+    .help = Tezgâhın ladder programından gelir: anlamı alarm sayfasında ve tezgâhın kılavuzunda yazar. Nedeni ortadan kalkınca gider.
+
 ## 1470: measuring
 
 FC-1470 = Prob ya da takım ölçücü yok
