@@ -230,6 +230,12 @@ pub enum Command {
     AcceptParameterSwitch,
     /// Reads the reference points.
     ReferencePoints,
+    /// The places where axes stand at rest are their reference points from now on, in MDI and the right of
+    /// commissioning (level 3), where a parameter allows it (GSK990MC 20#7).
+    SetMachineZero {
+        /// The axes.
+        axes: Vec<char>,
+    },
     /// Sets a reference point on some axes, in MDI and the right of commissioning (level 3).
     SetReferencePoint {
         /// Its number, 1 to 4.

@@ -187,6 +187,13 @@ impl Homing {
         self.referenced = axes;
     }
 
+    /// Where an axis stands, `place` by its name so far, is its reference point from now on.
+    pub fn found_at(&mut self, axis: Axis, place: f64) {
+        if let Some(stage) = self.stages.get_mut(axis.index()) {
+            *stage = Some(Stage::Arrived(place));
+        }
+    }
+
     /// Axes that stand on their reference points.
     pub fn arrived(&self) -> AxisSet {
         self.arrived

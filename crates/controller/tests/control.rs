@@ -555,6 +555,19 @@ fn steps_and_the_rapid_key() {
     }
     shop.until_it_stops();
     assert_eq!(shop.x(), 3.0);
+    // A step of 1000 ten-thousandths of an inch where inches are programmed (table 6-1-3-1); back to millimetres.
+    for (code, wanted) in [("G20", 3.0 + 2.54), ("G21", 3.0 + 2.54 + 1.0)] {
+        shop.mode(Mode::Mdi);
+        shop.say(Command::Mdi { text: code.into() });
+        shop.start();
+        shop.until_it_stops();
+        shop.mode(Mode::Step);
+        shop.inputs.jog[0] = Ways { plus: true, minus: false };
+        shop.wait(10);
+        shop.inputs.jog[0] = Ways::default();
+        shop.until_it_stops();
+        assert!((shop.x() - wanted).abs() < 1e-9, "{code}: {}", shop.x());
+    }
     shop.mode(Mode::Jog);
     shop.inputs.manual_rapid = true;
     shop.inputs.jog[0] = Ways { plus: true, minus: false };

@@ -120,3 +120,44 @@ fn a_program_gets_another_name() {
         assert_eq!(shop.until_it_stops().counters.parts, 2);
     }
 }
+
+/// GSK990MC part 2, 3.3.5 and 20#7: where the axes stand is machine zero, for encoders that know it from then on.
+#[test]
+fn machine_zero_is_set_by_hand_where_a_parameter_allows_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let set = |axes: &[char]| Command::SetMachineZero { axes: axes.to_vec() };
+    for (allowed, refusal) in [(1.0, None), (0.0, Some("FC-1406"))] {
+        let mut shop = shop_on(folder.path(), &[("NO20.7", allowed)]);
+        shop.mode(Mode::Mdi);
+        shop.say(Command::Mdi { text: "G53 G90 G0 X12 Y-7".into() });
+        shop.start();
+        shop.until_it_stops();
+        let from = shop.wait(1).position.machine;
+        shop.say(Command::ParameterSwitch { on: true });
+        let denied = shop.control.command(set(&['X']), &person()).unwrap_err().alarm.id;
+        assert_eq!(denied, "FC-1213");
+        let said = shop.control.command(set(&['X', 'Y']), &maintenance());
+        assert_eq!(said.err().map(|why| why.alarm.id), refusal.map(str::to_owned));
+        let status = shop.wait(5);
+        let at = |axis: char| status.position.machine[&axis];
+        match refusal {
+            None => {
+                assert_eq!((at('X'), at('Y'), at('Z')), (0.0, 0.0, from[&'Z']));
+                assert!(
+                    ['X', 'Y'].iter().all(|axis| status.referenced.contains(axis)),
+                    "{:?}",
+                    status.referenced
+                );
+                let lit = shop.control.outputs().at_reference;
+                assert!(lit[0] && lit[1], "{lit:?}");
+                // The next move is one of the new coordinates.
+                shop.say(Command::ParameterSwitch { on: false });
+                shop.say(Command::Mdi { text: "G53 G90 G0 X3".into() });
+                shop.start();
+                assert_eq!(shop.until_it_stops().position.machine[&'X'], 3.0);
+                assert_eq!(shop.refused(set(&['X'])), "FC-1213");
+            }
+            Some(_) => assert_eq!(at('X'), from[&'X']),
+        }
+    }
+}

@@ -177,6 +177,16 @@ fn each_item_holds_at_once_when_it_was_restored() {
         panic!()
     };
     assert_eq!(text, "G0 X1\nM30\n");
+    // No items are all that the backup has.
+    by_control(&mut control, pitch(0.005));
+    by_control(&mut control, program("G0 X3\nM30\n"));
+    by_control(&mut control, Command::Restore { file: "all.backup".into(), items: vec![] });
+    let Reply::Program { text, .. } = say(&mut control, Command::Read { program: "O1".into() }) else {
+        panic!()
+    };
+    assert_eq!(text, "G0 X1\nM30\n");
+    let Reply::Pitch { points, .. } = say(&mut control, Command::Pitch { axis: 'X' }) else { panic!() };
+    assert_eq!(points[&1], 0.003);
     // What the ladder changes from there on is kept, too, and nothing else of before.
     keep(&mut control, [0b10, 7]);
     control.flush().unwrap();
@@ -635,4 +645,43 @@ fn the_program_switch_stands_after_the_power_as_it_was_left() {
     say(&mut control, restore("variables"));
     by_maintenance(&mut control, turn(true));
     say(&mut control, program());
+}
+
+/// GSK990MC part 2, 3.7: messages of the ladder stand in the history, with when they came. One that comes and goes in
+/// quick succession is one.
+#[test]
+fn messages_of_the_ladder_stand_in_the_history() {
+    let folder = tempfile::tempdir().unwrap();
+    let store = Arc::new(Store::open(folder.path(), Settings::new("gsk990mc")).unwrap());
+    // One that stands, and one that comes and goes with every scan.
+    let text =
+        "MSG_STANDS = A0.0\nMSG_FLICKERS = A0.1\nRD R9091.1\nWRT A0.0\nRD.NOT A0.1\nWRT A0.1\nEND1\nEND2\n";
+    let ladder = Some(Program::from_text(text.as_bytes(), &Limits::default()).unwrap());
+    let parts = Parts { store: Some(store), ladder, ..Parts::default() };
+    let mut control = Control::new(&Machine::demo_mill(), parts).unwrap();
+    wait(&mut control, 500);
+    control.flush().unwrap();
+    let Reply::AlarmHistory { alarms } = say(&mut control, Command::AlarmHistory { most: 99 }) else {
+        panic!()
+    };
+    let of = |name: &str| {
+        let told = alarms.iter().filter(|past| past.values.values().any(|value| value == name));
+        told.map(|past| past.id.clone()).collect::<Vec<_>>()
+    };
+    assert_eq!((of("MSG_STANDS"), of("MSG_FLICKERS")), (vec!["FC-1446".into()], vec!["FC-1446".to_owned()]));
+}
+
+/// GSK990MC part 2, 3.4.5: a ladder that stopped is started by level 2; the setter is calibrated by level 3, and
+/// whoever may not hears it before anything moves.
+#[test]
+fn rights_are_asked_before_anything_happens() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut control = with_ladder(folder.path());
+    let calibrate = serde_json::json!({"do": "measure_tool", "mode": "calibrate_length", "length": 80.0});
+    for command in [Command::StartLadder, serde_json::from_value(calibrate).unwrap()] {
+        let refusal = control.command(command, &person()).unwrap_err();
+        assert_eq!(refusal.alarm.id, "FC-1213");
+    }
+    let builder = Author::Maintenance { name: "builder".into() };
+    assert_eq!(control.command(Command::StartLadder, &builder).unwrap(), Reply::Done);
 }

@@ -506,6 +506,11 @@ impl Interpreter {
         self.ngc.reset(machine);
     }
 
+    /// Whether lengths are inches now (G20).
+    pub fn reads_inches(&self) -> bool {
+        self.modal.is_inch()
+    }
+
     /// The G codes in force, in tenths, by the order of groups.
     pub fn codes_in_force(&self) -> impl Iterator<Item = u16> {
         self.modal.codes().map(|code| code.tenths)

@@ -18,6 +18,24 @@ impl Cnc {
         self.begin_homing(axis, true)
     }
 
+    /// The places where axes stand are their reference points, as if they had been found there: machine zero set by
+    /// hand, on a machine that has encoders and no switches for it (GSK990MC part 2, 3.3.5; 20#7). Whether they are:
+    /// not while a program is under way or an axis moves.
+    pub fn set_machine_zero(&mut self, axes: AxisSet) -> bool {
+        let may = matches!(self.state, State::Ready | State::Ended | State::Reset)
+            && !self.manual.is_active
+            && !self.homing.is_active();
+        if !may || !self.take_by_hand() {
+            return false;
+        }
+        // They get their names at the end of this period of moving by hand.
+        self.manual.is_active = true;
+        for axis in axes.and(self.machine_axes).iter() {
+            self.homing.found_at(axis, self.manual.at(axis));
+        }
+        true
+    }
+
     /// The key of an axis in the mode HOME was let go.
     pub fn release_home(&mut self, axis: Axis) {
         self.homing.let_go(axis, &mut self.manual);

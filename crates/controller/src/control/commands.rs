@@ -119,6 +119,7 @@ impl Control {
             Command::ParameterSwitch { on } => self.turn_parameter_switch(on, author),
             Command::AcceptParameterSwitch => Ok(self.accept_parameter_switch()),
             Command::ReferencePoints => Ok(self.reference_points()),
+            Command::SetMachineZero { axes } => self.set_machine_zero(&axes, author),
             Command::SetReferencePoint { number, axes } => self.set_reference_point(number, &axes, author),
             Command::Pitch { axis } => self.pitch(axis),
             Command::SetPitch { axis, points } => self.set_pitch(axis, &points, author),
@@ -171,6 +172,7 @@ impl Control {
             Command::ExchangeLadder { text } => self.exchange_ladder(&text, author),
             Command::RollBackLadder => self.roll_back_ladder(author),
             Command::StartLadder => {
+                self.needs_level(Level::Builder, author)?;
                 self.plc.as_mut().ok_or_else(|| named(Fault::NotFitted, "ladder"))?.restart();
                 Ok(Reply::Done)
             }
@@ -489,6 +491,10 @@ impl Control {
         if self.cnc.is_under_way() && self.standing() != super::Standing::Stopped {
             return Err(Box::new(alarm(Fault::ControlBusy)));
         }
+        // 29#4 IWZ: nor while it is stopped.
+        if self.cnc.is_under_way() && self.bit(29, 4) && matches!(author, Author::Person { .. }) {
+            return Err(Box::new(alarm(Fault::ControlBusy)));
+        }
         let (name, mut zero) = self.zero_of(system)?;
         for (letter, value) in axes {
             let axis = self.axis_named(*letter)?;
@@ -682,15 +688,16 @@ impl Control {
     /// What was restored holds at once, save what the drives are made of.
     fn restore(&mut self, file: &str, items: &[String], author: &Author) -> Answer {
         let items = Control::items(items)?;
-        if items.contains(&Item::Programs) {
-            self.may_edit_programs(author)?;
-        }
         if self.tick.moving || !self.cnc.is_idle() {
             return Err(Box::new(alarm(Fault::ControlBusy)));
         }
         self.flush()?;
         let store = self.kept()?;
         let backup = Backup::open(&backup_in(store.folder(), file)?).map_err(|error| error.alarm())?;
+        let items = if items.is_empty() { backup.items() } else { items };
+        if items.contains(&Item::Programs) {
+            self.may_edit_programs(author)?;
+        }
         backup.restore(&store, author, &items).map_err(|error| error.alarm())?;
         self.read_again(&items)?;
         for item in items {

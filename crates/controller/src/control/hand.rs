@@ -9,8 +9,11 @@ use ferrocut_toolpath::{Speed, SpindleState};
 /// Least input increment, mm or degrees.
 const LEAST_INCREMENT: f64 = 0.001;
 
-/// The handwheel has three increments: 0.001, 0.01 and 0.1 (6.1.1).
-const LARGEST_WHEEL_INCREMENT: f64 = 0.1;
+/// Of linear axes where inches are programmed: a ten-thousandth of one, mm (table 6-1-3-1).
+const LEAST_INCH_INCREMENT: f64 = 25.4e-4;
+
+/// The handwheel has three increments, of 1, 10 and 100 least ones (6.1.1); STEP has a fourth.
+const LARGEST_WHEEL_STEP: f64 = 100.0;
 
 impl Control {
     /// The keys of the axes and the handwheel.
@@ -67,8 +70,15 @@ impl Control {
         }
     }
 
+    /// What an axis moves by in a step of 1.
+    fn least_increment(&self, axis: Axis) -> f64 {
+        match axis.is_linear() && self.cnc.interpreter().reads_inches() {
+            true => LEAST_INCH_INCREMENT,
+            false => LEAST_INCREMENT,
+        }
+    }
+
     fn step(&mut self) {
-        let increment = self.inputs.increment_of(LEAST_INCREMENT);
         for number in 0..SIGNAL_AXES {
             let Some(axis) = self.axis(number) else { break };
             let asked = self.way(number);
@@ -76,6 +86,7 @@ impl Control {
             let is_pressed = asked != 0 && before.0 != asked;
             *before = (asked, false);
             if is_pressed {
+                let increment = self.inputs.increment_of(self.least_increment(axis));
                 self.cnc.jog_step(axis, i64::from(asked), increment);
             }
         }
@@ -98,8 +109,9 @@ impl Control {
 
     fn turn_wheel(&mut self, counts: i32) {
         let axis = self.inputs.handwheel_axis.and_then(|number| self.axis(number));
-        let increment = self.inputs.increment_of(LEAST_INCREMENT).min(LARGEST_WHEEL_INCREMENT);
         if let Some(axis) = axis.filter(|_| counts != 0) {
+            let least = self.least_increment(axis);
+            let increment = self.inputs.increment_of(least).min(LARGEST_WHEEL_STEP * least);
             self.cnc.handwheel(axis, i64::from(counts), increment);
         }
     }

@@ -3,10 +3,10 @@
 
 use super::{Control, alarm};
 use crate::api::{ByAxis, Reply};
-use ferrocut_geometry::Axis;
+use ferrocut_geometry::{Axis, AxisSet};
 use ferrocut_machine::servo::{PITCH_POINTS, PitchErrors};
-use ferrocut_machine::{Alarm, Fault, Machine};
-use ferrocut_memory::{Author, Change};
+use ferrocut_machine::{Alarm, Fault, Machine, ParameterKey};
+use ferrocut_memory::{Author, Change, Level};
 use std::collections::BTreeMap;
 
 /// Tables of pitch errors by axis and point, mm.
@@ -72,6 +72,22 @@ impl Control {
             position[axis] = *value;
         }
         self.change_data(author, Change::ReferencePoint { number, position })
+    }
+
+    /// GSK990MC 20#7: machine zero may be set by hand.
+    pub(super) fn set_machine_zero(&mut self, axes: &[char], author: &Author) -> Result<Reply, Box<Alarm>> {
+        self.needs_level(Level::Commissioning, author)?;
+        self.may_set_parameters(author)?;
+        let parameters = &self.cnc.interpreter().memory().parameters;
+        let key = ParameterKey::Bit { number: 20, bit: 7 };
+        if parameters.table().get(&key).is_none() || !self.bit(20, 7) {
+            return Err(Box::new(alarm(Fault::NotFitted).with("name", "NO20.7")));
+        }
+        let axes = axes.iter().map(|letter| self.axis_named(*letter)).collect::<Result<AxisSet, _>>()?;
+        match self.cnc.set_machine_zero(axes) {
+            true => Ok(Reply::Done),
+            false => Err(Box::new(alarm(Fault::ControlBusy))),
+        }
     }
 
     pub(super) fn pitch(&self, letter: char) -> Result<Reply, Box<Alarm>> {

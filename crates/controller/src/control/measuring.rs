@@ -11,6 +11,7 @@ use crate::restart::own_alarm;
 use crate::signals::Mode;
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_machine::{Alarm, Fault, ParameterKey, ToolOffset};
+use ferrocut_memory::rights::needed_for_parameter;
 use ferrocut_memory::{Author, Change};
 use ferrocut_program::Span;
 use ferrocut_toolpath::{Speed, SpindleState};
@@ -148,6 +149,12 @@ impl Control {
     }
 
     pub(super) fn prepare_tool(&mut self, asked: MeasureTool, author: &Author) -> Result<Reply, Box<Alarm>> {
+        // Said before anything moves: what calibration finds are parameters, and the memory judges who sets them.
+        let calibrates = matches!(asked.mode, ToolMode::CalibrateLength | ToolMode::CalibrateDiameter);
+        if calibrates && self.keeping.is_some() {
+            let table = self.cnc.interpreter().memory().parameters.table();
+            self.needs_level(needed_for_parameter(table, &ParameterKey::Data(SETTER[0])), author)?;
+        }
         self.may_measure()?;
         // NO4.0 (TMES): a tool setter is fitted.
         let key = ParameterKey::Bit { number: 4, bit: 0 };
@@ -344,13 +351,17 @@ impl Control {
             measured.stored.push(format!("D{}", asked.d));
         }
         let setter = found.setter.into_iter().flat_map(|places| SETTER.into_iter().zip(places));
+        let mut calibrated = Vec::new();
         for (number, value) in setter.chain(found.stylus.map(|stylus| (PROBE_DIAMETER, stylus))) {
             measured.sizes.push(value);
             let key = ParameterKey::Data(number);
             let check = self.cnc.interpreter().memory().parameters.check(&key, value);
             check.map_err(|error| alarm(Fault::MemoryValue).with("detail", error.to_string()))?;
-            self.change(author, Change::Parameter { key, value: Some(value) })?;
+            calibrated.push(Change::Parameter { key, value: Some(value) });
             measured.stored.push(format!("P{number}"));
+        }
+        if !calibrated.is_empty() {
+            self.change_together(author, calibrated)?;
         }
         Ok(measured)
     }

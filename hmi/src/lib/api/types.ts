@@ -1452,7 +1452,11 @@ value?: number | null, } | { "do": "parameter_switch",
 /**
  * On: parameters may be changed by hand.
  */
-on: boolean, } | { "do": "accept_parameter_switch" } | { "do": "reference_points" } | { "do": "set_reference_point",
+on: boolean, } | { "do": "accept_parameter_switch" } | { "do": "reference_points" } | { "do": "set_machine_zero",
+/**
+ * The axes.
+ */
+axes: Array<string>, } | { "do": "set_reference_point",
 /**
  * Its number, 1 to 4.
  */
