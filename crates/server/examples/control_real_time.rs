@@ -3,8 +3,10 @@
 //! computation that is always the same: what it takes longer at times is the computer's doing and not that of the software,
 //! and so is as much of what the control takes.
 //!
-//! `control_real_time [SECONDS] [PRIORITY]`: 60 s if not given, at 1 kHz, the bracket and a demanding program in turn. With
-//! a priority (1 to 99) the machine's thread, and the planner's with it, run before all others.
+//! `control_real_time [SECONDS] [PRIORITY] [BOUND]`: 60 s if not given, at 1 kHz, the bracket and a demanding program in turn.
+//! With a priority (1 to 99; 0 for none) the machine's thread, and the planner's with it, run before all others. With a
+//! bound in µs it is an error if the control computes longer than that in one of 10,000 periods, less what the computer
+//! adds to the fixed computation there, or for a period or longer at any time.
 #![allow(missing_docs)]
 
 #[path = "../../controller/examples/shared/demanding.rs"]
@@ -19,6 +21,7 @@ use ferrocut_server::panel::Panel;
 use ferrocut_server::runner::{Owned, Runner, Times};
 use ferrocut_server::service::{Caller, Request, Served};
 use std::hint::black_box;
+use std::process::ExitCode;
 use std::sync::Arc;
 use std::sync::mpsc::sync_channel;
 use std::time::{Duration, Instant};
@@ -48,22 +51,29 @@ impl Owned for Yardstick {
     fn snapshot(&mut self, _: u64) {}
 }
 
-fn main() {
+fn failed(why: std::fmt::Arguments) -> ExitCode {
+    eprintln!("{why}");
+    ExitCode::FAILURE
+}
+
+fn main() -> ExitCode {
     let mut words = std::env::args().skip(1).filter_map(|word| word.parse::<u64>().ok());
     let seconds = words.next().unwrap_or(60);
-    let priority = words.next().and_then(|priority| u8::try_from(priority).ok());
+    let priority =
+        words.next().and_then(|priority| u8::try_from(priority).ok()).filter(|priority| *priority > 0);
+    let bound = words.next().map(Duration::from_micros);
     let machine = Machine { plant: Some(PlantConfig::default()), ..Machine::demo_mill() };
     let Ok(ladder) = Program::from_text(LADDER.as_bytes(), &Limits::default()) else {
-        return eprintln!("the ladder is wrong");
+        return failed(format_args!("the ladder is wrong"));
     };
     let mut control = match Control::new(&machine, Parts { ladder: Some(ladder), ..Parts::default() }) {
         Ok(control) => control,
-        Err(alarm) => return eprintln!("{alarm:?}"),
+        Err(alarm) => return failed(format_args!("{alarm:?}")),
     };
     let operator = Author::Person { session: Session::OPERATOR, name: "bench".to_owned() };
     for (program, text) in [("O0001", BRACKET.to_owned()), ("O0002", program::demanding(12))] {
         if let Err(why) = control.command(Command::Store { program: program.to_owned(), text }, &operator) {
-            return eprintln!("{why:?}");
+            return failed(format_args!("{why:?}"));
         }
     }
     let (events, _heard) = sync_channel(1024);
@@ -71,7 +81,7 @@ fn main() {
     let runner =
         match Runner::start(Served::<Panel>::new(Panel::new(control).timed(), events), period, priority) {
             Ok(runner) => runner,
-            Err(error) => return eprintln!("{error}"),
+            Err(error) => return failed(format_args!("{error}")),
         };
     let (commands, latest, timing) = (runner.commands(), runner.latest(), runner.timing());
     let caller = Caller { name: "bench".to_owned(), seat: Seat::Machine, session: Session::OPERATOR };
@@ -97,13 +107,13 @@ fn main() {
     let patience = Instant::now();
     while !['X', 'Y', 'Z'].iter().all(|axis| status().referenced.contains(axis)) {
         if patience.elapsed() > Duration::from_secs(120) {
-            return eprintln!("not homed: {:?}", status().alarms);
+            return failed(format_args!("not homed: {:?}", status().alarms));
         }
         pause(50);
     }
     let yardstick = match Runner::start(Yardstick(0.0), period, priority) {
         Ok(yardstick) => yardstick,
-        Err(error) => return eprintln!("{error}"),
+        Err(error) => return failed(format_args!("{error}")),
     };
     press("KEY_AUTO");
     let (began, mut runs, mut at) = (Instant::now(), 0u32, [0.0; 2]);
@@ -111,7 +121,7 @@ fn main() {
         pause(20);
         let now = status();
         if !now.alarms.is_empty() {
-            return eprintln!("alarm: {:?}", now.alarms);
+            return failed(format_args!("alarm: {:?}", now.alarms));
         }
         at[1] += f64::from(u8::from(now.activity == Activity::Running));
         at[0] += 1.0;
@@ -139,4 +149,14 @@ fn main() {
         );
     }
     drop(runner);
+    // What the computer adds to a computation that is always the same.
+    let added = fixed.computing.below(0.9999).saturating_sub(fixed.computing.below(0.5));
+    let own = timing.computing.below(0.9999).saturating_sub(added);
+    match bound {
+        Some(bound) if own >= bound => failed(format_args!("99.99 %: {own:?} of its own, {bound:?} allowed")),
+        Some(_) if timing.computing.worst() >= period => {
+            failed(format_args!("a period was missed by computing"))
+        }
+        _ => ExitCode::SUCCESS,
+    }
 }

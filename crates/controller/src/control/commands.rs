@@ -298,9 +298,8 @@ impl Control {
     fn signal_table(&self, area: char, language: Option<&str>) -> Answer {
         let plc = self.plc.as_ref().ok_or_else(|| named(Fault::NotFitted, "ladder"))?;
         let area = Area::from_letter(area).ok_or_else(|| named(Fault::NoSuchName, area))?;
-        let language = language.map_or(Ok(Language::En), |tag| {
-            Language::from_tag(tag).ok_or_else(|| named(Fault::NoSuchName, tag))
-        })?;
+        let tag = language.unwrap_or(Language::En.tag());
+        let language = Language::from_tag(tag).ok_or_else(|| named(Fault::NoSuchName, tag))?;
         let entry = |entry: Entry| NamedSignal {
             address: entry.place(),
             meaning: entry.meaning(language, plc.program()),
