@@ -121,7 +121,7 @@ fn backlash_by_parameters_is_waited_for() {
 fn acceleration_is_selected_by_parameters_where_the_machine_says_so() {
     let mut machine = machine();
     let (_, plain) = ended(&machine, PROGRAM);
-    machine.servo.acceleration_by_parameters = true;
+    machine.servo.acceleration_by_parameters = Some(true);
     // As delivered: cutting is accelerated after interpolation in 80 ms (17#0, P127), positioning is not.
     let (_, run) = ended(&machine, PROGRAM);
     let mut same = common::machine();
@@ -136,7 +136,7 @@ fn acceleration_is_selected_by_parameters_where_the_machine_says_so() {
 #[test]
 fn acceleration_before_interpolation_is_selected_by_parameters() {
     let mut machine = machine();
-    machine.servo.acceleration_by_parameters = true;
+    machine.servo.acceleration_by_parameters = Some(true);
     // Periods from the first that moves to the first at 100 mm/s; P96 is 6000 mm/min.
     let periods = |bits: &str| {
         let setup = format!("[parameters]\n\"NO17.0\" = 0\n{bits}");

@@ -99,16 +99,17 @@ pub enum Smoothing {
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct ServoConfig {
-    /// Acceleration before and after interpolation is what the parameters of the control select, on controls that
-    /// have such; else what stands at the axes.
-    pub acceleration_by_parameters: bool,
+    /// Whether acceleration before and after interpolation is what the parameters of the control select, on controls
+    /// that have such, or what stands at the axes. Where neither is said the parameters select it for what some of
+    /// them were changed of: positioning, cutting, arcs, moving by hand.
+    pub acceleration_by_parameters: Option<bool>,
     /// An axis that is not in position this long after its stop is an alarm, ms.
     pub in_position_ms: f64,
 }
 
 impl Default for ServoConfig {
     fn default() -> ServoConfig {
-        ServoConfig { acceleration_by_parameters: false, in_position_ms: 1000.0 }
+        ServoConfig { acceleration_by_parameters: None, in_position_ms: 1000.0 }
     }
 }
 

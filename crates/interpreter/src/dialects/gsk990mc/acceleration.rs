@@ -10,24 +10,73 @@
 
 use super::rules::corner_rule;
 use ferrocut_machine::{
-    ArcSlowdown, AxisConfig, CornerSlowdown, Machine, Parameters, PathConfig, Ramp, Smoothing,
+    ArcSlowdown, AxisConfig, CornerSlowdown, Machine, ParameterKey, Parameters, PathConfig, Ramp, Smoothing,
 };
 use ferrocut_toolpath::CornerRule;
 
 /// Writes the parameters over what the machine file says.
 pub fn machine_parameters(parameters: &Parameters, machine: &mut Machine) {
     corners(parameters, &mut machine.path);
-    if !machine.servo.acceleration_by_parameters {
-        return;
+    let by = machine.servo.acceleration_by_parameters;
+    let selects = |of: Of| by.unwrap_or_else(|| parameters.changed().any(|(key, _)| of == Of::key(&key)));
+    let is_linear = selects(Of::Cutting) && path(parameters, &mut machine.path);
+    if selects(Of::Clamp) {
+        clamp(parameters, &mut machine.path);
     }
-    let is_linear = path(parameters, &mut machine.path);
+    if selects(Of::Arcs) {
+        // Fanuc 1730 to 1732.
+        let p = |number: u16| parameters.data(number);
+        machine.path.arc = Some(ArcSlowdown { acceleration: p(148), lowest_feed: p(149) });
+    }
     for (k, name) in (0u16..).zip(parameters.axis_names()) {
         let Some(axis) = machine.axes.iter_mut().find(|axis| axis.name == name) else { continue };
+        rapid_speed(parameters, k, axis);
         if is_linear {
             axis.before_cutting = Some(Ramp { acceleration: axis.acceleration, jerk: 0.0 });
         }
-        before_rapid(parameters, k, axis);
-        after(parameters, k, axis);
+        if selects(Of::Rapid) {
+            before_rapid(parameters, k, axis);
+        }
+        after(parameters, k, axis, selects);
+    }
+}
+
+/// What parameters of acceleration are of.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Of {
+    Rapid,
+    Cutting,
+    /// The highest acceleration of the path.
+    Clamp,
+    Arcs,
+    Hand,
+    Nothing,
+}
+
+impl Of {
+    fn key(key: &ParameterKey) -> Of {
+        match key {
+            ParameterKey::Bit { number: 16, bit: 0..=2 } | ParameterKey::Data(105..=124) => Of::Rapid,
+            ParameterKey::Bit { number: 17, bit: 0..=2 }
+            | ParameterKey::Bit { number: 15, bit: 0 | 1 }
+            | ParameterKey::Data(125..=128 | 133..=139) => Of::Cutting,
+            ParameterKey::Bit { number: 17, bit: 6 } | ParameterKey::Data(150) => Of::Clamp,
+            ParameterKey::Data(148 | 149) => Of::Arcs,
+            ParameterKey::Bit { number: 17, bit: 3 } | ParameterKey::Data(156 | 157) => Of::Hand,
+            _ => Of::Nothing,
+        }
+    }
+}
+
+/// P88 to P92, P94: G00 of axis `k` is no faster than they say, where somebody has set them; as delivered they are
+/// those of no machine in particular.
+fn rapid_speed(parameters: &Parameters, k: u16, axis: &mut AxisConfig) {
+    for key in [88 + k, 94].map(ParameterKey::Data) {
+        if let Some((_, speed)) =
+            parameters.changed().find(|(changed, speed)| *changed == key && *speed > 0.0)
+        {
+            axis.rapid = axis.rapid.min(speed);
+        }
     }
 }
 
@@ -47,7 +96,7 @@ fn corners(parameters: &Parameters, path: &mut PathConfig) {
     }
 }
 
-/// Acceleration of the path while cutting, arcs, and how far the path may be left. Whether cutting has linear ramps
+/// Acceleration of the path while cutting, and how far the path may be left. Whether cutting has linear ramps
 /// before interpolation, for which the axes may have no jerk limit.
 fn path(parameters: &Parameters, path: &mut PathConfig) -> bool {
     let p = |number: u16| parameters.data(number);
@@ -63,20 +112,22 @@ fn path(parameters: &Parameters, path: &mut PathConfig) -> bool {
         (false, false) => Some(linear_ramp(highest, p(125))),
     };
     path.ramp = ramp.or(path.ramp);
-    // 17#6, P150: whatever accelerates, no faster than to P96 in this time.
+    if is_before(parameters) {
+        path.tolerance = if is_ahead { p(139) } else { p(133) };
+    }
+    ramp.is_some_and(|ramp| ramp.jerk == 0.0)
+}
+
+/// 17#6, P150: whatever accelerates, no faster than to P96 in this time.
+fn clamp(parameters: &Parameters, path: &mut PathConfig) {
+    let p = |number: u16| parameters.data(number);
     if parameters.bit(17, 6) && p(150) > 0.0 {
-        let clamp = highest / (p(150) / 1000.0);
+        let clamp = p(96) / 60.0 / (p(150) / 1000.0);
         let acceleration = path.ramp.map_or(clamp, |ramp| ramp.acceleration.min(clamp));
         // Without a ramp of its own the path keeps the jerk of its axes.
         let jerk = path.ramp.map_or(NO_JERK_LIMIT, |ramp| ramp.jerk);
         path.ramp = Some(Ramp { acceleration, jerk });
     }
-    // Fanuc 1730 to 1732.
-    path.arc = Some(ArcSlowdown { acceleration: p(148), lowest_feed: p(149) });
-    if is_before(parameters) {
-        path.tolerance = if is_ahead { p(139) } else { p(133) };
-    }
-    ramp.is_some_and(|ramp| ramp.jerk == 0.0)
 }
 
 /// Of the path alone: the axes have theirs.
@@ -105,7 +156,7 @@ fn s_ramp(v: f64, time: f64) -> Ramp {
 }
 
 /// Bits 16#0, 16#2, 17#0, 17#2, 17#3 and the time constants after interpolation of axis `k`.
-fn after(parameters: &Parameters, k: u16, axis: &mut AxisConfig) {
+fn after(parameters: &Parameters, k: u16, axis: &mut AxisConfig, selects: impl Fn(Of) -> bool) {
     let p = |number: u16| parameters.data(number);
     let select = |is_after: bool, is_exponential: bool, linear: u16, exponential: u16, least: u16| match (
         is_after,
@@ -115,14 +166,20 @@ fn after(parameters: &Parameters, k: u16, axis: &mut AxisConfig) {
         (true, false) => Smoothing::Linear { time_ms: p(linear) },
         (true, true) => Smoothing::Exponential { time_ms: p(exponential), least: p(least) },
     };
-    axis.after_rapid = select(parameters.bit(16, 0), parameters.bit(16, 2), 115 + k, 120 + k, 129);
-    // 15#0: look-ahead has acceleration before and after interpolation, with constants of its own.
-    axis.after_cutting = match parameters.bit(15, 0) {
-        true => select(true, parameters.bit(15, 1), 136, 137, 138),
-        false => select(parameters.bit(17, 0), parameters.bit(17, 2), 127, 128, 129),
-    };
-    // 1.2: movements by hand are always accelerated after interpolation.
-    axis.after_jog = select(true, parameters.bit(17, 3), 156, 157, 129);
+    if selects(Of::Rapid) {
+        axis.after_rapid = select(parameters.bit(16, 0), parameters.bit(16, 2), 115 + k, 120 + k, 129);
+    }
+    if selects(Of::Cutting) {
+        // 15#0: look-ahead has acceleration before and after interpolation, with constants of its own.
+        axis.after_cutting = match parameters.bit(15, 0) {
+            true => select(true, parameters.bit(15, 1), 136, 137, 138),
+            false => select(parameters.bit(17, 0), parameters.bit(17, 2), 127, 128, 129),
+        };
+    }
+    if selects(Of::Hand) {
+        // 1.2: movements by hand are always accelerated after interpolation.
+        axis.after_jog = select(true, parameters.bit(17, 3), 156, 157, 129);
+    }
 }
 
 #[cfg(test)]
@@ -138,7 +195,7 @@ mod tests {
             parameters.set(&name.parse().unwrap(), *value).unwrap();
         }
         let mut machine = Machine::demo_mill();
-        machine.servo.acceleration_by_parameters = true;
+        machine.servo.acceleration_by_parameters = Some(true);
         machine_parameters(&parameters, &mut machine);
         machine
     }
@@ -229,5 +286,40 @@ mod tests {
         assert_eq!((found.angle, found.speed_difference, found.lowest_feed), (Some(100.0), None, 90.0));
         let found = corner(&[&both[..], &[("NO15.2", 1.0), ("P146", 300.0)]].concat()).unwrap();
         assert_eq!((found.angle, found.speed_difference), (None, Some(300.0)));
+    }
+
+    #[test]
+    fn what_is_set_acts_and_what_is_not_is_the_machine_files() {
+        let machine = |by: Option<bool>, set: &[(&str, f64)]| {
+            let mut parameters = Parameters::new(ParameterTable::of("gsk990mc").unwrap());
+            for (name, value) in set {
+                parameters.set(&name.parse().unwrap(), *value).unwrap();
+            }
+            let mut machine = Machine::demo_mill();
+            machine.servo.acceleration_by_parameters = by;
+            machine_parameters(&parameters, &mut machine);
+            machine
+        };
+        let of_file = Machine::demo_mill();
+        assert_eq!(of_file.servo.acceleration_by_parameters, None);
+        let untouched = machine(None, &[]);
+        let shown = |machine: &Machine| format!("{:?} {:?}", machine.path, machine.axes);
+        assert_eq!(shown(&untouched), shown(&of_file));
+        // Positioning of all axes, and nothing of cutting.
+        let set = [("NO16.1", 0.0), ("P105", 400.0), ("P88", 3000.0), ("P94", 6000.0)];
+        let rapid = machine(None, &set);
+        let x = rapid.axis(Axis::X).unwrap();
+        assert_eq!((x.rapid, rapid.axis(Axis::Y).unwrap().rapid), (3000.0, 6000.0));
+        close(x.before_rapid, 50.0 / 0.4, 0.0);
+        assert_eq!(
+            format!("{:?} {:?}", x.after_cutting, rapid.path),
+            format!("{:?} {:?}", of_file.axes[0].after_cutting, of_file.path)
+        );
+        assert_eq!(machine(Some(false), &set).axis(Axis::X).unwrap().before_rapid, None);
+        // Cutting, and nothing of positioning.
+        let cutting = machine(None, &[("P127", 33.0)]);
+        let x = cutting.axis(Axis::X).unwrap();
+        assert_eq!((x.after_cutting, x.before_rapid), (Smoothing::Linear { time_ms: 33.0 }, None));
+        assert!(machine(None, &[("P148", 500.0)]).path.arc.is_some_and(|arc| arc.acceleration == 500.0));
     }
 }
