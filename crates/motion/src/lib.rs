@@ -43,6 +43,7 @@ mod moves;
 mod path;
 mod planner;
 mod retrace;
+mod root;
 pub mod servo;
 mod stroke;
 pub mod synchron;

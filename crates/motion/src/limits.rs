@@ -14,6 +14,7 @@
 //! back speed is `v − a²/2J`. [`Load::drive`] finds `A` and `J` with which the whole ramp stays inside; less of
 //! either does too, so a ramp over several pieces takes the least of theirs.
 
+use crate::root::cube_root;
 use ferrocut_geometry::AXES;
 use ferrocut_machine::{AxisConfig, Machine, Ramp};
 
@@ -349,7 +350,7 @@ impl Inverse {
         let along = self.velocity(rates);
         let bend = peak(&rates.second, &self.acceleration);
         let twist = peak(&rates.third, &self.jerk);
-        along.min((CURVE_SHARE / bend.max(1e-15)).sqrt()).min((TWIST_SHARE / twist.max(1e-20)).cbrt())
+        along.min((CURVE_SHARE / bend.max(1e-15)).sqrt()).min(cube_root(TWIST_SHARE / twist.max(1e-20)))
     }
 
     /// What a piece takes of the limits.

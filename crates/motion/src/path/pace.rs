@@ -10,6 +10,7 @@
 //!    where the third derivative is largest, which is at its ends.
 
 use crate::limits::Drive;
+use crate::root::cube_root;
 
 /// Share of the jerk that is left to a ramp beside what a curve takes.
 const RAMP_SHARE: f64 = 0.35;
@@ -47,7 +48,7 @@ impl Stretch {
         self.v = self.top;
         let cube = self.v * self.v * self.v;
         if jerk * cube > 1.0 {
-            self.v = jerk.cbrt().recip();
+            self.v = cube_root(jerk).recip();
         }
         if acceleration * self.v * self.v > 1.0 {
             self.v = acceleration.sqrt().recip();
@@ -64,6 +65,8 @@ impl Stretch {
 #[derive(Debug, Default)]
 pub(crate) struct Pace {
     pub stretches: Vec<Stretch>,
+    /// Those before knots were put in.
+    old: Vec<Stretch>,
     /// Highest speeds at both ends, mm/s.
     pub ends: [f64; 2],
     /// Length and `∫v·ds` up to every span.
@@ -78,6 +81,7 @@ impl Pace {
         Pace {
             ends: [f64::INFINITY; 2],
             stretches: Vec::with_capacity(spans),
+            old: Vec::with_capacity(spans),
             sums: Vec::with_capacity(spans + 1),
             parts: Vec::with_capacity(spans),
         }
@@ -86,6 +90,17 @@ impl Pace {
     /// Whether a span is slow.
     pub fn is_slow(&self) -> bool {
         self.stretches.iter().any(|stretch| stretch.is_slow)
+    }
+
+    /// Begins with no spans; those there are now may be taken over.
+    pub fn keep_stretches(&mut self) {
+        std::mem::swap(&mut self.stretches, &mut self.old);
+        self.stretches.clear();
+    }
+
+    /// The next span is the old span `k`.
+    pub fn take_over(&mut self, k: usize) {
+        self.stretches.extend(self.old.get(k));
     }
 
     pub fn begin_split(&mut self) {
@@ -115,13 +130,13 @@ impl Pace {
     /// How far a wave is smoothed away on span `k`: `v·(δ/J)^⅓`, mm.
     pub fn reach(&self, k: usize, tolerance: f64) -> f64 {
         let stretch = &self.stretches[k];
-        stretch.v * (tolerance / stretch.drive.j).cbrt()
+        stretch.v * cube_root(tolerance / stretch.drive.j)
     }
 
     /// The same, were nothing slow.
     pub fn most_reach(&self, k: usize, tolerance: f64) -> f64 {
         let stretch = &self.stretches[k];
-        stretch.top * (tolerance / stretch.drive.j).cbrt()
+        stretch.top * cube_root(tolerance / stretch.drive.j)
     }
 
     /// Finds the speeds from the limits in `v` and those at both ends.

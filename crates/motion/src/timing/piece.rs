@@ -13,6 +13,7 @@
 //! The last line gives the duration `T`. Where the jerk is constant `k` is 0.
 
 use crate::limits::Load;
+use crate::root::cube_root;
 
 /// How far a piece may be above a bound by rounding.
 pub(crate) const ROUNDING: f64 = 1.0 + 1e-4;
@@ -173,7 +174,7 @@ fn behind(from: State, j: f64, h: f64, iterations: usize) -> State {
     let State { v, a } = from;
     let mut t = if a >= 0.0 {
         let t = 2.0 * h / (v + (v * v + 2.0 * a * h).sqrt());
-        if t * t * t * j <= 6.0 * h { t } else { (6.0 * h / j).cbrt() }
+        if t * t * t * j <= 6.0 * h { t } else { cube_root(6.0 * h / j) }
     } else {
         // Never slower than where the braking is gone.
         h / (v - 0.5 * a * a / j)

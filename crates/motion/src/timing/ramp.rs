@@ -15,6 +15,7 @@
 //! said for speeding up.
 
 use crate::limits::Drive;
+use crate::root::cube_root;
 
 /// A state from which a ramp goes up (or, mirrored, at which it arrives coming down): speed and the
 /// acceleration away from it, both ≥ 0.
@@ -85,7 +86,7 @@ pub(crate) fn most_speed(foot: Foot, len: f64, drive: Drive) -> f64 {
     }
     let steady = if foot.v > 0.0 { len / foot.v } else { f64::INFINITY };
     let t =
-        if steady * steady * steady * drive.j <= 6.0 * len { steady } else { (6.0 * len / drive.j).cbrt() };
+        if steady * steady * steady * drive.j <= 6.0 * len { steady } else { cube_root(6.0 * len / drive.j) };
     by_acceleration.min(foot.v + 0.5 * drive.j * t * t)
 }
 
