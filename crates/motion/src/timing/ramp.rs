@@ -90,6 +90,16 @@ pub(crate) fn most_speed(foot: Foot, len: f64, drive: Drive) -> f64 {
     by_acceleration.min(foot.v + 0.5 * drive.j * t * t)
 }
 
+/// From this length on [`most_speed`] from `foot`, a still one, is no less than `v`.
+pub(crate) fn way_up(foot: Foot, v: f64, drive: Drive) -> f64 {
+    if v <= foot.v {
+        return 0.0;
+    }
+    let t = (2.0 * (v - foot.v) / drive.j).sqrt();
+    let by_acceleration = (v * v - foot.v * foot.v) / (2.0 * drive.a);
+    by_acceleration.max(foot.v * t).max(drive.j * t * t * t / 6.0)
+}
+
 /// Phases of constant jerk of a ramp: durations of building up, holding and taking back.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub(crate) struct Phases {
