@@ -10,7 +10,7 @@
 //!    where the third derivative is largest, which is at its ends.
 
 use crate::limits::Drive;
-use crate::root::cube_root;
+use crate::quick::cube_root;
 
 /// Share of the jerk that is left to a ramp beside what a curve takes.
 const RAMP_SHARE: f64 = 0.35;

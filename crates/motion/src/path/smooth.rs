@@ -241,6 +241,12 @@ impl Smoother {
         if self.count < AXES && self.points.last().is_some_and(|last| last.p.0[3..] != p.0[3..]) {
             self.count = AXES;
         }
+        self.run_on(p, u);
+    }
+
+    /// The same to a point that differs from the newest in X, Y and Z alone.
+    #[inline]
+    pub fn run_on(&mut self, p: Position, u: f64) {
         self.points.push(Point { p, u, feed: 0.0, tolerance: f64::INFINITY, level: 0 });
     }
 

@@ -13,7 +13,7 @@
 //! The last line gives the duration `T`. Where the jerk is constant `k` is 0.
 
 use crate::limits::Load;
-use crate::root::cube_root;
+use crate::quick::cube_root;
 
 /// How far a piece may be above a bound by rounding.
 pub(crate) const ROUNDING: f64 = 1.0 + 1e-4;

@@ -240,7 +240,7 @@ pub(crate) struct Plan {
 }
 
 /// Most stretches: every step of the sections that are known.
-pub(crate) const STRETCHES: usize = 8 * CELLS;
+pub(crate) const STRETCHES: usize = 4 * CELLS;
 
 impl Plan {
     pub fn new(inverses: Inverses) -> Plan {

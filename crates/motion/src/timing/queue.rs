@@ -206,6 +206,7 @@ impl Queue {
     }
 
     /// Adds a cell; the caller looked for room.
+    #[inline]
     pub fn append(&mut self, cell: Cell, node: Node) {
         self.rests += usize::from(node.rests);
         self.cells[slot(self.tail)] = cell;

@@ -15,7 +15,7 @@
 //! said for speeding up.
 
 use crate::limits::Drive;
-use crate::root::cube_root;
+use crate::quick::cube_root;
 
 /// A state from which a ramp goes up (or, mirrored, at which it arrives coming down): speed and the
 /// acceleration away from it, both ≥ 0.

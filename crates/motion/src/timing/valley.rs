@@ -36,6 +36,7 @@
 
 use crate::limits::Inverses;
 use crate::path::shape::Shape;
+use crate::quick::larger;
 use crate::timing::piece::{Piece, ROUNDING, State};
 use crate::timing::queue::{Node, Queue};
 use ferrocut_geometry::AXES;
@@ -62,10 +63,16 @@ const ITERATIONS: usize = 30;
 const GAP: f64 = 2e-3;
 
 /// Multipliers at first: the share of the time that all of them together are worth.
-const FIRST_GAP: f64 = 0.1;
+const FIRST_GAP: f64 = 0.3;
+
+/// Slacks at first, at least.
+const FIRST_SLACK: f64 = 0.15;
+
+/// Multipliers aimed at, of those there are: after a step that went nearly all its way, and after a shorter one.
+const AIMS: [f64; 2] = [0.15, 0.3];
 
 /// How close to zero slacks and multipliers go in an iteration.
-const NEARLY: f64 = 0.95;
+const NEARLY: f64 = 0.98;
 
 /// Where a bound is far, it is none: a valley gets no faster than this share of `x` is more, the path no stronger than
 /// this share of what its axes leave on a line, and less than this share of a bound is used then.
@@ -158,12 +165,15 @@ impl Valley {
         for _ in 0..ROUNDS {
             self.begin(plan, from, to);
             self.bound(&road, first);
-            self.solve();
-            if !self.cut(from, to) {
+            if !self.solve() || !self.cut(from, to) {
+                return false;
+            }
+            // With less of the bounds it is no faster.
+            if !(time(&self.pieces) < WORTH * time(plan)) {
                 return false;
             }
             if self.keeps(&road, first) {
-                return time(&self.pieces) < WORTH * time(plan);
+                return true;
             }
         }
         false
@@ -373,21 +383,26 @@ impl Valley {
         }
     }
 
-    /// The interior point method from the plan as it is.
-    fn solve(&mut self) {
+    /// The interior point method from the plan as it is. `false` if what it finds will not be worth it.
+    fn solve(&mut self) -> bool {
         let n = self.x.len();
         let sides = 2.0 * self.rows.len() as f64;
         let time: f64 = (1..n - 1).map(|i| self.h[i] / self.x[i].max(1e-12).sqrt()).sum();
-        let mut mu = FIRST_GAP * time / sides;
+        let mut sum = FIRST_GAP * time;
+        let mut mu = sum / sides;
         self.look(|_| ());
         for row in &mut self.rows {
-            row.z = [1.0 - row.value, 1.0 + row.value].map(|z| z.max(0.05));
+            row.z = [1.0 - row.value, 1.0 + row.value].map(|z| z.max(FIRST_SLACK));
             row.l = row.z.map(|z| mu / z);
         }
         for _ in 0..ITERATIONS {
-            self.assemble(mu);
+            let now = self.assemble(mu);
+            // No more than the gap is to be gained.
+            if now - sum > WORTH * time {
+                return false;
+            }
             if !self.eliminate() {
-                return;
+                return true;
             }
             // Where it leads, as far as slacks and multipliers stay positive.
             let mut far = 1.0_f64;
@@ -427,23 +442,30 @@ impl Valley {
                     sums[side] += row.z[side] * row.l[side];
                 }
             });
-            let sum = sums[0] + sums[1];
+            sum = sums[0] + sums[1];
             let far = far.min(far_l);
             if far > 0.9 && sum < GAP * time {
-                return;
+                return true;
             }
-            mu = (if far > 0.8 { 0.1 } else { 0.3 }) * sum / sides;
+            mu = AIMS[usize::from(far <= 0.8)] * sum / sides;
         }
+        true
     }
 
-    /// The matrix and the right side.
-    fn assemble(&mut self, mu: f64) {
+    /// The matrix and the right side; the time that it takes as it is.
+    fn assemble(&mut self, mu: f64) -> f64 {
         let n = self.x.len();
+        let mut time = 0.0;
         self.band.clear();
         self.right.clear();
-        for (x, h) in self.x.iter().zip(&self.h) {
-            let inverse = x.max(1e-12).recip();
-            let slow = h * inverse * inverse.sqrt();
+        for i in 0..n {
+            let inverse = self.x[i].max(1e-12).recip();
+            let own = self.h[i] * inverse.sqrt();
+            let slow = own * inverse;
+            // Before and behind the steps there is one more each.
+            if i > 0 && i + 1 < n {
+                time += own;
+            }
             self.band.push([0.75 * slow * inverse, 0.0, 0.0]);
             self.right.push(0.5 * slow);
         }
@@ -474,6 +496,7 @@ impl Valley {
             self.band[i][0] = 1e30;
             self.right[i] = 0.0;
         }
+        time
     }
 
     /// Solves `L·D·Lᵀ·dx = right` in place.
@@ -654,7 +677,7 @@ impl<C: Fn(&Node) -> f64> Road<'_, C> {
         for i in 0..AXES {
             let acceleration = (d2[i] * w + d1[i] * a) * inverse.acceleration[i];
             let jerk = (d3[i] * cube + d2[i] * swing + d1[i] * j) * inverse.jerk[i];
-            most = most.max(acceleration.abs()).max(jerk.abs());
+            most = larger(larger(most, acceleration.abs()), jerk.abs());
         }
         most
     }

@@ -1,4 +1,5 @@
-//! The cube root: planning takes some for every cell, and the exact one of the library takes half as long as all else there.
+//! Functions that planning uses so often that the library's ones, right to the last bit and for what is no number, take too
+//! long.
 
 /// Where the iteration is good without a closer look at the exponent.
 const LEAST: f64 = 1e-290;
@@ -18,6 +19,18 @@ pub(crate) fn cube_root(x: f64) -> f64 {
         root *= (cube + 2.0 * x) / (2.0 * cube + x);
     }
     root
+}
+
+/// The larger of `most` and `x`; `most` where `x` is no number.
+#[inline]
+pub(crate) fn larger(most: f64, x: f64) -> f64 {
+    if x > most { x } else { most }
+}
+
+/// The smaller of `least` and `x`; `least` where `x` is no number.
+#[inline]
+pub(crate) fn smaller(least: f64, x: f64) -> f64 {
+    if x < least { x } else { least }
 }
 
 #[cfg(test)]
