@@ -57,7 +57,15 @@ impl Stretch {
 
     /// The speed behind it, if it is `v` before it.
     fn behind(&self, v: f64) -> f64 {
-        v + self.len * (2.0 * RAMP_SHARE * self.drive.j / v).sqrt().min(self.drive.a / v)
+        let inverse = v.recip();
+        v + self.len * (2.0 * RAMP_SHARE * self.drive.j * inverse).sqrt().min(self.drive.a * inverse)
+    }
+
+    /// Makes the next one no faster than it can be behind this one.
+    fn hold_back(&self, next: &mut Stretch) {
+        if next.v > self.v {
+            next.v = next.v.min(self.behind(self.v));
+        }
     }
 }
 
@@ -142,15 +150,16 @@ impl Pace {
     /// Finds the speeds from the limits in `v` and those at both ends.
     pub fn find(&mut self) {
         let stretches = &mut self.stretches;
-        let mut v = self.ends[0].max(LEAST);
-        for stretch in stretches.iter_mut() {
-            stretch.v = stretch.v.min(v);
-            v = stretch.behind(stretch.v);
-        }
-        v = self.ends[1].max(LEAST);
-        for stretch in stretches.iter_mut().rev() {
-            stretch.v = stretch.v.min(v);
-            v = stretch.behind(stretch.v);
+        let count = stretches.len();
+        for (end, k) in [(0, 0), (1, count.saturating_sub(1))] {
+            if let Some(stretch) = stretches.get_mut(k) {
+                stretch.v = stretch.v.min(self.ends[end].max(LEAST));
+            }
+            for i in 1..count {
+                let (before, next) = if end == 0 { (i - 1, i) } else { (count - i, count - 1 - i) };
+                let before = stretches[before];
+                before.hold_back(&mut stretches[next]);
+            }
         }
         let (mut s, mut sum) = (0.0, 0.0);
         self.sums.clear();

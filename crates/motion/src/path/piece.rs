@@ -273,8 +273,11 @@ impl Line {
     /// `None`. As [`Line::new`] finds them, but for rounding.
     #[inline]
     pub fn next(&self, to: &Position) -> Option<([f64; 3], f64)> {
-        let is_other = |i: usize| self.dir.0[i] != 0.0 || self.to.0[i] != to.0[i];
-        if self.measure != Measure::Xyz || (3..AXES).any(is_other) {
+        let mut is_other = self.measure != Measure::Xyz;
+        for i in 3..AXES {
+            is_other |= (self.dir.0[i] != 0.0) | (self.to.0[i] != to.0[i]);
+        }
+        if is_other {
             return None;
         }
         let d: [f64; 3] = std::array::from_fn(|i| to.0[i] - self.to.0[i]);

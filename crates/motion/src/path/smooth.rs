@@ -620,9 +620,6 @@ impl Smoother {
         fit.clear();
         if self.set(fit, turns, open) {
             fit.solve();
-            if fit.press() {
-                fit.solve();
-            }
             if !self.inverse.is_free_of_jerk(&[1.0; AXES]) {
                 fit.find_pace(&self.inverse);
                 if fit.pace.is_slow() {

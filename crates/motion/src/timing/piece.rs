@@ -60,8 +60,10 @@ impl Piece {
         if !(time.is_finite() && time > 0.0) {
             return None;
         }
-        let k = 6.0 * ((from.a + to.a) * time - 2.0 * (to.v - from.v)) / (time * time * time);
-        let j = (to.a - from.a) / time - 0.5 * k * time;
+        let inverse = time.recip();
+        let cube = inverse * inverse * inverse;
+        let k = 6.0 * ((from.a + to.a) * time - 2.0 * (to.v - from.v)) * cube;
+        let j = (to.a - from.a) * inverse - 0.5 * k * time;
         Some(Piece { s, h, time, from, to, j, k })
     }
 
