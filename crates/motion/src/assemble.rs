@@ -256,7 +256,7 @@ impl Assembler {
         (*start, *s) = (Start::Plain(f64::INFINITY), self.s);
         self.s += len;
         self.end = m.to;
-        self.smoother.add(m.to, self.s);
+        self.smoother.run_on(m.to, self.s);
         true
     }
 
@@ -392,24 +392,25 @@ impl Assembler {
         ]);
         self.smoother.run(from, last.s + to, keeps, goes_on, |span| {
             let cubic = span.cubic;
-            let rates = cubic.rates();
-            let shape = if span.is_straight {
-                Shape::Line { p: cubic.c[0], d: cubic.c[1] }
-            } else {
-                Shape::Cubic(cubic)
-            };
+            let (rates, stretch) = cubic.rates();
+            let most = inverse.velocity(&rates);
             let node = Node {
                 s: span.u,
                 len: cubic.len,
                 load: inverse.load(&rates),
-                top: inverse.speed(&rates),
-                most: inverse.velocity(&rates),
-                feed: span.feed / cubic.stretch().max(LEAST_STRETCH),
+                top: inverse.curve_speed(&rates, most),
+                most,
+                feed: span.feed / stretch.max(LEAST_STRETCH),
                 class,
                 pass: Pass::Path,
                 rests: false,
             };
-            queue.append(Cell::new(shape, None), node);
+            // Apart, so that each is built where it stays.
+            if span.is_straight {
+                queue.append(Cell::new(Shape::Line { p: cubic.c[0], d: cubic.c[1] }, None), node);
+            } else {
+                queue.append(Cell::new(Shape::Cubic(cubic), None), node);
+            }
         });
         if goes_on {
             return;

@@ -170,9 +170,9 @@ impl Sender {
         self.cells.push(strip).is_ok()
     }
 
-    /// Adds a mark; whether there was room.
-    pub fn mark(&mut self, mark: Mark) -> bool {
-        self.marks.push(mark).is_ok()
+    /// Adds marks; whether there was room.
+    pub fn marks(&mut self, marks: &[Mark]) -> bool {
+        self.marks.push_entire_slice(marks).is_ok()
     }
 
     /// Adds the stretches of a course, then the course itself. It does not hold before [`settle`](Self::settle).

@@ -42,6 +42,7 @@ mod motion;
 mod moves;
 mod path;
 mod planner;
+mod quick;
 mod retrace;
 pub mod servo;
 mod stroke;

@@ -14,6 +14,7 @@
 //! back speed is `v − a²/2J`. [`Load::drive`] finds `A` and `J` with which the whole ramp stays inside; less of
 //! either does too, so a ramp over several pieces takes the least of theirs.
 
+use crate::quick::{cube_root, larger, smaller};
 use ferrocut_geometry::AXES;
 use ferrocut_machine::{AxisConfig, Machine, Ramp};
 
@@ -219,22 +220,23 @@ impl Load {
             return Room { a: drive.a, j: [drive.j; 2] };
         }
         let (w, cube) = (v * v, v * v * v);
-        let still = |i: usize| (1.0 - f64::from(self.twist[i]) * cube).max(LEAST_LEFT);
-        let push = |i: usize| f64::from(self.push[i]).max(LEAST_INVERSE[2]);
+        let still = |i: usize| larger(LEAST_LEFT, 1.0 - f64::from(self.twist[i]) * cube);
+        let push = |i: usize| larger(LEAST_INVERSE[2], f64::from(self.push[i]));
+        let count = self.count.min(SHARES);
         let mut most = Drive::MOST.j;
-        for i in 0..self.count {
-            most = most.min(still(i) / push(i));
+        for i in 0..count {
+            most = smaller(most, still(i) / push(i));
         }
         let (mut a, kept) = (Drive::MOST.a, JERK_KEPT * most);
-        for i in 0..self.count {
-            let left = (1.0 - f64::from(self.bend[i]) * w).max(LEAST_LEFT);
-            a = a.min(left / f64::from(self.along[i]).max(LEAST_INVERSE[1]));
+        for i in 0..count {
+            let left = larger(LEAST_LEFT, 1.0 - f64::from(self.bend[i]) * w);
+            a = smaller(a, left / larger(LEAST_INVERSE[1], f64::from(self.along[i])));
             let swings = still(i) - kept * push(i);
-            a = a.min(swings / (f64::from(self.swing[i]) * v).max(LEAST_INVERSE[1]));
+            a = smaller(a, swings / larger(LEAST_INVERSE[1], f64::from(self.swing[i]) * v));
         }
         let mut least = most;
-        for i in 0..self.count {
-            least = least.min((still(i) - f64::from(self.swing[i]) * v * a) / push(i));
+        for i in 0..count {
+            least = smaller(least, (still(i) - f64::from(self.swing[i]) * v * a) / push(i));
         }
         let j = [most, least];
         Room { a, j }
@@ -256,11 +258,11 @@ impl Load {
     pub fn used(&self, v: f64, a: f64, j: f64) -> f64 {
         let w = v * v;
         let mut most: f64 = 0.0;
-        for i in 0..self.count {
+        for i in 0..self.count.min(SHARES) {
             let acceleration = f64::from(self.bend[i]) * w + f64::from(self.along[i]) * a;
             let jerk = (f64::from(self.twist[i]) * w + f64::from(self.swing[i]) * a) * v
                 + f64::from(self.push[i]) * j;
-            most = most.max(acceleration).max(jerk);
+            most = larger(larger(most, acceleration), jerk);
         }
         most
     }
@@ -329,7 +331,7 @@ impl Inverses {
 /// Largest of `|xᵢ|·yᵢ`.
 #[inline]
 pub(crate) fn peak(x: &[f64; AXES], y: &[f64; AXES]) -> f64 {
-    x.iter().zip(y).fold(0.0, |m, (x, y)| (x.abs() * y).max(m))
+    x.iter().zip(y).fold(0.0, |m, (x, y)| larger(m, x.abs() * y))
 }
 
 /// To `f32`, never smaller.
@@ -346,10 +348,14 @@ impl Inverse {
 
     /// Highest speed along a piece, mm/s.
     pub fn speed(&self, rates: &Rates) -> f64 {
-        let along = self.velocity(rates);
+        self.curve_speed(rates, self.velocity(rates))
+    }
+
+    /// The same, where `along` is that by the velocity of the axes alone.
+    pub fn curve_speed(&self, rates: &Rates, along: f64) -> f64 {
         let bend = peak(&rates.second, &self.acceleration);
         let twist = peak(&rates.third, &self.jerk);
-        along.min((CURVE_SHARE / bend.max(1e-15)).sqrt()).min((TWIST_SHARE / twist.max(1e-20)).cbrt())
+        along.min((CURVE_SHARE / bend.max(1e-15)).sqrt()).min(cube_root(TWIST_SHARE / twist.max(1e-20)))
     }
 
     /// What a piece takes of the limits.

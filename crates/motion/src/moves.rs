@@ -127,6 +127,7 @@ impl Move {
     }
 
     /// Straight cut to `to` at `feed` mm/s (degrees/s where only rotary axes move).
+    #[inline]
     pub fn line(to: Position, feed: f64, path: PathMode, tag: u64) -> Option<Move> {
         Move { tag, to, kind: Kind::Line { feed, path } }.checked()
     }
@@ -211,6 +212,7 @@ impl Move {
         self.tag
     }
 
+    #[inline]
     fn checked(mut self) -> Option<Move> {
         let good = |x: &f64| x.abs() <= FARTHEST;
         let possible = match &mut self.kind {

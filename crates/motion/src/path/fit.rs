@@ -68,8 +68,10 @@ struct Strip<const N: usize> {
     first_bend: [f64; N],
     stiff: f64,
     tolerance: f64,
-    /// Behind the last of its places.
-    looks: usize,
+    /// The first of its places, and one behind the last.
+    looks: [usize; 2],
+    /// Whether one of them weighs more than at first.
+    is_pressed: bool,
 }
 
 /// Control points being fitted, of `N` axes.
@@ -84,6 +86,8 @@ pub(crate) struct Fit<const N: usize> {
     pub is_free: Vec<bool>,
     looks: Vec<Look<N>>,
     strips: Vec<Strip<N>>,
+    /// Those before knots were put in.
+    old: Vec<Strip<N>>,
     /// How fast every span is run, about.
     pub pace: Pace,
     /// `rows[i][d]` is the entry of row `i` and column `i − d`.
@@ -100,6 +104,7 @@ impl<const N: usize> Fit<N> {
             is_free: Vec::with_capacity(controls),
             looks: Vec::with_capacity(looks),
             strips: Vec::with_capacity(controls),
+            old: Vec::with_capacity(controls),
             pace: Pace::new(controls),
             rows: Vec::with_capacity(controls),
             sides: Vec::with_capacity(controls),
@@ -113,6 +118,24 @@ impl<const N: usize> Fit<N> {
         self.looks.clear();
         self.strips.clear();
         self.pace.stretches.clear();
+    }
+
+    /// The same, but spans may be taken over as they are ([`take_over`](Self::take_over)).
+    pub fn clear_for_finer(&mut self) {
+        self.controls.clear();
+        self.moved.clear();
+        self.is_free.clear();
+        std::mem::swap(&mut self.strips, &mut self.old);
+        self.strips.clear();
+        self.pace.keep_stretches();
+    }
+
+    /// The next span is the old span `k`, unless that one is no more as it was at first. Whether it is.
+    pub fn take_over(&mut self, k: usize) -> bool {
+        let Some(strip) = self.old.get(k).filter(|strip| !strip.is_pressed) else { return false };
+        self.strips.push(*strip);
+        self.pace.take_over(k);
+        true
     }
 
     /// Sets the first control points.
@@ -147,9 +170,19 @@ impl<const N: usize> Fit<N> {
         let (gram, side) = ([[0.0; BAND]; BAND], [[0.0; N]; BAND]);
         let k = self.strips.len();
         let (first_third, first_bend) = (self.at_first(k, &third), self.at_first(k, &bend));
-        let looks = self.looks.len();
-        let mut strip =
-            Strip { gram, side, third, bend, first_third, first_bend, stiff: 0.0, tolerance, looks };
+        let looks = [self.looks.len(); 2];
+        let mut strip = Strip {
+            gram,
+            side,
+            third,
+            bend,
+            first_third,
+            first_bend,
+            stiff: 0.0,
+            tolerance,
+            looks,
+            is_pressed: false,
+        };
         strip.stiffen(stiff);
         self.strips.push(strip);
         self.pace.stretches.push(stretch);
@@ -164,7 +197,7 @@ impl<const N: usize> Fit<N> {
         if let Some(strip) = self.strips.last_mut() {
             strip.press(&look, weight);
             self.looks.push(look);
-            strip.looks = self.looks.len();
+            strip.looks[1] = self.looks.len();
         }
     }
 
@@ -309,10 +342,10 @@ impl<const N: usize> Fit<N> {
     /// Weighs more where the spline is far from the lines. Whether it is anywhere.
     pub fn press(&mut self) -> bool {
         let mut changed = false;
-        let mut first = 0;
         for (k, strip) in self.strips.iter_mut().enumerate() {
             let moved = &self.moved[k..k + BAND];
-            for look in &mut self.looks[first..strip.looks] {
+            let [first, last] = strip.looks;
+            for look in &mut self.looks[first..last] {
                 let off = apart(weighted(&look.basis, moved), look.p);
                 let square: f64 = off.iter().map(|off| off * off).sum();
                 let over = square * look.close;
@@ -320,10 +353,10 @@ impl<const N: usize> Fit<N> {
                     let more = look.weight * ((over * CLOSER * CLOSER).min(MOST_CLOSER) - 1.0);
                     look.weight += more;
                     strip.press(look, more);
+                    strip.is_pressed = true;
                     changed = true;
                 }
             }
-            first = strip.looks;
         }
         changed
     }

@@ -181,12 +181,12 @@ impl Member {
         if !(tolerance > 0.0) || next_tolerance == Some(0.0) {
             return None;
         }
-        let (dir, len) = line.next(m.to)?;
+        let (dir, len) = line.next(&m.to)?;
         let shorter = line.len.min(len);
-        if !runs_on(&line.dir, &dir, shorter, tolerance) || is_lost(shorter, s + len) {
+        if !turns_little(&line.dir.0, &dir, shorter, tolerance) || is_lost(shorter, s + len) {
             return None;
         }
-        line.go_on(m.to, dir, len);
+        line.go_on(&m.to, dir, len);
         (self.tag, self.feed, self.tolerance) = (m.tag, feed, next_tolerance);
         (self.most, self.inner) = (f64::INFINITY, None);
         Some(len)
@@ -332,12 +332,19 @@ pub(crate) fn is_lost(len: f64, s: f64) -> bool {
 /// corner rounded in time would take more of them than there is.
 fn runs_on(before: &Position, after: &Position, len: f64, tolerance: f64) -> bool {
     let is_other = |p: &Position| p.0[3..].iter().any(|c| *c != 0.0);
-    if len < LEAST_RUN || tolerance < LEAST_RUN || is_other(before) || is_other(after) {
-        return false;
-    }
-    let square: f64 = (0..3).map(|i| (after.0[i] - before.0[i]) * (after.0[i] - before.0[i])).sum();
-    let most = 8.0 * tolerance / (CORNER_ROOM * len);
-    square <= (most * most).min(RUN_CHORD * RUN_CHORD)
+    let [x, y, z, ..] = after.0;
+    !is_other(before) && !is_other(after) && turns_little(&before.0, &[x, y, z], len, tolerance)
+}
+
+/// The same for directions of X, Y and Z alone.
+#[inline]
+fn turns_little(before: &[f64; AXES], after: &[f64; 3], len: f64, tolerance: f64) -> bool {
+    let square: f64 = (0..3).map(|i| (after[i] - before[i]) * (after[i] - before[i])).sum();
+    let (room, most) = (CORNER_ROOM * len, 8.0 * tolerance);
+    len >= LEAST_RUN
+        && tolerance >= LEAST_RUN
+        && square <= RUN_CHORD * RUN_CHORD
+        && square * (room * room) <= most * most
 }
 
 /// The quicker of both.

@@ -10,6 +10,7 @@
 //!    where the third derivative is largest, which is at its ends.
 
 use crate::limits::Drive;
+use crate::quick::cube_root;
 
 /// Share of the jerk that is left to a ramp beside what a curve takes.
 const RAMP_SHARE: f64 = 0.35;
@@ -47,7 +48,7 @@ impl Stretch {
         self.v = self.top;
         let cube = self.v * self.v * self.v;
         if jerk * cube > 1.0 {
-            self.v = jerk.cbrt().recip();
+            self.v = cube_root(jerk).recip();
         }
         if acceleration * self.v * self.v > 1.0 {
             self.v = acceleration.sqrt().recip();
@@ -56,7 +57,15 @@ impl Stretch {
 
     /// The speed behind it, if it is `v` before it.
     fn behind(&self, v: f64) -> f64 {
-        v + self.len * (2.0 * RAMP_SHARE * self.drive.j / v).sqrt().min(self.drive.a / v)
+        let inverse = v.recip();
+        v + self.len * (2.0 * RAMP_SHARE * self.drive.j * inverse).sqrt().min(self.drive.a * inverse)
+    }
+
+    /// Makes the next one no faster than it can be behind this one.
+    fn hold_back(&self, next: &mut Stretch) {
+        if next.v > self.v {
+            next.v = next.v.min(self.behind(self.v));
+        }
     }
 }
 
@@ -64,6 +73,8 @@ impl Stretch {
 #[derive(Debug, Default)]
 pub(crate) struct Pace {
     pub stretches: Vec<Stretch>,
+    /// Those before knots were put in.
+    old: Vec<Stretch>,
     /// Highest speeds at both ends, mm/s.
     pub ends: [f64; 2],
     /// Length and `∫v·ds` up to every span.
@@ -78,6 +89,7 @@ impl Pace {
         Pace {
             ends: [f64::INFINITY; 2],
             stretches: Vec::with_capacity(spans),
+            old: Vec::with_capacity(spans),
             sums: Vec::with_capacity(spans + 1),
             parts: Vec::with_capacity(spans),
         }
@@ -86,6 +98,17 @@ impl Pace {
     /// Whether a span is slow.
     pub fn is_slow(&self) -> bool {
         self.stretches.iter().any(|stretch| stretch.is_slow)
+    }
+
+    /// Begins with no spans; those there are now may be taken over.
+    pub fn keep_stretches(&mut self) {
+        std::mem::swap(&mut self.stretches, &mut self.old);
+        self.stretches.clear();
+    }
+
+    /// The next span is the old span `k`.
+    pub fn take_over(&mut self, k: usize) {
+        self.stretches.extend(self.old.get(k));
     }
 
     pub fn begin_split(&mut self) {
@@ -115,27 +138,28 @@ impl Pace {
     /// How far a wave is smoothed away on span `k`: `v·(δ/J)^⅓`, mm.
     pub fn reach(&self, k: usize, tolerance: f64) -> f64 {
         let stretch = &self.stretches[k];
-        stretch.v * (tolerance / stretch.drive.j).cbrt()
+        stretch.v * cube_root(tolerance / stretch.drive.j)
     }
 
     /// The same, were nothing slow.
     pub fn most_reach(&self, k: usize, tolerance: f64) -> f64 {
         let stretch = &self.stretches[k];
-        stretch.top * (tolerance / stretch.drive.j).cbrt()
+        stretch.top * cube_root(tolerance / stretch.drive.j)
     }
 
     /// Finds the speeds from the limits in `v` and those at both ends.
     pub fn find(&mut self) {
         let stretches = &mut self.stretches;
-        let mut v = self.ends[0].max(LEAST);
-        for stretch in stretches.iter_mut() {
-            stretch.v = stretch.v.min(v);
-            v = stretch.behind(stretch.v);
-        }
-        v = self.ends[1].max(LEAST);
-        for stretch in stretches.iter_mut().rev() {
-            stretch.v = stretch.v.min(v);
-            v = stretch.behind(stretch.v);
+        let count = stretches.len();
+        for (end, k) in [(0, 0), (1, count.saturating_sub(1))] {
+            if let Some(stretch) = stretches.get_mut(k) {
+                stretch.v = stretch.v.min(self.ends[end].max(LEAST));
+            }
+            for i in 1..count {
+                let (before, next) = if end == 0 { (i - 1, i) } else { (count - i, count - 1 - i) };
+                let before = stretches[before];
+                before.hold_back(&mut stretches[next]);
+            }
         }
         let (mut s, mut sum) = (0.0, 0.0);
         self.sums.clear();

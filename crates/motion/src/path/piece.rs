@@ -270,21 +270,28 @@ impl Line {
     }
 
     /// Direction and length of a line of X, Y and Z alone from its end to `to`, if it is one of them itself; else
-    /// `None`. As [`Line::new`] finds them.
+    /// `None`. As [`Line::new`] finds them, but for rounding.
     #[inline]
-    pub fn next(&self, to: Position) -> Option<(Position, f64)> {
-        if self.measure != Measure::Xyz || self.to.0[3..] != to.0[3..] {
+    pub fn next(&self, to: &Position) -> Option<([f64; 3], f64)> {
+        let mut is_other = self.measure != Measure::Xyz;
+        for i in 3..AXES {
+            is_other |= (self.dir.0[i] != 0.0) | (self.to.0[i] != to.0[i]);
+        }
+        if is_other {
             return None;
         }
-        let [x, y, z] = [0, 1, 2].map(|i| to.0[i] - self.to.0[i]);
-        let len = (x * x + y * y + z * z).sqrt();
-        (len > SAME_POINT_MM && len.is_finite()).then(|| (Position::xyz(x / len, y / len, z / len), len))
+        let d: [f64; 3] = std::array::from_fn(|i| to.0[i] - self.to.0[i]);
+        let len = (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt();
+        let inverse = len.recip();
+        (len > SAME_POINT_MM && len.is_finite()).then(|| (d.map(|d| d * inverse), len))
     }
 
     /// From now on it is the line from its end to `to`, with this direction and length.
     #[inline]
-    pub fn go_on(&mut self, to: Position, dir: Position, len: f64) {
-        (self.from, self.to, self.dir) = (self.to, to, dir);
+    pub fn go_on(&mut self, to: &Position, dir: [f64; 3], len: f64) {
+        self.from = self.to;
+        self.to.0[..3].copy_from_slice(&to.0[..3]);
+        self.dir.0[..3].copy_from_slice(&dir);
         (self.len, self.pace) = (len, 1.0);
     }
 }

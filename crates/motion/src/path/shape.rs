@@ -4,6 +4,7 @@ use crate::limits::Rates;
 use crate::path::corner::Corner;
 use crate::path::joint::Ease;
 use crate::path::piece::Piece;
+use crate::quick::larger;
 use ferrocut_geometry::{AXES, Position};
 
 /// Where a cell lies; lengths are from the start of the cell.
@@ -96,22 +97,22 @@ impl Cubic {
         [c1.0, middle, end]
     }
 
-    /// Largest `|q′|` over the first three axes.
-    pub fn stretch(&self) -> f64 {
-        self.hull().iter().map(|d| d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).fold(0.0, f64::max).sqrt()
-    }
-
-    /// Bounds of the derivatives; `q″` is linear and largest at an end.
-    pub fn rates(&self) -> Rates {
+    /// Bounds of the derivatives, where `q″` is linear and largest at an end, and the largest `|q′|` over the first three
+    /// axes.
+    pub fn rates(&self) -> (Rates, f64) {
         let hull = self.hull();
-        Rates {
-            first: std::array::from_fn(|i| hull[0][i].abs().max(hull[1][i].abs()).max(hull[2][i].abs())),
+        let stretch = hull.iter().map(|d| d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).fold(0.0, f64::max).sqrt();
+        let rates = Rates {
+            first: std::array::from_fn(|i| {
+                larger(larger(hull[0][i].abs(), hull[1][i].abs()), hull[2][i].abs())
+            }),
             second: std::array::from_fn(|i| {
                 let (c2, c3) = (2.0 * self.c[2].0[i], 6.0 * self.c[3].0[i] * self.len);
-                c2.abs().max((c2 + c3).abs())
+                larger(c2.abs(), (c2 + c3).abs())
             }),
             third: std::array::from_fn(|i| 6.0 * self.c[3].0[i].abs()),
-        }
+        };
+        (rates, stretch)
     }
 }
 

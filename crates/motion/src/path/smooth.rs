@@ -27,8 +27,8 @@ use crate::path::pace::Stretch;
 use crate::path::shape::Cubic;
 use ferrocut_geometry::{AXES, Position};
 
-/// Most points of a run that are smoothed at once; a longer run goes on from where it was.
-pub(crate) const POINTS: usize = 384;
+/// Most points of a run that are smoothed at once; a longer run goes on from where it was, and smooths some spans again.
+pub(crate) const POINTS: usize = 512;
 
 /// Points that one more move may bring.
 const SPARE: usize = 160;
@@ -165,6 +165,8 @@ pub(crate) struct Smoother {
     /// Knots while some are added.
     finer: Vec<f64>,
     is_finer_dense: Vec<bool>,
+    /// The spans before that was done which spans are; none of those that were split.
+    origins: Vec<Option<usize>>,
     /// The run goes on: its first knots and control points stand, because a part of it is in the queue already.
     goes_on: bool,
     /// Where the last knot that stands lies.
@@ -196,6 +198,7 @@ impl Smoother {
             inverse,
             finer: Vec::with_capacity(KNOTS),
             is_finer_dense: Vec::with_capacity(KNOTS),
+            origins: Vec::with_capacity(KNOTS),
             goes_on: false,
             anchor: (0.0, [0.0; AXES]),
             anchor_reach: 0.0,
@@ -238,6 +241,12 @@ impl Smoother {
         if self.count < AXES && self.points.last().is_some_and(|last| last.p.0[3..] != p.0[3..]) {
             self.count = AXES;
         }
+        self.run_on(p, u);
+    }
+
+    /// The same to a point that differs from the newest in X, Y and Z alone.
+    #[inline]
+    pub fn run_on(&mut self, p: Position, u: f64) {
         self.points.push(Point { p, u, feed: 0.0, tolerance: f64::INFINITY, level: 0 });
     }
 
@@ -263,7 +272,7 @@ impl Smoother {
     /// Smooths the run between the lengths `from` and `to`, which lie on its first and its last line, and hands its
     /// spans to `out`. If the run is `open`, it goes on: the last spans are kept back. `keeps` says whether its first
     /// and its last line stay as they are.
-    pub fn run(&mut self, from: f64, to: f64, keeps: [bool; 2], open: bool, mut out: impl FnMut(Span)) {
+    pub fn run(&mut self, from: f64, to: f64, keeps: [bool; 2], open: bool, out: impl FnMut(Span)) {
         self.keeps = keeps;
         if self.points.len() < 2 {
             return;
@@ -289,9 +298,10 @@ impl Smoother {
             }
         }
         let last = self.last(open);
-        let mut at = 0;
-        for k in 0..last {
-            out(self.span(k, &mut at));
+        if self.count == 3 {
+            self.hand_out::<3>(last, out);
+        } else {
+            self.hand_out::<AXES>(last, out);
         }
         if open {
             self.keep_from(last);
@@ -324,7 +334,7 @@ impl Smoother {
         self.chords.clear();
         self.is_thinned.clear();
         self.is_thinned.push(false);
-        let mut anchor = if self.goes_on {
+        let anchor = if self.goes_on {
             // From the last knot that stands, on the chord that it stood on.
             self.chords.push(self.anchor);
             self.segment(self.anchor.0, 0)
@@ -333,10 +343,20 @@ impl Smoother {
             self.chords.push((self.points[0].u, self.points[0].p.0));
             0
         };
+        if self.count == 3 {
+            self.thin_out_from::<3>(anchor);
+        } else {
+            self.thin_out_from::<AXES>(anchor);
+        }
+    }
+
+    /// The same from point `anchor` on.
+    fn thin_out_from<const N: usize>(&mut self, mut anchor: usize) {
         let last = self.points.len() - 1;
-        let (mut from_u, mut from_p) = self.chords[0];
+        let (mut from_u, mut from_p) = (self.chords[0].0, front::<N>(&self.chords[0].1));
         while anchor < last {
             let mut end = anchor + 1;
+            let mut cone = Cone::new(from_u, from_p);
             let feed = self.points[anchor].feed;
             let is_kept = self.keeps[0] && !self.goes_on && anchor == 0;
             while end < last && end - anchor < MOST_LEFT_OUT && !is_kept {
@@ -349,9 +369,12 @@ impl Smoother {
                     let (a, b) = (&self.points[i], &self.points[i + 1]);
                     b.u - a.u < SHORT_FEED * a.tolerance
                 };
-                if (point.feed != feed && !is_short(end) && !is_short(anchor))
-                    || !self.fits_all(from_u, &from_p, anchor + 1, end + 1)
-                {
+                if point.feed != feed && !is_short(end) && !is_short(anchor) {
+                    break;
+                }
+                cone.narrow(point, self.points[end - 1].tolerance);
+                // What the cone does not say is looked at.
+                if !cone.holds(&self.points[end + 1]) && !self.fits(from_u, &from_p, anchor + 1, end + 1) {
                     break;
                 }
                 end += 1;
@@ -360,21 +383,12 @@ impl Smoother {
             self.is_thinned.push(end > anchor + 1);
             let point = &self.points[end];
             self.chords.push((point.u, point.p.0));
-            (from_u, from_p) = (point.u, point.p.0);
+            (from_u, from_p) = (point.u, front(&point.p.0));
             anchor = end;
         }
     }
 
     /// Whether the points `first`…`end − 1` are close enough to the chord from a place to point `end`.
-    #[inline]
-    fn fits_all(&self, from_u: f64, from: &Vector, first: usize, end: usize) -> bool {
-        if self.count == 3 {
-            self.fits::<3>(from_u, &front(from), first, end)
-        } else {
-            self.fits::<AXES>(from_u, from, first, end)
-        }
-    }
-
     fn fits<const N: usize>(&self, from_u: f64, from: &[f64; N], first: usize, end: usize) -> bool {
         let to = &self.points[end];
         let len = to.u - from_u;
@@ -602,11 +616,10 @@ impl Smoother {
             if self.goes_on { unknown } else { self.speeds[0] },
             if open { unknown } else { self.speeds[1] },
         ];
+        self.origins.clear();
+        fit.clear();
         if self.set(fit, turns, open) {
             fit.solve();
-            if fit.press() {
-                fit.solve();
-            }
             if !self.inverse.is_free_of_jerk(&[1.0; AXES]) {
                 fit.find_pace(&self.inverse);
                 if fit.pace.is_slow() {
@@ -629,6 +642,7 @@ impl Smoother {
             return;
         }
         self.place_on_chords();
+        fit.clear_for_finer();
         self.set(fit, turns, open);
         fit.pace.take_parts();
         fit.stiffen(open);
@@ -640,11 +654,10 @@ impl Smoother {
         fit.solve();
     }
 
-    /// Sets up what is to be least. Whether anything is free.
+    /// Sets up what is to be least, in a fit without spans. Whether anything is free.
     fn set<const N: usize>(&mut self, fit: &mut Fit<N>, turns: [bool; 2], open: bool) -> bool {
         let total = self.controls.len();
         let spans = self.knots.len().saturating_sub(5);
-        fit.clear();
         // Control point `j` bears on the spans j−3…j.
         let first = if self.goes_on { STANDING_CONTROLS } else { 3 * usize::from(!turns[0]) };
         let last = total - 3 * usize::from(!turns[1]);
@@ -679,6 +692,7 @@ impl Smoother {
         let mut left = (KNOTS_A_LINE * self.lines()).saturating_sub(spans);
         self.finer.clear();
         self.is_finer_dense.clear();
+        self.origins.clear();
         fit.pace.begin_split();
         self.finer.extend_from_slice(&self.knots[..3]);
         let keeps = [!self.goes_on && self.keeps[0], open || self.keeps[1]];
@@ -696,6 +710,7 @@ impl Smoother {
                 }
             }
             fit.pace.split(k, parts);
+            self.origins.resize(self.origins.len() + parts, (parts == 1).then_some(k));
             for part in 1..parts {
                 self.finer.push(begin + (end - begin) * part as f64 / parts as f64);
                 self.is_finer_dense.push(true);
@@ -747,12 +762,14 @@ impl Smoother {
         for k in 0..spans {
             let (begin, end) = (self.t(k), self.t(k + 1));
             let len = end - begin;
-            if !fit.bears(k) {
-                line = self.segment(begin, line);
-                fit.skip(Stretch::free(len, self.points[line].feed.min(FASTEST)));
+            if self.origin(k).is_some_and(|k| fit.take_over(k)) {
                 continue;
             }
             line = self.segment(begin, line);
+            if !fit.bears(k) {
+                fit.skip(Stretch::free(len, self.points[line].feed.min(FASTEST)));
+                continue;
+            }
             let lines = self.points[line + 1..].iter().take_while(|point| point.u < end).count();
             let last = (line + lines).min(self.points.len() - 2);
             let near = |k: usize| self.t(k + 1) - self.t(k);
@@ -803,6 +820,13 @@ impl Smoother {
         }
     }
 
+    /// Which span `k` was before knots were put in, if all knots that bear on it are the same.
+    fn origin(&self, k: usize) -> Option<usize> {
+        let first = self.origins.get(k.checked_sub(2)?).copied().flatten()?;
+        let last = self.origins.get(k + 2).copied().flatten()?;
+        (last == first + 4).then_some(first + 2)
+    }
+
     /// What the weights of the control points of span `k` are found with.
     fn place(&self, k: usize) -> Place {
         let t: [f64; 6] = std::array::from_fn(|i| self.knots[k + i]);
@@ -835,51 +859,43 @@ impl Smoother {
         [w0, 1.0 - w0 - w2, w2]
     }
 
-    /// `q` at knot `k`.
-    fn at_knot(&self, k: usize) -> Vector {
-        let w = self.weights(k);
-        let (a, b, c) = (&self.controls[k], &self.controls[k + 1], &self.controls[k + 2]);
-        std::array::from_fn(|i| w[0] * a[i] + w[1] * b[i] + w[2] * c[i])
-    }
-
-    /// `q′` and `q″` at knot `k`.
-    fn derivatives(&self, k: usize) -> (Vector, Vector) {
-        let [a, b, c, d, e] = [0, 1, 2, 3, 4].map(|i| self.knots[k + i]);
+    /// `q`, `q′` and `q″` at knot `k`.
+    #[inline]
+    fn at_knot<const N: usize>(&self, k: usize) -> [[f64; N]; 3] {
+        let [a, b, c, d, e] = std::array::from_fn(|i| self.knots[k + i]);
         let (p, q, r) = (&self.controls[k], &self.controls[k + 1], &self.controls[k + 2]);
-        let (f, g) = (3.0 / (d - a), 3.0 / (e - b));
-        let whole = d - b;
-        let (left, right) = ((d - c) / whole, (c - b) / whole);
-        let mut first = [0.0; AXES];
-        let mut second = [0.0; AXES];
-        for i in 0..self.count {
-            let (x, y) = ((q[i] - p[i]) * f, (r[i] - q[i]) * g);
-            first[i] = left * x + right * y;
-            second[i] = 2.0 * (y - x) / whole;
+        let (f, g, whole) = ((d - a).recip(), (e - b).recip(), (d - b).recip());
+        let (left, right) = ((d - c) * whole, (c - b) * whole);
+        let (w0, w2) = ((d - c) * left * f, (c - b) * right * g);
+        let mut at = [[0.0; N]; 3];
+        for i in 0..N {
+            let (before, behind) = (q[i] - p[i], r[i] - q[i]);
+            let (x, y) = (3.0 * f * before, 3.0 * g * behind);
+            at[0][i] = q[i] + (w2 * behind - w0 * before);
+            at[1][i] = left * x + right * y;
+            at[2][i] = 2.0 * whole * (y - x);
         }
-        (first, second)
+        at
     }
 
-    fn cubic(&self, k: usize) -> Cubic {
-        let len = self.t(k + 1) - self.t(k);
-        let (c1, e0) = self.derivatives(k);
-        let (_, e1) = self.derivatives(k + 1);
-        let mut c = [Position::ZERO; 4];
-        c[0] = Position(self.at_knot(k));
-        c[1] = Position(c1);
-        for i in 0..self.count {
-            c[2].0[i] = 0.5 * e0[i];
-            c[3].0[i] = (e1[i] - e0[i]) / (6.0 * len);
-        }
-        Cubic { c, len }
+    /// Span `k` between what is at its knots.
+    #[inline]
+    fn cubic<const N: usize>(&self, k: usize, from: &[[f64; N]; 3], to: &[[f64; N]; 3]) -> [[f64; N]; 4] {
+        let sixth = (6.0 * (self.t(k + 1) - self.t(k))).recip();
+        let [q, first, second] = *from;
+        [q, first, second.map(|e| 0.5 * e), std::array::from_fn(|i| (to[2][i] - second[i]) * sixth)]
     }
 
     /// Whether the spans up to `last` keep the tolerance; if not, the points concerned go to their next level.
     fn check<const N: usize>(&mut self, last: usize, round: usize) -> bool {
         let mut is_good = true;
         let mut first = 0;
+        let mut to = self.at_knot::<N>(0);
         for k in 0..last {
+            let from = to;
+            to = self.at_knot(k + 1);
             first = self.segment(self.t(k), first);
-            let Some(behind) = self.strays::<N>(k, first) else { continue };
+            let Some(behind) = self.strays(k, first, &from, &to) else { continue };
             is_good = false;
             let until = (behind + 2).min(self.points.len());
             for point in &mut self.points[first.saturating_sub(1)..until] {
@@ -891,17 +907,44 @@ impl Smoother {
         is_good
     }
 
-    /// The last point of span `k`, which begins on line `first`, if the span is too far from the lines.
-    fn strays<const N: usize>(&self, k: usize, first: usize) -> Option<usize> {
+    /// The last point of span `k`, which begins on line `first`, if the span is too far from the lines; `from` and `to` is
+    /// what is at its knots.
+    fn strays<const N: usize>(
+        &self,
+        k: usize,
+        first: usize,
+        from: &[[f64; N]; 3],
+        to: &[[f64; N]; 3],
+    ) -> Option<usize> {
         let (begin, end) = (self.t(k), self.t(k + 1));
-        let c = self.cubic(k).c.map(|c| front::<N>(&c.0));
+        let c = self.cubic(k, from, to);
         let inside = self.points[first + 1..].iter().take_while(|point| point.u <= end).count();
         let last = first + inside;
         let tolerance =
             self.points[first..=last].iter().map(|point| point.tolerance).fold(f64::INFINITY, f64::min);
         let limit = (tolerance * TOLERANCE_SHARE) * (tolerance * TOLERANCE_SHARE);
-        // Programmed points from the spline.
         let points = &self.points[first + 1..=last];
+        // At the same lengths the spline and the lines are no further apart than at the knots and at the points, and by what
+        // the spline bends away from its chords between them.
+        let mut most = self.off_line(first, begin, &from[0]).max(self.off_line(last, end, &to[0]));
+        let (mut longest, mut u) = (0.0, begin);
+        for point in points {
+            let s = point.u - begin;
+            longest = f64::max(longest, point.u - u);
+            u = point.u;
+            let mut square = 0.0;
+            for i in 0..N {
+                let e = c[0][i] + s * (c[1][i] + s * (c[2][i] + s * c[3][i])) - point.p.0[i];
+                square += e * e;
+            }
+            most = most.max(square);
+        }
+        longest = longest.max(end - u);
+        let bend = norm(&from[2]).max(norm(&to[2]));
+        if most.sqrt() + 0.125 * bend * longest * longest <= tolerance * TOLERANCE_SHARE {
+            return None;
+        }
+        // Programmed points from the spline.
         if points.iter().any(|point| is_across(&c, point.u - begin, &point.p.0, limit)) {
             return Some(last);
         }
@@ -921,6 +964,19 @@ impl Smoother {
             }
         }
         None
+    }
+
+    /// The square of how far `q` is from the place at the length `u` of line `i`.
+    #[inline]
+    fn off_line<const N: usize>(&self, i: usize, u: f64, q: &[f64; N]) -> f64 {
+        let (a, b) = (&self.points[i], &self.points[(i + 1).min(self.points.len() - 1)]);
+        let share = if b.u > a.u { (u - a.u) / (b.u - a.u) } else { 0.0 };
+        let mut square = 0.0;
+        for k in 0..N {
+            let e = a.p.0[k] + (b.p.0[k] - a.p.0[k]) * share - q[k];
+            square += e * e;
+        }
+        square
     }
 
     /// Whether `q` is no further from line `i` than the root of `limit`.
@@ -943,20 +999,26 @@ impl Smoother {
         }
     }
 
-    /// Span `k`; `at` is where its line is looked for.
-    fn span(&self, k: usize, at: &mut usize) -> Span {
-        let mut cubic = self.cubic(k);
-        let (begin, end) = (self.t(k), self.t(k + 1));
-        *at = self.segment(begin, *at);
-        let line = self.segment(0.5 * (begin + end), *at);
-        let is_straight = (0..self.count).all(|i| {
-            (2.0 * cubic.c[2].0[i]).abs() < 1e-9 && (6.0 * cubic.c[3].0[i] * cubic.len).abs() < 1e-9
-        });
-        let other = &self.points[line];
-        for i in self.count..AXES {
-            cubic.c[0].0[i] = other.p.0[i];
+    /// Hands out the spans before `last`.
+    fn hand_out<const N: usize>(&self, last: usize, mut out: impl FnMut(Span)) {
+        let mut first = 0;
+        let mut to = self.at_knot::<N>(0);
+        for k in 0..last {
+            let from = to;
+            to = self.at_knot(k + 1);
+            let (begin, end) = (self.t(k), self.t(k + 1));
+            let (c, len) = (self.cubic(k, &from, &to), end - begin);
+            first = self.segment(begin, first);
+            let line = &self.points[self.segment(0.5 * (begin + end), first)];
+            let is_straight =
+                (0..N).all(|i| (2.0 * c[2][i]).abs() < 1e-9 && (6.0 * c[3][i] * len).abs() < 1e-9);
+            let mut cubic = Cubic { c: [Position::ZERO; 4], len };
+            for (own, c) in cubic.c.iter_mut().zip(&c) {
+                own.0[..N].copy_from_slice(c);
+            }
+            cubic.c[0].0[N..].copy_from_slice(&line.p.0[N..]);
+            out(Span { u: begin, cubic, feed: line.feed, is_straight });
         }
-        Span { u: begin, cubic, feed: other.feed, is_straight }
     }
 
     /// Keeps what the spans from `next` on need.
@@ -983,9 +1045,72 @@ impl Smoother {
     }
 }
 
+fn norm<const N: usize>(d: &[f64; N]) -> f64 {
+    d.iter().map(|d| d * d).sum::<f64>().sqrt()
+}
+
 /// The axes in front.
 fn front<const N: usize>(p: &Vector) -> [f64; N] {
     std::array::from_fn(|i| p[i])
+}
+
+/// The chords from a place that pass all points so far closely enough: mean velocities `(p − p₀)/(u − u₀)` that lie in a
+/// ball. Every point allows a ball about its own velocity, with the radius `δ/(u − u₀)`; this one is inside all of them.
+struct Cone<const N: usize> {
+    u: f64,
+    p: [f64; N],
+    middle: [f64; N],
+    radius: f64,
+    /// Velocity of the point that was asked for last, and what there is `1/(u − u₀)`.
+    last: [f64; N],
+    inverse: f64,
+}
+
+impl<const N: usize> Cone<N> {
+    fn new(u: f64, p: [f64; N]) -> Cone<N> {
+        Cone { u, p, middle: [0.0; N], radius: f64::INFINITY, last: [0.0; N], inverse: 0.0 }
+    }
+
+    fn aim(&mut self, point: &Point) {
+        self.inverse = (point.u - self.u).recip();
+        self.last = std::array::from_fn(|k| (point.p.0[k] - self.p[k]) * self.inverse);
+    }
+
+    /// Only what passes `point` too; `before` is the tolerance of the line to it.
+    fn narrow(&mut self, point: &Point, before: f64) {
+        let is_first = self.radius == f64::INFINITY;
+        if is_first {
+            self.aim(point);
+        }
+        let own = point.level().chord * point.tolerance.min(before) * self.inverse;
+        let mut off = [0.0; N];
+        let mut square = 0.0;
+        for k in 0..N {
+            off[k] = self.last[k] - self.middle[k];
+            square += off[k] * off[k];
+        }
+        let apart = square.sqrt();
+        if is_first || apart + own <= self.radius {
+            (self.middle, self.radius) = (self.last, own);
+        } else if apart + self.radius > own {
+            // The largest ball in what both have in common; none if that is nothing.
+            let share = 0.5 * (apart - own + self.radius) / apart;
+            for k in 0..N {
+                self.middle[k] += share * off[k];
+            }
+            self.radius = 0.5 * (self.radius + own - apart);
+        }
+    }
+
+    /// Whether the chord to `point` is one of them.
+    fn holds(&mut self, point: &Point) -> bool {
+        self.aim(point);
+        let mut square = 0.0;
+        for k in 0..N {
+            square += (self.last[k] - self.middle[k]) * (self.last[k] - self.middle[k]);
+        }
+        self.radius > 0.0 && square <= self.radius * self.radius
+    }
 }
 
 /// The knots of a span, and the inverses of their distances.

@@ -25,7 +25,7 @@
 use crate::limits::Room;
 use crate::timing::piece::{Piece, ROUNDING, State, acceleration_behind, step};
 use crate::timing::queue::{CELL_RING, Node, Pass, Queue};
-use crate::timing::ramp::{Foot, most_speed};
+use crate::timing::ramp::{Foot, most_speed, way_up};
 
 /// Length of steps in time, s.
 const TAU: f64 = 0.004;
@@ -124,13 +124,20 @@ struct Step {
     last: u64,
     /// Highest speed, here and in the steps beside it.
     cap: f64,
-    /// More than the speed here.
+    /// More than the speed here, and the time that takes.
     most: f64,
+    time: f64,
+    /// From the middle of the step before to that of the step behind, or to the ends of the section.
+    gap: f64,
+    /// `1/(h₀ + h)`, with the length `h₀` of the step before.
+    both: f64,
     /// What is left to the path at that speed.
     room: Room,
     /// Acceleration left, and jerk left at no acceleration and at that one: the share of it that is used.
     a: f64,
     j: [f64; 2],
+    /// `(j₁ − j₀)/a`.
+    slack: f64,
     /// Acceleration and braking at its start and its end, with foresight.
     up: [f64; 2],
     down: [f64; 2],
@@ -185,7 +192,7 @@ impl Step {
     /// Jerk left at the acceleration `a`.
     #[inline]
     fn jerk(&self, a: f64) -> f64 {
-        self.j[0] + (self.j[1] - self.j[0]) * (a / self.a).min(1.0)
+        self.j[0] + self.slack * a.min(self.a)
     }
 }
 
@@ -205,6 +212,8 @@ pub(crate) struct Grid {
     ends: Vec<f64>,
     hull: Vec<(f64, f64, usize)>,
     bulges: Vec<f64>,
+    /// `gap/v` of the steps.
+    times: Vec<f64>,
     /// Whether the section ends before the port that was asked for, at rest, because there are too many steps.
     pub is_cut: bool,
 }
@@ -217,6 +226,7 @@ impl Grid {
             ends: Vec::with_capacity(CELL_RING + 8),
             hull: Vec::with_capacity(STEPS + 8),
             bulges: Vec::with_capacity(STEPS + 8),
+            times: Vec::with_capacity(STEPS + 8),
             is_cut: false,
         }
     }
@@ -292,13 +302,18 @@ impl Grid {
             let len = node.end().min(to) - node.s.max(from.s);
             (v * v + 2.0 * node.load.room(v).a * len).sqrt()
         };
+        // Where it does not rise nothing is to be reached.
         for i in 0..self.ends.len() - 1 {
-            let reached = reach(first + i as u64, self.ends[i]);
-            self.ends[i + 1] = self.ends[i + 1].min(reached);
+            if self.ends[i + 1] > self.ends[i] {
+                let reached = reach(first + i as u64, self.ends[i]);
+                self.ends[i + 1] = self.ends[i + 1].min(reached);
+            }
         }
         for i in (0..self.ends.len() - 1).rev() {
-            let reached = reach(first + i as u64, self.ends[i + 1]);
-            self.ends[i] = self.ends[i].min(reached);
+            if self.ends[i] > self.ends[i + 1] {
+                let reached = reach(first + i as u64, self.ends[i + 1]);
+                self.ends[i] = self.ends[i].min(reached);
+            }
         }
         // A state that is given is.
         self.ends[0] = self.ends[0].max(from.state.v);
@@ -358,8 +373,16 @@ impl Grid {
             let drives = [left_node.load.most(), right_node.load.most()];
             let foot = |cell: u64| Foot::still(end_of(cell).min(here));
             let (low, high) = (foot(cell), foot(next));
-            let rising = |s: f64| most_speed(low, s - begin, drives[0]);
-            let falling = |s: f64| most_speed(high, end - s, drives[1]);
+            // Far enough from an end its speed holds nothing back.
+            let free = [way_up(low, here, drives[0]), way_up(high, here, drives[1])];
+            let rising = |s: f64| {
+                let way = s - begin;
+                if way >= free[0] { f64::INFINITY } else { most_speed(low, way, drives[0]) }
+            };
+            let falling = |s: f64| {
+                let way = end - s;
+                if way >= free[1] { f64::INFINITY } else { most_speed(high, way, drives[1]) }
+            };
             let speed = |s: f64| here.min(rising(s)).min(falling(s));
             // The first step from rest is TAU long by the jerk or, where that is not limited, by the acceleration.
             // However short, a section has room to speed up and slow down in.
@@ -435,6 +458,15 @@ impl Grid {
             }
             step.h = self.to.s - step.s;
         }
+        let (mut before, mut at) = (None, from.s);
+        for i in 0..self.steps.len() {
+            let behind = self.steps.get(i + 1).map_or(self.to.s, Step::middle);
+            let step = &mut self.steps[i];
+            step.time = step.h / step.most;
+            step.gap = behind - at;
+            step.both = (before.unwrap_or(step.h) + step.h).recip();
+            (before, at) = (Some(step.h), step.middle());
+        }
     }
 
     /// Passes 2 to 6, again and again; `false` if no plan was found.
@@ -496,6 +528,7 @@ impl Grid {
                 && !step.nodes(queue).all(|node| node.load.is_straight())
             {
                 step.most = step.most.min(ABOVE * x.sqrt().max(LEAST_SUMMIT));
+                step.time = step.h / step.most;
                 step.room = step.room_at(queue, step.most);
                 comes_closer = true;
             }
@@ -509,7 +542,9 @@ impl Grid {
             let a = step.room.a * step.share * ACCELERATION_SHARE;
             let j = step.room.j.map(|j| j * step.share * JERK_SHARE);
             step.is_new = a != step.a || j != step.j;
-            (step.a, step.j) = (a, j);
+            if step.is_new {
+                (step.a, step.j, step.slack) = (a, j, (j[1] - j[0]) / a);
+            }
         }
     }
 
@@ -520,7 +555,7 @@ impl Grid {
             let before = if i > 0 { self.steps[i - 1].a } else { f64::INFINITY };
             let step = &mut self.steps[i];
             step.up[1] = up.min(step.a);
-            up = before.min(step.a).min(step.up[1] + step.j[1] * step.h / step.most);
+            up = before.min(step.a).min(step.up[1] + step.j[1] * step.time);
             step.up[0] = up;
         }
         let mut down = f64::INFINITY;
@@ -528,7 +563,7 @@ impl Grid {
             let behind = self.steps.get(i + 1).map_or(f64::INFINITY, |step| step.a);
             let step = &mut self.steps[i];
             step.down[0] = down.min(step.a);
-            down = behind.min(step.a).min(step.down[0] + step.j[1] * step.h / step.most);
+            down = behind.min(step.a).min(step.down[0] + step.j[1] * step.time);
             step.down[1] = down;
         }
     }
@@ -569,13 +604,14 @@ impl Grid {
 
     /// Pass 5. Which jerk is left depends on the acceleration that results: twice.
     fn round_summits(&mut self, from: Port) {
+        self.times.clear();
+        self.times.extend(self.steps.iter().map(|step| step.gap / step.x.sqrt().max(LEAST_SUMMIT)));
         self.lower(from, |steps, i| steps[i].slope.abs());
         self.lower(from, |steps, i| {
             let (Some(before), Some(behind)) = (i.checked_sub(1), steps.get(i + 1)) else {
                 return steps[i].slope.abs();
             };
-            let before = &steps[before];
-            (0.5 * (behind.rounded - before.rounded) / (behind.middle() - before.middle())).abs()
+            (0.5 * (behind.rounded - steps[before].rounded) / steps[i].gap).abs()
         });
         for step in &mut self.steps {
             if step.rounded < step.x {
@@ -590,15 +626,11 @@ impl Grid {
         let n = self.steps.len();
         self.bulges.clear();
         let (mut slope, mut bulge, mut at) = (0.0, 0.0, from.s);
-        for i in 0..n {
-            let step = &self.steps[i];
+        for (i, (step, time)) in self.steps.iter().zip(&self.times).enumerate() {
             let g = step.middle();
             bulge += slope * (g - at);
             self.bulges.push(bulge);
-            let v = step.x.sqrt().max(LEAST_SUMMIT);
-            let before = if i > 0 { self.steps[i - 1].middle() } else { from.s };
-            let behind = self.steps.get(i + 1).map_or(self.to.s, Step::middle);
-            slope += step.jerk(slope_of(&self.steps, i)) / v * (behind - before);
+            slope += step.jerk(slope_of(&self.steps, i)) * time;
             at = g;
         }
         self.bulges.push(bulge + slope * (self.to.s - at));
@@ -626,6 +658,9 @@ impl Grid {
         }
         for pair in self.hull.windows(2) {
             let (a, b) = (pair[0], pair[1]);
+            if a.2 + 1 >= b.2 {
+                continue;
+            }
             let slope = (b.1 - a.1) / (b.0 - a.0);
             for i in a.2..b.2 - 1 {
                 let step = &mut self.steps[i];
@@ -644,9 +679,8 @@ impl Grid {
                 (By::Up | By::Cap, By::Up) => here.rising,
                 (By::Down, By::Down | By::Cap) => here.falling,
                 _ => {
-                    let both = before.h + here.h;
-                    let x = (before.x * here.h + here.x * before.h) / both;
-                    State { v: x.sqrt(), a: (here.x - before.x) / both }
+                    let x = (before.x * here.h + here.x * before.h) * here.both;
+                    State { v: x.sqrt(), a: (here.x - before.x) * here.both }
                 }
             };
             self.steps[i].from = state;

@@ -13,6 +13,7 @@
 //! The last line gives the duration `T`. Where the jerk is constant `k` is 0.
 
 use crate::limits::Load;
+use crate::quick::cube_root;
 
 /// How far a piece may be above a bound by rounding.
 pub(crate) const ROUNDING: f64 = 1.0 + 1e-4;
@@ -59,8 +60,10 @@ impl Piece {
         if !(time.is_finite() && time > 0.0) {
             return None;
         }
-        let k = 6.0 * ((from.a + to.a) * time - 2.0 * (to.v - from.v)) / (time * time * time);
-        let j = (to.a - from.a) / time - 0.5 * k * time;
+        let inverse = time.recip();
+        let cube = inverse * inverse * inverse;
+        let k = 6.0 * ((from.a + to.a) * time - 2.0 * (to.v - from.v)) * cube;
+        let j = (to.a - from.a) * inverse - 0.5 * k * time;
         Some(Piece { s, h, time, from, to, j, k })
     }
 
@@ -173,7 +176,7 @@ fn behind(from: State, j: f64, h: f64, iterations: usize) -> State {
     let State { v, a } = from;
     let mut t = if a >= 0.0 {
         let t = 2.0 * h / (v + (v * v + 2.0 * a * h).sqrt());
-        if t * t * t * j <= 6.0 * h { t } else { (6.0 * h / j).cbrt() }
+        if t * t * t * j <= 6.0 * h { t } else { cube_root(6.0 * h / j) }
     } else {
         // Never slower than where the braking is gone.
         h / (v - 0.5 * a * a / j)

@@ -122,6 +122,9 @@ const DEEP: f64 = 0.9;
 /// What a curve takes of a bound somewhere in a valley, if it is worth to be looked at.
 const TAKEN: f64 = 0.25;
 
+/// The pace of a corner is found to this share of it.
+const NARROW: f64 = 1e-7;
+
 /// How often a plan from rest is tried with slower corners.
 const ROUNDS: i32 = 8;
 
@@ -240,7 +243,7 @@ pub(crate) struct Plan {
 }
 
 /// Most stretches: every step of the sections that are known.
-pub(crate) const STRETCHES: usize = 8 * CELLS;
+pub(crate) const STRETCHES: usize = 4 * CELLS;
 
 impl Plan {
     pub fn new(inverses: Inverses) -> Plan {
@@ -795,12 +798,13 @@ impl Plan {
         }));
         let overrides = self.overrides;
         let (mut from, mut cell, mut is_other) = (0, first, false);
-        let mut new = count;
+        let (mut new, mut here) = (count, first);
         for k in 1..=count {
             // From one place of steady speed, or end, to the next.
             let state = self.rough[k - 1].to;
-            let is_fast = || {
-                let node = queue.node(queue.find(cell, self.rough[k - 1].end() - 1e-9));
+            let mut is_fast = || {
+                here = queue.find(here, self.rough[k - 1].end() - 1e-9);
+                let node = queue.node(here);
                 state.v >= overrides.most(node) * (1.0 - 2.0 * ALIKE)
             };
             if k < count && !(state.a == 0.0 && is_fast()) {
@@ -917,13 +921,16 @@ fn queue_start(queue: &Queue, number: u64) -> f64 {
     }
 }
 
-/// Largest number up to `most` for which `fits` holds, which holds for small ones.
+/// A number up to `most` for which `fits` holds, which holds for small ones; it does not for one larger by [`NARROW`].
 fn largest(most: f64, fits: impl Fn(f64) -> bool) -> f64 {
     if fits(most) {
         return most;
     }
     let (mut low, mut high) = (0.0, most);
     for _ in 0..40 {
+        if high - low <= NARROW * high {
+            break;
+        }
         let middle = 0.5 * (low + high);
         if fits(middle) {
             low = middle;

@@ -206,6 +206,7 @@ impl Queue {
     }
 
     /// Adds a cell; the caller looked for room.
+    #[inline]
     pub fn append(&mut self, cell: Cell, node: Node) {
         self.rests += usize::from(node.rests);
         self.cells[slot(self.tail)] = cell;
@@ -298,13 +299,15 @@ impl Queue {
         true
     }
 
-    /// The same for marks.
-    pub fn hand_marks(&mut self, mut give: impl FnMut(Mark) -> bool) -> bool {
+    /// The same for marks, many at once.
+    pub fn hand_marks(&mut self, mut give: impl FnMut(&[Mark]) -> bool) -> bool {
         while self.handed[1] < self.last_mark {
-            if !give(self.marks[mark_slot(self.handed[1])]) {
+            let first = mark_slot(self.handed[1]);
+            let count = (self.last_mark - self.handed[1]).min((MARK_RING - first) as u64);
+            if !give(&self.marks[first..first + count as usize]) {
                 return false;
             }
-            self.handed[1] += 1;
+            self.handed[1] += count;
         }
         true
     }

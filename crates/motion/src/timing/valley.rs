@@ -36,6 +36,7 @@
 
 use crate::limits::Inverses;
 use crate::path::shape::Shape;
+use crate::quick::larger;
 use crate::timing::piece::{Piece, ROUNDING, State};
 use crate::timing::queue::{Node, Queue};
 use ferrocut_geometry::AXES;
@@ -62,10 +63,16 @@ const ITERATIONS: usize = 30;
 const GAP: f64 = 2e-3;
 
 /// Multipliers at first: the share of the time that all of them together are worth.
-const FIRST_GAP: f64 = 0.1;
+const FIRST_GAP: f64 = 0.3;
+
+/// Slacks at first, at least.
+const FIRST_SLACK: f64 = 0.15;
+
+/// Multipliers aimed at, of those there are: after a step that went nearly all its way, and after a shorter one.
+const AIMS: [f64; 2] = [0.15, 0.3];
 
 /// How close to zero slacks and multipliers go in an iteration.
-const NEARLY: f64 = 0.95;
+const NEARLY: f64 = 0.98;
 
 /// Where a bound is far, it is none: a valley gets no faster than this share of `x` is more, the path no stronger than
 /// this share of what its axes leave on a line, and less than this share of a bound is used then.
@@ -94,9 +101,10 @@ struct Row {
     base: usize,
     /// Where the place's own `x` is among the three, if the bound is one of jerk.
     root: Option<usize>,
-    /// Slacks and multipliers of both sides.
+    /// Slacks and multipliers of both sides, and `1/z`.
     z: [f64; 2],
     l: [f64; 2],
+    inverse: [f64; 2],
     dz: [f64; 2],
     dl: [f64; 2],
     /// Value and gradient as of now.
@@ -157,12 +165,15 @@ impl Valley {
         for _ in 0..ROUNDS {
             self.begin(plan, from, to);
             self.bound(&road, first);
-            self.solve();
-            if !self.cut(from, to) {
+            if !self.solve() || !self.cut(from, to) {
+                return false;
+            }
+            // With less of the bounds it is no faster.
+            if !(time(&self.pieces) < WORTH * time(plan)) {
                 return false;
             }
             if self.keeps(&road, first) {
-                return time(&self.pieces) < WORTH * time(plan);
+                return true;
             }
         }
         false
@@ -346,8 +357,8 @@ impl Valley {
         (self.x[k] * weights[0] + self.x[k + 1] * weights[1], weights)
     }
 
-    /// Value and gradient of every bound as of now.
-    fn look(&mut self) {
+    /// Value and gradient of every bound as of now; `each` is asked of every row before.
+    fn look(&mut self, mut each: impl FnMut(&mut Row)) {
         let Valley { x, h, rows, speeds, .. } = self;
         // Speed between the steps, and what the control points before and behind bear on it.
         speeds.clear();
@@ -358,6 +369,7 @@ impl Valley {
             [v, h[1] * share, h[0] * share]
         }));
         for row in rows {
+            each(row);
             let x = &x[row.base..row.base + 3];
             let line = row.c[0] * x[0] + row.c[1] * x[1] + row.c[2] * x[2];
             (row.value, row.g) = (line, row.c);
@@ -371,96 +383,112 @@ impl Valley {
         }
     }
 
-    /// The interior point method from the plan as it is.
-    fn solve(&mut self) {
+    /// The interior point method from the plan as it is. `false` if what it finds will not be worth it.
+    fn solve(&mut self) -> bool {
         let n = self.x.len();
         let sides = 2.0 * self.rows.len() as f64;
         let time: f64 = (1..n - 1).map(|i| self.h[i] / self.x[i].max(1e-12).sqrt()).sum();
-        let mut mu = FIRST_GAP * time / sides;
-        self.look();
+        let mut sum = FIRST_GAP * time;
+        let mut mu = sum / sides;
+        self.look(|_| ());
         for row in &mut self.rows {
-            for (side, sign) in [(0, -1.0), (1, 1.0)] {
-                row.z[side] = (1.0 + sign * row.value).max(0.05);
-                row.l[side] = mu / row.z[side];
-            }
+            row.z = [1.0 - row.value, 1.0 + row.value].map(|z| z.max(FIRST_SLACK));
+            row.l = row.z.map(|z| mu / z);
         }
         for _ in 0..ITERATIONS {
-            self.assemble(mu);
+            let now = self.assemble(mu);
+            // No more than the gap is to be gained.
+            if now - sum > WORTH * time {
+                return false;
+            }
             if !self.eliminate() {
-                return;
+                return true;
             }
             // Where it leads, as far as slacks and multipliers stay positive.
-            let (mut far, mut far_l) = (1.0_f64, 1.0_f64);
+            let mut far = 1.0_f64;
             for i in 2..n - 2 {
                 if self.right[i] < 0.0 {
                     far = far.min(-0.7 * self.x[i] / self.right[i]);
                 }
             }
+            let (mut most, mut far_l) = ([0.0_f64; 2], 1.0_f64);
             let right = &self.right;
             for row in &mut self.rows {
                 let d = &right[row.base..row.base + 3];
                 let d = row.g[0] * d[0] + row.g[1] * d[1] + row.g[2] * d[2] + row.value;
-                for (side, sign) in [(0, -1.0), (1, 1.0)] {
-                    let (z, l) = (row.z[side], row.l[side]);
-                    let dz = 1.0 + sign * d - z;
-                    let dl = (mu - l * dz) / z - l;
-                    (row.dz[side], row.dl[side]) = (dz, dl);
-                    if dz < -NEARLY * z {
-                        far = far.min(-NEARLY * z / dz);
-                    }
+                let c = [1.0 - d, 1.0 + d];
+                for side in 0..2 {
+                    let (z, l, inverse) = (row.z[side], row.l[side], row.inverse[side]);
+                    let dz = c[side] - z;
+                    row.dz[side] = dz;
+                    row.dl[side] = (mu - l * dz) * inverse - l;
+                    most[side] = most[side].max(-dz * inverse);
+                }
+                for (l, dl) in row.l.iter().zip(row.dl) {
                     if dl < -NEARLY * l {
                         far_l = far_l.min(-NEARLY * l / dl);
                     }
                 }
             }
-            let mut sum = 0.0;
-            for row in &mut self.rows {
-                for side in [0, 1] {
-                    row.z[side] += far * row.dz[side];
-                    row.l[side] += far_l * row.dl[side];
-                    sum += row.z[side] * row.l[side];
-                }
-            }
+            far = far.min(NEARLY / most[0].max(most[1]).max(NEARLY));
             for i in 2..n - 2 {
                 self.x[i] += far * self.right[i];
             }
-            self.look();
+            let mut sums = [0.0; 2];
+            self.look(|row| {
+                for side in 0..2 {
+                    row.z[side] += far * row.dz[side];
+                    row.l[side] += far_l * row.dl[side];
+                    sums[side] += row.z[side] * row.l[side];
+                }
+            });
+            sum = sums[0] + sums[1];
             let far = far.min(far_l);
             if far > 0.9 && sum < GAP * time {
-                return;
+                return true;
             }
-            mu = (if far > 0.8 { 0.1 } else { 0.3 }) * sum / sides;
+            mu = AIMS[usize::from(far <= 0.8)] * sum / sides;
         }
+        true
     }
 
-    /// The matrix and the right side.
-    fn assemble(&mut self, mu: f64) {
+    /// The matrix and the right side; the time that it takes as it is.
+    fn assemble(&mut self, mu: f64) -> f64 {
         let n = self.x.len();
+        let mut time = 0.0;
         self.band.clear();
         self.right.clear();
         for i in 0..n {
-            let x = self.x[i].max(1e-12);
-            let slow = self.h[i] / (x * x.sqrt());
-            self.band.push([0.75 * slow / x, 0.0, 0.0]);
+            let inverse = self.x[i].max(1e-12).recip();
+            let own = self.h[i] * inverse.sqrt();
+            let slow = own * inverse;
+            // Before and behind the steps there is one more each.
+            if i > 0 && i + 1 < n {
+                time += own;
+            }
+            self.band.push([0.75 * slow * inverse, 0.0, 0.0]);
             self.right.push(0.5 * slow);
         }
-        for row in &self.rows {
-            let (mut weight, mut push) = (0.0, 0.0);
-            for (side, sign) in [(0, -1.0), (1, 1.0)] {
-                let (l, inverse) = (row.l[side], row.z[side].recip());
-                let off = 1.0 + sign * row.value - row.z[side];
-                weight += l * inverse;
-                push += sign * (mu - l * off) * inverse;
+        for row in &mut self.rows {
+            row.inverse = row.z.map(f64::recip);
+            let (c, mut weights, mut pushes) = ([1.0 - row.value, 1.0 + row.value], [0.0; 2], [0.0; 2]);
+            for side in 0..2 {
+                let inverse = row.inverse[side];
+                weights[side] = row.l[side] * inverse;
+                pushes[side] = mu * inverse - weights[side] * (c[side] - row.z[side]);
             }
+            let (weight, push) = (weights[0] + weights[1], pushes[1] - pushes[0]);
             let g = row.g;
             let wg = g.map(|g| weight * g);
-            let (band, right) =
-                (&mut self.band[row.base..row.base + 3], &mut self.right[row.base..row.base + 3]);
+            let [b0, b1, b2] = &mut self.band[row.base..row.base + 3] else { continue };
             for i in 0..3 {
-                for j in i..3 {
-                    band[i][j - i] += wg[i] * g[j];
-                }
-                right[i] += push * g[i];
+                b0[i] += wg[0] * g[i];
+            }
+            b1[0] += wg[1] * g[1];
+            b1[1] += wg[1] * g[2];
+            b2[0] += wg[2] * g[2];
+            for (right, g) in self.right[row.base..row.base + 3].iter_mut().zip(g) {
+                *right += push * g;
             }
         }
         // What is given stays.
@@ -468,38 +496,29 @@ impl Valley {
             self.band[i][0] = 1e30;
             self.right[i] = 0.0;
         }
+        time
     }
 
     /// Solves `L·D·Lᵀ·dx = right` in place.
     fn eliminate(&mut self) -> bool {
-        let n = self.x.len();
-        for i in 0..n {
-            let [d, e, f] = self.band[i];
+        // What the rows above take from this one and the next: of the diagonal, the one beside it and the right side.
+        let (mut own, mut next) = ([0.0; 3], [0.0; 3]);
+        for (band, right) in self.band.iter_mut().zip(&mut self.right) {
+            let [d, e, f] = [band[0] - own[0], band[1] - own[1], band[2]];
             if !(d > 0.0) {
                 return false;
             }
-            let (l1, l2) = (e / d, f / d);
-            if i + 1 < n {
-                self.band[i + 1][0] -= l1 * e;
-                self.band[i + 1][1] -= l1 * f;
-                self.right[i + 1] -= l1 * self.right[i];
-            }
-            if i + 2 < n {
-                self.band[i + 2][0] -= l2 * f;
-                self.right[i + 2] -= l2 * self.right[i];
-            }
-            self.band[i][1] = l1;
-            self.band[i][2] = l2;
+            let inverse = d.recip();
+            let (l1, l2) = (e * inverse, f * inverse);
+            *right -= own[2];
+            own = [next[0] + l1 * e, l1 * f, next[2] + l1 * *right];
+            next = [l2 * f, 0.0, l2 * *right];
+            *band = [inverse, l1, l2];
         }
-        for i in (0..n).rev() {
-            let mut x = self.right[i] / self.band[i][0];
-            if i + 1 < n {
-                x -= self.band[i][1] * self.right[i + 1];
-            }
-            if i + 2 < n {
-                x -= self.band[i][2] * self.right[i + 2];
-            }
-            self.right[i] = x;
+        let mut below = [0.0; 2];
+        for (band, right) in self.band.iter().zip(&mut self.right).rev() {
+            *right = *right * band[0] - band[1] * below[0] - band[2] * below[1];
+            below = [*right, below[0]];
         }
         true
     }
@@ -653,11 +672,12 @@ impl<C: Fn(&Node) -> f64> Road<'_, C> {
         let inverse = self.inverses.of(node.class);
         let [d1, d2, d3] = self.derivatives(cell, s);
         let State { v, a } = state;
+        let (w, cube, swing) = (v * v, v * v * v, 3.0 * v * a);
         let mut most = (v / (self.cap)(node)).max(a.abs() * inverse.along[0]).max(j.abs() * inverse.along[1]);
         for i in 0..AXES {
-            let acceleration = (d2[i] * v * v + d1[i] * a) * inverse.acceleration[i];
-            let jerk = (d3[i] * v * v * v + 3.0 * d2[i] * v * a + d1[i] * j) * inverse.jerk[i];
-            most = most.max(acceleration.abs()).max(jerk.abs());
+            let acceleration = (d2[i] * w + d1[i] * a) * inverse.acceleration[i];
+            let jerk = (d3[i] * cube + d2[i] * swing + d1[i] * j) * inverse.jerk[i];
+            most = larger(larger(most, acceleration.abs()), jerk.abs());
         }
         most
     }
