@@ -8,7 +8,7 @@ watchFaults();
 test.describe.configure({ timeout: 240_000 });
 
 const kept = async (page: Page, name: string) => (await (await page.request.get(`/api/programs/${name}`)).body()).toString();
-const small = (page: Page, axis: string) => page.locator(`[data-axis="${axis}"] .small .muted`);
+const small = (page: Page, axis: string) => page.locator(`[data-axis="${axis}"] .machine`);
 
 test('blocks that are typed in MDI are run, one alone before the others', async ({ page }) => {
   await enter(page, '#/position');
