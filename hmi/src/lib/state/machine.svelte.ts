@@ -46,7 +46,6 @@ let messages = $state.raw<string[]>([]);
 let mode = $state.raw<Mode | null>(null);
 let lit: readonly string[] = [];
 let lamps = $state.raw<ReadonlySet<string>>(new Set());
-let programMessage = $state.raw('');
 /** Counts up with each event `changed`, by item; pages that show an item read it again. */
 const changes = $state<Record<string, number>>({});
 
@@ -63,14 +62,8 @@ function heard(event: Event | HolderEvent): void {
     case 'refused':
       void tellAlarm(event.alarm);
       break;
-    case 'message':
-      programMessage = event.text;
-      break;
     case 'changed':
       changes[event.item] = (changes[event.item] ?? 0) + 1;
-      break;
-    case 'activity':
-      if (event.activity === 'idle') programMessage = '';
       break;
     default:
   }
@@ -242,8 +235,8 @@ export const machine = {
     return messages;
   },
   /** What the program says. */
-  get programMessage() {
-    return programMessage;
+  get programMessage(): string {
+    return this.status?.program_message ?? '';
   },
   /** The level whose rights this browser has: 5 is the operator. The level of the status is that of all who gave their
       password over the socket, and says nothing of a session. */

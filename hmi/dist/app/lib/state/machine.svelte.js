@@ -40,7 +40,6 @@ var messages = $.state([]);
 var mode = $.state(null);
 var lit = [];
 var lamps = $.state(/* @__PURE__ */ new Set());
-var programMessage = $.state("");
 /** Counts up with each event `changed`, by item; pages that show an item read it again. */
 var changes = $.proxy({});
 var hearers = /* @__PURE__ */ new Set();
@@ -55,13 +54,7 @@ function heard(event) {
 		case "refused":
 			tellAlarm(event.alarm);
 			break;
-		case "message":
-			$.set(programMessage, event.text);
-			break;
-		case "changed":
-			changes[event.item] = (changes[event.item] ?? 0) + 1;
-			break;
-		case "activity": if (event.activity === "idle") $.set(programMessage, "");
+		case "changed": changes[event.item] = (changes[event.item] ?? 0) + 1;
 	}
 	for (const hear of hearers) hear(event);
 }
@@ -225,7 +218,7 @@ var machine = {
 	},
 	/** What the program says. */
 	get programMessage() {
-		return $.get(programMessage);
+		return this.status?.program_message ?? "";
 	},
 	/** The level whose rights this browser has: 5 is the operator. The level of the status is that of all who gave their
 	password over the socket, and says nothing of a session. */
