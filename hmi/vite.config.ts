@@ -67,5 +67,6 @@ export default defineConfig({
       },
     },
   },
+  worker: { rollupOptions: { output: { entryFileNames: 'app/lib/digits/[name].js' } } },
   test: { include: ['src/**/*.test.ts'], environment: 'node' },
 });

@@ -239,6 +239,45 @@ test('the range that is shown is set, kept by the browser, and taken back', asyn
   await expect(picked).toContainText('line 12');
 });
 
+test('the scale and the centre of the drawing are set, and follow from the range again once that is set', async ({ page }) => {
+  await open(page);
+  const field = (name: string) => page.getByLabel(name, { exact: true });
+  const close = () => page.getByRole('dialog').getByRole('button', { name: 'Close' }).last().click();
+  const set = async (name: string, value: string) => {
+    await field(name).fill(value);
+    await field(name).press('Enter');
+    await expect(field(name)).toHaveValue(Number(value).toFixed(3));
+  };
+  await page.getByTestId('drawing').click();
+  await set('X Centre', '60');
+  await set('Y Centre', '20');
+  await set('Scale', '1');
+  await close();
+  const picked = page.getByTestId('picked');
+  // 96 px are an inch.
+  const corner = async () => {
+    const box = (await page.getByTestId('path').boundingBox())!;
+    const px = 96 / 25.4;
+    await page.getByTestId('path').click({ position: { x: box.width / 2 + (100 - 60) * px, y: box.height / 2 + (20 - 0) * px } });
+  };
+  await look(page, 'top');
+  await corner();
+  await expect(picked).toContainText('line 12');
+  // A page that is loaded anew looks at the same.
+  await page.reload();
+  await expect(page.locator('.graphics')).toHaveAttribute('data-loaded', 'true');
+  await look(page, 'top');
+  await corner();
+  await expect(picked).toContainText('line 12');
+  await page.getByTestId('drawing').click();
+  await set('X Greatest', '80');
+  await expect(field('X Centre')).toHaveValue('40.000');
+  await expect(field('Scale')).not.toHaveValue('1.000');
+  await page.getByTestId('whole-path').click();
+  await expect(field('X Centre')).toHaveValue('50.000');
+  await close();
+});
+
 test('what was run stays drawn until the next cycle start, or until it is erased', async ({ page }) => {
   await enter(page);
   await load(page, 'O1612', 'O1612\nG21 G90 G54 G17\nG4 X3.\nG91 G1 X10. F3000\nY10.\nX-10.\nY-10.\nM30\n');

@@ -58,7 +58,7 @@ test('the axes are homed', async ({ page }) => {
   test.setTimeout(240_000);
   await enter(page, '#/position');
   await home(page);
-  await expect(page.locator('[data-axis="Z"] .small .muted')).toHaveText(/^−?0\.000$/);
+  await expect(page.locator('[data-axis="Z"] .machine')).toHaveText(/^−?0\.000$/);
   await shoot(page, 'home');
 });
 

@@ -25,6 +25,8 @@ export type Options = {
   /** What /api/path answers. */
   path?: Buffer;
   alarm?: boolean;
+  /** What the program says to the operator. */
+  says?: string;
   mode?: string;
   welcomed?: boolean;
   /** Whether the status moves, 50 times a second. */
@@ -158,7 +160,7 @@ function status(tick: number, options: Options): object {
     program: { selected: 'O0001', cursor: 1, running: 'O0001', line: 2 + (Math.floor(angle) % 3), block: 'N20 G01 X50 F900', g_codes: ['G01', 'G17', 'G21', 'G54', 'G90'], h: 1, d: 5 },
     switches: { single_block: false, block_skip: false, optional_stop: true, dry_run: false, machine_lock: false, auxiliary_lock: false },
     counters: { parts: 17, all_parts: 1200, run_time: 4000 + angle, cutting_time: 3200 + angle, power_on_time: 90_000 },
-    referenced: ['X', 'Y', 'Z'], messages: [], dnc: options.dnc ?? null, lamps: ['LAMP_AUTO', 'LAMP_START'], panel: { SWITCH_FEED: 10, SWITCH_SPINDLE: 6 }, level: 5,
+    referenced: ['X', 'Y', 'Z'], messages: [], program_message: options.says ?? '', dnc: options.dnc ?? null, lamps: ['LAMP_AUTO', 'LAMP_START'], panel: { SWITCH_FEED: 10, SWITCH_SPINDLE: 6 }, level: 5,
   };
 }
 

@@ -8,7 +8,7 @@ watchFaults();
 test.describe.configure({ timeout: 240_000 });
 
 const kept = async (page: Page, name: string) => (await (await page.request.get(`/api/programs/${name}`)).body()).toString();
-const small = (page: Page, axis: string) => page.locator(`[data-axis="${axis}"] .small .muted`);
+const small = (page: Page, axis: string) => page.locator(`[data-axis="${axis}"] .machine`);
 
 test('blocks that are typed in MDI are run, one alone before the others', async ({ page }) => {
   await enter(page, '#/position');
@@ -346,13 +346,13 @@ test('tables of help are browsed without a search, and operations lead to their 
   await expect.poll(async () => Number(await count.getAttribute('data-count'))).toBeGreaterThan(300);
   await page.getByTestId('browse-filter').fill('FC-0302');
   await page.locator('[data-key="FC-0302"]').click();
-  await expect(page.getByTestId('browse-detail')).toContainText('FC-0302');
-  await expect(page.getByTestId('browse-detail')).toContainText(/\w+ \w+ \w+/);
+  await expect(page.getByTestId('help-detail')).toContainText('FC-0302');
+  await expect(page.getByTestId('help-detail')).toContainText(/\w+ \w+ \w+/);
   for (const [tab, key] of [['parameters', 'P88'], ['variables', '#3000'], ['addresses', 'KEY_START']] as const) {
     await show(page, `help/${tab}`);
     await page.getByTestId('browse-filter').fill(key);
     await page.locator(`[data-key="${key}"]`).click();
-    await expect(page.getByTestId('browse-detail')).toContainText(key);
+    await expect(page.getByTestId('help-detail')).toContainText(key);
     await shoot(page, `help-${tab}`);
   }
   await page.getByTestId('browse-filter').fill('');

@@ -228,3 +228,14 @@ for (const opens of [true, false]) {
     }
   });
 }
+
+test('what a program says stands above a page that is loaded later, until the status has it no more', async ({ context }) => {
+  const options: Options = { says: 'TURN THE PART' };
+  const { page } = await mock(context, options);
+  const said = page.locator('header .message');
+  await expect(said).toHaveText('TURN THE PART');
+  await page.reload();
+  await expect(said).toHaveText('TURN THE PART');
+  options.says = '';
+  await expect(said).toHaveCount(0);
+});

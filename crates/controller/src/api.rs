@@ -1319,6 +1319,9 @@ pub struct Status {
     /// Messages of the ladder that stand, by its names.
     #[serde(default)]
     pub messages: Vec<String>,
+    /// What the program said last to the operator; empty once nothing runs any more.
+    #[serde(default)]
+    pub program_message: String,
     /// Lamps of the panel and of the tower that are lit, by the ladder's names.
     pub lamps: Vec<String>,
     /// Positions of the panel's switches, by the ladder's names.

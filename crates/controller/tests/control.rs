@@ -873,3 +873,17 @@ fn every_field_of_the_status_is_described() {
         }
     }
 }
+
+#[test]
+fn what_a_program_says_stands_in_the_status_until_nothing_runs() {
+    let machine = Machine { dialect: "rs274".into(), ..Machine::demo_mill() };
+    let mut shop = Shop::of(&machine, Parts::default());
+    shop.store("turned.ngc", "(MSG, TURN THE PART)\nM0\nG4 P0.2\nM2\n");
+    shop.select("turned.ngc");
+    shop.start();
+    let stopped = shop.wait(300);
+    assert_eq!((stopped.program_message.as_str(), stopped.activity), ("TURN THE PART", Activity::Stopped));
+    shop.start();
+    assert_eq!(shop.wait(50).program_message, "TURN THE PART");
+    assert_eq!(shop.until_it_stops().program_message, "");
+}

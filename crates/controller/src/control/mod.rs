@@ -94,6 +94,8 @@ pub struct Control {
     cursor: u32,
     mdi: String,
     mdi_block: String,
+    /// What the program said last, until nothing runs.
+    program_message: String,
     mdi_cursor: u32,
     dnc: dnc::Dnc,
     /// Program and sequence number behind which to stop.
@@ -226,6 +228,7 @@ impl Control {
             cursor: 1,
             mdi: String::new(),
             mdi_block: String::new(),
+            program_message: String::new(),
             mdi_cursor: 1,
             dnc: dnc::Dnc::default(),
             stop_at: None,
@@ -579,7 +582,10 @@ impl Control {
         for event in self.cnc.events() {
             match event {
                 cnc::Event::Warning(alarm) => self.event(Event::Alarm { alarm: AlarmInfo::of(&alarm) }),
-                cnc::Event::Message(text) => self.event(Event::Message { text: text.into() }),
+                cnc::Event::Message(text) => {
+                    self.program_message = text.into();
+                    self.event(Event::Message { text: self.program_message.clone() });
+                }
                 cnc::Event::ToolChange(tool) => self.event(Event::ToolChange { tool }),
             }
         }
@@ -606,6 +612,9 @@ impl Control {
         self.is_in_period = false;
         self.state = state;
         let activity = self.activity();
+        if activity == Activity::Idle {
+            self.program_message.clear();
+        }
         self.event(Event::Activity { activity });
     }
 

@@ -182,6 +182,7 @@ impl Control {
             measure_ready: self.measuring.is_ready(),
             referenced: self.cnc.referenced().iter().map(Axis::letter).collect(),
             messages: self.ladder_names.standing().map(str::to_owned).collect(),
+            program_message: self.program_message.clone(),
             lamps: self.lamps(),
             panel: self.panel(),
             level: None,

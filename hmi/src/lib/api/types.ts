@@ -497,6 +497,10 @@ dnc: DncStatus | null,
  */
 messages: Array<string>,
 /**
+ * What the program said last to the operator; empty once nothing runs any more.
+ */
+program_message: string,
+/**
  * Lamps of the panel and of the tower that are lit, by the ladder's names.
  */
 lamps: Array<string>,

@@ -128,3 +128,20 @@ function toSegment(points: Float32Array, index: number, tool: readonly number[])
   }
   return Math.sqrt(sum);
 }
+
+/** How a drawing looks at a path: the point in its middle, mm, and its scale; with 1 a millimetre is one on the screen. */
+export type Frame = { centre: [number, number, number]; scale: number };
+
+/** mm of a px of the page (CSS: 96 of them are an inch). */
+export const MM = 25.4 / 96;
+
+/** mm that the shorter side of a drawing shows so that a whole box is seen from every side. */
+export const spanOf = ({ low, high }: Path['box']): number =>
+  Math.max(1, Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2])) * 1.15;
+
+/** The middle of a box, mm. */
+export const middle = ({ low, high }: Path['box']): [number, number, number] => [
+  (low[0] + high[0]) / 2,
+  (low[1] + high[1]) / 2,
+  (low[2] + high[2]) / 2,
+];

@@ -13,7 +13,7 @@ import {
   Vector3,
   WebGLRenderer,
 } from 'three';
-import { segments, type Path } from './path';
+import { middle, MM, segments, spanOf, type Frame, type Path } from './path';
 
 /** Segments of the coarse form, and of a piece of the whole. */
 const COARSE = 40_000;
@@ -85,6 +85,7 @@ export class PathScene {
   #gridMaterial = new LineBasicMaterial();
   #path: Path | null = null;
   #range: Path['box'] | null = null;
+  #framing: Frame | null = null;
   #total = 0;
   #at = 0;
   #moved = 0;
@@ -192,19 +193,28 @@ export class PathScene {
     return grid;
   }
 
-  /** Looks at another range than the whole path, mm of the machine; null for the path again. */
-  range(box: Path['box'] | null): void {
+  /** Looks at another range than the whole path, mm of the machine, or with a scale and centre that are set; null for the path
+      again. */
+  range(box: Path['box'] | null, frame: Frame | null): void {
     this.#range = box;
+    this.#framing = frame;
     this.fit();
   }
 
-  /** Looks at the whole path, or at the range that is set. */
+  /** mm of the screen that its shorter side has. */
+  get across(): number {
+    return Math.min(this.canvas.clientWidth, this.canvas.clientHeight) * MM;
+  }
+
+  /** Looks at the whole path, at the range that is set, or as it is set. */
   fit(): void {
     const box = this.#range ?? this.#path?.box;
-    if (box) {
-      const { low, high } = box;
-      this.target.set((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2);
-      this.span = Math.max(1, Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2])) * 1.15;
+    if (this.#framing) {
+      this.target.set(...this.#framing.centre);
+      this.span = Math.max(0.01, this.across / this.#framing.scale);
+    } else if (box) {
+      this.target.set(...middle(box));
+      this.span = spanOf(box);
     }
     this.moved();
   }
@@ -237,7 +247,9 @@ export class PathScene {
   size(width: number, height: number, ratio: number): void {
     this.#renderer.setPixelRatio(ratio);
     this.#renderer.setSize(width, height, false);
-    this.moved();
+    // How much is seen at a scale that is set depends on the size.
+    if (this.#framing) this.fit();
+    else this.moved();
   }
 
   /** The camera moved. */

@@ -3,6 +3,7 @@ import { Connection, Refused, type Hello, type HolderEvent, type Wish } from '$l
 import { http, HttpError } from '$lib/api/http';
 import type { AlarmInfo, Event, Mode, Reply, Status } from '$lib/api/types';
 import { has, language, t } from '$lib/i18n/index.svelte';
+import { SvelteMap } from 'svelte/reactivity';
 import { notify } from './notices.svelte';
 import { share } from './share';
 
@@ -11,7 +12,30 @@ export type Version = Extract<Reply, { reply: 'version' }>;
 let link = $state.raw<'connecting' | 'open' | 'lost'>('connecting');
 let greeting = $state.raw<Hello | null>(null);
 let version = $state.raw<Version | null>(null);
-let status = $state.raw<Status | null>(null);
+/** The latest status, as it came. */
+let latest: Status | null = null;
+/** Its fields, each by itself: what shows one is not asked again when another changes. */
+const fields = new SvelteMap<string | symbol, unknown>();
+const status = new Proxy({} as Status, {
+  get: (_, field) => fields.get(field),
+  has: (_, field) => fields.has(field),
+});
+let hasStatus = $state.raw(false);
+/** Fields that change all the time while a machine moves: as often as eyes read is enough, and each status brings one of them.
+    What draws them itself hears all of them (`watch`). */
+const MEASURES: readonly (keyof Status)[] = ['position', 'feed', 'counters', 'spindle', 'periods'];
+let turn = 0;
+
+/** Puts what has changed before those who look at it. */
+function put(now: Status): void {
+  for (const field of [...fields.keys()].filter((one) => !(one in now))) fields.delete(field);
+  turn = (turn + 1) % MEASURES.length;
+  for (const [field, value] of Object.entries(now)) {
+    const waits = fields.has(field) && (MEASURES as readonly string[]).includes(field) && field !== MEASURES[turn];
+    if (!waits) fields.set(field, value);
+  }
+  hasStatus = true;
+}
 let inCommand = $state.raw(false);
 let holder = $state.raw<number | null>(null);
 /** Whether nothing is told before somebody logs in; null until the server has said so. */
@@ -22,7 +46,6 @@ let messages = $state.raw<string[]>([]);
 let mode = $state.raw<Mode | null>(null);
 let lit: readonly string[] = [];
 let lamps = $state.raw<ReadonlySet<string>>(new Set());
-let programMessage = $state.raw('');
 /** Counts up with each event `changed`, by item; pages that show an item read it again. */
 const changes = $state<Record<string, number>>({});
 
@@ -39,14 +62,8 @@ function heard(event: Event | HolderEvent): void {
     case 'refused':
       void tellAlarm(event.alarm);
       break;
-    case 'message':
-      programMessage = event.text;
-      break;
     case 'changed':
       changes[event.item] = (changes[event.item] ?? 0) + 1;
-      break;
-    case 'activity':
-      if (event.activity === 'idle') programMessage = '';
       break;
     default:
   }
@@ -133,8 +150,9 @@ const connection = new Connection(`${protocol}//${location.host}/api/socket`, {
   },
   event: heard,
   status(told) {
-    const now = share(status, told);
-    status = now;
+    const now = share(latest, told);
+    latest = now;
+    put(now);
     // The same object where they are as they were.
     messages = now.messages;
     mode = now.mode;
@@ -187,9 +205,10 @@ export const machine = {
     return gate;
   },
   /** The latest status; null before the first. It comes 50 times a second and is never changed in place; parts that are as they
-      were are the same objects as before. */
-  get status() {
-    return status;
+      were are the same objects as before. Each field is followed by itself: positions, feeds and times ten times a second
+      (`watch` has each), all others as they change. */
+  get status(): Status | null {
+    return hasStatus ? status : null;
   },
   /** The mode of the latest status: for what looks at that alone. */
   get mode() {
@@ -216,8 +235,8 @@ export const machine = {
     return messages;
   },
   /** What the program says. */
-  get programMessage() {
-    return programMessage;
+  get programMessage(): string {
+    return this.status?.program_message ?? '';
   },
   /** The level whose rights this browser has: 5 is the operator. The level of the status is that of all who gave their
       password over the socket, and says nothing of a session. */
@@ -226,7 +245,7 @@ export const machine = {
   },
   /** Letters of the axes. */
   get axes(): string[] {
-    return version?.axes ?? Object.keys(status?.position.machine ?? {});
+    return version?.axes ?? Object.keys(this.status?.position.machine ?? {});
   },
   get dialect(): string {
     return version?.dialect ?? 'gsk990mc';

@@ -11,9 +11,14 @@ type Kept = {
   theme: Theme;
   /** Whether the machine panel stands beside the page. */
   panel: boolean;
-  /** The drawing (GSK990MC part 2, 3.5): whether what is drawn goes at the next cycle start, and the range that is shown,
-      coordinates of the work, mm; null for that of the program. */
-  drawing: { erases: boolean; range: { low: [number, number, number]; high: [number, number, number] } | null };
+  /** The drawing (GSK990MC part 2, 3.5): whether what is drawn goes at the next cycle start; the range that is shown,
+      coordinates of the work, mm, null for that of the program; and what stands in the middle, and the scale (1: a millimetre
+      is one on the screen), null where they follow from the range. */
+  drawing: {
+    erases: boolean;
+    range: { low: [number, number, number]; high: [number, number, number] } | null;
+    frame: { centre: [number, number, number]; scale: number } | null;
+  };
   /** Whether the first start was gone through. */
   welcomed: boolean;
 };
@@ -28,11 +33,11 @@ function fromBrowser(): Language {
 }
 
 function read(): Kept {
-  const standard: Kept = { language: fromBrowser(), theme: 'system', panel: innerWidth > 1100, drawing: { erases: true, range: null }, welcomed: false };
+  const standard: Kept = { language: fromBrowser(), theme: 'system', panel: innerWidth > 1100, drawing: { erases: true, range: null, frame: null }, welcomed: false };
   try {
     const kept = JSON.parse(localStorage.getItem(KEY) ?? '{}') as Partial<Kept>;
     if (kept.language && !LANGUAGES.includes(kept.language)) delete kept.language;
-    return { ...standard, ...kept };
+    return { ...standard, ...kept, drawing: { ...standard.drawing, ...kept.drawing } };
   } catch {
     return standard;
   }

@@ -7,10 +7,11 @@ import * as $ from "svelte/internal/client";
 var root = $.from_html(`<div class="view s-1y1wt0i"><canvas class="s-1y1wt0i"></canvas> <canvas class="above s-1y1wt0i" tabindex="0" data-testid="path"></canvas></div>`);
 function PathView($$anchor, $$props) {
 	$.push($$props, true);
-	let done = $.prop($$props, "done", 19, () => -1), rapids = $.prop($$props, "rapids", 3, true), section = $.prop($$props, "section", 3, null), range = $.prop($$props, "range", 3, null), marks = $.prop($$props, "marks", 19, () => []);
+	let done = $.prop($$props, "done", 19, () => -1), rapids = $.prop($$props, "rapids", 3, true), section = $.prop($$props, "section", 3, null), range = $.prop($$props, "range", 3, null), frame = $.prop($$props, "frame", 3, null), marks = $.prop($$props, "marks", 19, () => []);
 	/** Points up to this one are done. */
 	/** Heights between which the path is shown. */
 	/** What is looked at in place of the whole path. */
+	/** The scale and the centre, where they are set. */
 	/** Points that are measured. */
 	/** Where the tool is; asked for each frame of the layer above. */
 	let below = $.state(void 0);
@@ -62,8 +63,12 @@ function PathView($$anchor, $$props) {
 		untrack(() => to?.load(now));
 	});
 	$.user_effect(() => {
-		const [to, now] = [$.get(scene), range()];
-		untrack(() => to?.range(now));
+		const [to, box, set] = [
+			$.get(scene),
+			range(),
+			frame()
+		];
+		untrack(() => to?.range(box, set));
 	});
 	$.user_effect(() => {
 		const [to, now] = [$.get(scene), done()];
@@ -181,6 +186,10 @@ function PathView($$anchor, $$props) {
 	function fit() {
 		$.get(scene)?.fit();
 	}
+	/** mm of the screen that the shorter side of the drawing has. */
+	function across() {
+		return $.get(scene)?.across ?? 0;
+	}
 	function pointerdown(event) {
 		$.get(above).setPointerCapture(event.pointerId);
 		fingers.set(event.pointerId, {
@@ -235,7 +244,8 @@ function PathView($$anchor, $$props) {
 	var $$exports = {
 		overlay,
 		look,
-		fit
+		fit,
+		across
 	};
 	var div = root();
 	var canvas_1 = $.child(div);

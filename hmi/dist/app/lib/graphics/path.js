@@ -110,4 +110,14 @@ function toSegment(points, index, tool) {
 	}
 	return Math.sqrt(sum);
 }
-export { at, follow, readPath, segments };
+/** mm of a px of the page (CSS: 96 of them are an inch). */
+var MM = 25.4 / 96;
+/** mm that the shorter side of a drawing shows so that a whole box is seen from every side. */
+var spanOf = ({ low, high }) => Math.max(1, Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2])) * 1.15;
+/** The middle of a box, mm. */
+var middle = ({ low, high }) => [
+	(low[0] + high[0]) / 2,
+	(low[1] + high[1]) / 2,
+	(low[2] + high[2]) / 2
+];
+export { MM, at, follow, middle, readPath, segments, spanOf };

@@ -1,4 +1,4 @@
-import { segments } from "./path.js";
+import { MM, middle, segments, spanOf } from "./path.js";
 import { BufferAttribute, BufferGeometry, Color, Line, LineBasicMaterial, LineSegments, OrthographicCamera, Scene, ShaderMaterial, Vector3, WebGLRenderer } from "three";
 // src/lib/graphics/scene.ts
 /** Segments of the coarse form, and of a piece of the whole. */
@@ -92,6 +92,7 @@ var PathScene = class {
 	#gridMaterial = new LineBasicMaterial();
 	#path = null;
 	#range = null;
+	#framing = null;
 	#total = 0;
 	#at = 0;
 	#moved = 0;
@@ -202,18 +203,26 @@ var PathScene = class {
 		this.#scene.add(grid);
 		return grid;
 	}
-	/** Looks at another range than the whole path, mm of the machine; null for the path again. */
-	range(box) {
+	/** Looks at another range than the whole path, mm of the machine, or with a scale and centre that are set; null for the path
+	again. */
+	range(box, frame) {
 		this.#range = box;
+		this.#framing = frame;
 		this.fit();
 	}
-	/** Looks at the whole path, or at the range that is set. */
+	/** mm of the screen that its shorter side has. */
+	get across() {
+		return Math.min(this.canvas.clientWidth, this.canvas.clientHeight) * MM;
+	}
+	/** Looks at the whole path, at the range that is set, or as it is set. */
 	fit() {
 		const box = this.#range ?? this.#path?.box;
-		if (box) {
-			const { low, high } = box;
-			this.target.set((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2);
-			this.span = Math.max(1, Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2])) * 1.15;
+		if (this.#framing) {
+			this.target.set(...this.#framing.centre);
+			this.span = Math.max(.01, this.across / this.#framing.scale);
+		} else if (box) {
+			this.target.set(...middle(box));
+			this.span = spanOf(box);
 		}
 		this.moved();
 	}
@@ -241,7 +250,8 @@ var PathScene = class {
 	size(width, height, ratio) {
 		this.#renderer.setPixelRatio(ratio);
 		this.#renderer.setSize(width, height, false);
-		this.moved();
+		if (this.#framing) this.fit();
+		else this.moved();
 	}
 	/** The camera moved. */
 	moved() {

@@ -4,20 +4,43 @@ import { has, language, t } from "../i18n/index.svelte.js";
 import { notify } from "./notices.svelte.js";
 import { share } from "./share.js";
 import * as $ from "svelte/internal/client";
+import { SvelteMap } from "svelte/reactivity";
 // src/lib/state/machine.svelte.ts
 var link = $.state("connecting");
 var greeting = $.state(null);
 var version = $.state(null);
-var status = $.state(null);
+var latest = null;
+var fields = new SvelteMap();
+var status = new Proxy({}, {
+	get: (_, field) => fields.get(field),
+	has: (_, field) => fields.has(field)
+});
+var hasStatus = $.state(false);
+var MEASURES = [
+	"position",
+	"feed",
+	"counters",
+	"spindle",
+	"periods"
+];
+var turn = 0;
+function put(now) {
+	for (const field of [...fields.keys()].filter((one) => !(one in now))) fields.delete(field);
+	turn = (turn + 1) % MEASURES.length;
+	for (const [field, value] of Object.entries(now)) if (!(fields.has(field) && MEASURES.includes(field) && field !== MEASURES[turn])) fields.set(field, value);
+	$.set(hasStatus, true);
+}
 var inCommand = $.state(false);
 var holder = $.state(null);
+/** Whether nothing is told before somebody logs in; null until the server has said so. */
 var gate = $.state(null);
+/** Of the session, 1 to 4; 0 for the operator. */
 var rights = $.state(0);
 var messages = $.state([]);
 var mode = $.state(null);
 var lit = [];
 var lamps = $.state(/* @__PURE__ */ new Set());
-var programMessage = $.state("");
+/** Counts up with each event `changed`, by item; pages that show an item read it again. */
 var changes = $.proxy({});
 var hearers = /* @__PURE__ */ new Set();
 var watchers = /* @__PURE__ */ new Set();
@@ -31,13 +54,7 @@ function heard(event) {
 		case "refused":
 			tellAlarm(event.alarm);
 			break;
-		case "message":
-			$.set(programMessage, event.text);
-			break;
-		case "changed":
-			changes[event.item] = (changes[event.item] ?? 0) + 1;
-			break;
-		case "activity": if (event.activity === "idle") $.set(programMessage, "");
+		case "changed": changes[event.item] = (changes[event.item] ?? 0) + 1;
 	}
 	for (const hear of hearers) hear(event);
 }
@@ -113,8 +130,9 @@ var connection = new Connection(`${protocol}//${location.host}/api/socket`, {
 	},
 	event: heard,
 	status(told) {
-		const now = share($.get(status), told);
-		$.set(status, now);
+		const now = share(latest, told);
+		latest = now;
+		put(now);
 		$.set(messages, now.messages);
 		$.set(mode, now.mode);
 		if (now.lamps !== lit) {
@@ -169,9 +187,10 @@ var machine = {
 		return $.get(gate);
 	},
 	/** The latest status; null before the first. It comes 50 times a second and is never changed in place; parts that are as they
-	were are the same objects as before. */
+	were are the same objects as before. Each field is followed by itself: positions, feeds and times ten times a second
+	(`watch` has each), all others as they change. */
 	get status() {
-		return $.get(status);
+		return $.get(hasStatus) ? status : null;
 	},
 	/** The mode of the latest status: for what looks at that alone. */
 	get mode() {
@@ -199,7 +218,7 @@ var machine = {
 	},
 	/** What the program says. */
 	get programMessage() {
-		return $.get(programMessage);
+		return this.status?.program_message ?? "";
 	},
 	/** The level whose rights this browser has: 5 is the operator. The level of the status is that of all who gave their
 	password over the socket, and says nothing of a session. */
@@ -208,7 +227,7 @@ var machine = {
 	},
 	/** Letters of the axes. */
 	get axes() {
-		return $.get(version)?.axes ?? Object.keys($.get(status)?.position.machine ?? {});
+		return $.get(version)?.axes ?? Object.keys(this.status?.position.machine ?? {});
 	},
 	get dialect() {
 		return $.get(version)?.dialect ?? "gsk990mc";

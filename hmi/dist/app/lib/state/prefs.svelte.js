@@ -23,7 +23,8 @@ function read() {
 		panel: innerWidth > 1100,
 		drawing: {
 			erases: true,
-			range: null
+			range: null,
+			frame: null
 		},
 		welcomed: false
 	};
@@ -32,7 +33,11 @@ function read() {
 		if (kept.language && !LANGUAGES.includes(kept.language)) delete kept.language;
 		return {
 			...standard,
-			...kept
+			...kept,
+			drawing: {
+				...standard.drawing,
+				...kept.drawing
+			}
 		};
 	} catch {
 		return standard;

@@ -32,6 +32,9 @@ var graphics_default = {
 	"range": "Range shown",
 	"least": "Least",
 	"greatest": "Greatest",
-	"whole": "As the program"
+	"whole": "As the program",
+	"scale": "Scale",
+	"scale_text": "At 1 a millimetre is one on the screen. Setting the range sets scale and centre.",
+	"centre": "Centre"
 };
 export { graphics_default as default };

@@ -32,6 +32,9 @@ var graphics_default = {
 	"range": "Rango mostrado",
 	"least": "Mínimo",
 	"greatest": "Máximo",
-	"whole": "Como el programa"
+	"whole": "Como el programa",
+	"scale": "Escala",
+	"scale_text": "Con 1, un milímetro mide un milímetro en la pantalla. Fijar el rango fija la escala y el centro.",
+	"centre": "Centro"
 };
 export { graphics_default as default };

@@ -32,6 +32,9 @@ var graphics_default = {
 	"range": "Показанный диапазон",
 	"least": "Наименьшее",
 	"greatest": "Наибольшее",
-	"whole": "Как в программе"
+	"whole": "Как в программе",
+	"scale": "Масштаб",
+	"scale_text": "При 1 миллиметр равен миллиметру на экране. Задание области задаёт масштаб и центр.",
+	"centre": "Центр"
 };
 export { graphics_default as default };

@@ -32,6 +32,9 @@ var graphics_default = {
 	"range": "Gösterilen aralık",
 	"least": "En küçük",
 	"greatest": "En büyük",
-	"whole": "Programdaki gibi"
+	"whole": "Programdaki gibi",
+	"scale": "Ölçek",
+	"scale_text": "1 iken bir milimetre ekranda bir milimetredir. Aralığın ayarlanması ölçeği ve merkezi ayarlar.",
+	"centre": "Merkez"
 };
 export { graphics_default as default };

@@ -32,6 +32,9 @@ var graphics_default = {
 	"range": "显示范围",
 	"least": "最小值",
 	"greatest": "最大值",
-	"whole": "按程序"
+	"whole": "按程序",
+	"scale": "缩放比例",
+	"scale_text": "为 1 时，屏幕上的一毫米即实际一毫米。设定范围后，比例和中心自动设定。",
+	"centre": "中心"
 };
 export { graphics_default as default };

@@ -1,6 +1,6 @@
 import { http } from "../../lib/api/http.js";
 import { number, t } from "../../lib/i18n/index.svelte.js";
-import { at, follow, readPath } from "../../lib/graphics/path.js";
+import { at, follow, middle, readPath, spanOf } from "../../lib/graphics/path.js";
 import PathView from "../../lib/graphics/PathView.svelte.js";
 import { duration, fixed } from "../../lib/numbers.js";
 import Button from "../../lib/parts/Button.svelte.js";
@@ -14,21 +14,21 @@ import { prefs } from "../../lib/state/prefs.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/graphics/Graphics.svelte
-var root = $.from_html(`<p class="over muted s-1bdb8kn"> </p>`);
-var root_1 = $.from_html(`<p class="over bad s-1bdb8kn"> <br/><small> </small></p>`);
-var root_2 = $.from_html(`<p class="note bad s-1bdb8kn"> </p>`);
-var root_3 = $.from_html(`<p class="note s-1bdb8kn"> </p>`);
+var root = $.from_html(`<p class="over muted s-9glm32"> </p>`);
+var root_1 = $.from_html(`<p class="over bad s-9glm32"> <br/><small> </small></p>`);
+var root_2 = $.from_html(`<p class="note bad s-9glm32"> </p>`);
+var root_3 = $.from_html(`<p class="note s-9glm32"> </p>`);
 var root_4 = $.from_html(`<div> <span class="muted"> </span></div>`);
 var root_5 = $.from_html(`<div></div> <strong> </strong>`, 1);
 var root_6 = $.from_html(`<span class="muted"> </span>`);
-var root_7 = $.from_html(`<div class="picked number s-1bdb8kn" data-testid="picked"><small class="muted"> </small> <!> <!> <!></div>`);
-var root_8 = $.from_html(`<div class="row"><span class="label"> </span> <input type="range" class="grow s-1bdb8kn" step="any"/> <output class="number"> </output> <small class="muted"> </small></div>`);
-var root_9 = $.from_html(`<p class="muted facts s-1bdb8kn"> </p>`);
-var root_10 = $.from_html(`<div class="graphics s-1bdb8kn"><div class="row wrap"><strong class="code"> </strong> <span class="grow"></span> <!> <!> <!> <!> <!> <!> <!> <!></div> <div class="canvas s-1bdb8kn"><!> <!> <!> <!> <!> <!></div> <!> <div class="row"><!> <input type="range" class="grow s-1bdb8kn" min="0" step="any" data-testid="time"/> <output class="number times s-1bdb8kn"> </output> <span class="muted"> </span></div> <!></div>`);
+var root_7 = $.from_html(`<div class="picked number s-9glm32" data-testid="picked"><small class="muted"> </small> <!> <!> <!></div>`);
+var root_8 = $.from_html(`<div class="row"><span class="label"> </span> <input type="range" class="grow s-9glm32" step="any"/> <output class="number"> </output> <small class="muted"> </small></div>`);
+var root_9 = $.from_html(`<p class="muted facts s-9glm32"> </p>`);
+var root_10 = $.from_html(`<div class="graphics s-9glm32"><div class="row wrap"><strong class="code"> </strong> <span class="grow"></span> <!> <!> <!> <!> <!> <!> <!> <!></div> <div class="canvas s-9glm32"><!> <!> <!> <!> <!> <!></div> <!> <div class="row"><!> <input type="range" class="grow s-9glm32" min="0" step="any" data-testid="time"/> <output class="number times s-9glm32"> </output> <span class="muted"> </span></div> <!></div>`);
 var root_11 = $.from_html(`<!> <!>`, 1);
 var root_12 = $.from_html(`<td><!></td>`);
-var root_13 = $.from_html(`<tr><th scope="row"> </th><!></tr>`);
-var root_14 = $.from_html(`<!> <p class="muted"> </p> <table class="table"><thead><tr><th> </th><th> </th><th> </th></tr></thead><tbody></tbody></table>`, 1);
+var root_13 = $.from_html(`<tr><th scope="row"> </th><!><td><!></td></tr>`);
+var root_14 = $.from_html(`<!> <p class="muted"> </p> <table class="table"><thead><tr><th> </th><th> </th><th> </th><th> </th></tr></thead><tbody></tbody></table> <div class="row"><span> </span> <span class="scale s-9glm32"><!></span> <span class="muted"> </span></div>`, 1);
 function Graphics($$anchor, $$props) {
 	$.push($$props, true);
 	const AXES = [
@@ -171,6 +171,33 @@ function Graphics($$anchor, $$props) {
 		};
 		next[which][axis] = value;
 		prefs.drawing.range = next;
+		prefs.drawing.frame = null;
+	}
+	const frame = $.derived(() => {
+		const set = prefs.drawing.frame;
+		return set && {
+			scale: set.scale,
+			centre: set.centre.map((value, axis) => value + $.get(zero)[axis])
+		};
+	});
+	/** What the fields of scale and centre have: what is set, or what follows from the extremes while they are shown. */
+	const framing = $.derived(() => prefs.drawing.frame ?? {
+		centre: middle($.get(extremes)),
+		scale: $.get(setting) ? ($.get(view)?.across() ?? 0) / spanOf($.get(extremes)) : 0
+	});
+	/** Scales that a drawing may have. */
+	const [LEAST_SCALE, GREATEST_SCALE] = [.001, 1e3];
+	function setCentre(axis, value) {
+		if (value !== null) prefs.drawing.frame = {
+			scale: $.get(framing).scale,
+			centre: $.get(framing).centre.with(axis, value)
+		};
+	}
+	function setScale(scale) {
+		if (scale !== null) prefs.drawing.frame = {
+			scale,
+			centre: [...$.get(framing).centre]
+		};
 	}
 	const override = $.derived(() => Math.max(.01, machine.status?.feed.feed_override ?? 1));
 	const rest = $.derived(() => ($.get(total) - $.get(shownTime)) / $.get(override));
@@ -390,6 +417,9 @@ function Graphics($$anchor, $$props) {
 						},
 						get range() {
 							return $.get(range);
+						},
+						get frame() {
+							return $.get(frame);
 						},
 						get rapids() {
 							return $.get(rapids);
@@ -628,12 +658,15 @@ function Graphics($$anchor, $$props) {
 			var fragment_13 = root_11();
 			var node_23 = $.first_child(fragment_13);
 			{
-				let $0 = $.derived(() => !prefs.drawing.range);
+				let $0 = $.derived(() => !prefs.drawing.range && !prefs.drawing.frame);
 				Button(node_23, {
 					get disabled() {
 						return $.get($0);
 					},
-					onclick: () => prefs.drawing.range = null,
+					onclick: () => {
+						prefs.drawing.range = null;
+						prefs.drawing.frame = null;
+					},
 					"data-testid": "whole-path",
 					children: ($$anchor, $$slotProps) => {
 						$.next();
@@ -698,14 +731,16 @@ function Graphics($$anchor, $$props) {
 				var text_30 = $.only_child(th_1, true);
 				var th_2 = $.sibling(th_1);
 				var text_31 = $.only_child(th_2, true);
+				var th_3 = $.sibling(th_2);
+				var text_32 = $.only_child(th_3, true);
 				$.reset(tr);
 				$.reset(thead);
 				var tbody = $.sibling(thead);
 				$.each(tbody, 22, () => AXES, (axis) => axis, ($$anchor, axis, index) => {
 					var tr_1 = root_13();
-					var th_3 = $.child(tr_1);
-					var text_32 = $.only_child(th_3, true);
-					var node_26 = $.sibling(th_3);
+					var th_4 = $.child(tr_1);
+					var text_33 = $.only_child(th_4, true);
+					var node_26 = $.sibling(th_4);
 					$.each(node_26, 16, () => ["low", "high"], (which) => which, ($$anchor, which) => {
 						var td = root_12();
 						var node_27 = $.child(td);
@@ -732,22 +767,72 @@ function Graphics($$anchor, $$props) {
 						$.reset(td);
 						$.append($$anchor, td);
 					});
+					var td_1 = $.sibling(node_26);
+					var node_28 = $.child(td_1);
+					{
+						let $0 = $.derived(() => `${axis} ${t("graphics.centre")}`);
+						NumberField(node_28, {
+							get label() {
+								return $.get($0);
+							},
+							get value() {
+								return $.get(framing).centre[$.get(index)];
+							},
+							minimum: -99999,
+							maximum: 99999,
+							onvalue: (value) => setCentre($.get(index), value)
+						});
+					}
+					$.reset(td_1);
 					$.reset(tr_1);
-					$.template_effect(() => $.set_text(text_32, axis));
+					$.template_effect(() => $.set_text(text_33, axis));
 					$.append($$anchor, tr_1);
 				});
 				$.reset(tbody);
 				$.reset(table);
-				$.template_effect(($0, $1, $2, $3) => {
+				var div_8 = $.sibling(table, 2);
+				var span_4 = $.child(div_8);
+				var text_34 = $.only_child(span_4, true);
+				var span_5 = $.sibling(span_4, 2);
+				var node_29 = $.child(span_5);
+				{
+					let $0 = $.derived(() => t("graphics.scale"));
+					NumberField(node_29, {
+						get label() {
+							return $.get($0);
+						},
+						get value() {
+							return $.get(framing).scale;
+						},
+						get minimum() {
+							return LEAST_SCALE;
+						},
+						get maximum() {
+							return GREATEST_SCALE;
+						},
+						onvalue: setScale
+					});
+				}
+				$.reset(span_5);
+				var span_6 = $.sibling(span_5, 2);
+				var text_35 = $.only_child(span_6, true);
+				$.reset(div_8);
+				$.template_effect(($0, $1, $2, $3, $4, $5, $6) => {
 					$.set_text(text_28, $0);
 					$.set_text(text_29, $1);
 					$.set_text(text_30, $2);
 					$.set_text(text_31, $3);
+					$.set_text(text_32, $4);
+					$.set_text(text_34, $5);
+					$.set_text(text_35, $6);
 				}, [
 					() => t("graphics.erases_text"),
 					() => t("graphics.range"),
 					() => t("graphics.least"),
-					() => t("graphics.greatest")
+					() => t("graphics.greatest"),
+					() => t("graphics.centre"),
+					() => t("graphics.scale"),
+					() => t("graphics.scale_text")
 				]);
 				$.append($$anchor, fragment_16);
 			},

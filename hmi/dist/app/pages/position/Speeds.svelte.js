@@ -7,9 +7,9 @@ import { machine } from "../../lib/state/machine.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/position/Speeds.svelte
-var root = $.from_html(`<dd class="under set s-1bpkw1c"><span class="field s-1bpkw1c"><!></span> <span role="status"> </span></dd>`);
-var root_1 = $.from_html(`<small class="s-1bpkw1c"> </small>`);
-var root_2 = $.from_html(`<dl class="s-1bpkw1c"><div class="s-1bpkw1c"><dt class="s-1bpkw1c">F</dt> <dd class="s-1bpkw1c"><output class="number s-1bpkw1c" aria-live="off" data-testid="feed"> </output><small class="s-1bpkw1c"> </small></dd> <dd class="under s-1bpkw1c"><span> <b class="number s-1bpkw1c"> </b></span><span> </span></dd></div> <div class="s-1bpkw1c"><dt class="s-1bpkw1c">S</dt> <dd class="s-1bpkw1c"><output class="number s-1bpkw1c" aria-live="off" data-testid="speed"> </output><small class="s-1bpkw1c"> </small> <!></dd> <dd class="under s-1bpkw1c"><span> <b class="number s-1bpkw1c" data-testid="speed-programmed"> </b> <b class="number s-1bpkw1c"> </b></span><span> </span></dd> <!></div> <div class="s-1bpkw1c"><dt class="s-1bpkw1c">T</dt> <dd class="s-1bpkw1c"><output class="number s-1bpkw1c"> </output> <!></dd> <dd class="under s-1bpkw1c"><span>H <b class="number s-1bpkw1c"> </b> · D <b class="number s-1bpkw1c"> </b></span><span> </span></dd></div></dl>`);
+var root = $.from_html(`<dd class="under set s-y3s2hf"><span class="field s-y3s2hf"><!></span> <span role="status"> </span></dd>`);
+var root_1 = $.from_html(`<small class="s-y3s2hf"> </small>`);
+var root_2 = $.from_html(`<dl class="s-y3s2hf"><div class="s-y3s2hf"><dt class="s-y3s2hf">F</dt> <dd class="s-y3s2hf"><output class="number wide s-y3s2hf" aria-live="off" data-testid="feed"><span class="steady"> </span></output><small class="s-y3s2hf"> </small></dd> <dd class="under s-y3s2hf"><span> <b class="number s-y3s2hf"> </b></span><span> </span></dd></div> <div class="s-y3s2hf"><dt class="s-y3s2hf">S</dt> <dd class="s-y3s2hf"><output class="number wide s-y3s2hf" aria-live="off" data-testid="speed"><span class="steady"> </span></output><small class="s-y3s2hf"> </small> <!></dd> <dd class="under s-y3s2hf"><span> <b class="number s-y3s2hf" data-testid="speed-programmed"> </b> <b class="number s-y3s2hf"> </b></span><span> </span></dd> <!></div> <div class="s-y3s2hf"><dt class="s-y3s2hf">T</dt> <dd class="s-y3s2hf"><output class="number s-y3s2hf"> </output> <!></dd> <dd class="under s-y3s2hf"><span>H <b class="number s-y3s2hf"> </b> · D <b class="number s-y3s2hf"> </b></span><span> </span></dd></div></dl>`);
 function Speeds($$anchor, $$props) {
 	$.push($$props, true);
 	let settable = $.prop(
@@ -49,25 +49,29 @@ function Speeds($$anchor, $$props) {
 			var div = $.child(dl);
 			var dd = $.sibling($.child(div), 2);
 			var output = $.child(dd);
-			var text = $.only_child(output, true);
+			var span = $.child(output);
+			var text = $.only_child(span, true);
+			$.reset(output);
 			var small = $.sibling(output);
 			var text_1 = $.only_child(small, true);
 			$.reset(dd);
 			var dd_1 = $.sibling(dd, 2);
-			var span = $.child(dd_1);
-			var text_2 = $.child(span);
+			var span_1 = $.child(dd_1);
+			var text_2 = $.child(span_1);
 			var b = $.sibling(text_2);
 			var text_3 = $.only_child(b, true);
-			$.reset(span);
-			var span_1 = $.sibling(span);
+			$.reset(span_1);
+			var span_2 = $.sibling(span_1);
 			let classes;
-			var text_4 = $.only_child(span_1);
+			var text_4 = $.only_child(span_2);
 			$.reset(dd_1);
 			$.reset(div);
 			var div_1 = $.sibling(div, 2);
 			var dd_2 = $.sibling($.child(div_1), 2);
 			var output_1 = $.child(dd_2);
-			var text_5 = $.only_child(output_1, true);
+			var span_3 = $.child(output_1);
+			var text_5 = $.only_child(span_3, true);
+			$.reset(output_1);
 			var small_1 = $.sibling(output_1);
 			var text_6 = $.only_child(small_1, true);
 			var node = $.sibling(small_1, 2);
@@ -84,23 +88,23 @@ function Speeds($$anchor, $$props) {
 			});
 			$.reset(dd_2);
 			var dd_3 = $.sibling(dd_2, 2);
-			var span_2 = $.child(dd_3);
-			var text_7 = $.child(span_2);
+			var span_4 = $.child(dd_3);
+			var text_7 = $.child(span_4);
 			var b_1 = $.sibling(text_7);
 			var text_8 = $.only_child(b_1, true);
 			var text_9 = $.sibling(b_1);
 			var b_2 = $.sibling(text_9);
 			var text_10 = $.only_child(b_2, true);
-			$.reset(span_2);
-			var span_3 = $.sibling(span_2);
+			$.reset(span_4);
+			var span_5 = $.sibling(span_4);
 			let classes_1;
-			var text_11 = $.only_child(span_3);
+			var text_11 = $.only_child(span_5);
 			$.reset(dd_3);
 			var node_1 = $.sibling(dd_3, 2);
 			var consequent_1 = ($$anchor) => {
 				var dd_4 = root();
-				var span_4 = $.child(dd_4);
-				var node_2 = $.child(span_4);
+				var span_6 = $.child(dd_4);
+				var node_2 = $.child(span_6);
 				{
 					let $0 = $.derived(() => t("position.set_speed"));
 					let $1 = $.derived(() => $.get(typed) ?? $.get(spindle).programmed);
@@ -124,9 +128,9 @@ function Speeds($$anchor, $$props) {
 						onvalue: (value) => value !== null && void set(value)
 					});
 				}
-				$.reset(span_4);
-				var span_5 = $.sibling(span_4, 2);
-				var text_12 = $.only_child(span_5, true);
+				$.reset(span_6);
+				var span_7 = $.sibling(span_6, 2);
+				var text_12 = $.only_child(span_7, true);
 				$.reset(dd_4);
 				$.template_effect(($0) => $.set_text(text_12, $0), [() => machine.status.mode !== "mdi" ? t("position.speed_mdi") : $.get(waits) === null ? "" : t("position.speed_waits", { speed: $.get(waits) })]);
 				$.append($$anchor, dd_4);
@@ -151,14 +155,14 @@ function Speeds($$anchor, $$props) {
 			});
 			$.reset(dd_5);
 			var dd_6 = $.sibling(dd_5, 2);
-			var span_6 = $.child(dd_6);
-			var b_3 = $.sibling($.child(span_6));
+			var span_8 = $.child(dd_6);
+			var b_3 = $.sibling($.child(span_8));
 			var text_15 = $.only_child(b_3, true);
 			var b_4 = $.sibling(b_3, 2);
 			var text_16 = $.only_child(b_4, true);
-			$.reset(span_6);
-			var span_7 = $.sibling(span_6);
-			var text_17 = $.only_child(span_7);
+			$.reset(span_8);
+			var span_9 = $.sibling(span_8);
+			var text_17 = $.only_child(span_9);
 			$.reset(dd_6);
 			$.reset(div_2);
 			$.reset(dl);
@@ -167,7 +171,7 @@ function Speeds($$anchor, $$props) {
 				$.set_text(text_1, $1);
 				$.set_text(text_2, `${$2 ?? ""} `);
 				$.set_text(text_3, $3);
-				classes = $.set_class(span_1, 1, "override s-1bpkw1c", null, classes, { off: $4 });
+				classes = $.set_class(span_2, 1, "override s-y3s2hf", null, classes, { off: $4 });
 				$.set_text(text_4, `${$5 ?? ""} %`);
 				$.set_attribute(output_1, "title", $6);
 				$.set_text(text_5, $7);
@@ -176,7 +180,7 @@ function Speeds($$anchor, $$props) {
 				$.set_text(text_8, $10);
 				$.set_text(text_9, ` · ${$11 ?? ""} `);
 				$.set_text(text_10, $12);
-				classes_1 = $.set_class(span_3, 1, "override s-1bpkw1c", null, classes_1, { off: $13 });
+				classes_1 = $.set_class(span_5, 1, "override s-y3s2hf", null, classes_1, { off: $13 });
 				$.set_text(text_11, `${$14 ?? ""} %`);
 				$.set_text(text_13, $.get(spindle).tool);
 				$.set_text(text_15, machine.status.program.h);

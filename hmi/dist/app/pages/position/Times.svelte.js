@@ -7,7 +7,7 @@ import { machine } from "../../lib/state/machine.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/position/Times.svelte
-var root = $.from_html(`<dl class="s-7my8ui"><dt class="s-7my8ui"> </dt> <dd class="number parts s-7my8ui" data-testid="parts"><!></dd> <!> <dt class="s-7my8ui"> </dt> <dd class="number s-7my8ui"> </dd> <!> <dt class="s-7my8ui"> </dt> <dd class="number s-7my8ui"> </dd> <!> <dt class="s-7my8ui"> </dt> <dd class="number s-7my8ui"> </dd></dl>`);
+var root = $.from_html(`<dl class="s-3nab8q"><dt class="s-3nab8q"> </dt> <dd class="number parts s-3nab8q" data-testid="parts"><!></dd> <!> <dt class="s-3nab8q"> </dt> <dd class="number time s-3nab8q"><span class="steady"> </span></dd> <!> <dt class="s-3nab8q"> </dt> <dd class="number time s-3nab8q"><span class="steady"> </span></dd> <!> <dt class="s-3nab8q"> </dt> <dd class="number time s-3nab8q"><span class="steady"> </span></dd></dl>`);
 function Times($$anchor, $$props) {
 	$.push($$props, true);
 	const counters = $.derived(() => machine.status.counters);
@@ -57,7 +57,9 @@ function Times($$anchor, $$props) {
 			var dt_1 = $.sibling(node_1, 2);
 			var text_1 = $.only_child(dt_1, true);
 			var dd_1 = $.sibling(dt_1, 2);
-			var text_2 = $.only_child(dd_1, true);
+			var span = $.child(dd_1);
+			var text_2 = $.only_child(span, true);
+			$.reset(dd_1);
 			var node_2 = $.sibling(dd_1, 2);
 			{
 				let $0 = $.derived(() => t("position.clear", { what: t("position.run_time") }));
@@ -73,7 +75,9 @@ function Times($$anchor, $$props) {
 			var dt_2 = $.sibling(node_2, 2);
 			var text_3 = $.only_child(dt_2, true);
 			var dd_2 = $.sibling(dt_2, 2);
-			var text_4 = $.only_child(dd_2, true);
+			var span_1 = $.child(dd_2);
+			var text_4 = $.only_child(span_1, true);
+			$.reset(dd_2);
 			var node_3 = $.sibling(dd_2, 2);
 			{
 				let $0 = $.derived(() => t("position.clear", { what: t("position.cutting_time") }));
@@ -89,7 +93,9 @@ function Times($$anchor, $$props) {
 			var dt_3 = $.sibling(node_3, 2);
 			var text_5 = $.only_child(dt_3, true);
 			var dd_3 = $.sibling(dt_3, 2);
-			var text_6 = $.only_child(dd_3, true);
+			var span_2 = $.child(dd_3);
+			var text_6 = $.only_child(span_2, true);
+			$.reset(dd_3);
 			$.reset(dl);
 			$.template_effect(($0, $1, $2, $3, $4, $5, $6) => {
 				$.set_text(text, $0);

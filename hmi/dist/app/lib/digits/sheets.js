@@ -1,0 +1,79 @@
+import { machine } from "../state/machine.svelte.js";
+// src/lib/digits/sheets.ts
+var thread = null;
+var next = 1;
+var sheets = /* @__PURE__ */ new Map();
+var latest = null;
+var tell = (told, moved = []) => thread?.postMessage(told, moved);
+var isSame = (one, other) => one.length === other.length && one.every((shown, index) => shown.text === other[index].text && shown.tone === other[index].tone);
+/** Says what has changed, of all sheets in one message. */
+function show(status) {
+	latest = status;
+	const changed = [];
+	for (const [number, sheet] of sheets) {
+		const shown = sheet.numbers(status);
+		if (isSame(shown, sheet.last)) continue;
+		sheet.last = shown;
+		changed.push([number, shown]);
+	}
+	if (changed.length) tell({
+		do: "show",
+		numbers: changed
+	});
+}
+function open() {
+	if (thread) return;
+	thread = new Worker(new URL(
+		/* @vite-ignore */
+		"/app/lib/digits/worker.js",
+		"" + import.meta.url
+	), { type: "module" });
+	machine.watch(show);
+}
+/** An attachment: a canvas becomes a sheet of numbers. */
+function sheet(contents) {
+	return (canvas) => {
+		open();
+		const number = next++;
+		const mine = {
+			...contents,
+			last: []
+		};
+		const drawn = canvas.transferControlToOffscreen();
+		tell({
+			do: "new",
+			sheet: number,
+			canvas: drawn
+		}, [drawn]);
+		sheets.set(number, mine);
+		const look = () => {
+			const { left, top, right, bottom } = canvas.getBoundingClientRect();
+			const scale = devicePixelRatio;
+			const width = Math.round(right * scale) - Math.round(left * scale);
+			const height = Math.round(bottom * scale) - Math.round(top * scale);
+			if (!width || !height) return;
+			tell({
+				do: "look",
+				sheet: number,
+				width,
+				height,
+				places: contents.places(getComputedStyle(canvas), width, height, scale)
+			});
+		};
+		const sizes = new ResizeObserver(look);
+		sizes.observe(canvas);
+		const themes = new MutationObserver(look);
+		themes.observe(document.documentElement, { attributeFilter: ["data-theme"] });
+		if (latest) show(latest);
+		return () => {
+			sizes.disconnect();
+			themes.disconnect();
+			sheets.delete(number);
+			tell({
+				do: "drop",
+				sheet: number
+			});
+		};
+	};
+}
+export { sheet };
