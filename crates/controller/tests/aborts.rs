@@ -9,15 +9,18 @@ mod panel;
 
 use common::random::Random;
 use common::{HANGS, cnc_with, machine};
-use ferrocut_controller::api::{Activity, Command};
+use ferrocut_controller::api::{Activity, Command, InterruptedBlock, OffsetValues};
 use ferrocut_controller::restart::{At, How};
-use ferrocut_controller::{Cnc, Event, State};
-use ferrocut_geometry::Position;
+use ferrocut_controller::{Cnc, Event, Plant, State};
+use ferrocut_geometry::{Axis, Position};
 use ferrocut_interpreter::{Interpreter, Until};
-use ferrocut_machine::Machine;
+use ferrocut_machine::setup::VariableName;
+use ferrocut_machine::{AxisConfig, Machine, WorkOffset};
+use ferrocut_memory::{Counter, Item, Settings, Store};
 use ferrocut_toolpath::SpindleState;
 use panel::Mill;
 use std::fmt::Write;
+use std::sync::Arc;
 
 /// Aborts that are tried; `FERROCUT_CASES` says otherwise.
 const ABORTS: usize = 150;
@@ -108,21 +111,34 @@ fn agrees(cnc: &mut Cnc, machine: &Machine, tool: u32, place: &str) {
     assert_eq!((in_force.spindle, in_force.coolant), (SpindleState::Off, [false; 2]), "{place}");
     assert_eq!(in_force.in_spindle, tool, "{place}");
     assert_eq!(in_force.calls, 0, "{place}");
-    // The zero in force is that of the table, and the coordinates lead to where the axes stand.
-    let system = in_force.codes().find(|code| (540..=590).contains(&code.tenths)).unwrap();
-    let zero = interpreter.memory().work.standard[usize::from(system.tenths / 10 - 54)];
-    assert_eq!(in_force.work_zero, zero, "{place}");
-    let there = in_force.programmed + in_force.work_zero + in_force.length;
-    assert!(there.distance(at.position) < 1e-9, "{place}: {there:?} is not {at:?}");
-    assert!(in_force.machine == at.position, "{place}");
+    offsets_agree(interpreter, at.position, place);
 }
 
-/// The G codes of motion, distance, plane and zero in force, and F.
-fn codes(interpreter: &Interpreter) -> (Vec<u16>, f64) {
+/// Zero and tool length in force are those of the tables, and the coordinates lead to where the axes stand.
+fn offsets_agree(interpreter: &Interpreter, at: Position, place: &str) {
+    let in_force = interpreter.program_state();
+    let code = |low, high| in_force.codes().map(|code| code.tenths).find(|code| (low..=high).contains(code));
+    let system = code(540, 590).unwrap();
+    let zero = interpreter.memory().work.standard[usize::from(system / 10 - 54)];
+    assert_eq!(in_force.work_zero, zero, "{place}");
+    let offset = |number: u16| *interpreter.memory().tools.get(number).unwrap();
+    let length = match code(430, 490) {
+        Some(490) => 0.0,
+        _ => offset(in_force.length_number).length,
+    };
+    assert_eq!(in_force.length, Position::xyz(0.0, 0.0, length), "{place}");
+    let there = in_force.programmed + in_force.work_zero + in_force.length;
+    assert!(there.distance(at) < 1e-9, "{place}: {there:?} is not {at:?}");
+    assert!(in_force.machine == at, "{place}");
+}
+
+/// The G codes of motion, distance, plane and zero in force, and F, H, D.
+fn codes(interpreter: &Interpreter) -> (Vec<u16>, [f64; 3]) {
     let in_force = interpreter.program_state();
     let all = in_force.codes().map(|code| code.tenths);
     let kept = all.filter(|code| matches!(code, 0..=30 | 170..=190 | 540..=590 | 900 | 910));
-    (kept.collect(), in_force.feed_per_minute)
+    let (h, d) = (f64::from(in_force.length_number), in_force.radius_number);
+    (kept.collect(), [in_force.feed_per_minute, h, d])
 }
 
 /// What was read ahead is forgotten: the codes in force are those of the block that was being run, as it begins or
@@ -142,7 +158,12 @@ fn codes_are_of_the_block(cnc: &Cnc, text: &str, place: &str) {
             "{place}: {found:?}, block {block} has {ends:?}"
         );
     }
-    assert!(ends.iter().any(|(_, feed)| *feed == found.1), "{place}: {found:?}, block {block} has {ends:?}");
+    for (k, word) in found.1.iter().enumerate() {
+        assert!(
+            ends.iter().any(|(_, words)| words[k] == *word),
+            "{place}: {found:?}, block {block} has {ends:?}"
+        );
+    }
 }
 
 /// Where a full run ends, and what it leaves in #500 to #502 and G55.
@@ -242,16 +263,35 @@ const LAG: usize = 60;
 /// How long nothing may move behind an abort, ms.
 const QUIET: usize = 100;
 
-/// What the ladder has to do with: spindle both ways, coolant, tools called, tapping, stops of the block.
-const BY_LADDER: &str = "O1\nG90 G17 G21 G40 G49 G80 G94\nG53 G0 Z-60\nG53 X-120 Y-120\nT3\nM3 S600\nM8\nG91\nG1 X15 Y5 F6000\n\
-    G2 X6 Y6 R6\nT4\nG1 Z-5\nX-10\nM5\nG4 X0.05\nM4 S500\nM98 P2 L2\nG0 Z10\nM9\nM5\nM29 S800\n\
-    G98 G84 X0 Y0 Z-4 R-2 F800\nG80\nM28\nM3 S700\nG1 X-10 Y-8 F5000\nG90\nM30\n";
-const PASS: &str = "O2\nG1 X8 F6000\nM8\nG3 X-8 R4\nM99\n";
+/// How long the ladder needs to see that the emergency stop is released, ms.
+const RELEASED: usize = 20;
 
-/// Periods that the machine goes on by, without looking at it.
-fn run(mill: &mut Mill, periods: usize) {
-    (0..periods).for_each(|_| _ = mill.control.tick());
+/// The tool that stands in the spindle, and the one whose pocket is called.
+const TOOL: u32 = 3;
+
+/// What the ladder has to do with: spindle both ways, coolant, tools called, tapping, stops of the block. What the
+/// memory keeps: a zero that the program writes, variables. Length and cutter compensation.
+const BY_LADDER: &str = "O1\nG90 G17 G21 G40 G49 G80 G94 G54\nG53 G0 Z-60\nG53 X-120 Y-120\nT3 M6\nM3 S600\nM8\n\
+    #510=#510+1\nG10 L2 P2 X[#510/10] Y-3 Z-40\nG91\nG1 X15 Y5 F6000\nG43 H1 Z-8\n\
+    G55\nG2 X6 Y6 R6\nT4\nG1 Z-5\nG41 D2 X-10\nY-9\nX-6\nG40 X4\nM5\nG4 X0.05\nM4 S500\nM98 P2 L2\nG54\nG0 Z10\n\
+    G43 H2 Z-2\nM9\nM5\nM29 S800\nG98 G84 X0 Y0 Z-4 R-2 F800\nG80\nM28\nG49\nG10 L2 P1 Y[#510/20]\n\
+    M3 S700\nG1 X-10 Y-8 F5000\nG90\nM30\n";
+const PASS: &str = "O2\nG1 X8 F6000\nM8\n#511=#511+1\nG3 X-8 R4\nM99\n";
+const TOOL_CHANGE: &str = include_str!("../../../machines/tool-change.nc");
+
+/// Its tapping: depth from the retract plane, and the speed of the spindle, mm and r/min.
+const TAP: [f64; 2] = [4.0, 800.0];
+
+/// Periods that the machine goes on by, with nobody looking; the last one in which an axis was moved, from 1.
+fn run(mill: &mut Mill, periods: usize) -> usize {
+    let last = (1..=periods).filter(|_| mill.control.tick().moving).last();
     mill.control.events();
+    last.unwrap_or(0)
+}
+
+/// The same counted from an earlier instant.
+fn later(since: usize, moved: usize) -> usize {
+    if moved == 0 { 0 } else { since + moved }
 }
 
 /// A key that is pressed and let go, for as long as the ladder needs to see it.
@@ -262,8 +302,29 @@ fn press(mill: &mut Mill, key: &str) {
     }
 }
 
+/// The longest that the axes of the program take to come to rest, ms: each brakes from its highest speed within its
+/// acceleration, which it reaches and leaves within its jerk, from the end of what motion has planned ahead. On arcs,
+/// what turns the path is not there to brake. A tap comes out of its thread first, which takes no longer than in and out
+/// with the ramps of the spindle.
+fn braking(machine: &Machine, taps: bool) -> usize {
+    let brake = |axis: &AxisConfig| {
+        axis.velocity.max(axis.rapid) / 60.0 / axis.acceleration + 2.0 * axis.acceleration / axis.jerk
+    };
+    let moved = machine.axes.iter().filter(|axis| axis.name != Axis::A);
+    let [depth, rpm] = TAP;
+    let stroke = depth / (rpm / 60.0) + 2.0 * rpm / machine.spindle.acceleration_rpm_s;
+    let seconds = TURNING * moved.map(brake).fold(0.0, f64::max) + if taps { 2.0 * stroke } else { 0.0 };
+    AHEAD + (seconds * 1000.0 / machine.servo_period_ms).ceil() as usize
+}
+
+/// By how much braking takes longer on an arc at the limit of its acceleration: ∫du/√(1-u⁴) = 1.31, and its jerk.
+const TURNING: f64 = 1.5;
+
+/// Periods that motion is planned ahead, and one each in which command and standstill are seen.
+const AHEAD: usize = 8 + 2;
+
 /// Nothing of the machine is left as the run had it, and everybody knows where the axes are.
-fn is_quiet(mill: &mut Mill, place: &str) {
+fn is_quiet(mill: &mut Mill, store: Option<&Store>, place: &str) {
     let signal = |mill: &mut Mill, name: &str| {
         let plc = mill.control.plc_mut().unwrap();
         let address = plc.program().signal(name).unwrap_or_else(|| panic!("no signal {name}"));
@@ -310,56 +371,139 @@ fn is_quiet(mill: &mut Mill, place: &str) {
         (SpindleState::Off, [false; 2], 0),
         "{place}"
     );
-    let there = in_force.programmed + in_force.work_zero + in_force.length;
-    assert!(there.distance(interpreter.position()) < 1e-9, "{place}: {there:?}");
+    // As its own program keeps it, and as the panel shows it.
+    let of_program = interpreter.memory().variables.get(500);
+    assert_eq!((in_force.in_spindle, of_program), (TOOL, Some(f64::from(TOOL))), "{place}");
+    assert_eq!((status.spindle.tool, status.program.h), (TOOL, in_force.length_number), "{place}");
+    assert_eq!(status.program.d, in_force.radius_number, "{place}");
+    offsets_agree(interpreter, at.position, place);
+    if let Some(store) = store {
+        is_kept(mill, store, place);
+    }
+}
+
+/// The durable memory has what the control has.
+fn is_kept(mill: &mut Mill, store: &Store, place: &str) {
+    mill.control.flush().unwrap();
+    let status = mill.control.status();
+    let items = [
+        Item::WorkZeros,
+        Item::Offsets,
+        Item::Variables,
+        Item::Counters,
+        Item::LastPosition,
+        Item::Interrupted,
+    ];
+    let kept = store.reader().contents(&items).unwrap();
+    let memory = mill.control.interpreter().memory();
+    for (system, zero) in (1..).zip(&memory.work.standard) {
+        let found = kept.work_zeros.get(&WorkOffset::Standard(system)).copied().unwrap_or_default();
+        assert_eq!(found, *zero, "{place}: zero {system}");
+    }
+    for number in 1..=memory.tools.last() {
+        let found = kept.offsets.get(&number).copied().unwrap_or_default();
+        assert_eq!(Some(found), memory.tools.get(number).copied(), "{place}: offset {number}");
+    }
+    for number in 500..600 {
+        let found = kept.variables.get(&VariableName::Number(number)).copied();
+        assert_eq!(found, memory.variables.get(number), "{place}: #{number}");
+    }
+    assert_eq!(kept.counters[&Counter::Parts], status.counters.parts as f64, "{place}");
+    let position = kept.last_position.unwrap();
+    let mine = mill.control.interpreter();
+    assert_eq!((position.position, position.work_system), (mine.position(), mine.work_system()), "{place}");
+    let told = |at: &InterruptedBlock| (at.file.clone(), at.line, at.time);
+    let block = kept.interrupted.map(|at| (at.file, at.line, at.time));
+    assert_eq!(block, status.interrupted.as_ref().map(told), "{place}");
 }
 
 /// Aborts of a machine of its own, with random numbers of its own.
-fn abort_whole(mut random: Random, aborts: usize) {
-    let mut mill = Mill::power_on();
+fn abort_whole(mut random: Random, aborts: usize, is_kept: bool) {
+    let machine = Machine::demo_mill();
+    let folder = tempfile::tempdir().unwrap();
+    let store = is_kept.then(|| Arc::new(Store::open(folder.path(), Settings::new("gsk990mc")).unwrap()));
+    let plant = Plant::new(&machine, Position::ZERO, Position::ZERO);
+    let mut mill = Mill::of(&machine, plant, store.clone());
     mill.press("KEY_EDIT");
-    for (name, text) in [("O0001", BY_LADDER), ("O0002", PASS)] {
+    for (name, text) in [("O0001", BY_LADDER), ("O0002", PASS), ("O9001", TOOL_CHANGE)] {
         mill.say(Command::Store { program: name.into(), text: text.into() });
     }
+    for (number, length, radius) in [(1, 12.0, 3.0), (2, 20.0, 2.0)] {
+        let (length, radius) = (Some(length), Some(radius));
+        let values = OffsetValues { length, radius, ..OffsetValues::default() };
+        mill.say(Command::SetOffset { number, values, add: false });
+    }
     mill.home();
+    mill.mdi(&format!("T{TOOL} M06"));
     mill.press("KEY_AUTO");
     mill.say(Command::Select { program: "O1".into() });
-    mill.press("KEY_START");
+    // The second run begins where it ends, as most of the aborted ones do.
     let mut length = 0;
-    while mill.wait(1).counters.parts == 0 {
-        length += 1;
-        assert!(length < HANGS, "{:?}", mill.control.status());
+    for run in 1..=2 {
+        mill.press("KEY_START");
+        length = 0;
+        while mill.wait(1).counters.parts < run {
+            length += 1;
+            assert!(length < HANGS, "{:?}", mill.control.status());
+        }
+        mill.until("done", |status| status.activity == Activity::Idle);
     }
-    mill.until("done", |status| status.activity == Activity::Idle);
+    let (mut broken_off, mut longest) = (0, [0; 2]);
     for case in 0..aborts {
         press(&mut mill, "KEY_AUTO");
         mill.say(Command::Cursor { line: 1 });
         press(&mut mill, "KEY_START");
+        let begun = mill.control.status();
+        assert!(begun.program_mode.is_some() && begun.interrupted.is_none(), "case {case}: {begun:?}");
         let instant = random.below(length);
         run(&mut mill, instant);
         let how = random.below(4);
-        let block = mill.control.status().program.block.clone();
+        let mut before = mill.control.status();
+        // When an axis was moved last, and how long ago that was asked to end.
+        let (mut moved, mut since) = (0, 0);
         match how {
             0 => {
                 mill.say(Command::EmergencyStop { pressed: true });
-                run(&mut mill, 1 + random.below(800));
+                let pressed = 1 + random.below(800);
+                moved = run(&mut mill, pressed);
                 mill.say(Command::EmergencyStop { pressed: false });
-                run(&mut mill, 20);
+                moved = moved.max(later(pressed, run(&mut mill, RELEASED)));
+                since = pressed + RELEASED;
             }
             1 => {}
             2 => {
                 mill.say(Command::Key { key: "KEY_HOLD".into(), down: true });
-                run(&mut mill, KEY_MS + random.below(200));
+                let pressed = KEY_MS + random.below(200);
+                run(&mut mill, pressed);
                 mill.say(Command::Key { key: "KEY_HOLD".into(), down: false });
                 run(&mut mill, random.below(KEY_MS));
             }
             // Another mode takes the program's way first.
             _ => press(&mut mill, random.one(&["KEY_JOG", "KEY_MDI", "KEY_EDIT"])),
         }
+        let place = format!("case {case}, {how} at {instant} of {length}, {}", before.program.block);
+        if how > 0 {
+            before = mill.control.status();
+        }
         mill.say(Command::Reset);
-        let place = format!("case {case}, {how} at {instant} of {length}, {block}");
-        is_quiet(&mut mill, &place);
+        let taps = before.program.block.contains("G84");
+        let most = braking(&machine, taps);
+        moved = moved.max(later(since, run(&mut mill, most + LAG)));
+        assert!(moved <= most, "{place}: comes to rest after {moved} of {most}");
+        longest[usize::from(taps)] = moved.max(longest[usize::from(taps)]);
+        is_quiet(&mut mill, store.as_deref(), &place);
+        // A run that was under way was broken off where it was, and made no part.
+        let status = mill.control.status();
+        assert_eq!((status.program_mode, status.counters.parts), (None, before.counters.parts), "{place}");
+        let block = status.interrupted.map(|at| (at.program, at.kept));
+        let wanted = before.program_mode.map(|_| ("O0001".to_owned(), true));
+        assert_eq!(block, wanted, "{place}");
+        broken_off += usize::from(wanted.is_some());
     }
+    println!(
+        "{broken_off} of {aborts} aborts broke a run off; at rest after {longest:?} ms, in a thread the second"
+    );
+    assert!(broken_off * 10 >= aborts * 9, "{broken_off} of {aborts}");
     // All of it runs again, to its end.
     let before = mill.control.status().counters.parts;
     mill.press("KEY_AUTO");
@@ -374,7 +518,8 @@ fn at_random_instants_everything_agrees_with_ladder_and_machine_too() {
     std::thread::scope(|scope| {
         for mill in 0..MILLS {
             let share = aborts / MILLS + usize::from(mill < aborts % MILLS);
-            scope.spawn(move || abort_whole(Random::new(31 + mill as u64), share));
+            // Every other has a durable memory.
+            scope.spawn(move || abort_whole(Random::new(31 + mill as u64), share, mill % 2 == 0));
         }
     });
 }

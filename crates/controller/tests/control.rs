@@ -5,8 +5,7 @@
 mod common;
 
 use common::shop::Shop;
-use ferrocut_controller::api::{Activity, Command, Event, OffsetValues, RelativeTo, Reply, Status};
-use ferrocut_controller::control::modes::{self, Change};
+use ferrocut_controller::api::{Activity, ByAxis, Command, Event, OffsetValues, RelativeTo, Reply, Status};
 use ferrocut_controller::signals::{RapidOverride, Ways};
 use ferrocut_controller::{Drives, Mode, Parts};
 use ferrocut_geometry::Position;
@@ -86,9 +85,6 @@ fn running(parameters: &[(&str, f64)]) -> Shop {
     running_in(Mode::Auto, parameters)
 }
 
-/// The modes that run programs.
-const PROGRAMS: [Mode; 3] = [Mode::Auto, Mode::Mdi, Mode::Dnc];
-
 /// The same in one of them.
 fn running_in(program: Mode, parameters: &[(&str, f64)]) -> Shop {
     run_long(Shop::new(parameters), program)
@@ -126,18 +122,43 @@ fn ends(shop: &mut Shop, program: Mode) {
     );
 }
 
-/// Every cell of 2.4 and 8.4 that does the same to a run: the mode that it was started in, and the one that is chosen.
-fn cells(change: Change) -> impl Iterator<Item = (Mode, Mode)> {
-    let all = PROGRAMS.into_iter().flat_map(|program| Mode::ALL.map(|to| (program, to)));
-    all.filter(move |(program, to)| modes::change(*program, *to) == change)
+/// What becomes of a run.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Cell {
+    /// It goes on.
+    On,
+    /// It ends its block.
+    End,
+    /// It stops at once.
+    Now,
+}
+
+/// 2.4 and 8.4 as the manual has them: the mode of the program, and what the modes that are chosen do to it, in the
+/// order of [`TO`].
+const CELLS: [(Mode, [Cell; 8]); 3] = {
+    use Cell::{End, Now, On};
+    [
+        (Mode::Auto, [End, On, End, End, Now, Now, Now, Now]),
+        (Mode::Mdi, [End, End, On, End, Now, Now, Now, Now]),
+        (Mode::Dnc, [End, End, End, On, Now, Now, Now, Now]),
+    ]
+};
+const TO: [Mode; 8] =
+    [Mode::Edit, Mode::Auto, Mode::Mdi, Mode::Dnc, Mode::Home, Mode::Jog, Mode::Step, Mode::Handle];
+
+/// Every cell that does the same to a run: the mode that it was started in, and the one that is chosen.
+fn cells(does: Cell) -> impl Iterator<Item = (Mode, Mode)> {
+    let all = CELLS
+        .into_iter()
+        .flat_map(|(program, row)| TO.into_iter().zip(row).map(move |(to, cell)| (program, to, cell)));
+    all.filter(move |(_, _, cell)| *cell == does).map(|(program, to, _)| (program, to))
 }
 
 #[test]
 fn every_cell_of_the_table_of_modes_is_played() {
-    let played =
-        [Change::Nothing, Change::FinishBlock, Change::StopAtOnce].map(|change| cells(change).count());
+    let played = [Cell::On, Cell::End, Cell::Now].map(|cell| cells(cell).count());
     assert_eq!(played, [3, 9, 12]);
-    for (program, to) in cells(Change::Nothing) {
+    for (program, to) in cells(Cell::On) {
         let mut shop = running_in(program, &[]);
         shop.mode(to);
         assert_eq!(shop.control.status().activity, Activity::Running);
@@ -147,7 +168,7 @@ fn every_cell_of_the_table_of_modes_is_played() {
 
 #[test]
 fn a_change_to_a_mode_of_programs_finishes_the_block() {
-    for (program, mode) in cells(Change::FinishBlock) {
+    for (program, mode) in cells(Cell::End) {
         let mut shop = running_in(program, &[]);
         shop.mode(mode);
         assert!(shop.control.status().finishing_block);
@@ -173,7 +194,7 @@ fn a_change_to_a_mode_of_programs_finishes_the_block() {
 
 #[test]
 fn cycle_start_has_effect_until_the_block_is_finished() {
-    for (program, mode) in cells(Change::FinishBlock).filter(|(_, mode)| *mode != Mode::Edit) {
+    for (program, mode) in cells(Cell::End).filter(|(_, mode)| *mode != Mode::Edit) {
         let mut shop = running_in(program, &[]);
         shop.mode(mode);
         shop.start();
@@ -184,7 +205,7 @@ fn cycle_start_has_effect_until_the_block_is_finished() {
 
 #[test]
 fn a_change_to_a_mode_by_hand_stops_at_once() {
-    for (program, mode) in cells(Change::StopAtOnce) {
+    for (program, mode) in cells(Cell::Now) {
         let mut shop = running_in(program, &[]);
         shop.mode(mode);
         let status = shop.until_it_stops();
@@ -204,26 +225,53 @@ fn a_change_to_a_mode_by_hand_stops_at_once() {
     }
 }
 
-#[test]
-fn a_way_by_hand_is_given_back_or_stays_as_the_bit_says() {
-    for (mode, shifts, end) in [(Mode::Jog, 0.0, 0.0), (Mode::Handle, 0.0, 0.0), (Mode::Handle, 1.0, 0.5)] {
-        let mut shop = running(&[("NO56.3", shifts)]);
-        shop.hold();
-        shop.wait(300);
-        shop.mode(mode);
-        let before = shop.control.status().position;
-        if mode == Mode::Jog {
-            shop.inputs.jog[2] = Ways { plus: true, minus: false };
-            shop.wait(300);
-            shop.inputs.jog[2] = Ways::default();
-        } else {
+/// Z goes up by hand by half a millimetre, or by jog some way: by the wheel in tenths, by the key of the axis in steps.
+fn go_up(shop: &mut Shop, mode: Mode) {
+    shop.mode(mode);
+    match mode {
+        Mode::Handle => {
             (shop.inputs.handwheel_axis, shop.inputs.increment) = (Some(2), 2);
             shop.say(Command::Handwheel { counts: 5 });
         }
+        Mode::Step => {
+            shop.inputs.increment = 2;
+            for _ in 0..5 {
+                shop.inputs.jog[2] = Ways { plus: true, minus: false };
+                shop.wait(10);
+                shop.inputs.jog[2] = Ways::default();
+                shop.wait(10);
+            }
+        }
+        _ => {
+            shop.inputs.jog[2] = Ways { plus: true, minus: false };
+            shop.wait(300);
+            shop.inputs.jog[2] = Ways::default();
+        }
+    }
+}
+
+/// 4.1.4, 5.2 and 6.2.1: steps interrupt as the handwheel does, in the same coordinates.
+#[test]
+fn a_way_by_hand_is_given_back_or_stays_as_the_bit_says() {
+    for (mode, shifts, end) in [
+        (Mode::Jog, 0.0, 0.0),
+        (Mode::Jog, 1.0, 0.0),
+        (Mode::Step, 0.0, 0.0),
+        (Mode::Step, 1.0, 0.5),
+        (Mode::Handle, 0.0, 0.0),
+        (Mode::Handle, 1.0, 0.5),
+    ] {
+        let shifted = end > 0.0;
+        let mut shop = running(&[("NO56.3", shifts)]);
+        shop.hold();
+        shop.wait(300);
+        let before = shop.control.status().position;
+        go_up(&mut shop, mode);
         let moved = shop.until_it_stops().position;
         assert!(moved.machine[&'Z'] > before.machine[&'Z'] + 0.4, "{mode:?}");
+        assert!(mode == Mode::Jog || (moved.machine[&'Z'] - 0.5).abs() < 1e-9, "{mode:?}");
         assert_eq!(shop.control.status().activity, Activity::Held);
-        if shifts == 1.0 {
+        if shifted {
             assert_eq!((moved.work[&'Z'], moved.relative[&'Z'], moved.interruption[&'Z']), (0.0, 0.0, 0.5));
         }
         shop.mode(Mode::Auto);
@@ -234,10 +282,62 @@ fn a_way_by_hand_is_given_back_or_stays_as_the_bit_says() {
             (1, 80.0, end),
             "{mode:?}"
         );
-        if shifts == 1.0 {
+        if shifted {
             assert_eq!(status.position.work[&'Z'], 0.0);
             shop.say(Command::ClearInterruption { axis: Some('Z') });
             assert_eq!(shop.wait(1).position.work[&'Z'], 0.5);
+        }
+    }
+}
+
+/// Drives that say whether an axis was ever commanded anywhere else.
+struct Standing {
+    at: Option<Position>,
+    moved: Arc<AtomicBool>,
+}
+
+impl Drives for Standing {
+    fn exchange(&mut self, commanded: &Position) -> Position {
+        if self.at.replace(*commanded).is_some_and(|at| at != *commanded) {
+            self.moved.store(true, Ordering::Relaxed);
+        }
+        *commanded
+    }
+}
+
+/// 6.2.2: under machine lock an interruption moves no axis, and nothing of it is left when the lock goes. 3.1.1: positions
+/// go on.
+#[test]
+fn under_machine_lock_an_interruption_moves_nothing() {
+    for mode in [Mode::Step, Mode::Handle] {
+        for (locked, shifts) in [(true, 1.0), (true, 0.0), (false, 1.0)] {
+            let moved = Arc::new(AtomicBool::new(false));
+            let drives = Standing { at: None, moved: moved.clone() };
+            let mut machine = Machine::demo_mill();
+            machine.parameters.insert("NO56.3".to_owned(), shifts);
+            let mut shop = Shop::of(&machine, Parts { drives: Some(Box::new(drives)), ..Parts::default() });
+            shop.inputs.machine_lock = locked;
+            shop.wait(2);
+            let mut shop = run_long(shop, Mode::Auto);
+            shop.hold();
+            shop.wait(300);
+            go_up(&mut shop, mode);
+            let up = shop.until_it_stops();
+            let case = format!("{mode:?} {locked} {shifts}");
+            assert!((up.position.machine[&'Z'] - 0.5).abs() < 1e-9, "{case}: {:?}", up.position);
+            shop.mode(Mode::Auto);
+            shop.start();
+            let ended = shop.until_it_stops();
+            assert_eq!((ended.counters.parts, shop.x()), (1, 80.0), "{case}");
+            assert_eq!(moved.load(Ordering::Relaxed), !locked, "{case}");
+            if locked {
+                shop.inputs.machine_lock = false;
+                let free = shop.wait(5).position;
+                let nothing = |axes: &ByAxis| axes.values().all(|value| *value == 0.0);
+                assert!(nothing(&free.machine) && nothing(&free.actual), "{case}: {free:?}");
+                assert!(nothing(&free.interruption) && nothing(&free.work), "{case}: {free:?}");
+                assert!(!moved.load(Ordering::Relaxed), "{case}");
+            }
         }
     }
 }

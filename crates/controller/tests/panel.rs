@@ -81,6 +81,140 @@ fn a_shift_through_the_keys() {
 }
 
 /// GSK990MC part 2, 6.4.
+/// Signals of the machine that are on, among some.
+fn on<'a>(mill: &mut Mill, names: &[&'a str]) -> Vec<&'a str> {
+    let plc = mill.control.plc_mut().unwrap();
+    let is_on = |name: &&&str| plc.memory().bit(plc.program().signal(name).unwrap());
+    names.iter().filter(is_on).copied().collect()
+}
+
+const MODES: [(&str, Mode); 8] = [
+    ("KEY_EDIT", Mode::Edit),
+    ("KEY_AUTO", Mode::Auto),
+    ("KEY_MDI", Mode::Mdi),
+    ("KEY_DNC", Mode::Dnc),
+    ("KEY_HOME", Mode::Home),
+    ("KEY_JOG", Mode::Jog),
+    ("KEY_STEP", Mode::Step),
+    ("KEY_MPG", Mode::Handle),
+];
+
+/// 4.3: coolant, chip conveyor and light turn over with their keys in any mode; lubrication runs while its key is held.
+#[test]
+fn keys_of_the_auxiliaries_act_in_any_mode() {
+    let mut mill = Mill::power_on();
+    let lamp = |mill: &mut Mill, lamp: &str| mill.wait(1).lamps.iter().any(|name| name == lamp);
+    for (key, mode) in MODES {
+        mill.press(key);
+        assert_eq!(mill.wait(10).mode, mode);
+        for (key, output, light) in [
+            ("KEY_COOLANT", "COOLANT", "LAMP_COOLANT"),
+            ("KEY_CHIP", "CONVEYOR", "LAMP_CHIP"),
+            ("KEY_LIGHT", "LIGHT", "LAMP_LIGHT"),
+        ] {
+            for is_on in [true, false] {
+                mill.press(key);
+                assert_eq!(on(&mut mill, &[output]).len() == 1, is_on, "{key} in {mode:?}");
+                assert_eq!(lamp(&mut mill, light), is_on, "{key} in {mode:?}");
+            }
+        }
+        for is_down in [true, false] {
+            mill.key("KEY_LUBE", is_down);
+            assert_eq!(on(&mut mill, &["LUBE"]).len() == 1, is_down, "{mode:?}");
+            assert_eq!(lamp(&mut mill, "LAMP_LUBE"), is_down, "{mode:?}");
+        }
+    }
+}
+
+/// M codes of what stands about the axes reach it and are done; reset ends them, and the end of a program all but the
+/// conveyor. What is missing ends its own.
+#[test]
+fn codes_of_the_auxiliaries_reach_the_machine() {
+    let mut mill = Mill::power_on();
+    const ALL: [&str; 6] = ["COOLANT", "FLUSH", "CONVEYOR", "BLOW", "A_RELEASE", "A_CLAMP"];
+    assert_eq!(on(&mut mill, &ALL), ["A_CLAMP"]);
+    for (code, outputs) in [
+        ("M08", &["COOLANT", "A_CLAMP"][..]),
+        ("M09", &["A_CLAMP"]),
+        ("M26", &["FLUSH", "A_CLAMP"]),
+        ("M27", &["A_CLAMP"]),
+        ("M35", &["CONVEYOR", "A_CLAMP"]),
+        ("M36", &["A_CLAMP"]),
+        ("M44", &["BLOW", "A_CLAMP"]),
+        ("M45", &["A_CLAMP"]),
+        ("M10", &["A_RELEASE"]),
+        ("M11", &["A_CLAMP"]),
+    ] {
+        mill.mdi(code);
+        assert_eq!(on(&mut mill, &ALL), outputs, "{code}");
+        // The codes of the A axis are done once it is so.
+        let clamps = on(&mut mill, &["A_CLAMPED", "A_LOOSE"]);
+        assert_eq!(clamps, [if code == "M10" { "A_LOOSE" } else { "A_CLAMPED" }], "{code}");
+    }
+    let begin = "M08\nM26\nM35\nM44";
+    mill.mdi(begin);
+    mill.say(Command::Reset);
+    mill.wait(300);
+    assert_eq!(on(&mut mill, &ALL), ["A_CLAMP"]);
+    mill.mdi(&format!("{begin}\nM30"));
+    mill.wait(300);
+    assert_eq!(on(&mut mill, &ALL), ["CONVEYOR", "A_CLAMP"]);
+    // An empty tank, a jammed conveyor, no air.
+    mill.mdi(begin);
+    let inputs = ["COOLANT_LEVEL", "CONVEYOR_OK", "AIR_PRESSURE"];
+    for input in inputs {
+        force(&mut mill, input, Some(false));
+    }
+    assert_eq!(on(&mut mill, &ALL), ["A_CLAMP"]);
+    let messages = mill.wait(20).messages;
+    assert_eq!(messages, ["MSG_AIR", "MSG_COOLANT", "MSG_CONVEYOR"]);
+    inputs.iter().for_each(|input| force(&mut mill, input, None));
+    assert_eq!(mill.wait(20).messages, [""; 0]);
+}
+
+/// An input stands as it is told, whatever the machine says.
+fn force(mill: &mut Mill, signal: &str, value: Option<bool>) {
+    mill.control.command(Command::Force { signal: signal.into(), value }, &Author::Control).unwrap();
+    mill.wait(20);
+}
+
+/// The door is locked while a program runs; one that opens all the same holds the axes, stops the spindle and locks
+/// cycle start, and nothing starts when it is closed.
+#[test]
+fn the_door_holds_the_program_and_locks_the_start() {
+    let mut mill = Mill::power_on();
+    mill.home();
+    mill.press("KEY_AUTO");
+    let text = "M3 S600\nG91 G1 X-40 F600\nM30\n".to_owned();
+    mill.say(Command::Store { program: "O0001".into(), text });
+    mill.say(Command::Select { program: "O1".into() });
+    assert_eq!(on(&mut mill, &["DOOR_LOCK", "STLK"]), [""; 0]);
+    // Open: nothing starts.
+    force(&mut mill, "DOOR_CLOSED", Some(false));
+    mill.press("KEY_START");
+    assert_eq!((mill.wait(100).activity, on(&mut mill, &["STLK"])), (Activity::Idle, vec!["STLK"]));
+    force(&mut mill, "DOOR_CLOSED", None);
+    mill.press("KEY_START");
+    mill.until("cutting", |status| status.feed.actual > 500.0);
+    assert_eq!(on(&mut mill, &["DOOR_LOCK", "SPINDLE_CW"]), ["DOOR_LOCK", "SPINDLE_CW"]);
+    force(&mut mill, "DOOR_CLOSED", Some(false));
+    let held = mill.until("held", |status| status.activity == Activity::Held && status.feed.actual == 0.0);
+    mill.until("standing", |status| status.spindle.actual.abs() < 0.5);
+    assert_eq!(on(&mut mill, &["SPINDLE_CW", "MSG_DOOR", "STLK"]), ["MSG_DOOR", "STLK"]);
+    assert!(mill.wait(1).messages.contains(&"MSG_DOOR".to_owned()));
+    mill.press("KEY_START");
+    force(&mut mill, "DOOR_CLOSED", None);
+    let closed = mill.wait(300);
+    assert_eq!((closed.activity, closed.position.machine), (Activity::Held, held.position.machine));
+    assert_eq!((closed.spindle.actual.round(), on(&mut mill, &["SPINDLE_CW"])), (0.0, vec![]));
+    // Cycle start goes on.
+    mill.press("KEY_START");
+    let done = mill.until("done", |status| status.activity == Activity::Idle);
+    assert_eq!(done.counters.parts, 1);
+    mill.wait(1000);
+    assert_eq!(on(&mut mill, &["DOOR_LOCK"]), [""; 0]);
+}
+
 #[test]
 fn the_handwheel_drives_a_program() {
     let mut mill = Mill::power_on();
@@ -167,10 +301,6 @@ fn every_signal_of_the_nc_is_told_once() {
         mill.press(key);
         mill.wait(10);
     }
-    let force = |mill: &mut Mill, signal: &str, value: Option<bool>| {
-        mill.control.command(Command::Force { signal: signal.into(), value }, &Author::Control).unwrap();
-        mill.wait(20);
-    };
     let goes_on = |mill: &mut Mill, times: usize| {
         for _ in 0..times {
             mill.until("stopped", |status| status.activity == Activity::Stopped);
@@ -279,13 +409,18 @@ fn a_shift_with_measuring_and_an_emergency_stop_in_a_cut() {
         mill.say(serde_json::from_value(known).unwrap());
     }
 
-    // The zero: X and Y by the bore, Z typed.
+    // The zero: X and Y by the bore, Z by a surface.
     mill.mdi(&format!("G90 G53 G0 Z-20\nG53 X{} Y{}", CENTRE[0], CENTRE[1]));
     let zero = json!({"do": "measure", "form": "hole", "diameter": 2.0 * RADIUS, "z": -70, "system": "G54",
         "tolerance": 0.05});
     let found = mill.measure(zero);
     assert!((found.sizes[0] - 2.0 * RADIUS).abs() < 1e-3 && found.stored == ["G54"], "{found:?}");
-    mill.say(Command::SetZero { system: "G54".into(), axes: [('Z', -150.0)].into(), add: false });
+    // The top of a wall, which the first tool touches with its own length.
+    mill.mdi(&format!("G90 G53 G0 Z-20\nG53 X{} Y{}", CENTRE[0] + RADIUS + 2.0, CENTRE[1]));
+    let top = mill.measure(
+        json!({"do": "measure", "form": "edge", "axis": "Z", "distance": 60.0, "h": 1, "system": "G54"}),
+    );
+    assert!(top.stored == ["G54"], "{top:?}");
     let Reply::Zeros { zeros } = mill.say(Command::Zeros) else { panic!() };
     let zero = zeros["G54"].clone();
     for (axis, wanted) in [('X', CENTRE[0]), ('Y', CENTRE[1]), ('Z', -150.0)] {
@@ -351,12 +486,14 @@ fn a_shift_with_measuring_and_an_emergency_stop_in_a_cut() {
     let plan = *ready.unwrap();
     assert_eq!((plan.line, plan.origin.as_str()), (142, "kept"));
     assert_eq!(plan.functions, ["M03 S4500", "M08"]);
-    // Line 142 begins at X-70 Y48; Z comes last, at the second level.
+    // Line 142 begins at X-70 Y48, and goes along X: Y may stand there already. Z comes last, at the second level.
     let wanted = [('X', zero[&'X'] - 70.0), ('Y', zero[&'Y'] + 48.0), ('Z', zero[&'Z'] + LENGTH - 12.5)];
-    for ((axis, to), way) in wanted.into_iter().zip(&plan.approach) {
+    let stands = (stopped.position.machine[&'Y'] - wanted[1].1).abs() < 1e-9;
+    let ways: Vec<_> = wanted.into_iter().filter(|(axis, _)| !(*axis == 'Y' && stands)).collect();
+    assert_eq!(plan.approach.len(), ways.len(), "{:?}", plan.approach);
+    for ((axis, to), way) in ways.into_iter().zip(&plan.approach) {
         assert!(way.axis == axis && (way.to - to).abs() < 1e-3, "{:?}", plan.approach);
     }
-    assert_eq!(plan.approach.len(), 3);
     mill.press("KEY_START");
     mill.until("goes on in the block", |status| status.program.line == 142 && status.feed.actual > 1000.0);
     let done = mill.until("done", |status| status.activity == Activity::Idle);
@@ -376,12 +513,29 @@ fn a_shift_with_measuring_and_an_emergency_stop_in_a_cut() {
     assert_eq!(alarms.iter().filter(|past| past.id == "FC-1410").count(), 1, "{alarms:?}");
     assert_eq!(alarms[0].program, "O1000");
     let Reply::OperationLog { entries } = mill.say(Command::OperationLog { most: 100 }) else { panic!() };
-    let by_panel = |item: &str, name: &str| {
-        entries.iter().any(|line| line.who == "panel" && line.item == item && line.name.starts_with(name))
+    // All that was changed by hand or measured, from what to what, and nothing else.
+    let length = LENGTH.to_string();
+    let size = |text: &str| text.len().to_string();
+    let lengths = (1..=6).map(|number| ("offsets", format!("{number} length"), "0", length.clone()));
+    let measured = [("x", CENTRE[0]), ("y", CENTRE[1]), ("z", -150.0)]
+        .map(|(axis, at)| ("zeros", format!("G54 {axis}"), "0", at.to_string()));
+    let wanted: Vec<_> = [("O1000", BRACKET), ("O9001", TOOL_CHANGE)]
+        .map(|(name, text)| ("programs", name.to_owned(), "", size(text)))
+        .into_iter()
+        .chain(lengths)
+        .chain(measured)
+        .collect();
+    // Places that were touched are sums: what they are to a micrometre counts.
+    let micrometres = |text: &str| match text.parse::<f64>() {
+        Ok(value) => ((value * 1000.0).round() / 1000.0).to_string(),
+        Err(_) => text.to_owned(),
     };
-    assert!(by_panel("offsets", "1 length"), "{entries:?}");
-    assert!(by_panel("zeros", "G54 x") && by_panel("zeros", "G54 y") && by_panel("zeros", "G54 z"));
-    assert!(by_panel("programs", "O1000"));
+    assert!(entries.iter().all(|line| line.who == "panel" && line.level == Some(5)), "{entries:?}");
+    let oldest_first = entries.iter().rev();
+    let found: Vec<_> = oldest_first
+        .map(|line| (line.item.as_str(), line.name.clone(), line.from.as_str(), micrometres(&line.to)))
+        .collect();
+    assert_eq!(found, wanted);
 }
 
 #[test]

@@ -1,10 +1,10 @@
 //! `ferrocut serve` as a sender meets it.
-#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
 
 mod common;
 
 use assert_cmd::cargo::CommandCargoExt;
-use common::json;
+use serde_json::{Value, json};
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::{TcpListener, TcpStream};
 use std::process::{Child, Command, Stdio};
@@ -18,9 +18,13 @@ struct Served {
 
 impl Served {
     fn new(how: &str, place: &str) -> Served {
+        Served::with(&[how, place])
+    }
+
+    fn with(arguments: &[&str]) -> Served {
         let mut command = Command::cargo_bin("ferrocut").unwrap();
-        let mut process =
-            command.args(["serve", "--headless", how, place]).stdout(Stdio::piped()).spawn().unwrap();
+        command.args(["serve", "--headless"]).args(arguments);
+        let mut process = command.stdout(Stdio::piped()).spawn().unwrap();
         let mut line = String::new();
         BufReader::new(process.stdout.take().unwrap()).read_line(&mut line).unwrap();
         let place = line.trim().rsplit(' ').next().unwrap().to_owned();
@@ -97,6 +101,180 @@ fn wrong_use_is_said() {
     }
 }
 
+/// A program that connected to the whole control, and is in command.
+struct Front {
+    stream: TcpStream,
+    lines: std::io::Lines<BufReader<TcpStream>>,
+    asked: u32,
+    /// What happened meanwhile.
+    events: Vec<Value>,
+}
+
+impl Front {
+    fn new(served: &Served) -> Front {
+        let stream = TcpStream::connect(&served.place).unwrap();
+        let lines = BufReader::new(stream.try_clone().unwrap()).lines();
+        let mut front = Front { stream, lines, asked: 0, events: Vec::new() };
+        assert_eq!(front.hear()["hello"], "ferrocut");
+        for command in [json!({ "do": "take_command" }), json!({ "do": "watch", "events": true })] {
+            front.done(command);
+        }
+        front
+    }
+
+    fn hear(&mut self) -> Value {
+        common::json(&self.lines.next().unwrap().unwrap())
+    }
+
+    /// What a command is answered by.
+    fn ask(&mut self, mut command: Value) -> Value {
+        self.asked += 1;
+        command["id"] = self.asked.into();
+        self.stream.write_all(format!("{command}\n").as_bytes()).unwrap();
+        loop {
+            let line = self.hear();
+            if line["id"] == self.asked {
+                return line;
+            }
+            self.events.push(line);
+        }
+    }
+
+    fn done(&mut self, command: Value) {
+        let answer = self.ask(command.clone());
+        assert_eq!(answer["reply"], "done", "{command}: {answer}");
+    }
+
+    /// The alarm by which a command is refused.
+    fn refused(&mut self, command: Value) -> Value {
+        self.ask(command)["refused"]["alarm"]["id"].clone()
+    }
+
+    fn press(&mut self, key: &str) {
+        for down in [true, false] {
+            self.done(json!({ "do": "key", "key": key, "down": down }));
+            // As long as a finger is on it, and off it.
+            std::thread::sleep(Duration::from_millis(60));
+        }
+    }
+
+    /// A key that is held for longer than a dead man may be silent.
+    fn hold(&mut self, key: &str) {
+        self.done(json!({ "do": "key", "key": key, "down": true }));
+        for _ in 0..4 {
+            std::thread::sleep(Duration::from_millis(60));
+            self.done(json!({ "do": "alive" }));
+        }
+        self.done(json!({ "do": "key", "key": key, "down": false }));
+    }
+
+    fn until(&mut self, what: &str, is: impl Fn(&Value) -> bool) -> Value {
+        let began = Instant::now();
+        loop {
+            let status = self.ask(json!({ "do": "status" }));
+            if is(&status) {
+                return status;
+            }
+            assert!(began.elapsed() < Duration::from_secs(60), "never {what}: {status}\n{:?}", self.events);
+            std::thread::sleep(Duration::from_millis(10));
+        }
+    }
+
+    fn heard(&self, event: &str) -> bool {
+        self.events.iter().any(|line| line["event"] == event)
+    }
+}
+
+fn x(status: &Value) -> f64 {
+    status["position"]["machine"]["X"].as_f64().unwrap()
+}
+
+#[test]
+fn a_front_logs_in_runs_holds_captures_and_takes_a_program_up_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path().to_str().unwrap();
+    let password = ["memory", "password", folder, "--level", "4", "--dialect", "gsk990mc"];
+    assert_eq!(common::with_input(&password, "the shop's own word\n").code, 0);
+    let serve = ["--tcp", "127.0.0.1:0", "--memory", folder];
+    let served = Served::with(&serve);
+    let mut front = Front::new(&served);
+
+    // What is written needs no rights, what is locked the shop's.
+    let text = "O1\nM3 S500\nG90 G94 G1 X20 F900\n#500=#500+1\nG91 X15 Y4 F600\nG90 X45 F900\nM5\nM30\n";
+    front.done(json!({ "do": "store", "program": "O0001", "text": text }));
+    let lock = |locked: bool| json!({ "do": "lock", "program": "O0001", "locked": locked });
+    assert_eq!(front.refused(lock(true)), "FC-1213");
+    let log_in = |password: &str| json!({ "do": "log_in", "level": 4, "password": password });
+    assert!(front.refused(log_in("another word")).is_string());
+    assert_eq!(front.ask(log_in("the shop's own word"))["level"], 4);
+    assert_eq!(front.ask(json!({ "do": "status" }))["level"], 4);
+    [true, false].map(|locked| front.done(lock(locked)));
+    assert_eq!(front.ask(json!({ "do": "log_out" }))["level"], 5);
+    assert_eq!(front.refused(lock(true)), "FC-1213");
+
+    // Every axis to its reference point.
+    front.press("KEY_R_100");
+    front.press("KEY_HOME");
+    ["KEY_Z+", "KEY_X+", "KEY_Y+"].map(|key| front.hold(key));
+    let homed = |status: &Value| status["referenced"].as_array().is_some_and(|axes| axes.len() >= 3);
+    front.until("homed", |status| homed(status) && status["activity"] == "idle");
+
+    // It is run, recorded, held and goes on.
+    front.press("KEY_MDI");
+    front.done(json!({ "do": "mdi", "text": "G90 G53 G0 X0 Y0" }));
+    front.press("KEY_START");
+    front.until("at zero", |status| x(status) == 0.0 && status["activity"] == "idle");
+    front.press("KEY_AUTO");
+    front.until("AUTO", |status| status["mode"] == "auto" && status["activity"] == "idle");
+    front.done(json!({ "do": "select", "program": "O1" }));
+    front.press("KEY_START");
+    front.until("on its way", |status| status["activity"] == "running" && x(status) > 1.0);
+    front.done(json!({ "do": "capture", "quantities": ["commanded.X", "velocity"], "seconds": 0.2 }));
+    front.until("farther", |status| x(status) > 6.0);
+    front.press("KEY_HOLD");
+    let held = front.until("held", |status| status["activity"] == "held" && status["feed"]["actual"] == 0.0);
+    assert!((6.0..20.0).contains(&x(&held)), "{held}");
+    let captured = front.ask(json!({ "do": "captured" }));
+    let text = captured["csv"].as_str().unwrap_or_else(|| panic!("{captured}"));
+    let rows: Vec<Vec<f64>> =
+        text.lines().skip(1).map(|line| line.split(',').map(|v| v.parse().unwrap()).collect()).collect();
+    // A sample a period, in which the axis goes as far as its speed says: 15 mm/s once it has run up.
+    assert!((199..=201).contains(&rows.len()), "{}", rows.len());
+    for pair in rows.windows(2) {
+        let way = (pair[1][1] - pair[0][1], pair[1][2] / 1000.0);
+        assert!((way.0 - way.1).abs() < 1e-4 && (14.0..=15.001).contains(&pair[1][2]), "{pair:?}");
+    }
+    front.press("KEY_START");
+    front.until("in the next move", |status| status["program"]["line"] == 5 && x(status) > 25.0);
+
+    // Broken off in its second move, and taken up again there.
+    front.done(json!({ "do": "reset" }));
+    let stopped = front.until("reset", |status| status["activity"] == "idle");
+    let block = &stopped["interrupted"];
+    assert_eq!((&block["program"], &block["line"]), (&json!("O0001"), &json!(5)), "{stopped}");
+    assert_eq!((&stopped["counters"]["parts"], &stopped["spindle"]["told"]), (&json!(0), &json!(0.0)));
+    assert_eq!(front.ask(json!({ "do": "restart", "sends": true }))["reply"], "on_its_way");
+    front.until("found", |status| status["restart_ready"] == true);
+    front.press("KEY_START");
+    let ended = front.until("done", |status| status["counters"]["parts"] == 1);
+    assert!((x(&ended) - 45.0).abs() < 1e-9 && ended["position"]["machine"]["Y"] == 4.0, "{ended}");
+    for event in ["level", "selected", "activity", "interrupted", "restart", "part"] {
+        assert!(front.heard(event), "{event}: {:?}", front.events);
+    }
+    // The line was read twice and counts once, behind a kill too.
+    let counted = |front: &mut Front| front.ask(json!({ "do": "variables", "from": 500, "to": 500 }));
+    assert_eq!(counted(&mut front)["variables"], json!({ "500": 1.0 }));
+    // What a program changed follows within a moment, counters within a second.
+    std::thread::sleep(Duration::from_millis(1500));
+    drop(served);
+    let again = Served::with(&serve);
+    let mut front = Front::new(&again);
+    assert_eq!(counted(&mut front)["variables"], json!({ "500": 1.0 }));
+    let status = front.until("well", |status| status["activity"] == "idle");
+    assert_eq!((&status["counters"]["parts"], x(&status)), (&json!(1), 45.0));
+    assert_eq!(status["interrupted"], Value::Null);
+}
+
 /// The demo mill, whose file describes no simulated machine, is one that can be used.
 #[test]
 fn a_front_finds_a_machine_that_is_well() {
@@ -104,7 +282,7 @@ fn a_front_finds_a_machine_that_is_well() {
     let mut stream = connect(&served.place);
     stream.set_read_timeout(None).unwrap();
     let mut lines = BufReader::new(stream.try_clone().unwrap()).lines();
-    let mut hear = || json(&lines.next().unwrap().unwrap());
+    let mut hear = || common::json(&lines.next().unwrap().unwrap());
     assert_eq!(hear()["hello"], "ferrocut");
     let mut ask = |id: u32, command: &str| {
         stream.write_all(format!("{{\"id\":{id},{command}}}\n").as_bytes()).unwrap();
@@ -121,7 +299,7 @@ fn a_front_finds_a_machine_that_is_well() {
     loop {
         let status = ask(3, "\"do\":\"status\"");
         if (&status["mode"], &status["activity"]) == (&"auto".into(), &"idle".into()) {
-            assert_eq!(status["alarms"], serde_json::json!([]));
+            assert_eq!(status["alarms"], json!([]));
             break;
         }
         assert!(began.elapsed() < Duration::from_secs(30), "{status}");

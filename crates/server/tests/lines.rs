@@ -2,12 +2,14 @@
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
 use ferrocut_server::hub::{Hub, LONGEST_LINE, start};
-use ferrocut_server::lines::serve;
+use ferrocut_server::lines::{listen_at, serve};
 use ferrocut_server::service::{Caller, Need, Service};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
-use std::io::{BufRead, BufReader, Read, Write};
+use std::io::{BufRead, BufReader, ErrorKind, Read, Write};
 use std::net::{TcpListener, TcpStream};
+use std::os::unix::fs::{FileTypeExt, MetadataExt};
+use std::os::unix::net::{UnixListener, UnixStream};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
@@ -90,6 +92,12 @@ impl Service for Toy {
     }
 }
 
+/// A machine with its thread.
+fn machine() -> (ferrocut_server::runner::Runner<ferrocut_server::service::Served<Toy>>, Arc<Hub<Toy>>) {
+    let toy = Toy { at: 0.0, is_pressed: false, events: Vec::new(), ticks: Arc::default() };
+    start(toy, Duration::from_millis(1), None, None).unwrap()
+}
+
 /// A machine that is served, at a port of its own.
 struct Place {
     port: u16,
@@ -98,8 +106,7 @@ struct Place {
 }
 
 fn place() -> Place {
-    let toy = Toy { at: 0.0, is_pressed: false, events: Vec::new(), ticks: Arc::default() };
-    let (runner, hub) = start(toy, Duration::from_millis(1), None, None).unwrap();
+    let (runner, hub) = machine();
     let listener = TcpListener::bind("127.0.0.1:0").unwrap();
     let port = listener.local_addr().unwrap().port();
     serve(hub.clone(), listener).unwrap();
@@ -285,4 +292,42 @@ fn any_bytes_end_in_an_answer() {
     }
     let deep = "[".repeat(100_000);
     assert_eq!(client.ask(&deep)["error"], json!("no_object"));
+}
+
+#[test]
+fn a_unix_socket_is_its_owners_and_is_taken_over_from_the_dead_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("mill.sock");
+    // Somebody who died left his behind, open to all.
+    drop(UnixListener::bind(&path).unwrap());
+    std::fs::set_permissions(&path, std::os::unix::fs::PermissionsExt::from_mode(0o777)).unwrap();
+    let (_runner, hub) = machine();
+    let listener = listen_at(&path).unwrap();
+    let about = std::fs::symlink_metadata(&path).unwrap();
+    assert!(about.file_type().is_socket() && about.mode() & 0o777 == 0o600, "{:o}", about.mode());
+    // One that is served stays, whoever comes second.
+    serve(hub, listener).unwrap();
+    assert_eq!(listen_at(&path).unwrap_err().kind(), ErrorKind::AddrInUse);
+    assert_eq!(std::fs::metadata(&path).unwrap().ino(), about.ino());
+    let stream = UnixStream::connect(&path).unwrap();
+    stream.set_read_timeout(Some(Duration::from_secs(20))).unwrap();
+    let mut lines = BufReader::new(stream.try_clone().unwrap()).lines();
+    let mut hear = || serde_json::from_str::<Value>(&lines.next().unwrap().unwrap()).unwrap();
+    assert_eq!(hear()["hello"], json!("ferrocut"));
+    (&stream).write_all(b"{\"id\":1,\"do\":\"position\"}\n").unwrap();
+    assert_eq!(hear()["reply"], json!("position"));
+}
+
+/// Nothing but a socket is ever removed.
+#[test]
+fn a_file_where_a_socket_should_be_stays() {
+    let folder = tempfile::tempdir().unwrap();
+    let (file, link) = (folder.path().join("program.nc"), folder.path().join("link"));
+    std::fs::write(&file, "M30\n").unwrap();
+    std::os::unix::fs::symlink(&file, &link).unwrap();
+    for path in [&file, &link] {
+        assert_eq!(listen_at(path).unwrap_err().kind(), ErrorKind::AddrInUse, "{path:?}");
+    }
+    assert_eq!(std::fs::read_to_string(&link).unwrap(), "M30\n");
+    assert!(listen_at(&folder.path().join("none/mill.sock")).is_err());
 }

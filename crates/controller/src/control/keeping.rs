@@ -39,7 +39,7 @@ pub(super) struct Keeping {
     plc: Vec<(Address, u8)>,
     pub ladder: exchange::Kept,
     counters: Count,
-    position: Option<Position>,
+    position: Option<LastPosition>,
     /// The block of the run that was told last, and where the axes stood.
     block: u64,
     stood: Option<Position>,
@@ -130,7 +130,7 @@ impl Keeping {
             plc: kept_plc,
             ladder: exchange::Kept::of(contents.ladder),
             counters,
-            position: position.as_ref().map(|last| last.position),
+            position: position.clone(),
             block: 0,
             stood: None,
             was_moving: false,
@@ -216,8 +216,10 @@ impl Keeping {
     }
 
     fn look_at_position(&mut self, at: LastPosition) {
-        if self.position != Some(at.position) {
-            self.position = Some(at.position);
+        // Another time alone is nothing new.
+        let is_another = |last: &LastPosition| LastPosition { time: at.time, ..last.clone() } != at;
+        if self.position.as_ref().is_none_or(is_another) {
+            self.position = Some(at.clone());
             self.put(&Author::Control, vec![Change::LastPosition(at)]);
         }
     }
