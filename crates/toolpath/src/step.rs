@@ -47,6 +47,9 @@ pub enum PathMode {
     Continuous,
     /// Run on, staying within this distance of the programmed path, mm (G64 P).
     ContinuousWithin(f64),
+    /// Run on into the next piece of the same block, within this distance, mm, whatever is in force between blocks:
+    /// a curve is cut along many pieces. `None` takes the machine's own.
+    WithinBlock(Option<f64>),
     /// Run on, slowed down about inner corners of a compensated path (G62).
     InnerCorners(InnerCorners),
     /// Run on, with feed override and feed hold without effect (G63).

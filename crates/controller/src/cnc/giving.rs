@@ -102,6 +102,8 @@ impl Cnc {
         let is_linear = (0..3).any(|i| from.0[i] != to.0[i]) || step.op.arc(from).is_some();
         let length = if is_linear { step.op.length(from) } else { 0.0 };
         let stops = match &step.op {
+            Op::Feed { path: PathMode::WithinBlock(_), .. }
+            | Op::Arc { path: PathMode::WithinBlock(_), .. } => false,
             Op::Feed { path, .. } | Op::Arc { path, .. } => *path == PathMode::ExactStop || self.exact_stop,
             // Positioning always ends in position.
             _ => true,

@@ -131,13 +131,15 @@ impl JointRules {
 
     /// How far the joint behind a move may leave the path, mm; `None` is an exact stop.
     fn tolerance_of(&self, path: PathMode) -> Option<f64> {
+        let within = |t: f64| if t.is_finite() { t.max(0.0) } else { self.tolerance };
         match path {
+            PathMode::WithinBlock(t) => Some(t.map_or(self.tolerance, within)),
             _ if self.exact_stop => None,
             PathMode::ExactStop => None,
             PathMode::Continuous | PathMode::InnerCorners(_) | PathMode::Tapping | PathMode::FullFeed => {
                 Some(self.tolerance)
             }
-            PathMode::ContinuousWithin(t) => Some(if t.is_finite() { t.max(0.0) } else { self.tolerance }),
+            PathMode::ContinuousWithin(t) => Some(within(t)),
         }
     }
 }
