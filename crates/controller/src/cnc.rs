@@ -898,7 +898,7 @@ impl Cnc {
                 let seconds = self.spindle.command(state, &self.commanded);
                 self.keep_busy(Activity::Spindle, seconds);
             }
-            Op::Tap { to, pitch, rpm } => self.begin_stroke(to, pitch, rpm),
+            Op::Tap { to, pitch, rpm, goes_on } => self.begin_stroke(to, pitch, rpm, goes_on),
             Op::Orient(degrees) => {
                 let seconds = self.spindle.orient(degrees);
                 self.keep_busy(Activity::Spindle, seconds);

@@ -212,6 +212,8 @@ pub enum Op {
         pitch: f64,
         /// Spindle speed, r/min.
         rpm: f64,
+        /// Behind the thread the spindle turns again as it did before it; else it stands still.
+        goes_on: bool,
     },
     /// Feed until the skip signal comes (G31), or goes. The next step is a [`Barrier`](Op::Barrier), so that the
     /// interpreter learns where motion stopped before it goes on.
