@@ -171,6 +171,8 @@ pub struct Cnc {
     ahead_until: Option<Instant>,
     servo: Servo,
     synchron: Synchron,
+    /// Speed of the spindle that motion was told, r/min.
+    told_rpm: f64,
     manual: Manual,
     homing: Homing,
     /// The axes of the machine.
@@ -263,6 +265,7 @@ impl Cnc {
             ahead_until: None,
             servo: Servo::new(machine, start),
             synchron: Synchron::new(machine, start),
+            told_rpm: 0.0,
             manual: Manual::new(machine, start),
             homing: Homing::new(machine),
             machine_axes: machine.axis_set(),
@@ -551,6 +554,7 @@ impl Cnc {
         self.serve_ladder();
         self.wait_for_more();
         self.override_spindle();
+        self.tell_motion_of_spindle();
         let tick = self.period();
         if self.stroke.is_none_or(|stroke| !stroke.has_begun) {
             self.spindle.tick(self.period);

@@ -92,7 +92,8 @@ impl Cnc {
         let from = self.commanded;
         let tag = self.next_tag;
         let Some(to) = step.op.target().copied() else { return };
-        let Some(motion) = Move::from_step(&step.op, from, self.feed_rpm(), tag) else { return };
+        self.tell_motion_of_spindle();
+        let Some(motion) = Move::from_step(&step.op, from, self.given_rpm(), tag) else { return };
         let Some(programmed) = Programmed::new(&step.op, from, motion.feed(), tag) else { return };
         self.next_tag += 1;
         self.commanded = to;
