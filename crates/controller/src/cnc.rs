@@ -172,6 +172,8 @@ pub struct Cnc {
     ahead_until: Option<Instant>,
     servo: Servo,
     synchron: Synchron,
+    /// Speed of the spindle that motion was told, r/min.
+    told_rpm: f64,
     manual: Manual,
     homing: Homing,
     /// The axes of the machine.
@@ -264,6 +266,7 @@ impl Cnc {
             ahead_until: None,
             servo: Servo::new(machine, start),
             synchron: Synchron::new(machine, start),
+            told_rpm: 0.0,
             manual: Manual::new(machine, start),
             homing: Homing::new(machine),
             machine_axes: machine.axis_set(),
@@ -551,6 +554,7 @@ impl Cnc {
         self.serve_ladder();
         self.wait_for_more();
         self.override_spindle();
+        self.tell_motion_of_spindle();
         let tick = self.period();
         if self.stroke.is_none_or(|stroke| !stroke.has_begun) {
             self.spindle.tick(self.period);
@@ -898,7 +902,7 @@ impl Cnc {
                 let seconds = self.spindle.command(state, &self.commanded);
                 self.keep_busy(Activity::Spindle, seconds);
             }
-            Op::Tap { to, pitch, rpm } => self.begin_stroke(to, pitch, rpm),
+            Op::Tap { to, pitch, rpm, goes_on } => self.begin_stroke(to, pitch, rpm, goes_on),
             Op::Orient(degrees) => {
                 let seconds = self.spindle.orient(degrees);
                 self.keep_busy(Activity::Spindle, seconds);

@@ -43,6 +43,8 @@ impl Programmed {
         let tolerance = match *op {
             Op::Feed { path: PathMode::ContinuousWithin(most), .. }
             | Op::Arc { path: PathMode::ContinuousWithin(most), .. } => Some(most),
+            Op::Feed { path: PathMode::WithinBlock(most), .. }
+            | Op::Arc { path: PathMode::WithinBlock(most), .. } => most,
             _ => None,
         };
         Some(Programmed { number, way, is_rapid: matches!(op, Op::Rapid { .. }), feed, tolerance })

@@ -112,9 +112,9 @@ impl Supervisor {
             Op::Datum { at } => self.at = *at,
             Op::Rapid { .. } | Op::Feed { .. } | Op::Arc { .. } | Op::Tap { .. } | Op::Skip { .. } => {
                 self.travel(step, &mut tell);
-                if matches!(step.op, Op::Tap { .. }) {
-                    // The spindle turns with the tap, and stands still after it.
-                    self.turning = false;
+                if let Op::Tap { goes_on, .. } = step.op {
+                    // The spindle turns with the tap, and after it as before, or not at all.
+                    self.turning &= goes_on;
                     self.told_spindle = false;
                 } else if !self.turning && !self.told_spindle && step.op.is_cutting() {
                     self.told_spindle = true;

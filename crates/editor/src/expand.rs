@@ -63,7 +63,7 @@ impl<'a> Writer<'a> {
         let mut steps = steps.iter();
         while let Some(step) = steps.next() {
             match (&step.op, self.style.there_and_back) {
-                (Op::Tap { to, pitch, rpm }, Some(code)) => {
+                (Op::Tap { to, pitch, rpm, .. }, Some(code)) => {
                     let back = steps.next().map(|step| &step.op);
                     self.there_and_back(code, xyz(to), [*pitch, *rpm], back)?;
                 }
@@ -83,7 +83,7 @@ impl<'a> Writer<'a> {
         [pitch, rpm]: [f64; 2],
         back: Option<&Op>,
     ) -> Result<(), Unwritten> {
-        let Some(Op::Tap { to: end, pitch: out, rpm: faster }) = back else {
+        let Some(Op::Tap { to: end, pitch: out, rpm: faster, .. }) = back else {
             return Err(Unwritten::Synchronised);
         };
         // K has no sign (LinuxCNC, G33.1): a left-hand thread is not in it.

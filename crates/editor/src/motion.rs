@@ -124,7 +124,9 @@ pub fn motions(steps: &[Step], start: Position) -> Option<Vec<Motion>> {
                 let spindle = turning(spindle);
                 list.push(Motion::Arc { to, center: *center, sweep: *sweep, feed, spindle });
             }
-            Op::Tap { to, pitch, rpm } => list.push(Motion::Tap { to: xyz(to), pitch: *pitch, rpm: *rpm }),
+            Op::Tap { to, pitch, rpm, .. } => {
+                list.push(Motion::Tap { to: xyz(to), pitch: *pitch, rpm: *rpm })
+            }
             Op::Dwell(Dwell::Seconds(seconds)) => list.push(Motion::Dwell(*seconds)),
             Op::Spindle(state) => spindle = *state,
             Op::Orient(_) => spindle = SpindleState::Off,

@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{command, ferrocut, json, number, root, with_input, write};
+use common::{command, examples, ferrocut, json, number, on_example, root, with_input, write};
 use serde_json::Value;
 use tempfile::TempDir;
 
@@ -59,6 +59,23 @@ fn positioning_with_every_axis_on_its_own_has_no_path_error() {
     let program = "M3 S1000\nG1 X10 F2000\nG0 X100 Y20 Z-50\nG1 Y40\nG0 Z0\nM30\n";
     let plot = json(&with_input(&["plot", "-", "--format", "json"], program).out);
     assert!(number(&plot["path_error"], "max") < 1e-9, "{}", plot["path_error"]);
+}
+
+#[test]
+fn every_example_keeps_its_path_and_its_limits() {
+    for example in examples() {
+        let answer = ferrocut(&[&on_example("plot", &example)[..], &["--format", "json"]].concat());
+        let plot = json(&answer.out);
+        assert_eq!((answer.code, &plot["state"]), (0, &Value::from("ended")), "{} {}", example.0, answer.err);
+        // Where no line is programmed there is no error.
+        let share = |of: &Value| of["share"].as_f64().unwrap_or(0.0);
+        assert!(share(&plot["path_error"]) <= 1.001, "{}: {}", example.0, plot["path_error"]);
+        for (name, axis) in plot["axes"].as_object().unwrap() {
+            for quantity in ["velocity", "acceleration", "jerk"] {
+                assert!(share(&axis[quantity]) <= 1.001, "{} {name} {quantity}: {axis}", example.0);
+            }
+        }
+    }
 }
 
 #[test]

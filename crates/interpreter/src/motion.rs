@@ -289,7 +289,7 @@ impl Interpreter {
     }
 
     /// The feed in force, per minute held within the control's limits (GSK990MC 4.2.2 note 1, P96, P97); an
-    /// alarm where there is none.
+    /// alarm where there is none. The speed that overrides and the spindle make of it is held by motion.
     pub(crate) fn feed(&self) -> Fallible<Feed> {
         let technology = &self.technology;
         let (value, feed) = match self.modal.is_feed_per_revolution() {

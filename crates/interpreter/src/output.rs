@@ -392,7 +392,7 @@ fn with_shape(op: Op, to: Position, plane: Plane, shape: Option<Shape>) -> Op {
             Op::Arc { to, plane, center, sweep, feed, feed_along: FeedAlong::Path, path }
         }
         (Op::Feed { feed, path, .. }, None) => Op::Feed { to, feed, path },
-        (Op::Tap { pitch, rpm, .. }, _) => Op::Tap { to, pitch, rpm },
+        (Op::Tap { pitch, rpm, goes_on, .. }, _) => Op::Tap { to, pitch, rpm, goes_on },
         (Op::Skip { feed, hit, away, .. }, _) => Op::Skip { to, feed, hit, away },
         (op, _) => op,
     }

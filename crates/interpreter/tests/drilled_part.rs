@@ -156,7 +156,7 @@ fn steps(dialect: &str, program: &str, setup: &str) -> Vec<String> {
         !of_tapping && !matches!(step.op, Op::Machine(_))
     });
     for step in &mut steps {
-        if let Op::Tap { to, pitch, rpm } = step.op {
+        if let Op::Tap { to, pitch, rpm, .. } = step.op {
             step.op = Op::Feed { to, feed: Feed::PerMinute(pitch * rpm), path: PathMode::Tapping };
         }
     }

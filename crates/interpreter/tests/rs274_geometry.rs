@@ -242,6 +242,27 @@ fn off(steps: &[ferrocut_toolpath::Step], curve: impl Fn(f64) -> [f64; 2]) -> f6
 }
 
 #[test]
+fn the_pieces_of_a_spline_run_on_and_its_end_joins_as_the_mode_says() {
+    let inside = |tolerance| PathMode::WithinBlock(tolerance);
+    for (mode, within, at_end) in [
+        ("G61.1", inside(Some(0.0005)), PathMode::ExactStop),
+        ("G61", inside(Some(0.0005)), PathMode::ContinuousWithin(0.0)),
+        ("G64", inside(None), PathMode::Continuous),
+        ("G64 P0.02", inside(Some(0.02)), PathMode::ContinuousWithin(0.02)),
+    ] {
+        let (steps, _) = run_on(&DIALECT, &format!("G21 {mode}\nG5 X20 Y0 I0 J10 P-10 Q-5 F100\nM2\n"), "");
+        let paths = steps.iter().filter_map(|step| match step.op {
+            Op::Arc { path, .. } => Some(path),
+            _ => None,
+        });
+        let paths: Vec<PathMode> = paths.collect();
+        let (last, before) = paths.split_last().unwrap();
+        assert!(before.len() > 2 && before.iter().all(|path| *path == within), "{mode}: {before:?}");
+        assert_eq!(*last, at_end, "{mode}");
+    }
+}
+
+#[test]
 fn splines_become_arcs_that_no_one_sees() {
     // G5: the cubic with control points (0,0), (0,10), (10,-5), (20,0); G5.1: the parabola by (5,10).
     let cubic = |t: f64| {

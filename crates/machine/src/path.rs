@@ -15,6 +15,10 @@ pub struct PathConfig {
     pub tolerance: f64,
     /// Come to rest at the end of every move.
     pub exact_stop: bool,
+    /// Cutting is no slower than this, whatever the feed override is above 0, mm/min.
+    pub lowest_feed: f64,
+    /// Cutting is no faster than this, whatever the overrides are, mm/min.
+    pub highest_feed: Option<f64>,
     /// Acceleration before interpolation along the path while cutting, where it is limited besides the axes' own.
     pub ramp: Option<Ramp>,
     /// Corners between cutting moves that are slowed down for.
@@ -25,7 +29,15 @@ pub struct PathConfig {
 
 impl Default for PathConfig {
     fn default() -> PathConfig {
-        PathConfig { tolerance: 0.01, exact_stop: false, ramp: None, corner: None, arc: None }
+        PathConfig {
+            tolerance: 0.01,
+            exact_stop: false,
+            lowest_feed: 0.0,
+            highest_feed: None,
+            ramp: None,
+            corner: None,
+            arc: None,
+        }
     }
 }
 
@@ -69,6 +81,10 @@ pub struct ArcSlowdown {
 impl PathConfig {
     pub(crate) fn check(&self) -> Result<(), ConfigError> {
         not_negative("path: tolerance", self.tolerance)?;
+        not_negative("path: lowest_feed", self.lowest_feed)?;
+        if let Some(highest) = self.highest_feed {
+            positive("path: highest_feed", highest)?;
+        }
         if let Some(ramp) = self.ramp {
             ramp.check("path: ramp")?;
         }

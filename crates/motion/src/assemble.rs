@@ -381,6 +381,7 @@ impl Assembler {
         };
         let class = self.smoother.class;
         let inverse = self.inverses.of(class);
+        let ([_, highest], rpm) = (self.rules.feeds_of(class), last.member.rpm);
         self.smoother.set_speeds([
             speed,
             match flow.end {
@@ -393,14 +394,16 @@ impl Assembler {
         self.smoother.run(from, last.s + to, keeps, goes_on, |span| {
             let cubic = span.cubic;
             let (rates, stretch) = cubic.rates();
-            let most = inverse.velocity(&rates);
+            let stretch = stretch.max(LEAST_STRETCH);
+            let (most, highest) = (inverse.velocity(&rates), highest / stretch);
             let node = Node {
                 s: span.u,
                 len: cubic.len,
                 load: inverse.load(&rates),
-                top: inverse.curve_speed(&rates, most),
-                most,
-                feed: span.feed / stretch.max(LEAST_STRETCH),
+                top: inverse.curve_speed(&rates, most).min(highest),
+                most: most.min(highest),
+                feed: span.feed / stretch,
+                rpm,
                 class,
                 pass: Pass::Path,
                 rests: false,
@@ -451,6 +454,7 @@ impl Assembler {
                         top: cap,
                         most: cap,
                         feed: open.member.feed,
+                        rpm: open.member.rpm,
                         class: open.member.class,
                         pass: Pass::Path,
                         rests: false,
@@ -469,9 +473,10 @@ impl Assembler {
                     s: open.s - corner.reach,
                     len: 2.0 * corner.reach,
                     load: inverse.load(&rates),
-                    top: corner.cap.min(f64::MAX),
-                    most: corner.cap.min(f64::MAX),
+                    top: corner.cap.min(open.member.most).min(f64::MAX),
+                    most: corner.cap.min(open.member.most).min(f64::MAX),
                     feed: open.member.feed,
+                    rpm: open.member.rpm,
                     class: open.member.class,
                     pass: Pass::Corner { foot: corner.foot, time: corner.time, top },
                     rests: false,
@@ -493,6 +498,7 @@ impl Assembler {
             rates = add(&rates, &ease.rates(from, to));
             stretch = stretch.max(self.eased_stretch(member, ease, from, to));
         }
+        most /= stretch.max(1.0);
         let shape = match (&member.piece, ease) {
             (piece, Some(ease)) => Shape::Eased(*piece, from, ease),
             (Piece::Line(line), None) => Shape::Line { p: member.piece.at(from), d: line.dir },
@@ -507,6 +513,7 @@ impl Assembler {
             top: inverse.speed(&rates).min(most),
             most: inverse.velocity(&rates).min(most),
             feed,
+            rpm: member.rpm,
             class: member.class,
             pass: Pass::Path,
             rests: false,
@@ -533,6 +540,7 @@ impl Assembler {
             top: f64::MAX,
             most: f64::MAX,
             feed: f64::INFINITY,
+            rpm: 0.0,
             class: Class::Rapid,
             pass: Pass::Axes,
             rests: true,

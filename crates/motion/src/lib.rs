@@ -51,7 +51,7 @@ mod timing;
 
 pub use interpolator::{Interpolator, Sample};
 pub use jog::Jog;
-pub use limits::{Limits, MAX_FEED_OVERRIDE, Ramps};
+pub use limits::{Limits, MAX_FEED_OVERRIDE, MAX_SPINDLE_OVERRIDE, Ramps};
 pub use motion::{Full, Motion, Setpoint, State};
 pub use moves::Move;
 pub use planner::{LEAD_S, Planner};

@@ -106,6 +106,11 @@ impl Motion {
         self.planner.set_override(feed, rapid);
     }
 
+    /// Speed of the spindle, r/min, which feeds per revolution follow ([`Planner::set_spindle`]).
+    pub fn set_spindle(&mut self, rpm: f64) {
+        self.planner.set_spindle(rpm);
+    }
+
     /// Feed hold: comes to rest on the path as soon as the limits allow; a corner that cannot be stopped before is
     /// passed. Tapping is run to its end first.
     pub fn hold(&mut self) {

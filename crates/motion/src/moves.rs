@@ -13,6 +13,8 @@ pub struct Move {
     pub(crate) tag: u64,
     pub(crate) to: Position,
     pub(crate) kind: Kind,
+    /// Speed of the spindle that a feed per revolution was worked out with, r/min; 0 where the feed is none.
+    pub(crate) rpm: f64,
 }
 
 /// How a move gets to its end.
@@ -71,7 +73,8 @@ impl Measure {
 
 impl Move {
     /// The move that `op` makes from `from`; `None` if it is no move or not finite. `rpm` is the speed of
-    /// the spindle for feeds per revolution, r/min. `tag` comes back with the setpoints of the move.
+    /// the spindle for feeds per revolution, r/min; those follow the speed that the planner is told later
+    /// ([`Planner::set_spindle`](crate::Planner::set_spindle)). `tag` comes back with the setpoints of the move.
     ///
     /// A tapping step becomes the straight move of its feed, with override and hold without effect; a skip
     /// step a move that stops exactly, which the caller ends with
@@ -109,13 +112,19 @@ impl Move {
             }
             _ => return None,
         };
-        Move { tag, to, kind }.checked()
+        let turns = matches!(
+            op,
+            Op::Feed { feed: Feed::PerRevolution(_), .. }
+                | Op::Arc { feed: Feed::PerRevolution(_), .. }
+                | Op::Skip { feed: Feed::PerRevolution(_), .. }
+        );
+        Move { tag, to, kind, rpm: if turns { rpm } else { 0.0 } }.checked()
     }
 
     /// Positioning to `to`: on a straight line, or every axis on its own.
     pub fn rapid(to: Position, straight: bool, tag: u64) -> Option<Move> {
         let kind = if straight { Kind::RapidStraight { speed: f64::INFINITY } } else { Kind::RapidAxes };
-        Move { tag, to, kind }.checked()
+        Move { tag, to, kind, rpm: 0.0 }.checked()
     }
 
     /// Whether it cuts a thread beside the spindle (G63): no override and no hold acts on it.
@@ -129,7 +138,7 @@ impl Move {
     /// Straight cut to `to` at `feed` mm/s (degrees/s where only rotary axes move).
     #[inline]
     pub fn line(to: Position, feed: f64, path: PathMode, tag: u64) -> Option<Move> {
-        Move { tag, to, kind: Kind::Line { feed, path } }.checked()
+        Move { tag, to, kind: Kind::Line { feed, path }, rpm: 0.0 }.checked()
     }
 
     /// Circular or helical cut to `to` at `feed` mm/s along the path, `sweep` radians about `center`.
@@ -142,7 +151,7 @@ impl Move {
         path: PathMode,
         tag: u64,
     ) -> Option<Move> {
-        Move { tag, to, kind: Kind::Arc { plane, center, sweep, feed, path } }.checked()
+        Move { tag, to, kind: Kind::Arc { plane, center, sweep, feed, path }, rpm: 0.0 }.checked()
     }
 
     /// The parts of it up to the shares `cuts` of its way from `from`, one behind the other.
@@ -189,8 +198,10 @@ impl Move {
         self
     }
 
-    /// The same move at another speed along the path, mm/s; positioning at a speed goes on a straight line.
+    /// The same move at another speed along the path, mm/s, whatever the spindle does; positioning at a speed goes on
+    /// a straight line.
     pub fn at_speed(mut self, speed: f64) -> Move {
+        self.rpm = 0.0;
         match &mut self.kind {
             Kind::RapidAxes => self.kind = Kind::RapidStraight { speed: speed.max(LEAST_FEED) },
             Kind::RapidStraight { speed: feed } | Kind::Line { feed, .. } | Kind::Arc { feed, .. } => {
@@ -226,7 +237,7 @@ impl Move {
                 clamp_feed(feed) && good(sweep) && center.iter().all(good)
             }
         };
-        (possible && self.to.0.iter().all(good)).then_some(self)
+        (possible && self.to.0.iter().all(good) && good(&self.rpm)).then_some(self)
     }
 }
 

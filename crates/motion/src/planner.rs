@@ -130,7 +130,7 @@ impl Planner {
         let lead = ((LEAD_S / period - 1e-9).ceil().max(1.0) as u64).min(LONGEST_LEAD);
         Planner {
             period,
-            plan: Plan::new(Inverses::new(&limits)),
+            plan: Plan::new(Inverses::new(&limits), rules.feeds[0]),
             assembler: Assembler::new(Inverses::new(&limits), rules, start),
             limits,
             queue: Queue::new(),
@@ -233,14 +233,30 @@ impl Planner {
     pub fn set_override(&mut self, feed: f64, rapid: f64) {
         let old = self.plan.overrides();
         let clamp = |new: f64, max: f64, old: f64| if new.is_nan() { old } else { new.clamp(0.0, max) };
-        let new =
-            Overrides { feed: clamp(feed, MAX_FEED_OVERRIDE, old.feed), rapid: clamp(rapid, 1.0, old.rapid) };
+        let (feed, rapid) = (clamp(feed, MAX_FEED_OVERRIDE, old.feed), clamp(rapid, 1.0, old.rapid));
+        let new = Overrides { feed, rapid, ..old };
         if new == old {
             return;
         }
         self.plan.set_overrides(new);
         self.outdated = self.runs;
         self.patience = 0.0;
+    }
+
+    /// Speed of the spindle, r/min, which feeds per revolution follow, those of moves that were pushed too: like an
+    /// override of [`MAX_SPINDLE_OVERRIDE`](crate::MAX_SPINDLE_OVERRIDE) times the speed that they were made with at
+    /// most. At 0 the path comes to rest before them. Until it is told they are as they were made.
+    pub fn set_spindle(&mut self, rpm: f64) {
+        let old = self.plan.overrides();
+        if !(rpm >= 0.0) || old.rpm == Some(rpm) {
+            return;
+        }
+        self.plan.set_overrides(Overrides { rpm: Some(rpm), ..old });
+        let mut known = self.queue.head()..self.queue.tail();
+        if self.runs && known.any(|cell| self.queue.node(cell).rpm > 0.0) {
+            self.outdated = true;
+            self.patience = 0.0;
+        }
     }
 
     /// Feed hold: comes to rest on the path as soon as the limits allow; a corner that cannot be stopped before is
@@ -293,7 +309,7 @@ impl Planner {
             true if self.hold => State::Held,
             false if self.hold || self.aborting || self.sender.gate.done() < self.aborts_to => State::Holding,
             false => State::Running,
-            true if self.queue.len() > 0 && self.plan.overrides().of(self.class()) == 0.0 => State::Running,
+            true if self.queue.len() > 0 && self.share() == 0.0 => State::Running,
             true if self.may_begin() => State::Running,
             true => State::Waiting,
         }
@@ -557,13 +573,13 @@ impl Planner {
         if self.queue.len() == 0 {
             return self.aborting;
         }
-        let class = self.class();
-        let held = self.hold || self.plan.overrides().of(class) == 0.0;
-        self.aborting || (held && class != Class::Locked)
+        let held = self.hold || self.share() == 0.0;
+        self.aborting || (held && self.queue.node(self.queue.head()).class != Class::Locked)
     }
 
-    fn class(&self) -> Class {
-        self.queue.node(self.queue.head()).class
+    /// The factor of the programmed speed where the path is.
+    fn share(&self) -> f64 {
+        self.plan.overrides().share(self.queue.node(self.queue.head()))
     }
 
     fn forget(&mut self) {

@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{Run, line, round_machine, run};
+use common::{Event, Run, demo, line, round_machine, run, run_with};
 use ferrocut_geometry::Position;
 use ferrocut_machine::{Machine, Ramp};
 use ferrocut_toolpath::{Op, PathMode};
@@ -151,5 +151,23 @@ fn a_corner_without_limits_of_jerk_is_quicker_than_a_stop() {
         assert!(saved > 0.0);
         let found = stopped.time() - rounded.time();
         assert!((found - saved).abs() < 0.0025, "{turn}: {found} {saved}");
+    }
+}
+
+#[test]
+fn a_lower_override_keeps_the_acceleration_where_no_jerk_is_limited() {
+    let mut machine = demo();
+    for axis in &mut machine.axes {
+        (axis.rapid, axis.velocity, axis.acceleration, axis.jerk) = (5000.0, 4000.0, 800.0, 0.0);
+    }
+    let to = Position::xyz(0.0, 0.0, 16.0);
+    for op in
+        [Op::Rapid { to, straight: true, speed: None }, line(0.0, 0.0, 16.0, 4000.0, PathMode::Continuous)]
+    {
+        for tick in (10..250).step_by(9) {
+            let events = [(0, Event::Override(0.7, 0.7)), (tick, Event::Override(0.25, 0.5))];
+            let run = run_with(&machine, Position::ZERO, &[op.clone()], &events, &[]);
+            run.check_limits(&machine);
+        }
     }
 }

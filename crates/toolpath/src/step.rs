@@ -47,6 +47,9 @@ pub enum PathMode {
     Continuous,
     /// Run on, staying within this distance of the programmed path, mm (G64 P).
     ContinuousWithin(f64),
+    /// Run on into the next piece of the same block, within this distance, mm, whatever is in force between blocks:
+    /// a curve is cut along many pieces. `None` takes the machine's own.
+    WithinBlock(Option<f64>),
     /// Run on, slowed down about inner corners of a compensated path (G62).
     InnerCorners(InnerCorners),
     /// Run on, with feed override and feed hold without effect (G63).
@@ -209,6 +212,8 @@ pub enum Op {
         pitch: f64,
         /// Spindle speed, r/min.
         rpm: f64,
+        /// Behind the thread the spindle turns again as it did before it; else it stands still.
+        goes_on: bool,
     },
     /// Feed until the skip signal comes (G31), or goes. The next step is a [`Barrier`](Op::Barrier), so that the
     /// interpreter learns where motion stopped before it goes on.

@@ -215,7 +215,7 @@ impl<W: Write> TraceWriter<W> {
                 self.field("sweep", sweep.to_degrees());
                 self.feed(*feed);
             }
-            Op::Tap { to, pitch, rpm } => {
+            Op::Tap { to, pitch, rpm, .. } => {
                 self.op("tap");
                 if !self.to(to) {
                     return false;

@@ -92,7 +92,8 @@ impl Cnc {
         let from = self.commanded;
         let tag = self.next_tag;
         let Some(to) = step.op.target().copied() else { return };
-        let Some(motion) = Move::from_step(&step.op, from, self.feed_rpm(), tag) else { return };
+        self.tell_motion_of_spindle();
+        let Some(motion) = Move::from_step(&step.op, from, self.given_rpm(), tag) else { return };
         let Some(programmed) = Programmed::new(&step.op, from, motion.feed(), tag) else { return };
         self.next_tag += 1;
         self.commanded = to;
@@ -102,6 +103,8 @@ impl Cnc {
         let is_linear = (0..3).any(|i| from.0[i] != to.0[i]) || step.op.arc(from).is_some();
         let length = if is_linear { step.op.length(from) } else { 0.0 };
         let stops = match &step.op {
+            Op::Feed { path: PathMode::WithinBlock(_), .. }
+            | Op::Arc { path: PathMode::WithinBlock(_), .. } => false,
             Op::Feed { path, .. } | Op::Arc { path, .. } => *path == PathMode::ExactStop || self.exact_stop,
             // Positioning always ends in position.
             _ => true,

@@ -9,6 +9,9 @@ use ferrocut_machine::{Alarm, Fault, Machine};
 use ferrocut_motion::servo::Kind;
 use ferrocut_toolpath::{Op, Step};
 
+/// Share of a spindle speed by which it may change without a feed per revolution following.
+const UNNOTICED: f64 = 0.005;
+
 impl Cnc {
     /// From now on codes go to a ladder, and the spindle does what it says: [`hear`](Cnc::hear) before each period,
     /// [`tell`](Cnc::tell) behind it. `machine` is the one that the control was made for.
@@ -131,6 +134,25 @@ impl Cnc {
     pub(super) fn feed_rpm(&self) -> f64 {
         let locked = self.auxiliary.as_ref().and_then(|auxiliary| auxiliary.locked_rpm());
         locked.unwrap_or_else(|| self.spindle.rpm())
+    }
+
+    /// The speed that a feed per revolution is worked out with for motion, which makes of it what the spindle has as it
+    /// is run: without the override where it is known, so that moves given under different ones are alike.
+    pub(super) fn given_rpm(&self) -> f64 {
+        let is_locked = self.auxiliary.as_ref().is_some_and(|auxiliary| auxiliary.locked_rpm().is_some());
+        let asked = self.spindle.asked().abs();
+        if asked > 0.0 && !is_locked { asked } else { self.feed_rpm() }
+    }
+
+    /// Motion follows the spindle with feeds per revolution. Of changes that nobody notices nothing is planned again.
+    pub(super) fn tell_motion_of_spindle(&mut self) {
+        let rpm = self.feed_rpm();
+        let change = (rpm - self.told_rpm).abs();
+        if change == 0.0 || change <= UNNOTICED * rpm && !self.motion.is_empty() {
+            return;
+        }
+        self.told_rpm = rpm;
+        self.motion.set_spindle(rpm);
     }
 
     /// Hands a step to the ladder, if there is one and the step is for it.

@@ -66,6 +66,7 @@ impl Work {
 #[derive(Clone, Copy, Default)]
 struct Asked {
     overrides: Option<(f64, f64)>,
+    spindle: Option<f64>,
     hold: Option<bool>,
     abort: bool,
 }
@@ -142,6 +143,9 @@ impl Planning {
         if let Some((feed, rapid)) = asked.overrides {
             work.planner.set_override(feed, rapid);
         }
+        if let Some(rpm) = asked.spindle {
+            work.planner.set_spindle(rpm);
+        }
         match asked.hold {
             Some(true) => work.planner.hold(),
             Some(false) => work.planner.resume(),
@@ -189,6 +193,12 @@ impl Planning {
 
     pub fn set_override(&mut self, feed: f64, rapid: f64) {
         self.asked.overrides = Some((feed, rapid));
+        self.ask();
+    }
+
+    /// Speed of the spindle that feeds per revolution follow, r/min.
+    pub fn set_spindle(&mut self, rpm: f64) {
+        self.asked.spindle = Some(rpm);
         self.ask();
     }
 

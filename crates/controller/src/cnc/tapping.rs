@@ -17,6 +17,8 @@ pub(super) struct InThread {
     /// Where the tool entered it.
     pub entry: Position,
     pub kind: ThreadKind,
+    /// Speed that the spindle is asked for again behind it, r/min, clockwise positive; 0 where it stays at rest.
+    pub speed_behind: f64,
     /// What the operator asked for, which waits until the tool is out.
     pub asked: Option<Asked>,
 }
@@ -57,7 +59,8 @@ impl Cnc {
                     Way::Arc(arc) => arc.at(0.0),
                     Way::Apart => self.motion.position(),
                 };
-                self.thread = Some(InThread { entry, kind: ThreadKind::Beside, asked: None });
+                self.thread =
+                    Some(InThread { entry, kind: ThreadKind::Beside, speed_behind: 0.0, asked: None });
             }
             (Some(ThreadKind::Beside), false) => self.leave_thread(),
             _ => {}
@@ -89,7 +92,8 @@ impl Cnc {
         }
         match self.thread {
             None => {
-                self.thread = Some(InThread { entry: at, kind: ThreadKind::Beside, asked: None });
+                self.thread =
+                    Some(InThread { entry: at, kind: ThreadKind::Beside, speed_behind: 0.0, asked: None });
                 true
             }
             Some(thread) => thread.entry == at && !self.spindle.has_its_speed(),
@@ -123,15 +127,17 @@ impl Cnc {
     }
 
     /// A move in step with the spindle. The first one of a thread begins with the spindle at rest on its marker, so
-    /// that passes, and threads that are cut again, meet (GSK990MC 4.5.2).
-    pub(super) fn begin_stroke(&mut self, to: Position, pitch: f64, rpm: f64) {
+    /// that passes, and threads that are cut again, meet (GSK990MC 4.5.2). Behind the thread it `goes_on` as before, or
+    /// stands still; where there is a ladder that is the ladder's matter.
+    pub(super) fn begin_stroke(&mut self, to: Position, pitch: f64, rpm: f64, goes_on: bool) {
         let from = self.commanded;
         let way = to - from;
         // The sense of the way is that of the axis that goes farthest.
         let farthest = way.0.iter().fold(0.0, |far: f64, d| if d.abs() > far.abs() { *d } else { far });
         let is_first = !self.is_in(ThreadKind::InStep);
         if is_first {
-            self.thread = Some(InThread { entry: from, kind: ThreadKind::InStep, asked: None });
+            let speed_behind = if goes_on && self.auxiliary.is_none() { self.spindle.asked() } else { 0.0 };
+            self.thread = Some(InThread { entry: from, kind: ThreadKind::InStep, speed_behind, asked: None });
         }
         let entry = self.thread.map_or(from, |thread| thread.entry);
         let is_out = from.distance(entry) > to.distance(entry);
@@ -224,9 +230,14 @@ impl Cnc {
         }
     }
 
-    /// The tool is out: what the operator asked for is done now.
+    /// The tool is out: the spindle goes on as before, and what the operator asked for is done now.
     pub(super) fn leave_thread(&mut self) {
-        match self.thread.take().and_then(|thread| thread.asked) {
+        let thread = self.thread.take();
+        if let Some(speed) = thread.map(|thread| thread.speed_behind).filter(|speed| *speed != 0.0) {
+            let seconds = self.spindle.tell(speed);
+            self.keep_busy(Activity::Spindle, seconds);
+        }
+        match thread.and_then(|thread| thread.asked) {
             Some(Asked::Hold) => self.feed_hold(),
             Some(Asked::Reset) => self.come_to_rest(),
             None => {}
@@ -237,6 +248,9 @@ impl Cnc {
     pub(super) fn fail_spindle(&mut self) {
         let rule = Fault::NotInPosition;
         let alarm = Alarm::new(self.interpreter.dialect().alarm_id(rule), rule, self.span).with("axis", "S");
+        if let Some(thread) = &mut self.thread {
+            thread.speed_behind = 0.0;
+        }
         if let Some(stroke) = self.stroke {
             self.end_stroke(&stroke);
         }

@@ -152,7 +152,7 @@ fn op() -> impl Strategy<Value = Op> {
     let sweep = prop_oneof![-7.0..7.0f64, -1e6..1e6f64, coordinate()];
     prop_oneof![
         position().prop_map(|to| Op::Rapid { to, straight: false, speed: None }),
-        position().prop_map(|to| Op::Tap { to, pitch: 1.0, rpm: 100.0 }),
+        position().prop_map(|to| Op::Tap { to, pitch: 1.0, rpm: 100.0, goes_on: false }),
         position().prop_map(|to| Op::Feed { to, feed: Feed::Duration(1.0), path: PathMode::Continuous }),
         (position(), plane, coordinate(), coordinate(), sweep).prop_map(|(to, plane, a, b, sweep)| arc(
             to,

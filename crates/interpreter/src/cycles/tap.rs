@@ -173,16 +173,16 @@ impl Interpreter {
         let machine = self.location.machine_of(to);
         self.check_reach(machine)?;
         self.location.programmed = to;
-        self.tap_machine(machine, pitch, rpm);
+        self.tap_machine(machine, pitch, rpm, false);
         Ok(())
     }
 
     /// Moves to a machine point in step with the spindle; not at all to where the axes stand. The programmed
-    /// point is the caller's to set.
-    pub(crate) fn tap_machine(&mut self, to: Position, pitch: f64, rpm: f64) {
+    /// point is the caller's to set. Whether the spindle `goes_on` turning behind the thread is the language's matter.
+    pub(crate) fn tap_machine(&mut self, to: Position, pitch: f64, rpm: f64, goes_on: bool) {
         if to != self.location.machine {
             self.location.machine = to;
-            self.emit(Op::Tap { to, pitch, rpm });
+            self.emit(Op::Tap { to, pitch, rpm, goes_on });
         }
     }
 

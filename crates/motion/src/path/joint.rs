@@ -21,7 +21,7 @@
 //! - **Corner**, rounded in time ([`crate::path::corner`]): beside an arc where the path turns by more than 20° and
 //!   easing would cost time, between lines where that is quicker.
 
-use crate::limits::{Class, Drive, Inverse, Inverses, MAX_FEED_OVERRIDE, Rates, peak};
+use crate::limits::{Class, Drive, Inverse, Inverses, MAX_FEED_OVERRIDE, MAX_SPINDLE_OVERRIDE, Rates, peak};
 use crate::moves::{Kind, Move};
 use crate::path::corner::{Corner, norm, valley_loss};
 use crate::path::piece::Piece;
@@ -85,7 +85,9 @@ pub(crate) struct Member {
     pub feed: f64,
     /// How far the joint after it may leave the programmed path, mm; `None` is an exact stop.
     pub tolerance: Option<f64>,
-    /// Highest speed whatever the override, mm/s: of an arc; infinite where there is none.
+    /// Speed of the spindle that the feed holds at, r/min; 0 where it does not follow the spindle.
+    pub rpm: f64,
+    /// Highest speed whatever the override, mm/s: of cutting, of an arc; infinite where there is none.
     pub most: f64,
     /// Inner corners at its ends are slowed down for (G62).
     pub inner: Option<InnerCorners>,
@@ -111,6 +113,8 @@ pub(crate) enum Joint {
 pub(crate) struct JointRules {
     pub tolerance: f64,
     pub exact_stop: bool,
+    /// Slowest and fastest cutting, mm/s.
+    pub feeds: [f64; 2],
     /// Servo period, s.
     pub period: f64,
     corner: Option<Slowdown>,
@@ -123,21 +127,30 @@ impl JointRules {
         JointRules {
             tolerance: path.tolerance,
             exact_stop: path.exact_stop,
+            feeds: [path.lowest_feed / 60.0, path.highest_feed.map_or(f64::INFINITY, |most| most / 60.0)],
             period: machine.servo_period_ms / 1000.0,
             corner: path.corner.as_ref().map(Slowdown::new),
             arc: path.arc,
         }
     }
 
+    /// Slowest and fastest, mm/s: neither holds for positioning, nor beside a spindle that cuts a thread.
+    #[inline]
+    pub fn feeds_of(&self, class: Class) -> [f64; 2] {
+        if matches!(class, Class::Cut | Class::Full) { self.feeds } else { [0.0, f64::INFINITY] }
+    }
+
     /// How far the joint behind a move may leave the path, mm; `None` is an exact stop.
     fn tolerance_of(&self, path: PathMode) -> Option<f64> {
+        let within = |t: f64| if t.is_finite() { t.max(0.0) } else { self.tolerance };
         match path {
+            PathMode::WithinBlock(t) => Some(t.map_or(self.tolerance, within)),
             _ if self.exact_stop => None,
             PathMode::ExactStop => None,
             PathMode::Continuous | PathMode::InnerCorners(_) | PathMode::Tapping | PathMode::FullFeed => {
                 Some(self.tolerance)
             }
-            PathMode::ContinuousWithin(t) => Some(if t.is_finite() { t.max(0.0) } else { self.tolerance }),
+            PathMode::ContinuousWithin(t) => Some(within(t)),
         }
     }
 }
@@ -157,12 +170,13 @@ impl Member {
         };
         let tolerance = rules.tolerance_of(path);
         let inner = if let PathMode::InnerCorners(corners) = path { Some(corners) } else { None };
+        let [lowest, highest] = rules.feeds_of(class);
         let most = match (&piece, &rules.arc) {
-            (Piece::Arc(turn), Some(arc)) => on_arc(arc, turn.radius()),
-            _ => f64::INFINITY,
+            (Piece::Arc(turn), Some(arc)) => on_arc(arc, turn.radius()).min(highest),
+            _ => highest * piece.pace(),
         };
-        let feed = (feed * piece.pace()).min(most);
-        Some(Member { tag: m.tag, piece, class, feed, tolerance, most, inner })
+        let feed = (feed.max(lowest) * piece.pace()).min(most);
+        Some(Member { tag: m.tag, piece, class, feed, tolerance, rpm: m.rpm, most, inner })
     }
 
     /// Goes on with the line `m`, if both are smoothed together and nothing asks for a closer look: then it is that line.
@@ -174,6 +188,7 @@ impl Member {
         if rules.corner.is_some()
             || matches!(path, PathMode::InnerCorners(_))
             || self.class != cutting_class(path)
+            || self.rpm != m.rpm
         {
             return None;
         }
@@ -187,8 +202,9 @@ impl Member {
             return None;
         }
         line.go_on(&m.to, dir, len);
-        (self.tag, self.feed, self.tolerance) = (m.tag, feed, next_tolerance);
-        (self.most, self.inner) = (f64::INFINITY, None);
+        let [lowest, highest] = rules.feeds_of(self.class);
+        (self.tag, self.feed, self.tolerance) = (m.tag, feed.max(lowest).min(highest), next_tolerance);
+        (self.most, self.inner) = (highest, None);
         Some(len)
     }
 
@@ -226,6 +242,7 @@ impl Member {
         let (len, next_len) = (self.piece.len(), next.piece.len());
         let is_chain =
             !is_rapid && self.class == next.class && tolerance > 0.0 && next.tolerance != Some(0.0);
+        let is_chain = is_chain && self.rpm == next.rpm;
         let is_chain = is_chain && matches!((&self.piece, &next.piece), (Piece::Line(_), Piece::Line(_)));
         let (before, after) = (self.piece.tangent(len), next.piece.tangent(0.0));
         let cap = match rules.corner {
@@ -307,7 +324,8 @@ impl Member {
     pub fn top(&self, inverse: &Inverse, s: f64) -> f64 {
         let rates = Rates { first: self.piece.tangent(s).0, second: [0.0; AXES], third: [0.0; AXES] };
         let speed = inverse.speed(&rates).min(self.most);
-        if self.feed.is_finite() { speed.min(self.feed * MAX_FEED_OVERRIDE) } else { speed }
+        let faster = if self.rpm > 0.0 { MAX_SPINDLE_OVERRIDE } else { 1.0 };
+        if self.feed.is_finite() { speed.min(self.feed * MAX_FEED_OVERRIDE * faster) } else { speed }
     }
 }
 

@@ -18,6 +18,10 @@ use crate::quick::cube_root;
 /// How far a piece may be above a bound by rounding.
 pub(crate) const ROUNDING: f64 = 1.0 + 1e-4;
 
+/// What the acceleration may use within a piece whose ends keep the bounds: limits and what planning takes of them are
+/// farther apart.
+const SWELL: f64 = 1.001;
+
 /// A last change of a time by this share leaves an error of its square.
 const NEAR: f64 = 1e-5;
 
@@ -116,17 +120,25 @@ impl Piece {
         [self.j, self.j + self.k * self.time]
     }
 
-    /// Whether the bounds of `load` hold at both ends.
+    /// Whether the bounds of `load` hold at both ends, and for the acceleration between them.
     pub fn keeps(&self, load: &Load) -> bool {
         self.used(load) <= ROUNDING
     }
 
-    /// Largest share of the bounds of `load` that is used at either end.
+    /// Largest share of the bounds of `load` that is used at either end, and of the acceleration between them where it is
+    /// more than all.
     #[inline]
     pub fn used(&self, load: &Load) -> f64 {
         let [from, to] = self.jerks();
         let at = |state: State, j: f64| load.used(state.v, state.a.abs(), j.abs());
-        at(self.from, from).max(at(self.to, to))
+        let ends = at(self.from, from).max(at(self.to, to));
+        if !(from * to < 0.0) {
+            return ends;
+        }
+        // A limit of jerk at the ends hardly leaves the acceleration room to swell between them; where there is none, it may
+        // be anything there.
+        let inside = at(self.state(-self.j / self.k).1, 0.0);
+        if inside > SWELL { ends.max(inside) } else { ends }
     }
 
     /// When it is at `s`, by Newton's method.

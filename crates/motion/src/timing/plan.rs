@@ -22,7 +22,7 @@
 //! **Corners** are run at a pace at which the lines beside them are long enough to stop on, so that sections on
 //! either side can be planned apart.
 
-use crate::limits::{Class, Drive, Inverses};
+use crate::limits::{Class, Drive, Inverses, MAX_SPINDLE_OVERRIDE};
 use crate::path::corner::{pace_below, paced};
 use crate::timing::brake::{Brake, Start};
 use crate::timing::grid::{ALIKE, Grid, Port};
@@ -31,11 +31,15 @@ use crate::timing::queue::{CELLS, Node, Pass, Queue, SAME_LENGTH};
 use crate::timing::ramp::{Foot, Phases, distance, summit};
 use crate::timing::valley::{self, Valley};
 
-/// Overrides as factors.
+/// Overrides as factors, and what else the programmed speed depends on as it is run.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Overrides {
     pub feed: f64,
     pub rapid: f64,
+    /// Speed of the spindle, r/min, which feeds per revolution follow; as they were given where it is not known.
+    pub rpm: Option<f64>,
+    /// Slowest cutting, mm/s.
+    pub lowest: f64,
 }
 
 impl Overrides {
@@ -46,6 +50,16 @@ impl Overrides {
             Class::Cut => self.feed,
             Class::Full | Class::Locked => 1.0,
         }
+    }
+
+    /// The factor of the programmed speed of a cell.
+    #[inline]
+    pub fn share(&self, node: &Node) -> f64 {
+        let turns = match self.rpm {
+            Some(rpm) if node.rpm > 0.0 => (rpm / node.rpm).min(MAX_SPINDLE_OVERRIDE),
+            _ => 1.0,
+        };
+        self.of(node.class) * turns
     }
 
     /// Highest speed in a cell, mm/s.
@@ -64,8 +78,9 @@ impl Overrides {
     fn feed(&self, node: &Node) -> f64 {
         let feed = if node.feed.is_finite() { node.feed } else { node.most };
         // At override 0 the path is held, or passes what it cannot be stopped before.
-        let share = Some(self.of(node.class)).filter(|share| *share > 0.0).unwrap_or(HELD_SHARE);
-        feed * share
+        let share = Some(self.share(node)).filter(|share| *share > 0.0).unwrap_or(HELD_SHARE);
+        let lowest = if matches!(node.class, Class::Cut | Class::Full) { self.lowest } else { 0.0 };
+        (feed * share).max(lowest)
     }
 }
 
@@ -246,7 +261,8 @@ pub(crate) struct Plan {
 pub(crate) const STRETCHES: usize = 4 * CELLS;
 
 impl Plan {
-    pub fn new(inverses: Inverses) -> Plan {
+    /// `lowest` is the slowest cutting, mm/s.
+    pub fn new(inverses: Inverses, lowest: f64) -> Plan {
         let start = Start { port: Port { s: 0.0, state: State::REST }, cell: 0 };
         Plan {
             stretches: Vec::with_capacity(STRETCHES),
@@ -255,7 +271,7 @@ impl Plan {
             next: start,
             planned: 0,
             horizon: 0,
-            overrides: Overrides { feed: 1.0, rapid: 1.0 },
+            overrides: Overrides { feed: 1.0, rapid: 1.0, rpm: None, lowest },
             grid: Grid::new(),
             valley: Valley::new(),
             inverses,

@@ -86,6 +86,8 @@ pub(crate) struct Node {
     pub most: f64,
     /// Programmed speed, mm/s; infinite for rapids.
     pub feed: f64,
+    /// Speed of the spindle at which it is that, r/min; 0 where it does not follow the spindle.
+    pub rpm: f64,
     pub class: Class,
     pub pass: Pass,
     /// Whether the path rests at its end.
@@ -149,6 +151,7 @@ impl Queue {
             top: 0.0,
             most: 0.0,
             feed: 0.0,
+            rpm: 0.0,
             class: Class::Cut,
             pass: Pass::Path,
             rests: false,

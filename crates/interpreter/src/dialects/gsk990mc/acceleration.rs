@@ -17,6 +17,7 @@ use ferrocut_toolpath::CornerRule;
 /// Writes the parameters over what the machine file says.
 pub fn machine_parameters(parameters: &Parameters, machine: &mut Machine) {
     corners(parameters, &mut machine.path);
+    feeds(parameters, &mut machine.path);
     let by = machine.servo.acceleration_by_parameters;
     let selects = |of: Of| by.unwrap_or_else(|| parameters.changed().any(|(key, _)| of == Of::key(&key)));
     let is_linear = selects(Of::Cutting) && path(parameters, &mut machine.path);
@@ -83,6 +84,12 @@ fn rapid_speed(parameters: &Parameters, k: u16, axis: &mut AxisConfig) {
 /// Whether cutting is accelerated before interpolation: 17#0, and always in look-ahead, 15#0.
 fn is_before(parameters: &Parameters) -> bool {
     parameters.bit(15, 0) || !parameters.bit(17, 0)
+}
+
+/// The speed of cutting, overrides included, is held between P97 and P96 (4.2.2 note 1).
+fn feeds(parameters: &Parameters, path: &mut PathConfig) {
+    path.lowest_feed = parameters.data(97);
+    path.highest_feed = Some(parameters.data(96).max(path.lowest_feed));
 }
 
 /// Corners slowed down for in look-ahead, where 16#7 has them: 15#2, P144 to P146.

@@ -76,10 +76,12 @@ impl Interpreter {
         }
     }
 
-    /// How moves join.
+    /// How moves join. G61 rests only where the path cannot be run through exactly (LinuxCNC, G61); G61.1 at every
+    /// end.
     pub(super) fn ngc_path(&self) -> PathMode {
         match self.modal.meaning(Group::PathControl) {
-            Meaning::ExactPath | Meaning::ExactStop => PathMode::ExactStop,
+            Meaning::ExactStop => PathMode::ExactStop,
+            Meaning::ExactPath => PathMode::ContinuousWithin(0.0),
             _ => self.ngc.tolerance.map_or(PathMode::Continuous, PathMode::ContinuousWithin),
         }
     }

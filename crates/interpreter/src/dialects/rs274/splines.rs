@@ -9,9 +9,10 @@ use ferrocut_geometry::curve::Curve;
 use ferrocut_geometry::spline::Spline;
 use ferrocut_geometry::{Axis, AxisSet, Plane, Position};
 use ferrocut_machine::Fault;
-use ferrocut_toolpath::{Feed, FeedAlong, Op};
+use ferrocut_toolpath::{Feed, FeedAlong, Op, PathMode};
 
-/// How far the arcs may leave the curve, mm: half of what the finest words of a metric program show.
+/// How far the arcs may leave the curve, mm: half of what the finest words of a metric program show. As far their joints
+/// may leave them where the path is exact.
 pub(super) const TOLERANCE: f64 = 0.0005;
 
 /// Points that one curve may be divided into: metres of curve at the tolerance.
@@ -189,12 +190,17 @@ impl Interpreter {
             feed => feed,
         };
         let path = self.ngc_path();
+        let inside = PathMode::WithinBlock(match path {
+            PathMode::Continuous => None,
+            PathMode::ContinuousWithin(tolerance) => Some(tolerance.max(TOLERANCE)),
+            _ => Some(TOLERANCE),
+        });
         let count = curves.len();
         for (number, curve) in (1..).zip(curves) {
             let mut next = self.location.machine;
             (next[Axis::X], next[Axis::Y]) = (curve.to[0], curve.to[1]);
             // The last one ends where it is programmed, other axes with it.
-            let next = if number == count { machine } else { next };
+            let (next, path) = if number == count { (machine, path) } else { (next, inside) };
             self.location.machine = next;
             match curve.bend {
                 None => self.emit(Op::Feed { to: next, feed, path }),

@@ -135,12 +135,12 @@ impl Interpreter {
         self.ngc_rapid(at(away, end))
     }
 
-    /// A move in step with the spindle.
+    /// A move in step with the spindle, which M3 or M4 keeps turning behind it (LinuxCNC, G33).
     fn ngc_tap(&mut self, to: Position, pitch: f64, rpm: f64) -> Fallible<()> {
         let machine = self.ngc.machine_of(to);
         self.ngc_check_reach(machine)?;
         self.ngc.at = to;
-        self.tap_machine(machine, pitch, rpm);
+        self.tap_machine(machine, pitch, rpm, true);
         Ok(())
     }
 }

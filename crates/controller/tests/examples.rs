@@ -1,0 +1,154 @@
+//! Every example, with overrides and holds at random instants: the limits of every axis at any instant, the programmed
+//! path, the end.
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
+
+mod common;
+
+use common::parts::{Part, parts};
+use common::random::Random;
+use ferrocut_controller::{Cnc, Programmed, State, Way};
+use ferrocut_geometry::{Axis, Position};
+use ferrocut_machine::Machine;
+use std::collections::VecDeque;
+
+/// Finite differences are means of the true derivative and never overstate it.
+const SLACK: f64 = 1.001;
+
+/// Moves before the one being run, and behind it, that the axes may be on: joints, and short ones between two periods.
+const BESIDE: usize = 8;
+
+/// Periods after which a run is taken as hanging: an hour and a half of machine time.
+const HANGS: usize = 5_400_000;
+
+/// Periods between two hands, on average.
+const APART: usize = 1500;
+
+/// The last four setpoints, and of how many of them in a row the path is planned: in a thread the axes follow the pulses
+/// of the spindle's encoder.
+struct Judge<'a> {
+    name: &'a str,
+    machine: &'a Machine,
+    period: f64,
+    last: [Position; 4],
+    planned: usize,
+    moves: VecDeque<Programmed>,
+    judged: usize,
+}
+
+impl<'a> Judge<'a> {
+    fn new(name: &'a str, machine: &'a Machine, at: Position) -> Judge<'a> {
+        let period = machine.servo_period_ms / 1000.0;
+        Judge { name, machine, period, last: [at; 4], planned: 4, moves: VecDeque::new(), judged: 0 }
+    }
+
+    /// Velocity, acceleration and jerk over one, two and three periods.
+    fn judge(&mut self, at: Position, in_thread: bool) {
+        self.last = [self.last[1], self.last[2], self.last[3], at];
+        self.planned = if in_thread { 0 } else { self.planned + 1 };
+        if self.planned < 4 {
+            return;
+        }
+        self.judged += 1;
+        let t = self.period;
+        for axis in &self.machine.axes {
+            let [a, b, c, d] = self.last.map(|p| p[axis.name]);
+            let velocity = (d - c) / t;
+            let acceleration = ((d - c) - (c - b)) / (t * t);
+            let jerk = ((d - c) - 2.0 * (c - b) + (b - a)) / (t * t * t);
+            // Positions of some hundred millimetres are known to 1e-13.
+            let rounding = 8.0 * (1.0 + d.abs()) * 4e-16;
+            let most = [
+                (velocity, axis.velocity.max(axis.rapid) / 60.0, rounding / t),
+                (acceleration, axis.acceleration, rounding / (t * t)),
+                (jerk, if axis.jerk > 0.0 { axis.jerk } else { f64::INFINITY }, rounding / (t * t * t)),
+            ];
+            for (order, (value, limit, rounding)) in (1..).zip(most) {
+                assert!(
+                    value.abs() <= limit * SLACK + rounding,
+                    "{}, {} at {:?}: {value} of order {order} above {limit}",
+                    self.name,
+                    axis.name.letter(),
+                    self.last
+                );
+            }
+        }
+    }
+
+    /// Distance from the lines and arcs about the one being run.
+    fn judge_path(&mut self, cnc: &Cnc, at: Position) {
+        let known = self.moves.back().map_or(0, |last| last.number);
+        self.moves.extend(cnc.moves().filter(|m| m.number > known).copied());
+        let Some(run) = cnc.moves().next().map(|m| m.number) else { return };
+        while self.moves.len() > 1 && self.moves[0].number + (BESIDE as u64) < run {
+            self.moves.pop_front();
+        }
+        let near = || self.moves.iter().filter(|m| m.number <= run + BESIDE as u64);
+        if near().any(|m| m.way == Way::Apart) {
+            return;
+        }
+        let tolerance = near().filter_map(|m| m.tolerance).fold(self.machine.path.tolerance, f64::max);
+        let off = near().filter_map(|m| m.distance(at)).fold(f64::INFINITY, f64::min);
+        assert!(off <= tolerance * SLACK, "{}, move {run}: {off} mm from the path at {at:?}", self.name);
+    }
+}
+
+/// Runs a part to its end; where the axes stand then.
+fn end_of(part: &Part, mut random: Option<Random>) -> Position {
+    let mut cnc = Cnc::new(&part.machine, part.interpreter());
+    let mut judge = Judge::new(&part.name, &part.machine, cnc.tick().position);
+    let mut angle = cnc.spindle().angle();
+    cnc.cycle_start();
+    let mut next = 0;
+    for tick in 0..HANGS {
+        if let Some(random) = random.as_mut().filter(|_| tick >= next) {
+            next = tick + 1 + random.below(2 * APART);
+            match random.below(4) {
+                0 => cnc.feed_hold(),
+                1 => cnc.set_override(random.one(&[0.1, 0.5, 1.0, 1.2, 2.0]), random.one(&[0.25, 0.5, 1.0])),
+                2 => cnc.set_override(2.0 * random.unit(), random.unit()),
+                // Never the last hand for long: what is 0 comes back with the next.
+                _ => cnc.set_override(random.one(&[0.0, 1.0]), random.one(&[0.0, 1.0])),
+            }
+        }
+        if matches!(cnc.state(), State::Stopped(_)) || cnc.state() == &State::Held && tick + 1 >= next {
+            cnc.cycle_start();
+        }
+        let position = cnc.tick().position;
+        let spindle = cnc.spindle();
+        // A spindle that axes are in step with has no speed of its own, and turns.
+        let in_thread = spindle.actual_rpm() == 0.0 && spindle.angle() != angle;
+        angle = spindle.angle();
+        judge.judge(position - cnc.renamed(), in_thread);
+        if cnc.renamed() == Position::ZERO && !in_thread {
+            judge.judge_path(&cnc, position);
+        }
+        match cnc.state() {
+            State::Ended => {
+                assert!(judge.judged > 1000, "{}: {}", part.name, judge.judged);
+                return position;
+            }
+            State::Running | State::Held | State::Stopped(_) => {}
+            state => panic!("{}: {state:?}", part.name),
+        }
+    }
+    panic!("{} does not end", part.name);
+}
+
+#[test]
+fn every_example_keeps_the_limits_and_the_path_whatever_the_operator_does() {
+    let parts: Vec<Part> = parts().into_iter().filter(|part| part.is_example).collect();
+    assert!(parts.len() > 15);
+    std::thread::scope(|scope| {
+        for half in 0..2 {
+            let parts = &parts;
+            scope.spawn(move || {
+                for (k, part) in parts.iter().enumerate().filter(|(k, _)| k % 2 == half) {
+                    let plain = end_of(part, None);
+                    let disturbed = end_of(part, Some(Random::new(k as u64 + 1)));
+                    let gap = Axis::ALL.map(|axis| (plain[axis] - disturbed[axis]).abs());
+                    assert!(gap.iter().all(|gap| *gap < 1e-9), "{}: {plain:?} {disturbed:?}", part.name);
+                }
+            });
+        }
+    });
+}
