@@ -307,9 +307,8 @@ mod tests {
             machine_parameters(&parameters, &mut machine);
             machine
         };
-        let of_file = Machine::demo_mill();
-        assert_eq!(of_file.servo.acceleration_by_parameters, None);
-        let untouched = machine(None, &[]);
+        assert_eq!(Machine::demo_mill().servo.acceleration_by_parameters, None);
+        let (of_file, untouched) = (machine(Some(false), &[]), machine(None, &[]));
         let shown = |machine: &Machine| format!("{:?} {:?}", machine.path, machine.axes);
         assert_eq!(shown(&untouched), shown(&of_file));
         // Positioning of all axes, and nothing of cutting.
