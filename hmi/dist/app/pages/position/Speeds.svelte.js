@@ -7,9 +7,9 @@ import { machine } from "../../lib/state/machine.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/position/Speeds.svelte
-var root = $.from_html(`<dd class="under set s-y3s2hf"><span class="field s-y3s2hf"><!></span> <span role="status"> </span></dd>`);
-var root_1 = $.from_html(`<small class="s-y3s2hf"> </small>`);
-var root_2 = $.from_html(`<dl class="s-y3s2hf"><div class="s-y3s2hf"><dt class="s-y3s2hf">F</dt> <dd class="s-y3s2hf"><output class="number wide s-y3s2hf" aria-live="off" data-testid="feed"><span class="steady"> </span></output><small class="s-y3s2hf"> </small></dd> <dd class="under s-y3s2hf"><span> <b class="number s-y3s2hf"> </b></span><span> </span></dd></div> <div class="s-y3s2hf"><dt class="s-y3s2hf">S</dt> <dd class="s-y3s2hf"><output class="number wide s-y3s2hf" aria-live="off" data-testid="speed"><span class="steady"> </span></output><small class="s-y3s2hf"> </small> <!></dd> <dd class="under s-y3s2hf"><span> <b class="number s-y3s2hf" data-testid="speed-programmed"> </b> <b class="number s-y3s2hf"> </b></span><span> </span></dd> <!></div> <div class="s-y3s2hf"><dt class="s-y3s2hf">T</dt> <dd class="s-y3s2hf"><output class="number s-y3s2hf"> </output> <!></dd> <dd class="under s-y3s2hf"><span>H <b class="number s-y3s2hf"> </b> · D <b class="number s-y3s2hf"> </b></span><span> </span></dd></div></dl>`);
+var root = $.from_html(`<dd class="under set s-nidvyw"><span class="field s-nidvyw"><!></span> <span role="status"> </span></dd>`);
+var root_1 = $.from_html(`<small class="s-nidvyw"> </small>`);
+var root_2 = $.from_html(`<dl class="s-nidvyw"><div class="s-nidvyw"><dt class="s-nidvyw">F</dt> <dd class="s-nidvyw"><output class="number wide s-nidvyw" aria-live="off" data-testid="feed"><span class="steady s-nidvyw"> </span></output><small class="s-nidvyw"> </small></dd> <dd class="under s-nidvyw"><span> <b class="number s-nidvyw"> </b></span><span> </span></dd></div> <div class="s-nidvyw"><dt class="s-nidvyw">S</dt> <dd class="s-nidvyw"><output class="number wide s-nidvyw" aria-live="off" data-testid="speed"><span class="steady s-nidvyw"> </span></output><small class="s-nidvyw"> </small> <!></dd> <dd class="under s-nidvyw"><span> <b class="number s-nidvyw" data-testid="speed-programmed"> </b> <b class="number s-nidvyw"> </b></span><span> </span></dd> <!></div> <div class="s-nidvyw"><dt class="s-nidvyw">T</dt> <dd class="s-nidvyw"><output class="number s-nidvyw"> </output> <!></dd> <dd class="under s-nidvyw"><span>H <b class="number s-nidvyw"> </b> · D <b class="number s-nidvyw"> </b></span><span> </span></dd></div></dl>`);
 function Speeds($$anchor, $$props) {
 	$.push($$props, true);
 	let settable = $.prop(
@@ -171,7 +171,7 @@ function Speeds($$anchor, $$props) {
 				$.set_text(text_1, $1);
 				$.set_text(text_2, `${$2 ?? ""} `);
 				$.set_text(text_3, $3);
-				classes = $.set_class(span_2, 1, "override s-y3s2hf", null, classes, { off: $4 });
+				classes = $.set_class(span_2, 1, "override s-nidvyw", null, classes, { off: $4 });
 				$.set_text(text_4, `${$5 ?? ""} %`);
 				$.set_attribute(output_1, "title", $6);
 				$.set_text(text_5, $7);
@@ -180,7 +180,7 @@ function Speeds($$anchor, $$props) {
 				$.set_text(text_8, $10);
 				$.set_text(text_9, ` · ${$11 ?? ""} `);
 				$.set_text(text_10, $12);
-				classes_1 = $.set_class(span_5, 1, "override s-y3s2hf", null, classes_1, { off: $13 });
+				classes_1 = $.set_class(span_5, 1, "override s-nidvyw", null, classes_1, { off: $13 });
 				$.set_text(text_11, `${$14 ?? ""} %`);
 				$.set_text(text_13, $.get(spindle).tool);
 				$.set_text(text_15, machine.status.program.h);
