@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::parts::{Others, Part, parts};
+use common::parts::{Part, parts};
 use common::random::Random;
 use ferrocut_controller::restart::{At, Journal, Restart};
 use ferrocut_geometry::Position;

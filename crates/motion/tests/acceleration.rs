@@ -166,7 +166,7 @@ fn a_lower_override_keeps_the_acceleration_where_no_jerk_is_limited() {
     {
         for tick in (10..250).step_by(9) {
             let events = [(0, Event::Override(0.7, 0.7)), (tick, Event::Override(0.25, 0.5))];
-            let run = run_with(&machine, Position::ZERO, &[op.clone()], &events, &[]);
+            let run = run_with(&machine, Position::ZERO, std::slice::from_ref(&op), &events, &[]);
             run.check_limits(&machine);
         }
     }
