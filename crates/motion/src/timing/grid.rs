@@ -155,8 +155,13 @@ struct Step {
     from: State,
     /// Whether its bounds are other than in the pass before.
     is_new: bool,
-    up_climb: Climb,
-    down_climb: Climb,
+}
+
+/// What is known of a step from the pass before. Apart from it: most passes do without.
+#[derive(Clone, Copy, Debug, Default)]
+struct Known {
+    up: Climb,
+    down: Climb,
     /// The ends of a piece that keeps its bounds.
     good: Option<[State; 2]>,
 }
@@ -182,11 +187,11 @@ impl Step {
 
     /// [`climb`], unless it is known from the pass before.
     #[inline]
-    fn climb(&self, before: &Climb, most: f64, state: State) -> Climb {
-        if !self.is_new && before.state == state && before.most == most {
-            return *before;
+    fn climb(&self, known: &mut Climb, most: f64, state: State) -> [State; 2] {
+        if self.is_new || known.state != state || known.most != most {
+            *known = Climb { state, most, to: climb(self, most, state) };
         }
-        Climb { state, most, to: climb(self, most, state) }
+        known.to
     }
 
     /// Jerk left at the acceleration `a`.
@@ -207,6 +212,7 @@ pub(crate) struct Port {
 #[derive(Debug)]
 pub(crate) struct Grid {
     steps: Vec<Step>,
+    known: Vec<Known>,
     to: Port,
     /// Speeds at the starts of cells.
     ends: Vec<f64>,
@@ -222,6 +228,7 @@ impl Grid {
     pub fn new() -> Grid {
         Grid {
             steps: Vec::with_capacity(STEPS + 8),
+            known: Vec::with_capacity(STEPS + 8),
             to: Port { s: 0.0, state: State::REST },
             ends: Vec::with_capacity(CELL_RING + 8),
             hull: Vec::with_capacity(STEPS + 8),
@@ -458,6 +465,8 @@ impl Grid {
             }
             step.h = self.to.s - step.s;
         }
+        self.known.clear();
+        self.known.resize(self.steps.len(), Known::default());
         let (mut before, mut at) = (None, from.s);
         for i in 0..self.steps.len() {
             let behind = self.steps.get(i + 1).map_or(self.to.s, Step::middle);
@@ -571,10 +580,9 @@ impl Grid {
     /// Pass 4, forward.
     fn speed_up(&mut self, from: State) {
         let mut state = from;
-        for step in &mut self.steps {
+        for (step, known) in self.steps.iter_mut().zip(&mut self.known) {
             step.rising = state;
-            step.up_climb = step.climb(&step.up_climb, step.up[1], state);
-            let [middle, end] = step.up_climb.to;
+            let [middle, end] = step.climb(&mut known.up, step.up[1], state);
             step.x = middle.v * middle.v;
             step.slope = middle.a;
             step.by = if middle.v < step.cap { By::Up } else { By::Cap };
@@ -586,9 +594,8 @@ impl Grid {
     fn slow_down(&mut self, from: State) -> bool {
         // Mirrored: braking is speeding up.
         let mut state = State { v: self.to.state.v, a: -self.to.state.a };
-        for step in self.steps.iter_mut().rev() {
-            step.down_climb = step.climb(&step.down_climb, step.down[0], state);
-            let [middle, end] = step.down_climb.to;
+        for (step, known) in self.steps.iter_mut().zip(&mut self.known).rev() {
+            let [middle, end] = step.climb(&mut known.down, step.down[0], state);
             let x = middle.v * middle.v;
             if x < step.x {
                 step.x = x;
@@ -699,7 +706,7 @@ impl Grid {
             if is_steady && here.nodes(queue).all(|node| to.v <= node.top) {
                 continue;
             }
-            if here.good == Some([here.from, to]) {
+            if self.known[i].good == Some([here.from, to]) {
                 continue;
             }
             let piece = Piece::new(here.s, here.h, here.from, to).filter(Piece::is_forward);
@@ -713,7 +720,7 @@ impl Grid {
                     step.share = (step.share * less).max(LEAST_SHARE);
                 }
             } else {
-                self.steps[i].good = Some([self.steps[i].from, to]);
+                self.known[i].good = Some([here.from, to]);
             }
         }
         is_good

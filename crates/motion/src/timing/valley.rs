@@ -436,10 +436,10 @@ impl Valley {
             }
             let mut sums = [0.0; 2];
             self.look(|row| {
-                for side in 0..2 {
+                for (side, sum) in sums.iter_mut().enumerate() {
                     row.z[side] += far * row.dz[side];
                     row.l[side] += far_l * row.dl[side];
-                    sums[side] += row.z[side] * row.l[side];
+                    *sum += row.z[side] * row.l[side];
                 }
             });
             sum = sums[0] + sums[1];
