@@ -379,9 +379,14 @@ pub enum Command {
         #[serde(default)]
         bytes: Option<u8>,
     },
+    /// Looks at a ladder, which is run nowhere: all of its faults, or its list and its size.
+    CheckLadder {
+        /// Its text: a list, or PLCopen XML (TC6) with ladder diagrams.
+        text: String,
+    },
     /// Puts another ladder in the place of the running one (level 2).
     ExchangeLadder {
-        /// Its text.
+        /// Its text: a list, or PLCopen XML (TC6) with ladder diagrams, which becomes one.
         text: String,
     },
     /// Puts the ladder of before the last exchange back (level 2).
@@ -853,6 +858,18 @@ pub enum Reply {
     Text {
         /// The text.
         text: String,
+    },
+    /// A ladder that was looked at.
+    LadderChecked {
+        /// Its list; none where it has faults.
+        list: Option<String>,
+        /// Its steps; 0 where it has faults.
+        steps: u32,
+        /// Its first 100 faults, in the order in which they were found: numbers of the control's list of alarms, lines of
+        /// the text.
+        faults: Vec<AlarmInfo>,
+        /// How many faults there are.
+        count: u32,
     },
     /// The powered flow of the ladder, by instruction.
     LadderFlow {

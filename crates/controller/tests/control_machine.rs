@@ -147,6 +147,81 @@ fn the_text_of_the_ladder_is_that_of_the_one_that_runs() {
 }
 
 #[test]
+fn a_ladder_is_looked_at_and_every_fault_of_it_is_told() {
+    use ferrocut_controller::api::{Command, Reply};
+    let author = ferrocut_memory::Author::Maintenance { name: "builder".into() };
+    let mut control = control(&machine());
+    let mut checked =
+        |text: &str| match control.command(Command::CheckLadder { text: text.into() }, &author).unwrap() {
+            Reply::LadderChecked { list, steps, faults, count } => {
+                let faults: Vec<_> = faults.iter().map(|fault| (fault.id.clone(), fault.line)).collect();
+                (list, steps, faults, count)
+            }
+            other => panic!("{other:?}"),
+        };
+    let fine = "RD X0.0\nWRT Y0.0\nEND1\nEND2\n";
+    assert_eq!(checked(fine), (Some(fine.to_owned()), 4, vec![], 0));
+    // No such instruction; a contact without an address; the same output at two places.
+    let text = "RD X0.0\nWRONG X0.1\nWRT Y0.0\nRD\nWRT Y0.1\nRD X0.2\nWRT Y0.0\nEND1\nEND2\n";
+    let (list, steps, faults, count) = checked(text);
+    assert_eq!((list, steps, count), (None, 0, 3));
+    for (number, line) in [(1002, 2), (1001, 4), (1027, 7)] {
+        assert!(faults.contains(&(format!("gsk990mc:{number}"), line)), "{faults:?}");
+    }
+    // As many as one answer holds, and how many there are.
+    let (_, _, faults, count) = checked(&"WRONG\n".repeat(500));
+    assert_eq!((faults.len(), count >= 500), (100, true), "{count}");
+    // What is looked at runs nowhere.
+    assert!(control.plc_mut().unwrap().program().signal("KEY_START").is_some());
+    let refused = control.command(Command::ExchangeLadder { text: text.into() }, &author).unwrap_err();
+    assert_eq!(refused.alarm.id, "FC-1101");
+}
+
+/// A contact and a coil as an editor of PLCopen writes them.
+const DIAGRAM: &str = r#"<?xml version="1.0" encoding="utf-8"?>
+<project xmlns="http://www.plcopen.org/xml/tc6_0201">
+<types><dataTypes/><pous><pou name="MAIN" pouType="program">
+<interface><localVars><variable name="LIGHT_KEY" address="%IX21.7"><type><BOOL/></type></variable></localVars></interface>
+<body><LD>
+<leftPowerRail localId="1"><position x="0" y="0"/><connectionPointOut formalParameter=""/></leftPowerRail>
+<contact localId="2"><position x="2" y="0"/><connectionPointIn><connection refLocalId="1"/></connectionPointIn>
+<connectionPointOut/><variable>LIGHT_KEY</variable></contact>
+<coil localId="3"><position x="3" y="0"/><connectionPointIn><connection refLocalId="2"/></connectionPointIn>
+<connectionPointOut/><variable>Y100.0</variable></coil>
+</LD></body></pou></pous></types></project>"#;
+
+#[test]
+fn a_ladder_of_plcopen_is_taken_as_its_list() {
+    use ferrocut_controller::api::{Command, Reply};
+    use ferrocut_plc::Address;
+    let author = ferrocut_memory::Author::Maintenance { name: "builder".into() };
+    let mut control = control(&machine());
+    let say = |control: &mut Control, command| control.command(command, &author).unwrap();
+    let check = Command::CheckLadder { text: DIAGRAM.into() };
+    let Reply::LadderChecked { list: Some(list), faults, .. } = say(&mut control, check) else { panic!() };
+    assert!(list.contains("RD X0021.7 ; LIGHT_KEY") && faults.is_empty(), "{list}");
+    assert_eq!(say(&mut control, Command::ExchangeLadder { text: DIAGRAM.into() }), Reply::Done);
+    wait(&mut control, 20);
+    assert_eq!(say(&mut control, Command::Ladder), Reply::Text { text: list });
+    for on in [true, false] {
+        say(&mut control, Command::Key { key: "LIGHT_KEY".into(), down: on });
+        wait(&mut control, 20);
+        let memory = control.plc_mut().unwrap().memory();
+        assert_eq!(memory.bit(Address::parse("Y100.0").unwrap()), on);
+    }
+    // A fault of the diagram has its line there.
+    let wrong = DIAGRAM.replace("Y100.0", "X100.0");
+    let Reply::LadderChecked { list: None, faults, .. } =
+        control.command(Command::CheckLadder { text: wrong.clone() }, &author).unwrap()
+    else {
+        panic!()
+    };
+    assert_eq!(faults.iter().map(|fault| fault.line).collect::<Vec<_>>(), [9]);
+    let refused = control.command(Command::ExchangeLadder { text: wrong }, &author).unwrap_err();
+    assert_eq!((refused.alarm.id.as_str(), refused.alarm.line), ("FC-1101", 9));
+}
+
+#[test]
 fn messages_of_a_ladder_go_with_it() {
     use ferrocut_controller::Plant;
     use ferrocut_controller::api::{Command, Event};

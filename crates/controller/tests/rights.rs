@@ -78,6 +78,7 @@ fn rows() -> Vec<Row> {
         (json!({"do": "accept_parameter_switch"}), 5, ""),
         (json!({"do": "reference_points"}), 5, ""),
         (json!({"do": "set_reference_point", "number": 2, "axes": {"Z": 10.0}}), 3, ""),
+        (json!({"do": "set_machine_zero", "axes": ["X"]}), 3, ""),
         (json!({"do": "pitch", "axis": "X"}), 5, ""),
         (json!({"do": "set_pitch", "axis": "X", "points": {"1": 0.001}}), 3, ""),
         (json!({"do": "relative", "axis": "X", "to": "zero"}), 5, ""),
@@ -112,7 +113,8 @@ fn rows() -> Vec<Row> {
         (json!({"do": "set_signal", "signal": "D500", "value": 1}), 2, ""),
         (json!({"do": "exchange_ladder", "text": ladder}), 2, ""),
         (json!({"do": "roll_back_ladder"}), 2, ""),
-        (json!({"do": "start_ladder"}), 5, ""),
+        (json!({"do": "check_ladder", "text": ladder}), 5, ""),
+        (json!({"do": "start_ladder"}), 2, ""),
         // Diagnosis.
         (json!({"do": "capture", "quantities": ["velocity"], "seconds": 0.1}), 5, ""),
         (json!({"do": "end_capture"}), 5, ""),
@@ -127,6 +129,8 @@ fn rows() -> Vec<Row> {
         (json!({"do": "centre", "circle": true}), 5, points),
         (json!({"do": "measure", "form": "hole", "diameter": 30.0}), 5, mode),
         (json!({"do": "measure_tool", "mode": "length", "h": 1, "length": 88.0}), 5, mode),
+        // It sets parameters of the machine.
+        (json!({"do": "measure_tool", "mode": "calibrate_length", "length": 88.0}), 3, mode),
         (json!({"do": "cancel_measure"}), 5, ""),
         (json!({"do": "measured"}), 5, ""),
         // Backups: each item needs the level that may change all of it.

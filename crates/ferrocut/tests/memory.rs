@@ -158,6 +158,13 @@ fn damage_is_told_and_a_good_state_taken_up() {
     {
         assert!(checked.out.contains(part), "{part}: {}", checked.out);
     }
+    // Who starts the control on it is told the newest good state, and how it is taken up.
+    let served = ferrocut(&["serve", "--headless", "--tcp", "127.0.0.1:0", "--memory", &path]);
+    assert_eq!(served.code, 1, "{}", served.err);
+    let command = format!("ferrocut memory recover {path}");
+    for part in ["FC-1201", "The newest good state is commit 9 of 20", &command] {
+        assert!(served.err.contains(part), "{part}: {}", served.err);
+    }
     let told = json(&ferrocut(&["memory", "check", &path, "--format", "json"]).out);
     assert_eq!((&told["whole"], &told["good_states"][0]["commit"]), (&false.into(), &9.into()));
     let file = format!("{path}.backup");

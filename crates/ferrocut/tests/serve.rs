@@ -101,6 +101,38 @@ fn wrong_use_is_said() {
     }
 }
 
+/// Who has no memory is told so and how to keep what he makes, in any language; who has one is not.
+#[test]
+fn a_control_that_keeps_nothing_says_so() {
+    let folder = tempfile::tempdir().unwrap();
+    let memory = ["--memory", folder.path().to_str().unwrap()];
+    for (language, with, says) in [
+        ("en", &[][..], "Nothing is kept"),
+        ("zh", &[], "不保存任何数据"),
+        ("ru", &[], "Ничего не сохраняется"),
+        ("es", &[], "No se guarda nada"),
+        ("tr", &[], "Hiçbir şey saklanmıyor"),
+        ("en", &memory, ""),
+    ] {
+        let mut command = Command::cargo_bin("ferrocut").unwrap();
+        command.args(["serve", "--headless", "--tcp", "127.0.0.1:0", "--language", language]).args(with);
+        let mut process = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        let mut line = String::new();
+        BufReader::new(process.stdout.take().unwrap()).read_line(&mut line).unwrap();
+        process.kill().unwrap();
+        let told = process.wait_with_output().unwrap().stderr;
+        let told = String::from_utf8(told).unwrap();
+        match says {
+            "" => assert_eq!(told, "", "{language}"),
+            says => {
+                for part in ["FC-1505", says, "--memory /var/lib/ferrocut"] {
+                    assert!(told.contains(part), "{language} {part}: {told}");
+                }
+            }
+        }
+    }
+}
+
 /// A program that connected to the whole control, and is in command.
 struct Front {
     stream: TcpStream,
@@ -208,14 +240,14 @@ fn a_front_logs_in_runs_holds_captures_and_takes_a_program_up_again() {
     assert!(front.refused(log_in("another word")).is_string());
     assert_eq!(front.ask(log_in("the shop's own word"))["level"], 4);
     assert_eq!(front.ask(json!({ "do": "status" }))["level"], 4);
-    [true, false].map(|locked| front.done(lock(locked)));
+    [true, false].iter().for_each(|locked| front.done(lock(*locked)));
     assert_eq!(front.ask(json!({ "do": "log_out" }))["level"], 5);
     assert_eq!(front.refused(lock(true)), "FC-1213");
 
     // Every axis to its reference point.
     front.press("KEY_R_100");
     front.press("KEY_HOME");
-    ["KEY_Z+", "KEY_X+", "KEY_Y+"].map(|key| front.hold(key));
+    ["KEY_Z+", "KEY_X+", "KEY_Y+"].iter().for_each(|key| front.hold(key));
     let homed = |status: &Value| status["referenced"].as_array().is_some_and(|axes| axes.len() >= 3);
     front.until("homed", |status| homed(status) && status["activity"] == "idle");
 

@@ -730,6 +730,8 @@ faults! {
     PanelWithoutPassword = 1503,
     /// A certificate or key that cannot be used.
     Certificate = 1504,
+    /// A control that is served without a memory.
+    NothingKept = 1505,
 
     // 1440: program restart
     /// No block on a line or below it.

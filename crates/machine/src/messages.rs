@@ -86,6 +86,7 @@
 //! | `MemoryDisk` | `reason` |
 //! | `CannotServe` | `place`, `reason` |
 //! | `CheckEnded` | `line` |
+//! | `MemoryDamaged` | `detail`; `commits`, `time` and `command` of the newest good state, where there is one |
 //! | `PanelNotEncrypted`, `PanelWithoutPassword` | `place` |
 //! | `Certificate` | `file`, `reason` |
 //! | `MemoryMissing` | `file`: the folder |

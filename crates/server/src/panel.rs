@@ -3,7 +3,7 @@
 use crate::service::{Aside, Caller, Need, Service};
 use ferrocut_controller::Tick;
 use ferrocut_controller::api::{API_VERSION, Command, Event, Refusal, Reply, Status};
-use ferrocut_controller::control::Control;
+use ferrocut_controller::control::{Control, check_ladder};
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_memory::Level;
 use ferrocut_memory::{Author, Store};
@@ -52,10 +52,14 @@ impl Panel {
     }
 }
 
-/// Looks at passwords on the thread of whoever gives them, since that takes many periods. What was found is told to
-/// the control, which has the rights from then on.
-pub fn aside(store: Arc<Store>) -> Aside<Panel> {
+/// Looks at ladders and passwords on the thread of whoever gives them, since that takes many periods. What was found of a
+/// password is told to the control, which has the rights from then on.
+pub fn aside(store: Option<Arc<Store>>) -> Aside<Panel> {
     Box::new(move |hub, command, from| {
+        if let Command::CheckLadder { text } = command {
+            return Some(Ok(check_ladder(text)));
+        }
+        let store = store.as_ref()?;
         let done = match command {
             Command::LogIn { level, password } => match level_of(*level) {
                 Ok(Level::Operator) => return None,
@@ -148,6 +152,7 @@ impl Service for Panel {
             | Command::Forced
             | Command::Ladder
             | Command::LadderFlow
+            | Command::CheckLadder { .. }
             | Command::Captured { .. }
             | Command::Traced { .. }
             | Command::Restarts

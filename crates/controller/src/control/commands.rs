@@ -1,5 +1,6 @@
 //! What a front says, and what comes of it. Data go through the durable memory, which judges rights.
 
+use super::exchange::check_ladder;
 use super::status::PARTS_MACHINED;
 use super::taking_up::Wanted;
 use super::{Control, alarm, capture, library, name_of, trace};
@@ -169,6 +170,7 @@ impl Control {
             Command::Forced => self.forced(),
             Command::Force { signal, value } => self.force(&signal, value, author),
             Command::SetSignal { signal, value, bytes } => self.set_signal(&signal, value, bytes, author),
+            Command::CheckLadder { text } => Ok(check_ladder(&text)),
             Command::ExchangeLadder { text } => self.exchange_ladder(&text, author),
             Command::RollBackLadder => self.roll_back_ladder(author),
             Command::StartLadder => {

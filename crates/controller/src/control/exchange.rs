@@ -8,9 +8,16 @@ use super::commands::{Answer, named};
 use super::keeping::{Keeping, kept_area};
 use super::{Control, alarm};
 use crate::api::{AlarmInfo, Event, ForcedSignal, Reply};
-use ferrocut_machine::{Alarm, Fault};
+use ferrocut_machine::{Alarm, AlarmId, Fault};
 use ferrocut_memory::{Author, Change, Level, SignalSize};
-use ferrocut_plc::{Address, Area, Error, Limits, Maintenance, Plc, Program};
+use ferrocut_plc::{Address, Area, Error, Limits, Maintenance, Plc, Program, plcopen};
+use ferrocut_program::Span;
+
+/// Most faults of a ladder that one answer tells.
+const MOST_FAULTS: usize = 100;
+
+/// The control whose list of alarms has those of ladders (GSK990MC appendix 2, 1001 to 1042).
+const CONTROL: &str = "gsk990mc";
 
 /// What the event `changed` calls the signals that are forced.
 const FORCED: &str = "forced";
@@ -57,6 +64,42 @@ pub(super) fn at_power_on(kept: &str, plc: &mut Plc) -> Alarm {
     }
 }
 
+/// A ladder of a list or of PLCopen XML, which no list can begin like.
+fn compiled(text: &str) -> Result<Program, Vec<Error>> {
+    match plcopen::is_xml(text.as_bytes()) {
+        true => Program::from_plcopen(text.as_bytes(), &Limits::default()),
+        false => Program::from_text(text.as_bytes(), &Limits::default()),
+    }
+}
+
+/// Looks at a ladder. It needs no machine, and takes longer than a period: whoever can does it on another thread.
+pub fn check_ladder(text: &str) -> Reply {
+    match compiled(text) {
+        Ok(program) => Reply::LadderChecked {
+            list: Some(program.text()),
+            steps: program.steps(),
+            faults: Vec::new(),
+            count: 0,
+        },
+        Err(errors) => Reply::LadderChecked {
+            list: None,
+            steps: 0,
+            faults: errors.iter().take(MOST_FAULTS).map(told).collect(),
+            count: u32::try_from(errors.len()).unwrap_or(u32::MAX),
+        },
+    }
+}
+
+/// A fault of a ladder as the control's alarm.
+fn told(error: &Error) -> AlarmInfo {
+    let span = Span { line: error.span.line, ..Span::default() };
+    let alarm = Alarm::new(AlarmId::Dialect(CONTROL, error.fault.number()), Fault::Ladder, span);
+    AlarmInfo::of(&match &error.about {
+        Some(about) => alarm.with("word", &**about),
+        None => alarm,
+    })
+}
+
 /// That a ladder that was kept cannot be run.
 fn unusable(errors: &[Error]) -> Alarm {
     let line = errors.first().map_or(0, |error| error.span.line);
@@ -88,13 +131,17 @@ impl Control {
         if text.len() > ferrocut_memory::items::limits::LADDER {
             return Err(Box::new(named(Fault::ValueImpossible, "ladder")));
         }
-        let program = Program::from_text(text.as_bytes(), &Limits::default()).map_err(|errors| {
+        let program = compiled(text).map_err(|errors| {
             let first = errors.first();
             let number = first.map_or(0, |error| error.fault.number());
             let mut alarm = alarm(Fault::Ladder).with("detail", number.to_string());
             alarm.span.line = first.map_or(0, |error| error.span.line);
             alarm
         })?;
+        // What is kept of it is its list.
+        if program.text().len() > ferrocut_memory::items::limits::LADDER {
+            return Err(Box::new(named(Fault::ValueImpossible, "ladder")));
+        }
         plc.exchange(Box::new(program));
         self.exchanged_by = Some(author.clone());
         Ok(Reply::Done)

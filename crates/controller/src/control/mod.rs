@@ -39,6 +39,7 @@ use crate::drives::{Drives, Switches};
 use crate::signals::{Inputs, Mode, Outputs, SIGNAL_AXES};
 pub use commands::{BACKUPS, backup_in};
 pub use desk::Desk;
+pub use exchange::check_ladder;
 use ferrocut_geometry::{AxisSet, Position};
 use ferrocut_interpreter::{Interpreter, MachineCodes, Options, dialects};
 use ferrocut_machine::{Alarm, Fault, Machine, Memory, ParameterKey};

@@ -11,6 +11,7 @@ use crate::diagnostics::Diagnostics;
 use crate::job::{Exit, Failure};
 use clap::{Args, Subcommand};
 use ferrocut_machine::Alarm;
+use ferrocut_memory::damage::Damage;
 use ferrocut_memory::{Author, Error, Item, OpenError, Time};
 use std::path::{Path, PathBuf};
 
@@ -252,8 +253,19 @@ fn refused_backup(file: &Path, error: &Error) -> Failure {
 fn unopened(folder: &Path, error: &OpenError) -> Failure {
     match error {
         OpenError::Missing => failure(error.alarm().with("file", name(folder)), Exit::WrongUse),
-        OpenError::Damaged(_) => failure(error.alarm(), Exit::Finding),
+        OpenError::Damaged(damage) => failure(with_good_state(error.alarm(), folder, damage), Exit::Finding),
         _ => failure(error.alarm(), Exit::WrongUse),
+    }
+}
+
+/// Damage with the newest good state, and the command that takes it up.
+fn with_good_state(alarm: Alarm, folder: &Path, damage: &Damage) -> Alarm {
+    match damage.states().first() {
+        None => alarm,
+        Some(state) => alarm
+            .with("commits", state.commits.to_string())
+            .with("time", utc(state.time))
+            .with("command", format!("ferrocut memory recover {}", name(folder))),
     }
 }
 

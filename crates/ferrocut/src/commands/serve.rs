@@ -124,13 +124,17 @@ fn serve_control(args: &ServeArgs, shop: &Shop) -> Result<Exit, Failure> {
         None => None,
         Some(folder) => Some(Arc::new(super::memory::open(folder, &shop.machine.dialect)?)),
     };
+    if store.is_none() {
+        // Whoever sees it run would take what he writes as kept.
+        shop.diagnostics.report(&Alarm::core(Fault::NothingKept, Span::default()).as_warning(), "", None);
+    }
     let parts = Parts { store: store.clone(), ladder: Some(ladder), ..Parts::default() };
     // The ladder looks at switches: a machine that its file does not describe has those of a simulated one.
     let mut machine = shop.machine.clone();
     machine.plant.get_or_insert_default();
     let control = Control::new(&machine, parts).map_err(Failure::setting)?;
     let period = Duration::from_secs_f64(shop.machine.servo_period_ms / 1000.0);
-    let aside = store.clone().map(panel::aside);
+    let aside = Some(panel::aside(store.clone()));
     let (runner, hub) =
         hub::start(Panel::new(control), period, args.priority, aside).map_err(cannot("thread"))?;
     if let Some(path) = &args.socket {

@@ -949,3 +949,6 @@ FC-1503 = The panel is offered to other computers only where people can log in
 FC-1504 = This certificate or key cannot be used
     .detail = { $file }: { $reason }
     .help = Give a certificate chain and its private key as PEM files, or --tls-self-signed.
+
+FC-1505 = Nothing is kept: programs, offsets and parameters are gone when this ends
+    .help = Name a folder to keep them in: --memory /var/lib/ferrocut. One that is empty or missing becomes a new memory.

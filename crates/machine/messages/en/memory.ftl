@@ -1,6 +1,7 @@
 # The durable memory: what can be wrong with it, who may change it, and what the command line shows of it.
 
 FC-1201 = The memory of the control is damaged
+    .detail = { $detail }. The newest good state is commit { $commits } of { $time }; take it up with: { $command }
     .help = Nothing was changed. "ferrocut memory check" shows what was found and the good states that there are; "ferrocut memory recover" takes the newest one up and keeps the damaged files. Replace a disk that damages files.
 FC-1202 = Another process has the memory open
     .help = End the running control first, or wait until it has ended.

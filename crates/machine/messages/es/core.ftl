@@ -949,3 +949,6 @@ FC-1503 = El panel solo se ofrece a otros ordenadores donde se pueda iniciar ses
 FC-1504 = Este certificado o esta clave no sirve
     .detail = { $file }: { $reason }
     .help = Indique una cadena de certificados y su clave privada como archivos PEM, o --tls-self-signed.
+
+FC-1505 = No se guarda nada: los programas, correctores y parámetros se pierden al terminar
+    .help = Indique una carpeta donde guardarlos: --memory /var/lib/ferrocut. Una carpeta vacía o que aún no existe se convierte en una memoria nueva.

@@ -1,6 +1,7 @@
 # The durable memory: what can be wrong with it, who may change it, and what the command line shows of it.
 
 FC-1201 = La memoria del control está dañada
+    .detail = { $detail }. El estado bueno más reciente es la confirmación { $commits } de { $time }; recupérelo con: { $command }
     .help = No se ha cambiado nada. «ferrocut memory check» muestra lo que se encontró y los estados buenos que hay; «ferrocut memory recover» recupera el más reciente y conserva los archivos dañados. Sustituya el disco que daña archivos.
 FC-1202 = Otro proceso tiene abierta la memoria
     .help = Cierre antes el control en marcha o espere a que termine.

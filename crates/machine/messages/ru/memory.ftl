@@ -1,6 +1,7 @@
 # The durable memory: what can be wrong with it, who may change it, and what the command line shows of it, in Russian.
 
 FC-1201 = Память ЧПУ повреждена
+    .detail = { $detail }. Самое новое исправное состояние — фиксация { $commits } от { $time }; вернуть его: { $command }
     .help = Ничего не изменено. «ferrocut memory check» показывает, что найдено и какие есть исправные состояния; «ferrocut memory recover» возвращает самое новое из них и сохраняет повреждённые файлы. Замените диск, который портит файлы.
 FC-1202 = Память открыта другим процессом
     .help = Сначала завершите работу запущенной ЧПУ или дождитесь её завершения.

@@ -949,3 +949,6 @@ FC-1503 = Panel başka bilgisayarlara yalnız oturum açılabiliyorsa sunulur
 FC-1504 = Bu sertifika ya da anahtar kullanılamıyor
     .detail = { $file }: { $reason }
     .help = Sertifika zincirini ve özel anahtarını PEM dosyaları olarak ya da --tls-self-signed verin.
+
+FC-1505 = Hiçbir şey saklanmıyor: iş bitince programlar, ofsetler ve parametreler kaybolur
+    .help = Saklanacakları klasörü belirtin: --memory /var/lib/ferrocut. Boş ya da henüz olmayan bir klasör yeni bir bellek olur.

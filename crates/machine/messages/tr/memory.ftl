@@ -1,6 +1,7 @@
 # The durable memory: what can be wrong with it, who may change it, and what the command line shows of it.
 
 FC-1201 = Kontrolün belleği hasarlı
+    .detail = { $detail }. En yeni sağlam durum { $time } tarihli { $commits } numaralı kayıttır; geri getirmek için: { $command }
     .help = Hiçbir şey değiştirilmedi. "ferrocut memory check" bulunanları ve eldeki sağlam durumları gösterir; "ferrocut memory recover" en yenisini geri getirir ve hasarlı dosyaları saklar. Dosyalara hasar veren diski değiştirin.
 FC-1202 = Belleği başka bir süreç açık tutuyor
     .help = Önce çalışan kontrolü kapatın ya da kapanmasını bekleyin.

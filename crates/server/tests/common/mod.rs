@@ -53,7 +53,7 @@ impl Place {
         address: &str,
         certificate: Option<Certificate>,
     ) -> Place {
-        let aside = store.clone().map(panel::aside);
+        let aside = Some(panel::aside(store.clone()));
         let (runner, hub) = hub::start(panel, Duration::from_millis(1), None, aside).unwrap();
         let settings = Settings {
             address: address.parse().unwrap(),

@@ -756,7 +756,24 @@ signals: Array<ForcedSignal>, } | { "reply": "text",
 /**
  * The text.
  */
-text: string, } | { "reply": "ladder_flow",
+text: string, } | { "reply": "ladder_checked",
+/**
+ * Its list; none where it has faults.
+ */
+list: string | null,
+/**
+ * Its steps; 0 where it has faults.
+ */
+steps: number,
+/**
+ * Its first 100 faults, in the order in which they were found: numbers of the control's list of alarms, lines of
+ * the text.
+ */
+faults: Array<AlarmInfo>,
+/**
+ * How many faults there are.
+ */
+count: number, } | { "reply": "ladder_flow",
 /**
  * Whether power flows behind each instruction.
  */
@@ -1588,9 +1605,13 @@ value: number,
 /**
  * Bytes of the number, the lowest first; where it is missing 2 in T and C, 1 in K and D.
  */
-bytes?: number | null, } | { "do": "exchange_ladder",
+bytes?: number | null, } | { "do": "check_ladder",
 /**
- * Its text.
+ * Its text: a list, or PLCopen XML (TC6) with ladder diagrams.
+ */
+text: string, } | { "do": "exchange_ladder",
+/**
+ * Its text: a list, or PLCopen XML (TC6) with ladder diagrams, which becomes one.
  */
 text: string, } | { "do": "roll_back_ladder" } | { "do": "start_ladder" } | { "do": "capture",
 /**
