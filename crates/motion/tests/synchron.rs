@@ -96,7 +96,8 @@ proptest! {
         let mut angle = 0.0;
         let mut from = Position::ZERO;
         for (k, (_, to, rpm, clockwise)) in strokes.into_iter().enumerate() {
-            prop_assert!(gear.begin(from, angle, &Thread { encoder_counts: counts, ..thread(to, pitch, rpm, clockwise) }));
+            let thread = Thread { encoder_counts: counts, ..thread(to, pitch, rpm, clockwise) };
+            prop_assert!(gear.begin(from, angle, &thread));
             let stop = stop.filter(|_| k == 0);
             let run = run(&mut gear, &mut spindle, period, stop);
             let way = to - from;
