@@ -141,7 +141,8 @@ impl Auxiliary {
         if is_locked {
             return Handing::Done;
         }
-        if matches!(step.op, Op::End(_)) && !self.inputs.auxiliary_lock {
+        // A rigid thread may be cut at a speed that the spindle was never told: its gear is to be engaged before.
+        if matches!(step.op, Op::End(_) | Op::Machine(29)) && !self.inputs.auxiliary_lock {
             codes.s = self.speed(in_force);
         }
         match step.op {

@@ -432,7 +432,10 @@ impl Cnc {
             || matches!(self.state, State::Ended | State::Reset)
             || self.waits_in_thread(Asked::Reset)
         {
-            self.clears |= self.manual.is_active && matches!(self.state, State::Ended | State::Reset);
+            if self.manual.is_active && matches!(self.state, State::Ended | State::Reset) {
+                self.spindle.command(SpindleState::Off, &self.commanded);
+                self.clears = true;
+            }
             return;
         }
         self.restart_drives();
@@ -690,8 +693,11 @@ impl Cnc {
             self.supervisor.moved_to(at);
             self.commanded = at;
             self.interpreter.own().came_to_rest(&AtRest { commanded: at, actual: self.actual, skip: None });
-            if std::mem::take(&mut self.clears) {
-                self.clear();
+            // The spindle stopped at once; one that was started since goes on.
+            if std::mem::take(&mut self.clears) && self.is_idle() {
+                self.interpreter.own().reset(at);
+                self.forget_blocks();
+                self.state = State::Reset;
             }
         }
         tick

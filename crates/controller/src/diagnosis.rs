@@ -1,5 +1,6 @@
 //! Signals by their names, with what they mean: those of the NC, and those that the running ladder names.
 
+use crate::api::NamedSignal;
 use crate::signals;
 use ferrocut_machine::{Catalogue, Language};
 use ferrocut_plc::memory::Width;
@@ -36,6 +37,22 @@ pub fn entries(area: Area, ladder: &Program) -> Vec<Entry> {
     }
     entries.sort_by_key(|entry| (entry.address.byte, entry.address.bit));
     entries
+}
+
+/// The signals of an area that have a name, with their values and meanings.
+pub fn table(area: Area, language: Language, ladder: &Program, memory: &Memory) -> Vec<NamedSignal> {
+    let signal = |entry: Entry| NamedSignal {
+        address: entry.place(),
+        meaning: entry.meaning(language, ladder),
+        value: entry.value(memory),
+        name: entry.name,
+    };
+    entries(area, ladder).into_iter().map(signal).collect()
+}
+
+/// The area of a letter and the language of a tag, English where there is none; none where there is no such.
+pub fn named_in(area: char, language: Option<&str>) -> Option<(Area, Language)> {
+    Some((Area::from_letter(area)?, language.map_or(Some(Language::En), Language::from_tag)?))
 }
 
 /// The signal of a name or an address.

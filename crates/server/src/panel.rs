@@ -4,9 +4,11 @@ use crate::service::{Aside, Caller, Need, Service};
 use ferrocut_controller::Tick;
 use ferrocut_controller::api::{API_VERSION, Command, Event, Refusal, Reply, Status};
 use ferrocut_controller::control::{Control, check_ladder};
+use ferrocut_controller::diagnosis::{named_in, table};
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_memory::Level;
 use ferrocut_memory::{Author, Store};
+use ferrocut_plc::plcopen::is_xml;
 use ferrocut_program::Span;
 use std::sync::Arc;
 
@@ -52,12 +54,34 @@ impl Panel {
     }
 }
 
-/// Looks at ladders and passwords on the thread of whoever gives them, since that takes many periods. What was found of a
+/// Looks at ladders, their names and passwords on the thread of whoever gives them, since that takes many periods. What was found of a
 /// password is told to the control, which has the rights from then on.
 pub fn aside(store: Option<Arc<Store>>) -> Aside<Panel> {
     Box::new(move |hub, command, from| {
-        if let Command::CheckLadder { text } = command {
-            return Some(Ok(check_ladder(text)));
+        match command {
+            Command::CheckLadder { text } => return Some(Ok(check_ladder(text))),
+            // The control gets its list; rights are judged there.
+            Command::ExchangeLadder { text } if is_xml(text.as_bytes()) => {
+                return match check_ladder(text) {
+                    Reply::LadderChecked { list: Some(text), .. } => {
+                        hub.ask(Command::ExchangeLadder { text }, from.clone()).ok()
+                    }
+                    Reply::LadderChecked { faults, .. } => {
+                        faults.into_iter().next().map(|alarm| Err(Refusal { alarm }))
+                    }
+                    _ => None,
+                };
+            }
+            Command::SignalTable { area, language } => {
+                let (area, language) = named_in(*area, language.as_deref())?;
+                let copy = |panel: &mut Panel| {
+                    let plc = panel.control().plc_mut()?;
+                    Some((plc.program().clone(), plc.memory().clone()))
+                };
+                let (program, memory) = hub.look(copy).flatten()?;
+                return Some(Ok(Reply::SignalTable { signals: table(area, language, &program, &memory) }));
+            }
+            _ => {}
         }
         let store = store.as_ref()?;
         let done = match command {

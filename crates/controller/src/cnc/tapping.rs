@@ -17,6 +17,8 @@ pub(super) struct InThread {
     /// Where the tool entered it.
     pub entry: Position,
     pub kind: ThreadKind,
+    /// The gear of the spindle that it was begun in: none is engaged while the tool is in it.
+    pub gear: u8,
     /// Speed that the spindle is asked for again behind it, r/min, clockwise positive; 0 where it stays at rest.
     pub speed_behind: f64,
     /// What the operator asked for, which waits until the tool is out.
@@ -59,8 +61,13 @@ impl Cnc {
                     Way::Arc(arc) => arc.at(0.0),
                     Way::Apart => self.motion.position(),
                 };
-                self.thread =
-                    Some(InThread { entry, kind: ThreadKind::Beside, speed_behind: 0.0, asked: None });
+                self.thread = Some(InThread {
+                    entry,
+                    kind: ThreadKind::Beside,
+                    gear: 1,
+                    speed_behind: 0.0,
+                    asked: None,
+                });
             }
             (Some(ThreadKind::Beside), false) => self.leave_thread(),
             _ => {}
@@ -92,8 +99,13 @@ impl Cnc {
         }
         match self.thread {
             None => {
-                self.thread =
-                    Some(InThread { entry: at, kind: ThreadKind::Beside, speed_behind: 0.0, asked: None });
+                self.thread = Some(InThread {
+                    entry: at,
+                    kind: ThreadKind::Beside,
+                    gear: 1,
+                    speed_behind: 0.0,
+                    asked: None,
+                });
                 true
             }
             Some(thread) => thread.entry == at && !self.spindle.has_its_speed(),
@@ -137,24 +149,26 @@ impl Cnc {
         let is_first = !self.is_in(ThreadKind::InStep);
         if is_first {
             let speed_behind = if goes_on && self.auxiliary.is_none() { self.spindle.asked() } else { 0.0 };
-            self.thread = Some(InThread { entry: from, kind: ThreadKind::InStep, speed_behind, asked: None });
+            let gear = self.gear(rpm);
+            self.thread =
+                Some(InThread { entry: from, kind: ThreadKind::InStep, gear, speed_behind, asked: None });
         }
         let entry = self.thread.map_or(from, |thread| thread.entry);
         let is_out = from.distance(entry) > to.distance(entry);
-        let of_gear = self.spindle_config.tapping_in(self.gear(rpm));
+        let of_gear = self.spindle_config.tapping_in(self.thread.map_or(1, |thread| thread.gear));
         let [inwards, outwards] = of_gear.rpm_s;
         self.spindle.set_encoder(of_gear.encoder_counts);
         let thread = Thread {
             to,
             pitch: pitch.abs(),
             // The way out may be asked for at more than the gear has (GSK990MC 44#4, P283).
-            rpm: if is_out { rpm.min(of_gear.max_rpm) } else { rpm },
+            rpm: if is_first { rpm } else { rpm.min(of_gear.max_rpm) },
             // A right-hand thread goes in clockwise, in the negative direction.
             is_clockwise: farthest * pitch < 0.0,
             acceleration_rpm_s: if is_out { outwards } else { inwards },
             encoder_counts: of_gear.encoder_counts,
         };
-        if thread.rpm > of_gear.max_rpm {
+        if is_first && thread.rpm > of_gear.max_rpm {
             // P294 to P297. Where the ladder chooses the gear nobody knew it before.
             self.thread = None;
             let alarm = own_alarm(self.interpreter.dialect(), Fault::TappingSpeed, self.span);

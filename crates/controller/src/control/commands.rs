@@ -5,15 +5,15 @@ use super::status::PARTS_MACHINED;
 use super::taking_up::Wanted;
 use super::{Control, alarm, capture, library, name_of, trace};
 use crate::api::{
-    API_VERSION, ByAxis, Command, Event, LogLine, NamedSignal, OffsetValues, PastAlarm, ProgramInfo, Refusal,
-    RelativeTo, Reply,
+    API_VERSION, ByAxis, Command, Event, LogLine, OffsetValues, PastAlarm, ProgramInfo, Refusal, RelativeTo,
+    Reply,
 };
-use crate::diagnosis::{Entry, entries};
+use crate::diagnosis::{named_in, table};
 use crate::restart::How;
 use crate::signals::Mode;
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_machine::setup::VariableName;
-use ferrocut_machine::{Alarm, Fault, Language, ParameterKey, ToolOffset, WorkOffset};
+use ferrocut_machine::{Alarm, Fault, ParameterKey, ToolOffset, WorkOffset};
 use ferrocut_memory::items::limits;
 use ferrocut_memory::password::Seat;
 use ferrocut_memory::{Author, Backup, Change, Counter, Item, Level, Session};
@@ -297,19 +297,11 @@ impl Control {
         Ok(Reply::Signals { signals })
     }
 
+    /// It takes longer than a period where a ladder has many names: whoever serves a control does it beside.
     fn signal_table(&self, area: char, language: Option<&str>) -> Answer {
         let plc = self.plc.as_ref().ok_or_else(|| named(Fault::NotFitted, "ladder"))?;
-        let area = Area::from_letter(area).ok_or_else(|| named(Fault::NoSuchName, area))?;
-        let tag = language.unwrap_or(Language::En.tag());
-        let language = Language::from_tag(tag).ok_or_else(|| named(Fault::NoSuchName, tag))?;
-        let entry = |entry: Entry| NamedSignal {
-            address: entry.place(),
-            meaning: entry.meaning(language, plc.program()),
-            value: entry.value(plc.memory()),
-            name: entry.name,
-        };
-        let signals = entries(area, plc.program()).into_iter().map(entry).collect();
-        Ok(Reply::SignalTable { signals })
+        let (area, language) = named_in(area, language).ok_or_else(|| named(Fault::NoSuchName, area))?;
+        Ok(Reply::SignalTable { signals: table(area, language, plc.program(), plc.memory()) })
     }
 
     // Programs.

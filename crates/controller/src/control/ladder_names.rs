@@ -92,7 +92,8 @@ impl Control {
             let on = plc.memory().bit(message.address);
             if std::mem::replace(&mut message.is_on, on) != on {
                 let now = ferrocut_memory::items::now();
-                let is_logged = on && now.saturating_sub(message.logged) >= SAME_MESSAGE;
+                // A clock that was set back makes it another one.
+                let is_logged = on && !(0..SAME_MESSAGE).contains(&now.saturating_sub(message.logged));
                 message.logged = if is_logged { now } else { message.logged };
                 told.push((message.name.clone(), on, is_logged));
             }

@@ -613,7 +613,7 @@ impl Control {
         self.is_in_period = false;
         self.state = state;
         let activity = self.activity();
-        if activity == Activity::Idle {
+        if matches!(self.state, State::Ready | State::Ended | State::Reset) {
             self.program_message.clear();
         }
         self.event(Event::Activity { activity });

@@ -856,7 +856,7 @@ FC-1445 = Values that the machine told the program in the first run are not know
 
 ## 1446: messages of the machine
 
-FC-1446 = a message of the machine
+FC-1446 = A message of the machine
     .detail = { $name }
     .help = It comes from the ladder of the machine: the page of alarms and the manual of the machine say what it means. It goes when its cause goes.
 

@@ -856,7 +856,7 @@ FC-1445 = Tezgâhın ilk çalışmada programa bildirdiği değerler bilinmiyor
 
 ## 1446: tezgâh iletileri
 
-FC-1446 = tezgâhın iletisi
+FC-1446 = Tezgâhın iletisi
     .detail = { $name }
     .help = Tezgâhın ladder programından gelir: anlamı alarm sayfasında ve tezgâhın kılavuzunda yazar. Nedeni ortadan kalkınca gider.
 

@@ -243,7 +243,7 @@ impl Member {
         let is_chain =
             !is_rapid && self.class == next.class && tolerance > 0.0 && next.tolerance != Some(0.0);
         let is_chain = is_chain && self.rpm == next.rpm;
-        let is_chain = is_chain && matches!((&self.piece, &next.piece), (Piece::Line(_), Piece::Line(_)));
+        let is_chain = is_chain && self.piece.is_plain_line() && next.piece.is_plain_line();
         let (before, after) = (self.piece.tangent(len), next.piece.tangent(0.0));
         let cap = match rules.corner {
             Some(corner) if matches!(self.class, Class::Cut | Class::Full) => corner.speed(&before, &after),

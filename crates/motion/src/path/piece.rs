@@ -108,6 +108,11 @@ impl Piece {
         if let Piece::Line(line) = self { line.pace } else { 1.0 }
     }
 
+    /// Whether it is a line whose feed is measured along its own length in X, Y and Z: what short lines are smoothed in.
+    pub fn is_plain_line(&self) -> bool {
+        matches!(self, Piece::Line(line) if line.measure == Measure::Xyz && line.pace == 1.0)
+    }
+
     /// Where it ends.
     pub fn end(&self) -> Position {
         match self {

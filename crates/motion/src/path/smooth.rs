@@ -74,6 +74,9 @@ const FIRST: f64 = 0.7;
 /// Beyond so many of them a line is left as it is.
 const FAN_FREE: usize = 3;
 
+/// What two ways to work out one place may differ by, mm.
+const ROUNDING: f64 = 1e-12;
+
 /// Knots and control points that stand where a run goes on: what one span needs.
 const STANDING_KNOTS: usize = 6;
 const STANDING_CONTROLS: usize = 4;
@@ -1017,6 +1020,12 @@ impl Smoother {
                 own.0[..N].copy_from_slice(c);
             }
             cubic.c[0].0[N..].copy_from_slice(&line.p.0[N..]);
+            if k == 0 {
+                // A run begins exactly on its point, not beside it by rounding.
+                for (own, p) in cubic.c[0].0.iter_mut().zip(&self.points[0].p.0) {
+                    *own = if (*own - p).abs() <= ROUNDING { *p } else { *own };
+                }
+            }
             out(Span { u: begin, cubic, feed: line.feed, is_straight });
         }
     }

@@ -43,11 +43,19 @@ pub(super) struct Paths<'a> {
     pub elements: &'a [Element],
     pub places: &'a FxHashMap<Id, usize>,
     known: FxHashMap<Id, Series>,
+    /// The first connector of each name, by its place.
+    connectors: FxHashMap<&'a str, usize>,
 }
 
 impl<'a> Paths<'a> {
     pub(super) fn new(elements: &'a [Element], places: &'a FxHashMap<Id, usize>) -> Paths<'a> {
-        Paths { elements, places, known: FxHashMap::default() }
+        let mut connectors = FxHashMap::default();
+        for (place, element) in elements.iter().enumerate() {
+            if let Kind::Connector(name) = &element.kind {
+                connectors.entry(name.as_str()).or_insert(place);
+            }
+        }
+        Paths { elements, places, known: FxHashMap::default(), connectors }
     }
 
     pub(super) fn element(&self, id: Id) -> Option<&'a Element> {
@@ -131,8 +139,8 @@ impl<'a> Paths<'a> {
                 Rc::new(series)
             }
             Kind::Continuation(name) => {
-                let is_other = |e: &&Element| matches!(&e.kind, Kind::Connector(other) if other == name);
-                let Some(connector) = self.elements.iter().find(is_other) else {
+                let place = self.connectors.get(name.as_str());
+                let Some(connector) = place.and_then(|place| self.elements.get(*place)) else {
                     return Err(Error::about(Fault::LineOpen, element.span, name.as_str()));
                 };
                 self.merge(&connector.wires, connector.span, depth + 1)?

@@ -218,7 +218,7 @@ fn pitch_errors(parameters: &Parameters, k: u8, axis: &mut AxisConfig) {
 mod tests {
     use super::*;
     use ferrocut_geometry::Axis;
-    use ferrocut_machine::{ParameterTable, PitchErrors};
+    use ferrocut_machine::{ParameterTable, PathConfig, PitchErrors};
 
     /// The demo mill with parameters set.
     fn machine(set: &[(&str, f64)], change: impl Fn(&mut Machine)) -> Machine {
@@ -241,7 +241,11 @@ mod tests {
             assert_eq!((axis.in_position, axis.in_position_cutting), (0.0, Some(0.03)));
             assert_eq!(axis.following_error, 50.0);
         }
-        assert_eq!(machine.path, demo.path);
+        // The clamp of feeds aside, which is no compensation.
+        let feeds = (machine.path.lowest_feed, machine.path.highest_feed);
+        assert_eq!(feeds, (0.0, Some(6000.0)));
+        let (lowest_feed, highest_feed) = feeds;
+        assert_eq!(machine.path, PathConfig { lowest_feed, highest_feed, ..demo.path });
     }
 
     #[test]
