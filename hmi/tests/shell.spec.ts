@@ -239,3 +239,21 @@ test('what a program says stands above a page that is loaded later, until the st
   options.says = '';
   await expect(said).toHaveCount(0);
 });
+
+test('positions are written by the page itself where no thread draws them', async ({ context }) => {
+  await context.addInitScript(() => {
+    delete (HTMLCanvasElement.prototype as { transferControlToOffscreen?: unknown }).transferControlToOffscreen;
+  });
+  const { page } = await mock(context);
+  await page.evaluate(() => (location.hash = '#/position/absolute'));
+  const x = page.locator('[data-axis="X"] output.large');
+  await expect(x).toBeVisible();
+  await expect(x).toHaveText(/^-?\d+\.\d{3}$/);
+});
+
+test('positions are written by the page itself once the thread that draws them has failed', async ({ context }) => {
+  await context.route(/worker[^/]*\.js$/, (route) => route.abort());
+  const { page } = await mock(context);
+  await page.evaluate(() => (location.hash = '#/position/absolute'));
+  await expect(page.locator('[data-axis="X"] .plain output.large')).toBeVisible();
+});

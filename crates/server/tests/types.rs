@@ -67,6 +67,7 @@ fn written() -> String {
         PastAlarm,
         LogLine,
         ForcedSignal,
+        NamedSignal,
         NextBlock,
         StopAt,
         Positions,

@@ -171,6 +171,27 @@ name: string,
 value: boolean, };
 
 /**
+ * A signal that the NC or the ladder has a name for.
+ */
+export type NamedSignal = {
+/**
+ * Its name.
+ */
+name: string,
+/**
+ * Its address, `F7.0`; of a number, that of its first byte.
+ */
+address: string,
+/**
+ * What it means.
+ */
+meaning: string,
+/**
+ * What it is: a bit 0 or 1, a number without sign.
+ */
+value: number, };
+
+/**
  * A block that is to come.
  */
 export type NextBlock = {

@@ -10,7 +10,10 @@ export type Contents = {
   /** Where they stand on so many px of the screen, `scale` to one of the page. Asked again when size or theme change. */
   places(style: CSSStyleDeclaration, width: number, height: number, scale: number): Place[];
 };
-type Sheet = Contents & { last: Shown[] };
+type Sheet = Contents & { last: Shown[]; failed: () => void };
+
+/** Whether this browser has what sheets need. */
+export const canDraw = () => 'transferControlToOffscreen' in HTMLCanvasElement.prototype;
 
 let thread: Worker | null = null;
 let next = 1;
@@ -37,15 +40,19 @@ function show(status: Status): void {
 function open(): void {
   if (thread) return;
   thread = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });
+  // Numbers that stand still would be worse than none: whoever shows them writes them himself then.
+  thread.onerror = () => {
+    for (const { failed } of [...sheets.values()]) failed();
+  };
   machine.watch(show);
 }
 
-/** An attachment: a canvas becomes a sheet of numbers. */
-export function sheet(contents: Contents): (canvas: HTMLCanvasElement) => () => void {
+/** An attachment: a canvas becomes a sheet of numbers. `failed` is called where they cannot be drawn any more. */
+export function sheet(contents: Contents, failed: () => void): (canvas: HTMLCanvasElement) => () => void {
   return (canvas) => {
     open();
     const number = next++;
-    const mine: Sheet = { ...contents, last: [] };
+    const mine: Sheet = { ...contents, last: [], failed };
     const drawn = canvas.transferControlToOffscreen();
     tell({ do: 'new', sheet: number, canvas: drawn }, [drawn]);
     sheets.set(number, mine);

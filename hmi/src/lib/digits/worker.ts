@@ -42,7 +42,9 @@ addEventListener('message', ({ data }: MessageEvent<Told>) => {
   switch (data.do) {
     case 'new': {
       const context = data.canvas.getContext('2d');
-      if (context) sheets.set(data.sheet, { context, places: [], shown: [] });
+      // The page hears of it, and writes the numbers itself.
+      if (!context) throw new Error('no context to draw in');
+      sheets.set(data.sheet, { context, places: [], shown: [] });
       return;
     }
     case 'look': {

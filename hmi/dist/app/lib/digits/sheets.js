@@ -1,5 +1,7 @@
 import { machine } from "../state/machine.svelte.js";
 // src/lib/digits/sheets.ts
+/** Whether this browser has what sheets need. */
+var canDraw = () => "transferControlToOffscreen" in HTMLCanvasElement.prototype;
 var thread = null;
 var next = 1;
 var sheets = /* @__PURE__ */ new Map();
@@ -28,16 +30,20 @@ function open() {
 		"/app/lib/digits/worker.js",
 		"" + import.meta.url
 	), { type: "module" });
+	thread.onerror = () => {
+		for (const { failed } of [...sheets.values()]) failed();
+	};
 	machine.watch(show);
 }
-/** An attachment: a canvas becomes a sheet of numbers. */
-function sheet(contents) {
+/** An attachment: a canvas becomes a sheet of numbers. `failed` is called where they cannot be drawn any more. */
+function sheet(contents, failed) {
 	return (canvas) => {
 		open();
 		const number = next++;
 		const mine = {
 			...contents,
-			last: []
+			last: [],
+			failed
 		};
 		const drawn = canvas.transferControlToOffscreen();
 		tell({
@@ -76,4 +82,4 @@ function sheet(contents) {
 		};
 	};
 }
-export { sheet };
+export { canDraw, sheet };

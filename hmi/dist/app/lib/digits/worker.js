@@ -36,7 +36,8 @@
 		switch (data.do) {
 			case "new": {
 				const context = data.canvas.getContext("2d");
-				if (context) sheets.set(data.sheet, {
+				if (!context) throw new Error("no context to draw in");
+				sheets.set(data.sheet, {
 					context,
 					places: [],
 					shown: []
