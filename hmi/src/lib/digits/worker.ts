@@ -43,7 +43,7 @@ addEventListener('message', ({ data }: MessageEvent<Told>) => {
     case 'new': {
       const context = data.canvas.getContext('2d');
       // The page hears of it, and writes the numbers itself.
-      if (!context) throw new Error('no context to draw in');
+      if (!context) throw new Error();
       sheets.set(data.sheet, { context, places: [], shown: [] });
       return;
     }

@@ -36,7 +36,7 @@
 		switch (data.do) {
 			case "new": {
 				const context = data.canvas.getContext("2d");
-				if (!context) throw new Error("no context to draw in");
+				if (!context) throw new Error();
 				sheets.set(data.sheet, {
 					context,
 					places: [],
