@@ -94,6 +94,7 @@ test('the input unit, the channel, sequence numbers and the clock are set and sh
   await enter(page);
   await inMdi(page);
   // The computer of the control is this one.
+  await expect(page.getByTestId('clock')).toHaveAttribute('datetime', /^\d{4}-/);
   const clock = await page.getByTestId('clock').getAttribute('datetime');
   expect(Math.abs(Date.parse(clock!) - Date.now())).toBeLessThan(10_000);
   await logIn(page, 3);
