@@ -19,7 +19,8 @@ pub fn machine_parameters(parameters: &Parameters, machine: &mut Machine) {
     corners(parameters, &mut machine.path);
     feeds(parameters, &mut machine.path);
     let by = machine.servo.acceleration_by_parameters;
-    let selects = |of: Of| by.unwrap_or_else(|| parameters.changed().any(|(key, _)| of == Of::key(&key)));
+    let changed: Vec<(ParameterKey, f64)> = parameters.changed().collect();
+    let selects = |of: Of| by.unwrap_or_else(|| changed.iter().any(|(key, _)| of == Of::key(key)));
     let is_linear = selects(Of::Cutting) && path(parameters, &mut machine.path);
     if selects(Of::Clamp) {
         clamp(parameters, &mut machine.path);
@@ -31,7 +32,7 @@ pub fn machine_parameters(parameters: &Parameters, machine: &mut Machine) {
     }
     for (k, name) in (0u16..).zip(parameters.axis_names()) {
         let Some(axis) = machine.axes.iter_mut().find(|axis| axis.name == name) else { continue };
-        rapid_speed(parameters, k, axis);
+        rapid_speed(&changed, k, axis);
         if is_linear {
             axis.before_cutting = Some(Ramp { acceleration: axis.acceleration, jerk: 0.0 });
         }
@@ -71,13 +72,10 @@ impl Of {
 
 /// P88 to P92, P94: G00 of axis `k` is no faster than they say, where somebody has set them; as delivered they are
 /// those of no machine in particular.
-fn rapid_speed(parameters: &Parameters, k: u16, axis: &mut AxisConfig) {
-    for key in [88 + k, 94].map(ParameterKey::Data) {
-        if let Some((_, speed)) =
-            parameters.changed().find(|(changed, speed)| *changed == key && *speed > 0.0)
-        {
-            axis.rapid = axis.rapid.min(speed);
-        }
+fn rapid_speed(changed: &[(ParameterKey, f64)], k: u16, axis: &mut AxisConfig) {
+    let of_axis = [88 + k, 94].map(ParameterKey::Data);
+    for (_, speed) in changed.iter().filter(|(key, speed)| of_axis.contains(key) && *speed > 0.0) {
+        axis.rapid = axis.rapid.min(*speed);
     }
 }
 
