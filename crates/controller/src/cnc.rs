@@ -695,9 +695,7 @@ impl Cnc {
             self.interpreter.own().came_to_rest(&AtRest { commanded: at, actual: self.actual, skip: None });
             // The spindle stopped at once; one that was started since goes on.
             if std::mem::take(&mut self.clears) && self.is_idle() {
-                self.interpreter.own().reset(at);
-                self.forget_blocks();
-                self.state = State::Reset;
+                self.clear_codes();
             }
         }
         tick

@@ -67,10 +67,15 @@ impl Cnc {
     pub fn clear(&mut self) {
         if self.is_idle() {
             self.spindle.command(SpindleState::Off, &self.commanded);
-            self.interpreter.own().reset(self.motion.position());
-            self.forget_blocks();
-            self.state = State::Reset;
+            self.clear_codes();
         }
+    }
+
+    /// What a reset clears, the spindle aside.
+    pub(super) fn clear_codes(&mut self) {
+        self.interpreter.own().reset(self.motion.position());
+        self.forget_blocks();
+        self.state = State::Reset;
     }
 
     pub(super) fn wait_for_start(&mut self) {
