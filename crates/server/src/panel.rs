@@ -54,8 +54,8 @@ impl Panel {
     }
 }
 
-/// Looks at ladders, their names and passwords on the thread of whoever gives them, since that takes many periods. What was found of a
-/// password is told to the control, which has the rights from then on.
+/// Looks at ladders, their names and passwords on the thread of whoever gives them, since that takes many periods.
+/// What was found of a password is told to the control, which has the rights from then on.
 pub fn aside(store: Option<Arc<Store>>) -> Aside<Panel> {
     Box::new(move |hub, command, from| {
         match command {

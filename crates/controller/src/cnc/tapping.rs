@@ -25,6 +25,13 @@ pub(super) struct InThread {
     pub asked: Option<Asked>,
 }
 
+impl InThread {
+    /// One that the spindle cuts beside the axes, whatever its gear.
+    fn beside(entry: Position) -> InThread {
+        InThread { entry, kind: ThreadKind::Beside, gear: 1, speed_behind: 0.0, asked: None }
+    }
+}
+
 /// How axes and spindle cut it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum ThreadKind {
@@ -61,13 +68,7 @@ impl Cnc {
                     Way::Arc(arc) => arc.at(0.0),
                     Way::Apart => self.motion.position(),
                 };
-                self.thread = Some(InThread {
-                    entry,
-                    kind: ThreadKind::Beside,
-                    gear: 1,
-                    speed_behind: 0.0,
-                    asked: None,
-                });
+                self.thread = Some(InThread::beside(entry));
             }
             (Some(ThreadKind::Beside), false) => self.leave_thread(),
             _ => {}
@@ -99,13 +100,7 @@ impl Cnc {
         }
         match self.thread {
             None => {
-                self.thread = Some(InThread {
-                    entry: at,
-                    kind: ThreadKind::Beside,
-                    gear: 1,
-                    speed_behind: 0.0,
-                    asked: None,
-                });
+                self.thread = Some(InThread::beside(at));
                 true
             }
             Some(thread) => thread.entry == at && !self.spindle.has_its_speed(),
