@@ -2,8 +2,9 @@
 
 /** Where a number of a sheet stands, and how it looks. */
 export type Place = {
-  /** The right end of its last digit, and its middle, px of the screen. */
-  right: number;
+  /** Where it ends, or begins, and its middle, px of the screen. */
+  edge: number;
+  align: 'left' | 'right';
   middle: number;
   /** As a canvas understands it, of px of the screen. */
   font: string;

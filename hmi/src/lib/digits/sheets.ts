@@ -1,4 +1,5 @@
 // Numbers of the status that a thread of their own draws at each status, 50 times a second. The page only formats them.
+import { untrack } from 'svelte';
 import type { Status } from '$lib/api/types';
 import { machine } from '$lib/state/machine.svelte';
 import type { Place, Shown, Told } from './protocol';
@@ -69,7 +70,8 @@ export function sheet(contents: Contents, failed: () => void): (canvas: HTMLCanv
     sizes.observe(canvas);
     const themes = new MutationObserver(look);
     themes.observe(document.documentElement, { attributeFilter: ['data-theme'] });
-    if (latest) show(latest);
+    // A canvas is given away once: what its first numbers are made of must not bring the attachment about again.
+    untrack(() => latest && show(latest));
     return () => {
       sizes.disconnect();
       themes.disconnect();

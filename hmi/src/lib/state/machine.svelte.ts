@@ -24,12 +24,17 @@ let hasStatus = $state.raw(false);
 /** Fields that change all the time while a machine moves: as often as eyes read is enough, and each status brings one of them.
     What draws them itself hears all of them (`watch`). */
 const MEASURES: readonly (keyof Status)[] = ['position', 'feed', 'counters', 'spindle', 'periods'];
-let turn = 0;
+let turns = 0;
+/** A status of which each 25th is told, for texts that nobody sees. */
+let calm = $state.raw<Status | null>(null);
+const CALM = 25;
 
 /** Puts what has changed before those who look at it. */
 function put(now: Status): void {
-  for (const field of [...fields.keys()].filter((one) => !(one in now))) fields.delete(field);
-  turn = (turn + 1) % MEASURES.length;
+  for (const field of fields.keys()) if (!((field as string) in now)) fields.delete(field);
+  if (!calm || turns % CALM === 0) calm = now;
+  turns += 1;
+  const turn = turns % MEASURES.length;
   for (const [field, value] of Object.entries(now)) {
     const waits = fields.has(field) && (MEASURES as readonly string[]).includes(field) && field !== MEASURES[turn];
     if (!waits) fields.set(field, value);
@@ -209,6 +214,10 @@ export const machine = {
       (`watch` has each), all others as they change. */
   get status(): Status | null {
     return hasStatus ? status : null;
+  },
+  /** A status of half a second: for what stands behind numbers that are drawn, to be heard and not seen. Null before the first. */
+  get calm(): Status | null {
+    return calm;
   },
   /** The mode of the latest status: for what looks at that alone. */
   get mode() {

@@ -1,4 +1,5 @@
 import { machine } from "../state/machine.svelte.js";
+import { untrack } from "svelte";
 // src/lib/digits/sheets.ts
 /** Whether this browser has what sheets need. */
 var canDraw = () => "transferControlToOffscreen" in HTMLCanvasElement.prototype;
@@ -70,7 +71,7 @@ function sheet(contents, failed) {
 		sizes.observe(canvas);
 		const themes = new MutationObserver(look);
 		themes.observe(document.documentElement, { attributeFilter: ["data-theme"] });
-		if (latest) show(latest);
+		untrack(() => latest && show(latest));
 		return () => {
 			sizes.disconnect();
 			themes.disconnect();

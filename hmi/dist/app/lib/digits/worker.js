@@ -24,12 +24,14 @@
 			context.font = place.font;
 			context.fillStyle = place.colours[tone] ?? place.colours[0] ?? "";
 			const base = place.middle + context.measureText("0").actualBoundingBoxAscent / 2;
-			let right = place.right;
-			for (const character of [...text].reverse()) {
-				const width = widthOf(context, character);
-				context.fillText(character, right - width / 2, base);
-				right -= width + place.spacing;
-			}
+			const steps = [...text].map((character) => widthOf(context, character) + place.spacing);
+			let at = place.edge;
+			if (place.align === "right") at -= steps.reduce((sum, step) => sum + step, -place.spacing);
+			[...text].forEach((character, turn) => {
+				const step = steps[turn];
+				context.fillText(character, at + (step - place.spacing) / 2, base);
+				at += step;
+			});
 		});
 	}
 	addEventListener("message", ({ data }) => {

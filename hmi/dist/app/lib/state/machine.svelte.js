@@ -23,10 +23,14 @@ var MEASURES = [
 	"spindle",
 	"periods"
 ];
-var turn = 0;
+var turns = 0;
+var calm = $.state(null);
+var CALM = 25;
 function put(now) {
-	for (const field of [...fields.keys()].filter((one) => !(one in now))) fields.delete(field);
-	turn = (turn + 1) % MEASURES.length;
+	for (const field of fields.keys()) if (!(field in now)) fields.delete(field);
+	if (!$.get(calm) || turns % CALM === 0) $.set(calm, now);
+	turns += 1;
+	const turn = turns % MEASURES.length;
 	for (const [field, value] of Object.entries(now)) if (!(fields.has(field) && MEASURES.includes(field) && field !== MEASURES[turn])) fields.set(field, value);
 	$.set(hasStatus, true);
 }
@@ -191,6 +195,10 @@ var machine = {
 	(`watch` has each), all others as they change. */
 	get status() {
 		return $.get(hasStatus) ? status : null;
+	},
+	/** A status of half a second: for what stands behind numbers that are drawn, to be heard and not seen. Null before the first. */
+	get calm() {
+		return $.get(calm);
 	},
 	/** The mode of the latest status: for what looks at that alone. */
 	get mode() {

@@ -6,7 +6,7 @@ import { machine } from "../../lib/state/machine.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/position/Large.svelte
-var root = $.from_html(`<output class="large s-ou7780" aria-live="off"> </output> <span> <span> </span></span> <span> <span class="machine"> </span></span>`, 1);
+var root = $.from_html(`<output class="large s-ou7780" aria-live="off"> </output> <span> <span class="to-go"> </span></span> <span> <span class="machine"> </span></span>`, 1);
 var root_1 = $.from_html(`<div class="plain s-ou7780"><!></div>`);
 var root_2 = $.from_html(`<canvas class="s-ou7780"><!></canvas>`);
 var root_3 = $.from_html(`<span class="tools s-ou7780"><!></span>`);
@@ -14,14 +14,14 @@ var root_4 = $.from_html(`<div class="axis s-ou7780"><span> <!></span> <!> <!></
 var root_5 = $.from_html(`<section class="axes s-ou7780" data-testid="axes"><header class="s-ou7780"><h2> </h2> <span class="legend muted s-ou7780"><span> </span><span> </span></span></header> <!></section>`);
 function Large($$anchor, $$props) {
 	$.push($$props, true);
-	const numbers = ($$anchor, axis = $.noop) => {
+	const numbers = ($$anchor, axis = $.noop, $$arg1) => {
+		let position = () => ($$arg1?.()).position;
 		var fragment = root();
 		var output = $.first_child(fragment);
 		var text_1 = $.only_child(output, true);
 		var span = $.sibling(output, 2);
 		var text_2 = $.child(span);
 		var span_1 = $.sibling(text_2);
-		let classes;
 		var text_3 = $.only_child(span_1, true);
 		$.reset(span);
 		var span_2 = $.sibling(span, 2);
@@ -29,21 +29,19 @@ function Large($$anchor, $$props) {
 		var span_3 = $.sibling(text_4);
 		var text_5 = $.only_child(span_3, true);
 		$.reset(span_2);
-		$.template_effect(($0, $1, $2, $3, $4, $5) => {
+		$.template_effect(($0, $1, $2, $3, $4) => {
 			$.set_attribute(output, "aria-label", axis());
 			$.set_text(text_1, $0);
 			$.set_text(text_2, `${$1 ?? ""} `);
-			classes = $.set_class(span_1, 1, "to-go", null, classes, { moves: $2 });
-			$.set_text(text_3, $3);
-			$.set_text(text_4, `${$4 ?? ""} `);
-			$.set_text(text_5, $5);
+			$.set_text(text_3, $2);
+			$.set_text(text_4, `${$3 ?? ""} `);
+			$.set_text(text_5, $4);
 		}, [
-			() => fixed($.get(status).position[$$props.what][axis()]),
+			() => fixed(position()[$$props.what][axis()]),
 			() => t("position.to_go"),
-			() => moves($.get(status), axis()),
-			() => fixed($.get(status).position.to_go[axis()] ?? 0),
+			() => fixed(position().to_go[axis()] ?? 0),
 			() => t("position.machine"),
-			() => fixed($.get(status).position.machine[axis()])
+			() => fixed(position().machine[axis()])
 		]);
 		$.append($$anchor, fragment);
 	};
@@ -77,13 +75,15 @@ function Large($$anchor, $$props) {
 				];
 				const [end, middle] = [width, height / 2];
 				const small = {
-					right: end,
+					edge: end,
+					align: "right",
 					font: `400 ${1.05 * rem}px ${style.fontFamily}`,
 					spacing: 0
 				};
 				return [
 					{
-						right: end - 7.3 * rem,
+						...small,
+						edge: end - 7.3 * rem,
 						middle,
 						font: `500 ${size}px ${style.fontFamily}`,
 						spacing: -.02 * size,
@@ -119,7 +119,7 @@ function Large($$anchor, $$props) {
 		const homed = $.derived(() => $.get(status).referenced.includes(axis));
 		var div = root_4();
 		var span_7 = $.child(div);
-		let classes_1;
+		let classes;
 		var text_9 = $.child(span_7);
 		var node_1 = $.sibling(text_9);
 		var consequent = ($$anchor) => {
@@ -136,7 +136,7 @@ function Large($$anchor, $$props) {
 		var consequent_1 = ($$anchor) => {
 			var div_1 = root_1();
 			var node_3 = $.child(div_1);
-			numbers(node_3, () => axis);
+			numbers(node_3, () => axis, () => $.get(status));
 			$.reset(div_1);
 			$.append($$anchor, div_1);
 		};
@@ -146,7 +146,7 @@ function Large($$anchor, $$props) {
 			$.key(node_4, () => $$props.what, ($$anchor) => {
 				var canvas = root_2();
 				var node_5 = $.child(canvas);
-				numbers(node_5, () => axis);
+				numbers(node_5, () => axis, () => machine.calm);
 				$.reset(canvas);
 				$.attach(canvas, () => sheet(contents(axis), () => $.set(plain, true)));
 				$.append($$anchor, canvas);
@@ -171,7 +171,7 @@ function Large($$anchor, $$props) {
 		$.reset(div);
 		$.template_effect(() => {
 			$.set_attribute(div, "data-axis", axis);
-			classes_1 = $.set_class(span_7, 1, "letter s-ou7780", null, classes_1, { homed: $.get(homed) });
+			classes = $.set_class(span_7, 1, "letter s-ou7780", null, classes, { homed: $.get(homed) });
 			$.set_text(text_9, `${axis ?? ""} `);
 		});
 		$.append($$anchor, div);

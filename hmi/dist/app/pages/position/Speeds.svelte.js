@@ -1,3 +1,4 @@
+import Digits from "../../lib/digits/Digits.svelte.js";
 import { t } from "../../lib/i18n/index.svelte.js";
 import { fixed, percent } from "../../lib/numbers.js";
 import Card from "../../lib/parts/Card.svelte.js";
@@ -7,9 +8,9 @@ import { machine } from "../../lib/state/machine.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/position/Speeds.svelte
-var root = $.from_html(`<dd class="under set s-nidvyw"><span class="field s-nidvyw"><!></span> <span role="status"> </span></dd>`);
-var root_1 = $.from_html(`<small class="s-nidvyw"> </small>`);
-var root_2 = $.from_html(`<dl class="s-nidvyw"><div class="s-nidvyw"><dt class="s-nidvyw">F</dt> <dd class="s-nidvyw"><output class="number wide s-nidvyw" aria-live="off" data-testid="feed"><span class="steady s-nidvyw"> </span></output><small class="s-nidvyw"> </small></dd> <dd class="under s-nidvyw"><span> <b class="number s-nidvyw"> </b></span><span> </span></dd></div> <div class="s-nidvyw"><dt class="s-nidvyw">S</dt> <dd class="s-nidvyw"><output class="number wide s-nidvyw" aria-live="off" data-testid="speed"><span class="steady s-nidvyw"> </span></output><small class="s-nidvyw"> </small> <!></dd> <dd class="under s-nidvyw"><span> <b class="number s-nidvyw" data-testid="speed-programmed"> </b> <b class="number s-nidvyw"> </b></span><span> </span></dd> <!></div> <div class="s-nidvyw"><dt class="s-nidvyw">T</dt> <dd class="s-nidvyw"><output class="number s-nidvyw"> </output> <!></dd> <dd class="under s-nidvyw"><span>H <b class="number s-nidvyw"> </b> · D <b class="number s-nidvyw"> </b></span><span> </span></dd></div></dl>`);
+var root = $.from_html(`<dd class="under set s-3b8yq4"><span class="field s-3b8yq4"><!></span> <span role="status"> </span></dd>`);
+var root_1 = $.from_html(`<small class="s-3b8yq4"> </small>`);
+var root_2 = $.from_html(`<dl class="s-3b8yq4"><div class="s-3b8yq4"><dt class="s-3b8yq4">F</dt> <dd class="s-3b8yq4"><output class="number wide s-3b8yq4" aria-live="off" data-testid="feed"><!></output><small class="s-3b8yq4"> </small></dd> <dd class="under s-3b8yq4"><span> <b class="number s-3b8yq4"> </b></span><span> </span></dd></div> <div class="s-3b8yq4"><dt class="s-3b8yq4">S</dt> <dd class="s-3b8yq4"><output class="number wide s-3b8yq4" aria-live="off" data-testid="speed"><!></output><small class="s-3b8yq4"> </small> <!></dd> <dd class="under s-3b8yq4"><span> <b class="number s-3b8yq4" data-testid="speed-programmed"> </b> <b class="number s-3b8yq4"> </b></span><span> </span></dd> <!></div> <div class="s-3b8yq4"><dt class="s-3b8yq4">T</dt> <dd class="s-3b8yq4"><output class="number s-3b8yq4"> </output> <!></dd> <dd class="under s-3b8yq4"><span>H <b class="number s-3b8yq4"> </b> · D <b class="number s-3b8yq4"> </b></span><span> </span></dd></div></dl>`);
 function Speeds($$anchor, $$props) {
 	$.push($$props, true);
 	let settable = $.prop(
@@ -49,32 +50,32 @@ function Speeds($$anchor, $$props) {
 			var div = $.child(dl);
 			var dd = $.sibling($.child(div), 2);
 			var output = $.child(dd);
-			var span = $.child(output);
-			var text = $.only_child(span, true);
+			var node = $.child(output);
+			Digits(node, { of: ({ feed }) => fixed(feed.actual, 0) });
 			$.reset(output);
 			var small = $.sibling(output);
-			var text_1 = $.only_child(small, true);
+			var text = $.only_child(small, true);
 			$.reset(dd);
 			var dd_1 = $.sibling(dd, 2);
-			var span_1 = $.child(dd_1);
-			var text_2 = $.child(span_1);
-			var b = $.sibling(text_2);
-			var text_3 = $.only_child(b, true);
-			$.reset(span_1);
-			var span_2 = $.sibling(span_1);
+			var span = $.child(dd_1);
+			var text_1 = $.child(span);
+			var b = $.sibling(text_1);
+			var text_2 = $.only_child(b, true);
+			$.reset(span);
+			var span_1 = $.sibling(span);
 			let classes;
-			var text_4 = $.only_child(span_2);
+			var text_3 = $.only_child(span_1);
 			$.reset(dd_1);
 			$.reset(div);
 			var div_1 = $.sibling(div, 2);
 			var dd_2 = $.sibling($.child(div_1), 2);
 			var output_1 = $.child(dd_2);
-			var span_3 = $.child(output_1);
-			var text_5 = $.only_child(span_3, true);
+			var node_1 = $.child(output_1);
+			Digits(node_1, { of: ({ spindle }) => fixed(Math.abs(spindle.actual), 0) });
 			$.reset(output_1);
 			var small_1 = $.sibling(output_1);
-			var text_6 = $.only_child(small_1, true);
-			var node = $.sibling(small_1, 2);
+			var text_4 = $.only_child(small_1, true);
+			var node_2 = $.sibling(small_1, 2);
 			var consequent = ($$anchor) => {
 				Icon($$anchor, {
 					get name() {
@@ -83,33 +84,33 @@ function Speeds($$anchor, $$props) {
 					size: "1.1rem"
 				});
 			};
-			$.if(node, ($$render) => {
+			$.if(node_2, ($$render) => {
 				if ($.get(turns)) $$render(consequent);
 			});
 			$.reset(dd_2);
 			var dd_3 = $.sibling(dd_2, 2);
-			var span_4 = $.child(dd_3);
-			var text_7 = $.child(span_4);
-			var b_1 = $.sibling(text_7);
-			var text_8 = $.only_child(b_1, true);
-			var text_9 = $.sibling(b_1);
-			var b_2 = $.sibling(text_9);
-			var text_10 = $.only_child(b_2, true);
-			$.reset(span_4);
-			var span_5 = $.sibling(span_4);
+			var span_2 = $.child(dd_3);
+			var text_5 = $.child(span_2);
+			var b_1 = $.sibling(text_5);
+			var text_6 = $.only_child(b_1, true);
+			var text_7 = $.sibling(b_1);
+			var b_2 = $.sibling(text_7);
+			var text_8 = $.only_child(b_2, true);
+			$.reset(span_2);
+			var span_3 = $.sibling(span_2);
 			let classes_1;
-			var text_11 = $.only_child(span_5);
+			var text_9 = $.only_child(span_3);
 			$.reset(dd_3);
-			var node_1 = $.sibling(dd_3, 2);
+			var node_3 = $.sibling(dd_3, 2);
 			var consequent_1 = ($$anchor) => {
 				var dd_4 = root();
-				var span_6 = $.child(dd_4);
-				var node_2 = $.child(span_6);
+				var span_4 = $.child(dd_4);
+				var node_4 = $.child(span_4);
 				{
 					let $0 = $.derived(() => t("position.set_speed"));
 					let $1 = $.derived(() => $.get(typed) ?? $.get(spindle).programmed);
 					let $2 = $.derived(() => machine.status.mode !== "mdi");
-					NumberField(node_2, {
+					NumberField(node_4, {
 						get label() {
 							return $.get($0);
 						},
@@ -128,73 +129,69 @@ function Speeds($$anchor, $$props) {
 						onvalue: (value) => value !== null && void set(value)
 					});
 				}
-				$.reset(span_6);
-				var span_7 = $.sibling(span_6, 2);
-				var text_12 = $.only_child(span_7, true);
+				$.reset(span_4);
+				var span_5 = $.sibling(span_4, 2);
+				var text_10 = $.only_child(span_5, true);
 				$.reset(dd_4);
-				$.template_effect(($0) => $.set_text(text_12, $0), [() => machine.status.mode !== "mdi" ? t("position.speed_mdi") : $.get(waits) === null ? "" : t("position.speed_waits", { speed: $.get(waits) })]);
+				$.template_effect(($0) => $.set_text(text_10, $0), [() => machine.status.mode !== "mdi" ? t("position.speed_mdi") : $.get(waits) === null ? "" : t("position.speed_waits", { speed: $.get(waits) })]);
 				$.append($$anchor, dd_4);
 			};
-			$.if(node_1, ($$render) => {
+			$.if(node_3, ($$render) => {
 				if (settable()) $$render(consequent_1);
 			});
 			$.reset(div_1);
 			var div_2 = $.sibling(div_1, 2);
 			var dd_5 = $.sibling($.child(div_2), 2);
 			var output_2 = $.child(dd_5);
-			var text_13 = $.only_child(output_2, true);
-			var node_3 = $.sibling(output_2, 2);
+			var text_11 = $.only_child(output_2, true);
+			var node_5 = $.sibling(output_2, 2);
 			var consequent_2 = ($$anchor) => {
 				var small_2 = root_1();
-				var text_14 = $.only_child(small_2, true);
-				$.template_effect(($0) => $.set_text(text_14, $0), [() => t("position.called", { tool: $.get(spindle).called_tool })]);
+				var text_12 = $.only_child(small_2, true);
+				$.template_effect(($0) => $.set_text(text_12, $0), [() => t("position.called", { tool: $.get(spindle).called_tool })]);
 				$.append($$anchor, small_2);
 			};
-			$.if(node_3, ($$render) => {
+			$.if(node_5, ($$render) => {
 				if ($.get(spindle).called_tool !== $.get(spindle).tool) $$render(consequent_2);
 			});
 			$.reset(dd_5);
 			var dd_6 = $.sibling(dd_5, 2);
-			var span_8 = $.child(dd_6);
-			var b_3 = $.sibling($.child(span_8));
-			var text_15 = $.only_child(b_3, true);
+			var span_6 = $.child(dd_6);
+			var b_3 = $.sibling($.child(span_6));
+			var text_13 = $.only_child(b_3, true);
 			var b_4 = $.sibling(b_3, 2);
-			var text_16 = $.only_child(b_4, true);
-			$.reset(span_8);
-			var span_9 = $.sibling(span_8);
-			var text_17 = $.only_child(span_9);
+			var text_14 = $.only_child(b_4, true);
+			$.reset(span_6);
+			var span_7 = $.sibling(span_6);
+			var text_15 = $.only_child(span_7);
 			$.reset(dd_6);
 			$.reset(div_2);
 			$.reset(dl);
-			$.template_effect(($0, $1, $2, $3, $4, $5, $6, $7, $8, $9, $10, $11, $12, $13, $14, $15, $16) => {
+			$.template_effect(($0, $1, $2, $3, $4, $5, $6, $7, $8, $9, $10, $11, $12, $13, $14) => {
 				$.set_text(text, $0);
-				$.set_text(text_1, $1);
-				$.set_text(text_2, `${$2 ?? ""} `);
-				$.set_text(text_3, $3);
-				classes = $.set_class(span_2, 1, "override s-nidvyw", null, classes, { off: $4 });
-				$.set_text(text_4, `${$5 ?? ""} %`);
-				$.set_attribute(output_1, "title", $6);
-				$.set_text(text_5, $7);
+				$.set_text(text_1, `${$1 ?? ""} `);
+				$.set_text(text_2, $2);
+				classes = $.set_class(span_1, 1, "override s-3b8yq4", null, classes, { off: $3 });
+				$.set_text(text_3, `${$4 ?? ""} %`);
+				$.set_attribute(output_1, "title", $5);
+				$.set_text(text_4, $6);
+				$.set_text(text_5, `${$7 ?? ""} `);
 				$.set_text(text_6, $8);
-				$.set_text(text_7, `${$9 ?? ""} `);
+				$.set_text(text_7, ` · ${$9 ?? ""} `);
 				$.set_text(text_8, $10);
-				$.set_text(text_9, ` · ${$11 ?? ""} `);
-				$.set_text(text_10, $12);
-				classes_1 = $.set_class(span_5, 1, "override s-nidvyw", null, classes_1, { off: $13 });
-				$.set_text(text_11, `${$14 ?? ""} %`);
-				$.set_text(text_13, $.get(spindle).tool);
-				$.set_text(text_15, machine.status.program.h);
-				$.set_text(text_16, machine.status.program.d);
-				$.set_text(text_17, `${$15 ?? ""} ${$16 ?? ""} %`);
+				classes_1 = $.set_class(span_3, 1, "override s-3b8yq4", null, classes_1, { off: $11 });
+				$.set_text(text_9, `${$12 ?? ""} %`);
+				$.set_text(text_11, $.get(spindle).tool);
+				$.set_text(text_13, machine.status.program.h);
+				$.set_text(text_14, machine.status.program.d);
+				$.set_text(text_15, `${$13 ?? ""} ${$14 ?? ""} %`);
 			}, [
-				() => fixed($.get(feed).actual, 0),
 				() => t("unit.mm_min"),
 				() => t("position.programmed"),
 				() => fixed($.get(feed).programmed, 0),
 				() => Math.round($.get(feed).feed_override * 100) !== 100,
 				() => percent($.get(feed).feed_override),
 				() => t("position.actual"),
-				() => fixed(Math.abs($.get(spindle).actual), 0),
 				() => t("unit.rpm"),
 				() => t("position.programmed"),
 				() => fixed($.get(spindle).programmed, 0),

@@ -1,3 +1,4 @@
+import Digits from "../../lib/digits/Digits.svelte.js";
 import { t } from "../../lib/i18n/index.svelte.js";
 import { duration } from "../../lib/numbers.js";
 import Button from "../../lib/parts/Button.svelte.js";
@@ -7,7 +8,7 @@ import { machine } from "../../lib/state/machine.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/position/Times.svelte
-var root = $.from_html(`<dl class="s-3nab8q"><dt class="s-3nab8q"> </dt> <dd class="number parts s-3nab8q" data-testid="parts"><!></dd> <!> <dt class="s-3nab8q"> </dt> <dd class="number time s-3nab8q"><span class="steady"> </span></dd> <!> <dt class="s-3nab8q"> </dt> <dd class="number time s-3nab8q"><span class="steady"> </span></dd> <!> <dt class="s-3nab8q"> </dt> <dd class="number time s-3nab8q"><span class="steady"> </span></dd></dl>`);
+var root = $.from_html(`<dl class="s-3nab8q"><dt class="s-3nab8q"> </dt> <dd class="number parts s-3nab8q" data-testid="parts"><!></dd> <!> <dt class="s-3nab8q"> </dt> <dd class="number time s-3nab8q"><!></dd> <!> <dt class="s-3nab8q"> </dt> <dd class="number time s-3nab8q"><!></dd> <!> <dt class="s-3nab8q"> </dt> <dd class="number time s-3nab8q"><!></dd></dl>`);
 function Times($$anchor, $$props) {
 	$.push($$props, true);
 	const counters = $.derived(() => machine.status.counters);
@@ -57,13 +58,13 @@ function Times($$anchor, $$props) {
 			var dt_1 = $.sibling(node_1, 2);
 			var text_1 = $.only_child(dt_1, true);
 			var dd_1 = $.sibling(dt_1, 2);
-			var span = $.child(dd_1);
-			var text_2 = $.only_child(span, true);
+			var node_2 = $.child(dd_1);
+			Digits(node_2, { of: ({ counters }) => duration(counters.run_time) });
 			$.reset(dd_1);
-			var node_2 = $.sibling(dd_1, 2);
+			var node_3 = $.sibling(dd_1, 2);
 			{
 				let $0 = $.derived(() => t("position.clear", { what: t("position.run_time") }));
-				Button(node_2, {
+				Button(node_3, {
 					kind: "quiet",
 					icon: "reset",
 					get "aria-label"() {
@@ -72,16 +73,16 @@ function Times($$anchor, $$props) {
 					onclick: () => clear("run-time")
 				});
 			}
-			var dt_2 = $.sibling(node_2, 2);
-			var text_3 = $.only_child(dt_2, true);
+			var dt_2 = $.sibling(node_3, 2);
+			var text_2 = $.only_child(dt_2, true);
 			var dd_2 = $.sibling(dt_2, 2);
-			var span_1 = $.child(dd_2);
-			var text_4 = $.only_child(span_1, true);
+			var node_4 = $.child(dd_2);
+			Digits(node_4, { of: ({ counters }) => duration(counters.cutting_time) });
 			$.reset(dd_2);
-			var node_3 = $.sibling(dd_2, 2);
+			var node_5 = $.sibling(dd_2, 2);
 			{
 				let $0 = $.derived(() => t("position.clear", { what: t("position.cutting_time") }));
-				Button(node_3, {
+				Button(node_5, {
 					kind: "quiet",
 					icon: "reset",
 					get "aria-label"() {
@@ -90,30 +91,24 @@ function Times($$anchor, $$props) {
 					onclick: () => clear("cutting-time")
 				});
 			}
-			var dt_3 = $.sibling(node_3, 2);
-			var text_5 = $.only_child(dt_3, true);
+			var dt_3 = $.sibling(node_5, 2);
+			var text_3 = $.only_child(dt_3, true);
 			var dd_3 = $.sibling(dt_3, 2);
-			var span_2 = $.child(dd_3);
-			var text_6 = $.only_child(span_2, true);
+			var node_6 = $.child(dd_3);
+			Digits(node_6, { of: ({ counters }) => duration(counters.power_on_time) });
 			$.reset(dd_3);
 			$.reset(dl);
-			$.template_effect(($0, $1, $2, $3, $4, $5, $6) => {
+			$.template_effect(($0, $1, $2, $3) => {
 				$.set_text(text, $0);
 				$.set_attribute(dd, "data-parts", $.get(counters).parts);
 				$.set_text(text_1, $1);
 				$.set_text(text_2, $2);
 				$.set_text(text_3, $3);
-				$.set_text(text_4, $4);
-				$.set_text(text_5, $5);
-				$.set_text(text_6, $6);
 			}, [
 				() => t("position.parts"),
 				() => t("position.run_time"),
-				() => duration($.get(counters).run_time),
 				() => t("position.cutting_time"),
-				() => duration($.get(counters).cutting_time),
-				() => t("position.power_on_time"),
-				() => duration($.get(counters).power_on_time)
+				() => t("position.power_on_time")
 			]);
 			$.append($$anchor, dl);
 		},
