@@ -213,7 +213,11 @@ impl Applier {
             Change::Counter { counter, value } => named(value.is_finite() && *value >= 0.0, counter.name()),
             Change::Alarm(alarm) => named(rows::fits(alarm), &alarm.id),
             Change::LastPosition(last) => named(last.position.is_finite(), "position"),
-            Change::Ladder { .. } | Change::Interrupted(_) | Change::ClearAlarms | Change::ClearLog => Ok(()),
+            Change::Ladder { .. }
+            | Change::Interrupted(_)
+            | Change::Session(_)
+            | Change::ClearAlarms
+            | Change::ClearLog => Ok(()),
         }
     }
 
@@ -287,6 +291,21 @@ impl Applier {
                 let old = self.database.count(&ALARM).to_string();
                 self.database.clear(&ALARM)?;
                 log.changed(self, Item::Alarms, "all", old, "0".to_owned())
+            }
+            Change::Session(note) => {
+                let (name, to) = note.names();
+                let (level, who) = (author.level(), author.name().to_owned());
+                let (item, from) = ("rights".to_owned(), String::new());
+                let entry = LogEntry {
+                    time: log.time,
+                    level,
+                    who,
+                    item,
+                    name: name.to_owned(),
+                    from,
+                    to: to.to_owned(),
+                };
+                self.log(&entry)
             }
             Change::ClearLog => {
                 let old = self.database.count(&LOG).to_string();

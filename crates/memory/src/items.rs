@@ -300,6 +300,28 @@ pub struct InterruptedRun {
     pub at: Option<Position>,
 }
 
+/// What a person's session came to, for the operation log.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum SessionNote {
+    /// He commands the machine.
+    TakesCommand,
+    /// He commands it no longer: given up, or his connection has ended.
+    LeavesCommand,
+    /// He logged out of a panel.
+    LogsOut,
+}
+
+impl SessionNote {
+    /// What the log calls it, and what it came to.
+    pub fn names(self) -> (&'static str, &'static str) {
+        match self {
+            SessionNote::TakesCommand => ("command", "taken"),
+            SessionNote::LeavesCommand => ("command", "left"),
+            SessionNote::LogsOut => ("log out", "right"),
+        }
+    }
+}
+
 /// A change to the memory.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Change {
@@ -422,6 +444,8 @@ pub enum Change {
     ClearAlarms,
     /// Empties the operation log; that it was emptied stays in it.
     ClearLog,
+    /// Notes in the operation log who may do what from now on.
+    Session(SessionNote),
     /// Says where the axes stand.
     LastPosition(LastPosition),
     /// Says where a run was broken off; none when it came to its end.

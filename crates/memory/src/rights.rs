@@ -98,6 +98,7 @@ pub fn needed(table: &ParameterTable, change: &Change) -> Level {
         | Change::Signal { .. }
         | Change::Ladder { .. }
         | Change::Force { .. } => Level::Builder,
+        Change::Session(_) => Level::Operator,
         Change::Alarm(_) | Change::LastPosition(_) | Change::Interrupted(_) => Level::Maker,
     }
 }
