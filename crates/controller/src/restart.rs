@@ -13,7 +13,7 @@
 //! What the search starts from:
 //!
 //! - [`Origin::Kept`]: the control's state when the program was started, which a [`Journal`] keeps, with what was
-//!   changed by hand since then (a worn tool's offset, a zero). What the first run wrote itself is not taken twice:
+//!   changed by hand since then, under way or broken off (a worn tool's offset, a zero). What the first run wrote itself is not taken twice:
 //!   a program that counts parts in #500 counts this one once. What the machine told the program then (where a skip
 //!   signal came) is told again. This is the P type of the Fanuc 0i-M, for a broken tool.
 //! - [`Origin::Present`]: the present state stands for it, where none was kept: after power-off, or for a program
@@ -37,6 +37,9 @@ pub use told::{Compared, Difference, Setting};
 
 /// Answers of the machine that are kept, 240 bytes each: far more than a part has places to measure.
 const MOST_ANSWERS: usize = 10_000;
+
+/// Changes by hand that are kept with their blocks.
+const MOST_CHANGES: usize = 1000;
 
 /// M codes and outputs that are kept in the order in which they came last.
 const MOST_FUNCTIONS: usize = 100;
@@ -80,6 +83,8 @@ pub struct Journal {
     renamed: Position,
     origin: Origin,
     answers: VecDeque<Answer>,
+    /// What somebody changed by hand while it ran, and how many blocks were begun then.
+    by_hand: VecDeque<(u64, MemoryChange)>,
     interrupted: Option<Interrupted>,
     /// Where the axes stood in a run of which nothing else was kept.
     stood: Option<Position>,
@@ -122,6 +127,7 @@ impl Journal {
             renamed,
             origin: Origin::Kept,
             answers: VecDeque::new(),
+            by_hand: VecDeque::new(),
             interrupted: None,
             stood: None,
             left: None,
@@ -146,6 +152,16 @@ impl Journal {
         if self.answers.len() < MOST_ANSWERS {
             self.answers.push_back(Answer { block, at_rest });
         }
+    }
+
+    /// Notes a change that somebody made by hand while the run was under way, when so many blocks were begun.
+    pub fn change(&mut self, block: u64, change: MemoryChange) {
+        if self.by_hand.len() == MOST_CHANGES {
+            // The oldest holds from the start on.
+            let oldest = self.by_hand.pop_front();
+            oldest.iter().for_each(|(_, change)| self.start.change_memory(change));
+        }
+        self.by_hand.push_back((block, change));
     }
 
     /// Notes where a run was broken off, and the memory that it left.
@@ -220,6 +236,9 @@ impl Journal {
             }
             alarm
         })?;
+        for (block, _) in &mut journal.by_hand {
+            *block = interpreter.blocks_begun().min(*block);
+        }
         let pass = interpreter.passes_of_mark();
         let span = interpreter.next_block().unwrap_or(span);
         interpreter.set_mark(None);
@@ -272,9 +291,12 @@ impl Journal {
         let mut at = Interpreter::position(interpreter);
         let mut answers = self.answers.iter().peekable();
         interpreter.set_mark_within(until, most);
-        while !stop.load(Ordering::Relaxed)
-            && let Some(step) = interpreter.next()
-        {
+        let mut by_hand = self.by_hand.iter().peekable();
+        while !stop.load(Ordering::Relaxed) {
+            while let Some((_, change)) = by_hand.next_if(|(block, _)| *block <= interpreter.blocks_begun()) {
+                interpreter.change_memory(change);
+            }
+            let Some(step) = interpreter.next() else { break };
             let step = step?;
             match &step.op {
                 // Where the signal came, and then the barrier behind it.
@@ -308,6 +330,8 @@ impl Journal {
             }
         }
         if interpreter.is_at_mark() {
+            // What was changed behind the place is so all the same.
+            by_hand.for_each(|(_, change)| interpreter.change_memory(change));
             return Ok(functions);
         }
         let passes = interpreter.passes_of_mark();

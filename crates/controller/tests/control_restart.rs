@@ -4,8 +4,9 @@
 mod common;
 
 use common::shop::Shop;
-use ferrocut_controller::api::{Activity, Command, Event, Reply, RestartPlan, Status};
+use ferrocut_controller::api::{Activity, Command, Event, OffsetValues, Reply, RestartPlan, Status};
 use ferrocut_controller::{Mode, Parts};
+use ferrocut_geometry::Axis;
 use ferrocut_machine::Machine;
 use ferrocut_memory::{Settings, Store};
 use std::path::Path;
@@ -245,6 +246,67 @@ fn the_key_prepares_what_was_interrupted_and_cycle_start_carries_it_out() {
     let done = shop.until_it_stops();
     assert_eq!((done.activity, done.counters.parts, done.interrupted), (Activity::Idle, 1, None));
     assert!(!shop.control.outputs().restarting);
+}
+
+/// Values that somebody enters while the program runs, waits or is held are in force from then on: in the run, and in the one
+/// that takes it up.
+#[test]
+fn what_was_entered_under_way_holds_when_the_run_is_taken_up() {
+    let folder = tempfile::tempdir().unwrap();
+    // It sets G55 itself, behind the change of it, and counts in #501 from what was entered.
+    let part = "O1\nG54 G90 G0 Z10\nM3 S1200\nG1 X10 F3000\nM0\nG10 L2 P2 X7 Y0 Z0\n#501=#501+1\nG1 X20\nX80 F600\nG43 H1 X100\nM30\n";
+    let values = |shop: &Shop| {
+        let memory = shop.control.interpreter().memory();
+        let length = memory.tools.get(1).unwrap().length_wear;
+        let zeros = memory.work.standard;
+        (length, zeros[0][Axis::Y], zeros[1][Axis::X], memory.variables.get(501))
+    };
+    let entered = (0.5, 2.0, 7.0, Some(42.0));
+    {
+        let mut shop = shop_on(folder.path());
+        shop.store("O0001", part);
+        shop.select("O1");
+        shop.start();
+        let stopped = shop.until_it_stops();
+        assert_eq!(stopped.activity, Activity::Stopped, "at M0");
+        shop.mode(Mode::Mdi);
+        shop.say(Command::SetZero { system: "G55".into(), axes: [('X', 3.0)].into(), add: false });
+        shop.say(Command::SetVariable { number: 501, value: Some(41.0) });
+        shop.control.flush().unwrap();
+        shop.wait(50);
+        shop.mode(Mode::Auto);
+        shop.start();
+        shop.wait(400);
+        shop.hold();
+        shop.until_it_stops();
+        shop.mode(Mode::Mdi);
+        shop.say(Command::SetOffset {
+            number: 1,
+            values: OffsetValues { length_wear: Some(0.5), ..OffsetValues::default() },
+            add: false,
+        });
+        shop.say(Command::SetZero { system: "G54".into(), axes: [('Y', 2.0)].into(), add: false });
+        shop.control.flush().unwrap();
+        shop.wait(50);
+        shop.mode(Mode::Auto);
+        shop.start();
+        shop.wait(200);
+        assert_eq!(values(&shop), entered);
+        shop.say(Command::EmergencyStop { pressed: true });
+        shop.wait(500);
+        shop.say(Command::EmergencyStop { pressed: false });
+        shop.say(Command::Reset);
+        shop.wait(20);
+        let plan = prepared(&mut shop, restart(None, true)).unwrap();
+        assert_eq!((plan.line, plan.changes), (9, 0));
+        shop.start();
+        shop.wait(100);
+        assert_eq!(values(&shop), entered, "the run that takes it up");
+        let ended = shop.until_it_stops();
+        assert_eq!((ended.activity, values(&shop)), (Activity::Idle, entered));
+        shop.control.flush().unwrap();
+    }
+    assert_eq!(values(&shop_on(folder.path())), entered, "on the disk");
 }
 
 #[test]

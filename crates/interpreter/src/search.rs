@@ -181,6 +181,17 @@ impl Interpreter {
         self.options.loops_forever = forever;
     }
 
+    /// Somebody changes a value of the memory by hand: what follows from it does too.
+    pub fn change_memory(&mut self, change: &ferrocut_machine::MemoryChange) {
+        use ferrocut_machine::MemoryChange;
+        self.memory.make_change(change);
+        match change {
+            MemoryChange::WorkOffset(..) => self.zeros_changed(),
+            MemoryChange::Parameter(..) | MemoryChange::ReferencePoint(..) => self.parameters_changed(),
+            _ => {}
+        }
+    }
+
     /// A memory that others changed takes the place of the interpreter's before its first block.
     pub fn set_memory(&mut self, memory: ferrocut_machine::Memory) {
         self.rules = (self.dialect.rules)(&memory.parameters);

@@ -4,7 +4,7 @@ use super::{Cnc, State};
 use crate::restart::{Interrupted, Journal, Present, Restart};
 use ferrocut_geometry::Position;
 use ferrocut_interpreter::AtRest;
-use ferrocut_machine::{Alarm, Fault};
+use ferrocut_machine::{Alarm, Fault, MemoryChange};
 use ferrocut_program::Span;
 use ferrocut_toolpath::{SpindleState, Step};
 use std::collections::VecDeque;
@@ -43,6 +43,19 @@ impl Cnc {
     /// What is kept of the run, once it was started: until another program is loaded, or this one anew.
     pub fn journal(&self) -> Option<&Journal> {
         self.taking_up.journal.as_deref()
+    }
+
+    /// Somebody changes a value of the memory by hand. A run that is taken up has it from the block on that was being read
+    /// then, as this run has.
+    pub fn change_memory(&mut self, change: MemoryChange) {
+        let interpreter = self.interpreter.own();
+        interpreter.change_memory(&change);
+        let block = interpreter.blocks_begun();
+        if let Some(journal) = &mut self.taking_up.journal
+            && journal.interrupted().is_none()
+        {
+            journal.change(block, change);
+        }
     }
 
     /// Takes the journal of a run that is over.

@@ -12,11 +12,11 @@ use super::{Control, alarm, exchange};
 use crate::api::{AlarmInfo, Event};
 use ferrocut_geometry::Position;
 use ferrocut_interpreter::Interpreter;
-use ferrocut_machine::{Alarm, Fault, Memory, ParameterKey, ToolOffset, WorkOffset};
+use ferrocut_machine::{Alarm, Fault, Memory, MemoryChange, ParameterKey, ToolOffset, WorkOffset};
 use ferrocut_memory::control::{ENTERED, KEPT_VARIABLES, changes, enter};
 use ferrocut_memory::{
-    AlarmEntry, Author, Change, Counter, InterruptedRun, Item, LastPosition, Pending, PlcArea, SignalSize,
-    Store,
+    AlarmEntry, Author, Change, Counter, InterruptedRun, Item, LastPosition, Pending, PlcArea, SessionNote,
+    SignalSize, Store,
 };
 use ferrocut_plc::{Address, Area, Plc};
 use ferrocut_program::FileId;
@@ -454,38 +454,12 @@ impl Control {
 
     /// Makes a change where the control has what it is of.
     fn make(&mut self, change: &Change) {
-        let memory = self.cnc.interpreter_mut().memory_mut();
+        if let Some(change) = memory_change(change, self.cnc.interpreter().memory()) {
+            self.cnc.change_memory(change);
+        }
         match change {
-            Change::Offset { number, offset } => {
-                if let Some(row) = memory.tools.get_mut(*number) {
-                    *row = *offset;
-                }
-            }
-            Change::WorkZero { name, zero } => {
-                if let Some(place) = memory.work.get_mut(*name) {
-                    *place = *zero;
-                }
-                self.cnc.interpreter_mut().zeros_changed();
-            }
-            Change::Variable { name, value } => {
-                use ferrocut_machine::setup::VariableName;
-                // Its number and room were judged before.
-                let _ = match name {
-                    VariableName::Number(number) => memory.variables.set(*number, *value),
-                    VariableName::Named(name) => memory.variables.set_named(name, *value),
-                };
-            }
-            Change::Parameter { key, value } => {
-                let table = memory.parameters.table();
-                let delivered = ferrocut_machine::Parameters::new(table).get(key);
-                // Judged before.
-                let _ = memory.set_parameter(key, value.unwrap_or(delivered));
-                let is_under_way = self.cnc.is_under_way();
-                let interpreter = self.cnc.interpreter_mut();
-                interpreter.parameters_changed();
-                if *key == INPUT_UNIT && !is_under_way {
-                    interpreter.unit_changed();
-                }
+            Change::Parameter { key, .. } if *key == INPUT_UNIT && !self.cnc.is_under_way() => {
+                self.cnc.interpreter_mut().unit_changed();
             }
             Change::Counter { counter, value } => {
                 self.counters.set(*counter, *value);
@@ -496,13 +470,6 @@ impl Control {
                 if let Some(plc) = &mut self.plc {
                     set_signal(plc, area_of(*area), *first, *size, *value);
                 }
-            }
-            Change::ReferencePoint { number, position } => {
-                let place = usize::from(*number).checked_sub(1);
-                if let Some(place) = place.and_then(|n| memory.reference_points.get_mut(n)) {
-                    *place = *position;
-                }
-                self.cnc.interpreter_mut().parameters_changed();
             }
             Change::Pitch { axis, point, value } => {
                 self.pitch.insert((*axis, *point), *value);
@@ -520,6 +487,13 @@ impl Control {
         }
     }
 
+    /// Notes in the operation log, where one is kept, who commands.
+    pub fn note_session(&mut self, author: &Author, note: SessionNote) {
+        if let Some(keeping) = &mut self.keeping {
+            keeping.put(author, vec![Change::Session(note)]);
+        }
+    }
+
     /// What was loaded and kept of the text of a program is no longer so.
     fn text_changed(&mut self, name: &str) {
         if self.loaded == super::Loaded::Auto(name.to_owned()) {
@@ -528,6 +502,29 @@ impl Control {
         self.reading.forget(name);
         self.taking_up.program_changed();
     }
+}
+
+/// A change of what programs see of the memory.
+fn memory_change(change: &Change, memory: &Memory) -> Option<MemoryChange> {
+    use ferrocut_machine::setup::VariableName;
+    Some(match change {
+        Change::Offset { number, offset } => MemoryChange::ToolOffset(*number, *offset),
+        Change::WorkZero { name, zero } => MemoryChange::WorkOffset(*name, *zero),
+        Change::Variable { name: VariableName::Number(number), value } => {
+            MemoryChange::Variable(*number, *value)
+        }
+        Change::Variable { name: VariableName::Named(name), value } => {
+            MemoryChange::Named(name[..].into(), *value)
+        }
+        Change::Parameter { key, value } => {
+            let delivered = || ferrocut_machine::Parameters::new(memory.parameters.table()).get(key);
+            MemoryChange::Parameter(key.clone(), value.unwrap_or_else(delivered))
+        }
+        Change::ReferencePoint { number, position } => {
+            MemoryChange::ReferencePoint(usize::from(*number).checked_sub(1)?, *position)
+        }
+        _ => return None,
+    })
 }
 
 /// What a change is of that fronts are told of.
