@@ -50,9 +50,11 @@ pub enum Command {
     },
     /// The handwheel was turned.
     Handwheel {
-        /// Counts; clockwise positive.
+        /// Counts; clockwise positive. Those that wait are 1000 at most, ten turns.
         counts: i32,
     },
+    /// Axes that are moved by hand come to rest: steps and counts of the handwheel that are left are lost.
+    StopByHand,
     /// The button for emergency stop.
     EmergencyStop {
         /// Pressed, or released.
@@ -1509,6 +1511,7 @@ mod tests {
     fn commands_are_objects_named_by_do() {
         for (command, json) in [
             (Command::Reset, r#"{"do":"reset"}"#),
+            (Command::StopByHand, r#"{"do":"stop_by_hand"}"#),
             (
                 Command::Key { key: "KEY_START".into(), down: true },
                 r#"{"do":"key","key":"KEY_START","down":true}"#,

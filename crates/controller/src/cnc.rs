@@ -459,6 +459,7 @@ impl Cnc {
     }
 
     fn come_to_rest(&mut self) {
+        self.hold_return();
         self.manual.stop();
         self.homing.abort();
         self.probing = None;
@@ -488,8 +489,12 @@ impl Cnc {
         if self.manual.overrides() == (manual_feed, manual_rapid) {
             return;
         }
-        if self.manual.is_held() {
-            self.take_by_hand();
+        if self.manual.is_held() && self.take_by_hand() {
+            // An axis that an override of 0 has stopped begins anew.
+            let begins =
+                self.machine_axes.iter().filter(|axis| self.manual.holds(*axis) && self.manual.stands(*axis));
+            let begins: AxisSet = begins.collect();
+            begins.iter().for_each(|axis| self.keep_out_beside(axis, begins));
         }
         self.manual.set_override(manual_feed, manual_rapid);
     }
@@ -524,6 +529,13 @@ impl Cnc {
             self.manual.wheel(axis, self.steps_off_switch(axis, counts, increment), increment);
         }
         takes
+    }
+
+    /// Axes that steps, counts or keys move by hand come to rest; keys must be pressed anew.
+    pub fn stop_by_hand(&mut self) {
+        if self.manual.is_active && !self.homing.is_active() && !self.returns() {
+            self.manual.stop();
+        }
     }
 
     /// Gives the axes to whoever moves them by hand, if no program has them.
@@ -749,6 +761,7 @@ impl Cnc {
             self.fail(&fault);
         }
         self.watch_switches();
+        self.watch_strokes(&command.position);
         self.note_reference(&command.position);
         command.position
     }

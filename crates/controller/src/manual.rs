@@ -213,19 +213,24 @@ impl Manual {
         }
     }
 
-    /// Goes a way as positioning does, under the rapid override.
-    pub fn go_by(&mut self, axis: Axis, way: f64) {
+    /// Goes to a place as positioning does, under the rapid override.
+    pub fn go_at_rapid(&mut self, axis: Axis, place: f64) {
         let rapid = self.of(axis).rapid;
         let speed = if self.rapid == 0.0 { self.config.rapid_f0 / 60.0 } else { rapid * self.rapid };
         self.let_go(axis);
-        if way != 0.0 {
-            self.jog.step(axis, 1, way, speed.min(rapid));
+        if place != self.at(axis) {
+            self.jog.go(axis, place, speed.min(rapid));
         }
     }
 
     /// Whether a key is held, also one that moves nothing now.
     pub fn is_held(&self) -> bool {
         self.held.iter().any(Option::is_some)
+    }
+
+    /// Whether the key of an axis is held.
+    pub fn holds(&self, axis: Axis) -> bool {
+        self.held.get(axis.index()).is_some_and(Option::is_some)
     }
 
     /// Stops all axes; keys must be pressed anew.

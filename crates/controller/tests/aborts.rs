@@ -16,11 +16,11 @@ use ferrocut_geometry::{Axis, Position};
 use ferrocut_interpreter::{Interpreter, Until};
 use ferrocut_machine::setup::VariableName;
 use ferrocut_machine::{AxisConfig, Machine, WorkOffset};
-use ferrocut_memory::{Counter, Item, Settings, Store};
+use ferrocut_memory::{Author, Counter, Item, Session, Settings, Store};
 use ferrocut_toolpath::SpindleState;
 use panel::Mill;
 use std::fmt::Write;
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
 /// Aborts that are tried; `FERROCUT_CASES` says otherwise.
 const ABORTS: usize = 150;
@@ -282,11 +282,60 @@ const TOOL_CHANGE: &str = include_str!("../../../machines/tool-change.nc");
 /// Its tapping: depth from the retract plane, and the speed of the spindle, mm and r/min.
 const TAP: [f64; 2] = [4.0, 800.0];
 
-/// Periods that the machine goes on by, with nobody looking; the last one in which an axis was moved, from 1.
+/// Periods that the machine goes on by, with nobody looking; the last one in which an axis was moved, from 1. None of them
+/// takes an axis farther than its rapid speed does.
 fn run(mill: &mut Mill, periods: usize) -> usize {
-    let last = (1..=periods).filter(|_| mill.control.tick().moving).last();
+    static FARTHEST: LazyLock<Vec<(Axis, f64)>> = LazyLock::new(|| {
+        let machine = Machine::demo_mill();
+        let way = |axis: &AxisConfig| (axis.name, 1.001 * axis.rapid / 60_000.0 * machine.servo_period_ms);
+        machine.axes.iter().map(way).collect()
+    });
+    let (mut last, mut at) = (0, None::<Position>);
+    for period in 1..=periods {
+        let tick = mill.control.tick();
+        if tick.moving {
+            last = period;
+        }
+        let before = at.replace(tick.position).unwrap_or(tick.position);
+        for (axis, farthest) in FARTHEST.iter() {
+            let way = (tick.position[*axis] - before[*axis]).abs();
+            assert!(way <= *farthest, "{axis:?} jumps by {way} mm");
+        }
+    }
     mill.control.events();
-    last.unwrap_or(0)
+    last
+}
+
+/// Holds the run where that can be done, and moves the axes aside by hand or back along the path. Then the run goes on, so
+/// that what comes next meets it on a way back, or shortly behind it.
+fn intervene(mill: &mut Mill, random: &mut Random) {
+    press(mill, "KEY_HOLD");
+    for _ in 0..40 {
+        run(mill, 50);
+        let status = mill.control.status();
+        if status.activity == Activity::Held && status.feed.actual == 0.0 {
+            break;
+        }
+    }
+    if mill.control.status().activity != Activity::Held {
+        return;
+    }
+    if random.below(3) == 0 {
+        // Refused where nothing was cut yet.
+        let author = Author::Person { session: Session::OPERATOR, name: "panel".into() };
+        let _ = mill.control.command(Command::Retrace, &author);
+        run(mill, random.below(150));
+        return;
+    }
+    press(mill, "KEY_JOG");
+    let key = random.one(&["KEY_Z+", "KEY_X+", "KEY_Y-"]);
+    mill.say(Command::Key { key: key.into(), down: true });
+    run(mill, KEY_MS + random.below(400));
+    mill.say(Command::Key { key: key.into(), down: false });
+    run(mill, 500);
+    press(mill, "KEY_AUTO");
+    press(mill, "KEY_START");
+    run(mill, random.below(300));
 }
 
 /// The same counted from an earlier instant.
@@ -457,6 +506,10 @@ fn abort_whole(mut random: Random, aborts: usize, is_kept: bool) {
         assert!(begun.program_mode.is_some() && begun.interrupted.is_none(), "case {case}: {begun:?}");
         let instant = random.below(length);
         run(&mut mill, instant);
+        let intervened = random.below(6) == 0;
+        if intervened {
+            intervene(&mut mill, &mut random);
+        }
         let how = random.below(4);
         let mut before = mill.control.status();
         // When an axis was moved last, and how long ago that was asked to end.
@@ -481,7 +534,7 @@ fn abort_whole(mut random: Random, aborts: usize, is_kept: bool) {
             // Another mode takes the program's way first.
             _ => press(&mut mill, random.one(&["KEY_JOG", "KEY_MDI", "KEY_EDIT"])),
         }
-        let place = format!("case {case}, {how} at {instant} of {length}, {}", before.program.block);
+        let place = format!("case {case}, {how} {intervened} at {instant} of {length}, {}", before.program.block);
         if how > 0 {
             before = mill.control.status();
         }

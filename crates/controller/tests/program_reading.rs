@@ -75,11 +75,16 @@ fn a_program_starts_when_its_text_has_come() {
 }
 
 #[test]
-fn reset_hold_and_another_mode_take_the_start_back() {
+fn reset_emergency_stop_hold_and_another_mode_take_the_start_back() {
     let mut shop = Shop::new(&[]);
     shop.control.work_beside().unwrap();
-    let takes_back: [fn(&mut Shop); 3] = [
+    let takes_back: [fn(&mut Shop); 4] = [
         |shop| drop(shop.say(Command::Reset)),
+        |shop| {
+            shop.say(Command::EmergencyStop { pressed: true });
+            shop.wait(2);
+            shop.say(Command::EmergencyStop { pressed: false });
+        },
         |shop| shop.hold(),
         |shop| {
             shop.mode(Mode::Mdi);

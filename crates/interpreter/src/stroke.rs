@@ -83,21 +83,8 @@ impl Interpreter {
             return None;
         }
         let (min, max) = op.extent(from)?;
-        if stroke.first_is_set
-            && let Some((index, upper)) = self.outside(&stroke.first, min, max)
-        {
-            let id = self.dialect.soft_limit_id(index, upper);
-            let mut alarm = Alarm::new(id, Fault::SoftLimit, self.words.block_span());
-            if let (Some(axis), Some((low, high))) =
-                (self.rules.axis_order.get(index), stroke.first.get(index))
-            {
-                let (position, limit) = if upper { (max[*axis], *high) } else { (min[*axis], *low) };
-                alarm = alarm
-                    .with("axis", axis.letter().to_string())
-                    .with("position", position)
-                    .with("limit", limit);
-            }
-            return Some(Box::new(alarm));
+        if let Some(alarm) = self.first_stroke_alarm(min, max) {
+            return Some(alarm);
         }
         if !self.stroke_check_2 {
             return None;
@@ -107,6 +94,40 @@ impl Interpreter {
             false => self.crosses(&stroke.second, from, op),
         };
         enters.then(|| self.alarm(Fault::StoredStroke, self.words.block_span()))
+    }
+
+    /// The alarm of a way on which each axis goes by itself, so that all between two places may be passed: of the box that
+    /// they span.
+    pub fn stroke_between(&self, one: Position, other: Position) -> Option<Box<Alarm>> {
+        let stroke = &self.rules.stroke;
+        let min = Position(std::array::from_fn(|n| one.0[n].min(other.0[n])));
+        let max = Position(std::array::from_fn(|n| one.0[n].max(other.0[n])));
+        if let Some(alarm) = self.first_stroke_alarm(min, max) {
+            return Some(alarm);
+        }
+        let is_inside = |(axis, (lower, upper)): (&Axis, &(f64, f64))| {
+            max[*axis] > lower + ON_BOUND && min[*axis] < upper - ON_BOUND
+        };
+        let enters = self.stroke_check_2
+            && match stroke.second_forbids_outside {
+                true => self.outside(&stroke.second, min, max).is_some(),
+                false => self.rules.axis_order.iter().zip(&stroke.second).take(3).all(is_inside),
+            };
+        enters.then(|| self.alarm(Fault::StoredStroke, self.words.block_span()))
+    }
+
+    /// The alarm of stored stroke check 1 for what lies between these places.
+    fn first_stroke_alarm(&self, min: Position, max: Position) -> Option<Box<Alarm>> {
+        let stroke = &self.rules.stroke;
+        let (index, upper) = stroke.first_is_set.then(|| self.outside(&stroke.first, min, max)).flatten()?;
+        let id = self.dialect.soft_limit_id(index, upper);
+        let mut alarm = Alarm::new(id, Fault::SoftLimit, self.words.block_span());
+        if let (Some(axis), Some((low, high))) = (self.rules.axis_order.get(index), stroke.first.get(index)) {
+            let (position, limit) = if upper { (max[*axis], *high) } else { (min[*axis], *low) };
+            alarm =
+                alarm.with("axis", axis.letter().to_string()).with("position", position).with("limit", limit);
+        }
+        Some(Box::new(alarm))
     }
 
     /// How far an axis may be moved by hand from `at`, lower and upper machine position. Axes that are `moving` may be

@@ -8,6 +8,7 @@
 use super::tapping::ThreadKind;
 use super::{Cnc, State};
 use ferrocut_geometry::{Axis, Position};
+use ferrocut_machine::Alarm;
 
 /// What becomes of a way by hand while a program is stopped.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -25,14 +26,17 @@ pub enum Interruption {
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Aside {
     kind: Interruption,
-    /// Where the axes were when they were taken.
-    taken_at: Option<Position>,
+    /// Where the axes were when they were taken, and for what: a change of mode on the way changes nothing.
+    taken: Option<(Position, Interruption)>,
     /// The way of manual intervention.
     away: Position,
     /// The way of handwheel interruption.
     pub shift: Position,
     returns: bool,
 }
+
+/// What is nearer to the point where the axes were taken is there, mm and degrees: less than any unit of a drive.
+const BACK: f64 = 1e-6;
 
 impl Cnc {
     /// Says what a way by hand is while a program is stopped on its way, as by feed hold.
@@ -84,27 +88,28 @@ impl Cnc {
 
     /// Whether the axes are beside the path, or on their way back to it.
     pub(super) fn is_aside(&self) -> bool {
-        self.aside.returns || self.aside.taken_at.is_some() || self.aside.away != Position::ZERO
+        self.aside.returns || self.aside.taken.is_some() || self.aside.away != Position::ZERO
     }
 
     /// Notes that axes are moved by hand from here on.
     pub(super) fn interrupt(&mut self) {
-        if self.aside.taken_at.is_none() {
-            self.aside.taken_at = Some(self.beside(self.motion.position()));
+        if self.aside.taken.is_none() {
+            self.aside.taken = Some((self.beside(self.motion.position()), self.aside.kind));
         }
     }
 
     /// The axes moved by hand stand at `at`. Whether a program waits for them.
     pub(super) fn stop_aside(&mut self, at: Position) -> bool {
-        let Some(from) = self.aside.taken_at.take() else { return false };
+        let Some((from, kind)) = self.aside.taken.take() else { return false };
         let way = at - from;
-        if self.aside.kind == Interruption::Shift && !self.aside.returns {
+        if kind == Interruption::Shift {
             self.aside.shift = self.aside.shift + way;
             self.retrace.shift();
         } else {
             self.aside.away = self.aside.away + way;
         }
-        if std::mem::take(&mut self.aside.returns) {
+        // Who stopped on the way back has a rest before him, and stands where he is.
+        if std::mem::take(&mut self.aside.returns) && self.aside.away.0.iter().all(|way| way.abs() < BACK) {
             self.aside.away = Position::ZERO;
             // 4.1.4: with single block the program waits at the point.
             if !self.blocks.is_single() {
@@ -112,6 +117,19 @@ impl Cnc {
             }
         }
         true
+    }
+
+    /// Why the axes may not be sent back to where they were taken: each goes there by itself, so that they may come
+    /// anywhere between here and there, and an area that is forbidden lies there (GSK990MC part 2, 2.6).
+    pub fn way_back_alarm(&self) -> Option<Box<Alarm>> {
+        if self.aside.away == Position::ZERO {
+            return None;
+        }
+        let at = self.beside(self.motion.position());
+        let referenced = self.homing.referenced();
+        let ways = Axis::ALL.map(|axis| if referenced.contains(axis) { -self.aside.away[axis] } else { 0.0 });
+        let alarm = self.interpreter.stroke_between(at, at + Position(ways))?;
+        Some(Box::new(Alarm { span: self.span, ..*alarm }))
     }
 
     /// Sends the axes back to where they were taken; whether they were elsewhere.
@@ -122,19 +140,31 @@ impl Cnc {
             return false;
         }
         let at = self.beside(self.motion.position());
-        self.aside.taken_at = Some(at);
+        self.aside.taken = Some((at, Interruption::Return));
         self.aside.returns = true;
         self.manual.take(at);
         for axis in Axis::ALL {
-            self.manual.go_by(axis, -self.aside.away[axis]);
+            self.manual.go_at_rapid(axis, at[axis] - self.aside.away[axis]);
         }
         true
     }
 
-    /// Feed hold on the way back: the axes come to rest, and cycle start goes on.
+    /// On the way back the axes come to rest, and cycle start goes on.
     pub(super) fn hold_return(&mut self) {
         if std::mem::take(&mut self.aside.returns) {
             self.manual.stop();
+        }
+    }
+
+    /// Areas that are forbidden are judged where programs are read. One that runs beside its own path may come into one
+    /// all the same: there the axes come to rest.
+    pub(super) fn watch_strokes(&mut self, at: &Position) {
+        if self.aside.shift == Position::ZERO || self.state != State::Running || self.failed.is_some() {
+            return;
+        }
+        if let Some(alarm) = self.interpreter.stroke_between(*at, *at) {
+            self.come_to_rest();
+            self.failed = Some(Box::new(Alarm { span: self.span, ..*alarm }));
         }
     }
 

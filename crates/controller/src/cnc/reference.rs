@@ -18,6 +18,18 @@ impl Cnc {
         self.begin_homing(axis, true)
     }
 
+    /// Why an axis may not be sent to its reference point straight on, as one goes there that knows it: an area that is
+    /// forbidden lies between (GSK990MC part 2, 2.6).
+    pub fn home_alarm(&self, axis: Axis) -> Option<Box<Alarm>> {
+        if !self.homing.config().known_at_rapid || !self.homing.referenced().contains(axis) {
+            return None;
+        }
+        let at = self.beside(self.motion.position());
+        let mut to = at;
+        to[axis] = self.reference()[axis];
+        self.interpreter.stroke_between(at, to)
+    }
+
     /// The places where axes stand are their reference points, as if they had been found there: machine zero set by
     /// hand, on a machine that has encoders and no switches for it (GSK990MC part 2, 3.3.5; 20#7). Whether they are:
     /// not while a program is under way or an axis moves.
@@ -124,12 +136,18 @@ impl Cnc {
     /// An axis that is about to be moved by hand stays out of stored strokes, as it stays within its software limits
     /// (GSK990MC part 2, 2.6). Only places that are known are judged.
     pub(super) fn keep_out(&mut self, axis: Axis) {
+        self.keep_out_beside(axis, AxisSet::default());
+    }
+
+    /// The same of an axis beside `others` that are about to be moved too.
+    pub(super) fn keep_out_beside(&mut self, axis: Axis, others: AxisSet) {
         let known = self.homing.referenced();
         if !known.contains(axis) || self.homing.searches(axis) {
             return;
         }
         let at = Position(Axis::ALL.map(|axis| self.manual.at(axis)));
-        let moving = self.machine_axes.iter().filter(|other| !self.manual.stands(*other)).collect();
+        let moves = |other: &Axis| !self.manual.stands(*other) || others.contains(*other);
+        let moving = self.machine_axes.iter().filter(moves).collect();
         self.manual.set_room(axis, self.interpreter.stroke_room(axis, at, moving));
     }
 

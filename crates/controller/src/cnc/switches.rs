@@ -98,6 +98,7 @@ impl Cnc {
             self.switches.may_move = may;
             self.hold_motion();
             if !may {
+                self.hold_return();
                 self.manual.stop();
             }
         }

@@ -37,6 +37,9 @@ pub(super) fn named(fault: Fault, name: impl Into<String>) -> Alarm {
     alarm(fault).with("name", name.into())
 }
 
+/// Counts of the handwheel that may be told at once: ten turns of it.
+const MOST_COUNTS: i32 = 1000;
+
 impl Control {
     /// Does what a front wants, or says why not. `author` is who wants it: rights are his, or those that he logged
     /// in with here. What reads or changes the durable memory waits for it while nothing moves.
@@ -63,7 +66,12 @@ impl Control {
             Command::Key { key, down } => self.key(&key, down),
             Command::Switch { switch, position } => self.switch(&switch, position),
             Command::Handwheel { counts } => {
-                self.counts = self.counts.saturating_add(counts);
+                self.counts = self.counts.saturating_add(counts).clamp(-MOST_COUNTS, MOST_COUNTS);
+                Ok(Reply::Done)
+            }
+            Command::StopByHand => {
+                self.counts = 0;
+                self.cnc.stop_by_hand();
                 Ok(Reply::Done)
             }
             Command::EmergencyStop { pressed } => {

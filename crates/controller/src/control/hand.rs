@@ -1,6 +1,7 @@
 //! Axes and spindle moved by hand: what the ladder asks for becomes jog, steps, handwheel (GSK990MC part 2, 4 to 6).
 
 use super::{Control, modes};
+use crate::api::{AlarmInfo, Event};
 use crate::manual::{JogSpeed, JogWay};
 use crate::signals::{Inputs, Mode, SIGNAL_AXES};
 use ferrocut_geometry::Axis;
@@ -100,7 +101,10 @@ impl Control {
             let Some(before) = self.jogs.get_mut(number) else { break };
             let was = std::mem::replace(before, (asked, false)).0;
             if asked != 0 && was == 0 {
-                self.cnc.home(axis);
+                match self.cnc.home_alarm(axis) {
+                    Some(alarm) => self.event(Event::Refused { alarm: AlarmInfo::of(&alarm) }),
+                    None => drop(self.cnc.home(axis)),
+                }
             } else if asked == 0 && was != 0 {
                 self.cnc.release_home(axis);
             }

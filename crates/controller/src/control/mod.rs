@@ -109,6 +109,8 @@ pub struct Control {
     wheel: wheel_drive::Wheel,
     /// The button of a front.
     button: bool,
+    /// It opened the machine's line in the scan before.
+    button_opens: bool,
     emergency: bool,
     /// The alarm that stands, besides those of the emergency stop and the parameter switch.
     active: Option<Alarm>,
@@ -143,6 +145,9 @@ pub struct Control {
     is_in_period: bool,
     events: Vec<Event>,
 }
+
+/// `*ESP_BUTTON`, closed while the button of the machine is out.
+const EMERGENCY_BUTTON: Address = Address { area: Area::X, byte: 8, bit: Some(4) };
 
 impl Control {
     /// A control at power-on. Its axes stand where the durable memory says, else at zero.
@@ -237,6 +242,7 @@ impl Control {
             counts: 0,
             wheel: wheel_drive::Wheel::default(),
             button: false,
+            button_opens: false,
             emergency: false,
             active: None,
             parameter_switch: ParameterSwitch::default(),
@@ -354,9 +360,16 @@ impl Control {
     fn scan(&mut self) {
         let Some(plc) = &mut self.plc else { return };
         let memory = plc.memory_mut();
+        // The button of a front is in one line with that of the machine, which says last whether it is closed.
+        if std::mem::replace(&mut self.button_opens, self.button) {
+            memory.set_bit(EMERGENCY_BUTTON, true);
+        }
         self.cnc.drives().read(&mut |byte, bit, on| {
             memory.set_bit(Address { area: Area::X, byte, bit: Some(bit) }, on);
         });
+        if self.button {
+            memory.set_bit(EMERGENCY_BUTTON, false);
+        }
         let was_stopped = plc.stopped().is_some();
         let scanned = plc.scan();
         let is_stopped = plc.stopped().is_some();
@@ -390,6 +403,7 @@ impl Control {
         if pressed && !self.emergency {
             self.cnc.emergency_stop();
             self.cnc.turn_spindle(ferrocut_toolpath::SpindleState::Off);
+            self.reading.cancel_start();
             self.release_axes();
             self.give_up();
             self.log_alarm(&alarm(Fault::EmergencyStop));
@@ -457,7 +471,9 @@ impl Control {
         self.reading.cancel_start();
         self.release_axes();
         self.event(Event::Mode { mode: self.mode });
-        if self.cnc.goes_back() {
+        // Steps and counts that were given are of the mode that is left.
+        self.cnc.stop_by_hand();
+        if self.cnc.goes_back() || self.cnc.returns() {
             self.cnc.feed_hold();
         }
         if matches!(self.standing(), Standing::Runs | Standing::Finishes) {
@@ -532,6 +548,9 @@ impl Control {
                 Err(Box::new(alarm(Fault::ControlInterrupted).with("mode", name_of(self.program_mode()))))
             }
             Start::GoesOn => {
+                if let Some(alarm) = self.cnc.way_back_alarm() {
+                    return Err(alarm);
+                }
                 self.cnc.do_not_finish_block();
                 self.cnc.cycle_start();
                 Ok(())
