@@ -343,6 +343,15 @@ impl<S: Service> Connection<S> {
         let _ = self.hub.commands.send(Request::Command { command, from: self.caller(), answer: None });
     }
 
+    /// Has it noted who commands.
+    fn tell_service(&self, takes: bool) {
+        let from = self.caller();
+        let _ = self
+            .hub
+            .commands
+            .send(Request::Look(Box::new(move |service: &mut S| service.commanded(&from, takes))));
+    }
+
     /// Lets all keys go.
     fn release(&mut self) {
         for key in std::mem::take(&mut self.keys) {
@@ -362,6 +371,10 @@ impl<S: Service> Connection<S> {
         if *commander == Some(self.number) {
             *commander = None;
             drop(commander);
+            if let Some(command) = S::abandoned() {
+                self.order(command);
+            }
+            self.tell_service(false);
             self.hub.tell_command();
         }
     }
@@ -409,6 +422,7 @@ impl<S: Service> Connection<S> {
                     None => {
                         *commander = Some(self.number);
                         drop(commander);
+                        self.tell_service(true);
                         self.hub.tell_command();
                     }
                 }

@@ -6,8 +6,7 @@ use ferrocut_controller::api::{API_VERSION, Command, Event, Refusal, Reply, Stat
 use ferrocut_controller::control::{Control, check_ladder};
 use ferrocut_controller::diagnosis::{named_in, table};
 use ferrocut_machine::{Alarm, Fault};
-use ferrocut_memory::Level;
-use ferrocut_memory::{Author, Store};
+use ferrocut_memory::{Author, Level, SessionNote, Store};
 use ferrocut_plc::plcopen::is_xml;
 use ferrocut_program::Span;
 use std::sync::Arc;
@@ -163,6 +162,7 @@ impl Service for Panel {
         match command {
             // Whoever sees danger stops the machine.
             Command::EmergencyStop { pressed: true } => Need::Nothing,
+            Command::Key { key, .. } if key == "KEY_HOLD" => Need::Nothing,
             Command::Programs
             | Command::Read { .. }
             | Command::Offsets { .. }
@@ -200,6 +200,15 @@ impl Service for Panel {
 
     fn release(key: &str) -> Command {
         Command::Key { key: key.to_owned(), down: false }
+    }
+
+    fn commanded(&mut self, from: &Caller, takes: bool) {
+        let note = if takes { SessionNote::TakesCommand } else { SessionNote::LeavesCommand };
+        self.control.note_session(&from.author(), note);
+    }
+
+    fn abandoned() -> Option<Command> {
+        Some(Command::StopByHand)
     }
 
     fn farewell() -> Option<Command> {

@@ -60,6 +60,14 @@ pub trait Service: Send + 'static {
     /// The command that lets a key go.
     fn release(key: &str) -> Self::Command;
 
+    /// Somebody commands from now on, or no longer.
+    fn commanded(&mut self, _from: &Caller, _takes: bool) {}
+
+    /// What is done when whoever commands commands no longer, besides letting his keys go.
+    fn abandoned() -> Option<Self::Command> {
+        None
+    }
+
     /// What is done when a connection has ended, besides letting its keys go.
     fn farewell() -> Option<Self::Command> {
         None

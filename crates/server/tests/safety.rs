@@ -94,6 +94,14 @@ impl Motion {
         (motion, watcher)
     }
 
+    fn gets_going(&self) {
+        let until = Instant::now() + Duration::from_secs(10);
+        while self.rests.load(Ordering::Relaxed) != 0 {
+            assert!(Instant::now() < until, "it does not move");
+            std::thread::sleep(Duration::from_millis(1));
+        }
+    }
+
     fn comes_to_rest(&self) {
         let until = Instant::now() + Duration::from_secs(10);
         while self.rests.load(Ordering::Relaxed) < 50 {
@@ -206,16 +214,21 @@ impl Motion {
 }
 
 #[test]
-fn a_thousand_dropped_connections_leave_no_key_pressed() {
+fn a_thousand_dropped_connections_leave_no_key_pressed_and_no_axis_running() {
     let (motion, watcher) = Motion::new();
     let place = Place::watched(watcher);
     jogging(&place);
-    let mut gone = Vec::new();
+    let (mut gone, mut stops) = (Vec::new(), Vec::new());
     for round in 0..1000u64 {
         let key = if round % 2 == 0 { "KEY_X+" } else { "KEY_X-" };
         let mut socket = place.socket();
         hold(&mut socket, key);
-        std::thread::sleep(Duration::from_millis(round * 7 % 10));
+        // In each tenth round the axis is on its way, in the others it may be.
+        let runs = round % 10 == 3;
+        match runs {
+            true => motion.gets_going(),
+            false => std::thread::sleep(Duration::from_millis(round * 7 % 10)),
+        }
         let moment = Instant::now();
         let mut kept = None;
         match round % 100 {
@@ -230,9 +243,15 @@ fn a_thousand_dropped_connections_leave_no_key_pressed() {
             std::thread::sleep(Duration::from_millis(1));
         }
         gone.push(motion.taken(moment, moment.elapsed()));
+        if runs {
+            motion.comes_to_rest();
+            stops.push(motion.pushed_after(moment));
+        }
         drop(kept);
     }
     assert_below("let go", gone, Duration::from_millis(250));
+    assert_eq!(stops.len(), 100);
+    assert_below("the stop began", stops, Duration::from_millis(250));
     motion.comes_to_rest();
     // All have left, and the control is as usable as before.
     let mut socket = place.socket();

@@ -4,7 +4,7 @@
 mod common;
 
 use common::{Answer, Place, Socket, answer, ask, control};
-use ferrocut_memory::{Author, Level, Seat, Store};
+use ferrocut_memory::{Author, Level, LogEntry, Seat, Store};
 use ferrocut_server::hub::MOST_CONNECTIONS;
 use ferrocut_server::panel::Panel;
 use ferrocut_server::web::{Certificate, Settings, StartError, Web};
@@ -98,6 +98,7 @@ fn pages_of_others_are_refused() {
 struct Remote {
     place: Place,
     folder: TempDir,
+    store: Arc<Store>,
     tls: Arc<ClientConfig>,
 }
 
@@ -114,7 +115,7 @@ impl Remote {
         let store = store(&folder);
         let panel = Panel::new(control(Some(store.clone())));
         let own = Certificate::Own(Some(folder.path().to_owned()));
-        let place = Place::new(panel, Some(store), "0.0.0.0:0", Some(own));
+        let place = Place::new(panel, Some(store.clone()), "0.0.0.0:0", Some(own));
         let chain = std::fs::read(folder.path().join("panel-certificate.pem")).unwrap();
         let mut roots = RootCertStore::empty();
         roots.add(CertificateDer::from_pem_slice(&chain).unwrap()).unwrap();
@@ -123,7 +124,7 @@ impl Remote {
             .unwrap()
             .with_root_certificates(roots)
             .with_no_client_auth();
-        Remote { place, folder, tls: Arc::new(tls) }
+        Remote { place, folder, store, tls: Arc::new(tls) }
     }
 
     fn stream(&self) -> StreamOwned<ClientConnection, TcpStream> {
@@ -193,6 +194,20 @@ fn other_computers_must_log_in() {
         last = next;
     }
     assert_eq!(last["end"], json!("logged_out"));
+    // The log has who commanded, and that he logged out.
+    let is_noted = || {
+        let log = remote.store.reader().log(50).unwrap();
+        let of = |entry: &LogEntry| (entry.name.clone(), entry.to.clone(), entry.who.contains("127.0.0.1"));
+        let mut notes: Vec<_> =
+            log.iter().map(of).filter(|(name, ..)| name == "command" || name == "log out").collect();
+        notes.sort();
+        let note = |name: &str, to: &str| (name.to_owned(), to.to_owned(), true);
+        notes == [note("command", "left"), note("command", "taken"), note("log out", "right")]
+    };
+    let began = Instant::now();
+    while !is_noted() {
+        assert!(began.elapsed() < Duration::from_secs(10), "{:?}", remote.store.reader().log(50));
+    }
     assert_eq!(remote.http("GET", "/api/parameters", &cookie, b"").status, 401);
     drop(remote.folder);
 }

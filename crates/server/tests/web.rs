@@ -62,6 +62,12 @@ fn a_socket_speaks_the_lines_of_the_control() {
     // Whoever sees danger stops the machine.
     first.tell(json!({ "do": "emergency_stop", "pressed": true }));
     second.tell(json!({ "do": "emergency_stop", "pressed": false }));
+    // And holds it; no other key is his.
+    let key = |name: &str, down: bool| json!({ "do": "key", "key": name, "down": down });
+    assert_eq!(first.ask(key("KEY_START", true))["error"], json!("not_in_command"));
+    for down in [true, false] {
+        assert_eq!(first.ask(key("KEY_HOLD", down))["reply"], json!("done"));
+    }
     drop(second);
     let began = Instant::now();
     while first.hear() != json!({ "event": "command", "holder": null, "you": false }) {

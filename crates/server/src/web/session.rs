@@ -18,7 +18,7 @@ use axum::{Json, Router};
 use base64::Engine;
 use base64::prelude::BASE64_URL_SAFE_NO_PAD;
 use ferrocut_machine::{Alarm, Fault};
-use ferrocut_memory::{Level, Seat, Session};
+use ferrocut_memory::{Author, Change, Level, Seat, Session, SessionNote};
 use ferrocut_program::Span;
 use governor::clock::DefaultClock;
 use governor::state::keyed::HashMapStateStore;
@@ -256,7 +256,7 @@ async fn log_in(State(shared): State<Arc<Shared>>, request: Request) -> Result<R
     let store = shared.store.clone();
     let store = store.ok_or_else(|| Alarm::core(Fault::NotFitted, Span::default()).with("name", "memory"))?;
     let seat = seat_of(peer);
-    let who = format!("panel from {}", peer.0.ip());
+    let who = panel_at(peer);
     let found = tokio::task::spawn_blocking(move || store.log_in(level, &given.password, seat, &who)).await;
     let session = found.map_err(|_| Problem::Busy)?.map_err(|error| error.alarm())?;
     let sessions = &shared.sessions;
@@ -273,9 +273,24 @@ async fn log_in(State(shared): State<Arc<Shared>>, request: Request) -> Result<R
 async fn log_out(State(shared): State<Arc<Shared>>, request: Request) -> Response {
     let sessions = &shared.sessions;
     if let Some(entry) = request.extensions().get::<Arc<Entry>>() {
+        let session = lock(&entry.rights).clone();
         sessions.end(entry);
+        if let (Some(session), Some(store), Some(peer)) =
+            (session, shared.store.clone(), request.extensions().get::<Peer>())
+        {
+            let author = Author::Person { session, name: panel_at(*peer) };
+            // Who logs out waits for no disk.
+            let _ = tokio::task::spawn_blocking(move || {
+                store.put(&author, vec![Change::Session(SessionNote::LogsOut)])
+            });
+        }
     }
     with_cookie(told(sessions, None), sessions.cookie("", Duration::ZERO))
+}
+
+/// How the log names whoever is at a panel.
+fn panel_at(peer: Peer) -> String {
+    format!("panel from {}", peer.0.ip())
 }
 
 /// Where somebody gives passwords.
