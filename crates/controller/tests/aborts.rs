@@ -534,7 +534,8 @@ fn abort_whole(mut random: Random, aborts: usize, is_kept: bool) {
             // Another mode takes the program's way first.
             _ => press(&mut mill, random.one(&["KEY_JOG", "KEY_MDI", "KEY_EDIT"])),
         }
-        let place = format!("case {case}, {how} {intervened} at {instant} of {length}, {}", before.program.block);
+        let place =
+            format!("case {case}, {how} {intervened} at {instant} of {length}, {}", before.program.block);
         if how > 0 {
             before = mill.control.status();
         }
