@@ -1,6 +1,7 @@
 // What keeps a machine safe in a browser: a key acts while it is held, and what must be touched can be touched.
 import { expect, test } from '@playwright/test';
 import { mock, type Sent } from './mock';
+import { release, stands } from './walk';
 
 const keys = (sent: Sent[]) => sent.filter((one) => one.do === 'key').map((one) => `${String(one.key)} ${one.down ? 'down' : 'up'}`);
 
@@ -95,6 +96,54 @@ test('keys of the keyboard: emergency stop from any page, jog only with Ctrl and
   await page.keyboard.press('?');
   await expect(page.getByRole('dialog')).toContainText('F10');
 });
+
+const stops = (sent: Sent[]) => sent.filter((one) => one.do === 'emergency_stop').map((one) => one.pressed);
+
+for (const apart of [80, 150, 250, 700]) {
+  test(`an emergency stop that is hit twice within ${apart} ms stands`, async ({ browser }) => {
+    const context = await browser.newContext({ hasTouch: true, viewport: { width: 1366, height: 820 } });
+    const { page, sent } = await mock(context);
+    await stands(page, 'running');
+    const box = (await page.getByTestId('emergency').boundingBox())!;
+    const cdp = await context.newCDPSession(page);
+    const touchPoints = [{ x: box.x + box.width / 2, y: box.y + box.height / 2 }];
+    await cdp.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints });
+    // As soon as the finger is down.
+    await expect.poll(() => stops(sent)).toEqual([true]);
+    await cdp.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+    await page.waitForTimeout(apart);
+    await cdp.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints });
+    // Nor does the second one release it, however long it lasts.
+    await page.waitForTimeout(1500);
+    await cdp.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+    await stands(page, 'emergency');
+    expect(stops(sent)).not.toContain(false);
+    // Later a tap is too short.
+    await page.touchscreen.tap(touchPoints[0]!.x, touchPoints[0]!.y);
+    await page.waitForTimeout(1200);
+    expect(stops(sent)).not.toContain(false);
+    await context.close();
+  });
+}
+
+for (const by of ['pointer', 'Enter', ' '] as const) {
+  test(`the emergency stop is pressed at once and released by ${by === ' ' ? 'Space' : by} held down`, async ({ context }) => {
+    const { page, sent } = await mock(context);
+    await stands(page, 'running');
+    const stop = page.getByTestId('emergency');
+    if (by === 'pointer') await stop.hover();
+    else await stop.focus();
+    // The press itself, held on, does not release it.
+    await (by === 'pointer' ? page.mouse.down() : page.keyboard.down(by));
+    await stands(page, 'emergency');
+    await page.waitForTimeout(2500);
+    await (by === 'pointer' ? page.mouse.up() : page.keyboard.up(by));
+    expect(stops(sent)).toEqual([true]);
+    await release(page, by);
+    await stands(page, 'running');
+    expect(stops(sent)).toEqual([true, true, false]);
+  });
+}
 
 test('a connection that is lost is told, and comes back', async ({ context }) => {
   const { page, cut } = await mock(context);

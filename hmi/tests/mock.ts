@@ -55,6 +55,7 @@ export async function mock(context: BrowserContext, options: Options = {}): Prom
   const page = await context.newPage();
   const sent: Sent[] = [];
   let socket: WebSocketRoute | null = null;
+  let emergency = false;
   const session = { level: 0, needs_log_in: options.needsLogIn ?? false };
   if (options.welcomed !== false) {
     await page.addInitScript(() => {
@@ -98,8 +99,9 @@ export async function mock(context: BrowserContext, options: Options = {}): Prom
       const command = JSON.parse(String(text)) as Sent & { id?: number; program?: string };
       sent.push({ ...command, at: performance.now() });
       if (command.id === undefined) return;
+      if (command.do === 'emergency_stop') emergency = command.pressed === true;
       if (command.do === 'watch') {
-        timer = setInterval(() => say({ status: status(options.moves === false ? 0 : tick++, options) }), 20);
+        timer = setInterval(() => say({ status: { ...status(options.moves === false ? 0 : tick++, options), ...(emergency ? { activity: 'emergency' } : {}) } }), 20);
       }
       if (options.lost?.(command)) return void ws.close();
       say({ id: command.id, ...reply(command, options) });
