@@ -97,6 +97,31 @@ test('keys of the keyboard: emergency stop from any page, jog only with Ctrl and
   await expect(page.getByRole('dialog')).toContainText('F10');
 });
 
+test('with Shift the keyboard moves the axes behind the first two, and the modifier let go first ends it', async ({ context }) => {
+  const { page, sent } = await mock(context, { mode: 'jog' });
+  await stands(page, 'running');
+  await page.locator('[data-testid="axes"]').click();
+  for (const modifier of ['Shift', 'Control']) {
+    sent.length = 0;
+    await page.keyboard.down('Control');
+    await page.keyboard.down('Shift');
+    await page.keyboard.down('ArrowUp');
+    await expect.poll(() => keys(sent)).toEqual(['KEY_Z+ down']);
+    await page.keyboard.up(modifier);
+    await expect.poll(() => keys(sent)).toEqual(['KEY_Z+ down', 'KEY_Z+ up']);
+    // The arrow goes on being held, with what is left of the modifiers, and says so; it moves no other axis.
+    await page.keyboard.down('ArrowUp');
+    await page.evaluate(() => dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowUp', code: 'ArrowUp', ctrlKey: true })));
+    await page.waitForTimeout(200);
+    expect(keys(sent)).toEqual(['KEY_Z+ down', 'KEY_Z+ up']);
+    for (const key of ['ArrowUp', 'Shift', 'Control']) await page.keyboard.up(key);
+  }
+  sent.length = 0;
+  await page.keyboard.press('Control+ArrowUp');
+  await page.keyboard.press('Control+Shift+ArrowLeft');
+  await expect.poll(() => keys(sent)).toEqual(['KEY_Y+ down', 'KEY_Y+ up', 'KEY_A- down', 'KEY_A- up']);
+});
+
 const stops = (sent: Sent[]) => sent.filter((one) => one.do === 'emergency_stop').map((one) => one.pressed);
 
 for (const apart of [80, 150, 250, 700]) {

@@ -28,6 +28,8 @@ export type Options = {
   /** What the program says to the operator. */
   says?: string;
   mode?: string;
+  /** Letters of the axes; X Y Z A unless told. */
+  axes?: string[];
   welcomed?: boolean;
   /** Whether the status moves, 50 times a second. */
   moves?: boolean;
@@ -112,10 +114,14 @@ export async function mock(context: BrowserContext, options: Options = {}): Prom
   return { page, home, sent, session, cut: () => void socket?.close(), say: (line) => socket?.send(JSON.stringify(line)) };
 }
 
+const lettersOf = (options: Options) => options.axes ?? ['X', 'Y', 'Z', 'A'];
+/** Values of the axes, in their order. */
+const placed = (options: Options, ...values: number[]): Record<string, number> => Object.fromEntries(lettersOf(options).map((axis, index) => [axis, values[index]!]));
+
 function reply(command: Sent & { program?: string }, options: Options): object {
   switch (command.do) {
     case 'version':
-      return { reply: 'version', api: 1, software: '0.1.0', dialect: 'gsk990mc', machine: 'Demo mill', axes: ['X', 'Y', 'Z', 'A'], period_ms: 1 };
+      return { reply: 'version', api: 1, software: '0.1.0', dialect: 'gsk990mc', machine: 'Demo mill', axes: lettersOf(options), period_ms: 1 };
     case 'status':
       return { reply: 'status', ...status(0, options) };
     case 'programs':
@@ -129,7 +135,7 @@ function reply(command: Sent & { program?: string }, options: Options): object {
     case 'offsets':
       return { reply: 'offsets', offsets: { 1: { length: -102.35, radius: 5 } } };
     case 'zeros':
-      return { reply: 'zeros', zeros: { G54: { X: 1, Y: 2, Z: 3, A: 0 } } };
+      return { reply: 'zeros', zeros: { G54: placed(options, 1, 2, 3, 0) } };
     case 'variables':
       return { reply: 'variables', variables: { 100: 1.5 } };
     case 'parameters':
@@ -151,12 +157,12 @@ function reply(command: Sent & { program?: string }, options: Options): object {
 
 function status(tick: number, options: Options): object {
   const angle = tick / 50;
-  const work = { X: 50 + 30 * Math.sin(angle), Y: 40 + 20 * Math.cos(angle), Z: -3 + 2 * Math.sin(3 * angle), A: 10 * angle };
-  const zero = { X: 0, Y: 0, Z: 0, A: 0 };
+  const work = placed(options, 50 + 30 * Math.sin(angle), 40 + 20 * Math.cos(angle), -3 + 2 * Math.sin(3 * angle), 10 * angle);
+  const zero = placed(options, 0, 0, 0, 0);
   return {
     periods: tick * 20, mode: options.mode ?? 'auto', program_mode: 'auto', activity: options.alarm ? 'alarm' : 'running',
     finishing_block: false, alarms: options.alarm ? [{ id: 'FC-0302', line: 3, warning: false, values: {} }] : [],
-    position: { machine: work, actual: work, work, relative: work, to_go: { ...zero, X: 80 - work.X }, interruption: zero, system: 'G54' },
+    position: { machine: work, actual: work, work, relative: work, to_go: { ...zero, X: 80 - work.X! }, interruption: zero, system: 'G54' },
     feed: { actual: 890 + 10 * Math.sin(angle), programmed: 900, feed_override: 1, rapid_override: 0.5, manual_override: 1 },
     spindle: { programmed: 2400, told: 2400, actual: -2390, spindle_override: 1.1, tool: 1, called_tool: 2 },
     program: { selected: 'O0001', cursor: 1, running: 'O0001', line: 2 + (Math.floor(angle) % 3), block: 'N20 G01 X50 F900', g_codes: ['G01', 'G17', 'G21', 'G54', 'G90'], h: 1, d: 5 },

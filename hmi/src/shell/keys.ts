@@ -12,6 +12,9 @@ const key = (name: string, icon?: IconName): PanelKey => ({
   ...(icon ? { icon } : {}),
 });
 
+/** What the standard ladder calls the first four axes of a machine, whatever their letters are. */
+export const axisSignals = ['X', 'Y', 'Z', 'A'] as const;
+
 export const modes: { mode: Mode; signal: string; lamp: string }[] = (
   [
     ['auto', 'AUTO'],

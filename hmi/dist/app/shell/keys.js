@@ -5,6 +5,13 @@ var key = (name, icon) => ({
 	text: `panel.${name.toLowerCase()}`,
 	...icon ? { icon } : {}
 });
+/** What the standard ladder calls the first four axes of a machine, whatever their letters are. */
+var axisSignals = [
+	"X",
+	"Y",
+	"Z",
+	"A"
+];
 var modes = [
 	["auto", "AUTO"],
 	["edit", "EDIT"],
@@ -76,4 +83,4 @@ var increments = [
 	signal: `KEY_S${step}`,
 	label
 }));
-export { auxiliaries, increments, modes, rapids, spindle, switches };
+export { auxiliaries, axisSignals, increments, modes, rapids, spindle, switches };
