@@ -122,6 +122,25 @@ test('with Shift the keyboard moves the axes behind the first two, and the modif
   await expect.poll(() => keys(sent)).toEqual(['KEY_Y+ down', 'KEY_Y+ up', 'KEY_A- down', 'KEY_A- up']);
 });
 
+test('the fourth axis has its keys whatever its letter is', async ({ context }) => {
+  const { page, sent } = await mock(context, { mode: 'jog', axes: ['X', 'Y', 'Z', 'C'] });
+  await stands(page, 'running');
+  await page.getByRole('button', { name: 'Move C−' }).click();
+  await expect.poll(() => keys(sent)).toEqual(['KEY_A- down', 'KEY_A- up']);
+  await page.getByRole('button', { name: 'Handwheel moves C' }).click();
+  await page.keyboard.press('Control+Shift+ArrowRight');
+  await expect.poll(() => keys(sent).filter((one) => one.endsWith('down'))).toEqual(['KEY_A- down', 'KEY_WA down', 'KEY_A+ down']);
+  await page.keyboard.press('?');
+  await expect(page.getByRole('dialog')).toContainText('Move C while held');
+});
+
+test('keys of axes that a machine lacks are not there', async ({ context }) => {
+  const { page } = await mock(context, { mode: 'jog', axes: ['X', 'Z'] });
+  await stands(page, 'running');
+  await expect(page.locator('[data-signal="KEY_Y+"]')).toHaveText('Z+');
+  await expect(page.locator('[data-signal^="KEY_Z"], [data-signal^="KEY_A+"], [data-signal="KEY_WZ"], [data-signal="KEY_WA"]')).toHaveCount(0);
+});
+
 const stops = (sent: Sent[]) => sent.filter((one) => one.do === 'emergency_stop').map((one) => one.pressed);
 
 for (const apart of [80, 150, 250, 700]) {

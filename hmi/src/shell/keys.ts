@@ -15,6 +15,16 @@ const key = (name: string, icon?: IconName): PanelKey => ({
 /** What the standard ladder calls the first four axes of a machine, whatever their letters are. */
 export const axisSignals = ['X', 'Y', 'Z', 'A'] as const;
 
+/** The keys of the first four axes by their place, with the letters that the machine gives them. */
+export const axisKeysOf = (letters: readonly string[]) =>
+  axisSignals.slice(0, letters.length).map((name, index) => ({
+    letter: letters[index]!,
+    plus: `KEY_${name}+`,
+    minus: `KEY_${name}-`,
+    wheel: `KEY_W${name}`,
+  }));
+export type AxisKey = ReturnType<typeof axisKeysOf>[number];
+
 export const modes: { mode: Mode; signal: string; lamp: string }[] = (
   [
     ['auto', 'AUTO'],

@@ -12,6 +12,13 @@ var axisSignals = [
 	"Z",
 	"A"
 ];
+/** The keys of the first four axes by their place, with the letters that the machine gives them. */
+var axisKeysOf = (letters) => axisSignals.slice(0, letters.length).map((name, index) => ({
+	letter: letters[index],
+	plus: `KEY_${name}+`,
+	minus: `KEY_${name}-`,
+	wheel: `KEY_W${name}`
+}));
 var modes = [
 	["auto", "AUTO"],
 	["edit", "EDIT"],
@@ -83,4 +90,4 @@ var increments = [
 	signal: `KEY_S${step}`,
 	label
 }));
-export { auxiliaries, axisSignals, increments, modes, rapids, spindle, switches };
+export { auxiliaries, axisKeysOf, axisSignals, increments, modes, rapids, spindle, switches };
