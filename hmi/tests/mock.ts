@@ -28,6 +28,9 @@ export type Options = {
   /** What the program says to the operator. */
   says?: string;
   mode?: string;
+  /** Lamps that are lit besides. */
+  lamps?: string[];
+  isDryRun?: boolean;
   /** Letters of the axes; X Y Z A unless told. */
   axes?: string[];
   welcomed?: boolean;
@@ -166,9 +169,9 @@ function status(tick: number, options: Options): object {
     feed: { actual: 890 + 10 * Math.sin(angle), programmed: 900, feed_override: 1, rapid_override: 0.5, manual_override: 1 },
     spindle: { programmed: 2400, told: 2400, actual: -2390, spindle_override: 1.1, tool: 1, called_tool: 2 },
     program: { selected: 'O0001', cursor: 1, running: 'O0001', line: 2 + (Math.floor(angle) % 3), block: 'N20 G01 X50 F900', g_codes: ['G01', 'G17', 'G21', 'G54', 'G90'], h: 1, d: 5 },
-    switches: { single_block: false, block_skip: false, optional_stop: true, dry_run: false, machine_lock: false, auxiliary_lock: false },
+    switches: { single_block: false, block_skip: false, optional_stop: true, dry_run: options.isDryRun ?? false, machine_lock: false, auxiliary_lock: false },
     counters: { parts: 17, all_parts: 1200, run_time: 4000 + angle, cutting_time: 3200 + angle, power_on_time: 90_000 },
-    referenced: ['X', 'Y', 'Z'], messages: [], program_message: options.says ?? '', dnc: options.dnc ?? null, lamps: ['LAMP_AUTO', 'LAMP_START'], panel: { SWITCH_FEED: 10, SWITCH_SPINDLE: 6 }, level: 5,
+    referenced: ['X', 'Y', 'Z'], messages: [], program_message: options.says ?? '', dnc: options.dnc ?? null, lamps: ['LAMP_AUTO', 'LAMP_START', ...(options.lamps ?? [])], panel: { SWITCH_FEED: 10, SWITCH_SPINDLE: 6 }, level: 5,
   };
 }
 

@@ -39,7 +39,7 @@ export const modes: { mode: Mode; signal: string; lamp: string }[] = (
 ).map(([mode, name]) => ({ mode, signal: `KEY_${name}`, lamp: `LAMP_${name}` }));
 
 /** Switches of automatic operation: a press turns them on or off. */
-export const switches = ['SINGLE', 'SKIP', 'OPTSTOP', 'DRY', 'MLOCK', 'AUXLOCK', 'RESTART'].map((name) => key(name));
+export const switches = ['SINGLE', 'SKIP', 'OPTSTOP', 'DRY', 'MLOCK', 'AUXLOCK', 'RESTART', 'HDRV'].map((name) => key(name));
 
 export const spindle = [
   key('SP_CCW', 'ccw'),

@@ -41,7 +41,8 @@ var switches = [
 	"DRY",
 	"MLOCK",
 	"AUXLOCK",
-	"RESTART"
+	"RESTART",
+	"HDRV"
 ].map((name) => key(name));
 var spindle = [
 	key("SP_CCW", "ccw"),

@@ -31,6 +31,7 @@ var panel_default = {
 	"mlock": "Machine lock",
 	"auxlock": "Auxiliary lock",
 	"restart": "Restart",
+	"hdrv": "Handwheel run",
 	"light": "Work light",
 	"spindle": "Spindle",
 	"sp_cw": "Forward",

@@ -31,6 +31,7 @@ var panel_default = {
 	"mlock": "Bloqueo de máquina",
 	"auxlock": "Bloqueo M S T",
 	"restart": "Reanudar",
+	"hdrv": "Marcha con volante",
 	"light": "Luz",
 	"spindle": "Husillo",
 	"sp_cw": "Derecha",

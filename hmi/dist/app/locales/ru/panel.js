@@ -31,6 +31,7 @@ var panel_default = {
 	"mlock": "Блокировка осей",
 	"auxlock": "Блокировка M S T",
 	"restart": "Перезапуск",
+	"hdrv": "Ход маховичком",
 	"light": "Освещение",
 	"spindle": "Шпиндель",
 	"sp_cw": "Вперёд",

@@ -31,6 +31,7 @@ var panel_default = {
 	"mlock": "Tezgâh kilidi",
 	"auxlock": "M S T kilidi",
 	"restart": "Sürdür",
+	"hdrv": "Çarkla yürütme",
 	"light": "Aydınlatma",
 	"spindle": "İş mili",
 	"sp_cw": "İleri",

@@ -31,6 +31,7 @@ var panel_default = {
 	"mlock": "机床锁住",
 	"auxlock": "辅助功能锁",
 	"restart": "程序再启动",
+	"hdrv": "手轮驱动",
 	"light": "工作灯",
 	"spindle": "主轴",
 	"sp_cw": "正转",

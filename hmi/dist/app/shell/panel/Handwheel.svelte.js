@@ -19,7 +19,9 @@ function Handwheel($$anchor, $$props) {
 	let waiting = 0;
 	let sent = false;
 	const axes = $.derived(() => axisKeysOf(machine.axes));
-	const ready = $.derived(() => machine.inCommand && machine.mode === "handle");
+	/** Whether a program runs by it; it does with dry run alone (GSK990MC part 2, 6.4). */
+	const drives = $.derived(() => machine.mode === "auto" && machine.lamps.has("LAMP_HDRV") && machine.status?.switches.dry_run === true);
+	const ready = $.derived(() => machine.inCommand && (machine.mode === "handle" || $.get(drives)));
 	function at(event) {
 		const box = $.get(wheel).getBoundingClientRect();
 		return Math.atan2(event.clientY - (box.top + box.height / 2), event.clientX - (box.left + box.width / 2));
