@@ -38,6 +38,52 @@ const covered = (page: Page) =>
       .map((one) => one.getAttribute('aria-label') ?? one.textContent?.trim() ?? ''),
   );
 
+/** What runs over its edge sideways: a part that scrolls up and down alone, the tabs, and what a key or a button says. */
+const over = (page: Page) =>
+  page.evaluate(() => {
+    const called = (one: Element) => `${one.tagName}.${[...one.classList].filter((name) => !name.startsWith('svelte-')).join('.')} ${(one.getAttribute('aria-label') ?? one.textContent ?? '').trim().slice(0, 30)}`;
+    const shown = (selector: string) =>
+      [...document.querySelectorAll<HTMLElement>(selector)].filter((one) => one.checkVisibility({ opacityProperty: true, visibilityProperty: true }) && !one.closest('[popover]:not(:popover-open)'));
+    const told = shown('.scroll, .tabs, .card, button, a[href]')
+      .filter((one) => !one.closest('[data-pans], .cm-editor') && one.clientWidth > 0 && one.scrollWidth > one.clientWidth + 1)
+      .map((one) => `${called(one)} needs ${one.scrollWidth} of ${one.clientWidth} px`);
+    // Nor is anything beside the part of the screen that it is in.
+    const beside = shown('main :is(button, input, select, textarea, a[href])')
+      .filter((one) => !one.closest('[data-pans], .cm-editor'))
+      .filter((one) => {
+        const own = one.getBoundingClientRect();
+        const frame = one.closest('.card, .scroll, main')!.getBoundingClientRect();
+        return own.width > 0 && (own.right > frame.right + 1 || own.left < frame.left - 1);
+      })
+      .map((one) => `${called(one)} is beside its frame`);
+    return [...told, ...beside];
+  });
+
+for (const language of ['en', 'zh', 'ru', 'es', 'tr']) {
+  test(`nothing runs over its edge in ${language} at 800 × 600`, async ({ page }) => {
+    test.setTimeout(400_000);
+    await page.addInitScript((kept) => localStorage.setItem('ferrocut.panel', kept), JSON.stringify({ welcomed: true, language, theme: 'dark', panel: false }));
+    await page.setViewportSize({ width: 800, height: 600 });
+    await page.goto('/');
+    await expect(page.locator('html')).toHaveAttribute('lang', language);
+    await expect(page.getByTestId('mode')).toBeVisible();
+    const wrong = new Set<string>();
+    for (const [name, tabs] of Object.entries(pages)) {
+      for (const tab of tabs.length ? tabs : ['']) {
+        const hash = tab ? `${name}/${tab}` : name;
+        await show(page, hash);
+        // What it asks for comes.
+        await page.waitForTimeout(400);
+        for (const one of await over(page)) wrong.add(`${hash}: ${one}`);
+      }
+    }
+    await page.getByTestId('panel-toggle').click();
+    await expect(page.getByTestId('machine-panel')).toBeVisible();
+    for (const one of await over(page)) wrong.add(`machine panel: ${one}`);
+    expect([...wrong]).toEqual([]);
+  });
+}
+
 for (const [width, height] of [[800, 600], [600, 800], [1024, 768], [3840, 2160]] as const) {
   test(`every page fits and can be touched at ${width} × ${height}`, async ({ page }) => {
     test.setTimeout(400_000);
