@@ -3,7 +3,7 @@ import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/lib/parts/Tabs.svelte
 var root = $.from_html(`<a> </a>`);
-var root_1 = $.from_html(`<div class="frame s-63nmyk"><nav class="tabs s-63nmyk"></nav></div>`);
+var root_1 = $.from_html(`<div class="frame s-jx3l4b"><nav class="tabs s-jx3l4b"></nav></div>`);
 function Tabs($$anchor, $$props) {
 	$.push($$props, true);
 	var div = root_1();
@@ -15,7 +15,7 @@ function Tabs($$anchor, $$props) {
 		$.template_effect(($0) => {
 			$.set_attribute(a, "href", $0);
 			$.set_attribute(a, "aria-current", $$props.active === $.get(tab).id && route.page === $$props.page ? "page" : void 0);
-			classes = $.set_class(a, 1, "s-63nmyk", null, classes, { active: $$props.active === $.get(tab).id });
+			classes = $.set_class(a, 1, "s-jx3l4b", null, classes, { active: $$props.active === $.get(tab).id });
 			$.set_text(text, $.get(tab).label);
 		}, [() => href($$props.page, $.get(tab).id)]);
 		$.append($$anchor, a);
