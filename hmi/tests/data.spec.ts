@@ -125,6 +125,8 @@ test('offsets and programs are as before once they are restored', async ({ page 
   await expect(page.getByLabel('File')).toHaveValue('played.backup');
   await show(page, 'alarms/log');
   await expect(page.getByTestId('log')).toContainText('played.backup');
+  await expect(page.getByTestId('log')).toContainText('Restored');
+  await expect(page.getByTestId('log')).toContainText('at 127.0.0.1');
 });
 
 test('a parameter is as before once it is restored, and a file that is none changes nothing', async ({ page }) => {

@@ -1,7 +1,7 @@
 // Axes moved by hand with the handwheel on the screen: by drag, by wheel and by key.
 import type { Page } from '@playwright/test';
 import { expect, shoot, test } from './server';
-import { enter, mode, press, stands, watchFaults } from './walk';
+import { enter, home, load, mode, press, stands, watchFaults, whole } from './walk';
 
 watchFaults();
 // A loaded computer takes its time.
@@ -112,4 +112,38 @@ test('an axis moves by hand while its key is held, by pointer and by keyboard', 
   await reaches(page, 'X', here + 1);
   await stands(page, 'idle');
   expect(await at(page, 'X')).toBeCloseTo(here + 1, 6);
+});
+
+test('a program runs as fast as the handwheel is turned, and stands with it', async ({ page }) => {
+  await enter(page, '#/position');
+  await home(page);
+  await load(page, 'O0029', 'G91 G1 X-20. F1200\nM30\n');
+  await page.evaluate(() => (location.hash = '#/position'));
+  await whole(page);
+  await press(page, 'KEY_HDRV');
+  await expect(page.locator('[data-signal="KEY_HDRV"]')).toHaveAttribute('aria-pressed', 'true');
+  // Without dry run the wheel drives nothing.
+  await expect(dial(page)).toHaveAttribute('aria-disabled', 'true');
+  await press(page, 'KEY_DRY');
+  await expect(dial(page)).toHaveAttribute('aria-disabled', 'false');
+  const from = await at(page, 'X');
+  await press(page, 'KEY_START');
+  await stands(page, 'running');
+  await page.waitForTimeout(500);
+  expect(await at(page, 'X')).toBeCloseTo(from, 6);
+  await dial(page).focus();
+  await expect(async () => {
+    await page.keyboard.press('PageUp');
+    expect(await at(page, 'X')).toBeLessThan(from - 2);
+  }).toPass({ intervals: [20], timeout: 60_000 });
+  await page.waitForTimeout(800);
+  const rest = await at(page, 'X');
+  await page.waitForTimeout(500);
+  expect(await at(page, 'X')).toBeCloseTo(rest, 6);
+  await stands(page, 'running');
+  await page.getByTestId('reset').click();
+  await stands(page, 'idle');
+  await press(page, 'KEY_HDRV');
+  await press(page, 'KEY_DRY');
+  await expect(dial(page)).toHaveAttribute('aria-disabled', 'true');
 });

@@ -1,6 +1,7 @@
 // What keeps a machine safe in a browser: a key acts while it is held, and what must be touched can be touched.
 import { expect, test } from '@playwright/test';
 import { mock, type Sent } from './mock';
+import { release, stands } from './walk';
 
 const keys = (sent: Sent[]) => sent.filter((one) => one.do === 'key').map((one) => `${String(one.key)} ${one.down ? 'down' : 'up'}`);
 
@@ -95,6 +96,98 @@ test('keys of the keyboard: emergency stop from any page, jog only with Ctrl and
   await page.keyboard.press('?');
   await expect(page.getByRole('dialog')).toContainText('F10');
 });
+
+test('with Shift the keyboard moves the axes behind the first two, and the modifier let go first ends it', async ({ context }) => {
+  const { page, sent } = await mock(context, { mode: 'jog' });
+  await stands(page, 'running');
+  await page.locator('[data-testid="axes"]').click();
+  for (const modifier of ['Shift', 'Control']) {
+    sent.length = 0;
+    await page.keyboard.down('Control');
+    await page.keyboard.down('Shift');
+    await page.keyboard.down('ArrowUp');
+    await expect.poll(() => keys(sent)).toEqual(['KEY_Z+ down']);
+    await page.keyboard.up(modifier);
+    await expect.poll(() => keys(sent)).toEqual(['KEY_Z+ down', 'KEY_Z+ up']);
+    // The arrow goes on being held, with what is left of the modifiers, and says so; it moves no other axis.
+    await page.keyboard.down('ArrowUp');
+    await page.evaluate(() => dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowUp', code: 'ArrowUp', ctrlKey: true })));
+    await page.waitForTimeout(200);
+    expect(keys(sent)).toEqual(['KEY_Z+ down', 'KEY_Z+ up']);
+    for (const key of ['ArrowUp', 'Shift', 'Control']) await page.keyboard.up(key);
+  }
+  sent.length = 0;
+  await page.keyboard.press('Control+ArrowUp');
+  await page.keyboard.press('Control+Shift+ArrowLeft');
+  await expect.poll(() => keys(sent)).toEqual(['KEY_Y+ down', 'KEY_Y+ up', 'KEY_A- down', 'KEY_A- up']);
+});
+
+test('the fourth axis has its keys whatever its letter is', async ({ context }) => {
+  const { page, sent } = await mock(context, { mode: 'jog', axes: ['X', 'Y', 'Z', 'C'] });
+  await stands(page, 'running');
+  await page.getByRole('button', { name: 'Move C−' }).click();
+  await expect.poll(() => keys(sent)).toEqual(['KEY_A- down', 'KEY_A- up']);
+  await page.getByRole('button', { name: 'Handwheel moves C' }).click();
+  await page.keyboard.press('Control+Shift+ArrowRight');
+  await expect.poll(() => keys(sent).filter((one) => one.endsWith('down'))).toEqual(['KEY_A- down', 'KEY_WA down', 'KEY_A+ down']);
+  await page.keyboard.press('?');
+  await expect(page.getByRole('dialog')).toContainText('Move C while held');
+});
+
+test('keys of axes that a machine lacks are not there', async ({ context }) => {
+  const { page } = await mock(context, { mode: 'jog', axes: ['X', 'Z'] });
+  await stands(page, 'running');
+  await expect(page.locator('[data-signal="KEY_Y+"]')).toHaveText('Z+');
+  await expect(page.locator('[data-signal^="KEY_Z"], [data-signal^="KEY_A+"], [data-signal="KEY_WZ"], [data-signal="KEY_WA"]')).toHaveCount(0);
+});
+
+const stops = (sent: Sent[]) => sent.filter((one) => one.do === 'emergency_stop').map((one) => one.pressed);
+
+for (const apart of [80, 150, 250, 700]) {
+  test(`an emergency stop that is hit twice within ${apart} ms stands`, async ({ browser }) => {
+    const context = await browser.newContext({ hasTouch: true, viewport: { width: 1366, height: 820 } });
+    const { page, sent } = await mock(context);
+    await stands(page, 'running');
+    const box = (await page.getByTestId('emergency').boundingBox())!;
+    const cdp = await context.newCDPSession(page);
+    const touchPoints = [{ x: box.x + box.width / 2, y: box.y + box.height / 2 }];
+    await cdp.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints });
+    // As soon as the finger is down.
+    await expect.poll(() => stops(sent)).toEqual([true]);
+    await cdp.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+    await page.waitForTimeout(apart);
+    await cdp.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints });
+    // Nor does the second one release it, however long it lasts.
+    await page.waitForTimeout(1500);
+    await cdp.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+    await stands(page, 'emergency');
+    expect(stops(sent)).not.toContain(false);
+    // Later a tap is too short.
+    await page.touchscreen.tap(touchPoints[0]!.x, touchPoints[0]!.y);
+    await page.waitForTimeout(1200);
+    expect(stops(sent)).not.toContain(false);
+    await context.close();
+  });
+}
+
+for (const by of ['pointer', 'Enter', ' '] as const) {
+  test(`the emergency stop is pressed at once and released by ${by === ' ' ? 'Space' : by} held down`, async ({ context }) => {
+    const { page, sent } = await mock(context);
+    await stands(page, 'running');
+    const stop = page.getByTestId('emergency');
+    if (by === 'pointer') await stop.hover();
+    else await stop.focus();
+    // The press itself, held on, does not release it.
+    await (by === 'pointer' ? page.mouse.down() : page.keyboard.down(by));
+    await stands(page, 'emergency');
+    await page.waitForTimeout(2500);
+    await (by === 'pointer' ? page.mouse.up() : page.keyboard.up(by));
+    expect(stops(sent)).toEqual([true]);
+    await release(page, by);
+    await stands(page, 'running');
+    expect(stops(sent)).toEqual([true, true, false]);
+  });
+}
 
 test('a connection that is lost is told, and comes back', async ({ context }) => {
   const { page, cut } = await mock(context);

@@ -2,7 +2,7 @@
 import type { Page } from '@playwright/test';
 import { expect, PASSWORDS, shoot, test } from './server';
 import { pages } from './pages';
-import { enter, home, load, logIn, mode, notice, PLATE, press, selected, show, stands, take, watchFaults, whole, x } from './walk';
+import { enter, home, load, logIn, mode, notice, PLATE, press, release, selected, show, stands, take, watchFaults, whole, x } from './walk';
 
 /** A probe of 2 mm, and deep below the reference point what its middle meets of a hole of 30 mm about X0.5 Y-0.25, on the
     lines through X0 Y0. */
@@ -428,7 +428,7 @@ test('of two browsers one commands; the other watches, may stop, and is handed c
     await expect(other.getByTestId('mode')).toHaveText('Jog');
     await other.getByTestId('emergency').click();
     await stands(page, 'emergency');
-    await page.getByTestId('emergency').click();
+    await release(page);
     await page.getByTestId('reset').click();
     await stands(other, 'idle');
     // Handed over.

@@ -28,6 +28,11 @@ export type Options = {
   /** What the program says to the operator. */
   says?: string;
   mode?: string;
+  /** Lamps that are lit besides. */
+  lamps?: string[];
+  isDryRun?: boolean;
+  /** Letters of the axes; X Y Z A unless told. */
+  axes?: string[];
   welcomed?: boolean;
   /** Whether the status moves, 50 times a second. */
   moves?: boolean;
@@ -55,6 +60,7 @@ export async function mock(context: BrowserContext, options: Options = {}): Prom
   const page = await context.newPage();
   const sent: Sent[] = [];
   let socket: WebSocketRoute | null = null;
+  let emergency = false;
   const session = { level: 0, needs_log_in: options.needsLogIn ?? false };
   if (options.welcomed !== false) {
     await page.addInitScript(() => {
@@ -98,8 +104,9 @@ export async function mock(context: BrowserContext, options: Options = {}): Prom
       const command = JSON.parse(String(text)) as Sent & { id?: number; program?: string };
       sent.push({ ...command, at: performance.now() });
       if (command.id === undefined) return;
+      if (command.do === 'emergency_stop') emergency = command.pressed === true;
       if (command.do === 'watch') {
-        timer = setInterval(() => say({ status: status(options.moves === false ? 0 : tick++, options) }), 20);
+        timer = setInterval(() => say({ status: { ...status(options.moves === false ? 0 : tick++, options), ...(emergency ? { activity: 'emergency' } : {}) } }), 20);
       }
       if (options.lost?.(command)) return void ws.close();
       say({ id: command.id, ...reply(command, options) });
@@ -110,10 +117,14 @@ export async function mock(context: BrowserContext, options: Options = {}): Prom
   return { page, home, sent, session, cut: () => void socket?.close(), say: (line) => socket?.send(JSON.stringify(line)) };
 }
 
+const lettersOf = (options: Options) => options.axes ?? ['X', 'Y', 'Z', 'A'];
+/** Values of the axes, in their order. */
+const placed = (options: Options, ...values: number[]): Record<string, number> => Object.fromEntries(lettersOf(options).map((axis, index) => [axis, values[index]!]));
+
 function reply(command: Sent & { program?: string }, options: Options): object {
   switch (command.do) {
     case 'version':
-      return { reply: 'version', api: 1, software: '0.1.0', dialect: 'gsk990mc', machine: 'Demo mill', axes: ['X', 'Y', 'Z', 'A'], period_ms: 1 };
+      return { reply: 'version', api: 1, software: '0.1.0', dialect: 'gsk990mc', machine: 'Demo mill', axes: lettersOf(options), period_ms: 1 };
     case 'status':
       return { reply: 'status', ...status(0, options) };
     case 'programs':
@@ -127,7 +138,7 @@ function reply(command: Sent & { program?: string }, options: Options): object {
     case 'offsets':
       return { reply: 'offsets', offsets: { 1: { length: -102.35, radius: 5 } } };
     case 'zeros':
-      return { reply: 'zeros', zeros: { G54: { X: 1, Y: 2, Z: 3, A: 0 } } };
+      return { reply: 'zeros', zeros: { G54: placed(options, 1, 2, 3, 0) } };
     case 'variables':
       return { reply: 'variables', variables: { 100: 1.5 } };
     case 'parameters':
@@ -149,18 +160,18 @@ function reply(command: Sent & { program?: string }, options: Options): object {
 
 function status(tick: number, options: Options): object {
   const angle = tick / 50;
-  const work = { X: 50 + 30 * Math.sin(angle), Y: 40 + 20 * Math.cos(angle), Z: -3 + 2 * Math.sin(3 * angle), A: 10 * angle };
-  const zero = { X: 0, Y: 0, Z: 0, A: 0 };
+  const work = placed(options, 50 + 30 * Math.sin(angle), 40 + 20 * Math.cos(angle), -3 + 2 * Math.sin(3 * angle), 10 * angle);
+  const zero = placed(options, 0, 0, 0, 0);
   return {
     periods: tick * 20, mode: options.mode ?? 'auto', program_mode: 'auto', activity: options.alarm ? 'alarm' : 'running',
     finishing_block: false, alarms: options.alarm ? [{ id: 'FC-0302', line: 3, warning: false, values: {} }] : [],
-    position: { machine: work, actual: work, work, relative: work, to_go: { ...zero, X: 80 - work.X }, interruption: zero, system: 'G54' },
+    position: { machine: work, actual: work, work, relative: work, to_go: { ...zero, X: 80 - work.X! }, interruption: zero, system: 'G54' },
     feed: { actual: 890 + 10 * Math.sin(angle), programmed: 900, feed_override: 1, rapid_override: 0.5, manual_override: 1 },
     spindle: { programmed: 2400, told: 2400, actual: -2390, spindle_override: 1.1, tool: 1, called_tool: 2 },
     program: { selected: 'O0001', cursor: 1, running: 'O0001', line: 2 + (Math.floor(angle) % 3), block: 'N20 G01 X50 F900', g_codes: ['G01', 'G17', 'G21', 'G54', 'G90'], h: 1, d: 5 },
-    switches: { single_block: false, block_skip: false, optional_stop: true, dry_run: false, machine_lock: false, auxiliary_lock: false },
+    switches: { single_block: false, block_skip: false, optional_stop: true, dry_run: options.isDryRun ?? false, machine_lock: false, auxiliary_lock: false },
     counters: { parts: 17, all_parts: 1200, run_time: 4000 + angle, cutting_time: 3200 + angle, power_on_time: 90_000 },
-    referenced: ['X', 'Y', 'Z'], messages: [], program_message: options.says ?? '', dnc: options.dnc ?? null, lamps: ['LAMP_AUTO', 'LAMP_START'], panel: { SWITCH_FEED: 10, SWITCH_SPINDLE: 6 }, level: 5,
+    referenced: ['X', 'Y', 'Z'], messages: [], program_message: options.says ?? '', dnc: options.dnc ?? null, lamps: ['LAMP_AUTO', 'LAMP_START', ...(options.lamps ?? [])], panel: { SWITCH_FEED: 10, SWITCH_SPINDLE: 6 }, level: 5,
   };
 }
 

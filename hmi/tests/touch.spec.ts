@@ -2,7 +2,7 @@
 import type { Page } from '@playwright/test';
 import { pages } from './pages';
 import { expect, shoot, test } from './server';
-import { enter, load, PLATE, selected, show, watchFaults } from './walk';
+import { bring, enter, load, logIn, PLATE, press, selected, show, watchFaults } from './walk';
 
 watchFaults();
 
@@ -18,7 +18,7 @@ const small = (page: Page) =>
       return { own, width: Math.max(own.width, label?.width ?? 0), height: Math.max(own.height, label?.height ?? 0, group?.height ?? 0) };
     };
     return [...document.querySelectorAll<HTMLElement>('button, input:not([type=file]), select, textarea, summary, a[href], [role=button], [role=checkbox], [role=radio], [role=tab], [role=switch]')]
-      .filter((one) => one.checkVisibility({ opacityProperty: true, visibilityProperty: true }) && !one.closest('[popover]:not(:popover-open), .cm-editor'))
+      .filter((one) => one.checkVisibility({ opacityProperty: true, visibilityProperty: true }) && !one.closest('[popover]:not(:popover-open)'))
       .map((one) => ({ one, ...size(one) }))
       .filter(({ own, width, height }) => own.width > 0 && (height < least || width < least))
       .map(({ one, own }) => `${one.tagName} ${one.getAttribute('aria-label') ?? one.textContent?.trim().slice(0, 30) ?? ''} ${own.width.toFixed(0)}×${own.height.toFixed(0)}`);
@@ -37,6 +37,146 @@ const covered = (page: Page) =>
       })
       .map((one) => one.getAttribute('aria-label') ?? one.textContent?.trim() ?? ''),
   );
+
+/** What runs over its edge sideways: a part that scrolls up and down alone, the tabs, and what a key or a button says. */
+const over = (page: Page) =>
+  page.evaluate(() => {
+    const called = (one: Element) => `${one.tagName}.${[...one.classList].filter((name) => !name.startsWith('svelte-')).join('.')} ${(one.getAttribute('aria-label') ?? one.textContent ?? '').trim().slice(0, 30)}`;
+    const shown = (selector: string) =>
+      [...document.querySelectorAll<HTMLElement>(selector)].filter((one) => one.checkVisibility({ opacityProperty: true, visibilityProperty: true }) && !one.closest('[popover]:not(:popover-open)'));
+    const told = shown('.scroll, .tabs, .card, dialog, [popover], .cm-panel, button, a[href]')
+      .filter((one) => !one.closest('[data-pans]') && (!one.closest('.cm-editor') || one.closest('.cm-panels')) && one.clientWidth > 0 && one.scrollWidth > one.clientWidth + 1)
+      .map((one) => `${called(one)} needs ${one.scrollWidth} of ${one.clientWidth} px`);
+    // Nor is anything beside the part of the screen that it is in.
+    const beside = shown(':is(main, dialog, [popover]) :is(button, input, select, textarea, a[href])')
+      .filter((one) => !one.closest('[data-pans]'))
+      .filter((one) => {
+        const own = one.getBoundingClientRect();
+        const frame = one.closest('.cm-panel, .card, .scroll, dialog, [popover], main')!.getBoundingClientRect();
+        return own.width > 0 && (own.right > frame.right + 1 || own.left < frame.left - 1);
+      })
+      .map((one) => `${called(one)} is beside its frame`);
+    return [...told, ...beside];
+  });
+
+for (const language of ['en', 'zh', 'ru', 'es', 'tr']) {
+  test(`nothing runs over its edge in ${language} at 800 × 600`, async ({ page }) => {
+    test.setTimeout(400_000);
+    await page.addInitScript((kept) => localStorage.setItem('ferrocut.panel', kept), JSON.stringify({ welcomed: true, language, theme: 'dark', panel: false }));
+    await page.setViewportSize({ width: 800, height: 600 });
+    await page.goto('/');
+    await expect(page.locator('html')).toHaveAttribute('lang', language);
+    await expect(page.getByTestId('mode')).toBeVisible();
+    const wrong = new Set<string>();
+    for (const [name, tabs] of Object.entries(pages)) {
+      for (const tab of tabs.length ? tabs : ['']) {
+        const hash = tab ? `${name}/${tab}` : name;
+        await show(page, hash);
+        // What it asks for comes.
+        await page.waitForTimeout(400);
+        for (const one of await over(page)) wrong.add(`${hash}: ${one}`);
+        if (tab === 'all' || name === 'settings') await shoot(page, `narrow-${language}-${name}-${tab}`);
+      }
+    }
+    await page.getByTestId('panel-toggle').click();
+    await expect(page.getByTestId('machine-panel')).toBeVisible();
+    for (const one of await over(page)) wrong.add(`machine panel: ${one}`);
+    expect([...wrong]).toEqual([]);
+  });
+}
+
+for (const language of ['en', 'ru']) {
+  test(`what is opened over a page can be touched in ${language} at 800 × 600`, async ({ page }) => {
+    page.setDefaultTimeout(20_000);
+    await page.addInitScript(
+      (kept) => {
+        if (!localStorage.getItem('ferrocut.panel')) localStorage.setItem('ferrocut.panel', kept);
+      },
+      JSON.stringify({ welcomed: false, language, theme: 'dark', panel: false }),
+    );
+    await page.setViewportSize({ width: 800, height: 600 });
+    await page.goto('/');
+    const wrong: string[] = [];
+    const dialog = page.getByRole('dialog');
+    const judge = async (name: string) => {
+      for (const one of [...(await small(page)), ...(await over(page))]) wrong.push(`${name}: ${one}`);
+      const outside = await page.evaluate(() =>
+        [...document.querySelectorAll('dialog[open], [popover]:popover-open')]
+          .map((one) => one.getBoundingClientRect())
+          .some(({ left, top, right, bottom }) => left < 0 || top < 0 || right > innerWidth || bottom > innerHeight),
+      );
+      if (outside) wrong.push(`${name} is beside the screen`);
+      await shoot(page, `over-${language}-${name}`);
+    };
+    /** Opens it, looks at it, and closes it. */
+    const look = async (name: string, open: () => Promise<void>) => {
+      await open();
+      await expect(dialog).toBeVisible();
+      await judge(name);
+      await page.keyboard.press('Escape');
+      await expect(dialog).toBeHidden();
+    };
+    const click = (id: string) => () => page.getByTestId(id).click();
+
+    await expect(dialog).toBeVisible();
+    await judge('welcome');
+    await page.getByTestId('welcome-start').click();
+    await expect(page.locator('.who')).toHaveClass(/you/);
+    await page.getByTestId('user').click();
+    await expect(page.getByTestId('log-in')).toBeVisible();
+    await judge('user');
+    await page.keyboard.press('Escape');
+    await look('log-in', async () => {
+      await click('user')();
+      await click('log-in')();
+    });
+    await look('keyboard', click('keyboard'));
+    await logIn(page, 2);
+    await expect(page.getByTestId('user')).toHaveText('2');
+
+    const bytes = Buffer.from('O0044 (TOUCH)\nG0 X1.\nM30\n');
+    await bring(page, 'O0044', bytes);
+    await look('new', click('new'));
+    await page.locator('[data-program="O0044"]').getByRole('button').click();
+    await look('copy', click('copy'));
+    await look('rename', click('rename'));
+    await look('delete', click('delete'));
+    await look('replace', () => page.getByTestId('upload').setInputFiles({ name: 'O0044.nc', mimeType: 'text/plain', buffer: bytes }));
+
+    // A picture needs a program.
+    await press(page, 'KEY_AUTO');
+    await click('select')();
+    await expect(selected(page)).toContainText('O0044');
+    await show(page, 'program/edit/O0044');
+    await expect(page.locator('.cm-content')).toContainText('TOUCH');
+    await look('renumber', click('renumber'));
+    await click('find')();
+    await expect(page.locator('.cm-search')).toBeVisible();
+    await judge('find');
+    await page.keyboard.press('Escape');
+    await click('to-line')();
+    await expect(page.locator('.cm-dialog')).toBeVisible();
+    await judge('to-line');
+    await page.keyboard.press('Escape');
+
+    await show(page, 'graphics');
+    await look('drawing', click('drawing'));
+
+    await show(page, 'settings/data');
+    await page.locator('[data-page="settings"] input.code').last().fill(`touch-${language}.backup`);
+    await click('back-up')();
+    await expect(page.locator(`[data-backup="touch-${language}.backup"]`)).toBeVisible();
+    await look('restore', click('restore'));
+    await look('bring', () => page.getByTestId('bring-backup').setInputFiles({ name: `touch-${language}.backup`, mimeType: 'application/json', buffer: bytes }));
+
+    await show(page, 'plc/edit');
+    await expect(page.locator('.cm-content')).toContainText('LAMP');
+    await page.locator('.cm-content').click();
+    await page.keyboard.type(' ');
+    await look('exchange', click('exchange'));
+    expect(wrong).toEqual([]);
+  });
+}
 
 for (const [width, height] of [[800, 600], [600, 800], [1024, 768], [3840, 2160]] as const) {
   test(`every page fits and can be touched at ${width} × ${height}`, async ({ page }) => {

@@ -23,6 +23,20 @@ export async function press(page: Page, key: string): Promise<void> {
   await page.mouse.up();
 }
 
+/** Releases the emergency stop: it is held until the machine has heard it. */
+export async function release(page: Page, by: 'pointer' | 'Enter' | ' ' = 'pointer'): Promise<void> {
+  const stop = page.getByTestId('emergency');
+  await expect(stop).toHaveAttribute('aria-pressed', 'true');
+  // One that was pressed a moment ago is not released.
+  await page.waitForTimeout(1100);
+  const [down, up] = by === 'pointer' ? [() => page.mouse.down(), () => page.mouse.up()] : [() => page.keyboard.down(by), () => page.keyboard.up(by)];
+  if (by === 'pointer') await stop.hover();
+  else await stop.focus();
+  await down();
+  await expect(stop).toHaveAttribute('aria-pressed', 'false');
+  await up();
+}
+
 /** Chooses a mode. */
 export async function mode(page: Page, key: string, name: string): Promise<void> {
   await press(page, key);

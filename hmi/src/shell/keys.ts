@@ -12,6 +12,19 @@ const key = (name: string, icon?: IconName): PanelKey => ({
   ...(icon ? { icon } : {}),
 });
 
+/** What the standard ladder calls the first four axes of a machine, whatever their letters are. */
+export const axisSignals = ['X', 'Y', 'Z', 'A'] as const;
+
+/** The keys of the first four axes by their place, with the letters that the machine gives them. */
+export const axisKeysOf = (letters: readonly string[]) =>
+  axisSignals.slice(0, letters.length).map((name, index) => ({
+    letter: letters[index]!,
+    plus: `KEY_${name}+`,
+    minus: `KEY_${name}-`,
+    wheel: `KEY_W${name}`,
+  }));
+export type AxisKey = ReturnType<typeof axisKeysOf>[number];
+
 export const modes: { mode: Mode; signal: string; lamp: string }[] = (
   [
     ['auto', 'AUTO'],
@@ -26,7 +39,7 @@ export const modes: { mode: Mode; signal: string; lamp: string }[] = (
 ).map(([mode, name]) => ({ mode, signal: `KEY_${name}`, lamp: `LAMP_${name}` }));
 
 /** Switches of automatic operation: a press turns them on or off. */
-export const switches = ['SINGLE', 'SKIP', 'OPTSTOP', 'DRY', 'MLOCK', 'AUXLOCK', 'RESTART'].map((name) => key(name));
+export const switches = ['SINGLE', 'SKIP', 'OPTSTOP', 'DRY', 'MLOCK', 'AUXLOCK', 'RESTART', 'HDRV'].map((name) => key(name));
 
 export const spindle = [
   key('SP_CCW', 'ccw'),

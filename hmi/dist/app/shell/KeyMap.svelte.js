@@ -4,6 +4,7 @@ import { go } from "../lib/routing.svelte.js";
 import { machine } from "../lib/state/machine.svelte.js";
 import { ui } from "../lib/state/ui.svelte.js";
 import { pages } from "../pages/index.js";
+import { axisKey, ended, heldKeys, overrideKeys, rapidKeys } from "./bindings.js";
 import { modes, rapids } from "./keys.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
@@ -13,56 +14,13 @@ var root_1 = $.from_html(`<div class="s-1u04ry5"><dt class="s-1u04ry5"></dt> <dd
 var root_2 = $.from_html(`<dl class="s-1u04ry5"></dl> <p class="muted"> </p>`, 1);
 function KeyMap($$anchor, $$props) {
 	$.push($$props, true);
-	/** Keys that are held like those of the machine panel. */
-	const heldKeys = {
-		F9: "KEY_HOLD",
-		F10: "KEY_START"
-	};
-	/** Axis keys; they move in the mode JOG alone, and only with Ctrl, so that a cursor key never moves a machine. */
-	const axisKeys = {
-		ArrowRight: "KEY_X+",
-		ArrowLeft: "KEY_X-",
-		ArrowUp: "KEY_Y+",
-		ArrowDown: "KEY_Y-",
-		PageUp: "KEY_Z+",
-		PageDown: "KEY_Z-"
-	};
+	/** Keys that are held, by where they are on the keyboard. */
 	const down = /* @__PURE__ */ new Map();
+	/** Keys that are down still, also those that a modifier has ended: with another one they are no key before they are let go. */
+	const spent = /* @__PURE__ */ new Set();
 	function typing(target) {
 		return target instanceof HTMLElement && (target.isContentEditable || /^(INPUT|TEXTAREA|SELECT)$/.test(target.tagName));
 	}
-	/** Switches of the panel that a key turns by a step: with the position that they have unless told, and the last one. */
-	const overrideKeys = {
-		ArrowUp: [
-			"SWITCH_FEED",
-			1,
-			10,
-			20
-		],
-		ArrowDown: [
-			"SWITCH_FEED",
-			-1,
-			10,
-			20
-		],
-		ArrowRight: [
-			"SWITCH_SPINDLE",
-			1,
-			5,
-			7
-		],
-		ArrowLeft: [
-			"SWITCH_SPINDLE",
-			-1,
-			5,
-			7
-		]
-	};
-	/** Steps of the rapid override. */
-	const rapidKeys = {
-		PageUp: 1,
-		PageDown: -1
-	};
 	function turn(name, by, standard, last) {
 		const position = (machine.status?.panel[name] ?? standard) + by;
 		if (position >= 0 && position <= last) machine.tell({
@@ -80,12 +38,23 @@ function KeyMap($$anchor, $$props) {
 		const now = rapids.findIndex((one) => machine.status?.lamps.includes(one.lamp));
 		return rapids[Math.max(0, Math.min(rapids.length - 1, now + by))]?.signal;
 	}
+	function press(event, chord, signal) {
+		if (event.repeat || spent.has(event.code)) return;
+		spent.add(event.code);
+		if (!machine.inCommand) return void machine.refuse("not_in_command");
+		down.set(event.code, {
+			signal,
+			chord
+		});
+		machine.hold(signal);
+	}
 	function keydown(event) {
+		letGo(({ chord }) => ended(chord, event));
 		const page = event.altKey && !event.shiftKey && /^Digit\d$/.test(event.code) ? pages[(Number(event.code.slice(5)) + 9) % 10] : void 0;
-		const jogs = event.ctrlKey && !event.altKey && machine.status?.mode === "jog" && !typing(event.target);
+		const jog = machine.status?.mode === "jog" && !typing(event.target) ? axisKey(event, machine.axes.length) : void 0;
 		const chooses = event.altKey && event.shiftKey && !event.ctrlKey && !typing(event.target) && !event.defaultPrevented;
 		const override = chooses ? overrideKeys[event.key] : void 0;
-		const signal = heldKeys[event.key] ?? (jogs ? axisKeys[event.key] : void 0) ?? (chooses ? chosen(event) : void 0);
+		const signal = heldKeys.find((one) => one.key === event.key)?.signal ?? (chooses ? chosen(event) : void 0);
 		if (page) go(page.id);
 		else if (override) turn(...override);
 		else if (event.key === "F1") {
@@ -95,29 +64,27 @@ function KeyMap($$anchor, $$props) {
 			});
 		} else if (event.key === "F8") {
 			if (!event.repeat) machine.tell({ do: "reset" });
-		} else if (signal) {
-			if (!event.repeat && !down.has(event.code)) {
-				if (!machine.inCommand) machine.refuse("not_in_command");
-				else {
-					down.set(event.code, signal);
-					machine.hold(signal);
-				}
-			}
-		} else if (event.key === "?" && !typing(event.target)) ui.keyMap = !ui.keyMap;
+		} else if (jog) press(event, jog.chord, jog.signal);
+		else if (signal) press(event, { key: event.key }, signal);
+		else if (event.key === "?" && !typing(event.target)) ui.keyMap = !ui.keyMap;
 		else return;
 		event.preventDefault();
 	}
 	function keyup(event) {
-		const signal = down.get(event.code);
-		if (signal) {
-			down.delete(event.code);
-			machine.release(signal);
-		}
-		if (event.key === "Control") letGo();
+		spent.delete(event.code);
+		letGo(({ chord }, code) => code === event.code || ended(chord, event));
 	}
-	function letGo() {
-		for (const signal of down.values()) machine.release(signal);
-		down.clear();
+	/** Lets keys go. */
+	function letGo(which) {
+		for (const [code, held] of down) {
+			if (!which(held, code)) continue;
+			down.delete(code);
+			machine.release(held.signal);
+		}
+	}
+	function away() {
+		spent.clear();
+		letGo(() => true);
 	}
 	const map = $.derived(() => [
 		{
@@ -138,12 +105,16 @@ function KeyMap($$anchor, $$props) {
 		},
 		{
 			keys: ["Ctrl", "← → ↑ ↓"],
-			text: t("keymap.jog_xy")
+			text: t("keymap.jog", { axes: machine.axes.slice(0, 2).join(" / ") })
 		},
-		{
-			keys: ["Ctrl", "PgUp PgDn"],
-			text: t("keymap.jog_z")
-		},
+		...machine.axes.slice(2, 4).map((axes, place) => ({
+			keys: [
+				"Ctrl",
+				"⇧",
+				["↑ ↓", "← →"][place]
+			],
+			text: t("keymap.jog", { axes })
+		})),
 		{
 			keys: ["↑ ↓", "+ −"],
 			text: t("keymap.wheel")
@@ -203,7 +174,7 @@ function KeyMap($$anchor, $$props) {
 	]);
 	$.event("keydown", $.window, keydown);
 	$.event("keyup", $.window, keyup);
-	$.event("blur", $.window, letGo);
+	$.event("blur", $.window, away);
 	{
 		let $0 = $.derived(() => t("keymap.title"));
 		Dialog($$anchor, {

@@ -14,7 +14,7 @@ var root = $.from_html(`<a class="program code s-1221wew"> <span class="muted"> 
 var root_1 = $.from_html(`<span class="mode s-1221wew" data-testid="mode"> </span> <!>`, 1);
 var root_2 = $.from_html(`<button type="button" data-testid="alarm-strip"><!><span class="code"> </span><span class="text s-1221wew"> </span></button>`);
 var root_3 = $.from_html(`<span class="message s-1221wew"><!><span class="text s-1221wew"> </span></span>`);
-var root_4 = $.from_html(`<header class="s-1221wew"><div data-testid="activity"><i class="s-1221wew"></i> <span> </span></div> <!> <div class="middle s-1221wew"><!></div> <button type="button" data-testid="command"><!> <span class="wide s-1221wew"> </span></button> <!> <button type="button" class="icon s-1221wew"><!></button> <button type="button" class="icon s-1221wew" data-testid="panel-toggle"><!></button> <time class="number s-1221wew"> </time></header>`);
+var root_4 = $.from_html(`<header class="s-1221wew"><div data-testid="activity"><i class="s-1221wew"></i> <span> </span></div> <!> <div class="middle s-1221wew"><!></div> <button type="button" data-testid="command"><!> <span class="wide s-1221wew"> </span></button> <!> <button type="button" class="icon s-1221wew" data-testid="keyboard"><!></button> <button type="button" class="icon s-1221wew" data-testid="panel-toggle"><!></button> <time class="number s-1221wew"> </time></header>`);
 function TopBar($$anchor, $$props) {
 	$.push($$props, true);
 	const status = $.derived(() => machine.status);

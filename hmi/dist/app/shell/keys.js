@@ -5,6 +5,20 @@ var key = (name, icon) => ({
 	text: `panel.${name.toLowerCase()}`,
 	...icon ? { icon } : {}
 });
+/** What the standard ladder calls the first four axes of a machine, whatever their letters are. */
+var axisSignals = [
+	"X",
+	"Y",
+	"Z",
+	"A"
+];
+/** The keys of the first four axes by their place, with the letters that the machine gives them. */
+var axisKeysOf = (letters) => axisSignals.slice(0, letters.length).map((name, index) => ({
+	letter: letters[index],
+	plus: `KEY_${name}+`,
+	minus: `KEY_${name}-`,
+	wheel: `KEY_W${name}`
+}));
 var modes = [
 	["auto", "AUTO"],
 	["edit", "EDIT"],
@@ -27,7 +41,8 @@ var switches = [
 	"DRY",
 	"MLOCK",
 	"AUXLOCK",
-	"RESTART"
+	"RESTART",
+	"HDRV"
 ].map((name) => key(name));
 var spindle = [
 	key("SP_CCW", "ccw"),
@@ -76,4 +91,4 @@ var increments = [
 	signal: `KEY_S${step}`,
 	label
 }));
-export { auxiliaries, increments, modes, rapids, spindle, switches };
+export { auxiliaries, axisKeysOf, axisSignals, increments, modes, rapids, spindle, switches };

@@ -122,7 +122,7 @@ describe('the source', () => {
   it('has no text of its own in its scripts', () => {
     /** What looks like words and is none that people read: keys, names of errors, styles, shaders; what languages and
         keys of the keyboard are called everywhere. */
-    const known = new Set(['English', 'Русский', 'Español', 'Türkçe', 'HttpError', 'Refused', 'Enter', 'Delete', 'Control', 'Ctrl', 'Alt', 'Mod-s']);
+    const known = new Set(['English', 'Русский', 'Español', 'Türkçe', 'HttpError', 'Refused', 'Enter', 'Delete', 'Control', 'Ctrl', 'Shift', 'ArrowUp', 'ArrowDown', 'ArrowLeft', 'ArrowRight', 'Alt', 'Mod-s']);
     // CodeMirror's phrases are keys: what is said for each is a text of the catalogues.
     const apart = /(^|\/)(phrases|theme)\.ts$|graphics\/scene\.ts$/;
     const looks = (value: string) => /\p{Ll}{2,} +\p{L}{2,}/u.test(value) || /^\p{Lu}\p{Ll}{2,}/u.test(value);

@@ -54,7 +54,10 @@ export function held(key: () => Held): Attachment<HTMLElement> {
         press();
       },
       keyup(event: KeyboardEvent) {
-        if (byKeyboard && (event.key === ' ' || event.key === 'Enter')) letGo();
+        if (!byKeyboard || (event.key !== ' ' && event.key !== 'Enter')) return;
+        // Browsers make a click of a space bar that is let go.
+        event.preventDefault();
+        letGo();
       },
       blur() {
         if (byKeyboard) letGo();

@@ -51,6 +51,7 @@ var theme = EditorView.theme({
 		color: "var(--text)"
 	},
 	".cm-panel .cm-button": {
+		minWidth: "44px",
 		minHeight: "44px",
 		fontSize: "0.9rem",
 		background: "var(--raised)",

@@ -1,8 +1,8 @@
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/lib/parts/Segmented.svelte
-var root = $.from_html(`<button type="button" role="radio" class="s-7bygoa"> </button>`);
-var root_1 = $.from_html(`<div class="segmented s-7bygoa" role="radiogroup"></div>`);
+var root = $.from_html(`<button type="button" role="radio" class="s-niintw"> </button>`);
+var root_1 = $.from_html(`<div class="segmented s-niintw" role="radiogroup"></div>`);
 function Segmented($$anchor, $$props) {
 	$.push($$props, true);
 	let value = $.prop($$props, "value", 15);

@@ -1,5 +1,6 @@
 import { t } from "../i18n/index.svelte.js";
 import { machine } from "../state/machine.svelte.js";
+import { held } from "./held.js";
 import Icon from "./Icon.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
@@ -21,24 +22,58 @@ function StopButton($$anchor, $$props) {
 		/** The sign beside the text. */
 	), rest = $.rest_props($$props, rest_excludes);
 	const emergency = $.derived(() => machine.status?.activity === "emergency");
-	function stop() {
+	/** How long the key is held to release it, and how long after a press it does not begin to, ms. */
+	const HELD_MS = 1e3;
+	const FRESH_MS = 1e3;
+	let since = 0;
+	let timer;
+	let releasing = $.state(false);
+	$.user_effect(() => {
+		if ($.get(emergency)) since = performance.now();
+		else letGo();
+	});
+	function letGo() {
+		clearTimeout(timer);
+		$.set(releasing, false);
+	}
+	function press() {
+		const latched = $.get(emergency) && performance.now() - since >= FRESH_MS;
 		machine.tell({
 			do: "emergency_stop",
-			pressed: !$.get(emergency)
+			pressed: true
+		});
+		if (!latched) return;
+		$.set(releasing, true);
+		timer = setTimeout(() => {
+			$.set(releasing, false);
+			machine.tell({
+				do: "emergency_stop",
+				pressed: false
+			});
+		}, HELD_MS);
+	}
+	/** A press without a pointer or a key, as programs that read the screen aloud make it. */
+	function click(event) {
+		if (event.detail === 0) machine.tell({
+			do: "emergency_stop",
+			pressed: true
 		});
 	}
 	var button = root();
-	$.attribute_effect(button, () => ({
+	$.attribute_effect(button, ($0) => ({
 		type: "button",
 		...rest,
 		class: "estop",
-		onclick: stop,
+		onclick: click,
 		"aria-pressed": $.get(emergency),
+		title: $0,
 		[$.CLASS]: {
 			flat: flat(),
-			emergency: $.get(emergency)
-		}
-	}), void 0, void 0, void 0, "s-1eiflxa");
+			emergency: $.get(emergency),
+			releasing: $.get(releasing)
+		},
+		[$.STYLE]: { "--held": `${HELD_MS}ms` }
+	}), [() => $.get(emergency) ? t("panel.release_hint") : t("panel.emergency")], void 0, void 0, "s-1dokmyd");
 	var node = $.child(button);
 	{
 		let $0 = $.derived(() => $.get(emergency) ? "undo" : "stop");
@@ -49,6 +84,10 @@ function StopButton($$anchor, $$props) {
 	var span = $.sibling(node);
 	var text = $.only_child(span, true);
 	$.reset(button);
+	$.attach(button, () => held(() => ({
+		down: press,
+		up: letGo
+	})));
 	$.template_effect(($0) => $.set_text(text, $0), [() => $.get(emergency) ? t("panel.release") : t("panel.emergency")]);
 	$.append($$anchor, button);
 	$.pop();

@@ -45,7 +45,9 @@ function held(key) {
 				press();
 			},
 			keyup(event) {
-				if (byKeyboard && (event.key === " " || event.key === "Enter")) letGo();
+				if (!byKeyboard || event.key !== " " && event.key !== "Enter") return;
+				event.preventDefault();
+				letGo();
 			},
 			blur() {
 				if (byKeyboard) letGo();

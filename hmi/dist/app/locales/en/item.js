@@ -12,6 +12,8 @@ var item_default = {
 	"alarms": "Alarm history",
 	"log": "Operation log",
 	"position": "Position",
+	"ladder": "Ladder",
+	"interrupted": "Broken-off run",
 	"rights": "Rights",
 	"memory": "Memory"
 };

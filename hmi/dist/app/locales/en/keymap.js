@@ -1,8 +1,7 @@
 // src/locales/en/keymap.json
 var keymap_default = {
 	"title": "Keyboard",
-	"jog_xy": "Move X and Y while held (mode jog)",
-	"jog_z": "Move Z while held (mode jog)",
+	"jog": "Move {axes} while held (mode jog)",
 	"wheel": "Handwheel, when it has the focus",
 	"save": "Save the program",
 	"find": "Find and replace",

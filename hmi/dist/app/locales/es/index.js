@@ -9,6 +9,7 @@ import graphics_default from "./graphics.js";
 import help_default from "./help.js";
 import item_default from "./item.js";
 import keymap_default from "./keymap.js";
+import log_default from "./log.js";
 import message_default from "./message.js";
 import mode_default from "./mode.js";
 import offsets_default from "./offsets.js";
@@ -37,6 +38,7 @@ var es_default = gather(/* #__PURE__ */ Object.assign({
 	"./help.json": help_default,
 	"./item.json": item_default,
 	"./keymap.json": keymap_default,
+	"./log.json": log_default,
 	"./message.json": message_default,
 	"./mode.json": mode_default,
 	"./offsets.json": offsets_default,

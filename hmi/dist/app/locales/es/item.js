@@ -12,6 +12,8 @@ var item_default = {
 	"alarms": "Historial de alarmas",
 	"log": "Registro de operaciones",
 	"position": "Posición",
+	"ladder": "Programa PLC",
+	"interrupted": "Ejecución interrumpida",
 	"rights": "Permisos",
 	"memory": "Memoria"
 };

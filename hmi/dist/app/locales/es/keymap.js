@@ -1,8 +1,7 @@
 // src/locales/es/keymap.json
 var keymap_default = {
 	"title": "Teclado",
-	"jog_xy": "Mover X e Y mientras se pulsa (modo manual)",
-	"jog_z": "Mover Z mientras se pulsa (modo manual)",
+	"jog": "Mover {axes} mientras se pulsa (modo manual)",
 	"wheel": "Volante, cuando tiene el foco",
 	"save": "Guardar el programa",
 	"find": "Buscar y reemplazar",

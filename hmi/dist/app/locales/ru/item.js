@@ -12,6 +12,8 @@ var item_default = {
 	"alarms": "История аварий",
 	"log": "Журнал действий",
 	"position": "Положение",
+	"ladder": "Программа ПЛК",
+	"interrupted": "Прерванный прогон",
 	"rights": "Права",
 	"memory": "Память"
 };

@@ -12,6 +12,8 @@ var item_default = {
 	"alarms": "Alarm geçmişi",
 	"log": "İşlem kaydı",
 	"position": "Konum",
+	"ladder": "Merdiven programı",
+	"interrupted": "Yarıda kalan çalışma",
 	"rights": "Yetkiler",
 	"memory": "Bellek"
 };

@@ -1,8 +1,7 @@
 // src/locales/tr/keymap.json
 var keymap_default = {
 	"title": "Klavye",
-	"jog_xy": "Basılıyken X ve Y hareketi (elle modu)",
-	"jog_z": "Basılıyken Z hareketi (elle modu)",
+	"jog": "Basılıyken {axes} hareketi (elle modu)",
 	"wheel": "El çarkı (odaktayken)",
 	"save": "Programı kaydet",
 	"find": "Bul ve değiştir",

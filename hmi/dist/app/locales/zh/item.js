@@ -12,6 +12,8 @@ var item_default = {
 	"alarms": "报警历史",
 	"log": "操作履历",
 	"position": "位置",
+	"ladder": "梯形图",
+	"interrupted": "中断的运行",
 	"rights": "权限",
 	"memory": "存储器"
 };

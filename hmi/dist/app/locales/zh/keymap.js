@@ -1,8 +1,7 @@
 // src/locales/zh/keymap.json
 var keymap_default = {
 	"title": "键盘",
-	"jog_xy": "按住时移动 X、Y（手动方式）",
-	"jog_z": "按住时移动 Z（手动方式）",
+	"jog": "按住时移动 {axes}（手动方式）",
 	"wheel": "手轮（获得焦点时）",
 	"save": "保存程序",
 	"find": "查找和替换",

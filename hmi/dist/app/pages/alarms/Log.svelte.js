@@ -2,6 +2,7 @@ import { has, moment, t } from "../../lib/i18n/index.svelte.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import Card from "../../lib/parts/Card.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
+import { logged } from "./logged.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/alarms/Log.svelte
@@ -15,8 +16,14 @@ function Log($$anchor, $$props) {
 	let entries = $.state([]);
 	let sought = $.state("");
 	const level = $.derived(() => machine.level);
-	const shown = $.derived(() => $.get(entries).filter((entry) => `${entry.who} ${entry.item} ${entry.name} ${entry.from} ${entry.to}`.toLowerCase().includes($.get(sought).toLowerCase())));
-	const item = (name) => has(`item.${name}`) ? t(`item.${name}`) : name;
+	const told = $.derived(() => $.get(entries).map((entry) => ({
+		...entry,
+		...logged(entry, {
+			t,
+			has
+		})
+	})));
+	const shown = $.derived(() => $.get(told).filter(({ who, item, name, from, to }) => `${who} ${item} ${name} ${from} ${to}`.toLowerCase().includes($.get(sought).toLowerCase())));
 	async function read() {
 		const reply = await machine.fetch("operation_log", {
 			do: "operation_log",
@@ -124,13 +131,13 @@ function Log($$anchor, $$props) {
 					var text_11 = $.sibling(node_2, 1, true);
 					$.reset(td_3);
 					$.reset(tr_1);
-					$.template_effect(($0, $1) => {
+					$.template_effect(($0) => {
 						$.set_text(text_5, $0);
 						$.set_text(text_6, $.get(entry).who);
-						$.set_text(text_8, `${$1 ?? ""} `);
+						$.set_text(text_8, `${$.get(entry).item ?? ""} `);
 						$.set_text(text_9, $.get(entry).name);
 						$.set_text(text_11, $.get(entry).to);
-					}, [() => moment($.get(entry).time), () => item($.get(entry).item)]);
+					}, [() => moment($.get(entry).time)]);
 					$.append($$anchor, tr_1);
 				});
 				$.reset(tbody);

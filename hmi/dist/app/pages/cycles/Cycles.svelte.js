@@ -29,7 +29,7 @@ var root_5 = $.from_html(`<div class="tools s-1ghc2z3"><b class="code"> </b> <la
 var root_6 = $.from_html(`<div class="form scroll s-1ghc2z3"><header class="row wrap"><h2 class="grow"> </h2> <!></header> <!> <!> <!> <!> <!></div>`);
 var root_7 = $.from_html(`<div class="plan s-1ghc2z3"><!></div> <div class="section s-1ghc2z3"><!></div>`, 1);
 var root_8 = $.from_html(`<pre class="code scroll s-1ghc2z3"> </pre>`);
-var root_9 = $.from_html(`<div class="room s-1ghc2z3"><div class="cycles s-1ghc2z3"><nav class="list scroll s-1ghc2z3"></nav> <!> <div class="side s-1ghc2z3"><div class="row wrap"><!></div> <div class="shown s-1ghc2z3"><!></div> <p aria-live="polite"><!></p> <div class="row wrap"><!> <!> <!></div></div></div></div>`);
+var root_9 = $.from_html(`<div class="room s-1ghc2z3"><div class="cycles s-1ghc2z3"><nav class="list scroll s-1ghc2z3" data-pans=""></nav> <!> <div class="side s-1ghc2z3"><div class="row wrap"><!></div> <div class="shown s-1ghc2z3"><!></div> <p aria-live="polite"><!></p> <div class="row wrap"><!> <!> <!></div></div></div></div>`);
 function Cycles($$anchor, $$props) {
 	$.push($$props, true);
 	/** How long after the last change the cycle is written, ms. */

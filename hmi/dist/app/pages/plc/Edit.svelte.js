@@ -157,6 +157,7 @@ function Edit($$anchor, $$props) {
 				return $.get($0);
 			},
 			onclick: () => $.set(asking, true),
+			"data-testid": "exchange",
 			children: ($$anchor, $$slotProps) => {
 				$.next();
 				var text_5 = $.text();

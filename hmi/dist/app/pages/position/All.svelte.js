@@ -6,10 +6,10 @@ import { machine } from "../../lib/state/machine.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/position/All.svelte
-var root = $.from_html(`<th class="right"> </th>`);
+var root = $.from_html(`<th class="right s-1lf5kzh"> </th>`);
 var root_1 = $.from_html(`<td> </td>`);
-var root_2 = $.from_html(`<tr><th scope="row" class="s-4b771b"> </th><!><td class="right value s-4b771b"> </td></tr>`);
-var root_3 = $.from_html(`<div class="scroll"><table class="table"><thead><tr><th></th><!><th class="right" data-kind="speed"> <small> </small></th></tr></thead><tbody></tbody></table></div>`);
+var root_2 = $.from_html(`<tr><th scope="row" class="s-1lf5kzh"> </th><!><td class="right value s-1lf5kzh"> </td></tr>`);
+var root_3 = $.from_html(`<div class="scroll room s-1lf5kzh"><table class="table"><thead><tr><th class="s-1lf5kzh"></th><!><th class="right s-1lf5kzh" data-kind="speed"> <small> </small></th></tr></thead><tbody></tbody></table></div>`);
 function All($$anchor, $$props) {
 	$.push($$props, true);
 	const status = $.derived(() => machine.status);
@@ -83,7 +83,7 @@ function All($$anchor, $$props) {
 						let classes;
 						var text_5 = $.only_child(td, true);
 						$.template_effect(($0) => {
-							classes = $.set_class(td, 1, "right value s-4b771b", null, classes, { main: kind === "work" });
+							classes = $.set_class(td, 1, "right value s-1lf5kzh", null, classes, { main: kind === "work" });
 							$.set_text(text_5, $0);
 						}, [() => fixed($.get(status).position[kind][axis])]);
 						$.append($$anchor, td);

@@ -12,8 +12,8 @@ import { __vitePreload } from "../../_virtual/_vite/preload-helper.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/position/Position.svelte
-var root = $.from_html(`<div class="program s-pdi86l"><!></div>`);
-var root_1 = $.from_html(`<div><div class="main s-pdi86l"><!></div> <div class="side s-pdi86l"><!> <!> <!></div> <!></div>`);
+var root = $.from_html(`<div class="program s-cw1kb4"><!></div>`);
+var root_1 = $.from_html(`<div><div class="main s-cw1kb4"><!></div> <div class="side s-cw1kb4"><!> <!> <!></div> <!></div>`);
 var root_2 = $.from_html(`<p class="muted"> </p>`);
 function Position($$anchor, $$props) {
 	$.push($$props, true);
@@ -113,7 +113,10 @@ function Position($$anchor, $$props) {
 					if ($.get(active) === "program") $$render(consequent_2);
 				});
 				$.reset(div);
-				$.template_effect(() => classes = $.set_class(div, 1, "grid s-pdi86l", null, classes, { "with-program": $.get(active) === "program" }));
+				$.template_effect(() => classes = $.set_class(div, 1, "grid s-cw1kb4", null, classes, {
+					"with-program": $.get(active) === "program",
+					whole: $.get(active) === "all"
+				}));
 				$.append($$anchor, div);
 			};
 			var alternate_1 = ($$anchor) => {

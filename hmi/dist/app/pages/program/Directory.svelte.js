@@ -203,6 +203,7 @@ function Directory($$anchor, $$props) {
 			Button(node_3, {
 				icon: "plus",
 				onclick: () => ask("new"),
+				"data-testid": "new",
 				children: ($$anchor, $$slotProps) => {
 					$.next();
 					var text_2 = $.text();
@@ -506,7 +507,8 @@ function Directory($$anchor, $$props) {
 				onclick: () => {
 					$.set(doomed, $.get(chosen).name, true);
 					$.set(deleting, true);
-				}
+				},
+				"data-testid": "delete"
 			});
 		}
 		$.reset(div_4);

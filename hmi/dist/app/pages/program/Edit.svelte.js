@@ -249,7 +249,8 @@ function Edit($$anchor, $$props) {
 				get title() {
 					return $.get($1);
 				},
-				onclick: () => $.get(editor)?.find()
+				onclick: () => $.get(editor)?.find(),
+				"data-testid": "find"
 			});
 		}
 		var node_9 = $.sibling(node_8, 2);
@@ -264,13 +265,15 @@ function Edit($$anchor, $$props) {
 				get title() {
 					return $.get($1);
 				},
-				onclick: () => $.get(editor)?.toLine()
+				onclick: () => $.get(editor)?.toLine(),
+				"data-testid": "to-line"
 			});
 		}
 		var node_10 = $.sibling(node_9, 2);
 		Button(node_10, {
 			icon: "list",
 			onclick: () => $.set(numbering, true),
+			"data-testid": "renumber",
 			children: ($$anchor, $$slotProps) => {
 				$.next();
 				var text_7 = $.text();

@@ -11,14 +11,14 @@ import { notify } from "../../lib/state/notices.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/settings/Data.svelte
-var root = $.from_html(`<button type="button" role="checkbox"><i class="s-1y1fbbu"></i><span> </span><small class="muted"> </small></button>`);
+var root = $.from_html(`<button type="button" role="checkbox"><i class="s-1u4vlhf"></i><span> </span><small class="muted"> </small></button>`);
 var root_1 = $.from_html(`<input class="code" spellcheck="false"/>`);
-var root_2 = $.from_html(`<div class="data s-1y1fbbu"><div class="items s-1y1fbbu"></div> <div class="row wrap"><!> <!></div> <!> <div class="row wrap"><!> <!></div></div>`);
-var root_3 = $.from_html(`<span class="muted hint s-1y1fbbu"> </span> <!> <input type="file" accept=".backup" hidden="" data-testid="bring-backup"/>`, 1);
-var root_4 = $.from_html(`<a class="take s-1y1fbbu"><!></a>`);
-var root_5 = $.from_html(`<tr><td><button type="button" class="pick code s-1y1fbbu"> </button></td><td class="right"> </td><td class="muted"> </td><td><!></td></tr>`);
+var root_2 = $.from_html(`<div class="data s-1u4vlhf"><div class="items s-1u4vlhf"></div> <div class="row wrap"><!> <!></div> <!> <div class="row wrap"><!> <!></div></div>`);
+var root_3 = $.from_html(`<span class="muted hint s-1u4vlhf"> </span> <!> <input type="file" accept=".backup" hidden="" data-testid="bring-backup"/>`, 1);
+var root_4 = $.from_html(`<a class="take s-1u4vlhf"><!></a>`);
+var root_5 = $.from_html(`<tr><td><button type="button" class="pick code s-1u4vlhf"> </button></td><td class="right"> </td><td class="muted"> </td><td><!></td></tr>`);
 var root_6 = $.from_html(`<tr><td class="muted"> </td></tr>`);
-var root_7 = $.from_html(`<p class="muted note s-1y1fbbu"> </p>`);
+var root_7 = $.from_html(`<p class="muted note s-1u4vlhf"> </p>`);
 var root_8 = $.from_html(`<table class="table" data-testid="backups"><tbody></tbody></table> <!>`, 1);
 var root_9 = $.from_html(`<!> <!>`, 1);
 var root_10 = $.from_html(`<p> </p>`);
@@ -141,7 +141,7 @@ function Data($$anchor, $$props) {
 					$.reset(button);
 					$.template_effect(($0, $1, $2, $3) => {
 						$.set_attribute(button, "aria-checked", $0);
-						classes = $.set_class(button, 1, "s-1y1fbbu", null, classes, { on: $1 });
+						classes = $.set_class(button, 1, "s-1u4vlhf", null, classes, { on: $1 });
 						$.set_text(text, $2);
 						$.set_text(text_1, $3);
 					}, [
@@ -337,7 +337,7 @@ function Data($$anchor, $$props) {
 					$.reset(tr);
 					$.template_effect(($0, $1) => {
 						$.set_attribute(tr, "data-backup", $.get(one).name);
-						classes_2 = $.set_class(tr, 1, "s-1y1fbbu", null, classes_2, { chosen: $.get(one).name === $.get(file) });
+						classes_2 = $.set_class(tr, 1, "s-1u4vlhf", null, classes_2, { chosen: $.get(one).name === $.get(file) });
 						$.set_text(text_8, $.get(one).name);
 						$.set_text(text_9, $0);
 						$.set_text(text_10, $1);
@@ -488,7 +488,7 @@ function Data($$anchor, $$props) {
 		});
 	}
 	$.template_effect(($0) => {
-		classes_1 = $.set_class(div_4, 1, "drop s-1y1fbbu", null, classes_1, { over: $.get(over) });
+		classes_1 = $.set_class(div_4, 1, "drop s-1u4vlhf", null, classes_1, { over: $.get(over) });
 		$.set_attribute(div_4, "aria-label", $0);
 	}, [() => t("settings.backups")]);
 	$.event("dragover", div_4, (event) => {

@@ -1,6 +1,7 @@
 import { t } from "../../lib/i18n/index.svelte.js";
 import Key from "../../lib/parts/Key.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
+import { axisKeysOf } from "../keys.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/shell/panel/Handwheel.svelte
@@ -17,8 +18,10 @@ function Handwheel($$anchor, $$props) {
 	let rest = 0;
 	let waiting = 0;
 	let sent = false;
-	const axes = $.derived(() => machine.axes.filter((name) => "XYZA".includes(name)));
-	const ready = $.derived(() => machine.inCommand && machine.mode === "handle");
+	const axes = $.derived(() => axisKeysOf(machine.axes));
+	/** Whether a program runs by it; it does with dry run alone (GSK990MC part 2, 6.4). */
+	const drives = $.derived(() => machine.mode === "auto" && machine.lamps.has("LAMP_HDRV") && machine.status?.switches.dry_run === true);
+	const ready = $.derived(() => machine.inCommand && (machine.mode === "handle" || $.get(drives)));
 	function at(event) {
 		const box = $.get(wheel).getBoundingClientRect();
 		return Math.atan2(event.clientY - (box.top + box.height / 2), event.clientX - (box.left + box.width / 2));
@@ -75,25 +78,26 @@ function Handwheel($$anchor, $$props) {
 	let styles;
 	$.bind_this(div_1, ($$value) => $.set(wheel, $$value), () => $.get(wheel));
 	var div_2 = $.sibling(div_1, 2);
-	$.each(div_2, 22, () => $.get(axes), (name) => name, ($$anchor, name, index) => {
+	$.each(div_2, 23, () => $.get(axes), ({ letter, wheel: key }) => key, ($$anchor, $$item, index) => {
+		let letter = () => $.get($$item).letter;
+		let key = () => $.get($$item).wheel;
 		{
-			let $0 = $.derived(() => `KEY_W${name}`);
-			let $1 = $.derived(() => $$props.axis === $.get(index) + 1);
-			let $2 = $.derived(() => t("panel.wheel_of", { axis: name }));
+			let $0 = $.derived(() => $$props.axis === $.get(index) + 1);
+			let $1 = $.derived(() => t("panel.wheel_of", { axis: letter() }));
 			Key($$anchor, {
 				get signal() {
-					return $.get($0);
+					return key();
 				},
 				get chosen() {
-					return $.get($1);
+					return $.get($0);
 				},
 				get label() {
-					return $.get($2);
+					return $.get($1);
 				},
 				children: ($$anchor, $$slotProps) => {
 					var b = root();
 					var text_1 = $.only_child(b, true);
-					$.template_effect(() => $.set_text(text_1, name));
+					$.template_effect(() => $.set_text(text_1, letter()));
 					$.append($$anchor, b);
 				},
 				$$slots: { default: true }
