@@ -317,7 +317,7 @@ impl SessionNote {
         match self {
             SessionNote::TakesCommand => ("command", "taken"),
             SessionNote::LeavesCommand => ("command", "left"),
-            SessionNote::LogsOut => ("log out", "right"),
+            SessionNote::LogsOut => ("log out", ""),
         }
     }
 }

@@ -21,6 +21,8 @@ const NAMES: Record<string, Rule[]> = {
   rights: [
     [/^log in (?<level>\d)$/, 'log.log_in'],
     [/^password (?<level>\d)$/, 'log.password'],
+    [/^command$/, 'log.command'],
+    [/^log out$/, 'log.log_out'],
   ],
   memory: [
     [/^restored$/, 'log.restored'],
@@ -45,6 +47,8 @@ const VALUES: Record<string, Rule[]> = {
     [/^right$/, 'log.right'],
     [/^wrong$/, 'log.wrong'],
     [/^set$/, 'log.set'],
+    [/^taken$/, 'log.taken'],
+    [/^left$/, 'log.left'],
   ],
   programs: [[/^locked (?<level>\d)$/, 'log.locked']],
   plc: [
