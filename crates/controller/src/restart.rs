@@ -121,7 +121,8 @@ impl Journal {
             start: interpreter.clone(),
             renamed,
             origin: Origin::Kept,
-            answers: VecDeque::new(),
+            // They come in the servo period.
+            answers: VecDeque::with_capacity(MOST_ANSWERS),
             interrupted: None,
             stood: None,
             left: None,
