@@ -183,6 +183,8 @@ pub struct Cnc {
     machine_axes: AxisSet,
     /// Their software limits.
     travel: (Position, Position),
+    /// Slowest and fastest cutting that motion holds, mm/min.
+    feeds: [f64; 2],
     /// What the ladder says of the switches.
     wired: Option<drives::Switches>,
     overtravel: Overtravel,
@@ -274,6 +276,7 @@ impl Cnc {
             homing: Homing::new(machine),
             machine_axes: machine.axis_set(),
             travel: machine.limits(),
+            feeds: [machine.path.lowest_feed, machine.path.highest_feed.unwrap_or(f64::INFINITY)],
             wired: None,
             overtravel: Overtravel::new(machine.homing.ignores_switches),
             probing: None,
