@@ -177,6 +177,8 @@ pub struct Cnc {
     synchron: Synchron,
     /// Speed of the spindle that motion was told, r/min.
     told_rpm: f64,
+    /// The one that feeds of moves are given for, r/min.
+    given_rpm: f64,
     manual: Manual,
     homing: Homing,
     /// The axes of the machine.
@@ -272,6 +274,7 @@ impl Cnc {
             servo: Servo::new(machine, start),
             synchron: Synchron::new(machine, start),
             told_rpm: 0.0,
+            given_rpm: 0.0,
             manual: Manual::new(machine, start),
             homing: Homing::new(machine),
             machine_axes: machine.axis_set(),

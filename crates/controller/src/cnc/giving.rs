@@ -109,8 +109,13 @@ impl Cnc {
         let tag = self.next_tag;
         let Some(to) = step.op.target().copied() else { return };
         self.tell_motion_of_spindle();
-        let Some(motion) = Move::from_step(&step.op, from, self.given_rpm(), tag) else { return };
-        let Some(programmed) = Programmed::new(&step.op, from, motion.feed(), tag) else { return };
+        let (asked, given) = (self.asked_rpm(), self.given_rpm());
+        let Some(motion) = Move::from_step(&step.op, from, given, tag) else { return };
+        let feed = match asked == given {
+            true => motion.feed(),
+            false => Move::from_step(&step.op, from, asked, tag).and_then(|motion| motion.feed()),
+        };
+        let Some(programmed) = Programmed::new(&step.op, from, feed, tag) else { return };
         self.next_tag += 1;
         self.commanded = to;
         let activity = if step.op.is_cutting() { Activity::Cutting } else { Activity::Rapid };
