@@ -59,6 +59,9 @@ use std::time::Instant;
 use switches::Switches;
 use tapping::{Asked, InThread, Stroke};
 
+/// Events for which there is room from the start, as they come in the servo period and are fetched behind it.
+const EVENTS: usize = 256;
+
 /// What the control is doing.
 #[derive(Clone, PartialEq, Debug)]
 pub enum State {
@@ -85,8 +88,8 @@ pub enum State {
 /// What happened beside motion.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Event {
-    /// Something worth knowing that does not stop the program.
-    Warning(Box<Alarm>),
+    /// Something worth knowing that does not stop the program. It comes in the servo period, which allocates nothing.
+    Warning(Alarm),
     /// Text of the program for the operator.
     Message(Box<str>),
     /// A tool was put into the spindle.
@@ -174,12 +177,16 @@ pub struct Cnc {
     synchron: Synchron,
     /// Speed of the spindle that motion was told, r/min.
     told_rpm: f64,
+    /// The one that feeds of moves are given for, r/min.
+    given_rpm: f64,
     manual: Manual,
     homing: Homing,
     /// The axes of the machine.
     machine_axes: AxisSet,
     /// Their software limits.
     travel: (Position, Position),
+    /// Slowest and fastest cutting that motion holds, mm/min.
+    feeds: [f64; 2],
     /// What the ladder says of the switches.
     wired: Option<drives::Switches>,
     overtravel: Overtravel,
@@ -267,10 +274,12 @@ impl Cnc {
             servo: Servo::new(machine, start),
             synchron: Synchron::new(machine, start),
             told_rpm: 0.0,
+            given_rpm: 0.0,
             manual: Manual::new(machine, start),
             homing: Homing::new(machine),
             machine_axes: machine.axis_set(),
             travel: machine.limits(),
+            feeds: [machine.path.lowest_feed, machine.path.highest_feed.unwrap_or(f64::INFINITY)],
             wired: None,
             overtravel: Overtravel::new(machine.homing.ignores_switches),
             probing: None,
@@ -299,7 +308,7 @@ impl Cnc {
             actual: start,
             span: Span::default(),
             report: Report::new(period),
-            events: Vec::new(),
+            events: Vec::with_capacity(EVENTS),
             failed: None,
             drives_failed: false,
             auxiliary: None,
@@ -377,7 +386,7 @@ impl Cnc {
 
     /// Takes what happened since the last call.
     pub fn events(&mut self) -> Vec<Event> {
-        std::mem::take(&mut self.events)
+        self.events.drain(..).collect()
     }
 
     /// Starts the program, or goes on after feed hold, M00 or M01. Not while axes are moved by hand.
@@ -394,6 +403,8 @@ impl Cnc {
         if self.state == State::Ready {
             self.forget_passed();
             self.tell_unreferenced();
+            // So there is room for them before the periods in which the program reads them.
+            self.read_macro_inputs();
         }
         self.forget_hold_behind_thread();
         self.begin_journal();

@@ -2,6 +2,9 @@
 
 use ferrocut_geometry::Position;
 
+/// Tools of a run for which there is room from the start, since a change is noted in the servo period.
+const TOOLS: usize = 1024;
+
 /// What the machine spends time on.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Activity {
@@ -47,7 +50,7 @@ impl Report {
         Report {
             period,
             periods: [0; Activity::COUNT],
-            tools: Vec::new(),
+            tools: Vec::with_capacity(TOOLS),
             tool: 0,
             cutting_mm: 0.0,
             rapid_mm: 0.0,

@@ -126,7 +126,8 @@ impl Journal {
             start: interpreter.clone(),
             renamed,
             origin: Origin::Kept,
-            answers: VecDeque::new(),
+            // They come in the servo period.
+            answers: VecDeque::with_capacity(MOST_ANSWERS),
             by_hand: VecDeque::new(),
             interrupted: None,
             stood: None,

@@ -95,6 +95,17 @@ fn the_speed_behind_the_overrides_is_held_between_p97_and_p96() {
     is(100.0, "M3 S1000\nG95 G1 F5", &[(0, Override(2.0, 1.0))]);
     // 10 % of 1200 mm/min.
     is(5.0, "M3 S1000\nG1 F1200", &[(0, Override(0.1, 1.0))]);
+    // F may be beyond a limit where the override leads back: 50 % of 12000, and of 10000; 200 % of 150 mm/min, and of 200.
+    is(100.0, "M3 S1000\nG1 F12000", &[(0, Override(0.5, 1.0))]);
+    is(83.333, "M3 S1000\nG1 F10000", &[(0, Override(0.5, 1.0))]);
+    is(100.0, "M3 S1000\nG1 F12000", &[]);
+    is(66.667, "M3 S1000\nG95 G1 F8", &[(0, Override(0.5, 1.0))]);
+    is(5.0, "M3 S1000\nG1 F150", &[(0, Override(2.0, 1.0))]);
+    is(6.667, "M3 S1000\nG1 F200", &[(0, Override(2.0, 1.0))]);
+    is(5.0, "M3 S1000\nG1 F100", &[]);
+    // A limit that the program sets holds as well, and in a thread.
+    is(10.0, "M3 S1000\nG10 L51\nN96 R1200\nG11\nG1 F2400", &[(0, Override(0.5, 1.0))]);
+    is(100.0, "M3 S1000\nG63 G1 F12000", &[(0, Override(0.5, 1.0))]);
     // 0 % holds all the same.
     is(20.0, "M3 S1000\nG1 F1200", &[(0, Override(0.0, 1.0)), (3000, Override(1.0, 1.0))]);
 }

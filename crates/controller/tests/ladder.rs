@@ -330,6 +330,32 @@ fn surface_speed_follows_the_axis_while_it_cuts() {
 }
 
 #[test]
+fn short_lines_run_as_one_where_feed_follows_a_surface_speed() {
+    let setup = "[parameters]\n\"NO61.0\" = 1\n";
+    // More lines of 0.1 mm than motion knows, on a circle about X16.
+    let lines: String = (0..=6000)
+        .map(|k| f64::from(k) * std::f64::consts::TAU / 250.0)
+        .map(|t| format!("X{:.4} Y{:.4}\n", 16.0 + 4.0 * t.cos(), 4.0 * t.sin()))
+        .collect();
+    let program = format!("G00 X20\nG96 P1 S50000\nM03\nG04 X1\nG95 G01 F6\n{lines}G04 X1\nM30");
+    let mut m = Mill::with(&program, setup, |_| {});
+    m.start();
+    m.until(|m| m.at[Axis::X] == 20.0);
+    m.until(|m| m.at[Axis::X] < 12.01);
+    let (mut at, mut least, mut speeds) = (m.at, f64::INFINITY, [f64::INFINITY, 0.0_f64]);
+    while m.cnc.moves().count() > 200 {
+        m.tick();
+        let told = m.cnc.spindle().told();
+        speeds = [speeds[0].min(told), speeds[1].max(told)];
+        // 6 mm a turn, mm/s.
+        least = least.min(m.at.distance(at) / 0.001 / (6.0 * told / 60.0));
+        at = m.at;
+    }
+    assert!(speeds[1] > 1.5 * speeds[0], "{speeds:?}");
+    assert!(least > 0.8, "{least}");
+}
+
+#[test]
 fn spindle_keys_turn_it_at_the_last_speed() {
     let mut m = Mill::new("S700\nM30");
     m.run_program();

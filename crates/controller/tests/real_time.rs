@@ -1,18 +1,22 @@
-//! A period of a program in the midst of its moves: any allocation inside the guard ends the test program.
+//! The periods of a program, from cycle start to its end: any allocation inside the guard ends the test program.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
 mod common;
+#[path = "common/mill.rs"]
+#[allow(dead_code)]
+mod mill;
 
 use assert_no_alloc::{AllocDisabler, assert_no_alloc};
 use common::{HANGS, cnc, machine};
-use ferrocut_controller::State;
+use ferrocut_controller::{Cnc, State};
 use ferrocut_geometry::Position;
+use mill::Mill;
 
 #[global_allocator]
 static ALLOCATOR: AllocDisabler = AllocDisabler;
 
 /// Short blocks, arcs, positioning, and fewer of them than motion looks ahead.
-fn program() -> String {
+fn rows() -> String {
     let mut text = String::from("M3 S1000\nG0 X0 Y0 Z5\nG1 Z0 F600\nF1500\n");
     for row in 0..6 {
         let y = f64::from(row) * 2.0;
@@ -25,36 +29,88 @@ fn program() -> String {
     text + "G0 X0 Y0 Z5\nM30\n"
 }
 
-#[test]
-fn a_period_in_the_midst_of_moves_allocates_nothing() {
-    let mut cnc = cnc(&machine(), &program());
+/// What stands between moves: dwells, codes, tools, what reads the machine, and macro statements.
+const BETWEEN: &str = "M3 S1000\nG0 X5 Z2\nG1 Z-1 F800\nG4 X0.05\nM8\nX10\nG61 X12\nG64 Y3\nT2 M6\nS500\n#1=0\n\
+                       WHILE[#1LT4]DO1\n#1=#1+1\nG1 X[10+#1]\nEND1\n#2=#5021\nG92 X3\nG1 X[#5001+1]\nG92 X15\n\
+                       G28 X10 Y1\nG1 X10 F900\nM98 P2000\nM9\nM5\nG0 X0 Y0 Z5\nM30\nO2000\nX12\nY5\nM99\n";
+
+/// Runs a program, whose every period is guarded with what is prepared for the next; the operator does something before
+/// each. Periods in which the axes moved, and those in which the interpreter was lent.
+fn run(program: &str, mut operator: impl FnMut(&mut Cnc, usize)) -> [usize; 2] {
+    let mut cnc = cnc(&machine(), program);
     cnc.work_beside().unwrap();
     cnc.tick();
     cnc.cycle_start();
-    let (mut moved, mut guarded) = (0, 0);
+    let (mut moved, mut lent) = (0, 0);
     for k in 0..HANGS {
         // What is planned and read beside is here, as it is in time on a clock.
         cnc.await_beside();
-        match k % 1000 {
-            300 => cnc.feed_hold(),
-            500 => cnc.cycle_start(),
-            700 => cnc.set_override(1.7, 0.5),
-            900 => cnc.set_override(1.0, 1.0),
-            _ => {}
-        }
-        // Once all of it is read; what reads it copies itself for whoever looks at it meanwhile. The last moves end with
-        // what waits for their end.
-        let is_amidst = moved > 500 && cnc.moves().count() > 5;
-        let tick = if is_amidst { assert_no_alloc(|| cnc.tick()) } else { cnc.tick() };
+        operator(&mut cnc, k);
+        let tick = assert_no_alloc(|| {
+            let tick = cnc.tick();
+            cnc.prepare();
+            tick
+        });
         moved += usize::from(tick.velocity > 0.0);
-        guarded += usize::from(is_amidst && tick.velocity > 0.0);
-        cnc.prepare();
+        lent += usize::from(cnc.is_reading());
         drop(cnc.events());
         if cnc.state() == &State::Ended {
             assert_eq!(tick.position, Position::xyz(0.0, 0.0, 5.0));
-            assert!(guarded > 5000, "{guarded} of {moved}");
-            return;
+            return [moved, lent];
         }
     }
     panic!("does not end: {:?}", cnc.state());
+}
+
+#[test]
+fn a_period_allocates_nothing() {
+    let [moved, lent] = run(&rows(), |cnc, k| match k % 1000 {
+        300 => cnc.feed_hold(),
+        500 => cnc.cycle_start(),
+        700 => cnc.set_override(1.7, 0.5),
+        900 => cnc.set_override(1.0, 1.0),
+        _ => {}
+    });
+    assert!(moved > 5000 && lent > 5, "{moved} {lent}");
+}
+
+#[test]
+fn a_period_between_moves_allocates_nothing() {
+    let [moved, lent] = run(BETWEEN, |_, _| {});
+    assert!(moved > 1000 && lent > 5, "{moved} {lent}");
+}
+
+#[test]
+fn a_period_at_the_end_of_a_block_allocates_nothing() {
+    for program in [&rows(), BETWEEN] {
+        let mut stops = 0;
+        let [moved, lent] = run(program, |cnc, k| {
+            // Single block for a while, then not.
+            cnc.set_single_block(k / 4000 % 2 == 0);
+            if cnc.state() == &State::BlockEnd {
+                stops += 1;
+                cnc.cycle_start();
+            }
+        });
+        assert!(moved > 1000 && lent > 5 && stops > 10, "{moved} {lent} {stops}");
+    }
+}
+
+#[test]
+fn a_period_with_a_ladder_allocates_nothing() {
+    let program =
+        "M3 S1200\nG0 X5\nG95 G1 X10 F0.2\nM8\nG94 X20 F900\n#1=#1000\nG4 X0.1\nT2 M6\nG0 X0\nM5\nM30";
+    let mut mill = Mill::new(program);
+    mill.cnc.work_beside().unwrap();
+    mill.start();
+    mill.period = |cnc| {
+        cnc.await_beside();
+        assert_no_alloc(|| {
+            let tick = cnc.tick();
+            cnc.prepare();
+            tick
+        })
+    };
+    mill.until(|mill| mill.cnc.state() != &State::Running);
+    assert_eq!((mill.cnc.state(), mill.cnc.report().tool()), (&State::Ended, 2));
 }

@@ -188,7 +188,7 @@ impl<'a> Writer<'a> {
 
     fn per_minute(&self, feed: Feed) -> Result<f64, Unwritten> {
         match feed {
-            Feed::PerMinute(feed) => Ok(feed),
+            Feed::PerMinute(feed) | Feed::Held { at: feed, .. } => Ok(feed),
             Feed::PerRevolution(_) | Feed::Duration(_) => Err(Unwritten::Other),
         }
     }

@@ -82,7 +82,7 @@ fn is_between(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> bool {
 /// A feed in mm/min along the path, with the spindle's speed for feeds a turn.
 fn per_minute(feed: Feed, length: f64, spindle: SpindleState) -> f64 {
     match feed {
-        Feed::PerMinute(feed) => feed,
+        Feed::PerMinute(feed) | Feed::Held { at: feed, .. } => feed,
         Feed::PerRevolution(feed) => match spindle.speed() {
             Some(ferrocut_toolpath::Speed::Rpm(rpm)) => feed * rpm,
             _ => feed,

@@ -45,7 +45,7 @@ impl Holes {
                         holes.reference = level?;
                     }
                     match &step.op {
-                        Op::Feed { feed: ferrocut_toolpath::Feed::PerMinute(feed), .. } => holes.feed = *feed,
+                        Op::Feed { feed, .. } => holes.feed = feed.per_minute()?,
                         Op::Tap { pitch, .. } => holes.pitch = Some(pitch.abs()),
                         _ => return None,
                     }

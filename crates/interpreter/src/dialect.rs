@@ -368,9 +368,9 @@ pub enum Variable {
 pub struct Rules {
     /// Feed in force at power-on, mm/min; 0 is none.
     pub default_feed: f64,
-    /// Lowest feed per minute that is run; smaller ones are raised to it.
+    /// Lowest feed per minute that is run, whatever the override; smaller ones are raised to it.
     pub min_feed: f64,
-    /// Highest feed per minute that is run.
+    /// Highest feed per minute that is run, whatever the override.
     pub max_feed: f64,
     /// Highest feed per revolution, mm; beyond it is an alarm.
     pub max_feed_per_revolution: f64,

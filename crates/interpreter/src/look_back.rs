@@ -26,9 +26,16 @@ struct Executed {
 }
 
 /// The blocks whose steps are under way, in the order in which they were begun.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct LookBack {
     executed: VecDeque<Executed>,
+}
+
+impl Clone for LookBack {
+    /// A copy has run nothing itself, so nothing is under way: it keeps what comes.
+    fn clone(&self) -> LookBack {
+        LookBack::default()
+    }
 }
 
 impl Interpreter {
@@ -84,14 +91,6 @@ impl Interpreter {
             (system, self.ngc.length, self.ngc.feed, self.ngc.feed_unit) = at.ngc;
             self.ngc_take_system(system);
         }
-    }
-
-    /// A copy for those who look while this one works elsewhere: without what is kept for a reset.
-    pub fn copy_to_look_at(&mut self) -> Interpreter {
-        let kept = self.look_back.take();
-        let copy = self.clone();
-        self.look_back = kept;
-        copy
     }
 
     /// The same as [`reset`](Self::reset) for a machine that is at a block behind those that were read.

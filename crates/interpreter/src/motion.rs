@@ -288,15 +288,17 @@ impl Interpreter {
         }
     }
 
-    /// The feed in force, per minute held within the control's limits (GSK990MC 4.2.2 note 1, P96, P97); an
+    /// The feed in force, per minute with the control's limit where it is beyond one (GSK990MC 4.2.2 note 1, P96, P97); an
     /// alarm where there is none. The speed that overrides and the spindle make of it is held by motion.
     pub(crate) fn feed(&self) -> Fallible<Feed> {
         let technology = &self.technology;
         let (value, feed) = match self.modal.is_feed_per_revolution() {
             true => (technology.feed_per_revolution, Feed::PerRevolution(technology.feed_per_revolution)),
             false => {
-                let feed = technology.feed_per_minute;
-                (feed, Feed::PerMinute(feed.clamp(self.rules.min_feed, self.rules.max_feed)))
+                let programmed = technology.feed_per_minute;
+                let at = programmed.clamp(self.rules.min_feed, self.rules.max_feed);
+                let is_within = at == programmed;
+                (programmed, if is_within { Feed::PerMinute(at) } else { Feed::Held { programmed, at } })
             }
         };
         if value > 0.0 { Ok(feed) } else { Err(self.alarm(Fault::NoFeed, self.words.block_span())) }

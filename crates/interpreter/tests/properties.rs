@@ -21,6 +21,7 @@ const PATIENCE: Duration = Duration::from_secs(60);
 fn finite(op: &Op) -> bool {
     let feed_is_good = |feed: &Feed| match *feed {
         Feed::PerMinute(f) | Feed::PerRevolution(f) | Feed::Duration(f) => f.is_finite() && f > 0.0,
+        Feed::Held { programmed, at } => programmed > 0.0 && at.is_finite() && at > 0.0,
     };
     let target = op.target().is_none_or(|to| to.is_finite());
     target

@@ -226,13 +226,14 @@ impl Assembler {
         let end = open.s + open.member.piece.len();
         if !self.chained {
             let from = open.member.piece.at(0.0);
-            self.smoother.begin(from, open.s, open.member.feed, tolerance, open.member.class);
+            self.smoother.begin(from, open.s, open.member.class);
+            self.smoother.set_last(open.member.feed, open.member.most, tolerance);
             self.smoother.add(open.member.piece.end(), end);
             self.first = Some(*open);
             self.chained = true;
         }
         queue.mark(end, open.member.tag);
-        self.smoother.set_last(next.feed, next_tolerance);
+        self.smoother.set_last(next.feed, next.most, next_tolerance);
         self.smoother.add(next.piece.end(), self.s);
         if self.smoother.is_full() {
             let open = *open;
@@ -252,7 +253,7 @@ impl Assembler {
         let (end, tag, tolerance) = (*s + member.piece.len(), member.tag, member.tolerance.unwrap_or(0.0));
         let Some(len) = member.run_on(m, &self.rules, self.s) else { return false };
         queue.mark(end, tag);
-        self.smoother.set_last(member.feed, member.tolerance.unwrap_or(tolerance));
+        self.smoother.set_last(member.feed, member.most, member.tolerance.unwrap_or(tolerance));
         (*start, *s) = (Start::Plain(f64::INFINITY), self.s);
         self.s += len;
         self.end = m.to;
@@ -381,7 +382,7 @@ impl Assembler {
         };
         let class = self.smoother.class;
         let inverse = self.inverses.of(class);
-        let ([_, highest], rpm) = (self.rules.feeds_of(class), last.member.rpm);
+        let rpm = last.member.rpm;
         self.smoother.set_speeds([
             speed,
             match flow.end {
@@ -395,7 +396,7 @@ impl Assembler {
             let cubic = span.cubic;
             let (rates, stretch) = cubic.rates();
             let stretch = stretch.max(LEAST_STRETCH);
-            let (most, highest) = (inverse.velocity(&rates), highest / stretch);
+            let (most, highest) = (inverse.velocity(&rates), span.most / stretch);
             let node = Node {
                 s: span.u,
                 len: cubic.len,

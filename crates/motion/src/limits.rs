@@ -99,8 +99,9 @@ impl Limits {
 /// Highest feed override.
 pub const MAX_FEED_OVERRIDE: f64 = 2.0;
 
-/// How many times the speed that a feed per revolution was given at the spindle may turn: highest spindle override.
-pub const MAX_SPINDLE_OVERRIDE: f64 = 2.0;
+/// How many times the speed that a feed per revolution was given at the spindle may turn: highest spindle override, 2, and
+/// a fifth for moves that are given for a somewhat lower speed than they were asked at, so that they are alike.
+pub const MAX_SPINDLE_OVERRIDE: f64 = 2.4;
 
 /// Share of the acceleration and of the jerk that the path may use. The rest pays for joints that are run
 /// through although their directions differ by rounding (see [`crate::path::joint`]), and for rounding itself.

@@ -82,7 +82,8 @@ impl Move {
     pub fn from_step(op: &Op, from: Position, rpm: f64, tag: u64) -> Option<Move> {
         let to = *op.target()?;
         let speed = |feed: Feed, length: f64| match feed {
-            Feed::PerMinute(f) => f / 60.0,
+            // Motion has the machine's limits.
+            Feed::PerMinute(f) | Feed::Held { programmed: f, .. } => f / 60.0,
             Feed::PerRevolution(f) => f * rpm / 60.0,
             Feed::Duration(t) => length / t,
         };

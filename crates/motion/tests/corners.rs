@@ -263,6 +263,37 @@ fn arcs_keep_an_acceleration_towards_their_centre() {
 }
 
 #[test]
+fn arcs_so_short_that_they_are_smoothed_keep_it_too() {
+    let mut machine = round_machine();
+    // A fillet of 0.5 mm between two lines.
+    let r = 0.5;
+    let ops = |feed| {
+        let fillet = arc(Position::xyz(30.0 + r, r, 0.0), [30.0, r], FRAC_PI_2, feed);
+        [line(30.0, 0.0, 0.0, feed, GO), fillet, line(30.0 + r, 30.0, 0.0, feed, GO)]
+    };
+    let on_fillet = |machine: &Machine, over: f64| {
+        let events = [(0, Event::Override(over, 1.0))];
+        let run = run_with(machine, Position::ZERO, &ops(6000.0), &events, &[]);
+        assert!(!run.stops_inside());
+        let is_on = |p: &Position| p.0[0] > 30.0 && p.0[1] < r;
+        let pairs = run.samples.windows(2).filter(|w| w.iter().all(|s| is_on(&s.position)));
+        let period = machine.servo_period_ms / 1000.0;
+        let on: Vec<f64> = pairs.map(|w| w[0].position.distance(w[1].position) / period).collect();
+        assert!(on.len() > 5, "{}", on.len());
+        // The lines beside it are run as they were.
+        assert!(run.samples.iter().any(|s| s.velocity > 80.0));
+        on.into_iter().fold(0.0, f64::max)
+    };
+    assert!(on_fillet(&machine, 1.0) > 12.0);
+    // v² = 200·0.5.
+    machine.path.arc = Some(ArcSlowdown { acceleration: 200.0, lowest_feed: 0.0 });
+    for over in [1.0, 2.0] {
+        let v = on_fillet(&machine, over);
+        assert!(v > 9.9 && v <= 10.001, "{over}: {v}");
+    }
+}
+
+#[test]
 fn sharp_corners_beside_arcs_are_rounded_within_the_tolerance() {
     let way = |angle: f64, len: f64| {
         let (sin, cos) = angle.to_radians().sin_cos();

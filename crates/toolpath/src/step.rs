@@ -20,10 +20,28 @@ pub struct Step {
 pub enum Feed {
     /// Along the path, mm/min (degrees/min where only rotary axes move). G94.
     PerMinute(f64),
+    /// The same beyond a limit of the control, which holds for the speed that overrides make of it (GSK990MC 4.2.2, P96 and
+    /// P97).
+    Held {
+        /// The feed of the program.
+        programmed: f64,
+        /// The limit: so it is run without an override.
+        at: f64,
+    },
     /// Per spindle revolution, mm/rev. G95.
     PerRevolution(f64),
     /// This move takes this many seconds, whatever its length. Inverse-time feed G93.
     Duration(f64),
+}
+
+impl Feed {
+    /// The feed that is run without an override, mm/min, where it is one per minute.
+    pub fn per_minute(self) -> Option<f64> {
+        match self {
+            Feed::PerMinute(feed) | Feed::Held { at: feed, .. } => Some(feed),
+            Feed::PerRevolution(_) | Feed::Duration(_) => None,
+        }
+    }
 }
 
 /// What the feed of a helix is measured along; for an arc in its plane both are the same.

@@ -169,7 +169,7 @@ impl<W: Write> TraceWriter<W> {
 
     fn feed(&mut self, feed: Feed) {
         match feed {
-            Feed::PerMinute(f) => self.field("f", f),
+            Feed::PerMinute(f) | Feed::Held { at: f, .. } => self.field("f", f),
             Feed::PerRevolution(f) => self.field("frev", f),
             Feed::Duration(s) => self.field("duration", s),
         }

@@ -185,18 +185,14 @@ impl Cnc {
         };
         block.part = taken.part;
         let is_move = next.as_ref().is_ok_and(|step| step.op.target().is_some());
-        if self.blocks.single && is_move && self.blocks.moves == 1 && self.returns_to_reference(span) {
+        if self.blocks.single
+            && is_move
+            && self.blocks.moves == 1
+            && self.interpreter.returns_to_reference(span)
+        {
             block.part += 1;
         }
         block
-    }
-
-    /// Whether a block is one of G28, which stops at its intermediate point too.
-    fn returns_to_reference(&self, span: Span) -> bool {
-        let text = self.interpreter.programs().slice(span).to_ascii_uppercase();
-        let codes = text.split('G').skip(1);
-        let number = |code: &str| code.chars().take_while(char::is_ascii_digit).collect::<String>();
-        codes.map(number).any(|number| number.trim_start_matches('0') == "28")
     }
 
     /// The next thing from the interpreter, if its block may begin. With `None` nothing may be taken now.

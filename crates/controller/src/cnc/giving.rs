@@ -62,7 +62,7 @@ impl Cnc {
         let probes = self.touches.is_some();
         self.supervisor.step(&step, |alarm| match alarm.severity {
             Severity::Warning if probes => {}
-            Severity::Warning => events.push(Event::Warning(Box::new(alarm))),
+            Severity::Warning => events.push(Event::Warning(alarm)),
             Severity::Error if refused.is_none() => refused = Some(Box::new(alarm)),
             Severity::Error => {}
         });
@@ -72,8 +72,23 @@ impl Cnc {
         self.give(step);
     }
 
+    /// A feed beyond a limit of the control: motion holds the speed behind the overrides. It has the limits as the program
+    /// began; one that was changed since holds before the overrides, and so does any for a thread, which has none.
+    fn hold_feed(&self, op: &mut Op) {
+        let (feed, path) = match op {
+            Op::Feed { feed, path, .. } | Op::Arc { feed, path, .. } => (feed, *path),
+            Op::Skip { feed, .. } => (feed, PathMode::ExactStop),
+            _ => return,
+        };
+        if let Feed::Held { at, .. } = *feed
+            && (path == PathMode::Tapping || !self.feeds.contains(&at))
+        {
+            *feed = Feed::PerMinute(at);
+        }
+    }
+
     /// Gives a move to motion; any other step waits for it to come to rest.
-    pub(super) fn give(&mut self, step: Step) {
+    pub(super) fn give(&mut self, mut step: Step) {
         let is_thread = matches!(step.op, Op::Tap { .. });
         if self.is_in(ThreadKind::InStep) && !is_thread && !matches!(step.op, Op::Dwell(_)) {
             // A program that leaves the thread by another move.
@@ -89,12 +104,18 @@ impl Cnc {
             let alarm = Alarm::core(Fault::FeedNotReachable, step.span);
             return self.wait_for(Waiting::Alarm(Box::new(alarm)));
         }
+        self.hold_feed(&mut step.op);
         let from = self.commanded;
         let tag = self.next_tag;
         let Some(to) = step.op.target().copied() else { return };
         self.tell_motion_of_spindle();
-        let Some(motion) = Move::from_step(&step.op, from, self.given_rpm(), tag) else { return };
-        let Some(programmed) = Programmed::new(&step.op, from, motion.feed(), tag) else { return };
+        let (asked, given) = (self.asked_rpm(), self.given_rpm());
+        let Some(motion) = Move::from_step(&step.op, from, given, tag) else { return };
+        let feed = match asked == given {
+            true => motion.feed(),
+            false => Move::from_step(&step.op, from, asked, tag).and_then(|motion| motion.feed()),
+        };
+        let Some(programmed) = Programmed::new(&step.op, from, feed, tag) else { return };
         self.next_tag += 1;
         self.commanded = to;
         let activity = if step.op.is_cutting() { Activity::Cutting } else { Activity::Rapid };

@@ -6,8 +6,10 @@
 //! step was taken. Steps are taken from the ring as they come; the interpreter itself comes back when it is done.
 //!
 //! While it is away a copy stands in its place, as it was when it went: whoever looks ([`Interpreting`] dereferences to
-//! it) waits for nothing. Whoever changes something ([`Interpreting::own`]) has it called back, and waits for the end of
-//! the block that it is at; in the servo period nothing is changed but at rest, when [`Interpreting::is_here`].
+//! it) waits for nothing. The copy is made there as well, so that a period allocates nothing: as the interpreter comes
+//! back, or, where something was changed since, before it goes to read. Both look at it meanwhile, and nobody changes it.
+//! Whoever changes something ([`Interpreting::own`]) has it called back, and waits for the end of the block that it is
+//! at; in the servo period nothing is changed but at rest, when [`Interpreting::is_here`].
 //!
 //! A program that is sent bit by bit is read in the period: its text comes by the same thread, and is short.
 
@@ -16,6 +18,7 @@ use super::{Cnc, State};
 use ferrocut_geometry::Position;
 use ferrocut_interpreter::Interpreter;
 use ferrocut_machine::Alarm;
+use ferrocut_program::Span;
 use ferrocut_toolpath::{Op, Step};
 use rtrb::{Consumer, Producer, RingBuffer};
 use std::ops::Deref;
@@ -39,15 +42,36 @@ type Next = Option<Result<Step, Box<Alarm>>>;
 struct Taken {
     next: Next,
     zero: Position,
+    /// It is positioning of a block of G28.
+    returns: bool,
+}
+
+impl Taken {
+    fn from(interpreter: &mut Interpreter) -> Taken {
+        let next = interpreter.next();
+        let returns = match &next {
+            Some(Ok(Step { op: Op::Rapid { .. }, span, .. })) => returns_to_reference(interpreter, *span),
+            _ => false,
+        };
+        Taken { next, zero: interpreter.program_zero(), returns }
+    }
+}
+
+/// Whether a block is one of G28, which stops at its intermediate point too.
+fn returns_to_reference(interpreter: &Interpreter, span: Span) -> bool {
+    let text = interpreter.programs().slice(span).to_ascii_uppercase();
+    let codes = text.split('G').skip(1);
+    let number = |code: &str| code.chars().take_while(char::is_ascii_digit).collect::<String>();
+    codes.map(number).any(|number| number.trim_start_matches('0') == "28")
 }
 
 /// The interpreter on its way.
 struct Work {
-    interpreter: Box<Interpreter>,
+    interpreter: Arc<Interpreter>,
     /// A copy as it is when it comes back; on the way there one that nobody needs any more.
-    copy: Option<Box<Interpreter>>,
+    copy: Option<Arc<Interpreter>>,
     steps: Producer<Taken>,
-    /// Steps to take at most.
+    /// Steps to take at most; none where only a copy is wanted.
     most: usize,
     /// It stopped for want of room, or since it was called back.
     goes_on: bool,
@@ -58,19 +82,27 @@ impl Work {
     fn read(&mut self) {
         // It is freed here and not in the period.
         self.copy = None;
+        if self.most > 0 {
+            self.read_steps();
+        }
+        self.copy = Some(Arc::new(Interpreter::clone(&self.interpreter)));
+    }
+
+    fn read_steps(&mut self) {
+        // Nobody else has it.
+        let Some(interpreter) = Arc::get_mut(&mut self.interpreter) else { return };
         self.goes_on = true;
         for _ in 0..self.most {
             if self.called.load(Ordering::Relaxed) || self.steps.is_full() {
                 break;
             }
-            let next = self.interpreter.next();
-            self.goes_on = next.as_ref().is_some_and(is_move);
-            let _ = self.steps.push(Taken { next, zero: self.interpreter.program_zero() });
+            let taken = Taken::from(interpreter);
+            self.goes_on = taken.next.as_ref().is_some_and(is_move);
+            let _ = self.steps.push(taken);
             if !self.goes_on {
                 break;
             }
         }
-        self.copy = Some(Box::new(self.interpreter.copy_to_look_at()));
     }
 }
 
@@ -87,8 +119,8 @@ struct Elsewhere {
     /// The other end of the ring; it goes with the interpreter.
     steps: Option<Producer<Taken>>,
     /// A copy of the interpreter as it came back, and one that is to be freed where time is.
-    copy: Option<Box<Interpreter>>,
-    old: Option<Box<Interpreter>>,
+    copy: Option<Arc<Interpreter>>,
+    old: Option<Arc<Interpreter>>,
     /// Something was changed since it came back: the copy is none any more.
     is_changed: bool,
     /// It stopped at a move.
@@ -99,11 +131,13 @@ struct Elsewhere {
 
 /// The interpreter.
 pub(super) struct Interpreting {
-    /// It, or while it is away a copy.
-    present: Box<Interpreter>,
+    /// It, or while it reads elsewhere a copy.
+    present: Arc<Interpreter>,
     elsewhere: Option<Elsewhere>,
     /// Where the program's zero was with the step taken last, while the interpreter is ahead of it.
     zero: Option<Position>,
+    /// The block of G28 that the last positioning of such a one was taken from.
+    returning: Option<Span>,
     /// No step has come yet, since the interpreter is not done.
     waits: bool,
     /// The program has given out all that it had.
@@ -124,9 +158,10 @@ impl Deref for Interpreting {
 impl Interpreting {
     pub fn new(interpreter: Interpreter) -> Interpreting {
         Interpreting {
-            present: Box::new(interpreter),
+            present: Arc::new(interpreter),
             elsewhere: None,
             zero: None,
+            returning: None,
             waits: false,
             is_over: false,
             switches: None,
@@ -170,7 +205,9 @@ impl Interpreting {
     pub fn fetch(&mut self) {
         let Some(elsewhere) = &mut self.elsewhere else { return };
         let Some(work) = elsewhere.thread.fetch() else { return };
-        elsewhere.old = Some(std::mem::replace(&mut self.present, work.interpreter));
+        if !Arc::ptr_eq(&self.present, &work.interpreter) {
+            elsewhere.old = Some(std::mem::replace(&mut self.present, work.interpreter));
+        }
         elsewhere.copy = work.copy;
         elsewhere.steps = Some(work.steps);
         elsewhere.goes_on = work.goes_on;
@@ -209,7 +246,12 @@ impl Interpreting {
             (elsewhere.is_changed, elsewhere.goes_on) = (true, false);
         }
         (self.zero, self.is_over) = (None, false);
-        &mut self.present
+        self.change()
+    }
+
+    /// The interpreter, which nobody else has while it is here.
+    fn change(&mut self) -> &mut Interpreter {
+        Arc::make_mut(&mut self.present)
     }
 
     /// How the operator's switches stand, for the blocks that are read from now on.
@@ -230,10 +272,10 @@ impl Interpreting {
             return;
         }
         if let Some((block_skip, optional_stop)) = self.switches.take() {
-            self.present.set_switches(block_skip, optional_stop);
+            self.change().set_switches(block_skip, optional_stop);
         }
         if let Some(block) = self.passed.take() {
-            self.present.forget_before(block);
+            self.change().forget_before(block);
         }
     }
 
@@ -254,21 +296,37 @@ impl Interpreting {
         }
     }
 
+    /// Whether the step taken last is of this block, and positioning of G28.
+    pub fn returns_to_reference(&self, span: Span) -> bool {
+        self.returning == Some(span)
+    }
+
+    fn gives(&mut self, taken: Taken) -> Next {
+        if taken.returns {
+            self.returning = taken.next.as_ref().and_then(|next| next.as_ref().ok()).map(|step| step.span);
+        }
+        taken.next
+    }
+
     /// The next step, if there is one now ([`waits`](Self::waits)). With `single` none is read ahead of it.
     pub fn next(&mut self, single: bool) -> Next {
         self.waits = false;
         let is_here = self.is_here();
-        let Some(elsewhere) = &mut self.elsewhere else { return self.present.next() };
-        // The text of a step's block is there only with the interpreter.
-        let may_take = !elsewhere.is_stale && (is_here || !single);
-        if may_take && let Ok(taken) = elsewhere.taken.pop() {
+        let Some(elsewhere) = &mut self.elsewhere else {
+            let taken = Taken::from(self.change());
+            return self.gives(taken);
+        };
+        if !elsewhere.is_stale
+            && let Ok(taken) = elsewhere.taken.pop()
+        {
             self.zero = Some(taken.zero);
             self.is_over = taken.next.is_none();
-            return taken.next;
+            return self.gives(taken);
         }
         if is_here && self.present.is_open() {
             self.zero = None;
-            return self.own().next();
+            let taken = Taken::from(self.own());
+            return self.gives(taken);
         }
         if !self.is_over {
             self.lend(single);
@@ -288,17 +346,17 @@ impl Interpreting {
     fn lend(&mut self, single: bool) {
         let Some(elsewhere) = &mut self.elsewhere else { return };
         let Some(steps) = elsewhere.steps.take() else { return };
-        let copy = elsewhere.copy.take().filter(|_| !elsewhere.is_changed);
-        let copy = copy.unwrap_or_else(|| Box::new(self.present.copy_to_look_at()));
         elsewhere.called.store(false, Ordering::Relaxed);
-        let work = Work {
-            interpreter: std::mem::replace(&mut self.present, copy),
-            copy: elsewhere.old.take(),
-            steps,
-            most: if single { 1 } else { STEPS },
-            goes_on: false,
-            called: elsewhere.called.clone(),
+        let copy = if elsewhere.is_changed { None } else { elsewhere.copy.take() };
+        let (interpreter, old, most) = match copy {
+            Some(copy) => {
+                let most = if single { 1 } else { STEPS };
+                (std::mem::replace(&mut self.present, copy), elsewhere.old.take(), most)
+            }
+            None => (self.present.clone(), elsewhere.copy.take(), 0),
         };
+        let called = elsewhere.called.clone();
+        let work = Work { interpreter, copy: old, steps, most, goes_on: false, called };
         // There is room: it is the only one.
         if let Err(work) = elsewhere.thread.lend(work) {
             (self.present, elsewhere.steps) = (work.interpreter, Some(work.steps));

@@ -9,6 +9,10 @@ use ferrocut_machine::{Alarm, Fault, Machine};
 use ferrocut_motion::servo::Kind;
 use ferrocut_toolpath::{Op, Step};
 
+/// Shares of the spindle speed that feeds of moves are given for, between which they are given for the same still. Motion
+/// follows the spindle up to that much above twice the speed.
+const SAME: [f64; 2] = [0.5, 1.2];
+
 /// Share of a spindle speed by which it may change without a feed per revolution following.
 const UNNOTICED: f64 = 0.005;
 
@@ -136,12 +140,21 @@ impl Cnc {
         locked.unwrap_or_else(|| self.spindle.rpm())
     }
 
-    /// The speed that a feed per revolution is worked out with for motion, which makes of it what the spindle has as it
-    /// is run: without the override where it is known, so that moves given under different ones are alike.
-    pub(super) fn given_rpm(&self) -> f64 {
+    /// The speed that a feed per revolution is worked out with, r/min: without the override where it is known.
+    pub(super) fn asked_rpm(&self) -> f64 {
         let is_locked = self.auxiliary.as_ref().is_some_and(|auxiliary| auxiliary.locked_rpm().is_some());
         let asked = self.spindle.asked().abs();
         if asked > 0.0 && !is_locked { asked } else { self.feed_rpm() }
+    }
+
+    /// The same for motion, which makes of it what the spindle has as it is run: one speed for moves that are given under
+    /// different overrides, or beside a surface speed, so that short ones are alike and are run as one curve.
+    pub(super) fn given_rpm(&mut self) -> f64 {
+        let asked = self.asked_rpm();
+        if asked < SAME[0] * self.given_rpm || asked > SAME[1] * self.given_rpm {
+            self.given_rpm = asked;
+        }
+        self.given_rpm
     }
 
     /// Motion follows the spindle with feeds per revolution. Of changes that nobody notices nothing is planned again.

@@ -3,7 +3,7 @@
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_interpreter::program_state::ProgramState;
 use ferrocut_machine::g_code_name;
-use ferrocut_toolpath::{Feed, Op, Speed, SpindleState};
+use ferrocut_toolpath::{Op, Speed, SpindleState};
 
 /// Something that program and machine do not have alike.
 #[derive(Clone, PartialEq, Debug)]
@@ -156,7 +156,7 @@ pub fn axis_moves<'a>(ops: impl Iterator<Item = &'a Op>, from: Position) -> Vec<
         let Some(to) = op.target() else { continue };
         let (is_rapid, speed) = match op {
             Op::Rapid { speed, .. } => (true, *speed),
-            Op::Feed { feed: Feed::PerMinute(feed), .. } => (false, Some(*feed)),
+            Op::Feed { feed, .. } => (false, feed.per_minute()),
             _ => (false, None),
         };
         for axis in Axis::ALL.into_iter().filter(|axis| at[*axis] != to[*axis]) {

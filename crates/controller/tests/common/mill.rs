@@ -1,7 +1,7 @@
 //! A machining centre with the standard ladder: what its valves, contactors and keys do to its switches.
 
 use ferrocut_controller::signals::{Inputs, Mode, Outputs};
-use ferrocut_controller::{Cnc, Event, State};
+use ferrocut_controller::{Cnc, Event, State, Tick};
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_interpreter::Interpreter;
 use ferrocut_machine::Machine;
@@ -34,6 +34,8 @@ pub struct Mill {
     pub inputs: Inputs,
     pub outputs: Outputs,
     pub events: Vec<Event>,
+    /// What runs a period of the NC.
+    pub period: fn(&mut Cnc) -> Tick,
     pub at: Position,
     /// Valves and doors as they stand.
     tool: Way,
@@ -76,6 +78,7 @@ impl Mill {
             inputs: Inputs::default(),
             outputs: Outputs::default(),
             events: Vec::new(),
+            period: Cnc::tick,
             at: Position::ZERO,
             tool: Way { at: CLAMP_MS },
             magazine: Way::default(),
@@ -233,7 +236,7 @@ impl Mill {
         let inputs = Inputs::read(self.plc.memory());
         self.obey(&inputs);
         self.cnc.hear(&inputs);
-        let tick = self.cnc.tick();
+        let tick = (self.period)(&mut self.cnc);
         self.at = tick.position;
         self.events.extend(self.cnc.events());
         self.inputs = inputs;

@@ -20,7 +20,7 @@ pub fn stages(program: &str, setup: &str) -> Result<Vec<Stage>, Box<Alarm>> {
     setup.apply(&mut memory).unwrap();
     let start = setup.start.position();
     let place = |to: Position| [to.0[0], to.0[1], to.0[2]];
-    let minute = |feed: Feed| if let Feed::PerMinute(feed) = feed { feed } else { f64::NAN };
+    let minute = |feed: Feed| feed.per_minute().unwrap_or(f64::NAN);
     let mut at = place(start);
     let mut stages: Vec<Stage> = Vec::new();
     for step in Interpreter::new(&DIALECT, programs, memory, Options { start, ..Options::default() }) {

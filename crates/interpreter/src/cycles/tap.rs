@@ -64,7 +64,7 @@ impl Interpreter {
             // The spindle is an axis of the tapping from here on, and stands still after it (4.5.1).
             self.technology.spindle = SpindleState::Off;
             let pitch = match self.feed()? {
-                Feed::PerMinute(feed) => feed / rpm,
+                Feed::PerMinute(feed) | Feed::Held { at: feed, .. } => feed / rpm,
                 Feed::PerRevolution(feed) => feed,
                 Feed::Duration(_) => 0.0,
             };

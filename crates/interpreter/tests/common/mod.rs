@@ -118,7 +118,7 @@ pub fn short(steps: &[Step], start: Position) -> Vec<String> {
         }
         match &step.op {
             Op::Feed { feed, .. } | Op::Arc { feed, .. } | Op::Skip { feed, .. } => match feed {
-                Feed::PerMinute(f) => write!(line, " F{}", round(*f)).unwrap(),
+                Feed::PerMinute(f) | Feed::Held { at: f, .. } => write!(line, " F{}", round(*f)).unwrap(),
                 Feed::PerRevolution(f) => write!(line, " {}/rev", round(*f)).unwrap(),
                 Feed::Duration(s) => write!(line, " in {}s", round(*s)).unwrap(),
             },

@@ -113,7 +113,7 @@ pub(crate) enum Joint {
 pub(crate) struct JointRules {
     pub tolerance: f64,
     pub exact_stop: bool,
-    /// Slowest and fastest cutting, mm/s.
+    /// Slowest and fastest cutting, overrides included, mm/s.
     pub feeds: [f64; 2],
     /// Servo period, s.
     pub period: f64,
@@ -134,10 +134,13 @@ impl JointRules {
         }
     }
 
-    /// Slowest and fastest, mm/s: neither holds for positioning, nor beside a spindle that cuts a thread.
+    /// The feed below which no override and no spindle leads to more than the slowest, and the fastest, mm/s: neither
+    /// holds for positioning, nor beside a spindle that cuts a thread.
     #[inline]
-    pub fn feeds_of(&self, class: Class) -> [f64; 2] {
-        if matches!(class, Class::Cut | Class::Full) { self.feeds } else { [0.0, f64::INFINITY] }
+    fn feeds_of(&self, class: Class, rpm: f64) -> [f64; 2] {
+        let [slowest, fastest] = self.feeds;
+        let holds = matches!(class, Class::Cut | Class::Full);
+        if holds { [slowest / highest_share(rpm), fastest] } else { [0.0, f64::INFINITY] }
     }
 
     /// How far the joint behind a move may leave the path, mm; `None` is an exact stop.
@@ -170,12 +173,12 @@ impl Member {
         };
         let tolerance = rules.tolerance_of(path);
         let inner = if let PathMode::InnerCorners(corners) = path { Some(corners) } else { None };
-        let [lowest, highest] = rules.feeds_of(class);
+        let [lowest, highest] = rules.feeds_of(class, m.rpm);
         let most = match (&piece, &rules.arc) {
             (Piece::Arc(turn), Some(arc)) => on_arc(arc, turn.radius()).min(highest),
             _ => highest * piece.pace(),
         };
-        let feed = (feed.max(lowest) * piece.pace()).min(most);
+        let feed = feed.max(lowest) * piece.pace();
         Some(Member { tag: m.tag, piece, class, feed, tolerance, rpm: m.rpm, most, inner })
     }
 
@@ -202,8 +205,8 @@ impl Member {
             return None;
         }
         line.go_on(&m.to, dir, len);
-        let [lowest, highest] = rules.feeds_of(self.class);
-        (self.tag, self.feed, self.tolerance) = (m.tag, feed.max(lowest).min(highest), next_tolerance);
+        let [lowest, highest] = rules.feeds_of(self.class, m.rpm);
+        (self.tag, self.feed, self.tolerance) = (m.tag, feed.max(lowest), next_tolerance);
         (self.most, self.inner) = (highest, None);
         Some(len)
     }
@@ -324,9 +327,13 @@ impl Member {
     pub fn top(&self, inverse: &Inverse, s: f64) -> f64 {
         let rates = Rates { first: self.piece.tangent(s).0, second: [0.0; AXES], third: [0.0; AXES] };
         let speed = inverse.speed(&rates).min(self.most);
-        let faster = if self.rpm > 0.0 { MAX_SPINDLE_OVERRIDE } else { 1.0 };
-        if self.feed.is_finite() { speed.min(self.feed * MAX_FEED_OVERRIDE * faster) } else { speed }
+        if self.feed.is_finite() { speed.min(self.feed * highest_share(self.rpm)) } else { speed }
     }
+}
+
+/// How many times its feed a move is run at most, where it holds at this speed of the spindle, r/min.
+fn highest_share(rpm: f64) -> f64 {
+    if rpm > 0.0 { MAX_FEED_OVERRIDE * MAX_SPINDLE_OVERRIDE } else { MAX_FEED_OVERRIDE }
 }
 
 /// Under which limits and override a cut is.

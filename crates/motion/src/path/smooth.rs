@@ -33,6 +33,9 @@ pub(crate) const POINTS: usize = 512;
 /// Points that one more move may bring.
 const SPARE: usize = 160;
 
+/// Share of a span by which its end may lie beside a point by rounding.
+const SAME_PLACE: f64 = 1e-6;
+
 /// Knots: eight more a line at most.
 const KNOTS: usize = 9 * (POINTS + SPARE) + 32;
 
@@ -122,8 +125,9 @@ struct Point {
     p: Position,
     /// Programmed length up to here.
     u: f64,
-    /// Of the line that begins here: mm/s, and how far the path may be left.
+    /// Of the line that begins here: mm/s, no override passes `most`, and how far the path may be left.
     feed: f64,
+    most: f64,
     tolerance: f64,
     level: u8,
 }
@@ -131,6 +135,11 @@ struct Point {
 impl Point {
     fn level(&self) -> &'static Level {
         &LEVELS[usize::from(self.level).min(LEVELS.len() - 1)]
+    }
+
+    /// How fast the line is run about, without an override, mm/s.
+    fn pace(&self) -> f64 {
+        self.feed.min(self.most).min(FASTEST)
     }
 }
 
@@ -140,6 +149,8 @@ pub(crate) struct Span {
     pub u: f64,
     pub cubic: Cubic,
     pub feed: f64,
+    /// Highest speed whatever the override, mm/s.
+    pub most: f64,
     pub is_straight: bool,
 }
 
@@ -232,11 +243,11 @@ impl Smoother {
         self.points.len() + 1 >= POINTS
     }
 
-    /// Begins a run.
-    pub fn begin(&mut self, p: Position, u: f64, feed: f64, tolerance: f64, class: Class) {
+    /// Begins a run of this class.
+    pub fn begin(&mut self, p: Position, u: f64, class: Class) {
         self.clear();
         self.class = class;
-        self.points.push(Point { p, u, feed, tolerance, level: 0 });
+        self.run_on(p, u);
     }
 
     /// Adds a line to `p`.
@@ -250,13 +261,14 @@ impl Smoother {
     /// The same to a point that differs from the newest in X, Y and Z alone.
     #[inline]
     pub fn run_on(&mut self, p: Position, u: f64) {
-        self.points.push(Point { p, u, feed: 0.0, tolerance: f64::INFINITY, level: 0 });
+        let tolerance = f64::INFINITY;
+        self.points.push(Point { p, u, feed: 0.0, most: f64::INFINITY, tolerance, level: 0 });
     }
 
-    /// Feed and tolerance of the line that begins at the newest point.
-    pub fn set_last(&mut self, feed: f64, tolerance: f64) {
+    /// Feed, highest speed and tolerance of the line that begins at the newest point.
+    pub fn set_last(&mut self, feed: f64, most: f64, tolerance: f64) {
         if let Some(last) = self.points.last_mut() {
-            (last.feed, last.tolerance) = (feed, tolerance);
+            (last.feed, last.most, last.tolerance) = (feed, most, tolerance);
         }
     }
 
@@ -360,7 +372,7 @@ impl Smoother {
         while anchor < last {
             let mut end = anchor + 1;
             let mut cone = Cone::new(from_u, from_p);
-            let feed = self.points[anchor].feed;
+            let speeds = (self.points[anchor].feed, self.points[anchor].most);
             let is_kept = self.keeps[0] && !self.goes_on && anchor == 0;
             while end < last && end - anchor < MOST_LEFT_OUT && !is_kept {
                 if self.keeps[1] && end + 1 == last {
@@ -372,7 +384,7 @@ impl Smoother {
                     let (a, b) = (&self.points[i], &self.points[i + 1]);
                     b.u - a.u < SHORT_FEED * a.tolerance
                 };
-                if point.feed != feed && !is_short(end) && !is_short(anchor) {
+                if (point.feed, point.most) != speeds && !is_short(end) && !is_short(anchor) {
                     break;
                 }
                 cone.narrow(point, self.points[end - 1].tolerance);
@@ -770,7 +782,7 @@ impl Smoother {
             }
             line = self.segment(begin, line);
             if !fit.bears(k) {
-                fit.skip(Stretch::free(len, self.points[line].feed.min(FASTEST)));
+                fit.skip(Stretch::free(len, self.points[line].pace()));
                 continue;
             }
             let lines = self.points[line + 1..].iter().take_while(|point| point.u < end).count();
@@ -789,7 +801,7 @@ impl Smoother {
             for i in 0..N {
                 rates.first[i] = (to[i] - from[i]) / len;
             }
-            let top = self.points[last].feed.min(self.inverse.velocity(&rates)).min(FASTEST);
+            let top = self.points[last].pace().min(self.inverse.velocity(&rates));
             let drive = self.inverse.straight(&rates.first);
             let tolerance = self.points[line].tolerance.min(self.points[last].tolerance);
             let stretch = Stretch { drive, ..Stretch::free(len, top) };
@@ -1013,6 +1025,11 @@ impl Smoother {
             let (c, len) = (self.cubic(k, &from, &to), end - begin);
             first = self.segment(begin, first);
             let line = &self.points[self.segment(0.5 * (begin + end), first)];
+            // What bounds a line bounds every span over some of it.
+            let rounding = SAME_PLACE * len;
+            let begun = self.segment(begin + rounding, first);
+            let over = self.points[begun + 1..].iter().take_while(|point| point.u < end - rounding);
+            let most = over.fold(self.points[begun].most, |most, point| most.min(point.most));
             let is_straight =
                 (0..N).all(|i| (2.0 * c[2][i]).abs() < 1e-9 && (6.0 * c[3][i] * len).abs() < 1e-9);
             let mut cubic = Cubic { c: [Position::ZERO; 4], len };
@@ -1026,7 +1043,7 @@ impl Smoother {
                     *own = if (*own - p).abs() <= ROUNDING { *p } else { *own };
                 }
             }
-            out(Span { u: begin, cubic, feed: line.feed, is_straight });
+            out(Span { u: begin, cubic, feed: line.feed, most, is_straight });
         }
     }
 

@@ -268,7 +268,7 @@ fn duration(op: &Op, from: Position, machine: &Machine, spindle: SpindleState) -
         Op::Rapid { speed, .. } => slowest(&|axis| axis.rapid).max(speed.map_or(0.0, at)),
         Op::Feed { feed, .. } | Op::Arc { feed, .. } | Op::Skip { feed, .. } => {
             let programmed = match feed {
-                Feed::PerMinute(speed) => at(*speed),
+                Feed::PerMinute(speed) | Feed::Held { at: speed, .. } => at(*speed),
                 Feed::PerRevolution(pitch) => {
                     at(pitch * spindle.speed().map_or(0.0, |speed| speed.rpm(&from)))
                 }
