@@ -36,6 +36,7 @@ fn rows() -> Vec<Row> {
         (json!({"do": "key", "key": "KEY_LIGHT", "down": false}), 5, ""),
         (json!({"do": "switch", "switch": "SWITCH_FEED", "position": 10}), 5, ""),
         (json!({"do": "handwheel", "counts": 0}), 5, ""),
+        (json!({"do": "stop_by_hand"}), 5, ""),
         (json!({"do": "emergency_stop", "pressed": false}), 5, ""),
         (json!({"do": "reset"}), 5, ""),
         // Programs.

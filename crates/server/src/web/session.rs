@@ -280,9 +280,9 @@ async fn log_out(State(shared): State<Arc<Shared>>, request: Request) -> Respons
         {
             let author = Author::Person { session, name: panel_at(*peer) };
             // Who logs out waits for no disk.
-            let _ = tokio::task::spawn_blocking(move || {
+            drop(tokio::task::spawn_blocking(move || {
                 store.put(&author, vec![Change::Session(SessionNote::LogsOut)])
-            });
+            }));
         }
     }
     with_cookie(told(sessions, None), sessions.cookie("", Duration::ZERO))

@@ -1316,9 +1316,9 @@ switch: string,
  */
 position: number, } | { "do": "handwheel",
 /**
- * Counts; clockwise positive.
+ * Counts; clockwise positive. Those that wait are 1000 at most, ten turns.
  */
-counts: number, } | { "do": "emergency_stop",
+counts: number, } | { "do": "stop_by_hand" } | { "do": "emergency_stop",
 /**
  * Pressed, or released.
  */
