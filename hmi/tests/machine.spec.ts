@@ -418,6 +418,8 @@ test('of two browsers one commands; the other watches, may stop, and is handed c
     await expect(other.locator('.banner')).toContainText('Somebody else is in command');
     await expect(other.locator('[data-signal="KEY_START"]')).toBeDisabled();
     await expect(other.locator('[data-signal="KEY_X+"]')).toBeDisabled();
+    await press(other, 'KEY_HOLD');
+    await expect(notice(other)).toHaveCount(0);
     // Command is not taken away from somebody.
     await other.getByTestId('command').click();
     await expect(notice(other)).toBeVisible();

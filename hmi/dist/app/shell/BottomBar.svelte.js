@@ -55,6 +55,7 @@ function BottomBar($$anchor, $$props) {
 				return $.get($0);
 			},
 			kind: "hold",
+			everybody: true,
 			children: ($$anchor, $$slotProps) => {
 				var fragment_1 = root_1();
 				var node_2 = $.first_child(fragment_1);

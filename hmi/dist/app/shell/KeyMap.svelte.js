@@ -41,7 +41,7 @@ function KeyMap($$anchor, $$props) {
 	function press(event, chord, signal) {
 		if (event.repeat || spent.has(event.code)) return;
 		spent.add(event.code);
-		if (!machine.inCommand) return void machine.refuse("not_in_command");
+		if (!machine.inCommand && signal !== "KEY_HOLD") return void machine.refuse("not_in_command");
 		down.set(event.code, {
 			signal,
 			chord

@@ -7,12 +7,13 @@ var root = $.from_html(`<i class="lamp s-unlv5q" aria-hidden="true"></i>`);
 var root_1 = $.from_html(`<button type="button"><!> <!></button>`);
 function Key($$anchor, $$props) {
 	$.push($$props, true);
-	let lamp = $.prop($$props, "lamp", 3, ""), kind = $.prop($$props, "kind", 3, "plain"), disabled = $.prop($$props, "disabled", 3, false), chosen = $.prop($$props, "chosen", 3, false);
+	let lamp = $.prop($$props, "lamp", 3, ""), kind = $.prop($$props, "kind", 3, "plain"), disabled = $.prop($$props, "disabled", 3, false), everybody = $.prop($$props, "everybody", 3, false), chosen = $.prop($$props, "chosen", 3, false);
 	/** The ladder's name of its input: `KEY_START`. */
 	/** The ladder's name of its lamp. */
+	/** Whether those who watch may press it too. */
 	/** Whether what it chooses is in force; for keys without a lamp. */
 	const lit = $.derived(() => lamp() !== "" && machine.lamps.has(lamp()));
-	const off = $.derived(() => disabled() || !machine.inCommand);
+	const off = $.derived(() => disabled() || !(machine.inCommand || everybody() && machine.link === "open"));
 	var button = root_1();
 	let classes;
 	var node = $.child(button);

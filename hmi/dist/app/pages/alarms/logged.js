@@ -9,7 +9,12 @@ var WHO = [
 ];
 /** Names of what was changed, by item. */
 var NAMES = {
-	rights: [[/^log in (?<level>\d)$/, "log.log_in"], [/^password (?<level>\d)$/, "log.password"]],
+	rights: [
+		[/^log in (?<level>\d)$/, "log.log_in"],
+		[/^password (?<level>\d)$/, "log.password"],
+		[/^command$/, "log.command"],
+		[/^log out$/, "log.log_out"]
+	],
 	memory: [
 		[/^restored$/, "log.restored"],
 		[/^uploaded$/, "log.uploaded"],
@@ -42,7 +47,9 @@ var VALUES = {
 		[/^network$/, "log.network"],
 		[/^right$/, "log.right"],
 		[/^wrong$/, "log.wrong"],
-		[/^set$/, "log.set"]
+		[/^set$/, "log.set"],
+		[/^taken$/, "log.taken"],
+		[/^left$/, "log.left"]
 	],
 	programs: [[/^locked (?<level>\d)$/, "log.locked"]],
 	plc: [[/^released$/, "log.released"], [/^forced (?<value>[01])$/, "log.forced"]],

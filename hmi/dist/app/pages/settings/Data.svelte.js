@@ -36,13 +36,15 @@ function Data($$anchor, $$props) {
 		["variables", 5],
 		["pitch", 3],
 		["plc", 2],
+		["ladder", 2],
 		["counters", 2],
 		["alarms", 3],
 		["log", 3],
-		["position", 2]
+		["position", 2],
+		["interrupted", 2]
 	];
 	/** All but what is of another moment, and is restored only by who names it. */
-	const lasting = items.map(([name]) => name).filter((name) => name !== "position");
+	const lasting = items.map(([name]) => name).filter((name) => name !== "position" && name !== "interrupted");
 	let chosen = $.state($.proxy(lasting));
 	let file = $.state(`${(/* @__PURE__ */ new Date()).toISOString().slice(0, 10)}.backup`);
 	let asking = $.state(false);
