@@ -330,3 +330,29 @@ fn sharp_corners_beside_arcs_are_rounded_within_the_tolerance() {
         }
     }
 }
+
+/// A corner is of both of its moves: it is no rounder than the stricter of them lets it be (G64 P0.3 and then P0.005, G61).
+#[test]
+fn a_corner_between_two_tolerances_keeps_the_lesser() {
+    let machine = round_machine();
+    let within = PathMode::ContinuousWithin;
+    for [first, second] in [[0.3, 0.005], [0.005, 0.3], [0.3, 0.0], [0.0, 0.3]] {
+        let to = Position::xyz(60.0, 30.0, 0.0);
+        let mut round = arc(to, [60.0, 0.0], -FRAC_PI_2, 6000.0);
+        if let Op::Arc { path, .. } = &mut round {
+            *path = within(second);
+        }
+        let straight = line(30.0, 30.0, 0.0, 6000.0, within(second));
+        for next in [straight, round] {
+            let ops = [line(30.0, 0.0, 0.0, 6000.0, within(first)), next];
+            let run = run(&machine, Position::ZERO, &ops);
+            run.check_limits(&machine);
+            // What is left of a round move is as its own tolerance lets it be; its corner is as exact as the line.
+            run.check_path_within(|number| [first, second][number.min(1)] + 1e-6);
+            if matches!(run.ops[1], Op::Feed { .. }) {
+                run.check_path(first.min(second) + 1e-6);
+            }
+            assert_eq!(run.stops_inside(), first.min(second) == 0.0, "{first} {second}");
+        }
+    }
+}

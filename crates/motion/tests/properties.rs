@@ -234,15 +234,19 @@ fn machine() -> impl Strategy<Value = Machine> {
         })
 }
 
-/// How far the path may be left: the largest tolerance used.
-fn tolerance(machine: &Machine, ops: &[Op]) -> f64 {
-    let of =
-        |path: &PathMode| if let PathMode::ContinuousWithin(t) = path { *t } else { machine.path.tolerance };
-    let used = ops.iter().map(|op| match op {
-        Op::Feed { path, .. } | Op::Arc { path, .. } => of(path),
-        _ => 0.0,
-    });
-    used.fold(0.0, f64::max)
+/// How far a move may be left: its own tolerance. One that ends in an exact stop has that of the move before it, and so has
+/// one that goes nowhere.
+fn tolerance(machine: &Machine, ops: &[Op], number: usize) -> f64 {
+    let before =
+        || number.checked_sub(1).map_or(machine.path.tolerance, |before| tolerance(machine, ops, before));
+    match ops.get(number) {
+        Some(Op::Feed { path, .. } | Op::Arc { path, .. }) => match path {
+            PathMode::ContinuousWithin(tolerance) => *tolerance,
+            PathMode::ExactStop => before(),
+            _ => machine.path.tolerance,
+        },
+        _ => before(),
+    }
 }
 
 fn close(a: Position, b: Position) -> bool {
@@ -273,7 +277,7 @@ proptest! {
         let ops = build(&pieces);
         let run = run_with(&machine, Position::ZERO, &ops, &events, &rhythm);
         run.check_limits(&machine);
-        run.check_path(tolerance(&machine, &ops) + 1e-6);
+        run.check_path_within(|number| tolerance(&machine, &ops, number) + 1e-6);
         // Moves that go nowhere end where they began, in every bit.
         prop_assert_eq!(run.samples.last().unwrap().position, *ops.last().unwrap().target().unwrap());
         for (i, op) in ops.iter().enumerate() {
@@ -297,7 +301,7 @@ proptest! {
         events.push((tick, Event::Abort));
         let run = run_with(&machine, Position::ZERO, &ops, &events, &[]);
         run.check_limits(&machine);
-        run.check_path(tolerance(&machine, &ops) + 1e-6);
+        run.check_path_within(|number| tolerance(&machine, &ops, number) + 1e-6);
     }
 
     #[test]

@@ -238,13 +238,14 @@ impl Member {
     pub fn join(&self, next: &Member, rules: &JointRules, inverses: &Inverses) -> Joint {
         let inverse = inverses.of(self.class);
         let Some(tolerance) = self.tolerance else { return Joint::Rest };
+        // What is beside a joint is of both moves. An exact stop has a tolerance at its end alone.
+        let tolerance = tolerance.min(next.tolerance.unwrap_or(tolerance));
         let is_rapid = self.class == Class::Rapid;
         if is_rapid != (next.class == Class::Rapid) || !same_measure(&self.piece, &next.piece) {
             return Joint::Rest;
         }
         let (len, next_len) = (self.piece.len(), next.piece.len());
-        let is_chain =
-            !is_rapid && self.class == next.class && tolerance > 0.0 && next.tolerance != Some(0.0);
+        let is_chain = !is_rapid && self.class == next.class && tolerance > 0.0;
         let is_chain = is_chain && self.rpm == next.rpm;
         let is_chain = is_chain && self.piece.is_plain_line() && next.piece.is_plain_line();
         let (before, after) = (self.piece.tangent(len), next.piece.tangent(0.0));

@@ -720,7 +720,8 @@ impl Smoother {
                 let is_close = keeps[0] && begin - self.t(0) < away || keeps[1] && self.t(spans) - end < away;
                 if !is_close {
                     let most = SPLIT * fit.pace.reach(k, tolerance);
-                    parts = (((end - begin) / most) as usize + 1).min(MOST_PARTS).min(left + 1);
+                    let fits = ((end - begin) / most).min(MOST_PARTS as f64) as usize;
+                    parts = (fits + 1).min(MOST_PARTS).min(left + 1);
                     left -= parts - 1;
                 }
             }

@@ -197,8 +197,14 @@ impl Run {
 
     /// Every sample lies within `tolerance` of the move it belongs to or one beside it.
     pub fn check_path(&self, tolerance: f64) {
+        self.check_path_within(|_| tolerance);
+    }
+
+    /// The same by the tolerance of the move that each sample belongs to, by its number.
+    pub fn check_path_within(&self, tolerance: impl Fn(usize) -> f64) {
         for (k, s) in self.samples.iter().enumerate() {
             let tag = s.tag as usize;
+            let tolerance = tolerance(tag);
             let mut best = f64::INFINITY;
             // The joint may be with a move further on where moves between go nowhere.
             for i in tag.saturating_sub(3)..(tag + 4).min(self.ops.len()) {
