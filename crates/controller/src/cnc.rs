@@ -41,13 +41,13 @@ use block_end::{Block, Blocks};
 use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_interpreter::{AtRest, Interpreter};
 use ferrocut_machine::config::SpindleConfig;
-use ferrocut_machine::{Alarm, Fault, Machine};
+use ferrocut_machine::{Alarm, Fault, Machine, Ramp};
 use ferrocut_motion::servo::{Kind, Servo, ServoFault, ServoFaultKind};
 use ferrocut_motion::synchron::Synchron;
 use ferrocut_motion::{Move, Sample};
 use ferrocut_program::Span;
 use ferrocut_toolpath::{Dwell, Op, SpindleState, Step};
-use interpreting::Interpreting;
+use interpreting::{Frame, Interpreting};
 use interruption::Aside;
 use overtravel::Overtravel;
 use planning::Planning;
@@ -134,8 +134,8 @@ struct Given {
     /// Its length along the path and how much of that was run, mm or degrees.
     path_length: f64,
     travelled: f64,
-    /// Machine position of the program's zero, tool length included.
-    zero: Position,
+    /// What was in force when it was given out.
+    frame: Frame,
     /// The share of it that motion is to be given, where a part was run before it was taken back.
     left: f64,
 }
@@ -363,7 +363,12 @@ impl Cnc {
 
     /// Machine position of the program's zero for the move being run, tool length included.
     pub fn program_zero(&self) -> Position {
-        self.given.front().map_or_else(|| self.interpreter.program_zero(), |given| given.zero)
+        self.frame().zero
+    }
+
+    /// What is in force for the move being run.
+    fn frame(&self) -> Frame {
+        self.given.front().map_or_else(|| self.interpreter.frame(), |given| given.frame)
     }
 
     /// What is left to the end of the move being run, mm and degrees.
@@ -978,12 +983,13 @@ impl Cnc {
     }
 }
 
-/// Least acceleration and jerk of an axis, by which it is judged where the path surely comes to rest.
+/// Least acceleration and jerk of an axis or of the path, by which it is judged where the path surely comes to rest.
 fn braking(machine: &Machine) -> [f64; 2] {
-    let least = |values: &mut dyn Iterator<Item = f64>| values.fold(f64::INFINITY, f64::min).min(1e6);
-    let jerk = |jerk: f64| if jerk > 0.0 { jerk } else { f64::INFINITY };
-    [
-        least(&mut machine.axes.iter().map(|axis| axis.acceleration)),
-        least(&mut machine.axes.iter().map(|axis| jerk(axis.jerk))).max(1.0),
-    ]
+    let own = machine.axes.iter().map(|axis| Ramp { acceleration: axis.acceleration, jerk: axis.jerk });
+    let set = machine.axes.iter().flat_map(|axis| [axis.before_rapid, axis.before_cutting]);
+    let ramps = own.chain(set.chain([machine.path.ramp]).flatten());
+    ramps.fold([1e6, 1e6], |[acceleration, jerk], ramp| {
+        let bound = if ramp.jerk > 0.0 { ramp.jerk.max(1.0) } else { f64::INFINITY };
+        [ramp.acceleration.min(acceleration), bound.min(jerk)]
+    })
 }

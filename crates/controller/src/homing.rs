@@ -217,6 +217,11 @@ impl Homing {
         self.stages.iter().flatten().any(|stage| !matches!(stage, Stage::Arrived(_)))
     }
 
+    /// Whether an axis is on its way.
+    pub fn moves(&self, axis: Axis) -> bool {
+        matches!(self.stages.get(axis.index()), Some(Some(stage)) if !matches!(stage, Stage::Arrived(_)))
+    }
+
     /// Whether an axis searches, so that its software limits do not hold.
     pub fn searches(&self, axis: Axis) -> bool {
         matches!(self.stages.get(axis.index()), Some(Some(Stage::Waits | Stage::Runs(_) | Stage::Onto(_))))

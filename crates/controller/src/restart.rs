@@ -203,6 +203,8 @@ impl Journal {
                 by_hand.iter().for_each(|change| memory.make_change(change));
                 journal.start.set_memory(memory);
                 journal.left = Some(present.clone());
+                // The last word counts.
+                journal.by_hand.retain(|(_, old)| !by_hand.iter().any(|new| new.is_of(old)));
             }
         }
         let mut interpreter = journal.start.clone();

@@ -6,6 +6,7 @@ mod common;
 use common::{cnc, cnc_with, ended, machine};
 use ferrocut_controller::{Cnc, DryRun, Interruption, State, Tick};
 use ferrocut_geometry::{Axis, Position};
+use ferrocut_machine::Ramp;
 use ferrocut_program::FileId;
 
 /// Goes on until the program stops or ends.
@@ -265,4 +266,61 @@ fn an_interlock_holds_the_axes_and_the_program_goes_on_after_it() {
     until_it_stops(&mut cnc);
     assert_eq!(cnc.state(), &State::Ended);
     assert_eq!(cnc.tick().position[Axis::X], 60.0);
+}
+
+/// A line may be named when motion has long planned it: its end is met, or the program stops as soon as it can.
+#[test]
+fn a_line_that_short_blocks_are_about_to_come_to_is_stopped_behind() {
+    let line = |i: i32| format!("G1 X{:.3} Y{:.3} F6000\n", f64::from(i) * 0.1, (f64::from(i) * 0.05).sin());
+    let text: String = (1..1500).map(line).collect();
+    let program = format!("G90\n{text}M30\n");
+    for ahead in [1, 5, 50, 110, 500] {
+        let mut cnc = cnc(&machine(), &program);
+        cnc.cycle_start();
+        let x = |cnc: &mut Cnc| cnc.tick().position[Axis::X] * 10.0;
+        while x(&mut cnc) < 600.0 {}
+        // Line 1 is G90: block `i` is on line `i + 1`.
+        let block = x(&mut cnc).ceil() as u32 + ahead;
+        cnc.stop_behind(Some((FileId(0), block + 1)));
+        until_it_stops(&mut cnc);
+        assert_eq!((cnc.state(), cnc.stops_behind()), (&State::BlockEnd, None), "{ahead}");
+        let stop = x(&mut cnc);
+        assert!((stop - stop.round()).abs() < 1e-9, "{ahead}: {stop}");
+        let late = stop - f64::from(block);
+        match ahead > 110 {
+            true => assert_eq!(late, 0.0, "{ahead}"),
+            false => assert!((0.0..120.0).contains(&late), "{ahead}: {late} behind"),
+        }
+        cnc.cycle_start();
+        until_it_stops(&mut cnc);
+        assert_eq!((cnc.state(), cnc.report().moves), (&State::Ended, 1499), "{ahead}");
+    }
+}
+
+/// Parameters that make the path brake more slowly than the axes could: the end of a block is met all the same.
+#[test]
+fn a_block_ends_where_it_ends_with_slow_ramps_too() {
+    let slow = Ramp { acceleration: 250.0, jerk: 0.0 };
+    for what in 0..2 {
+        let mut machine = machine();
+        match what {
+            0 => machine.path.ramp = Some(slow),
+            _ => machine.axes.iter_mut().for_each(|axis| axis.before_cutting = Some(slow)),
+        }
+        let text = "G90\nG1 X60 F6000\nX120\nX180\nM30\n";
+        for at in (50..1700).step_by(83) {
+            let mut cnc = cnc(&machine, text);
+            cnc.cycle_start();
+            for _ in 0..at {
+                cnc.tick();
+            }
+            let from = cnc.tick().position[Axis::X];
+            cnc.set_single_block(true);
+            until_it_stops(&mut cnc);
+            let stop = cnc.tick().position[Axis::X];
+            assert!([60.0, 120.0, 180.0].contains(&stop), "{what} at {at}: {stop}");
+            // The next end that it can come to rest at: 100 mm/s need 20 mm, the program is told of it somewhat before.
+            assert!(stop - from < 60.0 + 45.0, "{what} at {at}: {from} {stop}");
+        }
+    }
 }

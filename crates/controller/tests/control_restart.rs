@@ -255,7 +255,7 @@ fn what_was_entered_under_way_holds_when_the_run_is_taken_up() {
     let folder = tempfile::tempdir().unwrap();
     // It sets G55 itself, behind the change of it, and counts in #501 from what was entered.
     let part = "O1\nG54 G90 G0 Z10\nM3 S1200\nG1 X10 F3000\nM0\nG10 L2 P2 X7 Y0 Z0\n#501=#501+1\nG1 X20\nX80 F600\nG43 H1 X100\nM30\n";
-    let values = |shop: &Shop| {
+    let of = |shop: &Shop| {
         let memory = shop.control.interpreter().memory();
         let length = memory.tools.get(1).unwrap().length_wear;
         let zeros = memory.work.standard;
@@ -291,7 +291,7 @@ fn what_was_entered_under_way_holds_when_the_run_is_taken_up() {
         shop.mode(Mode::Auto);
         shop.start();
         shop.wait(200);
-        assert_eq!(values(&shop), entered);
+        assert_eq!(of(&shop), entered);
         shop.say(Command::EmergencyStop { pressed: true });
         shop.wait(500);
         shop.say(Command::EmergencyStop { pressed: false });
@@ -299,14 +299,23 @@ fn what_was_entered_under_way_holds_when_the_run_is_taken_up() {
         shop.wait(20);
         let plan = prepared(&mut shop, restart(None, true)).unwrap();
         assert_eq!((plan.line, plan.changes), (9, 0));
+        // What is entered behind the break takes the place of it.
+        shop.mode(Mode::Mdi);
+        let values = OffsetValues { length_wear: Some(0.7), ..OffsetValues::default() };
+        shop.say(Command::SetOffset { number: 1, values, add: false });
+        shop.control.flush().unwrap();
+        shop.wait(50);
+        shop.mode(Mode::Auto);
+        prepared(&mut shop, restart(None, true)).unwrap();
         shop.start();
         shop.wait(100);
-        assert_eq!(values(&shop), entered, "the run that takes it up");
+        let entered = (0.7, entered.1, entered.2, entered.3);
+        assert_eq!(of(&shop), entered, "the run that takes it up");
         let ended = shop.until_it_stops();
-        assert_eq!((ended.activity, values(&shop)), (Activity::Idle, entered));
+        assert_eq!((ended.activity, of(&shop)), (Activity::Idle, entered));
         shop.control.flush().unwrap();
     }
-    assert_eq!(values(&shop_on(folder.path())), entered, "on the disk");
+    assert_eq!(of(&shop_on(folder.path())), (0.7, 2.0, 7.0, Some(42.0)), "on the disk");
 }
 
 #[test]

@@ -131,7 +131,7 @@ const BOX: &str = "G12 X60 Y50 Z50 I20 J-50 K-50";
 fn the_way_back_leads_through_no_area_that_is_forbidden() {
     let mut shop = Shop::new(&[("NO11.0", 0.0)]);
     mdi(&mut shop, &format!("G90 G0 X0 Y0\n{BOX}"));
-    shop.store("O0001", "M3 S900\nG91 G1 X-5 F100\nM30\n");
+    shop.store("O0001", "M3 S900\nG91 G1 X-5 F100\nG13\nM30\n");
     shop.select("O1");
     shop.start();
     shop.wait(200);
@@ -184,6 +184,16 @@ fn a_known_reference_point_is_gone_to_round_what_is_forbidden() {
     // 5#4: positioned where it is known.
     let mut shop = Shop::new(&[("NO5.4", 1.0), ("NO11.0", 0.0)]);
     mdi(&mut shop, &format!("G90 G0 X90 Y0\n{BOX}"));
+    // Both at once go to it through the box from where each alone would not.
+    let mut both = Shop::new(&[("NO5.4", 1.0), ("NO11.0", 0.0)]);
+    mdi(&mut both, &format!("G90 G0 X90 Y60\n{BOX}"));
+    both.mode(Mode::Home);
+    both.told();
+    (both.inputs.jog[0], both.inputs.jog[1]) = (PLUS, PLUS);
+    both.wait(5000);
+    assert_eq!(both.told(), ["FC-0440"]);
+    let at = both.wait(1).position.machine;
+    assert_eq!((at[&'X'], at[&'Y']), (0.0, 60.0));
     let home = |shop: &mut Shop| {
         shop.mode(Mode::Home);
         shop.inputs.jog[0] = PLUS;
@@ -204,7 +214,7 @@ fn a_known_reference_point_is_gone_to_round_what_is_forbidden() {
 fn a_program_beside_its_path_stops_at_what_is_forbidden() {
     let mut shop = Shop::new(&[("NO56.3", 1.0), ("NO11.0", 0.0)]);
     mdi(&mut shop, &format!("G90 G0 X0 Y-60\n{BOX}"));
-    shop.store("O0001", "M3 S900\nG90 G1 X5 F300\nX70\nM30\n");
+    shop.store("O0001", "M3 S900\nG90 G1 X5 F300\nX70\nG13\nM30\n");
     shop.select("O1");
     shop.start();
     shop.wait(300);
@@ -222,6 +232,52 @@ fn a_program_beside_its_path_stops_at_what_is_forbidden() {
     assert_eq!((status.activity, shop.told()), (Activity::Alarm, vec!["FC-0440".to_owned()]));
     let x = status.position.machine[&'X'];
     assert!((20.0..21.0).contains(&x), "{x}");
+}
+
+#[test]
+fn more_than_ten_turns_of_the_handwheel_never_wait() {
+    // 56#0: all counts are run.
+    let mut shop = Shop::new(&[("NO56.0", 1.0)]);
+    shop.mode(Mode::Handle);
+    (shop.inputs.handwheel_axis, shop.inputs.increment) = (Some(0), 2);
+    shop.wait(2);
+    for _ in 0..10 {
+        shop.say(Command::Handwheel { counts: i32::MAX });
+        shop.wait(1);
+    }
+    let x = shop.until_it_stops().position.machine[&'X'];
+    assert!((100.0..101.0).contains(&x), "{x}");
+}
+
+#[test]
+fn a_jog_key_that_is_held_behind_the_handwheel_waits_until_its_way_is_done() {
+    let mut shop = Shop::new(&[("NO56.3", 1.0), ("NO56.0", 1.0)]);
+    shop.store("O0001", PART);
+    shop.select("O1");
+    shop.start();
+    shop.wait(400);
+    shop.hold();
+    shop.until_it_stops();
+    shop.mode(Mode::Handle);
+    (shop.inputs.handwheel_axis, shop.inputs.increment) = (Some(1), 2);
+    shop.wait(2);
+    shop.say(Command::Handwheel { counts: 200 });
+    shop.wait(200);
+    // The axis is on its way yet, and the key is pressed already.
+    shop.inputs.jog[1] = PLUS;
+    shop.inputs.mode = Mode::Jog;
+    let turned = shop.wait(2).position.machine[&'Y'];
+    assert!(turned > 0.0 && turned < 20.0);
+    shop.wait(1500);
+    shop.inputs.jog = Default::default();
+    let there = shop.until_it_stops().position;
+    assert!(there.machine[&'Y'] > 20.0 && there.interruption[&'Y'] < 20.0, "{there:?}");
+    // The way of the key is gone back, that of the wheel stays.
+    shop.mode(Mode::Auto);
+    shop.start();
+    let ended = shop.until_it_stops().position;
+    assert_eq!((ended.machine[&'X'], ended.machine[&'Y']), (80.0, there.interruption[&'Y']));
+    assert!(there.interruption[&'Y'] > 0.0);
 }
 
 #[test]

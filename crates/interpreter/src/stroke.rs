@@ -96,9 +96,15 @@ impl Interpreter {
         enters.then(|| self.alarm(Fault::StoredStroke, self.words.block_span()))
     }
 
+    /// Whether stored stroke check 2 holds for the block read last (G12, G13).
+    pub fn stroke_check(&self) -> bool {
+        self.stroke_check_2
+    }
+
     /// The alarm of a way on which each axis goes by itself, so that all between two places may be passed: of the box that
     /// they span.
-    pub fn stroke_between(&self, one: Position, other: Position) -> Option<Box<Alarm>> {
+    /// `check_2` is whether stored stroke check 2 holds there ([`stroke_check`](Self::stroke_check)).
+    pub fn stroke_between(&self, one: Position, other: Position, check_2: bool) -> Option<Box<Alarm>> {
         let stroke = &self.rules.stroke;
         let min = Position(std::array::from_fn(|n| one.0[n].min(other.0[n])));
         let max = Position(std::array::from_fn(|n| one.0[n].max(other.0[n])));
@@ -108,7 +114,7 @@ impl Interpreter {
         let is_inside = |(axis, (lower, upper)): (&Axis, &(f64, f64))| {
             max[*axis] > lower + ON_BOUND && min[*axis] < upper - ON_BOUND
         };
-        let enters = self.stroke_check_2
+        let enters = check_2
             && match stroke.second_forbids_outside {
                 true => self.outside(&stroke.second, min, max).is_some(),
                 false => self.rules.axis_order.iter().zip(&stroke.second).take(3).all(is_inside),
@@ -132,7 +138,7 @@ impl Interpreter {
 
     /// How far an axis may be moved by hand from `at`, lower and upper machine position. Axes that are `moving` may be
     /// anywhere. Within an area that is forbidden an axis may go on, so that it comes out of it (2.6).
-    pub fn stroke_room(&self, axis: Axis, at: Position, moving: AxisSet) -> (f64, f64) {
+    pub fn stroke_room(&self, axis: Axis, at: Position, moving: AxisSet, check_2: bool) -> (f64, f64) {
         let stroke = &self.rules.stroke;
         let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
         let Some(index) = self.rules.axis_order.iter().position(|other| *other == axis) else {
@@ -146,12 +152,12 @@ impl Interpreter {
         if stroke.first_is_set {
             within(&stroke.first);
         }
-        if self.stroke_check_2 && stroke.second_forbids_outside {
+        if check_2 && stroke.second_forbids_outside {
             within(&stroke.second);
         }
         let box_of = |n: usize| stroke.second.get(n).copied();
         if let Some((lower, upper)) = box_of(index).filter(|_| index < 3)
-            && self.stroke_check_2
+            && check_2
             && !stroke.second_forbids_outside
         {
             let others = self.rules.axis_order.iter().enumerate().take(3).filter(|(n, _)| *n != index);

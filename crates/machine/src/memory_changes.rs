@@ -26,6 +26,22 @@ pub enum MemoryChange {
     ReferencePoint(usize, Position),
 }
 
+impl MemoryChange {
+    /// Whether both are of the same value.
+    pub fn is_of(&self, other: &MemoryChange) -> bool {
+        match (self, other) {
+            (MemoryChange::Parameter(one, _), MemoryChange::Parameter(other, _)) => one == other,
+            (MemoryChange::ToolOffset(one, _), MemoryChange::ToolOffset(other, _)) => one == other,
+            (MemoryChange::Tool(one, _), MemoryChange::Tool(other, _)) => one == other,
+            (MemoryChange::WorkOffset(one, _), MemoryChange::WorkOffset(other, _)) => one == other,
+            (MemoryChange::Variable(one, _), MemoryChange::Variable(other, _)) => one == other,
+            (MemoryChange::Named(one, _), MemoryChange::Named(other, _)) => one == other,
+            (MemoryChange::ReferencePoint(one, _), MemoryChange::ReferencePoint(other, _)) => one == other,
+            _ => false,
+        }
+    }
+}
+
 impl Memory {
     /// What must be changed so that this memory becomes `other`.
     pub fn changes_to(&self, other: &Memory) -> Vec<MemoryChange> {

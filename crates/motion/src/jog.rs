@@ -50,6 +50,9 @@ pub struct Jog {
 /// a whole number of them.
 const UNITS: f64 = 1e5;
 
+/// Counts of the handwheel that wait at most: ten turns.
+const MOST_KEPT: f64 = 1000.0;
+
 /// Farthest place that is counted to where there is no limit, in units: 10 km.
 const MOST_UNITS: i64 = 1_000_000_000_000;
 
@@ -196,7 +199,7 @@ impl Jog {
         let period = self.period;
         let Some(axis) = self.axis(axis) else { return };
         let counts = match surplus {
-            Surplus::Kept => counts,
+            Surplus::Kept => axis.kept(counts, increment),
             Surplus::Dropped => axis.followed(counts, increment, speed, period),
         };
         axis.count(counts, increment, speed);
@@ -297,6 +300,13 @@ impl AxisJog {
         }
         let mark = self.mark().on(counts.saturating_mul(units as i64), self.reach());
         self.want(Wanted::Place(mark, speed.min(self.velocity)));
+    }
+
+    /// How many of the counts are run, where all are: those that wait are [`MOST_KEPT`] at most.
+    fn kept(&self, counts: i64, increment: f64) -> i64 {
+        let waiting = (self.mark().place() - self.now.s) / increment;
+        let room = |sign: f64| (MOST_KEPT - sign * waiting).clamp(0.0, MOST_KEPT) as i64;
+        if waiting.is_finite() { counts.clamp(-room(-1.0), room(1.0)) } else { 0 }
     }
 
     /// How many of the counts the axis follows: it may be behind the wheel by the way that it brakes in, and what it

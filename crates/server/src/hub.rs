@@ -367,14 +367,14 @@ impl<S: Service> Connection<S> {
     }
 
     fn give_command(&self) {
-        let mut commander = lock(&self.hub.commander);
-        if *commander == Some(self.number) {
-            *commander = None;
-            drop(commander);
+        // Nobody else gives up this one's command; whoever takes it next comes behind all that ends with it.
+        let commands = *lock(&self.hub.commander) == Some(self.number);
+        if commands {
             if let Some(command) = S::abandoned() {
                 self.order(command);
             }
             self.tell_service(false);
+            *lock(&self.hub.commander) = None;
             self.hub.tell_command();
         }
     }

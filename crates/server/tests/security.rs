@@ -202,7 +202,7 @@ fn other_computers_must_log_in() {
             log.iter().map(of).filter(|(name, ..)| name == "command" || name == "log out").collect();
         notes.sort();
         let note = |name: &str, to: &str| (name.to_owned(), to.to_owned(), true);
-        notes == [note("command", "left"), note("command", "taken"), note("log out", "right")]
+        notes == [note("command", "left"), note("command", "taken"), note("log out", "")]
     };
     let began = Instant::now();
     while !is_noted() {

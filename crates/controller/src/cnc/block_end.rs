@@ -62,6 +62,8 @@ pub(super) struct Blocks {
     stage: Stage,
     /// Everything that motion was given is to be given again, since its speeds have changed.
     renew: bool,
+    /// Motion is being braked for a block behind which the program stops.
+    meets_line: bool,
 }
 
 impl Blocks {
@@ -78,6 +80,7 @@ impl Blocks {
             later: VecDeque::with_capacity(room),
             stage: Stage::Off,
             renew: false,
+            meets_line: false,
         }
     }
 
@@ -95,6 +98,11 @@ impl Blocks {
     /// The next block may begin, whatever was before it.
     pub fn begin(&mut self) {
         (self.run, self.taken) = (None, None);
+    }
+
+    /// Whether there is a block at all behind which the program stops.
+    fn may_stop(&self) -> bool {
+        self.single || self.asked || self.stop_line.is_some()
     }
 
     fn stops_behind(&self, block: Block) -> bool {
@@ -306,11 +314,10 @@ impl Cnc {
             // The move that would be taken back has not begun.
             Stage::Off if self.retrace.is_before() => {}
             Stage::Off => {
-                let Some(run) = self.given.front().map(|given| given.block) else { return };
-                let is_mixed = || self.given.back().is_some_and(|given| given.block != run);
-                let ends = self.blocks.stops_behind(run) && is_mixed();
-                if self.blocks.renew || ends && self.left_of(run) <= self.stopping_distance() {
+                let is_ended = self.ends_within(self.stopping_distance());
+                if !self.given.is_empty() && (self.blocks.renew || is_ended) {
                     self.blocks.stage = Stage::Braking;
+                    self.blocks.meets_line = is_ended;
                     self.hold_motion();
                 }
             }
@@ -337,14 +344,33 @@ impl Cnc {
         self.blocks.renew = false;
         self.blocks.stage = Stage::Finishing;
         self.blocks.taken = None;
+        // A line that was named when it was all but run may be passed: then the program stops behind the block that it is at.
+        let line = self.blocks.stop_line.filter(|_| std::mem::take(&mut self.blocks.meets_line));
+        if let Some(line) = line
+            && !self.blocks.later.iter().any(|given| (given.block.file, given.block.line) == line)
+        {
+            (self.blocks.asked, self.blocks.stop_line) = (true, None);
+        }
         self.hold_motion();
         self.give_later();
     }
 
-    /// Length that is left of a block, mm or degrees.
-    fn left_of(&self, block: Block) -> f64 {
-        let of_block = self.given.iter().take_while(|given| given.block == block);
-        of_block.map(|given| (given.path_length - given.travelled).max(0.0)).sum()
+    /// Whether a block behind which the program stops ends within a way, mm or degrees, and motion has more than that.
+    fn ends_within(&self, way: f64) -> bool {
+        if !self.blocks.may_stop() {
+            return false;
+        }
+        let mut left = 0.0;
+        for (given, next) in self.given.iter().zip(self.given.iter().skip(1)) {
+            left += (given.path_length - given.travelled).max(0.0);
+            if left > way {
+                return false;
+            }
+            if given.block != next.block && self.blocks.stops_behind(given.block) {
+                return true;
+            }
+        }
+        false
     }
 
     /// Length in which the path surely comes to rest, mm or degrees.

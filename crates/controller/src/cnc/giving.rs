@@ -146,7 +146,7 @@ impl Cnc {
             motion,
             path_length,
             travelled: 0.0,
-            zero: self.interpreter.program_zero(),
+            frame: self.interpreter.frame(),
             left: 1.0,
         };
         // There is room: the caller asked.

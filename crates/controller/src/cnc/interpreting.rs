@@ -38,10 +38,25 @@ const AHEAD: f64 = 0.3;
 /// What the interpreter gave out.
 type Next = Option<Result<Step, Box<Alarm>>>;
 
-/// The same with the machine position of the program's zero, tool length included, that it was given out with.
+/// What was in force when a step was given out.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Frame {
+    /// Machine position of the program's zero, tool length included.
+    pub zero: Position,
+    /// Whether stored stroke check 2 holds (G12).
+    pub stroke_check: bool,
+}
+
+impl Frame {
+    fn of(interpreter: &Interpreter) -> Frame {
+        Frame { zero: interpreter.program_zero(), stroke_check: interpreter.stroke_check() }
+    }
+}
+
+/// The same with what was in force.
 struct Taken {
     next: Next,
-    zero: Position,
+    frame: Frame,
     /// It is positioning of a block of G28.
     returns: bool,
 }
@@ -53,7 +68,7 @@ impl Taken {
             Some(Ok(Step { op: Op::Rapid { .. }, span, .. })) => returns_to_reference(interpreter, *span),
             _ => false,
         };
-        Taken { next, zero: interpreter.program_zero(), returns }
+        Taken { next, frame: Frame::of(interpreter), returns }
     }
 }
 
@@ -134,8 +149,8 @@ pub(super) struct Interpreting {
     /// It, or while it reads elsewhere a copy.
     present: Arc<Interpreter>,
     elsewhere: Option<Elsewhere>,
-    /// Where the program's zero was with the step taken last, while the interpreter is ahead of it.
-    zero: Option<Position>,
+    /// What was in force with the step taken last, while the interpreter is ahead of it.
+    frame: Option<Frame>,
     /// The block of G28 that the last positioning of such a one was taken from.
     returning: Option<Span>,
     /// No step has come yet, since the interpreter is not done.
@@ -160,7 +175,7 @@ impl Interpreting {
         Interpreting {
             present: Arc::new(interpreter),
             elsewhere: None,
-            zero: None,
+            frame: None,
             returning: None,
             waits: false,
             is_over: false,
@@ -245,7 +260,7 @@ impl Interpreting {
             // What it reads next is asked for.
             (elsewhere.is_changed, elsewhere.goes_on) = (true, false);
         }
-        (self.zero, self.is_over) = (None, false);
+        (self.frame, self.is_over) = (None, false);
         self.change()
     }
 
@@ -279,16 +294,16 @@ impl Interpreting {
         }
     }
 
-    /// Machine position of the program's zero with the step taken last, tool length included.
-    pub fn program_zero(&self) -> Position {
-        self.zero.unwrap_or_else(|| self.present.program_zero())
+    /// What was in force with the step taken last.
+    pub fn frame(&self) -> Frame {
+        self.frame.unwrap_or_else(|| Frame::of(&self.present))
     }
 
     /// The program is given up or begins anew: what was read is not wanted.
     pub fn forget(&mut self) {
         let is_away = !self.is_here();
         self.call_back();
-        (self.zero, self.is_over) = (None, false);
+        (self.frame, self.is_over) = (None, false);
         if let Some(elsewhere) = &mut self.elsewhere {
             elsewhere.goes_on = false;
             elsewhere.is_stale = is_away;
@@ -319,12 +334,12 @@ impl Interpreting {
         if !elsewhere.is_stale
             && let Ok(taken) = elsewhere.taken.pop()
         {
-            self.zero = Some(taken.zero);
+            self.frame = Some(taken.frame);
             self.is_over = taken.next.is_none();
             return self.gives(taken);
         }
         if is_here && self.present.is_open() {
-            self.zero = None;
+            self.frame = None;
             let taken = Taken::from(self.own());
             return self.gives(taken);
         }

@@ -83,6 +83,8 @@ impl Cnc {
             && !self.is_in(ThreadKind::InStep)
             && !self.is_retraced()
             && !self.aside.returns
+            // What is moved for another end comes to rest first.
+            && self.aside.taken.is_none_or(|(_, kind)| kind == self.aside.kind)
             && (self.servo.is_at_rest() || self.manual.is_active)
     }
 
@@ -128,7 +130,7 @@ impl Cnc {
         let at = self.beside(self.motion.position());
         let referenced = self.homing.referenced();
         let ways = Axis::ALL.map(|axis| if referenced.contains(axis) { -self.aside.away[axis] } else { 0.0 });
-        let alarm = self.interpreter.stroke_between(at, at + Position(ways))?;
+        let alarm = self.interpreter.stroke_between(at, at + Position(ways), self.frame().stroke_check)?;
         Some(Box::new(Alarm { span: self.span, ..*alarm }))
     }
 
@@ -162,7 +164,7 @@ impl Cnc {
         if self.aside.shift == Position::ZERO || self.state != State::Running || self.failed.is_some() {
             return;
         }
-        if let Some(alarm) = self.interpreter.stroke_between(*at, *at) {
+        if let Some(alarm) = self.interpreter.stroke_between(*at, *at, self.frame().stroke_check) {
             self.come_to_rest();
             self.failed = Some(Box::new(Alarm { span: self.span, ..*alarm }));
         }

@@ -24,10 +24,20 @@ impl Cnc {
         if !self.homing.config().known_at_rapid || !self.homing.referenced().contains(axis) {
             return None;
         }
-        let at = self.beside(self.motion.position());
+        let at = self.place_by_hand();
         let mut to = at;
         to[axis] = self.reference()[axis];
-        self.interpreter.stroke_between(at, to)
+        let check = self.frame().stroke_check;
+        // Others that are on their way may be anywhere.
+        let moves =
+            |other: &Axis| self.manual.is_active && !self.manual.stands(*other) || self.homing.moves(*other);
+        let others = self.machine_axes.iter().filter(|other| *other != axis && moves(other)).collect();
+        let (low, high) = self.interpreter.stroke_room(axis, at, others, check);
+        self.interpreter.stroke_between(at, to, check).or_else(|| {
+            let is_free = (low..=high).contains(&to[axis]);
+            let id = self.interpreter.dialect().alarm_id(Fault::StoredStroke);
+            (!is_free).then(|| Box::new(Alarm::new(id, Fault::StoredStroke, self.span)))
+        })
     }
 
     /// The places where axes stand are their reference points, as if they had been found there: machine zero set by
@@ -139,6 +149,14 @@ impl Cnc {
         self.keep_out_beside(axis, AxisSet::default());
     }
 
+    /// Where the axes are, whoever has them.
+    fn place_by_hand(&self) -> Position {
+        match self.manual.is_active {
+            true => Position(Axis::ALL.map(|axis| self.manual.at(axis))),
+            false => self.beside(self.motion.position()),
+        }
+    }
+
     /// The same of an axis beside `others` that are about to be moved too.
     pub(super) fn keep_out_beside(&mut self, axis: Axis, others: AxisSet) {
         let known = self.homing.referenced();
@@ -148,7 +166,7 @@ impl Cnc {
         let at = Position(Axis::ALL.map(|axis| self.manual.at(axis)));
         let moves = |other: &Axis| !self.manual.stands(*other) || others.contains(*other);
         let moving = self.machine_axes.iter().filter(moves).collect();
-        self.manual.set_room(axis, self.interpreter.stroke_room(axis, at, moving));
+        self.manual.set_room(axis, self.interpreter.stroke_room(axis, at, moving, self.frame().stroke_check));
     }
 
     /// Tells the interpreter which axes are to be homed yet.

@@ -109,8 +109,8 @@ pub struct Control {
     wheel: wheel_drive::Wheel,
     /// The button of a front.
     button: bool,
-    /// It opened the machine's line in the scan before.
-    button_opens: bool,
+    /// Where it opened the machine's line in the scan before: whether that was closed.
+    button_opens: Option<bool>,
     emergency: bool,
     /// The alarm that stands, besides those of the emergency stop and the parameter switch.
     active: Option<Alarm>,
@@ -242,7 +242,7 @@ impl Control {
             counts: 0,
             wheel: wheel_drive::Wheel::default(),
             button: false,
-            button_opens: false,
+            button_opens: None,
             emergency: false,
             active: None,
             parameter_switch: ParameterSwitch::default(),
@@ -361,13 +361,14 @@ impl Control {
         let Some(plc) = &mut self.plc else { return };
         let memory = plc.memory_mut();
         // The button of a front is in one line with that of the machine, which says last whether it is closed.
-        if std::mem::replace(&mut self.button_opens, self.button) {
-            memory.set_bit(EMERGENCY_BUTTON, true);
+        if let Some(was_closed) = self.button_opens.take() {
+            memory.set_bit(EMERGENCY_BUTTON, was_closed);
         }
         self.cnc.drives().read(&mut |byte, bit, on| {
             memory.set_bit(Address { area: Area::X, byte, bit: Some(bit) }, on);
         });
         if self.button {
+            self.button_opens = Some(memory.bit(EMERGENCY_BUTTON));
             memory.set_bit(EMERGENCY_BUTTON, false);
         }
         let was_stopped = plc.stopped().is_some();
