@@ -85,6 +85,8 @@ pub(crate) struct Member {
     pub feed: f64,
     /// How far the joint after it may leave the programmed path, mm; `None` is an exact stop.
     pub tolerance: Option<f64>,
+    /// It is a piece of a block and not the last one.
+    pub within_block: bool,
     /// Speed of the spindle that the feed holds at, r/min; 0 where it does not follow the spindle.
     pub rpm: f64,
     /// Highest speed whatever the override, mm/s: of cutting, of an arc; infinite where there is none.
@@ -179,7 +181,8 @@ impl Member {
             _ => highest * piece.pace(),
         };
         let feed = feed.max(lowest) * piece.pace();
-        Some(Member { tag: m.tag, piece, class, feed, tolerance, rpm: m.rpm, most, inner })
+        let within_block = matches!(path, PathMode::WithinBlock(_));
+        Some(Member { tag: m.tag, piece, class, feed, tolerance, within_block, rpm: m.rpm, most, inner })
     }
 
     /// Goes on with the line `m`, if both are smoothed together and nothing asks for a closer look: then it is that line.
@@ -208,6 +211,7 @@ impl Member {
         let [lowest, highest] = rules.feeds_of(self.class, m.rpm);
         (self.tag, self.feed, self.tolerance) = (m.tag, feed.max(lowest), next_tolerance);
         (self.most, self.inner) = (highest, None);
+        self.within_block = matches!(path, PathMode::WithinBlock(_));
         Some(len)
     }
 
@@ -238,14 +242,19 @@ impl Member {
     pub fn join(&self, next: &Member, rules: &JointRules, inverses: &Inverses) -> Joint {
         let inverse = inverses.of(self.class);
         let Some(tolerance) = self.tolerance else { return Joint::Rest };
-        // What is beside a joint is of both moves. An exact stop has a tolerance at its end alone.
-        let tolerance = tolerance.min(next.tolerance.unwrap_or(tolerance));
+        // What is beside a joint is of both moves. An exact stop has a tolerance at its end alone, and so has the last piece
+        // of a block.
+        let tolerance = match next.tolerance {
+            Some(next) if !self.within_block => tolerance.min(next),
+            _ => tolerance,
+        };
         let is_rapid = self.class == Class::Rapid;
         if is_rapid != (next.class == Class::Rapid) || !same_measure(&self.piece, &next.piece) {
             return Joint::Rest;
         }
         let (len, next_len) = (self.piece.len(), next.piece.len());
-        let is_chain = !is_rapid && self.class == next.class && tolerance > 0.0;
+        let is_chain =
+            !is_rapid && self.class == next.class && tolerance > 0.0 && next.tolerance != Some(0.0);
         let is_chain = is_chain && self.rpm == next.rpm;
         let is_chain = is_chain && self.piece.is_plain_line() && next.piece.is_plain_line();
         let (before, after) = (self.piece.tangent(len), next.piece.tangent(0.0));
