@@ -215,11 +215,10 @@ impl Manual {
 
     /// Goes to a place as positioning does, under the rapid override.
     pub fn go_at_rapid(&mut self, axis: Axis, place: f64) {
-        let rapid = self.of(axis).rapid;
-        let speed = if self.rapid == 0.0 { self.config.rapid_f0 / 60.0 } else { rapid * self.rapid };
+        let speed = self.under_rapid_override(self.of(axis).rapid);
         self.let_go(axis);
         if place != self.at(axis) {
-            self.jog.go(axis, place, speed.min(rapid));
+            self.jog.go(axis, place, speed);
         }
     }
 

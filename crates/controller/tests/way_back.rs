@@ -210,20 +210,25 @@ fn a_known_reference_point_is_gone_to_round_what_is_forbidden() {
     assert_eq!(home(&mut shop), 0.0);
 }
 
-#[test]
-fn a_program_beside_its_path_stops_at_what_is_forbidden() {
-    let mut shop = Shop::new(&[("NO56.3", 1.0), ("NO11.0", 0.0)]);
-    mdi(&mut shop, &format!("G90 G0 X0 Y-60\n{BOX}"));
-    shop.store("O0001", "M3 S900\nG90 G1 X5 F300\nX70\nG13\nM30\n");
+/// Holds the program after so many periods, and turns Y by 20 mm.
+fn hold_and_turn(shop: &mut Shop, periods: usize) {
     shop.select("O1");
     shop.start();
-    shop.wait(300);
+    shop.wait(periods);
     shop.hold();
     shop.until_it_stops();
     shop.mode(Mode::Handle);
     (shop.inputs.handwheel_axis, shop.inputs.increment) = (Some(1), 2);
     shop.wait(2);
     shop.say(Command::Handwheel { counts: 200 });
+}
+
+#[test]
+fn a_program_beside_its_path_stops_at_what_is_forbidden() {
+    let mut shop = Shop::new(&[("NO56.3", 1.0), ("NO11.0", 0.0)]);
+    mdi(&mut shop, &format!("G90 G0 X0 Y-60\n{BOX}"));
+    shop.store("O0001", "M3 S900\nG90 G1 X5 F300\nX70\nG13\nM30\n");
+    hold_and_turn(&mut shop, 300);
     assert_eq!(shop.until_it_stops().position.machine[&'Y'], -40.0);
     shop.mode(Mode::Auto);
     shop.told();
@@ -253,15 +258,7 @@ fn more_than_ten_turns_of_the_handwheel_never_wait() {
 fn a_jog_key_that_is_held_behind_the_handwheel_waits_until_its_way_is_done() {
     let mut shop = Shop::new(&[("NO56.3", 1.0), ("NO56.0", 1.0)]);
     shop.store("O0001", PART);
-    shop.select("O1");
-    shop.start();
-    shop.wait(400);
-    shop.hold();
-    shop.until_it_stops();
-    shop.mode(Mode::Handle);
-    (shop.inputs.handwheel_axis, shop.inputs.increment) = (Some(1), 2);
-    shop.wait(2);
-    shop.say(Command::Handwheel { counts: 200 });
+    hold_and_turn(&mut shop, 400);
     shop.wait(200);
     // The axis is on its way yet, and the key is pressed already.
     shop.inputs.jog[1] = PLUS;
