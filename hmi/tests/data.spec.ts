@@ -40,7 +40,7 @@ test('offsets and programs are as before once they are restored', async ({ page 
   await offset(page, 7, '-50.125');
   await show(page, 'settings/data');
   // Where the axes stood is restored by nobody who does not ask for it.
-  await expect(page.getByRole('checkbox', { checked: true })).toHaveCount(11);
+  await expect(page.getByRole('checkbox', { checked: true })).toHaveCount(12);
   await expect(page.getByRole('checkbox', { name: 'Position' })).not.toBeChecked();
   await page.getByLabel('File').fill('played.backup');
   await page.getByTestId('back-up').click();

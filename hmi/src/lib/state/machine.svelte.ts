@@ -25,14 +25,16 @@ let hasStatus = $state.raw(false);
     What draws them itself hears all of them (`watch`). */
 const MEASURES: readonly (keyof Status)[] = ['position', 'feed', 'counters', 'spindle', 'periods'];
 let turns = 0;
-/** A status of which each 25th is told, for texts that nobody sees. */
+/** A status of which each 25th is told, for texts that nobody sees, and each with which the machine begins or ends something or
+    comes to rest. */
 let calm = $state.raw<Status | null>(null);
 const CALM = 25;
+const isTurningPoint = (before: Status, now: Status) => before.activity !== now.activity || (before.feed.actual !== 0 && now.feed.actual === 0);
 
 /** Puts what has changed before those who look at it. */
 function put(now: Status): void {
   for (const field of fields.keys()) if (!((field as string) in now)) fields.delete(field);
-  if (!calm || turns % CALM === 0) calm = now;
+  if (!calm || turns % CALM === 0 || isTurningPoint(calm, now)) calm = now;
   turns += 1;
   const turn = turns % MEASURES.length;
   for (const [field, value] of Object.entries(now)) {

@@ -26,9 +26,10 @@ var MEASURES = [
 var turns = 0;
 var calm = $.state(null);
 var CALM = 25;
+var isTurningPoint = (before, now) => before.activity !== now.activity || before.feed.actual !== 0 && now.feed.actual === 0;
 function put(now) {
 	for (const field of fields.keys()) if (!(field in now)) fields.delete(field);
-	if (!$.get(calm) || turns % CALM === 0) $.set(calm, now);
+	if (!$.get(calm) || turns % CALM === 0 || isTurningPoint($.get(calm), now)) $.set(calm, now);
 	turns += 1;
 	const turn = turns % MEASURES.length;
 	for (const [field, value] of Object.entries(now)) if (!(fields.has(field) && MEASURES.includes(field) && field !== MEASURES[turn])) fields.set(field, value);
