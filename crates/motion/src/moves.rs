@@ -31,7 +31,7 @@ pub(crate) enum Kind {
 }
 
 /// Slowest feed, mm/s: a move with feed 0 would never end. Interpreters refuse it before.
-const LEAST_FEED: f64 = 1e-3;
+const LEAST_FEED: f64 = 1e-6;
 
 /// Coordinates, angles and feeds beyond this are refused as not finite: no machine is a thousand kilometres
 /// long, and what is planned stays far from the ends of `f64`.

@@ -372,21 +372,32 @@ impl Smoother {
         while anchor < last {
             let mut end = anchor + 1;
             let mut cone = Cone::new(from_u, from_p);
-            let speeds = (self.points[anchor].feed, self.points[anchor].most);
+            let speeds = |i: usize| (self.points[i].feed, self.points[i].most);
+            // What is shorter than the tolerance has no feed of its own.
+            let is_short = |from: usize, to: usize| {
+                let (a, b) = (&self.points[from], &self.points[to]);
+                b.u - a.u < SHORT_FEED * a.tolerance
+            };
+            // The line whose speeds the chord has, and the first behind it with others.
+            let (mut own, mut other) = (anchor, None);
             let is_kept = self.keeps[0] && !self.goes_on && anchor == 0;
             while end < last && end - anchor < MOST_LEFT_OUT && !is_kept {
                 if self.keeps[1] && end + 1 == last {
                     break;
                 }
-                let point = &self.points[end];
-                // What is shorter than the tolerance has no feed of its own.
-                let is_short = |i: usize| {
-                    let (a, b) = (&self.points[i], &self.points[i + 1]);
-                    b.u - a.u < SHORT_FEED * a.tolerance
-                };
-                if (point.feed, point.most) != speeds && !is_short(end) && !is_short(anchor) {
-                    break;
+                if other.is_none() && speeds(end) != speeds(own) {
+                    other = Some(end);
                 }
+                if let Some(first) = other
+                    && !is_short(first, end + 1)
+                {
+                    if !is_short(anchor, first) {
+                        end = first;
+                        break;
+                    }
+                    (own, other) = (first, (first..=end).find(|i| speeds(*i) != speeds(first)));
+                }
+                let point = &self.points[end];
                 cone.narrow(point, self.points[end - 1].tolerance);
                 // What the cone does not say is looked at.
                 if !cone.holds(&self.points[end + 1]) && !self.fits(from_u, &from_p, anchor + 1, end + 1) {
