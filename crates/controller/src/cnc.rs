@@ -499,6 +499,11 @@ impl Cnc {
         self.set_overrides(feed, rapid, feed, rapid);
     }
 
+    /// Speed that no axis exceeds in positioning, mm/s or degrees/s, besides the rapid override; none at infinity.
+    pub fn set_rapid_speed(&mut self, speed: f64) {
+        self.motion.set_rapid_speed(speed);
+    }
+
     /// The same with factors of their own for axes moved by hand.
     pub fn set_overrides(&mut self, feed: f64, rapid: f64, manual_feed: f64, manual_rapid: f64) {
         self.motion.set_override(feed, rapid);
@@ -731,7 +736,9 @@ impl Cnc {
 
     /// Whether the axes are still to come to where motion stands before it goes on.
     fn must_settle_now(&self) -> bool {
-        self.motion.at_rest() && !self.servo.is_at_rest() && self.must_settle()
+        // What the axes come through again on the way back was not all of the move that is held.
+        let is_behind = self.retrace.is_behind() || self.retrace.is_before();
+        self.motion.at_rest() && !self.servo.is_at_rest() && (is_behind || self.must_settle())
     }
 
     /// Whether the axes must be where motion has come to rest before anything else begins: a step that waits,

@@ -6,6 +6,7 @@
 use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_interpreter::{Dialect, Interpreter};
 use ferrocut_machine::{Alarm, Fault, Machine};
+use ferrocut_program::Span;
 use ferrocut_toolpath::{Op, Speed, Step};
 
 /// Coordinates this little beyond a limit are on it: what sums of decimals leave, mm or degrees.
@@ -37,6 +38,15 @@ struct AxisLimits {
     /// Whether they hold: not before the machine knows where the axis is.
     holds: bool,
     beyond: Option<bool>,
+}
+
+impl AxisLimits {
+    /// The alarm of a path that comes to `position`, beyond the upper limit or the lower one.
+    fn alarm(&self, dialect: &Dialect, upper: bool, position: f64, span: Span) -> Alarm {
+        let alarm = Alarm::new(dialect.soft_limit_id(self.number, upper), Fault::SoftLimit, span);
+        let limit = if upper { self.max } else { self.min };
+        alarm.with("axis", self.axis.letter().to_string()).with("position", position).with("limit", limit)
+    }
 }
 
 impl Supervisor {
@@ -170,12 +180,31 @@ impl Supervisor {
             let ends_beyond = self.at[axis] > limits.max + ON_LIMIT || self.at[axis] < limits.min - ON_LIMIT;
             limits.beyond = beyond.filter(|_| ends_beyond);
             let Some(upper) = beyond else { continue };
-            let (position, limit) = if upper { (max[axis], limits.max) } else { (min[axis], limits.min) };
-            let id = self.dialect.soft_limit_id(limits.number, upper);
-            let alarm = Alarm::new(id, Fault::SoftLimit, step.span);
-            let letter = axis.letter().to_string();
-            tell(alarm.with("axis", letter).with("position", position).with("limit", limit));
+            tell(limits.alarm(self.dialect, upper, if upper { max[axis] } else { min[axis] }, step.span));
         }
+    }
+
+    /// The software limit that a path passes which is run `shift` beside the place for which it was judged. It lies between
+    /// `min` and `max`, `shift` aside.
+    pub fn beside(
+        &self,
+        (min, max): (Position, Position),
+        shift: Position,
+        span: Span,
+    ) -> Option<Box<Alarm>> {
+        let moved =
+            self.axes.iter().filter(|a| a.holds && shift[a.axis] != 0.0 && min[a.axis] != max[a.axis]);
+        moved
+            .filter_map(|limits| {
+                let (low, high) =
+                    (min[limits.axis] + shift[limits.axis], max[limits.axis] + shift[limits.axis]);
+                let upper = high > limits.max + ON_LIMIT;
+                let passes = upper || low < limits.min - ON_LIMIT;
+                passes.then(|| {
+                    Box::new(limits.alarm(self.dialect, upper, if upper { high } else { low }, span))
+                })
+            })
+            .next()
     }
 
     fn alarm(&self, fault: Fault, step: &Step) -> Alarm {

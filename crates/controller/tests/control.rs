@@ -342,6 +342,45 @@ fn under_machine_lock_an_interruption_moves_nothing() {
     }
 }
 
+/// 6.2: beside its path a program passes no software limit either, whether what passes it was given before the interruption
+/// or is read behind it.
+#[test]
+fn a_program_beside_its_path_keeps_its_software_limits() {
+    // Z may go up to 200: the program comes to 199.8, and runs 0.5 higher.
+    for (part, starts) in
+        [("G1 Z199.8 F9000\nZ0\nM30\n", false), ("G1 X80 F9000\nG1 Z100\nM8\nZ199.8\nZ0\nM30\n", true)]
+    {
+        let mut shop = Shop::new(&[("NO56.3", 1.0)]);
+        shop.store("O0001", part);
+        shop.select("O1");
+        shop.start();
+        shop.wait(200);
+        shop.hold();
+        shop.until_it_stops();
+        go_up(&mut shop, Mode::Handle);
+        let up = shop.until_it_stops();
+        assert_eq!(up.activity, Activity::Held);
+        shop.mode(Mode::Auto);
+        let highest = match starts {
+            false => {
+                shop.start();
+                assert_eq!(shop.wait(500).activity, Activity::Held);
+                up.position.machine[&'Z']
+            }
+            true => {
+                shop.start();
+                let mut highest = f64::MIN;
+                for _ in 0..20_000 {
+                    highest = highest.max(shop.wait(1).position.machine[&'Z']);
+                }
+                assert!(shop.control.status().alarms.iter().any(|alarm| alarm.id == "gsk990mc:0505"));
+                highest
+            }
+        };
+        assert!(highest < 200.0, "{highest}");
+    }
+}
+
 /// 4.1.4: with single block the axes wait at the point to which they have returned.
 #[test]
 fn with_single_block_the_way_back_ends_at_its_point() {
@@ -640,6 +679,39 @@ fn dry_run_runs_at_its_own_speed_where_the_bits_say() {
     assert_eq!(shop.wait(400).feed.actual.round(), 3000.0);
     shop.inputs.dry_run = false;
     assert_eq!(shop.wait(800).feed.actual.round(), 600.0);
+}
+
+/// GSK990MC part 2, 7.9: F0 is P93 for every axis, whatever its rapid speed is, and with 12#4 none.
+#[test]
+fn the_lowest_rapid_override_is_a_speed_of_each_axis() {
+    // Along a straight line the axis that goes farthest has it; each on its own, all have it.
+    for (straight, wanted) in [(0.0, [60.0, 60.0]), (1.0, [60.0, 30.0])] {
+        let mut shop = Shop::new(&[("P93", 60.0), ("NO12.1", straight)]);
+        shop.store("O0001", "G0 X40 Y20\nM30\n");
+        shop.select("O1");
+        shop.inputs.rapid_override = RapidOverride::Lowest;
+        shop.start();
+        let speeds = |status: Status| ['X', 'Y'].map(|axis| status.feed.components[&axis].abs());
+        let close = |found: [f64; 2], wanted: [f64; 2]| {
+            found.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 1e-6 * b)
+        };
+        let found = speeds(shop.wait(400));
+        assert!(close(found, wanted), "{found:?}");
+        // On the way too: a share of the highest speeds, and the speed again.
+        shop.inputs.rapid_override = RapidOverride::Quarter;
+        let share = speeds(shop.wait(200));
+        assert!((share[0] - 0.25 * 15000.0).abs() < 1.0, "{share:?}");
+        shop.inputs.rapid_override = RapidOverride::Lowest;
+        let found = speeds(shop.wait(200));
+        assert!(close(found, wanted), "{found:?}");
+    }
+    let mut shop = Shop::new(&[("P93", 60.0), ("NO12.4", 1.0)]);
+    shop.store("O0001", "G0 X40\nM30\n");
+    shop.select("O1");
+    shop.inputs.rapid_override = RapidOverride::Lowest;
+    shop.start();
+    assert_eq!(shop.wait(400).feed.actual, 0.0);
+    assert_eq!(shop.x(), 0.0);
 }
 
 #[test]

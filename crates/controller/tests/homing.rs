@@ -341,6 +341,39 @@ fn homing_in_a_program_is_held_and_goes_on() {
     assert!(error(&mut cnc, Axis::X) < 1e-3);
 }
 
+/// Without the permission of the interlock no axis moves, whoever homes it: a program goes on with it, by hand it is begun
+/// anew.
+#[test]
+fn an_interlock_stops_homing() {
+    let machine = planted(|_| {});
+    for by_program in [true, false] {
+        for at in [3, 400, 1500, 3500] {
+            let mut cnc = on_plant(&machine, "G28 X0\nM30\n", "");
+            let wait = |cnc: &mut Cnc, n: usize| (0..n).map(|_| cnc.tick().position).last().unwrap();
+            wait(&mut cnc, 2);
+            match by_program {
+                true => cnc.cycle_start(),
+                false => assert!(cnc.home(Axis::X)),
+            }
+            wait(&mut cnc, at);
+            assert!(cnc.is_homing(), "{at}");
+            cnc.set_may_move(false);
+            let rest = wait(&mut cnc, 600);
+            (0..500).for_each(|_| assert_eq!(cnc.tick().position, rest, "{by_program} {at}"));
+            cnc.set_may_move(true);
+            if !by_program {
+                assert_eq!((wait(&mut cnc, 500), cnc.is_homing()), (rest, false), "{at}");
+                homed(&mut cnc, Axis::X);
+            } else {
+                wait(&mut cnc, 60_000);
+                assert_eq!(cnc.state(), &State::Ended, "{at}");
+            }
+            assert_eq!(cnc.at_reference(), only(&[Axis::X]), "{by_program} {at}");
+            assert!(error(&mut cnc, Axis::X) < 1e-3, "{by_program} {at}");
+        }
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() })]
 

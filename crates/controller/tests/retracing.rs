@@ -6,6 +6,7 @@ mod common;
 use common::{cnc, ended, machine};
 use ferrocut_controller::{Cnc, DryRun, Interruption, JogSpeed, JogWay, State};
 use ferrocut_geometry::{Axis, Position};
+use ferrocut_machine::Smoothing;
 
 const ALONG_X: &str = "G90 G1 X30 F3000\nX60\nM8\nX100\nM30\n";
 const CORNERS: &str = "G90 G1 X10 F3000\nX20 Y10\nG2 X30 Y0 R10\nG1 X40\nX40 Y30\nG0 X0 Y0\nM30\n";
@@ -254,4 +255,31 @@ fn a_program_given_up_behind_is_broken_off_where_it_was_held() {
     rest(&mut cnc);
     assert_eq!((cnc.state(), lines), (&State::Reset, 2));
     assert_eq!(cnc.report().parts, 0);
+}
+
+/// Acceleration after interpolation is run out at each rest that the axes come through, both ways.
+#[test]
+fn smoothed_axes_come_to_the_rests_of_the_path_both_ways() {
+    let mut machine = machine();
+    for axis in &mut machine.axes {
+        axis.after_rapid = Smoothing::Linear { time_ms: 80.0 };
+        axis.after_cutting = Smoothing::Linear { time_ms: 80.0 };
+    }
+    let corners = [Position::xyz(60.0, 40.0, 0.0), Position::xyz(60.0, 40.0, -20.0)];
+    let mut cnc = cnc(&machine, "G90 G0 X60 Y40\nG0 Z-20\nG1 X100 F3000\nX140\nM30\n");
+    hold_beyond(&mut cnc, 80.0);
+    assert!(cnc.retrace());
+    let mut back = Vec::new();
+    for _ in 0..8000 {
+        back.push(cnc.tick().position);
+    }
+    assert_eq!(back.last(), Some(&Position::ZERO));
+    cnc.cycle_start();
+    let forward = to_end(&mut cnc);
+    for corner in corners {
+        for (way, places) in [("back", &back), ("forward", &forward)] {
+            let near = places.iter().map(|place| place.distance(corner)).fold(f64::INFINITY, f64::min);
+            assert!(near < 1e-9, "{way}: {near} mm from {corner:?}");
+        }
+    }
 }

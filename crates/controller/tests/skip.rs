@@ -5,7 +5,7 @@ mod common;
 
 use common::{cnc, in_language, interpreter, machine};
 use ferrocut_controller::drives::{Block, Plant};
-use ferrocut_controller::{Cnc, State, Tick};
+use ferrocut_controller::{Cnc, DryRun, State, Tick};
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_interpreter::Interpreter;
 use ferrocut_machine::{Fault, Machine, PlantAxis, PlantConfig};
@@ -151,6 +151,35 @@ fn hold_and_reset_do_what_they_do_in_any_move() {
     cnc.reset();
     wait(&mut cnc, 500);
     assert_eq!(cnc.state(), &State::Reset);
+}
+
+/// What takes moves back to give them anew never gives back one that has touched.
+#[test]
+fn a_touch_stands_whenever_dry_run_is_switched() {
+    let program = "G90 G31 X100 F600\n#100 = #5016\nG91 G1 Y1 F600\nM30\n";
+    let touch = {
+        let mut cnc = probing(&machine(), interpreter(program, ""), &[wall(10.0)]);
+        cnc.cycle_start();
+        (0..).find(|_| cnc.tick().position[Axis::X] >= 10.0).unwrap()
+    };
+    let dry = DryRun { speed: 10.0, cutting: false, rapid: true };
+    for switched in touch - 150..touch + 40 {
+        let mut cnc = probing(&machine(), interpreter(program, ""), &[wall(10.0)]);
+        cnc.cycle_start();
+        for tick in 0..6000 {
+            if tick == switched {
+                cnc.set_dry_run(Some(dry));
+            }
+            cnc.tick();
+        }
+        let end = cnc.tick().position;
+        assert_eq!(cnc.state(), &State::Ended, "{switched}");
+        // 10 mm/s: the probe's lag and braking, as in `the_move_ends_where_the_probe_touches`. An axis that swings over the
+        // place where it was braked for dry run may touch too.
+        assert!(end[Axis::X] > 9.99 && end[Axis::X] < 10.3, "{switched}: {end:?}");
+        let touched = cnc.interpreter().memory().variables.get(100).unwrap();
+        assert!((touched - 10.0).abs() < 1e-3, "{switched}: {touched}");
+    }
 }
 
 proptest! {

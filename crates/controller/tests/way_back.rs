@@ -298,3 +298,22 @@ fn steps_and_counts_end_with_their_mode_and_with_who_gave_them() {
         assert_eq!(shop.wait(1000).position.machine[&'X'], stands);
     }
 }
+
+/// Without the permission of the interlock the way back does not begin, and the program stays where it is.
+#[test]
+fn no_axis_goes_back_under_an_interlock() {
+    let (mut shop, held) = away();
+    let aside = shop.control.status();
+    shop.inputs.axes_may_move = false;
+    shop.wait(5);
+    shop.start();
+    let still = shop.wait(500);
+    assert_eq!((still.activity, still.position.machine.clone()), (Activity::Held, aside.position.machine));
+    shop.inputs.axes_may_move = true;
+    shop.wait(5);
+    assert_eq!(shop.wait(500).position.machine, still.position.machine);
+    shop.start();
+    assert_eq!(shop.wait(2).activity, Activity::Returning);
+    let ended = shop.until_it_stops();
+    assert_eq!((ended.counters.parts, ended.position.machine[&'Y']), (1, held.position.machine[&'Y']));
+}

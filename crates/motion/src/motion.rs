@@ -106,6 +106,11 @@ impl Motion {
         self.planner.set_override(feed, rapid);
     }
 
+    /// Speed that no axis exceeds in positioning, mm/s or degrees/s ([`Planner::set_rapid_speed`]).
+    pub fn set_rapid_speed(&mut self, speed: f64) {
+        self.planner.set_rapid_speed(speed);
+    }
+
     /// Speed of the spindle, r/min, which feeds per revolution follow ([`Planner::set_spindle`]).
     pub fn set_spindle(&mut self, rpm: f64) {
         self.planner.set_spindle(rpm);

@@ -234,13 +234,23 @@ impl Planner {
         let old = self.plan.overrides();
         let clamp = |new: f64, max: f64, old: f64| if new.is_nan() { old } else { new.clamp(0.0, max) };
         let (feed, rapid) = (clamp(feed, MAX_FEED_OVERRIDE, old.feed), clamp(rapid, 1.0, old.rapid));
-        let new = Overrides { feed, rapid, ..old };
-        if new == old {
-            return;
+        self.override_by(Overrides { feed, rapid, ..old });
+    }
+
+    /// Speed that no axis exceeds in positioning, mm/s or degrees/s, besides the rapid override: the lowest step of an
+    /// override that is a speed and no share. Takes effect as the overrides do; left as it is if it is none.
+    pub fn set_rapid_speed(&mut self, speed: f64) {
+        if speed > 0.0 {
+            self.override_by(Overrides { rapid_speed: speed, ..self.plan.overrides() });
         }
-        self.plan.set_overrides(new);
-        self.outdated = self.runs;
-        self.patience = 0.0;
+    }
+
+    fn override_by(&mut self, new: Overrides) {
+        if new != self.plan.overrides() {
+            self.plan.set_overrides(new);
+            self.outdated = self.runs;
+            self.patience = 0.0;
+        }
     }
 
     /// Speed of the spindle, r/min, which feeds per revolution follow, those of moves that were pushed too: like an
@@ -253,7 +263,7 @@ impl Planner {
         }
         self.plan.set_overrides(Overrides { rpm: Some(rpm), ..old });
         let mut known = self.queue.head()..self.queue.tail();
-        if self.runs && known.any(|cell| self.queue.node(cell).rpm > 0.0) {
+        if self.runs && known.any(|cell| self.queue.node(cell).follows_spindle()) {
             self.outdated = true;
             self.patience = 0.0;
         }
@@ -442,9 +452,9 @@ impl Planner {
         }
         self.look();
         // From where it is: it may have been stopped on the way.
-        let share = self.plan.overrides().of(Class::Rapid);
+        let speeds = self.plan.overrides().rapid_speeds(&self.limits);
         let before = self.walk.axes;
-        self.walk.axes.begin(self.walk.position(), to, &self.limits, share);
+        self.walk.axes.begin(self.walk.position(), to, &self.limits.positioning, &speeds);
         if self.can_change(0) && self.hand_over(None, false, true) {
             return true;
         }
@@ -474,7 +484,7 @@ impl Planner {
         let before = self.walk.axes;
         let is_apart = before.is_under_way();
         if is_apart {
-            self.walk.axes.set_share(&self.limits, self.plan.overrides().of(Class::Rapid));
+            self.walk.axes.set_speeds(&self.plan.overrides().rapid_speeds(&self.limits));
         }
         if (number.is_none() && !is_apart) || self.hand_over(number, false, is_apart) {
             self.outdated = number.is_none();
@@ -499,7 +509,9 @@ impl Planner {
             if !self.stopping {
                 self.walk.axes = before;
             }
-        } else if let Some(number) = self.plan.stop(&self.queue, self.walk.t()) {
+        } else if let Some(number) =
+            self.plan.stop(&self.queue, self.walk.t(), self.aborting || self.lacks_spindle())
+        {
             self.stopping = self.hand_over(Some(number), false, false);
             if !self.stopping {
                 self.plan.undo();
@@ -574,7 +586,13 @@ impl Planner {
             return self.aborting;
         }
         let held = self.hold || self.share() == 0.0;
-        self.aborting || (held && self.queue.node(self.queue.head()).class != Class::Locked)
+        let is_thread = self.queue.node(self.queue.head()).class == Class::Locked;
+        self.aborting || self.lacks_spindle() || (held && !is_thread)
+    }
+
+    /// Whether the spindle stands that feeds the path: then nothing goes on, in a thread neither.
+    fn lacks_spindle(&self) -> bool {
+        self.queue.node(self.queue.head()).follows_spindle() && self.plan.overrides().rpm == Some(0.0)
     }
 
     /// The factor of the programmed speed where the path is.

@@ -7,7 +7,8 @@ mod common;
 use common::{Event, Run, arc, line, round_machine, run, run_with};
 use ferrocut_geometry::{Plane, Position};
 use ferrocut_machine::{ArcSlowdown, CornerSlowdown, Machine};
-use ferrocut_toolpath::{CornerRule, InnerCorners, Op, PathMode};
+use ferrocut_motion::{Motion, Move};
+use ferrocut_toolpath::{CornerRule, Feed, InnerCorners, Op, PathMode};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 const GO: PathMode = PathMode::Continuous;
@@ -178,6 +179,54 @@ fn under_g63_neither_override_nor_hold_has_an_effect() {
     let at_hold = run.samples[2900];
     assert!(at_hold.velocity == 0.0 && at_hold.position.0[0] >= 60.0, "{at_hold:?}");
     assert_eq!(run.samples.last().unwrap().position, Position::xyz(90.0, 0.0, 0.0));
+}
+
+/// A hold or an override of 0 shortly before a thread stops before it or behind it, never inside it.
+#[test]
+fn nothing_rests_inside_a_thread_that_it_was_asked_for_before() {
+    let machine = round_machine();
+    let ops = [
+        line(30.0, 0.0, 0.0, 6000.0, GO),
+        line(60.0, 0.0, 0.0, 3000.0, PathMode::Tapping),
+        line(90.0, 0.0, 0.0, 6000.0, GO),
+    ];
+    let free = run(&machine, Position::ZERO, &ops);
+    let enters = free.samples.iter().position(|s| s.position.0[0] > 30.0).unwrap();
+    let mut rests = [0, 0];
+    for tick in enters - 200..enters {
+        for (stop, go) in
+            [(Event::Hold, Event::Resume), (Event::Override(0.0, 0.0), Event::Override(1.0, 1.0))]
+        {
+            let events = [(tick, stop), (tick + 3000, go)];
+            let held = run_with(&machine, Position::ZERO, &ops, &events, &[]);
+            let rest = held.samples[tick + 2990];
+            let x = rest.position.0[0];
+            assert!(rest.velocity == 0.0 && (x <= 30.0 || x >= 60.0), "{tick}: {x} at {}", rest.velocity);
+            rests[usize::from(x >= 60.0)] += 1;
+        }
+    }
+    assert!(rests[0] > 100 && rests[1] > 10, "{rests:?}");
+}
+
+/// A thread that the spindle feeds rests where the spindle does.
+#[test]
+fn a_thread_per_revolution_waits_for_its_spindle() {
+    let op = Op::Feed {
+        to: Position::xyz(0.0, 0.0, -30.0),
+        feed: Feed::PerRevolution(1.0),
+        path: PathMode::Tapping,
+    };
+    let mut motion = Motion::new(&round_machine(), Position::ZERO);
+    motion.set_spindle(1000.0);
+    motion.push(&Move::from_step(&op, Position::ZERO, 1000.0, 1).unwrap()).unwrap();
+    motion.finish();
+    let wait = |motion: &mut Motion, n: usize| (0..n).map(|_| motion.tick()).last().unwrap();
+    assert!((wait(&mut motion, 500).velocity - 1000.0 / 60.0).abs() < 1e-6);
+    motion.set_spindle(0.0);
+    let rest = wait(&mut motion, 500);
+    assert_eq!((rest.velocity, wait(&mut motion, 500).position), (0.0, rest.position));
+    motion.set_spindle(1000.0);
+    assert_eq!(wait(&mut motion, 3000).position, Position::xyz(0.0, 0.0, -30.0));
 }
 
 /// Of the sample at the vertex: its speed.

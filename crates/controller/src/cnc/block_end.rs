@@ -284,6 +284,11 @@ impl Cnc {
         true
     }
 
+    /// Moves that motion gave back, and has not taken again.
+    pub(super) fn later(&self) -> impl Iterator<Item = &Given> {
+        self.blocks.later.iter()
+    }
+
     /// Notes which block is being run.
     pub(super) fn runs(&mut self, block: Block) {
         self.blocks.run = Some(block);
@@ -310,6 +315,15 @@ impl Cnc {
 
     /// Looks after the end of the block being run, where motion has more than that.
     pub(super) fn watch_block_end(&mut self) {
+        if self.gives_up_move() {
+            // It is being braked, and what is left of it is not given again.
+            if self.blocks.is_braking() {
+                self.blocks.stage = Stage::Off;
+                self.hold_motion();
+            }
+            self.blocks.renew = false;
+            return;
+        }
         match self.blocks.stage {
             // The move that would be taken back has not begun.
             Stage::Off if self.retrace.is_before() => {}
@@ -353,6 +367,11 @@ impl Cnc {
         }
         self.hold_motion();
         self.give_later();
+    }
+
+    /// Whether the move being run ends where it is braked: its probe has touched, or its jog is cancelled.
+    fn gives_up_move(&self) -> bool {
+        self.probing.is_some_and(|probing| probing.has_touched()) || self.is_jog_cancelled()
     }
 
     /// Whether a block behind which the program stops ends within a way, mm or degrees, and motion has more than that.

@@ -116,10 +116,13 @@ impl Cnc {
             false => Move::from_step(&step.op, from, asked, tag).and_then(|motion| motion.feed()),
         };
         let Some(programmed) = Programmed::new(&step.op, from, feed, tag) else { return };
+        let (min, max) = step.op.extent(from).unwrap_or((from, to));
+        if let Some(alarm) = self.supervisor.beside((min, max), self.aside.shift, step.span) {
+            return self.wait_for(Waiting::Alarm(alarm));
+        }
         self.next_tag += 1;
         self.commanded = to;
         let activity = if step.op.is_cutting() { Activity::Cutting } else { Activity::Rapid };
-        let (min, max) = step.op.extent(from).unwrap_or((from, to));
         // Degrees of a rotary axis are no distance.
         let is_linear = (0..3).any(|i| from.0[i] != to.0[i]) || step.op.arc(from).is_some();
         let length = if is_linear { step.op.length(from) } else { 0.0 };

@@ -7,6 +7,7 @@
 
 use super::tapping::ThreadKind;
 use super::{Cnc, State};
+use crate::programmed::Way;
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_machine::Alarm;
 
@@ -134,12 +135,30 @@ impl Cnc {
         Some(Box::new(Alarm { span: self.span, ..*alarm }))
     }
 
-    /// Sends the axes back to where they were taken; whether they were elsewhere.
+    /// Why a program that is stopped may not go on as far beside its path as it was moved (GSK990MC part 2, 6.2): what it was
+    /// given already passes a software limit there. What follows is judged as it is given.
+    pub fn shift_alarm(&self) -> Option<Box<Alarm>> {
+        let at = self.motion.position();
+        let left = self.given.iter().enumerate().map(|(k, given)| match given.programmed.way {
+            // The axes are in it.
+            Way::Line(_, to) if k == 0 => (at.min(to), at.max(to), given.span),
+            _ => (given.min, given.max, given.span),
+        });
+        let later = self.later().map(|given| (given.min, given.max, given.span));
+        left.chain(later)
+            .find_map(|(min, max, span)| self.supervisor.beside((min, max), self.aside.shift, span))
+    }
+
+    /// Sends the axes back to where they were taken; whether they were elsewhere. Without the permission of the interlock they
+    /// stay, and so does the program.
     pub(super) fn return_to_path(&mut self) -> bool {
         if self.aside.away == Position::ZERO
             || !matches!(self.state, State::Held | State::BlockEnd | State::Stopped(_))
         {
             return false;
+        }
+        if !self.may_move() {
+            return true;
         }
         let at = self.beside(self.motion.position());
         self.aside.taken = Some((at, Interruption::Return));

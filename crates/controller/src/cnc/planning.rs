@@ -66,6 +66,7 @@ impl Work {
 #[derive(Clone, Copy, Default)]
 struct Asked {
     overrides: Option<(f64, f64)>,
+    rapid_speed: Option<f64>,
     spindle: Option<f64>,
     hold: Option<bool>,
     abort: bool,
@@ -143,6 +144,9 @@ impl Planning {
         if let Some((feed, rapid)) = asked.overrides {
             work.planner.set_override(feed, rapid);
         }
+        if let Some(speed) = asked.rapid_speed {
+            work.planner.set_rapid_speed(speed);
+        }
         if let Some(rpm) = asked.spindle {
             work.planner.set_spindle(rpm);
         }
@@ -193,6 +197,12 @@ impl Planning {
 
     pub fn set_override(&mut self, feed: f64, rapid: f64) {
         self.asked.overrides = Some((feed, rapid));
+        self.ask();
+    }
+
+    /// Speed that no axis exceeds in positioning, mm/s or degrees/s.
+    pub fn set_rapid_speed(&mut self, speed: f64) {
+        self.asked.rapid_speed = Some(speed);
         self.ask();
     }
 

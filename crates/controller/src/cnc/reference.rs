@@ -197,7 +197,7 @@ impl Cnc {
         if !self.homing.is_active() {
             return;
         }
-        let held = self.state == State::Held;
+        let held = self.state == State::Held || !self.may_move();
         let (switches, added) = (self.switches(), self.servo.added());
         let drives = self.drives.as_mut();
         let wrong = self.homing.tick(&mut self.manual, drives, &switches, &self.actual, &added, held);

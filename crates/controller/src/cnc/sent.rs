@@ -166,6 +166,11 @@ impl Cnc {
         }
     }
 
+    /// Whether what is left of a jog is forgotten as soon as the axes are at rest.
+    pub(super) fn is_jog_cancelled(&self) -> bool {
+        self.sent.cancels
+    }
+
     /// Stops the spindle in a hold, or starts it as it was. The axes wait until it has its speed.
     pub fn stop_spindle(&mut self, stops: bool) {
         if stops {

@@ -24,6 +24,13 @@ pub(super) struct Probing {
     touched: Option<Position>,
 }
 
+impl Probing {
+    /// Whether it ends where it is braked now.
+    pub fn has_touched(&self) -> bool {
+        self.touched.is_some()
+    }
+}
+
 impl Cnc {
     /// A skip move was given to motion. From rest the probe is looked at before anything is planned: a move that was
     /// not begun is forgotten, while one on its way takes some periods to be stopped.

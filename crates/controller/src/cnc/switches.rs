@@ -99,6 +99,7 @@ impl Cnc {
             self.hold_motion();
             if !may {
                 self.hold_return();
+                self.stop_homing_by_hand();
                 self.manual.stop();
             }
         }

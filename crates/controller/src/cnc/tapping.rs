@@ -143,6 +143,11 @@ impl Cnc {
         let farthest = way.0.iter().fold(0.0, |far: f64, d| if d.abs() > far.abs() { *d } else { far });
         let is_first = !self.is_in(ThreadKind::InStep);
         if is_first {
+            let alarm = self.supervisor.beside((from.min(to), from.max(to)), self.aside.shift, self.span);
+            if let Some(alarm) = alarm {
+                self.state = State::Alarmed(alarm);
+                return;
+            }
             let speed_behind = if goes_on && self.auxiliary.is_none() { self.spindle.asked() } else { 0.0 };
             let gear = self.gear(rpm);
             self.thread =
@@ -196,6 +201,9 @@ impl Cnc {
     pub(super) fn cut_thread(&mut self) -> Tick {
         let Some(stroke) = self.stroke else { return self.at_rest() };
         if !stroke.has_begun {
+            if !self.may_move() {
+                return self.at_rest();
+            }
             // The spindle is at rest by now.
             let Stroke { from, thread, .. } = stroke;
             if !self.synchron.begin(from, self.spindle.angle(), &thread) {

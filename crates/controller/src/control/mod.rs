@@ -418,17 +418,16 @@ impl Control {
 
     /// Switches and overrides.
     fn take_switches(&mut self) {
-        let f0 = match self.bit(12, 4) {
-            true => 0.0,
-            false => {
-                let fastest = self.machine.axes.iter().map(|axis| axis.rapid).fold(1.0, f64::max);
-                self.parameter(93) / fastest
-            }
-        };
         let is_driven = self.is_driven_by_wheel();
         let wheel = self.take_wheel_drive();
         let inputs = &self.inputs;
         let rapid = inputs.rapid_override.factor();
+        // F0 is a speed for each axis, or none (7.9).
+        let (rapid_share, rapid_speed) = match rapid {
+            Some(share) => (share, f64::INFINITY),
+            None if self.bit(12, 4) || !(self.parameter(93) > 0.0) => (0.0, f64::INFINITY),
+            None => (1.0, self.parameter(93) / 60.0),
+        };
         let (feed, manual) = (inputs.feed_override, inputs.manual_override);
         let dry = (inputs.dry_run && !is_driven).then(|| DryRun {
             speed: self.parameter(86) / 60.0,
@@ -438,7 +437,8 @@ impl Control {
         let (single, skip) = (inputs.single_block, inputs.block_skip);
         let (optional, auxiliary, lock) = (inputs.optional_stop, inputs.auxiliary_lock, inputs.machine_lock);
         let may = inputs.axes_may_move;
-        self.cnc.set_overrides(feed * wheel, rapid.unwrap_or(f0) * wheel, manual, rapid.unwrap_or(0.0));
+        self.cnc.set_overrides(feed * wheel, rapid_share * wheel, manual, rapid.unwrap_or(0.0));
+        self.cnc.set_rapid_speed(rapid_speed * wheel);
         self.cnc.set_dry_run(dry);
         self.cnc.set_single_block(single);
         self.cnc.set_auxiliary_lock(auxiliary);
@@ -549,7 +549,7 @@ impl Control {
                 Err(Box::new(alarm(Fault::ControlInterrupted).with("mode", name_of(self.program_mode()))))
             }
             Start::GoesOn => {
-                if let Some(alarm) = self.cnc.way_back_alarm() {
+                if let Some(alarm) = self.cnc.way_back_alarm().or_else(|| self.cnc.shift_alarm()) {
                     return Err(alarm);
                 }
                 self.cnc.do_not_finish_block();

@@ -1,6 +1,6 @@
 //! Positioning with every axis on its own: each from rest to rest in its shortest time.
 
-use crate::limits::{Drive, Limits};
+use crate::limits::{Drive, Ramps};
 use crate::timing::ramp::{Foot, Phases, distance, summit};
 use ferrocut_geometry::{AXES, Position};
 
@@ -161,15 +161,14 @@ impl AxesRun {
         stopped: false,
     };
 
-    /// Begins at rest at `from`.
-    pub fn begin(&mut self, from: Position, to: Position, limits: &Limits, share: f64) {
+    /// Begins at rest at `from`; `speeds` are the highest of the axes, mm/s or degrees/s.
+    pub fn begin(&mut self, from: Position, to: Position, ramps: &Ramps, speeds: &[f64; AXES]) {
         *self = AxesRun { from, to, under_way: true, ..AxesRun::NONE };
-        let ramps = &limits.positioning;
-        for i in 0..AXES {
+        for (i, speed) in speeds.iter().enumerate() {
             let len = (to.0[i] - from.0[i]).abs();
             let drive =
                 Drive { a: ramps.acceleration[i].min(UNLIMITED[1]), j: ramps.jerk[i].min(UNLIMITED[2]) };
-            let [a, b, c] = Single::legs(0.0, len, limits.rapid[i].min(UNLIMITED[0]) * share, drive);
+            let [a, b, c] = Single::legs(0.0, len, speed.min(UNLIMITED[0]), drive);
             let legs = if len > 0.0 { [a, b, c, None] } else { [None; LEGS] };
             self.singles[i] = Single { legs, drive, ..Single::NONE };
         }
@@ -185,15 +184,15 @@ impl AxesRun {
         self.under_way
     }
 
-    /// Another rapid override.
-    pub fn set_share(&mut self, limits: &Limits, share: f64) {
+    /// Another rapid override: other highest speeds of the axes, mm/s or degrees/s.
+    pub fn set_speeds(&mut self, speeds: &[f64; AXES]) {
         if self.stopped {
             return;
         }
-        for i in 0..AXES {
+        for (i, speed) in speeds.iter().enumerate() {
             let len = (self.to.0[i] - self.from.0[i]).abs();
             let single = &mut self.singles[i];
-            let (top, drive) = (limits.rapid[i].min(UNLIMITED[0]) * share, single.drive);
+            let (top, drive) = (speed.min(UNLIMITED[0]), single.drive);
             single.renew(|v, s| Single::legs(v, len - s, top, drive));
         }
     }

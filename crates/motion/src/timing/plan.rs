@@ -22,7 +22,7 @@
 //! **Corners** are run at a pace at which the lines beside them are long enough to stop on, so that sections on
 //! either side can be planned apart.
 
-use crate::limits::{Class, Drive, Inverses, MAX_SPINDLE_OVERRIDE};
+use crate::limits::{Class, Drive, Inverses, Limits, MAX_SPINDLE_OVERRIDE};
 use crate::path::corner::{pace_below, paced};
 use crate::timing::brake::{Brake, Start};
 use crate::timing::grid::{ALIKE, Grid, Port};
@@ -30,12 +30,15 @@ use crate::timing::piece::{Piece, State, step};
 use crate::timing::queue::{CELLS, Node, Pass, Queue, SAME_LENGTH};
 use crate::timing::ramp::{Foot, Phases, distance, summit};
 use crate::timing::valley::{self, Valley};
+use ferrocut_geometry::AXES;
 
 /// Overrides as factors, and what else the programmed speed depends on as it is run.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Overrides {
     pub feed: f64,
     pub rapid: f64,
+    /// No axis positions faster than this, mm/s or degrees/s.
+    pub rapid_speed: f64,
     /// Speed of the spindle, r/min, which feeds per revolution follow; as they were given where it is not known.
     pub rpm: Option<f64>,
     /// Slowest cutting, mm/s.
@@ -52,11 +55,16 @@ impl Overrides {
         }
     }
 
+    /// Highest speed of each axis that positions on its own, mm/s or degrees/s.
+    pub fn rapid_speeds(&self, limits: &Limits) -> [f64; AXES] {
+        limits.rapid.map(|rapid| (rapid * self.rapid).min(self.rapid_speed))
+    }
+
     /// The factor of the programmed speed of a cell.
     #[inline]
     pub fn share(&self, node: &Node) -> f64 {
         let turns = match self.rpm {
-            Some(rpm) if node.rpm > 0.0 => (rpm / node.rpm).min(MAX_SPINDLE_OVERRIDE),
+            Some(rpm) if node.follows_spindle() => (rpm / node.basis).min(MAX_SPINDLE_OVERRIDE),
             _ => 1.0,
         };
         self.of(node.class) * turns
@@ -79,8 +87,11 @@ impl Overrides {
         let feed = if node.feed.is_finite() { node.feed } else { node.most };
         // At override 0 the path is held, or passes what it cannot be stopped before.
         let share = Some(self.share(node)).filter(|share| *share > 0.0).unwrap_or(HELD_SHARE);
-        let lowest = if matches!(node.class, Class::Cut | Class::Full) { self.lowest } else { 0.0 };
-        (feed * share).max(lowest)
+        match node.class {
+            Class::Rapid => (feed * share).min(self.rapid_speed / node.basis),
+            Class::Cut | Class::Full => (feed * share).max(self.lowest),
+            Class::Locked => feed * share,
+        }
     }
 }
 
@@ -271,7 +282,7 @@ impl Plan {
             next: start,
             planned: 0,
             horizon: 0,
-            overrides: Overrides { feed: 1.0, rapid: 1.0, rpm: None, lowest },
+            overrides: Overrides { feed: 1.0, rapid: 1.0, rapid_speed: f64::INFINITY, rpm: None, lowest },
             grid: Grid::new(),
             valley: Valley::new(),
             inverses,
@@ -491,12 +502,15 @@ impl Plan {
 
     /// Brings the path to rest as soon as the bounds allow; it is `t` seconds inside the stretch being run, from which
     /// on the plan is another. `None` if it cannot be stopped before a corner or a rest, or not from this state: then
-    /// it is to be tried again later.
-    pub fn stop(&mut self, queue: &Queue, t: f64) -> Option<u64> {
+    /// it is to be tried again later. No thread is stopped in, unless the path `gives_up` there.
+    pub fn stop(&mut self, queue: &Queue, t: f64, gives_up: bool) -> Option<u64> {
         self.keep(true);
         self.cut(t);
         if let (Some(Stretch::Piece(_)), Some(start)) = (self.current(), self.behind_current(queue)) {
-            let limit = self.limit(queue, start.cell);
+            let mut limit = self.limit(queue, start.cell);
+            if !gives_up {
+                limit = limit.min(next_thread(queue, start.cell));
+            }
             if self.brake(queue, start, 0.0, limit) {
                 self.stretches.truncate(self.current + 1);
                 self.stretches.extend(self.brake.pieces().iter().map(|piece| Stretch::Piece(*piece)));
@@ -925,6 +939,12 @@ fn is_valley(queue: &Queue, plan: &[Piece], first: u64) -> bool {
 
 /// Room that one section takes: its steps, what valleys add, and what ends it.
 const SPARE: usize = crate::timing::grid::STEPS + DEEPER + 16;
+
+/// Where the next thread begins from cell `from` on; infinite where none is known.
+fn next_thread(queue: &Queue, from: u64) -> f64 {
+    let nodes = (from..queue.tail()).map(|cell| queue.node(cell));
+    nodes.into_iter().find(|node| node.class == Class::Locked).map_or(f64::INFINITY, |node| node.s)
+}
 
 /// Where cell `number` begins; if it does not exist yet, where the last one ends.
 fn queue_start(queue: &Queue, number: u64) -> f64 {

@@ -86,8 +86,9 @@ pub(crate) struct Node {
     pub most: f64,
     /// Programmed speed, mm/s; infinite for rapids.
     pub feed: f64,
-    /// Speed of the spindle at which it is that, r/min; 0 where it does not follow the spindle.
-    pub rpm: f64,
+    /// Cutting: speed of the spindle at which it is that, r/min; 0 where it does not follow the spindle. Positioning:
+    /// the largest share that an axis has of the speed along the path.
+    pub basis: f64,
     pub class: Class,
     pub pass: Pass,
     /// Whether the path rests at its end.
@@ -97,6 +98,11 @@ pub(crate) struct Node {
 impl Node {
     pub fn end(&self) -> f64 {
         self.s + self.len
+    }
+
+    /// Whether its programmed speed is one per revolution of the spindle.
+    pub fn follows_spindle(&self) -> bool {
+        self.class != Class::Rapid && self.basis > 0.0
     }
 }
 
@@ -151,7 +157,7 @@ impl Queue {
             top: 0.0,
             most: 0.0,
             feed: 0.0,
-            rpm: 0.0,
+            basis: 0.0,
             class: Class::Cut,
             pass: Pass::Path,
             rests: false,
