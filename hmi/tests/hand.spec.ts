@@ -9,6 +9,16 @@ test.describe.configure({ timeout: 180_000 });
 
 const at = async (page: Page, axis: string) => Number((await page.locator(`[data-axis="${axis}"] .large`).textContent())?.replace('−', '-'));
 const reaches = (page: Page, axis: string, place: number) => expect.poll(() => at(page, axis)).toBeCloseTo(place, 6);
+/** Where an axis stands once nothing moves any more. */
+async function rests(page: Page, axis: string): Promise<number> {
+  let here = Number.NaN;
+  await expect(async () => {
+    const before = here;
+    here = await at(page, axis);
+    expect(here).toBeCloseTo(before, 6);
+  }).toPass({ intervals: [1500] });
+  return here;
+}
 const dial = (page: Page) => page.getByTestId('handwheel');
 
 /** Where the dial is touched at an angle, clockwise from the right. */
@@ -129,16 +139,16 @@ test('a program runs as fast as the handwheel is turned, and stands with it', as
   const from = await at(page, 'X');
   await press(page, 'KEY_START');
   await stands(page, 'running');
-  await page.waitForTimeout(500);
+  await page.waitForTimeout(1500);
   expect(await at(page, 'X')).toBeCloseTo(from, 6);
   await dial(page).focus();
   await expect(async () => {
     await page.keyboard.press('PageUp');
     expect(await at(page, 'X')).toBeLessThan(from - 2);
   }).toPass({ intervals: [20], timeout: 60_000 });
-  await page.waitForTimeout(800);
-  const rest = await at(page, 'X');
-  await page.waitForTimeout(500);
+  // What was turned is run yet; then nothing more.
+  const rest = await rests(page, 'X');
+  await page.waitForTimeout(1500);
   expect(await at(page, 'X')).toBeCloseTo(rest, 6);
   await stands(page, 'running');
   await page.getByTestId('reset').click();

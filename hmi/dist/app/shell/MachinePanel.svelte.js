@@ -3,6 +3,7 @@ import Icon from "../lib/parts/Icon.svelte.js";
 import Key from "../lib/parts/Key.svelte.js";
 import { machine } from "../lib/state/machine.svelte.js";
 import { prefs } from "../lib/state/prefs.svelte.js";
+import { share } from "../lib/state/share.js";
 import { auxiliaries, spindle, switches } from "./keys.js";
 import AxisKeys from "./panel/AxisKeys.svelte.js";
 import Handwheel from "./panel/Handwheel.svelte.js";
@@ -32,7 +33,7 @@ function MachinePanel($$anchor, $$props) {
 				do: "signals",
 				names: asked
 			}).catch(() => null);
-			if (reply?.reply === "signals") $.set(signals, reply.signals);
+			if (reply?.reply === "signals") $.set(signals, share($.get(signals), reply.signals));
 		};
 		read();
 		const timer = setInterval(() => void read(), 400);

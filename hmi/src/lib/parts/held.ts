@@ -2,7 +2,11 @@
 // lifted, the pointer lost or taken away, the focus gone, the element removed.
 import type { Attachment } from 'svelte/attachments';
 
-export type Held = { down(): void; up(): void };
+export type Held = {
+  /** `at` is when it was pressed, as `performance.now()`: a page that is held up hears of it later. */
+  down(at: number): void;
+  up(): void;
+};
 
 /** Makes an element a held key. */
 export function held(key: () => Held): Attachment<HTMLElement> {
@@ -11,11 +15,11 @@ export function held(key: () => Held): Attachment<HTMLElement> {
     let byKeyboard = false;
     let current: Held | null = null;
 
-    const press = () => {
+    const press = (at: number) => {
       if (current) return;
       current = key();
       element.dataset.held = '';
-      current.down();
+      current.down(at);
     };
     const letGo = () => {
       pointer = null;
@@ -38,7 +42,7 @@ export function held(key: () => Held): Attachment<HTMLElement> {
         } catch {
           // A pointer that is gone already: its `pointerup` came first.
         }
-        press();
+        press(event.timeStamp);
       },
       pointerup(event: PointerEvent) {
         if (event.pointerId === pointer) letGo();
@@ -51,7 +55,7 @@ export function held(key: () => Held): Attachment<HTMLElement> {
         if ((event.key !== ' ' && event.key !== 'Enter') || event.repeat || element.hasAttribute('disabled')) return;
         event.preventDefault();
         byKeyboard = true;
-        press();
+        press(event.timeStamp);
       },
       keyup(event: KeyboardEvent) {
         if (!byKeyboard || (event.key !== ' ' && event.key !== 'Enter')) return;

@@ -23,21 +23,29 @@ const status = new Proxy({} as Status, {
 let hasStatus = $state.raw(false);
 /** Fields that change all the time while a machine moves: as often as eyes read is enough, and each status brings one of them.
     What draws them itself hears all of them (`watch`). */
-const MEASURES: readonly (keyof Status)[] = ['position', 'feed', 'counters', 'spindle', 'periods'];
+const MEASURES: readonly (keyof Status)[] = ['periods', 'position', 'feed', 'counters', 'spindle'];
 let turns = 0;
-/** A status of which each 25th is told, for texts that nobody sees, and each with which the machine begins or ends something or
+/** A status of which each 50th is told, for texts that nobody sees, and each with which the machine begins or ends something or
     comes to rest. */
-let calm = $state.raw<Status | null>(null);
-const CALM = 25;
+class Calm {
+  told = $state.raw<Status | null>(null);
+}
+const CALM = 50;
+/** They are told one after the other, so that no status has all texts, each with the measure that the fewest look at. */
+const calm = Array.from({ length: 2 }, () => new Calm());
 const isTurningPoint = (before: Status, now: Status) => before.activity !== now.activity || (before.feed.actual !== 0 && now.feed.actual === 0);
 
 /** Puts what has changed before those who look at it. */
 function put(now: Status): void {
   for (const field of fields.keys()) if (!((field as string) in now)) fields.delete(field);
-  if (!calm || turns % CALM === 0 || isTurningPoint(calm, now)) calm = now;
-  turns += 1;
+  for (const [index, one] of calm.entries()) {
+    const isDue = turns % CALM === index * (CALM / calm.length);
+    if (!one.told || isDue || isTurningPoint(one.told, now)) one.told = now;
+  }
   const turn = turns % MEASURES.length;
-  for (const [field, value] of Object.entries(now)) {
+  turns += 1;
+  for (const field in now) {
+    const value = now[field as keyof Status];
     const waits = fields.has(field) && (MEASURES as readonly string[]).includes(field) && field !== MEASURES[turn];
     if (!waits) fields.set(field, value);
   }
@@ -217,9 +225,10 @@ export const machine = {
   get status(): Status | null {
     return hasStatus ? status : null;
   },
-  /** A status of half a second: for what stands behind numbers that are drawn, to be heard and not seen. Null before the first. */
-  get calm(): Status | null {
-    return calm;
+  /** A status of the last second: for what stands behind numbers that are drawn, to be heard and not seen. Null before the first.
+      Texts of one `part` follow together, those of another at another time. */
+  calm(part: number): Status | null {
+    return calm[part % calm.length]!.told;
   },
   /** The mode of the latest status: for what looks at that alone. */
   get mode() {

@@ -3,6 +3,7 @@ import { canDraw, sheet } from "./sheets.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/lib/digits/Digits.svelte
+var next = 0;
 var root = $.from_html(`<span class="steady"> </span>`);
 var root_1 = $.from_html(`<canvas class="steady s-1f8yx5u"> </canvas>`);
 function Digits($$anchor, $$props) {
@@ -10,6 +11,7 @@ function Digits($$anchor, $$props) {
 	/** Its characters. */
 	/** The page itself writes it. */
 	let plain = $.state(!canDraw());
+	const part = next++;
 	const drawn = sheet({
 		numbers: (now) => [{
 			text: $$props.of(now),
@@ -36,7 +38,7 @@ function Digits($$anchor, $$props) {
 		var canvas = root_1();
 		var text_1 = $.only_child(canvas, true);
 		$.attach(canvas, () => drawn);
-		$.template_effect(($0) => $.set_text(text_1, $0), [() => $$props.of(machine.calm)]);
+		$.template_effect(($0) => $.set_text(text_1, $0), [() => $$props.of(machine.calm(part))]);
 		$.append($$anchor, canvas);
 	};
 	$.if(node, ($$render) => {

@@ -36,8 +36,8 @@ function StopButton($$anchor, $$props) {
 		clearTimeout(timer);
 		$.set(releasing, false);
 	}
-	function press() {
-		const latched = $.get(emergency) && performance.now() - since >= FRESH_MS;
+	function press(at) {
+		const latched = $.get(emergency) && at - since >= FRESH_MS;
 		machine.tell({
 			do: "emergency_stop",
 			pressed: true

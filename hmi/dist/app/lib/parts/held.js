@@ -5,11 +5,11 @@ function held(key) {
 		let pointer = null;
 		let byKeyboard = false;
 		let current = null;
-		const press = () => {
+		const press = (at) => {
 			if (current) return;
 			current = key();
 			element.dataset.held = "";
-			current.down();
+			current.down(at);
 		};
 		const letGo = () => {
 			pointer = null;
@@ -29,7 +29,7 @@ function held(key) {
 				try {
 					element.setPointerCapture(event.pointerId);
 				} catch {}
-				press();
+				press(event.timeStamp);
 			},
 			pointerup(event) {
 				if (event.pointerId === pointer) letGo();
@@ -42,7 +42,7 @@ function held(key) {
 				if (event.key !== " " && event.key !== "Enter" || event.repeat || element.hasAttribute("disabled")) return;
 				event.preventDefault();
 				byKeyboard = true;
-				press();
+				press(event.timeStamp);
 			},
 			keyup(event) {
 				if (!byKeyboard || event.key !== " " && event.key !== "Enter") return;

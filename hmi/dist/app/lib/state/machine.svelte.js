@@ -17,22 +17,37 @@ var status = new Proxy({}, {
 });
 var hasStatus = $.state(false);
 var MEASURES = [
+	"periods",
 	"position",
 	"feed",
 	"counters",
-	"spindle",
-	"periods"
+	"spindle"
 ];
 var turns = 0;
-var calm = $.state(null);
-var CALM = 25;
+var Calm = class {
+	#told = $.state(null);
+	get told() {
+		return $.get(this.#told);
+	}
+	set told(value) {
+		$.set(this.#told, value);
+	}
+};
+var CALM = 50;
+var calm = Array.from({ length: 2 }, () => new Calm());
 var isTurningPoint = (before, now) => before.activity !== now.activity || before.feed.actual !== 0 && now.feed.actual === 0;
 function put(now) {
 	for (const field of fields.keys()) if (!(field in now)) fields.delete(field);
-	if (!$.get(calm) || turns % CALM === 0 || isTurningPoint($.get(calm), now)) $.set(calm, now);
-	turns += 1;
+	for (const [index, one] of calm.entries()) {
+		const isDue = turns % CALM === index * (CALM / calm.length);
+		if (!one.told || isDue || isTurningPoint(one.told, now)) one.told = now;
+	}
 	const turn = turns % MEASURES.length;
-	for (const [field, value] of Object.entries(now)) if (!(fields.has(field) && MEASURES.includes(field) && field !== MEASURES[turn])) fields.set(field, value);
+	turns += 1;
+	for (const field in now) {
+		const value = now[field];
+		if (!(fields.has(field) && MEASURES.includes(field) && field !== MEASURES[turn])) fields.set(field, value);
+	}
 	$.set(hasStatus, true);
 }
 var inCommand = $.state(false);
@@ -197,9 +212,10 @@ var machine = {
 	get status() {
 		return $.get(hasStatus) ? status : null;
 	},
-	/** A status of half a second: for what stands behind numbers that are drawn, to be heard and not seen. Null before the first. */
-	get calm() {
-		return $.get(calm);
+	/** A status of the last second: for what stands behind numbers that are drawn, to be heard and not seen. Null before the first.
+	Texts of one `part` follow together, those of another at another time. */
+	calm(part) {
+		return calm[part % calm.length].told;
 	},
 	/** The mode of the latest status: for what looks at that alone. */
 	get mode() {

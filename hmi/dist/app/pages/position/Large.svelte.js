@@ -115,7 +115,7 @@ function Large($$anchor, $$props) {
 	$.reset(span_4);
 	$.reset(header);
 	var node = $.sibling(header, 2);
-	$.each(node, 16, () => machine.axes, (axis) => axis, ($$anchor, axis) => {
+	$.each(node, 18, () => machine.axes, (axis) => axis, ($$anchor, axis, index) => {
 		const homed = $.derived(() => $.get(status).referenced.includes(axis));
 		var div = root_4();
 		var span_7 = $.child(div);
@@ -146,7 +146,10 @@ function Large($$anchor, $$props) {
 			$.key(node_4, () => $$props.what, ($$anchor) => {
 				var canvas = root_2();
 				var node_5 = $.child(canvas);
-				numbers(node_5, () => axis, () => machine.calm);
+				{
+					let $0 = $.derived(() => machine.calm($.get(index)));
+					numbers(node_5, () => axis, () => $.get($0));
+				}
 				$.reset(canvas);
 				$.attach(canvas, () => sheet(contents(axis), () => $.set(plain, true)));
 				$.append($$anchor, canvas);

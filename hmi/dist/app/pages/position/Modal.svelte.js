@@ -24,13 +24,13 @@ function Modal($$anchor, $$props) {
 			children: ($$anchor, $$slotProps) => {
 				var fragment_1 = root_3();
 				var div = $.first_child(fragment_1);
-				$.each(div, 20, () => $.get(codes), (code) => code, ($$anchor, code) => {
+				$.each(div, 21, () => $.get(codes), $.index, ($$anchor, code) => {
 					var a = root();
 					var text = $.only_child(a, true);
 					$.template_effect(($0) => {
 						$.set_attribute(a, "href", $0);
-						$.set_text(text, code);
-					}, [() => href("help", "codes", code)]);
+						$.set_text(text, $.get(code));
+					}, [() => href("help", "codes", $.get(code))]);
 					$.append($$anchor, a);
 				});
 				$.reset(div);
