@@ -334,7 +334,10 @@ impl Plan {
     pub fn is_due(&self, queue: &Queue) -> bool {
         let new = queue.tail() - self.planned;
         let has_enough = self.fixed >= self.current + ENOUGH;
-        self.patience == 0 && !has_enough && new >= 64 && new >= self.planned.saturating_sub(self.next.cell)
+        let is_much = new >= 64 && new >= self.planned.saturating_sub(self.next.cell);
+        // What ends at rest is all there is: the sooner it is known, the more can be done for it.
+        let is_last = new > 0 && queue.node(queue.tail() - 1).rests;
+        self.patience == 0 && !has_enough && (is_much || is_last)
     }
 
     /// Forgets everything.
@@ -387,7 +390,7 @@ impl Plan {
                 return Some(changed);
             }
         }
-        self.give_up();
+        self.give_up(queue);
         None
     }
 
@@ -416,7 +419,31 @@ impl Plan {
                 return Some(self.base + fixed as u64);
             }
         }
-        self.give_up();
+        if let Some(changed) = self.plan_from_current(queue) {
+            return Some(changed);
+        }
+        self.give_up(queue);
+        None
+    }
+
+    /// Plans everything behind the stretch being run, what is final too: where the path is as fast as it may be there can be
+    /// no way to slow down for what has come to be known, and from further back there is. From which stretch on the plan is
+    /// another.
+    fn plan_from_current(&mut self, queue: &Queue) -> Option<u64> {
+        self.restore();
+        if self.fixed <= self.current + 1 {
+            return None;
+        }
+        let start = self.behind_current(queue)?;
+        self.keep(true);
+        let fixed = self.current + 1;
+        for corners in [Corners::BOLD, Corners::SAFE] {
+            self.stretches.truncate(fixed);
+            (self.next, self.fixed) = (start, fixed);
+            if self.sections(queue, start, corners) {
+                return Some(self.base + fixed as u64);
+            }
+        }
         None
     }
 
@@ -467,9 +494,11 @@ impl Plan {
     }
 
     /// The plan noted stands; planning is tried again when a part of it was run.
-    fn give_up(&mut self) {
+    fn give_up(&mut self, queue: &Queue) {
         self.restore();
-        self.planned = self.horizon.max(self.kept.planned);
+        // Where nothing more will come it is the same that is tried again.
+        self.planned =
+            if self.horizon < queue.tail() { self.horizon.max(self.kept.planned) } else { self.kept.planned };
         self.patience = PATIENCE.min(self.stretches.len().saturating_sub(self.current));
     }
 
