@@ -2,8 +2,9 @@
 // cursor is, what of each program is not yet saved; and text that another page puts into it.
 
 let open = $state.raw<{ program: string; line: number } | null>(null);
-/** Texts that are not stored yet, by program. */
-let drafts = $state.raw<ReadonlyMap<string, string>>(new Map());
+/** What is not stored yet: the text, and what the memory had when it was begun. */
+export type Draft = { text: string; base: string };
+let drafts = $state.raw<ReadonlyMap<string, Draft>>(new Map());
 let pending = $state.raw<{ program: string; text: string } | null>(null);
 
 export const editing = {
@@ -16,14 +17,14 @@ export const editing = {
     return open?.line ?? 0;
   },
   /** What stands in the editor and not yet in the memory; null where both are the same. */
-  draft(program: string): string | null {
+  draft(program: string): Draft | null {
     return drafts.get(program) ?? null;
   },
   /** Programs of which something is not stored yet. */
   get unsaved(): string[] {
     return [...drafts.keys()];
   },
-  leave(program: string, line: number, draft: string | null): void {
+  leave(program: string, line: number, draft: Draft | null): void {
     open = { program, line };
     const now = new Map(drafts);
     if (draft === null) now.delete(program);

@@ -19,11 +19,13 @@ describe('text for a program', () => {
     expect([editing.waits('O0002'), editing.waits('O0001'), editing.take(), editing.waits('O0001')]).toEqual([false, true, 'G81', false]);
   });
   it('keeps what is not saved, of its program alone', () => {
-    editing.leave('O0001', 3, 'G1');
-    expect([editing.draft('O0001'), editing.draft('O0002'), editing.line]).toEqual(['G1', null, 3]);
-    editing.leave('O0002', 1, 'G2');
+    const one = { text: 'G1', base: 'G0' };
+    editing.leave('O0001', 3, one);
+    expect([editing.draft('O0001'), editing.draft('O0002'), editing.line]).toEqual([one, null, 3]);
+    const two = { text: 'G2', base: 'G0' };
+    editing.leave('O0002', 1, two);
     editing.leave('O0003', 1, null);
-    expect([editing.draft('O0001'), editing.draft('O0002'), editing.program]).toEqual(['G1', 'G2', 'O0003']);
+    expect([editing.draft('O0001'), editing.draft('O0002'), editing.program]).toEqual([one, two, 'O0003']);
     editing.moved('O0002', 'O0004');
     editing.leave('O0001', 3, null);
     expect(editing.unsaved).toEqual(['O0004']);
