@@ -303,7 +303,22 @@ test('one box finds codes, parameters, alarms, variables and signals', async ({ 
     await expect(page.locator('.detail')).toContainText(/\p{L}{3,}.*\p{L}{3,}/u);
   }
   await shoot(page, 'help-search');
-  await show(page, 'help/calculator');
+  // How something is done, with the way there; a sum, which the calculator goes on with.
+  await box.fill('work zeros');
+  await results.locator('[data-found="operation zero"]').click();
+  await expect(page.getByTestId('help-local')).toContainText('G54');
+  await page.getByTestId('help-go').click();
+  await expect(page.getByTestId('zeros')).toBeVisible();
+  await show(page, 'help/search');
+  await box.fill('7/2+1');
+  await expect(page.getByTestId('help-local')).toContainText('7/2+1 = 4.5');
+  await shoot(page, 'help-sum');
+  await page.getByTestId('help-go').click();
+  await expect(page.getByTestId('sum')).toHaveValue('7/2+1');
+  await show(page, 'help/search');
+  await box.fill('calculator');
+  await results.locator('[data-found="calculator calculator"]').click();
+  await page.getByTestId('help-go').click();
   await page.getByTestId('sum').fill('2+3*(4-1)^2');
   await expect(page.locator('.calculator output')).toHaveText('29');
 });
