@@ -332,8 +332,8 @@ pub enum Command {
         /// Whether.
         on: bool,
     },
-    /// The powered flow of the ladder as of its last scan. It is recorded for a second after each such request; the first one
-    /// finds nothing yet.
+    /// The powered flow of the ladder as of its last scan. It is recorded for a second after each such request; the
+    /// first one finds nothing yet.
     LadderFlow,
     /// Begins to trace signals of the ladder, sampled at each scan, in place of the trace before.
     Trace {

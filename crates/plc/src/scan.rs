@@ -392,8 +392,8 @@ impl Plc {
         self.program.flow.fill(0);
     }
 
-    /// Has the powered flow recorded for this time from now on, µs of the ladder's time: for those who ask for it again and
-    /// again. What was recorded before stays if recording has not ended since.
+    /// Has the powered flow recorded for this time from now on, µs of the ladder's time: for those who ask for it
+    /// again and again. What was recorded before stays if recording has not ended since.
     pub fn watch_for(&mut self, time_us: u32) {
         if !self.records_flow() {
             self.program.flow.fill(0);
