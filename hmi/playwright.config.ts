@@ -9,7 +9,8 @@ export default defineConfig({
   fullyParallel: false,
   timeout: 180_000,
   expect: { timeout: 30_000 },
-  outputDir: 'test-results',
+  // Emptied at the begin of each run; pictures and figures stand beside it.
+  outputDir: 'test-results/runs',
   reporter: [['list']],
   use: {
     viewport: { width: 1366, height: 820 },

@@ -99,6 +99,51 @@ test('a pocket is filled in, simulated and put into a program', async ({ page })
   await shoot(page, 'cycles-inserted');
 });
 
+test('only the text of what stands in the form is put into a program, which is told of codes that it loses', async ({ page }) => {
+  await page.goto('/');
+  await stored(page, `${PROGRAM}\nG54 G90 G20\nG91\n(HERE)\nM30\n`);
+  await page.goto(`/#/program/edit/${PROGRAM}`);
+  await page.locator('.cm-line', { hasText: 'HERE' }).click();
+  await open(page, 'G287');
+  await put(page, 'L', '60');
+  await put(page, 'rough.step', '5');
+  await written(page);
+  const insert = page.getByTestId('insert');
+  await expect(insert).toBeEnabled();
+  await page.getByTestId('simulate').click();
+  const simulation = page.getByTestId('simulation');
+  await expect.poll(async () => Number(await simulation.getAttribute('data-points'))).toBeGreaterThan(100);
+  await expect(simulation).toHaveAttribute('data-stale', 'false');
+
+  // The answer is on its way, then it does not come at all.
+  let fail = () => {};
+  const failed = new Promise<void>((resolve) => (fail = resolve));
+  await page.route(/\/api\/cycle\?/, async (route) => {
+    await failed;
+    await route.abort();
+  });
+  await put(page, 'L', '64');
+  await expect(insert).toBeDisabled();
+  await expect(page.getByRole('button', { name: 'Copy the text' })).toBeDisabled();
+  await expect(state(page)).toHaveAttribute('data-ready', 'false');
+  await expect(simulation).toHaveAttribute('data-stale', 'true');
+  await page.waitForTimeout(500);
+  fail();
+  await expect(state(page)).toContainText('could not be written');
+  await expect(insert).toBeDisabled();
+  await page.unroute(/\/api\/cycle\?/);
+  await put(page, 'L', '66');
+  await written(page);
+  await expect(insert).toBeEnabled();
+
+  await insert.click();
+  const lost = page.getByTestId('codes-lost');
+  await expect(lost).toContainText('G20 G91 no longer holds');
+  await shoot(page, 'cycles-codes-lost');
+  await lost.getByRole('button', { name: 'Close' }).click();
+  await expect(lost).toHaveCount(0);
+});
+
 test('holes lie on a grid and are the control\'s own cycle', async ({ page }) => {
   await open(page, 'G281');
   await page.locator('[data-figure="GRID"]').click();

@@ -163,3 +163,73 @@ test('the tools of the editor speak the language that is chosen', async ({ page 
   await expect(page.locator('.cm-search').getByRole('button', { name: 'Reemplazar todo' })).toBeVisible();
   await expect(page.locator('.cm-search')).not.toContainText(/[Rr]eplace/);
 });
+
+test('what was stored elsewhere meanwhile is shown, and never replaced unasked', async ({ page }) => {
+  await enter(page, '#/position');
+  const text = (what: string) => `O1850\n(${what})\nM30\n`;
+  await bring(page, 'O1850', Buffer.from(text('FIRST')));
+  await bring(page, 'O1851', Buffer.from('O1851\nM30\n'));
+  await show(page, 'program/edit/O1850');
+  const shown = page.locator('.cm-content');
+  const save = page.getByTestId('save');
+  const newer = page.getByTestId('newer');
+  await expect(shown).toContainText('FIRST');
+  const elsewhere = async (what: string) => {
+    // Stamps count milliseconds.
+    await page.waitForTimeout(20);
+    const answer = await page.request.put('/api/programs/O1850', { data: Buffer.from(text(what)) });
+    expect(answer.status()).toBe(200);
+  };
+  const type = async (what: string) => {
+    await shown.locator('.cm-line', { hasText: 'M30' }).click();
+    await page.keyboard.press('End');
+    await page.keyboard.type(` (${what})`);
+  };
+  const stored = async () => (await (await page.request.get('/api/programs/O1850')).body()).toString();
+
+  // Nothing is changed here: what is there now is shown.
+  await elsewhere('SECOND');
+  await expect(shown).toContainText('SECOND');
+  await expect(save).toBeDisabled();
+  // What is stored here is nobody else's.
+  for (const what of ['ONE', 'TWO']) {
+    await type(what);
+    await save.click();
+    await expect(save).toBeDisabled();
+  }
+  await expect(newer).toHaveCount(0);
+  expect(await stored()).toBe('O1850\n(SECOND)\nM30 (ONE) (TWO)\n');
+
+  await type('THREE');
+  await elsewhere('THIRD');
+  await expect(newer).toBeVisible();
+  await save.click();
+  await expect(page.getByTestId('replace-newer')).toBeVisible();
+  await page.getByRole('dialog').getByRole('button', { name: 'Cancel' }).click();
+  expect(await stored()).toBe(text('THIRD'));
+  // Also after another program was open here.
+  for (const other of ['O1851', 'O1850']) {
+    await show(page, `program/edit/${other}`);
+    await expect(page.getByTestId('editor').locator('.name')).toHaveText(other);
+  }
+  await expect(shown).toContainText('THREE');
+  await expect(newer).toBeVisible();
+  await shoot(page, 'edit-newer');
+  await page.getByTestId('take-newer').click();
+  await expect(newer).toHaveCount(0);
+  await expect(shown).toContainText('THIRD');
+  await expect(shown).not.toContainText('THREE');
+  await expect(save).toBeDisabled();
+
+  // While another page is shown.
+  await type('FOUR');
+  await show(page, 'position');
+  await elsewhere('FOURTH');
+  await show(page, 'program/edit/O1850');
+  await expect(newer).toBeVisible();
+  await save.click();
+  await page.getByTestId('replace-newer').click();
+  await expect(save).toBeDisabled();
+  await expect(newer).toHaveCount(0);
+  expect(await stored()).toBe('O1850\n(THIRD)\nM30 (FOUR)\n');
+});

@@ -97,6 +97,68 @@ test('keys of the keyboard: emergency stop from any page, jog only with Ctrl and
   await expect(page.getByRole('dialog')).toContainText('F10');
 });
 
+test('a cycle starts with F10 alone, and Alt with a digit changes no page while something is typed', async ({ context }) => {
+  const { page, home, sent } = await mock(context);
+  await page.goto(`${home}#/position`);
+  await expect(page.locator('[data-page="position"]')).toBeVisible();
+  for (const chord of ['Shift+F10', 'Control+F10', 'Alt+F10']) await page.keyboard.press(chord);
+  await page.keyboard.press('F10');
+  await expect.poll(() => keys(sent)).toEqual(['KEY_START down', 'KEY_START up']);
+  await page.keyboard.press('Alt+Digit3');
+  await expect(page.locator('[data-page="offsets"]')).toBeVisible();
+  await page.evaluate(() => (location.hash = '#/help/search'));
+  await page.getByTestId('help-search').focus();
+  await page.keyboard.press('Alt+Digit3');
+  await page.waitForTimeout(200);
+  await expect(page.locator('[data-page="help"]')).toBeVisible();
+});
+
+test('the handwheel turns by the first button alone, and by nothing once the page is left', async ({ context }) => {
+  const { page, home, sent } = await mock(context, { mode: 'handle' });
+  await page.goto(`${home}#/position`);
+  const dial = page.getByTestId('handwheel');
+  await expect(dial).toHaveAttribute('aria-disabled', 'false');
+  const counts = () => sent.filter((one) => one.do === 'handwheel').reduce((sum, one) => sum + Number(one.counts), 0);
+  const box = (await dial.boundingBox())!;
+  const rim = (turn: number): [number, number] => [box.x + box.width / 2 + 40 * Math.cos(2 * Math.PI * turn), box.y + box.height / 2 + 40 * Math.sin(2 * Math.PI * turn)];
+  const drag = async (button: 'left' | 'right' | 'middle') => {
+    await page.mouse.move(...rim(0));
+    await page.mouse.down({ button });
+    // Half a count is left over.
+    await page.mouse.move(...rim(0.105));
+    await page.mouse.up({ button });
+  };
+  await drag('right');
+  await drag('middle');
+  // What is no turn: rolled to the side, or for the browser.
+  await dial.evaluate((dial) => {
+    const roll = (with_: WheelEventInit) => dial.dispatchEvent(new WheelEvent('wheel', { bubbles: true, cancelable: true, ...with_ }));
+    roll({ deltaX: 100, deltaY: 0 });
+    roll({ deltaY: -100, ctrlKey: true });
+    roll({ deltaY: -100, shiftKey: true });
+    const menu = new MouseEvent('contextmenu', { bubbles: true, cancelable: true });
+    dial.dispatchEvent(menu);
+    dial.toggleAttribute('data-no-menu', menu.defaultPrevented);
+    // Turned in the frame in which the window loses the keyboard.
+    roll({ deltaY: -100 });
+    window.dispatchEvent(new Event('blur'));
+  });
+  await expect(dial).toHaveAttribute('data-no-menu', '');
+  // Let go where the page does not hear of it.
+  await page.mouse.move(...rim(0));
+  await page.mouse.down();
+  await dial.evaluate((dial, [clientX, clientY]) => {
+    const [pointerId, bubbles] = [1, true];
+    dial.dispatchEvent(new PointerEvent('pointermove', { clientX: clientX!, clientY: clientY!, pointerId, bubbles, buttons: 0 }));
+  }, rim(0.1));
+  await page.mouse.move(...rim(0.2));
+  await page.mouse.up();
+  await page.waitForTimeout(200);
+  expect(counts()).toBe(0);
+  await drag('left');
+  await expect.poll(counts).toBe(10);
+});
+
 test('with Shift the keyboard moves the axes behind the first two, and the modifier let go first ends it', async ({ context }) => {
   const { page, sent } = await mock(context, { mode: 'jog' });
   await stands(page, 'running');

@@ -217,6 +217,55 @@ test('a work zero is set by value and where the axes stand', async ({ page }) =>
   await expect(zero('X')).toHaveValue(machine.toFixed(3));
 });
 
+test('an edge that was touched becomes a zero beside the external one; Z knows no radius, and old points are not mixed in', async ({ page }) => {
+  await enter(page, '#/settings/zeros');
+  const zero = (name: string) => page.getByLabel(name, { exact: true });
+  for (const [name, value] of [['external X', '3.5'], ['external Z', '-2']] as const) {
+    await zero(name).fill(value);
+    await zero(name).press('Enter');
+  }
+  await show(page, 'settings/centring');
+  const rows = page.locator('[data-page="settings"] tbody tr');
+  const now = async (column: number) => Number((await rows.first().locator('td').nth(column).textContent())!.replace(/^[XYZ]\s*/, '').replace('−', '-'));
+  const [x, z] = [await now(0), await now(2)];
+  const kind = (name: string) => page.getByRole('radio', { name, exact: true });
+  // A measurement that is left in its midst.
+  await kind('Rectangle').click();
+  await page.getByTestId('touch').click();
+  await expect(rows).toHaveCount(2);
+  await page.getByTestId('touch').click();
+  await expect(rows).toHaveCount(3);
+  await page.reload();
+  await expect(page.getByTestId('command')).toHaveText('In command');
+  await expect(kind('Z')).toHaveCount(0);
+  await page.getByTestId('touch').click();
+  await expect(rows).toHaveCount(2);
+  await expect(page.locator('.result')).toHaveCount(0);
+
+  await kind('Edge').click();
+  await expect(rows).toHaveCount(1);
+  await page.getByLabel('System').selectOption('G57');
+  await zero('Coordinate there').fill('10');
+  await zero('Coordinate there').press('Enter');
+  for (const [axis, place] of [['X', x + 5], ['Z', z]] as const) {
+    await kind(axis).click();
+    await expect(zero('Radius of the tool')).toHaveCount(axis === 'Z' ? 0 : 1);
+    await expect(kind('From −')).toHaveCount(axis === 'Z' ? 0 : 1);
+    await page.getByTestId('touch').click();
+    await expect(page.locator('.result strong')).toHaveText(`${axis} ${place.toFixed(3).replace('-', '−')}`);
+    await page.getByTestId('set-zero').click();
+    await expect(rows).toHaveCount(1);
+  }
+  await show(page, 'settings/zeros');
+  // With the external zero the axis stands at the coordinate that was told.
+  await expect(zero('G57 X')).toHaveValue((x + 5 - 10 - 3.5).toFixed(3));
+  await expect(zero('G57 Z')).toHaveValue((z - 10 + 2).toFixed(3));
+  for (const name of ['external X', 'external Z']) {
+    await zero(name).fill('0');
+    await zero(name).press('Enter');
+  }
+});
+
 test('a macro variable is set in MDI, and emptied', async ({ page }) => {
   await enter(page, '#/offsets/variables');
   await mode(page, 'KEY_MDI', 'Manual data input');
@@ -254,7 +303,22 @@ test('one box finds codes, parameters, alarms, variables and signals', async ({ 
     await expect(page.locator('.detail')).toContainText(/\p{L}{3,}.*\p{L}{3,}/u);
   }
   await shoot(page, 'help-search');
-  await show(page, 'help/calculator');
+  // How something is done, with the way there; a sum, which the calculator goes on with.
+  await box.fill('work zeros');
+  await results.locator('[data-found="operation zero"]').click();
+  await expect(page.getByTestId('help-local')).toContainText('G54');
+  await page.getByTestId('help-go').click();
+  await expect(page.getByTestId('zeros')).toBeVisible();
+  await show(page, 'help/search');
+  await box.fill('7/2+1');
+  await expect(page.getByTestId('help-local')).toContainText('7/2+1 = 4.5');
+  await shoot(page, 'help-sum');
+  await page.getByTestId('help-go').click();
+  await expect(page.getByTestId('sum')).toHaveValue('7/2+1');
+  await show(page, 'help/search');
+  await box.fill('calculator');
+  await results.locator('[data-found="calculator calculator"]').click();
+  await page.getByTestId('help-go').click();
   await page.getByTestId('sum').fill('2+3*(4-1)^2');
   await expect(page.locator('.calculator output')).toHaveText('29');
 });

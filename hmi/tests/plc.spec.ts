@@ -1,7 +1,7 @@
 // The ladder at the machine: exchanged while it runs, put back, its signals forced and traced.
 import type { Page } from '@playwright/test';
 import { expect, playDist, shoot, test } from './server';
-import { enter, logIn, notice, press, show, watchFaults } from './walk';
+import { enter, logIn, mode, notice, press, show, watchFaults } from './walk';
 
 watchFaults();
 // A loaded computer takes its time.
@@ -198,6 +198,25 @@ test('another browser draws the ladder that was exchanged here', async ({ page, 
   await expect(drawn).toContainText('/');
   await page.getByRole('button', { name: 'Put the one before back' }).click();
   await expect(drawn).not.toContainText('/');
+  await other.close();
+});
+
+test('the power of coils is shown to who commands and to who watches, also once the one has left', async ({ page, browser, baseURL }) => {
+  const other = await browser.newContext(baseURL ? { baseURL } : {});
+  if (process.env.PANEL === 'dist') await playDist(other);
+  const watcher = await other.newPage();
+  const coil = (of: Page) => of.getByTestId('ladder').locator('g.output', { hasText: 'LAMP_AUTO' }).first();
+  await enter(watcher, '#/plc', false);
+  await watcher.getByTestId('plc-search').fill('LAMP_AUTO');
+  await enter(page, '#/plc');
+  await page.getByTestId('plc-search').fill('LAMP_AUTO');
+  await mode(page, 'KEY_AUTO', 'Automatic');
+  for (const each of [page, watcher]) await expect(coil(each)).toHaveClass(/\bon\b/);
+  await mode(page, 'KEY_MDI', 'Manual data input');
+  for (const each of [page, watcher]) await expect(coil(each)).not.toHaveClass(/\bon\b/);
+  await page.goto('/#/position');
+  await mode(page, 'KEY_AUTO', 'Automatic');
+  await expect(coil(watcher)).toHaveClass(/\bon\b/);
   await other.close();
 });
 

@@ -327,12 +327,13 @@ pub enum Command {
     },
     /// The ladder that runs, as a list.
     Ladder,
-    /// Has the powered flow of the ladder recorded, or no longer.
+    /// Has the powered flow of the ladder recorded all the time, or no longer.
     WatchLadder {
         /// Whether.
         on: bool,
     },
-    /// The powered flow of the ladder as of its last scan.
+    /// The powered flow of the ladder as of its last scan. It is recorded for a second after each such request; the
+    /// first one finds nothing yet.
     LadderFlow,
     /// Begins to trace signals of the ladder, sampled at each scan, in place of the trace before.
     Trace {

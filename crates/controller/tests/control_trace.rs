@@ -73,3 +73,25 @@ fn what_cannot_be_traced_is_refused() {
     let mut bare = Control::new(&Machine::demo_mill(), Parts::default()).unwrap();
     assert_eq!(bare.command(trace(&["GO"], 50, None), &person()).unwrap_err().alarm.id, "FC-1406");
 }
+
+#[test]
+fn the_flow_of_the_ladder_is_recorded_while_it_is_asked_for() {
+    let mut control = control();
+    let go = control.plc_mut().unwrap().program().signal("GO").unwrap();
+    let flow = |control: &mut Control, periods: u32, is_on: bool| {
+        for _ in 0..periods {
+            control.plc_mut().unwrap().memory_mut().set_bit(go, is_on);
+            control.tick();
+        }
+        match control.command(Command::LadderFlow, &person()) {
+            Ok(Reply::LadderFlow { power }) => power.contains(&true),
+            other => panic!("{other:?}"),
+        }
+    };
+    assert!(!flow(&mut control, 10, true), "nobody has asked yet");
+    assert!(flow(&mut control, 10, true));
+    assert!(!flow(&mut control, 10, false));
+    // A second after the last question nothing is recorded any more.
+    assert!(!flow(&mut control, 1500, true));
+    assert!(flow(&mut control, 500, true));
+}

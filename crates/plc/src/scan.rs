@@ -132,6 +132,8 @@ pub struct Plc {
     own: [[u8; OWN]; 2],
     stop: Option<Stop>,
     is_watched: bool,
+    /// Until when the flow is recorded without `is_watched`, µs of the ladder's time.
+    watched_until_us: u64,
     trace: Option<Trace>,
 }
 
@@ -156,6 +158,7 @@ impl Plc {
             own: [[0; OWN]; 2],
             stop: None,
             is_watched: false,
+            watched_until_us: 0,
             trace: None,
         }
     }
@@ -216,7 +219,7 @@ impl Plc {
         if self.stop.is_none() {
             scanned.has_begun = self.begins;
             self.system_signals();
-            let done = if self.is_watched { self.levels::<true>() } else { self.levels::<false>() };
+            let done = if self.records_flow() { self.levels::<true>() } else { self.levels::<false>() };
             match done {
                 Ok((steps, is_round)) => {
                     (scanned.steps, scanned.is_round) = (steps, is_round);
@@ -387,6 +390,19 @@ impl Plc {
     pub fn watch(&mut self, on: bool) {
         self.is_watched = on;
         self.program.flow.fill(0);
+    }
+
+    /// Has the powered flow recorded for this time from now on, µs of the ladder's time: for those who ask for it
+    /// again and again. What was recorded before stays if recording has not ended since.
+    pub fn watch_for(&mut self, time_us: u32) {
+        if !self.records_flow() {
+            self.program.flow.fill(0);
+        }
+        self.watched_until_us = self.state.now_us.saturating_add(u64::from(time_us));
+    }
+
+    fn records_flow(&self) -> bool {
+        self.is_watched || self.state.now_us < self.watched_until_us
     }
 
     /// The powered flow of each instruction of the ladder, as of its last scan.

@@ -170,6 +170,30 @@ fn forced_signals_are_changed_by_nothing() {
 }
 
 #[test]
+fn flow_is_recorded_for_a_time_after_it_was_asked_for() {
+    let mut plc = plc("RD X0.0\nWRT Y0.0\nEND1\nEND2\n");
+    let powered = |plc: &Plc| plc.flow().any(|flow| flow.is_powered);
+    put(&mut plc, "X0", &[1]);
+    plc.scan();
+    assert!(!powered(&plc));
+    let period_us = Pace::default().period_us;
+    plc.watch_for(3 * period_us);
+    plc.scan();
+    assert!(powered(&plc));
+    // Asked for again, it is not begun anew.
+    plc.watch_for(3 * period_us);
+    assert!(powered(&plc));
+    for _ in 0..3 {
+        plc.scan();
+    }
+    put(&mut plc, "X0", &[0]);
+    plc.scan();
+    assert!(powered(&plc), "what was recorded last stays");
+    plc.watch_for(period_us);
+    assert!(!powered(&plc));
+}
+
+#[test]
 fn flow_is_seen_at_every_instruction() {
     let mut plc =
         second("RD X0.0\nAND.NOT X0.1\nOR X0.2\nWRT Y0.0\nRD X0.3\nJMP\nRD X0.0\nDIFU 1\nWRT Y0.1\nJMPE\n");

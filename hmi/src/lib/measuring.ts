@@ -13,3 +13,9 @@ export function middle(a: number, b: number, radius: number): { centre: number; 
   const apart = Math.abs(a - b);
   return { centre: (a + b) / 2, inner: apart + 2 * radius, outer: apart - 2 * radius };
 }
+
+/** The zero of a system, machine positions: what was found has the coordinate there. The control adds the external zero to
+    each zero that is stored, so that it is taken off here. */
+export function zeroAt(found: Point, coordinate: number, external: Point): Point {
+  return Object.fromEntries(Object.entries(found).map(([axis, place]) => [axis, place - coordinate - (external[axis] ?? 0)]));
+}

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { axisKey, axisKeys, chords, ended, type Chord } from './bindings';
+import { axisKey, axisKeys, chords, ended, heldKey, type Chord } from './bindings';
 
 /** What Chromium and Firefox do themselves before a page hears of it: tabs, windows, and what closes them. */
 const reserved: Chord[] = [
@@ -21,6 +21,13 @@ describe('keys of the keyboard', () => {
     const mine = chords.map(said);
     expect(mine.filter((one) => reserved.map(said).includes(one))).toEqual([]);
     expect(new Set(mine).size).toBe(mine.length);
+  });
+  it('start a cycle without another key alone, and hold with any', () => {
+    const held = (key: string, which: string) => heldKey({ ...event(key, which), metaKey: which.includes('M') });
+    expect(held('F10', '')).toBe('KEY_START');
+    for (const which of ['S', 'C', 'A', 'M', 'CS']) expect(held('F10', which), which).toBeUndefined();
+    for (const which of ['', 'S', 'C', 'A', 'M']) expect(held('F9', which), which).toBe('KEY_HOLD');
+    expect(held('F8', '')).toBeUndefined();
   });
   it('move each axis both ways, with and without Shift told apart', () => {
     expect(axisKeys.map(({ signal }) => signal).sort()).toEqual(['X', 'Y', 'Z', 'A'].flatMap((axis) => [`KEY_${axis}+`, `KEY_${axis}-`]).sort());

@@ -12,6 +12,13 @@ export const heldKeys = [
   { key: 'F10', signal: 'KEY_START' },
 ] as const;
 
+/** What a key that is held does. Shift+F10 and others open menus, so that a start is F10 alone; a hold stops the machine
+    whatever else is down. */
+export function heldKey(event: Modifiers & Pick<KeyboardEvent, 'metaKey'>): string | undefined {
+  const isAlone = !(event.ctrlKey || event.altKey || event.shiftKey || event.metaKey);
+  return heldKeys.find(({ key, signal }) => key === event.key && (isAlone || signal === 'KEY_HOLD'))?.signal;
+}
+
 /** Axis keys, by the place of their axis; they move in the mode JOG alone, and only with Ctrl, so that a cursor key never
     moves a machine. With Shift they move the axes behind the first two. */
 export const axisKeys: readonly { chord: Chord; axis: number; signal: string }[] = (

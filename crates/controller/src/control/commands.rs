@@ -25,6 +25,9 @@ use std::sync::{Arc, PoisonError};
 /// Most numbers that one answer holds.
 const MOST_VALUES: usize = 10_000;
 
+/// How long the flow of the ladder is recorded after it was asked for, µs.
+const FLOW_ASKED_US: u32 = 1_000_000;
+
 /// Longest text of MDI, bytes (10.1.1.2: 65 characters a block).
 const LONGEST_MDI: usize = 1 << 20;
 
@@ -167,7 +170,8 @@ impl Control {
                 Ok(Reply::Done)
             }
             Command::LadderFlow => {
-                let plc = self.plc.as_ref().ok_or_else(|| named(Fault::NotFitted, "ladder"))?;
+                let plc = self.plc.as_mut().ok_or_else(|| named(Fault::NotFitted, "ladder"))?;
+                plc.watch_for(FLOW_ASKED_US);
                 Ok(Reply::LadderFlow { power: plc.flow().map(|flow| flow.is_powered).collect() })
             }
             Command::Trace { signals, samples, trigger, behind, changes_only } => {

@@ -2,8 +2,9 @@
 // cursor is, what of each program is not yet saved; and text that another page puts into it.
 
 let open = $state.raw<{ program: string; line: number } | null>(null);
-/** Texts that are not stored yet, by program. */
-let drafts = $state.raw<ReadonlyMap<string, string>>(new Map());
+/** What is not stored yet: the text, and what the memory had when it was begun. */
+export type Draft = { text: string; base: string };
+let drafts = $state.raw<ReadonlyMap<string, Draft>>(new Map());
 let pending = $state.raw<{ program: string; text: string } | null>(null);
 
 export const editing = {
@@ -16,14 +17,14 @@ export const editing = {
     return open?.line ?? 0;
   },
   /** What stands in the editor and not yet in the memory; null where both are the same. */
-  draft(program: string): string | null {
+  draft(program: string): Draft | null {
     return drafts.get(program) ?? null;
   },
   /** Programs of which something is not stored yet. */
   get unsaved(): string[] {
     return [...drafts.keys()];
   },
-  leave(program: string, line: number, draft: string | null): void {
+  leave(program: string, line: number, draft: Draft | null): void {
     open = { program, line };
     const now = new Map(drafts);
     if (draft === null) now.delete(program);
@@ -55,12 +56,32 @@ export const editing = {
   },
 };
 
+/** A line without its remarks. */
+const code = (line: string) => line.replace(/\([^)]*\)|[;'].*$/g, '');
+
 /** The line behind which text goes into a program: that of the cursor, but never behind the end of the program, where
     nothing is run. Without a cursor before the end. */
 export function lineFor(program: string, cursor: number): number {
   const lines = program.split(/\r?\n/);
-  const code = (line: string) => line.replace(/\([^)]*\)|[;'].*$/g, '');
   const end = lines.findIndex((line) => /(^|[^A-Z0-9])M0*(30|2|99)([^0-9]|$)/i.test(code(line)));
   const last = end >= 0 ? end : lines.length - (lines.at(-1) === '' ? 1 : 0);
   return cursor > 0 ? Math.min(cursor, last) : last;
+}
+
+/** Codes of which one of a row is in force: planes, units, absolute or incremental, feed a minute or a revolution, offset of
+    the radius. G70 and G71 are units too. */
+const ROWS = [['17', '18', '19'], ['20', '21', '70', '71'], ['90', '91'], ['94', '95'], ['40', '41', '42']];
+const SAME: Record<string, string> = { 70: '20', 71: '21' };
+
+/** The code of each row that stands last in a text; '' where there is none. */
+function lastCodes(text: string): string[] {
+  const found = text.split(/\r?\n/).flatMap((line) => [...code(line).matchAll(/G0*(\d+(?:\.\d+)?)/gi)].map((one) => one[1]!));
+  return ROWS.map((row) => found.findLast((one) => row.includes(one)) ?? '');
+}
+
+/** Codes that are in force above a place and are not any more behind text that is put there. */
+export function codesLost(above: string, put: string): string[] {
+  const behind = lastCodes(put);
+  const same = (one: string) => SAME[one] ?? one;
+  return lastCodes(above).filter((one, row) => one && behind[row] && same(one) !== same(behind[row])).map((one) => `G${one}`);
 }

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { editing, lineFor } from './editing.svelte';
+import { codesLost, editing, lineFor } from './editing.svelte';
 
 const program = 'O0001\nG0 X0\nM3 S300 (M30 COMES LATER)\nM30\n';
 
@@ -19,15 +19,30 @@ describe('text for a program', () => {
     expect([editing.waits('O0002'), editing.waits('O0001'), editing.take(), editing.waits('O0001')]).toEqual([false, true, 'G81', false]);
   });
   it('keeps what is not saved, of its program alone', () => {
-    editing.leave('O0001', 3, 'G1');
-    expect([editing.draft('O0001'), editing.draft('O0002'), editing.line]).toEqual(['G1', null, 3]);
-    editing.leave('O0002', 1, 'G2');
+    const one = { text: 'G1', base: 'G0' };
+    editing.leave('O0001', 3, one);
+    expect([editing.draft('O0001'), editing.draft('O0002'), editing.line]).toEqual([one, null, 3]);
+    const two = { text: 'G2', base: 'G0' };
+    editing.leave('O0002', 1, two);
     editing.leave('O0003', 1, null);
-    expect([editing.draft('O0001'), editing.draft('O0002'), editing.program]).toEqual(['G1', 'G2', 'O0003']);
+    expect([editing.draft('O0001'), editing.draft('O0002'), editing.program]).toEqual([one, two, 'O0003']);
     editing.moved('O0002', 'O0004');
     editing.leave('O0001', 3, null);
     expect(editing.unsaved).toEqual(['O0004']);
     editing.moved('O0004', null);
     expect(editing.unsaved).toEqual([]);
+  });
+});
+
+describe('codes that a cycle takes out of force', () => {
+  const cycle = '(G287)\nG17 G21 G90 G94 G40 G80\nG0 X1.\n';
+  it('are those that stand last above it', () => {
+    expect(codesLost('O1\nG20 G91\nG0G19 F1\nG95 S1\nG1 G42 D1 X1.', cycle)).toEqual(['G19', 'G20', 'G91', 'G95', 'G42']);
+    expect(codesLost('G70 G018', cycle)).toEqual(['G18', 'G70']);
+  });
+  it('are none where the same are in force, or stand in a remark', () => {
+    expect(codesLost('G91\nG90 G71 G17\n(G20)\nG28.1 X0 ; G95', cycle)).toEqual([]);
+    expect(codesLost('', cycle)).toEqual([]);
+    expect(codesLost('G91 G18', 'G81 X1. R2. Z-3.')).toEqual([]);
   });
 });

@@ -27,6 +27,11 @@ export const programs = {
     const reply = await machine.fetch('programs', { do: 'programs' });
     if (reply) ({ programs: list, most, room } = reply);
   },
+  /** When a program was changed, ms; null where there is none, or nobody knows. */
+  async changedAt(program: string): Promise<number | null> {
+    await this.refresh();
+    return untrack(() => list)?.find((one) => one.name === program)?.changed || null;
+  },
   /** The text of a program. */
   async read(program: string): Promise<string> {
     // One that is too long for a line is not asked for over the socket first. An effect that reads a program is not run
