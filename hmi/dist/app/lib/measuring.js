@@ -13,4 +13,9 @@ function middle(a, b, radius) {
 		outer: apart - 2 * radius
 	};
 }
-export { edge, middle };
+/** The zero of a system, machine positions: what was found has the coordinate there. The control adds the external zero to
+each zero that is stored, so that it is taken off here. */
+function zeroAt(found, coordinate, external) {
+	return Object.fromEntries(Object.entries(found).map(([axis, place]) => [axis, place - coordinate - (external[axis] ?? 0)]));
+}
+export { edge, middle, zeroAt };

@@ -4,7 +4,7 @@ import { go } from "../lib/routing.svelte.js";
 import { machine } from "../lib/state/machine.svelte.js";
 import { ui } from "../lib/state/ui.svelte.js";
 import { pages } from "../pages/index.js";
-import { axisKey, ended, heldKeys, overrideKeys, rapidKeys } from "./bindings.js";
+import { axisKey, ended, heldKey, overrideKeys, rapidKeys } from "./bindings.js";
 import { modes, rapids } from "./keys.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
@@ -50,11 +50,11 @@ function KeyMap($$anchor, $$props) {
 	}
 	function keydown(event) {
 		letGo(({ chord }) => ended(chord, event));
-		const page = event.altKey && !event.shiftKey && /^Digit\d$/.test(event.code) ? pages[(Number(event.code.slice(5)) + 9) % 10] : void 0;
+		const page = event.altKey && !event.shiftKey && !typing(event.target) && /^Digit\d$/.test(event.code) ? pages[(Number(event.code.slice(5)) + 9) % 10] : void 0;
 		const jog = machine.status?.mode === "jog" && !typing(event.target) ? axisKey(event, machine.axes.length) : void 0;
 		const chooses = event.altKey && event.shiftKey && !event.ctrlKey && !typing(event.target) && !event.defaultPrevented;
 		const override = chooses ? overrideKeys[event.key] : void 0;
-		const signal = heldKeys.find((one) => one.key === event.key)?.signal ?? (chooses ? chosen(event) : void 0);
+		const signal = heldKey(event) ?? (chooses ? chosen(event) : void 0);
 		if (page) go(page.id);
 		else if (override) turn(...override);
 		else if (event.key === "F1") {

@@ -8,6 +8,12 @@ var heldKeys = [{
 	key: "F10",
 	signal: "KEY_START"
 }];
+/** What a key that is held does. Shift+F10 and others open menus, so that a start is F10 alone; a hold stops the machine
+whatever else is down. */
+function heldKey(event) {
+	const isAlone = !(event.ctrlKey || event.altKey || event.shiftKey || event.metaKey);
+	return heldKeys.find(({ key, signal }) => key === event.key && (isAlone || signal === "KEY_HOLD"))?.signal;
+}
 /** Axis keys, by the place of their axis; they move in the mode JOG alone, and only with Ctrl, so that a cursor key never
 moves a machine. With Shift they move the axes behind the first two. */
 var axisKeys = [
@@ -149,4 +155,4 @@ function ended(chord, event) {
 	const off = (needed, isDown, key) => needed === true && (!isDown || event.type === "keyup" && event.key === key);
 	return off(chord.ctrl, event.ctrlKey, "Control") || off(chord.shift, event.shiftKey, "Shift") || off(chord.alt, event.altKey, "Alt");
 }
-export { axisKey, axisKeys, ended, heldKeys, overrideKeys, rapidKeys };
+export { axisKey, axisKeys, ended, heldKey, heldKeys, overrideKeys, rapidKeys };

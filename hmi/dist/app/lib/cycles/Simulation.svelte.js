@@ -7,12 +7,13 @@ import Segmented from "../parts/Segmented.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/lib/cycles/Simulation.svelte
-var root = $.from_html(`<span class="number muted"> </span>`);
-var root_1 = $.from_html(`<p class="muted"> </p>`);
-var root_2 = $.from_html(`<div class="simulation s-1i2pqd1" data-testid="simulation"><div class="row wrap"><!> <!></div> <div class="canvas s-1i2pqd1"><!></div> <div class="row wrap"><!> <input class="time s-1i2pqd1" type="range" min="0" step="any"/> <output class="number"> </output></div> <div class="row wrap"><!> <!></div> <!></div>`);
+var root = $.from_html(`<p class="stale s-1rgvey3" role="status"> </p>`);
+var root_1 = $.from_html(`<span class="number muted"> </span>`);
+var root_2 = $.from_html(`<p class="muted"> </p>`);
+var root_3 = $.from_html(`<div class="simulation s-1rgvey3" data-testid="simulation"><div class="row wrap"><!> <!></div> <!> <div class="canvas s-1rgvey3"><!></div> <div class="row wrap"><!> <input class="time s-1rgvey3" type="range" min="0" step="any"/> <output class="number"> </output></div> <div class="row wrap"><!> <!></div> <!></div>`);
 function Simulation($$anchor, $$props) {
 	$.push($$props, true);
-	let busy = $.prop($$props, "busy", 3, false);
+	let busy = $.prop($$props, "busy", 3, false), stale = $.prop($$props, "stale", 3, false);
 	let view = $.state(void 0);
 	let seconds = $.state(0);
 	let running = $.state(false);
@@ -67,7 +68,7 @@ function Simulation($$anchor, $$props) {
 		"front",
 		"side"
 	];
-	var div = root_2();
+	var div = root_3();
 	var div_1 = $.child(div);
 	var node = $.child(div_1);
 	$.each(node, 16, () => views, (one) => one, ($$anchor, one) => {
@@ -98,11 +99,21 @@ function Simulation($$anchor, $$props) {
 		});
 	}
 	$.reset(div_1);
-	var div_2 = $.sibling(div_1, 2);
-	var node_2 = $.child(div_2);
+	var node_2 = $.sibling(div_1, 2);
+	var consequent = ($$anchor) => {
+		var p = root();
+		var text_1 = $.only_child(p, true);
+		$.template_effect(($0) => $.set_text(text_1, $0), [() => t("cycles.stale")]);
+		$.append($$anchor, p);
+	};
+	$.if(node_2, ($$render) => {
+		if (stale()) $$render(consequent);
+	});
+	var div_2 = $.sibling(node_2, 2);
+	var node_3 = $.child(div_2);
 	{
 		let $0 = $.derived(() => t("cycles.simulation"));
-		$.bind_this(PathView(node_2, {
+		$.bind_this(PathView(node_3, {
 			get path() {
 				return $$props.path;
 			},
@@ -117,12 +128,12 @@ function Simulation($$anchor, $$props) {
 	}
 	$.reset(div_2);
 	var div_3 = $.sibling(div_2, 2);
-	var node_3 = $.child(div_3);
+	var node_4 = $.child(div_3);
 	{
 		let $0 = $.derived(() => $.get(running) ? "pause" : "play");
 		let $1 = $.derived(() => $.get(running) ? t("cycles.pause") : t("cycles.play"));
 		let $2 = $.derived(() => !$$props.path);
-		Button(node_3, {
+		Button(node_4, {
 			get icon() {
 				return $.get($0);
 			},
@@ -135,13 +146,13 @@ function Simulation($$anchor, $$props) {
 			onclick: toggle
 		});
 	}
-	var input = $.sibling(node_3, 2);
+	var input = $.sibling(node_4, 2);
 	$.remove_input_defaults(input);
 	var output = $.sibling(input, 2);
-	var text_1 = $.only_child(output);
+	var text_2 = $.only_child(output);
 	$.reset(div_3);
 	var div_4 = $.sibling(div_3, 2);
-	var node_4 = $.child(div_4);
+	var node_5 = $.child(div_4);
 	{
 		let $0 = $.derived(() => t("cycles.speed"));
 		let $1 = $.derived(() => [
@@ -152,7 +163,7 @@ function Simulation($$anchor, $$props) {
 			value,
 			label: `${value}×`
 		})));
-		Segmented(node_4, {
+		Segmented(node_5, {
 			get label() {
 				return $.get($0);
 			},
@@ -167,30 +178,30 @@ function Simulation($$anchor, $$props) {
 			}
 		});
 	}
-	var node_5 = $.sibling(node_4, 2);
-	var consequent = ($$anchor) => {
-		var span = root();
-		var text_2 = $.only_child(span);
-		$.template_effect(($0, $1, $2) => $.set_text(text_2, `X ${$0 ?? ""} Y ${$1 ?? ""} Z ${$2 ?? ""}`), [
+	var node_6 = $.sibling(node_5, 2);
+	var consequent_1 = ($$anchor) => {
+		var span = root_1();
+		var text_3 = $.only_child(span);
+		$.template_effect(($0, $1, $2) => $.set_text(text_3, `X ${$0 ?? ""} Y ${$1 ?? ""} Z ${$2 ?? ""}`), [
 			() => fixed($.get(tool).x),
 			() => fixed($.get(tool).y),
 			() => fixed($.get(tool).z)
 		]);
 		$.append($$anchor, span);
 	};
-	$.if(node_5, ($$render) => {
-		if ($.get(tool)) $$render(consequent);
+	$.if(node_6, ($$render) => {
+		if ($.get(tool)) $$render(consequent_1);
 	});
 	$.reset(div_4);
-	var node_6 = $.sibling(div_4, 2);
-	var consequent_1 = ($$anchor) => {
-		var p = root_1();
-		var text_3 = $.only_child(p, true);
-		$.template_effect(($0) => $.set_text(text_3, $0), [() => t("cycles.path_short")]);
-		$.append($$anchor, p);
+	var node_7 = $.sibling(div_4, 2);
+	var consequent_2 = ($$anchor) => {
+		var p_1 = root_2();
+		var text_4 = $.only_child(p_1, true);
+		$.template_effect(($0) => $.set_text(text_4, $0), [() => t("cycles.path_short")]);
+		$.append($$anchor, p_1);
 	};
-	$.if(node_6, ($$render) => {
-		if ($$props.path?.short) $$render(consequent_1);
+	$.if(node_7, ($$render) => {
+		if ($$props.path?.short) $$render(consequent_2);
 	});
 	$.reset(div);
 	$.template_effect(($0, $1, $2, $3) => {
@@ -198,10 +209,11 @@ function Simulation($$anchor, $$props) {
 		$.set_attribute(div, "data-points", $$props.path?.count ?? 0);
 		$.set_attribute(div, "data-time", $.get(seconds));
 		$.set_attribute(div, "aria-busy", busy());
+		$.set_attribute(div, "data-stale", stale());
 		$.set_attribute(input, "max", $.get(total));
 		$.set_attribute(input, "aria-label", $1);
 		input.disabled = !$$props.path;
-		$.set_text(text_1, `${$2 ?? ""} / ${$3 ?? ""}`);
+		$.set_text(text_2, `${$2 ?? ""} / ${$3 ?? ""}`);
 	}, [
 		() => $.get(total).toFixed(1),
 		() => t("cycles.time"),

@@ -185,6 +185,19 @@ function Editor($$anchor, $$props) {
 		const { state } = view;
 		$$props.onleave?.(() => textIn(state), state.doc.lineAt(state.selection.main.head).number);
 	}
+	/** Opens another text of the same program, at the same line. What was done before cannot be undone any more. */
+	function reopen(now) {
+		if (!view) return;
+		const { doc, selection } = view.state;
+		const line = doc.lineAt(selection.main.head).number;
+		opened = now;
+		view.setState(opening(now));
+		const { from } = view.state.doc.line(Math.min(line, view.state.doc.lines));
+		view.dispatch({
+			selection: { anchor: from },
+			effects: EditorView.scrollIntoView(from, { y: "center" })
+		});
+	}
 	/** A line, from 1; null where there is none. */
 	function line(number) {
 		return view && number >= 1 && number <= view.state.doc.lines ? view.state.doc.line(number).text : null;
@@ -261,6 +274,7 @@ function Editor($$anchor, $$props) {
 		isLong,
 		check,
 		leave,
+		reopen,
 		line,
 		rewrite,
 		insert,

@@ -56,13 +56,51 @@ var editing = {
 		return text;
 	}
 };
+/** A line without its remarks. */
+var code = (line) => line.replace(/\([^)]*\)|[;'].*$/g, "");
 /** The line behind which text goes into a program: that of the cursor, but never behind the end of the program, where
 nothing is run. Without a cursor before the end. */
 function lineFor(program, cursor) {
 	const lines = program.split(/\r?\n/);
-	const code = (line) => line.replace(/\([^)]*\)|[;'].*$/g, "");
 	const end = lines.findIndex((line) => /(^|[^A-Z0-9])M0*(30|2|99)([^0-9]|$)/i.test(code(line)));
 	const last = end >= 0 ? end : lines.length - (lines.at(-1) === "" ? 1 : 0);
 	return cursor > 0 ? Math.min(cursor, last) : last;
 }
-export { editing, lineFor };
+/** Codes of which one of a row is in force: planes, units, absolute or incremental, feed a minute or a revolution, offset of
+the radius. G70 and G71 are units too. */
+var ROWS = [
+	[
+		"17",
+		"18",
+		"19"
+	],
+	[
+		"20",
+		"21",
+		"70",
+		"71"
+	],
+	["90", "91"],
+	["94", "95"],
+	[
+		"40",
+		"41",
+		"42"
+	]
+];
+var SAME = {
+	70: "20",
+	71: "21"
+};
+/** The code of each row that stands last in a text; '' where there is none. */
+function lastCodes(text) {
+	const found = text.split(/\r?\n/).flatMap((line) => [...code(line).matchAll(/G0*(\d+(?:\.\d+)?)/gi)].map((one) => one[1]));
+	return ROWS.map((row) => found.findLast((one) => row.includes(one)) ?? "");
+}
+/** Codes that are in force above a place and are not any more behind text that is put there. */
+function codesLost(above, put) {
+	const behind = lastCodes(put);
+	const same = (one) => SAME[one] ?? one;
+	return lastCodes(above).filter((one, row) => one && behind[row] && same(one) !== same(behind[row])).map((one) => `G${one}`);
+}
+export { codesLost, editing, lineFor };

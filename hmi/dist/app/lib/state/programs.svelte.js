@@ -22,6 +22,11 @@ var programs = {
 		const reply = await machine.fetch("programs", { do: "programs" });
 		if (reply) $.set(list, reply.programs), $.set(most, reply.most), $.set(room, reply.room);
 	},
+	/** When a program was changed, ms; null where there is none, or nobody knows. */
+	async changedAt(program) {
+		await this.refresh();
+		return untrack(() => $.get(list))?.find((one) => one.name === program)?.changed || null;
+	},
 	/** The text of a program. */
 	async read(program) {
 		if (untrack(() => $.get(list)) === null) await this.refresh();

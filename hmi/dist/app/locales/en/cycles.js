@@ -91,6 +91,8 @@ var cycles_default = {
 	"pause": "Pause",
 	"time": "Time",
 	"speed": "Speed",
-	"path_short": "The path is longer than is shown."
+	"path_short": "The path is longer than is shown.",
+	"stale": "The cycle was changed since: simulate it again.",
+	"not_written": "The text could not be written. Change a value to try again."
 };
 export { cycles_default as default };

@@ -4,10 +4,10 @@ var help_default = {
 	"search": "Search",
 	"codes": "Codes",
 	"calculator": "Calculator",
-	"placeholder": "Codes, parameters, alarms, variables, signals, addresses",
+	"placeholder": "Codes, parameters, alarms, variables, signals, addresses, operations, sums",
 	"nothing": "Nothing was found",
 	"empty": "Look something up",
-	"empty_text": "Type a code such as G84, a number of an alarm or parameter, or a word.",
+	"empty_text": "Type a code such as G84, a number of an alarm or parameter, a word, or a sum such as 3*12.5.",
 	"kind_code": "Code",
 	"kind_parameter": "Parameter",
 	"kind_alarm": "Alarm",
@@ -22,6 +22,10 @@ var help_default = {
 	"variables": "Variables",
 	"addresses": "Addresses",
 	"choose_row": "Choose a row on the left.",
-	"not_here": "Pages of the GSK990MC that this machine has no use for"
+	"not_here": "Pages of the GSK990MC that this machine has no use for",
+	"kind_operation": "Operation",
+	"kind_not_here": "Not here",
+	"kind_calculator": "Calculator",
+	"go": "Open the page"
 };
 export { help_default as default };

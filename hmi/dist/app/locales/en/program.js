@@ -71,6 +71,11 @@ var program_default = {
 	"dnc_left": "The control has {taken} of a file and awaits more. Choose the same file to go on behind that.",
 	"dnc_onward": "Go on with the file",
 	"most": "of at most {most}",
-	"room": "{room} free"
+	"room": "{room} free",
+	"newer": "Something else was stored under this name since the program was opened here.",
+	"take_newer": "Take what is stored",
+	"replace_newer": "Replace what was stored since?",
+	"replace_newer_text": "Something else was stored under this name since the program was opened here. What was changed there is lost.",
+	"codes_lost": "The cycle sets other codes and does not take them back: {codes} no longer holds behind it. Look whether the program goes on rightly."
 };
 export { program_default as default };

@@ -91,6 +91,8 @@ var cycles_default = {
 	"pause": "Pausa",
 	"time": "Tiempo",
 	"speed": "Velocidad",
-	"path_short": "La trayectoria es más larga de lo mostrado."
+	"path_short": "La trayectoria es más larga de lo mostrado.",
+	"stale": "El ciclo se cambió después: simúlelo de nuevo.",
+	"not_written": "No se pudo escribir el texto. Cambie un valor para intentarlo de nuevo."
 };
 export { cycles_default as default };

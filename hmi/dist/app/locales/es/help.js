@@ -4,10 +4,10 @@ var help_default = {
 	"search": "Búsqueda",
 	"codes": "Códigos",
 	"calculator": "Calculadora",
-	"placeholder": "Códigos, parámetros, alarmas, variables, señales, direcciones",
+	"placeholder": "Códigos, parámetros, alarmas, variables, señales, direcciones, operaciones, cálculos",
 	"nothing": "No se encontró nada",
 	"empty": "Busque algo",
-	"empty_text": "Escriba un código como G84, un número de alarma o parámetro, o una palabra.",
+	"empty_text": "Escriba un código como G84, un número de alarma o parámetro, una palabra o un cálculo como 3*12.5.",
 	"kind_code": "Código",
 	"kind_parameter": "Parámetro",
 	"kind_alarm": "Alarma",
@@ -22,6 +22,10 @@ var help_default = {
 	"variables": "Variables",
 	"addresses": "Direcciones",
 	"choose_row": "Elija una fila a la izquierda.",
-	"not_here": "Páginas del GSK990MC que esta máquina no usa"
+	"not_here": "Páginas del GSK990MC que esta máquina no usa",
+	"kind_operation": "Operación",
+	"kind_not_here": "Aquí no",
+	"kind_calculator": "Calculadora",
+	"go": "Abrir la página"
 };
 export { help_default as default };

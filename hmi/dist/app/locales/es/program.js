@@ -72,6 +72,11 @@ var program_default = {
 	"dnc_left": "El control tiene {taken} de un archivo y espera más. Elija el mismo archivo para continuar.",
 	"dnc_onward": "Continuar con el archivo",
 	"most": "de {most} como máximo",
-	"room": "{room} libres"
+	"room": "{room} libres",
+	"newer": "Desde que se abrió aquí, se guardó otra cosa con este nombre.",
+	"take_newer": "Tomar lo guardado",
+	"replace_newer": "¿Reemplazar lo guardado después?",
+	"replace_newer_text": "Desde que se abrió aquí, se guardó otra cosa con este nombre. Lo que se cambió allí se pierde.",
+	"codes_lost": "El ciclo fija otros códigos y no los devuelve: {codes} ya no rige tras él. Compruebe que el programa siga bien."
 };
 export { program_default as default };

@@ -97,6 +97,8 @@ var cycles_default = {
 	"lines_few": "{count} строки",
 	"lines_many": "{count} строк",
 	"drawing_read_few": "Из чертежа прочитано {count} контура",
-	"drawing_read_many": "Из чертежа прочитано {count} контуров"
+	"drawing_read_many": "Из чертежа прочитано {count} контуров",
+	"stale": "Цикл с тех пор изменён: смоделируйте его снова.",
+	"not_written": "Текст не удалось создать. Измените значение, чтобы попробовать снова."
 };
 export { cycles_default as default };

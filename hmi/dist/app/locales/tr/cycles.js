@@ -91,6 +91,8 @@ var cycles_default = {
 	"pause": "Duraklat",
 	"time": "Zaman",
 	"speed": "Hız",
-	"path_short": "Yol gösterilenden uzundur."
+	"path_short": "Yol gösterilenden uzundur.",
+	"stale": "Çevrim o zamandan beri değişti: yeniden benzetin.",
+	"not_written": "Metin yazılamadı. Yeniden denemek için bir değeri değiştirin."
 };
 export { cycles_default as default };

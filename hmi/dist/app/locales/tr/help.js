@@ -4,10 +4,10 @@ var help_default = {
 	"search": "Arama",
 	"codes": "Kodlar",
 	"calculator": "Hesap makinesi",
-	"placeholder": "Kodlar, parametreler, alarmlar, değişkenler, sinyaller, adresler",
+	"placeholder": "Kodlar, parametreler, alarmlar, değişkenler, sinyaller, adresler, işlemler, hesaplar",
 	"nothing": "Bir şey bulunamadı",
 	"empty": "Bir şey arayın",
-	"empty_text": "G84 gibi bir kod, alarm ya da parametre numarası veya bir sözcük yazın.",
+	"empty_text": "G84 gibi bir kod, alarm ya da parametre numarası, bir sözcük veya 3*12.5 gibi bir hesap yazın.",
 	"kind_code": "Kod",
 	"kind_parameter": "Parametre",
 	"kind_alarm": "Alarm",
@@ -22,6 +22,10 @@ var help_default = {
 	"variables": "Değişkenler",
 	"addresses": "Adresler",
 	"choose_row": "Soldan bir satır seçin.",
-	"not_here": "GSK990MC’nin bu makinede kullanılmayan sayfaları"
+	"not_here": "GSK990MC’nin bu makinede kullanılmayan sayfaları",
+	"kind_operation": "İşlem",
+	"kind_not_here": "Burada yok",
+	"kind_calculator": "Hesap makinesi",
+	"go": "Sayfayı aç"
 };
 export { help_default as default };

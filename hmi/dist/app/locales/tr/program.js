@@ -71,6 +71,11 @@ var program_default = {
 	"dnc_left": "Denetimde bir dosyanın {taken} kadarı var ve gerisini bekliyor. Sürdürmek için aynı dosyayı seçin.",
 	"dnc_onward": "Dosyayı sürdür",
 	"most": "en çok {most}",
-	"room": "{room} boş"
+	"room": "{room} boş",
+	"newer": "Program burada açıldıktan sonra bu adla başka bir şey kaydedildi.",
+	"take_newer": "Kaydedileni al",
+	"replace_newer": "Sonradan kaydedilenin yerine konsun mu?",
+	"replace_newer_text": "Program burada açıldıktan sonra bu adla başka bir şey kaydedildi. Orada değiştirilenler yitirilir.",
+	"codes_lost": "Çevrim başka kodlar koyar ve eskisini geri vermez: ondan sonra {codes} artık geçerli değildir. Programın doğru sürdüğüne bakın."
 };
 export { program_default as default };

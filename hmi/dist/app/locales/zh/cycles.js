@@ -88,6 +88,8 @@ var cycles_default = {
 	"pause": "暂停",
 	"time": "时间",
 	"speed": "速度",
-	"path_short": "路径比显示的更长。"
+	"path_short": "路径比显示的更长。",
+	"stale": "循环此后已修改：请重新仿真。",
+	"not_written": "未能生成文本。修改一个值以重试。"
 };
 export { cycles_default as default };

@@ -4,10 +4,10 @@ var help_default = {
 	"search": "搜索",
 	"codes": "代码表",
 	"calculator": "计算器",
-	"placeholder": "代码、参数、报警、变量、信号、地址",
+	"placeholder": "代码、参数、报警、变量、信号、地址、操作、算式",
 	"nothing": "未找到",
 	"empty": "查询",
-	"empty_text": "输入代码（如 G84）、报警号、参数号或关键词。",
+	"empty_text": "输入代码（如 G84）、报警号、参数号、关键词，或算式（如 3*12.5）。",
 	"kind_code": "代码",
 	"kind_parameter": "参数",
 	"kind_alarm": "报警",
@@ -22,6 +22,10 @@ var help_default = {
 	"variables": "宏变量",
 	"addresses": "地址表",
 	"choose_row": "请在左侧选择一行。",
-	"not_here": "GSK990MC 中本机不适用的页面"
+	"not_here": "GSK990MC 中本机不适用的页面",
+	"kind_operation": "操作",
+	"kind_not_here": "不适用",
+	"kind_calculator": "计算器",
+	"go": "打开页面"
 };
 export { help_default as default };

@@ -70,6 +70,11 @@ var program_default = {
 	"dnc_left": "系统已有文件的 {taken}，等待后续内容。请再选同一文件以继续。",
 	"dnc_onward": "继续发送文件",
 	"most": "最多 {most} 个",
-	"room": "可用 {room}"
+	"room": "可用 {room}",
+	"newer": "在此打开程序之后，同名程序已被另行保存。",
+	"take_newer": "采用已保存的内容",
+	"replace_newer": "替换其后保存的内容？",
+	"replace_newer_text": "在此打开程序之后，同名程序已被另行保存。那里的修改将丢失。",
+	"codes_lost": "该循环设定了其他代码且不恢复：其后 {codes} 不再有效。请检查后续程序是否正确。"
 };
 export { program_default as default };

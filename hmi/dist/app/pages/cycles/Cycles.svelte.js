@@ -20,16 +20,16 @@ import { notify } from "../../lib/state/notices.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/cycles/Cycles.svelte
-var root = $.from_html(`<button type="button"><span class="code s-1ghc2z3"> </span><span> </span></button>`);
-var root_1 = $.from_html(`<h3 class="s-1ghc2z3"> </h3> <!>`, 1);
-var root_2 = $.from_html(`<p role="alert"> <small class="code s-1ghc2z3"> </small><br/><span class="muted"> </span></p>`);
+var root = $.from_html(`<button type="button"><span class="code s-68pwn8"> </span><span> </span></button>`);
+var root_1 = $.from_html(`<h3 class="s-68pwn8"> </h3> <!>`, 1);
+var root_2 = $.from_html(`<p role="alert"> <small class="code s-68pwn8"> </small><br/><span class="muted"> </span></p>`);
 var root_3 = $.from_html(`<!> <!>`, 1);
 var root_4 = $.from_html(`<div class="row wrap"><span class="code"></span> <!> <!> <!> <!> <!></div>`);
-var root_5 = $.from_html(`<div class="tools s-1ghc2z3"><b class="code"> </b> <label class="s-1ghc2z3"><span class="muted"> </span><!></label> <label class="s-1ghc2z3"><span class="muted"> </span><!></label> <label class="s-1ghc2z3"><span class="muted"> </span><!></label></div>`);
-var root_6 = $.from_html(`<div class="form scroll s-1ghc2z3"><header class="row wrap"><h2 class="grow"> </h2> <!></header> <!> <!> <!> <!> <!></div>`);
-var root_7 = $.from_html(`<div class="plan s-1ghc2z3"><!></div> <div class="section s-1ghc2z3"><!></div>`, 1);
-var root_8 = $.from_html(`<pre class="code scroll s-1ghc2z3"> </pre>`);
-var root_9 = $.from_html(`<div class="room s-1ghc2z3"><div class="cycles s-1ghc2z3"><nav class="list scroll s-1ghc2z3" data-pans=""></nav> <!> <div class="side s-1ghc2z3"><div class="row wrap"><!></div> <div class="shown s-1ghc2z3"><!></div> <p aria-live="polite"><!></p> <div class="row wrap"><!> <!> <!></div></div></div></div>`);
+var root_5 = $.from_html(`<div class="tools s-68pwn8"><b class="code"> </b> <label class="s-68pwn8"><span class="muted"> </span><!></label> <label class="s-68pwn8"><span class="muted"> </span><!></label> <label class="s-68pwn8"><span class="muted"> </span><!></label></div>`);
+var root_6 = $.from_html(`<div class="form scroll s-68pwn8"><header class="row wrap"><h2 class="grow"> </h2> <!></header> <!> <!> <!> <!> <!></div>`);
+var root_7 = $.from_html(`<div class="plan s-68pwn8"><!></div> <div class="section s-68pwn8"><!></div>`, 1);
+var root_8 = $.from_html(`<pre> </pre>`);
+var root_9 = $.from_html(`<div class="room s-68pwn8"><div class="cycles s-68pwn8"><nav class="list scroll s-68pwn8" data-pans=""></nav> <!> <div class="side s-68pwn8"><div class="row wrap"><!></div> <div class="shown s-68pwn8"><!></div> <p aria-live="polite"><!></p> <div class="row wrap"><!> <!> <!></div></div></div></div>`);
 function Cycles($$anchor, $$props) {
 	$.push($$props, true);
 	/** How long after the last change the cycle is written, ms. */
@@ -39,9 +39,13 @@ function Cycles($$anchor, $$props) {
 	let focus = $.state("");
 	let side = $.state("drawing");
 	let written = $.state(null);
+	/** What `written` is the answer to, and which wish was refused. */
+	let writtenOf = $.state("");
+	let refusedOf = $.state("");
 	let path = $.state(null);
 	let busy = $.state(false);
-	let simulated = "";
+	/** What `path` is the answer to. */
+	let simulated = $.state("");
 	$.user_effect(() => {
 		client.forms(language()).then((answer) => {
 			$.set(all, answer);
@@ -60,6 +64,16 @@ function Cycles($$anchor, $$props) {
 	const general = $.derived(() => $.get(findings).filter((one) => !shown(one)));
 	const dialect = $.derived(() => machine.dialect);
 	const groups = $.derived(() => [...new Set($.get(all).map((one) => one.group))].map((group) => $.get(all).filter((one) => one.group === group)));
+	const body = $.derived(() => $.get(asked) ? JSON.stringify($.get(asked)) : "");
+	/** All that the text depends on. */
+	const wish = $.derived(() => JSON.stringify([
+		$.get(body),
+		$.get(dialect),
+		language()
+	]));
+	/** Whether the text is that of what stands in the form: it comes a while after each change. */
+	const isCurrent = $.derived(() => $.get(written) !== null && $.get(writtenOf) === $.get(wish));
+	const ready = $.derived(() => $.get(isCurrent) && $.get(written)?.text && $.get(errors).length === 0 ? $.get(written).text : "");
 	const called = $.derived(() => $.get(asked) ? toolsOf($.get(asked).values) : []);
 	/** Whether a finding stands at its field. */
 	function shown(finding) {
@@ -88,19 +102,22 @@ function Cycles($$anchor, $$props) {
 		});
 	});
 	$.user_effect(() => {
-		const body = $.get(asked);
-		const [into, tongue] = [$.get(dialect), language()];
-		if (!body) return;
+		const [text, into, tongue, all] = [
+			$.get(body),
+			$.get(dialect),
+			language(),
+			$.get(wish)
+		];
+		if (!text) return;
 		const abort = new AbortController();
-		const text = JSON.stringify(body);
 		const timer = setTimeout(() => {
-			$.set(busy, true);
 			client.write(JSON.parse(text), into, tongue, abort.signal).then((answer) => {
+				if (abort.signal.aborted) return;
 				$.set(written, answer);
-				$.set(busy, false);
+				$.set(writtenOf, all);
 			}, (refused) => {
 				if (abort.signal.aborted) return;
-				$.set(busy, false);
+				$.set(refusedOf, all);
 				machine.refused(refused);
 			});
 		}, PAUSE);
@@ -111,13 +128,12 @@ function Cycles($$anchor, $$props) {
 	});
 	async function simulate() {
 		$.set(side, "simulation");
-		if (!$.get(asked)) return;
-		const body = JSON.stringify($.get(asked));
-		if (body === simulated && $.get(path)) return;
+		const text = $.get(body);
+		if (!text || text === $.get(simulated) && $.get(path)) return;
 		$.set(busy, true);
 		try {
-			$.set(path, readPath(await client.path(JSON.parse(body))));
-			simulated = body;
+			$.set(path, readPath(await client.path(JSON.parse(text))));
+			$.set(simulated, text);
 		} catch (refused) {
 			$.set(path, null);
 			machine.refused(refused);
@@ -144,9 +160,9 @@ function Cycles($$anchor, $$props) {
 		document.getElementById(`field-${name}`)?.focus();
 	}
 	async function copy() {
-		if (!$.get(written)?.text) return;
+		if (!$.get(ready)) return;
 		try {
-			await navigator.clipboard.writeText($.get(written).text);
+			await navigator.clipboard.writeText($.get(ready));
 			notify({
 				kind: "done",
 				title: t("cycles.copied")
@@ -184,7 +200,7 @@ function Cycles($$anchor, $$props) {
 					});
 				}
 			};
-			var consequent_12 = ($$anchor) => {
+			var consequent_13 = ($$anchor) => {
 				var div = root_9();
 				var div_1 = $.child(div);
 				var nav = $.child(div_1);
@@ -204,11 +220,12 @@ function Cycles($$anchor, $$props) {
 						$.template_effect(() => {
 							$.set_attribute(button, "data-cycle", $.get(one).id);
 							$.set_attribute(button, "aria-pressed", $.get(one).id === $.get(form).id);
-							classes = $.set_class(button, 1, "s-1ghc2z3", null, classes, { chosen: $.get(one).id === $.get(form).id });
+							classes = $.set_class(button, 1, "s-68pwn8", null, classes, { chosen: $.get(one).id === $.get(form).id });
 							$.set_text(text_2, $.get(one).id);
 							$.set_text(text_3, $.get(one).title);
 						});
 						$.delegated("click", button, () => {
+							if ($.get(one).id === $.get(form).id) return;
 							forms.choose($.get(one).id);
 							$.set(focus, "");
 							$.set(path, null);
@@ -250,7 +267,7 @@ function Cycles($$anchor, $$props) {
 						var text_8 = $.only_child(span_2, true);
 						$.reset(p);
 						$.template_effect(() => {
-							$.set_class(p, 1, `general ${$.get(finding).severity ?? ""}`, "s-1ghc2z3");
+							$.set_class(p, 1, `general ${$.get(finding).severity ?? ""}`, "s-68pwn8");
 							$.set_text(text_6, `${$.get(finding).text ?? ""} `);
 							$.set_text(text_7, $.get(finding).id);
 							$.set_text(text_8, $.get(finding).help);
@@ -741,19 +758,27 @@ function Cycles($$anchor, $$props) {
 					$.append($$anchor, fragment_20);
 				};
 				var consequent_9 = ($$anchor) => {
-					Simulation($$anchor, {
-						get path() {
-							return $.get(path);
-						},
-						get busy() {
-							return $.get(busy);
-						}
-					});
+					{
+						let $0 = $.derived(() => $.get(path) !== null && $.get(simulated) !== $.get(body));
+						Simulation($$anchor, {
+							get path() {
+								return $.get(path);
+							},
+							get busy() {
+								return $.get(busy);
+							},
+							get stale() {
+								return $.get($0);
+							}
+						});
+					}
 				};
 				var alternate = ($$anchor) => {
 					var pre = root_8();
+					let classes_1;
 					var text_15 = $.only_child(pre, true);
 					$.template_effect(($0) => {
+						classes_1 = $.set_class(pre, 1, "code scroll s-68pwn8", null, classes_1, { stale: !$.get(isCurrent) });
 						$.set_attribute(pre, "data-expanded", $.get(written)?.expanded ?? false);
 						$.set_text(text_15, $0);
 					}, [() => $.get(written)?.text || t("cycles.no_text")]);
@@ -766,7 +791,7 @@ function Cycles($$anchor, $$props) {
 				});
 				$.reset(div_7);
 				var p_1 = $.sibling(div_7, 2);
-				let classes_1;
+				let classes_2;
 				var node_31 = $.child(p_1);
 				var consequent_10 = ($$anchor) => {
 					var text_16 = $.text();
@@ -775,17 +800,23 @@ function Cycles($$anchor, $$props) {
 				};
 				var consequent_11 = ($$anchor) => {
 					var text_17 = $.text();
-					$.template_effect(($0, $1) => $.set_text(text_17, `${$0 ?? ""} · ${$1 ?? ""}`), [() => $.get(written).expanded ? t("cycles.expanded", { dialect: $.get(dialect) }) : t("cycles.as_cycle", { dialect: $.get(dialect) }), () => t("cycles.lines", { count: $.get(written).text.trimEnd().split("\n").length })]);
+					$.template_effect(($0, $1) => $.set_text(text_17, `${$0 ?? ""} · ${$1 ?? ""}`), [() => $.get(written).expanded ? t("cycles.expanded", { dialect: $.get(dialect) }) : t("cycles.as_cycle", { dialect: $.get(dialect) }), () => t("cycles.lines", { count: $.get(ready).trimEnd().split("\n").length })]);
 					$.append($$anchor, text_17);
 				};
-				var alternate_1 = ($$anchor) => {
+				var consequent_12 = ($$anchor) => {
 					var text_18 = $.text();
-					$.template_effect(($0) => $.set_text(text_18, $0), [() => t("cycles.writing")]);
+					$.template_effect(($0) => $.set_text(text_18, $0), [() => t("cycles.no_text")]);
 					$.append($$anchor, text_18);
+				};
+				var alternate_1 = ($$anchor) => {
+					var text_19 = $.text();
+					$.template_effect(($0) => $.set_text(text_19, $0), [() => t($.get(refusedOf) === $.get(wish) ? "cycles.not_written" : "cycles.writing")]);
+					$.append($$anchor, text_19);
 				};
 				$.if(node_31, ($$render) => {
 					if ($.get(errors).length) $$render(consequent_10);
-					else if ($.get(written)?.text) $$render(consequent_11, 1);
+					else if ($.get(ready) && $.get(written)) $$render(consequent_11, 1);
+					else if ($.get(isCurrent)) $$render(consequent_12, 2);
 					else $$render(alternate_1, -1);
 				});
 				$.reset(p_1);
@@ -802,16 +833,16 @@ function Cycles($$anchor, $$props) {
 						},
 						children: ($$anchor, $$slotProps) => {
 							$.next();
-							var text_19 = $.text();
-							$.template_effect(($0) => $.set_text(text_19, $0), [() => t("cycles.simulate")]);
-							$.append($$anchor, text_19);
+							var text_20 = $.text();
+							$.template_effect(($0) => $.set_text(text_20, $0), [() => t("cycles.simulate")]);
+							$.append($$anchor, text_20);
 						},
 						$$slots: { default: true }
 					});
 				}
 				var node_33 = $.sibling(node_32, 2);
 				{
-					let $0 = $.derived(() => !$.get(written)?.text);
+					let $0 = $.derived(() => !$.get(ready));
 					Button(node_33, {
 						icon: "list",
 						onclick: copy,
@@ -820,29 +851,29 @@ function Cycles($$anchor, $$props) {
 						},
 						children: ($$anchor, $$slotProps) => {
 							$.next();
-							var text_20 = $.text();
-							$.template_effect(($0) => $.set_text(text_20, $0), [() => t("cycles.copy")]);
-							$.append($$anchor, text_20);
+							var text_21 = $.text();
+							$.template_effect(($0) => $.set_text(text_21, $0), [() => t("cycles.copy")]);
+							$.append($$anchor, text_21);
 						},
 						$$slots: { default: true }
 					});
 				}
 				var node_34 = $.sibling(node_33, 2);
 				{
-					let $0 = $.derived(() => !$.get(written)?.text || $.get(errors).length > 0 || $.get(busy));
+					let $0 = $.derived(() => !$.get(ready));
 					Button(node_34, {
 						kind: "primary",
 						icon: "plus",
 						get disabled() {
 							return $.get($0);
 						},
-						onclick: () => $.get(written) && insert($.get(written).text),
+						onclick: () => $.get(ready) && insert($.get(ready)),
 						"data-testid": "insert",
 						children: ($$anchor, $$slotProps) => {
 							$.next();
-							var text_21 = $.text();
-							$.template_effect(($0) => $.set_text(text_21, $0), [() => t("cycles.insert")]);
-							$.append($$anchor, text_21);
+							var text_22 = $.text();
+							$.template_effect(($0) => $.set_text(text_22, $0), [() => t("cycles.insert")]);
+							$.append($$anchor, text_22);
 						},
 						$$slots: { default: true }
 					});
@@ -853,14 +884,14 @@ function Cycles($$anchor, $$props) {
 				$.reset(div);
 				$.template_effect(($0) => {
 					$.set_attribute(nav, "aria-label", $0);
-					classes_1 = $.set_class(p_1, 1, "state s-1ghc2z3", null, classes_1, { wrong: $.get(errors).length > 0 });
-					$.set_attribute(p_1, "data-ready", !$.get(busy) && !!$.get(written)?.text);
+					classes_2 = $.set_class(p_1, 1, "state s-68pwn8", null, classes_2, { wrong: $.get(errors).length > 0 });
+					$.set_attribute(p_1, "data-ready", !!$.get(ready));
 				}, [() => t("cycles.title")]);
 				$.append($$anchor, div);
 			};
 			$.if(node, ($$render) => {
 				if ($.get(failed)) $$render(consequent);
-				else if ($.get(form) && $.get(filled) && $.get(drawn)) $$render(consequent_12, 1);
+				else if ($.get(form) && $.get(filled) && $.get(drawn)) $$render(consequent_13, 1);
 			});
 			$.append($$anchor, fragment_1);
 		},

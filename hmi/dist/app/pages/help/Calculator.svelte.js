@@ -1,4 +1,5 @@
 import { t } from "../../lib/i18n/index.svelte.js";
+import { route } from "../../lib/routing.svelte.js";
 import { calculate } from "./calculate.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
@@ -8,7 +9,7 @@ var root_1 = $.from_html(`<li class="s-1jn6l0x"><button type="button" class="s-1
 var root_2 = $.from_html(`<div class="calculator s-1jn6l0x"><form class="s-1jn6l0x"><input class="number s-1jn6l0x" spellcheck="false" autocomplete="off" data-testid="sum"/> <output class="number s-1jn6l0x"> </output> <div class="keys s-1jn6l0x"></div></form> <ul class="number s-1jn6l0x"></ul></div>`);
 function Calculator($$anchor, $$props) {
 	$.push($$props, true);
-	let sum = $.state("");
+	let sum = $.state($.proxy(route.item));
 	let past = $.state([]);
 	const value = $.derived(() => calculate($.get(sum)));
 	const shown = (number) => Number(number.toPrecision(12)).toString();

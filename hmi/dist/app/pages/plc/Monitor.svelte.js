@@ -45,16 +45,6 @@ function Monitor($$anchor, $$props) {
 		machine.fetch("text", { do: "ladder" }).then((reply) => {
 			if (reply) $.set(text, reply.text);
 		});
-		machine.ask({
-			do: "watch_ladder",
-			on: true
-		}).catch(() => void 0);
-		return () => {
-			machine.ask({
-				do: "watch_ladder",
-				on: false
-			}).catch(() => void 0);
-		};
 	});
 	$.user_effect(() => {
 		const wanted = language();

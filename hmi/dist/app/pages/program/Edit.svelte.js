@@ -8,23 +8,27 @@ import Icon from "../../lib/parts/Icon.svelte.js";
 import Labelled from "../../lib/parts/Labelled.svelte.js";
 import NumberField from "../../lib/parts/NumberField.svelte.js";
 import { go, route } from "../../lib/routing.svelte.js";
-import { editing, lineFor } from "../../lib/state/editing.svelte.js";
+import { codesLost, editing, lineFor } from "../../lib/state/editing.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import { notify } from "../../lib/state/notices.svelte.js";
 import { programs } from "../../lib/state/programs.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/program/Edit.svelte
-var root = $.from_html(`<i class="s-1h8swef"></i>`);
-var root_1 = $.from_html(`<span class="background s-1h8swef"> </span>`);
+var root = $.from_html(`<i class="s-kotyyf"></i>`);
+var root_1 = $.from_html(`<span class="background s-kotyyf"> </span>`);
 var root_2 = $.from_html(`<span class="muted" data-testid="checked-on-save" role="status"> </span>`);
-var root_3 = $.from_html(`<span class="background s-1h8swef" data-testid="closed"> </span>`);
-var root_4 = $.from_html(`<p class="muted"> </p>`);
-var root_5 = $.from_html(`<li><button type="button"><!><span class="number"> </span><span class="code muted"> </span><span> </span></button></li>`);
-var root_6 = $.from_html(`<ul class="findings scroll s-1h8swef" data-testid="findings"></ul>`);
-var root_7 = $.from_html(`<div class="edit s-1h8swef" data-testid="editor"><div class="row wrap"><strong class="code name s-1h8swef"> <!></strong> <!> <!> <!> <!> <span class="grow"></span> <!> <!> <!> <!> <!> <!> <!></div> <div class="text s-1h8swef"><!></div> <!></div>`);
-var root_8 = $.from_html(`<!> <!>`, 1);
-var root_9 = $.from_html(`<div class="row"><!> <!></div>`);
+var root_3 = $.from_html(`<span class="background s-kotyyf" data-testid="closed"> </span>`);
+var root_4 = $.from_html(`<div class="newer row wrap s-kotyyf" role="alert" data-testid="newer"><!><span class="grow"> </span> <!></div>`);
+var root_5 = $.from_html(`<div class="newer row s-kotyyf" role="alert" data-testid="codes-lost"><!><span class="grow"> </span> <!></div>`);
+var root_6 = $.from_html(`<p class="muted"> </p>`);
+var root_7 = $.from_html(`<li><button type="button"><!><span class="number"> </span><span class="code muted"> </span><span> </span></button></li>`);
+var root_8 = $.from_html(`<ul class="findings scroll s-kotyyf" data-testid="findings"></ul>`);
+var root_9 = $.from_html(`<div class="edit s-kotyyf" data-testid="editor"><div class="row wrap"><strong class="code name s-kotyyf"> <!></strong> <!> <!> <!> <!> <span class="grow"></span> <!> <!> <!> <!> <!> <!> <!></div> <!> <!> <div class="text s-kotyyf"><!></div> <!></div>`);
+var root_10 = $.from_html(`<!> <!>`, 1);
+var root_11 = $.from_html(`<div class="row"><!> <!></div>`);
+var root_12 = $.from_html(`<p> </p>`);
+var root_13 = $.from_html(`<!> <!> <!>`, 1);
 function Edit($$anchor, $$props) {
 	$.push($$props, true);
 	const name = $.derived(() => route.item || machine.status?.program.selected || "");
@@ -45,25 +49,72 @@ function Edit($$anchor, $$props) {
 		$.get(shown);
 		$.set(isLong, $.get(editor)?.isLong() ?? false, true);
 	});
+	/** What the memory had when it was read or stored last, and when that was changed. */
+	let base = "";
+	let stamp = null;
+	/** Whether the memory has what was not seen here, while something is changed here. */
+	let isNewer = $.state(false);
+	let replaces = $.state(false);
+	/** What reads and what stores goes one after the other, so that what is stored here is not taken for somebody else's. */
+	let last = Promise.resolve();
+	function queue(work) {
+		const done = last.then(work, work);
+		last = done.catch(() => void 0);
+		return done;
+	}
 	$.user_effect(() => {
 		const wanted = $.get(name);
 		if (!wanted || wanted === $.get(shown) || machine.link !== "open") return;
 		$.set(opening, true);
-		programs.read(wanted).then((now) => {
+		open(wanted).catch((refused) => {
 			if (wanted !== $.get(name)) return;
-			$.get(editor)?.leave();
-			const draft = editing.draft(wanted);
-			$.set(text, draft ?? now, true);
-			$.set(shown, wanted, true);
-			$.set(changed, draft !== null);
-			$.set(findings, []);
-			$.set(opening, false);
-		}, (refused) => {
 			$.set(opening, false);
 			machine.refused(refused);
 			go("program", "directory");
 		});
 	});
+	async function open(wanted) {
+		const at = await programs.changedAt(wanted);
+		const now = await programs.read(wanted);
+		if (wanted !== $.get(name)) return;
+		$.get(editor)?.leave();
+		const draft = editing.draft(wanted);
+		$.set(text, draft?.text ?? now, true);
+		$.set(shown, wanted, true);
+		$.set(changed, draft !== null && draft.text !== now, true);
+		$.set(isNewer, $.get(changed) && draft?.base !== now, true);
+		[base, stamp] = [$.get(isNewer) ? draft?.base ?? now : now, at];
+		$.set(findings, []);
+		$.set(opening, false);
+	}
+	$.user_effect(() => {
+		machine.changed("programs");
+		if ($.get(shown) && machine.link === "open") queue(follow);
+	});
+	async function follow() {
+		const program = $.get(shown);
+		const at = await programs.changedAt(program);
+		if (at === null ? programs.list?.every((one) => one.name !== program) : at === stamp) return;
+		const now = await programs.read(program).catch(() => null);
+		if (now === null || program !== $.get(shown)) return;
+		stamp = at;
+		if (now === base) $.set(isNewer, false);
+		else if ($.get(changed) && now !== $.get(editor)?.value()) $.set(isNewer, true);
+		else take(now);
+	}
+	/** Shows what the memory has now. */
+	function take(now) {
+		$.get(editor)?.reopen(now);
+		$.set(text, now, true);
+		base = now;
+		$.set(changed, false);
+		$.set(isNewer, false);
+		$.set(isLong, $.get(editor)?.isLong() ?? false, true);
+	}
+	function takeNewer() {
+		const program = $.get(shown);
+		queue(() => programs.read(program)).then((now) => program === $.get(shown) && take(now), machine.refused);
+	}
 	let increment = $.state(0);
 	const isClosed = $.derived(() => machine.status?.switches.programs === false);
 	const hasSettings = $.derived(() => typeof machine.status?.switches.programs === "boolean");
@@ -77,12 +128,25 @@ function Edit($$anchor, $$props) {
 			if (reply) $.set(increment, reply.parameters["NO0.5"] ? reply.parameters.P210 ?? 0 : 0, true);
 		});
 	});
+	/** What is not in force any more behind the text that was put in last. */
+	let lost = $.state({
+		program: "",
+		codes: []
+	});
 	$.user_effect(() => {
 		const name = $.get(shown);
 		if (!$.get(editor) || !name || !editing.waits(name)) return;
 		const at = editing.program === name ? editing.line : 0;
 		const into = $.get(editor);
-		queueMicrotask(() => into.insertBehind(lineFor(into.value(), at), editing.take()));
+		queueMicrotask(() => {
+			const [now, piece] = [into.value(), editing.take()];
+			const line = lineFor(now, at);
+			$.set(lost, {
+				program: name,
+				codes: codesLost(now.split(/\r?\n/).slice(0, line).join("\n"), piece)
+			});
+			into.insertBehind(line, piece);
+		});
 	});
 	$.user_effect(() => {
 		const ask = (event) => {
@@ -92,8 +156,16 @@ function Edit($$anchor, $$props) {
 		return () => removeEventListener("beforeunload", ask);
 	});
 	async function save() {
-		if (!$.get(editor) || !await programs.store($.get(shown), $.get(editor).value())) return;
-		$.set(changed, false);
+		if (!$.get(editor)) return;
+		const before = $.get(shown);
+		await queue(follow);
+		if (before !== $.get(shown)) return;
+		if ($.get(isNewer)) $.set(replaces, true);
+		else await store();
+	}
+	async function store() {
+		$.set(replaces, false);
+		if (!$.get(editor) || !await queue(put)) return;
 		notify({
 			kind: "done",
 			title: t("program.saved", { program: $.get(shown) })
@@ -109,6 +181,15 @@ function Edit($$anchor, $$props) {
 		}
 		$.set(checking, false);
 	}
+	/** Stores what stands here; whether it was. */
+	async function put() {
+		const [program, now] = [$.get(shown), $.get(editor)?.value() ?? ""];
+		if (!await programs.store(program, now) || program !== $.get(shown)) return false;
+		base = now;
+		$.set(changed, $.get(editor)?.value() !== now);
+		$.set(isNewer, false);
+		return true;
+	}
 	async function select() {
 		if ($.get(changed)) await save();
 		if (!$.get(changed) && await machine.tell({
@@ -120,7 +201,7 @@ function Edit($$anchor, $$props) {
 		$.get(editor)?.rewrite((lines) => renumber(lines, $.get(first), $.get(step)));
 		$.set(numbering, false);
 	}
-	var fragment = root_8();
+	var fragment = root_13();
 	var node = $.first_child(fragment);
 	var consequent = ($$anchor) => {
 		{
@@ -153,7 +234,7 @@ function Edit($$anchor, $$props) {
 		}
 	};
 	var alternate = ($$anchor) => {
-		var div = root_7();
+		var div = root_9();
 		var div_1 = $.child(div);
 		var strong = $.child(div_1);
 		var text_2 = $.child(strong, true);
@@ -315,12 +396,67 @@ function Edit($$anchor, $$props) {
 			});
 		}
 		$.reset(div_1);
-		var div_2 = $.sibling(div_1, 2);
-		var node_13 = $.child(div_2);
+		var node_13 = $.sibling(div_1, 2);
 		var consequent_6 = ($$anchor) => {
-			var fragment_7 = $.comment();
-			var node_14 = $.first_child(fragment_7);
-			$.key(node_14, () => $.get(shown), ($$anchor) => {
+			var div_2 = root_4();
+			var node_14 = $.child(div_2);
+			Icon(node_14, { name: "alarms" });
+			var span_4 = $.sibling(node_14);
+			var text_10 = $.only_child(span_4, true);
+			var node_15 = $.sibling(span_4, 2);
+			Button(node_15, {
+				onclick: takeNewer,
+				"data-testid": "take-newer",
+				children: ($$anchor, $$slotProps) => {
+					$.next();
+					var text_11 = $.text();
+					$.template_effect(($0) => $.set_text(text_11, $0), [() => t("program.take_newer")]);
+					$.append($$anchor, text_11);
+				},
+				$$slots: { default: true }
+			});
+			$.reset(div_2);
+			$.template_effect(($0) => $.set_text(text_10, $0), [() => t("program.newer")]);
+			$.append($$anchor, div_2);
+		};
+		$.if(node_13, ($$render) => {
+			if ($.get(isNewer)) $$render(consequent_6);
+		});
+		var node_16 = $.sibling(node_13, 2);
+		var consequent_7 = ($$anchor) => {
+			var div_3 = root_5();
+			var node_17 = $.child(div_3);
+			Icon(node_17, { name: "alarms" });
+			var span_5 = $.sibling(node_17);
+			var text_12 = $.only_child(span_5, true);
+			var node_18 = $.sibling(span_5, 2);
+			{
+				let $0 = $.derived(() => t("app.close"));
+				Button(node_18, {
+					kind: "quiet",
+					icon: "close",
+					get "aria-label"() {
+						return $.get($0);
+					},
+					onclick: () => $.set(lost, {
+						program: "",
+						codes: []
+					})
+				});
+			}
+			$.reset(div_3);
+			$.template_effect(($0) => $.set_text(text_12, $0), [() => t("program.codes_lost", { codes: $.get(lost).codes.join(" ") })]);
+			$.append($$anchor, div_3);
+		};
+		$.if(node_16, ($$render) => {
+			if ($.get(lost).program === $.get(shown) && $.get(lost).codes.length) $$render(consequent_7);
+		});
+		var div_4 = $.sibling(node_16, 2);
+		var node_19 = $.child(div_4);
+		var consequent_8 = ($$anchor) => {
+			var fragment_8 = $.comment();
+			var node_20 = $.first_child(fragment_8);
+			$.key(node_20, () => $.get(shown), ($$anchor) => {
 				{
 					let $0 = $.derived(() => t("program.edit"));
 					$.bind_this(Editor($$anchor, {
@@ -339,44 +475,47 @@ function Edit($$anchor, $$props) {
 						},
 						onsave: () => void save(),
 						onfindings: (now) => $.set(findings, now),
-						onleave: (now, line) => editing.leave($.get(shown), line, $.get(changed) ? now() : null)
+						onleave: (now, line) => editing.leave($.get(shown), line, $.get(changed) ? {
+							text: now(),
+							base
+						} : null)
 					}), ($$value) => $.set(editor, $$value, true), () => $.get(editor));
 				}
 			});
-			$.append($$anchor, fragment_7);
+			$.append($$anchor, fragment_8);
 		};
-		var consequent_7 = ($$anchor) => {
-			var p = root_4();
-			var text_10 = $.only_child(p, true);
-			$.template_effect(($0) => $.set_text(text_10, $0), [() => t("app.loading")]);
+		var consequent_9 = ($$anchor) => {
+			var p = root_6();
+			var text_13 = $.only_child(p, true);
+			$.template_effect(($0) => $.set_text(text_13, $0), [() => t("app.loading")]);
 			$.append($$anchor, p);
 		};
-		$.if(node_13, ($$render) => {
-			if ($.get(shown)) $$render(consequent_6);
-			else if ($.get(opening)) $$render(consequent_7, 1);
+		$.if(node_19, ($$render) => {
+			if ($.get(shown)) $$render(consequent_8);
+			else if ($.get(opening)) $$render(consequent_9, 1);
 		});
-		$.reset(div_2);
-		var node_15 = $.sibling(div_2, 2);
-		var consequent_8 = ($$anchor) => {
-			var ul = root_6();
+		$.reset(div_4);
+		var node_21 = $.sibling(div_4, 2);
+		var consequent_10 = ($$anchor) => {
+			var ul = root_8();
 			$.each(ul, 21, () => $.get(findings).slice(0, 200), $.index, ($$anchor, finding) => {
-				var li = root_5();
+				var li = root_7();
 				var button = $.child(li);
-				var node_16 = $.child(button);
-				Icon(node_16, { name: "alarms" });
-				var span_4 = $.sibling(node_16);
-				var text_11 = $.only_child(span_4);
-				var span_5 = $.sibling(span_4);
-				var text_12 = $.only_child(span_5, true);
-				var span_6 = $.sibling(span_5);
-				var text_13 = $.only_child(span_6, true);
+				var node_22 = $.child(button);
+				Icon(node_22, { name: "alarms" });
+				var span_6 = $.sibling(node_22);
+				var text_14 = $.only_child(span_6);
+				var span_7 = $.sibling(span_6);
+				var text_15 = $.only_child(span_7, true);
+				var span_8 = $.sibling(span_7);
+				var text_16 = $.only_child(span_8, true);
 				$.reset(button);
 				$.reset(li);
 				$.template_effect(() => {
-					$.set_class(button, 1, $.clsx($.get(finding).severity), "s-1h8swef");
-					$.set_text(text_11, `${$.get(finding).line ?? ""}:${$.get(finding).column ?? ""}`);
-					$.set_text(text_12, $.get(finding).id);
-					$.set_text(text_13, $.get(finding).text);
+					$.set_class(button, 1, $.clsx($.get(finding).severity), "s-kotyyf");
+					$.set_text(text_14, `${$.get(finding).line ?? ""}:${$.get(finding).column ?? ""}`);
+					$.set_text(text_15, $.get(finding).id);
+					$.set_text(text_16, $.get(finding).text);
 				});
 				$.delegated("click", button, () => $.get(editor)?.show($.get(finding).line));
 				$.append($$anchor, li);
@@ -384,8 +523,8 @@ function Edit($$anchor, $$props) {
 			$.reset(ul);
 			$.append($$anchor, ul);
 		};
-		$.if(node_15, ($$render) => {
-			if ($.get(findings).length) $$render(consequent_8);
+		$.if(node_21, ($$render) => {
+			if ($.get(findings).length) $$render(consequent_10);
 		});
 		$.reset(div);
 		$.template_effect(() => $.set_text(text_2, $.get(shown) || $.get(name)));
@@ -395,37 +534,37 @@ function Edit($$anchor, $$props) {
 		if (!$.get(name)) $$render(consequent);
 		else $$render(alternate, -1);
 	});
-	var node_17 = $.sibling(node, 2);
+	var node_23 = $.sibling(node, 2);
 	{
 		const actions = ($$anchor) => {
-			var fragment_9 = root_8();
-			var node_18 = $.first_child(fragment_9);
-			Button(node_18, {
+			var fragment_10 = root_10();
+			var node_24 = $.first_child(fragment_10);
+			Button(node_24, {
 				onclick: () => $.set(numbering, false),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_14 = $.text();
-					$.template_effect(($0) => $.set_text(text_14, $0), [() => t("app.cancel")]);
-					$.append($$anchor, text_14);
+					var text_17 = $.text();
+					$.template_effect(($0) => $.set_text(text_17, $0), [() => t("app.cancel")]);
+					$.append($$anchor, text_17);
 				},
 				$$slots: { default: true }
 			});
-			var node_19 = $.sibling(node_18, 2);
-			Button(node_19, {
+			var node_25 = $.sibling(node_24, 2);
+			Button(node_25, {
 				kind: "primary",
 				onclick: number,
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_15 = $.text();
-					$.template_effect(($0) => $.set_text(text_15, $0), [() => t("program.renumber")]);
-					$.append($$anchor, text_15);
+					var text_18 = $.text();
+					$.template_effect(($0) => $.set_text(text_18, $0), [() => t("program.renumber")]);
+					$.append($$anchor, text_18);
 				},
 				$$slots: { default: true }
 			});
-			$.append($$anchor, fragment_9);
+			$.append($$anchor, fragment_10);
 		};
 		let $0 = $.derived(() => t("program.renumber"));
-		Dialog(node_17, {
+		Dialog(node_23, {
 			get title() {
 				return $.get($0);
 			},
@@ -437,11 +576,11 @@ function Edit($$anchor, $$props) {
 			},
 			actions,
 			children: ($$anchor, $$slotProps) => {
-				var div_3 = root_9();
-				var node_20 = $.child(div_3);
+				var div_5 = root_11();
+				var node_26 = $.child(div_5);
 				{
 					let $0 = $.derived(() => t("program.first"));
-					Labelled(node_20, {
+					Labelled(node_26, {
 						get label() {
 							return $.get($0);
 						},
@@ -465,10 +604,10 @@ function Edit($$anchor, $$props) {
 						$$slots: { default: true }
 					});
 				}
-				var node_21 = $.sibling(node_20, 2);
+				var node_27 = $.sibling(node_26, 2);
 				{
 					let $0 = $.derived(() => t("program.step"));
-					Labelled(node_21, {
+					Labelled(node_27, {
 						get label() {
 							return $.get($0);
 						},
@@ -492,8 +631,62 @@ function Edit($$anchor, $$props) {
 						$$slots: { default: true }
 					});
 				}
-				$.reset(div_3);
-				$.append($$anchor, div_3);
+				$.reset(div_5);
+				$.append($$anchor, div_5);
+			},
+			$$slots: {
+				actions: true,
+				default: true
+			}
+		});
+	}
+	var node_28 = $.sibling(node_23, 2);
+	{
+		const actions = ($$anchor) => {
+			var fragment_15 = root_10();
+			var node_29 = $.first_child(fragment_15);
+			Button(node_29, {
+				onclick: () => $.set(replaces, false),
+				children: ($$anchor, $$slotProps) => {
+					$.next();
+					var text_19 = $.text();
+					$.template_effect(($0) => $.set_text(text_19, $0), [() => t("app.cancel")]);
+					$.append($$anchor, text_19);
+				},
+				$$slots: { default: true }
+			});
+			var node_30 = $.sibling(node_29, 2);
+			Button(node_30, {
+				kind: "danger",
+				onclick: () => void store(),
+				"data-testid": "replace-newer",
+				children: ($$anchor, $$slotProps) => {
+					$.next();
+					var text_20 = $.text();
+					$.template_effect(($0) => $.set_text(text_20, $0), [() => t("program.replace")]);
+					$.append($$anchor, text_20);
+				},
+				$$slots: { default: true }
+			});
+			$.append($$anchor, fragment_15);
+		};
+		let $0 = $.derived(() => t("program.replace_newer"));
+		Dialog(node_28, {
+			get title() {
+				return $.get($0);
+			},
+			get open() {
+				return $.get(replaces);
+			},
+			set open($$value) {
+				$.set(replaces, $$value, true);
+			},
+			actions,
+			children: ($$anchor, $$slotProps) => {
+				var p_1 = root_12();
+				var text_21 = $.only_child(p_1, true);
+				$.template_effect(($0) => $.set_text(text_21, $0), [() => t("program.replace_newer_text")]);
+				$.append($$anchor, p_1);
 			},
 			$$slots: {
 				actions: true,

@@ -1,5 +1,5 @@
 import { t } from "../../lib/i18n/index.svelte.js";
-import { edge, middle } from "../../lib/measuring.js";
+import { edge, middle, zeroAt } from "../../lib/measuring.js";
 import { fixed } from "../../lib/numbers.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import Card from "../../lib/parts/Card.svelte.js";
@@ -14,23 +14,24 @@ import * as $ from "svelte/internal/client";
 var root = $.from_svg(`<circle r="10"></circle>`);
 var root_1 = $.from_svg(`<circle cx="120" cy="75" r="58" class="work s-1tpnn43"></circle><!>`, 1);
 var root_2 = $.from_svg(`<circle cx="120" cy="29" r="11"></circle><circle cx="120" cy="121" r="11"></circle>`, 1);
-var root_3 = $.from_svg(`<circle cx="59" cy="75" r="11"></circle>`);
-var root_4 = $.from_svg(`<circle cx="181" cy="75" r="11"></circle>`);
-var root_5 = $.from_svg(`<rect x="70" y="40" width="100" height="70" class="work s-1tpnn43"></rect><!><!><!>`, 1);
-var root_6 = $.from_svg(`<path class="zero s-1tpnn43"></path>`);
-var root_7 = $.from_html(`<option> </option>`);
-var root_8 = $.from_html(`<select></select>`);
-var root_9 = $.from_html(`<div class="row wrap"><!> <!></div>`);
-var root_10 = $.from_html(`<div class="form s-1tpnn43"><!> <svg viewBox="0 0 240 150" role="img" class="s-1tpnn43"><!><!></svg> <div class="fields s-1tpnn43"><!> <!> <!></div> <!></div>`);
-var root_11 = $.from_html(`<td class="right"><small class="muted"> </small> </td>`);
-var root_12 = $.from_html(`<td class="right"> </td>`);
-var root_13 = $.from_html(`<tr><th class="number"></th><!></tr>`);
-var root_14 = $.from_html(`<strong> </strong>`);
-var root_15 = $.from_html(`<p class="muted s-1tpnn43"> </p>`);
-var root_16 = $.from_html(`<div class="result number s-1tpnn43"><!> <!></div>`);
-var root_17 = $.from_html(`<p class="bad s-1tpnn43"> </p>`);
-var root_18 = $.from_html(`<div class="form s-1tpnn43"><p class="muted"> </p> <table class="table"><tbody><tr><th> </th><!></tr><!></tbody></table> <div class="row"><!> <!></div> <!> <!></div>`);
-var root_19 = $.from_html(`<div class="centring s-1tpnn43"><!> <!></div>`);
+var root_3 = $.from_svg(`<circle cx="120" cy="29" r="11"></circle>`);
+var root_4 = $.from_svg(`<circle cx="59" cy="75" r="11"></circle>`);
+var root_5 = $.from_svg(`<circle cx="181" cy="75" r="11"></circle>`);
+var root_6 = $.from_svg(`<rect x="70" y="40" width="100" height="70" class="work s-1tpnn43"></rect><!><!><!><!>`, 1);
+var root_7 = $.from_svg(`<path class="zero s-1tpnn43"></path>`);
+var root_8 = $.from_html(`<option> </option>`);
+var root_9 = $.from_html(`<select></select>`);
+var root_10 = $.from_html(`<div class="row wrap"><!> <!></div>`);
+var root_11 = $.from_html(`<div class="form s-1tpnn43"><!> <svg viewBox="0 0 240 150" role="img" class="s-1tpnn43"><!><!></svg> <div class="fields s-1tpnn43"><!> <!> <!></div> <!></div>`);
+var root_12 = $.from_html(`<td class="right"><small class="muted"> </small> </td>`);
+var root_13 = $.from_html(`<td class="right"> </td>`);
+var root_14 = $.from_html(`<tr><th class="number"></th><!></tr>`);
+var root_15 = $.from_html(`<strong> </strong>`);
+var root_16 = $.from_html(`<p class="muted s-1tpnn43"> </p>`);
+var root_17 = $.from_html(`<div class="result number s-1tpnn43"><!> <!></div>`);
+var root_18 = $.from_html(`<p class="bad s-1tpnn43"> </p>`);
+var root_19 = $.from_html(`<div class="form s-1tpnn43"><p class="muted"> </p> <table class="table"><tbody><tr><th> </th><!></tr><!></tbody></table> <div class="row"><!> <!></div> <!> <!></div>`);
+var root_20 = $.from_html(`<div class="centring s-1tpnn43"><!> <!></div>`);
 function Centring($$anchor, $$props) {
 	$.push($$props, true);
 	let kind = $.state("middle");
@@ -52,10 +53,13 @@ function Centring($$anchor, $$props) {
 		value,
 		label: t(`settings.${value}`)
 	})));
-	const axes = $.derived(() => machine.axes.filter((one) => "XYZ".includes(one)).map((value) => ({
+	/** A work has one end along Z. */
+	const axes = $.derived(() => machine.axes.filter((one) => ($.get(kind) === "edge" ? "XYZ" : "XY").includes(one)).map((value) => ({
 		value,
 		label: value
 	})));
+	/** Z is touched with the end of the tool, which the tool's radius says nothing of. */
+	const isEnd = $.derived(() => $.get(kind) === "edge" && $.get(axis) === "Z");
 	const sides = $.derived(() => ["below", "above"].map((value) => ({
 		value,
 		label: t(`settings.from_${value}`)
@@ -72,7 +76,7 @@ function Centring($$anchor, $$props) {
 	const result = $.derived(() => {
 		if ($.get(points).length < $.get(wanted)) return null;
 		if ($.get(kind) === "edge") return {
-			axes: { [$.get(axis)]: edge($.get(points)[0][$.get(axis)] ?? 0, $.get(radius), $.get(from)) },
+			axes: { [$.get(axis)]: edge($.get(points)[0][$.get(axis)] ?? 0, $.get(isEnd) ? 0 : $.get(radius), $.get(from)) },
 			texts: []
 		};
 		if ($.get(kind) === "middle") {
@@ -117,7 +121,12 @@ function Centring($$anchor, $$props) {
 		$.set(centre, null);
 		await machine.tell({ do: "clear_points" });
 	}
+	function choose() {
+		if ($.get(kind) !== "edge" && $.get(axis) === "Z") $.set(axis, "X");
+		again();
+	}
 	async function take() {
+		if ($.get(points).length === 0 && !await machine.tell({ do: "clear_points" })) return;
 		if (await machine.tell({
 			do: "touch_point",
 			number: Math.min($.get(points).length + 1, $.get(most))
@@ -125,11 +134,15 @@ function Centring($$anchor, $$props) {
 	}
 	async function apply() {
 		if (!$.get(result)) return;
-		if (!($.get(kind) === "edge" || $.get(kind) === "middle" ? await machine.tell({
-			do: "set_zero",
-			system: $.get(system),
-			axes: Object.fromEntries(Object.entries($.get(result).axes).map(([name, place]) => [name, place - $.get(coordinate)]))
-		}) : await machine.tell({
+		if ($.get(kind) === "edge" || $.get(kind) === "middle") {
+			const found = $.get(result).axes;
+			const reply = await machine.fetch("zeros", { do: "zeros" });
+			if (!reply || !await machine.tell({
+				do: "set_zero",
+				system: $.get(system),
+				axes: zeroAt(found, $.get(coordinate), reply.zeros.external ?? {})
+			})) return;
+		} else if (!await machine.tell({
 			do: "centre",
 			circle: $.get(kind) === "circle",
 			system: $.get(system),
@@ -137,14 +150,14 @@ function Centring($$anchor, $$props) {
 				X: $.get(coordinate),
 				Y: $.get(coordinate)
 			}
-		}))) return;
+		})) return;
 		notify({
 			kind: "done",
 			title: t("settings.zero_set", { system: $.get(system) })
 		});
 		await again();
 	}
-	var div = root_19();
+	var div = root_20();
 	var node = $.child(div);
 	{
 		let $0 = $.derived(() => t("settings.centring"));
@@ -153,7 +166,7 @@ function Centring($$anchor, $$props) {
 				return $.get($0);
 			},
 			children: ($$anchor, $$slotProps) => {
-				var div_1 = root_10();
+				var div_1 = root_11();
 				var node_1 = $.child(div_1);
 				{
 					let $0 = $.derived(() => t("settings.centring"));
@@ -164,7 +177,7 @@ function Centring($$anchor, $$props) {
 						get label() {
 							return $.get($0);
 						},
-						onchange: () => void again(),
+						onchange: choose,
 						get value() {
 							return $.get(kind);
 						},
@@ -195,7 +208,7 @@ function Centring($$anchor, $$props) {
 					$.append($$anchor, fragment);
 				};
 				var alternate = ($$anchor) => {
-					var fragment_1 = root_5();
+					var fragment_1 = root_6();
 					var node_4 = $.sibling($.first_child(fragment_1));
 					var consequent_1 = ($$anchor) => {
 						var fragment_2 = root_2();
@@ -220,17 +233,27 @@ function Centring($$anchor, $$props) {
 						$.append($$anchor, circle_3);
 					};
 					$.if(node_5, ($$render) => {
-						if ($.get(kind) !== "edge" || $.get(from) === "below") $$render(consequent_2);
+						if ($.get(isEnd)) $$render(consequent_2);
 					});
 					var node_6 = $.sibling(node_5);
 					var consequent_3 = ($$anchor) => {
 						var circle_4 = root_4();
 						let classes_4;
-						$.template_effect(() => classes_4 = $.set_class(circle_4, 0, "touch s-1tpnn43", null, classes_4, { done: $.get(points).length > ($.get(kind) === "edge" ? 0 : 1) }));
+						$.template_effect(() => classes_4 = $.set_class(circle_4, 0, "touch s-1tpnn43", null, classes_4, { done: $.get(points).length > 0 }));
 						$.append($$anchor, circle_4);
 					};
 					$.if(node_6, ($$render) => {
-						if ($.get(kind) !== "edge" || $.get(from) === "above") $$render(consequent_3);
+						if (!$.get(isEnd) && ($.get(kind) !== "edge" || $.get(from) === "below")) $$render(consequent_3);
+					});
+					var node_7 = $.sibling(node_6);
+					var consequent_4 = ($$anchor) => {
+						var circle_5 = root_5();
+						let classes_5;
+						$.template_effect(() => classes_5 = $.set_class(circle_5, 0, "touch s-1tpnn43", null, classes_5, { done: $.get(points).length > ($.get(kind) === "edge" ? 0 : 1) }));
+						$.append($$anchor, circle_5);
+					};
+					$.if(node_7, ($$render) => {
+						if (!$.get(isEnd) && ($.get(kind) !== "edge" || $.get(from) === "above")) $$render(consequent_4);
 					});
 					$.append($$anchor, fragment_1);
 				};
@@ -238,26 +261,26 @@ function Centring($$anchor, $$props) {
 					if ($.get(kind) === "circle") $$render(consequent);
 					else $$render(alternate, -1);
 				});
-				var node_7 = $.sibling(node_2);
-				var consequent_4 = ($$anchor) => {
-					var path = root_6();
-					$.template_effect(() => $.set_attribute(path, "d", $.get(kind) === "edge" ? $.get(from) === "below" ? "M70 20V130M55 75H85" : "M170 20V130M155 75H185" : "M120 20V130M65 75H175"));
+				var node_8 = $.sibling(node_2);
+				var consequent_5 = ($$anchor) => {
+					var path = root_7();
+					$.template_effect(() => $.set_attribute(path, "d", $.get(isEnd) ? "M65 40H175M120 25V55" : $.get(kind) === "edge" ? $.get(from) === "below" ? "M70 20V130M55 75H85" : "M170 20V130M155 75H185" : "M120 20V130M65 75H175"));
 					$.append($$anchor, path);
 				};
-				$.if(node_7, ($$render) => {
-					if ($.get(result)) $$render(consequent_4);
+				$.if(node_8, ($$render) => {
+					if ($.get(result)) $$render(consequent_5);
 				});
 				$.reset(svg);
 				var div_2 = $.sibling(svg, 2);
-				var node_8 = $.child(div_2);
+				var node_9 = $.child(div_2);
 				{
 					let $0 = $.derived(() => t("settings.system"));
-					Labelled(node_8, {
+					Labelled(node_9, {
 						get label() {
 							return $.get($0);
 						},
 						children: ($$anchor, $$slotProps) => {
-							var select = root_8();
+							var select = root_9();
 							$.each(select, 20, () => [
 								"G54",
 								"G55",
@@ -266,7 +289,7 @@ function Centring($$anchor, $$props) {
 								"G58",
 								"G59"
 							], (one) => one, ($$anchor, one) => {
-								var option = root_7();
+								var option = root_8();
 								var text_1 = $.only_child(option, true);
 								var option_value = {};
 								$.template_effect(() => {
@@ -283,39 +306,44 @@ function Centring($$anchor, $$props) {
 						$$slots: { default: true }
 					});
 				}
-				var node_9 = $.sibling(node_8, 2);
-				{
-					let $0 = $.derived(() => t("settings.tool_radius"));
-					Labelled(node_9, {
-						get label() {
-							return $.get($0);
-						},
-						children: ($$anchor, $$slotProps) => {
-							{
-								let $0 = $.derived(() => t("unit.mm"));
-								let $1 = $.derived(() => t("settings.tool_radius"));
-								NumberField($$anchor, {
-									get value() {
-										return $.get(radius);
-									},
-									minimum: 0,
-									get unit() {
-										return $.get($0);
-									},
-									get label() {
-										return $.get($1);
-									},
-									onvalue: (value) => $.set(radius, value ?? 0, true)
-								});
-							}
-						},
-						$$slots: { default: true }
-					});
-				}
 				var node_10 = $.sibling(node_9, 2);
+				var consequent_6 = ($$anchor) => {
+					{
+						let $0 = $.derived(() => t("settings.tool_radius"));
+						Labelled($$anchor, {
+							get label() {
+								return $.get($0);
+							},
+							children: ($$anchor, $$slotProps) => {
+								{
+									let $0 = $.derived(() => t("unit.mm"));
+									let $1 = $.derived(() => t("settings.tool_radius"));
+									NumberField($$anchor, {
+										get value() {
+											return $.get(radius);
+										},
+										minimum: 0,
+										get unit() {
+											return $.get($0);
+										},
+										get label() {
+											return $.get($1);
+										},
+										onvalue: (value) => $.set(radius, value ?? 0, true)
+									});
+								}
+							},
+							$$slots: { default: true }
+						});
+					}
+				};
+				$.if(node_10, ($$render) => {
+					if (!$.get(isEnd)) $$render(consequent_6);
+				});
+				var node_11 = $.sibling(node_10, 2);
 				{
 					let $0 = $.derived(() => t("settings.coordinate"));
-					Labelled(node_10, {
+					Labelled(node_11, {
 						get label() {
 							return $.get($0);
 						},
@@ -341,13 +369,13 @@ function Centring($$anchor, $$props) {
 					});
 				}
 				$.reset(div_2);
-				var node_11 = $.sibling(div_2, 2);
-				var consequent_6 = ($$anchor) => {
-					var div_3 = root_9();
-					var node_12 = $.child(div_3);
+				var node_12 = $.sibling(div_2, 2);
+				var consequent_8 = ($$anchor) => {
+					var div_3 = root_10();
+					var node_13 = $.child(div_3);
 					{
 						let $0 = $.derived(() => t("panel.axes"));
-						Segmented(node_12, {
+						Segmented(node_13, {
 							get options() {
 								return $.get(axes);
 							},
@@ -363,8 +391,8 @@ function Centring($$anchor, $$props) {
 							}
 						});
 					}
-					var node_13 = $.sibling(node_12, 2);
-					var consequent_5 = ($$anchor) => {
+					var node_14 = $.sibling(node_13, 2);
+					var consequent_7 = ($$anchor) => {
 						{
 							let $0 = $.derived(() => t("settings.from"));
 							Segmented($$anchor, {
@@ -383,14 +411,14 @@ function Centring($$anchor, $$props) {
 							});
 						}
 					};
-					$.if(node_13, ($$render) => {
-						if ($.get(kind) === "edge") $$render(consequent_5);
+					$.if(node_14, ($$render) => {
+						if ($.get(kind) === "edge" && !$.get(isEnd)) $$render(consequent_7);
 					});
 					$.reset(div_3);
 					$.append($$anchor, div_3);
 				};
-				$.if(node_11, ($$render) => {
-					if ($.get(kind) === "edge" || $.get(kind) === "middle") $$render(consequent_6);
+				$.if(node_12, ($$render) => {
+					if ($.get(kind) === "edge" || $.get(kind) === "middle") $$render(consequent_8);
 				});
 				$.reset(div_1);
 				$.template_effect(($0) => $.set_attribute(svg, "aria-label", $0), [() => t(`settings.${$.get(kind)}`)]);
@@ -399,18 +427,18 @@ function Centring($$anchor, $$props) {
 			$$slots: { default: true }
 		});
 	}
-	var node_14 = $.sibling(node, 2);
+	var node_15 = $.sibling(node, 2);
 	{
 		let $0 = $.derived(() => t("settings.points", {
 			taken: $.get(points).length,
 			wanted: $.get(wanted)
 		}));
-		Card(node_14, {
+		Card(node_15, {
 			get title() {
 				return $.get($0);
 			},
 			children: ($$anchor, $$slotProps) => {
-				var div_4 = root_18();
+				var div_4 = root_19();
 				var p = $.child(div_4);
 				var text_2 = $.only_child(p, true);
 				var table = $.sibling(p, 2);
@@ -418,13 +446,13 @@ function Centring($$anchor, $$props) {
 				var tr = $.child(tbody);
 				var th = $.child(tr);
 				var text_3 = $.only_child(th, true);
-				var node_15 = $.sibling(th);
-				$.each(node_15, 16, () => [
+				var node_16 = $.sibling(th);
+				$.each(node_16, 16, () => [
 					"X",
 					"Y",
 					"Z"
 				], (one) => one, ($$anchor, one) => {
-					var td = root_11();
+					var td = root_12();
 					var small = $.child(td);
 					var text_4 = $.only_child(small, true);
 					var text_5 = $.sibling(small);
@@ -436,18 +464,18 @@ function Centring($$anchor, $$props) {
 					$.append($$anchor, td);
 				});
 				$.reset(tr);
-				var node_16 = $.sibling(tr);
-				$.each(node_16, 17, () => $.get(points), $.index, ($$anchor, point, index) => {
-					var tr_1 = root_13();
+				var node_17 = $.sibling(tr);
+				$.each(node_17, 17, () => $.get(points), $.index, ($$anchor, point, index) => {
+					var tr_1 = root_14();
 					var th_1 = $.child(tr_1);
 					th_1.textContent = index + 1;
-					var node_17 = $.sibling(th_1);
-					$.each(node_17, 16, () => [
+					var node_18 = $.sibling(th_1);
+					$.each(node_18, 16, () => [
 						"X",
 						"Y",
 						"Z"
 					], (one) => one, ($$anchor, one) => {
-						var td_1 = root_12();
+						var td_1 = root_13();
 						var text_6 = $.only_child(td_1, true);
 						$.template_effect(($0) => $.set_text(text_6, $0), [() => fixed($.get(point)[one])]);
 						$.append($$anchor, td_1);
@@ -458,8 +486,8 @@ function Centring($$anchor, $$props) {
 				$.reset(tbody);
 				$.reset(table);
 				var div_5 = $.sibling(table, 2);
-				var node_18 = $.child(div_5);
-				Button(node_18, {
+				var node_19 = $.child(div_5);
+				Button(node_19, {
 					icon: "target",
 					onclick: () => void take(),
 					"data-testid": "touch",
@@ -471,10 +499,10 @@ function Centring($$anchor, $$props) {
 					},
 					$$slots: { default: true }
 				});
-				var node_19 = $.sibling(node_18, 2);
+				var node_20 = $.sibling(node_19, 2);
 				{
 					let $0 = $.derived(() => $.get(points).length === 0);
-					Button(node_19, {
+					Button(node_20, {
 						icon: "reset",
 						get disabled() {
 							return $.get($0);
@@ -490,22 +518,22 @@ function Centring($$anchor, $$props) {
 					});
 				}
 				$.reset(div_5);
-				var node_20 = $.sibling(div_5, 2);
-				var consequent_7 = ($$anchor) => {
-					var div_6 = root_16();
-					var node_21 = $.child(div_6);
-					$.each(node_21, 17, () => Object.entries($.get(result).axes), ([name, place]) => name, ($$anchor, $$item) => {
+				var node_21 = $.sibling(div_5, 2);
+				var consequent_9 = ($$anchor) => {
+					var div_6 = root_17();
+					var node_22 = $.child(div_6);
+					$.each(node_22, 17, () => Object.entries($.get(result).axes), ([name, place]) => name, ($$anchor, $$item) => {
 						var $$array = $.derived(() => $.to_array($.get($$item), 2));
 						let name = () => $.get($$array)[0];
 						let place = () => $.get($$array)[1];
-						var strong = root_14();
+						var strong = root_15();
 						var text_9 = $.only_child(strong);
 						$.template_effect(($0) => $.set_text(text_9, `${name() ?? ""} ${$0 ?? ""}`), [() => fixed(place())]);
 						$.append($$anchor, strong);
 					});
-					var node_22 = $.sibling(node_21, 2);
-					$.each(node_22, 17, () => $.get(result).texts, $.index, ($$anchor, text) => {
-						var p_1 = root_15();
+					var node_23 = $.sibling(node_22, 2);
+					$.each(node_23, 17, () => $.get(result).texts, $.index, ($$anchor, text) => {
+						var p_1 = root_16();
 						var text_10 = $.only_child(p_1, true);
 						$.template_effect(() => $.set_text(text_10, $.get(text)));
 						$.append($$anchor, p_1);
@@ -513,20 +541,20 @@ function Centring($$anchor, $$props) {
 					$.reset(div_6);
 					$.append($$anchor, div_6);
 				};
-				var consequent_8 = ($$anchor) => {
-					var p_2 = root_17();
+				var consequent_10 = ($$anchor) => {
+					var p_2 = root_18();
 					var text_11 = $.only_child(p_2, true);
 					$.template_effect(($0) => $.set_text(text_11, $0), [() => t("settings.on_a_line")]);
 					$.append($$anchor, p_2);
 				};
-				$.if(node_20, ($$render) => {
-					if ($.get(result)) $$render(consequent_7);
-					else if ($.get(points).length >= $.get(wanted)) $$render(consequent_8, 1);
+				$.if(node_21, ($$render) => {
+					if ($.get(result)) $$render(consequent_9);
+					else if ($.get(points).length >= $.get(wanted)) $$render(consequent_10, 1);
 				});
-				var node_23 = $.sibling(node_20, 2);
+				var node_24 = $.sibling(node_21, 2);
 				{
 					let $0 = $.derived(() => !$.get(result));
-					Button(node_23, {
+					Button(node_24, {
 						kind: "primary",
 						icon: "check",
 						get disabled() {

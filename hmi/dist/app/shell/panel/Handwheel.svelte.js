@@ -36,7 +36,7 @@ function Handwheel($$anchor, $$props) {
 			sent = false;
 			const now = waiting;
 			waiting = 0;
-			if (now !== 0) machine.tell({
+			if (now !== 0 && $.get(ready)) machine.tell({
 				do: "handwheel",
 				counts: now
 			});
@@ -44,6 +44,7 @@ function Handwheel($$anchor, $$props) {
 	}
 	function move(event) {
 		if (last === null) return;
+		if (!(event.buttons & 1)) return void (last = null);
 		const here = at(event);
 		let by = here - last;
 		if (by > Math.PI) by -= 2 * Math.PI;
@@ -53,6 +54,16 @@ function Handwheel($$anchor, $$props) {
 		const whole = Math.trunc(rest);
 		rest -= whole;
 		turn(whole);
+	}
+	/** Who looks away turns no more: what was not sent yet is not made up for. */
+	function away() {
+		last = null;
+		waiting = 0;
+	}
+	function rolled(event) {
+		if (event.ctrlKey || event.shiftKey) return;
+		event.preventDefault();
+		if (event.deltaY !== 0) turn(event.deltaY < 0 ? 1 : -1);
 	}
 	function keydown(event) {
 		const by = {
@@ -70,6 +81,8 @@ function Handwheel($$anchor, $$props) {
 		turn(by);
 	}
 	var section = root_1();
+	$.event("blur", $.window, away);
+	$.event("visibilitychange", $.document, () => document.visibilityState === "hidden" && away());
 	var h3 = $.child(section);
 	var text = $.only_child(h3, true);
 	var div = $.sibling(h3, 2);
@@ -122,6 +135,7 @@ function Handwheel($$anchor, $$props) {
 		() => t("panel.wheel_axis")
 	]);
 	$.delegated("pointerdown", div_1, (event) => {
+		if (event.button !== 0) return;
 		$.get(wheel).setPointerCapture(event.pointerId);
 		last = at(event);
 		rest = 0;
@@ -129,10 +143,9 @@ function Handwheel($$anchor, $$props) {
 	$.delegated("pointermove", div_1, move);
 	$.delegated("pointerup", div_1, () => last = null);
 	$.event("pointercancel", div_1, () => last = null);
-	$.event("wheel", div_1, (event) => {
-		event.preventDefault();
-		turn(event.deltaY < 0 ? 1 : -1);
-	});
+	$.event("lostpointercapture", div_1, () => last = null);
+	$.delegated("contextmenu", div_1, (event) => event.preventDefault());
+	$.event("wheel", div_1, rolled);
 	$.delegated("keydown", div_1, keydown);
 	$.append($$anchor, section);
 	$.pop();
@@ -141,6 +154,7 @@ $.delegate([
 	"pointerdown",
 	"pointermove",
 	"pointerup",
+	"contextmenu",
 	"keydown"
 ]);
 export { Handwheel as default };
