@@ -39,6 +39,13 @@ impl Cnc {
         self.overtravel.released = held;
     }
 
+    /// Whether the release keeps a switch from being an alarm: where axes are moved by hand, or nothing moves them. A
+    /// program, the way back to it and homing end on a switch all the same.
+    fn acts_release(&self) -> bool {
+        let by_hand = self.manual.is_active || !self.is_under_way();
+        self.overtravel.released && by_hand && !self.homing.is_active() && !self.returns()
+    }
+
     /// Looks at the travel switches, once a period.
     pub(super) fn watch_switches(&mut self) {
         let switches = self.switches();
@@ -47,7 +54,7 @@ impl Cnc {
         if above.is_empty() && below.is_empty() {
             return;
         }
-        if self.overtravel.is_clear() {
+        if self.overtravel.ignored || self.acts_release() {
             // The release lets an axis go back, not on.
             for axis in self.machine_axes.iter() {
                 let velocity = self.manual.velocity(axis);

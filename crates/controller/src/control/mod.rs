@@ -386,7 +386,9 @@ impl Control {
         self.cnc.hear(&self.inputs);
         self.renew_ladder_names();
         if let Some(plc) = &self.plc {
-            self.cnc.release_overtravel(self.ladder_names.releases_overtravel(plc));
+            // In manual modes only (part 2, 2.5.3).
+            let is_manual = self.inputs.mode.is_manual();
+            self.cnc.release_overtravel(is_manual && self.ladder_names.releases_overtravel(plc));
         }
         if scanned.rolled_back {
             let alarm = AlarmInfo::of(&alarm(Fault::LadderTakenOut).as_warning());
