@@ -542,6 +542,7 @@ impl Cnc {
         let takes = self.take_by_hand();
         if takes {
             self.keep_out(axis);
+            let counts = self.manual.way_of_wheel(counts);
             self.manual.wheel(axis, self.steps_off_switch(axis, counts, increment), increment);
         }
         takes

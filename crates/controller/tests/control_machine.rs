@@ -179,6 +179,38 @@ fn the_release_key_keeps_neither_a_program_nor_homing_from_the_travel_switch() {
     }
 }
 
+/// A travel switch that is released lets an axis go back by the handwheel, whichever way that is turned, and not on.
+#[test]
+fn the_handwheel_drives_no_axis_over_a_switch_that_is_released() {
+    for reversed in [false, true] {
+        let mut machine = machine();
+        machine.parameters.insert("NO56.7".to_owned(), f64::from(u8::from(!reversed)));
+        let mut control = control(&machine);
+        set_byte(&mut control, "SWITCH_FEED", 10);
+        press(&mut control, "KEY_R_100", 50);
+        press(&mut control, "KEY_MPG", 50);
+        press(&mut control, "KEY_WX", 50);
+        press(&mut control, "KEY_S2", 50);
+        set(&mut control, "KEY_OT", true);
+        wait(&mut control, 50);
+        let down = if reversed { 1 } else { -1 };
+        let turn = |control: &mut Control, counts: i32, times: usize| {
+            for _ in 0..times {
+                say(control, Command::Handwheel { counts });
+                wait(control, 20);
+            }
+            wait(control, 2000);
+            control.status().position.machine[&'X']
+        };
+        // X stands at -80, its switch is at -120: 40 mm on. The counts that are left go, too.
+        let at = turn(&mut control, down * 10, 60);
+        assert!(is(&mut control, "LAMP_OT") && (-43.0..-40.0).contains(&at), "{at}");
+        assert_eq!(turn(&mut control, down * 10, 20), at, "reversed {reversed}");
+        assert_eq!(turn(&mut control, -down * 10, 10), at + 10.0, "reversed {reversed}");
+        assert!(!is(&mut control, "LAMP_OT"));
+    }
+}
+
 #[test]
 fn the_text_of_the_ladder_is_that_of_the_one_that_runs() {
     use ferrocut_controller::api::{Command, Reply};

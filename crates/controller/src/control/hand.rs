@@ -4,7 +4,7 @@ use super::{Control, modes};
 use crate::api::{AlarmInfo, Event};
 use crate::manual::{JogSpeed, JogWay};
 use crate::signals::{Inputs, Mode, SIGNAL_AXES};
-use ferrocut_geometry::Axis;
+use ferrocut_geometry::{Axis, AxisSet};
 use ferrocut_toolpath::{Speed, SpindleState};
 
 /// Least input increment, mm or degrees.
@@ -22,6 +22,8 @@ impl Control {
         let shifts = self.bit(56, 3);
         let counts = std::mem::take(&mut self.counts);
         self.cnc.set_interruption(modes::by_hand(self.mode, shifts));
+        let (upwards, downwards) = self.forbidden_by_hand();
+        self.cnc.forbid_by_hand(upwards, downwards);
         if !self.inputs.axes_may_move || self.is_alarmed() {
             self.release_axes();
             return;
@@ -33,6 +35,17 @@ impl Control {
             Mode::Home => self.home(),
             _ => self.release_axes(),
         }
+    }
+
+    /// Ways on which the ladder lets no axis go on in a manual mode: up and down.
+    fn forbidden_by_hand(&self) -> (AxisSet, AxisSet) {
+        let axes = || {
+            let is_manual = self.mode.is_manual();
+            self.machine.axes.iter().zip(&self.inputs.no_motion).filter(move |_| is_manual)
+        };
+        let upwards = axes().filter(|(_, ways)| ways.plus).map(|(axis, _)| axis.name);
+        let downwards = axes().filter(|(_, ways)| ways.minus).map(|(axis, _)| axis.name);
+        (upwards.collect(), downwards.collect())
     }
 
     fn axis(&self, number: usize) -> Option<Axis> {
