@@ -215,6 +215,53 @@ fn the_door_holds_the_program_and_locks_the_start() {
     assert_eq!(on(&mut mill, &["DOOR_LOCK"]), [""; 0]);
 }
 
+/// 4.2: the keys reach the spindle by way of the ladder only, which lets it turn with door, drive and clamp in order.
+#[test]
+fn the_keys_of_the_spindle_turn_it_only_where_the_ladder_lets_it() {
+    let mut mill = Mill::power_on();
+    mill.mdi("M3 S600\nM5");
+    mill.press("KEY_JOG");
+    const KEYS: [&str; 3] = ["KEY_SP_CW", "KEY_SP_CCW", "KEY_SP_ORIENT"];
+    for input in ["DOOR_CLOSED", "DRIVE_OK", "TOOL_CLAMPED"] {
+        force(&mut mill, input, Some(false));
+        for jogs in [false, true] {
+            for key in KEYS {
+                mill.key(key, true);
+                assert_eq!(mill.wait(300).spindle.actual, 0.0, "{key} {input}");
+                mill.key(key, false);
+            }
+            // Jog alone turns it never.
+            mill.press("KEY_SP_JOG");
+            assert_eq!(on(&mut mill, &["SJOG"]).is_empty(), jogs);
+            assert_eq!((mill.wait(300).spindle.told, mill.wait(1).spindle.actual), (0.0, 0.0), "{input}");
+        }
+        force(&mut mill, input, None);
+    }
+    // In order, each does its own.
+    for (key, told) in [("KEY_SP_CW", 600.0), ("KEY_SP_CCW", -600.0)] {
+        mill.press(key);
+        let status = mill.wait(500);
+        assert_eq!((status.spindle.told, status.spindle.actual.round()), (600.0, told), "{key}");
+        mill.press("KEY_SP_STOP");
+        assert_eq!(mill.wait(500).spindle.actual, 0.0);
+    }
+    mill.press("KEY_SP_JOG");
+    assert_eq!(mill.wait(300).spindle.actual, 0.0);
+    mill.key("KEY_SP_CCW", true);
+    let jogged = mill.wait(300).spindle.actual;
+    let jog_rpm = match mill.say(Command::Parameters { names: vec!["P242".into()] }) {
+        Reply::Parameters { parameters } => parameters["P242"],
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(jogged.round(), -jog_rpm);
+    mill.key("KEY_SP_CCW", false);
+    assert_eq!(mill.wait(300).spindle.actual, 0.0);
+    mill.press("KEY_SP_JOG");
+    mill.press("KEY_SP_ORIENT");
+    mill.wait(500);
+    assert_eq!(on(&mut mill, &["ORARA", "LAMP_SP_ORIENT"]), ["ORARA", "LAMP_SP_ORIENT"]);
+}
+
 #[test]
 fn the_handwheel_drives_a_program() {
     let mut mill = Mill::power_on();

@@ -145,12 +145,13 @@ impl Control {
         }
     }
 
-    /// The keys of the spindle, in the modes in which they have effect (4.2): it turns at the S given before.
+    /// The keys of the spindle, in the modes in which they have effect (4.2): it turns at the S given before. Only of a
+    /// control without a ladder: else they reach the spindle through that, which knows whether it may turn.
     pub(super) fn turn_spindle(&mut self) {
-        let (now, before) = (self.inputs.clone(), self.before.clone());
-        if !matches!(self.mode, Mode::Jog | Mode::Step | Mode::Handle) || self.emergency {
+        if self.plc.is_some() || !self.mode.is_manual() || self.emergency {
             return;
         }
+        let (now, before) = (self.inputs.clone(), self.before.clone());
         let (_, rpm) = self.cnc.interpreter().feed_and_speed();
         let jog_rpm = self.parameter(242);
         let turns = |inputs: &Inputs| inputs.spindle_forward || inputs.spindle_reverse || inputs.spindle_jog;
