@@ -16,6 +16,7 @@ mod lent;
 mod loading;
 mod overtravel;
 mod planning;
+mod program_spindle;
 mod reference;
 mod retracing;
 mod sent;
@@ -51,6 +52,7 @@ use interpreting::{Frame, Interpreting};
 use interruption::Aside;
 use overtravel::Overtravel;
 use planning::Planning;
+use program_spindle::ProgramSpindle;
 use retracing::Retrace;
 use sent::Sent;
 use skip::Probing;
@@ -245,6 +247,7 @@ pub struct Cnc {
     /// The code that the program ended by.
     ended_by: Option<u32>,
     sent: Sent,
+    program_spindle: ProgramSpindle,
 }
 
 impl Cnc {
@@ -321,6 +324,7 @@ impl Cnc {
             braking: braking(machine),
             ended_by: None,
             sent: Sent::default(),
+            program_spindle: ProgramSpindle::default(),
         };
         if !knows_places {
             cnc.set_referenced(AxisSet::EMPTY);
@@ -606,7 +610,9 @@ impl Cnc {
             _ => return self.at_rest(),
         }
         loop {
-            if let Some(step) = self.auxiliary.as_mut().and_then(|auxiliary| auxiliary.take_done()) {
+            let done = self.auxiliary.as_mut().and_then(|auxiliary| auxiliary.take_done());
+            self.watch_spindle(done.is_some());
+            if let Some(step) = done {
                 self.done(&step.op);
             }
             self.watch_block_end();
@@ -898,6 +904,7 @@ impl Cnc {
         if let Some(block) = self.blocks.waiting.take() {
             self.runs(block);
         }
+        self.note_spindle(&step.op);
         if self.is_kept_back(&step.op) || self.is_for_ladder(&step) {
             return;
         }

@@ -81,6 +81,11 @@ impl Cnc {
         }
     }
 
+    /// Whether dry run is in force.
+    pub(super) fn is_dry_run(&self) -> bool {
+        self.switches.dry_run.is_some()
+    }
+
     /// Auxiliary lock: S, T and M codes have no effect, save those of the program's flow (7.8).
     pub fn set_auxiliary_lock(&mut self, on: bool) {
         self.switches.auxiliary_lock = on;
