@@ -936,7 +936,10 @@ impl Cnc {
                 self.renamed = self.renamed + at - self.motion.position();
                 self.motion.rename(at);
                 self.servo.rename(at);
-                self.drives.rename(&(at + self.servo.added()));
+                // Locked, the drives stand where their axes are called as before.
+                if !self.is_locked() {
+                    self.drives.rename(&(at + self.servo.added()));
+                }
                 self.commanded = at;
             }
             Op::Spindle(state) => {

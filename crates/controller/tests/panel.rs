@@ -387,6 +387,22 @@ fn a_spindle_that_may_stand_refuses_no_start() {
 }
 
 #[test]
+fn no_axis_is_sent_to_its_reference_point_under_machine_lock() {
+    let mut mill = Mill::power_on();
+    mill.home();
+    mill.press("KEY_MLOCK");
+    mill.events.clear();
+    mill.press("KEY_X+");
+    let status = mill.wait(100);
+    let refused = |event: &&Event| matches!(event, Event::Refused { alarm } if alarm.id == "FC-1400");
+    assert_eq!((mill.events.iter().filter(refused).count(), status.activity), (1, Activity::Idle));
+    mill.press("KEY_MLOCK");
+    mill.events.clear();
+    mill.press("KEY_X+");
+    assert_eq!((mill.events.iter().filter(refused).count(), mill.control.cnc().is_homing()), (0, true));
+}
+
+#[test]
 fn the_handwheel_drives_a_program() {
     let mut mill = Mill::power_on();
     mill.home();

@@ -25,6 +25,8 @@ pub(super) struct Locked {
     position: Position,
     /// As the drives were told.
     drive: Position,
+    /// What places were renamed by before: a name that a place gets under the lock goes with it.
+    renamed: Position,
 }
 
 /// How the switches stand.
@@ -125,9 +127,11 @@ impl Cnc {
         }
         if on {
             let position = self.beside(self.motion.position());
-            self.switches.locked = Some(Locked { position, drive: self.switches.drive });
+            self.switches.locked =
+                Some(Locked { position, drive: self.switches.drive, renamed: self.renamed });
         } else if let Some(locked) = self.switches.locked.take() {
             self.aside.shift = Position::ZERO;
+            self.renamed = locked.renamed;
             self.stand_at(locked.position);
         }
         true

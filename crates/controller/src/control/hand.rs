@@ -1,10 +1,11 @@
 //! Axes and spindle moved by hand: what the ladder asks for becomes jog, steps, handwheel (GSK990MC part 2, 4 to 6).
 
-use super::{Control, modes};
+use super::{Control, alarm, modes};
 use crate::api::{AlarmInfo, Event};
 use crate::manual::{JogSpeed, JogWay};
 use crate::signals::{Inputs, Mode, SIGNAL_AXES};
 use ferrocut_geometry::{Axis, AxisSet};
+use ferrocut_machine::{Alarm, Fault};
 use ferrocut_toolpath::{Speed, SpindleState};
 
 /// Least input increment, mm or degrees.
@@ -114,7 +115,7 @@ impl Control {
             let Some(before) = self.jogs.get_mut(number) else { break };
             let was = std::mem::replace(before, (asked, false)).0;
             if asked != 0 && was == 0 {
-                match self.cnc.home_alarm(axis) {
+                match self.locked_alarm().or_else(|| self.cnc.home_alarm(axis)) {
                     Some(alarm) => self.event(Event::Refused { alarm: AlarmInfo::of(&alarm) }),
                     None => drop(self.cnc.home(axis)),
                 }
@@ -122,6 +123,11 @@ impl Control {
                 self.cnc.release_home(axis);
             }
         }
+    }
+
+    /// Why no place gets the name of a reference point: under machine lock the axes are not where they seem to be.
+    pub(super) fn locked_alarm(&self) -> Option<Box<Alarm>> {
+        self.cnc.is_locked().then(|| Box::new(alarm(Fault::ControlMode).with("mode", "MLK")))
     }
 
     fn turn_wheel(&mut self, counts: i32) {
