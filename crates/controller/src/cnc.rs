@@ -231,6 +231,8 @@ pub struct Cnc {
     failed: Option<Box<Alarm>>,
     /// The alarm of drives that stopped by themselves was given.
     drives_failed: bool,
+    /// The amplifiers are on.
+    is_powered: bool,
     /// The ladder, where the machine has one.
     auxiliary: Option<Box<Auxiliary>>,
     taking_up: taking_up::TakingUp,
@@ -314,6 +316,7 @@ impl Cnc {
             events: Vec::with_capacity(EVENTS),
             failed: None,
             drives_failed: false,
+            is_powered: true,
             auxiliary: None,
             touches: None,
             blocks: Blocks::new(room),

@@ -415,6 +415,7 @@ impl Control {
         }
         let is_released = !pressed && self.emergency;
         self.emergency = pressed;
+        self.cnc.power_drives(!pressed);
         if is_released && !self.is_alarmed() {
             self.event(Event::AlarmsCleared);
         }
