@@ -8,7 +8,7 @@ use crate::handshake::{Codes, Handshake, Progress};
 use crate::signals::{Inputs, Outputs, SIGNAL_AXES};
 use crate::spindle::Spindle;
 use crate::spindle_control::SpindleControl;
-use ferrocut_geometry::{Axis, Position};
+use ferrocut_geometry::{Axis, Position, Turn};
 use ferrocut_machine::Machine;
 use ferrocut_toolpath::{Feed, Op, Speed, SpindleState, Step};
 
@@ -242,6 +242,11 @@ impl Auxiliary {
     /// The step that was kept.
     pub fn take_next(&mut self) -> Option<Step> {
         self.next.take()
+    }
+
+    /// Which way the ladder lets the spindle turn.
+    pub fn spindle_turns(&self) -> Option<Turn> {
+        self.spindle.turns(&self.inputs)
     }
 
     /// Whether cutting waits for the speed of the spindle.

@@ -16,6 +16,7 @@ mod lent;
 mod loading;
 mod overtravel;
 mod planning;
+mod program_spindle;
 mod reference;
 mod retracing;
 mod sent;
@@ -51,6 +52,7 @@ use interpreting::{Frame, Interpreting};
 use interruption::Aside;
 use overtravel::Overtravel;
 use planning::Planning;
+use program_spindle::ProgramSpindle;
 use retracing::Retrace;
 use sent::Sent;
 use skip::Probing;
@@ -229,6 +231,8 @@ pub struct Cnc {
     failed: Option<Box<Alarm>>,
     /// The alarm of drives that stopped by themselves was given.
     drives_failed: bool,
+    /// The amplifiers are on.
+    is_powered: bool,
     /// The ladder, where the machine has one.
     auxiliary: Option<Box<Auxiliary>>,
     taking_up: taking_up::TakingUp,
@@ -245,6 +249,7 @@ pub struct Cnc {
     /// The code that the program ended by.
     ended_by: Option<u32>,
     sent: Sent,
+    program_spindle: ProgramSpindle,
 }
 
 impl Cnc {
@@ -311,6 +316,7 @@ impl Cnc {
             events: Vec::with_capacity(EVENTS),
             failed: None,
             drives_failed: false,
+            is_powered: true,
             auxiliary: None,
             touches: None,
             blocks: Blocks::new(room),
@@ -321,6 +327,7 @@ impl Cnc {
             braking: braking(machine),
             ended_by: None,
             sent: Sent::default(),
+            program_spindle: ProgramSpindle::default(),
         };
         if !knows_places {
             cnc.set_referenced(AxisSet::EMPTY);
@@ -547,6 +554,7 @@ impl Cnc {
         let takes = self.take_by_hand();
         if takes {
             self.keep_out(axis);
+            let counts = self.manual.way_of_wheel(counts);
             self.manual.wheel(axis, self.steps_off_switch(axis, counts, increment), increment);
         }
         takes
@@ -610,7 +618,9 @@ impl Cnc {
             _ => return self.at_rest(),
         }
         loop {
-            if let Some(step) = self.auxiliary.as_mut().and_then(|auxiliary| auxiliary.take_done()) {
+            let done = self.auxiliary.as_mut().and_then(|auxiliary| auxiliary.take_done());
+            self.watch_spindle(done.is_some());
+            if let Some(step) = done {
                 self.done(&step.op);
             }
             self.watch_block_end();
@@ -904,6 +914,7 @@ impl Cnc {
         if let Some(block) = self.blocks.waiting.take() {
             self.runs(block);
         }
+        self.note_spindle(&step.op);
         if self.is_kept_back(&step.op) || self.is_for_ladder(&step) {
             return;
         }
@@ -935,7 +946,10 @@ impl Cnc {
                 self.renamed = self.renamed + at - self.motion.position();
                 self.motion.rename(at);
                 self.servo.rename(at);
-                self.drives.rename(&(at + self.servo.added()));
+                // Locked, the drives stand where their axes are called as before.
+                if !self.is_locked() {
+                    self.drives.rename(&(at + self.servo.added()));
+                }
                 self.commanded = at;
             }
             Op::Spindle(state) => {

@@ -142,11 +142,15 @@ impl Manual {
         self.jog.step(axis, steps, increment, speed);
     }
 
-    /// Counts of the handwheel, each an increment, mm or degrees.
+    /// Counts of the handwheel as the axis follows them: the other way round where a parameter says so.
+    pub fn way_of_wheel(&self, counts: i64) -> i64 {
+        if self.config.handwheel_reversed { counts.saturating_neg() } else { counts }
+    }
+
+    /// Counts of the handwheel as the axis follows them, each an increment, mm or degrees.
     pub fn wheel(&mut self, axis: Axis, counts: i64, increment: f64) {
         let speed = (self.config.handwheel / 60.0).min(self.of(axis).velocity);
         let surplus = if self.config.handwheel_keeps { Surplus::Kept } else { Surplus::Dropped };
-        let counts = if self.config.handwheel_reversed { counts.saturating_neg() } else { counts };
         self.let_go(axis);
         self.jog.wheel(axis, counts, increment, speed, surplus);
     }

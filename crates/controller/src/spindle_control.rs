@@ -5,7 +5,7 @@
 
 use crate::signals::{Inputs, Outputs};
 use crate::spindle::Spindle;
-use ferrocut_geometry::Position;
+use ferrocut_geometry::{Position, Turn};
 use ferrocut_machine::{GearConfig, Machine};
 use ferrocut_toolpath::{Speed, SpindleState};
 
@@ -81,6 +81,16 @@ impl SpindleControl {
         self.speed.rpm(at).min(self.max_rpm)
     }
 
+    /// Which way the ladder lets the spindle turn.
+    pub fn turns(&self, inputs: &Inputs) -> Option<Turn> {
+        match (inputs.spindle_forward, inputs.spindle_reverse) {
+            _ if !may_turn(inputs) || inputs.spindle_orient => None,
+            (true, false) => Some(Turn::Clockwise),
+            (false, true) => Some(Turn::CounterClockwise),
+            _ => None,
+        }
+    }
+
     /// Whether cutting is to wait: the spindle is to turn and the ladder does not say that it has its speed.
     pub fn cutting_waits(&self, inputs: &Inputs) -> bool {
         self.gears.cutting_waits && self.is_asked && !inputs.spindle_at_speed
@@ -108,10 +118,7 @@ impl SpindleControl {
         if taps {
             return;
         }
-        let may_turn = inputs.spindle_may_turn
-            && inputs.spindle_drive_on
-            && !inputs.spindle_emergency_stop
-            && !inputs.emergency_stop;
+        let may_turn = may_turn(inputs);
         if inputs.spindle_orient && may_turn {
             self.is_asked = false;
             if self.doing != Doing::Orients || ended {
@@ -201,4 +208,12 @@ impl SpindleControl {
         outputs.surface_speed = matches!(self.speed, Speed::Surface { .. });
         outputs.rigid_tapping = inputs.rigid_tapping;
     }
+}
+
+/// Whether the ladder lets the spindle turn at all.
+fn may_turn(inputs: &Inputs) -> bool {
+    inputs.spindle_may_turn
+        && inputs.spindle_drive_on
+        && !inputs.spindle_emergency_stop
+        && !inputs.emergency_stop
 }

@@ -226,6 +226,80 @@ fn locked_axes_stand_while_positions_go_on_and_nothing_is_lost_after() {
     assert_eq!((told.lock().unwrap()[Axis::X], cnc.interpreter().position()[Axis::X]), (2.0, 2.0));
 }
 
+/// Drives that count for themselves, as those of a board do, and where their axes are physically.
+#[derive(Clone, Copy, Default)]
+struct Counting {
+    told: Position,
+    zero: Position,
+}
+
+struct Counts(std::sync::Arc<std::sync::Mutex<Counting>>);
+
+impl ferrocut_controller::Drives for Counts {
+    fn exchange(&mut self, commanded: &Position) -> Position {
+        self.0.lock().unwrap().told = *commanded;
+        *commanded
+    }
+
+    fn rename(&mut self, at: &Position) {
+        let mut counting = self.0.lock().unwrap();
+        counting.zero = counting.told + counting.zero - *at;
+        counting.told = *at;
+    }
+}
+
+#[test]
+fn under_machine_lock_no_place_gets_another_name_at_the_drives() {
+    let counting = std::sync::Arc::new(std::sync::Mutex::new(Counting::default()));
+    let physical = || {
+        let counting = *counting.lock().unwrap();
+        counting.told + counting.zero
+    };
+    let reference = "[reference_points]\nfirst = { x = 10.0 }\n";
+    for parameters in ["\"NO5.4\" = 1", "\"NO6.4\" = 1"] {
+        let setup = format!("{reference}[parameters]\n{parameters}\n");
+        let interpreter = common::interpreter("G28 X0\nM30\n", &setup);
+        let mut cnc = Cnc::with_drives(&machine(), interpreter, Box::new(Counts(counting.clone())));
+        cnc.jog_step(Axis::X, 2, 1.0);
+        settle(&mut cnc);
+        assert!(cnc.set_machine_lock(true));
+        let from = physical();
+        let stands = |cnc: &mut Cnc, what: &str| {
+            for _ in 0..3000 {
+                cnc.tick();
+                assert_eq!(physical(), from, "{what} {parameters}");
+            }
+        };
+        let x = [Axis::X].into_iter().collect();
+        assert!(!cnc.home(Axis::X) && !cnc.set_machine_zero(x));
+        stands(&mut cnc, "asked for by hand");
+        cnc.set_referenced(Default::default());
+        cnc.cycle_start();
+        stands(&mut cnc, "by a program");
+        cnc.reset();
+        stands(&mut cnc, "reset");
+        assert!(cnc.set_machine_lock(false));
+        stands(&mut cnc, "unlocked");
+        assert!(cnc.set_machine_zero(x), "as soon as it is off");
+    }
+    // A program that gives the place another name: the name goes with the lock.
+    let interpreter = common::in_language("weihong", "G91 G0 X5\nM902 H0\nG91 X1\nM30\n");
+    let mut cnc = Cnc::with_drives(&machine(), interpreter, Box::new(Counts(counting.clone())));
+    cnc.tick();
+    assert!(cnc.set_machine_lock(true));
+    let from = physical();
+    let renamed = cnc.renamed();
+    cnc.cycle_start();
+    for _ in 0..5000 {
+        cnc.tick();
+        assert_eq!(physical(), from);
+    }
+    assert_eq!((cnc.state(), cnc.renamed() == renamed), (&State::Ended, false));
+    assert!(cnc.set_machine_lock(false));
+    cnc.tick();
+    assert_eq!((physical(), cnc.renamed()), (from, renamed));
+}
+
 #[test]
 fn dry_run_sets_the_speed_of_what_it_holds_for_and_takes_effect_on_the_way() {
     let machine = machine();

@@ -1,7 +1,9 @@
 //! The whole control with ladder and simulated machine, by the keys of the panel: homing, travel switches, power-off.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
-use ferrocut_controller::{Control, Parts, State};
+use ferrocut_controller::api::{Activity, Command};
+use ferrocut_controller::drives::Trouble;
+use ferrocut_controller::{Control, Parts, Plant, State};
 use ferrocut_geometry::{Axis, AxisSet};
 use ferrocut_machine::{Fault, Machine, PlantAxis, PlantConfig};
 use ferrocut_plc::{Limits, Program};
@@ -120,6 +122,93 @@ fn an_axis_leaves_its_travel_switch_by_the_release_key() {
     wait(&mut control, 500);
     assert!(!is(&mut control, "LAMP_OT") && fault(&control).is_none());
     assert!(control.status().position.machine[&'X'] > stands + 10.0);
+}
+
+fn operator() -> ferrocut_memory::Author {
+    ferrocut_memory::Author::Person { session: ferrocut_memory::Session::OPERATOR, name: "panel".into() }
+}
+
+fn say(control: &mut Control, command: Command) {
+    control.command(command, &operator()).unwrap();
+}
+
+fn set_byte(control: &mut Control, name: &str, value: u8) {
+    let address = control.plc_mut().unwrap().program().signal(name).unwrap();
+    control.plc_mut().unwrap().memory_mut().set_byte(address, value);
+}
+
+/// Part 2, 2.5.3: it is for axes that are moved by hand.
+#[test]
+fn the_release_key_keeps_neither_a_program_nor_homing_from_the_travel_switch() {
+    let mut machine = machine();
+    machine.parameters.insert("NO6.0".to_owned(), 0.0);
+    let text = "G91 G1 X-70 F3000\nM30\n";
+    for mode in ["KEY_MDI", "KEY_AUTO", "KEY_HOME"] {
+        let ladder = Program::from_text(LADDER.as_bytes(), &Limits::default()).unwrap();
+        let mut plant = Plant::new(&machine, Default::default(), Default::default());
+        plant.trouble(Axis::X, Trouble::HomeSwitch(Some(false)));
+        let parts = Parts { ladder: Some(ladder), drives: Some(Box::new(plant)), ..Parts::default() };
+        let mut control = Control::new(&machine, parts).unwrap();
+        wait(&mut control, 100);
+        set_byte(&mut control, "SWITCH_FEED", 10);
+        press(&mut control, "KEY_R_100", 50);
+        press(&mut control, mode, 50);
+        set(&mut control, "KEY_OT", true);
+        match mode {
+            "KEY_MDI" => say(&mut control, Command::Mdi { text: text.into() }),
+            "KEY_AUTO" => {
+                say(&mut control, Command::Store { program: "O0001".into(), text: text.into() });
+                say(&mut control, Command::Select { program: "O0001".into() });
+            }
+            _ => press(&mut control, "KEY_X+", 50),
+        }
+        press(&mut control, "KEY_START", 50);
+        for _ in 0..60_000 {
+            control.tick();
+            if control.activity() == Activity::Alarm {
+                break;
+            }
+        }
+        let State::Alarmed(alarm) = control.cnc().state() else {
+            panic!("{mode}: {:?}", control.cnc().state())
+        };
+        assert_eq!((alarm.fault, control.cnc().is_homing()), (Fault::HardLimit, false), "{mode}");
+        // It stands at the switch.
+        let way = control.status().position.machine[&'X'];
+        assert!((-46.0..-40.0).contains(&way) || (140.0..150.0).contains(&way), "{mode}: {way}");
+    }
+}
+
+/// A travel switch that is released lets an axis go back by the handwheel, whichever way that is turned, and not on.
+#[test]
+fn the_handwheel_drives_no_axis_over_a_switch_that_is_released() {
+    for reversed in [false, true] {
+        let mut machine = machine();
+        machine.parameters.insert("NO56.7".to_owned(), f64::from(u8::from(!reversed)));
+        let mut control = control(&machine);
+        set_byte(&mut control, "SWITCH_FEED", 10);
+        press(&mut control, "KEY_R_100", 50);
+        press(&mut control, "KEY_MPG", 50);
+        press(&mut control, "KEY_WX", 50);
+        press(&mut control, "KEY_S2", 50);
+        set(&mut control, "KEY_OT", true);
+        wait(&mut control, 50);
+        let down = if reversed { 1 } else { -1 };
+        let turn = |control: &mut Control, counts: i32, times: usize| {
+            for _ in 0..times {
+                say(control, Command::Handwheel { counts });
+                wait(control, 20);
+            }
+            wait(control, 2000);
+            control.status().position.machine[&'X']
+        };
+        // X stands at -80, its switch is at -120: 40 mm on. The counts that are left go, too.
+        let at = turn(&mut control, down * 10, 60);
+        assert!(is(&mut control, "LAMP_OT") && (-43.0..-40.0).contains(&at), "{at}");
+        assert_eq!(turn(&mut control, down * 10, 20), at, "reversed {reversed}");
+        assert_eq!(turn(&mut control, -down * 10, 10), at + 10.0, "reversed {reversed}");
+        assert!(!is(&mut control, "LAMP_OT"));
+    }
 }
 
 #[test]

@@ -9,6 +9,7 @@ use ferrocut_controller::signals::Mode;
 use ferrocut_controller::{Event, State};
 use ferrocut_geometry::Axis;
 use ferrocut_machine::{AlarmId, Fault};
+use ferrocut_toolpath::{Speed, SpindleState};
 use mill::Mill;
 
 /// The speed of the spindle, r/min, to the nearest; clockwise positive.
@@ -257,6 +258,14 @@ fn an_open_door_holds_the_program_and_stops_the_spindle() {
     m.machine("DOOR_CLOSED", true);
     m.run(50);
     assert_eq!((m.cnc.state(), rpm(&m)), (&State::Held, 0), "nothing starts by itself");
+    // The spindle is due before the program goes on: the operator turns it on.
+    let due = m.cnc.spindle_due();
+    assert_eq!(due, Some(SpindleState::Clockwise(Speed::Rpm(1000.0))));
+    for key in ["KEY_JOG", "KEY_SP_CW", "KEY_AUTO"] {
+        m.press(key);
+    }
+    m.until(|m| rpm(m) == 1000);
+    assert_eq!(m.cnc.spindle_due(), None);
     m.press("KEY_START");
     m.until(|m| m.at[Axis::X] > at[Axis::X] + 1.0);
 }

@@ -105,6 +105,16 @@ fn an_axis_that_is_released_does_not_go_on_over_its_switch() {
 }
 
 #[test]
+fn a_program_ends_on_a_switch_under_the_release_too() {
+    let machine = close();
+    let mut cnc = on_plant(&machine, "G1 X100 F6000\nM30\n", "");
+    cnc.release_overtravel(true);
+    cnc.cycle_start();
+    let end = run(&mut cnc, 3000)[Axis::X];
+    assert!(number(&cnc) == Some(511) && end > 60.0 && end < 66.0, "{end}");
+}
+
+#[test]
 fn switches_of_the_ladder_count_and_can_be_left_out() {
     let machine = close();
     let on = |axis: Axis| [axis].into_iter().collect::<AxisSet>();

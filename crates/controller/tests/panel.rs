@@ -5,7 +5,7 @@
 #[path = "common/panel.rs"]
 mod panel;
 
-use ferrocut_controller::api::{Activity, Command, NamedSignal, Reply};
+use ferrocut_controller::api::{Activity, Command, Event, NamedSignal, Reply};
 use ferrocut_controller::drives::Block;
 use ferrocut_controller::signals::ROWS;
 use ferrocut_controller::{Mode, Parts, Plant};
@@ -205,14 +205,201 @@ fn the_door_holds_the_program_and_locks_the_start() {
     mill.press("KEY_START");
     force(&mut mill, "DOOR_CLOSED", None);
     let closed = mill.wait(300);
-    assert_eq!((closed.activity, closed.position.machine), (Activity::Held, held.position.machine));
+    assert_eq!((closed.activity, &closed.position.machine), (Activity::Held, &held.position.machine));
     assert_eq!((closed.spindle.actual.round(), on(&mut mill, &["SPINDLE_CW"])), (0.0, vec![]));
-    // Cycle start goes on.
-    mill.press("KEY_START");
+    // Cycle start goes on once the operator has turned the spindle on.
+    assert_eq!(refused_start(&mut mill), ["FC-1417"]);
+    assert_eq!(
+        (mill.wait(300).activity, mill.wait(1).position.machine),
+        (Activity::Held, held.position.machine)
+    );
+    for key in ["KEY_JOG", "KEY_SP_CW", "KEY_AUTO", "KEY_START"] {
+        mill.press(key);
+    }
     let done = mill.until("done", |status| status.activity == Activity::Idle);
     assert_eq!(done.counters.parts, 1);
     mill.wait(1000);
     assert_eq!(on(&mut mill, &["DOOR_LOCK"]), [""; 0]);
+}
+
+/// 4.2: the keys reach the spindle by way of the ladder only, which lets it turn with door, drive and clamp in order.
+#[test]
+fn the_keys_of_the_spindle_turn_it_only_where_the_ladder_lets_it() {
+    let mut mill = Mill::power_on();
+    mill.mdi("M3 S600\nM5");
+    mill.press("KEY_JOG");
+    const KEYS: [&str; 3] = ["KEY_SP_CW", "KEY_SP_CCW", "KEY_SP_ORIENT"];
+    for input in ["DOOR_CLOSED", "DRIVE_OK", "TOOL_CLAMPED"] {
+        force(&mut mill, input, Some(false));
+        for jogs in [false, true] {
+            for key in KEYS {
+                mill.key(key, true);
+                assert_eq!(mill.wait(300).spindle.actual, 0.0, "{key} {input}");
+                mill.key(key, false);
+            }
+            // Jog alone turns it never.
+            mill.press("KEY_SP_JOG");
+            assert_eq!(on(&mut mill, &["SJOG"]).is_empty(), jogs);
+            assert_eq!((mill.wait(300).spindle.told, mill.wait(1).spindle.actual), (0.0, 0.0), "{input}");
+        }
+        force(&mut mill, input, None);
+    }
+    // In order, each does its own.
+    for (key, told) in [("KEY_SP_CW", 600.0), ("KEY_SP_CCW", -600.0)] {
+        mill.press(key);
+        let status = mill.wait(500);
+        assert_eq!((status.spindle.told, status.spindle.actual.round()), (600.0, told), "{key}");
+        mill.press("KEY_SP_STOP");
+        assert_eq!(mill.wait(500).spindle.actual, 0.0);
+    }
+    mill.press("KEY_SP_JOG");
+    assert_eq!(mill.wait(300).spindle.actual, 0.0);
+    mill.key("KEY_SP_CCW", true);
+    let jogged = mill.wait(300).spindle.actual;
+    let jog_rpm = match mill.say(Command::Parameters { names: vec!["P242".into()] }) {
+        Reply::Parameters { parameters } => parameters["P242"],
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(jogged.round(), -jog_rpm);
+    mill.key("KEY_SP_CCW", false);
+    assert_eq!(mill.wait(300).spindle.actual, 0.0);
+    mill.press("KEY_SP_JOG");
+    mill.press("KEY_SP_ORIENT");
+    mill.wait(500);
+    assert_eq!(on(&mut mill, &["ORARA", "LAMP_SP_ORIENT"]), ["ORARA", "LAMP_SP_ORIENT"]);
+}
+
+/// What cycle start is refused for.
+fn refused_start(mill: &mut Mill) -> Vec<String> {
+    mill.events.clear();
+    mill.press("KEY_START");
+    let refused = mill.events.iter().filter_map(|event| match event {
+        Event::Refused { alarm } => Some(alarm.id.clone()),
+        _ => None,
+    });
+    refused.collect()
+}
+
+/// A mill that cuts along X with its spindle turning.
+fn cutting(text: &str) -> Mill {
+    let mut mill = Mill::power_on();
+    mill.home();
+    mill.press("KEY_AUTO");
+    mill.say(Command::Store { program: "O0001".into(), text: text.into() });
+    mill.say(Command::Select { program: "O1".into() });
+    mill.press("KEY_START");
+    mill.until("cutting", |status| status.feed.actual > 500.0);
+    mill
+}
+
+const CUT: &str = "M3 S600\nG91 G1 X-60 F600\nM8\nX-5\nM30\n";
+
+/// Whatever stopped the spindle beside the program: cycle start does not go on cutting with one that stands.
+#[test]
+fn a_program_goes_on_only_with_the_spindle_as_it_has_it() {
+    type Stop = fn(&mut Mill);
+    let hold = |mill: &mut Mill| mill.press("KEY_HOLD");
+    let drive = |mill: &mut Mill| {
+        force(mill, "DRIVE_OK", Some(false));
+        mill.wait(100);
+        force(mill, "DRIVE_OK", None);
+    };
+    let clamp = |mill: &mut Mill| {
+        force(mill, "TOOL_CLAMPED", Some(false));
+        mill.wait(500);
+        force(mill, "TOOL_CLAMPED", None);
+    };
+    let key = |mill: &mut Mill| {
+        ["KEY_HOLD", "KEY_JOG", "KEY_SP_STOP", "KEY_AUTO"].iter().for_each(|key| mill.press(key))
+    };
+    let other = |mill: &mut Mill| {
+        ["KEY_HOLD", "KEY_JOG", "KEY_SP_STOP", "KEY_SP_CCW", "KEY_AUTO"]
+            .iter()
+            .for_each(|key| mill.press(key))
+    };
+    let stops: [(&str, Stop, bool); 5] = [
+        ("hold", hold, true),
+        ("drive", drive, false),
+        ("clamp", clamp, false),
+        ("key", key, false),
+        ("the other way", other, false),
+    ];
+    for (name, stop, goes_on) in stops {
+        let mut mill = cutting(CUT);
+        stop(&mut mill);
+        let held = mill.wait(1500);
+        assert_eq!((held.activity, held.feed.actual), (Activity::Held, 0.0), "{name}");
+        let refused = refused_start(&mut mill);
+        let status = mill.wait(300);
+        match goes_on {
+            true => assert_eq!((status.activity, refused), (Activity::Running, vec![]), "{name}"),
+            false => {
+                assert_eq!(
+                    (status.activity, refused),
+                    (Activity::Held, vec!["FC-1417".to_owned()]),
+                    "{name}"
+                );
+                assert_eq!(status.position.machine, held.position.machine, "{name}");
+                for key in ["KEY_JOG", "KEY_SP_STOP", "KEY_SP_CW", "KEY_AUTO", "KEY_START"] {
+                    mill.press(key);
+                }
+            }
+        }
+        let slowest = std::cell::Cell::new(f64::MAX);
+        mill.until("done", |status| {
+            if status.feed.actual > 100.0 {
+                slowest.set(slowest.get().min(status.spindle.actual));
+            }
+            status.activity == Activity::Idle
+        });
+        assert!(slowest.get() > 500.0 && mill.wait(1).counters.parts == 1, "{name}: {slowest:?}");
+    }
+}
+
+/// Where nobody cuts, or the program wants it to stand, a spindle at rest is none of cycle start's business.
+#[test]
+fn a_spindle_that_may_stand_refuses_no_start() {
+    for (switches, text) in [
+        (&["KEY_MLOCK"][..], CUT),
+        (&["KEY_AUXLOCK"], CUT),
+        (&["KEY_DRY"], CUT),
+        (&[], "M3 S600\nM5\nG91 G1 X-60 F600\nM30\n"),
+        (&[], "M3 S600\nM19\nG91 G1 X-60 F600\nM30\n"),
+        // The ladder stops it for rigid tapping.
+        (&[], "M3 S600\nM29 S300\nG91 G1 X-60 F600\nM28\nM30\n"),
+    ] {
+        let mut mill = Mill::power_on();
+        mill.home();
+        mill.press("KEY_AUTO");
+        switches.iter().for_each(|key| mill.press(key));
+        mill.say(Command::Store { program: "O0001".into(), text: text.into() });
+        mill.say(Command::Select { program: "O1".into() });
+        mill.press("KEY_START");
+        mill.until("cutting", |status| status.feed.actual > 500.0);
+        for key in ["KEY_HOLD", "KEY_JOG", "KEY_SP_STOP", "KEY_AUTO"] {
+            mill.press(key);
+        }
+        let held = mill.wait(500);
+        assert_eq!((held.activity, held.spindle.told), (Activity::Held, 0.0), "{switches:?} {text}");
+        assert_eq!(refused_start(&mut mill), [""; 0], "{switches:?} {text}");
+        mill.until("done", |status| status.counters.parts == 1 && status.activity == Activity::Idle);
+    }
+}
+
+#[test]
+fn no_axis_is_sent_to_its_reference_point_under_machine_lock() {
+    let mut mill = Mill::power_on();
+    mill.home();
+    mill.press("KEY_MLOCK");
+    mill.events.clear();
+    mill.press("KEY_X+");
+    let status = mill.wait(100);
+    let refused = |event: &&Event| matches!(event, Event::Refused { alarm } if alarm.id == "FC-1400");
+    assert_eq!((mill.events.iter().filter(refused).count(), status.activity), (1, Activity::Idle));
+    mill.press("KEY_MLOCK");
+    mill.events.clear();
+    mill.press("KEY_X+");
+    assert_eq!((mill.events.iter().filter(refused).count(), mill.control.cnc().is_homing()), (0, true));
 }
 
 #[test]

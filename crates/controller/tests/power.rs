@@ -196,6 +196,50 @@ fn each_item_holds_at_once_when_it_was_restored() {
     assert_eq!((found[&PlcArea::K][99], found[&PlcArea::D][5000]), (0b10, 7));
 }
 
+/// What is restored changes nothing else: neither what other items have nor what no backup has.
+#[test]
+fn a_restore_of_one_item_leaves_all_the_rest() {
+    let folder = tempfile::tempdir().unwrap();
+    let store = Arc::new(Store::open(folder.path(), Settings::new("gsk990mc")).unwrap());
+    let machine = Machine::demo_mill();
+    let mut memory = ferrocut_machine::Memory::new("gsk990mc");
+    let setup = "[parameters]\nP86 = 1234\n[tools.7]\nlength = 70.0\n[work_offsets]\nG55 = { x = 5.0 }\n";
+    ferrocut_machine::Setup::from_toml(setup).unwrap().apply(&mut memory).unwrap();
+    let parts = Parts { store: Some(store), memory: Some(memory), ..Parts::default() };
+    let mut control = Control::new(&machine, parts).unwrap();
+    say(&mut control, offset(-12.5));
+    mode(&mut control, Mode::Mdi);
+    let text = "#100=1.5\n#199=2\n#150=#0\n#500=3\n#999=4\nG10 L2 P1 X-5\nG10 L2 P3 Y8\nM2\n";
+    say(&mut control, Command::Mdi { text: text.into() });
+    start(&mut control, Mode::Mdi);
+    wait(&mut control, 1000);
+    say(&mut control, Command::Backup { file: "all.backup".into(), items: vec![] });
+    let all = |control: &Control| format!("{:?}", control.interpreter().memory());
+    let before = all(&control);
+    let values = |control: &Control| {
+        let variables = &control.interpreter().memory().variables;
+        [100, 150, 199, 500, 999].map(|number| variables.get(number))
+    };
+    assert_eq!(values(&control), [Some(1.5), None, Some(2.0), Some(3.0), Some(4.0)]);
+    for item in Item::ALL {
+        let restore = Command::Restore { file: "all.backup".into(), items: vec![item.name().into()] };
+        // Not all items are such that they are put back.
+        let _ = control.command(restore, &Author::Control);
+        wait(&mut control, 10);
+        assert_eq!(values(&control), [Some(1.5), None, Some(2.0), Some(3.0), Some(4.0)], "{item:?}");
+        assert!(all(&control) == before, "{item:?}");
+    }
+    // And what is restored is as it was, the rest as it is.
+    say(&mut control, Command::Mdi { text: "#100=7\n#500=8\nG10 L2 P1 X9\nM2\n".into() });
+    start(&mut control, Mode::Mdi);
+    wait(&mut control, 1000);
+    let items = vec!["variables".into()];
+    control.command(Command::Restore { file: "all.backup".into(), items }, &Author::Control).unwrap();
+    assert_eq!(values(&control), [Some(7.0), None, Some(2.0), Some(3.0), Some(4.0)]);
+    let Reply::Zeros { zeros } = say(&mut control, Command::Zeros) else { panic!() };
+    assert_eq!(zeros["G54"][&'X'], 9.0);
+}
+
 /// A control with the standard ladder on the memory of a folder.
 fn with_ladder(folder: &Path) -> Control {
     let store = Arc::new(Store::open(folder, Settings::new("gsk990mc")).unwrap());

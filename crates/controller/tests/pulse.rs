@@ -270,6 +270,65 @@ fn setpoints_that_change_places_or_come_late_do_no_harm() {
     assert_eq!((bench.board.axes[3].count, bench.board.unreadable), (-750, 0));
 }
 
+/// The emergency stop of the control takes the amplifiers off once the axes stand, and gives them back with its release.
+#[test]
+fn the_emergency_stop_takes_the_amplifiers_off_at_rest() {
+    for (change, forgets) in [("", true), ("absolute = true", false)] {
+        let mut bench = Bench::new(&machine(change), "G1 X100 Y50 F6000\nM30\n", Board::new(Able::default()));
+        bench.until(200, |bench| bench.board.doing == board::RUNNING);
+        let axes = bench.cnc.referenced();
+        bench.cnc.set_referenced([Axis::X, Axis::Y].into_iter().collect());
+        bench.cnc.cycle_start();
+        bench.until(1000, |bench| bench.last.position[Axis::X] > 20.0);
+        assert!(bench.board.enabled, "{axes:?}");
+        bench.cnc.emergency_stop();
+        let (mut count, mut braked) = (0, false);
+        bench.until(1000, |bench| {
+            bench.cnc.power_drives(false);
+            braked |= bench.board.axes[0].count != count;
+            let stands = bench.board.axes[0].count == count;
+            assert!(bench.board.enabled || stands, "not while it moves");
+            count = bench.board.axes[0].count;
+            !bench.board.enabled
+        });
+        assert!(braked && bench.board.doing == board::RUNNING);
+        assert_eq!(bench.cnc.referenced().is_empty(), forgets, "{change}");
+        let at = bench.board.axes[0].count;
+        (0..100).for_each(|_| bench.tick());
+        bench.cnc.power_drives(true);
+        (0..100).for_each(|_| bench.tick());
+        assert!(bench.board.enabled && bench.board.axes[0].count == at);
+        assert!(bench.cnc.jog(Axis::X, JogWay::Plus, JogSpeed::Feed));
+        (0..500).for_each(|_| bench.tick());
+        assert!(bench.board.axes[0].count > at + 100);
+    }
+}
+
+/// Whoever presses the button of the control presses that.
+#[test]
+fn the_button_of_the_control_takes_the_amplifiers_off() {
+    use ferrocut_controller::{Control, Mode, Parts};
+    let machine = machine("");
+    let line = Arc::new(Mutex::new(Line::default()));
+    let drives = Pulse::new(&machine, config(&machine), Box::new(Way(line.clone())), Position::ZERO);
+    let parts = Parts { drives: Some(Box::new(drives)), ..Parts::default() };
+    let mut control = Control::new(&machine, parts).unwrap();
+    let mut board = Board::new(Able::default());
+    let mut inputs = Control::free_inputs(Mode::Jog);
+    for (pressed, enabled) in [(false, true), (true, false), (false, true)] {
+        inputs.emergency_stop = pressed;
+        control.set_inputs(inputs.clone());
+        for _ in 0..300 {
+            control.tick();
+            let packets: Vec<Vec<u8>> = line.lock().unwrap().down.drain(..).collect();
+            packets.iter().for_each(|packet| board.feed(packet));
+            board.run(MS);
+            line.lock().unwrap().up.extend(board.take());
+        }
+        assert_eq!((board.enabled, board.doing), (enabled, board::RUNNING), "pressed: {pressed}");
+    }
+}
+
 /// A bench whose line does something to the setpoints of period 400, when all axes move.
 fn meddled(meddle: impl Fn(Vec<Vec<u8>>) -> Vec<Vec<u8>> + 'static) -> Bench {
     let mut bench = Bench::new(&machine(""), PROGRAM, Board::new(Able::default()));

@@ -648,7 +648,8 @@ faults! {
     RestartOtherProgram = 1415,
     /// A restart whose program or data were changed since.
     RestartChanged = 1416,
-    /// A restart with another tool or a spindle that does not turn as the program has it.
+    /// A restart with another tool or a spindle that does not turn as the program has it; a program that is to go on
+    /// with such a spindle.
     RestartNotAsProgram = 1417,
     /// No room for more of a program that is sent, until blocks are done.
     NoRoomYet = 1418,

@@ -1,4 +1,5 @@
-//! Drives that stop by themselves: a cable that is cut, a setpoint that came too late, an amplifier at fault.
+//! Drives that stop by themselves: a cable that is cut, a setpoint that came too late, an amplifier at fault. Amplifiers
+//! that are taken off.
 
 use super::{Cnc, State};
 use ferrocut_geometry::AxisSet;
@@ -27,5 +28,23 @@ impl Cnc {
         if std::mem::take(&mut self.drives_failed) {
             self.drives.restart();
         }
+    }
+
+    /// Amplifiers that are to be on or off, as in an emergency stop: off once the axes stand. Drives that lose their place
+    /// then are to be homed again.
+    pub fn power_drives(&mut self, on: bool) {
+        if on == self.is_powered || !on && !self.stands_free() {
+            return;
+        }
+        self.is_powered = on;
+        if !self.drives.enable(on) {
+            self.set_referenced(AxisSet::EMPTY);
+        }
+    }
+
+    /// Whether no axis moves and nothing is about to move one.
+    fn stands_free(&self) -> bool {
+        let is_over = matches!(self.state, State::Ready | State::Ended | State::Reset | State::Alarmed(_));
+        is_over && !self.manual.is_active && self.motion.is_still() && self.servo.is_at_rest()
     }
 }

@@ -1,5 +1,6 @@
 //! Programs one after the other on the same axes: position, spindle and what the interpreter remembers stay.
 
+use super::program_spindle::ProgramSpindle;
 use super::{Cnc, State};
 use ferrocut_interpreter::{AtRest, Interpreter};
 use ferrocut_program::{ProgramMemory, Span};
@@ -84,6 +85,7 @@ impl Cnc {
         self.given.clear();
         (self.waiting, self.thread) = (None, None);
         self.busy = None;
+        self.program_spindle = ProgramSpindle::default();
         self.commanded = self.motion.position();
         self.supervisor.moved_to(self.commanded);
         self.span = Span::default();

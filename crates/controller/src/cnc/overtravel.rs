@@ -11,6 +11,9 @@ use ferrocut_machine::Fault;
 pub(super) struct Overtravel {
     above: AxisSet,
     below: AxisSet,
+    /// Ways that axes moved by hand may not go.
+    no_plus: AxisSet,
+    no_minus: AxisSet,
     /// The release is held.
     released: bool,
     /// No alarms of them (GSK990MC 61#6).
@@ -26,9 +29,11 @@ impl Overtravel {
         self.released || self.ignored || self.above.is_empty() && self.below.is_empty()
     }
 
-    /// Whether an axis may not go that way.
+    /// Whether an axis may not go that way by hand.
     fn blocks(&self, axis: Axis, upwards: bool) -> bool {
-        !self.ignored && if upwards { self.above.contains(axis) } else { self.below.contains(axis) }
+        let (forbidden, switch) =
+            if upwards { (self.no_plus, self.above) } else { (self.no_minus, self.below) };
+        forbidden.contains(axis) || !self.ignored && switch.contains(axis)
     }
 }
 
@@ -39,6 +44,32 @@ impl Cnc {
         self.overtravel.released = held;
     }
 
+    /// The axes that may not be moved upwards or downwards by hand, as long as that is not taken back: those under way
+    /// come to rest.
+    pub fn forbid_by_hand(&mut self, upwards: AxisSet, downwards: AxisSet) {
+        (self.overtravel.no_plus, self.overtravel.no_minus) = (upwards, downwards);
+        if self.manual.is_active && !self.homing.is_active() && !self.returns() {
+            self.brake_blocked();
+        }
+    }
+
+    /// Axes that move by hand on a way that they may not go come to rest.
+    fn brake_blocked(&mut self) {
+        for axis in self.machine_axes.iter() {
+            let velocity = self.manual.velocity(axis);
+            if velocity != 0.0 && self.overtravel.blocks(axis, velocity > 0.0) {
+                self.manual.drive(axis, 0.0);
+            }
+        }
+    }
+
+    /// Whether the release keeps a switch from being an alarm: where axes are moved by hand, or nothing moves them. A
+    /// program, the way back to it and homing end on a switch all the same.
+    fn acts_release(&self) -> bool {
+        let by_hand = self.manual.is_active || !self.is_under_way();
+        self.overtravel.released && by_hand && !self.homing.is_active() && !self.returns()
+    }
+
     /// Looks at the travel switches, once a period.
     pub(super) fn watch_switches(&mut self) {
         let switches = self.switches();
@@ -47,14 +78,9 @@ impl Cnc {
         if above.is_empty() && below.is_empty() {
             return;
         }
-        if self.overtravel.is_clear() {
+        if self.overtravel.ignored || self.acts_release() {
             // The release lets an axis go back, not on.
-            for axis in self.machine_axes.iter() {
-                let velocity = self.manual.velocity(axis);
-                if velocity != 0.0 && self.overtravel.blocks(axis, velocity > 0.0) {
-                    self.manual.drive(axis, 0.0);
-                }
-            }
+            self.brake_blocked();
         } else if !matches!(self.state, State::Alarmed(_)) && self.failed.is_none() {
             let upper = above.iter().next();
             let Some(axis) = upper.or(below.iter().next()) else { return };

@@ -9,9 +9,10 @@ use ferrocut_machine::{Alarm, Fault};
 impl Cnc {
     /// Sends an axis to its reference point, as its key in the mode HOME does: axes at their limits come to rest and
     /// find it by their switches, or are positioned on it where it is known and remembered. Whether it goes: not
-    /// while a program is under way, nor while the axis moves, nor beside another where one at a time may home.
+    /// while a program is under way, nor while the axis moves, nor beside another where one at a time may home, nor under
+    /// machine lock, where no axis comes to its place.
     pub fn home(&mut self, axis: Axis) -> bool {
-        let may = matches!(self.state, State::Ready | State::Ended | State::Reset);
+        let may = matches!(self.state, State::Ready | State::Ended | State::Reset) && !self.is_locked();
         if !may || !self.machine_axes.contains(axis) || !self.take_by_hand() || !self.manual.stands(axis) {
             return false;
         }
@@ -42,10 +43,11 @@ impl Cnc {
 
     /// The places where axes stand are their reference points, as if they had been found there: machine zero set by
     /// hand, on a machine that has encoders and no switches for it (GSK990MC part 2, 3.3.5; 20#7). Whether they are:
-    /// not while a program is under way or an axis moves.
+    /// not while a program is under way or an axis moves, nor under machine lock.
     pub fn set_machine_zero(&mut self, axes: AxisSet) -> bool {
         let may = matches!(self.state, State::Ready | State::Ended | State::Reset)
             && !self.manual.is_active
+            && !self.is_locked()
             && !self.homing.is_active();
         if !may || !self.take_by_hand() {
             return false;
@@ -181,10 +183,14 @@ impl Cnc {
         self.interpreter.own().set_unreferenced(unreferenced);
     }
 
-    /// A program sent axes to their reference points: those that are not known are searched from where they stand.
+    /// A program sent axes to their reference points: those that are not known are searched from where they stand, save
+    /// under machine lock, where none is found.
     pub(super) fn home_by_program(&mut self, axes: AxisSet) {
         let referenced = self.homing.referenced();
         self.homing.stand(axes);
+        if self.is_locked() {
+            return;
+        }
         let axes = axes.and(self.machine_axes);
         for axis in axes.iter().filter(|axis| !referenced.contains(*axis)) {
             self.manual.take(self.beside(self.motion.position()));

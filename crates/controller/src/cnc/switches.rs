@@ -25,6 +25,8 @@ pub(super) struct Locked {
     position: Position,
     /// As the drives were told.
     drive: Position,
+    /// What places were renamed by before: a name that a place gets under the lock goes with it.
+    renamed: Position,
 }
 
 /// How the switches stand.
@@ -81,6 +83,11 @@ impl Cnc {
         }
     }
 
+    /// Whether dry run is in force.
+    pub(super) fn is_dry_run(&self) -> bool {
+        self.switches.dry_run.is_some()
+    }
+
     /// Auxiliary lock: S, T and M codes have no effect, save those of the program's flow (7.8).
     pub fn set_auxiliary_lock(&mut self, on: bool) {
         self.switches.auxiliary_lock = on;
@@ -121,9 +128,11 @@ impl Cnc {
         }
         if on {
             let position = self.beside(self.motion.position());
-            self.switches.locked = Some(Locked { position, drive: self.switches.drive });
+            self.switches.locked =
+                Some(Locked { position, drive: self.switches.drive, renamed: self.renamed });
         } else if let Some(locked) = self.switches.locked.take() {
             self.aside.shift = Position::ZERO;
+            self.renamed = locked.renamed;
             self.stand_at(locked.position);
         }
         true

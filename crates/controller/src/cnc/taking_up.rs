@@ -1,5 +1,6 @@
 //! A program is taken up in its midst, and what a reset leaves for it (`restart`).
 
+use super::program_spindle::ProgramSpindle;
 use super::{Cnc, State};
 use crate::restart::{Interrupted, Journal, Present, Restart};
 use ferrocut_geometry::Position;
@@ -93,6 +94,7 @@ impl Cnc {
         interpreter.look_back();
         self.touches = None;
         self.wait_for_start();
+        self.program_spindle = ProgramSpindle::taken_up(interpreter.program_state().spindle);
         self.span = span;
         self.taking_up.at = (block, span);
         self.taking_up.lead_in = lead_in;

@@ -1,10 +1,11 @@
 //! Axes and spindle moved by hand: what the ladder asks for becomes jog, steps, handwheel (GSK990MC part 2, 4 to 6).
 
-use super::{Control, modes};
+use super::{Control, alarm, modes};
 use crate::api::{AlarmInfo, Event};
 use crate::manual::{JogSpeed, JogWay};
 use crate::signals::{Inputs, Mode, SIGNAL_AXES};
-use ferrocut_geometry::Axis;
+use ferrocut_geometry::{Axis, AxisSet};
+use ferrocut_machine::{Alarm, Fault};
 use ferrocut_toolpath::{Speed, SpindleState};
 
 /// Least input increment, mm or degrees.
@@ -22,6 +23,8 @@ impl Control {
         let shifts = self.bit(56, 3);
         let counts = std::mem::take(&mut self.counts);
         self.cnc.set_interruption(modes::by_hand(self.mode, shifts));
+        let (upwards, downwards) = self.forbidden_by_hand();
+        self.cnc.forbid_by_hand(upwards, downwards);
         if !self.inputs.axes_may_move || self.is_alarmed() {
             self.release_axes();
             return;
@@ -33,6 +36,17 @@ impl Control {
             Mode::Home => self.home(),
             _ => self.release_axes(),
         }
+    }
+
+    /// Ways on which the ladder lets no axis go on in a manual mode: up and down.
+    fn forbidden_by_hand(&self) -> (AxisSet, AxisSet) {
+        let axes = || {
+            let is_manual = self.mode.is_manual();
+            self.machine.axes.iter().zip(&self.inputs.no_motion).filter(move |_| is_manual)
+        };
+        let upwards = axes().filter(|(_, ways)| ways.plus).map(|(axis, _)| axis.name);
+        let downwards = axes().filter(|(_, ways)| ways.minus).map(|(axis, _)| axis.name);
+        (upwards.collect(), downwards.collect())
     }
 
     fn axis(&self, number: usize) -> Option<Axis> {
@@ -101,7 +115,7 @@ impl Control {
             let Some(before) = self.jogs.get_mut(number) else { break };
             let was = std::mem::replace(before, (asked, false)).0;
             if asked != 0 && was == 0 {
-                match self.cnc.home_alarm(axis) {
+                match self.locked_alarm().or_else(|| self.cnc.home_alarm(axis)) {
                     Some(alarm) => self.event(Event::Refused { alarm: AlarmInfo::of(&alarm) }),
                     None => drop(self.cnc.home(axis)),
                 }
@@ -109,6 +123,11 @@ impl Control {
                 self.cnc.release_home(axis);
             }
         }
+    }
+
+    /// Why no place gets the name of a reference point: under machine lock the axes are not where they seem to be.
+    pub(super) fn locked_alarm(&self) -> Option<Box<Alarm>> {
+        self.cnc.is_locked().then(|| Box::new(alarm(Fault::ControlMode).with("mode", "MLK")))
     }
 
     fn turn_wheel(&mut self, counts: i32) {
@@ -132,12 +151,13 @@ impl Control {
         }
     }
 
-    /// The keys of the spindle, in the modes in which they have effect (4.2): it turns at the S given before.
+    /// The keys of the spindle, in the modes in which they have effect (4.2): it turns at the S given before. Only of a
+    /// control without a ladder: else they reach the spindle through that, which knows whether it may turn.
     pub(super) fn turn_spindle(&mut self) {
-        let (now, before) = (self.inputs.clone(), self.before.clone());
-        if !matches!(self.mode, Mode::Jog | Mode::Step | Mode::Handle) || self.emergency {
+        if self.plc.is_some() || !self.mode.is_manual() || self.emergency {
             return;
         }
+        let (now, before) = (self.inputs.clone(), self.before.clone());
         let (_, rpm) = self.cnc.interpreter().feed_and_speed();
         let jog_rpm = self.parameter(242);
         let turns = |inputs: &Inputs| inputs.spindle_forward || inputs.spindle_reverse || inputs.spindle_jog;

@@ -32,6 +32,8 @@ const SLOW_S: f64 = 1.0;
 /// The durable memory of a running control.
 pub(super) struct Keeping {
     pub store: Arc<Store>,
+    /// The memory before anything that was kept.
+    delivered: Memory,
     /// What is on the disk, or on its way there.
     kept: Memory,
     /// Changes of the program that were looked at.
@@ -107,6 +109,7 @@ impl Keeping {
             Item::Ladder,
         ]);
         let contents = store.reader().contents(&items).map_err(|error| error.alarm())?;
+        let delivered = memory.clone();
         // What this control does not take stays in the memory, for one that does.
         let _ = enter(&contents, memory);
         let of = |counter| contents.counters.get(&counter).copied().unwrap_or(0.0);
@@ -125,6 +128,7 @@ impl Keeping {
         }
         let keeping = Keeping {
             store,
+            delivered,
             kept: memory.clone(),
             writes: 0,
             plc: kept_plc,
@@ -320,8 +324,22 @@ impl Control {
         let mut items = ENTERED.to_vec();
         items.extend([Item::Counters, Item::Interrupted, Item::Plc, Item::Pitch, Item::Ladder]);
         let contents = keeping.store.reader().contents(&items).map_err(|error| error.alarm())?;
-        let mut memory = super::as_delivered(&self.machine)?;
+        let mut memory = keeping.delivered.clone();
         let _ = enter(&contents, &mut memory);
+        // What no backup has is as it was.
+        let present = self.cnc.interpreter().memory();
+        memory.library.clone_from(&present.library);
+        match restored.contains(&Item::Variables) {
+            true => {
+                let volatile =
+                    present.variables.iter().filter(|(number, _)| !KEPT_VARIABLES.contains(number));
+                for (number, value) in volatile {
+                    // There was room for it.
+                    let _ = memory.variables.set(number, Some(value));
+                }
+            }
+            false => memory.variables.clone_from(&present.variables),
+        }
         for (counter, value) in &contents.counters {
             self.counters.set(*counter, *value);
         }

@@ -84,6 +84,9 @@ impl Control {
             return Err(Box::new(alarm(Fault::NotFitted).with("name", "NO20.7")));
         }
         let axes = axes.iter().map(|letter| self.axis_named(*letter)).collect::<Result<AxisSet, _>>()?;
+        if let Some(alarm) = self.locked_alarm() {
+            return Err(alarm);
+        }
         match self.cnc.set_machine_zero(axes) {
             true => Ok(Reply::Done),
             false => Err(Box::new(alarm(Fault::ControlBusy))),

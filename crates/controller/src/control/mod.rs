@@ -36,6 +36,7 @@ mod wheel_drive;
 use crate::api::{Activity, AlarmInfo, Event};
 use crate::cnc::{self, Cnc, DryRun, State, Tick};
 use crate::drives::{Drives, Switches};
+use crate::restart::told::function;
 use crate::signals::{Inputs, Mode, Outputs, SIGNAL_AXES};
 pub use commands::{BACKUPS, backup_in};
 pub use desk::Desk;
@@ -46,6 +47,7 @@ use ferrocut_machine::{Alarm, Fault, Machine, Memory, ParameterKey};
 use ferrocut_memory::Store;
 use ferrocut_plc::{Address, Area, Pace, Plc};
 use ferrocut_program::{ProgramMemory, Span, Text};
+use ferrocut_toolpath::{Op, SpindleState};
 use keeping::Keeping;
 pub use library::{Library, id_of};
 use modes::{Change, Standing, Start};
@@ -386,7 +388,9 @@ impl Control {
         self.cnc.hear(&self.inputs);
         self.renew_ladder_names();
         if let Some(plc) = &self.plc {
-            self.cnc.release_overtravel(self.ladder_names.releases_overtravel(plc));
+            // In manual modes only (part 2, 2.5.3).
+            let is_manual = self.inputs.mode.is_manual();
+            self.cnc.release_overtravel(is_manual && self.ladder_names.releases_overtravel(plc));
         }
         if scanned.rolled_back {
             let alarm = AlarmInfo::of(&alarm(Fault::LadderTakenOut).as_warning());
@@ -403,7 +407,7 @@ impl Control {
         let pressed = self.button || self.inputs.emergency_stop;
         if pressed && !self.emergency {
             self.cnc.emergency_stop();
-            self.cnc.turn_spindle(ferrocut_toolpath::SpindleState::Off);
+            self.cnc.turn_spindle(SpindleState::Off);
             self.reading.cancel_start();
             self.release_axes();
             self.give_up();
@@ -411,6 +415,7 @@ impl Control {
         }
         let is_released = !pressed && self.emergency;
         self.emergency = pressed;
+        self.cnc.power_drives(!pressed);
         if is_released && !self.is_alarmed() {
             self.event(Event::AlarmsCleared);
         }
@@ -445,6 +450,11 @@ impl Control {
         self.cnc.set_optional_stop(optional);
         self.cnc.set_machine_lock(lock);
         self.cnc.set_may_move(may);
+        // What took the permission may have stopped the spindle.
+        let is_given_back = may && !self.before.axes_may_move;
+        if is_given_back && self.standing() == Standing::Runs && self.cnc.spindle_due().is_some() {
+            self.cnc.feed_hold();
+        }
         // M01 is given out always: whether it stops is decided where it stands.
         self.cnc.set_block_skip(skip, true);
     }
@@ -552,12 +562,24 @@ impl Control {
                 if let Some(alarm) = self.cnc.way_back_alarm().or_else(|| self.cnc.shift_alarm()) {
                     return Err(alarm);
                 }
+                self.spindle_must_turn()?;
                 self.cnc.do_not_finish_block();
                 self.cnc.cycle_start();
                 Ok(())
             }
             Start::Starts if !self.cnc.is_idle() => Err(Box::new(alarm(Fault::ControlBusy))),
             Start::Starts => self.start_program(),
+        }
+    }
+
+    /// A program that has stopped goes on with the spindle as it has it.
+    fn spindle_must_turn(&self) -> Result<(), Box<Alarm>> {
+        match self.cnc.spindle_due().filter(|_| self.standing() == Standing::Stopped) {
+            None => Ok(()),
+            Some(state) => {
+                let code = function(&Op::Spindle(state), &self.tick.position);
+                Err(Box::new(alarm(Fault::RestartNotAsProgram).with("name", code.unwrap_or_default())))
+            }
         }
     }
 

@@ -130,6 +130,11 @@ pub trait Drives: Send {
         true
     }
 
+    /// The amplifiers are to be on or off; told only while the axes stand. Whether it is known still where the axes are.
+    fn enable(&mut self, _on: bool) -> bool {
+        true
+    }
+
     /// Whether they have stopped by themselves, and follow no command until they are restarted.
     fn has_failed(&self) -> bool {
         false

@@ -133,6 +133,8 @@ pub struct Pulse {
     most_rpm: f64,
     actual: Position,
     commanded: Position,
+    /// The amplifiers are to be on.
+    enable: bool,
 }
 
 impl Pulse {
@@ -179,6 +181,7 @@ impl Pulse {
             most_rpm: machine.spindle.max_rpm,
             actual: at,
             commanded: at,
+            enable: true,
         }
     }
 
@@ -314,7 +317,7 @@ impl Pulse {
         }
         self.setpoint = Setpoint {
             session: self.setup.session,
-            enable: true,
+            enable: self.enable,
             axes: self.axes.len(),
             outputs: self.setpoint.outputs,
             ..Setpoint::default()
@@ -513,6 +516,12 @@ impl Drives for Pulse {
 
     fn leads_spindle(&self) -> bool {
         false
+    }
+
+    fn enable(&mut self, on: bool) -> bool {
+        (self.enable, self.setpoint.enable) = (on, on);
+        // Without current a motor follows whatever moves it, and nobody counts.
+        on || self.config.absolute
     }
 
     fn has_failed(&self) -> bool {
