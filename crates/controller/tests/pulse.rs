@@ -270,7 +270,8 @@ fn setpoints_that_change_places_or_come_late_do_no_harm() {
     assert_eq!((bench.board.axes[3].count, bench.board.unreadable), (-750, 0));
 }
 
-/// The emergency stop of the control takes the amplifiers off once the axes stand, and gives them back with its release.
+/// The emergency stop of the control takes the amplifiers off once the axes stand; its release gives them
+/// back.
 #[test]
 fn the_emergency_stop_takes_the_amplifiers_off_at_rest() {
     for (change, forgets) in [("", true), ("absolute = true", false)] {

@@ -1,5 +1,5 @@
-//! Drives that stop by themselves: a cable that is cut, a setpoint that came too late, an amplifier at fault. Amplifiers
-//! that are taken off.
+//! Drives that stop by themselves: a cable that is cut, a setpoint that came too late, an amplifier at fault. And
+//! amplifiers that are taken off.
 
 use super::{Cnc, State};
 use ferrocut_geometry::AxisSet;
@@ -30,8 +30,8 @@ impl Cnc {
         }
     }
 
-    /// Amplifiers that are to be on or off, as in an emergency stop: off once the axes stand. Drives that lose their place
-    /// then are to be homed again.
+    /// Amplifiers that are to be on or off, as in an emergency stop: off once the axes stand. Drives that lose their
+    /// place then are to be homed again.
     pub fn power_drives(&mut self, on: bool) {
         if on == self.is_powered || !on && !self.stands_free() {
             return;

@@ -1,5 +1,5 @@
-//! The spindle as the program that runs has it: where a door, a drive or a key stopped it beside the program, cutting does
-//! not go on before it turns again.
+//! The spindle as the program that runs has it: where a door, a drive or a key stopped it beside the program, cutting
+//! does not go on before it turns again.
 
 use super::Cnc;
 use ferrocut_geometry::Turn;
@@ -35,8 +35,8 @@ impl Cnc {
         }
     }
 
-    /// Once a period in which the program runs; `code_done`: the ladder has just finished a code, and what it stopped the
-    /// spindle for is what the program wanted (M29, a tool change).
+    /// Once a period in which the program runs; `code_done`: the ladder has just finished a code, and what it stopped
+    /// the spindle for is what the program wanted (M29, a tool change).
     pub(super) fn watch_spindle(&mut self, code_done: bool) {
         let turns = self.spindle_turns();
         let wanted = self.program_spindle.state.turn();
@@ -59,8 +59,8 @@ impl Cnc {
         }
     }
 
-    /// What the spindle is to do before the program that is stopped may go on: it turned so and does not any more. Nobody
-    /// cuts under a lock or in a dry run.
+    /// What the spindle is to do before the program that is stopped may go on: it turned so and does not any more.
+    /// Nobody cuts under a lock or in a dry run.
     pub fn spindle_due(&self) -> Option<SpindleState> {
         let ProgramSpindle { state, has_turned } = self.program_spindle;
         let cuts = !self.is_locked() && !self.switches.auxiliary_lock && !self.is_dry_run();

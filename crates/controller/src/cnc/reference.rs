@@ -9,8 +9,8 @@ use ferrocut_machine::{Alarm, Fault};
 impl Cnc {
     /// Sends an axis to its reference point, as its key in the mode HOME does: axes at their limits come to rest and
     /// find it by their switches, or are positioned on it where it is known and remembered. Whether it goes: not
-    /// while a program is under way, nor while the axis moves, nor beside another where one at a time may home, nor under
-    /// machine lock, where no axis comes to its place.
+    /// while a program is under way, nor while the axis moves, nor beside another where one at a time may home, nor
+    /// under machine lock, where no axis comes to its place.
     pub fn home(&mut self, axis: Axis) -> bool {
         let may = matches!(self.state, State::Ready | State::Ended | State::Reset) && !self.is_locked();
         if !may || !self.machine_axes.contains(axis) || !self.take_by_hand() || !self.manual.stands(axis) {

@@ -130,7 +130,8 @@ pub trait Drives: Send {
         true
     }
 
-    /// The amplifiers are to be on or off; told only while the axes stand. Whether it is known still where the axes are.
+    /// The amplifiers are to be on or off; told only while the axes stand. Whether it is known still where the
+    /// axes are.
     fn enable(&mut self, _on: bool) -> bool {
         true
     }
