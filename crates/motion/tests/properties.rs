@@ -5,7 +5,7 @@ mod common;
 use common::*;
 use ferrocut_geometry::{AXES, Axis, Plane, Position};
 use ferrocut_machine::Machine;
-use ferrocut_motion::{Motion, Move, State};
+use ferrocut_motion::{Limits, Motion, Move, Setpoint, State};
 use ferrocut_toolpath::{CornerRule, Feed, FeedAlong, InnerCorners, Op, PathMode};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -249,6 +249,53 @@ fn tolerance(machine: &Machine, ops: &[Op], number: usize) -> f64 {
     }
 }
 
+/// Directions in which a move begins and ends; `None` where it goes nowhere to speak of, or turns another axis.
+fn directions(op: &Op, from: Position) -> Option<[Position; 2]> {
+    let to = *op.target().unwrap();
+    let arc = op.arc(from);
+    // Arcs of some hundredths are no more than the rounding of their ends, nor are lines of some thousandths.
+    let least = if arc.is_some() { 0.1 } else { 0.01 };
+    if from[Axis::A] != to[Axis::A] || op.length(from) < least {
+        return None;
+    }
+    let ways = match arc {
+        Some(arc) => [arc.at(1e-6) - from, to - arc.at(1.0 - 1e-6)],
+        None => [to - from; 2],
+    };
+    Some(ways.map(|way| Position(way.0.map(|d| d / way.distance(Position::ZERO)))))
+}
+
+/// Whether the path has to rest between two moves: where one is positioning, the first is an exact stop, the axes change, no
+/// tolerance lets a corner be rounded, or the path all but turns back.
+fn must_rest(machine: &Machine, ops: &[Op], run: &Run, number: usize) -> bool {
+    let (Some(one), Some(next)) = (ops.get(number), ops.get(number + 1)) else { return true };
+    let is_exact = |op: &Op| {
+        matches!(
+            op,
+            Op::Rapid { .. }
+                | Op::Feed { path: PathMode::ExactStop, .. }
+                | Op::Arc { path: PathMode::ExactStop, .. }
+        )
+    };
+    if is_exact(one) || matches!(next, Op::Rapid { .. }) {
+        return true;
+    }
+    // What is too short to have a direction takes its neighbours along.
+    let of = |i: usize| directions(&ops[i], run.from(i));
+    let both = number
+        .checked_sub(1)
+        .map_or(Some(()), |before| of(before).map(drop))
+        .and(of(number))
+        .zip(of(number + 1));
+    let Some(([_, end], [begin, _])) = both else { return true };
+    let cosine: f64 = (0..3).map(|i| end.0[i] * begin.0[i]).sum();
+    let may_round =
+        |op: &Op| matches!(op, Op::Feed { path, .. } | Op::Arc { path, .. } if *path != PathMode::Tapping);
+    let tolerance = tolerance(machine, ops, number).min(tolerance(machine, ops, number + 1));
+    let is_rounded = may_round(one) && may_round(next) && tolerance > 1e-4;
+    if is_rounded { cosine < -0.9 } else { cosine < 1.0 - 1e-9 }
+}
+
 fn close(a: Position, b: Position) -> bool {
     (0..AXES).all(|i| (a.0[i] - b.0[i]).abs() < 1e-9)
 }
@@ -286,6 +333,31 @@ proptest! {
             if stops && *op.target().unwrap() != run.from(i) {
                 prop_assert!(run.rests_on(*op.target().unwrap()), "move {} of {:?}", i, ops);
             }
+        }
+    }
+
+    /// Nothing stops that need not.
+    #[test]
+    fn nothing_rests_without_a_reason(machine in machine(), pieces in prop::collection::vec(piece(), 1..8)) {
+        let ops = build(&pieces);
+        // What is to be passed at a lowest feed may be too short for any other speed.
+        prop_assume!(!ops.iter().any(|op| matches!(op,
+            Op::Feed { path: PathMode::InnerCorners(_), .. } | Op::Arc { path: PathMode::InnerCorners(_), .. })));
+        let run = run(&machine, Position::ZERO, &ops);
+        // Of a stop within the limits of jerk a sample is no faster than this; without them, one rests.
+        let jerk = Limits::new(&machine).jerk.into_iter().take(3).fold(0.0, f64::max);
+        let least = if jerk.is_finite() { 0.125 * jerk * run.period * run.period } else { 0.0 };
+        let moving = |s: &Setpoint| s.velocity > least;
+        let first = run.samples.iter().position(moving).unwrap_or(0);
+        let last = run.samples.iter().rposition(moving).unwrap_or(0);
+        for s in run.samples.get(first..last).unwrap_or_default().iter().filter(|s| !moving(s)) {
+            let tag = s.tag as usize;
+            let near = tag.saturating_sub(3)..(tag + 4).min(ops.len());
+            // Where the speed is as low as that the end of a move is not far.
+            let has_reason = near.clone().any(|i| {
+                ops[i].target().unwrap().distance(s.position) < 0.01 && must_rest(&machine, &ops, &run, i)
+            });
+            prop_assert!(has_reason, "{s:?} in {:?}", ops.get(near));
         }
     }
 
