@@ -127,3 +127,20 @@ fn the_spindle_goes_on_behind_a_thread_in_the_language_in_which_it_does() {
         assert!(speeds.len() > 500 && speeds.iter().all(|rpm| *rpm == 300.0), "{x}");
     }
 }
+
+/// Inverse time: each block takes its part of a minute, whatever its length, arcs, helices and blocks run through included.
+#[test]
+fn inverse_time_is_the_time_of_the_block() {
+    let program = "G21 G90 G17 G64\nG93 G1 X50 F12\nX60 F12\nG2 X80 Y-20 R20 F20\nG3 X80 Y0 Z-10 I0 J10 F10\nG1 X80 Y4 F30\nM2\n";
+    let mut cnc = Cnc::new(&machine(), in_language("rs274", program));
+    let run = run(&mut cnc);
+    run.check_limits(&machine(), true);
+    let period = machine().servo_period_ms / 1000.0;
+    let took =
+        |line: u32| run.ticks.iter().filter(|t| t.moving && t.span.line == line).count() as f64 * period;
+    // Into and out of what is slower the axes take a little more: v/a and the jerk's part, some hundredths.
+    for (line, wanted) in [(2, 5.0), (3, 5.0), (4, 3.0), (5, 6.0), (6, 2.0)] {
+        let found = took(line);
+        assert!(found > wanted - 0.01 && found < wanted + 0.06, "line {line}: {found} s instead of {wanted}");
+    }
+}
