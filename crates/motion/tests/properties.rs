@@ -325,6 +325,8 @@ proptest! {
         let run = run_with(&machine, Position::ZERO, &ops, &events, &rhythm);
         run.check_limits(&machine);
         run.check_path_within(|number| tolerance(&machine, &ops, number) + 1e-6);
+        let strongest = machine.axes.iter().map(|axis| axis.acceleration * axis.acceleration).sum::<f64>().sqrt();
+        run.check_reach_within(strongest, |number| tolerance(&machine, &ops, number) + 1e-6);
         // Moves that go nowhere end where they began, in every bit.
         prop_assert_eq!(run.samples.last().unwrap().position, *ops.last().unwrap().target().unwrap());
         for (i, op) in ops.iter().enumerate() {

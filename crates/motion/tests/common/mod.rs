@@ -217,6 +217,39 @@ impl Run {
         }
     }
 
+    /// Every move is gone through: its points lie within the tolerance of its number of the way between the samples. What
+    /// the axes can bend it by between two of them, `acceleration` in mm/s², is no fault.
+    pub fn check_reach_within(&self, acceleration: f64, tolerance: impl Fn(usize) -> f64) {
+        let sagitta = acceleration * self.period * self.period / 8.0;
+        for (i, op) in self.ops.iter().enumerate() {
+            let (from, to) = (self.from(i), *op.target().unwrap());
+            if op.length(from) < 1e-5 {
+                continue;
+            }
+            // Short moves lie between two samples.
+            let tags = i.saturating_sub(3) as u64..=(i + 4) as u64;
+            let first = self.samples.partition_point(|s| s.tag < *tags.start()).saturating_sub(2);
+            let last = (self.samples.partition_point(|s| s.tag <= *tags.end()) + 2).min(self.samples.len());
+            for t in [0.25, 0.5, 0.75, 1.0] {
+                let point = op.arc(from).map_or_else(|| from + scaled(to - from, t), |arc| arc.at(t));
+                let off = |w: &[Setpoint]| {
+                    let (a, d) = (w[0].position, w[1].position - w[0].position);
+                    let square: f64 = d.0.iter().map(|c| c * c).sum();
+                    let along: f64 = (point - a).0.iter().zip(d.0).map(|(p, c)| p * c).sum();
+                    let share = if square > 0.0 { (along / square).clamp(0.0, 1.0) } else { 0.0 };
+                    norm(point - a - scaled(d, share))
+                };
+                let off = self.samples[first..last].windows(2).map(off).fold(f64::INFINITY, f64::min);
+                let is_apart = matches!(op, Op::Rapid { straight: false, .. }) && t < 1.0;
+                let most = tolerance(i).max(tolerance(i + 1)) + sagitta;
+                assert!(
+                    is_apart || off <= most,
+                    "move {i} at {t}: {off} mm from the way of the axes, {most} allowed"
+                );
+            }
+        }
+    }
+
     /// Whether one setpoint is exactly this point.
     pub fn rests_on(&self, p: Position) -> bool {
         self.samples.iter().any(|s| s.position == p && s.velocity == 0.0)
@@ -229,6 +262,10 @@ impl Run {
         let last = self.samples.iter().rposition(moving).unwrap();
         self.samples[first..=last].iter().any(|s| s.velocity == 0.0)
     }
+}
+
+fn scaled(p: Position, by: f64) -> Position {
+    Position(p.0.map(|c| c * by))
 }
 
 fn norm(p: Position) -> f64 {
