@@ -66,7 +66,9 @@ impl Cnc {
     /// Whether the release keeps a switch from being an alarm: where axes are moved by hand, or nothing moves them. A
     /// program, the way back to it and homing end on a switch all the same.
     fn acts_release(&self) -> bool {
-        let by_hand = self.manual.is_active || !self.is_under_way();
+        // What is sent line by line waits for more, or jogs in lines.
+        let by_hand =
+            self.manual.is_active || !self.is_under_way() || self.is_jogging() || self.awaits_work();
         self.overtravel.released && by_hand && !self.homing.is_active() && !self.returns()
     }
 
