@@ -129,7 +129,9 @@ const OPEN: Record<string, number> = {
 
 function overrun(of: Subject, at: Point): Item {
   const degrees = OPEN[word(of.values, 'strategy') || word(of.values, 'kind')] ?? 0;
-  return measure('rough.E', outside(of, at, degrees, 0), outside(of, at, degrees, number(of.values, 'rough.E')));
+  const edge = outside(of, at, degrees, 0);
+  // Beside the middle of the side, where its own measure stands.
+  return measure('rough.E', edge, outside(of, at, degrees, number(of.values, 'rough.E')), -of.tool);
 }
 
 /** A way into a profile or out of it: the circle that touches the profile at its end, on the side of a point (4.20). */

@@ -135,7 +135,7 @@ function stock(of: Subject, { surface, floor, depth, up, half, edge }: Room): It
   if (of.has('finish.deltaz')) {
     const z = floor + up * number(v, 'finish.deltaz');
     items.push({ kind: 'line', points: [[-half, z], [half, z]], look: 'stock', field: 'finish.deltaz' });
-    items.push(measure('finish.deltaz', [half * 0.3, floor], [half * 0.3, z]));
+    items.push(measure('finish.deltaz', [half * 0.45, floor], [half * 0.45, z]));
   }
   const wall = ['finish.delta', 'delta'].find(of.has);
   if (wall && !isHole(of)) {
@@ -178,7 +178,7 @@ function entries(of: Subject, { surface, floor, depth, up, half }: Room): Item[]
 /** The hole that is drilled first into a pocket, with planes of its own or those of the pocket (4.15). */
 function drilling(of: Subject, { surface, safety, floor, up, half }: Room): Item[] {
   const v = of.values;
-  const x = -half * 0.8;
+  const x = half * 0.8;
   const radius = half * 0.05;
   const top = number(v, 'drill.Z', surface);
   const bottom = top - up * Math.abs(number(v, 'drill.P', (surface - floor) * up));
