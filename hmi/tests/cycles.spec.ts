@@ -1,4 +1,6 @@
 // The cycle editor: a pocket filled in, put right, simulated and put into a program; positions, a profile from a drawing.
+import type { Form } from '../src/lib/api/cycles.ts';
+import { kept, read, write } from './forms';
 import { expect, shoot, test, type Page } from './server';
 
 const PROGRAM = 'O7101';
@@ -243,6 +245,13 @@ test('a field is taught where the machine stands', async ({ page }) => {
   await at.focus();
   await page.locator('.field[data-name="XC"]').getByRole('button', { name: "Take the machine's position" }).click();
   await expect.poll(async () => Number(await at.inputValue())).toBeCloseTo(axis, 3);
+});
+
+test('the forms that drawings are tested with are those of the server', async ({ request }) => {
+  const forms = (await (await request.get('/api/cycles?language=en')).json()) as Form[];
+  // FORMS=write takes them over.
+  if (process.env.FORMS === 'write') write(forms);
+  expect(read()).toEqual(kept(forms));
 });
 
 test('forms are in the language and the shade that are chosen, and fit a small screen', async ({ page }) => {

@@ -1,5 +1,7 @@
 // Forms as they were filled in, each cycle's its own, kept while the panel is open.
 import type { Contour, Depth, Element, Form, FormField, Positions, Request, ToolData, Value } from '$lib/api/cycles';
+import { fresh } from './items';
+import { key } from './rows';
 import type { Values } from './geometry';
 
 export type Filled = {
@@ -12,12 +14,6 @@ export type Filled = {
 const filled = $state<Record<string, Filled>>({});
 const tools = $state<Record<number, ToolData>>({});
 let chosen = $state('G287');
-
-function fresh(fields: FormField[]): Values {
-  const values: Values = {};
-  for (const field of fields) if (field.standard !== null) values[field.name] = field.standard;
-  return values;
-}
 
 /** A contour to begin with: a square with round corners, open where the tool follows it. */
 function contours(form: Form): Contour[] {
@@ -91,6 +87,19 @@ export function request(form: Form, of: Filled): Request {
     profile: form.profile === 'none' ? null : { contours: of.contours },
     depths: form.profile === 'depths' ? of.depths : [],
     tools: toolsOf(values).map((number) => forms.tool(number)),
+  };
+}
+
+/** A field of positions under the key that findings and drawings have for it. */
+export const placed = (field: FormField): FormField => ({ ...field, name: key(field.name) });
+
+/** Every field of a form and of its positions, with what is filled in. */
+export function drawn(form: Form, of: Filled): { fields: FormField[]; values: Values } {
+  const figure = form.positions.find((one) => one.kind === of.positions?.kind);
+  const positions = Object.entries(of.positions?.values ?? {}).map(([name, value]) => [key(name), value] as const);
+  return {
+    fields: [...form.parameters, ...(figure?.parameters ?? []).map(placed)],
+    values: { ...of.values, ...Object.fromEntries(positions) },
   };
 }
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { centerOfRadius, corner, distance, figure, isClosed, outline, rectangle, snap, sweep } from './geometry';
+import { centerOfRadius, corner, distance, isClosed, outline, rectangle, snap, sweep } from './geometry';
 import type { Contour } from '$lib/api/cycles';
 import type { Point } from './geometry';
 
@@ -38,18 +38,6 @@ describe('arcs', () => {
   it('of a radius keep to the side of their centre', () => {
     near(centerOfRadius([0, 0], [6, 0], 5, [3, -1]), [3, -4]);
     near(centerOfRadius([0, 0], [6, 0], 1, [3, 9]), [3, 9]);
-  });
-});
-
-describe('figures', () => {
-  const at: Point = [5, 5];
-  it('have their points', () => {
-    near(figure({ kind: 'LINE', values: { I: 10, N: 3, alpha: 90 }, points: [] }, at).at(-1)!, [5, 25]);
-    expect(figure({ kind: 'GRID', values: { IX: 10, NX: 4, LY: 20, NY: 3 }, points: [] }, at)).toHaveLength(12);
-    expect(figure({ kind: 'RECT', values: { IX: 10, NX: 4, IY: 10, NY: 3 }, points: [] }, at)).toHaveLength(10);
-    const round = figure({ kind: 'ARC', values: { XA: 0, YA: 5, beta: 90, N: 4 }, points: [] }, at);
-    near(round[2]!, [-5, 5]);
-    expect(figure({ kind: 'POINTS', values: {}, points: [[1, 1]] }, at)).toHaveLength(2);
   });
 });
 
