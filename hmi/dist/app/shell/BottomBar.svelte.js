@@ -7,9 +7,9 @@ import { modes } from "./keys.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/shell/BottomBar.svelte
-var root = $.from_html(`<span class="s-1gunawp"> </span>`);
+var root = $.from_html(`<span class="s-d9ctwd"> </span>`);
 var root_1 = $.from_html(`<!><span> </span>`, 1);
-var root_2 = $.from_html(`<footer class="s-1gunawp"><div class="modes s-1gunawp" role="group"></div> <div class="do s-1gunawp"><button type="button" class="reset s-1gunawp" data-testid="reset"><!><span> </span></button> <!> <!> <!></div></footer>`);
+var root_2 = $.from_html(`<footer class="s-d9ctwd"><div class="modes s-d9ctwd" role="group"></div> <div class="do s-d9ctwd"><button type="button" class="reset s-d9ctwd" data-testid="reset"><!><span> </span></button> <!> <!> <!></div></footer>`);
 function BottomBar($$anchor, $$props) {
 	$.push($$props, true);
 	var footer = root_2();
@@ -99,6 +99,7 @@ function BottomBar($$anchor, $$props) {
 	$.reset(footer);
 	$.template_effect(($0, $1, $2) => {
 		$.set_attribute(div, "aria-label", $0);
+		button.disabled = machine.gate === true;
 		$.set_attribute(button, "title", $1);
 		$.set_text(text_1, $2);
 	}, [

@@ -1,14 +1,14 @@
-import { box } from "./geometry.js";
+import { box, circle } from "./geometry.js";
+import { stands } from "./items.js";
 import { places } from "./scene.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/lib/cycles/Drawing.svelte
 var root = $.from_svg(`<rect class="target s-hi4cwm" role="presentation"></rect>`);
 var root_1 = $.from_svg(`<path></path>`);
-var root_2 = $.from_svg(`<g><path class="helper s-hi4cwm"></path><path class="line s-hi4cwm"></path><!><text text-anchor="middle" class="s-hi4cwm"> </text></g>`);
-var root_3 = $.from_svg(`<g><path class="line s-hi4cwm"></path><!><text class="s-hi4cwm"> </text></g>`);
-var root_4 = $.from_svg(`<g><path class="s-hi4cwm"></path><circle class="s-hi4cwm"></circle></g>`);
-var root_5 = $.from_svg(`<svg preserveAspectRatio="xMidYMid meet" role="img" class="s-hi4cwm"><!><!></svg>`);
+var root_2 = $.from_svg(`<g><path class="s-hi4cwm"></path><circle class="s-hi4cwm"></circle></g>`);
+var root_3 = $.from_svg(`<g><path class="helper s-hi4cwm"></path><path class="line s-hi4cwm"></path><!><text text-anchor="middle" class="s-hi4cwm"> </text></g>`);
+var root_4 = $.from_svg(`<svg preserveAspectRatio="xMidYMid meet" role="img" class="s-hi4cwm"><!><!></svg>`);
 function Drawing($$anchor, $$props) {
 	$.push($$props, true);
 	const target = ($$anchor, x = $.noop, middle = $.noop, field = $.noop) => {
@@ -34,8 +34,9 @@ function Drawing($$anchor, $$props) {
 		const field = $$props.fields.find((one) => one.name === name);
 		const value = $$props.values[name];
 		const shown = typeof value === "number" ? `${Math.round(value * 1e4) / 1e4}` : "";
-		return `${field?.symbol ?? name} ${shown}`.trim();
+		return `${field?.symbol ?? name.split(".").at(-1)} ${shown}`.trim();
 	}
+	/** Lines of what is named, thinner ones, and where its text stands. */
 	function measure(item) {
 		const [dx, dy] = [item.to[0] - item.from[0], item.to[1] - item.from[1]];
 		const long = Math.hypot(dx, dy);
@@ -63,16 +64,26 @@ function Drawing($$anchor, $$props) {
 			const a = (item.from + (item.to - item.from) * i / 24) * Math.PI / 180;
 			return [item.at[0] + item.radius * Math.cos(a), item.at[1] + item.radius * Math.sin(a)];
 		});
+		const [x, top] = points[12];
 		return {
-			d: path([
+			lines: path([
 				item.at,
 				...points,
 				item.at
 			]),
-			at: points[12]
+			helpers: "",
+			at: [x + $.get(unit) * 4, top]
 		};
 	}
-	var svg = root_5();
+	/** A ring about the place, its text above. */
+	function place(item) {
+		return {
+			lines: path(circle(item.at, $.get(unit) * 1.5, 16), true),
+			helpers: "",
+			at: [item.at[0], item.at[1] + $.get(unit) * 2.5]
+		};
+	}
+	var svg = root_4();
 	var node = $.child(svg);
 	$.each(node, 17, () => $$props.items, $.index, ($$anchor, item) => {
 		var fragment = $.comment();
@@ -105,79 +116,55 @@ function Drawing($$anchor, $$props) {
 		var fragment_1 = $.comment();
 		var node_3 = $.first_child(fragment_1);
 		var consequent_2 = ($$anchor) => {
-			const made = $.derived(() => measure($.get(item)));
 			var g = root_2();
 			let classes_1;
 			var path_3 = $.child(g);
-			var path_4 = $.sibling(path_3);
-			var node_4 = $.sibling(path_4);
-			{
-				let $0 = $.derived(() => y($.get(made).at) - $.get(unit));
-				target(node_4, () => $.get(made).at[0] - $.get(touch) / 2, () => $.get($0), () => $.get(item).field);
-			}
-			var text_1 = $.sibling(node_4);
-			var text_2 = $.only_child(text_1, true);
+			var circle_1 = $.sibling(path_3);
 			$.reset(g);
-			$.template_effect(($0, $1) => {
-				classes_1 = $.set_class(g, 0, "measure s-hi4cwm", null, classes_1, { focus: $.get(item).field === $$props.focus });
-				$.set_attribute(g, "data-field", $.get(item).field);
-				$.set_attribute(path_3, "d", $.get(made).helpers);
-				$.set_attribute(path_4, "d", $.get(made).lines);
-				$.set_attribute(text_1, "x", $.get(made).at[0]);
-				$.set_attribute(text_1, "y", $0);
-				$.set_text(text_2, $1);
-			}, [() => y($.get(made).at), () => text($.get(item).field)]);
-			$.delegated("click", text_1, () => $$props.onfield($.get(item).field));
-			$.append($$anchor, g);
-		};
-		var consequent_3 = ($$anchor) => {
-			const made = $.derived(() => angle($.get(item)));
-			var g_1 = root_3();
-			let classes_2;
-			var path_5 = $.child(g_1);
-			var node_5 = $.sibling(path_5);
-			{
-				let $0 = $.derived(() => y($.get(made).at) - $.get(unit));
-				target(node_5, () => $.get(made).at[0] + $.get(unit), () => $.get($0), () => $.get(item).field);
-			}
-			var text_3 = $.sibling(node_5);
-			var text_4 = $.only_child(text_3, true);
-			$.reset(g_1);
-			$.template_effect(($0, $1) => {
-				classes_2 = $.set_class(g_1, 0, "measure s-hi4cwm", null, classes_2, { focus: $.get(item).field === $$props.focus });
-				$.set_attribute(g_1, "data-field", $.get(item).field);
-				$.set_attribute(path_5, "d", $.get(made).d);
-				$.set_attribute(text_3, "x", $.get(made).at[0] + $.get(unit));
-				$.set_attribute(text_3, "y", $0);
-				$.set_text(text_4, $1);
-			}, [() => y($.get(made).at), () => text($.get(item).field)]);
-			$.delegated("click", text_3, () => $$props.onfield($.get(item).field));
-			$.append($$anchor, g_1);
-		};
-		var consequent_4 = ($$anchor) => {
-			var g_2 = root_4();
-			let classes_3;
-			var path_6 = $.child(g_2);
-			var circle = $.sibling(path_6);
-			$.reset(g_2);
 			$.template_effect(($0, $1, $2, $3) => {
-				classes_3 = $.set_class(g_2, 0, "mark s-hi4cwm", null, classes_3, { focus: $.get(item).field === $$props.focus });
-				$.set_attribute(path_6, "d", `M${$.get(item).at[0] - $.get(unit) * 2} ${$0 ?? ""}H${$.get(item).at[0] + $.get(unit) * 2}M${$.get(item).at[0] ?? ""} ${$1 ?? ""}V${$2 ?? ""}`);
-				$.set_attribute(circle, "cx", $.get(item).at[0]);
-				$.set_attribute(circle, "cy", $3);
-				$.set_attribute(circle, "r", $.get(unit) * 1.1);
+				classes_1 = $.set_class(g, 0, "mark s-hi4cwm", null, classes_1, { focus: $.get(item).field === $$props.focus });
+				$.set_attribute(path_3, "d", `M${$.get(item).at[0] - $.get(unit) * 2} ${$0 ?? ""}H${$.get(item).at[0] + $.get(unit) * 2}M${$.get(item).at[0] ?? ""} ${$1 ?? ""}V${$2 ?? ""}`);
+				$.set_attribute(circle_1, "cx", $.get(item).at[0]);
+				$.set_attribute(circle_1, "cy", $3);
+				$.set_attribute(circle_1, "r", $.get(unit) * 1.1);
 			}, [
 				() => y($.get(item).at),
 				() => y($.get(item).at) - $.get(unit) * 2,
 				() => y($.get(item).at) + $.get(unit) * 2,
 				() => y($.get(item).at)
 			]);
-			$.append($$anchor, g_2);
+			$.append($$anchor, g);
 		};
+		var consequent_3 = ($$anchor) => {
+			const made = $.derived(() => $.get(item).kind === "measure" ? measure($.get(item)) : $.get(item).kind === "angle" ? angle($.get(item)) : place($.get(item)));
+			var g_1 = root_3();
+			let classes_2;
+			var path_4 = $.child(g_1);
+			var path_5 = $.sibling(path_4);
+			var node_4 = $.sibling(path_5);
+			{
+				let $0 = $.derived(() => y($.get(made).at) - $.get(unit));
+				target(node_4, () => $.get(made).at[0] - $.get(touch) / 2, () => $.get($0), () => $.get(item).field);
+			}
+			var text_1 = $.sibling(node_4);
+			var text_2 = $.only_child(text_1, true);
+			$.reset(g_1);
+			$.template_effect(($0, $1) => {
+				classes_2 = $.set_class(g_1, 0, "measure s-hi4cwm", null, classes_2, { focus: $.get(item).field === $$props.focus });
+				$.set_attribute(g_1, "data-field", $.get(item).field);
+				$.set_attribute(path_4, "d", $.get(made).helpers);
+				$.set_attribute(path_5, "d", $.get(made).lines);
+				$.set_attribute(text_1, "x", $.get(made).at[0]);
+				$.set_attribute(text_1, "y", $0);
+				$.set_text(text_2, $1);
+			}, [() => y($.get(made).at), () => text($.get(item).field)]);
+			$.delegated("click", text_1, () => $$props.onfield($.get(item).field));
+			$.append($$anchor, g_1);
+		};
+		var d = $.derived(() => $.get(item).kind !== "line" && $.get(item).kind !== "area" && ($.get(item).field === $$props.focus || stands($.get(item), $$props.values)));
 		$.if(node_3, ($$render) => {
-			if ($.get(item).kind === "measure") $$render(consequent_2);
-			else if ($.get(item).kind === "angle") $$render(consequent_3, 1);
-			else if ($.get(item).kind === "mark") $$render(consequent_4, 2);
+			if ($.get(item).kind === "mark") $$render(consequent_2);
+			else if ($.get(d)) $$render(consequent_3, 1);
 		});
 		$.append($$anchor, fragment_1);
 	});

@@ -2,7 +2,8 @@ import { t } from "../i18n/index.svelte.js";
 import Button from "../parts/Button.svelte.js";
 import NumberField from "../parts/NumberField.svelte.js";
 import FieldInput from "./FieldInput.svelte.js";
-import { axisOf, forms } from "./form.svelte.js";
+import { axisOf, forms, placed } from "./form.svelte.js";
+import { key } from "./rows.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/lib/cycles/PositionsEditor.svelte
@@ -16,10 +17,6 @@ function PositionsEditor($$anchor, $$props) {
 	let filled = $.prop($$props, "filled", 7), focus = $.prop($$props, "focus", 15);
 	/** Where the machine stands, by the place of the axis; null where nothing is known. */
 	const figure = $.derived(() => $$props.form.positions.find((one) => one.kind === filled().positions?.kind));
-	const named = (field) => ({
-		...field,
-		name: `positions.${field.name}`
-	});
 	function choose(kind) {
 		filled().positions = kind ? forms.figure($$props.form, kind) : null;
 	}
@@ -84,9 +81,9 @@ function PositionsEditor($$anchor, $$props) {
 		var fragment_4 = root_2();
 		var node_3 = $.first_child(fragment_4);
 		$.each(node_3, 17, () => $.get(figure).parameters, (field) => field.name, ($$anchor, field) => {
-			const name = $.derived(() => `positions.${$.get(field).name}`);
+			const name = $.derived(() => key($.get(field).name));
 			{
-				let $0 = $.derived(() => named($.get(field)));
+				let $0 = $.derived(() => placed($.get(field)));
 				let $1 = $.derived(() => $$props.findings.filter((one) => one.parameter === $.get(name)));
 				let $2 = $.derived(() => focus() === $.get(name));
 				let $3 = $.derived(() => teach($.get(field)));
@@ -154,6 +151,7 @@ function PositionsEditor($$anchor, $$props) {
 					});
 				}
 				$.reset(li);
+				$.delegated("focusin", li, () => focus(key(`P${i + 2}`)));
 				$.append($$anchor, li);
 			});
 			$.reset(ol);
@@ -199,4 +197,5 @@ function PositionsEditor($$anchor, $$props) {
 	$.append($$anchor, fragment);
 	$.pop();
 }
+$.delegate(["focusin"]);
 export { PositionsEditor as default };

@@ -1,14 +1,10 @@
+import { fresh } from "./items.js";
+import { key } from "./rows.js";
 import * as $ from "svelte/internal/client";
 // src/lib/cycles/form.svelte.ts
 var filled = $.proxy({});
 var tools = $.proxy({});
 var chosen = $.state("G287");
-function fresh(fields) {
-	const values = {};
-	for (const field of fields) if (field.standard !== null) values[field.name] = field.standard;
-	return values;
-}
-/** A contour to begin with: a square with round corners, open where the tool follows it. */
 function contours(form) {
 	const corners = [
 		[-40, -25],
@@ -128,6 +124,23 @@ function request(form, of) {
 		tools: toolsOf(values).map((number) => forms.tool(number))
 	};
 }
+/** A field of positions under the key that findings and drawings have for it. */
+var placed = (field) => ({
+	...field,
+	name: key(field.name)
+});
+/** Every field of a form and of its positions, with what is filled in. */
+function drawn(form, of) {
+	const figure = form.positions.find((one) => one.kind === of.positions?.kind);
+	const positions = Object.entries(of.positions?.values ?? {}).map(([name, value]) => [key(name), value]);
+	return {
+		fields: [...form.parameters, ...(figure?.parameters ?? []).map(placed)],
+		values: {
+			...of.values,
+			...Object.fromEntries(positions)
+		}
+	};
+}
 /** The axis whose position a field may take, counted from 0; none where it is no position (3.3). */
 function axisOf(field) {
 	if (field.kind !== "length" || field.stage !== "cycle") return null;
@@ -152,4 +165,4 @@ function axisOf(field) {
 	].includes(field.name)) return 2;
 	return null;
 }
-export { axisOf, forms, request, toolsOf };
+export { axisOf, drawn, forms, placed, request, toolsOf };

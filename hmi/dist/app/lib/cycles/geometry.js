@@ -201,70 +201,6 @@ function snap(point, contours, reach, to, from) {
 		kind: to.grid > 0 ? "grid" : "free"
 	};
 }
-/** Most points of a figure that are drawn. */
-var MOST_POINTS = 500;
-function steps(length, distance, count) {
-	if (length !== void 0 && distance) {
-		const n = Math.round(Math.abs(length / distance)) + 1;
-		return [length / Math.max(1, n - 1), n];
-	}
-	if (length !== void 0 && count !== void 0) return [length / Math.max(1, count - 1), count];
-	return [distance ?? 0, count ?? 1];
-}
-/** Where a figure lies, from the cycle's own point. */
-function figure(positions, from) {
-	if (!positions) return [from];
-	const v = positions.values;
-	const given = (name) => typeof v[name] === "number" ? v[name] : void 0;
-	const rad = (degrees) => degrees * Math.PI / 180;
-	const most = (count) => Math.max(1, Math.min(MOST_POINTS, Math.round(count)));
-	switch (positions.kind) {
-		case "LINE": {
-			const [xn, yn] = [given("XN"), given("YN")];
-			const to = xn !== void 0 && yn !== void 0 ? [xn, yn] : null;
-			const [step, count] = steps(to ? distance(from, to) : given("L"), given("I"), given("N"));
-			const angle = to ? Math.atan2(to[1] - from[1], to[0] - from[0]) : rad(given("alpha") ?? 0);
-			return Array.from({ length: most(count) }, (_, i) => [from[0] + Math.cos(angle) * step * i, from[1] + Math.sin(angle) * step * i]);
-		}
-		case "ARC": {
-			const [radius, first] = [given("R"), given("alpha")];
-			const arm = radius !== void 0 && first !== void 0 ? [radius * Math.cos(rad(first)), radius * Math.sin(rad(first))] : null;
-			const [xa, ya] = [given("XA"), given("YA")];
-			const center = xa !== void 0 && ya !== void 0 ? [xa, ya] : arm ? [from[0] - arm[0], from[1] - arm[1]] : null;
-			if (!center) return [from];
-			const begins = arm ? [center[0] + arm[0], center[1] + arm[1]] : from;
-			const start = Math.atan2(begins[1] - center[1], begins[0] - center[0]);
-			const reach = distance(begins, center);
-			const [count, between, last] = [
-				given("N"),
-				given("beta"),
-				given("tau")
-			];
-			const span = (sense) => {
-				const turn = (((last ?? 0) - start * 180 / Math.PI) * sense % 360 + 360) % 360;
-				return sense * (turn < 1e-9 ? 360 : turn);
-			};
-			let [step, n] = [between ?? 0, count ?? 1];
-			if (between === void 0 && last !== void 0) step = span(1) / Math.max(1, n - 1);
-			else if (count === void 0 && between && last !== void 0) n = Math.abs(span(Math.sign(between)) / between) + 1;
-			return Array.from({ length: most(n) }, (_, i) => i === 0 ? from : [center[0] + reach * Math.cos(start + rad(step) * i), center[1] + reach * Math.sin(start + rad(step) * i)]);
-		}
-		case "RECT":
-		case "GRID": {
-			const [dx, nx] = steps(given("LX"), given("IX"), given("NX"));
-			const [dy, ny] = steps(given("LY"), given("IY"), given("NY"));
-			const [a, b] = [rad(given("alpha") ?? 0), rad((given("alpha") ?? 0) + (given("beta") ?? 90))];
-			const points = [];
-			for (let j = 0; j < most(ny); j += 1) for (let i = 0; i < most(nx) && points.length < MOST_POINTS; i += 1) {
-				const edge = j === 0 || j === most(ny) - 1 || i === 0 || i === most(nx) - 1;
-				if (positions.kind === "RECT" && !edge) continue;
-				points.push([from[0] + Math.cos(a) * dx * i + Math.cos(b) * dy * j, from[1] + Math.sin(a) * dx * i + Math.sin(b) * dy * j]);
-			}
-			return points;
-		}
-		default: return [from, ...positions.points];
-	}
-}
 /** The least box around points, with a margin; a box about zero where there are none. */
 function box(points, margin) {
 	const finite = points.filter((p) => Number.isFinite(p[0]) && Number.isFinite(p[1]));
@@ -290,4 +226,4 @@ function box(points, margin) {
 		h: y1 - y0 + 2 * room
 	};
 }
-export { arcPoints, box, centerOfRadius, circle, corner, distance, figure, isClosed, movedEnd, nearestCenter, number, outline, radiusOf, rectangle, snap, startOf, sweep, turned, word };
+export { arcPoints, box, centerOfRadius, circle, corner, distance, isClosed, movedEnd, nearestCenter, number, outline, radiusOf, rectangle, snap, startOf, sweep, turned, word };

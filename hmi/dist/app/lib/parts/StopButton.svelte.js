@@ -11,7 +11,8 @@ var rest_excludes = /* @__PURE__ */ new Set([
 	"$$legacy",
 	"flat"
 ]);
-var root = $.from_html(`<button><!><span> </span></button>`);
+var root = $.from_html(`<small> </small>`);
+var root_1 = $.from_html(`<button><!><span> </span> <!></button>`);
 function StopButton($$anchor, $$props) {
 	$.push($$props, true);
 	let flat = $.prop(
@@ -21,6 +22,7 @@ function StopButton($$anchor, $$props) {
 		false
 		/** The sign beside the text. */
 	), rest = $.rest_props($$props, rest_excludes);
+	const locked = $.derived(() => machine.gate === true);
 	const emergency = $.derived(() => machine.status?.activity === "emergency");
 	/** How long the key is held to release it, and how long after a press it does not begin to, ms. */
 	const HELD_MS = 1e3;
@@ -59,12 +61,13 @@ function StopButton($$anchor, $$props) {
 			pressed: true
 		});
 	}
-	var button = root();
+	var button = root_1();
 	$.attribute_effect(button, ($0) => ({
 		type: "button",
 		...rest,
 		class: "estop",
 		onclick: click,
+		disabled: $.get(locked),
 		"aria-pressed": $.get(emergency),
 		title: $0,
 		[$.CLASS]: {
@@ -73,7 +76,7 @@ function StopButton($$anchor, $$props) {
 			releasing: $.get(releasing)
 		},
 		[$.STYLE]: { "--held": `${HELD_MS}ms` }
-	}), [() => $.get(emergency) ? t("panel.release_hint") : t("panel.emergency")], void 0, void 0, "s-1dokmyd");
+	}), [() => $.get(locked) ? t("panel.emergency_locked") : $.get(emergency) ? t("panel.release_hint") : t("panel.emergency")], void 0, void 0, "s-6n0ffw");
 	var node = $.child(button);
 	{
 		let $0 = $.derived(() => $.get(emergency) ? "undo" : "stop");
@@ -83,6 +86,16 @@ function StopButton($$anchor, $$props) {
 	}
 	var span = $.sibling(node);
 	var text = $.only_child(span, true);
+	var node_1 = $.sibling(span, 2);
+	var consequent = ($$anchor) => {
+		var small = root();
+		var text_1 = $.only_child(small, true);
+		$.template_effect(($0) => $.set_text(text_1, $0), [() => t("rights.gate")]);
+		$.append($$anchor, small);
+	};
+	$.if(node_1, ($$render) => {
+		if ($.get(locked)) $$render(consequent);
+	});
 	$.reset(button);
 	$.attach(button, () => held(() => ({
 		down: press,

@@ -6,6 +6,7 @@ var panel_default = {
 	"hold": "Hold",
 	"reset": "Reset",
 	"emergency": "Emergency stop",
+	"emergency_locked": "The emergency stop acts from here only after a log-in: use the one at the machine",
 	"release": "Release: hold",
 	"release_hint": "Hold this key down for one second to release the emergency stop",
 	"no_ladder": "This machine runs without a ladder, so it has no keys.",

@@ -6,6 +6,7 @@ var panel_default = {
 	"hold": "Retener",
 	"reset": "Reset",
 	"emergency": "Emergencia",
+	"emergency_locked": "La parada de emergencia actúa desde aquí solo tras iniciar sesión: use la de la máquina",
 	"release": "Soltar: mantener",
 	"release_hint": "Mantenga pulsada esta tecla un segundo para soltar la parada de emergencia",
 	"no_ladder": "Esta máquina funciona sin programa PLC y no tiene teclas.",

@@ -6,6 +6,7 @@ var panel_default = {
 	"hold": "Beklet",
 	"reset": "Sıfırla",
 	"emergency": "Acil stop",
+	"emergency_locked": "Acil stop buradan ancak giriş yapıldıktan sonra çalışır: tezgâhtaki düğmeyi kullanın",
 	"release": "Bırak: basılı tut",
 	"release_hint": "Acil stopu bırakmak için bu tuşu bir saniye basılı tutun",
 	"no_ladder": "Bu tezgâh merdiven programsız çalışıyor, tuşu yok.",

@@ -6,6 +6,7 @@ var panel_default = {
 	"hold": "进给保持",
 	"reset": "复位",
 	"emergency": "急停",
+	"emergency_locked": "登录后才能从此处急停：请使用机床上的急停按钮",
 	"release": "解除：长按",
 	"release_hint": "按住此键一秒解除急停",
 	"no_ladder": "此机床没有梯形图，因此没有按键。",

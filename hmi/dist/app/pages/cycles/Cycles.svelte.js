@@ -2,7 +2,7 @@ import { language, t } from "../../lib/i18n/index.svelte.js";
 import { client } from "../../lib/cycles/client.js";
 import Drawing from "../../lib/cycles/Drawing.svelte.js";
 import FieldInput from "../../lib/cycles/FieldInput.svelte.js";
-import { axisOf, forms, request, toolsOf } from "../../lib/cycles/form.svelte.js";
+import { axisOf, drawn, forms, request, toolsOf } from "../../lib/cycles/form.svelte.js";
 import { insert } from "../../lib/cycles/insert.js";
 import PositionsEditor from "../../lib/cycles/PositionsEditor.svelte.js";
 import ProfileEditor from "../../lib/cycles/ProfileEditor.svelte.js";
@@ -58,7 +58,10 @@ function Cycles($$anchor, $$props) {
 	});
 	const filled = $.derived(() => $.get(form) ? forms.of($.get(form)) : void 0);
 	const asked = $.derived(() => $.get(form) && $.get(filled) ? request($.get(form), $.get(filled)) : null);
-	const drawn = $.derived(() => $.get(form) && $.get(asked) ? scene($.get(form), $.get(asked)) : null);
+	const picture = $.derived(() => $.get(form) && $.get(filled) && $.get(asked) ? {
+		...scene($.get(form), $.get(asked)),
+		...drawn($.get(form), $.get(filled))
+	} : null);
 	const findings = $.derived(() => $.get(written)?.findings ?? []);
 	const errors = $.derived(() => $.get(findings).filter((one) => one.severity === "error"));
 	const general = $.derived(() => $.get(findings).filter((one) => !shown(one)));
@@ -713,13 +716,13 @@ function Cycles($$anchor, $$props) {
 						let $0 = $.derived(() => t("cycles.plan"));
 						Drawing(node_29, {
 							get items() {
-								return $.get(drawn).plan;
+								return $.get(picture).plan;
 							},
 							get values() {
-								return $.get(filled).values;
+								return $.get(picture).values;
 							},
 							get fields() {
-								return $.get(form).parameters;
+								return $.get(picture).fields;
 							},
 							get focus() {
 								return $.get(focus);
@@ -737,13 +740,13 @@ function Cycles($$anchor, $$props) {
 						let $0 = $.derived(() => t("cycles.section"));
 						Drawing(node_30, {
 							get items() {
-								return $.get(drawn).section;
+								return $.get(picture).section;
 							},
 							get values() {
-								return $.get(filled).values;
+								return $.get(picture).values;
 							},
 							get fields() {
-								return $.get(form).parameters;
+								return $.get(picture).fields;
 							},
 							get focus() {
 								return $.get(focus);
@@ -891,7 +894,7 @@ function Cycles($$anchor, $$props) {
 			};
 			$.if(node, ($$render) => {
 				if ($.get(failed)) $$render(consequent);
-				else if ($.get(form) && $.get(filled) && $.get(drawn)) $$render(consequent_13, 1);
+				else if ($.get(form) && $.get(filled) && $.get(picture)) $$render(consequent_13, 1);
 			});
 			$.append($$anchor, fragment_1);
 		},
