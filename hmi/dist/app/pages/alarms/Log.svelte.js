@@ -9,7 +9,7 @@ import * as $ from "svelte/internal/client";
 var root = $.from_html(`<input type="search"/> <!>`, 1);
 var root_1 = $.from_html(`<span class="muted number"> </span>`);
 var root_2 = $.from_html(`<span class="muted"> </span>`);
-var root_3 = $.from_html(`<tr><td class="muted time s-1g4oxg2"> </td><td> <!></td><td> <span class="code"> </span></td><td class="number"><!> </td></tr>`);
+var root_3 = $.from_html(`<tr><td class="muted time s-1no94ym"> </td><td class="s-1no94ym"> <!></td><td class="s-1no94ym"> <span class="code"> </span></td><td class="number s-1no94ym"><!> </td></tr>`);
 var root_4 = $.from_html(`<table class="table" data-testid="log"><thead><tr><th> </th><th> </th><th> </th><th> </th></tr></thead><tbody></tbody></table>`);
 function Log($$anchor, $$props) {
 	$.push($$props, true);
