@@ -334,9 +334,10 @@ impl Plan {
     pub fn is_due(&self, queue: &Queue) -> bool {
         let new = queue.tail() - self.planned;
         let has_enough = self.fixed >= self.current + ENOUGH;
-        let is_much = new >= 64 && new >= self.planned.saturating_sub(self.next.cell);
-        // What ends at rest is all there is: the sooner it is known, the more can be done for it.
-        let is_last = new > 0 && queue.node(queue.tail() - 1).rests;
+        let again = self.planned.saturating_sub(self.next.cell);
+        let is_much = new >= 64 && new >= again;
+        // What ends at rest is all there is for now: the sooner it is known, the more can be done for it.
+        let is_last = new > 0 && new >= again / 8 && queue.node(queue.tail() - 1).rests;
         self.patience == 0 && !has_enough && (is_much || is_last)
     }
 
