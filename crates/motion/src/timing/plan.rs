@@ -373,7 +373,7 @@ impl Plan {
         if self.sections(queue, start, Corners::SAFE) {
             return Some(changed);
         }
-        let limit = self.limit(queue, start.cell);
+        let limit = self.limit(queue, start.cell, false);
         for share in BRAKE_TO {
             self.stretches.truncate(fixed);
             let target = share * self.overrides.cap(queue.node(start.cell.min(queue.tail() - 1)));
@@ -413,18 +413,30 @@ impl Plan {
         self.look_ahead(queue, start, self.planned.max(start.cell));
         let is_rest = start.port.state == State::REST;
         let slower = (0..if is_rest { ROUNDS } else { 1 }).map(|round| Corners::SAFE.slower(round));
-        for corners in std::iter::once(Corners::BOLD).chain(slower) {
+        let corners = std::iter::once(Corners::BOLD).chain(slower);
+        let planned =
+            self.plan_behind(queue, start, fixed, corners).or_else(|| self.plan_from_current(queue));
+        if planned.is_none() {
+            self.give_up(queue);
+        }
+        planned
+    }
+
+    /// Plans from `start` on, behind the first `fixed` stretches, with the first of `corners` with which there is a plan. From
+    /// which stretch on the plan is another.
+    fn plan_behind(
+        &mut self,
+        queue: &Queue,
+        start: Start,
+        fixed: usize,
+        mut corners: impl Iterator<Item = Corners>,
+    ) -> Option<u64> {
+        let is_planned = corners.any(|corners| {
             self.stretches.truncate(fixed);
             (self.next, self.fixed) = (start, fixed);
-            if self.sections(queue, start, corners) {
-                return Some(self.base + fixed as u64);
-            }
-        }
-        if let Some(changed) = self.plan_from_current(queue) {
-            return Some(changed);
-        }
-        self.give_up(queue);
-        None
+            self.sections(queue, start, corners)
+        });
+        is_planned.then(|| self.base + fixed as u64)
     }
 
     /// Plans everything behind the stretch being run, what is final too: where the path is as fast as it may be there can be
@@ -437,15 +449,7 @@ impl Plan {
         }
         let start = self.behind_current(queue)?;
         self.keep(true);
-        let fixed = self.current + 1;
-        for corners in [Corners::BOLD, Corners::SAFE] {
-            self.stretches.truncate(fixed);
-            (self.next, self.fixed) = (start, fixed);
-            if self.sections(queue, start, corners) {
-                return Some(self.base + fixed as u64);
-            }
-        }
-        None
+        self.plan_behind(queue, start, self.current + 1, [Corners::BOLD, Corners::SAFE].into_iter())
     }
 
     /// Decides how far a plan from `start` looks, of which the cells up to `known` are planned again.
@@ -537,10 +541,7 @@ impl Plan {
         self.keep(true);
         self.cut(t);
         if let (Some(Stretch::Piece(_)), Some(start)) = (self.current(), self.behind_current(queue)) {
-            let mut limit = self.limit(queue, start.cell);
-            if !gives_up {
-                limit = limit.min(next_thread(queue, start.cell));
-            }
+            let limit = self.limit(queue, start.cell, !gives_up);
             if self.brake(queue, start, 0.0, limit) {
                 self.stretches.truncate(self.current + 1);
                 self.stretches.extend(self.brake.pieces().iter().map(|piece| Stretch::Piece(*piece)));
@@ -573,11 +574,14 @@ impl Plan {
         self.brake.ease_off(queue, &self.inverses, &self.rough, start, target, limit)
     }
 
-    /// Where the next corner or rest is.
-    fn limit(&self, queue: &Queue, from: u64) -> f64 {
+    /// Where the next corner or rest is, or the next thread where those count.
+    fn limit(&self, queue: &Queue, from: u64, or_thread: bool) -> f64 {
         let mut cell = from;
         while cell < queue.tail() {
             let node = queue.node(cell);
+            if or_thread && node.class == Class::Locked {
+                return node.s;
+            }
             match node.pass {
                 Pass::Path if !node.rests => cell += 1,
                 Pass::Path => return node.end(),
@@ -969,12 +973,6 @@ fn is_valley(queue: &Queue, plan: &[Piece], first: u64) -> bool {
 
 /// Room that one section takes: its steps, what valleys add, and what ends it.
 const SPARE: usize = crate::timing::grid::STEPS + DEEPER + 16;
-
-/// Where the next thread begins from cell `from` on; infinite where none is known.
-fn next_thread(queue: &Queue, from: u64) -> f64 {
-    let nodes = (from..queue.tail()).map(|cell| queue.node(cell));
-    nodes.into_iter().find(|node| node.class == Class::Locked).map_or(f64::INFINITY, |node| node.s)
-}
 
 /// Where cell `number` begins; if it does not exist yet, where the last one ends.
 fn queue_start(queue: &Queue, number: u64) -> f64 {
