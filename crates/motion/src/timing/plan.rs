@@ -23,13 +23,13 @@
 //! either side can be planned apart.
 
 use crate::limits::{Class, Drive, Inverses, Limits, MAX_SPINDLE_OVERRIDE};
-use crate::path::corner::{pace_below, paced};
+use crate::path::corner::paced;
 use crate::timing::brake::{Brake, Start};
 use crate::timing::grid::{ALIKE, Grid, Port};
 use crate::timing::piece::{Piece, State, step};
 use crate::timing::queue::{CELLS, Node, Pass, Queue, SAME_LENGTH};
-use crate::timing::ramp::{Foot, Phases, distance, summit};
-use crate::timing::valley::{self, Valley};
+use crate::timing::ramp::{Foot, Phases, summit};
+use crate::timing::valley::Valley;
 use ferrocut_geometry::AXES;
 
 /// Overrides as factors, and what else the programmed speed depends on as it is run.
@@ -142,14 +142,14 @@ const DEEPER: usize = 1024;
 /// Pieces that are followed with less speed take this long at most, s.
 const EASE_STEP: f64 = 0.004;
 
-/// Valleys are this much slower than their ends.
+/// Valleys are this much slower than the feed.
 const DEEP: f64 = 0.9;
-
-/// What a curve takes of a bound somewhere in a valley, if it is worth to be looked at.
-const TAKEN: f64 = 0.25;
 
 /// The pace of a corner is found to this share of it.
 const NARROW: f64 = 1e-7;
+
+/// Shares of the pace of a corner that are tried where it cannot be come to at the whole.
+const CORNER_PACES: [f64; 6] = [1.0, 0.95, 0.88, 0.75, 0.55, 0.3];
 
 /// How often a plan from rest is tried with slower corners.
 const ROUNDS: i32 = 8;
@@ -181,8 +181,22 @@ struct Side {
     len: f64,
     /// What it leaves to the path all along.
     drive: Drive,
+    /// Highest speed all along.
+    cap: f64,
     /// Highest pace at which the acceleration at the corner is allowed there.
     pace: f64,
+}
+
+impl Side {
+    /// Whether a corner run at this pace leaves room to stop here.
+    fn fits(&self, foot: Foot, pace: f64, near: f64) -> bool {
+        let foot = paced(foot, pace);
+        let top = foot.top(self.drive.j);
+        pace <= self.pace
+            && top <= self.cap * (1.0 + 1e-9)
+            && top <= near
+            && foot.room(self.drive) * STOP_ROOM <= self.len
+    }
 }
 
 /// A stretch of the plan.
@@ -679,16 +693,17 @@ impl Plan {
                     return true;
                 }
                 Pass::Corner { foot, time, .. } => {
-                    let foot_now = paced(foot, pace);
                     if cell < last {
-                        let state = State { v: foot_now.v, a: -foot_now.a };
-                        if !self.section(queue, port, Port { s: node.s, state }, cell, last - 1) {
+                        let Some(possible) = self.section_to_corner(queue, port, cell, last, foot, pace)
+                        else {
                             return false;
-                        }
+                        };
                         if self.grid.is_cut {
                             return true;
                         }
+                        pace = possible;
                     }
+                    let foot_now = paced(foot, pace);
                     self.stretches.push(Stretch::Corner {
                         s: node.s,
                         end: node.end(),
@@ -723,6 +738,35 @@ impl Plan {
         true
     }
 
+    /// Plans the section before the corner in cell `last`: at which pace, `pace` at most, the corner can be run behind it.
+    /// From the corner before there is always room to stop, though not always to come to the state that the corner
+    /// begins with.
+    fn section_to_corner(
+        &mut self,
+        queue: &Queue,
+        port: Port,
+        first: u64,
+        last: u64,
+        foot: Foot,
+        pace: f64,
+    ) -> Option<f64> {
+        let (known, fixed, next, planned) = (self.stretches.len(), self.fixed, self.next, self.planned);
+        for share in CORNER_PACES {
+            let pace = pace * share;
+            if pace < LEAST_PACE {
+                break;
+            }
+            let foot = paced(foot, pace);
+            let to = Port { s: queue.node(last).s, state: State { v: foot.v, a: -foot.a } };
+            if self.section(queue, port, to, first, last - 1) {
+                return Some(pace);
+            }
+            self.stretches.truncate(known);
+            (self.fixed, self.next, self.planned) = (fixed, next, planned);
+        }
+        None
+    }
+
     /// Everything so far is final, planning goes on from `start`.
     fn fix(&mut self, start: Start) {
         self.fixed = self.stretches.len();
@@ -731,54 +775,63 @@ impl Plan {
 
     /// Highest pace of a corner that the path beside it leaves room to stop for.
     fn pace(&self, queue: &Queue, cell: u64, foot: Foot, from: &Port, corners: Corners) -> f64 {
-        let mut cap = self.overrides.cap(queue.node(cell));
+        let cap = self.overrides.cap(queue.node(cell));
         let before = (queue.head()..cell).rev().map(|cell| queue.node(cell)).take_while(|node| !node.rests);
         let mut ends = false;
         let after = (cell + 1..self.horizon).map(|cell| queue.node(cell));
         let after = after.take_while(|node| !std::mem::replace(&mut ends, node.rests));
-        let (near, is_bold) = (NEAR_CORNER * foot.v, corners.is_bold);
         let mut sides =
-            [self.side(before, foot, is_bold, &mut cap), self.side(after, foot, is_bold, &mut cap)];
+            [self.sides(before, foot, corners.is_bold, cap), self.sides(after, foot, corners.is_bold, cap)];
         if from.state == State::REST {
-            sides[0].len = sides[0].len.min(queue.node(cell).s - from.s);
+            for side in &mut sides[0] {
+                side.len = side.len.min(queue.node(cell).s - from.s);
+            }
         }
-        let j = sides[0].drive.j.min(sides[1].drive.j);
-        let most = pace_below(foot, cap, j) * corners.share;
-        largest(most.min(sides[0].pace).min(sides[1].pace), |pace| {
-            let foot = paced(foot, pace);
-            sides.iter().all(|Side { len, drive, .. }| {
-                let rising = Drive { a: drive.a.max(foot.a), ..*drive };
-                let top = foot.top(drive.j);
-                if top > near {
-                    return false;
-                }
-                let rise = foot.distance(top, rising).unwrap_or(f64::INFINITY);
-                (rise + distance(0.0, top, *drive)) * STOP_ROOM <= *len
-            })
-        })
+        let near = NEAR_CORNER * foot.v;
+        let fits = |pace| sides.iter().all(|sides| sides.iter().any(|side| side.fits(foot, pace, near)));
+        largest(1.0, fits) * corners.share
     }
 
-    /// The path beside a corner as far as it is known; its lowest cap counts. Nothing is known of what is not there yet.
-    fn side<'a>(
+    /// The path beside a corner as far as it is known, no further than stopping can take: all of it, and what lies before
+    /// the first place that is slower than the corner needs, before which the path can be stopped too. Nothing is known of
+    /// what is not there yet.
+    fn sides<'a>(
         &self,
         nodes: impl Iterator<Item = &'a Node>,
         foot: Foot,
         is_bold: bool,
-        cap: &mut f64,
-    ) -> Side {
+        cap: f64,
+    ) -> [Side; 2] {
         let near = NEAR_CORNER * foot.v;
-        let (mut len, mut drive) = (0.0, Drive::MOST);
+        let mut all = Side { len: 0.0, drive: Drive::MOST, cap, pace: 1.0 };
+        let mut first = None;
         let mut is_line = true;
         // Of the acceleration allowed, the least share that the corner asks for.
         let mut share: f64 = 1.0;
         let mut state = State { v: foot.v, a: foot.a };
+        let whole = |side: Side, share: f64, is_line: bool| {
+            let share = if is_bold { share } else { side.drive.a / foot.a };
+            let mut drive = side.drive;
+            if !is_line {
+                // Steps on a curve need some room below the cap.
+                drive.j *= SIDE_SHARE;
+            }
+            // The acceleration falls with the square of the pace.
+            Side { drive, pace: share.min(1.0).sqrt(), ..side }
+        };
         for node in nodes.take(SIDE).take_while(|node| node.pass == Pass::Path) {
-            is_line &= node.load.is_straight();
+            if all.len > STOP_ROOM * foot.room(all.drive) {
+                break;
+            }
             let top = self.overrides.cap(node);
-            *cap = cap.min(top);
+            if first.is_none() && all.len > 0.0 && top < foot.top(all.drive.j) {
+                first = Some(whole(all, share, is_line));
+            }
+            is_line &= node.load.is_straight();
+            all.cap = all.cap.min(top);
             // On a curve, what is left at the highest speed.
             let room = node.load.room(top.min(near));
-            drive = drive.min(Drive { a: room.a, j: room.j[1] });
+            all.drive = all.drive.min(Drive { a: room.a, j: room.j[1] });
             if is_bold && state.a > 0.0 {
                 // The ramp that takes the acceleration back.
                 let j = SIDE_SHARE * node.load.most().j;
@@ -789,20 +842,13 @@ impl Plan {
                 share = share.min(node.load.room(top.min(to.v)).a / state.a);
                 state = to;
             }
-            len += node.len;
+            all.len += node.len;
         }
-        if len == 0.0 {
-            return Side { len: f64::INFINITY, drive: Drive::MOST, pace: 1.0 };
+        if all.len == 0.0 {
+            return [Side { len: f64::INFINITY, ..all }; 2];
         }
-        if !is_bold {
-            share = drive.a / foot.a;
-        }
-        if !is_line {
-            // Steps on a curve need some room below the cap.
-            drive.j *= SIDE_SHARE;
-        }
-        // The acceleration falls with the square of the pace.
-        Side { len, drive, pace: share.min(1.0).sqrt() }
+        let all = whole(all, share, is_line);
+        [all, first.unwrap_or(all)]
     }
 
     /// Plans one section; its pieces are added.
@@ -877,11 +923,13 @@ impl Plan {
             let begin = if self.rough[from].from == State::REST { from + AT_REST } else { from };
             let end = if self.rough[k - 1].to == State::REST { k.saturating_sub(AT_REST) } else { k };
             let mut found = false;
-            if begin + 4 < end && new + valley::STEPS < count + DEEPER {
+            if begin + 4 < end && new < count + DEEPER {
                 let plan = &self.rough[begin..end];
                 cell = queue.find(cell, plan[0].s + 1e-9);
-                if is_valley(queue, plan, cell) {
-                    found = self.valley.run(queue, &self.inverses, plan, cell, |node| overrides.most(node));
+                let most = end - begin + count + DEEPER - new;
+                let cap = |node: &Node| overrides.most(node);
+                if is_valley(queue, plan, cell, cap) {
+                    found = self.valley.run(queue, &self.inverses, plan, cell, most, cap);
                 }
             }
             if found {
@@ -951,24 +999,19 @@ impl Plan {
     }
 }
 
-/// Whether there is something to be gained: it is much slower than at an end, and where it is, a curve takes a share of the
-/// bounds that could be shared better.
-fn is_valley(queue: &Queue, plan: &[Piece], first: u64) -> bool {
-    let (from, to) = (plan[0].from.v, plan[plan.len() - 1].to.v);
+/// Whether there may be something to be gained: somewhere it is much slower than `most`, and no corner is passed.
+fn is_valley(queue: &Queue, plan: &[Piece], first: u64, most: impl Fn(&Node) -> f64) -> bool {
     let end = plan[plan.len() - 1].end();
-    let least = plan.iter().map(|piece| piece.to.v).fold(from, f64::min);
-    let is_path = || {
-        (first..queue.tail())
-            .map(|cell| queue.node(cell))
-            .take_while(|node| node.s < end)
-            .all(|node| node.pass == Pass::Path)
-    };
+    let is_path = (first..queue.tail())
+        .map(|cell| queue.node(cell))
+        .take_while(|node| node.s < end)
+        .all(|node| node.pass == Pass::Path);
     let mut cell = first;
-    let bends = |piece: &Piece| {
-        cell = queue.find(cell, piece.s);
-        queue.node(cell).load.taken(piece.from.v, piece.from.a.abs()) > TAKEN
-    };
-    least < DEEP * from.max(to) && is_path() && plan.iter().any(bends)
+    is_path
+        && plan.iter().any(|piece| {
+            cell = queue.find(cell, piece.s);
+            piece.from.v < DEEP * most(queue.node(cell))
+        })
 }
 
 /// Room that one section takes: its steps, what valleys add, and what ends it.

@@ -37,6 +37,13 @@ impl Foot {
         self.v + self.a * self.a / (2.0 * j)
     }
 
+    /// The way in which the acceleration is taken back and the path then stopped, mm.
+    pub fn room(&self, drive: Drive) -> f64 {
+        let top = self.top(drive.j);
+        let rising = Drive { a: drive.a.max(self.a), ..drive };
+        self.distance(top, rising).unwrap_or(f64::INFINITY) + distance(0.0, top, drive)
+    }
+
     /// Where the ramp without a head start would have begun: speed, and the length and time from there.
     fn head(&self, j: f64) -> (f64, f64, f64) {
         let t = self.a / j;

@@ -41,8 +41,14 @@ use crate::timing::piece::{Piece, ROUNDING, State};
 use crate::timing::queue::{Node, Queue};
 use ferrocut_geometry::AXES;
 
-/// Most steps of a valley.
-pub(crate) const STEPS: usize = 160;
+/// Most steps of a window of a valley.
+const STEPS: usize = 160;
+
+/// The last part of a window, one of so many, is of the next one too.
+const OVERLAP: usize = 3;
+
+/// Pieces that there is room for.
+const WAY: usize = 4096;
 
 /// A step in time, s, and how far the path turns in it at most, rad.
 const TAU: f64 = 0.004;
@@ -87,6 +93,9 @@ const LESS: f64 = 0.98;
 /// In how many parts a piece is looked at.
 const PARTS: u8 = 4;
 
+/// What a curve takes of a bound somewhere in a window, if it is worth to be looked at.
+const TAKEN: f64 = 0.25;
+
 /// What is gained must be worth it.
 const WORTH: f64 = 0.997;
 
@@ -128,6 +137,8 @@ pub(crate) struct Valley {
     band: Vec<[f64; 3]>,
     right: Vec<f64>,
     pieces: Vec<Piece>,
+    /// The whole way, as far as it is found.
+    way: Vec<Piece>,
 }
 
 impl Valley {
@@ -142,37 +153,71 @@ impl Valley {
             band: Vec::with_capacity(STEPS + 2),
             right: Vec::with_capacity(STEPS + 2),
             pieces: Vec::with_capacity(STEPS),
+            way: Vec::with_capacity(WAY),
         }
     }
 
     /// The same way as `plan`, which begins in cell `first`, in less time; `cap` is the speed allowed in a cell, curves
-    /// aside. `false` where no less is found; else it is in [`pieces`](Self::pieces).
+    /// aside. `false` where no less is found; else it is in [`pieces`](Self::pieces), which are no more than `most`.
+    ///
+    /// What is longer than its steps is run window by window. Each begins inside the one before, so that the state at the
+    /// end of that one, which was the plan's, does not stay.
     pub fn run(
         &mut self,
         queue: &Queue,
         inverses: &Inverses,
         plan: &[Piece],
         first: u64,
+        most: usize,
         cap: impl Fn(&Node) -> f64,
     ) -> bool {
-        let time = |pieces: &[Piece]| pieces.iter().map(|piece| piece.time).sum::<f64>();
         let road = Road { queue, inverses, cap };
-        let (Some(begin), Some(end)) = (plan.first(), plan.last()) else { return false };
-        let (from, to) = (begin.from, end.to);
-        if !self.place(&road, plan, first) {
+        self.way.clear();
+        self.way.extend_from_slice(plan);
+        let (mut from, mut cell, mut found) = (0, first, false);
+        while from < self.way.len() && self.way.len() + STEPS < most {
+            cell = road.cell(cell, self.way[from].s);
+            let Some(count) = self.place(&road, from, cell) else { break };
+            let is_last = from + count == self.way.len();
+            let is_quicker = self.window(&road, from..from + count, cell);
+            let mut new = count;
+            if is_quicker {
+                new = self.pieces.len();
+                self.way.splice(from..from + count, self.pieces.iter().copied());
+            }
+            found |= is_quicker;
+            if is_last {
+                break;
+            }
+            from += new - (new / OVERLAP).min(new - 1);
+        }
+        found
+    }
+
+    /// Runs these pieces, for which steps are set, in less time, if that is possible.
+    fn window(
+        &mut self,
+        road: &Road<'_, impl Fn(&Node) -> f64>,
+        range: std::ops::Range<usize>,
+        first: u64,
+    ) -> bool {
+        let time = |pieces: &[Piece]| pieces.iter().map(|piece| piece.time).sum::<f64>();
+        let plan = &self.way[range.clone()];
+        let (from, to, before) = (plan[0].from, plan[plan.len() - 1].to, time(plan));
+        if !plan_bends(road, plan, first) {
             return false;
         }
         for _ in 0..ROUNDS {
-            self.begin(plan, from, to);
-            self.bound(&road, first);
+            self.begin(range.clone(), from, to);
+            self.bound(road, first);
             if !self.solve() || !self.cut(from, to) {
                 return false;
             }
             // With less of the bounds it is no faster.
-            if !(time(&self.pieces) < WORTH * time(plan)) {
+            if !(time(&self.pieces) < WORTH * before) {
                 return false;
             }
-            if self.keeps(&road, first) {
+            if self.keeps(road, first) {
                 return true;
             }
         }
@@ -181,12 +226,15 @@ impl Valley {
 
     /// What was found.
     pub fn pieces(&self) -> &[Piece] {
-        &self.pieces
+        &self.way
     }
 
-    /// Sets the steps. `false` if there are too many.
-    fn place(&mut self, road: &Road<'_, impl Fn(&Node) -> f64>, plan: &[Piece], first: u64) -> bool {
-        let (begin, end) = (plan[0].s, plan[plan.len() - 1].end());
+    /// Sets the steps, for as many of the pieces from `from` on as there are steps for: how many. `None` if that are too
+    /// few.
+    fn place(&mut self, road: &Road<'_, impl Fn(&Node) -> f64>, from: usize, first: u64) -> Option<usize> {
+        let plan = &self.way[from..];
+        let (begin, mut end) = (plan[0].s, plan[plan.len() - 1].end());
+        let mut count = plan.len();
         let (mut s, mut cell, mut k) = (begin, first, 0);
         self.s.clear();
         self.h.clear();
@@ -194,7 +242,16 @@ impl Valley {
         self.h.push(0.0);
         while s < end {
             if self.s.len() == STEPS {
-                return false;
+                // The window ends with the last piece that ends before; a step that would be short belongs to the one before.
+                count = k;
+                end = plan[k.checked_sub(1)?].end();
+                while self.s.len() > 1 && self.s[self.s.len() - 1] + 0.5 * self.h[self.h.len() - 1] > end {
+                    self.s.pop();
+                    self.h.pop();
+                }
+                let last = self.h.len() - 1;
+                self.h[last] = end - self.s[self.s.len() - 1];
+                break;
             }
             while k + 1 < plan.len() && plan[k].end() <= s {
                 k += 1;
@@ -229,17 +286,18 @@ impl Valley {
         self.s.push(end);
         let n = self.h.len();
         if n < 5 {
-            return false;
+            return None;
         }
         self.h[0] = self.h[1];
         self.h.push(self.h[n - 1]);
         self.share.clear();
         self.share.resize(self.s.len(), 1.0);
-        true
+        Some(count)
     }
 
     /// The plan as it is: the first two and the last two of `x` are what the states at the ends say.
-    fn begin(&mut self, plan: &[Piece], from: State, to: State) {
+    fn begin(&mut self, range: std::ops::Range<usize>, from: State, to: State) {
+        let plan = &self.way[range];
         let n = self.h.len();
         self.x.clear();
         self.x.resize(n, 0.0);
@@ -558,6 +616,15 @@ impl Valley {
         }
         is_good
     }
+}
+
+/// Whether somewhere a curve takes a share of the bounds that could be shared better.
+fn plan_bends(road: &Road<'_, impl Fn(&Node) -> f64>, plan: &[Piece], first: u64) -> bool {
+    let mut cell = first;
+    plan.iter().any(|piece| {
+        cell = road.cell(cell, piece.s);
+        road.queue.node(cell).load.taken(piece.from.v, piece.from.a.abs()) > TAKEN
+    })
 }
 
 /// Speed at the length `s` of the plan, in its piece `k` or one behind.
