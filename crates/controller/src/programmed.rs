@@ -40,11 +40,9 @@ impl Programmed {
             Op::Arc { .. } => Way::Arc(op.arc(from)?),
             _ => Way::Line(from, to),
         };
-        let tolerance = match *op {
-            Op::Feed { path: PathMode::ContinuousWithin(most), .. }
-            | Op::Arc { path: PathMode::ContinuousWithin(most), .. } => Some(most),
-            Op::Feed { path: PathMode::WithinBlock(most), .. }
-            | Op::Arc { path: PathMode::WithinBlock(most), .. } => most,
+        let tolerance = match op.path() {
+            Some(PathMode::ContinuousWithin(most)) => Some(most),
+            Some(PathMode::WithinBlock(most)) => most,
             _ => None,
         };
         Some(Programmed { number, way, is_rapid: matches!(op, Op::Rapid { .. }), feed, tolerance })

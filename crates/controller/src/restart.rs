@@ -502,7 +502,12 @@ impl Restart {
             }
             let op = match axis == Axis::Z && machine.restart.cuts_z && speed > 0.0 {
                 true => Op::Feed { to, feed: Feed::PerMinute(speed), path: PathMode::ExactStop },
-                false => Op::Rapid { to, straight: true, speed: (speed > 0.0).then_some(speed) },
+                false => Op::Rapid {
+                    to,
+                    straight: true,
+                    speed: (speed > 0.0).then_some(speed),
+                    path: PathMode::ON_PATH,
+                },
             };
             if let Some(alarm) = self.interpreter.stroke_alarm(at, &op) {
                 return Err(Box::new(Alarm { span: self.span, ..*alarm }));

@@ -218,7 +218,12 @@ impl Interpreter {
         if to != self.location.machine || self.output.takes_still_moves() {
             self.location.machine = to;
             let speed = self.technology.rapid_feed;
-            self.emit(Op::Rapid { to, straight: self.rules.rapid_is_straight, speed });
+            self.emit(Op::Rapid {
+                to,
+                straight: self.rules.rapid_is_straight,
+                speed,
+                path: PathMode::ON_PATH,
+            });
         }
     }
 

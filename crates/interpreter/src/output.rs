@@ -365,9 +365,11 @@ impl Queue {
 
     /// A positioning to `to` from one side.
     fn arrive(&mut self, step: Step, to: Position) {
-        if let (Some((span, how)), Op::Rapid { straight, speed, .. }) = (self.one_way.pop_front(), &step.op) {
+        if let (Some((span, how)), &Op::Rapid { straight, speed, path, .. }) =
+            (self.one_way.pop_front(), &step.op)
+        {
             let block = step.block;
-            let first = Op::Rapid { to: to + how.beyond, straight: *straight, speed: *speed };
+            let first = Op::Rapid { to: to + how.beyond, straight, speed, path };
             self.steps.push_back(Step { op: first, span, block });
             if how.dwell_s > 0.0 {
                 self.steps.push_back(Step { op: Op::Dwell(Dwell::Seconds(how.dwell_s)), span, block });
@@ -381,7 +383,7 @@ impl Queue {
 /// The same move to another end and in another shape.
 fn with_shape(op: Op, to: Position, plane: Plane, shape: Option<Shape>) -> Op {
     match (op, shape) {
-        (Op::Rapid { straight, speed, .. }, _) => Op::Rapid { to, straight, speed },
+        (Op::Rapid { straight, speed, path, .. }, _) => Op::Rapid { to, straight, speed, path },
         (Op::Feed { feed, path, .. } | Op::Arc { feed, path, .. }, Some(Shape::Line)) => {
             Op::Feed { to, feed, path }
         }

@@ -1,7 +1,8 @@
 //! Runs a path given as JSON and writes a setpoint every servo period, for judging motion apart from programs.
 //!
 //! `path_samples PATH.json OUT.csv [period_ms]`: a path has `start`, `segments` (`line` and `arc`, with `to`, `plane`,
-//! `center`, `sweep` in degrees), `feed` in mm/min, `vmax`, `amax`, `jmax` of X, Y, Z and `tolerance` in mm.
+//! `center`, `sweep` in degrees; `rapid` where only the axes limit the speed), `feed` in mm/min, `vmax`, `amax`, `jmax` of X, Y,
+//! Z and `tolerance` in mm.
 #![allow(missing_docs, clippy::unwrap_used)]
 
 use ferrocut_geometry::{Plane, Position};
@@ -26,12 +27,13 @@ fn main() {
         axis.jerk = path["jmax"].get(i).map_or(0.0, number);
     }
     let tolerance = path["tolerance"].as_f64().unwrap_or(0.0);
-    let mode = if tolerance > 0.0 { PathMode::ContinuousWithin(tolerance) } else { PathMode::ExactStop };
+    let mode = PathMode::ContinuousWithin(tolerance);
     let start = point(&path["start"]);
     let mut moves = Vec::new();
     for (i, segment) in path["segments"].as_array().unwrap().iter().enumerate() {
         let feed = segment.get("feed").or(path["feed"].get(i)).unwrap_or(&path["feed"]);
-        let feed = number(feed) / 60.0;
+        let is_rapid = segment["rapid"].as_bool().unwrap_or(false);
+        let feed = if is_rapid { f64::INFINITY } else { number(feed) / 60.0 };
         let to = point(&segment["to"]);
         let m = if segment["kind"] == "line" {
             Move::line(to, feed, mode, i as u64 + 1)

@@ -45,7 +45,8 @@ enum Start {
     /// Run through, at no more than this speed.
     Plain(f64),
     Ease(Ease),
-    Corner(Corner),
+    /// And of which kind the move before it is.
+    Corner(Corner, Class),
 }
 
 /// The newest move.
@@ -79,6 +80,14 @@ struct Flow {
     begun: bool,
 }
 
+/// What the speed of a cell with these rates follows ([`Node::basis`]).
+fn basis(member: &Member, rates: &Rates) -> f64 {
+    match member.class {
+        Class::Rapid => rates.first.iter().map(|share| share.abs()).fold(0.0, f64::max),
+        _ => member.rpm,
+    }
+}
+
 /// Turns moves into cells.
 #[derive(Debug)]
 pub(crate) struct Assembler {
@@ -86,6 +95,8 @@ pub(crate) struct Assembler {
     rules: JointRules,
     /// Parts of the newest move that are still to be taken, the last one first.
     parts: Vec<Member>,
+    /// A short arc as the newest move: what follows decides whether it is smoothed with the lines beside it.
+    arc: Option<Member>,
     open: Option<Open>,
     flow: Option<Flow>,
     closing: bool,
@@ -103,7 +114,8 @@ impl Assembler {
     pub fn new(inverses: Inverses, rules: JointRules, start: Position) -> Assembler {
         Assembler {
             rules,
-            parts: Vec::with_capacity(MOST_CHORDS as usize),
+            parts: Vec::with_capacity(MOST_CHORDS as usize + 3),
+            arc: None,
             open: None,
             flow: None,
             closing: false,
@@ -119,6 +131,7 @@ impl Assembler {
     /// Forgets every move; the next begins at `at`, at rest.
     pub fn clear(&mut self, at: Position) {
         self.parts.clear();
+        self.arc = None;
         self.open = None;
         self.flow = None;
         self.closing = false;
@@ -136,7 +149,7 @@ impl Assembler {
 
     /// Whether nothing is left here.
     pub fn is_empty(&self) -> bool {
-        self.open.is_none() && self.flow.is_none() && self.parts.is_empty()
+        self.open.is_none() && self.flow.is_none() && self.parts.is_empty() && self.arc.is_none()
     }
 
     /// Takes a move. The caller saw that nothing is blocked.
@@ -147,14 +160,18 @@ impl Assembler {
         let from = self.end;
         let Some(mut member) = Member::new(from, m, &self.rules) else { return };
         self.end = m.to;
-        let chords = member.chords();
-        if chords == 1 && member.inner.is_none() {
+        let is_line = member.piece.is_plain_line();
+        if self.arc.is_none() && member.inner.is_none() && is_line {
             // What most moves are: nothing to be cut up.
             self.push_member(&mut member, queue);
             return self.run(queue);
         }
-        if chords > 1 {
+        let chords = member.chords();
+        self.push_arc(Some(&member));
+        if chords > 1 && member.inner.is_some() {
             self.push_chords(&member, chords);
+        } else if chords > 1 {
+            self.arc = Some(member);
         } else if let Some([first, last]) = member.reaches() {
             // The stretches beside inner corners have a feed of their own.
             let mut from = from;
@@ -172,6 +189,22 @@ impl Assembler {
         }
         self.parts.reverse();
         self.run(queue);
+    }
+
+    /// The short arc that waits for what is behind it, in chords where no other arc is beside it: a chord turns away from an
+    /// arc, and is too short to be eased into it.
+    fn push_arc(&mut self, next: Option<&Member>) {
+        let Some(member) = self.arc.take() else { return };
+        let before = self.open.as_ref().map(|open| &open.member);
+        let is_beside_lines = before.is_none_or(|before| before.piece.is_plain_line())
+            && next.is_none_or(|next| next.piece.is_plain_line() || next.chords() > 1);
+        let is_smooth = before.is_none_or(|before| before.meets_smoothly(&member, &self.inverses))
+            && next.is_none_or(|next| member.meets_smoothly(next, &self.inverses));
+        if is_beside_lines && !is_smooth {
+            self.push_chords(&member, member.chords());
+        } else {
+            self.parts.push(member);
+        }
     }
 
     fn push_chords(&mut self, member: &Member, chords: usize) {
@@ -209,7 +242,7 @@ impl Assembler {
             Joint::Rest => (End::Rest(open.member.piece.end()), Start::Rest),
             Joint::Through(cap) => (End::Through, Start::Plain(cap)),
             Joint::Ease(ease) => (End::Ease(ease), Start::Ease(ease.behind())),
-            Joint::Corner(corner) => (End::Corner(corner), Start::Corner(corner)),
+            Joint::Corner(corner) => (End::Corner(corner), Start::Corner(corner, open.member.class)),
         };
         let open = std::mem::replace(open, Open { member: *member, start, s });
         let chain = self.chained.then_some(false);
@@ -246,7 +279,7 @@ impl Assembler {
     #[inline]
     fn run_on(&mut self, m: &Move, queue: &mut Queue) -> bool {
         // With the last point of a run more is to be done.
-        if !self.chained || self.smoother.is_nearly_full() {
+        if !self.chained || self.arc.is_some() || self.smoother.is_nearly_full() {
             return false;
         }
         let Some(Open { member, start, s }) = &mut self.open else { return false };
@@ -263,7 +296,7 @@ impl Assembler {
 
     /// The same, as soon as cells are added again.
     pub fn close_later(&mut self) {
-        self.closing = self.open.is_some() || !self.parts.is_empty();
+        self.closing = self.open.is_some() || !self.parts.is_empty() || self.arc.is_some();
     }
 
     /// The open move ends at rest.
@@ -287,6 +320,12 @@ impl Assembler {
             }
             if !self.closing {
                 return;
+            }
+            if self.arc.is_some() {
+                // Nothing is behind it that a chord would have to be joined to.
+                self.push_arc(None);
+                self.parts.reverse();
+                continue;
             }
             self.closing = false;
             if let Some(open) = self.open.take() {
@@ -371,7 +410,7 @@ impl Assembler {
                 Start::Rest => 0.0,
                 Start::Plain(cap) => cap,
                 Start::Ease(ease) => ease.speed(self.inverses.of(self.smoother.class)),
-                Start::Corner(corner) => corner.foot.v,
+                Start::Corner(corner, _) => corner.foot.v,
             };
             from = first.s + at;
         }
@@ -465,10 +504,10 @@ impl Assembler {
                 0.0
             }
             Start::Ease(_) => 0.0,
-            Start::Corner(corner) => {
+            Start::Corner(corner, before) => {
                 let cell = Cell::new(Shape::Corner(corner), None);
                 let rates = corner.rates();
-                let inverse = self.inverses.of(open.member.class);
+                let inverse = self.inverses.beside(before, open.member.class);
                 let top = inverse.speed(&rates);
                 let node = Node {
                     s: open.s - corner.reach,
@@ -477,7 +516,7 @@ impl Assembler {
                     top: corner.cap.min(open.member.most).min(f64::MAX),
                     most: corner.cap.min(open.member.most).min(f64::MAX),
                     feed: open.member.feed,
-                    basis: open.member.rpm,
+                    basis: basis(&open.member, &rates),
                     class: open.member.class,
                     pass: Pass::Corner { foot: corner.foot, time: corner.time, top },
                     rests: false,
@@ -514,10 +553,7 @@ impl Assembler {
             top: inverse.speed(&rates).min(most),
             most: inverse.velocity(&rates).min(most),
             feed,
-            basis: match member.class {
-                Class::Rapid => rates.first.iter().copied().fold(0.0, f64::max),
-                _ => member.rpm,
-            },
+            basis: basis(member, &rates),
             class: member.class,
             pass: Pass::Path,
             rests: false,

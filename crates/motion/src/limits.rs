@@ -309,6 +309,8 @@ pub(crate) struct Inverse {
 pub(crate) struct Inverses {
     positioning: Inverse,
     cutting: Inverse,
+    /// What keeps both.
+    both: Inverse,
 }
 
 impl Inverses {
@@ -319,10 +321,9 @@ impl Inverses {
             jerk: ramps.jerk.map(|j| (j * PATH_SHARE).recip()),
             along: along.map(f64::recip),
         };
-        Inverses {
-            positioning: inverse(&limits.rapid, &limits.positioning, [f64::INFINITY; 2]),
-            cutting: inverse(&limits.velocity, &limits.cutting, limits.along),
-        }
+        let positioning = inverse(&limits.rapid, &limits.positioning, [f64::INFINITY; 2]);
+        let cutting = inverse(&limits.velocity, &limits.cutting, limits.along);
+        Inverses { both: positioning.and(&cutting), positioning, cutting }
     }
 
     /// Those that hold for `class`.
@@ -330,6 +331,17 @@ impl Inverses {
     pub fn of(&self, class: Class) -> &Inverse {
         if class == Class::Rapid { &self.positioning } else { &self.cutting }
     }
+
+    /// Those that hold where moves of these kinds meet.
+    #[inline]
+    pub fn beside(&self, class: Class, next: Class) -> &Inverse {
+        if (class == Class::Rapid) == (next == Class::Rapid) { self.of(class) } else { &self.both }
+    }
+}
+
+/// The larger of both, axis by axis.
+fn largest<const N: usize>(x: &[f64; N], y: &[f64; N]) -> [f64; N] {
+    std::array::from_fn(|i| larger(x[i], y[i]))
 }
 
 /// Largest of `|xᵢ|·yᵢ`.
@@ -345,6 +357,16 @@ fn up(x: f64) -> f32 {
 }
 
 impl Inverse {
+    /// What keeps both.
+    fn and(&self, other: &Inverse) -> Inverse {
+        Inverse {
+            velocity: largest(&self.velocity, &other.velocity),
+            acceleration: largest(&self.acceleration, &other.acceleration),
+            jerk: largest(&self.jerk, &other.jerk),
+            along: largest(&self.along, &other.along),
+        }
+    }
+
     /// Highest speed along a piece by the velocity of the axes alone, mm/s.
     pub fn velocity(&self, rates: &Rates) -> f64 {
         peak(&rates.first, &self.velocity).max(LEAST_INVERSE[0]).recip()
@@ -400,6 +422,19 @@ impl Inverse {
     /// Whether nothing that moves in direction `d` has a limit of jerk.
     pub fn is_free_of_jerk(&self, d: &[f64; AXES]) -> bool {
         self.along[1] == 0.0 && peak(d, &self.jerk) == 0.0
+    }
+
+    /// With a jerk for axes that have no limit of it, by which curves within `tolerance` are smoothed: at `A·√(A/δ)` what is
+    /// smoothed away over `v·(δ/J)^⅓` is smoothed away over `v·(δ/A)^½`, on which a wave of the size `δ` takes the
+    /// acceleration `A`.
+    pub fn with_some_jerk(&self, tolerance: f64) -> Inverse {
+        let mut soft = *self;
+        for (jerk, acceleration) in soft.jerk.iter_mut().zip(self.acceleration) {
+            if *jerk == 0.0 {
+                *jerk = acceleration * (acceleration * tolerance).sqrt();
+            }
+        }
+        soft
     }
 
     /// [`change_time`](Self::change_time), where the path, whose velocity changes by `change`, has a limit too.

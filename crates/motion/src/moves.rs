@@ -23,7 +23,7 @@ pub(crate) enum Kind {
     /// Every axis on its own, as fast as it can.
     RapidAxes,
     /// On a straight line, as fast as the slowest axis can, `speed` mm/s at most.
-    RapidStraight { speed: f64 },
+    RapidStraight { speed: f64, path: PathMode },
     /// On a straight line; `feed` mm/s.
     Line { feed: f64, path: PathMode },
     /// On a circle or helix; `feed` mm/s.
@@ -89,8 +89,8 @@ impl Move {
         };
         let straight = || Measure::choose(&(to - from)).map_or(0.0, |(_, length)| length);
         let kind = match *op {
-            Op::Rapid { straight: true, speed, .. } => {
-                Kind::RapidStraight { speed: speed.map_or(f64::INFINITY, |s| s / 60.0) }
+            Op::Rapid { straight: true, speed, path, .. } => {
+                Kind::RapidStraight { speed: speed.map_or(f64::INFINITY, |s| s / 60.0), path }
             }
             Op::Rapid { straight: false, .. } => Kind::RapidAxes,
             Op::Feed { feed, path, .. } => Kind::Line { feed: speed(feed, straight()), path },
@@ -124,7 +124,8 @@ impl Move {
 
     /// Positioning to `to`: on a straight line, or every axis on its own.
     pub fn rapid(to: Position, straight: bool, tag: u64) -> Option<Move> {
-        let kind = if straight { Kind::RapidStraight { speed: f64::INFINITY } } else { Kind::RapidAxes };
+        let line = Kind::RapidStraight { speed: f64::INFINITY, path: PathMode::ON_PATH };
+        let kind = if straight { line } else { Kind::RapidAxes };
         Move { tag, to, kind, rpm: 0.0 }.checked()
     }
 
@@ -183,7 +184,7 @@ impl Move {
     pub fn feed(&self) -> Option<f64> {
         match self.kind {
             Kind::RapidAxes => None,
-            Kind::RapidStraight { speed: feed } | Kind::Line { feed, .. } | Kind::Arc { feed, .. } => {
+            Kind::RapidStraight { speed: feed, .. } | Kind::Line { feed, .. } | Kind::Arc { feed, .. } => {
                 Some(feed).filter(|feed| feed.is_finite())
             }
         }
@@ -204,8 +205,10 @@ impl Move {
     pub fn at_speed(mut self, speed: f64) -> Move {
         self.rpm = 0.0;
         match &mut self.kind {
-            Kind::RapidAxes => self.kind = Kind::RapidStraight { speed: speed.max(LEAST_FEED) },
-            Kind::RapidStraight { speed: feed } | Kind::Line { feed, .. } | Kind::Arc { feed, .. } => {
+            Kind::RapidAxes => {
+                self.kind = Kind::RapidStraight { speed: speed.max(LEAST_FEED), path: PathMode::ON_PATH };
+            }
+            Kind::RapidStraight { speed: feed, .. } | Kind::Line { feed, .. } | Kind::Arc { feed, .. } => {
                 if !speed.is_nan() {
                     *feed = speed.clamp(LEAST_FEED, FARTHEST);
                 }
@@ -229,7 +232,7 @@ impl Move {
         let good = |x: &f64| x.abs() <= FARTHEST;
         let possible = match &mut self.kind {
             Kind::RapidAxes => true,
-            Kind::RapidStraight { speed } => {
+            Kind::RapidStraight { speed, .. } => {
                 *speed = speed.max(LEAST_FEED);
                 !speed.is_nan()
             }

@@ -92,7 +92,7 @@ fn positioning_has_ramps_of_its_own() {
     machine.axes[1].before_rapid = Some(Ramp { acceleration: 2000.0, jerk: 16_000.0 });
     for straight in [true, false] {
         for to in [Position::xyz(200.0, 0.0, 0.0), Position::xyz(0.0, 200.0, 0.0)] {
-            let ops = [Op::Rapid { to, straight, speed: None }];
+            let ops = [Op::Rapid { to, straight, speed: None, path: PathMode::ON_PATH }];
             let run = moving(&machine, &ops);
             assert!(
                 (time_to(&run, 250.0) - 0.25).abs() <= 0.002,
@@ -107,7 +107,7 @@ fn positioning_has_ramps_of_its_own() {
     assert_eq!(run(&machine, Position::ZERO, &cut).samples, plain.samples);
     // Together on a line neither axis passes its own.
     let to = Position::xyz(200.0, 200.0, 0.0);
-    let run = moving(&machine, &[Op::Rapid { to, straight: true, speed: None }]);
+    let run = moving(&machine, &[Op::Rapid { to, straight: true, speed: None, path: PathMode::ON_PATH }]);
     let all: Vec<f64> = run.samples.iter().map(|s| s.position.0[0]).collect();
     for w in all.windows(3) {
         let a = (w[2] - 2.0 * w[1] + w[0]) / (PERIOD * PERIOD);
@@ -161,9 +161,10 @@ fn a_lower_override_keeps_the_acceleration_where_no_jerk_is_limited() {
         (axis.rapid, axis.velocity, axis.acceleration, axis.jerk) = (5000.0, 4000.0, 800.0, 0.0);
     }
     let to = Position::xyz(0.0, 0.0, 16.0);
-    for op in
-        [Op::Rapid { to, straight: true, speed: None }, line(0.0, 0.0, 16.0, 4000.0, PathMode::Continuous)]
-    {
+    for op in [
+        Op::Rapid { to, straight: true, speed: None, path: PathMode::ON_PATH },
+        line(0.0, 0.0, 16.0, 4000.0, PathMode::Continuous),
+    ] {
         for tick in (10..250).step_by(9) {
             let events = [(0, Event::Override(0.7, 0.7)), (tick, Event::Override(0.25, 0.5))];
             let run = run_with(&machine, Position::ZERO, std::slice::from_ref(&op), &events, &[]);

@@ -155,7 +155,11 @@ fn blends_keep_the_tolerance_on_both_sides() {
             .samples
             .windows(2)
             .map(|w| {
-                distance(&Op::Rapid { to: w[1].position, straight: true, speed: None }, w[0].position, p)
+                distance(
+                    &Op::Rapid { to: w[1].position, straight: true, speed: None, path: PathMode::ON_PATH },
+                    w[0].position,
+                    p,
+                )
             })
             .fold(f64::INFINITY, f64::min);
         assert!(missed <= 0.02 + 1e-6, "{missed}");
@@ -217,13 +221,21 @@ fn a_helix_of_a_thousand_turns_flows_through() {
 fn rapids_run_at_the_limit_of_the_slowest_axis() {
     let machine = demo();
     let to = Position::xyz(200.0, 100.0, -50.0);
-    let straight = run(&machine, Position::ZERO, &[Op::Rapid { to, straight: true, speed: None }]);
+    let straight = run(
+        &machine,
+        Position::ZERO,
+        &[Op::Rapid { to, straight: true, speed: None, path: PathMode::ON_PATH }],
+    );
     straight.check_limits(&machine);
     straight.check_path(1e-9);
     // X: 200 mm at 250 mm/s, 2000 mm/s² and 50000 mm/s³.
     let time = 200.0 / 250.0 + 250.0 / 2000.0 + 2000.0 / 50_000.0;
     assert!((straight.time() - time).abs() < 0.003, "{}", straight.time());
-    let each = run(&machine, Position::ZERO, &[Op::Rapid { to, straight: false, speed: None }]);
+    let each = run(
+        &machine,
+        Position::ZERO,
+        &[Op::Rapid { to, straight: false, speed: None, path: PathMode::ON_PATH }],
+    );
     each.check_limits(&machine);
     each.check_path(1e-9);
     assert!((each.time() - straight.time()).abs() < 0.003);
@@ -239,6 +251,7 @@ fn collinear_rapids_are_one() {
         to: Position::xyz(x, 0.0, 0.0),
         straight: true,
         speed: None,
+        path: PathMode::ON_PATH,
     });
     let run = run(&machine, Position::ZERO, &ops);
     run.check_limits(&machine);
@@ -307,8 +320,10 @@ fn hold_stops_on_the_path_and_resume_goes_on() {
 #[test]
 fn overrides_scale_feed_and_rapid() {
     let machine = demo();
-    let ops =
-        [line(100.0, 0.0, 0.0, 3000.0, GO), Op::Rapid { to: Position::ZERO, straight: false, speed: None }];
+    let ops = [
+        line(100.0, 0.0, 0.0, 3000.0, GO),
+        Op::Rapid { to: Position::ZERO, straight: false, speed: None, path: PathMode::ON_PATH },
+    ];
     let events = [(0, Event::Override(2.0, 0.5))];
     let run = run_with(&machine, Position::ZERO, &ops, &events, &[]);
     run.check_limits(&machine);

@@ -171,7 +171,7 @@ fn build(pieces: &[Piece]) -> Vec<Op> {
             }
             Piece::Rapid { d, straight } => {
                 at = at + Position::xyz(d[0], d[1], d[2]);
-                ops.push(Op::Rapid { to: at, straight, speed: None });
+                ops.push(Op::Rapid { to: at, straight, speed: None, path: PathMode::ON_PATH });
             }
             Piece::Rotary { a, x, feed } => {
                 at[Axis::A] += a;
@@ -411,7 +411,7 @@ proptest! {
                 let feed = Feed::PerMinute(feed);
                 let op = match kind {
                     0 => Op::Feed { to, feed, path: PathMode::Continuous },
-                    1 => Op::Rapid { to, straight: a > b, speed: None },
+                    1 => Op::Rapid { to, straight: a > b, speed: None, path: PathMode::ON_PATH },
                     2 => Op::Feed { to, feed: Feed::Duration(b), path: PathMode::ContinuousWithin(a) },
                     _ => Op::Arc { to, plane: Plane::Zx, center: [a, x], sweep, feed, feed_along: FeedAlong::Circle,
                         path: PathMode::Continuous },

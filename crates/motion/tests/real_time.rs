@@ -14,7 +14,12 @@ static ALLOCATOR: AllocDisabler = AllocDisabler;
 #[test]
 fn push_and_tick_allocate_nothing() {
     let machine = demo();
-    let mut ops = vec![Op::Rapid { to: Position::xyz(10.0, 0.0, 0.0), straight: false, speed: None }];
+    let mut ops = vec![Op::Rapid {
+        to: Position::xyz(10.0, 0.0, 0.0),
+        straight: false,
+        speed: None,
+        path: PathMode::ON_PATH,
+    }];
     for k in 1..5000 {
         let phi = k as f64 * 0.01;
         ops.push(line(10.0 * phi.cos(), 10.0 * phi.sin(), -phi, 3000.0, PathMode::Continuous));

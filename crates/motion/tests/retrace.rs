@@ -30,8 +30,8 @@ fn program() -> Vec<Op> {
         ops.push(line(18.0 + 8.0 * phi.sin(), y, 1.0 + 0.1 * phi, 5000.0, GO));
     }
     let at = |x: f64, y: f64, z: f64| Position::xyz(x, y, z);
-    ops.push(Op::Rapid { to: at(40.0, 20.0, 5.0), straight: true, speed: None });
-    ops.push(Op::Rapid { to: at(30.0, 40.0, 9.0), straight: false, speed: None });
+    ops.push(Op::Rapid { to: at(40.0, 20.0, 5.0), straight: true, speed: None, path: PathMode::ON_PATH });
+    ops.push(Op::Rapid { to: at(30.0, 40.0, 9.0), straight: false, speed: None, path: PathMode::ON_PATH });
     ops.push(line(30.0, 30.0, 9.0, 2000.0, PathMode::ExactStop));
     ops.push(line(25.0, 30.0, 9.0, 2000.0, GO));
     ops

@@ -75,7 +75,7 @@ proptest! {
         prop_assume!(least < 4.0);
         let to = Position::xyz(ways[0], -ways[1], ways[2]);
         for op in [
-            Op::Rapid { to, straight: true, speed: None },
+            Op::Rapid { to, straight: true, speed: None, path: PathMode::ON_PATH },
             line(to.0[0], to.0[1], to.0[2], 1e6, PathMode::Continuous),
         ] {
             judge(run(&machine(&axes), Position::ZERO, &[op]).time(), least)?;
@@ -87,7 +87,7 @@ proptest! {
         let least = least(ways, axes);
         prop_assume!(least < 4.0);
         let to = Position::xyz(ways[0], -ways[1], ways[2]);
-        let run = run(&machine(&axes), Position::ZERO, &[Op::Rapid { to, straight: false, speed: None }]);
+        let run = run(&machine(&axes), Position::ZERO, &[Op::Rapid { to, straight: false, speed: None, path: PathMode::ON_PATH }]);
         judge(run.time(), least)?;
     }
 }

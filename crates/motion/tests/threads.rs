@@ -118,8 +118,18 @@ fn judged() -> Vec<Op> {
         let mode = if k % 5 == 0 { PathMode::ExactStop } else { PathMode::Continuous };
         ops.push(line(f64::from(k % 3) * 8.0, f64::from(k % 4) * 5.0, 1.0, 6000.0, mode));
     }
-    ops.push(Op::Rapid { to: Position::xyz(100.0, 50.0, 0.0), straight: false, speed: None });
-    ops.push(Op::Rapid { to: Position::xyz(0.0, 20.0, 30.0), straight: true, speed: None });
+    ops.push(Op::Rapid {
+        to: Position::xyz(100.0, 50.0, 0.0),
+        straight: false,
+        speed: None,
+        path: PathMode::ON_PATH,
+    });
+    ops.push(Op::Rapid {
+        to: Position::xyz(0.0, 20.0, 30.0),
+        straight: true,
+        speed: None,
+        path: PathMode::ON_PATH,
+    });
     ops
 }
 

@@ -76,6 +76,11 @@ pub enum PathMode {
     FullFeed,
 }
 
+impl PathMode {
+    /// Run on where that leaves the path nowhere; what positioning does in most languages.
+    pub const ON_PATH: PathMode = PathMode::ContinuousWithin(0.0);
+}
+
 /// Where a cutter-compensated path slows down, and how far (GSK990MC 4.8.2): in the last and the first stretch beside
 /// a corner to the side of the tool, together 2 mm at most.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -195,6 +200,8 @@ pub enum Op {
         straight: bool,
         /// Highest speed along a straight line, mm/min, where the program gives one.
         speed: Option<f64>,
+        /// Joint with the next move.
+        path: PathMode,
     },
     /// Straight cut (G01).
     Feed {
@@ -304,6 +311,14 @@ impl Op {
             | Op::Arc { to, .. }
             | Op::Tap { to, .. }
             | Op::Skip { to, .. } => Some(to),
+            _ => None,
+        }
+    }
+
+    /// How the path runs into the next move; `None` where that is no choice of the program.
+    pub fn path(&self) -> Option<PathMode> {
+        match *self {
+            Op::Rapid { path, .. } | Op::Feed { path, .. } | Op::Arc { path, .. } => Some(path),
             _ => None,
         }
     }

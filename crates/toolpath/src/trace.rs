@@ -455,7 +455,13 @@ mod tests {
         let at = Position::xyz(1.0, 2.0, 3.0);
         let mut trace = TraceWriter::new(&mut out, at);
         let span = Span { line: 7, ..Span::default() };
-        trace.step(&Step { op: Op::Rapid { to: at, straight: true, speed: None }, span, block: 0 }).unwrap();
+        trace
+            .step(&Step {
+                op: Op::Rapid { to: at, straight: true, speed: None, path: PathMode::ON_PATH },
+                span,
+                block: 0,
+            })
+            .unwrap();
         let feed = Feed::PerMinute(100.0);
         let path = PathMode::Continuous;
         let circle = Op::Arc {

@@ -9,7 +9,7 @@ use ferrocut_geometry::Position;
 use ferrocut_interpreter::AtRest;
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_program::Span;
-use ferrocut_toolpath::{Feed, Op, SpindleState, Step};
+use ferrocut_toolpath::{Feed, Op, PathMode, SpindleState, Step};
 
 /// Two touches nearer than this are one: the probe was not free in between, mm.
 const NOT_FREE: f64 = 1e-3;
@@ -95,7 +95,8 @@ impl Touches {
         let pace = self.plan.pace;
         let skip =
             |to: Position, speed: f64| Op::Skip { to, feed: Feed::PerMinute(speed), hit: true, away: false };
-        let back = |to: Position| Op::Rapid { to, straight: true, speed: Some(pace.way) };
+        let back =
+            |to: Position| Op::Rapid { to, straight: true, speed: Some(pace.way), path: PathMode::ON_PATH };
         let now = self.next;
         let (op, next) = match now {
             Next::Spindle => (Op::Spindle(self.plan.spindle.unwrap_or(SpindleState::Off)), self.first_of(0)),

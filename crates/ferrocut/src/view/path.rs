@@ -327,7 +327,7 @@ mod tests {
     }
 
     fn rapid(x: f64, y: f64, z: f64) -> Op {
-        Op::Rapid { to: Position::xyz(x, y, z), straight: true, speed: None }
+        Op::Rapid { to: Position::xyz(x, y, z), straight: true, speed: None, path: PathMode::ON_PATH }
     }
 
     fn arc(to: Position, center: [f64; 2], sweep: f64) -> Op {

@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 use tiny_skia::Pixmap;
 
 fn rapid(x: f64, y: f64, z: f64) -> Op {
-    Op::Rapid { to: Position::xyz(x, y, z), straight: true, speed: None }
+    Op::Rapid { to: Position::xyz(x, y, z), straight: true, speed: None, path: PathMode::ON_PATH }
 }
 
 fn feed(x: f64, y: f64, z: f64) -> Op {
@@ -151,7 +151,7 @@ fn op() -> impl Strategy<Value = Op> {
     let plane = prop::sample::select(vec![Plane::Xy, Plane::Zx, Plane::Yz]);
     let sweep = prop_oneof![-7.0..7.0f64, -1e6..1e6f64, coordinate()];
     prop_oneof![
-        position().prop_map(|to| Op::Rapid { to, straight: false, speed: None }),
+        position().prop_map(|to| Op::Rapid { to, straight: false, speed: None, path: PathMode::ON_PATH }),
         position().prop_map(|to| Op::Tap { to, pitch: 1.0, rpm: 100.0, goes_on: false }),
         position().prop_map(|to| Op::Feed { to, feed: Feed::Duration(1.0), path: PathMode::Continuous }),
         (position(), plane, coordinate(), coordinate(), sweep).prop_map(|(to, plane, a, b, sweep)| arc(

@@ -48,7 +48,7 @@ use crate::words::letters;
 use ferrocut_geometry::{Axis, AxisSet, Plane, Position, Turn};
 use ferrocut_machine::Fault;
 use ferrocut_program::Span;
-use ferrocut_toolpath::{Dwell, Op, SpindleState};
+use ferrocut_toolpath::{Dwell, Op, PathMode, SpindleState};
 
 /// How a hole is cut.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -423,7 +423,12 @@ impl Interpreter {
         self.output.pause_cutter();
         let (here, there) = (self.location.machine, self.location.machine_of(to));
         if Plane::Xy.of(here) == Plane::Xy.of(there) {
-            let op = Op::Rapid { to: here, straight: self.rules.rapid_is_straight, speed: None };
+            let op = Op::Rapid {
+                to: here,
+                straight: self.rules.rapid_is_straight,
+                speed: None,
+                path: PathMode::ON_PATH,
+            };
             let step = self.step(op);
             self.output.back_onto_path(step).map_err(|(fault, span)| self.alarm(fault, span))?;
         }

@@ -100,6 +100,10 @@ pub(crate) struct Corner {
     pub cap: f64,
 }
 
+/// Share of the tolerance that a parabola takes: between setpoints that are a period apart drives do not see the jump of
+/// its acceleration where it is.
+const PARABOLA_SHARE: f64 = 0.99;
+
 /// Corners that would take longer are stops, s.
 const LONGEST: f64 = 10.0;
 
@@ -128,6 +132,7 @@ impl Corner {
         let form = Form::of(&rates, inverse);
         let bend = bends[0] + bends[1];
         let turn = norm(&jump.0);
+        let tolerance = if form == Form::Parabola { PARABOLA_SHARE * tolerance } else { tolerance };
         let depth = 2.0 * tolerance / (turn + (turn * turn + 8.0 * bend * tolerance).sqrt());
         let reach = (depth / form.depth()).min(room);
         if !(reach > LEAST_REACH) {

@@ -3,7 +3,8 @@
 //! At a joint the direction `q′` may jump by `Δ` and the curvature `q″` by `K`. Run through at speed `v`, the axes
 //! would have to change their velocity by `Δ·v` and their acceleration by `K·v²` in no time. There are five ways:
 //!
-//! - **Rest** where the program asks for it, between positioning and cutting, and where the path turns back.
+//! - **Rest** where the program asks for it, between positioning and cutting that may not leave their corner, and where
+//!   the path turns back.
 //! - **Through** where `Δ` and `K` are no more than rounding: the jump is lost in the margin that planning keeps.
 //! - **Ease**: over a length `h` on both sides a correction is added to the programmed curve that takes up both
 //!   jumps. With `x` the distance from the joint
@@ -47,6 +48,12 @@ const EASE_SHARE: f64 = 0.1;
 /// Joints that would have to be run through slower than this come to rest, mm/s.
 const CRAWL: f64 = 1.0;
 
+/// Where corners follow each other so closely that from one the path could hardly speed up and stop before the next, no more
+/// than so many times the way of that, a curve through all of them is quicker; unless they are sharper than 97°:
+/// 2·sin(97°/2).
+const TIGHT: f64 = 2.5;
+const TIGHT_CHORD: f64 = 1.498;
+
 /// Share of the shorter line that a corner takes at most.
 const CORNER_ROOM: f64 = 0.4;
 
@@ -65,6 +72,12 @@ const LEAST_EASE: f64 = 1e-7;
 /// What easing a corner without a limit of jerk takes, times what is worked out: the spline is the one of least third
 /// derivative, not of least curvature.
 const FREE_EASE: f64 = 1.25;
+
+/// Share of what running the whole of an ease at its speed costs.
+const EASE_COST: f64 = 0.25;
+
+/// Directions that differ by less meet smoothly: 2·sin(0.1°/2).
+const SMOOTH_CHORD: f64 = 1.745e-3;
 
 /// Lines shorter than this, or with less tolerance, are looked at in full, mm.
 const LEAST_RUN: f64 = 1e-5;
@@ -165,9 +178,10 @@ impl Member {
     pub fn new(from: Position, m: &Move, rules: &JointRules) -> Option<Member> {
         let piece = Piece::new(from, m)?;
         let (feed, path) = match m.kind {
-            Kind::RapidAxes => (f64::INFINITY, PathMode::ContinuousWithin(0.0)),
-            Kind::RapidStraight { speed } => (speed, PathMode::ContinuousWithin(0.0)),
-            Kind::Line { feed, path } | Kind::Arc { feed, path, .. } => (feed, path),
+            Kind::RapidAxes => (f64::INFINITY, PathMode::ON_PATH),
+            Kind::RapidStraight { speed: feed, path }
+            | Kind::Line { feed, path }
+            | Kind::Arc { feed, path, .. } => (feed, path),
         };
         let class = match m.kind {
             Kind::RapidAxes | Kind::RapidStraight { .. } => Class::Rapid,
@@ -240,7 +254,7 @@ impl Member {
 
     /// How this move, `room` of which is left to the joint, runs into `next`.
     pub fn join(&self, next: &Member, rules: &JointRules, inverses: &Inverses) -> Joint {
-        let inverse = inverses.of(self.class);
+        let inverse = inverses.beside(self.class, next.class);
         let Some(tolerance) = self.tolerance else { return Joint::Rest };
         // What is beside a joint is of both moves. An exact stop has a tolerance at its end alone, and so has the last piece
         // of a block.
@@ -248,8 +262,10 @@ impl Member {
             Some(next) if !self.within_block => tolerance.min(next),
             _ => tolerance,
         };
-        let is_rapid = self.class == Class::Rapid;
-        if is_rapid != (next.class == Class::Rapid) || !same_measure(&self.piece, &next.piece) {
+        let is_rapid = self.class == Class::Rapid || next.class == Class::Rapid;
+        // Between positioning and cutting the path rests, unless it may leave its corner.
+        let may_run_on = self.class == next.class || !is_rapid || self.blends_with(next, tolerance);
+        if !may_run_on || !same_measure(&self.piece, &next.piece) {
             return Joint::Rest;
         }
         let (len, next_len) = (self.piece.len(), next.piece.len());
@@ -284,7 +300,7 @@ impl Member {
         }
         let or_through =
             |through: f64| if through >= CRAWL { Joint::Through(through.min(cap)) } else { Joint::Rest };
-        if is_rapid || angle > BACK_CHORD {
+        if is_rapid && !(tolerance > 0.0) || angle > BACK_CHORD {
             return or_through(through);
         }
         let room = 0.5 * len.min(next_len);
@@ -304,7 +320,12 @@ impl Member {
             };
         };
         // Of short lines the direction is no corner yet.
-        let corner = corner().filter(|corner| !is_chain || corner.reach < shorter);
+        let is_tight = |corner: &Corner| {
+            let is_other = self.inner.is_some() || next.inner.is_some();
+            let room = len.min(next_len) - 2.0 * corner.reach;
+            !is_other && angle < TIGHT_CHORD && room < TIGHT * corner.foot.room(drive)
+        };
+        let corner = corner().filter(|corner| !is_chain || corner.reach < shorter && !is_tight(corner));
         match choose(ease, corner, feed, drive, inverse) {
             Some(Joint::Ease(_)) if is_chain => Joint::Chain,
             Some(joint) => joint,
@@ -312,10 +333,17 @@ impl Member {
         }
     }
 
+    /// Whether positioning and cutting run into each other: within a tolerance, and where the feed can be held.
+    fn blends_with(&self, next: &Member, tolerance: f64) -> bool {
+        let may = |class| matches!(class, Class::Rapid | Class::Cut);
+        tolerance > 0.0 && may(self.class) && may(next.class)
+    }
+
     /// In how many chords the move is smoothed; 1 is not at all. Arcs so short that easing them at both ends within
     /// the tolerance would take all of them are smoothed with the lines beside them.
     pub fn chords(&self) -> usize {
         let (Piece::Arc(turn), Some(tolerance)) = (&self.piece, self.tolerance) else { return 1 };
+        // Without a limit of jerk the curvature may jump.
         if !(tolerance > 0.0) {
             return 1;
         }
@@ -325,6 +353,13 @@ impl Member {
         let chord = (8.0 * CHORD_SHARE * tolerance / bend).sqrt();
         let count = (turn.len / chord).ceil();
         if turn.len < SHORT_ARC * ease && count < MOST_CHORDS { (count as usize).max(8) } else { 1 }
+    }
+
+    /// Whether this move, an arc, and the one behind it meet in one direction and without a limit of jerk: then it is run as
+    /// it is, because its curvature may jump.
+    pub fn meets_smoothly(&self, next: &Member, inverses: &Inverses) -> bool {
+        let (before, after) = (self.piece.tangent(self.piece.len()), next.piece.tangent(0.0));
+        inverses.of(self.class).is_free_of_jerk(&before.0) && norm(&(after - before).0) < SMOOTH_CHORD
     }
 
     /// The chord of this move between two points of it.
@@ -397,6 +432,8 @@ fn choose(
             // Where the jerk is not limited, the ease itself is run at a steady speed.
             if peak(&ease.jump.0, &inverse.jerk) == 0.0 {
                 loss = FREE_EASE * (loss + 2.0 * ease.h * (1.0 / v - 1.0 / feed));
+            } else {
+                loss += EASE_COST * 2.0 * ease.h * (1.0 / v - 1.0 / feed);
             }
             let is_eased = v >= feed || loss <= corner.loss(feed, drive);
             Some(if is_eased { Joint::Ease(ease) } else { Joint::Corner(corner) })
@@ -453,6 +490,9 @@ impl Ease {
         top: f64,
         inverse: &Inverse,
     ) -> Option<Ease> {
+        if !(tolerance > 0.0) {
+            return None;
+        }
         let (d, k) = (norm(&jump.0) / 6.0, norm(&bend.0) * BEND_MISS);
         let h = 2.0 * tolerance / (d + (d * d + 4.0 * k * tolerance).sqrt());
         let (d, k) = (peak(&jump.0, &inverse.jerk), 1.5 * peak(&bend.0, &inverse.jerk));
@@ -485,6 +525,11 @@ impl Ease {
         Ease { bend: Position(self.bend.0.map(|c| -c)), joint: 0.0, ..*self }
     }
 
+    /// −1 before the joint, 1 behind it: on the joint itself the derivatives are those of the move.
+    fn side(&self) -> f64 {
+        if self.joint > 0.0 { -1.0 } else { 1.0 }
+    }
+
     /// Highest speed at which it alone keeps acceleration and jerk.
     pub fn speed(&self, inverse: &Inverse) -> f64 {
         let rates = self.rates(self.joint, self.joint);
@@ -502,8 +547,7 @@ impl Ease {
     pub fn slope(&self, s: f64) -> Position {
         let x = (s - self.joint).abs();
         let left = (self.h - x).max(0.0);
-        let side = if s < self.joint { -1.0 } else { 1.0 };
-        let square = side * left * left;
+        let square = self.side() * left * left;
         self.jump.zip(self.bend, |d, k| square * (k * (self.h - 4.0 * x) - 3.0 * d))
     }
 
@@ -511,7 +555,7 @@ impl Ease {
     pub fn bends(&self, s: f64) -> [Position; 2] {
         let x = (s - self.joint).abs();
         let left = (self.h - x).max(0.0);
-        let side = if s < self.joint { -1.0 } else { 1.0 };
+        let side = self.side();
         [
             self.jump.zip(self.bend, |d, k| 6.0 * left * (d + k * (2.0 * x - self.h))),
             self.jump.zip(self.bend, |d, k| side * (k * (18.0 * self.h - 24.0 * x) - 6.0 * d)),

@@ -176,6 +176,8 @@ pub(crate) struct Smoother {
     fit_all: Fit<AXES>,
     /// Limits of the axes.
     inverse: Inverse,
+    /// The same, with a jerk where none is limited.
+    soft: Inverse,
     /// Knots while some are added.
     finer: Vec<f64>,
     is_finer_dense: Vec<bool>,
@@ -210,6 +212,7 @@ impl Smoother {
             fit: Fit::new(KNOTS, MOST_LOOKS * KNOTS / 2),
             fit_all: Fit::new(KNOTS, MOST_LOOKS * KNOTS / 2),
             inverse,
+            soft: inverse,
             finer: Vec::with_capacity(KNOTS),
             is_finer_dense: Vec::with_capacity(KNOTS),
             origins: Vec::with_capacity(KNOTS),
@@ -642,15 +645,15 @@ impl Smoother {
             if self.goes_on { unknown } else { self.speeds[0] },
             if open { unknown } else { self.speeds[1] },
         ];
+        let tolerance = self.points.iter().map(|point| point.tolerance).fold(f64::INFINITY, f64::min);
+        self.soft = self.inverse.with_some_jerk(tolerance);
         self.origins.clear();
         fit.clear();
         if self.set(fit, turns, open) {
             fit.solve();
-            if !self.inverse.is_free_of_jerk(&[1.0; AXES]) {
-                fit.find_pace(&self.inverse);
-                if fit.pace.is_slow() {
-                    self.pace(fit, turns, open);
-                }
+            fit.find_pace(&self.soft);
+            if fit.pace.is_slow() {
+                self.pace(fit, turns, open);
             }
             fit.close();
             for (control, moved) in self.controls.iter_mut().zip(&fit.moved) {
@@ -674,7 +677,7 @@ impl Smoother {
         fit.stiffen(open);
         fit.solve();
         // Once more with the speeds of what came out of it.
-        fit.find_pace(&self.inverse);
+        fit.find_pace(&self.soft);
         fit.stiffen(open);
         fit.press();
         fit.solve();
@@ -814,7 +817,7 @@ impl Smoother {
                 rates.first[i] = (to[i] - from[i]) / len;
             }
             let top = self.points[last].pace().min(self.inverse.velocity(&rates));
-            let drive = self.inverse.straight(&rates.first);
+            let drive = self.soft.straight(&rates.first);
             let tolerance = self.points[line].tolerance.min(self.points[last].tolerance);
             let stretch = Stretch { drive, ..Stretch::free(len, top) };
             fit.add_span(self.bends(k), stiff, tolerance, stretch);

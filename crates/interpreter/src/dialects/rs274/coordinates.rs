@@ -179,7 +179,7 @@ impl Interpreter {
         }
         let axes = self.words.axes(self.rules.axes);
         let mut to = self.ngc_end_point(axes);
-        self.ngc_rapid(to)?;
+        self.ngc_rapid_exactly(to)?;
         let reference = self.memory.reference_points.get(place).copied().unwrap_or_default();
         let reference = self.ngc.program_of(reference);
         for axis in Axis::ALL {
@@ -187,7 +187,7 @@ impl Interpreter {
                 to[axis] = reference[axis];
             }
         }
-        self.ngc_rapid(to)
+        self.ngc_rapid_exactly(to)
     }
 
     /// G10.

@@ -343,7 +343,7 @@ impl Interpreter {
         for (axis, value) in axes.into_iter().zip(to) {
             point[axis] = value * unit;
         }
-        self.ngc_rapid(point)
+        self.ngc_rapid_exactly(point)
     }
 
     /// Cuts with an exact stop at the end.

@@ -94,14 +94,23 @@ impl Interpreter {
         }
     }
 
-    /// Positions to a programmed point.
+    /// Positions to a programmed point, and on into the next move as G61 and G64 say.
     pub(super) fn ngc_rapid(&mut self, to: Position) -> Fallible<()> {
+        self.ngc_rapid_in(to, self.ngc_path())
+    }
+
+    /// Positions to a programmed point without leaving the path: cycles are in exact path mode (LinuxCNC, G81 and on).
+    pub(super) fn ngc_rapid_exactly(&mut self, to: Position) -> Fallible<()> {
+        self.ngc_rapid_in(to, PathMode::ON_PATH)
+    }
+
+    fn ngc_rapid_in(&mut self, to: Position, path: PathMode) -> Fallible<()> {
         let machine = self.ngc.machine_of(to);
         self.ngc_check_reach(machine)?;
         self.ngc.at = to;
         if machine != self.location.machine || self.output.takes_still_moves() {
             self.location.machine = machine;
-            self.emit(Op::Rapid { to: machine, straight: true, speed: None });
+            self.emit(Op::Rapid { to: machine, straight: true, speed: None, path });
         }
         Ok(())
     }

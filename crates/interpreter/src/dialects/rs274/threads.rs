@@ -100,7 +100,7 @@ impl Interpreter {
         for _ in 0..=spring as u32 {
             self.ngc_thread_pass(&thread, full)?;
         }
-        self.ngc_rapid(to)
+        self.ngc_rapid_exactly(to)
     }
 
     /// One pass at a depth below the crest: back to the start, in, along the thread, out.
@@ -119,12 +119,12 @@ impl Interpreter {
         let is_tapered = taper != 0.0;
         let steeper = if is_tapered { pitch * taper.hypot(full) / taper.abs() } else { pitch };
         let (start, end) = (drive[Axis::Z], thread.end);
-        self.ngc_rapid(at(away, start))?;
+        self.ngc_rapid_exactly(at(away, start))?;
         if is_tapered && thread.tapers_in {
             self.ngc_tap(at(bottom - full, start), steeper, rpm)?;
             self.ngc_tap(at(bottom, start - taper), steeper, rpm)?;
         } else {
-            self.ngc_rapid(at(bottom, start))?;
+            self.ngc_rapid_exactly(at(bottom, start))?;
         }
         if is_tapered && thread.tapers_out {
             self.ngc_tap(at(bottom, end + taper), pitch, rpm)?;
@@ -132,7 +132,7 @@ impl Interpreter {
         } else {
             self.ngc_tap(at(bottom, end), pitch, rpm)?;
         }
-        self.ngc_rapid(at(away, end))
+        self.ngc_rapid_exactly(at(away, end))
     }
 
     /// A move in step with the spindle, which M3 or M4 keeps turning behind it (LinuxCNC, G33).
