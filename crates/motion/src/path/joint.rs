@@ -49,10 +49,10 @@ const EASE_SHARE: f64 = 0.1;
 const CRAWL: f64 = 1.0;
 
 /// Where corners follow each other so closely that from one the path could hardly speed up and stop before the next, no more
-/// than so many times the way of that, a curve through all of them is quicker; unless they are sharper than 97°:
-/// 2·sin(97°/2).
+/// than so many times the way of that, a curve through all of them is quicker; unless they are sharper than 60°:
+/// 2·sin(60°/2).
 const TIGHT: f64 = 2.5;
-const TIGHT_CHORD: f64 = 1.498;
+const TIGHT_CHORD: f64 = 1.0;
 
 /// Share of the shorter line that a corner takes at most.
 const CORNER_ROOM: f64 = 0.4;
