@@ -7,6 +7,7 @@
 
 use crate::runner::{Latest, Runner};
 use crate::service::{Aside, Caller, Need, Request, Served, Service};
+use crate::told::{ConnectionCommand, ConnectionEvent, Hello, PanelInfo, SessionInfo};
 use ferrocut_memory::Session;
 use ferrocut_memory::password::Seat;
 use serde_json::{Map, Value, json};
@@ -77,8 +78,10 @@ pub struct Visitor {
     pub seat: Seat,
     /// His rights at the moment; none once he may not be here any more.
     pub rights: Arc<dyn Fn() -> Option<Session> + Send + Sync>,
-    /// What else the first line says.
-    pub hello: Map<String, Value>,
+    /// What the first line says to a browser.
+    pub panel: Option<PanelInfo>,
+    /// Its session, likewise.
+    pub session: Option<SessionInfo>,
     /// A number that all connections of one person have, 0 for none.
     pub owner: u64,
 }
@@ -90,7 +93,8 @@ impl Visitor {
             from: String::new(),
             seat: Seat::Machine,
             rights: Arc::new(|| Some(Session::OPERATOR)),
-            hello: Map::new(),
+            panel: None,
+            session: None,
             owner: 0,
         }
     }
@@ -185,11 +189,15 @@ impl<S: Service> Hub<S> {
             }
             members.insert(number, member);
         }
-        let mut hello = json!({ "hello": "ferrocut", "api": S::VERSION, "connection": number,
-            "longest_line": LONGEST_LINE, "dead_man_ms": DEAD_MAN.as_millis() as u64 });
-        if let Value::Object(fields) = &mut hello {
-            fields.extend(visitor.hello.clone());
-        }
+        let hello = Hello {
+            hello: "ferrocut",
+            api: S::VERSION,
+            connection: number,
+            longest_line: LONGEST_LINE,
+            dead_man_ms: DEAD_MAN.as_millis() as u64,
+            panel: visitor.panel.clone(),
+            session: visitor.session.clone(),
+        };
         let _ = out.try_send(line_of(&hello));
         let hub = self.clone();
         Some((Connection { hub, number, visitor, out, is_slow, keys: Vec::new() }, waiting))
@@ -268,7 +276,7 @@ impl<S: Service> Hub<S> {
 }
 
 fn command_event(holder: Option<u64>, number: u64) -> Line {
-    line_of(&json!({ "event": "command", "holder": holder, "you": holder == Some(number) }))
+    line_of(&ConnectionEvent::Command { holder, you: holder == Some(number) })
 }
 
 fn send(member: &Member, line: Line) {
@@ -401,18 +409,21 @@ impl<S: Service> Connection<S> {
 
     /// Commands of the connection itself.
     fn own_command(&mut self, object: &Map<String, Value>, then: &mut Option<Line>) -> Option<Answer> {
-        let flag = |name: &str| object.get(name).and_then(Value::as_bool).unwrap_or(false);
-        match object.get("do").and_then(Value::as_str)? {
-            "alive" => {}
-            "watch" => {
+        let command = match ConnectionCommand::of(object)? {
+            Ok(command) => command,
+            Err(e) => return Some(Err(error("no_command", &e.to_string()))),
+        };
+        match command {
+            ConnectionCommand::Alive => {}
+            ConnectionCommand::Watch { events, status } => {
                 if let Some(member) = lock(&self.hub.members).get_mut(&self.number) {
-                    (member.events, member.statuses) = (flag("events"), flag("status"));
+                    (member.events, member.statuses) = (events, status);
                 }
-                if flag("events") {
+                if events {
                     *then = Some(command_event(*lock(&self.hub.commander), self.number));
                 }
             }
-            "take_command" => {
+            ConnectionCommand::TakeCommand => {
                 let mut commander = lock(&self.hub.commander);
                 match *commander {
                     Some(other) if other != self.number => {
@@ -427,11 +438,10 @@ impl<S: Service> Connection<S> {
                     }
                 }
             }
-            "give_command" => {
+            ConnectionCommand::GiveCommand => {
                 self.release();
                 self.give_command();
             }
-            _ => return None,
         }
         Some(Ok(Value::Null))
     }

@@ -14,4 +14,5 @@ pub mod panel;
 pub mod remote;
 pub mod runner;
 pub mod service;
+pub mod told;
 pub mod web;

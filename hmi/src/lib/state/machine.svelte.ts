@@ -1,5 +1,6 @@
 // The machine as this browser knows it: connection, status, who commands, events. One for the whole page.
-import { Connection, Refused, type Hello, type HolderEvent, type Wish } from '$lib/api/socket';
+import type { ConnectionEvent, Hello } from '$lib/api/connection';
+import { Connection, Refused, type Wish } from '$lib/api/socket';
 import { http, HttpError } from '$lib/api/http';
 import type { AlarmInfo, Event, Mode, Reply, Status } from '$lib/api/types';
 import { has, language, t } from '$lib/i18n/index.svelte';
@@ -67,7 +68,7 @@ const changes = $state<Record<string, number>>({});
 const hearers = new Set<(event: Event) => void>();
 const watchers = new Set<(status: Status) => void>();
 
-function heard(event: Event | HolderEvent): void {
+function heard(event: Event | ConnectionEvent): void {
   switch (event.event) {
     case 'command':
       inCommand = event.you;
