@@ -6,6 +6,7 @@
 //! that it drives. [`web`] is the panel in a browser.
 
 pub mod grbl;
+mod helm;
 pub mod hub;
 pub mod lines;
 pub mod link;

@@ -58,7 +58,26 @@ pub enum ConnectionEvent {
         holder: Option<u64>,
         /// Whether it is the one that is told.
         you: bool,
+        /// Those who ask for command, first come first.
+        asking: Vec<Asking>,
     },
+    /// What this connection asked for was declined.
+    Declined {
+        /// The connection in command.
+        by: u64,
+    },
+}
+
+/// Who asks for command.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct Asking {
+    /// The number of his connection.
+    pub connection: u64,
+    /// Where from, an address; empty on the machine's own sockets.
+    pub from: String,
+    /// The level of his session, 1 to 5, of which 5 is the operator.
+    pub level: u8,
 }
 
 /// Commands of the connection itself.
@@ -70,6 +89,20 @@ pub enum ConnectionCommand {
     TakeCommand,
     /// No longer.
     GiveCommand,
+    /// Asks the one in command for it.
+    AskForCommand,
+    /// Asks for it no longer.
+    WithdrawRequest,
+    /// The one in command gives it to one who asks.
+    HandOver {
+        /// The number of his connection.
+        to: u64,
+    },
+    /// The one in command does not.
+    Decline {
+        /// The number of his connection.
+        to: u64,
+    },
     /// What it is told.
     Watch {
         /// Events.
@@ -85,7 +118,16 @@ pub enum ConnectionCommand {
 
 impl ConnectionCommand {
     /// The names of all, as `do` has them.
-    const NAMES: [&str; 4] = ["take_command", "give_command", "watch", "alive"];
+    const NAMES: [&str; 8] = [
+        "take_command",
+        "give_command",
+        "ask_for_command",
+        "withdraw_request",
+        "hand_over",
+        "decline",
+        "watch",
+        "alive",
+    ];
 
     /// What a line tells the connection; none where it is for the service.
     pub fn of(line: &Map<String, Value>) -> Option<Result<ConnectionCommand, serde_json::Error>> {

@@ -8,7 +8,7 @@ use super::check::Findings;
 use super::cycles::{Drawing, Drawn, Written};
 use super::problem::Trouble;
 use super::tables::{AlarmText, Bit, Explanation, Found, Parameter, ParameterKind, Signal, Word};
-use crate::told::{ConnectionCommand, ConnectionEvent, Hello, PanelInfo, SessionInfo};
+use crate::told::{Asking, ConnectionCommand, ConnectionEvent, Hello, PanelInfo, SessionInfo};
 use ferrocut_editor::form::{Choice, FigureForm, Form, FormField, Fresh, ProfileUse};
 use ferrocut_editor::request::{
     Contour, Corner, CornerKind, Depth, DepthPlane, Element, Positions, Profile, Request, ToolData, Value,
@@ -99,7 +99,8 @@ fn answers() -> String {
 }
 
 fn connection() -> String {
-    let text = written!(CONNECTION; SessionInfo, PanelInfo, Hello, ConnectionEvent, ConnectionCommand);
+    let text =
+        written!(CONNECTION; SessionInfo, PanelInfo, Hello, Asking, ConnectionEvent, ConnectionCommand);
     finished(text, &NOT_SAID)
 }
 

@@ -61,6 +61,23 @@ panel?: PanelInfo,
 session?: SessionInfo, };
 
 /**
+ * Who asks for command.
+ */
+export type Asking = {
+/**
+ * The number of his connection.
+ */
+connection: number,
+/**
+ * Where from, an address; empty on the machine's own sockets.
+ */
+from: string,
+/**
+ * The level of his session, 1 to 5, of which 5 is the operator.
+ */
+level: number, };
+
+/**
  * Events of connections, told to those who watch events.
  */
 export type ConnectionEvent = { "event": "command",
@@ -71,12 +88,28 @@ holder: number | null,
 /**
  * Whether it is the one that is told.
  */
-you: boolean, };
+you: boolean,
+/**
+ * Those who ask for command, first come first.
+ */
+asking: Array<Asking>, } | { "event": "declined",
+/**
+ * The connection in command.
+ */
+by: number, };
 
 /**
  * Commands of the connection itself.
  */
-export type ConnectionCommand = { "do": "take_command" } | { "do": "give_command" } | { "do": "watch",
+export type ConnectionCommand = { "do": "take_command" } | { "do": "give_command" } | { "do": "ask_for_command" } | { "do": "withdraw_request" } | { "do": "hand_over",
+/**
+ * The number of his connection.
+ */
+to: number, } | { "do": "decline",
+/**
+ * The number of his connection.
+ */
+to: number, } | { "do": "watch",
 /**
  * Events.
  */
