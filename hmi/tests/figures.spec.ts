@@ -114,6 +114,95 @@ served('position updates at 50 Hz', async ({ page }) => {
   tell('a position update, ms of the main thread, 99 %', part(times, 0.99), 2);
 });
 
+/** The time from the choice of a page until what it shows is there, ms. */
+async function shownAfter(page: Page, hash: string, selector: string, begins = ''): Promise<number> {
+  return page.evaluate(
+    ([hash, selector, begins]) => {
+      location.hash = hash!;
+      const start = performance.now();
+      return new Promise<number>((resolve) => {
+        const look = () => {
+          const found = document.querySelector(selector!);
+          if (found && (found.textContent ?? '').startsWith(begins!)) requestAnimationFrame(() => resolve(performance.now() - start));
+          else setTimeout(look, 2);
+        };
+        look();
+      });
+    },
+    [hash, selector, begins],
+  );
+}
+
+/** Turns the path, and tells how long that blocks at most. */
+async function turned(page: Page): Promise<number> {
+  const box = (await page.getByTestId('path').boundingBox())!;
+  const turning = async () => {
+    await page.mouse.move(box.x + 200, box.y + 200);
+    await page.mouse.down();
+    for (let step = 0; step < 60; step++) await page.mouse.move(box.x + 200 + 4 * step, box.y + 200 + step);
+    await page.mouse.up();
+    await page.waitForTimeout(1000);
+  };
+  const tasks = sorted((await pieces(page, 'RunTask', turning)).map(blocked));
+  expect(tasks.length).toBeGreaterThan(60);
+  return tasks.at(-1) ?? 0;
+}
+
+/** Types at the end of the first line and behind it. So many keys that the highest hundredth is more than the one that
+    something else on the computer held up. */
+async function written(page: Page): Promise<number[]> {
+  await page.locator('[data-testid="editor"] .cm-content').click();
+  const typed = await keystrokes(page, async () => {
+    for (let index = 1; index <= 480; index++) await page.keyboard.press(index % 120 === 0 ? 'Enter' : index % 3 ? 'X' : '1');
+  });
+  expect(typed.length).toBe(479);
+  return typed;
+}
+
+/** The panel of a machine on which nothing runs: the one before may have left a job. */
+async function rest(page: Page): Promise<void> {
+  await enter(page);
+  await page.getByTestId('reset').click();
+  await stands(page, 'idle');
+}
+
+/** 10 MB of blocks. */
+const tenMB = Array.from({ length: 240_000 }, (_, index) => `N${index} G01 X${(index % 997) / 10} Y${(index % 613) / 10} Z-${index % 7} F900 (pass)`).join('\n');
+
+/** A part of so many segments, each a block. */
+const segments = (count: number) =>
+  `G90 G54 G0 X0 Y0 Z0\nG1 Z-1 F900\n${Array.from({ length: count }, (_, index) => {
+    const [row, along] = [Math.floor(index / 1000), index % 1000];
+    return `X${((row % 2 ? 999 - along : along) / 10).toFixed(1)}Y${(row / 10 + (index % 2) / 20).toFixed(2)}`;
+  }).join('\n')}\nM30\n`;
+
+served('a path of a million segments that the server makes of a program', async ({ page }) => {
+  test.setTimeout(300_000);
+  await rest(page);
+  await load(page, 'O7001', segments(1_000_000));
+  // The page of the path itself is loaded once.
+  await show(page, 'position/absolute');
+  await page.reload();
+  await expect(page.getByTestId('command')).toHaveText('In command');
+  tell('1 M segments of a program at the server, ms to the first picture', await shownAfter(page, '#/graphics', '[data-points]:not([data-points="0"])'), 3000);
+  expect(Number(await page.locator('[data-points]').getAttribute('data-points'))).toBeGreaterThan(1_000_000);
+  await page.waitForTimeout(3000);
+  tell('1 M segments of a program at the server, ms that turning blocks at most', await turned(page), 100);
+});
+
+served('a program of 10 MB at the server', async ({ page }) => {
+  test.setTimeout(300_000);
+  await rest(page);
+  await load(page, 'O7002', tenMB);
+  await show(page, 'program/mdi');
+  await page.locator('.cm-content').first().waitFor();
+  tell('10 MB program at the server, ms to open', await shownAfter(page, '#/program/edit/O7002', '[data-testid="editor"] .cm-line', 'N0 '), 500);
+  await page.waitForTimeout(1500);
+  const typed = await written(page);
+  tell('10 MB program at the server, ms of a keystroke, half', part(typed, 0.5), 16);
+  tell('10 MB program at the server, ms of a keystroke, 99 %', part(typed, 0.99), 16);
+});
+
 /** A path of so many segments, as the server sends it. */
 function path(count: number): Buffer {
   const bytes = Buffer.alloc(64 + 21 * count);
@@ -139,64 +228,22 @@ test('a path of a million segments', async ({ context }) => {
   test.setTimeout(180_000);
   const { page } = await mock(context, { path: path(1_000_001), moves: false });
   await expect(page.getByTestId('axes')).toBeVisible();
-  const start = await page.evaluate(() => {
-    location.hash = '#/graphics';
-    return performance.now();
-  });
-  const loaded = await page.evaluate(
-    () =>
-      new Promise<number>((resolve) => {
-        const look = () => {
-          if (document.querySelector('[data-points="1000001"]')) requestAnimationFrame(() => resolve(performance.now()));
-          else setTimeout(look, 5);
-        };
-        look();
-      }),
-  );
-  tell('1 M segments, ms to the first picture', loaded - start, 3000);
+  tell('1 M segments, ms to the first picture', await shownAfter(page, '#/graphics', '[data-points="1000001"]'), 3000);
   await page.waitForTimeout(3000);
-  const box = (await page.getByTestId('path').boundingBox())!;
-  const turning = async () => {
-    await page.mouse.move(box.x + 200, box.y + 200);
-    await page.mouse.down();
-    for (let step = 0; step < 60; step++) await page.mouse.move(box.x + 200 + 4 * step, box.y + 200 + step);
-    await page.mouse.up();
-    await page.waitForTimeout(1000);
-  };
-  const tasks = sorted((await pieces(page, 'RunTask', turning)).map(blocked));
-  expect(tasks.length).toBeGreaterThan(60);
-  tell('1 M segments, ms that turning blocks at most', tasks.at(-1) ?? 0, 100);
+  tell('1 M segments, ms that turning blocks at most', await turned(page), 100);
 });
 
 test('a program of 10 MB', async ({ context }) => {
   test.setTimeout(180_000);
-  const lines = Array.from({ length: 240_000 }, (_, index) => `N${index} G01 X${(index % 997) / 10} Y${(index % 613) / 10} Z-${index % 7} F900 (pass)`);
-  const program = lines.join('\n');
-  const { page } = await mock(context, { program, moves: false });
+  const { page } = await mock(context, { program: tenMB, moves: false });
   await expect(page.getByTestId('axes')).toBeVisible();
   // The editor itself is loaded once; what is measured is the program.
   await page.evaluate(() => (location.hash = '#/program/mdi'));
   await page.locator('.cm-content').first().waitFor();
-  const opened = await page.evaluate(async () => {
-    location.hash = '#/program/edit/O0001';
-    const start = performance.now();
-    return new Promise<number>((resolve) => {
-      const look = () => {
-        const first = document.querySelector('[data-testid="editor"] .cm-line');
-        if (first?.textContent?.startsWith('N0 ')) requestAnimationFrame(() => resolve(performance.now() - start));
-        else setTimeout(look, 2);
-      };
-      look();
-    });
-  });
-  tell(`${(program.length / 1e6).toFixed(1)} MB program, ms to open`, opened, 500);
+  const opened = await shownAfter(page, '#/program/edit/O0001', '[data-testid="editor"] .cm-line', 'N0 ');
+  tell(`${(tenMB.length / 1e6).toFixed(1)} MB program, ms to open`, opened, 500);
   await page.waitForTimeout(1500);
-  await page.locator('[data-testid="editor"] .cm-content').click();
-  // So many that the highest hundredth is more than the one key that something else on the computer held up.
-  const typed = await keystrokes(page, async () => {
-    for (let index = 1; index <= 480; index++) await page.keyboard.press(index % 120 === 0 ? 'Enter' : index % 3 ? 'X' : '1');
-  });
-  expect(typed.length).toBe(479);
+  const typed = await written(page);
   tell('10 MB program, ms of a keystroke, half', part(typed, 0.5), 16);
   tell('10 MB program, ms of a keystroke, 99 %', part(typed, 0.99), 16);
 });

@@ -2,7 +2,7 @@
 import type { Page } from '@playwright/test';
 import { expect, PASSWORDS, shoot, test } from './server';
 import { pages } from './pages';
-import { enter, home, load, logIn, mode, notice, PLATE, press, release, selected, show, stands, take, watchFaults, whole, x } from './walk';
+import { enter, home, load, logIn, mode, notice, PLATE, press, release, selected, show, stands, watchFaults, whole, x } from './walk';
 
 /** A probe of 2 mm, and deep below the reference point what its middle meets of a hole of 30 mm about X0.5 Y-0.25, on the
     lines through X0 Y0. */
@@ -420,10 +420,20 @@ test('of two browsers one commands; the other watches, may stop, and is handed c
     await expect(other.locator('[data-signal="KEY_X+"]')).toBeDisabled();
     await press(other, 'KEY_HOLD');
     await expect(notice(other)).toHaveCount(0);
-    // Command is not taken away from somebody.
+    // Command is not taken away from somebody: he is asked, and may decline; what was asked can be taken back.
     await other.getByTestId('command').click();
-    await expect(notice(other)).toBeVisible();
+    await expect(other.getByTestId('command')).toHaveText('Asked for command');
+    await expect(page.getByTestId('asks')).toContainText(/Connection \d+ at 127\.0\.0\.1 \(Operator\) asks for command/);
+    await shoot(page, 'asked-for-command');
+    await page.getByTestId('decline').click();
+    await expect(page.getByTestId('asks')).toHaveCount(0);
+    await expect(notice(other)).toContainText('Command was not handed over');
+    await expect(other.getByTestId('command')).toHaveText('Watching');
     await expect(page.getByTestId('command')).toHaveText('In command');
+    // Not again at once.
+    await other.getByTestId('ask').click();
+    await expect(other.getByText('You asked a moment ago')).toBeVisible();
+    await expect(page.getByTestId('asks')).toHaveCount(0);
     await shoot(other, 'watching');
     // Who watches sees what is done, and stops it.
     await mode(page, 'KEY_JOG', 'Jog');
@@ -433,10 +443,14 @@ test('of two browsers one commands; the other watches, may stop, and is handed c
     await release(page);
     await page.getByTestId('reset').click();
     await stands(other, 'idle');
-    // Handed over.
-    await page.getByTestId('command').click();
-    await expect(other.getByTestId('command')).toHaveText('Take command');
-    await take(other);
+    // Asked for and handed over.
+    await expect(async () => {
+      await other.getByTestId('ask').click();
+      await expect(other.getByTestId('withdraw')).toBeVisible({ timeout: 500 });
+    }).toPass();
+    await page.getByTestId('hand-over').click();
+    await expect(other.getByTestId('command')).toHaveText('In command');
+    await expect(other.getByText('Command was handed over to you')).toBeVisible();
     await expect(page.getByTestId('command')).toHaveText('Watching');
     await expect(page.locator('[data-signal="KEY_X+"]')).toBeDisabled();
     await expect(other.locator('[data-signal="KEY_X+"]')).toBeEnabled();

@@ -98,7 +98,7 @@ export async function mock(context: BrowserContext, options: Options = {}): Prom
       hello: 'ferrocut', api: 1, connection: 1, longest_line: 4194304, dead_man_ms: 250,
       panel: { ladder: true, languages: ['en', 'zh', 'ru', 'es', 'tr'] }, session: { ...session },
     });
-    say({ event: 'command', holder: 1, you: true });
+    say({ event: 'command', holder: 1, you: true, asking: [] });
     ws.onClose(() => clearInterval(timer));
     ws.onMessage((text) => {
       const command = JSON.parse(String(text)) as Sent & { id?: number; program?: string };

@@ -361,24 +361,36 @@ test('the times of the control are shown and taken anew, and the spindle as it t
   await expect(page.getByTestId('speed')).toHaveText('0');
 });
 
-test('S is set on the page of positions, and is in force at cycle start', async ({ page }) => {
+test('S is set on the page of positions at once, in any mode, and not while a program runs', async ({ page }) => {
   await enter(page, '#/position/absolute');
   const field = page.getByLabel('Set S');
-  await mode(page, 'KEY_AUTO', 'Automatic');
-  await expect(field).toBeDisabled();
-  await expect(page.getByText('S is set in MDI')).toBeVisible();
-  await mode(page, 'KEY_MDI', 'Manual data input');
+  const programmed = page.getByTestId('speed-programmed');
+  await mode(page, 'KEY_JOG', 'Jog');
   // P258 is the highest.
   await field.fill('99999');
   await field.press('Enter');
   await expect(field).toHaveAttribute('aria-invalid', 'true');
   await field.fill('1234');
   await field.press('Enter');
-  await expect(page.getByText('S 1234: press cycle start')).toBeVisible();
+  await expect(programmed).toHaveText('1234');
+  await press(page, 'KEY_SP_CW');
+  await expect(page.getByTestId('speed')).toHaveText('1234');
+  // One that turns follows.
+  await field.fill('800');
+  await field.press('Enter');
+  await expect(page.getByTestId('speed')).toHaveText('800');
+  await press(page, 'KEY_SP_STOP');
+  await expect(page.getByTestId('speed')).toHaveText('0');
+  await mode(page, 'KEY_MDI', 'Manual data input');
+  await show(page, 'program/mdi');
+  await page.getByLabel('One block').fill('G4 X3');
+  await page.getByLabel('One block').press('Enter');
   await press(page, 'KEY_START');
-  await expect(page.getByTestId('speed-programmed')).toHaveText('1234');
-  await expect(page.getByText('S 1234: press cycle start')).toHaveCount(0);
+  await show(page, 'position/absolute');
+  await expect(field).toBeDisabled();
+  await expect(page.getByText('The program under way sets S')).toBeVisible();
   await stands(page, 'idle');
+  await expect(field).toBeEnabled();
 });
 
 test('the page of all positions has the speed of each axis', async ({ page }) => {

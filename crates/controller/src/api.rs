@@ -266,6 +266,12 @@ pub enum Command {
         /// To what.
         to: RelativeTo,
     },
+    /// Sets S, as the page of positions does: the modal speed of the spindle, told to it at once. Not while a program is
+    /// under way.
+    SpindleSpeed {
+        /// r/min; in force under G96 the surface speed, in m/min or feet/min.
+        speed: f64,
+    },
     /// Forgets the handwheel interruption of an axis.
     ClearInterruption {
         /// The axis; none is all.
@@ -1529,6 +1535,7 @@ mod tests {
                 Command::Relative { axis: 'X', to: RelativeTo::Value(20.0) },
                 r#"{"do":"relative","axis":"X","to":{"value":20.0}}"#,
             ),
+            (Command::SpindleSpeed { speed: 1200.0 }, r#"{"do":"spindle_speed","speed":1200.0}"#),
             (
                 Command::SetZero { system: "G54".into(), axes: ByAxis::from([('X', 1.5)]), add: false },
                 r#"{"do":"set_zero","system":"G54","axes":{"X":1.5},"add":false}"#,

@@ -17,6 +17,56 @@ use panel::Mill;
 use serde_json::json;
 use std::sync::Arc;
 
+/// GSK990MC part 2, 3.1.2: S from 0 to P258 is set on the page of positions, in any mode, and keys turn the spindle at
+/// it (4.2); one that turns follows at once. A program under way has its own.
+#[test]
+fn s_is_set_between_programs() {
+    let author = Author::Person { session: ferrocut_memory::Session::OPERATOR, name: "panel".into() };
+    let mut mill = Mill::power_on();
+    mill.home();
+    let refused = |mill: &mut Mill, speed: f64| {
+        mill.control.command(Command::SpindleSpeed { speed }, &author).unwrap_err().alarm.id
+    };
+    for impossible in [-1.0, 1e6, f64::NAN] {
+        refused(&mut mill, impossible);
+    }
+    mill.press("KEY_JOG");
+    mill.say(Command::SpindleSpeed { speed: 800.0 });
+    let status = mill.wait(200);
+    assert_eq!((status.spindle.programmed, status.spindle.told), (800.0, 0.0), "it stands");
+    mill.press("KEY_SP_CW");
+    mill.until("turning", |status| status.spindle.told == 800.0);
+    mill.say(Command::SpindleSpeed { speed: 950.0 });
+    mill.until("the new speed", |status| status.spindle.told == 950.0);
+    mill.press("KEY_SP_STOP");
+    mill.until("standing", |status| status.spindle.told == 0.0);
+    // A program starts at once behind it and has it in force; the same speed is another then.
+    mill.press("KEY_MDI");
+    mill.say(Command::Mdi { text: "M3\nG4 X1\nS500\nG4 X1\nM5".into() });
+    mill.say(Command::SpindleSpeed { speed: 300.0 });
+    mill.key("KEY_START", true);
+    mill.wait(60);
+    mill.key("KEY_START", false);
+    mill.until("turning", |status| status.spindle.told == 300.0);
+    assert_eq!(refused(&mut mill, 700.0), "FC-1401");
+    mill.until("S of the program", |status| status.spindle.told == 500.0);
+    let status = mill.until("done", |status| status.activity == Activity::Idle);
+    assert_eq!((status.spindle.programmed, status.spindle.told), (500.0, 0.0));
+}
+
+/// A spindle that a program left turning at a speed is told the same speed again where a person changed it between.
+#[test]
+fn s_that_a_person_set_does_not_hide_that_of_the_next_program() {
+    let mut mill = Mill::power_on();
+    mill.home();
+    mill.mdi("M3 S600\nG4 X0.1");
+    mill.until("turning", |status| status.spindle.told == 600.0 && status.activity == Activity::Idle);
+    mill.say(Command::SpindleSpeed { speed: 900.0 });
+    mill.until("the new speed", |status| status.spindle.told == 900.0);
+    mill.mdi("M3 S600\nG4 X0.1");
+    mill.until("told again", |status| status.spindle.told == 600.0);
+}
+
 #[test]
 fn a_shift_through_the_keys() {
     let mut mill = Mill::power_on();

@@ -83,6 +83,7 @@ fn rows() -> Vec<Row> {
         (json!({"do": "pitch", "axis": "X"}), 5, ""),
         (json!({"do": "set_pitch", "axis": "X", "points": {"1": 0.001}}), 3, ""),
         (json!({"do": "relative", "axis": "X", "to": "zero"}), 5, ""),
+        (json!({"do": "spindle_speed", "speed": 0.0}), 5, ""),
         (json!({"do": "clear_interruption"}), 5, ""),
         (json!({"do": "set_counter", "counter": "parts", "value": 3.0}), 5, ""),
         (json!({"do": "set_counter", "counter": "all-parts", "value": 3.0}), 2, ""),

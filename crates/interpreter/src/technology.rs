@@ -69,6 +69,23 @@ impl Interpreter {
         Ok(())
     }
 
+    /// The highest S that a person may set, r/min (GSK990MC part 2, 3.1.2: P258).
+    pub fn max_spindle_rpm(&self) -> f64 {
+        self.rules.max_spindle_rpm
+    }
+
+    /// A person sets S between programs: it is in force as if a block had said it, and what the machine is told of it is
+    /// the caller's affair. What the spindle is to do now, where a program left it turning.
+    pub fn set_spindle_speed(&mut self, s: f64) -> Option<SpindleState> {
+        match self.in_force(Group::SurfaceSpeed, Meaning::SurfaceSpeed) {
+            true => self.technology.surface_speed = Some(units::length_mm(s, self.modal.is_inch())),
+            false => self.technology.speed = Some(s),
+        }
+        let turn = self.technology.spindle.turn()?;
+        self.technology.spindle = SpindleState::turning(turn, self.speed());
+        Some(self.technology.spindle)
+    }
+
     /// Tells a spindle that turns its speed.
     pub(crate) fn tell_speed(&mut self) {
         let speed = self.speed();

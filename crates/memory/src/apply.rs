@@ -296,15 +296,7 @@ impl Applier {
                 let (name, to) = note.names();
                 let (level, who) = (author.level(), author.name().to_owned());
                 let (item, from) = ("rights".to_owned(), String::new());
-                let entry = LogEntry {
-                    time: log.time,
-                    level,
-                    who,
-                    item,
-                    name: name.to_owned(),
-                    from,
-                    to: to.to_owned(),
-                };
+                let entry = LogEntry { time: log.time, level, who, item, name: name.to_owned(), from, to };
                 self.log(&entry)
             }
             Change::ClearLog => {

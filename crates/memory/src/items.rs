@@ -307,17 +307,35 @@ pub enum SessionNote {
     TakesCommand,
     /// He commands it no longer: given up, or his connection has ended.
     LeavesCommand,
+    /// He asked the one in command for it.
+    AsksForCommand,
+    /// He asks no longer: taken back, or his connection has ended.
+    WithdrawsRequest,
+    /// He gave command to one who asked for it.
+    HandsOver {
+        /// The number of the other's connection.
+        to: u64,
+    },
+    /// He did not give it to one who asked for it.
+    Declines {
+        /// The number of the other's connection.
+        to: u64,
+    },
     /// He logged out of a panel.
     LogsOut,
 }
 
 impl SessionNote {
     /// What the log calls it, and what it came to.
-    pub fn names(self) -> (&'static str, &'static str) {
+    pub fn names(self) -> (&'static str, String) {
         match self {
-            SessionNote::TakesCommand => ("command", "taken"),
-            SessionNote::LeavesCommand => ("command", "left"),
-            SessionNote::LogsOut => ("log out", ""),
+            SessionNote::TakesCommand => ("command", "taken".to_owned()),
+            SessionNote::LeavesCommand => ("command", "left".to_owned()),
+            SessionNote::AsksForCommand => ("command", "asked for".to_owned()),
+            SessionNote::WithdrawsRequest => ("command", "asked for no longer".to_owned()),
+            SessionNote::HandsOver { to } => ("command", format!("handed over to connection {to}")),
+            SessionNote::Declines { to } => ("command", format!("declined to connection {to}")),
+            SessionNote::LogsOut => ("log out", String::new()),
         }
     }
 }

@@ -5,10 +5,12 @@
 //! [`DEAD_MAN`]. Where the bytes come from is the caller's affair: [`crate::lines`] has sockets of this computer,
 //! [`crate::web`] browsers.
 
+use crate::helm::{Helm, Person};
 use crate::runner::{Latest, Runner};
 use crate::service::{Aside, Caller, Need, Request, Served, Service};
-use ferrocut_memory::Session;
+use crate::told::{Asking, ConnectionCommand, ConnectionEvent, Hello, PanelInfo, SessionInfo};
 use ferrocut_memory::password::Seat;
+use ferrocut_memory::{Session, SessionNote};
 use serde_json::{Map, Value, json};
 use std::collections::HashMap;
 use std::io::{self, ErrorKind};
@@ -63,8 +65,8 @@ pub struct Hub<S: Service> {
     commands: SyncSender<Request<S>>,
     latest: Arc<Latest<S::Status>>,
     members: Mutex<HashMap<u64, Member>>,
-    /// The connection in command.
-    commander: Mutex<Option<u64>>,
+    /// The connection in command, and those that ask for it. Whoever locks the members too does so behind it.
+    helm: Mutex<Helm>,
     next: AtomicU64,
     aside: Option<Aside<S>>,
 }
@@ -77,8 +79,10 @@ pub struct Visitor {
     pub seat: Seat,
     /// His rights at the moment; none once he may not be here any more.
     pub rights: Arc<dyn Fn() -> Option<Session> + Send + Sync>,
-    /// What else the first line says.
-    pub hello: Map<String, Value>,
+    /// What the first line says to a browser.
+    pub panel: Option<PanelInfo>,
+    /// Its session, likewise.
+    pub session: Option<SessionInfo>,
     /// A number that all connections of one person have, 0 for none.
     pub owner: u64,
 }
@@ -90,7 +94,8 @@ impl Visitor {
             from: String::new(),
             seat: Seat::Machine,
             rights: Arc::new(|| Some(Session::OPERATOR)),
-            hello: Map::new(),
+            panel: None,
+            session: None,
             owner: 0,
         }
     }
@@ -120,7 +125,7 @@ pub fn start<S: Service>(
         commands: runner.commands(),
         latest: runner.latest(),
         members: Mutex::new(HashMap::new()),
-        commander: Mutex::new(None),
+        helm: Mutex::default(),
         next: AtomicU64::new(1),
         aside,
     });
@@ -185,11 +190,15 @@ impl<S: Service> Hub<S> {
             }
             members.insert(number, member);
         }
-        let mut hello = json!({ "hello": "ferrocut", "api": S::VERSION, "connection": number,
-            "longest_line": LONGEST_LINE, "dead_man_ms": DEAD_MAN.as_millis() as u64 });
-        if let Value::Object(fields) = &mut hello {
-            fields.extend(visitor.hello.clone());
-        }
+        let hello = Hello {
+            hello: "ferrocut",
+            api: S::VERSION,
+            connection: number,
+            longest_line: LONGEST_LINE,
+            dead_man_ms: DEAD_MAN.as_millis() as u64,
+            panel: visitor.panel.clone(),
+            session: visitor.session.clone(),
+        };
         let _ = out.try_send(line_of(&hello));
         let hub = self.clone();
         Some((Connection { hub, number, visitor, out, is_slow, keys: Vec::new() }, waiting))
@@ -207,7 +216,7 @@ impl<S: Service> Hub<S> {
 
     /// Whether a connection of this owner is in command.
     pub fn commands(&self, owner: u64) -> bool {
-        let commander = *lock(&self.commander);
+        let commander = lock(&self.helm).holder();
         commander.is_some_and(|number| {
             lock(&self.members).get(&number).is_some_and(|member| owner != 0 && member.owner == owner)
         })
@@ -258,17 +267,19 @@ impl<S: Service> Hub<S> {
         members.values().filter(takes).for_each(|member| send(member, line.clone()));
     }
 
-    /// Says who is in command.
+    /// Says who is in command, and who asks for it.
     fn tell_command(&self) {
-        let holder = *lock(&self.commander);
+        // As it stands while it is told: of two who tell it the later one tells the later state.
+        let helm = lock(&self.helm);
         for (number, member) in lock(&self.members).iter().filter(|(_, member)| member.events) {
-            send(member, command_event(holder, *number));
+            send(member, command_event(&helm, *number));
         }
     }
 }
 
-fn command_event(holder: Option<u64>, number: u64) -> Line {
-    line_of(&json!({ "event": "command", "holder": holder, "you": holder == Some(number) }))
+fn command_event(helm: &Helm, number: u64) -> Line {
+    let holder = helm.holder();
+    line_of(&ConnectionEvent::Command { holder, you: holder == Some(number), asking: helm.asking() })
 }
 
 fn send(member: &Member, line: Line) {
@@ -284,6 +295,7 @@ impl<S: Service> Drop for Connection<S> {
             self.order(command);
         }
         lock(&self.hub.members).remove(&self.number);
+        self.withdraw();
         self.give_command();
     }
 }
@@ -343,13 +355,13 @@ impl<S: Service> Connection<S> {
         let _ = self.hub.commands.send(Request::Command { command, from: self.caller(), answer: None });
     }
 
-    /// Has it noted who commands.
-    fn tell_service(&self, takes: bool) {
+    /// Has it noted who commands, or what he asked came to.
+    fn note_command(&self, note: SessionNote) {
         let from = self.caller();
         let _ = self
             .hub
             .commands
-            .send(Request::Look(Box::new(move |service: &mut S| service.commanded(&from, takes))));
+            .send(Request::Look(Box::new(move |service: &mut S| service.commanded(&from, note))));
     }
 
     /// Lets all keys go.
@@ -366,17 +378,68 @@ impl<S: Service> Connection<S> {
         }
     }
 
-    fn give_command(&self) {
+    /// What it moves by hand comes to rest, since it commands no longer.
+    fn abandon(&mut self) {
+        self.release();
+        if let Some(command) = S::abandoned() {
+            self.order(command);
+        }
+    }
+
+    fn give_command(&mut self) {
         // Nobody else gives up this one's command; whoever takes it next comes behind all that ends with it.
-        let commands = *lock(&self.hub.commander) == Some(self.number);
-        if commands {
-            if let Some(command) = S::abandoned() {
-                self.order(command);
-            }
-            self.tell_service(false);
-            *lock(&self.hub.commander) = None;
+        if lock(&self.hub.helm).holder() == Some(self.number) {
+            self.abandon();
+            self.note_command(SessionNote::LeavesCommand);
+            lock(&self.hub.helm).leave();
             self.hub.tell_command();
         }
+    }
+
+    fn person(&self) -> Person {
+        match self.visitor.owner {
+            0 => Person::Connection(self.number),
+            owner => Person::Session(owner),
+        }
+    }
+
+    fn ask_for_command(&self) -> Result<(), &'static str> {
+        let level = (self.visitor.rights)().unwrap_or(Session::OPERATOR).level().number();
+        let asking = Asking { connection: self.number, from: self.visitor.from.clone(), level };
+        if lock(&self.hub.helm).ask(self.person(), asking, Instant::now())? {
+            self.note_command(SessionNote::AsksForCommand);
+            self.hub.tell_command();
+        }
+        Ok(())
+    }
+
+    fn withdraw(&self) {
+        if lock(&self.hub.helm).settle(self.number, Instant::now()) {
+            self.note_command(SessionNote::WithdrawsRequest);
+            self.hub.tell_command();
+        }
+    }
+
+    fn hand_over(&mut self, to: u64) -> Result<(), &'static str> {
+        // All that ends with this one's command stands in the machine's queue before the other may add to it. It is
+        // only this thread that takes command from this connection, so that it is still in command then.
+        if lock(&self.hub.helm).may_answer(self.number, to).is_ok() {
+            self.abandon();
+        }
+        lock(&self.hub.helm).hand_over(self.number, to)?;
+        self.note_command(SessionNote::HandsOver { to });
+        self.hub.tell_command();
+        Ok(())
+    }
+
+    fn decline(&self, to: u64) -> Result<(), &'static str> {
+        lock(&self.hub.helm).decline(self.number, to, Instant::now())?;
+        self.note_command(SessionNote::Declines { to });
+        if let Some(member) = lock(&self.hub.members).get(&to).filter(|member| member.events) {
+            send(member, line_of(&ConnectionEvent::Declined { by: self.number }));
+        }
+        self.hub.tell_command();
+        Ok(())
     }
 
     /// The answer to a line, and what is told behind it.
@@ -401,45 +464,45 @@ impl<S: Service> Connection<S> {
 
     /// Commands of the connection itself.
     fn own_command(&mut self, object: &Map<String, Value>, then: &mut Option<Line>) -> Option<Answer> {
-        let flag = |name: &str| object.get(name).and_then(Value::as_bool).unwrap_or(false);
-        match object.get("do").and_then(Value::as_str)? {
-            "alive" => {}
-            "watch" => {
+        let command = match ConnectionCommand::of(object)? {
+            Ok(command) => command,
+            Err(e) => return Some(Err(error("no_command", &e.to_string()))),
+        };
+        let (mut done, mut took) = (Ok(()), false);
+        match command {
+            ConnectionCommand::Alive => {}
+            ConnectionCommand::Watch { events, status } => {
                 if let Some(member) = lock(&self.hub.members).get_mut(&self.number) {
-                    (member.events, member.statuses) = (flag("events"), flag("status"));
+                    (member.events, member.statuses) = (events, status);
                 }
-                if flag("events") {
-                    *then = Some(command_event(*lock(&self.hub.commander), self.number));
-                }
-            }
-            "take_command" => {
-                let mut commander = lock(&self.hub.commander);
-                match *commander {
-                    Some(other) if other != self.number => {
-                        return Some(Err(error("taken", &other.to_string())));
-                    }
-                    Some(_) => {}
-                    None => {
-                        *commander = Some(self.number);
-                        drop(commander);
-                        self.tell_service(true);
-                        self.hub.tell_command();
-                    }
+                if events {
+                    *then = Some(command_event(&lock(&self.hub.helm), self.number));
                 }
             }
-            "give_command" => {
+            ConnectionCommand::TakeCommand => match lock(&self.hub.helm).take(self.number) {
+                Err(other) => return Some(Err(error("taken", &other.to_string()))),
+                Ok(is_new) => took = is_new,
+            },
+            ConnectionCommand::GiveCommand => {
                 self.release();
                 self.give_command();
             }
-            _ => return None,
+            ConnectionCommand::AskForCommand => done = self.ask_for_command(),
+            ConnectionCommand::WithdrawRequest => self.withdraw(),
+            ConnectionCommand::HandOver { to } => done = self.hand_over(to),
+            ConnectionCommand::Decline { to } => done = self.decline(to),
         }
-        Some(Ok(Value::Null))
+        if took {
+            self.note_command(SessionNote::TakesCommand);
+            self.hub.tell_command();
+        }
+        Some(done.map(|()| Value::Null).map_err(|code| error(code, "")))
     }
 
     fn request(&mut self, object: Map<String, Value>) -> Answer {
         let command: S::Command =
             serde_json::from_value(Value::Object(object)).map_err(|e| error("no_command", &e.to_string()))?;
-        if S::need(&command) == Need::Command && *lock(&self.hub.commander) != Some(self.number) {
+        if S::need(&command) == Need::Command && lock(&self.hub.helm).holder() != Some(self.number) {
             return Err(error("not_in_command", ""));
         }
         if let Some((key, down)) = S::key(&command) {

@@ -6,6 +6,7 @@
 //! that it drives. [`web`] is the panel in a browser.
 
 pub mod grbl;
+mod helm;
 pub mod hub;
 pub mod lines;
 pub mod link;
@@ -14,4 +15,5 @@ pub mod panel;
 pub mod remote;
 pub mod runner;
 pub mod service;
+pub mod told;
 pub mod web;

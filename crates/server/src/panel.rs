@@ -202,8 +202,7 @@ impl Service for Panel {
         Command::Key { key: key.to_owned(), down: false }
     }
 
-    fn commanded(&mut self, from: &Caller, takes: bool) {
-        let note = if takes { SessionNote::TakesCommand } else { SessionNote::LeavesCommand };
+    fn commanded(&mut self, from: &Caller, note: SessionNote) {
         self.control.note_session(&from.author(), note);
     }
 

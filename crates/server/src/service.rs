@@ -3,7 +3,7 @@
 use crate::hub::Hub;
 use crate::runner::Owned;
 use ferrocut_memory::password::Seat;
-use ferrocut_memory::{Author, Session};
+use ferrocut_memory::{Author, Session, SessionNote};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::sync::mpsc::SyncSender;
@@ -60,8 +60,8 @@ pub trait Service: Send + 'static {
     /// The command that lets a key go.
     fn release(key: &str) -> Self::Command;
 
-    /// Somebody commands from now on, or no longer.
-    fn commanded(&mut self, _from: &Caller, _takes: bool) {}
+    /// Somebody commands from now on, or no longer, or asked for it.
+    fn commanded(&mut self, _from: &Caller, _note: SessionNote) {}
 
     /// What is done when whoever commands commands no longer, besides letting his keys go.
     fn abandoned() -> Option<Self::Command> {

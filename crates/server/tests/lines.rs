@@ -115,15 +115,17 @@ fn place() -> Place {
 
 struct Client {
     stream: BufReader<TcpStream>,
+    number: u64,
 }
 
 impl Client {
     fn new(place: &Place) -> Client {
         let stream = TcpStream::connect(("127.0.0.1", place.port)).unwrap();
         stream.set_read_timeout(Some(Duration::from_secs(20))).unwrap();
-        let mut client = Client { stream: BufReader::new(stream) };
+        let mut client = Client { stream: BufReader::new(stream), number: 0 };
         let hello = client.hear();
         assert_eq!((hello["hello"].as_str(), hello["api"].as_u64()), (Some("ferrocut"), Some(7)));
+        client.number = hello["connection"].as_u64().unwrap();
         client
     }
 
@@ -175,7 +177,7 @@ fn one_is_in_command_and_others_watch_and_stop() {
     first.ask(r#"{"do":"take_command"}"#);
     assert_eq!(second.ask(r#"{"do":"take_command"}"#)["error"], json!("taken"));
     second.ask(r#"{"do":"watch","events":true}"#);
-    assert_eq!(second.hear(), json!({"event":"command","holder":1,"you":false}));
+    assert_eq!(second.hear(), json!({"event":"command","holder":1,"you":false,"asking":[]}));
     first.ask(r#"{"do":"key","key":"X+","down":true}"#);
     assert_eq!(second.hear(), json!({"event":"key","down":true}));
     assert_eq!(second.ask(r#"{"do":"stop"}"#)["reply"], json!("done"));
@@ -184,9 +186,12 @@ fn one_is_in_command_and_others_watch_and_stop() {
     // The key that was held is let go.
     let mut heard = [second.hear(), second.hear()];
     heard.sort_by_key(|event| event["event"].to_string());
-    assert_eq!(heard[0], json!({"event":"command","holder":null,"you":false}));
+    assert_eq!(heard[0], json!({"event":"command","holder":null,"you":false,"asking":[]}));
     assert_eq!(heard[1], json!({"event":"key","down":false}));
-    assert_eq!(second.ask(r#"{"do":"take_command"}"#), json!({"event":"command","holder":2,"you":true}));
+    assert_eq!(
+        second.ask(r#"{"do":"take_command"}"#),
+        json!({"event":"command","holder":2,"you":true,"asking":[]})
+    );
     assert_eq!(second.hear()["reply"], json!("done"));
     drop(second);
     // It goes back when its connection ends.
@@ -195,6 +200,63 @@ fn one_is_in_command_and_others_watch_and_stop() {
         assert!(Instant::now() < until);
         std::thread::sleep(Duration::from_millis(10));
     }
+}
+
+/// What comes of a request goes to all who watch; who has command lets what he holds go before the other has it.
+#[test]
+fn command_is_asked_for_and_handed_over() {
+    let place = place();
+    let mut clients = [Client::new(&place), Client::new(&place), Client::new(&place)];
+    let asks = |number: u64| json!({ "connection": number, "from": "", "level": 5 });
+    let [first, second, third] = &mut clients;
+    assert_eq!(second.ask(r#"{"do":"ask_for_command"}"#)["error"], json!("free"));
+    first.ask(r#"{"do":"take_command"}"#);
+    for client in [&mut *first, &mut *second] {
+        client.ask(r#"{"do":"watch","events":true}"#);
+        assert_eq!(client.hear()["asking"], json!([]));
+    }
+    assert_eq!(third.ask(r#"{"do":"ask_for_command"}"#)["reply"], json!("done"));
+    assert_eq!(third.ask(r#"{"do":"ask_for_command"}"#)["reply"], json!("done"), "he asks already");
+    for client in [&mut *first, &mut *second] {
+        assert_eq!(client.hear()["asking"], json!([asks(3)]), "once");
+    }
+    // What he asked ends with him, and who asks has nothing of command.
+    clients[2] = Client::new(&place);
+    let [first, second, third] = &mut clients;
+    for client in [&mut *first, &mut *second] {
+        assert_eq!(client.hear(), json!({"event":"command","holder":1,"you":client.number == 1,"asking":[]}));
+    }
+    second.say(r#"{"do":"ask_for_command"}"#);
+    assert_eq!(second.hear()["asking"], json!([asks(2)]));
+    assert_eq!(second.hear()["reply"], json!("done"));
+    assert_eq!(first.hear()["asking"], json!([asks(2)]));
+    for line in [r#"{"do":"hand_over","to":2}"#, r#"{"do":"decline","to":2}"#, r#"{"do":"refuse"}"#] {
+        for watcher in [&mut *second, &mut *third] {
+            assert_eq!(watcher.ask(line)["error"], json!("not_in_command"), "{line}");
+        }
+    }
+    assert_eq!(first.ask(r#"{"do":"hand_over","to":4}"#)["error"], json!("does_not_ask"));
+    assert_eq!(first.ask(r#"{"do":"decline"}"#)["error"], json!("no_command"));
+    first.say(r#"{"do":"decline","to":2}"#);
+    assert_eq!(first.hear()["asking"], json!([]));
+    assert_eq!(first.hear()["reply"], json!("done"));
+    assert_eq!(second.hear(), json!({"event":"declined","by":1}));
+    assert_eq!(second.hear()["asking"], json!([]));
+    assert_eq!(second.ask(r#"{"do":"ask_for_command"}"#)["error"], json!("asked_lately"));
+    third.ask(r#"{"do":"ask_for_command"}"#);
+    assert_eq!(
+        (first.hear()["asking"].clone(), second.hear()["asking"].clone()),
+        (json!([asks(4)]), json!([asks(4)]))
+    );
+    first.say(r#"{"do":"key","key":"X+","down":true}"#);
+    first.say(r#"{"do":"hand_over","to":4}"#);
+    // Pressed, let go, and who commands: from two threads.
+    let mut heard = [second.hear(), second.hear(), second.hear()];
+    heard.sort_by_key(|event| (event["event"].to_string(), event["down"] == json!(false)));
+    assert_eq!(heard[0], json!({"event":"command","holder":4,"you":false,"asking":[]}));
+    assert_eq!(heard[2], json!({"event":"key","down":false}));
+    assert!(!third.moves(), "the key was let go");
+    assert_eq!(third.ask(r#"{"do":"refuse"}"#)["refused"], json!("no"));
 }
 
 #[test]

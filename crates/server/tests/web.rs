@@ -55,9 +55,9 @@ fn a_socket_speaks_the_lines_of_the_control() {
     assert_eq!(first.ask(json!({ "do": "version" }))["dialect"], json!("gsk990mc"));
     assert_eq!(first.ask(json!({ "do": "reset" }))["error"], json!("not_in_command"));
     first.tell(json!({ "do": "watch", "events": true }));
-    assert_eq!(first.hear(), json!({ "event": "command", "holder": null, "you": false }));
+    assert_eq!(first.hear(), json!({ "event": "command", "holder": null, "you": false, "asking": [] }));
     second.take_command();
-    assert_eq!(first.hear(), json!({ "event": "command", "holder": other, "you": false }));
+    assert_eq!(first.hear(), json!({ "event": "command", "holder": other, "you": false, "asking": [] }));
     assert_eq!(first.ask(json!({ "do": "take_command" }))["error"], json!("taken"));
     // Whoever sees danger stops the machine.
     first.tell(json!({ "do": "emergency_stop", "pressed": true }));
@@ -70,7 +70,7 @@ fn a_socket_speaks_the_lines_of_the_control() {
     }
     drop(second);
     let began = Instant::now();
-    while first.hear() != json!({ "event": "command", "holder": null, "you": false }) {
+    while first.hear() != json!({ "event": "command", "holder": null, "you": false, "asking": [] }) {
         assert!(began.elapsed() < Duration::from_secs(10));
     }
 }

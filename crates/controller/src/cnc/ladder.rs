@@ -59,6 +59,7 @@ impl Cnc {
     /// Codes and spindle, where there is a ladder.
     pub(super) fn serve_ladder(&mut self) {
         let is_in_step = self.is_in(ThreadKind::InStep);
+        let is_under_way = self.is_under_way();
         let Some(auxiliary) = &mut self.auxiliary else { return };
         let positions = self.given.front().filter(|given| given.kind() == Kind::Rapid);
         let now = Now {
@@ -71,6 +72,9 @@ impl Cnc {
             let alarm = alarm.with("word", auxiliary.codes().word());
             self.come_to_rest();
             self.failed = Some(Box::new(alarm));
+        } else if !is_under_way {
+            // S that a person set: no program waits for it.
+            let _ = auxiliary.take_done();
         }
     }
 
@@ -94,6 +98,22 @@ impl Cnc {
         // The first move may be run to its end already.
         let mut moves = self.given.iter().enumerate().filter(|(n, given)| *n > 0 || given.to != at);
         moves.next().is_some_and(|(_, given)| given.kind() == Kind::Cutting)
+    }
+
+    /// S that a person sets between programs (GSK990MC part 2, 3.1.2): the modal one from now on, handed to the ladder, and
+    /// told to a spindle that turns. `false` where a program is under way, whose speed it is, or a code.
+    pub fn set_spindle_speed(&mut self, s: f64) -> bool {
+        if self.is_under_way() || self.waits_for_ladder() {
+            return false;
+        }
+        let turning = self.interpreter.own().set_spindle_speed(s);
+        if self.auxiliary.is_some() {
+            self.hands_over_speed();
+        } else if let Some(state) = turning {
+            let at = self.motion.position();
+            self.spindle.command(state, &at);
+        }
+        true
     }
 
     /// A program that ends hands over a speed that was not told to the spindle.

@@ -136,6 +136,7 @@ impl Control {
             Command::Pitch { axis } => self.pitch(axis),
             Command::SetPitch { axis, points } => self.set_pitch(axis, &points, author),
             Command::Relative { axis, to } => self.set_relative(axis, to),
+            Command::SpindleSpeed { speed } => self.set_spindle_speed(speed),
             Command::ClearInterruption { axis } => {
                 let axis = axis.map(|letter| self.axis_named(letter)).transpose()?;
                 match self.cnc.clear_handwheel_shift(axis) {
@@ -599,6 +600,18 @@ impl Control {
         };
         self.origin[axis] = place - relative;
         Ok(Reply::Done)
+    }
+
+    /// 3.1.2: S from 0 to P258 is set at the cursor of the page, which the manual binds to no mode. A program under way
+    /// has its own.
+    fn set_spindle_speed(&mut self, speed: f64) -> Answer {
+        let highest = self.cnc.interpreter().max_spindle_rpm();
+        let speed = finite(Some(speed))?.filter(|speed| (0.0..=highest).contains(speed));
+        let speed = speed.ok_or_else(|| named(Fault::ValueImpossible, "S"))?;
+        match self.cnc.set_spindle_speed(speed) {
+            true => Ok(Reply::Done),
+            false => Err(Box::new(alarm(Fault::ControlBusy))),
+        }
     }
 
     // Rights and histories.

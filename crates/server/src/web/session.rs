@@ -9,6 +9,7 @@ use super::body::read;
 use super::listen::Peer;
 use super::problem::Problem;
 use crate::hub::lock;
+use crate::told::SessionInfo;
 use axum::extract::{Request, State};
 use axum::http::header::{COOKIE, SET_COOKIE};
 use axum::http::{HeaderMap, HeaderValue};
@@ -23,7 +24,7 @@ use ferrocut_program::Span;
 use governor::clock::DefaultClock;
 use governor::state::keyed::HashMapStateStore;
 use governor::{Quota, RateLimiter};
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 use sha2::{Digest, Sha256};
 use std::collections::HashMap;
 use std::net::IpAddr;
@@ -197,16 +198,6 @@ pub(super) fn token_of(headers: &HeaderMap) -> Option<Vec<u8>> {
         matches!(name, PLAIN_COOKIE | SECURE_COOKIE).then_some(value).filter(|value| value.len() <= 64)
     });
     tokens.find_map(|value| BASE64_URL_SAFE_NO_PAD.decode(value).ok().filter(|token| token.len() == TOKEN))
-}
-
-/// The session as it is told.
-#[derive(Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
-pub(super) struct SessionInfo {
-    /// 1 to 4; 0 for the operator, and before a log-in where that is needed.
-    level: u8,
-    /// Whether nothing is told before somebody logs in.
-    needs_log_in: bool,
 }
 
 /// The session as it is told.

@@ -8,6 +8,7 @@ use super::listen::Peer;
 use super::problem::Problem;
 use super::session::{Entry, seat_of, told};
 use crate::hub::{Incoming, LONGEST_LINE, LOOK, Line, MOST_CONNECTIONS, Visitor, line_of};
+use crate::told::PanelInfo;
 use axum::Router;
 use axum::extract::ws::{Message, WebSocket, WebSocketUpgrade};
 use axum::extract::{Extension, State};
@@ -17,7 +18,7 @@ use ferrocut_machine::Language;
 use ferrocut_memory::Session;
 use futures_util::stream::{SplitSink, SplitStream};
 use futures_util::{SinkExt, StreamExt};
-use serde_json::{Map, json};
+use serde_json::json;
 use std::io::{self, ErrorKind};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -63,10 +64,9 @@ async fn open(
 
 /// Who a socket is.
 fn visitor(shared: &Arc<Shared>, peer: Peer, entry: Option<Arc<Entry>>) -> Visitor {
-    let mut hello = Map::new();
-    let languages: Vec<&str> = Language::ALL.into_iter().map(Language::tag).collect();
-    hello.insert("panel".to_owned(), json!({ "ladder": shared.has_ladder, "languages": languages }));
-    hello.insert("session".to_owned(), json!(told(&shared.sessions, entry.as_ref())));
+    let languages = Language::ALL.into_iter().map(Language::tag).collect();
+    let panel = Some(PanelInfo { ladder: shared.has_ladder, languages });
+    let session = Some(told(&shared.sessions, entry.as_ref()));
     let owner = entry.as_ref().map_or(0, |entry| entry.number);
     let needs_log_in = shared.sessions.needs_log_in();
     Visitor {
@@ -76,7 +76,8 @@ fn visitor(shared: &Arc<Shared>, peer: Peer, entry: Option<Arc<Entry>>) -> Visit
             Some(entry) => entry.rights(),
             None => (!needs_log_in).then_some(Session::OPERATOR),
         }),
-        hello,
+        panel,
+        session,
         owner,
     }
 }

@@ -7,8 +7,8 @@ use super::backups::Backup;
 use super::check::Findings;
 use super::cycles::{Drawing, Drawn, Written};
 use super::problem::Trouble;
-use super::session::SessionInfo;
 use super::tables::{AlarmText, Bit, Explanation, Found, Parameter, ParameterKind, Signal, Word};
+use crate::told::{Asking, ConnectionCommand, ConnectionEvent, Hello, PanelInfo, SessionInfo};
 use ferrocut_editor::form::{Choice, FigureForm, Form, FormField, Fresh, ProfileUse};
 use ferrocut_editor::request::{
     Contour, Corner, CornerKind, Depth, DepthPlane, Element, Positions, Profile, Request, ToolData, Value,
@@ -20,6 +20,11 @@ const ANSWERS: &str = "\
 // What the server answers over HTTP (docs/panel-api.md).
 // Written from crates/server/src/web/ and crates/desk by `FERROCUT_WRITE=1 cargo test -p ferrocut-server types`.
 import type { Refusal } from './types';
+";
+
+const CONNECTION: &str = "\
+// What connections tell and are told besides the control's own (docs/serve.md).
+// Written from crates/server/src/told.rs by `FERROCUT_WRITE=1 cargo test -p ferrocut-server types`.
 ";
 
 const CYCLES: &str = "\
@@ -34,6 +39,12 @@ const LEFT_OUT: [(&str, &str); 5] = [
     ("\ntip_radius: number", "\ntip_radius?: number"),
     ("\nprofile: Profile | null", "\nprofile?: Profile | null"),
     ("\ncorner: Corner | null", "\ncorner?: Corner | null"),
+];
+
+/// What only a browser's first line has.
+const NOT_SAID: [(&str, &str); 2] = [
+    ("\npanel: PanelInfo | null", "\npanel?: PanelInfo"),
+    ("\nsession: SessionInfo | null", "\nsession?: SessionInfo"),
 ];
 
 /// What is not always in an answer.
@@ -71,7 +82,6 @@ fn finished(mut text: String, left_out: &[(&str, &str)]) -> String {
 fn answers() -> String {
     let text = written!(
         ANSWERS;
-        SessionInfo,
         Trouble,
         ferrocut_desk::finding::Finding,
         Findings,
@@ -86,6 +96,12 @@ fn answers() -> String {
         Backup,
     );
     finished(text, &NOT_TOLD)
+}
+
+fn connection() -> String {
+    let text =
+        written!(CONNECTION; SessionInfo, PanelInfo, Hello, Asking, ConnectionEvent, ConnectionCommand);
+    finished(text, &NOT_SAID)
 }
 
 fn cycles() -> String {
@@ -118,7 +134,7 @@ fn cycles() -> String {
 
 #[test]
 fn the_browser_has_the_types_of_the_answers() {
-    for (name, text) in [("answers", answers()), ("cycles", cycles())] {
+    for (name, text) in [("answers", answers()), ("connection", connection()), ("cycles", cycles())] {
         assert!(!text.contains("bigint"), "numbers of JSON are numbers");
         let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../hmi/src/lib/api/{name}.ts"));
         if std::env::var_os("FERROCUT_WRITE").is_some() {

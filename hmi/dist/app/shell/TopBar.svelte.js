@@ -42,6 +42,7 @@ function TopBar($$anchor, $$props) {
 	});
 	function command() {
 		if (machine.inCommand) machine.giveCommand();
+		else if (machine.holder !== null) machine.tell({ do: machine.asksForCommand ? "withdraw_request" : "ask_for_command" });
 		else machine.tell({ do: "take_command" });
 	}
 	var header = root_5();
@@ -174,7 +175,7 @@ function TopBar($$anchor, $$props) {
 	}, [
 		() => machine.link === "open" ? tone($.get(activity)) : "lost",
 		() => machine.link === "open" ? t(`activity.${$.get(activity)}`) : t("app.no_connection"),
-		() => machine.inCommand ? t("app.in_command") : machine.holder === null ? t("app.take_command") : t("app.watching"),
+		() => machine.inCommand ? t("app.in_command") : machine.holder === null ? t("app.take_command") : t(machine.asksForCommand ? "app.asked" : "app.watching"),
 		() => t("keymap.title"),
 		() => t("keymap.title"),
 		() => t("panel.title"),

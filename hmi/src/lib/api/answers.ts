@@ -3,19 +3,6 @@
 import type { Refusal } from './types';
 
 /**
- * The session as it is told.
- */
-export type SessionInfo = {
-/**
- * 1 to 4; 0 for the operator, and before a log-in where that is needed.
- */
-level: number,
-/**
- * Whether nothing is told before somebody logs in.
- */
-needs_log_in: boolean, };
-
-/**
  * Why a request was refused, as it is told.
  */
 export type Trouble = {

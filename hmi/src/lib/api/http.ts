@@ -1,5 +1,6 @@
 // What is asked over HTTP: tables and texts that do not change, checks, paths, files.
-import type { AlarmText, Backup, Explanation, Findings, Found, Parameter, SessionInfo, Signal, Trouble, Word } from './answers';
+import type { AlarmText, Backup, Explanation, Findings, Found, Parameter, Signal, Trouble, Word } from './answers';
+import type { SessionInfo } from './connection';
 import type { AlarmInfo } from './types';
 
 /** An answer that is no success. */

@@ -1,28 +1,10 @@
 // The connection to the machine: commands with their answers, events, the status, and the dead man's switch.
 // `docs/serve.md` has the lines, `docs/api.md` the commands.
+import type { ConnectionCommand, ConnectionEvent, Hello } from './connection';
 import type { AlarmInfo, Command, Event, Reply, Status } from './types';
 
-/** Commands of the connection itself. */
-export type Wish =
-  | Command
-  | { do: 'take_command' }
-  | { do: 'give_command' }
-  | { do: 'watch'; events: boolean; status: boolean }
-  | { do: 'alive' };
-
-/** The first line of a connection. */
-export type Hello = {
-  hello: string;
-  api: number;
-  connection: number;
-  longest_line: number;
-  dead_man_ms: number;
-  panel?: { ladder: boolean; languages: string[] };
-  session?: { level: number; needs_log_in: boolean };
-};
-
-/** Who commands, as a connection is told of it. */
-export type HolderEvent = { event: 'command'; holder: number | null; you: boolean };
+/** What a connection is asked for. */
+export type Wish = Command | ConnectionCommand;
 
 /** Why a command came to nothing: the control refused it, or the connection did. */
 export class Refused extends Error {
@@ -42,7 +24,7 @@ export class Refused extends Error {
 export type Listener = {
   state(state: 'connecting' | 'open' | 'lost'): void;
   hello(hello: Hello): void;
-  event(event: Event | HolderEvent): void;
+  event(event: Event | ConnectionEvent): void;
   status(status: Status): void;
   end(reason: string): void;
 };
@@ -152,7 +134,7 @@ export class Connection {
       else if (line.refused !== undefined) waiting.reject(new Refused('refused', line.refused.alarm ?? line.refused));
       else waiting.reject(new Refused(String(line.error), null, String(line.detail ?? '')));
     } else if (line.event !== undefined) {
-      this.listener.event(line as Event | HolderEvent);
+      this.listener.event(line as Event | ConnectionEvent);
     } else if (line.hello !== undefined) {
       this.#attempts = 0;
       this.#greeted = true;

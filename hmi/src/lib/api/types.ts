@@ -1526,7 +1526,11 @@ axis: string,
 /**
  * To what.
  */
-to: RelativeTo, } | { "do": "clear_interruption",
+to: RelativeTo, } | { "do": "spindle_speed",
+/**
+ * r/min; in force under G96 the surface speed, in m/min or feet/min.
+ */
+speed: number, } | { "do": "clear_interruption",
 /**
  * The axis; none is all.
  */

@@ -1,6 +1,6 @@
 // Highlighting of part programs over the visible lines alone, so that a keystroke in a program of 10 MB costs no more
 // than one in a program of ten lines.
-import { RangeSetBuilder } from '@codemirror/state';
+import type { ChangeDesc, Range, Text } from '@codemirror/state';
 import { Decoration, ViewPlugin, type DecorationSet, type EditorView, type ViewUpdate } from '@codemirror/view';
 
 export type Kind = 'comment' | 'g' | 'm' | 'n' | 'axis' | 'word' | 'macro';
@@ -40,29 +40,43 @@ export function pieces(line: string): { kind: Kind; from: number; to: number }[]
   return found;
 }
 
-function visible(view: EditorView): DecorationSet {
-  const builder = new RangeSetBuilder<Decoration>();
-  for (const { from, to } of view.visibleRanges) {
-    for (let at = from; at <= to; ) {
-      const line = view.state.doc.lineAt(at);
-      for (const { kind, from, to } of pieces(line.text)) {
-        const mark = marks[kind];
-        if (mark) builder.add(line.from + from, line.from + to, mark);
-      }
-      at = line.to + 1;
+/** The marks of whole lines. */
+function marksOf(doc: Text, from: number, to: number): Range<Decoration>[] {
+  const found: Range<Decoration>[] = [];
+  for (let at = from; at <= to; ) {
+    const line = doc.lineAt(at);
+    for (const { kind, from, to } of pieces(line.text)) {
+      const mark = marks[kind];
+      if (mark) found.push(mark.range(line.from + from, line.from + to));
     }
+    at = line.to + 1;
   }
-  return builder.finish();
+  return found;
+}
+
+/** The marks of some stretches of a text. */
+export const marksIn = (doc: Text, stretches: readonly { from: number; to: number }[]): DecorationSet =>
+  Decoration.set(stretches.flatMap(({ from, to }) => marksOf(doc, from, to)));
+
+/** Marks behind a change: only the lines that it touches are looked at anew, and the editor sees that the others are the same. */
+export function follow(before: DecorationSet, doc: Text, changes: ChangeDesc): DecorationSet {
+  let now = before.map(changes);
+  changes.iterChangedRanges((_from, _to, begin, end) => {
+    const [from, to] = [doc.lineAt(begin).from, doc.lineAt(end).to];
+    now = now.update({ filterFrom: from, filterTo: to, filter: () => false, add: marksOf(doc, from, to) });
+  });
+  return now;
 }
 
 export const highlighter = ViewPlugin.fromClass(
   class {
     decorations: DecorationSet;
     constructor(view: EditorView) {
-      this.decorations = visible(view);
+      this.decorations = marksIn(view.state.doc, view.visibleRanges);
     }
-    update(update: ViewUpdate): void {
-      if (update.docChanged || update.viewportChanged) this.decorations = visible(update.view);
+    update({ docChanged, viewportChanged, view, changes }: ViewUpdate): void {
+      if (viewportChanged) this.decorations = marksIn(view.state.doc, view.visibleRanges);
+      else if (docChanged) this.decorations = follow(this.decorations, view.state.doc, changes);
     }
   },
   { decorations: (plugin) => plugin.decorations },

@@ -7,11 +7,10 @@ export const theme = EditorView.theme({
   // What is typed lays out the lines anew and nothing of the page around them.
   '.cm-scroller': { fontFamily: 'var(--mono)', lineHeight: '1.55', contain: 'strict' },
   '.cm-content': { caretColor: 'var(--accent)' },
-  '.cm-cursor': { borderLeftColor: 'var(--accent)', borderLeftWidth: '2px' },
   '.cm-gutters': { backgroundColor: 'var(--surface)', color: 'var(--faint)', border: 'none' },
   '.cm-activeLineGutter': { backgroundColor: 'var(--raised)', color: 'var(--text)' },
   '.cm-activeLine': { backgroundColor: 'color-mix(in srgb, var(--raised) 60%, transparent)' },
-  '&.cm-focused .cm-selectionBackground, .cm-selectionBackground': { backgroundColor: 'var(--accent-soft) !important' },
+  '.cm-content ::selection, .cm-content::selection': { backgroundColor: 'var(--accent-soft)' },
   '.cm-panels': { backgroundColor: 'var(--surface)', color: 'var(--text)', borderColor: 'var(--line)' },
   '.cm-panel.cm-search': { padding: '0.5rem', display: 'flex', flexWrap: 'wrap', gap: '0.3rem', alignItems: 'center' },
   '.cm-panel.cm-search br': { display: 'none' },

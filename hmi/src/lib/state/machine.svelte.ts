@@ -1,5 +1,6 @@
 // The machine as this browser knows it: connection, status, who commands, events. One for the whole page.
-import { Connection, Refused, type Hello, type HolderEvent, type Wish } from '$lib/api/socket';
+import type { Asking, ConnectionEvent, Hello } from '$lib/api/connection';
+import { Connection, Refused, type Wish } from '$lib/api/socket';
 import { http, HttpError } from '$lib/api/http';
 import type { AlarmInfo, Event, Mode, Reply, Status } from '$lib/api/types';
 import { has, language, t } from '$lib/i18n/index.svelte';
@@ -53,6 +54,8 @@ function put(now: Status): void {
 }
 let inCommand = $state.raw(false);
 let holder = $state.raw<number | null>(null);
+/** Those who ask for command. */
+let asking = $state.raw<Asking[]>([]);
 /** Whether nothing is told before somebody logs in; null until the server has said so. */
 let gate = $state.raw<boolean | null>(null);
 /** Of the session, 1 to 4; 0 for the operator. */
@@ -67,12 +70,19 @@ const changes = $state<Record<string, number>>({});
 const hearers = new Set<(event: Event) => void>();
 const watchers = new Set<(status: Status) => void>();
 
-function heard(event: Event | HolderEvent): void {
+const isMine = (one: Asking) => one.connection === greeting?.connection;
+
+function heard(event: Event | ConnectionEvent): void {
   switch (event.event) {
     case 'command':
+      if (event.you && asking.some(isMine)) notify({ kind: 'info', title: t('app.handed_to_you') });
       inCommand = event.you;
       holder = event.holder;
+      asking = event.asking;
       keepCommand(event.you, event.holder);
+      return;
+    case 'declined':
+      notify({ kind: 'warning', title: t('app.declined') });
       return;
     case 'refused':
       void tellAlarm(event.alarm);
@@ -148,6 +158,7 @@ const connection = new Connection(`${protocol}//${location.host}/api/socket`, {
       again ||= inCommand;
       inCommand = false;
       holder = null;
+      asking = [];
       // The session may have ended, as it does with the server: then no socket opens before a log-in.
       if (gate === false) void admit();
     }
@@ -249,6 +260,14 @@ export const machine = {
   /** The connection that commands. */
   get holder() {
     return holder;
+  },
+  /** Those who ask for command, first come first. */
+  get asking() {
+    return asking;
+  },
+  /** Whether this browser asks for it. */
+  get asksForCommand() {
+    return asking.some(isMine);
   },
   /** Messages of the ladder that stand. */
   get messages() {

@@ -28,7 +28,7 @@ const seats = /Seat::\w+ => "(\w+)"/g;
 /** Where each is said: the field and the item. */
 const said: Record<'name' | 'value', Record<string, string[]>> = {
   name: {
-    rights: [...words(`${memory}/password.rs`, entry[1]!), ...words(`${memory}/items.rs`, /SessionNote::\w+ => \("([^"]+)"/g)],
+    rights: [...words(`${memory}/password.rs`, entry[1]!), ...words(`${memory}/items.rs`, /SessionNote::\w+(?: \{ to \})? => \("([^"]+)"/g)],
     memory: [...words(`${memory}/backup.rs`, entry[0]!), ...words(`${memory}/damage.rs`, entry[0]!)],
     ladder: words(`${memory}/apply.rs`, /Item::Ladder, "([^"]+)"/g),
     alarms: words(`${memory}/apply.rs`, /Item::Alarms, "([^"]+)"/g),
@@ -37,7 +37,7 @@ const said: Record<'name' | 'value', Record<string, string[]>> = {
     offsets: words(`${memory}/rows.rs`, /\("(\w+)", offset\.\w+\)/g).map((name) => `4 ${name}`),
   },
   value: {
-    rights: [...words(`${memory}/password.rs`, entry[2]!, entry[3]!, seats), ...words(`${memory}/items.rs`, /SessionNote::\w+ => \("[^"]+", "([^"]+)"/g)],
+    rights: [...words(`${memory}/password.rs`, entry[2]!, entry[3]!, seats), ...words(`${memory}/items.rs`, /SessionNote::\w+(?: \{ to \})? => \("[^"]+", (?:format!\()?"([^"]+)"/g)],
     programs: words(`${memory}/apply.rs`, /format!\("(locked [^"]+)"/g),
     plc: words(`${memory}/apply.rs`, /map_or\("(\w+)"\.to_owned\(\), \|on\|/g, /format!\("(forced [^"]+)"/g).map((one) => one.replace('4', '1')),
     memory: words(`${memory}/error.rs`, /(?:f\.write_str|write!)\((?:f, )?"((?:memory|mark)[^"]+)"/g),
@@ -53,8 +53,8 @@ const items = words(`${memory}/items.rs`, /Item::\w+ => "([^"]+)"/g);
 
 describe('the operation log', () => {
   it('is read as the control writes it', () => {
-    expect(said.name).toMatchObject({ rights: ['log in 4', 'password 4', 'command', 'command', 'log out'], memory: ['restored', 'uploaded', 'recovered'], ladder: ['exchanged'], alarms: ['all'], log: ['all'] });
-    expect(said.value).toMatchObject({ rights: ['set', 'right', 'wrong', 'machine', 'network', 'taken', 'left'], programs: ['locked 4'], plc: ['released', 'forced 1'] });
+    expect(said.name).toMatchObject({ rights: ['log in 4', 'password 4', ...Array<string>(6).fill('command'), 'log out'], memory: ['restored', 'uploaded', 'recovered'], ladder: ['exchanged'], alarms: ['all'], log: ['all'] });
+    expect(said.value).toMatchObject({ rights: ['set', 'right', 'wrong', 'machine', 'network', 'taken', 'left', 'asked for', 'asked for no longer', 'handed over to connection 4', 'declined to connection 4'], programs: ['locked 4'], plc: ['released', 'forced 1'] });
     expect(said.value.memory).toHaveLength(7);
     expect(said.name.counters).toHaveLength(5);
     expect(said.name.offsets).toHaveLength(7);

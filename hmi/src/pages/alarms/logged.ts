@@ -49,6 +49,10 @@ const VALUES: Record<string, Rule[]> = {
     [/^set$/, 'log.set'],
     [/^taken$/, 'log.taken'],
     [/^left$/, 'log.left'],
+    [/^asked for$/, 'log.asked'],
+    [/^asked for no longer$/, 'log.withdrawn'],
+    [/^handed over to connection (?<number>\d+)$/, 'log.handed_over'],
+    [/^declined to connection (?<number>\d+)$/, 'log.declined'],
   ],
   programs: [[/^locked (?<level>\d)$/, 'log.locked']],
   plc: [

@@ -9,22 +9,22 @@ import { box, centerOfRadius, distance, isClosed, movedEnd, outline, radiusOf, s
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/lib/cycles/ProfileEditor.svelte
-var root = $.from_svg(`<circle class="centre s-6fj28l"></circle>`);
-var root_1 = $.from_svg(`<path class="chosen s-6fj28l"></path><!>`, 1);
+var root = $.from_svg(`<circle class="centre s-17oku5b"></circle>`);
+var root_1 = $.from_svg(`<path class="chosen s-17oku5b"></path><!>`, 1);
 var root_2 = $.from_svg(`<circle tabindex="0" role="button"></circle>`);
 var root_3 = $.from_svg(`<path></path><!><!>`, 1);
 var root_4 = $.from_svg(`<circle></circle>`);
 var root_5 = $.from_html(`<p class="muted number"> </p>`);
 var root_6 = $.from_html(`<option> </option>`);
 var root_7 = $.from_html(`<div class="row wrap" role="radiogroup"><!> <!></div>`);
-var root_8 = $.from_html(`<li><button type="button" class="s-6fj28l"><span class="code"></span> <span> </span> <span class="number"> </span></button></li>`);
+var root_8 = $.from_html(`<li><button type="button" class="s-17oku5b"><span class="code"></span> <span> </span> <span class="number"> </span></button></li>`);
 var root_9 = $.from_html(`<!> <!>`, 1);
 var root_10 = $.from_html(`<!> <!> <!>`, 1);
 var root_11 = $.from_html(`<!> <!> <!> <!>`, 1);
 var root_12 = $.from_html(`<!> <!> <!> <!> <!> <!>`, 1);
-var root_13 = $.from_html(`<ol class="elements s-6fj28l"><li><button type="button" class="s-6fj28l"><span class="code">0</span><span> </span><span class="number"> </span></button></li> <!></ol> <div class="detail s-6fj28l"><!> <!> <!> <!></div>`, 1);
-var root_14 = $.from_html(`<p class="finding s-6fj28l"> <small class="code"> </small></p>`);
-var root_15 = $.from_html(`<div><div class="row wrap"><!> <!> <!> <!> <input type="file" accept=".dxf" hidden=""/></div> <svg role="group"><path class="axes s-6fj28l"></path><!><!></svg> <!> <div class="row wrap snaps s-6fj28l"><span class="muted"> </span> <label class="row s-6fj28l"><span> </span><select></select></label> <!> <!> <!> <!></div> <!> <!> <!></div>`);
+var root_13 = $.from_html(`<ol class="elements s-17oku5b"><li><button type="button" class="s-17oku5b"><span class="code">0</span><span> </span><span class="number"> </span></button></li> <!></ol> <div class="element s-17oku5b"><!> <!> <!> <!></div>`, 1);
+var root_14 = $.from_html(`<p class="finding s-17oku5b"> <small class="code"> </small></p>`);
+var root_15 = $.from_html(`<div><div class="row wrap"><!> <!> <!> <!> <input type="file" accept=".dxf" hidden=""/></div> <svg role="group"><path class="axes s-17oku5b"></path><!><!></svg> <!> <div class="row wrap snaps s-17oku5b"><span class="muted"> </span> <label class="row s-17oku5b"><span> </span><select></select></label> <!> <!> <!> <!></div> <!> <!> <!></div>`);
 function ProfileEditor($$anchor, $$props) {
 	$.push($$props, true);
 	let filled = $.prop($$props, "filled", 7);
@@ -368,7 +368,7 @@ function ProfileEditor($$anchor, $$props) {
 				var circle_1 = root_2();
 				let classes_3;
 				$.template_effect(($0) => {
-					classes_3 = $.set_class(circle_1, 0, "end s-6fj28l", null, classes_3, { on: of === $.get(current) && i - 1 === $.get(index) });
+					classes_3 = $.set_class(circle_1, 0, "end s-17oku5b", null, classes_3, { on: of === $.get(current) && i - 1 === $.get(index) });
 					$.set_attribute(circle_1, "cx", $.get(point)[0]);
 					$.set_attribute(circle_1, "cy", -$.get(point)[1]);
 					$.set_attribute(circle_1, "r", $.get(unit) * 1.6);
@@ -389,7 +389,7 @@ function ProfileEditor($$anchor, $$props) {
 			$.append($$anchor, fragment_6);
 		});
 		$.template_effect(($0) => {
-			classes_2 = $.set_class(path_2, 0, "contour s-6fj28l", null, classes_2, {
+			classes_2 = $.set_class(path_2, 0, "contour s-17oku5b", null, classes_2, {
 				current: of === $.get(current),
 				island: of > 0
 			});
@@ -401,7 +401,7 @@ function ProfileEditor($$anchor, $$props) {
 	var consequent_4 = ($$anchor) => {
 		var circle_2 = root_4();
 		$.template_effect(() => {
-			$.set_class(circle_2, 0, `snap ${$.get(hovered).kind ?? ""}`, "s-6fj28l");
+			$.set_class(circle_2, 0, `snap ${$.get(hovered).kind ?? ""}`, "s-17oku5b");
 			$.set_attribute(circle_2, "cx", $.get(hovered).at[0]);
 			$.set_attribute(circle_2, "cy", -$.get(hovered).at[1]);
 			$.set_attribute(circle_2, "r", $.get(unit) * 2.2);
@@ -588,7 +588,7 @@ function ProfileEditor($$anchor, $$props) {
 			$.reset(button_1);
 			$.reset(li_1);
 			$.template_effect(($0, $1, $2, $3) => {
-				classes_5 = $.set_class(li_1, 1, "s-6fj28l", null, classes_5, { on: $.get(index) === i });
+				classes_5 = $.set_class(li_1, 1, "s-17oku5b", null, classes_5, { on: $.get(index) === i });
 				$.set_text(text_14, $0);
 				$.set_text(text_15, `X ${$1 ?? ""} Y ${$2 ?? ""}${$3 ?? ""}${$.get(one).corner ? ` · ${$.get(one).corner.kind === "round" ? "R" : "C"} ${$.get(one).corner.size}` : ""}`);
 			}, [
@@ -902,7 +902,7 @@ function ProfileEditor($$anchor, $$props) {
 		});
 		$.reset(div_4);
 		$.template_effect(($0, $1, $2) => {
-			classes_4 = $.set_class(li, 1, "s-6fj28l", null, classes_4, { on: $.get(index) === -1 });
+			classes_4 = $.set_class(li, 1, "s-17oku5b", null, classes_4, { on: $.get(index) === -1 });
 			$.set_text(text_12, $0);
 			$.set_text(text_13, `X ${$1 ?? ""} Y ${$2 ?? ""}`);
 		}, [
@@ -932,10 +932,10 @@ function ProfileEditor($$anchor, $$props) {
 	});
 	$.reset(div);
 	$.template_effect(($0, $1, $2) => {
-		classes = $.set_class(div, 1, "editor s-6fj28l", null, classes, { dropping: $.get(dropping) });
+		classes = $.set_class(div, 1, "editor s-17oku5b", null, classes, { dropping: $.get(dropping) });
 		$.set_attribute(svg_1, "viewBox", `${$.get(frame).x ?? ""} ${-$.get(frame).y - $.get(frame).h} ${$.get(frame).w ?? ""} ${$.get(frame).h ?? ""}`);
 		$.set_attribute(svg_1, "aria-label", $0);
-		classes_1 = $.set_class(svg_1, 0, "s-6fj28l", null, classes_1, { drawing: $.get(tool) !== "choose" });
+		classes_1 = $.set_class(svg_1, 0, "s-17oku5b", null, classes_1, { drawing: $.get(tool) !== "choose" });
 		$.set_attribute(path_1, "d", `M${$.get(frame).x ?? ""} 0H${$.get(frame).x + $.get(frame).w}M0 ${-$.get(frame).y - $.get(frame).h}V${-$.get(frame).y}`);
 		$.set_text(text_4, $1);
 		$.set_text(text_5, $2);

@@ -13,7 +13,7 @@ import { defaultKeymap, history, historyKeymap, redo, undo } from "@codemirror/c
 import { lintGutter, lintKeymap } from "@codemirror/lint";
 import { gotoLine, highlightSelectionMatches, openSearchPanel, search, searchKeymap } from "@codemirror/search";
 import { Compartment, EditorState, StateEffect, StateField, Text } from "@codemirror/state";
-import { Decoration, EditorView, drawSelection, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers } from "@codemirror/view";
+import { Decoration, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers } from "@codemirror/view";
 // src/lib/editor/Editor.svelte
 var root = $.from_html(`<div class="editor s-prdwtv"></div>`);
 function Editor($$anchor, $$props) {
@@ -85,7 +85,6 @@ function Editor($$anchor, $$props) {
 				marked,
 				said.of(untrack(phrases)),
 				search({ top: true }),
-				drawSelection(),
 				EditorView.contentAttributes.of({
 					"aria-label": $$props.label,
 					spellcheck: "false",

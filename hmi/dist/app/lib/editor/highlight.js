@@ -1,4 +1,3 @@
-import { RangeSetBuilder } from "@codemirror/state";
 import { Decoration, ViewPlugin } from "@codemirror/view";
 // src/lib/editor/highlight.ts
 /** How each kind looks. Axis words look like the text itself: most words are, and each mark costs at every keystroke. */
@@ -37,25 +36,43 @@ function pieces(line) {
 	}
 	return found;
 }
-function visible(view) {
-	const builder = new RangeSetBuilder();
-	for (const { from, to } of view.visibleRanges) for (let at = from; at <= to;) {
-		const line = view.state.doc.lineAt(at);
+/** The marks of whole lines. */
+function marksOf(doc, from, to) {
+	const found = [];
+	for (let at = from; at <= to;) {
+		const line = doc.lineAt(at);
 		for (const { kind, from, to } of pieces(line.text)) {
 			const mark = marks[kind];
-			if (mark) builder.add(line.from + from, line.from + to, mark);
+			if (mark) found.push(mark.range(line.from + from, line.from + to));
 		}
 		at = line.to + 1;
 	}
-	return builder.finish();
+	return found;
+}
+/** The marks of some stretches of a text. */
+var marksIn = (doc, stretches) => Decoration.set(stretches.flatMap(({ from, to }) => marksOf(doc, from, to)));
+/** Marks behind a change: only the lines that it touches are looked at anew, and the editor sees that the others are the same. */
+function follow(before, doc, changes) {
+	let now = before.map(changes);
+	changes.iterChangedRanges((_from, _to, begin, end) => {
+		const [from, to] = [doc.lineAt(begin).from, doc.lineAt(end).to];
+		now = now.update({
+			filterFrom: from,
+			filterTo: to,
+			filter: () => false,
+			add: marksOf(doc, from, to)
+		});
+	});
+	return now;
 }
 var highlighter = ViewPlugin.fromClass(class {
 	decorations;
 	constructor(view) {
-		this.decorations = visible(view);
+		this.decorations = marksIn(view.state.doc, view.visibleRanges);
 	}
-	update(update) {
-		if (update.docChanged || update.viewportChanged) this.decorations = visible(update.view);
+	update({ docChanged, viewportChanged, view, changes }) {
+		if (viewportChanged) this.decorations = marksIn(view.state.doc, view.visibleRanges);
+		else if (docChanged) this.decorations = follow(this.decorations, view.state.doc, changes);
 	}
 }, { decorations: (plugin) => plugin.decorations });
-export { highlighter, pieces };
+export { follow, highlighter, marksIn, pieces };

@@ -15,10 +15,6 @@ var theme = EditorView.theme({
 		contain: "strict"
 	},
 	".cm-content": { caretColor: "var(--accent)" },
-	".cm-cursor": {
-		borderLeftColor: "var(--accent)",
-		borderLeftWidth: "2px"
-	},
 	".cm-gutters": {
 		backgroundColor: "var(--surface)",
 		color: "var(--faint)",
@@ -29,7 +25,7 @@ var theme = EditorView.theme({
 		color: "var(--text)"
 	},
 	".cm-activeLine": { backgroundColor: "color-mix(in srgb, var(--raised) 60%, transparent)" },
-	"&.cm-focused .cm-selectionBackground, .cm-selectionBackground": { backgroundColor: "var(--accent-soft) !important" },
+	".cm-content ::selection, .cm-content::selection": { backgroundColor: "var(--accent-soft)" },
 	".cm-panels": {
 		backgroundColor: "var(--surface)",
 		color: "var(--text)",

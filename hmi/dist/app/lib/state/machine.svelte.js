@@ -52,6 +52,8 @@ function put(now) {
 }
 var inCommand = $.state(false);
 var holder = $.state(null);
+/** Those who ask for command. */
+var asking = $.state([]);
 /** Whether nothing is told before somebody logs in; null until the server has said so. */
 var gate = $.state(null);
 /** Of the session, 1 to 4; 0 for the operator. */
@@ -64,12 +66,24 @@ var lamps = $.state(/* @__PURE__ */ new Set());
 var changes = $.proxy({});
 var hearers = /* @__PURE__ */ new Set();
 var watchers = /* @__PURE__ */ new Set();
+var isMine = (one) => one.connection === $.get(greeting)?.connection;
 function heard(event) {
 	switch (event.event) {
 		case "command":
+			if (event.you && $.get(asking).some(isMine)) notify({
+				kind: "info",
+				title: t("app.handed_to_you")
+			});
 			$.set(inCommand, event.you);
 			$.set(holder, event.holder);
+			$.set(asking, event.asking);
 			keepCommand(event.you, event.holder);
+			return;
+		case "declined":
+			notify({
+				kind: "warning",
+				title: t("app.declined")
+			});
 			return;
 		case "refused":
 			tellAlarm(event.alarm);
@@ -137,6 +151,7 @@ var connection = new Connection(`${protocol}//${location.host}/api/socket`, {
 			again ||= $.get(inCommand);
 			$.set(inCommand, false);
 			$.set(holder, null);
+			$.set(asking, []);
 			if ($.get(gate) === false) admit();
 		}
 	},
@@ -236,6 +251,14 @@ var machine = {
 	/** The connection that commands. */
 	get holder() {
 		return $.get(holder);
+	},
+	/** Those who ask for command, first come first. */
+	get asking() {
+		return $.get(asking);
+	},
+	/** Whether this browser asks for it. */
+	get asksForCommand() {
+		return $.get(asking).some(isMine);
 	},
 	/** Messages of the ladder that stand. */
 	get messages() {

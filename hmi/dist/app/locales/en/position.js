@@ -31,7 +31,6 @@ var position_default = {
 	"programs": "Programs locked",
 	"speed": "Speed",
 	"set_speed": "Set S",
-	"speed_mdi": "S is set in MDI",
-	"speed_waits": "S {speed}: press cycle start"
+	"speed_runs": "The program under way sets S"
 };
 export { position_default as default };

@@ -31,7 +31,6 @@ var position_default = {
 	"programs": "Programas bloqueados",
 	"speed": "Velocidad",
 	"set_speed": "Fijar S",
-	"speed_mdi": "S se fija en MDI",
-	"speed_waits": "S {speed}: pulse marcha"
+	"speed_runs": "El programa en curso fija S"
 };
 export { position_default as default };

@@ -31,7 +31,6 @@ var position_default = {
 	"programs": "Программы закрыты",
 	"speed": "Скорость",
 	"set_speed": "Задать S",
-	"speed_mdi": "S задаётся в MDI",
-	"speed_waits": "S {speed}: нажмите пуск"
+	"speed_runs": "S задаёт выполняемая программа"
 };
 export { position_default as default };

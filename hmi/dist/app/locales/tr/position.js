@@ -31,7 +31,6 @@ var position_default = {
 	"programs": "Programlar kilitli",
 	"speed": "Hız",
 	"set_speed": "S ver",
-	"speed_mdi": "S, MDI kipinde verilir",
-	"speed_waits": "S {speed}: çevrim başlatın"
+	"speed_runs": "S'yi çalışan program verir"
 };
 export { position_default as default };

@@ -31,7 +31,6 @@ var position_default = {
 	"programs": "程序已锁住",
 	"speed": "速度",
 	"set_speed": "设定 S",
-	"speed_mdi": "在录入方式下设定 S",
-	"speed_waits": "S {speed}：请按循环启动"
+	"speed_runs": "运行中的程序决定 S"
 };
 export { position_default as default };

@@ -49,7 +49,11 @@ var VALUES = {
 		[/^wrong$/, "log.wrong"],
 		[/^set$/, "log.set"],
 		[/^taken$/, "log.taken"],
-		[/^left$/, "log.left"]
+		[/^left$/, "log.left"],
+		[/^asked for$/, "log.asked"],
+		[/^asked for no longer$/, "log.withdrawn"],
+		[/^handed over to connection (?<number>\d+)$/, "log.handed_over"],
+		[/^declined to connection (?<number>\d+)$/, "log.declined"]
 	],
 	programs: [[/^locked (?<level>\d)$/, "log.locked"]],
 	plc: [[/^released$/, "log.released"], [/^forced (?<value>[01])$/, "log.forced"]],

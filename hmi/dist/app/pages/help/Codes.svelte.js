@@ -8,10 +8,10 @@ import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/help/Codes.svelte
 var root = $.from_html(`<button type="button"><strong class="code"> </strong><span> </span></button>`);
-var root_1 = $.from_html(`<h3 class="s-1gajs9v"> </h3><!>`, 1);
+var root_1 = $.from_html(`<h3 class="s-sx33g"> </h3><!>`, 1);
 var root_2 = $.from_html(`<p class="muted"> </p>`);
 var root_3 = $.from_html(`<h2><span class="code"> </span></h2> <!>`, 1);
-var root_4 = $.from_html(`<div class="row"><!></div> <div class="codes s-1gajs9v"><div class="list scroll"></div> <div class="detail scroll s-1gajs9v"><!></div></div>`, 1);
+var root_4 = $.from_html(`<div class="row"><!></div> <div class="codes s-sx33g"><div class="list scroll"></div> <div class="detail scroll"><!></div></div>`, 1);
 function Codes($$anchor, $$props) {
 	$.push($$props, true);
 	let all = $.state([]);
@@ -77,7 +77,7 @@ function Codes($$anchor, $$props) {
 		var text_1 = $.only_child(span, true);
 		$.reset(button);
 		$.template_effect(($0) => {
-			classes = $.set_class(button, 1, "s-1gajs9v", null, classes, {
+			classes = $.set_class(button, 1, "s-sx33g", null, classes, {
 				chosen: $.get(one).word === $.get(word),
 				active: $0
 			});

@@ -9,7 +9,7 @@ import * as $ from "svelte/internal/client";
 // src/pages/help/Details.svelte
 var root = $.from_html(`<p> </p>`);
 var root_1 = $.from_html(`<h2><span class="code"> </span> </h2> <!> <div class="row wrap"><!> <!></div>`, 1);
-var root_2 = $.from_html(`<div class="detail scroll s-1iwumj" data-testid="help-detail"><!></div>`);
+var root_2 = $.from_html(`<div class="detail stack scroll" data-testid="help-detail"><!></div>`);
 function Details($$anchor, $$props) {
 	$.push($$props, true);
 	/** What stands here while there is none. */

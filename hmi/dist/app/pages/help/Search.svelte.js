@@ -9,12 +9,12 @@ import { findLocal } from "./local.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/help/Search.svelte
-var root = $.from_html(`<strong class="code"> </strong> <span class="text s-1szf556"> </span>`, 1);
-var root_1 = $.from_html(`<span class="text long s-1szf556"> </span>`);
-var root_2 = $.from_html(`<li><button type="button"><span class="kind s-1szf556"> </span> <!></button></li>`);
-var root_3 = $.from_html(`<li class="muted nothing s-1szf556"> </li>`);
-var root_4 = $.from_html(`<div class="detail scroll s-1szf556" data-testid="help-local"><h2> </h2> <p> </p> <div class="row"><!></div></div>`);
-var root_5 = $.from_html(`<input class="search s-1szf556" type="search" data-testid="help-search"/> <div class="results s-1szf556"><ul class="scroll s-1szf556" data-testid="help-results"></ul> <!></div>`, 1);
+var root = $.from_html(`<strong class="code"> </strong> <span class="text s-2cu00k"> </span>`, 1);
+var root_1 = $.from_html(`<span class="text long s-2cu00k"> </span>`);
+var root_2 = $.from_html(`<li><button type="button"><span class="kind s-2cu00k"> </span> <!></button></li>`);
+var root_3 = $.from_html(`<li class="muted nothing s-2cu00k"> </li>`);
+var root_4 = $.from_html(`<div class="detail stack scroll" data-testid="help-local"><h2> </h2> <p> </p> <div class="row"><!></div></div>`);
+var root_5 = $.from_html(`<input class="search s-2cu00k" type="search" data-testid="help-search"/> <div class="results s-2cu00k"><ul class="scroll s-2cu00k" data-testid="help-results"></ul> <!></div>`, 1);
 function Search($$anchor, $$props) {
 	$.push($$props, true);
 	let sought = $.state($.proxy(route.item));
@@ -103,7 +103,7 @@ function Search($$anchor, $$props) {
 		$.reset(li);
 		$.template_effect(($0) => {
 			$.set_attribute(button, "data-found", $.get(one).id);
-			classes = $.set_class(button, 1, "s-1szf556", null, classes, { chosen: $.get(one) === $.get(chosen) });
+			classes = $.set_class(button, 1, "s-2cu00k", null, classes, { chosen: $.get(one) === $.get(chosen) });
 			$.set_text(text_1, $0);
 		}, [() => kind($.get(one).local?.kind ?? $.get(one).entry?.kind ?? "")]);
 		$.delegated("click", button, () => $.set(picked, $.get(one).id, true));

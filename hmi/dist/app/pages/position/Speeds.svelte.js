@@ -30,15 +30,8 @@ function Speeds($$anchor, $$props) {
 			names: ["P258"]
 		}).then((reply) => $.set(highest, reply.reply === "parameters" && Object.values(reply.parameters)[0] || $.get(highest), true), () => void 0);
 	});
-	/** S that was typed and is not in force yet: cycle start of MDI puts it there. */
-	let typed = $.state(null);
-	const waits = $.derived(() => $.get(typed) !== null && $.get(typed) !== machine.status.spindle.programmed ? $.get(typed) : null);
-	async function set(speed) {
-		if (await machine.tell({
-			do: "mdi_block",
-			block: `S${speed}`
-		})) $.set(typed, speed, true);
-	}
+	/** The program under way has a speed of its own. */
+	const isTheirs = $.derived(() => machine.status.program_mode !== null);
 	const feed = $.derived(() => machine.status.feed);
 	const spindle = $.derived(() => machine.status.spindle);
 	/** Less than this is standing still, r/min. */
@@ -108,14 +101,12 @@ function Speeds($$anchor, $$props) {
 				var node_4 = $.child(span_4);
 				{
 					let $0 = $.derived(() => t("position.set_speed"));
-					let $1 = $.derived(() => $.get(typed) ?? $.get(spindle).programmed);
-					let $2 = $.derived(() => machine.status.mode !== "mdi");
 					NumberField(node_4, {
 						get label() {
 							return $.get($0);
 						},
 						get value() {
-							return $.get($1);
+							return $.get(spindle).programmed;
 						},
 						digits: 0,
 						minimum: 0,
@@ -124,16 +115,19 @@ function Speeds($$anchor, $$props) {
 						},
 						again: true,
 						get disabled() {
-							return $.get($2);
+							return $.get(isTheirs);
 						},
-						onvalue: (value) => value !== null && void set(value)
+						onvalue: (value) => value !== null && void machine.tell({
+							do: "spindle_speed",
+							speed: value
+						})
 					});
 				}
 				$.reset(span_4);
 				var span_5 = $.sibling(span_4, 2);
 				var text_10 = $.only_child(span_5, true);
 				$.reset(dd_4);
-				$.template_effect(($0) => $.set_text(text_10, $0), [() => machine.status.mode !== "mdi" ? t("position.speed_mdi") : $.get(waits) === null ? "" : t("position.speed_waits", { speed: $.get(waits) })]);
+				$.template_effect(($0) => $.set_text(text_10, $0), [() => $.get(isTheirs) ? t("position.speed_runs") : ""]);
 				$.append($$anchor, dd_4);
 			};
 			$.if(node_3, ($$render) => {
