@@ -13,7 +13,7 @@
 //! What was met there (plus the shift) is the reference point. The axis runs onto it exactly, and once all stand, their
 //! places are called what the reference points are called. The manual prints the names of the modes before and
 //! behind, with and without marker, A and B; what they do is that of the trade. An axis that begins on its switch
-//! leaves it at once.
+//! leaves it at once. One whose point is known and that stands behind its switch is positioned on the point.
 //!
 //! Places come from where drives kept them, so that neither the servo period nor the lag of the axis is in them.
 
@@ -114,10 +114,15 @@ struct Running {
     /// What ends it was otherwise meanwhile.
     was_other: bool,
     armed: bool,
+    /// Where the switch was left.
+    left: Option<f64>,
 }
 
 /// Distance from a place within which an axis is there: what counting in units leaves, mm.
 const THERE: f64 = 1e-6;
+
+/// How far an axis must be beyond the near end of its switch, which is off, to be behind it: more than a switch plays, mm.
+const NEAR_END: f64 = 0.5;
 
 /// Machine zero return of all axes.
 #[derive(Clone, Debug)]
@@ -132,6 +137,8 @@ pub(crate) struct Homing {
     referenced: AxisSet,
     /// Those that stand on it since.
     arrived: AxisSet,
+    /// Where the switch was left when the reference point was found, from there.
+    end: [Option<f64>; AXES],
 }
 
 impl Homing {
@@ -171,6 +178,7 @@ impl Homing {
             before: Position::ZERO,
             referenced: machine.axis_set(),
             arrived: AxisSet::EMPTY,
+            end: [None; AXES],
         }
     }
 
@@ -227,11 +235,28 @@ impl Homing {
         matches!(self.stages.get(axis.index()), Some(Some(Stage::Waits | Stage::Runs(_) | Stage::Onto(_))))
     }
 
-    /// Sends an axis to its reference point, at `reference` where it is known. By hand, one at a time where that is
-    /// set; whether it goes.
-    pub fn begin(&mut self, axis: Axis, by_hand: bool, reference: f64) -> bool {
+    /// Whether an axis at a place that is sent to its reference point by hand is positioned on it, since it is known: as
+    /// parameters have it, or since it stands behind its switch, where it would meet nothing but the travel switch.
+    pub fn goes_straight(&self, axis: Axis, at: f64, reference: f64, switches: &Switches) -> bool {
+        let settings = self.of(axis);
+        let is_on = switches.home.contains(axis) != settings.closes;
+        let end = self.end.get(axis.index()).copied().flatten();
+        let beyond = |end: f64| (at - reference - end) * settings.sign;
+        let is_behind = !is_on
+            && match self.config.before {
+                // What was left is its near end.
+                true => end.is_some_and(|end| beyond(end) > NEAR_END),
+                // One that was never searched is before its point.
+                false => beyond(end.unwrap_or_default()) >= -THERE,
+            };
+        self.referenced.contains(axis) && (self.config.known_at_rapid || is_behind)
+    }
+
+    /// Sends an axis that is at `at` to its reference point, at `reference` where it is known. By hand, one at a time
+    /// where that is set; whether it goes.
+    pub fn begin(&mut self, axis: Axis, by_hand: bool, at: f64, reference: f64, switches: &Switches) -> bool {
         let one_at_a_time = by_hand && self.config.one_at_a_time && self.is_active();
-        let known = self.config.known_at_rapid && by_hand && self.referenced.contains(axis);
+        let known = by_hand && self.goes_straight(axis, at, reference, switches);
         match self.stages.get_mut(axis.index()) {
             Some(stage) if !one_at_a_time && stage.is_none() => {
                 *stage = Some(if known { Stage::Known(reference) } else { Stage::Waits });
@@ -342,7 +367,8 @@ impl Homing {
                 self.referenced = self.referenced.iter().filter(|other| *other != axis).collect();
                 // On the switch already, the axis leaves it.
                 let leg = usize::from(sense.is_on);
-                let running = Running { leg, from: at, turned: false, was_other: true, armed: false };
+                let running =
+                    Running { leg, from: at, turned: false, was_other: true, armed: false, left: None };
                 Ok(Stage::Runs(running))
             }
             Stage::Runs(running) => self.run(axis, running, manual, drives, sense, held),
@@ -362,7 +388,7 @@ impl Homing {
     }
 
     fn run(
-        &self,
+        &mut self,
         axis: Axis,
         mut running: Running,
         manual: &mut Manual,
@@ -402,9 +428,17 @@ impl Homing {
                 false => Ok(Stage::Runs(running)),
             };
         };
+        // Encoders count what the drives are told, compensation and all.
+        let met = met - sense.added;
+        if leg.until == Until::Off {
+            running.left = Some(met);
+        }
         let Some(next) = self.legs.get(running.leg + 1) else {
-            // Encoders count what the drives are told, compensation and all.
-            return Ok(Stage::Onto(met - sense.added + settings.shift));
+            let place = met + settings.shift;
+            if let Some(end) = self.end.get_mut(axis.index()) {
+                *end = running.left.map(|left| left - place);
+            }
+            return Ok(Stage::Onto(place));
         };
         let goes_on = next.onwards == leg.onwards;
         running = Running {
@@ -414,6 +448,7 @@ impl Homing {
             // Coming onto the switch and going on, the axis was on it.
             was_other: goes_on && next.until != Until::Marker,
             armed: false,
+            ..running
         };
         Ok(Stage::Runs(running))
     }

@@ -152,11 +152,47 @@ fn a_reference_point_that_is_known_is_positioned_on() {
     // Without it the switch is searched anew, and known to be missing.
     let mut cnc = on_plant(&planted(|_| {}), "M30\n", "");
     homed(&mut cnc, Axis::X);
+    cnc.jog_step(Axis::X, -1, 60.0);
+    settle(&mut cnc);
     plant(&mut cnc).trouble(Axis::X, Trouble::HomeSwitch(Some(false)));
     assert!(cnc.home(Axis::X));
     settle(&mut cnc);
     assert!(matches!(cnc.state(), State::Alarmed(_)));
     assert_eq!(cnc.referenced(), AxisSet::EMPTY);
+}
+
+/// An axis that was homed stands behind its switch: none comes any more but the travel switch. It is positioned on its
+/// point; one that is before its switch, or on it, searches.
+#[test]
+fn an_axis_that_is_homed_again_from_behind_its_switch_stays_off_the_travel_switch() {
+    let modes = [
+        "",
+        "\"NO6.6\" = 0",
+        "\"NO6.6\" = 0\n\"NO6.7\" = 0",
+        "\"NO6.1\" = 1",
+        "\"NO7.0\" = 1",
+        "P180 = 2.5",
+        "\"NO6.6\" = 0\n\"NO6.7\" = 0\nP180 = 2.5",
+    ];
+    for mode in modes {
+        let onwards = if mode.contains("NO7.0") { -1 } else { 1 };
+        let mut cnc = on_plant(&planted(|_| {}), "M30\n", &format!("[parameters]\n{mode}"));
+        homed(&mut cnc, Axis::X);
+        // On the point, behind it, between it and the switch, on the switch, before it.
+        for way in [0.0, 3.0, 200.0, -2.0, -20.0, -60.0] {
+            if way != 0.0 {
+                cnc.jog_step(Axis::X, onwards, way);
+                settle(&mut cnc);
+            }
+            let ticks = homed(&mut cnc, Axis::X);
+            assert_eq!(cnc.at_reference(), only(&[Axis::X]), "{mode}: {way}");
+            assert!(cnc.tick().position[Axis::X].abs() < 1e-3, "{mode}: {way}");
+            assert!(error(&mut cnc, Axis::X) < 2e-3, "{mode}: {way}");
+            // It leaves the point by no more than it was away, but for the way over the switch and back.
+            let farthest = ticks.iter().map(|tick| tick.position[Axis::X].abs()).fold(0.0, f64::max);
+            assert!(farthest < way.abs() + 50.0, "{mode}: {way}: {farthest}");
+        }
+    }
 }
 
 #[test]

@@ -440,6 +440,13 @@ fn a_spindle_that_may_stand_refuses_no_start() {
 fn no_axis_is_sent_to_its_reference_point_under_machine_lock() {
     let mut mill = Mill::power_on();
     mill.home();
+    // Away from the point, on which it would have arrived at once.
+    mill.press("KEY_JOG");
+    mill.key("KEY_X-", true);
+    mill.wait(600);
+    mill.key("KEY_X-", false);
+    mill.wait(600);
+    mill.press("KEY_HOME");
     mill.press("KEY_MLOCK");
     mill.events.clear();
     mill.press("KEY_X+");

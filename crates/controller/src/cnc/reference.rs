@@ -8,7 +8,8 @@ use ferrocut_machine::{Alarm, Fault};
 
 impl Cnc {
     /// Sends an axis to its reference point, as its key in the mode HOME does: axes at their limits come to rest and
-    /// find it by their switches, or are positioned on it where it is known and remembered. Whether it goes: not
+    /// find it by their switches, or are positioned on it where it is known and that is set, or no switch comes any more.
+    /// Whether it goes: not
     /// while a program is under way, nor while the axis moves, nor beside another where one at a time may home, nor
     /// under machine lock, where no axis comes to its place.
     pub fn home(&mut self, axis: Axis) -> bool {
@@ -22,12 +23,12 @@ impl Cnc {
     /// Why an axis may not be sent to its reference point straight on, as one goes there that knows it: an area that is
     /// forbidden lies between (GSK990MC part 2, 2.6).
     pub fn home_alarm(&self, axis: Axis) -> Option<Box<Alarm>> {
-        if !self.homing.config().known_at_rapid || !self.homing.referenced().contains(axis) {
-            return None;
-        }
         let at = self.place_by_hand();
         let mut to = at;
         to[axis] = self.reference()[axis];
+        if !self.homing.goes_straight(axis, at[axis], to[axis], &self.switches()) {
+            return None;
+        }
         let check = self.frame().stroke_check;
         // Others that are on their way may be anywhere.
         let moves =
@@ -126,7 +127,8 @@ impl Cnc {
 
     fn begin_homing(&mut self, axis: Axis, by_hand: bool) -> bool {
         let reference = self.reference()[axis];
-        let begins = self.homing.begin(axis, by_hand, reference);
+        let (at, switches) = (self.manual.at(axis), self.switches());
+        let begins = self.homing.begin(axis, by_hand, at, reference, &switches);
         if begins {
             self.apply_travel(axis);
         }
