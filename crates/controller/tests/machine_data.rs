@@ -148,6 +148,18 @@ fn machine_zero_is_set_by_hand_where_a_parameter_allows_it() {
                     "{:?}",
                     status.referenced
                 );
+                shop.control.flush().unwrap();
+                let Reply::OperationLog { entries } = shop.say(Command::OperationLog { most: 9 }) else {
+                    panic!()
+                };
+                let of = |axis: char| entries.iter().find(|line| line.name == format!("machine zero {axis}"));
+                for (axis, from) in [('X', from[&'X']), ('Y', from[&'Y'])] {
+                    let line = of(axis).unwrap_or_else(|| panic!("{entries:?}"));
+                    assert_eq!((line.item.as_str(), line.to.as_str()), ("position", "0"));
+                    assert_eq!(line.from.parse::<f64>().unwrap(), from);
+                    assert!(line.who.contains("commissioning"), "{}", line.who);
+                }
+                assert!(of('Z').is_none());
                 let lit = shop.control.outputs().at_reference;
                 assert!(lit[0] && lit[1], "{lit:?}");
                 // The next move is one of the new coordinates.

@@ -213,6 +213,7 @@ impl Applier {
             Change::Counter { counter, value } => named(value.is_finite() && *value >= 0.0, counter.name()),
             Change::Alarm(alarm) => named(rows::fits(alarm), &alarm.id),
             Change::LastPosition(last) => named(last.position.is_finite(), "position"),
+            Change::MachineZero { from, to, .. } => named(from.is_finite() && to.is_finite(), "position"),
             Change::Ladder { .. }
             | Change::Interrupted(_)
             | Change::Session(_)
@@ -298,6 +299,12 @@ impl Applier {
                 let (item, from) = ("rights".to_owned(), String::new());
                 let entry = LogEntry { time: log.time, level, who, item, name: name.to_owned(), from, to };
                 self.log(&entry)
+            }
+            // It stands there even where the place keeps its name: the axis is referenced from then on.
+            Change::MachineZero { axis, from, to } => {
+                log.all = true;
+                let name = format!("machine zero {}", axis.letter());
+                log.changed(self, Item::LastPosition, &name, from.to_string(), to.to_string())
             }
             Change::ClearLog => {
                 let old = self.database.count(&LOG).to_string();

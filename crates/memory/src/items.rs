@@ -464,6 +464,15 @@ pub enum Change {
     ClearLog,
     /// Notes in the operation log who may do what from now on.
     Session(SessionNote),
+    /// Machine zero was set where an axis stood: noted in the operation log.
+    MachineZero {
+        /// The axis.
+        axis: Axis,
+        /// Its machine position, mm or degrees.
+        from: f64,
+        /// What the same place is called from now on: the first reference point.
+        to: f64,
+    },
     /// Says where the axes stand.
     LastPosition(LastPosition),
     /// Says where a run was broken off; none when it came to its end.

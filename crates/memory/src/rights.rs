@@ -90,7 +90,9 @@ pub fn needed(table: &ParameterTable, change: &Change) -> Level {
         Change::Counter { counter: Counter::PowerOnTime | Counter::AllParts, .. } => Level::Builder,
         Change::Counter { .. } => Level::Operator,
         Change::Parameter { key, .. } => needed_for_parameter(table, key),
-        Change::Pitch { .. } | Change::ReferencePoint { .. } => Level::Commissioning,
+        Change::Pitch { .. } | Change::ReferencePoint { .. } | Change::MachineZero { .. } => {
+            Level::Commissioning
+        }
         // 3.7: histories are deleted from commissioning on.
         Change::ClearAlarms | Change::ClearLog => Level::Commissioning,
         // 3.4.5: ladders are transferred from level 2 on.

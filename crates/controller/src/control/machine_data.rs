@@ -87,10 +87,16 @@ impl Control {
         if let Some(alarm) = self.locked_alarm() {
             return Err(alarm);
         }
-        match self.cnc.set_machine_zero(axes) {
-            true => Ok(Reply::Done),
-            false => Err(Box::new(alarm(Fault::ControlBusy))),
+        let (from, to) = (self.tick.position, self.reference_point_asked(1).unwrap_or_default());
+        if !self.cnc.set_machine_zero(axes) {
+            return Err(Box::new(alarm(Fault::ControlBusy)));
         }
+        if let Some(keeping) = &mut self.keeping {
+            let axes = axes.and(self.machine.axis_set());
+            let set = |axis: Axis| Change::MachineZero { axis, from: from[axis], to: to[axis] };
+            keeping.put(author, axes.iter().map(set).collect());
+        }
+        Ok(Reply::Done)
     }
 
     pub(super) fn pitch(&self, letter: char) -> Result<Reply, Box<Alarm>> {

@@ -30,6 +30,7 @@ const NAMES: Record<string, Rule[]> = {
     [/^recovered$/, 'log.recovered'],
   ],
   ladder: [[/^exchanged$/, 'log.exchanged']],
+  position: [[/^machine zero (?<axis>[A-Z])$/, 'log.machine_zero']],
   alarms: [[/^all$/, 'log.all']],
   log: [[/^all$/, 'log.all']],
   counters: ['parts', 'all-parts', 'run-time', 'cutting-time', 'power-on-time'].map((name) => [new RegExp(`^${name}$`), `log.${name}`]),
