@@ -240,6 +240,23 @@ fn a_restore_of_one_item_leaves_all_the_rest() {
     assert_eq!(zeros["G54"][&'X'], 9.0);
 }
 
+/// The position of another moment is none for axes of which the control knows where they are: nothing of such a restore
+/// is done.
+#[test]
+fn a_running_control_takes_no_position_from_a_backup() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut control = control(folder.path());
+    by_maintenance(&mut control, Command::Backup { file: "all.backup".into(), items: Vec::new() });
+    say(&mut control, offset(-3.5));
+    let at = control.status().position.machine;
+    for items in [vec!["position".to_owned()], vec!["offsets".to_owned(), "position".to_owned()]] {
+        let restore = Command::Restore { file: "all.backup".into(), items };
+        assert_eq!(control.command(restore, &Author::Control).unwrap_err().alarm.id, "FC-1221");
+    }
+    assert_eq!(control.status().position.machine, at);
+    assert_eq!(control.interpreter().memory().tools.get(3).unwrap().length, -3.5);
+}
+
 /// A control with the standard ladder on the memory of a folder.
 fn with_ladder(folder: &Path) -> Control {
     let store = Arc::new(Store::open(folder, Settings::new("gsk990mc")).unwrap());

@@ -612,6 +612,8 @@ faults! {
     PasswordLength = 1219,
     /// Too many wrong passwords.
     PasswordWait = 1220,
+    /// The position of a backup for a control that runs, which knows its own.
+    PositionInUse = 1221,
 
     // 1400: the running control
     /// Something that another mode is for.

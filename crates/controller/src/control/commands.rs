@@ -709,6 +709,11 @@ impl Control {
         if self.tick.moving || !self.cnc.is_idle() {
             return Err(Box::new(alarm(Fault::ControlBusy)));
         }
+        // It would give places of axes that stand where they are the names of another moment, and be written over as soon
+        // as one has moved.
+        if items.contains(&Item::LastPosition) {
+            return Err(Box::new(alarm(Fault::PositionInUse)));
+        }
         self.flush()?;
         let store = self.kept()?;
         let backup = Backup::open(&backup_in(store.folder(), file)?).map_err(|error| error.alarm())?;

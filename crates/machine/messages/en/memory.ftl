@@ -54,6 +54,8 @@ FC-1219 = The password is too short or too long
 FC-1220 = Too many wrong passwords
     .detail = wait { $time } s
     .help = Try again after this time.
+FC-1221 = The position is not restored while the control runs
+    .help = The control knows where its axes stand; another moment's position would be wrong. Switch it off and use "ferrocut memory restore" with this item.
 
 label-finding-missing = memory.db is not there
 label-finding-structure = structure of memory.db: { $said }

@@ -54,6 +54,8 @@ FC-1219 = La contraseña es demasiado corta o demasiado larga
 FC-1220 = Demasiadas contraseñas incorrectas
     .detail = espere { $time } s
     .help = Inténtelo de nuevo pasado ese tiempo.
+FC-1221 = La posición no se restaura mientras el control está en marcha
+    .help = El control sabe dónde están sus ejes; la posición de otro momento sería falsa. Apáguelo y use «ferrocut memory restore» con este elemento.
 
 label-finding-missing = no está memory.db
 label-finding-structure = estructura de memory.db: { $said }

@@ -54,6 +54,8 @@ FC-1219 = Parola çok kısa ya da çok uzun
 FC-1220 = Çok fazla yanlış parola
     .detail = { $time } s bekleyin
     .help = Bu süreden sonra yeniden deneyin.
+FC-1221 = Kontrol çalışırken konum geri yüklenmez
+    .help = Kontrol eksenlerinin nerede durduğunu bilir; başka bir ana ait konum yanlış olur. Kontrolü kapatın ve bu öğe için "ferrocut memory restore" kullanın.
 
 label-finding-missing = memory.db yok
 label-finding-structure = memory.db yapısı: { $said }

@@ -54,6 +54,8 @@ FC-1219 = 密码过短或过长
 FC-1220 = 密码错误次数过多
     .detail = 请等待 { $time } 秒
     .help = 请在此时间之后重试。
+FC-1221 = 系统运行时不恢复位置
+    .help = 系统知道各轴所在位置；另一时刻的位置会是错误的。请关闭系统，再用 ferrocut memory restore 恢复此项。
 
 label-finding-missing = memory.db 不存在
 label-finding-structure = memory.db 的结构：{ $said }
