@@ -438,6 +438,24 @@ fn a_travel_switch_is_an_alarm_and_lets_its_axis_go_back() {
     assert_eq!(session.say("$J=G90X0F1000\n"), "ok\r\n");
     session.settle();
     assert_eq!((session.at()[Axis::X], session.say("?").contains("Pn:")), (0.0, false));
+    // Unlocked on its switch it goes no further onto it, nor does another axis onto its own.
+    session.say("G1X50F1000\n");
+    session.wait(4000);
+    session.byte(0x18);
+    session.say("$X\n");
+    let before = session.at()[Axis::X];
+    assert_eq!(session.say("$J=G91X5F1000\n"), "ok\r\n");
+    session.wait(2000);
+    let heard = std::mem::take(&mut session.heard);
+    assert!(heard.contains("ALARM:1"), "{heard}");
+    assert!((session.at()[Axis::X] - before).abs() < 0.2, "{before} {:?}", session.at());
+    session.byte(0x18);
+    session.say("$X\n");
+    assert_eq!(session.say("$J=G91Y8F1000\n"), "ok\r\n");
+    session.settle();
+    assert_eq!(session.say("$J=G90X0F1000\n"), "ok\r\n");
+    session.settle();
+    assert_eq!((session.at()[Axis::X], session.say("?").contains("Pn:")), (0.0, false));
     // It acts again.
     session.say("G1X50F1000\n");
     session.wait(4000);

@@ -3,8 +3,11 @@
 
 use super::{Cnc, State};
 use crate::manual::JogWay;
-use ferrocut_geometry::{Axis, AxisSet};
+use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_machine::Fault;
+
+/// Way in a period that is no motion, mm.
+const STANDS: f64 = 1e-9;
 
 /// What the travel switches say, and the key.
 #[derive(Clone, Copy, Debug, Default)]
@@ -16,6 +19,8 @@ pub(super) struct Overtravel {
     no_minus: AxisSet,
     /// The release is held.
     released: bool,
+    /// Where the axes were to be a period ago.
+    before: Position,
     /// No alarms of them (GSK990MC 61#6).
     ignored: bool,
 }
@@ -77,10 +82,18 @@ impl Cnc {
         let switches = self.switches();
         let (above, below) = (switches.above.and(self.machine_axes), switches.below.and(self.machine_axes));
         (self.overtravel.above, self.overtravel.below) = (above, below);
+        let at = self.motion.position();
+        let before = std::mem::replace(&mut self.overtravel.before, at);
+        // A jog in lines brings an axis back from its switch, and ends where it leads one on.
+        let leads_on = |axis: Axis| {
+            let way = at[axis] - before[axis];
+            above.contains(axis) && way > STANDS || below.contains(axis) && way < -STANDS
+        };
+        let jogs_on = self.is_jogging() && self.machine_axes.iter().any(leads_on);
         if above.is_empty() && below.is_empty() {
             return;
         }
-        if self.overtravel.ignored || self.acts_release() {
+        if self.overtravel.ignored || self.acts_release() && !jogs_on {
             // The release lets an axis go back, not on.
             self.brake_blocked();
         } else if !matches!(self.state, State::Alarmed(_)) && self.failed.is_none() {
