@@ -64,6 +64,36 @@ fn g28_stops_at_its_intermediate_point_too() {
     assert_eq!(stops(&mut cnc), [(30.0, 5.0), (40.0, 20.0), (0.0, 0.0), (5.0, 0.0)]);
 }
 
+/// GSK990MC 51#5: with single block macro statements are blocks of their own, in both forms of the language, where no
+/// cutter compensation looks ahead over them.
+#[test]
+fn single_block_stops_behind_macro_statements_where_a_parameter_says_so() {
+    let program = "#1=1\nG1 X5 F3000\n/#2=0\nIF [#1 EQ 1] GOTO 9\nX9\nN9 G65 H01 P#3 Q0\nWHILE [#3 LT 2] DO 1\n\
+        #3=#3+1\nX[10+#3]\nEND 1\nG41 D1 X20\n#4=1\nX30\nG40 X40\nM30\n";
+    let lines = |bit: u8, single: bool| {
+        let setup = format!("[parameters]\n\"NO51.5\" = {bit}\n[tools.1]\nradius = 1.0");
+        let mut cnc = cnc_with(&machine(), program, &setup);
+        cnc.set_block_skip(true, false);
+        cnc.set_single_block(single);
+        let mut found = Vec::new();
+        for _ in 0..40 {
+            cnc.cycle_start();
+            let line = until_it_stops(&mut cnc).last().map(|tick| tick.span.line);
+            match cnc.state() {
+                State::BlockEnd => found.extend(line),
+                state => {
+                    assert_eq!(state, &State::Ended);
+                    return found;
+                }
+            }
+        }
+        panic!("never ends: {found:?}");
+    };
+    assert_eq!(lines(0, true), [2, 9, 11, 13, 14]);
+    assert_eq!(lines(1, true), [1, 2, 4, 6, 7, 8, 9, 10, 7, 8, 9, 10, 7, 11, 13, 14]);
+    assert_eq!(lines(1, false), [0; 0]);
+}
+
 #[test]
 fn a_block_is_finished_exactly_whenever_that_is_asked_for() {
     let machine = machine();

@@ -486,6 +486,8 @@ pub struct Rules {
     pub tools_carry_offsets: bool,
     /// A choice of plane ends canned cycles; else it is an alarm while one is in force.
     pub plane_ends_cycle: bool,
+    /// With single block, macro statements are blocks of their own; else the program runs through them.
+    pub single_in_macros: bool,
     /// Axes that the control carries.
     pub axes: AxisSet,
     /// Those of them that are linear.
@@ -516,6 +518,7 @@ impl Default for Rules {
             repeats_are_alarms: false,
             distance_is_exclusive: true,
             m_codes_in_block: u8::MAX,
+            single_in_macros: false,
             max_call_depth: 0,
             max_macro_depth: 0,
             max_repeats: 0.0,

@@ -6,7 +6,8 @@ use crate::custom::{Custom, Suspended};
 use crate::interpreter::Interpreter;
 use crate::search::Mark;
 use ferrocut_machine::{Alarm, Fault};
-use ferrocut_program::{Block, Page, Place, ProgramId, ProgramMemory, Span, Statement, Value};
+use ferrocut_program::{Block, Page, Place, ProgramId, ProgramMemory, Span, Statement, Value, Word};
+use ferrocut_toolpath::{Dwell, Op};
 use rustc_hash::FxHashMap;
 use std::io;
 use std::sync::Arc;
@@ -354,7 +355,25 @@ impl Loops {
     }
 }
 
+/// Whether a block is a statement of the macro language (GSK990MC 4.9; in its other form G65 H).
+fn is_macro_statement(page: &Page, block: &Block) -> bool {
+    let has = |letter: u8| page.words(block).iter().any(|word| word.letter == letter);
+    let is_g65 = |word: &Word| word.letter == b'G' && word.value() == Value::Number(65.0);
+    page.statement(block).is_some() || has(b'H') && page.words(block).iter().any(is_g65)
+}
+
 impl Interpreter {
+    /// A macro statement was done where the program is run block by block: a dwell of no time gives it an end. Not in
+    /// cutter compensation, whose corners would be cut otherwise for it.
+    fn emit_single_stop(&mut self) -> Fallible<()> {
+        if self.output.looks_ahead() || self.output.in_cutter_mode() {
+            return Ok(());
+        }
+        // Not by `emit`: a program that only reckons does not get on.
+        let step = self.step(Op::Dwell(Dwell::Seconds(0.0)));
+        self.output.push(step).map_err(|(fault, span)| self.alarm(fault, span))
+    }
+
     /// Runs one block.
     pub(crate) fn run_block(&mut self) -> Fallible<()> {
         self.flow.idle += 1;
@@ -414,7 +433,17 @@ impl Interpreter {
                 result = self.emit_barrier();
                 Present::Known
             }
-            _ => Present::Unknown,
+            _ => {
+                let stops = self.options.single_block && self.rules.single_in_macros;
+                let block = page.blocks.get(index).filter(|block| stops && !self.is_skipped(block));
+                if result.is_ok()
+                    && !self.ended
+                    && block.is_some_and(|block| is_macro_statement(&page, block))
+                {
+                    result = self.emit_single_stop();
+                }
+                Present::Unknown
+            }
         };
         if (self.flow.place.file, self.flow.place.page) == (at.file, at.page) {
             self.flow.page = Some(page);

@@ -75,6 +75,8 @@ pub struct Options {
     pub block_skip: bool,
     /// M01 stops.
     pub optional_stop: bool,
+    /// The program is run block by block: macro statements that are blocks of their own are steps.
+    pub single_block: bool,
     /// The simulated skip signal comes when this axis passes this machine position.
     pub skip: Option<(Axis, f64)>,
     /// Goes on behind an alarm, for checking; else it ends the run.

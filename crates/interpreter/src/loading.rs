@@ -74,6 +74,11 @@ impl Interpreter {
         self.options.optional_stop = optional_stop;
     }
 
+    /// Whether blocks that are read from now on are run one by one.
+    pub fn set_single_block(&mut self, single_block: bool) {
+        self.options.single_block = single_block;
+    }
+
     /// Whether the text of the main program may end without an end of program, as blocks do that the operator types.
     pub fn set_open_end(&mut self, open: bool) {
         self.options.open_end = open;

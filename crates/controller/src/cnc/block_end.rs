@@ -145,6 +145,7 @@ impl Cnc {
     /// Single block: the program stops behind every block.
     pub fn set_single_block(&mut self, on: bool) {
         self.blocks.single = on;
+        self.interpreter.set_single_block(on);
     }
 
     /// The block under way is the last one for now: the program stops at its end, as with single block.

@@ -159,6 +159,7 @@ pub(super) struct Interpreting {
     is_over: bool,
     /// Switches, and the block that the machine has come to, which it was not told of yet.
     switches: Option<(bool, bool)>,
+    single: Option<bool>,
     passed: Option<u64>,
 }
 
@@ -180,6 +181,7 @@ impl Interpreting {
             waits: false,
             is_over: false,
             switches: None,
+            single: None,
             passed: None,
         }
     }
@@ -275,6 +277,12 @@ impl Interpreting {
         self.tell();
     }
 
+    /// Whether blocks that are read from now on are run one by one.
+    pub fn set_single_block(&mut self, single: bool) {
+        self.single = Some(single);
+        self.tell();
+    }
+
     /// The machine is at this block: what is kept of those before it is not needed.
     pub fn forget_before(&mut self, block: u64) {
         self.passed = Some(block);
@@ -288,6 +296,9 @@ impl Interpreting {
         }
         if let Some((block_skip, optional_stop)) = self.switches.take() {
             self.change().set_switches(block_skip, optional_stop);
+        }
+        if let Some(single) = self.single.take() {
+            self.change().set_single_block(single);
         }
         if let Some(block) = self.passed.take() {
             self.change().forget_before(block);

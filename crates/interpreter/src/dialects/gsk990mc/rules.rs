@@ -54,6 +54,7 @@ pub fn rules(parameters: &Parameters) -> Rules {
         max_feed_per_revolution: 500.0,
         max_spindle_rpm: p(258),
         rapid_is_straight: parameters.bit(12, 1),
+        single_in_macros: parameters.bit(51, 5),
         // 4.2.3 B.
         helix_feed_along_circle: true,
         arc_tolerance: p(214),
