@@ -14,6 +14,7 @@ var log_default = {
 	"uploaded": "Uploaded",
 	"recovered": "Recovered",
 	"exchanged": "Exchanged",
+	"machine_zero": "Machine zero set, {axis}",
 	"all": "All entries",
 	"parts": "Parts",
 	"all-parts": "Parts in all",

@@ -14,6 +14,7 @@ var log_default = {
 	"uploaded": "Subido",
 	"recovered": "Recuperado",
 	"exchanged": "Cambiado",
+	"machine_zero": "Cero máquina fijado, eje {axis}",
 	"all": "Todas las entradas",
 	"parts": "Piezas",
 	"all-parts": "Piezas en total",

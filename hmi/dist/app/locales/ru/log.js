@@ -14,6 +14,7 @@ var log_default = {
 	"uploaded": "Загружено",
 	"recovered": "Спасено",
 	"exchanged": "Заменена",
+	"machine_zero": "Задан нуль станка, ось {axis}",
 	"all": "Все записи",
 	"parts": "Детали",
 	"all-parts": "Деталей всего",

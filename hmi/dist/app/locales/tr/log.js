@@ -14,6 +14,7 @@ var log_default = {
 	"uploaded": "Karşıya yüklendi",
 	"recovered": "Kurtarıldı",
 	"exchanged": "Değiştirildi",
+	"machine_zero": "Makine sıfırı ayarlandı, {axis} ekseni",
 	"all": "Tüm kayıtlar",
 	"parts": "Parçalar",
 	"all-parts": "Toplam parça",

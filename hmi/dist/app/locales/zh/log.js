@@ -14,6 +14,7 @@ var log_default = {
 	"uploaded": "已上传",
 	"recovered": "已修复",
 	"exchanged": "已更换",
+	"machine_zero": "设置机床零点，{axis} 轴",
 	"all": "全部条目",
 	"parts": "零件数",
 	"all-parts": "零件总数",

@@ -21,6 +21,7 @@ var NAMES = {
 		[/^recovered$/, "log.recovered"]
 	],
 	ladder: [[/^exchanged$/, "log.exchanged"]],
+	position: [[/^machine zero (?<axis>[A-Z])$/, "log.machine_zero"]],
 	alarms: [[/^all$/, "log.all"]],
 	log: [[/^all$/, "log.all"]],
 	counters: [
