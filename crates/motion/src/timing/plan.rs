@@ -933,7 +933,7 @@ impl Plan {
                 }
             }
             if found {
-                let pieces = self.valley.pieces();
+                let pieces = self.valley.way();
                 if !is_other {
                     self.stretches.truncate(known + begin);
                     is_other = true;

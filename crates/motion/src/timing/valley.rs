@@ -225,7 +225,7 @@ impl Valley {
     }
 
     /// What was found.
-    pub fn pieces(&self) -> &[Piece] {
+    pub fn way(&self) -> &[Piece] {
         &self.way
     }
 
