@@ -1,7 +1,7 @@
 //! What all connections to a control share: who is connected, who is in command, what each is told.
 //!
-//! A connection reads on a thread of its own and answers there ([`Connection::converse`]); what it is told waits in a
-//! bounded queue. A key that is pressed over a connection is let go when the connection ends, or is not heard of for
+//! A connection reads on a thread of its own and answers there ([`Connection::converse`]); what takes long is done on
+//! a second one, so that nothing that comes behind it waits. What is told waits in a bounded queue. A key that is pressed over a connection is let go when the connection ends, or is not heard of for
 //! [`DEAD_MAN`]. Where the bytes come from is the caller's affair: [`crate::lines`] has sockets of this computer,
 //! [`crate::web`] browsers.
 
@@ -15,8 +15,9 @@ use serde_json::{Map, Value, json};
 use std::collections::HashMap;
 use std::io::{self, ErrorKind};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::mpsc::{RecvTimeoutError, SyncSender, sync_channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 use tokio::sync::mpsc;
 
@@ -31,6 +32,9 @@ pub const LONGEST_LINE: usize = 4 << 20;
 
 /// Lines that wait for a reader.
 const MOST_WAITING: usize = 256;
+
+/// Commands of a connection that take long, and wait for the one that is being done.
+pub const MOST_LONG: usize = 4;
 
 /// Connections at once.
 pub const MOST_CONNECTIONS: usize = 48;
@@ -162,12 +166,26 @@ pub(crate) fn line_of(value: &impl serde::Serialize) -> Line {
 
 /// A connection that has joined. Whatever ends it lets its keys go.
 pub struct Connection<S: Service> {
+    joined: Arc<Joined<S>>,
+    keys: Vec<String>,
+    beside: Option<Beside<S>>,
+}
+
+/// What both threads of a connection need.
+struct Joined<S: Service> {
     hub: Arc<Hub<S>>,
     number: u64,
     visitor: Visitor,
     out: mpsc::Sender<Line>,
     is_slow: Arc<AtomicBool>,
-    keys: Vec<String>,
+    /// The connection ends: what waits is not done any more.
+    ends: AtomicBool,
+}
+
+/// The thread that does what takes long, one command behind the other.
+struct Beside<S: Service> {
+    commands: SyncSender<(Value, S::Command)>,
+    thread: JoinHandle<()>,
 }
 
 impl<S: Service> Hub<S> {
@@ -200,8 +218,9 @@ impl<S: Service> Hub<S> {
             session: visitor.session.clone(),
         };
         let _ = out.try_send(line_of(&hello));
-        let hub = self.clone();
-        Some((Connection { hub, number, visitor, out, is_slow, keys: Vec::new() }, waiting))
+        let ends = AtomicBool::new(false);
+        let joined = Joined { hub: self.clone(), number, visitor, out, is_slow, ends };
+        Some((Connection { joined: Arc::new(joined), keys: Vec::new(), beside: None }, waiting))
     }
 
     /// How many are connected.
@@ -290,25 +309,31 @@ fn send(member: &Member, line: Line) {
 
 impl<S: Service> Drop for Connection<S> {
     fn drop(&mut self) {
+        self.joined.ends.store(true, Ordering::Relaxed);
         self.release();
-        if let Some(command) = S::farewell() {
-            self.order(command);
-        }
-        lock(&self.hub.members).remove(&self.number);
-        self.withdraw();
+        self.joined.withdraw();
         self.give_command();
+        // What it began ends before its rights do.
+        if let Some(Beside { commands, thread }) = self.beside.take() {
+            drop(commands);
+            let _ = thread.join();
+        }
+        if let Some(command) = S::farewell() {
+            self.joined.order(command);
+        }
+        lock(&self.joined.hub.members).remove(&self.joined.number);
     }
 }
 
 impl<S: Service> Connection<S> {
     /// Answers what comes until it ends. Says why it does.
     pub fn converse(mut self, incoming: &mut impl Incoming) -> &'static str {
-        let out = self.out.clone();
+        let out = self.joined.out.clone();
         let reason = loop {
-            if self.is_slow.load(Ordering::Relaxed) {
+            if self.joined.is_slow.load(Ordering::Relaxed) {
                 break "too_slow";
             }
-            if (self.visitor.rights)().is_none() {
+            if (self.joined.visitor.rights)().is_none() {
                 break "logged_out";
             }
             // The next look would come too late.
@@ -318,7 +343,7 @@ impl<S: Service> Connection<S> {
             match incoming.next() {
                 Ok(Some(line)) => {
                     let (answer, then) = self.answer(&line);
-                    if out.try_send(line_of(&answer)).is_err() {
+                    if answer.is_some_and(|answer| out.try_send(line_of(&answer)).is_err()) {
                         break "too_slow";
                     }
                     if let Some(then) = then {
@@ -338,9 +363,144 @@ impl<S: Service> Connection<S> {
 
     /// Set where what waits is not taken.
     pub fn slow(&self) -> Arc<AtomicBool> {
-        self.is_slow.clone()
+        self.joined.is_slow.clone()
     }
 
+    /// Lets all keys go.
+    fn release(&mut self) {
+        for key in std::mem::take(&mut self.keys) {
+            self.joined.order(S::release(&key));
+        }
+    }
+
+    fn note(&mut self, key: &str, down: bool) {
+        self.keys.retain(|own| own != key);
+        if down {
+            self.keys.push(key.to_owned());
+        }
+    }
+
+    /// What it moves by hand comes to rest, since it commands no longer.
+    fn abandon(&mut self) {
+        self.release();
+        if let Some(command) = S::abandoned() {
+            self.joined.order(command);
+        }
+    }
+
+    fn give_command(&mut self) {
+        // Nobody else gives up this one's command; whoever takes it next comes behind all that ends with it.
+        if lock(&self.joined.hub.helm).holder() == Some(self.joined.number) {
+            self.abandon();
+            self.joined.note_command(SessionNote::LeavesCommand);
+            lock(&self.joined.hub.helm).leave();
+            self.joined.hub.tell_command();
+        }
+    }
+
+    fn hand_over(&mut self, to: u64) -> Result<(), &'static str> {
+        // All that ends with this one's command stands in the machine's queue before the other may add to it. It is
+        // only this thread that takes command from this connection, so that it is still in command then.
+        if lock(&self.joined.hub.helm).may_answer(self.joined.number, to).is_ok() {
+            self.abandon();
+        }
+        lock(&self.joined.hub.helm).hand_over(self.joined.number, to)?;
+        self.joined.note_command(SessionNote::HandsOver { to });
+        self.joined.hub.tell_command();
+        Ok(())
+    }
+
+    /// The answer to a line, and what is told behind it; no answer yet where it takes long.
+    fn answer(&mut self, line: &[u8]) -> (Option<Value>, Option<Line>) {
+        let Ok(Value::Object(mut object)) = serde_json::from_slice::<Value>(line) else {
+            return (Some(json!({ "id": null, "error": "no_object" })), None);
+        };
+        let id = object.remove("id").unwrap_or(Value::Null);
+        if !matches!(id, Value::Null | Value::Number(_) | Value::String(_)) {
+            return (Some(json!({ "id": null, "error": "bad_id" })), None);
+        }
+        let mut then = None;
+        let answer = match self.own_command(&object, &mut then) {
+            Some(answer) => Some(answer),
+            None => self.request(&id, object),
+        };
+        (answer.map(|answer| with_id(answer, id)), then)
+    }
+
+    /// Commands of the connection itself.
+    fn own_command(&mut self, object: &Map<String, Value>, then: &mut Option<Line>) -> Option<Answer> {
+        let command = match ConnectionCommand::of(object)? {
+            Ok(command) => command,
+            Err(e) => return Some(Err(error("no_command", &e.to_string()))),
+        };
+        let joined = self.joined.clone();
+        let (mut done, mut took) = (Ok(()), false);
+        match command {
+            ConnectionCommand::Alive => {}
+            ConnectionCommand::Watch { events, status } => {
+                if let Some(member) = lock(&joined.hub.members).get_mut(&joined.number) {
+                    (member.events, member.statuses) = (events, status);
+                }
+                if events {
+                    *then = Some(command_event(&lock(&joined.hub.helm), joined.number));
+                }
+            }
+            ConnectionCommand::TakeCommand => match lock(&joined.hub.helm).take(joined.number) {
+                Err(other) => return Some(Err(error("taken", &other.to_string()))),
+                Ok(is_new) => took = is_new,
+            },
+            ConnectionCommand::GiveCommand => {
+                self.release();
+                self.give_command();
+            }
+            ConnectionCommand::AskForCommand => done = joined.ask_for_command(),
+            ConnectionCommand::WithdrawRequest => joined.withdraw(),
+            ConnectionCommand::HandOver { to } => done = self.hand_over(to),
+            ConnectionCommand::Decline { to } => done = joined.decline(to),
+        }
+        if took {
+            joined.note_command(SessionNote::TakesCommand);
+            joined.hub.tell_command();
+        }
+        Some(done.map(|()| Value::Null).map_err(|code| error(code, "")))
+    }
+
+    /// Has a command of the machine done; no answer yet where that takes long.
+    fn request(&mut self, id: &Value, object: Map<String, Value>) -> Option<Answer> {
+        let command: S::Command = match serde_json::from_value(Value::Object(object)) {
+            Ok(command) => command,
+            Err(e) => return Some(Err(error("no_command", &e.to_string()))),
+        };
+        if let Err(error) = self.joined.may(&command) {
+            return Some(Err(error));
+        }
+        if S::takes_long(&command) {
+            return self.put_beside(id.clone(), command).err().map(Err);
+        }
+        if let Some((key, down)) = S::key(&command) {
+            self.note(key, down);
+        }
+        Some(self.joined.ask(command))
+    }
+
+    /// Has a command done that takes long, on the thread for these: `busy` where too many wait.
+    fn put_beside(&mut self, id: Value, command: S::Command) -> Result<(), Map<String, Value>> {
+        let busy = || error("busy", "");
+        if self.beside.is_none() {
+            let (commands, waiting) = sync_channel(MOST_LONG);
+            let joined = self.joined.clone();
+            let thread = std::thread::Builder::new()
+                .name("long commands".to_owned())
+                .spawn(move || joined.do_long(&waiting))
+                .map_err(|_| busy())?;
+            self.beside = Some(Beside { commands, thread });
+        }
+        let sent = self.beside.as_ref().map(|beside| beside.commands.try_send((id, command)));
+        if sent.is_some_and(|sent| sent.is_ok()) { Ok(()) } else { Err(busy()) }
+    }
+}
+
+impl<S: Service> Joined<S> {
     fn caller(&self) -> Caller {
         let name = match self.visitor.from.as_str() {
             "" => format!("connection {}", self.number),
@@ -362,38 +522,6 @@ impl<S: Service> Connection<S> {
             .hub
             .commands
             .send(Request::Look(Box::new(move |service: &mut S| service.commanded(&from, note))));
-    }
-
-    /// Lets all keys go.
-    fn release(&mut self) {
-        for key in std::mem::take(&mut self.keys) {
-            self.order(S::release(&key));
-        }
-    }
-
-    fn note(&mut self, key: &str, down: bool) {
-        self.keys.retain(|own| own != key);
-        if down {
-            self.keys.push(key.to_owned());
-        }
-    }
-
-    /// What it moves by hand comes to rest, since it commands no longer.
-    fn abandon(&mut self) {
-        self.release();
-        if let Some(command) = S::abandoned() {
-            self.order(command);
-        }
-    }
-
-    fn give_command(&mut self) {
-        // Nobody else gives up this one's command; whoever takes it next comes behind all that ends with it.
-        if lock(&self.hub.helm).holder() == Some(self.number) {
-            self.abandon();
-            self.note_command(SessionNote::LeavesCommand);
-            lock(&self.hub.helm).leave();
-            self.hub.tell_command();
-        }
     }
 
     fn person(&self) -> Person {
@@ -420,18 +548,6 @@ impl<S: Service> Connection<S> {
         }
     }
 
-    fn hand_over(&mut self, to: u64) -> Result<(), &'static str> {
-        // All that ends with this one's command stands in the machine's queue before the other may add to it. It is
-        // only this thread that takes command from this connection, so that it is still in command then.
-        if lock(&self.hub.helm).may_answer(self.number, to).is_ok() {
-            self.abandon();
-        }
-        lock(&self.hub.helm).hand_over(self.number, to)?;
-        self.note_command(SessionNote::HandsOver { to });
-        self.hub.tell_command();
-        Ok(())
-    }
-
     fn decline(&self, to: u64) -> Result<(), &'static str> {
         lock(&self.hub.helm).decline(self.number, to, Instant::now())?;
         self.note_command(SessionNote::Declines { to });
@@ -442,72 +558,15 @@ impl<S: Service> Connection<S> {
         Ok(())
     }
 
-    /// The answer to a line, and what is told behind it.
-    fn answer(&mut self, line: &[u8]) -> (Value, Option<Line>) {
-        let Ok(Value::Object(mut object)) = serde_json::from_slice::<Value>(line) else {
-            return (json!({ "id": null, "error": "no_object" }), None);
-        };
-        let id = object.remove("id").unwrap_or(Value::Null);
-        if !matches!(id, Value::Null | Value::Number(_) | Value::String(_)) {
-            return (json!({ "id": null, "error": "bad_id" }), None);
+    /// Whether it may give a command now.
+    fn may(&self, command: &S::Command) -> Result<(), Map<String, Value>> {
+        match S::need(command) == Need::Command && lock(&self.hub.helm).holder() != Some(self.number) {
+            true => Err(error("not_in_command", "")),
+            false => Ok(()),
         }
-        let mut answer = Map::new();
-        let mut then = None;
-        match self.own_command(&object, &mut then).unwrap_or_else(|| self.request(object)) {
-            Ok(Value::Object(reply)) => answer = reply,
-            Ok(_) => drop(answer.insert("reply".to_owned(), json!("done"))),
-            Err(error) => answer = error,
-        }
-        answer.insert("id".to_owned(), id);
-        (Value::Object(answer), then)
     }
 
-    /// Commands of the connection itself.
-    fn own_command(&mut self, object: &Map<String, Value>, then: &mut Option<Line>) -> Option<Answer> {
-        let command = match ConnectionCommand::of(object)? {
-            Ok(command) => command,
-            Err(e) => return Some(Err(error("no_command", &e.to_string()))),
-        };
-        let (mut done, mut took) = (Ok(()), false);
-        match command {
-            ConnectionCommand::Alive => {}
-            ConnectionCommand::Watch { events, status } => {
-                if let Some(member) = lock(&self.hub.members).get_mut(&self.number) {
-                    (member.events, member.statuses) = (events, status);
-                }
-                if events {
-                    *then = Some(command_event(&lock(&self.hub.helm), self.number));
-                }
-            }
-            ConnectionCommand::TakeCommand => match lock(&self.hub.helm).take(self.number) {
-                Err(other) => return Some(Err(error("taken", &other.to_string()))),
-                Ok(is_new) => took = is_new,
-            },
-            ConnectionCommand::GiveCommand => {
-                self.release();
-                self.give_command();
-            }
-            ConnectionCommand::AskForCommand => done = self.ask_for_command(),
-            ConnectionCommand::WithdrawRequest => self.withdraw(),
-            ConnectionCommand::HandOver { to } => done = self.hand_over(to),
-            ConnectionCommand::Decline { to } => done = self.decline(to),
-        }
-        if took {
-            self.note_command(SessionNote::TakesCommand);
-            self.hub.tell_command();
-        }
-        Some(done.map(|()| Value::Null).map_err(|code| error(code, "")))
-    }
-
-    fn request(&mut self, object: Map<String, Value>) -> Answer {
-        let command: S::Command =
-            serde_json::from_value(Value::Object(object)).map_err(|e| error("no_command", &e.to_string()))?;
-        if S::need(&command) == Need::Command && lock(&self.hub.helm).holder() != Some(self.number) {
-            return Err(error("not_in_command", ""));
-        }
-        if let Some((key, down)) = S::key(&command) {
-            self.note(key, down);
-        }
+    fn ask(&self, command: S::Command) -> Answer {
         match self.hub.ask(command, self.caller()) {
             Ok(Ok(reply)) => Ok(serde_json::to_value(&reply).unwrap_or_default()),
             Ok(Err(refusal)) => {
@@ -518,6 +577,30 @@ impl<S: Service> Connection<S> {
             Err(code) => Err(error(code, "")),
         }
     }
+
+    /// Does what takes long until the connection ends. Command may have gone meanwhile.
+    fn do_long(&self, waiting: &Receiver<(Value, S::Command)>) {
+        while let Ok((id, command)) = waiting.recv() {
+            if self.ends.load(Ordering::Relaxed) {
+                return;
+            }
+            let answer = self.may(&command).map_or_else(Err, |()| self.ask(command));
+            if self.out.try_send(line_of(&with_id(answer, id))).is_err() {
+                self.is_slow.store(true, Ordering::Relaxed);
+            }
+        }
+    }
+}
+
+/// An answer as it is sent.
+fn with_id(answer: Answer, id: Value) -> Value {
+    let mut fields = match answer {
+        Ok(Value::Object(reply)) => reply,
+        Ok(_) => Map::from_iter([("reply".to_owned(), json!("done"))]),
+        Err(error) => error,
+    };
+    fields.insert("id".to_owned(), id);
+    Value::Object(fields)
 }
 
 /// A reply, or what stands in its place.

@@ -1,13 +1,13 @@
 //! The whole control for sockets (`docs/api.md` has its commands).
 
+use crate::hub::Hub;
 use crate::service::{Aside, Caller, Need, Service};
 use ferrocut_controller::Tick;
 use ferrocut_controller::api::{API_VERSION, Command, Event, Refusal, Reply, Status};
-use ferrocut_controller::control::{Control, check_ladder};
+use ferrocut_controller::control::{Control, check_ladder, ladder_of};
 use ferrocut_controller::diagnosis::{named_in, table};
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_memory::{Author, Level, SessionNote, Store};
-use ferrocut_plc::plcopen::is_xml;
 use ferrocut_program::Span;
 use std::sync::Arc;
 
@@ -53,24 +53,13 @@ impl Panel {
     }
 }
 
-/// Looks at ladders, their names and passwords on the thread of whoever gives them, since that takes many periods.
+/// Looks at ladders, their names and passwords on a thread of whoever gives them, since that takes many periods.
 /// What was found of a password is told to the control, which has the rights from then on.
 pub fn aside(store: Option<Arc<Store>>) -> Aside<Panel> {
     Box::new(move |hub, command, from| {
         match command {
             Command::CheckLadder { text } => return Some(Ok(check_ladder(text))),
-            // The control gets its list; rights are judged there.
-            Command::ExchangeLadder { text } if is_xml(text.as_bytes()) => {
-                return match check_ladder(text) {
-                    Reply::LadderChecked { list: Some(text), .. } => {
-                        hub.ask(Command::ExchangeLadder { text }, from.clone()).ok()
-                    }
-                    Reply::LadderChecked { faults, .. } => {
-                        faults.into_iter().next().map(|alarm| Err(Refusal { alarm }))
-                    }
-                    _ => None,
-                };
-            }
+            Command::ExchangeLadder { text } => return exchange(hub, text, from),
             Command::SignalTable { area, language } => {
                 let (area, language) = named_in(*area, language.as_deref())?;
                 let copy = |panel: &mut Panel| {
@@ -113,6 +102,18 @@ pub fn aside(store: Option<Arc<Store>>) -> Aside<Panel> {
             }
         })
     })
+}
+
+/// Puts a ladder in the place of the one that runs. Who may not is told that before it is looked at.
+fn exchange(hub: &Hub<Panel>, text: &str, from: &Caller) -> Option<Result<Reply, Refusal>> {
+    let (asks, gives) = (from.author(), from.author());
+    if let Err(refusal) = hub.look(move |panel| panel.control().may_exchange_ladder(&asks))? {
+        return Some(Err(refusal));
+    }
+    match ladder_of(text) {
+        Ok(program) => hub.look(move |panel| panel.control().take_ladder(program, &gives)),
+        Err(refusal) => Some(Err(refusal)),
+    }
 }
 
 fn level_of(number: u8) -> Result<Level, Refusal> {
@@ -196,6 +197,17 @@ impl Service for Panel {
             Command::Key { key, down } => Some((key, *down)),
             _ => None,
         }
+    }
+
+    fn takes_long(command: &Command) -> bool {
+        matches!(
+            command,
+            Command::LogIn { .. }
+                | Command::SetPassword { .. }
+                | Command::CheckLadder { .. }
+                | Command::ExchangeLadder { .. }
+                | Command::SignalTable { .. }
+        )
     }
 
     fn release(key: &str) -> Command {

@@ -57,6 +57,12 @@ pub trait Service: Send + 'static {
     /// The key that a command presses (`true`) or lets go.
     fn key(command: &Self::Command) -> Option<(&str, bool)>;
 
+    /// Whether a command takes so long (more than some periods) that what the same connection sends behind it must not
+    /// wait: it is done beside, and answered once it is done. Never one that moves or stops something.
+    fn takes_long(_command: &Self::Command) -> bool {
+        false
+    }
+
     /// The command that lets a key go.
     fn release(key: &str) -> Self::Command;
 
@@ -92,7 +98,7 @@ impl Caller {
     }
 }
 
-/// What is done on the thread of whoever gives a command, since it takes longer than a period; none is the machine's.
+/// What is done on a thread of whoever gives a command, since it takes longer than a period; none is the machine's.
 pub type Aside<S> = Box<
     dyn Fn(
             &Hub<S>,

@@ -1,9 +1,9 @@
 //! JSON lines over a socket: answers, watchers, keys that are let go, readers that are too slow, and whatever bytes.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
-use ferrocut_server::hub::{Hub, LONGEST_LINE, start};
+use ferrocut_server::hub::{Hub, LONGEST_LINE, MOST_LONG, start};
 use ferrocut_server::lines::{listen_at, serve};
-use ferrocut_server::service::{Caller, Need, Service};
+use ferrocut_server::service::{Aside, Caller, Need, Service};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use std::io::{BufRead, BufReader, ErrorKind, Read, Write};
@@ -25,11 +25,20 @@ struct Toy {
 #[derive(Deserialize)]
 #[serde(tag = "do", rename_all = "snake_case")]
 enum Command {
-    Key { key: String, down: bool },
+    Key {
+        key: String,
+        down: bool,
+    },
     Stop,
     Position,
     Refuse,
-    Chatter { count: usize },
+    Chatter {
+        count: usize,
+    },
+    /// Takes long.
+    Ponder {
+        ms: u64,
+    },
 }
 
 #[derive(Serialize)]
@@ -64,6 +73,7 @@ impl Service for Toy {
             Command::Chatter { count } => {
                 self.events.extend((0..count).map(|_| json!({ "text": "x".repeat(20_000) })))
             }
+            Command::Ponder { .. } => return Err("not here"),
         }
         Ok(json!({ "reply": "done" }))
     }
@@ -78,7 +88,7 @@ impl Service for Toy {
     fn need(command: &Command) -> Need {
         match command {
             Command::Position | Command::Stop | Command::Chatter { .. } => Need::Nothing,
-            Command::Key { .. } | Command::Refuse => Need::Command,
+            Command::Key { .. } | Command::Refuse | Command::Ponder { .. } => Need::Command,
         }
     }
     fn key(command: &Command) -> Option<(&str, bool)> {
@@ -86,6 +96,9 @@ impl Service for Toy {
             Command::Key { key, down } => Some((key, *down)),
             _ => None,
         }
+    }
+    fn takes_long(command: &Command) -> bool {
+        matches!(command, Command::Ponder { .. })
     }
     fn release(key: &str) -> Command {
         Command::Key { key: key.to_owned(), down: false }
@@ -95,7 +108,12 @@ impl Service for Toy {
 /// A machine with its thread.
 fn machine() -> (ferrocut_server::runner::Runner<ferrocut_server::service::Served<Toy>>, Arc<Hub<Toy>>) {
     let toy = Toy { at: 0.0, is_pressed: false, events: Vec::new(), ticks: Arc::default() };
-    start(toy, Duration::from_millis(1), None, None).unwrap()
+    let aside: Aside<Toy> = Box::new(|_, command, _| {
+        let Command::Ponder { ms } = command else { return None };
+        std::thread::sleep(Duration::from_millis(*ms));
+        Some(Ok(json!({ "reply": "pondered" })))
+    });
+    start(toy, Duration::from_millis(1), None, Some(aside)).unwrap()
 }
 
 /// A machine that is served, at a port of its own.
@@ -283,6 +301,76 @@ fn a_key_is_let_go_when_nobody_is_heard_of() {
         assert!(Instant::now() < until, "still pressed by nobody");
         std::thread::sleep(Duration::from_millis(10));
     }
+}
+
+#[test]
+fn what_takes_long_holds_up_nothing_of_the_same_connection() {
+    let place = place();
+    let (mut client, mut other) = (Client::new(&place), Client::new(&place));
+    client.ask(r#"{"do":"take_command"}"#);
+    client.ask(r#"{"do":"key","key":"X+","down":true}"#);
+    assert!(other.moves());
+    let began = Instant::now();
+    client.say(r#"{"id":1,"do":"ponder","ms":3000}"#);
+    client.say(r#"{"id":2,"do":"ponder","ms":1}"#);
+    // The key is let go at once, and what comes behind is done too.
+    assert_eq!(client.ask(r#"{"id":3,"do":"key","key":"X+","down":false}"#), json!({"id":3,"reply":"done"}));
+    assert_eq!(client.ask(r#"{"id":4,"do":"position"}"#)["moves"], json!(false));
+    assert_eq!(client.ask(r#"{"id":5,"do":"stop"}"#), json!({"id":5,"reply":"done"}));
+    assert!(began.elapsed() < Duration::from_secs(2), "{:?}", began.elapsed());
+    // Their answers come in their own order.
+    assert_eq!(client.hear(), json!({"id":1,"reply":"pondered"}));
+    assert!(began.elapsed() >= Duration::from_secs(3));
+    assert_eq!(client.hear(), json!({"id":2,"reply":"pondered"}));
+}
+
+#[test]
+fn a_key_is_let_go_by_a_connection_that_ends_while_something_takes_long() {
+    let place = place();
+    let (mut client, mut other) = (Client::new(&place), Client::new(&place));
+    client.ask(r#"{"do":"take_command"}"#);
+    let began = Instant::now();
+    client.say(r#"{"do":"ponder","ms":5000}"#);
+    client.ask(r#"{"do":"key","key":"X+","down":true}"#);
+    assert!(other.moves());
+    drop(client);
+    while other.moves() {
+        assert!(began.elapsed() < Duration::from_secs(4), "still pressed");
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    // Command is free as well.
+    while other.ask(r#"{"do":"take_command"}"#)["reply"] != json!("done") {
+        assert!(began.elapsed() < Duration::from_secs(4), "still in command");
+        std::thread::sleep(Duration::from_millis(10));
+    }
+}
+
+#[test]
+fn what_takes_long_needs_command_and_waits_in_a_bounded_queue() {
+    let place = place();
+    let mut client = Client::new(&place);
+    assert_eq!(client.ask(r#"{"do":"ponder","ms":1}"#)["error"], json!("not_in_command"));
+    client.ask(r#"{"do":"take_command"}"#);
+    client.say(r#"{"id":0,"do":"ponder","ms":2000}"#);
+    // It is being done by now.
+    std::thread::sleep(Duration::from_millis(300));
+    for id in 1..=MOST_LONG + 1 {
+        client.say(&format!(r#"{{"id":{id},"do":"ponder","ms":1}}"#));
+    }
+    let mut answer = client.hear();
+    assert_eq!(answer["error"], json!("busy"));
+    // Who gives command away has none for what waits.
+    assert_eq!(client.ask(r#"{"id":"a","do":"give_command"}"#)["id"], json!("a"));
+    let mut pondered = 0;
+    for _ in 0..MOST_LONG {
+        answer = client.hear();
+        pondered += u32::from(answer["reply"] == json!("pondered"));
+        assert!(
+            answer["reply"] == json!("pondered") || answer["error"] == json!("not_in_command"),
+            "{answer}"
+        );
+    }
+    assert_eq!(pondered, 1);
 }
 
 #[test]

@@ -205,6 +205,36 @@ fn a_jog_stops_when_its_key_is_let_go_and_when_its_connection_is_lost() {
     assert_below("silent", silent, Duration::from_millis(250));
 }
 
+#[test]
+fn a_jog_stops_when_its_key_is_let_go_behind_what_takes_long() {
+    let (motion, watcher) = Motion::new();
+    let place = Place::watched(watcher);
+    jogging(&place);
+    // A ladder that takes long to look at.
+    let mut long = String::new();
+    while long.len() < 3_000_000 {
+        long += "RD X0.0\nWRT R0.0\n";
+    }
+    let mut socket = place.socket();
+    let mut released = Vec::new();
+    for key in ["KEY_X+", "KEY_X-", "KEY_X+"] {
+        hold(&mut socket, key);
+        std::thread::sleep(Duration::from_millis(150));
+        let moment = Instant::now();
+        let check = socket.say(json!({ "do": "check_ladder", "text": long }));
+        let let_go = socket.say(json!({ "do": "key", "key": key, "down": false }));
+        motion.comes_to_rest();
+        released.push(motion.pushed_after(moment));
+        // Both are answered, the long one behind.
+        let ids: Vec<_> = std::iter::repeat_with(|| socket.hear()["id"].clone())
+            .filter(|id| *id == json!(check) || *id == json!(let_go))
+            .take(2)
+            .collect();
+        assert_eq!(ids, [json!(let_go), json!(check)]);
+    }
+    assert_below("released behind what takes long", released, Duration::from_millis(100));
+}
+
 impl Motion {
     /// Waits until it stands still, but first for a time in which it gets going.
     fn comes_to_rest_after(&self, time: Duration) {

@@ -562,3 +562,41 @@ fn backups_are_brought_by_right_and_only_whole() {
     assert_eq!(bring("new.backup", &crew, &whole).status, 200);
     assert!(!folder.path().join("outside").exists() && !folder.path().join("upload.part").exists());
 }
+
+/// Rights are judged before a ladder is looked at; a fault has the number that the document says.
+#[test]
+fn a_ladder_is_exchanged_by_right_and_only_without_faults() {
+    let folder = tempfile::tempdir().unwrap();
+    let store = store(&folder);
+    let author = Author::Maintenance { name: "test".into() };
+    store.set_password(&author, Level::Builder, PASSWORD, Seat::Machine).unwrap();
+    let panel = Panel::new(control(Some(store.clone())));
+    let place = Place::new(panel, Some(store.clone()), "127.0.0.1:0", None);
+    let mut socket = place.socket();
+    socket.take_command();
+    let own = socket.ask(json!({"do": "ladder"}))["text"].as_str().unwrap().to_owned();
+    let faulty = [("<project>\n<a>\n</project>", "1028", 3), ("RD X0.0\nDANCE R0.0\n", "1002", 2)];
+    let good = format!("; Another one.\n{own}");
+    for (text, _, _) in faulty.iter().chain(&[(good.as_str(), "", 0)]) {
+        let answer = socket.ask(json!({"do": "exchange_ladder", "text": text}));
+        assert_eq!(answer["refused"]["alarm"]["id"], json!("FC-1213"), "{answer}");
+    }
+    socket.ask(json!({"do": "log_in", "level": 2, "password": PASSWORD}));
+    for (text, number, line) in faulty {
+        let answer = socket.ask(json!({"do": "exchange_ladder", "text": text}));
+        let alarm = &answer["refused"]["alarm"];
+        assert_eq!((&alarm["id"], &alarm["line"]), (&json!("FC-1101"), &json!(line)), "{answer}");
+        assert_eq!(alarm["values"]["detail"], json!(number), "{answer}");
+    }
+    assert_eq!(socket.ask(json!({"do": "exchange_ladder", "text": good}))["reply"], json!("done"));
+    // It is kept, by name of who exchanged it.
+    let began = Instant::now();
+    loop {
+        let log = socket.ask(json!({"do": "operation_log", "most": 20})).to_string();
+        if log.contains("\"ladder\"") {
+            break;
+        }
+        assert!(began.elapsed() < Duration::from_secs(20), "{log}");
+        std::thread::sleep(Duration::from_millis(50));
+    }
+}

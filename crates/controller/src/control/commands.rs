@@ -53,7 +53,7 @@ impl Control {
     }
 
     /// The author with the rights that he has logged in with.
-    fn with_rights(&self, author: &Author) -> Author {
+    pub(super) fn with_rights(&self, author: &Author) -> Author {
         match author {
             Author::Person { session, name } => {
                 let taken = self.sessions.get(name);

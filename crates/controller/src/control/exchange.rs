@@ -7,7 +7,7 @@
 use super::commands::{Answer, named};
 use super::keeping::{Keeping, kept_area};
 use super::{Control, alarm};
-use crate::api::{AlarmInfo, Event, ForcedSignal, Reply};
+use crate::api::{AlarmInfo, Event, ForcedSignal, Refusal, Reply};
 use ferrocut_machine::{Alarm, AlarmId, Fault};
 use ferrocut_memory::{Author, Change, Level, SignalSize};
 use ferrocut_plc::{Address, Area, Error, Limits, Maintenance, Plc, Program, plcopen};
@@ -90,6 +90,30 @@ pub fn check_ladder(text: &str) -> Reply {
     }
 }
 
+/// A ladder that is to be run, of a list or of PLCopen XML; else why it cannot be: FC-1101 with its first fault. It takes
+/// longer than a period, as [`check_ladder`].
+pub fn ladder_of(text: &str) -> Result<Program, Refusal> {
+    exchangeable(text).map_err(|alarm| Refusal::from(*alarm))
+}
+
+fn exchangeable(text: &str) -> Result<Program, Box<Alarm>> {
+    let too_long = |text: &str| match text.len() > ferrocut_memory::items::limits::LADDER {
+        true => Err(Box::new(named(Fault::ValueImpossible, "ladder"))),
+        false => Ok(()),
+    };
+    too_long(text)?;
+    let program = compiled(text).map_err(|errors| {
+        let first = errors.first();
+        let number = first.map_or(0, |error| error.fault.number());
+        let mut alarm = alarm(Fault::Ladder).with("detail", number.to_string());
+        alarm.span.line = first.map_or(0, |error| error.span.line);
+        alarm
+    })?;
+    // What is kept of it is its list.
+    too_long(&program.text())?;
+    Ok(program)
+}
+
 /// A fault of a ladder as the control's alarm.
 fn told(error: &Error) -> AlarmInfo {
     let span = Span { line: error.span.line, ..Span::default() };
@@ -126,22 +150,33 @@ impl Control {
     }
 
     pub(super) fn exchange_ladder(&mut self, text: &str, author: &Author) -> Answer {
+        self.fits_exchange(author)?;
+        let program = exchangeable(text)?;
+        self.put_ladder(program, author)
+    }
+
+    /// Whether somebody may exchange the ladder, on a control that has one. Who asks looks at the ladder himself
+    /// ([`ladder_of`]), on another thread.
+    pub fn may_exchange_ladder(&self, author: &Author) -> Result<(), Refusal> {
+        self.fits_exchange(&self.with_rights(author)).map_err(|alarm| Refusal::from(*alarm))
+    }
+
+    /// Puts a ladder in the place of the one that runs.
+    pub fn take_ladder(&mut self, program: Program, author: &Author) -> Result<Reply, Refusal> {
+        self.put_ladder(program, &self.with_rights(author)).map_err(|alarm| Refusal::from(*alarm))
+    }
+
+    fn fits_exchange(&self, author: &Author) -> Result<(), Box<Alarm>> {
+        self.needs_level(Level::Builder, author)?;
+        match self.plc {
+            Some(_) => Ok(()),
+            None => Err(Box::new(named(Fault::NotFitted, "ladder"))),
+        }
+    }
+
+    fn put_ladder(&mut self, program: Program, author: &Author) -> Answer {
         self.needs_level(Level::Builder, author)?;
         let plc = self.plc.as_mut().ok_or_else(|| named(Fault::NotFitted, "ladder"))?;
-        if text.len() > ferrocut_memory::items::limits::LADDER {
-            return Err(Box::new(named(Fault::ValueImpossible, "ladder")));
-        }
-        let program = compiled(text).map_err(|errors| {
-            let first = errors.first();
-            let number = first.map_or(0, |error| error.fault.number());
-            let mut alarm = alarm(Fault::Ladder).with("detail", number.to_string());
-            alarm.span.line = first.map_or(0, |error| error.span.line);
-            alarm
-        })?;
-        // What is kept of it is its list.
-        if program.text().len() > ferrocut_memory::items::limits::LADDER {
-            return Err(Box::new(named(Fault::ValueImpossible, "ladder")));
-        }
         plc.exchange(Box::new(program));
         self.exchanged_by = Some(author.clone());
         Ok(Reply::Done)

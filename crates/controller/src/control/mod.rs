@@ -40,7 +40,7 @@ use crate::restart::told::function;
 use crate::signals::{Inputs, Mode, Outputs, SIGNAL_AXES};
 pub use commands::{BACKUPS, backup_in};
 pub use desk::Desk;
-pub use exchange::check_ladder;
+pub use exchange::{check_ladder, ladder_of};
 use ferrocut_geometry::{AxisSet, Position};
 use ferrocut_interpreter::{Interpreter, MachineCodes, Options, dialects};
 use ferrocut_machine::{Alarm, Fault, Machine, Memory, ParameterKey};
