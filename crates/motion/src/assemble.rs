@@ -33,8 +33,7 @@ pub(crate) const AXES_LENGTH: f64 = 1.0;
 /// Cells that a line with its joints takes at most.
 pub(crate) const CELLS_A_MOVE: usize = 8;
 
-/// Cells that a line of a chain takes at most, and the ends of a chain.
-const CELLS_A_LINE: usize = 9;
+/// Cells that the ends of a chain take at most.
 const CELLS_A_CHAIN: usize = 32;
 
 /// How a move begins.
@@ -349,7 +348,7 @@ impl Assembler {
         }
         let len = member.piece.len();
         if let Some(goes_on) = flow.chain {
-            let cells = CELLS_A_LINE * self.smoother.lines() + CELLS_A_CHAIN;
+            let cells = self.smoother.most_spans() + CELLS_A_CHAIN;
             if queue.room() < cells || queue.mark_room() == 0 {
                 return Some(flow);
             }

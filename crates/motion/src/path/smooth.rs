@@ -104,6 +104,10 @@ const MOST_PARTS: usize = 4;
 /// Knots a line at most, with those put in.
 const KNOTS_A_LINE: usize = 9;
 
+/// The same where there are few lines, for all of them together.
+const KNOTS_A_CORNER: usize = 36;
+const KNOTS_OF_CORNERS: usize = 3000;
+
 /// Faster is nothing, mm/s.
 const FASTEST: f64 = 1e6;
 
@@ -235,6 +239,12 @@ impl Smoother {
     /// How many lines it holds.
     pub fn lines(&self) -> usize {
         self.points.len().saturating_sub(1)
+    }
+
+    /// Most spans that its lines are smoothed to.
+    pub fn most_spans(&self) -> usize {
+        let lines = self.lines();
+        (KNOTS_A_LINE * lines).max((KNOTS_A_CORNER * lines).min(KNOTS_OF_CORNERS))
     }
 
     pub fn is_full(&self) -> bool {
@@ -718,7 +728,7 @@ impl Smoother {
         let spans = self.knots.len().saturating_sub(5);
         let standing = if self.goes_on { STANDING_KNOTS - 3 } else { 0 };
         // No more than cells are kept room for.
-        let mut left = (KNOTS_A_LINE * self.lines()).saturating_sub(spans);
+        let mut left = self.most_spans().saturating_sub(spans);
         self.finer.clear();
         self.is_finer_dense.clear();
         self.origins.clear();
