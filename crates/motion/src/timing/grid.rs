@@ -30,6 +30,9 @@ use crate::timing::ramp::{Foot, most_speed, way_up};
 /// Length of steps in time, s.
 const TAU: f64 = 0.004;
 
+/// The first step from rest at least, where the jerk is not limited, s.
+const FIRST: f64 = TAU / 16.0;
+
 /// Steps at the highest speed grow by this share of what lies before and behind, up to this time, s.
 const GROWTH: f64 = 0.3;
 const LONGEST: f64 = 0.1;
@@ -391,10 +394,11 @@ impl Grid {
                 if way >= free[1] { f64::INFINITY } else { most_speed(high, way, drives[1]) }
             };
             let speed = |s: f64| here.min(rising(s)).min(falling(s));
-            // The first step from rest is TAU long by the jerk or, where that is not limited, by the acceleration.
+            // In the first step from rest the acceleration grows all along: it is as long as that takes, or TAU.
             // However short, a section has room to speed up and slow down in.
             let drive = drives[0].min(drives[1]);
-            let least = (drive.j * TAU / 3.0).min(drive.a) * 0.5 * TAU * TAU;
+            let time = (drive.a / drive.j).clamp(FIRST, TAU);
+            let least = (drive.j * time / 3.0).min(drive.a) * 0.5 * time * time;
             let least = least.min((self.to.s - from.s) / FEWEST);
             // Over many cells the highest speed is reached that much later: by the jerk, and by what a curve takes from the
             // acceleration there.
