@@ -13,7 +13,7 @@ use crate::moves::Move;
 use crate::path::corner::Corner;
 use crate::path::joint::{Ease, Joint, JointRules, MOST_CHORDS, Member, add, is_lost};
 use crate::path::piece::Piece;
-use crate::path::shape::Shape;
+use crate::path::shape::{Cubic, Shape};
 use crate::path::smooth::Smoother;
 use crate::timing::queue::{Cell, Node, Pass, Queue};
 use ferrocut_geometry::{AXES, Position};
@@ -32,6 +32,12 @@ pub(crate) const AXES_LENGTH: f64 = 1.0;
 
 /// Cells that a line with its joints takes at most.
 pub(crate) const CELLS_A_MOVE: usize = 8;
+
+/// Where the feed decides, cells of a chain end where `|q′|` differs by about this share: so many of one, and so many more
+/// in all at most.
+const EVEN: f64 = 0.01;
+const MOST_PARTS: f64 = 8.0;
+const CELLS_OF_FEED: usize = 1024;
 
 /// Cells that the ends of a chain take at most.
 const CELLS_A_CHAIN: usize = 32;
@@ -348,7 +354,7 @@ impl Assembler {
         }
         let len = member.piece.len();
         if let Some(goes_on) = flow.chain {
-            let cells = self.smoother.most_spans() + CELLS_A_CHAIN;
+            let cells = self.smoother.most_spans() + CELLS_OF_FEED + CELLS_A_CHAIN;
             if queue.room() < cells || queue.mark_room() == 0 {
                 return Some(flow);
             }
@@ -430,28 +436,45 @@ impl Assembler {
                 End::Corner(corner) => corner.foot.v,
             },
         ]);
+        let mut spare = CELLS_OF_FEED;
         self.smoother.run(from, last.s + to, keeps, goes_on, |span| {
-            let cubic = span.cubic;
-            let (rates, stretch) = cubic.rates();
-            let stretch = stretch.max(LEAST_STRETCH);
-            let (most, highest) = (inverse.velocity(&rates), span.most / stretch);
-            let node = Node {
-                s: span.u,
-                len: cubic.len,
-                load: inverse.load(&rates),
-                top: inverse.curve_speed(&rates, most).min(highest),
-                most: most.min(highest),
-                feed: span.feed / stretch,
-                basis: rpm,
-                class,
-                pass: Pass::Path,
-                rests: false,
+            let node = |u: f64, cubic: &Cubic| {
+                let (rates, stretch) = cubic.rates();
+                let stretch = stretch.max(LEAST_STRETCH);
+                let (most, highest) = (inverse.velocity(&rates), span.most / stretch);
+                Node {
+                    s: u,
+                    len: cubic.len,
+                    load: inverse.load(&rates),
+                    top: inverse.curve_speed(&rates, most).min(highest),
+                    most: most.min(highest),
+                    feed: span.feed / stretch,
+                    basis: rpm,
+                    class,
+                    pass: Pass::Path,
+                    rests: false,
+                }
             };
+            let whole = node(span.u, &span.cubic);
             // Apart, so that each is built where it stays.
             if span.is_straight {
-                queue.append(Cell::new(Shape::Line { p: cubic.c[0], d: cubic.c[1] }, None), node);
-            } else {
-                queue.append(Cell::new(Shape::Cubic(cubic), None), node);
+                let c = &span.cubic.c;
+                queue.append(Cell::new(Shape::Line { p: c[0], d: c[1] }, None), whole);
+                return;
+            }
+            // The feed is along the curve: where `|q′|` differs, so does what it is along the programmed length.
+            let uneven = if whole.feed < whole.top { span.cubic.unevenness() } else { 0.0 };
+            let parts = if uneven > 2.0 * EVEN { (uneven / EVEN).ceil().min(MOST_PARTS) as usize } else { 1 };
+            if parts == 1 || parts > spare {
+                queue.append(Cell::new(Shape::Cubic(span.cubic), None), whole);
+                return;
+            }
+            spare -= parts;
+            let len = span.cubic.len;
+            let place = |k: usize| if k == parts { len } else { len * k as f64 / parts as f64 };
+            for k in 0..parts {
+                let part = span.cubic.part(place(k), place(k + 1));
+                queue.append(Cell::new(Shape::Cubic(part), None), node(span.u + place(k), &part));
             }
         });
         if goes_on {

@@ -97,6 +97,23 @@ impl Cubic {
         [c1.0, middle, end]
     }
 
+    /// The stretch of it between two lengths.
+    pub fn part(&self, from: f64, to: f64) -> Cubic {
+        let [first, second, _] = self.derivatives(from);
+        let c = [self.at(from), Position(first), Position(second.map(|c| 0.5 * c)), self.c[3]];
+        Cubic { c, len: to - from }
+    }
+
+    /// How much `|q′|` over the first three axes differs along it, as a share of its highest in three places.
+    pub fn unevenness(&self) -> f64 {
+        let speeds = [0.0, 0.5, 1.0].map(|share| {
+            let [d, ..] = self.derivatives(share * self.len);
+            (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt()
+        });
+        let most = speeds.into_iter().fold(0.0, f64::max);
+        1.0 - speeds.into_iter().fold(most, f64::min) / most.max(1e-12)
+    }
+
     /// Bounds of the derivatives, where `q″` is linear and largest at an end, and the largest `|q′|` over the first three
     /// axes.
     pub fn rates(&self) -> (Rates, f64) {
