@@ -217,8 +217,11 @@ impl Walk {
             Place::Same => None,
             Place::Point(point) => Some((point, self.speed)),
             Place::Path { cell, s } => {
-                let look = |strip: &Strip| strip.cell.at((s - strip.s).clamp(0.0, strip.len), strip.len);
-                track.cell(cell, look).map(|point| (point, self.speed))
+                let look = |strip: &Strip| {
+                    let s = (s - strip.s).clamp(0.0, strip.len);
+                    (strip.cell.at(s, strip.len), strip.cell.stretch(s, strip.len))
+                };
+                track.cell(cell, look).map(|(point, stretch)| (point, self.speed * stretch))
             }
             Place::Corner { cell, x, pace } => track
                 .cell(cell, |strip| match &strip.cell.shape {

@@ -51,6 +51,17 @@ impl Cell {
         self.shape.at(if self.is_back { len - s } else { s })
     }
 
+    /// How far X, Y and Z go there for a millimetre of programmed length, where a joint bends the path away from it; 1 where
+    /// they stand, and only others move.
+    pub fn stretch(&self, s: f64, len: f64) -> f64 {
+        if !matches!(self.shape, Shape::Cubic(_) | Shape::Eased(..)) {
+            return 1.0;
+        }
+        let [[x, y, z, ..], ..] = self.derivatives(s, len);
+        let stretch = (x * x + y * y + z * z).sqrt();
+        if stretch > STILL { stretch } else { 1.0 }
+    }
+
     /// `q′`, `q″` and `q‴` there, in the direction that it is run in.
     pub fn derivatives(&self, s: f64, len: f64) -> [[f64; AXES]; 3] {
         if !self.is_back {
@@ -60,6 +71,9 @@ impl Cell {
         [first.map(|c| -c), second, third.map(|c| -c)]
     }
 }
+
+/// X, Y and Z stand where they go less than this for a millimetre or degree of programmed length.
+const STILL: f64 = 1e-6;
 
 /// How a cell is passed.
 #[derive(Clone, Copy, PartialEq, Debug)]
