@@ -36,6 +36,9 @@ const CLOSE: f64 = 0.9;
 const CLOSER: f64 = 1.05;
 const MOST_CLOSER: f64 = 30.0;
 
+/// `ℓ` is so many times what would spend both alike: the least of the squares still has more jerk in a turn than beside it.
+const STIFF: f64 = 1.2;
+
 /// `ℓ` is no more than this many times the length of the span.
 const STIFFEST: f64 = 5.0;
 
@@ -262,7 +265,7 @@ impl<const N: usize> Fit<N> {
             if strip.tolerance == 0.0 {
                 continue;
             }
-            let l = self.pace.reach(k, strip.tolerance).min(STIFFEST * len).min(most);
+            let l = (STIFF * self.pace.reach(k, strip.tolerance)).min(STIFFEST * len).min(most);
             let cube = l * l * l;
             strip.stiffen(cube * cube * len - strip.stiff);
         }
