@@ -47,6 +47,10 @@ const STEPS: usize = 160;
 /// The last part of a window, one of so many, is of the next one too.
 const OVERLAP: usize = 3;
 
+/// A window that was not to be run within the bounds begins so many pieces earlier, so many times.
+const EARLIER: usize = 5;
+const TRIES: usize = 2;
+
 /// Pieces that there is room for.
 const WAY: usize = 4096;
 
@@ -121,6 +125,16 @@ struct Row {
     g: [f64; 3],
 }
 
+/// What came of a window.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Outcome {
+    Quicker,
+    /// There is nothing to be gained.
+    Same,
+    /// It would have been quicker, but not within the bounds.
+    Broken,
+}
+
 /// Memory for one valley.
 #[derive(Debug)]
 pub(crate) struct Valley {
@@ -174,22 +188,42 @@ impl Valley {
         let road = Road { queue, inverses, cap };
         self.way.clear();
         self.way.extend_from_slice(plan);
-        let (mut from, mut cell, mut found) = (0, first, false);
+        let (mut from, mut cell, mut found, mut tries) = (0, first, false, 0);
+        // Where the window began that is tried.
+        let mut origin = f64::NEG_INFINITY;
         while from < self.way.len() && self.way.len() + STEPS < most {
+            if tries == 0 {
+                origin = self.way[from].s;
+            }
             cell = road.cell(cell, self.way[from].s);
             let Some(count) = self.place(&road, from, cell) else { break };
             let is_last = from + count == self.way.len();
-            let is_quicker = self.window(&road, from..from + count, cell);
+            let outcome = self.window(&road, from..from + count, cell);
             let mut new = count;
-            if is_quicker {
-                new = self.pieces.len();
-                self.way.splice(from..from + count, self.pieces.iter().copied());
+            match outcome {
+                Outcome::Quicker => {
+                    new = self.pieces.len();
+                    self.way.splice(from..from + count, self.pieces.iter().copied());
+                    found = true;
+                }
+                // The state that it begins with may be one that hardly leaves a choice.
+                Outcome::Broken if from > 0 && tries < TRIES => {
+                    tries += 1;
+                    from = from.saturating_sub(EARLIER);
+                    cell = first;
+                    continue;
+                }
+                Outcome::Broken | Outcome::Same => {}
             }
-            found |= is_quicker;
+            tries = 0;
             if is_last {
                 break;
             }
             from += new - (new / OVERLAP).min(new - 1);
+            // On and on, wherever the window began in the end.
+            while self.way.get(from).is_some_and(|piece| piece.s <= origin) {
+                from += 1;
+            }
         }
         found
     }
@@ -200,28 +234,31 @@ impl Valley {
         road: &Road<'_, impl Fn(&Node) -> f64>,
         range: std::ops::Range<usize>,
         first: u64,
-    ) -> bool {
+    ) -> Outcome {
         let time = |pieces: &[Piece]| pieces.iter().map(|piece| piece.time).sum::<f64>();
         let plan = &self.way[range.clone()];
         let (from, to, before) = (plan[0].from, plan[plan.len() - 1].to, time(plan));
         if !plan_bends(road, plan, first) {
-            return false;
+            return Outcome::Same;
         }
         for _ in 0..ROUNDS {
             self.begin(range.clone(), from, to);
             self.bound(road, first);
-            if !self.solve() || !self.cut(from, to) {
-                return false;
+            if !self.solve() {
+                return Outcome::Same;
+            }
+            if !self.cut(from, to) {
+                return Outcome::Broken;
             }
             // With less of the bounds it is no faster.
             if !(time(&self.pieces) < WORTH * before) {
-                return false;
+                return Outcome::Same;
             }
             if self.keeps(road, first) {
-                return true;
+                return Outcome::Quicker;
             }
         }
-        false
+        Outcome::Broken
     }
 
     /// What was found.
