@@ -8,7 +8,7 @@ use common::{Event, Run, arc, line, round_machine, run, run_with};
 use ferrocut_geometry::{Plane, Position};
 use ferrocut_machine::{ArcSlowdown, CornerSlowdown, Machine};
 use ferrocut_motion::{Motion, Move};
-use ferrocut_toolpath::{CornerRule, Feed, InnerCorners, Op, PathMode};
+use ferrocut_toolpath::{CornerRule, Feed, FeedAlong, InnerCorners, Op, PathMode};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 const GO: PathMode = PathMode::Continuous;
@@ -403,5 +403,55 @@ fn a_corner_between_two_tolerances_keeps_the_lesser() {
             }
             assert_eq!(run.stops_inside(), first.min(second) == 0.0, "{first} {second}");
         }
+    }
+}
+
+#[test]
+fn a_tangent_arc_is_met_on_the_path_where_nothing_may_be_left() {
+    let machine = round_machine();
+    let mode = PathMode::ContinuousWithin(0.0);
+    let ops = [
+        line(20.0, 0.0, 0.0, 3000.0, mode),
+        Op::Arc {
+            to: Position::xyz(25.0, 5.0, 0.0),
+            plane: Plane::Xy,
+            center: [20.0, 5.0],
+            sweep: FRAC_PI_2,
+            feed: Feed::PerMinute(3000.0),
+            feed_along: FeedAlong::Path,
+            path: mode,
+        },
+        line(25.0, 25.0, 0.0, 3000.0, mode),
+    ];
+    let run = run(&machine, Position::ZERO, &ops);
+    run.check_limits(&machine);
+    run.check_path(1e-9);
+}
+
+#[test]
+fn positioning_runs_on_into_cutting_within_its_tolerance() {
+    let machine = round_machine();
+    let rapid = |x: f64, y: f64, z: f64, path: PathMode| Op::Rapid {
+        to: Position::xyz(x, y, z),
+        straight: true,
+        speed: None,
+        path,
+    };
+    for (path, stops) in [
+        (PathMode::ContinuousWithin(0.05), false),
+        (PathMode::ON_PATH, true),
+        (PathMode::ContinuousWithin(0.0), true),
+    ] {
+        let ops = [
+            rapid(30.0, 0.0, 0.0, path),
+            line(30.0, 20.0, 0.0, 3000.0, path),
+            line(30.0, 30.0, 5.0, 3000.0, path),
+            rapid(0.0, 30.0, 5.0, path),
+        ];
+        let run = run(&machine, Position::ZERO, &ops);
+        run.check_limits(&machine);
+        run.check_feed();
+        run.check_path(0.05 + 1e-6);
+        assert_eq!(run.stops_inside(), stops, "{path:?}");
     }
 }
