@@ -96,7 +96,7 @@ fn back_to_the_start_and_forward_to_the_end() {
     let machine = demo();
     let ops = program();
     let plain = run(&machine, Position::ZERO, &ops);
-    for hold in [60, 333, 777, plain.samples.len() - 60] {
+    for hold in [60, 300, 777, plain.samples.len() - 60] {
         let mut was_at_start = None;
         let (run, _) = run_acting(&machine, &ops, |tick, motion| {
             let is_held = motion.is_still() && tick > hold;

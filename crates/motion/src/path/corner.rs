@@ -48,16 +48,19 @@
 
 use crate::limits::{Drive, Inverse, Rates, peak};
 use crate::path::piece::{Piece, Reach};
+use crate::path::swing::Swing;
 use crate::timing::ramp::{Foot, distance, duration};
 use ferrocut_geometry::{AXES, Position};
 
 /// What is the same all along a rounded corner.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug)]
 enum Form {
     /// The jerk.
     Cubic,
     /// The acceleration, where no jerk is limited.
     Parabola,
+    /// The jerk, in parts: it swings out before and behind.
+    Swing(Swing),
 }
 
 impl Form {
@@ -70,6 +73,7 @@ impl Form {
         match self {
             Form::Cubic => 1.0 / 8.0,
             Form::Parabola => 1.0 / 4.0,
+            Form::Swing(swing) => swing.at(0.5)[0],
         }
     }
 
@@ -79,6 +83,11 @@ impl Form {
         match self {
             Form::Cubic => [[y * y * y, x * x * x], [y * y, x * x]],
             Form::Parabola => [[y * y, x * x], [y, x]],
+            Form::Swing(swing) => {
+                let ([left, slower, _], [gone, faster, _]) = (swing.at(y), swing.at(x));
+                let top = swing.at(1.0)[1];
+                [[left, gone], [slower / top, faster / top]]
+            }
         }
     }
 }
@@ -103,6 +112,22 @@ pub(crate) struct Corner {
 /// Share of the tolerance that a parabola takes: between setpoints that are a period apart drives do not see the jump of
 /// its acceleration where it is.
 const PARABOLA_SHARE: f64 = 0.99;
+
+/// Jerks of swings that are tried: out, and at the end, as parts of one another.
+const SWINGS: [[f64; 2]; 7] =
+    [[0.12, 0.5], [0.25, 1.0], [0.5, 0.5], [0.25, -0.25], [0.12, -0.25], [0.5, -0.5], [1.0, -0.5]];
+
+/// Of the share at which a swing is as far out as in, these are tried.
+const PARTS: [f64; 5] = [1.0, 0.85, 0.7, 0.55, 0.4];
+
+/// Share of the tolerance that a swing takes, for rounding.
+const SWING_SHARE: f64 = 0.9999;
+
+/// So many times the way that stopping takes is to be left beside a swing.
+const STOP_ROOM: f64 = 1.1;
+
+/// A swing must be worth this.
+const WORTH: f64 = 0.99;
 
 /// Corners that would take longer are stops, s.
 const LONGEST: f64 = 10.0;
@@ -146,7 +171,7 @@ impl Corner {
                 let time = (2.0 * reach * inverse.turn_time(&change, turn + 4.0 * reach * bend)).sqrt();
                 (time, Foot::still(2.0 * reach / time))
             }
-            Form::Cubic => {
+            Form::Cubic | Form::Swing(_) => {
                 let straight =
                     Position(std::array::from_fn(|i| rates.first[i] + 1.5 * reach * rates.second[i]));
                 // The jerk for an acceleration of 1.
@@ -174,6 +199,68 @@ impl Corner {
             foot,
             cap: f64::INFINITY,
         })
+    }
+
+    /// The same corner between two lines that swings out, if that is quicker with the speeds and drives that the lines
+    /// before and behind it are run with, and where a line of `len` is enough to stop on between two of them.
+    pub fn swinging(self, tolerance: f64, len: f64, sides: [(f64, Drive); 2], inverse: &Inverse) -> Corner {
+        if self.form != Form::Cubic {
+            return self;
+        }
+        let (d1, d2) = (self.before.slope(0.0), self.after.slope(0.0));
+        let turn = norm(&(d2 - d1).0);
+        // |d₂ − d₁| = 2·sin(θ/2)
+        let sine = turn * (1.0 - 0.25 * turn * turn).max(0.0).sqrt();
+        let middle = of_jerk(&(d1 + d2), inverse).max(1e-12).recip();
+        let (mut best, mut least) = (self, self.loss_between(sides));
+        for [out, end] in SWINGS {
+            // As much of both as one axis has.
+            let whole = |a: &Position, b: &Position| of_jerk(&a.zip(*b, |a, b| end * a - out * b), inverse);
+            let most = whole(&d1, &d2).max(whole(&d2, &d1)).max(1e-12).recip();
+            let jerks = [out * most, middle, end * most];
+            // As far out as in.
+            let is_out = |share: f64| {
+                Swing::new(share, jerks).is_none_or(|swing| swing.depth() * sine > swing.at(0.5)[0] * turn)
+            };
+            let even = largest(is_out);
+            for part in PARTS {
+                let Some(swing) = Swing::new(part * even, jerks) else { continue };
+                let depth = (swing.at(0.5)[0] * turn).max(swing.depth() * sine);
+                if !(depth > 0.0) {
+                    continue;
+                }
+                let corner = self.swung(swing, SWING_SHARE * tolerance / depth, [d1, d2], inverse);
+                let fits = sides.iter().all(|(feed, drive)| {
+                    let foot = paced(corner.foot, pace_below(corner.foot, *feed, drive.j));
+                    2.0 * corner.reach + STOP_ROOM * foot.room(*drive) <= len
+                });
+                let loss = corner.loss_between(sides);
+                if fits && loss < WORTH * least {
+                    (best, least) = (corner, loss);
+                }
+            }
+        }
+        best
+    }
+
+    /// The same with this way of its sides.
+    fn swung(self, swing: Swing, reach: f64, [d1, d2]: [Position; 2], inverse: &Inverse) -> Corner {
+        let sum = |left: f64, gone: f64| d1.zip(d2, |a, b| gone * b - left * a);
+        let [start, out, back, end] = swing.bends();
+        let [first, middle, last] = swing.jerks();
+        let square = [[end, start], [back, out], [out, back], [start, end]]
+            .map(|[left, gone]| of_acceleration(&sum(left, gone), inverse))
+            .into_iter()
+            .fold(0.0, f64::max);
+        // The left side is run backward: its third derivative has the other sign.
+        let cube = [[last, first], [middle, middle], [first, last]]
+            .map(|[left, gone]| of_jerk(&sum(-left, gone), inverse))
+            .into_iter()
+            .fold(0.0, f64::max);
+        let time = (reach * square).sqrt().max((reach * cube).cbrt());
+        let [_, slope, bend] = swing.at(1.0);
+        let foot = Foot { v: reach * slope / time, a: reach * bend / (time * time) };
+        Corner { form: Form::Swing(swing), reach, time, foot, ..self }
     }
 
     /// The same, run no faster than `cap`, mm/s.
@@ -208,12 +295,45 @@ impl Corner {
 
     /// What the corner costs against running on with speed `feed` on lines with `drive`, s.
     pub fn loss(&self, feed: f64, drive: Drive) -> f64 {
-        let pace = pace_below(self.foot, feed, drive.j);
-        let foot = paced(self.foot, pace);
-        let way = foot.distance(feed, drive).unwrap_or(0.0);
-        let ramp = crate::timing::ramp::Phases::new(foot, feed, drive).total();
-        self.time / pace - 2.0 * self.reach / feed + 2.0 * (ramp - way / feed)
+        self.loss_between([(feed, drive); 2])
     }
+
+    /// The same where they are others before and behind it.
+    fn loss_between(&self, sides: [(f64, Drive); 2]) -> f64 {
+        let pace = sides.map(|(feed, drive)| pace_below(self.foot, feed, drive.j));
+        let pace = pace[0].min(pace[1]);
+        let foot = paced(self.foot, pace);
+        let lost = sides.map(|(feed, drive)| {
+            let way = foot.distance(feed, drive).unwrap_or(0.0);
+            let ramp = crate::timing::ramp::Phases::new(foot, feed, drive).total();
+            ramp - (way + self.reach) / feed
+        });
+        self.time / pace + lost[0] + lost[1]
+    }
+}
+
+/// The share of the bounds that this acceleration takes.
+fn of_acceleration(a: &Position, inverse: &Inverse) -> f64 {
+    peak(&a.0, &inverse.acceleration).max(norm(&a.0) * inverse.along[0])
+}
+
+/// The same of a jerk.
+fn of_jerk(j: &Position, inverse: &Inverse) -> f64 {
+    peak(&j.0, &inverse.jerk).max(norm(&j.0) * inverse.along[1])
+}
+
+/// The highest share of a swing, up to a third, that is not `too_far`.
+fn largest(too_far: impl Fn(f64) -> bool) -> f64 {
+    let (mut low, mut high) = (0.0, 1.0 / 3.0);
+    for _ in 0..12 {
+        let middle = 0.5 * (low + high);
+        if too_far(middle) {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    low
 }
 
 /// Bounds that hold for both.

@@ -328,6 +328,17 @@ impl Member {
         let corner = corner().filter(|corner| !is_chain || corner.reach < shorter && !is_tight(corner));
         match choose(ease, corner, feed, drive, inverse) {
             Some(Joint::Ease(_)) if is_chain => Joint::Chain,
+            // Between lines alone, on which it may speed up to this on half of them.
+            Some(Joint::Corner(corner)) if tolerance > 0.0 && !is_rapid => {
+                let half = 0.5 * len.min(next_len);
+                let side = |member: &Member, at: f64, direction: &Position| {
+                    let drive = inverse.straight(&direction.0);
+                    let reached = (drive.j * half * half).cbrt().min((2.0 * drive.a * half).sqrt());
+                    (member.top(inverse, at).min(member.feed).min(reached), drive)
+                };
+                let sides = [side(self, len, &before), side(next, 0.0, &after)];
+                Joint::Corner(corner.swinging(tolerance, 2.0 * half, sides, inverse))
+            }
             Some(joint) => joint,
             None => or_through(through),
         }

@@ -8,3 +8,4 @@ pub(crate) mod piece;
 pub(crate) mod shape;
 pub(crate) mod slow;
 pub(crate) mod smooth;
+pub(crate) mod swing;

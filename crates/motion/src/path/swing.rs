@@ -1,0 +1,102 @@
+//! The way of one side of a corner that swings out.
+//!
+//! A corner rounded in time ([`crate::path::corner`]) adds what is left of the first line, `−d₁·r·f(1−x)`, to what is gone
+//! of the second, `d₂·r·f(x)`, with `f = x³`. That leaves the lines on the inside alone. If `f` goes back a little at
+//! first, the path swings out to the other side before it turns, and what it has to turn in is longer and run faster:
+//!
+//! ```text
+//! f‴ = −σ  for x < β        μ  up to 1 − β        ν  behind        f(0) = f′(0) = f″(0) = 0,  f(1) = 1
+//! ```
+//!
+//! With `g = −min f` and the turn `θ`, the path leaves the lines by `r·g·sin θ` on the outside and passes the vertex at
+//! `r·f(½)·|d₂ − d₁|`; `f` is least at `β·(1 + (σ + √(σ² + μσ))/μ)`. Its jerk, for a duration of 1, is one of
+//!
+//! ```text
+//! r·(ν·d₁ − σ·d₂)      r·μ·(d₁ + d₂)      r·(ν·d₂ − σ·d₁)
+//! ```
+//!
+//! and the acceleration is linear between, so that both are known by their values in four places.
+
+/// One side: how far it is along its line, as a share of the reach.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct Swing {
+    /// `β`.
+    share: f64,
+    /// `−σ`, `μ`, `ν`.
+    jerks: [f64; 3],
+}
+
+/// `f`, `f′` and `f″`.
+type State = [f64; 3];
+
+fn go_on([f, v, a]: State, jerk: f64, x: f64) -> State {
+    [f + x * (v + x * (0.5 * a + x * jerk / 6.0)), v + x * (a + 0.5 * x * jerk), a + x * jerk]
+}
+
+impl Swing {
+    /// With `β` and the proportions `σ : μ : ν`. `None` if it does not come to the end of its line speeding up.
+    pub fn new(share: f64, [out, middle, end]: [f64; 3]) -> Option<Swing> {
+        let swing = Swing { share, jerks: [-out, middle, end] };
+        let [f, v, a] = swing.at(1.0);
+        // Back is gone in the middle part, and no more than that.
+        let is_good = f > 0.0 && v > 0.0 && a >= 0.0 && swing.turn() <= 1.0 - share && share < 0.5;
+        is_good.then_some(Swing { share, jerks: swing.jerks.map(|jerk| jerk / f) })
+    }
+
+    /// `f`, `f′` and `f″` at `x`.
+    pub fn at(&self, x: f64) -> State {
+        let [out, middle, end] = self.jerks;
+        let last = 1.0 - self.share;
+        let state = go_on([0.0; 3], out, x.min(self.share));
+        let state = go_on(state, middle, (x.min(last) - self.share).max(0.0));
+        go_on(state, end, (x - last).max(0.0))
+    }
+
+    /// Where it turns round.
+    fn turn(&self) -> f64 {
+        let [out, middle, _] = self.jerks;
+        let out = -out;
+        self.share * (1.0 + (out + (out * out + middle * out).sqrt()) / middle)
+    }
+
+    /// How far it goes back.
+    pub fn depth(&self) -> f64 {
+        -self.at(self.turn())[0]
+    }
+
+    /// `f″` where the jerk changes, and at the ends.
+    pub fn bends(&self) -> [f64; 4] {
+        [0.0, self.share, 1.0 - self.share, 1.0].map(|x| self.at(x)[2])
+    }
+
+    /// `f‴` in its three parts.
+    pub fn jerks(&self) -> [f64; 3] {
+        self.jerks
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn it_goes_back_first_and_ends_at_one() {
+        let swing = Swing::new(0.15, [0.7, 1.0, 0.4]).unwrap();
+        assert!((swing.at(1.0)[0] - 1.0).abs() < 1e-12);
+        let least = (0..=10_000).map(|k| swing.at(f64::from(k) / 1e4)[0]).fold(f64::INFINITY, f64::min);
+        assert!(least < -1e-3 && (least + swing.depth()).abs() < 1e-8, "{least} {}", swing.depth());
+        // Its derivatives are the slopes of each other.
+        for k in 1..100 {
+            let (x, h) = (f64::from(k) / 100.0 + 1e-4, 1e-5);
+            let (a, b, c) = (swing.at(x - h), swing.at(x), swing.at(x + h));
+            for i in 0..2 {
+                assert!(((c[i] - a[i]) / (2.0 * h) - b[i + 1]).abs() < 1e-6 * (1.0 + b[i + 1].abs()), "{x}");
+            }
+        }
+    }
+
+    #[test]
+    fn one_that_never_comes_back_is_none() {
+        assert_eq!(Swing::new(0.45, [1.0, 1.0, -1.0]), None);
+    }
+}
