@@ -44,6 +44,8 @@ const CELLS_A_CHAIN: usize = 32;
 
 /// How a move begins.
 #[derive(Clone, Copy, Debug)]
+// There is one of them at a time.
+#[allow(clippy::large_enum_variant)]
 enum Start {
     /// At rest.
     Rest,
@@ -65,6 +67,8 @@ struct Open {
 
 /// How a move ends.
 #[derive(Clone, Copy, Debug)]
+// There is one of them at a time.
+#[allow(clippy::large_enum_variant)]
 enum End {
     Rest(Position),
     Through,

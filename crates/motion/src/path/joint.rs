@@ -110,6 +110,8 @@ pub(crate) struct Member {
 
 /// How two moves are joined.
 #[derive(Clone, Copy, Debug)]
+// There is one of them at a time.
+#[allow(clippy::large_enum_variant)]
 pub(crate) enum Joint {
     /// Comes to rest.
     Rest,
