@@ -44,8 +44,7 @@ const CELLS_A_CHAIN: usize = 32;
 
 /// How a move begins.
 #[derive(Clone, Copy, Debug)]
-// There is one of them at a time.
-#[allow(clippy::large_enum_variant)]
+#[expect(clippy::large_enum_variant, reason = "there is one of it at a time")]
 enum Start {
     /// At rest.
     Rest,
@@ -67,8 +66,7 @@ struct Open {
 
 /// How a move ends.
 #[derive(Clone, Copy, Debug)]
-// There is one of them at a time.
-#[allow(clippy::large_enum_variant)]
+#[expect(clippy::large_enum_variant, reason = "there is one of it at a time")]
 enum End {
     Rest(Position),
     Through,

@@ -44,6 +44,9 @@
 //!
 //! In the middle both are `u = r/8` from the vertex, and the curves bend by `κ₁`, `κ₂`: `u·|d₂−d₁| + 2u²·(κ₁+κ₂) ≤ δ`.
 //!
+//! **Between two lines** the way of each may go back a little first: the path then swings out within the tolerance before
+//! it turns and behind it ([`crate::path::swing`]).
+//!
 //! A corner run at the share `λ` of its pace has speed `λ·v` and acceleration `λ²·a`, its jerk is `λ³` of the whole.
 
 use crate::limits::{Drive, Inverse, Rates, peak};

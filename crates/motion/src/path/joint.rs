@@ -110,8 +110,7 @@ pub(crate) struct Member {
 
 /// How two moves are joined.
 #[derive(Clone, Copy, Debug)]
-// There is one of them at a time.
-#[allow(clippy::large_enum_variant)]
+#[expect(clippy::large_enum_variant, reason = "there is one of it at a time")]
 pub(crate) enum Joint {
     /// Comes to rest.
     Rest,
