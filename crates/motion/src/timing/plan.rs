@@ -151,6 +151,12 @@ const NARROW: f64 = 1e-7;
 /// Shares of the pace of a corner that are tried where it cannot be come to at the whole.
 const CORNER_PACES: [f64; 6] = [1.0, 0.95, 0.88, 0.75, 0.55, 0.3];
 
+/// Where no section is found behind a corner it is tried with so much less of its pace, down to this share; of so many
+/// corners at once.
+const SLOWER_CORNER: f64 = 0.75;
+const LEAST_SHARE: f64 = 0.2;
+const SLOW_CORNERS: usize = 16;
+
 /// How often a plan from rest is tried with slower corners.
 const ROUNDS: i32 = 8;
 
@@ -278,6 +284,10 @@ pub(crate) struct Plan {
     before: Vec<Stretch>,
     kept: Kept,
     brake: Brake,
+    /// Corners behind which a section was not to be planned, and the share of their pace that is tried.
+    slow: Vec<(u64, f64)>,
+    /// The corner behind which the section lies that was not to be planned.
+    blamed: Option<u64>,
     /// Stretches to be run before planning is tried again.
     patience: usize,
 }
@@ -305,6 +315,8 @@ impl Plan {
             before: Vec::with_capacity(STRETCHES),
             kept: Kept { from: 0, fixed: 0, next: start, planned: 0 },
             brake: Brake::new(),
+            slow: Vec::with_capacity(SLOW_CORNERS),
+            blamed: None,
             patience: 0,
         }
     }
@@ -379,13 +391,10 @@ impl Plan {
         // Of the plan before nothing behind this moment is final.
         (self.fixed, self.next) = (fixed, start);
         self.look_ahead(queue, start, start.cell);
-        if self.sections(queue, start, Corners::BOLD) {
-            return Some(changed);
-        }
-        self.stretches.truncate(fixed);
-        (self.fixed, self.next) = (fixed, start);
-        if self.sections(queue, start, Corners::SAFE) {
-            return Some(changed);
+        for corners in [Corners::BOLD, Corners::SAFE] {
+            if self.sections_behind(queue, start, fixed, corners) {
+                return Some(changed);
+            }
         }
         let limit = self.limit(queue, start.cell, false);
         for share in BRAKE_TO {
@@ -398,10 +407,9 @@ impl Plan {
             self.stretches.extend(self.brake.pieces().iter().map(|piece| Stretch::Piece(*piece)));
             let port = Port { s: end, state: State { v: target, a: 0.0 } };
             let behind = Start { port, cell: queue.find(start.cell, end) };
-            self.fixed = self.stretches.len();
-            self.next = behind;
+            let braked = self.stretches.len();
             self.look_ahead(queue, behind, behind.cell);
-            if self.sections(queue, behind, Corners::SAFE) {
+            if self.sections_behind(queue, behind, braked, Corners::SAFE) {
                 return Some(changed);
             }
         }
@@ -445,12 +453,37 @@ impl Plan {
         fixed: usize,
         mut corners: impl Iterator<Item = Corners>,
     ) -> Option<u64> {
-        let is_planned = corners.any(|corners| {
+        let is_planned = corners.any(|corners| self.sections_behind(queue, start, fixed, corners));
+        is_planned.then(|| self.base + fixed as u64)
+    }
+
+    /// Plans from `start` on, behind the first `fixed` stretches, with corners as slow as it takes.
+    fn sections_behind(&mut self, queue: &Queue, start: Start, fixed: usize, corners: Corners) -> bool {
+        self.slow.clear();
+        loop {
             self.stretches.truncate(fixed);
             (self.next, self.fixed) = (start, fixed);
-            self.sections(queue, start, corners)
-        });
-        is_planned.then(|| self.base + fixed as u64)
+            if self.sections(queue, start, corners) {
+                return true;
+            }
+            if !self.slow_down_corner() {
+                return false;
+            }
+        }
+    }
+
+    /// Tries the corner behind which no section was found at a lower pace. `false` if there is none, or it was tried.
+    fn slow_down_corner(&mut self) -> bool {
+        let Some(cell) = self.blamed.take() else { return false };
+        if let Some((_, share)) = self.slow.iter_mut().find(|(slow, _)| *slow == cell) {
+            *share *= SLOWER_CORNER;
+            return *share > LEAST_SHARE;
+        }
+        let has_room = self.slow.len() < SLOW_CORNERS;
+        if has_room {
+            self.slow.push((cell, SLOWER_CORNER));
+        }
+        has_room
     }
 
     /// Plans everything behind the stretch being run, what is final too: where the path is as fast as it may be there can be
@@ -613,6 +646,9 @@ impl Plan {
         let tail = self.horizon;
         let is_portion = tail < queue.tail();
         cell = cell.max(queue.head());
+        // The corner that the section begins behind, if its pace is still to be chosen.
+        let mut corner = None;
+        self.blamed = None;
         while cell < tail && self.stretches.len() + SPARE < STRETCHES {
             // Where the section ends: before a corner, at a rest, at the end of the queue.
             let mut last = cell;
@@ -648,11 +684,13 @@ impl Plan {
                 Pass::Axes => {
                     self.stretches.push(Stretch::Axes { s: node.s, cell: last });
                     port = Port { s: behind, state: State::REST };
+                    corner = None;
                     self.fix(Start { port, cell: last + 1 });
                 }
                 Pass::Corner { .. } if port.s >= node.s + 0.5 * node.len - SAME_LENGTH => {
                     let to = Port { s: node.end(), state: State::REST };
                     if !self.section(queue, port, to, cell, last) {
+                        self.blamed = corner;
                         return false;
                     }
                 }
@@ -660,6 +698,7 @@ impl Plan {
                     // What follows is not looked at yet: to rest before it.
                     let to = Port { s: node.s, state: State::REST };
                     if cell < last && !self.section(queue, port, to, cell, last - 1) {
+                        self.blamed = corner;
                         return false;
                     }
                     if cell == last || !self.grid.is_cut {
@@ -671,6 +710,7 @@ impl Plan {
                     // Without room to stop on beside it, at the vertex.
                     let to = Port { s: node.s + 0.5 * node.len, state: State::REST };
                     if !self.section(queue, port, to, cell, last) {
+                        self.blamed = corner;
                         return false;
                     }
                     if self.grid.is_cut {
@@ -678,6 +718,7 @@ impl Plan {
                     }
                     port = to;
                     self.fix(Start { port, cell: last });
+                    corner = None;
                     cell = last;
                     continue;
                 }
@@ -685,6 +726,7 @@ impl Plan {
                     // What follows is not known yet: to rest before it.
                     let to = Port { s: node.s, state: State::REST };
                     if cell < last && !self.section(queue, port, to, cell, last - 1) {
+                        self.blamed = corner;
                         return false;
                     }
                     if cell == last || !self.grid.is_cut {
@@ -696,6 +738,7 @@ impl Plan {
                     if cell < last {
                         let Some(possible) = self.section_to_corner(queue, port, cell, last, foot, pace)
                         else {
+                            self.blamed = corner;
                             return false;
                         };
                         if self.grid.is_cut {
@@ -713,6 +756,7 @@ impl Plan {
                         time,
                     });
                     port = Port { s: node.end(), state: State { v: foot_now.v, a: foot_now.a } };
+                    corner = Some(last);
                     if last + 1 < tail {
                         self.fix(Start { port, cell: last + 1 });
                     }
@@ -720,6 +764,7 @@ impl Plan {
                 Pass::Path => {
                     let to = Port { s: node.end(), state: State::REST };
                     if !self.section(queue, port, to, cell, last) {
+                        self.blamed = corner;
                         return false;
                     }
                     if self.grid.is_cut {
@@ -728,6 +773,7 @@ impl Plan {
                     if node.rests {
                         self.stretches.push(Stretch::Rest { s: node.end(), cell: last });
                         port = Port { s: behind, state: State::REST };
+                        corner = None;
                         self.fix(Start { port, cell: last + 1 });
                     }
                 }
@@ -789,7 +835,8 @@ impl Plan {
         }
         let near = NEAR_CORNER * foot.v;
         let fits = |pace| sides.iter().all(|sides| sides.iter().any(|side| side.fits(foot, pace, near)));
-        largest(1.0, fits) * corners.share
+        let slow = self.slow.iter().find(|(slow, _)| *slow == cell).map_or(1.0, |(_, share)| *share);
+        largest(1.0, fits) * corners.share * slow
     }
 
     /// The path beside a corner as far as it is known, no further than stopping can take: all of it, and what lies before
