@@ -44,14 +44,6 @@ export type Options = {
   parameters?: Record<string, number>;
   /** Whether nothing is told before a log-in. */
   needsLogIn?: boolean;
-  /** Whether there is no room for a part of DNC now. */
-  isFull?: boolean;
-  /** What the control has of a program of DNC. */
-  dnc?: { taken: number; tail: string; awaited: boolean };
-  /** Whether the connection is lost with a command, which is not answered. */
-  lost?: (command: Sent) => boolean;
-  /** Called when a command was answered. */
-  answered?: (command: Sent) => void;
 };
 
 const short = 'O0001 (PART)\nN10 G00 X0 Y0\nN20 G01 X50 F900\nN30 G03 X60 Y10 R10\nM30\n';
@@ -108,9 +100,7 @@ export async function mock(context: BrowserContext, options: Options = {}): Prom
       if (command.do === 'watch') {
         timer = setInterval(() => say({ status: { ...status(options.moves === false ? 0 : tick++, options), ...(emergency ? { activity: 'emergency' } : {}) } }), 20);
       }
-      if (options.lost?.(command)) return void ws.close();
       say({ id: command.id, ...reply(command, options) });
-      options.answered?.(command);
     });
   });
   await page.goto(home);
@@ -133,8 +123,6 @@ function reply(command: Sent & { program?: string }, options: Options): object {
       // One that is longer than a line of the socket comes as a file.
       if ((options.program?.length ?? 0) > 1e6) return { error: 'no_answer', detail: 'too long' };
       return { reply: 'program', program: command.program, text: options.program ?? short };
-    case 'dnc':
-      return options.isFull ? { refused: { alarm: { id: 'FC-1418', line: 0, warning: false, values: {} } } } : { reply: 'done' };
     case 'offsets':
       return { reply: 'offsets', offsets: { 1: { length: -102.35, radius: 5 } } };
     case 'zeros':
@@ -171,7 +159,7 @@ function status(tick: number, options: Options): object {
     program: { selected: 'O0001', cursor: 1, running: 'O0001', line: 2 + (Math.floor(angle) % 3), block: 'N20 G01 X50 F900', g_codes: ['G01', 'G17', 'G21', 'G54', 'G90'], h: 1, d: 5 },
     switches: { single_block: false, block_skip: false, optional_stop: true, dry_run: options.isDryRun ?? false, machine_lock: false, auxiliary_lock: false },
     counters: { parts: 17, all_parts: 1200, run_time: 4000 + angle, cutting_time: 3200 + angle, power_on_time: 90_000 },
-    referenced: ['X', 'Y', 'Z'], messages: [], program_message: options.says ?? '', dnc: options.dnc ?? null, lamps: ['LAMP_AUTO', 'LAMP_START', ...(options.lamps ?? [])], panel: { SWITCH_FEED: 10, SWITCH_SPINDLE: 6 }, level: 5,
+    referenced: ['X', 'Y', 'Z'], messages: [], program_message: options.says ?? '', dnc: null, lamps: ['LAMP_AUTO', 'LAMP_START', ...(options.lamps ?? [])], panel: { SWITCH_FEED: 10, SWITCH_SPINDLE: 6 }, level: 5,
   };
 }
 
@@ -196,6 +184,8 @@ function answer(response: ServerResponse, url: URL, options: Options): void {
       return json({ id: 'FC-0302', text: 'An arc has no centre', help: 'Give I, J, K or R.' });
     case '/api/explain':
       return json({ found: false, kind: '', title: '', text: '', source: '' });
+    case '/api/dnc':
+      return json(null);
     case '/api/words':
     case '/api/parameters':
     case '/api/signals':

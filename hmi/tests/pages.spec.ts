@@ -39,7 +39,7 @@ test('blocks that are typed in MDI are run, one alone before the others', async 
   await expect(page.getByLabel('#500', { exact: true })).toHaveValue('5.0000');
 });
 
-test('a program of DNC runs as it comes from this computer', async ({ page }) => {
+test('a program of DNC runs while the server gives it', async ({ page }) => {
   test.setTimeout(480_000);
   await enter(page, '#/position');
   await home(page);
@@ -442,7 +442,7 @@ test('tables of help are browsed without a search, and operations lead to their 
   await expect(page.getByTestId('backups')).toBeVisible();
 });
 
-test('a page that is loaded anew goes on with a file for DNC behind what the control took', async ({ page }) => {
+test('a page that is closed disturbs no program of DNC', async ({ page, context }) => {
   test.setTimeout(480_000);
   await enter(page, '#/position');
   await home(page);
@@ -452,29 +452,25 @@ test('a page that is loaded anew goes on with a file for DNC behind what the con
   const pass = `G91 G1 X0.01 F60 ${remark}\nX0.01 ${remark}\n`;
   const passes = Math.ceil(1_250_000 / Buffer.byteLength(pass));
   const buffer = Buffer.from(`G90 G54 G0 X0\n${pass.repeat(passes)}M30\n`);
-  const file = (text: Buffer) => page.getByTestId('dnc-file').setInputFiles({ name: 'long.nc', mimeType: 'text/plain', buffer: text });
-  await file(buffer);
-  await expect.poll(async () => Number(await page.getByTestId('dnc').getAttribute('data-sent'))).toBeGreaterThan(900_000);
+  await page.getByTestId('dnc-file').setInputFiles({ name: 'long.nc', mimeType: 'text/plain', buffer });
+  const told = page.getByTestId('dnc');
+  await expect.poll(async () => Number(await told.getAttribute('data-sent'))).toBeGreaterThan(900_000);
+  // What is no program does not take its place.
+  await page.getByTestId('dnc-file').setInputFiles({ name: 'picture.nc', mimeType: 'image/png', buffer: Buffer.from([0x89, 0x50, 1, 2, 3, 0, 0, 0, 9]) });
+  await expect(notice(page)).toBeVisible();
+  await expect(told).toContainText('long.nc');
+  await expect(told).toHaveAttribute('data-sending', 'true');
   await press(page, 'KEY_START');
   await stands(page, 'running');
-  page.on('dialog', (dialog) => void dialog.accept());
-  await page.reload();
-  await expect(page.getByTestId('command')).toHaveText('In command');
-  const left = page.getByTestId('dnc-left');
-  await expect(left).toBeVisible();
-  expect(Number(await left.getAttribute('data-taken'))).toBeGreaterThan(900_000);
-  await shoot(page, 'dnc-left');
-  // Another file is not gone on with.
-  const onward = async (text: Buffer) => {
-    const chooser = page.waitForEvent('filechooser');
-    await left.getByRole('button', { name: 'Go on with the file' }).click();
-    await (await chooser).setFiles({ name: 'long.nc', mimeType: 'text/plain', buffer: text });
-  };
-  await onward(Buffer.from(`G90 G54 G0 X00\n${pass.repeat(passes)}M30\n`));
-  await expect(notice(page)).toContainText('This is another file');
-  await onward(buffer);
-  await show(page, 'position/absolute');
+  await page.close();
+  // Nobody is connected while most of it runs.
+  await new Promise((resolve) => setTimeout(resolve, 5_000));
+  const next = await context.newPage();
+  await enter(next, '#/position/absolute');
   // Not a block is lost, and none is run twice.
-  await expect.poll(() => x(page), { timeout: 300_000 }).toBe(Number((2 * passes * 0.01).toFixed(3)));
-  await stands(page, 'idle', 60_000);
+  await expect.poll(() => x(next), { timeout: 300_000 }).toBe(Number((2 * passes * 0.01).toFixed(3)));
+  await stands(next, 'idle', 60_000);
+  await show(next, 'program/dnc');
+  await expect(next.getByTestId('dnc')).toHaveAttribute('data-sent', String(buffer.length));
+  await expect(next.getByTestId('dnc')).toHaveAttribute('data-sending', 'false');
 });

@@ -78,52 +78,6 @@ test('what is not stored stays with its program, however the next one is opened'
   await reload;
 });
 
-test('a file for DNC goes on where it was when the connection comes back', async ({ context }) => {
-  const options: Options = { mode: 'dnc', isFull: true };
-  let refused = 0;
-  // Cut behind an answer: a part that is on its way is not said again.
-  options.answered = (command) => {
-    if (command.do !== 'dnc' || !options.isFull || ++refused < 3) return;
-    cut();
-    options.isFull = false;
-  };
-  const { page, sent, cut } = await mock(context, options);
-  await page.evaluate(() => (location.hash = '#/program/mdi'));
-  await page.evaluate(() => (location.hash = '#/program/dnc'));
-  const text = Array.from({ length: 20_000 }, (_, n) => `N${n} G1 X${n}.\n`).join('');
-  await page.getByTestId('dnc-file').setInputFiles({ name: 'long.nc', mimeType: 'text/plain', buffer: Buffer.from(text) });
-  const parts = () => sent.filter((one) => one.do === 'dnc');
-  await expect.poll(() => refused).toBe(3);
-  await expect(page.getByTestId('dnc')).toHaveAttribute('data-sending', 'false');
-  await expect(page.getByTestId('dnc')).toHaveAttribute('data-sent', String(text.length));
-  expect(parts().slice(refused).map((one) => one.text).join('')).toBe(text);
-  expect(parts().slice(refused).map((one) => [one.first, one.last])).toEqual([[true, false], [false, false], [false, true]]);
-});
-
-for (const counted of [true, false]) {
-  test(`a part of DNC that was on its way is ${counted ? 'not said twice' : 'said again'} where the control ${counted ? 'has' : 'has not'} counted it`, async ({ context }) => {
-    const text = Array.from({ length: 20_000 }, (_, n) => `N${n} G1 X${n}.\n`).join('');
-    const options: Options = { mode: 'dnc' };
-    let parts = 0;
-    let taken = '';
-    options.lost = (command) => {
-      if (command.do !== 'dnc') return false;
-      parts += 1;
-      const isLost = parts === 2;
-      if (!isLost || counted) taken += String(command.text);
-      options.dnc = { taken: taken.length, tail: taken.slice(-64), awaited: !command.last };
-      return isLost;
-    };
-    const { page } = await mock(context, options);
-    await page.evaluate(() => (location.hash = '#/program/dnc'));
-    await page.getByTestId('dnc-file').setInputFiles({ name: 'long.nc', mimeType: 'text/plain', buffer: Buffer.from(text) });
-    await expect(page.getByTestId('dnc')).toHaveAttribute('data-sent', String(text.length));
-    await expect(page.getByTestId('dnc')).toHaveAttribute('data-sending', 'false');
-    expect(taken).toBe(text);
-    expect(parts).toBe(counted ? 3 : 4);
-  });
-}
-
 test('a program too long to be checked as it is typed is checked when it is saved', async ({ context }) => {
   const program = `O0001\n${'G1 X1.\n'.repeat(60_000)}M30\n`;
   const { page } = await mock(context, {

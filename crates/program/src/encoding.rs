@@ -62,6 +62,25 @@ impl Encoding {
     pub fn decode(self, bytes: &[u8]) -> Cow<'_, str> {
         self.encoding.decode_without_bom_handling(bytes).0
     }
+
+    /// For bytes that come in pieces.
+    pub fn decoder(self) -> Decoder {
+        Decoder(self.encoding.new_decoder_without_bom_handling())
+    }
+}
+
+/// Decodes bytes that come in pieces: what of a character is cut off at the end of one is kept for the next.
+pub struct Decoder(encoding_rs::Decoder);
+
+impl Decoder {
+    /// A piece as text; `is_last` tells that nothing follows. What cannot be decoded becomes �.
+    pub fn decode(&mut self, piece: &[u8], is_last: bool) -> String {
+        let mut text = String::new();
+        // None where the length is beyond what a computer can count.
+        text.reserve(self.0.max_utf8_buffer_length(piece.len()).unwrap_or(0));
+        let _ = self.0.decode_to_string(piece, &mut text, is_last);
+        text
+    }
 }
 
 #[cfg(test)]
@@ -79,6 +98,11 @@ mod tests {
         assert_eq!(Encoding::detect(b"\xEF\xBB\xBFG0", true).mark, 3);
         assert_eq!(Encoding::detect(b"G0 X1", true).name(), "UTF-8");
         assert!(!Encoding::detect(b"\xFF\xFEG\x000\x00", true).is_ascii_based());
+        for cut in 0..gb.len() {
+            let mut decoder = found.decoder();
+            let whole = decoder.decode(&gb[..cut], false) + &decoder.decode(&gb[cut..], true);
+            assert_eq!(whole, text, "cut at {cut}");
+        }
         let cut = &text.as_bytes()[..text.len() - 5];
         let cut = &cut[..cut.len() - 1];
         assert_eq!(Encoding::detect(cut, false).name(), "UTF-8");

@@ -24,7 +24,7 @@ pub mod span;
 pub mod syntax;
 pub mod text;
 
-pub use encoding::Encoding;
+pub use encoding::{Decoder, Encoding};
 pub use expression::{Binary, Function, Node, Unary};
 pub use lexer::NGC_OPERATORS;
 pub use memory::{Place, ProgramId, ProgramMemory, Source};

@@ -264,6 +264,10 @@ fn what_is_asked_and_answered_is_as_it_is_described() {
     let backup = described.ask(&place, "GET", "/api/backups/first.backup", b"", &cookie);
     assert_eq!(backup.status, 200, "{}", backup.text());
     described.ask(&place, "PUT", "/api/backups/second.backup", &backup.body, &cookie);
+    described.ask(&place, "GET", "/api/dnc", b"", &cookie);
+    described.ask(&place, "PUT", "/api/dnc/part.nc", b"G90\nM30\n", &cookie);
+    described.ask(&place, "GET", "/api/dnc", b"", &cookie);
+    described.ask(&place, "DELETE", "/api/dnc", b"", &cookie);
     described.ask(&place, "DELETE", "/api/session", b"", &cookie);
     // Nothing is described that was not tried; the socket is no answer of HTTP.
     for (path, methods) in described.all["paths"].as_object().unwrap() {

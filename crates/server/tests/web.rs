@@ -287,6 +287,81 @@ fn programs_go_in_and_out() {
     assert_eq!(place.get("/api/programs/O0008").status, 404);
 }
 
+/// GSK990MC part 2, 11.3: the file is the server's, whoever is connected.
+#[test]
+fn a_file_for_dnc_runs_to_its_end_when_its_page_is_closed() {
+    let place = Place::local();
+    let cookie = place.get("/").cookie();
+    // Longer than the control keeps, and written as shops do.
+    let count = 3000;
+    let mut text = b"G90\n#500 = 0\n".to_vec();
+    for _ in 0..count {
+        text.extend_from_slice(b"#500 = #500 + 1 (");
+        (0..128).for_each(|_| text.extend_from_slice(b"\xcf\xb3 "));
+        text.extend_from_slice(b")\n");
+    }
+    text.extend_from_slice(b"M30\n");
+    let put = |name: &str, text: &[u8]| {
+        place.http("PUT", &format!("/api/dnc/{name}"), &[("cookie", &cookie)], text)
+    };
+    let told = || place.get("/api/dnc").json();
+    assert_eq!(told(), json!(null));
+    assert_eq!(put("long.nc", &text).json()["error"], json!("not_in_command"));
+    let mut socket = Socket::new(place.address(), &[("cookie", &cookie)]).unwrap();
+    set_up(&mut socket);
+    socket.press("KEY_DNC");
+    let come = put("long.nc", &text);
+    assert_eq!((come.status, &come.json()["sending"]), (200, &json!(true)), "{}", come.text());
+    // Nothing that is no program, or too long, takes its place.
+    assert_eq!(put("picture.nc", b"\x89PNG\x01\x02\x00\x09").json()["error"], json!("unreadable"));
+    assert_eq!(put("nothing.nc", b"").json()["error"], json!("unreadable"));
+    let most = [("cookie", cookie.as_str()), ("content-length", "1073741825")];
+    assert_eq!(place.http("PUT", "/api/dnc/most.nc", &most, b"").status, 413);
+    assert_eq!(place.http("DELETE", "/api/dnc", &[], b"").json()["error"], json!("not_in_command"));
+    assert_eq!((&told()["name"], &told()["sending"]), (&json!("long.nc"), &json!(true)));
+    socket.press("KEY_START");
+    // Another does not break into it.
+    let busy = put("other.nc", b"G91 G0 X1.\nM30\n");
+    assert_eq!((busy.status, &busy.json()["refused"]["alarm"]["id"]), (409, &json!("FC-1401")));
+    drop(socket);
+    let began = Instant::now();
+    while told()["sending"] == json!(true) {
+        assert!(began.elapsed() < Duration::from_secs(60), "{}", told());
+        std::thread::sleep(Duration::from_millis(50));
+    }
+    let whole = json!({ "name": "long.nc", "bytes": text.len(), "sent": text.len(), "sending": false, "refused": null });
+    assert_eq!(told(), whole);
+    let mut socket = Socket::new(place.address(), &[("cookie", &cookie)]).unwrap();
+    socket.until("idle", |status| status["activity"] == json!("idle"));
+    let read = socket.ask(json!({ "do": "variables", "from": 500, "to": 500 }));
+    assert_eq!(read["variables"]["500"], json!(f64::from(count)), "{read}");
+
+    // A reset gives up the rest, and nothing of it comes behind what is begun next.
+    socket.take_command();
+    assert_eq!(put("long.nc", &text).status, 200);
+    socket.press("KEY_START");
+    socket.tell(json!({ "do": "reset" }));
+    let began = Instant::now();
+    while told()["sending"] == json!(true) {
+        assert!(began.elapsed() < Duration::from_secs(60), "{}", told());
+        std::thread::sleep(Duration::from_millis(50));
+    }
+    assert_eq!(told()["refused"], json!(null));
+    let short = put("short.nc", b"#500 = 7\nM30\n");
+    assert_eq!((short.status, &short.json()["sending"]), (200, &json!(false)), "{}", short.text());
+    socket.press("KEY_START");
+    socket.until("run", |status| status["counters"]["all_parts"] == json!(2));
+    let read = socket.ask(json!({ "do": "variables", "from": 500, "to": 500 }));
+    assert_eq!(read["variables"]["500"], json!(7.0), "{read}");
+    // Nobody wants the rest.
+    assert_eq!(put("long.nc", &text).json()["sending"], json!(true));
+    let stopped = place.http("DELETE", "/api/dnc", &[("cookie", &cookie)], b"");
+    assert_eq!((stopped.status, &stopped.json()["sending"]), (200, &json!(false)));
+    let sent = told()["sent"].clone();
+    std::thread::sleep(Duration::from_millis(200));
+    assert_eq!(told()["sent"], sent);
+}
+
 #[test]
 fn everything_that_is_described_is_there() {
     let place = Place::local();

@@ -35,9 +35,9 @@ function App($$anchor, $$props) {
 			});
 		}, () => $.set(failed, true));
 	});
-	/** What is not stored, and the rest of a file that is being sent, are in this page alone. */
+	/** What is not stored, and the rest of a file that is on its way, are in this page alone. */
 	function ask(event) {
-		if (dnc.sending || editing.unsaved.length) event.preventDefault();
+		if (dnc.coming || editing.unsaved.length) event.preventDefault();
 	}
 	/** Whether an alarm shows its page (24#6); controls that have no such parameter leave it. */
 	let opens = false;

@@ -78,7 +78,7 @@ impl Control {
     }
 
     /// How far the program has come.
-    pub(super) fn dnc_status(&self) -> Option<DncStatus> {
+    pub fn dnc_status(&self) -> Option<DncStatus> {
         let dnc = &self.dnc;
         let runs = self.cnc.is_under_way() && self.loaded == Loaded::Dnc;
         let awaited = !dnc.is_whole && (runs || !dnc.is_sent);

@@ -1,7 +1,7 @@
 //! Backups that lie in the folder of the memory, and those that take one away or bring one (GSK990MC operation 3.4.4).
 
 use super::Shared;
-use super::body::read_in_pieces;
+use super::body::read_into_file;
 use super::listen::Peer;
 use super::problem::Problem;
 use super::session::{Entry, seat_of};
@@ -23,7 +23,7 @@ use ferrocut_program::Span;
 use futures_util::stream::try_unfold;
 use serde::Serialize;
 use std::fs::{self, File, Metadata};
-use std::io::{self, Read, Write};
+use std::io::{self, Read};
 use std::sync::Arc;
 use std::time::UNIX_EPOCH;
 use tokio::sync::Semaphore;
@@ -100,11 +100,7 @@ fn backups(store: &Store) -> io::Result<Vec<Backup>> {
 async fn list(State(shared): State<Arc<Shared>>) -> Result<Json<Vec<Backup>>, Problem> {
     let store = store_of(&shared)?;
     let found = work(move |_| backups(&store)).await?;
-    found.map(Json).map_err(|error| unreadable(&error))
-}
-
-fn unreadable(error: &io::Error) -> Problem {
-    Problem::from(Alarm::core(Fault::FileUnreadable, Span::default()).with("reason", error.to_string()))
+    found.map(Json).map_err(|error| Problem::of_file(&error))
 }
 
 async fn download(
@@ -128,7 +124,7 @@ async fn download(
         Ok(Some(opened)) => opened,
         Ok(None) => return Err(Problem::Missing),
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Err(Problem::Missing),
-        Err(error) => return Err(unreadable(&error)),
+        Err(error) => return Err(Problem::of_file(&error)),
     };
     // No more than it was when it was opened: as many bytes are told to come.
     let mut response = Body::from_stream(try_unfold(file.take(bytes), next_piece)).into_response();
@@ -160,7 +156,7 @@ async fn upload(
     let path = backup_in(store.folder(), &name)?;
     let _turn = TURN.try_acquire().map_err(|_| Problem::Busy)?;
     let part = store.folder().join(COMING);
-    let come = receive(request, &part).await;
+    let come = read_into_file(request, LONGEST, &part).await;
     let author =
         Caller { name: format!("panel from {}", peer.0.ip()), seat: seat_of(peer), session }.author();
     let done = match come {
@@ -172,7 +168,7 @@ async fn upload(
                     return Err(Problem::Command);
                 }
                 store.admit_backup(&part, &path, &author).map_err(|error| Problem::from(error.alarm()))?;
-                let about = fs::metadata(&path).map_err(|error| unreadable(&error))?;
+                let about = fs::metadata(&path).map_err(|error| Problem::of_file(&error))?;
                 Ok(Backup { name, bytes: about.len(), changed: changed(&about) })
             };
             work(admit).await.and_then(|done| done)
@@ -186,19 +182,6 @@ async fn upload(
         let _ = fs::remove_file(&part);
     }
     done.map(Json)
-}
-
-/// Writes the body of a request into a file that is made anew.
-async fn receive(request: Request, part: &std::path::Path) -> Result<(), Problem> {
-    let begin = || {
-        // No way out of the folder by a link that somebody has put there.
-        match fs::remove_file(part) {
-            Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
-            _ => File::create_new(part),
-        }
-    };
-    let mut file = begin().map_err(|error| unreadable(&error))?;
-    read_in_pieces(request, LONGEST, |piece| file.write_all(piece).map_err(|error| unreadable(&error))).await
 }
 
 /// The next bytes of a file with what is left of it; none at its end.

@@ -5,6 +5,9 @@ use axum::body::{Bytes, to_bytes};
 use axum::extract::Request;
 use axum::http::header::CONTENT_LENGTH;
 use futures_util::StreamExt;
+use std::fs::{self, File};
+use std::io::{self, Write};
+use std::path::Path;
 use std::time::Duration;
 use tokio::sync::{Semaphore, SemaphorePermit};
 use tokio::time::timeout;
@@ -17,6 +20,9 @@ const SLOWEST: u64 = 1 << 20;
 
 /// Above this a body is long, bytes.
 const LONG: usize = 64 << 10;
+
+/// Bytes of a disk that files leave to the memory of the control.
+const KEPT_FREE: u64 = 64 << 20;
 
 /// Long bodies that are held at once.
 static ROOM: Semaphore = Semaphore::const_new(8);
@@ -47,22 +53,38 @@ pub(super) async fn read(request: Request, most: usize) -> Result<Bytes, Problem
     }
 }
 
-/// The same of one that is too long to be held: each piece is given away as it comes.
-pub(super) async fn read_in_pieces(
-    request: Request,
-    most: usize,
-    mut each: impl FnMut(&[u8]) -> Result<(), Problem>,
-) -> Result<(), Problem> {
+/// The same of one that is too long to be held: it is laid into a file that is made anew.
+pub(super) async fn read_into_file(request: Request, most: usize, path: &Path) -> Result<(), Problem> {
     let (patience, _place) = expected(&request, most)?;
+    let mut file = begun(path).map_err(|error| Problem::of_file(&error))?;
     let mut left = most;
     let mut pieces = request.into_body().into_data_stream();
     let all = async {
         while let Some(piece) = pieces.next().await {
             let piece = piece.map_err(|_| Problem::TooLarge)?;
             left = left.checked_sub(piece.len()).ok_or(Problem::TooLarge)?;
-            each(&piece)?;
+            // A disk may let wait.
+            let written = tokio::task::block_in_place(|| lay_down(&mut file, &piece));
+            written.map_err(|error| Problem::of_file(&error))?;
         }
         Ok(())
     };
     timeout(patience, all).await.map_err(|_| Problem::TooSlow)?
+}
+
+/// A new file in the place of what lies there: no link that somebody has put there leads out of the folder.
+fn begun(path: &Path) -> io::Result<File> {
+    match fs::remove_file(path) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+        _ => File::create_new(path),
+    }
+}
+
+fn lay_down(file: &mut File, piece: &[u8]) -> io::Result<()> {
+    let disk = rustix::fs::fstatvfs(&*file)?;
+    let free = disk.f_bavail.saturating_mul(disk.f_frsize);
+    if free < KEPT_FREE.saturating_add(piece.len() as u64) {
+        return Err(io::ErrorKind::StorageFull.into());
+    }
+    file.write_all(piece)
 }

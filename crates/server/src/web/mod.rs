@@ -12,6 +12,7 @@ mod backups;
 mod body;
 mod check;
 mod cycles;
+mod dnc;
 mod guard;
 mod listen;
 mod openapi;
@@ -107,6 +108,8 @@ pub(crate) struct Shared {
     has_ladder: bool,
     store: Option<Arc<Store>>,
     sessions: Sessions,
+    /// The file that DNC runs.
+    dnc: dnc::Current,
     doors: Doors,
     stops: watch::Receiver<bool>,
 }
@@ -154,6 +157,7 @@ impl Web {
             library,
             has_ladder,
             store: settings.store,
+            dnc: dnc::Current::default(),
             sessions: Sessions::new(!is_local, is_encrypted),
             doors: Doors { is_local, is_encrypted, names },
             stops: stops.clone(),
@@ -259,6 +263,7 @@ fn router(shared: Arc<Shared>) -> Router {
         .merge(tables::routes())
         .merge(programs::routes())
         .merge(backups::routes())
+        .merge(dnc::routes())
         .merge(openapi::routes())
         .fallback(assets::serve)
         .layer(from_fn_with_state(shared.clone(), guard::watch))

@@ -4,7 +4,8 @@ use axum::Json;
 use axum::http::{HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use ferrocut_controller::api::{AlarmInfo, Refusal};
-use ferrocut_machine::Alarm;
+use ferrocut_machine::{Alarm, Fault};
+use ferrocut_program::Span;
 use serde::Serialize;
 
 /// Why a request was refused.
@@ -86,6 +87,13 @@ impl IntoResponse for Problem {
             response.headers_mut().insert(header::RETRY_AFTER, HeaderValue::from_static("2"));
         }
         response
+    }
+}
+
+impl Problem {
+    /// A file of this computer that cannot be read or written.
+    pub(super) fn of_file(error: &std::io::Error) -> Problem {
+        Problem::from(Alarm::core(Fault::FileUnreadable, Span::default()).with("reason", error.to_string()))
     }
 }
 

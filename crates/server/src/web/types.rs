@@ -6,6 +6,7 @@
 use super::backups::Backup;
 use super::check::Findings;
 use super::cycles::{Drawing, Drawn, Written};
+use super::dnc::DncFile;
 use super::problem::Trouble;
 use super::tables::{AlarmText, Bit, Explanation, Found, Parameter, ParameterKind, Signal, Word};
 use crate::told::{Asking, ConnectionCommand, ConnectionEvent, Hello, PanelInfo, SessionInfo};
@@ -94,6 +95,7 @@ fn answers() -> String {
         Signal,
         Found,
         Backup,
+        DncFile,
     );
     finished(text, &NOT_TOLD)
 }

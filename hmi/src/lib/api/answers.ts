@@ -138,3 +138,24 @@ export type Backup = { name: string, bytes: number,
  * When it was written, ms since 1970 (UTC).
  */
 changed: number, };
+
+/**
+ * A file for DNC.
+ */
+export type DncFile = {
+/**
+ * What it is called where it came from.
+ */
+name: string, bytes: number,
+/**
+ * Bytes of it that the control has.
+ */
+sent: number,
+/**
+ * Whether the control is still given the rest.
+ */
+sending: boolean,
+/**
+ * Why it is not.
+ */
+refused?: Refusal, };

@@ -1,5 +1,5 @@
 // What is asked over HTTP: tables and texts that do not change, checks, paths, files.
-import type { AlarmText, Backup, Explanation, Findings, Found, Parameter, Signal, Trouble, Word } from './answers';
+import type { AlarmText, Backup, DncFile, Explanation, Findings, Found, Parameter, Signal, Trouble, Word } from './answers';
 import type { SessionInfo } from './connection';
 import type { AlarmInfo } from './types';
 
@@ -40,6 +40,23 @@ async function json<T>(path: string, options?: RequestInit): Promise<T> {
 }
 
 const query = (values: Record<string, string>) => new URLSearchParams(values).toString();
+
+/** The same of a large body, which tells how much of it went. */
+function bring(path: string, body: Blob, signal: AbortSignal, went: (bytes: number) => void): Promise<string> {
+  return new Promise((done, fail) => {
+    const sending = new XMLHttpRequest();
+    sending.open('PUT', path);
+    sending.upload.onprogress = (event) => went(event.loaded);
+    sending.onload = () => {
+      if (sending.status >= 200 && sending.status < 300) done(sending.responseText);
+      else fail(new HttpError(sending.status, sending.responseText.slice(0, 500)));
+    };
+    sending.onerror = () => fail(new TypeError());
+    sending.onabort = () => fail(signal.reason);
+    signal.addEventListener('abort', () => sending.abort());
+    sending.send(body);
+  });
+}
 
 /** Answers that stay the same while the server runs. */
 const kept = new Map<string, Promise<unknown>>();
@@ -112,6 +129,15 @@ export const http = {
   /** Where a backup is taken away. */
   backup(name: string): string {
     return `/api/backups/${encodeURIComponent(name)}`;
+  },
+  dnc(): Promise<DncFile | null> {
+    return json('/api/dnc');
+  },
+  stopDnc(): Promise<DncFile | null> {
+    return json('/api/dnc', { method: 'DELETE' });
+  },
+  async bringDnc(file: File, signal: AbortSignal, went: (bytes: number) => void): Promise<DncFile> {
+    return JSON.parse(await bring(`/api/dnc/${encodeURIComponent(file.name)}`, file, signal, went)) as DncFile;
   },
   async upload(name: string, body: Blob | string): Promise<void> {
     await request(`/api/programs/${encodeURIComponent(name)}`, { method: 'PUT', body });

@@ -33,6 +33,22 @@ async function json(path, options) {
 	return await (await request(path, options)).json();
 }
 var query = (values) => new URLSearchParams(values).toString();
+/** The same of a large body, which tells how much of it went. */
+function bring(path, body, signal, went) {
+	return new Promise((done, fail) => {
+		const sending = new XMLHttpRequest();
+		sending.open("PUT", path);
+		sending.upload.onprogress = (event) => went(event.loaded);
+		sending.onload = () => {
+			if (sending.status >= 200 && sending.status < 300) done(sending.responseText);
+			else fail(new HttpError(sending.status, sending.responseText.slice(0, 500)));
+		};
+		sending.onerror = () => fail(/* @__PURE__ */ new TypeError());
+		sending.onabort = () => fail(signal.reason);
+		signal.addEventListener("abort", () => sending.abort());
+		sending.send(body);
+	});
+}
 /** Answers that stay the same while the server runs. */
 var kept = /* @__PURE__ */ new Map();
 function once(path) {
@@ -136,6 +152,15 @@ var http = {
 	/** Where a backup is taken away. */
 	backup(name) {
 		return `/api/backups/${encodeURIComponent(name)}`;
+	},
+	dnc() {
+		return json("/api/dnc");
+	},
+	stopDnc() {
+		return json("/api/dnc", { method: "DELETE" });
+	},
+	async bringDnc(file, signal, went) {
+		return JSON.parse(await bring(`/api/dnc/${encodeURIComponent(file.name)}`, file, signal, went));
 	},
 	async upload(name, body) {
 		await request(`/api/programs/${encodeURIComponent(name)}`, {

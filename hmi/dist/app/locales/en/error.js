@@ -26,8 +26,6 @@ var error_default = {
 	"unknown_host": "The machine does not know itself by this address",
 	"line_too_long": "What was sent at once was too long",
 	"too_many_connections": "Too many are connected already",
-	"logged_out": "You were logged out",
-	"dnc_over": "Nothing more of a file is awaited",
-	"dnc_foreign": "This is another file than the one that was being sent"
+	"logged_out": "You were logged out"
 };
 export { error_default as default };

@@ -23,7 +23,7 @@ var operations_default = {
 	"files": "Bring programs and take them away",
 	"files_how": "Drop files onto the directory or upload them by its button; drag a program out of it or download it. So no USB stick or serial line is needed.",
 	"dnc": "Run a file while it comes (DNC)",
-	"dnc_how": "Choose DNC and a file, then press cycle start. The page shows how much of it the control has.",
+	"dnc_how": "Choose DNC and a file, then press cycle start. Once the file has come the page may be closed; it shows how much of it the control has.",
 	"restart": "Take up a run that was broken off",
 	"restart_how": "On the run page choose take up: the block, the codes in force and the way there are shown before cycle start.",
 	"offset": "Enter tool offsets",

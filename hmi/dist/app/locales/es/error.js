@@ -26,8 +26,6 @@ var error_default = {
 	"unknown_host": "La máquina no se reconoce con esta dirección",
 	"line_too_long": "Lo enviado de una vez era demasiado largo",
 	"too_many_connections": "Ya hay demasiadas conexiones",
-	"logged_out": "Se cerró la sesión",
-	"dnc_over": "No se espera más de ningún archivo",
-	"dnc_foreign": "Este no es el archivo que se estaba enviando"
+	"logged_out": "Se cerró la sesión"
 };
 export { error_default as default };

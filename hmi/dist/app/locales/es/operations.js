@@ -23,7 +23,7 @@ var operations_default = {
 	"files": "Traer y llevar programas",
 	"files_how": "Suelte archivos en el directorio o súbalos con su botón; arrastre un programa fuera o descárguelo. No hace falta memoria USB ni puerto serie.",
 	"dnc": "Ejecutar un archivo por partes (DNC)",
-	"dnc_how": "Elija DNC y un archivo y pulse marcha. La página muestra cuánto tiene ya el control.",
+	"dnc_how": "Elija DNC y un archivo y pulse marcha. Cuando el archivo ha llegado, la página puede cerrarse; muestra cuánto tiene ya el control.",
 	"restart": "Retomar una ejecución interrumpida",
 	"restart_how": "En la página de ejecución elija retomar: se muestran el bloque, los códigos vigentes y la aproximación antes de la marcha.",
 	"offset": "Introducir correctores",

@@ -26,8 +26,6 @@ var error_default = {
 	"unknown_host": "Станок не знает себя под этим адресом",
 	"line_too_long": "Отправлено слишком много сразу",
 	"too_many_connections": "Слишком много подключений",
-	"logged_out": "Вы вышли из системы",
-	"dnc_over": "Продолжение файла не ожидается",
-	"dnc_foreign": "Это не тот файл, который посылался"
+	"logged_out": "Вы вышли из системы"
 };
 export { error_default as default };

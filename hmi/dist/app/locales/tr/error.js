@@ -26,8 +26,6 @@ var error_default = {
 	"unknown_host": "Tezgâh kendini bu adresle tanımıyor",
 	"line_too_long": "Bir defada gönderilen çok uzundu",
 	"too_many_connections": "Zaten çok fazla bağlantı var",
-	"logged_out": "Oturum kapatıldı",
-	"dnc_over": "Dosyanın devamı beklenmiyor",
-	"dnc_foreign": "Bu, gönderilmekte olan dosya değil"
+	"logged_out": "Oturum kapatıldı"
 };
 export { error_default as default };

@@ -23,7 +23,7 @@ var operations_default = {
 	"files": "Program getirme ve götürme",
 	"files_how": "Dosyaları dizine bırakın ya da düğmeyle yükleyin; programı dışarı sürükleyin ya da indirin. USB bellek ve seri hat gerekmez.",
 	"dnc": "Dosyayı gelirken çalıştırma (DNC)",
-	"dnc_how": "DNC kipini ve dosyayı seçin, çevrim başlatın. Sayfa denetimin ne kadarını aldığını gösterir.",
+	"dnc_how": "DNC kipini ve dosyayı seçin, çevrim başlatın. Dosya gelince sayfa kapatılabilir; sayfa denetimin ne kadarını aldığını gösterir.",
 	"restart": "Kesilen çalışmayı sürdürme",
 	"restart_how": "Çalışma sayfasında sürdürmeyi seçin: blok, geçerli kodlar ve yaklaşma başlatmadan önce gösterilir.",
 	"offset": "Takım ofsetlerini girme",

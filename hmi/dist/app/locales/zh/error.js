@@ -26,8 +26,6 @@ var error_default = {
 	"unknown_host": "机床不认识这个地址",
 	"line_too_long": "一次发送的内容过长",
 	"too_many_connections": "连接数已达上限",
-	"logged_out": "您已退出登录",
-	"dnc_over": "不再等待文件的后续内容",
-	"dnc_foreign": "这不是正在发送的那个文件"
+	"logged_out": "您已退出登录"
 };
 export { error_default as default };
