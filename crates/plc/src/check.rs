@@ -338,6 +338,9 @@ fn section(all: &[Instruction], range: &Range<usize>, is_subprogram: bool, error
         }
         let number = instruction.number().unwrap_or(0);
         let wrong = match instruction.name() {
+            // Appendix 2: 1003 where a function stands between COM and COME; a jump into their midst would pass the
+            // condition.
+            Some(name) if com.is_some() && !matches!(name, Name::Com | Name::Come) => Some(Fault::ComWrong),
             Some(Name::Jmp) if number > 0 => {
                 coils = Some((Fault::JumpWrong, number, span));
                 None
@@ -351,8 +354,6 @@ fn section(all: &[Instruction], range: &Range<usize>, is_subprogram: bool, error
             Some(Name::Jmpe) => jump.take().is_none().then_some(Fault::JumpWrong),
             Some(Name::Com) => com.replace(span).map(|_| Fault::ComWrong),
             Some(Name::Come) => com.take().is_none().then_some(Fault::ComWrong),
-            // Appendix 2: 1003 where a function stands between COM and COME.
-            Some(_) if com.is_some() => Some(Fault::ComWrong),
             Some(Name::Lbl) => (!labels.insert(number)).then_some(Fault::JumpWrong),
             Some(Name::Jmpc) => (!is_subprogram).then_some(Fault::JumpWrong),
             _ => None,

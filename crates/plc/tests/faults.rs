@@ -23,6 +23,7 @@ fn each_fault_has_its_alarm_and_line() {
         ("RD X0.0\nCOM\nRD X0.1\nWRT R0.0", 1003, 2),
         ("RD X0.0\nWRT R0.0\nCOME", 1003, 3),
         ("RD X0.0\nCOM\nRD X0.1\nMOVB R1 R2\nCOME", 1003, 4),
+        ("RD X0.1\nJMP\nRD X0.0\nCOM\nRD X0.1\nWRT R0.0\nJMPE\nCOME", 1003, 7),
         ("RD X0.0\nCOM\nRD X0.0\nCOM\nRD X0.1\nWRT R0.0\nCOME", 1003, 4),
         ("RD X0.0\nCOM 2\nRD X0.1\nWRT R0.0", 1003, 2),
         ("END1", 1005, 1),
