@@ -407,6 +407,17 @@ fn inputs_of_the_simulated_machine_are_shown_and_act() {
     session.byte(b'~');
     session.settle();
     assert_eq!(session.at()[Axis::X], 200.0);
+    // One that stands open behind a reset holds too.
+    session.mill.drives().plant().unwrap().move_door(true);
+    session.wait(20);
+    session.byte(0x18);
+    session.wait(20);
+    assert_eq!(session.state(), "Door:1");
+    session.mill.drives().plant().unwrap().move_door(false);
+    session.wait(20);
+    session.byte(b'~');
+    session.wait(20);
+    assert_eq!(session.state(), "Idle");
     // The emergency stop is a reset.
     session.say("G1X0F3000\n");
     session.wait(500);
@@ -461,6 +472,51 @@ fn a_travel_switch_is_an_alarm_and_lets_its_axis_go_back() {
     session.wait(4000);
     let heard = std::mem::take(&mut session.heard);
     assert!(heard.contains("ALARM:1"), "{heard}");
+}
+
+/// Grbl 1.1: alarm 7, error 13; a hold is nothing to homing.
+#[test]
+fn an_open_door_ends_homing_and_keeps_the_machine_locked() {
+    let mut file = File::demo_mill();
+    file.axes.retain(|axis| axis.name.is_linear());
+    file.plant = Some(ferrocut_machine::PlantConfig::default());
+    let mut session = Session::of(&file, Options::default());
+    session.mill.drives().plant().unwrap().move_door(true);
+    session.wait(5);
+    assert_eq!(
+        (session.say("$X\n").as_str(), session.say("$H\n").as_str()),
+        ("error:13\r\n", "error:13\r\n")
+    );
+    assert_eq!(session.state(), "Alarm");
+    session.mill.drives().plant().unwrap().move_door(false);
+    session.wait(5);
+    session.say("$X\nG0X200\n");
+    session.settle();
+    session.say("$H\n");
+    session.wait(200);
+    assert_eq!(session.state(), "Home");
+    session.mill.drives().plant().unwrap().move_door(true);
+    session.wait(50);
+    let heard = std::mem::take(&mut session.heard);
+    assert!(heard.contains("ALARM:7"), "{heard}");
+    session.wait(2000);
+    let at = session.at();
+    session.wait(500);
+    assert_eq!((session.state().as_str(), session.at()), ("Alarm", at));
+    session.mill.drives().plant().unwrap().move_door(false);
+    session.wait(5);
+    session.say("$H\n");
+    session.settle();
+    assert_eq!(session.state(), "Idle");
+    // Homed already: a hold does not break the second time off.
+    session.say("G0X200\n");
+    session.settle();
+    session.say("$H\n");
+    session.wait(200);
+    assert_eq!(session.state(), "Home");
+    session.byte(b'!');
+    session.settle();
+    assert_eq!(session.state(), "Idle");
 }
 
 #[test]

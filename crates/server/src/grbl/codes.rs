@@ -23,6 +23,8 @@ impl Error {
     pub const LOCKED: Error = Error(9);
     /// A line too long.
     pub const LINE_TOO_LONG: Error = Error(11);
+    /// The safety door is open.
+    pub const DOOR: Error = Error(13);
     /// A start line too long to be kept.
     pub const START_LINE: Error = Error(14);
     /// A jog that would leave the machine's travel.
@@ -112,6 +114,8 @@ pub enum AlarmCode {
     ProbeMissed = 5,
     /// Homing was reset.
     HomingReset = 6,
+    /// The safety door was opened while homing.
+    HomingDoor = 7,
     /// Homing failed.
     HomingFailed = 8,
     /// Not homed since the machine was switched on. It has no number: no `ALARM` line is sent.

@@ -99,7 +99,7 @@ pub struct Grbl {
     /// Start lines to be run.
     start_lines: VecDeque<String>,
     /// As they were at the last poll.
-    pins: Pins,
+    pub(super) pins: Pins,
     pub(super) out: String,
 }
 
@@ -234,9 +234,15 @@ impl Grbl {
             Realtime::Status => self.is_asked = true,
             Realtime::Reset => self.reset(machine),
             Realtime::Hold if doing == Doing::Jog || self.jog_end.is_some() => self.cancel_jog(machine),
-            Realtime::Hold if self.lock == Lock::Free => machine.hold(),
+            // As Grbl: nothing but a reset breaks homing off.
+            Realtime::Hold if self.lock == Lock::Free && doing != Doing::Home => machine.hold(),
             Realtime::Start => self.start(machine),
             Realtime::CancelJog if doing == Doing::Jog || self.jog_end.is_some() => self.cancel_jog(machine),
+            Realtime::Door if doing == Doing::Home => {
+                machine.reset();
+                self.begins = true;
+                self.alarm(AlarmCode::HomingDoor);
+            }
             Realtime::Door if self.lock == Lock::Free => {
                 match doing {
                     Doing::Jog => self.cancel_jog(machine),
@@ -384,7 +390,8 @@ impl Grbl {
             self.happened(event, machine);
         }
         let before = std::mem::replace(&mut self.pins, status.pins);
-        if self.pins.door && !before.door {
+        // As long as it is open: it may have been so before a lock was given up.
+        if self.pins.door && (self.lock == Lock::Free || status.doing == Doing::Home) {
             self.act(Realtime::Door, machine);
         }
         if self.pins.reset && !before.reset {

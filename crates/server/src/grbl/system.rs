@@ -49,6 +49,7 @@ impl Grbl {
                 self.out.push_str("[MSG:Enabled]\r\n");
                 Ok(())
             }
+            b"X" | b"H" if self.pins.door => Err(Error::DOOR),
             b"X" => {
                 if let Lock::Alarm(_) = self.lock {
                     self.out.push_str("[MSG:Caution: Unlocked]\r\n");
