@@ -468,11 +468,17 @@ impl Cnc {
     /// Brings axes and spindle to rest at once, in a thread in step, and forgets the rest of the program.
     pub fn emergency_stop(&mut self) {
         self.manual.stop();
+        // The alarm of drives that failed stands whatever is pressed beside it: reset starts them anew behind it.
+        if self.drives_failed && matches!(self.state, State::Alarmed(_)) {
+            self.spindle.command(SpindleState::Off, &self.commanded);
+            return;
+        }
+        let drives = self.failed.take().filter(|_| self.drives_failed);
         let homing = self.stop_homing();
         if homing.is_some() || !matches!(self.state, State::Ended | State::Reset) {
             self.come_to_rest();
             self.spindle.command(SpindleState::Off, &self.commanded);
-            self.failed = homing;
+            self.failed = drives.or(homing);
         } else {
             // With nothing under way it clears what a reset does (GSK990MC 34#7, 35, 36).
             self.spindle.command(SpindleState::Off, &self.commanded);
@@ -482,6 +488,7 @@ impl Cnc {
     }
 
     fn come_to_rest(&mut self) {
+        self.break_off_lead_in();
         self.hold_return();
         self.manual.stop();
         self.homing.abort();

@@ -258,7 +258,18 @@ impl Journal {
         // The block is begun, and what was done of it is not given out again.
         let (position, hole) = left.map_or((position, 1), |left| (left.position, left.hole));
         (&mut interpreter).take(left.map_or(0, |left| left.steps)).for_each(drop);
-        Ok(Restart { journal, interpreter, span, pass, block, hole, position, in_force, functions })
+        Ok(Restart {
+            journal,
+            interpreter,
+            span,
+            pass,
+            block,
+            hole,
+            position,
+            broken_at,
+            in_force,
+            functions,
+        })
     }
 
     fn until(&self, at: At, interpreter: &mut Interpreter) -> Fallible<(Until, Span)> {
@@ -404,6 +415,8 @@ pub struct Restart {
     pub hole: u32,
     /// Where the axes stand when it begins, machine coordinates, compensation included, mm and degrees.
     pub position: Position,
+    /// Where the axes stood when the block was broken off; none where another place was asked for.
+    pub broken_at: Option<Position>,
     /// What is in force then.
     pub in_force: ProgramState,
     functions: Functions,

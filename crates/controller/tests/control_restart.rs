@@ -479,6 +479,13 @@ fn a_cycle_goes_on_with_the_hole_that_was_interrupted() {
         // Over the hole before, where it was left: R, and the level of the start before the first.
         let (x, z) = begins.map_or((0.0, 5.0), |x| (x, -1.0));
         assert_eq!([plan.position[&'X'], plan.position[&'Z']], [x, z]);
+        // The way there is broken off as well: the hole stays the one that it was.
+        shop.start();
+        shop.wait(120);
+        shop.say(Command::Reset);
+        shop.wait(300);
+        let plan = prepared(&mut shop, restart(None, true)).unwrap();
+        assert_eq!((plan.line, plan.hole), (3, hole));
         // The holes that are drilled now.
         let mut drilled = Vec::new();
         shop.start();

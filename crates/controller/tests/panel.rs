@@ -228,6 +228,38 @@ fn force(mill: &mut Mill, signal: &str, value: Option<bool>) {
     mill.wait(20);
 }
 
+/// Interlocks hold a block that a change of mode is finishing: the key alone has no effect there (2.4 notes 1 to 4).
+#[test]
+fn the_door_holds_a_block_that_is_being_finished() {
+    for (key, signal) in [("KEY_EDIT", "DOOR_CLOSED"), ("KEY_MDI", "DRIVE_OK"), ("KEY_DNC", "DOOR_CLOSED")] {
+        let mut mill = Mill::power_on();
+        mill.home();
+        mill.press("KEY_AUTO");
+        let text = "M3 S600\nG91 G1 X-40 F600\nX-5\nM30\n".to_owned();
+        mill.say(Command::Store { program: "O0001".into(), text });
+        mill.say(Command::Select { program: "O1".into() });
+        mill.press("KEY_START");
+        mill.until("cutting", |status| status.feed.actual > 500.0);
+        mill.press(key);
+        mill.press("KEY_HOLD");
+        assert!(mill.wait(300).feed.actual > 500.0, "the key is none here");
+        force(&mut mill, signal, Some(false));
+        let held = mill.wait(500);
+        assert_eq!(held.feed.actual, 0.0, "{key} {signal}");
+        assert!(held.position.to_go[&'X'].abs() > 5.0);
+        force(&mut mill, signal, None);
+        assert_eq!(mill.wait(500).position.machine, held.position.machine);
+        // It goes on in its own mode, once the spindle turns.
+        mill.press("KEY_JOG");
+        mill.press("KEY_SP_CW");
+        mill.until("turning", |status| (status.spindle.actual.abs() - 600.0).abs() < 1.0);
+        mill.press("KEY_AUTO");
+        mill.press("KEY_START");
+        let done = mill.until("done", |status| status.activity == Activity::Idle);
+        assert_eq!(done.counters.parts, 1);
+    }
+}
+
 /// The door is locked while a program runs; one that opens all the same holds the axes, stops the spindle and locks
 /// cycle start, and nothing starts when it is closed.
 #[test]

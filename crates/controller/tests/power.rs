@@ -680,6 +680,55 @@ fn a_kill_at_any_instant_loses_nothing_that_was_said_to_be_kept() {
     }
 }
 
+/// Where an axis was moving when the power failed nobody knows where it came to rest; one that stood is where it was.
+#[test]
+fn an_axis_that_moved_when_the_power_failed_is_to_be_homed() {
+    let folder = tempfile::tempdir().unwrap();
+    let other = tempfile::tempdir().unwrap();
+    // Absolute encoders (20#6): all is known when it is switched on first.
+    let control = |folder: &Path| {
+        let mut machine = Machine::demo_mill();
+        machine.plant.get_or_insert_default();
+        machine.parameters.insert("NO20.6".into(), 1.0);
+        let store = Arc::new(Store::open(folder, Settings::new("gsk990mc")).unwrap());
+        Control::new(&machine, Parts { store: Some(store), ..Parts::default() }).unwrap()
+    };
+    let copied = |at: &Path| {
+        for file in std::fs::read_dir(folder.path()).unwrap() {
+            let file = file.unwrap();
+            let _ = std::fs::copy(file.path(), at.join(file.file_name()));
+        }
+        control(at)
+    };
+    let mut control = control(folder.path());
+    mode(&mut control, Mode::Mdi);
+    say(&mut control, Command::Mdi { text: "G0 X20\nG91 G1 X-100 F3000\nG1 Y-5 X-5".into() });
+    start(&mut control, Mode::Mdi);
+    let all: Vec<char> = control.status().referenced.into_iter().collect();
+    assert!(all.contains(&'X') && all.contains(&'Y'));
+    while control.status().position.machine[&'X'] > -20.0 {
+        control.tick();
+    }
+    control.flush().unwrap();
+    let known = |control: &Control| -> Vec<char> { control.status().referenced.into_iter().collect() };
+    let without =
+        |axes: &[char]| -> Vec<char> { all.iter().copied().filter(|axis| !axes.contains(axis)).collect() };
+    assert_eq!(known(&copied(other.path())), without(&['X']));
+    // The set grows with the axes that begin.
+    while control.status().position.machine[&'Y'] > -2.0 {
+        control.tick();
+    }
+    control.flush().unwrap();
+    let other = tempfile::tempdir().unwrap();
+    assert_eq!(known(&copied(other.path())), without(&['X', 'Y']));
+    wait(&mut control, 3000);
+    control.flush().unwrap();
+    let other = tempfile::tempdir().unwrap();
+    let rested = copied(other.path());
+    assert_eq!(known(&rested), all);
+    assert_eq!(rested.status().position.machine, control.status().position.machine);
+}
+
 /// GSK990MC part 2, 3.4.1 and 10.2.5: programs stay closed until somebody with the right opens them.
 #[test]
 fn the_program_switch_stands_after_the_power_as_it_was_left() {
@@ -706,6 +755,20 @@ fn the_program_switch_stands_after_the_power_as_it_was_left() {
     say(&mut control, restore("variables"));
     by_maintenance(&mut control, turn(true));
     say(&mut control, program());
+    // A program that may not be deleted stays selected.
+    mode(&mut control, Mode::Auto);
+    say(&mut control, Command::Select { program: "O1".into() });
+    mode(&mut control, Mode::Edit);
+    let lock = |locked| Command::Lock { program: "O0001".into(), locked };
+    by_maintenance(&mut control, lock(true));
+    let delete = || Command::Delete { program: "O0001".into() };
+    refused(&mut control, delete());
+    assert_eq!(control.status().program.selected.as_deref(), Some("O0001"));
+    by_maintenance(&mut control, lock(false));
+    say(&mut control, delete());
+    control.flush().unwrap();
+    wait(&mut control, 100);
+    assert_eq!(control.status().program.selected, None);
 }
 
 /// GSK990MC part 2, 3.7: messages of the ladder stand in the history, with when they came. One that comes and goes in

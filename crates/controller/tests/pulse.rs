@@ -452,6 +452,36 @@ fn emergency_stop_and_amplifier_stop_the_control() {
     }
 }
 
+/// One contact may be wired to the board and to the ladder: whichever comes first, the alarm of the drives stands, and
+/// a reset starts them anew.
+#[test]
+fn an_emergency_stop_beside_a_failure_of_the_drives_leaves_its_alarm() {
+    for (before, behind) in [(0, 1), (0, 3), (0, 2000), (1, 0), (3, 0)] {
+        let mut bench = Bench::new(&machine(""), PROGRAM, Board::new(Able::default()));
+        bench.until(200, |bench| bench.board.doing == board::RUNNING);
+        bench.cnc.cycle_start();
+        (0..300).for_each(|_| bench.tick());
+        if before > 0 {
+            bench.cnc.emergency_stop();
+        }
+        (0..before).for_each(|_| bench.tick());
+        bench.board.emergency_stop = true;
+        // Some periods go by until the board is heard.
+        bench.until(2000, |bench| bench.cnc.drives_have_failed());
+        (0..behind).for_each(|_| bench.tick());
+        if behind > 0 {
+            bench.cnc.emergency_stop();
+        }
+        bench.until(2000, |bench| matches!(bench.cnc.state(), State::Alarmed(_)));
+        assert_eq!(bench.alarm(), Fault::DriveEmergencyStop, "{before} {behind}");
+        bench.board.emergency_stop = false;
+        bench.cnc.reset();
+        bench.until(2000, |bench| *bench.cnc.state() == State::Reset);
+        assert!(!bench.cnc.drives_have_failed());
+        bench.until(2000, |bench| bench.board.doing == board::RUNNING);
+    }
+}
+
 #[test]
 fn a_board_that_cannot_do_what_is_asked_for_is_refused() {
     let able = Able::default;

@@ -17,6 +17,11 @@ pub(super) struct TakingUp {
     /// What is done before the program goes on.
     lead_in: VecDeque<Step>,
     leads: Leads,
+    /// Where the axes stood when the block was broken off to which the lead-in goes: while it is on its way there, that
+    /// is where the run was broken off, wherever the lead-in itself ends.
+    broken_at: Option<Position>,
+    /// The lead-in itself was broken off.
+    stopped_short: bool,
     /// The number and the text of the block being run.
     pub at: (u64, Span),
     /// The tool in the spindle, and the one that was called last.
@@ -90,6 +95,7 @@ impl Cnc {
             return Err(Box::new(Alarm::core(Fault::RestartMoving, restart.span)));
         }
         let (block, span) = (restart.block, restart.span);
+        self.taking_up.broken_at = restart.broken_at;
         let (mut interpreter, journal) = restart.into_parts();
         interpreter.look_back();
         self.touches = None;
@@ -126,6 +132,17 @@ impl Cnc {
     fn forget_lead_in(&mut self) {
         self.taking_up.lead_in.clear();
         self.taking_up.leads = Leads::Nothing;
+        self.taking_up.stopped_short = false;
+    }
+
+    /// All comes to rest: whether the machine was still on its way to the place of a restart.
+    pub(super) fn break_off_lead_in(&mut self) {
+        self.taking_up.stopped_short |= self.is_leading_in();
+    }
+
+    /// Where the run was broken off that is being taken up, as long as it is not; none behind that.
+    pub fn broken_at(&self) -> Option<Position> {
+        self.taking_up.broken_at.filter(|_| self.taking_up.stopped_short || self.is_leading_in())
     }
 
     pub(super) fn next_of_lead_in(&mut self) -> Option<Step> {
@@ -168,7 +185,8 @@ impl Cnc {
             self.spindle.command(SpindleState::Off, &Position::ZERO);
         }
         let ((block, span), tools) = (self.taking_up.at, self.taking_up.tools);
-        let at = self.retrace.take_broken_off().unwrap_or(self.commanded);
+        let stood = self.retrace.take_broken_off().unwrap_or(self.commanded);
+        let at = self.broken_at().unwrap_or(stood);
         self.supervisor.comes_to_rest(self.commanded);
         match self.touches.take() {
             // No block of the program was run.

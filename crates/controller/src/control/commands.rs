@@ -394,9 +394,6 @@ impl Control {
         if let library::Library::Held(programs) = &self.library {
             programs.lock().unwrap_or_else(PoisonError::into_inner).remove(&name);
         }
-        if self.selected.as_ref() == Some(&name) {
-            self.selected = None;
-        }
         self.change_data(author, Change::DeleteProgram { name })
     }
 

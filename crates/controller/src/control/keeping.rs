@@ -10,7 +10,8 @@ use super::status::Count;
 use super::taking_up::TakingUp;
 use super::{Control, alarm, exchange};
 use crate::api::{AlarmInfo, Event};
-use ferrocut_geometry::Position;
+use crate::cnc::Tick;
+use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_interpreter::Interpreter;
 use ferrocut_machine::{Alarm, Fault, Memory, MemoryChange, ParameterKey, ToolOffset, WorkOffset};
 use ferrocut_memory::control::{ENTERED, KEPT_VARIABLES, changes, enter};
@@ -46,6 +47,10 @@ pub(super) struct Keeping {
     block: u64,
     stood: Option<Position>,
     was_moving: bool,
+    /// Where the axes stood last, and those that are on their way from there: should the power fail now, nobody knows
+    /// where they come to rest.
+    stands: Position,
+    on_their_way: AxisSet,
     /// Changes of persons on their way.
     pending: VecDeque<Asked>,
     look_in: f64,
@@ -138,6 +143,8 @@ impl Keeping {
             block: 0,
             stood: None,
             was_moving: false,
+            stands: Position::ZERO,
+            on_their_way: AxisSet::EMPTY,
             pending: VecDeque::new(),
             look_in: 0.0,
             slow_in: SLOW_S,
@@ -219,6 +226,18 @@ impl Keeping {
         }
     }
 
+    /// Whether an axis has left the place where it stood.
+    fn follow(&mut self, tick: &Tick) -> bool {
+        let before = self.on_their_way;
+        if !tick.moving {
+            (self.stands, self.on_their_way) = (tick.position, AxisSet::EMPTY);
+            return false;
+        }
+        let left = |axis: &Axis| before.contains(*axis) || tick.position[*axis] != self.stands[*axis];
+        self.on_their_way = Axis::ALL.into_iter().filter(left).collect();
+        self.on_their_way != before
+    }
+
     fn look_at_position(&mut self, at: LastPosition) {
         // Another time alone is nothing new.
         let is_another = |last: &LastPosition| LastPosition { time: at.time, ..last.clone() } != at;
@@ -242,8 +261,9 @@ impl Control {
             keeping.look_in = LOOK_S;
             keeping.look_at_program(self.cnc.interpreter());
         }
-        if keeping.slow_in <= 0.0 || came_to_rest {
-            keeping.look_at_position(self.last_position());
+        let left = self.cnc.drives().loses_place_with_power() && keeping.follow(&self.tick);
+        if keeping.slow_in <= 0.0 || came_to_rest || left {
+            keeping.look_at_position(self.last_position(keeping.on_their_way));
             if self.runs_remembered()
                 && let Some(at) = self.place_of_run()
                 && (keeping.block, keeping.stood) != (at.block, at.at)
@@ -298,11 +318,12 @@ impl Control {
         }
     }
 
-    fn last_position(&self) -> LastPosition {
+    fn last_position(&self, on_their_way: AxisSet) -> LastPosition {
+        let referenced = self.cnc.referenced();
         LastPosition {
             time: ferrocut_memory::items::now(),
             position: self.tick.position,
-            referenced: self.cnc.referenced(),
+            referenced: referenced.iter().filter(|axis| !on_their_way.contains(*axis)).collect(),
             work_system: self.cnc.interpreter().work_system(),
         }
     }
@@ -499,6 +520,10 @@ impl Control {
                 self.text_changed(name);
             }
             Change::Program { name, .. } | Change::DeleteProgram { name } => {
+                // Not before: who may not delete it leaves it selected.
+                if matches!(change, Change::DeleteProgram { .. }) && self.selected.as_ref() == Some(name) {
+                    self.selected = None;
+                }
                 self.text_changed(name);
             }
             _ => {}

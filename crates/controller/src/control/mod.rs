@@ -210,8 +210,10 @@ impl Control {
         if plc.is_some() {
             cnc.connect_ladder(machine);
         }
-        // 6#4: reference points that are kept.
-        if let Some(referenced) = referenced.filter(|_| cnc.remembers_reference()) {
+        // 6#4: reference points that are kept. Drives that know their places by what was kept know no other ones.
+        let drives = cnc.drives();
+        let known_by_it = drives.knows_places() && drives.loses_place_with_power();
+        if let Some(referenced) = referenced.filter(|_| cnc.remembers_reference() || known_by_it) {
             cnc.set_referenced(referenced);
         }
         let tick =
@@ -509,9 +511,11 @@ impl Control {
         if self.inputs.feed_hold {
             self.reading.cancel_start();
         }
-        let moves = self.standing() == Standing::Runs || self.cnc.goes_back();
-        if self.inputs.feed_hold || self.inputs.start_lock && moves {
-            if self.cnc.returns() || self.cnc.goes_back() || modes::holds(self.standing()) {
+        let moves = matches!(self.standing(), Standing::Runs | Standing::Finishes) || self.cnc.goes_back();
+        // An interlock acts where the key does not (2.4 notes 1, 2, 4): behind an open door no block is finished.
+        let locks = self.inputs.start_lock && moves;
+        if self.inputs.feed_hold || locks {
+            if locks || self.cnc.returns() || self.cnc.goes_back() || modes::holds(self.standing()) {
                 self.cnc.feed_hold();
             }
             return;

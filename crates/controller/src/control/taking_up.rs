@@ -122,7 +122,7 @@ impl Control {
             line: span.line,
             block,
             text: text_of(&programs.slice(span)),
-            at: Some(self.tick.position),
+            at: Some(self.cnc.broken_at().unwrap_or(self.tick.position)),
         })
     }
 

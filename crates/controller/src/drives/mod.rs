@@ -80,6 +80,11 @@ pub trait Drives: Send {
         true
     }
 
+    /// Whether an axis that is moving when the power fails comes to rest nobody knows where.
+    fn loses_place_with_power(&self) -> bool {
+        true
+    }
+
     /// The switches that drives read themselves.
     fn switches(&self) -> Switches {
         Switches::default()

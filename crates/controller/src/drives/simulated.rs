@@ -11,4 +11,9 @@ impl Drives for Simulated {
     fn exchange(&mut self, commanded: &Position) -> Position {
         *commanded
     }
+
+    /// They are where they are commanded to be, and have no switch to find it again.
+    fn loses_place_with_power(&self) -> bool {
+        false
+    }
 }
