@@ -56,12 +56,17 @@ test('the ladder is exchanged while it runs, under right, and the one before is 
   await shoot(page, 'plc-exchanged');
 
   // A ladder with a fault is refused, its line is shown, and the running one runs on.
-  await rewrite(page, 'WRT.NOT LAMP_LIGHT', 'WRT.NOT NOBODY_KNOWS');
+  await rewrite(page, 'WRT.NOT LAMP_LIGHT', 'WRT.NOT NOBODY_KNOWS\\nRD NOR_THIS\\nWRT R400.0');
   await exchange(page);
   const fault = notice(page).filter({ hasText: 'Not exchanged: there is a fault in line' });
   await expect(fault).toContainText('gsk990mc:1012');
   await expect(fault).toContainText('The address or value is entered wrongly');
   await expect(page.locator('.cm-activeLine.cm-line')).toContainText('NOBODY_KNOWS');
+  // All of its faults are listed, and lead to their lines.
+  const found = page.getByTestId('findings').getByRole('button');
+  await expect(found).toHaveCount(2);
+  await found.nth(1).click();
+  await expect(page.locator('.cm-activeLine.cm-line')).toContainText('NOR_THIS');
   await press(page, 'KEY_LIGHT');
   await lit(page, false);
   await press(page, 'KEY_LIGHT');
@@ -69,6 +74,9 @@ test('the ladder is exchanged while it runs, under right, and the one before is 
   await page.getByRole('button', { name: 'Put the one before back' }).click();
   await lit(page, false);
   await expect(page.locator('.cm-content')).toContainText('The standard ladder');
+  await expect(found).toHaveCount(0);
+  await page.getByTestId('check-ladder').click();
+  await expect(notice(page).filter({ hasText: 'No fault' })).toBeVisible();
   await press(page, 'KEY_LIGHT');
   await lit(page, true);
   await press(page, 'KEY_LIGHT');

@@ -14,6 +14,8 @@ var plc_default = {
 	"facts": "{rungs} rungs, {instructions} instructions",
 	"roll_back": "Put the one before back",
 	"start": "Start",
+	"check": "Check",
+	"faultless": "No fault: {steps} steps",
 	"exchange": "Exchange",
 	"exchange_text": "The ladder is exchanged between two scans while the machine runs. Signals, timers and counters stay as they are.",
 	"exchanged": "The ladder is exchanged",

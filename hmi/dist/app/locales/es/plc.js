@@ -14,6 +14,8 @@ var plc_default = {
 	"facts": "{rungs} peldaños, {instructions} instrucciones",
 	"roll_back": "Volver al anterior",
 	"start": "Arrancar",
+	"check": "Comprobar",
+	"faultless": "Sin errores: {steps} pasos",
 	"exchange": "Sustituir",
 	"exchange_text": "El diagrama se sustituye entre dos ciclos con la máquina en marcha. Señales, temporizadores y contadores se conservan.",
 	"exchanged": "Diagrama sustituido",

@@ -14,6 +14,8 @@ var plc_default = {
 	"facts": "{rungs} basamak, {instructions} komut",
 	"roll_back": "Öncekine dön",
 	"start": "Başlat",
+	"check": "Denetle",
+	"faultless": "Hata yok: {steps} adım",
 	"exchange": "Değiştir",
 	"exchange_text": "Merdiven, tezgâh çalışırken iki tarama arasında değiştirilir. Sinyaller, zamanlayıcılar ve sayaçlar korunur.",
 	"exchanged": "Merdiven değiştirildi",

@@ -14,6 +14,8 @@ var plc_default = {
 	"facts": "{rungs} 个梯级，{instructions} 条指令",
 	"roll_back": "恢复前一版本",
 	"start": "启动",
+	"check": "检查",
+	"faultless": "没有错误：{steps} 步",
 	"exchange": "更换",
 	"exchange_text": "梯形图在机床运行中于两次扫描之间更换，信号、定时器和计数器保持不变。",
 	"exchanged": "梯形图已更换",

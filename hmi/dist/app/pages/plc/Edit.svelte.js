@@ -2,9 +2,11 @@ import { http } from "../../lib/api/http.js";
 import { Refused } from "../../lib/api/socket.js";
 import { language, t } from "../../lib/i18n/index.svelte.js";
 import Editor from "../../lib/editor/Editor.svelte.js";
+import Findings from "../../lib/editor/Findings.svelte.js";
 import { readLadder } from "../../lib/ladder/ladder.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import Dialog from "../../lib/parts/Dialog.svelte.js";
+import { alarmText } from "../../lib/state/alarm-texts.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import { notify } from "../../lib/state/notices.svelte.js";
 import { untrack } from "svelte";
@@ -14,7 +16,7 @@ import * as $ from "svelte/internal/client";
 var root = $.from_html(`<span class="need s-iyog2j"> </span>`);
 var root_1 = $.from_html(`<!> <!>`, 1);
 var root_2 = $.from_html(`<p> </p>`);
-var root_3 = $.from_html(`<div class="row wrap"><span class="muted"> </span> <!> <span class="grow"></span> <!> <!> <!> <!> <!></div> <div class="text s-iyog2j"><!></div> <!>`, 1);
+var root_3 = $.from_html(`<div class="row wrap"><span class="muted"> </span> <!> <span class="grow"></span> <!> <!> <!> <!> <!> <!></div> <div class="text s-iyog2j"><!></div> <!> <!>`, 1);
 function Edit($$anchor, $$props) {
 	$.push($$props, true);
 	let editor = $.state(void 0);
@@ -25,12 +27,21 @@ function Edit($$anchor, $$props) {
 		rungs: 0,
 		instructions: 0
 	}));
+	/** What is wrong with the text, as it was when it was looked at. */
+	let faults = $.state([]);
 	const level = $.derived(() => machine.level);
+	const findings = $.derived(() => $.get(faults).map((alarm) => ({
+		line: alarm.line,
+		id: alarm.id,
+		text: alarmText(alarm).text,
+		severity: "error"
+	})));
 	async function read() {
 		const reply = await machine.fetch("text", { do: "ladder" });
 		if (!reply) return;
 		$.set(text, reply.text, true);
 		$.set(changed, false);
+		$.set(faults, []);
 		const ladder = readLadder(reply.text);
 		$.set(facts, {
 			rungs: ladder.rungs.length,
@@ -46,6 +57,7 @@ function Edit($$anchor, $$props) {
 	});
 	async function exchange() {
 		$.set(asking, false);
+		$.set(faults, []);
 		const now = $.get(editor)?.value() ?? $.get(text);
 		try {
 			await machine.ask({
@@ -54,8 +66,10 @@ function Edit($$anchor, $$props) {
 			});
 		} catch (refused) {
 			const alarm = refused instanceof Refused ? refused.alarm : null;
-			if (alarm?.line) await tellFault(alarm);
-			else machine.refused(refused);
+			if (alarm?.line) {
+				await tellFault(alarm);
+				await check(now);
+			} else machine.refused(refused);
 			return;
 		}
 		notify({
@@ -75,6 +89,22 @@ function Edit($$anchor, $$props) {
 			title: t("plc.faulty", { line }),
 			text: about ? `${about.text}. ${about.help}` : "",
 			code: id
+		});
+	}
+	/** Looks at a text without running it; how many steps it has, 0 where it has faults. */
+	async function check(now) {
+		const reply = await machine.fetch("ladder_checked", {
+			do: "check_ladder",
+			text: now
+		});
+		$.set(faults, reply?.faults ?? []);
+		return reply?.steps ?? 0;
+	}
+	async function look() {
+		const steps = await check($.get(editor)?.value() ?? $.get(text));
+		if (steps) notify({
+			kind: "done",
+			title: t("plc.faultless", { steps })
 		});
 	}
 	async function back() {
@@ -125,32 +155,45 @@ function Edit($$anchor, $$props) {
 	}
 	var node_3 = $.sibling(node_2, 2);
 	Button(node_3, {
-		icon: "undo",
-		onclick: () => void back(),
+		icon: "check",
+		onclick: () => void look(),
+		"data-testid": "check-ladder",
 		children: ($$anchor, $$slotProps) => {
 			$.next();
 			var text_3 = $.text();
-			$.template_effect(($0) => $.set_text(text_3, $0), [() => t("plc.roll_back")]);
+			$.template_effect(($0) => $.set_text(text_3, $0), [() => t("plc.check")]);
 			$.append($$anchor, text_3);
 		},
 		$$slots: { default: true }
 	});
 	var node_4 = $.sibling(node_3, 2);
 	Button(node_4, {
-		icon: "play",
-		onclick: () => void machine.tell({ do: "start_ladder" }),
+		icon: "undo",
+		onclick: () => void back(),
 		children: ($$anchor, $$slotProps) => {
 			$.next();
 			var text_4 = $.text();
-			$.template_effect(($0) => $.set_text(text_4, $0), [() => t("plc.start")]);
+			$.template_effect(($0) => $.set_text(text_4, $0), [() => t("plc.roll_back")]);
 			$.append($$anchor, text_4);
 		},
 		$$slots: { default: true }
 	});
 	var node_5 = $.sibling(node_4, 2);
+	Button(node_5, {
+		icon: "play",
+		onclick: () => void machine.tell({ do: "start_ladder" }),
+		children: ($$anchor, $$slotProps) => {
+			$.next();
+			var text_5 = $.text();
+			$.template_effect(($0) => $.set_text(text_5, $0), [() => t("plc.start")]);
+			$.append($$anchor, text_5);
+		},
+		$$slots: { default: true }
+	});
+	var node_6 = $.sibling(node_5, 2);
 	{
 		let $0 = $.derived(() => !$.get(changed));
-		Button(node_5, {
+		Button(node_6, {
 			kind: "primary",
 			icon: "upload",
 			get disabled() {
@@ -160,19 +203,19 @@ function Edit($$anchor, $$props) {
 			"data-testid": "exchange",
 			children: ($$anchor, $$slotProps) => {
 				$.next();
-				var text_5 = $.text();
-				$.template_effect(($0) => $.set_text(text_5, $0), [() => t("plc.exchange")]);
-				$.append($$anchor, text_5);
+				var text_6 = $.text();
+				$.template_effect(($0) => $.set_text(text_6, $0), [() => t("plc.exchange")]);
+				$.append($$anchor, text_6);
 			},
 			$$slots: { default: true }
 		});
 	}
 	$.reset(div);
 	var div_1 = $.sibling(div, 2);
-	var node_6 = $.child(div_1);
+	var node_7 = $.child(div_1);
 	{
 		let $0 = $.derived(() => t("plc.edit"));
-		$.bind_this(Editor(node_6, {
+		$.bind_this(Editor(node_7, {
 			get text() {
 				return $.get(text);
 			},
@@ -185,37 +228,44 @@ function Edit($$anchor, $$props) {
 		}), ($$value) => $.set(editor, $$value, true), () => $.get(editor));
 	}
 	$.reset(div_1);
-	var node_7 = $.sibling(div_1, 2);
+	var node_8 = $.sibling(div_1, 2);
+	Findings(node_8, {
+		get findings() {
+			return $.get(findings);
+		},
+		onshow: (line) => $.get(editor)?.show(line)
+	});
+	var node_9 = $.sibling(node_8, 2);
 	{
 		const actions = ($$anchor) => {
-			var fragment_4 = root_1();
-			var node_8 = $.first_child(fragment_4);
-			Button(node_8, {
+			var fragment_5 = root_1();
+			var node_10 = $.first_child(fragment_5);
+			Button(node_10, {
 				onclick: () => $.set(asking, false),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_6 = $.text();
-					$.template_effect(($0) => $.set_text(text_6, $0), [() => t("app.cancel")]);
-					$.append($$anchor, text_6);
-				},
-				$$slots: { default: true }
-			});
-			var node_9 = $.sibling(node_8, 2);
-			Button(node_9, {
-				kind: "danger",
-				onclick: () => void exchange(),
-				children: ($$anchor, $$slotProps) => {
-					$.next();
 					var text_7 = $.text();
-					$.template_effect(($0) => $.set_text(text_7, $0), [() => t("plc.exchange")]);
+					$.template_effect(($0) => $.set_text(text_7, $0), [() => t("app.cancel")]);
 					$.append($$anchor, text_7);
 				},
 				$$slots: { default: true }
 			});
-			$.append($$anchor, fragment_4);
+			var node_11 = $.sibling(node_10, 2);
+			Button(node_11, {
+				kind: "danger",
+				onclick: () => void exchange(),
+				children: ($$anchor, $$slotProps) => {
+					$.next();
+					var text_8 = $.text();
+					$.template_effect(($0) => $.set_text(text_8, $0), [() => t("plc.exchange")]);
+					$.append($$anchor, text_8);
+				},
+				$$slots: { default: true }
+			});
+			$.append($$anchor, fragment_5);
 		};
 		let $0 = $.derived(() => t("plc.exchange"));
-		Dialog(node_7, {
+		Dialog(node_9, {
 			get title() {
 				return $.get($0);
 			},
@@ -228,8 +278,8 @@ function Edit($$anchor, $$props) {
 			actions,
 			children: ($$anchor, $$slotProps) => {
 				var p = root_2();
-				var text_8 = $.only_child(p, true);
-				$.template_effect(($0) => $.set_text(text_8, $0), [() => t("plc.exchange_text")]);
+				var text_9 = $.only_child(p, true);
+				$.template_effect(($0) => $.set_text(text_9, $0), [() => t("plc.exchange_text")]);
 				$.append($$anchor, p);
 			},
 			$$slots: {

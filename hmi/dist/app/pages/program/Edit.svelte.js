@@ -1,5 +1,6 @@
 import { t } from "../../lib/i18n/index.svelte.js";
 import Editor from "../../lib/editor/Editor.svelte.js";
+import Findings from "../../lib/editor/Findings.svelte.js";
 import { renumber } from "../../lib/editor/renumber.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import Dialog from "../../lib/parts/Dialog.svelte.js";
@@ -15,20 +16,18 @@ import { programs } from "../../lib/state/programs.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/program/Edit.svelte
-var root = $.from_html(`<i class="s-kotyyf"></i>`);
-var root_1 = $.from_html(`<span class="background s-kotyyf"> </span>`);
+var root = $.from_html(`<i class="s-n0epk1"></i>`);
+var root_1 = $.from_html(`<span class="background s-n0epk1"> </span>`);
 var root_2 = $.from_html(`<span class="muted" data-testid="checked-on-save" role="status"> </span>`);
-var root_3 = $.from_html(`<span class="background s-kotyyf" data-testid="closed"> </span>`);
-var root_4 = $.from_html(`<div class="newer row wrap s-kotyyf" role="alert" data-testid="newer"><!><span class="grow"> </span> <!></div>`);
-var root_5 = $.from_html(`<div class="newer row s-kotyyf" role="alert" data-testid="codes-lost"><!><span class="grow"> </span> <!></div>`);
+var root_3 = $.from_html(`<span class="background s-n0epk1" data-testid="closed"> </span>`);
+var root_4 = $.from_html(`<div class="newer row wrap s-n0epk1" role="alert" data-testid="newer"><!><span class="grow"> </span> <!></div>`);
+var root_5 = $.from_html(`<div class="newer row s-n0epk1" role="alert" data-testid="codes-lost"><!><span class="grow"> </span> <!></div>`);
 var root_6 = $.from_html(`<p class="muted"> </p>`);
-var root_7 = $.from_html(`<li><button type="button"><!><span class="number"> </span><span class="code muted"> </span><span> </span></button></li>`);
-var root_8 = $.from_html(`<ul class="findings scroll s-kotyyf" data-testid="findings"></ul>`);
-var root_9 = $.from_html(`<div class="edit s-kotyyf" data-testid="editor"><div class="row wrap"><strong class="code name s-kotyyf"> <!></strong> <!> <!> <!> <!> <span class="grow"></span> <!> <!> <!> <!> <!> <!> <!></div> <!> <!> <div class="text s-kotyyf"><!></div> <!></div>`);
-var root_10 = $.from_html(`<!> <!>`, 1);
-var root_11 = $.from_html(`<div class="row"><!> <!></div>`);
-var root_12 = $.from_html(`<p> </p>`);
-var root_13 = $.from_html(`<!> <!> <!>`, 1);
+var root_7 = $.from_html(`<div class="edit s-n0epk1" data-testid="editor"><div class="row wrap"><strong class="code name s-n0epk1"> <!></strong> <!> <!> <!> <!> <span class="grow"></span> <!> <!> <!> <!> <!> <!> <!></div> <!> <!> <div class="text s-n0epk1"><!></div> <!></div>`);
+var root_8 = $.from_html(`<!> <!>`, 1);
+var root_9 = $.from_html(`<div class="row"><!> <!></div>`);
+var root_10 = $.from_html(`<p> </p>`);
+var root_11 = $.from_html(`<!> <!> <!>`, 1);
 function Edit($$anchor, $$props) {
 	$.push($$props, true);
 	const name = $.derived(() => route.item || machine.status?.program.selected || "");
@@ -201,7 +200,7 @@ function Edit($$anchor, $$props) {
 		$.get(editor)?.rewrite((lines) => renumber(lines, $.get(first), $.get(step)));
 		$.set(numbering, false);
 	}
-	var fragment = root_13();
+	var fragment = root_11();
 	var node = $.first_child(fragment);
 	var consequent = ($$anchor) => {
 		{
@@ -234,7 +233,7 @@ function Edit($$anchor, $$props) {
 		}
 	};
 	var alternate = ($$anchor) => {
-		var div = root_9();
+		var div = root_7();
 		var div_1 = $.child(div);
 		var strong = $.child(div_1);
 		var text_2 = $.child(strong, true);
@@ -496,35 +495,11 @@ function Edit($$anchor, $$props) {
 		});
 		$.reset(div_4);
 		var node_21 = $.sibling(div_4, 2);
-		var consequent_10 = ($$anchor) => {
-			var ul = root_8();
-			$.each(ul, 21, () => $.get(findings).slice(0, 200), $.index, ($$anchor, finding) => {
-				var li = root_7();
-				var button = $.child(li);
-				var node_22 = $.child(button);
-				Icon(node_22, { name: "alarms" });
-				var span_6 = $.sibling(node_22);
-				var text_14 = $.only_child(span_6);
-				var span_7 = $.sibling(span_6);
-				var text_15 = $.only_child(span_7, true);
-				var span_8 = $.sibling(span_7);
-				var text_16 = $.only_child(span_8, true);
-				$.reset(button);
-				$.reset(li);
-				$.template_effect(() => {
-					$.set_class(button, 1, $.clsx($.get(finding).severity), "s-kotyyf");
-					$.set_text(text_14, `${$.get(finding).line ?? ""}:${$.get(finding).column ?? ""}`);
-					$.set_text(text_15, $.get(finding).id);
-					$.set_text(text_16, $.get(finding).text);
-				});
-				$.delegated("click", button, () => $.get(editor)?.show($.get(finding).line));
-				$.append($$anchor, li);
-			});
-			$.reset(ul);
-			$.append($$anchor, ul);
-		};
-		$.if(node_21, ($$render) => {
-			if ($.get(findings).length) $$render(consequent_10);
+		Findings(node_21, {
+			get findings() {
+				return $.get(findings);
+			},
+			onshow: (line) => $.get(editor)?.show(line)
 		});
 		$.reset(div);
 		$.template_effect(() => $.set_text(text_2, $.get(shown) || $.get(name)));
@@ -534,37 +509,37 @@ function Edit($$anchor, $$props) {
 		if (!$.get(name)) $$render(consequent);
 		else $$render(alternate, -1);
 	});
-	var node_23 = $.sibling(node, 2);
+	var node_22 = $.sibling(node, 2);
 	{
 		const actions = ($$anchor) => {
-			var fragment_10 = root_10();
-			var node_24 = $.first_child(fragment_10);
-			Button(node_24, {
+			var fragment_10 = root_8();
+			var node_23 = $.first_child(fragment_10);
+			Button(node_23, {
 				onclick: () => $.set(numbering, false),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_17 = $.text();
-					$.template_effect(($0) => $.set_text(text_17, $0), [() => t("app.cancel")]);
-					$.append($$anchor, text_17);
+					var text_14 = $.text();
+					$.template_effect(($0) => $.set_text(text_14, $0), [() => t("app.cancel")]);
+					$.append($$anchor, text_14);
 				},
 				$$slots: { default: true }
 			});
-			var node_25 = $.sibling(node_24, 2);
-			Button(node_25, {
+			var node_24 = $.sibling(node_23, 2);
+			Button(node_24, {
 				kind: "primary",
 				onclick: number,
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_18 = $.text();
-					$.template_effect(($0) => $.set_text(text_18, $0), [() => t("program.renumber")]);
-					$.append($$anchor, text_18);
+					var text_15 = $.text();
+					$.template_effect(($0) => $.set_text(text_15, $0), [() => t("program.renumber")]);
+					$.append($$anchor, text_15);
 				},
 				$$slots: { default: true }
 			});
 			$.append($$anchor, fragment_10);
 		};
 		let $0 = $.derived(() => t("program.renumber"));
-		Dialog(node_23, {
+		Dialog(node_22, {
 			get title() {
 				return $.get($0);
 			},
@@ -576,11 +551,11 @@ function Edit($$anchor, $$props) {
 			},
 			actions,
 			children: ($$anchor, $$slotProps) => {
-				var div_5 = root_11();
-				var node_26 = $.child(div_5);
+				var div_5 = root_9();
+				var node_25 = $.child(div_5);
 				{
 					let $0 = $.derived(() => t("program.first"));
-					Labelled(node_26, {
+					Labelled(node_25, {
 						get label() {
 							return $.get($0);
 						},
@@ -604,10 +579,10 @@ function Edit($$anchor, $$props) {
 						$$slots: { default: true }
 					});
 				}
-				var node_27 = $.sibling(node_26, 2);
+				var node_26 = $.sibling(node_25, 2);
 				{
 					let $0 = $.derived(() => t("program.step"));
-					Labelled(node_27, {
+					Labelled(node_26, {
 						get label() {
 							return $.get($0);
 						},
@@ -640,38 +615,38 @@ function Edit($$anchor, $$props) {
 			}
 		});
 	}
-	var node_28 = $.sibling(node_23, 2);
+	var node_27 = $.sibling(node_22, 2);
 	{
 		const actions = ($$anchor) => {
-			var fragment_15 = root_10();
-			var node_29 = $.first_child(fragment_15);
-			Button(node_29, {
+			var fragment_15 = root_8();
+			var node_28 = $.first_child(fragment_15);
+			Button(node_28, {
 				onclick: () => $.set(replaces, false),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_19 = $.text();
-					$.template_effect(($0) => $.set_text(text_19, $0), [() => t("app.cancel")]);
-					$.append($$anchor, text_19);
+					var text_16 = $.text();
+					$.template_effect(($0) => $.set_text(text_16, $0), [() => t("app.cancel")]);
+					$.append($$anchor, text_16);
 				},
 				$$slots: { default: true }
 			});
-			var node_30 = $.sibling(node_29, 2);
-			Button(node_30, {
+			var node_29 = $.sibling(node_28, 2);
+			Button(node_29, {
 				kind: "danger",
 				onclick: () => void store(),
 				"data-testid": "replace-newer",
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_20 = $.text();
-					$.template_effect(($0) => $.set_text(text_20, $0), [() => t("program.replace")]);
-					$.append($$anchor, text_20);
+					var text_17 = $.text();
+					$.template_effect(($0) => $.set_text(text_17, $0), [() => t("program.replace")]);
+					$.append($$anchor, text_17);
 				},
 				$$slots: { default: true }
 			});
 			$.append($$anchor, fragment_15);
 		};
 		let $0 = $.derived(() => t("program.replace_newer"));
-		Dialog(node_28, {
+		Dialog(node_27, {
 			get title() {
 				return $.get($0);
 			},
@@ -683,9 +658,9 @@ function Edit($$anchor, $$props) {
 			},
 			actions,
 			children: ($$anchor, $$slotProps) => {
-				var p_1 = root_12();
-				var text_21 = $.only_child(p_1, true);
-				$.template_effect(($0) => $.set_text(text_21, $0), [() => t("program.replace_newer_text")]);
+				var p_1 = root_10();
+				var text_18 = $.only_child(p_1, true);
+				$.template_effect(($0) => $.set_text(text_18, $0), [() => t("program.replace_newer_text")]);
 				$.append($$anchor, p_1);
 			},
 			$$slots: {
@@ -697,5 +672,4 @@ function Edit($$anchor, $$props) {
 	$.append($$anchor, fragment);
 	$.pop();
 }
-$.delegate(["click"]);
 export { Edit as default };
