@@ -14,6 +14,9 @@
 //! `ℓ³·S‴` is `δ` where that jerk is `J`: the curve spends tolerance and jerk alike, everywhere as much as it is run fast
 //! there ([`Pace`]). It is stiff far from a turn, where it is still fast, and swings out before it.
 //!
+//! The least sum of squares has more jerk in some places of a turn than in others. So spans are weighed anew by what each
+//! takes of the jerk ([`Fit::level`]), as where a sum of higher powers is to be least.
+//!
 //! Every span keeps its own sum of products, so a round costs what has changed in it: the places are looked at, and only
 //! those that weigh more are added again.
 
@@ -38,6 +41,10 @@ const MOST_CLOSER: f64 = 30.0;
 
 /// `ℓ` is so many times what would spend both alike: the least of the squares still has more jerk in a turn than beside it.
 const STIFF: f64 = 1.2;
+
+/// A span gets stiffer by its share of the mean jerk to this power, and by no more than so many times.
+const LEVEL: f64 = 0.7;
+const MOST_LEVEL: f64 = 5.0;
 
 /// `ℓ` is no more than this many times the length of the span.
 const STIFFEST: f64 = 5.0;
@@ -70,6 +77,8 @@ struct Strip<const N: usize> {
     first_third: [f64; N],
     first_bend: [f64; N],
     stiff: f64,
+    /// What it takes of the jerk.
+    load: f64,
     tolerance: f64,
     /// The first of its places, and one behind the last.
     looks: [usize; 2],
@@ -182,6 +191,7 @@ impl<const N: usize> Fit<N> {
             first_third,
             first_bend,
             stiff: 0.0,
+            load: 0.0,
             tolerance,
             looks,
             is_pressed: false,
@@ -268,6 +278,37 @@ impl<const N: usize> Fit<N> {
             let l = (STIFF * self.pace.reach(k, strip.tolerance)).min(STIFFEST * len).min(most);
             let cube = l * l * l;
             strip.stiffen(cube * cube * len - strip.stiff);
+        }
+    }
+
+    /// Makes slow spans stiffer that take more of the jerk than others, and the others softer: what holds a turn back is the
+    /// most that is taken anywhere, not the sum of its squares. Again and again it would find the least most, if the speed
+    /// stayed as it is; it does not, and once is quickest.
+    pub fn level(&mut self, inverse: &Inverse) {
+        let (mut sum, mut len) = (0.0, 0.0);
+        for (k, strip) in self.strips.iter_mut().enumerate() {
+            let stretch = &self.pace.stretches[k];
+            strip.load = 0.0;
+            if strip.tolerance == 0.0 || !stretch.is_slow {
+                continue;
+            }
+            let third = weighted(&strip.third, &self.moved[k..k + BAND]);
+            let jerk = (0..N).fold(0.0_f64, |most, axis| {
+                most.max((strip.first_third[axis] + third[axis]).abs() * inverse.jerk[axis])
+            });
+            strip.load = jerk * stretch.v * stretch.v * stretch.v;
+            sum += strip.load * strip.load * stretch.len;
+            len += stretch.len;
+        }
+        if !(sum > 0.0) {
+            return;
+        }
+        let mean = (sum / len).sqrt();
+        for strip in &mut self.strips {
+            if strip.load > 0.0 {
+                let factor = (strip.load / mean).powf(LEVEL).clamp(MOST_LEVEL.recip(), MOST_LEVEL);
+                strip.stiffen(strip.stiff * (factor - 1.0));
+            }
         }
     }
 

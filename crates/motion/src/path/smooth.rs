@@ -691,6 +691,10 @@ impl Smoother {
         fit.stiffen(open);
         fit.press();
         fit.solve();
+        // And with the jerk spread about evenly.
+        fit.level(&self.soft);
+        fit.press();
+        fit.solve();
     }
 
     /// Sets up what is to be least, in a fit without spans. Whether anything is free.
