@@ -4,7 +4,7 @@
 mod common;
 use common::*;
 use ferrocut_geometry::{AXES, Axis, Plane, Position};
-use ferrocut_machine::Machine;
+use ferrocut_machine::{ArcSlowdown, CornerSlowdown, Machine, Ramp};
 use ferrocut_motion::{Limits, Motion, Move, Setpoint, State};
 use ferrocut_toolpath::{CornerRule, Feed, FeedAlong, InnerCorners, Op, PathMode};
 use proptest::prelude::*;
@@ -234,6 +234,42 @@ fn machine() -> impl Strategy<Value = Machine> {
         })
 }
 
+/// The same with what the path may be set to.
+fn set_machine() -> impl Strategy<Value = Machine> {
+    let corner = prop_oneof![
+        3 => Just(None),
+        1 => (10.0..179.0f64, 10.0..2000.0f64).prop_map(|(angle, lowest_feed)| Some(CornerSlowdown {
+            angle: Some(angle), speed_difference: None, lowest_feed
+        })),
+        1 => (50.0..5000.0f64, 10.0..2000.0f64).prop_map(|(most, lowest_feed)| Some(CornerSlowdown {
+            angle: None, speed_difference: Some(most), lowest_feed
+        })),
+    ];
+    let arc = prop_oneof![
+        3 => Just(None),
+        1 => (20.0..3000.0f64, 0.0..1000.0f64)
+            .prop_map(|(acceleration, lowest_feed)| Some(ArcSlowdown { acceleration, lowest_feed })),
+    ];
+    let ramp = prop_oneof![
+        3 => Just(None),
+        1 => (100.0..5000.0f64, prop_oneof![Just(0.0), 1000.0..100_000.0f64])
+            .prop_map(|(acceleration, jerk)| Some(Ramp { acceleration, jerk })),
+    ];
+    let feeds = prop_oneof![
+        2 => Just((0.0, None)),
+        1 => (0.0..500.0f64, 600.0..15_000.0f64).prop_map(|(lowest, highest)| (lowest, Some(highest))),
+    ];
+    let tolerance = prop_oneof![2 => Just(0.01), 1 => 0.0..0.2f64];
+    (machine(), corner, arc, ramp, feeds, tolerance).prop_map(
+        |(mut machine, corner, arc, ramp, feeds, tolerance)| {
+            let path = &mut machine.path;
+            (path.corner, path.arc, path.ramp, path.tolerance) = (corner, arc, ramp, tolerance);
+            (path.lowest_feed, path.highest_feed) = feeds;
+            machine
+        },
+    )
+}
+
 /// How far a move may be left: its own tolerance. One that ends in an exact stop has that of the move before it, and so has
 /// one that goes nowhere.
 fn tolerance(machine: &Machine, ops: &[Op], number: usize) -> f64 {
@@ -315,7 +351,7 @@ proptest! {
 
     #[test]
     fn limits_path_and_end(
-        machine in machine(),
+        machine in set_machine(),
         pieces in prop::collection::vec(piece(), 1..8),
         events in events(),
         rhythm in prop_oneof![3 => Just(vec![]), 1 => prop::collection::vec(0..6usize, 1..20)
@@ -327,6 +363,20 @@ proptest! {
         run.check_path_within(|number| tolerance(&machine, &ops, number) + 1e-6);
         let strongest = machine.axes.iter().map(|axis| axis.acceleration * axis.acceleration).sum::<f64>().sqrt();
         run.check_reach_within(strongest, |number| tolerance(&machine, &ops, number) + 1e-6);
+        // Cutting is no faster than the machine's highest feed, whatever the override.
+        let highest = machine.path.highest_feed.map_or(f64::INFINITY, |feed| feed / 60.0);
+        for w in run.samples.windows(2) {
+            let cuts = |tag: u64| {
+                let op = &ops[tag as usize];
+                let is_held = matches!(op, Op::Feed { path, .. } | Op::Arc { path, .. } if *path != PathMode::Tapping);
+                is_held && run.from(tag as usize)[Axis::A] == op.target().unwrap()[Axis::A]
+            };
+            if (w[0].tag..=w[1].tag).all(cuts) {
+                let d = (w[1].position - w[0].position).0;
+                let v = d[0].hypot(d[1]).hypot(d[2]) / run.period;
+                prop_assert!(v <= highest * 1.001 + 1e-9, "{v} mm/s above {highest}: {w:?}");
+            }
+        }
         // Moves that go nowhere end where they began, in every bit.
         prop_assert_eq!(run.samples.last().unwrap().position, *ops.last().unwrap().target().unwrap());
         for (i, op) in ops.iter().enumerate() {
@@ -365,7 +415,7 @@ proptest! {
 
     #[test]
     fn abort_ends_on_the_path(
-        machine in machine(),
+        machine in set_machine(),
         pieces in prop::collection::vec(piece(), 1..5),
         events in events(),
         tick in 0..1500usize,
