@@ -89,9 +89,52 @@ fn single_block_stops_behind_macro_statements_where_a_parameter_says_so() {
         }
         panic!("never ends: {found:?}");
     };
-    assert_eq!(lines(0, true), [2, 9, 11, 13, 14]);
+    assert_eq!(lines(0, true), [2, 9, 9, 11, 13, 14]);
     assert_eq!(lines(1, true), [1, 2, 4, 6, 7, 8, 9, 10, 7, 8, 9, 10, 7, 11, 13, 14]);
     assert_eq!(lines(1, false), [0; 0]);
+}
+
+/// A loop that consists of one and the same block, in every form that a program can have one: each pass is a block of its
+/// own, also where single block is asked for in its midst, and a canned cycle that makes several holes is one.
+#[test]
+fn single_block_stops_behind_every_pass_of_one_and_the_same_block() {
+    let xs = |text: &str| {
+        let mut cnc = cnc(&machine(), text);
+        cnc.set_single_block(true);
+        stops(&mut cnc).iter().map(|(x, _)| *x).collect::<Vec<_>>()
+    };
+    let pass = "#1=0\nG91\nWHILE [#1 LT 3] DO 1\n#1=#1+1\nG1 X5 F3000\nEND 1\nM30\n";
+    assert_eq!(xs(pass), [5.0, 10.0, 15.0]);
+    assert_eq!(xs("G91\nM98 P2 L3\nM30\nO2\nG1 X5 F3000\nM99\n"), [5.0, 10.0, 15.0]);
+    assert_eq!(xs("#1=0\nG91\nN5 G1 X5 F3000\n#1=#1+1\nIF [#1 LT 3] GOTO 5\nM30\n"), [5.0, 10.0, 15.0]);
+    // A dwell goes nowhere; a cycle that is repeated is one block.
+    assert_eq!(xs("#1=0\nWHILE [#1 LT 3] DO 1\n#1=#1+1\nG4 X0.01\nEND 1\nM30\n"), [0.0; 3]);
+    assert_eq!(xs("M3 S1000\nG91 G99 G81 X5 Z-2 R-1 F3000 K3\nM30\n"), [0.0, 15.0]);
+
+    let mut cnc = cnc(&machine(), "#1=0\nG91\nWHILE [#1 LT 200] DO 1\n#1=#1+1\nG1 X0.5 F3000\nEND 1\nM30\n");
+    cnc.cycle_start();
+    for _ in 0..500 {
+        cnc.tick();
+    }
+    assert_eq!(cnc.next_span().map(|span| span.line), Some(5), "the same block once more");
+    cnc.set_single_block(true);
+    until_it_stops(&mut cnc);
+    let stop = cnc.tick().position[Axis::X];
+    assert!(
+        cnc.state() == &State::BlockEnd && stop < 60.0 && (stop * 2.0 - (stop * 2.0).round()).abs() < 1e-9
+    );
+    for k in 1..4 {
+        cnc.cycle_start();
+        until_it_stops(&mut cnc);
+        assert!((cnc.tick().position[Axis::X] - stop - 0.5 * f64::from(k)).abs() < 1e-9);
+    }
+    cnc.set_single_block(false);
+    // And the mode that is left finishes the pass under way, not the loop.
+    cnc.cycle_start();
+    (0..100).for_each(|_| _ = cnc.tick());
+    cnc.finish_block();
+    until_it_stops(&mut cnc);
+    assert!(cnc.state() == &State::BlockEnd && cnc.tick().position[Axis::X] < 80.0);
 }
 
 #[test]

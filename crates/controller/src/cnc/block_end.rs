@@ -6,7 +6,7 @@
 //! are taken back, and what is left of the block is run to its very end. A block too short to be stopped at is
 //! passed, as any point of a path that cannot be braked before it, and the next one is the last.
 
-use super::{Cnc, Given, State};
+use super::{Cnc, Given, State, Waiting};
 use ferrocut_machine::Alarm;
 use ferrocut_program::{FileId, Span};
 use ferrocut_toolpath::Step;
@@ -18,13 +18,20 @@ pub(super) struct Block {
     file: FileId,
     offset: u64,
     line: u32,
+    /// Which of the blocks begun by the program it is: a loop may run the same one again and again.
+    number: u64,
     /// The part behind its intermediate point counts as another block (GSK990MC part 2, 7.6, note).
     part: u32,
 }
 
 impl Block {
-    fn at(span: Span) -> Block {
-        Block { file: span.file, offset: span.offset, line: span.line, part: 0 }
+    fn at(span: Span, number: u64) -> Block {
+        Block { file: span.file, offset: span.offset, line: span.line, number, part: 0 }
+    }
+
+    /// Whether this is its text, in whichever pass.
+    fn is_at(&self, span: Span) -> bool {
+        (self.file, self.offset) == (span.file, span.offset)
     }
 }
 
@@ -182,14 +189,17 @@ impl Cnc {
 
     /// The block of something from the interpreter.
     fn block_of(&self, next: &Result<Step, Box<Alarm>>) -> Block {
-        let span = match next {
-            Ok(step) => step.span,
-            Err(alarm) => alarm.span,
+        let before = self.blocks.taken;
+        let (span, number) = match next {
+            Ok(step) => (step.span, step.block),
+            // An alarm has no number: it is of the block whose text it names.
+            Err(alarm) => {
+                let same = before.filter(|taken| taken.is_at(alarm.span));
+                (alarm.span, same.map_or(u64::MAX, |taken| taken.number))
+            }
         };
-        let mut block = Block::at(span);
-        let Some(taken) =
-            self.blocks.taken.filter(|taken| (taken.file, taken.offset) == (block.file, block.offset))
-        else {
+        let mut block = Block::at(span, number);
+        let Some(taken) = before.filter(|taken| taken.is_at(span) && taken.number == number) else {
             return block;
         };
         block.part = taken.part;
@@ -246,19 +256,27 @@ impl Cnc {
         if !self.is_under_way() {
             return None;
         }
-        let given = self.given.iter().chain(&self.blocks.later).map(|given| given.span);
-        let waiting = self.waiting.as_ref().map(|waiting| self.span_of(waiting));
-        let taken = self.blocks.next.as_ref().map(|next| match next {
-            Ok(step) => step.span,
-            Err(alarm) => alarm.span,
+        let (running, at) = (self.taking_up.at.0, (self.span.file, self.span.line));
+        let given = self.given.iter().chain(&self.blocks.later).map(|given| (given.number, given.span));
+        let of_alarm = |alarm: &Alarm| (running, alarm.span);
+        let waiting = self.waiting.as_ref().map(|waiting| match waiting {
+            Waiting::Step(step) => (step.block, step.span),
+            Waiting::Alarm(alarm) => of_alarm(alarm),
+            Waiting::Skip => (running, self.span_of(waiting)),
         });
-        let run = (self.span.file, self.span.line);
-        given.chain(waiting).chain(taken).find(|span| (span.file, span.line) != run && span.line > 0)
+        let taken = self.blocks.next.as_ref().map(|next| match next {
+            Ok(step) => (step.block, step.span),
+            Err(alarm) => of_alarm(alarm),
+        });
+        // In a loop the one behind it may be the same once more.
+        let is_behind = |number: u64, span: Span| number != running || (span.file, span.line) != at;
+        let mut behind = given.chain(waiting).chain(taken);
+        behind.find(|(number, span)| is_behind(*number, *span) && span.line > 0).map(|(_, span)| span)
     }
 
     /// The block of what was taken last.
     pub(super) fn taken(&self, span: Span) -> Block {
-        self.blocks.taken.unwrap_or(Block::at(span))
+        self.blocks.taken.unwrap_or(Block::at(span, 0))
     }
 
     /// Gives motion the moves that were taken back from it; whether all are given.
