@@ -416,8 +416,12 @@ impl Homing {
             until => {
                 let is = (until == Until::On) == sense.is_on;
                 running.was_other |= running.turned && !is;
-                (is && running.was_other && (running.turned || running.leg == 0))
-                    .then(|| drives.home_edge(axis).unwrap_or(sense.actual + sense.added))
+                (is && running.was_other && (running.turned || running.leg == 0)).then(|| {
+                    // A ladder may make the signal of something else than the switch whose edge drives keep (6#5).
+                    let own = drives.switches().home.contains(axis) != settings.closes;
+                    let edge = drives.home_edge(axis).filter(|_| own == sense.is_on);
+                    edge.unwrap_or(sense.actual + sense.added)
+                })
             }
         };
         let Some(met) = met else {

@@ -201,6 +201,8 @@ pub struct Inputs {
     pub no_motion: [Ways; SIGNAL_AXES],
     /// Axes that are on their home switches.
     pub on_home_switch: [bool; SIGNAL_AXES],
+    /// Axes of which the ladder says so.
+    pub on_home_switch_by_ladder: [bool; SIGNAL_AXES],
     /// The skip signal: a probe touches.
     pub skip: bool,
     /// Inputs of macro programs, #1000 to #1015 from bit 0 on.
@@ -562,6 +564,8 @@ pub const ROWS: &[Row] = &[
         |r, n, v| plus(&mut r.inputs.no_motion, n, v != 0)),
     g(&["MIT1-", "MIT2-", "MIT3-", "MIT4-", "MIT5-", "MIT6-", "MIT7-", "MIT8-"], 134, 0,
         |r, n, v| minus(&mut r.inputs.no_motion, n, v != 0)),
+    g(&["*DEC1", "*DEC2", "*DEC3", "*DEC4", "*DEC5", "*DEC6", "*DEC7", "*DEC8"], 196, 0,
+        |r, n, v| set(&mut r.inputs.on_home_switch_by_ladder, n, v == 0)),
     // The NC to the ladder.
     f(&["RWD"], 0, 0, |o, _| o.rewinding.into()),
     f(&["SPL"], 0, 4, |o, _| o.held.into()),

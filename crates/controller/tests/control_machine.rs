@@ -6,7 +6,7 @@ use ferrocut_controller::drives::Trouble;
 use ferrocut_controller::{Control, Parts, Plant, State};
 use ferrocut_geometry::{Axis, AxisSet};
 use ferrocut_machine::{Fault, Machine, PlantAxis, PlantConfig};
-use ferrocut_plc::{Limits, Program};
+use ferrocut_plc::{Address, Limits, Program};
 
 const LADDER: &str = include_str!("../../../machines/standard.lad");
 
@@ -80,6 +80,55 @@ fn the_keys_of_the_panel_home_the_axes_and_light_their_lamps() {
     wait(&mut control, 200);
     assert!(!control.cnc().is_homing() && !is(&mut control, "LAMP_ZERO_Y"));
     assert_eq!(control.status().referenced, ['X', 'Z']);
+}
+
+/// GSK990MC 6#5, in effect as delivered: the ladder says when an axis is on its home switch, here by an input of its own
+/// choice. Without it, and under a ladder that has nothing to do with home switches, the switch is read where it is wired.
+#[test]
+fn home_switches_go_through_the_ladder_where_the_parameter_says_so() {
+    let passed_on = "RD *DEC_X\nWRT *DEC1\n";
+    let of_another = LADDER.replacen(passed_on, "RD X10.0\nWRT *DEC1\n", 1);
+    let lines = LADDER.lines().filter(|line| !line.starts_with("WRT *DEC") && !line.starts_with("RD *DEC_"));
+    let without: String = lines.map(|line| format!("{line}\n")).collect();
+    assert!(of_another != LADDER && without.len() < LADDER.len());
+    let homes_at = |ladder: &str, through: Option<f64>| {
+        // The reference point is where the switch is left.
+        let mut machine = machine();
+        machine.parameters.insert("NO6.6".to_owned(), 0.0);
+        machine.parameters.insert("NO6.7".to_owned(), 0.0);
+        machine.parameters.extend(through.map(|bit| ("NO6.5".to_owned(), bit)));
+        let ladder = Program::from_text(ladder.as_bytes(), &Limits::default()).unwrap();
+        let mut control = Control::new(&machine, Parts { ladder: Some(ladder), ..Parts::default() }).unwrap();
+        let input = Address::parse("X10.0").unwrap();
+        let tick = |control: &mut Control| {
+            let on_other = (20.0..30.0).contains(&control.status().position.machine[&'X']);
+            control.plc_mut().unwrap().memory_mut().set_bit(input, !on_other);
+            control.tick().position[Axis::X]
+        };
+        (0..100).for_each(|_| _ = tick(&mut control));
+        for key in ["KEY_HOME", "KEY_R_100", "KEY_X+"] {
+            set(&mut control, key, true);
+            (0..60).for_each(|_| _ = tick(&mut control));
+            set(&mut control, key, false);
+            (0..60).for_each(|_| _ = tick(&mut control));
+        }
+        for _ in 0..60_000 {
+            // As it is called until then: by the way from where power came.
+            let at = tick(&mut control);
+            if control.cnc().referenced().contains(Axis::X) {
+                tick(&mut control);
+                assert_eq!(tick(&mut control), 0.0);
+                return at;
+            }
+        }
+        panic!("X is not homed: {:?}", control.status().alarms);
+    };
+    let own = homes_at(LADDER, None);
+    assert!(own > 60.0, "the switch itself is farther on: {own}");
+    let by_ladder = homes_at(&of_another, None);
+    assert!((by_ladder - 30.0).abs() < 0.5, "{by_ladder}");
+    assert_eq!(homes_at(&of_another, Some(0.0)), own);
+    assert_eq!(homes_at(&without, Some(1.0)), own);
 }
 
 #[test]

@@ -140,14 +140,14 @@ fn clamps_lubrication_door_and_limits_meet_the_ladder() {
     // What the NC reads of it is what the drives say themselves.
     let inputs = Inputs::read(shop.plc.memory());
     let order = planted().axes.iter().map(|axis| axis.name).collect::<Vec<_>>();
-    let read = Switches::of(&inputs, order.iter().copied(), false);
+    let read = Switches::of(&inputs, order.iter().copied(), true, false);
     assert_eq!(read, shop.plant.switches());
     assert_eq!(read.above, [Axis::Y].into_iter().collect());
     // On its home switch: 46 to 76 mm up.
     shop.at[Axis::X] = 60.0;
     shop.plant.place(Block { min: [-100.0; 3], max: [500.0; 3] });
     shop.run(2000);
-    let read = Switches::of(&Inputs::read(shop.plc.memory()), order.iter().copied(), false);
+    let read = Switches::of(&Inputs::read(shop.plc.memory()), order.iter().copied(), true, false);
     assert_eq!((read, read.home.contains(Axis::X), read.skip), (shop.plant.switches(), true, true));
 }
 

@@ -38,6 +38,8 @@ pub struct HomingConfig {
     pub key_held: bool,
     /// Travel switches stop nothing.
     pub ignores_switches: bool,
+    /// The home switches go through the ladder; else the control reads their inputs itself.
+    pub through_ladder: bool,
     /// Axes by letter: each waits until those before it have arrived. Those that are not named wait for
     /// nobody.
     pub order: String,
@@ -62,6 +64,7 @@ impl Default for HomingConfig {
             not_by_program: false,
             key_held: false,
             ignores_switches: false,
+            through_ladder: false,
             order: String::new(),
             marker_way: 40.0,
         }

@@ -7,8 +7,8 @@ use crate::bits::BitOp;
 use crate::check::{Limits, Sections, check};
 use crate::fault::{Error, Fault, Span};
 use crate::functions::Function;
-use crate::instruction::{Basic, Code, Instruction, Name};
-use crate::list::{Ladder, Symbol, read, to_text};
+use crate::instruction::{Basic, Code, Instruction, Kind, Name, Parameter};
+use crate::list::{Ladder, Symbol, bytes_of, read, to_text};
 use rustc_hash::FxHashMap;
 use std::ops::Range;
 
@@ -135,6 +135,23 @@ impl Program {
     /// Signals that the ladder names.
     pub fn symbols(&self) -> &[Symbol] {
         &self.symbols
+    }
+
+    /// Whether an instruction writes something in the byte of an address.
+    pub fn writes(&self, at: Address) -> bool {
+        let is_in = |to: &Address, bytes: u32| {
+            let first = u32::from(to.byte);
+            to.area == at.area && (first..first.saturating_add(bytes)).contains(&at.byte.into())
+        };
+        self.instructions.iter().any(|instruction| match &instruction.code {
+            Code::Basic(basic, address) => basic.is_coil() && address.as_ref().is_some_and(|to| is_in(to, 1)),
+            Code::Function(row, parameters, _) => {
+                row.parameters.iter().zip(parameters).any(|pair| match pair {
+                    (Kind::Write(bytes), Parameter::At(to)) => is_in(to, bytes_of(*bytes, row, parameters)),
+                    _ => false,
+                })
+            }
+        })
     }
 
     /// The signal of a name, or of an address as it is written.

@@ -346,20 +346,10 @@ impl Reader<'_> {
             self.error(Fault::WrongFormat, word.span);
             return None;
         }
-        let first = match before.first() {
-            Some(Parameter::Number(first)) => u32::try_from(*first).unwrap_or(0),
-            _ => 0,
-        };
-        let len = match bytes {
-            Bytes::Fixed(bytes) => u32::from(bytes),
-            Bytes::Width => width_of(row, before),
-            Bytes::Decoded => (first / 10 % 100).max(1),
-            Bytes::First => first,
-            Bytes::FirstWords => first.saturating_mul(2),
-        };
+        let len = bytes_of(bytes, row, before);
         // Two digits may stand in the last byte of an area: BYT says so while the ladder runs.
         let needs = if bytes == Bytes::Fixed(2) && row.conditions.contains(&"BYT") { 1 } else { len };
-        let needs = if bytes == Bytes::FirstWords { first } else { needs };
+        let needs = if bytes == Bytes::FirstWords { first_of(before) } else { needs };
         if !address.holds(needs) {
             self.error(Fault::ParameterRange, word.span);
             return None;
@@ -422,6 +412,26 @@ pub fn to_text(ladder: &Ladder) -> String {
         text.push('\n');
     }
     text
+}
+
+/// The first parameter of a function, where that is a number.
+fn first_of(parameters: &[Parameter]) -> u32 {
+    match parameters.first() {
+        Some(Parameter::Number(first)) => u32::try_from(*first).unwrap_or(0),
+        _ => 0,
+    }
+}
+
+/// How many bytes a parameter of a function is the first of at most.
+pub(crate) fn bytes_of(bytes: Bytes, row: &Row, parameters: &[Parameter]) -> u32 {
+    let first = first_of(parameters);
+    match bytes {
+        Bytes::Fixed(bytes) => u32::from(bytes),
+        Bytes::Width => width_of(row, parameters),
+        Bytes::Decoded => (first / 10 % 100).max(1),
+        Bytes::First => first,
+        Bytes::FirstWords => first.saturating_mul(2),
+    }
 }
 
 /// Bytes of the data of a function, as its format says.

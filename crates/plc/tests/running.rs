@@ -53,6 +53,23 @@ fn level_2_is_divided_and_sees_its_inputs_unchanged() {
 }
 
 #[test]
+fn a_ladder_tells_which_bytes_it_writes() {
+    let table = [
+        ("RD G196.0\nWRT R0.0\nEND1\nEND2\n", false),
+        ("RD R0.0\nWRT G196.3\nEND1\nEND2\n", true),
+        ("RD R0.0\nWRT G195.3\nEND1\nRD R0.0\nSET G196.7\nEND2\n", true),
+        ("RD R0.0\nMOVB X9 G196\nEND1\nEND2\n", true),
+        ("RD R0.0\nMOVD D0 G193\nEND1\nEND2\n", true),
+        ("RD R0.0\nMOVW D0 G193\nEND1\nEND2\n", false),
+        ("RD R0.0\nMOVB G196 D0\nEND1\nEND2\n", false),
+        ("RD R0.0\nRD.STK R0.1\nADDB 1004 D0 D4 G195\nEND1\nEND2\n", true),
+    ];
+    for (text, wanted) in table {
+        assert_eq!(program(text).writes(at("G196.0")), wanted, "{text}");
+    }
+}
+
+#[test]
 fn both_levels_have_flags_of_their_own() {
     // Level 1 compares equal in each period, level 2 never; level 2 is left between COMPB and its flag.
     let text = format!(

@@ -108,6 +108,11 @@ impl Cnc {
         self.wired = switches;
     }
 
+    /// Whether the home switches are to go through the ladder (GSK990MC 6#5).
+    pub fn homes_through_ladder(&self) -> bool {
+        self.homing.config().through_ladder
+    }
+
     pub(super) fn switches(&self) -> Switches {
         self.wired.unwrap_or_else(|| self.drives.switches())
     }

@@ -3,12 +3,16 @@
 use super::Control;
 use super::commands::named;
 use crate::api::Event;
+use crate::signals;
 use ferrocut_machine::Fault;
 use ferrocut_memory::Item;
 use ferrocut_plc::{Address, Area, Plc, Program};
 
 /// The key of the panel that releases overtravel, by the ladder's name.
 const OVERTRAVEL_KEY: &str = "KEY_OT";
+
+/// The first of the signals by which a ladder passes home switches on, all in one byte.
+const HOME_SWITCH: &str = "*DEC1";
 
 /// A message of the machine, area A.
 struct Message {
@@ -29,6 +33,8 @@ pub(super) struct LadderNames {
     /// The ladder that it is of: how often it was exchanged; none before the first look.
     exchanges: Option<u64>,
     overtravel_key: Option<Address>,
+    /// Whether it writes the home switches.
+    pub has_home_switches: bool,
     messages: Vec<Message>,
 }
 
@@ -48,6 +54,8 @@ impl LadderNames {
         self.exchanges = Some(plc.exchanges());
         let program: &Program = plc.program();
         self.overtravel_key = program.signal(OVERTRAVEL_KEY).filter(|key| key.bit.is_some());
+        self.has_home_switches =
+            signals::signal(HOME_SWITCH).is_some_and(|first| program.writes(first.address));
         let before = std::mem::take(&mut self.messages);
         let was_on = |name: &str| before.iter().any(|message| message.is_on && message.name == name);
         let symbols = program.symbols().iter();

@@ -386,7 +386,9 @@ impl Control {
         self.inputs = Inputs::read(plc.memory());
         let axes = self.machine.axes.iter().map(|axis| axis.name);
         let probe_opens = self.cnc.drives().probe_opens();
-        self.cnc.set_switches(Some(Switches::of(&self.inputs, axes, probe_opens)));
+        // A ladder that has nothing to do with them leaves them as they are wired.
+        let homes = self.ladder_names.has_home_switches && self.cnc.homes_through_ladder();
+        self.cnc.set_switches(Some(Switches::of(&self.inputs, axes, homes, probe_opens)));
         self.cnc.hear(&self.inputs);
         self.renew_ladder_names();
         if let Some(plc) = &self.plc {

@@ -28,11 +28,21 @@ pub struct Switches {
 }
 
 impl Switches {
-    /// The switches as the ladder says that they stand, for a machine with these axes in the order of its file
-    /// (GSK990MC 6#5: home switches go through it), whose probe is on while it touches nothing, or is not (4#7).
-    pub fn of(inputs: &Inputs, axes: impl IntoIterator<Item = Axis>, probe_opens: bool) -> Switches {
+    /// The switches as the ladder says that they stand, for a machine with these axes in the order of its file, whose
+    /// home switches go through the ladder, or do not (GSK990MC 6#5), and whose probe is on while it touches nothing, or
+    /// is not (4#7).
+    pub fn of(
+        inputs: &Inputs,
+        axes: impl IntoIterator<Item = Axis>,
+        homes_through_ladder: bool,
+        probe_opens: bool,
+    ) -> Switches {
         let mut switches = Switches { skip: inputs.skip != probe_opens, ..Switches::default() };
-        let ways = inputs.at_limit.iter().zip(inputs.on_home_switch);
+        let home = match homes_through_ladder {
+            true => inputs.on_home_switch_by_ladder,
+            false => inputs.on_home_switch,
+        };
+        let ways = inputs.at_limit.iter().zip(home);
         for (axis, (at_limit, on_home_switch)) in axes.into_iter().zip(ways) {
             for (set, is_in) in [
                 (&mut switches.home, on_home_switch),

@@ -85,6 +85,8 @@ fn homing(parameters: &Parameters, homing: &mut HomingConfig) {
     homing.limits_before = bit(11, 6);
     homing.rapid_before = bit(12, 0);
     homing.ignores_switches = bit(61, 6);
+    // Fanuc 3006#0 (GDC): *DEC at G196 instead of X9.
+    homing.through_ladder = bit(6, 5);
     (homing.needed, homing.not_by_program) = (bit(6, 0), bit(6, 3));
 }
 
