@@ -727,7 +727,7 @@ impl Cnc {
     fn move_by_hand(&mut self) -> Tick {
         self.home_on();
         let (at, velocity) = self.manual.tick();
-        self.kind = Kind::Jog;
+        self.kind = self.manual.kind();
         let position = self.exchange(&at);
         let tick = Tick { position, actual: self.actual, velocity, span: self.span, moving: true };
         // A failed axis may never come to its place.

@@ -8,6 +8,7 @@ use ferrocut_machine::Machine;
 use ferrocut_machine::manual::ManualConfig;
 use ferrocut_motion::Jog;
 use ferrocut_motion::jog::{Surplus, Travel};
+use ferrocut_motion::servo::Kind;
 
 /// Which way a jog key leads.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -54,6 +55,8 @@ pub(crate) struct Manual {
     held: [Option<(JogWay, JogSpeed)>; AXES],
     feed: f64,
     rapid: f64,
+    /// The handwheel was what moved an axis last.
+    by_wheel: bool,
     /// Whether it has the axes.
     pub is_active: bool,
 }
@@ -80,6 +83,7 @@ impl Manual {
             held: [None; AXES],
             feed: 1.0,
             rapid: 1.0,
+            by_wheel: false,
             is_active: false,
         }
     }
@@ -101,6 +105,7 @@ impl Manual {
     }
 
     fn run(&mut self, axis: Axis, way: JogWay, speed: JogSpeed) {
+        self.moves_by(false);
         let Speeds { velocity, rapid, no_rapid, .. } = self.of(axis);
         let speed = match speed {
             JogSpeed::Rapid if no_rapid => (self.config.jog / 60.0 * self.feed).min(velocity),
@@ -139,6 +144,7 @@ impl Manual {
     pub fn step(&mut self, axis: Axis, steps: i64, increment: f64) {
         let speed = (self.config.step / 60.0).min(self.of(axis).velocity);
         self.let_go(axis);
+        self.moves_by(false);
         self.jog.step(axis, steps, increment, speed);
     }
 
@@ -152,7 +158,20 @@ impl Manual {
         let speed = (self.config.handwheel / 60.0).min(self.of(axis).velocity);
         let surplus = if self.config.handwheel_keeps { Surplus::Kept } else { Surplus::Dropped };
         self.let_go(axis);
+        self.moves_by(true);
         self.jog.wheel(axis, counts, increment, speed, surplus);
+    }
+
+    /// Axes that move on keep the acceleration that they began with.
+    fn moves_by(&mut self, wheel: bool) {
+        if self.jog.is_at_rest() {
+            self.by_wheel = wheel;
+        }
+    }
+
+    /// What the axes move for, by which they are accelerated (GSK990MC 17#3, 17#5).
+    pub fn kind(&self) -> Kind {
+        if self.by_wheel { Kind::Wheel } else { Kind::Jog }
     }
 
     /// Whether software limits of an axis hold, and whether it may be jogged at rapid speed. An axis that moves keeps
@@ -178,11 +197,13 @@ impl Manual {
 
     /// Moves an axis on at a speed, mm/s with sign; 0 stops it.
     pub fn drive(&mut self, axis: Axis, speed: f64) {
+        self.moves_by(false);
         self.jog.run(axis, speed);
     }
 
     /// Moves an axis to a place at a speed, mm/s; 0 stops it on the way.
     pub fn go(&mut self, axis: Axis, place: f64, speed: f64) {
+        self.moves_by(false);
         match speed > 0.0 {
             true => self.jog.go(axis, place, speed),
             false => self.jog.run(axis, 0.0),
@@ -222,6 +243,7 @@ impl Manual {
         let speed = self.under_rapid_override(self.of(axis).rapid);
         self.let_go(axis);
         if place != self.at(axis) {
+            self.moves_by(false);
             self.jog.go(axis, place, speed);
         }
     }

@@ -83,6 +83,56 @@ fn a_program_goes_on_from_where_the_axes_were_moved_to() {
     }
 }
 
+/// GSK990MC 17#5: the handwheel has an acceleration after interpolation of its own, linear or exponential, and the jog keys
+/// keep theirs (17#3). Where the axis ends is the same.
+#[test]
+fn the_handwheel_is_accelerated_as_its_parameters_say() {
+    // Periods from the wheel's last count, or the key's release, to the standstill.
+    let rests_after = |parameters: &str, by_wheel: bool| {
+        let mut machine = machine();
+        machine.servo.acceleration_by_parameters = None;
+        let mut cnc = cnc_with(&machine, PROGRAM, &format!("[parameters]\n\"NO56.0\" = 1\n{parameters}"));
+        let turn = |cnc: &mut Cnc, k: usize| {
+            match by_wheel {
+                true if k < 10 => assert!(cnc.handwheel(Axis::X, 1, 0.1)),
+                true => {}
+                false => {
+                    _ = cnc.jog(Axis::X, if k < 300 { JogWay::Plus } else { JogWay::Stop }, JogSpeed::Feed)
+                }
+            }
+            cnc.tick()
+        };
+        let last = if by_wheel { 10 } else { 300 };
+        (0..last).for_each(|k| _ = turn(&mut cnc, k));
+        let mut at = cnc.tick().position[Axis::X];
+        for k in 0..3000 {
+            let now = turn(&mut cnc, last + k);
+            if now.position[Axis::X] == at && k > 20 {
+                if by_wheel {
+                    assert!((at - 1.0).abs() < 1e-9, "{parameters}: {at}");
+                }
+                return k;
+            }
+            at = now.position[Axis::X];
+        }
+        panic!("{parameters}: does not rest");
+    };
+    let of_file = rests_after("", true);
+    let linear = rests_after("\"NO17.5\" = 0\nP152 = 400", true);
+    let shorter = rests_after("\"NO17.5\" = 0\nP152 = 200", true);
+    assert!((of_file + 190..of_file + 230).contains(&shorter), "{of_file} {shorter}");
+    assert!((of_file + 390..of_file + 430).contains(&linear), "{of_file} {linear}");
+    // No shorter than the clamp.
+    assert_eq!(rests_after("\"NO17.5\" = 0\nP152 = 50\nP154 = 200", true), shorter);
+    // Exponential: a way that goes on until its lowest speed.
+    let exponential = rests_after("P153 = 200", true);
+    assert!(exponential > shorter + 100, "{exponential} {shorter}");
+    // The keys have their own.
+    let key = rests_after("P156 = 110", false);
+    assert_eq!(rests_after("P156 = 110\nP152 = 400\nP153 = 400\n\"NO17.5\" = 0", false), key);
+    assert!(rests_after("P156 = 300", false) > key + 150);
+}
+
 #[test]
 fn nobody_moves_the_axes_of_a_program() {
     let mut control = cnc(&machine(), "G0 X100\nM0\nG7777\nM30\n");

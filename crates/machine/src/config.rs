@@ -112,6 +112,9 @@ pub struct AxisConfig {
     /// The same while the axis is moved by hand.
     #[serde(default)]
     pub after_jog: Smoothing,
+    /// The same while it follows the handwheel, where that is another.
+    #[serde(default)]
+    pub after_wheel: Option<Smoothing>,
     /// Distance between command and axis that is an alarm, mm or degrees; 0 is not supervised.
     #[serde(default)]
     pub following_error: f64,
@@ -127,12 +130,13 @@ pub struct AxisConfig {
 }
 
 impl AxisConfig {
-    /// Acceleration after interpolation, by the names of the machine file: positioning, cutting, by hand.
-    pub fn smoothing(&self) -> [(&'static str, Smoothing); 3] {
+    /// Acceleration after interpolation, by the names of the machine file: positioning, cutting, by hand, by handwheel.
+    pub fn smoothing(&self) -> [(&'static str, Smoothing); 4] {
         [
             ("after_rapid", self.after_rapid),
             ("after_cutting", self.after_cutting),
             ("after_jog", self.after_jog),
+            ("after_wheel", self.after_wheel.unwrap_or(self.after_jog)),
         ]
     }
 }

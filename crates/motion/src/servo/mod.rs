@@ -44,14 +44,16 @@ pub enum Kind {
     Rapid,
     /// Cutting.
     Cutting,
-    /// Moving by hand: jog, handwheel, step.
+    /// Moving by hand: jog, step.
     Jog,
     /// Cutting in step with the spindle, which nothing may delay.
     Tapping,
+    /// Following the handwheel.
+    Wheel,
 }
 
 impl Kind {
-    const COUNT: usize = 4;
+    const COUNT: usize = 5;
 }
 
 /// What the drives are told in a period.
@@ -196,8 +198,8 @@ impl Servo {
 
 impl AxisLoop {
     fn new(axis: &AxisConfig, tolerance: f64, limits: &RampLimits, period: f64, at: f64) -> AxisLoop {
-        let [rapid, cutting, jog] = axis.smoothing().map(|(_, smoothing)| smoothing);
-        let smoother = Smoother::new([rapid, cutting, jog, Smoothing::None], period);
+        let [rapid, cutting, jog, wheel] = axis.smoothing().map(|(_, smoothing)| smoothing);
+        let smoother = Smoother::new([rapid, cutting, jog, Smoothing::None, wheel], period);
         let watch = Watch::new(axis, tolerance);
         AxisLoop {
             axis: axis.name,

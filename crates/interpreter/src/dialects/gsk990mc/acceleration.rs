@@ -64,7 +64,9 @@ impl Of {
             | ParameterKey::Data(125..=128 | 133..=139) => Of::Cutting,
             ParameterKey::Bit { number: 17, bit: 6 } | ParameterKey::Data(150) => Of::Clamp,
             ParameterKey::Data(148 | 149) => Of::Arcs,
-            ParameterKey::Bit { number: 17, bit: 3 } | ParameterKey::Data(156 | 157) => Of::Hand,
+            ParameterKey::Bit { number: 17, bit: 3 | 5 } | ParameterKey::Data(152..=154 | 156..=158) => {
+                Of::Hand
+            }
             _ => Of::Nothing,
         }
     }
@@ -160,7 +162,7 @@ fn s_ramp(v: f64, time: f64) -> Ramp {
     Ramp { acceleration: 2.0 * v / t, jerk: 4.0 * v / (t * t) }
 }
 
-/// Bits 16#0, 16#2, 17#0, 17#2, 17#3 and the time constants after interpolation of axis `k`.
+/// Bits 16#0, 16#2, 17#0, 17#2, 17#3, 17#5 and the time constants after interpolation of axis `k`.
 fn after(parameters: &Parameters, k: u16, axis: &mut AxisConfig, selects: impl Fn(Of) -> bool) {
     let p = |number: u16| parameters.data(number);
     let select = |is_after: bool, is_exponential: bool, linear: u16, exponential: u16, least: u16| match (
@@ -184,6 +186,18 @@ fn after(parameters: &Parameters, k: u16, axis: &mut AxisConfig, selects: impl F
     if selects(Of::Hand) {
         // 1.2: movements by hand are always accelerated after interpolation.
         axis.after_jog = select(true, parameters.bit(17, 3), 156, 157, 129);
+        axis.after_wheel = Some(wheel(parameters));
+    }
+}
+
+/// 17#5, P152, P153, P129: the handwheel. P154 clamps its acceleration, and P158 where counts may be lost (56#0 = 0), to its
+/// highest speed in that time: so no time constant is shorter.
+fn wheel(parameters: &Parameters) -> Smoothing {
+    let p = |number: u16| parameters.data(number);
+    let clamp = p(if parameters.bit(56, 0) { 154 } else { 158 });
+    match parameters.bit(17, 5) {
+        false => Smoothing::Linear { time_ms: p(152).max(clamp) },
+        true => Smoothing::Exponential { time_ms: p(153).max(clamp), least: p(129) },
     }
 }
 
@@ -218,13 +232,25 @@ mod tests {
         };
         let linear = |time_ms| Smoothing::Linear { time_ms };
         let exponential = |time_ms, least| Smoothing::Exponential { time_ms, least };
-        // 16#0 = 0, 17#0 = 1, 17#2 = 0, 17#3 = 0.
-        assert_eq!(axis(&[]), [Smoothing::None, linear(80.0), linear(100.0)]);
+        // 16#0 = 0, 17#0 = 1, 17#2 = 0, 17#3 = 0, 17#5 = 1, P154 above P153.
+        let wheel = exponential(100.0, 10.0);
+        assert_eq!(axis(&[]), [Smoothing::None, linear(80.0), linear(100.0), wheel]);
         let set = [("NO16.0", 1.0), ("P116", 90.0), ("NO17.0", 0.0), ("NO17.3", 1.0), ("P129", 12.0)];
-        assert_eq!(axis(&set), [linear(90.0), Smoothing::None, exponential(120.0, 12.0)]);
+        let wheel = exponential(100.0, 12.0);
+        assert_eq!(axis(&set), [linear(90.0), Smoothing::None, exponential(120.0, 12.0), wheel]);
         let set = [("NO16.0", 1.0), ("NO16.2", 1.0), ("P121", 50.0), ("NO17.2", 1.0), ("P128", 70.0)];
-        assert_eq!(axis(&set), [exponential(50.0, 10.0), exponential(70.0, 10.0), linear(100.0)]);
+        assert_eq!(axis(&set)[..3], [exponential(50.0, 10.0), exponential(70.0, 10.0), linear(100.0)]);
         assert_eq!(axis(&[("NO15.0", 1.0), ("P136", 33.0)])[1], linear(33.0));
+        // The handwheel: linear P152, exponential P153, neither shorter than its clamp, P154 or P158 by 56#0.
+        for (set, wanted) in [
+            (vec![("NO17.5", 0.0)], linear(120.0)),
+            (vec![("NO17.5", 0.0), ("P152", 40.0)], linear(100.0)),
+            (vec![("NO17.5", 0.0), ("P152", 40.0), ("NO56.0", 0.0)], linear(50.0)),
+            (vec![("P153", 200.0), ("P154", 300.0)], exponential(300.0, 10.0)),
+            (vec![("P153", 200.0), ("P154", 300.0), ("NO56.0", 0.0)], exponential(200.0, 10.0)),
+        ] {
+            assert_eq!(axis(&set)[3], wanted, "{set:?}");
+        }
     }
 
     #[test]
