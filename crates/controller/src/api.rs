@@ -196,6 +196,10 @@ pub enum Command {
         system: String,
         /// The coordinate of each axis.
         axes: ByAxis,
+        /// Whether they are what is typed behind the letter of the axis instead, on the page of the zeros (GSK990MC part 2,
+        /// 3.4.2): added to the machine coordinate, or taken off it (10#5).
+        #[serde(default)]
+        typed: bool,
     },
     /// Reads macro variables by their numbers.
     Variables {

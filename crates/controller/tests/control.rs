@@ -781,11 +781,24 @@ fn data_by_hand() {
     assert_eq!(shop.refused(Command::SetParameter { name: "HAT".into(), value: Some(1.0) }), "FC-1206");
     shop.say(Command::ParameterSwitch { on: false });
     // The place of the axis gets a coordinate: 1.5 = zero + 10.
-    shop.say(Command::ZeroHere { system: "G54".into(), axes: [('X', 10.0)].into() });
+    let here = |typed| Command::ZeroHere { system: "G54".into(), axes: [('X', 10.0)].into(), typed };
+    let zero = |shop: &mut Shop| match shop.say(Command::Zeros) {
+        Reply::Zeros { zeros } => zeros["G54"][&'X'],
+        other => panic!("{other:?}"),
+    };
+    // GSK990MC 10#5: what is typed is added to the machine coordinate (3.4.2), or taken off it.
+    shop.say(here(true));
+    assert_eq!(zero(&mut shop), 11.5);
+    shop.say(Command::ParameterSwitch { on: true });
+    shop.say(Command::SetParameter { name: "NO10.5".into(), value: Some(1.0) });
+    shop.say(Command::ParameterSwitch { on: false });
+    shop.say(here(true));
+    assert_eq!(zero(&mut shop), -8.5);
+    shop.say(Command::SetZero { system: "G54".into(), axes: [('X', 0.0)].into(), add: false });
+    shop.say(here(false));
     let position = shop.wait(1).position;
     assert_eq!((position.work[&'X'], position.machine[&'X']), (10.0, 1.5));
-    let Reply::Zeros { zeros } = shop.say(Command::Zeros) else { panic!() };
-    assert_eq!(zeros["G54"][&'X'], -8.5);
+    assert_eq!(zero(&mut shop), -8.5);
     // Relative: zero, then the half of 4.
     shop.say(Command::Relative { axis: 'X', to: RelativeTo::Zero });
     shop.say(Command::Mdi { text: "G91 G0 X4".into() });

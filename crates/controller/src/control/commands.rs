@@ -119,7 +119,7 @@ impl Control {
             Command::SetOffset { number, values, add } => self.set_offset(number, values, add, author),
             Command::Zeros => Ok(self.zeros()),
             Command::SetZero { system, axes, add } => self.set_zero(&system, &axes, add, author),
-            Command::ZeroHere { system, axes } => self.zero_here(&system, &axes, author),
+            Command::ZeroHere { system, axes, typed } => self.zero_here(&system, &axes, typed, author),
             Command::Variables { from, to } => Ok(self.variables(from, to)),
             Command::SetVariable { number, value } => {
                 self.needs(Mode::Mdi, author)?;
@@ -513,15 +513,18 @@ impl Control {
         Ok((name, self.zero_asked(name).ok_or_else(missing)?))
     }
 
-    /// The axis at rest has this coordinate in the system, other shifts aside (3.4.2).
-    fn zero_here(&mut self, system: &str, axes: &ByAxis, author: &Author) -> Answer {
+    /// The axis at rest has this coordinate in the system, other shifts aside; or the value is `typed` as the page of the
+    /// zeros takes it: X10 is the machine coordinate + 10 (3.4.2), with 10#5 it is taken off.
+    fn zero_here(&mut self, system: &str, axes: &ByAxis, typed: bool, author: &Author) -> Answer {
         if self.tick.moving || self.cnc.is_under_way() {
             return Err(Box::new(alarm(Fault::ControlBusy)));
         }
+        let adds = typed && !self.bit(10, 5);
         let mut wanted = ByAxis::new();
         for (letter, value) in axes {
             let axis = self.axis_named(*letter)?;
-            wanted.insert(*letter, self.tick.position[axis] - value);
+            let value = if adds { *value } else { -value };
+            wanted.insert(*letter, self.tick.position[axis] + value);
         }
         let wanted = self.without_external(system, wanted)?;
         self.set_zero(system, &wanted, false, author)
