@@ -64,6 +64,10 @@ use tapping::{Asked, InThread, Stroke};
 /// Events for which there is room from the start, as they come in the servo period and are fetched behind it.
 const EVENTS: usize = 256;
 
+/// Moves that the control keeps for each that motion has room for: where short ones follow each other in a line, motion
+/// leaves most of them out, and has room for more.
+const MOVES_A_PLACE: usize = 8;
+
 /// What the control is doing.
 #[derive(Clone, PartialEq, Debug)]
 pub enum State {
@@ -267,7 +271,7 @@ impl Cnc {
         let start = interpreter.position();
         let period = machine.servo_period_ms / 1000.0;
         let motion = Planning::new(machine, start);
-        let room = motion.free() + 1;
+        let room = MOVES_A_PLACE * (motion.free() + 1);
         let knows_places = drives.knows_places() || machine.homing.absolute;
         let mut cnc = Cnc {
             supervisor: Supervisor::new(machine, interpreter.dialect(), start),

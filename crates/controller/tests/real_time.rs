@@ -74,6 +74,22 @@ fn a_period_allocates_nothing() {
     assert!(moved > 5000 && lent > 5, "{moved} {lent}");
 }
 
+/// Of short blocks in a line motion has room for many more than of others.
+#[test]
+fn a_period_of_short_blocks_in_a_line_allocates_nothing() {
+    let mut text = String::from("M3 S1000\nG0 X0 Y0 Z5\nG1 Z0 F600\nF1500\n");
+    (1..12_000).for_each(|k| text += &format!("X{:.3}\n", f64::from(k) * 0.003));
+    let mut most = 0;
+    let [moved, lent] = run(&(text + "G0 X0 Y0 Z5\nM30\n"), |cnc, k| {
+        most = most.max(cnc.moves().count());
+        cnc.set_single_block((3000..3200).contains(&k));
+        if cnc.state() == &State::BlockEnd {
+            cnc.cycle_start();
+        }
+    });
+    assert!(moved > 1000 && lent > 5 && most > 2000, "{moved} {lent} {most}");
+}
+
 #[test]
 fn a_period_between_moves_allocates_nothing() {
     let [moved, lent] = run(BETWEEN, |_, _| {});

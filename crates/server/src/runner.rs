@@ -7,6 +7,9 @@
 //! Deadlines are absolute, so that a late period does not shift those after it. It measures its own work and how late it
 //! was woken, since the two have other causes: the one is this software's, the other the computer's.
 
+use rustix::mm::{MlockAllFlags, mlockall};
+use rustix::process::{Resource, getrlimit};
+use rustix::thread::{CapabilitySet, capabilities};
 use rustix::time::{ClockId, clock_gettime};
 use std::fmt;
 use std::io;
@@ -26,6 +29,10 @@ const COMMANDS_A_PERIOD: usize = 8;
 /// Time between two snapshots where nothing happens, and the shortest where much does.
 const PUBLISH: Duration = Duration::from_millis(20);
 const PUBLISH_NEWS: Duration = Duration::from_millis(2);
+
+/// A snapshot is put off for a period that took longer than this part of its time before it, so many periods at most.
+const SHORT: u32 = 40;
+const PUT_OFF: u32 = 4;
 
 /// A machine on a thread of its own.
 pub trait Owned: Send + 'static {
@@ -194,6 +201,7 @@ impl<M: Owned> Runner<M> {
         };
         let thread = std::thread::Builder::new().name("machine".to_owned()).spawn(move || {
             if let Some(priority) = priority {
+                lock_memory();
                 run_before_others(priority, &[]);
             }
             // Its threads are in as much of a hurry as this one; those that come later are not.
@@ -245,6 +253,15 @@ fn run_before_others(priority: u8, how: &[&str]) {
     let _ = chrt.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).status();
 }
 
+/// Keeps all memory of the process in place from now on, if the system permits it without a bound: no period waits for a
+/// page that it touches for the first time. A bound would refuse memory later, so that is left as it is.
+fn lock_memory() {
+    let may = capabilities(None).is_ok_and(|of| of.effective.contains(CapabilitySet::IPC_LOCK));
+    if may || getrlimit(Resource::Memlock).current.is_none() {
+        let _ = mlockall(MlockAllFlags::CURRENT | MlockAllFlags::FUTURE);
+    }
+}
+
 /// Time that the calling thread has computed.
 fn computed() -> Duration {
     let time = clock_gettime(ClockId::ThreadCPUTime);
@@ -285,9 +302,10 @@ impl<M: Owned> Owner<M> {
             self.machine.tick();
             news |= self.machine.has_news();
             let wait = if news { PUBLISH_NEWS } else { PUBLISH };
-            if began.saturating_duration_since(published) >= wait
-                && self.latest.put(self.machine.snapshot(self.taken))
-            {
+            let since = began.saturating_duration_since(published);
+            // A period that had much to do leaves it to the next, but not for ever.
+            let may = began.elapsed() < period / SHORT || since >= wait + PUT_OFF * period;
+            if since >= wait && may && self.latest.put(self.machine.snapshot(self.taken)) {
                 published = began;
             }
             self.timing.work.add(began.elapsed());

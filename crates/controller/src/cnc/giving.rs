@@ -20,6 +20,7 @@ impl Cnc {
         while is_free(self)
             && self.state == State::Running
             && self.motion.free() > 0
+            && self.given.len() < self.given.capacity()
             && self.steps_left > 0
             && self.ahead_until.is_none_or(|until| Instant::now() < until)
         {
@@ -152,7 +153,7 @@ impl Cnc {
             frame: self.interpreter.frame(),
             left: 1.0,
         };
-        // There is room: the caller asked.
+        // There is room: the callers asked.
         if self.motion.push(&self.paced(&given)) {
             self.given.push_back(given);
         }

@@ -15,6 +15,7 @@
 
 use super::lent::Beside;
 use super::{Cnc, State};
+use crate::restart::Journal;
 use ferrocut_geometry::Position;
 use ferrocut_interpreter::Interpreter;
 use ferrocut_machine::Alarm;
@@ -85,6 +86,11 @@ struct Work {
     interpreter: Arc<Interpreter>,
     /// A copy as it is when it comes back; on the way there one that nobody needs any more.
     copy: Option<Arc<Interpreter>>,
+    /// A journal that nobody needs any more.
+    old_journal: Option<Box<Journal>>,
+    /// By how much places were renamed as a run begins of which a journal is wanted; and that.
+    begins: Option<Position>,
+    journal: Option<Box<Journal>>,
     steps: Producer<Taken>,
     /// Steps to take at most; none where only a copy is wanted.
     most: usize,
@@ -95,8 +101,10 @@ struct Work {
 
 impl Work {
     fn read(&mut self) {
-        // It is freed here and not in the period.
-        self.copy = None;
+        // They are freed here and not in the period.
+        (self.copy, self.old_journal) = (None, None);
+        let begins = self.begins.take();
+        self.journal = begins.map(|renamed| Box::new(Journal::begin(&self.interpreter, renamed)));
         if self.most > 0 {
             self.read_steps();
         }
@@ -142,6 +150,10 @@ struct Elsewhere {
     goes_on: bool,
     /// What it has read and reads is not wanted any more.
     is_stale: bool,
+    /// A journal is to be begun with the next reading ([`Work::begins`]), was, or is to be freed.
+    begins: Option<Position>,
+    journal: Option<Box<Journal>>,
+    old_journal: Option<Box<Journal>>,
 }
 
 /// The interpreter.
@@ -202,8 +214,48 @@ impl Interpreting {
             is_changed: true,
             goes_on: false,
             is_stale: false,
+            begins: None,
+            journal: None,
+            old_journal: None,
         });
         Ok(())
+    }
+
+    /// A run begins with the next block that is read: a journal of it is begun where blocks are read, before that. Here
+    /// and now where they are read in the period.
+    pub fn begin_journal(&mut self, renamed: Position) -> Option<Box<Journal>> {
+        match &mut self.elsewhere {
+            Some(elsewhere) => {
+                elsewhere.begins = Some(renamed);
+                None
+            }
+            None => Some(Box::new(Journal::begin(&self.present, renamed))),
+        }
+    }
+
+    /// The journal that was begun, once it is here.
+    pub fn take_journal(&mut self) -> Option<Box<Journal>> {
+        self.elsewhere.as_mut()?.journal.take()
+    }
+
+    /// The same where it is needed now: begun here, if no block was read since it was asked for.
+    pub fn await_journal(&mut self) -> Option<Box<Journal>> {
+        if !self.is_here() {
+            self.call_back();
+            self.wait();
+        }
+        let elsewhere = self.elsewhere.as_mut()?;
+        let begins = elsewhere.begins.take();
+        let begun = begins.map(|renamed| Box::new(Journal::begin(&self.present, renamed)));
+        elsewhere.journal.take().or(begun)
+    }
+
+    /// A journal is not needed any more: it is freed where time is, and none is begun.
+    pub fn forget_journal(&mut self, journal: Option<Box<Journal>>) {
+        if let Some(elsewhere) = &mut self.elsewhere {
+            elsewhere.begins = None;
+            elsewhere.old_journal = journal.or(elsewhere.old_journal.take());
+        }
     }
 
     /// Whether it is here: then it may be changed without waiting for it. Where it was lost on its way the copy is all
@@ -226,6 +278,9 @@ impl Interpreting {
             elsewhere.old = Some(std::mem::replace(&mut self.present, work.interpreter));
         }
         elsewhere.copy = work.copy;
+        if work.journal.is_some() {
+            elsewhere.journal = work.journal;
+        }
         elsewhere.steps = Some(work.steps);
         elsewhere.goes_on = work.goes_on;
         elsewhere.is_changed = false;
@@ -382,7 +437,18 @@ impl Interpreting {
             None => (self.present.clone(), elsewhere.copy.take(), 0),
         };
         let called = elsewhere.called.clone();
-        let work = Work { interpreter, copy: old, steps, most, goes_on: false, called };
+        let (begins, old_journal) = (elsewhere.begins.take(), elsewhere.old_journal.take());
+        let work = Work {
+            interpreter,
+            copy: old,
+            old_journal,
+            begins,
+            journal: None,
+            steps,
+            most,
+            goes_on: false,
+            called,
+        };
         // There is room: it is the only one.
         if let Err(work) = elsewhere.thread.lend(work) {
             (self.present, elsewhere.steps) = (work.interpreter, Some(work.steps));
@@ -464,6 +530,7 @@ impl Cnc {
     pub(super) fn fetch(&mut self) {
         self.motion.fetch();
         self.interpreter.fetch();
+        self.take_up_journal();
         if self.state == State::Running {
             self.interpreter.look_ahead(self.blocks.is_single());
         }

@@ -14,6 +14,8 @@ use std::collections::VecDeque;
 #[derive(Default)]
 pub(super) struct TakingUp {
     journal: Option<Box<Journal>>,
+    /// It is being begun, where blocks are read.
+    awaits_journal: bool,
     /// What is done before the program goes on.
     lead_in: VecDeque<Step>,
     leads: Leads,
@@ -54,18 +56,19 @@ impl Cnc {
     /// Somebody changes a value of the memory by hand. A run that is taken up has it from the block on that was being read
     /// then, as this run has.
     pub fn change_memory(&mut self, change: MemoryChange) {
+        // It is of the run as that began.
+        self.journal_mut();
         let interpreter = self.interpreter.own();
         interpreter.change_memory(&change);
         let block = interpreter.blocks_begun();
-        if let Some(journal) = &mut self.taking_up.journal
-            && journal.interrupted().is_none()
-        {
+        if let Some(journal) = self.journal_mut().filter(|journal| journal.interrupted().is_none()) {
             journal.change(block, change);
         }
     }
 
     /// Takes the journal of a run that is over.
     pub fn take_journal(&mut self) -> Option<Journal> {
+        self.journal_mut();
         self.taking_up.journal.take().map(|journal| *journal)
     }
 
@@ -105,7 +108,7 @@ impl Cnc {
         self.taking_up.at = (block, span);
         self.taking_up.lead_in = lead_in;
         self.taking_up.leads = Leads::Steps;
-        self.taking_up.journal = Some(Box::new(journal));
+        (self.taking_up.journal, self.taking_up.awaits_journal) = (Some(Box::new(journal)), false);
         *self.interpreter.own() = interpreter;
         let at = self.motion.position();
         self.motion.rename(at);
@@ -118,14 +121,34 @@ impl Cnc {
         let is_program = self.touches.is_none() && !self.interpreter.is_open();
         if self.state == State::Ready && self.taking_up.journal.is_none() && is_program {
             self.interpreter.own().look_back();
-            self.taking_up.journal = Some(Box::new(Journal::begin(&self.interpreter, self.renamed)));
+            self.taking_up.journal = self.interpreter.begin_journal(self.renamed);
+            self.taking_up.awaits_journal = self.taking_up.journal.is_none();
         }
+    }
+
+    /// Takes the journal that was begun beside, as it comes.
+    pub(super) fn take_up_journal(&mut self) {
+        let Some(journal) = self.interpreter.take_journal() else { return };
+        match std::mem::take(&mut self.taking_up.awaits_journal) {
+            true => self.taking_up.journal = Some(journal),
+            false => self.interpreter.forget_journal(Some(journal)),
+        }
+    }
+
+    /// The journal, to note something in it. Where it is not here yet it is waited for.
+    fn journal_mut(&mut self) -> Option<&mut Journal> {
+        if std::mem::take(&mut self.taking_up.awaits_journal) {
+            self.taking_up.journal = self.interpreter.await_journal();
+        }
+        self.taking_up.journal.as_deref_mut()
     }
 
     /// Another program, or this one anew.
     pub(super) fn forget_journal(&mut self) {
         self.forget_touches();
-        self.taking_up.journal = None;
+        self.taking_up.awaits_journal = false;
+        let journal = self.taking_up.journal.take();
+        self.interpreter.forget_journal(journal);
         self.forget_lead_in();
     }
 
@@ -172,10 +195,11 @@ impl Cnc {
 
     /// Tells the program what the machine found, and keeps it for a restart.
     pub(super) fn tell_program(&mut self, at_rest: &AtRest) {
-        self.interpreter.own().came_to_rest(at_rest);
-        if let Some(journal) = &mut self.taking_up.journal {
-            journal.answer(self.taking_up.at.0, *at_rest);
+        let block = self.taking_up.at.0;
+        if let Some(journal) = self.journal_mut() {
+            journal.answer(block, *at_rest);
         }
+        self.interpreter.own().came_to_rest(at_rest);
     }
 
     /// The rest of the program is forgotten, and M functions end (GSK990MC part 2, 2.3.1). The interpreter was ahead
@@ -184,6 +208,8 @@ impl Cnc {
         if self.auxiliary.is_none() {
             self.spindle.command(SpindleState::Off, &Position::ZERO);
         }
+        // It is of the run as that began.
+        let has_journal = self.journal_mut().is_some();
         let ((block, span), tools) = (self.taking_up.at, self.taking_up.tools);
         let stood = self.retrace.take_broken_off().unwrap_or(self.commanded);
         let at = self.broken_at().unwrap_or(stood);
@@ -195,8 +221,9 @@ impl Cnc {
         }
         self.interpreter.own().set_tools(tools);
         self.forget_lead_in();
-        if let Some(journal) = &mut self.taking_up.journal {
-            journal.interrupt(Interrupted { block, span, at }, self.interpreter.memory().clone());
+        let left = has_journal.then(|| self.interpreter.memory().clone());
+        if let (Some(journal), Some(left)) = (&mut self.taking_up.journal, left) {
+            journal.interrupt(Interrupted { block, span, at }, left);
         }
     }
 }

@@ -36,7 +36,11 @@ impl Control {
     /// # Errors
     /// The system gives no thread.
     pub fn keep_time(&mut self) -> std::io::Result<()> {
-        self.cnc.keep_time()
+        self.cnc.keep_time()?;
+        if self.cnc.works_beside() {
+            self.read_programs_beside();
+        }
+        Ok(())
     }
 
     /// The same whatever the drives need ([`Cnc::work_beside`](crate::Cnc::work_beside)).
@@ -44,7 +48,11 @@ impl Control {
     /// # Errors
     /// The system gives no thread.
     pub fn work_beside(&mut self) -> std::io::Result<()> {
-        self.cnc.work_beside()
+        self.cnc.work_beside()?;
+        if self.cnc.works_beside() {
+            self.read_programs_beside();
+        }
+        Ok(())
     }
 
     /// Waits until what is due beside is done, for a clock that does not wait itself

@@ -1,10 +1,11 @@
 //! Which program runs: that of AUTO from the memory, what the operator typed in MDI, what comes from outside in DNC.
 
+use super::reading::Prepared;
 use super::{Control, library};
 use crate::signals::Mode;
 use ferrocut_interpreter::Interpreter;
 use ferrocut_machine::{Alarm, Fault};
-use ferrocut_program::{FileId, ProgramId, ProgramMemory, Span, Text};
+use ferrocut_program::{FileId, Span, Text};
 
 /// The program of the memory that M06 runs, where there is one (GSK990MC 8.1).
 pub(super) const TOOL_CHANGE_PROGRAM: u32 = 9001;
@@ -83,8 +84,8 @@ impl Control {
     /// Gives the interpreter a program of the memory, unless it has it.
     pub(super) fn load_auto(&mut self, name: &str) -> Result<(), Box<Alarm>> {
         if self.loaded != Loaded::Auto(name.to_owned()) {
-            let text = self.text_to_load(name)?;
-            self.load_text(name, text, false)?;
+            let prepared = self.program_to_load(name)?;
+            self.load_prepared(*prepared, false)?;
             self.loaded = Loaded::Auto(name.to_owned());
         }
         Ok(())
@@ -117,14 +118,16 @@ impl Control {
     /// Gives the interpreter a text as its main program; all programs of the memory can be called from it.
     pub(super) fn load_text(&mut self, name: &str, text: Text, open_end: bool) -> Result<(), Box<Alarm>> {
         let syntax = self.cnc.interpreter().dialect().syntax;
-        let mut programs = ProgramMemory::new(name, text, syntax);
-        programs.set_source(Box::new(self.library.clone()));
+        self.load_prepared(Prepared::new(name, text, &self.library, syntax), open_end)
+    }
+
+    fn load_prepared(&mut self, prepared: Prepared, open_end: bool) -> Result<(), Box<Alarm>> {
+        let Prepared { programs, changes_tools } = prepared;
         let old = self.cnc.load_programs(programs).map_err(|_| alarm(Fault::ControlBusy))?;
         self.reading.free(old);
         let interpreter = self.cnc.interpreter_mut();
         interpreter.set_open_end(open_end);
-        let has_program = self.library.name_of(&ProgramId::Number(TOOL_CHANGE_PROGRAM)).is_some();
-        interpreter.set_tool_change_program(has_program.then_some(TOOL_CHANGE_PROGRAM));
+        interpreter.set_tool_change_program(changes_tools.then_some(TOOL_CHANGE_PROGRAM));
         Ok(())
     }
 

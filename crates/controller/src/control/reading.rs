@@ -2,16 +2,23 @@
 //! read it from the durable memory takes longer than a period. Choosing a program begins to read it; cycle start waits the
 //! periods that are still left of it.
 
+use super::library::id_of;
+use super::programs::TOOL_CHANGE_PROGRAM;
 use super::{Control, Library, Loaded, alarm};
 use crate::api::{AlarmInfo, Event};
 use crate::signals::Mode;
 use ferrocut_machine::{Alarm, Fault};
-use ferrocut_program::{ProgramMemory, Text};
-use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
+use ferrocut_program::{ProgramId, ProgramMemory, Syntax, Text};
+use std::sync::mpsc::{Receiver, SyncSender, TryRecvError, sync_channel};
 use std::thread;
+use std::time::Duration;
 
 /// What the thread is to do, most at once.
 const JOBS: usize = 16;
+
+/// How long the thread sleeps before it looks for work again. It is not woken, since that takes the system longer than all
+/// else in a period; whoever chose a program presses the next key later than that.
+const NAP: Duration = Duration::from_millis(5);
 
 enum Job {
     /// The text of a program, for the request of this number.
@@ -20,8 +27,25 @@ enum Job {
     Free(Box<ProgramMemory>),
 }
 
-/// A text, or why there is none.
-type Found = Result<Text, Fault>;
+/// A program as the interpreter takes it.
+pub(super) struct Prepared {
+    pub programs: ProgramMemory,
+    /// The memory has a program that M06 runs.
+    pub changes_tools: bool,
+}
+
+impl Prepared {
+    /// A text as the main program; all programs of the memory can be called from it.
+    pub fn new(name: &str, text: Text, library: &Library, syntax: &'static Syntax) -> Prepared {
+        let mut programs = ProgramMemory::new(name, text, syntax);
+        programs.set_source(Box::new(library.clone()));
+        let changes_tools = library.name_of(&ProgramId::Number(TOOL_CHANGE_PROGRAM)).is_some();
+        Prepared { programs, changes_tools }
+    }
+}
+
+/// A program, or why there is none.
+type Found = Result<Box<Prepared>, Fault>;
 
 struct Worker {
     jobs: SyncSender<Job>,
@@ -29,18 +53,20 @@ struct Worker {
 }
 
 impl Worker {
-    fn start(library: Library) -> std::io::Result<Worker> {
+    fn start(library: Library, syntax: &'static Syntax) -> std::io::Result<Worker> {
         let (jobs, asked) = sync_channel(JOBS);
         let (give, found) = sync_channel(JOBS);
         thread::Builder::new().name("programs".to_owned()).spawn(move || {
-            for job in asked {
-                match job {
-                    Job::Read(number, name) => {
-                        if give.send((number, text(&library, &name))).is_err() {
+            loop {
+                match asked.try_recv() {
+                    Ok(Job::Read(number, name)) => {
+                        if give.send((number, prepared(&library, &name, syntax))).is_err() {
                             return;
                         }
                     }
-                    Job::Free(programs) => drop(programs),
+                    Ok(Job::Free(programs)) => drop(programs),
+                    Err(TryRecvError::Empty) => thread::sleep(NAP),
+                    Err(TryRecvError::Disconnected) => return,
                 }
             }
         })?;
@@ -48,9 +74,10 @@ impl Worker {
     }
 }
 
-fn text(library: &Library, name: &str) -> Found {
+fn prepared(library: &Library, name: &str, syntax: &'static Syntax) -> Found {
     let bytes = library.text(name).ok_or(Fault::NoSuchName)?;
-    Text::from_bytes(bytes).map_err(|_| Fault::FileNotText)
+    let text = Text::from_bytes(bytes).map_err(|_| Fault::FileNotText)?;
+    Ok(Box::new(Prepared::new(name, text, library, syntax)))
 }
 
 /// What is read, or was.
@@ -66,9 +93,10 @@ pub(super) struct Reading {
 }
 
 impl Reading {
-    /// What was read of a program is not its text any more.
+    /// What was read of a program is not its text any more. Any other may run that of the tool change.
     pub fn forget(&mut self, program: &str) {
-        if self.wanted.as_ref().is_some_and(|(name, _)| name == program) {
+        let changes_tools = id_of(program) == ProgramId::Number(TOOL_CHANGE_PROGRAM);
+        if changes_tools || self.wanted.as_ref().is_some_and(|(name, _)| name == program) {
             self.wanted = None;
         }
     }
@@ -116,18 +144,24 @@ impl Reading {
 }
 
 impl Control {
+    /// Starts the thread: threads take the system longer than a period.
+    pub(super) fn read_programs_beside(&mut self) {
+        if self.reading.worker.is_none() {
+            let syntax = self.cnc.interpreter().dialect().syntax;
+            self.reading.worker = Worker::start(self.library.clone(), syntax).ok();
+        }
+    }
+
     /// Begins to read the text of a program, where periods must be short. Whether its text comes later.
     pub(super) fn read_ahead(&mut self, name: &str) -> bool {
         if !self.cnc.works_beside() || self.loaded == Loaded::Auto(name.to_owned()) {
             return false;
         }
+        if self.reading.wanted.as_ref().is_some_and(|(wanted, _)| wanted == name) {
+            return !self.reading.is_here();
+        }
+        self.read_programs_beside();
         let reading = &mut self.reading;
-        if reading.wanted.as_ref().is_some_and(|(wanted, _)| wanted == name) {
-            return !reading.is_here();
-        }
-        if reading.worker.is_none() {
-            reading.worker = Worker::start(self.library.clone()).ok();
-        }
         let Some(worker) = &reading.worker else { return false };
         reading.number += 1;
         // Where the thread is gone it is read in the period.
@@ -141,9 +175,10 @@ impl Control {
         self.reading.starts = true;
     }
 
-    /// The text of a program: what was read ahead, else it is read now.
-    pub(super) fn text_to_load(&mut self, name: &str) -> Result<Text, Box<Alarm>> {
-        let found = self.reading.take(name).unwrap_or_else(|| text(&self.library, name));
+    /// A program to be loaded: what was read ahead, else it is read now.
+    pub(super) fn program_to_load(&mut self, name: &str) -> Result<Box<Prepared>, Box<Alarm>> {
+        let syntax = self.cnc.interpreter().dialect().syntax;
+        let found = self.reading.take(name).unwrap_or_else(|| prepared(&self.library, name, syntax));
         found.map_err(|fault| {
             let about = if fault == Fault::FileNotText { "file" } else { "name" };
             Box::new(alarm(fault).with(about, name))

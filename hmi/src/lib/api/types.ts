@@ -1467,7 +1467,7 @@ axes: { [key in string]: number },
  * Whether they are what is typed behind the letter of the axis instead, on the page of the zeros (GSK990MC part 2,
  * 3.4.2): added to the machine coordinate, or taken off it (10#5).
  */
-typed: boolean, } | { "do": "variables",
+typed?: boolean, } | { "do": "variables",
 /**
  * The first number.
  */
