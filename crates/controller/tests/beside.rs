@@ -5,10 +5,11 @@ mod common;
 
 use common::{HANGS, ended, interpreter, machine};
 use ferrocut_controller::drives::Drives;
+use ferrocut_controller::restart::{At, How};
 use ferrocut_controller::{Cnc, State, Tick};
 use ferrocut_geometry::Position;
 use ferrocut_interpreter::{Interpreter, Options, dialects};
-use ferrocut_machine::Memory;
+use ferrocut_machine::{Memory, MemoryChange};
 use ferrocut_program::{ProgramId, ProgramMemory, Source, Text};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::{Duration, Instant};
@@ -236,5 +237,44 @@ fn what_waits_for_the_machine_gets_the_same_answers() {
         let (cnc, at) = beside(ASKING, single);
         assert_eq!(at, there, "single: {single}");
         assert_eq!((cnc.report().moves, cnc.report().parts), (plain.report().moves, 1));
+    }
+}
+
+/// What a run is taken up from is begun beside, before its first block is read: a reset finds it whenever it comes, and a
+/// value that is changed by hand right behind the start counts from there.
+#[test]
+fn a_run_that_is_broken_off_at_once_is_taken_up_from_its_start() {
+    let program = "#500=#500+1\nG1 X50 F3000\n#501=#500\nM30\n";
+    for (periods, by_hand) in (0..8).map(|periods| (periods, periods % 2 == 1)) {
+        let interpreter = interpreter(program, "[variables]\n\"#500\" = 3.0\n");
+        let mut cnc = Cnc::with_drives(&machine(), interpreter, Box::new(Timed));
+        cnc.keep_time().unwrap();
+        cnc.tick();
+        cnc.cycle_start();
+        (0..periods).for_each(|_| _ = cnc.tick());
+        if by_hand {
+            cnc.change_memory(MemoryChange::Variable(502, Some(7.0)));
+        }
+        cnc.reset();
+        let begun = Instant::now();
+        while cnc.state() != &State::Reset {
+            cnc.tick();
+            assert!(begun.elapsed() < DEADLINE);
+        }
+        let journal = cnc.journal().unwrap().clone();
+        assert!(journal.interrupted().is_some(), "{periods}");
+        let restart = journal.find(At::Interrupted, cnc.interpreter().memory()).unwrap();
+        let lead_in = restart.lead_in(&cnc.present(), &machine(), How { sends: true, axis_by_axis: false });
+        cnc.restart(restart, lead_in.unwrap()).unwrap();
+        cnc.cycle_start();
+        while cnc.state() != &State::Ended {
+            cnc.await_beside();
+            cnc.tick();
+            assert!(begun.elapsed() < DEADLINE);
+        }
+        let variables = &cnc.interpreter().memory().variables;
+        let found = [500, 501, 502].map(|number| variables.get(number));
+        assert_eq!(found, [Some(4.0), Some(4.0), by_hand.then_some(7.0)], "{periods}");
+        assert_eq!(cnc.interpreter().position(), Position::xyz(50.0, 0.0, 0.0), "{periods}");
     }
 }
