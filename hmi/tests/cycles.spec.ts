@@ -34,9 +34,19 @@ async function stored(page: Page, text: string): Promise<void> {
   expect(answer).toBe('');
 }
 
+async function openGroupOf(page: Page, cycle: string): Promise<void> {
+  for (const group of await page.locator('nav [data-group]').all()) {
+    await group.click();
+    if (await page.locator(`nav [data-cycle="${cycle}"]`).isVisible()) return;
+  }
+}
+
 async function open(page: Page, cycle: string): Promise<void> {
   await page.goto('/#/cycles');
-  await page.locator(`nav [data-cycle="${cycle}"]`).click();
+  const item = page.locator(`nav [data-cycle="${cycle}"]`);
+  // On a narrow page the cycles of one group stand there.
+  if (!(await item.isVisible())) await openGroupOf(page, cycle);
+  await item.click();
   await expect(page.locator(`.form[data-cycle="${cycle}"]`)).toBeVisible();
 }
 
@@ -49,6 +59,34 @@ test.beforeEach(async ({ page }) => {
     // The first start has a page of its own.
     localStorage.setItem('ferrocut.panel', JSON.stringify({ welcomed: true, panel: false, language: 'en', theme: 'dark' }));
   });
+});
+
+test('beside the machine panel a group is opened, with the cycle of it that was used last', async ({ page }) => {
+  await page.addInitScript(() => localStorage.setItem('ferrocut.panel', JSON.stringify({ welcomed: true, panel: true, language: 'en', theme: 'dark' })));
+  await page.goto('/#/cycles');
+  const group = (name: string) => page.locator(`nav [data-group="${name}"]`);
+  const cycle = (id: string) => page.locator(`nav [data-cycle="${id}"]`);
+  await expect(group('pockets')).toHaveAttribute('aria-selected', 'true');
+  await expect(cycle('G287')).toBeInViewport();
+  await cycle('G288').click();
+  await group('bosses').click();
+  await expect(page.locator('.form[data-cycle="G291"]')).toBeVisible();
+  await expect(cycle('G292')).toBeInViewport();
+  await expect(cycle('G288')).toBeHidden();
+  await group('pockets').click();
+  await expect(page.locator('.form[data-cycle="G288"]')).toBeVisible();
+});
+
+test('what a measure says stands beside its line, and not on it', async ({ page }) => {
+  await open(page, 'G287');
+  for (const field of ['L', 'H']) {
+    const apart = await page.locator(`.plan [data-field="${field}"]`).evaluate((measure) => {
+      const [line, text] = ['path.line', 'text'].map((part) => measure.querySelector<SVGGraphicsElement>(part)!.getBBox());
+      return { aside: text!.x - (line!.x + line!.width), above: line!.y - (text!.y + text!.height), high: text!.height };
+    });
+    // Arrows and what letters have below their line may meet.
+    expect(field === 'H' ? apart.aside : apart.above, field).toBeGreaterThan(-0.3 * apart.high);
+  }
 });
 
 test('a pocket is filled in, simulated and put into a program', async ({ page }) => {

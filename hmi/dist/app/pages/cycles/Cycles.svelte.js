@@ -20,16 +20,18 @@ import { notify } from "../../lib/state/notices.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/cycles/Cycles.svelte
-var root = $.from_html(`<button type="button"><span class="code s-68pwn8"> </span><span> </span></button>`);
-var root_1 = $.from_html(`<h3 class="s-68pwn8"> </h3> <!>`, 1);
-var root_2 = $.from_html(`<p role="alert"> <small class="code s-68pwn8"> </small><br/><span class="muted"> </span></p>`);
-var root_3 = $.from_html(`<!> <!>`, 1);
-var root_4 = $.from_html(`<div class="row wrap"><span class="code"></span> <!> <!> <!> <!> <!></div>`);
-var root_5 = $.from_html(`<div class="tools s-68pwn8"><b class="code"> </b> <label class="s-68pwn8"><span class="muted"> </span><!></label> <label class="s-68pwn8"><span class="muted"> </span><!></label> <label class="s-68pwn8"><span class="muted"> </span><!></label></div>`);
-var root_6 = $.from_html(`<div class="form scroll s-68pwn8"><header class="row wrap"><h2 class="grow"> </h2> <!></header> <!> <!> <!> <!> <!></div>`);
-var root_7 = $.from_html(`<div class="plan s-68pwn8"><!></div> <div class="section s-68pwn8"><!></div>`, 1);
-var root_8 = $.from_html(`<pre> </pre>`);
-var root_9 = $.from_html(`<div class="room s-68pwn8"><div class="cycles s-68pwn8"><nav class="list scroll s-68pwn8" data-pans=""></nav> <!> <div class="side s-68pwn8"><div class="row wrap"><!></div> <div class="shown s-68pwn8"><!></div> <p aria-live="polite"><!></p> <div class="row wrap"><!> <!> <!></div></div></div></div>`);
+var root = $.from_html(`<button type="button" role="tab"> </button>`);
+var root_1 = $.from_html(`<button type="button"><span class="code s-hjrhdp"> </span><span> </span></button>`);
+var root_2 = $.from_html(`<h3 class="s-hjrhdp"> </h3> <!>`, 1);
+var root_3 = $.from_html(`<p role="alert"> <small class="code s-hjrhdp"> </small><br/><span class="muted"> </span></p>`);
+var root_4 = $.from_html(`<!> <!>`, 1);
+var root_5 = $.from_html(`<div class="row wrap"><span class="code"></span> <!> <!> <!> <!> <!></div>`);
+var root_6 = $.from_html(`<div class="tools s-hjrhdp"><b class="code"> </b> <label class="s-hjrhdp"><span class="muted"> </span><!></label> <label class="s-hjrhdp"><span class="muted"> </span><!></label> <label class="s-hjrhdp"><span class="muted"> </span><!></label></div>`);
+var root_7 = $.from_html(`<div class="form scroll s-hjrhdp"><header class="row wrap"><h2 class="grow"> </h2> <!></header> <!> <!> <!> <!> <!></div>`);
+var root_8 = $.from_html(`<div class="plan s-hjrhdp"><!></div> <div class="section s-hjrhdp"><!></div>`, 1);
+var root_9 = $.from_html(`<pre> </pre>`);
+var root_10 = $.from_html(`<span class="spoken s-hjrhdp"> </span>`);
+var root_11 = $.from_html(`<div class="room s-hjrhdp"><div class="cycles s-hjrhdp"><nav class="list scroll s-hjrhdp" data-pans=""><div class="groups s-hjrhdp" role="tablist"></div> <!></nav> <!> <div class="side s-hjrhdp"><div class="row wrap"><!></div> <div class="shown s-hjrhdp"><!></div> <p aria-live="polite"><!></p> <div class="row wrap"><!> <!> <!></div></div></div></div>`);
 function Cycles($$anchor, $$props) {
 	$.push($$props, true);
 	/** How long after the last change the cycle is written, ms. */
@@ -158,6 +160,15 @@ function Cycles($$anchor, $$props) {
 			if (at !== null && $.get(filled)) $.get(filled).values[field.name] = at;
 		};
 	}
+	/** The cycle of each group that was used last: who opens a group finds it (4.1). */
+	const lastOf = {};
+	function pick(id) {
+		if ($.get(form)) lastOf[$.get(form).group] = $.get(form).id;
+		forms.choose(id);
+		$.set(focus, "");
+		$.set(path, null);
+		$.set(written, null);
+	}
 	function go(name) {
 		$.set(focus, name, true);
 		document.getElementById(`field-${name}`)?.focus();
@@ -204,80 +215,94 @@ function Cycles($$anchor, $$props) {
 				}
 			};
 			var consequent_13 = ($$anchor) => {
-				var div = root_9();
+				var div = root_11();
 				var div_1 = $.child(div);
 				var nav = $.child(div_1);
-				$.each(nav, 21, () => $.get(groups), (group) => group[0]?.group, ($$anchor, group) => {
-					var fragment_3 = root_1();
-					var h3 = $.first_child(fragment_3);
-					var text_1 = $.only_child(h3, true);
-					var node_1 = $.sibling(h3, 2);
-					$.each(node_1, 17, () => $.get(group), (one) => one.id, ($$anchor, one) => {
-						var button = root();
-						let classes;
-						var span = $.child(button);
-						var text_2 = $.only_child(span, true);
-						var span_1 = $.sibling(span);
-						var text_3 = $.only_child(span_1, true);
-						$.reset(button);
-						$.template_effect(() => {
-							$.set_attribute(button, "data-cycle", $.get(one).id);
-							$.set_attribute(button, "aria-pressed", $.get(one).id === $.get(form).id);
-							classes = $.set_class(button, 1, "s-68pwn8", null, classes, { chosen: $.get(one).id === $.get(form).id });
-							$.set_text(text_2, $.get(one).id);
-							$.set_text(text_3, $.get(one).title);
-						});
-						$.delegated("click", button, () => {
-							if ($.get(one).id === $.get(form).id) return;
-							forms.choose($.get(one).id);
-							$.set(focus, "");
-							$.set(path, null);
-							$.set(written, null);
-						});
-						$.append($$anchor, button);
+				var div_2 = $.child(nav);
+				$.each(div_2, 21, () => $.get(groups), (group) => group[0]?.group, ($$anchor, group) => {
+					const open = $.derived(() => $.get(group).some((one) => one.id === $.get(form).id));
+					var button = root();
+					let classes;
+					var text_1 = $.only_child(button, true);
+					$.template_effect(() => {
+						$.set_attribute(button, "data-group", $.get(group)[0]?.group);
+						$.set_attribute(button, "aria-selected", $.get(open));
+						classes = $.set_class(button, 1, "s-hjrhdp", null, classes, { chosen: $.get(open) });
+						$.set_text(text_1, $.get(group)[0]?.group_title);
 					});
-					$.template_effect(() => $.set_text(text_1, $.get(group)[0]?.group_title));
+					$.delegated("click", button, () => !$.get(open) && pick(lastOf[$.get(group)[0].group] ?? $.get(group)[0].id));
+					$.append($$anchor, button);
+				});
+				$.reset(div_2);
+				var node_1 = $.sibling(div_2, 2);
+				$.each(node_1, 17, () => $.get(groups), (group) => group[0]?.group, ($$anchor, group) => {
+					var fragment_3 = root_2();
+					var h3 = $.first_child(fragment_3);
+					var text_2 = $.only_child(h3, true);
+					var node_2 = $.sibling(h3, 2);
+					$.each(node_2, 17, () => $.get(group), (one) => one.id, ($$anchor, one) => {
+						var button_1 = root_1();
+						let classes_1;
+						var span = $.child(button_1);
+						var text_3 = $.only_child(span, true);
+						var span_1 = $.sibling(span);
+						var text_4 = $.only_child(span_1, true);
+						$.reset(button_1);
+						$.template_effect(() => {
+							$.set_attribute(button_1, "data-cycle", $.get(one).id);
+							$.set_attribute(button_1, "aria-pressed", $.get(one).id === $.get(form).id);
+							classes_1 = $.set_class(button_1, 1, "s-hjrhdp", null, classes_1, {
+								chosen: $.get(one).id === $.get(form).id,
+								elsewhere: $.get(one).group !== $.get(form).group
+							});
+							$.set_text(text_3, $.get(one).id);
+							$.set_text(text_4, $.get(one).title);
+						});
+						$.delegated("click", button_1, () => $.get(one).id !== $.get(form).id && pick($.get(one).id));
+						$.append($$anchor, button_1);
+					});
+					$.template_effect(() => $.set_text(text_2, $.get(group)[0]?.group_title));
 					$.append($$anchor, fragment_3);
 				});
 				$.reset(nav);
-				var node_2 = $.sibling(nav, 2);
-				$.key(node_2, () => $.get(form).id, ($$anchor) => {
-					var div_2 = root_6();
-					var header = $.child(div_2);
+				var node_3 = $.sibling(nav, 2);
+				$.key(node_3, () => $.get(form).id, ($$anchor) => {
+					var div_3 = root_7();
+					var header = $.child(div_3);
 					var h2 = $.child(header);
-					var text_4 = $.only_child(h2, true);
-					var node_3 = $.sibling(h2, 2);
-					Button(node_3, {
+					var text_5 = $.only_child(h2, true);
+					var node_4 = $.sibling(h2, 2);
+					Button(node_4, {
 						kind: "quiet",
 						icon: "reset",
 						onclick: () => forms.clear($.get(form)),
 						children: ($$anchor, $$slotProps) => {
 							$.next();
-							var text_5 = $.text();
-							$.template_effect(($0) => $.set_text(text_5, $0), [() => t("cycles.clear")]);
-							$.append($$anchor, text_5);
+							var text_6 = $.text();
+							$.template_effect(($0) => $.set_text(text_6, $0), [() => t("cycles.clear")]);
+							$.append($$anchor, text_6);
 						},
 						$$slots: { default: true }
 					});
 					$.reset(header);
-					var node_4 = $.sibling(header, 2);
-					$.each(node_4, 17, () => $.get(general), (finding) => finding.id + finding.text, ($$anchor, finding) => {
-						var p = root_2();
-						var text_6 = $.child(p);
-						var small = $.sibling(text_6);
-						var text_7 = $.only_child(small, true);
+					var node_5 = $.sibling(header, 2);
+					$.each(node_5, 17, () => $.get(general), (finding) => finding.id + finding.text, ($$anchor, finding) => {
+						var p = root_3();
+						var text_7 = $.child(p);
+						var small = $.sibling(text_7);
+						var text_8 = $.only_child(small, true);
 						var span_2 = $.sibling(small, 2);
-						var text_8 = $.only_child(span_2, true);
+						var text_9 = $.only_child(span_2, true);
 						$.reset(p);
 						$.template_effect(() => {
-							$.set_class(p, 1, `general ${$.get(finding).severity ?? ""}`, "s-68pwn8");
-							$.set_text(text_6, `${$.get(finding).text ?? ""} `);
-							$.set_text(text_7, $.get(finding).id);
-							$.set_text(text_8, $.get(finding).help);
+							$.set_class(p, 1, `general ${$.get(finding).severity ?? ""}`, "s-hjrhdp");
+							$.set_text(text_7, `${$.get(finding).text ?? ""} `);
+							$.set_text(text_8, $.get(finding).id);
+							$.set_text(text_9, $.get(finding).help);
 						});
 						$.append($$anchor, p);
 					});
-					var node_5 = $.sibling(node_4, 2);
+					var node_6 = $.sibling(node_5, 2);
 					var consequent_1 = ($$anchor) => {
 						{
 							let $0 = $.derived(() => t("cycles.profile"));
@@ -303,14 +328,14 @@ function Cycles($$anchor, $$props) {
 							});
 						}
 					};
-					$.if(node_5, ($$render) => {
+					$.if(node_6, ($$render) => {
 						if ($.get(form).profile !== "none") $$render(consequent_1);
 					});
-					var node_6 = $.sibling(node_5, 2);
-					$.each(node_6, 17, () => $.get(form).stages, (stage) => stage.value, ($$anchor, stage) => {
+					var node_7 = $.sibling(node_6, 2);
+					$.each(node_7, 17, () => $.get(form).stages, (stage) => stage.value, ($$anchor, stage) => {
 						const fields = $.derived(() => $.get(form).parameters.filter((field) => field.stage === $.get(stage).value));
 						var fragment_7 = $.comment();
-						var node_7 = $.first_child(fragment_7);
+						var node_8 = $.first_child(fragment_7);
 						var consequent_5 = ($$anchor) => {
 							{
 								let $0 = $.derived(() => $.get(form).stages.length > 1 ? $.get(stage).title : "");
@@ -319,9 +344,9 @@ function Cycles($$anchor, $$props) {
 										return $.get($0);
 									},
 									children: ($$anchor, $$slotProps) => {
-										var fragment_9 = root_3();
-										var node_8 = $.first_child(fragment_9);
-										$.each(node_8, 16, () => [
+										var fragment_9 = root_4();
+										var node_9 = $.first_child(fragment_9);
+										$.each(node_9, 16, () => [
 											"place",
 											"shape",
 											"planes",
@@ -330,13 +355,13 @@ function Cycles($$anchor, $$props) {
 										], (group) => group, ($$anchor, group) => {
 											const own = $.derived(() => $.get(fields).filter((field) => field.group === group && !(/^Z[1-4]$/.test(field.name) && !$.get(filled).depths[Number(field.name[1]) - 1])));
 											var fragment_10 = $.comment();
-											var node_9 = $.first_child(fragment_10);
+											var node_10 = $.first_child(fragment_10);
 											var consequent_2 = ($$anchor) => {
-												var fragment_11 = root_1();
+												var fragment_11 = root_2();
 												var h3_1 = $.first_child(fragment_11);
-												var text_9 = $.only_child(h3_1, true);
-												var node_10 = $.sibling(h3_1, 2);
-												$.each(node_10, 17, () => $.get(own), (field) => field.name, ($$anchor, field) => {
+												var text_10 = $.only_child(h3_1, true);
+												var node_11 = $.sibling(h3_1, 2);
+												$.each(node_11, 17, () => $.get(own), (field) => field.name, ($$anchor, field) => {
 													{
 														let $0 = $.derived(() => $.get(findings).filter((one) => one.parameter === $.get(field).name));
 														let $1 = $.derived(() => $.get(focus) === $.get(field).name);
@@ -362,26 +387,26 @@ function Cycles($$anchor, $$props) {
 														});
 													}
 												});
-												$.template_effect(($0) => $.set_text(text_9, $0), [() => t(`cycles.group_${group}`)]);
+												$.template_effect(($0) => $.set_text(text_10, $0), [() => t(`cycles.group_${group}`)]);
 												$.append($$anchor, fragment_11);
 											};
-											$.if(node_9, ($$render) => {
+											$.if(node_10, ($$render) => {
 												if ($.get(own).length) $$render(consequent_2);
 											});
 											$.append($$anchor, fragment_10);
 										});
-										var node_11 = $.sibling(node_8, 2);
+										var node_12 = $.sibling(node_9, 2);
 										var consequent_4 = ($$anchor) => {
-											var fragment_13 = root_3();
-											var node_12 = $.first_child(fragment_13);
-											$.each(node_12, 17, () => $.get(filled).depths, $.index, ($$anchor, depth, i) => {
-												var div_3 = root_4();
-												var span_3 = $.child(div_3);
+											var fragment_13 = root_4();
+											var node_13 = $.first_child(fragment_13);
+											$.each(node_13, 17, () => $.get(filled).depths, $.index, ($$anchor, depth, i) => {
+												var div_4 = root_5();
+												var span_3 = $.child(div_4);
 												span_3.textContent = `P.Z${i + 1}`;
-												var node_13 = $.sibling(span_3, 2);
+												var node_14 = $.sibling(span_3, 2);
 												{
 													let $0 = $.derived(() => t("cycles.depth_plane"));
-													Segmented(node_13, {
+													Segmented(node_14, {
 														get label() {
 															return $.get($0);
 														},
@@ -400,10 +425,10 @@ function Cycles($$anchor, $$props) {
 														}
 													});
 												}
-												var node_14 = $.sibling(node_13, 2);
+												var node_15 = $.sibling(node_14, 2);
 												{
 													let $0 = $.derived(() => t("cycles.depth_from"));
-													NumberField(node_14, {
+													NumberField(node_15, {
 														get label() {
 															return $.get($0);
 														},
@@ -413,10 +438,10 @@ function Cycles($$anchor, $$props) {
 														onvalue: (value) => $.get(depth).contour.start = [value ?? 0, $.get(depth).contour.start[1]]
 													});
 												}
-												var node_15 = $.sibling(node_14, 2);
+												var node_16 = $.sibling(node_15, 2);
 												{
 													let $0 = $.derived(() => t("cycles.depth_from_z"));
-													NumberField(node_15, {
+													NumberField(node_16, {
 														get label() {
 															return $.get($0);
 														},
@@ -427,14 +452,14 @@ function Cycles($$anchor, $$props) {
 														onvalue: (value) => $.get(depth).contour.start = [$.get(depth).contour.start[0], value ?? 0]
 													});
 												}
-												var node_16 = $.sibling(node_15, 2);
+												var node_17 = $.sibling(node_16, 2);
 												var consequent_3 = ($$anchor) => {
 													const end = $.derived(() => $.get(depth).contour.elements[0]);
-													var fragment_14 = root_3();
-													var node_17 = $.first_child(fragment_14);
+													var fragment_14 = root_4();
+													var node_18 = $.first_child(fragment_14);
 													{
 														let $0 = $.derived(() => t("cycles.depth_to"));
-														NumberField(node_17, {
+														NumberField(node_18, {
 															get label() {
 																return $.get($0);
 															},
@@ -444,10 +469,10 @@ function Cycles($$anchor, $$props) {
 															onvalue: (value) => $.get(end).to = [value ?? 0, $.get(end).to[1]]
 														});
 													}
-													var node_18 = $.sibling(node_17, 2);
+													var node_19 = $.sibling(node_18, 2);
 													{
 														let $0 = $.derived(() => t("cycles.depth_to_z"));
-														NumberField(node_18, {
+														NumberField(node_19, {
 															get label() {
 																return $.get($0);
 															},
@@ -460,13 +485,13 @@ function Cycles($$anchor, $$props) {
 													}
 													$.append($$anchor, fragment_14);
 												};
-												$.if(node_16, ($$render) => {
+												$.if(node_17, ($$render) => {
 													if ($.get(depth).contour.elements[0]) $$render(consequent_3);
 												});
-												var node_19 = $.sibling(node_16, 2);
+												var node_20 = $.sibling(node_17, 2);
 												{
 													let $0 = $.derived(() => t("cycles.delete"));
-													Button(node_19, {
+													Button(node_20, {
 														kind: "quiet",
 														icon: "trash",
 														get "aria-label"() {
@@ -475,13 +500,13 @@ function Cycles($$anchor, $$props) {
 														onclick: () => $.get(filled).depths.splice(i, 1)
 													});
 												}
-												$.reset(div_3);
-												$.append($$anchor, div_3);
+												$.reset(div_4);
+												$.append($$anchor, div_4);
 											});
-											var node_20 = $.sibling(node_12, 2);
+											var node_21 = $.sibling(node_13, 2);
 											{
 												let $0 = $.derived(() => $.get(filled).depths.length >= Math.min(4, $.get(filled).contours.length));
-												Button(node_20, {
+												Button(node_21, {
 													icon: "plus",
 													get disabled() {
 														return $.get($0);
@@ -501,16 +526,16 @@ function Cycles($$anchor, $$props) {
 													},
 													children: ($$anchor, $$slotProps) => {
 														$.next();
-														var text_10 = $.text();
-														$.template_effect(($0) => $.set_text(text_10, $0), [() => t("cycles.add_depth")]);
-														$.append($$anchor, text_10);
+														var text_11 = $.text();
+														$.template_effect(($0) => $.set_text(text_11, $0), [() => t("cycles.add_depth")]);
+														$.append($$anchor, text_11);
 													},
 													$$slots: { default: true }
 												});
 											}
 											$.append($$anchor, fragment_13);
 										};
-										$.if(node_11, ($$render) => {
+										$.if(node_12, ($$render) => {
 											if ($.get(stage).value === "cycle" && $.get(form).profile === "depths") $$render(consequent_4);
 										});
 										$.append($$anchor, fragment_9);
@@ -519,12 +544,12 @@ function Cycles($$anchor, $$props) {
 								});
 							}
 						};
-						$.if(node_7, ($$render) => {
+						$.if(node_8, ($$render) => {
 							if ($.get(fields).length) $$render(consequent_5);
 						});
 						$.append($$anchor, fragment_7);
 					});
-					var node_21 = $.sibling(node_6, 2);
+					var node_22 = $.sibling(node_7, 2);
 					var consequent_6 = ($$anchor) => {
 						{
 							let $0 = $.derived(() => t("cycles.positions"));
@@ -556,10 +581,10 @@ function Cycles($$anchor, $$props) {
 							});
 						}
 					};
-					$.if(node_21, ($$render) => {
+					$.if(node_22, ($$render) => {
 						if ($.get(form).positions.length) $$render(consequent_6);
 					});
-					var node_22 = $.sibling(node_21, 2);
+					var node_23 = $.sibling(node_22, 2);
 					var consequent_7 = ($$anchor) => {
 						{
 							let $0 = $.derived(() => t("cycles.tools"));
@@ -569,19 +594,19 @@ function Cycles($$anchor, $$props) {
 								},
 								children: ($$anchor, $$slotProps) => {
 									var fragment_19 = $.comment();
-									var node_23 = $.first_child(fragment_19);
-									$.each(node_23, 16, () => $.get(called), (number) => number, ($$anchor, number) => {
+									var node_24 = $.first_child(fragment_19);
+									$.each(node_24, 16, () => $.get(called), (number) => number, ($$anchor, number) => {
 										const tool = $.derived(() => forms.tool(number));
-										var div_4 = root_5();
-										var b = $.child(div_4);
-										var text_11 = $.only_child(b);
+										var div_5 = root_6();
+										var b = $.child(div_5);
+										var text_12 = $.only_child(b);
 										var label = $.sibling(b, 2);
 										var span_4 = $.child(label);
-										var text_12 = $.only_child(span_4, true);
-										var node_24 = $.sibling(span_4);
+										var text_13 = $.only_child(span_4, true);
+										var node_25 = $.sibling(span_4);
 										{
 											let $0 = $.derived(() => t("cycles.diameter"));
-											NumberField(node_24, {
+											NumberField(node_25, {
 												get label() {
 													return $.get($0);
 												},
@@ -599,11 +624,11 @@ function Cycles($$anchor, $$props) {
 										$.reset(label);
 										var label_1 = $.sibling(label, 2);
 										var span_5 = $.child(label_1);
-										var text_13 = $.only_child(span_5, true);
-										var node_25 = $.sibling(span_5);
+										var text_14 = $.only_child(span_5, true);
+										var node_26 = $.sibling(span_5);
 										{
 											let $0 = $.derived(() => t("cycles.cutting_length"));
-											NumberField(node_25, {
+											NumberField(node_26, {
 												get label() {
 													return $.get($0);
 												},
@@ -621,11 +646,11 @@ function Cycles($$anchor, $$props) {
 										$.reset(label_1);
 										var label_2 = $.sibling(label_1, 2);
 										var span_6 = $.child(label_2);
-										var text_14 = $.only_child(span_6, true);
-										var node_26 = $.sibling(span_6);
+										var text_15 = $.only_child(span_6, true);
+										var node_27 = $.sibling(span_6);
 										{
 											let $0 = $.derived(() => t("cycles.entry_angle"));
-											NumberField(node_26, {
+											NumberField(node_27, {
 												get label() {
 													return $.get($0);
 												},
@@ -641,18 +666,18 @@ function Cycles($$anchor, $$props) {
 											});
 										}
 										$.reset(label_2);
-										$.reset(div_4);
+										$.reset(div_5);
 										$.template_effect(($0, $1, $2) => {
-											$.set_text(text_11, `T${number ?? ""}`);
-											$.set_text(text_12, $0);
-											$.set_text(text_13, $1);
-											$.set_text(text_14, $2);
+											$.set_text(text_12, `T${number ?? ""}`);
+											$.set_text(text_13, $0);
+											$.set_text(text_14, $1);
+											$.set_text(text_15, $2);
 										}, [
 											() => t("cycles.diameter"),
 											() => t("cycles.cutting_length"),
 											() => t("cycles.entry_angle")
 										]);
-										$.append($$anchor, div_4);
+										$.append($$anchor, div_5);
 									});
 									$.append($$anchor, fragment_19);
 								},
@@ -660,19 +685,19 @@ function Cycles($$anchor, $$props) {
 							});
 						}
 					};
-					$.if(node_22, ($$render) => {
+					$.if(node_23, ($$render) => {
 						if ($.get(called).length) $$render(consequent_7);
 					});
-					$.reset(div_2);
+					$.reset(div_3);
 					$.template_effect(() => {
-						$.set_attribute(div_2, "data-cycle", $.get(form).id);
-						$.set_text(text_4, $.get(form).title);
+						$.set_attribute(div_3, "data-cycle", $.get(form).id);
+						$.set_text(text_5, $.get(form).title);
 					});
-					$.append($$anchor, div_2);
+					$.append($$anchor, div_3);
 				});
-				var div_5 = $.sibling(node_2, 2);
-				var div_6 = $.child(div_5);
-				var node_27 = $.child(div_6);
+				var div_6 = $.sibling(node_3, 2);
+				var div_7 = $.child(div_6);
+				var node_28 = $.child(div_7);
 				{
 					let $0 = $.derived(() => t("cycles.show"));
 					let $1 = $.derived(() => [
@@ -689,7 +714,7 @@ function Cycles($$anchor, $$props) {
 							label: t("cycles.text")
 						}
 					]);
-					Segmented(node_27, {
+					Segmented(node_28, {
 						get label() {
 							return $.get($0);
 						},
@@ -705,16 +730,16 @@ function Cycles($$anchor, $$props) {
 						}
 					});
 				}
-				$.reset(div_6);
-				var div_7 = $.sibling(div_6, 2);
-				var node_28 = $.child(div_7);
+				$.reset(div_7);
+				var div_8 = $.sibling(div_7, 2);
+				var node_29 = $.child(div_8);
 				var consequent_8 = ($$anchor) => {
-					var fragment_20 = root_7();
-					var div_8 = $.first_child(fragment_20);
-					var node_29 = $.child(div_8);
+					var fragment_20 = root_8();
+					var div_9 = $.first_child(fragment_20);
+					var node_30 = $.child(div_9);
 					{
 						let $0 = $.derived(() => t("cycles.plan"));
-						Drawing(node_29, {
+						Drawing(node_30, {
 							get items() {
 								return $.get(picture).plan;
 							},
@@ -733,12 +758,12 @@ function Cycles($$anchor, $$props) {
 							onfield: go
 						});
 					}
-					$.reset(div_8);
-					var div_9 = $.sibling(div_8, 2);
-					var node_30 = $.child(div_9);
+					$.reset(div_9);
+					var div_10 = $.sibling(div_9, 2);
+					var node_31 = $.child(div_10);
 					{
 						let $0 = $.derived(() => t("cycles.section"));
-						Drawing(node_30, {
+						Drawing(node_31, {
 							get items() {
 								return $.get(picture).section;
 							},
@@ -757,7 +782,7 @@ function Cycles($$anchor, $$props) {
 							onfield: go
 						});
 					}
-					$.reset(div_9);
+					$.reset(div_10);
 					$.append($$anchor, fragment_20);
 				};
 				var consequent_9 = ($$anchor) => {
@@ -777,94 +802,110 @@ function Cycles($$anchor, $$props) {
 					}
 				};
 				var alternate = ($$anchor) => {
-					var pre = root_8();
-					let classes_1;
-					var text_15 = $.only_child(pre, true);
+					var pre = root_9();
+					let classes_2;
+					var text_16 = $.only_child(pre, true);
 					$.template_effect(($0) => {
-						classes_1 = $.set_class(pre, 1, "code scroll s-68pwn8", null, classes_1, { stale: !$.get(isCurrent) });
+						classes_2 = $.set_class(pre, 1, "code scroll s-hjrhdp", null, classes_2, { stale: !$.get(isCurrent) });
 						$.set_attribute(pre, "data-expanded", $.get(written)?.expanded ?? false);
-						$.set_text(text_15, $0);
+						$.set_text(text_16, $0);
 					}, [() => $.get(written)?.text || t("cycles.no_text")]);
 					$.append($$anchor, pre);
 				};
-				$.if(node_28, ($$render) => {
+				$.if(node_29, ($$render) => {
 					if ($.get(side) === "drawing") $$render(consequent_8);
 					else if ($.get(side) === "simulation") $$render(consequent_9, 1);
 					else $$render(alternate, -1);
 				});
-				$.reset(div_7);
-				var p_1 = $.sibling(div_7, 2);
-				let classes_2;
-				var node_31 = $.child(p_1);
+				$.reset(div_8);
+				var p_1 = $.sibling(div_8, 2);
+				let classes_3;
+				var node_32 = $.child(p_1);
 				var consequent_10 = ($$anchor) => {
-					var text_16 = $.text();
-					$.template_effect(($0) => $.set_text(text_16, $0), [() => t("cycles.errors", { count: $.get(errors).length })]);
-					$.append($$anchor, text_16);
-				};
-				var consequent_11 = ($$anchor) => {
 					var text_17 = $.text();
-					$.template_effect(($0, $1) => $.set_text(text_17, `${$0 ?? ""} · ${$1 ?? ""}`), [() => $.get(written).expanded ? t("cycles.expanded", { dialect: $.get(dialect) }) : t("cycles.as_cycle", { dialect: $.get(dialect) }), () => t("cycles.lines", { count: $.get(ready).trimEnd().split("\n").length })]);
+					$.template_effect(($0) => $.set_text(text_17, $0), [() => t("cycles.errors", { count: $.get(errors).length })]);
 					$.append($$anchor, text_17);
 				};
-				var consequent_12 = ($$anchor) => {
+				var consequent_11 = ($$anchor) => {
 					var text_18 = $.text();
-					$.template_effect(($0) => $.set_text(text_18, $0), [() => t("cycles.no_text")]);
+					$.template_effect(($0, $1) => $.set_text(text_18, `${$0 ?? ""} · ${$1 ?? ""}`), [() => $.get(written).expanded ? t("cycles.expanded", { dialect: $.get(dialect) }) : t("cycles.as_cycle", { dialect: $.get(dialect) }), () => t("cycles.lines", { count: $.get(ready).trimEnd().split("\n").length })]);
 					$.append($$anchor, text_18);
 				};
-				var alternate_1 = ($$anchor) => {
+				var consequent_12 = ($$anchor) => {
 					var text_19 = $.text();
-					$.template_effect(($0) => $.set_text(text_19, $0), [() => t($.get(refusedOf) === $.get(wish) ? "cycles.not_written" : "cycles.writing")]);
+					$.template_effect(($0) => $.set_text(text_19, $0), [() => t("cycles.no_text")]);
 					$.append($$anchor, text_19);
 				};
-				$.if(node_31, ($$render) => {
+				var alternate_1 = ($$anchor) => {
+					var text_20 = $.text();
+					$.template_effect(($0) => $.set_text(text_20, $0), [() => t($.get(refusedOf) === $.get(wish) ? "cycles.not_written" : "cycles.writing")]);
+					$.append($$anchor, text_20);
+				};
+				$.if(node_32, ($$render) => {
 					if ($.get(errors).length) $$render(consequent_10);
 					else if ($.get(ready) && $.get(written)) $$render(consequent_11, 1);
 					else if ($.get(isCurrent)) $$render(consequent_12, 2);
 					else $$render(alternate_1, -1);
 				});
 				$.reset(p_1);
-				var div_10 = $.sibling(p_1, 2);
-				var node_32 = $.child(div_10);
+				var div_11 = $.sibling(p_1, 2);
+				var node_33 = $.child(div_11);
 				{
-					let $0 = $.derived(() => $.get(errors).length > 0);
-					Button(node_32, {
+					let $0 = $.derived(() => t("cycles.simulate"));
+					let $1 = $.derived(() => t("cycles.simulate"));
+					let $2 = $.derived(() => $.get(errors).length > 0);
+					Button(node_33, {
 						icon: "play",
 						"data-testid": "simulate",
+						get "aria-label"() {
+							return $.get($0);
+						},
+						get title() {
+							return $.get($1);
+						},
 						onclick: simulate,
 						get disabled() {
-							return $.get($0);
+							return $.get($2);
 						},
 						children: ($$anchor, $$slotProps) => {
-							$.next();
-							var text_20 = $.text();
-							$.template_effect(($0) => $.set_text(text_20, $0), [() => t("cycles.simulate")]);
-							$.append($$anchor, text_20);
-						},
-						$$slots: { default: true }
-					});
-				}
-				var node_33 = $.sibling(node_32, 2);
-				{
-					let $0 = $.derived(() => !$.get(ready));
-					Button(node_33, {
-						icon: "list",
-						onclick: copy,
-						get disabled() {
-							return $.get($0);
-						},
-						children: ($$anchor, $$slotProps) => {
-							$.next();
-							var text_21 = $.text();
-							$.template_effect(($0) => $.set_text(text_21, $0), [() => t("cycles.copy")]);
-							$.append($$anchor, text_21);
+							var span_7 = root_10();
+							var text_21 = $.only_child(span_7, true);
+							$.template_effect(($0) => $.set_text(text_21, $0), [() => t("cycles.simulate")]);
+							$.append($$anchor, span_7);
 						},
 						$$slots: { default: true }
 					});
 				}
 				var node_34 = $.sibling(node_33, 2);
 				{
-					let $0 = $.derived(() => !$.get(ready));
+					let $0 = $.derived(() => t("cycles.copy"));
+					let $1 = $.derived(() => t("cycles.copy"));
+					let $2 = $.derived(() => !$.get(ready));
 					Button(node_34, {
+						icon: "list",
+						get "aria-label"() {
+							return $.get($0);
+						},
+						get title() {
+							return $.get($1);
+						},
+						onclick: copy,
+						get disabled() {
+							return $.get($2);
+						},
+						children: ($$anchor, $$slotProps) => {
+							var span_8 = root_10();
+							var text_22 = $.only_child(span_8, true);
+							$.template_effect(($0) => $.set_text(text_22, $0), [() => t("cycles.copy")]);
+							$.append($$anchor, span_8);
+						},
+						$$slots: { default: true }
+					});
+				}
+				var node_35 = $.sibling(node_34, 2);
+				{
+					let $0 = $.derived(() => !$.get(ready));
+					Button(node_35, {
 						kind: "primary",
 						icon: "plus",
 						get disabled() {
@@ -874,22 +915,23 @@ function Cycles($$anchor, $$props) {
 						"data-testid": "insert",
 						children: ($$anchor, $$slotProps) => {
 							$.next();
-							var text_22 = $.text();
-							$.template_effect(($0) => $.set_text(text_22, $0), [() => t("cycles.insert")]);
-							$.append($$anchor, text_22);
+							var text_23 = $.text();
+							$.template_effect(($0) => $.set_text(text_23, $0), [() => t("cycles.insert")]);
+							$.append($$anchor, text_23);
 						},
 						$$slots: { default: true }
 					});
 				}
-				$.reset(div_10);
-				$.reset(div_5);
+				$.reset(div_11);
+				$.reset(div_6);
 				$.reset(div_1);
 				$.reset(div);
-				$.template_effect(($0) => {
+				$.template_effect(($0, $1) => {
 					$.set_attribute(nav, "aria-label", $0);
-					classes_2 = $.set_class(p_1, 1, "state s-68pwn8", null, classes_2, { wrong: $.get(errors).length > 0 });
+					$.set_attribute(div_2, "aria-label", $1);
+					classes_3 = $.set_class(p_1, 1, "state s-hjrhdp", null, classes_3, { wrong: $.get(errors).length > 0 });
 					$.set_attribute(p_1, "data-ready", !!$.get(ready));
-				}, [() => t("cycles.title")]);
+				}, [() => t("cycles.title"), () => t("cycles.title")]);
 				$.append($$anchor, div);
 			};
 			$.if(node, ($$render) => {
