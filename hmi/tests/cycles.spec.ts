@@ -139,6 +139,56 @@ test('a pocket is filled in, simulated and put into a program', async ({ page })
   await shoot(page, 'cycles-inserted');
 });
 
+test('a cycle of a program is opened again, changed, and takes its own place', async ({ page }) => {
+  await page.goto('/');
+  await stored(page, `${PROGRAM}\nG54 G90\nG0 Z50.\n(HERE)\nM30\n`);
+  await page.goto(`/#/program/edit/${PROGRAM}`);
+  await page.locator('.cm-line', { hasText: 'HERE' }).click();
+  await open(page, 'G287');
+  await put(page, 'L', '60');
+  await page.locator('[data-figure="POINTS"]').click();
+  await put(page, 'rough.step', '5');
+  await written(page);
+  await page.getByTestId('insert').click();
+  const text = page.locator('.cm-content');
+  await expect(text).toContainText('L=60');
+
+  // Other values stand in the form meanwhile, as of another part.
+  await open(page, 'G288');
+  await open(page, 'G287');
+  await put(page, 'L', '33');
+  await page.goto(`/#/program/edit/${PROGRAM}`);
+  await page.locator('.cm-line', { hasText: 'L=60' }).click();
+  await page.getByTestId('to-cycle').click();
+  await expect(page.locator('.form')).toContainText(`From ${PROGRAM}, lines 5 to`);
+  await expect(page.locator('[id="field-L"]')).toHaveValue('60');
+  await expect(page.locator('[data-figure="POINTS"]')).toHaveAttribute('aria-pressed', 'true');
+  await expect(page.getByTestId('insert')).toHaveText('Replace in the program');
+  await put(page, 'L', '44');
+  await written(page);
+  await shoot(page, 'cycles-opened');
+  await page.getByTestId('insert').click();
+  await expect(text).toContainText('L=44');
+  await expect(text).not.toContainText('L=60');
+  const lines = () => page.locator('.cm-line').allTextContents();
+  await text.press('Control+Home');
+  await expect.poll(async () => (await lines()).slice(0, 5)).toEqual([PROGRAM, 'G54 G90', 'G0 Z50.', '(HERE)', '(G287 RECTANGULAR POCKET)']);
+  await text.press('Control+End');
+  await expect.poll(async () => (await lines()).slice(-3)).toEqual(['(END G287)', 'M30', '']);
+  // What is inserted next is a new one again.
+  await page.goto('/#/cycles');
+  await expect(page.getByTestId('insert')).toHaveText('Insert into the program');
+});
+
+test('where the machine stands is shown, and taken over by a field', async ({ page }) => {
+  await open(page, 'G287');
+  await expect(page.getByTestId('stands')).toContainText('X0.000');
+  await expect(page.getByTestId('stands')).toBeInViewport();
+  await put(page, 'X', '17');
+  await page.locator('.field[data-name="X"]').getByRole('button').click();
+  await expect(page.locator('[id="field-X"]')).toHaveValue('0');
+});
+
 test('only the text of what stands in the form is put into a program, which is told of codes that it loses', async ({ page }) => {
   await page.goto('/');
   await stored(page, `${PROGRAM}\nG54 G90 G20\nG91\n(HERE)\nM30\n`);

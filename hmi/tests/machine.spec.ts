@@ -347,6 +347,13 @@ test('a parameter is refused without the right, and changed with it', async ({ p
   await page.getByTestId('parameter-search').fill('P98');
   await expect(page.locator('[data-parameter="P98"]')).toHaveClass(/differs/);
   await shoot(page, 'parameter-changed');
+  // The help has the value that it has now, and says in words what the parameter is for.
+  await show(page, 'help/search');
+  await page.getByTestId('help-search').fill('P98');
+  await expect(page.locator('[data-found="parameter P98"]')).toContainText(/\w{3} \w{3}/);
+  await page.locator('[data-found="parameter P98"]').click();
+  await expect(page.getByTestId('help-detail').locator('dd').filter({ hasText: new RegExp(`^${after} `) })).toBeVisible();
+  await show(page, 'offsets/parameters');
   await page.getByTestId('parameter-switch').click();
   await expect(page.getByTestId('parameter-switch')).toHaveAttribute('aria-pressed', 'false');
   await show(page, 'alarms/log');

@@ -4,34 +4,41 @@ import Drawing from "../../lib/cycles/Drawing.svelte.js";
 import FieldInput from "../../lib/cycles/FieldInput.svelte.js";
 import { axisOf, drawn, forms, request, toolsOf } from "../../lib/cycles/form.svelte.js";
 import { insert } from "../../lib/cycles/insert.js";
+import { cycleAt } from "../../lib/cycles/read.js";
 import PositionsEditor from "../../lib/cycles/PositionsEditor.svelte.js";
 import ProfileEditor from "../../lib/cycles/ProfileEditor.svelte.js";
 import { scene } from "../../lib/cycles/scene.js";
 import Simulation from "../../lib/cycles/Simulation.svelte.js";
 import { readPath } from "../../lib/graphics/path.js";
+import { fixed } from "../../lib/numbers.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import Card from "../../lib/parts/Card.svelte.js";
 import Empty from "../../lib/parts/Empty.svelte.js";
 import NumberField from "../../lib/parts/NumberField.svelte.js";
 import Page from "../../lib/parts/Page.svelte.js";
 import Segmented from "../../lib/parts/Segmented.svelte.js";
+import { editing } from "../../lib/state/editing.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import { notify } from "../../lib/state/notices.svelte.js";
+import { untrack } from "svelte";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/cycles/Cycles.svelte
 var root = $.from_html(`<button type="button" role="tab"> </button>`);
-var root_1 = $.from_html(`<button type="button"><span class="code s-hjrhdp"> </span><span> </span></button>`);
-var root_2 = $.from_html(`<h3 class="s-hjrhdp"> </h3> <!>`, 1);
-var root_3 = $.from_html(`<p role="alert"> <small class="code s-hjrhdp"> </small><br/><span class="muted"> </span></p>`);
-var root_4 = $.from_html(`<!> <!>`, 1);
-var root_5 = $.from_html(`<div class="row wrap"><span class="code"></span> <!> <!> <!> <!> <!></div>`);
-var root_6 = $.from_html(`<div class="tools s-hjrhdp"><b class="code"> </b> <label class="s-hjrhdp"><span class="muted"> </span><!></label> <label class="s-hjrhdp"><span class="muted"> </span><!></label> <label class="s-hjrhdp"><span class="muted"> </span><!></label></div>`);
-var root_7 = $.from_html(`<div class="form scroll s-hjrhdp"><header class="row wrap"><h2 class="grow"> </h2> <!></header> <!> <!> <!> <!> <!></div>`);
-var root_8 = $.from_html(`<div class="plan s-hjrhdp"><!></div> <div class="section s-hjrhdp"><!></div>`, 1);
-var root_9 = $.from_html(`<pre> </pre>`);
-var root_10 = $.from_html(`<span class="spoken s-hjrhdp"> </span>`);
-var root_11 = $.from_html(`<div class="room s-hjrhdp"><div class="cycles s-hjrhdp"><nav class="list scroll s-hjrhdp" data-pans=""><div class="groups s-hjrhdp" role="tablist"></div> <!></nav> <!> <div class="side s-hjrhdp"><div class="row wrap"><!></div> <div class="shown s-hjrhdp"><!></div> <p aria-live="polite"><!></p> <div class="row wrap"><!> <!> <!></div></div></div></div>`);
+var root_1 = $.from_html(`<button type="button"><span class="code s-1nr5sug"> </span><span> </span></button>`);
+var root_2 = $.from_html(`<h3 class="s-1nr5sug"> </h3> <!>`, 1);
+var root_3 = $.from_html(`<small class="opened s-1nr5sug"> </small>`);
+var root_4 = $.from_html(`<p role="alert"> <small class="code s-1nr5sug"> </small><br/><span class="muted"> </span></p>`);
+var root_5 = $.from_html(`<!> <!>`, 1);
+var root_6 = $.from_html(`<div class="row wrap"><span class="code"></span> <!> <!> <!> <!> <!></div>`);
+var root_7 = $.from_html(`<div class="tools s-1nr5sug"><b class="code"> </b> <label class="s-1nr5sug"><span class="muted"> </span><!></label> <label class="s-1nr5sug"><span class="muted"> </span><!></label> <label class="s-1nr5sug"><span class="muted"> </span><!></label></div>`);
+var root_8 = $.from_html(`<span><small class="s-1nr5sug"> </small> </span>`);
+var root_9 = $.from_html(`<p class="stands number s-1nr5sug" data-testid="stands"><!> <span><small class="s-1nr5sug">F</small> </span> <span><small class="s-1nr5sug">S</small> </span> <span><small class="s-1nr5sug">T</small> </span></p>`);
+var root_10 = $.from_html(`<div class="form scroll s-1nr5sug"><header class="row wrap"><h2 class="grow"> <!></h2> <!> <!></header> <!> <!> <!> <!> <!> <!></div>`);
+var root_11 = $.from_html(`<div class="plan s-1nr5sug"><!></div> <div class="section s-1nr5sug"><!></div>`, 1);
+var root_12 = $.from_html(`<pre> </pre>`);
+var root_13 = $.from_html(`<span class="spoken s-1nr5sug"> </span>`);
+var root_14 = $.from_html(`<div class="room s-1nr5sug"><div class="cycles s-1nr5sug"><nav class="list scroll s-1nr5sug" data-pans=""><div class="groups s-1nr5sug" role="tablist"></div> <!></nav> <!> <div class="side s-1nr5sug"><div class="row wrap"><!></div> <div class="shown s-1nr5sug"><!></div> <p aria-live="polite"><!></p> <div class="row wrap"><!> <!> <!></div></div></div></div>`);
 function Cycles($$anchor, $$props) {
 	$.push($$props, true);
 	/** How long after the last change the cycle is written, ms. */
@@ -55,8 +62,16 @@ function Cycles($$anchor, $$props) {
 		}, () => $.set(failed, true));
 	});
 	const form = $.derived(() => $.get(all).find((one) => one.id === forms.chosen) ?? $.get(all)[0]);
+	const opened = $.derived(() => editing.opened);
+	let taken = null;
 	$.user_pre_effect(() => {
 		if ($.get(form)) forms.begin($.get(form));
+		if (!$.get(opened) || $.get(opened) === taken || $.get(all).length === 0) return;
+		taken = $.get(opened);
+		const found = cycleAt($.get(opened).lines, 1);
+		const its = $.get(all).find((one) => one.id === found?.request.cycle);
+		if (found && its) untrack(() => forms.fill(its, found.request));
+		else editing.open(null);
 	});
 	const filled = $.derived(() => $.get(form) ? forms.of($.get(form)) : void 0);
 	const asked = $.derived(() => $.get(form) && $.get(filled) ? request($.get(form), $.get(filled)) : null);
@@ -164,6 +179,7 @@ function Cycles($$anchor, $$props) {
 	const lastOf = {};
 	function pick(id) {
 		if ($.get(form)) lastOf[$.get(form).group] = $.get(form).id;
+		editing.open(null);
 		forms.choose(id);
 		$.set(focus, "");
 		$.set(path, null);
@@ -214,8 +230,8 @@ function Cycles($$anchor, $$props) {
 					});
 				}
 			};
-			var consequent_13 = ($$anchor) => {
-				var div = root_11();
+			var consequent_16 = ($$anchor) => {
+				var div = root_14();
 				var div_1 = $.child(div);
 				var nav = $.child(div_1);
 				var div_2 = $.child(nav);
@@ -227,7 +243,7 @@ function Cycles($$anchor, $$props) {
 					$.template_effect(() => {
 						$.set_attribute(button, "data-group", $.get(group)[0]?.group);
 						$.set_attribute(button, "aria-selected", $.get(open));
-						classes = $.set_class(button, 1, "s-hjrhdp", null, classes, { chosen: $.get(open) });
+						classes = $.set_class(button, 1, "s-1nr5sug", null, classes, { chosen: $.get(open) });
 						$.set_text(text_1, $.get(group)[0]?.group_title);
 					});
 					$.delegated("click", button, () => !$.get(open) && pick(lastOf[$.get(group)[0].group] ?? $.get(group)[0].id));
@@ -251,7 +267,7 @@ function Cycles($$anchor, $$props) {
 						$.template_effect(() => {
 							$.set_attribute(button_1, "data-cycle", $.get(one).id);
 							$.set_attribute(button_1, "aria-pressed", $.get(one).id === $.get(form).id);
-							classes_1 = $.set_class(button_1, 1, "s-hjrhdp", null, classes_1, {
+							classes_1 = $.set_class(button_1, 1, "s-1nr5sug", null, classes_1, {
 								chosen: $.get(one).id === $.get(form).id,
 								elsewhere: $.get(one).group !== $.get(form).group
 							});
@@ -267,43 +283,80 @@ function Cycles($$anchor, $$props) {
 				$.reset(nav);
 				var node_3 = $.sibling(nav, 2);
 				$.key(node_3, () => $.get(form).id, ($$anchor) => {
-					var div_3 = root_7();
+					var div_3 = root_10();
 					var header = $.child(div_3);
 					var h2 = $.child(header);
-					var text_5 = $.only_child(h2, true);
-					var node_4 = $.sibling(h2, 2);
-					Button(node_4, {
+					var text_5 = $.child(h2, true);
+					var node_4 = $.sibling(text_5);
+					var consequent_1 = ($$anchor) => {
+						var small = root_3();
+						var text_6 = $.only_child(small, true);
+						$.template_effect(($0) => $.set_text(text_6, $0), [() => t("cycles.opened", {
+							program: $.get(opened).program,
+							from: $.get(opened).from,
+							to: $.get(opened).from + $.get(opened).lines.length - 1
+						})]);
+						$.append($$anchor, small);
+					};
+					$.if(node_4, ($$render) => {
+						if ($.get(opened)) $$render(consequent_1);
+					});
+					$.reset(h2);
+					var node_5 = $.sibling(h2, 2);
+					var consequent_2 = ($$anchor) => {
+						{
+							let $0 = $.derived(() => t("cycles.as_new"));
+							let $1 = $.derived(() => t("cycles.as_new"));
+							Button($$anchor, {
+								kind: "quiet",
+								icon: "close",
+								get "aria-label"() {
+									return $.get($0);
+								},
+								get title() {
+									return $.get($1);
+								},
+								onclick: () => editing.open(null),
+								"data-testid": "as-new"
+							});
+						}
+					};
+					$.if(node_5, ($$render) => {
+						if ($.get(opened)) $$render(consequent_2);
+					});
+					var node_6 = $.sibling(node_5, 2);
+					Button(node_6, {
 						kind: "quiet",
 						icon: "reset",
 						onclick: () => forms.clear($.get(form)),
 						children: ($$anchor, $$slotProps) => {
 							$.next();
-							var text_6 = $.text();
-							$.template_effect(($0) => $.set_text(text_6, $0), [() => t("cycles.clear")]);
-							$.append($$anchor, text_6);
+							var text_7 = $.text();
+							$.template_effect(($0) => $.set_text(text_7, $0), [() => t("cycles.clear")]);
+							$.append($$anchor, text_7);
 						},
 						$$slots: { default: true }
 					});
 					$.reset(header);
-					var node_5 = $.sibling(header, 2);
-					$.each(node_5, 17, () => $.get(general), (finding) => finding.id + finding.text, ($$anchor, finding) => {
-						var p = root_3();
-						var text_7 = $.child(p);
-						var small = $.sibling(text_7);
-						var text_8 = $.only_child(small, true);
-						var span_2 = $.sibling(small, 2);
-						var text_9 = $.only_child(span_2, true);
+					var node_7 = $.sibling(header, 2);
+					$.each(node_7, 17, () => $.get(general), (finding) => finding.id + finding.text, ($$anchor, finding) => {
+						var p = root_4();
+						var text_8 = $.child(p);
+						var small_1 = $.sibling(text_8);
+						var text_9 = $.only_child(small_1, true);
+						var span_2 = $.sibling(small_1, 2);
+						var text_10 = $.only_child(span_2, true);
 						$.reset(p);
 						$.template_effect(() => {
-							$.set_class(p, 1, `general ${$.get(finding).severity ?? ""}`, "s-hjrhdp");
-							$.set_text(text_7, `${$.get(finding).text ?? ""} `);
-							$.set_text(text_8, $.get(finding).id);
-							$.set_text(text_9, $.get(finding).help);
+							$.set_class(p, 1, `general ${$.get(finding).severity ?? ""}`, "s-1nr5sug");
+							$.set_text(text_8, `${$.get(finding).text ?? ""} `);
+							$.set_text(text_9, $.get(finding).id);
+							$.set_text(text_10, $.get(finding).help);
 						});
 						$.append($$anchor, p);
 					});
-					var node_6 = $.sibling(node_5, 2);
-					var consequent_1 = ($$anchor) => {
+					var node_8 = $.sibling(node_7, 2);
+					var consequent_3 = ($$anchor) => {
 						{
 							let $0 = $.derived(() => t("cycles.profile"));
 							Card($$anchor, {
@@ -328,15 +381,15 @@ function Cycles($$anchor, $$props) {
 							});
 						}
 					};
-					$.if(node_6, ($$render) => {
-						if ($.get(form).profile !== "none") $$render(consequent_1);
+					$.if(node_8, ($$render) => {
+						if ($.get(form).profile !== "none") $$render(consequent_3);
 					});
-					var node_7 = $.sibling(node_6, 2);
-					$.each(node_7, 17, () => $.get(form).stages, (stage) => stage.value, ($$anchor, stage) => {
+					var node_9 = $.sibling(node_8, 2);
+					$.each(node_9, 17, () => $.get(form).stages, (stage) => stage.value, ($$anchor, stage) => {
 						const fields = $.derived(() => $.get(form).parameters.filter((field) => field.stage === $.get(stage).value));
-						var fragment_7 = $.comment();
-						var node_8 = $.first_child(fragment_7);
-						var consequent_5 = ($$anchor) => {
+						var fragment_8 = $.comment();
+						var node_10 = $.first_child(fragment_8);
+						var consequent_7 = ($$anchor) => {
 							{
 								let $0 = $.derived(() => $.get(form).stages.length > 1 ? $.get(stage).title : "");
 								Card($$anchor, {
@@ -344,9 +397,9 @@ function Cycles($$anchor, $$props) {
 										return $.get($0);
 									},
 									children: ($$anchor, $$slotProps) => {
-										var fragment_9 = root_4();
-										var node_9 = $.first_child(fragment_9);
-										$.each(node_9, 16, () => [
+										var fragment_10 = root_5();
+										var node_11 = $.first_child(fragment_10);
+										$.each(node_11, 16, () => [
 											"place",
 											"shape",
 											"planes",
@@ -354,14 +407,14 @@ function Cycles($$anchor, $$props) {
 											"tool"
 										], (group) => group, ($$anchor, group) => {
 											const own = $.derived(() => $.get(fields).filter((field) => field.group === group && !(/^Z[1-4]$/.test(field.name) && !$.get(filled).depths[Number(field.name[1]) - 1])));
-											var fragment_10 = $.comment();
-											var node_10 = $.first_child(fragment_10);
-											var consequent_2 = ($$anchor) => {
-												var fragment_11 = root_2();
-												var h3_1 = $.first_child(fragment_11);
-												var text_10 = $.only_child(h3_1, true);
-												var node_11 = $.sibling(h3_1, 2);
-												$.each(node_11, 17, () => $.get(own), (field) => field.name, ($$anchor, field) => {
+											var fragment_11 = $.comment();
+											var node_12 = $.first_child(fragment_11);
+											var consequent_4 = ($$anchor) => {
+												var fragment_12 = root_2();
+												var h3_1 = $.first_child(fragment_12);
+												var text_11 = $.only_child(h3_1, true);
+												var node_13 = $.sibling(h3_1, 2);
+												$.each(node_13, 17, () => $.get(own), (field) => field.name, ($$anchor, field) => {
 													{
 														let $0 = $.derived(() => $.get(findings).filter((one) => one.parameter === $.get(field).name));
 														let $1 = $.derived(() => $.get(focus) === $.get(field).name);
@@ -387,26 +440,26 @@ function Cycles($$anchor, $$props) {
 														});
 													}
 												});
-												$.template_effect(($0) => $.set_text(text_10, $0), [() => t(`cycles.group_${group}`)]);
-												$.append($$anchor, fragment_11);
+												$.template_effect(($0) => $.set_text(text_11, $0), [() => t(`cycles.group_${group}`)]);
+												$.append($$anchor, fragment_12);
 											};
-											$.if(node_10, ($$render) => {
-												if ($.get(own).length) $$render(consequent_2);
+											$.if(node_12, ($$render) => {
+												if ($.get(own).length) $$render(consequent_4);
 											});
-											$.append($$anchor, fragment_10);
+											$.append($$anchor, fragment_11);
 										});
-										var node_12 = $.sibling(node_9, 2);
-										var consequent_4 = ($$anchor) => {
-											var fragment_13 = root_4();
-											var node_13 = $.first_child(fragment_13);
-											$.each(node_13, 17, () => $.get(filled).depths, $.index, ($$anchor, depth, i) => {
-												var div_4 = root_5();
+										var node_14 = $.sibling(node_11, 2);
+										var consequent_6 = ($$anchor) => {
+											var fragment_14 = root_5();
+											var node_15 = $.first_child(fragment_14);
+											$.each(node_15, 17, () => $.get(filled).depths, $.index, ($$anchor, depth, i) => {
+												var div_4 = root_6();
 												var span_3 = $.child(div_4);
 												span_3.textContent = `P.Z${i + 1}`;
-												var node_14 = $.sibling(span_3, 2);
+												var node_16 = $.sibling(span_3, 2);
 												{
 													let $0 = $.derived(() => t("cycles.depth_plane"));
-													Segmented(node_14, {
+													Segmented(node_16, {
 														get label() {
 															return $.get($0);
 														},
@@ -425,10 +478,10 @@ function Cycles($$anchor, $$props) {
 														}
 													});
 												}
-												var node_15 = $.sibling(node_14, 2);
+												var node_17 = $.sibling(node_16, 2);
 												{
 													let $0 = $.derived(() => t("cycles.depth_from"));
-													NumberField(node_15, {
+													NumberField(node_17, {
 														get label() {
 															return $.get($0);
 														},
@@ -438,10 +491,10 @@ function Cycles($$anchor, $$props) {
 														onvalue: (value) => $.get(depth).contour.start = [value ?? 0, $.get(depth).contour.start[1]]
 													});
 												}
-												var node_16 = $.sibling(node_15, 2);
+												var node_18 = $.sibling(node_17, 2);
 												{
 													let $0 = $.derived(() => t("cycles.depth_from_z"));
-													NumberField(node_16, {
+													NumberField(node_18, {
 														get label() {
 															return $.get($0);
 														},
@@ -452,14 +505,14 @@ function Cycles($$anchor, $$props) {
 														onvalue: (value) => $.get(depth).contour.start = [$.get(depth).contour.start[0], value ?? 0]
 													});
 												}
-												var node_17 = $.sibling(node_16, 2);
-												var consequent_3 = ($$anchor) => {
+												var node_19 = $.sibling(node_18, 2);
+												var consequent_5 = ($$anchor) => {
 													const end = $.derived(() => $.get(depth).contour.elements[0]);
-													var fragment_14 = root_4();
-													var node_18 = $.first_child(fragment_14);
+													var fragment_15 = root_5();
+													var node_20 = $.first_child(fragment_15);
 													{
 														let $0 = $.derived(() => t("cycles.depth_to"));
-														NumberField(node_18, {
+														NumberField(node_20, {
 															get label() {
 																return $.get($0);
 															},
@@ -469,10 +522,10 @@ function Cycles($$anchor, $$props) {
 															onvalue: (value) => $.get(end).to = [value ?? 0, $.get(end).to[1]]
 														});
 													}
-													var node_19 = $.sibling(node_18, 2);
+													var node_21 = $.sibling(node_20, 2);
 													{
 														let $0 = $.derived(() => t("cycles.depth_to_z"));
-														NumberField(node_19, {
+														NumberField(node_21, {
 															get label() {
 																return $.get($0);
 															},
@@ -483,15 +536,15 @@ function Cycles($$anchor, $$props) {
 															onvalue: (value) => $.get(end).to = [$.get(end).to[0], value ?? 0]
 														});
 													}
-													$.append($$anchor, fragment_14);
+													$.append($$anchor, fragment_15);
 												};
-												$.if(node_17, ($$render) => {
-													if ($.get(depth).contour.elements[0]) $$render(consequent_3);
+												$.if(node_19, ($$render) => {
+													if ($.get(depth).contour.elements[0]) $$render(consequent_5);
 												});
-												var node_20 = $.sibling(node_17, 2);
+												var node_22 = $.sibling(node_19, 2);
 												{
 													let $0 = $.derived(() => t("cycles.delete"));
-													Button(node_20, {
+													Button(node_22, {
 														kind: "quiet",
 														icon: "trash",
 														get "aria-label"() {
@@ -503,10 +556,10 @@ function Cycles($$anchor, $$props) {
 												$.reset(div_4);
 												$.append($$anchor, div_4);
 											});
-											var node_21 = $.sibling(node_13, 2);
+											var node_23 = $.sibling(node_15, 2);
 											{
 												let $0 = $.derived(() => $.get(filled).depths.length >= Math.min(4, $.get(filled).contours.length));
-												Button(node_21, {
+												Button(node_23, {
 													icon: "plus",
 													get disabled() {
 														return $.get($0);
@@ -526,31 +579,31 @@ function Cycles($$anchor, $$props) {
 													},
 													children: ($$anchor, $$slotProps) => {
 														$.next();
-														var text_11 = $.text();
-														$.template_effect(($0) => $.set_text(text_11, $0), [() => t("cycles.add_depth")]);
-														$.append($$anchor, text_11);
+														var text_12 = $.text();
+														$.template_effect(($0) => $.set_text(text_12, $0), [() => t("cycles.add_depth")]);
+														$.append($$anchor, text_12);
 													},
 													$$slots: { default: true }
 												});
 											}
-											$.append($$anchor, fragment_13);
+											$.append($$anchor, fragment_14);
 										};
-										$.if(node_12, ($$render) => {
-											if ($.get(stage).value === "cycle" && $.get(form).profile === "depths") $$render(consequent_4);
+										$.if(node_14, ($$render) => {
+											if ($.get(stage).value === "cycle" && $.get(form).profile === "depths") $$render(consequent_6);
 										});
-										$.append($$anchor, fragment_9);
+										$.append($$anchor, fragment_10);
 									},
 									$$slots: { default: true }
 								});
 							}
 						};
-						$.if(node_8, ($$render) => {
-							if ($.get(fields).length) $$render(consequent_5);
+						$.if(node_10, ($$render) => {
+							if ($.get(fields).length) $$render(consequent_7);
 						});
-						$.append($$anchor, fragment_7);
+						$.append($$anchor, fragment_8);
 					});
-					var node_22 = $.sibling(node_7, 2);
-					var consequent_6 = ($$anchor) => {
+					var node_24 = $.sibling(node_9, 2);
+					var consequent_8 = ($$anchor) => {
 						{
 							let $0 = $.derived(() => t("cycles.positions"));
 							Card($$anchor, {
@@ -581,11 +634,11 @@ function Cycles($$anchor, $$props) {
 							});
 						}
 					};
-					$.if(node_22, ($$render) => {
-						if ($.get(form).positions.length) $$render(consequent_6);
+					$.if(node_24, ($$render) => {
+						if ($.get(form).positions.length) $$render(consequent_8);
 					});
-					var node_23 = $.sibling(node_22, 2);
-					var consequent_7 = ($$anchor) => {
+					var node_25 = $.sibling(node_24, 2);
+					var consequent_9 = ($$anchor) => {
 						{
 							let $0 = $.derived(() => t("cycles.tools"));
 							Card($$anchor, {
@@ -593,20 +646,20 @@ function Cycles($$anchor, $$props) {
 									return $.get($0);
 								},
 								children: ($$anchor, $$slotProps) => {
-									var fragment_19 = $.comment();
-									var node_24 = $.first_child(fragment_19);
-									$.each(node_24, 16, () => $.get(called), (number) => number, ($$anchor, number) => {
+									var fragment_20 = $.comment();
+									var node_26 = $.first_child(fragment_20);
+									$.each(node_26, 16, () => $.get(called), (number) => number, ($$anchor, number) => {
 										const tool = $.derived(() => forms.tool(number));
-										var div_5 = root_6();
+										var div_5 = root_7();
 										var b = $.child(div_5);
-										var text_12 = $.only_child(b);
+										var text_13 = $.only_child(b);
 										var label = $.sibling(b, 2);
 										var span_4 = $.child(label);
-										var text_13 = $.only_child(span_4, true);
-										var node_25 = $.sibling(span_4);
+										var text_14 = $.only_child(span_4, true);
+										var node_27 = $.sibling(span_4);
 										{
 											let $0 = $.derived(() => t("cycles.diameter"));
-											NumberField(node_25, {
+											NumberField(node_27, {
 												get label() {
 													return $.get($0);
 												},
@@ -624,11 +677,11 @@ function Cycles($$anchor, $$props) {
 										$.reset(label);
 										var label_1 = $.sibling(label, 2);
 										var span_5 = $.child(label_1);
-										var text_14 = $.only_child(span_5, true);
-										var node_26 = $.sibling(span_5);
+										var text_15 = $.only_child(span_5, true);
+										var node_28 = $.sibling(span_5);
 										{
 											let $0 = $.derived(() => t("cycles.cutting_length"));
-											NumberField(node_26, {
+											NumberField(node_28, {
 												get label() {
 													return $.get($0);
 												},
@@ -646,11 +699,11 @@ function Cycles($$anchor, $$props) {
 										$.reset(label_1);
 										var label_2 = $.sibling(label_1, 2);
 										var span_6 = $.child(label_2);
-										var text_15 = $.only_child(span_6, true);
-										var node_27 = $.sibling(span_6);
+										var text_16 = $.only_child(span_6, true);
+										var node_29 = $.sibling(span_6);
 										{
 											let $0 = $.derived(() => t("cycles.entry_angle"));
-											NumberField(node_27, {
+											NumberField(node_29, {
 												get label() {
 													return $.get($0);
 												},
@@ -668,10 +721,10 @@ function Cycles($$anchor, $$props) {
 										$.reset(label_2);
 										$.reset(div_5);
 										$.template_effect(($0, $1, $2) => {
-											$.set_text(text_12, `T${number ?? ""}`);
-											$.set_text(text_13, $0);
-											$.set_text(text_14, $1);
-											$.set_text(text_15, $2);
+											$.set_text(text_13, `T${number ?? ""}`);
+											$.set_text(text_14, $0);
+											$.set_text(text_15, $1);
+											$.set_text(text_16, $2);
 										}, [
 											() => t("cycles.diameter"),
 											() => t("cycles.cutting_length"),
@@ -679,14 +732,60 @@ function Cycles($$anchor, $$props) {
 										]);
 										$.append($$anchor, div_5);
 									});
-									$.append($$anchor, fragment_19);
+									$.append($$anchor, fragment_20);
 								},
 								$$slots: { default: true }
 							});
 						}
 					};
-					$.if(node_23, ($$render) => {
-						if ($.get(called).length) $$render(consequent_7);
+					$.if(node_25, ($$render) => {
+						if ($.get(called).length) $$render(consequent_9);
+					});
+					var node_30 = $.sibling(node_25, 2);
+					var consequent_10 = ($$anchor) => {
+						const computed_const = $.derived(() => {
+							return machine.status;
+						});
+						var p_1 = root_9();
+						var node_31 = $.child(p_1);
+						$.each(node_31, 16, () => machine.axes, (axis) => axis, ($$anchor, axis) => {
+							var span_7 = root_8();
+							var small_2 = $.child(span_7);
+							var text_17 = $.only_child(small_2, true);
+							var text_18 = $.sibling(small_2, 1, true);
+							$.reset(span_7);
+							$.template_effect(($0) => {
+								$.set_text(text_17, axis);
+								$.set_text(text_18, $0);
+							}, [() => fixed($.get(computed_const).position.work[axis])]);
+							$.append($$anchor, span_7);
+						});
+						var span_8 = $.sibling(node_31, 2);
+						var text_19 = $.sibling($.child(span_8), 1, true);
+						$.reset(span_8);
+						var span_9 = $.sibling(span_8, 2);
+						var text_20 = $.sibling($.child(span_9), 1, true);
+						$.reset(span_9);
+						var span_10 = $.sibling(span_9, 2);
+						var text_21 = $.sibling($.child(span_10), 1, true);
+						$.reset(span_10);
+						$.reset(p_1);
+						$.template_effect(($0, $1, $2, $3) => {
+							$.set_attribute(p_1, "aria-label", $0);
+							$.set_attribute(p_1, "title", $1);
+							$.set_text(text_19, $2);
+							$.set_text(text_20, $3);
+							$.set_text(text_21, $.get(computed_const).spindle.tool);
+						}, [
+							() => t("cycles.stands"),
+							() => t("cycles.stands"),
+							() => fixed($.get(computed_const).feed.actual, 0),
+							() => fixed(Math.abs($.get(computed_const).spindle.actual), 0)
+						]);
+						$.append($$anchor, p_1);
+					};
+					$.if(node_30, ($$render) => {
+						if (machine.status) $$render(consequent_10);
 					});
 					$.reset(div_3);
 					$.template_effect(() => {
@@ -697,7 +796,7 @@ function Cycles($$anchor, $$props) {
 				});
 				var div_6 = $.sibling(node_3, 2);
 				var div_7 = $.child(div_6);
-				var node_28 = $.child(div_7);
+				var node_32 = $.child(div_7);
 				{
 					let $0 = $.derived(() => t("cycles.show"));
 					let $1 = $.derived(() => [
@@ -714,7 +813,7 @@ function Cycles($$anchor, $$props) {
 							label: t("cycles.text")
 						}
 					]);
-					Segmented(node_28, {
+					Segmented(node_32, {
 						get label() {
 							return $.get($0);
 						},
@@ -732,14 +831,14 @@ function Cycles($$anchor, $$props) {
 				}
 				$.reset(div_7);
 				var div_8 = $.sibling(div_7, 2);
-				var node_29 = $.child(div_8);
-				var consequent_8 = ($$anchor) => {
-					var fragment_20 = root_8();
-					var div_9 = $.first_child(fragment_20);
-					var node_30 = $.child(div_9);
+				var node_33 = $.child(div_8);
+				var consequent_11 = ($$anchor) => {
+					var fragment_21 = root_11();
+					var div_9 = $.first_child(fragment_21);
+					var node_34 = $.child(div_9);
 					{
 						let $0 = $.derived(() => t("cycles.plan"));
-						Drawing(node_30, {
+						Drawing(node_34, {
 							get items() {
 								return $.get(picture).plan;
 							},
@@ -760,10 +859,10 @@ function Cycles($$anchor, $$props) {
 					}
 					$.reset(div_9);
 					var div_10 = $.sibling(div_9, 2);
-					var node_31 = $.child(div_10);
+					var node_35 = $.child(div_10);
 					{
 						let $0 = $.derived(() => t("cycles.section"));
-						Drawing(node_31, {
+						Drawing(node_35, {
 							get items() {
 								return $.get(picture).section;
 							},
@@ -783,9 +882,9 @@ function Cycles($$anchor, $$props) {
 						});
 					}
 					$.reset(div_10);
-					$.append($$anchor, fragment_20);
+					$.append($$anchor, fragment_21);
 				};
-				var consequent_9 = ($$anchor) => {
+				var consequent_12 = ($$anchor) => {
 					{
 						let $0 = $.derived(() => $.get(path) !== null && $.get(simulated) !== $.get(body));
 						Simulation($$anchor, {
@@ -802,59 +901,59 @@ function Cycles($$anchor, $$props) {
 					}
 				};
 				var alternate = ($$anchor) => {
-					var pre = root_9();
+					var pre = root_12();
 					let classes_2;
-					var text_16 = $.only_child(pre, true);
+					var text_22 = $.only_child(pre, true);
 					$.template_effect(($0) => {
-						classes_2 = $.set_class(pre, 1, "code scroll s-hjrhdp", null, classes_2, { stale: !$.get(isCurrent) });
+						classes_2 = $.set_class(pre, 1, "code scroll s-1nr5sug", null, classes_2, { stale: !$.get(isCurrent) });
 						$.set_attribute(pre, "data-expanded", $.get(written)?.expanded ?? false);
-						$.set_text(text_16, $0);
+						$.set_text(text_22, $0);
 					}, [() => $.get(written)?.text || t("cycles.no_text")]);
 					$.append($$anchor, pre);
 				};
-				$.if(node_29, ($$render) => {
-					if ($.get(side) === "drawing") $$render(consequent_8);
-					else if ($.get(side) === "simulation") $$render(consequent_9, 1);
+				$.if(node_33, ($$render) => {
+					if ($.get(side) === "drawing") $$render(consequent_11);
+					else if ($.get(side) === "simulation") $$render(consequent_12, 1);
 					else $$render(alternate, -1);
 				});
 				$.reset(div_8);
-				var p_1 = $.sibling(div_8, 2);
+				var p_2 = $.sibling(div_8, 2);
 				let classes_3;
-				var node_32 = $.child(p_1);
-				var consequent_10 = ($$anchor) => {
-					var text_17 = $.text();
-					$.template_effect(($0) => $.set_text(text_17, $0), [() => t("cycles.errors", { count: $.get(errors).length })]);
-					$.append($$anchor, text_17);
+				var node_36 = $.child(p_2);
+				var consequent_13 = ($$anchor) => {
+					var text_23 = $.text();
+					$.template_effect(($0) => $.set_text(text_23, $0), [() => t("cycles.errors", { count: $.get(errors).length })]);
+					$.append($$anchor, text_23);
 				};
-				var consequent_11 = ($$anchor) => {
-					var text_18 = $.text();
-					$.template_effect(($0, $1) => $.set_text(text_18, `${$0 ?? ""} · ${$1 ?? ""}`), [() => $.get(written).expanded ? t("cycles.expanded", { dialect: $.get(dialect) }) : t("cycles.as_cycle", { dialect: $.get(dialect) }), () => t("cycles.lines", { count: $.get(ready).trimEnd().split("\n").length })]);
-					$.append($$anchor, text_18);
+				var consequent_14 = ($$anchor) => {
+					var text_24 = $.text();
+					$.template_effect(($0, $1) => $.set_text(text_24, `${$0 ?? ""} · ${$1 ?? ""}`), [() => $.get(written).expanded ? t("cycles.expanded", { dialect: $.get(dialect) }) : t("cycles.as_cycle", { dialect: $.get(dialect) }), () => t("cycles.lines", { count: $.get(ready).trimEnd().split("\n").length })]);
+					$.append($$anchor, text_24);
 				};
-				var consequent_12 = ($$anchor) => {
-					var text_19 = $.text();
-					$.template_effect(($0) => $.set_text(text_19, $0), [() => t("cycles.no_text")]);
-					$.append($$anchor, text_19);
+				var consequent_15 = ($$anchor) => {
+					var text_25 = $.text();
+					$.template_effect(($0) => $.set_text(text_25, $0), [() => t("cycles.no_text")]);
+					$.append($$anchor, text_25);
 				};
 				var alternate_1 = ($$anchor) => {
-					var text_20 = $.text();
-					$.template_effect(($0) => $.set_text(text_20, $0), [() => t($.get(refusedOf) === $.get(wish) ? "cycles.not_written" : "cycles.writing")]);
-					$.append($$anchor, text_20);
+					var text_26 = $.text();
+					$.template_effect(($0) => $.set_text(text_26, $0), [() => t($.get(refusedOf) === $.get(wish) ? "cycles.not_written" : "cycles.writing")]);
+					$.append($$anchor, text_26);
 				};
-				$.if(node_32, ($$render) => {
-					if ($.get(errors).length) $$render(consequent_10);
-					else if ($.get(ready) && $.get(written)) $$render(consequent_11, 1);
-					else if ($.get(isCurrent)) $$render(consequent_12, 2);
+				$.if(node_36, ($$render) => {
+					if ($.get(errors).length) $$render(consequent_13);
+					else if ($.get(ready) && $.get(written)) $$render(consequent_14, 1);
+					else if ($.get(isCurrent)) $$render(consequent_15, 2);
 					else $$render(alternate_1, -1);
 				});
-				$.reset(p_1);
-				var div_11 = $.sibling(p_1, 2);
-				var node_33 = $.child(div_11);
+				$.reset(p_2);
+				var div_11 = $.sibling(p_2, 2);
+				var node_37 = $.child(div_11);
 				{
 					let $0 = $.derived(() => t("cycles.simulate"));
 					let $1 = $.derived(() => t("cycles.simulate"));
 					let $2 = $.derived(() => $.get(errors).length > 0);
-					Button(node_33, {
+					Button(node_37, {
 						icon: "play",
 						"data-testid": "simulate",
 						get "aria-label"() {
@@ -868,20 +967,20 @@ function Cycles($$anchor, $$props) {
 							return $.get($2);
 						},
 						children: ($$anchor, $$slotProps) => {
-							var span_7 = root_10();
-							var text_21 = $.only_child(span_7, true);
-							$.template_effect(($0) => $.set_text(text_21, $0), [() => t("cycles.simulate")]);
-							$.append($$anchor, span_7);
+							var span_11 = root_13();
+							var text_27 = $.only_child(span_11, true);
+							$.template_effect(($0) => $.set_text(text_27, $0), [() => t("cycles.simulate")]);
+							$.append($$anchor, span_11);
 						},
 						$$slots: { default: true }
 					});
 				}
-				var node_34 = $.sibling(node_33, 2);
+				var node_38 = $.sibling(node_37, 2);
 				{
 					let $0 = $.derived(() => t("cycles.copy"));
 					let $1 = $.derived(() => t("cycles.copy"));
 					let $2 = $.derived(() => !$.get(ready));
-					Button(node_34, {
+					Button(node_38, {
 						icon: "list",
 						get "aria-label"() {
 							return $.get($0);
@@ -894,18 +993,18 @@ function Cycles($$anchor, $$props) {
 							return $.get($2);
 						},
 						children: ($$anchor, $$slotProps) => {
-							var span_8 = root_10();
-							var text_22 = $.only_child(span_8, true);
-							$.template_effect(($0) => $.set_text(text_22, $0), [() => t("cycles.copy")]);
-							$.append($$anchor, span_8);
+							var span_12 = root_13();
+							var text_28 = $.only_child(span_12, true);
+							$.template_effect(($0) => $.set_text(text_28, $0), [() => t("cycles.copy")]);
+							$.append($$anchor, span_12);
 						},
 						$$slots: { default: true }
 					});
 				}
-				var node_35 = $.sibling(node_34, 2);
+				var node_39 = $.sibling(node_38, 2);
 				{
 					let $0 = $.derived(() => !$.get(ready));
-					Button(node_35, {
+					Button(node_39, {
 						kind: "primary",
 						icon: "plus",
 						get disabled() {
@@ -915,9 +1014,9 @@ function Cycles($$anchor, $$props) {
 						"data-testid": "insert",
 						children: ($$anchor, $$slotProps) => {
 							$.next();
-							var text_23 = $.text();
-							$.template_effect(($0) => $.set_text(text_23, $0), [() => t("cycles.insert")]);
-							$.append($$anchor, text_23);
+							var text_29 = $.text();
+							$.template_effect(($0) => $.set_text(text_29, $0), [() => t($.get(opened) ? "cycles.replace" : "cycles.insert")]);
+							$.append($$anchor, text_29);
 						},
 						$$slots: { default: true }
 					});
@@ -929,14 +1028,14 @@ function Cycles($$anchor, $$props) {
 				$.template_effect(($0, $1) => {
 					$.set_attribute(nav, "aria-label", $0);
 					$.set_attribute(div_2, "aria-label", $1);
-					classes_3 = $.set_class(p_1, 1, "state s-hjrhdp", null, classes_3, { wrong: $.get(errors).length > 0 });
-					$.set_attribute(p_1, "data-ready", !!$.get(ready));
+					classes_3 = $.set_class(p_2, 1, "state s-1nr5sug", null, classes_3, { wrong: $.get(errors).length > 0 });
+					$.set_attribute(p_2, "data-ready", !!$.get(ready));
 				}, [() => t("cycles.title"), () => t("cycles.title")]);
 				$.append($$anchor, div);
 			};
 			$.if(node, ($$render) => {
 				if ($.get(failed)) $$render(consequent);
-				else if ($.get(form) && $.get(filled) && $.get(picture)) $$render(consequent_13, 1);
+				else if ($.get(form) && $.get(filled) && $.get(picture)) $$render(consequent_16, 1);
 			});
 			$.append($$anchor, fragment_1);
 		},
