@@ -37,6 +37,7 @@ async function stored(page: Page, text: string): Promise<void> {
 async function openGroupOf(page: Page, cycle: string): Promise<void> {
   for (const group of await page.locator('nav [data-group]').all()) {
     await group.click();
+    await expect(group).toHaveAttribute('aria-selected', 'true');
     if (await page.locator(`nav [data-cycle="${cycle}"]`).isVisible()) return;
   }
 }
@@ -44,6 +45,7 @@ async function openGroupOf(page: Page, cycle: string): Promise<void> {
 async function open(page: Page, cycle: string): Promise<void> {
   await page.goto('/#/cycles');
   const item = page.locator(`nav [data-cycle="${cycle}"]`);
+  await item.waitFor({ state: 'attached' });
   // On a narrow page the cycles of one group stand there.
   if (!(await item.isVisible())) await openGroupOf(page, cycle);
   await item.click();
@@ -59,6 +61,15 @@ test.beforeEach(async ({ page }) => {
     // The first start has a page of its own.
     localStorage.setItem('ferrocut.panel', JSON.stringify({ welcomed: true, panel: false, language: 'en', theme: 'dark' }));
   });
+});
+
+test('what is written in a drawing can be read, however small the drawing is', async ({ page }) => {
+  await page.setViewportSize({ width: 1024, height: 700 });
+  for (const cycle of ['G281', 'G284', 'G287', 'G299']) {
+    await open(page, cycle);
+    const heights = () => page.locator('.section text').evaluateAll((texts) => texts.map((text) => (text as SVGGraphicsElement).getBBox().height * (text as SVGGraphicsElement).getScreenCTM()!.a));
+    await expect.poll(async () => Math.min(...(await heights())), { message: cycle }).toBeGreaterThan(12);
+  }
 });
 
 test('beside the machine panel a group is opened, with the cycle of it that was used last', async ({ page }) => {

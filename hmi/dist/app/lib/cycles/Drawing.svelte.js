@@ -24,10 +24,10 @@ function Drawing($$anchor, $$props) {
 		$.append($$anchor, rect);
 	};
 	const frame = $.derived(() => box(places($$props.items), .16));
-	const unit = $.derived(() => Math.max($.get(frame).w, $.get(frame).h) / 100);
 	let width = $.state(0);
 	let height = $.state(0);
 	const touch = $.derived(() => $.get(width) > 0 && $.get(height) > 0 ? 44 / Math.min($.get(width) / $.get(frame).w, $.get(height) / $.get(frame).h) : 0);
+	const unit = $.derived(() => Math.max(Math.max($.get(frame).w, $.get(frame).h) / 100, $.get(touch) * .085));
 	const y = (point) => -point[1];
 	const path = (points, close = false) => points.map((p, i) => `${i ? "L" : "M"}${p[0].toFixed(4)} ${y(p).toFixed(4)}`).join("") + (close ? "Z" : "");
 	function text(name) {
