@@ -25,20 +25,20 @@ import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/cycles/Cycles.svelte
 var root = $.from_html(`<button type="button" role="tab"> </button>`);
-var root_1 = $.from_html(`<button type="button"><span class="code s-f2iam9"> </span><span> </span></button>`);
-var root_2 = $.from_html(`<h3 class="s-f2iam9"> </h3> <!>`, 1);
-var root_3 = $.from_html(`<small class="opened s-f2iam9"> </small>`);
-var root_4 = $.from_html(`<p role="alert"> <small class="code s-f2iam9"> </small><br/><span class="muted"> </span></p>`);
+var root_1 = $.from_html(`<button type="button"><span class="code s-1xabzjz"> </span><span> </span></button>`);
+var root_2 = $.from_html(`<h3 class="s-1xabzjz"> </h3> <!>`, 1);
+var root_3 = $.from_html(`<small class="opened s-1xabzjz"> </small>`);
+var root_4 = $.from_html(`<p role="alert"> <small class="code s-1xabzjz"> </small><br/><span class="muted"> </span></p>`);
 var root_5 = $.from_html(`<!> <!>`, 1);
 var root_6 = $.from_html(`<div class="row wrap"><span class="code"></span> <!> <!> <!> <!> <!></div>`);
-var root_7 = $.from_html(`<div class="tools s-f2iam9"><b class="code"> </b> <label class="s-f2iam9"><span class="muted"> </span><!></label> <label class="s-f2iam9"><span class="muted"> </span><!></label> <label class="s-f2iam9"><span class="muted"> </span><!></label></div>`);
-var root_8 = $.from_html(`<span><small class="s-f2iam9"> </small> </span>`);
-var root_9 = $.from_html(`<p class="stands number s-f2iam9" data-testid="stands"><!> <span><small class="s-f2iam9">F</small> </span> <span><small class="s-f2iam9">S</small> </span> <span><small class="s-f2iam9">T</small> </span></p>`);
-var root_10 = $.from_html(`<div class="form scroll s-f2iam9"><header class="row wrap"><h2 class="grow"> <!></h2> <!> <!></header> <!> <!> <!> <!> <!> <!></div>`);
-var root_11 = $.from_html(`<div class="plan s-f2iam9"><!></div> <div class="section s-f2iam9"><!></div>`, 1);
+var root_7 = $.from_html(`<div class="tools s-1xabzjz"><b class="code"> </b> <label class="s-1xabzjz"><span class="muted"> </span><!></label> <label class="s-1xabzjz"><span class="muted"> </span><!></label> <label class="s-1xabzjz"><span class="muted"> </span><!></label></div>`);
+var root_8 = $.from_html(`<span><small class="s-1xabzjz"> </small> </span>`);
+var root_9 = $.from_html(`<p class="stands number s-1xabzjz" data-testid="stands"><!> <span><small class="s-1xabzjz">F</small> </span> <span><small class="s-1xabzjz">S</small> </span> <span><small class="s-1xabzjz">T</small> </span></p>`);
+var root_10 = $.from_html(`<div class="form scroll s-1xabzjz"><header class="row wrap"><h2 class="grow"> <!></h2> <!> <!></header> <!> <!> <!> <!> <!> <!></div>`);
+var root_11 = $.from_html(`<div class="plan s-1xabzjz"><!></div> <div class="section s-1xabzjz"><!></div>`, 1);
 var root_12 = $.from_html(`<pre> </pre>`);
-var root_13 = $.from_html(`<span class="spoken s-f2iam9"> </span>`);
-var root_14 = $.from_html(`<div class="room s-f2iam9"><div class="cycles s-f2iam9"><nav class="list scroll s-f2iam9" data-pans=""><div class="groups s-f2iam9" role="tablist"></div> <!></nav> <!> <div class="side s-f2iam9"><div class="row wrap"><!></div> <div class="shown s-f2iam9"><!></div> <p aria-live="polite"><!></p> <div class="row wrap"><!> <!> <!></div></div></div></div>`);
+var root_13 = $.from_html(`<span class="spoken s-1xabzjz"> </span>`);
+var root_14 = $.from_html(`<div class="room s-1xabzjz"><div class="cycles s-1xabzjz"><nav class="list scroll s-1xabzjz" data-pans=""><div class="groups s-1xabzjz" role="tablist"></div> <!></nav> <!> <div class="side s-1xabzjz"><div class="row wrap"><!></div> <div class="shown s-1xabzjz"><!></div> <p aria-live="polite"><!></p> <div class="row wrap"><!> <!> <!></div></div></div></div>`);
 function Cycles($$anchor, $$props) {
 	$.push($$props, true);
 	/** How long after the last change the cycle is written, ms. */
@@ -243,7 +243,7 @@ function Cycles($$anchor, $$props) {
 					$.template_effect(() => {
 						$.set_attribute(button, "data-group", $.get(group)[0]?.group);
 						$.set_attribute(button, "aria-selected", $.get(open));
-						classes = $.set_class(button, 1, "s-f2iam9", null, classes, { chosen: $.get(open) });
+						classes = $.set_class(button, 1, "s-1xabzjz", null, classes, { chosen: $.get(open) });
 						$.set_text(text_1, $.get(group)[0]?.group_title);
 					});
 					$.delegated("click", button, () => !$.get(open) && pick(lastOf[$.get(group)[0].group] ?? $.get(group)[0].id));
@@ -267,7 +267,7 @@ function Cycles($$anchor, $$props) {
 						$.template_effect(() => {
 							$.set_attribute(button_1, "data-cycle", $.get(one).id);
 							$.set_attribute(button_1, "aria-pressed", $.get(one).id === $.get(form).id);
-							classes_1 = $.set_class(button_1, 1, "s-f2iam9", null, classes_1, {
+							classes_1 = $.set_class(button_1, 1, "s-1xabzjz", null, classes_1, {
 								chosen: $.get(one).id === $.get(form).id,
 								elsewhere: $.get(one).group !== $.get(form).group
 							});
@@ -348,7 +348,7 @@ function Cycles($$anchor, $$props) {
 						var text_10 = $.only_child(span_2, true);
 						$.reset(p);
 						$.template_effect(() => {
-							$.set_class(p, 1, `general ${$.get(finding).severity ?? ""}`, "s-f2iam9");
+							$.set_class(p, 1, `general ${$.get(finding).severity ?? ""}`, "s-1xabzjz");
 							$.set_text(text_8, `${$.get(finding).text ?? ""} `);
 							$.set_text(text_9, $.get(finding).id);
 							$.set_text(text_10, $.get(finding).help);
@@ -905,7 +905,7 @@ function Cycles($$anchor, $$props) {
 					let classes_2;
 					var text_22 = $.only_child(pre, true);
 					$.template_effect(($0) => {
-						classes_2 = $.set_class(pre, 1, "code scroll s-f2iam9", null, classes_2, { stale: !$.get(isCurrent) });
+						classes_2 = $.set_class(pre, 1, "code scroll s-1xabzjz", null, classes_2, { stale: !$.get(isCurrent) });
 						$.set_attribute(pre, "data-expanded", $.get(written)?.expanded ?? false);
 						$.set_text(text_22, $0);
 					}, [() => $.get(written)?.text || t("cycles.no_text")]);
@@ -1028,7 +1028,7 @@ function Cycles($$anchor, $$props) {
 				$.template_effect(($0, $1) => {
 					$.set_attribute(nav, "aria-label", $0);
 					$.set_attribute(div_2, "aria-label", $1);
-					classes_3 = $.set_class(p_2, 1, "state s-f2iam9", null, classes_3, { wrong: $.get(errors).length > 0 });
+					classes_3 = $.set_class(p_2, 1, "state s-1xabzjz", null, classes_3, { wrong: $.get(errors).length > 0 });
 					$.set_attribute(p_2, "data-ready", !!$.get(ready));
 				}, [() => t("cycles.title"), () => t("cycles.title")]);
 				$.append($$anchor, div);
