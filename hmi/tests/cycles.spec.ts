@@ -34,9 +34,21 @@ async function stored(page: Page, text: string): Promise<void> {
   expect(answer).toBe('');
 }
 
+async function openGroupOf(page: Page, cycle: string): Promise<void> {
+  for (const group of await page.locator('nav [data-group]').all()) {
+    await group.click();
+    await expect(group).toHaveAttribute('aria-selected', 'true');
+    if (await page.locator(`nav [data-cycle="${cycle}"]`).isVisible()) return;
+  }
+}
+
 async function open(page: Page, cycle: string): Promise<void> {
   await page.goto('/#/cycles');
-  await page.locator(`nav [data-cycle="${cycle}"]`).click();
+  const item = page.locator(`nav [data-cycle="${cycle}"]`);
+  await item.waitFor({ state: 'attached' });
+  // On a narrow page the cycles of one group stand there.
+  if (!(await item.isVisible())) await openGroupOf(page, cycle);
+  await item.click();
   await expect(page.locator(`.form[data-cycle="${cycle}"]`)).toBeVisible();
 }
 
@@ -49,6 +61,43 @@ test.beforeEach(async ({ page }) => {
     // The first start has a page of its own.
     localStorage.setItem('ferrocut.panel', JSON.stringify({ welcomed: true, panel: false, language: 'en', theme: 'dark' }));
   });
+});
+
+test('what is written in a drawing can be read, however small the drawing is', async ({ page }) => {
+  await page.setViewportSize({ width: 1024, height: 700 });
+  for (const cycle of ['G281', 'G284', 'G287', 'G299']) {
+    await open(page, cycle);
+    const heights = () => page.locator('.section text').evaluateAll((texts) => texts.map((text) => (text as SVGGraphicsElement).getBBox().height * (text as SVGGraphicsElement).getScreenCTM()!.a));
+    await expect.poll(async () => Math.min(...(await heights())), { message: cycle }).toBeGreaterThan(12);
+  }
+});
+
+test('beside the machine panel a group is opened, with the cycle of it that was used last', async ({ page }) => {
+  await page.addInitScript(() => localStorage.setItem('ferrocut.panel', JSON.stringify({ welcomed: true, panel: true, language: 'en', theme: 'dark' })));
+  await page.goto('/#/cycles');
+  const group = (name: string) => page.locator(`nav [data-group="${name}"]`);
+  const cycle = (id: string) => page.locator(`nav [data-cycle="${id}"]`);
+  await expect(group('pockets')).toHaveAttribute('aria-selected', 'true');
+  await expect(cycle('G287')).toBeInViewport();
+  await cycle('G288').click();
+  await group('bosses').click();
+  await expect(page.locator('.form[data-cycle="G291"]')).toBeVisible();
+  await expect(cycle('G292')).toBeInViewport();
+  await expect(cycle('G288')).toBeHidden();
+  await group('pockets').click();
+  await expect(page.locator('.form[data-cycle="G288"]')).toBeVisible();
+});
+
+test('what a measure says stands beside its line, and not on it', async ({ page }) => {
+  await open(page, 'G287');
+  for (const field of ['L', 'H']) {
+    const apart = await page.locator(`.plan [data-field="${field}"]`).evaluate((measure) => {
+      const [line, text] = ['path.line', 'text'].map((part) => measure.querySelector<SVGGraphicsElement>(part)!.getBBox());
+      return { aside: text!.x - (line!.x + line!.width), above: line!.y - (text!.y + text!.height), high: text!.height };
+    });
+    // Arrows and what letters have below their line may meet.
+    expect(field === 'H' ? apart.aside : apart.above, field).toBeGreaterThan(-0.3 * apart.high);
+  }
 });
 
 test('a pocket is filled in, simulated and put into a program', async ({ page }) => {
@@ -99,6 +148,56 @@ test('a pocket is filled in, simulated and put into a program', async ({ page })
   await checked;
   await expect(page.getByTestId('findings')).toHaveCount(0);
   await shoot(page, 'cycles-inserted');
+});
+
+test('a cycle of a program is opened again, changed, and takes its own place', async ({ page }) => {
+  await page.goto('/');
+  await stored(page, `${PROGRAM}\nG54 G90\nG0 Z50.\n(HERE)\nM30\n`);
+  await page.goto(`/#/program/edit/${PROGRAM}`);
+  await page.locator('.cm-line', { hasText: 'HERE' }).click();
+  await open(page, 'G287');
+  await put(page, 'L', '60');
+  await page.locator('[data-figure="POINTS"]').click();
+  await put(page, 'rough.step', '5');
+  await written(page);
+  await page.getByTestId('insert').click();
+  const text = page.locator('.cm-content');
+  await expect(text).toContainText('L=60');
+
+  // Other values stand in the form meanwhile, as of another part.
+  await open(page, 'G288');
+  await open(page, 'G287');
+  await put(page, 'L', '33');
+  await page.goto(`/#/program/edit/${PROGRAM}`);
+  await page.locator('.cm-line', { hasText: 'L=60' }).click();
+  await page.getByTestId('to-cycle').click();
+  await expect(page.locator('.form')).toContainText(`From ${PROGRAM}, lines 5 to`);
+  await expect(page.locator('[id="field-L"]')).toHaveValue('60');
+  await expect(page.locator('[data-figure="POINTS"]')).toHaveAttribute('aria-pressed', 'true');
+  await expect(page.getByTestId('insert')).toHaveText('Replace in the program');
+  await put(page, 'L', '44');
+  await written(page);
+  await shoot(page, 'cycles-opened');
+  await page.getByTestId('insert').click();
+  await expect(text).toContainText('L=44');
+  await expect(text).not.toContainText('L=60');
+  const lines = () => page.locator('.cm-line').allTextContents();
+  await text.press('Control+Home');
+  await expect.poll(async () => (await lines()).slice(0, 5)).toEqual([PROGRAM, 'G54 G90', 'G0 Z50.', '(HERE)', '(G287 RECTANGULAR POCKET)']);
+  await text.press('Control+End');
+  await expect.poll(async () => (await lines()).slice(-3)).toEqual(['(END G287)', 'M30', '']);
+  // What is inserted next is a new one again.
+  await page.goto('/#/cycles');
+  await expect(page.getByTestId('insert')).toHaveText('Insert into the program');
+});
+
+test('where the machine stands is shown, and taken over by a field', async ({ page }) => {
+  await open(page, 'G287');
+  await expect(page.getByTestId('stands')).toContainText('X0.000');
+  await expect(page.getByTestId('stands')).toBeInViewport();
+  await put(page, 'X', '17');
+  await page.locator('.field[data-name="X"]').getByRole('button').click();
+  await expect(page.locator('[id="field-X"]')).toHaveValue('0');
 });
 
 test('only the text of what stands in the form is put into a program, which is told of codes that it loses', async ({ page }) => {

@@ -126,6 +126,8 @@ test('a section shows and offers what lies at its height alone, and hidden rapid
   await expect.poll(() => drawn(page, 'top', [40, 15, -2], '--accent')).toBe(true);
   await page.getByTestId('section').click();
   const height = page.getByRole('slider', { name: 'Height of the section' });
+  // It begins where the part is cut, not above it.
+  expect(Number(await height.inputValue())).toBeLessThan(0);
   await height.fill('-2');
   await expect(page.locator('.graphics output', { hasText: 'Z −2.000' })).toBeVisible();
   await expect.poll(() => drawn(page, 'top', [80, 0, -8], '--accent')).toBe(false);

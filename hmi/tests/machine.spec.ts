@@ -2,7 +2,7 @@
 import type { Page } from '@playwright/test';
 import { expect, PASSWORDS, shoot, test } from './server';
 import { pages } from './pages';
-import { enter, home, load, logIn, mode, notice, PLATE, press, release, selected, show, stands, watchFaults, whole, x } from './walk';
+import { cutOff, enter, home, load, logIn, mode, notice, PLATE, press, release, selected, show, stands, watchFaults, whole, x } from './walk';
 
 /** A probe of 2 mm, and deep below the reference point what its middle meets of a hole of 30 mm about X0.5 Y-0.25, on the
     lines through X0 Y0. */
@@ -243,6 +243,7 @@ test('a work zero is found by touching four sides', async ({ page }) => {
   await page.getByRole('radio', { name: 'Rectangle' }).click();
   await page.getByLabel('System').selectOption('G59');
   const rows = page.locator('[data-page="settings"] tbody tr');
+  await expect(page.getByTestId('touch')).toHaveText('Take the point');
   for (const point of [1, 2, 3, 4]) {
     await page.getByTestId('touch').click();
     await expect(rows).toHaveCount(1 + point);
@@ -346,6 +347,13 @@ test('a parameter is refused without the right, and changed with it', async ({ p
   await page.getByTestId('parameter-search').fill('P98');
   await expect(page.locator('[data-parameter="P98"]')).toHaveClass(/differs/);
   await shoot(page, 'parameter-changed');
+  // The help has the value that it has now, and says in words what the parameter is for.
+  await show(page, 'help/search');
+  await page.getByTestId('help-search').fill('P98');
+  await expect(page.locator('[data-found="parameter P98"]')).toContainText(/\w{3} \w{3}/);
+  await page.locator('[data-found="parameter P98"]').click();
+  await expect(page.getByTestId('help-detail').locator('dd').filter({ hasText: new RegExp(`^${after} `) })).toBeVisible();
+  await show(page, 'offsets/parameters');
   await page.getByTestId('parameter-switch').click();
   await expect(page.getByTestId('parameter-switch')).toHaveAttribute('aria-pressed', 'false');
   await show(page, 'alarms/log');
@@ -461,10 +469,11 @@ test('of two browsers one commands; the other watches, may stop, and is handed c
   await expect(page.getByTestId('command')).toHaveText('Take command');
 });
 
-/** Both shades at the smallest and at a large screen: nothing is wider than the screen, and all pages are pictures. */
+/** Both shades at the smallest, at a large and at the largest screen: nothing is wider than the screen or cut off. */
 for (const [theme, width, height] of [
   ['light', 800, 600],
   ['dark', 1920, 1080],
+  ['light', 3840, 2160],
 ] as const) {
   test(`pages in ${theme} at ${width} × ${height}`, async ({ page }) => {
     await enter(page);
@@ -476,11 +485,14 @@ for (const [theme, width, height] of [
     await page.reload();
     await expect(page.locator('html')).toHaveAttribute('data-theme', theme);
     await expect(page.getByTestId('command')).toHaveText('In command');
-    for (const hash of ['position', 'program/run', 'graphics', 'cycles', 'offsets/tools', 'settings/probe', 'diagnosis/waveform', 'plc', 'help']) {
+    const shown = ['position', 'program/run', 'graphics', 'cycles', 'offsets/tools', 'settings/probe', 'diagnosis/waveform', 'plc', 'help'];
+    const all = Object.entries(pages).flatMap(([name, tabs]) => (tabs.length ? tabs.map((tab) => `${name}/${tab}`) : [name]));
+    for (const hash of [...shown, ...all.filter((one) => !shown.includes(one))]) {
       await show(page, hash);
       await expect(page.locator('main')).not.toContainText('Loading');
       expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth), hash).toBeLessThanOrEqual(0);
-      await shoot(page, `${theme}-${width}-${hash.replace('/', '-')}`);
+      await expect.poll(() => cutOff(page), { message: hash }).toEqual([]);
+      if (shown.includes(hash)) await shoot(page, `${theme}-${width}-${hash.replace('/', '-')}`);
     }
   });
 }

@@ -183,7 +183,7 @@ function answer(response: ServerResponse, url: URL, options: Options): void {
     case '/api/alarm':
       return json({ id: 'FC-0302', text: 'An arc has no centre', help: 'Give I, J, K or R.' });
     case '/api/explain':
-      return json({ found: false, kind: '', title: '', text: '', source: '' });
+      return json({ found: false, kind: '', title: '', text: '', facts: [], tables: [], source: '' });
     case '/api/dnc':
       return json(null);
     case '/api/words':

@@ -134,3 +134,11 @@ export function watchFaults(): void {
     expect(faults).toEqual([]);
   });
 }
+
+/** What of the page nobody can see or reach: parts that hide what does not fit into them, and do not scroll. */
+export const cutOff = (page: Page) =>
+  page.locator('main').evaluate((main) =>
+    [...main.querySelectorAll<HTMLElement>('*')]
+      .filter((part) => part.clientHeight > 30 && !part.closest('.cm-editor') && ['hidden', 'clip'].includes(getComputedStyle(part).overflowY) && part.scrollHeight > part.clientHeight + 3)
+      .map((part) => `${part.tagName} ${part.className}: ${part.clientHeight} of ${part.scrollHeight}`),
+  );

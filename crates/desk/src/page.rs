@@ -84,34 +84,50 @@ impl Page {
         Value::Object(object)
     }
 
+    /// What is to say to people, with its labels.
+    pub fn facts_told(&self, catalogue: Catalogue) -> Vec<(String, String)> {
+        let told = |f: &Fact| Some((labelled(f.key, catalogue), f.text.clone()?));
+        self.facts.iter().filter_map(told).collect()
+    }
+
+    /// Its tables for people: the label of each, and its rows of two or three cells.
+    pub fn tables_told(&self, catalogue: Catalogue) -> Vec<(String, Vec<Vec<String>>)> {
+        let parameters = families(&self.parameters, catalogue);
+        let parameters: Vec<_> =
+            parameters.into_iter().map(|(name, value, text)| vec![name, value, text]).collect();
+        let parameters = (!parameters.is_empty()).then(|| (labelled("parameters", catalogue), parameters));
+        let of = |rows: &[(String, String)]| {
+            rows.iter().map(|(name, text)| vec![name.clone(), text.clone()]).collect()
+        };
+        let lists = self.lists.iter().map(|(key, rows)| (labelled(key, catalogue), of(rows)));
+        parameters.into_iter().chain(lists).collect()
+    }
+
     /// As lines for people.
     pub fn text(&self, catalogue: Catalogue) -> String {
-        let label = |key: &str| catalogue.label(&format!("label-explain-{key}"), &[]);
         let mut lines = hanging(&format!("{}  ", self.name), &self.title);
-        let facts: Vec<(String, &String)> =
-            self.facts.iter().filter_map(|f| Some((label(f.key), f.text.as_ref()?))).collect();
+        let facts = self.facts_told(catalogue);
         let widest = facts.iter().map(|(name, _)| width(name)).max().unwrap_or(0);
         for (name, text) in facts {
-            lines.extend(hanging(&format!("  {}  ", padded(&name, widest)), text));
+            lines.extend(hanging(&format!("  {}  ", padded(&name, widest)), &text));
         }
-        let parameters = families(&self.parameters, catalogue);
-        if !parameters.is_empty() {
-            lines.push(format!("  {}", label("parameters")));
-        }
-        let names = parameters.iter().map(|row| width(&row.0)).max().unwrap_or(0);
-        let values = parameters.iter().map(|row| width(&row.1)).max().unwrap_or(0);
-        for (name, value, text) in &parameters {
-            lines.extend(hanging(&format!("    {}  {}  ", padded(name, names), padded(value, values)), text));
-        }
-        for (key, rows) in &self.lists {
-            lines.push(format!("  {}", label(key)));
-            let names = rows.iter().map(|row| width(&row.0)).max().unwrap_or(0);
-            for (name, text) in rows {
-                lines.extend(hanging(&format!("    {}  ", padded(name, names)), text));
+        for (label, rows) in self.tables_told(catalogue) {
+            lines.push(format!("  {label}"));
+            let widest =
+                |at: usize| rows.iter().filter_map(|row| row.get(at)).map(|c| width(c)).max().unwrap_or(0);
+            for row in &rows {
+                let Some((text, cells)) = row.split_last() else { continue };
+                let cells = cells.iter().enumerate().map(|(at, cell)| padded(cell, widest(at)) + "  ");
+                lines.extend(hanging(&format!("    {}", cells.collect::<String>()), text));
             }
         }
         lines.iter().map(|line| format!("{}\n", line.trim_end())).collect()
     }
+}
+
+/// What is before a fact or above a table.
+fn labelled(key: &str, catalogue: Catalogue) -> String {
+    catalogue.label(&format!("label-explain-{key}"), &[])
 }
 
 /// A text behind a head, its further lines under its first.

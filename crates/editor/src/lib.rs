@@ -152,8 +152,14 @@ fn elsewhere(
     let head = |text: &str| {
         let mut writer = Writer::new(style, &rules, safety);
         writer.comment(&heading(request));
+        // What it was filled in with goes along, so that it can be opened again.
+        for line in made.block.lines() {
+            writer.comment(line);
+        }
         writer.line(style.state);
-        format!("{}{text}", writer.text)
+        let mut end = Writer::new(style, &rules, safety);
+        end.comment(&format!("END {}", request.cycle));
+        format!("{}{text}{}", writer.text, end.text)
     };
     let candidates = style.holes.iter().filter(|words| words.of == request.cycle);
     if let Some(holes) = own::Holes::of(&made.steps, safety) {

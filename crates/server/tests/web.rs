@@ -201,6 +201,19 @@ fn tables_say_what_explain_says() {
     let page = place.get("/api/explain?word=G84&language=en").json();
     assert_eq!((&page["found"], &page["kind"]), (&json!(true), &json!("g-code")));
     assert!(page["title"].as_str().unwrap().starts_with("G84") && page["source"].is_string());
+    // In parts, for whoever draws it otherwise than in lines.
+    let of = |parts: &str, label: &str| {
+        let parts = page[parts].as_array().unwrap().iter();
+        parts.filter(|part| part["label"].as_str().unwrap() == label).cloned().collect::<Vec<_>>()
+    };
+    assert!(of("facts", "form")[0]["text"].as_str().unwrap().starts_with("G84 X"), "{page}");
+    let parameters = of("tables", "parameters")[0]["rows"].clone();
+    let rigid = parameters.as_array().unwrap().iter().find(|row| row[0] == json!("NO46.1")).unwrap();
+    assert!(rigid[1].is_string() && rigid[2].as_str().unwrap().starts_with("1: "), "{rigid}");
+    // What a number is for says its meaning, in the reader's language.
+    let found = place.get("/api/search?q=P220&language=ru").json();
+    let row = found.as_array().unwrap().iter().find(|row| row["key"] == json!("P220")).unwrap();
+    assert!(row["title"] == json!("") && !row["text"].as_str().unwrap().is_ascii(), "{row}");
     let nothing = place.get("/api/explain?word=G777").json();
     assert_eq!(nothing["found"], json!(false));
     assert!(nothing["text"].as_str().unwrap().contains("G777"));

@@ -19,7 +19,7 @@ import Welcome from "./shell/Welcome.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/App.svelte
-var root = $.from_html(`<div><!> <!> <main class="s-1yij42y"><!> <div class="page s-1yij42y"><!></div></main> <!> <!></div> <!> <!> <!>`, 1);
+var root = $.from_html(`<div><!> <!> <main class="s-ol58ie"><!> <div class="page s-ol58ie"><!></div></main> <!> <!></div> <!> <!> <!>`, 1);
 function App($$anchor, $$props) {
 	$.push($$props, true);
 	const page = $.derived(() => pages.find((one) => one.id === route.page) ?? pages[0]);
@@ -150,7 +150,7 @@ function App($$anchor, $$props) {
 	Notices(node_8, {});
 	var node_9 = $.sibling(node_8, 2);
 	Welcome(node_9, {});
-	$.template_effect(() => classes = $.set_class(div, 1, "app s-1yij42y", null, classes, { panel: prefs.panel }));
+	$.template_effect(() => classes = $.set_class(div, 1, "app s-ol58ie", null, classes, { panel: prefs.panel }));
 	$.append($$anchor, fragment);
 	$.pop();
 }

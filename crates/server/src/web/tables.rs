@@ -12,7 +12,7 @@ use ferrocut_desk::page::meaning;
 use ferrocut_desk::{Book, asked, memory_of};
 use ferrocut_interpreter::{Dialect, dialects};
 use ferrocut_machine::{
-    AlarmId, Catalogue, Fault, Machine, ParameterKey, Reference, alarm_table, g_code_name,
+    AlarmId, Catalogue, Fault, Machine, Meaning, ParameterKey, Reference, alarm_table, g_code_name,
 };
 use ferrocut_memory::rights::needed_for_parameter;
 use ferrocut_plc::{Area, Program};
@@ -107,6 +107,22 @@ struct AskedWord {
     dialect: Option<String>,
 }
 
+/// One thing to say.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(super) struct Fact {
+    label: String,
+    text: String,
+}
+
+/// Rows of a name and what is to say of it, or of a name, a value and that.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(super) struct Table {
+    label: String,
+    rows: Vec<Vec<String>>,
+}
+
 /// What `ferrocut explain` says of a word.
 #[derive(Serialize, Default)]
 #[cfg_attr(test, derive(ts_rs::TS))]
@@ -116,6 +132,10 @@ pub(super) struct Explanation {
     kind: String,
     title: String,
     text: String,
+    /// What is to say of it, each with its label.
+    facts: Vec<Fact>,
+    /// What else bears on it, such as the parameters with their values.
+    tables: Vec<Table>,
     /// Where the manual has it.
     #[cfg_attr(test, ts(type = "string"))]
     source: Value,
@@ -130,8 +150,11 @@ async fn explain(
     Query(asked): Query<AskedWord>,
 ) -> Result<Json<Explanation>, Problem> {
     let spoken = Spoken { language: asked.language, dialect: asked.dialect };
-    let book = book(&shared.machine, spoken.dialect(&shared)?, spoken.catalogue()?);
     let word = short(asked.word)?;
+    let (dialect, texts) = (spoken.dialect(&shared)?, spoken.catalogue()?);
+    // Values are those that the control has now.
+    let desk = super::query::desk(&shared).await?.speaking(dialect);
+    let book = Book::new(dialect, desk.memory().clone(), texts);
     // A place of a file is asked for by nobody here.
     let things = asked::read(&[word], &book, &|_| false).into_iter().next();
     let page = match things {
@@ -150,8 +173,12 @@ async fn explain(
         "" => page.name.clone(),
         title => format!("{}  {title}", page.name),
     };
+    let facts =
+        page.facts_told(book.catalogue).into_iter().map(|(label, text)| Fact { label, text }).collect();
+    let tables =
+        page.tables_told(book.catalogue).into_iter().map(|(label, rows)| Table { label, rows }).collect();
     let (kind, page) = (page.kind.to_string(), Some(page_json));
-    Ok(Json(Explanation { found: true, kind, title, text, source, page }))
+    Ok(Json(Explanation { found: true, kind, title, text, facts, tables, source, page }))
 }
 
 /// A code or keyword of the control language.
@@ -384,13 +411,12 @@ fn each_of(book: &Book, ladder: Option<&Program>, mut add: impl FnMut(&'static s
         add("code", word.word, word.title, word.form);
     }
     for definition in book.table().iter() {
-        let title = format!("{} {}", definition.symbol, definition.unit);
-        add(
-            "parameter",
-            definition.name.to_string(),
-            title.trim().to_owned(),
-            meaning(definition, book.catalogue),
-        );
+        // A bit is known by the manual's symbol; what a number is for says its meaning alone.
+        let symbol = match definition.meaning {
+            Meaning::Bit { .. } => definition.symbol.to_string(),
+            Meaning::Value(_) => String::new(),
+        };
+        add("parameter", definition.name.to_string(), symbol, meaning(definition, book.catalogue));
     }
     let own = alarm_table(book.dialect.name).iter().map(|row| row.id);
     for id in own.chain(Fault::ALL.iter().map(|fault| AlarmId::Core(*fault))) {

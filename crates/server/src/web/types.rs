@@ -8,7 +8,9 @@ use super::check::Findings;
 use super::cycles::{Drawing, Drawn, Written};
 use super::dnc::DncFile;
 use super::problem::Trouble;
-use super::tables::{AlarmText, Bit, Explanation, Found, Parameter, ParameterKind, Signal, Word};
+use super::tables::{
+    AlarmText, Bit, Explanation, Fact, Found, Parameter, ParameterKind, Signal, Table, Word,
+};
 use crate::told::{Asking, ConnectionCommand, ConnectionEvent, Hello, PanelInfo, SessionInfo};
 use ferrocut_editor::form::{Choice, FigureForm, Form, FormField, Fresh, ProfileUse};
 use ferrocut_editor::request::{
@@ -87,6 +89,8 @@ fn answers() -> String {
         ferrocut_desk::finding::Finding,
         Findings,
         AlarmText,
+        Fact,
+        Table,
         Explanation,
         Word,
         Bit,

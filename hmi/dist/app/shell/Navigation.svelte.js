@@ -6,9 +6,9 @@ import { pages } from "../pages/index.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/shell/Navigation.svelte
-var root = $.from_html(`<b class="number s-v54eoy"> </b>`);
+var root = $.from_html(`<b class="number s-k5ec52"> </b>`);
 var root_1 = $.from_html(`<a><!> <span> </span> <!></a>`);
-var root_2 = $.from_html(`<nav class="scroll s-v54eoy"></nav>`);
+var root_2 = $.from_html(`<nav class="scroll s-k5ec52"></nav>`);
 function Navigation($$anchor, $$props) {
 	$.push($$props, true);
 	const standing = $.derived(() => machine.status?.alarms.length ?? 0);
@@ -39,7 +39,7 @@ function Navigation($$anchor, $$props) {
 		$.template_effect(($0, $1) => {
 			$.set_attribute(a, "href", $0);
 			$.set_attribute(a, "aria-current", $.get(page).id === $$props.current ? "page" : void 0);
-			classes = $.set_class(a, 1, "s-v54eoy", null, classes, { current: $.get(page).id === $$props.current });
+			classes = $.set_class(a, 1, "s-k5ec52", null, classes, { current: $.get(page).id === $$props.current });
 			$.set_text(text, $1);
 		}, [() => href($.get(page).id), () => t(`${$.get(page).id}.title`)]);
 		$.append($$anchor, a);

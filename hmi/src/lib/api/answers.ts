@@ -72,6 +72,16 @@ export type AlarmText = { id: string, text: string,
 help: string | null, };
 
 /**
+ * One thing to say.
+ */
+export type Fact = { label: string, text: string, };
+
+/**
+ * Rows of a name and what is to say of it, or of a name, a value and that.
+ */
+export type Table = { label: string, rows: Array<Array<string>>, };
+
+/**
  * What `ferrocut explain` says of a word.
  */
 export type Explanation = {
@@ -79,6 +89,14 @@ export type Explanation = {
  * Whether there is such a thing; else `text` says why not.
  */
 found: boolean, kind: string, title: string, text: string,
+/**
+ * What is to say of it, each with its label.
+ */
+facts: Array<Fact>,
+/**
+ * What else bears on it, such as the parameters with their values.
+ */
+tables: Array<Table>,
 /**
  * Where the manual has it.
  */

@@ -48,6 +48,11 @@ export const forms = {
   clear(form: Form): void {
     filled[form.id] = { values: fresh(form.parameters), positions: null, contours: contours(form), depths: [] };
   },
+  /** Fills a form in as a cycle of a program is. */
+  fill(form: Form, { values, positions, profile, depths }: Request): void {
+    filled[form.id] = { values: { ...values }, positions: positions[0] ?? null, contours: profile?.contours ?? contours(form), depths };
+    chosen = form.id;
+  },
   figure(form: Form, kind: string): Positions | null {
     const found = form.positions.find((one) => one.kind === kind);
     return found ? { kind, values: fresh(found.parameters), points: [] } : null;

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { at, follow, OTHER, readPath, segments } from './path';
+import { at, busiest, follow, OTHER, readPath, segments } from './path';
 
 /** A path of points, kinds, with 1 s and one line a point. */
 export function buffer(points: number[][], kinds: number[], flags = 0): ArrayBuffer {
@@ -49,4 +49,11 @@ it('finds a time and the tool', () => {
   expect(follow(path, OTHER, [10, 4, 0], 0)).toBe(2);
   expect(follow(path, OTHER, [4, 10, 0], 2)).toBe(3);
   expect(follow(path, 77, [10, 4, 0], 3)).toBe(3);
+});
+
+it('finds the height at which the most is cut', () => {
+  // Rapids, ways down and the shorter pass do not count.
+  const points = [[0, 0, 20], [90, 0, 20], [90, 0, -3], [80, 0, -3], [80, 0, -5], [50, 0, -5], [50, 20, -5.001]];
+  expect(busiest(readPath(buffer(points, [0, 1, 2, 2, 2, 2, 3])))).toBeCloseTo(-5);
+  expect(busiest(readPath(buffer([[0, 0, 0], [5, 0, 0]], [0, 1])))).toBe(null);
 });

@@ -87,6 +87,24 @@ export function at(path: Path, time: number): number {
   return low;
 }
 
+/** The height at which the most is cut, in level lines and arcs; null where nothing is. */
+export function busiest({ points, kinds, count }: Path): number | null {
+  /** Heights that are told apart, mm. */
+  const STEP = 0.01;
+  const cut = new Map<number, number>();
+  let best: number | null = null;
+  for (let at = 1; at < count; at++) {
+    if (kinds[at]! < 2) continue;
+    const [a, b] = [3 * (at - 1), 3 * at];
+    const level = Math.round(points[b + 2]! / STEP);
+    if (level !== Math.round(points[a + 2]! / STEP)) continue;
+    const now = (cut.get(level) ?? 0) + Math.hypot(points[b]! - points[a]!, points[b + 1]! - points[a + 1]!);
+    cut.set(level, now);
+    if (best === null || now > cut.get(best)!) best = level;
+  }
+  return best === null ? null : best * STEP;
+}
+
 /** How far ahead of the last place the tool is looked for before the whole path is. */
 const AHEAD = 4000;
 

@@ -96,6 +96,55 @@ describe('the source', () => {
     expect(missing).toEqual([]);
   });
 
+  /** Calls of `t` with a key that stands there, and what each gives: names of values, null where they come from elsewhere. */
+  function calls(code: string): { key: string; given: string[] | null }[] {
+    const found: { key: string; given: string[] | null }[] = [];
+    const visit = (node: ts.Node): void => {
+      if (ts.isCallExpression(node) && ts.isIdentifier(node.expression) && node.expression.text === 't') {
+        const [key, values] = node.arguments;
+        if (key && ts.isStringLiteral(key)) {
+          const own = !values ? [] : ts.isObjectLiteralExpression(values) ? values.properties.map((one) => (one.name && ts.isIdentifier(one.name) ? one.name.text : null)) : [null];
+          found.push({ key: key.text, given: own.includes(null) ? null : (own as string[]) });
+        }
+      }
+      ts.forEachChild(node, visit);
+    };
+    visit(ts.createSourceFile('code.ts', code, ts.ScriptTarget.Latest, true));
+    return found;
+  }
+  /** The code of a component: its script, and the expressions of its template one by one. */
+  function codeOf(source: string, file: string): string {
+    const parts: string[] = [...source.matchAll(/<script[^>]*>([\s\S]*?)<\/script>/g)].map((found) => found[1]!);
+    const visit = (node: unknown): void => {
+      if (Array.isArray(node)) return node.forEach(visit);
+      if (typeof node !== 'object' || node === null || !('type' in node)) return;
+      const at = node as AST.SvelteNode & { start: number; end: number; callee?: { name?: string } };
+      if ((at.type as string) === 'CallExpression' && at.callee?.name === 't') parts.push(source.slice(at.start, at.end));
+      for (const value of Object.values(at)) visit(value);
+    };
+    visit(parse(source, { modern: true, filename: file }).fragment);
+    return parts.join(';\n');
+  }
+
+  it('gives each text the values that it names, and no text shows a name in braces', () => {
+    expect(calls("t('a.b', { n, m: 1 }); t('a.c'); t('a.d', all)")).toEqual([{ key: 'a.b', given: ['n', 'm'] }, { key: 'a.c', given: [] }, { key: 'a.d', given: null }]);
+    const english = catalogues.en!;
+    const wrong: string[] = [];
+    let seen = 0;
+    for (const file of [...components, ...scripts]) {
+      const source = readFileSync(file, 'utf8');
+      for (const { key, given } of calls(file.endsWith('.svelte') ? codeOf(source, file) : source)) {
+        seen += 1;
+        const value = english[key] ?? english[`${key}_other`];
+        if (value === undefined || given === null) continue;
+        const lacking = names(value).filter((name) => !given.includes(name!));
+        if (lacking.length) wrong.push(`${file}: ${key} without ${lacking.join(', ')}`);
+      }
+    }
+    expect(seen).toBeGreaterThan(500);
+    expect(wrong).toEqual([]);
+  }, 60_000);
+
   /** What looks like words and is none that people read: keys, names of errors, styles, shaders; what languages and
       keys of the keyboard are called everywhere. */
   const known = new Set(['English', 'Русский', 'Español', 'Türkçe', 'HttpError', 'Refused', 'Enter', 'Delete', 'Control', 'Ctrl', 'Shift', 'ArrowUp', 'ArrowDown', 'ArrowLeft', 'ArrowRight', 'Alt', 'Escape', 'Mod-s', 'DownloadURL']);

@@ -5,7 +5,10 @@ let open = $state.raw<{ program: string; line: number } | null>(null);
 /** What is not stored yet: the text, and what the memory had when it was begun. */
 export type Draft = { text: string; base: string };
 let drafts = $state.raw<ReadonlyMap<string, Draft>>(new Map());
-let pending = $state.raw<{ program: string; text: string } | null>(null);
+let pending = $state.raw<{ program: string; text: string; instead: string[] } | null>(null);
+/** A cycle of a program that is open in the cycle editor: where it stands, and its lines. */
+export type Opened = { program: string; from: number; lines: string[] };
+let opened = $state.raw<Opened | null>(null);
 
 export const editing = {
   /** The program that was open last. */
@@ -40,9 +43,20 @@ export const editing = {
     if (to !== null) now.set(to, draft);
     drafts = now;
   },
-  /** Text for a program; the editor takes it up when it shows it. */
-  put(program: string, text: string): void {
-    pending = { program, text };
+  /** Text for a program, in place of lines of it where there are such; the editor takes it up when it shows it. */
+  put(program: string, text: string, instead: string[] = []): void {
+    pending = { program, text, instead };
+  },
+  /** The lines in whose place the text that waits goes. */
+  get instead(): string[] {
+    return pending?.instead ?? [];
+  },
+  /** The cycle that is filled in anew; null where a new one is. */
+  get opened(): Opened | null {
+    return opened;
+  },
+  open(cycle: Opened | null): void {
+    opened = cycle;
   },
   /** Whether text waits for a program. */
   waits(program: string): boolean {
@@ -55,6 +69,16 @@ export const editing = {
     return text;
   },
 };
+
+/** The line, from 1, at which lines stand in a text, those nearest to where they were; 0 where they do not. */
+export function placeOf(text: readonly string[], lines: readonly string[], near: number): number {
+  let best = 0;
+  for (let at = 0; at + lines.length <= text.length && lines.length > 0; at++) {
+    if (text[at] !== lines[0] || !lines.every((line, index) => text[at + index] === line)) continue;
+    if (best === 0 || Math.abs(at + 1 - near) < Math.abs(best - near)) best = at + 1;
+  }
+  return best;
+}
 
 /** A line without its remarks. */
 const code = (line: string) => line.replace(/\([^)]*\)|[;'].*$/g, '');

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { codesLost, editing, lineFor } from './editing.svelte';
+import { codesLost, editing, lineFor, placeOf } from './editing.svelte';
 
 const program = 'O0001\nG0 X0\nM3 S300 (M30 COMES LATER)\nM30\n';
 
@@ -44,5 +44,21 @@ describe('codes that a cycle takes out of force', () => {
     expect(codesLost('G91\nG90 G71 G17\n(G20)\nG28.1 X0 ; G95', cycle)).toEqual([]);
     expect(codesLost('', cycle)).toEqual([]);
     expect(codesLost('G91 G18', 'G81 X1. R2. Z-3.')).toEqual([]);
+  });
+});
+
+describe('text in place of lines', () => {
+  it('goes where they stand, the nearest of several', () => {
+    const text = ['A', 'B', 'C', 'A', 'B', 'D'];
+    expect([placeOf(text, ['A', 'B'], 1), placeOf(text, ['A', 'B'], 5), placeOf(text, ['B', 'C'], 9)]).toEqual([1, 4, 2]);
+  });
+  it('goes nowhere where they do not', () => {
+    expect([placeOf(['A', 'B'], ['B', 'C'], 1), placeOf(['A'], [], 1)]).toEqual([0, 0]);
+  });
+  it('waits with them', () => {
+    editing.put('O0001', 'G81', ['G80']);
+    expect(editing.instead).toEqual(['G80']);
+    editing.take();
+    expect(editing.instead).toEqual([]);
   });
 });

@@ -55,7 +55,11 @@ const VALUES: Record<string, Rule[]> = {
     [/^handed over to connection (?<number>\d+)$/, 'log.handed_over'],
     [/^declined to connection (?<number>\d+)$/, 'log.declined'],
   ],
-  programs: [[/^locked (?<level>\d)$/, 'log.locked']],
+  programs: [
+    [/^locked (?<level>\d)$/, 'log.locked'],
+    // How long a program was and is.
+    [/^(?<size>\d+)$/, 'log.bytes'],
+  ],
   plc: [
     [/^released$/, 'log.released'],
     [/^forced (?<value>[01])$/, 'log.forced'],

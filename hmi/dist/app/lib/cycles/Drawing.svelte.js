@@ -4,11 +4,11 @@ import { places } from "./scene.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/lib/cycles/Drawing.svelte
-var root = $.from_svg(`<rect class="target s-hi4cwm" role="presentation"></rect>`);
+var root = $.from_svg(`<rect class="target s-sg3r9k" role="presentation"></rect>`);
 var root_1 = $.from_svg(`<path></path>`);
-var root_2 = $.from_svg(`<g><path class="s-hi4cwm"></path><circle class="s-hi4cwm"></circle></g>`);
-var root_3 = $.from_svg(`<g><path class="helper s-hi4cwm"></path><path class="line s-hi4cwm"></path><!><text text-anchor="middle" class="s-hi4cwm"> </text></g>`);
-var root_4 = $.from_svg(`<svg preserveAspectRatio="xMidYMid meet" role="img" class="s-hi4cwm"><!><!></svg>`);
+var root_2 = $.from_svg(`<g><path class="s-sg3r9k"></path><circle class="s-sg3r9k"></circle></g>`);
+var root_3 = $.from_svg(`<g><path class="helper s-sg3r9k"></path><path class="line s-sg3r9k"></path><!><text class="s-sg3r9k"> </text></g>`);
+var root_4 = $.from_svg(`<svg preserveAspectRatio="xMidYMid meet" role="img" class="s-sg3r9k"><!><!></svg>`);
 function Drawing($$anchor, $$props) {
 	$.push($$props, true);
 	const target = ($$anchor, x = $.noop, middle = $.noop, field = $.noop) => {
@@ -24,10 +24,10 @@ function Drawing($$anchor, $$props) {
 		$.append($$anchor, rect);
 	};
 	const frame = $.derived(() => box(places($$props.items), .16));
-	const unit = $.derived(() => Math.max($.get(frame).w, $.get(frame).h) / 100);
 	let width = $.state(0);
 	let height = $.state(0);
 	const touch = $.derived(() => $.get(width) > 0 && $.get(height) > 0 ? 44 / Math.min($.get(width) / $.get(frame).w, $.get(height) / $.get(frame).h) : 0);
+	const unit = $.derived(() => Math.max(Math.max($.get(frame).w, $.get(frame).h) / 100, $.get(touch) * .085));
 	const y = (point) => -point[1];
 	const path = (points, close = false) => points.map((p, i) => `${i ? "L" : "M"}${p[0].toFixed(4)} ${y(p).toFixed(4)}`).join("") + (close ? "Z" : "");
 	function text(name) {
@@ -43,7 +43,11 @@ function Drawing($$anchor, $$props) {
 		const n = long > 1e-9 ? [-dy / long, dx / long] : [0, 1];
 		const shift = (p) => [p[0] + n[0] * item.aside, p[1] + n[1] * item.aside];
 		const [a, b] = [shift(item.from), shift(item.to)];
-		const at = [(a[0] + b[0]) / 2 + n[0] * $.get(unit) * 1.2, (a[1] + b[1]) / 2 + n[1] * $.get(unit) * 1.2];
+		const stands = Math.abs(n[0]) > .7 && long > $.get(unit) * 4;
+		const out = stands && item.aside < 0 ? -1 : 1;
+		const side = !stands ? "middle" : n[0] * out > 0 ? "start" : "end";
+		const drop = stands ? $.get(unit) * 1.1 : n[1] < 0 ? $.get(unit) * 2.6 : 0;
+		const at = [(a[0] + b[0]) / 2 + n[0] * out * $.get(unit) * 1.2, (a[1] + b[1]) / 2 + n[1] * out * $.get(unit) * 1.2 - drop];
 		const arrow = (p, sign) => {
 			const u = long > 1e-9 ? [dx / long * sign, dy / long * sign] : [0, 0];
 			const size = Math.min($.get(unit) * 1.8, long / 3);
@@ -56,7 +60,8 @@ function Drawing($$anchor, $$props) {
 		return {
 			lines: long > 1e-9 ? path([a, b]) + arrow(a, 1) + arrow(b, -1) : "",
 			helpers: path([item.from, a]) + path([item.to, b]),
-			at
+			at,
+			side
 		};
 	}
 	function angle(item) {
@@ -91,7 +96,7 @@ function Drawing($$anchor, $$props) {
 		var consequent = ($$anchor) => {
 			var path_1 = root_1();
 			$.template_effect(($0) => {
-				$.set_class(path_1, 0, `area ${$.get(item).look ?? ""}`, "s-hi4cwm");
+				$.set_class(path_1, 0, `area ${$.get(item).look ?? ""}`, "s-sg3r9k");
 				$.set_attribute(path_1, "d", $0);
 			}, [() => path($.get(item).points, true)]);
 			$.append($$anchor, path_1);
@@ -100,7 +105,7 @@ function Drawing($$anchor, $$props) {
 			var path_2 = root_1();
 			let classes;
 			$.template_effect(($0) => {
-				classes = $.set_class(path_2, 0, `line ${$.get(item).look ?? ""}`, "s-hi4cwm", classes, { focus: $.get(item).field === $$props.focus });
+				classes = $.set_class(path_2, 0, `line ${$.get(item).look ?? ""}`, "s-sg3r9k", classes, { focus: $.get(item).field === $$props.focus });
 				$.set_attribute(path_2, "d", $0);
 			}, [() => path($.get(item).points)]);
 			$.append($$anchor, path_2);
@@ -122,7 +127,7 @@ function Drawing($$anchor, $$props) {
 			var circle_1 = $.sibling(path_3);
 			$.reset(g);
 			$.template_effect(($0, $1, $2, $3) => {
-				classes_1 = $.set_class(g, 0, "mark s-hi4cwm", null, classes_1, { focus: $.get(item).field === $$props.focus });
+				classes_1 = $.set_class(g, 0, "mark s-sg3r9k", null, classes_1, { focus: $.get(item).field === $$props.focus });
 				$.set_attribute(path_3, "d", `M${$.get(item).at[0] - $.get(unit) * 2} ${$0 ?? ""}H${$.get(item).at[0] + $.get(unit) * 2}M${$.get(item).at[0] ?? ""} ${$1 ?? ""}V${$2 ?? ""}`);
 				$.set_attribute(circle_1, "cx", $.get(item).at[0]);
 				$.set_attribute(circle_1, "cy", $3);
@@ -144,18 +149,19 @@ function Drawing($$anchor, $$props) {
 			var node_4 = $.sibling(path_5);
 			{
 				let $0 = $.derived(() => y($.get(made).at) - $.get(unit));
-				target(node_4, () => $.get(made).at[0] - $.get(touch) / 2, () => $.get($0), () => $.get(item).field);
+				target(node_4, () => $.get(made).at[0] - $.get(touch) * ($.get(made).side === "start" ? 0 : $.get(made).side === "end" ? 1 : .5), () => $.get($0), () => $.get(item).field);
 			}
 			var text_1 = $.sibling(node_4);
 			var text_2 = $.only_child(text_1, true);
 			$.reset(g_1);
 			$.template_effect(($0, $1) => {
-				classes_2 = $.set_class(g_1, 0, "measure s-hi4cwm", null, classes_2, { focus: $.get(item).field === $$props.focus });
+				classes_2 = $.set_class(g_1, 0, "measure s-sg3r9k", null, classes_2, { focus: $.get(item).field === $$props.focus });
 				$.set_attribute(g_1, "data-field", $.get(item).field);
 				$.set_attribute(path_4, "d", $.get(made).helpers);
 				$.set_attribute(path_5, "d", $.get(made).lines);
 				$.set_attribute(text_1, "x", $.get(made).at[0]);
 				$.set_attribute(text_1, "y", $0);
+				$.set_attribute(text_1, "text-anchor", $.get(made).side ?? "middle");
 				$.set_text(text_2, $1);
 			}, [() => y($.get(made).at), () => text($.get(item).field)]);
 			$.delegated("click", text_1, () => $$props.onfield($.get(item).field));

@@ -66,6 +66,16 @@ var forms = {
 			depths: []
 		};
 	},
+	/** Fills a form in as a cycle of a program is. */
+	fill(form, { values, positions, profile, depths }) {
+		filled[form.id] = {
+			values: { ...values },
+			positions: positions[0] ?? null,
+			contours: profile?.contours ?? contours(form),
+			depths
+		};
+		$.set(chosen, form.id, true);
+	},
 	figure(form, kind) {
 		const found = form.positions.find((one) => one.kind === kind);
 		return found ? {

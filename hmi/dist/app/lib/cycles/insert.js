@@ -6,6 +6,12 @@ import { notify } from "../state/notices.svelte.js";
 // src/lib/cycles/insert.ts
 /** Hands a cycle to the editor, which shows where it stands; nothing is stored until it is saved there. */
 function insert(text) {
+	const { opened } = editing;
+	if (opened) {
+		editing.put(opened.program, text, opened.lines);
+		go("program", "edit", opened.program);
+		return;
+	}
 	const program = editing.program ?? machine.status?.program.selected;
 	if (!program) {
 		notify({

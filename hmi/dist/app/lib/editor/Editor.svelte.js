@@ -224,6 +224,37 @@ function Editor($$anchor, $$props) {
 		view?.dispatch(view.state.replaceSelection(piece));
 		view?.focus();
 	}
+	/** The line of the cursor, from 1. */
+	function at() {
+		return view ? view.state.doc.lineAt(view.state.selection.main.head).number : 0;
+	}
+	/** All lines, without their ends. */
+	function all() {
+		return view ? view.state.doc.toJSON() : [];
+	}
+	/** Puts lines in the place of others, and shows them. */
+	function replaceLines(first, count, lines) {
+		if (!view || count < 1) return;
+		const { doc } = view.state;
+		const [from, to] = [doc.line(first).from, doc.line(first + count - 1).to];
+		const insert = view.state.toText(lines.replace(/\r?\n$/, ""));
+		view.dispatch({
+			changes: {
+				from,
+				to,
+				insert
+			},
+			selection: {
+				anchor: from,
+				head: from + insert.length
+			},
+			effects: EditorView.scrollIntoView(from, {
+				y: "start",
+				yMargin: 60
+			})
+		});
+		view.focus();
+	}
 	/** Inserts whole lines behind a line, and shows them. */
 	function insertBehind(line, lines) {
 		if (!view) return;
@@ -277,6 +308,9 @@ function Editor($$anchor, $$props) {
 		line,
 		rewrite,
 		insert,
+		at,
+		all,
+		replaceLines,
 		insertBehind,
 		find,
 		toLine,

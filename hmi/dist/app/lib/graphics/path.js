@@ -72,6 +72,23 @@ function at(path, time) {
 	}
 	return low;
 }
+/** The height at which the most is cut, in level lines and arcs; null where nothing is. */
+function busiest({ points, kinds, count }) {
+	/** Heights that are told apart, mm. */
+	const STEP = .01;
+	const cut = /* @__PURE__ */ new Map();
+	let best = null;
+	for (let at = 1; at < count; at++) {
+		if (kinds[at] < 2) continue;
+		const [a, b] = [3 * (at - 1), 3 * at];
+		const level = Math.round(points[b + 2] / STEP);
+		if (level !== Math.round(points[a + 2] / STEP)) continue;
+		const now = (cut.get(level) ?? 0) + Math.hypot(points[b] - points[a], points[b + 1] - points[a + 1]);
+		cut.set(level, now);
+		if (best === null || now > cut.get(best)) best = level;
+	}
+	return best === null ? null : best * STEP;
+}
 /** How far ahead of the last place the tool is looked for before the whole path is. */
 var AHEAD = 4e3;
 /** The point whose segment the tool is on: of those of the line being run the nearest one, ahead of where it was. */
@@ -120,4 +137,4 @@ var middle = ({ low, high }) => [
 	(low[1] + high[1]) / 2,
 	(low[2] + high[2]) / 2
 ];
-export { MM, at, follow, middle, readPath, segments, spanOf };
+export { MM, at, busiest, follow, middle, readPath, segments, spanOf };

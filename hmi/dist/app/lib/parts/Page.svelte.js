@@ -2,7 +2,7 @@ import Tabs from "./Tabs.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/lib/parts/Page.svelte
-var root = $.from_html(`<div class="page s-f456io"><!> <div class="content scroll s-f456io"><!></div></div>`);
+var root = $.from_html(`<div class="page s-ot62sx"><!> <div class="content scroll s-ot62sx"><!></div></div>`);
 function Page($$anchor, $$props) {
 	$.push($$props, true);
 	let tabs = $.prop($$props, "tabs", 19, () => []), active = $.prop($$props, "active", 3, "");

@@ -3,6 +3,7 @@ import * as $ from "svelte/internal/client";
 var open = $.state(null);
 var drafts = $.state(/* @__PURE__ */ new Map());
 var pending = $.state(null);
+var opened = $.state(null);
 var editing = {
 	get program() {
 		return $.get(open)?.program ?? null;
@@ -38,12 +39,24 @@ var editing = {
 		if (to !== null) now.set(to, draft);
 		$.set(drafts, now);
 	},
-	/** Text for a program; the editor takes it up when it shows it. */
-	put(program, text) {
+	/** Text for a program, in place of lines of it where there are such; the editor takes it up when it shows it. */
+	put(program, text, instead = []) {
 		$.set(pending, {
 			program,
-			text
+			text,
+			instead
 		});
+	},
+	/** The lines in whose place the text that waits goes. */
+	get instead() {
+		return $.get(pending)?.instead ?? [];
+	},
+	/** The cycle that is filled in anew; null where a new one is. */
+	get opened() {
+		return $.get(opened);
+	},
+	open(cycle) {
+		$.set(opened, cycle);
 	},
 	/** Whether text waits for a program. */
 	waits(program) {
@@ -56,6 +69,15 @@ var editing = {
 		return text;
 	}
 };
+/** The line, from 1, at which lines stand in a text, those nearest to where they were; 0 where they do not. */
+function placeOf(text, lines, near) {
+	let best = 0;
+	for (let at = 0; at + lines.length <= text.length && lines.length > 0; at++) {
+		if (text[at] !== lines[0] || !lines.every((line, index) => text[at + index] === line)) continue;
+		if (best === 0 || Math.abs(at + 1 - near) < Math.abs(best - near)) best = at + 1;
+	}
+	return best;
+}
 /** A line without its remarks. */
 var code = (line) => line.replace(/\([^)]*\)|[;'].*$/g, "");
 /** The line behind which text goes into a program: that of the cursor, but never behind the end of the program, where
@@ -103,4 +125,4 @@ function codesLost(above, put) {
 	const same = (one) => SAME[one] ?? one;
 	return lastCodes(above).filter((one, row) => one && behind[row] && same(one) !== same(behind[row])).map((one) => `G${one}`);
 }
-export { codesLost, editing, lineFor };
+export { codesLost, editing, lineFor, placeOf };

@@ -16,6 +16,8 @@ var alarms_default = {
 	"what": "What",
 	"change": "From what to what",
 	"clear": "Empty",
-	"clear_right": "Needs level 3"
+	"clear_right": "Needs level 3",
+	"none_past": "No alarm yet",
+	"none_past_text": "What raises an alarm stands here with its time, program and remedy."
 };
 export { alarms_default as default };

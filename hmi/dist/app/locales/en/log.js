@@ -48,6 +48,7 @@ var log_default = {
 	"finding_row": "a row of the table {table} was changed by no one",
 	"finding_total": "rows of the table {table} have vanished or come back",
 	"finding_commits": "{found} commits are there, {reported} were confirmed",
-	"finding_mark": "the file \"mark\", which counts the confirmed commits, cannot be read"
+	"finding_mark": "the file \"mark\", which counts the confirmed commits, cannot be read",
+	"bytes": "{size} B"
 };
 export { log_default as default };

@@ -42,6 +42,8 @@ var plc_default = {
 	"data_level": "Level {level} changes them. Every change stands in the operation log.",
 	"nothing_kept": "Nothing fits",
 	"bytes_one": "{n} byte",
-	"bytes_other": "{n} bytes"
+	"bytes_other": "{n} bytes",
+	"trace_none": "Nothing recorded yet",
+	"trace_none_text": "Name signals above, by name or address, and record them. At once, or around the moment in which one of them changes."
 };
 export { plc_default as default };

@@ -22,6 +22,8 @@ var program_default = {
 	"undo": "Undo",
 	"redo": "Redo",
 	"find": "Find and replace",
+	"cycle": "Cycle: fill in anew, or a new one",
+	"no_cycle_now": "The cycle is not in the program any more as it was opened; the text stands at the cursor",
 	"renumber": "Renumber",
 	"first": "First number",
 	"step": "Step",

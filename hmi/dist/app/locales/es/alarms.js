@@ -16,6 +16,8 @@ var alarms_default = {
 	"what": "Qué",
 	"change": "De qué a qué",
 	"clear": "Vaciar",
-	"clear_right": "Requiere nivel 3"
+	"clear_right": "Requiere nivel 3",
+	"none_past": "Todavía ninguna alarma",
+	"none_past_text": "Aquí quedan las alarmas con su hora, su programa y su remedio."
 };
 export { alarms_default as default };

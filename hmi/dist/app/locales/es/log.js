@@ -48,6 +48,7 @@ var log_default = {
 	"finding_row": "una fila de la tabla {table} se ha alterado sin que nadie la cambiara",
 	"finding_total": "en la tabla {table} han desaparecido o reaparecido filas",
 	"finding_commits": "hay {found} transacciones, se confirmaron {reported}",
-	"finding_mark": "no se puede leer el archivo «mark», que cuenta las transacciones confirmadas"
+	"finding_mark": "no se puede leer el archivo «mark», que cuenta las transacciones confirmadas",
+	"bytes": "{size} B"
 };
 export { log_default as default };

@@ -43,6 +43,8 @@ var plc_default = {
 	"nothing_kept": "Nada coincide",
 	"bytes_one": "{n} byte",
 	"bytes_many": "{n} bytes",
-	"bytes_other": "{n} bytes"
+	"bytes_other": "{n} bytes",
+	"trace_none": "Todavía nada registrado",
+	"trace_none_text": "Nombre arriba las señales, por nombre o dirección, y regístrelas: al momento, o alrededor del instante en que una cambia."
 };
 export { plc_default as default };

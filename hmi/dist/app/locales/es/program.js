@@ -22,6 +22,8 @@ var program_default = {
 	"undo": "Deshacer",
 	"redo": "Rehacer",
 	"find": "Buscar y reemplazar",
+	"cycle": "Ciclo: abrir de nuevo, o uno nuevo",
+	"no_cycle_now": "El ciclo ya no está en el programa tal como se abrió; el texto está en el cursor",
 	"renumber": "Renumerar",
 	"first": "Primer número",
 	"step": "Paso",

@@ -16,6 +16,8 @@ var alarms_default = {
 	"what": "Что",
 	"change": "Было → стало",
 	"clear": "Очистить",
-	"clear_right": "Нужен уровень 3"
+	"clear_right": "Нужен уровень 3",
+	"none_past": "Аварий ещё не было",
+	"none_past_text": "Здесь появятся аварии со временем, программой и способом устранения."
 };
 export { alarms_default as default };

@@ -48,6 +48,7 @@ var log_default = {
 	"finding_row": "в таблице {table} строка изменена неизвестно кем",
 	"finding_total": "в таблице {table} строки исчезли или появились снова",
 	"finding_commits": "найдено фиксаций: {found}, подтверждено: {reported}",
-	"finding_mark": "не читается файл «mark», который считает подтверждённые фиксации"
+	"finding_mark": "не читается файл «mark», который считает подтверждённые фиксации",
+	"bytes": "{size} Б"
 };
 export { log_default as default };

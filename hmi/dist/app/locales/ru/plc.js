@@ -44,6 +44,8 @@ var plc_default = {
 	"bytes_one": "{n} байт",
 	"bytes_few": "{n} байта",
 	"bytes_many": "{n} байт",
-	"bytes_other": "{n} байта"
+	"bytes_other": "{n} байта",
+	"trace_none": "Пока ничего не записано",
+	"trace_none_text": "Назовите сигналы выше именем или адресом и начните запись: сразу или вокруг момента, когда один из них меняется."
 };
 export { plc_default as default };

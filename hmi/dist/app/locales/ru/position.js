@@ -27,7 +27,7 @@ var position_default = {
 	"cutting_time": "Время резания",
 	"power_on_time": "Включён",
 	"clear": "Обнулить: {what}",
-	"told": "задано",
+	"told": "команда",
 	"programs": "Программы закрыты",
 	"speed": "Скорость",
 	"set_speed": "Задать S",

@@ -16,6 +16,8 @@ var alarms_default = {
 	"what": "Ne",
 	"change": "Neden neye",
 	"clear": "Boşalt",
-	"clear_right": "Düzey 3 gerekir"
+	"clear_right": "Düzey 3 gerekir",
+	"none_past": "Henüz alarm yok",
+	"none_past_text": "Alarmlar burada saati, programı ve çözümüyle durur."
 };
 export { alarms_default as default };

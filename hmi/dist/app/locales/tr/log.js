@@ -48,6 +48,7 @@ var log_default = {
 	"finding_row": "{table} tablosunun bir satırı beklenmedik biçimde değişmiş",
 	"finding_total": "{table} tablosunun satırları kaybolmuş ya da geri gelmiş",
 	"finding_commits": "{found} yazma işlemi var, {reported} tanesi onaylanmıştı",
-	"finding_mark": "onaylanan yazma işlemlerini sayan \"mark\" dosyası okunamıyor"
+	"finding_mark": "onaylanan yazma işlemlerini sayan \"mark\" dosyası okunamıyor",
+	"bytes": "{size} B"
 };
 export { log_default as default };

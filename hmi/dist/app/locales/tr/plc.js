@@ -42,6 +42,8 @@ var plc_default = {
 	"data_level": "Bunları {level}. düzey değiştirir. Her değişiklik işlem kaydındadır.",
 	"nothing_kept": "Uyan yok",
 	"bytes_one": "{n} bayt",
-	"bytes_other": "{n} bayt"
+	"bytes_other": "{n} bayt",
+	"trace_none": "Henüz kayıt yok",
+	"trace_none_text": "Yukarıya sinyalleri adı ya da adresiyle yazıp kaydedin: hemen ya da birinin değiştiği anın çevresinde."
 };
 export { plc_default as default };

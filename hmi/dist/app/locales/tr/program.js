@@ -22,6 +22,8 @@ var program_default = {
 	"undo": "Geri al",
 	"redo": "Yinele",
 	"find": "Bul ve değiştir",
+	"cycle": "Çevrim: yeniden aç ya da yeni ekle",
+	"no_cycle_now": "Çevrim programda artık açıldığı gibi değil; metin imlecin yerinde",
 	"renumber": "Yeniden numarala",
 	"first": "İlk numara",
 	"step": "Adım",

@@ -48,6 +48,7 @@ var log_default = {
 	"finding_row": "表 {table} 中有一行被意外改变",
 	"finding_total": "表 {table} 中有行丢失或重新出现",
 	"finding_commits": "现有 {found} 次提交，已确认 {reported} 次",
-	"finding_mark": "记录已确认提交次数的文件 mark 无法读取"
+	"finding_mark": "记录已确认提交次数的文件 mark 无法读取",
+	"bytes": "{size} B"
 };
 export { log_default as default };

@@ -41,6 +41,8 @@ var plc_default = {
 	"value": "值",
 	"data_level": "{level} 级可修改。每次修改记入操作履历。",
 	"nothing_kept": "没有匹配项",
-	"bytes_other": "{n} 字节"
+	"bytes_other": "{n} 字节",
+	"trace_none": "尚未记录",
+	"trace_none_text": "在上方填写信号的名称或地址并开始记录：立即记录，或在某个信号变化的前后记录。"
 };
 export { plc_default as default };

@@ -22,6 +22,8 @@ var program_default = {
 	"undo": "撤销",
 	"redo": "重做",
 	"find": "查找和替换",
+	"cycle": "循环：重新填写，或新建",
+	"no_cycle_now": "程序中的循环与打开时已不同；新文本插在光标处",
 	"renumber": "重新编号",
 	"first": "起始序号",
 	"step": "增量",

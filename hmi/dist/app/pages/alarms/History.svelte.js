@@ -1,6 +1,7 @@
 import { moment, t } from "../../lib/i18n/index.svelte.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import Card from "../../lib/parts/Card.svelte.js";
+import Empty from "../../lib/parts/Empty.svelte.js";
 import { alarmText } from "../../lib/state/alarm-texts.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import "svelte/internal/disclose-version";
@@ -12,13 +13,16 @@ var root_2 = $.from_html(`<table class="table"><thead><tr><th> </th><th> </th><t
 function History($$anchor, $$props) {
 	$.push($$props, true);
 	let alarms = $.state([]);
+	let known = $.state(false);
 	const level = $.derived(() => machine.level);
 	async function read() {
 		const reply = await machine.fetch("alarm_history", {
 			do: "alarm_history",
 			most: 200
 		});
-		if (reply) $.set(alarms, reply.alarms);
+		if (!reply) return;
+		$.set(alarms, reply.alarms);
+		$.set(known, true);
 	}
 	$.user_effect(() => {
 		machine.changed("alarms");
@@ -59,65 +63,89 @@ function History($$anchor, $$props) {
 			flush: true,
 			actions,
 			children: ($$anchor, $$slotProps) => {
-				var table = root_2();
-				var thead = $.child(table);
-				var tr = $.child(thead);
-				var th = $.child(tr);
-				var text_1 = $.only_child(th, true);
-				var th_1 = $.sibling(th);
-				var text_2 = $.only_child(th_1, true);
-				var th_2 = $.sibling(th_1);
-				var text_3 = $.only_child(th_2, true);
-				var th_3 = $.sibling(th_2);
-				var text_4 = $.only_child(th_3, true);
-				$.reset(tr);
-				$.reset(thead);
-				var tbody = $.sibling(thead);
-				$.each(tbody, 21, () => $.get(alarms), $.index, ($$anchor, alarm) => {
-					const about = $.derived(() => alarmText($.get(alarm)));
-					var tr_1 = root_1();
-					var td = $.child(tr_1);
-					var text_5 = $.only_child(td, true);
-					var td_1 = $.sibling(td);
-					var text_6 = $.only_child(td_1, true);
-					var td_2 = $.sibling(td_1);
-					var text_7 = $.child(td_2, true);
-					var node = $.sibling(text_7);
-					var consequent = ($$anchor) => {
-						var p = root();
-						var text_8 = $.only_child(p, true);
-						$.template_effect(() => $.set_text(text_8, $.get(about).help));
-						$.append($$anchor, p);
-					};
-					$.if(node, ($$render) => {
-						if ($.get(about).help) $$render(consequent);
+				var fragment_3 = $.comment();
+				var node = $.first_child(fragment_3);
+				var consequent = ($$anchor) => {
+					{
+						let $0 = $.derived(() => t("alarms.none_past"));
+						let $1 = $.derived(() => t("alarms.none_past_text"));
+						Empty($$anchor, {
+							icon: "alarms",
+							get title() {
+								return $.get($0);
+							},
+							get text() {
+								return $.get($1);
+							}
+						});
+					}
+				};
+				var alternate = ($$anchor) => {
+					var table = root_2();
+					var thead = $.child(table);
+					var tr = $.child(thead);
+					var th = $.child(tr);
+					var text_1 = $.only_child(th, true);
+					var th_1 = $.sibling(th);
+					var text_2 = $.only_child(th_1, true);
+					var th_2 = $.sibling(th_1);
+					var text_3 = $.only_child(th_2, true);
+					var th_3 = $.sibling(th_2);
+					var text_4 = $.only_child(th_3, true);
+					$.reset(tr);
+					$.reset(thead);
+					var tbody = $.sibling(thead);
+					$.each(tbody, 21, () => $.get(alarms), $.index, ($$anchor, alarm) => {
+						const about = $.derived(() => alarmText($.get(alarm)));
+						var tr_1 = root_1();
+						var td = $.child(tr_1);
+						var text_5 = $.only_child(td, true);
+						var td_1 = $.sibling(td);
+						var text_6 = $.only_child(td_1, true);
+						var td_2 = $.sibling(td_1);
+						var text_7 = $.child(td_2, true);
+						var node_1 = $.sibling(text_7);
+						var consequent_1 = ($$anchor) => {
+							var p = root();
+							var text_8 = $.only_child(p, true);
+							$.template_effect(() => $.set_text(text_8, $.get(about).help));
+							$.append($$anchor, p);
+						};
+						$.if(node_1, ($$render) => {
+							if ($.get(about).help) $$render(consequent_1);
+						});
+						$.reset(td_2);
+						var td_3 = $.sibling(td_2);
+						var text_9 = $.only_child(td_3);
+						$.reset(tr_1);
+						$.template_effect(($0) => {
+							$.set_text(text_5, $0);
+							$.set_text(text_6, $.get(alarm).id);
+							$.set_text(text_7, $.get(about).text);
+							$.set_text(text_9, `${$.get(alarm).program ?? ""}${$.get(alarm).line ? `:${$.get(alarm).line}` : ""}`);
+						}, [() => moment($.get(alarm).time)]);
+						$.append($$anchor, tr_1);
 					});
-					$.reset(td_2);
-					var td_3 = $.sibling(td_2);
-					var text_9 = $.only_child(td_3);
-					$.reset(tr_1);
-					$.template_effect(($0) => {
-						$.set_text(text_5, $0);
-						$.set_text(text_6, $.get(alarm).id);
-						$.set_text(text_7, $.get(about).text);
-						$.set_text(text_9, `${$.get(alarm).program ?? ""}${$.get(alarm).line ? `:${$.get(alarm).line}` : ""}`);
-					}, [() => moment($.get(alarm).time)]);
-					$.append($$anchor, tr_1);
+					$.reset(tbody);
+					$.reset(table);
+					$.template_effect(($0, $1, $2, $3) => {
+						$.set_text(text_1, $0);
+						$.set_text(text_2, $1);
+						$.set_text(text_3, $2);
+						$.set_text(text_4, $3);
+					}, [
+						() => t("alarms.time"),
+						() => t("alarms.number"),
+						() => t("alarms.text"),
+						() => t("alarms.program")
+					]);
+					$.append($$anchor, table);
+				};
+				$.if(node, ($$render) => {
+					if ($.get(known) && $.get(alarms).length === 0) $$render(consequent);
+					else $$render(alternate, -1);
 				});
-				$.reset(tbody);
-				$.reset(table);
-				$.template_effect(($0, $1, $2, $3) => {
-					$.set_text(text_1, $0);
-					$.set_text(text_2, $1);
-					$.set_text(text_3, $2);
-					$.set_text(text_4, $3);
-				}, [
-					() => t("alarms.time"),
-					() => t("alarms.number"),
-					() => t("alarms.text"),
-					() => t("alarms.program")
-				]);
-				$.append($$anchor, table);
+				$.append($$anchor, fragment_3);
 			},
 			$$slots: {
 				actions: true,

@@ -105,7 +105,7 @@ function Log($$anchor, $$props) {
 					var consequent = ($$anchor) => {
 						var span = root_1();
 						var text_7 = $.only_child(span);
-						$.template_effect(() => $.set_text(text_7, `· ${$.get(entry).level ?? ""}`));
+						$.template_effect(() => $.set_text(text_7, ` · ${$.get(entry).level ?? ""}`));
 						$.append($$anchor, span);
 					};
 					$.if(node_1, ($$render) => {
@@ -122,7 +122,7 @@ function Log($$anchor, $$props) {
 					var consequent_1 = ($$anchor) => {
 						var span_2 = root_2();
 						var text_10 = $.only_child(span_2);
-						$.template_effect(() => $.set_text(text_10, `${$.get(entry).from ?? ""} →`));
+						$.template_effect(() => $.set_text(text_10, `${$.get(entry).from ?? ""} → `));
 						$.append($$anchor, span_2);
 					};
 					$.if(node_2, ($$render) => {

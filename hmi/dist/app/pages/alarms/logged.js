@@ -56,7 +56,7 @@ var VALUES = {
 		[/^handed over to connection (?<number>\d+)$/, "log.handed_over"],
 		[/^declined to connection (?<number>\d+)$/, "log.declined"]
 	],
-	programs: [[/^locked (?<level>\d)$/, "log.locked"]],
+	programs: [[/^locked (?<level>\d)$/, "log.locked"], [/^(?<size>\d+)$/, "log.bytes"]],
 	plc: [[/^released$/, "log.released"], [/^forced (?<value>[01])$/, "log.forced"]],
 	memory: [
 		[/^memory\.db: missing$/, "log.finding_missing"],

@@ -4,32 +4,41 @@ import Drawing from "../../lib/cycles/Drawing.svelte.js";
 import FieldInput from "../../lib/cycles/FieldInput.svelte.js";
 import { axisOf, drawn, forms, request, toolsOf } from "../../lib/cycles/form.svelte.js";
 import { insert } from "../../lib/cycles/insert.js";
+import { cycleAt } from "../../lib/cycles/read.js";
 import PositionsEditor from "../../lib/cycles/PositionsEditor.svelte.js";
 import ProfileEditor from "../../lib/cycles/ProfileEditor.svelte.js";
 import { scene } from "../../lib/cycles/scene.js";
 import Simulation from "../../lib/cycles/Simulation.svelte.js";
 import { readPath } from "../../lib/graphics/path.js";
+import { fixed } from "../../lib/numbers.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import Card from "../../lib/parts/Card.svelte.js";
 import Empty from "../../lib/parts/Empty.svelte.js";
 import NumberField from "../../lib/parts/NumberField.svelte.js";
 import Page from "../../lib/parts/Page.svelte.js";
 import Segmented from "../../lib/parts/Segmented.svelte.js";
+import { editing } from "../../lib/state/editing.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import { notify } from "../../lib/state/notices.svelte.js";
+import { untrack } from "svelte";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/cycles/Cycles.svelte
-var root = $.from_html(`<button type="button"><span class="code s-68pwn8"> </span><span> </span></button>`);
-var root_1 = $.from_html(`<h3 class="s-68pwn8"> </h3> <!>`, 1);
-var root_2 = $.from_html(`<p role="alert"> <small class="code s-68pwn8"> </small><br/><span class="muted"> </span></p>`);
-var root_3 = $.from_html(`<!> <!>`, 1);
-var root_4 = $.from_html(`<div class="row wrap"><span class="code"></span> <!> <!> <!> <!> <!></div>`);
-var root_5 = $.from_html(`<div class="tools s-68pwn8"><b class="code"> </b> <label class="s-68pwn8"><span class="muted"> </span><!></label> <label class="s-68pwn8"><span class="muted"> </span><!></label> <label class="s-68pwn8"><span class="muted"> </span><!></label></div>`);
-var root_6 = $.from_html(`<div class="form scroll s-68pwn8"><header class="row wrap"><h2 class="grow"> </h2> <!></header> <!> <!> <!> <!> <!></div>`);
-var root_7 = $.from_html(`<div class="plan s-68pwn8"><!></div> <div class="section s-68pwn8"><!></div>`, 1);
-var root_8 = $.from_html(`<pre> </pre>`);
-var root_9 = $.from_html(`<div class="room s-68pwn8"><div class="cycles s-68pwn8"><nav class="list scroll s-68pwn8" data-pans=""></nav> <!> <div class="side s-68pwn8"><div class="row wrap"><!></div> <div class="shown s-68pwn8"><!></div> <p aria-live="polite"><!></p> <div class="row wrap"><!> <!> <!></div></div></div></div>`);
+var root = $.from_html(`<button type="button" role="tab"> </button>`);
+var root_1 = $.from_html(`<button type="button"><span class="code s-1xabzjz"> </span><span> </span></button>`);
+var root_2 = $.from_html(`<h3 class="s-1xabzjz"> </h3> <!>`, 1);
+var root_3 = $.from_html(`<small class="opened s-1xabzjz"> </small>`);
+var root_4 = $.from_html(`<p role="alert"> <small class="code s-1xabzjz"> </small><br/><span class="muted"> </span></p>`);
+var root_5 = $.from_html(`<!> <!>`, 1);
+var root_6 = $.from_html(`<div class="row wrap"><span class="code"></span> <!> <!> <!> <!> <!></div>`);
+var root_7 = $.from_html(`<div class="tools s-1xabzjz"><b class="code"> </b> <label class="s-1xabzjz"><span class="muted"> </span><!></label> <label class="s-1xabzjz"><span class="muted"> </span><!></label> <label class="s-1xabzjz"><span class="muted"> </span><!></label></div>`);
+var root_8 = $.from_html(`<span><small class="s-1xabzjz"> </small> </span>`);
+var root_9 = $.from_html(`<p class="stands number s-1xabzjz" data-testid="stands"><!> <span><small class="s-1xabzjz">F</small> </span> <span><small class="s-1xabzjz">S</small> </span> <span><small class="s-1xabzjz">T</small> </span></p>`);
+var root_10 = $.from_html(`<div class="form scroll s-1xabzjz"><header class="row wrap"><h2 class="grow"> <!></h2> <!> <!></header> <!> <!> <!> <!> <!> <!></div>`);
+var root_11 = $.from_html(`<div class="plan s-1xabzjz"><!></div> <div class="section s-1xabzjz"><!></div>`, 1);
+var root_12 = $.from_html(`<pre> </pre>`);
+var root_13 = $.from_html(`<span class="spoken s-1xabzjz"> </span>`);
+var root_14 = $.from_html(`<div class="room s-1xabzjz"><div class="cycles s-1xabzjz"><nav class="list scroll s-1xabzjz" data-pans=""><div class="groups s-1xabzjz" role="tablist"></div> <!></nav> <!> <div class="side s-1xabzjz"><div class="row wrap"><!></div> <div class="shown s-1xabzjz"><!></div> <p aria-live="polite"><!></p> <div class="row wrap"><!> <!> <!></div></div></div></div>`);
 function Cycles($$anchor, $$props) {
 	$.push($$props, true);
 	/** How long after the last change the cycle is written, ms. */
@@ -53,8 +62,16 @@ function Cycles($$anchor, $$props) {
 		}, () => $.set(failed, true));
 	});
 	const form = $.derived(() => $.get(all).find((one) => one.id === forms.chosen) ?? $.get(all)[0]);
+	const opened = $.derived(() => editing.opened);
+	let taken = null;
 	$.user_pre_effect(() => {
 		if ($.get(form)) forms.begin($.get(form));
+		if (!$.get(opened) || $.get(opened) === taken || $.get(all).length === 0) return;
+		taken = $.get(opened);
+		const found = cycleAt($.get(opened).lines, 1);
+		const its = $.get(all).find((one) => one.id === found?.request.cycle);
+		if (found && its) untrack(() => forms.fill(its, found.request));
+		else editing.open(null);
 	});
 	const filled = $.derived(() => $.get(form) ? forms.of($.get(form)) : void 0);
 	const asked = $.derived(() => $.get(form) && $.get(filled) ? request($.get(form), $.get(filled)) : null);
@@ -158,6 +175,16 @@ function Cycles($$anchor, $$props) {
 			if (at !== null && $.get(filled)) $.get(filled).values[field.name] = at;
 		};
 	}
+	/** The cycle of each group that was used last: who opens a group finds it (4.1). */
+	const lastOf = {};
+	function pick(id) {
+		if ($.get(form)) lastOf[$.get(form).group] = $.get(form).id;
+		editing.open(null);
+		forms.choose(id);
+		$.set(focus, "");
+		$.set(path, null);
+		$.set(written, null);
+	}
 	function go(name) {
 		$.set(focus, name, true);
 		document.getElementById(`field-${name}`)?.focus();
@@ -203,82 +230,133 @@ function Cycles($$anchor, $$props) {
 					});
 				}
 			};
-			var consequent_13 = ($$anchor) => {
-				var div = root_9();
+			var consequent_16 = ($$anchor) => {
+				var div = root_14();
 				var div_1 = $.child(div);
 				var nav = $.child(div_1);
-				$.each(nav, 21, () => $.get(groups), (group) => group[0]?.group, ($$anchor, group) => {
-					var fragment_3 = root_1();
-					var h3 = $.first_child(fragment_3);
-					var text_1 = $.only_child(h3, true);
-					var node_1 = $.sibling(h3, 2);
-					$.each(node_1, 17, () => $.get(group), (one) => one.id, ($$anchor, one) => {
-						var button = root();
-						let classes;
-						var span = $.child(button);
-						var text_2 = $.only_child(span, true);
-						var span_1 = $.sibling(span);
-						var text_3 = $.only_child(span_1, true);
-						$.reset(button);
-						$.template_effect(() => {
-							$.set_attribute(button, "data-cycle", $.get(one).id);
-							$.set_attribute(button, "aria-pressed", $.get(one).id === $.get(form).id);
-							classes = $.set_class(button, 1, "s-68pwn8", null, classes, { chosen: $.get(one).id === $.get(form).id });
-							$.set_text(text_2, $.get(one).id);
-							$.set_text(text_3, $.get(one).title);
-						});
-						$.delegated("click", button, () => {
-							if ($.get(one).id === $.get(form).id) return;
-							forms.choose($.get(one).id);
-							$.set(focus, "");
-							$.set(path, null);
-							$.set(written, null);
-						});
-						$.append($$anchor, button);
+				var div_2 = $.child(nav);
+				$.each(div_2, 21, () => $.get(groups), (group) => group[0]?.group, ($$anchor, group) => {
+					const open = $.derived(() => $.get(group).some((one) => one.id === $.get(form).id));
+					var button = root();
+					let classes;
+					var text_1 = $.only_child(button, true);
+					$.template_effect(() => {
+						$.set_attribute(button, "data-group", $.get(group)[0]?.group);
+						$.set_attribute(button, "aria-selected", $.get(open));
+						classes = $.set_class(button, 1, "s-1xabzjz", null, classes, { chosen: $.get(open) });
+						$.set_text(text_1, $.get(group)[0]?.group_title);
 					});
-					$.template_effect(() => $.set_text(text_1, $.get(group)[0]?.group_title));
+					$.delegated("click", button, () => !$.get(open) && pick(lastOf[$.get(group)[0].group] ?? $.get(group)[0].id));
+					$.append($$anchor, button);
+				});
+				$.reset(div_2);
+				var node_1 = $.sibling(div_2, 2);
+				$.each(node_1, 17, () => $.get(groups), (group) => group[0]?.group, ($$anchor, group) => {
+					var fragment_3 = root_2();
+					var h3 = $.first_child(fragment_3);
+					var text_2 = $.only_child(h3, true);
+					var node_2 = $.sibling(h3, 2);
+					$.each(node_2, 17, () => $.get(group), (one) => one.id, ($$anchor, one) => {
+						var button_1 = root_1();
+						let classes_1;
+						var span = $.child(button_1);
+						var text_3 = $.only_child(span, true);
+						var span_1 = $.sibling(span);
+						var text_4 = $.only_child(span_1, true);
+						$.reset(button_1);
+						$.template_effect(() => {
+							$.set_attribute(button_1, "data-cycle", $.get(one).id);
+							$.set_attribute(button_1, "aria-pressed", $.get(one).id === $.get(form).id);
+							classes_1 = $.set_class(button_1, 1, "s-1xabzjz", null, classes_1, {
+								chosen: $.get(one).id === $.get(form).id,
+								elsewhere: $.get(one).group !== $.get(form).group
+							});
+							$.set_text(text_3, $.get(one).id);
+							$.set_text(text_4, $.get(one).title);
+						});
+						$.delegated("click", button_1, () => $.get(one).id !== $.get(form).id && pick($.get(one).id));
+						$.append($$anchor, button_1);
+					});
+					$.template_effect(() => $.set_text(text_2, $.get(group)[0]?.group_title));
 					$.append($$anchor, fragment_3);
 				});
 				$.reset(nav);
-				var node_2 = $.sibling(nav, 2);
-				$.key(node_2, () => $.get(form).id, ($$anchor) => {
-					var div_2 = root_6();
-					var header = $.child(div_2);
+				var node_3 = $.sibling(nav, 2);
+				$.key(node_3, () => $.get(form).id, ($$anchor) => {
+					var div_3 = root_10();
+					var header = $.child(div_3);
 					var h2 = $.child(header);
-					var text_4 = $.only_child(h2, true);
-					var node_3 = $.sibling(h2, 2);
-					Button(node_3, {
+					var text_5 = $.child(h2, true);
+					var node_4 = $.sibling(text_5);
+					var consequent_1 = ($$anchor) => {
+						var small = root_3();
+						var text_6 = $.only_child(small, true);
+						$.template_effect(($0) => $.set_text(text_6, $0), [() => t("cycles.opened", {
+							program: $.get(opened).program,
+							from: $.get(opened).from,
+							to: $.get(opened).from + $.get(opened).lines.length - 1
+						})]);
+						$.append($$anchor, small);
+					};
+					$.if(node_4, ($$render) => {
+						if ($.get(opened)) $$render(consequent_1);
+					});
+					$.reset(h2);
+					var node_5 = $.sibling(h2, 2);
+					var consequent_2 = ($$anchor) => {
+						{
+							let $0 = $.derived(() => t("cycles.as_new"));
+							let $1 = $.derived(() => t("cycles.as_new"));
+							Button($$anchor, {
+								kind: "quiet",
+								icon: "close",
+								get "aria-label"() {
+									return $.get($0);
+								},
+								get title() {
+									return $.get($1);
+								},
+								onclick: () => editing.open(null),
+								"data-testid": "as-new"
+							});
+						}
+					};
+					$.if(node_5, ($$render) => {
+						if ($.get(opened)) $$render(consequent_2);
+					});
+					var node_6 = $.sibling(node_5, 2);
+					Button(node_6, {
 						kind: "quiet",
 						icon: "reset",
 						onclick: () => forms.clear($.get(form)),
 						children: ($$anchor, $$slotProps) => {
 							$.next();
-							var text_5 = $.text();
-							$.template_effect(($0) => $.set_text(text_5, $0), [() => t("cycles.clear")]);
-							$.append($$anchor, text_5);
+							var text_7 = $.text();
+							$.template_effect(($0) => $.set_text(text_7, $0), [() => t("cycles.clear")]);
+							$.append($$anchor, text_7);
 						},
 						$$slots: { default: true }
 					});
 					$.reset(header);
-					var node_4 = $.sibling(header, 2);
-					$.each(node_4, 17, () => $.get(general), (finding) => finding.id + finding.text, ($$anchor, finding) => {
-						var p = root_2();
-						var text_6 = $.child(p);
-						var small = $.sibling(text_6);
-						var text_7 = $.only_child(small, true);
-						var span_2 = $.sibling(small, 2);
-						var text_8 = $.only_child(span_2, true);
+					var node_7 = $.sibling(header, 2);
+					$.each(node_7, 17, () => $.get(general), (finding) => finding.id + finding.text, ($$anchor, finding) => {
+						var p = root_4();
+						var text_8 = $.child(p);
+						var small_1 = $.sibling(text_8);
+						var text_9 = $.only_child(small_1, true);
+						var span_2 = $.sibling(small_1, 2);
+						var text_10 = $.only_child(span_2, true);
 						$.reset(p);
 						$.template_effect(() => {
-							$.set_class(p, 1, `general ${$.get(finding).severity ?? ""}`, "s-68pwn8");
-							$.set_text(text_6, `${$.get(finding).text ?? ""} `);
-							$.set_text(text_7, $.get(finding).id);
-							$.set_text(text_8, $.get(finding).help);
+							$.set_class(p, 1, `general ${$.get(finding).severity ?? ""}`, "s-1xabzjz");
+							$.set_text(text_8, `${$.get(finding).text ?? ""} `);
+							$.set_text(text_9, $.get(finding).id);
+							$.set_text(text_10, $.get(finding).help);
 						});
 						$.append($$anchor, p);
 					});
-					var node_5 = $.sibling(node_4, 2);
-					var consequent_1 = ($$anchor) => {
+					var node_8 = $.sibling(node_7, 2);
+					var consequent_3 = ($$anchor) => {
 						{
 							let $0 = $.derived(() => t("cycles.profile"));
 							Card($$anchor, {
@@ -303,15 +381,15 @@ function Cycles($$anchor, $$props) {
 							});
 						}
 					};
-					$.if(node_5, ($$render) => {
-						if ($.get(form).profile !== "none") $$render(consequent_1);
+					$.if(node_8, ($$render) => {
+						if ($.get(form).profile !== "none") $$render(consequent_3);
 					});
-					var node_6 = $.sibling(node_5, 2);
-					$.each(node_6, 17, () => $.get(form).stages, (stage) => stage.value, ($$anchor, stage) => {
+					var node_9 = $.sibling(node_8, 2);
+					$.each(node_9, 17, () => $.get(form).stages, (stage) => stage.value, ($$anchor, stage) => {
 						const fields = $.derived(() => $.get(form).parameters.filter((field) => field.stage === $.get(stage).value));
-						var fragment_7 = $.comment();
-						var node_7 = $.first_child(fragment_7);
-						var consequent_5 = ($$anchor) => {
+						var fragment_8 = $.comment();
+						var node_10 = $.first_child(fragment_8);
+						var consequent_7 = ($$anchor) => {
 							{
 								let $0 = $.derived(() => $.get(form).stages.length > 1 ? $.get(stage).title : "");
 								Card($$anchor, {
@@ -319,9 +397,9 @@ function Cycles($$anchor, $$props) {
 										return $.get($0);
 									},
 									children: ($$anchor, $$slotProps) => {
-										var fragment_9 = root_3();
-										var node_8 = $.first_child(fragment_9);
-										$.each(node_8, 16, () => [
+										var fragment_10 = root_5();
+										var node_11 = $.first_child(fragment_10);
+										$.each(node_11, 16, () => [
 											"place",
 											"shape",
 											"planes",
@@ -329,14 +407,14 @@ function Cycles($$anchor, $$props) {
 											"tool"
 										], (group) => group, ($$anchor, group) => {
 											const own = $.derived(() => $.get(fields).filter((field) => field.group === group && !(/^Z[1-4]$/.test(field.name) && !$.get(filled).depths[Number(field.name[1]) - 1])));
-											var fragment_10 = $.comment();
-											var node_9 = $.first_child(fragment_10);
-											var consequent_2 = ($$anchor) => {
-												var fragment_11 = root_1();
-												var h3_1 = $.first_child(fragment_11);
-												var text_9 = $.only_child(h3_1, true);
-												var node_10 = $.sibling(h3_1, 2);
-												$.each(node_10, 17, () => $.get(own), (field) => field.name, ($$anchor, field) => {
+											var fragment_11 = $.comment();
+											var node_12 = $.first_child(fragment_11);
+											var consequent_4 = ($$anchor) => {
+												var fragment_12 = root_2();
+												var h3_1 = $.first_child(fragment_12);
+												var text_11 = $.only_child(h3_1, true);
+												var node_13 = $.sibling(h3_1, 2);
+												$.each(node_13, 17, () => $.get(own), (field) => field.name, ($$anchor, field) => {
 													{
 														let $0 = $.derived(() => $.get(findings).filter((one) => one.parameter === $.get(field).name));
 														let $1 = $.derived(() => $.get(focus) === $.get(field).name);
@@ -362,26 +440,26 @@ function Cycles($$anchor, $$props) {
 														});
 													}
 												});
-												$.template_effect(($0) => $.set_text(text_9, $0), [() => t(`cycles.group_${group}`)]);
-												$.append($$anchor, fragment_11);
+												$.template_effect(($0) => $.set_text(text_11, $0), [() => t(`cycles.group_${group}`)]);
+												$.append($$anchor, fragment_12);
 											};
-											$.if(node_9, ($$render) => {
-												if ($.get(own).length) $$render(consequent_2);
+											$.if(node_12, ($$render) => {
+												if ($.get(own).length) $$render(consequent_4);
 											});
-											$.append($$anchor, fragment_10);
+											$.append($$anchor, fragment_11);
 										});
-										var node_11 = $.sibling(node_8, 2);
-										var consequent_4 = ($$anchor) => {
-											var fragment_13 = root_3();
-											var node_12 = $.first_child(fragment_13);
-											$.each(node_12, 17, () => $.get(filled).depths, $.index, ($$anchor, depth, i) => {
-												var div_3 = root_4();
-												var span_3 = $.child(div_3);
+										var node_14 = $.sibling(node_11, 2);
+										var consequent_6 = ($$anchor) => {
+											var fragment_14 = root_5();
+											var node_15 = $.first_child(fragment_14);
+											$.each(node_15, 17, () => $.get(filled).depths, $.index, ($$anchor, depth, i) => {
+												var div_4 = root_6();
+												var span_3 = $.child(div_4);
 												span_3.textContent = `P.Z${i + 1}`;
-												var node_13 = $.sibling(span_3, 2);
+												var node_16 = $.sibling(span_3, 2);
 												{
 													let $0 = $.derived(() => t("cycles.depth_plane"));
-													Segmented(node_13, {
+													Segmented(node_16, {
 														get label() {
 															return $.get($0);
 														},
@@ -400,10 +478,10 @@ function Cycles($$anchor, $$props) {
 														}
 													});
 												}
-												var node_14 = $.sibling(node_13, 2);
+												var node_17 = $.sibling(node_16, 2);
 												{
 													let $0 = $.derived(() => t("cycles.depth_from"));
-													NumberField(node_14, {
+													NumberField(node_17, {
 														get label() {
 															return $.get($0);
 														},
@@ -413,10 +491,10 @@ function Cycles($$anchor, $$props) {
 														onvalue: (value) => $.get(depth).contour.start = [value ?? 0, $.get(depth).contour.start[1]]
 													});
 												}
-												var node_15 = $.sibling(node_14, 2);
+												var node_18 = $.sibling(node_17, 2);
 												{
 													let $0 = $.derived(() => t("cycles.depth_from_z"));
-													NumberField(node_15, {
+													NumberField(node_18, {
 														get label() {
 															return $.get($0);
 														},
@@ -427,14 +505,14 @@ function Cycles($$anchor, $$props) {
 														onvalue: (value) => $.get(depth).contour.start = [$.get(depth).contour.start[0], value ?? 0]
 													});
 												}
-												var node_16 = $.sibling(node_15, 2);
-												var consequent_3 = ($$anchor) => {
+												var node_19 = $.sibling(node_18, 2);
+												var consequent_5 = ($$anchor) => {
 													const end = $.derived(() => $.get(depth).contour.elements[0]);
-													var fragment_14 = root_3();
-													var node_17 = $.first_child(fragment_14);
+													var fragment_15 = root_5();
+													var node_20 = $.first_child(fragment_15);
 													{
 														let $0 = $.derived(() => t("cycles.depth_to"));
-														NumberField(node_17, {
+														NumberField(node_20, {
 															get label() {
 																return $.get($0);
 															},
@@ -444,10 +522,10 @@ function Cycles($$anchor, $$props) {
 															onvalue: (value) => $.get(end).to = [value ?? 0, $.get(end).to[1]]
 														});
 													}
-													var node_18 = $.sibling(node_17, 2);
+													var node_21 = $.sibling(node_20, 2);
 													{
 														let $0 = $.derived(() => t("cycles.depth_to_z"));
-														NumberField(node_18, {
+														NumberField(node_21, {
 															get label() {
 																return $.get($0);
 															},
@@ -458,15 +536,15 @@ function Cycles($$anchor, $$props) {
 															onvalue: (value) => $.get(end).to = [$.get(end).to[0], value ?? 0]
 														});
 													}
-													$.append($$anchor, fragment_14);
+													$.append($$anchor, fragment_15);
 												};
-												$.if(node_16, ($$render) => {
-													if ($.get(depth).contour.elements[0]) $$render(consequent_3);
+												$.if(node_19, ($$render) => {
+													if ($.get(depth).contour.elements[0]) $$render(consequent_5);
 												});
-												var node_19 = $.sibling(node_16, 2);
+												var node_22 = $.sibling(node_19, 2);
 												{
 													let $0 = $.derived(() => t("cycles.delete"));
-													Button(node_19, {
+													Button(node_22, {
 														kind: "quiet",
 														icon: "trash",
 														get "aria-label"() {
@@ -475,13 +553,13 @@ function Cycles($$anchor, $$props) {
 														onclick: () => $.get(filled).depths.splice(i, 1)
 													});
 												}
-												$.reset(div_3);
-												$.append($$anchor, div_3);
+												$.reset(div_4);
+												$.append($$anchor, div_4);
 											});
-											var node_20 = $.sibling(node_12, 2);
+											var node_23 = $.sibling(node_15, 2);
 											{
 												let $0 = $.derived(() => $.get(filled).depths.length >= Math.min(4, $.get(filled).contours.length));
-												Button(node_20, {
+												Button(node_23, {
 													icon: "plus",
 													get disabled() {
 														return $.get($0);
@@ -501,31 +579,31 @@ function Cycles($$anchor, $$props) {
 													},
 													children: ($$anchor, $$slotProps) => {
 														$.next();
-														var text_10 = $.text();
-														$.template_effect(($0) => $.set_text(text_10, $0), [() => t("cycles.add_depth")]);
-														$.append($$anchor, text_10);
+														var text_12 = $.text();
+														$.template_effect(($0) => $.set_text(text_12, $0), [() => t("cycles.add_depth")]);
+														$.append($$anchor, text_12);
 													},
 													$$slots: { default: true }
 												});
 											}
-											$.append($$anchor, fragment_13);
+											$.append($$anchor, fragment_14);
 										};
-										$.if(node_11, ($$render) => {
-											if ($.get(stage).value === "cycle" && $.get(form).profile === "depths") $$render(consequent_4);
+										$.if(node_14, ($$render) => {
+											if ($.get(stage).value === "cycle" && $.get(form).profile === "depths") $$render(consequent_6);
 										});
-										$.append($$anchor, fragment_9);
+										$.append($$anchor, fragment_10);
 									},
 									$$slots: { default: true }
 								});
 							}
 						};
-						$.if(node_7, ($$render) => {
-							if ($.get(fields).length) $$render(consequent_5);
+						$.if(node_10, ($$render) => {
+							if ($.get(fields).length) $$render(consequent_7);
 						});
-						$.append($$anchor, fragment_7);
+						$.append($$anchor, fragment_8);
 					});
-					var node_21 = $.sibling(node_6, 2);
-					var consequent_6 = ($$anchor) => {
+					var node_24 = $.sibling(node_9, 2);
+					var consequent_8 = ($$anchor) => {
 						{
 							let $0 = $.derived(() => t("cycles.positions"));
 							Card($$anchor, {
@@ -556,11 +634,11 @@ function Cycles($$anchor, $$props) {
 							});
 						}
 					};
-					$.if(node_21, ($$render) => {
-						if ($.get(form).positions.length) $$render(consequent_6);
+					$.if(node_24, ($$render) => {
+						if ($.get(form).positions.length) $$render(consequent_8);
 					});
-					var node_22 = $.sibling(node_21, 2);
-					var consequent_7 = ($$anchor) => {
+					var node_25 = $.sibling(node_24, 2);
+					var consequent_9 = ($$anchor) => {
 						{
 							let $0 = $.derived(() => t("cycles.tools"));
 							Card($$anchor, {
@@ -568,20 +646,20 @@ function Cycles($$anchor, $$props) {
 									return $.get($0);
 								},
 								children: ($$anchor, $$slotProps) => {
-									var fragment_19 = $.comment();
-									var node_23 = $.first_child(fragment_19);
-									$.each(node_23, 16, () => $.get(called), (number) => number, ($$anchor, number) => {
+									var fragment_20 = $.comment();
+									var node_26 = $.first_child(fragment_20);
+									$.each(node_26, 16, () => $.get(called), (number) => number, ($$anchor, number) => {
 										const tool = $.derived(() => forms.tool(number));
-										var div_4 = root_5();
-										var b = $.child(div_4);
-										var text_11 = $.only_child(b);
+										var div_5 = root_7();
+										var b = $.child(div_5);
+										var text_13 = $.only_child(b);
 										var label = $.sibling(b, 2);
 										var span_4 = $.child(label);
-										var text_12 = $.only_child(span_4, true);
-										var node_24 = $.sibling(span_4);
+										var text_14 = $.only_child(span_4, true);
+										var node_27 = $.sibling(span_4);
 										{
 											let $0 = $.derived(() => t("cycles.diameter"));
-											NumberField(node_24, {
+											NumberField(node_27, {
 												get label() {
 													return $.get($0);
 												},
@@ -599,11 +677,11 @@ function Cycles($$anchor, $$props) {
 										$.reset(label);
 										var label_1 = $.sibling(label, 2);
 										var span_5 = $.child(label_1);
-										var text_13 = $.only_child(span_5, true);
-										var node_25 = $.sibling(span_5);
+										var text_15 = $.only_child(span_5, true);
+										var node_28 = $.sibling(span_5);
 										{
 											let $0 = $.derived(() => t("cycles.cutting_length"));
-											NumberField(node_25, {
+											NumberField(node_28, {
 												get label() {
 													return $.get($0);
 												},
@@ -621,11 +699,11 @@ function Cycles($$anchor, $$props) {
 										$.reset(label_1);
 										var label_2 = $.sibling(label_1, 2);
 										var span_6 = $.child(label_2);
-										var text_14 = $.only_child(span_6, true);
-										var node_26 = $.sibling(span_6);
+										var text_16 = $.only_child(span_6, true);
+										var node_29 = $.sibling(span_6);
 										{
 											let $0 = $.derived(() => t("cycles.entry_angle"));
-											NumberField(node_26, {
+											NumberField(node_29, {
 												get label() {
 													return $.get($0);
 												},
@@ -641,38 +719,84 @@ function Cycles($$anchor, $$props) {
 											});
 										}
 										$.reset(label_2);
-										$.reset(div_4);
+										$.reset(div_5);
 										$.template_effect(($0, $1, $2) => {
-											$.set_text(text_11, `T${number ?? ""}`);
-											$.set_text(text_12, $0);
-											$.set_text(text_13, $1);
-											$.set_text(text_14, $2);
+											$.set_text(text_13, `T${number ?? ""}`);
+											$.set_text(text_14, $0);
+											$.set_text(text_15, $1);
+											$.set_text(text_16, $2);
 										}, [
 											() => t("cycles.diameter"),
 											() => t("cycles.cutting_length"),
 											() => t("cycles.entry_angle")
 										]);
-										$.append($$anchor, div_4);
+										$.append($$anchor, div_5);
 									});
-									$.append($$anchor, fragment_19);
+									$.append($$anchor, fragment_20);
 								},
 								$$slots: { default: true }
 							});
 						}
 					};
-					$.if(node_22, ($$render) => {
-						if ($.get(called).length) $$render(consequent_7);
+					$.if(node_25, ($$render) => {
+						if ($.get(called).length) $$render(consequent_9);
 					});
-					$.reset(div_2);
+					var node_30 = $.sibling(node_25, 2);
+					var consequent_10 = ($$anchor) => {
+						const computed_const = $.derived(() => {
+							return machine.status;
+						});
+						var p_1 = root_9();
+						var node_31 = $.child(p_1);
+						$.each(node_31, 16, () => machine.axes, (axis) => axis, ($$anchor, axis) => {
+							var span_7 = root_8();
+							var small_2 = $.child(span_7);
+							var text_17 = $.only_child(small_2, true);
+							var text_18 = $.sibling(small_2, 1, true);
+							$.reset(span_7);
+							$.template_effect(($0) => {
+								$.set_text(text_17, axis);
+								$.set_text(text_18, $0);
+							}, [() => fixed($.get(computed_const).position.work[axis])]);
+							$.append($$anchor, span_7);
+						});
+						var span_8 = $.sibling(node_31, 2);
+						var text_19 = $.sibling($.child(span_8), 1, true);
+						$.reset(span_8);
+						var span_9 = $.sibling(span_8, 2);
+						var text_20 = $.sibling($.child(span_9), 1, true);
+						$.reset(span_9);
+						var span_10 = $.sibling(span_9, 2);
+						var text_21 = $.sibling($.child(span_10), 1, true);
+						$.reset(span_10);
+						$.reset(p_1);
+						$.template_effect(($0, $1, $2, $3) => {
+							$.set_attribute(p_1, "aria-label", $0);
+							$.set_attribute(p_1, "title", $1);
+							$.set_text(text_19, $2);
+							$.set_text(text_20, $3);
+							$.set_text(text_21, $.get(computed_const).spindle.tool);
+						}, [
+							() => t("cycles.stands"),
+							() => t("cycles.stands"),
+							() => fixed($.get(computed_const).feed.actual, 0),
+							() => fixed(Math.abs($.get(computed_const).spindle.actual), 0)
+						]);
+						$.append($$anchor, p_1);
+					};
+					$.if(node_30, ($$render) => {
+						if (machine.status) $$render(consequent_10);
+					});
+					$.reset(div_3);
 					$.template_effect(() => {
-						$.set_attribute(div_2, "data-cycle", $.get(form).id);
-						$.set_text(text_4, $.get(form).title);
+						$.set_attribute(div_3, "data-cycle", $.get(form).id);
+						$.set_text(text_5, $.get(form).title);
 					});
-					$.append($$anchor, div_2);
+					$.append($$anchor, div_3);
 				});
-				var div_5 = $.sibling(node_2, 2);
-				var div_6 = $.child(div_5);
-				var node_27 = $.child(div_6);
+				var div_6 = $.sibling(node_3, 2);
+				var div_7 = $.child(div_6);
+				var node_32 = $.child(div_7);
 				{
 					let $0 = $.derived(() => t("cycles.show"));
 					let $1 = $.derived(() => [
@@ -689,7 +813,7 @@ function Cycles($$anchor, $$props) {
 							label: t("cycles.text")
 						}
 					]);
-					Segmented(node_27, {
+					Segmented(node_32, {
 						get label() {
 							return $.get($0);
 						},
@@ -705,16 +829,16 @@ function Cycles($$anchor, $$props) {
 						}
 					});
 				}
-				$.reset(div_6);
-				var div_7 = $.sibling(div_6, 2);
-				var node_28 = $.child(div_7);
-				var consequent_8 = ($$anchor) => {
-					var fragment_20 = root_7();
-					var div_8 = $.first_child(fragment_20);
-					var node_29 = $.child(div_8);
+				$.reset(div_7);
+				var div_8 = $.sibling(div_7, 2);
+				var node_33 = $.child(div_8);
+				var consequent_11 = ($$anchor) => {
+					var fragment_21 = root_11();
+					var div_9 = $.first_child(fragment_21);
+					var node_34 = $.child(div_9);
 					{
 						let $0 = $.derived(() => t("cycles.plan"));
-						Drawing(node_29, {
+						Drawing(node_34, {
 							get items() {
 								return $.get(picture).plan;
 							},
@@ -733,12 +857,12 @@ function Cycles($$anchor, $$props) {
 							onfield: go
 						});
 					}
-					$.reset(div_8);
-					var div_9 = $.sibling(div_8, 2);
-					var node_30 = $.child(div_9);
+					$.reset(div_9);
+					var div_10 = $.sibling(div_9, 2);
+					var node_35 = $.child(div_10);
 					{
 						let $0 = $.derived(() => t("cycles.section"));
-						Drawing(node_30, {
+						Drawing(node_35, {
 							get items() {
 								return $.get(picture).section;
 							},
@@ -757,10 +881,10 @@ function Cycles($$anchor, $$props) {
 							onfield: go
 						});
 					}
-					$.reset(div_9);
-					$.append($$anchor, fragment_20);
+					$.reset(div_10);
+					$.append($$anchor, fragment_21);
 				};
-				var consequent_9 = ($$anchor) => {
+				var consequent_12 = ($$anchor) => {
 					{
 						let $0 = $.derived(() => $.get(path) !== null && $.get(simulated) !== $.get(body));
 						Simulation($$anchor, {
@@ -777,94 +901,110 @@ function Cycles($$anchor, $$props) {
 					}
 				};
 				var alternate = ($$anchor) => {
-					var pre = root_8();
-					let classes_1;
-					var text_15 = $.only_child(pre, true);
+					var pre = root_12();
+					let classes_2;
+					var text_22 = $.only_child(pre, true);
 					$.template_effect(($0) => {
-						classes_1 = $.set_class(pre, 1, "code scroll s-68pwn8", null, classes_1, { stale: !$.get(isCurrent) });
+						classes_2 = $.set_class(pre, 1, "code scroll s-1xabzjz", null, classes_2, { stale: !$.get(isCurrent) });
 						$.set_attribute(pre, "data-expanded", $.get(written)?.expanded ?? false);
-						$.set_text(text_15, $0);
+						$.set_text(text_22, $0);
 					}, [() => $.get(written)?.text || t("cycles.no_text")]);
 					$.append($$anchor, pre);
 				};
-				$.if(node_28, ($$render) => {
-					if ($.get(side) === "drawing") $$render(consequent_8);
-					else if ($.get(side) === "simulation") $$render(consequent_9, 1);
+				$.if(node_33, ($$render) => {
+					if ($.get(side) === "drawing") $$render(consequent_11);
+					else if ($.get(side) === "simulation") $$render(consequent_12, 1);
 					else $$render(alternate, -1);
 				});
-				$.reset(div_7);
-				var p_1 = $.sibling(div_7, 2);
-				let classes_2;
-				var node_31 = $.child(p_1);
-				var consequent_10 = ($$anchor) => {
-					var text_16 = $.text();
-					$.template_effect(($0) => $.set_text(text_16, $0), [() => t("cycles.errors", { count: $.get(errors).length })]);
-					$.append($$anchor, text_16);
+				$.reset(div_8);
+				var p_2 = $.sibling(div_8, 2);
+				let classes_3;
+				var node_36 = $.child(p_2);
+				var consequent_13 = ($$anchor) => {
+					var text_23 = $.text();
+					$.template_effect(($0) => $.set_text(text_23, $0), [() => t("cycles.errors", { count: $.get(errors).length })]);
+					$.append($$anchor, text_23);
 				};
-				var consequent_11 = ($$anchor) => {
-					var text_17 = $.text();
-					$.template_effect(($0, $1) => $.set_text(text_17, `${$0 ?? ""} · ${$1 ?? ""}`), [() => $.get(written).expanded ? t("cycles.expanded", { dialect: $.get(dialect) }) : t("cycles.as_cycle", { dialect: $.get(dialect) }), () => t("cycles.lines", { count: $.get(ready).trimEnd().split("\n").length })]);
-					$.append($$anchor, text_17);
+				var consequent_14 = ($$anchor) => {
+					var text_24 = $.text();
+					$.template_effect(($0, $1) => $.set_text(text_24, `${$0 ?? ""} · ${$1 ?? ""}`), [() => $.get(written).expanded ? t("cycles.expanded", { dialect: $.get(dialect) }) : t("cycles.as_cycle", { dialect: $.get(dialect) }), () => t("cycles.lines", { count: $.get(ready).trimEnd().split("\n").length })]);
+					$.append($$anchor, text_24);
 				};
-				var consequent_12 = ($$anchor) => {
-					var text_18 = $.text();
-					$.template_effect(($0) => $.set_text(text_18, $0), [() => t("cycles.no_text")]);
-					$.append($$anchor, text_18);
+				var consequent_15 = ($$anchor) => {
+					var text_25 = $.text();
+					$.template_effect(($0) => $.set_text(text_25, $0), [() => t("cycles.no_text")]);
+					$.append($$anchor, text_25);
 				};
 				var alternate_1 = ($$anchor) => {
-					var text_19 = $.text();
-					$.template_effect(($0) => $.set_text(text_19, $0), [() => t($.get(refusedOf) === $.get(wish) ? "cycles.not_written" : "cycles.writing")]);
-					$.append($$anchor, text_19);
+					var text_26 = $.text();
+					$.template_effect(($0) => $.set_text(text_26, $0), [() => t($.get(refusedOf) === $.get(wish) ? "cycles.not_written" : "cycles.writing")]);
+					$.append($$anchor, text_26);
 				};
-				$.if(node_31, ($$render) => {
-					if ($.get(errors).length) $$render(consequent_10);
-					else if ($.get(ready) && $.get(written)) $$render(consequent_11, 1);
-					else if ($.get(isCurrent)) $$render(consequent_12, 2);
+				$.if(node_36, ($$render) => {
+					if ($.get(errors).length) $$render(consequent_13);
+					else if ($.get(ready) && $.get(written)) $$render(consequent_14, 1);
+					else if ($.get(isCurrent)) $$render(consequent_15, 2);
 					else $$render(alternate_1, -1);
 				});
-				$.reset(p_1);
-				var div_10 = $.sibling(p_1, 2);
-				var node_32 = $.child(div_10);
+				$.reset(p_2);
+				var div_11 = $.sibling(p_2, 2);
+				var node_37 = $.child(div_11);
 				{
-					let $0 = $.derived(() => $.get(errors).length > 0);
-					Button(node_32, {
+					let $0 = $.derived(() => t("cycles.simulate"));
+					let $1 = $.derived(() => t("cycles.simulate"));
+					let $2 = $.derived(() => $.get(errors).length > 0);
+					Button(node_37, {
 						icon: "play",
 						"data-testid": "simulate",
+						get "aria-label"() {
+							return $.get($0);
+						},
+						get title() {
+							return $.get($1);
+						},
 						onclick: simulate,
 						get disabled() {
-							return $.get($0);
+							return $.get($2);
 						},
 						children: ($$anchor, $$slotProps) => {
-							$.next();
-							var text_20 = $.text();
-							$.template_effect(($0) => $.set_text(text_20, $0), [() => t("cycles.simulate")]);
-							$.append($$anchor, text_20);
+							var span_11 = root_13();
+							var text_27 = $.only_child(span_11, true);
+							$.template_effect(($0) => $.set_text(text_27, $0), [() => t("cycles.simulate")]);
+							$.append($$anchor, span_11);
 						},
 						$$slots: { default: true }
 					});
 				}
-				var node_33 = $.sibling(node_32, 2);
+				var node_38 = $.sibling(node_37, 2);
 				{
-					let $0 = $.derived(() => !$.get(ready));
-					Button(node_33, {
+					let $0 = $.derived(() => t("cycles.copy"));
+					let $1 = $.derived(() => t("cycles.copy"));
+					let $2 = $.derived(() => !$.get(ready));
+					Button(node_38, {
 						icon: "list",
+						get "aria-label"() {
+							return $.get($0);
+						},
+						get title() {
+							return $.get($1);
+						},
 						onclick: copy,
 						get disabled() {
-							return $.get($0);
+							return $.get($2);
 						},
 						children: ($$anchor, $$slotProps) => {
-							$.next();
-							var text_21 = $.text();
-							$.template_effect(($0) => $.set_text(text_21, $0), [() => t("cycles.copy")]);
-							$.append($$anchor, text_21);
+							var span_12 = root_13();
+							var text_28 = $.only_child(span_12, true);
+							$.template_effect(($0) => $.set_text(text_28, $0), [() => t("cycles.copy")]);
+							$.append($$anchor, span_12);
 						},
 						$$slots: { default: true }
 					});
 				}
-				var node_34 = $.sibling(node_33, 2);
+				var node_39 = $.sibling(node_38, 2);
 				{
 					let $0 = $.derived(() => !$.get(ready));
-					Button(node_34, {
+					Button(node_39, {
 						kind: "primary",
 						icon: "plus",
 						get disabled() {
@@ -874,27 +1014,28 @@ function Cycles($$anchor, $$props) {
 						"data-testid": "insert",
 						children: ($$anchor, $$slotProps) => {
 							$.next();
-							var text_22 = $.text();
-							$.template_effect(($0) => $.set_text(text_22, $0), [() => t("cycles.insert")]);
-							$.append($$anchor, text_22);
+							var text_29 = $.text();
+							$.template_effect(($0) => $.set_text(text_29, $0), [() => t($.get(opened) ? "cycles.replace" : "cycles.insert")]);
+							$.append($$anchor, text_29);
 						},
 						$$slots: { default: true }
 					});
 				}
-				$.reset(div_10);
-				$.reset(div_5);
+				$.reset(div_11);
+				$.reset(div_6);
 				$.reset(div_1);
 				$.reset(div);
-				$.template_effect(($0) => {
+				$.template_effect(($0, $1) => {
 					$.set_attribute(nav, "aria-label", $0);
-					classes_2 = $.set_class(p_1, 1, "state s-68pwn8", null, classes_2, { wrong: $.get(errors).length > 0 });
-					$.set_attribute(p_1, "data-ready", !!$.get(ready));
-				}, [() => t("cycles.title")]);
+					$.set_attribute(div_2, "aria-label", $1);
+					classes_3 = $.set_class(p_2, 1, "state s-1xabzjz", null, classes_3, { wrong: $.get(errors).length > 0 });
+					$.set_attribute(p_2, "data-ready", !!$.get(ready));
+				}, [() => t("cycles.title"), () => t("cycles.title")]);
 				$.append($$anchor, div);
 			};
 			$.if(node, ($$render) => {
 				if ($.get(failed)) $$render(consequent);
-				else if ($.get(form) && $.get(filled) && $.get(picture)) $$render(consequent_13, 1);
+				else if ($.get(form) && $.get(filled) && $.get(picture)) $$render(consequent_16, 1);
 			});
 			$.append($$anchor, fragment_1);
 		},

@@ -8,9 +8,9 @@ import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/diagnosis/Signals.svelte
 var root = $.from_html(`<!> <input type="search"/>`, 1);
-var root_1 = $.from_html(`<div><b class="number s-zl4g90"> </b> <span class="code address s-zl4g90"> </span> <span class="code name s-zl4g90"> </span> <span class="muted meaning s-zl4g90"> </span></div>`);
-var root_2 = $.from_html(`<p class="muted s-zl4g90"> </p>`);
-var root_3 = $.from_html(`<div class="signals s-zl4g90" data-testid="signals"></div> <!>`, 1);
+var root_1 = $.from_html(`<div><b class="number s-1mowcno"> </b> <span class="code address s-1mowcno"> </span> <span class="code name s-1mowcno"> </span> <span class="muted meaning s-1mowcno"> </span></div>`);
+var root_2 = $.from_html(`<p class="muted s-1mowcno"> </p>`);
+var root_3 = $.from_html(`<div class="signals s-1mowcno" data-testid="signals"></div> <!>`, 1);
 function Signals($$anchor, $$props) {
 	$.push($$props, true);
 	const MOST = 150;
@@ -118,7 +118,7 @@ function Signals($$anchor, $$props) {
 					var text_3 = $.only_child(span_2, true);
 					$.reset(div_1);
 					$.template_effect(() => {
-						classes = $.set_class(div_1, 1, "s-zl4g90", null, classes, { on: $.get(value) !== void 0 && $.get(value) !== 0 });
+						classes = $.set_class(div_1, 1, "s-1mowcno", null, classes, { on: $.get(value) !== void 0 && $.get(value) !== 0 });
 						$.set_text(text, $.get(value) ?? "·");
 						$.set_text(text_1, $.get(one).address);
 						$.set_text(text_2, $.get(one).name);

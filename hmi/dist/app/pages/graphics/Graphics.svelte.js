@@ -1,6 +1,6 @@
 import { http } from "../../lib/api/http.js";
 import { number, t } from "../../lib/i18n/index.svelte.js";
-import { at, follow, middle, readPath, spanOf } from "../../lib/graphics/path.js";
+import { at, busiest, follow, middle, readPath, spanOf } from "../../lib/graphics/path.js";
 import PathView from "../../lib/graphics/PathView.svelte.js";
 import { duration, fixed } from "../../lib/numbers.js";
 import Button from "../../lib/parts/Button.svelte.js";
@@ -59,6 +59,8 @@ function Graphics($$anchor, $$props) {
 	let cut = $.state(false);
 	let height = $.state(0);
 	let thick = $.state(1);
+	/** Whether somebody has set the height for this path. */
+	let isSet = false;
 	let measuring = $.state(false);
 	let picked = $.state([]);
 	$.user_effect(() => {
@@ -79,8 +81,9 @@ function Graphics($$anchor, $$props) {
 			$.set(place, 0);
 			$.set(drawn, 0);
 			$.set(time, 0);
-			$.set(height, $.get(path).box.high[2], true);
 			$.set(thick, Math.max(.1, ($.get(path).box.high[2] - $.get(path).box.low[2]) / 20), true);
+			isSet = false;
+			if ($.get(cut)) placeSection();
 			$.set(loading, false);
 		}, (reason) => {
 			if (abort.signal.aborted) return;
@@ -215,6 +218,17 @@ function Graphics($$anchor, $$props) {
 	function pick(index) {
 		if ($.get(measuring)) $.set(picked, $.get(picked).length === 1 ? [$.get(picked)[0], index] : [index]);
 		else $.set(picked, [index]);
+	}
+	/** A section begins where there is something to see in it. */
+	function section() {
+		$.set(cut, !$.get(cut));
+		if ($.get(cut)) placeSection();
+	}
+	function placeSection() {
+		if (isSet || !$.get(path)) return;
+		const { low, high } = $.get(path).box;
+		$.set(height, Math.min(high[2], Math.max(low[2], (busiest($.get(path)) ?? (low[2] + high[2]) / 2) + $.get(thick) / 2)), true);
+		isSet = true;
 	}
 	const views = [
 		"top",
@@ -372,7 +386,7 @@ function Graphics($$anchor, $$props) {
 					get pressed() {
 						return $.get(cut);
 					},
-					onclick: () => $.set(cut, !$.get(cut)),
+					onclick: section,
 					"data-testid": "section",
 					children: ($$anchor, $$slotProps) => {
 						$.next();

@@ -9,12 +9,12 @@ import { findLocal } from "./local.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/help/Search.svelte
-var root = $.from_html(`<strong class="code"> </strong> <span class="text s-2cu00k"> </span>`, 1);
-var root_1 = $.from_html(`<span class="text long s-2cu00k"> </span>`);
-var root_2 = $.from_html(`<li><button type="button"><span class="kind s-2cu00k"> </span> <!></button></li>`);
-var root_3 = $.from_html(`<li class="muted nothing s-2cu00k"> </li>`);
+var root = $.from_html(`<strong class="code"> </strong> <span class="text s-4r8now"> </span>`, 1);
+var root_1 = $.from_html(`<span class="text long s-4r8now"> </span>`);
+var root_2 = $.from_html(`<li><button type="button"><span class="kind s-4r8now"> </span> <!></button></li>`);
+var root_3 = $.from_html(`<li class="muted nothing s-4r8now"> </li>`);
 var root_4 = $.from_html(`<div class="detail stack scroll" data-testid="help-local"><h2> </h2> <p> </p> <div class="row"><!></div></div>`);
-var root_5 = $.from_html(`<input class="search s-2cu00k" type="search" data-testid="help-search"/> <div class="results s-2cu00k"><ul class="scroll s-2cu00k" data-testid="help-results"></ul> <!></div>`, 1);
+var root_5 = $.from_html(`<input class="search s-4r8now" type="search" data-testid="help-search"/> <div class="results s-4r8now"><ul class="scroll s-4r8now" data-testid="help-results"></ul> <!></div>`, 1);
 function Search($$anchor, $$props) {
 	$.push($$props, true);
 	let sought = $.state($.proxy(route.item));
@@ -63,6 +63,8 @@ function Search($$anchor, $$props) {
 		}, 150);
 		return () => clearTimeout(timer);
 	});
+	/** A code or alarm is told by its title, a parameter or signal by what it means. */
+	const said = (one) => one.kind === "parameter" || one.kind === "signal" ? one.text || one.title : one.title || one.text;
 	const kind = (name) => has(`help.kind_${name}`) ? t(`help.kind_${name}`) : name;
 	var fragment = root_5();
 	var input = $.first_child(fragment);
@@ -83,10 +85,10 @@ function Search($$anchor, $$props) {
 			var text_2 = $.only_child(strong, true);
 			var span_1 = $.sibling(strong, 2);
 			var text_3 = $.only_child(span_1, true);
-			$.template_effect(() => {
+			$.template_effect(($0) => {
 				$.set_text(text_2, $.get(one).entry.key);
-				$.set_text(text_3, $.get(one).entry.title || $.get(one).entry.text);
-			});
+				$.set_text(text_3, $0);
+			}, [() => said($.get(one).entry)]);
 			$.append($$anchor, fragment_1);
 		};
 		var alternate = ($$anchor) => {
@@ -103,7 +105,7 @@ function Search($$anchor, $$props) {
 		$.reset(li);
 		$.template_effect(($0) => {
 			$.set_attribute(button, "data-found", $.get(one).id);
-			classes = $.set_class(button, 1, "s-2cu00k", null, classes, { chosen: $.get(one) === $.get(chosen) });
+			classes = $.set_class(button, 1, "s-4r8now", null, classes, { chosen: $.get(one) === $.get(chosen) });
 			$.set_text(text_1, $0);
 		}, [() => kind($.get(one).local?.kind ?? $.get(one).entry?.kind ?? "")]);
 		$.delegated("click", button, () => $.set(picked, $.get(one).id, true));

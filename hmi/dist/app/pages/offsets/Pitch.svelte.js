@@ -8,11 +8,11 @@ import { machine } from "../../lib/state/machine.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/offsets/Pitch.svelte
-var root = $.from_html(`<tr><th scope="row" class="code s-1x2ht7p"> </th><td> </td><td class="field s-1x2ht7p"><!></td><td class="number muted"> </td></tr>`);
+var root = $.from_html(`<tr><th scope="row" class="code s-vz97nv"> </th><td> </td><td class="field s-vz97nv"><!></td><td class="number muted s-vz97nv"> </td></tr>`);
 var root_1 = $.from_html(`<table class="table"><thead><tr><th> </th><th> </th><th class="right"> </th><th> </th></tr></thead><tbody></tbody></table>`);
 var root_2 = $.from_html(`<!> <!> <!>`, 1);
-var root_3 = $.from_html(`<div><span class="code s-1x2ht7p"> </span> <!></div>`);
-var root_4 = $.from_html(`<p class="muted"> </p> <div class="grid s-1x2ht7p" data-testid="pitch-points"></div>`, 1);
+var root_3 = $.from_html(`<div><span class="code s-vz97nv"> </span> <!></div>`);
+var root_4 = $.from_html(`<p class="muted s-vz97nv"> </p> <div class="grid s-vz97nv" data-testid="pitch-points"></div>`, 1);
 var root_5 = $.from_html(`<!> <!>`, 1);
 function Pitch($$anchor, $$props) {
 	$.push($$props, true);
@@ -251,7 +251,7 @@ function Pitch($$anchor, $$props) {
 					}
 					$.reset(div_1);
 					$.template_effect(() => {
-						classes = $.set_class(div_1, 1, "point s-1x2ht7p", null, classes, { set: number in $.get(points) });
+						classes = $.set_class(div_1, 1, "point s-vz97nv", null, classes, { set: number in $.get(points) });
 						$.set_text(text_8, number);
 					});
 					$.append($$anchor, div_1);

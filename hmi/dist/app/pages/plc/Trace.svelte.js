@@ -1,6 +1,7 @@
 import { t } from "../../lib/i18n/index.svelte.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import Card from "../../lib/parts/Card.svelte.js";
+import Empty from "../../lib/parts/Empty.svelte.js";
 import Scope from "../../lib/parts/Scope.svelte.js";
 import Segmented from "../../lib/parts/Segmented.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
@@ -222,24 +223,45 @@ function Trace($$anchor, $$props) {
 				$.reset(div_1);
 				var div_2 = $.sibling(div_1, 2);
 				var node_6 = $.child(div_2);
-				{
-					let $0 = $.derived(() => t("plc.trace"));
-					Scope(node_6, {
-						get times() {
-							return $.get(times);
-						},
-						get lines() {
-							return $.get(lines);
-						},
-						get names() {
-							return $.get(names);
-						},
-						steps: true,
-						get label() {
-							return $.get($0);
-						}
-					});
-				}
+				var consequent_2 = ($$anchor) => {
+					{
+						let $0 = $.derived(() => t("plc.trace"));
+						Scope($$anchor, {
+							get times() {
+								return $.get(times);
+							},
+							get lines() {
+								return $.get(lines);
+							},
+							get names() {
+								return $.get(names);
+							},
+							steps: true,
+							get label() {
+								return $.get($0);
+							}
+						});
+					}
+				};
+				var alternate = ($$anchor) => {
+					{
+						let $0 = $.derived(() => t("plc.trace_none"));
+						let $1 = $.derived(() => t("plc.trace_none_text"));
+						Empty($$anchor, {
+							icon: "diagnosis",
+							get title() {
+								return $.get($0);
+							},
+							get text() {
+								return $.get($1);
+							}
+						});
+					}
+				};
+				$.if(node_6, ($$render) => {
+					if ($.get(names).length) $$render(consequent_2);
+					else $$render(alternate, -1);
+				});
 				$.reset(div_2);
 				$.reset(div);
 				$.append($$anchor, div);

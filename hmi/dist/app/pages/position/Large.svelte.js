@@ -6,12 +6,12 @@ import { machine } from "../../lib/state/machine.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/position/Large.svelte
-var root = $.from_html(`<output class="large s-ou7780" aria-live="off"> </output> <span> <span class="to-go"> </span></span> <span> <span class="machine"> </span></span>`, 1);
-var root_1 = $.from_html(`<div class="plain s-ou7780"><!></div>`);
-var root_2 = $.from_html(`<canvas class="s-ou7780"><!></canvas>`);
-var root_3 = $.from_html(`<span class="tools s-ou7780"><!></span>`);
-var root_4 = $.from_html(`<div class="axis s-ou7780"><span> <!></span> <!> <!></div>`);
-var root_5 = $.from_html(`<section class="axes s-ou7780" data-testid="axes"><header class="s-ou7780"><h2> </h2> <span class="legend muted s-ou7780"><span> </span><span> </span></span></header> <!></section>`);
+var root = $.from_html(`<output class="large s-h8kdch" aria-live="off"> </output> <span> <span class="to-go"> </span></span> <span> <span class="machine"> </span></span>`, 1);
+var root_1 = $.from_html(`<div class="plain s-h8kdch"><!></div>`);
+var root_2 = $.from_html(`<canvas class="s-h8kdch"><!></canvas>`);
+var root_3 = $.from_html(`<span class="tools s-h8kdch"><!></span>`);
+var root_4 = $.from_html(`<div class="axis s-h8kdch"><span> <!></span> <!> <!></div>`);
+var root_5 = $.from_html(`<section data-testid="axes"><header class="s-h8kdch"><h2> </h2> <span class="legend muted s-h8kdch"><span> </span><span> </span></span></header> <!></section>`);
 function Large($$anchor, $$props) {
 	$.push($$props, true);
 	const numbers = ($$anchor, axis = $.noop, $$arg1) => {
@@ -45,6 +45,7 @@ function Large($$anchor, $$props) {
 		]);
 		$.append($$anchor, fragment);
 	};
+	let small = $.prop($$props, "small", 3, false);
 	const status = $.derived(() => machine.status);
 	let plain = $.state(!canDraw());
 	const moves = (now, axis) => Math.abs(now.position.to_go[axis] ?? 0) > 5e-4;
@@ -104,6 +105,7 @@ function Large($$anchor, $$props) {
 		};
 	}
 	var section = root_5();
+	let classes;
 	var header = $.child(section);
 	var h2 = $.child(header);
 	var text_6 = $.only_child(h2, true);
@@ -119,7 +121,7 @@ function Large($$anchor, $$props) {
 		const homed = $.derived(() => $.get(status).referenced.includes(axis));
 		var div = root_4();
 		var span_7 = $.child(div);
-		let classes;
+		let classes_1;
 		var text_9 = $.child(span_7);
 		var node_1 = $.sibling(text_9);
 		var consequent = ($$anchor) => {
@@ -174,13 +176,14 @@ function Large($$anchor, $$props) {
 		$.reset(div);
 		$.template_effect(() => {
 			$.set_attribute(div, "data-axis", axis);
-			classes = $.set_class(span_7, 1, "letter s-ou7780", null, classes, { homed: $.get(homed) });
+			classes_1 = $.set_class(span_7, 1, "letter s-h8kdch", null, classes_1, { homed: $.get(homed) });
 			$.set_text(text_9, `${axis ?? ""} `);
 		});
 		$.append($$anchor, div);
 	});
 	$.reset(section);
 	$.template_effect(($0, $1, $2) => {
+		classes = $.set_class(section, 1, "axes s-h8kdch", null, classes, { small: small() });
 		$.set_text(text_6, $0);
 		$.set_text(text_7, $1);
 		$.set_text(text_8, $2);

@@ -12,8 +12,8 @@ import { __vitePreload } from "../../_virtual/_vite/preload-helper.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/position/Position.svelte
-var root = $.from_html(`<div class="program s-cw1kb4"><!></div>`);
-var root_1 = $.from_html(`<div><div class="main s-cw1kb4"><!></div> <div class="side s-cw1kb4"><!> <!> <!></div> <!></div>`);
+var root = $.from_html(`<div class="program s-1x7e8xk"><!></div>`);
+var root_1 = $.from_html(`<div><div class="main s-1x7e8xk"><!></div> <div class="side s-1x7e8xk"><!> <!> <!></div> <!></div>`);
 var root_2 = $.from_html(`<p class="muted"> </p>`);
 function Position($$anchor, $$props) {
 	$.push($$props, true);
@@ -62,9 +62,13 @@ function Position($$anchor, $$props) {
 							$.append($$anchor, fragment_4);
 						};
 						let $0 = $.derived(() => $.get(active) === "relative" ? "relative" : "work");
+						let $1 = $.derived(() => $.get(active) === "program");
 						Large($$anchor, {
 							get what() {
 								return $.get($0);
+							},
+							get small() {
+								return $.get($1);
 							},
 							tools,
 							$$slots: { tools: true }
@@ -113,7 +117,7 @@ function Position($$anchor, $$props) {
 					if ($.get(active) === "program") $$render(consequent_2);
 				});
 				$.reset(div);
-				$.template_effect(() => classes = $.set_class(div, 1, "grid s-cw1kb4", null, classes, {
+				$.template_effect(() => classes = $.set_class(div, 1, "grid s-1x7e8xk", null, classes, {
 					"with-program": $.get(active) === "program",
 					whole: $.get(active) === "all"
 				}));

@@ -8,9 +8,9 @@ import { machine } from "../../lib/state/machine.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/position/Speeds.svelte
-var root = $.from_html(`<dd class="under set s-3b8yq4"><span class="field s-3b8yq4"><!></span> <span role="status"> </span></dd>`);
-var root_1 = $.from_html(`<small class="s-3b8yq4"> </small>`);
-var root_2 = $.from_html(`<dl class="s-3b8yq4"><div class="s-3b8yq4"><dt class="s-3b8yq4">F</dt> <dd class="s-3b8yq4"><output class="number wide s-3b8yq4" aria-live="off" data-testid="feed"><!></output><small class="s-3b8yq4"> </small></dd> <dd class="under s-3b8yq4"><span> <b class="number s-3b8yq4"> </b></span><span> </span></dd></div> <div class="s-3b8yq4"><dt class="s-3b8yq4">S</dt> <dd class="s-3b8yq4"><output class="number wide s-3b8yq4" aria-live="off" data-testid="speed"><!></output><small class="s-3b8yq4"> </small> <!></dd> <dd class="under s-3b8yq4"><span> <b class="number s-3b8yq4" data-testid="speed-programmed"> </b> <b class="number s-3b8yq4"> </b></span><span> </span></dd> <!></div> <div class="s-3b8yq4"><dt class="s-3b8yq4">T</dt> <dd class="s-3b8yq4"><output class="number s-3b8yq4"> </output> <!></dd> <dd class="under s-3b8yq4"><span>H <b class="number s-3b8yq4"> </b> · D <b class="number s-3b8yq4"> </b></span><span> </span></dd></div></dl>`);
+var root = $.from_html(`<dd class="under set s-107j884"><span class="field s-107j884"><!></span> <span role="status" class="s-107j884"> </span></dd>`);
+var root_1 = $.from_html(`<small class="s-107j884"> </small>`);
+var root_2 = $.from_html(`<dl class="s-107j884"><div class="s-107j884"><dt class="s-107j884">F</dt> <dd class="s-107j884"><output class="number wide s-107j884" aria-live="off" data-testid="feed"><!></output><small class="s-107j884"> </small></dd> <dd class="under s-107j884"><span class="s-107j884"> <b class="number s-107j884"> </b></span><span> </span></dd></div> <div class="s-107j884"><dt class="s-107j884">S</dt> <dd class="s-107j884"><output class="number wide s-107j884" aria-live="off" data-testid="speed"><!></output><small class="s-107j884"> </small> <!></dd> <dd class="under s-107j884"><span class="s-107j884"> <b class="number s-107j884" data-testid="speed-programmed"> </b> <b class="number s-107j884"> </b></span><span> </span></dd> <!></div> <div class="s-107j884"><dt class="s-107j884">T</dt> <dd class="s-107j884"><output class="number s-107j884"> </output> <!></dd> <dd class="under s-107j884"><span class="s-107j884">H <b class="number s-107j884"> </b> · D <b class="number s-107j884"> </b></span><span class="s-107j884"> </span></dd></div></dl>`);
 function Speeds($$anchor, $$props) {
 	$.push($$props, true);
 	let settable = $.prop(
@@ -165,7 +165,7 @@ function Speeds($$anchor, $$props) {
 				$.set_text(text, $0);
 				$.set_text(text_1, `${$1 ?? ""} `);
 				$.set_text(text_2, $2);
-				classes = $.set_class(span_1, 1, "override s-3b8yq4", null, classes, { off: $3 });
+				classes = $.set_class(span_1, 1, "override s-107j884", null, classes, { off: $3 });
 				$.set_text(text_3, `${$4 ?? ""} %`);
 				$.set_attribute(output_1, "title", $5);
 				$.set_text(text_4, $6);
@@ -173,7 +173,7 @@ function Speeds($$anchor, $$props) {
 				$.set_text(text_6, $8);
 				$.set_text(text_7, ` · ${$9 ?? ""} `);
 				$.set_text(text_8, $10);
-				classes_1 = $.set_class(span_3, 1, "override s-3b8yq4", null, classes_1, { off: $11 });
+				classes_1 = $.set_class(span_3, 1, "override s-107j884", null, classes_1, { off: $11 });
 				$.set_text(text_9, `${$12 ?? ""} %`);
 				$.set_text(text_11, $.get(spindle).tool);
 				$.set_text(text_13, machine.status.program.h);

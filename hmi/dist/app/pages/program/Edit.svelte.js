@@ -1,6 +1,7 @@
 import { t } from "../../lib/i18n/index.svelte.js";
 import Editor from "../../lib/editor/Editor.svelte.js";
 import Findings from "../../lib/editor/Findings.svelte.js";
+import { cycleAt } from "../../lib/cycles/read.js";
 import { renumber } from "../../lib/editor/renumber.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import Dialog from "../../lib/parts/Dialog.svelte.js";
@@ -9,7 +10,7 @@ import Icon from "../../lib/parts/Icon.svelte.js";
 import Labelled from "../../lib/parts/Labelled.svelte.js";
 import NumberField from "../../lib/parts/NumberField.svelte.js";
 import { go, route } from "../../lib/routing.svelte.js";
-import { codesLost, editing, lineFor } from "../../lib/state/editing.svelte.js";
+import { codesLost, editing, lineFor, placeOf } from "../../lib/state/editing.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import { notify } from "../../lib/state/notices.svelte.js";
 import { programs } from "../../lib/state/programs.svelte.js";
@@ -23,7 +24,7 @@ var root_3 = $.from_html(`<span class="background s-n0epk1" data-testid="closed"
 var root_4 = $.from_html(`<div class="newer row wrap s-n0epk1" role="alert" data-testid="newer"><!><span class="grow"> </span> <!></div>`);
 var root_5 = $.from_html(`<div class="newer row s-n0epk1" role="alert" data-testid="codes-lost"><!><span class="grow"> </span> <!></div>`);
 var root_6 = $.from_html(`<p class="muted"> </p>`);
-var root_7 = $.from_html(`<div class="edit s-n0epk1" data-testid="editor"><div class="row wrap"><strong class="code name s-n0epk1"> <!></strong> <!> <!> <!> <!> <span class="grow"></span> <!> <!> <!> <!> <!> <!> <!></div> <!> <!> <div class="text s-n0epk1"><!></div> <!></div>`);
+var root_7 = $.from_html(`<div class="edit s-n0epk1" data-testid="editor"><div class="row wrap"><strong class="code name s-n0epk1"> <!></strong> <!> <!> <!> <!> <span class="grow"></span> <!> <!> <!> <!> <!> <!> <!> <!></div> <!> <!> <div class="text s-n0epk1"><!></div> <!></div>`);
 var root_8 = $.from_html(`<!> <!>`, 1);
 var root_9 = $.from_html(`<div class="row"><!> <!></div>`);
 var root_10 = $.from_html(`<p> </p>`);
@@ -138,7 +139,21 @@ function Edit($$anchor, $$props) {
 		const at = editing.program === name ? editing.line : 0;
 		const into = $.get(editor);
 		queueMicrotask(() => {
+			const { instead, opened } = editing;
 			const [now, piece] = [into.value(), editing.take()];
+			const stands = placeOf(into.all(), instead, opened?.from ?? 0);
+			if (instead.length) editing.open(null);
+			if (stands > 0) {
+				$.set(lost, {
+					program: name,
+					codes: []
+				});
+				return into.replaceLines(stands, instead.length, piece);
+			}
+			if (instead.length) notify({
+				kind: "warning",
+				title: t("program.no_cycle_now")
+			});
 			const line = lineFor(now, at);
 			$.set(lost, {
 				program: name,
@@ -154,6 +169,19 @@ function Edit($$anchor, $$props) {
 		addEventListener("beforeunload", ask);
 		return () => removeEventListener("beforeunload", ask);
 	});
+	/** The cycle at the cursor is filled in anew; where there is none, a new one goes there. */
+	function cycle() {
+		if (!$.get(editor)) return;
+		const lines = $.get(editor).all();
+		const found = cycleAt(lines, $.get(editor).at());
+		editing.open(found && {
+			program: $.get(shown),
+			from: found.from,
+			lines: lines.slice(found.from - 1, found.to)
+		});
+		if (found) go("cycles", found.request.cycle);
+		else go("cycles");
+	}
 	async function save() {
 		if (!$.get(editor)) return;
 		const before = $.get(shown);
@@ -350,7 +378,27 @@ function Edit($$anchor, $$props) {
 			});
 		}
 		var node_10 = $.sibling(node_9, 2);
-		Button(node_10, {
+		{
+			let $0 = $.derived(() => t("program.cycle"));
+			let $1 = $.derived(() => t("program.cycle"));
+			let $2 = $.derived(() => !$.get(shown));
+			Button(node_10, {
+				icon: "cycles",
+				get "aria-label"() {
+					return $.get($0);
+				},
+				get title() {
+					return $.get($1);
+				},
+				get disabled() {
+					return $.get($2);
+				},
+				onclick: cycle,
+				"data-testid": "to-cycle"
+			});
+		}
+		var node_11 = $.sibling(node_10, 2);
+		Button(node_11, {
 			icon: "list",
 			onclick: () => $.set(numbering, true),
 			"data-testid": "renumber",
@@ -362,8 +410,8 @@ function Edit($$anchor, $$props) {
 			},
 			$$slots: { default: true }
 		});
-		var node_11 = $.sibling(node_10, 2);
-		Button(node_11, {
+		var node_12 = $.sibling(node_11, 2);
+		Button(node_12, {
 			icon: "play",
 			onclick: () => void select(),
 			children: ($$anchor, $$slotProps) => {
@@ -374,10 +422,10 @@ function Edit($$anchor, $$props) {
 			},
 			$$slots: { default: true }
 		});
-		var node_12 = $.sibling(node_11, 2);
+		var node_13 = $.sibling(node_12, 2);
 		{
 			let $0 = $.derived(() => !$.get(changed) || $.get(isClosed));
-			Button(node_12, {
+			Button(node_13, {
 				kind: "primary",
 				icon: "save",
 				get disabled() {
@@ -395,15 +443,15 @@ function Edit($$anchor, $$props) {
 			});
 		}
 		$.reset(div_1);
-		var node_13 = $.sibling(div_1, 2);
+		var node_14 = $.sibling(div_1, 2);
 		var consequent_6 = ($$anchor) => {
 			var div_2 = root_4();
-			var node_14 = $.child(div_2);
-			Icon(node_14, { name: "alarms" });
-			var span_4 = $.sibling(node_14);
+			var node_15 = $.child(div_2);
+			Icon(node_15, { name: "alarms" });
+			var span_4 = $.sibling(node_15);
 			var text_10 = $.only_child(span_4, true);
-			var node_15 = $.sibling(span_4, 2);
-			Button(node_15, {
+			var node_16 = $.sibling(span_4, 2);
+			Button(node_16, {
 				onclick: takeNewer,
 				"data-testid": "take-newer",
 				children: ($$anchor, $$slotProps) => {
@@ -418,20 +466,20 @@ function Edit($$anchor, $$props) {
 			$.template_effect(($0) => $.set_text(text_10, $0), [() => t("program.newer")]);
 			$.append($$anchor, div_2);
 		};
-		$.if(node_13, ($$render) => {
+		$.if(node_14, ($$render) => {
 			if ($.get(isNewer)) $$render(consequent_6);
 		});
-		var node_16 = $.sibling(node_13, 2);
+		var node_17 = $.sibling(node_14, 2);
 		var consequent_7 = ($$anchor) => {
 			var div_3 = root_5();
-			var node_17 = $.child(div_3);
-			Icon(node_17, { name: "alarms" });
-			var span_5 = $.sibling(node_17);
+			var node_18 = $.child(div_3);
+			Icon(node_18, { name: "alarms" });
+			var span_5 = $.sibling(node_18);
 			var text_12 = $.only_child(span_5, true);
-			var node_18 = $.sibling(span_5, 2);
+			var node_19 = $.sibling(span_5, 2);
 			{
 				let $0 = $.derived(() => t("app.close"));
-				Button(node_18, {
+				Button(node_19, {
 					kind: "quiet",
 					icon: "close",
 					get "aria-label"() {
@@ -447,15 +495,15 @@ function Edit($$anchor, $$props) {
 			$.template_effect(($0) => $.set_text(text_12, $0), [() => t("program.codes_lost", { codes: $.get(lost).codes.join(" ") })]);
 			$.append($$anchor, div_3);
 		};
-		$.if(node_16, ($$render) => {
+		$.if(node_17, ($$render) => {
 			if ($.get(lost).program === $.get(shown) && $.get(lost).codes.length) $$render(consequent_7);
 		});
-		var div_4 = $.sibling(node_16, 2);
-		var node_19 = $.child(div_4);
+		var div_4 = $.sibling(node_17, 2);
+		var node_20 = $.child(div_4);
 		var consequent_8 = ($$anchor) => {
 			var fragment_8 = $.comment();
-			var node_20 = $.first_child(fragment_8);
-			$.key(node_20, () => $.get(shown), ($$anchor) => {
+			var node_21 = $.first_child(fragment_8);
+			$.key(node_21, () => $.get(shown), ($$anchor) => {
 				{
 					let $0 = $.derived(() => t("program.edit"));
 					$.bind_this(Editor($$anchor, {
@@ -489,13 +537,13 @@ function Edit($$anchor, $$props) {
 			$.template_effect(($0) => $.set_text(text_13, $0), [() => t("app.loading")]);
 			$.append($$anchor, p);
 		};
-		$.if(node_19, ($$render) => {
+		$.if(node_20, ($$render) => {
 			if ($.get(shown)) $$render(consequent_8);
 			else if ($.get(opening)) $$render(consequent_9, 1);
 		});
 		$.reset(div_4);
-		var node_21 = $.sibling(div_4, 2);
-		Findings(node_21, {
+		var node_22 = $.sibling(div_4, 2);
+		Findings(node_22, {
 			get findings() {
 				return $.get(findings);
 			},
@@ -509,12 +557,12 @@ function Edit($$anchor, $$props) {
 		if (!$.get(name)) $$render(consequent);
 		else $$render(alternate, -1);
 	});
-	var node_22 = $.sibling(node, 2);
+	var node_23 = $.sibling(node, 2);
 	{
 		const actions = ($$anchor) => {
 			var fragment_10 = root_8();
-			var node_23 = $.first_child(fragment_10);
-			Button(node_23, {
+			var node_24 = $.first_child(fragment_10);
+			Button(node_24, {
 				onclick: () => $.set(numbering, false),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
@@ -524,8 +572,8 @@ function Edit($$anchor, $$props) {
 				},
 				$$slots: { default: true }
 			});
-			var node_24 = $.sibling(node_23, 2);
-			Button(node_24, {
+			var node_25 = $.sibling(node_24, 2);
+			Button(node_25, {
 				kind: "primary",
 				onclick: number,
 				children: ($$anchor, $$slotProps) => {
@@ -539,7 +587,7 @@ function Edit($$anchor, $$props) {
 			$.append($$anchor, fragment_10);
 		};
 		let $0 = $.derived(() => t("program.renumber"));
-		Dialog(node_22, {
+		Dialog(node_23, {
 			get title() {
 				return $.get($0);
 			},
@@ -552,10 +600,10 @@ function Edit($$anchor, $$props) {
 			actions,
 			children: ($$anchor, $$slotProps) => {
 				var div_5 = root_9();
-				var node_25 = $.child(div_5);
+				var node_26 = $.child(div_5);
 				{
 					let $0 = $.derived(() => t("program.first"));
-					Labelled(node_25, {
+					Labelled(node_26, {
 						get label() {
 							return $.get($0);
 						},
@@ -579,10 +627,10 @@ function Edit($$anchor, $$props) {
 						$$slots: { default: true }
 					});
 				}
-				var node_26 = $.sibling(node_25, 2);
+				var node_27 = $.sibling(node_26, 2);
 				{
 					let $0 = $.derived(() => t("program.step"));
-					Labelled(node_26, {
+					Labelled(node_27, {
 						get label() {
 							return $.get($0);
 						},
@@ -615,12 +663,12 @@ function Edit($$anchor, $$props) {
 			}
 		});
 	}
-	var node_27 = $.sibling(node_22, 2);
+	var node_28 = $.sibling(node_23, 2);
 	{
 		const actions = ($$anchor) => {
 			var fragment_15 = root_8();
-			var node_28 = $.first_child(fragment_15);
-			Button(node_28, {
+			var node_29 = $.first_child(fragment_15);
+			Button(node_29, {
 				onclick: () => $.set(replaces, false),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
@@ -630,8 +678,8 @@ function Edit($$anchor, $$props) {
 				},
 				$$slots: { default: true }
 			});
-			var node_29 = $.sibling(node_28, 2);
-			Button(node_29, {
+			var node_30 = $.sibling(node_29, 2);
+			Button(node_30, {
 				kind: "danger",
 				onclick: () => void store(),
 				"data-testid": "replace-newer",
@@ -646,7 +694,7 @@ function Edit($$anchor, $$props) {
 			$.append($$anchor, fragment_15);
 		};
 		let $0 = $.derived(() => t("program.replace_newer"));
-		Dialog(node_27, {
+		Dialog(node_28, {
 			get title() {
 				return $.get($0);
 			},

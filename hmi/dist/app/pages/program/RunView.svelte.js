@@ -13,15 +13,15 @@ import Restart from "./Restart.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/program/RunView.svelte
-var root = $.from_html(`<span class="behind s-1agk9m3" data-testid="behind">→ <small class="s-1agk9m3"> </small> </span>`);
-var root_1 = $.from_html(`<span class="blocks grow code s-1agk9m3"><span class="block s-1agk9m3" data-testid="block"> </span> <span class="next s-1agk9m3" data-testid="next"><small class="s-1agk9m3"> </small> <!></span></span>`);
-var root_2 = $.from_html(`<span><small class="s-1agk9m3"> </small> </span>`);
-var root_3 = $.from_html(`<span class="number go s-1agk9m3"></span>`);
-var root_4 = $.from_html(`<div class="head row wrap s-1agk9m3"><strong class="code s-1agk9m3"> </strong> <!> <!></div>`);
-var root_5 = $.from_html(`<div class="interrupted row wrap s-1agk9m3" data-testid="interrupted"><span class="grow"> </span> <!></div>`);
-var root_6 = $.from_html(`<p class="retraced s-1agk9m3" role="status" data-testid="retraced"> </p>`);
-var root_7 = $.from_html(`<div class="row wrap"><!> <!> <!> <span class="stop s-1agk9m3"><!></span> <span class="muted"> </span> <span class="grow"></span> <!> <!></div>`);
-var root_8 = $.from_html(`<div data-testid="run-view"><!> <!> <!> <div class="text s-1agk9m3"><!></div> <!></div>`);
+var root = $.from_html(`<span class="behind s-1fv2bn7" data-testid="behind">→ <small class="s-1fv2bn7"> </small> </span>`);
+var root_1 = $.from_html(`<span class="blocks grow code s-1fv2bn7"><span class="block s-1fv2bn7" data-testid="block"> </span> <span class="next s-1fv2bn7" data-testid="next"><small class="s-1fv2bn7"> </small> <!></span></span>`);
+var root_2 = $.from_html(`<span><small class="s-1fv2bn7"> </small> </span>`);
+var root_3 = $.from_html(`<span class="number go s-1fv2bn7"></span>`);
+var root_4 = $.from_html(`<div class="head row wrap s-1fv2bn7"><strong class="code s-1fv2bn7"> </strong> <!> <!></div>`);
+var root_5 = $.from_html(`<div class="interrupted row wrap s-1fv2bn7" data-testid="interrupted"><span class="grow"> </span> <!></div>`);
+var root_6 = $.from_html(`<p class="retraced s-1fv2bn7" role="status" data-testid="retraced"> </p>`);
+var root_7 = $.from_html(`<div class="row wrap"><!> <!> <!> <span class="stop s-1fv2bn7"><!></span> <span class="muted"> </span> <span class="grow"></span> <!> <!></div>`);
+var root_8 = $.from_html(`<div data-testid="run-view"><!> <!> <!> <div class="text s-1fv2bn7"><!></div> <!></div>`);
 function RunView($$anchor, $$props) {
 	$.push($$props, true);
 	let compact = $.prop($$props, "compact", 3, false);
@@ -359,7 +359,7 @@ function RunView($$anchor, $$props) {
 			});
 			$.reset(div);
 		}
-		$.template_effect(() => classes = $.set_class(div, 1, "run s-1agk9m3", null, classes, { compact: compact() }));
+		$.template_effect(() => classes = $.set_class(div, 1, "run s-1fv2bn7", null, classes, { compact: compact() }));
 		$.append($$anchor, div);
 	};
 	$.if(node, ($$render) => {

@@ -327,8 +327,8 @@ function Data($$anchor, $$props) {
 							$.set_attribute(a, "title", $2);
 						}, [
 							() => http.backup($.get(one).name),
-							() => t("settings.take", { file: $.get(one).name }),
-							() => t("settings.take", { file: $.get(one).name })
+							() => t("settings.take_away", { file: $.get(one).name }),
+							() => t("settings.take_away", { file: $.get(one).name })
 						]);
 						$.append($$anchor, a);
 					};

@@ -9,10 +9,11 @@ import Switches from "./Switches.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/settings/General.svelte
-var root = $.from_html(`<dl class="s-1rktg24"><dt class="s-1rktg24"> </dt><dd class="s-1rktg24"> </dd> <dt class="s-1rktg24"> </dt><dd class="code s-1rktg24"> </dd> <dt class="s-1rktg24"> </dt><dd class="s-1rktg24"> </dd> <dt class="s-1rktg24"> </dt><dd class="number s-1rktg24"> </dd> <dt class="s-1rktg24"> </dt><dd class="number s-1rktg24"> </dd> <dt class="s-1rktg24"> </dt><dd class="number s-1rktg24"> </dd></dl>`);
-var root_1 = $.from_html(`<tr><th class="code"> </th><td> </td><td class="right number"> <small class="muted"> </small></td><td><!></td></tr>`);
-var root_2 = $.from_html(`<table class="table"><tbody></tbody></table>`);
-var root_3 = $.from_html(`<div class="grid s-1rktg24"><!> <!> <!></div>`);
+var root = $.from_html(`<dl class="s-t73axo"><dt class="s-t73axo"> </dt><dd class="s-t73axo"> </dd> <dt class="s-t73axo"> </dt><dd class="code s-t73axo"> </dd> <dt class="s-t73axo"> </dt><dd class="s-t73axo"> </dd> <dt class="s-t73axo"> </dt><dd class="number s-t73axo"> </dd> <dt class="s-t73axo"> </dt><dd class="number s-t73axo"> </dd> <dt class="s-t73axo"> </dt><dd class="number s-t73axo"> </dd></dl>`);
+var root_1 = $.from_html(`<div class="long s-t73axo"><!></div>`);
+var root_2 = $.from_html(`<tr><th class="code"> </th><td> </td><td class="right number"> <small class="muted"> </small></td><td><!></td></tr>`);
+var root_3 = $.from_html(`<table class="table"><tbody></tbody></table>`);
+var root_4 = $.from_html(`<div class="grid s-t73axo"><!> <!> <!></div>`);
 function General($$anchor, $$props) {
 	$.push($$props, true);
 	let all = $.state([]);
@@ -41,7 +42,7 @@ function General($$anchor, $$props) {
 			if (reply) $.set(values, reply.parameters);
 		});
 	});
-	var div = root_3();
+	var div = root_4();
 	var node = $.child(div);
 	{
 		let $0 = $.derived(() => t("settings.machine"));
@@ -107,26 +108,30 @@ function General($$anchor, $$props) {
 	}
 	var node_1 = $.sibling(node, 2);
 	var consequent = ($$anchor) => {
-		Switches($$anchor, { get all() {
+		var div_1 = root_1();
+		var node_2 = $.child(div_1);
+		Switches(node_2, { get all() {
 			return $.get(all);
 		} });
+		$.reset(div_1);
+		$.append($$anchor, div_1);
 	};
 	$.if(node_1, ($$render) => {
 		if (machine.status && machine.status.switches.programs !== null) $$render(consequent);
 	});
-	var node_2 = $.sibling(node_1, 2);
+	var node_3 = $.sibling(node_1, 2);
 	{
 		let $0 = $.derived(() => t("settings.often"));
-		Card(node_2, {
+		Card(node_3, {
 			get title() {
 				return $.get($0);
 			},
 			flush: true,
 			children: ($$anchor, $$slotProps) => {
-				var table = root_2();
+				var table = root_3();
 				var tbody = $.child(table);
 				$.each(tbody, 21, () => $.get(shown), (one) => one.name, ($$anchor, one) => {
-					var tr = root_1();
+					var tr = root_2();
 					var th = $.child(tr);
 					var text_12 = $.only_child(th, true);
 					var td = $.sibling(th);
@@ -137,8 +142,8 @@ function General($$anchor, $$props) {
 					var text_15 = $.only_child(small, true);
 					$.reset(td_1);
 					var td_2 = $.sibling(td_1);
-					var node_3 = $.child(td_2);
-					Button(node_3, {
+					var node_4 = $.child(td_2);
+					Button(node_4, {
 						icon: "edit",
 						get "aria-label"() {
 							return $.get(one).name;
