@@ -46,6 +46,9 @@ const STIFF: f64 = 1.2;
 const LEVEL: f64 = 0.7;
 const MOST_LEVEL: f64 = 5.0;
 
+/// That is done where this share of a run is slow.
+const MUCH_SLOW: f64 = 0.25;
+
 /// `ℓ` is no more than this many times the length of the span.
 const STIFFEST: f64 = 5.0;
 
@@ -284,7 +287,15 @@ impl<const N: usize> Fit<N> {
     /// Makes slow spans stiffer that take more of the jerk than others, and the others softer: what holds a turn back is the
     /// most that is taken anywhere, not the sum of its squares. Again and again it would find the least most, if the speed
     /// stayed as it is; it does not, and once is quickest.
-    pub fn level(&mut self, inverse: &Inverse) {
+    ///
+    /// Whether it changes anything: where little of the run is slow it is not worth the time.
+    pub fn level(&mut self, inverse: &Inverse) -> bool {
+        let lengths = self.pace.stretches.iter().fold([0.0; 2], |[slow, all], stretch| {
+            [slow + if stretch.is_slow { stretch.len } else { 0.0 }, all + stretch.len]
+        });
+        if lengths[0] < MUCH_SLOW * lengths[1] {
+            return false;
+        }
         let (mut sum, mut len) = (0.0, 0.0);
         for (k, strip) in self.strips.iter_mut().enumerate() {
             let stretch = &self.pace.stretches[k];
@@ -301,7 +312,7 @@ impl<const N: usize> Fit<N> {
             len += stretch.len;
         }
         if !(sum > 0.0) {
-            return;
+            return false;
         }
         let mean = (sum / len).sqrt();
         for strip in &mut self.strips {
@@ -310,6 +321,7 @@ impl<const N: usize> Fit<N> {
                 strip.stiffen(strip.stiff * (factor - 1.0));
             }
         }
+        true
     }
 
     /// Adds the spans up to the normal equations.

@@ -692,9 +692,10 @@ impl Smoother {
         fit.press();
         fit.solve();
         // And with the jerk spread about evenly.
-        fit.level(&self.soft);
-        fit.press();
-        fit.solve();
+        if fit.level(&self.soft) {
+            fit.press();
+            fit.solve();
+        }
     }
 
     /// Sets up what is to be least, in a fit without spans. Whether anything is free.
