@@ -255,13 +255,13 @@ impl<const N: usize> Fit<N> {
                 continue;
             }
             let moved = &self.moved[k..k + BAND];
-            let (third, bend) = (weighted(&strip.third, moved), weighted(&strip.bend, moved));
-            let (mut jerk, mut acceleration): (f64, f64) = (0.0, 0.0);
+            let bend = weighted(&strip.bend, moved);
+            let mut acceleration: f64 = 0.0;
             for axis in 0..N {
-                jerk = jerk.max((strip.first_third[axis] + third[axis]).abs() * inverse.jerk[axis]);
                 let bend = (strip.first_bend[axis] + bend[axis]).abs();
                 acceleration = acceleration.max(bend * inverse.acceleration[axis]);
             }
+            let jerk = strip.jerk(moved, inverse);
             stretch.limit(jerk, acceleration);
         }
         self.pace.find();
@@ -303,10 +303,7 @@ impl<const N: usize> Fit<N> {
             if strip.tolerance == 0.0 || !stretch.is_slow {
                 continue;
             }
-            let third = weighted(&strip.third, &self.moved[k..k + BAND]);
-            let jerk = (0..N).fold(0.0_f64, |most, axis| {
-                most.max((strip.first_third[axis] + third[axis]).abs() * inverse.jerk[axis])
-            });
+            let jerk = strip.jerk(&self.moved[k..k + BAND], inverse);
             strip.load = jerk * stretch.v * stretch.v * stretch.v;
             sum += strip.load * strip.load * stretch.len;
             len += stretch.len;
@@ -419,6 +416,14 @@ impl<const N: usize> Fit<N> {
 }
 
 impl<const N: usize> Strip<N> {
+    /// The largest share of the jerk of an axis that it takes at the speed 1, with its control points moved so.
+    fn jerk(&self, moved: &[[f64; N]], inverse: &Inverse) -> f64 {
+        let third = weighted(&self.third, moved);
+        (0..N).fold(0.0_f64, |most, axis| {
+            most.max((self.first_third[axis] + third[axis]).abs() * inverse.jerk[axis])
+        })
+    }
+
     /// Makes it stiffer by so much.
     fn stiffen(&mut self, more: f64) {
         self.stiff += more;
