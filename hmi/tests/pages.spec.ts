@@ -217,6 +217,35 @@ test('a work zero is set by value and where the axes stand', async ({ page }) =>
   await expect(zero('X')).toHaveValue(machine.toFixed(3));
 });
 
+test('a work zero is typed by the letter of its axis, added to, and searched', async ({ page }) => {
+  await enter(page, '#/settings/zeros');
+  const zero = (name: string) => page.getByLabel(name, { exact: true });
+  await show(page, 'position/absolute');
+  const machine = Number((await small(page, 'X').textContent())!.replace('−', '-'));
+  await show(page, 'settings/zeros');
+  await zero('G59 X').fill('X10');
+  await zero('G59 X').press('Enter');
+  await expect(zero('G59 X')).toHaveValue((machine + 10).toFixed(3));
+  // Another axis' letter is no value of this one.
+  await zero('G59 X').fill('Y10');
+  await expect(zero('G59 X')).toHaveAttribute('aria-invalid', 'true');
+  await zero('G59 X').press('Escape');
+  await page.getByRole('button', { name: 'Add to what is there' }).click();
+  await zero('G59 X').fill('-2.5');
+  await zero('G59 X').press('Enter');
+  await expect(zero('G59 X')).toHaveValue((machine + 7.5).toFixed(3));
+  await zero('G59 X').fill('-2.5');
+  await zero('G59 X').press('Enter');
+  await expect(zero('G59 X')).toHaveValue((machine + 5).toFixed(3));
+  const find = page.getByTestId('find-zero');
+  await find.fill('P06');
+  await find.press('Enter');
+  await expect(zero('G54 P6 X')).toBeFocused();
+  await find.fill('G56');
+  await find.press('Enter');
+  await expect(zero('G56 X')).toBeFocused();
+});
+
 test('an edge that was touched becomes a zero beside the external one; Z knows no radius, and old points are not mixed in', async ({ page }) => {
   await enter(page, '#/settings/zeros');
   const zero = (name: string) => page.getByLabel(name, { exact: true });

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { duration, fixed, typed } from './numbers';
+import { behindLetter, duration, fixed, systemNamed, typed } from './numbers';
 
 it('measures have a fixed number of digits and no minus zero', () => {
   expect(fixed(-0.0004)).toBe('0.000');
@@ -19,4 +19,18 @@ it('typed numbers take point and comma, and nothing that is no number', () => {
 it('durations are hours, minutes, seconds', () => {
   expect(duration(3661.9)).toBe('01:01:01');
   expect(duration(360_000)).toBe('100:00:00');
+});
+
+it('the letter of an axis and what is behind it', () => {
+  expect(behindLetter('X', 'X')).toBe(0);
+  expect(behindLetter(' x-2,5 ', 'X')).toBe(-2.5);
+  expect(behindLetter('X10', 'X')).toBe(10);
+  for (const text of ['10', 'Y10', 'X1e3', 'XX', '']) expect(behindLetter(text, 'X')).toBeNull();
+});
+
+it('a work coordinate system is asked for as on the control', () => {
+  expect(systemNamed('G56')).toBe('G56');
+  expect(systemNamed('59')).toBe('G59');
+  for (const text of ['P6', 'P06', 'g54 p6']) expect(systemNamed(text)).toBe('G54 P6');
+  for (const text of ['G53', 'P0', 'P51', 'G5', '']) expect(systemNamed(text)).toBeNull();
 });

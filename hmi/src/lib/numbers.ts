@@ -33,3 +33,19 @@ export function typed(text: string): number | null {
   if (!/^[+-]?(\d+\.?\d*|\.\d+)$/.test(clean)) return null;
   return Number(clean);
 }
+
+/** The value behind the letter of an axis, as `X`, `X10` or `x-2,5`: without digits it is 0. Null where it is no such text. */
+export function behindLetter(text: string, letter: string): number | null {
+  const clean = text.trim();
+  if (clean.slice(0, letter.length).toUpperCase() !== letter.toUpperCase()) return null;
+  const value = clean.slice(letter.length).trim();
+  return value === '' ? 0 : typed(value);
+}
+
+/** The work coordinate system that `G56`, `P6` or `54` (one of the first six by its number) asks for. Null where it is none. */
+export function systemNamed(text: string): string | null {
+  const match = /^(?:G?\s*(5[4-9])|(?:G?\s*54\s*)?P\s*0*([1-9]\d?))$/i.exec(text.trim());
+  if (!match) return null;
+  if (match[1]) return `G${match[1]}`;
+  return Number(match[2]) <= 50 ? `G54 P${Number(match[2])}` : null;
+}

@@ -233,12 +233,14 @@ impl Corner {
                     continue;
                 }
                 let corner = self.swung(swing, SWING_SHARE * tolerance / depth, [d1, d2], inverse);
-                let fits = sides.iter().all(|(feed, drive)| {
-                    let foot = paced(corner.foot, pace_below(corner.foot, *feed, drive.j));
-                    2.0 * corner.reach + STOP_ROOM * foot.room(*drive) <= len
-                });
+                let fits = || {
+                    sides.iter().all(|(feed, drive)| {
+                        let foot = paced(corner.foot, pace_below(corner.foot, *feed, drive.j));
+                        2.0 * corner.reach + STOP_ROOM * foot.room(*drive) <= len
+                    })
+                };
                 let loss = corner.loss_between(sides);
-                if fits && loss < WORTH * least {
+                if loss < WORTH * least && fits() {
                     (best, least) = (corner, loss);
                 }
             }
@@ -303,15 +305,19 @@ impl Corner {
 
     /// The same where they are others before and behind it.
     fn loss_between(&self, sides: [(f64, Drive); 2]) -> f64 {
-        let pace = sides.map(|(feed, drive)| pace_below(self.foot, feed, drive.j));
-        let pace = pace[0].min(pace[1]);
+        let [(v0, drive0), (v1, drive1)] = sides;
+        let mut pace = pace_below(self.foot, v0, drive0.j);
+        if (v1, drive1.j) != (v0, drive0.j) {
+            pace = pace.min(pace_below(self.foot, v1, drive1.j));
+        }
         let foot = paced(self.foot, pace);
-        let lost = sides.map(|(feed, drive)| {
+        let lost = |(feed, drive): (f64, Drive)| {
             let way = foot.distance(feed, drive).unwrap_or(0.0);
             let ramp = crate::timing::ramp::Phases::new(foot, feed, drive).total();
             ramp - (way + self.reach) / feed
-        });
-        self.time / pace + lost[0] + lost[1]
+        };
+        let before = lost(sides[0]);
+        self.time / pace + before + if sides[1] == sides[0] { before } else { lost(sides[1]) }
     }
 }
 
@@ -361,12 +367,12 @@ pub(crate) fn paced(foot: Foot, pace: f64) -> Foot {
 
 /// Highest pace, up to 1, at which the acceleration can be gone before `speed` is passed.
 pub(crate) fn pace_below(foot: Foot, speed: f64, j: f64) -> f64 {
-    // pace·v + pace⁴·b ≤ speed, a rising convex function: Newton from above.
+    // pace·v + pace⁴·b ≤ speed, a rising convex function: Newton from above, where either term alone has all.
     let b = foot.a * foot.a / (2.0 * j);
     if foot.v + b <= speed {
         return 1.0;
     }
-    let mut pace = 1.0_f64;
+    let mut pace = (speed / b).sqrt().sqrt().min(speed / foot.v).min(1.0);
     for _ in 0..30 {
         let cube = pace * pace * pace;
         let step = (pace * foot.v + pace * cube * b - speed) / (foot.v + 4.0 * cube * b);

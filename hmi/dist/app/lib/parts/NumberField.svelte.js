@@ -9,13 +9,15 @@ function NumberField($$anchor, $$props) {
 	let digits = $.prop($$props, "digits", 3, 3), unit = $.prop($$props, "unit", 3, ""), minimum = $.prop($$props, "minimum", 19, () => -Infinity), maximum = $.prop($$props, "maximum", 3, Infinity), empty = $.prop($$props, "empty", 3, false), disabled = $.prop($$props, "disabled", 3, false), again = $.prop($$props, "again", 3, false);
 	/** Whether it may be left empty. */
 	/** Whether it is given also where it is what stands there already. */
+	/** What a text that is no number stands for; `null` where it is nothing. */
 	let draft = $.state(null);
 	const shown = $.derived(() => $.get(draft) ?? ($$props.value === null || $$props.value === void 0 ? "" : $$props.value.toFixed(digits())));
 	const parsed = $.derived(() => typed($.get(shown)));
-	const wrong = $.derived(() => $.get(draft) !== null && ($.get(draft).trim() === "" ? !empty() : $.get(parsed) === null || $.get(parsed) < minimum() || $.get(parsed) > maximum()));
+	const other = $.derived(() => $.get(draft) !== null && $.get(parsed) === null ? $$props.meant?.($.get(draft)) ?? null : null);
+	const wrong = $.derived(() => $.get(draft) !== null && $.get(other) === null && ($.get(draft).trim() === "" ? !empty() : $.get(parsed) === null || $.get(parsed) < minimum() || $.get(parsed) > maximum()));
 	function give() {
 		if ($.get(draft) === null) return;
-		if (!$.get(wrong)) {
+		if (!$.get(wrong) && $.get(other) === null) {
 			const next = $.get(draft).trim() === "" ? null : $.get(parsed);
 			if (again() || next !== $$props.value) $$props.onvalue(next);
 		}
@@ -47,7 +49,9 @@ function NumberField($$anchor, $$props) {
 	$.event("focus", input, (event) => event.currentTarget.select());
 	$.delegated("keydown", input, (event) => {
 		if (event.key === "Enter") {
+			const act = $.get(other);
 			if (!$.get(wrong)) give();
+			act?.();
 		} else if (event.key === "Escape" && $.get(draft) !== null) {
 			$.set(draft, null);
 			event.stopPropagation();

@@ -2,20 +2,25 @@ import { t } from "../../lib/i18n/index.svelte.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import Card from "../../lib/parts/Card.svelte.js";
 import NumberField from "../../lib/parts/NumberField.svelte.js";
+import { behindLetter, systemNamed } from "../../lib/numbers.js";
 import { machine } from "../../lib/state/machine.svelte.js";
+import { tick } from "svelte";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/settings/Zeros.svelte
-var root = $.from_html(`<!> <!>`, 1);
-var root_1 = $.from_html(`<th class="right s-1si0ian"> </th>`);
-var root_2 = $.from_html(`<td><div class="row s-1si0ian"><!> <!></div></td>`);
-var root_3 = $.from_html(`<tr><th scope="row" class="code s-1si0ian"> </th><!></tr>`);
-var root_4 = $.from_html(`<table class="table" data-testid="zeros"><thead><tr><th class="s-1si0ian"> </th><!></tr></thead><tbody></tbody></table>`);
-var root_5 = $.from_html(`<!> <p class="muted s-1si0ian"> </p>`, 1);
+var root = $.from_html(`<input data-testid="find-zero" placeholder="G56 · P6" autocomplete="off" spellcheck="false"/> <!> <!> <!>`, 1);
+var root_1 = $.from_html(`<th class="right s-ynbu7t"> </th>`);
+var root_2 = $.from_html(`<td><div class="row s-ynbu7t"><!> <!></div></td>`);
+var root_3 = $.from_html(`<tr><th scope="row" class="code s-ynbu7t"> </th><!></tr>`);
+var root_4 = $.from_html(`<table class="table" data-testid="zeros"><thead><tr><th class="s-ynbu7t"> </th><!></tr></thead><tbody></tbody></table>`);
+var root_5 = $.from_html(`<!> <p class="muted s-ynbu7t"> </p>`, 1);
 function Zeros($$anchor, $$props) {
 	$.push($$props, true);
 	let zeros = $.state({});
 	let more = $.state(false);
+	let add = $.state(false);
+	let wanted = $.state("");
+	let table = $.state(void 0);
 	const basic = [
 		"external",
 		"G54",
@@ -27,6 +32,27 @@ function Zeros($$anchor, $$props) {
 	];
 	const systems = $.derived(() => $.get(more) ? Array.from({ length: 50 }, (_, index) => `G54 P${index + 1}`) : basic);
 	const current = $.derived(() => machine.status?.position.system ?? "");
+	/** `X10` makes the machine position + 10 the zero, or − 10 by 10#5; `X` the place where the axis stands. */
+	function here(text, system, axis) {
+		const value = behindLetter(text, axis);
+		if (value === null) return null;
+		return () => void machine.tell({
+			do: "zero_here",
+			system,
+			axes: { [axis]: value },
+			typed: true
+		});
+	}
+	async function find() {
+		const system = systemNamed($.get(wanted));
+		if (system === null) return;
+		$.set(more, !basic.includes(system));
+		$.set(wanted, "");
+		await tick();
+		const row = $.get(table)?.querySelector(`[data-system="${system}"]`);
+		row?.scrollIntoView({ block: "center" });
+		row?.querySelector("input")?.focus();
+	}
 	$.user_effect(() => {
 		machine.changed("zeros");
 		if (machine.link !== "open") return;
@@ -39,35 +65,60 @@ function Zeros($$anchor, $$props) {
 	{
 		const actions = ($$anchor) => {
 			var fragment_1 = root();
-			var node_1 = $.first_child(fragment_1);
+			var input = $.first_child(fragment_1);
+			$.remove_input_defaults(input);
+			let classes;
+			var node_1 = $.sibling(input, 2);
+			Button(node_1, {
+				get pressed() {
+					return $.get(add);
+				},
+				onclick: () => $.set(add, !$.get(add)),
+				children: ($$anchor, $$slotProps) => {
+					$.next();
+					var text_1 = $.text();
+					$.template_effect(($0) => $.set_text(text_1, $0), [() => t("offsets.add")]);
+					$.append($$anchor, text_1);
+				},
+				$$slots: { default: true }
+			});
+			var node_2 = $.sibling(node_1, 2);
 			{
 				let $0 = $.derived(() => !$.get(more));
-				Button(node_1, {
+				Button(node_2, {
 					get pressed() {
 						return $.get($0);
 					},
 					onclick: () => $.set(more, false),
 					children: ($$anchor, $$slotProps) => {
 						$.next();
-						var text = $.text("G54 – G59");
-						$.append($$anchor, text);
+						var text_2 = $.text("G54 – G59");
+						$.append($$anchor, text_2);
 					},
 					$$slots: { default: true }
 				});
 			}
-			var node_2 = $.sibling(node_1, 2);
-			Button(node_2, {
+			var node_3 = $.sibling(node_2, 2);
+			Button(node_3, {
 				get pressed() {
 					return $.get(more);
 				},
 				onclick: () => $.set(more, true),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_1 = $.text("G54 P1 – P50");
-					$.append($$anchor, text_1);
+					var text_3 = $.text("G54 P1 – P50");
+					$.append($$anchor, text_3);
 				},
 				$$slots: { default: true }
 			});
+			$.template_effect(($0, $1) => {
+				classes = $.set_class(input, 1, "find number s-ynbu7t", null, classes, { wrong: $0 });
+				$.set_attribute(input, "aria-label", $1);
+			}, [() => $.get(wanted).trim() !== "" && systemNamed($.get(wanted)) === null, () => t("settings.find_zero")]);
+			$.delegated("keydown", input, (event) => {
+				if (event.key === "Enter") find();
+			});
+			$.bind_value(input, () => $.get(wanted), ($$value) => $.set(wanted, $$value));
 			$.append($$anchor, fragment_1);
 		};
 		let $0 = $.derived(() => t("settings.zeros"));
@@ -79,16 +130,16 @@ function Zeros($$anchor, $$props) {
 			flush: true,
 			actions,
 			children: ($$anchor, $$slotProps) => {
-				var table = root_4();
-				var thead = $.child(table);
+				var table_1 = root_4();
+				var thead = $.child(table_1);
 				var tr = $.child(thead);
 				var th = $.child(tr);
-				var text_2 = $.only_child(th, true);
-				var node_3 = $.sibling(th);
-				$.each(node_3, 16, () => machine.axes, (axis) => axis, ($$anchor, axis) => {
+				var text_4 = $.only_child(th, true);
+				var node_4 = $.sibling(th);
+				$.each(node_4, 16, () => machine.axes, (axis) => axis, ($$anchor, axis) => {
 					var th_1 = root_1();
-					var text_3 = $.only_child(th_1, true);
-					$.template_effect(() => $.set_text(text_3, axis));
+					var text_5 = $.only_child(th_1, true);
+					$.template_effect(() => $.set_text(text_5, axis));
 					$.append($$anchor, th_1);
 				});
 				$.reset(tr);
@@ -96,34 +147,42 @@ function Zeros($$anchor, $$props) {
 				var tbody = $.sibling(thead);
 				$.each(tbody, 20, () => $.get(systems), (system) => system, ($$anchor, system) => {
 					var tr_1 = root_3();
-					let classes;
+					let classes_1;
 					var th_2 = $.child(tr_1);
-					var text_4 = $.only_child(th_2, true);
-					var node_4 = $.sibling(th_2);
-					$.each(node_4, 16, () => machine.axes, (axis) => axis, ($$anchor, axis) => {
+					var text_6 = $.only_child(th_2, true);
+					var node_5 = $.sibling(th_2);
+					$.each(node_5, 16, () => machine.axes, (axis) => axis, ($$anchor, axis) => {
 						var td = root_2();
 						var div = $.child(td);
-						var node_5 = $.child(div);
+						var node_6 = $.child(div);
 						{
 							let $0 = $.derived(() => $.get(zeros)[system]?.[axis] ?? 0);
 							let $1 = $.derived(() => `${system} ${axis}`);
-							NumberField(node_5, {
+							let $2 = $.derived(() => system === "external" ? void 0 : (text) => here(text, system, axis));
+							NumberField(node_6, {
 								get value() {
 									return $.get($0);
 								},
+								get again() {
+									return $.get(add);
+								},
 								get label() {
 									return $.get($1);
+								},
+								get meant() {
+									return $.get($2);
 								},
 								onvalue: (value) => {
 									if (value !== null) machine.tell({
 										do: "set_zero",
 										system,
-										axes: { [axis]: value }
+										axes: { [axis]: value },
+										add: $.get(add)
 									});
 								}
 							});
 						}
-						var node_6 = $.sibling(node_5, 2);
+						var node_7 = $.sibling(node_6, 2);
 						var consequent = ($$anchor) => {
 							{
 								let $0 = $.derived(() => t("settings.here", { axis }));
@@ -144,7 +203,7 @@ function Zeros($$anchor, $$props) {
 								});
 							}
 						};
-						$.if(node_6, ($$render) => {
+						$.if(node_7, ($$render) => {
 							if (system !== "external") $$render(consequent);
 						});
 						$.reset(div);
@@ -154,15 +213,16 @@ function Zeros($$anchor, $$props) {
 					$.reset(tr_1);
 					$.template_effect(($0) => {
 						$.set_attribute(tr_1, "data-system", system);
-						classes = $.set_class(tr_1, 1, "s-1si0ian", null, classes, { current: system === $.get(current) });
-						$.set_text(text_4, $0);
+						classes_1 = $.set_class(tr_1, 1, "s-ynbu7t", null, classes_1, { current: system === $.get(current) });
+						$.set_text(text_6, $0);
 					}, [() => system === "external" ? t("settings.external") : system]);
 					$.append($$anchor, tr_1);
 				});
 				$.reset(tbody);
-				$.reset(table);
-				$.template_effect(($0) => $.set_text(text_2, $0), [() => t("settings.system")]);
-				$.append($$anchor, table);
+				$.reset(table_1);
+				$.bind_this(table_1, ($$value) => $.set(table, $$value), () => $.get(table));
+				$.template_effect(($0) => $.set_text(text_4, $0), [() => t("settings.system")]);
+				$.append($$anchor, table_1);
 			},
 			$$slots: {
 				actions: true,
@@ -171,9 +231,10 @@ function Zeros($$anchor, $$props) {
 		});
 	}
 	var p = $.sibling(node, 2);
-	var text_5 = $.only_child(p, true);
-	$.template_effect(($0) => $.set_text(text_5, $0), [() => t("settings.zeros_hint")]);
+	var text_7 = $.only_child(p, true);
+	$.template_effect(($0) => $.set_text(text_7, $0), [() => t("settings.zeros_hint")]);
 	$.append($$anchor, fragment);
 	$.pop();
 }
+$.delegate(["keydown"]);
 export { Zeros as default };
