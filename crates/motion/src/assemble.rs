@@ -5,6 +5,9 @@
 //! into the queue (as the **flow**, which for an arc of many turns may have to wait for room), and the new move
 //! is the open one. [`Assembler::close`] ends the open move at rest instead.
 //!
+//! A line between two corners that may be run with both of them as one ([`crate::path::link`]) is **held** back until it is
+//! known that the move behind it is longer, or goes on.
+//!
 //! Lines that run into each other without a sharp corner are gathered into a **chain**, of which the open move is
 //! the last; it is smoothed as a whole ([`crate::path::smooth`]) when its end is known or when it is long.
 
@@ -23,6 +26,9 @@ const LEAST_CELL: f64 = 1e-10;
 
 /// A path that hardly moves the measured coordinates is not run faster for it.
 const LEAST_STRETCH: f64 = 0.5;
+
+/// The ways before and behind a line that is run as one with its corners are so many times as long.
+const LONGER: f64 = 1.2;
 
 /// In how many cells an ease is planned at least.
 const EASE_SLICES: f64 = 3.0;
@@ -51,8 +57,15 @@ enum Start {
     /// Run through, at no more than this speed.
     Plain(f64),
     Ease(Ease),
-    /// And of which kind the move before it is.
-    Corner(Corner, Class),
+    Corner(Corner, Before),
+}
+
+/// The move before a corner.
+#[derive(Clone, Copy, Debug)]
+struct Before {
+    class: Class,
+    /// How far it is straight there, mm.
+    room: f64,
 }
 
 /// The newest move.
@@ -62,6 +75,20 @@ struct Open {
     start: Start,
     /// Where on the path it begins, mm.
     s: f64,
+}
+
+impl Open {
+    /// How it runs into `next`; it may be `chained` to a line before it.
+    fn join(&self, next: &Member, chained: bool, rules: &JointRules, inverses: &Inverses) -> Joint {
+        let behind_corner = !chained && matches!(self.start, Start::Corner(..));
+        self.member.join(next, behind_corner, rules, inverses)
+    }
+
+    /// How far it is straight before its end, mm.
+    fn room(&self) -> f64 {
+        let taken = if let Start::Corner(corner, _) = self.start { corner.reach } else { 0.0 };
+        if self.member.piece.is_plain_line() { self.member.piece.len() - taken } else { 0.0 }
+    }
 }
 
 /// How a move ends.
@@ -95,6 +122,43 @@ fn basis(member: &Member, rates: &Rates) -> f64 {
     }
 }
 
+/// A line between two corners, and what it is with them if the move behind it is long enough.
+#[derive(Clone, Copy, Debug)]
+struct Held {
+    line: Open,
+    end: Corner,
+    link: Corner,
+    before: Before,
+}
+
+impl Held {
+    /// The line `open`, which ends with this corner, if it can be run as one with it and the one it begins with.
+    fn new(open: &Open, end: Corner, next: &Member, inverses: &Inverses) -> Option<Held> {
+        let Start::Corner(corner, before) = open.start else { return None };
+        let (member, len) = (&open.member, open.member.piece.len());
+        let are_alike = [before.class, member.class, next.class] == [Class::Cut; 3]
+            && member.rpm == next.rpm
+            && member.inner.is_none()
+            && next.inner.is_none();
+        let is_line = member.piece.is_plain_line() && next.piece.is_plain_line();
+        if !are_alike || !is_line || before.room < LONGER * len {
+            return None;
+        }
+        let inverse = inverses.of(Class::Cut);
+        let direction = member.piece.tangent(0.0);
+        let mut link = corner.linked(&end, direction, len, inverse)?;
+        (link.feed, link.cap) = (member.feed, link.cap.min(member.most));
+        let top = link.foot.top(inverse.straight(&direction.0).j);
+        let is_fast = member.feed.min(next.feed).min(link.cap) >= top * link.haste;
+        is_fast.then_some(Held { line: *open, end, link, before })
+    }
+
+    /// The line on its own.
+    fn flow(&self) -> Flow {
+        Flow { open: self.line, end: End::Corner(self.end), chain: None, at: 0.0, begun: false }
+    }
+}
+
 /// Turns moves into cells.
 #[derive(Debug)]
 pub(crate) struct Assembler {
@@ -105,6 +169,8 @@ pub(crate) struct Assembler {
     /// A short arc as the newest move: what follows decides whether it is smoothed with the lines beside it.
     arc: Option<Member>,
     open: Option<Open>,
+    /// Before the open move.
+    held: Option<Held>,
     flow: Option<Flow>,
     closing: bool,
     smoother: Smoother,
@@ -124,6 +190,7 @@ impl Assembler {
             parts: Vec::with_capacity(MOST_CHORDS as usize + 3),
             arc: None,
             open: None,
+            held: None,
             flow: None,
             closing: false,
             smoother: Smoother::new(*inverses.of(Class::Cut)),
@@ -140,6 +207,7 @@ impl Assembler {
         self.parts.clear();
         self.arc = None;
         self.open = None;
+        self.held = None;
         self.flow = None;
         self.closing = false;
         self.smoother.clear();
@@ -228,6 +296,15 @@ impl Assembler {
 
     /// Takes a part of a move. The caller saw that nothing is on its way into the queue.
     fn push_member(&mut self, member: &mut Member, queue: &mut Queue) {
+        if let (Some(held), Some(open)) = (self.held.take(), &self.open) {
+            if let Joint::Chain = open.join(member, false, &self.rules, &self.inverses) {
+                self.link(&held, queue);
+            } else {
+                self.flow = Some(held.flow());
+                self.parts.push(*member);
+                return;
+            }
+        }
         let s = self.s;
         self.s += if let Piece::Axes { .. } = member.piece { AXES_LENGTH } else { member.piece.len() };
         let Some(open) = &mut self.open else {
@@ -239,7 +316,7 @@ impl Assembler {
         {
             self.smoother.slow_last(feed);
         }
-        let joint = match open.member.join(member, &self.rules, &self.inverses) {
+        let joint = match open.join(member, self.chained, &self.rules, &self.inverses) {
             // What is lost in rounding behind so long a path is not smoothed.
             Joint::Chain if is_lost(open.member.piece.len().min(member.piece.len()), self.s) => Joint::Rest,
             joint => joint,
@@ -249,12 +326,34 @@ impl Assembler {
             Joint::Rest => (End::Rest(open.member.piece.end()), Start::Rest),
             Joint::Through(cap) => (End::Through, Start::Plain(cap)),
             Joint::Ease(ease) => (End::Ease(ease), Start::Ease(ease.behind())),
-            Joint::Corner(corner) => (End::Corner(corner), Start::Corner(corner, open.member.class)),
+            Joint::Corner(corner) => {
+                if !self.chained
+                    && let Some(held) = Held::new(open, corner, member, &self.inverses)
+                {
+                    let start = Start::Corner(corner, held.before);
+                    self.open = Some(Open { member: *member, start, s });
+                    if member.piece.len() >= LONGER * held.line.member.piece.len() {
+                        self.link(&held, queue);
+                    } else {
+                        self.held = Some(held);
+                    }
+                    return;
+                }
+                let room = if self.chained { f64::INFINITY } else { open.room() };
+                (End::Corner(corner), Start::Corner(corner, Before { class: open.member.class, room }))
+            }
         };
         let open = std::mem::replace(open, Open { member: *member, start, s });
         let chain = self.chained.then_some(false);
         self.chained = false;
         self.flow = Some(Flow { open, end, chain, at: 0.0, begun: false });
+    }
+
+    /// The line before the open move is run as one with the corners at its ends.
+    fn link(&mut self, held: &Held, queue: &mut Queue) {
+        let Some(open) = &mut self.open else { return };
+        queue.mark(open.s, held.line.member.tag);
+        open.start = Start::Corner(held.link, held.before);
     }
 
     /// The open line runs on into the line `next`, which begins at `s`.
@@ -332,6 +431,10 @@ impl Assembler {
                 // Nothing is behind it that a chord would have to be joined to.
                 self.push_arc(None);
                 self.parts.reverse();
+                continue;
+            }
+            if let Some(held) = self.held.take() {
+                self.flow = Some(held.flow());
                 continue;
             }
             self.closing = false;
@@ -531,18 +634,25 @@ impl Assembler {
             Start::Corner(corner, before) => {
                 let cell = Cell::new(Shape::Corner(corner), None);
                 let rates = corner.rates();
-                let inverse = self.inverses.beside(before, open.member.class);
+                let inverse = self.inverses.beside(before.class, open.member.class);
                 let top = inverse.speed(&rates);
+                // Faster in it than at its ends, it is as much slower there.
+                let most = (corner.cap.min(open.member.most) / corner.haste).min(f64::MAX);
                 let node = Node {
-                    s: open.s - corner.reach,
-                    len: 2.0 * corner.reach,
+                    s: open.s - corner.begin(),
+                    len: corner.begin() + corner.reach,
                     load: inverse.load(&rates),
-                    top: corner.cap.min(open.member.most).min(f64::MAX),
-                    most: corner.cap.min(open.member.most).min(f64::MAX),
-                    feed: open.member.feed,
+                    top: most,
+                    most,
+                    feed: open.member.feed.min(corner.feed) / corner.haste,
                     basis: basis(&open.member, &rates),
                     class: open.member.class,
-                    pass: Pass::Corner { foot: corner.foot, time: corner.time, top },
+                    pass: Pass::Corner {
+                        foot: corner.foot,
+                        time: corner.time,
+                        top,
+                        is_link: corner.is_link(),
+                    },
                     rests: false,
                 };
                 queue.append(cell, node);

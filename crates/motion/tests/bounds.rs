@@ -317,7 +317,7 @@ fn rasters() {
             "raster with square ends",
             of(&raster(10, 25.0, 0.4, 0.5, false)),
             [2.05385, 2.51812],
-            [1.025, 1.17],
+            [1.025, 1.10],
         ),
     ]);
 }

@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{Event, Run, arc, line, round_machine, run, run_with};
+use common::{Event, Run, arc, demo, line, round_machine, run, run_with};
 use ferrocut_geometry::{Plane, Position};
 use ferrocut_machine::{ArcSlowdown, CornerSlowdown, Machine};
 use ferrocut_motion::{Motion, Move};
@@ -454,5 +454,55 @@ fn positioning_runs_on_into_cutting_within_its_tolerance() {
         run.check_feed();
         run.check_path(0.05 + 1e-6);
         assert_eq!(run.stops_inside(), stops, "{path:?}");
+    }
+}
+
+/// Rows of 25 mm on the demo mill, joined by lines of so much.
+fn rows(across: f64, tolerance: f64) -> Vec<Op> {
+    let (mode, feed) = (PathMode::ContinuousWithin(tolerance), 12_000.0);
+    let mut ops = Vec::new();
+    for row in 0..6 {
+        let (x, y) = (if row % 2 == 0 { 25.0 } else { 0.0 }, f64::from(row) * across);
+        ops.extend([line(x, y, 0.0, feed, mode), line(x, y + across, 0.0, feed, mode)]);
+    }
+    ops.pop();
+    ops
+}
+
+#[test]
+fn a_short_line_between_rows_costs_no_stop() {
+    let mut machine = demo();
+    // What X may.
+    let (a, j, v) = (2000.0, 50_000.0, 10_000.0 / 60.0);
+    for (across, tolerance) in [(0.2, 0.01), (0.4, 0.01), (0.4, 0.05), (0.8, 0.2)] {
+        machine.path.tolerance = tolerance;
+        let run = judged(&machine, &rows(across, tolerance));
+        assert!(!run.stops_inside());
+        // Rows from rest to rest, and what the short lines take beyond what both their ends overlap.
+        let row = 25.0 / v + v / a + a / j;
+        let reach = (8.0 * tolerance / 2.0_f64.sqrt()).min(0.4 * across);
+        let end = 4.0 * (across / (2.0 * j)).cbrt() - 2.0 * (6.0 * reach / j).cbrt();
+        let least = 6.0 * row + 5.0 * end;
+        assert!(run.time() < 1.015 * least, "{across} within {tolerance}: {} s, of {least} s", run.time());
+    }
+}
+
+#[test]
+fn rows_are_held_and_overridden_at_any_instant() {
+    let machine = demo();
+    let ops = rows(0.4, 0.01);
+    let plain = judged(&machine, &ops);
+    for tick in (40..plain.samples.len() - 20).step_by(7) {
+        let events = [
+            (tick, Event::Hold),
+            (tick + 400, Event::Override(0.05 + 0.1 * (tick % 15) as f64, 1.0)),
+            (tick + 401, Event::Resume),
+        ];
+        let run = run_with(&machine, Position::ZERO, &ops, &events, &[]);
+        run.check_limits(&machine);
+        run.check_path(0.01 + 1e-6);
+        assert_eq!(run.samples.last().unwrap().position, *ops.last().unwrap().target().unwrap());
+        let held = &run.samples[tick + 399];
+        assert!(held.velocity == 0.0, "held at {tick}: {held:?}");
     }
 }

@@ -60,6 +60,14 @@ enum Piece {
         x: f64,
         feed: f64,
     },
+    /// Rows to and fro, with short lines between them.
+    Rows {
+        count: usize,
+        row: f64,
+        across: [f64; 2],
+        feed: f64,
+        tolerance: f64,
+    },
     Nothing,
 }
 
@@ -101,6 +109,8 @@ fn piece() -> impl Strategy<Value = Piece> {
         1 => (vector(60.0), any::<bool>()).prop_map(|(d, straight)| Piece::Rapid { d, straight }),
         1 => (-40.0..40.0f64, prop_oneof![Just(0.0), -5.0..5.0f64, Just(1e-5)], feed())
             .prop_map(|(a, x, feed)| Piece::Rotary { a, x, feed }),
+        1 => (2..6usize, 0.2..20.0f64, [0.01..1.5f64, -0.5..0.5f64], feed(), 1e-3..0.3f64)
+            .prop_map(|(count, row, across, feed, tolerance)| Piece::Rows { count, row, across, feed, tolerance }),
         1 => Just(Piece::Nothing),
     ]
 }
@@ -177,6 +187,19 @@ fn build(pieces: &[Piece]) -> Vec<Op> {
                 at[Axis::A] += a;
                 at[Axis::X] += x;
                 ops.push(feed_op(at, feed, PathMode::Continuous));
+            }
+            Piece::Rows { count, row, across: [across, along], feed, tolerance } => {
+                let (sin, cos) = heading.sin_cos();
+                for k in 0..2 * count {
+                    let (x, y) = match k % 4 {
+                        0 => (row, 0.0),
+                        2 => (-row, 0.0),
+                        _ => (along * across, across),
+                    };
+                    at = at + Position::xyz(x * cos - y * sin, x * sin + y * cos, 0.0);
+                    at = Position(at.0.map(|c| round(c, 1e-4)));
+                    ops.push(feed_op(at, feed, PathMode::ContinuousWithin(tolerance)));
+                }
             }
             Piece::Nothing => ops.push(feed_op(at, 100.0, PathMode::Continuous)),
         }

@@ -29,6 +29,10 @@ fn program() -> Vec<Op> {
         let y = 10.0 + 8.0 * (1.0 - phi.cos());
         ops.push(line(18.0 + 8.0 * phi.sin(), y, 1.0 + 0.1 * phi, 5000.0, GO));
     }
+    // Rows with a short line between them.
+    let Position([x, y, z, ..]) = *ops[ops.len() - 1].target().unwrap();
+    let rows = [(6.0, 0.0), (6.0, 0.3), (0.0, 0.3), (0.0, 0.6), (6.0, 0.6)];
+    ops.extend(rows.map(|(u, v)| line(x + u, y + v, z, 5000.0, GO)));
     let at = |x: f64, y: f64, z: f64| Position::xyz(x, y, z);
     ops.push(Op::Rapid { to: at(40.0, 20.0, 5.0), straight: true, speed: None, path: PathMode::ON_PATH });
     ops.push(Op::Rapid { to: at(30.0, 40.0, 9.0), straight: false, speed: None, path: PathMode::ON_PATH });

@@ -45,11 +45,13 @@
 //! In the middle both are `u = r/8` from the vertex, and the curves bend by `κ₁`, `κ₂`: `u·|d₂−d₁| + 2u²·(κ₁+κ₂) ≤ δ`.
 //!
 //! **Between two lines** the way of each may go back a little first: the path then swings out within the tolerance before
-//! it turns and behind it ([`crate::path::swing`]).
+//! it turns and behind it ([`crate::path::swing`]). Two corners with a **short line** between them are run as one
+//! ([`crate::path::link`]).
 //!
 //! A corner run at the share `λ` of its pace has speed `λ·v` and acceleration `λ²·a`, its jerk is `λ³` of the whole.
 
 use crate::limits::{Drive, Inverse, Rates, peak};
+use crate::path::link::Link;
 use crate::path::piece::{Piece, Reach};
 use crate::path::swing::Swing;
 use crate::timing::ramp::{Foot, distance, duration};
@@ -64,6 +66,8 @@ enum Form {
     Parabola,
     /// The jerk, in parts: it swings out before and behind.
     Swing(Swing),
+    /// The jerk, beside a short line and on it in parts.
+    Link(Link),
 }
 
 impl Form {
@@ -74,7 +78,7 @@ impl Form {
     /// The share of the reach that both sides are from the vertex in the middle.
     fn depth(self) -> f64 {
         match self {
-            Form::Cubic => 1.0 / 8.0,
+            Form::Cubic | Form::Link(_) => 1.0 / 8.0,
             Form::Parabola => 1.0 / 4.0,
             Form::Swing(swing) => swing.at(0.5)[0],
         }
@@ -91,14 +95,26 @@ impl Form {
                 let top = swing.at(1.0)[1];
                 [[left, gone], [slower / top, faster / top]]
             }
+            Form::Link(link) => {
+                let [[left, slower], _, [gone, faster]] = link.at(x);
+                [[left, gone], [slower, faster]]
+            }
         }
+    }
+
+    /// How far it is on the line between its vertices, and how fast, for a duration of 1.
+    fn middle(self, x: f64) -> Option<[Position; 2]> {
+        let Form::Link(link) = self else { return None };
+        let [_, way, _] = link.at(x);
+        Some(way.map(|way| Position(link.d.0.map(|d| d * way))))
     }
 }
 
-/// A rounded corner.
+/// A rounded corner, or two with a short line between them.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Corner {
     form: Form,
+    /// The first of them.
     vertex: Position,
     before: Reach,
     after: Reach,
@@ -110,6 +126,10 @@ pub(crate) struct Corner {
     pub foot: Foot,
     /// Highest speed at its ends, mm/s, by the rules of corners.
     pub cap: f64,
+    /// Programmed speed of the line between its vertices, mm/s; infinite where there is none.
+    pub feed: f64,
+    /// How many times the speed at its ends is the highest in it, if that is higher.
+    pub haste: f64,
 }
 
 /// Share of the tolerance that a parabola takes: between setpoints that are a period apart drives do not see the jump of
@@ -174,7 +194,7 @@ impl Corner {
                 let time = (2.0 * reach * inverse.turn_time(&change, turn + 4.0 * reach * bend)).sqrt();
                 (time, Foot::still(2.0 * reach / time))
             }
-            Form::Cubic | Form::Swing(_) => {
+            Form::Cubic | Form::Swing(_) | Form::Link(_) => {
                 let straight =
                     Position(std::array::from_fn(|i| rates.first[i] + 1.5 * reach * rates.second[i]));
                 // The jerk for an acceleration of 1.
@@ -201,7 +221,48 @@ impl Corner {
             time,
             foot,
             cap: f64::INFINITY,
+            feed: f64::INFINITY,
+            haste: 1.0,
         })
+    }
+
+    /// This corner and the `next`, both between lines, run as one with the line of `len` in the direction `d` between them, if
+    /// that is so short that they could not be run at their pace with a way to stop between them, and no shorter than they
+    /// take.
+    pub fn linked(&self, next: &Corner, d: Position, len: f64, inverse: &Inverse) -> Option<Corner> {
+        let are_plain =
+            self.form == Form::Cubic && next.form == Form::Cubic && self.reach <= next.reach * (1.0 + 1e-9);
+        let drive = inverse.straight(&d.0);
+        let foot = if self.foot.v > next.foot.v { self.foot } else { next.foot };
+        if !are_plain || 2.0 * self.reach + STOP_ROOM * foot.room(drive) <= len {
+            return None;
+        }
+        let sides = [self.before.slope(0.0), next.after.slope(0.0)];
+        let linked = Link::new(self.reach, d, len, sides, inverse)?;
+        Some(Corner {
+            form: Form::Link(linked.link),
+            after: next.after,
+            time: linked.time,
+            foot: linked.foot,
+            cap: self.cap.min(next.cap),
+            haste: (linked.peak / linked.foot.v).max(1.0),
+            ..*self
+        })
+    }
+
+    /// The length between its vertices.
+    fn between(&self) -> f64 {
+        if let Form::Link(link) = self.form { link.len } else { 0.0 }
+    }
+
+    /// Whether it is more than one, which are never stopped at.
+    pub fn is_link(&self) -> bool {
+        matches!(self.form, Form::Link(_))
+    }
+
+    /// How far before its last vertex it begins.
+    pub fn begin(&self) -> f64 {
+        self.reach + self.between()
     }
 
     /// The same corner between two lines that swings out, if that is quicker with the speeds and drives that the lines
@@ -276,18 +337,26 @@ impl Corner {
     /// The point at the share `x` of the duration.
     pub fn at(&self, x: f64) -> Position {
         let [[left, gone], _] = self.form.sides(x);
-        self.vertex + self.before.at(-left * self.reach) + self.after.at(gone * self.reach)
+        let p = self.vertex + self.before.at(-left * self.reach) + self.after.at(gone * self.reach);
+        self.form.middle(x).map_or(p, |[way, _]| p + way)
     }
 
     /// Bounds of the derivatives of the two moves, for a corner that is stopped at.
     pub fn rates(&self) -> Rates {
-        both(&self.before.rates(self.reach), &self.after.rates(self.reach))
+        let rates = both(&self.before.rates(self.reach), &self.after.rates(self.reach));
+        let Form::Link(link) = self.form else { return rates };
+        both(&rates, &Rates { first: link.d.0, second: [0.0; AXES], third: [0.0; AXES] })
     }
 
     /// The point at length `s` on the two moves.
     pub fn square(&self, s: f64) -> Position {
         let off = s - self.reach;
-        self.vertex + if off < 0.0 { self.before.at(off) } else { self.after.at(off) }
+        if off < 0.0 {
+            return self.vertex + self.before.at(off);
+        }
+        let Form::Link(link) = self.form else { return self.vertex + self.after.at(off) };
+        let on = off.min(link.len);
+        self.vertex + Position(link.d.0.map(|d| d * on)) + self.after.at(off - on)
     }
 
     /// Speed at the share `x`, at full pace.
@@ -295,7 +364,9 @@ impl Corner {
         let [[left, gone], [slower, faster]] = self.form.sides(x);
         let (before, after) = (self.before.slope(-left * self.reach), self.after.slope(gone * self.reach));
         let v: [f64; AXES] = std::array::from_fn(|i| before.0[i] * slower + after.0[i] * faster);
-        norm(&v) * self.foot.v
+        let Some([_, way]) = self.form.middle(x) else { return norm(&v) * self.foot.v };
+        let v: [f64; AXES] = std::array::from_fn(|i| v[i] * self.foot.v + way.0[i] / self.time);
+        norm(&v)
     }
 
     /// What the corner costs against running on with speed `feed` on lines with `drive`, s.
@@ -322,12 +393,12 @@ impl Corner {
 }
 
 /// The share of the bounds that this acceleration takes.
-fn of_acceleration(a: &Position, inverse: &Inverse) -> f64 {
+pub(crate) fn of_acceleration(a: &Position, inverse: &Inverse) -> f64 {
     peak(&a.0, &inverse.acceleration).max(norm(&a.0) * inverse.along[0])
 }
 
 /// The same of a jerk.
-fn of_jerk(j: &Position, inverse: &Inverse) -> f64 {
+pub(crate) fn of_jerk(j: &Position, inverse: &Inverse) -> f64 {
     peak(&j.0, &inverse.jerk).max(norm(&j.0) * inverse.along[1])
 }
 

@@ -54,6 +54,11 @@ const CRAWL: f64 = 1.0;
 const TIGHT: f64 = 2.5;
 const TIGHT_CHORD: f64 = 1.0;
 
+/// A short line beside one at least so many times as long, into which it turns by more than 60°, may be what joins two rows
+/// ([`crate::path::link`]); a curve through all of it is quicker only where the tolerance is more than this share of it.
+const ROW: f64 = 12.0;
+const ROW_CURVE: f64 = 0.6;
+
 /// Share of the shorter line that a corner takes at most.
 const CORNER_ROOM: f64 = 0.4;
 
@@ -219,7 +224,10 @@ impl Member {
         }
         let (dir, len) = line.next(&m.to)?;
         let shorter = line.len.min(len);
-        if !turns_little(&line.dir.0, &dir, shorter, tolerance) || is_lost(shorter, s + len) {
+        if !turns_little(&line.dir.0, &dir, shorter, tolerance)
+            || ends_row(line.len, len, chord(&line.dir.0[..3], &dir), tolerance)
+            || is_lost(shorter, s + len)
+        {
             return None;
         }
         line.go_on(&m.to, dir, len);
@@ -253,8 +261,8 @@ impl Member {
         Some(speed)
     }
 
-    /// How this move, `room` of which is left to the joint, runs into `next`.
-    pub fn join(&self, next: &Member, rules: &JointRules, inverses: &Inverses) -> Joint {
+    /// How this move, which may be one `behind_corner`, runs into `next`.
+    pub fn join(&self, next: &Member, behind_corner: bool, rules: &JointRules, inverses: &Inverses) -> Joint {
         let inverse = inverses.beside(self.class, next.class);
         let Some(tolerance) = self.tolerance else { return Joint::Rest };
         // What is beside a joint is of both moves. An exact stop has a tolerance at its end alone, and so has the last piece
@@ -279,14 +287,29 @@ impl Member {
             Some(corner) if matches!(self.class, Class::Cut | Class::Full) => corner.speed(&before, &after),
             _ => f64::INFINITY,
         };
-        if is_chain && cap == f64::INFINITY && runs_on(&before, &after, len.min(next_len), tolerance) {
+        let drive = inverse.straight(&before.0).min(inverse.straight(&after.0));
+        let top = || self.top(inverse, len).min(next.top(inverse, 0.0));
+        let [row, link] = if behind_corner && next_len > len { [next_len, len] } else { [len, next_len] };
+        let corner = || {
+            let room = CORNER_ROOM * len.min(next_len);
+            let corner = Corner::new(&self.piece, &next.piece, tolerance, room, inverse);
+            corner.map(|corner| corner.capped(cap))
+        };
+        // At a slow feed a curve is run without slowing down.
+        let is_row = is_chain
+            && ends_row(row, link, chord(&before.0, &after.0), tolerance)
+            && corner().is_some_and(|corner| {
+                corner.foot.top(drive.j) <= top().min(self.feed).min(next.feed).min(cap)
+            });
+        let is_simple = is_chain && !is_row && cap == f64::INFINITY;
+        if is_simple && runs_on(&before, &after, len.min(next_len), tolerance) {
             return Joint::Chain;
         }
         let jump = after - before;
         let bend = next.piece.bend(0.0) - self.piece.bend(len);
         // Rotary axes that turn much a millimetre would hide a reversal of X, Y, Z.
         let angle = turn(&before.0, &after.0).max(turn(&before.0[..3], &after.0[..3]));
-        let top = self.top(inverse, len).min(next.top(inverse, 0.0));
+        let top = top();
         let is_slow = cap < top;
         let top = top.min(cap);
         // Several joints may fall into the periods that jerk is seen over.
@@ -306,13 +329,8 @@ impl Member {
         }
         let room = 0.5 * len.min(next_len);
         let ease = Ease::new(len, jump, bend, tolerance, room, top, inverse).map(|ease| Ease { cap, ..ease });
-        let drive = inverse.straight(&before.0).min(inverse.straight(&after.0));
         let feed = top.min(self.feed).min(next.feed);
         let shorter = CORNER_ROOM * len.min(next_len);
-        let corner = || {
-            Corner::new(&self.piece, &next.piece, tolerance, shorter, inverse)
-                .map(|corner| corner.capped(cap))
-        };
         let (Piece::Line(_), Piece::Line(_)) = (&self.piece, &next.piece) else {
             return match ease {
                 Some(ease) if angle <= ARC_CHORD || ease.speed(inverse) >= feed => Joint::Ease(ease),
@@ -326,7 +344,9 @@ impl Member {
             let room = len.min(next_len) - 2.0 * corner.reach;
             !is_other && angle < TIGHT_CHORD && room < TIGHT * corner.foot.room(drive)
         };
-        let corner = corner().filter(|corner| !is_chain || corner.reach < shorter && !is_tight(corner));
+        let is_better = |corner: &Corner| is_row || corner.reach < shorter && !is_tight(corner);
+        let corner = corner().filter(|corner| !is_chain || is_better(corner));
+        let ease = ease.filter(|_| !is_row || corner.is_none());
         match choose(ease, corner, feed, drive, inverse) {
             Some(Joint::Ease(_)) if is_chain => Joint::Chain,
             // Between lines alone, on which it may speed up to this on half of them.
@@ -427,6 +447,19 @@ fn turns_little(before: &[f64; AXES], after: &[f64; 3], len: f64, tolerance: f64
         && tolerance >= LEAST_RUN
         && square <= RUN_CHORD * RUN_CHORD
         && square * (room * room) <= most * most
+}
+
+/// Whether `link` is a line between two rows, of which the one beside it is `row` long, so that a curve through both is slower
+/// than corners; they turn by so much, as the distance of their directions.
+#[inline]
+fn ends_row(row: f64, link: f64, chord: f64, tolerance: f64) -> bool {
+    row >= ROW * link && tolerance <= ROW_CURVE * link && chord > TIGHT_CHORD
+}
+
+/// The distance of two directions.
+#[inline]
+fn chord(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
 }
 
 /// The quicker of both.

@@ -3,6 +3,7 @@
 pub(crate) mod corner;
 pub(crate) mod fit;
 pub(crate) mod joint;
+pub(crate) mod link;
 pub(crate) mod pace;
 pub(crate) mod piece;
 pub(crate) mod shape;

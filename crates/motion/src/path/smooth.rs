@@ -1188,9 +1188,21 @@ impl Place {
     }
 }
 
-/// Whether `p` is further from the cubic beside the length `s`, across its direction, than the root of `limit`.
+/// Whether `p` is further from the cubic beside the length `s`, across its direction, than the root of `limit`. In a hairpin the
+/// direction changes on the way to the nearest place: there it is looked at again.
 #[inline]
 fn is_across<const N: usize>(c: &[[f64; N]; 4], s: f64, p: &Vector, limit: f64) -> bool {
+    let (square, along, speed) = beside(c, s, p);
+    if square <= limit {
+        return false;
+    }
+    (square - limit) * speed > along * along || beside(c, s - along / speed, p).0 > limit
+}
+
+/// The square of how far the cubic is from `p` at the length `s`, the product of that way with the derivative, and the square of
+/// the derivative.
+#[inline]
+fn beside<const N: usize>(c: &[[f64; N]; 4], s: f64, p: &Vector) -> (f64, f64, f64) {
     let [c0, c1, c2, c3] = c;
     let (mut square, mut along, mut speed) = (0.0, 0.0, 0.0);
     for k in 0..N {
@@ -1200,5 +1212,5 @@ fn is_across<const N: usize>(c: &[[f64; N]; 4], s: f64, p: &Vector, limit: f64) 
         along += e * d;
         speed += d * d;
     }
-    square > limit && (square - limit) * speed.max(1e-12) > along * along
+    (square, along, speed.max(1e-12))
 }

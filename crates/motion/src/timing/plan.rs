@@ -114,8 +114,13 @@ const NEAR_CORNER: f64 = 4.0;
 /// Share of the jerk that a curve leaves to the path that a corner beside it counts on.
 const SIDE_SHARE: f64 = 0.7;
 
-/// At a corner that could only be run at a lower share of its pace the path stops instead.
+/// Steps of a plan are about so long, s.
+const SHORT_RAMP: f64 = 0.004;
+
+/// At a corner that could only be run at a lower share of its pace the path stops instead; two that are run as one are run as
+/// slowly as there is a need to, which is no slower than this: beside them there is a way to stop on.
 const LEAST_PACE: f64 = 0.1;
+const LEAST_LINK_PACE: f64 = 1e-3;
 
 /// Shares of the allowed speed that braking for a lower override ends at, tried in this order.
 const BRAKE_TO: [f64; 5] = [1.0, 0.85, 0.65, 0.4, 0.15];
@@ -198,8 +203,10 @@ impl Side {
     fn fits(&self, foot: Foot, pace: f64, near: f64) -> bool {
         let foot = paced(foot, pace);
         let top = foot.top(self.drive.j);
+        // A ramp to the corner that is shorter than a step is not planned to where it begins.
+        let over = (top - foot.v).min(0.5 * self.drive.j * SHORT_RAMP * SHORT_RAMP);
         pace <= self.pace
-            && top <= self.cap * (1.0 + 1e-9)
+            && top + over <= self.cap * (1.0 + 1e-9)
             && top <= near
             && foot.room(self.drive) * STOP_ROOM <= self.len
     }
@@ -706,7 +713,7 @@ impl Plan {
                     }
                     return true;
                 }
-                Pass::Corner { .. } if pace < LEAST_PACE => {
+                Pass::Corner { is_link, .. } if pace < least_pace(is_link) => {
                     // Without room to stop on beside it, at the vertex.
                     let to = Port { s: node.s + 0.5 * node.len, state: State::REST };
                     if !self.section(queue, port, to, cell, last) {
@@ -797,9 +804,10 @@ impl Plan {
         pace: f64,
     ) -> Option<f64> {
         let (known, fixed, next, planned) = (self.stretches.len(), self.fixed, self.next, self.planned);
+        let is_link = matches!(queue.node(last).pass, Pass::Corner { is_link: true, .. });
         for share in CORNER_PACES {
             let pace = pace * share;
-            if pace < LEAST_PACE {
+            if pace < least_pace(is_link) {
                 break;
             }
             let foot = paced(foot, pace);
@@ -1059,6 +1067,10 @@ fn is_valley(queue: &Queue, plan: &[Piece], first: u64, most: impl Fn(&Node) -> 
             cell = queue.find(cell, piece.s);
             piece.from.v < DEEP * most(queue.node(cell))
         })
+}
+
+fn least_pace(is_link: bool) -> f64 {
+    if is_link { LEAST_LINK_PACE } else { LEAST_PACE }
 }
 
 /// Room that one section takes: its steps, what valleys add, and what ends it.

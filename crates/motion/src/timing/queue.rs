@@ -81,8 +81,8 @@ pub(crate) enum Pass {
     /// As fast as its bounds allow.
     Path,
     /// In its own time: a corner, with its state at both ends and its duration; `top` is the highest speed on its
-    /// lines where it is stopped at instead.
-    Corner { foot: Foot, time: f64, top: f64 },
+    /// lines where it is stopped at instead, which two that are run as one (`is_link`) never are.
+    Corner { foot: Foot, time: f64, top: f64, is_link: bool },
     /// Every axis on its own, from rest to rest.
     Axes,
 }
