@@ -157,6 +157,43 @@ fn every_line_has_one_answer_and_blank_ones_too() {
 }
 
 #[test]
+fn a_refused_line_does_nothing() {
+    let mut session = Session::unlocked();
+    let codes = |session: &mut Session| session.say("$G\n").split("\r\n").next().unwrap_or("").to_owned();
+    let before = codes(&mut session);
+    // No feed, an arc that ends beside its circle, one without centre.
+    for (line, error) in [
+        ("M3 S100 G1 X1", 22),
+        ("T7 M3 S100 G1 X1", 22),
+        ("M8 G2 X5 I1 F100", 33),
+        ("M7 G2 X5 F100", 35),
+        ("G91 G1X1", 22),
+        ("G20 G18 G55 G93 G1X1", 22),
+        ("G92.1 G1X1", 22),
+        ("G28.1 G1X1", 22),
+        ("M3 S50 G38.2 Z-1", 22),
+    ] {
+        assert_eq!(session.say(&format!("{line}\n")), format!("error:{error}\r\n"), "{line}");
+        session.settle();
+        assert_eq!(codes(&mut session), before, "{line}");
+        assert_eq!((session.at(), session.mill.status().rpm), (Position::ZERO, 0.0), "{line}");
+    }
+    // Offsets too, and nothing waits for the end of a program that did not end.
+    session.say("G0X10\nG92X0\nG28.1\nG0X5\n");
+    session.settle();
+    let offsets = session.say("$#\n");
+    assert!(offsets.contains("[G28:10.000,") && offsets.contains("[G92:10.000,"), "{offsets}");
+    assert_eq!(session.say("G92.1 G1X1\nG28.1 G1X1\nM2 G1X1\n"), "error:22\r\nerror:22\r\nerror:22\r\n");
+    assert_eq!(session.say("$#\n"), offsets);
+    session.say("G1X1F600M3S100\n");
+    session.settle();
+    assert_eq!((session.at()[Axis::X], session.mill.status().rpm), (11.0, 100.0));
+    // What is checked alone is checked as it would be run.
+    session.say("$C\n");
+    assert_eq!(session.say("G91 G2 X5 I1\nX300\n$C\n").matches("ALARM").count(), 0);
+}
+
+#[test]
 fn ugs_finds_its_controller() {
     // UGS: asks for a status, for the build, the settings and the codes.
     let mut session = Session::unlocked();
@@ -268,7 +305,7 @@ fn a_reset_in_motion_is_an_alarm_and_at_rest_none() {
 #[test]
 fn a_reset_brings_the_codes_of_the_start_back() {
     let mut session = Session::unlocked();
-    session.say("G20G91G93G18G55G1\nG92X1\nG43.1Z2\nG10L2P1X5\n");
+    session.say("G20G91G93G18G55G1F1\nG92X1\nG43.1Z2\nG10L2P1X5\n");
     session.byte(0x18);
     assert!(session.say("$G\n").contains("[GC:G0 G54 G17 G21 G90 G94 M5 M9 T0"));
     let offsets = session.say("$#\n");
@@ -604,6 +641,9 @@ fn a_program_ends_and_another_follows() {
     // G20 stays, all else is as at the start (Grbl 1.1, M30).
     assert!(session.say("$G\n").contains("[GC:G0 G54 G17 G20 G90 G94 M5 M9"), "codes");
     assert!((session.at()[Axis::X] - 25.4).abs() < 1e-9);
+    session.say("M30\n");
+    assert!(session.say("$G\n").contains("[GC:G1 G54 G17 G20 G90 G94 M5 M9"), "codes");
+    assert_eq!(session.say("X2\n"), "error:22\r\n");
 }
 
 #[test]

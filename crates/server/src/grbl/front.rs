@@ -34,9 +34,11 @@ const ROOM_FOR_JOG: usize = 16;
 /// Line numbers remembered for blocks that motion looks ahead to.
 const MOST_NUMBERS: usize = 4096;
 
-/// Codes in force behind a reset, and behind the end of a program (Grbl 1.1, M2 and M30).
+/// Codes in force behind a reset, and behind the end of a program (Grbl 1.1, M2 and M30). G1 needs a feed, which is
+/// forgotten behind it.
 const AFTER_RESET: &str = "G0G17G21G90G94G54G40G49G91.1M5M9";
-const AFTER_END: &str = "G1G17G90G94G54G40M5M9";
+const AFTER_END: &str = "G17G90G94G54G40M5M9F1G1";
+const NO_FEED: &str = "G94";
 const NO_SHIFT: &str = "G92.1";
 
 /// What locks programs.
@@ -58,9 +60,22 @@ enum Owed {
     /// Known already.
     Answer(Result<(), Error>),
     /// Once this block is taken, or refused.
-    Block { line: u32, refused: Option<Fault>, probes: Option<bool>, is_own: bool },
+    Block { line: u32, refused: Option<Fault>, given: Given },
     /// Once the axes are homed.
     Home,
+}
+
+/// What is to be known of a block until it is answered.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+struct Given {
+    /// No sender waits for it.
+    is_own: bool,
+    /// G38.2 to G38.5; true where no contact is an alarm.
+    probes: Option<bool>,
+    /// T.
+    tool: Option<u32>,
+    /// M2 or M30.
+    ends: bool,
 }
 
 /// A connection's side of the protocol. One is kept for a machine, whoever connects.
@@ -451,6 +466,7 @@ impl Grbl {
                 self.overrides = Overrides::default();
                 machine.set_overrides(self.overrides);
                 self.give_own(machine, AFTER_END);
+                self.give_own(machine, NO_FEED);
                 self.ends_program = false;
             }
             Event::Message(text) => {
@@ -462,13 +478,13 @@ impl Grbl {
 
     /// Gives a block that no sender waits for.
     fn give_own(&mut self, machine: &mut dyn Machine, block: &str) {
-        self.give(machine, block, None, true);
+        self.give(machine, block, Given { is_own: true, ..Given::default() });
     }
 
-    fn give(&mut self, machine: &mut dyn Machine, block: &str, probes: Option<bool>, is_own: bool) {
+    fn give(&mut self, machine: &mut dyn Machine, block: &str, given: Given) {
         machine.append(block);
         self.given = self.given.saturating_add(1);
-        self.owe(Owed::Block { line: self.given, refused: None, probes, is_own });
+        self.owe(Owed::Block { line: self.given, refused: None, given });
     }
 
     /// Answers what is done, in the order of the lines.
@@ -476,7 +492,7 @@ impl Grbl {
         while let Some(owed) = self.owed.front().copied() {
             let answer = match owed {
                 Owed::Answer(answer) => Some(answer),
-                Owed::Block { line, refused, probes, is_own } => {
+                Owed::Block { line, refused, given } => {
                     if !status.is_current || status.lines_done < line {
                         return;
                     }
@@ -484,14 +500,19 @@ impl Grbl {
                         self.owed.pop_front();
                         return self.alarm(AlarmCode::of(fault));
                     }
-                    if let (Some(needs_contact), None) = (probes, refused) {
+                    match refused {
+                        // A refused one does nothing.
+                        Some(_) => self.ends_program &= !given.ends,
+                        None => self.tool = given.tool.unwrap_or(self.tool),
+                    }
+                    if let (Some(needs_contact), None) = (given.probes, refused) {
                         self.reporter.probe(&mut self.out, status, &self.settings);
                         if needs_contact && !status.probe.1 {
                             self.owed.pop_front();
                             return self.alarm(AlarmCode::ProbeMissed);
                         }
                     }
-                    (!is_own).then_some(refused.map_or(Ok(()), |fault| Err(Error::of(fault))))
+                    (!given.is_own).then_some(refused.map_or(Ok(()), |fault| Err(Error::of(fault))))
                 }
                 Owed::Home => {
                     if !status.is_current || matches!(status.doing, Doing::Home | Doing::Resetting) {
@@ -519,7 +540,8 @@ impl Grbl {
         while self.out.len() < MOST_ANSWERS && !self.begins && !self.ends_program {
             let waits = self.owed.iter().filter(|owed| matches!(owed, Owed::Block { .. })).count();
             // Behind a probe that meets nothing no block is run.
-            let is_probing = |owed: &Owed| matches!(owed, Owed::Block { probes: Some(_), .. });
+            let is_probing =
+                |owed: &Owed| matches!(owed, Owed::Block { given: Given { probes: Some(_), .. }, .. });
             if waits >= MOST_GIVEN || self.owed.contains(&Owed::Home) || self.owed.iter().any(is_probing) {
                 return;
             }
@@ -588,7 +610,6 @@ impl Grbl {
             return Err(Error::LOCKED);
         }
         let block = self.checks(line)?;
-        self.tool = block.tool.unwrap_or(self.tool);
         if self.lock == Lock::Check {
             return match machine.check(&block.text) {
                 Some(ferrocut_machine::Fault::SoftLimit) => {
@@ -596,16 +617,21 @@ impl Grbl {
                     Ok(())
                 }
                 Some(fault) => Err(Error::of(fault)),
-                None => Ok(()),
+                None => {
+                    self.tool = block.tool.unwrap_or(self.tool);
+                    Ok(())
+                }
             };
         }
+        let given = Given { is_own, probes: block.probes, tool: block.tool, ends: block.ends };
         if block.text.is_empty() {
+            self.tool = block.tool.unwrap_or(self.tool);
             if !is_own {
                 self.owe(Owed::Answer(Ok(())));
             }
             return Ok(());
         }
-        self.give(machine, &block.text, block.probes, is_own);
+        self.give(machine, &block.text, given);
         self.ends_program = block.ends;
         if let Some(number) = block.number {
             if self.numbers.len() >= MOST_NUMBERS {
