@@ -331,6 +331,23 @@ fn offsets_shift_what_is_reported() {
 }
 
 #[test]
+fn each_coolant_goes_on_and_off_alone() {
+    let mut session = Session::unlocked();
+    let mut codes = |byte: &[u8]| {
+        session.send(byte);
+        session.settle();
+        session.say("$G\n").split(' ').skip_while(|code| *code != "M5").skip(1).collect::<Vec<_>>().join(" ")
+    };
+    for (byte, on) in
+        [(0xA0, "M8"), (0xA1, "M7 M8"), (0xA0, "M7"), (0xA0, "M7 M8"), (0xA1, "M8"), (0xA0, "M9")]
+    {
+        assert!(codes(&[byte]).starts_with(&format!("{on} T0")), "{on}: {}", codes(b""));
+    }
+    // Both by lines of their own; of one modal group they have no place in one.
+    assert_eq!(session.say("M7\nM8\nM7M8\n"), "ok\r\nok\r\nerror:21\r\n");
+}
+
+#[test]
 fn overrides_count_as_grbl_counts_them() {
     let mut session = Session::unlocked();
     // CNCjs sends them as UTF-8.

@@ -295,14 +295,17 @@ impl Grbl {
         if self.lock != Lock::Free || !is_free || !status.is_current {
             return;
         }
-        let (flood, mist) = match which {
-            b'8' => (!status.modal.flood, status.modal.mist),
-            _ => (status.modal.flood, !status.modal.mist),
+        let (is_on, on, other_is_on, other) = match which {
+            b'8' => (status.modal.flood, "M8", status.modal.mist, "M7"),
+            _ => (status.modal.mist, "M7", status.modal.flood, "M8"),
         };
-        let on = |is_on, code| if is_on { code } else { "" };
+        if !is_on {
+            return self.give_own(machine, on);
+        }
+        // There is no code for one of them alone.
         self.give_own(machine, "M9");
-        if flood || mist {
-            self.give_own(machine, &format!("{}{}", on(mist, "M7"), on(flood, "M8")));
+        if other_is_on {
+            self.give_own(machine, other);
         }
     }
 

@@ -176,11 +176,8 @@ pub fn block(line: &[u8], limits: &Limits<'_>) -> Result<Block, Error> {
                 if code % 10 != 0 {
                     return Err(Error::NOT_WHOLE);
                 }
-                // M7 and M8 go together.
-                let group = m_group(code / 10).ok_or(Error::UNSUPPORTED)?;
-                if !(group == 8 && matches!(code, 70 | 80)) {
-                    take_group(group, 16)?;
-                }
+                // M7 and M8 may both be on, and are of one group: a block has one of them.
+                take_group(m_group(code / 10).ok_or(Error::UNSUPPORTED)?, 16)?;
                 block.ends |= matches!(code, 20 | 300);
                 // There is no switch for an optional stop.
                 if code != 10 {
@@ -267,7 +264,6 @@ mod tests {
         assert_eq!(of("/N10 G61 G90G0X1").unwrap(), "G90G0X1");
         assert_eq!(of("G4 P0").unwrap(), "G4P0.001");
         assert_eq!(of("M3 S90000 T3 M1").unwrap(), "M3S8000");
-        assert_eq!(of("M7 M8").unwrap(), "M7M8");
         let block = block(b"N12G38.2Z-5F10T4M30", &LIMITS).unwrap();
         assert_eq!(
             (block.number, block.tool, block.ends, block.probes),
@@ -293,6 +289,7 @@ mod tests {
             ("G1U5", 20),
             ("G0G1X1", 21),
             ("M3M5", 21),
+            ("M7M8", 21),
             ("G1.5X1", 23),
             ("M3.1", 23),
             ("G92G1X1", 24),
