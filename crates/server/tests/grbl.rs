@@ -348,6 +348,32 @@ fn each_coolant_goes_on_and_off_alone() {
 }
 
 #[test]
+fn rst_clears_what_it_names() {
+    let mut session = Session::unlocked();
+    session.say("G0X10\nG10L2P1X5Y6\nG10L2P6Z-3\nG28.1\nG30.1\n");
+    session.settle();
+    session.say("$N0=G55\n$I=mill\n$10=2\n");
+    let before = session.say("$#\n");
+    assert_eq!(session.say("$RST=$\n"), "[MSG:Restoring defaults]\r\nok\r\n");
+    assert_eq!((session.say("$#\n"), session.say("$N\n").as_str()), (before, "$N0=G55\r\n$N1=\r\nok\r\n"));
+    assert!(session.say("$$\n").contains("$10=1\r\n"));
+    assert_eq!(session.say("$RST=#\n"), "[MSG:Restoring defaults]\r\nok\r\n");
+    let offsets = session.say("$#\n");
+    for name in ["G54", "G55", "G56", "G57", "G58", "G59", "G28", "G30"] {
+        assert!(offsets.contains(&format!("[{name}:0.000,0.000,0.000]")), "{name} {offsets}");
+    }
+    assert!(session.say("$N\n").contains("G55") && session.at()[Axis::X] == 10.0);
+    session.say("G0X1\n");
+    session.settle();
+    assert_eq!(session.at()[Axis::X], 1.0, "the zero in force is the new one");
+    session.say("$RST=*\n");
+    assert_eq!(session.say("$N\n"), "$N0=\r\n$N1=\r\nok\r\n");
+    assert!(session.say("$I\n").starts_with("[VER:1.1h.20190830:]"));
+    session.say("G1X50F1000\n");
+    assert_eq!(session.say("$RST=#\n"), "error:8\r\n");
+}
+
+#[test]
 fn overrides_count_as_grbl_counts_them() {
     let mut session = Session::unlocked();
     // CNCjs sends them as UTF-8.

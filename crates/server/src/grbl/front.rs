@@ -41,6 +41,12 @@ const AFTER_END: &str = "G17G90G94G54G40M5M9F1G1";
 const NO_FEED: &str = "G94";
 const NO_SHIFT: &str = "G92.1";
 
+/// Coordinate systems, G54 to G59.
+const SYSTEMS: u8 = 6;
+
+/// The parameters of X of G28 and G30; those of the other axes follow (LinuxCNC).
+const REFERENCE_POINTS: [u32; 2] = [5161, 5181];
+
 /// What locks programs.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Lock {
@@ -479,6 +485,19 @@ impl Grbl {
         }
     }
 
+    /// G54 to G59, G28 and G30 are machine zero (`$RST=#`).
+    pub(super) fn clear_offsets(&mut self, machine: &mut dyn Machine) {
+        let axes: String = self.letters.iter().map(|letter| format!("{}0", char::from(*letter))).collect();
+        for system in 1..=SYSTEMS {
+            self.give_own(machine, &format!("G10L2P{system}{axes}R0"));
+        }
+        for first in REFERENCE_POINTS {
+            let numbers = (first..).take(Axis::ALL.len());
+            let block: String = numbers.map(|number| format!("#{number}=0")).collect();
+            self.give_own(machine, &block);
+        }
+    }
+
     /// Gives a block that no sender waits for.
     fn give_own(&mut self, machine: &mut dyn Machine, block: &str) {
         self.give(machine, block, Given { is_own: true, ..Given::default() });
@@ -626,7 +645,12 @@ impl Grbl {
                 }
             };
         }
-        let given = Given { is_own, probes: block.probes, tool: block.tool, ends: block.ends };
+        let given = Given {
+            is_own,
+            probes: block.probes,
+            tool: block.tool,
+            ends: block.ends,
+        };
         if block.text.is_empty() {
             self.tool = block.tool.unwrap_or(self.tool);
             if !is_own {
