@@ -374,6 +374,18 @@ fn rst_clears_what_it_names() {
 }
 
 #[test]
+fn g53_is_for_g0_and_g1() {
+    let mut session = Session::unlocked();
+    assert_eq!(
+        session.say("G53G2X1I1F100\nG53G80\nG80\nG53X1\nG53\n"),
+        "error:30\r\nerror:30\r\nok\r\nerror:30\r\nerror:30\r\n"
+    );
+    assert_eq!(session.say("G2X0Y0I5F100\nG53X1\nX1\n"), "ok\r\nerror:30\r\nerror:35\r\n");
+    session.settle();
+    assert_eq!(session.say("G0\nG53X1\n"), "ok\r\nok\r\n");
+}
+
+#[test]
 fn overrides_count_as_grbl_counts_them() {
     let mut session = Session::unlocked();
     // CNCjs sends them as UTF-8.

@@ -82,6 +82,8 @@ struct Given {
     tool: Option<u32>,
     /// M2 or M30.
     ends: bool,
+    /// G53.
+    in_machine: bool,
 }
 
 /// A connection's side of the protocol. One is kept for a machine, whoever connects.
@@ -534,7 +536,8 @@ impl Grbl {
                             return self.alarm(AlarmCode::ProbeMissed);
                         }
                     }
-                    (!given.is_own).then_some(refused.map_or(Ok(()), |fault| Err(Error::of(fault))))
+                    let error = |fault| Error::of_block(fault, given.in_machine);
+                    (!given.is_own).then_some(refused.map_or(Ok(()), |fault| Err(error(fault))))
                 }
                 Owed::Home => {
                     if !status.is_current || matches!(status.doing, Doing::Home | Doing::Resetting) {
@@ -638,7 +641,7 @@ impl Grbl {
                     self.alarm(AlarmCode::SoftLimit);
                     Ok(())
                 }
-                Some(fault) => Err(Error::of(fault)),
+                Some(fault) => Err(Error::of_block(fault, block.in_machine)),
                 None => {
                     self.tool = block.tool.unwrap_or(self.tool);
                     Ok(())
@@ -650,6 +653,7 @@ impl Grbl {
             probes: block.probes,
             tool: block.tool,
             ends: block.ends,
+            in_machine: block.in_machine,
         };
         if block.text.is_empty() {
             self.tool = block.tool.unwrap_or(self.tool);
