@@ -206,8 +206,9 @@ fn timers_of_iec_run_as_iec_has_them() {
             + &block(4, 0, name, &[("EN", &wires(&[1])), ("IN", &wires(&[2])), ("PT", &wires(&[10]))])
             + &coil(6, 0, &[4], "Y0.0")
     };
-    // What the output is with the input on or off for so many ms.
-    let runs: &[(&str, &[(bool, u32, u8)])] = &[
+    /// The input on or off, for so many ms, and what the output is then.
+    type Steps = &'static [(bool, u32, u8)];
+    let runs: &[(&str, Steps)] = &[
         ("TON", &[(false, 100, 0), (true, 30, 0), (true, 20, 1), (false, 1, 0)]),
         (
             "TOF",
