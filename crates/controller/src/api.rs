@@ -1574,4 +1574,20 @@ mod tests {
         let level = Reply::Level { level: 5 };
         assert_eq!(serde_json::to_string(&level).unwrap(), r#"{"reply":"level","level":5}"#);
     }
+
+    #[test]
+    fn every_field_of_a_command_is_in_the_document() {
+        let source = include_str!("api.rs");
+        let commands = source.split_once("pub enum Command {").unwrap().1.split_once("\n}\n").unwrap().0;
+        let document = include_str!("../../../docs/api.md");
+        let mut fields = 0;
+        for line in commands.lines().filter_map(|line| line.strip_prefix("        ")) {
+            let Some((field, _)) = line.split_once(": ") else { continue };
+            if field.bytes().all(|b| b.is_ascii_lowercase() || b == b'_') && field != "values" {
+                assert!(document.contains(&format!("`{field}`")), "docs/api.md lacks {field}");
+                fields += 1;
+            }
+        }
+        assert!(fields > 80, "{fields}");
+    }
 }

@@ -7,6 +7,7 @@
 //! Velocity, acceleration and jerk are differences of the commanded positions, over one period each.
 
 use crate::cnc::Tick;
+use crate::diagnosis;
 use ferrocut_geometry::{AXES, Axis, Position};
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_plc::{Address, Memory, Program};
@@ -47,8 +48,8 @@ pub enum Quantity {
     PathVelocity,
     /// Speed of the spindle, r/min; clockwise positive.
     Spindle,
-    /// A signal of the ladder: a bit 0 or 1, a byte as a number.
-    Signal(Address),
+    /// A signal of the ladder and the bytes of its value, 0 for a bit: a bit 0 or 1, a value as a number.
+    Signal(Address, u8),
 }
 
 impl Quantity {
@@ -80,11 +81,12 @@ impl Quantity {
                 _ => return None,
             });
         }
-        let address = match ladder {
-            Some(ladder) => crate::diagnosis::find(name, ladder)?.address,
-            None => Address::parse(name).ok()?,
-        };
-        Some(Quantity::Signal(address))
+        if let Some(ladder) = ladder {
+            let signal = diagnosis::find(name, ladder)?;
+            return Some(Quantity::Signal(signal.address, signal.bytes));
+        }
+        let address = Address::parse(name).ok()?;
+        Some(Quantity::Signal(address, u8::from(address.bit.is_none())))
     }
 }
 
@@ -103,7 +105,7 @@ impl Quantity {
             | Quantity::Velocity(axis)
             | Quantity::Acceleration(axis)
             | Quantity::Jerk(axis) => Some(axis),
-            Quantity::PathVelocity | Quantity::Spindle | Quantity::Signal(_) => None,
+            Quantity::PathVelocity | Quantity::Spindle | Quantity::Signal(..) => None,
         }
     }
 }
@@ -290,10 +292,9 @@ impl Capture {
             Quantity::Jerk(axis) => of(&self.jerk, axis),
             Quantity::PathVelocity => now.tick.velocity,
             Quantity::Spindle => now.spindle_rpm,
-            Quantity::Signal(address) => now.signals.map_or(0.0, |memory| match address.bit {
-                Some(_) => f64::from(u8::from(memory.bit(address))),
-                None => f64::from(memory.byte(address)),
-            }),
+            Quantity::Signal(address, bytes) => {
+                now.signals.map_or(0.0, |memory| f64::from(diagnosis::value(address, bytes, memory)))
+            }
         }
     }
 

@@ -24,7 +24,7 @@ pub fn entries(area: Area, ladder: &Program) -> Vec<Entry> {
         .symbols()
         .iter()
         .filter(|symbol| symbol.address.area == area)
-        .map(|symbol| named(&symbol.name, symbol.address))
+        .map(|symbol| named(&symbol.name, symbol.address, ladder))
         .collect();
     for signal in signals::signals().filter(|signal| signal.address.area == area) {
         if entries.iter().all(|entry| entry.address != signal.address || entry.name != signal.name) {
@@ -55,24 +55,41 @@ pub fn named_in(area: char, language: Option<&str>) -> Option<(Area, Language)> 
     Some((Area::from_letter(area)?, language.map_or(Some(Language::En), Language::from_tag)?))
 }
 
-/// The signal of a name or an address.
+/// The signal of a name or an address. At the address of a value of the NC it is that; at another it is the byte.
 pub fn find(text: &str, ladder: &Program) -> Option<Entry> {
-    if let Some(address) = ladder.signal(text) {
-        return Some(named(text, address));
+    if let Some(symbol) = ladder.symbols().iter().find(|symbol| symbol.name == text) {
+        return Some(named(text, symbol.address, ladder));
     }
     if let Some(signal) = signals::signal(text) {
         let (name, address, bytes) = (signal.name.to_owned(), signal.address, signal.bytes);
         return Some(Entry { name, address, bytes });
     }
     let address = Address::parse(text).ok()?;
-    Some(Entry { name: text.to_owned(), address, bytes: u8::from(address.bit.is_none()) })
+    let bytes = bytes_of_nc(address).unwrap_or(u8::from(address.bit.is_none()));
+    Some(Entry { name: text.to_owned(), address, bytes })
 }
 
-/// A signal of the ladder: where the NC has a value at that place, it is as wide as that.
-fn named(name: &str, address: Address) -> Entry {
-    let of_nc = signals::signals().find(|signal| signal.address == address);
-    let bytes = of_nc.map_or(u8::from(address.bit.is_none()), |signal| signal.bytes);
+/// Bytes of what the NC has at a place.
+fn bytes_of_nc(address: Address) -> Option<u8> {
+    signals::signals().find(|signal| signal.address == address).map(|signal| signal.bytes)
+}
+
+/// A signal of the ladder: where the NC has a value at that place, it is as wide as that, else as the ladder's functions
+/// take it.
+fn named(name: &str, address: Address, ladder: &Program) -> Entry {
+    let of_ladder = || if address.bit.is_some() { 0 } else { ladder.bytes_at(address) };
+    let bytes = bytes_of_nc(address).unwrap_or_else(of_ladder);
     Entry { name: name.to_owned(), address, bytes }
+}
+
+/// The value of so many bytes at an address, 0 for a bit: a bit 0 or 1, a number without sign.
+pub fn value(address: Address, bytes: u8, memory: &Memory) -> u32 {
+    match bytes {
+        0 => u32::from(memory.bit(address)),
+        1 => u32::from(memory.byte(address)),
+        2 => memory.read(address.place(), Width::Two).cast_unsigned() & 0xFFFF,
+        _ => memory.read(address.place(), Width::Four).cast_unsigned(),
+    }
 }
 
 impl Entry {
@@ -84,12 +101,7 @@ impl Entry {
 
     /// Its value: a bit 0 or 1, a number without sign.
     pub fn value(&self, memory: &Memory) -> u32 {
-        match self.bytes {
-            0 => u32::from(memory.bit(self.address)),
-            1 => u32::from(memory.byte(self.address)),
-            2 => memory.read(self.address.place(), Width::Two).cast_unsigned() & 0xFFFF,
-            _ => memory.read(self.address.place(), Width::Four).cast_unsigned(),
-        }
+        value(self.address, self.bytes, memory)
     }
 
     /// What it means, in a language. Where the catalogue has no such name the ladder's own words stand, and nothing
@@ -170,6 +182,7 @@ mod tests {
         let value = |text: &str| find(text, plc.program()).map(|entry| entry.value(plc.memory()));
         assert_eq!([value("MF"), value("F7.0"), value("F7"), value("SF")], [1, 1, 1, 0].map(Some));
         assert_eq!([value("M_CODE"), value("*JV"), value("DEN")], [70_000, 0xFFFF, 0].map(Some));
+        assert_eq!([value("F10"), value("F11")], [70_000, 17].map(Some), "a value, and a byte of it");
         assert_eq!([value("NOPE"), value("F9999")], [None, None]);
         let meaning =
             |text: &str, language| find(text, plc.program()).unwrap().meaning(language, plc.program());

@@ -75,6 +75,16 @@ impl Interpreter {
         self.look_back = Some(kept);
     }
 
+    /// The present block gives out no step after all.
+    pub(crate) fn forget_in_force(&mut self) {
+        let block = self.flow.begun();
+        if let Some(kept) = &mut self.look_back
+            && kept.executed.back().is_some_and(|last| last.block == block)
+        {
+            kept.executed.pop_back();
+        }
+    }
+
     /// Puts back in force what was so at a block, where that is kept.
     pub(crate) fn go_back_to(&mut self, block: u64) {
         let Some(kept) = &mut self.look_back else { return };

@@ -34,6 +34,14 @@ struct Queue {
     one_way: VecDeque<(Span, OneWay)>,
 }
 
+/// How far the output was before a block.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Mark {
+    steps: usize,
+    actual: Position,
+    path_end: Position,
+}
+
 /// The stages that look ahead, and the queue behind them.
 #[derive(Clone)]
 pub(crate) struct Output {
@@ -81,6 +89,23 @@ impl Output {
     /// Whether no step waits to be given out.
     pub(crate) fn is_empty(&self) -> bool {
         self.queue.steps.is_empty()
+    }
+
+    /// How far it is now.
+    #[inline]
+    pub(crate) fn mark(&self) -> Mark {
+        Mark { steps: self.queue.steps.len(), actual: self.queue.actual, path_end: self.path_end }
+    }
+
+    /// Takes back the steps since a mark, of which none was given out. False where a stage holds some of them: then
+    /// they stay.
+    pub(crate) fn take_back(&mut self, mark: Mark) -> bool {
+        if !self.is_direct() {
+            return false;
+        }
+        self.queue.steps.truncate(mark.steps);
+        (self.queue.actual, self.path_end) = (mark.actual, mark.path_end);
+        true
     }
 
     /// Whether steps pass by the stages.

@@ -7,7 +7,7 @@ use crate::bits::BitOp;
 use crate::check::{Limits, Sections, check};
 use crate::fault::{Error, Fault, Span};
 use crate::functions::Function;
-use crate::instruction::{Basic, Code, Instruction, Kind, Name, Parameter};
+use crate::instruction::{Basic, Bytes, Code, Instruction, Kind, Name, Parameter};
 use crate::list::{Ladder, Symbol, bytes_of, read, to_text};
 use rustc_hash::FxHashMap;
 use std::ops::Range;
@@ -70,6 +70,8 @@ pub struct Program {
     pub(crate) flow: Vec<u8>,
     instructions: Vec<Instruction>,
     symbols: Vec<Symbol>,
+    /// Bytes of what functions take from an address or put there, where they are more than one.
+    widths: FxHashMap<Address, u8>,
     /// What it was read from, with its remarks; empty where that was no text.
     text: String,
 }
@@ -113,6 +115,7 @@ impl Program {
         }
         let mut program = compiler.program;
         program.flow = vec![0; ladder.instructions.len()];
+        program.widths = widths(&ladder.instructions);
         program.instructions = ladder.instructions;
         program.symbols = ladder.symbols;
         Ok(program)
@@ -154,6 +157,11 @@ impl Program {
         })
     }
 
+    /// How many bytes what stands at an address has, as the widest function takes it or puts it there.
+    pub fn bytes_at(&self, at: Address) -> u8 {
+        self.widths.get(&at).copied().unwrap_or(1)
+    }
+
     /// The signal of a name, or of an address as it is written.
     pub fn signal(&self, name: &str) -> Option<Address> {
         let named = self.symbols.iter().find(|symbol| symbol.name == name);
@@ -170,6 +178,30 @@ impl Program {
     pub fn steps(&self) -> u32 {
         self.instructions.iter().map(Instruction::steps).sum()
     }
+}
+
+/// Bytes of the numbers that functions take from their addresses or put there.
+fn widths(instructions: &[Instruction]) -> FxHashMap<Address, u8> {
+    let mut widths = FxHashMap::default();
+    for instruction in instructions {
+        let Code::Function(row, parameters, _) = &instruction.code else { continue };
+        for pair in row.parameters.iter().zip(parameters) {
+            let (Kind::Read(bytes) | Kind::Write(bytes) | Kind::Operand(bytes), Parameter::At(at)) = pair
+            else {
+                continue;
+            };
+            if !matches!(bytes, Bytes::Fixed(_) | Bytes::Width) {
+                continue;
+            }
+            if let Some(bytes) =
+                [2, 4].into_iter().find(|n| u32::from(*n) == bytes_of(*bytes, row, parameters))
+            {
+                let widest = widths.entry(*at).or_insert(bytes);
+                *widest = bytes.max(*widest);
+            }
+        }
+    }
+    widths
 }
 
 /// A jump whose place is not known yet: its segment, and the label.
@@ -206,6 +238,7 @@ impl<'a> Compiler<'a> {
             flow: Vec::new(),
             instructions: Vec::new(),
             symbols: Vec::new(),
+            widths: FxHashMap::default(),
             text: String::new(),
         };
         Compiler {

@@ -72,9 +72,11 @@ pub enum Name {
     End,
     Tmr,
     Tmrb,
+    Tmrc,
     Dec,
     Decb,
     Ctr,
+    Ctrc,
     Rot,
     Rotb,
     Cod,
@@ -220,6 +222,8 @@ rows! {
     Movw 44 "MOVW" ["ACT"] [Read(Fixed(2)), Write(Fixed(2))] Never;
     Movn 45 "MOVN" ["ACT"] [Number(1, 9999), Read(First), Write(First)] Never;
     Movd 47 "MOVD" ["ACT"] [Read(Fixed(4)), Write(Fixed(4))] Never;
+    Tmrc 54 "TMRC" ["ACT"] [Number(0, 4), Read(Fixed(2)), Write(Fixed(4))] Must;
+    Ctrc 55 "CTRC" ["CN0" "UPDOWN" "RST" "ACT"] [Read(Fixed(2)), Write(Fixed(4))] May;
     Difu 57 "DIFU" ["ACT"] [Number(1, EDGES)] Must;
     Difd 58 "DIFD" ["ACT"] [Number(1, EDGES)] Must;
     Eor 59 "EOR" ["ACT"] [OperandWidth, Read(WIDE), Operand(WIDE), Write(WIDE)] Never;

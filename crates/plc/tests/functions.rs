@@ -77,9 +77,44 @@ fn timers_turn_on_after_their_time_and_off_at_once() {
 }
 
 #[test]
+fn timers_with_their_time_in_signals() {
+    for (accuracy, unit) in [(0u32, 8u32), (1, 48), (2, 1_000), (3, 10_000), (4, 60_000)] {
+        let mut plc = second(&format!("RD X0.0\nTMRC {accuracy} D10 R20\nWRT Y0.0\n"));
+        put(&mut plc, "D10", &[2, 0]);
+        run(&mut plc, 10);
+        for _ in 0..2 {
+            set(&mut plc, "X0.0", true);
+            run(&mut plc, 2 * unit);
+            assert!(!get(&plc, "Y0.0"), "{accuracy}");
+            run(&mut plc, 1);
+            assert!(get(&plc, "Y0.0"), "{accuracy}");
+            run(&mut plc, 3 * unit);
+            assert!(get(&plc, "Y0.0"), "{accuracy}");
+            set(&mut plc, "X0.0", false);
+            run(&mut plc, 1);
+            assert!(!get(&plc, "Y0.0"), "{accuracy}");
+        }
+        assert_eq!(bytes(&plc, "R20", 4), [0; 4]);
+    }
+    // From the first scan on, and without a time.
+    let mut plc = second("RD R9091.1\nTMRC 0 D10 R20\nWRT Y0.0\nRD R9091.1\nTMRC 0 D12 R24\nWRT Y0.1\n");
+    put(&mut plc, "D10", &[1, 0]);
+    run(&mut plc, 1);
+    assert_eq!(bytes(&plc, "Y0", 1), [0b10]);
+    run(&mut plc, 9);
+    assert_eq!(bytes(&plc, "Y0", 1), [0b11]);
+}
+
+#[test]
 fn counters_are_rings() {
+    // Preset in C4 or D4, count in C6 or R6.
+    counts("CTR 2", "C4", "C6");
+    counts("CTRC D4 R6", "D4", "R6");
+}
+
+fn counts(function: &str, preset: &str, count_at: &str) {
     // Conditions CN0 X0.0, UPDOWN X0.1, RST X0.2, ACT X0.3; preset 3.
-    let text = "RD X0.0\nRD.STK X0.1\nRD.STK X0.2\nRD.STK X0.3\nCTR 2\nWRT Y0.0\n";
+    let text = &format!("RD X0.0\nRD.STK X0.1\nRD.STK X0.2\nRD.STK X0.3\n{function}\nWRT Y0.0\n");
     /// Conditions, the first count, and the counts that follow with W1.
     type Counts = (u8, u8, &'static [(u8, bool)]);
     let table: &[Counts] = &[
@@ -94,14 +129,15 @@ fn counters_are_rings() {
     ];
     for (conditions, start, counts) in table {
         let mut plc = second(text);
-        put(&mut plc, "C4", &[3, 0, 9, 9]);
+        put(&mut plc, preset, &[3, 0]);
+        put(&mut plc, count_at, &[9, 9]);
         put(&mut plc, "X0", &[conditions | 0b0100]);
         plc.scan();
-        assert_eq!((bytes(&plc, "C6", 2), get(&plc, "Y0.0")), (vec![*start, 0], false), "{conditions}");
+        assert_eq!((bytes(&plc, count_at, 2), get(&plc, "Y0.0")), (vec![*start, 0], false), "{conditions}");
         for (count, w1) in *counts {
             put(&mut plc, "X0", &[conditions | 0b1000]);
             run(&mut plc, 3);
-            assert_eq!((bytes(&plc, "C6", 2), get(&plc, "Y0.0")), (vec![*count, 0], *w1), "{conditions}");
+            assert_eq!((bytes(&plc, count_at, 2), get(&plc, "Y0.0")), (vec![*count, 0], *w1), "{conditions}");
             put(&mut plc, "X0", &[*conditions]);
             plc.scan();
             assert_eq!(get(&plc, "Y0.0"), *w1);

@@ -191,6 +191,128 @@ fn blocks_are_functions_with_conditions_by_name() {
     assert_eq!(bytes(&plc, "Y0", 1), [0b0100]);
 }
 
+fn output(id: u32, y: u32, from: &[u32], attributes: &str, text: &str) -> String {
+    format!(
+        "<outVariable localId=\"{id}\" {attributes}><position x=\"{id}\" y=\"{y}\"/>{}<expression>{text}</expression></outVariable>\n",
+        wires(from)
+    )
+}
+
+#[test]
+fn timers_of_iec_run_as_iec_has_them() {
+    let timer = |name: &str| {
+        contact(2, 0, &[1], "X0.0")
+            + &variable(10, "T#40ms")
+            + &block(4, 0, name, &[("EN", &wires(&[1])), ("IN", &wires(&[2])), ("PT", &wires(&[10]))])
+            + &coil(6, 0, &[4], "Y0.0")
+    };
+    /// The input on or off, for so many ms, and what the output is then.
+    type Steps = &'static [(bool, u32, u8)];
+    let runs: &[(&str, Steps)] = &[
+        ("TON", &[(false, 100, 0), (true, 30, 0), (true, 20, 1), (false, 1, 0)]),
+        (
+            "TOF",
+            &[
+                (false, 1, 0),
+                (false, 100, 0),
+                (true, 1, 1),
+                (false, 30, 1),
+                (true, 1, 1),
+                (false, 30, 1),
+                (false, 20, 0),
+                (true, 1, 1),
+            ],
+        ),
+        (
+            "TP",
+            &[
+                (false, 100, 0),
+                (true, 1, 1),
+                (false, 2, 1),
+                (true, 20, 1),
+                (true, 30, 0),
+                (false, 1, 0),
+                (true, 1, 1),
+                (true, 60, 0),
+            ],
+        ),
+    ];
+    for (name, steps) in runs {
+        let mut plc = plc(&project(&timer(name)));
+        for (n, (on, scans, wanted)) in steps.iter().enumerate() {
+            set(&mut plc, "X0.0", *on);
+            run(&mut plc, *scans);
+            assert_eq!(bytes(&plc, "Y0", 1), [*wanted], "{name} {n}");
+        }
+    }
+}
+
+#[test]
+fn a_variable_that_power_is_led_to_is_a_coil() {
+    let diagram = contact(2, 0, &[1], "X0.0")
+        + &output(3, 0, &[2], "", "LATCH")
+        + &output(4, 10, &[2], "negated=\"true\"", "%QX0.1");
+    assert_eq!(
+        text(&diagram),
+        "END1\nRD X0000.0 ; START\nWRT R5000.0 ; LATCH\nRD X0000.0 ; START\nWRT.NOT Y0000.1\nEND2\nEND\n"
+    );
+}
+
+#[test]
+fn a_pou_sees_its_own_variables_and_those_of_all() {
+    let pou = |name: &str, lists: &str, target: &str| {
+        format!(
+            "<pou name=\"{name}\" pouType=\"program\"><interface>{lists}</interface><body><LD><leftPowerRail localId=\"1\"/>{}</LD></body></pou>",
+            coil(2, 0, &[1], "OWN") + &coil(3, 5, &[1], target)
+        )
+    };
+    let list = |kind: &str, name: &str| format!("<{kind}><variable name=\"{name}\"/></{kind}>");
+    let local = list("localVars", "OWN");
+    let xml = |second: &str, target: &str| {
+        format!(
+            "<project><types><pous>{}{}</pous></types><globalVars><variable name=\"LAMP\" address=\"%QX0.3\"/><variable name=\"FLAG\"/></globalVars></project>",
+            pou("A", &(local.clone() + &list("externalVars", "LAMP")), "LAMP"),
+            pou("B", &(local.clone() + second), target),
+        )
+    };
+    let mut errors = Vec::new();
+    let ladder = plcopen::read(xml(&list("externalVars", "FLAG"), "FLAG").as_bytes(), &mut errors);
+    assert!(errors.is_empty(), "{errors:?}");
+    assert_eq!(
+        list::to_text(&ladder),
+        "END1\nRD R9091.1\nWRT R5000.1 ; OWN\nRD R9091.1\nWRT Y0000.3 ; LAMP\nRD R9091.1\nWRT R5000.2 ; B.OWN\n\
+        RD R9091.1\nWRT R5000.0 ; FLAG\nEND2\nEND\n"
+    );
+    // One that nobody declares, and one of another POU.
+    assert_eq!(faults(&xml(&list("externalVars", "NONE"), "FLAG"))[0], (1012, 3, Some("NONE".to_owned())));
+    let of_a = xml("", "HIDDEN").replacen(
+        "<variable name=\"OWN\"/>",
+        "<variable name=\"OWN\"/><variable name=\"HIDDEN\"/>",
+        1,
+    );
+    assert_eq!(faults(&of_a).last().unwrap().2.as_deref(), Some("HIDDEN"));
+}
+
+#[test]
+fn relays_of_the_document_are_left_to_it() {
+    // A coil in R5000, a word from R5001 on, a table of ten bytes from R5003 on.
+    let diagram = coil(2, 0, &[1], "R5000.7")
+        + &variable(10, "R5001")
+        + &variable(11, "%MB5003")
+        + &variable(12, "10")
+        + &variable(13, "D0")
+        + &block(4, 5, "MOVW", &[("ACT", &wires(&[1])), ("P1", &wires(&[10])), ("P2", &wires(&[13]))])
+        + &block(
+            5,
+            6,
+            "MOVN",
+            &[("ACT", &wires(&[1])), ("P1", &wires(&[12])), ("P2", &wires(&[13])), ("P3", &wires(&[11]))],
+        )
+        + &coil(6, 10, &[1], "LATCH");
+    let text = text(&diagram);
+    assert!(text.contains("WRT R5013.0 ; LATCH"), "{text}");
+}
+
 #[test]
 fn levels_subprograms_and_jumps_are_carried_over() {
     let pou = |name: &str, kind: &str, body: &str| {
@@ -255,6 +377,44 @@ fn what_is_not_understood_is_told_with_its_line() {
             8,
             None,
         ),
+        // What would be another ladder: EN that is not always on, inputs that a block has not, data that is led out.
+        (
+            contact(2, 0, &[1], "X0.0")
+                + &variable(10, "T#1s")
+                + &block(3, 0, "TON", &[("EN", &wires(&[2])), ("IN", &wires(&[1])), ("PT", &wires(&[10]))]),
+            1017,
+            10,
+            Some("EN"),
+        ),
+        (block(3, 0, "R_TRIG", &[("EN", &wires(&[1]))]), 1008, 8, Some("CLK")),
+        (block(3, 0, "R_TRIG", &[("IN", &wires(&[1])), ("CLK", &wires(&[1]))]), 1017, 8, Some("IN")),
+        (block(3, 0, "DIFU", &[("ACT", &wires(&[1])), ("RST", &wires(&[1]))]), 1017, 8, Some("RST")),
+        (
+            variable(10, "1")
+                + &block(3, 0, "TMR", &[("ACT", &wires(&[1])), ("P1", &wires(&[10])), ("P3", &wires(&[10]))]),
+            1017,
+            9,
+            Some("P3"),
+        ),
+        (block(3, 0, "SR", &[("S", &wires(&[1])), ("R", &wires(&[1]))]), 1017, 8, Some("S")),
+        (contact(2, 0, &[1], "X0.0") + &output(3, 0, &[2], "", "D10"), 1017, 9, Some("D10")),
+        (variable(2, "D5") + &output(3, 0, &[2], "", "D10"), 1017, 8, None),
+        (
+            contact(2, 0, &[1], "X0.0")
+                + &block(3, 0, "R_TRIG", &[("CLK", &wires(&[2]))])
+                + &coil(4, 0, &[3], "Y0.0")
+                    .replace("refLocalId=\"3\"", "refLocalId=\"3\" formalParameter=\"ENO\""),
+            1017,
+            10,
+            Some("ENO"),
+        ),
+        (
+            block(3, 0, "R_TRIG", &[("CLK", &wires(&[1]))])
+                .replace("formalParameter=\"W1\"", "formalParameter=\"Q\" negated=\"true\""),
+            1017,
+            8,
+            Some("Q"),
+        ),
         (coil(3, 0, &[1], "Y0.0") + &coil(3, 0, &[1], "Y0.1"), 1028, 9, Some("localId 3")),
         (coil(3, 0, &[1], "Y0.0") + &coil(4, 0, &[1], "Y0.0"), 1027, 9, Some("Y0000.0")),
     ];
@@ -301,7 +461,9 @@ fn any_element() -> impl Strategy<Value = String> {
         ids,
         name(),
         0..9,
-        prop::sample::select(vec!["DIFU", "TON", "SR", "ADDB", "P1", "CTR", "MOVE", "PID", "JMP"]),
+        prop::sample::select(vec![
+            "DIFU", "TON", "TOF", "TP", "SR", "ADDB", "P1", "CTR", "MOVE", "PID", "JMP",
+        ]),
     )
         .prop_map(|((id, from, y), signal, kind, function)| match kind {
             0 | 1 => contact(id, y, &from, &signal),
@@ -316,8 +478,11 @@ fn any_element() -> impl Strategy<Value = String> {
             ),
             _ => {
                 let wires = wires(&from);
-                let inputs: &[(&str, &str)] =
-                    &[("ACT", &wires), ("S1", &wires), ("R", &wires), ("P1", &wires), ("PT", &wires)];
+                let inputs: &[(&str, &str)] = match function {
+                    "SR" => &[("S1", &wires), ("R", &wires)],
+                    "TON" | "TOF" | "TP" => &[("IN", &wires), ("PT", &wires)],
+                    _ => &[("ACT", &wires), ("P1", &wires)],
+                };
                 block(id, y, function, inputs)
             }
         })

@@ -157,6 +157,43 @@ fn every_line_has_one_answer_and_blank_ones_too() {
 }
 
 #[test]
+fn a_refused_line_does_nothing() {
+    let mut session = Session::unlocked();
+    let codes = |session: &mut Session| session.say("$G\n").split("\r\n").next().unwrap_or("").to_owned();
+    let before = codes(&mut session);
+    // No feed, an arc that ends beside its circle, one without centre.
+    for (line, error) in [
+        ("M3 S100 G1 X1", 22),
+        ("T7 M3 S100 G1 X1", 22),
+        ("M8 G2 X5 I1 F100", 33),
+        ("M7 G2 X5 F100", 35),
+        ("G91 G1X1", 22),
+        ("G20 G18 G55 G93 G1X1", 22),
+        ("G92.1 G1X1", 22),
+        ("G28.1 G1X1", 22),
+        ("M3 S50 G38.2 Z-1", 22),
+    ] {
+        assert_eq!(session.say(&format!("{line}\n")), format!("error:{error}\r\n"), "{line}");
+        session.settle();
+        assert_eq!(codes(&mut session), before, "{line}");
+        assert_eq!((session.at(), session.mill.status().rpm), (Position::ZERO, 0.0), "{line}");
+    }
+    // Offsets too, and nothing waits for the end of a program that did not end.
+    session.say("G0X10\nG92X0\nG28.1\nG0X5\n");
+    session.settle();
+    let offsets = session.say("$#\n");
+    assert!(offsets.contains("[G28:10.000,") && offsets.contains("[G92:10.000,"), "{offsets}");
+    assert_eq!(session.say("G92.1 G1X1\nG28.1 G1X1\nM2 G1X1\n"), "error:22\r\nerror:22\r\nerror:22\r\n");
+    assert_eq!(session.say("$#\n"), offsets);
+    session.say("G1X1F600M3S100\n");
+    session.settle();
+    assert_eq!((session.at()[Axis::X], session.mill.status().rpm), (11.0, 100.0));
+    // What is checked alone is checked as it would be run.
+    session.say("$C\n");
+    assert_eq!(session.say("G91 G2 X5 I1\nX300\n$C\n").matches("ALARM").count(), 0);
+}
+
+#[test]
 fn ugs_finds_its_controller() {
     // UGS: asks for a status, for the build, the settings and the codes.
     let mut session = Session::unlocked();
@@ -268,7 +305,7 @@ fn a_reset_in_motion_is_an_alarm_and_at_rest_none() {
 #[test]
 fn a_reset_brings_the_codes_of_the_start_back() {
     let mut session = Session::unlocked();
-    session.say("G20G91G93G18G55G1\nG92X1\nG43.1Z2\nG10L2P1X5\n");
+    session.say("G20G91G93G18G55G1F1\nG92X1\nG43.1Z2\nG10L2P1X5\n");
     session.byte(0x18);
     assert!(session.say("$G\n").contains("[GC:G0 G54 G17 G21 G90 G94 M5 M9 T0"));
     let offsets = session.say("$#\n");
@@ -291,6 +328,61 @@ fn offsets_shift_what_is_reported() {
     session.say("G28.1\nG0X0\nG28X0\n");
     session.settle();
     assert_eq!(session.at()[Axis::X], 11.0);
+}
+
+#[test]
+fn each_coolant_goes_on_and_off_alone() {
+    let mut session = Session::unlocked();
+    let mut codes = |byte: &[u8]| {
+        session.send(byte);
+        session.settle();
+        session.say("$G\n").split(' ').skip_while(|code| *code != "M5").skip(1).collect::<Vec<_>>().join(" ")
+    };
+    for (byte, on) in
+        [(0xA0, "M8"), (0xA1, "M7 M8"), (0xA0, "M7"), (0xA0, "M7 M8"), (0xA1, "M8"), (0xA0, "M9")]
+    {
+        assert!(codes(&[byte]).starts_with(&format!("{on} T0")), "{on}: {}", codes(b""));
+    }
+    // Both by lines of their own; of one modal group they have no place in one.
+    assert_eq!(session.say("M7\nM8\nM7M8\n"), "ok\r\nok\r\nerror:21\r\n");
+}
+
+#[test]
+fn rst_clears_what_it_names() {
+    let mut session = Session::unlocked();
+    session.say("G0X10\nG10L2P1X5Y6\nG10L2P6Z-3\nG28.1\nG30.1\n");
+    session.settle();
+    session.say("$N0=G55\n$I=mill\n$10=2\n");
+    let before = session.say("$#\n");
+    assert_eq!(session.say("$RST=$\n"), "[MSG:Restoring defaults]\r\nok\r\n");
+    assert_eq!((session.say("$#\n"), session.say("$N\n").as_str()), (before, "$N0=G55\r\n$N1=\r\nok\r\n"));
+    assert!(session.say("$$\n").contains("$10=1\r\n"));
+    assert_eq!(session.say("$RST=#\n"), "[MSG:Restoring defaults]\r\nok\r\n");
+    let offsets = session.say("$#\n");
+    for name in ["G54", "G55", "G56", "G57", "G58", "G59", "G28", "G30"] {
+        assert!(offsets.contains(&format!("[{name}:0.000,0.000,0.000]")), "{name} {offsets}");
+    }
+    assert!(session.say("$N\n").contains("G55") && session.at()[Axis::X] == 10.0);
+    session.say("G0X1\n");
+    session.settle();
+    assert_eq!(session.at()[Axis::X], 1.0, "the zero in force is the new one");
+    session.say("$RST=*\n");
+    assert_eq!(session.say("$N\n"), "$N0=\r\n$N1=\r\nok\r\n");
+    assert!(session.say("$I\n").starts_with("[VER:1.1h.20190830:]"));
+    session.say("G1X50F1000\n");
+    assert_eq!(session.say("$RST=#\n"), "error:8\r\n");
+}
+
+#[test]
+fn g53_is_for_g0_and_g1() {
+    let mut session = Session::unlocked();
+    assert_eq!(
+        session.say("G53G2X1I1F100\nG53G80\nG80\nG53X1\nG53\n"),
+        "error:30\r\nerror:30\r\nok\r\nerror:30\r\nerror:30\r\n"
+    );
+    assert_eq!(session.say("G2X0Y0I5F100\nG53X1\nX1\n"), "ok\r\nerror:30\r\nerror:35\r\n");
+    session.settle();
+    assert_eq!(session.say("G0\nG53X1\n"), "ok\r\nok\r\n");
 }
 
 #[test]
@@ -604,6 +696,9 @@ fn a_program_ends_and_another_follows() {
     // G20 stays, all else is as at the start (Grbl 1.1, M30).
     assert!(session.say("$G\n").contains("[GC:G0 G54 G17 G20 G90 G94 M5 M9"), "codes");
     assert!((session.at()[Axis::X] - 25.4).abs() < 1e-9);
+    session.say("M30\n");
+    assert!(session.say("$G\n").contains("[GC:G1 G54 G17 G20 G90 G94 M5 M9"), "codes");
+    assert_eq!(session.say("X2\n"), "error:22\r\n");
 }
 
 #[test]

@@ -8,7 +8,7 @@ use crate::api::{
     API_VERSION, ByAxis, Command, Event, LogLine, OffsetValues, PastAlarm, ProgramInfo, Refusal, RelativeTo,
     Reply,
 };
-use crate::diagnosis::{named_in, table};
+use crate::diagnosis::{self, named_in, table};
 use crate::restart::How;
 use crate::signals::Mode;
 use ferrocut_geometry::{Axis, Position};
@@ -292,20 +292,17 @@ impl Control {
 
     pub(super) fn address(&self, name: &str) -> Result<Address, Box<Alarm>> {
         let plc = self.plc.as_ref().ok_or_else(|| named(Fault::NotFitted, "ladder"))?;
-        let known = plc.program().signal(name).or_else(|| Address::parse(name).ok());
+        let known = diagnosis::find(name, plc.program()).map(|signal| signal.address);
         known.ok_or_else(|| Box::new(named(Fault::NoSuchName, name)))
     }
 
     fn signals(&self, names: &[String]) -> Answer {
         let mut signals = BTreeMap::new();
+        let plc = self.plc.as_ref().ok_or_else(|| named(Fault::NotFitted, "ladder"))?;
         for name in names.iter().take(MOST_VALUES) {
-            let address = self.address(name)?;
-            let Some(plc) = &self.plc else { break };
-            let value = match address.bit {
-                Some(_) => i64::from(plc.memory().bit(address)),
-                None => i64::from(plc.memory().byte(address)),
-            };
-            signals.insert(name.clone(), value);
+            let signal =
+                diagnosis::find(name, plc.program()).ok_or_else(|| named(Fault::NoSuchName, name))?;
+            signals.insert(name.clone(), i64::from(signal.value(plc.memory())));
         }
         Ok(Reply::Signals { signals })
     }

@@ -8,6 +8,7 @@ use super::commands::{Answer, named};
 use super::keeping::{Keeping, kept_area};
 use super::{Control, alarm};
 use crate::api::{AlarmInfo, Event, ForcedSignal, Refusal, Reply};
+use crate::signals::signals;
 use ferrocut_machine::{Alarm, AlarmId, Fault};
 use ferrocut_memory::{Author, Change, Level, SignalSize};
 use ferrocut_plc::{Address, Area, Error, Limits, Maintenance, Plc, Program, plcopen};
@@ -241,9 +242,15 @@ impl Control {
     pub(super) fn forced(&self) -> Answer {
         let plc = self.plc.as_ref().ok_or_else(|| named(Fault::NotFitted, "ladder"))?;
         let symbols = plc.program().symbols();
+        let name = |address| {
+            let own =
+                symbols.iter().find(|symbol| symbol.address == address).map(|symbol| symbol.name.clone());
+            let of_nc = || signals().find(|signal| signal.address == address);
+            own.or_else(|| of_nc().map(|signal| signal.name.to_owned())).unwrap_or_default()
+        };
         let signal = |address: Address| ForcedSignal {
             address: address.to_string(),
-            name: symbols.iter().find(|s| s.address == address).map(|s| s.name.clone()).unwrap_or_default(),
+            name: name(address),
             value: plc.memory().bit(address),
         };
         Ok(Reply::Forced { signals: plc.memory().forced().map(signal).collect() })

@@ -81,6 +81,8 @@ pub(crate) enum Function {
     Timer { number: u16 },
     FixedTimer { number: u16, time_us: u64 },
     Counter { number: u16 },
+    TimerAt { unit_ms: u32, time: u16, register: u16 },
+    CounterAt { preset: u16, register: u16 },
     Edge { number: u16, rising: bool },
     Move { mask: u8, from: u16, to: u16 },
     MoveBytes { from: u16, to: u16, bytes: u16 },
@@ -209,6 +211,10 @@ impl Function {
             Name::Tmr => Function::Timer { number: p.short(0) },
             Name::Tmrb => Function::FixedTimer { number: p.short(0), time_us: u64::from(p.count(1)) * 1000 },
             Name::Ctr => Function::Counter { number: p.short(0) },
+            Name::Tmrc => {
+                Function::TimerAt { unit_ms: timing::unit_ms(p.count(0)), time: p.at(1), register: p.at(2) }
+            }
+            Name::Ctrc => Function::CounterAt { preset: p.at(0), register: p.at(1) },
             Name::Difu => Function::Edge { number: p.short(0), rising: true },
             Name::Difd => Function::Edge { number: p.short(0), rising: false },
             Name::Move => {
@@ -311,6 +317,10 @@ impl Function {
             F::Timer { number } => state.timer(memory, number, line.st(0)),
             F::FixedTimer { number, time_us } => state.fixed_timer(number, time_us, line.st(0)),
             F::Counter { number } => state.counter(memory, number, line),
+            F::TimerAt { unit_ms, time, register } => {
+                state.timer_at(memory, unit_ms, (time, register), line.st(0))
+            }
+            F::CounterAt { preset, register } => timing::counter_at(memory, preset, register, line),
             F::Edge { number, rising } => state.edge(number, rising, line.st(0)),
             F::Move { mask, from, to } => logic::masked_move(memory, mask, from, to, line),
             F::MoveBytes { from, to, bytes } => logic::copy(memory, from, to, bytes, line),

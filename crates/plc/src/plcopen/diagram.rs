@@ -58,8 +58,13 @@ pub(super) enum Kind {
         name: String,
         inputs: Vec<Input>,
     },
-    /// A variable or constant that a block reads, or writes.
+    /// A variable or constant that a block reads.
     Variable(String),
+    /// A variable that is written: a coil where power leads to it.
+    Output {
+        signal: String,
+        negated: bool,
+    },
     Jump(String),
     Label(String),
     Connector(String),
@@ -133,9 +138,10 @@ pub(super) fn read(body: Node, errors: &mut Vec<Error>) -> (Vec<Element>, FxHash
                     _ => Storage::Write,
                 },
             },
-            "block" => block(node),
-            "inVariable" | "outVariable" | "inOutVariable" => {
-                Kind::Variable(text(node, "expression").to_owned())
+            "block" => block(node, errors),
+            "inVariable" | "inOutVariable" => Kind::Variable(text(node, "expression").to_owned()),
+            "outVariable" => {
+                Kind::Output { signal: text(node, "expression").to_owned(), negated: is_negated(node) }
             }
             "jump" => Kind::Jump(node.attribute("label").unwrap_or_default().to_owned()),
             "label" => Kind::Label(node.attribute("label").unwrap_or_default().to_owned()),
@@ -163,12 +169,20 @@ pub(super) fn read(body: Node, errors: &mut Vec<Error>) -> (Vec<Element>, FxHash
     (elements, places)
 }
 
-fn block(node: Node) -> Kind {
+fn block(node: Node, errors: &mut Vec<Error>) -> Kind {
     let variables = |list: &str| {
         let list = node.child(list);
         list.into_iter().flat_map(|list| list.children()).filter(|v| v.name() == "variable")
     };
     let name = |variable: Node| variable.attribute("formalParameter").unwrap_or_default().to_owned();
+    // Of what may stand at an input or output only a turned input is known.
+    for variable in ["inputVariables", "inOutVariables", "outputVariables"].into_iter().flat_map(variables) {
+        let is_set = variable.attribute("storage").is_some_and(|storage| storage != "none");
+        let is_output = variable.child("connectionPointOut").is_some();
+        if is_set || edge(variable) != Edge::None || is_output && is_negated(variable) {
+            errors.push(Error::about(Fault::Unsupported, variable.span(), name(variable)));
+        }
+    }
     let inputs = variables("inputVariables").chain(variables("inOutVariables"));
     let inputs = inputs
         .map(|variable| Input {

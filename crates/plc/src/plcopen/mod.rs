@@ -7,10 +7,12 @@
 //! - A program POU named `LEVEL1` is level 1; all others are level 2, in the order of the file. A function or
 //!   function block `P1`, `SP1` or `P001` is the subprogram of that number, which blocks of its name call.
 //! - Signals are named by their address (`X8.4`), or declared: `%IX8.4` is X8.4, `%QX` Y and `%MX` R. A variable
-//!   without an address gets a relay from R5000 on.
+//!   without an address gets a relay from R5000 on, in a byte that the document does not use itself. What a POU
+//!   declares is its own; `externalVars` are those that are declared for all. A variable that power is led to is a
+//!   coil.
 //! - Blocks are the functions of the list. Their conditions come in by name (`RST`, `ACT`; `EN` is ACT), their
-//!   parameters as `P1`, `P2` … from variables, and their W1 goes out. Of IEC 61131-3 `TON`, `R_TRIG`, `F_TRIG`,
-//!   `SR` and `RS` are known.
+//!   parameters as `P1`, `P2` … from variables, and their W1 goes out. Of IEC 61131-3 `TON`, `TOF`, `TP`, `R_TRIG`,
+//!   `F_TRIG`, `SR` and `RS` are known. `EN` beside another condition must be on always.
 //! - Networks are carried out from top to bottom, by the position of what they lead to.
 
 mod diagram;

@@ -5,9 +5,9 @@ use super::path::{Part, Paths, Series};
 use super::xml::{Document, Node};
 use crate::address::{Address, Area};
 use crate::fault::{Error, Fault, Span};
-use crate::instruction::{Basic, Code, EDGES, FIXED_TIMERS, Instruction, Name, Output, Parameter, Row};
+use crate::instruction::{self, Basic, Code, EDGES, FIXED_TIMERS, Instruction, Name, Output, Parameter, Row};
 use crate::lexer::Word;
-use crate::list::{Ladder, Symbol, function};
+use crate::list::{Ladder, Symbol, bytes_of, function};
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// First and last byte of the relays of variables without an address, and of results in between.
@@ -26,14 +26,18 @@ struct Import<'e> {
     errors: &'e mut Vec<Error>,
     instructions: Vec<Instruction>,
     symbols: Vec<Symbol>,
-    /// Signals that were declared, by their name.
-    declared: FxHashMap<String, Address>,
+    /// Signals that were declared for all POUs, by their name.
+    globals: FxHashMap<String, Address>,
+    /// Those of the POU at hand.
+    locals: FxHashMap<String, Address>,
     /// Subprograms by the name of their POU.
     subprograms: FxHashMap<String, i64>,
     /// Labels of the POU at hand, by their name.
     labels: FxHashMap<String, i64>,
     next_label: i64,
     next_relay: u32,
+    /// Bytes of R that the document uses itself.
+    used: FxHashSet<u16>,
     next_edge: i64,
     next_timer: i64,
     /// Outputs of blocks and contacts with an edge, by their element in the POU at hand.
@@ -42,6 +46,55 @@ struct Import<'e> {
 
 /// Reads all POUs of a document.
 pub(super) fn ladder(document: &Document, errors: &mut Vec<Error>) -> Ladder {
+    let mut used = named_relays(document);
+    let mut found = Vec::new();
+    let ladder = import(document, used.clone(), &mut found);
+    // How far the data of a function reach is known once it is read.
+    let named = used.len();
+    used.extend(data_relays(&ladder));
+    if used.len() == named {
+        errors.append(&mut found);
+        return ladder;
+    }
+    import(document, used, errors)
+}
+
+/// Bytes of R that a document names.
+fn named_relays(document: &Document) -> FxHashSet<u16> {
+    let mut used = FxHashSet::default();
+    for node in document.root().into_iter().flat_map(Node::descendants) {
+        let attributes = ["address", "name"].into_iter().filter_map(|name| node.attribute(name));
+        for text in attributes.chain([node.text()]).flat_map(|text| text.split([' ', ',', '\t'])) {
+            let address = located(text).or_else(|| Address::parse(text).ok());
+            used.extend(address.filter(|address| address.area == Area::R).map(|address| address.byte));
+        }
+    }
+    used
+}
+
+/// Bytes of R that functions of a ladder work on.
+fn data_relays(ladder: &Ladder) -> FxHashSet<u16> {
+    let mut used = FxHashSet::default();
+    for instruction in &ladder.instructions {
+        let Code::Function(row, parameters, _) = &instruction.code else { continue };
+        for (kind, parameter) in row.parameters.iter().zip(parameters) {
+            let Parameter::At(address) = parameter else { continue };
+            if address.area == Area::R && address.byte <= RELAYS.1 {
+                let bytes = match kind {
+                    instruction::Kind::Read(bytes)
+                    | instruction::Kind::Write(bytes)
+                    | instruction::Kind::Operand(bytes) => bytes_of(*bytes, row, parameters),
+                    _ => 1,
+                };
+                let last = u32::from(address.byte).saturating_add(bytes).min(u32::from(RELAYS.1) + 1);
+                used.extend((u32::from(address.byte)..last).filter_map(|byte| u16::try_from(byte).ok()));
+            }
+        }
+    }
+    used
+}
+
+fn import(document: &Document, used: FxHashSet<u16>, errors: &mut Vec<Error>) -> Ladder {
     let Some(root) = document.root() else { return Ladder::default() };
     let start = root.span();
     if root.name() != "project" {
@@ -52,11 +105,13 @@ pub(super) fn ladder(document: &Document, errors: &mut Vec<Error>) -> Ladder {
         errors,
         instructions: Vec::new(),
         symbols: Vec::new(),
-        declared: FxHashMap::default(),
+        globals: FxHashMap::default(),
+        locals: FxHashMap::default(),
         subprograms: FxHashMap::default(),
         labels: FxHashMap::default(),
         next_label: 1,
         next_relay: 0,
+        used,
         next_edge: EDGES,
         next_timer: FIXED_TIMERS,
         results: FxHashMap::default(),
@@ -66,7 +121,7 @@ pub(super) fn ladder(document: &Document, errors: &mut Vec<Error>) -> Ladder {
         import.error(Fault::FileFormat, start, "pou");
     }
     for node in root.descendants().filter(|node| node.name() == "globalVars") {
-        import.declare(node);
+        import.declare(node, None);
     }
     let name = |pou: Node| pou.attribute("name").unwrap_or_default().to_owned();
     let (programs, others): (Vec<Node>, Vec<Node>) =
@@ -147,8 +202,8 @@ impl Import<'_> {
         }
     }
 
-    /// Takes the variables of a list.
-    fn declare(&mut self, list: Node) {
+    /// Takes the variables of a list: of a POU, else of all.
+    fn declare(&mut self, list: Node, pou: Option<&str>) {
         for variable in list.children().filter(|child| child.name() == "variable") {
             let span = variable.span();
             let name = variable.attribute("name").unwrap_or_default().to_owned();
@@ -162,21 +217,43 @@ impl Import<'_> {
                 },
                 // One that is written as an address is that address.
                 None if Address::parse(&name).is_ok() => continue,
+                // Declared elsewhere.
+                None if list.name() == "externalVars" => {
+                    if !self.globals.contains_key(&name) {
+                        self.error(Fault::WrongEntry, span, &name);
+                    }
+                    continue;
+                }
                 None => match self.relay(span) {
                     Some(address) => address,
                     None => return,
                 },
             };
-            self.declared.insert(name.clone(), address);
+            let scope = if pou.is_some() { &mut self.locals } else { &mut self.globals };
+            scope.insert(name.clone(), address);
+            // Two POUs may each have one of this name.
+            let is_other = |symbol: &Symbol| symbol.name == name && symbol.address != address;
+            let name = match pou {
+                Some(pou) if self.symbols.iter().any(is_other) => format!("{pou}.{name}"),
+                _ => name,
+            };
             self.symbols.push(Symbol { name, address, meaning: String::new(), span });
         }
     }
 
+    fn declared(&self, name: &str) -> Option<Address> {
+        self.locals.get(name).or_else(|| self.globals.get(name)).copied()
+    }
+
     /// A relay that nothing else uses.
     fn relay(&mut self, span: Span) -> Option<Address> {
-        let (byte, bit) = (self.next_relay / 8, self.next_relay % 8);
+        let byte_of = |relay: u32| u16::try_from(relay / 8).ok().map(|n| RELAYS.0.saturating_add(n));
+        while byte_of(self.next_relay).is_some_and(|byte| self.used.contains(&byte)) {
+            self.next_relay = (self.next_relay / 8 + 1) * 8;
+        }
+        let (byte, bit) = (byte_of(self.next_relay), self.next_relay % 8);
         self.next_relay += 1;
-        let byte = u16::try_from(byte).ok().map(|n| RELAYS.0.saturating_add(n)).filter(|n| *n <= RELAYS.1);
+        let byte = byte.filter(|n| *n <= RELAYS.1);
         let Some(byte) = byte else {
             self.error(Fault::TooLarge, span, &format!("R{:04}", RELAYS.1));
             return None;
@@ -184,28 +261,31 @@ impl Import<'_> {
         Some(Address { area: Area::R, byte, bit: u8::try_from(bit).ok() })
     }
 
+    /// The bit of a name or address.
+    fn bit(&self, name: &str) -> Option<Address> {
+        let parsed = || Address::parse(name).ok().or_else(|| located(name));
+        self.declared(name).or_else(parsed).filter(|address| address.bit.is_some())
+    }
+
     fn signal(&mut self, name: &str, span: Span) -> Option<Address> {
         if name.is_empty() {
             self.errors.push(Error::new(Fault::NoAddress, span));
             return None;
         }
-        let parsed = Address::parse(name).ok().or_else(|| located(name));
-        let address = self.declared.get(name).copied().or(parsed);
-        match address {
-            Some(address) if address.bit.is_some() => Some(address),
-            _ => {
-                self.error(Fault::WrongEntry, span, name);
-                None
-            }
+        let bit = self.bit(name);
+        if bit.is_none() {
+            self.error(Fault::WrongEntry, span, name);
         }
+        bit
     }
 
     fn pou(&mut self, pou: Node) {
         let name = pou.attribute("name").unwrap_or_default();
-        if let Some(interface) = pou.child("interface") {
-            for list in interface.children() {
-                self.declare(list);
-            }
+        self.locals.clear();
+        // Global ones were taken before.
+        let lists = pou.child("interface").into_iter().flat_map(Node::children);
+        for list in lists.filter(|list| list.name() != "globalVars") {
+            self.declare(list, Some(name));
         }
         let Some(body) = pou.child("body") else {
             return self.error(Fault::Incomplete, pou.span(), name);
@@ -280,6 +360,18 @@ impl Import<'_> {
                 }
             }
             Kind::Block { name, inputs } => self.block(element, name, inputs, paths, done, depth),
+            Kind::Output { signal, negated } => {
+                let Some(series) = self.series(&element.wires, span, paths, done, depth) else { return };
+                let Some(target) = self.bit(signal) else {
+                    // Data of a block are written by its parameters.
+                    return self.error(Fault::Unsupported, span, signal);
+                };
+                self.network(&series, false, paths);
+                self.basic(if *negated { Basic::WrtNot } else { Basic::Wrt }, Some(target), span);
+            }
+            Kind::Variable(name) if !element.wires.is_empty() => {
+                self.error(Fault::Unsupported, span, name);
+            }
             Kind::Rail
             | Kind::Contact { .. }
             | Kind::Variable(_)
@@ -421,36 +513,23 @@ impl Import<'_> {
         let span = element.span;
         let upper = name.to_ascii_uppercase();
         if let Some(number) = self.subprograms.get(&upper).copied() {
+            self.known(inputs, &["ACT"], 0);
             let Some(()) = self.conditions(&["ACT"], inputs, span, paths, done, depth) else { return };
             return self.numbered(Name::Call, number, span);
         }
         match upper.as_str() {
             "SR" | "RS" => return self.bistable(element, &upper, inputs, paths, done, depth),
+            "TON" | "TOF" | "TP" => return self.timer(element, &upper, inputs, paths, done, depth),
+            "R_TRIG" | "F_TRIG" => {
+                self.known(inputs, &["CLK"], 0);
+                let Some(number) = self.edge_number(span) else { return };
+                let Some(()) = self.conditions(&["CLK"], inputs, span, paths, done, depth) else { return };
+                self.numbered(if upper == "R_TRIG" { Name::Difu } else { Name::Difd }, number, span);
+                return self.result(element);
+            }
             _ => {}
         }
-        let (row, words): (Option<&'static Row>, Vec<String>) = match upper.as_str() {
-            "TON" => {
-                let number = self.next_timer;
-                self.next_timer -= 1;
-                let Some(time) = self.operand(inputs, "PT", span, paths).and_then(|text| milliseconds(&text))
-                else {
-                    return self.error(Fault::WrongFormat, span, "PT");
-                };
-                (Row::by_text("TMRB"), vec![number.to_string(), time.to_string()])
-            }
-            "R_TRIG" | "F_TRIG" => {
-                let Some(number) = self.edge_number(span) else { return };
-                let row = Row::by_text(if upper == "R_TRIG" { "DIFU" } else { "DIFD" });
-                (row, vec![number.to_string()])
-            }
-            _ => {
-                let row = Row::by_text(&upper);
-                let words = (1..).map_while(|n| self.operand(inputs, &format!("P{n}"), span, paths));
-                let words = words.collect::<Vec<_>>();
-                (row, words)
-            }
-        };
-        let Some(row) = row else { return self.error(Fault::UnknownFunction, span, name) };
+        let Some(row) = Row::by_text(&upper) else { return self.error(Fault::UnknownFunction, span, name) };
         let is_structure = matches!(
             row.name,
             Name::End1
@@ -467,6 +546,10 @@ impl Import<'_> {
         if is_structure {
             return self.error(Fault::Unsupported, span, name);
         }
+        let parameters = (1..).take_while(|n| input_of(inputs, &format!("P{n}")).is_some()).count();
+        self.known(inputs, row.conditions, parameters);
+        let words = (1..=parameters).map_while(|n| self.operand(inputs, &format!("P{n}"), span, paths));
+        let words = words.collect::<Vec<_>>();
         let Some(()) = self.conditions(row.conditions, inputs, span, paths, done, depth) else { return };
         // Parameters may hold several words: the values of a table.
         let parts =
@@ -475,13 +558,99 @@ impl Import<'_> {
         let Some(instruction) = function(row, span, words, self.errors) else { return };
         self.instructions.push(instruction);
         if row.output != Output::Never {
-            let Some(relay) = self.relay(span) else { return };
-            self.basic(Basic::Wrt, Some(relay), span);
-            self.results.insert(element.id, relay);
+            self.result(element);
         }
     }
 
-    /// Stacks the conditions of a function. One that is not connected is off; of ACT that is a fault.
+    /// Puts what is on the line into a relay, for whatever is connected to a block.
+    fn result(&mut self, element: &Element) {
+        let Some(relay) = self.relay(element.span) else { return };
+        self.basic(Basic::Wrt, Some(relay), element.span);
+        self.results.insert(element.id, relay);
+    }
+
+    /// Refuses inputs that a block does not have: conditions, so many parameters, and EN is all that it has.
+    fn known(&mut self, inputs: &[Input], names: &[&str], parameters: usize) {
+        for input in inputs {
+            let given = input.name.to_ascii_uppercase();
+            let number = given.strip_prefix('P').and_then(|digits| digits.parse::<usize>().ok());
+            let is_parameter = number.is_some_and(|n| (1..=parameters).contains(&n));
+            if given != "EN" && !is_parameter && !names.contains(&given.as_str()) {
+                self.error(Fault::Unsupported, input.span, &input.name);
+            }
+        }
+    }
+
+    /// EN beside the condition of a block: without it the block is not carried out, which a list has not. So it must
+    /// be always on.
+    fn enabled(&mut self, inputs: &[Input], paths: &mut Paths) -> Option<()> {
+        let Some(input) = input_of(inputs, "EN").filter(|input| !input.wires.is_empty() || input.negated)
+        else {
+            return Some(());
+        };
+        match paths.along(&input.wires, input.span) {
+            Ok(series) if series.is_empty() && !input.negated => return Some(()),
+            Ok(_) => self.error(Fault::Unsupported, input.span, &input.name),
+            Err(error) => self.errors.push(error),
+        }
+        None
+    }
+
+    /// TON, TOF and TP. Off and pulse have relays that say whether they are on.
+    fn timer(
+        &mut self,
+        element: &Element,
+        name: &str,
+        inputs: &[Input],
+        paths: &mut Paths,
+        done: &mut FxHashSet<Id>,
+        depth: usize,
+    ) {
+        let span = element.span;
+        self.known(inputs, &["IN", "PT"], 0);
+        let Some(time) = self.operand(inputs, "PT", span, paths).and_then(|text| milliseconds(&text)) else {
+            return self.error(Fault::WrongFormat, span, "PT");
+        };
+        let number = self.next_timer;
+        self.next_timer -= 1;
+        let Some(()) = self.conditions(&["IN"], inputs, span, paths, done, depth) else { return };
+        let text = [number.to_string(), time.to_string()];
+        let words = text.iter().map(|text| Word { text, span }).collect();
+        let Some(timer) = Row::by_text("TMRB").and_then(|row| function(row, span, words, self.errors)) else {
+            return;
+        };
+        if name == "TON" {
+            self.instructions.push(timer);
+            return self.result(element);
+        }
+        let (Some(over), Some(on)) = (self.relay(span), self.relay(span)) else { return };
+        if name == "TOF" {
+            let Some(off) = self.relay(span) else { return };
+            self.basic(Basic::WrtNot, Some(off), span);
+            self.basic(Basic::Rd, Some(off), span);
+            self.instructions.push(timer);
+            self.basic(Basic::Wrt, Some(over), span);
+            // Off until IN is on for the first time.
+            self.basic(Basic::RdNot, Some(off), span);
+            self.basic(Basic::Or, Some(on), span);
+            self.basic(Basic::AndNot, Some(over), span);
+            self.basic(Basic::Wrt, Some(on), span);
+        } else {
+            let Some(edge) = self.edge_number(span) else { return };
+            self.numbered(Name::Difu, edge, span);
+            self.basic(Basic::Set, Some(on), span);
+            // The next pulse begins anew where it follows at once.
+            self.basic(Basic::Rd, Some(on), span);
+            self.basic(Basic::AndNot, Some(over), span);
+            self.instructions.push(timer);
+            self.basic(Basic::Wrt, Some(over), span);
+            self.basic(Basic::Rst, Some(on), span);
+        }
+        self.results.insert(element.id, on);
+    }
+
+    /// Stacks the conditions of a function. One that is not connected is off; of ACT, IN and CLK that is a fault.
+    /// EN is ACT where that is not given.
     fn conditions(
         &mut self,
         names: &[&str],
@@ -491,15 +660,16 @@ impl Import<'_> {
         done: &mut FxHashSet<Id>,
         depth: usize,
     ) -> Option<()> {
+        let is_act = names.contains(&"ACT") && input_of(inputs, "ACT").is_none();
+        if !is_act {
+            self.enabled(inputs, paths)?;
+        }
         // What other blocks give must be there before the first of them is stacked.
         let mut ways = Vec::new();
         for name in names {
-            let is_it = |input: &&Input| {
-                let given = input.name.to_ascii_uppercase();
-                given == *name || (*name == "ACT" && matches!(given.as_str(), "EN" | "IN" | "CLK"))
-            };
-            let Some(input) = inputs.iter().find(is_it) else {
-                if *name == "ACT" {
+            let given = if *name == "ACT" && is_act { "EN" } else { name };
+            let Some(input) = input_of(inputs, given) else {
+                if matches!(*name, "ACT" | "IN" | "CLK") {
                     self.error(Fault::NotConnected, span, name);
                     return None;
                 }
@@ -530,17 +700,19 @@ impl Import<'_> {
 
     /// The text of the variable at an input, or at an output of that name.
     fn operand(&mut self, inputs: &[Input], name: &str, span: Span, paths: &Paths) -> Option<String> {
-        let input = inputs.iter().find(|input| input.name.eq_ignore_ascii_case(name))?;
+        let input = input_of(inputs, name)?;
         let wire = input.wires.first()?;
+        if input.negated || input.wires.len() > 1 {
+            self.error(Fault::Unsupported, input.span, name);
+            return None;
+        }
         let element = paths.element(wire.from)?;
         let Kind::Variable(text) = &element.kind else {
             self.error(Fault::WrongFormat, span, name);
             return None;
         };
-        Some(self.declared.get(text).map_or_else(
-            || located(text).map_or_else(|| text.clone(), |address| address.to_string()),
-            Address::to_string,
-        ))
+        let address = self.declared(text).or_else(|| located(text));
+        Some(address.map_or_else(|| text.clone(), |address| address.to_string()))
     }
 
     /// SR and RS: a relay that is set and reset; the input with the 1 wins, so it comes last.
@@ -558,6 +730,9 @@ impl Import<'_> {
             "SR" => [(&["R", "RESET"], Basic::Rst), (&["S1", "SET1"], Basic::Set)],
             _ => [(&["S", "SET"], Basic::Set), (&["R1", "RESET1"], Basic::Rst)],
         };
+        let names = order.map(|(names, _)| names).concat();
+        self.known(inputs, &names, 0);
+        let Some(()) = self.enabled(inputs, paths) else { return };
         let Some(relay) = self.relay(span) else { return };
         for (names, basic) in order {
             let is_it = |input: &&Input| names.iter().any(|name| input.name.eq_ignore_ascii_case(name));
@@ -575,6 +750,16 @@ impl Import<'_> {
         }
         self.results.insert(element.id, relay);
     }
+}
+
+/// Whether a block is one of IEC 61131-3, and no function of the list.
+pub(super) fn is_of_iec(block: &str) -> bool {
+    ["TON", "TOF", "TP", "R_TRIG", "F_TRIG", "SR", "RS"].iter().any(|name| block.eq_ignore_ascii_case(name))
+}
+
+/// The input of a name.
+fn input_of<'a>(inputs: &'a [Input], name: &str) -> Option<&'a Input> {
+    inputs.iter().find(|input| input.name.eq_ignore_ascii_case(name))
 }
 
 fn edge_name(edge: Edge) -> Name {

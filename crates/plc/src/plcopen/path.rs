@@ -1,6 +1,7 @@
 //! What leads from the rail to an element: contacts in series, and groups of them in parallel.
 
 use super::diagram::{Element, Id, Kind, Wire};
+use super::networks::is_of_iec;
 use crate::fault::{Error, Fault, Span};
 use rustc_hash::FxHashMap;
 use std::rc::Rc;
@@ -102,14 +103,16 @@ impl<'a> Paths<'a> {
         Ok(Rc::new(series))
     }
 
-    /// Of the outputs of a block only W1 is a line; others carry data.
+    /// Of the outputs of a block only W1 is a line; others carry data. ENO of a block of IEC 61131-3 is not its Q.
     fn is_power(&self, wire: &Wire, span: Span) -> Result<(), Error> {
-        let is_block = self.element(wire.from).is_some_and(|e| matches!(e.kind, Kind::Block { .. }));
-        let name = wire.output.to_ascii_uppercase();
-        if is_block && !matches!(name.as_str(), "" | "W1" | "Q" | "Q1" | "ENO") {
-            return Err(Error::about(Fault::Unsupported, span, wire.output.as_str()));
+        let Some(Kind::Block { name: block, .. }) = self.element(wire.from).map(|e| &e.kind) else {
+            return Ok(());
+        };
+        match wire.output.to_ascii_uppercase().as_str() {
+            "" | "W1" | "Q" | "Q1" => Ok(()),
+            "ENO" if !is_of_iec(block) => Ok(()),
+            _ => Err(Error::about(Fault::Unsupported, span, wire.output.as_str())),
         }
-        Ok(())
     }
 
     /// What leads to the output of an element.
@@ -145,7 +148,7 @@ impl<'a> Paths<'a> {
                 };
                 self.merge(&connector.wires, connector.span, depth + 1)?
             }
-            Kind::Variable(_) | Kind::Jump(_) | Kind::Label(_) | Kind::Connector(_) => {
+            Kind::Variable(_) | Kind::Output { .. } | Kind::Jump(_) | Kind::Label(_) | Kind::Connector(_) => {
                 return Err(Error::new(Fault::Unsupported, element.span));
             }
         };

@@ -70,6 +70,15 @@ impl Error {
     /// A tool number too large.
     pub const TOOL: Error = Error(38);
 
+    /// The number for what the interpreter found in a block. `in_machine`: it has G53, which is at fault itself
+    /// where another move than G0 and G1 is in force.
+    pub fn of_block(fault: Fault, in_machine: bool) -> Error {
+        match fault {
+            Fault::CodesContradict | Fault::AxesWithoutCode if in_machine => Error::MACHINE_MOVE,
+            fault => Error::of(fault),
+        }
+    }
+
     /// The number for what the interpreter found.
     pub fn of(fault: Fault) -> Error {
         match fault {

@@ -34,10 +34,18 @@ const ROOM_FOR_JOG: usize = 16;
 /// Line numbers remembered for blocks that motion looks ahead to.
 const MOST_NUMBERS: usize = 4096;
 
-/// Codes in force behind a reset, and behind the end of a program (Grbl 1.1, M2 and M30).
+/// Codes in force behind a reset, and behind the end of a program (Grbl 1.1, M2 and M30). G1 needs a feed, which is
+/// forgotten behind it.
 const AFTER_RESET: &str = "G0G17G21G90G94G54G40G49G91.1M5M9";
-const AFTER_END: &str = "G1G17G90G94G54G40M5M9";
+const AFTER_END: &str = "G17G90G94G54G40M5M9F1G1";
+const NO_FEED: &str = "G94";
 const NO_SHIFT: &str = "G92.1";
+
+/// Coordinate systems, G54 to G59.
+const SYSTEMS: u8 = 6;
+
+/// The parameters of X of G28 and G30; those of the other axes follow (LinuxCNC).
+const REFERENCE_POINTS: [u32; 2] = [5161, 5181];
 
 /// What locks programs.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -58,9 +66,24 @@ enum Owed {
     /// Known already.
     Answer(Result<(), Error>),
     /// Once this block is taken, or refused.
-    Block { line: u32, refused: Option<Fault>, probes: Option<bool>, is_own: bool },
+    Block { line: u32, refused: Option<Fault>, given: Given },
     /// Once the axes are homed.
     Home,
+}
+
+/// What is to be known of a block until it is answered.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+struct Given {
+    /// No sender waits for it.
+    is_own: bool,
+    /// G38.2 to G38.5; true where no contact is an alarm.
+    probes: Option<bool>,
+    /// T.
+    tool: Option<u32>,
+    /// M2 or M30.
+    ends: bool,
+    /// G53.
+    in_machine: bool,
 }
 
 /// A connection's side of the protocol. One is kept for a machine, whoever connects.
@@ -280,14 +303,17 @@ impl Grbl {
         if self.lock != Lock::Free || !is_free || !status.is_current {
             return;
         }
-        let (flood, mist) = match which {
-            b'8' => (!status.modal.flood, status.modal.mist),
-            _ => (status.modal.flood, !status.modal.mist),
+        let (is_on, on, other_is_on, other) = match which {
+            b'8' => (status.modal.flood, "M8", status.modal.mist, "M7"),
+            _ => (status.modal.mist, "M7", status.modal.flood, "M8"),
         };
-        let on = |is_on, code| if is_on { code } else { "" };
+        if !is_on {
+            return self.give_own(machine, on);
+        }
+        // There is no code for one of them alone.
         self.give_own(machine, "M9");
-        if flood || mist {
-            self.give_own(machine, &format!("{}{}", on(mist, "M7"), on(flood, "M8")));
+        if other_is_on {
+            self.give_own(machine, other);
         }
     }
 
@@ -451,6 +477,7 @@ impl Grbl {
                 self.overrides = Overrides::default();
                 machine.set_overrides(self.overrides);
                 self.give_own(machine, AFTER_END);
+                self.give_own(machine, NO_FEED);
                 self.ends_program = false;
             }
             Event::Message(text) => {
@@ -460,15 +487,28 @@ impl Grbl {
         }
     }
 
-    /// Gives a block that no sender waits for.
-    fn give_own(&mut self, machine: &mut dyn Machine, block: &str) {
-        self.give(machine, block, None, true);
+    /// G54 to G59, G28 and G30 are machine zero (`$RST=#`).
+    pub(super) fn clear_offsets(&mut self, machine: &mut dyn Machine) {
+        let axes: String = self.letters.iter().map(|letter| format!("{}0", char::from(*letter))).collect();
+        for system in 1..=SYSTEMS {
+            self.give_own(machine, &format!("G10L2P{system}{axes}R0"));
+        }
+        for first in REFERENCE_POINTS {
+            let numbers = (first..).take(Axis::ALL.len());
+            let block: String = numbers.map(|number| format!("#{number}=0")).collect();
+            self.give_own(machine, &block);
+        }
     }
 
-    fn give(&mut self, machine: &mut dyn Machine, block: &str, probes: Option<bool>, is_own: bool) {
+    /// Gives a block that no sender waits for.
+    fn give_own(&mut self, machine: &mut dyn Machine, block: &str) {
+        self.give(machine, block, Given { is_own: true, ..Given::default() });
+    }
+
+    fn give(&mut self, machine: &mut dyn Machine, block: &str, given: Given) {
         machine.append(block);
         self.given = self.given.saturating_add(1);
-        self.owe(Owed::Block { line: self.given, refused: None, probes, is_own });
+        self.owe(Owed::Block { line: self.given, refused: None, given });
     }
 
     /// Answers what is done, in the order of the lines.
@@ -476,7 +516,7 @@ impl Grbl {
         while let Some(owed) = self.owed.front().copied() {
             let answer = match owed {
                 Owed::Answer(answer) => Some(answer),
-                Owed::Block { line, refused, probes, is_own } => {
+                Owed::Block { line, refused, given } => {
                     if !status.is_current || status.lines_done < line {
                         return;
                     }
@@ -484,14 +524,20 @@ impl Grbl {
                         self.owed.pop_front();
                         return self.alarm(AlarmCode::of(fault));
                     }
-                    if let (Some(needs_contact), None) = (probes, refused) {
+                    match refused {
+                        // A refused one does nothing.
+                        Some(_) => self.ends_program &= !given.ends,
+                        None => self.tool = given.tool.unwrap_or(self.tool),
+                    }
+                    if let (Some(needs_contact), None) = (given.probes, refused) {
                         self.reporter.probe(&mut self.out, status, &self.settings);
                         if needs_contact && !status.probe.1 {
                             self.owed.pop_front();
                             return self.alarm(AlarmCode::ProbeMissed);
                         }
                     }
-                    (!is_own).then_some(refused.map_or(Ok(()), |fault| Err(Error::of(fault))))
+                    let error = |fault| Error::of_block(fault, given.in_machine);
+                    (!given.is_own).then_some(refused.map_or(Ok(()), |fault| Err(error(fault))))
                 }
                 Owed::Home => {
                     if !status.is_current || matches!(status.doing, Doing::Home | Doing::Resetting) {
@@ -519,7 +565,8 @@ impl Grbl {
         while self.out.len() < MOST_ANSWERS && !self.begins && !self.ends_program {
             let waits = self.owed.iter().filter(|owed| matches!(owed, Owed::Block { .. })).count();
             // Behind a probe that meets nothing no block is run.
-            let is_probing = |owed: &Owed| matches!(owed, Owed::Block { probes: Some(_), .. });
+            let is_probing =
+                |owed: &Owed| matches!(owed, Owed::Block { given: Given { probes: Some(_), .. }, .. });
             if waits >= MOST_GIVEN || self.owed.contains(&Owed::Home) || self.owed.iter().any(is_probing) {
                 return;
             }
@@ -588,24 +635,34 @@ impl Grbl {
             return Err(Error::LOCKED);
         }
         let block = self.checks(line)?;
-        self.tool = block.tool.unwrap_or(self.tool);
         if self.lock == Lock::Check {
             return match machine.check(&block.text) {
                 Some(ferrocut_machine::Fault::SoftLimit) => {
                     self.alarm(AlarmCode::SoftLimit);
                     Ok(())
                 }
-                Some(fault) => Err(Error::of(fault)),
-                None => Ok(()),
+                Some(fault) => Err(Error::of_block(fault, block.in_machine)),
+                None => {
+                    self.tool = block.tool.unwrap_or(self.tool);
+                    Ok(())
+                }
             };
         }
+        let given = Given {
+            is_own,
+            probes: block.probes,
+            tool: block.tool,
+            ends: block.ends,
+            in_machine: block.in_machine,
+        };
         if block.text.is_empty() {
+            self.tool = block.tool.unwrap_or(self.tool);
             if !is_own {
                 self.owe(Owed::Answer(Ok(())));
             }
             return Ok(());
         }
-        self.give(machine, &block.text, block.probes, is_own);
+        self.give(machine, &block.text, given);
         self.ends_program = block.ends;
         if let Some(number) = block.number {
             if self.numbers.len() >= MOST_NUMBERS {

@@ -100,6 +100,12 @@ impl Settings {
         self.own = OWN.to_vec();
     }
 
+    /// No start lines and no name (`$RST=*`).
+    pub fn forget_texts(&mut self) {
+        self.start_lines = Default::default();
+        self.name.clear();
+    }
+
     /// Sets a start line (`$N0=`), which was found right.
     pub fn set_start_line(&mut self, number: usize, line: String) -> Result<(), Error> {
         match self.start_lines.get_mut(number) {

@@ -89,10 +89,16 @@ impl Grbl {
             [b'N', number @ b'0'..=b'1', b'=', line @ ..] => {
                 self.set_start_line(usize::from(*number - b'0'), line)
             }
+            b"RST=#" | b"RST=*" if doing != Doing::Idle => Err(Error::NOT_IDLE),
             b"RST=$" | b"RST=#" | b"RST=*" => {
-                // Zeros are the machine's; they are changed by G10.
                 if command != b"RST=#" {
                     self.settings.restore();
+                }
+                if command == b"RST=*" {
+                    self.settings.forget_texts();
+                }
+                if command != b"RST=$" {
+                    self.clear_offsets(machine);
                 }
                 self.out.push_str("[MSG:Restoring defaults]\r\n");
                 Ok(())

@@ -121,6 +121,8 @@ pub struct Block {
     pub ends: bool,
     /// G38.2 to G38.5; true where no contact is an alarm.
     pub probes: Option<bool>,
+    /// G53.
+    pub in_machine: bool,
 }
 
 /// What a block must know of the machine.
@@ -138,6 +140,8 @@ pub fn block(line: &[u8], limits: &Limits<'_>) -> Result<Block, Error> {
     let mut block = Block::default();
     let (mut groups, mut letters) = (0u32, 0u32);
     let (mut g43_1, mut takes_axes) = (false, 0);
+    // A move, or none, that G53 cannot have.
+    let mut is_other_move = false;
     for word in &words {
         let mut take_group = |group: u8, of: u32| match groups & 1 << (u32::from(group) + of) {
             0 => {
@@ -152,13 +156,15 @@ pub fn block(line: &[u8], limits: &Limits<'_>) -> Result<Block, Error> {
                 if matches!(code, 591..=593) {
                     return Err(Error::NO_SYSTEM);
                 }
+                let whole = code - code % 10;
+                // Codes that there are with a fraction have no other.
+                let has_fractions = matches!(whole, 280 | 300 | 380 | 430 | 610 | 900 | 910 | 920);
+                let is_unknown = code == whole || has_fractions || g_group(whole).is_none();
                 let group =
-                    g_group(code).ok_or(if code % 10 == 0 || g_group(code - code % 10).is_none() {
-                        Error::UNSUPPORTED
-                    } else {
-                        Error::NOT_WHOLE
-                    })?;
+                    g_group(code).ok_or(if is_unknown { Error::UNSUPPORTED } else { Error::NOT_WHOLE })?;
                 take_group(group, 0)?;
+                block.in_machine |= code == 530;
+                is_other_move |= matches!(code, 20 | 30 | 382..=385 | 800);
                 g43_1 |= code == 431;
                 if matches!(code, 382..=385) {
                     block.probes = Some(matches!(code, 382 | 384));
@@ -176,11 +182,8 @@ pub fn block(line: &[u8], limits: &Limits<'_>) -> Result<Block, Error> {
                 if code % 10 != 0 {
                     return Err(Error::NOT_WHOLE);
                 }
-                // M7 and M8 go together.
-                let group = m_group(code / 10).ok_or(Error::UNSUPPORTED)?;
-                if !(group == 8 && matches!(code, 70 | 80)) {
-                    take_group(group, 16)?;
-                }
+                // M7 and M8 may both be on, and are of one group: a block has one of them.
+                take_group(m_group(code / 10).ok_or(Error::UNSUPPORTED)?, 16)?;
                 block.ends |= matches!(code, 20 | 300);
                 // There is no switch for an optional stop.
                 if code != 10 {
@@ -221,20 +224,29 @@ pub fn block(line: &[u8], limits: &Limits<'_>) -> Result<Block, Error> {
         }
     }
     let has_axes = limits.axes.iter().any(|letter| letters & 1 << (letter.wrapping_sub(b'A') % 32) != 0);
-    if has_code(&words, 100) {
-        let value = |letter| words.iter().find(|word| word.letter == letter).map(|word| word.value);
-        if value(b'L').is_some_and(|l| l != 2.0 && l != 20.0) {
-            return Err(Error::UNSUPPORTED);
-        }
-        if value(b'P').is_some_and(|p| p > SYSTEMS) {
-            return Err(Error::NO_SYSTEM);
-        }
-    }
     if takes_axes > 1 && has_axes {
         return Err(Error::AXES_TWICE);
     }
-    if g43_1 && limits.axes.iter().any(|l| *l != b'Z' && letters & 1 << (l.wrapping_sub(b'A') % 32) != 0) {
+    let has = |letter: u8| letters & 1 << (letter.wrapping_sub(b'A') % 32) != 0;
+    if g43_1 && limits.axes.iter().any(|letter| has(*letter) != (*letter == b'Z')) {
         return Err(Error::LENGTH_AXIS);
+    }
+    if has_code(&words, 100) {
+        let value = |letter| words.iter().find(|word| word.letter == letter).map(|word| word.value);
+        if !has_axes {
+            return Err(Error::NO_AXES);
+        }
+        let (Some(p), Some(l)) = (value(b'P'), value(b'L')) else { return Err(Error::MISSING) };
+        if p > SYSTEMS {
+            return Err(Error::NO_SYSTEM);
+        }
+        // There is no turn of a system.
+        if !matches!(l, 2.0 | 20.0) || l == 2.0 && has(b'R') {
+            return Err(Error::UNSUPPORTED);
+        }
+    }
+    if block.in_machine && is_other_move {
+        return Err(Error::MACHINE_MOVE);
     }
     Ok(block)
 }
@@ -267,7 +279,6 @@ mod tests {
         assert_eq!(of("/N10 G61 G90G0X1").unwrap(), "G90G0X1");
         assert_eq!(of("G4 P0").unwrap(), "G4P0.001");
         assert_eq!(of("M3 S90000 T3 M1").unwrap(), "M3S8000");
-        assert_eq!(of("M7 M8").unwrap(), "M7M8");
         let block = block(b"N12G38.2Z-5F10T4M30", &LIMITS).unwrap();
         assert_eq!(
             (block.number, block.tool, block.ends, block.probes),
@@ -293,15 +304,29 @@ mod tests {
             ("G1U5", 20),
             ("G0G1X1", 21),
             ("M3M5", 21),
+            ("M7M8", 21),
             ("G1.5X1", 23),
             ("M3.1", 23),
             ("G92G1X1", 24),
             ("G1X1X2", 25),
             ("N10000000", 27),
             ("G59.1", 29),
+            ("G90.1", 20),
+            ("G61.1", 20),
+            ("G92.2", 20),
+            ("G40.1", 23),
+            ("G53G2X1I1", 30),
+            ("G53G80X1", 30),
+            ("G10", 26),
+            ("G10L20P1", 26),
+            ("G10P1X1", 28),
+            ("G10L2X1", 28),
             ("G10L2P7X1", 29),
             ("G10L1P1Z1", 20),
+            ("G10L2P1X1R45", 20),
+            ("G43.1", 37),
             ("G43.1X1", 37),
+            ("G43.1X1Z1", 37),
             ("T256", 38),
         ] {
             assert_eq!(of(line), Err(error), "{line}");

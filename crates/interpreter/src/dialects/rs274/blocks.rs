@@ -1,8 +1,8 @@
 //! One block: its words are read and checked, then done in the order of the language (LinuxCNC, order of
 //! execution).
 //!
-//! Nothing is changed before every word was read and the codes were found to go together, so that a block at
-//! fault does nothing.
+//! Nothing is changed before every word was read and the codes were found to go together. What is at fault in a move
+//! shows only where it is made; in a block that a sender sent that is taken back (`refused`).
 
 use super::codes::{MGroup, m_group};
 use super::expressions::WHOLE;
@@ -84,7 +84,13 @@ impl Interpreter {
         let codes = self.ngc_read(page, block)?;
         self.ngc_check(&codes)?;
         self.ngc_check_cutter(&codes)?;
-        self.ngc_execute(page, block, &codes)
+        let before = self.ngc_before(&codes);
+        self.ngc_execute(page, block, &codes).inspect_err(|alarm| {
+            // A probe that meets nothing has moved.
+            if let Some(before) = before.filter(|_| alarm.fault != Fault::SkipWithoutSignal) {
+                self.ngc_undo(before);
+            }
+        })
     }
 
     /// `%`: the end of a program that began with one; in another it means nothing.

@@ -22,6 +22,7 @@ mod moves;
 mod parameters;
 mod polar;
 mod probe;
+mod refused;
 mod rules;
 mod saved;
 mod splines;

@@ -42,7 +42,7 @@ function Signals($$anchor, $$props) {
 	});
 	const shown = $.derived(() => $.get(found).slice(0, MOST));
 	$.user_effect(() => {
-		const names = $.get(shown).map((one) => one.address);
+		const names = $.get(shown).map((one) => one.name);
 		let stopped = false;
 		const ask = async () => {
 			while (!stopped) {
@@ -105,7 +105,7 @@ function Signals($$anchor, $$props) {
 				var fragment_2 = root_3();
 				var div = $.first_child(fragment_2);
 				$.each(div, 21, () => $.get(shown), (one) => one.address, ($$anchor, one) => {
-					const value = $.derived(() => $.get(values)[$.get(one).address]);
+					const value = $.derived(() => $.get(values)[$.get(one).name]);
 					var div_1 = root_1();
 					let classes;
 					var b = $.child(div_1);
