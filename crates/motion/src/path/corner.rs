@@ -51,7 +51,7 @@
 //! A corner run at the share `λ` of its pace has speed `λ·v` and acceleration `λ²·a`, its jerk is `λ³` of the whole.
 
 use crate::limits::{Drive, Inverse, Rates, peak};
-use crate::path::link::Link;
+use crate::path::link::{Link, Linked};
 use crate::path::piece::{Piece, Reach};
 use crate::path::swing::Swing;
 use crate::timing::ramp::{Foot, distance, duration};
@@ -238,7 +238,7 @@ impl Corner {
             return None;
         }
         let sides = [self.before.slope(0.0), next.after.slope(0.0)];
-        let linked = Link::new(self.reach, d, len, sides, inverse)?;
+        let linked = Linked::new(self.reach, d, len, sides, inverse)?;
         Some(Corner {
             form: Form::Link(linked.link),
             after: next.after,

@@ -50,7 +50,7 @@ pub(crate) struct Linked {
     pub peak: f64,
 }
 
-impl Link {
+impl Linked {
     /// The line of `len` in the direction `d` between two others in the directions `sides`, the corners with this reach.
     /// `None` if there is less room than the corners take.
     pub fn new(reach: f64, d: Position, len: f64, sides: [Position; 2], inverse: &Inverse) -> Option<Linked> {
@@ -77,7 +77,9 @@ impl Link {
         let link = Link { d, len, share: overlap / time };
         is_possible.then_some(Linked { link, time, foot, peak: j * time * time / 16.0 * norm(&d.0) })
     }
+}
 
+impl Link {
     /// Where the three are at the share `x` of the duration: how far before the first vertex, how far on the line, how far
     /// behind the second, the outer two as shares of the reach; and how fast, those as shares of the speed at the ends, the
     /// line in mm for the whole duration.
@@ -105,4 +107,34 @@ impl Link {
 /// How long the line takes, and how long the way to a vertex, s.
 fn durations(reach: f64, len: f64, j: f64) -> (f64, f64) {
     (4.0 * (len / (2.0 * j)).cbrt(), (6.0 * reach / j).cbrt())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn it_goes_from_rest_to_rest_with_one_jerk_to_and_fro() {
+        let link = Link { d: Position::xyz(1.0, 0.0, 0.0), len: 0.5, share: 0.3 };
+        let way = |x: f64| link.at(x)[1];
+        assert_eq!((way(0.0), way(1.0)[1]), ([0.0, 0.0], 0.0));
+        assert!((way(0.5)[0] - 0.25).abs() < 1e-12 && (way(1.0)[0] - 0.5).abs() < 1e-12);
+        let h = 1e-4;
+        for k in 1..1000 {
+            let x = f64::from(k) / 1000.0 + 3e-4;
+            if [0.25, 0.5, 0.75, 1.0].iter().any(|place| (x - place).abs() < 2.0 * h) {
+                continue;
+            }
+            let (before, here, behind) = (way(x - h), way(x), way(x + h));
+            assert!(((behind[0] - before[0]) / (2.0 * h) - here[1]).abs() < 1e-6, "{x}");
+            // The jerk of a way of 1 in the time 1 is 32.
+            let jerk = (behind[1] - 2.0 * here[1] + before[1]) / (h * h);
+            let expected = if (0.25..0.75).contains(&x) { -16.0 } else { 16.0 };
+            assert!((jerk - expected).abs() < 1e-3, "{x}: {jerk}");
+        }
+        // The ways beside it.
+        assert_eq!(link.at(0.0)[0], [1.0, 1.0]);
+        assert_eq!((link.at(0.3)[0], link.at(0.7)[2]), ([0.0, 0.0], [0.0, 0.0]));
+        assert!((link.at(1.0)[2][0] - 1.0).abs() < 1e-12);
+    }
 }
