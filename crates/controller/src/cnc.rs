@@ -926,6 +926,7 @@ impl Cnc {
             self.runs(block);
         }
         self.note_spindle(&step.op);
+        self.keep_tools(&step.op);
         if self.is_kept_back(&step.op) || self.is_for_ladder(&step) {
             return;
         }

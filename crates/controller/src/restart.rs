@@ -328,6 +328,7 @@ impl Journal {
                         interpreter.came_to_rest(&answer.at_rest);
                         at = answer.at_rest.commanded;
                     }
+                    None if interpreter.asks_for_lock() => {}
                     None => functions.unknown += 1,
                 },
                 Op::Datum { at: name } => {

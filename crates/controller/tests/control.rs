@@ -616,6 +616,7 @@ fn locks_and_interlocks() {
     let status = shop.until_it_stops();
     assert_eq!((status.position.machine[&'X'], status.counters.parts, status.spindle.told), (100.0, 1, 0.0));
     assert!(!shop.events.iter().any(|event| matches!(event, Event::ToolChange { .. })));
+    assert_eq!((status.spindle.tool, status.spindle.called_tool), (0, 0), "M06 and T were not executed");
     (shop.inputs.machine_lock, shop.inputs.auxiliary_lock) = (false, false);
     assert_eq!(shop.wait(2).position.machine[&'X'], 0.0);
     // Optional stop.

@@ -221,7 +221,7 @@ fn a_reset_in_the_thread_of_a_floating_tap_ends_it_and_the_override_counts_again
 
 #[test]
 fn under_auxiliary_lock_no_code_leaves_the_control() {
-    let mut m = Mill::new("M03 S1000\nT5\nM08\nG95 G01 X1 F0.5\nM00\nM30");
+    let mut m = Mill::new("M03 S1000\nT5\nM06\nT7 M06\nM08\nG95 G01 X1 F0.5\nM00\nM30");
     m.press("KEY_AUTO");
     m.press("KEY_AUXLOCK");
     assert!(m.is("LAMP_AUXLOCK"));
@@ -233,9 +233,53 @@ fn under_auxiliary_lock_no_code_leaves_the_control() {
     }
     assert_eq!((m.cnc.state(), rpm(&m), m.at[Axis::X]), (&State::Stopped(0), 0, 1.0));
     assert_eq!(m.on(&["SPINDLE_CW", "COOLANT"]), Vec::<&str>::new());
+    assert_eq!((m.cnc.interpreter().tools(), tool_of_program(&m)), ((0, 0), None));
     m.press("KEY_START");
     m.until(|m| *m.cnc.state() == State::Ended);
     assert_eq!((m.byte("M_CODE"), m.cnc.report().parts), (30, 1));
+    assert_eq!((m.cnc.interpreter().tools(), tool_of_program(&m)), ((0, 0), None));
+}
+
+/// The tool in the spindle as the program of the tool change keeps it.
+fn tool_of_program(mill: &Mill) -> Option<f64> {
+    mill.cnc.interpreter().memory().variables.get(500)
+}
+
+/// 7.8: M06 is not executed, neither its program nor what it says of the tool.
+#[test]
+fn a_tool_change_under_auxiliary_lock_never_happened() {
+    let mut m = Mill::with(
+        "T3 M06\nM00\nT7 M06\nM00\nT7 M06\nM00\nT5 M06\nM30",
+        "[parameters]\nP52 = -100.0\n",
+        |_| {},
+    );
+    let stops = |m: &mut Mill| {
+        m.until(|m| *m.cnc.state() == State::Running);
+        m.until(|m| matches!(m.cnc.state(), State::Stopped(_)));
+        (m.cnc.interpreter().tools(), tool_of_program(m), m.pocket)
+    };
+    m.start();
+    assert_eq!(stops(&mut m), ((3, 3), Some(3.0), 3));
+    m.press("KEY_AUXLOCK");
+    m.machine("KEY_START", true);
+    m.run(30);
+    m.machine("KEY_START", false);
+    assert_eq!(stops(&mut m), ((3, 3), Some(3.0), 3));
+    // Without the lock the same blocks change the tool.
+    m.press("KEY_AUXLOCK");
+    m.machine("KEY_START", true);
+    m.run(30);
+    m.machine("KEY_START", false);
+    assert_eq!(stops(&mut m), ((7, 7), Some(7.0), 7));
+    // A lock that comes in the midst of a change waits for its end.
+    m.machine("KEY_START", true);
+    m.run(30);
+    m.machine("KEY_START", false);
+    m.until(|m| m.is("TOOL_LOOSE"));
+    m.press("KEY_AUXLOCK");
+    m.until(|m| *m.cnc.state() == State::Ended);
+    assert_eq!((m.cnc.interpreter().tools(), tool_of_program(&m), m.pocket), ((5, 5), Some(5.0), 5));
+    assert_eq!(m.on(&["TOOL_CLAMPED", "MAG_AWAY", "TOOL_LOOSE"]), ["TOOL_CLAMPED", "MAG_AWAY"]);
 }
 
 #[test]

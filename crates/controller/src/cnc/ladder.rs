@@ -31,7 +31,8 @@ impl Cnc {
         // GSK990MC 4.4.5: as at 100 %.
         let ignores_override = self.is_in(ThreadKind::Beside);
         if let Some(auxiliary) = &mut self.auxiliary {
-            auxiliary.hear(inputs);
+            self.interpreter.set_auxiliary_lock(inputs.auxiliary_lock);
+            auxiliary.hear(inputs, self.interpreter.is_auxiliary_locked());
             if ignores_override {
                 auxiliary.ignore_spindle_override();
             }

@@ -751,7 +751,7 @@ impl Control {
             block_skip: self.inputs.block_skip,
             machine_lock: self.cnc.is_locked(),
             single_block: self.inputs.single_block,
-            auxiliary_lock: self.inputs.auxiliary_lock,
+            auxiliary_lock: self.cnc.is_auxiliary_locked(),
             spindle_rpm: self.cnc.spindle().rpm().clamp(0.0, 65_535.0) as u16,
             spindle_enabled: self.cnc.spindle().rpm() > 0.0,
             spindle_zero: self.cnc.spindle().rpm() == 0.0,
