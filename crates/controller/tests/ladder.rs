@@ -440,6 +440,35 @@ fn spindle_keys_turn_it_at_the_last_speed() {
     assert!(!m.is("ORARA"));
 }
 
+/// GSK990MC part 2, 1.2.4: spindle jog is of JOG, STEP and HANDLE.
+#[test]
+fn spindle_jog_ends_with_the_manual_modes() {
+    let mut m = Mill::new("M03 S1000\nG04 X0.5\nM30");
+    m.press("KEY_JOG");
+    m.press("KEY_SP_JOG");
+    for key in ["KEY_STEP", "KEY_MPG"] {
+        m.press(key);
+        assert_eq!((m.is("LAMP_SP_JOG"), m.inputs.spindle_jog), (true, true), "{key}");
+    }
+    m.start();
+    assert_eq!((m.is("LAMP_SP_JOG"), m.inputs.spindle_jog), (false, false));
+    m.until(|m| rpm(m) == 1000);
+    m.until(|m| *m.cnc.state() == State::Ended);
+    m.run(400);
+    m.press("KEY_JOG");
+    assert!(!m.is("LAMP_SP_JOG"), "it does not come back by itself");
+    // Of another ladder, that keeps the signal, it counts as little.
+    let jogs = m.address("SJOG");
+    m.plc.force(&ferrocut_plc::Maintenance::granted(), jogs, true);
+    m.press("KEY_SP_CW");
+    m.machine("KEY_SP_CW", true);
+    m.run(300);
+    assert_eq!(rpm(&m), 50);
+    m.press("KEY_AUTO");
+    m.run(400);
+    assert_eq!((rpm(&m), m.inputs.spindle_jog), (1000, true));
+}
+
 #[test]
 fn an_emergency_stop_ends_all() {
     let mut m = Mill::new("M03 S2000\nM08\nG01 X50 F1000\nM30");
