@@ -470,6 +470,30 @@ fn spindle_jog_ends_with_the_manual_modes() {
 }
 
 #[test]
+fn a_key_of_the_spindle_that_is_held_while_all_is_stopped_turns_it_once_let_go() {
+    for (key, speed) in [("KEY_SP_CW", 700), ("KEY_SP_CCW", -700)] {
+        for (input, stops) in [("*ESP_BUTTON", false), ("DOOR_CLOSED", false)] {
+            let mut m = Mill::new("S700\nM30");
+            m.run_program();
+            m.press("KEY_JOG");
+            m.machine(key, true);
+            m.until(|m| rpm(m) == speed);
+            m.machine(input, stops);
+            m.run(500);
+            m.machine(input, !stops);
+            m.run(500);
+            assert_eq!(rpm(&m), 0, "{input}");
+            m.machine(key, false);
+            m.run(100);
+            assert_eq!(rpm(&m), 0, "{input}");
+            m.press(key);
+            m.run(500);
+            assert_eq!(rpm(&m), speed, "{input}");
+        }
+    }
+}
+
+#[test]
 fn an_emergency_stop_ends_all() {
     let mut m = Mill::new("M03 S2000\nM08\nG01 X50 F1000\nM30");
     m.start();
