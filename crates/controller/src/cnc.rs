@@ -607,6 +607,7 @@ impl Cnc {
         self.fetch();
         self.steps_left = self.steps_a_period;
         self.serve_ladder();
+        self.follow_tool();
         self.wait_for_more();
         self.override_spindle();
         self.tell_motion_of_spindle();

@@ -321,6 +321,11 @@ impl Control {
         self.plc.as_mut()
     }
 
+    /// The simulated machine, where the drives are that.
+    pub fn plant_mut(&mut self) -> Option<&mut crate::drives::Plant> {
+        self.cnc.drives().plant()
+    }
+
     /// The NC.
     pub fn cnc(&self) -> &Cnc {
         &self.cnc
