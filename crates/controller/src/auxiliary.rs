@@ -86,9 +86,10 @@ impl Auxiliary {
         self.spindle.engaged()
     }
 
-    /// What the ladder says in this period.
-    pub fn hear(&mut self, inputs: &Inputs) {
+    /// What the ladder says in this period. Auxiliary lock is in force or not whatever its switch says by now.
+    pub fn hear(&mut self, inputs: &Inputs, is_locked: bool) {
         self.inputs.clone_from(inputs);
+        self.inputs.auxiliary_lock = is_locked;
     }
 
     /// The switch of the spindle override counts as 100 % in this period.

@@ -607,6 +607,7 @@ impl Cnc {
         self.fetch();
         self.steps_left = self.steps_a_period;
         self.serve_ladder();
+        self.follow_tool();
         self.wait_for_more();
         self.override_spindle();
         self.tell_motion_of_spindle();
@@ -926,6 +927,7 @@ impl Cnc {
             self.runs(block);
         }
         self.note_spindle(&step.op);
+        self.keep_tools(&step.op);
         if self.is_kept_back(&step.op) || self.is_for_ladder(&step) {
             return;
         }

@@ -328,6 +328,8 @@ impl Journal {
                         interpreter.came_to_rest(&answer.at_rest);
                         at = answer.at_rest.commanded;
                     }
+                    // A change of tool asks for auxiliary lock, and which tool is in the spindle.
+                    None if interpreter.asks_for_lock() || interpreter.changes_tool() => {}
                     None => functions.unknown += 1,
                 },
                 Op::Datum { at: name } => {

@@ -205,6 +205,8 @@ pub struct Inputs {
     pub on_home_switch_by_ladder: [bool; SIGNAL_AXES],
     /// The skip signal: a probe touches.
     pub skip: bool,
+    /// The tool in the spindle as the ladder knows it, 0 for none; where it tells that.
+    pub tool_in_spindle: Option<u32>,
     /// Inputs of macro programs, #1000 to #1015 from bit 0 on.
     pub macro_inputs: u16,
 }
@@ -566,6 +568,7 @@ pub const ROWS: &[Row] = &[
         |r, n, v| minus(&mut r.inputs.no_motion, n, v != 0)),
     g(&["*DEC1", "*DEC2", "*DEC3", "*DEC4", "*DEC5", "*DEC6", "*DEC7", "*DEC8"], 196, 0,
         |r, n, v| set(&mut r.inputs.on_home_switch_by_ladder, n, v == 0)),
+    value(&["TSP"], Area::G, 204, 2, Link::Reads(|r, _, v| r.inputs.tool_in_spindle = (v & 0xFFFF).checked_sub(1))),
     // The NC to the ladder.
     f(&["RWD"], 0, 0, |o, _| o.rewinding.into()),
     f(&["SPL"], 0, 4, |o, _| o.held.into()),

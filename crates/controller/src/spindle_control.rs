@@ -150,7 +150,8 @@ impl SpindleControl {
     /// The speed with its override within all limits, r/min.
     fn rpm(&self, inputs: &Inputs) -> f64 {
         let highest = self.highest();
-        if inputs.spindle_jog {
+        // GSK990MC part 2, 1.2.4.
+        if inputs.spindle_jog && inputs.mode.is_manual() {
             return self.gears.jog_rpm.min(highest);
         }
         if self.gears.switched {

@@ -266,8 +266,8 @@ const QUIET: usize = 100;
 /// How long the ladder needs to see that the emergency stop is released, ms.
 const RELEASED: usize = 20;
 
-/// The tool that stands in the spindle, and the one whose pocket is called.
-const TOOL: u32 = 3;
+/// How long the magazine, the clamp and the ladder take to end what they had begun, ms.
+const MAGAZINE: usize = 1500;
 
 /// What the ladder has to do with: spindle both ways, coolant, tools called, tapping, stops of the block. What the
 /// memory keeps: a zero that the program writes, variables. Length and cutter compensation. Three programs, each short, so
@@ -281,7 +281,7 @@ const BY_LADDER: [(&str, &str); 3] = [
     ),
     (
         "O0003",
-        "O3\nG90 G17 G21 G40 G49 G80 G94 G55\nG53 G0 Z-60\nG53 X-105 Y-110\nG91\nG43 H1 Z-4\nG4 X0.05\nM4 S500\n\
+        "O3\nG90 G17 G21 G40 G49 G80 G94 G55\nG53 G0 Z-60\nG53 X-105 Y-110\nT2 M6\nG91\nG43 H1 Z-4\nG4 X0.05\nM4 S500\n\
          M98 P2 L2\nG54\nG0 Z10\nG43 H2 Z-2\nM9\nM5\nG90\nM30\n",
     ),
     (
@@ -408,7 +408,7 @@ fn is_quiet(mill: &mut Mill, store: Option<&Store>, place: &str) {
         }
         run(mill, 10);
     }
-    run(mill, LAG);
+    run(mill, LAG + MAGAZINE);
     let at = mill.control.tick();
     for _ in 0..QUIET {
         let tick = mill.control.tick();
@@ -435,15 +435,41 @@ fn is_quiet(mill: &mut Mill, store: Option<&Store>, place: &str) {
         (SpindleState::Off, [false; 2], 0),
         "{place}"
     );
-    // As its own program keeps it, and as the panel shows it.
-    let of_program = interpreter.memory().variables.get(500);
-    assert_eq!((in_force.in_spindle, of_program), (TOOL, Some(f64::from(TOOL))), "{place}");
-    assert_eq!((status.spindle.tool, status.program.h), (TOOL, in_force.length_number), "{place}");
-    assert_eq!(status.program.d, in_force.radius_number, "{place}");
+    assert_eq!(
+        (status.program.h, status.program.d),
+        (in_force.length_number, in_force.radius_number),
+        "{place}"
+    );
     offsets_agree(interpreter, at.position, place);
+    tools_agree(mill, place);
     if let Some(store) = store {
         is_kept(mill, store, place);
     }
+}
+
+/// NC, ladder and panel have the tool that the spindle has.
+fn tools_agree(mill: &mut Mill, place: &str) {
+    let (tool, _) = mill.control.plant_mut().unwrap().tool_and_pocket();
+    let told = mill.control.inputs().tool_in_spindle;
+    let (in_spindle, _) = mill.control.interpreter().tools();
+    let shown = mill.control.status().spindle.tool;
+    assert_eq!((told, in_spindle, shown), (Some(tool), tool, tool), "{place}");
+}
+
+/// What an operator does where a change of tool was broken off: sends the magazine away, or has the change ended.
+fn end_change(mill: &mut Mill, place: &str) {
+    let is = |mill: &mut Mill, name: &str| {
+        let plc = mill.control.plc_mut().unwrap();
+        let address = plc.program().signal(name).unwrap();
+        plc.memory().bit(address)
+    };
+    match (is(mill, "TOOL_CLAMPED"), is(mill, "MAG_AWAY")) {
+        (true, true) => return,
+        (true, false) => mill.mdi("M22"),
+        (false, _) => mill.mdi("G91 G28 Z0\nT5 M06"),
+    }
+    assert!(is(mill, "TOOL_CLAMPED") && is(mill, "MAG_AWAY"), "{place}");
+    tools_agree(mill, place);
 }
 
 /// The durable memory has what the control has.
@@ -498,7 +524,9 @@ fn abort_whole(mut random: Random, aborts: usize, is_kept: bool) {
         mill.say(Command::SetOffset { number, values, add: false });
     }
     mill.home();
-    mill.mdi(&format!("T{TOOL} M06"));
+    // The one that is in the spindle; the ladder is not told of it yet.
+    mill.mdi("T1 M06");
+    tools_agree(&mut mill, "power-on");
     mill.press("KEY_AUTO");
     let mut made = 0;
     let mut whole_run = |mill: &mut Mill, program: &str| {
@@ -581,6 +609,7 @@ fn abort_whole(mut random: Random, aborts: usize, is_kept: bool) {
         let wanted = before.program_mode.map(|_| (program.to_owned(), true));
         assert_eq!(block, wanted, "{place}");
         broken_off += usize::from(wanted.is_some());
+        end_change(&mut mill, &place);
     }
     println!(
         "{broken_off} aborts in {case} runs of {lengths:?} ms; at rest after {longest:?} ms, in a thread the second"
@@ -599,4 +628,52 @@ fn at_random_instants_everything_agrees_with_ladder_and_machine_too() {
             scope.spawn(move || abort_whole(Random::new(31 + mill as u64), share, mill % 2 == 0));
         }
     });
+}
+
+/// Aborts of changes of tool; `FERROCUT_CASES` says otherwise.
+const CHANGES: usize = 24;
+
+/// How long a change takes, ms: the way of the magazine twice, the clamp twice, the axis, a few pockets.
+const CHANGE: usize = 5_000;
+
+#[test]
+fn a_change_of_tool_that_is_broken_off_anywhere_leaves_the_tool_that_is_there() {
+    let aborts = std::env::var("FERROCUT_CASES").ok().and_then(|n| n.parse().ok()).unwrap_or(CHANGES);
+    let machine = Machine::demo_mill();
+    let plant = Plant::new(&machine, Position::ZERO, Position::ZERO);
+    let mut mill = Mill::of(&machine, plant, None);
+    let mut random = Random::new(47);
+    mill.press("KEY_EDIT");
+    mill.say(Command::Store { program: "O9001".into(), text: TOOL_CHANGE.into() });
+    mill.home();
+    mill.mdi("T1 M06");
+    let mut within = 0;
+    for case in 0..aborts {
+        let (tool, _) = mill.control.plant_mut().unwrap().tool_and_pocket();
+        let next = tool % 4 + 1;
+        press(&mut mill, "KEY_MDI");
+        mill.say(Command::Mdi { text: format!("T{next} M06") });
+        press(&mut mill, "KEY_START");
+        let instant = random.below(CHANGE);
+        run(&mut mill, instant);
+        let place = format!("case {case}, T{tool} to T{next}, {instant}");
+        within += usize::from(mill.control.status().activity != Activity::Idle);
+        match random.below(2) {
+            0 => drop(mill.say(Command::Reset)),
+            _ => {
+                mill.say(Command::EmergencyStop { pressed: true });
+                run(&mut mill, 100);
+                mill.say(Command::EmergencyStop { pressed: false });
+            }
+        }
+        run(&mut mill, MAGAZINE);
+        tools_agree(&mut mill, &place);
+        end_change(&mut mill, &place);
+        // The same change once more, to its end.
+        mill.mdi(&format!("T{next} M06"));
+        tools_agree(&mut mill, &place);
+        let (tool, _) = mill.control.plant_mut().unwrap().tool_and_pocket();
+        assert_eq!(tool, next, "{place}");
+    }
+    println!("{within} of {aborts} within the change");
 }

@@ -548,6 +548,80 @@ fn emergency_stop_stops_axes_and_spindle_and_nothing_starts_before_it_is_release
     assert_eq!(shop.until_it_stops().counters.parts, 1);
 }
 
+/// The end of what stopped the axes moves none, though its key is held still.
+#[test]
+fn a_key_that_is_held_while_all_is_stopped_moves_nothing_before_it_is_pressed_anew() {
+    let stops: [fn(&mut Shop, bool); 4] = [
+        |shop, on| drop(shop.say(Command::EmergencyStop { pressed: on })),
+        |shop, on| {
+            if on {
+                shop.say(Command::Reset);
+            }
+        },
+        |shop, on| shop.inputs.axes_may_move = !on,
+        |shop, on| {
+            if on {
+                shop.mode(Mode::Auto);
+            }
+        },
+    ];
+    for mode in [Mode::Jog, Mode::Step] {
+        for (n, stop) in stops.iter().enumerate() {
+            let mut shop = Shop::new(&[]);
+            shop.inputs.increment = 3;
+            shop.mode(mode);
+            shop.inputs.jog[0] = Ways { plus: true, minus: false };
+            shop.wait(1000);
+            assert!(shop.x() >= 0.99, "{mode:?} {n}: {}", shop.x());
+            stop(&mut shop, true);
+            shop.wait(500);
+            let x = shop.x();
+            stop(&mut shop, false);
+            shop.mode(mode);
+            shop.wait(1000);
+            assert_eq!(shop.x(), x, "{mode:?} {n}");
+            shop.inputs.jog[0] = Ways::default();
+            shop.wait(2);
+            shop.inputs.jog[0] = Ways { plus: true, minus: false };
+            shop.wait(1000);
+            assert!(shop.x() >= x + 0.99, "{mode:?} {n}: {}", shop.x());
+        }
+    }
+}
+
+#[test]
+fn cycle_start_that_was_pressed_before_the_end_of_an_emergency_stop_starts_nothing() {
+    for presses_first in [true, false] {
+        let mut shop = Shop::new(&[]);
+        shop.store("O0001", "G1 X100 F3000\nM30\n");
+        shop.select("O1");
+        shop.inputs.cycle_start = presses_first;
+        shop.wait(10);
+        shop.say(Command::EmergencyStop { pressed: true });
+        shop.wait(10);
+        shop.inputs.cycle_start = true;
+        shop.wait(10);
+        shop.say(Command::EmergencyStop { pressed: false });
+        shop.wait(10);
+        shop.inputs.cycle_start = false;
+        shop.wait(500);
+        assert_eq!((shop.control.status().activity, shop.x()), (Activity::Idle, 0.0));
+        shop.start();
+        assert_eq!(shop.until_it_stops().counters.parts, 1);
+    }
+    // So it is with a reset.
+    let mut shop = Shop::new(&[]);
+    shop.store("O0001", "G1 X100 F3000\nM30\n");
+    shop.select("O1");
+    shop.inputs.cycle_start = true;
+    shop.wait(10);
+    shop.say(Command::Reset);
+    shop.wait(10);
+    shop.inputs.cycle_start = false;
+    shop.wait(500);
+    assert_eq!((shop.control.status().activity, shop.x()), (Activity::Idle, 0.0));
+}
+
 /// Drives that stop by themselves while this is on.
 struct Failing(Arc<AtomicBool>);
 
@@ -616,6 +690,7 @@ fn locks_and_interlocks() {
     let status = shop.until_it_stops();
     assert_eq!((status.position.machine[&'X'], status.counters.parts, status.spindle.told), (100.0, 1, 0.0));
     assert!(!shop.events.iter().any(|event| matches!(event, Event::ToolChange { .. })));
+    assert_eq!((status.spindle.tool, status.spindle.called_tool), (0, 0), "M06 and T were not executed");
     (shop.inputs.machine_lock, shop.inputs.auxiliary_lock) = (false, false);
     assert_eq!(shop.wait(2).position.machine[&'X'], 0.0);
     // Optional stop.

@@ -221,7 +221,7 @@ fn a_reset_in_the_thread_of_a_floating_tap_ends_it_and_the_override_counts_again
 
 #[test]
 fn under_auxiliary_lock_no_code_leaves_the_control() {
-    let mut m = Mill::new("M03 S1000\nT5\nM08\nG95 G01 X1 F0.5\nM00\nM30");
+    let mut m = Mill::new("M03 S1000\nT5\nM06\nT7 M06\nM08\nG95 G01 X1 F0.5\nM00\nM30");
     m.press("KEY_AUTO");
     m.press("KEY_AUXLOCK");
     assert!(m.is("LAMP_AUXLOCK"));
@@ -233,9 +233,53 @@ fn under_auxiliary_lock_no_code_leaves_the_control() {
     }
     assert_eq!((m.cnc.state(), rpm(&m), m.at[Axis::X]), (&State::Stopped(0), 0, 1.0));
     assert_eq!(m.on(&["SPINDLE_CW", "COOLANT"]), Vec::<&str>::new());
+    assert_eq!((m.cnc.interpreter().tools(), tool_of_program(&m)), ((0, 0), None));
     m.press("KEY_START");
     m.until(|m| *m.cnc.state() == State::Ended);
     assert_eq!((m.byte("M_CODE"), m.cnc.report().parts), (30, 1));
+    assert_eq!((m.cnc.interpreter().tools(), tool_of_program(&m)), ((0, 0), None));
+}
+
+/// The tool in the spindle as the program of the tool change keeps it.
+fn tool_of_program(mill: &Mill) -> Option<f64> {
+    mill.cnc.interpreter().memory().variables.get(500)
+}
+
+/// 7.8: M06 is not executed, neither its program nor what it says of the tool.
+#[test]
+fn a_tool_change_under_auxiliary_lock_never_happened() {
+    let mut m = Mill::with(
+        "T3 M06\nM00\nT7 M06\nM00\nT7 M06\nM00\nT5 M06\nM30",
+        "[parameters]\nP52 = -100.0\n",
+        |_| {},
+    );
+    let stops = |m: &mut Mill| {
+        m.until(|m| *m.cnc.state() == State::Running);
+        m.until(|m| matches!(m.cnc.state(), State::Stopped(_)));
+        (m.cnc.interpreter().tools(), tool_of_program(m), m.pocket)
+    };
+    m.start();
+    assert_eq!(stops(&mut m), ((3, 3), Some(3.0), 3));
+    m.press("KEY_AUXLOCK");
+    m.machine("KEY_START", true);
+    m.run(30);
+    m.machine("KEY_START", false);
+    assert_eq!(stops(&mut m), ((3, 3), Some(3.0), 3));
+    // Without the lock the same blocks change the tool.
+    m.press("KEY_AUXLOCK");
+    m.machine("KEY_START", true);
+    m.run(30);
+    m.machine("KEY_START", false);
+    assert_eq!(stops(&mut m), ((7, 7), Some(7.0), 7));
+    // A lock that comes in the midst of a change waits for its end.
+    m.machine("KEY_START", true);
+    m.run(30);
+    m.machine("KEY_START", false);
+    m.until(|m| m.is("TOOL_LOOSE"));
+    m.press("KEY_AUXLOCK");
+    m.until(|m| *m.cnc.state() == State::Ended);
+    assert_eq!((m.cnc.interpreter().tools(), tool_of_program(&m), m.pocket), ((5, 5), Some(5.0), 5));
+    assert_eq!(m.on(&["TOOL_CLAMPED", "MAG_AWAY", "TOOL_LOOSE"]), ["TOOL_CLAMPED", "MAG_AWAY"]);
 }
 
 #[test]
@@ -394,6 +438,59 @@ fn spindle_keys_turn_it_at_the_last_speed() {
     assert!(m.is("ORARA") && m.is("LAMP_SP_ORIENT"));
     m.press("KEY_SP_ORIENT");
     assert!(!m.is("ORARA"));
+}
+
+/// GSK990MC part 2, 1.2.4: spindle jog is of JOG, STEP and HANDLE.
+#[test]
+fn spindle_jog_ends_with_the_manual_modes() {
+    let mut m = Mill::new("M03 S1000\nG04 X0.5\nM30");
+    m.press("KEY_JOG");
+    m.press("KEY_SP_JOG");
+    for key in ["KEY_STEP", "KEY_MPG"] {
+        m.press(key);
+        assert_eq!((m.is("LAMP_SP_JOG"), m.inputs.spindle_jog), (true, true), "{key}");
+    }
+    m.start();
+    assert_eq!((m.is("LAMP_SP_JOG"), m.inputs.spindle_jog), (false, false));
+    m.until(|m| rpm(m) == 1000);
+    m.until(|m| *m.cnc.state() == State::Ended);
+    m.run(400);
+    m.press("KEY_JOG");
+    assert!(!m.is("LAMP_SP_JOG"), "it does not come back by itself");
+    // Of another ladder, that keeps the signal, it counts as little.
+    let jogs = m.address("SJOG");
+    m.plc.force(&ferrocut_plc::Maintenance::granted(), jogs, true);
+    m.press("KEY_SP_CW");
+    m.machine("KEY_SP_CW", true);
+    m.run(300);
+    assert_eq!(rpm(&m), 50);
+    m.press("KEY_AUTO");
+    m.run(400);
+    assert_eq!((rpm(&m), m.inputs.spindle_jog), (1000, true));
+}
+
+#[test]
+fn a_key_of_the_spindle_that_is_held_while_all_is_stopped_turns_it_once_let_go() {
+    for (key, speed) in [("KEY_SP_CW", 700), ("KEY_SP_CCW", -700)] {
+        for (input, stops) in [("*ESP_BUTTON", false), ("DOOR_CLOSED", false)] {
+            let mut m = Mill::new("S700\nM30");
+            m.run_program();
+            m.press("KEY_JOG");
+            m.machine(key, true);
+            m.until(|m| rpm(m) == speed);
+            m.machine(input, stops);
+            m.run(500);
+            m.machine(input, !stops);
+            m.run(500);
+            assert_eq!(rpm(&m), 0, "{input}");
+            m.machine(key, false);
+            m.run(100);
+            assert_eq!(rpm(&m), 0, "{input}");
+            m.press(key);
+            m.run(500);
+            assert_eq!(rpm(&m), speed, "{input}");
+        }
+    }
 }
 
 #[test]

@@ -35,6 +35,7 @@ impl Shop {
         let mut shop = Shop { plc: Plc::new(program, Pace::default()), plant, at: Position::ZERO };
         shop.set("MA", true);
         shop.set("SSTA", true);
+        shop.set("ZP_Z", true);
         shop.run(1000);
         shop
     }
@@ -102,7 +103,40 @@ fn the_standard_ladder_changes_tools_on_the_machine() {
         shop.m(22);
         assert_eq!(shop.plant.tool_and_pocket(), (u32::from(tool), u32::from(tool)));
         assert_eq!(shop.plc.memory().byte(pocket), tool);
+        assert_eq!(Inputs::read(shop.plc.memory()).tool_in_spindle, Some(u32::from(tool)));
         assert!(!shop.is("MSG_TOOL") && !shop.is("MSG_POCKET"));
+    }
+}
+
+/// A magazine that is stopped anywhere, and then turned either way, is where the ladder counts it.
+#[test]
+fn a_magazine_that_is_stopped_between_two_pockets_is_counted_aright() {
+    let mut shop = Shop::new();
+    shop.m(21);
+    shop.m(16);
+    assert_eq!(
+        (shop.plant.tool_and_pocket().0, Inputs::read(shop.plc.memory()).tool_in_spindle),
+        (0, Some(0))
+    );
+    let pocket = shop.at("POCKET");
+    let mut goal: u8 = 1;
+    for ms in (1..1200).step_by(37) {
+        let code = shop.at("T_CODE");
+        shop.plc.memory_mut().set_byte(code, (goal + 4) % 16 + 1);
+        shop.set("TF", true);
+        shop.run(ms);
+        shop.set("TF", false);
+        shop.run(50);
+        // Back, on, or to the pocket that was left.
+        let at = shop.plc.memory().byte(pocket);
+        goal = [at, at % 16 + 1, (at + 14) % 16 + 1][ms as usize % 3];
+        shop.code("TF", "T_CODE", goal);
+        shop.run(100);
+        assert_eq!(
+            (shop.plant.tool_and_pocket().1, shop.plc.memory().byte(pocket)),
+            (goal.into(), goal),
+            "{ms}"
+        );
     }
 }
 

@@ -146,6 +146,9 @@ impl Interpreter {
 
     /// The program that stands for an M code. Calls and returns keep their meaning.
     pub(crate) fn custom_m(&self, row: &MCode) -> Option<Custom> {
+        if row.function == MFunction::ToolChange && self.is_auxiliary_locked() {
+            return None;
+        }
         // A change to the tool that is in the spindle changes nothing (GSK990MC 8.1).
         if row.function == MFunction::ToolChange
             && self.options.tool_change_program.is_some()

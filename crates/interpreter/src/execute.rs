@@ -217,6 +217,12 @@ impl Interpreter {
         if !sound {
             return if self.options.keep_going { self.recover() } else { Ok(()) };
         }
+        if self.waits_for_lock() {
+            self.present = Present::Asked;
+            self.asks_for_lock = true;
+            return Ok(());
+        }
+        self.asks_for_lock = false;
         match self.block_of_words() {
             Ok(()) => Ok(()),
             Err(alarm) => self.give_up_block(alarm),

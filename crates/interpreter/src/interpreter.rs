@@ -90,6 +90,9 @@ pub struct Options {
     /// The program that a tool change runs. Within it M06 is the built-in code, which says that the tool is in the
     /// spindle.
     pub tool_change_program: Option<u32>,
+    /// Auxiliary lock: M06 is not executed (GSK990MC part 2, 7.8). It calls no program, and the tool in the spindle stays
+    /// the same. Where there is such a switch, a block with M06 waits until the machine is there, as it may change before.
+    pub auxiliary_lock: Option<bool>,
     /// The text may end without an end of program, as blocks do that the operator types.
     pub open_end: bool,
     /// M codes that the machine has beside those of the language.
@@ -250,6 +253,8 @@ pub struct Interpreter {
     /// Codes that programs stand for.
     pub(crate) custom: Option<Box<CustomCodes>>,
     pub(crate) present: Present,
+    /// The barrier given out last is that of a tool change, which asks for nothing but auxiliary lock.
+    pub(crate) asks_for_lock: bool,
     /// How far the axes lagged behind at the last barrier.
     pub(crate) following_error: Position,
     pub(crate) unreferenced: Unreferenced,
@@ -361,6 +366,7 @@ impl Interpreter {
             transforms: Vec::new(),
             custom,
             present: Present::default(),
+            asks_for_lock: false,
             following_error: Position::ZERO,
             unreferenced: Unreferenced::default(),
             probe: None,

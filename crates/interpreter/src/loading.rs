@@ -5,6 +5,7 @@
 
 use crate::barrier::Present;
 use crate::custom::CustomCodes;
+use crate::dialect::MFunction;
 use crate::flow::Flow;
 use crate::interpreter::Interpreter;
 use crate::modal::Group;
@@ -87,6 +88,25 @@ impl Interpreter {
     /// The program that a tool change runs; none is the built-in code.
     pub fn set_tool_change_program(&mut self, program: Option<u32>) {
         self.options.tool_change_program = program;
+    }
+
+    /// Auxiliary lock, for the blocks that are read from now on.
+    pub fn set_auxiliary_lock(&mut self, locked: bool) {
+        self.options.auxiliary_lock = Some(locked);
+    }
+
+    /// Whether M06 is not executed.
+    pub(crate) fn is_auxiliary_locked(&self) -> bool {
+        self.options.auxiliary_lock == Some(true)
+    }
+
+    /// Whether the block changes the tool and is to be read once the machine is there, where auxiliary lock may come
+    /// before it. A change that is begun is finished.
+    pub(crate) fn waits_for_lock(&self) -> bool {
+        self.options.auxiliary_lock.is_some()
+            && self.present == Present::Unknown
+            && self.words.m.iter().any(|m| m.row.function == MFunction::ToolChange)
+            && !self.changes_tool()
     }
 
     /// What the machine remembers, to be changed by others than the program. After parameters

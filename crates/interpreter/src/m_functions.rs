@@ -64,6 +64,7 @@ impl Interpreter {
             // By itself it changes nothing where the tool is in the spindle already (GSK990MC 8.1).
             MFunction::ToolChange
                 if !self.words.has(b'T') && self.technology.in_spindle == self.technology.tool => {}
+            MFunction::ToolChange if self.is_auxiliary_locked() => {}
             MFunction::ToolChange => {
                 self.technology.in_spindle = self.technology.tool;
                 // The spindle stands still while a tool is changed.

@@ -129,6 +129,11 @@ impl Interpreter {
         self.flow.runs_custom(Custom::ToolChange)
     }
 
+    /// Whether the barrier given out last is that of a tool change, which asks for nothing but auxiliary lock.
+    pub fn asks_for_lock(&self) -> bool {
+        self.asks_for_lock
+    }
+
     /// How many subprograms and macros are being run.
     pub fn calls(&self) -> usize {
         self.flow.depth_of_calls() + self.ngc.o_words.depth()

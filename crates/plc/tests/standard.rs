@@ -663,16 +663,31 @@ fn a_tool_is_changed_by_its_codes() {
     m.set("T_CODE", 14);
     m.set("TF", 1);
     m.run(3);
-    assert_eq!(m.on(&["MAG_CW", "MAG_CCW", "FIN"]), Vec::<&str>::new());
+    assert_eq!(m.on(&["MAG_CW", "MAG_CCW", "FIN", "MSG_MAGAZINE"]), ["MSG_MAGAZINE"]);
+    // Nor is a tool there that is called, be it that of the pocket at the spindle.
     m.set("TF", 0);
+    m.run(3);
+    m.set("T_CODE", 1);
+    m.set("TF", 1);
+    m.run(3);
+    assert_eq!(m.on(&["MAG_CW", "MAG_CCW", "FIN", "MSG_MAGAZINE"]), ["MSG_MAGAZINE"]);
+    m.set("TF", 0);
+    m.run(3);
+    assert!(!m.is("MSG_MAGAZINE"));
+    m.set("T_CODE", 14);
     assert!(!m.m(16) && m.is("TOOL_RELEASE"));
     m.set("TOOL_CLAMPED", 0);
     m.set("TOOL_LOOSE", 1);
     m.run(3);
     m.done();
     assert!(m.is("*IT"), "Z leaves the tool in the magazine");
-    // From pocket 1 to 14 of 16: three backward, over the end.
+    assert_eq!((m.byte("TOOL"), m.byte("TSP")), (0, 1), "none");
+    // Where it turns the spindle would be in its way.
     m.set("TF", 1);
+    m.run(3);
+    assert_eq!(m.on(&["MAG_CW", "MAG_CCW", "FIN", "MSG_MAGAZINE"]), ["MSG_MAGAZINE"]);
+    m.set("ZP_Z", 1);
+    // From pocket 1 to 14 of 16: three backward, over the end.
     m.run(3);
     assert_eq!(m.on(&["MAG_CW", "MAG_CCW", "FIN"]), ["MAG_CCW"]);
     for wanted in [16, 15] {
@@ -688,6 +703,7 @@ fn a_tool_is_changed_by_its_codes() {
     m.set("TOOL_CLAMPED", 1);
     m.run(3);
     m.done();
+    assert_eq!((m.byte("TOOL"), m.byte("TSP")), (14, 15));
     assert!(!m.m(22) && !m.is("MAG_TO_SPINDLE"));
     m.set("MAG_AT_SPINDLE", 0);
     m.set("MAG_AWAY", 1);

@@ -172,6 +172,8 @@ pub(super) struct Interpreting {
     /// Switches, and the block that the machine has come to, which it was not told of yet.
     switches: Option<(bool, bool)>,
     single: Option<bool>,
+    /// Auxiliary lock as the switch stands, and as it is in force.
+    lock: (Option<bool>, bool),
     passed: Option<u64>,
 }
 
@@ -194,6 +196,7 @@ impl Interpreting {
             is_over: false,
             switches: None,
             single: None,
+            lock: (None, false),
             passed: None,
         }
     }
@@ -338,6 +341,18 @@ impl Interpreting {
         self.tell();
     }
 
+    /// Auxiliary lock as the switch stands, for the blocks that are read from now on. A tool change that is under way is
+    /// finished as it was begun.
+    pub fn set_auxiliary_lock(&mut self, locked: bool) {
+        self.lock.0 = Some(locked);
+        self.tell();
+    }
+
+    /// Whether auxiliary lock is in force.
+    pub fn is_auxiliary_locked(&self) -> bool {
+        self.lock.1
+    }
+
     /// The machine is at this block: what is kept of those before it is not needed.
     pub fn forget_before(&mut self, block: u64) {
         self.passed = Some(block);
@@ -354,6 +369,10 @@ impl Interpreting {
         }
         if let Some(single) = self.single.take() {
             self.change().set_single_block(single);
+        }
+        if let Some(locked) = self.lock.0.filter(|_| !self.present.changes_tool()) {
+            self.lock.1 = locked;
+            self.change().set_auxiliary_lock(locked);
         }
         if let Some(block) = self.passed.take() {
             self.change().forget_before(block);

@@ -30,8 +30,10 @@ impl Cnc {
     pub fn hear(&mut self, inputs: &Inputs) {
         // GSK990MC 4.4.5: as at 100 %.
         let ignores_override = self.is_in(ThreadKind::Beside);
+        self.taking_up.told_tool = inputs.tool_in_spindle;
         if let Some(auxiliary) = &mut self.auxiliary {
-            auxiliary.hear(inputs);
+            self.interpreter.set_auxiliary_lock(inputs.auxiliary_lock);
+            auxiliary.hear(inputs, self.interpreter.is_auxiliary_locked());
             if ignores_override {
                 auxiliary.ignore_spindle_override();
             }

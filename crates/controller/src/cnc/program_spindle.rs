@@ -23,10 +23,12 @@ impl ProgramSpindle {
 impl Cnc {
     /// A step of the program reaches the machine.
     pub(super) fn note_spindle(&mut self, op: &Op) {
+        // M03 has no effect.
+        if self.is_auxiliary_locked() {
+            return;
+        }
         let spindle = &mut self.program_spindle;
         match op {
-            // M03 has no effect.
-            _ if self.switches.auxiliary_lock => {}
             Op::Spindle(state) => *spindle = ProgramSpindle::taken_up(*state),
             Op::Orient(_) => *spindle = ProgramSpindle::default(),
             // Behind it the spindle may stand.
@@ -63,7 +65,7 @@ impl Cnc {
     /// Nobody cuts under a lock or in a dry run.
     pub fn spindle_due(&self) -> Option<SpindleState> {
         let ProgramSpindle { state, has_turned } = self.program_spindle;
-        let cuts = !self.is_locked() && !self.switches.auxiliary_lock && !self.is_dry_run();
+        let cuts = !self.is_locked() && !self.is_auxiliary_locked() && !self.is_dry_run();
         (cuts && has_turned && self.spindle_turns() != state.turn()).then_some(state)
     }
 }

@@ -33,7 +33,6 @@ pub(super) struct Locked {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Switches {
     dry_run: Option<DryRun>,
-    pub auxiliary_lock: bool,
     pub optional_stop: bool,
     may_move: bool,
     locked: Option<Locked>,
@@ -47,7 +46,6 @@ impl Switches {
     pub fn new(at: Position) -> Switches {
         Switches {
             dry_run: None,
-            auxiliary_lock: false,
             optional_stop: true,
             may_move: true,
             locked: None,
@@ -88,9 +86,24 @@ impl Cnc {
         self.switches.dry_run.is_some()
     }
 
-    /// Auxiliary lock: S, T and M codes have no effect, save those of the program's flow (7.8).
+    /// Auxiliary lock: S, T and M codes have no effect, save those of the program's flow (7.8). It comes and goes as the
+    /// switch does, but not in the midst of the program of a tool change, which would leave the change half done.
     pub fn set_auxiliary_lock(&mut self, on: bool) {
-        self.switches.auxiliary_lock = on;
+        self.interpreter.set_auxiliary_lock(on);
+    }
+
+    /// Whether auxiliary lock is in force.
+    pub fn is_auxiliary_locked(&self) -> bool {
+        self.interpreter.is_auxiliary_locked()
+    }
+
+    /// Under auxiliary lock a tool that was called or changed to was neither: blocks that were read before it came may
+    /// have said so.
+    pub(super) fn keep_tools(&mut self, op: &Op) {
+        if self.is_auxiliary_locked() && matches!(op, Op::Select(_) | Op::Change(_)) {
+            let tools = self.taking_up.tools;
+            self.interpreter.own().set_tools(tools);
+        }
     }
 
     /// Whether M01 stops, where the interpreter was told to give it out.
@@ -188,7 +201,7 @@ impl Cnc {
         );
         match op {
             Op::Stop(1) => !self.switches.optional_stop,
-            _ => is_auxiliary && self.switches.auxiliary_lock && self.auxiliary.is_none(),
+            _ => is_auxiliary && self.is_auxiliary_locked() && self.auxiliary.is_none(),
         }
     }
 

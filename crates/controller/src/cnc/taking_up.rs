@@ -28,6 +28,8 @@ pub(super) struct TakingUp {
     pub at: (u64, Span),
     /// The tool in the spindle, and the one that was called last.
     pub tools: (u32, u32),
+    /// The tool in the spindle by the ladder, where that tells it.
+    pub told_tool: Option<u32>,
 }
 
 /// How far what leads to the place of a restart has come.
@@ -64,6 +66,19 @@ impl Cnc {
         if let Some(journal) = self.journal_mut().filter(|journal| journal.interrupted().is_none()) {
             journal.change(block, change);
         }
+    }
+
+    /// Between programs the tool in the spindle is the one that the ladder says: a change that was broken off may have come
+    /// to its end or not.
+    pub(super) fn follow_tool(&mut self) {
+        let Some(tool) = self.taking_up.told_tool else { return };
+        let is_said = self.taking_up.tools.0 == tool && self.interpreter.tools().0 == tool;
+        if is_said || self.is_under_way() || self.state == State::Resetting || !self.interpreter.is_here() {
+            return;
+        }
+        self.taking_up.tools.0 = tool;
+        let tools = self.taking_up.tools;
+        self.interpreter.own().set_tools(tools);
     }
 
     /// Takes the journal of a run that is over.

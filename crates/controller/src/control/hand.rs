@@ -20,6 +20,7 @@ const LARGEST_WHEEL_STEP: f64 = 100.0;
 impl Control {
     /// The keys of the axes and the handwheel.
     pub(super) fn move_by_hand(&mut self) {
+        self.see_keys_let_go();
         let shifts = self.bit(56, 3);
         let counts = std::mem::take(&mut self.counts);
         self.cnc.set_interruption(modes::by_hand(self.mode, shifts));
@@ -53,8 +54,18 @@ impl Control {
         self.machine.axes.get(number).map(|axis| axis.name)
     }
 
+    /// Axes whose keys were held when all was stopped have effect again once these are let go.
+    fn see_keys_let_go(&mut self) {
+        for (stale, ways) in self.stale_keys.iter_mut().zip(&self.inputs.jog) {
+            *stale &= ways.plus || ways.minus;
+        }
+    }
+
     /// The way that is asked for, if it may be gone.
     fn way(&self, number: usize) -> i8 {
+        if self.stale_keys.get(number).copied().unwrap_or_default() {
+            return 0;
+        }
         let of = |ways: &[crate::signals::Ways; SIGNAL_AXES]| ways.get(number).copied().unwrap_or_default();
         let forbidden = of(&self.inputs.no_motion);
         match of(&self.inputs.jog).sign() {
@@ -139,8 +150,12 @@ impl Control {
         }
     }
 
-    /// No key of an axis is held any more.
+    /// No key of an axis has effect any more. One that is held has none before it is let go and pressed anew: the end of
+    /// what stopped the axes moves none.
     pub(super) fn release_axes(&mut self) {
+        for (stale, ways) in self.stale_keys.iter_mut().zip(&self.inputs.jog) {
+            *stale |= ways.plus || ways.minus;
+        }
         for number in 0..SIGNAL_AXES {
             let Some(axis) = self.axis(number) else { break };
             if let Some(before) = self.jogs.get_mut(number)

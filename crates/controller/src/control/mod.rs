@@ -105,6 +105,10 @@ pub struct Control {
     stop_at: Option<(Option<String>, u32)>,
     /// The keys of the axes in the last period: way, and rapid.
     jogs: [(i8, bool); SIGNAL_AXES],
+    /// Axes of which a key was held when all was stopped, and is held still.
+    stale_keys: [bool; SIGNAL_AXES],
+    /// Cycle start was pressed, to start when it is let go.
+    start_is_pressed: bool,
     /// Counts of the handwheel that were not given yet.
     counts: i32,
     /// The wheel, where it drives a program.
@@ -243,6 +247,8 @@ impl Control {
             dnc: dnc::Dnc::default(),
             stop_at: None,
             jogs: [(0, false); SIGNAL_AXES],
+            stale_keys: [false; SIGNAL_AXES],
+            start_is_pressed: false,
             counts: 0,
             wheel: wheel_drive::Wheel::default(),
             button: false,
@@ -313,6 +319,11 @@ impl Control {
     /// The ladder with its signals, for drives and tests that set inputs of the machine.
     pub fn plc_mut(&mut self) -> Option<&mut Plc> {
         self.plc.as_mut()
+    }
+
+    /// The simulated machine, where the drives are that.
+    pub fn plant_mut(&mut self) -> Option<&mut crate::drives::Plant> {
+        self.cnc.drives().plant()
     }
 
     /// The NC.
@@ -412,12 +423,15 @@ impl Control {
         if pressed && !self.emergency {
             self.cnc.emergency_stop();
             self.cnc.turn_spindle(SpindleState::Off);
-            self.reading.cancel_start();
+            self.cancel_start();
             self.release_axes();
             self.give_up();
             self.log_alarm(&alarm(Fault::EmergencyStop));
         }
         let is_released = !pressed && self.emergency;
+        if is_released {
+            self.cancel_start();
+        }
         self.emergency = pressed;
         self.cnc.power_drives(!pressed);
         if is_released && !self.is_alarmed() {
@@ -510,6 +524,10 @@ impl Control {
                 self.cursor = 1;
             }
         }
+        // It starts when the key is let go (Fanuc 0i, ST). What was pressed before the end of an emergency
+        // stop, or before a reset, is over.
+        let is_let_go = !self.inputs.cycle_start && std::mem::take(&mut self.start_is_pressed);
+        self.start_is_pressed |= self.inputs.cycle_start && !self.before.cycle_start;
         if self.inputs.feed_hold {
             self.reading.cancel_start();
         }
@@ -522,12 +540,16 @@ impl Control {
             }
             return;
         }
-        // It starts when the key is let go (Fanuc 0i, ST).
-        let is_let_go = self.before.cycle_start && !self.inputs.cycle_start;
         if is_let_go && let Err(why) = self.cycle_start() {
             let alarm = AlarmInfo::of(&why);
             self.event(Event::Refused { alarm });
         }
+    }
+
+    /// No program starts any more by what was pressed so far.
+    fn cancel_start(&mut self) {
+        self.reading.cancel_start();
+        self.start_is_pressed = false;
     }
 
     /// Whether a program may be started, or its axes be sent back.
@@ -592,7 +614,7 @@ impl Control {
     /// Reset (2.3.1): axes and spindle stop, the program is given up, parameters say what else is cleared.
     fn reset(&mut self) {
         self.rewinds = false;
-        self.reading.cancel_start();
+        self.cancel_start();
         if self.cnc.is_idle() {
             self.cnc.clear();
         } else {
@@ -751,7 +773,7 @@ impl Control {
             block_skip: self.inputs.block_skip,
             machine_lock: self.cnc.is_locked(),
             single_block: self.inputs.single_block,
-            auxiliary_lock: self.inputs.auxiliary_lock,
+            auxiliary_lock: self.cnc.is_auxiliary_locked(),
             spindle_rpm: self.cnc.spindle().rpm().clamp(0.0, 65_535.0) as u16,
             spindle_enabled: self.cnc.spindle().rpm() > 0.0,
             spindle_zero: self.cnc.spindle().rpm() == 0.0,

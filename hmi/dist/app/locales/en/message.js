@@ -7,6 +7,7 @@ var message_default = {
 	"MSG_DOOR": "Door was opened while the program ran",
 	"MSG_DRIVE": "Spindle drive is not ready",
 	"MSG_TOOL": "Tool change takes too long",
-	"MSG_POCKET": "There is no such pocket"
+	"MSG_POCKET": "There is no such pocket",
+	"MSG_MAGAZINE": "The magazine is at the spindle: send it away first (M22)"
 };
 export { message_default as default };

@@ -7,6 +7,7 @@ var message_default = {
 	"MSG_DOOR": "Дверь открыта во время работы",
 	"MSG_DRIVE": "Привод шпинделя не готов",
 	"MSG_TOOL": "Смена инструмента слишком долгая",
-	"MSG_POCKET": "Нет такого гнезда"
+	"MSG_POCKET": "Нет такого гнезда",
+	"MSG_MAGAZINE": "Магазин у шпинделя: сначала отведите его (M22)"
 };
 export { message_default as default };

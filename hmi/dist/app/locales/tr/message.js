@@ -7,6 +7,7 @@ var message_default = {
 	"MSG_DOOR": "Program çalışırken kapı açıldı",
 	"MSG_DRIVE": "İş mili sürücüsü hazır değil",
 	"MSG_TOOL": "Takım değişimi çok uzun sürdü",
-	"MSG_POCKET": "Böyle bir yuva yok"
+	"MSG_POCKET": "Böyle bir yuva yok",
+	"MSG_MAGAZINE": "Magazin iş milinde: önce geri gönderin (M22)"
 };
 export { message_default as default };

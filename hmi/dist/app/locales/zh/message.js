@@ -7,6 +7,7 @@ var message_default = {
 	"MSG_DOOR": "运行中打开了防护门",
 	"MSG_DRIVE": "主轴驱动未就绪",
 	"MSG_TOOL": "换刀超时",
-	"MSG_POCKET": "没有此刀位"
+	"MSG_POCKET": "没有此刀位",
+	"MSG_MAGAZINE": "刀库在主轴处：请先退回刀库 (M22)"
 };
 export { message_default as default };
