@@ -5,7 +5,7 @@ mod common;
 
 use common::shop::Shop;
 use ferrocut_controller::Mode;
-use ferrocut_controller::api::Command;
+use ferrocut_controller::api::{Activity, Command};
 use ferrocut_controller::signals::Ways;
 
 const PLUS: Ways = Ways { plus: true, minus: false };
@@ -76,8 +76,32 @@ fn the_outside_can_be_forbidden_and_steps_and_handwheel_keep_in() {
     shop.say(Command::Handwheel { counts: -100_000 });
     shop.wait(3000);
     assert_eq!(shop.x(), 20.0);
-    // One that stands in a forbidden place comes out of it.
+    // One that stands in a forbidden place comes out of it, once the alarm is reset.
     mdi(&mut shop, "G13\nG0 X-10\nG12");
+    shop.say(Command::Reset);
     let [x, _] = jog(&mut shop, PLUS, Ways::default());
     assert_eq!(x, 60.0);
+}
+
+/// 2.6, 7): it is an alarm as soon as G12 is in force.
+#[test]
+fn a_check_that_is_turned_on_where_the_axes_may_not_be_is_an_alarm() {
+    for (outside, there, beside) in [(false, "X40 Y0", "X20 Y0"), (true, "X-10 Y0", "X20 Y0")] {
+        let mut shop = shop(outside, "X30 Y60");
+        let alarms = |shop: &mut Shop, text: &str| {
+            shop.say(Command::Reset);
+            shop.told();
+            mdi(shop, text);
+            shop.told()
+        };
+        let on = |at: &str| format!("G13\nG90 G0 {at}\nG12");
+        assert_eq!(alarms(&mut shop, &on(there)), ["FC-0440"]);
+        assert_eq!(shop.wait(1).activity, Activity::Alarm);
+        // G12 stands all the same: nothing goes deeper.
+        assert_eq!(alarms(&mut shop, "G91 G0 X1"), ["FC-0440"]);
+        // On the bound is not inside.
+        assert_eq!(alarms(&mut shop, &on(beside)), [""; 0]);
+        // Another box about the place.
+        assert_eq!(alarms(&mut shop, "G12 X10 I5"), if outside { vec!["FC-0440"] } else { vec![] });
+    }
 }
