@@ -731,6 +731,7 @@ impl Cnc {
     fn move_by_hand(&mut self) -> Tick {
         self.home_on();
         let (at, velocity) = self.manual.tick();
+        self.note_cut_short();
         self.kind = self.manual.kind();
         let position = self.exchange(&at);
         let tick = Tick { position, actual: self.actual, velocity, span: self.span, moving: true };
@@ -805,6 +806,7 @@ impl Cnc {
             self.fail(&fault);
         }
         self.watch_switches();
+        self.watch_cut_short(setpoint);
         self.watch_strokes(&command.position);
         self.note_reference(&command.position);
         command.position

@@ -25,7 +25,7 @@ impl Control {
         self.cnc.set_interruption(modes::by_hand(self.mode, shifts));
         let (upwards, downwards) = self.forbidden_by_hand();
         self.cnc.forbid_by_hand(upwards, downwards);
-        if !self.inputs.axes_may_move || self.is_alarmed() {
+        if !self.inputs.axes_may_move || self.keeps_axes() {
             self.release_axes();
             return;
         }
@@ -136,6 +136,25 @@ impl Control {
             let least = self.least_increment(axis);
             let increment = self.inputs.increment_of(least).min(LARGEST_WHEEL_STEP * least);
             self.cnc.handwheel(axis, i64::from(counts), increment);
+        }
+    }
+
+    /// An axis that is to go on over a limit stands there with an alarm, until it is moved back (2.5.2).
+    pub(super) fn follow_limits(&mut self) {
+        let stood = self.at_limits.len();
+        let mut standing = std::mem::take(&mut self.at_limits);
+        standing.retain(|(axis, upper, _)| self.cnc.cut_short().any(|cut| cut == (*axis, *upper)));
+        let is_known = |cut: &(Axis, bool)| standing.iter().any(|(axis, upper, _)| *cut == (*axis, *upper));
+        let new: Vec<(Axis, bool)> = self.cnc.cut_short().filter(|cut| !is_known(cut)).collect();
+        let is_over = stood > 0 && standing.is_empty();
+        self.at_limits = standing;
+        for (axis, upper) in new {
+            let alarm = self.cnc.cut_short_alarm(axis, upper);
+            self.log_alarm(&alarm);
+            self.at_limits.push((axis, upper, alarm));
+        }
+        if is_over && !self.is_alarmed() {
+            self.event(Event::AlarmsCleared);
         }
     }
 

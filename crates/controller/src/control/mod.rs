@@ -41,7 +41,7 @@ use crate::signals::{Inputs, Mode, Outputs, SIGNAL_AXES};
 pub use commands::{BACKUPS, backup_in};
 pub use desk::Desk;
 pub use exchange::{check_ladder, ladder_of};
-use ferrocut_geometry::{AxisSet, Position};
+use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_interpreter::{Interpreter, MachineCodes, Options, dialects};
 use ferrocut_machine::{Alarm, Fault, Machine, Memory, ParameterKey};
 use ferrocut_memory::Store;
@@ -117,6 +117,8 @@ pub struct Control {
     /// The alarm that stands, besides those of the emergency stop and the parameter switch.
     active: Option<Alarm>,
     parameter_switch: ParameterSwitch,
+    /// Axes moved by hand that stand at a limit, upper or lower, with their alarms.
+    at_limits: Vec<(Axis, bool, Alarm)>,
     /// Relative coordinates are counted from this machine position.
     origin: Position,
     tick: Tick,
@@ -250,6 +252,7 @@ impl Control {
             emergency: false,
             active: None,
             parameter_switch: ParameterSwitch::default(),
+            at_limits: Vec::new(),
             origin: Position::ZERO,
             tick,
             moving: AxisSet::EMPTY,
@@ -350,6 +353,7 @@ impl Control {
         let names = self.machine.axes.iter().map(|axis| axis.name);
         self.moving = names.filter(|axis| self.tick.position[*axis] != before[*axis]).collect();
         self.follow_cnc();
+        self.follow_limits();
         self.follow_search();
         self.count();
         self.keep();
@@ -602,7 +606,9 @@ impl Control {
         self.give_up();
         // 10.1.9 note 3: the restart is to be prepared anew.
         self.forget_prepared();
-        if self.active.take().is_some() && !self.is_alarmed() {
+        self.cnc.forget_cut_short();
+        let stood = !std::mem::take(&mut self.at_limits).is_empty();
+        if (self.active.take().is_some() || stood) && !self.is_alarmed() {
             self.event(Event::AlarmsCleared);
         }
         // P203: ms for which the signal is given.
@@ -689,6 +695,11 @@ impl Control {
 
     /// Whether an alarm stands.
     fn is_alarmed(&self) -> bool {
+        self.keeps_axes() || !self.at_limits.is_empty()
+    }
+
+    /// Whether an alarm stands with which no axis is moved by hand.
+    fn keeps_axes(&self) -> bool {
         self.emergency || self.active.is_some() || self.parameter_switch == ParameterSwitch::On
     }
 
