@@ -38,6 +38,8 @@ pub(super) struct Overtravel {
     /// No alarms of them (GSK990MC 61#6).
     ignored: bool,
     cut_short: [Option<CutShort>; AXES],
+    /// Axes that the alarm of the switches is of: on the upper one, on the lower one.
+    alarmed: (AxisSet, AxisSet),
 }
 
 impl Overtravel {
@@ -118,7 +120,27 @@ impl Cnc {
             let alarm = alarm.with("side", if upper.is_some() { "+" } else { "-" });
             self.come_to_rest();
             self.failed = Some(Box::new(alarm));
+            self.overtravel.alarmed = (above, below);
         }
+    }
+
+    /// The axes that the alarm of the travel switches is of, which may be moved back by hand while the release is held.
+    pub fn leaves_switch(&self) -> AxisSet {
+        let (above, below) = self.overtravel.alarmed;
+        let of_them = |axis: &Axis| above.contains(*axis) || below.contains(*axis);
+        match self.overtravel.released {
+            true => self.machine_axes.iter().filter(of_them).collect(),
+            false => AxisSet::EMPTY,
+        }
+    }
+
+    /// Whether the axes that the alarm of the travel switches is of have left them. While the release is held the ladder may
+    /// tell of a switch by the way alone that it keeps shut.
+    pub fn has_left_switches(&self) -> bool {
+        let (above, below) = self.overtravel.alarmed;
+        let stays = above.iter().any(|axis| self.overtravel.blocks(axis, true))
+            || below.iter().any(|axis| self.overtravel.blocks(axis, false));
+        !stays && !matches!(self.state, State::Alarmed(_) | State::Resetting)
     }
 
     /// Axes moved by hand that stand at a limit although they were to go on, and at which: the upper ones have `true`.

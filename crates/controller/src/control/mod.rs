@@ -119,6 +119,8 @@ pub struct Control {
     parameter_switch: ParameterSwitch,
     /// Axes moved by hand that stand at a limit, upper or lower, with their alarms.
     at_limits: Vec<(Axis, bool, Alarm)>,
+    /// Axes that are moved back from their travel switches while the alarm of these stands.
+    leaves: AxisSet,
     /// Relative coordinates are counted from this machine position.
     origin: Position,
     tick: Tick,
@@ -253,6 +255,7 @@ impl Control {
             active: None,
             parameter_switch: ParameterSwitch::default(),
             at_limits: Vec::new(),
+            leaves: AxisSet::EMPTY,
             origin: Position::ZERO,
             tick,
             moving: AxisSet::EMPTY,
