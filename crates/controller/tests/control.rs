@@ -498,8 +498,54 @@ fn a_stop_number_is_of_a_program_and_may_be_given_while_it_runs() {
     assert_eq!(shop.until_it_stops().activity, Activity::Idle);
     let mut shop = running(&[]);
     shop.say(stop_at(Some(3)));
+    shop.store("O0007", LONG);
     shop.say(Command::StopAt { program: Some("O7".into()), sequence: Some(3) });
     assert_eq!(shop.until_it_stops().activity, Activity::Idle);
+}
+
+#[test]
+fn a_stop_number_is_met_in_the_program_that_is_called() {
+    let stop_at =
+        |program: &str, sequence| Command::StopAt { program: Some(program.into()), sequence: Some(sequence) };
+    // N20 of the main program is none of those that are meant.
+    let main = "O1\nG90 G1 X1 F2000\nN20 X2\nM98 P2\nM98 P2\nM98 P3\nX5\nM30\nO3\nX7\nN20 X8\nM99\n";
+    for during in [false, true] {
+        for (program, stops) in [("O0002", 20.0), ("o2", 20.0), ("O3", 8.0)] {
+            let mut shop = Shop::new(&[]);
+            shop.store("O0001", main);
+            shop.store("O0002", "O2\nG1 X10\nN20 X20\nX0\nM99\n");
+            shop.select("O1");
+            if !during {
+                shop.say(stop_at(program, 20));
+            }
+            shop.start();
+            if during {
+                shop.say(stop_at(program, 20));
+            }
+            let status = shop.until_it_stops();
+            assert_eq!((status.activity, shop.x()), (Activity::BlockEnd, stops), "{program} {during}");
+            assert_eq!(status.program.stop_at, None);
+            // Once is enough.
+            shop.start();
+            assert_eq!(shop.until_it_stops().counters.parts, 1, "{program} {during}");
+        }
+    }
+    // What cannot stop is refused.
+    let mut shop = Shop::new(&[]);
+    shop.store("O0001", main);
+    shop.store("O0002", "G1 X10\nM99\n");
+    shop.select("O1");
+    for (program, sequence) in [("O4", 20), ("O2", 20), ("O3", 30), ("O1", 30)] {
+        assert_eq!(shop.refused(stop_at(program, sequence)), "FC-1407", "{program} N{sequence}");
+    }
+    assert_eq!(shop.wait(1).program.stop_at, None);
+    // From MDI as well.
+    shop.store("O0002", "G1 X10\nN20 X12\nX0\nM99\n");
+    shop.say(stop_at("O2", 20));
+    shop.mode(Mode::Mdi);
+    shop.say(Command::Mdi { text: "G1 F2000\nM98 P2".into() });
+    shop.start();
+    assert_eq!((shop.until_it_stops().activity, shop.x()), (Activity::BlockEnd, 12.0));
 }
 
 #[test]

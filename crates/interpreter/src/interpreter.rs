@@ -35,7 +35,7 @@ use crate::tool_axes::ToolAxes;
 use crate::words::{self, Tables, Words};
 use ferrocut_geometry::{Axis, AxisNames, Position};
 use ferrocut_machine::{Alarm, Fault, Memory};
-use ferrocut_program::{FileId, ProgramMemory, Span, lexer};
+use ferrocut_program::{FileId, ProgramId, ProgramMemory, Span, lexer};
 use ferrocut_toolpath::{Speed, SpindleState, Step};
 use std::collections::{BTreeMap, VecDeque};
 use std::sync::Arc;
@@ -399,6 +399,14 @@ impl Interpreter {
     /// The programs, for showing what a span says.
     pub fn programs(&self) -> &ProgramMemory {
         &self.programs
+    }
+
+    /// Where a program begins that can be called: its file, and its line there, counted from 1.
+    pub fn place_of(&mut self, id: &ProgramId) -> Option<(FileId, u32)> {
+        let place = self.programs.find_program(id).ok().flatten()?;
+        let page = self.programs.page(place.file, place.page).ok().flatten()?;
+        let line = page.blocks.get(place.block as usize).map_or(1, |block| page.block_span(block).line);
+        Some((place.file, line))
     }
 
     /// The control language.
