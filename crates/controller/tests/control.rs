@@ -10,6 +10,7 @@ use ferrocut_controller::signals::{RapidOverride, Ways};
 use ferrocut_controller::{Drives, Mode, Parts};
 use ferrocut_geometry::Position;
 use ferrocut_machine::{Alarm, Fault, Machine, PlantConfig};
+use ferrocut_memory::Author;
 use ferrocut_program::Span;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -1117,4 +1118,65 @@ fn what_a_program_says_stands_in_the_status_until_nothing_runs() {
     shop.start();
     assert_eq!(shop.wait(50).program_message, "TURN THE PART");
     assert_eq!(shop.until_it_stops().program_message, "");
+}
+
+/// Appendix 1: P355 starts of the control, P358 and P359 hours and days of power on, P360 hours of cutting.
+#[test]
+fn times_stand_in_their_parameters() {
+    let mut shop = Shop::new(&[]);
+    let shown = |shop: &mut Shop| {
+        let names = ["P354", "P355", "P358", "P359", "P360"].map(str::to_owned);
+        let Reply::Parameters { parameters } = shop.say(Command::Parameters { names: names.to_vec() }) else {
+            panic!()
+        };
+        names.map(|name| parameters[&name])
+    };
+    let count = |shop: &mut Shop, counter: &str, value| {
+        let counter = counter.to_owned();
+        shop.control.command(Command::SetCounter { counter, value }, &Author::Control).unwrap();
+    };
+    assert_eq!(shown(&mut shop), [0.0, 1.0, 0.0, 0.0, 0.0]);
+    count(&mut shop, "power-on-time", 90_000.0);
+    assert_eq!(shown(&mut shop), [0.0, 1.0, 25.0, 1.0, 0.0]);
+    // An hour is full while the control is on, and while metal is cut.
+    count(&mut shop, "power-on-time", 172_799.9);
+    count(&mut shop, "all-cutting-time", 7_199.9);
+    assert_eq!(shown(&mut shop), [0.0, 1.0, 47.0, 1.0, 1.0]);
+    shop.wait(200);
+    assert_eq!(shown(&mut shop), [0.0, 1.0, 48.0, 2.0, 1.0]);
+    shop.store("O0001", "S1000 M3\nG1 X20 F1200\nM30\n");
+    shop.select("O1");
+    shop.start();
+    let status = shop.until_it_stops();
+    assert_eq!(shown(&mut shop), [0.0, 1.0, 48.0, 2.0, 2.0]);
+    // What the page shows is cleared; the total is not.
+    let (run, cut) = (status.counters.run_time, status.counters.cutting_time);
+    assert!(run > cut && cut > 1.0, "{run} {cut}");
+    count(&mut shop, "cutting-time", 0.0);
+    assert_eq!((shop.wait(1).counters.cutting_time, shown(&mut shop)[4]), (0.0, 2.0));
+    // Who writes one sets the counter.
+    shop.mode(Mode::Mdi);
+    shop.say(Command::Mdi { text: "G10 L51\nN360 R9\nG11".into() });
+    shop.start();
+    shop.until_it_stops();
+    assert_eq!(shown(&mut shop)[4], 9.0);
+}
+
+/// 55#0 CANT.
+#[test]
+fn the_times_of_a_part_begin_anew_with_it_where_that_is_set() {
+    for (cleared, times) in [(0.0, 2.0), (1.0, 1.0)] {
+        let mut shop = Shop::new(&[("NO55.0", cleared)]);
+        shop.store("O0001", "S1000 M3\nG1 X20 F1200\nX0\nM30\n");
+        shop.select("O1");
+        let run = |shop: &mut Shop| {
+            shop.start();
+            let counters = shop.until_it_stops().counters;
+            (counters.run_time, counters.cutting_time)
+        };
+        let (first, second) = (run(&mut shop), run(&mut shop));
+        assert!(first.1 > 1.0);
+        let is_near = |one: f64, other: f64| (one - times * other).abs() < 0.5 * other;
+        assert!(is_near(second.0, first.0) && is_near(second.1, first.1), "{first:?} {second:?}");
+    }
 }

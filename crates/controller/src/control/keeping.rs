@@ -123,7 +123,9 @@ impl Keeping {
             all_parts: of(Counter::AllParts),
             run_time: of(Counter::RunTime),
             cutting_time: of(Counter::CuttingTime),
+            all_cutting_time: of(Counter::AllCuttingTime),
             power_on_time: of(Counter::PowerOnTime),
+            starts: of(Counter::Starts),
         };
         let position = contents.last_position;
         let (mut kept_plc, mut ladder) = (Vec::new(), None);
@@ -371,7 +373,7 @@ impl Control {
             keeping.kept = memory;
             keeping.counters = self.counters;
         }
-        self.show_parts();
+        self.show_counts();
         for item in restored {
             match item {
                 Item::Plc => {
@@ -502,7 +504,7 @@ impl Control {
             }
             Change::Counter { counter, value } => {
                 self.counters.set(*counter, *value);
-                self.show_parts();
+                self.show_counts();
             }
             Change::Signal { area, first, size, value } => {
                 // What the ladder keeps is compared with the disk afterwards, as if the ladder had written it.

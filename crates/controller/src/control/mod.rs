@@ -132,8 +132,8 @@ pub struct Control {
     rewinds: bool,
     state: State,
     parts: u32,
-    /// Parts as their parameter had them last.
-    shown_parts: f64,
+    /// Counters as their parameters had them last.
+    shown: status::Shown,
     cutting_before: f64,
     ladder_names: ladder_names::LadderNames,
     counters: status::Count,
@@ -263,7 +263,7 @@ impl Control {
             reset_left: 0,
             rewinds: false,
             parts: 0,
-            shown_parts: 0.0,
+            shown: status::Shown::default(),
             cutting_before: 0.0,
             ladder_names: ladder_names::LadderNames::default(),
             counters,
@@ -281,7 +281,8 @@ impl Control {
         if let Some(alarm) = ladder_told {
             control.event(Event::Alarm { alarm: AlarmInfo::of(&alarm) });
         }
-        control.show_parts();
+        control.counters.starts += 1.0;
+        control.show_counts();
         control.renew_ladder_names();
         Ok(control)
     }

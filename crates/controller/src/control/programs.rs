@@ -52,7 +52,10 @@ impl Control {
                 }
             }
             Mode::Mdi => self.start_mdi()?,
-            Mode::Dnc => self.start_dnc()?,
+            Mode::Dnc => {
+                self.start_dnc()?;
+                self.begin_part();
+            }
             _ => return Err(Box::new(alarm(Fault::ControlMode))),
         }
         self.arm_stop();
@@ -77,6 +80,7 @@ impl Control {
         self.load_auto(&name)?;
         self.begin_at(line)?;
         self.forget_interrupted();
+        self.begin_part();
         self.taking_up.from_line = line.unwrap_or(1);
         Ok(false)
     }
