@@ -57,6 +57,7 @@ use retracing::Retrace;
 use sent::Sent;
 use skip::Probing;
 use std::collections::VecDeque;
+use std::sync::Arc;
 use std::time::Instant;
 use switches::Switches;
 use tapping::{Asked, InThread, Stroke};
@@ -264,7 +265,8 @@ impl Cnc {
     }
 
     /// The same with other drives.
-    pub fn with_drives(machine: &Machine, interpreter: Interpreter, drives: Box<dyn Drives>) -> Cnc {
+    pub fn with_drives(machine: &Machine, mut interpreter: Interpreter, drives: Box<dyn Drives>) -> Cnc {
+        interpreter.set_machine(Arc::new(machine.clone()));
         let mut machine = machine.clone();
         (interpreter.dialect().machine_parameters)(&interpreter.memory().parameters, &mut machine);
         let machine = &machine;

@@ -924,13 +924,13 @@ fn the_parameter_switch_lets_parameters_be_changed_and_is_an_alarm_meanwhile() {
     assert_eq!(shop.wait(2).activity, Activity::Idle);
     assert!(shop.events.contains(&Event::AlarmsCleared));
     // What a program sets (G10) is its own affair.
-    shop.say(Command::Mdi { text: "G10 L51\nN98 R800\nG11".into() });
+    shop.say(Command::Mdi { text: "G10 L51\nN86 R800\nG11".into() });
     shop.start();
     shop.until_it_stops();
-    let Reply::Parameters { parameters } = shop.say(Command::Parameters { names: vec!["P98".into()] }) else {
+    let Reply::Parameters { parameters } = shop.say(Command::Parameters { names: vec!["P86".into()] }) else {
         panic!()
     };
-    assert_eq!(parameters["P98"], 800.0);
+    assert_eq!(parameters["P86"], 800.0);
     // A control that has no such switch.
     let machine = Machine { dialect: "rs274".into(), ..Machine::demo_mill() };
     let mut shop = Shop::of(&machine, Parts::default());
@@ -1179,4 +1179,54 @@ fn the_times_of_a_part_begin_anew_with_it_where_that_is_set() {
         let is_near = |one: f64, other: f64| (one - times * other).abs() < 0.5 * other;
         assert!(is_near(second.0, first.0) && is_near(second.1, first.1), "{first:?} {second:?}");
     }
+}
+
+/// 0000: what the machine is built of holds from the next power-on, which is told until then.
+#[test]
+fn a_parameter_that_the_machine_is_built_of_is_told_until_the_power_is_cut() {
+    let mut shop = Shop::new(&[]);
+    shop.mode(Mode::Mdi);
+    shop.say(Command::ParameterSwitch { on: true });
+    shop.say(Command::AcceptParameterSwitch);
+    shop.wait(1);
+    shop.told();
+    let set = |shop: &mut Shop, name: &str, value| {
+        shop.say(Command::SetParameter { name: name.into(), value: Some(value) });
+        let stands: Vec<(String, bool)> =
+            shop.wait(1).alarms.into_iter().map(|alarm| (alarm.id, alarm.warning)).collect();
+        (shop.told(), stands)
+    };
+    let (told, stands) = (vec!["gsk990mc:0000".to_owned()], vec![("gsk990mc:0000".to_owned(), true)]);
+    // What acts at once.
+    for (name, value) in [("P86", 3000.0), ("P96", 5000.0), ("P376", 31245.0), ("P357", 5.0)] {
+        assert_eq!(set(&mut shop, name, value), (vec![], vec![]), "{name}");
+    }
+    for (name, value, before) in [
+        ("P98", 800.0, 2000.0),
+        ("P88", 3000.0, 8000.0),
+        ("P342", 300.0, 200.0),
+        ("P202", 50.0, 0.0),
+        ("NO11.6", 1.0, 0.0),
+        ("NO56.7", 0.0, 1.0),
+    ] {
+        let Reply::Parameters { parameters } = shop.say(Command::Parameters { names: vec![name.into()] })
+        else {
+            panic!()
+        };
+        let before = if parameters[name] == value { before } else { parameters[name] };
+        assert_eq!(set(&mut shop, name, value), (told.clone(), stands.clone()), "{name}");
+        // Told once, reset or not, and a program runs as before.
+        shop.say(Command::Reset);
+        assert_eq!(set(&mut shop, "P357", 6.0), (vec![], stands.clone()), "{name}");
+        shop.say(Command::Mdi { text: "G91 G0 X1".into() });
+        shop.start();
+        assert_eq!((shop.until_it_stops().activity, shop.told()), (Activity::Idle, vec![]));
+        assert_eq!(set(&mut shop, name, before), (vec![], vec![]), "{name}");
+    }
+    // A program sets none of them (4.2.7 note 5).
+    shop.say(Command::ParameterSwitch { on: false });
+    shop.say(Command::Mdi { text: "G10 L51\nN98 R800\nG11".into() });
+    shop.start();
+    shop.until_it_stops();
+    assert_eq!(shop.told(), ["gsk990mc:0117"]);
 }

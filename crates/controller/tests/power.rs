@@ -832,3 +832,24 @@ fn starts_and_times_go_on_behind_the_power() {
         control.flush().unwrap();
     }
 }
+
+/// 0000: what the machine is built of holds from the next power-on.
+#[test]
+fn parameters_that_are_restored_are_told_where_the_power_is_to_be_cut() {
+    let folder = tempfile::tempdir().unwrap();
+    let alarms =
+        |control: &Control| control.status().alarms.into_iter().map(|alarm| alarm.id).collect::<Vec<_>>();
+    let mut one = control(folder.path());
+    let mut by_control = |command| drop(one.command(command, &Author::Control).unwrap());
+    let set = |value| Command::SetParameter { name: "P98".into(), value: Some(value) };
+    by_control(set(800.0));
+    by_control(Command::Backup { file: "all.backup".into(), items: vec!["parameters".into()] });
+    by_control(set(2000.0));
+    assert_eq!(alarms(&one), [""; 0]);
+    one.command(Command::Restore { file: "all.backup".into(), items: vec![] }, &Author::Control).unwrap();
+    assert_eq!((alarms(&one), shown(&mut one, ["P98"])), (vec!["gsk990mc:0000".to_owned()], [800.0]));
+    one.flush().unwrap();
+    drop(one);
+    let mut again = control(folder.path());
+    assert_eq!((alarms(&again), shown(&mut again, ["P98"])), (vec![], [800.0]));
+}

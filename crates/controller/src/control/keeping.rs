@@ -374,6 +374,7 @@ impl Control {
             keeping.counters = self.counters;
         }
         self.show_counts();
+        self.parameters_changed();
         for item in restored {
             match item {
                 Item::Plc => {
@@ -497,6 +498,9 @@ impl Control {
     fn make(&mut self, change: &Change) {
         if let Some(change) = memory_change(change, self.cnc.interpreter().memory()) {
             self.cnc.change_memory(change);
+        }
+        if matches!(change, Change::Parameter { .. }) {
+            self.parameters_changed();
         }
         match change {
             Change::Parameter { key, .. } if *key == INPUT_UNIT && !self.cnc.is_under_way() => {

@@ -43,7 +43,7 @@ pub use desk::Desk;
 pub use exchange::{check_ladder, ladder_of};
 use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_interpreter::{Interpreter, MachineCodes, Options, dialects};
-use ferrocut_machine::{Alarm, Fault, Machine, Memory, ParameterKey};
+use ferrocut_machine::{Alarm, Fault, Machine, Memory, ParameterKey, Parameters};
 use ferrocut_memory::Store;
 use ferrocut_plc::{Address, Area, Pace, Plc};
 use ferrocut_program::{ProgramMemory, Span, Text};
@@ -119,6 +119,9 @@ pub struct Control {
     parameter_switch: ParameterSwitch,
     /// Axes moved by hand that stand at a limit, upper or lower, with their alarms.
     at_limits: Vec<(Axis, bool, Alarm)>,
+    /// The parameters that the machine was built with, and whether those of now would make another one of it.
+    built_with: Parameters,
+    needs_power_off: bool,
     /// Axes that are moved back from their travel switches while the alarm of these stands.
     leaves: AxisSet,
     /// Relative coordinates are counted from this machine position.
@@ -206,6 +209,7 @@ impl Control {
             ..Options::default()
         };
         let interpreter = Interpreter::new(dialect, programs, memory, options);
+        let built_with = interpreter.memory().parameters.clone();
         let drives = match parts.drives {
             Some(drives) => drives,
             None => machine::drives(machine, &interpreter, referenced.unwrap_or(AxisSet::EMPTY))?,
@@ -256,6 +260,8 @@ impl Control {
             parameter_switch: ParameterSwitch::default(),
             at_limits: Vec::new(),
             leaves: AxisSet::EMPTY,
+            built_with,
+            needs_power_off: false,
             origin: Position::ZERO,
             tick,
             moving: AxisSet::EMPTY,

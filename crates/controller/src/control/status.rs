@@ -186,6 +186,7 @@ impl Control {
         alarms.extend(self.active.as_ref().map(AlarmInfo::of));
         alarms.extend(self.at_limits.iter().map(|(_, _, alarm)| AlarmInfo::of(alarm)));
         alarms.extend(self.parameter_alarm().as_ref().map(AlarmInfo::of));
+        alarms.extend(self.power_off_alarm().as_ref().map(AlarmInfo::of));
         let code = |tenths: u16| match tenths % 10 {
             0 => format!("G{:02}", tenths / 10),
             part => format!("G{:02}.{part}", tenths / 10),
