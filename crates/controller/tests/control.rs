@@ -1230,3 +1230,19 @@ fn a_parameter_that_the_machine_is_built_of_is_told_until_the_power_is_cut() {
     shop.until_it_stops();
     assert_eq!(shop.told(), ["gsk990mc:0117"]);
 }
+
+#[test]
+fn no_axis_is_sent_home_while_a_program_is_held() {
+    let mut shop = running(&[]);
+    shop.hold();
+    let at = shop.until_it_stops().position.machine;
+    shop.mode(Mode::Home);
+    shop.told();
+    shop.inputs.jog[0].plus = true;
+    shop.wait(500);
+    shop.inputs.jog = Default::default();
+    assert_eq!((shop.told(), shop.wait(1).position.machine), (vec!["FC-1401".to_owned()], at));
+    shop.mode(Mode::Auto);
+    shop.start();
+    assert_eq!(shop.until_it_stops().counters.parts, 1);
+}

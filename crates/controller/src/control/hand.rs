@@ -122,7 +122,8 @@ impl Control {
             let Some(before) = self.jogs.get_mut(number) else { break };
             let was = std::mem::replace(before, (asked, false)).0;
             if asked != 0 && was == 0 {
-                match self.locked_alarm().or_else(|| self.cnc.home_alarm(axis)) {
+                let busy = self.cnc.is_under_way().then(|| Box::new(alarm(Fault::ControlBusy)));
+                match busy.or_else(|| self.locked_alarm()).or_else(|| self.cnc.home_alarm(axis)) {
                     Some(alarm) => self.event(Event::Refused { alarm: AlarmInfo::of(&alarm) }),
                     None => drop(self.cnc.home(axis)),
                 }
