@@ -57,6 +57,7 @@ use retracing::Retrace;
 use sent::Sent;
 use skip::Probing;
 use std::collections::VecDeque;
+use std::sync::Arc;
 use std::time::Instant;
 use switches::Switches;
 use tapping::{Asked, InThread, Stroke};
@@ -264,7 +265,8 @@ impl Cnc {
     }
 
     /// The same with other drives.
-    pub fn with_drives(machine: &Machine, interpreter: Interpreter, drives: Box<dyn Drives>) -> Cnc {
+    pub fn with_drives(machine: &Machine, mut interpreter: Interpreter, drives: Box<dyn Drives>) -> Cnc {
+        interpreter.set_machine(Arc::new(machine.clone()));
         let mut machine = machine.clone();
         (interpreter.dialect().machine_parameters)(&interpreter.memory().parameters, &mut machine);
         let machine = &machine;
@@ -732,6 +734,7 @@ impl Cnc {
     fn move_by_hand(&mut self) -> Tick {
         self.home_on();
         let (at, velocity) = self.manual.tick();
+        self.note_cut_short();
         self.kind = self.manual.kind();
         let position = self.exchange(&at);
         let tick = Tick { position, actual: self.actual, velocity, span: self.span, moving: true };
@@ -806,6 +809,7 @@ impl Cnc {
             self.fail(&fault);
         }
         self.watch_switches();
+        self.watch_cut_short(setpoint);
         self.watch_strokes(&command.position);
         self.note_reference(&command.position);
         command.position

@@ -230,6 +230,17 @@ impl Manual {
         self.jog.stands(axis)
     }
 
+    /// The limit at which an axis stands although it was told to go on: whether it is the upper one.
+    pub fn is_cut_short(&self, axis: Axis) -> Option<bool> {
+        self.jog.is_cut_short(axis)
+    }
+
+    /// The software limits of an axis, where they hold.
+    pub fn travel(&self, axis: Axis) -> Option<Travel> {
+        let Speeds { travel, holds, .. } = self.of(axis);
+        holds.then_some(travel)
+    }
+
     /// A speed under the rapid override, mm/s. Its lowest step is a speed (4.1.3).
     pub fn under_rapid_override(&self, speed: f64) -> f64 {
         match self.rapid == 0.0 {

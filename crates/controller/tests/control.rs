@@ -10,6 +10,7 @@ use ferrocut_controller::signals::{RapidOverride, Ways};
 use ferrocut_controller::{Drives, Mode, Parts};
 use ferrocut_geometry::Position;
 use ferrocut_machine::{Alarm, Fault, Machine, PlantConfig};
+use ferrocut_memory::Author;
 use ferrocut_program::Span;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -498,8 +499,54 @@ fn a_stop_number_is_of_a_program_and_may_be_given_while_it_runs() {
     assert_eq!(shop.until_it_stops().activity, Activity::Idle);
     let mut shop = running(&[]);
     shop.say(stop_at(Some(3)));
+    shop.store("O0007", LONG);
     shop.say(Command::StopAt { program: Some("O7".into()), sequence: Some(3) });
     assert_eq!(shop.until_it_stops().activity, Activity::Idle);
+}
+
+#[test]
+fn a_stop_number_is_met_in_the_program_that_is_called() {
+    let stop_at =
+        |program: &str, sequence| Command::StopAt { program: Some(program.into()), sequence: Some(sequence) };
+    // N20 of the main program is none of those that are meant.
+    let main = "O1\nG90 G1 X1 F2000\nN20 X2\nM98 P2\nM98 P2\nM98 P3\nX5\nM30\nO3\nX7\nN20 X8\nM99\n";
+    for during in [false, true] {
+        for (program, stops) in [("O0002", 20.0), ("o2", 20.0), ("O3", 8.0)] {
+            let mut shop = Shop::new(&[]);
+            shop.store("O0001", main);
+            shop.store("O0002", "O2\nG1 X10\nN20 X20\nX0\nM99\n");
+            shop.select("O1");
+            if !during {
+                shop.say(stop_at(program, 20));
+            }
+            shop.start();
+            if during {
+                shop.say(stop_at(program, 20));
+            }
+            let status = shop.until_it_stops();
+            assert_eq!((status.activity, shop.x()), (Activity::BlockEnd, stops), "{program} {during}");
+            assert_eq!(status.program.stop_at, None);
+            // Once is enough.
+            shop.start();
+            assert_eq!(shop.until_it_stops().counters.parts, 1, "{program} {during}");
+        }
+    }
+    // What cannot stop is refused.
+    let mut shop = Shop::new(&[]);
+    shop.store("O0001", main);
+    shop.store("O0002", "G1 X10\nM99\n");
+    shop.select("O1");
+    for (program, sequence) in [("O4", 20), ("O2", 20), ("O3", 30), ("O1", 30)] {
+        assert_eq!(shop.refused(stop_at(program, sequence)), "FC-1407", "{program} N{sequence}");
+    }
+    assert_eq!(shop.wait(1).program.stop_at, None);
+    // From MDI as well.
+    shop.store("O0002", "G1 X10\nN20 X12\nX0\nM99\n");
+    shop.say(stop_at("O2", 20));
+    shop.mode(Mode::Mdi);
+    shop.say(Command::Mdi { text: "G1 F2000\nM98 P2".into() });
+    shop.start();
+    assert_eq!((shop.until_it_stops().activity, shop.x()), (Activity::BlockEnd, 12.0));
 }
 
 #[test]
@@ -952,13 +999,13 @@ fn the_parameter_switch_lets_parameters_be_changed_and_is_an_alarm_meanwhile() {
     assert_eq!(shop.wait(2).activity, Activity::Idle);
     assert!(shop.events.contains(&Event::AlarmsCleared));
     // What a program sets (G10) is its own affair.
-    shop.say(Command::Mdi { text: "G10 L51\nN98 R800\nG11".into() });
+    shop.say(Command::Mdi { text: "G10 L51\nN86 R800\nG11".into() });
     shop.start();
     shop.until_it_stops();
-    let Reply::Parameters { parameters } = shop.say(Command::Parameters { names: vec!["P98".into()] }) else {
+    let Reply::Parameters { parameters } = shop.say(Command::Parameters { names: vec!["P86".into()] }) else {
         panic!()
     };
-    assert_eq!(parameters["P98"], 800.0);
+    assert_eq!(parameters["P86"], 800.0);
     // A control that has no such switch.
     let machine = Machine { dialect: "rs274".into(), ..Machine::demo_mill() };
     let mut shop = Shop::of(&machine, Parts::default());
@@ -1146,4 +1193,131 @@ fn what_a_program_says_stands_in_the_status_until_nothing_runs() {
     shop.start();
     assert_eq!(shop.wait(50).program_message, "TURN THE PART");
     assert_eq!(shop.until_it_stops().program_message, "");
+}
+
+/// Appendix 1: P355 starts of the control, P358 and P359 hours and days of power on, P360 hours of cutting.
+#[test]
+fn times_stand_in_their_parameters() {
+    let mut shop = Shop::new(&[]);
+    let shown = |shop: &mut Shop| {
+        let names = ["P354", "P355", "P358", "P359", "P360"].map(str::to_owned);
+        let Reply::Parameters { parameters } = shop.say(Command::Parameters { names: names.to_vec() }) else {
+            panic!()
+        };
+        names.map(|name| parameters[&name])
+    };
+    let count = |shop: &mut Shop, counter: &str, value| {
+        let counter = counter.to_owned();
+        shop.control.command(Command::SetCounter { counter, value }, &Author::Control).unwrap();
+    };
+    assert_eq!(shown(&mut shop), [0.0, 1.0, 0.0, 0.0, 0.0]);
+    count(&mut shop, "power-on-time", 90_000.0);
+    assert_eq!(shown(&mut shop), [0.0, 1.0, 25.0, 1.0, 0.0]);
+    // An hour is full while the control is on, and while metal is cut.
+    count(&mut shop, "power-on-time", 172_799.9);
+    count(&mut shop, "all-cutting-time", 7_199.9);
+    assert_eq!(shown(&mut shop), [0.0, 1.0, 47.0, 1.0, 1.0]);
+    shop.wait(200);
+    assert_eq!(shown(&mut shop), [0.0, 1.0, 48.0, 2.0, 1.0]);
+    shop.store("O0001", "S1000 M3\nG1 X20 F1200\nM30\n");
+    shop.select("O1");
+    shop.start();
+    let status = shop.until_it_stops();
+    assert_eq!(shown(&mut shop), [0.0, 1.0, 48.0, 2.0, 2.0]);
+    // What the page shows is cleared; the total is not.
+    let (run, cut) = (status.counters.run_time, status.counters.cutting_time);
+    assert!(run > cut && cut > 1.0, "{run} {cut}");
+    count(&mut shop, "cutting-time", 0.0);
+    assert_eq!((shop.wait(1).counters.cutting_time, shown(&mut shop)[4]), (0.0, 2.0));
+    // Who writes one sets the counter.
+    shop.mode(Mode::Mdi);
+    shop.say(Command::Mdi { text: "G10 L51\nN360 R9\nG11".into() });
+    shop.start();
+    shop.until_it_stops();
+    assert_eq!(shown(&mut shop)[4], 9.0);
+}
+
+/// 55#0 CANT.
+#[test]
+fn the_times_of_a_part_begin_anew_with_it_where_that_is_set() {
+    for (cleared, times) in [(0.0, 2.0), (1.0, 1.0)] {
+        let mut shop = Shop::new(&[("NO55.0", cleared)]);
+        shop.store("O0001", "S1000 M3\nG1 X20 F1200\nX0\nM30\n");
+        shop.select("O1");
+        let run = |shop: &mut Shop| {
+            shop.start();
+            let counters = shop.until_it_stops().counters;
+            (counters.run_time, counters.cutting_time)
+        };
+        let (first, second) = (run(&mut shop), run(&mut shop));
+        assert!(first.1 > 1.0);
+        let is_near = |one: f64, other: f64| (one - times * other).abs() < 0.5 * other;
+        assert!(is_near(second.0, first.0) && is_near(second.1, first.1), "{first:?} {second:?}");
+    }
+}
+
+/// 0000: what the machine is built of holds from the next power-on, which is told until then.
+#[test]
+fn a_parameter_that_the_machine_is_built_of_is_told_until_the_power_is_cut() {
+    let mut shop = Shop::new(&[]);
+    shop.mode(Mode::Mdi);
+    shop.say(Command::ParameterSwitch { on: true });
+    shop.say(Command::AcceptParameterSwitch);
+    shop.wait(1);
+    shop.told();
+    let set = |shop: &mut Shop, name: &str, value| {
+        shop.say(Command::SetParameter { name: name.into(), value: Some(value) });
+        let stands: Vec<(String, bool)> =
+            shop.wait(1).alarms.into_iter().map(|alarm| (alarm.id, alarm.warning)).collect();
+        (shop.told(), stands)
+    };
+    let (told, stands) = (vec!["gsk990mc:0000".to_owned()], vec![("gsk990mc:0000".to_owned(), true)]);
+    // What acts at once.
+    for (name, value) in [("P86", 3000.0), ("P96", 5000.0), ("P376", 31245.0), ("P357", 5.0)] {
+        assert_eq!(set(&mut shop, name, value), (vec![], vec![]), "{name}");
+    }
+    for (name, value, before) in [
+        ("P98", 800.0, 2000.0),
+        ("P88", 3000.0, 8000.0),
+        ("P342", 300.0, 200.0),
+        ("P202", 50.0, 0.0),
+        ("NO11.6", 1.0, 0.0),
+        ("NO56.7", 0.0, 1.0),
+    ] {
+        let Reply::Parameters { parameters } = shop.say(Command::Parameters { names: vec![name.into()] })
+        else {
+            panic!()
+        };
+        let before = if parameters[name] == value { before } else { parameters[name] };
+        assert_eq!(set(&mut shop, name, value), (told.clone(), stands.clone()), "{name}");
+        // Told once, reset or not, and a program runs as before.
+        shop.say(Command::Reset);
+        assert_eq!(set(&mut shop, "P357", 6.0), (vec![], stands.clone()), "{name}");
+        shop.say(Command::Mdi { text: "G91 G0 X1".into() });
+        shop.start();
+        assert_eq!((shop.until_it_stops().activity, shop.told()), (Activity::Idle, vec![]));
+        assert_eq!(set(&mut shop, name, before), (vec![], vec![]), "{name}");
+    }
+    // A program sets none of them (4.2.7 note 5).
+    shop.say(Command::ParameterSwitch { on: false });
+    shop.say(Command::Mdi { text: "G10 L51\nN98 R800\nG11".into() });
+    shop.start();
+    shop.until_it_stops();
+    assert_eq!(shop.told(), ["gsk990mc:0117"]);
+}
+
+#[test]
+fn no_axis_is_sent_home_while_a_program_is_held() {
+    let mut shop = running(&[]);
+    shop.hold();
+    let at = shop.until_it_stops().position.machine;
+    shop.mode(Mode::Home);
+    shop.told();
+    shop.inputs.jog[0].plus = true;
+    shop.wait(500);
+    shop.inputs.jog = Default::default();
+    assert_eq!((shop.told(), shop.wait(1).position.machine), (vec!["FC-1401".to_owned()], at));
+    shop.mode(Mode::Auto);
+    shop.start();
+    assert_eq!(shop.until_it_stops().counters.parts, 1);
 }

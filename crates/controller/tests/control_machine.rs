@@ -150,27 +150,44 @@ fn an_axis_leaves_its_travel_switch_by_the_release_key() {
     set(&mut control, "KEY_X-", false);
     wait(&mut control, 20);
     let stands = control.status().position.machine[&'X'];
-    // The release, reset, and back.
+    // The release alone, and back; neither on nor with another axis.
     set(&mut control, "KEY_OT", true);
     wait(&mut control, 20);
-    let reset = ferrocut_controller::api::Command::Reset;
-    let author =
-        ferrocut_memory::Author::Person { session: ferrocut_memory::Session::OPERATOR, name: "panel".into() };
-    control.command(reset, &author).unwrap();
-    wait(&mut control, 50);
-    assert_eq!(fault(&control), None);
-    set(&mut control, "KEY_X-", true);
-    wait(&mut control, 300);
-    set(&mut control, "KEY_X-", false);
-    wait(&mut control, 20);
-    assert!((control.status().position.machine[&'X'] - stands).abs() < 1e-9);
+    for key in ["KEY_X-", "KEY_Y+"] {
+        set(&mut control, key, true);
+        wait(&mut control, 300);
+        set(&mut control, key, false);
+        wait(&mut control, 20);
+    }
+    let at = |control: &Control| control.status().position.machine;
+    assert!((at(&control)[&'X'] - stands).abs() < 1e-9 && at(&control)[&'Y'] == 0.0);
+    assert_eq!(control.activity(), Activity::Alarm);
     set(&mut control, "KEY_X+", true);
+    wait(&mut control, 30);
+    // On its way, and still on the switch.
+    assert!(at(&control)[&'X'] > stands && control.activity() == Activity::Alarm);
     wait(&mut control, 1000);
     set(&mut control, "KEY_X+", false);
     set(&mut control, "KEY_OT", false);
     wait(&mut control, 500);
     assert!(!is(&mut control, "LAMP_OT") && fault(&control).is_none());
-    assert!(control.status().position.machine[&'X'] > stands + 10.0);
+    assert!(at(&control)[&'X'] > stands + 10.0);
+    assert_eq!((control.activity(), control.status().alarms), (Activity::Idle, vec![]));
+    // Let go too early, the alarm is there again; without it no key moves the axis.
+    set(&mut control, "KEY_X-", true);
+    wait(&mut control, 3000);
+    set(&mut control, "KEY_X-", false);
+    wait(&mut control, 20);
+    let stands = at(&control)[&'X'];
+    set(&mut control, "KEY_X+", true);
+    wait(&mut control, 100);
+    assert_eq!(at(&control)[&'X'], stands);
+    set(&mut control, "KEY_OT", true);
+    wait(&mut control, 30);
+    set(&mut control, "KEY_OT", false);
+    wait(&mut control, 1000);
+    assert_eq!(fault(&control), Some(Fault::HardLimit));
+    assert!(at(&control)[&'X'] < stands + 5.0 && control.activity() == Activity::Alarm);
 }
 
 fn operator() -> ferrocut_memory::Author {

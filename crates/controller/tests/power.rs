@@ -809,3 +809,47 @@ fn rights_are_asked_before_anything_happens() {
     let builder = Author::Maintenance { name: "builder".into() };
     assert_eq!(control.command(Command::StartLadder, &builder).unwrap(), Reply::Done);
 }
+
+fn shown<const N: usize>(control: &mut Control, names: [&str; N]) -> [f64; N] {
+    let asked = Command::Parameters { names: names.map(str::to_owned).to_vec() };
+    let Reply::Parameters { parameters } = say(control, asked) else { panic!() };
+    names.map(|name| parameters[name])
+}
+
+/// Appendix 1: P355, P358 to P360.
+#[test]
+fn starts_and_times_go_on_behind_the_power() {
+    let folder = tempfile::tempdir().unwrap();
+    for (starts, hours) in [(1.0, [0.0, 0.0, 0.0]), (2.0, [26.0, 1.0, 3.0]), (3.0, [26.0, 1.0, 3.0])] {
+        let mut control = control(folder.path());
+        assert_eq!(shown(&mut control, ["P355"]), [starts]);
+        assert_eq!(shown(&mut control, ["P358", "P359", "P360"]), hours);
+        for (counter, value) in [("power-on-time", 26.5 * 3600.0), ("all-cutting-time", 3.2 * 3600.0)] {
+            let set = Command::SetCounter { counter: counter.into(), value };
+            control.command(set, &Author::Control).unwrap();
+        }
+        wait(&mut control, 5);
+        control.flush().unwrap();
+    }
+}
+
+/// 0000: what the machine is built of holds from the next power-on.
+#[test]
+fn parameters_that_are_restored_are_told_where_the_power_is_to_be_cut() {
+    let folder = tempfile::tempdir().unwrap();
+    let alarms =
+        |control: &Control| control.status().alarms.into_iter().map(|alarm| alarm.id).collect::<Vec<_>>();
+    let mut one = control(folder.path());
+    let mut by_control = |command| drop(one.command(command, &Author::Control).unwrap());
+    let set = |value| Command::SetParameter { name: "P98".into(), value: Some(value) };
+    by_control(set(800.0));
+    by_control(Command::Backup { file: "all.backup".into(), items: vec!["parameters".into()] });
+    by_control(set(2000.0));
+    assert_eq!(alarms(&one), [""; 0]);
+    one.command(Command::Restore { file: "all.backup".into(), items: vec![] }, &Author::Control).unwrap();
+    assert_eq!((alarms(&one), shown(&mut one, ["P98"])), (vec!["gsk990mc:0000".to_owned()], [800.0]));
+    one.flush().unwrap();
+    drop(one);
+    let mut again = control(folder.path());
+    assert_eq!((alarms(&again), shown(&mut again, ["P98"])), (vec![], [800.0]));
+}

@@ -5,7 +5,7 @@ mod common;
 
 use common::shop::Shop;
 use ferrocut_controller::Mode;
-use ferrocut_controller::api::Command;
+use ferrocut_controller::api::{Activity, Command};
 use ferrocut_controller::signals::Ways;
 
 const PLUS: Ways = Ways { plus: true, minus: false };
@@ -76,8 +76,116 @@ fn the_outside_can_be_forbidden_and_steps_and_handwheel_keep_in() {
     shop.say(Command::Handwheel { counts: -100_000 });
     shop.wait(3000);
     assert_eq!(shop.x(), 20.0);
-    // One that stands in a forbidden place comes out of it.
+    // One that stands in a forbidden place comes out of it, once the alarm is reset.
     mdi(&mut shop, "G13\nG0 X-10\nG12");
+    shop.say(Command::Reset);
     let [x, _] = jog(&mut shop, PLUS, Ways::default());
     assert_eq!(x, 60.0);
+}
+
+/// 2.6, 7): it is an alarm as soon as G12 is in force.
+#[test]
+fn a_check_that_is_turned_on_where_the_axes_may_not_be_is_an_alarm() {
+    for (outside, there, beside) in [(false, "X40 Y0", "X20 Y0"), (true, "X-10 Y0", "X20 Y0")] {
+        let mut shop = shop(outside, "X30 Y60");
+        let alarms = |shop: &mut Shop, text: &str| {
+            shop.say(Command::Reset);
+            shop.told();
+            mdi(shop, text);
+            shop.told()
+        };
+        let on = |at: &str| format!("G13\nG90 G0 {at}\nG12");
+        assert_eq!(alarms(&mut shop, &on(there)), ["FC-0440"]);
+        assert_eq!(shop.wait(1).activity, Activity::Alarm);
+        // G12 stands all the same: nothing goes deeper.
+        assert_eq!(alarms(&mut shop, "G91 G0 X1"), ["FC-0440"]);
+        // On the bound is not inside.
+        assert_eq!(alarms(&mut shop, &on(beside)), [""; 0]);
+        // Another box about the place.
+        assert_eq!(alarms(&mut shop, "G12 X10 I5"), if outside { vec!["FC-0440"] } else { vec![] });
+    }
+}
+
+/// 2.5.2: an axis that is to go on over a software limit stands there with an alarm, which moving it back ends.
+#[test]
+fn an_axis_moved_by_hand_into_its_limit_is_an_alarm_until_it_is_moved_back() {
+    let [min, max] = {
+        let shop = Shop::new(&[]);
+        let x = &shop.control.machine().axes[0];
+        [x.min, x.max]
+    };
+    let alarms = |shop: &mut Shop| shop.wait(1).alarms.into_iter().map(|a| a.id).collect::<Vec<_>>();
+    let move_to_limit = |shop: &mut Shop, mode: Mode, upper: bool| {
+        let way = if upper { PLUS } else { MINUS };
+        shop.mode(mode);
+        (shop.inputs.handwheel_axis, shop.inputs.increment) = (Some(0), 3);
+        shop.inputs.manual_rapid = true;
+        match mode {
+            Mode::Jog => shop.inputs.jog[0] = way,
+            Mode::Step => {
+                for _ in 0..6 {
+                    shop.inputs.jog[0] = way;
+                    shop.wait(20);
+                    shop.inputs.jog[0] = Ways::default();
+                    shop.wait(20);
+                }
+            }
+            _ => {
+                shop.wait(2);
+                shop.say(Command::Handwheel { counts: if upper { 1000 } else { -1000 } });
+            }
+        }
+        shop.wait(10_000);
+        shop.inputs.jog = Default::default();
+        shop.until_it_stops();
+    };
+    for (mode, upper, id) in [
+        (Mode::Jog, true, "gsk990mc:0501"),
+        (Mode::Jog, false, "gsk990mc:0500"),
+        (Mode::Step, true, "gsk990mc:0501"),
+        (Mode::Handle, false, "gsk990mc:0500"),
+    ] {
+        let mut shop = Shop::new(&[]);
+        let (near, limit) = if upper { (max - 3.0, max) } else { (min + 3.0, min) };
+        mdi(&mut shop, &format!("G53 G0 X{near}"));
+        assert_eq!(shop.told(), [""; 0]);
+        move_to_limit(&mut shop, mode, upper);
+        assert_eq!(shop.x(), limit, "{mode:?}");
+        // Told once, and it stands; no program begins.
+        assert_eq!((shop.told(), alarms(&mut shop)), (vec![id.to_owned()], vec![id.to_owned()]), "{mode:?}");
+        assert_eq!(shop.wait(1).activity, Activity::Alarm);
+        shop.mode(Mode::Mdi);
+        shop.say(Command::Mdi { text: "G91 G0 X0".into() });
+        shop.start();
+        assert_eq!(shop.told(), ["FC-1405"]);
+        // Another axis does not end it, the way back does, without a reset.
+        shop.mode(Mode::Jog);
+        shop.inputs.jog[1] = PLUS;
+        shop.wait(200);
+        shop.inputs.jog = Default::default();
+        assert_eq!(alarms(&mut shop), [id]);
+        shop.inputs.jog[0] = if upper { MINUS } else { PLUS };
+        shop.wait(200);
+        shop.inputs.jog = Default::default();
+        assert!((shop.x() - limit).abs() > 1.0);
+        assert_eq!((alarms(&mut shop), shop.told()), (vec![], vec![]));
+        assert_eq!(shop.until_it_stops().activity, Activity::Idle);
+    }
+    // An area that is forbidden; reset ends it as well.
+    let mut shop = shop(false, "X0 Y0");
+    shop.told();
+    jog(&mut shop, PLUS, Ways::default());
+    assert_eq!((shop.told(), alarms(&mut shop)), (vec!["FC-0440".to_owned()], vec!["FC-0440".to_owned()]));
+    shop.say(Command::Reset);
+    assert_eq!(alarms(&mut shop), [""; 0]);
+    // A key that is let go before the limit says nothing.
+    jog(&mut shop, MINUS, Ways::default());
+    shop.say(Command::Reset);
+    shop.told();
+    shop.mode(Mode::Jog);
+    shop.inputs.jog[0] = PLUS;
+    shop.wait(100);
+    shop.inputs.jog = Default::default();
+    shop.until_it_stops();
+    assert_eq!(shop.told(), [""; 0]);
 }

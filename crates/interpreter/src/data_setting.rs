@@ -143,6 +143,13 @@ impl Interpreter {
         if (self.dialect.is_fixed_parameter)(&key) {
             return Err(self.alarm(Fault::ParameterFixed, span));
         }
+        // 4.2.7 note 5: nor what acts from the next power-on.
+        let mut asked = self.memory.parameters.clone();
+        let may = asked.set(&key, value).is_err()
+            || !self.dialect.builds_another(&self.machine, &self.memory.parameters, &asked);
+        if !may {
+            return Err(self.alarm(Fault::ParameterFixed, span));
+        }
         let set = self.memory.set_parameter(&key, value);
         if let Err(error) = set {
             let mut alarm = self.alarm(Fault::DataParameter, span);

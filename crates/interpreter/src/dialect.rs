@@ -18,6 +18,7 @@ use crate::stages::cutter;
 use crate::stages::polar::PoleRule;
 use crate::stroke::StrokeRules;
 use ferrocut_geometry::{Axis, AxisSet, Plane};
+use ferrocut_machine::restart::RestartConfig;
 use ferrocut_machine::{AlarmId, Fault, Machine, ParameterKey, Parameters, WorkOffset};
 use ferrocut_program::{Block, Page, Syntax};
 use ferrocut_toolpath::CornerRule;
@@ -737,6 +738,20 @@ impl Dialect {
     /// The alarm of the software limit of axis `index`, on its lower or upper side.
     pub fn soft_limit_id(&self, index: usize, upper: bool) -> AlarmId {
         self.axis_alarm_id(Fault::SoftLimit, index, upper)
+    }
+
+    /// Whether a machine that was built with the parameters `before` would be another one with those of `now`: these hold
+    /// from the next power-on. Found by building it, so that a parameter counts where it makes a difference.
+    pub fn builds_another(&self, machine: &Machine, before: &Parameters, now: &Parameters) -> bool {
+        let built = |parameters: &Parameters| {
+            let mut built = machine.clone();
+            (self.machine_parameters)(parameters, &mut built);
+            // Read anew for each restart, and feeds are held by what their parameters are now.
+            built.restart = RestartConfig::default();
+            (built.path.lowest_feed, built.path.highest_feed) = (0.0, None);
+            built
+        };
+        built(before) != built(now)
     }
 
     /// The alarm of a fault of axis `index`, where it has sides on its lower or upper one.

@@ -34,11 +34,14 @@ use crate::stages::work_offset::WorkSystem;
 use crate::tool_axes::ToolAxes;
 use crate::words::{self, Tables, Words};
 use ferrocut_geometry::{Axis, AxisNames, Position};
-use ferrocut_machine::{Alarm, Fault, Memory};
-use ferrocut_program::{FileId, ProgramMemory, Span, lexer};
+use ferrocut_machine::{Alarm, Fault, Machine, Memory};
+use ferrocut_program::{FileId, ProgramId, ProgramMemory, Span, lexer};
 use ferrocut_toolpath::{Speed, SpindleState, Step};
 use std::collections::{BTreeMap, VecDeque};
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
+
+/// The machine of an interpreter that was told of no other.
+static DEMO_MILL: LazyLock<Arc<Machine>> = LazyLock::new(|| Arc::new(Machine::demo_mill()));
 
 /// M codes of the machine that its control's language does not have: its ladder knows them (a machine's builder adds
 /// M41 to M43 for gears to a GSK990MC, whose manual has none).
@@ -276,6 +279,8 @@ pub struct Interpreter {
     pub(crate) alarms: VecDeque<Box<Alarm>>,
     /// The drawing that the main program was made from.
     pub(crate) origins: Option<Origins>,
+    /// The machine, as its file describes it.
+    pub(crate) machine: Arc<Machine>,
 }
 
 impl Interpreter {
@@ -380,6 +385,7 @@ impl Interpreter {
             output,
             alarms,
             origins: None,
+            machine: DEMO_MILL.clone(),
         };
         if dialect.blocks.is_some() {
             interpreter.ngc_start();
@@ -405,6 +411,20 @@ impl Interpreter {
     /// The programs, for showing what a span says.
     pub fn programs(&self) -> &ProgramMemory {
         &self.programs
+    }
+
+    /// Tells which machine parameters build, so that a program changes none that acts from the next power-on; else it is
+    /// the demo mill.
+    pub fn set_machine(&mut self, machine: Arc<Machine>) {
+        self.machine = machine;
+    }
+
+    /// Where a program begins that can be called: its file, and its line there, counted from 1.
+    pub fn place_of(&mut self, id: &ProgramId) -> Option<(FileId, u32)> {
+        let place = self.programs.find_program(id).ok().flatten()?;
+        let page = self.programs.page(place.file, place.page).ok().flatten()?;
+        let line = page.blocks.get(place.block as usize).map_or(1, |block| page.block_span(block).line);
+        Some((place.file, line))
     }
 
     /// The control language.

@@ -57,7 +57,7 @@ pub(crate) struct Output {
     /// A canned cycle leaves compensation aside.
     paused: bool,
     /// End of the programmed path.
-    path_end: Position,
+    pub(crate) path_end: Position,
     /// The block being executed has moved in the plane of compensation.
     moved: bool,
     /// A stage has refused a move: what the block still makes is left out.

@@ -51,7 +51,7 @@ impl Default for StrokeRules {
 }
 
 impl Interpreter {
-    /// G12 X Y Z I J K: sets the box and turns check 2 on.
+    /// G12 X Y Z I J K: sets the box and turns check 2 on. It stays on where that is an alarm.
     pub(crate) fn stroke_check_on(&mut self, span: Span) -> Fallible<()> {
         if self.words.g.len() > 1 {
             return Err(self.alarm(Fault::StrokeNotAlone, span));
@@ -73,7 +73,26 @@ impl Interpreter {
         if !self.rules.stroke.second.iter().take(3).all(is_box) {
             return Err(self.alarm(Fault::StrokeCorners, self.words.block_span()));
         }
-        Ok(())
+        match self.stands_in_second() {
+            true => Err(self.alarm(Fault::StoredStroke, self.words.block_span())),
+            false => Ok(()),
+        }
+    }
+
+    /// Whether the axes stand where check 2 forbids it, which is an alarm as soon as it is on (2.6, 7). Places that are
+    /// not known yet are not judged (5).
+    fn stands_in_second(&self) -> bool {
+        let (stroke, at) = (&self.rules.stroke, &self.output.path_end);
+        let is_known = |axis: Axis| self.rules.axes.contains(axis) && !self.unreferenced.axes.contains(axis);
+        let mut bounds = self.rules.axis_order.iter().zip(&stroke.second);
+        match stroke.second_forbids_outside {
+            true => bounds.any(|(axis, (lower, upper))| {
+                is_known(*axis) && !(lower - ON_BOUND..=upper + ON_BOUND).contains(&at[*axis])
+            }),
+            false => bounds.take(3).all(|(axis, (lower, upper))| {
+                is_known(*axis) && at[*axis] > lower + ON_BOUND && at[*axis] < upper - ON_BOUND
+            }),
+        }
     }
 
     /// The alarm of a move from `from`, if it enters a forbidden area.

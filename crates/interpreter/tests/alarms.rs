@@ -27,6 +27,7 @@ const OF_THE_MACHINE: &[Fault] = &[
     Fault::SetterMissed,
     Fault::ParametersClosed,
     Fault::ParametersOpen,
+    Fault::PowerOffNeeded,
 ];
 
 /// The rule, its number in appendix 2, a program that breaks it, the words at fault, and a set-up.
@@ -353,6 +354,11 @@ const SAME_NUMBER: &[(u16, &str, &str, &str)] = &[
     (115, "N[#120] X2", "N[#120]", ""),
     // 0117: names and kinds of axes act from the next power-on.
     (117, "G10 L51\nN178 R5", "N178 R5", ""),
+    // Note 5: what the machine is built of acts from the next power-on; as it is it may be set.
+    (117, "G10 L51\nN98 R2000\nN98 R800", "N98 R800", ""),
+    (117, "G10 L51\nN88 R3000", "N88 R3000", ""),
+    (117, "G10 L51\nN86 R3000\nN96 R5000\nN376 R3124\nN180 R1", "N180 R1", ""),
+    (117, "G10 L50\nN56 P7 R0", "N56 P7 R0", ""),
     (117, "G10 L50\nN8 P3 R0", "N8 P3 R0", ""),
     // 0129: what stands before G65, and other codes.
     (129, "X5 G65 P77 Y2", "X5", ""),

@@ -753,6 +753,8 @@ faults! {
     // 1446: what the machine says through its ladder
     /// A message of the ladder has come.
     MachineMessage = 1446,
+    /// A parameter was changed that holds from the next power-on.
+    PowerOffNeeded = 1447,
 
     // 1480: the drives of a real machine
     /// Nobody answers where the drives are said to be.

@@ -13,7 +13,7 @@ use serde::Deserialize;
 use std::fmt;
 
 /// A machine as its file describes it.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Machine {
     /// Name shown to people.
@@ -66,7 +66,7 @@ pub struct Machine {
 }
 
 /// One axis of the machine file.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct AxisConfig {
     /// Letter of the axis.
@@ -153,7 +153,7 @@ pub enum AxisKind {
 }
 
 /// The spindle of the machine file.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SpindleConfig {
     /// Highest speed, r/min.
@@ -218,7 +218,7 @@ impl Default for SpindleConfig {
 }
 
 /// The tool changer of the machine file.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ToolChangeConfig {
     /// Time of a tool change with the spindle at rest, s.

@@ -179,14 +179,25 @@ pub enum Counter {
     RunTime,
     /// Time in which metal was cut, s.
     CuttingTime,
+    /// Time in which metal was cut since the machine was built, s.
+    AllCuttingTime,
     /// Time for which power was on, s.
     PowerOnTime,
+    /// How often the control was started.
+    Starts,
 }
 
 impl Counter {
     /// Every counter.
-    pub const ALL: [Counter; 5] =
-        [Counter::Parts, Counter::AllParts, Counter::RunTime, Counter::CuttingTime, Counter::PowerOnTime];
+    pub const ALL: [Counter; 7] = [
+        Counter::Parts,
+        Counter::AllParts,
+        Counter::RunTime,
+        Counter::CuttingTime,
+        Counter::AllCuttingTime,
+        Counter::PowerOnTime,
+        Counter::Starts,
+    ];
 
     /// Its name.
     pub fn name(self) -> &'static str {
@@ -195,7 +206,9 @@ impl Counter {
             Counter::AllParts => "all-parts",
             Counter::RunTime => "run-time",
             Counter::CuttingTime => "cutting-time",
+            Counter::AllCuttingTime => "all-cutting-time",
             Counter::PowerOnTime => "power-on-time",
+            Counter::Starts => "starts",
         }
     }
 

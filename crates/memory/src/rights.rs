@@ -87,7 +87,10 @@ pub fn needed(table: &ParameterTable, change: &Change) -> Level {
         | Change::WorkZero { .. }
         | Change::Variable { .. } => Level::Operator,
         Change::LockProgram { .. } => Level::Shop,
-        Change::Counter { counter: Counter::PowerOnTime | Counter::AllParts, .. } => Level::Builder,
+        Change::Counter {
+            counter: Counter::PowerOnTime | Counter::AllParts | Counter::AllCuttingTime | Counter::Starts,
+            ..
+        } => Level::Builder,
         Change::Counter { .. } => Level::Operator,
         Change::Parameter { key, .. } => needed_for_parameter(table, key),
         Change::Pitch { .. } | Change::ReferencePoint { .. } | Change::MachineZero { .. } => {

@@ -120,6 +120,8 @@ struct AxisJog {
     wanted: Wanted,
     /// Whether what is wanted has no course yet.
     is_new: bool,
+    /// Counts were lost at a limit: whether at the upper one.
+    lost_at: Option<bool>,
     course: Course,
     /// Where the course began.
     start: f64,
@@ -147,6 +149,7 @@ impl Jog {
                 travel,
                 wanted: Wanted::Rest,
                 is_new: false,
+                lost_at: None,
                 course: Course::REST,
                 start: start.0.get(i).copied().unwrap_or(0.0),
                 goal: None,
@@ -181,6 +184,7 @@ impl Jog {
         let Some(axis) = self.axis(axis) else { return };
         if place.is_finite() && speed > 0.0 {
             let (least, most) = axis.reach();
+            axis.lost_at = None;
             axis.want(Wanted::Place(Mark::new(place.clamp(least, most)), speed.min(axis.velocity)));
         }
     }
@@ -240,12 +244,19 @@ impl Jog {
         self.axes.get(axis.index()).is_none_or(AxisJog::is_at_rest)
     }
 
+    /// The limit at which an axis stands although it was told to go on, by a speed, by steps or by counts: whether it is
+    /// the upper one.
+    pub fn is_cut_short(&self, axis: Axis) -> Option<bool> {
+        self.axes.get(axis.index()).filter(|axis| axis.is_at_rest()).and_then(AxisJog::cut_at)
+    }
+
     /// The axes stand at `at` from here on, whatever they did.
     pub fn rename(&mut self, at: Position) {
         for (axis, place) in self.axes.iter_mut().zip(at.0) {
             *axis = AxisJog {
                 wanted: Wanted::Rest,
                 is_new: false,
+                lost_at: None,
                 course: Course::REST,
                 start: place,
                 goal: None,
@@ -273,6 +284,15 @@ impl AxisJog {
         self.course.time == 0.0
     }
 
+    /// The limit behind which what is wanted leads.
+    fn cut_at(&self) -> Option<bool> {
+        match self.wanted {
+            Wanted::Rest => None,
+            Wanted::Speed(speed) => Some(speed > 0.0),
+            Wanted::Place(..) => self.lost_at,
+        }
+    }
+
     fn want(&mut self, wanted: Wanted) {
         if wanted != self.wanted {
             self.wanted = wanted;
@@ -298,7 +318,11 @@ impl AxisJog {
         if counts == 0 || !(speed > 0.0) || !(units.abs() <= MOST_UNITS as f64) {
             return;
         }
-        let mark = self.mark().on(counts.saturating_mul(units as i64), self.reach());
+        let (counts, (least, most)) = (counts.saturating_mul(units as i64), self.reach());
+        let mark = self.mark().on(counts, (least, most));
+        let asked = self.mark().on(counts, NO_TRAVEL).place();
+        self.lost_at =
+            (asked > most + ON_UNIT).then_some(true).or_else(|| (asked < least - ON_UNIT).then_some(false));
         self.want(Wanted::Place(mark, speed.min(self.velocity)));
     }
 

@@ -1,13 +1,27 @@
 //! Travel switches: an axis that comes onto one brings all to rest with an alarm. It leaves it by hand, while the
 //! overtravel release is held, and only backwards (GSK990MC part 2, 2.5.1 and 2.5.3).
+//!
+//! Limits of axes moved by hand: one that is to go on over a software limit, or into an area that is forbidden, stands
+//! there with an alarm, which moving it back ends (2.5.2, 2.6).
 
 use super::{Cnc, State};
 use crate::manual::JogWay;
-use ferrocut_geometry::{Axis, AxisSet, Position};
-use ferrocut_machine::Fault;
+use ferrocut_geometry::{AXES, Axis, AxisSet, Position};
+use ferrocut_machine::{Alarm, Fault};
 
 /// Way in a period that is no motion, mm.
 const STANDS: f64 = 1e-9;
+
+/// An axis this near to a limit stands on it, mm.
+const ON_LIMIT: f64 = 1e-6;
+
+/// An axis that was to go on over a limit.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct CutShort {
+    upper: bool,
+    /// Where it stands.
+    at: f64,
+}
 
 /// What the travel switches say, and the key.
 #[derive(Clone, Copy, Debug, Default)]
@@ -23,6 +37,9 @@ pub(super) struct Overtravel {
     before: Position,
     /// No alarms of them (GSK990MC 61#6).
     ignored: bool,
+    cut_short: [Option<CutShort>; AXES],
+    /// Axes that the alarm of the switches is of: on the upper one, on the lower one.
+    alarmed: (AxisSet, AxisSet),
 }
 
 impl Overtravel {
@@ -103,6 +120,79 @@ impl Cnc {
             let alarm = alarm.with("side", if upper.is_some() { "+" } else { "-" });
             self.come_to_rest();
             self.failed = Some(Box::new(alarm));
+            self.overtravel.alarmed = (above, below);
+        }
+    }
+
+    /// The axes that the alarm of the travel switches is of, which may be moved back by hand while the release is held.
+    pub fn leaves_switch(&self) -> AxisSet {
+        let (above, below) = self.overtravel.alarmed;
+        let of_them = |axis: &Axis| above.contains(*axis) || below.contains(*axis);
+        match self.overtravel.released {
+            true => self.machine_axes.iter().filter(of_them).collect(),
+            false => AxisSet::EMPTY,
+        }
+    }
+
+    /// Whether the axes that the alarm of the travel switches is of have left them. While the release is held the ladder may
+    /// tell of a switch by the way alone that it keeps shut.
+    pub fn has_left_switches(&self) -> bool {
+        let (above, below) = self.overtravel.alarmed;
+        let stays = above.iter().any(|axis| self.overtravel.blocks(axis, true))
+            || below.iter().any(|axis| self.overtravel.blocks(axis, false));
+        !stays && !matches!(self.state, State::Alarmed(_) | State::Resetting)
+    }
+
+    /// Axes moved by hand that stand at a limit although they were to go on, and at which: the upper ones have `true`.
+    pub fn cut_short(&self) -> impl Iterator<Item = (Axis, bool)> {
+        let axes = Axis::ALL.into_iter().zip(self.overtravel.cut_short);
+        axes.filter_map(|(axis, cut)| cut.map(|cut| (axis, cut.upper)))
+    }
+
+    /// Nobody needs to know of them any more.
+    pub fn forget_cut_short(&mut self) {
+        self.overtravel.cut_short = [None; AXES];
+    }
+
+    /// The alarm of an axis that stands at a limit: of its software limits, or of an area that is forbidden.
+    pub fn cut_short_alarm(&self, axis: Axis, upper: bool) -> Alarm {
+        let at = self.place_by_hand();
+        let (least, most) = self.manual.travel(axis).unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
+        let (low, high) = self.interpreter.stroke_room(axis, at, AxisSet::EMPTY, false);
+        let (low, high) = (low.max(least), high.min(most));
+        let (limit, is_on_it) = match upper {
+            true => (high, at[axis] >= high - ON_LIMIT),
+            false => (low, at[axis] <= low + ON_LIMIT),
+        };
+        match is_on_it {
+            true => {
+                let alarm = self.axis_alarm(Fault::SoftLimit, axis, upper);
+                alarm.with("position", at[axis]).with("limit", limit)
+            }
+            false => Alarm::new(
+                self.interpreter.dialect().alarm_id(Fault::StoredStroke),
+                Fault::StoredStroke,
+                self.span,
+            ),
+        }
+    }
+
+    /// Notes axes that stand at a limit although they were to go on by hand.
+    pub(super) fn note_cut_short(&mut self) {
+        if self.homing.is_active() || self.returns() {
+            return;
+        }
+        for (axis, cut) in Axis::ALL.into_iter().zip(&mut self.overtravel.cut_short) {
+            if let Some(upper) = self.manual.is_cut_short(axis) {
+                *cut = Some(CutShort { upper, at: self.manual.at(axis) });
+            }
+        }
+    }
+
+    /// An axis that is elsewhere than at its limit is there no more.
+    pub(super) fn watch_cut_short(&mut self, at: &Position) {
+        for (axis, cut) in Axis::ALL.into_iter().zip(&mut self.overtravel.cut_short) {
+            *cut = cut.filter(|cut| (cut.at - at[axis]).abs() <= ON_LIMIT);
         }
     }
 

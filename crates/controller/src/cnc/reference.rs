@@ -159,7 +159,7 @@ impl Cnc {
     }
 
     /// Where the axes are, whoever has them.
-    fn place_by_hand(&self) -> Position {
+    pub(super) fn place_by_hand(&self) -> Position {
         match self.manual.is_active {
             true => Position(Axis::ALL.map(|axis| self.manual.at(axis))),
             false => self.beside(self.motion.position()),

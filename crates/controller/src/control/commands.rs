@@ -111,6 +111,9 @@ impl Control {
             Command::MdiBlock { block } => self.type_mdi(block, true),
             Command::Dnc { text, first, last } => self.take_dnc(&text, first, last),
             Command::StopAt { program, sequence } => {
+                if let (Some(program), Some(sequence)) = (&program, sequence) {
+                    self.may_stop_at(program, sequence)?;
+                }
                 self.stop_at = sequence.map(|sequence| (program, sequence));
                 self.arm_stop();
                 Ok(Reply::Done)

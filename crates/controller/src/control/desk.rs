@@ -96,7 +96,9 @@ impl Desk {
             tool_change_program: changes_tools.then_some(programs::TOOL_CHANGE_PROGRAM),
             ..Options::default()
         };
-        Ok(Interpreter::new(self.dialect, programs, self.memory.clone(), options))
+        let mut interpreter = Interpreter::new(self.dialect, programs, self.memory.clone(), options);
+        interpreter.set_machine(std::sync::Arc::new(self.machine.clone()));
+        Ok(interpreter)
     }
 
     /// What the machine refuses of a program.

@@ -1,6 +1,6 @@
 //! Axes and spindle moved by hand: what the ladder asks for becomes jog, steps, handwheel (GSK990MC part 2, 4 to 6).
 
-use super::{Control, alarm, modes};
+use super::{Control, ParameterSwitch, alarm, modes};
 use crate::api::{AlarmInfo, Event};
 use crate::manual::{JogSpeed, JogWay};
 use crate::signals::{Inputs, Mode, SIGNAL_AXES};
@@ -26,7 +26,12 @@ impl Control {
         self.cnc.set_interruption(modes::by_hand(self.mode, shifts));
         let (upwards, downwards) = self.forbidden_by_hand();
         self.cnc.forbid_by_hand(upwards, downwards);
-        if !self.inputs.axes_may_move || self.is_alarmed() {
+        self.follow_switches();
+        self.leaves = match self.is_off_limits() {
+            true => self.cnc.leaves_switch(),
+            false => AxisSet::EMPTY,
+        };
+        if !self.inputs.axes_may_move || self.keeps_axes() && self.leaves.is_empty() {
             self.release_axes();
             return;
         }
@@ -68,7 +73,9 @@ impl Control {
         }
         let of = |ways: &[crate::signals::Ways; SIGNAL_AXES]| ways.get(number).copied().unwrap_or_default();
         let forbidden = of(&self.inputs.no_motion);
+        let waits = !self.axis(number).is_some_and(|axis| self.may_be_moved(axis));
         match of(&self.inputs.jog).sign() {
+            _ if waits => 0,
             1 if forbidden.plus => 0,
             -1 if forbidden.minus => 0,
             sign => sign,
@@ -126,7 +133,8 @@ impl Control {
             let Some(before) = self.jogs.get_mut(number) else { break };
             let was = std::mem::replace(before, (asked, false)).0;
             if asked != 0 && was == 0 {
-                match self.locked_alarm().or_else(|| self.cnc.home_alarm(axis)) {
+                let busy = self.cnc.is_under_way().then(|| Box::new(alarm(Fault::ControlBusy)));
+                match busy.or_else(|| self.locked_alarm()).or_else(|| self.cnc.home_alarm(axis)) {
                     Some(alarm) => self.event(Event::Refused { alarm: AlarmInfo::of(&alarm) }),
                     None => drop(self.cnc.home(axis)),
                 }
@@ -143,10 +151,54 @@ impl Control {
 
     fn turn_wheel(&mut self, counts: i32) {
         let axis = self.inputs.handwheel_axis.and_then(|number| self.axis(number));
-        if let Some(axis) = axis.filter(|_| counts != 0) {
+        if let Some(axis) = axis.filter(|axis| counts != 0 && self.may_be_moved(*axis)) {
             let least = self.least_increment(axis);
             let increment = self.inputs.increment_of(least).min(LARGEST_WHEEL_STEP * least);
             self.cnc.handwheel(axis, i64::from(counts), increment);
+        }
+    }
+
+    /// Whether nothing but the alarm of the travel switches keeps the axes from being moved by hand in this mode, in which
+    /// they come off them (2.5.3).
+    fn is_off_limits(&self) -> bool {
+        matches!(&self.active, Some(alarm) if alarm.fault == Fault::HardLimit)
+            && !self.emergency
+            && self.parameter_switch != ParameterSwitch::On
+            && matches!(self.mode, Mode::Jog | Mode::Step | Mode::Handle)
+    }
+
+    /// While the alarm of the travel switches stands its axes alone are moved.
+    fn may_be_moved(&self, axis: Axis) -> bool {
+        self.leaves.is_empty() || self.leaves.contains(axis)
+    }
+
+    /// The alarm of the travel switches goes once its axes have left them.
+    fn follow_switches(&mut self) {
+        let is_of_switches = self.active.as_ref().is_some_and(|alarm| alarm.fault == Fault::HardLimit);
+        if is_of_switches && self.state == *self.cnc.state() && self.cnc.has_left_switches() {
+            self.active = None;
+            if !self.is_alarmed() {
+                self.event(Event::AlarmsCleared);
+            }
+        }
+    }
+
+    /// An axis that is to go on over a limit stands there with an alarm, until it is moved back (2.5.2).
+    pub(super) fn follow_limits(&mut self) {
+        let stood = self.at_limits.len();
+        let mut standing = std::mem::take(&mut self.at_limits);
+        standing.retain(|(axis, upper, _)| self.cnc.cut_short().any(|cut| cut == (*axis, *upper)));
+        let is_known = |cut: &(Axis, bool)| standing.iter().any(|(axis, upper, _)| *cut == (*axis, *upper));
+        let new: Vec<(Axis, bool)> = self.cnc.cut_short().filter(|cut| !is_known(cut)).collect();
+        let is_over = stood > 0 && standing.is_empty();
+        self.at_limits = standing;
+        for (axis, upper) in new {
+            let alarm = self.cnc.cut_short_alarm(axis, upper);
+            self.log_alarm(&alarm);
+            self.at_limits.push((axis, upper, alarm));
+        }
+        if is_over && !self.is_alarmed() {
+            self.event(Event::AlarmsCleared);
         }
     }
 

@@ -123,7 +123,9 @@ impl Keeping {
             all_parts: of(Counter::AllParts),
             run_time: of(Counter::RunTime),
             cutting_time: of(Counter::CuttingTime),
+            all_cutting_time: of(Counter::AllCuttingTime),
             power_on_time: of(Counter::PowerOnTime),
+            starts: of(Counter::Starts),
         };
         let position = contents.last_position;
         let (mut kept_plc, mut ladder) = (Vec::new(), None);
@@ -371,7 +373,8 @@ impl Control {
             keeping.kept = memory;
             keeping.counters = self.counters;
         }
-        self.show_parts();
+        self.show_counts();
+        self.parameters_changed();
         for item in restored {
             match item {
                 Item::Plc => {
@@ -496,13 +499,16 @@ impl Control {
         if let Some(change) = memory_change(change, self.cnc.interpreter().memory()) {
             self.cnc.change_memory(change);
         }
+        if matches!(change, Change::Parameter { .. }) {
+            self.parameters_changed();
+        }
         match change {
             Change::Parameter { key, .. } if *key == INPUT_UNIT && !self.cnc.is_under_way() => {
                 self.cnc.interpreter_mut().unit_changed();
             }
             Change::Counter { counter, value } => {
                 self.counters.set(*counter, *value);
-                self.show_parts();
+                self.show_counts();
             }
             Change::Signal { area, first, size, value } => {
                 // What the ladder keeps is compared with the disk afterwards, as if the ladder had written it.

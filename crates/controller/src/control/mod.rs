@@ -41,9 +41,9 @@ use crate::signals::{Inputs, Mode, Outputs, SIGNAL_AXES};
 pub use commands::{BACKUPS, backup_in};
 pub use desk::Desk;
 pub use exchange::{check_ladder, ladder_of};
-use ferrocut_geometry::{AxisSet, Position};
+use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_interpreter::{Interpreter, MachineCodes, Options, dialects};
-use ferrocut_machine::{Alarm, Fault, Machine, Memory, ParameterKey};
+use ferrocut_machine::{Alarm, Fault, Machine, Memory, ParameterKey, Parameters};
 use ferrocut_memory::Store;
 use ferrocut_plc::{Address, Area, Pace, Plc};
 use ferrocut_program::{ProgramMemory, Span, Text};
@@ -121,6 +121,13 @@ pub struct Control {
     /// The alarm that stands, besides those of the emergency stop and the parameter switch.
     active: Option<Alarm>,
     parameter_switch: ParameterSwitch,
+    /// Axes moved by hand that stand at a limit, upper or lower, with their alarms.
+    at_limits: Vec<(Axis, bool, Alarm)>,
+    /// The parameters that the machine was built with, and whether those of now would make another one of it.
+    built_with: Parameters,
+    needs_power_off: bool,
+    /// Axes that are moved back from their travel switches while the alarm of these stands.
+    leaves: AxisSet,
     /// Relative coordinates are counted from this machine position.
     origin: Position,
     tick: Tick,
@@ -132,8 +139,8 @@ pub struct Control {
     rewinds: bool,
     state: State,
     parts: u32,
-    /// Parts as their parameter had them last.
-    shown_parts: f64,
+    /// Counters as their parameters had them last.
+    shown: status::Shown,
     cutting_before: f64,
     ladder_names: ladder_names::LadderNames,
     counters: status::Count,
@@ -206,6 +213,7 @@ impl Control {
             ..Options::default()
         };
         let interpreter = Interpreter::new(dialect, programs, memory, options);
+        let built_with = interpreter.memory().parameters.clone();
         let drives = match parts.drives {
             Some(drives) => drives,
             None => machine::drives(machine, &interpreter, referenced.unwrap_or(AxisSet::EMPTY))?,
@@ -256,6 +264,10 @@ impl Control {
             emergency: false,
             active: None,
             parameter_switch: ParameterSwitch::default(),
+            at_limits: Vec::new(),
+            leaves: AxisSet::EMPTY,
+            built_with,
+            needs_power_off: false,
             origin: Position::ZERO,
             tick,
             moving: AxisSet::EMPTY,
@@ -263,7 +275,7 @@ impl Control {
             reset_left: 0,
             rewinds: false,
             parts: 0,
-            shown_parts: 0.0,
+            shown: status::Shown::default(),
             cutting_before: 0.0,
             ladder_names: ladder_names::LadderNames::default(),
             counters,
@@ -281,7 +293,8 @@ impl Control {
         if let Some(alarm) = ladder_told {
             control.event(Event::Alarm { alarm: AlarmInfo::of(&alarm) });
         }
-        control.show_parts();
+        control.counters.starts += 1.0;
+        control.show_counts();
         control.renew_ladder_names();
         Ok(control)
     }
@@ -361,6 +374,7 @@ impl Control {
         let names = self.machine.axes.iter().map(|axis| axis.name);
         self.moving = names.filter(|axis| self.tick.position[*axis] != before[*axis]).collect();
         self.follow_cnc();
+        self.follow_limits();
         self.follow_search();
         self.count();
         self.keep();
@@ -624,7 +638,9 @@ impl Control {
         self.give_up();
         // 10.1.9 note 3: the restart is to be prepared anew.
         self.forget_prepared();
-        if self.active.take().is_some() && !self.is_alarmed() {
+        self.cnc.forget_cut_short();
+        let stood = !std::mem::take(&mut self.at_limits).is_empty();
+        if (self.active.take().is_some() || stood) && !self.is_alarmed() {
             self.event(Event::AlarmsCleared);
         }
         // P203: ms for which the signal is given.
@@ -711,6 +727,11 @@ impl Control {
 
     /// Whether an alarm stands.
     fn is_alarmed(&self) -> bool {
+        self.keeps_axes() || !self.at_limits.is_empty()
+    }
+
+    /// Whether an alarm stands with which no axis is moved by hand.
+    fn keeps_axes(&self) -> bool {
         self.emergency || self.active.is_some() || self.parameter_switch == ParameterSwitch::On
     }
 

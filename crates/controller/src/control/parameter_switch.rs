@@ -56,6 +56,30 @@ impl Control {
         }
     }
 
+    /// Parameters were changed: what the machine was built of holds from the next power-on, which is told until then, or
+    /// until it is as before (alarm 0000 of the GSK990MC). It stops nothing: the machine is the one that it was, and the
+    /// manual says no more than that the power is to be cut once.
+    pub(super) fn parameters_changed(&mut self) {
+        let interpreter = self.cnc.interpreter();
+        let now = &interpreter.memory().parameters;
+        let needed = interpreter.dialect().builds_another(&self.machine, &self.built_with, now);
+        match (std::mem::replace(&mut self.needs_power_off, needed), needed) {
+            (false, true) => {
+                if let Some(alarm) = self.power_off_alarm() {
+                    self.log_alarm(&alarm);
+                }
+            }
+            (true, false) if !self.is_alarmed() => self.event(Event::AlarmsCleared),
+            _ => {}
+        }
+    }
+
+    /// The warning that stands until the power is cut.
+    pub(super) fn power_off_alarm(&self) -> Option<Alarm> {
+        let dialect = self.cnc.interpreter().dialect();
+        self.needs_power_off.then(|| own_alarm(dialect, Fault::PowerOffNeeded, Span::default()).as_warning())
+    }
+
     pub(super) fn turn_parameter_switch(&mut self, on: bool, author: &Author) -> Result<Reply, Box<Alarm>> {
         if self.parameters_open().is_none() {
             return Err(Box::new(alarm(Fault::NotFitted).with("name", "parameter switch")));

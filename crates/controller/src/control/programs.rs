@@ -5,7 +5,7 @@ use super::{Control, library};
 use crate::signals::Mode;
 use ferrocut_interpreter::Interpreter;
 use ferrocut_machine::{Alarm, Fault};
-use ferrocut_program::{FileId, Span, Text};
+use ferrocut_program::{FileId, ProgramId, Span, Text};
 
 /// The program of the memory that M06 runs, where there is one (GSK990MC 8.1).
 pub(super) const TOOL_CHANGE_PROGRAM: u32 = 9001;
@@ -52,7 +52,10 @@ impl Control {
                 }
             }
             Mode::Mdi => self.start_mdi()?,
-            Mode::Dnc => self.start_dnc()?,
+            Mode::Dnc => {
+                self.start_dnc()?;
+                self.begin_part();
+            }
             _ => return Err(Box::new(alarm(Fault::ControlMode))),
         }
         self.arm_stop();
@@ -77,6 +80,7 @@ impl Control {
         self.load_auto(&name)?;
         self.begin_at(line)?;
         self.forget_interrupted();
+        self.begin_part();
         self.taking_up.from_line = line.unwrap_or(1);
         Ok(false)
     }
@@ -157,18 +161,50 @@ impl Control {
         self.cnc.is_under_way() && files.take_while(|file| !file.is_empty()).any(|file| file == name)
     }
 
-    /// 3.4.1, stop number: the run that begins, or is under way, stops behind the line that has the sequence number,
-    /// if it is a run of the program.
+    /// 3.4.1, stop number: the run that begins, or is under way, stops behind the line that has the sequence number, in
+    /// the program itself or where it calls the one that was named.
     pub(super) fn arm_stop(&mut self) {
-        let line = match (&self.stop_at, &self.loaded) {
-            (Some((program, sequence)), Loaded::Auto(name)) => {
-                let is_of = |program: &String| library::id_of(program) == library::id_of(name);
-                let text = self.library.text(name).filter(|_| program.as_ref().is_none_or(is_of));
-                text.and_then(|text| line_of(&text, *sequence))
+        let place = self.stop_place();
+        self.cnc.stop_behind(place);
+    }
+
+    fn stop_place(&mut self) -> Option<(FileId, u32)> {
+        let (program, sequence) = self.stop_at.clone()?;
+        let id = program.map(|program| library::id_of(&program));
+        match (&self.loaded, id) {
+            (Loaded::Auto(name), id) if id.as_ref().is_none_or(|id| *id == library::id_of(name)) => {
+                let text = self.library.text(name)?;
+                line_of(&text, sequence).map(|line| (FileId(0), line))
+            }
+            (Loaded::Auto(_) | Loaded::Mdi | Loaded::Dnc, Some(id)) => {
+                let (file, line) = self.cnc.interpreter_mut().place_of(&id)?;
+                let text = self.cnc.interpreter().programs().text(file)?;
+                let len = u32::try_from(text.len()).ok()?;
+                let text = text.slice(Span { file, offset: 0, len, line: 1 }).ok()?;
+                line_in(&text, line, sequence).map(|line| (file, line))
             }
             _ => None,
+        }
+    }
+
+    /// Why a program that was named stops behind no such sequence number: it is not there, or has none.
+    pub(super) fn may_stop_at(&self, program: &str, sequence: u32) -> Result<(), Box<Alarm>> {
+        let id = library::id_of(program);
+        let place = match self.library.named(&id) {
+            Some((_, text)) => line_of(&text, sequence),
+            // One within the program that is chosen.
+            None => {
+                let text = self.selected.as_ref().and_then(|name| self.library.text(name));
+                let begins = text.as_ref().and_then(|text| begin_of(text, &id));
+                let (text, begins) =
+                    text.zip(begins).ok_or_else(|| alarm(Fault::NoSuchName).with("name", program))?;
+                line_in(&text, begins, sequence)
+            }
         };
-        self.cnc.stop_behind(line.map(|line| (FileId(0), line)));
+        match place {
+            Some(_) => Ok(()),
+            None => Err(Box::new(alarm(Fault::NoSuchName).with("name", format!("{program} N{sequence}")))),
+        }
     }
 
     /// The program has ended: where the next start begins, and what is left of MDI.
@@ -195,24 +231,49 @@ impl Control {
 
 /// The line on which a block begins with a sequence number, counted from 1.
 fn line_of(text: &[u8], sequence: u32) -> Option<u32> {
-    let number = |line: &[u8]| -> Option<u32> {
-        let line = line.trim_ascii_start();
-        let line = line.strip_prefix(b"/").unwrap_or(line).trim_ascii_start();
-        let digits = line.strip_prefix(b"N").or_else(|| line.strip_prefix(b"n"))?;
-        let end = digits.iter().position(|b| !b.is_ascii_digit()).unwrap_or(digits.len());
-        std::str::from_utf8(digits.get(..end)?).ok()?.parse().ok()
-    };
-    let at = text.split(|b| *b == b'\n').position(|line| number(line) == Some(sequence))?;
+    let at = text.split(|b| *b == b'\n').position(|line| number_behind(line, b'N') == Some(sequence))?;
     u32::try_from(at).ok()?.checked_add(1)
+}
+
+/// The same within the program that begins on the line `first`.
+fn line_in(text: &[u8], first: u32, sequence: u32) -> Option<u32> {
+    let lines = (1u32..).zip(text.split(|b| *b == b'\n')).skip_while(|(line, _)| *line < first);
+    let within = lines.take_while(|(line, text)| *line == first || number_behind(text, b'O').is_none());
+    within.filter(|(_, text)| number_behind(text, b'N') == Some(sequence)).map(|(line, _)| line).next()
+}
+
+/// The line on which a program begins within a text.
+fn begin_of(text: &[u8], id: &ProgramId) -> Option<u32> {
+    let ProgramId::Number(number) = id else { return None };
+    let mut lines = (1u32..).zip(text.split(|b| *b == b'\n'));
+    lines.find(|(_, line)| number_behind(line, b'O') == Some(*number)).map(|(line, _)| line)
+}
+
+/// The number behind the letter with which a line begins.
+fn number_behind(line: &[u8], letter: u8) -> Option<u32> {
+    let line = line.trim_ascii_start();
+    let line = line.strip_prefix(b"/").unwrap_or(line).trim_ascii_start();
+    let digits = line.split_first().filter(|(first, _)| first.to_ascii_uppercase() == letter)?.1;
+    let end = digits.iter().position(|b| !b.is_ascii_digit()).unwrap_or(digits.len());
+    std::str::from_utf8(digits.get(..end)?).ok()?.parse().ok()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::line_of;
+    use super::{begin_of, line_in, line_of};
+    use ferrocut_program::ProgramId;
 
     #[test]
     fn a_sequence_number_is_found_at_the_start_of_its_line() {
         let text = b"O1\nN10 G0\n/ n20 G1 N30\nX5 N40\nN010\n";
         assert_eq!([10, 20, 30, 40, 1].map(|n| line_of(text, n)), [Some(2), Some(3), None, None, None]);
+    }
+
+    #[test]
+    fn a_program_within_a_text_has_its_own_sequence_numbers() {
+        let text = b"O1\nN10 G0\nM30\no0002\nN20\nM99\nO3\nN30\n";
+        let begins = [1, 2, 3, 4].map(|n| begin_of(text, &ProgramId::Number(n)));
+        assert_eq!(begins, [Some(1), Some(4), Some(7), None]);
+        assert_eq!([10, 20, 30].map(|n| line_in(text, 4, n)), [None, Some(5), None]);
     }
 }

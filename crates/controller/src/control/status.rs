@@ -18,14 +18,33 @@ use std::collections::BTreeMap;
 pub(super) const PARTS_MACHINED: ParameterKey = ParameterKey::Data(356);
 const PARTS_REQUIRED: ParameterKey = ParameterKey::Data(357);
 
-/// Counters as they are kept: pieces and s.
+/// An hour and a day, s.
+const HOUR: f64 = 3600.0;
+const DAY: f64 = 24.0 * HOUR;
+
+/// Parameters that show a counter, and what one of them is of it: P355 starts of the control, P356 parts, P358 and P359
+/// hours and days of power on, P360 hours of cutting (appendix 1). Each is the whole of it.
+static SHOWN: [(ParameterKey, Counter, f64); 5] = [
+    (ParameterKey::Data(355), Counter::Starts, 1.0),
+    (PARTS_MACHINED, Counter::Parts, 1.0),
+    (ParameterKey::Data(358), Counter::PowerOnTime, HOUR),
+    (ParameterKey::Data(359), Counter::PowerOnTime, DAY),
+    (ParameterKey::Data(360), Counter::AllCuttingTime, HOUR),
+];
+
+/// What the parameters of [`SHOWN`] have, and the most that they can have; none that the control lacks.
+pub(super) type Shown = [Option<(f64, f64)>; 5];
+
+/// Counters as they are kept: pieces, s, and starts.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub(super) struct Count {
     pub parts: f64,
     pub all_parts: f64,
     pub run_time: f64,
     pub cutting_time: f64,
+    pub all_cutting_time: f64,
     pub power_on_time: f64,
+    pub starts: f64,
 }
 
 impl Count {
@@ -36,9 +55,23 @@ impl Count {
             (Counter::AllParts, self.all_parts),
             (Counter::RunTime, self.run_time),
             (Counter::CuttingTime, self.cutting_time),
+            (Counter::AllCuttingTime, self.all_cutting_time),
             (Counter::PowerOnTime, self.power_on_time),
+            (Counter::Starts, self.starts),
         ]
         .into_iter()
+    }
+
+    fn of(&self, counter: Counter) -> f64 {
+        match counter {
+            Counter::Parts => self.parts,
+            Counter::AllParts => self.all_parts,
+            Counter::RunTime => self.run_time,
+            Counter::CuttingTime => self.cutting_time,
+            Counter::AllCuttingTime => self.all_cutting_time,
+            Counter::PowerOnTime => self.power_on_time,
+            Counter::Starts => self.starts,
+        }
     }
 
     /// Sets one.
@@ -48,7 +81,9 @@ impl Count {
             Counter::AllParts => self.all_parts = value,
             Counter::RunTime => self.run_time = value,
             Counter::CuttingTime => self.cutting_time = value,
+            Counter::AllCuttingTime => self.all_cutting_time = value,
             Counter::PowerOnTime => self.power_on_time = value,
+            Counter::Starts => self.starts = value,
         }
     }
 }
@@ -56,12 +91,7 @@ impl Count {
 impl Control {
     /// Counts parts and times (3.1.2: parts by M30 and M02).
     pub(super) fn count(&mut self) {
-        // A program or a person wrote the parameter.
-        let written = self.cnc.interpreter().memory().parameters.get(&PARTS_MACHINED);
-        if written != self.shown_parts {
-            self.counters.parts = written;
-            self.shown_parts = written;
-        }
+        self.take_written();
         let seconds = self.machine.servo_period_ms / 1000.0;
         self.counters.power_on_time += seconds;
         if self.cnc.state() == &State::Running {
@@ -69,6 +99,7 @@ impl Control {
         }
         let cutting = self.cnc.report().time(Activity::Cutting);
         self.counters.cutting_time += cutting - self.cutting_before;
+        self.counters.all_cutting_time += cutting - self.cutting_before;
         self.cutting_before = cutting;
         let made = self.cnc.report().parts.saturating_sub(self.parts);
         self.parts = self.cnc.report().parts;
@@ -76,23 +107,62 @@ impl Control {
         if made > 0 && self.program_mode() != crate::signals::Mode::Mdi {
             self.counters.parts += f64::from(made);
             self.counters.all_parts += f64::from(made);
-            self.show_parts();
+            self.show_counts();
             let parts = self.counters.parts as u64;
             self.event(Event::Part { parts });
+        } else if self.is_another_shown() && !self.cnc.is_reading() {
+            self.show_counts();
         }
     }
 
-    /// The parts that were counted are the value of their parameter, as far as it goes.
-    pub(super) fn show_parts(&mut self) {
-        let parameters = &self.cnc.interpreter().memory().parameters;
-        let Some(row) = parameters.table().get(&PARTS_MACHINED) else { return };
-        let shown = self.counters.parts.floor().min(row.max.unwrap_or(f64::MAX));
-        // Within its range.
-        let _ = self.cnc.interpreter_mut().memory_mut().parameters.set(&PARTS_MACHINED, shown);
-        if let Some(keeping) = &mut self.keeping {
-            keeping.has(&PARTS_MACHINED, shown);
+    /// A program or a person wrote a parameter that shows a counter.
+    fn take_written(&mut self) {
+        for ((key, counter, unit), shown) in SHOWN.iter().zip(&mut self.shown) {
+            let Some((shown, _)) = shown else { continue };
+            let written = self.cnc.interpreter().memory().parameters.get(key);
+            if written != *shown {
+                *shown = written;
+                self.counters.set(*counter, written * unit);
+            }
         }
-        self.shown_parts = shown;
+    }
+
+    /// What a parameter shows of its counter, as far as it goes.
+    fn due(counters: &Count, (_, counter, unit): &(ParameterKey, Counter, f64), most: f64) -> f64 {
+        (counters.of(*counter) / unit).floor().min(most)
+    }
+
+    fn is_another_shown(&self) -> bool {
+        let mut shown = SHOWN.iter().zip(&self.shown);
+        shown
+            .any(|(row, shown)| shown.is_some_and(|(is, most)| is != Control::due(&self.counters, row, most)))
+    }
+
+    /// 55#0 CANT: the times of a part begin anew with it.
+    pub(super) fn begin_part(&mut self) {
+        if self.bit(55, 0) {
+            (self.counters.run_time, self.counters.cutting_time) = (0.0, 0.0);
+        }
+    }
+
+    /// What was counted is the value of its parameter.
+    pub(super) fn show_counts(&mut self) {
+        for (place, row) in SHOWN.iter().enumerate() {
+            let key = &row.0;
+            let Some(of_table) = self.cnc.interpreter().memory().parameters.table().get(key) else {
+                continue;
+            };
+            let most = of_table.max.unwrap_or(f64::MAX);
+            let due = Control::due(&self.counters, row, most);
+            // Within its range.
+            let _ = self.cnc.interpreter_mut().memory_mut().parameters.set(key, due);
+            if let Some(keeping) = &mut self.keeping {
+                keeping.has(key, due);
+            }
+            if let Some(shown) = self.shown.get_mut(place) {
+                *shown = Some((due, most));
+            }
+        }
     }
 
     /// The parts that were wanted are made.
@@ -114,7 +184,9 @@ impl Control {
             alarms.push(AlarmInfo::of(&super::alarm(Fault::EmergencyStop)));
         }
         alarms.extend(self.active.as_ref().map(AlarmInfo::of));
+        alarms.extend(self.at_limits.iter().map(|(_, _, alarm)| AlarmInfo::of(alarm)));
         alarms.extend(self.parameter_alarm().as_ref().map(AlarmInfo::of));
+        alarms.extend(self.power_off_alarm().as_ref().map(AlarmInfo::of));
         let code = |tenths: u16| match tenths % 10 {
             0 => format!("G{:02}", tenths / 10),
             part => format!("G{:02}.{part}", tenths / 10),

@@ -383,7 +383,7 @@ impl Control {
         self.taking_up.broken = None;
         self.loaded = Loaded::Auto(program);
         // Parts were counted since the run began.
-        self.show_parts();
+        self.show_counts();
         // What the search wrote is looked at by the durable memory.
         self.keep_all_of_program();
         Ok(())

@@ -64,6 +64,7 @@ fn check(shop: &Shop, path: &Path, colour: bool) -> Findings {
     job.tell(&shop.diagnostics);
     let mut supervisor = Supervisor::new(&shop.machine, job.dialect, shop.options().start);
     let mut interpreter = job.interpreter(Options { keep_going: true, ..shop.options() });
+    interpreter.set_machine(std::sync::Arc::new(shop.machine.clone()));
     let mut pending = warnings;
     while supervisor.follow(&mut interpreter, &mut pending) {
         for mut alarm in pending.drain(..) {

@@ -860,6 +860,9 @@ FC-1446 = A message of the machine
     .detail = { $name }
     .help = It comes from the ladder of the machine: the page of alarms and the manual of the machine say what it means. It goes when its cause goes.
 
+FC-1447 = A parameter was changed that holds from the next power-on
+    .help = Until then the control goes on as before. Switch the control off and on again, or set the parameter back.
+
 ## 1470: measuring
 
 FC-1470 = There is no probe or tool setter

@@ -860,6 +860,9 @@ FC-1446 = Mensaje de la máquina
     .detail = { $name }
     .help = Viene del ladder de la máquina: la página de alarmas y el manual de la máquina dicen qué significa. Desaparece con su causa.
 
+FC-1447 = Se ha cambiado un parámetro que vale a partir del próximo encendido
+    .help = Hasta entonces el control sigue como antes. Apague el control y enciéndalo de nuevo, o devuelva el parámetro a su valor.
+
 ## 1470: measuring
 
 FC-1470 = No hay palpador ni medidor de herramienta

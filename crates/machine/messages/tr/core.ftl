@@ -860,6 +860,9 @@ FC-1446 = Tezgâhın iletisi
     .detail = { $name }
     .help = Tezgâhın ladder programından gelir: anlamı alarm sayfasında ve tezgâhın kılavuzunda yazar. Nedeni ortadan kalkınca gider.
 
+FC-1447 = Bir sonraki açılışta geçerli olacak bir parametre değişti
+    .help = O zamana kadar kontrol eskisi gibi çalışır. Kontrolü kapatıp yeniden açın ya da parametreyi eski değerine getirin.
+
 ## 1470: measuring
 
 FC-1470 = Prob ya da takım ölçücü yok

@@ -57,7 +57,7 @@ describe('the operation log', () => {
     expect(said.name).toMatchObject({ rights: ['log in 4', 'password 4', ...Array<string>(6).fill('command'), 'log out'], memory: ['restored', 'uploaded', 'recovered'], ladder: ['exchanged'], alarms: ['all'], log: ['all'], position: ['machine zero X'] });
     expect(said.value).toMatchObject({ rights: ['set', 'right', 'wrong', 'machine', 'network', 'taken', 'left', 'asked for', 'asked for no longer', 'handed over to connection 4', 'declined to connection 4'], programs: ['locked 4'], plc: ['released', 'forced 1'] });
     expect(said.value.memory).toHaveLength(7);
-    expect(said.name.counters).toHaveLength(5);
+    expect(said.name.counters).toHaveLength(7);
     expect(said.name.offsets).toHaveLength(7);
     expect(who).toEqual(['control', 'connection 4', 'connection 4 from 4', 'panel from 4', 'ferrocut memory', 'ferrocut memory (4)']);
     expect(items).toHaveLength(14);

@@ -33,7 +33,7 @@ const NAMES: Record<string, Rule[]> = {
   position: [[/^machine zero (?<axis>[A-Z])$/, 'log.machine_zero']],
   alarms: [[/^all$/, 'log.all']],
   log: [[/^all$/, 'log.all']],
-  counters: ['parts', 'all-parts', 'run-time', 'cutting-time', 'power-on-time'].map((name) => [new RegExp(`^${name}$`), `log.${name}`]),
+  counters: ['parts', 'all-parts', 'run-time', 'cutting-time', 'all-cutting-time', 'power-on-time', 'starts'].map((name) => [new RegExp(`^${name}$`), `log.${name}`]),
   offsets: ['length', 'length_wear', 'radius', 'radius_wear', 'cutting_length', 'entry_angle', 'tip_radius'].map((name) => [
     new RegExp(`^(?<number>\\d+) ${name}$`),
     `log.offset_${name}`,

@@ -125,6 +125,7 @@ pub const ALARMS: &[(Fault, u16)] = &[
     (Fault::SetterMissed, 283),
     (Fault::ParametersClosed, 68),
     (Fault::ParametersOpen, 100),
+    (Fault::PowerOffNeeded, 0),
     (Fault::JumpIntoLoop, 137),
     (Fault::SequenceMissing, 128),
     (Fault::UnknownVariable, 115),

@@ -29,7 +29,9 @@ var NAMES = {
 		"all-parts",
 		"run-time",
 		"cutting-time",
-		"power-on-time"
+		"all-cutting-time",
+		"power-on-time",
+		"starts"
 	].map((name) => [new RegExp(`^${name}$`), `log.${name}`]),
 	offsets: [
 		"length",
