@@ -4,9 +4,10 @@
 mod common;
 
 use common::shop::Shop;
-use ferrocut_controller::Mode;
 use ferrocut_controller::api::{Activity, Command};
 use ferrocut_controller::signals::Ways;
+use ferrocut_controller::{Mode, Parts};
+use ferrocut_machine::Machine;
 
 const PLUS: Ways = Ways { plus: true, minus: false };
 const MINUS: Ways = Ways { plus: false, minus: true };
@@ -104,6 +105,32 @@ fn a_check_that_is_turned_on_where_the_axes_may_not_be_is_an_alarm() {
         // Another box about the place.
         assert_eq!(alarms(&mut shop, "G12 X10 I5"), if outside { vec!["FC-0440"] } else { vec![] });
     }
+}
+
+/// 2.6, 5): with 11#6 it is one as power comes on.
+#[test]
+fn axes_that_stand_in_the_box_as_power_comes_on_are_an_alarm() {
+    let alarms = |lowest: f64, before: bool| {
+        let mut machine = Machine::demo_mill();
+        machine.homing.limits_before = before;
+        let bounds =
+            [("P76", lowest), ("P77", 10.0), ("P78", -10.0), ("P79", 10.0), ("P80", -10.0), ("P81", 10.0)];
+        // G12 is in force as power comes on, and forbids the inside.
+        machine.parameters.extend([("NO31.5".into(), 0.0), ("NO11.0".into(), 0.0)]);
+        machine.parameters.extend(bounds.map(|(name, value)| (name.to_owned(), value)));
+        let mut shop = Shop::of(&machine, Parts::default());
+        let alarms = shop.wait(1).alarms.into_iter().map(|alarm| alarm.id).collect::<Vec<_>>();
+        // Out of it, once it is reset.
+        shop.say(Command::Reset);
+        if lowest < 0.0 {
+            let x = jog(&mut shop, PLUS, Ways::default())[0];
+            assert!(x > 10.0, "{x} {:?}", shop.wait(1).alarms);
+        }
+        alarms
+    };
+    assert_eq!(alarms(-10.0, true), ["FC-0440"]);
+    assert_eq!(alarms(5.0, true), [""; 0]);
+    assert_eq!(alarms(-10.0, false), [""; 0]);
 }
 
 /// 2.5.2: an axis that is to go on over a software limit stands there with an alarm, which moving it back ends.

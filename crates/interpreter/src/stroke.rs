@@ -73,17 +73,24 @@ impl Interpreter {
         if !self.rules.stroke.second.iter().take(3).all(is_box) {
             return Err(self.alarm(Fault::StrokeCorners, self.words.block_span()));
         }
-        match self.stands_in_second() {
+        // Places that are not known yet are not judged (2.6, 5).
+        match self.stands_in_second(self.unreferenced.axes) {
             true => Err(self.alarm(Fault::StoredStroke, self.words.block_span())),
             false => Ok(()),
         }
     }
 
-    /// Whether the axes stand where check 2 forbids it, which is an alarm as soon as it is on (2.6, 7). Places that are
-    /// not known yet are not judged (5).
-    fn stands_in_second(&self) -> bool {
+    /// The alarm of axes that stand where check 2 forbids it, if it is on, as power comes on with 11#6 = 1 (2.6, 5): known or
+    /// not, the places are taken for what they are.
+    pub fn stroke_alarm_here(&self) -> Option<Box<Alarm>> {
+        let is_forbidden = self.stroke_check_2 && self.stands_in_second(AxisSet::EMPTY);
+        is_forbidden.then(|| self.alarm(Fault::StoredStroke, self.words.block_span()))
+    }
+
+    /// Whether the axes stand where check 2 forbids it, which is an alarm as soon as it is on (2.6, 7), but those `unknown`.
+    fn stands_in_second(&self, unknown: AxisSet) -> bool {
         let (stroke, at) = (&self.rules.stroke, &self.output.path_end);
-        let is_known = |axis: Axis| self.rules.axes.contains(axis) && !self.unreferenced.axes.contains(axis);
+        let is_known = |axis: Axis| self.rules.axes.contains(axis) && !unknown.contains(axis);
         let mut bounds = self.rules.axis_order.iter().zip(&stroke.second);
         match stroke.second_forbids_outside {
             true => bounds.any(|(axis, (lower, upper))| {

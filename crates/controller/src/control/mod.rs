@@ -293,6 +293,12 @@ impl Control {
         if let Some(alarm) = ladder_told {
             control.event(Event::Alarm { alarm: AlarmInfo::of(&alarm) });
         }
+        // 11#6 (2.6, 5).
+        if control.machine.homing.limits_before
+            && let Some(alarm) = control.cnc.interpreter().stroke_alarm_here()
+        {
+            control.raise(*alarm);
+        }
         control.counters.starts += 1.0;
         control.show_counts();
         control.renew_ladder_names();
