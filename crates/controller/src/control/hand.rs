@@ -205,8 +205,11 @@ impl Control {
     /// No key of an axis has effect any more. One that is held has none before it is let go and pressed anew: the end of
     /// what stopped the axes moves none.
     pub(super) fn release_axes(&mut self) {
-        for (stale, ways) in self.stale_keys.iter_mut().zip(&self.inputs.jog) {
-            *stale |= ways.plus || ways.minus;
+        for (stale, (ways, before)) in
+            self.stale_keys.iter_mut().zip(self.inputs.jog.iter().zip(&self.before.jog))
+        {
+            // One that is pressed together with what stops the axes is pressed anew.
+            *stale |= (ways.plus || ways.minus) && (before.plus || before.minus);
         }
         for number in 0..SIGNAL_AXES {
             let Some(axis) = self.axis(number) else { break };
