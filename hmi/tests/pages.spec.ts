@@ -199,6 +199,11 @@ test('wear is added to, and a length is measured from relative Z', async ({ page
   await page.getByRole('button', { name: 'Length 9 from relative Z' }).click();
   await expect(page.getByLabel('9 Length H', { exact: true })).toHaveValue('-33.500');
   await expect(page.locator('[data-offset="9"] .muted')).toHaveText('−33.600');
+  // What is typed behind its letter is added to it.
+  const length = page.getByLabel('8 Length H', { exact: true });
+  await length.fill('Z10');
+  await length.press('Enter');
+  await expect(length).toHaveValue('-23.500');
 });
 
 test('a work zero is set by value and where the axes stand', async ({ page }) => {

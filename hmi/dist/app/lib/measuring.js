@@ -18,4 +18,14 @@ each zero that is stored, so that it is taken off here. */
 function zeroAt(found, coordinate, external) {
 	return Object.fromEntries(Object.entries(found).map(([axis, place]) => [axis, place - coordinate - (external[axis] ?? 0)]));
 }
-export { edge, middle, zeroAt };
+/** The work coordinate systems that a zero can be measured for. */
+var SYSTEMS = [
+	"G54",
+	"G55",
+	"G56",
+	"G57",
+	"G58",
+	"G59",
+	...Array.from({ length: 50 }, (_, index) => `G54 P${index + 1}`)
+];
+export { SYSTEMS, edge, middle, zeroAt };

@@ -15,7 +15,7 @@ var offsets_default = {
 	"before": "Before",
 	"after": "Next",
 	"measure": "Length {number} from relative Z",
-	"hint": "The measure button takes relative Z ({z} mm) as the length. Touch the reference with the first tool, set relative Z to zero, then touch with the others.",
+	"hint": "The measure button takes relative Z ({z} mm) as the length. Touch the reference with the first tool, set relative Z to zero, then touch with the others. Z10 typed as a length is the relative Z plus 10.",
 	"kind": "Kind",
 	"kind_all": "All",
 	"kind_bit": "Bits",

@@ -9,7 +9,7 @@ var operations_default = {
 	"relative": "Set a relative coordinate",
 	"relative_how": "On the relative page each axis is set to zero, to its half or to a value.",
 	"speed": "Set the spindle speed",
-	"speed_how": "Choose MDI, type S on the page of relative or absolute positions and press cycle start. The spindle keys then turn it with this speed.",
+	"speed_how": "Type S on the page of relative or absolute positions: it holds at once, in any mode, unless a program is under way. The spindle keys then turn it with this speed.",
 	"run": "Run a program",
 	"run_how": "Choose automatic, select a program in the directory and press cycle start. Feed hold stops the axes, cycle start goes on, reset gives up.",
 	"check": "Check a program",

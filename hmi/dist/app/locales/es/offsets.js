@@ -15,7 +15,7 @@ var offsets_default = {
 	"before": "Anterior",
 	"after": "Siguiente",
 	"measure": "Longitud {number} desde Z relativa",
-	"hint": "El botón de medir toma la Z relativa ({z} mm) como longitud. Toque la referencia con la primera herramienta, ponga a cero la Z relativa y toque con las demás.",
+	"hint": "El botón de medir toma la Z relativa ({z} mm) como longitud. Toque la referencia con la primera herramienta, ponga a cero la Z relativa y toque con las demás. Z10 escrito como longitud es la Z relativa más 10.",
 	"kind": "Tipo",
 	"kind_all": "Todos",
 	"kind_bit": "Bits",

@@ -9,7 +9,7 @@ var operations_default = {
 	"relative": "Fijar una coordenada relativa",
 	"relative_how": "En la página de relativas cada eje se pone a cero, a la mitad o a un valor.",
 	"speed": "Fijar las revoluciones del husillo",
-	"speed_how": "Elija MDI, escriba S en la página de posiciones relativas o absolutas y pulse marcha. Las teclas del husillo lo giran entonces a esa velocidad.",
+	"speed_how": "Escriba S en la página de posiciones relativas o absolutas: vale enseguida, en cualquier modo, salvo que haya un programa en marcha. Las teclas del husillo lo giran entonces a esa velocidad.",
 	"run": "Ejecutar un programa",
 	"run_how": "Elija automático, seleccione un programa en el directorio y pulse marcha. La parada de avance detiene los ejes, marcha continúa y reset abandona.",
 	"check": "Comprobar un programa",

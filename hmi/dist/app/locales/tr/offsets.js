@@ -15,7 +15,7 @@ var offsets_default = {
 	"before": "Önceki",
 	"after": "Sonraki",
 	"measure": "Boy {number}: bağıl Z değerinden",
-	"hint": "Ölçme düğmesi bağıl Z değerini ({z} mm) boy alır. İlk takımla referansa dokunup bağıl Z’yi sıfırlayın, sonra öbürleriyle dokunun.",
+	"hint": "Ölçme düğmesi bağıl Z değerini ({z} mm) boy alır. İlk takımla referansa dokunup bağıl Z’yi sıfırlayın, sonra öbürleriyle dokunun. Boy olarak yazılan Z10, bağıl Z artı 10 demektir.",
 	"kind": "Tür",
 	"kind_all": "Tümü",
 	"kind_bit": "Bitler",

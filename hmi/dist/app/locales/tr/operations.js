@@ -9,7 +9,7 @@ var operations_default = {
 	"relative": "Bağıl koordinat verme",
 	"relative_how": "Bağıl sayfasında her eksen sıfırlanır, yarıya bölünür ya da bir değer alır.",
 	"speed": "İş mili devrini verme",
-	"speed_how": "MDI kipini seçin, bağıl ya da mutlak konum sayfasında S yazıp çevrim başlatın. İş mili tuşları bundan sonra bu devirle döndürür.",
+	"speed_how": "Bağıl ya da mutlak konum sayfasında S yazın: bir program çalışmıyorsa her kipte hemen geçerli olur. İş mili tuşları bundan sonra bu devirle döndürür.",
 	"run": "Program çalıştırma",
 	"run_how": "Otomatik kipini seçin, dizinden bir program seçip çevrim başlatın. İlerleme durdurma eksenleri durdurur, başlatma sürdürür, sıfırlama vazgeçer.",
 	"check": "Program denetleme",

@@ -1,5 +1,5 @@
 import { t } from "../../lib/i18n/index.svelte.js";
-import { fixed } from "../../lib/numbers.js";
+import { behindLetter, fixed } from "../../lib/numbers.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import Card from "../../lib/parts/Card.svelte.js";
 import NumberField from "../../lib/parts/NumberField.svelte.js";
@@ -48,15 +48,20 @@ function Tools($$anchor, $$props) {
 			add: $.get(add)
 		});
 	}
-	/** The length of a tool that stands on the zero of the work: its relative Z (3.3.1.2). */
-	function measure(number) {
+	/** The length of a tool that stands on the zero of the work: its relative Z, and what is to be added to it (3.3.1.2). */
+	function measure(number, more = 0) {
 		const z = machine.status?.position.relative.Z;
 		if (z !== void 0) machine.tell({
 			do: "set_offset",
 			number,
-			length: z,
+			length: z + more,
 			add: false
 		});
+	}
+	/** `Z10` as a length is the relative Z plus 10 (note 3). */
+	function behindZ(text, number) {
+		const more = behindLetter(text, "Z");
+		return more === null ? null : () => measure(number, more);
 	}
 	var fragment = root_5();
 	var node = $.first_child(fragment);
@@ -71,9 +76,9 @@ function Tools($$anchor, $$props) {
 				onclick: () => $.set(add, !$.get(add)),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text = $.text();
-					$.template_effect(($0) => $.set_text(text, $0), [() => t("offsets.add")]);
-					$.append($$anchor, text);
+					var text_1 = $.text();
+					$.template_effect(($0) => $.set_text(text_1, $0), [() => t("offsets.add")]);
+					$.append($$anchor, text_1);
 				},
 				$$slots: { default: true }
 			});
@@ -93,7 +98,7 @@ function Tools($$anchor, $$props) {
 				});
 			}
 			var span = $.sibling(node_2, 2);
-			var text_1 = $.only_child(span);
+			var text_2 = $.only_child(span);
 			var node_3 = $.sibling(span, 2);
 			{
 				let $0 = $.derived(() => t("offsets.after"));
@@ -109,7 +114,7 @@ function Tools($$anchor, $$props) {
 					onclick: () => $.set(from, $.get(from) + PAGE)
 				});
 			}
-			$.template_effect(($0) => $.set_text(text_1, `${$.get(from) ?? ""}–${$0 ?? ""}`), [() => $.get(numbers).at(-1)]);
+			$.template_effect(($0) => $.set_text(text_2, `${$.get(from) ?? ""}–${$0 ?? ""}`), [() => $.get(numbers).at(-1)]);
 			$.append($$anchor, fragment_1);
 		};
 		let $0 = $.derived(() => t("offsets.tools"));
@@ -125,16 +130,16 @@ function Tools($$anchor, $$props) {
 				var thead = $.child(table);
 				var tr = $.child(thead);
 				var th = $.child(tr);
-				var text_2 = $.only_child(th, true);
+				var text_3 = $.only_child(th, true);
 				var node_4 = $.sibling(th);
 				$.each(node_4, 16, () => kinds, (kind) => kind, ($$anchor, kind) => {
 					var th_1 = root_1();
-					var text_3 = $.only_child(th_1, true);
-					$.template_effect(($0) => $.set_text(text_3, $0), [() => t(`offsets.${kind}`)]);
+					var text_4 = $.only_child(th_1, true);
+					$.template_effect(($0) => $.set_text(text_4, $0), [() => t(`offsets.${kind}`)]);
 					$.append($$anchor, th_1);
 				});
 				var th_2 = $.sibling(node_4);
-				var text_4 = $.only_child(th_2, true);
+				var text_5 = $.only_child(th_2, true);
 				$.next();
 				$.reset(tr);
 				$.reset(thead);
@@ -144,7 +149,7 @@ function Tools($$anchor, $$props) {
 					var tr_1 = root_3();
 					let classes;
 					var th_3 = $.child(tr_1);
-					var text_5 = $.only_child(th_3, true);
+					var text_6 = $.only_child(th_3, true);
 					var node_5 = $.sibling(th_3);
 					$.each(node_5, 16, () => kinds, (kind) => kind, ($$anchor, kind) => {
 						var td = root_2();
@@ -152,6 +157,7 @@ function Tools($$anchor, $$props) {
 						{
 							let $0 = $.derived(() => $.get(values)[kind] ?? 0);
 							let $1 = $.derived(() => `${number} ${t(`offsets.${kind}`)}`);
+							let $2 = $.derived(() => kind === "length" ? (text) => behindZ(text, number) : void 0);
 							NumberField(node_6, {
 								get value() {
 									return $.get($0);
@@ -162,6 +168,9 @@ function Tools($$anchor, $$props) {
 								get label() {
 									return $.get($1);
 								},
+								get meant() {
+									return $.get($2);
+								},
 								onvalue: (value) => set(number, kind, value)
 							});
 						}
@@ -169,7 +178,7 @@ function Tools($$anchor, $$props) {
 						$.append($$anchor, td);
 					});
 					var td_1 = $.sibling(node_5);
-					var text_6 = $.only_child(td_1, true);
+					var text_7 = $.only_child(td_1, true);
 					var td_2 = $.sibling(td_1);
 					var node_7 = $.child(td_2);
 					{
@@ -191,16 +200,16 @@ function Tools($$anchor, $$props) {
 					$.template_effect(($0, $1) => {
 						$.set_attribute(tr_1, "data-offset", number);
 						classes = $.set_class(tr_1, 1, "s-1cs1yh2", null, classes, { current: number === $.get(h) });
-						$.set_text(text_5, $0);
-						$.set_text(text_6, $1);
+						$.set_text(text_6, $0);
+						$.set_text(text_7, $1);
 					}, [() => number.toString().padStart(3, "0"), () => fixed(($.get(values).length ?? 0) + ($.get(values).length_wear ?? 0))]);
 					$.append($$anchor, tr_1);
 				});
 				$.reset(tbody);
 				$.reset(table);
 				$.template_effect(($0, $1) => {
-					$.set_text(text_2, $0);
-					$.set_text(text_4, $1);
+					$.set_text(text_3, $0);
+					$.set_text(text_5, $1);
 				}, [() => t("offsets.number"), () => t("offsets.whole")]);
 				$.append($$anchor, table);
 			},
@@ -211,8 +220,8 @@ function Tools($$anchor, $$props) {
 		});
 	}
 	var p = $.sibling(node, 2);
-	var text_7 = $.only_child(p, true);
-	$.template_effect(($0) => $.set_text(text_7, $0), [() => t("offsets.hint", { z: fixed(machine.status?.position.relative.Z) })]);
+	var text_8 = $.only_child(p, true);
+	$.template_effect(($0) => $.set_text(text_8, $0), [() => t("offsets.hint", { z: fixed(machine.status?.position.relative.Z) })]);
 	$.append($$anchor, fragment);
 	$.pop();
 }

@@ -1,5 +1,5 @@
 import { t } from "../../lib/i18n/index.svelte.js";
-import { edge, middle, zeroAt } from "../../lib/measuring.js";
+import { SYSTEMS, edge, middle, zeroAt } from "../../lib/measuring.js";
 import { fixed } from "../../lib/numbers.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import Card from "../../lib/parts/Card.svelte.js";
@@ -281,14 +281,7 @@ function Centring($$anchor, $$props) {
 						},
 						children: ($$anchor, $$slotProps) => {
 							var select = root_9();
-							$.each(select, 20, () => [
-								"G54",
-								"G55",
-								"G56",
-								"G57",
-								"G58",
-								"G59"
-							], (one) => one, ($$anchor, one) => {
+							$.each(select, 20, () => SYSTEMS, (one) => one, ($$anchor, one) => {
 								var option = root_8();
 								var text_1 = $.only_child(option, true);
 								var option_value = {};

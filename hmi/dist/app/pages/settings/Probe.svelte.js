@@ -1,5 +1,6 @@
 import { t } from "../../lib/i18n/index.svelte.js";
 import { fixed } from "../../lib/numbers.js";
+import { SYSTEMS } from "../../lib/measuring.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import Card from "../../lib/parts/Card.svelte.js";
 import Labelled from "../../lib/parts/Labelled.svelte.js";
@@ -101,15 +102,6 @@ function Probe($$anchor, $$props) {
 		"both",
 		"calibrate_length",
 		"calibrate_diameter"
-	];
-	const SYSTEMS = [
-		"G54",
-		"G55",
-		"G56",
-		"G57",
-		"G58",
-		"G59",
-		...Array.from({ length: 50 }, (_, index) => `G54 P${index + 1}`)
 	];
 	let form = $.state("hole");
 	let diameter = $.state(40);
