@@ -83,6 +83,13 @@ fn scene() -> Scene {
     let mut states = Vec::new();
     let store = open(&live);
     states.push(all(&store));
+    // The snapshot of the start is made beside, and is of this state.
+    let is_there = |entry: &fs::DirEntry| entry.path().extension().is_some_and(|kind| kind == "db");
+    let made =
+        || fs::read_dir(live.join("good")).is_ok_and(|entries| entries.flatten().any(|e| is_there(&e)));
+    while !made() {
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
     for n in 1..=40 {
         store.commit(&owner(), something(n)).unwrap();
         states.push(all(&store));
