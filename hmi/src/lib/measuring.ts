@@ -20,5 +20,5 @@ export function zeroAt(found: Point, coordinate: number, external: Point): Point
   return Object.fromEntries(Object.entries(found).map(([axis, place]) => [axis, place - coordinate - (external[axis] ?? 0)]));
 }
 
-/** The work coordinate systems that a zero can be measured for. */
+/** The work coordinate systems that a zero can be measured for: G54 to G59, and the additional ones. */
 export const SYSTEMS = ['G54', 'G55', 'G56', 'G57', 'G58', 'G59', ...Array.from({ length: 50 }, (_, index) => `G54 P${index + 1}`)];

@@ -287,7 +287,7 @@ impl Member {
             Some(corner) if matches!(self.class, Class::Cut | Class::Full) => corner.speed(&before, &after),
             _ => f64::INFINITY,
         };
-        let drive = inverse.straight(&before.0).min(inverse.straight(&after.0));
+        let drive = || inverse.straight(&before.0).min(inverse.straight(&after.0));
         let top = || self.top(inverse, len).min(next.top(inverse, 0.0));
         let [row, link] = if behind_corner && next_len > len { [next_len, len] } else { [len, next_len] };
         let corner = || {
@@ -299,7 +299,7 @@ impl Member {
         let is_row = is_chain
             && ends_row(row, link, chord(&before.0, &after.0), tolerance)
             && corner().is_some_and(|corner| {
-                corner.foot.top(drive.j) <= top().min(self.feed).min(next.feed).min(cap)
+                corner.foot.top(drive().j) <= top().min(self.feed).min(next.feed).min(cap)
             });
         let is_simple = is_chain && !is_row && cap == f64::INFINITY;
         if is_simple && runs_on(&before, &after, len.min(next_len), tolerance) {
@@ -329,6 +329,7 @@ impl Member {
         }
         let room = 0.5 * len.min(next_len);
         let ease = Ease::new(len, jump, bend, tolerance, room, top, inverse).map(|ease| Ease { cap, ..ease });
+        let drive = drive();
         let feed = top.min(self.feed).min(next.feed);
         let shorter = CORNER_ROOM * len.min(next_len);
         let (Piece::Line(_), Piece::Line(_)) = (&self.piece, &next.piece) else {

@@ -18,7 +18,7 @@ each zero that is stored, so that it is taken off here. */
 function zeroAt(found, coordinate, external) {
 	return Object.fromEntries(Object.entries(found).map(([axis, place]) => [axis, place - coordinate - (external[axis] ?? 0)]));
 }
-/** The work coordinate systems that a zero can be measured for. */
+/** The work coordinate systems that a zero can be measured for: G54 to G59, and the additional ones. */
 var SYSTEMS = [
 	"G54",
 	"G55",
