@@ -447,9 +447,14 @@ fn is_quiet(mill: &mut Mill, store: Option<&Store>, place: &str) {
     }
 }
 
-/// NC, ladder and panel have the tool that the spindle has.
+/// NC, ladder and panel have the tool that the spindle has, and the ladder the pocket at which the magazine stands.
 fn tools_agree(mill: &mut Mill, place: &str) {
-    let (tool, _) = mill.control.plant_mut().unwrap().tool_and_pocket();
+    let (tool, pocket) = mill.control.plant_mut().unwrap().tool_and_pocket();
+    let plc = mill.control.plc_mut().unwrap();
+    let [counted, between] = ["POCKET", "BETWEEN"].map(|name| plc.program().signal(name).unwrap());
+    if !plc.memory().bit(between) {
+        assert_eq!(u32::from(plc.memory().byte(counted)), pocket, "{place}: pocket");
+    }
     let told = mill.control.inputs().tool_in_spindle;
     let (in_spindle, _) = mill.control.interpreter().tools();
     let shown = mill.control.status().spindle.tool;

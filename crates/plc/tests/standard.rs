@@ -41,6 +41,21 @@ impl Machine {
         machine
     }
 
+    /// Power is cut and comes on again: what is kept stays, and so do the inputs.
+    fn cut_power(&mut self) {
+        let program = Program::from_text(LADDER.as_bytes(), &Limits::default()).unwrap();
+        let mut plc = Plc::new(program, Pace::default());
+        let memory = self.0.memory();
+        let inputs =
+            (0..32).map(|byte| Address { area: Area::X, byte, bit: None }).map(|at| (at, memory.byte(at)));
+        let kept: Vec<(Address, u8)> = memory.kept().chain(inputs).collect();
+        kept.into_iter().for_each(|(at, value)| plc.memory_mut().set_byte(at, value));
+        self.0 = plc;
+        for named in ["MA", "SSTA"] {
+            self.set(named, 1);
+        }
+    }
+
     fn at(&self, name: &str) -> Address {
         self.0.program().signal(name).unwrap_or_else(|| panic!("no signal {name}"))
     }
@@ -734,6 +749,113 @@ fn a_tool_is_changed_by_its_codes() {
         m.run(3);
         assert!(!m.is("MSG_POCKET"));
     }
+}
+
+/// A magazine of 16 pockets, whose switch is on for a tenth of the way on both sides of a pocket; a pin draws it there.
+struct Magazine {
+    /// Parts of the way from a pocket to the next, from pocket 1.
+    at: i32,
+    /// Its way, as it is told since a period.
+    way: i32,
+}
+
+impl Magazine {
+    const WAY: i32 = 20;
+    const SWITCH: i32 = 2;
+
+    /// The pocket that is nearest, from 1.
+    fn pocket(&self) -> u8 {
+        u8::try_from((self.at + Self::WAY / 2).div_euclid(Self::WAY).rem_euclid(16) + 1).unwrap()
+    }
+
+    /// A period: it turns as it was told by the period before the last, and its switch is read.
+    fn run(&mut self, m: &mut Machine) {
+        self.at += self.way;
+        self.way = i32::from(m.is("MAG_CW")) - i32::from(m.is("MAG_CCW"));
+        let from_pocket = (self.at + Self::WAY / 2).rem_euclid(Self::WAY) - Self::WAY / 2;
+        let is_there = from_pocket.abs() <= Self::SWITCH;
+        if is_there && self.way == 0 {
+            self.at -= from_pocket;
+        }
+        m.set("POCKET_PULSE", is_there.into());
+        m.run(1);
+    }
+}
+
+/// Turns to the pocket `to`, for so many periods at most, until it is told to be there; how many periods that took.
+fn turn(m: &mut Machine, magazine: &mut Magazine, to: u8, periods: usize) -> usize {
+    m.set("T_CODE", to);
+    m.set("TF", 1);
+    let took = (0..periods).take_while(|_| {
+        magazine.run(m);
+        !m.is("FIN")
+    });
+    took.count()
+}
+
+/// Breaks turning off by `stop` in any period, turns on, breaks that off, and turns to a pocket.
+fn break_turning_off(stop: fn(&mut Machine)) {
+    let breaks = |m: &mut Machine, magazine: &mut Magazine, to: u8, period: usize| {
+        turn(m, magazine, to, period);
+        stop(m);
+        m.set("TF", 0);
+        (0..5).for_each(|_| magazine.run(m));
+    };
+    let way = usize::try_from(Magazine::WAY).unwrap();
+    for [first, second, last] in [[3, 2, 1], [3, 1, 2], [3, 16, 3], [3, 3, 1], [15, 16, 1], [15, 1, 16]] {
+        for period in 1..way + 5 {
+            for other in 1..2 * way {
+                let (mut m, mut magazine) = (Machine::new(), Magazine { at: 0, way: 0 });
+                breaks(&mut m, &mut magazine, first, period);
+                breaks(&mut m, &mut magazine, second, other);
+                let place = format!("T{first} to period {period}, T{second} to {other}, T{last}");
+                assert!(turn(&mut m, &mut magazine, last, 1_000) < 1_000, "{place}");
+                assert_eq!((m.byte("POCKET"), magazine.pocket()), (last, last), "{place}");
+            }
+        }
+    }
+}
+
+#[test]
+fn pockets_are_counted_where_turning_is_broken_off_in_any_period() {
+    break_turning_off(|m| m.set("TF", 0));
+}
+
+#[test]
+fn pockets_are_counted_where_power_is_cut_in_any_period() {
+    break_turning_off(Machine::cut_power);
+}
+
+/// The magazine has the tool, or the spindle has it, whenever power is cut.
+#[test]
+fn the_tool_is_known_where_power_is_cut_as_it_is_loose_or_clamps() {
+    let mut m = Machine::new();
+    m.m(21);
+    m.set("MAG_AWAY", 0);
+    m.set("MAG_AT_SPINDLE", 1);
+    m.run(3);
+    m.done();
+    m.m(16);
+    m.set("TOOL_CLAMPED", 0);
+    m.set("TOOL_LOOSE", 1);
+    m.run(3);
+    assert_eq!(m.byte("TOOL"), 0);
+    m.cut_power();
+    m.set("TOOL_LOOSE", 0);
+    m.run(3);
+    // Without power nothing holds the clamp open; the magazine does not go with the tool in it.
+    assert_eq!(m.on(&["TOOL_RELEASE", "MAG_TO_SPINDLE"]), ["MAG_TO_SPINDLE"]);
+    m.cut_power();
+    m.set("TOOL_CLAMPED", 1);
+    m.run(3);
+    assert_eq!((m.byte("TOOL"), m.is("MAG_TO_SPINDLE")), (1, true));
+    m.m(22);
+    assert!(!m.is("MAG_TO_SPINDLE"));
+    // Nothing moves a magazine that is on its way as power comes on.
+    m.set("MAG_AT_SPINDLE", 0);
+    m.cut_power();
+    m.run(3);
+    assert!(!m.is("MAG_TO_SPINDLE"));
 }
 
 #[test]
