@@ -582,7 +582,7 @@ impl Cnc {
 
     /// Gives the axes to whoever moves them by hand, if no program has them.
     fn take_by_hand(&mut self) -> bool {
-        if self.may_leave_switch() {
+        if self.may_be_moved_back() {
             self.interpreter.own().reset(self.commanded);
             self.state = State::Reset;
         }

@@ -77,11 +77,18 @@ fn the_outside_can_be_forbidden_and_steps_and_handwheel_keep_in() {
     shop.say(Command::Handwheel { counts: -100_000 });
     shop.wait(3000);
     assert_eq!(shop.x(), 20.0);
-    // One that stands in a forbidden place comes out of it, once the alarm is reset.
-    mdi(&mut shop, "G13\nG0 X-10\nG12");
+    assert_eq!(jog(&mut shop, PLUS, Ways::default())[0], 60.0);
     shop.say(Command::Reset);
-    let [x, _] = jog(&mut shop, PLUS, Ways::default());
-    assert_eq!(x, 60.0);
+    // One that stands in a forbidden place comes out of it, but goes no deeper; the reset ends the alarm then (2.6, 6).
+    mdi(&mut shop, "G13\nG0 X-10\nG12");
+    assert_eq!(jog(&mut shop, MINUS, Ways::default())[0], -10.0);
+    assert_eq!(jog(&mut shop, PLUS, Ways::default())[0], 60.0);
+    assert_eq!(shop.wait(1).activity, Activity::Alarm);
+    shop.start();
+    assert_eq!(shop.wait(50).activity, Activity::Alarm);
+    shop.say(Command::Reset);
+    shop.until_it_stops();
+    assert_eq!(shop.wait(1).activity, Activity::Idle);
 }
 
 /// 2.6, 7): it is an alarm as soon as G12 is in force.
@@ -120,12 +127,13 @@ fn axes_that_stand_in_the_box_as_power_comes_on_are_an_alarm() {
         machine.parameters.extend(bounds.map(|(name, value)| (name.to_owned(), value)));
         let mut shop = Shop::of(&machine, Parts::default());
         let alarms = shop.wait(1).alarms.into_iter().map(|alarm| alarm.id).collect::<Vec<_>>();
-        // Out of it, once it is reset.
-        shop.say(Command::Reset);
+        // Out of it, and the reset ends the alarm.
         if lowest < 0.0 {
             let x = jog(&mut shop, PLUS, Ways::default())[0];
             assert!(x > 10.0, "{x} {:?}", shop.wait(1).alarms);
         }
+        shop.say(Command::Reset);
+        assert!(shop.wait(50).alarms.is_empty());
         alarms
     };
     assert_eq!(alarms(-10.0, true), ["FC-0440"]);

@@ -74,22 +74,22 @@ impl Interpreter {
             return Err(self.alarm(Fault::StrokeCorners, self.words.block_span()));
         }
         // Places that are not known yet are not judged (2.6, 5).
-        match self.stands_in_second(self.unreferenced.axes) {
+        match self.stands_in_second(self.output.path_end, self.unreferenced.axes) {
             true => Err(self.alarm(Fault::StoredStroke, self.words.block_span())),
             false => Ok(()),
         }
     }
 
-    /// The alarm of axes that stand where check 2 forbids it, if it is on, as power comes on with 11#6 = 1 (2.6, 5): known or
-    /// not, the places are taken for what they are.
-    pub fn stroke_alarm_here(&self) -> Option<Box<Alarm>> {
-        let is_forbidden = self.stroke_check_2 && self.stands_in_second(AxisSet::EMPTY);
+    /// The alarm of axes that stand where check 2 forbids it, if it is on, as power comes on with 11#6 = 1 (2.6, 5), or until
+    /// they are moved out (2.6, 6): known or not, the places are taken for what they are.
+    pub fn stroke_alarm_at(&self, at: Position) -> Option<Box<Alarm>> {
+        let is_forbidden = self.stroke_check_2 && self.stands_in_second(at, AxisSet::EMPTY);
         is_forbidden.then(|| self.alarm(Fault::StoredStroke, self.words.block_span()))
     }
 
-    /// Whether the axes stand where check 2 forbids it, which is an alarm as soon as it is on (2.6, 7), but those `unknown`.
-    fn stands_in_second(&self, unknown: AxisSet) -> bool {
-        let (stroke, at) = (&self.rules.stroke, &self.output.path_end);
+    /// Whether axes that stand there are where check 2 forbids it, an alarm as soon as it is on (2.6, 7), but those `unknown`.
+    fn stands_in_second(&self, at: Position, unknown: AxisSet) -> bool {
+        let stroke = &self.rules.stroke;
         let is_known = |axis: Axis| self.rules.axes.contains(axis) && !unknown.contains(axis);
         let mut bounds = self.rules.axis_order.iter().zip(&stroke.second);
         match stroke.second_forbids_outside {

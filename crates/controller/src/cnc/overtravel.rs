@@ -196,10 +196,19 @@ impl Cnc {
         }
     }
 
-    /// Whether an alarm stands that moving an axis back by hand ends.
-    pub(super) fn may_leave_switch(&self) -> bool {
-        matches!(&self.state, State::Alarmed(alarm) if alarm.fault == Fault::HardLimit)
-            && self.overtravel.is_clear()
+    /// The alarm of axes that stand in a forbidden area.
+    pub fn stroke_alarm_here(&self) -> Option<Box<Alarm>> {
+        self.interpreter.stroke_alarm_at(self.place_by_hand())
+    }
+
+    /// Whether an alarm stands during which axes are moved back by hand: off a travel switch, or out of a forbidden area.
+    pub(super) fn may_be_moved_back(&self) -> bool {
+        let State::Alarmed(alarm) = &self.state else { return false };
+        match alarm.fault {
+            Fault::HardLimit => self.overtravel.is_clear(),
+            Fault::StoredStroke => self.stroke_alarm_here().is_some(),
+            _ => false,
+        }
     }
 
     /// What becomes of a key that leads an axis onto its switch.

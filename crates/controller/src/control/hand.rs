@@ -27,10 +27,7 @@ impl Control {
         let (upwards, downwards) = self.forbidden_by_hand();
         self.cnc.forbid_by_hand(upwards, downwards);
         self.follow_switches();
-        self.leaves = match self.is_off_limits() {
-            true => self.cnc.leaves_switch(),
-            false => AxisSet::EMPTY,
-        };
+        self.leaves = self.moved_back();
         if !self.inputs.axes_may_move || self.keeps_axes() && self.leaves.is_empty() {
             self.release_axes();
             return;
@@ -158,16 +155,22 @@ impl Control {
         }
     }
 
-    /// Whether nothing but the alarm of the travel switches keeps the axes from being moved by hand in this mode, in which
-    /// they come off them (2.5.3).
-    fn is_off_limits(&self) -> bool {
-        matches!(&self.active, Some(alarm) if alarm.fault == Fault::HardLimit)
-            && !self.emergency
+    /// Axes that are moved by hand although an alarm stands, where nothing else keeps them: off the travel switches while
+    /// their release is held (2.5.3), and out of a forbidden area, before the reset (2.6, 6).
+    fn moved_back(&self) -> AxisSet {
+        let may_move = !self.emergency
             && self.parameter_switch != ParameterSwitch::On
-            && matches!(self.mode, Mode::Jog | Mode::Step | Mode::Handle)
+            && matches!(self.mode, Mode::Jog | Mode::Step | Mode::Handle);
+        match &self.active {
+            Some(alarm) if may_move && alarm.fault == Fault::HardLimit => self.cnc.leaves_switch(),
+            Some(alarm) if may_move && alarm.fault == Fault::StoredStroke => {
+                self.machine.axes.iter().map(|axis| axis.name).collect()
+            }
+            _ => AxisSet::EMPTY,
+        }
     }
 
-    /// While the alarm of the travel switches stands its axes alone are moved.
+    /// While such an alarm stands its axes alone are moved.
     fn may_be_moved(&self, axis: Axis) -> bool {
         self.leaves.is_empty() || self.leaves.contains(axis)
     }

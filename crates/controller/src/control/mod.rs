@@ -295,7 +295,7 @@ impl Control {
         }
         // 11#6 (2.6, 5).
         if control.machine.homing.limits_before
-            && let Some(alarm) = control.cnc.interpreter().stroke_alarm_here()
+            && let Some(alarm) = control.cnc.stroke_alarm_here()
         {
             control.raise(*alarm);
         }
