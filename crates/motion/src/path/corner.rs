@@ -54,6 +54,7 @@ use crate::limits::{Drive, Inverse, Rates, peak};
 use crate::path::link::{Link, Linked};
 use crate::path::piece::{Piece, Reach};
 use crate::path::swing::Swing;
+use crate::quick::larger;
 use crate::timing::ramp::{Foot, distance, duration};
 use ferrocut_geometry::{AXES, Position};
 
@@ -275,12 +276,12 @@ impl Corner {
         let turn = norm(&(d2 - d1).0);
         // |d₂ − d₁| = 2·sin(θ/2)
         let sine = turn * (1.0 - 0.25 * turn * turn).max(0.0).sqrt();
-        let middle = of_jerk(&(d1 + d2), inverse).max(1e-12).recip();
+        let directions = Directions::new(d1, d2, inverse);
+        let middle = directions.jerk(-1.0, 1.0).max(1e-12).recip();
         let (mut best, mut least) = (self, self.loss_between(sides));
         for [out, end] in SWINGS {
             // As much of both as one axis has.
-            let whole = |a: &Position, b: &Position| of_jerk(&a.zip(*b, |a, b| end * a - out * b), inverse);
-            let most = whole(&d1, &d2).max(whole(&d2, &d1)).max(1e-12).recip();
+            let most = directions.jerk(end, out).max(directions.jerk(out, end)).max(1e-12).recip();
             let jerks = [out * most, middle, end * most];
             // As far out as in.
             let is_out = |share: f64| {
@@ -293,15 +294,20 @@ impl Corner {
                 if !(depth > 0.0) {
                     continue;
                 }
-                let corner = self.swung(swing, SWING_SHARE * tolerance / depth, [d1, d2], inverse);
-                let fits = || {
-                    sides.iter().all(|(feed, drive)| {
-                        let foot = paced(corner.foot, pace_below(corner.foot, *feed, drive.j));
-                        2.0 * corner.reach + STOP_ROOM * foot.room(*drive) <= len
-                    })
-                };
+                let reach = SWING_SHARE * tolerance / depth;
+                if 2.0 * reach > len {
+                    continue;
+                }
+                let corner = self.swung(swing, reach, &directions);
+                let fits = sides.iter().all(|(feed, drive)| {
+                    let foot = paced(corner.foot, pace_below(corner.foot, *feed, drive.j));
+                    2.0 * corner.reach + STOP_ROOM * foot.room(*drive) <= len
+                });
+                if !fits {
+                    continue;
+                }
                 let loss = corner.loss_between(sides);
-                if loss < WORTH * least && fits() {
+                if loss < WORTH * least {
                     (best, least) = (corner, loss);
                 }
             }
@@ -310,17 +316,16 @@ impl Corner {
     }
 
     /// The same with this way of its sides.
-    fn swung(self, swing: Swing, reach: f64, [d1, d2]: [Position; 2], inverse: &Inverse) -> Corner {
-        let sum = |left: f64, gone: f64| d1.zip(d2, |a, b| gone * b - left * a);
+    fn swung(self, swing: Swing, reach: f64, directions: &Directions) -> Corner {
         let [start, out, back, end] = swing.bends();
         let [first, middle, last] = swing.jerks();
         let square = [[end, start], [back, out], [out, back], [start, end]]
-            .map(|[left, gone]| of_acceleration(&sum(left, gone), inverse))
+            .map(|[left, gone]| directions.acceleration(left, gone))
             .into_iter()
             .fold(0.0, f64::max);
         // The left side is run backward: its third derivative has the other sign.
         let cube = [[last, first], [middle, middle], [first, last]]
-            .map(|[left, gone]| of_jerk(&sum(-left, gone), inverse))
+            .map(|[left, gone]| directions.jerk(-left, gone))
             .into_iter()
             .fold(0.0, f64::max);
         let time = (reach * square).sqrt().max((reach * cube).cbrt());
@@ -392,6 +397,46 @@ impl Corner {
     }
 }
 
+/// The directions `d₁`, `d₂` of both sides on the axes that are in them, with what these allow.
+struct Directions {
+    /// `d₁`, `d₂`, and one by the bounds of acceleration and jerk.
+    axes: [[f64; 4]; AXES],
+    len: usize,
+    /// One by the bounds along the path.
+    along: [f64; 2],
+}
+
+impl Directions {
+    fn new(d1: Position, d2: Position, inverse: &Inverse) -> Directions {
+        let (mut axes, mut len) = ([[0.0; 4]; AXES], 0);
+        for i in (0..AXES).filter(|i| d1.0[*i] != 0.0 || d2.0[*i] != 0.0) {
+            axes[len] = [d1.0[i], d2.0[i], inverse.acceleration[i], inverse.jerk[i]];
+            len += 1;
+        }
+        Directions { axes, len, along: inverse.along }
+    }
+
+    /// The share of the bounds that `gone·d₂ − left·d₁` takes as an acceleration (2) or a jerk (3).
+    #[inline]
+    fn share<const BOUND: usize>(&self, left: f64, gone: f64) -> f64 {
+        let (mut most, mut square) = (0.0, 0.0);
+        for axis in &self.axes[..self.len] {
+            let c = gone * axis[1] - left * axis[0];
+            most = larger(most, c.abs() * axis[BOUND]);
+            square += c * c;
+        }
+        larger(most, square.sqrt() * self.along[BOUND - 2])
+    }
+
+    fn acceleration(&self, left: f64, gone: f64) -> f64 {
+        self.share::<2>(left, gone)
+    }
+
+    fn jerk(&self, left: f64, gone: f64) -> f64 {
+        self.share::<3>(left, gone)
+    }
+}
+
 /// The share of the bounds that this acceleration takes.
 pub(crate) fn of_acceleration(a: &Position, inverse: &Inverse) -> f64 {
     peak(&a.0, &inverse.acceleration).max(norm(&a.0) * inverse.along[0])
@@ -405,7 +450,7 @@ pub(crate) fn of_jerk(j: &Position, inverse: &Inverse) -> f64 {
 /// The highest share of a swing, up to a third, that is not `too_far`.
 fn largest(too_far: impl Fn(f64) -> bool) -> f64 {
     let (mut low, mut high) = (0.0, 1.0 / 3.0);
-    for _ in 0..12 {
+    for _ in 0..8 {
         let middle = 0.5 * (low + high);
         if too_far(middle) {
             high = middle;
