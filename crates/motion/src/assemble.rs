@@ -11,24 +11,23 @@
 //! Lines that run into each other without a sharp corner are gathered into a **chain**, of which the open move is
 //! the last; it is smoothed as a whole ([`crate::path::smooth`]) when its end is known or when it is long.
 
+mod open;
+
 use crate::limits::{Class, Inverses, Load, Rates};
 use crate::moves::Move;
-use crate::path::corner::Corner;
 use crate::path::joint::{Ease, Joint, JointRules, MOST_CHORDS, Member, add, is_lost};
 use crate::path::piece::Piece;
 use crate::path::shape::{Cubic, Shape};
 use crate::path::smooth::Smoother;
 use crate::timing::queue::{Cell, Node, Pass, Queue};
 use ferrocut_geometry::{AXES, Position};
+use open::{Before, End, Flow, Held, Open, Start};
 
 /// Stretches shorter than this between two joints are left out, mm.
 const LEAST_CELL: f64 = 1e-10;
 
 /// A path that hardly moves the measured coordinates is not run faster for it.
 const LEAST_STRETCH: f64 = 0.5;
-
-/// The ways before and behind a line that is run as one with its corners are so many times as long.
-const LONGER: f64 = 1.2;
 
 /// In how many cells an ease is planned at least.
 const EASE_SLICES: f64 = 3.0;
@@ -48,114 +47,11 @@ const CELLS_OF_FEED: usize = 1024;
 /// Cells that the ends of a chain take at most.
 const CELLS_A_CHAIN: usize = 32;
 
-/// How a move begins.
-#[derive(Clone, Copy, Debug)]
-#[expect(clippy::large_enum_variant, reason = "there is one of it at a time")]
-enum Start {
-    /// At rest.
-    Rest,
-    /// Run through, at no more than this speed.
-    Plain(f64),
-    Ease(Ease),
-    Corner(Corner, Before),
-}
-
-/// The move before a corner.
-#[derive(Clone, Copy, Debug)]
-struct Before {
-    class: Class,
-    /// How far it is straight there, mm.
-    room: f64,
-}
-
-/// The newest move.
-#[derive(Clone, Copy, Debug)]
-struct Open {
-    member: Member,
-    start: Start,
-    /// Where on the path it begins, mm.
-    s: f64,
-}
-
-impl Open {
-    /// How it runs into `next`; it may be `chained` to a line before it.
-    fn join(&self, next: &Member, chained: bool, rules: &JointRules, inverses: &Inverses) -> Joint {
-        let behind_corner = !chained && matches!(self.start, Start::Corner(..));
-        self.member.join(next, behind_corner, rules, inverses)
-    }
-
-    /// How far it is straight before its end, mm.
-    fn room(&self) -> f64 {
-        let taken = if let Start::Corner(corner, _) = self.start { corner.reach } else { 0.0 };
-        if self.member.piece.is_plain_line() { self.member.piece.len() - taken } else { 0.0 }
-    }
-}
-
-/// How a move ends.
-#[derive(Clone, Copy, Debug)]
-#[expect(clippy::large_enum_variant, reason = "there is one of it at a time")]
-enum End {
-    Rest(Position),
-    Through,
-    Ease(Ease),
-    /// The corner takes its reach.
-    Corner(Corner),
-}
-
-/// A move, or the end of a chain, on its way into the queue.
-#[derive(Clone, Copy, Debug)]
-struct Flow {
-    open: Open,
-    end: End,
-    /// The move is the last of the chain; the chain goes on behind it.
-    chain: Option<bool>,
-    /// How far it is in the queue, mm of the move.
-    at: f64,
-    begun: bool,
-}
-
 /// What the speed of a cell with these rates follows ([`Node::basis`]).
 fn basis(member: &Member, rates: &Rates) -> f64 {
     match member.class {
         Class::Rapid => rates.first.iter().map(|share| share.abs()).fold(0.0, f64::max),
         _ => member.rpm,
-    }
-}
-
-/// A line between two corners, and what it is with them if the move behind it is long enough.
-#[derive(Clone, Copy, Debug)]
-struct Held {
-    line: Open,
-    end: Corner,
-    link: Corner,
-    before: Before,
-}
-
-impl Held {
-    /// The line `open`, which ends with this corner, if it can be run as one with it and the one it begins with.
-    fn new(open: &Open, end: Corner, next: &Member, inverses: &Inverses) -> Option<Held> {
-        let Start::Corner(corner, before) = open.start else { return None };
-        let (member, len) = (&open.member, open.member.piece.len());
-        let are_alike = [before.class, member.class, next.class] == [Class::Cut; 3]
-            && member.rpm == next.rpm
-            && member.inner.is_none()
-            && next.inner.is_none();
-        let is_line = member.piece.is_plain_line() && next.piece.is_plain_line();
-        if !are_alike || !is_line || before.room < LONGER * len {
-            return None;
-        }
-        let inverse = inverses.of(Class::Cut);
-        let direction = member.piece.tangent(0.0);
-        let mut link = corner.linked(&end, direction, len, inverse)?;
-        (link.feed, link.cap) = (member.feed, link.cap.min(member.most));
-        let top = link.foot.top(inverse.straight(&direction.0).j);
-        let is_fast = member.feed.min(next.feed).min(link.cap) >= top * link.haste;
-        is_fast.then_some(Held { line: *open, end, link, before })
-    }
-
-    /// The line on its own.
-    fn flow(&self) -> Flow {
-        Flow { open: self.line, end: End::Corner(self.end), chain: None, at: 0.0, begun: false }
     }
 }
 
@@ -332,7 +228,7 @@ impl Assembler {
                 {
                     let start = Start::Corner(corner, held.before);
                     self.open = Some(Open { member: *member, start, s });
-                    if member.piece.len() >= LONGER * held.line.member.piece.len() {
+                    if held.is_followed_by(member) {
                         self.link(&held, queue);
                     } else {
                         self.held = Some(held);
