@@ -3,7 +3,7 @@ export const pages = {
   position: ['relative', 'absolute', 'all', 'program'],
   program: ['run', 'edit', 'mdi', 'directory', 'dnc'],
   offsets: ['tools', 'parameters', 'variables', 'pitch'],
-  settings: ['zeros', 'centring', 'probe', 'tool', 'general', 'data', 'rights'],
+  settings: ['zeros', 'centring', 'probe', 'tool', 'machine_zero', 'general', 'data', 'rights'],
   graphics: [],
   cycles: [],
   diagnosis: ['signals', 'waveform', 'timing'],

@@ -21,6 +21,7 @@ export const operations: readonly (readonly [id: string, page: string])[] = [
   ['zero', 'settings/zeros'],
   ['centre', 'settings/centring'],
   ['tool', 'settings/tool'],
+  ['machine_zero', 'settings/machine_zero'],
   ['switches', 'settings/general'],
   ['data', 'settings/data'],
   ['rights', 'settings/rights'],
