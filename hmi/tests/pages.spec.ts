@@ -21,6 +21,10 @@ test('blocks that are typed in MDI are run, one alone before the others', async 
   await page.keyboard.type('#500=2.5*2');
   await page.getByTestId('mdi-send').click();
   await expect(page.locator('.past').first()).toContainText('#500=2.5*2');
+  // What is in force stands beside it.
+  await expect(page.locator('.mdi')).toContainText('G90');
+  await expect(page.getByTestId('mdi-values')).toHaveText(/^F\d+ S\d+ T\d+ H\d+ D\d+$/);
+  await shoot(page, 'mdi');
   await press(page, 'KEY_START');
   await show(page, 'position/absolute');
   await expect.poll(() => x(page)).toBe(5);
