@@ -322,6 +322,28 @@ test('a macro variable is set in MDI, and emptied', async ({ page }) => {
   await expect(variable).toHaveValue('');
 });
 
+test('offsets, variables and points of a pitch table are found by their numbers', async ({ page }) => {
+  await enter(page, '#/offsets/tools');
+  const find = async (box: string, text: string) => {
+    await page.getByTestId(box).fill(text);
+    await page.getByTestId(box).press('Enter');
+  };
+  await find('find-offset', 'H200');
+  await expect(page.getByLabel('200 Length H', { exact: true })).toBeFocused();
+  await find('find-offset', '257');
+  await expect(page.getByTestId('find-offset')).toHaveClass(/wrong/);
+  await show(page, 'offsets/variables');
+  await find('find-variable', '#730');
+  await expect(page.getByLabel('#730', { exact: true })).toBeFocused();
+  await find('find-variable', '5001');
+  await expect(page.locator('[data-variable="5001"]')).toBeFocused();
+  await shoot(page, 'find-variable');
+  await show(page, 'offsets/pitch');
+  await find('find-point', '1234');
+  await expect(page.getByLabel('X 1234', { exact: true })).toBeFocused();
+  await shoot(page, 'find-point');
+});
+
 test('one box finds codes, parameters, alarms, variables and signals', async ({ page }) => {
   await enter(page, '#/help/search', false);
   const box = page.getByTestId('help-search');
