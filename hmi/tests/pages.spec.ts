@@ -395,6 +395,33 @@ test('a signal is found by its name, and shows that its key is held', async ({ p
   await expect(signal.locator('b')).toHaveText('0');
 });
 
+test('any signal is found by its address, with a name or without', async ({ page }) => {
+  await enter(page, '#/diagnosis/bytes');
+  const find = page.getByTestId('find-address');
+  const about = page.getByTestId('address');
+  await find.fill('KEY_LUBE');
+  await find.press('Enter');
+  await expect(about).toContainText('KEY_LUBE');
+  const place = (await about.locator('strong').textContent())!;
+  expect(place).toMatch(/^X\d+\.\d$/);
+  const bit = page.locator(`[data-address="${place}"]`);
+  await expect(bit).toBeFocused();
+  await expect(bit.locator('b')).toHaveText('0');
+  await page.locator('[data-signal="KEY_LUBE"]').hover();
+  await page.mouse.down();
+  await expect(bit.locator('b')).toHaveText('1');
+  await shoot(page, 'bytes');
+  await page.mouse.up();
+  await expect(bit.locator('b')).toHaveText('0');
+  await find.fill('r7999');
+  await find.press('Enter');
+  await expect(page.locator('[data-address="R7999"]')).toBeFocused();
+  await expect(about).toContainText('Nobody has given');
+  await page.setViewportSize({ width: 800, height: 600 });
+  await page.getByTestId('machine-panel').getByRole('button', { name: 'Close' }).click();
+  await shoot(page, 'bytes-small');
+});
+
 test('the times of the control are shown and taken anew, and the spindle as it turns', async ({ page }) => {
   await enter(page, '#/diagnosis/timing');
   const timing = page.getByTestId('timing');

@@ -6,7 +6,7 @@ export const pages = {
   settings: ['zeros', 'centring', 'probe', 'tool', 'machine_zero', 'general', 'data', 'rights'],
   graphics: [],
   cycles: [],
-  diagnosis: ['signals', 'waveform', 'timing'],
+  diagnosis: ['signals', 'bytes', 'waveform', 'timing'],
   plc: ['monitor', 'data', 'edit', 'trace'],
   alarms: ['active', 'history', 'log'],
   help: ['search', 'operations', 'codes', 'parameters', 'alarms', 'variables', 'addresses', 'calculator'],

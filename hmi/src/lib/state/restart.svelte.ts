@@ -1,6 +1,7 @@
 // The restart that is prepared (`docs/restart.md`): asked for by a page, searched by the control, shown before cycle start.
 import type { Reply } from '$lib/api/types';
 import { t } from '$lib/i18n/index.svelte';
+import { again } from './again';
 import { machine } from './machine.svelte';
 
 export type Restarts = Extract<Reply, { reply: 'restarts' }>;
@@ -36,18 +37,10 @@ export const restart = {
   /** Tells what is prepared until the answer is called. What differs changes as the operator makes the machine as the program
       has it: it is asked for again and again. */
   follow(told: (now: Restarts) => void): () => void {
-    let wanted = true;
-    const ask = async () => {
-      while (wanted) {
-        const reply = await machine.ask({ do: 'restarts' }).catch(() => null);
-        if (wanted && reply?.reply === 'restarts') told(reply);
-        await new Promise((resolve) => setTimeout(resolve, 300));
-      }
-    };
-    void ask();
-    return () => {
-      wanted = false;
-    };
+    return again(300, async (wanted) => {
+      const reply = await machine.ask({ do: 'restarts' }).catch(() => null);
+      if (wanted() && reply?.reply === 'restarts') told(reply);
+    });
   },
   /** Has the control search the block. */
   search(how: { pass: number; sends: boolean; axis_by_axis: boolean }): Promise<boolean> {
