@@ -7,7 +7,7 @@ export const pages = {
   graphics: [],
   cycles: [],
   diagnosis: ['signals', 'bytes', 'waveform', 'timing'],
-  plc: ['monitor', 'data', 'edit', 'trace'],
+  plc: ['monitor', 'data', 'edit', 'trace', 'info'],
   alarms: ['active', 'history', 'log'],
   help: ['search', 'operations', 'codes', 'parameters', 'alarms', 'variables', 'addresses', 'calculator'],
 } as const;
