@@ -183,6 +183,51 @@ for (const opens of [true, false]) {
   });
 }
 
+for (const steps of [true, false]) {
+  test(`the key of a page ${steps ? 'steps' : 'does not step'} through its parts with 25#0 = ${Number(steps)} (GSK990MC part 2, 1.2.3)`, async ({ context }) => {
+    const { page } = await mock(context, { parameters: { 'NO25.0': Number(steps), 'NO26.7': 1, 'NO23.6': Number(steps) } });
+    const part = page.locator('.tabs [aria-current="page"]');
+    const key = page.getByRole('navigation', { name: 'Pages' }).getByRole('link', { name: 'Position' });
+    await expect(part).toHaveText('Absolute');
+    await key.click();
+    await expect(part).toHaveText(steps ? 'All' : 'Absolute');
+    await page.keyboard.press('Alt+Digit1');
+    await expect(part).toHaveText(steps ? 'With program' : 'Absolute');
+    // 23#6: codes in force beside the program.
+    await page.evaluate(() => (location.hash = '#/position/program'));
+    await expect(part).toHaveText('With program');
+    await expect(page.getByRole('heading', { name: 'In force' })).toHaveCount(Number(steps));
+    if (!steps) return;
+    // From the last to the first.
+    await key.click();
+    await expect(part).toHaveText('Relative');
+    await page.keyboard.press('Alt+Digit0');
+    await expect(part).toHaveText('Search');
+    await page.keyboard.press('Alt+Digit0');
+    await expect(part).not.toHaveText('Search');
+  });
+}
+
+test('the mode EDIT shows the program with 26#0, and the key of programs what its mode needs with 26#1 and 26#2', async ({ context }) => {
+  const options: Options = { parameters: { 'NO26.0': 1, 'NO26.1': 1, 'NO26.2': 1 }, mode: 'jog' };
+  const { page } = await mock(context, options);
+  await expect(page.getByTestId('mode')).toHaveText('Jog');
+  const part = page.locator('.tabs [aria-current="page"]');
+  const programs = page.getByRole('navigation', { name: 'Pages' }).getByRole('link', { name: 'Program' });
+  options.mode = 'edit';
+  await expect(part).toHaveText('Edit');
+  await page.evaluate(() => (location.hash = '#/position'));
+  await expect(part).toHaveText('Absolute');
+  await programs.click();
+  await expect(part).toHaveText('Edit');
+  await page.evaluate(() => (location.hash = '#/position'));
+  options.mode = 'mdi';
+  await expect(page.getByTestId('mode')).toHaveText('Manual data input');
+  await expect(part).toHaveText('Absolute');
+  await programs.click();
+  await expect(part).toHaveText('MDI');
+});
+
 test('what a program says stands above a page that is loaded later, until the status has it no more', async ({ context }) => {
   const options: Options = { says: 'TURN THE PART' };
   const { page } = await mock(context, options);
