@@ -40,6 +40,8 @@ export type Options = {
   noPath?: { status: number; body: string };
   /** What a check finds. */
   findings?: object[];
+  /** How many entries the operation log has. */
+  logged?: number;
   /** Values of parameters. */
   parameters?: Record<string, number>;
   /** Whether nothing is told before a log-in. */
@@ -140,7 +142,10 @@ function reply(command: Sent & { program?: string }, options: Options): object {
     case 'alarm_history':
       return { reply: 'alarm_history', alarms: [] };
     case 'operation_log':
-      return { reply: 'operation_log', entries: [] };
+      return {
+        reply: 'operation_log',
+        entries: Array.from({ length: Math.min(Number(command.most), options.logged ?? 0) }, (_, index) => ({ time: 1.79e12 - index * 6e4, level: 3, who: 'Panel', item: 'parameters', name: `P${(options.logged ?? 0) - index}`, from: '1', to: '2' })),
+      };
     default:
       return { reply: 'done' };
   }

@@ -228,6 +228,21 @@ test('the mode EDIT shows the program with 26#0, and the key of programs what it
   await expect(part).toHaveText('MDI');
 });
 
+test('older entries of the operation log are loaded as they are asked for', async ({ context }) => {
+  const { page } = await mock(context, { logged: 1200 });
+  await page.evaluate(() => (location.hash = '#/alarms/log'));
+  const rows = page.getByTestId('log').locator('tbody tr');
+  await expect(rows).toHaveCount(500);
+  const older = page.getByTestId('older');
+  await older.click();
+  await expect(rows).toHaveCount(1000);
+  await older.click();
+  await expect(rows).toHaveCount(1200);
+  await expect(rows.last()).toContainText('P1');
+  await expect(older).toHaveCount(0);
+  await expect(page.getByText('1,200 entries')).toBeVisible();
+});
+
 test('what a program says stands above a page that is loaded later, until the status has it no more', async ({ context }) => {
   const options: Options = { says: 'TURN THE PART' };
   const { page } = await mock(context, options);
