@@ -40,6 +40,8 @@ export type Options = {
   noPath?: { status: number; body: string };
   /** What a check finds. */
   findings?: object[];
+  /** Names that its ladder has besides, by area. */
+  signals?: Record<string, { name: string; address: string; meaning: string; value: number }[]>;
   /** How many entries the operation log has. */
   logged?: number;
   /** Values of parameters. */
@@ -135,6 +137,8 @@ function reply(command: Sent & { program?: string }, options: Options): object {
       return { reply: 'parameters', parameters: options.parameters ?? {} };
     case 'signals':
       return { reply: 'signals', signals: {} };
+    case 'signal_table':
+      return { reply: 'signal_table', signals: options.signals?.[String(command.area)] ?? [] };
     case 'ladder':
       return { reply: 'text', text: 'KEY_A = X20.0 ; key\nRD KEY_A\nWRT R1.0\nEND1\nEND2\nEND\n' };
     case 'ladder_flow':
