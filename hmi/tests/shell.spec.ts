@@ -1,6 +1,7 @@
 // What the frame does around all pages: the log-in, the stop, what is not stored yet, a lost connection.
 import { expect, test } from '@playwright/test';
 import { mock, type Options } from './mock';
+import { shoot } from './server';
 
 test('where a log-in is needed the page asks for it by itself, and again after it', async ({ context }) => {
   const { page } = await mock(context, { needsLogIn: true });
@@ -241,6 +242,19 @@ test('older entries of the operation log are loaded as they are asked for', asyn
   await expect(rows.last()).toContainText('P1');
   await expect(older).toHaveCount(0);
   await expect(page.getByText('1,200 entries')).toBeVisible();
+});
+
+test('the page of positions opens with relative ones where somebody wants them', async ({ context }) => {
+  const { page, home } = await mock(context);
+  const part = page.locator('.tabs [aria-current="page"]');
+  await expect(part).toHaveText('Absolute');
+  await page.getByTestId('user').click();
+  await page.getByRole('radio', { name: 'Relative' }).click();
+  await expect(part).toHaveText('Relative');
+  await shoot(page, 'user-menu');
+  await page.goto('about:blank');
+  await page.goto(home);
+  await expect(part).toHaveText('Relative');
 });
 
 test('what a program says stands above a page that is loaded later, until the status has it no more', async ({ context }) => {
