@@ -1,6 +1,7 @@
 // What keeps a machine safe in a browser: a key acts while it is held, and what must be touched can be touched.
 import { expect, test } from '@playwright/test';
 import { mock, type Sent } from './mock';
+import { shoot } from './server';
 import { release, stands } from './walk';
 
 const keys = (sent: Sent[]) => sent.filter((one) => one.do === 'key').map((one) => `${String(one.key)} ${one.down ? 'down' : 'up'}`);
@@ -262,4 +263,38 @@ test('a connection that is lost is told, and comes back', async ({ context }) =>
   cut();
   await expect(page.getByTestId('activity')).toHaveText('No connection');
   await expect(page.getByTestId('activity')).toHaveText('Running');
+});
+
+test('a ladder brings keys and lamps of its own to the panel, and those of a fifth axis', async ({ context }) => {
+  const signal = (name: string, address: string, meaning: string) => ({ name, address, meaning, value: 0 });
+  const { page, sent } = await mock(context, {
+    mode: 'jog',
+    axes: ['X', 'Y', 'Z', 'A', 'B'],
+    lamps: ['LAMP_DOOR', 'LAMP_ZERO_X'],
+    signals: {
+      X: [signal('KEY_5+', 'X30.0', 'key +B'), signal('KEY_5-', 'X30.1', 'key -B'), signal('KEY_W5', 'X30.2', ''), signal('KEY_DOOR', 'X31.0', 'door')],
+      Y: [signal('LAMP_DOOR', 'Y31.0', ''), signal('LAMP_WARM', 'Y31.1', 'warming up')],
+    },
+  });
+  const door = page.locator('[data-signal="KEY_DOOR"]');
+  await expect(door).toHaveText('door');
+  await expect(door).toHaveAttribute('aria-pressed', 'true');
+  await expect(page.locator('[data-lamp="LAMP_WARM"]')).toHaveText('warming up');
+  await expect(page.locator('[data-lamp="LAMP_ZERO_X"]')).toHaveClass(/on/);
+  await expect(page.locator('[data-lamp="LAMP_ZERO_Y"]')).not.toHaveClass(/on/);
+  await expect(page.locator('[data-signal="KEY_W5"]')).toHaveText('B');
+  for (const key of ['KEY_5+', 'KEY_DOOR']) {
+    await page.locator(`[data-signal="${key}"]`).hover();
+    await page.mouse.down();
+    await expect.poll(() => keys(sent)).toContain(`${key} down`);
+    await page.mouse.up();
+    await expect.poll(() => keys(sent)).toContain(`${key} up`);
+  }
+  await shoot(page, 'own-keys');
+});
+
+test('keys of a fifth axis that the ladder does not have are not on the panel', async ({ context }) => {
+  const { page } = await mock(context, { axes: ['X', 'Y', 'Z', 'A', 'B'] });
+  await expect(page.locator('[data-signal="KEY_A+"]')).toBeVisible();
+  await expect(page.locator('[data-signal="KEY_5+"]')).toHaveCount(0);
 });

@@ -203,6 +203,18 @@ test('a run that was broken off is taken up behind a plan of what is done first'
   await expect(plan.locator('dd').filter({ hasText: 'M03' })).toBeVisible();
   await expect(plan.locator('ol li').first()).toContainText(/[XYZ] /);
   await expect(page.getByTestId('restart-missing')).toHaveCount(0);
+  // Who types what differs sees it beside what he types.
+  await mode(page, 'KEY_MDI', 'Manual data input');
+  await show(page, 'program/mdi');
+  await expect(page.getByTestId('restart-differences')).toContainText('Spindle');
+  await page.getByLabel('One block').fill('M3 S3000');
+  await page.getByLabel('One block').press('Enter');
+  await shoot(page, 'mdi-differences');
+  await press(page, 'KEY_START');
+  await expect(page.getByTestId('mdi-values')).toContainText('S3000');
+  await expect(page.locator('.mdi tr', { hasText: 'Spindle' })).toHaveCount(0);
+  await mode(page, 'KEY_AUTO', 'Automatic');
+  await show(page, 'program/run');
   await shoot(page, 'restart');
   await press(page, 'KEY_START');
   await stands(page, 'running');

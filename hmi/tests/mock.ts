@@ -40,6 +40,10 @@ export type Options = {
   noPath?: { status: number; body: string };
   /** What a check finds. */
   findings?: object[];
+  /** Names that its ladder has besides, by area. */
+  signals?: Record<string, { name: string; address: string; meaning: string; value: number }[]>;
+  /** How many entries the operation log has. */
+  logged?: number;
   /** Values of parameters. */
   parameters?: Record<string, number>;
   /** Whether nothing is told before a log-in. */
@@ -133,6 +137,8 @@ function reply(command: Sent & { program?: string }, options: Options): object {
       return { reply: 'parameters', parameters: options.parameters ?? {} };
     case 'signals':
       return { reply: 'signals', signals: {} };
+    case 'signal_table':
+      return { reply: 'signal_table', signals: options.signals?.[String(command.area)] ?? [] };
     case 'ladder':
       return { reply: 'text', text: 'KEY_A = X20.0 ; key\nRD KEY_A\nWRT R1.0\nEND1\nEND2\nEND\n' };
     case 'ladder_flow':
@@ -140,7 +146,10 @@ function reply(command: Sent & { program?: string }, options: Options): object {
     case 'alarm_history':
       return { reply: 'alarm_history', alarms: [] };
     case 'operation_log':
-      return { reply: 'operation_log', entries: [] };
+      return {
+        reply: 'operation_log',
+        entries: Array.from({ length: Math.min(Number(command.most), options.logged ?? 0) }, (_, index) => ({ time: 1.79e12 - index * 6e4, level: 3, who: 'Panel', item: 'parameters', name: `P${(options.logged ?? 0) - index}`, from: '1', to: '2' })),
+      };
     default:
       return { reply: 'done' };
   }
@@ -154,7 +163,7 @@ function status(tick: number, options: Options): object {
     periods: tick * 20, mode: options.mode ?? 'auto', program_mode: 'auto', activity: options.alarm ? 'alarm' : 'running',
     finishing_block: false, alarms: options.alarm ? [{ id: 'FC-0302', line: 3, warning: false, values: {} }] : [],
     position: { machine: work, actual: work, work, relative: work, to_go: { ...zero, X: 80 - work.X! }, interruption: zero, system: 'G54' },
-    feed: { actual: 890 + 10 * Math.sin(angle), programmed: 900, feed_override: 1, rapid_override: 0.5, manual_override: 1 },
+    feed: { actual: 890 + 10 * Math.sin(angle), programmed: 900, feed_override: 1, rapid_override: 0.5, manual_override: 1, components: {} },
     spindle: { programmed: 2400, told: 2400, actual: -2390, spindle_override: 1.1, tool: 1, called_tool: 2 },
     program: { selected: 'O0001', cursor: 1, running: 'O0001', line: 2 + (Math.floor(angle) % 3), block: 'N20 G01 X50 F900', g_codes: ['G01', 'G17', 'G21', 'G54', 'G90'], h: 1, d: 5 },
     switches: { single_block: false, block_skip: false, optional_stop: true, dry_run: options.isDryRun ?? false, machine_lock: false, auxiliary_lock: false },

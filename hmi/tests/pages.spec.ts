@@ -21,6 +21,10 @@ test('blocks that are typed in MDI are run, one alone before the others', async 
   await page.keyboard.type('#500=2.5*2');
   await page.getByTestId('mdi-send').click();
   await expect(page.locator('.past').first()).toContainText('#500=2.5*2');
+  // What is in force stands beside it.
+  await expect(page.locator('.mdi')).toContainText('G90');
+  await expect(page.getByTestId('mdi-values')).toHaveText(/^F\d+ S\d+ T\d+ H\d+ D\d+$/);
+  await shoot(page, 'mdi');
   await press(page, 'KEY_START');
   await show(page, 'position/absolute');
   await expect.poll(() => x(page)).toBe(5);
@@ -318,6 +322,28 @@ test('a macro variable is set in MDI, and emptied', async ({ page }) => {
   await expect(variable).toHaveValue('');
 });
 
+test('offsets, variables and points of a pitch table are found by their numbers', async ({ page }) => {
+  await enter(page, '#/offsets/tools');
+  const find = async (box: string, text: string) => {
+    await page.getByTestId(box).fill(text);
+    await page.getByTestId(box).press('Enter');
+  };
+  await find('find-offset', 'H200');
+  await expect(page.getByLabel('200 Length H', { exact: true })).toBeFocused();
+  await find('find-offset', '257');
+  await expect(page.getByTestId('find-offset')).toHaveClass(/wrong/);
+  await show(page, 'offsets/variables');
+  await find('find-variable', '#730');
+  await expect(page.getByLabel('#730', { exact: true })).toBeFocused();
+  await find('find-variable', '5001');
+  await expect(page.locator('[data-variable="5001"]')).toBeFocused();
+  await shoot(page, 'find-variable');
+  await show(page, 'offsets/pitch');
+  await find('find-point', '1234');
+  await expect(page.getByLabel('X 1234', { exact: true })).toBeFocused();
+  await shoot(page, 'find-point');
+});
+
 test('one box finds codes, parameters, alarms, variables and signals', async ({ page }) => {
   await enter(page, '#/help/search', false);
   const box = page.getByTestId('help-search');
@@ -367,6 +393,33 @@ test('a signal is found by its name, and shows that its key is held', async ({ p
   await expect(signal.locator('b')).toHaveText('1');
   await page.mouse.up();
   await expect(signal.locator('b')).toHaveText('0');
+});
+
+test('any signal is found by its address, with a name or without', async ({ page }) => {
+  await enter(page, '#/diagnosis/bytes');
+  const find = page.getByTestId('find-address');
+  const about = page.getByTestId('address');
+  await find.fill('KEY_LUBE');
+  await find.press('Enter');
+  await expect(about).toContainText('KEY_LUBE');
+  const place = (await about.locator('strong').textContent())!;
+  expect(place).toMatch(/^X\d+\.\d$/);
+  const bit = page.locator(`[data-address="${place}"]`);
+  await expect(bit).toBeFocused();
+  await expect(bit.locator('b')).toHaveText('0');
+  await page.locator('[data-signal="KEY_LUBE"]').hover();
+  await page.mouse.down();
+  await expect(bit.locator('b')).toHaveText('1');
+  await shoot(page, 'bytes');
+  await page.mouse.up();
+  await expect(bit.locator('b')).toHaveText('0');
+  await find.fill('r7999');
+  await find.press('Enter');
+  await expect(page.locator('[data-address="R7999"]')).toBeFocused();
+  await expect(about).toContainText('Nobody has given');
+  await page.setViewportSize({ width: 800, height: 600 });
+  await page.getByTestId('machine-panel').getByRole('button', { name: 'Close' }).click();
+  await shoot(page, 'bytes-small');
 });
 
 test('the times of the control are shown and taken anew, and the spindle as it turns', async ({ page }) => {
@@ -470,8 +523,9 @@ test('tables of help are browsed without a search, and operations lead to their 
   await expect(page.locator('[data-key="F"]')).toBeVisible();
   await show(page, 'help/operations');
   await shoot(page, 'help-operations');
-  await expect(page.locator('[data-operation]')).toHaveCount(29);
-  await expect(page.locator('[data-not-here="bus"]')).toContainText('0#0 = 0');
+  await expect(page.locator('[data-operation]')).toHaveCount(30);
+  await expect(page.locator('[data-not-here="bus"]')).toContainText('0#0 changes nothing');
+  for (const id of ['power', 'system']) await expect(page.locator(`[data-not-here="${id}"]`)).toBeVisible();
   await page.locator('[data-operation="data"] a').click();
   await expect(page.getByTestId('backups')).toBeVisible();
 });

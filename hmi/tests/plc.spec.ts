@@ -270,3 +270,16 @@ test('what the ladder keeps is shown, and changed under right', async ({ page })
   await show(page, 'alarms/log');
   await expect(page.getByTestId('log')).toContainText('D9996');
 });
+
+test('the ladder is told by its name, its size, its signals and its scans', async ({ page }) => {
+  await enter(page, '#/plc/info');
+  const fact = (name: string) => page.locator(`[data-fact="plc.info_${name}"] td`);
+  await expect(fact('name')).toContainText('The standard ladder');
+  await expect(fact('version')).toHaveText(/^\d+\.\d+/);
+  await expect(fact('steps')).toHaveText(/^[\d,. ]{3,}$/);
+  await expect(fact('scan')).toHaveText(/^[\d.]+ ms$/);
+  await expect(page.locator('[data-area="X"]')).toContainText(/[1-9]\d/);
+  await page.setViewportSize({ width: 800, height: 600 });
+  await page.getByTestId('machine-panel').getByRole('button', { name: 'Close' }).click();
+  await shoot(page, 'plc-info');
+});

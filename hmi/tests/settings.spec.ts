@@ -153,3 +153,34 @@ test('a program stops once behind a sequence number, and what comes next is told
   await press(page, 'KEY_START');
   await expect(activity(page)).toHaveAttribute('data-activity', 'idle', { timeout: 20_000 });
 });
+
+test('machine zero is set where axes stand, by those who may and after a question', async ({ page }) => {
+  await enter(page);
+  await mode(page, 'KEY_JOG', 'Jog');
+  await show(page, 'settings/machine_zero');
+  const set = page.getByTestId('set-machine-zero');
+  const row = (axis: string) => page.getByTestId('machine-zero').locator(`[data-axis="${axis}"]`);
+  await row('X').getByRole('button').click();
+  await row('Y').getByRole('button').click();
+  await expect(page.locator('[data-need]')).toHaveCount(3);
+  await expect(set).toBeDisabled();
+  await mode(page, 'KEY_MDI', 'Manual data input');
+  await logIn(page, 3);
+  await expect(page.getByTestId('user')).toHaveText('3');
+  await page.getByTestId('parameter-switch').click();
+  await page.getByTestId('accept-parameter-switch').click();
+  await expect(page.locator('[data-need]')).toHaveCount(0);
+  await expect(row('X')).toContainText('No');
+  await page.setViewportSize({ width: 800, height: 600 });
+  await shoot(page, 'machine-zero');
+  await set.click();
+  await expect(page.getByRole('dialog')).toContainText('X Y');
+  await page.getByTestId('set-machine-zero-go').click();
+  await expect(notice(page).filter({ hasText: 'Machine zero is set: X Y' })).toBeVisible();
+  await expect(row('X')).toContainText('Yes');
+  await expect(row('Z')).toContainText('No');
+  await show(page, 'alarms/log');
+  await expect(page.getByTestId('log')).toContainText('Machine zero set, X');
+  await page.getByTestId('user').click();
+  await page.getByTestId('log-out').click();
+});

@@ -1,6 +1,7 @@
 // What the frame does around all pages: the log-in, the stop, what is not stored yet, a lost connection.
 import { expect, test } from '@playwright/test';
 import { mock, type Options } from './mock';
+import { shoot } from './server';
 
 test('where a log-in is needed the page asks for it by itself, and again after it', async ({ context }) => {
   const { page } = await mock(context, { needsLogIn: true });
@@ -182,6 +183,79 @@ for (const opens of [true, false]) {
     }
   });
 }
+
+for (const steps of [true, false]) {
+  test(`the key of a page ${steps ? 'steps' : 'does not step'} through its parts with 25#0 = ${Number(steps)} (GSK990MC part 2, 1.2.3)`, async ({ context }) => {
+    const { page } = await mock(context, { parameters: { 'NO25.0': Number(steps), 'NO26.7': 1, 'NO23.6': Number(steps) } });
+    const part = page.locator('.tabs [aria-current="page"]');
+    const key = page.getByRole('navigation', { name: 'Pages' }).getByRole('link', { name: 'Position' });
+    await expect(part).toHaveText('Absolute');
+    await key.click();
+    await expect(part).toHaveText(steps ? 'All' : 'Absolute');
+    await page.keyboard.press('Alt+Digit1');
+    await expect(part).toHaveText(steps ? 'With program' : 'Absolute');
+    // 23#6: codes in force beside the program.
+    await page.evaluate(() => (location.hash = '#/position/program'));
+    await expect(part).toHaveText('With program');
+    await expect(page.getByRole('heading', { name: 'In force' })).toHaveCount(Number(steps));
+    if (!steps) return;
+    // From the last to the first.
+    await key.click();
+    await expect(part).toHaveText('Relative');
+    await page.keyboard.press('Alt+Digit0');
+    await expect(part).toHaveText('Search');
+    await page.keyboard.press('Alt+Digit0');
+    await expect(part).not.toHaveText('Search');
+  });
+}
+
+test('the mode EDIT shows the program with 26#0, and the key of programs what its mode needs with 26#1 and 26#2', async ({ context }) => {
+  const options: Options = { parameters: { 'NO26.0': 1, 'NO26.1': 1, 'NO26.2': 1 }, mode: 'jog' };
+  const { page } = await mock(context, options);
+  await expect(page.getByTestId('mode')).toHaveText('Jog');
+  const part = page.locator('.tabs [aria-current="page"]');
+  const programs = page.getByRole('navigation', { name: 'Pages' }).getByRole('link', { name: 'Program' });
+  options.mode = 'edit';
+  await expect(part).toHaveText('Edit');
+  await page.evaluate(() => (location.hash = '#/position'));
+  await expect(part).toHaveText('Absolute');
+  await programs.click();
+  await expect(part).toHaveText('Edit');
+  await page.evaluate(() => (location.hash = '#/position'));
+  options.mode = 'mdi';
+  await expect(page.getByTestId('mode')).toHaveText('Manual data input');
+  await expect(part).toHaveText('Absolute');
+  await programs.click();
+  await expect(part).toHaveText('MDI');
+});
+
+test('older entries of the operation log are loaded as they are asked for', async ({ context }) => {
+  const { page } = await mock(context, { logged: 1200 });
+  await page.evaluate(() => (location.hash = '#/alarms/log'));
+  const rows = page.getByTestId('log').locator('tbody tr');
+  await expect(rows).toHaveCount(500);
+  const older = page.getByTestId('older');
+  await older.click();
+  await expect(rows).toHaveCount(1000);
+  await older.click();
+  await expect(rows).toHaveCount(1200);
+  await expect(rows.last()).toContainText('P1');
+  await expect(older).toHaveCount(0);
+  await expect(page.getByText('1,200 entries')).toBeVisible();
+});
+
+test('the page of positions opens with relative ones where somebody wants them', async ({ context }) => {
+  const { page, home } = await mock(context);
+  const part = page.locator('.tabs [aria-current="page"]');
+  await expect(part).toHaveText('Absolute');
+  await page.getByTestId('user').click();
+  await page.getByRole('radio', { name: 'Relative' }).click();
+  await expect(part).toHaveText('Relative');
+  await shoot(page, 'user-menu');
+  await page.goto('about:blank');
+  await page.goto(home);
+  await expect(part).toHaveText('Relative');
+});
 
 test('what a program says stands above a page that is loaded later, until the status has it no more', async ({ context }) => {
   const options: Options = { says: 'TURN THE PART' };

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { behindLetter, duration, fixed, systemNamed, typed } from './numbers';
+import { behindLetter, duration, firstOfPage, fixed, numberNamed, systemNamed, typed } from './numbers';
 
 it('measures have a fixed number of digits and no minus zero', () => {
   expect(fixed(-0.0004)).toBe('0.000');
@@ -33,4 +33,12 @@ it('a work coordinate system is asked for as on the control', () => {
   expect(systemNamed('59')).toBe('G59');
   for (const text of ['P6', 'P06', 'g54 p6']) expect(systemNamed(text)).toBe('G54 P6');
   for (const text of ['G53', 'P0', 'P51', 'G5', '']) expect(systemNamed(text)).toBeNull();
+});
+
+it('the number of a row, and the page that has it', () => {
+  expect(['12', ' h012 ', 'D256'].map((text) => numberNamed(text, 'HD', 1, 256))).toEqual([12, 12, 256]);
+  for (const text of ['', '0', '257', 'T1', 'HD1', '-1', '1.5', 'H']) expect(numberNamed(text, 'HD', 1, 256)).toBeNull();
+  expect(numberNamed('# 500', '#', 1, 999)).toBe(500);
+  expect(numberNamed('x5', '', 0, 9)).toBeNull();
+  expect([1, 32, 33, 256].map((number) => firstOfPage(number, 1, 32))).toEqual([1, 1, 33, 225]);
 });

@@ -49,3 +49,16 @@ export function systemNamed(text: string): string | null {
   if (match[1]) return `G${match[1]}`;
   return Number(match[2]) <= 50 ? `G54 P${Number(match[2])}` : null;
 }
+
+/** The number of a row, alone or behind one of the letters: `12`, `H12`, `#500`. Null where it is none from `low` to `high`. */
+export function numberNamed(text: string, letters: string, low: number, high: number): number | null {
+  const match = /^([^\d\s]?)\s*(\d{1,9})$/.exec(text.trim().toUpperCase());
+  if (!match || !letters.includes(match[1]!)) return null;
+  const number = Number(match[2]);
+  return number >= low && number <= high ? number : null;
+}
+
+/** The first number of the page that has a number, where pages of so many begin at `from`. */
+export function firstOfPage(number: number, from: number, page: number): number {
+  return number - ((number - from) % page);
+}

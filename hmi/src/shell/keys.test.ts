@@ -1,7 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, it } from 'vitest';
-import { auxiliaries, axisKeysOf, increments, modes, rapids, spindle, switches } from './keys';
+import { auxiliaries, axisKeysOf, increments, modes, ownKeysOf, rapids, spindle, switches } from './keys';
 
 const read = (...path: string[]) => readFileSync(join(import.meta.dirname, ...path), 'utf8');
 const ladder = read('../../../machines/standard.lad');
@@ -27,4 +27,15 @@ it('each lamp of a key is one of the standard ladder', () => {
 it('each switch of the standard ladder is on the panel', () => {
   const overrides = read('panel', 'Overrides.svelte');
   expect([...named('SWITCH')].filter((name) => !overrides.includes(`'${name}'`))).toEqual([]);
+});
+
+it('what a ladder has of its own is what the panel has no place for', () => {
+  const bits = (prefix: string, ...more: string[]) =>
+    [...named(prefix), ...more].map((name, index) => ({ name, address: `${prefix === 'KEY' ? 'X' : 'Y'}${index}.0`, meaning: name === 'KEY_DOOR' ? 'door' : '' }));
+  expect(ownKeysOf(bits('KEY', 'KEY_5+', 'KEY_W5'), bits('LAMP', 'LAMP_ZERO_5', 'TOWER_RED'))).toEqual([]);
+  expect(ownKeysOf(bits('KEY', 'KEY_DOOR', 'KEY_AIR'), bits('LAMP', 'LAMP_DOOR', 'LAMP_WARM'))).toEqual([
+    { signal: 'KEY_DOOR', lamp: 'LAMP_DOOR', text: 'door' },
+    { signal: 'KEY_AIR', lamp: '', text: 'KEY_AIR' },
+    { signal: '', lamp: 'LAMP_WARM', text: 'LAMP_WARM' },
+  ]);
 });

@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, it } from 'vitest';
 import { layout } from './layout';
-import { readLadder, signalsOf } from './ladder';
+import { headOf, readLadder, signalsOf } from './ladder';
 
 const text = `
 KEY_A = X20.0 ; key
@@ -69,4 +69,9 @@ it('tells what signals are in the words that it is given', () => {
   const { rungs, symbols } = readLadder(list, new Map([['KEY_A', 'Taste'], ['LAMP_A', '']]));
   expect([symbols.get('KEY_A')?.meaning, symbols.get('LAMP_A')?.meaning]).toEqual(['Taste', 'lamp']);
   expect(rungs[0]?.outputs[0]?.meaning).toBe('lamp');
+});
+
+it('a ladder is called by the remark that it begins with', () => {
+  expect(headOf('\n;\n; The mill: its panel\n; more\nRD X0.0')).toBe('The mill: its panel');
+  expect(headOf('RD X0.0 ; key\n; later')).toBe('');
 });

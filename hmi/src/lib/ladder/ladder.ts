@@ -35,6 +35,15 @@ function join(kind: 'series', a: Node, b: Node): Node {
   return { kind, parts: [...parts(a), ...parts(b)] };
 }
 
+/** What a ladder says of itself: the first words of the remark that it begins with; empty where there is none. */
+export function headOf(text: string): string {
+  for (const { words, comment } of linesOf(text)) {
+    if (words.length) return '';
+    if (comment) return comment;
+  }
+  return '';
+}
+
 /** Reads a ladder; `meanings` of signals take the place of its own remarks. What it cannot make sense of it leaves out: the control checks ladders, not the drawing. */
 export function readLadder(text: string, meanings: ReadonlyMap<string, string> = new Map()): Ladder {
   const symbols: Symbols = new Map();

@@ -2,6 +2,8 @@
 
 export const LANGUAGES = ['en', 'zh', 'ru', 'es', 'tr'] as const;
 export type Language = (typeof LANGUAGES)[number];
+/** With what the page of positions opens; the GSK990MC shows relative ones once it has power (part 2, 3.1). */
+export type Coordinates = 'absolute' | 'relative';
 export type Theme = 'system' | 'light' | 'dark';
 
 const KEY = 'ferrocut.panel';
@@ -9,6 +11,7 @@ const KEY = 'ferrocut.panel';
 type Kept = {
   language: Language;
   theme: Theme;
+  coordinates: Coordinates;
   /** Whether the machine panel stands beside the page. */
   panel: boolean;
   /** The drawing (GSK990MC part 2, 3.5): whether what is drawn goes at the next cycle start; the range that is shown,
@@ -33,7 +36,7 @@ function fromBrowser(): Language {
 }
 
 function read(): Kept {
-  const standard: Kept = { language: fromBrowser(), theme: 'system', panel: innerWidth > 1100, drawing: { erases: true, range: null, frame: null }, welcomed: false };
+  const standard: Kept = { language: fromBrowser(), theme: 'system', coordinates: 'absolute', panel: innerWidth > 1100, drawing: { erases: true, range: null, frame: null }, welcomed: false };
   try {
     const kept = JSON.parse(localStorage.getItem(KEY) ?? '{}') as Partial<Kept>;
     if (kept.language && !LANGUAGES.includes(kept.language)) delete kept.language;

@@ -21,6 +21,7 @@ export const operations: readonly (readonly [id: string, page: string])[] = [
   ['zero', 'settings/zeros'],
   ['centre', 'settings/centring'],
   ['tool', 'settings/tool'],
+  ['machine_zero', 'settings/machine_zero'],
   ['switches', 'settings/general'],
   ['data', 'settings/data'],
   ['rights', 'settings/rights'],
@@ -39,4 +40,6 @@ export const notHere: readonly (readonly [id: string, section: string])[] = [
   ['tune', '3.3.5.3'],
   ['dual', '3.3.5.4'],
   ['channel', '3.4.1, 11.1, 11.2'],
+  ['power', '2.2'],
+  ['system', '3.6.1.2, 3.9'],
 ];
