@@ -13,7 +13,7 @@ describe('a block that is read again', () => {
   it('has its profiles, flat ones and those of depth', () => {
     const form = readBlock([
       '#PROFILE SHAPE [XY]', 'G0 X-40 Y0', 'G37 I2', 'G1 X-40 Y-25', 'G36 I8', 'G3 X0 Y-25 I20 J0', 'G39 I1.5', 'G38 I3', 'G0 X5 Y5', 'G2 X5 Y5 I-5 J0', '#ENDPROFILE',
-      '#PROFILE DEPTH1 [XZ]', 'G0 X-40 Z0', 'G1 X-35 Z-10', '#ENDPROFILE', '#CYCLE P3D [profile=SHAPE, Z1=DEPTH1, P=10]',
+      '#PROFILE DEPTH1 [XZ]', 'G0 X-40 Z0', 'G1 X-35 Z-10', 'G2 X-30 Z-15 I0 K-5', '#ENDPROFILE', '#CYCLE P3D [profile=SHAPE, Z1=DEPTH1, P=10]',
     ])!;
     expect(form.profile!.contours).toEqual([
       { start: [-40, 0], entry: 2, exit: 3, elements: [
@@ -22,7 +22,9 @@ describe('a block that is read again', () => {
       ] },
       { start: [5, 5], entry: 0, exit: 0, elements: [{ kind: 'arc', to: [5, 5], center: [0, 5], clockwise: true, corner: null }] },
     ]);
-    expect(form.depths).toEqual([{ plane: 'XZ', contour: { start: [-40, 0], entry: 0, exit: 0, elements: [{ kind: 'line', to: [-35, -10], corner: null }] } }]);
+    expect(form.depths).toEqual([{ plane: 'XZ', contour: { start: [-40, 0], entry: 0, exit: 0, elements: [
+      { kind: 'line', to: [-35, -10], corner: null }, { kind: 'arc', to: [-30, -15], center: [-35, -15], clockwise: true, corner: null },
+    ] } }]);
     expect(form.values).toMatchObject({ profile: 'SHAPE', Z1: 'DEPTH1', P: 10 });
   });
   it('has the points of a profile from point to point', () => {

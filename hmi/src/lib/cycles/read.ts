@@ -110,6 +110,9 @@ export function readBlock(block: readonly string[]): Request | null {
   return request;
 }
 
+/** The words of a centre, by the axes of the plane. */
+const CENTRE: Record<string, string> = { X: 'I', Y: 'J', Z: 'K' };
+
 /** A line of a profile; whether it is one. */
 function element({ plane, contours }: { plane: string; contours: Contour[] }, line: string): boolean {
   const code = Number(/^G(\d+)/.exec(line)?.[1] ?? NaN);
@@ -126,7 +129,7 @@ function element({ plane, contours }: { plane: string; contours: Contour[] }, li
   } else if (code === 1) contour.elements.push({ kind: 'line', to, corner: null });
   else if (code === 2 || code === 3) {
     const from = contour.elements.at(-1)?.to ?? contour.start;
-    const arc: Element = { kind: 'arc', to, center: [from[0] + word('I'), from[1] + word('J')], clockwise: code === 2, corner: null };
+    const arc: Element = { kind: 'arc', to, center: [from[0] + word(CENTRE[plane[0]!]!), from[1] + word(CENTRE[plane[1]!]!)], clockwise: code === 2, corner: null };
     contour.elements.push(arc);
   } else return false;
   return true;
