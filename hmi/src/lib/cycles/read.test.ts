@@ -44,6 +44,9 @@ describe('a cycle of a program', () => {
     const lines = ['%A', 'G0 X0', ...POCKET, 'M30'];
     expect([2, 3, 6, 7].map((line) => cycleAt(lines, line)?.from ?? 0)).toEqual([0, 3, 3, 0]);
     expect(cycleAt(lines, 4)).toMatchObject({ from: 3, to: 6 });
+    // With the plane and the unit that it was written for, which its next text brings along.
+    expect(cycleAt(['%A', 'G17 G71 G90', ...POCKET], 3)).toMatchObject({ from: 2, to: 6 });
+    expect(cycleAt(['G17 G71 G90', 'G0 X0', ...POCKET], 1)).toBe(null);
   });
   it('is found by its remarks, to its end', () => {
     const moves = ['G17 G21', 'G0 Z5', '(NOT ITS END)', 'G1 Z-1'];

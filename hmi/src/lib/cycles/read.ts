@@ -28,7 +28,8 @@ export function cycleAt(lines: readonly string[], line: number): Found | null {
 /** A cycle of the control that begins at a line, counted from 0. */
 function own(lines: readonly string[], first: number): Found | null {
   const block: string[] = [];
-  let at = first;
+  // Plane and unit that it relies on are said before it.
+  let at = /^G17 G71 G90\s*$/.test(lines[first] ?? '') ? first + 1 : first;
   for (; head(lines[at]?.trim() ?? '') === '#PROFILE'; at++) {
     while (at < lines.length && head(lines[at]!.trim()) !== '#ENDPROFILE') block.push(lines[at++]!.trim());
     block.push('#ENDPROFILE');
