@@ -2,37 +2,12 @@
 import type { Form } from '../src/lib/api/cycles.ts';
 import { kept, read, write } from './forms';
 import { expect, shoot, test, type Page } from './server';
+import { say } from './walk';
 
 const PROGRAM = 'O7101';
 
 /** A program in the memory, stored over a connection of its own. */
-async function stored(page: Page, text: string): Promise<void> {
-  const answer = await page.evaluate(
-    ([program, text]) =>
-      new Promise<string>((resolve) => {
-        const socket = new WebSocket(`ws://${location.host}/api/socket`);
-        const wishes = [{ do: 'take_command' }, { do: 'store', program, text }, { do: 'give_command' }];
-        let next = 0;
-        const ask = () => socket.send(JSON.stringify({ id: next + 1, ...wishes[next] }));
-        socket.onmessage = ({ data }) => {
-          const message = JSON.parse(data as string) as Record<string, unknown>;
-          if (message.hello) ask();
-          else if (message.id === next + 1) {
-            if (!('reply' in message)) resolve(data as string);
-            next += 1;
-            if (next < wishes.length) ask();
-            else {
-              socket.close();
-              resolve('');
-            }
-          }
-        };
-        socket.onerror = () => resolve('no connection');
-      }),
-    [PROGRAM, text] as const,
-  );
-  expect(answer).toBe('');
-}
+const stored = (page: Page, text: string) => say(page, { do: 'take_command' }, { do: 'store', program: PROGRAM, text }, { do: 'give_command' });
 
 async function openGroupOf(page: Page, cycle: string): Promise<void> {
   for (const group of await page.locator('nav [data-group]').all()) {
@@ -322,25 +297,85 @@ test('a contour is drawn of lines and arcs, with corners, by pointer and by key'
   await shoot(page, 'cycles-contour');
 });
 
+test('a wall of a pocket slopes by a profile of lines and arcs, and profiles are kept by their names', async ({ page }) => {
+  await page.setViewportSize({ width: 800, height: 600 });
+  await open(page, 'P3D');
+  const points = () => page.getByTestId('simulation').getAttribute('data-points').then(Number);
+  await page.getByRole('button', { name: 'Depth profile' }).click();
+  const depth = page.locator('.editor', { has: page.getByRole('group', { name: 'P.Z1' }) });
+  const elements = depth.locator('.elements li');
+  await expect(elements).toHaveText([/Start\s*X -40.000 Z 0.000/, /Line\s*X -35.000 Z -10.000/]);
+  // Steep at the surface, then a rounded shoulder that ends upright.
+  const give = async (label: string, value: string) => {
+    await depth.getByLabel(label, { exact: true }).fill(value);
+    await depth.getByLabel(label, { exact: true }).press('Enter');
+  };
+  await elements.nth(1).getByRole('button').click();
+  await give('X of the end', '-39');
+  await give('Z of the end', '-4');
+  await depth.locator('.element').getByRole('button', { name: 'Arc', exact: true }).click();
+  await give('X of the end', '-33');
+  await give('Z of the end', '-10');
+  await give('X of the centre', '-39');
+  await give('Z of the centre', '-10');
+  await depth.getByRole('button', { name: '270°' }).click();
+  await expect(elements.nth(2)).toHaveText(/Arc, clockwise\s*X -33.000 Z -10.000 R 6.000/);
+  await written(page);
+  await depth.scrollIntoViewIfNeeded();
+  await shoot(page, 'cycles-depth');
+  await page.getByTestId('simulate').click();
+  await expect.poll(points).toBeGreaterThan(200);
+
+  // It is kept by its name, also when the page is opened anew, and called so by its cycle.
+  const keep = async (editor: typeof depth, name: string) => {
+    await editor.getByTestId('profiles').click();
+    await page.getByTestId('profile-name').fill('2 NAMES');
+    await expect(page.getByTestId('keep-profile')).toBeDisabled();
+    await page.getByTestId('profile-name').fill(name);
+    await page.getByTestId('keep-profile').click();
+    await expect(page.locator(`[data-profile="${name}"]`)).toBeVisible();
+    await page.getByRole('dialog').getByRole('button', { name: 'Close' }).click();
+  };
+  const plan = page.locator('.editor', { has: page.getByRole('group', { name: 'Profile' }) });
+  await keep(depth, 'SLOPE');
+  await keep(plan, 'PLATE');
+  await expect(page.locator('[id="field-Z1"]')).toHaveValue('SLOPE');
+  await page.reload();
+  await open(page, 'P3D');
+  await plan.getByTestId('profiles').click();
+  await expect(page.locator('[data-profile]')).toHaveCount(1);
+  await page.locator('[data-profile="PLATE"] .grow').click();
+  await expect(page.locator('[id="field-profile"]')).toHaveValue('PLATE');
+  await page.getByRole('button', { name: 'Depth profile' }).click();
+  await depth.getByTestId('profiles').click();
+  await expect(page.locator('[data-profile]')).toHaveCount(1);
+  await shoot(page, 'cycles-profiles');
+  await page.locator('[data-profile="SLOPE"] .grow').click();
+  await expect(elements).toHaveCount(3);
+  await written(page);
+  await page.getByRole('radio', { name: 'Text' }).click();
+  await expect(page.locator('pre')).toContainText('#PROFILE SLOPE [XZ]');
+  await expect(page.locator('pre')).toContainText('G2 X-33 Z-10 I0 K-6');
+  await page.getByTestId('simulate').click();
+  await expect.poll(points).toBeGreaterThan(200);
+  // One of depth is none in the plane; one that is thrown away is gone.
+  await open(page, 'G293');
+  await page.getByTestId('profiles').click();
+  await expect(page.getByRole('dialog')).not.toContainText('SLOPE');
+  await page.getByRole('dialog').getByRole('button', { name: 'Close' }).click();
+  await open(page, 'P2D');
+  await page.getByTestId('profiles').click();
+  await page.locator('[data-profile="PLATE"]').getByRole('button', { name: 'Delete' }).click();
+  await expect(page.getByRole('dialog')).toContainText('No profile of this kind is kept');
+});
+
 test('a field is taught where the machine stands', async ({ page }) => {
   await open(page, 'G288');
   const at = page.locator('[id="field-XC"]');
   await at.fill('12.5');
   await expect(at).toHaveValue('12.5');
-  const axis = await page.evaluate(
-    () =>
-      new Promise<number>((resolve) => {
-        const socket = new WebSocket(`ws://${location.host}/api/socket`);
-        socket.onmessage = ({ data }) => {
-          const message = JSON.parse(data as string) as { hello?: string; position?: { work: { X: number } } };
-          if (message.hello) socket.send('{"id":1,"do":"status"}');
-          else if (message.position) {
-            socket.close();
-            resolve(message.position.work.X);
-          }
-        };
-      }),
-  );
+  const [status] = await say(page, { do: 'status' });
+  const axis = (status as { position: { work: { X: number } } }).position.work.X;
   await at.focus();
   await page.locator('.field[data-name="XC"]').getByRole('button', { name: "Take the machine's position" }).click();
   await expect.poll(async () => Number(await at.inputValue())).toBeCloseTo(axis, 3);

@@ -203,3 +203,72 @@ for (const [width, height] of [[800, 600], [600, 800], [1024, 768], [3840, 2160]
     expect(wrong).toEqual([]);
   });
 }
+
+test.describe('by a finger alone', () => {
+  test.use({ hasTouch: true, viewport: { width: 800, height: 600 } });
+
+  test('a program is written, and a piece of it copied, moved and brought back, by the keypad', async ({ page }) => {
+    await enter(page);
+    await bring(page, 'O0046', Buffer.from('O0046\nG0 X1.\nM30\n'));
+    await show(page, 'program/edit/O0046');
+    const text = page.getByTestId('editor').locator('.cm-content');
+    await expect(text).toContainText('O0046');
+    // Whoever has a finger alone has the keypad, and no keyboard of the device over it.
+    const pad = page.getByTestId('keypad');
+    await expect(pad).toBeVisible();
+    await expect(text).toHaveAttribute('inputmode', 'none');
+    const keys = async (...names: string[]) => {
+      for (const name of names) await pad.locator(`[data-pad="${name}"]`).tap();
+    };
+    const lines = () => text.locator('.cm-line').allTextContents();
+    await text.locator('.cm-line', { hasText: 'G0 X1.' }).tap();
+    await keys('end', 'eob', 'G', '1', 'space', 'X', '-', '2', '.', '5', 'space', 'F', '9', 'erase', '3', '0', '0');
+    await expect.poll(lines).toEqual(['O0046', 'G0 X1.', 'G1 X-2.5 F300', 'M30', '']);
+    await shoot(page, 'keypad');
+    // Letters and signs that are met less.
+    await keys('space', 'layer', 'P', '#', 'layer', '1');
+    await expect.poll(lines).toContain('G1 X-2.5 F300 P#1');
+    await keys('undo');
+    await expect.poll(lines).not.toContain('G1 X-2.5 F300 P#1');
+    await keys('redo');
+    await expect.poll(lines).toContain('G1 X-2.5 F300 P#1');
+    // A piece that is selected is copied and put where the cursor is.
+    await keys('select', 'left', 'left', 'left', 'copy', 'up', 'end', 'space', 'paste');
+    await expect.poll(lines).toEqual(['O0046', 'G0 X1. P#1', 'G1 X-2.5 F300 P#1', 'M30', '']);
+    // Without one the line is taken, and goes before that of the cursor.
+    await keys('cut', 'down', 'paste');
+    await expect.poll(lines).toEqual(['O0046', 'G1 X-2.5 F300 P#1', 'G0 X1. P#1', 'M30', '']);
+    await keys('home', 'select', 'end', 'cut', 'G', '4');
+    await page.getByTestId('save').tap();
+    await expect(page.getByTestId('save')).toBeDisabled();
+    expect((await (await page.request.get('/api/programs/O0046')).body()).toString()).toBe('O0046\nG1 X-2.5 F300 P#1\nG0 X1. P#1\nG4\n');
+  });
+
+  test('the keypad stands under each text that is written, and all of it can be touched', async ({ page }) => {
+    await enter(page);
+    await bring(page, 'O0047', Buffer.from('O0047\nG0 X1.\nM30\n'));
+    const pad = page.getByTestId('keypad');
+    const wrong: string[] = [];
+    for (const hash of ['program/edit/O0047', 'program/mdi', 'plc/edit']) {
+      await show(page, hash);
+      await expect(pad).toBeVisible();
+      await expect(page.locator('main .cm-line').first()).toBeVisible();
+      wrong.push(...[...(await small(page)), ...(await over(page))].map((one) => `${hash}: ${one}`));
+      // Some lines are seen above it.
+      const room = (await page.locator('.cm-scroller').boundingBox())!;
+      if (room.height < 100) wrong.push(`${hash}: ${room.height} px of text`);
+      const keys = (await pad.boundingBox())!;
+      if (keys.y + keys.height > 600) wrong.push(`${hash}: the keypad ends at ${keys.y + keys.height}`);
+      await shoot(page, `keypad-${hash.split('/').slice(0, 2).join('-')}`);
+    }
+    expect(wrong).toEqual([]);
+    // MDI is typed by it too.
+    await show(page, 'program/mdi');
+    await page.locator('main .cm-content').tap();
+    for (const name of ['M', '3']) await pad.locator(`[data-pad="${name}"]`).tap();
+    await expect(page.locator('main .cm-content')).toHaveText('M3');
+    await page.getByTestId('keypad-toggle').tap();
+    await expect(pad).toHaveCount(0);
+    await expect(page.locator('main .cm-content')).toHaveAttribute('inputmode', 'text');
+  });
+});

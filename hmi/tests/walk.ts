@@ -23,6 +23,35 @@ export async function press(page: Page, key: string): Promise<void> {
   await page.mouse.up();
 }
 
+/** Says commands over a connection of its own, one after the other; their answers. */
+export async function say(page: Page, ...wishes: Record<string, unknown>[]): Promise<Record<string, unknown>[]> {
+  const answers = await page.evaluate(
+    (wishes) =>
+      new Promise<string>((resolve) => {
+        const socket = new WebSocket(`ws://${location.host}/api/socket`);
+        const answers: Record<string, unknown>[] = [];
+        const ask = () => socket.send(JSON.stringify({ id: answers.length + 1, ...wishes[answers.length] }));
+        socket.onmessage = ({ data }) => {
+          const message = JSON.parse(data as string) as Record<string, unknown>;
+          if (message.hello) ask();
+          else if (message.id === answers.length + 1) {
+            answers.push(message);
+            if (answers.length < wishes.length) ask();
+            else {
+              socket.close();
+              resolve(JSON.stringify(answers));
+            }
+          }
+        };
+        socket.onerror = () => resolve('[{"error":"no connection"}]');
+      }),
+    wishes,
+  );
+  const all = JSON.parse(answers) as Record<string, unknown>[];
+  expect(all.filter((answer) => 'refused' in answer || 'error' in answer)).toEqual([]);
+  return all;
+}
+
 /** Releases the emergency stop: it is held until the machine has heard it. */
 export async function release(page: Page, by: 'pointer' | 'Enter' | ' ' = 'pointer'): Promise<void> {
   const stop = page.getByTestId('emergency');

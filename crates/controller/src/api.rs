@@ -1575,19 +1575,55 @@ mod tests {
         assert_eq!(serde_json::to_string(&level).unwrap(), r#"{"reply":"level","level":5}"#);
     }
 
-    #[test]
-    fn every_field_of_a_command_is_in_the_document() {
+    /// The variants of an enum of this file with the names of their fields.
+    fn variants(name: &str) -> Vec<(&'static str, Vec<&'static str>)> {
         let source = include_str!("api.rs");
-        let commands = source.split_once("pub enum Command {").unwrap().1.split_once("\n}\n").unwrap().0;
-        let document = include_str!("../../../docs/api.md");
-        let mut fields = 0;
-        for line in commands.lines().filter_map(|line| line.strip_prefix("        ")) {
-            let Some((field, _)) = line.split_once(": ") else { continue };
-            if field.bytes().all(|b| b.is_ascii_lowercase() || b == b'_') && field != "values" {
-                assert!(document.contains(&format!("`{field}`")), "docs/api.md lacks {field}");
-                fields += 1;
+        let (_, body) = source.split_once(&format!("pub enum {name} {{")).unwrap();
+        let is_name = |text: &str| text.bytes().all(|b| b.is_ascii_lowercase() || b == b'_');
+        let mut all: Vec<(&str, Vec<&str>)> = Vec::new();
+        for line in body.split_once("\n}\n").unwrap().0.lines() {
+            if let Some((field, _)) = line.strip_prefix("        ").and_then(|line| line.split_once(": ")) {
+                if is_name(field) {
+                    all.last_mut().unwrap().1.push(field);
+                }
+            } else if let Some(variant) = line.strip_prefix("    ")
+                && variant.starts_with(|c: char| c.is_ascii_uppercase())
+            {
+                all.push((variant.trim_end_matches([' ', '{', ',']), Vec::new()));
             }
         }
-        assert!(fields > 80, "{fields}");
+        all
+    }
+
+    const DOCUMENT: &str = include_str!("../../../docs/api.md");
+
+    #[test]
+    fn every_field_of_a_command_is_in_the_document() {
+        let fields: Vec<&str> = variants("Command").into_iter().flat_map(|(_, fields)| fields).collect();
+        for field in fields.iter().filter(|field| **field != "values") {
+            assert!(DOCUMENT.contains(&format!("`{field}`")), "docs/api.md lacks {field}");
+        }
+        assert!(fields.len() > 80, "{fields:?}");
+    }
+
+    #[test]
+    fn every_event_is_in_the_document_with_its_fields() {
+        let section = DOCUMENT.split_once("## Events").unwrap().1.split("\n## ").next().unwrap();
+        let events = variants("Event");
+        for (event, fields) in &events {
+            // As serde writes it.
+            let mut name = String::new();
+            for c in event.chars() {
+                if c.is_ascii_uppercase() && !name.is_empty() {
+                    name.push('_');
+                }
+                name.push(c.to_ascii_lowercase());
+            }
+            let row = section.lines().find(|line| line.starts_with(&format!("| `{name}` |")));
+            let row = row.unwrap_or_else(|| panic!("docs/api.md lacks the event {name}"));
+            let told: Vec<String> = fields.iter().map(|field| format!("`{field}`")).collect();
+            assert_eq!(row.split('|').nth(2).unwrap().trim(), told.join(", "), "{name}");
+        }
+        assert!(events.len() > 10, "{events:?}");
     }
 }

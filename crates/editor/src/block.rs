@@ -227,7 +227,11 @@ impl Writer {
     }
 
     fn profile(&mut self, name: &str, axes: &str, contours: &[Contour]) {
-        let letters = if axes == "XY" { ['X', 'Y'] } else { [axes.chars().next().unwrap_or('X'), 'Z'] };
+        let (letters, centre) = match axes {
+            "XZ" => (['X', 'Z'], ['I', 'K']),
+            "YZ" => (['Y', 'Z'], ['J', 'K']),
+            _ => (['X', 'Y'], ['I', 'J']),
+        };
         let point = |[a, b]: [f64; 2]| format!("{}{} {}{}", letters[0], short(a), letters[1], short(b));
         let text = &mut self.text;
         let _ = writeln!(text, "#PROFILE {name} [{axes}]");
@@ -243,7 +247,7 @@ impl Writer {
                     Element::Arc { to, center, clockwise, .. } => {
                         let code = if *clockwise { "G2" } else { "G3" };
                         let [i, j] = [center[0] - at[0], center[1] - at[1]].map(short);
-                        writeln!(text, "{code} {} I{i} J{j}", point(*to))
+                        writeln!(text, "{code} {} {}{i} {}{j}", point(*to), centre[0], centre[1])
                     }
                 };
                 if let Some(corner) = element.corner().filter(|corner| corner.size > 0.0) {

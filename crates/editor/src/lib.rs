@@ -35,7 +35,7 @@ use ferrocut_machine::{Fault, Memory};
 use ferrocut_toolpath::Step;
 use request::Value;
 use run::Ran;
-use style::Style;
+use style::{OWN_STATE, Style};
 
 /// What a form comes to.
 #[derive(Clone, PartialEq, Debug, Default)]
@@ -89,7 +89,7 @@ pub fn make(request: &Request, machine: Option<Control<'_>>) -> Made {
     let start = run::start(level);
     let (mut steps, mut is_whole) = (Vec::new(), true);
     if !wrong.iter().any(Wrong::is_error) {
-        let program = format!("G17 G71 G90 G94 G54\n{block}M30\n");
+        let program = format!("{OWN_STATE} G94 G54\n{block}M30\n");
         let memory = run::fagor_desk(machine, request);
         let Ran { steps: made, alarms, is_cut_short } =
             run::run(&fagor8065::DIALECT, &program, memory, start, true);
@@ -110,7 +110,8 @@ pub fn write(request: &Request, dialect: &'static Dialect, machine: Option<Contr
         return Written { wrong: made.wrong, ..Written::default() };
     }
     if dialect.name == fagor8065::DIALECT.name {
-        return Written { text: made.block, is_expanded: false, wrong: made.wrong };
+        let text = format!("{OWN_STATE}\n{}", made.block);
+        return Written { text, is_expanded: false, wrong: made.wrong };
     }
     let mut wrong = made.wrong.clone();
     match elsewhere(request, &made, dialect, machine) {

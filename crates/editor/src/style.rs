@@ -70,6 +70,10 @@ const FANUC_HOLES: &[HoleWords] = &[
     hole("G297", "G76 Q{aside} P{t}"),
 ];
 
+/// The state that a block of the editor's own control relies on: a cycle is carried out in the plane and the unit in
+/// force (3.1).
+pub const OWN_STATE: &str = "G17 G71 G90";
+
 /// The controls that cycles are written for, besides the one that has them.
 const STYLES: &[Style] = &[
     Style {

@@ -150,7 +150,9 @@ fn fresh(form: &Form) -> Request {
         elements.push(Element::Line { to: [-40.0, 0.0], corner: None });
         let outer = Contour { start: [-40.0, 0.0], elements, entry: 0.0, exit: 0.0 };
         request.profile = Some(Profile { contours: vec![outer] });
-        let elements = vec![Element::Line { to: [-35.0, -10.0], corner: None }];
+        // The words of an arc's centre are those of the plane that it is in.
+        let arc = Element::Arc { to: [-33.0, -10.0], center: [-39.0, -10.0], clockwise: true, corner: None };
+        let elements = vec![Element::Line { to: [-39.0, -4.0], corner: None }, arc];
         let contour = Contour { start: [-40.0, 0.0], elements, entry: 0.0, exit: 0.0 };
         request.depths = vec![Depth { plane: DepthPlane::Xz, contour }];
     }

@@ -190,9 +190,22 @@ fn rigid_tapping_is_a_cycle_or_refused() {
 }
 
 #[test]
-fn the_fagor_has_the_cycle_as_such() {
-    let written = write(&request("G287", &[]), dialect("fagor8065"), None);
-    assert!(written.text.starts_with("#CYCLE G287 [") && !written.is_expanded, "{}", written.text);
+fn the_fagor_has_the_cycle_as_such_whatever_is_in_force_before_it() {
+    let fagor = dialect("fagor8065");
+    let asked = request("G287", &[]);
+    let written = write(&asked, fagor, None);
+    let text = &written.text;
+    assert!(text.starts_with("G17 G71 G90\n#CYCLE G287 [") && !written.is_expanded, "{text}");
+    let made = make(&asked, None);
+    let run = |before: &str| {
+        let program = format!("{before}\n{text}M30\n");
+        let ran = run::run(fagor, &program, run::fagor_desk(None, &asked), made.start, false);
+        assert!(ran.alarms.is_empty(), "{before}: {:?}", ran.alarms);
+        motion::motions(&ran.steps, made.start).unwrap()
+    };
+    for before in ["G18 G70 G90", "G19 G71 G91"] {
+        assert_eq!(motion::difference(&run("G17 G71 G90"), &run(before)), None, "{before}");
+    }
 }
 
 #[test]

@@ -279,6 +279,45 @@ fn what_is_asked_and_answered_is_as_it_is_described() {
     }
 }
 
+/// The routes of the server's sources, as `get /api/words`.
+fn routes() -> BTreeSet<String> {
+    let mut routes = BTreeSet::new();
+    for file in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/src/web")).unwrap() {
+        let file = file.unwrap().path();
+        if file.extension().is_none_or(|extension| extension != "rs") {
+            continue;
+        }
+        let source = std::fs::read_to_string(file).unwrap();
+        for route in source.split(".route(\"").skip(1) {
+            let (path, rest) = route.split_once("\", ").unwrap();
+            // To the end of the line: one route stands on one line.
+            let methods = rest.lines().next().unwrap();
+            let known = ["get", "put", "post", "delete", "patch", "head", "any"];
+            let has = |method: &&str| {
+                methods.starts_with(&format!("{method}(")) || methods.contains(&format!(".{method}("))
+            };
+            let found: Vec<&str> = known.into_iter().filter(|method| has(method)).collect();
+            assert!(!found.is_empty(), "{path}: {methods}");
+            routes.extend(found.into_iter().map(|method| format!("{method} {path}")));
+        }
+    }
+    routes
+}
+
+#[test]
+fn every_route_is_described() {
+    let place = Place::local();
+    let described = Described::of(&place);
+    let mut told = BTreeSet::new();
+    for (path, methods) in described.all["paths"].as_object().unwrap() {
+        let methods = methods.as_object().unwrap().keys().filter(|name| *name != "parameters");
+        told.extend(methods.map(|method| format!("{method} {path}")));
+    }
+    let routes = routes();
+    assert!(routes.len() > 20, "{routes:?}");
+    assert_eq!(routes, told);
+}
+
 /// Every field that a request is said to need is needed, and one that is said to be of a type is of no other.
 #[test]
 fn bodies_are_refused_that_are_not_as_they_are_described() {

@@ -3,6 +3,7 @@ import Button from "./lib/parts/Button.svelte.js";
 import Empty from "./lib/parts/Empty.svelte.js";
 import Notices from "./lib/parts/Notices.svelte.js";
 import { go, route } from "./lib/routing.svelte.js";
+import { display } from "./lib/state/display.svelte.js";
 import { dnc } from "./lib/state/dnc.svelte.js";
 import { editing } from "./lib/state/editing.svelte.js";
 import { machine } from "./lib/state/machine.svelte.js";
@@ -16,6 +17,7 @@ import MachinePanel from "./shell/MachinePanel.svelte.js";
 import Navigation from "./shell/Navigation.svelte.js";
 import TopBar from "./shell/TopBar.svelte.js";
 import Welcome from "./shell/Welcome.svelte.js";
+import { untrack } from "svelte";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/App.svelte
@@ -39,19 +41,16 @@ function App($$anchor, $$props) {
 	function ask(event) {
 		if (dnc.coming || editing.unsaved.length) event.preventDefault();
 	}
-	/** Whether an alarm shows its page (24#6); controls that have no such parameter leave it. */
-	let opens = false;
-	$.user_effect(() => {
-		machine.changed("parameters");
-		if (machine.link !== "open") return;
-		machine.ask({
-			do: "parameters",
-			names: ["NO24.6"]
-		}).then((reply) => opens = reply.reply === "parameters" && Object.values(reply.parameters).some((value) => value !== 0), () => opens = false);
-	});
+	$.user_effect(display.read);
 	$.user_effect(() => machine.hear((event) => {
-		if (opens && event.event === "alarm" && !event.alarm.warning) go("alarms");
+		if (display.alarmOpens && event.event === "alarm" && !event.alarm.warning) go("alarms");
 	}));
+	let before = null;
+	$.user_effect(() => {
+		const mode = machine.mode;
+		if (untrack(() => before && machine.inCommand && display.editOpens) && mode === "edit" && before !== "edit") go("program", "edit");
+		before = mode;
+	});
 	$.user_effect(() => {
 		load(prefs.language);
 	});

@@ -42,4 +42,15 @@ function systemNamed(text) {
 	if (match[1]) return `G${match[1]}`;
 	return Number(match[2]) <= 50 ? `G54 P${Number(match[2])}` : null;
 }
-export { behindLetter, bytes, duration, fixed, percent, systemNamed, typed };
+/** The number of a row, alone or behind one of the letters: `12`, `H12`, `#500`. Null where it is none from `low` to `high`. */
+function numberNamed(text, letters, low, high) {
+	const match = /^([^\d\s]?)\s*(\d{1,9})$/.exec(text.trim().toUpperCase());
+	if (!match || !letters.includes(match[1])) return null;
+	const number = Number(match[2]);
+	return number >= low && number <= high ? number : null;
+}
+/** The first number of the page that has a number, where pages of so many begin at `from`. */
+function firstOfPage(number, from, page) {
+	return number - (number - from) % page;
+}
+export { behindLetter, bytes, duration, firstOfPage, fixed, numberNamed, percent, systemNamed, typed };

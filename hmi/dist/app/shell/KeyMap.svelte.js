@@ -1,6 +1,7 @@
 import { t } from "../lib/i18n/index.svelte.js";
 import Dialog from "../lib/parts/Dialog.svelte.js";
 import { go } from "../lib/routing.svelte.js";
+import { display } from "../lib/state/display.svelte.js";
 import { machine } from "../lib/state/machine.svelte.js";
 import { ui } from "../lib/state/ui.svelte.js";
 import { pages } from "../pages/index.js";
@@ -55,8 +56,9 @@ function KeyMap($$anchor, $$props) {
 		const chooses = event.altKey && event.shiftKey && !event.ctrlKey && !typing(event.target) && !event.defaultPrevented;
 		const override = chooses ? overrideKeys[event.key] : void 0;
 		const signal = heldKey(event) ?? (chooses ? chosen(event) : void 0);
-		if (page) go(page.id);
-		else if (override) turn(...override);
+		if (page) {
+			if (!event.repeat) go(...display.to(page.id));
+		} else if (override) turn(...override);
 		else if (event.key === "F1") {
 			if (!event.repeat) machine.tell({
 				do: "emergency_stop",

@@ -1,20 +1,22 @@
-import { t } from "../lib/i18n/index.svelte.js";
+import { language, t } from "../lib/i18n/index.svelte.js";
 import Icon from "../lib/parts/Icon.svelte.js";
 import Key from "../lib/parts/Key.svelte.js";
 import { machine } from "../lib/state/machine.svelte.js";
 import { prefs } from "../lib/state/prefs.svelte.js";
 import { share } from "../lib/state/share.js";
-import { auxiliaries, spindle, switches } from "./keys.js";
+import { auxiliaries, axisKeysOf, ownKeysOf, spindle, switches } from "./keys.js";
 import AxisKeys from "./panel/AxisKeys.svelte.js";
 import Handwheel from "./panel/Handwheel.svelte.js";
 import Overrides from "./panel/Overrides.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/shell/MachinePanel.svelte
-var root = $.from_html(`<p class="muted note s-1hl4w3v"> </p>`);
+var root = $.from_html(`<p class="muted note s-1r3evo5"> </p>`);
 var root_1 = $.from_html(`<!><span> </span>`, 1);
-var root_2 = $.from_html(`<section class="s-1hl4w3v"><h3> </h3> <!></section> <!> <section class="s-1hl4w3v"><h3> </h3> <!></section> <section class="s-1hl4w3v"><h3> </h3> <div class="keys s-1hl4w3v"></div></section> <section class="s-1hl4w3v"><h3> </h3> <div class="keys three s-1hl4w3v"></div></section> <section class="s-1hl4w3v"><h3> </h3> <div class="keys three s-1hl4w3v"></div></section>`, 1);
-var root_3 = $.from_html(`<aside class="scroll s-1hl4w3v" data-testid="machine-panel"><button type="button" class="close s-1hl4w3v"><!></button> <!></aside>`);
+var root_2 = $.from_html(`<span><i class="s-1r3evo5"></i> </span>`);
+var root_3 = $.from_html(`<section data-testid="own-keys" class="s-1r3evo5"><h3> </h3> <div class="keys s-1r3evo5"></div></section>`);
+var root_4 = $.from_html(`<section class="s-1r3evo5"><h3> </h3> <!></section> <!> <section class="s-1r3evo5"><h3> </h3> <!></section> <section class="s-1r3evo5"><h3> </h3> <div class="keys s-1r3evo5"></div></section> <section class="s-1r3evo5"><h3> </h3> <div class="keys three s-1r3evo5"></div></section> <section class="s-1r3evo5"><h3> </h3> <div class="keys three s-1r3evo5"></div></section> <!>`, 1);
+var root_5 = $.from_html(`<aside class="scroll s-1r3evo5" data-testid="machine-panel"><button type="button" class="close s-1r3evo5"><!></button> <!></aside>`);
 function MachinePanel($$anchor, $$props) {
 	$.push($$props, true);
 	const asked = [
@@ -26,6 +28,30 @@ function MachinePanel($$anchor, $$props) {
 	];
 	let signals = $.state({});
 	const bits = (...names) => names[0] in $.get(signals) ? names.reduce((sum, name, bit) => sum + ($.get(signals)[name] ?? 0) * 2 ** bit, 0) : null;
+	/** What the ladder has names for; it may have keys and lamps of its own. */
+	let named = $.state({
+		inputs: [],
+		outputs: []
+	});
+	const own = $.derived(() => ownKeysOf($.get(named).inputs, $.get(named).outputs));
+	const axes = $.derived(() => axisKeysOf(machine.axes).filter(({ plus, isStandard }) => isStandard || $.get(named).inputs.some(({ name }) => name === plus)));
+	$.user_effect(() => {
+		machine.changed("ladder");
+		const spoken = language();
+		if (machine.link !== "open" || machine.hello?.panel?.ladder === false) return;
+		const table = async (area) => {
+			const reply = await machine.ask({
+				do: "signal_table",
+				area,
+				language: spoken
+			}).catch(() => null);
+			return reply?.reply === "signal_table" ? reply.signals : [];
+		};
+		Promise.all([table("X"), table("Y")]).then(([inputs, outputs]) => $.set(named, {
+			inputs,
+			outputs
+		}));
+	});
 	$.user_effect(() => {
 		const read = async () => {
 			if (machine.link !== "open" || document.visibilityState === "hidden") return;
@@ -39,7 +65,7 @@ function MachinePanel($$anchor, $$props) {
 		const timer = setInterval(() => void read(), 400);
 		return () => clearInterval(timer);
 	});
-	var aside = root_3();
+	var aside = root_5();
 	var button = $.child(aside);
 	var node = $.child(button);
 	Icon(node, { name: "close" });
@@ -51,25 +77,35 @@ function MachinePanel($$anchor, $$props) {
 		$.template_effect(($0) => $.set_text(text, $0), [() => t("panel.no_ladder")]);
 		$.append($$anchor, p);
 	};
-	var alternate = ($$anchor) => {
-		var fragment = root_2();
+	var alternate_1 = ($$anchor) => {
+		var fragment = root_4();
 		var section = $.first_child(fragment);
 		var h3 = $.child(section);
 		var text_1 = $.only_child(h3, true);
 		var node_2 = $.sibling(h3, 2);
 		{
 			let $0 = $.derived(() => bits("MP1", "MP2"));
-			AxisKeys(node_2, { get step() {
-				return $.get($0);
-			} });
+			AxisKeys(node_2, {
+				get step() {
+					return $.get($0);
+				},
+				get axes() {
+					return $.get(axes);
+				}
+			});
 		}
 		$.reset(section);
 		var node_3 = $.sibling(section, 2);
 		{
 			let $0 = $.derived(() => bits("HS1A", "HS1B", "HS1C"));
-			Handwheel(node_3, { get axis() {
-				return $.get($0);
-			} });
+			Handwheel(node_3, {
+				get axis() {
+					return $.get($0);
+				},
+				get axes() {
+					return $.get(axes);
+				}
+			});
 		}
 		var section_1 = $.sibling(node_3, 2);
 		var h3_1 = $.child(section_1);
@@ -177,6 +213,54 @@ function MachinePanel($$anchor, $$props) {
 		});
 		$.reset(div_2);
 		$.reset(section_4);
+		var node_7 = $.sibling(section_4, 2);
+		var consequent_4 = ($$anchor) => {
+			var section_5 = root_3();
+			var h3_5 = $.child(section_5);
+			var text_8 = $.only_child(h3_5, true);
+			var div_3 = $.sibling(h3_5, 2);
+			$.each(div_3, 21, () => $.get(own), (key) => key.signal || key.lamp, ($$anchor, key) => {
+				var fragment_8 = $.comment();
+				var node_8 = $.first_child(fragment_8);
+				var consequent_3 = ($$anchor) => {
+					Key($$anchor, {
+						get signal() {
+							return $.get(key).signal;
+						},
+						get lamp() {
+							return $.get(key).lamp;
+						},
+						get label() {
+							return $.get(key).text;
+						}
+					});
+				};
+				var alternate = ($$anchor) => {
+					var span_2 = root_2();
+					let classes;
+					var text_9 = $.sibling($.child(span_2), 1, true);
+					$.reset(span_2);
+					$.template_effect(($0) => {
+						classes = $.set_class(span_2, 1, "lamp s-1r3evo5", null, classes, { lit: $0 });
+						$.set_attribute(span_2, "data-lamp", $.get(key).lamp);
+						$.set_text(text_9, $.get(key).text);
+					}, [() => machine.lamps.has($.get(key).lamp)]);
+					$.append($$anchor, span_2);
+				};
+				$.if(node_8, ($$render) => {
+					if ($.get(key).signal) $$render(consequent_3);
+					else $$render(alternate, -1);
+				});
+				$.append($$anchor, fragment_8);
+			});
+			$.reset(div_3);
+			$.reset(section_5);
+			$.template_effect(($0) => $.set_text(text_8, $0), [() => t("panel.own")]);
+			$.append($$anchor, section_5);
+		};
+		$.if(node_7, ($$render) => {
+			if ($.get(own).length) $$render(consequent_4);
+		});
 		$.template_effect(($0, $1, $2, $3, $4) => {
 			$.set_text(text_1, $0);
 			$.set_text(text_2, $1);
@@ -194,7 +278,7 @@ function MachinePanel($$anchor, $$props) {
 	};
 	$.if(node_1, ($$render) => {
 		if (machine.hello?.panel?.ladder === false) $$render(consequent);
-		else $$render(alternate, -1);
+		else $$render(alternate_1, -1);
 	});
 	$.reset(aside);
 	$.template_effect(($0, $1) => {

@@ -1,6 +1,7 @@
 import { t } from "../lib/i18n/index.svelte.js";
 import Icon from "../lib/parts/Icon.svelte.js";
 import { href } from "../lib/routing.svelte.js";
+import { display } from "../lib/state/display.svelte.js";
 import { machine } from "../lib/state/machine.svelte.js";
 import { pages } from "../pages/index.js";
 import "svelte/internal/disclose-version";
@@ -41,7 +42,7 @@ function Navigation($$anchor, $$props) {
 			$.set_attribute(a, "aria-current", $.get(page).id === $$props.current ? "page" : void 0);
 			classes = $.set_class(a, 1, "s-k5ec52", null, classes, { current: $.get(page).id === $$props.current });
 			$.set_text(text, $1);
-		}, [() => href($.get(page).id), () => t(`${$.get(page).id}.title`)]);
+		}, [() => href(...display.to($.get(page).id)), () => t(`${$.get(page).id}.title`)]);
 		$.append($$anchor, a);
 	});
 	$.reset(nav);

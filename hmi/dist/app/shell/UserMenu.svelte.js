@@ -9,7 +9,7 @@ import LogIn from "./LogIn.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/shell/UserMenu.svelte
-var root = $.from_html(`<button type="button" class="user s-1veqc3y" popovertarget="user-menu" data-testid="user"><!><span class="number"> </span></button> <div id="user-menu" popover="" class="s-1veqc3y"><h3 class="s-1veqc3y"> </h3> <div class="row"><span class="grow"><strong> </strong><br/><span class="muted"> </span></span> <!> <!></div> <h3 class="s-1veqc3y"> </h3> <div class="languages s-1veqc3y" data-testid="languages"></div> <h3 class="s-1veqc3y"> </h3> <!></div> <!>`, 1);
+var root = $.from_html(`<button type="button" class="user s-1veqc3y" popovertarget="user-menu" data-testid="user"><!><span class="number"> </span></button> <div id="user-menu" popover="" class="s-1veqc3y"><h3 class="s-1veqc3y"> </h3> <div class="row"><span class="grow"><strong> </strong><br/><span class="muted"> </span></span> <!> <!></div> <h3 class="s-1veqc3y"> </h3> <div class="languages s-1veqc3y" data-testid="languages"></div> <h3 class="s-1veqc3y"> </h3> <!> <h3 class="s-1veqc3y"> </h3> <!></div> <!>`, 1);
 function UserMenu($$anchor, $$props) {
 	$.push($$props, true);
 	let menu = $.state(void 0);
@@ -28,6 +28,10 @@ function UserMenu($$anchor, $$props) {
 	].map((value) => ({
 		value,
 		label: t(`app.theme_${value}`)
+	})));
+	const coordinates = $.derived(() => ["absolute", "relative"].map((value) => ({
+		value,
+		label: t(`position.${value}`)
 	})));
 	function choose(language) {
 		prefs.language = language;
@@ -132,11 +136,31 @@ function UserMenu($$anchor, $$props) {
 			}
 		});
 	}
+	var h3_3 = $.sibling(node_3, 2);
+	var text_9 = $.only_child(h3_3, true);
+	var node_4 = $.sibling(h3_3, 2);
+	{
+		let $0 = $.derived(() => t("app.coordinates"));
+		Segmented(node_4, {
+			get options() {
+				return $.get(coordinates);
+			},
+			get label() {
+				return $.get($0);
+			},
+			get value() {
+				return prefs.coordinates;
+			},
+			set value($$value) {
+				prefs.coordinates = $$value;
+			}
+		});
+	}
 	$.reset(div);
 	$.bind_this(div, ($$value) => $.set(menu, $$value), () => $.get(menu));
-	var node_4 = $.sibling(div, 2);
-	LogIn(node_4, {});
-	$.template_effect(($0, $1, $2, $3, $4, $5) => {
+	var node_5 = $.sibling(div, 2);
+	LogIn(node_5, {});
+	$.template_effect(($0, $1, $2, $3, $4, $5, $6) => {
 		$.set_attribute(button, "aria-label", $0);
 		$.set_text(text, $.get(level));
 		$.set_text(text_1, $1);
@@ -144,13 +168,15 @@ function UserMenu($$anchor, $$props) {
 		$.set_text(text_3, $3);
 		$.set_text(text_6, $4);
 		$.set_text(text_8, $5);
+		$.set_text(text_9, $6);
 	}, [
 		() => t("app.user"),
 		() => t("rights.title"),
 		() => t(`rights.level_${$.get(level)}`),
 		() => t("rights.level", { level: $.get(level) }),
 		() => t("app.language"),
-		() => t("app.theme")
+		() => t("app.theme"),
+		() => t("app.coordinates")
 	]);
 	$.append($$anchor, fragment);
 	$.pop();

@@ -12,13 +12,19 @@ var axisSignals = [
 	"Z",
 	"A"
 ];
-/** The keys of the first four axes by their place, with the letters that the machine gives them. */
-var axisKeysOf = (letters) => axisSignals.slice(0, letters.length).map((name, index) => ({
-	letter: letters[index],
-	plus: `KEY_${name}+`,
-	minus: `KEY_${name}-`,
-	wheel: `KEY_W${name}`
-}));
+/** The keys of axes by their place, with the letters that the machine gives them and the lamps of their reference points. Those
+behind the fourth are called by their number, in ladders that have them. */
+var axisKeysOf = (letters) => letters.map((letter, index) => {
+	const name = axisSignals[index] ?? String(index + 1);
+	return {
+		letter,
+		plus: `KEY_${name}+`,
+		minus: `KEY_${name}-`,
+		wheel: `KEY_W${name}`,
+		zero: `LAMP_ZERO_${name}`,
+		isStandard: index < axisSignals.length
+	};
+});
 var modes = [
 	["auto", "AUTO"],
 	["edit", "EDIT"],
@@ -91,4 +97,47 @@ var increments = [
 	signal: `KEY_S${step}`,
 	label
 }));
-export { auxiliaries, axisKeysOf, axisSignals, increments, modes, rapids, spindle, switches };
+/** Axes that a machine may have. */
+var MOST_AXES = 8;
+/** What the panel has a place for. */
+var placed = [
+	...[
+		...modes,
+		...switches,
+		...spindle,
+		...auxiliaries,
+		...rapids
+	].flatMap(({ signal, lamp }) => [signal, lamp]),
+	...increments.map(({ signal }) => signal),
+	...axisKeysOf(Array.from({ length: MOST_AXES }, () => "")).flatMap(({ plus, minus, wheel, zero }) => [
+		plus,
+		minus,
+		wheel,
+		zero
+	]),
+	...[
+		"START",
+		"HOLD",
+		"RAPID"
+	].flatMap((name) => [`KEY_${name}`, `LAMP_${name}`])
+];
+/** The keys and lamps of a ladder for which the panel has no place, from the bits of X and Y that have a name. */
+function ownKeysOf(inputs, outputs) {
+	const own = (signals, prefix) => signals.filter(({ name, address }) => name.startsWith(prefix) && address.includes(".") && !placed.includes(name));
+	const lamps = own(outputs, "LAMP_");
+	const keys = own(inputs, "KEY_").map(({ name, meaning }) => {
+		const lamp = name.replace(/^KEY_/, "LAMP_");
+		return {
+			signal: name,
+			lamp: outputs.some((one) => one.name === lamp) ? lamp : "",
+			text: meaning || name
+		};
+	});
+	const single = lamps.filter(({ name }) => !keys.some(({ lamp }) => lamp === name));
+	return [...keys, ...single.map(({ name, meaning }) => ({
+		signal: "",
+		lamp: name,
+		text: meaning || name
+	}))];
+}
+export { auxiliaries, axisKeysOf, axisSignals, increments, modes, ownKeysOf, rapids, spindle, switches };

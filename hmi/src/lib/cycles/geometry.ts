@@ -121,6 +121,16 @@ export function outline(contour: Contour): Point[] {
   return points;
 }
 
+/** Points as the path of a drawing, whose ordinate goes up. */
+export const svgPath = (points: Point[]): string => points.map((p, i) => `${i ? 'L' : 'M'}${p[0].toFixed(4)} ${(-p[1]).toFixed(4)}`).join('');
+
+/** A contour moved. */
+export function moved(contour: Contour, [x, y]: Point): Contour {
+  const by = (p: Point): Point => [p[0] + x, p[1] + y];
+  const elements = contour.elements.map((one) => (one.kind === 'arc' ? { ...one, to: by(one.to), center: by(one.center) } : { ...one, to: by(one.to) }));
+  return { ...contour, start: by(contour.start), elements };
+}
+
 export function isClosed(contour: Contour): boolean {
   const last = contour.elements.at(-1);
   return last !== undefined && distance(last.to, contour.start) < 1e-3;

@@ -13,7 +13,7 @@ describe('a block that is read again', () => {
   it('has its profiles, flat ones and those of depth', () => {
     const form = readBlock([
       '#PROFILE SHAPE [XY]', 'G0 X-40 Y0', 'G37 I2', 'G1 X-40 Y-25', 'G36 I8', 'G3 X0 Y-25 I20 J0', 'G39 I1.5', 'G38 I3', 'G0 X5 Y5', 'G2 X5 Y5 I-5 J0', '#ENDPROFILE',
-      '#PROFILE DEPTH1 [XZ]', 'G0 X-40 Z0', 'G1 X-35 Z-10', '#ENDPROFILE', '#CYCLE P3D [profile=SHAPE, Z1=DEPTH1, P=10]',
+      '#PROFILE DEPTH1 [XZ]', 'G0 X-40 Z0', 'G1 X-35 Z-10', 'G2 X-30 Z-15 I0 K-5', '#ENDPROFILE', '#CYCLE P3D [profile=SHAPE, Z1=DEPTH1, P=10]',
     ])!;
     expect(form.profile!.contours).toEqual([
       { start: [-40, 0], entry: 2, exit: 3, elements: [
@@ -22,7 +22,9 @@ describe('a block that is read again', () => {
       ] },
       { start: [5, 5], entry: 0, exit: 0, elements: [{ kind: 'arc', to: [5, 5], center: [0, 5], clockwise: true, corner: null }] },
     ]);
-    expect(form.depths).toEqual([{ plane: 'XZ', contour: { start: [-40, 0], entry: 0, exit: 0, elements: [{ kind: 'line', to: [-35, -10], corner: null }] } }]);
+    expect(form.depths).toEqual([{ plane: 'XZ', contour: { start: [-40, 0], entry: 0, exit: 0, elements: [
+      { kind: 'line', to: [-35, -10], corner: null }, { kind: 'arc', to: [-30, -15], center: [-35, -15], clockwise: true, corner: null },
+    ] } }]);
     expect(form.values).toMatchObject({ profile: 'SHAPE', Z1: 'DEPTH1', P: 10 });
   });
   it('has the points of a profile from point to point', () => {
@@ -42,6 +44,9 @@ describe('a cycle of a program', () => {
     const lines = ['%A', 'G0 X0', ...POCKET, 'M30'];
     expect([2, 3, 6, 7].map((line) => cycleAt(lines, line)?.from ?? 0)).toEqual([0, 3, 3, 0]);
     expect(cycleAt(lines, 4)).toMatchObject({ from: 3, to: 6 });
+    // With the plane and the unit that it was written for, which its next text brings along.
+    expect(cycleAt(['%A', 'G17 G71 G90', ...POCKET], 3)).toMatchObject({ from: 2, to: 6 });
+    expect(cycleAt(['G17 G71 G90', 'G0 X0', ...POCKET], 1)).toBe(null);
   });
   it('is found by its remarks, to its end', () => {
     const moves = ['G17 G21', 'G0 Z5', '(NOT ITS END)', 'G1 Z-1'];

@@ -28,7 +28,8 @@ export function cycleAt(lines: readonly string[], line: number): Found | null {
 /** A cycle of the control that begins at a line, counted from 0. */
 function own(lines: readonly string[], first: number): Found | null {
   const block: string[] = [];
-  let at = first;
+  // Plane and unit that it relies on are said before it.
+  let at = /^G17 G71 G90\s*$/.test(lines[first] ?? '') ? first + 1 : first;
   for (; head(lines[at]?.trim() ?? '') === '#PROFILE'; at++) {
     while (at < lines.length && head(lines[at]!.trim()) !== '#ENDPROFILE') block.push(lines[at++]!.trim());
     block.push('#ENDPROFILE');
@@ -110,6 +111,9 @@ export function readBlock(block: readonly string[]): Request | null {
   return request;
 }
 
+/** The words of a centre, by the axes of the plane. */
+const CENTRE: Record<string, string> = { X: 'I', Y: 'J', Z: 'K' };
+
 /** A line of a profile; whether it is one. */
 function element({ plane, contours }: { plane: string; contours: Contour[] }, line: string): boolean {
   const code = Number(/^G(\d+)/.exec(line)?.[1] ?? NaN);
@@ -126,7 +130,7 @@ function element({ plane, contours }: { plane: string; contours: Contour[] }, li
   } else if (code === 1) contour.elements.push({ kind: 'line', to, corner: null });
   else if (code === 2 || code === 3) {
     const from = contour.elements.at(-1)?.to ?? contour.start;
-    const arc: Element = { kind: 'arc', to, center: [from[0] + word('I'), from[1] + word('J')], clockwise: code === 2, corner: null };
+    const arc: Element = { kind: 'arc', to, center: [from[0] + word(CENTRE[plane[0]!]!), from[1] + word(CENTRE[plane[1]!]!)], clockwise: code === 2, corner: null };
     contour.elements.push(arc);
   } else return false;
   return true;

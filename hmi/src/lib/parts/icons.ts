@@ -51,6 +51,14 @@ export const icons = {
   more: 'M5 12h.5M12 12h.5M19 12h.5',
   link: 'M10 14a4 4 0 0 0 6 .5l3-3a4 4 0 0 0-6-6l-1 1M14 10a4 4 0 0 0-6-.5l-3 3a4 4 0 0 0 6 6l1-1',
   expand: 'M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5',
+  home: 'M5 5v14M19 6l-6 6 6 6M13 12h7',
+  end: 'M19 5v14M5 6l6 6-6 6M11 12H4',
+  erase: 'M9 5h12v14H9l-6-7zM12 9.5l5 5M17 9.5l-5 5',
+  space: 'M4 11v5h16v-5',
+  select: 'M8 4h3M11 4v16M8 20h6M11 4h3M3 9h5M3 15h5M14 9h7v6h-7',
+  copy: 'M9 9h11v11H9zM15 9V4H4v11h5',
+  cut: 'M6 15a3 3 0 1 0 0 6 3 3 0 0 0 0-6M18 15a3 3 0 1 0 0 6 3 3 0 0 0 0-6M7.8 15.6L16 3M16.2 15.6L8 3',
+  paste: 'M8 5H5v16h14V5h-3M8 3h8v4H8zM9 12h6M9 16h6',
 } as const;
 
 export type IconName = keyof typeof icons;

@@ -90,14 +90,14 @@ function FieldInput($$anchor, $$props) {
 		$.if(node_2, ($$render) => {
 			if ($$props.field.unit) $$render(consequent_2);
 		});
-		$.template_effect(() => {
+		$.template_effect(($0) => {
 			$.set_attribute(input, "id", $.get(id));
-			$.set_attribute(input, "inputmode", $.get(isNumber) ? "decimal" : "text");
+			$.set_attribute(input, "inputmode", $0);
 			$.set_attribute(input, "aria-invalid", $.get(unread) || $.get(first)?.severity === "error");
 			$.set_attribute(input, "aria-describedby", $.get(first) ? `${$.get(id)}-finding` : void 0);
 			$.set_value(input, $.get(shown));
 			classes_2 = $.set_class(input, 1, "s-b5qaxz", null, classes_2, { number: $.get(isNumber) });
-		});
+		}, [() => !$.get(isNumber) ? "text" : ["count", "tool"].includes($$props.field.kind) ? "numeric" : "decimal"]);
 		$.event("focus", input, (event) => {
 			event.currentTarget.select();
 			$$props.onfocus();

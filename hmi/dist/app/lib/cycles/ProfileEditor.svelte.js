@@ -5,7 +5,8 @@ import Segmented from "../parts/Segmented.svelte.js";
 import { notify } from "../state/notices.svelte.js";
 import { machine } from "../state/machine.svelte.js";
 import { client } from "./client.js";
-import { box, centerOfRadius, distance, isClosed, movedEnd, outline, radiusOf, snap, startOf, sweep } from "./geometry.js";
+import { box, centerOfRadius, distance, isClosed, movedEnd, outline, radiusOf, snap, startOf, svgPath, sweep } from "./geometry.js";
+import Profiles from "./Profiles2.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/lib/cycles/ProfileEditor.svelte
@@ -24,10 +25,13 @@ var root_11 = $.from_html(`<!> <!> <!> <!>`, 1);
 var root_12 = $.from_html(`<!> <!> <!> <!> <!> <!>`, 1);
 var root_13 = $.from_html(`<ol class="elements s-17oku5b"><li><button type="button" class="s-17oku5b"><span class="code">0</span><span> </span><span class="number"> </span></button></li> <!></ol> <div class="element s-17oku5b"><!> <!> <!> <!></div>`, 1);
 var root_14 = $.from_html(`<p class="finding s-17oku5b"> <small class="code"> </small></p>`);
-var root_15 = $.from_html(`<div><div class="row wrap"><!> <!> <!> <!> <input type="file" accept=".dxf" hidden=""/></div> <svg role="group"><path class="axes s-17oku5b"></path><!><!></svg> <!> <div class="row wrap snaps s-17oku5b"><span class="muted"> </span> <label class="row s-17oku5b"><span> </span><select></select></label> <!> <!> <!> <!></div> <!> <!> <!></div>`);
+var root_15 = $.from_html(`<div><div class="row wrap"><!> <!> <!> <!> <!> <input type="file" accept=".dxf" hidden=""/></div> <svg role="group"><path class="axes s-17oku5b"></path><!><!></svg> <!> <div class="row wrap snaps s-17oku5b"><span class="muted"> </span> <label class="row s-17oku5b"><span> </span><select></select></label> <!> <!> <!> <!></div> <!> <!> <!></div>`);
 function ProfileEditor($$anchor, $$props) {
 	$.push($$props, true);
-	let filled = $.prop($$props, "filled", 7);
+	let axes = $.prop($$props, "axes", 19, () => ["X", "Y"]), name = $.prop($$props, "name", 3, "");
+	/** The letters of abscissa and ordinate. */
+	/** What the profile is called in its cycle; empty where it has no name there. */
+	/** Other contours are to stand in the place of these, and their name. */
 	let current = $.state(0);
 	let index = $.state(-1);
 	let tool = $.state("choose");
@@ -44,14 +48,13 @@ function ProfileEditor($$anchor, $$props) {
 		middles: true,
 		aligned: true
 	});
-	const many = $.derived(() => $$props.form.profile === "contours" || $$props.form.profile === "depths");
-	const contour = $.derived(() => filled().contours[$.get(current)]);
+	const many = $.derived(() => $$props.use === "contours");
+	const contour = $.derived(() => $$props.contours[$.get(current)]);
 	const element = $.derived(() => $.get(index) >= 0 ? $.get(contour)?.elements[$.get(index)] : void 0);
-	const points = $.derived(() => filled().contours.flatMap((one) => outline(one)));
+	const points = $.derived(() => $$props.contours.flatMap((one) => outline(one)));
 	let held = $.state(null);
 	const frame = $.derived(() => $.get(held) ?? box($.get(points), .2));
 	const unit = $.derived(() => Math.max($.get(frame).w, $.get(frame).h) / 100);
-	const path = (list) => list.map((p, i) => `${i ? "L" : "M"}${p[0].toFixed(4)} ${(-p[1]).toFixed(4)}`).join("");
 	function place(event) {
 		const matrix = $.get(svg)?.getScreenCTM();
 		if (!matrix) return null;
@@ -63,10 +66,10 @@ function ProfileEditor($$anchor, $$props) {
 		const at = place(event);
 		const matrix = $.get(svg)?.getScreenCTM();
 		if (!at || !matrix) return null;
-		const others = without ? filled().contours.map((one) => ({
+		const others = without ? $$props.contours.map((one) => ({
 			start: one.start === without ? [NaN, NaN] : one.start,
 			elements: one.elements.filter((each) => each.to !== without)
-		})) : filled().contours;
+		})) : $$props.contours;
 		const last = $.get(contour) ? $.get(contour).elements.at(-1)?.to ?? $.get(contour).start : void 0;
 		return snap(at, others, 14 / matrix.a, snapping, $.get(tool) === "choose" ? void 0 : last);
 	}
@@ -96,7 +99,7 @@ function ProfileEditor($$anchor, $$props) {
 		$.set(index, $.get(contour).elements.length - 1);
 	}
 	function moveEnd(at, of, to) {
-		const one = filled().contours[of];
+		const one = $$props.contours[of];
 		if (!one) return;
 		const closed = isClosed(one);
 		const last = one.elements.length - 1;
@@ -115,7 +118,7 @@ function ProfileEditor($$anchor, $$props) {
 	}
 	function move(event) {
 		if (dragged) {
-			const one = filled().contours[dragged.contour];
+			const one = $$props.contours[dragged.contour];
 			const to = meant(event, one ? dragged.index < 0 ? one.start : one.elements[dragged.index]?.to : void 0);
 			if (to) {
 				$.set(hovered, to);
@@ -148,7 +151,7 @@ function ProfileEditor($$anchor, $$props) {
 			ArrowUp: [0, step],
 			ArrowDown: [0, -step]
 		};
-		const one = filled().contours[of];
+		const one = $$props.contours[of];
 		const place = one && (at < 0 ? one.start : one.elements[at]?.to);
 		if (!place) return;
 		if (event.key === "Delete") remove(at);
@@ -170,7 +173,7 @@ function ProfileEditor($$anchor, $$props) {
 		const at = $.get(points).length ? [$.get(frame).x + $.get(frame).w / 2, $.get(frame).y + $.get(frame).h / 2] : [0, 0];
 		const size = Math.max(1, Math.round(Math.min($.get(frame).w, $.get(frame).h) / 8));
 		const start = [Math.round(at[0]) + size, Math.round(at[1])];
-		filled().contours.push({
+		$$props.contours.push({
 			start,
 			elements: [{
 				kind: "arc",
@@ -182,7 +185,7 @@ function ProfileEditor($$anchor, $$props) {
 			entry: 0,
 			exit: 0
 		});
-		$.set(current, filled().contours.length - 1);
+		$.set(current, $$props.contours.length - 1);
 		$.set(index, 0);
 	}
 	function setCorner(kind) {
@@ -191,6 +194,14 @@ function ProfileEditor($$anchor, $$props) {
 			kind,
 			size: $.get(element).corner?.size ?? 5
 		};
+	}
+	function take(others, called) {
+		(($$value) => {
+			var $$array = $.to_array($$value, 2);
+			$.set(current, $$array[0], true);
+			$.set(index, $$array[1], true);
+		})([0, -1]);
+		$$props.onload(others, called);
 	}
 	async function load(file) {
 		if (!file) return;
@@ -205,17 +216,12 @@ function ProfileEditor($$anchor, $$props) {
 			});
 			const taken = $.get(many) ? from.contours.filter((one) => one.closed) : from.contours.slice(0, 1);
 			if (taken.length > 0) {
-				filled().contours = taken.map(({ start, elements }) => ({
+				take(taken.map(({ start, elements }) => ({
 					start,
 					elements,
 					entry: 0,
 					exit: 0
-				}));
-				(($$value) => {
-					var $$array = $.to_array($$value, 2);
-					$.set(current, $$array[0], true);
-					$.set(index, $$array[1], true);
-				})([0, -1]);
+				})), "");
 				notify({
 					kind: "done",
 					title: t("cycles.drawing_read", { count: taken.length })
@@ -231,7 +237,7 @@ function ProfileEditor($$anchor, $$props) {
 		}
 	}
 	function teach() {
-		const [x, y] = [$$props.here(0), $$props.here(1)];
+		const [x, y] = axes().map((letter) => $$props.here("XYZ".indexOf(letter)));
 		if (x !== null && y !== null) moveEnd($.get(index), $.get(current), [x, y]);
 	}
 	var div = root_15();
@@ -249,7 +255,7 @@ function ProfileEditor($$anchor, $$props) {
 				value: "line",
 				label: t("cycles.line")
 			},
-			...$$props.form.profile === "points" ? [] : [{
+			...$$props.use === "points" ? [] : [{
 				value: "arc",
 				label: t("cycles.arc")
 			}]
@@ -270,24 +276,29 @@ function ProfileEditor($$anchor, $$props) {
 		});
 	}
 	var node_1 = $.sibling(node, 2);
-	{
-		let $0 = $.derived(() => !$.get(contour) || $.get(contour).elements.length < 2 || isClosed($.get(contour)));
-		Button(node_1, {
-			onclick: close,
-			get disabled() {
-				return $.get($0);
-			},
-			children: ($$anchor, $$slotProps) => {
-				$.next();
-				var text = $.text();
-				$.template_effect(($0) => $.set_text(text, $0), [() => t("cycles.close_contour")]);
-				$.append($$anchor, text);
-			},
-			$$slots: { default: true }
-		});
-	}
-	var node_2 = $.sibling(node_1, 2);
 	var consequent = ($$anchor) => {
+		{
+			let $0 = $.derived(() => !$.get(contour) || $.get(contour).elements.length < 2 || isClosed($.get(contour)));
+			Button($$anchor, {
+				onclick: close,
+				get disabled() {
+					return $.get($0);
+				},
+				children: ($$anchor, $$slotProps) => {
+					$.next();
+					var text = $.text();
+					$.template_effect(($0) => $.set_text(text, $0), [() => t("cycles.close_contour")]);
+					$.append($$anchor, text);
+				},
+				$$slots: { default: true }
+			});
+		}
+	};
+	$.if(node_1, ($$render) => {
+		if ($$props.use !== "depth") $$render(consequent);
+	});
+	var node_2 = $.sibling(node_1, 2);
+	var consequent_1 = ($$anchor) => {
 		Button($$anchor, {
 			icon: "plus",
 			onclick: newContour,
@@ -301,10 +312,23 @@ function ProfileEditor($$anchor, $$props) {
 		});
 	};
 	$.if(node_2, ($$render) => {
-		if ($.get(many)) $$render(consequent);
+		if ($.get(many)) $$render(consequent_1);
 	});
 	var node_3 = $.sibling(node_2, 2);
-	Button(node_3, {
+	Profiles(node_3, {
+		get contours() {
+			return $$props.contours;
+		},
+		get use() {
+			return $$props.use;
+		},
+		get name() {
+			return name();
+		},
+		ontake: take
+	});
+	var node_4 = $.sibling(node_3, 2);
+	Button(node_4, {
 		icon: "upload",
 		get busy() {
 			return $.get(busy);
@@ -318,25 +342,25 @@ function ProfileEditor($$anchor, $$props) {
 		},
 		$$slots: { default: true }
 	});
-	var input = $.sibling(node_3, 2);
+	var input = $.sibling(node_4, 2);
 	$.bind_this(input, ($$value) => $.set(files, $$value), () => $.get(files));
 	$.reset(div_1);
 	var svg_1 = $.sibling(div_1, 2);
 	let classes_1;
-	var path_1 = $.child(svg_1);
-	var node_4 = $.sibling(path_1);
-	$.each(node_4, 17, () => filled().contours, $.index, ($$anchor, one, of) => {
-		var fragment_4 = root_3();
-		var path_2 = $.first_child(fragment_4);
+	var path = $.child(svg_1);
+	var node_5 = $.sibling(path);
+	$.each(node_5, 17, () => $$props.contours, $.index, ($$anchor, one, of) => {
+		var fragment_5 = root_3();
+		var path_1 = $.first_child(fragment_5);
 		let classes_2;
-		var node_5 = $.sibling(path_2);
-		var consequent_2 = ($$anchor) => {
+		var node_6 = $.sibling(path_1);
+		var consequent_3 = ($$anchor) => {
 			const from = $.derived(() => startOf($.get(one), $.get(index)));
 			const chosen = $.derived(() => $.get(one).elements[$.get(index)]);
-			var fragment_5 = root_1();
-			var path_3 = $.first_child(fragment_5);
-			var node_6 = $.sibling(path_3);
-			var consequent_1 = ($$anchor) => {
+			var fragment_6 = root_1();
+			var path_2 = $.first_child(fragment_6);
+			var node_7 = $.sibling(path_2);
+			var consequent_2 = ($$anchor) => {
 				var circle = root();
 				$.template_effect(() => {
 					$.set_attribute(circle, "cx", $.get(chosen).center[0]);
@@ -345,26 +369,26 @@ function ProfileEditor($$anchor, $$props) {
 				});
 				$.append($$anchor, circle);
 			};
-			$.if(node_6, ($$render) => {
-				if ($.get(chosen).kind === "arc") $$render(consequent_1);
+			$.if(node_7, ($$render) => {
+				if ($.get(chosen).kind === "arc") $$render(consequent_2);
 			});
-			$.template_effect(($0) => $.set_attribute(path_3, "d", $0), [() => path(outline({
+			$.template_effect(($0) => $.set_attribute(path_2, "d", $0), [() => svgPath(outline({
 				start: $.get(from),
 				elements: [{
 					...$.get(chosen),
 					corner: null
 				}]
 			}))]);
-			$.append($$anchor, fragment_5);
+			$.append($$anchor, fragment_6);
 		};
-		$.if(node_5, ($$render) => {
-			if (of === $.get(current) && $.get(one).elements[$.get(index)]) $$render(consequent_2);
+		$.if(node_6, ($$render) => {
+			if (of === $.get(current) && $.get(one).elements[$.get(index)]) $$render(consequent_3);
 		});
-		var node_7 = $.sibling(node_5);
-		$.each(node_7, 17, () => [$.get(one).start, ...$.get(one).elements.map((each) => each.to)], $.index, ($$anchor, point, i) => {
-			var fragment_6 = $.comment();
-			var node_8 = $.first_child(fragment_6);
-			var consequent_3 = ($$anchor) => {
+		var node_8 = $.sibling(node_6);
+		$.each(node_8, 17, () => [$.get(one).start, ...$.get(one).elements.map((each) => each.to)], $.index, ($$anchor, point, i) => {
+			var fragment_7 = $.comment();
+			var node_9 = $.first_child(fragment_7);
+			var consequent_4 = ($$anchor) => {
 				var circle_1 = root_2();
 				let classes_3;
 				$.template_effect(($0) => {
@@ -383,22 +407,22 @@ function ProfileEditor($$anchor, $$props) {
 				$.append($$anchor, circle_1);
 			};
 			var d = $.derived(() => !(i > 0 && i === $.get(one).elements.length && isClosed($.get(one))));
-			$.if(node_8, ($$render) => {
-				if ($.get(d)) $$render(consequent_3);
+			$.if(node_9, ($$render) => {
+				if ($.get(d)) $$render(consequent_4);
 			});
-			$.append($$anchor, fragment_6);
+			$.append($$anchor, fragment_7);
 		});
 		$.template_effect(($0) => {
-			classes_2 = $.set_class(path_2, 0, "contour s-17oku5b", null, classes_2, {
+			classes_2 = $.set_class(path_1, 0, "contour s-17oku5b", null, classes_2, {
 				current: of === $.get(current),
 				island: of > 0
 			});
-			$.set_attribute(path_2, "d", $0);
-		}, [() => path(outline($.get(one)))]);
-		$.append($$anchor, fragment_4);
+			$.set_attribute(path_1, "d", $0);
+		}, [() => svgPath(outline($.get(one)))]);
+		$.append($$anchor, fragment_5);
 	});
-	var node_9 = $.sibling(node_4);
-	var consequent_4 = ($$anchor) => {
+	var node_10 = $.sibling(node_5);
+	var consequent_5 = ($$anchor) => {
 		var circle_2 = root_4();
 		$.template_effect(() => {
 			$.set_class(circle_2, 0, `snap ${$.get(hovered).kind ?? ""}`, "s-17oku5b");
@@ -408,26 +432,26 @@ function ProfileEditor($$anchor, $$props) {
 		});
 		$.append($$anchor, circle_2);
 	};
-	$.if(node_9, ($$render) => {
-		if ($.get(hovered)) $$render(consequent_4);
-	});
-	$.reset(svg_1);
-	$.bind_this(svg_1, ($$value) => $.set(svg, $$value), () => $.get(svg));
-	var node_10 = $.sibling(svg_1, 2);
-	var consequent_5 = ($$anchor) => {
-		var p_1 = root_5();
-		var text_3 = $.only_child(p_1);
-		$.template_effect(($0) => $.set_text(text_3, `${$0 ?? ""}  X ${$.get(hovered).at[0] ?? ""}  Y ${$.get(hovered).at[1] ?? ""}`), [() => t(`cycles.snap_${$.get(hovered).kind}`)]);
-		$.append($$anchor, p_1);
-	};
 	$.if(node_10, ($$render) => {
 		if ($.get(hovered)) $$render(consequent_5);
 	});
-	var div_2 = $.sibling(node_10, 2);
+	$.reset(svg_1);
+	$.bind_this(svg_1, ($$value) => $.set(svg, $$value), () => $.get(svg));
+	var node_11 = $.sibling(svg_1, 2);
+	var consequent_6 = ($$anchor) => {
+		var p = root_5();
+		var text_3 = $.only_child(p);
+		$.template_effect(($0) => $.set_text(text_3, `${$0 ?? ""}  ${axes()[0] ?? ""} ${$.get(hovered).at[0] ?? ""}  ${axes()[1] ?? ""} ${$.get(hovered).at[1] ?? ""}`), [() => t(`cycles.snap_${$.get(hovered).kind}`)]);
+		$.append($$anchor, p);
+	};
+	$.if(node_11, ($$render) => {
+		if ($.get(hovered)) $$render(consequent_6);
+	});
+	var div_2 = $.sibling(node_11, 2);
 	var span = $.child(div_2);
 	var text_4 = $.only_child(span, true);
-	var label = $.sibling(span, 2);
-	var span_1 = $.child(label);
+	var label_1 = $.sibling(span, 2);
+	var span_1 = $.child(label_1);
 	var text_5 = $.only_child(span_1, true);
 	var select = $.sibling(span_1);
 	$.each(select, 20, () => [
@@ -449,9 +473,9 @@ function ProfileEditor($$anchor, $$props) {
 	});
 	$.reset(select);
 	$.init_select(select);
-	$.reset(label);
-	var node_11 = $.sibling(label, 2);
-	Button(node_11, {
+	$.reset(label_1);
+	var node_12 = $.sibling(label_1, 2);
+	Button(node_12, {
 		get pressed() {
 			return snapping.ends;
 		},
@@ -464,8 +488,8 @@ function ProfileEditor($$anchor, $$props) {
 		},
 		$$slots: { default: true }
 	});
-	var node_12 = $.sibling(node_11, 2);
-	Button(node_12, {
+	var node_13 = $.sibling(node_12, 2);
+	Button(node_13, {
 		get pressed() {
 			return snapping.centres;
 		},
@@ -478,8 +502,8 @@ function ProfileEditor($$anchor, $$props) {
 		},
 		$$slots: { default: true }
 	});
-	var node_13 = $.sibling(node_12, 2);
-	Button(node_13, {
+	var node_14 = $.sibling(node_13, 2);
+	Button(node_14, {
 		get pressed() {
 			return snapping.middles;
 		},
@@ -492,8 +516,8 @@ function ProfileEditor($$anchor, $$props) {
 		},
 		$$slots: { default: true }
 	});
-	var node_14 = $.sibling(node_13, 2);
-	Button(node_14, {
+	var node_15 = $.sibling(node_14, 2);
+	Button(node_15, {
 		get pressed() {
 			return snapping.aligned;
 		},
@@ -507,11 +531,11 @@ function ProfileEditor($$anchor, $$props) {
 		$$slots: { default: true }
 	});
 	$.reset(div_2);
-	var node_15 = $.sibling(div_2, 2);
-	var consequent_7 = ($$anchor) => {
+	var node_16 = $.sibling(div_2, 2);
+	var consequent_8 = ($$anchor) => {
 		var div_3 = root_7();
-		var node_16 = $.child(div_3);
-		$.each(node_16, 17, () => filled().contours, $.index, ($$anchor, one, of) => {
+		var node_17 = $.child(div_3);
+		$.each(node_17, 17, () => $$props.contours, $.index, ($$anchor, one, of) => {
 			{
 				let $0 = $.derived(() => $.get(current) === of);
 				Button($$anchor, {
@@ -533,8 +557,8 @@ function ProfileEditor($$anchor, $$props) {
 				});
 			}
 		});
-		var node_17 = $.sibling(node_16, 2);
-		var consequent_6 = ($$anchor) => {
+		var node_18 = $.sibling(node_17, 2);
+		var consequent_7 = ($$anchor) => {
 			{
 				let $0 = $.derived(() => t("cycles.delete"));
 				Button($$anchor, {
@@ -544,27 +568,27 @@ function ProfileEditor($$anchor, $$props) {
 						return $.get($0);
 					},
 					onclick: () => {
-						filled().contours.splice($.get(current), 1);
+						$$props.contours.splice($.get(current), 1);
 						$.set(current, 0);
 						$.set(index, -1);
 					}
 				});
 			}
 		};
-		$.if(node_17, ($$render) => {
-			if ($.get(current) > 0) $$render(consequent_6);
+		$.if(node_18, ($$render) => {
+			if ($.get(current) > 0) $$render(consequent_7);
 		});
 		$.reset(div_3);
 		$.template_effect(($0) => $.set_attribute(div_3, "aria-label", $0), [() => t("cycles.contours")]);
 		$.append($$anchor, div_3);
 	};
-	$.if(node_15, ($$render) => {
-		if (filled().contours.length > 1) $$render(consequent_7);
+	$.if(node_16, ($$render) => {
+		if ($$props.contours.length > 1) $$render(consequent_8);
 	});
-	var node_18 = $.sibling(node_15, 2);
-	var consequent_14 = ($$anchor) => {
-		var fragment_14 = root_13();
-		var ol = $.first_child(fragment_14);
+	var node_19 = $.sibling(node_16, 2);
+	var consequent_15 = ($$anchor) => {
+		var fragment_15 = root_13();
+		var ol = $.first_child(fragment_15);
 		var li = $.child(ol);
 		let classes_4;
 		var button = $.child(li);
@@ -574,8 +598,8 @@ function ProfileEditor($$anchor, $$props) {
 		var text_13 = $.only_child(span_3);
 		$.reset(button);
 		$.reset(li);
-		var node_19 = $.sibling(li, 2);
-		$.each(node_19, 17, () => $.get(contour).elements, $.index, ($$anchor, one, i) => {
+		var node_20 = $.sibling(li, 2);
+		$.each(node_20, 17, () => $.get(contour).elements, $.index, ($$anchor, one, i) => {
 			var li_1 = root_8();
 			let classes_5;
 			var button_1 = $.child(li_1);
@@ -590,7 +614,7 @@ function ProfileEditor($$anchor, $$props) {
 			$.template_effect(($0, $1, $2, $3) => {
 				classes_5 = $.set_class(li_1, 1, "s-17oku5b", null, classes_5, { on: $.get(index) === i });
 				$.set_text(text_14, $0);
-				$.set_text(text_15, `X ${$1 ?? ""} Y ${$2 ?? ""}${$3 ?? ""}${$.get(one).corner ? ` · ${$.get(one).corner.kind === "round" ? "R" : "C"} ${$.get(one).corner.size}` : ""}`);
+				$.set_text(text_15, `${axes()[0] ?? ""} ${$1 ?? ""} ${axes()[1] ?? ""} ${$2 ?? ""}${$3 ?? ""}${$.get(one).corner ? ` · ${$.get(one).corner.kind === "round" ? "R" : "C"} ${$.get(one).corner.size}` : ""}`);
 			}, [
 				() => $.get(one).kind === "line" ? t("cycles.line") : $.get(one).clockwise ? t("cycles.arc_cw") : t("cycles.arc_ccw"),
 				() => $.get(one).to[0].toFixed(3),
@@ -602,46 +626,50 @@ function ProfileEditor($$anchor, $$props) {
 		});
 		$.reset(ol);
 		var div_4 = $.sibling(ol, 2);
-		var node_20 = $.child(div_4);
-		var consequent_9 = ($$anchor) => {
-			var fragment_15 = root_10();
-			var node_21 = $.first_child(fragment_15);
+		var node_21 = $.child(div_4);
+		var consequent_10 = ($$anchor) => {
+			var fragment_16 = root_10();
+			var node_22 = $.first_child(fragment_16);
 			{
-				let $0 = $.derived(() => t("cycles.start_x"));
-				NumberField(node_21, {
+				let $0 = $.derived(() => t("cycles.start_of", { axis: axes()[0] }));
+				NumberField(node_22, {
 					get label() {
 						return $.get($0);
 					},
-					unit: "X",
+					get unit() {
+						return axes()[0];
+					},
 					get value() {
 						return $.get(contour).start[0];
 					},
 					onvalue: (value) => moveEnd(-1, $.get(current), [value ?? 0, $.get(contour).start[1]])
 				});
 			}
-			var node_22 = $.sibling(node_21, 2);
+			var node_23 = $.sibling(node_22, 2);
 			{
-				let $0 = $.derived(() => t("cycles.start_y"));
-				NumberField(node_22, {
+				let $0 = $.derived(() => t("cycles.start_of", { axis: axes()[1] }));
+				NumberField(node_23, {
 					get label() {
 						return $.get($0);
 					},
-					unit: "Y",
+					get unit() {
+						return axes()[1];
+					},
 					get value() {
 						return $.get(contour).start[1];
 					},
 					onvalue: (value) => moveEnd(-1, $.get(current), [$.get(contour).start[0], value ?? 0])
 				});
 			}
-			var node_23 = $.sibling(node_22, 2);
-			var consequent_8 = ($$anchor) => {
-				var fragment_16 = root_9();
-				var node_24 = $.first_child(fragment_16);
+			var node_24 = $.sibling(node_23, 2);
+			var consequent_9 = ($$anchor) => {
+				var fragment_17 = root_9();
+				var node_25 = $.first_child(fragment_17);
 				{
 					let $0 = $.derived(() => t("cycles.entry"));
 					let $1 = $.derived(() => t("cycles.entry_short"));
 					let $2 = $.derived(() => $.get(contour).entry ?? 0);
-					NumberField(node_24, {
+					NumberField(node_25, {
 						get label() {
 							return $.get($0);
 						},
@@ -655,12 +683,12 @@ function ProfileEditor($$anchor, $$props) {
 						onvalue: (value) => $.get(contour).entry = value ?? 0
 					});
 				}
-				var node_25 = $.sibling(node_24, 2);
+				var node_26 = $.sibling(node_25, 2);
 				{
 					let $0 = $.derived(() => t("cycles.exit"));
 					let $1 = $.derived(() => t("cycles.exit_short"));
 					let $2 = $.derived(() => $.get(contour).exit ?? 0);
-					NumberField(node_25, {
+					NumberField(node_26, {
 						get label() {
 							return $.get($0);
 						},
@@ -674,81 +702,89 @@ function ProfileEditor($$anchor, $$props) {
 						onvalue: (value) => $.get(contour).exit = value ?? 0
 					});
 				}
-				$.append($$anchor, fragment_16);
+				$.append($$anchor, fragment_17);
 			};
-			$.if(node_23, ($$render) => {
-				if ($$props.form.profile === "path") $$render(consequent_8);
+			$.if(node_24, ($$render) => {
+				if ($$props.use === "path") $$render(consequent_9);
 			});
-			$.append($$anchor, fragment_15);
+			$.append($$anchor, fragment_16);
 		};
-		var consequent_12 = ($$anchor) => {
-			var fragment_17 = root_12();
-			var node_26 = $.first_child(fragment_17);
+		var consequent_13 = ($$anchor) => {
+			var fragment_18 = root_12();
+			var node_27 = $.first_child(fragment_18);
 			{
-				let $0 = $.derived(() => t("cycles.end_x"));
-				NumberField(node_26, {
+				let $0 = $.derived(() => t("cycles.end_of", { axis: axes()[0] }));
+				NumberField(node_27, {
 					get label() {
 						return $.get($0);
 					},
-					unit: "X",
+					get unit() {
+						return axes()[0];
+					},
 					get value() {
 						return $.get(element).to[0];
 					},
 					onvalue: (value) => moveEnd($.get(index), $.get(current), [value ?? 0, $.get(element).to[1]])
 				});
 			}
-			var node_27 = $.sibling(node_26, 2);
+			var node_28 = $.sibling(node_27, 2);
 			{
-				let $0 = $.derived(() => t("cycles.end_y"));
-				NumberField(node_27, {
+				let $0 = $.derived(() => t("cycles.end_of", { axis: axes()[1] }));
+				NumberField(node_28, {
 					get label() {
 						return $.get($0);
 					},
-					unit: "Y",
+					get unit() {
+						return axes()[1];
+					},
 					get value() {
 						return $.get(element).to[1];
 					},
 					onvalue: (value) => moveEnd($.get(index), $.get(current), [$.get(element).to[0], value ?? 0])
 				});
 			}
-			var node_28 = $.sibling(node_27, 2);
-			var consequent_10 = ($$anchor) => {
+			var node_29 = $.sibling(node_28, 2);
+			var consequent_11 = ($$anchor) => {
 				const from = $.derived(() => startOf($.get(contour), $.get(index)));
-				var fragment_18 = root_11();
-				var node_29 = $.first_child(fragment_18);
+				var fragment_19 = root_11();
+				var node_30 = $.first_child(fragment_19);
 				{
-					let $0 = $.derived(() => t("cycles.centre_x"));
-					NumberField(node_29, {
+					let $0 = $.derived(() => t("cycles.centre_of", { axis: axes()[0] }));
+					NumberField(node_30, {
 						get label() {
 							return $.get($0);
 						},
-						unit: "Xc",
+						get unit() {
+							return `${axes()[0] ?? ""}c`;
+						},
 						get value() {
 							return $.get(element).center[0];
 						},
 						onvalue: (value) => $.get(element).center = [value ?? 0, $.get(element).center[1]]
 					});
 				}
-				var node_30 = $.sibling(node_29, 2);
+				var node_31 = $.sibling(node_30, 2);
 				{
-					let $0 = $.derived(() => t("cycles.centre_y"));
-					NumberField(node_30, {
+					let $0 = $.derived(() => t("cycles.centre_of", { axis: axes()[1] }));
+					NumberField(node_31, {
 						get label() {
 							return $.get($0);
 						},
-						unit: "Yc",
+						get unit() {
+							return `${axes()[1] ?? ""}c`;
+						},
 						get value() {
 							return $.get(element).center[1];
 						},
 						onvalue: (value) => $.get(element).center = [$.get(element).center[0], value ?? 0]
 					});
 				}
-				var node_31 = $.sibling(node_30, 2);
+				var node_32 = $.sibling(node_31, 2);
 				{
 					let $0 = $.derived(() => t("cycles.radius"));
 					let $1 = $.derived(() => radiusOf($.get(element), $.get(from)));
 					let $2 = $.derived(() => distance($.get(from), $.get(element).to) / 2);
-					NumberField(node_31, {
+					NumberField(node_32, {
 						get label() {
 							return $.get($0);
 						},
@@ -762,10 +798,10 @@ function ProfileEditor($$anchor, $$props) {
 						onvalue: (value) => $.get(element).center = centerOfRadius($.get(from), $.get(element).to, value ?? 0, $.get(element).center)
 					});
 				}
-				var node_32 = $.sibling(node_31, 2);
+				var node_33 = $.sibling(node_32, 2);
 				{
 					let $0 = $.derived(() => $.get(element).clockwise ? "cw" : "ccw");
-					Button(node_32, {
+					Button(node_33, {
 						get icon() {
 							return $.get($0);
 						},
@@ -779,12 +815,12 @@ function ProfileEditor($$anchor, $$props) {
 						$$slots: { default: true }
 					});
 				}
-				$.append($$anchor, fragment_18);
+				$.append($$anchor, fragment_19);
 			};
-			$.if(node_28, ($$render) => {
-				if ($.get(element).kind === "arc") $$render(consequent_10);
+			$.if(node_29, ($$render) => {
+				if ($.get(element).kind === "arc") $$render(consequent_11);
 			});
-			var node_33 = $.sibling(node_28, 2);
+			var node_34 = $.sibling(node_29, 2);
 			{
 				let $0 = $.derived(() => $.get(element).corner?.kind ?? "sharp");
 				let $1 = $.derived(() => t("cycles.corner"));
@@ -802,7 +838,7 @@ function ProfileEditor($$anchor, $$props) {
 						label: t("cycles.chamfer")
 					}
 				]);
-				Segmented(node_33, {
+				Segmented(node_34, {
 					get value() {
 						return $.get($0);
 					},
@@ -815,8 +851,8 @@ function ProfileEditor($$anchor, $$props) {
 					}
 				});
 			}
-			var node_34 = $.sibling(node_33, 2);
-			var consequent_11 = ($$anchor) => {
+			var node_35 = $.sibling(node_34, 2);
+			var consequent_12 = ($$anchor) => {
 				{
 					let $0 = $.derived(() => t("cycles.corner_size"));
 					NumberField($$anchor, {
@@ -831,11 +867,11 @@ function ProfileEditor($$anchor, $$props) {
 					});
 				}
 			};
-			$.if(node_34, ($$render) => {
-				if ($.get(element).corner) $$render(consequent_11);
+			$.if(node_35, ($$render) => {
+				if ($.get(element).corner) $$render(consequent_12);
 			});
-			var node_35 = $.sibling(node_34, 2);
-			Button(node_35, {
+			var node_36 = $.sibling(node_35, 2);
+			Button(node_36, {
 				kind: "danger",
 				icon: "trash",
 				onclick: () => remove($.get(index)),
@@ -847,16 +883,16 @@ function ProfileEditor($$anchor, $$props) {
 				},
 				$$slots: { default: true }
 			});
-			$.append($$anchor, fragment_17);
+			$.append($$anchor, fragment_18);
 		};
-		$.if(node_20, ($$render) => {
-			if ($.get(index) < 0) $$render(consequent_9);
-			else if ($.get(element)) $$render(consequent_12, 1);
+		$.if(node_21, ($$render) => {
+			if ($.get(index) < 0) $$render(consequent_10);
+			else if ($.get(element)) $$render(consequent_13, 1);
 		});
-		var node_36 = $.sibling(node_20, 2);
+		var node_37 = $.sibling(node_21, 2);
 		{
 			let $0 = $.derived(() => machine.link !== "open");
-			Button(node_36, {
+			Button(node_37, {
 				icon: "target",
 				onclick: teach,
 				get disabled() {
@@ -871,8 +907,8 @@ function ProfileEditor($$anchor, $$props) {
 				$$slots: { default: true }
 			});
 		}
-		var node_37 = $.sibling(node_36, 2);
-		Button(node_37, {
+		var node_38 = $.sibling(node_37, 2);
+		Button(node_38, {
 			icon: "plus",
 			onclick: () => add("line"),
 			children: ($$anchor, $$slotProps) => {
@@ -883,8 +919,8 @@ function ProfileEditor($$anchor, $$props) {
 			},
 			$$slots: { default: true }
 		});
-		var node_38 = $.sibling(node_37, 2);
-		var consequent_13 = ($$anchor) => {
+		var node_39 = $.sibling(node_38, 2);
+		var consequent_14 = ($$anchor) => {
 			Button($$anchor, {
 				icon: "plus",
 				onclick: () => add("arc"),
@@ -897,53 +933,49 @@ function ProfileEditor($$anchor, $$props) {
 				$$slots: { default: true }
 			});
 		};
-		$.if(node_38, ($$render) => {
-			if ($$props.form.profile !== "points") $$render(consequent_13);
+		$.if(node_39, ($$render) => {
+			if ($$props.use !== "points") $$render(consequent_14);
 		});
 		$.reset(div_4);
 		$.template_effect(($0, $1, $2) => {
 			classes_4 = $.set_class(li, 1, "s-17oku5b", null, classes_4, { on: $.get(index) === -1 });
 			$.set_text(text_12, $0);
-			$.set_text(text_13, `X ${$1 ?? ""} Y ${$2 ?? ""}`);
+			$.set_text(text_13, `${axes()[0] ?? ""} ${$1 ?? ""} ${axes()[1] ?? ""} ${$2 ?? ""}`);
 		}, [
 			() => t("cycles.start_point"),
 			() => $.get(contour).start[0].toFixed(3),
 			() => $.get(contour).start[1].toFixed(3)
 		]);
 		$.delegated("click", button, () => $.set(index, -1));
-		$.append($$anchor, fragment_14);
+		$.append($$anchor, fragment_15);
 	};
-	$.if(node_18, ($$render) => {
-		if ($.get(contour)) $$render(consequent_14);
+	$.if(node_19, ($$render) => {
+		if ($.get(contour)) $$render(consequent_15);
 	});
-	var node_39 = $.sibling(node_18, 2);
-	$.each(node_39, 17, () => $$props.findings.filter((one) => one.parameter === "profile"), (finding) => finding.id + finding.text, ($$anchor, finding) => {
-		var p_2 = root_14();
-		var text_21 = $.child(p_2);
+	var node_40 = $.sibling(node_19, 2);
+	$.each(node_40, 17, () => $$props.findings.filter((one) => one.parameter === "profile"), (finding) => finding.id + finding.text, ($$anchor, finding) => {
+		var p_1 = root_14();
+		var text_21 = $.child(p_1);
 		var small = $.sibling(text_21);
 		var text_22 = $.only_child(small, true);
-		$.reset(p_2);
+		$.reset(p_1);
 		$.template_effect(() => {
-			$.set_attribute(p_2, "title", $.get(finding).help);
+			$.set_attribute(p_1, "title", $.get(finding).help);
 			$.set_text(text_21, `${$.get(finding).text ?? ""} `);
 			$.set_text(text_22, $.get(finding).id);
 		});
-		$.append($$anchor, p_2);
+		$.append($$anchor, p_1);
 	});
 	$.reset(div);
-	$.template_effect(($0, $1, $2) => {
+	$.template_effect(($0, $1) => {
 		classes = $.set_class(div, 1, "editor s-17oku5b", null, classes, { dropping: $.get(dropping) });
 		$.set_attribute(svg_1, "viewBox", `${$.get(frame).x ?? ""} ${-$.get(frame).y - $.get(frame).h} ${$.get(frame).w ?? ""} ${$.get(frame).h ?? ""}`);
-		$.set_attribute(svg_1, "aria-label", $0);
+		$.set_attribute(svg_1, "aria-label", $$props.label);
 		classes_1 = $.set_class(svg_1, 0, "s-17oku5b", null, classes_1, { drawing: $.get(tool) !== "choose" });
-		$.set_attribute(path_1, "d", `M${$.get(frame).x ?? ""} 0H${$.get(frame).x + $.get(frame).w}M0 ${-$.get(frame).y - $.get(frame).h}V${-$.get(frame).y}`);
-		$.set_text(text_4, $1);
-		$.set_text(text_5, $2);
-	}, [
-		() => t("cycles.profile"),
-		() => t("cycles.snapping"),
-		() => t("cycles.grid")
-	]);
+		$.set_attribute(path, "d", `M${$.get(frame).x ?? ""} 0H${$.get(frame).x + $.get(frame).w}M0 ${-$.get(frame).y - $.get(frame).h}V${-$.get(frame).y}`);
+		$.set_text(text_4, $0);
+		$.set_text(text_5, $1);
+	}, [() => t("cycles.snapping"), () => t("cycles.grid")]);
 	$.event("dragover", div, (event) => {
 		event.preventDefault();
 		$.set(dropping, true);

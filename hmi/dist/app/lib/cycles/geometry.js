@@ -102,6 +102,25 @@ function outline(contour) {
 	if (closed && last?.kind === "line" && last.corner && contour.elements[0]?.kind === "line") points[0] = points.at(-1);
 	return points;
 }
+/** Points as the path of a drawing, whose ordinate goes up. */
+var svgPath = (points) => points.map((p, i) => `${i ? "L" : "M"}${p[0].toFixed(4)} ${(-p[1]).toFixed(4)}`).join("");
+/** A contour moved. */
+function moved(contour, [x, y]) {
+	const by = (p) => [p[0] + x, p[1] + y];
+	const elements = contour.elements.map((one) => one.kind === "arc" ? {
+		...one,
+		to: by(one.to),
+		center: by(one.center)
+	} : {
+		...one,
+		to: by(one.to)
+	});
+	return {
+		...contour,
+		start: by(contour.start),
+		elements
+	};
+}
 function isClosed(contour) {
 	const last = contour.elements.at(-1);
 	return last !== void 0 && distance(last.to, contour.start) < .001;
@@ -226,4 +245,4 @@ function box(points, margin) {
 		h: y1 - y0 + 2 * room
 	};
 }
-export { arcPoints, box, centerOfRadius, circle, corner, distance, isClosed, movedEnd, nearestCenter, number, outline, radiusOf, rectangle, snap, startOf, sweep, turned, word };
+export { arcPoints, box, centerOfRadius, circle, corner, distance, isClosed, moved, movedEnd, nearestCenter, number, outline, radiusOf, rectangle, snap, startOf, svgPath, sweep, turned, word };

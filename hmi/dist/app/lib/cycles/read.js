@@ -25,7 +25,7 @@ function cycleAt(lines, line) {
 /** A cycle of the control that begins at a line, counted from 0. */
 function own(lines, first) {
 	const block = [];
-	let at = first;
+	let at = /^G17 G71 G90\s*$/.test(lines[first] ?? "") ? first + 1 : first;
 	for (; head(lines[at]?.trim() ?? "") === "#PROFILE"; at++) {
 		while (at < lines.length && head(lines[at].trim()) !== "#ENDPROFILE") block.push(lines[at++].trim());
 		block.push("#ENDPROFILE");
@@ -142,6 +142,12 @@ function readBlock(block) {
 	});
 	return request;
 }
+/** The words of a centre, by the axes of the plane. */
+var CENTRE = {
+	X: "I",
+	Y: "J",
+	Z: "K"
+};
 /** A line of a profile; whether it is one. */
 function element({ plane, contours }, line) {
 	const code = Number(/^G(\d+)/.exec(line)?.[1] ?? NaN);
@@ -173,7 +179,7 @@ function element({ plane, contours }, line) {
 		const arc = {
 			kind: "arc",
 			to,
-			center: [from[0] + word("I"), from[1] + word("J")],
+			center: [from[0] + word(CENTRE[plane[0]]), from[1] + word(CENTRE[plane[1]])],
 			clockwise: code === 2,
 			corner: null
 		};

@@ -1,6 +1,8 @@
 import { machine } from "../state/machine.svelte.js";
+import { prefs } from "../state/prefs.svelte.js";
 import { lineEnds, othersIn } from "./ends.js";
 import { highlighter } from "./highlight.js";
+import Keypad from "./Keypad.svelte.js";
 import { checkNow, controlLanguage } from "./language.js";
 import { linesOf, textOf } from "./lines.js";
 import { numberBehind } from "./numbering.js";
@@ -15,7 +17,7 @@ import { gotoLine, highlightSelectionMatches, openSearchPanel, search, searchKey
 import { Compartment, EditorState, StateEffect, StateField, Text } from "@codemirror/state";
 import { Decoration, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers } from "@codemirror/view";
 // src/lib/editor/Editor.svelte
-var root = $.from_html(`<div class="editor s-prdwtv"></div>`);
+var root = $.from_html(`<div class="whole s-1nec4lb"><div class="editor s-1nec4lb"></div> <!></div>`);
 function Editor($$anchor, $$props) {
 	$.push($$props, true);
 	let readonly = $.prop($$props, "readonly", 3, false), active = $.prop($$props, "active", 3, 0), cursor = $.prop($$props, "cursor", 3, 0), plain = $.prop($$props, "plain", 3, false), step = $.prop($$props, "step", 3, 0);
@@ -37,6 +39,9 @@ function Editor($$anchor, $$props) {
 		end: "\n"
 	};
 	const said = new Compartment();
+	const typed = new Compartment();
+	/** A device shows no keyboard of its own beside the keypad. */
+	const keyboard = () => EditorView.contentAttributes.of({ inputmode: prefs.keypad ? "none" : "text" });
 	const lines = StateEffect.define();
 	const activeMark = Decoration.line({ class: "nc-active" });
 	const cursorMark = Decoration.line({ class: "nc-cursor" });
@@ -84,6 +89,7 @@ function Editor($$anchor, $$props) {
 				theme,
 				marked,
 				said.of(untrack(phrases)),
+				typed.of(untrack(keyboard)),
 				search({ top: true }),
 				EditorView.contentAttributes.of({
 					"aria-label": $$props.label,
@@ -146,6 +152,10 @@ function Editor($$anchor, $$props) {
 	$.user_effect(() => {
 		const now = phrases();
 		view?.dispatch({ effects: said.reconfigure(now) });
+	});
+	$.user_effect(() => {
+		const now = keyboard();
+		view?.dispatch({ effects: typed.reconfigure(now) });
 	});
 	$.user_effect(() => {
 		const now = {
@@ -319,7 +329,19 @@ function Editor($$anchor, $$props) {
 		show
 	};
 	var div = root();
-	$.bind_this(div, ($$value) => $.set(host, $$value), () => $.get(host));
+	var div_1 = $.child(div);
+	$.bind_this(div_1, ($$value) => $.set(host, $$value), () => $.get(host));
+	var node = $.sibling(div_1, 2);
+	var consequent = ($$anchor) => {
+		Keypad($$anchor, {
+			view: () => view,
+			online: numberLine
+		});
+	};
+	$.if(node, ($$render) => {
+		if (prefs.keypad && !readonly()) $$render(consequent);
+	});
+	$.reset(div);
 	$.append($$anchor, div);
 	return $.pop($$exports);
 }

@@ -33,6 +33,14 @@ function join(kind, a, b) {
 		parts: [...parts(a), ...parts(b)]
 	};
 }
+/** What a ladder says of itself: the first words of the remark that it begins with; empty where there is none. */
+function headOf(text) {
+	for (const { words, comment } of linesOf(text)) {
+		if (words.length) return "";
+		if (comment) return comment;
+	}
+	return "";
+}
 /** Reads a ladder; `meanings` of signals take the place of its own remarks. What it cannot make sense of it leaves out: the control checks ladders, not the drawing. */
 function readLadder(text, meanings = /* @__PURE__ */ new Map()) {
 	const symbols = /* @__PURE__ */ new Map();
@@ -166,4 +174,4 @@ function signalsOf(rung) {
 	for (const output of rung.outputs) if (output.kind === "coil") names.add(output.name);
 	return [...names];
 }
-export { readLadder, signalsOf };
+export { headOf, readLadder, signalsOf };

@@ -3,7 +3,7 @@ import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/lib/parts/NumberField.svelte
 var root = $.from_html(`<span class="unit s-1yzuc8k"> </span>`);
-var root_1 = $.from_html(`<span><input class="number s-1yzuc8k" inputmode="decimal" autocomplete="off" spellcheck="false"/> <!></span>`);
+var root_1 = $.from_html(`<span><input class="number s-1yzuc8k" autocapitalize="characters" autocomplete="off" spellcheck="false"/> <!></span>`);
 function NumberField($$anchor, $$props) {
 	$.push($$props, true);
 	let digits = $.prop($$props, "digits", 3, 3), unit = $.prop($$props, "unit", 3, ""), minimum = $.prop($$props, "minimum", 19, () => -Infinity), maximum = $.prop($$props, "maximum", 3, Infinity), empty = $.prop($$props, "empty", 3, false), disabled = $.prop($$props, "disabled", 3, false), again = $.prop($$props, "again", 3, false);
@@ -13,6 +13,8 @@ function NumberField($$anchor, $$props) {
 	let draft = $.state(null);
 	const shown = $.derived(() => $.get(draft) ?? ($$props.value === null || $$props.value === void 0 ? "" : $$props.value.toFixed(digits())));
 	const parsed = $.derived(() => typed($.get(shown)));
+	/** The keys that a device shows: letters where a text means something, digits alone for a count. */
+	const keys = $.derived(() => $$props.meant ? "text" : digits() === 0 && minimum() >= 0 ? "numeric" : "decimal");
 	const other = $.derived(() => $.get(draft) !== null && $.get(parsed) === null ? $$props.meant?.($.get(draft)) ?? null : null);
 	const wrong = $.derived(() => $.get(draft) !== null && $.get(other) === null && ($.get(draft).trim() === "" ? !empty() : $.get(parsed) === null || $.get(parsed) < minimum() || $.get(parsed) > maximum()));
 	function give() {
@@ -40,6 +42,7 @@ function NumberField($$anchor, $$props) {
 	$.reset(span);
 	$.template_effect(() => {
 		classes = $.set_class(span, 1, "field s-1yzuc8k", null, classes, { wrong: $.get(wrong) });
+		$.set_attribute(input, "inputmode", $.get(keys));
 		$.set_attribute(input, "aria-label", $$props.label);
 		$.set_attribute(input, "aria-invalid", $.get(wrong));
 		input.disabled = disabled();

@@ -1,3 +1,4 @@
+import { display } from "../state/display.svelte.js";
 import Tabs from "./Tabs.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
@@ -6,6 +7,7 @@ var root = $.from_html(`<div class="page s-ot62sx"><!> <div class="content scrol
 function Page($$anchor, $$props) {
 	$.push($$props, true);
 	let tabs = $.prop($$props, "tabs", 19, () => []), active = $.prop($$props, "active", 3, "");
+	$.user_effect(() => display.has($$props.page, tabs().map((tab) => tab.id), active()));
 	var div = root();
 	var node = $.child(div);
 	var consequent = ($$anchor) => {

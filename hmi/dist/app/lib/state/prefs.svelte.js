@@ -20,7 +20,9 @@ function read() {
 	const standard = {
 		language: fromBrowser(),
 		theme: "system",
+		coordinates: "absolute",
 		panel: innerWidth > 1100,
+		keypad: matchMedia("(pointer: coarse)").matches,
 		drawing: {
 			erases: true,
 			range: null,

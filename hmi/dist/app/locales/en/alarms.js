@@ -18,6 +18,9 @@ var alarms_default = {
 	"clear": "Empty",
 	"clear_right": "Needs level 3",
 	"none_past": "No alarm yet",
-	"none_past_text": "What raises an alarm stands here with its time, program and remedy."
+	"none_past_text": "What raises an alarm stands here with its time, program and remedy.",
+	"entries_one": "{n} entry",
+	"entries_other": "{n} entries",
+	"older": "Older ones"
 };
 export { alarms_default as default };

@@ -39,6 +39,7 @@ var app_default = {
 	"theme": "Theme",
 	"theme_system": "System",
 	"theme_light": "Light",
-	"theme_dark": "Dark"
+	"theme_dark": "Dark",
+	"coordinates": "Positions open with"
 };
 export { app_default as default };

@@ -38,6 +38,9 @@ var diagnosis_default = {
 	"level_2_periods": "Periods that level 2 takes",
 	"since": "Periods since then",
 	"acceleration": "Acceleration",
-	"jerk": "Jerk"
+	"jerk": "Jerk",
+	"bytes": "By address",
+	"find": "Go to an address or a name",
+	"unnamed": "Nobody has given this address a name."
 };
 export { diagnosis_default as default };

@@ -20,6 +20,24 @@ var editor_default = {
 	"findings": "Findings",
 	"no_findings": "Nothing found",
 	"completions": "Codes",
-	"deleted": "Deleted"
+	"deleted": "Deleted",
+	"keypad": "Keypad",
+	"key_left": "Left",
+	"key_right": "Right",
+	"key_up": "Up",
+	"key_down": "Down",
+	"key_home": "Start of line",
+	"key_end": "End of line",
+	"key_erase": "Delete",
+	"key_space": "Space",
+	"key_eob": "EOB",
+	"key_end_of_block": "End of block",
+	"key_layer": "Other keys",
+	"key_select": "Select",
+	"key_copy": "Copy",
+	"key_cut": "Cut",
+	"key_paste": "Paste",
+	"key_undo": "Undo",
+	"key_redo": "Redo"
 };
 export { editor_default as default };

@@ -41,6 +41,7 @@ var offsets_default = {
 	"meaning": "Meaning",
 	"value": "Value",
 	"pitch_points": "Errors by point",
-	"pitch_hint": "What is added to the commanded position at each point, mm. What is set here holds from the next start on."
+	"pitch_hint": "What is added to the commanded position at each point, mm. What is set here holds from the next start on.",
+	"find": "Go to a number"
 };
 export { offsets_default as default };

@@ -39,7 +39,7 @@ var operations_default = {
 	"centre": "Find edges and centres",
 	"centre_how": "Touch by hand and take the points, or have the probe do it in automatic on the page of the probe. The zero is set to what is found.",
 	"tool": "Measure a tool",
-	"tool_how": "Take a reference, touch the same place with the tool and set its length.",
+	"tool_how": "Touch a place with a reference, then the same place with the tool, and set its length. Where there is a tool setter, the page of the probe measures length and diameter in automatic.",
 	"switches": "Set switches, units and numbering",
 	"switches_how": "In MDI with their level: parameter and program switch, metric or inch, automatic sequence numbers and their increment. Date and time are those of the computer.",
 	"data": "Back up and restore",
@@ -59,7 +59,7 @@ var operations_default = {
 	"limit": "Come off a limit switch",
 	"limit_how": "Hold overtravel release, press reset and move the axis back by hand until the lamp goes out.",
 	"not_bus": "Bus monitor, bus configuration, bus and DSP data",
-	"not_bus_why": "The drives of this machine are not on the bus of that control (0#0 = 0), so there is nothing to show or to set. What drives tell stands on the diagnosis page.",
+	"not_bus_why": "How drives are connected is in the machine file, and 0#0 changes nothing: there is no bus to set up or to watch. Absolute encoders (20#6) are a parameter, machine zero is set by hand on its page of the set-up, and how far an axis lags shows on the waveform page.",
 	"not_servo": "Servo and spindle parameters in the drive, their backup and levels",
 	"not_servo_why": "They live in the drives and are read over the bus. Drives of this machine are set with the tool of their maker.",
 	"not_tune": "Servo tuning: rigidity levels, circularity test",
@@ -67,6 +67,12 @@ var operations_default = {
 	"not_dual": "Dual-drive tool",
 	"not_dual_why": "It needs two drives of one axis on the bus (P380, 0#0). No axis of this machine has two.",
 	"not_channel": "Serial line and USB directory",
-	"not_channel_why": "Programs and backups come and go through the browser; P0 is kept and has no effect."
+	"not_channel_why": "Programs and backups come and go through the browser; P0 is kept and has no effect.",
+	"machine_zero": "Set machine zero without switches",
+	"machine_zero_how": "Move the axes to the place by hand. Then in MDI, with level 3, the parameter switch on and 20#7 = 1, choose the axes on the page of machine zero and confirm.",
+	"not_power": "Key POWER OFF",
+	"not_power_why": "A page in a browser switches no machine off. Let the program end, stop spindle and auxiliaries, press the emergency stop, and switch off at the machine; what the control keeps is on its disk already.",
+	"not_system": "System signals and system information",
+	"not_system_why": "They tell of the hardware of that control. What this one tells of itself stands elsewhere: machine, dialect and version on the settings page, its times under timing, its ladder on the information page of the PLC."
 };
 export { operations_default as default };

@@ -44,6 +44,7 @@ var panel_default = {
 	"coolant": "Coolant",
 	"chip": "Chips",
 	"lube": "Lubrication",
-	"ot": "Overtravel"
+	"ot": "Overtravel",
+	"own": "Of this machine"
 };
 export { panel_default as default };

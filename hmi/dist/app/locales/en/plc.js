@@ -44,6 +44,26 @@ var plc_default = {
 	"bytes_one": "{n} byte",
 	"bytes_other": "{n} bytes",
 	"trace_none": "Nothing recorded yet",
-	"trace_none_text": "Name signals above, by name or address, and record them. At once, or around the moment in which one of them changes."
+	"trace_none_text": "Name signals above, by name or address, and record them. At once, or around the moment in which one of them changes.",
+	"info": "Information",
+	"info_ladder": "The ladder that runs",
+	"info_name": "Name",
+	"info_version": "Version of the software",
+	"info_rungs": "Rungs",
+	"info_instructions": "Instructions",
+	"info_steps": "Steps",
+	"info_times": "Scans",
+	"info_scan": "A whole scan of level 2",
+	"info_signals": "Signals with a name",
+	"info_area_X": "Inputs: machine to PLC",
+	"info_area_Y": "Outputs: PLC to machine",
+	"info_area_F": "NC to PLC",
+	"info_area_G": "PLC to NC",
+	"info_area_R": "Internal relays",
+	"info_area_K": "Keep relays",
+	"info_area_T": "Timers",
+	"info_area_C": "Counters",
+	"info_area_D": "Data table",
+	"info_area_A": "Messages"
 };
 export { plc_default as default };

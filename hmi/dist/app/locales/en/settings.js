@@ -97,6 +97,15 @@ var settings_default = {
 	"brought": "Uploaded: {file}",
 	"bring_replace": "{file} is there already. Replace it?",
 	"bring_hint": "Files dropped here are uploaded too.",
-	"bring_replace_text": "What has this name is lost."
+	"bring_replace_text": "What has this name is lost.",
+	"machine_zero": "Machine zero",
+	"machine_zero_text": "For axes that look for their zero by no switch: where they stand becomes their first reference point.",
+	"becomes": "Becomes",
+	"referenced": "Referenced",
+	"machine_zero_allowed": "Setting machine zero by hand is not allowed by its parameter:",
+	"machine_zero_set": "Set machine zero",
+	"machine_zero_ask": "Set machine zero of {axes} here?",
+	"machine_zero_warning": "Travel limits, work zeros and the other reference points move with it. Afterwards check the limits, and set the second to the fourth reference point anew.",
+	"machine_zero_done": "Machine zero is set: {axes}"
 };
 export { settings_default as default };

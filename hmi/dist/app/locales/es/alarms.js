@@ -18,6 +18,9 @@ var alarms_default = {
 	"clear": "Vaciar",
 	"clear_right": "Requiere nivel 3",
 	"none_past": "Todavía ninguna alarma",
-	"none_past_text": "Aquí quedan las alarmas con su hora, su programa y su remedio."
+	"none_past_text": "Aquí quedan las alarmas con su hora, su programa y su remedio.",
+	"entries_one": "{n} entrada",
+	"entries_other": "{n} entradas",
+	"older": "Anteriores"
 };
 export { alarms_default as default };

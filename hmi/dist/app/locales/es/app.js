@@ -39,6 +39,7 @@ var app_default = {
 	"theme": "Tema",
 	"theme_system": "Sistema",
 	"theme_light": "Claro",
-	"theme_dark": "Oscuro"
+	"theme_dark": "Oscuro",
+	"coordinates": "La posición se abre con"
 };
 export { app_default as default };

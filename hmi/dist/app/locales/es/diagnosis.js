@@ -38,6 +38,9 @@ var diagnosis_default = {
 	"level_2_periods": "Períodos que toma el nivel 2",
 	"since": "Períodos desde entonces",
 	"acceleration": "Aceleración",
-	"jerk": "Sacudida"
+	"jerk": "Sacudida",
+	"bytes": "Por dirección",
+	"find": "Ir a una dirección o un nombre",
+	"unnamed": "Esta dirección no tiene nombre."
 };
 export { diagnosis_default as default };

@@ -20,6 +20,24 @@ var editor_default = {
 	"findings": "Avisos",
 	"no_findings": "Sin avisos",
 	"completions": "Códigos",
-	"deleted": "Borrado"
+	"deleted": "Borrado",
+	"keypad": "Teclado",
+	"key_left": "Izquierda",
+	"key_right": "Derecha",
+	"key_up": "Arriba",
+	"key_down": "Abajo",
+	"key_home": "Inicio de línea",
+	"key_end": "Fin de línea",
+	"key_erase": "Borrar",
+	"key_space": "Espacio",
+	"key_eob": "EOB",
+	"key_end_of_block": "Fin de bloque",
+	"key_layer": "Otras teclas",
+	"key_select": "Seleccionar",
+	"key_copy": "Copiar",
+	"key_cut": "Cortar",
+	"key_paste": "Pegar",
+	"key_undo": "Deshacer",
+	"key_redo": "Rehacer"
 };
 export { editor_default as default };

@@ -41,6 +41,7 @@ var offsets_default = {
 	"meaning": "Significado",
 	"value": "Valor",
 	"pitch_points": "Errores por punto",
-	"pitch_hint": "Lo que se suma a la posición ordenada en cada punto, mm. Lo que se fija aquí vale desde el próximo arranque."
+	"pitch_hint": "Lo que se suma a la posición ordenada en cada punto, mm. Lo que se fija aquí vale desde el próximo arranque.",
+	"find": "Ir a un número"
 };
 export { offsets_default as default };

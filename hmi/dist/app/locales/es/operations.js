@@ -39,7 +39,7 @@ var operations_default = {
 	"centre": "Buscar bordes y centros",
 	"centre_how": "Toque a mano y tome los puntos, o deje que lo haga el palpador en automático. El cero queda en lo hallado.",
 	"tool": "Medir una herramienta",
-	"tool_how": "Tome una referencia, toque el mismo lugar con la herramienta y fije su longitud.",
+	"tool_how": "Toque un lugar con la referencia, luego el mismo con la herramienta y fije su longitud. Si hay medidor de herramientas, la página del palpador mide longitud y diámetro en automático.",
 	"switches": "Interruptores, unidades y numeración",
 	"switches_how": "En MDI con su nivel: interruptores de parámetros y programas, métrico o pulgadas, numeración automática y su incremento. Fecha y hora son las del ordenador.",
 	"data": "Copiar y restaurar",
@@ -59,7 +59,7 @@ var operations_default = {
 	"limit": "Salir de un final de carrera",
 	"limit_how": "Mantenga la liberación de sobrecarrera, pulse reset y retire el eje a mano hasta que se apague la lámpara.",
 	"not_bus": "Monitor de bus, configuración de bus, datos de bus y DSP",
-	"not_bus_why": "Los accionamientos de esta máquina no están en el bus de aquel control (0#0 = 0): no hay nada que mostrar ni fijar. Lo que dicen está en la página de diagnóstico.",
+	"not_bus_why": "Cómo se conectan los accionamientos lo dice el archivo de la máquina, y 0#0 no cambia nada: no hay bus que configurar ni vigilar. Los encóderes absolutos (20#6) son un parámetro, el cero de máquina se fija a mano en su página de preparación y el error de seguimiento de un eje se ve en el osciloscopio.",
 	"not_servo": "Parámetros de servo y husillo en el accionamiento, su copia y niveles",
 	"not_servo_why": "Viven en los accionamientos y se leen por el bus. Los de esta máquina se ajustan con la herramienta de su fabricante.",
 	"not_tune": "Ajuste de servos: rigidez, prueba de circularidad",
@@ -67,6 +67,12 @@ var operations_default = {
 	"not_dual": "Herramienta de doble accionamiento",
 	"not_dual_why": "Requiere dos accionamientos de un eje en el bus (P380, 0#0). Ningún eje de esta máquina tiene dos.",
 	"not_channel": "Puerto serie y directorio USB",
-	"not_channel_why": "Programas y copias van y vienen por el navegador; P0 se guarda y no tiene efecto."
+	"not_channel_why": "Programas y copias van y vienen por el navegador; P0 se guarda y no tiene efecto.",
+	"machine_zero": "Fijar el cero de máquina sin interruptores",
+	"machine_zero_how": "Lleve los ejes al lugar a mano. Después, en MDI, con nivel 3, el interruptor de parámetros activado y 20#7 = 1, elija los ejes en la página del cero de máquina y confirme.",
+	"not_power": "Tecla POWER OFF",
+	"not_power_why": "Una página del navegador no apaga la máquina. Deje terminar el programa, pare el husillo y los auxiliares, pulse la parada de emergencia y desconecte en la máquina; lo que guarda el control ya está en su disco.",
+	"not_system": "Señales e información del sistema",
+	"not_system_why": "Hablan del hardware de aquel control. Lo que este dice de sí mismo está en otras páginas: máquina, lenguaje y versión en los ajustes, sus tiempos en el diagnóstico y su ladder en la información del PLC."
 };
 export { operations_default as default };

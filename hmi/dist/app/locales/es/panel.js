@@ -44,6 +44,7 @@ var panel_default = {
 	"coolant": "Refrigerante",
 	"chip": "Viruta",
 	"lube": "Engrase",
-	"ot": "Liberar límite"
+	"ot": "Liberar límite",
+	"own": "De esta máquina"
 };
 export { panel_default as default };

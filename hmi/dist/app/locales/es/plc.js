@@ -45,6 +45,26 @@ var plc_default = {
 	"bytes_many": "{n} bytes",
 	"bytes_other": "{n} bytes",
 	"trace_none": "Todavía nada registrado",
-	"trace_none_text": "Nombre arriba las señales, por nombre o dirección, y regístrelas: al momento, o alrededor del instante en que una cambia."
+	"trace_none_text": "Nombre arriba las señales, por nombre o dirección, y regístrelas: al momento, o alrededor del instante en que una cambia.",
+	"info": "Información",
+	"info_ladder": "El ladder en marcha",
+	"info_name": "Nombre",
+	"info_version": "Versión del software",
+	"info_rungs": "Peldaños",
+	"info_instructions": "Instrucciones",
+	"info_steps": "Pasos",
+	"info_times": "Barridos",
+	"info_scan": "Barrido completo del nivel 2",
+	"info_signals": "Señales con nombre",
+	"info_area_X": "Entradas: máquina a PLC",
+	"info_area_Y": "Salidas: PLC a máquina",
+	"info_area_F": "NC a PLC",
+	"info_area_G": "PLC a NC",
+	"info_area_R": "Relés internos",
+	"info_area_K": "Relés de retención",
+	"info_area_T": "Temporizadores",
+	"info_area_C": "Contadores",
+	"info_area_D": "Tabla de datos",
+	"info_area_A": "Mensajes"
 };
 export { plc_default as default };

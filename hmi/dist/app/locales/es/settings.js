@@ -97,6 +97,15 @@ var settings_default = {
 	"brought": "Subido: {file}",
 	"bring_replace": "{file} ya existe. ¿Reemplazarlo?",
 	"bring_hint": "También se suben los archivos que se sueltan aquí.",
-	"bring_replace_text": "Lo que tiene este nombre se pierde."
+	"bring_replace_text": "Lo que tiene este nombre se pierde.",
+	"machine_zero": "Cero de máquina",
+	"machine_zero_text": "Para ejes que no buscan su cero con un interruptor: el lugar donde están pasa a ser su primer punto de referencia.",
+	"becomes": "Pasará a ser",
+	"referenced": "Referenciado",
+	"machine_zero_allowed": "Su parámetro no permite fijar el cero de máquina a mano:",
+	"machine_zero_set": "Fijar el cero de máquina",
+	"machine_zero_ask": "¿Fijar aquí el cero de máquina de {axes}?",
+	"machine_zero_warning": "Con él se desplazan los límites de recorrido, los ceros de pieza y los demás puntos de referencia. Compruebe después los límites y fije de nuevo los puntos segundo a cuarto.",
+	"machine_zero_done": "Cero de máquina fijado: {axes}"
 };
 export { settings_default as default };

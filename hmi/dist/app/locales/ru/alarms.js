@@ -18,6 +18,11 @@ var alarms_default = {
 	"clear": "Очистить",
 	"clear_right": "Нужен уровень 3",
 	"none_past": "Аварий ещё не было",
-	"none_past_text": "Здесь появятся аварии со временем, программой и способом устранения."
+	"none_past_text": "Здесь появятся аварии со временем, программой и способом устранения.",
+	"entries_one": "{n} запись",
+	"entries_few": "{n} записи",
+	"entries_many": "{n} записей",
+	"entries_other": "{n} записи",
+	"older": "Более ранние"
 };
 export { alarms_default as default };

@@ -39,6 +39,7 @@ var app_default = {
 	"theme": "Тема",
 	"theme_system": "Системная",
 	"theme_light": "Светлая",
-	"theme_dark": "Тёмная"
+	"theme_dark": "Тёмная",
+	"coordinates": "Положение открывается как"
 };
 export { app_default as default };

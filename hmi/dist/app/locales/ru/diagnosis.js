@@ -38,6 +38,9 @@ var diagnosis_default = {
 	"level_2_periods": "Периодов на уровень 2",
 	"since": "Периодов с тех пор",
 	"acceleration": "Ускорение",
-	"jerk": "Рывок"
+	"jerk": "Рывок",
+	"bytes": "По адресам",
+	"find": "Перейти к адресу или имени",
+	"unnamed": "У этого адреса нет имени."
 };
 export { diagnosis_default as default };

@@ -20,6 +20,24 @@ var editor_default = {
 	"findings": "Замечания",
 	"no_findings": "Замечаний нет",
 	"completions": "Коды",
-	"deleted": "Удалено"
+	"deleted": "Удалено",
+	"keypad": "Клавиши",
+	"key_left": "Влево",
+	"key_right": "Вправо",
+	"key_up": "Вверх",
+	"key_down": "Вниз",
+	"key_home": "Начало строки",
+	"key_end": "Конец строки",
+	"key_erase": "Удалить",
+	"key_space": "Пробел",
+	"key_eob": "EOB",
+	"key_end_of_block": "Конец кадра",
+	"key_layer": "Другие клавиши",
+	"key_select": "Выделить",
+	"key_copy": "Копировать",
+	"key_cut": "Вырезать",
+	"key_paste": "Вставить",
+	"key_undo": "Отменить",
+	"key_redo": "Повторить"
 };
 export { editor_default as default };

@@ -44,6 +44,7 @@ var panel_default = {
 	"coolant": "СОЖ",
 	"chip": "Стружка",
 	"lube": "Смазка",
-	"ot": "Снять перебег"
+	"ot": "Снять перебег",
+	"own": "Этого станка"
 };
 export { panel_default as default };

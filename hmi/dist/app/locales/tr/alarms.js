@@ -18,6 +18,9 @@ var alarms_default = {
 	"clear": "Boşalt",
 	"clear_right": "Düzey 3 gerekir",
 	"none_past": "Henüz alarm yok",
-	"none_past_text": "Alarmlar burada saati, programı ve çözümüyle durur."
+	"none_past_text": "Alarmlar burada saati, programı ve çözümüyle durur.",
+	"entries_one": "{n} kayıt",
+	"entries_other": "{n} kayıt",
+	"older": "Daha eskiler"
 };
 export { alarms_default as default };

@@ -39,6 +39,7 @@ var app_default = {
 	"theme": "Tema",
 	"theme_system": "Sistem",
 	"theme_light": "Açık",
-	"theme_dark": "Koyu"
+	"theme_dark": "Koyu",
+	"coordinates": "Konum sayfasının ilk görünümü"
 };
 export { app_default as default };

@@ -38,6 +38,9 @@ var diagnosis_default = {
 	"level_2_periods": "2. seviyenin aldığı periyotlar",
 	"since": "O zamandan beri periyotlar",
 	"acceleration": "İvme",
-	"jerk": "Sarsıntı"
+	"jerk": "Sarsıntı",
+	"bytes": "Adrese göre",
+	"find": "Adrese ya da ada git",
+	"unnamed": "Bu adresin adı yok."
 };
 export { diagnosis_default as default };

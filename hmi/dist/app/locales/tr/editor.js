@@ -20,6 +20,24 @@ var editor_default = {
 	"findings": "Bulgular",
 	"no_findings": "Bulgu yok",
 	"completions": "Kodlar",
-	"deleted": "Silindi"
+	"deleted": "Silindi",
+	"keypad": "Tuş takımı",
+	"key_left": "Sola",
+	"key_right": "Sağa",
+	"key_up": "Yukarı",
+	"key_down": "Aşağı",
+	"key_home": "Satır başı",
+	"key_end": "Satır sonu",
+	"key_erase": "Sil",
+	"key_space": "Boşluk",
+	"key_eob": "EOB",
+	"key_end_of_block": "Blok sonu",
+	"key_layer": "Diğer tuşlar",
+	"key_select": "Seç",
+	"key_copy": "Kopyala",
+	"key_cut": "Kes",
+	"key_paste": "Yapıştır",
+	"key_undo": "Geri al",
+	"key_redo": "Yinele"
 };
 export { editor_default as default };

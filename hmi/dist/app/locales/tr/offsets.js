@@ -41,6 +41,7 @@ var offsets_default = {
 	"meaning": "Anlamı",
 	"value": "Değer",
 	"pitch_points": "Noktalara göre hatalar",
-	"pitch_hint": "Her noktada komut konumuna eklenen değer, mm. Burada girilenler bir sonraki açılıştan itibaren geçerlidir."
+	"pitch_hint": "Her noktada komut konumuna eklenen değer, mm. Burada girilenler bir sonraki açılıştan itibaren geçerlidir.",
+	"find": "Numaraya git"
 };
 export { offsets_default as default };

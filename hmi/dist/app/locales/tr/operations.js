@@ -39,7 +39,7 @@ var operations_default = {
 	"centre": "Kenar ve merkez bulma",
 	"centre_how": "Elle dokunup noktaları alın ya da prob sayfasında otomatik kipte ölçtürün. Sıfır bulunan yere konur.",
 	"tool": "Takım ölçme",
-	"tool_how": "Referansı alın, aynı yere takımla dokunun ve boyunu verin.",
+	"tool_how": "Bir yere referansla, sonra aynı yere takımla dokunun ve boyunu verin. Takım ölçücü varsa prob sayfası boyu ve çapı otomatik kipte ölçer.",
 	"switches": "Anahtarlar, birim ve numaralama",
 	"switches_how": "MDI kipinde düzeyiyle: parametre ve program anahtarı, metrik ya da inç, otomatik numara ve artışı. Tarih ve saat bilgisayarındır.",
 	"data": "Yedekleme ve geri yükleme",
@@ -59,7 +59,7 @@ var operations_default = {
 	"limit": "Sınır anahtarından çıkma",
 	"limit_how": "Aşma çözmeyi basılı tutun, sıfırlayın ve lamba sönene dek ekseni elle geri götürün.",
 	"not_bus": "Veri yolu izleme, yapılandırma, veri yolu ve DSP verileri",
-	"not_bus_why": "Bu makinenin sürücüleri o denetimin veri yolunda değildir (0#0 = 0); gösterilecek ya da ayarlanacak bir şey yoktur. Sürücü sinyalleri tanılama sayfasındadır.",
+	"not_bus_why": "Sürücülerin bağlantısı makine dosyasındadır ve 0#0 bir şey değiştirmez: ayarlanacak ya da izlenecek veri yolu yoktur. Mutlak enkoderler (20#6) bir parametredir, makine sıfırı ayar bölümündeki sayfasında elle verilir, eksenin izleme hatası dalga biçimi sayfasında görülür.",
 	"not_servo": "Sürücüdeki servo ve iş mili parametreleri, yedekleri ve düzeyleri",
 	"not_servo_why": "Sürücülerde bulunur ve veri yolundan okunurlar. Bu makinenin sürücüleri üreticisinin aracıyla ayarlanır.",
 	"not_tune": "Servo ayarı: katılık düzeyleri, daire sınaması",
@@ -67,6 +67,12 @@ var operations_default = {
 	"not_dual": "Çift sürücü aracı",
 	"not_dual_why": "Bir eksenin veri yolunda iki sürücüsü gerekir (P380, 0#0). Bu makinede böyle eksen yoktur.",
 	"not_channel": "Seri hat ve USB dizini",
-	"not_channel_why": "Program ve yedekler tarayıcıdan gelir gider; P0 saklanır ve etkisizdir."
+	"not_channel_why": "Program ve yedekler tarayıcıdan gelir gider; P0 saklanır ve etkisizdir.",
+	"machine_zero": "Anahtarsız makine sıfırı verme",
+	"machine_zero_how": "Eksenleri elle o yere götürün. Sonra MDI kipinde, düzey 3 ile, parametre anahtarı açık ve 20#7 = 1 iken makine sıfırı sayfasında eksenleri seçip onaylayın.",
+	"not_power": "POWER OFF tuşu",
+	"not_power_why": "Tarayıcıdaki sayfa makineyi kapatmaz. Programın bitmesini bekleyin, iş milini ve yardımcıları durdurun, acil durdurmaya basın ve makinenin şalterini kapatın; denetimin sakladıkları zaten diskindedir.",
+	"not_system": "Sistem sinyalleri ve sistem bilgisi",
+	"not_system_why": "O denetimin donanımını anlatırlar. Bu denetim kendini başka yerlerde anlatır: makine, dil ve sürüm ayarlar sayfasında, süreler tanılamada, ladder PLC bilgi sayfasındadır."
 };
 export { operations_default as default };

@@ -44,6 +44,7 @@ var panel_default = {
 	"coolant": "Soğutma",
 	"chip": "Talaş",
 	"lube": "Yağlama",
-	"ot": "Sınır bırak"
+	"ot": "Sınır bırak",
+	"own": "Bu makinenin"
 };
 export { panel_default as default };

@@ -44,6 +44,26 @@ var plc_default = {
 	"bytes_one": "{n} bayt",
 	"bytes_other": "{n} bayt",
 	"trace_none": "Henüz kayıt yok",
-	"trace_none_text": "Yukarıya sinyalleri adı ya da adresiyle yazıp kaydedin: hemen ya da birinin değiştiği anın çevresinde."
+	"trace_none_text": "Yukarıya sinyalleri adı ya da adresiyle yazıp kaydedin: hemen ya da birinin değiştiği anın çevresinde.",
+	"info": "Bilgi",
+	"info_ladder": "Çalışan ladder",
+	"info_name": "Ad",
+	"info_version": "Yazılım sürümü",
+	"info_rungs": "Basamaklar",
+	"info_instructions": "Komutlar",
+	"info_steps": "Adımlar",
+	"info_times": "Taramalar",
+	"info_scan": "2. seviyenin tam taraması",
+	"info_signals": "Adlandırılmış sinyaller",
+	"info_area_X": "Girişler: makineden PLC’ye",
+	"info_area_Y": "Çıkışlar: PLC’den makineye",
+	"info_area_F": "NC’den PLC’ye",
+	"info_area_G": "PLC’den NC’ye",
+	"info_area_R": "İç röleler",
+	"info_area_K": "Kalıcı röleler",
+	"info_area_T": "Zamanlayıcılar",
+	"info_area_C": "Sayıcılar",
+	"info_area_D": "Veri tablosu",
+	"info_area_A": "İletiler"
 };
 export { plc_default as default };

@@ -97,6 +97,15 @@ var settings_default = {
 	"brought": "Yüklendi: {file}",
 	"bring_replace": "{file} zaten var. Yerine konsun mu?",
 	"bring_hint": "Buraya bırakılan dosyalar da yüklenir.",
-	"bring_replace_text": "Bu addaki yedek kaybolur."
+	"bring_replace_text": "Bu addaki yedek kaybolur.",
+	"machine_zero": "Makine sıfırı",
+	"machine_zero_text": "Sıfırını anahtarla aramayan eksenler içindir: eksenin durduğu yer onun birinci referans noktası olur.",
+	"becomes": "Olacak değer",
+	"referenced": "Referanslı",
+	"machine_zero_allowed": "Makine sıfırının elle verilmesine parametresi izin vermiyor:",
+	"machine_zero_set": "Makine sıfırını ver",
+	"machine_zero_ask": "{axes} makine sıfırı burada verilsin mi?",
+	"machine_zero_warning": "Hareket sınırları, iş sıfırları ve öteki referans noktaları onunla kayar. Sonra sınırları denetleyin, ikinci ile dördüncü referans noktalarını yeniden verin.",
+	"machine_zero_done": "Makine sıfırı verildi: {axes}"
 };
 export { settings_default as default };

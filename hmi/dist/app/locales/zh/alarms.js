@@ -18,6 +18,8 @@ var alarms_default = {
 	"clear": "清除",
 	"clear_right": "需要 3 级权限",
 	"none_past": "尚无报警",
-	"none_past_text": "发生过的报警会连同时间、程序和处理方法列在这里。"
+	"none_past_text": "发生过的报警会连同时间、程序和处理方法列在这里。",
+	"entries_other": "共 {n} 条",
+	"older": "更早的记录"
 };
 export { alarms_default as default };

@@ -39,6 +39,7 @@ var app_default = {
 	"theme": "主题",
 	"theme_system": "跟随系统",
 	"theme_light": "浅色",
-	"theme_dark": "深色"
+	"theme_dark": "深色",
+	"coordinates": "位置页面首先显示"
 };
 export { app_default as default };

@@ -38,6 +38,9 @@ var diagnosis_default = {
 	"level_2_periods": "第 2 级所需周期数",
 	"since": "此后的周期数",
 	"acceleration": "加速度",
-	"jerk": "加加速度"
+	"jerk": "加加速度",
+	"bytes": "按地址",
+	"find": "定位到地址或名称",
+	"unnamed": "此地址没有符号名。"
 };
 export { diagnosis_default as default };

@@ -20,6 +20,24 @@ var editor_default = {
 	"findings": "检查结果",
 	"no_findings": "未发现问题",
 	"completions": "代码",
-	"deleted": "已删除"
+	"deleted": "已删除",
+	"keypad": "按键盘",
+	"key_left": "左移",
+	"key_right": "右移",
+	"key_up": "上移",
+	"key_down": "下移",
+	"key_home": "行首",
+	"key_end": "行尾",
+	"key_erase": "删除",
+	"key_space": "空格",
+	"key_eob": "EOB",
+	"key_end_of_block": "程序段结束",
+	"key_layer": "其他按键",
+	"key_select": "选择",
+	"key_copy": "复制",
+	"key_cut": "剪切",
+	"key_paste": "粘贴",
+	"key_undo": "撤销",
+	"key_redo": "重做"
 };
 export { editor_default as default };

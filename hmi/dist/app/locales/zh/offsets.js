@@ -41,6 +41,7 @@ var offsets_default = {
 	"meaning": "含义",
 	"value": "值",
 	"pitch_points": "各点误差",
-	"pitch_hint": "各点加到指令位置上的值，mm。在此设定的值从下次启动起生效。"
+	"pitch_hint": "各点加到指令位置上的值，mm。在此设定的值从下次启动起生效。",
+	"find": "定位到号码"
 };
 export { offsets_default as default };

@@ -44,6 +44,7 @@ var panel_default = {
 	"coolant": "冷却液",
 	"chip": "排屑",
 	"lube": "润滑",
-	"ot": "超程解除"
+	"ot": "超程解除",
+	"own": "本机专用"
 };
 export { panel_default as default };

@@ -43,6 +43,26 @@ var plc_default = {
 	"nothing_kept": "没有匹配项",
 	"bytes_other": "{n} 字节",
 	"trace_none": "尚未记录",
-	"trace_none_text": "在上方填写信号的名称或地址并开始记录：立即记录，或在某个信号变化的前后记录。"
+	"trace_none_text": "在上方填写信号的名称或地址并开始记录：立即记录，或在某个信号变化的前后记录。",
+	"info": "信息",
+	"info_ladder": "运行中的梯形图",
+	"info_name": "名称",
+	"info_version": "软件版本",
+	"info_rungs": "梯级",
+	"info_instructions": "指令",
+	"info_steps": "步数",
+	"info_times": "扫描",
+	"info_scan": "第 2 级完整扫描",
+	"info_signals": "已命名的信号",
+	"info_area_X": "输入：机床到 PLC",
+	"info_area_Y": "输出：PLC 到机床",
+	"info_area_F": "NC 到 PLC",
+	"info_area_G": "PLC 到 NC",
+	"info_area_R": "内部继电器",
+	"info_area_K": "保持继电器",
+	"info_area_T": "定时器",
+	"info_area_C": "计数器",
+	"info_area_D": "数据表",
+	"info_area_A": "信息请求"
 };
 export { plc_default as default };

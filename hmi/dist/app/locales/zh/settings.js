@@ -97,6 +97,15 @@ var settings_default = {
 	"brought": "已上传：{file}",
 	"bring_replace": "{file} 已存在。替换吗？",
 	"bring_hint": "也可将文件拖放到此处上传。",
-	"bring_replace_text": "同名备份将丢失。"
+	"bring_replace_text": "同名备份将丢失。",
+	"machine_zero": "机床零点",
+	"machine_zero_text": "用于不靠减速开关找零点的轴：轴当前所在的位置成为其第一参考点。",
+	"becomes": "将变为",
+	"referenced": "已回零",
+	"machine_zero_allowed": "参数不允许手动设置机床零点：",
+	"machine_zero_set": "设置机床零点",
+	"machine_zero_ask": "将 {axes} 的机床零点设在此处？",
+	"machine_zero_warning": "软限位、工件坐标和其他参考点随之移动。设置后请检查限位，并重新设定第二至第四参考点。",
+	"machine_zero_done": "机床零点已设置：{axes}"
 };
 export { settings_default as default };

@@ -4,21 +4,24 @@ import Card from "../../lib/parts/Card.svelte.js";
 import Empty from "../../lib/parts/Empty.svelte.js";
 import { alarmText } from "../../lib/state/alarm-texts.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
+import Older from "./Older.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/alarms/History.svelte
 var root = $.from_html(`<p class="muted s-10tehwv"> </p>`);
 var root_1 = $.from_html(`<tr><td class="muted time s-10tehwv"> </td><td class="code"> </td><td> <!></td><td class="code muted"> </td></tr>`);
-var root_2 = $.from_html(`<table class="table"><thead><tr><th> </th><th> </th><th> </th><th> </th></tr></thead><tbody></tbody></table>`);
+var root_2 = $.from_html(`<table class="table"><thead><tr><th> </th><th> </th><th> </th><th> </th></tr></thead><tbody></tbody></table> <!>`, 1);
 function History($$anchor, $$props) {
 	$.push($$props, true);
 	let alarms = $.state([]);
 	let known = $.state(false);
+	const STEP = 200;
+	let most = $.state(STEP);
 	const level = $.derived(() => machine.level);
 	async function read() {
 		const reply = await machine.fetch("alarm_history", {
 			do: "alarm_history",
-			most: 200
+			most: $.get(most)
 		});
 		if (!reply) return;
 		$.set(alarms, reply.alarms);
@@ -27,6 +30,7 @@ function History($$anchor, $$props) {
 	$.user_effect(() => {
 		machine.changed("alarms");
 		machine.status?.alarms.length;
+		$.get(most);
 		if (machine.link === "open") read();
 	});
 	{
@@ -81,7 +85,8 @@ function History($$anchor, $$props) {
 					}
 				};
 				var alternate = ($$anchor) => {
-					var table = root_2();
+					var fragment_5 = root_2();
+					var table = $.first_child(fragment_5);
 					var thead = $.child(table);
 					var tr = $.child(thead);
 					var th = $.child(tr);
@@ -128,6 +133,20 @@ function History($$anchor, $$props) {
 					});
 					$.reset(tbody);
 					$.reset(table);
+					var node_2 = $.sibling(table, 2);
+					Older(node_2, {
+						get count() {
+							return $.get(alarms).length;
+						},
+						step: STEP,
+						last: 1e3,
+						get most() {
+							return $.get(most);
+						},
+						set most($$value) {
+							$.set(most, $$value, true);
+						}
+					});
 					$.template_effect(($0, $1, $2, $3) => {
 						$.set_text(text_1, $0);
 						$.set_text(text_2, $1);
@@ -139,7 +158,7 @@ function History($$anchor, $$props) {
 						() => t("alarms.text"),
 						() => t("alarms.program")
 					]);
-					$.append($$anchor, table);
+					$.append($$anchor, fragment_5);
 				};
 				$.if(node, ($$render) => {
 					if ($.get(known) && $.get(alarms).length === 0) $$render(consequent);

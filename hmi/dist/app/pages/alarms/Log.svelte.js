@@ -2,6 +2,7 @@ import { has, moment, t } from "../../lib/i18n/index.svelte.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import Card from "../../lib/parts/Card.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
+import Older from "./Older.svelte.js";
 import { logged } from "./logged.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
@@ -10,11 +11,13 @@ var root = $.from_html(`<input type="search"/> <!>`, 1);
 var root_1 = $.from_html(`<span class="muted number"> </span>`);
 var root_2 = $.from_html(`<span class="muted"> </span>`);
 var root_3 = $.from_html(`<tr><td class="muted time s-1no94ym"> </td><td class="s-1no94ym"> <!></td><td class="s-1no94ym"> <span class="code"> </span></td><td class="number s-1no94ym"><!> </td></tr>`);
-var root_4 = $.from_html(`<table class="table" data-testid="log"><thead><tr><th> </th><th> </th><th> </th><th> </th></tr></thead><tbody></tbody></table>`);
+var root_4 = $.from_html(`<table class="table" data-testid="log"><thead><tr><th> </th><th> </th><th> </th><th> </th></tr></thead><tbody></tbody></table> <!>`, 1);
 function Log($$anchor, $$props) {
 	$.push($$props, true);
 	let entries = $.state([]);
 	let sought = $.state("");
+	const STEP = 500;
+	let most = $.state(STEP);
 	const level = $.derived(() => machine.level);
 	const told = $.derived(() => $.get(entries).map((entry) => ({
 		...entry,
@@ -27,7 +30,7 @@ function Log($$anchor, $$props) {
 	async function read() {
 		const reply = await machine.fetch("operation_log", {
 			do: "operation_log",
-			most: 500
+			most: $.get(most)
 		});
 		if (reply) $.set(entries, reply.entries);
 	}
@@ -35,6 +38,7 @@ function Log($$anchor, $$props) {
 		machine.changed("log");
 		machine.changed("parameters");
 		machine.changed("offsets");
+		$.get(most);
 		if (machine.link === "open") read();
 	});
 	{
@@ -81,7 +85,8 @@ function Log($$anchor, $$props) {
 			flush: true,
 			actions,
 			children: ($$anchor, $$slotProps) => {
-				var table = root_4();
+				var fragment_3 = root_4();
+				var table = $.first_child(fragment_3);
 				var thead = $.child(table);
 				var tr = $.child(thead);
 				var th = $.child(tr);
@@ -142,6 +147,20 @@ function Log($$anchor, $$props) {
 				});
 				$.reset(tbody);
 				$.reset(table);
+				var node_3 = $.sibling(table, 2);
+				Older(node_3, {
+					get count() {
+						return $.get(entries).length;
+					},
+					step: STEP,
+					last: 1e4,
+					get most() {
+						return $.get(most);
+					},
+					set most($$value) {
+						$.set(most, $$value, true);
+					}
+				});
 				$.template_effect(($0, $1, $2, $3) => {
 					$.set_text(text_1, $0);
 					$.set_text(text_2, $1);
@@ -153,7 +172,7 @@ function Log($$anchor, $$props) {
 					() => t("alarms.what"),
 					() => t("alarms.change")
 				]);
-				$.append($$anchor, table);
+				$.append($$anchor, fragment_3);
 			},
 			$$slots: {
 				actions: true,

@@ -3,6 +3,7 @@ import { client } from "../../lib/cycles/client.js";
 import Drawing from "../../lib/cycles/Drawing.svelte.js";
 import FieldInput from "../../lib/cycles/FieldInput.svelte.js";
 import { axisOf, drawn, forms, request, toolsOf } from "../../lib/cycles/form.svelte.js";
+import { moved } from "../../lib/cycles/geometry.js";
 import { insert } from "../../lib/cycles/insert.js";
 import { cycleAt } from "../../lib/cycles/read.js";
 import PositionsEditor from "../../lib/cycles/PositionsEditor.svelte.js";
@@ -29,8 +30,8 @@ var root_1 = $.from_html(`<button type="button"><span class="code s-1xabzjz"> </
 var root_2 = $.from_html(`<h3 class="s-1xabzjz"> </h3> <!>`, 1);
 var root_3 = $.from_html(`<small class="opened s-1xabzjz"> </small>`);
 var root_4 = $.from_html(`<p role="alert"> <small class="code s-1xabzjz"> </small><br/><span class="muted"> </span></p>`);
-var root_5 = $.from_html(`<!> <!>`, 1);
-var root_6 = $.from_html(`<div class="row wrap"><span class="code"></span> <!> <!> <!> <!> <!></div>`);
+var root_5 = $.from_html(`<div class="row wrap"><h3 class="code grow s-1xabzjz"></h3> <!> <!></div> <!>`, 1);
+var root_6 = $.from_html(`<!> <!>`, 1);
 var root_7 = $.from_html(`<div class="tools s-1xabzjz"><b class="code"> </b> <label class="s-1xabzjz"><span class="muted"> </span><!></label> <label class="s-1xabzjz"><span class="muted"> </span><!></label> <label class="s-1xabzjz"><span class="muted"> </span><!></label></div>`);
 var root_8 = $.from_html(`<span><small class="s-1xabzjz"> </small> </span>`);
 var root_9 = $.from_html(`<p class="stands number s-1xabzjz" data-testid="stands"><!> <span><small class="s-1xabzjz">F</small> </span> <span><small class="s-1xabzjz">S</small> </span> <span><small class="s-1xabzjz">T</small> </span></p>`);
@@ -185,6 +186,13 @@ function Cycles($$anchor, $$props) {
 		$.set(path, null);
 		$.set(written, null);
 	}
+	const nameOf = (field) => `${$.get(filled)?.values[field] ?? ""}`;
+	/** A profile of depth in another plane: it begins where its contour does. */
+	function turn(depth, plane, of) {
+		const start = $.get(filled)?.contours[of]?.start[plane === "XZ" ? 0 : 1] ?? 0;
+		depth.contour = moved(depth.contour, [start - depth.contour.start[0], 0]);
+		depth.plane = plane;
+	}
 	function go(name) {
 		$.set(focus, name, true);
 		document.getElementById(`field-${name}`)?.focus();
@@ -230,7 +238,7 @@ function Cycles($$anchor, $$props) {
 					});
 				}
 			};
-			var consequent_16 = ($$anchor) => {
+			var consequent_15 = ($$anchor) => {
 				var div = root_14();
 				var div_1 = $.child(div);
 				var nav = $.child(div_1);
@@ -364,18 +372,33 @@ function Cycles($$anchor, $$props) {
 									return $.get($0);
 								},
 								children: ($$anchor, $$slotProps) => {
-									ProfileEditor($$anchor, {
-										get form() {
-											return $.get(form);
-										},
-										get filled() {
-											return $.get(filled);
-										},
-										get findings() {
-											return $.get(findings);
-										},
-										here
-									});
+									{
+										let $0 = $.derived(() => $.get(form).profile === "depths" ? "contours" : $.get(form).profile);
+										let $1 = $.derived(() => t("cycles.profile"));
+										let $2 = $.derived(() => nameOf("profile"));
+										ProfileEditor($$anchor, {
+											get contours() {
+												return $.get(filled).contours;
+											},
+											get use() {
+												return $.get($0);
+											},
+											get label() {
+												return $.get($1);
+											},
+											get name() {
+												return $.get($2);
+											},
+											get findings() {
+												return $.get(findings);
+											},
+											here,
+											onload: (contours, name) => {
+												$.get(filled).contours = contours;
+												if (name && $.get(form).profile !== "points") $.get(filled).values.profile = name;
+											}
+										});
+									}
 								},
 								$$slots: { default: true }
 							});
@@ -389,7 +412,7 @@ function Cycles($$anchor, $$props) {
 						const fields = $.derived(() => $.get(form).parameters.filter((field) => field.stage === $.get(stage).value));
 						var fragment_8 = $.comment();
 						var node_10 = $.first_child(fragment_8);
-						var consequent_7 = ($$anchor) => {
+						var consequent_6 = ($$anchor) => {
 							{
 								let $0 = $.derived(() => $.get(form).stages.length > 1 ? $.get(stage).title : "");
 								Card($$anchor, {
@@ -397,7 +420,7 @@ function Cycles($$anchor, $$props) {
 										return $.get($0);
 									},
 									children: ($$anchor, $$slotProps) => {
-										var fragment_10 = root_5();
+										var fragment_10 = root_6();
 										var node_11 = $.first_child(fragment_10);
 										$.each(node_11, 16, () => [
 											"place",
@@ -449,102 +472,38 @@ function Cycles($$anchor, $$props) {
 											$.append($$anchor, fragment_11);
 										});
 										var node_14 = $.sibling(node_11, 2);
-										var consequent_6 = ($$anchor) => {
-											var fragment_14 = root_5();
+										var consequent_5 = ($$anchor) => {
+											var fragment_14 = root_6();
 											var node_15 = $.first_child(fragment_14);
 											$.each(node_15, 17, () => $.get(filled).depths, $.index, ($$anchor, depth, i) => {
-												var div_4 = root_6();
-												var span_3 = $.child(div_4);
-												span_3.textContent = `P.Z${i + 1}`;
-												var node_16 = $.sibling(span_3, 2);
+												var fragment_15 = root_5();
+												var div_4 = $.first_child(fragment_15);
+												var h3_2 = $.child(div_4);
+												h3_2.textContent = `P.Z${i + 1}`;
+												var node_16 = $.sibling(h3_2, 2);
 												{
 													let $0 = $.derived(() => t("cycles.depth_plane"));
 													Segmented(node_16, {
+														get value() {
+															return $.get(depth).plane;
+														},
 														get label() {
 															return $.get($0);
 														},
+														onchange: (plane) => turn($.get(depth), plane, i),
 														options: [{
 															value: "XZ",
 															label: "XZ"
 														}, {
 															value: "YZ",
 															label: "YZ"
-														}],
-														get value() {
-															return $.get(depth).plane;
-														},
-														set value($$value) {
-															$.get(depth).plane = $$value;
-														}
+														}]
 													});
 												}
 												var node_17 = $.sibling(node_16, 2);
 												{
-													let $0 = $.derived(() => t("cycles.depth_from"));
-													NumberField(node_17, {
-														get label() {
-															return $.get($0);
-														},
-														get value() {
-															return $.get(depth).contour.start[0];
-														},
-														onvalue: (value) => $.get(depth).contour.start = [value ?? 0, $.get(depth).contour.start[1]]
-													});
-												}
-												var node_18 = $.sibling(node_17, 2);
-												{
-													let $0 = $.derived(() => t("cycles.depth_from_z"));
-													NumberField(node_18, {
-														get label() {
-															return $.get($0);
-														},
-														unit: "Z",
-														get value() {
-															return $.get(depth).contour.start[1];
-														},
-														onvalue: (value) => $.get(depth).contour.start = [$.get(depth).contour.start[0], value ?? 0]
-													});
-												}
-												var node_19 = $.sibling(node_18, 2);
-												var consequent_5 = ($$anchor) => {
-													const end = $.derived(() => $.get(depth).contour.elements[0]);
-													var fragment_15 = root_5();
-													var node_20 = $.first_child(fragment_15);
-													{
-														let $0 = $.derived(() => t("cycles.depth_to"));
-														NumberField(node_20, {
-															get label() {
-																return $.get($0);
-															},
-															get value() {
-																return $.get(end).to[0];
-															},
-															onvalue: (value) => $.get(end).to = [value ?? 0, $.get(end).to[1]]
-														});
-													}
-													var node_21 = $.sibling(node_20, 2);
-													{
-														let $0 = $.derived(() => t("cycles.depth_to_z"));
-														NumberField(node_21, {
-															get label() {
-																return $.get($0);
-															},
-															unit: "Z",
-															get value() {
-																return $.get(end).to[1];
-															},
-															onvalue: (value) => $.get(end).to = [$.get(end).to[0], value ?? 0]
-														});
-													}
-													$.append($$anchor, fragment_15);
-												};
-												$.if(node_19, ($$render) => {
-													if ($.get(depth).contour.elements[0]) $$render(consequent_5);
-												});
-												var node_22 = $.sibling(node_19, 2);
-												{
 													let $0 = $.derived(() => t("cycles.delete"));
-													Button(node_22, {
+													Button(node_17, {
 														kind: "quiet",
 														icon: "trash",
 														get "aria-label"() {
@@ -554,12 +513,38 @@ function Cycles($$anchor, $$props) {
 													});
 												}
 												$.reset(div_4);
-												$.append($$anchor, div_4);
+												var node_18 = $.sibling(div_4, 2);
+												{
+													let $0 = $.derived(() => [$.get(depth).contour]);
+													let $1 = $.derived(() => [$.get(depth).plane[0], "Z"]);
+													let $2 = $.derived(() => nameOf(`Z${i + 1}`) || `DEPTH${i + 1}`);
+													ProfileEditor(node_18, {
+														get contours() {
+															return $.get($0);
+														},
+														use: "depth",
+														get axes() {
+															return $.get($1);
+														},
+														label: `P.Z${i + 1}`,
+														get name() {
+															return $.get($2);
+														},
+														findings: [],
+														here,
+														onload: ([contour], name) => {
+															const from = $.get(depth).contour.start;
+															if (contour) $.get(depth).contour = moved(contour, [from[0] - contour.start[0], from[1] - contour.start[1]]);
+															if (name) $.get(filled).values[`Z${i + 1}`] = name;
+														}
+													});
+												}
+												$.append($$anchor, fragment_15);
 											});
-											var node_23 = $.sibling(node_15, 2);
+											var node_19 = $.sibling(node_15, 2);
 											{
 												let $0 = $.derived(() => $.get(filled).depths.length >= Math.min(4, $.get(filled).contours.length));
-												Button(node_23, {
+												Button(node_19, {
 													icon: "plus",
 													get disabled() {
 														return $.get($0);
@@ -589,7 +574,7 @@ function Cycles($$anchor, $$props) {
 											$.append($$anchor, fragment_14);
 										};
 										$.if(node_14, ($$render) => {
-											if ($.get(stage).value === "cycle" && $.get(form).profile === "depths") $$render(consequent_6);
+											if ($.get(stage).value === "cycle" && $.get(form).profile === "depths") $$render(consequent_5);
 										});
 										$.append($$anchor, fragment_10);
 									},
@@ -598,12 +583,12 @@ function Cycles($$anchor, $$props) {
 							}
 						};
 						$.if(node_10, ($$render) => {
-							if ($.get(fields).length) $$render(consequent_7);
+							if ($.get(fields).length) $$render(consequent_6);
 						});
 						$.append($$anchor, fragment_8);
 					});
-					var node_24 = $.sibling(node_9, 2);
-					var consequent_8 = ($$anchor) => {
+					var node_20 = $.sibling(node_9, 2);
+					var consequent_7 = ($$anchor) => {
 						{
 							let $0 = $.derived(() => t("cycles.positions"));
 							Card($$anchor, {
@@ -634,11 +619,11 @@ function Cycles($$anchor, $$props) {
 							});
 						}
 					};
-					$.if(node_24, ($$render) => {
-						if ($.get(form).positions.length) $$render(consequent_8);
+					$.if(node_20, ($$render) => {
+						if ($.get(form).positions.length) $$render(consequent_7);
 					});
-					var node_25 = $.sibling(node_24, 2);
-					var consequent_9 = ($$anchor) => {
+					var node_21 = $.sibling(node_20, 2);
+					var consequent_8 = ($$anchor) => {
 						{
 							let $0 = $.derived(() => t("cycles.tools"));
 							Card($$anchor, {
@@ -647,19 +632,19 @@ function Cycles($$anchor, $$props) {
 								},
 								children: ($$anchor, $$slotProps) => {
 									var fragment_20 = $.comment();
-									var node_26 = $.first_child(fragment_20);
-									$.each(node_26, 16, () => $.get(called), (number) => number, ($$anchor, number) => {
+									var node_22 = $.first_child(fragment_20);
+									$.each(node_22, 16, () => $.get(called), (number) => number, ($$anchor, number) => {
 										const tool = $.derived(() => forms.tool(number));
 										var div_5 = root_7();
 										var b = $.child(div_5);
 										var text_13 = $.only_child(b);
 										var label = $.sibling(b, 2);
-										var span_4 = $.child(label);
-										var text_14 = $.only_child(span_4, true);
-										var node_27 = $.sibling(span_4);
+										var span_3 = $.child(label);
+										var text_14 = $.only_child(span_3, true);
+										var node_23 = $.sibling(span_3);
 										{
 											let $0 = $.derived(() => t("cycles.diameter"));
-											NumberField(node_27, {
+											NumberField(node_23, {
 												get label() {
 													return $.get($0);
 												},
@@ -676,12 +661,12 @@ function Cycles($$anchor, $$props) {
 										}
 										$.reset(label);
 										var label_1 = $.sibling(label, 2);
-										var span_5 = $.child(label_1);
-										var text_15 = $.only_child(span_5, true);
-										var node_28 = $.sibling(span_5);
+										var span_4 = $.child(label_1);
+										var text_15 = $.only_child(span_4, true);
+										var node_24 = $.sibling(span_4);
 										{
 											let $0 = $.derived(() => t("cycles.cutting_length"));
-											NumberField(node_28, {
+											NumberField(node_24, {
 												get label() {
 													return $.get($0);
 												},
@@ -698,12 +683,12 @@ function Cycles($$anchor, $$props) {
 										}
 										$.reset(label_1);
 										var label_2 = $.sibling(label_1, 2);
-										var span_6 = $.child(label_2);
-										var text_16 = $.only_child(span_6, true);
-										var node_29 = $.sibling(span_6);
+										var span_5 = $.child(label_2);
+										var text_16 = $.only_child(span_5, true);
+										var node_25 = $.sibling(span_5);
 										{
 											let $0 = $.derived(() => t("cycles.entry_angle"));
-											NumberField(node_29, {
+											NumberField(node_25, {
 												get label() {
 													return $.get($0);
 												},
@@ -738,37 +723,37 @@ function Cycles($$anchor, $$props) {
 							});
 						}
 					};
-					$.if(node_25, ($$render) => {
-						if ($.get(called).length) $$render(consequent_9);
+					$.if(node_21, ($$render) => {
+						if ($.get(called).length) $$render(consequent_8);
 					});
-					var node_30 = $.sibling(node_25, 2);
-					var consequent_10 = ($$anchor) => {
+					var node_26 = $.sibling(node_21, 2);
+					var consequent_9 = ($$anchor) => {
 						const computed_const = $.derived(() => {
 							return machine.status;
 						});
 						var p_1 = root_9();
-						var node_31 = $.child(p_1);
-						$.each(node_31, 16, () => machine.axes, (axis) => axis, ($$anchor, axis) => {
-							var span_7 = root_8();
-							var small_2 = $.child(span_7);
+						var node_27 = $.child(p_1);
+						$.each(node_27, 16, () => machine.axes, (axis) => axis, ($$anchor, axis) => {
+							var span_6 = root_8();
+							var small_2 = $.child(span_6);
 							var text_17 = $.only_child(small_2, true);
 							var text_18 = $.sibling(small_2, 1, true);
-							$.reset(span_7);
+							$.reset(span_6);
 							$.template_effect(($0) => {
 								$.set_text(text_17, axis);
 								$.set_text(text_18, $0);
 							}, [() => fixed($.get(computed_const).position.work[axis])]);
-							$.append($$anchor, span_7);
+							$.append($$anchor, span_6);
 						});
-						var span_8 = $.sibling(node_31, 2);
-						var text_19 = $.sibling($.child(span_8), 1, true);
+						var span_7 = $.sibling(node_27, 2);
+						var text_19 = $.sibling($.child(span_7), 1, true);
+						$.reset(span_7);
+						var span_8 = $.sibling(span_7, 2);
+						var text_20 = $.sibling($.child(span_8), 1, true);
 						$.reset(span_8);
 						var span_9 = $.sibling(span_8, 2);
-						var text_20 = $.sibling($.child(span_9), 1, true);
+						var text_21 = $.sibling($.child(span_9), 1, true);
 						$.reset(span_9);
-						var span_10 = $.sibling(span_9, 2);
-						var text_21 = $.sibling($.child(span_10), 1, true);
-						$.reset(span_10);
 						$.reset(p_1);
 						$.template_effect(($0, $1, $2, $3) => {
 							$.set_attribute(p_1, "aria-label", $0);
@@ -784,8 +769,8 @@ function Cycles($$anchor, $$props) {
 						]);
 						$.append($$anchor, p_1);
 					};
-					$.if(node_30, ($$render) => {
-						if (machine.status) $$render(consequent_10);
+					$.if(node_26, ($$render) => {
+						if (machine.status) $$render(consequent_9);
 					});
 					$.reset(div_3);
 					$.template_effect(() => {
@@ -796,7 +781,7 @@ function Cycles($$anchor, $$props) {
 				});
 				var div_6 = $.sibling(node_3, 2);
 				var div_7 = $.child(div_6);
-				var node_32 = $.child(div_7);
+				var node_28 = $.child(div_7);
 				{
 					let $0 = $.derived(() => t("cycles.show"));
 					let $1 = $.derived(() => [
@@ -813,7 +798,7 @@ function Cycles($$anchor, $$props) {
 							label: t("cycles.text")
 						}
 					]);
-					Segmented(node_32, {
+					Segmented(node_28, {
 						get label() {
 							return $.get($0);
 						},
@@ -831,14 +816,14 @@ function Cycles($$anchor, $$props) {
 				}
 				$.reset(div_7);
 				var div_8 = $.sibling(div_7, 2);
-				var node_33 = $.child(div_8);
-				var consequent_11 = ($$anchor) => {
+				var node_29 = $.child(div_8);
+				var consequent_10 = ($$anchor) => {
 					var fragment_21 = root_11();
 					var div_9 = $.first_child(fragment_21);
-					var node_34 = $.child(div_9);
+					var node_30 = $.child(div_9);
 					{
 						let $0 = $.derived(() => t("cycles.plan"));
-						Drawing(node_34, {
+						Drawing(node_30, {
 							get items() {
 								return $.get(picture).plan;
 							},
@@ -859,10 +844,10 @@ function Cycles($$anchor, $$props) {
 					}
 					$.reset(div_9);
 					var div_10 = $.sibling(div_9, 2);
-					var node_35 = $.child(div_10);
+					var node_31 = $.child(div_10);
 					{
 						let $0 = $.derived(() => t("cycles.section"));
-						Drawing(node_35, {
+						Drawing(node_31, {
 							get items() {
 								return $.get(picture).section;
 							},
@@ -884,7 +869,7 @@ function Cycles($$anchor, $$props) {
 					$.reset(div_10);
 					$.append($$anchor, fragment_21);
 				};
-				var consequent_12 = ($$anchor) => {
+				var consequent_11 = ($$anchor) => {
 					{
 						let $0 = $.derived(() => $.get(path) !== null && $.get(simulated) !== $.get(body));
 						Simulation($$anchor, {
@@ -911,26 +896,26 @@ function Cycles($$anchor, $$props) {
 					}, [() => $.get(written)?.text || t("cycles.no_text")]);
 					$.append($$anchor, pre);
 				};
-				$.if(node_33, ($$render) => {
-					if ($.get(side) === "drawing") $$render(consequent_11);
-					else if ($.get(side) === "simulation") $$render(consequent_12, 1);
+				$.if(node_29, ($$render) => {
+					if ($.get(side) === "drawing") $$render(consequent_10);
+					else if ($.get(side) === "simulation") $$render(consequent_11, 1);
 					else $$render(alternate, -1);
 				});
 				$.reset(div_8);
 				var p_2 = $.sibling(div_8, 2);
 				let classes_3;
-				var node_36 = $.child(p_2);
-				var consequent_13 = ($$anchor) => {
+				var node_32 = $.child(p_2);
+				var consequent_12 = ($$anchor) => {
 					var text_23 = $.text();
 					$.template_effect(($0) => $.set_text(text_23, $0), [() => t("cycles.errors", { count: $.get(errors).length })]);
 					$.append($$anchor, text_23);
 				};
-				var consequent_14 = ($$anchor) => {
+				var consequent_13 = ($$anchor) => {
 					var text_24 = $.text();
 					$.template_effect(($0, $1) => $.set_text(text_24, `${$0 ?? ""} · ${$1 ?? ""}`), [() => $.get(written).expanded ? t("cycles.expanded", { dialect: $.get(dialect) }) : t("cycles.as_cycle", { dialect: $.get(dialect) }), () => t("cycles.lines", { count: $.get(ready).trimEnd().split("\n").length })]);
 					$.append($$anchor, text_24);
 				};
-				var consequent_15 = ($$anchor) => {
+				var consequent_14 = ($$anchor) => {
 					var text_25 = $.text();
 					$.template_effect(($0) => $.set_text(text_25, $0), [() => t("cycles.no_text")]);
 					$.append($$anchor, text_25);
@@ -940,20 +925,20 @@ function Cycles($$anchor, $$props) {
 					$.template_effect(($0) => $.set_text(text_26, $0), [() => t($.get(refusedOf) === $.get(wish) ? "cycles.not_written" : "cycles.writing")]);
 					$.append($$anchor, text_26);
 				};
-				$.if(node_36, ($$render) => {
-					if ($.get(errors).length) $$render(consequent_13);
-					else if ($.get(ready) && $.get(written)) $$render(consequent_14, 1);
-					else if ($.get(isCurrent)) $$render(consequent_15, 2);
+				$.if(node_32, ($$render) => {
+					if ($.get(errors).length) $$render(consequent_12);
+					else if ($.get(ready) && $.get(written)) $$render(consequent_13, 1);
+					else if ($.get(isCurrent)) $$render(consequent_14, 2);
 					else $$render(alternate_1, -1);
 				});
 				$.reset(p_2);
 				var div_11 = $.sibling(p_2, 2);
-				var node_37 = $.child(div_11);
+				var node_33 = $.child(div_11);
 				{
 					let $0 = $.derived(() => t("cycles.simulate"));
 					let $1 = $.derived(() => t("cycles.simulate"));
 					let $2 = $.derived(() => $.get(errors).length > 0);
-					Button(node_37, {
+					Button(node_33, {
 						icon: "play",
 						"data-testid": "simulate",
 						get "aria-label"() {
@@ -967,20 +952,20 @@ function Cycles($$anchor, $$props) {
 							return $.get($2);
 						},
 						children: ($$anchor, $$slotProps) => {
-							var span_11 = root_13();
-							var text_27 = $.only_child(span_11, true);
+							var span_10 = root_13();
+							var text_27 = $.only_child(span_10, true);
 							$.template_effect(($0) => $.set_text(text_27, $0), [() => t("cycles.simulate")]);
-							$.append($$anchor, span_11);
+							$.append($$anchor, span_10);
 						},
 						$$slots: { default: true }
 					});
 				}
-				var node_38 = $.sibling(node_37, 2);
+				var node_34 = $.sibling(node_33, 2);
 				{
 					let $0 = $.derived(() => t("cycles.copy"));
 					let $1 = $.derived(() => t("cycles.copy"));
 					let $2 = $.derived(() => !$.get(ready));
-					Button(node_38, {
+					Button(node_34, {
 						icon: "list",
 						get "aria-label"() {
 							return $.get($0);
@@ -993,18 +978,18 @@ function Cycles($$anchor, $$props) {
 							return $.get($2);
 						},
 						children: ($$anchor, $$slotProps) => {
-							var span_12 = root_13();
-							var text_28 = $.only_child(span_12, true);
+							var span_11 = root_13();
+							var text_28 = $.only_child(span_11, true);
 							$.template_effect(($0) => $.set_text(text_28, $0), [() => t("cycles.copy")]);
-							$.append($$anchor, span_12);
+							$.append($$anchor, span_11);
 						},
 						$$slots: { default: true }
 					});
 				}
-				var node_39 = $.sibling(node_38, 2);
+				var node_35 = $.sibling(node_34, 2);
 				{
 					let $0 = $.derived(() => !$.get(ready));
-					Button(node_39, {
+					Button(node_35, {
 						kind: "primary",
 						icon: "plus",
 						get disabled() {
@@ -1035,7 +1020,7 @@ function Cycles($$anchor, $$props) {
 			};
 			$.if(node, ($$render) => {
 				if ($.get(failed)) $$render(consequent);
-				else if ($.get(form) && $.get(filled) && $.get(picture)) $$render(consequent_16, 1);
+				else if ($.get(form) && $.get(filled) && $.get(picture)) $$render(consequent_15, 1);
 			});
 			$.append($$anchor, fragment_1);
 		},

@@ -1,6 +1,7 @@
 import { t } from "../../lib/i18n/index.svelte.js";
 import Page from "../../lib/parts/Page.svelte.js";
 import { route } from "../../lib/routing.svelte.js";
+import Bytes from "./Bytes.svelte.js";
 import Signals from "./Signals.svelte.js";
 import Timing from "./Timing.svelte.js";
 import Waveform from "./Waveform.svelte.js";
@@ -11,6 +12,7 @@ function Diagnosis($$anchor, $$props) {
 	$.push($$props, true);
 	const tabs = $.derived(() => [
 		"signals",
+		"bytes",
 		"waveform",
 		"timing"
 	].map((id) => ({
@@ -33,6 +35,9 @@ function Diagnosis($$anchor, $$props) {
 				Signals($$anchor, {});
 			};
 			var consequent_1 = ($$anchor) => {
+				Bytes($$anchor, {});
+			};
+			var consequent_2 = ($$anchor) => {
 				Waveform($$anchor, {});
 			};
 			var alternate = ($$anchor) => {
@@ -40,7 +45,8 @@ function Diagnosis($$anchor, $$props) {
 			};
 			$.if(node, ($$render) => {
 				if ($.get(active) === "signals") $$render(consequent);
-				else if ($.get(active) === "waveform") $$render(consequent_1, 1);
+				else if ($.get(active) === "bytes") $$render(consequent_1, 1);
+				else if ($.get(active) === "waveform") $$render(consequent_2, 2);
 				else $$render(alternate, -1);
 			});
 			$.append($$anchor, fragment_1);

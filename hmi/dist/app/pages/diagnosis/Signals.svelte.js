@@ -3,6 +3,7 @@ import { language, number, t } from "../../lib/i18n/index.svelte.js";
 import Card from "../../lib/parts/Card.svelte.js";
 import Segmented from "../../lib/parts/Segmented.svelte.js";
 import { route } from "../../lib/routing.svelte.js";
+import { followSignals } from "../../lib/state/again.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
@@ -42,25 +43,7 @@ function Signals($$anchor, $$props) {
 	});
 	const shown = $.derived(() => $.get(found).slice(0, MOST));
 	$.user_effect(() => {
-		const names = $.get(shown).map((one) => one.name);
-		let stopped = false;
-		const ask = async () => {
-			while (!stopped) {
-				if (machine.link === "open" && names.length && document.visibilityState === "visible") {
-					const reply = await machine.ask({
-						do: "signals",
-						names
-					}).catch(() => null);
-					if (stopped) return;
-					if (reply?.reply === "signals") $.set(values, reply.signals);
-				}
-				await new Promise((resolve) => setTimeout(resolve, 150));
-			}
-		};
-		ask();
-		return () => {
-			stopped = true;
-		};
+		return followSignals($.get(shown).map((one) => one.name), 150, (now) => $.set(values, now));
 	});
 	{
 		const actions = ($$anchor) => {

@@ -20,6 +20,7 @@ var operations = [
 	["zero", "settings/zeros"],
 	["centre", "settings/centring"],
 	["tool", "settings/tool"],
+	["machine_zero", "settings/machine_zero"],
 	["switches", "settings/general"],
 	["data", "settings/data"],
 	["rights", "settings/rights"],
@@ -36,6 +37,8 @@ var notHere = [
 	["servo", "3.3.5.1, 3.3.5.2"],
 	["tune", "3.3.5.3"],
 	["dual", "3.3.5.4"],
-	["channel", "3.4.1, 11.1, 11.2"]
+	["channel", "3.4.1, 11.1, 11.2"],
+	["power", "2.2"],
+	["system", "3.6.1.2, 3.9"]
 ];
 export { notHere, operations };

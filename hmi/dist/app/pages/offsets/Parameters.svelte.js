@@ -12,20 +12,20 @@ import * as $ from "svelte/internal/client";
 // src/pages/offsets/Parameters.svelte
 var root = $.from_html(`<input type="search" data-testid="parameter-search"/> <!> <!> <!>`, 1);
 var root_1 = $.from_html(`<i> </i>`);
-var root_2 = $.from_html(`<span class="code bits s-d9kcgz"></span> <span class="meaning muted s-d9kcgz"> </span>`, 1);
-var root_3 = $.from_html(`<span class="number value s-d9kcgz"> <small class="s-d9kcgz"> </small></span> <span class="meaning s-d9kcgz"> </span>`, 1);
-var root_4 = $.from_html(`<button type="button" role="option"><span class="code name s-d9kcgz"> </span> <!></button>`);
-var root_5 = $.from_html(`<p class="muted none s-d9kcgz"> </p>`);
-var root_6 = $.from_html(`<div class="list scroll s-d9kcgz" role="listbox"></div>`);
+var root_2 = $.from_html(`<span class="code bits s-rt3mos"></span> <span class="meaning muted s-rt3mos"> </span>`, 1);
+var root_3 = $.from_html(`<span class="number value s-rt3mos"> <small class="s-rt3mos"> </small></span> <span class="meaning s-rt3mos"> </span>`, 1);
+var root_4 = $.from_html(`<button type="button" role="option"><span class="code name s-rt3mos"> </span> <!></button>`);
+var root_5 = $.from_html(`<p class="muted none s-rt3mos"> </p>`);
+var root_6 = $.from_html(`<div class="list scroll s-rt3mos" role="listbox"></div>`);
 var root_7 = $.from_html(`<span class="muted"> </span>`);
-var root_8 = $.from_html(`<p> </p> <!> <dl class="s-d9kcgz"><dt class="s-d9kcgz"> </dt><dd class="number s-d9kcgz"> </dd> <dt class="s-d9kcgz"> </dt><dd class="number s-d9kcgz"> </dd> <dt class="s-d9kcgz"> </dt><dd class="s-d9kcgz"> </dd></dl> <!>`, 1);
-var root_9 = $.from_html(`<small class="standard s-d9kcgz"> </small>`);
-var root_10 = $.from_html(`<li class="s-d9kcgz"><button type="button" class="bit code s-d9kcgz" role="switch"> </button> <div><strong class="code"> </strong><!> <p class="s-d9kcgz"> </p></div></li>`);
-var root_11 = $.from_html(`<ul class="s-d9kcgz"></ul>`);
+var root_8 = $.from_html(`<p> </p> <!> <dl class="s-rt3mos"><dt class="s-rt3mos"> </dt><dd class="number s-rt3mos"> </dd> <dt class="s-rt3mos"> </dt><dd class="number s-rt3mos"> </dd> <dt class="s-rt3mos"> </dt><dd class="s-rt3mos"> </dd></dl> <!>`, 1);
+var root_9 = $.from_html(`<small class="standard s-rt3mos"> </small>`);
+var root_10 = $.from_html(`<li class="s-rt3mos"><button type="button" class="bit code s-rt3mos" role="switch"> </button> <div><strong class="code"> </strong><!> <p class="s-rt3mos"> </p></div></li>`);
+var root_11 = $.from_html(`<ul class="s-rt3mos"></ul>`);
 var root_12 = $.from_html(`<p class="muted"> </p>`);
-var root_13 = $.from_html(`<p class="need s-d9kcgz"> </p>`);
+var root_13 = $.from_html(`<p class="need"> </p>`);
 var root_14 = $.from_html(`<div class="detail stack scroll" data-testid="parameter"><h2 class="code"> <!></h2> <!> <!> <!> <!></div>`);
-var root_15 = $.from_html(`<div class="parameters s-d9kcgz"><!> <!></div> <p class="muted count s-d9kcgz"> </p>`, 1);
+var root_15 = $.from_html(`<div class="parameters s-rt3mos"><!> <!></div> <p class="muted count s-rt3mos"> </p>`, 1);
 function Parameters($$anchor, $$props) {
 	$.push($$props, true);
 	let all = $.state([]);
@@ -160,7 +160,7 @@ function Parameters($$anchor, $$props) {
 							let classes_1;
 							var text_3 = $.only_child(i, true);
 							$.template_effect(() => {
-								classes_1 = $.set_class(i, 1, "s-d9kcgz", null, classes_1, { one: $.get(bit) === "1" });
+								classes_1 = $.set_class(i, 1, "s-rt3mos", null, classes_1, { one: $.get(bit) === "1" });
 								$.set_text(text_3, $.get(bit));
 							});
 							$.append($$anchor, i);
@@ -195,7 +195,7 @@ function Parameters($$anchor, $$props) {
 					$.template_effect(($0) => {
 						$.set_attribute(button, "aria-selected", $.get(one) === $.get(current));
 						$.set_attribute(button, "data-parameter", $.get(one).name);
-						classes = $.set_class(button, 1, "s-d9kcgz", null, classes, { differs: $0 });
+						classes = $.set_class(button, 1, "s-rt3mos", null, classes, { differs: $0 });
 						$.set_text(text_2, $.get(one).name);
 					}, [() => differs($.get(one))]);
 					$.delegated("click", button, () => $.set(chosen, $.get(one).name, true));

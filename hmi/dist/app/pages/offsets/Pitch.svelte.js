@@ -2,6 +2,8 @@ import { http } from "../../lib/api/http.js";
 import { language, t } from "../../lib/i18n/index.svelte.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import Card from "../../lib/parts/Card.svelte.js";
+import Find from "../../lib/parts/Find.svelte.js";
+import { firstOfPage, numberNamed } from "../../lib/numbers.js";
 import NumberField from "../../lib/parts/NumberField.svelte.js";
 import Segmented from "../../lib/parts/Segmented.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
@@ -10,7 +12,7 @@ import * as $ from "svelte/internal/client";
 // src/pages/offsets/Pitch.svelte
 var root = $.from_html(`<tr><th scope="row" class="code s-vz97nv"> </th><td> </td><td class="field s-vz97nv"><!></td><td class="number muted s-vz97nv"> </td></tr>`);
 var root_1 = $.from_html(`<table class="table"><thead><tr><th> </th><th> </th><th class="right"> </th><th> </th></tr></thead><tbody></tbody></table>`);
-var root_2 = $.from_html(`<!> <!> <!>`, 1);
+var root_2 = $.from_html(`<!> <!> <!> <!>`, 1);
 var root_3 = $.from_html(`<div><span class="code s-vz97nv"> </span> <!></div>`);
 var root_4 = $.from_html(`<p class="muted s-vz97nv"> </p> <div class="grid s-vz97nv" data-testid="pitch-points"></div>`, 1);
 var root_5 = $.from_html(`<!> <!>`, 1);
@@ -84,22 +86,22 @@ function Pitch($$anchor, $$props) {
 				var thead = $.child(table);
 				var tr = $.child(thead);
 				var th = $.child(tr);
-				var text = $.only_child(th, true);
+				var text_1 = $.only_child(th, true);
 				var th_1 = $.sibling(th);
-				var text_1 = $.only_child(th_1, true);
+				var text_2 = $.only_child(th_1, true);
 				var th_2 = $.sibling(th_1);
-				var text_2 = $.only_child(th_2, true);
+				var text_3 = $.only_child(th_2, true);
 				var th_3 = $.sibling(th_2);
-				var text_3 = $.only_child(th_3, true);
+				var text_4 = $.only_child(th_3, true);
 				$.reset(tr);
 				$.reset(thead);
 				var tbody = $.sibling(thead);
 				$.each(tbody, 21, () => $.get(shown), (one) => one.name, ($$anchor, one) => {
 					var tr_1 = root();
 					var th_4 = $.child(tr_1);
-					var text_4 = $.only_child(th_4, true);
+					var text_5 = $.only_child(th_4, true);
 					var td = $.sibling(th_4);
-					var text_5 = $.only_child(td, true);
+					var text_6 = $.only_child(td, true);
 					var td_1 = $.sibling(td);
 					var node_1 = $.child(td_1);
 					{
@@ -132,22 +134,22 @@ function Pitch($$anchor, $$props) {
 					}
 					$.reset(td_1);
 					var td_2 = $.sibling(td_1);
-					var text_6 = $.only_child(td_2);
+					var text_7 = $.only_child(td_2);
 					$.reset(tr_1);
 					$.template_effect(() => {
-						$.set_text(text_4, $.get(one).name);
-						$.set_text(text_5, $.get(one).meaning);
-						$.set_text(text_6, `${$.get(one).minimum ?? "–" ?? ""} … ${$.get(one).maximum ?? "–" ?? ""}`);
+						$.set_text(text_5, $.get(one).name);
+						$.set_text(text_6, $.get(one).meaning);
+						$.set_text(text_7, `${$.get(one).minimum ?? "–" ?? ""} … ${$.get(one).maximum ?? "–" ?? ""}`);
 					});
 					$.append($$anchor, tr_1);
 				});
 				$.reset(tbody);
 				$.reset(table);
 				$.template_effect(($0, $1, $2, $3) => {
-					$.set_text(text, $0);
-					$.set_text(text_1, $1);
-					$.set_text(text_2, $2);
-					$.set_text(text_3, $3);
+					$.set_text(text_1, $0);
+					$.set_text(text_2, $1);
+					$.set_text(text_3, $2);
+					$.set_text(text_4, $3);
 				}, [
 					() => t("offsets.number"),
 					() => t("offsets.meaning"),
@@ -165,8 +167,22 @@ function Pitch($$anchor, $$props) {
 			var fragment_1 = root_2();
 			var node_3 = $.first_child(fragment_1);
 			{
+				let $0 = $.derived(() => t("offsets.find"));
+				Find(node_3, {
+					get label() {
+						return $.get($0);
+					},
+					placeholder: "120",
+					meant: (text) => numberNamed(text, "", 0, 9999),
+					at: "data-point",
+					onfind: (point) => $.set(first, firstOfPage(Number(point), 0, PAGE), true),
+					"data-testid": "find-point"
+				});
+			}
+			var node_4 = $.sibling(node_3, 2);
+			{
 				let $0 = $.derived(() => t("panel.axes"));
-				Segmented(node_3, {
+				Segmented(node_4, {
 					get options() {
 						return $.get(axes);
 					},
@@ -182,11 +198,11 @@ function Pitch($$anchor, $$props) {
 					}
 				});
 			}
-			var node_4 = $.sibling(node_3, 2);
+			var node_5 = $.sibling(node_4, 2);
 			{
 				let $0 = $.derived(() => t("offsets.before"));
 				let $1 = $.derived(() => $.get(first) === 0);
-				Button(node_4, {
+				Button(node_5, {
 					icon: "left",
 					get "aria-label"() {
 						return $.get($0);
@@ -197,11 +213,11 @@ function Pitch($$anchor, $$props) {
 					onclick: () => $.set(first, $.get(first) - PAGE)
 				});
 			}
-			var node_5 = $.sibling(node_4, 2);
+			var node_6 = $.sibling(node_5, 2);
 			{
 				let $0 = $.derived(() => t("offsets.after"));
 				let $1 = $.derived(() => $.get(first) + PAGE >= POINTS);
-				Button(node_5, {
+				Button(node_6, {
 					icon: "right",
 					get "aria-label"() {
 						return $.get($0);
@@ -223,18 +239,18 @@ function Pitch($$anchor, $$props) {
 			children: ($$anchor, $$slotProps) => {
 				var fragment_2 = root_4();
 				var p = $.first_child(fragment_2);
-				var text_7 = $.only_child(p, true);
+				var text_8 = $.only_child(p, true);
 				var div = $.sibling(p, 2);
 				$.each(div, 20, () => $.get(numbers), (number) => number, ($$anchor, number) => {
 					var div_1 = root_3();
 					let classes;
 					var span = $.child(div_1);
-					var text_8 = $.only_child(span, true);
-					var node_6 = $.sibling(span, 2);
+					var text_9 = $.only_child(span, true);
+					var node_7 = $.sibling(span, 2);
 					{
 						let $0 = $.derived(() => $.get(points)[number] ?? 0);
 						let $1 = $.derived(() => `${$.get(axis)} ${number}`);
-						NumberField(node_6, {
+						NumberField(node_7, {
 							get value() {
 								return $.get($0);
 							},
@@ -252,12 +268,13 @@ function Pitch($$anchor, $$props) {
 					$.reset(div_1);
 					$.template_effect(() => {
 						classes = $.set_class(div_1, 1, "point s-vz97nv", null, classes, { set: number in $.get(points) });
-						$.set_text(text_8, number);
+						$.set_attribute(div_1, "data-point", number);
+						$.set_text(text_9, number);
 					});
 					$.append($$anchor, div_1);
 				});
 				$.reset(div);
-				$.template_effect(($0) => $.set_text(text_7, $0), [() => t("offsets.pitch_hint")]);
+				$.template_effect(($0) => $.set_text(text_8, $0), [() => t("offsets.pitch_hint")]);
 				$.append($$anchor, fragment_2);
 			},
 			$$slots: {

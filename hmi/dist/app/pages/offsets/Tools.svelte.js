@@ -1,13 +1,14 @@
 import { t } from "../../lib/i18n/index.svelte.js";
-import { behindLetter, fixed } from "../../lib/numbers.js";
+import { behindLetter, firstOfPage, fixed, numberNamed } from "../../lib/numbers.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import Card from "../../lib/parts/Card.svelte.js";
+import Find from "../../lib/parts/Find.svelte.js";
 import NumberField from "../../lib/parts/NumberField.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/offsets/Tools.svelte
-var root = $.from_html(`<!> <!> <span class="number range s-1cs1yh2"> </span> <!>`, 1);
+var root = $.from_html(`<!> <!> <!> <span class="number range s-1cs1yh2"> </span> <!>`, 1);
 var root_1 = $.from_html(`<th class="right"> </th>`);
 var root_2 = $.from_html(`<td><!></td>`);
 var root_3 = $.from_html(`<tr><th scope="row" class="number"> </th><!><td class="right number muted"> </td><td class="right"><!></td></tr>`);
@@ -69,7 +70,21 @@ function Tools($$anchor, $$props) {
 		const actions = ($$anchor) => {
 			var fragment_1 = root();
 			var node_1 = $.first_child(fragment_1);
-			Button(node_1, {
+			{
+				let $0 = $.derived(() => t("offsets.find"));
+				Find(node_1, {
+					get label() {
+						return $.get($0);
+					},
+					placeholder: "H12",
+					meant: (text) => numberNamed(text, "HD", 1, LAST),
+					at: "data-offset",
+					onfind: (number) => $.set(from, firstOfPage(Number(number), 1, PAGE), true),
+					"data-testid": "find-offset"
+				});
+			}
+			var node_2 = $.sibling(node_1, 2);
+			Button(node_2, {
 				get pressed() {
 					return $.get(add);
 				},
@@ -82,11 +97,11 @@ function Tools($$anchor, $$props) {
 				},
 				$$slots: { default: true }
 			});
-			var node_2 = $.sibling(node_1, 2);
+			var node_3 = $.sibling(node_2, 2);
 			{
 				let $0 = $.derived(() => t("offsets.before"));
 				let $1 = $.derived(() => $.get(from) <= 1);
-				Button(node_2, {
+				Button(node_3, {
 					icon: "left",
 					get "aria-label"() {
 						return $.get($0);
@@ -97,13 +112,13 @@ function Tools($$anchor, $$props) {
 					onclick: () => $.set(from, Math.max(1, $.get(from) - PAGE), true)
 				});
 			}
-			var span = $.sibling(node_2, 2);
+			var span = $.sibling(node_3, 2);
 			var text_2 = $.only_child(span);
-			var node_3 = $.sibling(span, 2);
+			var node_4 = $.sibling(span, 2);
 			{
 				let $0 = $.derived(() => t("offsets.after"));
 				let $1 = $.derived(() => $.get(from) + PAGE > LAST);
-				Button(node_3, {
+				Button(node_4, {
 					icon: "right",
 					get "aria-label"() {
 						return $.get($0);
@@ -131,14 +146,14 @@ function Tools($$anchor, $$props) {
 				var tr = $.child(thead);
 				var th = $.child(tr);
 				var text_3 = $.only_child(th, true);
-				var node_4 = $.sibling(th);
-				$.each(node_4, 16, () => kinds, (kind) => kind, ($$anchor, kind) => {
+				var node_5 = $.sibling(th);
+				$.each(node_5, 16, () => kinds, (kind) => kind, ($$anchor, kind) => {
 					var th_1 = root_1();
 					var text_4 = $.only_child(th_1, true);
 					$.template_effect(($0) => $.set_text(text_4, $0), [() => t(`offsets.${kind}`)]);
 					$.append($$anchor, th_1);
 				});
-				var th_2 = $.sibling(node_4);
+				var th_2 = $.sibling(node_5);
 				var text_5 = $.only_child(th_2, true);
 				$.next();
 				$.reset(tr);
@@ -150,15 +165,15 @@ function Tools($$anchor, $$props) {
 					let classes;
 					var th_3 = $.child(tr_1);
 					var text_6 = $.only_child(th_3, true);
-					var node_5 = $.sibling(th_3);
-					$.each(node_5, 16, () => kinds, (kind) => kind, ($$anchor, kind) => {
+					var node_6 = $.sibling(th_3);
+					$.each(node_6, 16, () => kinds, (kind) => kind, ($$anchor, kind) => {
 						var td = root_2();
-						var node_6 = $.child(td);
+						var node_7 = $.child(td);
 						{
 							let $0 = $.derived(() => $.get(values)[kind] ?? 0);
 							let $1 = $.derived(() => `${number} ${t(`offsets.${kind}`)}`);
 							let $2 = $.derived(() => kind === "length" ? (text) => behindZ(text, number) : void 0);
-							NumberField(node_6, {
+							NumberField(node_7, {
 								get value() {
 									return $.get($0);
 								},
@@ -177,14 +192,14 @@ function Tools($$anchor, $$props) {
 						$.reset(td);
 						$.append($$anchor, td);
 					});
-					var td_1 = $.sibling(node_5);
+					var td_1 = $.sibling(node_6);
 					var text_7 = $.only_child(td_1, true);
 					var td_2 = $.sibling(td_1);
-					var node_7 = $.child(td_2);
+					var node_8 = $.child(td_2);
 					{
 						let $0 = $.derived(() => t("offsets.measure", { number }));
 						let $1 = $.derived(() => t("offsets.measure", { number }));
-						Button(node_7, {
+						Button(node_8, {
 							icon: "ruler",
 							get "aria-label"() {
 								return $.get($0);

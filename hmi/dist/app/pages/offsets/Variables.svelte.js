@@ -1,16 +1,17 @@
 import { t } from "../../lib/i18n/index.svelte.js";
-import { fixed } from "../../lib/numbers.js";
+import { firstOfPage, fixed, numberNamed } from "../../lib/numbers.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import Card from "../../lib/parts/Card.svelte.js";
+import Find from "../../lib/parts/Find.svelte.js";
 import NumberField from "../../lib/parts/NumberField.svelte.js";
 import Segmented from "../../lib/parts/Segmented.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/offsets/Variables.svelte
-var root = $.from_html(`<!> <!> <!> <!>`, 1);
+var root = $.from_html(`<!> <!> <!> <!> <!>`, 1);
 var root_1 = $.from_html(`<span class="number"> </span>`);
-var root_2 = $.from_html(`<div><span class="code s-1qujq0n"> </span> <!></div>`);
+var root_2 = $.from_html(`<div tabindex="-1"><span class="code s-1qujq0n"> </span> <!></div>`);
 var root_3 = $.from_html(`<div class="grid s-1qujq0n"></div>`);
 function Variables($$anchor, $$props) {
 	$.push($$props, true);
@@ -50,6 +51,17 @@ function Variables($$anchor, $$props) {
 		label: t(`offsets.range_${one.id}`)
 	})));
 	const numbers = $.derived(() => Array.from({ length: Math.min(PAGE, $.get(range).to - $.get(first) + 1) }, (_, index) => $.get(first) + index));
+	const rangeOf = (number) => ranges.find(({ from, to }) => number >= from && number <= to);
+	function named(text) {
+		const number = numberNamed(text, "#", 1, 5999);
+		return number !== null && rangeOf(number) ? number : null;
+	}
+	function show(found) {
+		const number = Number(found);
+		const within = rangeOf(number);
+		$.set(id, within.id, true);
+		$.set(first, firstOfPage(number, within.from, PAGE), true);
+	}
 	async function read() {
 		const from = $.get(first);
 		const reply = await machine.fetch("variables", {
@@ -69,8 +81,22 @@ function Variables($$anchor, $$props) {
 			var fragment_1 = root();
 			var node = $.first_child(fragment_1);
 			{
+				let $0 = $.derived(() => t("offsets.find"));
+				Find(node, {
+					get label() {
+						return $.get($0);
+					},
+					placeholder: "#500",
+					meant: named,
+					at: "data-variable",
+					onfind: show,
+					"data-testid": "find-variable"
+				});
+			}
+			var node_1 = $.sibling(node, 2);
+			{
 				let $0 = $.derived(() => t("offsets.variables"));
-				Segmented(node, {
+				Segmented(node_1, {
 					get options() {
 						return $.get(options);
 					},
@@ -86,11 +112,11 @@ function Variables($$anchor, $$props) {
 					}
 				});
 			}
-			var node_1 = $.sibling(node, 2);
+			var node_2 = $.sibling(node_1, 2);
 			{
 				let $0 = $.derived(() => t("offsets.before"));
 				let $1 = $.derived(() => $.get(first) <= $.get(range).from);
-				Button(node_1, {
+				Button(node_2, {
 					icon: "left",
 					get "aria-label"() {
 						return $.get($0);
@@ -101,11 +127,11 @@ function Variables($$anchor, $$props) {
 					onclick: () => $.set(first, Math.max($.get(range).from, $.get(first) - PAGE), true)
 				});
 			}
-			var node_2 = $.sibling(node_1, 2);
+			var node_3 = $.sibling(node_2, 2);
 			{
 				let $0 = $.derived(() => t("offsets.after"));
 				let $1 = $.derived(() => $.get(first) + PAGE > $.get(range).to);
-				Button(node_2, {
+				Button(node_3, {
 					icon: "right",
 					get "aria-label"() {
 						return $.get($0);
@@ -116,11 +142,11 @@ function Variables($$anchor, $$props) {
 					onclick: () => $.set(first, $.get(first) + PAGE)
 				});
 			}
-			var node_3 = $.sibling(node_2, 2);
+			var node_4 = $.sibling(node_3, 2);
 			{
 				let $0 = $.derived(() => t("offsets.read_again"));
 				let $1 = $.derived(() => t("offsets.read_again"));
-				Button(node_3, {
+				Button(node_4, {
 					icon: "reset",
 					get "aria-label"() {
 						return $.get($0);
@@ -146,8 +172,8 @@ function Variables($$anchor, $$props) {
 					var div_1 = root_2();
 					let classes;
 					var span = $.child(div_1);
-					var text = $.only_child(span);
-					var node_4 = $.sibling(span, 2);
+					var text_1 = $.only_child(span);
+					var node_5 = $.sibling(span, 2);
 					var consequent = ($$anchor) => {
 						{
 							let $0 = $.derived(() => $.get(values)[number] ?? null);
@@ -171,18 +197,19 @@ function Variables($$anchor, $$props) {
 					};
 					var alternate = ($$anchor) => {
 						var span_1 = root_1();
-						var text_1 = $.only_child(span_1, true);
-						$.template_effect(($0) => $.set_text(text_1, $0), [() => number in $.get(values) ? fixed($.get(values)[number], 4) : "–"]);
+						var text_2 = $.only_child(span_1, true);
+						$.template_effect(($0) => $.set_text(text_2, $0), [() => number in $.get(values) ? fixed($.get(values)[number], 4) : "–"]);
 						$.append($$anchor, span_1);
 					};
-					$.if(node_4, ($$render) => {
+					$.if(node_5, ($$render) => {
 						if ($.get(range).own) $$render(consequent);
 						else $$render(alternate, -1);
 					});
 					$.reset(div_1);
 					$.template_effect(() => {
 						classes = $.set_class(div_1, 1, "variable s-1qujq0n", null, classes, { set: number in $.get(values) });
-						$.set_text(text, `#${number ?? ""}`);
+						$.set_attribute(div_1, "data-variable", number);
+						$.set_text(text_1, `#${number ?? ""}`);
 					});
 					$.append($$anchor, div_1);
 				});

@@ -1,25 +1,25 @@
 import { http } from "../../lib/api/http.js";
 import { language, number, t } from "../../lib/i18n/index.svelte.js";
+import Bits from "../../lib/parts/Bits.svelte.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import Card from "../../lib/parts/Card.svelte.js";
 import NumberField from "../../lib/parts/NumberField.svelte.js";
 import Segmented from "../../lib/parts/Segmented.svelte.js";
+import { followSignals } from "../../lib/state/again.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/plc/Data.svelte
 var root = $.from_html(`<!> <!> <input type="search" data-testid="data-search"/>`, 1);
-var root_1 = $.from_html(`<p class="muted note s-1rz2fpl"> </p>`);
-var root_2 = $.from_html(`<button type="button" role="switch"><small class="s-1rz2fpl"> </small><b class="number"> </b></button>`);
-var root_3 = $.from_html(`<div class="bits s-1rz2fpl" role="group"></div>`);
-var root_4 = $.from_html(`<label class="cell s-1rz2fpl"><small class="muted s-1rz2fpl"> </small> <!></label>`);
-var root_5 = $.from_html(`<span class="muted number"> </span>`);
-var root_6 = $.from_html(`<div class="row"><!> <!></div>`);
-var root_7 = $.from_html(`<div><span class="code"> </span> <span class="muted"> </span></div>`);
-var root_8 = $.from_html(`<tr><th scope="row"><span class="code"> </span> <small class="muted s-1rz2fpl"> </small></th><td><!></td><td class="names s-1rz2fpl"></td></tr>`);
-var root_9 = $.from_html(`<tr><td class="muted"> </td></tr>`);
-var root_10 = $.from_html(`<div class="row pager s-1rz2fpl"><!> <span class="number"> </span> <!></div>`);
-var root_11 = $.from_html(`<!> <table class="table" data-testid="plc-data"><tbody></tbody></table> <!>`, 1);
+var root_1 = $.from_html(`<p class="muted note s-xufwe4"> </p>`);
+var root_2 = $.from_html(`<label class="cell s-xufwe4"><small class="muted s-xufwe4"> </small> <!></label>`);
+var root_3 = $.from_html(`<span class="muted number"> </span>`);
+var root_4 = $.from_html(`<div class="row"><!> <!></div>`);
+var root_5 = $.from_html(`<div><span class="code"> </span> <span class="muted"> </span></div>`);
+var root_6 = $.from_html(`<tr><th scope="row"><span class="code"> </span> <small class="muted s-xufwe4"> </small></th><td><!></td><td class="names s-xufwe4"></td></tr>`);
+var root_7 = $.from_html(`<tr><td class="muted"> </td></tr>`);
+var root_8 = $.from_html(`<div class="row pager s-xufwe4"><!> <span class="number"> </span> <!></div>`);
+var root_9 = $.from_html(`<!> <table class="table" data-testid="plc-data"><tbody></tbody></table> <!>`, 1);
 function Data($$anchor, $$props) {
 	$.push($$props, true);
 	/** A number that the ladder keeps: where it begins, and how many bytes it has. */
@@ -107,27 +107,7 @@ function Data($$anchor, $$props) {
 		$.get(area), $.get(sought), $.get(width);
 		$.set(first, 0);
 	});
-	$.user_effect(() => {
-		const asked = $.get(wanted);
-		let stopped = false;
-		const ask = async () => {
-			while (!stopped) {
-				if (document.visibilityState === "visible" && machine.link === "open" && asked.length) {
-					const reply = await machine.ask({
-						do: "signals",
-						names: asked
-					}).catch(() => null);
-					if (stopped) return;
-					if (reply?.reply === "signals") $.set(values, reply.signals);
-				}
-				await new Promise((resolve) => setTimeout(resolve, 200));
-			}
-		};
-		ask();
-		return () => {
-			stopped = true;
-		};
-	});
+	$.user_effect(() => followSignals($.get(wanted), 200, (now) => $.set(values, now)));
 	/** The number of a cell, the lowest byte first; null until it was read. */
 	function value({ address, bytes }) {
 		let sum = 0;
@@ -138,7 +118,6 @@ function Data($$anchor, $$props) {
 		}
 		return sum;
 	}
-	const isOn = (row, bit) => (($.get(values)[row.address] ?? 0) >> bit & 1) === 1;
 	function set(signal, to, bytes) {
 		machine.tell({
 			do: "set_signal",
@@ -228,7 +207,7 @@ function Data($$anchor, $$props) {
 			flush: true,
 			actions,
 			children: ($$anchor, $$slotProps) => {
-				var fragment_3 = root_11();
+				var fragment_3 = root_9();
 				var node_2 = $.first_child(fragment_3);
 				var consequent_1 = ($$anchor) => {
 					var p = root_1();
@@ -242,7 +221,7 @@ function Data($$anchor, $$props) {
 				var table = $.sibling(node_2, 2);
 				var tbody = $.child(table);
 				$.each(tbody, 21, () => $.get(shown), (row) => row.address, ($$anchor, row) => {
-					var tr = root_8();
+					var tr = root_6();
 					var th = $.child(tr);
 					var span = $.child(th);
 					var text_1 = $.only_child(span, true);
@@ -252,49 +231,33 @@ function Data($$anchor, $$props) {
 					var td = $.sibling(th);
 					var node_3 = $.child(td);
 					var consequent_2 = ($$anchor) => {
-						var div = root_3();
-						$.each(div, 20, () => [
-							7,
-							6,
-							5,
-							4,
-							3,
-							2,
-							1,
-							0
-						], (bit) => bit, ($$anchor, bit) => {
-							const name = $.derived(() => $.get(names).find((one) => one.address === `${$.get(row).address}.${bit}`));
-							var button = root_2();
-							let classes;
-							var small_1 = $.child(button);
-							var text_3 = $.only_child(small_1, true);
-							var b = $.sibling(small_1);
-							var text_4 = $.only_child(b, true);
-							$.reset(button);
-							$.template_effect(($0, $1) => {
-								$.set_attribute(button, "aria-checked", $0);
-								button.disabled = !$.get(may);
-								$.set_attribute(button, "title", $.get(name) ? `${$.get(name).name}: ${$.get(name).meaning}` : `${$.get(row).address}.${bit}`);
-								$.set_attribute(button, "aria-label", `${$.get(row).address}.${bit}`);
-								classes = $.set_class(button, 1, "s-1rz2fpl", null, classes, { named: $.get(name) });
-								$.set_text(text_3, bit);
-								$.set_text(text_4, $1);
-							}, [() => isOn($.get(row), bit), () => Number(isOn($.get(row), bit))]);
-							$.delegated("click", button, () => set(`${$.get(row).address}.${bit}`, isOn($.get(row), bit) ? 0 : 1));
-							$.append($$anchor, button);
-						});
-						$.reset(div);
-						$.template_effect(() => $.set_attribute(div, "aria-label", $.get(row).address));
-						$.append($$anchor, div);
+						{
+							let $0 = $.derived(() => $.get(values)[$.get(row).address] ?? 0);
+							let $1 = $.derived(() => !$.get(may));
+							Bits($$anchor, {
+								get address() {
+									return $.get(row).address;
+								},
+								get value() {
+									return $.get($0);
+								},
+								named: (address) => $.get(names).find((one) => one.address === address),
+								toggles: true,
+								get disabled() {
+									return $.get($1);
+								},
+								onbit: (address, isOn) => set(address, isOn ? 0 : 1)
+							});
+						}
 					};
 					var alternate = ($$anchor) => {
-						var div_1 = root_6();
-						var node_4 = $.child(div_1);
+						var div = root_4();
+						var node_4 = $.child(div);
 						$.each(node_4, 17, () => $.get(row).cells, (cell) => cell.address, ($$anchor, cell) => {
-							var label_1 = root_4();
-							var small_2 = $.child(label_1);
-							var text_5 = $.only_child(small_2, true);
-							var node_5 = $.sibling(small_2, 2);
+							var label_1 = root_2();
+							var small_1 = $.child(label_1);
+							var text_3 = $.only_child(small_1, true);
+							var node_5 = $.sibling(small_1, 2);
 							{
 								let $0 = $.derived(() => value($.get(cell)));
 								let $1 = $.derived(() => `${$.get(cell).address} ${$.get(cell).label}`);
@@ -322,21 +285,21 @@ function Data($$anchor, $$props) {
 								});
 							}
 							$.reset(label_1);
-							$.template_effect(() => $.set_text(text_5, $.get(cell).label));
+							$.template_effect(() => $.set_text(text_3, $.get(cell).label));
 							$.append($$anchor, label_1);
 						});
 						var node_6 = $.sibling(node_4, 2);
 						var consequent_3 = ($$anchor) => {
-							var span_1 = root_5();
-							var text_6 = $.only_child(span_1);
-							$.template_effect(($0, $1) => $.set_text(text_6, `${$0 ?? ""} ${$1 ?? ""}`), [() => number(milliseconds($.get(row))), () => t("unit.ms")]);
+							var span_1 = root_3();
+							var text_4 = $.only_child(span_1);
+							$.template_effect(($0, $1) => $.set_text(text_4, `${$0 ?? ""} ${$1 ?? ""}`), [() => number(milliseconds($.get(row))), () => t("unit.ms")]);
 							$.append($$anchor, span_1);
 						};
 						$.if(node_6, ($$render) => {
 							if ($.get(area) === "T") $$render(consequent_3);
 						});
-						$.reset(div_1);
-						$.append($$anchor, div_1);
+						$.reset(div);
+						$.append($$anchor, div);
 					};
 					$.if(node_3, ($$render) => {
 						if ($.get(area) === "K") $$render(consequent_2);
@@ -345,17 +308,17 @@ function Data($$anchor, $$props) {
 					$.reset(td);
 					var td_1 = $.sibling(td);
 					$.each(td_1, 21, () => named($.get(row)), (one) => one.name, ($$anchor, one) => {
-						var div_2 = root_7();
-						var span_2 = $.child(div_2);
-						var text_7 = $.only_child(span_2, true);
+						var div_1 = root_5();
+						var span_2 = $.child(div_1);
+						var text_5 = $.only_child(span_2, true);
 						var span_3 = $.sibling(span_2, 2);
-						var text_8 = $.only_child(span_3, true);
-						$.reset(div_2);
+						var text_6 = $.only_child(span_3, true);
+						$.reset(div_1);
 						$.template_effect(() => {
-							$.set_text(text_7, $.get(one).name);
-							$.set_text(text_8, $.get(one).meaning);
+							$.set_text(text_5, $.get(one).name);
+							$.set_text(text_6, $.get(one).meaning);
 						});
-						$.append($$anchor, div_2);
+						$.append($$anchor, div_1);
 					});
 					$.reset(td_1);
 					$.reset(tr);
@@ -366,19 +329,19 @@ function Data($$anchor, $$props) {
 					});
 					$.append($$anchor, tr);
 				}, ($$anchor) => {
-					var tr_1 = root_9();
+					var tr_1 = root_7();
 					var td_2 = $.child(tr_1);
-					var text_9 = $.only_child(td_2, true);
+					var text_7 = $.only_child(td_2, true);
 					$.reset(tr_1);
-					$.template_effect(($0) => $.set_text(text_9, $0), [() => t("plc.nothing_kept")]);
+					$.template_effect(($0) => $.set_text(text_7, $0), [() => t("plc.nothing_kept")]);
 					$.append($$anchor, tr_1);
 				});
 				$.reset(tbody);
 				$.reset(table);
 				var node_7 = $.sibling(table, 2);
 				var consequent_4 = ($$anchor) => {
-					var div_3 = root_10();
-					var node_8 = $.child(div_3);
+					var div_2 = root_8();
+					var node_8 = $.child(div_2);
 					{
 						let $0 = $.derived(() => t("offsets.before"));
 						let $1 = $.derived(() => $.get(first) === 0);
@@ -394,7 +357,7 @@ function Data($$anchor, $$props) {
 						});
 					}
 					var span_4 = $.sibling(node_8, 2);
-					var text_10 = $.only_child(span_4);
+					var text_8 = $.only_child(span_4);
 					var node_9 = $.sibling(span_4, 2);
 					{
 						let $0 = $.derived(() => t("offsets.after"));
@@ -410,9 +373,9 @@ function Data($$anchor, $$props) {
 							onclick: () => $.set(first, $.get(first) + PAGE)
 						});
 					}
-					$.reset(div_3);
-					$.template_effect(($0) => $.set_text(text_10, `${$.get(first) + 1}–${$0 ?? ""} / ${$.get(found).length ?? ""}`), [() => Math.min($.get(found).length, $.get(first) + PAGE)]);
-					$.append($$anchor, div_3);
+					$.reset(div_2);
+					$.template_effect(($0) => $.set_text(text_8, `${$.get(first) + 1}–${$0 ?? ""} / ${$.get(found).length ?? ""}`), [() => Math.min($.get(found).length, $.get(first) + PAGE)]);
+					$.append($$anchor, div_2);
 				};
 				$.if(node_7, ($$render) => {
 					if ($.get(found).length > PAGE) $$render(consequent_4);
@@ -427,5 +390,4 @@ function Data($$anchor, $$props) {
 	}
 	$.pop();
 }
-$.delegate(["click"]);
 export { Data as default };

@@ -3,6 +3,7 @@ import { Refused } from "../../lib/api/socket.js";
 import { language, t } from "../../lib/i18n/index.svelte.js";
 import Editor from "../../lib/editor/Editor.svelte.js";
 import Findings from "../../lib/editor/Findings.svelte.js";
+import KeypadSwitch from "../../lib/editor/KeypadSwitch.svelte.js";
 import { readLadder } from "../../lib/ladder/ladder.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import Dialog from "../../lib/parts/Dialog.svelte.js";
@@ -16,7 +17,7 @@ import * as $ from "svelte/internal/client";
 var root = $.from_html(`<span class="need s-iyog2j"> </span>`);
 var root_1 = $.from_html(`<!> <!>`, 1);
 var root_2 = $.from_html(`<p> </p>`);
-var root_3 = $.from_html(`<div class="row wrap"><span class="muted"> </span> <!> <span class="grow"></span> <!> <!> <!> <!> <!> <!></div> <div class="text s-iyog2j"><!></div> <!> <!>`, 1);
+var root_3 = $.from_html(`<div class="row wrap"><span class="muted"> </span> <!> <span class="grow"></span> <!> <!> <!> <!> <!> <!> <!></div> <div class="text s-iyog2j"><!></div> <!> <!>`, 1);
 function Edit($$anchor, $$props) {
 	$.push($$props, true);
 	let editor = $.state(void 0);
@@ -128,9 +129,11 @@ function Edit($$anchor, $$props) {
 		if ($.get(level) > 2) $$render(consequent);
 	});
 	var node_1 = $.sibling(node, 4);
+	KeypadSwitch(node_1, {});
+	var node_2 = $.sibling(node_1, 2);
 	{
 		let $0 = $.derived(() => t("program.find"));
-		Button(node_1, {
+		Button(node_2, {
 			icon: "search",
 			get "aria-label"() {
 				return $.get($0);
@@ -138,11 +141,11 @@ function Edit($$anchor, $$props) {
 			onclick: () => $.get(editor)?.find()
 		});
 	}
-	var node_2 = $.sibling(node_1, 2);
+	var node_3 = $.sibling(node_2, 2);
 	{
 		let $0 = $.derived(() => t("editor.line"));
 		let $1 = $.derived(() => t("editor.line"));
-		Button(node_2, {
+		Button(node_3, {
 			icon: "target",
 			get "aria-label"() {
 				return $.get($0);
@@ -153,8 +156,8 @@ function Edit($$anchor, $$props) {
 			onclick: () => $.get(editor)?.toLine()
 		});
 	}
-	var node_3 = $.sibling(node_2, 2);
-	Button(node_3, {
+	var node_4 = $.sibling(node_3, 2);
+	Button(node_4, {
 		icon: "check",
 		onclick: () => void look(),
 		"data-testid": "check-ladder",
@@ -166,8 +169,8 @@ function Edit($$anchor, $$props) {
 		},
 		$$slots: { default: true }
 	});
-	var node_4 = $.sibling(node_3, 2);
-	Button(node_4, {
+	var node_5 = $.sibling(node_4, 2);
+	Button(node_5, {
 		icon: "undo",
 		onclick: () => void back(),
 		children: ($$anchor, $$slotProps) => {
@@ -178,8 +181,8 @@ function Edit($$anchor, $$props) {
 		},
 		$$slots: { default: true }
 	});
-	var node_5 = $.sibling(node_4, 2);
-	Button(node_5, {
+	var node_6 = $.sibling(node_5, 2);
+	Button(node_6, {
 		icon: "play",
 		onclick: () => void machine.tell({ do: "start_ladder" }),
 		children: ($$anchor, $$slotProps) => {
@@ -190,10 +193,10 @@ function Edit($$anchor, $$props) {
 		},
 		$$slots: { default: true }
 	});
-	var node_6 = $.sibling(node_5, 2);
+	var node_7 = $.sibling(node_6, 2);
 	{
 		let $0 = $.derived(() => !$.get(changed));
-		Button(node_6, {
+		Button(node_7, {
 			kind: "primary",
 			icon: "upload",
 			get disabled() {
@@ -212,10 +215,10 @@ function Edit($$anchor, $$props) {
 	}
 	$.reset(div);
 	var div_1 = $.sibling(div, 2);
-	var node_7 = $.child(div_1);
+	var node_8 = $.child(div_1);
 	{
 		let $0 = $.derived(() => t("plc.edit"));
-		$.bind_this(Editor(node_7, {
+		$.bind_this(Editor(node_8, {
 			get text() {
 				return $.get(text);
 			},
@@ -228,19 +231,19 @@ function Edit($$anchor, $$props) {
 		}), ($$value) => $.set(editor, $$value, true), () => $.get(editor));
 	}
 	$.reset(div_1);
-	var node_8 = $.sibling(div_1, 2);
-	Findings(node_8, {
+	var node_9 = $.sibling(div_1, 2);
+	Findings(node_9, {
 		get findings() {
 			return $.get(findings);
 		},
 		onshow: (line) => $.get(editor)?.show(line)
 	});
-	var node_9 = $.sibling(node_8, 2);
+	var node_10 = $.sibling(node_9, 2);
 	{
 		const actions = ($$anchor) => {
 			var fragment_5 = root_1();
-			var node_10 = $.first_child(fragment_5);
-			Button(node_10, {
+			var node_11 = $.first_child(fragment_5);
+			Button(node_11, {
 				onclick: () => $.set(asking, false),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
@@ -250,8 +253,8 @@ function Edit($$anchor, $$props) {
 				},
 				$$slots: { default: true }
 			});
-			var node_11 = $.sibling(node_10, 2);
-			Button(node_11, {
+			var node_12 = $.sibling(node_11, 2);
+			Button(node_12, {
 				kind: "danger",
 				onclick: () => void exchange(),
 				children: ($$anchor, $$slotProps) => {
@@ -265,7 +268,7 @@ function Edit($$anchor, $$props) {
 			$.append($$anchor, fragment_5);
 		};
 		let $0 = $.derived(() => t("plc.exchange"));
-		Dialog(node_9, {
+		Dialog(node_10, {
 			get title() {
 				return $.get($0);
 			},

@@ -3,6 +3,7 @@ import { language, number, t } from "../../lib/i18n/index.svelte.js";
 import { readLadder, signalsOf } from "../../lib/ladder/ladder.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import Card from "../../lib/parts/Card.svelte.js";
+import { again } from "../../lib/state/again.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import Rung from "./Rung.svelte.js";
 import "svelte/internal/disclose-version";
@@ -53,26 +54,17 @@ function Monitor($$anchor, $$props) {
 		}, () => void 0);
 	});
 	$.user_effect(() => {
-		const wanted = $.get(names);
-		let stopped = false;
-		const ask = async () => {
-			while (!stopped) {
-				if (document.visibilityState === "visible" && machine.link === "open" && wanted.length) {
-					const [flow, signals] = await Promise.all([machine.ask({ do: "ladder_flow" }).catch(() => null), machine.ask({
-						do: "signals",
-						names: wanted
-					}).catch(() => null)]);
-					if (stopped) return;
-					if (flow?.reply === "ladder_flow") $.set(power, flow.power);
-					if (signals?.reply === "signals") $.set(values, signals.signals);
-				}
-				await new Promise((resolve) => setTimeout(resolve, 150));
-			}
-		};
-		ask();
-		return () => {
-			stopped = true;
-		};
+		const shown = $.get(names);
+		return again(150, async (wanted) => {
+			if (!shown.length) return;
+			const [flow, signals] = await Promise.all([machine.ask({ do: "ladder_flow" }).catch(() => null), machine.ask({
+				do: "signals",
+				names: shown
+			}).catch(() => null)]);
+			if (!wanted()) return;
+			if (flow?.reply === "ladder_flow") $.set(power, flow.power);
+			if (signals?.reply === "signals") $.set(values, signals.signals);
+		});
 	});
 	let forced = $.state([]);
 	$.user_effect(() => {

@@ -5,6 +5,7 @@ import { route } from "../../lib/routing.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import Data from "./Data.svelte.js";
 import Edit from "./Edit.svelte.js";
+import Info from "./Info.svelte.js";
 import Monitor from "./Monitor.svelte.js";
 import Trace from "./Trace.svelte.js";
 import "svelte/internal/disclose-version";
@@ -16,7 +17,8 @@ function Plc($$anchor, $$props) {
 		"monitor",
 		"data",
 		"edit",
-		"trace"
+		"trace",
+		"info"
 	].map((id) => ({
 		id,
 		label: t(`plc.${id}`)
@@ -57,6 +59,9 @@ function Plc($$anchor, $$props) {
 			var consequent_3 = ($$anchor) => {
 				Edit($$anchor, {});
 			};
+			var consequent_4 = ($$anchor) => {
+				Info($$anchor, {});
+			};
 			var alternate = ($$anchor) => {
 				Trace($$anchor, {});
 			};
@@ -65,6 +70,7 @@ function Plc($$anchor, $$props) {
 				else if ($.get(active) === "monitor") $$render(consequent_1, 1);
 				else if ($.get(active) === "data") $$render(consequent_2, 2);
 				else if ($.get(active) === "edit") $$render(consequent_3, 3);
+				else if ($.get(active) === "info") $$render(consequent_4, 4);
 				else $$render(alternate, -1);
 			});
 			$.append($$anchor, fragment_1);

@@ -8,8 +8,8 @@ import { machine } from "../../lib/state/machine.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/plc/Trace.svelte
-var root = $.from_html(`<input class="code s-1czhrr0"/> <!>`, 1);
-var root_1 = $.from_html(`<input class="code of s-1czhrr0" spellcheck="false"/> <!>`, 1);
+var root = $.from_html(`<input class="code s-1czhrr0" autocapitalize="characters"/> <!>`, 1);
+var root_1 = $.from_html(`<input class="code of s-1czhrr0" autocapitalize="characters" spellcheck="false"/> <!>`, 1);
 var root_2 = $.from_html(`<span class="muted" role="status"> </span>`);
 var root_3 = $.from_html(`<div class="recorder s-1czhrr0"><div class="trigger row wrap s-1czhrr0"><!> <!> <!></div> <div class="plot s-1czhrr0"><!></div></div>`);
 var root_4 = $.from_html(`<!> <p class="muted s-1czhrr0" data-testid="traced"> </p>`, 1);

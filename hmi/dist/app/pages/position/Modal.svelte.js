@@ -8,9 +8,10 @@ import * as $ from "svelte/internal/client";
 var root = $.from_html(`<a class="s-lo14b6"> </a>`);
 var root_1 = $.from_html(`<span class="s-lo14b6"> </span>`);
 var root_2 = $.from_html(`<div class="switches s-lo14b6"></div>`);
-var root_3 = $.from_html(`<div class="codes code s-lo14b6"></div> <!>`, 1);
+var root_3 = $.from_html(`<div class="codes code s-lo14b6"></div> <!> <!>`, 1);
 function Modal($$anchor, $$props) {
 	$.push($$props, true);
+	/** Values in force beside the codes. */
 	const codes = $.derived(() => machine.status.program.g_codes);
 	const switches = $.derived(() => machine.status.switches);
 	/** Those that bear on what is done: all that are on, but programs are closed while their switch is off. */
@@ -35,6 +36,8 @@ function Modal($$anchor, $$props) {
 				});
 				$.reset(div);
 				var node = $.sibling(div, 2);
+				$.snippet(node, () => $$props.children ?? $.noop);
+				var node_1 = $.sibling(node, 2);
 				var consequent = ($$anchor) => {
 					var div_1 = root_2();
 					$.each(div_1, 20, () => $.get(on), (name) => name, ($$anchor, name) => {
@@ -46,7 +49,7 @@ function Modal($$anchor, $$props) {
 					$.reset(div_1);
 					$.append($$anchor, div_1);
 				};
-				$.if(node, ($$render) => {
+				$.if(node_1, ($$render) => {
 					if ($.get(on).length) $$render(consequent);
 				});
 				$.append($$anchor, fragment_1);

@@ -1,7 +1,9 @@
 import { t } from "../../lib/i18n/index.svelte.js";
 import Page from "../../lib/parts/Page.svelte.js";
 import { route } from "../../lib/routing.svelte.js";
+import { display } from "../../lib/state/display.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
+import { prefs } from "../../lib/state/prefs.svelte.js";
 import All from "./All.svelte.js";
 import Large from "./Large.svelte.js";
 import Modal from "./Modal.svelte.js";
@@ -26,7 +28,7 @@ function Position($$anchor, $$props) {
 		id,
 		label: t(`position.${id}`)
 	})));
-	const active = $.derived(() => $.get(tabs).some((tab) => tab.id === route.tab) ? route.tab : "absolute");
+	const active = $.derived(() => $.get(tabs).some((tab) => tab.id === route.tab) ? route.tab : prefs.coordinates);
 	Page($$anchor, {
 		page: "position",
 		get tabs() {
@@ -38,7 +40,7 @@ function Position($$anchor, $$props) {
 		children: ($$anchor, $$slotProps) => {
 			var fragment_1 = $.comment();
 			var node = $.first_child(fragment_1);
-			var consequent_3 = ($$anchor) => {
+			var consequent_4 = ($$anchor) => {
 				var div = root_1();
 				let classes;
 				var div_1 = $.child(div);
@@ -89,12 +91,17 @@ function Position($$anchor, $$props) {
 					} });
 				}
 				var node_4 = $.sibling(node_3, 2);
-				Modal(node_4, {});
+				var consequent_2 = ($$anchor) => {
+					Modal($$anchor, {});
+				};
+				$.if(node_4, ($$render) => {
+					if ($.get(active) !== "program" || display.showsModal) $$render(consequent_2);
+				});
 				var node_5 = $.sibling(node_4, 2);
 				Times(node_5, {});
 				$.reset(div_2);
 				var node_6 = $.sibling(div_2, 2);
-				var consequent_2 = ($$anchor) => {
+				var consequent_3 = ($$anchor) => {
 					var div_3 = root();
 					var node_7 = $.child(div_3);
 					$.await(node_7, () => __vitePreload(() => import("./Running.svelte.js"), []), null, ($$anchor, $$source) => {
@@ -103,18 +110,18 @@ function Position($$anchor, $$props) {
 							return { Running };
 						});
 						var Running = $.derived(() => $.get($$value).Running);
-						var fragment_6 = $.comment();
-						var node_8 = $.first_child(fragment_6);
+						var fragment_7 = $.comment();
+						var node_8 = $.first_child(fragment_7);
 						$.component(node_8, () => $.get(Running), ($$anchor, Running_1) => {
 							Running_1($$anchor, {});
 						});
-						$.append($$anchor, fragment_6);
+						$.append($$anchor, fragment_7);
 					});
 					$.reset(div_3);
 					$.append($$anchor, div_3);
 				};
 				$.if(node_6, ($$render) => {
-					if ($.get(active) === "program") $$render(consequent_2);
+					if ($.get(active) === "program") $$render(consequent_3);
 				});
 				$.reset(div);
 				$.template_effect(() => classes = $.set_class(div, 1, "grid s-1x7e8xk", null, classes, {
@@ -130,7 +137,7 @@ function Position($$anchor, $$props) {
 				$.append($$anchor, p);
 			};
 			$.if(node, ($$render) => {
-				if (machine.status) $$render(consequent_3);
+				if (machine.status) $$render(consequent_4);
 				else $$render(alternate_1, -1);
 			});
 			$.append($$anchor, fragment_1);

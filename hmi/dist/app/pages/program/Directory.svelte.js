@@ -23,7 +23,7 @@ var root_3 = $.from_html(`<span> </span>`);
 var root_4 = $.from_html(`<table class="table"><thead><tr><th> </th><th> </th><th class="right"> </th><th> </th></tr></thead><tbody></tbody></table> <p class="muted total s-1l9uiap" data-testid="capacity"> <!> <!></p>`, 1);
 var root_5 = $.from_html(`<div class="preview s-1l9uiap"><div class="row wrap"><strong class="code"> </strong> <span class="grow muted comment s-1l9uiap"> </span> <!> <!></div> <div class="text s-1l9uiap"><!></div> <div class="row wrap"><a class="download s-1l9uiap"><!> </a> <!> <!> <!> <span class="grow"></span> <!></div></div>`);
 var root_6 = $.from_html(`<!> <!>`, 1);
-var root_7 = $.from_html(`<input class="code" placeholder="O0001" data-testid="new-name"/>`);
+var root_7 = $.from_html(`<input class="code" autocapitalize="characters" placeholder="O0001" data-testid="new-name"/>`);
 var root_8 = $.from_html(`<form id="new-program"><!></form>`);
 var root_9 = $.from_html(`<p> </p>`);
 var root_10 = $.from_html(`<div data-testid="directory" role="region"><!> <!></div> <!> <!> <!>`, 1);

@@ -1,6 +1,7 @@
 import { t } from "../../lib/i18n/index.svelte.js";
 import Editor from "../../lib/editor/Editor.svelte.js";
 import Findings from "../../lib/editor/Findings.svelte.js";
+import KeypadSwitch from "../../lib/editor/KeypadSwitch.svelte.js";
 import { cycleAt } from "../../lib/cycles/read.js";
 import { renumber } from "../../lib/editor/renumber.js";
 import Button from "../../lib/parts/Button.svelte.js";
@@ -24,7 +25,7 @@ var root_3 = $.from_html(`<span class="background s-n0epk1" data-testid="closed"
 var root_4 = $.from_html(`<div class="newer row wrap s-n0epk1" role="alert" data-testid="newer"><!><span class="grow"> </span> <!></div>`);
 var root_5 = $.from_html(`<div class="newer row s-n0epk1" role="alert" data-testid="codes-lost"><!><span class="grow"> </span> <!></div>`);
 var root_6 = $.from_html(`<p class="muted"> </p>`);
-var root_7 = $.from_html(`<div class="edit s-n0epk1" data-testid="editor"><div class="row wrap"><strong class="code name s-n0epk1"> <!></strong> <!> <!> <!> <!> <span class="grow"></span> <!> <!> <!> <!> <!> <!> <!> <!></div> <!> <!> <div class="text s-n0epk1"><!></div> <!></div>`);
+var root_7 = $.from_html(`<div class="edit s-n0epk1" data-testid="editor"><div class="row wrap"><strong class="code name s-n0epk1"> <!></strong> <!> <!> <!> <!> <span class="grow"></span> <!> <!> <!> <!> <!> <!> <!> <!> <!></div> <!> <!> <div class="text s-n0epk1"><!></div> <!></div>`);
 var root_8 = $.from_html(`<!> <!>`, 1);
 var root_9 = $.from_html(`<div class="row"><!> <!></div>`);
 var root_10 = $.from_html(`<p> </p>`);
@@ -346,10 +347,12 @@ function Edit($$anchor, $$props) {
 			});
 		}
 		var node_8 = $.sibling(node_7, 2);
+		KeypadSwitch(node_8, {});
+		var node_9 = $.sibling(node_8, 2);
 		{
 			let $0 = $.derived(() => t("program.find"));
 			let $1 = $.derived(() => t("program.find"));
-			Button(node_8, {
+			Button(node_9, {
 				icon: "search",
 				get "aria-label"() {
 					return $.get($0);
@@ -361,11 +364,11 @@ function Edit($$anchor, $$props) {
 				"data-testid": "find"
 			});
 		}
-		var node_9 = $.sibling(node_8, 2);
+		var node_10 = $.sibling(node_9, 2);
 		{
 			let $0 = $.derived(() => t("editor.line"));
 			let $1 = $.derived(() => t("editor.line"));
-			Button(node_9, {
+			Button(node_10, {
 				icon: "target",
 				get "aria-label"() {
 					return $.get($0);
@@ -377,12 +380,12 @@ function Edit($$anchor, $$props) {
 				"data-testid": "to-line"
 			});
 		}
-		var node_10 = $.sibling(node_9, 2);
+		var node_11 = $.sibling(node_10, 2);
 		{
 			let $0 = $.derived(() => t("program.cycle"));
 			let $1 = $.derived(() => t("program.cycle"));
 			let $2 = $.derived(() => !$.get(shown));
-			Button(node_10, {
+			Button(node_11, {
 				icon: "cycles",
 				get "aria-label"() {
 					return $.get($0);
@@ -397,8 +400,8 @@ function Edit($$anchor, $$props) {
 				"data-testid": "to-cycle"
 			});
 		}
-		var node_11 = $.sibling(node_10, 2);
-		Button(node_11, {
+		var node_12 = $.sibling(node_11, 2);
+		Button(node_12, {
 			icon: "list",
 			onclick: () => $.set(numbering, true),
 			"data-testid": "renumber",
@@ -410,8 +413,8 @@ function Edit($$anchor, $$props) {
 			},
 			$$slots: { default: true }
 		});
-		var node_12 = $.sibling(node_11, 2);
-		Button(node_12, {
+		var node_13 = $.sibling(node_12, 2);
+		Button(node_13, {
 			icon: "play",
 			onclick: () => void select(),
 			children: ($$anchor, $$slotProps) => {
@@ -422,10 +425,10 @@ function Edit($$anchor, $$props) {
 			},
 			$$slots: { default: true }
 		});
-		var node_13 = $.sibling(node_12, 2);
+		var node_14 = $.sibling(node_13, 2);
 		{
 			let $0 = $.derived(() => !$.get(changed) || $.get(isClosed));
-			Button(node_13, {
+			Button(node_14, {
 				kind: "primary",
 				icon: "save",
 				get disabled() {
@@ -443,15 +446,15 @@ function Edit($$anchor, $$props) {
 			});
 		}
 		$.reset(div_1);
-		var node_14 = $.sibling(div_1, 2);
+		var node_15 = $.sibling(div_1, 2);
 		var consequent_6 = ($$anchor) => {
 			var div_2 = root_4();
-			var node_15 = $.child(div_2);
-			Icon(node_15, { name: "alarms" });
-			var span_4 = $.sibling(node_15);
+			var node_16 = $.child(div_2);
+			Icon(node_16, { name: "alarms" });
+			var span_4 = $.sibling(node_16);
 			var text_10 = $.only_child(span_4, true);
-			var node_16 = $.sibling(span_4, 2);
-			Button(node_16, {
+			var node_17 = $.sibling(span_4, 2);
+			Button(node_17, {
 				onclick: takeNewer,
 				"data-testid": "take-newer",
 				children: ($$anchor, $$slotProps) => {
@@ -466,20 +469,20 @@ function Edit($$anchor, $$props) {
 			$.template_effect(($0) => $.set_text(text_10, $0), [() => t("program.newer")]);
 			$.append($$anchor, div_2);
 		};
-		$.if(node_14, ($$render) => {
+		$.if(node_15, ($$render) => {
 			if ($.get(isNewer)) $$render(consequent_6);
 		});
-		var node_17 = $.sibling(node_14, 2);
+		var node_18 = $.sibling(node_15, 2);
 		var consequent_7 = ($$anchor) => {
 			var div_3 = root_5();
-			var node_18 = $.child(div_3);
-			Icon(node_18, { name: "alarms" });
-			var span_5 = $.sibling(node_18);
+			var node_19 = $.child(div_3);
+			Icon(node_19, { name: "alarms" });
+			var span_5 = $.sibling(node_19);
 			var text_12 = $.only_child(span_5, true);
-			var node_19 = $.sibling(span_5, 2);
+			var node_20 = $.sibling(span_5, 2);
 			{
 				let $0 = $.derived(() => t("app.close"));
-				Button(node_19, {
+				Button(node_20, {
 					kind: "quiet",
 					icon: "close",
 					get "aria-label"() {
@@ -495,15 +498,15 @@ function Edit($$anchor, $$props) {
 			$.template_effect(($0) => $.set_text(text_12, $0), [() => t("program.codes_lost", { codes: $.get(lost).codes.join(" ") })]);
 			$.append($$anchor, div_3);
 		};
-		$.if(node_17, ($$render) => {
+		$.if(node_18, ($$render) => {
 			if ($.get(lost).program === $.get(shown) && $.get(lost).codes.length) $$render(consequent_7);
 		});
-		var div_4 = $.sibling(node_17, 2);
-		var node_20 = $.child(div_4);
+		var div_4 = $.sibling(node_18, 2);
+		var node_21 = $.child(div_4);
 		var consequent_8 = ($$anchor) => {
 			var fragment_8 = $.comment();
-			var node_21 = $.first_child(fragment_8);
-			$.key(node_21, () => $.get(shown), ($$anchor) => {
+			var node_22 = $.first_child(fragment_8);
+			$.key(node_22, () => $.get(shown), ($$anchor) => {
 				{
 					let $0 = $.derived(() => t("program.edit"));
 					$.bind_this(Editor($$anchor, {
@@ -537,13 +540,13 @@ function Edit($$anchor, $$props) {
 			$.template_effect(($0) => $.set_text(text_13, $0), [() => t("app.loading")]);
 			$.append($$anchor, p);
 		};
-		$.if(node_20, ($$render) => {
+		$.if(node_21, ($$render) => {
 			if ($.get(shown)) $$render(consequent_8);
 			else if ($.get(opening)) $$render(consequent_9, 1);
 		});
 		$.reset(div_4);
-		var node_22 = $.sibling(div_4, 2);
-		Findings(node_22, {
+		var node_23 = $.sibling(div_4, 2);
+		Findings(node_23, {
 			get findings() {
 				return $.get(findings);
 			},
@@ -557,12 +560,12 @@ function Edit($$anchor, $$props) {
 		if (!$.get(name)) $$render(consequent);
 		else $$render(alternate, -1);
 	});
-	var node_23 = $.sibling(node, 2);
+	var node_24 = $.sibling(node, 2);
 	{
 		const actions = ($$anchor) => {
 			var fragment_10 = root_8();
-			var node_24 = $.first_child(fragment_10);
-			Button(node_24, {
+			var node_25 = $.first_child(fragment_10);
+			Button(node_25, {
 				onclick: () => $.set(numbering, false),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
@@ -572,8 +575,8 @@ function Edit($$anchor, $$props) {
 				},
 				$$slots: { default: true }
 			});
-			var node_25 = $.sibling(node_24, 2);
-			Button(node_25, {
+			var node_26 = $.sibling(node_25, 2);
+			Button(node_26, {
 				kind: "primary",
 				onclick: number,
 				children: ($$anchor, $$slotProps) => {
@@ -587,7 +590,7 @@ function Edit($$anchor, $$props) {
 			$.append($$anchor, fragment_10);
 		};
 		let $0 = $.derived(() => t("program.renumber"));
-		Dialog(node_23, {
+		Dialog(node_24, {
 			get title() {
 				return $.get($0);
 			},
@@ -600,10 +603,10 @@ function Edit($$anchor, $$props) {
 			actions,
 			children: ($$anchor, $$slotProps) => {
 				var div_5 = root_9();
-				var node_26 = $.child(div_5);
+				var node_27 = $.child(div_5);
 				{
 					let $0 = $.derived(() => t("program.first"));
-					Labelled(node_26, {
+					Labelled(node_27, {
 						get label() {
 							return $.get($0);
 						},
@@ -627,10 +630,10 @@ function Edit($$anchor, $$props) {
 						$$slots: { default: true }
 					});
 				}
-				var node_27 = $.sibling(node_26, 2);
+				var node_28 = $.sibling(node_27, 2);
 				{
 					let $0 = $.derived(() => t("program.step"));
-					Labelled(node_27, {
+					Labelled(node_28, {
 						get label() {
 							return $.get($0);
 						},
@@ -663,12 +666,12 @@ function Edit($$anchor, $$props) {
 			}
 		});
 	}
-	var node_28 = $.sibling(node_23, 2);
+	var node_29 = $.sibling(node_24, 2);
 	{
 		const actions = ($$anchor) => {
 			var fragment_15 = root_8();
-			var node_29 = $.first_child(fragment_15);
-			Button(node_29, {
+			var node_30 = $.first_child(fragment_15);
+			Button(node_30, {
 				onclick: () => $.set(replaces, false),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
@@ -678,8 +681,8 @@ function Edit($$anchor, $$props) {
 				},
 				$$slots: { default: true }
 			});
-			var node_30 = $.sibling(node_29, 2);
-			Button(node_30, {
+			var node_31 = $.sibling(node_30, 2);
+			Button(node_31, {
 				kind: "danger",
 				onclick: () => void store(),
 				"data-testid": "replace-newer",
@@ -694,7 +697,7 @@ function Edit($$anchor, $$props) {
 			$.append($$anchor, fragment_15);
 		};
 		let $0 = $.derived(() => t("program.replace_newer"));
-		Dialog(node_28, {
+		Dialog(node_29, {
 			get title() {
 				return $.get($0);
 			},

@@ -5,25 +5,24 @@ import Card from "../../lib/parts/Card.svelte.js";
 import NumberField from "../../lib/parts/NumberField.svelte.js";
 import { alarmText } from "../../lib/state/alarm-texts.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
-import { restart } from "../../lib/state/restart.svelte.js";
+import { called, restart } from "../../lib/state/restart.svelte.js";
+import Differences from "./Differences.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/program/Restart.svelte
-var root = $.from_html(`<p class="missing s-16wg6qh" role="alert" data-testid="restart-missing"> </p>`);
+var root = $.from_html(`<p class="missing s-c5cfhv" role="alert" data-testid="restart-missing"> </p>`);
 var root_1 = $.from_html(`<span> </span>`);
-var root_2 = $.from_html(`<dt class="s-16wg6qh"> </dt><dd class="number s-16wg6qh"> </dd>`, 1);
+var root_2 = $.from_html(`<dt class="s-c5cfhv"> </dt><dd class="number s-c5cfhv"> </dd>`, 1);
 var root_3 = $.from_html(`<li class="number"><strong> </strong> <span class="muted"> </span></li>`);
-var root_4 = $.from_html(`<li class="none s-16wg6qh">–</li>`);
-var root_5 = $.from_html(`<tr><td class="s-16wg6qh"> </td><td class="code s-16wg6qh"> </td><td class="code s-16wg6qh"> </td></tr>`);
-var root_6 = $.from_html(`<table class="table" data-testid="restart-differences"><thead><tr><th> </th><th> </th><th> </th></tr></thead><tbody></tbody></table>`);
-var root_7 = $.from_html(`<p class="muted"> </p>`);
-var root_8 = $.from_html(`<p class="missing s-16wg6qh"> </p>`);
-var root_9 = $.from_html(`<p class="go s-16wg6qh" role="status"> </p> <p class="code text s-16wg6qh"> </p> <!> <dl class="s-16wg6qh"><dt class="s-16wg6qh"> </dt> <dd class="number s-16wg6qh"></dd> <!> <dt class="s-16wg6qh"> </dt> <dd class="code s-16wg6qh"></dd> <dt class="s-16wg6qh"> </dt> <dd class="s-16wg6qh"><ol class="s-16wg6qh"></ol></dd> <!></dl> <!> <!> <!>`, 1);
-var root_10 = $.from_html(`<p> </p>`);
-var root_11 = $.from_html(`<p> </p> <p class="code text s-16wg6qh"> </p>`, 1);
-var root_12 = $.from_html(`<span class="muted"> </span> <span class="pass s-16wg6qh"><!></span>`, 1);
-var root_13 = $.from_html(`<!> <div class="row wrap"><!> <label class="row s-16wg6qh"><input type="checkbox" class="s-16wg6qh"/> </label> <label class="row s-16wg6qh"><input type="checkbox" class="s-16wg6qh"/> </label> <!></div> <p class="muted"> </p>`, 1);
-var root_14 = $.from_html(`<div class="restart s-16wg6qh" data-testid="restart"><!></div>`);
+var root_4 = $.from_html(`<li class="none s-c5cfhv">–</li>`);
+var root_5 = $.from_html(`<p class="muted"> </p>`);
+var root_6 = $.from_html(`<p class="missing s-c5cfhv"> </p>`);
+var root_7 = $.from_html(`<p class="go s-c5cfhv" role="status"> </p> <p class="code text s-c5cfhv"> </p> <!> <dl class="s-c5cfhv"><dt class="s-c5cfhv"> </dt> <dd class="number s-c5cfhv"></dd> <!> <dt class="s-c5cfhv"> </dt> <dd class="code s-c5cfhv"></dd> <dt class="s-c5cfhv"> </dt> <dd class="s-c5cfhv"><ol class="s-c5cfhv"></ol></dd> <!></dl> <!> <!> <!>`, 1);
+var root_8 = $.from_html(`<p> </p>`);
+var root_9 = $.from_html(`<p> </p> <p class="code text s-c5cfhv"> </p>`, 1);
+var root_10 = $.from_html(`<span class="muted"> </span> <span class="pass s-c5cfhv"><!></span>`, 1);
+var root_11 = $.from_html(`<!> <div class="row wrap"><!> <label class="row s-c5cfhv"><input type="checkbox" class="s-c5cfhv"/> </label> <label class="row s-c5cfhv"><input type="checkbox" class="s-c5cfhv"/> </label> <!></div> <p class="muted"> </p>`, 1);
+var root_12 = $.from_html(`<div class="restart s-c5cfhv" data-testid="restart"><!></div>`);
 function Restart($$anchor, $$props) {
 	$.push($$props, true);
 	let pass = $.state(1);
@@ -44,33 +43,10 @@ function Restart($$anchor, $$props) {
 			$.set(now, null);
 			return;
 		}
-		let shown = true;
-		const ask = async () => {
-			while (shown) {
-				const reply = await machine.ask({ do: "restarts" }).catch(() => null);
-				if (shown && reply?.reply === "restarts") $.set(now, reply);
-				await new Promise((resolve) => setTimeout(resolve, 300));
-			}
-		};
-		ask();
-		return () => {
-			shown = false;
-		};
+		return restart.follow((reply) => $.set(now, reply));
 	});
-	/** What a difference is of: `G03` a modal group, `zero.X` with its axis. */
-	function called(of) {
-		const group = /^G(\d+)$/.exec(of);
-		if (group) return t("restart.of_group", { number: group[1] });
-		const [what = "", axis = ""] = of.split(".");
-		return t(`restart.of_${what}`, { axis });
-	}
-	/** A setting as the program has it: a word, a code, a number. */
-	function value(text) {
-		if (text === null) return "–";
-		return text === "on" || text === "off" ? t(`app.${text}`) : text;
-	}
 	const places = (of) => machine.axes.filter((axis) => axis in of).map((axis) => `${axis} ${fixed(of[axis])}`);
-	var div = root_14();
+	var div = root_12();
 	var node = $.child(div);
 	{
 		const actions = ($$anchor) => {
@@ -83,9 +59,9 @@ function Restart($$anchor, $$props) {
 					"data-testid": "restart-forget",
 					children: ($$anchor, $$slotProps) => {
 						$.next();
-						var text_1 = $.text();
-						$.template_effect(($0) => $.set_text(text_1, $0), [() => t("restart.forget")]);
-						$.append($$anchor, text_1);
+						var text = $.text();
+						$.template_effect(($0) => $.set_text(text, $0), [() => t("restart.forget")]);
+						$.append($$anchor, text);
 					},
 					$$slots: { default: true }
 				});
@@ -119,16 +95,16 @@ function Restart($$anchor, $$props) {
 				var fragment_4 = $.comment();
 				var node_2 = $.first_child(fragment_4);
 				var consequent_7 = ($$anchor) => {
-					var fragment_5 = root_9();
+					var fragment_5 = root_7();
 					var p = $.first_child(fragment_5);
-					var text_2 = $.only_child(p, true);
+					var text_1 = $.only_child(p, true);
 					var p_1 = $.sibling(p, 2);
-					var text_3 = $.only_child(p_1, true);
+					var text_2 = $.only_child(p_1, true);
 					var node_3 = $.sibling(p_1, 2);
 					var consequent_1 = ($$anchor) => {
 						var p_2 = root();
-						var text_4 = $.only_child(p_2, true);
-						$.template_effect(($0) => $.set_text(text_4, $0), [() => t("restart.missing", { list: $.get(plan).missing.map(called).join(", ") })]);
+						var text_3 = $.only_child(p_2, true);
+						$.template_effect(($0) => $.set_text(text_3, $0), [() => t("restart.missing", { list: $.get(plan).missing.map(called).join(", ") })]);
 						$.append($$anchor, p_2);
 					};
 					$.if(node_3, ($$render) => {
@@ -136,12 +112,12 @@ function Restart($$anchor, $$props) {
 					});
 					var dl = $.sibling(node_3, 2);
 					var dt = $.child(dl);
-					var text_5 = $.only_child(dt, true);
+					var text_4 = $.only_child(dt, true);
 					var dd = $.sibling(dt, 2);
 					$.each(dd, 20, () => places($.get(plan).position), (place) => place, ($$anchor, place) => {
 						var span = root_1();
-						var text_6 = $.only_child(span, true);
-						$.template_effect(() => $.set_text(text_6, place));
+						var text_5 = $.only_child(span, true);
+						$.template_effect(() => $.set_text(text_5, place));
 						$.append($$anchor, span);
 					});
 					$.reset(dd);
@@ -149,12 +125,12 @@ function Restart($$anchor, $$props) {
 					var consequent_2 = ($$anchor) => {
 						var fragment_6 = root_2();
 						var dt_1 = $.first_child(fragment_6);
-						var text_7 = $.only_child(dt_1, true);
+						var text_6 = $.only_child(dt_1, true);
 						var dd_1 = $.sibling(dt_1);
-						var text_8 = $.only_child(dd_1, true);
+						var text_7 = $.only_child(dd_1, true);
 						$.template_effect(($0, $1) => {
-							$.set_text(text_7, $0);
-							$.set_text(text_8, $1);
+							$.set_text(text_6, $0);
+							$.set_text(text_7, $1);
 						}, [() => t("restart.hole"), () => number($.get(plan).hole)]);
 						$.append($$anchor, fragment_6);
 					};
@@ -162,33 +138,33 @@ function Restart($$anchor, $$props) {
 						if ($.get(plan).hole > 1) $$render(consequent_2);
 					});
 					var dt_2 = $.sibling(node_4, 2);
-					var text_9 = $.only_child(dt_2, true);
+					var text_8 = $.only_child(dt_2, true);
 					var dd_2 = $.sibling(dt_2, 2);
 					$.each(dd_2, 21, () => $.get(plan).functions, $.index, ($$anchor, one) => {
 						var span_1 = root_1();
-						var text_10 = $.only_child(span_1, true);
-						$.template_effect(() => $.set_text(text_10, $.get(one)));
+						var text_9 = $.only_child(span_1, true);
+						$.template_effect(() => $.set_text(text_9, $.get(one)));
 						$.append($$anchor, span_1);
 					}, ($$anchor) => {
 						$.next();
-						var text_11 = $.text("–");
-						$.append($$anchor, text_11);
+						var text_10 = $.text("–");
+						$.append($$anchor, text_10);
 					});
 					$.reset(dd_2);
 					var dt_3 = $.sibling(dd_2, 2);
-					var text_12 = $.only_child(dt_3, true);
+					var text_11 = $.only_child(dt_3, true);
 					var dd_3 = $.sibling(dt_3, 2);
 					var ol = $.child(dd_3);
 					$.each(ol, 21, () => $.get(plan).approach, $.index, ($$anchor, move) => {
 						var li = root_3();
 						var strong = $.child(li);
-						var text_13 = $.only_child(strong);
+						var text_12 = $.only_child(strong);
 						var span_2 = $.sibling(strong, 2);
-						var text_14 = $.only_child(span_2);
+						var text_13 = $.only_child(span_2);
 						$.reset(li);
 						$.template_effect(($0, $1, $2) => {
-							$.set_text(text_13, `${$.get(move).axis ?? ""} ${$0 ?? ""}`);
-							$.set_text(text_14, `${$1 ?? ""} ${$2 ?? ""}`);
+							$.set_text(text_12, `${$.get(move).axis ?? ""} ${$0 ?? ""}`);
+							$.set_text(text_13, `${$1 ?? ""} ${$2 ?? ""}`);
 						}, [
 							() => fixed($.get(move).to),
 							() => $.get(move).rapid ? t("restart.rapid") : "",
@@ -205,12 +181,12 @@ function Restart($$anchor, $$props) {
 					var consequent_3 = ($$anchor) => {
 						var fragment_7 = root_2();
 						var dt_4 = $.first_child(fragment_7);
-						var text_15 = $.only_child(dt_4, true);
+						var text_14 = $.only_child(dt_4, true);
 						var dd_4 = $.sibling(dt_4);
-						var text_16 = $.only_child(dd_4, true);
+						var text_15 = $.only_child(dd_4, true);
 						$.template_effect(($0, $1) => {
-							$.set_text(text_15, $0);
-							$.set_text(text_16, $1);
+							$.set_text(text_14, $0);
+							$.set_text(text_15, $1);
 						}, [() => t("restart.changes"), () => number($.get(plan).changes)]);
 						$.append($$anchor, fragment_7);
 					};
@@ -220,62 +196,18 @@ function Restart($$anchor, $$props) {
 					$.reset(dl);
 					var node_6 = $.sibling(dl, 2);
 					var consequent_4 = ($$anchor) => {
-						var table = root_6();
-						var thead = $.child(table);
-						var tr = $.child(thead);
-						var th = $.child(tr);
-						var text_17 = $.only_child(th, true);
-						var th_1 = $.sibling(th);
-						var text_18 = $.only_child(th_1, true);
-						var th_2 = $.sibling(th_1);
-						var text_19 = $.only_child(th_2, true);
-						$.reset(tr);
-						$.reset(thead);
-						var tbody = $.sibling(thead);
-						$.each(tbody, 21, () => $.get(plan).differences, (one) => one.of, ($$anchor, one) => {
-							var tr_1 = root_5();
-							let classes;
-							var td = $.child(tr_1);
-							var text_20 = $.only_child(td, true);
-							var td_1 = $.sibling(td);
-							var text_21 = $.only_child(td_1, true);
-							var td_2 = $.sibling(td_1);
-							var text_22 = $.only_child(td_2, true);
-							$.reset(tr_1);
-							$.template_effect(($0, $1, $2, $3) => {
-								classes = $.set_class(tr_1, 1, "s-16wg6qh", null, classes, { missing: $0 });
-								$.set_text(text_20, $1);
-								$.set_text(text_21, $2);
-								$.set_text(text_22, $3);
-							}, [
-								() => $.get(plan).missing.includes($.get(one).of),
-								() => called($.get(one).of),
-								() => value($.get(one).program),
-								() => value($.get(one).machine)
-							]);
-							$.append($$anchor, tr_1);
-						});
-						$.reset(tbody);
-						$.reset(table);
-						$.template_effect(($0, $1, $2) => {
-							$.set_text(text_17, $0);
-							$.set_text(text_18, $1);
-							$.set_text(text_19, $2);
-						}, [
-							() => t("restart.differs"),
-							() => t("restart.program"),
-							() => t("restart.machine")
-						]);
-						$.append($$anchor, table);
+						Differences($$anchor, { get plan() {
+							return $.get(plan);
+						} });
 					};
 					$.if(node_6, ($$render) => {
 						if ($.get(plan).differences.length) $$render(consequent_4);
 					});
 					var node_7 = $.sibling(node_6, 2);
 					var consequent_5 = ($$anchor) => {
-						var p_3 = root_7();
-						var text_23 = $.only_child(p_3, true);
-						$.template_effect(($0) => $.set_text(text_23, $0), [() => t("restart.present")]);
+						var p_3 = root_5();
+						var text_16 = $.only_child(p_3, true);
+						$.template_effect(($0) => $.set_text(text_16, $0), [() => t("restart.present")]);
 						$.append($$anchor, p_3);
 					};
 					$.if(node_7, ($$render) => {
@@ -283,20 +215,20 @@ function Restart($$anchor, $$props) {
 					});
 					var node_8 = $.sibling(node_7, 2);
 					var consequent_6 = ($$anchor) => {
-						var p_4 = root_8();
-						var text_24 = $.only_child(p_4, true);
-						$.template_effect(($0) => $.set_text(text_24, $0), [() => alarmText($.get(plan).warning).text]);
+						var p_4 = root_6();
+						var text_17 = $.only_child(p_4, true);
+						$.template_effect(($0) => $.set_text(text_17, $0), [() => alarmText($.get(plan).warning).text]);
 						$.append($$anchor, p_4);
 					};
 					$.if(node_8, ($$render) => {
 						if ($.get(plan).warning) $$render(consequent_6);
 					});
 					$.template_effect(($0, $1, $2, $3) => {
-						$.set_text(text_2, $0);
-						$.set_text(text_3, $.get(plan).text);
-						$.set_text(text_5, $1);
-						$.set_text(text_9, $2);
-						$.set_text(text_12, $3);
+						$.set_text(text_1, $0);
+						$.set_text(text_2, $.get(plan).text);
+						$.set_text(text_4, $1);
+						$.set_text(text_8, $2);
+						$.set_text(text_11, $3);
 					}, [
 						() => t("restart.ready", {
 							program: $.get(plan).file,
@@ -309,28 +241,28 @@ function Restart($$anchor, $$props) {
 					$.append($$anchor, fragment_5);
 				};
 				var alternate_1 = ($$anchor) => {
-					var fragment_8 = root_13();
-					var node_9 = $.first_child(fragment_8);
+					var fragment_9 = root_11();
+					var node_9 = $.first_child(fragment_9);
 					var consequent_8 = ($$anchor) => {
-						var p_5 = root_10();
-						var text_25 = $.only_child(p_5, true);
-						$.template_effect(($0) => $.set_text(text_25, $0), [() => t("program.restart_here", { line: restart.line })]);
+						var p_5 = root_8();
+						var text_18 = $.only_child(p_5, true);
+						$.template_effect(($0) => $.set_text(text_18, $0), [() => t("program.restart_here", { line: restart.line })]);
 						$.append($$anchor, p_5);
 					};
 					var consequent_9 = ($$anchor) => {
-						var fragment_9 = root_11();
-						var p_6 = $.first_child(fragment_9);
-						var text_26 = $.only_child(p_6, true);
+						var fragment_10 = root_9();
+						var p_6 = $.first_child(fragment_10);
+						var text_19 = $.only_child(p_6, true);
 						var p_7 = $.sibling(p_6, 2);
-						var text_27 = $.only_child(p_7, true);
+						var text_20 = $.only_child(p_7, true);
 						$.template_effect(($0) => {
-							$.set_text(text_26, $0);
-							$.set_text(text_27, $.get(interrupted).text);
+							$.set_text(text_19, $0);
+							$.set_text(text_20, $.get(interrupted).text);
 						}, [() => t("restart.interrupted", {
 							program: $.get(interrupted).file,
 							line: $.get(interrupted).line
 						})]);
-						$.append($$anchor, fragment_9);
+						$.append($$anchor, fragment_10);
 					};
 					$.if(node_9, ($$render) => {
 						if (restart.line !== null) $$render(consequent_8);
@@ -339,9 +271,9 @@ function Restart($$anchor, $$props) {
 					var div_1 = $.sibling(node_9, 2);
 					var node_10 = $.child(div_1);
 					var consequent_10 = ($$anchor) => {
-						var fragment_10 = root_12();
-						var span_3 = $.first_child(fragment_10);
-						var text_28 = $.only_child(span_3, true);
+						var fragment_11 = root_10();
+						var span_3 = $.first_child(fragment_11);
+						var text_21 = $.only_child(span_3, true);
 						var span_4 = $.sibling(span_3, 2);
 						var node_11 = $.child(span_4);
 						{
@@ -359,8 +291,8 @@ function Restart($$anchor, $$props) {
 							});
 						}
 						$.reset(span_4);
-						$.template_effect(($0) => $.set_text(text_28, $0), [() => t("restart.pass")]);
-						$.append($$anchor, fragment_10);
+						$.template_effect(($0) => $.set_text(text_21, $0), [() => t("restart.pass")]);
+						$.append($$anchor, fragment_11);
 					};
 					$.if(node_10, ($$render) => {
 						if (restart.line !== null) $$render(consequent_10);
@@ -368,12 +300,12 @@ function Restart($$anchor, $$props) {
 					var label = $.sibling(node_10, 2);
 					var input = $.child(label);
 					$.remove_input_defaults(input);
-					var text_29 = $.sibling(input, 1, true);
+					var text_22 = $.sibling(input, 1, true);
 					$.reset(label);
 					var label_1 = $.sibling(label, 2);
 					var input_1 = $.child(label_1);
 					$.remove_input_defaults(input_1);
-					var text_30 = $.sibling(input_1, 1, true);
+					var text_23 = $.sibling(input_1, 1, true);
 					$.reset(label_1);
 					var node_12 = $.sibling(label_1, 2);
 					Button(node_12, {
@@ -390,19 +322,19 @@ function Restart($$anchor, $$props) {
 						"data-testid": "restart-search",
 						children: ($$anchor, $$slotProps) => {
 							$.next();
-							var text_31 = $.text();
-							$.template_effect(($0) => $.set_text(text_31, $0), [() => t("restart.search")]);
-							$.append($$anchor, text_31);
+							var text_24 = $.text();
+							$.template_effect(($0) => $.set_text(text_24, $0), [() => t("restart.search")]);
+							$.append($$anchor, text_24);
 						},
 						$$slots: { default: true }
 					});
 					$.reset(div_1);
 					var p_8 = $.sibling(div_1, 2);
-					var text_32 = $.only_child(p_8, true);
+					var text_25 = $.only_child(p_8, true);
 					$.template_effect(($0, $1, $2) => {
-						$.set_text(text_29, $0);
-						$.set_text(text_30, $1);
-						$.set_text(text_32, $2);
+						$.set_text(text_22, $0);
+						$.set_text(text_23, $1);
+						$.set_text(text_25, $2);
 					}, [
 						() => t("restart.sends"),
 						() => t("restart.each"),
@@ -410,7 +342,7 @@ function Restart($$anchor, $$props) {
 					]);
 					$.bind_checked(input, () => $.get(sends), ($$value) => $.set(sends, $$value));
 					$.bind_checked(input_1, () => $.get(each), ($$value) => $.set(each, $$value));
-					$.append($$anchor, fragment_8);
+					$.append($$anchor, fragment_9);
 				};
 				$.if(node_2, ($$render) => {
 					if ($.get(plan)) $$render(consequent_7);

@@ -4,6 +4,7 @@ import { route } from "../../lib/routing.svelte.js";
 import Centring from "./Centring.svelte.js";
 import Data from "./Data.svelte.js";
 import General from "./General.svelte.js";
+import MachineZero from "./MachineZero.svelte.js";
 import Probe from "./Probe.svelte.js";
 import Rights from "./Rights.svelte.js";
 import ToolLength from "./ToolLength.svelte.js";
@@ -18,6 +19,7 @@ function Settings($$anchor, $$props) {
 		"centring",
 		"probe",
 		"tool",
+		"machine_zero",
 		"general",
 		"data",
 		"rights"
@@ -50,9 +52,12 @@ function Settings($$anchor, $$props) {
 				ToolLength($$anchor, {});
 			};
 			var consequent_4 = ($$anchor) => {
-				General($$anchor, {});
+				MachineZero($$anchor, {});
 			};
 			var consequent_5 = ($$anchor) => {
+				General($$anchor, {});
+			};
+			var consequent_6 = ($$anchor) => {
 				Data($$anchor, {});
 			};
 			var alternate = ($$anchor) => {
@@ -63,8 +68,9 @@ function Settings($$anchor, $$props) {
 				else if ($.get(active) === "centring") $$render(consequent_1, 1);
 				else if ($.get(active) === "probe") $$render(consequent_2, 2);
 				else if ($.get(active) === "tool") $$render(consequent_3, 3);
-				else if ($.get(active) === "general") $$render(consequent_4, 4);
-				else if ($.get(active) === "data") $$render(consequent_5, 5);
+				else if ($.get(active) === "machine_zero") $$render(consequent_4, 4);
+				else if ($.get(active) === "general") $$render(consequent_5, 5);
+				else if ($.get(active) === "data") $$render(consequent_6, 6);
 				else $$render(alternate, -1);
 			});
 			$.append($$anchor, fragment_1);

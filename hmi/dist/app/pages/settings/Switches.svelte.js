@@ -12,7 +12,7 @@ var root = $.from_html(`<small class="muted"> </small>`);
 var root_1 = $.from_html(`<fieldset class="s-m794go"><!></fieldset>`);
 var root_2 = $.from_html(`<span> <!></span> <!>`, 1);
 var root_3 = $.from_html(`<p class="muted"> </p>`);
-var root_4 = $.from_html(`<div class="rows s-m794go" data-testid="switches"><span> </span> <span class="row wrap"><!></span> <!> <!> <!> <p class="muted hint s-m794go"> </p> <!> <span> <!></span> <span class="short s-m794go"><!></span> <span> </span> <span class="row wrap"><input class="code short s-m794go" data-testid="stop-program"/> <span class="short s-m794go"><!></span> <span class="code" data-testid="stop"> </span> <!></span> <span> </span> <span><time class="number" data-testid="clock"> </time><br/><small class="muted"> </small></span></div> <!>`, 1);
+var root_4 = $.from_html(`<div class="rows s-m794go" data-testid="switches"><span> </span> <span class="row wrap"><!></span> <!> <!> <!> <p class="muted hint s-m794go"> </p> <!> <span> <!></span> <span class="short s-m794go"><!></span> <span> </span> <span class="row wrap"><input class="code short s-m794go" autocapitalize="characters" data-testid="stop-program"/> <span class="short s-m794go"><!></span> <span class="code" data-testid="stop"> </span> <!></span> <span> </span> <span><time class="number" data-testid="clock"> </time><br/><small class="muted"> </small></span></div> <!>`, 1);
 function Switches($$anchor, $$props) {
 	$.push($$props, true);
 	const level = ($$anchor, name = $.noop) => {

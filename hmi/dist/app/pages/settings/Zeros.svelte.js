@@ -1,26 +1,24 @@
 import { t } from "../../lib/i18n/index.svelte.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import Card from "../../lib/parts/Card.svelte.js";
+import Find from "../../lib/parts/Find.svelte.js";
 import NumberField from "../../lib/parts/NumberField.svelte.js";
 import { behindLetter, systemNamed } from "../../lib/numbers.js";
 import { machine } from "../../lib/state/machine.svelte.js";
-import { tick } from "svelte";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/settings/Zeros.svelte
-var root = $.from_html(`<input data-testid="find-zero" placeholder="G56 · P6" autocomplete="off" spellcheck="false"/> <!> <!> <!>`, 1);
-var root_1 = $.from_html(`<th class="right s-ynbu7t"> </th>`);
-var root_2 = $.from_html(`<td><div class="row s-ynbu7t"><!> <!></div></td>`);
-var root_3 = $.from_html(`<tr><th scope="row" class="code s-ynbu7t"> </th><!></tr>`);
-var root_4 = $.from_html(`<table class="table" data-testid="zeros"><thead><tr><th class="s-ynbu7t"> </th><!></tr></thead><tbody></tbody></table>`);
-var root_5 = $.from_html(`<!> <p class="muted s-ynbu7t"> </p>`, 1);
+var root = $.from_html(`<!> <!> <!> <!>`, 1);
+var root_1 = $.from_html(`<th class="right s-1si0ian"> </th>`);
+var root_2 = $.from_html(`<td><div class="row s-1si0ian"><!> <!></div></td>`);
+var root_3 = $.from_html(`<tr><th scope="row" class="code s-1si0ian"> </th><!></tr>`);
+var root_4 = $.from_html(`<table class="table" data-testid="zeros"><thead><tr><th class="s-1si0ian"> </th><!></tr></thead><tbody></tbody></table>`);
+var root_5 = $.from_html(`<!> <p class="muted s-1si0ian"> </p>`, 1);
 function Zeros($$anchor, $$props) {
 	$.push($$props, true);
 	let zeros = $.state({});
 	let more = $.state(false);
 	let add = $.state(false);
-	let wanted = $.state("");
-	let table = $.state(void 0);
 	const basic = [
 		"external",
 		"G54",
@@ -43,16 +41,6 @@ function Zeros($$anchor, $$props) {
 			typed: true
 		});
 	}
-	async function find() {
-		const system = systemNamed($.get(wanted));
-		if (system === null) return;
-		$.set(more, !basic.includes(system));
-		$.set(wanted, "");
-		await tick();
-		const row = $.get(table)?.querySelector(`[data-system="${system}"]`);
-		row?.scrollIntoView({ block: "center" });
-		row?.querySelector("input")?.focus();
-	}
 	$.user_effect(() => {
 		machine.changed("zeros");
 		if (machine.link !== "open") return;
@@ -65,11 +53,24 @@ function Zeros($$anchor, $$props) {
 	{
 		const actions = ($$anchor) => {
 			var fragment_1 = root();
-			var input = $.first_child(fragment_1);
-			$.remove_input_defaults(input);
-			let classes;
-			var node_1 = $.sibling(input, 2);
-			Button(node_1, {
+			var node_1 = $.first_child(fragment_1);
+			{
+				let $0 = $.derived(() => t("settings.find_zero"));
+				Find(node_1, {
+					get label() {
+						return $.get($0);
+					},
+					placeholder: "G56 · P6",
+					get meant() {
+						return systemNamed;
+					},
+					at: "data-system",
+					onfind: (system) => $.set(more, !basic.includes(String(system))),
+					"data-testid": "find-zero"
+				});
+			}
+			var node_2 = $.sibling(node_1, 2);
+			Button(node_2, {
 				get pressed() {
 					return $.get(add);
 				},
@@ -82,10 +83,10 @@ function Zeros($$anchor, $$props) {
 				},
 				$$slots: { default: true }
 			});
-			var node_2 = $.sibling(node_1, 2);
+			var node_3 = $.sibling(node_2, 2);
 			{
 				let $0 = $.derived(() => !$.get(more));
-				Button(node_2, {
+				Button(node_3, {
 					get pressed() {
 						return $.get($0);
 					},
@@ -98,8 +99,8 @@ function Zeros($$anchor, $$props) {
 					$$slots: { default: true }
 				});
 			}
-			var node_3 = $.sibling(node_2, 2);
-			Button(node_3, {
+			var node_4 = $.sibling(node_3, 2);
+			Button(node_4, {
 				get pressed() {
 					return $.get(more);
 				},
@@ -111,14 +112,6 @@ function Zeros($$anchor, $$props) {
 				},
 				$$slots: { default: true }
 			});
-			$.template_effect(($0, $1) => {
-				classes = $.set_class(input, 1, "find number s-ynbu7t", null, classes, { wrong: $0 });
-				$.set_attribute(input, "aria-label", $1);
-			}, [() => $.get(wanted).trim() !== "" && systemNamed($.get(wanted)) === null, () => t("settings.find_zero")]);
-			$.delegated("keydown", input, (event) => {
-				if (event.key === "Enter") find();
-			});
-			$.bind_value(input, () => $.get(wanted), ($$value) => $.set(wanted, $$value));
 			$.append($$anchor, fragment_1);
 		};
 		let $0 = $.derived(() => t("settings.zeros"));
@@ -130,13 +123,13 @@ function Zeros($$anchor, $$props) {
 			flush: true,
 			actions,
 			children: ($$anchor, $$slotProps) => {
-				var table_1 = root_4();
-				var thead = $.child(table_1);
+				var table = root_4();
+				var thead = $.child(table);
 				var tr = $.child(thead);
 				var th = $.child(tr);
 				var text_4 = $.only_child(th, true);
-				var node_4 = $.sibling(th);
-				$.each(node_4, 16, () => machine.axes, (axis) => axis, ($$anchor, axis) => {
+				var node_5 = $.sibling(th);
+				$.each(node_5, 16, () => machine.axes, (axis) => axis, ($$anchor, axis) => {
 					var th_1 = root_1();
 					var text_5 = $.only_child(th_1, true);
 					$.template_effect(() => $.set_text(text_5, axis));
@@ -147,19 +140,19 @@ function Zeros($$anchor, $$props) {
 				var tbody = $.sibling(thead);
 				$.each(tbody, 20, () => $.get(systems), (system) => system, ($$anchor, system) => {
 					var tr_1 = root_3();
-					let classes_1;
+					let classes;
 					var th_2 = $.child(tr_1);
 					var text_6 = $.only_child(th_2, true);
-					var node_5 = $.sibling(th_2);
-					$.each(node_5, 16, () => machine.axes, (axis) => axis, ($$anchor, axis) => {
+					var node_6 = $.sibling(th_2);
+					$.each(node_6, 16, () => machine.axes, (axis) => axis, ($$anchor, axis) => {
 						var td = root_2();
 						var div = $.child(td);
-						var node_6 = $.child(div);
+						var node_7 = $.child(div);
 						{
 							let $0 = $.derived(() => $.get(zeros)[system]?.[axis] ?? 0);
 							let $1 = $.derived(() => `${system} ${axis}`);
 							let $2 = $.derived(() => system === "external" ? void 0 : (text) => here(text, system, axis));
-							NumberField(node_6, {
+							NumberField(node_7, {
 								get value() {
 									return $.get($0);
 								},
@@ -182,7 +175,7 @@ function Zeros($$anchor, $$props) {
 								}
 							});
 						}
-						var node_7 = $.sibling(node_6, 2);
+						var node_8 = $.sibling(node_7, 2);
 						var consequent = ($$anchor) => {
 							{
 								let $0 = $.derived(() => t("settings.here", { axis }));
@@ -203,7 +196,7 @@ function Zeros($$anchor, $$props) {
 								});
 							}
 						};
-						$.if(node_7, ($$render) => {
+						$.if(node_8, ($$render) => {
 							if (system !== "external") $$render(consequent);
 						});
 						$.reset(div);
@@ -213,16 +206,15 @@ function Zeros($$anchor, $$props) {
 					$.reset(tr_1);
 					$.template_effect(($0) => {
 						$.set_attribute(tr_1, "data-system", system);
-						classes_1 = $.set_class(tr_1, 1, "s-ynbu7t", null, classes_1, { current: system === $.get(current) });
+						classes = $.set_class(tr_1, 1, "s-1si0ian", null, classes, { current: system === $.get(current) });
 						$.set_text(text_6, $0);
 					}, [() => system === "external" ? t("settings.external") : system]);
 					$.append($$anchor, tr_1);
 				});
 				$.reset(tbody);
-				$.reset(table_1);
-				$.bind_this(table_1, ($$value) => $.set(table, $$value), () => $.get(table));
+				$.reset(table);
 				$.template_effect(($0) => $.set_text(text_4, $0), [() => t("settings.system")]);
-				$.append($$anchor, table_1);
+				$.append($$anchor, table);
 			},
 			$$slots: {
 				actions: true,
@@ -236,5 +228,4 @@ function Zeros($$anchor, $$props) {
 	$.append($$anchor, fragment);
 	$.pop();
 }
-$.delegate(["keydown"]);
 export { Zeros as default };

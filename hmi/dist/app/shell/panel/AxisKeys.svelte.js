@@ -2,17 +2,17 @@ import { t } from "../../lib/i18n/index.svelte.js";
 import Icon from "../../lib/parts/Icon.svelte.js";
 import Key from "../../lib/parts/Key.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
-import { axisKeysOf, increments } from "../keys.js";
+import { increments } from "../keys.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/shell/panel/AxisKeys.svelte
-var root = $.from_html(`<b class="s-t7jqnm"> </b>`);
+var root = $.from_html(`<b class="s-j6e2rm"> </b>`);
 var root_1 = $.from_html(`<span></span>`);
 var root_2 = $.from_html(`<!><span> </span>`, 1);
-var root_3 = $.from_html(`<div class="column s-t7jqnm"><!> <!></div>`);
+var root_3 = $.from_html(`<div class="column s-j6e2rm"><!> <!></div>`);
 var root_4 = $.from_html(`<span class="number"> </span>`);
-var root_5 = $.from_html(`<p class="muted s-t7jqnm"> </p>`);
-var root_6 = $.from_html(`<div class="pad s-t7jqnm"><div class="cross s-t7jqnm"><span></span><!><span></span> <!> <!> <!> <span></span><!><span></span></div> <!></div> <div class="steps s-t7jqnm" role="group"></div> <!>`, 1);
+var root_5 = $.from_html(`<p class="muted s-j6e2rm"> </p>`);
+var root_6 = $.from_html(`<div class="pad s-j6e2rm"><div class="cross s-j6e2rm"><span></span><!><span></span> <!> <!> <!> <span></span><!><span></span></div> <!></div> <div class="steps s-j6e2rm" role="group"></div> <!>`, 1);
 function AxisKeys($$anchor, $$props) {
 	$.push($$props, true);
 	const axis = ($$anchor, key = $.noop, sign = $.noop) => {
@@ -23,7 +23,8 @@ function AxisKeys($$anchor, $$props) {
 			{
 				let $0 = $.derived(() => sign() === "+" ? key().plus : key().minus);
 				let $1 = $.derived(() => t("panel.move", { axis: $.get(name) }));
-				let $2 = $.derived(() => !$.get(manual));
+				let $2 = $.derived(() => sign() === "+" ? key().zero : "");
+				let $3 = $.derived(() => !$.get(manual));
 				Key($$anchor, {
 					get signal() {
 						return $.get($0);
@@ -32,8 +33,11 @@ function AxisKeys($$anchor, $$props) {
 						return $.get($1);
 					},
 					kind: "jog",
-					get disabled() {
+					get beside() {
 						return $.get($2);
+					},
+					get disabled() {
+						return $.get($3);
 					},
 					children: ($$anchor, $$slotProps) => {
 						var b = root();
@@ -55,7 +59,7 @@ function AxisKeys($$anchor, $$props) {
 		});
 		$.append($$anchor, fragment);
 	};
-	const $$d = $.derived(() => axisKeysOf(machine.axes)), $$array = $.derived(() => $.to_array($.get($$d))), first = $.derived(() => $.get($$array)[0]), second = $.derived(() => $.get($$array)[1]), others = $.derived(() => $.get($$array).slice(2));
+	const $$array = $.derived(() => $.to_array($$props.axes)), first = $.derived(() => $.get($$array)[0]), second = $.derived(() => $.get($$array)[1]), others = $.derived(() => $.get($$array).slice(2));
 	const manual = $.derived(() => [
 		"jog",
 		"step",

@@ -1,7 +1,6 @@
 import { t } from "../../lib/i18n/index.svelte.js";
 import Key from "../../lib/parts/Key.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
-import { axisKeysOf } from "../keys.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/shell/panel/Handwheel.svelte
@@ -18,7 +17,6 @@ function Handwheel($$anchor, $$props) {
 	let rest = 0;
 	let waiting = 0;
 	let sent = false;
-	const axes = $.derived(() => axisKeysOf(machine.axes));
 	/** Whether a program runs by it; it does with dry run alone (GSK990MC part 2, 6.4). */
 	const drives = $.derived(() => machine.mode === "auto" && machine.lamps.has("LAMP_HDRV") && machine.status?.switches.dry_run === true);
 	const ready = $.derived(() => machine.inCommand && (machine.mode === "handle" || $.get(drives)));
@@ -91,7 +89,7 @@ function Handwheel($$anchor, $$props) {
 	let styles;
 	$.bind_this(div_1, ($$value) => $.set(wheel, $$value), () => $.get(wheel));
 	var div_2 = $.sibling(div_1, 2);
-	$.each(div_2, 23, () => $.get(axes), ({ letter, wheel: key }) => key, ($$anchor, $$item, index) => {
+	$.each(div_2, 23, () => $$props.axes, ({ letter, wheel: key }) => key, ($$anchor, $$item, index) => {
 		let letter = () => $.get($$item).letter;
 		let key = () => $.get($$item).wheel;
 		{
