@@ -198,7 +198,14 @@ for (const steps of [true, false]) {
     await page.evaluate(() => (location.hash = '#/position/program'));
     await expect(part).toHaveText('With program');
     await expect(page.getByRole('heading', { name: 'In force' })).toHaveCount(Number(steps));
-    if (!steps) return;
+    if (!steps) {
+      // What is shown stays.
+      await page.evaluate(() => (location.hash = '#/program/edit/O0001'));
+      await expect(part).toHaveText('Edit');
+      await page.getByRole('navigation', { name: 'Pages' }).getByRole('link', { name: 'Program' }).click();
+      await expect(page).toHaveURL(/#\/program\/edit\/O0001$/);
+      return;
+    }
     // From the last to the first.
     await key.click();
     await expect(part).toHaveText('Relative');

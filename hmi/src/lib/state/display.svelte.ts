@@ -1,5 +1,6 @@
 // What parameters of the control say of its pages (GSK990MC part 2, 1.2.3, 3.1.1 and 3.7). Controls that have no such parameters
 // leave the panel as it is.
+import { route } from '$lib/routing.svelte';
 import { machine } from './machine.svelte';
 
 /** Whether the key of a page, pressed on its page, steps to the next part. Drawing has no parts here (25#5), and what 26#3
@@ -60,7 +61,7 @@ export const display = {
       return [page];
     }
     const { ids, active } = parts;
-    if (ids.length === 0 || !is(STEPS[page] ?? '')) return active ? [page, active] : [page];
+    if (ids.length === 0 || !is(STEPS[page] ?? '')) return [page, active, route.item].filter(Boolean);
     return [page, ids[(ids.indexOf(active) + 1) % ids.length]!];
   },
 };
