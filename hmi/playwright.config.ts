@@ -2,9 +2,16 @@ import { defineConfig } from '@playwright/test';
 
 // The tests of a file one after the other: there is one machine. `tests/server.ts` starts it. Several files at a time
 // (`--workers`) have one each; figures are taken alone.
+// What keeps a machine safe (a key that is held, a connection that is lost, the emergency stop, a page that sleeps during a
+// job) is right at once: `RETRIES` are those of all else.
+const SAFETY = /(keys|hand|job)\.spec\.ts$/;
+
 export default defineConfig({
   testDir: 'tests',
-  testMatch: '*.spec.ts',
+  projects: [
+    { name: 'safety', testMatch: SAFETY, retries: 0 },
+    { name: 'panel', testMatch: '*.spec.ts', testIgnore: SAFETY, retries: Number(process.env.RETRIES ?? 0) },
+  ],
   workers: 1,
   fullyParallel: false,
   timeout: 180_000,

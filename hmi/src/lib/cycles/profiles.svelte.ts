@@ -56,7 +56,7 @@ export const profiles = {
   },
   /** A copy of its own; ways in and out are those of a path. */
   get(name: string, use: Use): Contour[] {
-    const contours = $state.snapshot(all[name]?.contours ?? []);
+    const contours = structuredClone($state.snapshot(all[name]?.contours ?? []));
     return use === 'path' ? contours : contours.map((one) => ({ ...one, entry: 0, exit: 0 }));
   },
   remove(name: string): void {
