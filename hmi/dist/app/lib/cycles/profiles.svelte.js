@@ -48,7 +48,7 @@ var profiles = {
 	},
 	/** A copy of its own; ways in and out are those of a path. */
 	get(name, use) {
-		const contours = $.snapshot(all[name]?.contours ?? []);
+		const contours = structuredClone($.snapshot(all[name]?.contours ?? []));
 		return use === "path" ? contours : contours.map((one) => ({
 			...one,
 			entry: 0,

@@ -1,3 +1,4 @@
+import { route } from "../routing.svelte.js";
 import { machine } from "./machine.svelte.js";
 import * as $ from "svelte/internal/client";
 // src/lib/state/display.svelte.ts
@@ -68,7 +69,11 @@ var display = {
 			return [page];
 		}
 		const { ids, active } = $.get(parts);
-		if (ids.length === 0 || !is(STEPS[page] ?? "")) return active ? [page, active] : [page];
+		if (ids.length === 0 || !is(STEPS[page] ?? "")) return [
+			page,
+			active,
+			route.item
+		].filter(Boolean);
 		return [page, ids[(ids.indexOf(active) + 1) % ids.length]];
 	}
 };

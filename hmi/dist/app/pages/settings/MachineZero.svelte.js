@@ -62,7 +62,7 @@ function MachineZero($$anchor, $$props) {
 		}).then((reply) => $.set(allowed, reply.reply === "parameters" && reply.parameters[ALLOWED] === 1, true), () => $.set(allowed, false));
 	});
 	$.user_effect(() => {
-		machine.changed("reference_points");
+		machine.changed("reference-points");
 		if (machine.link !== "open") return;
 		machine.fetch("reference_points", { do: "reference_points" }).then((reply) => {
 			if (reply) $.set(reference, reply.points[1] ?? {});

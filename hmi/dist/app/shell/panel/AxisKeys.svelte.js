@@ -6,13 +6,15 @@ import { increments } from "../keys.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/shell/panel/AxisKeys.svelte
-var root = $.from_html(`<b class="s-j6e2rm"> </b>`);
+var root = $.from_html(`<b class="s-t7jqnm"> </b>`);
 var root_1 = $.from_html(`<span></span>`);
 var root_2 = $.from_html(`<!><span> </span>`, 1);
-var root_3 = $.from_html(`<div class="column s-j6e2rm"><!> <!></div>`);
-var root_4 = $.from_html(`<span class="number"> </span>`);
-var root_5 = $.from_html(`<p class="muted s-j6e2rm"> </p>`);
-var root_6 = $.from_html(`<div class="pad s-j6e2rm"><div class="cross s-j6e2rm"><span></span><!><span></span> <!> <!> <!> <span></span><!><span></span></div> <!></div> <div class="steps s-j6e2rm" role="group"></div> <!>`, 1);
+var root_3 = $.from_html(`<div class="column s-t7jqnm"><!> <!></div>`);
+var root_4 = $.from_html(`<!><!>`, 1);
+var root_5 = $.from_html(`<div class="steps s-t7jqnm"></div>`);
+var root_6 = $.from_html(`<span class="number"> </span>`);
+var root_7 = $.from_html(`<p class="muted s-t7jqnm"> </p>`);
+var root_8 = $.from_html(`<div class="pad s-t7jqnm"><div class="cross s-t7jqnm"><span></span><!><span></span> <!> <!> <!> <span></span><!><span></span></div> <!></div> <!> <div class="steps s-t7jqnm" role="group"></div> <!>`, 1);
 function AxisKeys($$anchor, $$props) {
 	$.push($$props, true);
 	const axis = ($$anchor, key = $.noop, sign = $.noop) => {
@@ -59,13 +61,14 @@ function AxisKeys($$anchor, $$props) {
 		});
 		$.append($$anchor, fragment);
 	};
-	const $$array = $.derived(() => $.to_array($$props.axes)), first = $.derived(() => $.get($$array)[0]), second = $.derived(() => $.get($$array)[1]), others = $.derived(() => $.get($$array).slice(2));
+	const $$d = $.derived(() => $$props.axes.slice(0, 4)), $$array = $.derived(() => $.to_array($.get($$d))), first = $.derived(() => $.get($$array)[0]), second = $.derived(() => $.get($$array)[1]), others = $.derived(() => $.get($$array).slice(2));
+	const more = $.derived(() => $$props.axes.slice(4));
 	const manual = $.derived(() => [
 		"jog",
 		"step",
 		"home"
 	].includes(machine.mode ?? ""));
-	var fragment_2 = root_6();
+	var fragment_2 = root_8();
 	var div = $.first_child(fragment_2);
 	var div_1 = $.child(div);
 	var node_1 = $.sibling($.child(div_1));
@@ -109,8 +112,25 @@ function AxisKeys($$anchor, $$props) {
 		$.append($$anchor, div_2);
 	});
 	$.reset(div);
-	var div_3 = $.sibling(div, 2);
-	$.each(div_3, 23, () => increments, (increment) => increment.signal, ($$anchor, increment, index) => {
+	var node_10 = $.sibling(div, 2);
+	var consequent_1 = ($$anchor) => {
+		var div_3 = root_5();
+		$.each(div_3, 21, () => $.get(more), (other) => other.plus, ($$anchor, other) => {
+			var fragment_4 = root_4();
+			var node_11 = $.first_child(fragment_4);
+			axis(node_11, () => $.get(other), () => "−");
+			var node_12 = $.sibling(node_11);
+			axis(node_12, () => $.get(other), () => "+");
+			$.append($$anchor, fragment_4);
+		});
+		$.reset(div_3);
+		$.append($$anchor, div_3);
+	};
+	$.if(node_10, ($$render) => {
+		if ($.get(more).length) $$render(consequent_1);
+	});
+	var div_4 = $.sibling(node_10, 2);
+	$.each(div_4, 23, () => increments, (increment) => increment.signal, ($$anchor, increment, index) => {
 		{
 			let $0 = $.derived(() => $$props.step === $.get(index));
 			let $1 = $.derived(() => t("panel.increment_of", { value: $.get(increment).label }));
@@ -125,7 +145,7 @@ function AxisKeys($$anchor, $$props) {
 					return $.get($1);
 				},
 				children: ($$anchor, $$slotProps) => {
-					var span_2 = root_4();
+					var span_2 = root_6();
 					var text_2 = $.only_child(span_2, true);
 					$.template_effect(() => $.set_text(text_2, $.get(increment).label));
 					$.append($$anchor, span_2);
@@ -134,18 +154,18 @@ function AxisKeys($$anchor, $$props) {
 			});
 		}
 	});
-	$.reset(div_3);
-	var node_10 = $.sibling(div_3, 2);
-	var consequent_1 = ($$anchor) => {
-		var p = root_5();
+	$.reset(div_4);
+	var node_13 = $.sibling(div_4, 2);
+	var consequent_2 = ($$anchor) => {
+		var p = root_7();
 		var text_3 = $.only_child(p, true);
 		$.template_effect(($0) => $.set_text(text_3, $0), [() => t("panel.axes_hint")]);
 		$.append($$anchor, p);
 	};
-	$.if(node_10, ($$render) => {
-		if (!$.get(manual)) $$render(consequent_1);
+	$.if(node_13, ($$render) => {
+		if (!$.get(manual)) $$render(consequent_2);
 	});
-	$.template_effect(($0) => $.set_attribute(div_3, "aria-label", $0), [() => t("panel.increment")]);
+	$.template_effect(($0) => $.set_attribute(div_4, "aria-label", $0), [() => t("panel.increment")]);
 	$.append($$anchor, fragment_2);
 	$.pop();
 }
