@@ -234,6 +234,12 @@ test('the mode EDIT shows the program with 26#0, and the key of programs what it
   await expect(part).toHaveText('Absolute');
   await programs.click();
   await expect(part).toHaveText('MDI');
+  // A ladder that is being changed stays.
+  await page.evaluate(() => (location.hash = '#/plc/edit'));
+  await expect(part).toHaveText('Change');
+  options.mode = 'edit';
+  await expect(page.getByTestId('mode')).not.toHaveText('Manual data input');
+  await expect(part).toHaveText('Change');
 });
 
 test('older entries of the operation log are loaded as they are asked for', async ({ context }) => {

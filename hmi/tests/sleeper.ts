@@ -29,8 +29,23 @@ export async function sleeper(url: string) {
     new Promise<Record<string, unknown>>((resolve) => {
       out.write(`${JSON.stringify({ id: waiting.push(resolve) - 1, method, params, sessionId })}\0`);
     });
-  const { targetInfos } = (await send('Target.getTargets')) as { targetInfos: { type: string; targetId: string }[] };
-  const { targetId } = targetInfos.find(({ type }) => type === 'page')!;
+  async function end(): Promise<void> {
+    const ended = new Promise((resolve) => child.once('exit', resolve));
+    if (child.exitCode === null && child.signalCode === null && child.kill()) await ended;
+    rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
+  }
+  // Its page is there a little later than it is.
+  let targetId: string | undefined;
+  for (let tries = 0; !targetId; tries++) {
+    const { targetInfos } = (await send('Target.getTargets')) as { targetInfos: { type: string; targetId: string }[] };
+    targetId = targetInfos.find(({ type }) => type === 'page')?.targetId;
+    if (targetId) break;
+    if (tries > 100) {
+      await end();
+      throw new Error(`${executable} opens no page`);
+    }
+    await new Promise((resolve) => setTimeout(resolve, 100));
+  }
   sessionId = (await send('Target.attachToTarget', { targetId, flatten: true })).sessionId as string;
 
   /** What an expression comes to in the page. */
@@ -47,11 +62,6 @@ export async function sleeper(url: string) {
     up: (selector: string) => mouse('mouseReleased', selector),
     /** Puts the page to sleep, or wakes it. */
     sleep: (sleeps: boolean) => send('Page.setWebLifecycleState', { state: sleeps ? 'frozen' : 'active' }),
-    async end() {
-      const ended = new Promise((resolve) => child.once('exit', resolve));
-      child.kill();
-      await ended;
-      rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
-    },
+    end,
   };
 }

@@ -288,6 +288,7 @@ fn routes() -> BTreeSet<String> {
             continue;
         }
         let source = std::fs::read_to_string(file).unwrap();
+        assert_eq!(source.matches(".route(").count(), source.matches(".route(\"").count(), "one line each");
         for route in source.split(".route(\"").skip(1) {
             let (path, rest) = route.split_once("\", ").unwrap();
             // To the end of the line: one route stands on one line.

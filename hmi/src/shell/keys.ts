@@ -20,7 +20,7 @@ export const axisSignals = ['X', 'Y', 'Z', 'A'] as const;
 export const axisKeysOf = (letters: readonly string[]) =>
   letters.map((letter, index) => {
     const name = axisSignals[index] ?? String(index + 1);
-    return { letter, plus: `KEY_${name}+`, minus: `KEY_${name}-`, wheel: `KEY_W${name}`, zero: `LAMP_ZERO_${name}`, isStandard: index < axisSignals.length };
+    return { letter, place: index + 1, plus: `KEY_${name}+`, minus: `KEY_${name}-`, wheel: `KEY_W${name}`, zero: `LAMP_ZERO_${name}`, isStandard: index < axisSignals.length };
   });
 export type AxisKey = ReturnType<typeof axisKeysOf>[number];
 

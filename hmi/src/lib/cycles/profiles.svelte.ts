@@ -30,6 +30,7 @@ export function fits(contours: Contour[], isDepth: boolean, use: Use): boolean {
   return use === 'path' || (one.elements.length < 25 && one.elements.every((element) => element.kind === 'line'));
 }
 
+// Another page of the browser may have kept others since: they are read before any is kept.
 const all = $state(read());
 
 /** Whether it is kept beyond this page; a browser may have no room. */
@@ -48,9 +49,10 @@ export const profiles = {
     return Object.entries(all).filter(([, { contours, isDepth }]) => fits(contours, isDepth, use)).sort(([a], [b]) => a.localeCompare(b));
   },
   has(name: string): boolean {
-    return name in all;
+    return Object.hasOwn(all, name);
   },
   keep(name: string, contours: Contour[], isDepth: boolean): boolean {
+    Object.assign(all, read());
     all[name] = { isDepth, contours: $state.snapshot(contours) };
     return write();
   },
@@ -60,6 +62,7 @@ export const profiles = {
     return use === 'path' ? contours : contours.map((one) => ({ ...one, entry: 0, exit: 0 }));
   },
   remove(name: string): void {
+    Object.assign(all, read());
     delete all[name];
     write();
   },

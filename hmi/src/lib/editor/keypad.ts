@@ -21,10 +21,11 @@ import type { EditorState } from '@codemirror/state';
 import type { Command, EditorView } from '@codemirror/view';
 import type { IconName } from '$lib/parts/icons';
 
-/** What is typed: words as they are met most, then the rest. The space stands for itself. */
+/** What is typed: words as they are met most, then the rest, then signs of names and remarks. The space stands for itself. */
 export const LAYERS: readonly (readonly string[])[] = [
   [...'GXYZAIJKRMFST', ...'1234567890.-'],
   [...'NOPQHDLUVWBCE', ...'+*/()[]#=,<>'],
+  [...';:%_$&|!', ...'"\'?@^~\\'],
 ];
 
 /** Keys that move the cursor; what they do while a piece is being selected. */
@@ -66,7 +67,8 @@ export function copy(view: EditorView): void {
 function take({ state }: EditorView): void {
   const { from, to } = chosen(state);
   const line = state.selection.main.empty;
-  taken = { text: state.sliceDoc(from, to) + (line && to === state.doc.length ? '\n' : ''), line };
+  const text = state.sliceDoc(from, to);
+  taken = { text: line && !text.endsWith('\n') ? `${text}\n` : text, line };
   navigator.clipboard?.writeText(taken.text).catch(() => undefined);
 }
 
@@ -78,6 +80,7 @@ export function cut(view: EditorView): void {
 /** A whole line is put before that of the cursor. */
 export async function paste(view: EditorView): Promise<void> {
   const text = (await navigator.clipboard?.readText().catch(() => '')) || taken.text;
+  if (!text) return;
   const { state } = view;
   const { empty, head } = state.selection.main;
   const insert = state.toText(text);

@@ -55,7 +55,7 @@ export const display = {
   },
   /** Where the key of a page leads: to the page, or from it to its next part. */
   to(page: string): string[] {
-    if (page !== parts.page) {
+    if (page !== route.page || page !== parts.page) {
       if (page === 'program' && machine.mode === 'edit' && is(PROGRAM_IN_EDIT)) return [page, 'edit'];
       if (page === 'program' && machine.mode === 'mdi' && is(PROGRAM_IN_MDI)) return [page, 'mdi'];
       return [page];
