@@ -297,6 +297,43 @@ test('a contour is drawn of lines and arcs, with corners, by pointer and by key'
   await shoot(page, 'cycles-contour');
 });
 
+test('a point of a profile is taken by a finger beside it, the nearest where points are close', async ({ page }) => {
+  await open(page, 'G294');
+  const elements = page.locator('.elements li');
+  const drawing = page.getByRole('group', { name: 'Profile' });
+  await drawing.scrollIntoViewIfNeeded();
+  const point = (name: string) => page.getByRole('button', { name, exact: true });
+  const middle = async (name: string) => {
+    const { x, y, width, height } = (await point(name).boundingBox())!;
+    expect(Math.min(width, height)).toBeGreaterThanOrEqual(43.5);
+    return [x + width / 2, y + height / 2] as const;
+  };
+  // 18 px beside it: it is chosen, and does not move by that.
+  const [x, y] = await middle('Point 3');
+  await page.mouse.click(x + 12, y - 13);
+  await expect(elements.nth(2)).toHaveClass(/on/);
+  await expect(elements.nth(2)).toHaveText(/Line\s*X 40.000 Y 25.000/);
+  await expect(point('Point 3')).toBeFocused();
+  // The fourth comes within 20 px of the third: each is taken from its own side.
+  await elements.nth(3).getByRole('button').click();
+  const scale = 80 / ((await middle('Point 3'))[0] - (await middle('Point 4'))[0]);
+  const near = 40 - 20 * scale;
+  await page.getByLabel('X of the end', { exact: true }).fill(near.toFixed(3));
+  await page.getByLabel('X of the end', { exact: true }).press('Enter');
+  await drawing.scrollIntoViewIfNeeded();
+  const [third, fourth] = [await middle('Point 3'), await middle('Point 4')];
+  expect(Math.abs(third[0] - fourth[0])).toBeLessThan(30);
+  await page.mouse.click(third[0] - 4, third[1]);
+  await expect(elements.nth(2)).toHaveClass(/on/);
+  await page.mouse.click(fourth[0] + 4, fourth[1]);
+  await expect(elements.nth(3)).toHaveClass(/on/);
+  // Drawing begins beside a point as anywhere.
+  await page.getByRole('radio', { name: 'Line' }).click();
+  const [beside, above] = await middle('Point 3');
+  await page.mouse.click(beside + 16, above - 16);
+  await expect(elements).toHaveCount(5);
+});
+
 test('a wall of a pocket slopes by a profile of lines and arcs, and profiles are kept by their names', async ({ page }) => {
   await page.setViewportSize({ width: 800, height: 600 });
   await open(page, 'P3D');

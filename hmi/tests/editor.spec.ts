@@ -105,6 +105,15 @@ test('codes are completed when they are chosen, and explained under the pointer'
   await shoot(page, 'edit-hover');
 });
 
+test('jumps of macro A follow the numbers, and those that are computed are told', async ({ page }) => {
+  await enter(page);
+  await edit(page, 'O1521', Buffer.from(['O1521', 'N1 G65 H01 P#100 Q0', 'G65 H84 P1 Q#100 R5', 'GOTO #100', 'M30'].join('\n')));
+  await page.getByTestId('editor').getByRole('button', { name: 'Renumber' }).click();
+  await page.getByRole('dialog').getByRole('button', { name: 'Renumber' }).click();
+  await expect.poll(() => lines(page)).toEqual(['O1521', 'N10 G65 H01 P#100 Q0', 'N20 G65 H84 P10 Q#100 R5', 'N30 GOTO #100', 'N40 M30']);
+  await expect(notice(page)).toContainText('1 jump with a computed target stays as it is');
+});
+
 test('words are found and replaced, lines are gone to and numbered, and each is undone', async ({ page }) => {
   await enter(page);
   const program = ['O1520 (LOOP)', 'N1 #1=0', 'N2 G1 X10. F300', 'G1 X10. Y5.', '(G1 X10.)', 'N7 #1=#1+1', 'IF [#1 LT 3] GOTO 2', '/ G0 Z5.', 'M30'];

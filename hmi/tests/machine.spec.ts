@@ -282,11 +282,36 @@ test('an alarm tells its place and its remedy, and is reset', async ({ page }) =
   await expect(alarm.getByTestId('remedy')).toContainText(/\w{3}.*\w{3}/);
   const number = (await alarm.locator('.code').first().textContent())!;
   await shoot(page, 'alarm');
+  // It leads to its block.
+  await alarm.getByRole('button', { name: 'To the program' }).click();
+  await expect(page).toHaveURL(/#\/program\/edit\/O1300$/);
+  await expect(page.locator('.cm-activeLine.cm-line')).toHaveText('#2=1/#1');
+  await show(page, 'alarms');
   await alarm.getByRole('button', { name: 'Reset' }).click();
   await stands(page, 'idle');
   await expect(page.getByTestId('alarm')).toHaveCount(0);
   await show(page, 'alarms/history');
   await expect(page.locator('[data-page="alarms"] tbody tr').first()).toContainText(number);
+});
+
+test('an alarm of what was typed in MDI leads there', async ({ page }) => {
+  await enter(page, '#/program/mdi');
+  await mode(page, 'KEY_MDI', 'Manual data input');
+  await page.locator('.mdi .cm-content').click();
+  await page.keyboard.type('#1=0');
+  await page.keyboard.press('Enter');
+  await page.keyboard.type('#2=1/#1');
+  await page.getByTestId('mdi-send').click();
+  await press(page, 'KEY_START');
+  await stands(page, 'alarm');
+  await page.getByTestId('alarm-strip').click();
+  const alarm = page.getByTestId('alarm').first();
+  await expect(alarm).toContainText('MDI');
+  await alarm.getByRole('button', { name: 'To the program' }).click();
+  await expect(page).toHaveURL(/#\/program\/mdi$/);
+  await show(page, 'alarms');
+  await alarm.getByRole('button', { name: 'Reset' }).click();
+  await stands(page, 'idle');
 });
 
 test('a fault is underlined as it is typed, and gone when it is put right', async ({ page }) => {

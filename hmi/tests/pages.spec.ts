@@ -521,6 +521,10 @@ test('tables of help are browsed without a search, and operations lead to their 
   await page.getByTestId('browse-filter').fill('');
   await page.getByRole('radio', { name: 'Address' }).click();
   await expect(page.locator('[data-key="F"]')).toBeVisible();
+  // A letter of a program is no signal.
+  await page.locator('[data-key="F"]').click();
+  await expect(page.getByTestId('help-detail').locator('h2')).toContainText('F');
+  await expect(page.getByTestId('help-detail').getByRole('button', { name: 'Signals' })).toHaveCount(0);
   await show(page, 'help/operations');
   await shoot(page, 'help-operations');
   await expect(page.locator('[data-operation]')).toHaveCount(30);

@@ -139,6 +139,50 @@ test('a message of the ladder stands on the page of alarms, also in a page that 
   await expect(message).toHaveCount(0);
 });
 
+test('a message that a ladder brought along says what the ladder remarks on it', async ({ page }) => {
+  await enter(page, '#/plc/edit');
+  await mayChange(page);
+  await expect(page.locator('.cm-content')).toContainText('The standard ladder');
+  await rewrite(page, 'MSG_AIR', 'MSG_MIST');
+  await rewrite(page, 'compressed air is too low', 'no oil mist at the spindle');
+  await exchange(page);
+  await expect(notice(page).filter({ hasText: 'The ladder is exchanged' })).toBeVisible();
+  const force = async (name: string) => {
+    await show(page, 'plc/monitor');
+    await page.getByTestId('plc-search').fill('AIR_PRESSURE');
+    await page.getByTestId('ladder').locator('g', { hasText: 'AIR_PRESSURE' }).last().click();
+    await expect(page.getByTestId('signal')).toContainText('AIR_PRESSURE');
+    await page.getByTestId('signal').getByRole('button', { name }).click();
+  };
+  await force('Force off');
+  const message = page.locator('[data-message="MSG_MIST"] h2');
+  const above = page.locator('header .message');
+  await show(page, 'alarms');
+  await expect(message).toHaveText('no oil mist at the spindle');
+  await expect(above).toContainText('no oil mist at the spindle');
+  await page.reload();
+  await expect(message).toHaveText('no oil mist at the spindle');
+  await show(page, 'alarms/history');
+  const past = page.locator('[data-page="alarms"] tbody tr', { hasText: 'FC-1446' }).first();
+  await expect(past).toContainText('no oil mist at the spindle');
+  // Another ladder says it otherwise.
+  await show(page, 'plc/edit');
+  await expect(page.locator('.cm-content')).toContainText('The standard ladder');
+  await rewrite(page, 'no oil mist at the spindle', 'spindle runs dry');
+  await exchange(page);
+  await expect(above).toContainText('spindle runs dry');
+  await show(page, 'alarms');
+  await expect(message).toHaveText('spindle runs dry');
+  await show(page, 'plc');
+  await page.getByTestId('forced').getByRole('button', { name: 'Release AIR_PRESSURE' }).click();
+  await show(page, 'alarms');
+  await expect(message).toHaveCount(0);
+  // The machine's own again.
+  await show(page, 'plc/edit');
+  await page.getByRole('button', { name: 'Put the one before back' }).click();
+  await expect(page.locator('.cm-content')).toContainText('The standard ladder');
+});
+
 test('signals are traced around their trigger, and as they change', async ({ page }) => {
   await enter(page, '#/plc/trace');
   const record = page.getByTestId('trace-record');

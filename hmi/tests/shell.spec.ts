@@ -242,6 +242,24 @@ test('the mode EDIT shows the program with 26#0, and the key of programs what it
   await expect(part).toHaveText('Change');
 });
 
+test('beside the program stands the relative coordinate in modes by hand, the distance to go in others', async ({ context }) => {
+  const options = { mode: 'auto' };
+  const { page } = await mock(context, options);
+  await page.evaluate(() => (location.hash = '#/position/program'));
+  const legend = page.getByTestId('axes').locator('.legend span').first();
+  const axis = page.locator('[data-axis="X"]');
+  for (const mode of ['auto', 'jog', 'mdi', 'home', 'dnc', 'step', 'auto', 'handle']) {
+    options.mode = mode;
+    const isByHand = ['jog', 'home', 'step', 'handle'].includes(mode);
+    await expect(legend, mode).toHaveText(isByHand ? 'Relative' : 'To go');
+    await expect(axis.locator('.relative'), mode).toHaveCount(Number(isByHand));
+    await expect(axis.locator('.to-go'), mode).toHaveCount(Number(!isByHand));
+  }
+  // Other pages have the distance to go in each mode.
+  await page.evaluate(() => (location.hash = '#/position/absolute'));
+  await expect(legend).toHaveText('To go');
+});
+
 test('older entries of the operation log are loaded as they are asked for', async ({ context }) => {
   const { page } = await mock(context, { logged: 1200 });
   await page.evaluate(() => (location.hash = '#/alarms/log'));

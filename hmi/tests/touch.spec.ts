@@ -200,6 +200,22 @@ for (const [width, height] of [[800, 600], [600, 800], [1024, 768], [3840, 2160]
         if (width === 600) await shoot(page, `portrait-${name}-${tab}`);
       }
     }
+    // Points of profiles are touched too.
+    for (const cycle of ['P2D', 'P3D', 'G293', 'G294']) {
+      await show(page, 'cycles');
+      const item = page.locator(`nav [data-cycle="${cycle}"]`);
+      await item.waitFor({ state: 'attached' });
+      // On a narrow page the cycles of one group stand there.
+      for (const group of await page.locator('nav [data-group]').all()) {
+        if (await item.isVisible()) break;
+        await group.click();
+        await expect(group).toHaveAttribute('aria-selected', 'true');
+      }
+      await item.click();
+      await expect(page.locator(`.form[data-cycle="${cycle}"]`)).toBeVisible();
+      await expect(page.locator('.editor [data-point]').first()).toBeVisible();
+      wrong.push(...(await small(page)).map((one) => `${cycle}: ${one}`));
+    }
     expect(wrong).toEqual([]);
   });
 }

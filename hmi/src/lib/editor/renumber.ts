@@ -1,6 +1,6 @@
-/** Numbers the blocks of a program anew, and follows with the GOTOs that name them. Comments, program numbers, empty
-    lines and lines of `%` get none. */
-export function renumber(lines: readonly string[], first: number, step: number): string[] {
+/** Numbers the blocks of a program anew, and follows with the jumps that name them. Comments, program numbers, empty
+    lines and lines of `%` get none. Jumps whose target is computed stay as they are, and are counted. */
+export function renumber(lines: readonly string[], first: number, step: number): { lines: string[]; computed: number } {
   const numbers = new Map<number, number>();
   let next = first;
   const bare = (line: string) => line.replace(/\([^)]*\)/g, '').trim();
@@ -15,19 +15,43 @@ export function renumber(lines: readonly string[], first: number, step: number):
     next += step;
   });
   next = first;
-  return lines.map((line, index) => {
+  let computed = 0;
+  const now = lines.map((line, index) => {
     if (!wants[index]) return line;
     const number = next;
     next += step;
     const [, skip = '', rest = ''] = /^(\s*(?:\/\d?\s*)?)(?:N\s*\d+\s*)?(.*)$/i.exec(line) ?? [];
-    return `${skip}N${number} ${follow(rest, numbers)}`;
+    const followed = follow(rest, numbers);
+    computed += followed.computed;
+    return `${skip}N${number} ${followed.block}`;
   });
+  return { lines: now, computed };
 }
 
-/** Jumps of a block. */
-function follow(block: string, numbers: Map<number, number>): string {
-  return block.replace(/\b(GOTO\s*)(\d+)/gi, (all, word: string, number: string) => {
-    const now = numbers.get(Number(number));
+/** What is no code: it stays as it is. */
+const REMARK = /\([^)]*\)|;.*$/g;
+/** `GOTO 10`, and `$GOTO N10` of the Fagor; or what is computed. */
+const GOTO = /\([^)]*\)|;.*$|(\bGOTO\s*(?:N\s*)?)(\d+|[^\s\d])/gi;
+/** The target of a jump of macro A. */
+const TARGET = /\([^)]*\)|;.*$|((?<![A-Z])P\s*)(\d+|[^\s\d])/gi;
+
+/** Whether a block is a jump of macro A: G65 H80 to H86 (GSK990MC 4.9.4). */
+function jumpsByMacro(block: string): boolean {
+  const code = block.replace(REMARK, ' ');
+  return /(?<![A-Z])G\s*0*65(?![\d.])/i.test(code) && /(?<![A-Z])H\s*0*8[0-6](?!\d)/i.test(code);
+}
+
+/** A block whose jumps name the new numbers, and how many jumps are computed. */
+function follow(block: string, numbers: Map<number, number>): { block: string; computed: number } {
+  let computed = 0;
+  const put = (all: string, word: string | undefined, target: string) => {
+    if (word === undefined) return all;
+    if (!/\d/.test(target)) {
+      computed++;
+      return all;
+    }
+    const now = numbers.get(Number(target));
     return now === undefined ? all : `${word}${now}`;
-  });
+  };
+  return { block: block.replace(jumpsByMacro(block) ? TARGET : GOTO, put), computed };
 }

@@ -5,6 +5,7 @@ let open = $state.raw<{ program: string; line: number } | null>(null);
 /** What is not stored yet: the text, and what the memory had when it was begun. */
 export type Draft = { text: string; base: string };
 let drafts = $state.raw<ReadonlyMap<string, Draft>>(new Map());
+let wanted = $state.raw<{ program: string; line: number } | null>(null);
 let pending = $state.raw<{ program: string; text: string; instead: string[] } | null>(null);
 /** A cycle of a program that is open in the cycle editor: where it stands, and its lines. */
 export type Opened = { program: string; from: number; lines: string[] };
@@ -33,6 +34,16 @@ export const editing = {
     if (draft === null) now.delete(program);
     else now.set(program, draft);
     drafts = now;
+  },
+  /** A line of a program, from 1, is to be shown; the editor goes there when it shows the program. */
+  goTo(program: string, line: number): void {
+    wanted = { program, line };
+  },
+  /** Takes the line of a program that is to be shown; 0 where none is. One of another program is not shown any more. */
+  takeLine(program: string): number {
+    const line = wanted?.program === program ? wanted.line : 0;
+    if (wanted) wanted = null;
+    return line;
   },
   /** A program is gone, or is called something else: its draft goes with it. */
   moved(program: string, to: string | null): void {

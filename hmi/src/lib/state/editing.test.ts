@@ -18,6 +18,12 @@ describe('text for a program', () => {
     editing.put('O0001', 'G81');
     expect([editing.waits('O0002'), editing.waits('O0001'), editing.take(), editing.waits('O0001')]).toEqual([false, true, 'G81', false]);
   });
+  it('a line that is to be shown waits for its program, once', () => {
+    editing.goTo('O0001', 7);
+    expect([editing.takeLine('O0001'), editing.takeLine('O0001')]).toEqual([7, 0]);
+    editing.goTo('O0001', 7);
+    expect([editing.takeLine('O0002'), editing.takeLine('O0001')]).toEqual([0, 0]);
+  });
   it('keeps what is not saved, of its program alone', () => {
     const one = { text: 'G1', base: 'G0' };
     editing.leave('O0001', 3, one);
