@@ -1,7 +1,7 @@
 // The cycle editor: a pocket filled in, put right, simulated and put into a program; positions, a profile from a drawing.
 import type { Form } from '../src/lib/api/cycles.ts';
 import { kept, read, write } from './forms';
-import { expect, shoot, test, type Page } from './server';
+import { expect, PASSWORDS, shoot, test, type Page } from './server';
 import { say } from './walk';
 
 const PROGRAM = 'O7101';
@@ -36,6 +36,10 @@ test.beforeEach(async ({ page }) => {
     // The first start has a page of its own.
     localStorage.setItem('ferrocut.panel', JSON.stringify({ welcomed: true, panel: false, language: 'en', theme: 'dark' }));
   });
+  // Mills of 8 mm.
+  await page.goto('/');
+  const mills = [1, 2, 3, 4].map((number) => ({ do: 'set_offset', number, radius: 4, radius_wear: 0 }));
+  await say(page, { do: 'take_command' }, ...mills, { do: 'give_command' });
 });
 
 test('what is written in a drawing can be read, however small the drawing is', async ({ page }) => {
@@ -404,6 +408,54 @@ test('a wall of a pocket slopes by a profile of lines and arcs, and profiles are
   await page.getByTestId('profiles').click();
   await page.locator('[data-profile="PLATE"]').getByRole('button', { name: 'Delete' }).click();
   await expect(page.getByRole('dialog')).toContainText('No profile of this kind is kept');
+});
+
+test('a tool is as the machine has it in its table, and what is typed of it alone is another', async ({ page }) => {
+  const mdi = [true, false].map((down) => ({ do: 'key', key: 'KEY_MDI', down }));
+  const set = async (value: number) => {
+    await say(page, { do: 'take_command' }, ...mdi, { do: 'log_in', level: 2, password: PASSWORDS[2] }, { do: 'parameter_switch', on: true },
+      { do: 'set_parameter', name: 'NO40.7', value }, { do: 'parameter_switch', on: false }, { do: 'give_command' });
+  };
+  const worn = (wear: number) => say(page, { do: 'take_command' }, { do: 'set_offset', number: 1, radius: 12, radius_wear: wear }, { do: 'give_command' });
+  let tools: unknown;
+  page.on('request', (request) => {
+    if (/\/api\/cycle\?/.test(request.url())) tools = (request.postDataJSON() as { tools: unknown }).tools;
+  });
+  await worn(-0.4);
+  await open(page, 'G287');
+  await page.getByRole('radio', { name: 'Text' }).click();
+  const tool = page.locator('[data-tool="1"]');
+  const diameter = tool.getByLabel('Diameter');
+  const back = tool.getByLabel('As the machine\'s table has it');
+  // How far the wall of 80 mm about 0 is from the middle of the tool.
+  const least = async () => Math.min(...[...(await page.locator('pre').innerText()).matchAll(/X(-?[\d.]+)/g)].map((found) => Number(found[1])));
+  const from = (wall: number) => expect.poll(async () => Math.round(1000 * ((await least()) + 40)) / 1000).toBe(wall);
+  await expect(diameter).toHaveValue('23.200');
+  await from(11.6);
+  // 40#7: the table has diameters.
+  await set(1);
+  await expect(diameter).toHaveValue('11.600');
+  await from(5.8);
+  expect(tools).toEqual([]);
+  await expect(back).toBeDisabled();
+  // The wear is taken as it is now.
+  await worn(-0.6);
+  await expect(diameter).toHaveValue('11.400');
+  await from(5.7);
+  await tool.getByLabel('Tip radius').fill('1');
+  await tool.getByLabel('Tip radius').press('Enter');
+  await expect.poll(() => tools).toEqual([{ number: 1, tip_radius: 1 }]);
+  await from(5.7);
+  await diameter.fill('10');
+  await diameter.press('Enter');
+  await expect.poll(() => tools).toEqual([{ number: 1, tip_radius: 1, diameter: 10 }]);
+  await from(5);
+  await shoot(page, 'cycles-tool');
+  await back.click();
+  await expect(diameter).toHaveValue('11.400');
+  await from(5.7);
+  expect(tools).toEqual([]);
+  await set(0);
 });
 
 test('a field is taught where the machine stands', async ({ page }) => {

@@ -8,7 +8,7 @@ import { cutOff, enter, home, load, logIn, mode, notice, PLATE, press, release, 
     lines through X0 Y0. */
 const wall = (min: string, max: string) => `[[plant.blocks]]\nmin = [${min}, -100.0]\nmax = [${max}, -60.0]\n`;
 test.use({
-  mill: '[parameters]\n"NO4.0" = 1.0\nP391 = 2.0\n[plant]\n'
+  mill: '[parameters]\n"NO4.0" = 1.0\n"NO28.7" = 1.0\nP391 = 2.0\n[plant]\n'
     + wall('14.4978, -5.0', '20.0, 5.0') + wall('-20.0, -5.0', '-13.4978, 5.0')
     + wall('-5.0, 13.7411', '5.0, 20.0') + wall('-5.0, -20.0', '5.0, -14.2411'),
 });
@@ -561,3 +561,18 @@ for (const [name, tabs] of Object.entries(pages)) {
     }
   });
 }
+
+test('blocks of MDI that a reset has deleted are not shown any more', async ({ page }) => {
+  await enter(page, '#/program/mdi');
+  await mode(page, 'KEY_MDI', 'Manual data input');
+  const text = page.locator('.mdi .cm-content');
+  const state = page.getByTestId('mdi-state');
+  await text.click();
+  await page.keyboard.press('Control+A');
+  await page.keyboard.type('G0 X1.');
+  await page.getByTestId('mdi-send').click();
+  await expect(state).toHaveText('Cycle start runs these blocks');
+  await page.getByTestId('reset').click();
+  await expect(state).toHaveText('The control has no blocks to run');
+  await expect(text).toHaveText('');
+});

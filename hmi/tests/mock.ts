@@ -127,6 +127,8 @@ function reply(command: Sent & { program?: string }, options: Options): object {
       // One that is longer than a line of the socket comes as a file.
       if ((options.program?.length ?? 0) > 1e6) return { error: 'no_answer', detail: 'too long' };
       return { reply: 'program', program: command.program, text: options.program ?? short };
+    case 'mdi_text':
+      return { reply: 'mdi_text', text: '', block: '' };
     case 'offsets':
       return { reply: 'offsets', offsets: { 1: { length: -102.35, radius: 5 } } };
     case 'zeros':

@@ -43,6 +43,60 @@ test('blocks that are typed in MDI are run, one alone before the others', async 
   await expect(page.getByLabel('#500', { exact: true })).toHaveValue('5.0000');
 });
 
+test('MDI shows what cycle start runs, and starts nothing else', async ({ page }) => {
+  await enter(page, '#/position');
+  await home(page);
+  await mode(page, 'KEY_MDI', 'Manual data input');
+  await show(page, 'program/mdi');
+  const text = page.locator('.mdi .cm-content');
+  const state = page.getByTestId('mdi-state');
+  const start = page.locator('.mdi [data-signal="KEY_START"]');
+  const write = async (blocks: string) => {
+    await text.click();
+    await page.keyboard.press('Control+A');
+    await page.keyboard.type(blocks);
+  };
+  await write('G90 G54 G0 X6.');
+  await expect(state).toContainText('Not sent');
+  await expect(start).toBeDisabled();
+  // What is not sent is still there behind another page.
+  await show(page, 'position/absolute');
+  await show(page, 'program/mdi');
+  await expect(text).toHaveText('G90 G54 G0 X6.');
+  await expect(state).toContainText('Not sent');
+  await page.getByTestId('mdi-send').click();
+  await expect(state).toHaveText('Cycle start runs these blocks');
+  await expect(start).toBeEnabled();
+  // What was sent is the control's, whoever looks at it.
+  await page.reload();
+  await expect(page.getByTestId('command')).toHaveText('In command');
+  await expect(text).toHaveText('G90 G54 G0 X6.');
+  await expect(start).toBeEnabled();
+  await write('G0 X8.');
+  await expect(start).toBeDisabled();
+  await shoot(page, 'mdi-unsent');
+  await page.getByTestId('mdi-take-back').click();
+  await expect(text).toHaveText('G90 G54 G0 X6.');
+  await expect(start).toBeEnabled();
+  // The block that waits is told, and can be taken back.
+  await page.getByLabel('One block').fill('G0 X8.');
+  await expect(start).toBeDisabled();
+  await page.getByLabel('One block').press('Enter');
+  await expect(state).toHaveText('Cycle start runs G0 X8. first');
+  await page.reload();
+  await expect(page.getByTestId('command')).toHaveText('In command');
+  await expect(state).toHaveText('Cycle start runs G0 X8. first');
+  await page.getByLabel('Do not run this block').click();
+  await expect(state).toHaveText('Cycle start runs these blocks');
+  await start.hover();
+  await page.mouse.down();
+  await expect(start).toHaveAttribute('data-held');
+  await page.mouse.up();
+  await show(page, 'position/absolute');
+  await expect.poll(() => x(page)).toBe(6);
+  await stands(page, 'idle');
+});
+
 test('a program of DNC runs while the server gives it', async ({ page }) => {
   test.setTimeout(480_000);
   await enter(page, '#/position');

@@ -119,6 +119,8 @@ pub enum Command {
         /// The block; empty for none.
         block: String,
     },
+    /// Reads the text of the MDI page, and the block that runs before it.
+    MdiText,
     /// The program that DNC runs, or a further part of it.
     Dnc {
         /// Its text.
@@ -805,6 +807,13 @@ pub enum Reply {
         /// Its text.
         text: String,
     },
+    /// What cycle start runs in MDI.
+    MdiText {
+        /// The text of the MDI page.
+        text: String,
+        /// The block that runs before it; empty for none.
+        block: String,
+    },
     /// Tool offsets.
     Offsets {
         /// By number.
@@ -1236,7 +1245,7 @@ pub enum Event {
     },
     /// Data were changed.
     Changed {
-        /// What kind: the name of an item of the memory, `forced` or `backups`.
+        /// What kind: the name of an item of the memory, `forced`, `backups` or `mdi`.
         item: String,
     },
     /// Somebody has other rights.

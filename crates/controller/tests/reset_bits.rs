@@ -6,7 +6,7 @@ mod common;
 
 use common::shop::Shop;
 use ferrocut_controller::Mode;
-use ferrocut_controller::api::{Activity, Command, OffsetValues, RelativeTo};
+use ferrocut_controller::api::{Activity, Command, Event, OffsetValues, RelativeTo, Reply};
 use ferrocut_controller::signals::Ways;
 
 /// How a run is given up.
@@ -199,6 +199,60 @@ fn a_reset_in_mdi_deletes_its_program_or_not() {
     shop.start();
     shop.until_it_stops();
     assert_eq!(shop.x(), 2.0);
+}
+
+/// What cycle start runs in MDI, and how often it was told to be another since the last look.
+fn mdi(shop: &mut Shop) -> (String, String, usize) {
+    shop.wait(1);
+    let changed = Event::Changed { item: "mdi".into() };
+    let told = std::mem::take(&mut shop.events).into_iter().filter(|event| *event == changed).count();
+    match shop.say(Command::MdiText) {
+        Reply::MdiText { text, block } => (text, block, told),
+        other => panic!("{other:?}"),
+    }
+}
+
+/// 8.1, 28#4, 28#7: whoever shows the text of MDI shows the one that runs.
+#[test]
+fn what_runs_in_mdi_is_told_and_that_it_is_another() {
+    let now = |text: &str, block: &str, told: usize| (text.to_owned(), block.to_owned(), told);
+    let mut shop = Shop::new(&[("NO28.4", 1.0), ("NO28.7", 1.0)]);
+    shop.mode(Mode::Mdi);
+    assert_eq!(mdi(&mut shop), now("", "", 0));
+    shop.say(Command::Mdi { text: "G91 G0 X1\n".into() });
+    assert_eq!(mdi(&mut shop), now("G91 G0 X1\n", "", 1));
+    shop.say(Command::MdiBlock { block: "G91 G0 X4".into() });
+    assert_eq!(mdi(&mut shop), now("G91 G0 X1\n", "G91 G0 X4", 1));
+    // The block runs once, the text again and again.
+    shop.start();
+    shop.until_it_stops();
+    assert_eq!((mdi(&mut shop), shop.x()), (now("G91 G0 X1\n", "", 1), 4.0));
+    shop.start();
+    shop.until_it_stops();
+    assert_eq!((mdi(&mut shop), shop.x()), (now("G91 G0 X1\n", "", 0), 5.0));
+    // It is of no other mode.
+    shop.mode(Mode::Auto);
+    assert_eq!(shop.refused(Command::Mdi { text: "G0 X9".into() }), "FC-1400");
+    assert_eq!(mdi(&mut shop), now("G91 G0 X1\n", "", 0));
+    // A reset there forgets the block alone.
+    shop.mode(Mode::Mdi);
+    shop.say(Command::MdiBlock { block: "G0 X9".into() });
+    shop.mode(Mode::Auto);
+    shop.say(Command::Reset);
+    assert_eq!(mdi(&mut shop), now("G91 G0 X1\n", "", 2));
+    // 28#7.
+    shop.mode(Mode::Mdi);
+    shop.say(Command::Reset);
+    assert_eq!(mdi(&mut shop), now("", "", 1));
+    shop.say(Command::Reset);
+    shop.until_it_stops();
+    assert_eq!(mdi(&mut shop), now("", "", 0));
+    // 28#4.
+    shop.say(Command::Mdi { text: "G91 G0 X1\nM30\n".into() });
+    assert_eq!(mdi(&mut shop).2, 1);
+    shop.start();
+    shop.until_it_stops();
+    assert_eq!((mdi(&mut shop), shop.x()), (now("", "", 1), 6.0));
 }
 
 /// 10#3: relative coordinates are those of the machine again.

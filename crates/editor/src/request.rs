@@ -167,7 +167,7 @@ pub enum CornerKind {
     Chamfer,
 }
 
-/// What is known of a tool.
+/// What is known of a tool; what is missing is as the machine's table has it.
 #[derive(Clone, Copy, PartialEq, Debug, Default, Deserialize, Serialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
@@ -175,14 +175,15 @@ pub struct ToolData {
     /// Its number.
     pub number: u16,
     /// Its diameter, mm.
-    pub diameter: f64,
+    #[serde(default)]
+    pub diameter: Option<f64>,
     /// Length of its cutting edge, mm; 0 where not known.
     #[serde(default)]
-    pub cutting_length: f64,
+    pub cutting_length: Option<f64>,
     /// Steepest angle at which it may enter the material, degrees; 0 where not known.
     #[serde(default)]
-    pub entry_angle: f64,
+    pub entry_angle: Option<f64>,
     /// Radius of its rounded tip, mm.
     #[serde(default)]
-    pub tip_radius: f64,
+    pub tip_radius: Option<f64>,
 }

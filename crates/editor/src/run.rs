@@ -60,11 +60,12 @@ pub fn fagor_desk(machine: Option<Control<'_>>, request: &Request) -> Memory {
     }
     for tool in &request.tools {
         if let Some(own) = memory.tools.get_mut(tool.number) {
-            own.radius = tool.diameter / 2.0;
-            own.radius_wear = 0.0;
-            own.cutting_length = tool.cutting_length;
-            own.entry_angle = tool.entry_angle;
-            own.tip_radius = tool.tip_radius;
+            if let Some(diameter) = tool.diameter {
+                (own.radius, own.radius_wear) = (diameter / 2.0, 0.0);
+            }
+            own.cutting_length = tool.cutting_length.unwrap_or(own.cutting_length);
+            own.entry_angle = tool.entry_angle.unwrap_or(own.entry_angle);
+            own.tip_radius = tool.tip_radius.unwrap_or(own.tip_radius);
         }
     }
     memory

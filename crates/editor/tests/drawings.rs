@@ -68,7 +68,7 @@ fn a_drawn_pocket_with_an_island_is_cleared() {
         cycle: "P2D".into(),
         values: values.into(),
         profile: Some(Profile { contours: from.contours }),
-        tools: vec![ToolData { number: 1, diameter: 6.0, ..ToolData::default() }],
+        tools: vec![ToolData { number: 1, diameter: Some(6.0), ..ToolData::default() }],
         ..Request::default()
     };
     let made = make(&request, None);

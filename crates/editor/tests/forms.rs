@@ -129,8 +129,13 @@ fn fresh(form: &Form) -> Request {
     });
     let round = Some(Corner { kind: CornerKind::Round, size: 8.0 });
     let mut request = Request { cycle: form.id.to_owned(), values: values.collect(), ..Request::default() };
-    request.tools =
-        vec![ToolData { number: 1, diameter: 8.0, cutting_length: 20.0, entry_angle: 5.0, tip_radius: 0.0 }];
+    request.tools = vec![ToolData {
+        number: 1,
+        diameter: Some(8.0),
+        cutting_length: Some(20.0),
+        entry_angle: Some(5.0),
+        tip_radius: Some(0.0),
+    }];
     let mut path = square(40.0, None);
     match form.profile {
         ProfileUse::None => {}

@@ -28,10 +28,10 @@ fn request(cycle: &str, values: &[(&str, Value)]) -> Request {
     }
     let tool = |number, diameter| ToolData {
         number,
-        diameter,
-        cutting_length: 20.0,
-        entry_angle: 5.0,
-        tip_radius: 0.0,
+        diameter: Some(diameter),
+        cutting_length: Some(20.0),
+        entry_angle: Some(5.0),
+        tip_radius: Some(0.0),
     };
     request.tools = vec![tool(1, 8.0), tool(2, 6.0)];
     request
@@ -252,4 +252,37 @@ fn the_tools_of_the_machine_are_taken_as_its_table_has_them() {
     // 80 wide about 0, the wall stock 0.2: the tool's middle stays its radius off, which 40#7 has entered as 8 or 16.
     assert!((least(0.0) + 40.0 - 8.2).abs() < 1e-6, "{}", least(0.0));
     assert!((least(1.0) + 40.0 - 4.2).abs() < 1e-6, "{}", least(1.0));
+}
+
+/// What is said of a tool is said of that alone; all else is its row of the table, with the wear.
+#[test]
+fn of_a_tool_that_is_described_in_part_the_rest_is_as_the_table_has_it() {
+    let mut memory = Memory::new("gsk990mc");
+    memory.set_parameter(&"P40.7".parse::<ParameterKey>().unwrap(), 1.0).unwrap();
+    for number in [1, 2] {
+        let row = memory.tools.get_mut(number).unwrap();
+        (row.radius, row.radius_wear, row.cutting_length) = (10.0, -0.2, 25.0);
+        (row.entry_angle, row.tip_radius) = (3.0, 1.0);
+    }
+    let row = |tool: ToolData| {
+        let asked = Request { tools: vec![tool], ..Request::default() };
+        let machine = Control { dialect: dialect("gsk990mc"), memory: &memory };
+        let desk = run::fagor_desk(Some(machine), &asked);
+        let values = |number| {
+            let row = desk.tools.get(number).unwrap();
+            [row.radius + row.radius_wear, row.cutting_length, row.entry_angle, row.tip_radius]
+        };
+        // Another tool is none of its business.
+        assert_eq!(values(2), [4.9, 25.0, 3.0, 1.0]);
+        values(1)
+    };
+    let only = ToolData { number: 1, ..ToolData::default() };
+    assert_eq!(row(only), [4.9, 25.0, 3.0, 1.0]);
+    assert_eq!(row(ToolData { diameter: Some(6.0), ..only }), [3.0, 25.0, 3.0, 1.0]);
+    assert_eq!(row(ToolData { cutting_length: Some(0.0), ..only }), [4.9, 0.0, 3.0, 1.0]);
+    assert_eq!(row(ToolData { entry_angle: Some(7.0), ..only }), [4.9, 25.0, 7.0, 1.0]);
+    assert_eq!(row(ToolData { tip_radius: Some(0.5), ..only }), [4.9, 25.0, 3.0, 0.5]);
+    // As JSON what is missing is left out.
+    let said: ToolData = serde_json::from_str(r#"{"number":1,"tip_radius":0.5}"#).unwrap();
+    assert_eq!(said, ToolData { tip_radius: Some(0.5), ..only });
 }

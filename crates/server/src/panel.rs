@@ -166,6 +166,7 @@ impl Service for Panel {
             Command::Key { key, .. } if key == "KEY_HOLD" => Need::Nothing,
             Command::Programs
             | Command::Read { .. }
+            | Command::MdiText
             | Command::Offsets { .. }
             | Command::Zeros
             | Command::Variables { .. }

@@ -34,6 +34,9 @@ const LONGEST_MDI: usize = 1 << 20;
 /// What the event `changed` calls the backups in the folder of the memory.
 pub const BACKUPS: &str = "backups";
 
+/// What the event `changed` calls the text and the block of MDI.
+const MDI: &str = "mdi";
+
 pub(super) type Answer = Result<Reply, Box<Alarm>>;
 
 pub(super) fn named(fault: Fault, name: impl Into<String>) -> Alarm {
@@ -109,6 +112,7 @@ impl Control {
             Command::Cursor { line } => self.put_cursor(line),
             Command::Mdi { text } => self.type_mdi(text, false),
             Command::MdiBlock { block } => self.type_mdi(block, true),
+            Command::MdiText => Ok(Reply::MdiText { text: self.mdi.clone(), block: self.mdi_block.clone() }),
             Command::Dnc { text, first, last } => self.take_dnc(&text, first, last),
             Command::StopAt { program, sequence } => {
                 if let (Some(program), Some(sequence)) = (&program, sequence) {
@@ -444,7 +448,29 @@ impl Control {
             self.mdi = text;
             self.mdi_cursor = 1;
         }
+        self.tell_mdi();
         Ok(Reply::Done)
+    }
+
+    /// The text of MDI is cleared.
+    pub(super) fn clear_mdi(&mut self) {
+        if !self.mdi.is_empty() {
+            self.mdi.clear();
+            self.tell_mdi();
+        }
+    }
+
+    /// The block before it is taken, to be run or to be forgotten.
+    pub(super) fn take_mdi_block(&mut self) -> String {
+        let block = std::mem::take(&mut self.mdi_block);
+        if !block.is_empty() {
+            self.tell_mdi();
+        }
+        block
+    }
+
+    fn tell_mdi(&mut self) {
+        self.event(Event::Changed { item: MDI.to_owned() });
     }
 
     // Data.

@@ -653,7 +653,7 @@ impl Control {
         self.reset_left = (self.parameter(203) / self.machine.servo_period_ms).clamp(1.0, 1e6) as u64;
         // 28#7, in MDI.
         if self.mode == Mode::Mdi && self.bit(28, 7) {
-            self.mdi.clear();
+            self.clear_mdi();
         }
         // 10#3.
         if self.bit(10, 3) {
@@ -667,7 +667,7 @@ impl Control {
 
     /// The program under way is given up: the cursor stays on its block.
     fn give_up(&mut self) {
-        self.mdi_block.clear();
+        self.take_mdi_block();
     }
 
     /// What the NC came to in this period.

@@ -106,7 +106,7 @@ impl Control {
     /// 8.2 note 2: what stands on the page of the current block runs before the text of the MDI page.
     fn start_mdi(&mut self) -> Result<(), Box<Alarm>> {
         let is_block = !self.mdi_block.trim().is_empty();
-        let text = if is_block { std::mem::take(&mut self.mdi_block) } else { self.mdi.clone() };
+        let text = if is_block { self.take_mdi_block() } else { self.mdi.clone() };
         if text.trim().is_empty() {
             return Err(Box::new(alarm(Fault::NothingToRun)));
         }
@@ -218,7 +218,7 @@ impl Control {
         match self.loaded {
             Loaded::Auto(_) if rewinds => self.cursor = 1,
             // 28#4.
-            Loaded::Mdi if matches!(code, Some(2 | 30)) && self.bit(28, 4) => self.mdi.clear(),
+            Loaded::Mdi if matches!(code, Some(2 | 30)) && self.bit(28, 4) => self.clear_mdi(),
             _ => {}
         }
     }

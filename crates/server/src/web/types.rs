@@ -36,10 +36,13 @@ const CYCLES: &str = "\
 ";
 
 /// What may be left out of a form that is sent; serde tells it, the type does not.
-const LEFT_OUT: [(&str, &str); 5] = [
+const LEFT_OUT: [(&str, &str); 8] = [
     ("\nentry: number", "\nentry?: number"),
     ("\nexit: number", "\nexit?: number"),
-    ("\ntip_radius: number", "\ntip_radius?: number"),
+    ("\ndiameter: number | null", "\ndiameter?: number | null"),
+    ("\ncutting_length: number | null", "\ncutting_length?: number | null"),
+    ("\nentry_angle: number | null", "\nentry_angle?: number | null"),
+    ("\ntip_radius: number | null", "\ntip_radius?: number | null"),
     ("\nprofile: Profile | null", "\nprofile?: Profile | null"),
     ("\ncorner: Corner | null", "\ncorner?: Corner | null"),
 ];

@@ -251,7 +251,7 @@ values: { [key in string]: Value },
 points: Array<[number, number]>, };
 
 /**
- * What is known of a tool.
+ * What is known of a tool; what is missing is as the machine's table has it.
  */
 export type ToolData = {
 /**
@@ -261,19 +261,19 @@ number: number,
 /**
  * Its diameter, mm.
  */
-diameter: number,
+diameter?: number | null,
 /**
  * Length of its cutting edge, mm; 0 where not known.
  */
-cutting_length: number,
+cutting_length?: number | null,
 /**
  * Steepest angle at which it may enter the material, degrees; 0 where not known.
  */
-entry_angle: number,
+entry_angle?: number | null,
 /**
  * Radius of its rounded tip, mm.
  */
-tip_radius?: number, };
+tip_radius?: number | null, };
 
 /**
  * A cycle as a form was filled in.

@@ -721,7 +721,15 @@ program: string,
 /**
  * Its text.
  */
-text: string, } | { "reply": "offsets",
+text: string, } | { "reply": "mdi_text",
+/**
+ * The text of the MDI page.
+ */
+text: string,
+/**
+ * The block that runs before it; empty for none.
+ */
+block: string, } | { "reply": "offsets",
 /**
  * By number.
  */
@@ -963,7 +971,7 @@ parts: number, } | { "event": "tool_change",
  */
 tool: number, } | { "event": "changed",
 /**
- * What kind: the name of an item of the memory, `forced` or `backups`.
+ * What kind: the name of an item of the memory, `forced`, `backups` or `mdi`.
  */
 item: string, } | { "event": "level",
 /**
@@ -1370,7 +1378,7 @@ text: string, } | { "do": "mdi_block",
 /**
  * The block; empty for none.
  */
-block: string, } | { "do": "dnc",
+block: string, } | { "do": "mdi_text" } | { "do": "dnc",
 /**
  * Its text.
  */

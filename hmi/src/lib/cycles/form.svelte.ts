@@ -12,7 +12,10 @@ export type Filled = {
 };
 
 const filled = $state<Record<string, Filled>>({});
-const tools = $state<Record<number, ToolData>>({});
+/** What somebody typed of tools; all else is as the machine's table has it. */
+const own = $state<Record<number, ToolData>>({});
+/** Diameters of the machine's table, wear included. */
+let table = $state.raw<Record<number, number>>({});
 let chosen = $state('G287');
 
 /** A contour to begin with: a square with round corners, open where the tool follows it. */
@@ -58,14 +61,26 @@ export const forms = {
     return found ? { kind, values: fresh(found.parameters), points: [] } : null;
   },
   /** What is known of a tool. */
-  tool(number: number): ToolData {
-    return tools[number] ?? { number, diameter: 8, cutting_length: 20, entry_angle: 0 };
+  tool(number: number): ToolData & { diameter: number } {
+    return { number, ...own[number], diameter: own[number]?.diameter ?? table[number] ?? 0 };
   },
-  setTool(tool: ToolData): void {
-    tools[tool.number] = tool;
+  /** What was typed of a tool; none where it is as the machine's table has it. */
+  ownTool(number: number): ToolData | undefined {
+    return own[number];
   },
-  knows(number: number): boolean {
-    return number in tools;
+  /** Something of a tool was typed; null is as the table has it. */
+  setTool(number: number, typed: Partial<ToolData>): void {
+    const all = Object.entries({ ...own[number], ...typed, number }).filter(([, value]) => value !== null);
+    if (all.length > 1) own[number] = Object.fromEntries(all) as ToolData;
+    else delete own[number];
+  },
+  /** A tool is as the table has it. */
+  dropTool(number: number): void {
+    delete own[number];
+  },
+  /** What the machine's table has, by number. */
+  setTable(diameters: Record<number, number>): void {
+    table = diameters;
   },
 };
 
@@ -91,7 +106,7 @@ export function request(form: Form, of: Filled): Request {
     positions: of.positions && form.positions.length ? [of.positions] : [],
     profile: form.profile === 'none' ? null : { contours: of.contours },
     depths: form.profile === 'depths' ? of.depths : [],
-    tools: toolsOf(values).map((number) => forms.tool(number)),
+    tools: toolsOf(values).flatMap((number) => forms.ownTool(number) ?? []),
   };
 }
 

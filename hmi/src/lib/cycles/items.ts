@@ -40,7 +40,7 @@ export function fresh(fields: FormField[]): Values {
 /** Diameter of the tool of a stage, mm. */
 export function toolDiameter(request: Request): number {
   const stage = ['rough.T', 'T', 'finish.T'].map((name) => request.values[name]).find((value) => Number(value) > 0);
-  return request.tools.find((tool) => tool.number === stage)?.diameter ?? 8;
+  return request.tools.find((tool) => tool.number === stage)?.diameter || 8;
 }
 
 export function subject(form: Form, request: Request): Subject {
