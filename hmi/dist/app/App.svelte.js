@@ -45,10 +45,11 @@ function App($$anchor, $$props) {
 	$.user_effect(() => machine.hear((event) => {
 		if (display.alarmOpens && event.event === "alarm" && !event.alarm.warning) go("alarms");
 	}));
+	const writes = () => ["program/edit", "plc/edit"].includes(`${route.page}/${route.tab}`);
 	let before = null;
 	$.user_effect(() => {
 		const mode = machine.mode;
-		if (untrack(() => before && machine.inCommand && display.editOpens) && mode === "edit" && before !== "edit") go("program", "edit");
+		if (untrack(() => before && machine.inCommand && display.editOpens && !writes()) && mode === "edit" && before !== "edit") go("program", "edit");
 		before = mode;
 	});
 	$.user_effect(() => {

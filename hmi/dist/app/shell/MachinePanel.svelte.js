@@ -34,7 +34,9 @@ function MachinePanel($$anchor, $$props) {
 		outputs: []
 	});
 	const own = $.derived(() => ownKeysOf($.get(named).inputs, $.get(named).outputs));
-	const axes = $.derived(() => axisKeysOf(machine.axes).filter(({ plus, isStandard }) => isStandard || $.get(named).inputs.some(({ name }) => name === plus)));
+	const has = (...keys) => keys.every((key) => $.get(named).inputs.some(({ name }) => name === key));
+	const axes = $.derived(() => axisKeysOf(machine.axes).filter(({ plus, minus, isStandard }) => isStandard || has(plus, minus)));
+	const wheeled = $.derived(() => axisKeysOf(machine.axes).filter(({ wheel, isStandard }) => isStandard || has(wheel)));
 	$.user_effect(() => {
 		machine.changed("ladder");
 		const spoken = language();
@@ -47,10 +49,14 @@ function MachinePanel($$anchor, $$props) {
 			}).catch(() => null);
 			return reply?.reply === "signal_table" ? reply.signals : [];
 		};
-		Promise.all([table("X"), table("Y")]).then(([inputs, outputs]) => $.set(named, {
+		let wanted = true;
+		Promise.all([table("X"), table("Y")]).then(([inputs, outputs]) => wanted && $.set(named, {
 			inputs,
 			outputs
 		}));
+		return () => {
+			wanted = false;
+		};
 	});
 	$.user_effect(() => {
 		const read = async () => {
@@ -103,7 +109,7 @@ function MachinePanel($$anchor, $$props) {
 					return $.get($0);
 				},
 				get axes() {
-					return $.get(axes);
+					return $.get(wheeled);
 				}
 			});
 		}

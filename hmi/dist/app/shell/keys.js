@@ -18,6 +18,7 @@ var axisKeysOf = (letters) => letters.map((letter, index) => {
 	const name = axisSignals[index] ?? String(index + 1);
 	return {
 		letter,
+		place: index + 1,
 		plus: `KEY_${name}+`,
 		minus: `KEY_${name}-`,
 		wheel: `KEY_W${name}`,

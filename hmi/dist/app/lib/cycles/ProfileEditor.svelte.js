@@ -10,22 +10,22 @@ import Profiles from "./Profiles2.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/lib/cycles/ProfileEditor.svelte
-var root = $.from_svg(`<circle class="centre s-17oku5b"></circle>`);
-var root_1 = $.from_svg(`<path class="chosen s-17oku5b"></path><!>`, 1);
-var root_2 = $.from_svg(`<circle tabindex="0" role="button"></circle>`);
+var root = $.from_svg(`<circle class="centre s-senpwf"></circle>`);
+var root_1 = $.from_svg(`<path class="chosen s-senpwf"></path><!>`, 1);
+var root_2 = $.from_svg(`<circle class="touched s-senpwf" tabindex="0" role="button"></circle><circle></circle>`, 1);
 var root_3 = $.from_svg(`<path></path><!><!>`, 1);
 var root_4 = $.from_svg(`<circle></circle>`);
 var root_5 = $.from_html(`<p class="muted number"> </p>`);
 var root_6 = $.from_html(`<option> </option>`);
 var root_7 = $.from_html(`<div class="row wrap" role="radiogroup"><!> <!></div>`);
-var root_8 = $.from_html(`<li><button type="button" class="s-17oku5b"><span class="code"></span> <span> </span> <span class="number"> </span></button></li>`);
+var root_8 = $.from_html(`<li><button type="button" class="s-senpwf"><span class="code"></span> <span> </span> <span class="number"> </span></button></li>`);
 var root_9 = $.from_html(`<!> <!>`, 1);
 var root_10 = $.from_html(`<!> <!> <!>`, 1);
 var root_11 = $.from_html(`<!> <!> <!> <!>`, 1);
 var root_12 = $.from_html(`<!> <!> <!> <!> <!> <!>`, 1);
-var root_13 = $.from_html(`<ol class="elements s-17oku5b"><li><button type="button" class="s-17oku5b"><span class="code">0</span><span> </span><span class="number"> </span></button></li> <!></ol> <div class="element s-17oku5b"><!> <!> <!> <!></div>`, 1);
-var root_14 = $.from_html(`<p class="finding s-17oku5b"> <small class="code"> </small></p>`);
-var root_15 = $.from_html(`<div><div class="row wrap"><!> <!> <!> <!> <!> <input type="file" accept=".dxf" hidden=""/></div> <svg role="group"><path class="axes s-17oku5b"></path><!><!></svg> <!> <div class="row wrap snaps s-17oku5b"><span class="muted"> </span> <label class="row s-17oku5b"><span> </span><select></select></label> <!> <!> <!> <!></div> <!> <!> <!></div>`);
+var root_13 = $.from_html(`<ol class="elements s-senpwf"><li><button type="button" class="s-senpwf"><span class="code">0</span><span> </span><span class="number"> </span></button></li> <!></ol> <div class="element s-senpwf"><!> <!> <!> <!></div>`, 1);
+var root_14 = $.from_html(`<p class="finding s-senpwf"> <small class="code"> </small></p>`);
+var root_15 = $.from_html(`<div><div class="row wrap"><!> <!> <!> <!> <!> <input type="file" accept=".dxf" hidden=""/></div> <svg role="group"><path class="axes s-senpwf"></path><!><!></svg> <!> <div class="row wrap snaps s-senpwf"><span class="muted"> </span> <label class="row s-senpwf"><span> </span><select></select></label> <!> <!> <!> <!></div> <!> <!> <!></div>`);
 function ProfileEditor($$anchor, $$props) {
 	$.push($$props, true);
 	let axes = $.prop($$props, "axes", 19, () => ["X", "Y"]), name = $.prop($$props, "name", 3, "");
@@ -36,6 +36,7 @@ function ProfileEditor($$anchor, $$props) {
 	let index = $.state(-1);
 	let tool = $.state("choose");
 	let hovered = $.state(null);
+	/** What is dragged, and by how much the finger is beside it. */
 	let dragged = null;
 	let dropping = $.state(false);
 	let busy = $.state(false);
@@ -55,11 +56,16 @@ function ProfileEditor($$anchor, $$props) {
 	let held = $.state(null);
 	const frame = $.derived(() => $.get(held) ?? box($.get(points), .2));
 	const unit = $.derived(() => Math.max($.get(frame).w, $.get(frame).h) / 100);
+	let width = $.state(0);
+	let height = $.state(0);
+	/** What a finger meets: 22 px about a point, in units of the drawing. */
+	const touch = $.derived(() => $.get(width) > 0 && $.get(height) > 0 ? 22 / Math.min($.get(width) / $.get(frame).w, $.get(height) / $.get(frame).h) : 0);
 	function place(event) {
 		const matrix = $.get(svg)?.getScreenCTM();
 		if (!matrix) return null;
 		const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse());
-		return [at.x, -at.y];
+		const [x, y] = dragged?.aside ?? [0, 0];
+		return [at.x - x, -at.y - y];
 	}
 	/** Where a pointer means: within 14 px of what it may snap to. */
 	function meant(event, without) {
@@ -126,15 +132,34 @@ function ProfileEditor($$anchor, $$props) {
 			}
 		} else $.set(hovered, $.get(tool) === "choose" ? null : meant(event));
 	}
-	function grab(event, of, at) {
-		$.set(current, of, true);
-		$.set(index, at, true);
-		if ($.get(tool) !== "choose") return;
+	/** The points of a contour that can be chosen: its start, and the ends of its elements; the last of a closed one is its
+	start. */
+	const endsOf = (one) => [one.start, ...one.elements.slice(0, isClosed(one) ? -1 : void 0).map((each) => each.to)];
+	/** Takes the point that is nearest to the finger: where points are close, what is met of each lies over others. */
+	function grab(event) {
+		dragged = null;
+		const from = $.get(tool) === "choose" ? place(event) : null;
+		if (!from) return;
+		let least = Infinity;
+		let nearest = null;
+		for (const [of, one] of $$props.contours.entries()) for (const [i, point] of endsOf(one).entries()) {
+			const far = distance(from, point);
+			if (nearest && far >= least - (of === $.get(current) ? -1e-9 : 1e-9)) continue;
+			[least, nearest] = [far, point];
+			dragged = {
+				contour: of,
+				index: i - 1,
+				aside: [from[0] - point[0], from[1] - point[1]]
+			};
+		}
+		if (!dragged) return;
 		event.stopPropagation();
-		dragged = {
-			contour: of,
-			index: at
-		};
+		$.get(svg)?.querySelector(`[data-point="${dragged.contour}.${dragged.index}"]`)?.focus();
+		(($$value) => {
+			var $$array_1 = $.to_array($$value, 2);
+			$.set(current, $$array_1[0], true);
+			$.set(index, $$array_1[1], true);
+		})([dragged.contour, dragged.index]);
 		$.set(held, $.get(frame));
 		$.get(svg)?.setPointerCapture(event.pointerId);
 	}
@@ -197,9 +222,9 @@ function ProfileEditor($$anchor, $$props) {
 	}
 	function take(others, called) {
 		(($$value) => {
-			var $$array = $.to_array($$value, 2);
-			$.set(current, $$array[0], true);
-			$.set(index, $$array[1], true);
+			var $$array_2 = $.to_array($$value, 2);
+			$.set(current, $$array_2[0], true);
+			$.set(index, $$array_2[1], true);
 		})([0, -1]);
 		$$props.onload(others, called);
 	}
@@ -385,35 +410,33 @@ function ProfileEditor($$anchor, $$props) {
 			if (of === $.get(current) && $.get(one).elements[$.get(index)]) $$render(consequent_3);
 		});
 		var node_8 = $.sibling(node_6);
-		$.each(node_8, 17, () => [$.get(one).start, ...$.get(one).elements.map((each) => each.to)], $.index, ($$anchor, point, i) => {
-			var fragment_7 = $.comment();
-			var node_9 = $.first_child(fragment_7);
-			var consequent_4 = ($$anchor) => {
-				var circle_1 = root_2();
-				let classes_3;
-				$.template_effect(($0) => {
-					classes_3 = $.set_class(circle_1, 0, "end s-17oku5b", null, classes_3, { on: of === $.get(current) && i - 1 === $.get(index) });
-					$.set_attribute(circle_1, "cx", $.get(point)[0]);
-					$.set_attribute(circle_1, "cy", -$.get(point)[1]);
-					$.set_attribute(circle_1, "r", $.get(unit) * 1.6);
-					$.set_attribute(circle_1, "aria-label", $0);
-				}, [() => t("cycles.point", { number: i + 1 })]);
-				$.delegated("keydown", circle_1, (event) => nudge(event, of, i - 1));
-				$.event("focus", circle_1, () => {
-					$.set(current, of, true);
-					$.set(index, i - 1);
-				});
-				$.delegated("pointerdown", circle_1, (event) => grab(event, of, i - 1));
-				$.append($$anchor, circle_1);
-			};
-			var d = $.derived(() => !(i > 0 && i === $.get(one).elements.length && isClosed($.get(one))));
-			$.if(node_9, ($$render) => {
-				if ($.get(d)) $$render(consequent_4);
+		$.each(node_8, 17, () => endsOf($.get(one)), $.index, ($$anchor, point, i) => {
+			var fragment_7 = root_2();
+			var circle_1 = $.first_child(fragment_7);
+			$.set_attribute(circle_1, "data-point", `${of}.${i - 1}`);
+			var circle_2 = $.sibling(circle_1);
+			let classes_3;
+			$.template_effect(($0, $1) => {
+				$.set_attribute(circle_1, "cx", $.get(point)[0]);
+				$.set_attribute(circle_1, "cy", -$.get(point)[1]);
+				$.set_attribute(circle_1, "r", $0);
+				$.set_attribute(circle_1, "aria-label", $1);
+				classes_3 = $.set_class(circle_2, 0, "end s-senpwf", null, classes_3, { on: of === $.get(current) && i - 1 === $.get(index) });
+				$.set_attribute(circle_2, "cx", $.get(point)[0]);
+				$.set_attribute(circle_2, "cy", -$.get(point)[1]);
+				$.set_attribute(circle_2, "r", $.get(unit) * 1.6);
+			}, [() => Math.max($.get(touch), $.get(unit) * 1.6), () => t("cycles.point", { number: i + 1 })]);
+			$.delegated("keydown", circle_1, (event) => nudge(event, of, i - 1));
+			$.event("focus", circle_1, () => {
+				$.set(current, of, true);
+				$.set(index, i - 1);
 			});
+			$.delegated("mousedown", circle_1, (event) => event.preventDefault());
+			$.delegated("pointerdown", circle_1, grab);
 			$.append($$anchor, fragment_7);
 		});
 		$.template_effect(($0) => {
-			classes_2 = $.set_class(path_1, 0, "contour s-17oku5b", null, classes_2, {
+			classes_2 = $.set_class(path_1, 0, "contour s-senpwf", null, classes_2, {
 				current: of === $.get(current),
 				island: of > 0
 			});
@@ -421,33 +444,33 @@ function ProfileEditor($$anchor, $$props) {
 		}, [() => svgPath(outline($.get(one)))]);
 		$.append($$anchor, fragment_5);
 	});
-	var node_10 = $.sibling(node_5);
-	var consequent_5 = ($$anchor) => {
-		var circle_2 = root_4();
+	var node_9 = $.sibling(node_5);
+	var consequent_4 = ($$anchor) => {
+		var circle_3 = root_4();
 		$.template_effect(() => {
-			$.set_class(circle_2, 0, `snap ${$.get(hovered).kind ?? ""}`, "s-17oku5b");
-			$.set_attribute(circle_2, "cx", $.get(hovered).at[0]);
-			$.set_attribute(circle_2, "cy", -$.get(hovered).at[1]);
-			$.set_attribute(circle_2, "r", $.get(unit) * 2.2);
+			$.set_class(circle_3, 0, `snap ${$.get(hovered).kind ?? ""}`, "s-senpwf");
+			$.set_attribute(circle_3, "cx", $.get(hovered).at[0]);
+			$.set_attribute(circle_3, "cy", -$.get(hovered).at[1]);
+			$.set_attribute(circle_3, "r", $.get(unit) * 2.2);
 		});
-		$.append($$anchor, circle_2);
+		$.append($$anchor, circle_3);
 	};
-	$.if(node_10, ($$render) => {
-		if ($.get(hovered)) $$render(consequent_5);
+	$.if(node_9, ($$render) => {
+		if ($.get(hovered)) $$render(consequent_4);
 	});
 	$.reset(svg_1);
 	$.bind_this(svg_1, ($$value) => $.set(svg, $$value), () => $.get(svg));
-	var node_11 = $.sibling(svg_1, 2);
-	var consequent_6 = ($$anchor) => {
+	var node_10 = $.sibling(svg_1, 2);
+	var consequent_5 = ($$anchor) => {
 		var p = root_5();
 		var text_3 = $.only_child(p);
 		$.template_effect(($0) => $.set_text(text_3, `${$0 ?? ""}  ${axes()[0] ?? ""} ${$.get(hovered).at[0] ?? ""}  ${axes()[1] ?? ""} ${$.get(hovered).at[1] ?? ""}`), [() => t(`cycles.snap_${$.get(hovered).kind}`)]);
 		$.append($$anchor, p);
 	};
-	$.if(node_11, ($$render) => {
-		if ($.get(hovered)) $$render(consequent_6);
+	$.if(node_10, ($$render) => {
+		if ($.get(hovered)) $$render(consequent_5);
 	});
-	var div_2 = $.sibling(node_11, 2);
+	var div_2 = $.sibling(node_10, 2);
 	var span = $.child(div_2);
 	var text_4 = $.only_child(span, true);
 	var label_1 = $.sibling(span, 2);
@@ -474,8 +497,8 @@ function ProfileEditor($$anchor, $$props) {
 	$.reset(select);
 	$.init_select(select);
 	$.reset(label_1);
-	var node_12 = $.sibling(label_1, 2);
-	Button(node_12, {
+	var node_11 = $.sibling(label_1, 2);
+	Button(node_11, {
 		get pressed() {
 			return snapping.ends;
 		},
@@ -488,8 +511,8 @@ function ProfileEditor($$anchor, $$props) {
 		},
 		$$slots: { default: true }
 	});
-	var node_13 = $.sibling(node_12, 2);
-	Button(node_13, {
+	var node_12 = $.sibling(node_11, 2);
+	Button(node_12, {
 		get pressed() {
 			return snapping.centres;
 		},
@@ -502,8 +525,8 @@ function ProfileEditor($$anchor, $$props) {
 		},
 		$$slots: { default: true }
 	});
-	var node_14 = $.sibling(node_13, 2);
-	Button(node_14, {
+	var node_13 = $.sibling(node_12, 2);
+	Button(node_13, {
 		get pressed() {
 			return snapping.middles;
 		},
@@ -516,8 +539,8 @@ function ProfileEditor($$anchor, $$props) {
 		},
 		$$slots: { default: true }
 	});
-	var node_15 = $.sibling(node_14, 2);
-	Button(node_15, {
+	var node_14 = $.sibling(node_13, 2);
+	Button(node_14, {
 		get pressed() {
 			return snapping.aligned;
 		},
@@ -531,11 +554,11 @@ function ProfileEditor($$anchor, $$props) {
 		$$slots: { default: true }
 	});
 	$.reset(div_2);
-	var node_16 = $.sibling(div_2, 2);
-	var consequent_8 = ($$anchor) => {
+	var node_15 = $.sibling(div_2, 2);
+	var consequent_7 = ($$anchor) => {
 		var div_3 = root_7();
-		var node_17 = $.child(div_3);
-		$.each(node_17, 17, () => $$props.contours, $.index, ($$anchor, one, of) => {
+		var node_16 = $.child(div_3);
+		$.each(node_16, 17, () => $$props.contours, $.index, ($$anchor, one, of) => {
 			{
 				let $0 = $.derived(() => $.get(current) === of);
 				Button($$anchor, {
@@ -557,8 +580,8 @@ function ProfileEditor($$anchor, $$props) {
 				});
 			}
 		});
-		var node_18 = $.sibling(node_17, 2);
-		var consequent_7 = ($$anchor) => {
+		var node_17 = $.sibling(node_16, 2);
+		var consequent_6 = ($$anchor) => {
 			{
 				let $0 = $.derived(() => t("cycles.delete"));
 				Button($$anchor, {
@@ -575,18 +598,18 @@ function ProfileEditor($$anchor, $$props) {
 				});
 			}
 		};
-		$.if(node_18, ($$render) => {
-			if ($.get(current) > 0) $$render(consequent_7);
+		$.if(node_17, ($$render) => {
+			if ($.get(current) > 0) $$render(consequent_6);
 		});
 		$.reset(div_3);
 		$.template_effect(($0) => $.set_attribute(div_3, "aria-label", $0), [() => t("cycles.contours")]);
 		$.append($$anchor, div_3);
 	};
-	$.if(node_16, ($$render) => {
-		if ($$props.contours.length > 1) $$render(consequent_8);
+	$.if(node_15, ($$render) => {
+		if ($$props.contours.length > 1) $$render(consequent_7);
 	});
-	var node_19 = $.sibling(node_16, 2);
-	var consequent_15 = ($$anchor) => {
+	var node_18 = $.sibling(node_15, 2);
+	var consequent_14 = ($$anchor) => {
 		var fragment_15 = root_13();
 		var ol = $.first_child(fragment_15);
 		var li = $.child(ol);
@@ -598,8 +621,8 @@ function ProfileEditor($$anchor, $$props) {
 		var text_13 = $.only_child(span_3);
 		$.reset(button);
 		$.reset(li);
-		var node_20 = $.sibling(li, 2);
-		$.each(node_20, 17, () => $.get(contour).elements, $.index, ($$anchor, one, i) => {
+		var node_19 = $.sibling(li, 2);
+		$.each(node_19, 17, () => $.get(contour).elements, $.index, ($$anchor, one, i) => {
 			var li_1 = root_8();
 			let classes_5;
 			var button_1 = $.child(li_1);
@@ -612,7 +635,7 @@ function ProfileEditor($$anchor, $$props) {
 			$.reset(button_1);
 			$.reset(li_1);
 			$.template_effect(($0, $1, $2, $3) => {
-				classes_5 = $.set_class(li_1, 1, "s-17oku5b", null, classes_5, { on: $.get(index) === i });
+				classes_5 = $.set_class(li_1, 1, "s-senpwf", null, classes_5, { on: $.get(index) === i });
 				$.set_text(text_14, $0);
 				$.set_text(text_15, `${axes()[0] ?? ""} ${$1 ?? ""} ${axes()[1] ?? ""} ${$2 ?? ""}${$3 ?? ""}${$.get(one).corner ? ` · ${$.get(one).corner.kind === "round" ? "R" : "C"} ${$.get(one).corner.size}` : ""}`);
 			}, [
@@ -626,13 +649,13 @@ function ProfileEditor($$anchor, $$props) {
 		});
 		$.reset(ol);
 		var div_4 = $.sibling(ol, 2);
-		var node_21 = $.child(div_4);
-		var consequent_10 = ($$anchor) => {
+		var node_20 = $.child(div_4);
+		var consequent_9 = ($$anchor) => {
 			var fragment_16 = root_10();
-			var node_22 = $.first_child(fragment_16);
+			var node_21 = $.first_child(fragment_16);
 			{
 				let $0 = $.derived(() => t("cycles.start_of", { axis: axes()[0] }));
-				NumberField(node_22, {
+				NumberField(node_21, {
 					get label() {
 						return $.get($0);
 					},
@@ -645,10 +668,10 @@ function ProfileEditor($$anchor, $$props) {
 					onvalue: (value) => moveEnd(-1, $.get(current), [value ?? 0, $.get(contour).start[1]])
 				});
 			}
-			var node_23 = $.sibling(node_22, 2);
+			var node_22 = $.sibling(node_21, 2);
 			{
 				let $0 = $.derived(() => t("cycles.start_of", { axis: axes()[1] }));
-				NumberField(node_23, {
+				NumberField(node_22, {
 					get label() {
 						return $.get($0);
 					},
@@ -661,15 +684,15 @@ function ProfileEditor($$anchor, $$props) {
 					onvalue: (value) => moveEnd(-1, $.get(current), [$.get(contour).start[0], value ?? 0])
 				});
 			}
-			var node_24 = $.sibling(node_23, 2);
-			var consequent_9 = ($$anchor) => {
+			var node_23 = $.sibling(node_22, 2);
+			var consequent_8 = ($$anchor) => {
 				var fragment_17 = root_9();
-				var node_25 = $.first_child(fragment_17);
+				var node_24 = $.first_child(fragment_17);
 				{
 					let $0 = $.derived(() => t("cycles.entry"));
 					let $1 = $.derived(() => t("cycles.entry_short"));
 					let $2 = $.derived(() => $.get(contour).entry ?? 0);
-					NumberField(node_25, {
+					NumberField(node_24, {
 						get label() {
 							return $.get($0);
 						},
@@ -683,12 +706,12 @@ function ProfileEditor($$anchor, $$props) {
 						onvalue: (value) => $.get(contour).entry = value ?? 0
 					});
 				}
-				var node_26 = $.sibling(node_25, 2);
+				var node_25 = $.sibling(node_24, 2);
 				{
 					let $0 = $.derived(() => t("cycles.exit"));
 					let $1 = $.derived(() => t("cycles.exit_short"));
 					let $2 = $.derived(() => $.get(contour).exit ?? 0);
-					NumberField(node_26, {
+					NumberField(node_25, {
 						get label() {
 							return $.get($0);
 						},
@@ -704,17 +727,17 @@ function ProfileEditor($$anchor, $$props) {
 				}
 				$.append($$anchor, fragment_17);
 			};
-			$.if(node_24, ($$render) => {
-				if ($$props.use === "path") $$render(consequent_9);
+			$.if(node_23, ($$render) => {
+				if ($$props.use === "path") $$render(consequent_8);
 			});
 			$.append($$anchor, fragment_16);
 		};
-		var consequent_13 = ($$anchor) => {
+		var consequent_12 = ($$anchor) => {
 			var fragment_18 = root_12();
-			var node_27 = $.first_child(fragment_18);
+			var node_26 = $.first_child(fragment_18);
 			{
 				let $0 = $.derived(() => t("cycles.end_of", { axis: axes()[0] }));
-				NumberField(node_27, {
+				NumberField(node_26, {
 					get label() {
 						return $.get($0);
 					},
@@ -727,10 +750,10 @@ function ProfileEditor($$anchor, $$props) {
 					onvalue: (value) => moveEnd($.get(index), $.get(current), [value ?? 0, $.get(element).to[1]])
 				});
 			}
-			var node_28 = $.sibling(node_27, 2);
+			var node_27 = $.sibling(node_26, 2);
 			{
 				let $0 = $.derived(() => t("cycles.end_of", { axis: axes()[1] }));
-				NumberField(node_28, {
+				NumberField(node_27, {
 					get label() {
 						return $.get($0);
 					},
@@ -743,14 +766,14 @@ function ProfileEditor($$anchor, $$props) {
 					onvalue: (value) => moveEnd($.get(index), $.get(current), [$.get(element).to[0], value ?? 0])
 				});
 			}
-			var node_29 = $.sibling(node_28, 2);
-			var consequent_11 = ($$anchor) => {
+			var node_28 = $.sibling(node_27, 2);
+			var consequent_10 = ($$anchor) => {
 				const from = $.derived(() => startOf($.get(contour), $.get(index)));
 				var fragment_19 = root_11();
-				var node_30 = $.first_child(fragment_19);
+				var node_29 = $.first_child(fragment_19);
 				{
 					let $0 = $.derived(() => t("cycles.centre_of", { axis: axes()[0] }));
-					NumberField(node_30, {
+					NumberField(node_29, {
 						get label() {
 							return $.get($0);
 						},
@@ -763,10 +786,10 @@ function ProfileEditor($$anchor, $$props) {
 						onvalue: (value) => $.get(element).center = [value ?? 0, $.get(element).center[1]]
 					});
 				}
-				var node_31 = $.sibling(node_30, 2);
+				var node_30 = $.sibling(node_29, 2);
 				{
 					let $0 = $.derived(() => t("cycles.centre_of", { axis: axes()[1] }));
-					NumberField(node_31, {
+					NumberField(node_30, {
 						get label() {
 							return $.get($0);
 						},
@@ -779,12 +802,12 @@ function ProfileEditor($$anchor, $$props) {
 						onvalue: (value) => $.get(element).center = [$.get(element).center[0], value ?? 0]
 					});
 				}
-				var node_32 = $.sibling(node_31, 2);
+				var node_31 = $.sibling(node_30, 2);
 				{
 					let $0 = $.derived(() => t("cycles.radius"));
 					let $1 = $.derived(() => radiusOf($.get(element), $.get(from)));
 					let $2 = $.derived(() => distance($.get(from), $.get(element).to) / 2);
-					NumberField(node_32, {
+					NumberField(node_31, {
 						get label() {
 							return $.get($0);
 						},
@@ -798,10 +821,10 @@ function ProfileEditor($$anchor, $$props) {
 						onvalue: (value) => $.get(element).center = centerOfRadius($.get(from), $.get(element).to, value ?? 0, $.get(element).center)
 					});
 				}
-				var node_33 = $.sibling(node_32, 2);
+				var node_32 = $.sibling(node_31, 2);
 				{
 					let $0 = $.derived(() => $.get(element).clockwise ? "cw" : "ccw");
-					Button(node_33, {
+					Button(node_32, {
 						get icon() {
 							return $.get($0);
 						},
@@ -817,10 +840,10 @@ function ProfileEditor($$anchor, $$props) {
 				}
 				$.append($$anchor, fragment_19);
 			};
-			$.if(node_29, ($$render) => {
-				if ($.get(element).kind === "arc") $$render(consequent_11);
+			$.if(node_28, ($$render) => {
+				if ($.get(element).kind === "arc") $$render(consequent_10);
 			});
-			var node_34 = $.sibling(node_29, 2);
+			var node_33 = $.sibling(node_28, 2);
 			{
 				let $0 = $.derived(() => $.get(element).corner?.kind ?? "sharp");
 				let $1 = $.derived(() => t("cycles.corner"));
@@ -838,7 +861,7 @@ function ProfileEditor($$anchor, $$props) {
 						label: t("cycles.chamfer")
 					}
 				]);
-				Segmented(node_34, {
+				Segmented(node_33, {
 					get value() {
 						return $.get($0);
 					},
@@ -851,8 +874,8 @@ function ProfileEditor($$anchor, $$props) {
 					}
 				});
 			}
-			var node_35 = $.sibling(node_34, 2);
-			var consequent_12 = ($$anchor) => {
+			var node_34 = $.sibling(node_33, 2);
+			var consequent_11 = ($$anchor) => {
 				{
 					let $0 = $.derived(() => t("cycles.corner_size"));
 					NumberField($$anchor, {
@@ -867,11 +890,11 @@ function ProfileEditor($$anchor, $$props) {
 					});
 				}
 			};
-			$.if(node_35, ($$render) => {
-				if ($.get(element).corner) $$render(consequent_12);
+			$.if(node_34, ($$render) => {
+				if ($.get(element).corner) $$render(consequent_11);
 			});
-			var node_36 = $.sibling(node_35, 2);
-			Button(node_36, {
+			var node_35 = $.sibling(node_34, 2);
+			Button(node_35, {
 				kind: "danger",
 				icon: "trash",
 				onclick: () => remove($.get(index)),
@@ -885,14 +908,14 @@ function ProfileEditor($$anchor, $$props) {
 			});
 			$.append($$anchor, fragment_18);
 		};
-		$.if(node_21, ($$render) => {
-			if ($.get(index) < 0) $$render(consequent_10);
-			else if ($.get(element)) $$render(consequent_13, 1);
+		$.if(node_20, ($$render) => {
+			if ($.get(index) < 0) $$render(consequent_9);
+			else if ($.get(element)) $$render(consequent_12, 1);
 		});
-		var node_37 = $.sibling(node_21, 2);
+		var node_36 = $.sibling(node_20, 2);
 		{
 			let $0 = $.derived(() => machine.link !== "open");
-			Button(node_37, {
+			Button(node_36, {
 				icon: "target",
 				onclick: teach,
 				get disabled() {
@@ -907,8 +930,8 @@ function ProfileEditor($$anchor, $$props) {
 				$$slots: { default: true }
 			});
 		}
-		var node_38 = $.sibling(node_37, 2);
-		Button(node_38, {
+		var node_37 = $.sibling(node_36, 2);
+		Button(node_37, {
 			icon: "plus",
 			onclick: () => add("line"),
 			children: ($$anchor, $$slotProps) => {
@@ -919,8 +942,8 @@ function ProfileEditor($$anchor, $$props) {
 			},
 			$$slots: { default: true }
 		});
-		var node_39 = $.sibling(node_38, 2);
-		var consequent_14 = ($$anchor) => {
+		var node_38 = $.sibling(node_37, 2);
+		var consequent_13 = ($$anchor) => {
 			Button($$anchor, {
 				icon: "plus",
 				onclick: () => add("arc"),
@@ -933,12 +956,12 @@ function ProfileEditor($$anchor, $$props) {
 				$$slots: { default: true }
 			});
 		};
-		$.if(node_39, ($$render) => {
-			if ($$props.use !== "points") $$render(consequent_14);
+		$.if(node_38, ($$render) => {
+			if ($$props.use !== "points") $$render(consequent_13);
 		});
 		$.reset(div_4);
 		$.template_effect(($0, $1, $2) => {
-			classes_4 = $.set_class(li, 1, "s-17oku5b", null, classes_4, { on: $.get(index) === -1 });
+			classes_4 = $.set_class(li, 1, "s-senpwf", null, classes_4, { on: $.get(index) === -1 });
 			$.set_text(text_12, $0);
 			$.set_text(text_13, `${axes()[0] ?? ""} ${$1 ?? ""} ${axes()[1] ?? ""} ${$2 ?? ""}`);
 		}, [
@@ -949,11 +972,11 @@ function ProfileEditor($$anchor, $$props) {
 		$.delegated("click", button, () => $.set(index, -1));
 		$.append($$anchor, fragment_15);
 	};
-	$.if(node_19, ($$render) => {
-		if ($.get(contour)) $$render(consequent_15);
+	$.if(node_18, ($$render) => {
+		if ($.get(contour)) $$render(consequent_14);
 	});
-	var node_40 = $.sibling(node_19, 2);
-	$.each(node_40, 17, () => $$props.findings.filter((one) => one.parameter === "profile"), (finding) => finding.id + finding.text, ($$anchor, finding) => {
+	var node_39 = $.sibling(node_18, 2);
+	$.each(node_39, 17, () => $$props.findings.filter((one) => one.parameter === "profile"), (finding) => finding.id + finding.text, ($$anchor, finding) => {
 		var p_1 = root_14();
 		var text_21 = $.child(p_1);
 		var small = $.sibling(text_21);
@@ -968,10 +991,10 @@ function ProfileEditor($$anchor, $$props) {
 	});
 	$.reset(div);
 	$.template_effect(($0, $1) => {
-		classes = $.set_class(div, 1, "editor s-17oku5b", null, classes, { dropping: $.get(dropping) });
+		classes = $.set_class(div, 1, "editor s-senpwf", null, classes, { dropping: $.get(dropping) });
 		$.set_attribute(svg_1, "viewBox", `${$.get(frame).x ?? ""} ${-$.get(frame).y - $.get(frame).h} ${$.get(frame).w ?? ""} ${$.get(frame).h ?? ""}`);
 		$.set_attribute(svg_1, "aria-label", $$props.label);
-		classes_1 = $.set_class(svg_1, 0, "s-17oku5b", null, classes_1, { drawing: $.get(tool) !== "choose" });
+		classes_1 = $.set_class(svg_1, 0, "s-senpwf", null, classes_1, { drawing: $.get(tool) !== "choose" });
 		$.set_attribute(path, "d", `M${$.get(frame).x ?? ""} 0H${$.get(frame).x + $.get(frame).w}M0 ${-$.get(frame).y - $.get(frame).h}V${-$.get(frame).y}`);
 		$.set_text(text_4, $0);
 		$.set_text(text_5, $1);
@@ -995,6 +1018,8 @@ function ProfileEditor($$anchor, $$props) {
 	$.delegated("pointerup", svg_1, letGo);
 	$.event("pointercancel", svg_1, letGo);
 	$.event("pointerleave", svg_1, () => !dragged && $.set(hovered, null));
+	$.bind_element_size(svg_1, "clientWidth", ($$value) => $.set(width, $$value));
+	$.bind_element_size(svg_1, "clientHeight", ($$value) => $.set(height, $$value));
 	$.bind_select_value(select, () => snapping.grid, ($$value) => snapping.grid = $$value);
 	$.append($$anchor, div);
 	$.pop();
@@ -1005,6 +1030,7 @@ $.delegate([
 	"pointermove",
 	"pointerup",
 	"keydown",
+	"mousedown",
 	"click"
 ]);
 export { ProfileEditor as default };

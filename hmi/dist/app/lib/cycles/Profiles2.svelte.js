@@ -4,7 +4,7 @@ import Dialog from "../parts/Dialog.svelte.js";
 import Labelled from "../parts/Labelled.svelte.js";
 import { notify } from "../state/notices.svelte.js";
 import { box, outline, svgPath } from "./geometry.js";
-import { isName, profiles } from "./profiles.svelte.js";
+import { fits, isName, profiles } from "./profiles.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/lib/cycles/Profiles.svelte
@@ -18,10 +18,12 @@ function Profiles($$anchor, $$props) {
 	let open = $.state(false);
 	let wanted = $.state("");
 	const listed = $.derived(() => profiles.of($$props.use));
+	const isProfile = $.derived(() => $$props.contours.length > 0 && fits($$props.contours, $$props.use === "depth", $$props.use));
 	function keep() {
-		if (profiles.keep($.get(wanted), $$props.contours, $$props.use === "depth")) notify({
-			kind: "done",
-			title: t("cycles.kept_profile", { name: $.get(wanted) })
+		const isKept = profiles.keep($.get(wanted), $$props.contours, $$props.use === "depth");
+		notify({
+			kind: isKept ? "done" : "warning",
+			title: t(isKept ? "cycles.kept_profile" : "cycles.profile_not_kept", { name: $.get(wanted) })
 		});
 		$$props.ontake($$props.contours, $.get(wanted));
 	}
@@ -80,7 +82,7 @@ function Profiles($$anchor, $$props) {
 				}
 				var node_3 = $.sibling(node_2, 2);
 				{
-					let $0 = $.derived(() => !isName($.get(wanted)));
+					let $0 = $.derived(() => !isName($.get(wanted)) || !$.get(isProfile));
 					Button(node_3, {
 						icon: "save",
 						get disabled() {

@@ -3,7 +3,8 @@ import { key } from "./rows.js";
 import * as $ from "svelte/internal/client";
 // src/lib/cycles/form.svelte.ts
 var filled = $.proxy({});
-var tools = $.proxy({});
+var own = $.proxy({});
+var table = $.state({});
 var chosen = $.state("G287");
 function contours(form) {
 	const corners = [
@@ -86,18 +87,33 @@ var forms = {
 	},
 	/** What is known of a tool. */
 	tool(number) {
-		return tools[number] ?? {
+		return {
 			number,
-			diameter: 8,
-			cutting_length: 20,
-			entry_angle: 0
+			...own[number],
+			diameter: own[number]?.diameter ?? $.get(table)[number] ?? 0
 		};
 	},
-	setTool(tool) {
-		tools[tool.number] = tool;
+	/** What was typed of a tool; none where it is as the machine's table has it. */
+	ownTool(number) {
+		return own[number];
 	},
-	knows(number) {
-		return number in tools;
+	/** Something of a tool was typed; null is as the table has it. */
+	setTool(number, typed) {
+		const all = Object.entries({
+			...own[number],
+			...typed,
+			number
+		}).filter(([, value]) => value !== null);
+		if (all.length > 1) own[number] = Object.fromEntries(all);
+		else delete own[number];
+	},
+	/** A tool is as the table has it. */
+	dropTool(number) {
+		delete own[number];
+	},
+	/** What the machine's table has, by number. */
+	setTable(diameters) {
+		$.set(table, diameters);
 	}
 };
 /** The numbers of the tools that a form calls. */
@@ -131,7 +147,7 @@ function request(form, of) {
 		positions: of.positions && form.positions.length ? [of.positions] : [],
 		profile: form.profile === "none" ? null : { contours: of.contours },
 		depths: form.profile === "depths" ? of.depths : [],
-		tools: toolsOf(values).map((number) => forms.tool(number))
+		tools: toolsOf(values).flatMap((number) => forms.ownTool(number) ?? [])
 	};
 }
 /** A field of positions under the key that findings and drawings have for it. */

@@ -13,7 +13,7 @@ function toolDiameter(request) {
 		"T",
 		"finish.T"
 	].map((name) => request.values[name]).find((value) => Number(value) > 0);
-	return request.tools.find((tool) => tool.number === stage)?.diameter ?? 8;
+	return request.tools.find((tool) => tool.number === stage)?.diameter || 8;
 }
 function subject(form, request) {
 	const names = new Set(form.parameters.map((field) => field.name));

@@ -37,9 +37,10 @@ var profiles = {
 		return Object.entries(all).filter(([, { contours, isDepth }]) => fits(contours, isDepth, use)).sort(([a], [b]) => a.localeCompare(b));
 	},
 	has(name) {
-		return name in all;
+		return Object.hasOwn(all, name);
 	},
 	keep(name, contours, isDepth) {
+		Object.assign(all, read());
 		all[name] = {
 			isDepth,
 			contours: $.snapshot(contours)
@@ -56,6 +57,7 @@ var profiles = {
 		}));
 	},
 	remove(name) {
+		Object.assign(all, read());
 		delete all[name];
 		write();
 	}

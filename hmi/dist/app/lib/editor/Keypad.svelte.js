@@ -57,6 +57,7 @@ function Keypad($$anchor, $$props) {
 	let layer = $.state(0);
 	let selecting = $.state(false);
 	const keys = $.derived(() => LAYERS[$.get(layer)]);
+	const next = $.derived(() => ($.get(layer) + 1) % LAYERS.length);
 	const half = $.derived(() => Math.ceil($.get(keys).length / 2));
 	function act(work, goesOn = false) {
 		const it = $$props.view();
@@ -68,16 +69,17 @@ function Keypad($$anchor, $$props) {
 	/** Acts at once, and again while it is held. */
 	function repeated(work) {
 		let timer;
-		const again = () => {
+		let isHeld = true;
+		const again = (pause) => {
 			work();
-			timer = setTimeout(again, EVERY);
+			if (isHeld) timer = setTimeout(() => again(EVERY), pause);
 		};
 		return {
-			down: () => {
-				work();
-				timer = setTimeout(again, PAUSE);
-			},
-			up: () => clearTimeout(timer)
+			down: () => again(PAUSE),
+			up: () => {
+				isHeld = false;
+				clearTimeout(timer);
+			}
 		};
 	}
 	var div = root_2();
@@ -133,7 +135,7 @@ function Keypad($$anchor, $$props) {
 		$.set_text(text_2, $4);
 		$.set_attribute(button_5, "aria-label", $5);
 		$.set_attribute(button_5, "title", $6);
-		$.set_attribute(button_5, "aria-pressed", $.get(layer) === 1);
+		$.set_attribute(button_5, "aria-pressed", $.get(layer) > 0);
 		$.set_text(text_3, `${$7 ?? ""}…${$8 ?? ""}`);
 	}, [
 		() => t("editor.keypad"),
@@ -143,13 +145,13 @@ function Keypad($$anchor, $$props) {
 		() => t("editor.key_eob"),
 		() => t("editor.key_layer"),
 		() => t("editor.key_layer"),
-		() => LAYERS[1 - $.get(layer)].at(0),
-		() => LAYERS[1 - $.get(layer)].at(-1)
+		() => LAYERS[$.get(next)].at(0),
+		() => LAYERS[$.get(next)].at(-1)
 	]);
 	$.delegated("mousedown", div, (event) => event.preventDefault());
 	$.delegated("click", button_3, () => act((it) => type(it, " ")));
 	$.delegated("click", button_4, () => act((it) => $$props.online(it) || endBlock(it)));
-	$.delegated("click", button_5, () => $.set(layer, 1 - $.get(layer)));
+	$.delegated("click", button_5, () => $.set(layer, $.get(next), true));
 	$.append($$anchor, div);
 	$.pop();
 }

@@ -1,7 +1,11 @@
 import { cursorCharLeft, cursorCharRight, cursorLineDown, cursorLineEnd, cursorLineStart, cursorLineUp, deleteCharBackward, insertNewlineAndIndent, redo as redo$1, selectCharLeft, selectCharRight, selectLineDown, selectLineEnd, selectLineStart, selectLineUp, undo as undo$1 } from "@codemirror/commands";
 // src/lib/editor/keypad.ts
-/** What is typed: words as they are met most, then the rest. The space stands for itself. */
-var LAYERS = [[..."GXYZAIJKRMFST", ..."1234567890.-"], [..."NOPQHDLUVWBCE", ..."+*/()[]#=,<>"]];
+/** What is typed: words as they are met most, then the rest, then signs of names and remarks. The space stands for itself. */
+var LAYERS = [
+	[..."GXYZAIJKRMFST", ..."1234567890.-"],
+	[..."NOPQHDLUVWBCE", ..."+*/()[]#=,<>"],
+	[...";:%_$&|!", ..."\"'?@^~\\"]
+];
 /** Keys that move the cursor; what they do while a piece is being selected. */
 var MOVES = {
 	left: {
@@ -70,8 +74,9 @@ function copy(view) {
 function take({ state }) {
 	const { from, to } = chosen(state);
 	const line = state.selection.main.empty;
+	const text = state.sliceDoc(from, to);
 	taken = {
-		text: state.sliceDoc(from, to) + (line && to === state.doc.length ? "\n" : ""),
+		text: line && !text.endsWith("\n") ? `${text}\n` : text,
 		line
 	};
 	navigator.clipboard?.writeText(taken.text).catch(() => void 0);
@@ -87,6 +92,7 @@ function cut(view) {
 /** A whole line is put before that of the cursor. */
 async function paste(view) {
 	const text = await navigator.clipboard?.readText().catch(() => "") || taken.text;
+	if (!text) return;
 	const { state } = view;
 	const { empty, head } = state.selection.main;
 	const insert = state.toText(text);

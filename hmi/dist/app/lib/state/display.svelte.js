@@ -63,7 +63,7 @@ var display = {
 	},
 	/** Where the key of a page leads: to the page, or from it to its next part. */
 	to(page) {
-		if (page !== $.get(parts).page) {
+		if (page !== route.page || page !== $.get(parts).page) {
 			if (page === "program" && machine.mode === "edit" && is(PROGRAM_IN_EDIT)) return [page, "edit"];
 			if (page === "program" && machine.mode === "mdi" && is(PROGRAM_IN_MDI)) return [page, "mdi"];
 			return [page];

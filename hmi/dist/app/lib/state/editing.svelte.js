@@ -2,6 +2,7 @@ import * as $ from "svelte/internal/client";
 // src/lib/state/editing.svelte.ts
 var open = $.state(null);
 var drafts = $.state(/* @__PURE__ */ new Map());
+var wanted = $.state(null);
 var pending = $.state(null);
 var opened = $.state(null);
 var editing = {
@@ -29,6 +30,19 @@ var editing = {
 		if (draft === null) now.delete(program);
 		else now.set(program, draft);
 		$.set(drafts, now);
+	},
+	/** A line of a program, from 1, is to be shown; the editor goes there when it shows the program. */
+	goTo(program, line) {
+		$.set(wanted, {
+			program,
+			line
+		});
+	},
+	/** Takes the line of a program that is to be shown; 0 where none is. One of another program is not shown any more. */
+	takeLine(program) {
+		const line = $.get(wanted)?.program === program ? $.get(wanted).line : 0;
+		if ($.get(wanted)) $.set(wanted, null);
+		return line;
 	},
 	/** A program is gone, or is called something else: its draft goes with it. */
 	moved(program, to) {

@@ -5,6 +5,7 @@ import Icon from "../../lib/parts/Icon.svelte.js";
 import ParameterSwitch from "../../lib/parts/ParameterSwitch.svelte.js";
 import { go } from "../../lib/routing.svelte.js";
 import { alarmText, messageText } from "../../lib/state/alarm-texts.svelte.js";
+import { editing } from "../../lib/state/editing.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import { restart } from "../../lib/state/restart.svelte.js";
 import "svelte/internal/disclose-version";
@@ -21,6 +22,14 @@ function Active($$anchor, $$props) {
 	const alarms = $.derived(() => machine.status?.alarms ?? []);
 	const interrupted = $.derived(() => machine.status?.interrupted ?? null);
 	const program = $.derived(() => machine.status?.program.running ?? machine.status?.program.selected ?? "");
+	/** Blocks of MDI and a program that comes from outside are no programs of the memory; what they call is. */
+	const isTyped = $.derived(() => $.get(program) === "MDI" || machine.status?.program_mode === "mdi" && !machine.status.program.running);
+	const isSent = $.derived(() => $.get(program) === "DNC" || machine.status?.program_mode === "dnc" && !machine.status.program.running);
+	function toProgram(line) {
+		if ($.get(isTyped)) return go("program", "mdi");
+		editing.goTo($.get(program), line);
+		go("program", "edit", $.get(program));
+	}
 	var fragment = root_4();
 	var node = $.first_child(fragment);
 	var consequent = ($$anchor) => {
@@ -110,7 +119,7 @@ function Active($$anchor, $$props) {
 			var consequent_4 = ($$anchor) => {
 				Button($$anchor, {
 					icon: "edit",
-					onclick: () => go("program", "edit", $.get(program)),
+					onclick: () => toProgram($.get(alarm).line),
 					children: ($$anchor, $$slotProps) => {
 						$.next();
 						var text_6 = $.text();
@@ -121,7 +130,7 @@ function Active($$anchor, $$props) {
 				});
 			};
 			$.if(node_6, ($$render) => {
-				if ($.get(alarm).line > 0 && $.get(program)) $$render(consequent_4);
+				if ($.get(alarm).line > 0 && $.get(program) && !$.get(isSent)) $$render(consequent_4);
 			});
 			var node_7 = $.sibling(node_6, 2);
 			Button(node_7, {

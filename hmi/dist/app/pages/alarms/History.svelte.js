@@ -1,5 +1,5 @@
 import { moment, t } from "../../lib/i18n/index.svelte.js";
-import { alarmText } from "../../lib/state/alarm-texts.svelte.js";
+import { pastText } from "../../lib/state/alarm-texts.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import Listed from "./Listed.svelte.js";
 import Older from "./Older.svelte.js";
@@ -34,7 +34,7 @@ function History($$anchor, $$props) {
 			var fragment_1 = $.comment();
 			var node = $.first_child(fragment_1);
 			$.each(node, 17, () => $.get(alarms), $.index, ($$anchor, alarm) => {
-				const about = $.derived(() => alarmText($.get(alarm)));
+				const about = $.derived(() => pastText($.get(alarm)));
 				var tr = root_1();
 				var td = $.child(tr);
 				var text = $.only_child(td, true);

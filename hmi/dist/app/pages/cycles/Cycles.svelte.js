@@ -26,20 +26,21 @@ import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/cycles/Cycles.svelte
 var root = $.from_html(`<button type="button" role="tab"> </button>`);
-var root_1 = $.from_html(`<button type="button"><span class="code s-1xabzjz"> </span><span> </span></button>`);
-var root_2 = $.from_html(`<h3 class="s-1xabzjz"> </h3> <!>`, 1);
-var root_3 = $.from_html(`<small class="opened s-1xabzjz"> </small>`);
-var root_4 = $.from_html(`<p role="alert"> <small class="code s-1xabzjz"> </small><br/><span class="muted"> </span></p>`);
-var root_5 = $.from_html(`<div class="row wrap"><h3 class="code grow s-1xabzjz"></h3> <!> <!></div> <!>`, 1);
+var root_1 = $.from_html(`<button type="button"><span class="code s-1gnh3x7"> </span><span> </span></button>`);
+var root_2 = $.from_html(`<h3 class="s-1gnh3x7"> </h3> <!>`, 1);
+var root_3 = $.from_html(`<small class="opened s-1gnh3x7"> </small>`);
+var root_4 = $.from_html(`<p role="alert"> <small class="code s-1gnh3x7"> </small><br/><span class="muted"> </span></p>`);
+var root_5 = $.from_html(`<div class="row wrap"><h3 class="code grow s-1gnh3x7"></h3> <!> <!></div> <!>`, 1);
 var root_6 = $.from_html(`<!> <!>`, 1);
-var root_7 = $.from_html(`<div class="tools s-1xabzjz"><b class="code"> </b> <label class="s-1xabzjz"><span class="muted"> </span><!></label> <label class="s-1xabzjz"><span class="muted"> </span><!></label> <label class="s-1xabzjz"><span class="muted"> </span><!></label></div>`);
-var root_8 = $.from_html(`<span><small class="s-1xabzjz"> </small> </span>`);
-var root_9 = $.from_html(`<p class="stands number s-1xabzjz" data-testid="stands"><!> <span><small class="s-1xabzjz">F</small> </span> <span><small class="s-1xabzjz">S</small> </span> <span><small class="s-1xabzjz">T</small> </span></p>`);
-var root_10 = $.from_html(`<div class="form scroll s-1xabzjz"><header class="row wrap"><h2 class="grow"> <!></h2> <!> <!></header> <!> <!> <!> <!> <!> <!></div>`);
-var root_11 = $.from_html(`<div class="plan s-1xabzjz"><!></div> <div class="section s-1xabzjz"><!></div>`, 1);
-var root_12 = $.from_html(`<pre> </pre>`);
-var root_13 = $.from_html(`<span class="spoken s-1xabzjz"> </span>`);
-var root_14 = $.from_html(`<div class="room s-1xabzjz"><div class="cycles s-1xabzjz"><nav class="list scroll s-1xabzjz" data-pans=""><div class="groups s-1xabzjz" role="tablist"></div> <!></nav> <!> <div class="side s-1xabzjz"><div class="row wrap"><!></div> <div class="shown s-1xabzjz"><!></div> <p aria-live="polite"><!></p> <div class="row wrap"><!> <!> <!></div></div></div></div>`);
+var root_7 = $.from_html(`<div class="tools s-1gnh3x7"><b class="code s-1gnh3x7"> </b> <label class="s-1gnh3x7"><span class="muted"> </span><!></label> <label class="s-1gnh3x7"><span class="muted"> </span><!></label> <!> <label class="s-1gnh3x7"><span class="muted"> </span><!></label> <label class="s-1gnh3x7"><span class="muted"> </span><!></label></div>`);
+var root_8 = $.from_html(`<!> <p class="muted s-1gnh3x7"> </p>`, 1);
+var root_9 = $.from_html(`<span><small class="s-1gnh3x7"> </small> </span>`);
+var root_10 = $.from_html(`<p class="stands number s-1gnh3x7" data-testid="stands"><!> <span><small class="s-1gnh3x7">F</small> </span> <span><small class="s-1gnh3x7">S</small> </span> <span><small class="s-1gnh3x7">T</small> </span></p>`);
+var root_11 = $.from_html(`<div class="form scroll s-1gnh3x7"><header class="row wrap"><h2 class="grow"> <!></h2> <!> <!></header> <!> <!> <!> <!> <!> <!></div>`);
+var root_12 = $.from_html(`<div class="plan s-1gnh3x7"><!></div> <div class="section s-1gnh3x7"><!></div>`, 1);
+var root_13 = $.from_html(`<pre> </pre>`);
+var root_14 = $.from_html(`<span class="spoken s-1gnh3x7"> </span>`);
+var root_15 = $.from_html(`<div class="room s-1gnh3x7"><div class="cycles s-1gnh3x7"><nav class="list scroll s-1gnh3x7" data-pans=""><div class="groups s-1gnh3x7" role="tablist"></div> <!></nav> <!> <div class="side s-1gnh3x7"><div class="row wrap"><!></div> <div class="shown s-1gnh3x7"><!></div> <p aria-live="polite"><!></p> <div class="row wrap"><!> <!> <!></div></div></div></div>`);
 function Cycles($$anchor, $$props) {
 	$.push($$props, true);
 	/** How long after the last change the cycle is written, ms. */
@@ -76,8 +77,12 @@ function Cycles($$anchor, $$props) {
 	});
 	const filled = $.derived(() => $.get(form) ? forms.of($.get(form)) : void 0);
 	const asked = $.derived(() => $.get(form) && $.get(filled) ? request($.get(form), $.get(filled)) : null);
+	const called = $.derived(() => $.get(asked) ? toolsOf($.get(asked).values) : []);
 	const picture = $.derived(() => $.get(form) && $.get(filled) && $.get(asked) ? {
-		...scene($.get(form), $.get(asked)),
+		...scene($.get(form), {
+			...$.get(asked),
+			tools: $.get(called).map((number) => forms.tool(number))
+		}),
 		...drawn($.get(form), $.get(filled))
 	} : null);
 	const findings = $.derived(() => $.get(written)?.findings ?? []);
@@ -86,16 +91,21 @@ function Cycles($$anchor, $$props) {
 	const dialect = $.derived(() => machine.dialect);
 	const groups = $.derived(() => [...new Set($.get(all).map((one) => one.group))].map((group) => $.get(all).filter((one) => one.group === group)));
 	const body = $.derived(() => $.get(asked) ? JSON.stringify($.get(asked)) : "");
+	/** All that the motion depends on: the machine's tools too, and how its parameters have them entered. */
+	const basis = $.derived(() => JSON.stringify([
+		$.get(body),
+		machine.changed("offsets"),
+		machine.changed("parameters")
+	]));
 	/** All that the text depends on. */
 	const wish = $.derived(() => JSON.stringify([
-		$.get(body),
+		$.get(basis),
 		$.get(dialect),
 		language()
 	]));
 	/** Whether the text is that of what stands in the form: it comes a while after each change. */
 	const isCurrent = $.derived(() => $.get(written) !== null && $.get(writtenOf) === $.get(wish));
 	const ready = $.derived(() => $.get(isCurrent) && $.get(written)?.text && $.get(errors).length === 0 ? $.get(written).text : "");
-	const called = $.derived(() => $.get(asked) ? toolsOf($.get(asked).values) : []);
 	/** Whether a finding stands at its field. */
 	function shown(finding) {
 		const name = finding.parameter;
@@ -103,24 +113,33 @@ function Cycles($$anchor, $$props) {
 		if (name === "profile" && $.get(form)?.profile !== "none") return true;
 		return $.get(form)?.parameters.some((field) => field.name === name) ?? false;
 	}
+	let hasDiameters = $.state(false);
 	$.user_effect(() => {
-		const unknown = $.get(called).filter((number) => !forms.knows(number));
-		if (unknown.length === 0 || machine.link !== "open") return;
-		const [from, to] = [Math.min(...unknown), Math.max(...unknown)];
-		if (to - from > 200) return;
+		machine.changed("parameters");
+		if (machine.link !== "open") return;
+		machine.ask({
+			do: "parameters",
+			names: ["NO40.7"]
+		}).then((reply) => $.set(hasDiameters, reply.reply === "parameters" && reply.parameters["NO40.7"] === 1, true), () => $.set(hasDiameters, false));
+	});
+	let rows = $.state({});
+	const calls = $.derived(() => $.get(called).join(" "));
+	$.user_effect(() => {
+		machine.changed("offsets");
+		if ($.get(calls) === "" || machine.link !== "open") return;
+		const numbers = $.get(calls).split(" ").map(Number);
 		machine.fetch("offsets", {
 			do: "offsets",
-			from,
-			to
+			from: Math.min(...numbers),
+			to: Math.max(...numbers)
 		}).then((reply) => {
-			for (const number of unknown) {
-				const radius = reply?.offsets[number]?.radius ?? 0;
-				forms.setTool({
-					...forms.tool(number),
-					diameter: radius > 0 ? 2 * radius : forms.tool(number).diameter
-				});
-			}
+			if (reply) $.set(rows, reply.offsets);
 		});
+	});
+	$.user_pre_effect(() => {
+		const share = $.get(hasDiameters) ? 1 : 2;
+		const diameter = ({ radius, radius_wear }) => Math.round(((radius ?? 0) + (radius_wear ?? 0)) * share * 1e6) / 1e6;
+		forms.setTable(Object.fromEntries(Object.entries($.get(rows)).map(([number, row]) => [number, diameter(row)])));
 	});
 	$.user_effect(() => {
 		const [text, into, tongue, all] = [
@@ -149,12 +168,12 @@ function Cycles($$anchor, $$props) {
 	});
 	async function simulate() {
 		$.set(side, "simulation");
-		const text = $.get(body);
-		if (!text || text === $.get(simulated) && $.get(path)) return;
+		const [text, on] = [$.get(body), $.get(basis)];
+		if (!text || on === $.get(simulated) && $.get(path)) return;
 		$.set(busy, true);
 		try {
 			$.set(path, readPath(await client.path(JSON.parse(text))));
-			$.set(simulated, text);
+			$.set(simulated, on);
 		} catch (refused) {
 			$.set(path, null);
 			machine.refused(refused);
@@ -239,7 +258,7 @@ function Cycles($$anchor, $$props) {
 				}
 			};
 			var consequent_15 = ($$anchor) => {
-				var div = root_14();
+				var div = root_15();
 				var div_1 = $.child(div);
 				var nav = $.child(div_1);
 				var div_2 = $.child(nav);
@@ -251,7 +270,7 @@ function Cycles($$anchor, $$props) {
 					$.template_effect(() => {
 						$.set_attribute(button, "data-group", $.get(group)[0]?.group);
 						$.set_attribute(button, "aria-selected", $.get(open));
-						classes = $.set_class(button, 1, "s-1xabzjz", null, classes, { chosen: $.get(open) });
+						classes = $.set_class(button, 1, "s-1gnh3x7", null, classes, { chosen: $.get(open) });
 						$.set_text(text_1, $.get(group)[0]?.group_title);
 					});
 					$.delegated("click", button, () => !$.get(open) && pick(lastOf[$.get(group)[0].group] ?? $.get(group)[0].id));
@@ -275,7 +294,7 @@ function Cycles($$anchor, $$props) {
 						$.template_effect(() => {
 							$.set_attribute(button_1, "data-cycle", $.get(one).id);
 							$.set_attribute(button_1, "aria-pressed", $.get(one).id === $.get(form).id);
-							classes_1 = $.set_class(button_1, 1, "s-1xabzjz", null, classes_1, {
+							classes_1 = $.set_class(button_1, 1, "s-1gnh3x7", null, classes_1, {
 								chosen: $.get(one).id === $.get(form).id,
 								elsewhere: $.get(one).group !== $.get(form).group
 							});
@@ -291,7 +310,7 @@ function Cycles($$anchor, $$props) {
 				$.reset(nav);
 				var node_3 = $.sibling(nav, 2);
 				$.key(node_3, () => $.get(form).id, ($$anchor) => {
-					var div_3 = root_10();
+					var div_3 = root_11();
 					var header = $.child(div_3);
 					var h2 = $.child(header);
 					var text_5 = $.child(h2, true);
@@ -356,7 +375,7 @@ function Cycles($$anchor, $$props) {
 						var text_10 = $.only_child(span_2, true);
 						$.reset(p);
 						$.template_effect(() => {
-							$.set_class(p, 1, `general ${$.get(finding).severity ?? ""}`, "s-1xabzjz");
+							$.set_class(p, 1, `general ${$.get(finding).severity ?? ""}`, "s-1gnh3x7");
 							$.set_text(text_8, `${$.get(finding).text ?? ""} `);
 							$.set_text(text_9, $.get(finding).id);
 							$.set_text(text_10, $.get(finding).help);
@@ -631,7 +650,7 @@ function Cycles($$anchor, $$props) {
 									return $.get($0);
 								},
 								children: ($$anchor, $$slotProps) => {
-									var fragment_20 = $.comment();
+									var fragment_20 = root_8();
 									var node_22 = $.first_child(fragment_20);
 									$.each(node_22, 16, () => $.get(called), (number) => number, ($$anchor, number) => {
 										const tool = $.derived(() => forms.tool(number));
@@ -653,10 +672,8 @@ function Cycles($$anchor, $$props) {
 												},
 												minimum: 0,
 												maximum: 1e3,
-												onvalue: (value) => forms.setTool({
-													...$.get(tool),
-													diameter: value ?? 0
-												})
+												empty: true,
+												onvalue: (value) => forms.setTool(number, { diameter: value })
 											});
 										}
 										$.reset(label);
@@ -666,57 +683,102 @@ function Cycles($$anchor, $$props) {
 										var node_24 = $.sibling(span_4);
 										{
 											let $0 = $.derived(() => t("cycles.cutting_length"));
+											let $1 = $.derived(() => $.get(tool).cutting_length ?? null);
 											NumberField(node_24, {
 												get label() {
 													return $.get($0);
 												},
 												get value() {
-													return $.get(tool).cutting_length;
+													return $.get($1);
 												},
 												minimum: 0,
 												maximum: 1e3,
-												onvalue: (value) => forms.setTool({
-													...$.get(tool),
-													cutting_length: value ?? 0
-												})
+												empty: true,
+												onvalue: (value) => forms.setTool(number, { cutting_length: value })
 											});
 										}
 										$.reset(label_1);
-										var label_2 = $.sibling(label_1, 2);
+										var node_25 = $.sibling(label_1, 2);
+										{
+											let $0 = $.derived(() => t("cycles.as_table"));
+											let $1 = $.derived(() => t("cycles.as_table"));
+											let $2 = $.derived(() => !forms.ownTool(number));
+											Button(node_25, {
+												kind: "quiet",
+												icon: "undo",
+												get "aria-label"() {
+													return $.get($0);
+												},
+												get title() {
+													return $.get($1);
+												},
+												get disabled() {
+													return $.get($2);
+												},
+												onclick: () => forms.dropTool(number)
+											});
+										}
+										var label_2 = $.sibling(node_25, 2);
 										var span_5 = $.child(label_2);
 										var text_16 = $.only_child(span_5, true);
-										var node_25 = $.sibling(span_5);
+										var node_26 = $.sibling(span_5);
 										{
 											let $0 = $.derived(() => t("cycles.entry_angle"));
-											NumberField(node_25, {
+											let $1 = $.derived(() => $.get(tool).entry_angle ?? null);
+											NumberField(node_26, {
 												get label() {
 													return $.get($0);
 												},
 												get value() {
-													return $.get(tool).entry_angle;
+													return $.get($1);
 												},
 												minimum: 0,
 												maximum: 90,
-												onvalue: (value) => forms.setTool({
-													...$.get(tool),
-													entry_angle: value ?? 0
-												})
+												empty: true,
+												onvalue: (value) => forms.setTool(number, { entry_angle: value })
 											});
 										}
 										$.reset(label_2);
+										var label_3 = $.sibling(label_2, 2);
+										var span_6 = $.child(label_3);
+										var text_17 = $.only_child(span_6, true);
+										var node_27 = $.sibling(span_6);
+										{
+											let $0 = $.derived(() => t("cycles.tip_radius"));
+											let $1 = $.derived(() => $.get(tool).tip_radius ?? null);
+											NumberField(node_27, {
+												get label() {
+													return $.get($0);
+												},
+												get value() {
+													return $.get($1);
+												},
+												minimum: 0,
+												maximum: 1e3,
+												empty: true,
+												onvalue: (value) => forms.setTool(number, { tip_radius: value })
+											});
+										}
+										$.reset(label_3);
 										$.reset(div_5);
-										$.template_effect(($0, $1, $2) => {
+										$.template_effect(($0, $1, $2, $3) => {
+											$.set_attribute(div_5, "data-tool", number);
 											$.set_text(text_13, `T${number ?? ""}`);
 											$.set_text(text_14, $0);
 											$.set_text(text_15, $1);
 											$.set_text(text_16, $2);
+											$.set_text(text_17, $3);
 										}, [
 											() => t("cycles.diameter"),
 											() => t("cycles.cutting_length"),
-											() => t("cycles.entry_angle")
+											() => t("cycles.entry_angle"),
+											() => t("cycles.tip_radius")
 										]);
 										$.append($$anchor, div_5);
 									});
+									var p_1 = $.sibling(node_22, 2);
+									var text_18 = $.only_child(p_1, true);
+									$.template_effect(($0) => $.set_text(text_18, $0), [() => t("cycles.tools_hint")]);
 									$.append($$anchor, fragment_20);
 								},
 								$$slots: { default: true }
@@ -726,50 +788,50 @@ function Cycles($$anchor, $$props) {
 					$.if(node_21, ($$render) => {
 						if ($.get(called).length) $$render(consequent_8);
 					});
-					var node_26 = $.sibling(node_21, 2);
+					var node_28 = $.sibling(node_21, 2);
 					var consequent_9 = ($$anchor) => {
 						const computed_const = $.derived(() => {
 							return machine.status;
 						});
-						var p_1 = root_9();
-						var node_27 = $.child(p_1);
-						$.each(node_27, 16, () => machine.axes, (axis) => axis, ($$anchor, axis) => {
-							var span_6 = root_8();
-							var small_2 = $.child(span_6);
-							var text_17 = $.only_child(small_2, true);
-							var text_18 = $.sibling(small_2, 1, true);
-							$.reset(span_6);
+						var p_2 = root_10();
+						var node_29 = $.child(p_2);
+						$.each(node_29, 16, () => machine.axes, (axis) => axis, ($$anchor, axis) => {
+							var span_7 = root_9();
+							var small_2 = $.child(span_7);
+							var text_19 = $.only_child(small_2, true);
+							var text_20 = $.sibling(small_2, 1, true);
+							$.reset(span_7);
 							$.template_effect(($0) => {
-								$.set_text(text_17, axis);
-								$.set_text(text_18, $0);
+								$.set_text(text_19, axis);
+								$.set_text(text_20, $0);
 							}, [() => fixed($.get(computed_const).position.work[axis])]);
-							$.append($$anchor, span_6);
+							$.append($$anchor, span_7);
 						});
-						var span_7 = $.sibling(node_27, 2);
-						var text_19 = $.sibling($.child(span_7), 1, true);
-						$.reset(span_7);
-						var span_8 = $.sibling(span_7, 2);
-						var text_20 = $.sibling($.child(span_8), 1, true);
+						var span_8 = $.sibling(node_29, 2);
+						var text_21 = $.sibling($.child(span_8), 1, true);
 						$.reset(span_8);
 						var span_9 = $.sibling(span_8, 2);
-						var text_21 = $.sibling($.child(span_9), 1, true);
+						var text_22 = $.sibling($.child(span_9), 1, true);
 						$.reset(span_9);
-						$.reset(p_1);
+						var span_10 = $.sibling(span_9, 2);
+						var text_23 = $.sibling($.child(span_10), 1, true);
+						$.reset(span_10);
+						$.reset(p_2);
 						$.template_effect(($0, $1, $2, $3) => {
-							$.set_attribute(p_1, "aria-label", $0);
-							$.set_attribute(p_1, "title", $1);
-							$.set_text(text_19, $2);
-							$.set_text(text_20, $3);
-							$.set_text(text_21, $.get(computed_const).spindle.tool);
+							$.set_attribute(p_2, "aria-label", $0);
+							$.set_attribute(p_2, "title", $1);
+							$.set_text(text_21, $2);
+							$.set_text(text_22, $3);
+							$.set_text(text_23, $.get(computed_const).spindle.tool);
 						}, [
 							() => t("cycles.stands"),
 							() => t("cycles.stands"),
 							() => fixed($.get(computed_const).feed.actual, 0),
 							() => fixed(Math.abs($.get(computed_const).spindle.actual), 0)
 						]);
-						$.append($$anchor, p_1);
+						$.append($$anchor, p_2);
 					};
-					$.if(node_26, ($$render) => {
+					$.if(node_28, ($$render) => {
 						if (machine.status) $$render(consequent_9);
 					});
 					$.reset(div_3);
@@ -781,7 +843,7 @@ function Cycles($$anchor, $$props) {
 				});
 				var div_6 = $.sibling(node_3, 2);
 				var div_7 = $.child(div_6);
-				var node_28 = $.child(div_7);
+				var node_30 = $.child(div_7);
 				{
 					let $0 = $.derived(() => t("cycles.show"));
 					let $1 = $.derived(() => [
@@ -798,7 +860,7 @@ function Cycles($$anchor, $$props) {
 							label: t("cycles.text")
 						}
 					]);
-					Segmented(node_28, {
+					Segmented(node_30, {
 						get label() {
 							return $.get($0);
 						},
@@ -816,14 +878,14 @@ function Cycles($$anchor, $$props) {
 				}
 				$.reset(div_7);
 				var div_8 = $.sibling(div_7, 2);
-				var node_29 = $.child(div_8);
+				var node_31 = $.child(div_8);
 				var consequent_10 = ($$anchor) => {
-					var fragment_21 = root_11();
+					var fragment_21 = root_12();
 					var div_9 = $.first_child(fragment_21);
-					var node_30 = $.child(div_9);
+					var node_32 = $.child(div_9);
 					{
 						let $0 = $.derived(() => t("cycles.plan"));
-						Drawing(node_30, {
+						Drawing(node_32, {
 							get items() {
 								return $.get(picture).plan;
 							},
@@ -844,10 +906,10 @@ function Cycles($$anchor, $$props) {
 					}
 					$.reset(div_9);
 					var div_10 = $.sibling(div_9, 2);
-					var node_31 = $.child(div_10);
+					var node_33 = $.child(div_10);
 					{
 						let $0 = $.derived(() => t("cycles.section"));
-						Drawing(node_31, {
+						Drawing(node_33, {
 							get items() {
 								return $.get(picture).section;
 							},
@@ -871,7 +933,7 @@ function Cycles($$anchor, $$props) {
 				};
 				var consequent_11 = ($$anchor) => {
 					{
-						let $0 = $.derived(() => $.get(path) !== null && $.get(simulated) !== $.get(body));
+						let $0 = $.derived(() => $.get(path) !== null && $.get(simulated) !== $.get(basis));
 						Simulation($$anchor, {
 							get path() {
 								return $.get(path);
@@ -886,59 +948,59 @@ function Cycles($$anchor, $$props) {
 					}
 				};
 				var alternate = ($$anchor) => {
-					var pre = root_12();
+					var pre = root_13();
 					let classes_2;
-					var text_22 = $.only_child(pre, true);
+					var text_24 = $.only_child(pre, true);
 					$.template_effect(($0) => {
-						classes_2 = $.set_class(pre, 1, "code scroll s-1xabzjz", null, classes_2, { stale: !$.get(isCurrent) });
+						classes_2 = $.set_class(pre, 1, "code scroll s-1gnh3x7", null, classes_2, { stale: !$.get(isCurrent) });
 						$.set_attribute(pre, "data-expanded", $.get(written)?.expanded ?? false);
-						$.set_text(text_22, $0);
+						$.set_text(text_24, $0);
 					}, [() => $.get(written)?.text || t("cycles.no_text")]);
 					$.append($$anchor, pre);
 				};
-				$.if(node_29, ($$render) => {
+				$.if(node_31, ($$render) => {
 					if ($.get(side) === "drawing") $$render(consequent_10);
 					else if ($.get(side) === "simulation") $$render(consequent_11, 1);
 					else $$render(alternate, -1);
 				});
 				$.reset(div_8);
-				var p_2 = $.sibling(div_8, 2);
+				var p_3 = $.sibling(div_8, 2);
 				let classes_3;
-				var node_32 = $.child(p_2);
+				var node_34 = $.child(p_3);
 				var consequent_12 = ($$anchor) => {
-					var text_23 = $.text();
-					$.template_effect(($0) => $.set_text(text_23, $0), [() => t("cycles.errors", { count: $.get(errors).length })]);
-					$.append($$anchor, text_23);
-				};
-				var consequent_13 = ($$anchor) => {
-					var text_24 = $.text();
-					$.template_effect(($0, $1) => $.set_text(text_24, `${$0 ?? ""} · ${$1 ?? ""}`), [() => $.get(written).expanded ? t("cycles.expanded", { dialect: $.get(dialect) }) : t("cycles.as_cycle", { dialect: $.get(dialect) }), () => t("cycles.lines", { count: $.get(ready).trimEnd().split("\n").length })]);
-					$.append($$anchor, text_24);
-				};
-				var consequent_14 = ($$anchor) => {
 					var text_25 = $.text();
-					$.template_effect(($0) => $.set_text(text_25, $0), [() => t("cycles.no_text")]);
+					$.template_effect(($0) => $.set_text(text_25, $0), [() => t("cycles.errors", { count: $.get(errors).length })]);
 					$.append($$anchor, text_25);
 				};
-				var alternate_1 = ($$anchor) => {
+				var consequent_13 = ($$anchor) => {
 					var text_26 = $.text();
-					$.template_effect(($0) => $.set_text(text_26, $0), [() => t($.get(refusedOf) === $.get(wish) ? "cycles.not_written" : "cycles.writing")]);
+					$.template_effect(($0, $1) => $.set_text(text_26, `${$0 ?? ""} · ${$1 ?? ""}`), [() => $.get(written).expanded ? t("cycles.expanded", { dialect: $.get(dialect) }) : t("cycles.as_cycle", { dialect: $.get(dialect) }), () => t("cycles.lines", { count: $.get(ready).trimEnd().split("\n").length })]);
 					$.append($$anchor, text_26);
 				};
-				$.if(node_32, ($$render) => {
+				var consequent_14 = ($$anchor) => {
+					var text_27 = $.text();
+					$.template_effect(($0) => $.set_text(text_27, $0), [() => t("cycles.no_text")]);
+					$.append($$anchor, text_27);
+				};
+				var alternate_1 = ($$anchor) => {
+					var text_28 = $.text();
+					$.template_effect(($0) => $.set_text(text_28, $0), [() => t($.get(refusedOf) === $.get(wish) ? "cycles.not_written" : "cycles.writing")]);
+					$.append($$anchor, text_28);
+				};
+				$.if(node_34, ($$render) => {
 					if ($.get(errors).length) $$render(consequent_12);
 					else if ($.get(ready) && $.get(written)) $$render(consequent_13, 1);
 					else if ($.get(isCurrent)) $$render(consequent_14, 2);
 					else $$render(alternate_1, -1);
 				});
-				$.reset(p_2);
-				var div_11 = $.sibling(p_2, 2);
-				var node_33 = $.child(div_11);
+				$.reset(p_3);
+				var div_11 = $.sibling(p_3, 2);
+				var node_35 = $.child(div_11);
 				{
 					let $0 = $.derived(() => t("cycles.simulate"));
 					let $1 = $.derived(() => t("cycles.simulate"));
 					let $2 = $.derived(() => $.get(errors).length > 0);
-					Button(node_33, {
+					Button(node_35, {
 						icon: "play",
 						"data-testid": "simulate",
 						get "aria-label"() {
@@ -952,20 +1014,20 @@ function Cycles($$anchor, $$props) {
 							return $.get($2);
 						},
 						children: ($$anchor, $$slotProps) => {
-							var span_10 = root_13();
-							var text_27 = $.only_child(span_10, true);
-							$.template_effect(($0) => $.set_text(text_27, $0), [() => t("cycles.simulate")]);
-							$.append($$anchor, span_10);
+							var span_11 = root_14();
+							var text_29 = $.only_child(span_11, true);
+							$.template_effect(($0) => $.set_text(text_29, $0), [() => t("cycles.simulate")]);
+							$.append($$anchor, span_11);
 						},
 						$$slots: { default: true }
 					});
 				}
-				var node_34 = $.sibling(node_33, 2);
+				var node_36 = $.sibling(node_35, 2);
 				{
 					let $0 = $.derived(() => t("cycles.copy"));
 					let $1 = $.derived(() => t("cycles.copy"));
 					let $2 = $.derived(() => !$.get(ready));
-					Button(node_34, {
+					Button(node_36, {
 						icon: "list",
 						get "aria-label"() {
 							return $.get($0);
@@ -978,18 +1040,18 @@ function Cycles($$anchor, $$props) {
 							return $.get($2);
 						},
 						children: ($$anchor, $$slotProps) => {
-							var span_11 = root_13();
-							var text_28 = $.only_child(span_11, true);
-							$.template_effect(($0) => $.set_text(text_28, $0), [() => t("cycles.copy")]);
-							$.append($$anchor, span_11);
+							var span_12 = root_14();
+							var text_30 = $.only_child(span_12, true);
+							$.template_effect(($0) => $.set_text(text_30, $0), [() => t("cycles.copy")]);
+							$.append($$anchor, span_12);
 						},
 						$$slots: { default: true }
 					});
 				}
-				var node_35 = $.sibling(node_34, 2);
+				var node_37 = $.sibling(node_36, 2);
 				{
 					let $0 = $.derived(() => !$.get(ready));
-					Button(node_35, {
+					Button(node_37, {
 						kind: "primary",
 						icon: "plus",
 						get disabled() {
@@ -999,9 +1061,9 @@ function Cycles($$anchor, $$props) {
 						"data-testid": "insert",
 						children: ($$anchor, $$slotProps) => {
 							$.next();
-							var text_29 = $.text();
-							$.template_effect(($0) => $.set_text(text_29, $0), [() => t($.get(opened) ? "cycles.replace" : "cycles.insert")]);
-							$.append($$anchor, text_29);
+							var text_31 = $.text();
+							$.template_effect(($0) => $.set_text(text_31, $0), [() => t($.get(opened) ? "cycles.replace" : "cycles.insert")]);
+							$.append($$anchor, text_31);
 						},
 						$$slots: { default: true }
 					});
@@ -1013,8 +1075,8 @@ function Cycles($$anchor, $$props) {
 				$.template_effect(($0, $1) => {
 					$.set_attribute(nav, "aria-label", $0);
 					$.set_attribute(div_2, "aria-label", $1);
-					classes_3 = $.set_class(p_2, 1, "state s-1xabzjz", null, classes_3, { wrong: $.get(errors).length > 0 });
-					$.set_attribute(p_2, "data-ready", !!$.get(ready));
+					classes_3 = $.set_class(p_3, 1, "state s-1gnh3x7", null, classes_3, { wrong: $.get(errors).length > 0 });
+					$.set_attribute(p_3, "data-ready", !!$.get(ready));
 				}, [() => t("cycles.title"), () => t("cycles.title")]);
 				$.append($$anchor, div);
 			};

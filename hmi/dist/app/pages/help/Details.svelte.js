@@ -80,7 +80,7 @@ function Details($$anchor, $$props) {
 			});
 		};
 		$.if(node_3, ($$render) => {
-			if ($.get(computed_const).kind === "signal" || $.get(computed_const).kind === "address") $$render(consequent_2);
+			if ($.get(computed_const).kind === "signal") $$render(consequent_2);
 		});
 		$.reset(div_1);
 		$.template_effect(() => {

@@ -6,7 +6,7 @@ import { machine } from "../../lib/state/machine.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/position/Large.svelte
-var root = $.from_html(`<output class="large s-h8kdch" aria-live="off"> </output> <span> <span class="to-go"> </span></span> <span> <span class="machine"> </span></span>`, 1);
+var root = $.from_html(`<output class="large s-h8kdch" aria-live="off"> </output> <span> <span> </span></span> <span> <span class="machine"> </span></span>`, 1);
 var root_1 = $.from_html(`<div class="plain s-h8kdch"><!></div>`);
 var root_2 = $.from_html(`<canvas class="s-h8kdch"><!></canvas>`);
 var root_3 = $.from_html(`<span class="tools s-h8kdch"><!></span>`);
@@ -15,7 +15,9 @@ var root_5 = $.from_html(`<section data-testid="axes"><header class="s-h8kdch"><
 function Large($$anchor, $$props) {
 	$.push($$props, true);
 	const numbers = ($$anchor, axis = $.noop, $$arg1) => {
+		let mode = () => ($$arg1?.()).mode;
 		let position = () => ($$arg1?.()).position;
+		const beside = $.derived(() => second(mode()));
 		var fragment = root();
 		var output = $.first_child(fragment);
 		var text_1 = $.only_child(output, true);
@@ -33,13 +35,14 @@ function Large($$anchor, $$props) {
 			$.set_attribute(output, "aria-label", axis());
 			$.set_text(text_1, $0);
 			$.set_text(text_2, `${$1 ?? ""} `);
+			$.set_class(span_1, 1, $.clsx($.get(beside) === "to_go" ? "to-go" : "relative"));
 			$.set_text(text_3, $2);
 			$.set_text(text_4, `${$3 ?? ""} `);
 			$.set_text(text_5, $4);
 		}, [
 			() => fixed(position()[$$props.what][axis()]),
-			() => t("position.to_go"),
-			() => fixed(position().to_go[axis()] ?? 0),
+			() => t(`position.${$.get(beside)}`),
+			() => fixed(position()[$.get(beside)][axis()] ?? 0),
 			() => t("position.machine"),
 			() => fixed(position().machine[axis()])
 		]);
@@ -48,7 +51,14 @@ function Large($$anchor, $$props) {
 	let small = $.prop($$props, "small", 3, false);
 	const status = $.derived(() => machine.status);
 	let plain = $.state(!canDraw());
-	const moves = (now, axis) => Math.abs(now.position.to_go[axis] ?? 0) > 5e-4;
+	const BY_HAND = [
+		"home",
+		"step",
+		"jog",
+		"handle"
+	];
+	const second = (mode) => small() && BY_HAND.includes(mode) ? "relative" : "to_go";
+	const moves = (now, axis) => second(now.mode) === "to_go" && Math.abs(now.position.to_go[axis] ?? 0) > 5e-4;
 	function contents(axis) {
 		return {
 			numbers: (now) => [
@@ -57,7 +67,7 @@ function Large($$anchor, $$props) {
 					tone: 0
 				},
 				{
-					text: fixed(now.position.to_go[axis] ?? 0),
+					text: fixed(now.position[second(now.mode)][axis] ?? 0),
 					tone: moves(now, axis) ? 1 : 0
 				},
 				{
@@ -189,7 +199,7 @@ function Large($$anchor, $$props) {
 		$.set_text(text_8, $2);
 	}, [
 		() => $$props.what === "work" ? $.get(status).position.system ?? t("position.g92") : t("position.relative"),
-		() => t("position.to_go"),
+		() => t(`position.${second($.get(status).mode)}`),
 		() => t("position.machine")
 	]);
 	$.append($$anchor, section);

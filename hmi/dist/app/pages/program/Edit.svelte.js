@@ -1,4 +1,4 @@
-import { t } from "../../lib/i18n/index.svelte.js";
+import { number, t } from "../../lib/i18n/index.svelte.js";
 import Editor from "../../lib/editor/Editor.svelte.js";
 import Findings from "../../lib/editor/Findings.svelte.js";
 import KeypadSwitch from "../../lib/editor/KeypadSwitch.svelte.js";
@@ -145,9 +145,11 @@ function Edit($$anchor, $$props) {
 			const stands = placeOf(into.all(), instead, opened?.from ?? 0);
 			if (instead.length) editing.open(null);
 			if (stands > 0) {
+				const above = into.all().slice(0, stands - 1).join("\n");
+				const before = codesLost(above, instead.join("\n"));
 				$.set(lost, {
 					program: name,
-					codes: []
+					codes: codesLost(above, piece).filter((code) => !before.includes(code))
 				});
 				return into.replaceLines(stands, instead.length, piece);
 			}
@@ -162,6 +164,11 @@ function Edit($$anchor, $$props) {
 			});
 			into.insertBehind(line, piece);
 		});
+	});
+	$.user_effect(() => {
+		if (!$.get(editor) || !$.get(shown) || $.get(shown) !== $.get(name)) return;
+		const [into, line] = [$.get(editor), editing.takeLine($.get(shown))];
+		if (line > 0) queueMicrotask(() => into.show(line));
 	});
 	$.user_effect(() => {
 		const ask = (event) => {
@@ -225,9 +232,21 @@ function Edit($$anchor, $$props) {
 			program: $.get(shown)
 		})) go("program", "run");
 	}
-	function number() {
-		$.get(editor)?.rewrite((lines) => renumber(lines, $.get(first), $.get(step)));
+	function numberAnew() {
+		let count = 0;
+		$.get(editor)?.rewrite((before) => {
+			const { lines, computed } = renumber(before, $.get(first), $.get(step));
+			count = computed;
+			return lines;
+		});
 		$.set(numbering, false);
+		if (count > 0) notify({
+			kind: "warning",
+			title: t("program.jumps_computed", {
+				count,
+				n: number(count)
+			})
+		});
 	}
 	var fragment = root_11();
 	var node = $.first_child(fragment);
@@ -578,7 +597,7 @@ function Edit($$anchor, $$props) {
 			var node_26 = $.sibling(node_25, 2);
 			Button(node_26, {
 				kind: "primary",
-				onclick: number,
+				onclick: numberAnew,
 				children: ($$anchor, $$slotProps) => {
 					$.next();
 					var text_15 = $.text();

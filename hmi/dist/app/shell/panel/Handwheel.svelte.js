@@ -89,11 +89,12 @@ function Handwheel($$anchor, $$props) {
 	let styles;
 	$.bind_this(div_1, ($$value) => $.set(wheel, $$value), () => $.get(wheel));
 	var div_2 = $.sibling(div_1, 2);
-	$.each(div_2, 23, () => $$props.axes, ({ letter, wheel: key }) => key, ($$anchor, $$item, index) => {
+	$.each(div_2, 21, () => $$props.axes, ({ letter, place, wheel: key }) => key, ($$anchor, $$item) => {
 		let letter = () => $.get($$item).letter;
+		let place = () => $.get($$item).place;
 		let key = () => $.get($$item).wheel;
 		{
-			let $0 = $.derived(() => $$props.axis === $.get(index) + 1);
+			let $0 = $.derived(() => $$props.axis === place());
 			let $1 = $.derived(() => t("panel.wheel_of", { axis: letter() }));
 			Key($$anchor, {
 				get signal() {
