@@ -386,8 +386,8 @@ test('a tool is as the machine has it in its table, and what is typed of it alon
   page.on('request', (request) => {
     if (/\/api\/cycle\?/.test(request.url())) tools = (request.postDataJSON() as { tools: unknown }).tools;
   });
-  await worn(-0.4);
   await open(page, 'G287');
+  await worn(-0.4);
   await page.getByRole('radio', { name: 'Text' }).click();
   const tool = page.locator('[data-tool="1"]');
   const diameter = tool.getByLabel('Diameter');
