@@ -36,10 +36,12 @@ test.beforeEach(async ({ page }) => {
     // The first start has a page of its own.
     localStorage.setItem('ferrocut.panel', JSON.stringify({ welcomed: true, panel: false, language: 'en', theme: 'dark' }));
   });
-  // Mills of 8 mm.
+  // Mills of 8 mm: as delivered the table has diameters (40#7).
   await page.goto('/');
-  const mills = [1, 2, 3, 4].map((number) => ({ do: 'set_offset', number, radius: 4, radius_wear: 0 }));
+  const mills = [1, 2, 3, 4].map((number) => ({ do: 'set_offset', number, radius: 8, radius_wear: 0 }));
   await say(page, { do: 'take_command' }, ...mills, { do: 'give_command' });
+  // What a test opens is a page that begins anew.
+  await page.goto('about:blank');
 });
 
 test('what is written in a drawing can be read, however small the drawing is', async ({ page }) => {
@@ -421,8 +423,8 @@ test('a tool is as the machine has it in its table, and what is typed of it alon
   page.on('request', (request) => {
     if (/\/api\/cycle\?/.test(request.url())) tools = (request.postDataJSON() as { tools: unknown }).tools;
   });
-  await worn(-0.4);
   await open(page, 'G287');
+  await worn(-0.4);
   await page.getByRole('radio', { name: 'Text' }).click();
   const tool = page.locator('[data-tool="1"]');
   const diameter = tool.getByLabel('Diameter');
@@ -430,9 +432,12 @@ test('a tool is as the machine has it in its table, and what is typed of it alon
   // How far the wall of 80 mm about 0 is from the middle of the tool.
   const least = async () => Math.min(...[...(await page.locator('pre').innerText()).matchAll(/X(-?[\d.]+)/g)].map((found) => Number(found[1])));
   const from = (wall: number) => expect.poll(async () => Math.round(1000 * ((await least()) + 40)) / 1000).toBe(wall);
+  await expect(diameter).toHaveValue('11.600');
+  await from(5.8);
+  // 40#7: the table has radii.
+  await set(0);
   await expect(diameter).toHaveValue('23.200');
   await from(11.6);
-  // 40#7: the table has diameters.
   await set(1);
   await expect(diameter).toHaveValue('11.600');
   await from(5.8);
@@ -455,7 +460,6 @@ test('a tool is as the machine has it in its table, and what is typed of it alon
   await expect(diameter).toHaveValue('11.400');
   await from(5.7);
   expect(tools).toEqual([]);
-  await set(0);
 });
 
 test('a field is taught where the machine stands', async ({ page }) => {
