@@ -22,7 +22,7 @@ var help_default = {
 	"variables": "Variables",
 	"addresses": "Addresses",
 	"choose_row": "Choose a row on the left.",
-	"not_here": "Pages of the GSK990MC that this machine has no use for",
+	"not_here": "What of the GSK990MC is not here",
 	"kind_operation": "Operation",
 	"kind_not_here": "Not here",
 	"kind_calculator": "Calculator",

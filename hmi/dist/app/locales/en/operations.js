@@ -70,6 +70,8 @@ var operations_default = {
 	"not_channel_why": "Programs and backups come and go through the browser; P0 is kept and has no effect.",
 	"machine_zero": "Set machine zero without switches",
 	"machine_zero_how": "Move the axes to the place by hand. Then in MDI, with level 3, the parameter switch on and 20#7 = 1, choose the axes on the page of machine zero and confirm.",
+	"not_trail": "Trail of the tool in DNC, in MDI and by hand",
+	"not_trail_why": "The drawing shades the path of the selected program, in AUTO alone. In DNC, in MDI and by hand the tool moves in it and leaves no line behind, so drawing is neither started nor stopped. Where the axes are stands on the position page.",
 	"not_power": "Key POWER OFF",
 	"not_power_why": "A page in a browser switches no machine off. Let the program end, stop spindle and auxiliaries, press the emergency stop, and switch off at the machine; what the control keeps is on its disk already.",
 	"not_system": "System signals and system information",

@@ -22,7 +22,7 @@ var help_default = {
 	"variables": "Variables",
 	"addresses": "Direcciones",
 	"choose_row": "Elija una fila a la izquierda.",
-	"not_here": "Páginas del GSK990MC que esta máquina no usa",
+	"not_here": "Lo que el GSK990MC tiene y aquí no está",
 	"kind_operation": "Operación",
 	"kind_not_here": "Aquí no",
 	"kind_calculator": "Calculadora",

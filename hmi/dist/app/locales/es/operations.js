@@ -70,6 +70,8 @@ var operations_default = {
 	"not_channel_why": "Programas y copias van y vienen por el navegador; P0 se guarda y no tiene efecto.",
 	"machine_zero": "Fijar el cero de máquina sin interruptores",
 	"machine_zero_how": "Lleve los ejes al lugar a mano. Después, en MDI, con nivel 3, el interruptor de parámetros activado y 20#7 = 1, elija los ejes en la página del cero de máquina y confirme.",
+	"not_trail": "Traza de la herramienta en DNC, en MDI y en manual",
+	"not_trail_why": "El gráfico colorea el recorrido del programa seleccionado, y solo en automático. En DNC, en MDI y en manual se mueve únicamente la herramienta y no deja traza, así que no hay inicio ni parada del dibujo. Dónde están los ejes se ve en la página de posición.",
 	"not_power": "Tecla POWER OFF",
 	"not_power_why": "Una página del navegador no apaga la máquina. Deje terminar el programa, pare el husillo y los auxiliares, pulse la parada de emergencia y desconecte en la máquina; lo que guarda el control ya está en su disco.",
 	"not_system": "Señales e información del sistema",

@@ -22,7 +22,7 @@ var help_default = {
 	"variables": "Переменные",
 	"addresses": "Адреса",
 	"choose_row": "Выберите строку слева.",
-	"not_here": "Страницы GSK990MC, не нужные этому станку",
+	"not_here": "Что есть у GSK990MC, но чего здесь нет",
 	"kind_operation": "Операция",
 	"kind_not_here": "Здесь нет",
 	"kind_calculator": "Калькулятор",

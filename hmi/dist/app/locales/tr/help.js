@@ -22,7 +22,7 @@ var help_default = {
 	"variables": "Değişkenler",
 	"addresses": "Adresler",
 	"choose_row": "Soldan bir satır seçin.",
-	"not_here": "GSK990MC’nin bu makinede kullanılmayan sayfaları",
+	"not_here": "GSK990MC’de olup burada olmayanlar",
 	"kind_operation": "İşlem",
 	"kind_not_here": "Burada yok",
 	"kind_calculator": "Hesap makinesi",

@@ -70,6 +70,8 @@ var operations_default = {
 	"not_channel_why": "Program ve yedekler tarayıcıdan gelir gider; P0 saklanır ve etkisizdir.",
 	"machine_zero": "Anahtarsız makine sıfırı verme",
 	"machine_zero_how": "Eksenleri elle o yere götürün. Sonra MDI kipinde, düzey 3 ile, parametre anahtarı açık ve 20#7 = 1 iken makine sıfırı sayfasında eksenleri seçip onaylayın.",
+	"not_trail": "DNC’de, MDI’da ve elle takımın izi",
+	"not_trail_why": "Çizim yalnızca otomatikte, seçilen programın yolunu boyar. DNC’de, MDI’da ve elle yalnızca takım hareket eder, iz bırakmaz; bu yüzden çizimi başlatma ve durdurma yoktur. Eksenlerin yeri konum sayfasındadır.",
 	"not_power": "POWER OFF tuşu",
 	"not_power_why": "Tarayıcıdaki sayfa makineyi kapatmaz. Programın bitmesini bekleyin, iş milini ve yardımcıları durdurun, acil durdurmaya basın ve makinenin şalterini kapatın; denetimin sakladıkları zaten diskindedir.",
 	"not_system": "Sistem sinyalleri ve sistem bilgisi",

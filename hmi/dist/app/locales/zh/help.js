@@ -22,7 +22,7 @@ var help_default = {
 	"variables": "宏变量",
 	"addresses": "地址表",
 	"choose_row": "请在左侧选择一行。",
-	"not_here": "GSK990MC 中本机不适用的页面",
+	"not_here": "GSK990MC 有而本机没有的内容",
 	"kind_operation": "操作",
 	"kind_not_here": "不适用",
 	"kind_calculator": "计算器",

@@ -31,13 +31,14 @@ var operations = [
 	["alarm", "alarms"],
 	["limit", "alarms"]
 ];
-/** Pages of the GSK990MC that this machine has no use for, with their sections; `operations.not_ID_why` says why. */
+/** What the GSK990MC has and this machine has not, or has no use for, with its sections; `operations.not_ID_why` says why. */
 var notHere = [
 	["bus", "3.1.4, 3.3.5, 3.6.1"],
 	["servo", "3.3.5.1, 3.3.5.2"],
 	["tune", "3.3.5.3"],
 	["dual", "3.3.5.4"],
 	["channel", "3.4.1, 11.1, 11.2"],
+	["trail", "3.5"],
 	["power", "2.2"],
 	["system", "3.6.1.2, 3.9"]
 ];

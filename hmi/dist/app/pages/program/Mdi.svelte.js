@@ -17,13 +17,13 @@ import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/program/Mdi.svelte
 var root = $.from_html(`<!> <!> <!> <!> <!>`, 1);
-var root_1 = $.from_html(`<div class="text s-hiuywy"><div class="s-hiuywy"><!></div> <p role="status" data-testid="mdi-state"> </p></div>`);
-var root_2 = $.from_html(`<div class="row waits s-hiuywy"><code class="code grow"> </code> <!></div>`);
-var root_3 = $.from_html(`<form class="row"><input class="code grow s-hiuywy" spellcheck="false" autocapitalize="characters" placeholder="G0 X0 Y0"/> <!></form> <!> <p class="muted s-hiuywy"> </p>`, 1);
-var root_4 = $.from_html(`<p class="code values s-hiuywy" data-testid="mdi-values"> </p>`);
-var root_5 = $.from_html(`<button type="button" class="past code s-hiuywy"> </button>`);
-var root_6 = $.from_html(`<p class="muted empty s-hiuywy"> </p>`);
-var root_7 = $.from_html(`<div><!> <div class="side s-hiuywy"><!> <!> <!> <!></div></div>`);
+var root_1 = $.from_html(`<div class="text s-1ml193g"><div class="s-1ml193g"><!></div> <p role="status" data-testid="mdi-state"> </p></div>`);
+var root_2 = $.from_html(`<div class="row waits s-1ml193g"><code class="code grow"> </code> <!></div>`);
+var root_3 = $.from_html(`<form class="row"><input class="code grow s-1ml193g" spellcheck="false" autocapitalize="characters" placeholder="G0 X0 Y0"/> <!></form> <!> <p class="muted s-1ml193g"> </p>`, 1);
+var root_4 = $.from_html(`<p class="code values s-1ml193g" data-testid="mdi-values"> </p>`);
+var root_5 = $.from_html(`<button type="button" class="past code s-1ml193g"> </button>`);
+var root_6 = $.from_html(`<p class="muted empty s-1ml193g"> </p>`);
+var root_7 = $.from_html(`<div><!> <div class="side s-1ml193g"><!> <!> <!> <!></div></div>`);
 function Mdi($$anchor, $$props) {
 	$.push($$props, true);
 	const KEY = "ferrocut.mdi";
@@ -205,7 +205,7 @@ function Mdi($$anchor, $$props) {
 				var text_2 = $.only_child(p, true);
 				$.reset(div_1);
 				$.template_effect(() => {
-					classes_1 = $.set_class(p, 1, "s-hiuywy", null, classes_1, { unsent: mdi.isUnsent });
+					classes_1 = $.set_class(p, 1, "s-1ml193g", null, classes_1, { unsent: mdi.isUnsent });
 					$.set_text(text_2, $.get(shown));
 				});
 				$.append($$anchor, div_1);
@@ -352,7 +352,7 @@ function Mdi($$anchor, $$props) {
 	}
 	$.reset(div_3);
 	$.reset(div);
-	$.template_effect(() => classes = $.set_class(div, 1, "mdi s-hiuywy", null, classes, { keypad: prefs.keypad }));
+	$.template_effect(() => classes = $.set_class(div, 1, "mdi s-1ml193g", null, classes, { keypad: prefs.keypad }));
 	$.append($$anchor, div);
 	$.pop();
 }
