@@ -2,10 +2,9 @@ import { defineConfig } from '@playwright/test';
 
 // The tests of a file one after the other: there is one machine. `tests/server.ts` starts it. Several files at a time
 // (`--workers`) have one each; figures are taken alone.
-// What keeps a machine safe (a key that is held, a connection that is lost, the emergency stop, a page that sleeps during a
-// job) is right at once, but for what two browsers do and the stop in a dialog, which stand in the walk: `RETRIES` are those
-// of all else.
-const SAFETY = /(keys|hand|job)\.spec\.ts$/;
+// What keeps a machine safe (a key that is held, a connection that is lost, the emergency stop) is right at once, but for what
+// two browsers do and the stop in a dialog, which stand in the walk: `RETRIES` are those of all else.
+const SAFETY = /(keys|hand)\.spec\.ts$/;
 
 export default defineConfig({
   testDir: 'tests',

@@ -82,7 +82,7 @@ test('a page that is loaded anew, or asleep, changes no sample of a job', async 
   await record();
   const other = await sleeper(server.url);
   try {
-    const holds = (expression: string) => expect.poll(() => other.evaluate(expression), { timeout: 60_000 }).toBe(true);
+    const holds = (expression: string) => expect.poll(() => other.evaluate(expression), { message: expression, timeout: 60_000 }).toBe(true);
     await holds(`document.querySelector('[data-testid="command"]') !== null`);
     await other.evaluate(`localStorage.setItem('ferrocut.panel', '{"welcomed":true,"panel":true,"language":"en"}'), location.reload()`);
     await holds(`document.querySelector('[data-testid="command"]')?.textContent.includes('Take command') ?? false`);

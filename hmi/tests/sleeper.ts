@@ -50,12 +50,16 @@ export async function sleeper(url: string) {
 
   /** What an expression comes to in the page. */
   const evaluate = async <Value>(expression: string): Promise<Value> =>
-    ((await send('Runtime.evaluate', { expression, returnByValue: true })).result as { value: Value }).value;
+    ((await send('Runtime.evaluate', { expression, returnByValue: true })).result as { value: Value } | undefined)?.value as Value;
   const mouse = async (type: string, selector: string) => {
     const [x, y] = await evaluate<[number, number]>(`(({ x, y, width, height }) => [x + width / 2, y + height / 2])(document.querySelector('${selector}').getBoundingClientRect())`);
     await send('Input.dispatchMouseEvent', { type, x, y, button: 'left', clickCount: 1 });
   };
-  await send('Page.navigate', { url });
+  // A browser that is only just starting may lose the first of these.
+  for (let tries = 0; tries < 20 && !(await evaluate<boolean>(`location.href.startsWith('${url}')`)); tries++) {
+    await send('Page.navigate', { url });
+    await new Promise((resolve) => setTimeout(resolve, 1000));
+  }
   return {
     evaluate,
     down: (selector: string) => mouse('mousePressed', selector),
