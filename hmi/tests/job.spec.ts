@@ -86,8 +86,11 @@ test('a page that is loaded anew, or asleep, changes no sample of a job', async 
     await holds(`document.querySelector('[data-testid="command"]') !== null`);
     await other.evaluate(`localStorage.setItem('ferrocut.panel', '{"welcomed":true,"panel":true,"language":"en"}'), location.reload()`);
     await holds(`document.querySelector('[data-testid="command"]')?.textContent.includes('Take command') ?? false`);
-    await other.evaluate(`document.querySelector('[data-testid="command"]').click()`);
-    await holds(`document.querySelector('[data-testid="command"]').textContent.includes('In command')`);
+    // A page that was loaded just now may not be connected yet: then nobody hears what is asked for.
+    const taken = `(({ textContent }) => textContent.includes('In command'))(document.querySelector('[data-testid="command"]'))`;
+    await expect
+      .poll(async () => (await other.evaluate(taken)) || (await other.evaluate(`document.querySelector('[data-testid="command"]').click()`)), { message: taken, intervals: [3000], timeout: 90_000 })
+      .toBe(true);
     const key = 'footer [data-signal="KEY_START"]';
     await other.down(key);
     await holds(`'held' in document.querySelector('${key}').dataset`);
