@@ -298,8 +298,9 @@ fn set_machine() -> impl Strategy<Value = Machine> {
 fn tolerance(machine: &Machine, ops: &[Op], number: usize) -> f64 {
     let before =
         || number.checked_sub(1).map_or(machine.path.tolerance, |before| tolerance(machine, ops, before));
+    let from = number.checked_sub(1).map_or(Position::ZERO, |before| *ops[before].target().unwrap());
     match ops.get(number) {
-        Some(Op::Feed { path, .. } | Op::Arc { path, .. }) => match path {
+        Some(op @ (Op::Feed { path, .. } | Op::Arc { path, .. })) if op.length(from) > 0.0 => match path {
             PathMode::ContinuousWithin(tolerance) => *tolerance,
             PathMode::ExactStop => before(),
             _ => machine.path.tolerance,
