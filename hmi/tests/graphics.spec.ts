@@ -1,7 +1,7 @@
 // The drawing of a part whose measures are known: views, points, distances, sections, and how far it is done.
 import type { Page } from '@playwright/test';
 import { expect, shoot, test } from './server';
-import { bring, enter, load, press, show, stands, watchFaults } from './walk';
+import { bring, enter, load, mode, press, show, stands, watchFaults } from './walk';
 
 watchFaults();
 // A loaded computer takes its time.
@@ -63,6 +63,37 @@ async function open(page: Page): Promise<void> {
   await page.evaluate(() => (location.hash = '#/graphics'));
   await expect(page.locator('.graphics')).toHaveAttribute('data-loaded', 'true');
 }
+
+test('where no program is selected the trail of the tool is drawn alone', async ({ page }) => {
+  await enter(page, '#/graphics');
+  await expect(page.locator('[data-page="graphics"]')).toContainText('No program is selected');
+  await mode(page, 'KEY_JOG', 'Jog');
+  await page.locator('[data-signal="KEY_Y+"]').hover();
+  await page.mouse.down();
+  const drawing = page.locator('.graphics');
+  await expect(drawing).toHaveAttribute('data-trail', 'true');
+  await page.waitForTimeout(500);
+  await page.mouse.up();
+  await stands(page, 'idle');
+  await expect(drawing.getByTestId('time')).toHaveCount(0);
+  // From the bottom to the top of the picture, or a good part of it.
+  await look(page, 'top');
+  const shade = () =>
+    page.evaluate(() => {
+      const canvas = document.querySelector<HTMLCanvasElement>('.view canvas:not(.above)')!;
+      const copy = document.createElement('canvas');
+      [copy.width, copy.height] = [canvas.width, canvas.height];
+      const context = copy.getContext('2d', { willReadFrequently: true })!;
+      context.drawImage(canvas, 0, 0);
+      const { data } = context.getImageData(Math.floor(canvas.width / 2) - 3, 0, 7, canvas.height);
+      const rows = new Set<number>();
+      for (let at = 0; at < data.length / 4; at++) if (data[4 * at + 3]! > 200) rows.add(Math.floor(at / 7));
+      return rows.size / canvas.height;
+    });
+  await expect.poll(shade).toBeGreaterThan(0.6);
+  await page.getByTestId('erase').click();
+  await expect(page.locator('[data-page="graphics"]')).toContainText('No program is selected');
+});
 
 test('points of a known part are measured in each view', async ({ page }) => {
   await open(page);
@@ -310,4 +341,47 @@ test('what was run stays drawn until the next cycle start, or until it is erased
   await stands(page, 'idle', 60_000);
   await page.getByTestId('erase').click();
   await expect.poll(drawn).toBe(0);
+});
+
+test('in MDI and by hand the tool leaves a trail, which is stopped and erased', async ({ page }) => {
+  await open(page);
+  const drawing = page.locator('.graphics');
+  await mode(page, 'KEY_MDI', 'Manual data input');
+  const run = async (block: string) => {
+    await show(page, 'program/mdi');
+    await page.locator('.mdi .cm-content').click();
+    await page.keyboard.press('Control+a');
+    await page.keyboard.type(block);
+    await page.getByTestId('mdi-send').click();
+    await press(page, 'KEY_START');
+    await stands(page, 'idle');
+    await show(page, 'graphics');
+    await expect(drawing).toHaveAttribute('data-loaded', 'true');
+    await look(page, 'top');
+  };
+  const leaves = (point: readonly [number, number, number]) => drawn(page, 'top', point, '--muted');
+  await look(page, 'top');
+  expect(await leaves([45, 15, 0])).toBe(false);
+  await run('G90 G54 G1 Y15. F6000');
+  await run('G90 G54 G1 X70. F6000');
+  await expect.poll(() => leaves([45, 15, 0])).toBe(true);
+  await shoot(page, 'graphics-trail');
+  // Stopped: what is there stays, and nothing is added.
+  await page.getByTestId('trail').click();
+  await expect(page.getByTestId('trail')).toHaveAttribute('aria-pressed', 'false');
+  await page.getByTestId('drawing').click();
+  await page.getByTestId('erases').click();
+  await page.getByRole('dialog').getByRole('button', { name: 'Close' }).last().click();
+  await run('G90 G54 G1 Y25. F6000');
+  expect(await leaves([70, 21, 0])).toBe(false);
+  expect(await leaves([45, 15, 0])).toBe(true);
+  await page.getByTestId('erase').click();
+  await expect.poll(() => leaves([45, 15, 0])).toBe(false);
+  // By hand, on from here.
+  await page.getByTestId('trail').click();
+  await mode(page, 'KEY_JOG', 'Jog');
+  await page.locator('[data-signal="KEY_X-"]').hover();
+  await page.mouse.down();
+  await expect.poll(() => leaves([68, 25, 0]), { timeout: 30_000 }).toBe(true);
+  await page.mouse.up();
 });

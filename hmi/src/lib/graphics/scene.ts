@@ -4,6 +4,7 @@ import {
   BufferAttribute,
   BufferGeometry,
   Color,
+  DynamicDrawUsage,
   Line,
   LineBasicMaterial,
   LineSegments,
@@ -14,6 +15,7 @@ import {
   WebGLRenderer,
 } from 'three';
 import { middle, MM, segments, spanOf, type Frame, type Path } from './path';
+import type { Trail } from './trail';
 
 /** Segments of the coarse form, and of a piece of the whole. */
 const COARSE = 40_000;
@@ -35,7 +37,7 @@ const LOOKS: Record<View, [yaw: number, pitch: number, turned: boolean]> = {
   turned: [0, 0, true],
   around: [-0.7, 0.6, true],
 };
-export type Shades = { done: string; cut: string; arc: string; rapid: string; grid: string };
+export type Shades = { done: string; cut: string; arc: string; rapid: string; grid: string; trail: string };
 
 const vertex = /* glsl */ `
 in float kind;
@@ -78,6 +80,9 @@ export class PathScene {
   #renderer: WebGLRenderer;
   #scene = new Scene();
   #material: ShaderMaterial;
+  /** Of the trail, all of which is done. */
+  #trailMaterial: ShaderMaterial;
+  #trail: { line: Line; of: Trail; sent: number } | null = null;
   /** All points as one strip, without an index: what is sent to the graphics is the server's answer as it came. */
   #whole: Line | null = null;
   #coarse: LineSegments | null = null;
@@ -114,6 +119,8 @@ export class PathScene {
         shadeRapid: { value: new Color() },
       },
     });
+    this.#trailMaterial = this.#material.clone();
+    this.#trailMaterial.uniforms.done!.value = 1e9;
   }
 
   /** Colours, as CSS has them. */
@@ -123,6 +130,7 @@ export class PathScene {
     uniforms.shadeCut!.value.setStyle(shades.cut, '');
     uniforms.shadeArc!.value.setStyle(shades.arc, '');
     uniforms.shadeRapid!.value.setStyle(shades.rapid, '');
+    this.#trailMaterial.uniforms.shadeDone!.value.setStyle(shades.trail, '');
     this.#gridMaterial.color.setStyle(shades.grid, '');
     this.#renderer.outputColorSpace = 'srgb-linear';
     this.draw();
@@ -208,7 +216,7 @@ export class PathScene {
 
   /** Looks at the whole path, at the range that is set, or as it is set. */
   fit(): void {
-    const box = this.#range ?? this.#path?.box;
+    const box = this.#range ?? this.#path?.box ?? this.#trail?.of.box;
     if (this.#framing) {
       this.target.set(...this.#framing.centre);
       this.span = Math.max(0.01, this.across / this.#framing.scale);
@@ -229,6 +237,40 @@ export class PathScene {
     const uniform = this.#material.uniforms.done!;
     if (uniform.value === index) return;
     uniform.value = index;
+    this.#soon();
+  }
+
+  /** The trail has grown, or is another one. */
+  trail(of: Trail): void {
+    if (this.#trail?.of !== of) {
+      this.#forget();
+      const geometry = new BufferGeometry();
+      geometry.setAttribute('position', new BufferAttribute(of.points, 3).setUsage(DynamicDrawUsage));
+      geometry.setAttribute('kind', new BufferAttribute(of.kinds, 1).setUsage(DynamicDrawUsage));
+      const line = new Line(geometry, this.#trailMaterial);
+      line.frustumCulled = false;
+      line.renderOrder = 1;
+      this.#scene.add(line);
+      this.#trail = { line, of, sent: -1 };
+      // Without a path there is nothing else to look at.
+      if (!this.#path && !this.#range && !this.#framing && of.box) {
+        this.target.fromArray(of.points, 3 * (of.count - 1));
+        this.span = Math.max(this.span, spanOf(of.box));
+        this.moved();
+      }
+    }
+    this.#soon();
+  }
+
+  #forget(): void {
+    if (!this.#trail) return;
+    this.#scene.remove(this.#trail.line);
+    this.#trail.line.geometry.dispose();
+    this.#trail = null;
+  }
+
+  /** Draws when the last picture is old enough. */
+  #soon(): void {
     const wait = this.#next - performance.now();
     if (wait <= 0) this.draw();
     else this.#later ??= setTimeout(() => this.draw(), Math.min(wait, 1000));
@@ -240,7 +282,7 @@ export class PathScene {
   }
 
   section(low: number, high: number): void {
-    this.#material.uniforms.section!.value = [low, high];
+    for (const material of [this.#material, this.#trailMaterial]) material.uniforms.section!.value = [low, high];
     this.draw();
   }
 
@@ -351,6 +393,15 @@ export class PathScene {
     let drawn = 0;
     if (this.#at === 0) this.#renderer.clear();
     if (this.#grid) this.#grid.visible = this.#at === 0;
+    if (this.#trail) {
+      const { line, of, sent } = this.#trail;
+      line.visible = this.#at === 0 && of.count > 1;
+      if (line.visible && sent !== of.changes) {
+        line.geometry.setDrawRange(0, of.count);
+        for (const part of ['position', 'kind']) line.geometry.getAttribute(part).needsUpdate = true;
+        this.#trail.sent = of.changes;
+      }
+    }
     if (this.#coarse) this.#coarse.visible = moving;
     if (this.#whole) {
       this.#whole.visible = !moving;
@@ -385,9 +436,11 @@ export class PathScene {
     clearTimeout(this.#timer);
     clearTimeout(this.#later);
     this.load(null);
+    this.#forget();
     cancelAnimationFrame(this.#frame);
     clearTimeout(this.#timer);
     this.#material.dispose();
+    this.#trailMaterial.dispose();
     this.#gridMaterial.dispose();
     this.#renderer.dispose();
   }

@@ -16,11 +16,13 @@ type Kept = {
   panel: boolean;
   /** Whether keys to be touched stand under what is written. */
   keypad: boolean;
-  /** The drawing (GSK990MC part 2, 3.5): whether what is drawn goes at the next cycle start; the range that is shown,
+  /** The drawing (GSK990MC part 2, 3.5): whether what is drawn goes at the next cycle start; whether the tool
+      leaves a trail where no program tells its path; the range that is shown,
       coordinates of the work, mm, null for that of the program; and what stands in the middle, and the scale (1: a millimetre
       is one on the screen), null where they follow from the range. */
   drawing: {
     erases: boolean;
+    trail: boolean;
     range: { low: [number, number, number]; high: [number, number, number] } | null;
     frame: { centre: [number, number, number]; scale: number } | null;
   };
@@ -38,7 +40,7 @@ function fromBrowser(): Language {
 }
 
 function read(): Kept {
-  const standard: Kept = { language: fromBrowser(), theme: 'system', coordinates: 'absolute', panel: innerWidth > 1100, keypad: matchMedia('(pointer: coarse)').matches, drawing: { erases: true, range: null, frame: null }, welcomed: false };
+  const standard: Kept = { language: fromBrowser(), theme: 'system', coordinates: 'absolute', panel: innerWidth > 1100, keypad: matchMedia('(pointer: coarse)').matches, drawing: { erases: true, trail: true, range: null, frame: null }, welcomed: false };
   try {
     const kept = JSON.parse(localStorage.getItem(KEY) ?? '{}') as Partial<Kept>;
     if (kept.language && !LANGUAGES.includes(kept.language)) delete kept.language;

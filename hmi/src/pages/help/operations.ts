@@ -40,7 +40,6 @@ export const notHere: readonly (readonly [id: string, section: string])[] = [
   ['tune', '3.3.5.3'],
   ['dual', '3.3.5.4'],
   ['channel', '3.4.1, 11.1, 11.2'],
-  ['trail', '3.5'],
   ['power', '2.2'],
   ['system', '3.6.1.2, 3.9'],
 ];
