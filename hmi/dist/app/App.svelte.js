@@ -8,6 +8,7 @@ import { dnc } from "./lib/state/dnc.svelte.js";
 import { editing } from "./lib/state/editing.svelte.js";
 import { machine } from "./lib/state/machine.svelte.js";
 import { prefs } from "./lib/state/prefs.svelte.js";
+import { trail } from "./lib/state/trail.svelte.js";
 import { ui } from "./lib/state/ui.svelte.js";
 import { pages } from "./pages/index.js";
 import Banner from "./shell/Banner.svelte.js";
@@ -42,6 +43,7 @@ function App($$anchor, $$props) {
 		if (dnc.coming || editing.unsaved.length) event.preventDefault();
 	}
 	$.user_effect(display.read);
+	$.user_effect(trail.follow);
 	$.user_effect(() => machine.hear((event) => {
 		if (display.alarmOpens && event.event === "alarm" && !event.alarm.warning) go("alarms");
 	}));

@@ -55,7 +55,8 @@ function PathView($$anchor, $$props) {
 			cut: colour("--accent"),
 			arc: colour("--accent"),
 			rapid: colour("--hold"),
-			grid: colour("--line")
+			grid: colour("--line"),
+			trail: colour("--muted")
 		});
 	});
 	$.user_effect(() => {
@@ -180,6 +181,10 @@ function PathView($$anchor, $$props) {
 			context.fill();
 		}
 	}
+	/** The trail of the tool has grown, or was erased. */
+	function grown(trail) {
+		$.get(scene)?.trail(trail);
+	}
 	function look(view) {
 		$.get(scene)?.look(view);
 	}
@@ -243,6 +248,7 @@ function PathView($$anchor, $$props) {
 	}
 	var $$exports = {
 		overlay,
+		grown,
 		look,
 		fit,
 		across

@@ -1,5 +1,5 @@
 import { MM, middle, segments, spanOf } from "./path.js";
-import { BufferAttribute, BufferGeometry, Color, Line, LineBasicMaterial, LineSegments, OrthographicCamera, Scene, ShaderMaterial, Vector3, WebGLRenderer } from "three";
+import { BufferAttribute, BufferGeometry, Color, DynamicDrawUsage, Line, LineBasicMaterial, LineSegments, OrthographicCamera, Scene, ShaderMaterial, Vector3, WebGLRenderer } from "three";
 // src/lib/graphics/scene.ts
 /** Segments of the coarse form, and of a piece of the whole. */
 var COARSE = 4e4;
@@ -85,6 +85,9 @@ var PathScene = class {
 	#renderer;
 	#scene = new Scene();
 	#material;
+	/** Of the trail, all of which is done. */
+	#trailMaterial;
+	#trail = null;
 	/** All points as one strip, without an index: what is sent to the graphics is the server's answer as it came. */
 	#whole = null;
 	#coarse = null;
@@ -127,6 +130,8 @@ var PathScene = class {
 				shadeRapid: { value: new Color() }
 			}
 		});
+		this.#trailMaterial = this.#material.clone();
+		this.#trailMaterial.uniforms.done.value = 1e9;
 	}
 	/** Colours, as CSS has them. */
 	shades(shades) {
@@ -135,6 +140,7 @@ var PathScene = class {
 		uniforms.shadeCut.value.setStyle(shades.cut, "");
 		uniforms.shadeArc.value.setStyle(shades.arc, "");
 		uniforms.shadeRapid.value.setStyle(shades.rapid, "");
+		this.#trailMaterial.uniforms.shadeDone.value.setStyle(shades.trail, "");
 		this.#gridMaterial.color.setStyle(shades.grid, "");
 		this.#renderer.outputColorSpace = "srgb-linear";
 		this.draw();
@@ -216,7 +222,7 @@ var PathScene = class {
 	}
 	/** Looks at the whole path, at the range that is set, or as it is set. */
 	fit() {
-		const box = this.#range ?? this.#path?.box;
+		const box = this.#range ?? this.#path?.box ?? this.#trail?.of.box;
 		if (this.#framing) {
 			this.target.set(...this.#framing.centre);
 			this.span = Math.max(.01, this.across / this.#framing.scale);
@@ -235,6 +241,40 @@ var PathScene = class {
 		const uniform = this.#material.uniforms.done;
 		if (uniform.value === index) return;
 		uniform.value = index;
+		this.#soon();
+	}
+	/** The trail has grown, or is another one. */
+	trail(of) {
+		if (this.#trail?.of !== of) {
+			this.#forget();
+			const geometry = new BufferGeometry();
+			geometry.setAttribute("position", new BufferAttribute(of.points, 3).setUsage(DynamicDrawUsage));
+			geometry.setAttribute("kind", new BufferAttribute(of.kinds, 1).setUsage(DynamicDrawUsage));
+			const line = new Line(geometry, this.#trailMaterial);
+			line.frustumCulled = false;
+			line.renderOrder = 1;
+			this.#scene.add(line);
+			this.#trail = {
+				line,
+				of,
+				sent: -1
+			};
+			if (!this.#path && !this.#range && !this.#framing && of.box) {
+				this.target.fromArray(of.points, 3 * (of.count - 1));
+				this.span = Math.max(this.span, spanOf(of.box));
+				this.moved();
+			}
+		}
+		this.#soon();
+	}
+	#forget() {
+		if (!this.#trail) return;
+		this.#scene.remove(this.#trail.line);
+		this.#trail.line.geometry.dispose();
+		this.#trail = null;
+	}
+	/** Draws when the last picture is old enough. */
+	#soon() {
 		const wait = this.#next - performance.now();
 		if (wait <= 0) this.draw();
 		else this.#later ??= setTimeout(() => this.draw(), Math.min(wait, 1e3));
@@ -244,7 +284,7 @@ var PathScene = class {
 		this.draw();
 	}
 	section(low, high) {
-		this.#material.uniforms.section.value = [low, high];
+		for (const material of [this.#material, this.#trailMaterial]) material.uniforms.section.value = [low, high];
 		this.draw();
 	}
 	size(width, height, ratio) {
@@ -351,6 +391,15 @@ var PathScene = class {
 		let drawn = 0;
 		if (this.#at === 0) this.#renderer.clear();
 		if (this.#grid) this.#grid.visible = this.#at === 0;
+		if (this.#trail) {
+			const { line, of, sent } = this.#trail;
+			line.visible = this.#at === 0 && of.count > 1;
+			if (line.visible && sent !== of.changes) {
+				line.geometry.setDrawRange(0, of.count);
+				for (const part of ["position", "kind"]) line.geometry.getAttribute(part).needsUpdate = true;
+				this.#trail.sent = of.changes;
+			}
+		}
 		if (this.#coarse) this.#coarse.visible = moving;
 		if (this.#whole) {
 			this.#whole.visible = !moving;
@@ -382,9 +431,11 @@ var PathScene = class {
 		clearTimeout(this.#timer);
 		clearTimeout(this.#later);
 		this.load(null);
+		this.#forget();
 		cancelAnimationFrame(this.#frame);
 		clearTimeout(this.#timer);
 		this.#material.dispose();
+		this.#trailMaterial.dispose();
 		this.#gridMaterial.dispose();
 		this.#renderer.dispose();
 	}

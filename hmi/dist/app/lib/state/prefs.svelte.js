@@ -25,6 +25,7 @@ function read() {
 		keypad: matchMedia("(pointer: coarse)").matches,
 		drawing: {
 			erases: true,
+			trail: true,
 			range: null,
 			frame: null
 		},

@@ -35,6 +35,8 @@ var graphics_default = {
 	"whole": "As the program",
 	"scale": "Scale",
 	"scale_text": "At 1 a millimetre is one on the screen. Setting the range sets scale and centre.",
-	"centre": "Centre"
+	"centre": "Centre",
+	"trail": "Trail",
+	"trail_text": "The tool leaves a trail in DNC, in MDI and by hand"
 };
 export { graphics_default as default };

@@ -35,6 +35,8 @@ var graphics_default = {
 	"whole": "Como el programa",
 	"scale": "Escala",
 	"scale_text": "Con 1, un milímetro mide un milímetro en la pantalla. Fijar el rango fija la escala y el centro.",
-	"centre": "Centro"
+	"centre": "Centro",
+	"trail": "Traza",
+	"trail_text": "La herramienta deja una traza en DNC, en MDI y a mano"
 };
 export { graphics_default as default };

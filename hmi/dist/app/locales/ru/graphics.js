@@ -35,6 +35,8 @@ var graphics_default = {
 	"whole": "Как в программе",
 	"scale": "Масштаб",
 	"scale_text": "При 1 миллиметр равен миллиметру на экране. Задание области задаёт масштаб и центр.",
-	"centre": "Центр"
+	"centre": "Центр",
+	"trail": "След",
+	"trail_text": "Инструмент оставляет след в DNC, MDI и при ручном перемещении"
 };
 export { graphics_default as default };

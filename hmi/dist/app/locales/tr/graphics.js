@@ -35,6 +35,8 @@ var graphics_default = {
 	"whole": "Programdaki gibi",
 	"scale": "Ölçek",
 	"scale_text": "1 iken bir milimetre ekranda bir milimetredir. Aralığın ayarlanması ölçeği ve merkezi ayarlar.",
-	"centre": "Merkez"
+	"centre": "Merkez",
+	"trail": "İz",
+	"trail_text": "Takım DNC'de, MDI'da ve elle sürülürken iz bırakır"
 };
 export { graphics_default as default };

@@ -35,6 +35,8 @@ var graphics_default = {
 	"whole": "按程序",
 	"scale": "缩放比例",
 	"scale_text": "为 1 时，屏幕上的一毫米即实际一毫米。设定范围后，比例和中心自动设定。",
-	"centre": "中心"
+	"centre": "中心",
+	"trail": "轨迹",
+	"trail_text": "在 DNC、MDI 和手动方式下描绘刀具轨迹"
 };
 export { graphics_default as default };

@@ -11,6 +11,7 @@ import Page from "../../lib/parts/Page.svelte.js";
 import { go } from "../../lib/routing.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import { prefs } from "../../lib/state/prefs.svelte.js";
+import { trail } from "../../lib/state/trail.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/graphics/Graphics.svelte
@@ -23,12 +24,13 @@ var root_5 = $.from_html(`<div></div> <strong> </strong>`, 1);
 var root_6 = $.from_html(`<span class="muted"> </span>`);
 var root_7 = $.from_html(`<div class="picked number s-9glm32" data-testid="picked"><small class="muted"> </small> <!> <!> <!></div>`);
 var root_8 = $.from_html(`<div class="row"><span class="label"> </span> <input type="range" class="grow s-9glm32" step="any"/> <output class="number"> </output> <small class="muted"> </small></div>`);
-var root_9 = $.from_html(`<p class="muted facts s-9glm32"> </p>`);
-var root_10 = $.from_html(`<div class="graphics s-9glm32"><div class="row wrap"><strong class="code"> </strong> <span class="grow"></span> <!> <!> <!> <!> <!> <!> <!> <!></div> <div class="canvas s-9glm32"><!> <!> <!> <!> <!> <!></div> <!> <div class="row"><!> <input type="range" class="grow s-9glm32" min="0" step="any" data-testid="time"/> <output class="number times s-9glm32"> </output> <span class="muted"> </span></div> <!></div>`);
-var root_11 = $.from_html(`<!> <!>`, 1);
-var root_12 = $.from_html(`<td><!></td>`);
-var root_13 = $.from_html(`<tr><th scope="row"> </th><!><td><!></td></tr>`);
-var root_14 = $.from_html(`<!> <p class="muted"> </p> <table class="table"><thead><tr><th> </th><th> </th><th> </th><th> </th></tr></thead><tbody></tbody></table> <div class="row"><span> </span> <span class="scale s-9glm32"><!></span> <span class="muted"> </span></div>`, 1);
+var root_9 = $.from_html(`<div class="row"><!> <input type="range" class="grow s-9glm32" min="0" step="any" data-testid="time"/> <output class="number times s-9glm32"> </output> <span class="muted"> </span></div>`);
+var root_10 = $.from_html(`<p class="muted facts s-9glm32"> </p>`);
+var root_11 = $.from_html(`<div class="graphics s-9glm32"><div class="row wrap"><strong class="code"> </strong> <span class="grow"></span> <!> <!> <!> <!> <!> <!> <!> <!> <!></div> <div class="canvas s-9glm32"><!> <!> <!> <!> <!> <!></div> <!> <!> <!></div>`);
+var root_12 = $.from_html(`<!> <!>`, 1);
+var root_13 = $.from_html(`<td><!></td>`);
+var root_14 = $.from_html(`<tr><th scope="row"> </th><!><td><!></td></tr>`);
+var root_15 = $.from_html(`<!> <p class="muted"> </p> <table class="table"><thead><tr><th> </th><th> </th><th> </th><th> </th></tr></thead><tbody></tbody></table> <div class="row"><span> </span> <span class="scale s-9glm32"><!></span> <span class="muted"> </span></div>`, 1);
 function Graphics($$anchor, $$props) {
 	$.push($$props, true);
 	const AXES = [
@@ -72,6 +74,7 @@ function Graphics($$anchor, $$props) {
 		$.set(failed, "");
 		$.set(path, null);
 		$.set(picked, []);
+		$.set(loading, false);
 		if (!wanted || machine.link !== "open") return;
 		$.set(loading, true);
 		const start = performance.now();
@@ -134,6 +137,12 @@ function Graphics($$anchor, $$props) {
 			draws = false;
 		}
 		$.get(view)?.overlay();
+	}));
+	let trailed = -1;
+	$.user_effect(() => $.get(view)?.grown(trail.drawn));
+	$.user_effect(() => machine.watch(() => {
+		if (trailed !== trail.drawn.changes) $.get(view)?.grown(trail.drawn);
+		trailed = trail.drawn.changes;
 	}));
 	const total = $.derived(() => $.get(path) && $.get(path).count > 0 ? $.get(path).times[$.get(path).count - 1] : 0);
 	const shownTime = $.derived(() => $.get(live) ? $.get(path)?.times[$.get(place)] ?? 0 : $.get(time));
@@ -230,6 +239,11 @@ function Graphics($$anchor, $$props) {
 		$.set(height, Math.min(high[2], Math.max(low[2], (busiest($.get(path)) ?? (low[2] + high[2]) / 2) + $.get(thick) / 2)), true);
 		isSet = true;
 	}
+	function erase() {
+		$.set(drawn, 0);
+		trail.clear();
+		$.get(view)?.grown(trail.drawn);
+	}
 	const views = [
 		"top",
 		"side",
@@ -243,7 +257,7 @@ function Graphics($$anchor, $$props) {
 		$.set(seen, to, true);
 		$.get(view)?.look(to);
 	}
-	var fragment = root_11();
+	var fragment = root_12();
 	var node = $.first_child(fragment);
 	Page(node, {
 		page: "graphics",
@@ -281,7 +295,7 @@ function Graphics($$anchor, $$props) {
 				}
 			};
 			var alternate = ($$anchor) => {
-				var div = root_10();
+				var div = root_11();
 				var div_1 = $.child(div);
 				var strong = $.child(div_1);
 				var text_2 = $.only_child(strong, true);
@@ -347,15 +361,36 @@ function Graphics($$anchor, $$props) {
 						get title() {
 							return $.get($1);
 						},
-						onclick: () => $.set(drawn, 0),
+						onclick: erase,
 						"data-testid": "erase"
 					});
 				}
 				var node_6 = $.sibling(node_5, 2);
 				{
+					let $0 = $.derived(() => t("graphics.trail_text"));
+					Button(node_6, {
+						get pressed() {
+							return prefs.drawing.trail;
+						},
+						get title() {
+							return $.get($0);
+						},
+						onclick: () => prefs.drawing.trail = !prefs.drawing.trail,
+						"data-testid": "trail",
+						children: ($$anchor, $$slotProps) => {
+							$.next();
+							var text_4 = $.text();
+							$.template_effect(($0) => $.set_text(text_4, $0), [() => t("graphics.trail")]);
+							$.append($$anchor, text_4);
+						},
+						$$slots: { default: true }
+					});
+				}
+				var node_7 = $.sibling(node_6, 2);
+				{
 					let $0 = $.derived(() => t("graphics.settings"));
 					let $1 = $.derived(() => t("graphics.settings"));
-					Button(node_6, {
+					Button(node_7, {
 						icon: "settings",
 						get "aria-label"() {
 							return $.get($0);
@@ -367,22 +402,22 @@ function Graphics($$anchor, $$props) {
 						"data-testid": "drawing"
 					});
 				}
-				var node_7 = $.sibling(node_6, 2);
-				Button(node_7, {
+				var node_8 = $.sibling(node_7, 2);
+				Button(node_8, {
 					get pressed() {
 						return $.get(rapids);
 					},
 					onclick: () => $.set(rapids, !$.get(rapids)),
 					children: ($$anchor, $$slotProps) => {
 						$.next();
-						var text_4 = $.text();
-						$.template_effect(($0) => $.set_text(text_4, $0), [() => t("graphics.rapids")]);
-						$.append($$anchor, text_4);
+						var text_5 = $.text();
+						$.template_effect(($0) => $.set_text(text_5, $0), [() => t("graphics.rapids")]);
+						$.append($$anchor, text_5);
 					},
 					$$slots: { default: true }
 				});
-				var node_8 = $.sibling(node_7, 2);
-				Button(node_8, {
+				var node_9 = $.sibling(node_8, 2);
+				Button(node_9, {
 					get pressed() {
 						return $.get(cut);
 					},
@@ -390,39 +425,42 @@ function Graphics($$anchor, $$props) {
 					"data-testid": "section",
 					children: ($$anchor, $$slotProps) => {
 						$.next();
-						var text_5 = $.text();
-						$.template_effect(($0) => $.set_text(text_5, $0), [() => t("graphics.section")]);
-						$.append($$anchor, text_5);
-					},
-					$$slots: { default: true }
-				});
-				var node_9 = $.sibling(node_8, 2);
-				Button(node_9, {
-					icon: "ruler",
-					get pressed() {
-						return $.get(measuring);
-					},
-					onclick: () => {
-						$.set(measuring, !$.get(measuring));
-						$.set(picked, []);
-					},
-					"data-testid": "measure",
-					children: ($$anchor, $$slotProps) => {
-						$.next();
 						var text_6 = $.text();
-						$.template_effect(($0) => $.set_text(text_6, $0), [() => t("graphics.measure")]);
+						$.template_effect(($0) => $.set_text(text_6, $0), [() => t("graphics.section")]);
 						$.append($$anchor, text_6);
 					},
 					$$slots: { default: true }
 				});
+				var node_10 = $.sibling(node_9, 2);
+				{
+					let $0 = $.derived(() => t("graphics.measure"));
+					let $1 = $.derived(() => t("graphics.measure"));
+					Button(node_10, {
+						icon: "ruler",
+						get "aria-label"() {
+							return $.get($0);
+						},
+						get title() {
+							return $.get($1);
+						},
+						get pressed() {
+							return $.get(measuring);
+						},
+						onclick: () => {
+							$.set(measuring, !$.get(measuring));
+							$.set(picked, []);
+						},
+						"data-testid": "measure"
+					});
+				}
 				$.reset(div_1);
 				var div_2 = $.sibling(div_1, 2);
-				var node_10 = $.child(div_2);
+				var node_11 = $.child(div_2);
 				{
 					let $0 = $.derived(() => $.get(live) ? $.get(drawn) : $.get(shownPlace));
 					let $1 = $.derived(() => $.get(cut) ? [$.get(height) - $.get(thick), $.get(height)] : null);
 					let $2 = $.derived(() => t("graphics.title"));
-					$.bind_this(PathView(node_10, {
+					$.bind_this(PathView(node_11, {
 						get path() {
 							return $.get(path);
 						},
@@ -451,17 +489,17 @@ function Graphics($$anchor, $$props) {
 						onpick: pick
 					}), ($$value) => $.set(view, $$value, true), () => $.get(view));
 				}
-				var node_11 = $.sibling(node_10, 2);
+				var node_12 = $.sibling(node_11, 2);
 				var consequent_1 = ($$anchor) => {
 					var p = root();
 					var text_7 = $.only_child(p, true);
 					$.template_effect(($0) => $.set_text(text_7, $0), [() => t("app.loading")]);
 					$.append($$anchor, p);
 				};
-				$.if(node_11, ($$render) => {
+				$.if(node_12, ($$render) => {
 					if ($.get(loading)) $$render(consequent_1);
 				});
-				var node_12 = $.sibling(node_11, 2);
+				var node_13 = $.sibling(node_12, 2);
 				var consequent_2 = ($$anchor) => {
 					var p_1 = root_1();
 					var text_8 = $.child(p_1, true);
@@ -474,36 +512,36 @@ function Graphics($$anchor, $$props) {
 					}, [() => t("graphics.failed")]);
 					$.append($$anchor, p_1);
 				};
-				$.if(node_12, ($$render) => {
+				$.if(node_13, ($$render) => {
 					if ($.get(failed)) $$render(consequent_2);
 				});
-				var node_13 = $.sibling(node_12, 2);
+				var node_14 = $.sibling(node_13, 2);
 				var consequent_3 = ($$anchor) => {
 					var p_2 = root_2();
 					var text_10 = $.only_child(p_2, true);
 					$.template_effect(($0) => $.set_text(text_10, $0), [() => t("graphics.cut_by_alarm")]);
 					$.append($$anchor, p_2);
 				};
-				$.if(node_13, ($$render) => {
+				$.if(node_14, ($$render) => {
 					if ($.get(path)?.alarm) $$render(consequent_3);
 				});
-				var node_14 = $.sibling(node_13, 2);
+				var node_15 = $.sibling(node_14, 2);
 				var consequent_4 = ($$anchor) => {
 					var p_3 = root_3();
 					var text_11 = $.only_child(p_3, true);
 					$.template_effect(($0) => $.set_text(text_11, $0), [() => t("graphics.cut_by_size")]);
 					$.append($$anchor, p_3);
 				};
-				$.if(node_14, ($$render) => {
+				$.if(node_15, ($$render) => {
 					if ($.get(path)?.short) $$render(consequent_4);
 				});
-				var node_15 = $.sibling(node_14, 2);
+				var node_16 = $.sibling(node_15, 2);
 				var consequent_7 = ($$anchor) => {
 					var div_3 = root_7();
 					var small_1 = $.child(div_3);
 					var text_12 = $.only_child(small_1, true);
-					var node_16 = $.sibling(small_1, 2);
-					$.each(node_16, 17, () => $.get(marks), $.index, ($$anchor, mark, index) => {
+					var node_17 = $.sibling(small_1, 2);
+					$.each(node_17, 17, () => $.get(marks), $.index, ($$anchor, mark, index) => {
 						var div_4 = root_4();
 						var text_13 = $.child(div_4);
 						var span = $.sibling(text_13);
@@ -520,7 +558,7 @@ function Graphics($$anchor, $$props) {
 						]);
 						$.append($$anchor, div_4);
 					});
-					var node_17 = $.sibling(node_16, 2);
+					var node_18 = $.sibling(node_17, 2);
 					var consequent_5 = ($$anchor) => {
 						var fragment_10 = root_5();
 						var div_5 = $.first_child(fragment_10);
@@ -539,28 +577,28 @@ function Graphics($$anchor, $$props) {
 						$.template_effect(($0) => $.set_text(text_16, $0), [() => t("graphics.distance", { distance: fixed(Math.hypot(...$.get(between).map(([, way]) => way))) })]);
 						$.append($$anchor, fragment_10);
 					};
-					$.if(node_17, ($$render) => {
+					$.if(node_18, ($$render) => {
 						if ($.get(between)) $$render(consequent_5);
 					});
-					var node_18 = $.sibling(node_17, 2);
+					var node_19 = $.sibling(node_18, 2);
 					var consequent_6 = ($$anchor) => {
 						var span_1 = root_6();
 						var text_17 = $.only_child(span_1, true);
 						$.template_effect(($0) => $.set_text(text_17, $0), [() => t("graphics.second")]);
 						$.append($$anchor, span_1);
 					};
-					$.if(node_18, ($$render) => {
+					$.if(node_19, ($$render) => {
 						if ($.get(measuring) && $.get(marks).length === 1) $$render(consequent_6);
 					});
 					$.reset(div_3);
 					$.template_effect(($0) => $.set_text(text_12, $0), [() => t("position.machine")]);
 					$.append($$anchor, div_3);
 				};
-				$.if(node_15, ($$render) => {
+				$.if(node_16, ($$render) => {
 					if ($.get(marks).length) $$render(consequent_7);
 				});
 				$.reset(div_2);
-				var node_19 = $.sibling(div_2, 2);
+				var node_20 = $.sibling(div_2, 2);
 				var consequent_8 = ($$anchor) => {
 					var div_6 = root_8();
 					var span_2 = $.child(div_6);
@@ -588,38 +626,62 @@ function Graphics($$anchor, $$props) {
 					$.bind_value(input, () => $.get(height), ($$value) => $.set(height, $$value));
 					$.append($$anchor, div_6);
 				};
-				$.if(node_19, ($$render) => {
+				$.if(node_20, ($$render) => {
 					if ($.get(cut) && $.get(path)) $$render(consequent_8);
 				});
-				var div_7 = $.sibling(node_19, 2);
-				var node_20 = $.child(div_7);
-				Button(node_20, {
-					get pressed() {
-						return $.get(live);
-					},
-					onclick: () => {
-						$.set(time, $.get(shownTime), true);
-						$.set(live, !$.get(live));
-					},
-					"data-testid": "live",
-					children: ($$anchor, $$slotProps) => {
-						$.next();
-						var text_21 = $.text();
-						$.template_effect(($0) => $.set_text(text_21, $0), [() => t("graphics.live")]);
-						$.append($$anchor, text_21);
-					},
-					$$slots: { default: true }
-				});
-				var input_1 = $.sibling(node_20, 2);
-				$.remove_input_defaults(input_1);
-				var output_1 = $.sibling(input_1, 2);
-				var text_22 = $.only_child(output_1);
-				var span_3 = $.sibling(output_1, 2);
-				var text_23 = $.only_child(span_3, true);
-				$.reset(div_7);
-				var node_21 = $.sibling(div_7, 2);
+				var node_21 = $.sibling(node_20, 2);
 				var consequent_9 = ($$anchor) => {
-					var p_4 = root_9();
+					var div_7 = root_9();
+					var node_22 = $.child(div_7);
+					Button(node_22, {
+						get pressed() {
+							return $.get(live);
+						},
+						onclick: () => {
+							$.set(time, $.get(shownTime), true);
+							$.set(live, !$.get(live));
+						},
+						"data-testid": "live",
+						children: ($$anchor, $$slotProps) => {
+							$.next();
+							var text_21 = $.text();
+							$.template_effect(($0) => $.set_text(text_21, $0), [() => t("graphics.live")]);
+							$.append($$anchor, text_21);
+						},
+						$$slots: { default: true }
+					});
+					var input_1 = $.sibling(node_22, 2);
+					$.remove_input_defaults(input_1);
+					var output_1 = $.sibling(input_1, 2);
+					var text_22 = $.only_child(output_1);
+					var span_3 = $.sibling(output_1, 2);
+					var text_23 = $.only_child(span_3, true);
+					$.reset(div_7);
+					$.template_effect(($0, $1, $2, $3) => {
+						$.set_attribute(input_1, "max", $.get(total));
+						$.set_value(input_1, $.get(shownTime));
+						$.set_attribute(input_1, "aria-label", $0);
+						$.set_text(text_22, `${$1 ?? ""} / ${$2 ?? ""}`);
+						$.set_text(text_23, $3);
+					}, [
+						() => t("graphics.time"),
+						() => duration($.get(shownTime)),
+						() => duration($.get(total)),
+						() => t("graphics.rest", { time: duration($.get(rest)) })
+					]);
+					$.delegated("input", input_1, (event) => {
+						$.set(live, false);
+						$.set(time, Number(event.currentTarget.value), true);
+						$.get(view)?.overlay();
+					});
+					$.append($$anchor, div_7);
+				};
+				$.if(node_21, ($$render) => {
+					if ($.get(program)) $$render(consequent_9);
+				});
+				var node_23 = $.sibling(node_21, 2);
+				var consequent_10 = ($$anchor) => {
+					var p_4 = root_10();
 					var text_24 = $.only_child(p_4, true);
 					$.template_effect(($0) => $.set_text(text_24, $0), [() => t("graphics.facts", {
 						n: number($.get(path).count),
@@ -629,51 +691,37 @@ function Graphics($$anchor, $$props) {
 					})]);
 					$.append($$anchor, p_4);
 				};
-				$.if(node_21, ($$render) => {
-					if ($.get(path)) $$render(consequent_9);
+				$.if(node_23, ($$render) => {
+					if ($.get(path)) $$render(consequent_10);
 				});
 				$.reset(div);
-				$.template_effect(($0, $1, $2, $3) => {
+				$.template_effect(() => {
 					$.set_attribute(div, "data-loaded", $.get(path) !== null);
 					$.set_attribute(div, "data-points", $.get(path)?.count ?? 0);
 					$.set_attribute(div, "data-took", $.get(took));
 					$.set_attribute(div, "data-place", $.get(shownPlace));
 					$.set_attribute(div, "data-drawn", $.get(drawn));
+					$.set_attribute(div, "data-trail", trail.any);
 					$.set_text(text_2, $.get(program));
-					$.set_attribute(input_1, "max", $.get(total));
-					$.set_value(input_1, $.get(shownTime));
-					$.set_attribute(input_1, "aria-label", $0);
-					$.set_text(text_22, `${$1 ?? ""} / ${$2 ?? ""}`);
-					$.set_text(text_23, $3);
-				}, [
-					() => t("graphics.time"),
-					() => duration($.get(shownTime)),
-					() => duration($.get(total)),
-					() => t("graphics.rest", { time: duration($.get(rest)) })
-				]);
-				$.delegated("input", input_1, (event) => {
-					$.set(live, false);
-					$.set(time, Number(event.currentTarget.value), true);
-					$.get(view)?.overlay();
 				});
 				$.append($$anchor, div);
 			};
 			$.if(node_1, ($$render) => {
-				if (!$.get(program)) $$render(consequent);
+				if (!$.get(program) && !trail.any) $$render(consequent);
 				else $$render(alternate, -1);
 			});
 			$.append($$anchor, fragment_1);
 		},
 		$$slots: { default: true }
 	});
-	var node_22 = $.sibling(node, 2);
+	var node_24 = $.sibling(node, 2);
 	{
 		const actions = ($$anchor) => {
-			var fragment_13 = root_11();
-			var node_23 = $.first_child(fragment_13);
+			var fragment_13 = root_12();
+			var node_25 = $.first_child(fragment_13);
 			{
 				let $0 = $.derived(() => !prefs.drawing.range && !prefs.drawing.frame);
-				Button(node_23, {
+				Button(node_25, {
 					get disabled() {
 						return $.get($0);
 					},
@@ -691,8 +739,8 @@ function Graphics($$anchor, $$props) {
 					$$slots: { default: true }
 				});
 			}
-			var node_24 = $.sibling(node_23, 2);
-			Button(node_24, {
+			var node_26 = $.sibling(node_25, 2);
+			Button(node_26, {
 				kind: "primary",
 				onclick: () => $.set(setting, false),
 				children: ($$anchor, $$slotProps) => {
@@ -706,7 +754,7 @@ function Graphics($$anchor, $$props) {
 			$.append($$anchor, fragment_13);
 		};
 		let $0 = $.derived(() => t("graphics.settings"));
-		Dialog(node_22, {
+		Dialog(node_24, {
 			get title() {
 				return $.get($0);
 			},
@@ -718,9 +766,9 @@ function Graphics($$anchor, $$props) {
 			},
 			actions,
 			children: ($$anchor, $$slotProps) => {
-				var fragment_16 = root_14();
-				var node_25 = $.first_child(fragment_16);
-				Button(node_25, {
+				var fragment_16 = root_15();
+				var node_27 = $.first_child(fragment_16);
+				Button(node_27, {
 					get pressed() {
 						return prefs.drawing.erases;
 					},
@@ -734,7 +782,7 @@ function Graphics($$anchor, $$props) {
 					},
 					$$slots: { default: true }
 				});
-				var p_5 = $.sibling(node_25, 2);
+				var p_5 = $.sibling(node_27, 2);
 				var text_28 = $.only_child(p_5, true);
 				var table = $.sibling(p_5, 2);
 				var thead = $.child(table);
@@ -751,18 +799,18 @@ function Graphics($$anchor, $$props) {
 				$.reset(thead);
 				var tbody = $.sibling(thead);
 				$.each(tbody, 22, () => AXES, (axis) => axis, ($$anchor, axis, index) => {
-					var tr_1 = root_13();
+					var tr_1 = root_14();
 					var th_4 = $.child(tr_1);
 					var text_33 = $.only_child(th_4, true);
-					var node_26 = $.sibling(th_4);
-					$.each(node_26, 16, () => ["low", "high"], (which) => which, ($$anchor, which) => {
-						var td = root_12();
-						var node_27 = $.child(td);
+					var node_28 = $.sibling(th_4);
+					$.each(node_28, 16, () => ["low", "high"], (which) => which, ($$anchor, which) => {
+						var td = root_13();
+						var node_29 = $.child(td);
 						{
 							let $0 = $.derived(() => `${axis} ${t(which === "low" ? "graphics.least" : "graphics.greatest")}`);
 							let $1 = $.derived(() => which === "high" ? $.get(extremes).low[$.get(index)] : -99999);
 							let $2 = $.derived(() => which === "low" ? $.get(extremes).high[$.get(index)] : 99999);
-							NumberField(node_27, {
+							NumberField(node_29, {
 								get label() {
 									return $.get($0);
 								},
@@ -781,11 +829,11 @@ function Graphics($$anchor, $$props) {
 						$.reset(td);
 						$.append($$anchor, td);
 					});
-					var td_1 = $.sibling(node_26);
-					var node_28 = $.child(td_1);
+					var td_1 = $.sibling(node_28);
+					var node_30 = $.child(td_1);
 					{
 						let $0 = $.derived(() => `${axis} ${t("graphics.centre")}`);
-						NumberField(node_28, {
+						NumberField(node_30, {
 							get label() {
 								return $.get($0);
 							},
@@ -808,10 +856,10 @@ function Graphics($$anchor, $$props) {
 				var span_4 = $.child(div_8);
 				var text_34 = $.only_child(span_4, true);
 				var span_5 = $.sibling(span_4, 2);
-				var node_29 = $.child(span_5);
+				var node_31 = $.child(span_5);
 				{
 					let $0 = $.derived(() => t("graphics.scale"));
-					NumberField(node_29, {
+					NumberField(node_31, {
 						get label() {
 							return $.get($0);
 						},
