@@ -17,12 +17,14 @@ export async function shoot(page: Page, name: string, shown = ''): Promise<void>
 
 export type Server = { url: string; memory: string };
 
-/** Starts it and waits for its address. `machine` is what a machine file has besides the demo mill's. */
+/** Starts it and waits for its address. `machine` is what a machine file has besides the demo mill's, or in place of its dialect. */
 async function serve(memory: string, machine: string): Promise<{ child: ChildProcess; url: string }> {
   const file = `${memory}.toml`;
   if (machine) {
     const mill = readFileSync(join(import.meta.dirname, '../../machines/demo-mill.toml'), 'utf8');
-    writeFileSync(file, `${mill.replace(/^public_programs.*$/m, '')}\n${machine}`);
+    const dialect = /^dialect = .*$/m.exec(machine)?.[0];
+    const standard = mill.replace(/^public_programs.*$/m, '').replace(/^dialect.*$/m, (its) => dialect ?? its);
+    writeFileSync(file, `${standard}\n${machine.replace(dialect ?? '', '')}`);
   }
   const which = machine ? ['--machine', file] : [];
   const child = spawn(binary, ['serve', '--memory', memory, '--http', '127.0.0.1:0', ...which], { stdio: ['ignore', 'pipe', 'pipe'] });

@@ -747,7 +747,7 @@ pub struct Measurement {
     pub stored: Vec<String>,
 }
 
-/// Values of a tool offset, mm.
+/// Values of a tool offset, mm and degrees.
 #[derive(Clone, Copy, PartialEq, Debug, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(default)]
@@ -764,6 +764,15 @@ pub struct OffsetValues {
     /// Wear of the radius.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub radius_wear: Option<f64>,
+    /// Length of the cutting edge, at least 0; 0 where it is not known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cutting_length: Option<f64>,
+    /// Steepest angle at which it may enter the material, 0 to 90; 0 where it is not known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub entry_angle: Option<f64>,
+    /// Radius of the rounded tip, at least 0: 0 for a flat tool, that of the tool for a ball.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tip_radius: Option<f64>,
 }
 
 /// What a relative coordinate is set to.

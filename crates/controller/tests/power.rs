@@ -853,3 +853,38 @@ fn parameters_that_are_restored_are_told_where_the_power_is_to_be_cut() {
     let mut again = control(folder.path());
     assert_eq!((alarms(&again), shown(&mut again, ["P98"])), (vec![], [800.0]));
 }
+
+#[test]
+fn what_cycles_ask_of_a_tool_is_entered_within_its_range_and_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    let none = OffsetValues::default();
+    let set = |control: &mut Control, values, add| {
+        control.command(Command::SetOffset { number: 7, values, add }, &person())
+    };
+    {
+        let mut control = control(folder.path());
+        let known = OffsetValues {
+            cutting_length: Some(22.0),
+            entry_angle: Some(3.0),
+            tip_radius: Some(0.5),
+            ..none
+        };
+        set(&mut control, known, false).unwrap();
+        set(&mut control, OffsetValues { tip_radius: Some(0.25), ..none }, true).unwrap();
+        for (wrong, add) in [
+            (OffsetValues { cutting_length: Some(-1.0), ..none }, false),
+            (OffsetValues { entry_angle: Some(90.5), ..none }, false),
+            (OffsetValues { entry_angle: Some(-3.5), ..none }, true),
+            (OffsetValues { tip_radius: Some(-1.0), ..none }, true),
+            (OffsetValues { tip_radius: Some(f64::NAN), ..none }, false),
+        ] {
+            assert_eq!(set(&mut control, wrong, add).unwrap_err().alarm.id, "FC-1409", "{wrong:?}");
+        }
+        control.flush().unwrap();
+    }
+    let mut control = control(folder.path());
+    let Reply::Offsets { offsets } = say(&mut control, Command::Offsets { from: 7, to: 7 }) else { panic!() };
+    let row = offsets[&7];
+    assert_eq!((row.cutting_length, row.entry_angle, row.tip_radius), (Some(22.0), Some(3.0), Some(0.75)));
+    assert_eq!((row.length, row.radius), (Some(0.0), Some(0.0)));
+}

@@ -10,11 +10,14 @@ use std::path::Path;
 use ts_rs::{Config, TS};
 
 /// What may be left out of a command or an answer; serde tells it, the type does not.
-const LEFT_OUT: [(&str, &str); 14] = [
+const LEFT_OUT: [(&str, &str); 17] = [
     ("\nlength: number | null", "\nlength?: number"),
     ("\nlength_wear: number | null", "\nlength_wear?: number"),
     ("\nradius: number | null", "\nradius?: number"),
     ("\nradius_wear: number | null", "\nradius_wear?: number"),
+    ("\ncutting_length: number | null", "\ncutting_length?: number"),
+    ("\nentry_angle: number | null", "\nentry_angle?: number"),
+    ("\ntip_radius: number | null", "\ntip_radius?: number"),
     ("\nadd: boolean", "\nadd?: boolean"),
     ("\ntyped: boolean", "\ntyped?: boolean"),
     ("\npass: number, \n/**\n * ", "\npass?: number, \n/**\n * "),

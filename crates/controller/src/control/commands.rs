@@ -482,6 +482,9 @@ impl Control {
             length_wear: Some(row.length_wear),
             radius: Some(row.radius),
             radius_wear: Some(row.radius_wear),
+            cutting_length: Some(row.cutting_length),
+            entry_angle: Some(row.entry_angle),
+            tip_radius: Some(row.tip_radius),
         };
         let rows = (from..=to.min(table.last())).take(MOST_VALUES);
         let offsets = rows.filter_map(|number| Some((number, values(table.get(number)?)))).collect();
@@ -491,14 +494,22 @@ impl Control {
     fn set_offset(&mut self, number: u16, values: OffsetValues, add: bool, author: &Author) -> Answer {
         let row = self.offset_asked(number).filter(|_| number > 0);
         let mut offset = row.ok_or_else(|| named(Fault::NoSuchName, number.to_string()))?;
-        for (slot, value) in [
-            (&mut offset.length, values.length),
-            (&mut offset.length_wear, values.length_wear),
-            (&mut offset.radius, values.radius),
-            (&mut offset.radius_wear, values.radius_wear),
+        let any = f64::NEG_INFINITY..=f64::INFINITY;
+        for (slot, value, range) in [
+            (&mut offset.length, values.length, any.clone()),
+            (&mut offset.length_wear, values.length_wear, any.clone()),
+            (&mut offset.radius, values.radius, any.clone()),
+            (&mut offset.radius_wear, values.radius_wear, any),
+            (&mut offset.cutting_length, values.cutting_length, 0.0..=f64::INFINITY),
+            (&mut offset.entry_angle, values.entry_angle, 0.0..=90.0),
+            (&mut offset.tip_radius, values.tip_radius, 0.0..=f64::INFINITY),
         ] {
             if let Some(value) = finite(value)? {
-                *slot = if add { *slot + value } else { value };
+                let value = if add { *slot + value } else { value };
+                if !range.contains(&value) {
+                    return Err(Box::new(named(Fault::ValueImpossible, value.to_string())));
+                }
+                *slot = value;
             }
         }
         self.change_data(author, Change::Offset { number, offset })
