@@ -20,7 +20,7 @@ export type Activity = "idle" | "running" | "held" | "block_end" | "stopped" | "
 export type RelativeTo = "zero" | "half" | { "value": number };
 
 /**
- * Values of a tool offset, mm.
+ * Values of a tool offset, mm and degrees.
  */
 export type OffsetValues = {
 /**
@@ -38,7 +38,19 @@ radius?: number,
 /**
  * Wear of the radius.
  */
-radius_wear?: number, };
+radius_wear?: number,
+/**
+ * Length of the cutting edge, at least 0; 0 where it is not known.
+ */
+cutting_length?: number,
+/**
+ * Steepest angle at which it may enter the material, 0 to 90; 0 where it is not known.
+ */
+entry_angle?: number,
+/**
+ * Radius of the rounded tip, at least 0: 0 for a flat tool, that of the tool for a ball.
+ */
+tip_radius?: number, };
 
 /**
  * An alarm or warning. Catalogues have its text by its number and values.
@@ -1450,7 +1462,19 @@ radius?: number | null,
 /**
  * Wear of the radius.
  */
-radius_wear?: number | null, } | { "do": "zeros" } | { "do": "set_zero",
+radius_wear?: number | null,
+/**
+ * Length of the cutting edge, at least 0; 0 where it is not known.
+ */
+cutting_length?: number | null,
+/**
+ * Steepest angle at which it may enter the material, 0 to 90; 0 where it is not known.
+ */
+entry_angle?: number | null,
+/**
+ * Radius of the rounded tip, at least 0: 0 for a flat tool, that of the tool for a ball.
+ */
+tip_radius?: number | null, } | { "do": "zeros" } | { "do": "set_zero",
 /**
  * Its name: `G54`, `G54 P12`, `external`.
  */
