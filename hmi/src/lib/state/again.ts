@@ -1,4 +1,5 @@
-// What is asked again and again while somebody looks at it.
+// What is asked again and again while somebody looks at it, or whenever it changes.
+import { Refused } from '$lib/api/socket';
 import { machine } from './machine.svelte';
 
 /** Asks until the answer is called: one question after the other, so that a slow connection is asked less often. `wanted` says
@@ -25,4 +26,21 @@ export function followSignals(names: string[], pause: number, told: (values: Rec
     const reply = await machine.ask({ do: 'signals', names }).catch(() => null);
     if (wanted() && reply?.reply === 'signals') told(reply.signals);
   });
+}
+
+/** Tells what parameters are, by name; for an effect, which asks again whenever some change. Nothing is told of those that the
+    control does not have, and nothing at all where the connection is lost before the answer. */
+export function followParameters(names: string[], told: (values: Record<string, number>) => void): () => void {
+  let wanted = true;
+  void machine.changed('parameters');
+  if (machine.link === 'open') {
+    machine.ask({ do: 'parameters', names }).then(
+      (reply) => wanted && told(reply.reply === 'parameters' ? reply.parameters : {}),
+      // A control that has not even one of them refuses.
+      (failed) => wanted && !(failed instanceof Refused && failed.code === 'no_connection') && told({}),
+    );
+  }
+  return () => {
+    wanted = false;
+  };
 }

@@ -1,6 +1,7 @@
 // What parameters of the control say of its pages (GSK990MC part 2, 1.2.3, 3.1.1 and 3.7). Controls that have no such parameters
 // leave the panel as it is.
 import { route } from '$lib/routing.svelte';
+import { followParameters } from './again';
 import { machine } from './machine.svelte';
 
 /** Whether the key of a page, pressed on its page, steps to the next part. Drawing has no parts here (25#5), and what 26#3
@@ -28,15 +29,8 @@ let parts = $state.raw<{ page: string; ids: string[]; active: string }>({ page: 
 const is = (name: string) => bits[name] === 1;
 
 export const display = {
-  /** Reads the parameters; for an effect. */
-  read(): void {
-    void machine.changed('parameters');
-    if (machine.link !== 'open') return;
-    machine.ask({ do: 'parameters', names }).then(
-      (reply) => (bits = reply.reply === 'parameters' ? reply.parameters : {}),
-      () => (bits = {}),
-    );
-  },
+  /** Follows the parameters; for an effect. */
+  follow: () => followParameters(names, (values) => (bits = values)),
   /** Whether an alarm shows its page. */
   get alarmOpens() {
     return is(ALARM_OPENS);
