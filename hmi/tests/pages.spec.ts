@@ -75,12 +75,40 @@ test('MDI shows what cycle start runs, and starts nothing else', async ({ page }
   await write('G0 X8.');
   await expect(start).toBeDisabled();
   await shoot(page, 'mdi-unsent');
+  // So it is behind each page, by the key of the bar and by F10, and after a reload.
+  const bar = page.locator('.app > footer [data-signal="KEY_START"]');
+  for (const reloaded of [false, true]) {
+    if (reloaded) {
+      await page.reload();
+      await expect(page.getByTestId('command')).toHaveText('In command');
+      await expect(text).toHaveText('G0 X8.');
+      await expect(state).toContainText('Not sent');
+      await expect(start).toBeDisabled();
+    }
+    await show(page, 'position/absolute');
+    await expect(bar).toBeDisabled();
+    await expect(bar).toHaveText('Not sent');
+    await page.keyboard.press('F10');
+    await expect(notice(page).filter({ hasText: 'what was typed in MDI is not sent' })).toBeVisible();
+    await stands(page, 'idle');
+    // Other modes run other things.
+    await mode(page, 'KEY_AUTO', 'Automatic');
+    await expect(bar).toBeEnabled();
+    await expect(bar).toHaveText('Start');
+    await mode(page, 'KEY_MDI', 'Manual data input');
+    await show(page, 'program/mdi');
+  }
   await page.getByTestId('mdi-take-back').click();
   await expect(text).toHaveText('G90 G54 G0 X6.');
   await expect(start).toBeEnabled();
+  await expect(bar).toBeEnabled();
   // The block that waits is told, and can be taken back.
   await page.getByLabel('One block').fill('G0 X8.');
   await expect(start).toBeDisabled();
+  await page.reload();
+  await expect(page.getByTestId('command')).toHaveText('In command');
+  await expect(page.getByLabel('One block')).toHaveValue('G0 X8.');
+  await expect(bar).toBeDisabled();
   await page.getByLabel('One block').press('Enter');
   await expect(state).toHaveText('Cycle start runs G0 X8. first');
   await page.reload();
@@ -145,6 +173,18 @@ test('relative coordinates are set to zero, to half and to a value, and nothing 
   await page.getByTestId('zero-X').click();
   await expect.poll(() => x(page)).toBe(0);
   expect(await small(page, 'X').textContent()).toBe(machine);
+  // By the same keys beside all coordinates.
+  await show(page, 'position/all');
+  const cell = (kind: string) => page.locator('[data-axis="X"]').getByRole('cell').nth(kind === 'relative' ? 1 : 2);
+  await field.fill('-9');
+  await field.press('Enter');
+  await expect(cell('relative')).toHaveText('−9.000');
+  await page.getByRole('button', { name: 'X / 2' }).click();
+  await expect(cell('relative')).toHaveText('−4.500');
+  await page.getByTestId('zero-X').click();
+  await expect(cell('relative')).toHaveText('0.000');
+  await expect(cell('machine')).toHaveText(machine!);
+  await shoot(page, 'position-all-relative');
 });
 
 test('a program is edited beside the one that runs, which is kept from change', async ({ page }) => {
