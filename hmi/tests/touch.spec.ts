@@ -2,7 +2,7 @@
 import type { Page } from '@playwright/test';
 import { pages } from './pages';
 import { expect, shoot, test } from './server';
-import { bring, enter, load, logIn, PLATE, press, selected, show, watchFaults } from './walk';
+import { bring, enter, load, logIn, mode, notice, PLATE, press, selected, show, watchFaults } from './walk';
 
 watchFaults();
 
@@ -25,17 +25,19 @@ const small = (page: Page) =>
   });
 
 /** Keys of the frame that something lies over: those must be there on every page. */
-const covered = (page: Page) =>
-  page.evaluate(() =>
-    [...document.querySelectorAll<HTMLElement>('.app > header button, .app > nav a, .app > footer button')]
+const covered = (page: Page, keys = '.app > header button, .app > nav a, .app > footer button') =>
+  page.evaluate((keys) =>
+    [...document.querySelectorAll<HTMLElement>(keys)]
       .filter((one) => one.checkVisibility())
       .filter((one) => {
         const { left, right, top, bottom } = one.getBoundingClientRect();
         const places = [[left + 6, top + 6], [right - 6, top + 6], [left + 6, bottom - 6], [right - 6, bottom - 6], [(left + right) / 2, (top + bottom) / 2]] as const;
+        const frame = one.closest('aside')?.getBoundingClientRect() ?? { top: 0, bottom: innerHeight };
         // One that is scrolled to has its place when it is there.
-        return top >= 0 && bottom <= innerHeight && places.some(([x, y]) => !one.contains(document.elementFromPoint(x, y)));
+        return top >= Math.max(0, frame.top) && bottom <= Math.min(innerHeight, frame.bottom) && places.some(([x, y]) => !one.contains(document.elementFromPoint(x, y)));
       })
       .map((one) => one.getAttribute('aria-label') ?? one.textContent?.trim() ?? ''),
+    keys,
   );
 
 /** What runs over its edge sideways: a part that scrolls up and down alone, the tabs, and what a key or a button says. */
@@ -177,6 +179,26 @@ for (const language of ['en', 'ru']) {
     expect(wrong).toEqual([]);
   });
 }
+
+test('notices lie over no key of the frame', async ({ page }) => {
+  await enter(page, '#/program/mdi');
+  await mode(page, 'KEY_MDI', 'Manual data input');
+  await page.getByLabel('One block').fill('G0 X1.');
+  const panel = page.getByTestId('panel-toggle');
+  for (const [width, height, beside] of [[600, 800, false], [800, 600, false], [800, 600, true], [1366, 820, true]] as const) {
+    await page.setViewportSize({ width, height });
+    if ((await panel.getAttribute('aria-pressed')) !== String(beside)) await panel.click();
+    // It stays for some seconds.
+    await page.keyboard.press('F10');
+    await expect(notice(page)).toHaveCount(1);
+    const keys = beside ? '.app > :is(header, footer, aside) button, .app > nav a' : undefined;
+    expect([`${width} × ${height}`, ...(await covered(page, keys))]).toEqual([`${width} × ${height}`]);
+    await expect(notice(page)).toHaveCount(1);
+    await shoot(page, `notice-${width}-${beside}`);
+    await notice(page).getByRole('button').click();
+    await expect(notice(page)).toHaveCount(0);
+  }
+});
 
 for (const [width, height] of [[800, 600], [600, 800], [1024, 768], [3840, 2160]] as const) {
   test(`every page fits and can be touched at ${width} × ${height}`, async ({ page }) => {
