@@ -243,6 +243,23 @@ test('programs are dropped, replaced only when asked, copied, renamed, downloade
   await expect.poll(() => kept(page, 'O1810')).toBe(text.replace('X1.', 'X9.'));
   await expect(page.locator('.preview .cm-content')).toContainText('X9.');
 
+  // Dragged out of the list, a row is a file for whoever takes it, such as the desktop.
+  await page.evaluate(() => {
+    addEventListener('dragover', (event) => event.preventDefault());
+    const told = document.body.dataset;
+    // Where it is dropped a page is not told what browsers make a file of.
+    addEventListener('dragstart', ({ dataTransfer }) => (told.file = dataTransfer?.getData('DownloadURL')));
+    addEventListener('drop', ({ dataTransfer }) => (told.link = dataTransfer?.getData('text/uri-list')));
+  });
+  await row('O1810').dragTo(page.locator('.app > header'));
+  const told = (name: string) => page.locator('body').getAttribute(`data-${name}`);
+  await expect.poll(() => told('link')).toBeTruthy();
+  const [file, link] = [await told('file'), await told('link')];
+  const [type, called, ...address] = file!.split(':');
+  expect([type, called, address.join(':')]).toEqual(['text/plain', 'O1810.nc', link]);
+  const given = await page.request.get(link!);
+  expect([(await given.body()).toString(), given.headers()['content-disposition']]).toEqual([text.replace('X1.', 'X9.'), expect.stringContaining('attachment')]);
+
   const name = page.getByTestId('new-name');
   await row('O1810').getByRole('button').click();
   await page.getByTestId('copy').click();
