@@ -539,6 +539,7 @@ fn a_stop_number_is_met_in_the_program_that_is_called() {
     for (program, sequence) in [("O4", 20), ("O2", 20), ("O3", 30), ("O1", 30)] {
         assert_eq!(shop.refused(stop_at(program, sequence)), "FC-1407", "{program} N{sequence}");
     }
+    assert_eq!(shop.refused(Command::StopAt { program: None, sequence: Some(30) }), "FC-1407");
     assert_eq!(shop.wait(1).program.stop_at, None);
     // From MDI as well.
     shop.store("O0002", "G1 X10\nN20 X12\nX0\nM99\n");
@@ -1320,4 +1321,37 @@ fn no_axis_is_sent_home_while_a_program_is_held() {
     shop.mode(Mode::Auto);
     shop.start();
     assert_eq!(shop.until_it_stops().counters.parts, 1);
+}
+
+#[test]
+fn a_program_is_the_same_however_its_number_is_written() {
+    let mut shop = Shop::new(&[]);
+    let text_of = |shop: &mut Shop, program: &str| match shop.say(Command::Read { program: program.into() }) {
+        Reply::Program { program, text } => (program, text),
+        other => panic!("{other:?}"),
+    };
+    let names = |shop: &mut Shop| match shop.say(Command::Programs) {
+        Reply::Programs { programs, .. } => {
+            programs.into_iter().map(|program| program.name).collect::<Vec<_>>()
+        }
+        other => panic!("{other:?}"),
+    };
+    shop.store("O0005", "G1 X10 F600\nM30\n");
+    shop.store("O5", "G1 X20 F600\nM30\n");
+    assert_eq!(names(&mut shop), ["O0005"]);
+    assert_eq!(text_of(&mut shop, "O5"), ("O0005".to_owned(), "G1 X20 F600\nM30\n".to_owned()));
+    // One under way is written over under none of its names.
+    shop.select("O5");
+    shop.start();
+    for name in ["O5", "O05", "o0005"] {
+        let store = Command::Store { program: name.into(), text: "M30\n".into() };
+        assert_eq!(shop.refused(store), "FC-1408", "{name}");
+    }
+    shop.until_it_stops();
+    // Nor does another get its number by its new name; its own may be written otherwise.
+    shop.store("O6", "M30\n");
+    let rename = |program: &str, to: &str| Command::Rename { program: program.into(), to: to.into() };
+    assert_eq!(shop.refused(rename("O6", "O05")), "FC-1409");
+    shop.say(rename("O6", "O0006"));
+    assert_eq!(names(&mut shop), ["O0005", "O0006"]);
 }

@@ -19,6 +19,7 @@ use ferrocut_memory::password::Seat;
 use ferrocut_memory::{Author, Backup, Change, Counter, Item, Level, Session};
 use ferrocut_plc::{Address, Area};
 use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, PoisonError};
 
@@ -115,7 +116,9 @@ impl Control {
             Command::MdiText => Ok(Reply::MdiText { text: self.mdi.clone(), block: self.mdi_block.clone() }),
             Command::Dnc { text, first, last } => self.take_dnc(&text, first, last),
             Command::StopAt { program, sequence } => {
-                if let (Some(program), Some(sequence)) = (&program, sequence) {
+                if let (Some(program), Some(sequence)) =
+                    (program.as_ref().or(self.selected.as_ref()), sequence)
+                {
                     self.may_stop_at(program, sequence)?;
                 }
                 self.stop_at = sequence.map(|sequence| (program, sequence));
@@ -371,13 +374,15 @@ impl Control {
         Ok(Reply::Program { program, text })
     }
 
-    /// Stores a program. The one under way stays as it is (7.11 note 3); any other may be written meanwhile.
+    /// Stores a program, in place of the one that has its number, however that is written: O1 is O0001. The one under way stays as
+    /// it is (7.11 note 3); any other may be written meanwhile.
     fn store(&mut self, program: String, text: String, author: &Author) -> Answer {
         self.may_edit_programs(author)?;
         let name = program.trim().to_owned();
         if name.is_empty() || name.len() > 128 {
             return Err(Box::new(named(Fault::ValueImpossible, name)));
         }
+        let name = self.library.name_of(&library::id_of(&name)).unwrap_or(name);
         if self.is_in_use(&name) {
             return Err(Box::new(named(Fault::ProgramInUse, name)));
         }
@@ -406,7 +411,9 @@ impl Control {
         self.may_edit_programs(author)?;
         let name = self.known(program)?;
         let to = to.trim().to_owned();
-        if to.is_empty() || to.len() > 128 || self.library.has(&to) {
+        let taken =
+            self.library.name_of(&library::id_of(&to)).is_some_and(|other| other != name || other == to);
+        if to.is_empty() || to.len() > 128 || taken {
             return Err(Box::new(named(Fault::ValueImpossible, to)));
         }
         if self.is_in_use(&name) {
@@ -424,12 +431,15 @@ impl Control {
 
     /// 7.4: the cursor is moved in EDIT, and then stays.
     fn put_cursor(&mut self, line: u32) -> Answer {
+        if line == 0 {
+            return Err(Box::new(named(Fault::ValueImpossible, "0")));
+        }
         if self.cnc.is_under_way() {
             return Err(Box::new(alarm(Fault::ControlBusy)));
         }
         match self.mode {
-            Mode::Mdi => self.mdi_cursor = line.max(1),
-            Mode::Edit | Mode::Auto => self.cursor = line.max(1),
+            Mode::Mdi => self.mdi_cursor = line,
+            Mode::Edit | Mode::Auto => self.cursor = line,
             mode => return Err(Box::new(alarm(Fault::ControlMode).with("mode", name_of(mode)))),
         }
         Ok(Reply::Done)
@@ -494,22 +504,18 @@ impl Control {
     fn set_offset(&mut self, number: u16, values: OffsetValues, add: bool, author: &Author) -> Answer {
         let row = self.offset_asked(number).filter(|_| number > 0);
         let mut offset = row.ok_or_else(|| named(Fault::NoSuchName, number.to_string()))?;
-        let any = f64::NEG_INFINITY..=f64::INFINITY;
         for (slot, value, range) in [
-            (&mut offset.length, values.length, any.clone()),
-            (&mut offset.length_wear, values.length_wear, any.clone()),
-            (&mut offset.radius, values.radius, any.clone()),
-            (&mut offset.radius_wear, values.radius_wear, any),
-            (&mut offset.cutting_length, values.cutting_length, 0.0..=f64::INFINITY),
+            (&mut offset.length, values.length, ENTERED),
+            (&mut offset.length_wear, values.length_wear, ENTERED),
+            (&mut offset.radius, values.radius, ENTERED),
+            (&mut offset.radius_wear, values.radius_wear, ENTERED),
+            (&mut offset.cutting_length, values.cutting_length, 0.0..=MOST_ENTERED),
             (&mut offset.entry_angle, values.entry_angle, 0.0..=90.0),
-            (&mut offset.tip_radius, values.tip_radius, 0.0..=f64::INFINITY),
+            (&mut offset.tip_radius, values.tip_radius, 0.0..=MOST_ENTERED),
         ] {
             if let Some(value) = finite(value)? {
                 let value = if add { *slot + value } else { value };
-                if !range.contains(&value) {
-                    return Err(Box::new(named(Fault::ValueImpossible, value.to_string())));
-                }
-                *slot = value;
+                *slot = within(value, range)?;
             }
         }
         self.change_data(author, Change::Offset { number, offset })
@@ -539,7 +545,7 @@ impl Control {
         for (letter, value) in axes {
             let axis = self.axis_named(*letter)?;
             let value = finite(Some(*value))?.unwrap_or(0.0);
-            zero[axis] = if add { zero[axis] + value } else { value };
+            zero[axis] = within(if add { zero[axis] + value } else { value }, PLACES)?;
         }
         self.change_data(author, Change::WorkZero { name, zero })
     }
@@ -781,6 +787,20 @@ pub fn backup_in(folder: &Path, name: &str) -> Result<PathBuf, Box<Alarm>> {
 }
 
 /// A number that is one.
+/// What an offset is at most, mm (GSK990MC part 2, 3.4.3.2): more is a decimal point that was forgotten.
+const MOST_ENTERED: f64 = 9999.9999;
+const ENTERED: RangeInclusive<f64> = -MOST_ENTERED..=MOST_ENTERED;
+
+/// Where a zero may lie: the range of positions, mm and degrees (GSK990MC part 1, 1.2).
+const PLACES: RangeInclusive<f64> = -99_999.9999..=99_999.9999;
+
+fn within(value: f64, range: RangeInclusive<f64>) -> Result<f64, Box<Alarm>> {
+    match range.contains(&value) {
+        true => Ok(value),
+        false => Err(Box::new(named(Fault::ValueImpossible, value.to_string()))),
+    }
+}
+
 fn finite(value: Option<f64>) -> Result<Option<f64>, Box<Alarm>> {
     match value {
         Some(value) if !value.is_finite() => Err(Box::new(named(Fault::ValueImpossible, value.to_string()))),
