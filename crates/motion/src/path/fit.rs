@@ -29,21 +29,19 @@ use crate::path::pace::{Pace, Stretch};
 /// Control points that bear on a span, and diagonals of the normal equations.
 pub(crate) const BAND: usize = 4;
 
-/// How often the spline is brought closer.
-const ROUNDS: usize = 12;
-
-/// Share of the tolerance beyond which a place weighs more.
-const CLOSE: f64 = 0.9;
+/// How often the spline is brought closer. Where it has not come close enough by then, less is smoothed at once, which costs
+/// much more time on the machine than the rounds do here.
+const ROUNDS: usize = 24;
 
 /// How much more: by the square of how far beyond that it is, with a little added, and no more than this.
-const CLOSER: f64 = 1.05;
+const CLOSER: f64 = 1.02;
 const MOST_CLOSER: f64 = 30.0;
 
 /// `ℓ` is so many times what would spend both alike: the least of the squares still has more jerk in a turn than beside it.
 const STIFF: f64 = 1.2;
 
 /// A span gets stiffer by its share of the mean jerk to this power, and by no more than so many times.
-const LEVEL: f64 = 0.7;
+const LEVEL: f64 = 0.6;
 const MOST_LEVEL: f64 = 5.0;
 
 /// That is done where this share of a run is slow.
@@ -60,7 +58,7 @@ const OPEN_SHARE: f64 = 0.5;
 struct Look<const N: usize> {
     basis: [f64; BAND],
     weight: f64,
-    /// `1/(tolerance·CLOSE)²`.
+    /// `1/d²` of the distance `d` beyond which it weighs more.
     close: f64,
     /// Where it shall be, from where the first control points have it.
     p: [f64; N],
@@ -204,9 +202,8 @@ impl<const N: usize> Fit<N> {
         self.pace.stretches.push(stretch);
     }
 
-    /// A place of the newest span that shall be within `tolerance` of `p`.
-    pub fn look_at(&mut self, basis: [f64; BAND], weight: f64, p: [f64; N], tolerance: f64) {
-        let limit = tolerance * CLOSE;
+    /// A place of the newest span that shall be within `limit` of `p`.
+    pub fn look_at(&mut self, basis: [f64; BAND], weight: f64, p: [f64; N], limit: f64) {
         let Some(k) = self.strips.len().checked_sub(1) else { return };
         let p = apart(p, self.at_first(k, &basis));
         let look = Look { basis, weight, close: (limit * limit).recip(), p };
@@ -288,14 +285,8 @@ impl<const N: usize> Fit<N> {
     /// most that is taken anywhere, not the sum of its squares. Again and again it would find the least most, if the speed
     /// stayed as it is; it does not, and once is quickest.
     ///
-    /// Whether it changes anything: where little of the run is slow it is not worth the time.
+    /// Whether it changes anything.
     pub fn level(&mut self, inverse: &Inverse) -> bool {
-        let lengths = self.pace.stretches.iter().fold([0.0; 2], |[slow, all], stretch| {
-            [slow + if stretch.is_slow { stretch.len } else { 0.0 }, all + stretch.len]
-        });
-        if lengths[0] < MUCH_SLOW * lengths[1] {
-            return false;
-        }
         let (mut sum, mut len) = (0.0, 0.0);
         for (k, strip) in self.strips.iter_mut().enumerate() {
             let stretch = &self.pace.stretches[k];
@@ -319,6 +310,14 @@ impl<const N: usize> Fit<N> {
             }
         }
         true
+    }
+
+    /// Whether so much of the run is slow that its shape is worth more time.
+    pub fn is_much_slow(&self) -> bool {
+        let lengths = self.pace.stretches.iter().fold([0.0; 2], |[slow, all], stretch| {
+            [slow + if stretch.is_slow { stretch.len } else { 0.0 }, all + stretch.len]
+        });
+        lengths[0] >= MUCH_SLOW * lengths[1]
     }
 
     /// Adds the spans up to the normal equations.

@@ -12,8 +12,9 @@
 //!    `∫|S − P|² + ∫ℓ⁶·|S‴|²` is least, some times over: places that come near the tolerance weigh more. Once it is known
 //!    about how fast the run will be ([`crate::path::pace`]), slow places get more knots, and `ℓ` is `v·(δ/J)^⅓`.
 //! 4. **Check** of the true distance, of every programmed point from the spline and of the spline from the
-//!    programmed lines. Where it is beyond the tolerance, less is left out, knots come closer and in the end control
-//!    points stay on the chords ([`LEVELS`]); the last level keeps the tolerance by construction.
+//!    programmed lines. Where it is beyond the tolerance, places weigh more from further inside it on; then less is left
+//!    out, knots come closer and in the end control points stay on the chords ([`LEVELS`]); the last level keeps the
+//!    tolerance by construction.
 //!
 //! An end at rest only has its place. At an end that something is joined to, the spline has a span on the line itself, so
 //! that it meets it with no curvature; far from its vertices a programmed line stays the line.
@@ -53,16 +54,19 @@ struct Level {
     spread: f64,
     /// How far `ℓ` a wave is smoothed away, times the distance of knots; 0 leaves control points on the chords.
     reach: f64,
+    /// Share of the tolerance beyond which a place weighs more; the rest is for what lies between the places.
+    close: f64,
 }
 
-const LEVELS: [Level; 7] = [
-    Level { chord: 2.0, spread: 1.0, reach: 0.9 },
-    Level { chord: 1.0, spread: 0.8, reach: 0.7 },
-    Level { chord: 0.6, spread: 0.6, reach: 0.4 },
-    Level { chord: 0.5, spread: 1.4, reach: 0.0 },
-    Level { chord: 0.3, spread: 0.7, reach: 0.0 },
-    Level { chord: 0.0, spread: 0.6, reach: 0.0 },
-    Level { chord: 0.0, spread: 0.2, reach: 0.0 },
+const LEVELS: [Level; 8] = [
+    Level { chord: 2.0, spread: 1.0, reach: 0.9, close: 0.95 },
+    Level { chord: 2.0, spread: 1.0, reach: 0.9, close: 0.85 },
+    Level { chord: 1.0, spread: 0.8, reach: 0.7, close: 0.85 },
+    Level { chord: 0.6, spread: 0.6, reach: 0.4, close: 0.85 },
+    Level { chord: 0.5, spread: 1.4, reach: 0.0, close: 0.85 },
+    Level { chord: 0.3, spread: 0.7, reach: 0.0, close: 0.85 },
+    Level { chord: 0.0, spread: 0.6, reach: 0.0, close: 0.85 },
+    Level { chord: 0.0, spread: 0.2, reach: 0.0, close: 0.85 },
 ];
 
 /// Knots beside a vertex, in shares of the first distance.
@@ -111,8 +115,9 @@ const KNOTS_OF_CORNERS: usize = 3000;
 /// Faster is nothing, mm/s.
 const FASTEST: f64 = 1e6;
 
-/// Share of the tolerance that is used.
-const TOLERANCE_SHARE: f64 = 0.95;
+/// Share of the tolerance that is used: the speed in a turn grows with `δ^⅓`. The rest is for what lies between the places
+/// that are checked.
+const TOLERANCE_SHARE: f64 = 0.985;
 
 /// Spans at the end of an unfinished run that still change with what follows.
 const TAIL: usize = 8;
@@ -691,7 +696,14 @@ impl Smoother {
         fit.stiffen(open);
         fit.press();
         fit.solve();
-        // And with the jerk spread about evenly.
+        // Where much is slow, once more, for the speeds of a stiffer curve are others; and with the jerk spread about evenly.
+        if !fit.is_much_slow() {
+            return;
+        }
+        fit.find_pace(&self.soft);
+        fit.stiffen(open);
+        fit.press();
+        fit.solve();
         if fit.level(&self.soft) {
             fit.press();
             fit.solve();
@@ -838,7 +850,9 @@ impl Smoother {
             fit.add_span(self.bends(k), stiff, tolerance, stretch);
             let place = self.place(k);
             let mut look = |line: usize, u: f64, weight: f64| {
-                fit.look_at(place.weights(u), weight, on(line, u), self.points[line].tolerance);
+                let point = &self.points[line];
+                let limit = point.tolerance * point.level().close;
+                fit.look_at(place.weights(u), weight, on(line, u), limit);
             };
             if lines < LEAST_LOOKS {
                 // At every vertex, and between them.
