@@ -22,7 +22,7 @@ import { untrack } from "svelte";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/App.svelte
-var root = $.from_html(`<div><!> <!> <main class="s-ol58ie"><!> <div class="page s-ol58ie"><!></div></main> <!> <!></div> <!> <!> <!>`, 1);
+var root = $.from_html(`<div><!> <!> <main class="s-4kp6f8"><!> <div class="page s-4kp6f8"><!></div></main> <!> <!> <!></div> <!> <!>`, 1);
 function App($$anchor, $$props) {
 	$.push($$props, true);
 	const page = $.derived(() => pages.find((one) => one.id === route.page) ?? pages[0]);
@@ -42,7 +42,7 @@ function App($$anchor, $$props) {
 	function ask(event) {
 		if (dnc.coming || editing.unsaved.length) event.preventDefault();
 	}
-	$.user_effect(display.read);
+	$.user_effect(display.follow);
 	$.user_effect(trail.follow);
 	$.user_effect(() => machine.hear((event) => {
 		if (display.alarmOpens && event.event === "alarm" && !event.alarm.warning) go("alarms");
@@ -145,14 +145,14 @@ function App($$anchor, $$props) {
 	});
 	var node_6 = $.sibling(node_5, 2);
 	BottomBar(node_6, {});
+	var node_7 = $.sibling(node_6, 2);
+	Notices(node_7, {});
 	$.reset(div);
-	var node_7 = $.sibling(div, 2);
-	KeyMap(node_7, {});
-	var node_8 = $.sibling(node_7, 2);
-	Notices(node_8, {});
+	var node_8 = $.sibling(div, 2);
+	KeyMap(node_8, {});
 	var node_9 = $.sibling(node_8, 2);
 	Welcome(node_9, {});
-	$.template_effect(() => classes = $.set_class(div, 1, "app s-ol58ie", null, classes, { panel: prefs.panel }));
+	$.template_effect(() => classes = $.set_class(div, 1, "app s-4kp6f8", null, classes, { panel: prefs.panel }));
 	$.append($$anchor, fragment);
 	$.pop();
 }

@@ -3,6 +3,7 @@ import Icon from "../lib/parts/Icon.svelte.js";
 import Key from "../lib/parts/Key.svelte.js";
 import StopButton from "../lib/parts/StopButton.svelte.js";
 import { machine } from "../lib/state/machine.svelte.js";
+import { mdi } from "../lib/state/mdi.svelte.js";
 import { modes } from "./keys.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
@@ -70,7 +71,7 @@ function BottomBar($$anchor, $$props) {
 	}
 	var node_3 = $.sibling(node_1, 2);
 	{
-		let $0 = $.derived(() => t("panel.start"));
+		let $0 = $.derived(() => mdi.locksStart ? t("panel.start_unsent") : t("panel.start"));
 		Key(node_3, {
 			signal: "KEY_START",
 			lamp: "LAMP_START",
@@ -78,6 +79,9 @@ function BottomBar($$anchor, $$props) {
 				return $.get($0);
 			},
 			kind: "start",
+			get disabled() {
+				return mdi.locksStart;
+			},
 			children: ($$anchor, $$slotProps) => {
 				var fragment_2 = root_1();
 				var node_4 = $.first_child(fragment_2);
@@ -87,7 +91,7 @@ function BottomBar($$anchor, $$props) {
 				});
 				var span_3 = $.sibling(node_4);
 				var text_3 = $.only_child(span_3, true);
-				$.template_effect(($0) => $.set_text(text_3, $0), [() => t("panel.start")]);
+				$.template_effect(($0) => $.set_text(text_3, $0), [() => mdi.locksStart ? t("panel.unsent") : t("panel.start")]);
 				$.append($$anchor, fragment_2);
 			},
 			$$slots: { default: true }

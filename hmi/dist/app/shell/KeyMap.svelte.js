@@ -3,6 +3,8 @@ import Dialog from "../lib/parts/Dialog.svelte.js";
 import { go } from "../lib/routing.svelte.js";
 import { display } from "../lib/state/display.svelte.js";
 import { machine } from "../lib/state/machine.svelte.js";
+import { mdi } from "../lib/state/mdi.svelte.js";
+import { notify } from "../lib/state/notices.svelte.js";
 import { ui } from "../lib/state/ui.svelte.js";
 import { pages } from "../pages/index.js";
 import { axisKey, ended, heldKey, overrideKeys, rapidKeys } from "./bindings.js";
@@ -67,7 +69,12 @@ function KeyMap($$anchor, $$props) {
 		} else if (event.key === "F8") {
 			if (!event.repeat) machine.tell({ do: "reset" });
 		} else if (jog) press(event, jog.chord, jog.signal);
-		else if (signal) press(event, { key: event.key }, signal);
+		else if (signal === "KEY_START" && mdi.locksStart) {
+			if (!event.repeat) notify({
+				kind: "warning",
+				title: t("panel.start_unsent")
+			});
+		} else if (signal) press(event, { key: event.key }, signal);
 		else if (event.key === "?" && !typing(event.target)) ui.keyMap = !ui.keyMap;
 		else return;
 		event.preventDefault();

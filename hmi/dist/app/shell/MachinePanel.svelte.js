@@ -11,12 +11,12 @@ import Overrides from "./panel/Overrides.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/shell/MachinePanel.svelte
-var root = $.from_html(`<p class="muted note s-1r3evo5"> </p>`);
+var root = $.from_html(`<p class="muted note s-gdbind"> </p>`);
 var root_1 = $.from_html(`<!><span> </span>`, 1);
-var root_2 = $.from_html(`<span><i class="s-1r3evo5"></i> </span>`);
-var root_3 = $.from_html(`<section data-testid="own-keys" class="s-1r3evo5"><h3> </h3> <div class="keys s-1r3evo5"></div></section>`);
-var root_4 = $.from_html(`<section class="s-1r3evo5"><h3> </h3> <!></section> <!> <section class="s-1r3evo5"><h3> </h3> <!></section> <section class="s-1r3evo5"><h3> </h3> <div class="keys s-1r3evo5"></div></section> <section class="s-1r3evo5"><h3> </h3> <div class="keys three s-1r3evo5"></div></section> <section class="s-1r3evo5"><h3> </h3> <div class="keys three s-1r3evo5"></div></section> <!>`, 1);
-var root_5 = $.from_html(`<aside class="scroll s-1r3evo5" data-testid="machine-panel"><button type="button" class="close s-1r3evo5"><!></button> <!></aside>`);
+var root_2 = $.from_html(`<span><i class="s-gdbind"></i> </span>`);
+var root_3 = $.from_html(`<section data-testid="own-keys" class="s-gdbind"><h3> </h3> <div class="keys s-gdbind"></div></section>`);
+var root_4 = $.from_html(`<section class="s-gdbind"><h3 class="s-gdbind"> </h3> <!></section> <!> <section class="s-gdbind"><h3> </h3> <!></section> <section class="s-gdbind"><h3> </h3> <div class="keys s-gdbind"></div></section> <section class="s-gdbind"><h3> </h3> <div class="keys three s-gdbind"></div></section> <section class="s-gdbind"><h3> </h3> <div class="keys three s-gdbind"></div></section> <!>`, 1);
+var root_5 = $.from_html(`<aside class="scroll s-gdbind" data-testid="machine-panel"><button type="button" class="close s-gdbind"><!></button> <!></aside>`);
 function MachinePanel($$anchor, $$props) {
 	$.push($$props, true);
 	const asked = [
@@ -247,7 +247,7 @@ function MachinePanel($$anchor, $$props) {
 					var text_9 = $.sibling($.child(span_2), 1, true);
 					$.reset(span_2);
 					$.template_effect(($0) => {
-						classes = $.set_class(span_2, 1, "lamp s-1r3evo5", null, classes, { lit: $0 });
+						classes = $.set_class(span_2, 1, "lamp s-gdbind", null, classes, { lit: $0 });
 						$.set_attribute(span_2, "data-lamp", $.get(key).lamp);
 						$.set_text(text_9, $.get(key).text);
 					}, [() => machine.lamps.has($.get(key).lamp)]);

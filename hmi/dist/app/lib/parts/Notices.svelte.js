@@ -4,10 +4,10 @@ import Icon from "./Icon.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/lib/parts/Notices.svelte
-var root = $.from_html(`<span class="code muted s-trqiqg"> </span>`);
-var root_1 = $.from_html(`<p class="s-trqiqg"> </p>`);
-var root_2 = $.from_html(`<div><!> <div class="grow"><strong> </strong> <!> <!></div> <button type="button" class="s-trqiqg"><!></button></div>`);
-var root_3 = $.from_html(`<div class="notices s-trqiqg" role="status" aria-live="polite"></div>`);
+var root = $.from_html(`<span class="code muted s-w4p2my"> </span>`);
+var root_1 = $.from_html(`<p class="s-w4p2my"> </p>`);
+var root_2 = $.from_html(`<div><!> <div class="grow"><strong> </strong> <!> <!></div> <button type="button" class="s-w4p2my"><!></button></div>`);
+var root_3 = $.from_html(`<div class="notices s-w4p2my" role="status" aria-live="polite"></div>`);
 function Notices($$anchor, $$props) {
 	$.push($$props, true);
 	const icons = {
@@ -52,7 +52,7 @@ function Notices($$anchor, $$props) {
 		$.reset(button);
 		$.reset(div_1);
 		$.template_effect(($0) => {
-			$.set_class(div_1, 1, `notice ${$.get(notice).kind ?? ""}`, "s-trqiqg");
+			$.set_class(div_1, 1, `notice ${$.get(notice).kind ?? ""}`, "s-w4p2my");
 			$.set_text(text, $.get(notice).title);
 			$.set_attribute(button, "aria-label", $0);
 		}, [() => t("app.close")]);

@@ -1,3 +1,4 @@
+import { Refused } from "../api/socket.js";
 import { machine } from "./machine.svelte.js";
 // src/lib/state/again.ts
 /** Asks until the answer is called: one question after the other, so that a slow connection is asked less often. `wanted` says
@@ -27,4 +28,17 @@ function followSignals(names, pause, told) {
 		if (wanted() && reply?.reply === "signals") told(reply.signals);
 	});
 }
-export { again, followSignals };
+/** Tells what parameters are, by name; for an effect, which asks again whenever some change. Nothing is told of those that the
+control does not have, and nothing at all where the connection is lost before the answer. */
+function followParameters(names, told) {
+	let wanted = true;
+	machine.changed("parameters");
+	if (machine.link === "open") machine.ask({
+		do: "parameters",
+		names
+	}).then((reply) => wanted && told(reply.reply === "parameters" ? reply.parameters : {}), (failed) => wanted && !(failed instanceof Refused && failed.code === "no_connection") && told({}));
+	return () => {
+		wanted = false;
+	};
+}
+export { again, followParameters, followSignals };

@@ -1,4 +1,5 @@
 import { route } from "../routing.svelte.js";
+import { followParameters } from "./again.js";
 import { machine } from "./machine.svelte.js";
 import * as $ from "svelte/internal/client";
 // src/lib/state/display.svelte.ts
@@ -33,15 +34,7 @@ var parts = $.state({
 });
 var is = (name) => $.get(bits)[name] === 1;
 var display = {
-	read() {
-		machine.changed("parameters");
-		if (machine.link !== "open") return;
-		machine.ask({
-			do: "parameters",
-			names
-		}).then((reply) => $.set(bits, reply.reply === "parameters" ? reply.parameters : {}), () => $.set(bits, {}));
-	},
-	/** Whether an alarm shows its page. */
+	follow: () => followParameters(names, (values) => $.set(bits, values)),
 	get alarmOpens() {
 		return is(ALARM_OPENS);
 	},

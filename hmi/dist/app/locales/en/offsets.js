@@ -15,7 +15,7 @@ var offsets_default = {
 	"before": "Before",
 	"after": "Next",
 	"measure": "Length {number} from relative Z",
-	"hint": "The measure button takes relative Z ({z} mm) as the length. Touch the reference with the first tool, set relative Z to zero, then touch with the others. Z10 typed as a length is the relative Z plus 10.",
+	"hint": "The measure button takes relative Z ({z} mm) as the length and sets its wear to zero. Touch the reference with the first tool, set relative Z to zero, then touch with the others. Z10 typed as a length is the relative Z plus 10.",
 	"kind": "Kind",
 	"kind_all": "All",
 	"kind_bit": "Bits",
@@ -42,6 +42,9 @@ var offsets_default = {
 	"value": "Value",
 	"pitch_points": "Errors by point",
 	"pitch_hint": "What is added to the commanded position at each point, mm. What is set here holds from the next start on.",
-	"find": "Go to a number"
+	"find": "Go to a number",
+	"cutting_length": "Cutting length",
+	"entry_angle": "Entry angle",
+	"tip_radius": "Tip radius"
 };
 export { offsets_default as default };

@@ -3,6 +3,8 @@ var panel_default = {
 	"title": "Machine panel",
 	"modes": "Modes",
 	"start": "Start",
+	"start_unsent": "Start is locked: what was typed in MDI is not sent",
+	"unsent": "Not sent",
 	"hold": "Hold",
 	"reset": "Reset",
 	"emergency": "Emergency stop",

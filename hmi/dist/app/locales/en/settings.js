@@ -38,7 +38,7 @@ var settings_default = {
 	"block": "Height of the gauge block",
 	"machine_z": "Machine Z",
 	"take_reference": "Take the reference",
-	"reference": "Reference at Z {z}",
+	"reference": "Reference at Z {z}, taken at {time}",
 	"step_tool": "2. Tool",
 	"step_tool_text": "Touch the same place with the tool, then set its length.",
 	"offset_number": "Offset",
@@ -106,6 +106,7 @@ var settings_default = {
 	"machine_zero_set": "Set machine zero",
 	"machine_zero_ask": "Set machine zero of {axes} here?",
 	"machine_zero_warning": "Travel limits, work zeros and the other reference points move with it. Afterwards check the limits, and set the second to the fourth reference point anew.",
-	"machine_zero_done": "Machine zero is set: {axes}"
+	"machine_zero_done": "Machine zero is set: {axes}",
+	"no_reference": "No reference is taken"
 };
 export { settings_default as default };

@@ -15,7 +15,7 @@ var offsets_default = {
 	"before": "Anterior",
 	"after": "Siguiente",
 	"measure": "Longitud {number} desde Z relativa",
-	"hint": "El botón de medir toma la Z relativa ({z} mm) como longitud. Toque la referencia con la primera herramienta, ponga a cero la Z relativa y toque con las demás. Z10 escrito como longitud es la Z relativa más 10.",
+	"hint": "El botón de medir toma la Z relativa ({z} mm) como longitud y pone a cero su desgaste. Toque la referencia con la primera herramienta, ponga a cero la Z relativa y toque con las demás. Z10 escrito como longitud es la Z relativa más 10.",
 	"kind": "Tipo",
 	"kind_all": "Todos",
 	"kind_bit": "Bits",
@@ -42,6 +42,9 @@ var offsets_default = {
 	"value": "Valor",
 	"pitch_points": "Errores por punto",
 	"pitch_hint": "Lo que se suma a la posición ordenada en cada punto, mm. Lo que se fija aquí vale desde el próximo arranque.",
-	"find": "Ir a un número"
+	"find": "Ir a un número",
+	"cutting_length": "Longitud de corte",
+	"entry_angle": "Ángulo de entrada",
+	"tip_radius": "Radio de punta"
 };
 export { offsets_default as default };

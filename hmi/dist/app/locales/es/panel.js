@@ -3,6 +3,8 @@ var panel_default = {
 	"title": "Panel de máquina",
 	"modes": "Modos",
 	"start": "Marcha",
+	"start_unsent": "La marcha está bloqueada: lo escrito en MDI está sin enviar",
+	"unsent": "Sin enviar",
 	"hold": "Retener",
 	"reset": "Reset",
 	"emergency": "Emergencia",

@@ -38,7 +38,7 @@ var settings_default = {
 	"block": "Altura del bloque",
 	"machine_z": "Z de máquina",
 	"take_reference": "Tomar la referencia",
-	"reference": "Referencia en Z {z}",
+	"reference": "Referencia en Z {z}, tomada a las {time}",
 	"step_tool": "2. Herramienta",
 	"step_tool_text": "Toque el mismo sitio con la herramienta y fije su longitud.",
 	"offset_number": "Corrector",
@@ -106,6 +106,7 @@ var settings_default = {
 	"machine_zero_set": "Fijar el cero de máquina",
 	"machine_zero_ask": "¿Fijar aquí el cero de máquina de {axes}?",
 	"machine_zero_warning": "Con él se desplazan los límites de recorrido, los ceros de pieza y los demás puntos de referencia. Compruebe después los límites y fije de nuevo los puntos segundo a cuarto.",
-	"machine_zero_done": "Cero de máquina fijado: {axes}"
+	"machine_zero_done": "Cero de máquina fijado: {axes}",
+	"no_reference": "No se ha tomado referencia"
 };
 export { settings_default as default };

@@ -38,7 +38,7 @@ var settings_default = {
 	"block": "Высота плитки",
 	"machine_z": "Z станка",
 	"take_reference": "Взять базу",
-	"reference": "База на Z {z}",
+	"reference": "База на Z {z}, взята в {time}",
 	"step_tool": "2. Инструмент",
 	"step_tool_text": "Коснитесь инструментом того же места и задайте длину.",
 	"offset_number": "Коррекция",
@@ -106,6 +106,7 @@ var settings_default = {
 	"machine_zero_set": "Задать ноль станка",
 	"machine_zero_ask": "Задать ноль станка {axes} здесь?",
 	"machine_zero_warning": "Программные ограничения, нули детали и другие референтные точки сместятся вместе с ним. Затем проверьте ограничения и задайте заново вторую–четвёртую точки.",
-	"machine_zero_done": "Ноль станка задан: {axes}"
+	"machine_zero_done": "Ноль станка задан: {axes}",
+	"no_reference": "База не взята"
 };
 export { settings_default as default };

@@ -15,7 +15,7 @@ var offsets_default = {
 	"before": "Önceki",
 	"after": "Sonraki",
 	"measure": "Boy {number}: bağıl Z değerinden",
-	"hint": "Ölçme düğmesi bağıl Z değerini ({z} mm) boy alır. İlk takımla referansa dokunup bağıl Z’yi sıfırlayın, sonra öbürleriyle dokunun. Boy olarak yazılan Z10, bağıl Z artı 10 demektir.",
+	"hint": "Ölçme düğmesi bağıl Z değerini ({z} mm) boy alır ve aşınmasını sıfırlar. İlk takımla referansa dokunup bağıl Z’yi sıfırlayın, sonra öbürleriyle dokunun. Boy olarak yazılan Z10, bağıl Z artı 10 demektir.",
 	"kind": "Tür",
 	"kind_all": "Tümü",
 	"kind_bit": "Bitler",
@@ -42,6 +42,9 @@ var offsets_default = {
 	"value": "Değer",
 	"pitch_points": "Noktalara göre hatalar",
 	"pitch_hint": "Her noktada komut konumuna eklenen değer, mm. Burada girilenler bir sonraki açılıştan itibaren geçerlidir.",
-	"find": "Numaraya git"
+	"find": "Numaraya git",
+	"cutting_length": "Kesme boyu",
+	"entry_angle": "Dalma açısı",
+	"tip_radius": "Uç yarıçapı"
 };
 export { offsets_default as default };

@@ -3,6 +3,8 @@ var panel_default = {
 	"title": "Tezgâh paneli",
 	"modes": "Modlar",
 	"start": "Başlat",
+	"start_unsent": "Başlat kilitli: MDI’de yazılanlar gönderilmedi",
+	"unsent": "Gönderilmedi",
 	"hold": "Beklet",
 	"reset": "Sıfırla",
 	"emergency": "Acil stop",

@@ -38,7 +38,7 @@ var settings_default = {
 	"block": "Mastar yüksekliği",
 	"machine_z": "Tezgâh Z",
 	"take_reference": "Referansı al",
-	"reference": "Referans Z {z}",
+	"reference": "Referans Z {z}, alındığı saat {time}",
 	"step_tool": "2. Takım",
 	"step_tool_text": "Takımla aynı yere dokunup boyunu ayarlayın.",
 	"offset_number": "Ofset",
@@ -106,6 +106,7 @@ var settings_default = {
 	"machine_zero_set": "Makine sıfırını ver",
 	"machine_zero_ask": "{axes} makine sıfırı burada verilsin mi?",
 	"machine_zero_warning": "Hareket sınırları, iş sıfırları ve öteki referans noktaları onunla kayar. Sonra sınırları denetleyin, ikinci ile dördüncü referans noktalarını yeniden verin.",
-	"machine_zero_done": "Makine sıfırı verildi: {axes}"
+	"machine_zero_done": "Makine sıfırı verildi: {axes}",
+	"no_reference": "Referans alınmadı"
 };
 export { settings_default as default };

@@ -15,7 +15,7 @@ var offsets_default = {
 	"before": "上一页",
 	"after": "下一页",
 	"measure": "用相对坐标 Z 测量长度 {number}",
-	"hint": "测量按钮将相对坐标 Z（{z} mm）作为长度。先用第一把刀接触基准并将相对 Z 清零，再用其他刀接触。长度栏键入 Z10 为相对 Z 加 10。",
+	"hint": "测量按钮将相对坐标 Z（{z} mm）作为长度，并将其磨损清零。先用第一把刀接触基准并将相对 Z 清零，再用其他刀接触。长度栏键入 Z10 为相对 Z 加 10。",
 	"kind": "类型",
 	"kind_all": "全部",
 	"kind_bit": "位参",
@@ -42,6 +42,9 @@ var offsets_default = {
 	"value": "值",
 	"pitch_points": "各点误差",
 	"pitch_hint": "各点加到指令位置上的值，mm。在此设定的值从下次启动起生效。",
-	"find": "定位到号码"
+	"find": "定位到号码",
+	"cutting_length": "切削刃长",
+	"entry_angle": "进刀角",
+	"tip_radius": "刀尖半径"
 };
 export { offsets_default as default };

@@ -3,6 +3,8 @@ var panel_default = {
 	"title": "机床面板",
 	"modes": "工作方式",
 	"start": "循环启动",
+	"start_unsent": "循环启动已锁定：MDI 中输入的内容尚未发送",
+	"unsent": "未发送",
 	"hold": "进给保持",
 	"reset": "复位",
 	"emergency": "急停",

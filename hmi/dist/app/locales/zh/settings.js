@@ -38,7 +38,7 @@ var settings_default = {
 	"block": "量块高度",
 	"machine_z": "机床 Z",
 	"take_reference": "取基准",
-	"reference": "基准 Z {z}",
+	"reference": "基准 Z {z}，取于 {time}",
 	"step_tool": "2. 刀具",
 	"step_tool_text": "用刀具接触同一处，然后设定长度。",
 	"offset_number": "偏置号",
@@ -106,6 +106,7 @@ var settings_default = {
 	"machine_zero_set": "设置机床零点",
 	"machine_zero_ask": "将 {axes} 的机床零点设在此处？",
 	"machine_zero_warning": "软限位、工件坐标和其他参考点随之移动。设置后请检查限位，并重新设定第二至第四参考点。",
-	"machine_zero_done": "机床零点已设置：{axes}"
+	"machine_zero_done": "机床零点已设置：{axes}",
+	"no_reference": "尚未取基准"
 };
 export { settings_default as default };

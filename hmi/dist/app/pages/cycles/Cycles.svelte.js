@@ -18,6 +18,7 @@ import Empty from "../../lib/parts/Empty.svelte.js";
 import NumberField from "../../lib/parts/NumberField.svelte.js";
 import Page from "../../lib/parts/Page.svelte.js";
 import Segmented from "../../lib/parts/Segmented.svelte.js";
+import { followParameters } from "../../lib/state/again.js";
 import { editing } from "../../lib/state/editing.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import { notify } from "../../lib/state/notices.svelte.js";
@@ -114,14 +115,7 @@ function Cycles($$anchor, $$props) {
 		return $.get(form)?.parameters.some((field) => field.name === name) ?? false;
 	}
 	let hasDiameters = $.state(false);
-	$.user_effect(() => {
-		machine.changed("parameters");
-		if (machine.link !== "open") return;
-		machine.ask({
-			do: "parameters",
-			names: ["NO40.7"]
-		}).then((reply) => $.set(hasDiameters, reply.reply === "parameters" && reply.parameters["NO40.7"] === 1, true), () => $.set(hasDiameters, false));
-	});
+	$.user_effect(() => followParameters(["NO40.7"], (values) => $.set(hasDiameters, values["NO40.7"] === 1)));
 	let rows = $.state({});
 	const calls = $.derived(() => $.get(called).join(" "));
 	$.user_effect(() => {
@@ -215,6 +209,13 @@ function Cycles($$anchor, $$props) {
 	function go(name) {
 		$.set(focus, name, true);
 		document.getElementById(`field-${name}`)?.focus();
+	}
+	let shape = $.state(void 0);
+	/** To the first that is wrong, which may be out of sight. */
+	function toError() {
+		const first = $.get(shape)?.querySelector("[aria-invalid=\"true\"], .finding.error, .general.error");
+		first?.scrollIntoView({ block: "center" });
+		first?.focus();
 	}
 	async function copy() {
 		if (!$.get(ready)) return;
@@ -835,6 +836,7 @@ function Cycles($$anchor, $$props) {
 						if (machine.status) $$render(consequent_9);
 					});
 					$.reset(div_3);
+					$.bind_this(div_3, ($$value) => $.set(shape, $$value), () => $.get(shape));
 					$.template_effect(() => {
 						$.set_attribute(div_3, "data-cycle", $.get(form).id);
 						$.set_text(text_5, $.get(form).title);
@@ -968,9 +970,18 @@ function Cycles($$anchor, $$props) {
 				let classes_3;
 				var node_34 = $.child(p_3);
 				var consequent_12 = ($$anchor) => {
-					var text_25 = $.text();
-					$.template_effect(($0) => $.set_text(text_25, $0), [() => t("cycles.errors", { count: $.get(errors).length })]);
-					$.append($$anchor, text_25);
+					Button($$anchor, {
+						icon: "alarms",
+						onclick: toError,
+						"data-testid": "to-error",
+						children: ($$anchor, $$slotProps) => {
+							$.next();
+							var text_25 = $.text();
+							$.template_effect(($0) => $.set_text(text_25, $0), [() => t("cycles.errors", { count: $.get(errors).length })]);
+							$.append($$anchor, text_25);
+						},
+						$$slots: { default: true }
+					});
 				};
 				var consequent_13 = ($$anchor) => {
 					var text_26 = $.text();

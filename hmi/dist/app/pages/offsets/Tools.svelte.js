@@ -16,12 +16,21 @@ var root_4 = $.from_html(`<table class="table" data-testid="offsets"><thead><tr>
 var root_5 = $.from_html(`<!> <p class="muted s-1cs1yh2"> </p>`, 1);
 function Tools($$anchor, $$props) {
 	$.push($$props, true);
-	const kinds = [
+	const offsetKinds = [
 		"length",
 		"length_wear",
 		"radius",
 		"radius_wear"
 	];
+	const cycleKinds = [
+		"cutting_length",
+		"entry_angle",
+		"tip_radius"
+	];
+	const kinds = $.derived(() => machine.version?.dialect === "fagor8065" ? [...offsetKinds, ...cycleKinds] : offsetKinds);
+	const has = (some, kind) => some.includes(kind);
+	/** mm; what is more is refused. */
+	const MOST = 9999.999;
 	const PAGE = 32;
 	const LAST = 256;
 	let from = $.state(1);
@@ -49,20 +58,28 @@ function Tools($$anchor, $$props) {
 			add: $.get(add)
 		});
 	}
-	/** The length of a tool that stands on the zero of the work: its relative Z, and what is to be added to it (3.3.1.2). */
-	function measure(number, more = 0) {
+	/** The length of a tool that stands on the zero of the work: its relative Z (3.3.1.2). A tool just measured has no wear, as in
+	the wizard of the set-up. */
+	function measure(number) {
 		const z = machine.status?.position.relative.Z;
 		if (z !== void 0) machine.tell({
 			do: "set_offset",
 			number,
-			length: z + more,
+			length: z,
+			length_wear: 0,
 			add: false
 		});
 	}
 	/** `Z10` as a length is the relative Z plus 10 (note 3). */
 	function behindZ(text, number) {
 		const more = behindLetter(text, "Z");
-		return more === null ? null : () => measure(number, more);
+		const z = machine.status?.position.relative.Z;
+		return more === null || z === void 0 ? null : () => void machine.tell({
+			do: "set_offset",
+			number,
+			length: z + more,
+			add: false
+		});
 	}
 	var fragment = root_5();
 	var node = $.first_child(fragment);
@@ -147,7 +164,7 @@ function Tools($$anchor, $$props) {
 				var th = $.child(tr);
 				var text_3 = $.only_child(th, true);
 				var node_5 = $.sibling(th);
-				$.each(node_5, 16, () => kinds, (kind) => kind, ($$anchor, kind) => {
+				$.each(node_5, 16, () => $.get(kinds), (kind) => kind, ($$anchor, kind) => {
 					var th_1 = root_1();
 					var text_4 = $.only_child(th_1, true);
 					$.template_effect(($0) => $.set_text(text_4, $0), [() => t(`offsets.${kind}`)]);
@@ -166,13 +183,15 @@ function Tools($$anchor, $$props) {
 					var th_3 = $.child(tr_1);
 					var text_6 = $.only_child(th_3, true);
 					var node_6 = $.sibling(th_3);
-					$.each(node_6, 16, () => kinds, (kind) => kind, ($$anchor, kind) => {
+					$.each(node_6, 16, () => $.get(kinds), (kind) => kind, ($$anchor, kind) => {
 						var td = root_2();
 						var node_7 = $.child(td);
 						{
 							let $0 = $.derived(() => $.get(values)[kind] ?? 0);
-							let $1 = $.derived(() => `${number} ${t(`offsets.${kind}`)}`);
-							let $2 = $.derived(() => kind === "length" ? (text) => behindZ(text, number) : void 0);
+							let $1 = $.derived(() => $.get(add) || !has(cycleKinds, kind) ? -9999.999 : 0);
+							let $2 = $.derived(() => !$.get(add) && kind === "entry_angle" ? 90 : MOST);
+							let $3 = $.derived(() => `${number} ${t(`offsets.${kind}`)}`);
+							let $4 = $.derived(() => kind === "length" ? (text) => behindZ(text, number) : void 0);
 							NumberField(node_7, {
 								get value() {
 									return $.get($0);
@@ -180,11 +199,17 @@ function Tools($$anchor, $$props) {
 								get again() {
 									return $.get(add);
 								},
-								get label() {
+								get minimum() {
 									return $.get($1);
 								},
-								get meant() {
+								get maximum() {
 									return $.get($2);
+								},
+								get label() {
+									return $.get($3);
+								},
+								get meant() {
+									return $.get($4);
 								},
 								onvalue: (value) => set(number, kind, value)
 							});

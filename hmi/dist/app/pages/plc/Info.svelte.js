@@ -2,7 +2,7 @@ import { number, t } from "../../lib/i18n/index.svelte.js";
 import { headOf, readLadder } from "../../lib/ladder/ladder.js";
 import Card from "../../lib/parts/Card.svelte.js";
 import { go } from "../../lib/routing.svelte.js";
-import { again } from "../../lib/state/again.js";
+import { again, followParameters } from "../../lib/state/again.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import "svelte/internal/disclose-version";
@@ -88,14 +88,7 @@ function Info($$anchor, $$props) {
 			}))?.steps ?? null, true);
 		});
 	});
-	$.user_effect(() => {
-		machine.changed("parameters");
-		if (machine.link !== "open") return;
-		machine.ask({
-			do: "parameters",
-			names: [SHOWS_VERSION]
-		}).then((reply) => $.set(showsVersion, reply.reply !== "parameters" || reply.parameters[SHOWS_VERSION] !== 0, true), () => $.set(showsVersion, true));
-	});
+	$.user_effect(() => followParameters([SHOWS_VERSION], (values) => $.set(showsVersion, values[SHOWS_VERSION] !== 0)));
 	$.user_effect(() => again(1e3, async (wanted) => {
 		const reply = await machine.ask({
 			do: "timing",

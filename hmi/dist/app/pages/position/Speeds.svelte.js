@@ -4,6 +4,7 @@ import { fixed, percent } from "../../lib/numbers.js";
 import Card from "../../lib/parts/Card.svelte.js";
 import Icon from "../../lib/parts/Icon.svelte.js";
 import NumberField from "../../lib/parts/NumberField.svelte.js";
+import { followParameters } from "../../lib/state/again.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
@@ -20,16 +21,10 @@ function Speeds($$anchor, $$props) {
 		false
 		/** Whether S can be typed here. */
 	);
+	const HIGHEST = 99999;
 	/** The highest speed (P258); what the control says where it has one. */
-	let highest = $.state(99999);
-	$.user_effect(() => {
-		machine.changed("parameters");
-		if (machine.link !== "open") return;
-		machine.ask({
-			do: "parameters",
-			names: ["P258"]
-		}).then((reply) => $.set(highest, reply.reply === "parameters" && Object.values(reply.parameters)[0] || $.get(highest), true), () => void 0);
-	});
+	let highest = $.state(HIGHEST);
+	$.user_effect(() => followParameters(["P258"], (values) => $.set(highest, Object.values(values)[0] || HIGHEST, true)));
 	/** The program under way has a speed of its own. */
 	const isTheirs = $.derived(() => machine.status.program_mode !== null);
 	const feed = $.derived(() => machine.status.feed);

@@ -5,6 +5,7 @@ import Card from "../../lib/parts/Card.svelte.js";
 import Dialog from "../../lib/parts/Dialog.svelte.js";
 import ParameterSwitch from "../../lib/parts/ParameterSwitch.svelte.js";
 import { href } from "../../lib/routing.svelte.js";
+import { followParameters } from "../../lib/state/again.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import { notify } from "../../lib/state/notices.svelte.js";
 import "svelte/internal/disclose-version";
@@ -53,14 +54,7 @@ function MachineZero($$anchor, $$props) {
 		}
 	]);
 	const may = $.derived(() => $.get(needs).every((need) => need.is) && $.get(chosen).length > 0);
-	$.user_effect(() => {
-		machine.changed("parameters");
-		if (machine.link !== "open") return;
-		machine.ask({
-			do: "parameters",
-			names: [ALLOWED]
-		}).then((reply) => $.set(allowed, reply.reply === "parameters" && reply.parameters[ALLOWED] === 1, true), () => $.set(allowed, false));
-	});
+	$.user_effect(() => followParameters([ALLOWED], (values) => $.set(allowed, values[ALLOWED] === 1)));
 	$.user_effect(() => {
 		machine.changed("reference-points");
 		if (machine.link !== "open") return;

@@ -1,4 +1,4 @@
-import { t } from "../../lib/i18n/index.svelte.js";
+import { moment, t } from "../../lib/i18n/index.svelte.js";
 import { fixed } from "../../lib/numbers.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import Card from "../../lib/parts/Card.svelte.js";
@@ -14,19 +14,44 @@ var root_1 = $.from_html(`<div class="form s-1prgaxy"><p class="muted"> </p> <!>
 var root_2 = $.from_html(`<div class="steps s-1prgaxy"><!> <!></div>`);
 function ToolLength($$anchor, $$props) {
 	$.push($$props, true);
+	/** Where Z stood on the reference, when by the clock and by the periods of the control, and whether Z was homed: of a control
+	that was switched off since, or homed, the place may be another one. */
 	const KEY = "ferrocut.reference";
-	let reference = $.state($.proxy(read()));
+	let taken = $.state(read());
+	const homed = $.derived(() => machine.status?.referenced.includes("Z") ?? false);
+	$.user_effect(() => {
+		const status = machine.status;
+		if ($.get(taken) && status && (status.periods < $.get(taken).periods || $.get(homed) !== $.get(taken).homed)) keep(null);
+	});
+	const reference = $.derived(() => $.get(taken)?.z ?? null);
 	let block = $.state(0);
 	let number = $.state(1);
 	const z = $.derived(() => machine.status?.position.machine.Z ?? 0);
 	const length = $.derived(() => $.get(reference) === null ? null : $.get(z) - $.get(reference) - $.get(block));
 	function read() {
-		const kept = Number(localStorage.getItem(KEY) ?? "x");
-		return Number.isFinite(kept) ? kept : null;
+		try {
+			const kept = JSON.parse(sessionStorage.getItem(KEY) ?? "null");
+			return kept && [
+				kept.z,
+				kept.at,
+				kept.periods
+			].every(Number.isFinite) ? kept : null;
+		} catch {
+			return null;
+		}
+	}
+	function keep(now) {
+		$.set(taken, now);
+		if (now) sessionStorage.setItem(KEY, JSON.stringify(now));
+		else sessionStorage.removeItem(KEY);
 	}
 	function refer() {
-		$.set(reference, $.get(z) - $.get(block));
-		localStorage.setItem(KEY, String($.get(reference)));
+		keep({
+			z: $.get(z) - $.get(block),
+			at: Date.now(),
+			periods: machine.status?.periods ?? 0,
+			homed: $.get(homed)
+		});
 	}
 	async function set() {
 		if ($.get(length) === null || !await machine.tell({
@@ -114,7 +139,10 @@ function ToolLength($$anchor, $$props) {
 					() => t("settings.step_reference_text"),
 					() => t("settings.machine_z"),
 					() => fixed($.get(z)),
-					() => t("settings.reference", { z: fixed($.get(reference)) })
+					() => $.get(taken) ? t("settings.reference", {
+						z: fixed($.get(taken).z),
+						time: moment($.get(taken).at)
+					}) : t("settings.no_reference")
 				]);
 				$.append($$anchor, div_1);
 			},
