@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { behindLetter, duration, firstOfPage, fixed, numberNamed, systemNamed, typed } from './numbers';
+import { behindLetter, duration, firstOfPage, fixed, isSameProgram, numberNamed, systemNamed, typed } from './numbers';
 
 it('measures have a fixed number of digits and no minus zero', () => {
   expect(fixed(-0.0004)).toBe('0.000');
@@ -41,4 +41,9 @@ it('the number of a row, and the page that has it', () => {
   expect(numberNamed('# 500', '#', 1, 999)).toBe(500);
   expect(numberNamed('x5', '', 0, 9)).toBeNull();
   expect([1, 32, 33, 256].map((number) => firstOfPage(number, 1, 32))).toEqual([1, 1, 33, 225]);
+});
+
+it('a program is the same however its number is written', () => {
+  for (const [one, other] of [['O0001', 'o1'], ['O00123', 'O123'], ['O0', 'O0000'], ['part', 'PART']] as const) expect(isSameProgram(one, other), one).toBe(true);
+  for (const [one, other] of [['O1', 'O10'], ['O1', 'O1A'], ['O01A', 'O1A'], ['P1', 'P01']] as const) expect(isSameProgram(one, other), one).toBe(false);
 });

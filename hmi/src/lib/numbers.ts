@@ -62,3 +62,9 @@ export function numberNamed(text: string, letters: string, low: number, high: nu
 export function firstOfPage(number: number, from: number, page: number): number {
   return number - ((number - from) % page);
 }
+
+/** Whether two names mean one program: O1 is O0001, and letters are large or small. */
+export function isSameProgram(one: string, other: string): boolean {
+  const plain = (name: string) => name.toUpperCase().replace(/^O0*(?=\d+$)/, 'O');
+  return plain(one) === plain(other);
+}

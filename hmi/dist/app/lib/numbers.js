@@ -53,4 +53,9 @@ function numberNamed(text, letters, low, high) {
 function firstOfPage(number, from, page) {
 	return number - (number - from) % page;
 }
-export { behindLetter, bytes, duration, firstOfPage, fixed, numberNamed, percent, systemNamed, typed };
+/** Whether two names mean one program: O1 is O0001, and letters are large or small. */
+function isSameProgram(one, other) {
+	const plain = (name) => name.toUpperCase().replace(/^O0*(?=\d+$)/, "O");
+	return plain(one) === plain(other);
+}
+export { behindLetter, bytes, duration, firstOfPage, fixed, isSameProgram, numberNamed, percent, systemNamed, typed };

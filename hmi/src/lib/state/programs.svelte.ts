@@ -2,6 +2,7 @@
 import { http } from '$lib/api/http';
 import type { ProgramInfo } from '$lib/api/types';
 import { Refused } from '$lib/api/socket';
+import { isSameProgram } from '$lib/numbers';
 import { untrack } from 'svelte';
 import { machine } from './machine.svelte';
 
@@ -26,6 +27,10 @@ export const programs = {
   async refresh(): Promise<void> {
     const reply = await machine.fetch('programs', { do: 'programs' });
     if (reply) ({ programs: list, most, room } = reply);
+  },
+  /** The program that a name means to the control, if there is one. */
+  named(name: string): ProgramInfo | undefined {
+    return list?.find((one) => isSameProgram(one.name, name));
   },
   /** When a program was changed, ms; null where there is none, or nobody knows. */
   async changedAt(program: string): Promise<number | null> {

@@ -1,5 +1,6 @@
 import { http } from "../api/http.js";
 import { Refused } from "../api/socket.js";
+import { isSameProgram } from "../numbers.js";
 import { machine } from "./machine.svelte.js";
 import { untrack } from "svelte";
 import * as $ from "svelte/internal/client";
@@ -21,6 +22,10 @@ var programs = {
 	async refresh() {
 		const reply = await machine.fetch("programs", { do: "programs" });
 		if (reply) $.set(list, reply.programs), $.set(most, reply.most), $.set(room, reply.room);
+	},
+	/** The program that a name means to the control, if there is one. */
+	named(name) {
+		return $.get(list)?.find((one) => isSameProgram(one.name, name));
 	},
 	/** When a program was changed, ms; null where there is none, or nobody knows. */
 	async changedAt(program) {

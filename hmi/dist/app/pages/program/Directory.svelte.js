@@ -39,7 +39,7 @@ function Directory($$anchor, $$props) {
 	let fresh = $.state("");
 	/** What the name is for: a program that is new, or another name or a copy of the one that is chosen. */
 	let naming = $.state("new");
-	const taken = $.derived(() => (programs.list ?? []).some((one) => one.name === programName($.get(fresh).trim(), "")));
+	const taken = $.derived(() => programs.named(programName($.get(fresh).trim(), "")) !== void 0);
 	/** Files whose programs are there already. */
 	let doubles = $.state([]);
 	let replacing = $.state(false);
@@ -67,8 +67,9 @@ function Directory($$anchor, $$props) {
 		const there = [];
 		for (const file of files) {
 			const name = programName(file.name, await file.slice(0, 500).text());
-			if (programs.list?.some((one) => one.name === name)) there.push({
-				name,
+			const standing = programs.named(name);
+			if (standing) there.push({
+				name: standing.name,
 				file
 			});
 			else await bring(name, file);
