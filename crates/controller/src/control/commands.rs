@@ -788,11 +788,11 @@ pub fn backup_in(folder: &Path, name: &str) -> Result<PathBuf, Box<Alarm>> {
 
 /// A number that is one.
 /// What an offset is at most, mm (GSK990MC part 2, 3.4.3.2): more is a decimal point that was forgotten.
-const MOST_ENTERED: f64 = 9999.9999;
+const MOST_ENTERED: f64 = 9_999.999_9;
 const ENTERED: RangeInclusive<f64> = -MOST_ENTERED..=MOST_ENTERED;
 
 /// Where a zero may lie: the range of positions, mm and degrees (GSK990MC part 1, 1.2).
-const PLACES: RangeInclusive<f64> = -99_999.9999..=99_999.9999;
+const PLACES: RangeInclusive<f64> = -99_999.999_9..=99_999.999_9;
 
 fn within(value: f64, range: RangeInclusive<f64>) -> Result<f64, Box<Alarm>> {
     match range.contains(&value) {
