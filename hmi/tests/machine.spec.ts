@@ -298,6 +298,7 @@ test('an alarm of what was typed in MDI leads there', async ({ page }) => {
   await enter(page, '#/program/mdi');
   await mode(page, 'KEY_MDI', 'Manual data input');
   await page.locator('.mdi .cm-content').click();
+  await page.keyboard.press('Control+a');
   await page.keyboard.type('#1=0');
   await page.keyboard.press('Enter');
   await page.keyboard.type('#2=1/#1');

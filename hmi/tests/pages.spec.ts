@@ -16,6 +16,8 @@ test('blocks that are typed in MDI are run, one alone before the others', async 
   await mode(page, 'KEY_MDI', 'Manual data input');
   await show(page, 'program/mdi');
   await page.locator('.mdi .cm-content').click();
+  // What another has typed before is still there.
+  await page.keyboard.press('Control+a');
   await page.keyboard.type('G90 G54 G0 X5.');
   await page.keyboard.press('Enter');
   await page.keyboard.type('#500=2.5*2');
@@ -313,7 +315,9 @@ test('wear is added to, and a length is measured from relative Z', async ({ page
   await show(page, 'offsets/tools');
   await page.getByRole('button', { name: 'Length 9 from relative Z' }).click();
   await expect(page.getByLabel('9 Length H', { exact: true })).toHaveValue('-33.500');
-  await expect(page.locator('[data-offset="9"] .muted')).toHaveText('−33.600');
+  // A tool that is measured has no wear.
+  await expect(wear).toHaveValue('0.000');
+  await expect(page.locator('[data-offset="9"] .muted')).toHaveText('−33.500');
   // What is typed behind its letter is added to it.
   const length = page.getByLabel('8 Length H', { exact: true });
   await length.fill('Z10');
