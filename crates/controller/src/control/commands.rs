@@ -513,7 +513,7 @@ impl Control {
             (&mut offset.entry_angle, values.entry_angle, 0.0..=90.0),
             (&mut offset.tip_radius, values.tip_radius, 0.0..=MOST_ENTERED),
         ] {
-            if let Some(value) = finite(value)? {
+            if let Some(value) = value {
                 let value = if add { *slot + value } else { value };
                 *slot = within(value, range)?;
             }
@@ -544,8 +544,7 @@ impl Control {
         let (name, mut zero) = self.zero_of(system)?;
         for (letter, value) in axes {
             let axis = self.axis_named(*letter)?;
-            let value = finite(Some(*value))?.unwrap_or(0.0);
-            zero[axis] = within(if add { zero[axis] + value } else { value }, PLACES)?;
+            zero[axis] = within(if add { zero[axis] + value } else { *value }, PLACES)?;
         }
         self.change_data(author, Change::WorkZero { name, zero })
     }
@@ -786,7 +785,6 @@ pub fn backup_in(folder: &Path, name: &str) -> Result<PathBuf, Box<Alarm>> {
     }
 }
 
-/// A number that is one.
 /// What an offset is at most, mm (GSK990MC part 2, 3.4.3.2): more is a decimal point that was forgotten.
 const MOST_ENTERED: f64 = 9_999.999_9;
 const ENTERED: RangeInclusive<f64> = -MOST_ENTERED..=MOST_ENTERED;
@@ -794,6 +792,7 @@ const ENTERED: RangeInclusive<f64> = -MOST_ENTERED..=MOST_ENTERED;
 /// Where a zero may lie: the range of positions, mm and degrees (GSK990MC part 1, 1.2).
 const PLACES: RangeInclusive<f64> = -99_999.999_9..=99_999.999_9;
 
+/// A number of a range; what is none is in no range.
 fn within(value: f64, range: RangeInclusive<f64>) -> Result<f64, Box<Alarm>> {
     match range.contains(&value) {
         true => Ok(value),
@@ -801,6 +800,7 @@ fn within(value: f64, range: RangeInclusive<f64>) -> Result<f64, Box<Alarm>> {
     }
 }
 
+/// A number that is one.
 fn finite(value: Option<f64>) -> Result<Option<f64>, Box<Alarm>> {
     match value {
         Some(value) if !value.is_finite() => Err(Box::new(named(Fault::ValueImpossible, value.to_string()))),

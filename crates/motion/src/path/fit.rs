@@ -33,7 +33,7 @@ pub(crate) const BAND: usize = 4;
 /// much more time on the machine than the rounds do here.
 const ROUNDS: usize = 24;
 
-/// How much more: by the square of how far beyond that it is, with a little added, and no more than this.
+/// How much more a place weighs that is beyond its limit: by the square of how far, with a little added, and no more than this.
 const CLOSER: f64 = 1.02;
 const MOST_CLOSER: f64 = 30.0;
 

@@ -691,19 +691,19 @@ impl Smoother {
         fit.pace.take_parts();
         fit.stiffen(open);
         fit.solve();
+        let with_its_speeds = |fit: &mut Fit<N>| {
+            fit.find_pace(&self.soft);
+            fit.stiffen(open);
+            fit.press();
+            fit.solve();
+        };
         // Once more with the speeds of what came out of it.
-        fit.find_pace(&self.soft);
-        fit.stiffen(open);
-        fit.press();
-        fit.solve();
+        with_its_speeds(fit);
         // Where much is slow, once more, for the speeds of a stiffer curve are others; and with the jerk spread about evenly.
         if !fit.is_much_slow() {
             return;
         }
-        fit.find_pace(&self.soft);
-        fit.stiffen(open);
-        fit.press();
-        fit.solve();
+        with_its_speeds(fit);
         if fit.level(&self.soft) {
             fit.press();
             fit.solve();

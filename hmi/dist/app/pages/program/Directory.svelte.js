@@ -39,7 +39,11 @@ function Directory($$anchor, $$props) {
 	let fresh = $.state("");
 	/** What the name is for: a program that is new, or another name or a copy of the one that is chosen. */
 	let naming = $.state("new");
-	const taken = $.derived(() => programs.named(programName($.get(fresh).trim(), "")) !== void 0);
+	const taken = $.derived(() => {
+		const name = programName($.get(fresh).trim(), "");
+		const standing = programs.named(name);
+		return standing !== void 0 && !($.get(naming) === "rename" && standing === $.get(chosen) && standing.name !== name);
+	});
 	/** Files whose programs are there already. */
 	let doubles = $.state([]);
 	let replacing = $.state(false);
