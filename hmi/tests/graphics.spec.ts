@@ -1,7 +1,7 @@
 // The drawing of a part whose measures are known: views, points, distances, sections, and how far it is done.
 import type { Page } from '@playwright/test';
 import { expect, shoot, test } from './server';
-import { bring, enter, load, mode, press, show, stands, watchFaults } from './walk';
+import { bring, enter, load, mode, press, say, show, stands, watchFaults } from './walk';
 
 watchFaults();
 // A loaded computer takes its time.
@@ -65,7 +65,18 @@ async function open(page: Page): Promise<void> {
 }
 
 test('where no program is selected the trail of the tool is drawn alone', async ({ page }) => {
-  await enter(page, '#/graphics');
+  await enter(page);
+  // The one that another test has selected goes.
+  const [told] = await say(page, { do: 'status' });
+  const name = (told as { program: { selected: string | null } }).program.selected;
+  if (name) {
+    await show(page, 'program/directory');
+    await page.locator(`[data-program="${name}"]`).getByRole('button').click();
+    await page.locator('.preview').getByRole('button', { name: 'Delete' }).click();
+    await page.getByTestId('delete-go').click();
+    await expect(page.locator(`[data-program="${name}"]`)).toHaveCount(0);
+  }
+  await show(page, 'graphics');
   await expect(page.locator('[data-page="graphics"]')).toContainText('No program is selected');
   await mode(page, 'KEY_JOG', 'Jog');
   await page.locator('[data-signal="KEY_Y+"]').hover();

@@ -13,10 +13,12 @@ export type Contents = {
 };
 type Sheet = Contents & { last: Shown[]; failed: () => void };
 
-/** Whether this browser has what sheets need. */
-export const canDraw = () => 'transferControlToOffscreen' in HTMLCanvasElement.prototype;
-
 let thread: Worker | null = null;
+/** The thread has failed: of what is shown from then on nothing is drawn either. */
+let isBroken = false;
+/** Whether numbers can be drawn: this browser has what sheets need, and the thread has not failed. */
+export const canDraw = () => !isBroken && 'transferControlToOffscreen' in HTMLCanvasElement.prototype;
+
 let next = 1;
 const sheets = new Map<number, Sheet>();
 let latest: Status | null = null;
@@ -43,6 +45,7 @@ function open(): void {
   thread = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });
   // Numbers that stand still would be worse than none: whoever shows them writes them himself then.
   thread.onerror = () => {
+    isBroken = true;
     for (const { failed } of [...sheets.values()]) failed();
   };
   machine.watch(show);
@@ -51,6 +54,10 @@ function open(): void {
 /** An attachment: a canvas becomes a sheet of numbers. `failed` is called where they cannot be drawn any more. */
 export function sheet(contents: Contents, failed: () => void): (canvas: HTMLCanvasElement) => () => void {
   return (canvas) => {
+    if (isBroken) {
+      failed();
+      return () => {};
+    }
     open();
     const number = next++;
     const mine: Sheet = { ...contents, last: [], failed };

@@ -1,9 +1,11 @@
 import { machine } from "../state/machine.svelte.js";
 import { untrack } from "svelte";
 // src/lib/digits/sheets.ts
-/** Whether this browser has what sheets need. */
-var canDraw = () => "transferControlToOffscreen" in HTMLCanvasElement.prototype;
 var thread = null;
+/** The thread has failed: of what is shown from then on nothing is drawn either. */
+var isBroken = false;
+/** Whether numbers can be drawn: this browser has what sheets need, and the thread has not failed. */
+var canDraw = () => !isBroken && "transferControlToOffscreen" in HTMLCanvasElement.prototype;
 var next = 1;
 var sheets = /* @__PURE__ */ new Map();
 var latest = null;
@@ -32,6 +34,7 @@ function open() {
 		"" + import.meta.url
 	), { type: "module" });
 	thread.onerror = () => {
+		isBroken = true;
 		for (const { failed } of [...sheets.values()]) failed();
 	};
 	machine.watch(show);
@@ -39,6 +42,10 @@ function open() {
 /** An attachment: a canvas becomes a sheet of numbers. `failed` is called where they cannot be drawn any more. */
 function sheet(contents, failed) {
 	return (canvas) => {
+		if (isBroken) {
+			failed();
+			return () => {};
+		}
 		open();
 		const number = next++;
 		const mine = {
