@@ -80,6 +80,20 @@ fn zigzag(legs: usize, [x, y]: [f64; 2]) -> Vec<[f64; 2]> {
     (0..=legs).map(|k| [x * k as f64, y * (k % 2) as f64]).collect()
 }
 
+/// Lines of 2 to 14 mm between turns of up to 160° to either side.
+fn corners_of_all_kinds() -> Vec<[f64; 2]> {
+    let share = |k: u32, step: f64| (f64::from(k) * step).fract();
+    let (mut at, mut heading) = ([0.0, 0.0], 0.0_f64);
+    let mut points = vec![at];
+    for k in 0..24 {
+        let len = 2.0 + 12.0 * share(k, 0.618_034);
+        heading += (-160.0 + 320.0 * share(k, 0.754_877)).to_radians();
+        at = [at[0] + len * heading.cos(), at[1] + len * heading.sin()];
+        points.push(at);
+    }
+    points
+}
+
 /// A rectangle with rounded corners.
 fn rectangle([w, h]: [f64; 2], r: f64, feed: f64, tolerance: f64) -> Path {
     let xy = |x: f64, y: f64| [x, y, 0.0];
@@ -183,17 +197,17 @@ fn corners() {
     };
     let (sin, cos) = 15.0_f64.to_radians().sin_cos();
     judge(vec![
-        ("triangle", poly(3, 60.0, 0.3, 120.0, 12_000.0, 0.01), [1.07756, 1.17353], [1.005, 1.02]),
-        ("hexagon", poly(6, 20.0, 0.2, 60.0, 15_000.0, 0.1), [0.84710, 1.03556], [1.01, 1.105]),
+        ("triangle", poly(3, 60.0, 0.3, 120.0, 12_000.0, 0.01), [1.07756, 1.17353], [1.005, 1.015]),
+        ("hexagon", poly(6, 20.0, 0.2, 60.0, 15_000.0, 0.1), [0.84710, 1.03556], [1.005, 1.07]),
         ("slow hexagon", poly(6, 1.0, 0.2, 60.0, 100.0, 0.02), [3.55823, 3.55635], [1.02, 1.03]),
         ("small octagon", poly(8, 2.0, 0.4, 45.0, 12_000.0, 0.02), [0.31713, 0.53148], [1.01, 1.097]),
-        ("star", poly(5, 40.0, 0.1, 144.0, 10_000.0, 0.001), [1.44968, 1.59271], [1.005, 1.02]),
-        ("star within 50 um", poly(5, 40.0, 0.1, 144.0, 10_000.0, 0.05), [1.44648, 1.50424], [1.005, 1.025]),
+        ("star", poly(5, 40.0, 0.1, 144.0, 10_000.0, 0.001), [1.44968, 1.59271], [1.005, 1.015]),
+        ("star within 50 um", poly(5, 40.0, 0.1, 144.0, 10_000.0, 0.05), [1.44648, 1.50424], [1.005, 1.015]),
         (
             "zigzag of 90 degrees",
             Path::through(&zigzag(30, [2.828, 2.828]), 6000.0, 0.005, None),
             [1.90481, 3.23559],
-            [1.005, 1.03],
+            [1.005, 1.01],
         ),
         (
             "zigzag of 30 degrees",
@@ -202,10 +216,31 @@ fn corners() {
             [1.01, 1.07],
         ),
         (
+            "zigzag of 127 degrees",
+            Path::through(&zigzag(24, [2.0, 4.0]), 12_000.0, 0.02, None),
+            [1.748_886, 2.25913],
+            [1.01, 1.085],
+        ),
+        (
+            "zigzag in space",
+            (1..=24).fold(Path::new([0.0; 3], 9000.0, 0.02), |path, k| {
+                let turned = f64::from(k % 2);
+                path.line([2.0 * f64::from(k), 5.0 * turned, 3.0 * turned])
+            }),
+            [1.957_716, 2.43546],
+            [1.02, 1.065],
+        ),
+        (
+            "corners of all kinds",
+            Path::through(&corners_of_all_kinds(), 12_000.0, 0.02, None),
+            [1.990_199, 2.70639],
+            [1.03, 1.155],
+        ),
+        (
             "fine zigzag",
             Path::through(&zigzag(60, [0.25, 0.433]), 12_000.0, 0.01, None),
             [1.41593, 2.64299],
-            [1.01, 1.10],
+            [1.005, 1.095],
         ),
         (
             "zigzag of exact points",

@@ -137,12 +137,46 @@ pub(crate) struct Corner {
 /// its acceleration where it is.
 const PARABOLA_SHARE: f64 = 0.99;
 
-/// Jerks of swings that are tried: out, and at the end, as parts of one another.
+/// Jerks of swings that are tried at first: out, and at the end, as parts of one another.
 const SWINGS: [[f64; 2]; 7] =
     [[0.12, 0.5], [0.25, 1.0], [0.5, 0.5], [0.25, -0.25], [0.12, -0.25], [0.5, -0.5], [1.0, -0.5]];
 
-/// Of the share at which a swing is as far out as in, these are tried.
-const PARTS: [f64; 5] = [1.0, 0.85, 0.7, 0.55, 0.4];
+/// Jerks of the second half of the middle that are tried at first, as parts of that of the first.
+const LEANS: [f64; 4] = [1.0, 0.5, 0.25, -0.25];
+
+/// Of the share at which a swing is as far out as in, these are tried at first.
+const PARTS: [f64; 5] = [1.0, 0.97, 0.93, 0.87, 0.7];
+
+/// Steps about the best of them.
+const STEPS: [f64; 4] = [0.5, 0.3, 0.15, 0.07];
+
+/// What makes a swing, in proportion.
+#[derive(Clone, Copy, Debug)]
+struct Proportions {
+    /// `μ₂` to `μ₁`.
+    lean: f64,
+    /// `σ` to `ν`.
+    out: f64,
+    end: f64,
+    /// Of the share at which it is as far out as in.
+    part: f64,
+}
+
+impl Proportions {
+    /// How many are beside it.
+    const BESIDE: usize = 8;
+
+    /// One of those.
+    fn beside(self, k: usize, step: f64) -> Proportions {
+        let step = if k.is_multiple_of(2) { step } else { -step };
+        match k / 2 {
+            0 => Proportions { part: (self.part + 0.12 * step).min(1.0), ..self },
+            1 => Proportions { lean: (self.lean + 0.5 * step).min(1.0), ..self },
+            2 => Proportions { end: self.end + step, ..self },
+            _ => Proportions { out: self.out * (1.0 + step), ..self },
+        }
+    }
+}
 
 /// Share of the tolerance that a swing takes, for rounding.
 const SWING_SHARE: f64 = 0.9999;
@@ -277,54 +311,76 @@ impl Corner {
         // |d₂ − d₁| = 2·sin(θ/2)
         let sine = turn * (1.0 - 0.25 * turn * turn).max(0.0).sqrt();
         let directions = Directions::new(d1, d2, inverse);
-        let middle = directions.jerk(-1.0, 1.0).max(1e-12).recip();
-        let (mut best, mut least) = (self, self.loss_between(sides));
-        for [out, end] in SWINGS {
+        // Jerks, and the share at which it is as far out as in.
+        let even = |Proportions { lean, out, end, .. }: Proportions| {
+            let middle = directions.jerk(-lean, 1.0).max(directions.jerk(-1.0, lean)).max(1e-12).recip();
             // As much of both as one axis has.
             let most = directions.jerk(end, out).max(directions.jerk(out, end)).max(1e-12).recip();
-            let jerks = [out * most, middle, end * most];
-            // As far out as in.
+            let jerks = [out * most, middle, lean * middle, end * most];
             let is_out = |share: f64| {
                 Swing::new(share, jerks).is_none_or(|swing| swing.depth() * sine > swing.at(0.5)[0] * turn)
             };
-            let even = largest(is_out);
-            for part in PARTS {
-                let Some(swing) = Swing::new(part * even, jerks) else { continue };
-                let depth = (swing.at(0.5)[0] * turn).max(swing.depth() * sine);
-                if !(depth > 0.0) {
-                    continue;
-                }
-                let reach = SWING_SHARE * tolerance / depth;
-                if 2.0 * reach > len {
-                    continue;
-                }
-                let corner = self.swung(swing, reach, &directions);
-                let fits = sides.iter().all(|(feed, drive)| {
-                    let foot = paced(corner.foot, pace_below(corner.foot, *feed, drive.j));
-                    2.0 * corner.reach + STOP_ROOM * foot.room(*drive) <= len
-                });
-                if !fits {
-                    continue;
-                }
-                let loss = corner.loss_between(sides);
-                if loss < WORTH * least {
-                    (best, least) = (corner, loss);
+            (jerks, largest(is_out))
+        };
+        // The corner with this share, and what it costs.
+        let swung = |jerks: [f64; 4], share: f64| {
+            let swing = Swing::new(share, jerks)?;
+            let depth = (swing.at(0.5)[0] * turn).max(swing.depth() * sine);
+            if !(depth > 0.0) {
+                return None;
+            }
+            let reach = SWING_SHARE * tolerance / depth;
+            if 2.0 * reach > len {
+                return None;
+            }
+            let corner = self.swung(swing, reach, &directions);
+            let fits = sides.iter().all(|(feed, drive)| {
+                let foot = paced(corner.foot, pace_below(corner.foot, *feed, drive.j));
+                2.0 * corner.reach + STOP_ROOM * foot.room(*drive) <= len
+            });
+            fits.then(|| (corner, corner.loss_between(sides)))
+        };
+        let mut best = (self, WORTH * self.loss_between(sides));
+        let mut look = |jerks: [f64; 4], share: f64| {
+            let Some(found) = swung(jerks, share).filter(|(_, loss)| *loss < best.1) else { return false };
+            best = found;
+            true
+        };
+        let mut at = None;
+        for lean in LEANS {
+            for [out, end] in SWINGS {
+                let first = Proportions { lean, out, end, part: 1.0 };
+                let (jerks, even) = even(first);
+                for part in PARTS {
+                    if look(jerks, part * even) {
+                        at = Some(Proportions { part, ..first });
+                    }
                 }
             }
         }
-        best
+        for step in STEPS {
+            for k in 0..Proportions::BESIDE {
+                let Some(from) = at else { break };
+                let to = from.beside(k, step);
+                let (jerks, even) = even(to);
+                if look(jerks, to.part * even) {
+                    at = Some(to);
+                }
+            }
+        }
+        best.0
     }
 
     /// The same with this way of its sides.
     fn swung(self, swing: Swing, reach: f64, directions: &Directions) -> Corner {
-        let [start, out, back, end] = swing.bends();
-        let [first, middle, last] = swing.jerks();
-        let square = [[end, start], [back, out], [out, back], [start, end]]
+        let [start, out, half, back, end] = swing.bends();
+        let [first, rise, fall, last] = swing.jerks();
+        let square = [[end, start], [back, out], [half, half], [out, back], [start, end]]
             .map(|[left, gone]| directions.acceleration(left, gone))
             .into_iter()
             .fold(0.0, f64::max);
         // The left side is run backward: its third derivative has the other sign.
-        let cube = [[last, first], [middle, middle], [first, last]]
+        let cube = [[last, first], [fall, rise], [rise, fall], [first, last]]
             .map(|[left, gone]| directions.jerk(-left, gone))
             .into_iter()
             .fold(0.0, f64::max);

@@ -62,6 +62,9 @@ const ROW_CURVE: f64 = 0.6;
 /// Share of the shorter line that a corner takes at most.
 const CORNER_ROOM: f64 = 0.4;
 
+/// Lines of which a corner would take more than this share are smoothed together, if they can be.
+const CHAIN_ROOM: f64 = 0.16;
+
 /// Share of the tolerance that chords of a short arc take.
 const CHORD_SHARE: f64 = 0.03;
 
@@ -331,7 +334,6 @@ impl Member {
         let ease = Ease::new(len, jump, bend, tolerance, room, top, inverse).map(|ease| Ease { cap, ..ease });
         let drive = drive();
         let feed = top.min(self.feed).min(next.feed);
-        let shorter = CORNER_ROOM * len.min(next_len);
         let (Piece::Line(_), Piece::Line(_)) = (&self.piece, &next.piece) else {
             return match ease {
                 Some(ease) if angle <= ARC_CHORD || ease.speed(inverse) >= feed => Joint::Ease(ease),
@@ -345,7 +347,8 @@ impl Member {
             let room = len.min(next_len) - 2.0 * corner.reach;
             !is_other && angle < TIGHT_CHORD && room < TIGHT * corner.foot.room(drive)
         };
-        let is_better = |corner: &Corner| is_row || corner.reach < shorter && !is_tight(corner);
+        let least = len.min(next_len);
+        let is_better = |corner: &Corner| is_row || corner.reach < CHAIN_ROOM * least && !is_tight(corner);
         let corner = corner().filter(|corner| !is_chain || is_better(corner));
         let ease = ease.filter(|_| !is_row || corner.is_none());
         match choose(ease, corner, feed, drive, inverse) {

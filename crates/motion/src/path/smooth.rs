@@ -81,6 +81,9 @@ const FIRST: f64 = 0.7;
 /// Beyond so many of them a line is left as it is.
 const FAN_FREE: usize = 3;
 
+/// A line of which one end stays as it is has a fan at the other if it is so many times as long as the first distance there.
+const KEPT_ROOM: f64 = 4.0;
+
 /// What two ways to work out one place may differ by, mm.
 const ROUNDING: f64 = 1e-12;
 
@@ -518,14 +521,15 @@ impl Smoother {
             let is_first = i == 0 && !self.goes_on;
             let must = is_first || (is_last && !open);
             let (least, most) = (before.min(after), before.max(after));
-            let kept = (is_first && self.keeps[0]) || (is_last && !open && self.keeps[1]);
-            let is_bold = !kept && self.is_bold(i) && self.is_bold(i + 1);
-            if is_bold {
+            let kept = [is_first && self.keeps[0], is_last && !open && self.keeps[1]];
+            if self.is_bold(i) && self.is_bold(i + 1) {
                 let sizes =
                     [if i == 0 && self.goes_on { self.anchor_size } else { self.size(i) }, self.size(i + 1)];
-                self.fan(start, end, sizes, self.is_thinned[i + 1]);
-                before = after;
-                continue;
+                if kept == [false; 2] || len > KEPT_ROOM * sizes[0].max(sizes[1]) {
+                    self.fan(start, end, sizes, self.is_thinned[i + 1], kept);
+                    before = after;
+                    continue;
+                }
             }
             if least == 0.0 {
                 // At an end of the run; the corner at the other side decides.
@@ -581,7 +585,7 @@ impl Smoother {
 
     /// Knots of the chord from `start` to `end`, close beside a vertex and further apart away from it. What lies far from
     /// both vertices of a programmed line stays on it.
-    fn fan(&mut self, start: f64, end: f64, [before, after]: [f64; 2], is_thinned: bool) {
+    fn fan(&mut self, start: f64, end: f64, [before, after]: [f64; 2], is_thinned: bool, kept: [bool; 2]) {
         // The shorter step first, each twice the one before on its side.
         let (mut left, mut right) = (0, 0);
         let step = |size: f64| if size > 0.0 { size } else { f64::INFINITY };
@@ -599,7 +603,7 @@ impl Smoother {
             self.knots.push(start + share * before);
             self.is_dense.push(!is_far(k));
         }
-        let mut middle = !(is_far(left) && is_far(right));
+        let mut middle = !((kept[0] || is_far(left)) && (kept[1] || is_far(right)));
         if is_thinned && left + right == 0 {
             self.knots.push(0.5 * (start + end));
             self.is_dense.push(true);

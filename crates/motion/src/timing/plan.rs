@@ -28,7 +28,7 @@ use crate::timing::brake::{Brake, Start};
 use crate::timing::grid::{ALIKE, Grid, Port};
 use crate::timing::piece::{Piece, State, step};
 use crate::timing::queue::{CELLS, Node, Pass, Queue, SAME_LENGTH};
-use crate::timing::ramp::{Foot, Phases, summit};
+use crate::timing::ramp::{Foot, Phases, distance, summit};
 use crate::timing::valley::Valley;
 use ferrocut_geometry::AXES;
 
@@ -110,6 +110,9 @@ const SIDE: usize = 24;
 
 /// Speeds up to this many times that of a corner count there.
 const NEAR_CORNER: f64 = 4.0;
+
+/// Share of the highest speed at which a curve is come to from a corner: at the highest it leaves nothing to the path.
+const THROUGH: f64 = 0.8;
 
 /// Share of the jerk that a curve leaves to the path that a corner beside it counts on.
 const SIDE_SHARE: f64 = 0.7;
@@ -196,6 +199,8 @@ struct Side {
     cap: f64,
     /// Highest pace at which the acceleration at the corner is allowed there.
     pace: f64,
+    /// What of the speed need not be gone at its end: the path can be stopped from it behind that.
+    to: f64,
 }
 
 impl Side {
@@ -208,7 +213,34 @@ impl Side {
         pace <= self.pace
             && top + over <= self.cap * (1.0 + 1e-9)
             && top <= near
-            && foot.room(self.drive) * STOP_ROOM <= self.len
+            && foot.room_to(self.to, self.drive) * STOP_ROOM <= self.len
+    }
+}
+
+/// What lies behind the straight and fast way beside a corner.
+#[derive(Clone, Copy, Debug)]
+struct Beyond {
+    len: f64,
+    /// At which speed it is come to, mm/s, and what it leaves to the path at that.
+    speed: f64,
+    drive: Drive,
+}
+
+impl Beyond {
+    const NONE: Beyond = Beyond { len: 0.0, speed: f64::INFINITY, drive: Drive::MOST };
+
+    /// Goes on with a cell that is run at no more than `top`.
+    fn add(&mut self, node: &Node, top: f64) {
+        // Cells before are no worse at a lower speed.
+        self.speed = self.speed.min(THROUGH * top);
+        let room = node.load.room(self.speed);
+        self.drive = self.drive.min(Drive { a: room.a, j: room.j[1] });
+        self.len += node.len;
+    }
+
+    /// Whether the path can be stopped in it.
+    fn is_enough(&self) -> bool {
+        self.len > 0.0 && STOP_ROOM * distance(0.0, self.speed, self.drive) <= self.len
     }
 }
 
@@ -847,19 +879,21 @@ impl Plan {
         largest(1.0, fits) * corners.share * slow
     }
 
-    /// The path beside a corner as far as it is known, no further than stopping can take: all of it, and what lies before
-    /// the first place that is slower than the corner needs, before which the path can be stopped too. Nothing is known of
-    /// what is not there yet.
+    /// The path beside a corner as far as it is known, no further than stopping can take: all of it; what lies before the
+    /// first place that is slower than the corner needs, before which the path can be stopped too; and as far as it is
+    /// straight as well, where the path can be stopped, or slowed down to what the rest is run with and stopped in that.
+    /// Nothing is known of what is not there yet.
     fn sides<'a>(
         &self,
         nodes: impl Iterator<Item = &'a Node>,
         foot: Foot,
         is_bold: bool,
         cap: f64,
-    ) -> [Side; 2] {
+    ) -> [Side; 4] {
         let near = NEAR_CORNER * foot.v;
-        let mut all = Side { len: 0.0, drive: Drive::MOST, cap, pace: 1.0 };
-        let mut first = None;
+        let mut all = Side { len: 0.0, drive: Drive::MOST, cap, pace: 1.0, to: 0.0 };
+        let (mut first, mut clear) = (None, None);
+        let mut beyond = Beyond::NONE;
         let mut is_line = true;
         // Of the acceleration allowed, the least share that the corner asks for.
         let mut share: f64 = 1.0;
@@ -879,8 +913,15 @@ impl Plan {
                 break;
             }
             let top = self.overrides.cap(node);
-            if first.is_none() && all.len > 0.0 && top < foot.top(all.drive.j) {
+            let is_slow = top < foot.top(all.drive.j);
+            if first.is_none() && all.len > 0.0 && is_slow {
                 first = Some(whole(all, share, is_line));
+            }
+            if clear.is_none() && all.len > 0.0 && (is_slow || !node.load.is_straight()) {
+                clear = Some(whole(all, share, is_line));
+            }
+            if clear.is_some() && !beyond.is_enough() {
+                beyond.add(node, top);
             }
             is_line &= node.load.is_straight();
             all.cap = all.cap.min(top);
@@ -900,10 +941,12 @@ impl Plan {
             all.len += node.len;
         }
         if all.len == 0.0 {
-            return [Side { len: f64::INFINITY, ..all }; 2];
+            return [Side { len: f64::INFINITY, ..all }; 4];
         }
         let all = whole(all, share, is_line);
-        [all, first.unwrap_or(all)]
+        let clear = clear.unwrap_or(all);
+        let through = if beyond.is_enough() { Side { to: beyond.speed, ..clear } } else { clear };
+        [all, first.unwrap_or(all), clear, through]
     }
 
     /// Plans one section; its pieces are added.

@@ -39,9 +39,14 @@ impl Foot {
 
     /// The way in which the acceleration is taken back and the path then stopped, mm.
     pub fn room(&self, drive: Drive) -> f64 {
+        self.room_to(0.0, drive)
+    }
+
+    /// The same where it is only slowed down to `v`.
+    pub fn room_to(&self, v: f64, drive: Drive) -> f64 {
         let top = self.top(drive.j);
         let rising = Drive { a: drive.a.max(self.a), ..drive };
-        self.distance(top, rising).unwrap_or(f64::INFINITY) + distance(0.0, top, drive)
+        self.distance(top, rising).unwrap_or(f64::INFINITY) + distance(v.min(top), top, drive)
     }
 
     /// Where the ramp without a head start would have begun: speed, and the length and time from there.
