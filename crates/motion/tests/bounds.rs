@@ -234,7 +234,7 @@ fn corners() {
             "corners of all kinds",
             Path::through(&corners_of_all_kinds(), 12_000.0, 0.02, None),
             [1.990_199, 2.70639],
-            [1.03, 1.155],
+            [1.005, 1.135],
         ),
         (
             "fine zigzag",

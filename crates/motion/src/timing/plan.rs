@@ -111,6 +111,9 @@ const SIDE: usize = 24;
 /// Speeds up to this many times that of a corner count there.
 const NEAR_CORNER: f64 = 4.0;
 
+/// The same where the path is only slowed down beside it.
+const CALM_CORNER: f64 = 2.0;
+
 /// Share of the highest speed at which a curve is come to from a corner: at the highest it leaves nothing to the path.
 const THROUGH: f64 = 0.8;
 
@@ -199,20 +202,36 @@ struct Side {
     cap: f64,
     /// Highest pace at which the acceleration at the corner is allowed there.
     pace: f64,
+    /// Up to which speed that holds.
+    near: f64,
     /// What of the speed need not be gone at its end: the path can be stopped from it behind that.
     to: f64,
 }
 
 impl Side {
+    /// Nothing yet, at speeds up to `near`, of which none is above `cap`.
+    fn none(near: f64, cap: f64) -> Side {
+        Side { len: 0.0, drive: Drive::MOST, cap, pace: 1.0, near, to: 0.0 }
+    }
+
+    /// Goes on with a cell that is run at no more than `top`.
+    fn add(&mut self, node: &Node, top: f64) {
+        self.cap = self.cap.min(top);
+        // On a curve, what is left at the highest speed.
+        let room = node.load.room(top.min(self.near));
+        self.drive = self.drive.min(Drive { a: room.a, j: room.j[1] });
+        self.len += node.len;
+    }
+
     /// Whether a corner run at this pace leaves room to stop here.
-    fn fits(&self, foot: Foot, pace: f64, near: f64) -> bool {
+    fn fits(&self, foot: Foot, pace: f64) -> bool {
         let foot = paced(foot, pace);
         let top = foot.top(self.drive.j);
         // A ramp to the corner that is shorter than a step is not planned to where it begins.
         let over = (top - foot.v).min(0.5 * self.drive.j * SHORT_RAMP * SHORT_RAMP);
         pace <= self.pace
             && top + over <= self.cap * (1.0 + 1e-9)
-            && top <= near
+            && top <= self.near
             && foot.room_to(self.to, self.drive) * STOP_ROOM <= self.len
     }
 }
@@ -873,8 +892,7 @@ impl Plan {
                 side.len = side.len.min(queue.node(cell).s - from.s);
             }
         }
-        let near = NEAR_CORNER * foot.v;
-        let fits = |pace| sides.iter().all(|sides| sides.iter().any(|side| side.fits(foot, pace, near)));
+        let fits = |pace| sides.iter().all(|sides| sides.iter().any(|side| side.fits(foot, pace)));
         let slow = self.slow.iter().find(|(slow, _)| *slow == cell).map_or(1.0, |(_, share)| *share);
         largest(1.0, fits) * corners.share * slow
     }
@@ -890,8 +908,8 @@ impl Plan {
         is_bold: bool,
         cap: f64,
     ) -> [Side; 4] {
-        let near = NEAR_CORNER * foot.v;
-        let mut all = Side { len: 0.0, drive: Drive::MOST, cap, pace: 1.0, to: 0.0 };
+        let mut all = Side::none(NEAR_CORNER * foot.v, cap);
+        let mut calm = Side::none(CALM_CORNER * foot.v, cap);
         let (mut first, mut clear) = (None, None);
         let mut beyond = Beyond::NONE;
         let mut is_line = true;
@@ -918,16 +936,12 @@ impl Plan {
                 first = Some(whole(all, share, is_line));
             }
             if clear.is_none() && all.len > 0.0 && (is_slow || !node.load.is_straight()) {
-                clear = Some(whole(all, share, is_line));
+                clear = Some(whole(calm, share, is_line));
             }
             if clear.is_some() && !beyond.is_enough() {
                 beyond.add(node, top);
             }
             is_line &= node.load.is_straight();
-            all.cap = all.cap.min(top);
-            // On a curve, what is left at the highest speed.
-            let room = node.load.room(top.min(near));
-            all.drive = all.drive.min(Drive { a: room.a, j: room.j[1] });
             if is_bold && state.a > 0.0 {
                 // The ramp that takes the acceleration back.
                 let j = SIDE_SHARE * node.load.most().j;
@@ -938,7 +952,8 @@ impl Plan {
                 share = share.min(node.load.room(top.min(to.v)).a / state.a);
                 state = to;
             }
-            all.len += node.len;
+            all.add(node, top);
+            calm.add(node, top);
         }
         if all.len == 0.0 {
             return [Side { len: f64::INFINITY, ..all }; 4];
