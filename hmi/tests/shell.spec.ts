@@ -157,6 +157,29 @@ test('every kind of measuring is prepared with its own values', async ({ context
   await expect.poll(() => last('measure_tool')).toMatchObject({ mode: 'both', h: 1, d: 1, mark: 99, tolerance: 0.1, rpm: null });
 });
 
+test('what may be typed stands under a value that is out of range, or no whole number', async ({ context }) => {
+  const { page, sent } = await mock(context);
+  await page.evaluate(() => (location.hash = '#/offsets/tools'));
+  const length = page.getByLabel('1 Length H', { exact: true });
+  await length.fill('20000');
+  await length.press('Enter');
+  await expect(length).toHaveAccessibleDescription('−9999.999 … 9999.999');
+  await shoot(page, 'range-told');
+  await length.press('Escape');
+  await expect(length).toHaveAccessibleDescription('');
+  await expect(length).toHaveValue('-102.350');
+  await page.evaluate(() => (location.hash = '#/settings/tool'));
+  const number = page.getByLabel('Offset', { exact: true });
+  await number.fill('2.5');
+  await number.press('Enter');
+  await expect(number).toHaveAccessibleDescription('Whole number, 1 … 256');
+  await number.press('Escape');
+  await number.fill('3');
+  await number.press('Enter');
+  await expect(page.getByRole('button', { name: 'Set H 3' })).toBeVisible();
+  expect(sent.filter((one) => one.do === 'set_offset')).toEqual([]);
+});
+
 test('parts are entered on the position page, and codes are large enough for a finger', async ({ context }) => {
   const { page, sent } = await mock(context);
   const parts = page.getByTestId('parts').locator('input').last();

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { behindLetter, duration, firstOfPage, fixed, isSameProgram, numberNamed, systemNamed, typed } from './numbers';
+import { behindLetter, duration, firstOfPage, fixed, isSameProgram, numberNamed, rangeText, systemNamed, typed } from './numbers';
 
 it('measures have a fixed number of digits and no minus zero', () => {
   expect(fixed(-0.0004)).toBe('0.000');
@@ -14,6 +14,13 @@ it('typed numbers take point and comma, and nothing that is no number', () => {
   expect(typed(' −.5 ')).toBe(-0.5);
   expect(typed('5.')).toBe(5);
   for (const wrong of ['', '.', '1e5', '1,2,3', 'x', '--1', 'Infinity']) expect(typed(wrong)).toBeNull();
+});
+
+it('a range is told by its ends, as far as it has any', () => {
+  expect(rangeText(-9999.999, 9999.999)).toBe('−9999.999 … 9999.999');
+  expect(rangeText(0, Infinity)).toBe('≥ 0');
+  expect(rangeText(-Infinity, 90)).toBe('≤ 90');
+  expect(rangeText(-Infinity, Infinity)).toBe('');
 });
 
 it('durations are hours, minutes, seconds', () => {

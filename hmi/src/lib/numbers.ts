@@ -34,6 +34,13 @@ export function typed(text: string): number | null {
   return Number(clean);
 }
 
+/** The range of a value, as it stands under a field. Empty where there is none. */
+export function rangeText(minimum: number, maximum: number): string {
+  const [low, high] = [minimum, maximum].map((value) => String(value).replace('-', '−'));
+  if (minimum === -Infinity) return maximum === Infinity ? '' : `≤ ${high}`;
+  return maximum === Infinity ? `≥ ${low}` : `${low} … ${high}`;
+}
+
 /** The value behind the letter of an axis, as `X`, `X10` or `x-2,5`: without digits it is 0. Null where it is no such text. */
 export function behindLetter(text: string, letter: string): number | null {
   const clean = text.trim();
