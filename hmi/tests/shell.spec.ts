@@ -180,6 +180,15 @@ test('what may be typed stands under a value that is out of range, or no whole n
   expect(sent.filter((one) => one.do === 'set_offset')).toEqual([]);
 });
 
+for (const [value, name] of [[0, 'Radius D'], [1, 'Diameter D']] as const) {
+  test(`D of a tool is called ${name} with 40#7 = ${value}`, async ({ context }) => {
+    const { page } = await mock(context, { parameters: { 'NO40.7': value } });
+    await page.evaluate(() => (location.hash = '#/offsets/tools'));
+    await expect(page.getByLabel(`1 ${name}`, { exact: true })).toHaveValue('5.000');
+    await expect(page.getByRole('columnheader', { name, exact: true })).toBeVisible();
+  });
+}
+
 test('parts are entered on the position page, and codes are large enough for a finger', async ({ context }) => {
   const { page, sent } = await mock(context);
   const parts = page.getByTestId('parts').locator('input').last();
