@@ -929,6 +929,12 @@ fn data_by_hand() {
     shop.until_it_stops();
     shop.say(Command::Relative { axis: 'X', to: RelativeTo::Half });
     assert_eq!(shop.wait(1).position.relative[&'X'], 2.0);
+    // A value is one that a position may have.
+    for value in [100_000.0, -100_000.0, f64::NAN] {
+        assert_eq!(shop.refused(Command::Relative { axis: 'X', to: RelativeTo::Value(value) }), "FC-1409");
+    }
+    shop.say(Command::Relative { axis: 'X', to: RelativeTo::Value(-99_999.5) });
+    assert_eq!(shop.wait(1).position.relative[&'X'], -99_999.5);
     assert_eq!(shop.refused(Command::Relative { axis: 'W', to: RelativeTo::Zero }), "FC-0212");
     assert_eq!(shop.refused(Command::Key { key: "KEY_START".into(), down: true }), "FC-1406");
 }

@@ -638,7 +638,7 @@ impl Control {
         let relative = match to {
             RelativeTo::Zero => 0.0,
             RelativeTo::Half => (place - self.origin[axis]) / 2.0,
-            RelativeTo::Value(value) => finite(Some(value))?.unwrap_or(0.0),
+            RelativeTo::Value(value) => within(value, PLACES)?,
         };
         self.origin[axis] = place - relative;
         Ok(Reply::Done)
@@ -789,7 +789,7 @@ pub fn backup_in(folder: &Path, name: &str) -> Result<PathBuf, Box<Alarm>> {
 const MOST_ENTERED: f64 = 9_999.999_9;
 const ENTERED: RangeInclusive<f64> = -MOST_ENTERED..=MOST_ENTERED;
 
-/// Where a zero may lie: the range of positions, mm and degrees (GSK990MC part 1, 1.2).
+/// Where a zero may lie, and a relative coordinate: the range of positions, mm and degrees (GSK990MC part 1, 1.2).
 const PLACES: RangeInclusive<f64> = -99_999.999_9..=99_999.999_9;
 
 /// A number of a range; what is none is in no range.

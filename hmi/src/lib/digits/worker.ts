@@ -1,4 +1,5 @@
 // Draws digits in a thread of its own: a number that changes 50 times a second costs the page no style, layout or paint.
+import { shareOf, smaller } from './fit';
 import type { Place, Shown, Told } from './protocol';
 
 type Sheet = { context: OffscreenCanvasRenderingContext2D; places: Place[]; shown: Shown[] };
@@ -26,17 +27,23 @@ function draw({ context, places, shown }: Sheet): void {
   shown.forEach(({ text, tone }, index) => {
     const place = places[index];
     if (!place) return;
-    context.font = place.font;
     context.fillStyle = place.colours[tone] ?? place.colours[0] ?? '';
+    const characters = [...text];
+    const widthAt = (share: number) => {
+      context.font = share === 1 ? place.font : smaller(place.font, share);
+      return characters.reduce((sum, character) => sum + widthOf(context, character), (characters.length - 1) * place.spacing * share);
+    };
+    let width = widthAt(1);
+    const share = shareOf(width, place);
+    if (share < 1) width = widthAt(share);
+    const spacing = place.spacing * share;
     const base = place.middle + context.measureText('0').actualBoundingBoxAscent / 2;
-    const steps = [...text].map((character) => widthOf(context, character) + place.spacing);
-    let at = place.edge;
-    if (place.align === 'right') at -= steps.reduce((sum, step) => sum + step, -place.spacing);
-    [...text].forEach((character, turn) => {
-      const step = steps[turn]!;
-      context.fillText(character, at + (step - place.spacing) / 2, base);
-      at += step;
-    });
+    let at = place.align === 'right' ? place.edge - width : place.edge;
+    for (const character of characters) {
+      const own = widthOf(context, character);
+      context.fillText(character, at + own / 2, base);
+      at += own + spacing;
+    }
   });
 }
 
