@@ -122,6 +122,15 @@ test('an axis moves by hand while its key is held, by pointer and by keyboard', 
   await reaches(page, 'X', here + 1);
   await stands(page, 'idle');
   expect(await at(page, 'X')).toBeCloseTo(here + 1, 6);
+  // The handwheel has no such step (GSK990MC part 2, 6.1.1): it turns by its largest.
+  const fourth = page.locator('[data-signal="KEY_S3"]');
+  await mode(page, 'KEY_MPG', 'Handwheel');
+  await expect(page.locator('[data-signal="KEY_S2"]')).toHaveClass(/chosen/);
+  await expect(fourth).not.toHaveClass(/chosen/);
+  await expect(fourth).toBeDisabled();
+  await mode(page, 'KEY_STEP', 'Step');
+  await expect(fourth).toHaveClass(/chosen/);
+  await expect(fourth).toBeEnabled();
 });
 
 test('a program runs as fast as the handwheel is turned, and stands with it', async ({ page }) => {
