@@ -189,6 +189,16 @@ for (const [value, name] of [[0, 'Radius D'], [1, 'Diameter D']] as const) {
   });
 }
 
+test('the shift of the handwheel is cleared by axis', async ({ context }) => {
+  const { page, sent } = await mock(context, { interruption: { X: 1.5, Z: -0.2 } });
+  await page.evaluate(() => (location.hash = '#/position/all'));
+  const clear = (axis: string) => page.getByTestId(`clear-interruption-${axis}`);
+  await expect(clear('X')).toBeVisible();
+  await expect(clear('Y')).toHaveCount(0);
+  await clear('Z').click();
+  await expect.poll(() => sent.filter((one) => one.do === 'clear_interruption').map((one) => one.axis)).toEqual(['Z']);
+});
+
 test('parts are entered on the position page, and codes are large enough for a finger', async ({ context }) => {
   const { page, sent } = await mock(context);
   const parts = page.getByTestId('parts').locator('input').last();
