@@ -1,7 +1,7 @@
 // A Fagor 8065 behind the panel: what its tools have besides those of the other controls.
 import type { Page } from '@playwright/test';
 import { expect, shoot, test } from './server';
-import { enter, notice, watchFaults } from './walk';
+import { enter, notice, show, watchFaults } from './walk';
 
 watchFaults();
 test.use({ mill: 'dialect = "fagor8065"' });
@@ -36,4 +36,19 @@ test('cutting length, entry angle and tip of a tool are entered within their ran
   await expect(notice(page)).toContainText('FC-1409');
   await expect(field(page, '3 Tip radius')).toHaveValue('0.250');
   await shoot(page, 'fagor-tools');
+});
+
+test('pages of a control without parameters say so, and wait for nothing', async ({ page }) => {
+  await enter(page, '#/offsets/parameters', false);
+  await expect(page.locator('.parameters')).toContainText('This control has no parameters.');
+  await shoot(page, 'fagor-parameters');
+  await show(page, 'settings/machine_zero');
+  await expect(page.locator('[data-need]')).toHaveText(['This control sets no machine zero by hand.']);
+  await expect(page.getByTestId('set-machine-zero')).toBeDisabled();
+  await show(page, 'settings/general');
+  await expect(page.locator('.card').first()).toContainText('fagor8065');
+  await expect(page.getByRole('heading', { name: 'Often set' })).toHaveCount(0);
+  await show(page, 'offsets/pitch');
+  await expect(page.getByTestId('pitch-points')).toBeVisible();
+  await expect(page.getByRole('heading', { name: 'Pitch error' })).toHaveCount(0);
 });

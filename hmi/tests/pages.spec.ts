@@ -640,6 +640,14 @@ test('tables of help are browsed without a search, and operations lead to their 
   await page.locator('[data-key="F"]').click();
   await expect(page.getByTestId('help-detail').locator('h2')).toContainText('F');
   await expect(page.getByTestId('help-detail').getByRole('button', { name: 'Signals' })).toHaveCount(0);
+  // A code that there is not.
+  await show(page, 'help/codes/G999');
+  await expect(page.locator('.codes .detail')).toContainText('G999');
+  await expect(page.locator('.codes .detail p')).not.toHaveText('Loading…');
+  // However short a name is, a finger finds it.
+  await show(page, 'help/codes/G84');
+  const link = await page.locator('.codes .detail a', { hasText: /^M29$/ }).boundingBox();
+  expect(Math.min(link?.width ?? 0, link?.height ?? 0)).toBeGreaterThanOrEqual(43.9);
   await show(page, 'help/operations');
   await shoot(page, 'help-operations');
   await expect(page.locator('[data-operation]')).toHaveCount(30);
