@@ -298,6 +298,30 @@ test('programs are dropped, replaced only when asked, copied, renamed, downloade
   await expect(row('O1810')).toBeVisible();
 });
 
+test('a new program begins without an error whatever it is called, and what is no name is refused', async ({ page }) => {
+  await enter(page, '#/program/directory');
+  await expect(page.getByTestId('directory')).toHaveAttribute('data-loaded', 'true');
+  await page.getByTestId('new').click();
+  const name = page.getByTestId('new-name');
+  for (const [text, why] of [['O123456789', 'at most eight digits'], ['../x', 'letters, digits, - and _ alone'], ['a b', 'letters, digits, - and _ alone']] as const) {
+    await name.fill(text);
+    await expect(page.getByRole('dialog')).toContainText(why);
+    await expect(page.getByTestId('name-go')).toBeDisabled();
+  }
+  await name.fill('bracket-9');
+  await page.getByTestId('name-go').click();
+  await expect(page.getByTestId('editor').locator('.name')).toHaveText('bracket-9');
+  await expect(page.locator('.cm-content')).toContainText('M30');
+  expect(await kept(page, 'bracket-9')).toBe('\nM30\n');
+  await page.waitForTimeout(1500);
+  await expect(page.locator('.cm-lintRange, .cm-lint-marker')).toHaveCount(0);
+  await show(page, 'program/directory');
+  await page.locator('[data-program="bracket-9"]').getByRole('button').click();
+  await page.locator('.preview').getByRole('button', { name: 'Delete' }).click();
+  await page.getByTestId('delete-go').click();
+  await expect(page.locator('[data-program="bracket-9"]')).toHaveCount(0);
+});
+
 test('wear is added to, and a length is measured from relative Z', async ({ page }) => {
   await enter(page, '#/offsets/tools');
   const wear = page.getByLabel('9 Wear H', { exact: true });
