@@ -402,25 +402,25 @@ test('an edge that was touched becomes a zero beside the external one; Z knows n
     await zero(name).press('Enter');
   }
   await show(page, 'settings/centring');
-  const rows = page.locator('[data-page="settings"] tbody tr');
-  const now = async (column: number) => Number((await rows.first().locator('td').nth(column).textContent())!.replace(/^[XYZ]\s*/, '').replace('−', '-'));
+  const rows = page.locator('[data-taken]');
+  const now = async (column: number) => Number((await page.locator('[data-page="settings"] tbody tr').first().locator('td').nth(column).textContent())!.replace(/^[XYZ]\s*/, '').replace('−', '-'));
   const [x, z] = [await now(0), await now(2)];
   const kind = (name: string) => page.getByRole('radio', { name, exact: true });
   // A measurement that is left in its midst.
   await kind('Rectangle').click();
   await page.getByTestId('touch').click();
-  await expect(rows).toHaveCount(2);
+  await expect(rows).toHaveCount(1);
   await page.getByTestId('touch').click();
-  await expect(rows).toHaveCount(3);
+  await expect(rows).toHaveCount(2);
   await page.reload();
   await expect(page.getByTestId('command')).toHaveText('In command');
   await expect(kind('Z')).toHaveCount(0);
   await page.getByTestId('touch').click();
-  await expect(rows).toHaveCount(2);
+  await expect(rows).toHaveCount(1);
   await expect(page.locator('.result')).toHaveCount(0);
 
   await kind('Edge').click();
-  await expect(rows).toHaveCount(1);
+  await expect(rows).toHaveCount(0);
   await page.getByLabel('System').selectOption('G57');
   await zero('Coordinate there').fill('10');
   await zero('Coordinate there').press('Enter');
@@ -431,7 +431,7 @@ test('an edge that was touched becomes a zero beside the external one; Z knows n
     await page.getByTestId('touch').click();
     await expect(page.locator('.result strong')).toHaveText(`${axis} ${place.toFixed(3).replace('-', '−')}`);
     await page.getByTestId('set-zero').click();
-    await expect(rows).toHaveCount(1);
+    await expect(rows).toHaveCount(0);
   }
   await show(page, 'settings/zeros');
   // With the external zero the axis stands at the coordinate that was told.
@@ -441,6 +441,46 @@ test('an edge that was touched becomes a zero beside the external one; Z knows n
     await zero(name).fill('0');
     await zero(name).press('Enter');
   }
+});
+
+test('points of a centring are taken in any order, one of them anew, and are there after a look at another page', async ({ page }) => {
+  await enter(page, '#/settings/centring');
+  const rows = page.locator('[data-taken]');
+  const point = (number: number) => page.getByRole('button', { name: `Point ${number}`, exact: true });
+  const title = (text: string) => expect(page.getByRole('heading', { name: text, exact: true })).toBeVisible();
+  await page.getByRole('radio', { name: 'Rectangle' }).click();
+  await point(3).click();
+  await page.getByTestId('touch').click();
+  await title('Points: 1 of 4');
+  await expect(rows).toHaveAttribute('data-taken', '3');
+  // The first that is missing comes next.
+  await expect(point(1)).toHaveAttribute('aria-pressed', 'true');
+  await show(page, 'position/absolute');
+  await show(page, 'settings/centring');
+  await title('Points: 1 of 4');
+  await page.getByTestId('touch').click();
+  await title('Points: 2 of 4');
+  await point(3).click();
+  await page.getByTestId('touch').click();
+  await expect(point(2)).toHaveAttribute('aria-pressed', 'true');
+  await title('Points: 2 of 4');
+  for (const count of [3, 4]) {
+    await page.getByTestId('touch').click();
+    await title(`Points: ${count} of 4`);
+  }
+  await expect(page.locator('.result strong')).toHaveCount(2);
+  await shoot(page, 'centring-points');
+  // A circle may have more than it needs.
+  await page.getByRole('radio', { name: 'Circle' }).click();
+  await title('Points: 0 of 3');
+  await expect(point(4)).toHaveCount(0);
+  for (const count of [1, 2, 3]) {
+    await page.getByTestId('touch').click();
+    await title(`Points: ${count} of 3`);
+  }
+  await expect(point(4)).toHaveAttribute('aria-pressed', 'true');
+  await page.getByRole('button', { name: 'Again' }).click();
+  await title('Points: 0 of 3');
 });
 
 test('a macro variable is set in MDI, and emptied', async ({ page }) => {
