@@ -122,7 +122,7 @@ test('modes and overrides are chosen by keys, but not while something is typed',
 });
 
 test('every kind of measuring is prepared with its own values', async ({ context }) => {
-  const { page, sent } = await mock(context);
+  const { page, sent } = await mock(context, { moves: false });
   await page.evaluate(() => (location.hash = '#/settings/probe'));
   const work = page.locator('.card').filter({ has: page.getByTestId('measure') });
   const tool = page.locator('.card').filter({ has: page.getByTestId('measure-tool') });
@@ -141,6 +141,21 @@ test('every kind of measuring is prepared with its own values', async ({ context
   await expect.poll(() => last('measure')).toMatchObject({
     form: 'vector_hole', diameter: 40, angles: [0, 100, 240], system: 'G54 P12', clearance: 6, pace: { search: 200, way: null }, values: {},
   });
+  // Places behind their letter are counted from where the probe stands.
+  const stands = { X: 50, Y: 60, Z: -3 };
+  for (const [label, text, place] of [['Height of touch', 'z-5', stands.Z - 5], ['Rough centre X', 'X', stands.X], ['Rough centre Y', 'Y2,5', stands.Y + 2.5]] as const) {
+    await fill(work, label, text);
+    await expect(work.getByLabel(label, { exact: true })).toHaveValue(place.toFixed(3));
+  }
+  // Another letter says nothing of it, and no tolerance is below nothing.
+  await work.getByLabel('Height of touch', { exact: true }).fill('X5');
+  await expect(work.getByLabel('Height of touch', { exact: true })).toHaveAttribute('aria-invalid', 'true');
+  await work.getByLabel('Height of touch', { exact: true }).press('Escape');
+  await work.getByLabel('Tolerance', { exact: true }).fill('-1');
+  await expect(work.getByLabel('Tolerance', { exact: true })).toHaveAccessibleDescription('≥ 0');
+  await work.getByLabel('Tolerance', { exact: true }).press('Escape');
+  await page.getByTestId('measure').click();
+  await expect.poll(() => last('measure')).toMatchObject({ x: 50, y: 62.5, z: -8, tolerance: null });
   await work.getByRole('radio', { name: 'Slot at an angle' }).click();
   await fill(work, 'Angle', '30');
   await page.getByTestId('measure').click();
