@@ -104,7 +104,10 @@ test('the input unit, the channel, sequence numbers and the clock are set and sh
   await expect(setting(page, 'NO0.2')).toHaveAttribute('data-value', '1');
   await show(page, 'position/absolute');
   await expect(page.getByText('G20', { exact: true })).toBeVisible();
+  // Places and what is typed remain millimetres.
+  await expect(page.locator('.axes h2')).toContainText('mm');
   await show(page, 'settings/general');
+  await expect(page.getByTestId('switches')).toContainText('in mm all the same');
   await setting(page, 'NO0.2').getByRole('radio', { name: 'Metric' }).click();
   await expect(setting(page, 'NO0.2')).toHaveAttribute('data-value', '0');
   await setting(page, 'P0').getByRole('radio', { name: 'RS232 XModem' }).click();

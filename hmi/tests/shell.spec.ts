@@ -200,9 +200,20 @@ for (const [value, name] of [[0, 'Radius D'], [1, 'Diameter D']] as const) {
     const { page } = await mock(context, { parameters: { 'NO40.7': value } });
     await page.evaluate(() => (location.hash = '#/offsets/tools'));
     await expect(page.getByLabel(`1 ${name}`, { exact: true })).toHaveValue('5.000');
-    await expect(page.getByRole('columnheader', { name, exact: true })).toBeVisible();
+    await expect(page.getByRole('columnheader', { name: `${name} mm`, exact: true })).toBeVisible();
   });
 }
+
+test('places and offsets have their unit', async ({ context }) => {
+  for (const [axes, unit] of [[['X', 'Y', 'Z'], 'mm'], [['X', 'Y', 'Z', 'A'], 'mm, °']] as const) {
+    const { page } = await mock(context, { axes: [...axes] });
+    for (const [hash, head, text] of [['position/absolute', '.axes h2', `G54 ${unit}`], ['position/all', 'th >> nth=0', unit], ['settings/zeros', 'th >> nth=0', `System ${unit}`]] as const) {
+      await page.evaluate((to) => (location.hash = to), `#/${hash}`);
+      await expect(page.locator('main').locator(head)).toHaveText(text);
+    }
+    await page.close();
+  }
+});
 
 test('the shift of the handwheel is cleared by axis', async ({ context }) => {
   const { page, sent } = await mock(context, { interruption: { X: 1.5, Z: -0.2 } });
