@@ -207,7 +207,7 @@ for (const [value, name] of [[0, 'Radius D'], [1, 'Diameter D']] as const) {
 test('places and offsets have their unit', async ({ context }) => {
   for (const [axes, unit] of [[['X', 'Y', 'Z'], 'mm'], [['X', 'Y', 'Z', 'A'], 'mm, °']] as const) {
     const { page } = await mock(context, { axes: [...axes] });
-    for (const [hash, head, text] of [['position/absolute', '.axes h2', `G54 ${unit}`], ['position/all', 'th >> nth=0', unit], ['settings/zeros', 'th >> nth=0', `System ${unit}`]] as const) {
+    for (const [hash, head, text] of [['position/absolute', '.axes h2', `G54 ${unit}`], ['position/all', 'th >> nth=0', unit], ['settings/zeros', 'thead th >> nth=-1', axes.length > 3 ? 'A °' : 'Z mm']] as const) {
       await page.evaluate((to) => (location.hash = to), `#/${hash}`);
       await expect(page.locator('main').locator(head)).toHaveText(text);
     }

@@ -2,5 +2,10 @@
 import { t } from '$lib/i18n/index.svelte';
 import { machine } from '$lib/state/machine.svelte';
 
-/** The unit of places: mm, and degrees where the machine has an axis that turns. */
-export const placeUnit = () => (machine.axes.some((axis) => 'ABC'.includes(axis)) ? `${t('unit.mm')}, ${t('unit.deg')}` : t('unit.mm'));
+const turns = (axis: string) => 'ABC'.includes(axis);
+
+/** The unit of places of an axis. */
+export const unitOf = (axis: string) => t(turns(axis) ? 'unit.deg' : 'unit.mm');
+
+/** The units of places of the machine's axes. */
+export const placeUnit = () => (machine.axes.some(turns) ? `${t('unit.mm')}, ${t('unit.deg')}` : t('unit.mm'));
