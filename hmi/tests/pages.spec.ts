@@ -189,6 +189,39 @@ test('relative coordinates are set to zero, to half and to a value, and nothing 
   await shoot(page, 'position-all-relative');
 });
 
+test('a long position is drawn with its sign and all its digits, on a small screen too', async ({ page }) => {
+  await enter(page, '#/position/relative');
+  // Beside the page, not over it.
+  await page.setViewportSize({ width: 800, height: 600 });
+  const panel = page.getByTestId('panel-toggle');
+  if ((await panel.getAttribute('aria-pressed')) === 'true') await panel.click();
+  const field = page.getByLabel('Relative coordinate X');
+  await field.fill('123456');
+  await expect(field).toHaveAccessibleDescription('−99999.999 … 99999.999');
+  await field.fill('-12345.678');
+  await field.press('Enter');
+  await expect.poll(() => x(page)).toBe(-12345.678);
+  await page.waitForTimeout(500);
+  await shoot(page, 'position-long');
+  // What is drawn at the very left is the sign: flat, and not cut off.
+  const first = await page.locator('[data-axis="X"] canvas').evaluate((drawn) => {
+    const canvas = drawn as HTMLCanvasElement;
+    const { width, height } = canvas;
+    const copy = Object.assign(document.createElement('canvas'), { width, height }).getContext('2d')!;
+    copy.drawImage(canvas, 0, 0);
+    const { data } = copy.getImageData(0, 0, width, height);
+    const inked = (column: number) => Array.from({ length: height }, (_, row) => row).filter((row) => data[(row * width + column) * 4 + 3]! > 100);
+    const columns = Array.from({ length: width }, (_, column) => inked(column));
+    const left = columns.findIndex((rows) => rows.length > 0);
+    return { left, high: columns[left + 2]!.length / height };
+  });
+  expect(first.left).toBeGreaterThan(0);
+  expect(first.high).toBeGreaterThan(0);
+  expect(first.high).toBeLessThan(0.25);
+  await page.getByTestId('zero-X').click();
+  await expect.poll(() => x(page)).toBe(0);
+});
+
 test('a program is edited beside the one that runs, which is kept from change', async ({ page }) => {
   await enter(page, '#/position');
   const long = 'O1801 (LONG)\nG21 G90 G54\nG4 X600.\nM30\n';
