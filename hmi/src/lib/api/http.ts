@@ -1,4 +1,5 @@
 // What is asked over HTTP: tables and texts that do not change, checks, paths, files.
+import { unit } from '$lib/i18n/index.svelte';
 import type { AlarmText, Backup, DncFile, Explanation, Findings, Found, Parameter, Signal, Trouble, Word } from './answers';
 import type { SessionInfo } from './connection';
 import type { AlarmInfo } from './types';
@@ -107,8 +108,10 @@ export const http = {
   words(dialect: string, language: string): Promise<Word[]> {
     return once(`/api/words?${query({ dialect, language })}`);
   },
-  parameters(language: string): Promise<Parameter[]> {
-    return once(`/api/parameters?${query({ language })}`);
+  /** The control's parameters, with the signs of units in the user's language. */
+  async parameters(language: string): Promise<Parameter[]> {
+    const all = await once<Parameter[]>(`/api/parameters?${query({ language })}`);
+    return all.map((one) => ({ ...one, unit: unit(one.unit) }));
   },
   signals(language: string): Promise<Signal[]> {
     return once(`/api/signals?${query({ language })}`);

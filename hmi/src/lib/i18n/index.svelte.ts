@@ -2,6 +2,7 @@
 // called `PAGE.KEY`. All catalogues of one language are loaded together, those of the others are not.
 import { prefs, type Language } from '$lib/state/prefs.svelte';
 import { text, type Catalogue, type Values } from './plural';
+import { unitKey } from './units';
 
 const loaders: Record<Language, () => Promise<{ default: Catalogue }>> = {
   en: () => import('../../locales/en'),
@@ -22,6 +23,12 @@ export async function load(language: Language): Promise<void> {
 /** The text of a key, such as `position.title`. */
 export function t(key: string, values?: Values): string {
   return text(loaded.catalogue, loaded.language, key, values);
+}
+
+/** The sign of a unit as the control's tables write it, in the user's language; one that has no text stays as it is. */
+export function unit(sign: string): string {
+  const key = unitKey(sign);
+  return has(key) ? t(key) : sign;
 }
 
 /** Whether there is a text. */
