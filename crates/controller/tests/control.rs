@@ -902,6 +902,19 @@ fn data_by_hand() {
     shop.say(set);
     assert_eq!(shop.refused(Command::SetParameter { name: "P98".into(), value: Some(-1.0) }), "FC-1206");
     assert_eq!(shop.refused(Command::SetParameter { name: "HAT".into(), value: Some(1.0) }), "FC-1206");
+    // A refusal tells the range in figures, which every language has words for.
+    let values = |shop: &mut Shop, command: Command| {
+        shop.control.command(command, &Author::Control).unwrap_err().alarm.values
+    };
+    let told = values(&mut shop, Command::SetParameter { name: "P270".into(), value: Some(-1.0) });
+    let pairs = [("name", "P270"), ("value", "-1"), ("min", "0"), ("max", "999.9999")];
+    assert_eq!(told, pairs.map(|(name, text)| (name.to_owned(), text.to_owned())).into());
+    let long = OffsetValues { length: Some(123_456.0), ..OffsetValues::default() };
+    let told = values(&mut shop, Command::SetOffset { number: 1, values: long, add: false });
+    let pairs = [("name", "123456"), ("min", "-9999.9999"), ("max", "9999.9999")];
+    assert_eq!(told, pairs.map(|(name, text)| (name.to_owned(), text.to_owned())).into());
+    let told = values(&mut shop, Command::SpindleSpeed { speed: 9000.0 });
+    assert_eq!((told["name"].as_str(), told["min"].as_str(), told["max"].as_str()), ("9000", "0", "6000"));
     shop.say(Command::ParameterSwitch { on: false });
     // The place of the axis gets a coordinate: 1.5 = zero + 10.
     let here = |typed| Command::ZeroHere { system: "G54".into(), axes: [('X', 10.0)].into(), typed };

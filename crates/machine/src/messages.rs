@@ -74,7 +74,9 @@
 //! | `Ladder` | `word` |
 //! | `LadderUnusable` | `line` |
 //! | `ControlMode`, `ControlInterrupted` | `mode` |
-//! | `NotFitted`, `NoSuchName`, `ProgramInUse`, `ValueImpossible`, `SignalNotData`, `MachineMessage` | `name` |
+//! | `NotFitted`, `NoSuchName`, `ProgramInUse`, `SignalNotData`, `MachineMessage` | `name` |
+//! | `ValueImpossible` | `name`; with it `min` and `max` where they are known |
+//! | `MemoryValue` | `name`, `value`, `min`, `max`: as many as there are; or `whole`, `value`: the name of what is whole; or `unknown`: a name |
 //! | `NoSuchLine` | `line` |
 //! | `NotKept` | `reason` |
 //! | `RestartOtherProgram`, `RestartChanged`, `RestartNotAsProgram` | `name` |

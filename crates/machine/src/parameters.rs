@@ -3,7 +3,9 @@
 //! The definitions are data files under `data/`, one pair per control, read once. Values are held flat
 //! by number, since the interpreter asks for them block by block.
 
+use crate::alarm::{Alarm, Fault};
 use ferrocut_geometry::Axis;
+use ferrocut_program::Span;
 use std::collections::{BTreeMap, HashMap};
 use std::fmt;
 use std::str::FromStr;
@@ -132,6 +134,29 @@ impl fmt::Display for ParameterError {
 }
 
 impl std::error::Error for ParameterError {}
+
+impl ParameterError {
+    /// The alarm that tells it, in the reader's language: `name` and `value`, with `min` and `max` as far as there are
+    /// bounds; the name is called `whole` where only whole numbers mean something, `unknown` where there is no such
+    /// parameter.
+    pub fn alarm(&self) -> Alarm {
+        let alarm = Alarm::core(Fault::MemoryValue, Span::default());
+        let with_value = |name: &str, value: f64| alarm.clone().with("name", name).with("value", value);
+        match self {
+            ParameterError::Malformed(name) | ParameterError::Unknown(name) => alarm.with("unknown", &**name),
+            ParameterError::OutOfRange { name, value, min, max } => {
+                let bounds = [("min", min), ("max", max)];
+                let known = bounds.into_iter().filter_map(|(of, bound)| Some((of, (*bound)?)));
+                known.fold(with_value(name, *value), |alarm, (of, bound)| alarm.with(of, bound))
+            }
+            ParameterError::NotABit(name, value) => {
+                with_value(name, *value).with("min", 0.0).with("max", 1.0)
+            }
+            ParameterError::NotWhole(name, value) => alarm.with("whole", &**name).with("value", *value),
+            ParameterError::TooMany => alarm,
+        }
+    }
+}
 
 /// What the value of a parameter says.
 #[derive(Clone, PartialEq, Debug)]
@@ -695,6 +720,31 @@ mod tests {
         // The printed ranges of P339 and P340 are each other's; no range is printed of P380.
         assert!(p.set(&key("P340"), 65.0).is_err() && p.set(&key("P339"), -99.0).is_ok());
         assert_eq!(p.set(&key("P380"), 64.0), Ok(()));
+    }
+
+    /// What is refused is said in each language without a word of another.
+    #[test]
+    fn wrong_values_are_told_in_every_language() {
+        use crate::messages::{Catalogue, Language};
+        let p = gsk();
+        for (name, value, english, chinese) in [
+            ("P270", -1.0, "(P270 = -1: 0 to 999.9999)", "（P270 = -1：0 至 999.9999）"),
+            ("P206", 2.5, "(P206 = 2.5: only whole numbers)", "（P206 = 2.5：只能是整数）"),
+            ("NO40.7", 2.0, "(NO40.7 = 2: 0 to 1)", "（NO40.7 = 2：0 至 1）"),
+            ("P3", 0.0, "(P3: the control has no such parameter)", "（P3：控制系统没有此参数）"),
+            ("P380", f64::INFINITY, "(P380 = inf)", "（P380 = inf）"),
+        ] {
+            let alarm = p.check(&key(name), value).unwrap_err().alarm();
+            for (language, says) in [(Language::En, english), (Language::Zh, chinese)] {
+                let message = Catalogue::new(language).message(&alarm);
+                assert!(message.ends_with(says), "{message}");
+            }
+        }
+        let one_sided =
+            |min, max| ParameterError::OutOfRange { name: "A".into(), value: 3.0, min, max }.alarm();
+        let message = |alarm| Catalogue::new(Language::En).message(&alarm);
+        assert!(message(one_sided(Some(4.0), None)).ends_with("(A = 3: 4 or more)"));
+        assert!(message(one_sided(None, Some(2.0))).ends_with("(A = 3: 2 or less)"));
     }
 
     #[test]

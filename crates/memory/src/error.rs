@@ -145,7 +145,7 @@ impl Error {
             Error::WrongPassword => alarm(Fault::PasswordWrong),
             Error::PasswordLength => alarm(Fault::PasswordLength),
             Error::Wait(time) => alarm(Fault::PasswordWait).with("time", time.as_secs_f64().ceil()),
-            Error::Parameter(error) => alarm(Fault::MemoryValue).with("detail", error.to_string()),
+            Error::Parameter(error) => error.alarm(),
             Error::Value(name) => alarm(Fault::MemoryValue).with("detail", &**name),
             Error::Full(item) => alarm(Fault::MemoryFull).with("detail", item.name()),
             Error::NotABackup => alarm(Fault::NotABackup),

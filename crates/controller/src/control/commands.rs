@@ -614,8 +614,7 @@ impl Control {
         }
         if let Some(value) = finite(value)? {
             let parameters = &self.cnc.interpreter().memory().parameters;
-            let check = parameters.check(&key, value);
-            check.map_err(|error| alarm(Fault::MemoryValue).with("detail", error.to_string()))?;
+            parameters.check(&key, value).map_err(|error| error.alarm())?;
         }
         let mut changes = vec![Change::Parameter { key: key.clone(), value }];
         if key == PARTS_MACHINED {
@@ -648,8 +647,7 @@ impl Control {
     /// has its own.
     fn set_spindle_speed(&mut self, speed: f64) -> Answer {
         let highest = self.cnc.interpreter().max_spindle_rpm();
-        let speed = finite(Some(speed))?.filter(|speed| (0.0..=highest).contains(speed));
-        let speed = speed.ok_or_else(|| named(Fault::ValueImpossible, "S"))?;
+        let speed = within(finite(Some(speed))?.unwrap_or_default(), 0.0..=highest)?;
         match self.cnc.set_spindle_speed(speed) {
             true => Ok(Reply::Done),
             false => Err(Box::new(alarm(Fault::ControlBusy))),
@@ -796,8 +794,15 @@ const PLACES: RangeInclusive<f64> = -99_999.999_9..=99_999.999_9;
 fn within(value: f64, range: RangeInclusive<f64>) -> Result<f64, Box<Alarm>> {
     match range.contains(&value) {
         true => Ok(value),
-        false => Err(Box::new(named(Fault::ValueImpossible, value.to_string()))),
+        false => Err(Box::new(outside(value.to_string(), &range))),
     }
+}
+
+/// The alarm of a value outside its range, which it tells unless it is open.
+pub(super) fn outside(value: String, range: &RangeInclusive<f64>) -> Alarm {
+    let bounds = [("min", *range.start()), ("max", *range.end())].into_iter();
+    let known = bounds.filter(|(_, bound)| bound.is_finite());
+    known.fold(named(Fault::ValueImpossible, value), |alarm, (name, bound)| alarm.with(name, bound))
 }
 
 /// A number that is one.

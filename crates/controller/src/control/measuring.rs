@@ -1,6 +1,7 @@
 //! Measuring at the control (GSK990MC part 2, 3.4.3): points by hand, work zeros and tools by skip signal. What is
 //! prepared in AUTO is done by cycle start, and stored as if somebody had typed it.
 
+use super::commands::outside;
 use super::{Control, Loaded, alarm};
 use crate::api::{
     ByAxis, Event, MeasureForm, MeasurePace, MeasureTool, MeasureWork, Measurement, Reply, ToolMode,
@@ -79,7 +80,7 @@ impl Control {
             return Err(Box::new(alarm(Fault::ControlBusy)));
         }
         if !(1..=MOST_POINTS).contains(&number) {
-            return Err(Box::new(alarm(Fault::ValueImpossible).with("name", number.to_string())));
+            return Err(Box::new(outside(number.to_string(), &(1.0..=f64::from(MOST_POINTS)))));
         }
         self.measuring.points.insert(number, self.tick.position);
         Ok(Reply::Done)
@@ -356,7 +357,7 @@ impl Control {
             measured.sizes.push(value);
             let key = ParameterKey::Data(number);
             let check = self.cnc.interpreter().memory().parameters.check(&key, value);
-            check.map_err(|error| alarm(Fault::MemoryValue).with("detail", error.to_string()))?;
+            check.map_err(|error| error.alarm())?;
             calibrated.push(Change::Parameter { key, value: Some(value) });
             measured.stored.push(format!("P{number}"));
         }

@@ -14,6 +14,12 @@ FC-1205 = The disk refuses the memory of the control
     .detail = { $reason }
     .help = See whether the disk is full, read-only or broken. What was confirmed before is still there.
 FC-1206 = The memory does not take a value
+    .detail = { $name } = { $value }: { $min } to { $max }
+    .detail-2 = { $name } = { $value }: { $min } or more
+    .detail-3 = { $name } = { $value }: { $max } or less
+    .detail-4 = { $whole } = { $value }: only whole numbers
+    .detail-5 = { $unknown }: the control has no such parameter
+    .detail-6 = { $name } = { $value }
     .help = Give a value within the range of the control's list; nothing was changed.
 FC-1207 = The memory has no room for more of this kind
     .help = Delete what is no longer needed. Keep programs above 16 MB in files.

@@ -14,6 +14,12 @@ FC-1205 = El disco rechaza la memoria del control
     .detail = { $reason }
     .help = Mire si el disco está lleno, es de solo lectura o está averiado. Lo que ya se había confirmado sigue ahí.
 FC-1206 = La memoria no admite un valor
+    .detail = { $name } = { $value }: de { $min } a { $max }
+    .detail-2 = { $name } = { $value }: { $min } o más
+    .detail-3 = { $name } = { $value }: { $max } o menos
+    .detail-4 = { $whole } = { $value }: solo números enteros
+    .detail-5 = { $unknown }: el control no tiene ese parámetro
+    .detail-6 = { $name } = { $value }
     .help = Dé un valor dentro del rango de la lista del control; no se ha cambiado nada.
 FC-1207 = La memoria no tiene sitio para más datos de esta clase
     .help = Elimine lo que ya no haga falta. Guarde en archivos los programas de más de 16 MB.

@@ -14,6 +14,12 @@ FC-1205 = Disk, kontrolün belleğini kabul etmiyor
     .detail = { $reason }
     .help = Disk dolu mu, salt okunur mu, bozuk mu, bakın. Daha önce onaylananlar yerindedir.
 FC-1206 = Bellek bir değeri kabul etmiyor
+    .detail = { $name } = { $value }: { $min } ile { $max } arası
+    .detail-2 = { $name } = { $value }: en az { $min }
+    .detail-3 = { $name } = { $value }: en çok { $max }
+    .detail-4 = { $whole } = { $value }: yalnızca tam sayılar
+    .detail-5 = { $unknown }: kontrolde böyle bir parametre yok
+    .detail-6 = { $name } = { $value }
     .help = Kontrolün listesindeki aralıkta bir değer verin; hiçbir şey değiştirilmedi.
 FC-1207 = Bellekte bu türden daha fazlasına yer yok
     .help = Artık gerekmeyenleri silin. 16 MB'tan büyük programları dosyalarda tutun.

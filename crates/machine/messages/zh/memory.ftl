@@ -14,6 +14,12 @@ FC-1205 = 磁盘拒绝存取控制系统的存储
     .detail = { $reason }
     .help = 请检查磁盘是否已满、只读或损坏。此前已确认的数据仍然存在。
 FC-1206 = 存储不接受该数值
+    .detail = { $name } = { $value }：{ $min } 至 { $max }
+    .detail-2 = { $name } = { $value }：不小于 { $min }
+    .detail-3 = { $name } = { $value }：不大于 { $max }
+    .detail-4 = { $whole } = { $value }：只能是整数
+    .detail-5 = { $unknown }：控制系统没有此参数
+    .detail-6 = { $name } = { $value }
     .help = 请输入参数表范围内的数值；未做任何更改。
 FC-1207 = 存储中没有更多此类数据的空间
     .help = 请删除不再需要的内容。超过 16 MB 的程序请以文件保存。
