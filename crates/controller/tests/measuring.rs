@@ -363,6 +363,7 @@ fn what_forbids_measuring() {
         json!({"form": "hole", "diameter": 40, "pace": {"search": 0}}),
         json!({"form": "edge", "axis": "Z", "positive": true, "distance": 5}),
         json!({"form": "edge", "axis": "A", "distance": 5}),
+        json!({"form": "hole", "diameter": 40, "tolerance": -1}),
     ] {
         assert_eq!(shop.refused(command(bad.clone(), "measure")), "FC-1476", "{bad}");
     }
@@ -450,8 +451,10 @@ fn a_tool_is_measured_on_the_setter_and_the_setter_by_a_known_tool() {
     broken["tolerance"] = json!(5.0);
     assert!(measure(&mut shop, command(broken.clone(), "measure_tool")).is_ok());
     assert_eq!(mark(&mut shop), Some(0.0));
-    // It is a number of its own.
+    // It is a number of its own; and no size is within a tolerance below 0.
     broken["mark"] = json!(4);
+    assert_eq!(shop.refused(command(broken.clone(), "measure_tool")), "FC-1476");
+    (broken["mark"], broken["tolerance"]) = (json!(9), json!(-0.001));
     assert_eq!(shop.refused(command(broken, "measure_tool")), "FC-1476");
     // The radius is made smaller by the adjustment I.
     let asked =

@@ -72,6 +72,14 @@ fn pace_of(pace: MeasurePace) -> Result<Pace, Unusable> {
     })
 }
 
+/// How far a size may be from its nominal one: 0 or more.
+fn may_tolerate(tolerance: Option<f64>) -> Result<(), Unusable> {
+    match tolerance.is_some_and(|tolerance| tolerance.is_nan() || tolerance < 0.0) {
+        true => Err(Unusable("tolerance")),
+        false => Ok(()),
+    }
+}
+
 impl Control {
     // By hand.
 
@@ -120,6 +128,7 @@ impl Control {
 
     pub(super) fn prepare_work(&mut self, asked: MeasureWork, author: &Author) -> Result<Reply, Box<Alarm>> {
         self.may_measure()?;
+        may_tolerate(asked.tolerance).map_err(setting)?;
         let form = self.form_of(asked.form)?;
         let zero = self.cnc.program_zero();
         let from = self.tick.position;
@@ -163,6 +172,7 @@ impl Control {
         if parameters.table().get(&key).is_some() && !self.bit(4, 0) {
             return Err(self.own(Fault::ProbeMissing, "name", "NO4.0"));
         }
+        may_tolerate(asked.tolerance).map_err(setting)?;
         let mode = match asked.mode {
             ToolMode::Length => tool::Mode::Length,
             ToolMode::Diameter => tool::Mode::Diameter,
