@@ -257,6 +257,16 @@ fn a_running_control_takes_no_position_from_a_backup() {
     assert_eq!(control.interpreter().memory().tools.get(3).unwrap().length, -3.5);
 }
 
+/// A backup that is not there is no fault of the disk.
+#[test]
+fn a_backup_that_is_not_there_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut control = control(folder.path());
+    let restore = Command::Restore { file: "nosuch.backup".into(), items: vec!["offsets".into()] };
+    let alarm = control.command(restore, &Author::Control).unwrap_err().alarm;
+    assert_eq!((alarm.id.as_str(), alarm.values["name"].as_str()), ("FC-1407", "nosuch.backup"));
+}
+
 /// A control with the standard ladder on the memory of a folder.
 fn with_ladder(folder: &Path) -> Control {
     let store = Arc::new(Store::open(folder, Settings::new("gsk990mc")).unwrap());

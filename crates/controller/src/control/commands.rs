@@ -756,7 +756,11 @@ impl Control {
         }
         self.flush()?;
         let store = self.kept()?;
-        let backup = Backup::open(&backup_in(store.folder(), file)?).map_err(|error| error.alarm())?;
+        let path = backup_in(store.folder(), file)?;
+        if !path.is_file() {
+            return Err(Box::new(named(Fault::NoSuchName, file)));
+        }
+        let backup = Backup::open(&path).map_err(|error| error.alarm())?;
         let items = if items.is_empty() { backup.items() } else { items };
         if items.contains(&Item::Programs) {
             self.may_edit_programs(author)?;
