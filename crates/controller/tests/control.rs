@@ -564,10 +564,25 @@ fn a_run_begins_at_the_cursor() {
     shop.start();
     let status = shop.until_it_stops();
     assert_eq!((shop.x(), status.position.machine[&'Y'], status.counters.parts), (80.0, 0.0, 1));
-    shop.say(Command::Cursor { line: 500 });
-    shop.told();
-    shop.start();
-    assert_eq!(shop.told(), ["FC-1411"]);
+    // A line that the program does not have; one behind the last line feed is a line as well.
+    let last = 1 + LONG.matches('\n').count() as u32;
+    assert_eq!(shop.refused(Command::Cursor { line: last + 1 }), "FC-1411");
+    shop.say(Command::Cursor { line: last });
+    assert_eq!(shop.wait(1).program.cursor, last);
+    shop.mode(Mode::Mdi);
+    shop.say(Command::Mdi { text: "G1 F2000\nX1".into() });
+    assert_eq!(shop.refused(Command::Cursor { line: 3 }), "FC-1411");
+    shop.say(Command::Cursor { line: 2 });
+}
+
+#[test]
+fn without_a_program_there_is_no_line_to_begin_or_to_stop_at() {
+    let mut shop = Shop::new(&[]);
+    shop.mode(Mode::Auto);
+    assert_eq!(shop.refused(Command::Cursor { line: 1 }), "FC-1411");
+    assert_eq!(shop.refused(Command::StopAt { program: None, sequence: Some(7) }), "FC-1407");
+    shop.say(Command::StopAt { program: None, sequence: None });
+    assert_eq!(shop.wait(1).program.stop_at, None);
 }
 
 #[test]

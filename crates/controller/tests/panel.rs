@@ -17,6 +17,21 @@ use panel::Mill;
 use serde_json::json;
 use std::sync::Arc;
 
+/// A switch has no position behind its last: the ladder would take it for 0 %, or for another.
+#[test]
+fn a_switch_stands_where_it_can() {
+    let mut mill = Mill::power_on();
+    for (switch, last) in [("SWITCH_FEED", 20), ("SWITCH_SPINDLE", 7)] {
+        let turn = |position| Command::Switch { switch: switch.into(), position };
+        mill.say(turn(last));
+        for position in [last + 1, 32, 255] {
+            let alarm = mill.control.command(turn(position), &Author::Control).unwrap_err().alarm;
+            assert_eq!((alarm.id.as_str(), &alarm.values["max"]), ("FC-1409", &last.to_string()), "{switch}");
+        }
+        assert_eq!(mill.wait(2).panel[switch], last, "{switch}");
+    }
+}
+
 /// GSK990MC part 2, 3.1.2: S from 0 to P258 is set on the page of positions, in any mode, and keys turn the spindle at
 /// it (4.2); one that turns follows at once. A program under way has its own.
 #[test]

@@ -58,7 +58,8 @@ fn rows() -> Vec<Row> {
         (json!({"do": "mdi_block", "block": ""}), 5, ""),
         (json!({"do": "dnc", "text": "M30\n", "first": true, "last": true}), 5, ""),
         (json!({"do": "mdi_text"}), 5, ""),
-        (json!({"do": "stop_at", "sequence": 3}), 5, ""),
+        // No program is chosen.
+        (json!({"do": "stop_at", "sequence": 3}), 5, "FC-1407"),
         (json!({"do": "restart"}), 5, mode),
         (json!({"do": "restarts"}), 5, ""),
         (json!({"do": "cancel_restart"}), 5, ""),

@@ -116,10 +116,10 @@ impl Control {
             Command::MdiText => Ok(Reply::MdiText { text: self.mdi.clone(), block: self.mdi_block.clone() }),
             Command::Dnc { text, first, last } => self.take_dnc(&text, first, last),
             Command::StopAt { program, sequence } => {
-                if let (Some(program), Some(sequence)) =
-                    (program.as_ref().or(self.selected.as_ref()), sequence)
-                {
-                    self.may_stop_at(program, sequence)?;
+                if let Some(sequence) = sequence {
+                    let of = program.as_ref().or(self.selected.as_ref());
+                    let of = of.ok_or_else(|| named(Fault::NoSuchName, format!("N{sequence}")))?;
+                    self.may_stop_at(of, sequence)?;
                 }
                 self.stop_at = sequence.map(|sequence| (program, sequence));
                 self.arm_stop();
@@ -296,6 +296,11 @@ impl Control {
         let plc = self.plc.as_mut().ok_or_else(|| named(Fault::NotFitted, "ladder"))?;
         let address = plc.program().signal(switch).filter(|a| a.area == Area::X && a.bit.is_none());
         let address = address.ok_or_else(|| named(Fault::NoSuchName, switch))?;
+        if let Some((_, last)) =
+            LAST_POSITIONS.iter().find(|(name, last)| *name == switch && position > *last)
+        {
+            return Err(Box::new(outside(position.to_string(), &(0.0..=f64::from(*last)))));
+        }
         plc.memory_mut().set_byte(address, position);
         Ok(Reply::Done)
     }
@@ -437,10 +442,20 @@ impl Control {
         if self.cnc.is_under_way() {
             return Err(Box::new(alarm(Fault::ControlBusy)));
         }
+        let lines = match self.mode {
+            Mode::Mdi => lines_of(self.mdi.as_bytes()),
+            Mode::Edit | Mode::Auto => {
+                let text = self.selected.as_ref().and_then(|name| self.library.text(name));
+                text.map_or(0, |text| lines_of(&text))
+            }
+            mode => return Err(Box::new(alarm(Fault::ControlMode).with("mode", name_of(mode)))),
+        };
+        if line as usize > lines {
+            return Err(Box::new(alarm(Fault::NoSuchLine).with("line", f64::from(line))));
+        }
         match self.mode {
             Mode::Mdi => self.mdi_cursor = line,
-            Mode::Edit | Mode::Auto => self.cursor = line,
-            mode => return Err(Box::new(alarm(Fault::ControlMode).with("mode", name_of(mode)))),
+            _ => self.cursor = line,
         }
         Ok(Reply::Done)
     }
@@ -794,6 +809,9 @@ const ENTERED: RangeInclusive<f64> = -MOST_ENTERED..=MOST_ENTERED;
 /// Where a zero may lie, and a relative coordinate: the range of positions, mm and degrees (GSK990MC part 1, 1.2).
 const PLACES: RangeInclusive<f64> = -99_999.999_9..=99_999.999_9;
 
+/// The last position of the switches that `docs/api.md` names; others are of a ladder's own.
+const LAST_POSITIONS: [(&str, u8); 2] = [("SWITCH_FEED", 20), ("SWITCH_SPINDLE", 7)];
+
 /// A number of a range; what is none is in no range.
 fn within(value: f64, range: RangeInclusive<f64>) -> Result<f64, Box<Alarm>> {
     match range.contains(&value) {
@@ -807,6 +825,11 @@ pub(super) fn outside(value: String, range: &RangeInclusive<f64>) -> Alarm {
     let bounds = [("min", *range.start()), ("max", *range.end())].into_iter();
     let known = bounds.filter(|(_, bound)| bound.is_finite());
     known.fold(named(Fault::ValueImpossible, value), |alarm, (name, bound)| alarm.with(name, bound))
+}
+
+/// How many lines a text has; one behind a last line feed is the next.
+fn lines_of(text: &[u8]) -> usize {
+    text.iter().filter(|byte| **byte == b'\n').count() + 1
 }
 
 /// A number that is one.
