@@ -28,6 +28,12 @@ function typed(text) {
 	if (!/^[+-]?(\d+\.?\d*|\.\d+)$/.test(clean)) return null;
 	return Number(clean);
 }
+/** The range of a value, as it stands under a field. Empty where there is none. */
+function rangeText(minimum, maximum) {
+	const [low, high] = [minimum, maximum].map((value) => String(value).replace("-", "−"));
+	if (minimum === -Infinity) return maximum === Infinity ? "" : `≤ ${high}`;
+	return maximum === Infinity ? `≥ ${low}` : `${low} … ${high}`;
+}
 /** The value behind the letter of an axis, as `X`, `X10` or `x-2,5`: without digits it is 0. Null where it is no such text. */
 function behindLetter(text, letter) {
 	const clean = text.trim();
@@ -58,4 +64,4 @@ function isSameProgram(one, other) {
 	const plain = (name) => name.toUpperCase().replace(/^O0*(?=\d+$)/, "O");
 	return plain(one) === plain(other);
 }
-export { behindLetter, bytes, duration, firstOfPage, fixed, isSameProgram, numberNamed, percent, systemNamed, typed };
+export { behindLetter, bytes, duration, firstOfPage, fixed, isSameProgram, numberNamed, percent, rangeText, systemNamed, typed };

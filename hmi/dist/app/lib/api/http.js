@@ -1,3 +1,4 @@
+import { unit } from "../i18n/index.svelte.js";
 // src/lib/api/http.ts
 /** An answer that is no success. */
 var HttpError = class extends Error {
@@ -121,8 +122,12 @@ var http = {
 			language
 		})}`);
 	},
-	parameters(language) {
-		return once(`/api/parameters?${query({ language })}`);
+	/** The control's parameters, with the signs of units in the user's language. */
+	async parameters(language) {
+		return (await once(`/api/parameters?${query({ language })}`)).map((one) => ({
+			...one,
+			unit: unit(one.unit)
+		}));
 	},
 	signals(language) {
 		return once(`/api/signals?${query({ language })}`);

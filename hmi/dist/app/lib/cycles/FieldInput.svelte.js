@@ -1,4 +1,4 @@
-import { t } from "../i18n/index.svelte.js";
+import { t, unit } from "../i18n/index.svelte.js";
 import { typed } from "../numbers.js";
 import Button from "../parts/Button.svelte.js";
 import "svelte/internal/disclose-version";
@@ -84,7 +84,7 @@ function FieldInput($$anchor, $$props) {
 		var consequent_2 = ($$anchor) => {
 			var span_1 = root_3();
 			var text_4 = $.only_child(span_1, true);
-			$.template_effect(() => $.set_text(text_4, $$props.field.unit));
+			$.template_effect(($0) => $.set_text(text_4, $0), [() => unit($$props.field.unit)]);
 			$.append($$anchor, span_1);
 		};
 		$.if(node_2, ($$render) => {

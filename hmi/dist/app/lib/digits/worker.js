@@ -1,4 +1,13 @@
 (function() {
+	// src/lib/digits/fit.ts
+	/** The share of its size at which a number of this width ends inside the sheet. */
+	function shareOf(width, place) {
+		return place.align === "right" && width > place.edge && place.edge > 0 ? place.edge / width : 1;
+	}
+	/** The font of a place at a share of its size. */
+	function smaller(font, share) {
+		return font.replace(/[\d.]+(?=px)/, (size) => String(Number(size) * share));
+	}
 	// src/lib/digits/worker.ts
 	const sheets = /* @__PURE__ */ new Map();
 	/** Widths of characters, by font. */
@@ -21,17 +30,23 @@
 		shown.forEach(({ text, tone }, index) => {
 			const place = places[index];
 			if (!place) return;
-			context.font = place.font;
 			context.fillStyle = place.colours[tone] ?? place.colours[0] ?? "";
+			const characters = [...text];
+			const widthAt = (share) => {
+				context.font = share === 1 ? place.font : smaller(place.font, share);
+				return characters.reduce((sum, character) => sum + widthOf(context, character), (characters.length - 1) * place.spacing * share);
+			};
+			let width = widthAt(1);
+			const share = shareOf(width, place);
+			if (share < 1) width = widthAt(share);
+			const spacing = place.spacing * share;
 			const base = place.middle + context.measureText("0").actualBoundingBoxAscent / 2;
-			const steps = [...text].map((character) => widthOf(context, character) + place.spacing);
-			let at = place.edge;
-			if (place.align === "right") at -= steps.reduce((sum, step) => sum + step, -place.spacing);
-			[...text].forEach((character, turn) => {
-				const step = steps[turn];
-				context.fillText(character, at + (step - place.spacing) / 2, base);
-				at += step;
-			});
+			let at = place.align === "right" ? place.edge - width : place.edge;
+			for (const character of characters) {
+				const own = widthOf(context, character);
+				context.fillText(character, at + own / 2, base);
+				at += own + spacing;
+			}
 		});
 	}
 	addEventListener("message", ({ data }) => {

@@ -1,5 +1,6 @@
 import { prefs } from "../state/prefs.svelte.js";
 import { text } from "./plural.js";
+import { unitKey } from "./units.js";
 import { __vitePreload } from "../../_virtual/_vite/preload-helper.js";
 import * as $ from "svelte/internal/client";
 // src/lib/i18n/index.svelte.ts
@@ -24,6 +25,11 @@ async function load(language) {
 /** The text of a key, such as `position.title`. */
 function t(key, values) {
 	return text($.get(loaded).catalogue, $.get(loaded).language, key, values);
+}
+/** The sign of a unit as the control's tables write it, in the user's language; one that has no text stays as it is. */
+function unit(sign) {
+	const key = unitKey(sign);
+	return has(key) ? t(key) : sign;
 }
 /** Whether there is a text. */
 function has(key) {
@@ -54,4 +60,4 @@ function moment(ms) {
 		timeStyle: "medium"
 	}).format(ms) : "–";
 }
-export { has, language, load, moment, number, t };
+export { has, language, load, moment, number, t, unit };

@@ -67,16 +67,4 @@ var programs = {
 		}
 	}
 };
-/** The name under which a file is stored: `O` and a number where it has one, such as `O12.nc`. */
-function programName(file, text) {
-	const inside = /^\s*%?\s*[O:](\d{1,8})/i.exec(text)?.[1];
-	const outside = /(\d{1,8})/.exec(file)?.[1];
-	const number = inside ?? (/^O?\d+(\.\w+)?$/i.test(file) ? outside : void 0);
-	return number ? `O${number.replace(/^0+(?=\d{4})/, "").padStart(4, "0")}` : file.replace(/\.[^.]*$/, "");
-}
-/** The text of a program under another name: an O number at its start follows. */
-function numbered(text, name) {
-	const number = /^O(\d+)$/.exec(name)?.[1];
-	return number === void 0 ? text : text.replace(/^(\ufeff?\s*%?\s*[O:])\d{1,8}/i, (_, head) => head + number);
-}
-export { numbered, programName, programs };
+export { programs };

@@ -40,6 +40,7 @@ var app_default = {
 	"theme_system": "System",
 	"theme_light": "Light",
 	"theme_dark": "Dark",
-	"coordinates": "Positions open with"
+	"coordinates": "Positions open with",
+	"whole_number": "Whole number"
 };
 export { app_default as default };

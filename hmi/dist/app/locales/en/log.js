@@ -25,7 +25,7 @@ var log_default = {
 	"starts": "Starts",
 	"offset_length": "{number}, length H",
 	"offset_length_wear": "{number}, wear H",
-	"offset_radius": "{number}, radius D",
+	"offset_radius": "{number}, geometry D",
 	"offset_radius_wear": "{number}, wear D",
 	"offset_cutting_length": "{number}, cutting length",
 	"offset_entry_angle": "{number}, entry angle",

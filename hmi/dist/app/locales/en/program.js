@@ -48,6 +48,8 @@ var program_default = {
 	"new": "New",
 	"name": "Name",
 	"name_hint": "O and a number, such as O0001",
+	"name_digits": "An O number has at most eight digits.",
+	"name_signs": "A name has letters, digits, - and _ alone, at most 64.",
 	"comment": "Comment",
 	"size": "Size",
 	"changed": "Changed",

@@ -8,6 +8,9 @@ var unit_default = {
 	"deg": "°",
 	"us": "µs",
 	"mm_s2": "mm/s²",
-	"mm_s3": "mm/s³"
+	"mm_s3": "mm/s³",
+	"h": "h",
+	"day": "d",
+	"bit_s": "bit/s"
 };
 export { unit_default as default };

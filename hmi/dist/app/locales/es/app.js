@@ -40,6 +40,7 @@ var app_default = {
 	"theme_system": "Sistema",
 	"theme_light": "Claro",
 	"theme_dark": "Oscuro",
-	"coordinates": "La posición se abre con"
+	"coordinates": "La posición se abre con",
+	"whole_number": "Número entero"
 };
 export { app_default as default };

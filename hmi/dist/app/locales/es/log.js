@@ -25,7 +25,7 @@ var log_default = {
 	"starts": "Encendidos",
 	"offset_length": "{number}, longitud H",
 	"offset_length_wear": "{number}, desgaste H",
-	"offset_radius": "{number}, radio D",
+	"offset_radius": "{number}, geometría D",
 	"offset_radius_wear": "{number}, desgaste D",
 	"offset_cutting_length": "{number}, longitud de corte",
 	"offset_entry_angle": "{number}, ángulo de entrada",

@@ -49,6 +49,8 @@ var program_default = {
 	"new": "Nuevo",
 	"name": "Nombre",
 	"name_hint": "O y un número, como O0001",
+	"name_digits": "Un número O tiene ocho cifras como máximo.",
+	"name_signs": "Un nombre solo tiene letras, cifras, - y _, 64 como máximo.",
 	"comment": "Comentario",
 	"size": "Tamaño",
 	"changed": "Modificado",

@@ -40,6 +40,7 @@ var app_default = {
 	"theme_system": "Системная",
 	"theme_light": "Светлая",
 	"theme_dark": "Тёмная",
-	"coordinates": "Положение открывается как"
+	"coordinates": "Положение открывается как",
+	"whole_number": "Целое число"
 };
 export { app_default as default };

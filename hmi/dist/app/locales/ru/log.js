@@ -25,7 +25,7 @@ var log_default = {
 	"starts": "Включений",
 	"offset_length": "{number}, длина H",
 	"offset_length_wear": "{number}, износ H",
-	"offset_radius": "{number}, радиус D",
+	"offset_radius": "{number}, геометрия D",
 	"offset_radius_wear": "{number}, износ D",
 	"offset_cutting_length": "{number}, длина режущей части",
 	"offset_entry_angle": "{number}, угол врезания",

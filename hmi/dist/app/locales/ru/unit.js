@@ -8,6 +8,9 @@ var unit_default = {
 	"deg": "°",
 	"us": "мкс",
 	"mm_s2": "мм/с²",
-	"mm_s3": "мм/с³"
+	"mm_s3": "мм/с³",
+	"h": "ч",
+	"day": "сут",
+	"bit_s": "бит/с"
 };
 export { unit_default as default };

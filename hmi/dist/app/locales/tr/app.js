@@ -40,6 +40,7 @@ var app_default = {
 	"theme_system": "Sistem",
 	"theme_light": "Açık",
 	"theme_dark": "Koyu",
-	"coordinates": "Konum sayfasının ilk görünümü"
+	"coordinates": "Konum sayfasının ilk görünümü",
+	"whole_number": "Tam sayı"
 };
 export { app_default as default };

@@ -25,7 +25,7 @@ var log_default = {
 	"starts": "Açılışlar",
 	"offset_length": "{number}, boy H",
 	"offset_length_wear": "{number}, aşınma H",
-	"offset_radius": "{number}, yarıçap D",
+	"offset_radius": "{number}, geometri D",
 	"offset_radius_wear": "{number}, aşınma D",
 	"offset_cutting_length": "{number}, kesme boyu",
 	"offset_entry_angle": "{number}, dalma açısı",

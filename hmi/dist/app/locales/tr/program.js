@@ -48,6 +48,8 @@ var program_default = {
 	"new": "Yeni",
 	"name": "Ad",
 	"name_hint": "O ve bir sayı, örneğin O0001",
+	"name_digits": "O numarası en çok sekiz basamaklıdır.",
+	"name_signs": "Bir ad yalnız harf, rakam, - ve _ içerir, en çok 64 karakter.",
 	"comment": "Açıklama",
 	"size": "Boyut",
 	"changed": "Değişme",

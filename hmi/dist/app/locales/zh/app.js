@@ -40,6 +40,7 @@ var app_default = {
 	"theme_system": "跟随系统",
 	"theme_light": "浅色",
 	"theme_dark": "深色",
-	"coordinates": "位置页面首先显示"
+	"coordinates": "位置页面首先显示",
+	"whole_number": "整数"
 };
 export { app_default as default };

@@ -25,7 +25,7 @@ var log_default = {
 	"starts": "开机次数",
 	"offset_length": "{number}，长度 H",
 	"offset_length_wear": "{number}，磨损 H",
-	"offset_radius": "{number}，半径 D",
+	"offset_radius": "{number}，几何 D",
 	"offset_radius_wear": "{number}，磨损 D",
 	"offset_cutting_length": "{number}，切削刃长",
 	"offset_entry_angle": "{number}，进刀角",

@@ -47,6 +47,8 @@ var program_default = {
 	"new": "新建",
 	"name": "名称",
 	"name_hint": "O 加数字，如 O0001",
+	"name_digits": "O 号最多八位数字。",
+	"name_signs": "名称只能由字母、数字、- 和 _ 组成，最多 64 个字符。",
 	"comment": "注释",
 	"size": "大小",
 	"changed": "修改时间",

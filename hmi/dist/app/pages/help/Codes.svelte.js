@@ -43,7 +43,7 @@ function Codes($$anchor, $$props) {
 	$.user_effect(() => {
 		const wanted = $.get(word);
 		$.set(about, null);
-		if (wanted) http.explain(wanted, machine.dialect, language()).then((now) => wanted === $.get(word) ? $.set(about, now) : null, () => void 0);
+		if (wanted) http.explain(wanted, machine.dialect, language()).then((now) => wanted === $.get(word) ? $.set(about, now) : null, (failed) => machine.refused(failed));
 	});
 	var fragment = root_4();
 	var div = $.first_child(fragment);
@@ -111,7 +111,7 @@ function Codes($$anchor, $$props) {
 		var alternate = ($$anchor) => {
 			var p = root_2();
 			var text_4 = $.only_child(p, true);
-			$.template_effect(($0) => $.set_text(text_4, $0), [() => t("app.loading")]);
+			$.template_effect(($0) => $.set_text(text_4, $0), [() => $.get(about) ? $.get(about).text || t("help.nothing") : t("app.loading")]);
 			$.append($$anchor, p);
 		};
 		$.if(node_2, ($$render) => {

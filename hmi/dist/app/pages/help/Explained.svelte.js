@@ -2,11 +2,11 @@ import { href } from "../../lib/routing.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/help/Explained.svelte
-var root = $.from_html(`<dt class="s-w2dk9u"> </dt><dd class="s-w2dk9u"> </dd>`, 1);
-var root_1 = $.from_html(`<dl class="s-w2dk9u"></dl>`);
-var root_2 = $.from_html(`<span class="number s-w2dk9u"> </span>`);
-var root_3 = $.from_html(`<a class="code s-w2dk9u"> </a> <!> <span class="s-w2dk9u"> </span>`, 1);
-var root_4 = $.from_html(`<section class="s-w2dk9u"><h3> </h3> <div></div></section>`);
+var root = $.from_html(`<dt class="s-1fuvnz5"> </dt><dd class="s-1fuvnz5"> </dd>`, 1);
+var root_1 = $.from_html(`<dl class="s-1fuvnz5"></dl>`);
+var root_2 = $.from_html(`<span class="number s-1fuvnz5"> </span>`);
+var root_3 = $.from_html(`<a class="code s-1fuvnz5"> </a> <!> <span class="s-1fuvnz5"> </span>`, 1);
+var root_4 = $.from_html(`<section class="s-1fuvnz5"><h3> </h3> <div></div></section>`);
 var root_5 = $.from_html(`<!> <!>`, 1);
 function Explained($$anchor, $$props) {
 	$.push($$props, true);
@@ -69,7 +69,7 @@ function Explained($$anchor, $$props) {
 		$.reset(section);
 		$.template_effect(($0) => {
 			$.set_text(text_2, $.get(table).label);
-			classes = $.set_class(div, 1, "rows s-w2dk9u", null, classes, { valued: $0 });
+			classes = $.set_class(div, 1, "rows s-1fuvnz5", null, classes, { valued: $0 });
 		}, [() => $.get(table).rows.some((row) => row.length > 2)]);
 		$.append($$anchor, section);
 	});

@@ -25,10 +25,12 @@ var root_11 = $.from_html(`<ul class="s-rt3mos"></ul>`);
 var root_12 = $.from_html(`<p class="muted"> </p>`);
 var root_13 = $.from_html(`<p class="need"> </p>`);
 var root_14 = $.from_html(`<div class="detail stack scroll" data-testid="parameter"><h2 class="code"> <!></h2> <!> <!> <!> <!></div>`);
-var root_15 = $.from_html(`<div class="parameters s-rt3mos"><!> <!></div> <p class="muted count s-rt3mos"> </p>`, 1);
+var root_15 = $.from_html(`<p class="muted count s-rt3mos"> </p>`);
+var root_16 = $.from_html(`<div class="parameters s-rt3mos"><!> <!></div> <!>`, 1);
 function Parameters($$anchor, $$props) {
 	$.push($$props, true);
 	let all = $.state([]);
+	let loaded = $.state(false);
 	let values = $.state({});
 	let kind = $.state("all");
 	let sought = $.state("");
@@ -36,7 +38,10 @@ function Parameters($$anchor, $$props) {
 	let chosen = $.state(null);
 	const level = $.derived(() => machine.level);
 	$.user_effect(() => {
-		http.parameters(language()).then((now) => $.set(all, now), (failed) => machine.refused(failed));
+		http.parameters(language()).then((now) => {
+			$.set(all, now);
+			$.set(loaded, true);
+		}, (failed) => machine.refused(failed));
 	});
 	$.user_effect(() => {
 		machine.changed("parameters");
@@ -87,7 +92,7 @@ function Parameters($$anchor, $$props) {
 			value: to
 		});
 	}
-	var fragment = root_15();
+	var fragment = root_16();
 	var div = $.first_child(fragment);
 	var node = $.child(div);
 	{
@@ -203,7 +208,7 @@ function Parameters($$anchor, $$props) {
 				}, ($$anchor) => {
 					var p = root_5();
 					var text_8 = $.only_child(p, true);
-					$.template_effect(($0) => $.set_text(text_8, $0), [() => $.get(all).length ? t("offsets.none") : t("app.loading")]);
+					$.template_effect(($0) => $.set_text(text_8, $0), [() => !$.get(loaded) ? t("app.loading") : $.get(all).length ? t("offsets.none") : t("offsets.no_parameters")]);
 					$.append($$anchor, p);
 				});
 				$.reset(div_1);
@@ -403,12 +408,19 @@ function Parameters($$anchor, $$props) {
 		if ($.get(current)) $$render(consequent_9);
 	});
 	$.reset(div);
-	var p_7 = $.sibling(div, 2);
-	var text_27 = $.only_child(p_7, true);
-	$.template_effect(($0) => $.set_text(text_27, $0), [() => t("offsets.count", {
-		n: number($.get(shown).length),
-		all: number($.get(all).length)
-	})]);
+	var node_14 = $.sibling(div, 2);
+	var consequent_10 = ($$anchor) => {
+		var p_7 = root_15();
+		var text_27 = $.only_child(p_7, true);
+		$.template_effect(($0) => $.set_text(text_27, $0), [() => t("offsets.count", {
+			n: number($.get(shown).length),
+			all: number($.get(all).length)
+		})]);
+		$.append($$anchor, p_7);
+	};
+	$.if(node_14, ($$render) => {
+		if ($.get(all).length) $$render(consequent_10);
+	});
 	$.append($$anchor, fragment);
 	$.pop();
 }

@@ -74,98 +74,103 @@ function Pitch($$anchor, $$props) {
 	});
 	var fragment = root_5();
 	var node = $.first_child(fragment);
-	{
-		let $0 = $.derived(() => t("offsets.pitch"));
-		Card(node, {
-			get title() {
-				return $.get($0);
-			},
-			flush: true,
-			children: ($$anchor, $$slotProps) => {
-				var table = root_1();
-				var thead = $.child(table);
-				var tr = $.child(thead);
-				var th = $.child(tr);
-				var text_1 = $.only_child(th, true);
-				var th_1 = $.sibling(th);
-				var text_2 = $.only_child(th_1, true);
-				var th_2 = $.sibling(th_1);
-				var text_3 = $.only_child(th_2, true);
-				var th_3 = $.sibling(th_2);
-				var text_4 = $.only_child(th_3, true);
-				$.reset(tr);
-				$.reset(thead);
-				var tbody = $.sibling(thead);
-				$.each(tbody, 21, () => $.get(shown), (one) => one.name, ($$anchor, one) => {
-					var tr_1 = root();
-					var th_4 = $.child(tr_1);
-					var text_5 = $.only_child(th_4, true);
-					var td = $.sibling(th_4);
-					var text_6 = $.only_child(td, true);
-					var td_1 = $.sibling(td);
-					var node_1 = $.child(td_1);
-					{
-						let $0 = $.derived(() => $.get(values)[$.get(one).name] ?? $.get(one).standard);
-						let $1 = $.derived(() => $.get(one).minimum ?? -Infinity);
-						let $2 = $.derived(() => $.get(one).maximum ?? Infinity);
-						NumberField(node_1, {
-							get value() {
-								return $.get($0);
-							},
-							digits: 4,
-							get label() {
-								return $.get(one).name;
-							},
-							get unit() {
-								return $.get(one).unit;
-							},
-							get minimum() {
-								return $.get($1);
-							},
-							get maximum() {
-								return $.get($2);
-							},
-							onvalue: (value) => void machine.tell({
-								do: "set_parameter",
-								name: $.get(one).name,
-								value
-							})
+	var consequent = ($$anchor) => {
+		{
+			let $0 = $.derived(() => t("offsets.pitch"));
+			Card($$anchor, {
+				get title() {
+					return $.get($0);
+				},
+				flush: true,
+				children: ($$anchor, $$slotProps) => {
+					var table = root_1();
+					var thead = $.child(table);
+					var tr = $.child(thead);
+					var th = $.child(tr);
+					var text_1 = $.only_child(th, true);
+					var th_1 = $.sibling(th);
+					var text_2 = $.only_child(th_1, true);
+					var th_2 = $.sibling(th_1);
+					var text_3 = $.only_child(th_2, true);
+					var th_3 = $.sibling(th_2);
+					var text_4 = $.only_child(th_3, true);
+					$.reset(tr);
+					$.reset(thead);
+					var tbody = $.sibling(thead);
+					$.each(tbody, 21, () => $.get(shown), (one) => one.name, ($$anchor, one) => {
+						var tr_1 = root();
+						var th_4 = $.child(tr_1);
+						var text_5 = $.only_child(th_4, true);
+						var td = $.sibling(th_4);
+						var text_6 = $.only_child(td, true);
+						var td_1 = $.sibling(td);
+						var node_1 = $.child(td_1);
+						{
+							let $0 = $.derived(() => $.get(values)[$.get(one).name] ?? $.get(one).standard);
+							let $1 = $.derived(() => $.get(one).minimum ?? -Infinity);
+							let $2 = $.derived(() => $.get(one).maximum ?? Infinity);
+							NumberField(node_1, {
+								get value() {
+									return $.get($0);
+								},
+								digits: 4,
+								get label() {
+									return $.get(one).name;
+								},
+								get unit() {
+									return $.get(one).unit;
+								},
+								get minimum() {
+									return $.get($1);
+								},
+								get maximum() {
+									return $.get($2);
+								},
+								onvalue: (value) => void machine.tell({
+									do: "set_parameter",
+									name: $.get(one).name,
+									value
+								})
+							});
+						}
+						$.reset(td_1);
+						var td_2 = $.sibling(td_1);
+						var text_7 = $.only_child(td_2);
+						$.reset(tr_1);
+						$.template_effect(() => {
+							$.set_text(text_5, $.get(one).name);
+							$.set_text(text_6, $.get(one).meaning);
+							$.set_text(text_7, `${$.get(one).minimum ?? "–" ?? ""} … ${$.get(one).maximum ?? "–" ?? ""}`);
 						});
-					}
-					$.reset(td_1);
-					var td_2 = $.sibling(td_1);
-					var text_7 = $.only_child(td_2);
-					$.reset(tr_1);
-					$.template_effect(() => {
-						$.set_text(text_5, $.get(one).name);
-						$.set_text(text_6, $.get(one).meaning);
-						$.set_text(text_7, `${$.get(one).minimum ?? "–" ?? ""} … ${$.get(one).maximum ?? "–" ?? ""}`);
+						$.append($$anchor, tr_1);
 					});
-					$.append($$anchor, tr_1);
-				});
-				$.reset(tbody);
-				$.reset(table);
-				$.template_effect(($0, $1, $2, $3) => {
-					$.set_text(text_1, $0);
-					$.set_text(text_2, $1);
-					$.set_text(text_3, $2);
-					$.set_text(text_4, $3);
-				}, [
-					() => t("offsets.number"),
-					() => t("offsets.meaning"),
-					() => t("offsets.value"),
-					() => t("offsets.range")
-				]);
-				$.append($$anchor, table);
-			},
-			$$slots: { default: true }
-		});
-	}
+					$.reset(tbody);
+					$.reset(table);
+					$.template_effect(($0, $1, $2, $3) => {
+						$.set_text(text_1, $0);
+						$.set_text(text_2, $1);
+						$.set_text(text_3, $2);
+						$.set_text(text_4, $3);
+					}, [
+						() => t("offsets.number"),
+						() => t("offsets.meaning"),
+						() => t("offsets.value"),
+						() => t("offsets.range")
+					]);
+					$.append($$anchor, table);
+				},
+				$$slots: { default: true }
+			});
+		}
+	};
+	$.if(node, ($$render) => {
+		if ($.get(shown).length) $$render(consequent);
+	});
 	var node_2 = $.sibling(node, 2);
 	{
 		const actions = ($$anchor) => {
-			var fragment_1 = root_2();
-			var node_3 = $.first_child(fragment_1);
+			var fragment_2 = root_2();
+			var node_3 = $.first_child(fragment_2);
 			{
 				let $0 = $.derived(() => t("offsets.find"));
 				Find(node_3, {
@@ -228,7 +233,7 @@ function Pitch($$anchor, $$props) {
 					onclick: () => $.set(first, $.get(first) + PAGE)
 				});
 			}
-			$.append($$anchor, fragment_1);
+			$.append($$anchor, fragment_2);
 		};
 		let $0 = $.derived(() => t("offsets.pitch_points"));
 		Card(node_2, {
@@ -237,8 +242,8 @@ function Pitch($$anchor, $$props) {
 			},
 			actions,
 			children: ($$anchor, $$slotProps) => {
-				var fragment_2 = root_4();
-				var p = $.first_child(fragment_2);
+				var fragment_3 = root_4();
+				var p = $.first_child(fragment_3);
 				var text_8 = $.only_child(p, true);
 				var div = $.sibling(p, 2);
 				$.each(div, 20, () => $.get(numbers), (number) => number, ($$anchor, number) => {
@@ -275,7 +280,7 @@ function Pitch($$anchor, $$props) {
 				});
 				$.reset(div);
 				$.template_effect(($0) => $.set_text(text_8, $0), [() => t("offsets.pitch_hint")]);
-				$.append($$anchor, fragment_2);
+				$.append($$anchor, fragment_3);
 			},
 			$$slots: {
 				actions: true,

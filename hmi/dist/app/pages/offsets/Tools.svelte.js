@@ -4,15 +4,16 @@ import Button from "../../lib/parts/Button.svelte.js";
 import Card from "../../lib/parts/Card.svelte.js";
 import Find from "../../lib/parts/Find.svelte.js";
 import NumberField from "../../lib/parts/NumberField.svelte.js";
+import { followParameters } from "../../lib/state/again.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/offsets/Tools.svelte
 var root = $.from_html(`<!> <!> <!> <span class="number range s-1cs1yh2"> </span> <!>`, 1);
-var root_1 = $.from_html(`<th class="right"> </th>`);
+var root_1 = $.from_html(`<th class="right"> <small> </small></th>`);
 var root_2 = $.from_html(`<td><!></td>`);
 var root_3 = $.from_html(`<tr><th scope="row" class="number"> </th><!><td class="right number muted"> </td><td class="right"><!></td></tr>`);
-var root_4 = $.from_html(`<table class="table" data-testid="offsets"><thead><tr><th> </th><!><th class="right"> </th><th></th></tr></thead><tbody></tbody></table>`);
+var root_4 = $.from_html(`<table class="table" data-testid="offsets"><thead><tr><th> </th><!><th class="right"> <small> </small></th><th></th></tr></thead><tbody></tbody></table>`);
 var root_5 = $.from_html(`<!> <p class="muted s-1cs1yh2"> </p>`, 1);
 function Tools($$anchor, $$props) {
 	$.push($$props, true);
@@ -38,6 +39,9 @@ function Tools($$anchor, $$props) {
 	let add = $.state(false);
 	const numbers = $.derived(() => Array.from({ length: Math.min(PAGE, LAST - $.get(from) + 1) }, (_, index) => $.get(from) + index));
 	const h = $.derived(() => machine.status?.program.h ?? 0);
+	let hasDiameters = $.state(false);
+	$.user_effect(() => followParameters(["NO40.7"], (values) => $.set(hasDiameters, values["NO40.7"] === 1)));
+	const named = (kind) => t(kind === "radius" && $.get(hasDiameters) ? "offsets.diameter" : `offsets.${kind}`);
 	$.user_effect(() => {
 		machine.changed("offsets");
 		if (machine.link !== "open") return;
@@ -166,12 +170,21 @@ function Tools($$anchor, $$props) {
 				var node_5 = $.sibling(th);
 				$.each(node_5, 16, () => $.get(kinds), (kind) => kind, ($$anchor, kind) => {
 					var th_1 = root_1();
-					var text_4 = $.only_child(th_1, true);
-					$.template_effect(($0) => $.set_text(text_4, $0), [() => t(`offsets.${kind}`)]);
+					var text_4 = $.child(th_1);
+					var small = $.sibling(text_4);
+					var text_5 = $.only_child(small, true);
+					$.reset(th_1);
+					$.template_effect(($0, $1) => {
+						$.set_text(text_4, `${$0 ?? ""} `);
+						$.set_text(text_5, $1);
+					}, [() => named(kind), () => t(kind === "entry_angle" ? "unit.deg" : "unit.mm")]);
 					$.append($$anchor, th_1);
 				});
 				var th_2 = $.sibling(node_5);
-				var text_5 = $.only_child(th_2, true);
+				var text_6 = $.child(th_2);
+				var small_1 = $.sibling(text_6);
+				var text_7 = $.only_child(small_1, true);
+				$.reset(th_2);
 				$.next();
 				$.reset(tr);
 				$.reset(thead);
@@ -181,7 +194,7 @@ function Tools($$anchor, $$props) {
 					var tr_1 = root_3();
 					let classes;
 					var th_3 = $.child(tr_1);
-					var text_6 = $.only_child(th_3, true);
+					var text_8 = $.only_child(th_3, true);
 					var node_6 = $.sibling(th_3);
 					$.each(node_6, 16, () => $.get(kinds), (kind) => kind, ($$anchor, kind) => {
 						var td = root_2();
@@ -190,7 +203,7 @@ function Tools($$anchor, $$props) {
 							let $0 = $.derived(() => $.get(values)[kind] ?? 0);
 							let $1 = $.derived(() => $.get(add) || !has(cycleKinds, kind) ? -9999.999 : 0);
 							let $2 = $.derived(() => !$.get(add) && kind === "entry_angle" ? 90 : MOST);
-							let $3 = $.derived(() => `${number} ${t(`offsets.${kind}`)}`);
+							let $3 = $.derived(() => `${number} ${named(kind)}`);
 							let $4 = $.derived(() => kind === "length" ? (text) => behindZ(text, number) : void 0);
 							NumberField(node_7, {
 								get value() {
@@ -218,7 +231,7 @@ function Tools($$anchor, $$props) {
 						$.append($$anchor, td);
 					});
 					var td_1 = $.sibling(node_6);
-					var text_7 = $.only_child(td_1, true);
+					var text_9 = $.only_child(td_1, true);
 					var td_2 = $.sibling(td_1);
 					var node_8 = $.child(td_2);
 					{
@@ -240,17 +253,22 @@ function Tools($$anchor, $$props) {
 					$.template_effect(($0, $1) => {
 						$.set_attribute(tr_1, "data-offset", number);
 						classes = $.set_class(tr_1, 1, "s-1cs1yh2", null, classes, { current: number === $.get(h) });
-						$.set_text(text_6, $0);
-						$.set_text(text_7, $1);
+						$.set_text(text_8, $0);
+						$.set_text(text_9, $1);
 					}, [() => number.toString().padStart(3, "0"), () => fixed(($.get(values).length ?? 0) + ($.get(values).length_wear ?? 0))]);
 					$.append($$anchor, tr_1);
 				});
 				$.reset(tbody);
 				$.reset(table);
-				$.template_effect(($0, $1) => {
+				$.template_effect(($0, $1, $2) => {
 					$.set_text(text_3, $0);
-					$.set_text(text_5, $1);
-				}, [() => t("offsets.number"), () => t("offsets.whole")]);
+					$.set_text(text_6, `${$1 ?? ""} `);
+					$.set_text(text_7, $2);
+				}, [
+					() => t("offsets.number"),
+					() => t("offsets.whole"),
+					() => t("unit.mm")
+				]);
 				$.append($$anchor, table);
 			},
 			$$slots: {
@@ -260,8 +278,8 @@ function Tools($$anchor, $$props) {
 		});
 	}
 	var p = $.sibling(node, 2);
-	var text_8 = $.only_child(p, true);
-	$.template_effect(($0) => $.set_text(text_8, $0), [() => t("offsets.hint", { z: fixed(machine.status?.position.relative.Z) })]);
+	var text_10 = $.only_child(p, true);
+	$.template_effect(($0) => $.set_text(text_10, $0), [() => t("offsets.hint", { z: fixed(machine.status?.position.relative.Z) })]);
 	$.append($$anchor, fragment);
 	$.pop();
 }

@@ -268,7 +268,7 @@ function Data($$anchor, $$props) {
 									get value() {
 										return $.get($0);
 									},
-									digits: 0,
+									whole: true,
 									get label() {
 										return $.get($1);
 									},

@@ -3,15 +3,16 @@ import { t } from "../../lib/i18n/index.svelte.js";
 import { fixed } from "../../lib/numbers.js";
 import Icon from "../../lib/parts/Icon.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
+import { placeUnit } from "../../lib/units.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/position/Large.svelte
-var root = $.from_html(`<output class="large s-h8kdch" aria-live="off"> </output> <span> <span> </span></span> <span> <span class="machine"> </span></span>`, 1);
-var root_1 = $.from_html(`<div class="plain s-h8kdch"><!></div>`);
-var root_2 = $.from_html(`<canvas class="s-h8kdch"><!></canvas>`);
-var root_3 = $.from_html(`<span class="tools s-h8kdch"><!></span>`);
-var root_4 = $.from_html(`<div class="axis s-h8kdch"><span> <!></span> <!> <!></div>`);
-var root_5 = $.from_html(`<section data-testid="axes"><header class="s-h8kdch"><h2> </h2> <span class="legend muted s-h8kdch"><span> </span><span> </span></span></header> <!></section>`);
+var root = $.from_html(`<output class="large s-14xhx1q" aria-live="off"> </output> <span> <span> </span></span> <span> <span class="machine"> </span></span>`, 1);
+var root_1 = $.from_html(`<div class="plain s-14xhx1q"><!></div>`);
+var root_2 = $.from_html(`<canvas class="s-14xhx1q"><!></canvas>`);
+var root_3 = $.from_html(`<span class="tools s-14xhx1q"><!></span>`);
+var root_4 = $.from_html(`<div class="axis s-14xhx1q"><span> <!></span> <!> <!></div>`);
+var root_5 = $.from_html(`<section data-testid="axes"><header class="s-14xhx1q"><h2> <small class="s-14xhx1q"> </small></h2> <span class="legend muted s-14xhx1q"><span> </span><span> </span></span></header> <!></section>`);
 function Large($$anchor, $$props) {
 	$.push($$props, true);
 	const numbers = ($$anchor, axis = $.noop, $$arg1) => {
@@ -118,12 +119,15 @@ function Large($$anchor, $$props) {
 	let classes;
 	var header = $.child(section);
 	var h2 = $.child(header);
-	var text_6 = $.only_child(h2, true);
+	var text_6 = $.child(h2);
+	var small_1 = $.sibling(text_6);
+	var text_7 = $.only_child(small_1, true);
+	$.reset(h2);
 	var span_4 = $.sibling(h2, 2);
 	var span_5 = $.child(span_4);
-	var text_7 = $.only_child(span_5, true);
+	var text_8 = $.only_child(span_5, true);
 	var span_6 = $.sibling(span_5);
-	var text_8 = $.only_child(span_6, true);
+	var text_9 = $.only_child(span_6, true);
 	$.reset(span_4);
 	$.reset(header);
 	var node = $.sibling(header, 2);
@@ -132,8 +136,8 @@ function Large($$anchor, $$props) {
 		var div = root_4();
 		var span_7 = $.child(div);
 		let classes_1;
-		var text_9 = $.child(span_7);
-		var node_1 = $.sibling(text_9);
+		var text_10 = $.child(span_7);
+		var node_1 = $.sibling(text_10);
 		var consequent = ($$anchor) => {
 			Icon($$anchor, {
 				name: "check",
@@ -186,19 +190,21 @@ function Large($$anchor, $$props) {
 		$.reset(div);
 		$.template_effect(() => {
 			$.set_attribute(div, "data-axis", axis);
-			classes_1 = $.set_class(span_7, 1, "letter s-h8kdch", null, classes_1, { homed: $.get(homed) });
-			$.set_text(text_9, `${axis ?? ""} `);
+			classes_1 = $.set_class(span_7, 1, "letter s-14xhx1q", null, classes_1, { homed: $.get(homed) });
+			$.set_text(text_10, `${axis ?? ""} `);
 		});
 		$.append($$anchor, div);
 	});
 	$.reset(section);
-	$.template_effect(($0, $1, $2) => {
-		classes = $.set_class(section, 1, "axes s-h8kdch", null, classes, { small: small() });
-		$.set_text(text_6, $0);
+	$.template_effect(($0, $1, $2, $3) => {
+		classes = $.set_class(section, 1, "axes s-14xhx1q", null, classes, { small: small() });
+		$.set_text(text_6, `${$0 ?? ""} `);
 		$.set_text(text_7, $1);
 		$.set_text(text_8, $2);
+		$.set_text(text_9, $3);
 	}, [
 		() => $$props.what === "work" ? $.get(status).position.system ?? t("position.g92") : t("position.relative"),
+		() => placeUnit(),
 		() => t(`position.${second($.get(status).mode)}`),
 		() => t("position.machine")
 	]);

@@ -8,6 +8,8 @@ import * as $ from "svelte/internal/client";
 var root = $.from_html(`<div class="tools s-1afj24c"><!> <!> <span class="value s-1afj24c"><!></span></div>`);
 function Relative($$anchor, $$props) {
 	$.push($$props, true);
+	/** Positions lie within it, mm (GSK990MC part 1, 1.2); what is more is refused. */
+	const PLACE = 99999.999;
 	var div = root();
 	var node = $.child(div);
 	{
@@ -52,6 +54,8 @@ function Relative($$anchor, $$props) {
 		NumberField(node_2, {
 			value: null,
 			empty: true,
+			minimum: -99999.999,
+			maximum: PLACE,
 			get label() {
 				return $.get($0);
 			},

@@ -33,7 +33,7 @@ function Times($$anchor, $$props) {
 					get value() {
 						return $.get(counters).parts;
 					},
-					digits: 0,
+					whole: true,
 					minimum: 0,
 					maximum: MOST_PARTS,
 					get label() {

@@ -12,7 +12,8 @@ import { go } from "../../lib/routing.svelte.js";
 import { editing } from "../../lib/state/editing.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import { notify } from "../../lib/state/notices.svelte.js";
-import { numbered, programName, programs } from "../../lib/state/programs.svelte.js";
+import { begun, numbered, programName, typedName } from "../../lib/state/names.js";
+import { programs } from "../../lib/state/programs.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/program/Directory.svelte
@@ -39,10 +40,18 @@ function Directory($$anchor, $$props) {
 	let fresh = $.state("");
 	/** What the name is for: a program that is new, or another name or a copy of the one that is chosen. */
 	let naming = $.state("new");
+	const typed = $.derived(() => typedName($.get(fresh)));
+	/** The name that was typed; empty where it is none. */
+	const name = $.derived(() => "name" in $.get(typed) ? $.get(typed).name : "");
 	const taken = $.derived(() => {
-		const name = programName($.get(fresh).trim(), "");
-		const standing = programs.named(name);
-		return standing !== void 0 && !($.get(naming) === "rename" && standing === $.get(chosen) && standing.name !== name);
+		const standing = programs.named($.get(name));
+		return standing !== void 0 && !($.get(naming) === "rename" && standing === $.get(chosen) && standing.name !== $.get(name));
+	});
+	/** Why there can be no such program. */
+	const why = $.derived(() => {
+		if ($.get(taken)) return t("program.taken");
+		if ("name" in $.get(typed) || $.get(fresh).trim() === "") return "";
+		return t($.get(typed).wrong === "digits" ? "program.name_digits" : "program.name_signs");
 	});
 	/** Files whose programs are there already. */
 	let doubles = $.state([]);
@@ -102,13 +111,13 @@ function Directory($$anchor, $$props) {
 	}
 	async function make(event) {
 		event.preventDefault();
-		const name = programName($.get(fresh).trim(), "");
+		const to = $.get(name);
 		const from = $.get(chosen)?.name ?? "";
-		if (!name || $.get(taken) || !await made(name, from)) return;
+		if (!to || $.get(taken) || !await made(to, from)) return;
 		$.set(making, false);
-		if ($.get(naming) === "new") go("program", "edit", name);
+		if ($.get(naming) === "new") go("program", "edit", to);
 		else {
-			$.set(wanted, name, true);
+			$.set(wanted, to, true);
 			programs.refresh();
 		}
 	}
@@ -116,7 +125,7 @@ function Directory($$anchor, $$props) {
 		if ($.get(naming) === "new") return machine.tell({
 			do: "store",
 			program: name,
-			text: `${name}\n\nM30\n`
+			text: begun(name)
 		});
 		if ($.get(naming) === "rename") {
 			if (!await machine.tell({
@@ -547,22 +556,25 @@ function Directory($$anchor, $$props) {
 				$$slots: { default: true }
 			});
 			var node_21 = $.sibling(node_20, 2);
-			Button(node_21, {
-				kind: "primary",
-				type: "submit",
-				form: "new-program",
-				get disabled() {
-					return $.get(taken);
-				},
-				"data-testid": "name-go",
-				children: ($$anchor, $$slotProps) => {
-					$.next();
-					var text_23 = $.text();
-					$.template_effect(($0) => $.set_text(text_23, $0), [() => t(`program.${$.get(naming)}`)]);
-					$.append($$anchor, text_23);
-				},
-				$$slots: { default: true }
-			});
+			{
+				let $0 = $.derived(() => !$.get(name) || $.get(taken));
+				Button(node_21, {
+					kind: "primary",
+					type: "submit",
+					form: "new-program",
+					get disabled() {
+						return $.get($0);
+					},
+					"data-testid": "name-go",
+					children: ($$anchor, $$slotProps) => {
+						$.next();
+						var text_23 = $.text();
+						$.template_effect(($0) => $.set_text(text_23, $0), [() => t(`program.${$.get(naming)}`)]);
+						$.append($$anchor, text_23);
+					},
+					$$slots: { default: true }
+				});
+			}
 			$.append($$anchor, fragment_15);
 		};
 		let $0 = $.derived(() => $.get(naming) === "new" ? t("program.new") : `${t(`program.${$.get(naming)}`)}: ${$.get(chosen)?.name ?? ""}`);
@@ -582,7 +594,7 @@ function Directory($$anchor, $$props) {
 				var node_22 = $.child(form);
 				{
 					let $0 = $.derived(() => t("program.name"));
-					let $1 = $.derived(() => $.get(taken) ? t("program.taken") : t("program.name_hint"));
+					let $1 = $.derived(() => $.get(why) || t("program.name_hint"));
 					Labelled(node_22, {
 						get label() {
 							return $.get($0);

@@ -636,7 +636,7 @@ function Edit($$anchor, $$props) {
 									get value() {
 										return $.get(first);
 									},
-									digits: 0,
+									whole: true,
 									minimum: 0,
 									maximum: 99999,
 									get label() {
@@ -663,7 +663,7 @@ function Edit($$anchor, $$props) {
 									get value() {
 										return $.get(step);
 									},
-									digits: 0,
+									whole: true,
 									minimum: 1,
 									maximum: 1e3,
 									get label() {

@@ -282,7 +282,7 @@ function Restart($$anchor, $$props) {
 								get value() {
 									return $.get(pass);
 								},
-								digits: 0,
+								whole: true,
 								minimum: 1,
 								get label() {
 									return $.get($0);

@@ -310,8 +310,9 @@ function RunView($$anchor, $$props) {
 						get value() {
 							return $.get(stopAt);
 						},
-						digits: 0,
+						whole: true,
 						minimum: 0,
+						maximum: 99999,
 						empty: true,
 						get label() {
 							return $.get($0);

@@ -8,9 +8,19 @@ import NumberField from "../../lib/parts/NumberField.svelte.js";
 import Segmented from "../../lib/parts/Segmented.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import { notify } from "../../lib/state/notices.svelte.js";
+import { untrack } from "svelte";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/settings/Centring.svelte
+var form = $.proxy({
+	kind: "middle",
+	system: "G54",
+	axis: "X",
+	from: "below",
+	radius: 5,
+	coordinate: 0,
+	begun: false
+});
 var root = $.from_svg(`<circle r="10"></circle>`);
 var root_1 = $.from_svg(`<circle cx="120" cy="75" r="58" class="work s-1tpnn43"></circle><!>`, 1);
 var root_2 = $.from_svg(`<circle cx="120" cy="29" r="11"></circle><circle cx="120" cy="121" r="11"></circle>`, 1);
@@ -25,7 +35,7 @@ var root_10 = $.from_html(`<div class="row wrap"><!> <!></div>`);
 var root_11 = $.from_html(`<div class="form s-1tpnn43"><!> <svg viewBox="0 0 240 150" role="img" class="s-1tpnn43"><!><!></svg> <div class="fields s-1tpnn43"><!> <!> <!></div> <!></div>`);
 var root_12 = $.from_html(`<td class="right"><small class="muted"> </small> </td>`);
 var root_13 = $.from_html(`<td class="right"> </td>`);
-var root_14 = $.from_html(`<tr><th class="number"></th><!></tr>`);
+var root_14 = $.from_html(`<tr><th><!></th><!></tr>`);
 var root_15 = $.from_html(`<strong> </strong>`);
 var root_16 = $.from_html(`<p class="muted s-1tpnn43"> </p>`);
 var root_17 = $.from_html(`<div class="result number s-1tpnn43"><!> <!></div>`);
@@ -34,14 +44,11 @@ var root_19 = $.from_html(`<div class="form s-1tpnn43"><p class="muted"> </p> <t
 var root_20 = $.from_html(`<div class="centring s-1tpnn43"><!> <!></div>`);
 function Centring($$anchor, $$props) {
 	$.push($$props, true);
-	let kind = $.state("middle");
-	let system = $.state("G54");
-	let axis = $.state("X");
-	let from = $.state("below");
-	let radius = $.state(5);
-	let coordinate = $.state(0);
-	/** Points that the control has taken, machine positions. */
-	let points = $.state([]);
+	const kind = $.derived(() => form.kind), system = $.derived(() => form.system), axis = $.derived(() => form.axis), from = $.derived(() => form.from), radius = $.derived(() => form.radius), coordinate = $.derived(() => form.coordinate);
+	/** Points that the control has taken, by number: machine positions. */
+	let points = $.state({});
+	/** The point that is taken next, where somebody has chosen one. */
+	let chosen = $.state(null);
 	/** What the control makes of them. */
 	let centre = $.state(null);
 	const kinds = $.derived(() => [
@@ -72,15 +79,22 @@ function Centring($$anchor, $$props) {
 	})[$.get(kind)]);
 	/** A circle may have more points than it needs. */
 	const most = $.derived(() => $.get(kind) === "circle" ? 8 : $.get(wanted));
+	const has = (number) => $.get(points)[number] !== void 0;
+	const taken = $.derived(() => Object.keys($.get(points)).filter((number) => Number(number) <= $.get(most)).length);
+	const numbers = $.derived(() => {
+		const all = Array.from({ length: $.get(most) }, (_, index) => index + 1);
+		return $.get(kind) === "circle" ? all.filter((number) => number <= Math.max($.get(wanted), $.get(taken) + 1) || has(number)) : all;
+	});
+	const next = $.derived(() => $.get(chosen) ?? $.get(numbers).find((number) => !has(number)) ?? $.get(most));
 	const here = $.derived(() => machine.status?.position.machine ?? {});
 	const result = $.derived(() => {
-		if ($.get(points).length < $.get(wanted)) return null;
+		if ($.get(taken) < $.get(wanted)) return null;
 		if ($.get(kind) === "edge") return {
-			axes: { [$.get(axis)]: edge($.get(points)[0][$.get(axis)] ?? 0, $.get(isEnd) ? 0 : $.get(radius), $.get(from)) },
+			axes: { [$.get(axis)]: edge($.get(points)[1][$.get(axis)] ?? 0, $.get(isEnd) ? 0 : $.get(radius), $.get(from)) },
 			texts: []
 		};
 		if ($.get(kind) === "middle") {
-			const found = middle($.get(points)[0][$.get(axis)] ?? 0, $.get(points)[1][$.get(axis)] ?? 0, $.get(radius));
+			const found = middle($.get(points)[1][$.get(axis)] ?? 0, $.get(points)[2][$.get(axis)] ?? 0, $.get(radius));
 			return {
 				axes: { [$.get(axis)]: found.centre },
 				texts: [t("settings.apart", {
@@ -101,14 +115,14 @@ function Centring($$anchor, $$props) {
 				X,
 				Y
 			},
-			texts: $.get(kind) === "circle" && $.get(points).length > 3 ? [...texts, t("settings.out_of_round", { value: fixed($.get(centre).out_of_round) })] : texts
+			texts: $.get(kind) === "circle" && $.get(taken) > 3 ? [...texts, t("settings.out_of_round", { value: fixed($.get(centre).out_of_round) })] : texts
 		};
 	});
 	async function read() {
 		const reply = await machine.fetch("points", { do: "points" });
-		if (reply) $.set(points, Object.values(reply.points));
+		if (reply) $.set(points, reply.points);
 		$.set(centre, null);
-		if ($.get(points).length < $.get(wanted) || $.get(kind) === "edge" || $.get(kind) === "middle") return;
+		if ($.get(taken) < $.get(wanted) || $.get(kind) === "edge" || $.get(kind) === "middle") return;
 		const measured = await machine.fetch("measured", {
 			do: "centre",
 			circle: $.get(kind) === "circle",
@@ -116,21 +130,30 @@ function Centring($$anchor, $$props) {
 		});
 		$.set(centre, measured?.measured ?? null);
 	}
+	$.user_effect(() => {
+		if (machine.link === "open") untrack(() => form.begun && void read());
+	});
 	async function again() {
-		$.set(points, []);
+		$.set(points, {});
 		$.set(centre, null);
+		$.set(chosen, null);
+		form.begun = false;
 		await machine.tell({ do: "clear_points" });
 	}
 	function choose() {
-		if ($.get(kind) !== "edge" && $.get(axis) === "Z") $.set(axis, "X");
+		if ($.get(kind) !== "edge" && $.get(axis) === "Z") form.axis = "X";
 		again();
 	}
 	async function take() {
-		if ($.get(points).length === 0 && !await machine.tell({ do: "clear_points" })) return;
-		if (await machine.tell({
+		const number = $.get(next);
+		if (!form.begun && !await machine.tell({ do: "clear_points" })) return;
+		form.begun = true;
+		if (!await machine.tell({
 			do: "touch_point",
-			number: Math.min($.get(points).length + 1, $.get(most))
-		})) await read();
+			number
+		})) return;
+		$.set(chosen, null);
+		await read();
 	}
 	async function apply() {
 		if (!$.get(result)) return;
@@ -179,10 +202,10 @@ function Centring($$anchor, $$props) {
 						},
 						onchange: choose,
 						get value() {
-							return $.get(kind);
+							return form.kind;
 						},
 						set value($$value) {
-							$.set(kind, $$value, true);
+							form.kind = $$value;
 						}
 					});
 				}
@@ -198,11 +221,15 @@ function Centring($$anchor, $$props) {
 					], (angle) => angle, ($$anchor, angle, index) => {
 						var circle = root();
 						let classes;
-						$.template_effect(($0, $1) => {
+						$.template_effect(($0, $1, $2) => {
 							$.set_attribute(circle, "cx", $0);
 							$.set_attribute(circle, "cy", $1);
-							classes = $.set_class(circle, 0, "touch s-1tpnn43", null, classes, { done: $.get(points).length > $.get(index) });
-						}, [() => 120 + 48 * Math.cos(angle * Math.PI / 180), () => 75 + 48 * Math.sin(angle * Math.PI / 180)]);
+							classes = $.set_class(circle, 0, "touch s-1tpnn43", null, classes, { done: $2 });
+						}, [
+							() => 120 + 48 * Math.cos(angle * Math.PI / 180),
+							() => 75 + 48 * Math.sin(angle * Math.PI / 180),
+							() => has($.get(index) + 1)
+						]);
 						$.append($$anchor, circle);
 					});
 					$.append($$anchor, fragment);
@@ -216,10 +243,10 @@ function Centring($$anchor, $$props) {
 						let classes_1;
 						var circle_2 = $.sibling(circle_1);
 						let classes_2;
-						$.template_effect(() => {
-							classes_1 = $.set_class(circle_1, 0, "touch s-1tpnn43", null, classes_1, { done: $.get(points).length > 3 });
-							classes_2 = $.set_class(circle_2, 0, "touch s-1tpnn43", null, classes_2, { done: $.get(points).length > 2 });
-						});
+						$.template_effect(($0, $1) => {
+							classes_1 = $.set_class(circle_1, 0, "touch s-1tpnn43", null, classes_1, { done: $0 });
+							classes_2 = $.set_class(circle_2, 0, "touch s-1tpnn43", null, classes_2, { done: $1 });
+						}, [() => has(4), () => has(3)]);
 						$.append($$anchor, fragment_2);
 					};
 					$.if(node_4, ($$render) => {
@@ -229,7 +256,7 @@ function Centring($$anchor, $$props) {
 					var consequent_2 = ($$anchor) => {
 						var circle_3 = root_3();
 						let classes_3;
-						$.template_effect(() => classes_3 = $.set_class(circle_3, 0, "touch s-1tpnn43", null, classes_3, { done: $.get(points).length > 0 }));
+						$.template_effect(($0) => classes_3 = $.set_class(circle_3, 0, "touch s-1tpnn43", null, classes_3, { done: $0 }), [() => has(1)]);
 						$.append($$anchor, circle_3);
 					};
 					$.if(node_5, ($$render) => {
@@ -239,7 +266,7 @@ function Centring($$anchor, $$props) {
 					var consequent_3 = ($$anchor) => {
 						var circle_4 = root_4();
 						let classes_4;
-						$.template_effect(() => classes_4 = $.set_class(circle_4, 0, "touch s-1tpnn43", null, classes_4, { done: $.get(points).length > 0 }));
+						$.template_effect(($0) => classes_4 = $.set_class(circle_4, 0, "touch s-1tpnn43", null, classes_4, { done: $0 }), [() => has(1)]);
 						$.append($$anchor, circle_4);
 					};
 					$.if(node_6, ($$render) => {
@@ -249,7 +276,7 @@ function Centring($$anchor, $$props) {
 					var consequent_4 = ($$anchor) => {
 						var circle_5 = root_5();
 						let classes_5;
-						$.template_effect(() => classes_5 = $.set_class(circle_5, 0, "touch s-1tpnn43", null, classes_5, { done: $.get(points).length > ($.get(kind) === "edge" ? 0 : 1) }));
+						$.template_effect(($0) => classes_5 = $.set_class(circle_5, 0, "touch s-1tpnn43", null, classes_5, { done: $0 }), [() => has($.get(kind) === "edge" ? 1 : 2)]);
 						$.append($$anchor, circle_5);
 					};
 					$.if(node_7, ($$render) => {
@@ -293,7 +320,7 @@ function Centring($$anchor, $$props) {
 							});
 							$.reset(select);
 							$.init_select(select);
-							$.bind_select_value(select, () => $.get(system), ($$value) => $.set(system, $$value));
+							$.bind_select_value(select, () => form.system, ($$value) => form.system = $$value);
 							$.append($$anchor, select);
 						},
 						$$slots: { default: true }
@@ -322,7 +349,7 @@ function Centring($$anchor, $$props) {
 										get label() {
 											return $.get($1);
 										},
-										onvalue: (value) => $.set(radius, value ?? 0, true)
+										onvalue: (value) => form.radius = value ?? 0
 									});
 								}
 							},
@@ -354,7 +381,7 @@ function Centring($$anchor, $$props) {
 									get label() {
 										return $.get($1);
 									},
-									onvalue: (value) => $.set(coordinate, value ?? 0, true)
+									onvalue: (value) => form.coordinate = value ?? 0
 								});
 							}
 						},
@@ -377,10 +404,10 @@ function Centring($$anchor, $$props) {
 							},
 							onchange: () => void again(),
 							get value() {
-								return $.get(axis);
+								return form.axis;
 							},
 							set value($$value) {
-								$.set(axis, $$value, true);
+								form.axis = $$value;
 							}
 						});
 					}
@@ -396,10 +423,10 @@ function Centring($$anchor, $$props) {
 									return $.get($0);
 								},
 								get value() {
-									return $.get(from);
+									return form.from;
 								},
 								set value($$value) {
-									$.set(from, $$value, true);
+									form.from = $$value;
 								}
 							});
 						}
@@ -423,7 +450,7 @@ function Centring($$anchor, $$props) {
 	var node_15 = $.sibling(node, 2);
 	{
 		let $0 = $.derived(() => t("settings.points", {
-			taken: $.get(points).length,
+			taken: $.get(taken),
 			wanted: $.get(wanted)
 		}));
 		Card(node_15, {
@@ -458,44 +485,66 @@ function Centring($$anchor, $$props) {
 				});
 				$.reset(tr);
 				var node_17 = $.sibling(tr);
-				$.each(node_17, 17, () => $.get(points), $.index, ($$anchor, point, index) => {
+				$.each(node_17, 16, () => $.get(numbers), (number) => number, ($$anchor, number) => {
 					var tr_1 = root_14();
 					var th_1 = $.child(tr_1);
-					th_1.textContent = index + 1;
-					var node_18 = $.sibling(th_1);
-					$.each(node_18, 16, () => [
+					var node_18 = $.child(th_1);
+					{
+						let $0 = $.derived(() => number === $.get(next));
+						let $1 = $.derived(() => t("settings.point", { number }));
+						Button(node_18, {
+							get pressed() {
+								return $.get($0);
+							},
+							get "aria-label"() {
+								return $.get($1);
+							},
+							onclick: () => $.set(chosen, number, true),
+							children: ($$anchor, $$slotProps) => {
+								$.next();
+								var text_6 = $.text();
+								$.template_effect(() => $.set_text(text_6, number));
+								$.append($$anchor, text_6);
+							},
+							$$slots: { default: true }
+						});
+					}
+					$.reset(th_1);
+					var node_19 = $.sibling(th_1);
+					$.each(node_19, 16, () => [
 						"X",
 						"Y",
 						"Z"
 					], (one) => one, ($$anchor, one) => {
 						var td_1 = root_13();
-						var text_6 = $.only_child(td_1, true);
-						$.template_effect(($0) => $.set_text(text_6, $0), [() => fixed($.get(point)[one])]);
+						var text_7 = $.only_child(td_1, true);
+						$.template_effect(($0) => $.set_text(text_7, $0), [() => fixed($.get(points)[number]?.[one])]);
 						$.append($$anchor, td_1);
 					});
 					$.reset(tr_1);
+					$.template_effect(($0) => $.set_attribute(tr_1, "data-taken", $0), [() => has(number) ? number : void 0]);
 					$.append($$anchor, tr_1);
 				});
 				$.reset(tbody);
 				$.reset(table);
 				var div_5 = $.sibling(table, 2);
-				var node_19 = $.child(div_5);
-				Button(node_19, {
+				var node_20 = $.child(div_5);
+				Button(node_20, {
 					icon: "target",
 					onclick: () => void take(),
 					"data-testid": "touch",
 					children: ($$anchor, $$slotProps) => {
 						$.next();
-						var text_7 = $.text();
-						$.template_effect(($0) => $.set_text(text_7, $0), [() => t("settings.take")]);
-						$.append($$anchor, text_7);
+						var text_8 = $.text();
+						$.template_effect(($0) => $.set_text(text_8, $0), [() => t("settings.take")]);
+						$.append($$anchor, text_8);
 					},
 					$$slots: { default: true }
 				});
-				var node_20 = $.sibling(node_19, 2);
+				var node_21 = $.sibling(node_20, 2);
 				{
-					let $0 = $.derived(() => $.get(points).length === 0);
-					Button(node_20, {
+					let $0 = $.derived(() => $.get(taken) === 0);
+					Button(node_21, {
 						icon: "reset",
 						get disabled() {
 							return $.get($0);
@@ -503,32 +552,32 @@ function Centring($$anchor, $$props) {
 						onclick: () => void again(),
 						children: ($$anchor, $$slotProps) => {
 							$.next();
-							var text_8 = $.text();
-							$.template_effect(($0) => $.set_text(text_8, $0), [() => t("settings.again")]);
-							$.append($$anchor, text_8);
+							var text_9 = $.text();
+							$.template_effect(($0) => $.set_text(text_9, $0), [() => t("settings.again")]);
+							$.append($$anchor, text_9);
 						},
 						$$slots: { default: true }
 					});
 				}
 				$.reset(div_5);
-				var node_21 = $.sibling(div_5, 2);
+				var node_22 = $.sibling(div_5, 2);
 				var consequent_9 = ($$anchor) => {
 					var div_6 = root_17();
-					var node_22 = $.child(div_6);
-					$.each(node_22, 17, () => Object.entries($.get(result).axes), ([name, place]) => name, ($$anchor, $$item) => {
+					var node_23 = $.child(div_6);
+					$.each(node_23, 17, () => Object.entries($.get(result).axes), ([name, place]) => name, ($$anchor, $$item) => {
 						var $$array = $.derived(() => $.to_array($.get($$item), 2));
 						let name = () => $.get($$array)[0];
 						let place = () => $.get($$array)[1];
 						var strong = root_15();
-						var text_9 = $.only_child(strong);
-						$.template_effect(($0) => $.set_text(text_9, `${name() ?? ""} ${$0 ?? ""}`), [() => fixed(place())]);
+						var text_10 = $.only_child(strong);
+						$.template_effect(($0) => $.set_text(text_10, `${name() ?? ""} ${$0 ?? ""}`), [() => fixed(place())]);
 						$.append($$anchor, strong);
 					});
-					var node_23 = $.sibling(node_22, 2);
-					$.each(node_23, 17, () => $.get(result).texts, $.index, ($$anchor, text) => {
+					var node_24 = $.sibling(node_23, 2);
+					$.each(node_24, 17, () => $.get(result).texts, $.index, ($$anchor, text) => {
 						var p_1 = root_16();
-						var text_10 = $.only_child(p_1, true);
-						$.template_effect(() => $.set_text(text_10, $.get(text)));
+						var text_11 = $.only_child(p_1, true);
+						$.template_effect(() => $.set_text(text_11, $.get(text)));
 						$.append($$anchor, p_1);
 					});
 					$.reset(div_6);
@@ -536,18 +585,18 @@ function Centring($$anchor, $$props) {
 				};
 				var consequent_10 = ($$anchor) => {
 					var p_2 = root_18();
-					var text_11 = $.only_child(p_2, true);
-					$.template_effect(($0) => $.set_text(text_11, $0), [() => t("settings.on_a_line")]);
+					var text_12 = $.only_child(p_2, true);
+					$.template_effect(($0) => $.set_text(text_12, $0), [() => t("settings.on_a_line")]);
 					$.append($$anchor, p_2);
 				};
-				$.if(node_21, ($$render) => {
+				$.if(node_22, ($$render) => {
 					if ($.get(result)) $$render(consequent_9);
-					else if ($.get(points).length >= $.get(wanted)) $$render(consequent_10, 1);
+					else if ($.get(taken) >= $.get(wanted)) $$render(consequent_10, 1);
 				});
-				var node_24 = $.sibling(node_21, 2);
+				var node_25 = $.sibling(node_22, 2);
 				{
 					let $0 = $.derived(() => !$.get(result));
-					Button(node_24, {
+					Button(node_25, {
 						kind: "primary",
 						icon: "check",
 						get disabled() {
@@ -557,9 +606,9 @@ function Centring($$anchor, $$props) {
 						"data-testid": "set-zero",
 						children: ($$anchor, $$slotProps) => {
 							$.next();
-							var text_12 = $.text();
-							$.template_effect(($0) => $.set_text(text_12, $0), [() => t("settings.apply", { system: $.get(system) })]);
-							$.append($$anchor, text_12);
+							var text_13 = $.text();
+							$.template_effect(($0) => $.set_text(text_13, $0), [() => t("settings.apply", { system: $.get(system) })]);
+							$.append($$anchor, text_13);
 						},
 						$$slots: { default: true }
 					});

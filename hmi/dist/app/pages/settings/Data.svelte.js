@@ -8,6 +8,7 @@ import Icon from "../../lib/parts/Icon.svelte.js";
 import Labelled from "../../lib/parts/Labelled.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import { notify } from "../../lib/state/notices.svelte.js";
+import { isRestored, restorable } from "./restoring.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/settings/Data.svelte
@@ -52,6 +53,7 @@ function Data($$anchor, $$props) {
 	let backups = $.state([]);
 	/** The level that takes a backup away. */
 	const TAKES = 3;
+	const restored = $.derived(() => restorable($.get(file), $.get(chosen), $.get(backups)));
 	const takes = $.derived(() => machine.level <= TAKES);
 	let over = $.state(false);
 	let picker = $.state(void 0);
@@ -112,7 +114,7 @@ function Data($$anchor, $$props) {
 		if (await machine.tell({
 			do: "restore",
 			file: $.get(file),
-			items: $.get(chosen)
+			items: $.get(restored)
 		})) notify({
 			kind: "done",
 			title: t("settings.restored", { file: $.get(file) })
@@ -150,7 +152,7 @@ function Data($$anchor, $$props) {
 						() => $.get(chosen).includes(name()),
 						() => $.get(chosen).includes(name()),
 						() => t(`item.${name()}`),
-						() => t("settings.restore_level", { level: level() })
+						() => isRestored(name()) ? t("settings.restore_level", { level: level() }) : t("settings.backup_only")
 					]);
 					$.delegated("click", button, () => toggle(name()));
 					$.append($$anchor, button);
@@ -226,7 +228,7 @@ function Data($$anchor, $$props) {
 				}
 				var node_5 = $.sibling(node_4, 2);
 				{
-					let $0 = $.derived(() => $.get(busy) || $.get(chosen).length === 0);
+					let $0 = $.derived(() => $.get(busy) || $.get(restored).length === 0);
 					Button(node_5, {
 						kind: "danger",
 						icon: "undo",
@@ -480,7 +482,7 @@ function Data($$anchor, $$props) {
 				$.template_effect(($0, $1) => {
 					$.set_text(text_18, $0);
 					$.set_text(text_19, $1);
-				}, [() => t("settings.restore_text"), () => $.get(chosen).map((name) => t(`item.${name}`)).join(", ")]);
+				}, [() => t("settings.restore_text"), () => $.get(restored).map((name) => t(`item.${name}`)).join(", ")]);
 				$.append($$anchor, fragment_15);
 			},
 			$$slots: {

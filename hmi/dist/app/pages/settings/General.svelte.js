@@ -120,53 +120,58 @@ function General($$anchor, $$props) {
 		if (machine.status && machine.status.switches.programs !== null) $$render(consequent);
 	});
 	var node_3 = $.sibling(node_1, 2);
-	{
-		let $0 = $.derived(() => t("settings.often"));
-		Card(node_3, {
-			get title() {
-				return $.get($0);
-			},
-			flush: true,
-			children: ($$anchor, $$slotProps) => {
-				var table = root_3();
-				var tbody = $.child(table);
-				$.each(tbody, 21, () => $.get(shown), (one) => one.name, ($$anchor, one) => {
-					var tr = root_2();
-					var th = $.child(tr);
-					var text_12 = $.only_child(th, true);
-					var td = $.sibling(th);
-					var text_13 = $.only_child(td, true);
-					var td_1 = $.sibling(td);
-					var text_14 = $.child(td_1);
-					var small = $.sibling(text_14);
-					var text_15 = $.only_child(small, true);
-					$.reset(td_1);
-					var td_2 = $.sibling(td_1);
-					var node_4 = $.child(td_2);
-					Button(node_4, {
-						icon: "edit",
-						get "aria-label"() {
-							return $.get(one).name;
-						},
-						onclick: () => go("offsets", "parameters", $.get(one).name)
+	var consequent_1 = ($$anchor) => {
+		{
+			let $0 = $.derived(() => t("settings.often"));
+			Card($$anchor, {
+				get title() {
+					return $.get($0);
+				},
+				flush: true,
+				children: ($$anchor, $$slotProps) => {
+					var table = root_3();
+					var tbody = $.child(table);
+					$.each(tbody, 21, () => $.get(shown), (one) => one.name, ($$anchor, one) => {
+						var tr = root_2();
+						var th = $.child(tr);
+						var text_12 = $.only_child(th, true);
+						var td = $.sibling(th);
+						var text_13 = $.only_child(td, true);
+						var td_1 = $.sibling(td);
+						var text_14 = $.child(td_1);
+						var small = $.sibling(text_14);
+						var text_15 = $.only_child(small, true);
+						$.reset(td_1);
+						var td_2 = $.sibling(td_1);
+						var node_4 = $.child(td_2);
+						Button(node_4, {
+							icon: "edit",
+							get "aria-label"() {
+								return $.get(one).name;
+							},
+							onclick: () => go("offsets", "parameters", $.get(one).name)
+						});
+						$.reset(td_2);
+						$.reset(tr);
+						$.template_effect(() => {
+							$.set_text(text_12, $.get(one).name);
+							$.set_text(text_13, $.get(one).meaning);
+							$.set_text(text_14, `${$.get(values)[$.get(one).name] ?? $.get(one).standard ?? ""} `);
+							$.set_text(text_15, $.get(one).unit);
+						});
+						$.append($$anchor, tr);
 					});
-					$.reset(td_2);
-					$.reset(tr);
-					$.template_effect(() => {
-						$.set_text(text_12, $.get(one).name);
-						$.set_text(text_13, $.get(one).meaning);
-						$.set_text(text_14, `${$.get(values)[$.get(one).name] ?? $.get(one).standard ?? ""} `);
-						$.set_text(text_15, $.get(one).unit);
-					});
-					$.append($$anchor, tr);
-				});
-				$.reset(tbody);
-				$.reset(table);
-				$.append($$anchor, table);
-			},
-			$$slots: { default: true }
-		});
-	}
+					$.reset(tbody);
+					$.reset(table);
+					$.append($$anchor, table);
+				},
+				$$slots: { default: true }
+			});
+		}
+	};
+	$.if(node_3, ($$render) => {
+		if ($.get(shown).length) $$render(consequent_1);
+	});
 	$.reset(div);
 	$.append($$anchor, div);
 	$.pop();

@@ -12,17 +12,20 @@ import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/settings/MachineZero.svelte
 var root = $.from_html(`<tr><td><!></td><td class="right"> </td><td class="right"> </td><td> </td></tr>`);
-var root_1 = $.from_html(`<a class="s-ns3zhx"></a>`);
-var root_2 = $.from_html(`<p class="need s-ns3zhx"> <!></p>`);
-var root_3 = $.from_html(`<div class="form s-ns3zhx"><p class="muted"> </p> <table class="table" data-testid="machine-zero"><thead><tr><th> </th><th class="right"> </th><th class="right"> </th><th> </th></tr></thead><tbody></tbody></table> <!> <div class="row wrap"><!> <!></div></div>`);
-var root_4 = $.from_html(`<!> <!>`, 1);
-var root_5 = $.from_html(`<p> </p>`);
+var root_1 = $.from_html(`<p class="need" data-need="none"> </p>`);
+var root_2 = $.from_html(`<a class="s-ns3zhx"></a>`);
+var root_3 = $.from_html(`<p class="need s-ns3zhx"> <!></p>`);
+var root_4 = $.from_html(`<div class="form s-ns3zhx"><p class="muted"> </p> <table class="table" data-testid="machine-zero"><thead><tr><th> </th><th class="right"> </th><th class="right"> </th><th> </th></tr></thead><tbody></tbody></table> <!> <!> <div class="row wrap"><!> <!></div></div>`);
+var root_5 = $.from_html(`<!> <!>`, 1);
+var root_6 = $.from_html(`<p> </p>`);
 function MachineZero($$anchor, $$props) {
 	$.push($$props, true);
 	/** That machine zero may be set by hand. */
 	const ALLOWED = "NO20.7";
 	const LEVEL = 3;
 	let allowed = $.state(false);
+	/** Controls of other dialects have no such parameter, and no machine zero by hand. */
+	let lacks = $.state(false);
 	/** Machine coordinates of the first reference points. */
 	let reference = $.state({});
 	let chosen = $.state($.proxy([]));
@@ -54,7 +57,10 @@ function MachineZero($$anchor, $$props) {
 		}
 	]);
 	const may = $.derived(() => $.get(needs).every((need) => need.is) && $.get(chosen).length > 0);
-	$.user_effect(() => followParameters([ALLOWED], (values) => $.set(allowed, values[ALLOWED] === 1)));
+	$.user_effect(() => followParameters([ALLOWED], (values) => {
+		$.set(allowed, values[ALLOWED] === 1);
+		$.set(lacks, !(ALLOWED in values));
+	}));
 	$.user_effect(() => {
 		machine.changed("reference-points");
 		if (machine.link !== "open") return;
@@ -78,7 +84,7 @@ function MachineZero($$anchor, $$props) {
 		});
 		$.set(chosen, [], true);
 	}
-	var fragment = root_4();
+	var fragment = root_5();
 	var node = $.first_child(fragment);
 	{
 		let $0 = $.derived(() => t("settings.machine_zero"));
@@ -87,7 +93,7 @@ function MachineZero($$anchor, $$props) {
 				return $.get($0);
 			},
 			children: ($$anchor, $$slotProps) => {
-				var div = root_3();
+				var div = root_4();
 				var p = $.child(div);
 				var text = $.only_child(p, true);
 				var table = $.sibling(p, 2);
@@ -147,41 +153,56 @@ function MachineZero($$anchor, $$props) {
 				$.reset(tbody);
 				$.reset(table);
 				var node_2 = $.sibling(table, 2);
-				$.each(node_2, 17, () => $.get(needs), (need) => need.id, ($$anchor, need) => {
+				var consequent = ($$anchor) => {
+					var p_1 = root_1();
+					var text_9 = $.only_child(p_1, true);
+					$.template_effect(($0) => $.set_text(text_9, $0), [() => t("settings.machine_zero_none")]);
+					$.append($$anchor, p_1);
+				};
+				$.if(node_2, ($$render) => {
+					if ($.get(lacks)) $$render(consequent);
+				});
+				var node_3 = $.sibling(node_2, 2);
+				$.each(node_3, 17, () => $.get(needs), (need) => need.id, ($$anchor, need) => {
 					var fragment_2 = $.comment();
-					var node_3 = $.first_child(fragment_2);
-					var consequent_1 = ($$anchor) => {
-						var p_1 = root_2();
-						var text_9 = $.child(p_1);
-						var node_4 = $.sibling(text_9);
-						var consequent = ($$anchor) => {
-							var a = root_1();
+					var node_4 = $.first_child(fragment_2);
+					var consequent_2 = ($$anchor) => {
+						var p_2 = root_3();
+						var text_10 = $.child(p_2);
+						var node_5 = $.sibling(text_10);
+						var consequent_1 = ($$anchor) => {
+							var a = root_2();
 							a.textContent = "NO20.7";
 							$.template_effect(($0) => $.set_attribute(a, "href", $0), [() => href("offsets", "parameters", "NO20")]);
 							$.append($$anchor, a);
 						};
-						$.if(node_4, ($$render) => {
-							if ($.get(need).id === "allowed") $$render(consequent);
+						$.if(node_5, ($$render) => {
+							if ($.get(need).id === "allowed") $$render(consequent_1);
 						});
-						$.reset(p_1);
+						$.reset(p_2);
 						$.template_effect(() => {
-							$.set_attribute(p_1, "data-need", $.get(need).id);
-							$.set_text(text_9, `${$.get(need).text ?? ""} `);
+							$.set_attribute(p_2, "data-need", $.get(need).id);
+							$.set_text(text_10, `${$.get(need).text ?? ""} `);
 						});
-						$.append($$anchor, p_1);
+						$.append($$anchor, p_2);
 					};
-					$.if(node_3, ($$render) => {
-						if (!$.get(need).is) $$render(consequent_1);
+					$.if(node_4, ($$render) => {
+						if (!$.get(need).is && !$.get(lacks)) $$render(consequent_2);
 					});
 					$.append($$anchor, fragment_2);
 				});
-				var div_1 = $.sibling(node_2, 2);
-				var node_5 = $.child(div_1);
-				ParameterSwitch(node_5, {});
-				var node_6 = $.sibling(node_5, 2);
+				var div_1 = $.sibling(node_3, 2);
+				var node_6 = $.child(div_1);
+				var consequent_3 = ($$anchor) => {
+					ParameterSwitch($$anchor, {});
+				};
+				$.if(node_6, ($$render) => {
+					if (!$.get(lacks)) $$render(consequent_3);
+				});
+				var node_7 = $.sibling(node_6, 2);
 				{
 					let $0 = $.derived(() => !$.get(may));
-					Button(node_6, {
+					Button(node_7, {
 						kind: "danger",
 						icon: "target",
 						get disabled() {
@@ -191,9 +212,9 @@ function MachineZero($$anchor, $$props) {
 						"data-testid": "set-machine-zero",
 						children: ($$anchor, $$slotProps) => {
 							$.next();
-							var text_10 = $.text();
-							$.template_effect(($0) => $.set_text(text_10, $0), [() => t("settings.machine_zero_set")]);
-							$.append($$anchor, text_10);
+							var text_11 = $.text();
+							$.template_effect(($0) => $.set_text(text_11, $0), [() => t("settings.machine_zero_set")]);
+							$.append($$anchor, text_11);
 						},
 						$$slots: { default: true }
 					});
@@ -218,38 +239,38 @@ function MachineZero($$anchor, $$props) {
 			$$slots: { default: true }
 		});
 	}
-	var node_7 = $.sibling(node, 2);
+	var node_8 = $.sibling(node, 2);
 	{
 		const actions = ($$anchor) => {
-			var fragment_4 = root_4();
-			var node_8 = $.first_child(fragment_4);
-			Button(node_8, {
+			var fragment_5 = root_5();
+			var node_9 = $.first_child(fragment_5);
+			Button(node_9, {
 				onclick: () => $.set(asking, false),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_11 = $.text();
-					$.template_effect(($0) => $.set_text(text_11, $0), [() => t("app.cancel")]);
-					$.append($$anchor, text_11);
+					var text_12 = $.text();
+					$.template_effect(($0) => $.set_text(text_12, $0), [() => t("app.cancel")]);
+					$.append($$anchor, text_12);
 				},
 				$$slots: { default: true }
 			});
-			var node_9 = $.sibling(node_8, 2);
-			Button(node_9, {
+			var node_10 = $.sibling(node_9, 2);
+			Button(node_10, {
 				kind: "danger",
 				onclick: () => void set(),
 				"data-testid": "set-machine-zero-go",
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_12 = $.text();
-					$.template_effect(($0) => $.set_text(text_12, $0), [() => t("settings.machine_zero_set")]);
-					$.append($$anchor, text_12);
+					var text_13 = $.text();
+					$.template_effect(($0) => $.set_text(text_13, $0), [() => t("settings.machine_zero_set")]);
+					$.append($$anchor, text_13);
 				},
 				$$slots: { default: true }
 			});
-			$.append($$anchor, fragment_4);
+			$.append($$anchor, fragment_5);
 		};
 		let $0 = $.derived(() => t("settings.machine_zero_ask", { axes: $.get(chosen).join(" ") }));
-		Dialog(node_7, {
+		Dialog(node_8, {
 			get title() {
 				return $.get($0);
 			},
@@ -261,10 +282,10 @@ function MachineZero($$anchor, $$props) {
 			},
 			actions,
 			children: ($$anchor, $$slotProps) => {
-				var p_2 = root_5();
-				var text_13 = $.only_child(p_2, true);
-				$.template_effect(($0) => $.set_text(text_13, $0), [() => t("settings.machine_zero_warning")]);
-				$.append($$anchor, p_2);
+				var p_3 = root_6();
+				var text_14 = $.only_child(p_3, true);
+				$.template_effect(($0) => $.set_text(text_14, $0), [() => t("settings.machine_zero_warning")]);
+				$.append($$anchor, p_3);
 			},
 			$$slots: {
 				actions: true,

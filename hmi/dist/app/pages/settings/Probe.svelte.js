@@ -1,5 +1,5 @@
 import { t } from "../../lib/i18n/index.svelte.js";
-import { fixed } from "../../lib/numbers.js";
+import { behindLetter, fixed } from "../../lib/numbers.js";
 import { SYSTEMS } from "../../lib/measuring.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import Card from "../../lib/parts/Card.svelte.js";
@@ -13,13 +13,13 @@ import * as $ from "svelte/internal/client";
 var measured = ($$anchor, label = $.noop, value = $.noop, onvalue = $.noop, $$arg3, $$arg4, $$arg5) => {
 	let empty = $.derived_safe_equal(() => $.fallback($$arg3?.(), false));
 	let unit = $.derived_safe_equal(() => $.fallback($$arg4?.(), () => t("unit.mm"), true));
-	let digits = $.derived_safe_equal(() => $.fallback($$arg5?.(), 3));
+	let limits = $.derived_safe_equal(() => $.fallback($$arg5?.(), () => ({}), true));
 	Labelled($$anchor, {
 		get label() {
 			return label();
 		},
 		children: ($$anchor, $$slotProps) => {
-			NumberField($$anchor, {
+			NumberField($$anchor, $.spread_props({
 				get value() {
 					return value();
 				},
@@ -29,16 +29,13 @@ var measured = ($$anchor, label = $.noop, value = $.noop, onvalue = $.noop, $$ar
 				get unit() {
 					return $.get(unit);
 				},
-				get digits() {
-					return $.get(digits);
-				},
 				get label() {
 					return label();
 				},
 				get onvalue() {
 					return onvalue();
 				}
-			});
+			}, () => $.get(limits)));
 		},
 		$$slots: { default: true }
 	});
@@ -63,19 +60,19 @@ function Probe($$anchor, $$props) {
 		{
 			let $0 = $.derived(() => t("probe.pace_way"));
 			let $1 = $.derived(() => t("unit.mm_min"));
-			measured(node, () => $.get($0), () => pace.way, () => (value) => pace.way = value, () => true, () => $.get($1), () => 0);
+			measured(node, () => $.get($0), () => pace.way, () => (value) => pace.way = value, () => true, () => $.get($1));
 		}
 		var node_1 = $.sibling(node, 2);
 		{
 			let $0 = $.derived(() => t("probe.pace_search"));
 			let $1 = $.derived(() => t("unit.mm_min"));
-			measured(node_1, () => $.get($0), () => pace.search, () => (value) => pace.search = value, () => true, () => $.get($1), () => 0);
+			measured(node_1, () => $.get($0), () => pace.search, () => (value) => pace.search = value, () => true, () => $.get($1));
 		}
 		var node_2 = $.sibling(node_1, 2);
 		{
 			let $0 = $.derived(() => t("probe.pace_fine"));
 			let $1 = $.derived(() => t("unit.mm_min"));
-			measured(node_2, () => $.get($0), () => pace.fine, () => (value) => pace.fine = value, () => true, () => $.get($1), () => 0);
+			measured(node_2, () => $.get($0), () => pace.fine, () => (value) => pace.fine = value, () => true, () => $.get($1));
 		}
 		var node_3 = $.sibling(node_2, 2);
 		{
@@ -103,6 +100,12 @@ function Probe($$anchor, $$props) {
 		"calibrate_length",
 		"calibrate_diameter"
 	];
+	const NUMBER = {
+		minimum: 1,
+		maximum: 256,
+		whole: true
+	};
+	const TOLERANCE = { minimum: 0 };
 	let form = $.state("hole");
 	let diameter = $.state(40);
 	let lx = $.state(60);
@@ -210,6 +213,13 @@ function Probe($$anchor, $$props) {
 			};
 		}
 	}
+	/** A place behind its letter is counted from where the probe stands: `Z-5`, or `X` for the place itself (3.4.3.1, input
+	format 3). */
+	const counted = (letter, put) => ({ meant: (text) => {
+		const more = behindLetter(text, letter);
+		const at = machine.status?.position.work[letter];
+		return more === null || at === void 0 ? null : () => put(Math.round((at + more) * 1e4) / 1e4);
+	} });
 	const calibrates = $.derived(() => $.get(mode) === "calibrate_length" || $.get(mode) === "calibrate_diameter");
 	const given = () => Object.fromEntries(Object.entries(values).filter((one) => one[1] !== null));
 	const measure = () => machine.tell({
@@ -234,7 +244,7 @@ function Probe($$anchor, $$props) {
 	var div_1 = $.first_child(fragment_2);
 	let classes;
 	var span_1 = $.child(div_1);
-	var text = $.only_child(span_1, true);
+	var text_1 = $.only_child(span_1, true);
 	var node_4 = $.sibling(span_1, 2);
 	var consequent = ($$anchor) => {
 		Button($$anchor, {
@@ -242,9 +252,9 @@ function Probe($$anchor, $$props) {
 			onclick: () => void machine.tell({ do: "cancel_measure" }),
 			children: ($$anchor, $$slotProps) => {
 				$.next();
-				var text_1 = $.text();
-				$.template_effect(($0) => $.set_text(text_1, $0), [() => t("app.cancel")]);
-				$.append($$anchor, text_1);
+				var text_2 = $.text();
+				$.template_effect(($0) => $.set_text(text_2, $0), [() => t("app.cancel")]);
+				$.append($$anchor, text_2);
 			},
 			$$slots: { default: true }
 		});
@@ -352,12 +362,15 @@ function Probe($$anchor, $$props) {
 				var node_15 = $.sibling(node_7, 2);
 				{
 					let $0 = $.derived(() => t("probe.height"));
-					measured(node_15, () => $.get($0), () => work.z, () => (value) => work.z = value, () => true);
+					let $1 = $.derived(() => t("unit.mm"));
+					let $2 = $.derived(() => counted("Z", (value) => work.z = value));
+					measured(node_15, () => $.get($0), () => work.z, () => (value) => work.z = value, () => true, () => $.get($1), () => $.get($2));
 				}
 				var node_16 = $.sibling(node_15, 2);
 				{
 					let $0 = $.derived(() => t("probe.tolerance"));
-					measured(node_16, () => $.get($0), () => work.tolerance, () => (value) => work.tolerance = value, () => true);
+					let $1 = $.derived(() => t("unit.mm"));
+					measured(node_16, () => $.get($0), () => work.tolerance, () => (value) => work.tolerance = value, () => true, () => $.get($1), () => TOLERANCE);
 				}
 				var node_17 = $.sibling(node_16, 2);
 				{
@@ -370,10 +383,10 @@ function Probe($$anchor, $$props) {
 							var select = root_3();
 							$.each(select, 20, () => SYSTEMS, (one) => one, ($$anchor, one) => {
 								var option = root_2();
-								var text_2 = $.only_child(option, true);
+								var text_3 = $.only_child(option, true);
 								var option_value = {};
 								$.template_effect(() => {
-									$.set_text(text_2, one);
+									$.set_text(text_3, one);
 									if (option_value !== (option_value = one)) option.__value = option_value;
 								});
 								$.append($$anchor, option);
@@ -434,17 +447,21 @@ function Probe($$anchor, $$props) {
 				});
 				var details = $.sibling(node_18, 2);
 				var summary = $.child(details);
-				var text_3 = $.only_child(summary, true);
+				var text_4 = $.only_child(summary, true);
 				var div_6 = $.sibling(summary, 2);
 				var node_21 = $.child(div_6);
 				{
 					let $0 = $.derived(() => t("probe.centre", { axis: "X" }));
-					measured(node_21, () => $.get($0), () => work.x, () => (value) => work.x = value, () => true);
+					let $1 = $.derived(() => t("unit.mm"));
+					let $2 = $.derived(() => counted("X", (value) => work.x = value));
+					measured(node_21, () => $.get($0), () => work.x, () => (value) => work.x = value, () => true, () => $.get($1), () => $.get($2));
 				}
 				var node_22 = $.sibling(node_21, 2);
 				{
 					let $0 = $.derived(() => t("probe.centre", { axis: "Y" }));
-					measured(node_22, () => $.get($0), () => work.y, () => (value) => work.y = value, () => true);
+					let $1 = $.derived(() => t("unit.mm"));
+					let $2 = $.derived(() => counted("Y", (value) => work.y = value));
+					measured(node_22, () => $.get($0), () => work.y, () => (value) => work.y = value, () => true, () => $.get($1), () => $.get($2));
 				}
 				var node_23 = $.sibling(node_22, 2);
 				$.each(node_23, 16, () => $.get(form) === "edge" ? [$.get(axis)] : ["X", "Y"], (one) => one, ($$anchor, one) => {
@@ -472,7 +489,7 @@ function Probe($$anchor, $$props) {
 				var consequent_6 = ($$anchor) => {
 					{
 						let $0 = $.derived(() => t("probe.probe_length"));
-						measured($$anchor, () => $.get($0), () => work.h, () => (value) => work.h = value, () => true, () => "H", () => 0);
+						measured($$anchor, () => $.get($0), () => work.h, () => (value) => work.h = value, () => true, () => "H", () => NUMBER);
 					}
 				};
 				$.if(node_27, ($$render) => {
@@ -490,14 +507,14 @@ function Probe($$anchor, $$props) {
 					"data-testid": "measure",
 					children: ($$anchor, $$slotProps) => {
 						$.next();
-						var text_4 = $.text();
-						$.template_effect(($0) => $.set_text(text_4, $0), [() => t("probe.prepare")]);
-						$.append($$anchor, text_4);
+						var text_5 = $.text();
+						$.template_effect(($0) => $.set_text(text_5, $0), [() => t("probe.prepare")]);
+						$.append($$anchor, text_5);
 					},
 					$$slots: { default: true }
 				});
 				$.reset(div_3);
-				$.template_effect(($0) => $.set_text(text_3, $0), [() => t("probe.more")]);
+				$.template_effect(($0) => $.set_text(text_4, $0), [() => t("probe.more")]);
 				$.append($$anchor, div_3);
 			},
 			$$slots: { default: true }
@@ -542,19 +559,15 @@ function Probe($$anchor, $$props) {
 							children: ($$anchor, $$slotProps) => {
 								{
 									let $0 = $.derived(() => t("settings.offset_number"));
-									NumberField($$anchor, {
-										get value() {
-											return $.get(h);
-										},
-										digits: 0,
-										minimum: 1,
-										maximum: 256,
+									NumberField($$anchor, $.spread_props({ get value() {
+										return $.get(h);
+									} }, () => NUMBER, {
 										unit: "H",
 										get label() {
 											return $.get($0);
 										},
 										onvalue: (value) => $.set(h, value ?? 1, true)
-									});
+									}));
 								}
 							},
 							$$slots: { default: true }
@@ -575,19 +588,15 @@ function Probe($$anchor, $$props) {
 							children: ($$anchor, $$slotProps) => {
 								{
 									let $0 = $.derived(() => t("settings.offset_number"));
-									NumberField($$anchor, {
-										get value() {
-											return $.get(d);
-										},
-										digits: 0,
-										minimum: 1,
-										maximum: 256,
+									NumberField($$anchor, $.spread_props({ get value() {
+										return $.get(d);
+									} }, () => NUMBER, {
 										unit: "D",
 										get label() {
 											return $.get($0);
 										},
 										onvalue: (value) => $.set(d, value ?? 1, true)
-									});
+									}));
 								}
 							},
 							$$slots: { default: true }
@@ -609,20 +618,21 @@ function Probe($$anchor, $$props) {
 				}
 				$.reset(div_8);
 				var p = $.sibling(div_8, 2);
-				var text_5 = $.only_child(p, true);
+				var text_6 = $.only_child(p, true);
 				var details_1 = $.sibling(p, 2);
 				var summary_1 = $.child(details_1);
-				var text_6 = $.only_child(summary_1, true);
+				var text_7 = $.only_child(summary_1, true);
 				var div_9 = $.sibling(summary_1, 2);
 				var node_36 = $.child(div_9);
 				{
 					let $0 = $.derived(() => t("probe.tolerance"));
-					measured(node_36, () => $.get($0), () => setter.tolerance, () => (value) => setter.tolerance = value, () => true);
+					let $1 = $.derived(() => t("unit.mm"));
+					measured(node_36, () => $.get($0), () => setter.tolerance, () => (value) => setter.tolerance = value, () => true, () => $.get($1), () => TOLERANCE);
 				}
 				var node_37 = $.sibling(node_36, 2);
 				{
 					let $0 = $.derived(() => t("probe.mark"));
-					measured(node_37, () => $.get($0), () => setter.mark, () => (value) => setter.mark = value, () => true, () => "H", () => 0);
+					measured(node_37, () => $.get($0), () => setter.mark, () => (value) => setter.mark = value, () => true, () => "H", () => NUMBER);
 				}
 				var node_38 = $.sibling(node_37, 2);
 				{
@@ -633,7 +643,10 @@ function Probe($$anchor, $$props) {
 				{
 					let $0 = $.derived(() => t("probe.rpm"));
 					let $1 = $.derived(() => t("unit.rpm"));
-					measured(node_39, () => $.get($0), () => setter.rpm, () => (value) => setter.rpm = value, () => true, () => $.get($1), () => 0);
+					measured(node_39, () => $.get($0), () => setter.rpm, () => (value) => setter.rpm = value, () => true, () => $.get($1), () => ({
+						whole: true,
+						minimum: 0
+					}));
 				}
 				var node_40 = $.sibling(node_39, 2);
 				{
@@ -662,16 +675,16 @@ function Probe($$anchor, $$props) {
 					"data-testid": "measure-tool",
 					children: ($$anchor, $$slotProps) => {
 						$.next();
-						var text_7 = $.text();
-						$.template_effect(($0) => $.set_text(text_7, $0), [() => t("probe.prepare")]);
-						$.append($$anchor, text_7);
+						var text_8 = $.text();
+						$.template_effect(($0) => $.set_text(text_8, $0), [() => t("probe.prepare")]);
+						$.append($$anchor, text_8);
 					},
 					$$slots: { default: true }
 				});
 				$.reset(div_7);
 				$.template_effect(($0, $1) => {
-					$.set_text(text_5, $0);
-					$.set_text(text_6, $1);
+					$.set_text(text_6, $0);
+					$.set_text(text_7, $1);
 				}, [() => t($.get(mode) === "calibrate_length" ? "probe.calibrate_hint" : "probe.tool_hint"), () => t("probe.more")]);
 				$.append($$anchor, div_7);
 			},
@@ -696,30 +709,30 @@ function Probe($$anchor, $$props) {
 						let name = () => $.get($$array)[0];
 						let place = () => $.get($$array)[1];
 						var strong = root_7();
-						var text_8 = $.only_child(strong);
-						$.template_effect(($0) => $.set_text(text_8, `${name() ?? ""} ${$0 ?? ""}`), [() => fixed(place())]);
+						var text_9 = $.only_child(strong);
+						$.template_effect(($0) => $.set_text(text_9, `${name() ?? ""} ${$0 ?? ""}`), [() => fixed(place())]);
 						$.append($$anchor, strong);
 					});
 					var p_1 = $.sibling(node_47, 2);
-					var text_9 = $.only_child(p_1);
+					var text_10 = $.only_child(p_1);
 					var node_48 = $.sibling(p_1, 2);
 					var consequent_9 = ($$anchor) => {
 						var p_2 = root_8();
-						var text_10 = $.only_child(p_2, true);
-						$.template_effect(($0) => $.set_text(text_10, $0), [() => t("probe.stored", { what: $.get(last).stored.join(", ") })]);
+						var text_11 = $.only_child(p_2, true);
+						$.template_effect(($0) => $.set_text(text_11, $0), [() => t("probe.stored", { what: $.get(last).stored.join(", ") })]);
 						$.append($$anchor, p_2);
 					};
 					$.if(node_48, ($$render) => {
 						if ($.get(last).stored.length) $$render(consequent_9);
 					});
 					$.reset(div_10);
-					$.template_effect(($0, $1) => $.set_text(text_9, `${$0 ?? ""} ${$1 ?? ""}`), [() => $.get(last).sizes.map((size) => fixed(size)).join(" × "), () => t("unit.mm")]);
+					$.template_effect(($0, $1) => $.set_text(text_10, `${$0 ?? ""} ${$1 ?? ""}`), [() => $.get(last).sizes.map((size) => fixed(size)).join(" × "), () => t("unit.mm")]);
 					$.append($$anchor, div_10);
 				};
 				var alternate_1 = ($$anchor) => {
 					var p_3 = root_10();
-					var text_11 = $.only_child(p_3, true);
-					$.template_effect(($0) => $.set_text(text_11, $0), [() => t("probe.nothing")]);
+					var text_12 = $.only_child(p_3, true);
+					$.template_effect(($0) => $.set_text(text_12, $0), [() => t("probe.nothing")]);
 					$.append($$anchor, p_3);
 				};
 				$.if(node_46, ($$render) => {
@@ -735,7 +748,7 @@ function Probe($$anchor, $$props) {
 	$.template_effect(($0) => {
 		classes = $.set_class(div_1, 1, "state row wrap s-1b2hs9", null, classes, { ready: $.get(ready) });
 		$.set_attribute(div_1, "data-ready", $.get(ready));
-		$.set_text(text, $0);
+		$.set_text(text_1, $0);
 	}, [() => $.get(ready) ? t("probe.ready") : t("probe.hint")]);
 	$.append($$anchor, fragment_2);
 	$.pop();

@@ -12,7 +12,7 @@ var root = $.from_html(`<small class="muted"> </small>`);
 var root_1 = $.from_html(`<fieldset class="s-m794go"><!></fieldset>`);
 var root_2 = $.from_html(`<span> <!></span> <!>`, 1);
 var root_3 = $.from_html(`<p class="muted"> </p>`);
-var root_4 = $.from_html(`<div class="rows s-m794go" data-testid="switches"><span> </span> <span class="row wrap"><!></span> <!> <!> <!> <p class="muted hint s-m794go"> </p> <!> <span> <!></span> <span class="short s-m794go"><!></span> <span> </span> <span class="row wrap"><input class="code short s-m794go" autocapitalize="characters" data-testid="stop-program"/> <span class="short s-m794go"><!></span> <span class="code" data-testid="stop"> </span> <!></span> <span> </span> <span><time class="number" data-testid="clock"> </time><br/><small class="muted"> </small></span></div> <!>`, 1);
+var root_4 = $.from_html(`<div class="rows s-m794go" data-testid="switches"><span> </span> <span class="row wrap"><!></span> <!> <!> <p class="muted hint s-m794go"> </p> <!> <p class="muted hint s-m794go"> </p> <!> <span> <!></span> <span class="short s-m794go"><!></span> <span> </span> <span class="row wrap"><input class="code short s-m794go" autocapitalize="characters" data-testid="stop-program"/> <span class="short s-m794go"><!></span> <span class="code" data-testid="stop"> </span> <!></span> <span> </span> <span><time class="number" data-testid="clock"> </time><br/><small class="muted"> </small></span></div> <!>`, 1);
 function Switches($$anchor, $$props) {
 	$.push($$props, true);
 	const level = ($$anchor, name = $.noop) => {
@@ -145,7 +145,9 @@ function Switches($$anchor, $$props) {
 					let $1 = $.derived(() => [t("settings.metric"), t("settings.inch")]);
 					choice(node_5, () => names.unit, () => $.get($0), () => $.get($1));
 				}
-				var node_6 = $.sibling(node_5, 2);
+				var p = $.sibling(node_5, 2);
+				var text_4 = $.only_child(p, true);
+				var node_6 = $.sibling(p, 2);
 				{
 					let $0 = $.derived(() => t("settings.channel"));
 					choice(node_6, () => names.channel, () => $.get($0), () => [
@@ -154,17 +156,17 @@ function Switches($$anchor, $$props) {
 						"USB"
 					]);
 				}
-				var p = $.sibling(node_6, 2);
-				var text_4 = $.only_child(p, true);
-				var node_7 = $.sibling(p, 2);
+				var p_1 = $.sibling(node_6, 2);
+				var text_5 = $.only_child(p_1, true);
+				var node_7 = $.sibling(p_1, 2);
 				{
 					let $0 = $.derived(() => t("settings.sequence"));
 					let $1 = $.derived(() => [t("app.off"), t("app.on")]);
 					choice(node_7, () => names.numbers, () => $.get($0), () => $.get($1));
 				}
 				var span_3 = $.sibling(node_7, 2);
-				var text_5 = $.child(span_3);
-				var node_8 = $.sibling(text_5);
+				var text_6 = $.child(span_3);
+				var node_8 = $.sibling(text_6);
 				level(node_8, () => names.step);
 				$.reset(span_3);
 				var span_4 = $.sibling(span_3, 2);
@@ -177,7 +179,7 @@ function Switches($$anchor, $$props) {
 						get value() {
 							return $.get($0);
 						},
-						digits: 0,
+						whole: true,
 						minimum: 0,
 						maximum: 1e3,
 						get disabled() {
@@ -191,7 +193,7 @@ function Switches($$anchor, $$props) {
 				}
 				$.reset(span_4);
 				var span_5 = $.sibling(span_4, 2);
-				var text_6 = $.only_child(span_5, true);
+				var text_7 = $.only_child(span_5, true);
 				var span_6 = $.sibling(span_5, 2);
 				var input = $.child(span_6);
 				$.remove_input_defaults(input);
@@ -204,7 +206,7 @@ function Switches($$anchor, $$props) {
 						get value() {
 							return $.get($0);
 						},
-						digits: 0,
+						whole: true,
 						minimum: 0,
 						maximum: 99999,
 						empty: true,
@@ -217,7 +219,7 @@ function Switches($$anchor, $$props) {
 				}
 				$.reset(span_7);
 				var span_8 = $.sibling(span_7, 2);
-				var text_7 = $.only_child(span_8, true);
+				var text_8 = $.only_child(span_8, true);
 				var node_11 = $.sibling(span_8, 2);
 				var consequent = ($$anchor) => {
 					{
@@ -236,39 +238,41 @@ function Switches($$anchor, $$props) {
 				});
 				$.reset(span_6);
 				var span_9 = $.sibling(span_6, 2);
-				var text_8 = $.only_child(span_9, true);
+				var text_9 = $.only_child(span_9, true);
 				var span_10 = $.sibling(span_9, 2);
 				var time = $.child(span_10);
-				var text_9 = $.only_child(time, true);
+				var text_10 = $.only_child(time, true);
 				var small_1 = $.sibling(time, 2);
-				var text_10 = $.only_child(small_1, true);
+				var text_11 = $.only_child(small_1, true);
 				$.reset(span_10);
 				$.reset(div);
 				var node_12 = $.sibling(div, 2);
 				var consequent_1 = ($$anchor) => {
-					var p_1 = root_3();
-					var text_11 = $.only_child(p_1, true);
-					$.template_effect(($0) => $.set_text(text_11, $0), [() => t("settings.in_mdi")]);
-					$.append($$anchor, p_1);
+					var p_2 = root_3();
+					var text_12 = $.only_child(p_2, true);
+					$.template_effect(($0) => $.set_text(text_12, $0), [() => t("settings.in_mdi")]);
+					$.append($$anchor, p_2);
 				};
 				$.if(node_12, ($$render) => {
 					if (!$.get(inMdi)) $$render(consequent_1);
 				});
-				$.template_effect(($0, $1, $2, $3, $4, $5, $6, $7, $8) => {
+				$.template_effect(($0, $1, $2, $3, $4, $5, $6, $7, $8, $9) => {
 					$.set_text(text_3, $0);
 					$.set_text(text_4, $1);
-					$.set_text(text_5, `${$2 ?? ""} `);
+					$.set_text(text_5, $2);
+					$.set_text(text_6, `${$3 ?? ""} `);
 					$.set_attribute(span_4, "data-setting", names.step);
-					$.set_text(text_6, $3);
-					$.set_attribute(input, "aria-label", $4);
+					$.set_text(text_7, $4);
+					$.set_attribute(input, "aria-label", $5);
 					$.set_attribute(input, "placeholder", $.get(status)?.program.selected ?? "O0001");
-					$.set_text(text_7, $.get(stop) ? `${$.get(stop).program ?? ""} N${$.get(stop).sequence}` : "–");
-					$.set_text(text_8, $5);
-					$.set_attribute(time, "datetime", $6);
-					$.set_text(text_9, $7);
+					$.set_text(text_8, $.get(stop) ? `${$.get(stop).program ?? ""} N${$.get(stop).sequence}` : "–");
+					$.set_text(text_9, $6);
+					$.set_attribute(time, "datetime", $7);
 					$.set_text(text_10, $8);
+					$.set_text(text_11, $9);
 				}, [
 					() => t("offsets.switch"),
+					() => t("settings.unit_text"),
 					() => t("settings.channel_text"),
 					() => t("settings.increment"),
 					() => t("settings.stop"),

@@ -174,7 +174,7 @@ function ToolLength($$anchor, $$props) {
 									get value() {
 										return $.get(number);
 									},
-									digits: 0,
+									whole: true,
 									minimum: 1,
 									maximum: 256,
 									unit: "H",

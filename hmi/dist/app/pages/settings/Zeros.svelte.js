@@ -5,17 +5,20 @@ import Find from "../../lib/parts/Find.svelte.js";
 import NumberField from "../../lib/parts/NumberField.svelte.js";
 import { behindLetter, systemNamed } from "../../lib/numbers.js";
 import { machine } from "../../lib/state/machine.svelte.js";
+import { unitOf } from "../../lib/units.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/settings/Zeros.svelte
 var root = $.from_html(`<!> <!> <!> <!>`, 1);
-var root_1 = $.from_html(`<th class="right s-1si0ian"> </th>`);
+var root_1 = $.from_html(`<th class="right s-1si0ian"> <small> </small></th>`);
 var root_2 = $.from_html(`<td><div class="row s-1si0ian"><!> <!></div></td>`);
 var root_3 = $.from_html(`<tr><th scope="row" class="code s-1si0ian"> </th><!></tr>`);
 var root_4 = $.from_html(`<table class="table" data-testid="zeros"><thead><tr><th class="s-1si0ian"> </th><!></tr></thead><tbody></tbody></table>`);
 var root_5 = $.from_html(`<!> <p class="muted s-1si0ian"> </p>`, 1);
 function Zeros($$anchor, $$props) {
 	$.push($$props, true);
+	/** Positions lie within it, mm (GSK990MC part 1, 1.2); what is more is refused. */
+	const PLACE = 99999.999;
 	let zeros = $.state({});
 	let more = $.state(false);
 	let add = $.state(false);
@@ -131,8 +134,14 @@ function Zeros($$anchor, $$props) {
 				var node_5 = $.sibling(th);
 				$.each(node_5, 16, () => machine.axes, (axis) => axis, ($$anchor, axis) => {
 					var th_1 = root_1();
-					var text_5 = $.only_child(th_1, true);
-					$.template_effect(() => $.set_text(text_5, axis));
+					var text_5 = $.child(th_1);
+					var small = $.sibling(text_5);
+					var text_6 = $.only_child(small, true);
+					$.reset(th_1);
+					$.template_effect(($0) => {
+						$.set_text(text_5, `${axis ?? ""} `);
+						$.set_text(text_6, $0);
+					}, [() => unitOf(axis)]);
 					$.append($$anchor, th_1);
 				});
 				$.reset(tr);
@@ -142,7 +151,7 @@ function Zeros($$anchor, $$props) {
 					var tr_1 = root_3();
 					let classes;
 					var th_2 = $.child(tr_1);
-					var text_6 = $.only_child(th_2, true);
+					var text_7 = $.only_child(th_2, true);
 					var node_6 = $.sibling(th_2);
 					$.each(node_6, 16, () => machine.axes, (axis) => axis, ($$anchor, axis) => {
 						var td = root_2();
@@ -159,6 +168,8 @@ function Zeros($$anchor, $$props) {
 								get again() {
 									return $.get(add);
 								},
+								minimum: -99999.999,
+								maximum: PLACE,
 								get label() {
 									return $.get($1);
 								},
@@ -207,7 +218,7 @@ function Zeros($$anchor, $$props) {
 					$.template_effect(($0) => {
 						$.set_attribute(tr_1, "data-system", system);
 						classes = $.set_class(tr_1, 1, "s-1si0ian", null, classes, { current: system === $.get(current) });
-						$.set_text(text_6, $0);
+						$.set_text(text_7, $0);
 					}, [() => system === "external" ? t("settings.external") : system]);
 					$.append($$anchor, tr_1);
 				});
@@ -223,8 +234,8 @@ function Zeros($$anchor, $$props) {
 		});
 	}
 	var p = $.sibling(node, 2);
-	var text_7 = $.only_child(p, true);
-	$.template_effect(($0) => $.set_text(text_7, $0), [() => t("settings.zeros_hint")]);
+	var text_8 = $.only_child(p, true);
+	$.template_effect(($0) => $.set_text(text_8, $0), [() => t("settings.zeros_hint")]);
 	$.append($$anchor, fragment);
 	$.pop();
 }

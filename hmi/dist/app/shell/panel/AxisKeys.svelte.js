@@ -63,6 +63,9 @@ function AxisKeys($$anchor, $$props) {
 	};
 	const $$d = $.derived(() => $$props.axes.slice(0, 4)), $$array = $.derived(() => $.to_array($.get($$d))), first = $.derived(() => $.get($$array)[0]), second = $.derived(() => $.get($$array)[1]), others = $.derived(() => $.get($$array).slice(2));
 	const more = $.derived(() => $$props.axes.slice(4));
+	const wheels = $.derived(() => machine.mode === "handle");
+	const MOST_OF_WHEEL = 2;
+	const inForce = $.derived(() => $$props.step !== null && $.get(wheels) ? Math.min($$props.step, MOST_OF_WHEEL) : $$props.step);
 	const manual = $.derived(() => [
 		"jog",
 		"step",
@@ -132,8 +135,9 @@ function AxisKeys($$anchor, $$props) {
 	var div_4 = $.sibling(node_10, 2);
 	$.each(div_4, 23, () => increments, (increment) => increment.signal, ($$anchor, increment, index) => {
 		{
-			let $0 = $.derived(() => $$props.step === $.get(index));
-			let $1 = $.derived(() => t("panel.increment_of", { value: $.get(increment).label }));
+			let $0 = $.derived(() => $.get(inForce) === $.get(index));
+			let $1 = $.derived(() => $.get(wheels) && $.get(index) > MOST_OF_WHEEL);
+			let $2 = $.derived(() => t("panel.increment_of", { value: $.get(increment).label }));
 			Key($$anchor, {
 				get signal() {
 					return $.get(increment).signal;
@@ -141,8 +145,11 @@ function AxisKeys($$anchor, $$props) {
 				get chosen() {
 					return $.get($0);
 				},
-				get label() {
+				get disabled() {
 					return $.get($1);
+				},
+				get label() {
+					return $.get($2);
 				},
 				children: ($$anchor, $$slotProps) => {
 					var span_2 = root_6();
