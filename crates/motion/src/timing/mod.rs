@@ -1,6 +1,7 @@
 //! How fast: ramps between speeds, look-ahead over the cells, interpolation in time.
 
 pub(crate) mod axes;
+pub(crate) mod beside;
 pub(crate) mod brake;
 pub(crate) mod grid;
 pub(crate) mod interpolate;

@@ -24,11 +24,12 @@
 
 use crate::limits::{Class, Drive, Inverses, Limits, MAX_SPINDLE_OVERRIDE};
 use crate::path::corner::paced;
+use crate::timing::beside::{self, Beside};
 use crate::timing::brake::{Brake, Start};
 use crate::timing::grid::{ALIKE, Grid, Port};
-use crate::timing::piece::{Piece, State, step};
+use crate::timing::piece::{Piece, State};
 use crate::timing::queue::{CELLS, Node, Pass, Queue, SAME_LENGTH};
-use crate::timing::ramp::{Foot, Phases, distance, summit};
+use crate::timing::ramp::{Foot, Phases, summit};
 use crate::timing::valley::Valley;
 use ferrocut_geometry::AXES;
 
@@ -101,28 +102,6 @@ const HELD_SHARE: f64 = 0.05;
 /// Slower than this nothing is planned, mm/s.
 const LEAST_SPEED: f64 = 1e-6;
 
-/// A ramp down to a third of a speed takes up to 1.089 times the length of the ramp down to rest. Lines beside
-/// corners are this much longer than stopping takes, so that any speed can be reached on them.
-const STOP_ROOM: f64 = 1.1;
-
-/// How many cells beside a corner are looked at.
-const SIDE: usize = 24;
-
-/// Speeds up to this many times that of a corner count there.
-const NEAR_CORNER: f64 = 4.0;
-
-/// The same where the path is only slowed down beside it.
-const CALM_CORNER: f64 = 2.0;
-
-/// Share of the highest speed at which a curve is come to from a corner: at the highest it leaves nothing to the path.
-const THROUGH: f64 = 0.8;
-
-/// Share of the jerk that a curve leaves to the path that a corner beside it counts on.
-const SIDE_SHARE: f64 = 0.7;
-
-/// Steps of a plan are about so long, s.
-const SHORT_RAMP: f64 = 0.004;
-
 /// At a corner that could only be run at a lower share of its pace the path stops instead; two that are run as one are run as
 /// slowly as there is a need to, which is no slower than this: beside them there is a way to stop on.
 const LEAST_PACE: f64 = 0.1;
@@ -156,9 +135,6 @@ const EASE_STEP: f64 = 0.004;
 /// Valleys are this much slower than the feed.
 const DEEP: f64 = 0.9;
 
-/// The pace of a corner is found to this share of it.
-const NARROW: f64 = 1e-7;
-
 /// Shares of the pace of a corner that are tried where it cannot be come to at the whole.
 const CORNER_PACES: [f64; 6] = [1.0, 0.95, 0.88, 0.75, 0.55, 0.3];
 
@@ -188,78 +164,6 @@ impl Corners {
 
     fn slower(self, round: i32) -> Corners {
         Corners { share: self.share * 0.3_f64.powi(round), ..self }
-    }
-}
-
-/// What the path beside a corner allows.
-#[derive(Clone, Copy, Debug)]
-struct Side {
-    /// How long it is known to go on.
-    len: f64,
-    /// What it leaves to the path all along.
-    drive: Drive,
-    /// Highest speed all along.
-    cap: f64,
-    /// Highest pace at which the acceleration at the corner is allowed there.
-    pace: f64,
-    /// Up to which speed that holds.
-    near: f64,
-    /// What of the speed need not be gone at its end: the path can be stopped from it behind that.
-    to: f64,
-}
-
-impl Side {
-    /// Nothing yet, at speeds up to `near`, of which none is above `cap`.
-    fn none(near: f64, cap: f64) -> Side {
-        Side { len: 0.0, drive: Drive::MOST, cap, pace: 1.0, near, to: 0.0 }
-    }
-
-    /// Goes on with a cell that is run at no more than `top`.
-    fn add(&mut self, node: &Node, top: f64) {
-        self.cap = self.cap.min(top);
-        // On a curve, what is left at the highest speed.
-        let room = node.load.room(top.min(self.near));
-        self.drive = self.drive.min(Drive { a: room.a, j: room.j[1] });
-        self.len += node.len;
-    }
-
-    /// Whether a corner run at this pace leaves room to stop here.
-    fn fits(&self, foot: Foot, pace: f64) -> bool {
-        let foot = paced(foot, pace);
-        let top = foot.top(self.drive.j);
-        // A ramp to the corner that is shorter than a step is not planned to where it begins.
-        let over = (top - foot.v).min(0.5 * self.drive.j * SHORT_RAMP * SHORT_RAMP);
-        pace <= self.pace
-            && top + over <= self.cap * (1.0 + 1e-9)
-            && top <= self.near
-            && foot.room_to(self.to, self.drive) * STOP_ROOM <= self.len
-    }
-}
-
-/// What lies behind the straight and fast way beside a corner.
-#[derive(Clone, Copy, Debug)]
-struct Beyond {
-    len: f64,
-    /// At which speed it is come to, mm/s, and what it leaves to the path at that.
-    speed: f64,
-    drive: Drive,
-}
-
-impl Beyond {
-    const NONE: Beyond = Beyond { len: 0.0, speed: f64::INFINITY, drive: Drive::MOST };
-
-    /// Goes on with a cell that is run at no more than `top`.
-    fn add(&mut self, node: &Node, top: f64) {
-        // Cells before are no worse at a lower speed.
-        self.speed = self.speed.min(THROUGH * top);
-        let room = node.load.room(self.speed);
-        self.drive = self.drive.min(Drive { a: room.a, j: room.j[1] });
-        self.len += node.len;
-    }
-
-    /// Whether the path can be stopped in it.
-    fn is_enough(&self) -> bool {
-        self.len > 0.0 && STOP_ROOM * distance(0.0, self.speed, self.drive) <= self.len
     }
 }
 
@@ -752,7 +656,7 @@ impl Plan {
                         return false;
                     }
                 }
-                Pass::Corner { .. } if !is_inside && is_portion && last + SIDE as u64 >= tail => {
+                Pass::Corner { .. } if !is_inside && is_portion && last + beside::CELLS as u64 >= tail => {
                     // What follows is not looked at yet: to rest before it.
                     let to = Port { s: node.s, state: State::REST };
                     if cell < last && !self.section(queue, port, to, cell, last - 1) {
@@ -885,83 +789,14 @@ impl Plan {
         let mut ends = false;
         let after = (cell + 1..self.horizon).map(|cell| queue.node(cell));
         let after = after.take_while(|node| !std::mem::replace(&mut ends, node.rests));
-        let mut sides =
-            [self.sides(before, foot, corners.is_bold, cap), self.sides(after, foot, corners.is_bold, cap)];
+        let top = |node: &Node| self.overrides.cap(node);
+        let mut before = Beside::new(before, foot, corners.is_bold, cap, top);
         if from.state == State::REST {
-            for side in &mut sides[0] {
-                side.len = side.len.min(queue.node(cell).s - from.s);
-            }
+            before.begins_at_rest(queue.node(cell).s - from.s);
         }
-        let fits = |pace| sides.iter().all(|sides| sides.iter().any(|side| side.fits(foot, pace)));
+        let after = Beside::new(after, foot, corners.is_bold, cap, top);
         let slow = self.slow.iter().find(|(slow, _)| *slow == cell).map_or(1.0, |(_, share)| *share);
-        largest(1.0, fits) * corners.share * slow
-    }
-
-    /// The path beside a corner as far as it is known, no further than stopping can take: all of it; what lies before the
-    /// first place that is slower than the corner needs, before which the path can be stopped too; and as far as it is
-    /// straight as well, where the path can be stopped, or slowed down to what the rest is run with and stopped in that.
-    /// Nothing is known of what is not there yet.
-    fn sides<'a>(
-        &self,
-        nodes: impl Iterator<Item = &'a Node>,
-        foot: Foot,
-        is_bold: bool,
-        cap: f64,
-    ) -> [Side; 4] {
-        let mut all = Side::none(NEAR_CORNER * foot.v, cap);
-        let mut calm = Side::none(CALM_CORNER * foot.v, cap);
-        let (mut first, mut clear) = (None, None);
-        let mut beyond = Beyond::NONE;
-        let mut is_line = true;
-        // Of the acceleration allowed, the least share that the corner asks for.
-        let mut share: f64 = 1.0;
-        let mut state = State { v: foot.v, a: foot.a };
-        let whole = |side: Side, share: f64, is_line: bool| {
-            let share = if is_bold { share } else { side.drive.a / foot.a };
-            let mut drive = side.drive;
-            if !is_line {
-                // Steps on a curve need some room below the cap.
-                drive.j *= SIDE_SHARE;
-            }
-            // The acceleration falls with the square of the pace.
-            Side { drive, pace: share.min(1.0).sqrt(), ..side }
-        };
-        for node in nodes.take(SIDE).take_while(|node| node.pass == Pass::Path) {
-            if all.len > STOP_ROOM * foot.room(all.drive) {
-                break;
-            }
-            let top = self.overrides.cap(node);
-            let is_slow = top < foot.top(all.drive.j);
-            if first.is_none() && all.len > 0.0 && is_slow {
-                first = Some(whole(all, share, is_line));
-            }
-            if clear.is_none() && all.len > 0.0 && (is_slow || !node.load.is_straight()) {
-                clear = Some(whole(calm, share, is_line));
-            }
-            if clear.is_some() && !beyond.is_enough() {
-                beyond.add(node, top);
-            }
-            is_line &= node.load.is_straight();
-            if is_bold && state.a > 0.0 {
-                // The ramp that takes the acceleration back.
-                let j = SIDE_SHARE * node.load.most().j;
-                let back = state.a / j;
-                let peak = state.v + 0.5 * state.a * back;
-                let way = back * (state.v + state.a * back / 3.0);
-                let to = if way > node.len { step(state, -j, node.len) } else { State { v: peak, a: 0.0 } };
-                share = share.min(node.load.room(top.min(to.v)).a / state.a);
-                state = to;
-            }
-            all.add(node, top);
-            calm.add(node, top);
-        }
-        if all.len == 0.0 {
-            return [Side { len: f64::INFINITY, ..all }; 4];
-        }
-        let all = whole(all, share, is_line);
-        let clear = clear.unwrap_or(all);
-        let through = if beyond.is_enough() { Side { to: beyond.speed, ..clear } } else { clear };
-        [all, first.unwrap_or(all), clear, through]
+        beside::pace(foot, [&before, &after]) * corners.share * slow
     }
 
     /// Plans one section; its pieces are added.
@@ -1143,24 +978,4 @@ fn queue_start(queue: &Queue, number: u64) -> f64 {
     } else {
         0.0
     }
-}
-
-/// A number up to `most` for which `fits` holds, which holds for small ones; it does not for one larger by [`NARROW`].
-fn largest(most: f64, fits: impl Fn(f64) -> bool) -> f64 {
-    if fits(most) {
-        return most;
-    }
-    let (mut low, mut high) = (0.0, most);
-    for _ in 0..40 {
-        if high - low <= NARROW * high {
-            break;
-        }
-        let middle = 0.5 * (low + high);
-        if fits(middle) {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    low.max(1e-6)
 }
