@@ -195,7 +195,7 @@ pub struct ParameterDef {
     pub axis: Box<str>,
     /// The part of the control it acts on, such as `feed` or `canned-cycles`.
     pub applies_to: Box<str>,
-    /// Whether programs and their run use it; else it is kept with its value and nothing more.
+    /// Whether the control does something with it; else it is kept with its value and nothing more.
     pub used: bool,
     /// Whether it counts or chooses, so that only whole numbers mean something.
     pub whole: bool,
