@@ -234,6 +234,15 @@ fn tables_say_what_explain_says() {
     let parameters = place.get("/api/parameters").json();
     let bits = parameters.as_array().unwrap().iter().find(|row| row["number"] == json!(47)).unwrap();
     assert_eq!((bits["kind"].as_str(), bits["bits"].as_array().unwrap().len()), (Some("bit"), 5));
+    // Whether something is done with it is said of each bit, and of all together.
+    let used_of = |name: &str| {
+        let row = parameters.as_array().unwrap().iter().find(|row| row["name"] == json!(name)).unwrap();
+        let bits = row["bits"].as_array().unwrap().iter();
+        (row["used"].as_bool().unwrap(), bits.map(|bit| bit["used"].as_bool().unwrap()).collect::<Vec<_>>())
+    };
+    let (used, bits) = used_of("NO0");
+    assert!(used && bits.contains(&true) && !bits.iter().all(|bit| *bit), "{bits:?}");
+    assert!(!used_of("NO19").0 && used_of("P88").0 && !used_of("P201").0);
     let data = parameters.as_array().unwrap().iter().find(|row| row["name"] == json!("P270")).unwrap();
     assert!(data["kind"] == json!("data") && data["level"].as_u64().is_some(), "{data}");
     let signals = place.get("/api/signals?language=zh").json();

@@ -254,7 +254,7 @@ pub(super) struct Parameter {
     standard: f64,
     level: u8,
     room: String,
-    /// Whether this version does something with it.
+    /// Whether this version does something with it; of bits, with one at least.
     used: bool,
 }
 
@@ -318,6 +318,7 @@ fn parameters_of(book: &Book) -> Vec<Parameter> {
                     used: definition.used,
                 };
                 if let Some(last) = found.last_mut() {
+                    last.used |= bit.used;
                     last.bits.push(bit);
                 }
             }

@@ -134,7 +134,7 @@ number: number | string,
  */
 name: string, kind: ParameterKind, bits: Array<Bit>, symbol: string, meaning: string, unit: string, minimum: number | null, maximum: number | null, standard: number, level: number, room: string,
 /**
- * Whether this version does something with it.
+ * Whether this version does something with it; of bits, with one at least.
  */
 used: boolean, };
 
