@@ -252,6 +252,20 @@ fn tables_say_what_explain_says() {
     );
     let found = place.get("/api/search?q=g84").json();
     assert_eq!((&found[0]["kind"], &found[0]["key"]), (&json!("code"), &json!("G84")));
+    // A bit as the manual prints it; an alarm by its number alone.
+    for (sought, kind, key) in [
+        ("43#1", "parameter", "NO43.1"),
+        ("no10#5", "parameter", "NO10.5"),
+        ("NO40.7", "parameter", "NO40.7"),
+        ("alarm 45", "alarm", "gsk990mc:0045"),
+        ("报警 45", "alarm", "gsk990mc:0045"),
+        ("alarm 1206", "alarm", "FC-1206"),
+        ("#5021", "variable", "#5021"),
+    ] {
+        let found = place.get(&format!("/api/search?q={}", encoded(sought))).json();
+        let first = (found[0]["kind"].as_str(), found[0]["key"].as_str());
+        assert!(first.0 == Some(kind) && (kind == "variable" || first.1 == Some(key)), "{sought}: {first:?}");
+    }
     let kinds = place.get("/api/search?q=spindle").json();
     let kinds: std::collections::BTreeSet<_> =
         kinds.as_array().unwrap().iter().map(|row| row["kind"].as_str().unwrap().to_owned()).collect();

@@ -12,7 +12,8 @@ use ferrocut_desk::page::meaning;
 use ferrocut_desk::{Book, asked, memory_of};
 use ferrocut_interpreter::{Dialect, dialects};
 use ferrocut_machine::{
-    AlarmId, Catalogue, Fault, Machine, Meaning, ParameterKey, Reference, alarm_table, g_code_name,
+    AlarmId, Catalogue, Fault, Machine, Meaning, ParameterKey, ParameterTable, Reference, alarm_table,
+    g_code_name,
 };
 use ferrocut_memory::rights::needed_for_parameter;
 use ferrocut_plc::{Area, Program};
@@ -439,7 +440,29 @@ fn each_of(book: &Book, ladder: Option<&Program>, mut add: impl FnMut(&'static s
     }
 }
 
+/// What the panel calls an alarm, in its languages.
+const ALARM: [&str; 4] = ["alarm", "报警", "авария", "alarma"];
+
+/// What is sought, as the tables write it: `43#1`, as the manual prints a bit, is `NO43.1`, and the alarm of `alarm 45`
+/// is listed with four digits.
+fn as_listed(sought: &[String], table: &ParameterTable) -> Vec<String> {
+    let is_number = |word: &str| !word.is_empty() && word.bytes().all(|b| b.is_ascii_digit());
+    if let [kind, number] = sought
+        && ALARM.contains(&kind.as_str())
+        && is_number(number)
+    {
+        return vec![format!("{number:0>4}")];
+    }
+    let bit = |word: &String| {
+        let (number, bit) = word.strip_prefix("no").unwrap_or(word).split_once('#')?;
+        let key: ParameterKey = format!("NO{number}.{bit}").parse().ok().filter(|_| is_number(number))?;
+        Some(table.name(&key).to_lowercase())
+    };
+    sought.iter().map(|word| bit(word).unwrap_or_else(|| word.clone())).collect()
+}
+
 fn found_in(book: &Book, ladder: Option<&Program>, sought: &[String]) -> Vec<Found> {
+    let sought = &as_listed(sought, book.table());
     let mut found = Vec::new();
     each_of(book, ladder, |kind, key, title, text| {
         if let Some(rank) = rank(sought, &key, &format!("{title} {text}")) {
