@@ -5,6 +5,7 @@ import NumberField from "../../lib/parts/NumberField.svelte.js";
 import ParameterSwitch from "../../lib/parts/ParameterSwitch.svelte.js";
 import Segmented from "../../lib/parts/Segmented.svelte.js";
 import Button from "../../lib/parts/Button.svelte.js";
+import { asNumberedBit, numberedBit } from "./bits.js";
 import { route } from "../../lib/routing.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import "svelte/internal/disclose-version";
@@ -12,21 +13,22 @@ import * as $ from "svelte/internal/client";
 // src/pages/offsets/Parameters.svelte
 var root = $.from_html(`<input type="search" data-testid="parameter-search"/> <!> <!> <!>`, 1);
 var root_1 = $.from_html(`<i> </i>`);
-var root_2 = $.from_html(`<span class="code bits s-rt3mos"></span> <span class="meaning muted s-rt3mos"> </span>`, 1);
-var root_3 = $.from_html(`<span class="number value s-rt3mos"> <small class="s-rt3mos"> </small></span> <span class="meaning s-rt3mos"> </span>`, 1);
-var root_4 = $.from_html(`<button type="button" role="option"><span class="code name s-rt3mos"> </span> <!></button>`);
-var root_5 = $.from_html(`<p class="muted none s-rt3mos"> </p>`);
-var root_6 = $.from_html(`<div class="list scroll s-rt3mos" role="listbox"></div>`);
+var root_2 = $.from_html(`<span class="code bits s-1cvhlgy"></span> <span class="meaning muted s-1cvhlgy"> </span>`, 1);
+var root_3 = $.from_html(`<span class="number value s-1cvhlgy"> <small class="s-1cvhlgy"> </small></span> <span class="meaning s-1cvhlgy"> </span>`, 1);
+var root_4 = $.from_html(`<button type="button" role="option"><span class="code name s-1cvhlgy"> </span> <!></button>`);
+var root_5 = $.from_html(`<p class="muted none s-1cvhlgy"> </p>`);
+var root_6 = $.from_html(`<div class="list scroll s-1cvhlgy" role="listbox"></div>`);
 var root_7 = $.from_html(`<span class="muted"> </span>`);
-var root_8 = $.from_html(`<p> </p> <!> <dl class="s-rt3mos"><dt class="s-rt3mos"> </dt><dd class="number s-rt3mos"> </dd> <dt class="s-rt3mos"> </dt><dd class="number s-rt3mos"> </dd> <dt class="s-rt3mos"> </dt><dd class="s-rt3mos"> </dd></dl> <!>`, 1);
-var root_9 = $.from_html(`<small class="standard s-rt3mos"> </small>`);
-var root_10 = $.from_html(`<li class="s-rt3mos"><button type="button" class="bit code s-rt3mos" role="switch"> </button> <div><strong class="code"> </strong><!> <p class="s-rt3mos"> </p></div></li>`);
-var root_11 = $.from_html(`<ul class="s-rt3mos"></ul>`);
-var root_12 = $.from_html(`<p class="muted"> </p>`);
-var root_13 = $.from_html(`<p class="need"> </p>`);
-var root_14 = $.from_html(`<div class="detail stack scroll" data-testid="parameter"><h2 class="code"> <!></h2> <!> <!> <!> <!></div>`);
-var root_15 = $.from_html(`<p class="muted count s-rt3mos"> </p>`);
-var root_16 = $.from_html(`<div class="parameters s-rt3mos"><!> <!></div> <!>`, 1);
+var root_8 = $.from_html(`<p> </p> <!> <dl class="s-1cvhlgy"><dt class="s-1cvhlgy"> </dt><dd class="number s-1cvhlgy"> </dd> <dt class="s-1cvhlgy"> </dt><dd class="number s-1cvhlgy"> </dd> <dt class="s-1cvhlgy"> </dt><dd class="s-1cvhlgy"> </dd></dl> <!>`, 1);
+var root_9 = $.from_html(`<small class="standard s-1cvhlgy"> </small>`);
+var root_10 = $.from_html(`<p class="unused s-1cvhlgy"> </p>`);
+var root_11 = $.from_html(`<li class="s-1cvhlgy"><button type="button" class="bit code s-1cvhlgy" role="switch"> </button> <div><strong class="code"> </strong><!> <p class="s-1cvhlgy"> </p> <!></div></li>`);
+var root_12 = $.from_html(`<ul class="s-1cvhlgy"></ul>`);
+var root_13 = $.from_html(`<p class="muted"> </p>`);
+var root_14 = $.from_html(`<p class="need"> </p>`);
+var root_15 = $.from_html(`<div class="detail stack scroll" data-testid="parameter"><h2 class="code"> <!></h2> <!> <!> <!> <!></div>`);
+var root_16 = $.from_html(`<p class="muted count s-1cvhlgy"> </p>`);
+var root_17 = $.from_html(`<div class="parameters s-1cvhlgy"><!> <!></div> <!>`, 1);
 function Parameters($$anchor, $$props) {
 	$.push($$props, true);
 	let all = $.state([]);
@@ -58,9 +60,9 @@ function Parameters($$anchor, $$props) {
 	});
 	const value = (name, standard) => $.get(values)[name] ?? standard;
 	const differs = (one) => one.kind === "bit" ? one.bits.some((bit) => value(bit.name, bit.standard) !== bit.standard) : value(one.name, one.standard) !== one.standard;
-	const text = (one) => `${one.name} ${one.number} ${one.symbol} ${one.meaning} ${one.bits.map((bit) => `${bit.name} ${bit.symbol} ${bit.meaning}`).join(" ")}`.toLowerCase();
+	const text = (one) => `${one.name} ${one.number} ${one.symbol} ${one.meaning} ${one.bits.map((bit) => `${bit.name} ${numberedBit(one.number, bit.bit)} ${bit.symbol} ${bit.meaning}`).join(" ")}`.toLowerCase();
 	const shown = $.derived(() => {
-		const words = $.get(sought).toLowerCase().split(/\s+/).filter(Boolean);
+		const words = $.get(sought).toLowerCase().split(/\s+/).filter(Boolean).map(asNumberedBit);
 		return $.get(all).filter((one) => ($.get(kind) === "all" || one.kind === $.get(kind)) && (!$.get(changedOnly) || differs(one)) && words.every((word) => text(one).includes(word)));
 	});
 	const current = $.derived(() => $.get(shown).find((one) => one.name === $.get(chosen)) ?? $.get(shown)[0]);
@@ -92,7 +94,7 @@ function Parameters($$anchor, $$props) {
 			value: to
 		});
 	}
-	var fragment = root_16();
+	var fragment = root_17();
 	var div = $.first_child(fragment);
 	var node = $.child(div);
 	{
@@ -165,7 +167,7 @@ function Parameters($$anchor, $$props) {
 							let classes_1;
 							var text_3 = $.only_child(i, true);
 							$.template_effect(() => {
-								classes_1 = $.set_class(i, 1, "s-rt3mos", null, classes_1, { one: $.get(bit) === "1" });
+								classes_1 = $.set_class(i, 1, "s-1cvhlgy", null, classes_1, { one: $.get(bit) === "1" });
 								$.set_text(text_3, $.get(bit));
 							});
 							$.append($$anchor, i);
@@ -200,7 +202,7 @@ function Parameters($$anchor, $$props) {
 					$.template_effect(($0) => {
 						$.set_attribute(button, "aria-selected", $.get(one) === $.get(current));
 						$.set_attribute(button, "data-parameter", $.get(one).name);
-						classes = $.set_class(button, 1, "s-rt3mos", null, classes, { differs: $0 });
+						classes = $.set_class(button, 1, "s-1cvhlgy", null, classes, { differs: $0 });
 						$.set_text(text_2, $.get(one).name);
 					}, [() => differs($.get(one))]);
 					$.delegated("click", button, () => $.set(chosen, $.get(one).name, true));
@@ -222,8 +224,8 @@ function Parameters($$anchor, $$props) {
 		});
 	}
 	var node_5 = $.sibling(node, 2);
-	var consequent_9 = ($$anchor) => {
-		var div_2 = root_14();
+	var consequent_10 = ($$anchor) => {
+		var div_2 = root_15();
 		var h2 = $.child(div_2);
 		var text_9 = $.child(h2, true);
 		var node_6 = $.sibling(text_9);
@@ -319,10 +321,10 @@ function Parameters($$anchor, $$props) {
 			$.append($$anchor, fragment_5);
 		};
 		var alternate_1 = ($$anchor) => {
-			var ul = root_11();
+			var ul = root_12();
 			$.each(ul, 21, () => [...$.get(current).bits].reverse(), (bit) => bit.bit, ($$anchor, bit) => {
 				const on = $.derived(() => value($.get(bit).name, $.get(bit).standard) === 1);
-				var li = root_10();
+				var li = root_11();
 				var button_1 = $.child(li);
 				var text_19 = $.only_child(button_1, true);
 				var div_3 = $.sibling(button_1, 2);
@@ -341,6 +343,16 @@ function Parameters($$anchor, $$props) {
 				});
 				var p_2 = $.sibling(node_10, 2);
 				var text_22 = $.only_child(p_2, true);
+				var node_11 = $.sibling(p_2, 2);
+				var consequent_5 = ($$anchor) => {
+					var p_3 = root_10();
+					var text_23 = $.only_child(p_3, true);
+					$.template_effect(($0) => $.set_text(text_23, $0), [() => t("offsets.unused")]);
+					$.append($$anchor, p_3);
+				};
+				$.if(node_11, ($$render) => {
+					if (!$.get(bit).used) $$render(consequent_5);
+				});
 				$.reset(div_3);
 				$.reset(li);
 				$.template_effect(() => {
@@ -360,66 +372,66 @@ function Parameters($$anchor, $$props) {
 			if ($.get(current).kind === "data") $$render(consequent_3);
 			else $$render(alternate_1, -1);
 		});
-		var node_11 = $.sibling(node_7, 2);
-		var consequent_5 = ($$anchor) => {
-			var p_3 = root_12();
-			var text_23 = $.only_child(p_3, true);
-			$.template_effect(($0) => $.set_text(text_23, $0), [() => t("offsets.unused")]);
-			$.append($$anchor, p_3);
-		};
-		$.if(node_11, ($$render) => {
-			if (!$.get(current).used) $$render(consequent_5);
-		});
-		var node_12 = $.sibling(node_11, 2);
+		var node_12 = $.sibling(node_7, 2);
 		var consequent_6 = ($$anchor) => {
 			var p_4 = root_13();
 			var text_24 = $.only_child(p_4, true);
-			$.template_effect(($0) => $.set_text(text_24, $0), [() => t("offsets.need", {
-				level: $.get(current).level,
-				name: t(`rights.level_${$.get(current).level}`)
-			})]);
+			$.template_effect(($0) => $.set_text(text_24, $0), [() => t("offsets.unused")]);
 			$.append($$anchor, p_4);
 		};
 		$.if(node_12, ($$render) => {
-			if ($.get(level) > $.get(current).level) $$render(consequent_6);
+			if ($.get(current).kind === "data" && !$.get(current).used) $$render(consequent_6);
 		});
 		var node_13 = $.sibling(node_12, 2);
 		var consequent_7 = ($$anchor) => {
-			var p_5 = root_13();
+			var p_5 = root_14();
 			var text_25 = $.only_child(p_5, true);
-			$.template_effect(($0) => $.set_text(text_25, $0), [() => t("offsets.need_mdi")]);
+			$.template_effect(($0) => $.set_text(text_25, $0), [() => t("offsets.need", {
+				level: $.get(current).level,
+				name: t(`rights.level_${$.get(current).level}`)
+			})]);
 			$.append($$anchor, p_5);
 		};
+		$.if(node_13, ($$render) => {
+			if ($.get(level) > $.get(current).level) $$render(consequent_7);
+		});
+		var node_14 = $.sibling(node_13, 2);
 		var consequent_8 = ($$anchor) => {
-			var p_6 = root_13();
+			var p_6 = root_14();
 			var text_26 = $.only_child(p_6, true);
-			$.template_effect(($0) => $.set_text(text_26, $0), [() => t("offsets.need_switch")]);
+			$.template_effect(($0) => $.set_text(text_26, $0), [() => t("offsets.need_mdi")]);
 			$.append($$anchor, p_6);
 		};
-		$.if(node_13, ($$render) => {
-			if (machine.status?.mode !== "mdi") $$render(consequent_7);
-			else if (machine.status.switches.parameters === false) $$render(consequent_8, 1);
+		var consequent_9 = ($$anchor) => {
+			var p_7 = root_14();
+			var text_27 = $.only_child(p_7, true);
+			$.template_effect(($0) => $.set_text(text_27, $0), [() => t("offsets.need_switch")]);
+			$.append($$anchor, p_7);
+		};
+		$.if(node_14, ($$render) => {
+			if (machine.status?.mode !== "mdi") $$render(consequent_8);
+			else if (machine.status.switches.parameters === false) $$render(consequent_9, 1);
 		});
 		$.reset(div_2);
 		$.template_effect(() => $.set_text(text_9, $.get(current).name));
 		$.append($$anchor, div_2);
 	};
 	$.if(node_5, ($$render) => {
-		if ($.get(current)) $$render(consequent_9);
+		if ($.get(current)) $$render(consequent_10);
 	});
 	$.reset(div);
-	var node_14 = $.sibling(div, 2);
-	var consequent_10 = ($$anchor) => {
-		var p_7 = root_15();
-		var text_27 = $.only_child(p_7, true);
-		$.template_effect(($0) => $.set_text(text_27, $0), [() => t("offsets.count", {
+	var node_15 = $.sibling(div, 2);
+	var consequent_11 = ($$anchor) => {
+		var p_8 = root_16();
+		var text_28 = $.only_child(p_8, true);
+		$.template_effect(($0) => $.set_text(text_28, $0), [() => t("offsets.count", {
 			n: number($.get(shown).length),
 			all: number($.get(all).length)
 		})]);
-		$.append($$anchor, p_7);
+		$.append($$anchor, p_8);
 	};
-	$.if(node_14, ($$render) => {
-		if ($.get(all).length) $$render(consequent_10);
+	$.if(node_15, ($$render) => {
+		if ($.get(all).length) $$render(consequent_11);
 	});
 	$.append($$anchor, fragment);
 	$.pop();
