@@ -34,6 +34,9 @@ export function typed(text: string): number | null {
   return Number(clean);
 }
 
+/** Positions lie within it, mm and degrees (GSK990MC part 1, 1.2); zeros and relative coordinates beyond it are refused. */
+export const PLACE = 99_999.999;
+
 /** The range of a value, as it stands under a field. Empty where there is none. */
 export function rangeText(minimum: number, maximum: number): string {
   const [low, high] = [minimum, maximum].map((value) => String(value).replace('-', '−'));

@@ -442,21 +442,18 @@ impl Control {
         if self.cnc.is_under_way() {
             return Err(Box::new(alarm(Fault::ControlBusy)));
         }
-        let lines = match self.mode {
-            Mode::Mdi => lines_of(self.mdi.as_bytes()),
+        let (lines, cursor) = match self.mode {
+            Mode::Mdi => (lines_of(self.mdi.as_bytes()), &mut self.mdi_cursor),
             Mode::Edit | Mode::Auto => {
                 let text = self.selected.as_ref().and_then(|name| self.library.text(name));
-                text.map_or(0, |text| lines_of(&text))
+                (text.map_or(0, |text| lines_of(&text)), &mut self.cursor)
             }
             mode => return Err(Box::new(alarm(Fault::ControlMode).with("mode", name_of(mode)))),
         };
         if line as usize > lines {
             return Err(Box::new(alarm(Fault::NoSuchLine).with("line", f64::from(line))));
         }
-        match self.mode {
-            Mode::Mdi => self.mdi_cursor = line,
-            _ => self.cursor = line,
-        }
+        *cursor = line;
         Ok(Reply::Done)
     }
 
@@ -662,7 +659,7 @@ impl Control {
     /// has its own.
     fn set_spindle_speed(&mut self, speed: f64) -> Answer {
         let highest = self.cnc.interpreter().max_spindle_rpm();
-        let speed = within(finite(Some(speed))?.unwrap_or_default(), 0.0..=highest)?;
+        let speed = within(speed, 0.0..=highest)?;
         match self.cnc.set_spindle_speed(speed) {
             true => Ok(Reply::Done),
             false => Err(Box::new(alarm(Fault::ControlBusy))),

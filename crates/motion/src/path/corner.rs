@@ -55,7 +55,7 @@ use crate::path::link::{Link, Linked};
 use crate::path::piece::{Piece, Reach};
 use crate::path::swing::Swing;
 use crate::quick::larger;
-use crate::timing::ramp::{Foot, distance, duration};
+use crate::timing::ramp::{Foot, STOP_ROOM, distance, duration};
 use ferrocut_geometry::{AXES, Position};
 
 /// What is the same all along a rounded corner.
@@ -180,9 +180,6 @@ impl Proportions {
 
 /// Share of the tolerance that a swing takes, for rounding.
 const SWING_SHARE: f64 = 0.9999;
-
-/// So many times the way that stopping takes is to be left beside a swing.
-const STOP_ROOM: f64 = 1.1;
 
 /// A swing must be worth this.
 const WORTH: f64 = 0.99;

@@ -341,13 +341,13 @@ impl Member {
                 _ => corner().map_or(Joint::Rest, Joint::Corner),
             };
         };
+        let least = len.min(next_len);
         // Of short lines the direction is no corner yet.
         let is_tight = |corner: &Corner| {
             let is_other = self.inner.is_some() || next.inner.is_some();
-            let room = len.min(next_len) - 2.0 * corner.reach;
+            let room = least - 2.0 * corner.reach;
             !is_other && angle < TIGHT_CHORD && room < TIGHT * corner.foot.room(drive)
         };
-        let least = len.min(next_len);
         let is_better = |corner: &Corner| is_row || corner.reach < CHAIN_ROOM * least && !is_tight(corner);
         let corner = corner().filter(|corner| !is_chain || is_better(corner));
         let ease = ease.filter(|_| !is_row || corner.is_none());

@@ -26,8 +26,7 @@ pub(crate) struct Swing {
     share: f64,
     /// `−σ`, `μ₁`, `μ₂`, `ν`.
     jerks: [f64; 4],
-    /// Where it turns round, and how far it has gone back there.
-    turn: f64,
+    /// How far it goes back.
     depth: f64,
 }
 
@@ -50,7 +49,7 @@ fn turn_from([_, v, a]: State, jerk: f64) -> f64 {
 impl Swing {
     /// With `β` and the proportions `σ : μ₁ : μ₂ : ν`. `None` if it does not come to the end of its line speeding up.
     pub fn new(share: f64, [out, rise, fall, end]: [f64; 4]) -> Option<Swing> {
-        let mut swing = Swing { share, jerks: [-out, rise, fall, end], turn: 0.0, depth: 0.0 };
+        let mut swing = Swing { share, jerks: [-out, rise, fall, end], depth: 0.0 };
         let [f, v, a] = swing.at(1.0);
         // Back is gone in the middle parts, and no more than that.
         if !(f > 0.0 && v > 0.0 && a >= 0.0 && share < 0.5) {
@@ -65,7 +64,6 @@ impl Swing {
             return None;
         }
         swing.jerks = swing.jerks.map(|jerk| jerk / f);
-        swing.turn = turn;
         swing.depth = -swing.at(turn)[0];
         Some(swing)
     }

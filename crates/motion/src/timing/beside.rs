@@ -7,11 +7,7 @@ use crate::limits::Drive;
 use crate::path::corner::paced;
 use crate::timing::piece::{State, step};
 use crate::timing::queue::{Node, Pass};
-use crate::timing::ramp::{Foot, distance};
-
-/// A ramp down to a third of a speed takes up to 1.089 times the length of the ramp down to rest. Lines beside
-/// corners are this much longer than stopping takes, so that any speed can be reached on them.
-const STOP_ROOM: f64 = 1.1;
+use crate::timing::ramp::{Foot, STOP_ROOM, distance};
 
 /// How many cells beside a corner are looked at.
 pub(crate) const CELLS: usize = 24;

@@ -17,6 +17,10 @@
 use crate::limits::Drive;
 use crate::quick::cube_root;
 
+/// A ramp down to a third of a speed takes up to 1.089 times the length of the ramp down to rest. Lines beside
+/// corners are this much longer than stopping takes, so that any speed can be reached on them.
+pub(crate) const STOP_ROOM: f64 = 1.1;
+
 /// A state from which a ramp goes up (or, mirrored, at which it arrives coming down): speed and the
 /// acceleration away from it, both ≥ 0.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]

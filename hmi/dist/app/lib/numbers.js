@@ -28,6 +28,8 @@ function typed(text) {
 	if (!/^[+-]?(\d+\.?\d*|\.\d+)$/.test(clean)) return null;
 	return Number(clean);
 }
+/** Positions lie within it, mm and degrees (GSK990MC part 1, 1.2); zeros and relative coordinates beyond it are refused. */
+var PLACE = 99999.999;
 /** The range of a value, as it stands under a field. Empty where there is none. */
 function rangeText(minimum, maximum) {
 	const [low, high] = [minimum, maximum].map((value) => String(value).replace("-", "−"));
@@ -64,4 +66,4 @@ function isSameProgram(one, other) {
 	const plain = (name) => name.toUpperCase().replace(/^O0*(?=\d+$)/, "O");
 	return plain(one) === plain(other);
 }
-export { behindLetter, bytes, duration, firstOfPage, fixed, isSameProgram, numberNamed, percent, rangeText, systemNamed, typed };
+export { PLACE, behindLetter, bytes, duration, firstOfPage, fixed, isSameProgram, numberNamed, percent, rangeText, systemNamed, typed };

@@ -1,4 +1,5 @@
 import { t } from "../../lib/i18n/index.svelte.js";
+import { PLACE } from "../../lib/numbers.js";
 import Button from "../../lib/parts/Button.svelte.js";
 import NumberField from "../../lib/parts/NumberField.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
@@ -8,8 +9,6 @@ import * as $ from "svelte/internal/client";
 var root = $.from_html(`<div class="tools s-1afj24c"><!> <!> <span class="value s-1afj24c"><!></span></div>`);
 function Relative($$anchor, $$props) {
 	$.push($$props, true);
-	/** Positions lie within it, mm (GSK990MC part 1, 1.2); what is more is refused. */
-	const PLACE = 99999.999;
 	var div = root();
 	var node = $.child(div);
 	{
@@ -50,14 +49,19 @@ function Relative($$anchor, $$props) {
 	var span = $.sibling(node_1, 2);
 	var node_2 = $.child(span);
 	{
-		let $0 = $.derived(() => t("position.set", { axis: $$props.axis }));
+		let $0 = $.derived(() => -PLACE);
+		let $1 = $.derived(() => t("position.set", { axis: $$props.axis }));
 		NumberField(node_2, {
 			value: null,
 			empty: true,
-			minimum: -99999.999,
-			maximum: PLACE,
-			get label() {
+			get minimum() {
 				return $.get($0);
+			},
+			get maximum() {
+				return PLACE;
+			},
+			get label() {
+				return $.get($1);
 			},
 			onvalue: (value) => {
 				if (value !== null) machine.tell({

@@ -3,7 +3,7 @@ import Button from "../../lib/parts/Button.svelte.js";
 import Card from "../../lib/parts/Card.svelte.js";
 import Find from "../../lib/parts/Find.svelte.js";
 import NumberField from "../../lib/parts/NumberField.svelte.js";
-import { behindLetter, systemNamed } from "../../lib/numbers.js";
+import { PLACE, behindLetter, systemNamed } from "../../lib/numbers.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import { unitOf } from "../../lib/units.js";
 import "svelte/internal/disclose-version";
@@ -17,8 +17,6 @@ var root_4 = $.from_html(`<table class="table" data-testid="zeros"><thead><tr><t
 var root_5 = $.from_html(`<!> <p class="muted s-1si0ian"> </p>`, 1);
 function Zeros($$anchor, $$props) {
 	$.push($$props, true);
-	/** Positions lie within it, mm (GSK990MC part 1, 1.2); what is more is refused. */
-	const PLACE = 99999.999;
 	let zeros = $.state({});
 	let more = $.state(false);
 	let add = $.state(false);
@@ -159,8 +157,9 @@ function Zeros($$anchor, $$props) {
 						var node_7 = $.child(div);
 						{
 							let $0 = $.derived(() => $.get(zeros)[system]?.[axis] ?? 0);
-							let $1 = $.derived(() => `${system} ${axis}`);
-							let $2 = $.derived(() => system === "external" ? void 0 : (text) => here(text, system, axis));
+							let $1 = $.derived(() => -PLACE);
+							let $2 = $.derived(() => `${system} ${axis}`);
+							let $3 = $.derived(() => system === "external" ? void 0 : (text) => here(text, system, axis));
 							NumberField(node_7, {
 								get value() {
 									return $.get($0);
@@ -168,13 +167,17 @@ function Zeros($$anchor, $$props) {
 								get again() {
 									return $.get(add);
 								},
-								minimum: -99999.999,
-								maximum: PLACE,
-								get label() {
+								get minimum() {
 									return $.get($1);
 								},
-								get meant() {
+								get maximum() {
+									return PLACE;
+								},
+								get label() {
 									return $.get($2);
+								},
+								get meant() {
+									return $.get($3);
 								},
 								onvalue: (value) => {
 									if (value !== null) machine.tell({
