@@ -8,7 +8,7 @@ import Icon from "../../lib/parts/Icon.svelte.js";
 import Labelled from "../../lib/parts/Labelled.svelte.js";
 import { machine } from "../../lib/state/machine.svelte.js";
 import { notify } from "../../lib/state/notices.svelte.js";
-import { isRestored, restorable } from "./restoring.js";
+import { isRestored } from "./restoring.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/settings/Data.svelte
@@ -53,7 +53,7 @@ function Data($$anchor, $$props) {
 	let backups = $.state([]);
 	/** The level that takes a backup away. */
 	const TAKES = 3;
-	const restored = $.derived(() => restorable($.get(file), $.get(chosen), $.get(backups)));
+	const restored = $.derived(() => $.get(chosen).filter(isRestored));
 	const takes = $.derived(() => machine.level <= TAKES);
 	let over = $.state(false);
 	let picker = $.state(void 0);
