@@ -155,6 +155,33 @@ fn a_code_that_is_never_done_is_an_alarm() {
     assert!(m.is("TOWER_RED") && !m.is("MF"));
 }
 
+/// No M05 and M09 that nobody wrote: DM02 and DM30 end what M codes began, and wait for the spindle.
+#[test]
+fn the_end_of_a_program_is_one_code_to_the_ladder() {
+    for end in [2, 30] {
+        let mut m = Mill::new(&format!("M03 S1200\nM08\nG01 X5 F1000\nM{end}"));
+        m.run_program();
+        assert_eq!((m.codes.clone(), rpm(&m)), (vec![3, 8, end], 0));
+        assert_eq!(m.on(&["SFRA", "COOLANT", "SSTA"]), ["SSTA"]);
+        let in_force = m.cnc.interpreter().program_state();
+        assert_eq!((in_force.spindle, in_force.coolant), (SpindleState::Off, [false; 2]));
+    }
+    // Held while the ladder has the end: the spindle that stops is not missing.
+    let mut m = Mill::with("M03 S1200\nM30", "", |machine| machine.handshake.strobe_delay_ms = 200.0);
+    m.start();
+    m.until(|m| m.outputs.m30);
+    m.press("KEY_HOLD");
+    assert_eq!((m.cnc.state(), m.cnc.spindle_due()), (&State::Held, None));
+    // One that is not finished is named.
+    let mut m = Mill::with("S400\nM30", "", |machine| machine.handshake.time_out_s = 1.0);
+    let never = m.address("FIN");
+    m.plc.force(&ferrocut_plc::Maintenance::granted(), never, false);
+    m.start();
+    m.until(|m| matches!(m.cnc.state(), State::Alarmed(_)));
+    let State::Alarmed(alarm) = m.cnc.state().clone() else { panic!() };
+    assert_eq!((alarm.fault, &alarm.arguments[0]), (Fault::CodeNotFinished, &("word", "M30".into())));
+}
+
 #[test]
 fn rigid_tapping_wants_its_signal() {
     let tapping = "G00 Z5\nM29 S500\nG84 X0 Y0 Z-5 R2 F500\nG80\nM28\nM30";

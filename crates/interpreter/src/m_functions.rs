@@ -108,15 +108,22 @@ impl Interpreter {
         Ok(())
     }
 
-    /// Spindle and coolant stop with the program (GSK990MC 5.2.1).
+    /// Spindle and coolant stop with the program (GSK990MC 5.2.1). A ladder that gets every code ends them by M02 and
+    /// M30 themselves (DM02, DM30): no M05 and M09 that nobody wrote is to be finished before. M99 it does not get.
     pub(crate) fn end_program(&mut self, code: u16) {
         if let Some(alarm) = self.unended_profile() {
             self.note(alarm);
         }
-        if self.rules.end_stops_spindle {
-            self.spindle(SpindleState::Off);
+        let is_by_ladder = self.options.every_code && code != 99;
+        match self.rules.end_stops_spindle {
+            true if is_by_ladder => self.technology.spindle = SpindleState::Off,
+            true => self.spindle(SpindleState::Off),
+            false => {}
         }
-        self.coolant(false);
+        match is_by_ladder {
+            true => self.technology.coolant = false,
+            false => self.coolant(false),
+        }
         self.emit(Op::End(code.into()));
         self.ended = true;
     }

@@ -470,10 +470,14 @@ fn m_codes_of_the_spindle_wait_for_it() {
     m.set("K_NO_SPEED", 1);
     assert!(m.m(3));
     m.done();
-    // The end of the program stops the spindle.
+    // The end of the program stops the spindle, and is done once that stands.
     m.set("DM30", 1);
-    assert!(m.m(30));
+    m.set("SSTA", 0);
+    assert!(!m.m(30));
     assert_eq!(m.on(&outputs), Vec::<&str>::new());
+    m.set("SSTA", 1);
+    m.run(3);
+    m.done();
 }
 
 #[test]

@@ -30,7 +30,7 @@ impl Cnc {
         let spindle = &mut self.program_spindle;
         match op {
             Op::Spindle(state) => *spindle = ProgramSpindle::taken_up(*state),
-            Op::Orient(_) => *spindle = ProgramSpindle::default(),
+            Op::Orient(_) | Op::End(_) => *spindle = ProgramSpindle::default(),
             // Behind it the spindle may stand.
             Op::Tap { .. } => spindle.has_turned = false,
             _ => {}
