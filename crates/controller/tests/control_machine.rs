@@ -454,6 +454,41 @@ fn the_longest_times_are_told_and_forgotten() {
 }
 
 #[test]
+fn cycle_start_while_the_ladder_has_the_end_of_the_program_starts_it_again() {
+    let mut slow = machine();
+    slow.handshake.strobe_delay_ms = 1000.0;
+    let author =
+        ferrocut_memory::Author::Person { session: ferrocut_memory::Session::OPERATOR, name: "panel".into() };
+    let runs_of = |keys: &[&str]| {
+        let mut control = control(&slow);
+        press(&mut control, "KEY_EDIT", 50);
+        let text = "#500=#500+1\nM30\n".into();
+        control.command(Command::Store { program: "O0001".into(), text }, &author).unwrap();
+        press(&mut control, "KEY_AUTO", 50);
+        control.command(Command::Select { program: "O0001".into() }, &author).unwrap();
+        press(&mut control, "KEY_START", 50);
+        while !control.outputs().m30 {
+            control.tick();
+        }
+        for key in keys {
+            match *key {
+                "RESET" => _ = control.command(Command::Reset, &author).unwrap(),
+                key => press(&mut control, key, 50),
+            }
+        }
+        wait(&mut control, 3000);
+        assert_eq!(control.status().activity, Activity::Idle, "{keys:?}");
+        control.cnc().interpreter().memory().variables.get(500)
+    };
+    assert_eq!(runs_of(&[]), Some(1.0));
+    assert_eq!(runs_of(&["KEY_START"]), Some(2.0));
+    assert_eq!(runs_of(&["KEY_START", "KEY_START"]), Some(2.0));
+    assert_eq!(runs_of(&["KEY_START", "RESET"]), Some(1.0));
+    assert_eq!(runs_of(&["KEY_START", "KEY_MDI", "KEY_AUTO"]), Some(1.0));
+    assert_eq!(runs_of(&["KEY_START", "KEY_HOLD", "KEY_START"]), Some(1.0));
+}
+
+#[test]
 fn the_ladder_shifts_the_gears_of_the_spindle_while_it_stands() {
     let mut geared = machine();
     for (name, value) in

@@ -58,6 +58,12 @@ impl Cnc {
         self.auxiliary.as_ref().is_some_and(|auxiliary| auxiliary.handed().is_some())
     }
 
+    /// Whether a program runs of which the ladder has the end, M02 or M30.
+    pub fn is_ending(&self) -> bool {
+        let handed = self.auxiliary.as_ref().and_then(|auxiliary| auxiliary.handed());
+        self.state == State::Running && handed.is_some_and(|step| matches!(step.op, Op::End(_)))
+    }
+
     /// Codes and spindle, where there is a ladder.
     pub(super) fn serve_ladder(&mut self) {
         let is_in_step = self.is_in(ThreadKind::InStep);

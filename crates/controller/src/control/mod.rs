@@ -109,6 +109,8 @@ pub struct Control {
     stale_keys: [bool; SIGNAL_AXES],
     /// Cycle start was pressed, to start when it is let go.
     start_is_pressed: bool,
+    /// It was let go while the ladder had the end of the program, which starts again behind that.
+    starts_again: bool,
     /// Counts of the handwheel that were not given yet.
     counts: i32,
     /// The wheel, where it drives a program.
@@ -257,6 +259,7 @@ impl Control {
             jogs: [(0, false); SIGNAL_AXES],
             stale_keys: [false; SIGNAL_AXES],
             start_is_pressed: false,
+            starts_again: false,
             counts: 0,
             wheel: wheel_drive::Wheel::default(),
             button: false,
@@ -518,6 +521,7 @@ impl Control {
         self.leave_home(self.mode);
         self.mode = self.inputs.mode;
         self.reading.cancel_start();
+        self.starts_again = false;
         self.release_axes();
         self.event(Event::Mode { mode: self.mode });
         // Steps and counts that were given are of the mode that is left.
@@ -555,12 +559,16 @@ impl Control {
         // An interlock acts where the key does not (2.4 notes 1, 2, 4): behind an open door no block is finished.
         let locks = self.inputs.start_lock && moves;
         if self.inputs.feed_hold || locks {
+            self.starts_again = false;
             if locks || self.cnc.returns() || self.cnc.goes_back() || modes::holds(self.standing()) {
                 self.cnc.feed_hold();
             }
             return;
         }
-        if is_let_go && let Err(why) = self.cycle_start() {
+        let starts_again = self.cnc.state() == &State::Ended && std::mem::take(&mut self.starts_again);
+        if (is_let_go || starts_again)
+            && let Err(why) = self.cycle_start()
+        {
             let alarm = AlarmInfo::of(&why);
             self.event(Event::Refused { alarm });
         }
@@ -569,7 +577,7 @@ impl Control {
     /// No program starts any more by what was pressed so far.
     fn cancel_start(&mut self) {
         self.reading.cancel_start();
-        self.start_is_pressed = false;
+        (self.start_is_pressed, self.starts_again) = (false, false);
     }
 
     /// Whether a program may be started, or its axes be sent back.
@@ -601,7 +609,11 @@ impl Control {
     fn cycle_start(&mut self) -> Result<(), Box<Alarm>> {
         self.may_start()?;
         match modes::start(self.program_mode(), self.standing(), self.mode) {
-            Start::Nothing => Ok(()),
+            Start::Nothing => {
+                // All stands, and to who pressed it the program has ended.
+                self.starts_again = self.cnc.is_ending();
+                Ok(())
+            }
             Start::WrongMode => Err(Box::new(alarm(Fault::ControlMode).with("mode", name_of(self.mode)))),
             Start::OtherMode => {
                 Err(Box::new(alarm(Fault::ControlInterrupted).with("mode", name_of(self.program_mode()))))
@@ -729,6 +741,7 @@ impl Control {
     fn raise(&mut self, alarm: Alarm) {
         self.log_alarm(&alarm);
         self.active = Some(alarm);
+        self.starts_again = false;
     }
 
     /// Whether an alarm stands.
