@@ -181,6 +181,22 @@ fn slots_webs_and_edges_set_the_axes_that_were_measured() {
     let asked = json!({"form": "edge", "axis": "Z", "distance": 40, "system": "G54", "h": 7});
     measure(&mut shop, command(asked, "measure")).unwrap();
     near(zero(&mut shop, "G54")[2], -70.25);
+    // Where they lie is passed to at the height of the probe, over a wall that is lower; it goes down there.
+    let wall = block([-40.0, -100.0, -100.0], [40.0, 20.0, 5.0]);
+    let step = block([-100.0, -100.0, -100.0], [100.0, 100.0, -20.0]);
+    let mut shop = among(&[wall, step], [0.0, 0.0, 10.0]);
+    let asked = json!({"form": "edge", "axis": "Y", "positive": false, "distance": 30,
+                       "x": 10, "y": 45, "z": -5, "system": "G54"});
+    let found = measure(&mut shop, command(asked, "measure")).unwrap();
+    near(found.place[&'Y'], 19.0);
+    let at = shop.control.status().position.machine;
+    for (axis, there) in [('X', 10.0), ('Y', 45.0), ('Z', 10.0)] {
+        near(at[&axis], there);
+    }
+    let mut shop = among(&[wall, step], [0.0, 0.0, 10.0]);
+    let asked = json!({"form": "edge", "axis": "Z", "distance": 40, "x": -60, "y": 30, "system": "G54"});
+    let found = measure(&mut shop, command(asked, "measure")).unwrap();
+    near(found.place[&'Z'], -20.0);
 }
 
 /// Where the ray from a place inside a circle meets it, and the cosine of the ray's angle.

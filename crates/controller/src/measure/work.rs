@@ -63,7 +63,7 @@ pub struct Work {
     pub form: Form,
     /// Where the probe stands when measuring begins. What is outside is passed over at this height.
     pub from: Position,
-    /// The rough centre.
+    /// The rough centre; of an edge where its search begins.
     pub centre: Point,
     /// The height at which it touches; none is that of `from`.
     pub depth: Option<f64>,
@@ -200,7 +200,10 @@ impl Work {
 
     fn edge(&self, axis: Axis, positive: bool, distance: f64) -> Result<Touching, Unusable> {
         let depth = self.depth.unwrap_or(self.from[Axis::Z]);
-        let mut start = self.from;
+        // It is passed over at the height where the probe stands.
+        let mut above = self.from;
+        [above[Axis::X], above[Axis::Y]] = self.centre;
+        let mut start = above;
         if axis == Axis::Z && positive {
             return Err(Unusable("axis"));
         }
@@ -209,14 +212,9 @@ impl Work {
         }
         let mut limit = start;
         limit[axis] += if positive { distance } else { -distance };
-        let touches = vec![Touch { via: vec![start], limit }];
-        Ok(Touching {
-            touches,
-            end: vec![self.from],
-            pace: self.pace,
-            spindle: None,
-            missed: Fault::ProbeMissed,
-        })
+        let via = if start == above { vec![above] } else { vec![above, start] };
+        let touches = vec![Touch { via, limit }];
+        Ok(Touching { touches, end: vec![above], pace: self.pace, spindle: None, missed: Fault::ProbeMissed })
     }
 
     /// What the touches come to, in the order of the way; none where they give no shape.
