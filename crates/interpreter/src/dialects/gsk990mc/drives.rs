@@ -7,7 +7,9 @@ use super::acceleration;
 use ferrocut_machine::config::{SpindleConfig, TappingGear};
 use ferrocut_machine::manual::ManualConfig;
 use ferrocut_machine::restart::RestartConfig;
-use ferrocut_machine::{AxisConfig, AxisHoming, DrivesConfig, GearConfig, HomingConfig, Machine, Parameters};
+use ferrocut_machine::{
+    AxisConfig, AxisHoming, DrivesConfig, GearConfig, HomingConfig, Machine, ParameterKey, Parameters,
+};
 
 /// An encoder counts both edges of both of its tracks.
 const COUNTS_A_LINE: f64 = 4.0;
@@ -148,10 +150,18 @@ fn tapping(parameters: &Parameters, gear: u16, spindle: &SpindleConfig) -> Tappi
     }
 }
 
-/// P242, P246 to P249, P262 and bits 1#2, 37#2, 37#3, 38#0, 38#5 (part 2, 4.2.4; part 1, 6.1 to 6.3).
+/// P242, P246 to P249, P262 and bits 1#2, 37#2, 37#3, 38#0, 38#5 (part 2, 4.2.4; part 1, 6.1 to 6.3). Where the machine
+/// file says how fast the gears are, those of P246 to P249 that are as delivered leave it.
 fn gears(parameters: &Parameters, gears: &mut GearConfig) {
+    let is_delivered = |number| {
+        let key = ParameterKey::Data(number);
+        parameters.table().get(&key).is_some_and(|row| row.default == parameters.get(&key))
+    };
+    let is_of_file = gears.max_rpm.iter().any(|rpm| *rpm > 0.0);
     for (number, max_rpm) in (246..).zip(&mut gears.max_rpm) {
-        *max_rpm = parameters.data(number).max(0.0);
+        if !is_of_file || !is_delivered(number) {
+            *max_rpm = parameters.data(number).max(0.0);
+        }
     }
     gears.chosen_by_ladder = parameters.bit(38, 5);
     gears.switched = parameters.bit(1, 2);
@@ -350,6 +360,18 @@ mod tests {
         let x = AxisHoming { search: 30.0, ..AxisHoming::default() };
         assert_eq!(found.axis(Axis::X).unwrap().homing, x);
         assert!(found.homing.needed && found.homing.not_by_program);
+    }
+
+    #[test]
+    fn gears_are_as_fast_as_the_machine_file_says_until_a_parameter_is_set() {
+        let gears = |of_file: [f64; 4], set: &[(&str, f64)]| {
+            machine(set, |machine| machine.spindle.gears.max_rpm = of_file).spindle.gears.max_rpm
+        };
+        assert_eq!(gears([0.0; 4], &[]), [6000.0; 4]);
+        assert_eq!(gears([0.0; 4], &[("P247", 2000.0)]), [6000.0, 2000.0, 6000.0, 6000.0]);
+        let of_file = [500.0, 2000.0, 5000.0, 0.0];
+        assert_eq!(gears(of_file, &[]), of_file);
+        assert_eq!(gears(of_file, &[("P247", 1800.0)]), [500.0, 1800.0, 5000.0, 0.0]);
     }
 
     #[test]
