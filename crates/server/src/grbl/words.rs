@@ -44,7 +44,7 @@ pub fn strip(line: &[u8]) -> Vec<u8> {
             b'(' => in_comment = true,
             b';' => break,
             // Blanks, control characters, the mark of blocks that may be left out.
-            0..=b' ' | b'/' | 0x7F => {}
+            0..=b' ' | b'/' => {}
             _ => out.push(byte.to_ascii_uppercase()),
         }
         if out.len() > LONGEST_LINE {
@@ -291,6 +291,9 @@ mod tests {
         // Interface, error codes.
         for (line, error) in [
             ("1X2", 1),
+            // A control character that Grbl does not leave out (protocol.c: those up to the blank).
+            ("\x7F", 1),
+            ("G1X2\x7F", 1),
             ("G1X#5", 2),
             ("#5=1", 1),
             ("O100 SUB", 2),
