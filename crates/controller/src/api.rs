@@ -621,10 +621,10 @@ pub struct MeasureWork {
     /// The form.
     #[serde(flatten)]
     pub form: MeasureForm,
-    /// Rough centre; where the probe stands where it is missing.
+    /// Rough centre, for an edge where its search begins; where the probe stands where it is missing.
     #[serde(default)]
     pub x: Option<f64>,
-    /// Rough centre; where the probe stands where it is missing.
+    /// Rough centre, for an edge where its search begins; where the probe stands where it is missing.
     #[serde(default)]
     pub y: Option<f64>,
     /// The height at which is touched; where the probe stands where it is missing. Needed from outside.

@@ -328,9 +328,9 @@ fn programs_go_in_and_out() {
 fn a_file_for_dnc_runs_to_its_end_when_its_page_is_closed() {
     let place = Place::local();
     let cookie = place.get("/").cookie();
-    // Longer than the control keeps, and written as shops do.
+    // Longer than the control keeps, and written as shops do. It runs for a while.
     let count = 3000;
-    let mut text = b"G90\n#500 = 0\n".to_vec();
+    let mut text = b"G90 G04 X1.\n#500 = 0\n".to_vec();
     for _ in 0..count {
         text.extend_from_slice(b"#500 = #500 + 1 (");
         (0..128).for_each(|_| text.extend_from_slice(b"\xcf\xb3 "));

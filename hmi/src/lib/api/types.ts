@@ -1145,11 +1145,11 @@ back_off?: number | null, };
  */
 export type MeasureWork = {
 /**
- * Rough centre; where the probe stands where it is missing.
+ * Rough centre, for an edge where its search begins; where the probe stands where it is missing.
  */
 x?: number | null,
 /**
- * Rough centre; where the probe stands where it is missing.
+ * Rough centre, for an edge where its search begins; where the probe stands where it is missing.
  */
 y?: number | null,
 /**
