@@ -276,7 +276,7 @@ impl Cnc {
         let room = MOVES_A_PLACE * (motion.free() + 1);
         let knows_places = drives.knows_places() || machine.homing.absolute;
         let mut cnc = Cnc {
-            supervisor: Supervisor::new(machine, interpreter.dialect(), start),
+            supervisor: Supervisor::new(machine, interpreter.dialect(), start).runs(),
             given: VecDeque::with_capacity(room),
             motion,
             steps_a_period: usize::MAX,
@@ -671,7 +671,7 @@ impl Cnc {
                 match self.waiting.take() {
                     Some(waiting) => self.act(waiting),
                     // The program goes on in the next period.
-                    None if self.steps_left == 0 => return self.at_rest(),
+                    None if self.steps_left == 0 || self.interpreter.is_paused() => return self.at_rest(),
                     None if self.is_between_lines() => return self.at_rest(),
                     None if self.hands_over_speed() => {}
                     None => {

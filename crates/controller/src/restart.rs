@@ -504,7 +504,7 @@ impl Restart {
             return Err(Box::new(own_alarm(dialect, Fault::RestartOrder, self.span)));
         };
         let speed = machine.restart.speed;
-        let mut supervisor = Supervisor::new(&machine, dialect, from);
+        let mut supervisor = Supervisor::new(&machine, dialect, from).runs();
         let mut moves = Vec::new();
         let mut at = from;
         // An axis that the machine lacks comes last, to be refused.

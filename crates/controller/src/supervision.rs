@@ -25,6 +25,8 @@ pub struct Supervisor {
     turning: bool,
     /// Whether cutting with the spindle at rest was told since it stopped.
     told_spindle: bool,
+    /// What goes farther beyond a limit is told each time: nothing of it is to be run.
+    runs: bool,
 }
 
 /// Software limits of one axis, and on which side the tool already is beyond them.
@@ -41,6 +43,12 @@ struct AxisLimits {
 }
 
 impl AxisLimits {
+    /// Whether a position is beyond the upper limit, or the lower one.
+    fn side(&self, position: f64) -> Option<bool> {
+        let upper = position > self.max + ON_LIMIT;
+        (upper || position < self.min - ON_LIMIT).then_some(upper)
+    }
+
     /// The alarm of a path that comes to `position`, beyond the upper limit or the lower one.
     fn alarm(&self, dialect: &Dialect, upper: bool, position: f64, span: Span) -> Alarm {
         let alarm = Alarm::new(dialect.soft_limit_id(self.number, upper), Fault::SoftLimit, span);
@@ -69,12 +77,24 @@ impl Supervisor {
             at: start,
             turning: false,
             told_spindle: false,
+            runs: false,
         }
     }
 
-    /// Notes where the axes are after a block that made no steps, as a checker takes a faulty one.
+    /// From now on for a machine that runs the steps: a tool that is beyond a limit may stay there and come back, and each
+    /// step that goes farther is told. Whoever only reads a program tells it once.
+    pub fn runs(mut self) -> Supervisor {
+        self.runs = true;
+        self
+    }
+
+    /// Notes where the axes are after a block that made no steps, as a checker takes a faulty one. Steps that were
+    /// refused did not bring them beyond a limit.
     pub fn moved_to(&mut self, at: Position) {
         self.at = at;
+        for limits in &mut self.axes {
+            limits.beyond = limits.beyond.filter(|upper| limits.side(at[limits.axis]) == Some(*upper));
+        }
     }
 
     /// Whether the software limits of an axis hold; from the start they do.
@@ -87,7 +107,7 @@ impl Supervisor {
     /// What the machine has against a move by hand from `from`, which nothing is noted of.
     pub fn refusal(&self, from: Position, step: &Step) -> Option<Box<Alarm>> {
         let mut asked = self.clone();
-        asked.at = from;
+        asked.moved_to(from);
         let mut refused = None;
         asked.travel(step, &mut |alarm| refused = refused.take().or(Some(Box::new(alarm))));
         refused
@@ -95,7 +115,7 @@ impl Supervisor {
 
     /// Notes that axes and spindle stand still, the axes at `at`.
     pub fn comes_to_rest(&mut self, at: Position) {
-        self.at = at;
+        self.moved_to(at);
         (self.turning, self.told_spindle) = (false, false);
     }
 
@@ -161,26 +181,28 @@ impl Supervisor {
             // Told once.
             self.lacking = self.lacking.iter().filter(|a| *a != axis).collect();
         }
+        let from = self.at;
         if let Some(to) = step.op.target() {
             self.at = *to;
         }
         for limits in self.axes.iter_mut().filter(|limits| limits.holds) {
             let axis = limits.axis;
-            let beyond = if max[axis] > limits.max + ON_LIMIT {
-                Some(true)
-            } else if min[axis] < limits.min - ON_LIMIT {
-                Some(false)
-            } else {
-                None
-            };
-            if beyond == limits.beyond {
-                continue;
+            // Only what ends beyond the limit stays there: the move back inside begins there.
+            let ends = limits.side(self.at[axis]);
+            let known = std::mem::replace(&mut limits.beyond, ends);
+            let begins = limits.side(from[axis]);
+            for (upper, farthest) in [(true, max[axis]), (false, min[axis])] {
+                if limits.side(farthest) != Some(upper) {
+                    continue;
+                }
+                let is_known = match self.runs {
+                    true => begins == Some(upper) && farthest == from[axis],
+                    false => known == Some(upper),
+                };
+                if !is_known {
+                    tell(limits.alarm(self.dialect, upper, farthest, step.span));
+                }
             }
-            // The move back inside starts beyond the limit; only what ends there stays there.
-            let ends_beyond = self.at[axis] > limits.max + ON_LIMIT || self.at[axis] < limits.min - ON_LIMIT;
-            limits.beyond = beyond.filter(|_| ends_beyond);
-            let Some(upper) = beyond else { continue };
-            tell(limits.alarm(self.dialect, upper, if upper { max[axis] } else { min[axis] }, step.span));
         }
     }
 
