@@ -275,7 +275,7 @@ pub enum Command {
     /// Sets S, as the page of positions does: the modal speed of the spindle, told to it at once. Not while a program is
     /// under way.
     SpindleSpeed {
-        /// r/min; in force under G96 the surface speed, in m/min or feet/min.
+        /// r/min; while G96 is in force the surface speed, mm/min or inch/min.
         speed: f64,
     },
     /// Forgets the handwheel interruption of an axis.
@@ -1423,7 +1423,7 @@ pub struct FeedStatus {
 #[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct SpindleStatus {
-    /// The S word in force.
+    /// The S word in force: r/min, under G96 the surface speed in mm/min or inch/min.
     pub programmed: f64,
     /// What it is told, without its sense.
     pub told: f64,

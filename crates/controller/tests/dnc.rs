@@ -115,3 +115,39 @@ fn a_megabyte_of_blocks_that_do_nothing_is_run_through() {
     shop.say(dnc("X1\nM30\n", false, true));
     assert_eq!((shop.until_it_stops().counters.parts, shop.x()), (1, 2.0));
 }
+
+/// GSK990MC part 2, 11.1.4: M99 is M30 there.
+#[test]
+fn m99_ends_it() {
+    let mut shop = Shop::new(&[]);
+    shop.mode(Mode::Dnc);
+    for (made, parts) in [(1, &["G90 G0 X3\nG0 X0\nM99\n"][..]), (2, &["G0 X3\nM98 P7\n", "X1\nM99\n"])] {
+        shop.store("O7", "G91 G0 X1\nG90\nM99\n");
+        let whole = parts.len() == 1;
+        shop.say(dnc(parts[0], true, whole));
+        shop.start();
+        for (number, part) in parts.iter().enumerate().skip(1) {
+            shop.say(dnc(part, false, number + 1 == parts.len()));
+        }
+        let status = shop.until_it_stops();
+        assert_eq!((status.activity, status.counters.parts), (Activity::Idle, made), "{:?}", shop.told());
+    }
+    assert_eq!(shop.x(), 1.0);
+}
+
+/// What is sent leads on, even where the line that it would jump to has come.
+#[test]
+fn no_jump_in_what_is_sent_depends_on_what_has_come() {
+    for jump in ["GOTO 10", "IF[1EQ1]GOTO 10", "WHILE[1EQ1]DO1\nEND1", "GOTO 1"] {
+        let mut shop = Shop::new(&[]);
+        shop.mode(Mode::Dnc);
+        shop.say(dnc(&format!("N1 G0 X1\n{jump}\nX5\nN10 G0 X7\nM30\n"), true, false));
+        shop.start();
+        let status = shop.until_it_stops();
+        assert_eq!(
+            (status.activity, shop.x(), shop.told()),
+            (Activity::Alarm, 1.0, vec!["FC-1460".into()]),
+            "{jump}"
+        );
+    }
+}

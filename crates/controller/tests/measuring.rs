@@ -275,6 +275,17 @@ fn forms_that_lie_at_an_angle() {
     let set = zero(&mut shop, "G54 P2");
     near(set[0], on(offset)[0]);
     near(set[1], on(offset)[1]);
+    // An axis across the direction is not measured, and keeps what it had.
+    let walls =
+        [block([-80.0, 20.0, -100.0], [80.0, 40.0, 0.0]), block([-80.0, -50.0, -100.0], [80.0, -20.0, 0.0])];
+    let mut shop = among(&walls, [14.0, 2.0, 5.0]);
+    let before = zero(&mut shop, "G58");
+    let asked = json!({"form": "vector_slot", "width": 40, "angle": 90, "z": -3, "system": "G58"});
+    let found = measure(&mut shop, command(asked, "measure")).unwrap();
+    assert_eq!(found.place.keys().collect::<Vec<_>>(), [&'Y']);
+    let set = zero(&mut shop, "G58");
+    near(set[1], 0.0);
+    assert_eq!(set[0], before[0]);
     // Angles too close to each other (3.4.3.1, D).
     let close = json!({"form": "vector_hole", "diameter": 50, "angles": [10, 14, 250], "z": -3});
     assert_eq!(measure(&mut shop, command(close, "measure")).unwrap_err(), "FC-1476");

@@ -6,7 +6,7 @@ use crate::custom::{Custom, Suspended};
 use crate::interpreter::Interpreter;
 use crate::search::Mark;
 use ferrocut_machine::{Alarm, Fault};
-use ferrocut_program::{Block, Page, Place, ProgramId, ProgramMemory, Span, Statement, Value, Word};
+use ferrocut_program::{Block, Page, Place, ProgramId, ProgramMemory, Span, Statement, Text, Value, Word};
 use ferrocut_toolpath::{Dwell, Op};
 use rustc_hash::FxHashMap;
 use std::io;
@@ -604,6 +604,7 @@ impl Interpreter {
         if !(0.0..=99_999.0).contains(&number) || number.fract() != 0.0 {
             return Err(self.alarm(missing, span));
         }
+        self.keeps_lines(span)?;
         let from = self.flow.executing();
         let key = (from, number as u32);
         let target = match self.flow.targets.get(&key) {
@@ -644,8 +645,18 @@ impl Interpreter {
         Ok(target)
     }
 
+    /// A program that is sent bit by bit leads on, and never to another line of it, whichever happen to be kept.
+    fn keeps_lines(&self, span: Span) -> Fallible<()> {
+        let file = self.flow.program().file;
+        match self.programs.text(file).is_some_and(Text::is_sent) {
+            true => Err(self.alarm(Fault::LinesNotKept, span)),
+            false => Ok(()),
+        }
+    }
+
     /// The loops of the program being run.
     fn loops(&mut self, span: Span) -> Fallible<Arc<Loops>> {
+        self.keeps_lines(span)?;
         let program = self.flow.program();
         if let Some(loops) = self.flow.loops.get(&program) {
             return Ok(loops.clone());

@@ -98,6 +98,8 @@ pub struct Options {
     pub auxiliary_lock: Option<bool>,
     /// The text may end without an end of program, as blocks do that the operator types.
     pub open_end: bool,
+    /// M99 of the main program ends it as M30 does: DNC (GSK990MC part 2, 11.1.4; part 1, 5.2.5).
+    pub return_ends: bool,
     /// M codes that the machine has beside those of the language.
     pub machine_codes: MachineCodes,
 }
@@ -619,9 +621,23 @@ impl Interpreter {
         }
     }
 
+    /// The next step, if it comes of the next `blocks`, of which those that were read are taken off: none, and `blocks`
+    /// 0, says that there may be more. For a machine that has other things to do while a program reckons.
+    #[inline]
+    pub fn next_within(&mut self, blocks: &mut u64) -> Option<Fallible<Step>> {
+        let mut next = self.advance(blocks)?;
+        if let Some(origins) = &self.origins {
+            match &mut next {
+                Ok(step) => step.span = origins.of(step.span),
+                Err(alarm) => alarm.span = origins.of(alarm.span),
+            }
+        }
+        Some(next)
+    }
+
     /// The next step or alarm, at its place in the program.
     #[inline]
-    fn advance(&mut self) -> Option<Fallible<Step>> {
+    fn advance(&mut self, blocks: &mut u64) -> Option<Fallible<Step>> {
         loop {
             if let Some(step) = self.output.pop() {
                 if step.block <= self.passed {
@@ -639,6 +655,7 @@ impl Interpreter {
             if self.ended || self.stands() {
                 return None;
             }
+            *blocks = blocks.checked_sub(1)?;
             if self.described.is_running() {
                 if let Err(alarm) = self.next_described() {
                     self.stop_by(alarm);
@@ -666,13 +683,7 @@ impl Iterator for Interpreter {
 
     #[inline]
     fn next(&mut self) -> Option<Fallible<Step>> {
-        let mut next = self.advance()?;
-        if let Some(origins) = &self.origins {
-            match &mut next {
-                Ok(step) => step.span = origins.of(step.span),
-                Err(alarm) => alarm.span = origins.of(alarm.span),
-            }
-        }
-        Some(next)
+        let mut any = u64::MAX;
+        self.next_within(&mut any)
     }
 }

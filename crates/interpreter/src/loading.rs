@@ -10,6 +10,7 @@ use crate::flow::Flow;
 use crate::interpreter::Interpreter;
 use crate::modal::Group;
 use crate::output::Output;
+use crate::stages::units;
 use crate::stages::work_offset::System;
 use ferrocut_geometry::Position;
 use ferrocut_machine::{Alarm, Memory};
@@ -85,6 +86,11 @@ impl Interpreter {
         self.options.open_end = open;
     }
 
+    /// Whether M99 of the main program ends it as M30 does: DNC (GSK990MC part 2, 11.1.4).
+    pub fn set_return_ends(&mut self, ends: bool) {
+        self.options.return_ends = ends;
+    }
+
     /// The program that a tool change runs; none is the built-in code.
     pub fn set_tool_change_program(&mut self, program: Option<u32>) {
         self.options.tool_change_program = program;
@@ -156,6 +162,16 @@ impl Interpreter {
     /// The last F word in mm/min, and S in r/min.
     pub fn feed_and_speed(&self) -> (f64, f64) {
         (self.technology.feed_per_minute, self.technology.speed.unwrap_or(0.0))
+    }
+
+    /// S in force, as it was programmed: r/min, or under G96 the surface speed in mm/min or inch/min.
+    pub fn speed_in_force(&self) -> f64 {
+        match self.is_surface_speed() {
+            true => {
+                self.technology.surface_speed.unwrap_or(0.0) / units::length_mm(1.0, self.modal.is_inch())
+            }
+            false => self.technology.speed.unwrap_or(0.0),
+        }
     }
 
     /// Numbers of the offsets in force: H and D.

@@ -89,7 +89,10 @@ impl Interpreter {
             MFunction::Machine => self.emit(Op::Machine(code.code.into())),
             MFunction::Call => return self.subprogram_call(span),
             MFunction::Return => {
-                if !self.go_back() && self.start_again(span)? {
+                let is_main = !self.go_back();
+                if is_main && self.options.return_ends {
+                    self.end_program(30);
+                } else if is_main && self.start_again(span)? {
                     self.end_program(code.code);
                 }
             }

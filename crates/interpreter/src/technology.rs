@@ -61,7 +61,7 @@ impl Interpreter {
         if s > self.rules.max_speed_word {
             return Err(self.alarm_at(Fault::SpindleTooFast, b'S'));
         }
-        match self.in_force(Group::SurfaceSpeed, Meaning::SurfaceSpeed) {
+        match self.is_surface_speed() {
             true => self.technology.surface_speed = Some(units::length_mm(s, self.modal.is_inch())),
             false => self.technology.speed = Some(s),
         }
@@ -94,9 +94,14 @@ impl Interpreter {
         }
     }
 
+    /// Whether S is a surface speed (G96).
+    pub fn is_surface_speed(&self) -> bool {
+        self.in_force(Group::SurfaceSpeed, Meaning::SurfaceSpeed)
+    }
+
     /// The speed in force. Turns beyond the limit are held there (GSK990MC part 2, 7.10).
     pub(crate) fn speed(&self) -> Speed {
-        if !self.in_force(Group::SurfaceSpeed, Meaning::SurfaceSpeed) {
+        if !self.is_surface_speed() {
             return Speed::Rpm(self.technology.speed.unwrap_or(0.0).min(self.rules.max_spindle_rpm));
         }
         let axis = self.technology.surface_axis;

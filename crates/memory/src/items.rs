@@ -199,6 +199,19 @@ impl Counter {
         Counter::Starts,
     ];
 
+    /// The highest value that may be set: pieces and starts, of which only whole ones are there, or seconds.
+    pub fn highest(self) -> f64 {
+        if self.is_time() { 1e9 } else { 99_999_999.0 }
+    }
+
+    /// Whether it counts seconds.
+    pub fn is_time(self) -> bool {
+        matches!(
+            self,
+            Counter::RunTime | Counter::CuttingTime | Counter::AllCuttingTime | Counter::PowerOnTime
+        )
+    }
+
     /// Its name.
     pub fn name(self) -> &'static str {
         match self {

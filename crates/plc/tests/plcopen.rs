@@ -368,7 +368,7 @@ fn what_is_not_understood_is_told_with_its_line() {
             contact(2, 0, &[3], "X0.0") + &contact(3, 0, &[2], "X0.1") + &coil(4, 0, &[3], "Y0.0"),
             1017,
             9,
-            Some("128"),
+            Some("localId 2"),
         ),
         (
             block(2, 0, "R_TRIG", &[("CLK", &wires(&[3]))])
@@ -531,4 +531,16 @@ proptest! {
             prop_assert_eq!(program.instructions().len(), ladder.instructions.len());
         }
     }
+}
+
+#[test]
+fn a_contact_that_leads_nowhere_and_lines_in_a_ring_are_told() {
+    let about = |diagram: String| -> Vec<(u16, Option<String>)> {
+        faults(&project(&diagram)).into_iter().map(|(number, _, about)| (number, about)).collect()
+    };
+    let forgotten = contact(2, 0, &[1], "START") + &contact(3, 0, &[1], "X0.1") + &coil(5, 0, &[3], "Y0.0");
+    assert_eq!(about(forgotten), [(1016, Some("START".into()))]);
+    let ring = contact(2, 0, &[3], "START") + &contact(3, 0, &[2], "X0.1") + &coil(5, 0, &[3], "Y0.0");
+    let [(1017, Some(id))] = &about(ring)[..] else { panic!() };
+    assert!(["localId 2", "localId 3"].contains(&id.as_str()), "{id}");
 }

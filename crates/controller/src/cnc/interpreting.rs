@@ -8,8 +8,11 @@
 //! While it is away a copy stands in its place, as it was when it went: whoever looks ([`Interpreting`] dereferences to
 //! it) waits for nothing. The copy is made there as well, so that a period allocates nothing: as the interpreter comes
 //! back, or, where something was changed since, before it goes to read. Both look at it meanwhile, and nobody changes it.
-//! Whoever changes something ([`Interpreting::own`]) has it called back, and waits for the end of the block that it is
+//! Whoever changes something ([`Interpreting::own`]) has it called back, and waits for the end of the few blocks that it is
 //! at; in the servo period nothing is changed but at rest, when [`Interpreting::is_here`].
+//!
+//! In a period on a real clock no more than so many blocks are read, steps or not: keys, ladder and emergency stop do not
+//! wait for a program that reckons. It goes on in the next one, so that the setpoints do not depend on the computer.
 //!
 //! A program that is sent bit by bit is read in the period: its text comes by the same thread, and is short.
 
@@ -29,6 +32,12 @@ use std::time::{Duration, Instant};
 
 /// Steps that are read ahead of motion's own look-ahead at most.
 const STEPS: usize = 64;
+
+/// Blocks read in a period on a real clock: some tenths of a millisecond.
+const BLOCKS_A_PERIOD: u64 = 2000;
+
+/// Blocks read beside before it is looked whether somebody wants the interpreter.
+const BLOCKS_AT_ONCE: u64 = 2000;
 
 /// Steps taken in a period where it must be short: a microsecond or some each.
 const STEPS_A_PERIOD: usize = 12;
@@ -63,8 +72,9 @@ struct Taken {
 }
 
 impl Taken {
-    fn from(interpreter: &mut Interpreter) -> Taken {
-        let next = interpreter.next();
+    /// What comes of the next `blocks` ([`Interpreter::next_within`]).
+    fn within(interpreter: &mut Interpreter, blocks: &mut u64) -> Taken {
+        let next = interpreter.next_within(blocks);
         let returns = match &next {
             Some(Ok(Step { op: Op::Rapid { .. }, span, .. })) => returns_to_reference(interpreter, *span),
             _ => false,
@@ -115,11 +125,14 @@ impl Work {
         // Nobody else has it.
         let Some(interpreter) = Arc::get_mut(&mut self.interpreter) else { return };
         self.goes_on = true;
-        for _ in 0..self.most {
-            if self.called.load(Ordering::Relaxed) || self.steps.is_full() {
-                break;
+        let mut left = self.most;
+        while left > 0 && !self.called.load(Ordering::Relaxed) && !self.steps.is_full() {
+            let mut blocks = BLOCKS_AT_ONCE;
+            let taken = Taken::within(interpreter, &mut blocks);
+            if taken.next.is_none() && blocks == 0 {
+                continue;
             }
-            let taken = Taken::from(interpreter);
+            left -= 1;
             self.goes_on = taken.next.as_ref().is_some_and(is_move);
             let _ = self.steps.push(taken);
             if !self.goes_on {
@@ -167,6 +180,9 @@ pub(super) struct Interpreting {
     returning: Option<Span>,
     /// No step has come yet, since the interpreter is not done.
     waits: bool,
+    /// Blocks that may be read in a period, and in this one still.
+    blocks_a_period: u64,
+    blocks_left: u64,
     /// The program has given out all that it had.
     is_over: bool,
     /// Switches, and the block that the machine has come to, which it was not told of yet.
@@ -193,6 +209,8 @@ impl Interpreting {
             frame: None,
             returning: None,
             waits: false,
+            blocks_a_period: u64::MAX,
+            blocks_left: u64::MAX,
             is_over: false,
             switches: None,
             single: None,
@@ -222,6 +240,16 @@ impl Interpreting {
             old_journal: None,
         });
         Ok(())
+    }
+
+    /// From now on no period reads more than a few blocks.
+    pub fn read_in_short(&mut self) {
+        self.blocks_a_period = BLOCKS_A_PERIOD;
+    }
+
+    /// Whether it reads on in the next period.
+    pub fn is_paused(&self) -> bool {
+        self.waits && self.blocks_left == 0
     }
 
     /// A run begins with the next block that is read: a journal of it is begun where blocks are read, before that. Here
@@ -275,6 +303,7 @@ impl Interpreting {
 
     /// Takes it back, if it is done: at the beginning of each period.
     pub fn fetch(&mut self) {
+        self.blocks_left = self.blocks_a_period;
         let Some(elsewhere) = &mut self.elsewhere else { return };
         let Some(work) = elsewhere.thread.fetch() else { return };
         if !Arc::ptr_eq(&self.present, &work.interpreter) {
@@ -412,10 +441,7 @@ impl Interpreting {
     pub fn next(&mut self, single: bool) -> Next {
         self.waits = false;
         let is_here = self.is_here();
-        let Some(elsewhere) = &mut self.elsewhere else {
-            let taken = Taken::from(self.change());
-            return self.gives(taken);
-        };
+        let Some(elsewhere) = &mut self.elsewhere else { return self.read() };
         if !elsewhere.is_stale
             && let Ok(taken) = elsewhere.taken.pop()
         {
@@ -424,15 +450,23 @@ impl Interpreting {
             return self.gives(taken);
         }
         if is_here && self.present.is_open() {
-            self.frame = None;
-            let taken = Taken::from(self.own());
-            return self.gives(taken);
+            self.own();
+            return self.read();
         }
         if !self.is_over {
             self.lend(single);
             self.waits = true;
         }
         None
+    }
+
+    /// Reads it in this period.
+    fn read(&mut self) -> Next {
+        let mut blocks = self.blocks_left;
+        let taken = Taken::within(self.change(), &mut blocks);
+        self.waits = taken.next.is_none() && blocks == 0;
+        self.blocks_left = blocks;
+        self.gives(taken)
     }
 
     /// Has more steps read where there is room, before they are wanted.
@@ -516,13 +550,15 @@ impl Cnc {
         }
     }
 
-    /// Called by whoever is about to run periods on a real clock, in the thread that will. Do the drives need a setpoint
+    /// Called by whoever is about to run periods on a real clock, in the thread that will: no period reads more than a few
+    /// blocks from now on. Do the drives need a setpoint
     /// each period, whatever else the computer does ([`keeps_time`](crate::drives::Drives::keeps_time)), what takes long
     /// is done beside from now on ([`work_beside`](Self::work_beside)).
     ///
     /// # Errors
     /// The system gives no thread; then all is done in the period as before.
     pub fn keep_time(&mut self) -> std::io::Result<()> {
+        self.interpreter.read_in_short();
         if self.drives.keeps_time() { self.work_beside() } else { Ok(()) }
     }
 
@@ -534,6 +570,7 @@ impl Cnc {
     /// # Errors
     /// The system gives no thread; then all is done in the period as before.
     pub fn work_beside(&mut self) -> std::io::Result<()> {
+        self.interpreter.read_in_short();
         self.motion.plan_beside()?;
         self.interpreter.read_beside()?;
         self.steps_a_period = STEPS_A_PERIOD;

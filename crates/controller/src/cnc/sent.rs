@@ -186,17 +186,19 @@ impl Cnc {
         }
     }
 
-    /// Once a period: whether a path that waits for more begins, or is run to its end.
+    /// Once a period: whether a path that waits for more begins, or is run to its end. Blocks of a program that are still
+    /// read are waited for no longer than what a sender has not sent.
     pub(super) fn wait_for_more(&mut self) {
-        let is_open = self.sent.is_jogging || self.interpreter.is_open();
-        if self.state != State::Running || !is_open {
+        if self.state != State::Running {
             return;
         }
+        let is_open = self.sent.is_jogging || self.interpreter.is_open();
         let is_starved = self.sent.jogs.is_empty() && (self.sent.is_jogging || self.interpreter.is_starved());
-        self.sent.starved = if is_starved { self.sent.starved + self.period } else { 0.0 };
-        let waits = self.motion.at_rest() && !self.motion.is_empty();
+        self.sent.starved = if is_open && is_starved { self.sent.starved + self.period } else { 0.0 };
+        let waits = self.motion.at_rest() && !self.motion.is_empty() && (is_open || self.interpreter.waits());
         self.sent.waiting = if waits { self.sent.waiting + self.period } else { 0.0 };
-        if self.sent.starved >= PATIENCE_S || self.sent.waiting >= LONGEST_WAIT_S {
+        let longest = if is_open { LONGEST_WAIT_S } else { PATIENCE_S };
+        if self.sent.starved >= PATIENCE_S || self.sent.waiting >= longest {
             self.motion.finish();
         }
     }

@@ -156,7 +156,11 @@ impl Control {
             }
             Command::SetCounter { counter, value } => {
                 let counter = Counter::named(&counter).ok_or_else(|| named(Fault::NoSuchName, counter))?;
-                let value = finite(Some(value))?.unwrap_or(0.0).max(0.0);
+                let range = 0.0..=counter.highest();
+                let value = within(value, range.clone())?;
+                if !counter.is_time() && value.fract() != 0.0 {
+                    return Err(Box::new(outside(value.to_string(), &range)));
+                }
                 self.change_data(author, Change::Counter { counter, value })
             }
             Command::LogIn { level, password } => self.log_in(level, &password, author),
@@ -658,7 +662,11 @@ impl Control {
     /// 3.1.2: S from 0 to P258 is set at the cursor of the page, which the manual binds to no mode. A program under way
     /// has its own.
     fn set_spindle_speed(&mut self, speed: f64) -> Answer {
-        let highest = self.cnc.interpreter().max_spindle_rpm();
+        let interpreter = self.cnc.interpreter();
+        let highest = match interpreter.is_surface_speed() {
+            true => HIGHEST_SURFACE_SPEED,
+            false => interpreter.max_spindle_rpm(),
+        };
         let speed = within(speed, 0.0..=highest)?;
         match self.cnc.set_spindle_speed(speed) {
             true => Ok(Reply::Done),
@@ -816,6 +824,9 @@ fn within(value: f64, range: RangeInclusive<f64>) -> Result<f64, Box<Alarm>> {
         false => Err(Box::new(outside(value.to_string(), &range))),
     }
 }
+
+/// The highest S under G96, mm/min or inch/min.
+const HIGHEST_SURFACE_SPEED: f64 = 99_999_999.0;
 
 /// The alarm of a value outside its range, which it tells unless it is open.
 pub(super) fn outside(value: String, range: &RangeInclusive<f64>) -> Alarm {

@@ -4,6 +4,7 @@
 //! it comes: of it the next megabyte is kept and no more, whatever its length. A part for which there is no room is
 //! refused, to be sent again; jumps in such a program are alarms, since its lines are not kept.
 
+use super::programs::Source;
 use super::{Control, Loaded, alarm};
 use crate::api::{DncStatus, Reply};
 use ferrocut_machine::{Alarm, Fault};
@@ -93,9 +94,9 @@ impl Control {
         if self.dnc.is_whole {
             let text = Text::from_bytes(self.dnc.held.clone());
             let text = text.map_err(|_| alarm(Fault::FileNotText).with("file", "DNC"))?;
-            self.load_text("DNC", text, true)?;
+            self.load_text("DNC", text, Source::Dnc)?;
         } else {
-            self.load_text("DNC", Text::sent(), true)?;
+            self.load_text("DNC", Text::sent(), Source::Dnc)?;
             let held = std::mem::take(&mut self.dnc.held);
             self.dnc.is_sent = true;
             // There is room for as much as is held.

@@ -7,6 +7,16 @@ use ferrocut_interpreter::Interpreter;
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_program::{FileId, ProgramId, Span, Text};
 
+/// Where a program comes from.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Source {
+    Memory,
+    /// Its text may end without an end of program.
+    Mdi,
+    /// That too, and M99 is its end.
+    Dnc,
+}
+
 /// The program of the memory that M06 runs, where there is one (GSK990MC 8.1).
 pub(super) const TOOL_CHANGE_PROGRAM: u32 = 9001;
 
@@ -89,7 +99,7 @@ impl Control {
     pub(super) fn load_auto(&mut self, name: &str) -> Result<(), Box<Alarm>> {
         if self.loaded != Loaded::Auto(name.to_owned()) {
             let prepared = self.program_to_load(name)?;
-            self.load_prepared(*prepared, false)?;
+            self.load_prepared(*prepared, Source::Memory)?;
             self.loaded = Loaded::Auto(name.to_owned());
         }
         Ok(())
@@ -112,7 +122,7 @@ impl Control {
         }
         let text =
             Text::from_bytes(text.into_bytes()).map_err(|_| alarm(Fault::FileNotText).with("file", "MDI"))?;
-        self.load_text("MDI", text, true)?;
+        self.load_text("MDI", text, Source::Mdi)?;
         self.loaded = Loaded::Mdi;
         // 10#6: from the line of the cursor.
         let line = (!is_block && self.bit(10, 6) && self.mdi_cursor > 1).then_some(self.mdi_cursor);
@@ -120,17 +130,18 @@ impl Control {
     }
 
     /// Gives the interpreter a text as its main program; all programs of the memory can be called from it.
-    pub(super) fn load_text(&mut self, name: &str, text: Text, open_end: bool) -> Result<(), Box<Alarm>> {
+    pub(super) fn load_text(&mut self, name: &str, text: Text, source: Source) -> Result<(), Box<Alarm>> {
         let syntax = self.cnc.interpreter().dialect().syntax;
-        self.load_prepared(Prepared::new(name, text, &self.library, syntax), open_end)
+        self.load_prepared(Prepared::new(name, text, &self.library, syntax), source)
     }
 
-    fn load_prepared(&mut self, prepared: Prepared, open_end: bool) -> Result<(), Box<Alarm>> {
+    fn load_prepared(&mut self, prepared: Prepared, source: Source) -> Result<(), Box<Alarm>> {
         let Prepared { programs, changes_tools } = prepared;
         let old = self.cnc.load_programs(programs).map_err(|_| alarm(Fault::ControlBusy))?;
         self.reading.free(old);
         let interpreter = self.cnc.interpreter_mut();
-        interpreter.set_open_end(open_end);
+        interpreter.set_open_end(source != Source::Memory);
+        interpreter.set_return_ends(source == Source::Dnc);
         interpreter.set_tool_change_program(changes_tools.then_some(TOOL_CHANGE_PROGRAM));
         Ok(())
     }

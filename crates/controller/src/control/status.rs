@@ -175,7 +175,7 @@ impl Control {
     pub fn status(&self) -> Status {
         let interpreter = self.cnc.interpreter();
         let inputs = &self.inputs;
-        let (feed, speed) = interpreter.feed_and_speed();
+        let (feed, _) = interpreter.feed_and_speed();
         let (h, d) = interpreter.offsets_in_force();
         let (tool, called_tool) = interpreter.tools();
         let is_loaded = !matches!(self.loaded, super::Loaded::Nothing);
@@ -208,7 +208,7 @@ impl Control {
                 manual_override: inputs.manual_override,
             },
             spindle: SpindleStatus {
-                programmed: speed,
+                programmed: interpreter.speed_in_force(),
                 told: self.cnc.spindle().rpm(),
                 actual: self.cnc.spindle().actual_rpm(),
                 spindle_override: inputs.spindle_override,

@@ -232,8 +232,13 @@ impl Work {
             Form::VectorWalls { inside, width, angle } => {
                 let [a, b] = points.as_slice() else { return None };
                 let (at, apart) = shape::middle(self.centre, angle, *a, *b);
+                // An axis across the direction is not measured.
+                let (sine, cosine) = angle.to_radians().sin_cos();
+                let shares = [(Axis::X, cosine), (Axis::Y, sine)];
+                let is_measured =
+                    |axis: &Axis| shares.iter().any(|(a, share)| a == axis && share.abs() > 1e-6);
                 Some(Found {
-                    place: place(at),
+                    place: place(at).into_iter().filter(|(axis, _)| is_measured(axis)).collect(),
                     sizes: vec![(sized(apart, inside), width)],
                     out_of_round: 0.0,
                 })

@@ -78,8 +78,10 @@ pub fn run(args: &RunArgs) -> Result<Exit, Failure> {
         restart = Some(lead.json);
     }
     cnc.set_override(args.feed_override / 100.0, args.rapid_override / 100.0);
-    // Without threads for it all is done in the period.
-    let _ = cnc.keep_time();
+    if args.realtime {
+        // Without threads for it all is done in the period.
+        let _ = cnc.keep_time();
+    }
     let clock = if args.realtime { Clock::real(shop.machine.servo_period_ms) } else { Clock::Virtual };
     let mut screen = Screen::new(&shop, length, args.realtime);
     let mut take = |_: &Cnc, tick: &Tick| match samples.as_mut() {

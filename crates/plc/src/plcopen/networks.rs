@@ -306,6 +306,18 @@ impl Import<'_> {
                 self.next_label += 1;
             }
         }
+        // A contact that leads nowhere is a line that was forgotten.
+        let led = |element: &Element| {
+            let inputs = if let Kind::Block { inputs, .. } = &element.kind { inputs.as_slice() } else { &[] };
+            let wires = element.wires.iter().chain(inputs.iter().flat_map(|input| &input.wires));
+            wires.map(|wire| wire.from).collect::<Vec<Id>>()
+        };
+        let led: FxHashSet<Id> = elements.iter().flat_map(led).collect();
+        for element in elements.iter().filter(|element| !led.contains(&element.id)) {
+            if let Kind::Contact { signal, .. } = &element.kind {
+                self.error(Fault::Incomplete, element.span, signal);
+            }
+        }
         let mut paths = Paths::new(&elements, &places);
         let mut order: Vec<&Element> = elements.iter().collect();
         order.sort_by_key(|element| element.position);

@@ -3,7 +3,7 @@
 use super::diagram::{Element, Id, Kind, Wire};
 use super::networks::is_of_iec;
 use crate::fault::{Error, Fault, Span};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::rc::Rc;
 
 /// Contacts in series on one way to the rail.
@@ -122,7 +122,11 @@ impl<'a> Paths<'a> {
         }
         // A ring of wires is as long as any.
         if depth > LONGEST {
-            return Err(Error::about(Fault::Unsupported, span, LONGEST.to_string()));
+            let about = match self.leads_to_itself(id) {
+                true => format!("localId {id}"),
+                false => LONGEST.to_string(),
+            };
+            return Err(Error::about(Fault::Unsupported, span, about));
         }
         let Some(element) = self.element(id) else {
             return Err(Error::about(Fault::LineOpen, span, format!("localId {id}")));
@@ -154,6 +158,24 @@ impl<'a> Paths<'a> {
         };
         self.known.insert(id, found.clone());
         Ok(found)
+    }
+}
+
+impl Paths<'_> {
+    /// Whether one comes back to an element on the lines that lead to it.
+    fn leads_to_itself(&self, id: Id) -> bool {
+        let (mut seen, mut next) = (FxHashSet::default(), vec![id]);
+        while let Some(element) = next.pop().and_then(|at| self.element(at)) {
+            for wire in &element.wires {
+                if wire.from == id {
+                    return true;
+                }
+                if seen.insert(wire.from) {
+                    next.push(wire.from);
+                }
+            }
+        }
+        false
     }
 }
 

@@ -300,7 +300,7 @@ manual_override: number, };
  */
 export type SpindleStatus = {
 /**
- * The S word in force.
+ * The S word in force: r/min, under G96 the surface speed in mm/min or inch/min.
  */
 programmed: number,
 /**
@@ -1565,7 +1565,7 @@ axis: string,
  */
 to: RelativeTo, } | { "do": "spindle_speed",
 /**
- * r/min; in force under G96 the surface speed, in m/min or feet/min.
+ * r/min; while G96 is in force the surface speed, mm/min or inch/min.
  */
 speed: number, } | { "do": "clear_interruption",
 /**
