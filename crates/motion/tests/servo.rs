@@ -6,6 +6,7 @@ use ferrocut_machine::{Backlash, Machine, PitchErrors, Smoothing};
 use ferrocut_motion::Servo;
 use ferrocut_motion::servo::{Kind, ServoFaultKind};
 use proptest::prelude::*;
+use std::f64::consts::PI;
 
 /// The demo mill, axis X changed.
 fn machine(change: impl Fn(&mut ferrocut_machine::AxisConfig)) -> Machine {
@@ -408,4 +409,51 @@ fn what_is_renamed_stands_still() {
     servo.rename(at);
     let command = servo.tick(&at, Kind::Cutting);
     assert_eq!((command.position, command.drive[Axis::X], servo.is_at_rest()), (at, 10.01, true));
+}
+
+/// GSK990MC P129: the lowest speed is that of what is left at the end, and of nothing before.
+#[test]
+fn the_lowest_speed_of_an_exponential_lag_is_its_end_alone() {
+    let servo = |least: f64| {
+        let mut machine = Machine::demo_mill();
+        for axis in &mut machine.axes {
+            axis.after_cutting = Smoothing::Exponential { time_ms: 60.0, least };
+        }
+        Servo::new(&machine, Position::ZERO)
+    };
+    // A circle with its quadrants, and a line that is nearly along X.
+    let circle = |k: u32| {
+        let phi = 2.0 * PI * (f64::from(k.min(1000)) / 1000.0);
+        Position::xyz(20.0 * (1.0 - phi.cos()), 20.0 * phi.sin(), 0.0)
+    };
+    let line = |k: u32| {
+        Position::xyz(100.0, 1.0, 0.0).zip(Position::ZERO, |to, _| to * f64::from(k.min(1000)) / 1000.0)
+    };
+    for least in [10.0, 600.0, 9999.0] {
+        for (path, is_line) in [(&circle as &dyn Fn(u32) -> Position, false), (&line, true)] {
+            let (mut with, mut without) = (servo(least), servo(0.0));
+            let mut positions = Vec::new();
+            for k in 1..=3000 {
+                let position = with.tick(&path(k), Kind::Cutting).position;
+                let other = without.tick(&path(k), Kind::Cutting).position;
+                if k <= 1000 {
+                    assert_eq!(position, other, "{least} {k}");
+                }
+                if is_line {
+                    assert!(
+                        (position[Axis::Y] - position[Axis::X] / 100.0).abs() < 1e-9,
+                        "{least} {k} {position:?}"
+                    );
+                }
+                positions.push(position);
+            }
+            assert!(with.is_at_rest() && positions.last() == Some(&path(3000)), "{least}");
+            let end = &positions[1000..];
+            let sharpest = end.windows(3).map(|p| {
+                let change = |axis: Axis| (p[2][axis] - 2.0 * p[1][axis] + p[0][axis]).abs() * 1e6;
+                change(Axis::X).max(change(Axis::Y))
+            });
+            assert!(sharpest.fold(0.0, f64::max) < 2000.0 * 1.001, "{least}");
+        }
+    }
 }

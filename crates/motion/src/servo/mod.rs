@@ -34,7 +34,7 @@ use ferrocut_geometry::{Axis, Position};
 use ferrocut_machine::{AxisConfig, Machine, Smoothing};
 use pitch::PitchTable;
 use reversal::Direction;
-use smoothing::Smoother;
+use smoothing::{Ending, Left, Smoother};
 use supervision::Watch;
 
 /// What the axes move for.
@@ -132,8 +132,15 @@ impl Servo {
     /// Goes on by a period to a setpoint of the path. Movements from the one before count as `kind`.
     pub fn tick(&mut self, setpoint: &Position, kind: Kind) -> Command {
         self.command = Command { position: *setpoint, drive: *setpoint, fault: None };
+        let mut left = Left::NONE;
+        for axis in self.loops.iter() {
+            if let Some(smoother) = &axis.smoother {
+                left.add(smoother, setpoint[axis.axis] - axis.setpoint);
+            }
+        }
+        let ending = left.ending(kind);
         for axis in &mut self.loops {
-            axis.tick(kind, &mut self.command);
+            axis.tick(kind, &ending, &mut self.command);
         }
         self.command
     }
@@ -199,7 +206,8 @@ impl Servo {
 impl AxisLoop {
     fn new(axis: &AxisConfig, tolerance: f64, limits: &RampLimits, period: f64, at: f64) -> AxisLoop {
         let [rapid, cutting, jog, wheel] = axis.smoothing().map(|(_, smoothing)| smoothing);
-        let smoother = Smoother::new([rapid, cutting, jog, Smoothing::None, wheel], period);
+        let smoother =
+            Smoother::new([rapid, cutting, jog, Smoothing::None, wheel], limits.acceleration, period);
         let watch = Watch::new(axis, tolerance);
         AxisLoop {
             axis: axis.name,
@@ -215,11 +223,11 @@ impl AxisLoop {
     }
 
     #[inline]
-    fn tick(&mut self, kind: Kind, command: &mut Command) {
+    fn tick(&mut self, kind: Kind, ending: &Ending, command: &mut Command) {
         let setpoint = command.position[self.axis];
         let mut position = setpoint;
         if let Some(smoother) = &mut self.smoother {
-            position -= smoother.push(setpoint - self.setpoint, kind);
+            position -= smoother.push(setpoint - self.setpoint, kind, ending);
             command.position[self.axis] = position;
             command.drive[self.axis] = position;
         }
