@@ -115,7 +115,9 @@ fn share_of(arc: &Arc, point: Position) -> Option<f64> {
     } else {
         0.0
     };
-    let turn = ((progress.clamp(0.0, 1.0) * turned - first) / TAU).round().max(0.0);
+    // No turn more than the arc has in that direction: a radius that ends a little off its start says nothing beside a blend.
+    let most = ((turned - first) / TAU).floor().max(0.0);
+    let turn = ((progress.clamp(0.0, 1.0) * turned - first) / TAU).round().clamp(0.0, most);
     Some((first + turn * TAU) / turned)
 }
 
@@ -174,6 +176,21 @@ mod tests {
         // 3-4-5: radius 15 and 5 on the arc; (6, −8) is not on it, and 8.944 = √(4² + 8²) from its start.
         for (x, y, far) in [(9.0, 12.0, 5.0), (3.0, 4.0, 5.0), (6.0, -8.0, 80.0_f64.sqrt())] {
             assert!((away(arc, x, y, 0.0) - far).abs() < 1e-12, "{x} {y}");
+        }
+    }
+
+    #[test]
+    fn a_blend_beside_an_arc_of_rounded_numbers_is_near_it() {
+        // Nearly a turn about (10, −0.5): the end is 1e-3 off its circle.
+        let (from, to) = (Position::xyz(10.0, 0.0, 0.0), Position::xyz(9.97, 0.0, 0.0));
+        let arc = Arc::about(Plane::Xy, from, to, [10.0, -0.5], Turn::Clockwise);
+        for degrees in (0..350).step_by(7) {
+            let (sin, cos) = f64::from(degrees).to_radians().sin_cos();
+            for off in [-0.02, 0.015] {
+                let (x, y) = (10.0 + (0.5 + off) * sin, -0.5 + (0.5 + off) * cos);
+                let far = away(Way::Arc(arc), x, y, 0.0);
+                assert!((far - off.abs()).abs() < 1.1e-3, "{degrees} {off}: {far}");
+            }
         }
     }
 
