@@ -213,7 +213,7 @@ fn corners() {
             "zigzag of 30 degrees",
             Path::through(&zigzag(24, [10.0 * cos, 10.0 * sin]), 20_000.0, 0.05, None),
             [2.08540, 2.83742],
-            [1.01, 1.07],
+            [1.01, 1.08],
         ),
         (
             "zigzag of 127 degrees",

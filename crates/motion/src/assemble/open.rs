@@ -4,10 +4,8 @@
 use crate::limits::{Class, Inverses};
 use crate::path::corner::Corner;
 use crate::path::joint::{Ease, Joint, JointRules, Member};
+use crate::path::link::LONGER;
 use ferrocut_geometry::Position;
-
-/// The ways before and behind a line that is run as one with its corners are so many times as long.
-const LONGER: f64 = 1.2;
 
 /// How a move begins.
 #[derive(Clone, Copy, Debug)]

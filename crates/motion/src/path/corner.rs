@@ -51,7 +51,7 @@
 //! A corner run at the share `λ` of its pace has speed `λ·v` and acceleration `λ²·a`, its jerk is `λ³` of the whole.
 
 use crate::limits::{Drive, Inverse, Rates, peak};
-use crate::path::link::{Link, Linked};
+use crate::path::link::{LONGER, Link, Linked};
 use crate::path::piece::{Piece, Reach};
 use crate::path::swing::Swing;
 use crate::quick::larger;
@@ -160,11 +160,13 @@ struct Proportions {
     end: f64,
     /// Of the share at which it is as far out as in.
     part: f64,
+    /// Of the reach that the tolerance allows.
+    size: f64,
 }
 
 impl Proportions {
     /// How many are beside it.
-    const BESIDE: usize = 8;
+    const BESIDE: usize = 10;
 
     /// One of those.
     fn beside(self, k: usize, step: f64) -> Proportions {
@@ -173,6 +175,7 @@ impl Proportions {
             0 => Proportions { part: (self.part + 0.12 * step).min(1.0), ..self },
             1 => Proportions { lean: (self.lean + 0.5 * step).min(1.0), ..self },
             2 => Proportions { end: self.end + step, ..self },
+            3 => Proportions { size: (self.size * (1.0 + 0.5 * step)).min(1.0), ..self },
             _ => Proportions { out: self.out * (1.0 + step), ..self },
         }
     }
@@ -298,9 +301,18 @@ impl Corner {
     }
 
     /// The same corner between two lines that swings out, if that is quicker with the speeds and drives that the lines
-    /// before and behind it are run with, and where a line of `len` is enough to stop on between two of them.
-    pub fn swinging(self, tolerance: f64, len: f64, sides: [(f64, Drive); 2], inverse: &Inverse) -> Corner {
-        if self.form != Form::Cubic {
+    /// before and behind it, of these lengths, are run with.
+    pub fn swinging(
+        self,
+        tolerance: f64,
+        lens: [f64; 2],
+        sides: [(f64, Drive); 2],
+        inverse: &Inverse,
+    ) -> Corner {
+        let len = lens[0].min(lens[1]);
+        // A line shorter than the other that leaves no room to stop may be run as one with the corners at its ends.
+        let may_link = lens[0].max(lens[1]) >= LONGER * len && !self.fits(sides, len, 1.0);
+        if self.form != Form::Cubic || may_link {
             return self;
         }
         let (d1, d2) = (self.before.slope(0.0), self.after.slope(0.0));
@@ -320,36 +332,34 @@ impl Corner {
             (jerks, largest(is_out))
         };
         // The corner with this share, and what it costs.
-        let swung = |jerks: [f64; 4], share: f64| {
+        let swung = |jerks: [f64; 4], share: f64, size: f64| {
             let swing = Swing::new(share, jerks)?;
             let depth = (swing.at(0.5)[0] * turn).max(swing.depth() * sine);
             if !(depth > 0.0) {
                 return None;
             }
-            let reach = SWING_SHARE * tolerance / depth;
+            let reach = size * SWING_SHARE * tolerance / depth;
             if 2.0 * reach > len {
                 return None;
             }
             let corner = self.swung(swing, reach, &directions);
-            let fits = sides.iter().all(|(feed, drive)| {
-                let foot = paced(corner.foot, pace_below(corner.foot, *feed, drive.j));
-                2.0 * corner.reach + STOP_ROOM * foot.room(*drive) <= len
-            });
-            fits.then(|| (corner, corner.loss_between(sides)))
+            Some((corner, corner.loss_within(sides, len)?))
         };
-        let mut best = (self, WORTH * self.loss_between(sides));
-        let mut look = |jerks: [f64; 4], share: f64| {
-            let Some(found) = swung(jerks, share).filter(|(_, loss)| *loss < best.1) else { return false };
+        let mut best = (self, f64::INFINITY);
+        let mut look = |jerks: [f64; 4], share: f64, size: f64| {
+            let Some(found) = swung(jerks, share, size).filter(|(_, loss)| *loss < best.1) else {
+                return false;
+            };
             best = found;
             true
         };
         let mut at = None;
         for lean in LEANS {
             for [out, end] in SWINGS {
-                let first = Proportions { lean, out, end, part: 1.0 };
+                let first = Proportions { lean, out, end, part: 1.0, size: 1.0 };
                 let (jerks, even) = even(first);
                 for part in PARTS {
-                    if look(jerks, part * even) {
+                    if look(jerks, part * even, 1.0) {
                         at = Some(Proportions { part, ..first });
                     }
                 }
@@ -360,12 +370,13 @@ impl Corner {
                 let Some(from) = at else { break };
                 let to = from.beside(k, step);
                 let (jerks, even) = even(to);
-                if look(jerks, to.part * even) {
+                if look(jerks, to.part * even, to.size) {
                     at = Some(to);
                 }
             }
         }
-        best.0
+        let own = self.loss_within(sides, len);
+        if own.is_some_and(|own| best.1 >= WORTH * own) { self } else { best.0 }
     }
 
     /// The same with this way of its sides.
@@ -429,13 +440,35 @@ impl Corner {
 
     /// What the corner costs against running on with speed `feed` on lines with `drive`, s.
     pub fn loss(&self, feed: f64, drive: Drive) -> f64 {
-        self.loss_between([(feed, drive); 2])
+        self.loss_at([(feed, drive); 2], 1.0)
     }
 
-    /// The same where they are others before and behind it.
-    fn loss_between(&self, sides: [(f64, Drive); 2]) -> f64 {
+    /// Whether there is room to stop between two of them on a line of `len` at this pace.
+    fn fits(&self, sides: [(f64, Drive); 2], len: f64, pace: f64) -> bool {
+        sides.iter().all(|(feed, drive)| {
+            let foot = paced(self.foot, pace.min(pace_below(self.foot, *feed, drive.j)));
+            2.0 * self.reach + STOP_ROOM * foot.room(*drive) <= len
+        })
+    }
+
+    /// What it costs between two lines, of which the shorter one is `len` long: at the pace at which there is room to stop
+    /// between two of them. `None` where there is at none.
+    fn loss_within(&self, sides: [(f64, Drive); 2], len: f64) -> Option<f64> {
+        if self.fits(sides, len, 1.0) {
+            return Some(self.loss_at(sides, 1.0));
+        }
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..5 {
+            let middle = 0.5 * (low + high);
+            if self.fits(sides, len, middle) { low = middle } else { high = middle }
+        }
+        (low > 0.0).then(|| self.loss_at(sides, low))
+    }
+
+    /// What it costs at the pace `most`, or at the highest below it that the speeds beside it allow.
+    fn loss_at(&self, sides: [(f64, Drive); 2], most: f64) -> f64 {
         let [(v0, drive0), (v1, drive1)] = sides;
-        let mut pace = pace_below(self.foot, v0, drive0.j);
+        let mut pace = most.min(pace_below(self.foot, v0, drive0.j));
         if (v1, drive1.j) != (v0, drive0.j) {
             pace = pace.min(pace_below(self.foot, v1, drive1.j));
         }

@@ -51,7 +51,7 @@ const CRAWL: f64 = 1.0;
 /// Where corners follow each other so closely that from one the path could hardly speed up and stop before the next, no more
 /// than so many times the way of that, a curve through all of them is quicker; unless they are sharper than 60°:
 /// 2·sin(60°/2).
-const TIGHT: f64 = 2.5;
+const TIGHT: f64 = 2.2;
 const TIGHT_CHORD: f64 = 1.0;
 
 /// A short line beside one at least so many times as long, into which it turns by more than 60°, may be what joins two rows
@@ -362,7 +362,7 @@ impl Member {
                     (member.top(inverse, at).min(member.feed).min(reached), drive)
                 };
                 let sides = [side(self, len, &before), side(next, 0.0, &after)];
-                Joint::Corner(corner.swinging(tolerance, 2.0 * half, sides, inverse))
+                Joint::Corner(corner.swinging(tolerance, [len, next_len], sides, inverse))
             }
             Some(joint) => joint,
             None => or_through(through),

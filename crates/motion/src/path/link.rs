@@ -27,6 +27,9 @@ use crate::path::corner::{norm, of_acceleration, of_jerk};
 use crate::timing::ramp::Foot;
 use ferrocut_geometry::Position;
 
+/// The ways before and behind a line that is run as one with its corners are so many times as long.
+pub(crate) const LONGER: f64 = 1.2;
+
 /// The line between both vertices.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Link {
