@@ -55,6 +55,16 @@ fn basis(member: &Member, rates: &Rates) -> f64 {
     }
 }
 
+/// A move under G62, which is cut up where an inner corner is at its end.
+#[derive(Clone, Copy, Debug)]
+struct Cornering {
+    from: Position,
+    step: Move,
+    member: Member,
+    /// It begins behind an inner corner.
+    begins: bool,
+}
+
 /// Turns moves into cells.
 #[derive(Debug)]
 pub(crate) struct Assembler {
@@ -64,6 +74,8 @@ pub(crate) struct Assembler {
     parts: Vec<Member>,
     /// A short arc as the newest move: what follows decides whether it is smoothed with the lines beside it.
     arc: Option<Member>,
+    /// The newest move under G62: what follows decides whether there is an inner corner at its end.
+    cornering: Option<Cornering>,
     open: Option<Open>,
     /// Before the open move.
     held: Option<Held>,
@@ -85,6 +97,7 @@ impl Assembler {
             rules,
             parts: Vec::with_capacity(MOST_CHORDS as usize + 3),
             arc: None,
+            cornering: None,
             open: None,
             held: None,
             flow: None,
@@ -102,6 +115,7 @@ impl Assembler {
     pub fn clear(&mut self, at: Position) {
         self.parts.clear();
         self.arc = None;
+        self.cornering = None;
         self.open = None;
         self.held = None;
         self.flow = None;
@@ -120,7 +134,12 @@ impl Assembler {
 
     /// Whether nothing is left here.
     pub fn is_empty(&self) -> bool {
-        self.open.is_none() && self.flow.is_none() && self.parts.is_empty() && self.arc.is_none()
+        self.open.is_none() && self.flow.is_none() && self.parts.is_empty() && !self.waits()
+    }
+
+    /// Whether a move waits for the one behind it.
+    fn waits(&self) -> bool {
+        self.arc.is_some() || self.cornering.is_some()
     }
 
     /// Takes a move. The caller saw that nothing is blocked.
@@ -132,34 +151,66 @@ impl Assembler {
         let Some(mut member) = Member::new(from, m, &self.rules) else { return };
         self.end = m.to;
         let is_line = member.piece.is_plain_line();
-        if self.arc.is_none() && member.inner.is_none() && is_line {
+        if !self.waits() && member.inner.is_none() && is_line {
             // What most moves are: nothing to be cut up.
             self.push_member(&mut member, queue);
             return self.run(queue);
         }
-        let chords = member.chords();
+        let begins = self.push_cornering(Some(&member));
         self.push_arc(Some(&member));
-        if chords > 1 && member.inner.is_some() {
-            self.push_chords(&member, chords);
-        } else if chords > 1 {
+        if member.inner.is_some() {
+            self.cornering = Some(Cornering { from, step: *m, member, begins });
+        } else if member.chords() > 1 {
             self.arc = Some(member);
-        } else if let Some([first, last]) = member.reaches() {
-            // The stretches beside inner corners have a feed of their own.
-            let mut from = from;
-            for part in m.parts(from, [first, last, 1.0]) {
-                self.parts.extend(Member::new(from, &part, &self.rules));
-                from = part.to();
-            }
-            // Only the last of them ends as the move does.
-            let inside = self.parts.len().saturating_sub(1);
-            for part in self.parts.iter_mut().take(inside) {
-                part.tolerance = part.tolerance.or(Some(0.0));
-            }
         } else {
             self.parts.push(member);
         }
         self.parts.reverse();
         self.run(queue);
+    }
+
+    /// The move under G62 that waits for what is behind it: the stretches beside inner corners have a feed of their own.
+    /// Whether `next` begins behind an inner corner.
+    fn push_cornering(&mut self, next: Option<&Member>) -> bool {
+        let Some(Cornering { from, step, mut member, begins }) = self.cornering.take() else { return false };
+        let ends = next.is_some_and(|next| member.clone().slow_inner_corner(&mut next.clone()).is_some());
+        let inner = member.inner;
+        let beside = |is_beside: bool| inner.filter(|_| is_beside);
+        let chords = member.chords();
+        if !(begins || ends) {
+            member.inner = None;
+            if chords > 1 {
+                self.arc = Some(member);
+                self.push_arc(next);
+            } else {
+                self.parts.push(member);
+            }
+        } else if chords > 1 {
+            let first = self.parts.len();
+            self.push_chords(&member, chords);
+            let last = self.parts.len().saturating_sub(1);
+            for (k, part) in self.parts.iter_mut().enumerate().skip(first) {
+                part.inner = beside(begins && k == first || ends && k == last);
+            }
+        } else if let Some([first, last]) = member.reaches() {
+            let first = if begins { first } else { 0.0 };
+            let last = if ends { last } else { 1.0 };
+            let mut at = from;
+            let known = self.parts.len();
+            for part in step.parts(from, [first, last, 1.0]) {
+                self.parts.extend(Member::new(at, &part, &self.rules));
+                at = part.to();
+            }
+            // Only the last of them ends as the move does.
+            let last = self.parts.len().saturating_sub(1);
+            for (k, part) in self.parts.iter_mut().enumerate().skip(known) {
+                part.inner = beside(begins && k == known || ends && k == last);
+                if k < last {
+                    part.tolerance = part.tolerance.or(Some(0.0));
+                }
+            }
+        }
+        ends
     }
 
     /// The short arc that waits for what is behind it, in chords where no other arc is beside it: a chord turns away from an
@@ -281,7 +332,7 @@ impl Assembler {
     #[inline]
     fn run_on(&mut self, m: &Move, queue: &mut Queue) -> bool {
         // With the last point of a run more is to be done.
-        if !self.chained || self.arc.is_some() || self.smoother.is_nearly_full() {
+        if !self.chained || self.waits() || self.smoother.is_nearly_full() {
             return false;
         }
         let Some(Open { member, start, s }) = &mut self.open else { return false };
@@ -298,7 +349,7 @@ impl Assembler {
 
     /// The same, as soon as cells are added again.
     pub fn close_later(&mut self) {
-        self.closing = self.open.is_some() || !self.parts.is_empty() || self.arc.is_some();
+        self.closing = self.open.is_some() || !self.parts.is_empty() || self.waits();
     }
 
     /// The open move ends at rest.
@@ -323,8 +374,9 @@ impl Assembler {
             if !self.closing {
                 return;
             }
-            if self.arc.is_some() {
-                // Nothing is behind it that a chord would have to be joined to.
+            if self.waits() {
+                // Nothing is behind it that it would have to be joined to.
+                self.push_cornering(None);
                 self.push_arc(None);
                 self.parts.reverse();
                 continue;
