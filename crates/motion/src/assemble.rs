@@ -235,8 +235,7 @@ impl Assembler {
         for k in 1..=chords {
             let at = len * k as f64 / chords as f64;
             let to = if k == chords { member.piece.end() } else { member.piece.at(at) };
-            let inner = if k == 1 || k == chords { member.inner } else { None };
-            self.parts.extend(member.chord(from, to).map(|chord| Member { inner, ..chord }));
+            self.parts.extend(member.chord(from, to));
             from = to;
         }
     }

@@ -11,7 +11,7 @@
 //! Whoever changes something ([`Interpreting::own`]) has it called back, and waits for the end of the few blocks that it is
 //! at; in the servo period nothing is changed but at rest, when [`Interpreting::is_here`].
 //!
-//! In a period on a real clock no more than so many blocks are read, steps or not: keys, ladder and emergency stop do not
+//! In a period on a real clock no more than so many blocks are read, and as many ahead behind it, steps or not: keys, ladder and emergency stop do not
 //! wait for a program that reckons. It goes on in the next one, so that the setpoints do not depend on the computer.
 //!
 //! A program that is sent bit by bit is read in the period: its text comes by the same thread, and is short.
@@ -33,10 +33,8 @@ use std::time::{Duration, Instant};
 /// Steps that are read ahead of motion's own look-ahead at most.
 const STEPS: usize = 64;
 
-/// Blocks read in a period on a real clock: some tenths of a millisecond.
-const BLOCKS_A_PERIOD: u64 = 2000;
-
-/// Blocks read beside before it is looked whether somebody wants the interpreter.
+/// Blocks read in a period on a real clock, and beside before it is looked whether somebody wants the interpreter: some tenths
+/// of a millisecond.
 const BLOCKS_AT_ONCE: u64 = 2000;
 
 /// Steps taken in a period where it must be short: a microsecond or some each.
@@ -244,7 +242,7 @@ impl Interpreting {
 
     /// From now on no period reads more than a few blocks.
     pub fn read_in_short(&mut self) {
-        self.blocks_a_period = BLOCKS_A_PERIOD;
+        self.blocks_a_period = BLOCKS_AT_ONCE;
     }
 
     /// Whether it reads on in the next period.

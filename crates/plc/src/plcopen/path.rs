@@ -165,8 +165,8 @@ impl Paths<'_> {
     /// Whether one comes back to an element on the lines that lead to it.
     fn leads_to_itself(&self, id: Id) -> bool {
         let (mut seen, mut next) = (FxHashSet::default(), vec![id]);
-        while let Some(element) = next.pop().and_then(|at| self.element(at)) {
-            for wire in &element.wires {
+        while let Some(at) = next.pop() {
+            for wire in self.element(at).into_iter().flat_map(|element| &element.wires) {
                 if wire.from == id {
                     return true;
                 }
