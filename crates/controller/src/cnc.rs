@@ -16,6 +16,7 @@ mod lent;
 mod loading;
 mod overtravel;
 mod planning;
+mod program_outputs;
 mod program_spindle;
 mod reference;
 mod retracing;
@@ -52,6 +53,7 @@ use interpreting::{Frame, Interpreting};
 use interruption::Aside;
 use overtravel::Overtravel;
 use planning::Planning;
+use program_outputs::ProgramOutputs;
 use program_spindle::ProgramSpindle;
 use retracing::Retrace;
 use sent::Sent;
@@ -255,6 +257,7 @@ pub struct Cnc {
     ended_by: Option<u32>,
     sent: Sent,
     program_spindle: ProgramSpindle,
+    program_outputs: ProgramOutputs,
 }
 
 impl Cnc {
@@ -334,6 +337,7 @@ impl Cnc {
             ended_by: None,
             sent: Sent::default(),
             program_spindle: ProgramSpindle::default(),
+            program_outputs: ProgramOutputs::default(),
         };
         if !knows_places {
             cnc.set_referenced(AxisSet::EMPTY);
@@ -979,6 +983,7 @@ impl Cnc {
                 self.keep_busy(Activity::Spindle, seconds);
             }
             Op::Message(text) => self.events.push(Event::Message(text)),
+            Op::Output { port, value } => self.program_outputs.set(&port, value),
             op => {
                 self.done(&op);
                 if matches!(op, Op::Change(_)) {

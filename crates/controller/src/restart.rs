@@ -29,7 +29,7 @@ use ferrocut_interpreter::program_state::ProgramState;
 use ferrocut_interpreter::{AtRest, Dialect, Fallible, Interpreter, Until};
 use ferrocut_machine::{Alarm, Fault, Machine, Memory, MemoryChange, Severity};
 use ferrocut_program::{FileId, ProgramId, Span};
-use ferrocut_toolpath::{Feed, Op, PathMode, SpindleState, Step};
+use ferrocut_toolpath::{Feed, Op, PathMode, Port, SpindleState, Step};
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicBool, Ordering};
 use told::differences;
@@ -361,7 +361,7 @@ impl Journal {
 struct Functions {
     /// In the order in which they came last.
     m_codes: VecDeque<u32>,
-    outputs: VecDeque<(Box<str>, f64)>,
+    outputs: VecDeque<(Port, f64)>,
     /// By how much places were renamed, all in all.
     renamed: Position,
     /// Barriers at which nobody knows what the machine told.
@@ -375,9 +375,9 @@ impl Functions {
                 self.m_codes.retain(|other| other != code);
                 self.m_codes.push_back(*code);
             }
-            Op::Output { address, value } => {
-                self.outputs.retain(|(other, _)| other != address);
-                self.outputs.push_back((address.clone(), *value));
+            Op::Output { port, value } => {
+                self.outputs.retain(|(other, _)| other != port);
+                self.outputs.push_back((port.clone(), *value));
             }
             _ => {}
         }
@@ -476,8 +476,7 @@ impl Restart {
             all.push(Op::Select(program.tool));
         }
         all.extend(self.m_codes().map(Op::Machine));
-        let output =
-            |(address, value): &(Box<str>, f64)| Op::Output { address: address.clone(), value: *value };
+        let output = |(port, value): &(Port, f64)| Op::Output { port: port.clone(), value: *value };
         all.extend(self.functions.outputs.iter().map(output));
         // A change of tool stops the spindle.
         let changes = program.in_spindle != present.in_spindle;

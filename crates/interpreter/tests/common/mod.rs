@@ -90,7 +90,7 @@ pub fn short(steps: &[Step], start: Position) -> Vec<String> {
             Op::Orient(deg) => format!("orient {deg}"),
             Op::Stop(code) => format!("stop M{code:02}"),
             Op::End(code) => format!("end M{code:02}"),
-            Op::Output { address, value } => format!("out {address} {value}"),
+            Op::Output { port, value } => format!("out {port} {value}"),
             Op::Wait { address, value, timeout: None } => format!("wait {address} {value}"),
             Op::Wait { address, value, timeout: Some(s) } => format!("wait {address} {value} {}s", round(*s)),
             Op::Message(text) => format!("message {text}"),
