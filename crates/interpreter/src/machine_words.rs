@@ -74,7 +74,7 @@ impl Interpreter {
         if let Some(port) = number.and_then(whole_port) {
             self.outputs.insert(port, value);
         }
-        self.emit(Op::Output { port: Port::Named(address.into()), value });
+        self.emit(Op::Output { port: Port::Named(address.into()), value, with_next_move: false });
         Ok(())
     }
 

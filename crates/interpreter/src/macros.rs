@@ -164,7 +164,7 @@ impl Interpreter {
             Some(Variable::Output(n)) => {
                 self.outputs.insert(n, v);
                 let port = Port::Named(format!("#{number}").into());
-                self.emit(Op::Output { port, value: v });
+                self.emit(Op::Output { port, value: v, with_next_move: false });
             }
             variable => {
                 if let Err(fault) = self.store(variable, number, value) {

@@ -298,6 +298,9 @@ pub enum Op {
         port: Port,
         /// What it is set to.
         value: f64,
+        /// It changes as the next move begins, and the path runs on into that; without a next move it does not change
+        /// (LinuxCNC M codes: M62, M63, M67). Else the axes rest where it changes.
+        with_next_move: bool,
     },
     /// The control waits until an input has a state.
     Wait {
@@ -366,6 +369,11 @@ impl Op {
             Some(arc) => Some(arc.extent()),
             None => self.target().map(|to| (from.min(*to), from.max(*to))),
         }
+    }
+
+    /// Whether it moves an axis that is at `from` when it starts. A move to where the axes are is none.
+    pub fn moves_from(&self, from: Position) -> bool {
+        self.extent(from).is_some_and(|(min, max)| min != max)
     }
 
     /// Length of the move that starts at `from`, mm (degrees where only rotary axes move).

@@ -284,7 +284,7 @@ impl<W: Write> TraceWriter<W> {
                 self.op("m");
                 self.field("code", f64::from(*code));
             }
-            Op::Output { port, value } => {
+            Op::Output { port, value, .. } => {
                 self.op("out");
                 self.text("addr", &port.to_string());
                 self.field("value", *value);

@@ -119,8 +119,7 @@ impl Interpreter {
         Ok(())
     }
 
-    /// M62 to M65 P, M67 and M68 E Q. Those in step with motion and those at once are alike here, since steps
-    /// are done in their order.
+    /// M62 to M65 P, M67 and M68 E Q: M62, M63 and M67 in step with the next move, M64, M65 and M68 before it.
     fn ngc_output(&mut self, code: u16) -> Fallible<()> {
         let (port, value) = match code {
             62..=65 => {
@@ -133,7 +132,7 @@ impl Interpreter {
                 (Port::Analog(port.round() as i64), self.words.get(b'Q').unwrap_or(-1.0))
             }
         };
-        self.emit(Op::Output { port, value });
+        self.emit(Op::Output { port, value, with_next_move: matches!(code, 62 | 63 | 67) });
         Ok(())
     }
 
