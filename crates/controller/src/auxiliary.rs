@@ -19,7 +19,7 @@ pub(crate) enum Handing {
     Nothing,
     /// It was handed over.
     Begun,
-    /// Nothing more is to be done: it is locked, or was a signal that is set at once.
+    /// Nothing more is to be done: it is locked.
     Done,
 }
 
@@ -53,8 +53,6 @@ pub(crate) struct Auxiliary {
     locked_rpm: f64,
     /// M29 is in force.
     rigid: bool,
-    /// Outputs of programs, #1100 to #1115 from bit 0 on. A reset leaves them.
-    macro_outputs: u16,
     /// Where the axes were in the last period, and in which way they went.
     last: Option<Position>,
     moving: [bool; SIGNAL_AXES],
@@ -74,7 +72,6 @@ impl Auxiliary {
             s_told: None,
             locked_rpm: 0.0,
             rigid: false,
-            macro_outputs: 0,
             last: None,
             moving: [false; SIGNAL_AXES],
             downwards: [false; SIGNAL_AXES],
@@ -122,11 +119,6 @@ impl Auxiliary {
     /// Hands a step to the ladder, if it is for it. The end of a program hands the speed `in_force` over, too, which
     /// no code may have told: keys will turn the spindle at it (GSK990MC part 2, 4.2).
     pub fn hand_over(&mut self, step: &Step, in_force: Speed) -> Handing {
-        if let Op::Output { address, value } = &step.op
-            && self.put_out(address, *value)
-        {
-            return Handing::Done;
-        }
         let Some(mut codes) = codes_of(&step.op) else { return Handing::Nothing };
         let is_locked = self.inputs.auxiliary_lock && !matches!(step.op, Op::Stop(_) | Op::End(_));
         if let Op::Spindle(state) = step.op
@@ -154,23 +146,6 @@ impl Auxiliary {
         }
         self.begin(codes, step.clone());
         Handing::Begun
-    }
-
-    /// Sets outputs of programs (GSK990MC 4.9.2): one by its variable, or all by #1132. `false` for what is none.
-    fn put_out(&mut self, address: &str, value: f64) -> bool {
-        match address.strip_prefix('#').and_then(|number| number.parse::<u32>().ok()) {
-            Some(number @ 1100..=1115) => {
-                let bit = 1u16 << (number - 1100);
-                self.macro_outputs =
-                    if value == 0.0 { self.macro_outputs & !bit } else { self.macro_outputs | bit };
-                true
-            }
-            Some(1132) => {
-                self.macro_outputs = value.clamp(0.0, f64::from(u16::MAX)) as u16;
-                true
-            }
-            _ => false,
-        }
     }
 
     /// Inputs of programs, #1000 to #1015, with their variables.
@@ -275,7 +250,6 @@ impl Auxiliary {
     /// Tells the ladder of codes, spindle and axes.
     pub fn tell(&self, spindle: &Spindle, is_settled: bool, outputs: &mut Outputs) {
         self.handshake.tell(outputs);
-        outputs.macro_outputs = self.macro_outputs;
         self.spindle.tell(&self.inputs, spindle, outputs);
         (outputs.moving, outputs.downwards) = (self.moving, self.downwards);
         let in_position = self.moving.iter().zip(&mut outputs.in_position).take(self.axes.len());

@@ -4,7 +4,8 @@
 //! A move goes to motion as soon as there is room. Any other step (dwell, spindle, tool change, stop)
 //! waits until motion is at rest on the end of the move before it; nothing is taken beyond it until
 //! then, so that the step acts on a machine in the state that the program means. An alarm waits in
-//! the same way: the moves before it are finished, the one at fault does not begin.
+//! the same way: the moves before it are finished, the one at fault does not begin. An output in step
+//! with motion alone does not wait: it is kept for the move behind it (`program_outputs`).
 
 mod block_end;
 mod drive_failure;
@@ -16,6 +17,7 @@ mod lent;
 mod loading;
 mod overtravel;
 mod planning;
+mod program_outputs;
 mod program_spindle;
 mod reference;
 mod retracing;
@@ -52,6 +54,7 @@ use interpreting::{Frame, Interpreting};
 use interruption::Aside;
 use overtravel::Overtravel;
 use planning::Planning;
+use program_outputs::ProgramOutputs;
 use program_spindle::ProgramSpindle;
 use retracing::Retrace;
 use sent::Sent;
@@ -255,6 +258,7 @@ pub struct Cnc {
     ended_by: Option<u32>,
     sent: Sent,
     program_spindle: ProgramSpindle,
+    program_outputs: ProgramOutputs,
 }
 
 impl Cnc {
@@ -334,6 +338,7 @@ impl Cnc {
             ended_by: None,
             sent: Sent::default(),
             program_spindle: ProgramSpindle::default(),
+            program_outputs: ProgramOutputs::new(room),
         };
         if !knows_places {
             cnc.set_referenced(AxisSet::EMPTY);
@@ -674,10 +679,7 @@ impl Cnc {
                     None if self.steps_left == 0 || self.interpreter.is_paused() => return self.at_rest(),
                     None if self.is_between_lines() => return self.at_rest(),
                     None if self.hands_over_speed() => {}
-                    None => {
-                        (self.ended_by, self.thread) = (None, None);
-                        self.state = State::Ended;
-                    }
+                    None => self.end_program(None),
                 }
                 if self.state != State::Running {
                     return self.at_rest();
@@ -716,6 +718,7 @@ impl Cnc {
     /// Follows the program as the axes run it.
     fn follow(&mut self, setpoint: &Sample) {
         self.finish_moves(setpoint.tag);
+        self.change_outputs(setpoint.tag);
         if let Some(given) = self.given.front_mut() {
             given.travelled += setpoint.velocity * self.period;
             let given = *given;
@@ -979,6 +982,10 @@ impl Cnc {
                 self.keep_busy(Activity::Spindle, seconds);
             }
             Op::Message(text) => self.events.push(Event::Message(text)),
+            Op::Output { port, value, with_next_move: true } => {
+                self.program_outputs.wait_for(self.next_tag, &port, value);
+            }
+            Op::Output { port, value, with_next_move: false } => self.program_outputs.set(&port, value),
             op => {
                 self.done(&op);
                 if matches!(op, Op::Change(_)) {
@@ -1004,11 +1011,16 @@ impl Cnc {
                 if code != 99 {
                     self.report.parts += 1;
                 }
-                (self.ended_by, self.thread) = (Some(code), None);
-                self.state = State::Ended;
+                self.end_program(Some(code));
             }
             _ => {}
         }
+    }
+
+    fn end_program(&mut self, code: Option<u32>) {
+        (self.ended_by, self.thread) = (code, None);
+        self.program_outputs.forget_waiting();
+        self.state = State::Ended;
     }
 
     /// Keeps the axes at rest for some time, rounded up to whole periods.

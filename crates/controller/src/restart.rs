@@ -29,7 +29,7 @@ use ferrocut_interpreter::program_state::ProgramState;
 use ferrocut_interpreter::{AtRest, Dialect, Fallible, Interpreter, Until};
 use ferrocut_machine::{Alarm, Fault, Machine, Memory, MemoryChange, Severity};
 use ferrocut_program::{FileId, ProgramId, Span};
-use ferrocut_toolpath::{Feed, Op, PathMode, SpindleState, Step};
+use ferrocut_toolpath::{Feed, Op, PathMode, Port, SpindleState, Step};
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicBool, Ordering};
 use told::differences;
@@ -233,7 +233,7 @@ impl Journal {
             }
             _ => journal.search(&mut interpreter, until, u64::MAX, stop),
         };
-        let functions = functions.map_err(|mut alarm| {
+        let mut functions = functions.map_err(|mut alarm| {
             if alarm.fault == Fault::RestartNotReached {
                 alarm.span = span;
             }
@@ -257,7 +257,11 @@ impl Journal {
         interpreter.leave_begun_blocks_behind();
         // The block is begun, and what was done of it is not given out again.
         let (position, hole) = left.map_or((position, 1), |left| (left.position, left.hole));
-        (&mut interpreter).take(left.map_or(0, |left| left.steps)).for_each(drop);
+        for step in (&mut interpreter).take(left.map_or(0, |left| left.steps)).flatten() {
+            if step.op.target().is_some() {
+                functions.begin_move();
+            }
+        }
         Ok(Restart {
             journal,
             interpreter,
@@ -312,6 +316,9 @@ impl Journal {
             }
             let Some(step) = interpreter.next() else { break };
             let step = step?;
+            if step.op.moves_from(at) {
+                functions.begin_move();
+            }
             match &step.op {
                 // Where the signal came, and then the barrier behind it.
                 Op::Skip { to, .. } => {
@@ -361,7 +368,9 @@ impl Journal {
 struct Functions {
     /// In the order in which they came last.
     m_codes: VecDeque<u32>,
-    outputs: VecDeque<(Box<str>, f64)>,
+    outputs: VecDeque<(Port, f64)>,
+    /// Those that change with the next move.
+    with_next_move: VecDeque<(Port, f64)>,
     /// By how much places were renamed, all in all.
     renamed: Position,
     /// Barriers at which nobody knows what the machine told.
@@ -375,19 +384,37 @@ impl Functions {
                 self.m_codes.retain(|other| other != code);
                 self.m_codes.push_back(*code);
             }
-            Op::Output { address, value } => {
-                self.outputs.retain(|(other, _)| other != address);
-                self.outputs.push_back((address.clone(), *value));
+            Op::Output { port, value, with_next_move: false } => put(&mut self.outputs, port.clone(), *value),
+            Op::Output { port, value, with_next_move: true } => {
+                put(&mut self.with_next_move, port.clone(), *value);
             }
             _ => {}
         }
         if self.m_codes.len() > MOST_FUNCTIONS {
             self.m_codes.pop_front();
         }
-        if self.outputs.len() > MOST_FUNCTIONS {
-            self.outputs.pop_front();
+    }
+
+    /// A move begins, and outputs change with it.
+    fn begin_move(&mut self) {
+        for (port, value) in self.with_next_move.drain(..) {
+            put(&mut self.outputs, port, value);
         }
     }
+}
+
+/// Notes an output as the one that came last.
+fn put(outputs: &mut VecDeque<(Port, f64)>, port: Port, value: f64) {
+    outputs.retain(|(other, _)| *other != port);
+    outputs.push_back((port, value));
+    if outputs.len() > MOST_FUNCTIONS {
+        outputs.pop_front();
+    }
+}
+
+/// The steps that set outputs.
+fn outputs(of: &VecDeque<(Port, f64)>, with_next_move: bool) -> impl Iterator<Item = Op> {
+    of.iter().map(move |(port, value)| Op::Output { port: port.clone(), value: *value, with_next_move })
 }
 
 /// How a restart is carried out.
@@ -476,9 +503,7 @@ impl Restart {
             all.push(Op::Select(program.tool));
         }
         all.extend(self.m_codes().map(Op::Machine));
-        let output =
-            |(address, value): &(Box<str>, f64)| Op::Output { address: address.clone(), value: *value };
-        all.extend(self.functions.outputs.iter().map(output));
+        all.extend(outputs(&self.functions.outputs, false));
         // A change of tool stops the spindle.
         let changes = program.in_spindle != present.in_spindle;
         if program.spindle != present.spindle || changes && program.spindle != SpindleState::Off {
@@ -565,6 +590,8 @@ impl Restart {
         if how.axis_by_axis && !steps.is_empty() {
             steps.push_back(self.step(Op::Stop(STOP)));
         }
+        // Nobody can have done these by hand: they change with the first move of the program.
+        steps.extend(outputs(&self.functions.with_next_move, true).map(|op| self.step(op)));
         Ok(steps)
     }
 

@@ -352,7 +352,7 @@ pub struct Outputs {
     pub downwards: [bool; SIGNAL_AXES],
     /// Axes that are in position.
     pub in_position: [bool; SIGNAL_AXES],
-    /// Outputs of macro programs, #1100 to #1115 from bit 0 on.
+    /// Outputs of programs, #1100 to #1115 or the digital outputs 0 to 15 of RS274 from bit 0 on.
     pub macro_outputs: u16,
 }
 

@@ -7,7 +7,7 @@ mod common;
 mod mill;
 
 use assert_no_alloc::{AllocDisabler, assert_no_alloc};
-use common::{HANGS, cnc, machine};
+use common::{HANGS, cnc, in_language, machine};
 use ferrocut_controller::{Cnc, State};
 use ferrocut_geometry::Position;
 use mill::Mill;
@@ -36,8 +36,11 @@ const BETWEEN: &str = "M3 S1000\nG0 X5 Z2\nG1 Z-1 F800\nG4 X0.05\nM8\nX10\nG61 X
 
 /// Runs a program, whose every period is guarded with what is prepared for the next; the operator does something before
 /// each. Periods in which the axes moved, and those in which the interpreter was lent.
-fn run(program: &str, mut operator: impl FnMut(&mut Cnc, usize)) -> [usize; 2] {
-    let mut cnc = cnc(&machine(), program);
+fn run(program: &str, operator: impl FnMut(&mut Cnc, usize)) -> [usize; 2] {
+    run_on(cnc(&machine(), program), operator)
+}
+
+fn run_on(mut cnc: Cnc, mut operator: impl FnMut(&mut Cnc, usize)) -> [usize; 2] {
     cnc.work_beside().unwrap();
     cnc.tick();
     cnc.cycle_start();
@@ -110,6 +113,29 @@ fn a_period_at_the_end_of_a_block_allocates_nothing() {
         });
         assert!(moved > 1000 && lent > 5 && stops > 10, "{moved} {lent} {stops}");
     }
+}
+
+/// Outputs in step with motion, several before a move too, and more of them than are kept.
+#[test]
+fn a_period_in_which_outputs_change_allocates_nothing() {
+    let mut text = String::from("G21 G64 P0.01\nG0 Z5\nG1 F1500\nM62 P1\n");
+    for k in 1..600 {
+        (0..30).for_each(|port| text += &format!("M67 E{port} Q{k}\nM6{} P{port}\n", 2 + k % 2));
+        text += &format!("X{:.3}\n", f64::from(k) * 0.05);
+    }
+    let cnc = Cnc::new(&machine(), in_language("rs274", &(text + "G0 X0 Y0 Z5\nM62 P2\nM2\n")));
+    let mut changes = 0;
+    let mut was = 0.0;
+    let [moved, lent] = run_on(cnc, |cnc, k| {
+        changes += usize::from(cnc.analog_output(29) != was);
+        was = cnc.analog_output(29);
+        match k % 500 {
+            300 => cnc.feed_hold(),
+            400 => cnc.cycle_start(),
+            _ => {}
+        }
+    });
+    assert!(moved > 1000 && lent > 5 && changes > 500, "{moved} {lent} {changes}");
 }
 
 #[test]

@@ -96,6 +96,31 @@ fn a_program_that_fails_to_come_is_at_rest_on_its_path_and_goes_on() {
 }
 
 #[test]
+fn an_output_in_step_with_motion_waits_for_a_move_that_comes_later_and_for_no_jog() {
+    let mut cnc = sent(false);
+    cnc.append(b"G21 G1 X10 F3000\nM62 P0\n").unwrap();
+    settle(&mut cnc);
+    assert_eq!((cnc.lines_done(), cnc.digital_output(0)), (2, false));
+    assert!(cnc.jog_to(Position::xyz(15.0, 0.0, 0.0), 3000.0).unwrap());
+    let ticks = settle(&mut cnc);
+    assert_eq!((ticks[ticks.len() - 1].position[Axis::X], cnc.digital_output(0)), (15.0, false));
+    // Nor for one that is cancelled.
+    assert!(cnc.jog_to(Position::xyz(60.0, 0.0, 0.0), 3000.0).unwrap());
+    wait(&mut cnc, 300);
+    cnc.cancel_jog();
+    let ticks = settle(&mut cnc);
+    let at = ticks[ticks.len() - 1].position[Axis::X];
+    assert!(at > 16.0 && at < 59.0 && !cnc.digital_output(0), "{at}");
+    cnc.append(b"G4 P0.1\nM62 P1\n").unwrap();
+    settle(&mut cnc);
+    assert!(!cnc.digital_output(0) && !cnc.digital_output(1));
+    cnc.append(b"G1 X0\n").unwrap();
+    while cnc.tick().velocity == 0.0 {}
+    assert!(cnc.digital_output(0) && cnc.digital_output(1));
+    settle(&mut cnc);
+}
+
+#[test]
 fn a_line_is_done_once_its_moves_are_given_and_what_waits_is_over() {
     let mut cnc = sent(false);
     cnc.append(b"G1 X10 F600\nG4 P0.5\nG1 X20\n").unwrap();

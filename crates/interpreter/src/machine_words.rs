@@ -10,7 +10,7 @@ use crate::words::long;
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_machine::Fault;
 use ferrocut_program::Span;
-use ferrocut_toolpath::{Feed, Op};
+use ferrocut_toolpath::{Feed, Op, Port};
 
 /// Number of the internal message that clears the external offset (M802).
 const CLEAR_EXTERNAL_OFFSET: f64 = 458_752.0;
@@ -74,7 +74,7 @@ impl Interpreter {
         if let Some(port) = number.and_then(whole_port) {
             self.outputs.insert(port, value);
         }
-        self.emit(Op::Output { address: address.into(), value });
+        self.emit(Op::Output { port: Port::Named(address.into()), value, with_next_move: false });
         Ok(())
     }
 

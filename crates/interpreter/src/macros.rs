@@ -12,7 +12,7 @@ use ferrocut_machine::{Alarm, AlarmId, Fault, WorkOffset};
 use ferrocut_program::{
     Block, ExprRange, Node, Page, ProgramId, Span, Statement, Unary, Value as WordValue, Word,
 };
-use ferrocut_toolpath::Op;
+use ferrocut_toolpath::{Op, Port};
 
 /// Local variables are #1 to this (GSK990MC 4.9.2).
 const LAST_LOCAL: u32 = 50;
@@ -163,7 +163,8 @@ impl Interpreter {
             Some(Variable::Alarm) => return Err(self.program_alarm(v, span)),
             Some(Variable::Output(n)) => {
                 self.outputs.insert(n, v);
-                self.emit(Op::Output { address: format!("#{number}").into(), value: v });
+                let port = Port::Named(format!("#{number}").into());
+                self.emit(Op::Output { port, value: v, with_next_move: false });
             }
             variable => {
                 if let Err(fault) = self.store(variable, number, value) {

@@ -9,5 +9,7 @@
 pub mod step;
 pub mod trace;
 
-pub use step::{CornerRule, Dwell, Feed, FeedAlong, InnerCorners, Op, PathMode, Speed, SpindleState, Step};
+pub use step::{
+    CornerRule, Dwell, Feed, FeedAlong, InnerCorners, Op, PathMode, Port, Speed, SpindleState, Step,
+};
 pub use trace::TraceWriter;

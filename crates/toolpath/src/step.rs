@@ -2,6 +2,7 @@
 
 use ferrocut_geometry::{Arc, Axis, AxisSet, Plane, Position, Turn};
 use ferrocut_program::Span;
+use std::fmt;
 
 /// One thing the machine is told to do, and the piece of program that caused it.
 #[derive(Clone, PartialEq, Debug)]
@@ -189,6 +190,27 @@ impl SpindleState {
     }
 }
 
+/// An output that programs set themselves.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Port {
+    /// A digital output, counted from 0; off at value 0 (LinuxCNC M codes: M62 to M65).
+    Digital(i64),
+    /// An analog output, counted from 0 (LinuxCNC M codes: M67, M68).
+    Analog(i64),
+    /// One by the name that the program has for it: a variable, a port.
+    Named(Box<str>),
+}
+
+impl fmt::Display for Port {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Port::Digital(number) => write!(f, "digital {number}"),
+            Port::Analog(number) => write!(f, "analog {number}"),
+            Port::Named(name) => f.write_str(name),
+        }
+    }
+}
+
 /// What a [`Step`] does. Positions are machine coordinates of every axis: mm, degrees.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Op {
@@ -272,10 +294,13 @@ pub enum Op {
     Machine(u32),
     /// An output that the program sets itself.
     Output {
-        /// Its address.
-        address: Box<str>,
+        /// Which one.
+        port: Port,
         /// What it is set to.
         value: f64,
+        /// It changes as the next move begins, and the path runs on into that; without a next move it does not change
+        /// (LinuxCNC M codes: M62, M63, M67). Else the axes rest where it changes.
+        with_next_move: bool,
     },
     /// The control waits until an input has a state.
     Wait {
@@ -344,6 +369,11 @@ impl Op {
             Some(arc) => Some(arc.extent()),
             None => self.target().map(|to| (from.min(*to), from.max(*to))),
         }
+    }
+
+    /// Whether it moves an axis that is at `from` when it starts. A move to where the axes are is none.
+    pub fn moves_from(&self, from: Position) -> bool {
+        self.extent(from).is_some_and(|(min, max)| min != max)
     }
 
     /// Length of the move that starts at `from`, mm (degrees where only rotary axes move).

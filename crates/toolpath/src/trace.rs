@@ -284,9 +284,9 @@ impl<W: Write> TraceWriter<W> {
                 self.op("m");
                 self.field("code", f64::from(*code));
             }
-            Op::Output { address, value } => {
+            Op::Output { port, value, .. } => {
                 self.op("out");
-                self.text("addr", address);
+                self.text("addr", &port.to_string());
                 self.field("value", *value);
             }
             Op::Wait { address, value, timeout } => {

@@ -121,6 +121,11 @@ impl Blocks {
         self.taken.is_none_or(|taken| taken == block || !self.stops_behind(taken))
     }
 
+    /// Whether the program stops behind the block that was taken last.
+    pub fn stops_behind_taken(&self) -> bool {
+        self.taken.is_some_and(|taken| self.stops_behind(taken))
+    }
+
     /// Whether the program stops before this block.
     fn stops_before(&self, block: Block) -> bool {
         self.run.is_some_and(|run| run != block && self.stops_behind(run))
@@ -146,6 +151,7 @@ impl Cnc {
     /// Forgets what was to come of the program, read ahead or not.
     pub(super) fn forget_blocks(&mut self) {
         self.blocks.forget();
+        self.program_outputs.forget_waiting();
         self.interpreter.forget();
     }
 

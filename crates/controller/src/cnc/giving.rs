@@ -24,6 +24,13 @@ impl Cnc {
             && self.steps_left > 0
             && self.ahead_until.is_none_or(|until| Instant::now() < until)
         {
+            if self.program_outputs.is_full() {
+                // The moves that it waits for are with motion, which may wait for more of them.
+                if self.motion.at_rest() {
+                    self.motion.finish();
+                }
+                return;
+            }
             self.steps_left -= 1;
             if let Some(step) = self.sent.next_jog() {
                 self.give(step);
@@ -88,10 +95,15 @@ impl Cnc {
         }
     }
 
-    /// Gives a move to motion; any other step waits for it to come to rest.
+    /// Gives a move to motion; any other step waits for it to come to rest, but for an output that changes with the next
+    /// move.
     pub(super) fn give(&mut self, mut step: Step) {
+        if self.keeps_output_for_next_move(&step) {
+            return;
+        }
         let is_thread = matches!(step.op, Op::Tap { .. });
-        if self.is_in(ThreadKind::InStep) && !is_thread && !matches!(step.op, Op::Dwell(_)) {
+        let stays = matches!(step.op, Op::Dwell(_) | Op::Output { with_next_move: true, .. });
+        if self.is_in(ThreadKind::InStep) && !is_thread && !stays {
             // A program that leaves the thread by another move.
             self.leave_thread();
             if self.state == State::Resetting {
@@ -122,6 +134,10 @@ impl Cnc {
             return self.wait_for(Waiting::Alarm(alarm));
         }
         self.next_tag += 1;
+        // A jog is no move of the program, and one that goes nowhere is never run.
+        if self.sent.is_jogging || min == max {
+            self.program_outputs.pass_over(tag);
+        }
         self.commanded = to;
         let activity = if step.op.is_cutting() { Activity::Cutting } else { Activity::Rapid };
         // Degrees of a rotary axis are no distance.

@@ -2,8 +2,8 @@
 //!
 //! Most blocks take microseconds; a pocket that is computed, a loop of macro statements or a file that is read may take
 //! as long as it likes. Beside, the interpreter is handed over when steps are wanted and fills a ring with them: up to a
-//! bound, or to a step that is no move. What it does behind that one may depend on the machine, so it goes on once that
-//! step was taken. Steps are taken from the ring as they come; the interpreter itself comes back when it is done.
+//! bound, or to a step that waits for rest. What it does behind that one may depend on the machine, so it goes on once
+//! that step was taken. Steps are taken from the ring as they come; the interpreter itself comes back when it is done.
 //!
 //! While it is away a copy stands in its place, as it was when it went: whoever looks ([`Interpreting`] dereferences to
 //! it) waits for nothing. The copy is made there as well, so that a period allocates nothing: as the interpreter comes
@@ -131,7 +131,7 @@ impl Work {
                 continue;
             }
             left -= 1;
-            self.goes_on = taken.next.as_ref().is_some_and(is_move);
+            self.goes_on = taken.next.as_ref().is_some_and(runs_on);
             let _ = self.steps.push(taken);
             if !self.goes_on {
                 break;
@@ -141,8 +141,12 @@ impl Work {
 }
 
 /// Whether nothing behind it depends on what the machine does with it.
-fn is_move(next: &Result<Step, Box<Alarm>>) -> bool {
-    matches!(next, Ok(Step { op: Op::Rapid { .. } | Op::Feed { .. } | Op::Arc { .. }, .. }))
+fn runs_on(next: &Result<Step, Box<Alarm>>) -> bool {
+    let Ok(Step { op, .. }) = next else { return false };
+    matches!(
+        op,
+        Op::Rapid { .. } | Op::Feed { .. } | Op::Arc { .. } | Op::Output { with_next_move: true, .. }
+    )
 }
 
 /// What is needed to read beside.
@@ -157,7 +161,7 @@ struct Elsewhere {
     old: Option<Arc<Interpreter>>,
     /// Something was changed since it came back: the copy is none any more.
     is_changed: bool,
-    /// It stopped at a move.
+    /// It stopped at a step that the path runs on over.
     goes_on: bool,
     /// What it has read and reads is not wanted any more.
     is_stale: bool,

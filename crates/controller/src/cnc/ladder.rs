@@ -44,6 +44,7 @@ impl Cnc {
     pub fn tell(&self, outputs: &mut Outputs) {
         let Some(auxiliary) = &self.auxiliary else { return };
         auxiliary.tell(&self.spindle, self.servo.is_at_rest(), outputs);
+        outputs.macro_outputs = self.program_outputs.word();
         let moves = !self.motion.at_rest();
         let kind = self.given.front().map(Given::kind).filter(|_| moves);
         (outputs.rapid, outputs.cutting) = (kind == Some(Kind::Rapid), kind == Some(Kind::Cutting));

@@ -2,7 +2,8 @@
 //!
 //! The axes go back through the moves that they have come through, within all limits, with overrides and feed hold, as
 //! far as motion still knows them and no further than the last thing that was no move: a dwell, an M, S or T code, a
-//! thread, a probe. Nothing of the program is done twice.
+//! thread, a probe. Nothing of the program is done twice: outputs that changed in step with motion are passed and stay as
+//! they are.
 //!
 //! With cycle start the axes go forward again and come to rest shortly before the place where the program was held. From
 //! there it goes on as from any hold: with the spindle waited for, with dry run and single block as they are now.

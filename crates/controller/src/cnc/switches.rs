@@ -197,12 +197,18 @@ impl Cnc {
                 | Op::Select(_)
                 | Op::Change(_)
                 | Op::Machine(_)
-                | Op::Output { .. }
+                // With the next move, it is judged as that begins.
+                | Op::Output { with_next_move: false, .. }
         );
         match op {
             Op::Stop(1) => !self.switches.optional_stop,
-            _ => is_auxiliary && self.is_auxiliary_locked() && self.auxiliary.is_none(),
+            _ => is_auxiliary && self.keeps_codes_back(),
         }
+    }
+
+    /// Whether auxiliary lock keeps codes from a machine that has no ladder.
+    pub(super) fn keeps_codes_back(&self) -> bool {
+        self.is_auxiliary_locked() && self.auxiliary.is_none()
     }
 
     /// Spindle override as a factor, of a machine without a ladder: with one, its signal counts.

@@ -175,7 +175,7 @@ pub fn function(op: &Op, at: &Position) -> Option<String> {
         Op::Machine(code) => format!("M{code:02}"),
         Op::Spindle(state) => spindle(*state, at),
         Op::Coolant(on) => if *on { "M08" } else { "M09" }.to_owned(),
-        Op::Output { address, value } => format!("{address} = {value}"),
+        Op::Output { port, value, .. } => format!("{port} = {value}"),
         _ => return None,
     })
 }

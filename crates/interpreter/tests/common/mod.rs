@@ -90,7 +90,10 @@ pub fn short(steps: &[Step], start: Position) -> Vec<String> {
             Op::Orient(deg) => format!("orient {deg}"),
             Op::Stop(code) => format!("stop M{code:02}"),
             Op::End(code) => format!("end M{code:02}"),
-            Op::Output { address, value } => format!("out {address} {value}"),
+            Op::Output { port, value, with_next_move: false } => format!("out {port} {value}"),
+            Op::Output { port, value, with_next_move: true } => {
+                format!("out {port} {value} with the next move")
+            }
             Op::Wait { address, value, timeout: None } => format!("wait {address} {value}"),
             Op::Wait { address, value, timeout: Some(s) } => format!("wait {address} {value} {}s", round(*s)),
             Op::Message(text) => format!("message {text}"),

@@ -10,7 +10,7 @@ use crate::interpreter::Interpreter;
 use crate::modal::Group;
 use ferrocut_geometry::MM_PER_INCH;
 use ferrocut_machine::Fault;
-use ferrocut_toolpath::{Op, SpindleState};
+use ferrocut_toolpath::{Op, Port, SpindleState};
 
 /// Surface speeds are feet a minute with inches, and metres a minute else.
 const INCHES_PER_FOOT: f64 = 12.0;
@@ -119,21 +119,20 @@ impl Interpreter {
         Ok(())
     }
 
-    /// M62 to M65 P, M67 and M68 E Q. Those in step with motion and those at once are alike here, since steps
-    /// are done in their order.
+    /// M62 to M65 P, M67 and M68 E Q: M62, M63 and M67 in step with the next move, M64, M65 and M68 before it.
     fn ngc_output(&mut self, code: u16) -> Fallible<()> {
-        let (name, port, value) = match code {
+        let (port, value) = match code {
             62..=65 => {
                 let Some(port) = self.words.get(b'P') else { return Err(self.ngc_missing(b'P')) };
-                ("digital", port, f64::from(u8::from(matches!(code, 62 | 64))))
+                (Port::Digital(port.round() as i64), f64::from(u8::from(matches!(code, 62 | 64))))
             }
             _ => {
                 let Some(port) = self.words.get(b'E') else { return Err(self.ngc_missing(b'E')) };
                 // Where no value is given it is the one that stands for none.
-                ("analog", port, self.words.get(b'Q').unwrap_or(-1.0))
+                (Port::Analog(port.round() as i64), self.words.get(b'Q').unwrap_or(-1.0))
             }
         };
-        self.emit(Op::Output { address: format!("{name} {}", port.round()).into(), value });
+        self.emit(Op::Output { port, value, with_next_move: matches!(code, 62 | 63 | 67) });
         Ok(())
     }
 
