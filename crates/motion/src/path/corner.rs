@@ -137,15 +137,33 @@ pub(crate) struct Corner {
 /// its acceleration where it is.
 const PARABOLA_SHARE: f64 = 0.99;
 
-/// Jerks of swings that are tried at first: out, and at the end, as parts of one another.
-const SWINGS: [[f64; 2]; 7] =
-    [[0.12, 0.5], [0.25, 1.0], [0.5, 0.5], [0.25, -0.25], [0.12, -0.25], [0.5, -0.5], [1.0, -0.5]];
+/// What is tried at first, each with each.
+struct Tries {
+    /// Jerks of the second half of the middle, as parts of that of the first.
+    leans: &'static [f64],
+    /// Jerks out, and at the end, as parts of one another.
+    jerks: &'static [[f64; 2]],
+    /// Of the share at which a swing is as far out as in.
+    parts: &'static [f64],
+    /// Shares of the reach that the tolerance allows.
+    sizes: &'static [f64],
+}
 
-/// Jerks of the second half of the middle that are tried at first, as parts of that of the first.
-const LEANS: [f64; 4] = [1.0, 0.5, 0.25, -0.25];
+/// Of ways that swing out.
+const SWINGING: Tries = Tries {
+    leans: &[1.0, 0.5, 0.25, -0.25],
+    jerks: &[[0.12, 0.5], [0.25, 1.0], [0.5, 0.5], [0.25, -0.25], [0.12, -0.25], [0.5, -0.5], [1.0, -0.5]],
+    parts: &[1.0, 0.97, 0.93, 0.87, 0.7],
+    sizes: &[1.0],
+};
 
-/// Of the share at which a swing is as far out as in, these are tried at first.
-const PARTS: [f64; 5] = [1.0, 0.97, 0.93, 0.87, 0.7];
+/// Of those that do not, and turn the most at the vertex.
+const LEANING: Tries = Tries {
+    leans: &[0.75, 0.5, 0.25, 0.0, -0.1, -0.25],
+    jerks: &[[0.0, 0.0]],
+    parts: &[0.0],
+    sizes: &[1.0, 0.8],
+};
 
 /// Steps about the best of them.
 const STEPS: [f64; 4] = [0.5, 0.3, 0.15, 0.07];
@@ -172,7 +190,7 @@ impl Proportions {
     fn beside(self, k: usize, step: f64) -> Proportions {
         let step = if k.is_multiple_of(2) { step } else { -step };
         match k / 2 {
-            0 => Proportions { part: (self.part + 0.12 * step).min(1.0), ..self },
+            0 => Proportions { part: (self.part + 0.12 * step).clamp(0.0, 1.0), ..self },
             1 => Proportions { lean: (self.lean + 0.5 * step).min(1.0), ..self },
             2 => Proportions { end: self.end + step, ..self },
             3 => Proportions { size: (self.size * (1.0 + 0.5 * step)).min(1.0), ..self },
@@ -184,8 +202,9 @@ impl Proportions {
 /// Share of the tolerance that a swing takes, for rounding.
 const SWING_SHARE: f64 = 0.9999;
 
-/// A swing must be worth this.
+/// A swing must be worth this, and one without going back this much more: it is come to with more acceleration.
 const WORTH: f64 = 0.99;
+const LEANING_WORTH: f64 = 0.98;
 
 /// Corners that would take longer are stops, s.
 const LONGEST: f64 = 10.0;
@@ -331,7 +350,7 @@ impl Corner {
             };
             (jerks, largest(is_out))
         };
-        // The corner with this share, and what it costs.
+        // The corner with these jerks and this share, and what it costs.
         let swung = |jerks: [f64; 4], share: f64, size: f64| {
             let swing = Swing::new(share, jerks)?;
             let depth = (swing.at(0.5)[0] * turn).max(swing.depth() * sine);
@@ -345,36 +364,46 @@ impl Corner {
             let corner = self.swung(swing, reach, &directions);
             Some((corner, corner.loss_within(sides, len)?))
         };
-        let mut best = (self, f64::INFINITY);
-        let mut look = |jerks: [f64; 4], share: f64, size: f64| {
-            let Some(found) = swung(jerks, share, size).filter(|(_, loss)| *loss < best.1) else {
-                return false;
+        // The best of those that are tried at first, and of what is found in steps from there.
+        let search = |tries: Tries| {
+            let (mut best, mut at) = ((self, f64::INFINITY), None);
+            let mut look = |jerks: [f64; 4], even: f64, to: Proportions| {
+                let Some(found) = swung(jerks, to.part * even, to.size).filter(|(_, loss)| *loss < best.1)
+                else {
+                    return false;
+                };
+                best = found;
+                true
             };
-            best = found;
-            true
-        };
-        let mut at = None;
-        for lean in LEANS {
-            for [out, end] in SWINGS {
-                let first = Proportions { lean, out, end, part: 1.0, size: 1.0 };
-                let (jerks, even) = even(first);
-                for part in PARTS {
-                    if look(jerks, part * even, 1.0) {
-                        at = Some(Proportions { part, ..first });
+            for lean in tries.leans.iter().copied() {
+                for [out, end] in tries.jerks.iter().copied() {
+                    let first = Proportions { lean, out, end, part: 1.0, size: 1.0 };
+                    let (jerks, even) = even(first);
+                    for (part, size) in
+                        tries.parts.iter().flat_map(|part| tries.sizes.iter().map(move |size| (*part, *size)))
+                    {
+                        let to = Proportions { part, size, ..first };
+                        if look(jerks, even, to) {
+                            at = Some(to);
+                        }
                     }
                 }
             }
-        }
-        for step in STEPS {
-            for k in 0..Proportions::BESIDE {
-                let Some(from) = at else { break };
-                let to = from.beside(k, step);
-                let (jerks, even) = even(to);
-                if look(jerks, to.part * even, to.size) {
-                    at = Some(to);
+            for step in STEPS {
+                for k in 0..Proportions::BESIDE {
+                    let Some(from) = at else { break };
+                    let to = from.beside(k, step);
+                    let (jerks, even) = even(to);
+                    if look(jerks, even, to) {
+                        at = Some(to);
+                    }
                 }
             }
-        }
+            best
+        };
+        let swinging = search(SWINGING);
+        let leaning = search(LEANING);
+        let best = if leaning.1 < LEANING_WORTH * swinging.1 { leaning } else { swinging };
         let own = self.loss_within(sides, len);
         if own.is_some_and(|own| best.1 >= WORTH * own) { self } else { best.0 }
     }

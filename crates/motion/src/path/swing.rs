@@ -17,7 +17,8 @@
 //!
 //! and the acceleration is linear between, so that both are known by their values in five places. With `μ₁ = μ₂` all the
 //! jerk of the middle is along `d₁ + d₂`; with `μ₁ > μ₂` the acceleration across that is highest at the vertex, where the
-//! jerk of the axes that turn back is used too.
+//! jerk of the axes that turn back is used too. That is so without going back as well (`β = 0`): where there is too little of
+//! the lines for a swing, all of the tolerance is taken at the vertex.
 
 /// One side: how far it is along its line, as a share of the reach.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -54,6 +55,11 @@ impl Swing {
         // Back is gone in the middle parts, and no more than that.
         if !(f > 0.0 && v > 0.0 && a >= 0.0 && share < 0.5) {
             return None;
+        }
+        if share == 0.0 {
+            // It never goes back.
+            swing.jerks = swing.jerks.map(|jerk| jerk / f);
+            return (rise > 0.0).then_some(swing);
         }
         let back = swing.at(share);
         let mut turn = share + turn_from(back, rise);
