@@ -148,10 +148,10 @@ impl Auxiliary {
         Handing::Begun
     }
 
-    /// Inputs of programs, #1000 to #1015, with their variables.
-    pub fn macro_inputs(&self) -> impl Iterator<Item = (u32, f64)> + use<> {
+    /// Inputs of programs, UI from 0 on: #1000 to #1015, or ports of these numbers.
+    pub fn macro_inputs(&self) -> impl Iterator<Item = (u16, f64)> + use<> {
         let inputs = self.inputs.macro_inputs;
-        (0..16).map(move |bit| (1000 + bit, f64::from(inputs >> bit & 1)))
+        (0..16).map(move |bit| (bit, f64::from(inputs >> bit & 1)))
     }
 
     /// S at the end of a program that did not turn the spindle: keys will. Whether it is handed over.

@@ -7,6 +7,7 @@
 //! the same way: the moves before it are finished, the one at fault does not begin. An output in step
 //! with motion alone does not wait: it is kept for the move behind it (`program_outputs`).
 
+mod awaited_input;
 mod block_end;
 mod drive_failure;
 mod giving;
@@ -40,6 +41,7 @@ use crate::programmed::Programmed;
 use crate::report::{Activity, Report};
 use crate::spindle::Spindle;
 use crate::supervision::Supervisor;
+use awaited_input::AwaitedInput;
 use block_end::{Block, Blocks};
 use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_interpreter::{AtRest, Interpreter};
@@ -170,6 +172,8 @@ enum Waiting {
 struct Busy {
     activity: Activity,
     periods: u64,
+    /// It ends as soon as this input comes.
+    until: Option<AwaitedInput>,
 }
 
 /// A control with its machine.
@@ -259,6 +263,8 @@ pub struct Cnc {
     sent: Sent,
     program_spindle: ProgramSpindle,
     program_outputs: ProgramOutputs,
+    /// Whether the input came that the program waited for, until it is told.
+    input_came: Option<bool>,
 }
 
 impl Cnc {
@@ -339,6 +345,7 @@ impl Cnc {
             sent: Sent::default(),
             program_spindle: ProgramSpindle::default(),
             program_outputs: ProgramOutputs::new(room),
+            input_came: None,
         };
         if !knows_places {
             cnc.set_referenced(AxisSet::EMPTY);
@@ -513,7 +520,7 @@ impl Cnc {
             auxiliary.cancel();
         }
         self.waiting = None;
-        self.busy = None;
+        (self.busy, self.input_came) = (None, None);
         self.failed = None;
         self.forget_blocks();
         self.state = State::Resetting;
@@ -753,7 +760,12 @@ impl Cnc {
             self.motion.rename(at);
             self.supervisor.moved_to(at);
             self.commanded = at;
-            self.interpreter.own().came_to_rest(&AtRest { commanded: at, actual: self.actual, skip: None });
+            self.interpreter.own().came_to_rest(&AtRest {
+                commanded: at,
+                actual: self.actual,
+                skip: None,
+                input: None,
+            });
             // The spindle stopped at once; one that was started since goes on.
             if std::mem::take(&mut self.clears) && self.is_idle() {
                 self.clear_codes();
@@ -910,7 +922,10 @@ impl Cnc {
         if let Some(busy) = &mut self.busy {
             busy.periods -= 1;
             self.report.period(busy.activity);
-            if busy.periods == 0 {
+            let is_over = busy.periods == 0;
+            if let Some(awaited) = busy.until {
+                self.look_for_input(awaited, is_over);
+            } else if is_over {
                 self.busy = None;
             }
         }
@@ -956,12 +971,14 @@ impl Cnc {
                 self.read_macro_inputs();
                 self.skip_shift = Position::ZERO;
                 let (commanded, actual) = (self.commanded, self.actual);
-                self.tell_program(&AtRest { commanded, actual, skip: None });
+                let input = self.input_came.take();
+                self.tell_program(&AtRest { commanded, actual, skip: None, input });
                 // A program that waits for an input in a loop lets time go on.
                 self.keep_busy(Activity::Dwell, self.period);
             }
-            // Inputs are simulated: one that was to fail did so in the interpreter.
-            Op::Wait { .. } => self.keep_busy(Activity::Dwell, self.period),
+            Op::Wait { port, value, is_edge, timeout, must_come } => {
+                self.wait_for_input(&port, AwaitedInput::new(value != 0.0, is_edge, must_come), timeout);
+            }
             Op::Datum { at } => {
                 self.renamed = self.renamed + at - self.motion.position();
                 self.motion.rename(at);
@@ -1028,7 +1045,7 @@ impl Cnc {
         // What a sum of decimals is above a whole number of periods is no further period.
         let periods = (seconds / self.period - 1e-9).ceil();
         if periods >= 1.0 {
-            self.busy = Some(Busy { activity, periods: periods as u64 });
+            self.busy = Some(Busy { activity, periods: periods as u64, until: None });
         }
     }
 }

@@ -24,6 +24,8 @@ pub struct AtRest {
     pub actual: Position,
     /// Where the skip signal of the move before came; `None` if it was no skip or the signal did not come.
     pub skip: Option<Position>,
+    /// Whether the input that was waited for before came; `None` if none was.
+    pub input: Option<bool>,
 }
 
 /// Whether blocks may read the machine's present.
@@ -73,6 +75,9 @@ impl Interpreter {
         }
         if self.dialect.blocks.is_some() {
             self.ngc_came_to_rest(machine.skip);
+            if let Some(came) = machine.input {
+                self.ngc_input_came(came);
+            }
         }
     }
 
@@ -80,6 +85,11 @@ impl Interpreter {
     /// machine says at the barrier behind them where the signal came.
     pub fn fit_probe(&mut self, min: Position, max: Position) {
         self.probe = Some((min, max));
+    }
+
+    /// Inputs that a program waits for are waited for by the machine, which says what came. Without that they are simulated.
+    pub fn leave_waits_to_machine(&mut self) {
+        self.machine_waits = true;
     }
 
     /// The machine came to rest behind a skip move without having had its signal: the alarm, where that is one.

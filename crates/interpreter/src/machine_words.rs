@@ -98,9 +98,17 @@ impl Interpreter {
         let Some((address, number)) = self.port(long::PLC) else { return Ok(()) };
         let Some(value) = self.words.long(long::LEVEL) else { return Err(self.missing("LEVEL", span)) };
         let timeout = self.words.get(b'P').map(|p| p.max(0.0) * self.rules.dwell_p_unit_s);
-        self.emit(Op::Wait { address: address.into(), value, timeout });
+        self.emit(Op::Wait {
+            port: Port::Named(address.into()),
+            value,
+            is_edge: false,
+            timeout,
+            must_come: true,
+        });
         match self.input(number) {
-            Some(state) if (state != 0.0) != (value != 0.0) => Err(self.alarm(Fault::InputMissing, span)),
+            Some(state) if !self.machine_waits && (state != 0.0) != (value != 0.0) => {
+                Err(self.alarm(Fault::InputMissing, span))
+            }
             _ => Ok(()),
         }
     }

@@ -67,6 +67,9 @@ struct Period {
     is_published: bool,
 }
 
+/// What was recorded: periods, and commands with the number of the period.
+type Record = (Vec<Period>, Vec<(usize, Command)>);
+
 /// A control with all that is needed to do the same again.
 struct Recorded {
     served: Served<Panel>,
@@ -77,7 +80,7 @@ struct Recorded {
     /// With the number of the period.
     commands: Vec<(usize, Command)>,
     /// Where it goes in the end.
-    done: Sender<(Vec<Period>, Vec<(usize, Command)>)>,
+    done: Sender<Record>,
 }
 
 /// Time that this thread has computed, by the system's account of it.
@@ -88,7 +91,7 @@ fn computed() -> Duration {
 
 impl Recorded {
     /// For so many periods.
-    fn new(control: Control, periods: usize, done: Sender<(Vec<Period>, Vec<(usize, Command)>)>) -> Recorded {
+    fn new(control: Control, periods: usize, done: Sender<Record>) -> Recorded {
         let setpoint = Arc::new(Mutex::new([0; 3]));
         let seen = setpoint.clone();
         let watcher = Box::new(move |tick: &Tick| {

@@ -190,15 +190,30 @@ impl SpindleState {
     }
 }
 
-/// An output that programs set themselves.
+/// An output that programs set themselves, or an input that they wait for.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Port {
-    /// A digital output, counted from 0; off at value 0 (LinuxCNC M codes: M62 to M65).
+    /// A digital one, counted from 0; off at value 0 (LinuxCNC M codes: M62 to M66).
     Digital(i64),
-    /// An analog output, counted from 0 (LinuxCNC M codes: M67, M68).
+    /// An analog one, counted from 0 (LinuxCNC M codes: M67, M68).
     Analog(i64),
     /// One by the name that the program has for it: a variable, a port.
     Named(Box<str>),
+}
+
+impl Port {
+    /// The number of a digital one: counted, or the one that its name is (Weihong 4.4: `PLC[04]`).
+    pub fn number(&self) -> Option<u16> {
+        match self {
+            Port::Digital(number) => u16::try_from(*number).ok(),
+            Port::Analog(_) => None,
+            Port::Named(name) => {
+                let number: f64 = name.trim().parse().ok()?;
+                (number.fract() == 0.0 && (0.0..=f64::from(u16::MAX)).contains(&number))
+                    .then_some(number as u16)
+            }
+        }
+    }
 }
 
 impl fmt::Display for Port {
@@ -304,12 +319,16 @@ pub enum Op {
     },
     /// The control waits until an input has a state.
     Wait {
-        /// Its address.
-        address: Box<str>,
+        /// Which one.
+        port: Port,
         /// The state, 0 or 1.
         value: f64,
-        /// How long at most, s; without end where not given. Then it is an alarm.
+        /// It is to come to that state, and not to have it already.
+        is_edge: bool,
+        /// How long at most, s; without end where not given.
         timeout: Option<f64>,
+        /// If it does not come in time that is an alarm. Else the program goes on, and is told at the barrier behind.
+        must_come: bool,
     },
     /// Nothing moves; from here on the place where the axes stand is called by these machine positions.
     Datum {

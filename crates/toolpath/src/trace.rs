@@ -289,9 +289,9 @@ impl<W: Write> TraceWriter<W> {
                 self.text("addr", &port.to_string());
                 self.field("value", *value);
             }
-            Op::Wait { address, value, timeout } => {
+            Op::Wait { port, value, timeout, .. } => {
                 self.op("wait");
-                self.text("addr", address);
+                self.text("addr", &port.to_string());
                 self.field("value", *value);
                 match timeout {
                     Some(seconds) => self.field("timeout", *seconds),

@@ -28,7 +28,12 @@ impl Cnc {
         self.fit_interpreter();
         let commanded = self.motion.position();
         if self.interpreter.position() != commanded {
-            self.interpreter.own().came_to_rest(&AtRest { commanded, actual: self.actual, skip: None });
+            self.interpreter.own().came_to_rest(&AtRest {
+                commanded,
+                actual: self.actual,
+                skip: None,
+                input: None,
+            });
         }
         self.wait_for_start();
         self.forget_journal();
@@ -84,7 +89,7 @@ impl Cnc {
         self.retrace.forget();
         self.given.clear();
         (self.waiting, self.thread) = (None, None);
-        self.busy = None;
+        (self.busy, self.input_came) = (None, None);
         self.program_spindle = ProgramSpindle::default();
         self.commanded = self.motion.position();
         self.supervisor.moved_to(self.commanded);

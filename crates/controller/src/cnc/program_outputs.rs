@@ -29,16 +29,17 @@ enum Place {
 
 impl Place {
     /// Where an output stands; none for one that the machine does not have. #1100 to #1115 are the digital outputs from 0
-    /// on, and #1132 is all of these (GSK990MC 4.9.2).
+    /// on, and #1132 is all of these (GSK990MC 4.9.2); other names are numbers (Weihong 4.4: M901).
     fn of(port: &Port) -> Option<Place> {
         let number = |number: i64| usize::try_from(number).ok().filter(|number| *number < PORTS);
         match port {
             Port::Digital(digital) => number(*digital).map(Place::Digital),
             Port::Analog(analog) => number(*analog).map(Place::Analog),
-            Port::Named(name) => match name.strip_prefix('#')?.parse().ok()? {
-                variable @ 1100..=1115 => Some(Place::Digital(variable - 1100)),
-                1132 => Some(Place::Word),
-                _ => None,
+            Port::Named(name) => match name.strip_prefix('#').map(str::parse) {
+                Some(Ok(variable @ 1100..=1115)) => Some(Place::Digital(variable - 1100)),
+                Some(Ok(1132)) => Some(Place::Word),
+                Some(_) => None,
+                None => port.number().and_then(|port| number(port.into())).map(Place::Digital),
             },
         }
     }

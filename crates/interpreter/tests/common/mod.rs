@@ -94,8 +94,8 @@ pub fn short(steps: &[Step], start: Position) -> Vec<String> {
             Op::Output { port, value, with_next_move: true } => {
                 format!("out {port} {value} with the next move")
             }
-            Op::Wait { address, value, timeout: None } => format!("wait {address} {value}"),
-            Op::Wait { address, value, timeout: Some(s) } => format!("wait {address} {value} {}s", round(*s)),
+            Op::Wait { port, value, timeout: None, .. } => format!("wait {port} {value}"),
+            Op::Wait { port, value, timeout: Some(s), .. } => format!("wait {port} {value} {}s", round(*s)),
             Op::Message(text) => format!("message {text}"),
             Op::Home(_) => "home".to_owned(),
             Op::Skip { hit: true, .. } => "skip to the signal".to_owned(),

@@ -16,6 +16,8 @@ use ferrocut_geometry::{Axis, Position};
 /// State of an interpreter of this language. Lengths are mm whatever the units of the program.
 #[derive(Clone)]
 pub(crate) struct State {
+    /// The state that M66 waited for last.
+    pub awaited_input: f64,
     /// The programmed point in force, in the coordinate system in force.
     pub at: Position,
     /// G92 or G52.
@@ -105,6 +107,7 @@ impl State {
     /// At rest at a machine position, with nothing shifted but the zero in force.
     pub fn new(zero: Position, machine: Position) -> State {
         let mut state = State {
+            awaited_input: 0.0,
             at: Position::ZERO,
             shift: Position::ZERO,
             zero,

@@ -176,15 +176,26 @@ impl Interpreter {
         // keeps another state is not.
         let wanted = f64::from(u8::from(kind == 1.0 || kind == 3.0));
         self.emit(Op::Wait {
-            address: format!("digital {port}").into(),
+            port: Port::Digital(i64::from(port)),
             value: wanted,
+            is_edge: kind == 1.0 || kind == 2.0,
             timeout: Some(timeout),
+            must_come: false,
         });
-        let comes = state.is_none_or(|state| (state != 0.0) == (wanted != 0.0));
-        let value = if comes { wanted } else { -1.0 };
-        self.memory.variables.set(INPUT_RESULT, Some(value)).map_err(|_| self.ngc_alarm(Fault::DataValue))?;
-        self.variable_writes += 1;
+        self.ngc.awaited_input = wanted;
+        self.ngc_input_came(state.is_none_or(|state| (state != 0.0) == (wanted != 0.0)));
+        if self.machine_waits {
+            self.emit_barrier()?;
+        }
         Ok(true)
+    }
+
+    /// Whether the input came that the program waited for.
+    pub(crate) fn ngc_input_came(&mut self, came: bool) {
+        let value = if came { self.ngc.awaited_input } else { -1.0 };
+        // 1, 0 and -1 are values that every parameter takes.
+        let _ = self.memory.variables.set(INPUT_RESULT, Some(value));
+        self.variable_writes += 1;
     }
 }
 
