@@ -148,10 +148,9 @@ impl Auxiliary {
         Handing::Begun
     }
 
-    /// Inputs of programs, UI from 0 on: #1000 to #1015, or ports of these numbers.
-    pub fn macro_inputs(&self) -> impl Iterator<Item = (u16, f64)> + use<> {
-        let inputs = self.inputs.macro_inputs;
-        (0..16).map(move |bit| (bit, f64::from(inputs >> bit & 1)))
+    /// Inputs of programs, UI from bit 0 on: #1000 to #1015, or ports of these numbers.
+    pub fn macro_inputs(&self) -> u16 {
+        self.inputs.macro_inputs
     }
 
     /// S at the end of a program that did not turn the spindle: keys will. Whether it is handed over.

@@ -433,8 +433,10 @@ impl Cnc {
         if self.state == State::Ready {
             self.forget_passed();
             self.tell_unreferenced();
-            // So there is room for them before the periods in which the program reads them.
-            self.read_macro_inputs();
+            if let Some(auxiliary) = &self.auxiliary {
+                // So there is room for them before the periods in which the program reads them.
+                self.interpreter.own().set_ports(auxiliary.macro_inputs());
+            }
         }
         self.forget_hold_behind_thread();
         self.begin_journal();
@@ -666,6 +668,8 @@ impl Cnc {
             }
             if self.motion.is_empty() && self.motion.at_rest() {
                 self.finish_moves(u64::MAX);
+                // What ran in less than a period has begun too.
+                self.change_outputs(self.next_tag.saturating_sub(1));
                 self.rest_floating();
                 if self.state != State::Running {
                     return self.slow_down();
@@ -765,6 +769,7 @@ impl Cnc {
                 actual: self.actual,
                 skip: None,
                 input: None,
+                inputs: None,
             });
             // The spindle stopped at once; one that was started since goes on.
             if std::mem::take(&mut self.clears) && self.is_idle() {
@@ -968,11 +973,11 @@ impl Cnc {
                 }
             }
             Op::Barrier => {
-                self.read_macro_inputs();
                 self.skip_shift = Position::ZERO;
                 let (commanded, actual) = (self.commanded, self.actual);
                 let input = self.input_came.take();
-                self.tell_program(&AtRest { commanded, actual, skip: None, input });
+                let inputs = self.auxiliary.as_ref().map(|auxiliary| auxiliary.macro_inputs());
+                self.tell_program(&AtRest { commanded, actual, skip: None, input, inputs });
                 // A program that waits for an input in a loop lets time go on.
                 self.keep_busy(Activity::Dwell, self.period);
             }

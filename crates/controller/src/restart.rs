@@ -239,6 +239,8 @@ impl Journal {
             }
             alarm
         })?;
+        // What was answered behind the place is asked anew.
+        journal.answers.retain(|answer| answer.block <= interpreter.blocks_begun());
         for (block, _) in &mut journal.by_hand {
             *block = interpreter.blocks_begun().min(*block);
         }
@@ -309,6 +311,7 @@ impl Journal {
         let mut at = Interpreter::position(interpreter);
         let mut answers = self.answers.iter().peekable();
         interpreter.set_mark_within(until, most);
+        let mut waited = false;
         let mut by_hand = self.by_hand.iter().peekable();
         while !stop.load(Ordering::Relaxed) {
             while let Some((_, change)) = by_hand.next_if(|(block, _)| *block <= interpreter.blocks_begun()) {
@@ -330,7 +333,9 @@ impl Journal {
                         at = answer.at_rest.commanded;
                     }
                 }
-                Op::Barrier => match answers.next_if(|answer| answer.block == step.block) {
+                Op::Barrier => match answers.next_if(|answer| {
+                    answer.block == step.block && (!waited || answer.at_rest.input.is_some())
+                }) {
                     Some(answer) => {
                         interpreter.came_to_rest(&answer.at_rest);
                         at = answer.at_rest.commanded;
@@ -351,6 +356,7 @@ impl Journal {
                     at = op.target().copied().unwrap_or(at);
                 }
             }
+            waited = matches!(step.op, Op::Wait { .. });
         }
         if interpreter.is_at_mark() {
             // What was changed behind the place is so all the same.

@@ -4,6 +4,7 @@
 mod common;
 
 use common::{HANGS, in_language, machine};
+use ferrocut_controller::restart::{At, How};
 use ferrocut_controller::{Cnc, Control, Mode, State};
 use ferrocut_geometry::Axis;
 use ferrocut_machine::{Fault, Machine};
@@ -155,4 +156,108 @@ fn one_that_must_come_is_an_alarm_where_it_does_not() {
     assert_eq!(places(&run("weihong", without, |now| if now > 20_000 { 8 } else { 0 })), [1.0, 2.0]);
     let unknown = run("weihong", "G0 X1\nG906 PLC[99] LEVEL1\nX2\nM30", |_| 0);
     assert!(matches!(unknown.cnc.state(), State::Alarmed(alarm) if alarm.fault == Fault::InputMissing));
+}
+
+/// The setpoints of a program, each once.
+fn way(program: &str, inputs: u16) -> Vec<[f64; 2]> {
+    let mut cnc = Cnc::new(&machine(), in_language("rs274", program));
+    cnc.connect_ladder(&machine());
+    cnc.cycle_start();
+    let mut way = vec![[0.0; 2]];
+    for _ in 0..HANGS {
+        let mut heard = Control::free_inputs(Mode::Auto);
+        heard.macro_inputs = inputs;
+        cnc.hear(&heard);
+        let position = cnc.tick().position;
+        way.push([position[Axis::X], position[Axis::Y]]);
+        if cnc.waits_for_ladder() {
+            way.dedup();
+            return way;
+        }
+    }
+    panic!("does not end: {:?}", cnc.state());
+}
+
+#[test]
+fn what_is_in_the_block_comes_behind_the_wait() {
+    for (wait, inputs, result) in
+        [("M66 P1 L3 Q0.1", 0b10, "1"), ("M66 P1 L3 Q0.1", 0, "-1"), ("M66 P1 L0", 0b10, "1")]
+    {
+        for program in [
+            "G21 G61.1\nG1 F3000\nWAIT X10\nY10\nX[#5399+20]\nM2\n",
+            "G21 G91 G61.1\nG1 F3000\nWAIT X10\nY10\nX[#5399+20]\nM2\n",
+            "G21 G61.1\nG1 F3000 X5\nWAIT G3 X15 I5 J0\nG1 Y10\nX[#5399+20]\nM2\n",
+        ] {
+            let waiting = way(&program.replace("WAIT", wait), inputs);
+            let free = way(&program.replace("WAIT", "").replace("#5399", result), inputs);
+            assert!(free.len() > 500);
+            let far = |(a, b): (&[f64; 2], &[f64; 2])| (a[0] - b[0]).abs().max((a[1] - b[1]).abs());
+            let farthest = waiting.iter().zip(&free).map(far).fold(0.0, f64::max);
+            assert!(waiting.len() == free.len() && farthest < 1e-9, "{wait} {program}: {farthest}");
+        }
+    }
+}
+
+/// Goes on with a word of inputs until X is above a place and not below any more.
+fn go_on_to(cnc: &mut Cnc, inputs: u16, x: f64) {
+    let hangs = (0..HANGS).all(|_| {
+        let mut heard = Control::free_inputs(Mode::Auto);
+        heard.macro_inputs = inputs;
+        cnc.hear(&heard);
+        cnc.tick().position[Axis::X] < x
+    });
+    assert!(!hangs, "{:?}", cnc.state());
+}
+
+fn break_off(cnc: &mut Cnc) {
+    cnc.reset();
+    go_on_to(cnc, 0, f64::NEG_INFINITY);
+    while *cnc.state() == State::Resetting {
+        go_on_to(cnc, 0, f64::NEG_INFINITY);
+    }
+}
+
+/// Where the program goes on: its line, and #5399 there.
+fn taken_up(cnc: &mut Cnc) -> (u32, Option<f64>) {
+    let journal = cnc.journal().unwrap().clone();
+    let restart = journal.find(At::Interrupted, cnc.interpreter().memory()).unwrap();
+    let found = (restart.span.line, restart.interpreter().memory().variables.get(5399));
+    let how = How { sends: false, axis_by_axis: false };
+    let lead_in = restart.lead_in(&cnc.present(), &machine(), how).unwrap();
+    cnc.restart(restart, lead_in).unwrap();
+    cnc.cycle_start();
+    found
+}
+
+#[test]
+fn a_restart_knows_what_came() {
+    let program = "G21 G61.1\nG1 X10 F3000\nM66 P3 L4 Q0.2\nM66 P2 L0\n#1=#5399\nX[20+5*#1]\nX90\nM2\n";
+    let start = |inputs: u16| {
+        let mut cnc = Cnc::new(&machine(), in_language("rs274", program));
+        cnc.connect_ladder(&machine());
+        cnc.cycle_start();
+        go_on_to(&mut cnc, inputs, 9.0);
+        cnc
+    };
+    // Input 2 is off as the run begins, and on as it is read; input 3 does not go off in time.
+    let mut cnc = start(0);
+    go_on_to(&mut cnc, 0b1100, 60.0);
+    break_off(&mut cnc);
+    assert_eq!(taken_up(&mut cnc), (7, Some(1.0)));
+    go_on_to(&mut cnc, 0, 89.0);
+
+    // Broken off within the wait, and again behind it.
+    let waits = "G21 G61.1\nG1 X10 F3000\nM66 P3 L4 Q0.2\nX[20+5*#5399]\nX90\nM2\n";
+    let mut cnc = Cnc::new(&machine(), in_language("rs274", waits));
+    cnc.connect_ladder(&machine());
+    cnc.cycle_start();
+    go_on_to(&mut cnc, 0, 10.0);
+    for _ in 0..50 {
+        go_on_to(&mut cnc, 0b1000, 10.0);
+    }
+    break_off(&mut cnc);
+    taken_up(&mut cnc);
+    go_on_to(&mut cnc, 0b1000, 60.0);
+    break_off(&mut cnc);
+    assert_eq!(taken_up(&mut cnc), (5, Some(-1.0)));
 }

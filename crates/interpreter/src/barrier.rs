@@ -26,6 +26,8 @@ pub struct AtRest {
     pub skip: Option<Position>,
     /// Whether the input that was waited for before came; `None` if none was.
     pub input: Option<bool>,
+    /// Inputs of programs, from bit 0 on; `None` where the machine has none.
+    pub inputs: Option<u16>,
 }
 
 /// Whether blocks may read the machine's present.
@@ -62,6 +64,9 @@ impl Interpreter {
     /// Tells how the machine came to rest, between a barrier and the step after it.
     pub fn came_to_rest(&mut self, machine: &AtRest) {
         self.following_error = machine.commanded - machine.actual;
+        if let Some(inputs) = machine.inputs {
+            self.set_ports(inputs);
+        }
         let moved = machine.commanded - self.output.commanded();
         if moved != Position::ZERO {
             self.location.machine = self.location.machine + moved;

@@ -461,6 +461,11 @@ impl Interpreter {
         }
     }
 
+    /// Sets the first 16 inputs, from bit 0 on.
+    pub fn set_ports(&mut self, inputs: u16) {
+        (0..16).for_each(|port| self.set_port(port, f64::from(inputs >> port & 1)));
+    }
+
     /// Sets an input by the number of its port, on controls that count them so.
     pub fn set_port(&mut self, port: u16, value: f64) {
         self.inputs.insert(port, value);

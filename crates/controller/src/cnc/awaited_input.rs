@@ -4,7 +4,7 @@
 //! of the wait, and what became of it is told at the barrier behind. Feed hold stops the wait as it does a dwell. Without a
 //! ladder inputs are simulated: the interpreter has decided already, and no time passes.
 
-use super::{Busy, Cnc, State};
+use super::{Cnc, State};
 use crate::report::Activity;
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_toolpath::Port;
@@ -38,16 +38,20 @@ impl Cnc {
         let port = port.number().filter(|port| self.program_input(*port).is_some());
         let awaited = AwaitedInput { port, ..awaited };
         if port.is_none() && awaited.must_come && timeout.is_none() {
-            return self.miss_input(awaited);
+            return self.end_wait(awaited, false);
         }
-        let periods = timeout.map_or(u64::MAX, |seconds| (seconds / self.period).ceil().max(1.0) as u64);
-        self.busy = Some(Busy { activity: Activity::Dwell, periods, until: Some(awaited) });
+        // At least one period, in which it is looked at.
+        let seconds = timeout.map_or(f64::INFINITY, |seconds| seconds.max(self.period));
+        self.keep_busy(Activity::Dwell, seconds);
+        if let Some(busy) = &mut self.busy {
+            busy.until = Some(awaited);
+        }
     }
 
     /// State of an input of programs; `None` for one that the machine does not have.
     fn program_input(&self, port: u16) -> Option<bool> {
-        let mut inputs = self.auxiliary.as_ref()?.macro_inputs();
-        inputs.find(|(number, _)| *number == port).map(|(_, value)| value != 0.0)
+        let inputs = self.auxiliary.as_ref()?.macro_inputs();
+        (port < 16).then(|| inputs >> port & 1 == 1)
     }
 
     /// A period of the wait, which `is_over` with it.
@@ -56,17 +60,19 @@ impl Cnc {
         let has_state = state == Some(awaited.state);
         let is_early = awaited.is_early && has_state;
         if has_state && !is_early {
-            (self.busy, self.input_came) = (None, Some(true));
+            self.end_wait(awaited, true);
         } else if is_over {
-            self.miss_input(awaited);
+            self.end_wait(awaited, false);
         } else if let Some(busy) = &mut self.busy {
             busy.until = Some(AwaitedInput { is_early, ..awaited });
         }
     }
 
-    fn miss_input(&mut self, awaited: AwaitedInput) {
-        (self.busy, self.input_came) = (None, Some(false));
-        if awaited.must_come {
+    fn end_wait(&mut self, awaited: AwaitedInput, came: bool) {
+        self.busy = None;
+        if !awaited.must_come {
+            self.input_came = Some(came);
+        } else if !came {
             self.state = State::Alarmed(Box::new(Alarm::core(Fault::InputMissing, self.span)));
         }
     }

@@ -24,7 +24,7 @@ impl Cnc {
         let memory = self.interpreter.memory();
         (self.interpreter.dialect().machine_parameters)(&memory.parameters, &mut machine);
         self.auxiliary = Some(Box::new(Auxiliary::new(&machine)));
-        self.interpreter.own().leave_waits_to_machine();
+        self.fit_interpreter();
     }
 
     /// What the ladder says of codes and spindle in the period that comes.
@@ -153,15 +153,6 @@ impl Cnc {
             _ => false,
         };
         if waits { None } else { next }
-    }
-
-    /// Inputs that a program reads are those of the ladder, now that the axes are at rest.
-    pub(super) fn read_macro_inputs(&mut self) {
-        if let Some(auxiliary) = &self.auxiliary {
-            for (port, value) in auxiliary.macro_inputs() {
-                self.interpreter.own().set_port(port, value);
-            }
-        }
     }
 
     /// Speed of the spindle for a feed per revolution, r/min: under auxiliary lock the one it would have.

@@ -33,6 +33,7 @@ impl Cnc {
                 actual: self.actual,
                 skip: None,
                 input: None,
+                inputs: None,
             });
         }
         self.wait_for_start();

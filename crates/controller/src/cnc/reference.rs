@@ -123,6 +123,9 @@ impl Cnc {
 
     /// What a new interpreter is told of the machine.
     pub(super) fn fit_interpreter(&mut self) {
+        if self.auxiliary.is_some() {
+            self.interpreter.own().leave_waits_to_machine();
+        }
         if self.drives.has_probe() {
             let (min, max) = self.travel;
             self.interpreter.own().fit_probe(min, max);

@@ -233,6 +233,7 @@ impl Cnc {
             actual: self.actual,
             skip: None,
             input: None,
+            inputs: None,
         });
     }
 }

@@ -163,7 +163,13 @@ impl Cnc {
         self.commanded = at;
         self.actual = self.beside(at);
         self.supervisor.moved_to(at);
-        self.interpreter.own().came_to_rest(&AtRest { commanded: at, actual: at, skip: None, input: None });
+        self.interpreter.own().came_to_rest(&AtRest {
+            commanded: at,
+            actual: at,
+            skip: None,
+            input: None,
+            inputs: None,
+        });
     }
 
     /// A move as it is run now.

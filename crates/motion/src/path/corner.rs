@@ -206,6 +206,9 @@ const SWING_SHARE: f64 = 0.9999;
 const WORTH: f64 = 0.99;
 const LEANING_WORTH: f64 = 0.98;
 
+/// Places in which the speed of a swing is looked at.
+const LOOKS: u32 = 64;
+
 /// Corners that would take longer are stops, s.
 const LONGEST: f64 = 10.0;
 
@@ -405,7 +408,13 @@ impl Corner {
         let leaning = search(LEANING);
         let best = if leaning.1 < LEANING_WORTH * swinging.1 { leaning } else { swinging };
         let own = self.loss_within(sides, len);
-        if own.is_some_and(|own| best.1 >= WORTH * own) { self } else { best.0 }
+        if own.is_some_and(|own| best.1 >= WORTH * own) { self } else { best.0.with_haste() }
+    }
+
+    /// The same with the highest speed in it as it is: a swing may be faster between its ends.
+    fn with_haste(self) -> Corner {
+        let fastest = (1..LOOKS).map(|k| self.speed(f64::from(k) / f64::from(LOOKS))).fold(0.0, f64::max);
+        Corner { haste: (fastest / self.foot.v).max(1.0), ..self }
     }
 
     /// The same with this way of its sides.

@@ -122,6 +122,22 @@ mod tests {
     }
 
     #[test]
+    fn without_a_swing_it_never_goes_back() {
+        for lean in [1.0, 0.5, 0.0, -0.5, -0.9] {
+            let swing = Swing::new(0.0, [0.0, 1.0, lean, 0.0]).unwrap();
+            let mut before = 0.0;
+            for k in 1..=1000 {
+                let [f, v, a] = swing.at(f64::from(k) / 1000.0);
+                assert!(f > before && v > 0.0 && a > -1e-12, "{lean} {k}");
+                before = f;
+            }
+            assert!((before - 1.0).abs() < 1e-12 && swing.depth() == 0.0);
+        }
+        // It would come to the end of its line slowing down.
+        assert_eq!(Swing::new(0.0, [0.0, 1.0, -1.1, 0.0]), None);
+    }
+
+    #[test]
     fn one_that_never_comes_back_is_none() {
         assert_eq!(Swing::new(0.45, [1.0, 1.0, 1.0, -1.0]), None);
     }

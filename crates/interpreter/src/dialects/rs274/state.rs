@@ -18,6 +18,8 @@ use ferrocut_geometry::{Axis, Position};
 pub(crate) struct State {
     /// The state that M66 waited for last.
     pub awaited_input: f64,
+    /// The block has given out its wait, and is run again behind it.
+    pub awaits_input: bool,
     /// The programmed point in force, in the coordinate system in force.
     pub at: Position,
     /// G92 or G52.
@@ -108,6 +110,7 @@ impl State {
     pub fn new(zero: Position, machine: Position) -> State {
         let mut state = State {
             awaited_input: 0.0,
+            awaits_input: false,
             at: Position::ZERO,
             shift: Position::ZERO,
             zero,

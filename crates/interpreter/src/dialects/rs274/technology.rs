@@ -137,7 +137,7 @@ impl Interpreter {
     }
 
     /// M66: waits for an input, or reads it. False where the block has to be run again with the machine at
-    /// rest.
+    /// rest, and once more when it has waited.
     pub(super) fn ngc_input(&mut self) -> Fallible<bool> {
         let (digital, analogue) = (self.words.get(b'P'), self.words.get(b'E'));
         let kind = self.words.get(b'L').unwrap_or(0.0).round();
@@ -159,7 +159,12 @@ impl Interpreter {
         }
         if self.present != Present::Known {
             self.present = Present::Asked;
+            self.ngc.awaits_input = false;
             return Ok(false);
+        }
+        if std::mem::take(&mut self.ngc.awaits_input) {
+            // The machine has waited, and said what came.
+            return Ok(true);
         }
         let port = port.round() as u16 + first;
         let state = self.inputs.get(&port).copied();
@@ -185,9 +190,11 @@ impl Interpreter {
         self.ngc.awaited_input = wanted;
         self.ngc_input_came(state.is_none_or(|state| (state != 0.0) == (wanted != 0.0)));
         if self.machine_waits {
-            self.emit_barrier()?;
+            // The rest of the block comes behind what it says.
+            self.present = Present::Asked;
+            self.ngc.awaits_input = true;
         }
-        Ok(true)
+        Ok(!self.machine_waits)
     }
 
     /// Whether the input came that the program waited for.
