@@ -222,6 +222,12 @@ fn corners() {
             [1.01, 1.085],
         ),
         (
+            "zigzag of right angles, too short for swings",
+            Path::through(&zigzag(20, [2.0, 2.0]), 12_000.0, 0.07, None),
+            [1.001_994, 1.478_651],
+            [1.005, 1.085],
+        ),
+        (
             "zigzag in space",
             (1..=24).fold(Path::new([0.0; 3], 9000.0, 0.02), |path, k| {
                 let turned = f64::from(k % 2);
