@@ -667,9 +667,11 @@ impl Cnc {
                 return self.settle();
             }
             if self.motion.is_empty() && self.motion.at_rest() {
+                if let Some(last) = self.given.back().map(|given| given.tag) {
+                    // What ran in less than a period has begun too.
+                    self.change_outputs(last);
+                }
                 self.finish_moves(u64::MAX);
-                // What ran in less than a period has begun too.
-                self.change_outputs(self.next_tag.saturating_sub(1));
                 self.rest_floating();
                 if self.state != State::Running {
                     return self.slow_down();
