@@ -31,8 +31,9 @@ pub struct SpindleControl {
     max_rpm: f64,
     /// The speed of the program.
     speed: Speed,
-    /// Angle of orientation, degrees.
+    /// Angle of orientation, degrees, and the one that the spindle was told.
     angle: f64,
+    oriented: f64,
     doing: Doing,
     /// The spindle is the NC's own: a thread is being tapped.
     taps: bool,
@@ -58,6 +59,7 @@ impl SpindleControl {
             doing: Doing::Stands,
             taps: false,
             surface_at: Position::ZERO,
+            oriented: 0.0,
             told: 0.0,
             gear: 1,
             chooses: true,
@@ -121,8 +123,8 @@ impl SpindleControl {
         let may_turn = may_turn(inputs);
         if inputs.spindle_orient && may_turn {
             self.is_asked = false;
-            if self.doing != Doing::Orients || ended {
-                (self.doing, self.told) = (Doing::Orients, 0.0);
+            if self.doing != Doing::Orients || ended || self.oriented != self.angle {
+                (self.doing, self.told, self.oriented) = (Doing::Orients, 0.0, self.angle);
                 spindle.orient(self.angle);
             }
             return;
@@ -217,4 +219,28 @@ fn may_turn(inputs: &Inputs) -> bool {
         && inputs.spindle_drive_on
         && !inputs.spindle_emergency_stop
         && !inputs.emergency_stop
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Control;
+    use crate::signals::Mode;
+
+    #[test]
+    fn another_angle_is_come_to_while_the_ladder_still_asks_for_one() {
+        let machine = Machine::demo_mill();
+        let (mut control, mut spindle) = (SpindleControl::new(&machine), Spindle::new(&machine));
+        let inputs =
+            Inputs { spindle_orient: true, spindle_drive_on: true, ..Control::free_inputs(Mode::Auto) };
+        for degrees in [90.0, 45.0, 0.0] {
+            control.set_angle(degrees);
+            for _ in 0..5000 {
+                control.tick(&inputs, false, &Position::ZERO, None, &mut spindle);
+                spindle.tick(0.001);
+            }
+            let off = spindle.encoder().turns.rem_euclid(1.0) * 360.0 - degrees;
+            assert!(spindle.is_oriented() && off.abs() < 0.5, "{degrees}: {off}");
+        }
+    }
 }

@@ -261,3 +261,30 @@ fn a_restart_knows_what_came() {
     break_off(&mut cnc);
     assert_eq!(taken_up(&mut cnc), (5, Some(-1.0)));
 }
+
+#[test]
+fn a_move_of_g904_ends_where_its_input_comes_or_goes() {
+    // 10 mm/s.
+    let program = |level: u8| format!("G904 FX600 PX=3 LX{level}\nG4 X0.1\nG91 X5\nG4 X0.1\nM30");
+    for level in [0, 1] {
+        let found =
+            run("weihong", &program(level), move |now| if (now > 1000) == (level == 1) { 8 } else { 0 });
+        let &[(at, _), (behind, _)] = found.stood.as_slice() else { panic!("{:?}", found.stood) };
+        assert!((9.0..11.0).contains(&at) && (behind - at - 5.0).abs() < 1e-9, "{level} {:?}", found.stood);
+    }
+    // It does not come: no further than is said.
+    let short = run("weihong", "G904 X-3 FX-600 PX=3 LX1\nG4 X0.1\nM30", |_| 0);
+    assert_eq!(places(&short), [-3.0]);
+    // There is no such input.
+    let none = run("weihong", "G904 X3 FX600 PX=16 LX1\nM30", |_| 0);
+    assert!(matches!(none.cnc.state(), State::Alarmed(alarm) if alarm.fault == Fault::InputMissing));
+}
+
+#[test]
+fn a_probe_that_is_not_there_is_no_contact() {
+    let probes = run("rs274", "G21\nG38.2 X5 F100\nG0 X20\nM2\n", |_| 0);
+    assert!(matches!(probes.cnc.state(), State::Alarmed(alarm) if alarm.fault == Fault::ProbeMissing));
+    assert_eq!(places(&probes).last().copied().unwrap_or(0.0), 0.0);
+    // One that need not touch moves on.
+    assert_eq!(places(&run("rs274", "G21\nG38.3 X5 F100\nG4 P0.1\nM2\n", |_| 0)), [5.0]);
+}

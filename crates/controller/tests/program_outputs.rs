@@ -425,6 +425,22 @@ fn under_auxiliary_lock_none_changes_and_under_machine_lock_all_do() {
 }
 
 #[test]
+fn nor_does_one_change_with_a_ladder_under_auxiliary_lock() {
+    for is_locked in [true, false] {
+        let mut cnc = cnc("G21 G64\nM64 P1\nM62 P2\nG1 X10 F3000\nM2\n");
+        cnc.connect_ladder(&machine());
+        cnc.cycle_start();
+        for _ in 0..2000 {
+            let mut heard = Control::free_inputs(Mode::Auto);
+            heard.auxiliary_lock = is_locked;
+            cnc.hear(&heard);
+            cnc.tick();
+        }
+        assert_eq!([1, 2].map(|port| cnc.digital_output(port)), [!is_locked; 2]);
+    }
+}
+
+#[test]
 fn of_many_before_one_move_the_last_counts() {
     let mut program = "G21 G64\nG1 X10 F3000\n".to_owned();
     for k in 0..20_000 {

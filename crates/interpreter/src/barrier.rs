@@ -92,9 +92,10 @@ impl Interpreter {
         self.probe = Some((min, max));
     }
 
-    /// Inputs that a program waits for are waited for by the machine, which says what came. Without that they are simulated.
-    pub fn leave_waits_to_machine(&mut self) {
-        self.machine_waits = true;
+    /// Inputs that a program waits for are waited for by the machine, which says what came, and has these software limits.
+    /// Without that they are simulated.
+    pub fn leave_waits_to_machine(&mut self, min: Position, max: Position) {
+        self.machine_waits = Some((min, max));
     }
 
     /// The machine came to rest behind a skip move without having had its signal: the alarm, where that is one.

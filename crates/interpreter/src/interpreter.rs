@@ -267,8 +267,8 @@ pub struct Interpreter {
     pub(crate) probe: Option<(Position, Position)>,
     /// A skip move whose end without its signal is an alarm, until the machine is at rest there.
     pub(crate) awaits_signal: Option<Span>,
-    /// The machine waits for inputs, and says what came.
-    pub(crate) machine_waits: bool,
+    /// The machine waits for inputs, and says what came: its software limits, lower and upper.
+    pub(crate) machine_waits: Option<(Position, Position)>,
     pub(crate) pass_state: Option<Fingerprint>,
     /// State of RS274/NGC.
     pub(crate) ngc: State,
@@ -380,7 +380,7 @@ impl Interpreter {
             unreferenced: Unreferenced::default(),
             probe: None,
             awaits_signal: None,
-            machine_waits: false,
+            machine_waits: None,
             pass_state: None,
             ngc: State::new(work.shift, options.start),
             ended: false,

@@ -18,6 +18,15 @@ const CLEAR_EXTERNAL_OFFSET: f64 = 458_752.0;
 /// Bits of an integer that a number holds exactly.
 const PORTS: u16 = 52;
 
+/// Inputs of programs that a machine has.
+const MACHINE_PORTS: u16 = 16;
+
+/// What ends a move of G904.
+struct Signal {
+    port: Port,
+    is_off: bool,
+}
+
 /// An axis of G904 with its addresses: speed, input, level.
 const AXES: [(Axis, u8, u8, u8); 3] = [
     (Axis::X, long::FX, long::PX, long::LX),
@@ -106,7 +115,7 @@ impl Interpreter {
             must_come: true,
         });
         match self.input(number) {
-            Some(state) if !self.machine_waits && (state != 0.0) != (value != 0.0) => {
+            Some(state) if self.machine_waits.is_none() && (state != 0.0) != (value != 0.0) => {
                 Err(self.alarm(Fault::InputMissing, span))
             }
             _ => Ok(()),
@@ -114,8 +123,8 @@ impl Interpreter {
     }
 
     /// G904: each axis moves with F, on the side of its sign, until its input has the level, X, Y, Z at most.
-    /// The simulated skip signal stands for the input. Without a distance the axis moves until then; at a desk
-    /// where nobody simulates the signal, it is taken to be there.
+    /// On a machine with a ladder it is looked at there; at a desk the simulated skip signal stands for it. Without a
+    /// distance the axis moves until then; at a desk where nobody simulates the signal, it is taken to be there.
     ///
     /// Axes that are programmed together move one after the other here, since each ends by a signal of its own.
     pub(crate) fn move_until_input(&mut self, span: Span) -> Fallible<()> {
@@ -139,7 +148,14 @@ impl Interpreter {
                 return Err(self.alarm(Fault::FeedOutOfRange, self.words.long_span(feed)));
             }
             let distance = distance.map(|d| units::coordinate(axis, d, inch).abs());
-            self.move_axis_until(axis, speed, distance)?;
+            let Some((address, _)) = self.port(port) else { return Err(self.missing("PX", span)) };
+            let port = Port::Named(address.into());
+            if self.machine_waits.is_some() && port.number().is_none_or(|port| port >= MACHINE_PORTS) {
+                // It would never come.
+                return Err(self.alarm(Fault::InputMissing, span));
+            }
+            let signal = Signal { port, is_off: self.words.long(level) == Some(0.0) };
+            self.move_axis_until(axis, speed, distance, signal)?;
             any = true;
         }
         match any {
@@ -148,7 +164,13 @@ impl Interpreter {
         }
     }
 
-    fn move_axis_until(&mut self, axis: Axis, speed: f64, distance: Option<f64>) -> Fallible<()> {
+    fn move_axis_until(
+        &mut self,
+        axis: Axis,
+        speed: f64,
+        distance: Option<f64>,
+        until: Signal,
+    ) -> Fallible<()> {
         let from = self.location.machine;
         let signal =
             self.options.skip.filter(|(of, _)| *of == axis).map(|(_, at)| (at - from[axis]) * speed.signum());
@@ -157,7 +179,7 @@ impl Interpreter {
         let (way, hit) = match (signal, distance) {
             (Some(way), _) => (way, true),
             (None, Some(most)) => (most, false),
-            (None, None) => match self.probe {
+            (None, None) => match self.machine_waits.or(self.probe) {
                 // As far as the axis may go.
                 Some((_, most)) if speed > 0.0 => ((most[axis] - from[axis]).max(0.0), false),
                 Some((least, _)) => ((from[axis] - least[axis]).max(0.0), false),
@@ -173,7 +195,8 @@ impl Interpreter {
             self.location.skip = to - self.location.work.shift;
         }
         self.output.suspend_cutter();
-        self.emit(Op::Skip { to, feed: Feed::PerMinute(speed.abs()), hit, away: false });
+        let feed = Feed::PerMinute(speed.abs());
+        self.emit(Op::Skip { to, feed, hit, away: until.is_off, input: Some(until.port) });
         Ok(())
     }
 

@@ -150,7 +150,7 @@ impl Interpreter {
         // Without a signal the end of the block, as on Fanuc.
         self.location.skip = reached - self.location.work.shift;
         if reached != from || at.is_some() {
-            self.emit(Op::Skip { to: reached, feed, hit: at.is_some(), away: false });
+            self.emit(Op::Skip { to: reached, feed, hit: at.is_some(), away: false, input: None });
         }
         self.emit_barrier()?;
         match self.rules.skip_needs_signal && at.is_none() {

@@ -286,8 +286,10 @@ pub enum Op {
         feed: Feed,
         /// Whether the signal comes.
         hit: bool,
-        /// The signal is that the probe is free, not that it touches.
+        /// The signal is that the probe is free, not that it touches; or that the input is off.
         away: bool,
+        /// The input whose signal it is; the probe's without one.
+        input: Option<Port>,
     },
     /// Nothing is done; the block behind it reads what only a machine at rest knows. Whoever runs steps
     /// lets the axes come to rest on the end of the move before, tells the interpreter where they are,

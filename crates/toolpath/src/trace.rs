@@ -223,7 +223,7 @@ impl<W: Write> TraceWriter<W> {
                 self.field("pitch", *pitch);
                 self.field("rpm", *rpm);
             }
-            Op::Skip { to, feed, hit, away } => {
+            Op::Skip { to, feed, hit, away, .. } => {
                 self.op("skip");
                 // A signal that is there from the start is worth a line, though nothing moves.
                 if !self.to(to) && !hit {

@@ -49,7 +49,7 @@ impl Cnc {
     }
 
     /// State of an input of programs; `None` for one that the machine does not have.
-    fn program_input(&self, port: u16) -> Option<bool> {
+    pub(super) fn program_input(&self, port: u16) -> Option<bool> {
         let inputs = self.auxiliary.as_ref()?.macro_inputs();
         (port < 16).then(|| inputs >> port & 1 == 1)
     }

@@ -7,7 +7,7 @@ use crate::report::Activity;
 use ferrocut_machine::{Alarm, Fault, Severity};
 use ferrocut_motion::Move;
 use ferrocut_program::Span;
-use ferrocut_toolpath::{Feed, Op, PathMode, Step};
+use ferrocut_toolpath::{Feed, Op, PathMode, Port, Step};
 use std::time::Instant;
 
 impl Cnc {
@@ -173,8 +173,9 @@ impl Cnc {
         if self.motion.push(&self.paced(&given)) {
             self.given.push_back(given);
         }
-        if let Op::Skip { away, .. } = step.op {
-            self.begin_probing(tag, from, away);
+        if let Op::Skip { away, ref input, .. } = step.op {
+            let input = input.as_ref().and_then(Port::number);
+            self.begin_probing(tag, from, away, input);
             if self.probing.is_some() {
                 self.wait_for(Waiting::Skip);
             }

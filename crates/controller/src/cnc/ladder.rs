@@ -45,6 +45,8 @@ impl Cnc {
     pub fn tell(&self, outputs: &mut Outputs) {
         let Some(auxiliary) = &self.auxiliary else { return };
         auxiliary.tell(&self.spindle, self.servo.is_at_rest(), outputs);
+        // One that follows no angles is nowhere, whatever is simulated of it.
+        outputs.spindle_oriented &= self.drives.leads_spindle();
         outputs.macro_outputs = self.program_outputs.word();
         let moves = !self.motion.at_rest();
         let kind = self.given.front().map(Given::kind).filter(|_| moves);

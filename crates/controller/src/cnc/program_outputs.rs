@@ -155,7 +155,7 @@ impl Cnc {
 
     /// The move with this mark is being run: outputs that waited for it, or for one before it, change.
     pub(super) fn change_outputs(&mut self, running: u64) {
-        let is_kept_back = self.keeps_codes_back();
+        let is_kept_back = self.is_auxiliary_locked();
         while let Some(change) = self.program_outputs.waiting.front().copied().filter(|c| c.tag <= running) {
             self.program_outputs.waiting.pop_front();
             if !is_kept_back {

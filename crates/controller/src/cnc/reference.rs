@@ -124,7 +124,8 @@ impl Cnc {
     /// What a new interpreter is told of the machine.
     pub(super) fn fit_interpreter(&mut self) {
         if self.auxiliary.is_some() {
-            self.interpreter.own().leave_waits_to_machine();
+            let (min, max) = self.travel;
+            self.interpreter.own().leave_waits_to_machine(min, max);
         }
         if self.drives.has_probe() {
             let (min, max) = self.travel;

@@ -4,6 +4,9 @@
 //! The drives keep where the axes were when the signal came; the move is braked from there within the limits of the
 //! axes, the rest of it is forgotten. The program is told both. A signal that is there already ends the move where
 //! it begins. Without a probe a skip move is run as the program gives it out, as at a desk.
+//!
+//! A move until an input of the program has a state (Weihong 4.4: G904) is the same with a ladder: the input is looked at in
+//! every period.
 
 use super::{Cnc, State};
 use crate::drives::Contact;
@@ -18,6 +21,8 @@ pub(super) struct Probing {
     tag: u64,
     from: Position,
     until: Contact,
+    /// The input of programs whose signal it is; the probe's without one.
+    input: Option<u16>,
     /// It is being run, and the drives wait for the signal.
     armed: bool,
     /// Where the signal came: where the probe touched, or was free.
@@ -34,12 +39,13 @@ impl Probing {
 impl Cnc {
     /// A skip move was given to motion. From rest the probe is looked at before anything is planned: a move that was
     /// not begun is forgotten, while one on its way takes some periods to be stopped.
-    pub(super) fn begin_probing(&mut self, tag: u64, from: Position, away: bool) {
-        if !self.drives.has_probe() {
+    pub(super) fn begin_probing(&mut self, tag: u64, from: Position, away: bool, input: Option<u16>) {
+        let is_there = if input.is_some() { self.auxiliary.is_some() } else { self.drives.has_probe() };
+        if !is_there {
             return;
         }
         let until = if away { Contact::Lost } else { Contact::Made };
-        self.probing = Some(Probing { tag, from, until, armed: false, touched: None });
+        self.probing = Some(Probing { tag, from, until, input, armed: false, touched: None });
         if self.given.len() == 1 && self.motion.is_still() {
             self.arm_probe(tag);
             self.watch_probe();
@@ -59,15 +65,24 @@ impl Cnc {
             self.probing.as_mut().filter(|probing| !probing.armed && probing.tag == running)
         {
             probing.armed = true;
-            self.drives.arm_probe(probing.until);
+            if probing.input.is_none() {
+                self.drives.arm_probe(probing.until);
+            }
         }
     }
 
     /// After it: has the probe touched, the move is braked.
     pub(super) fn watch_probe(&mut self) {
-        let Some(probing) = self.probing.as_mut().filter(|p| p.armed && p.touched.is_none()) else { return };
-        if let Some(touched) = self.drives.probe() {
-            probing.touched = Some(touched - self.servo.added());
+        let Some(probing) = self.probing.filter(|p| p.armed && p.touched.is_none()) else { return };
+        let touched = match probing.input {
+            Some(input) => {
+                let is_so = self.program_input(input) == Some(probing.until == Contact::Made);
+                is_so.then_some(self.actual)
+            }
+            None => self.drives.probe().map(|touched| touched - self.servo.added()),
+        };
+        if touched.is_some() {
+            self.probing = Some(Probing { touched, ..probing });
             self.motion.abort();
         }
     }

@@ -208,6 +208,8 @@ impl Cnc {
         );
         match op {
             Op::Stop(1) => !self.switches.optional_stop,
+            // No ladder judges it.
+            Op::Output { .. } => is_auxiliary && self.is_auxiliary_locked(),
             _ => is_auxiliary && self.keeps_codes_back(),
         }
     }

@@ -93,8 +93,13 @@ impl Touches {
     /// The next operation; none once all is done. `at` is where the axes stand or will stand before it.
     fn step(&mut self, at: Position) -> Option<Op> {
         let pace = self.plan.pace;
-        let skip =
-            |to: Position, speed: f64| Op::Skip { to, feed: Feed::PerMinute(speed), hit: true, away: false };
+        let skip = |to: Position, speed: f64| Op::Skip {
+            to,
+            feed: Feed::PerMinute(speed),
+            hit: true,
+            away: false,
+            input: None,
+        };
         let back =
             |to: Position| Op::Rapid { to, straight: true, speed: Some(pace.way), path: PathMode::ON_PATH };
         let now = self.next;

@@ -85,7 +85,8 @@ impl Desk {
         })?;
         let mut programs = ProgramMemory::new(name, text, self.dialect.syntax);
         programs.set_source(Box::new(self.library.clone()));
-        let changes_tools = self.library.name_of(&ProgramId::Number(programs::TOOL_CHANGE_PROGRAM)).is_some();
+        let tool_change = programs::tool_change_program(&self.machine);
+        let changes_tools = self.library.name_of(&ProgramId::Number(tool_change)).is_some();
         let options = Options {
             start: self.start,
             block_skip: self.block_skip,
@@ -93,7 +94,7 @@ impl Desk {
             keep_going,
             every_code: self.every_code,
             machine_codes: MachineCodes::of(&self.machine.handshake.m_codes),
-            tool_change_program: changes_tools.then_some(programs::TOOL_CHANGE_PROGRAM),
+            tool_change_program: changes_tools.then_some(tool_change),
             ..Options::default()
         };
         let mut interpreter = Interpreter::new(self.dialect, programs, self.memory.clone(), options);

@@ -4,7 +4,7 @@ use super::reading::Prepared;
 use super::{Control, library};
 use crate::signals::Mode;
 use ferrocut_interpreter::Interpreter;
-use ferrocut_machine::{Alarm, Fault};
+use ferrocut_machine::{Alarm, Fault, Machine};
 use ferrocut_program::{FileId, ProgramId, Span, Text};
 
 /// Where a program comes from.
@@ -17,8 +17,13 @@ pub(super) enum Source {
     Dnc,
 }
 
-/// The program of the memory that M06 runs, where there is one (GSK990MC 8.1).
-pub(super) const TOOL_CHANGE_PROGRAM: u32 = 9001;
+/// The program of the memory that M06 runs, where there is one (GSK990MC 8.1) and the machine file names no other.
+const TOOL_CHANGE_PROGRAM: u32 = 9001;
+
+/// The number of the program that M06 runs.
+pub(super) fn tool_change_program(machine: &Machine) -> u32 {
+    machine.tool_change.program.unwrap_or(TOOL_CHANGE_PROGRAM)
+}
 
 /// What is loaded for the next cycle start.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -132,7 +137,10 @@ impl Control {
     /// Gives the interpreter a text as its main program; all programs of the memory can be called from it.
     pub(super) fn load_text(&mut self, name: &str, text: Text, source: Source) -> Result<(), Box<Alarm>> {
         let syntax = self.cnc.interpreter().dialect().syntax;
-        self.load_prepared(Prepared::new(name, text, &self.library, syntax), source)
+        self.load_prepared(
+            Prepared::new(name, text, &self.library, syntax, tool_change_program(&self.machine)),
+            source,
+        )
     }
 
     fn load_prepared(&mut self, prepared: Prepared, source: Source) -> Result<(), Box<Alarm>> {
@@ -142,7 +150,7 @@ impl Control {
         let interpreter = self.cnc.interpreter_mut();
         interpreter.set_open_end(source != Source::Memory);
         interpreter.set_return_ends(source == Source::Dnc);
-        interpreter.set_tool_change_program(changes_tools.then_some(TOOL_CHANGE_PROGRAM));
+        interpreter.set_tool_change_program(changes_tools);
         Ok(())
     }
 

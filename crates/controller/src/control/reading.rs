@@ -3,7 +3,7 @@
 //! periods that are still left of it.
 
 use super::library::id_of;
-use super::programs::TOOL_CHANGE_PROGRAM;
+use super::programs::tool_change_program;
 use super::{Control, Library, Loaded, alarm};
 use crate::api::{AlarmInfo, Event};
 use crate::signals::Mode;
@@ -30,16 +30,24 @@ enum Job {
 /// A program as the interpreter takes it.
 pub(super) struct Prepared {
     pub programs: ProgramMemory,
-    /// The memory has a program that M06 runs.
-    pub changes_tools: bool,
+    /// The program of the memory that M06 runs.
+    pub changes_tools: Option<u32>,
 }
 
 impl Prepared {
-    /// A text as the main program; all programs of the memory can be called from it.
-    pub fn new(name: &str, text: Text, library: &Library, syntax: &'static Syntax) -> Prepared {
+    /// A text as the main program; all programs of the memory can be called from it, and M06 runs number `tool_change` if it
+    /// is there.
+    pub fn new(
+        name: &str,
+        text: Text,
+        library: &Library,
+        syntax: &'static Syntax,
+        tool_change: u32,
+    ) -> Prepared {
         let mut programs = ProgramMemory::new(name, text, syntax);
         programs.set_source(Box::new(library.clone()));
-        let changes_tools = library.name_of(&ProgramId::Number(TOOL_CHANGE_PROGRAM)).is_some();
+        let is_there = library.name_of(&ProgramId::Number(tool_change)).is_some();
+        let changes_tools = is_there.then_some(tool_change);
         Prepared { programs, changes_tools }
     }
 }
@@ -53,14 +61,14 @@ struct Worker {
 }
 
 impl Worker {
-    fn start(library: Library, syntax: &'static Syntax) -> std::io::Result<Worker> {
+    fn start(library: Library, syntax: &'static Syntax, tool_change: u32) -> std::io::Result<Worker> {
         let (jobs, asked) = sync_channel(JOBS);
         let (give, found) = sync_channel(JOBS);
         thread::Builder::new().name("programs".to_owned()).spawn(move || {
             loop {
                 match asked.try_recv() {
                     Ok(Job::Read(number, name)) => {
-                        if give.send((number, prepared(&library, &name, syntax))).is_err() {
+                        if give.send((number, prepared(&library, &name, syntax, tool_change))).is_err() {
                             return;
                         }
                     }
@@ -74,10 +82,10 @@ impl Worker {
     }
 }
 
-fn prepared(library: &Library, name: &str, syntax: &'static Syntax) -> Found {
+fn prepared(library: &Library, name: &str, syntax: &'static Syntax, tool_change: u32) -> Found {
     let bytes = library.text(name).ok_or(Fault::NoSuchName)?;
     let text = Text::from_bytes(bytes).map_err(|_| Fault::FileNotText)?;
-    Ok(Box::new(Prepared::new(name, text, library, syntax)))
+    Ok(Box::new(Prepared::new(name, text, library, syntax, tool_change)))
 }
 
 /// What is read, or was.
@@ -94,8 +102,8 @@ pub(super) struct Reading {
 
 impl Reading {
     /// What was read of a program is not its text any more. Any other may run that of the tool change.
-    pub fn forget(&mut self, program: &str) {
-        let changes_tools = id_of(program) == ProgramId::Number(TOOL_CHANGE_PROGRAM);
+    pub fn forget(&mut self, program: &str, tool_change: u32) {
+        let changes_tools = id_of(program) == ProgramId::Number(tool_change);
         if changes_tools || self.wanted.as_ref().is_some_and(|(name, _)| name == program) {
             self.wanted = None;
         }
@@ -148,7 +156,8 @@ impl Control {
     pub(super) fn read_programs_beside(&mut self) {
         if self.reading.worker.is_none() {
             let syntax = self.cnc.interpreter().dialect().syntax;
-            self.reading.worker = Worker::start(self.library.clone(), syntax).ok();
+            self.reading.worker =
+                Worker::start(self.library.clone(), syntax, tool_change_program(&self.machine)).ok();
         }
     }
 
@@ -178,7 +187,9 @@ impl Control {
     /// A program to be loaded: what was read ahead, else it is read now.
     pub(super) fn program_to_load(&mut self, name: &str) -> Result<Box<Prepared>, Box<Alarm>> {
         let syntax = self.cnc.interpreter().dialect().syntax;
-        let found = self.reading.take(name).unwrap_or_else(|| prepared(&self.library, name, syntax));
+        let tool_change = tool_change_program(&self.machine);
+        let found =
+            self.reading.take(name).unwrap_or_else(|| prepared(&self.library, name, syntax, tool_change));
         found.map_err(|fault| {
             let about = if fault == Fault::FileNotText { "file" } else { "name" };
             Box::new(alarm(fault).with(about, name))

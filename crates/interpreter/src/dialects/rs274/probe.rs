@@ -35,6 +35,14 @@ impl Interpreter {
         }
         let (from, aim) = (self.location.machine, self.ngc.machine_of(to));
         self.ngc_check_reach(aim)?;
+        if needs_contact
+            && self.machine_waits.is_some()
+            && self.probe.is_none()
+            && self.options.skip.is_none()
+        {
+            // A machine without a probe.
+            return Err(self.ngc_alarm(Fault::ProbeMissing));
+        }
         // Where the simulated signal comes on the way, as a fraction of it.
         let at = self.options.skip.and_then(|(axis, at)| {
             let t = (at - from[axis]) / (aim[axis] - from[axis]);
@@ -43,10 +51,10 @@ impl Interpreter {
         let reached = at.map_or(aim, |t| from.lerp(aim, t));
         self.location.machine = reached;
         self.ngc.at = self.ngc.program_of(reached);
-        self.emit(Op::Skip { to: reached, feed, hit: at.is_some(), away });
+        self.emit(Op::Skip { to: reached, feed, hit: at.is_some(), away, input: None });
         self.ngc_note_probe(self.ngc.at, at.is_some())?;
         self.emit_barrier()?;
-        // Where no one simulates a probe there is none to miss.
+        // At a desk where no one simulates a probe there is none to miss.
         match needs_contact && at.is_none() && (self.options.skip.is_some() || self.probe.is_some()) {
             true => self.miss_signal(self.words.block_span()),
             false => Ok(()),

@@ -189,12 +189,12 @@ impl Interpreter {
         });
         self.ngc.awaited_input = wanted;
         self.ngc_input_came(state.is_none_or(|state| (state != 0.0) == (wanted != 0.0)));
-        if self.machine_waits {
+        if self.machine_waits.is_some() {
             // The rest of the block comes behind what it says.
             self.present = Present::Asked;
             self.ngc.awaits_input = true;
         }
-        Ok(!self.machine_waits)
+        Ok(self.machine_waits.is_none())
     }
 
     /// Whether the input came that the program waited for.
