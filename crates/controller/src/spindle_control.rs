@@ -188,9 +188,10 @@ impl SpindleControl {
         }
     }
 
-    /// The gear: what the ladder says, or what the speed needs.
+    /// The gear: what the ladder says, or what the speed needs. An S that is none leaves it.
     fn gear(&self, inputs: &Inputs) -> u8 {
-        self.gears.of_speed(self.speed.rpm(&self.surface_at)).unwrap_or(inputs.gear)
+        let kept = if self.gears.switched { self.gear } else { inputs.gear };
+        self.gears.of_speed(self.speed.rpm(&self.surface_at)).unwrap_or(kept)
     }
 
     /// The gear that is engaged.

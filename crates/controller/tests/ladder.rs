@@ -40,6 +40,27 @@ fn the_spindle_turns_by_way_of_the_ladder() {
 }
 
 #[test]
+fn the_other_way_is_waited_for_from_the_first_scan_on() {
+    let mut m = Mill::new("M03 S2000\nM04\nG01 X10 F1000\nM30");
+    m.start();
+    m.until(|m| m.at[Axis::X] > 0.0);
+    assert!(rpm(&m) <= -1960, "{}", rpm(&m));
+}
+
+#[test]
+fn a_speed_with_another_sense_is_not_run_up_to_in_the_old_one() {
+    let mut m = Mill::new("M03 S500\nS3000 M05\nM03 S500\nS3000 M04\nM30");
+    m.start();
+    let fastest = std::cell::Cell::new(0);
+    m.until(|m| {
+        fastest.set(fastest.get().max(rpm(m)));
+        rpm(m) < -2900
+    });
+    // Until the ladder has heard of it some scans later.
+    assert!((500..=520).contains(&fastest.get()), "{fastest:?}");
+}
+
+#[test]
 fn codes_of_the_machine_reach_its_valves() {
     let codes = [
         ("M08", "COOLANT", true),

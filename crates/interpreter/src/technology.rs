@@ -65,7 +65,14 @@ impl Interpreter {
             true => self.technology.surface_speed = Some(units::length_mm(s, self.modal.is_inch())),
             false => self.technology.speed = Some(s),
         }
-        self.tell_speed();
+        // With the sense that the block gives it is told there.
+        let turns = |function: MFunction| {
+            use MFunction::{Orient, SpindleClockwise, SpindleCounterClockwise, SpindleOff};
+            matches!(function, SpindleClockwise | SpindleCounterClockwise | SpindleOff | Orient)
+        };
+        if !self.words.m.iter().any(|code| turns(code.row.function)) {
+            self.tell_speed();
+        }
         Ok(())
     }
 

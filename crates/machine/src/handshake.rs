@@ -93,12 +93,13 @@ impl Default for GearConfig {
 
 impl GearConfig {
     /// The gear for a speed in r/min: the lowest one that has it (GSK990MC part 2, 4.2.4: three of them are chosen by
-    /// speed), or the number that S is (part 1, 6.2: its last two digits). None where the ladder chooses.
+    /// speed), or the number that S is (part 1, 6.2: its last two digits). None where the ladder chooses,
+    /// and for an S that is no gear.
     pub fn of_speed(&self, rpm: f64) -> Option<u8> {
         let [first, second, third, _] = self.max_rpm;
         match rpm {
             _ if self.chosen_by_ladder => None,
-            _ if self.switched => Some((rpm.max(0.0) % 100.0) as u8),
+            _ if self.switched => Some((rpm.max(0.0) % 100.0) as u8).filter(|gear| (1..=3).contains(gear)),
             _ if rpm <= first || second <= 0.0 => Some(1),
             _ if rpm <= second || third <= 0.0 => Some(2),
             _ => Some(3),
