@@ -766,13 +766,7 @@ impl Cnc {
             self.motion.rename(at);
             self.supervisor.moved_to(at);
             self.commanded = at;
-            self.interpreter.own().came_to_rest(&AtRest {
-                commanded: at,
-                actual: self.actual,
-                skip: None,
-                input: None,
-                inputs: None,
-            });
+            self.interpreter.own().came_to_rest(&AtRest::new(at, self.actual));
             // The spindle stopped at once; one that was started since goes on.
             if std::mem::take(&mut self.clears) && self.is_idle() {
                 self.clear_codes();

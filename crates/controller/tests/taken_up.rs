@@ -142,8 +142,7 @@ fn what_the_machine_told_is_told_again() {
         if step.op == Op::Barrier {
             let commanded = run.position();
             let actual = commanded - Position::xyz(0.25, 0.0, 0.0);
-            let at_rest =
-                ferrocut_interpreter::AtRest { commanded, actual, skip: None, input: None, inputs: None };
+            let at_rest = ferrocut_interpreter::AtRest::new(commanded, actual);
             run.came_to_rest(&at_rest);
             journal.answer(step.block, at_rest);
         }

@@ -30,6 +30,13 @@ pub struct AtRest {
     pub inputs: Option<u16>,
 }
 
+impl AtRest {
+    /// With neither a signal nor an input that was waited for, and inputs as they were.
+    pub fn new(commanded: Position, actual: Position) -> AtRest {
+        AtRest { commanded, actual, skip: None, input: None, inputs: None }
+    }
+}
+
 /// Whether blocks may read the machine's present.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub(crate) enum Present {

@@ -420,9 +420,7 @@ fn with_shape(op: Op, to: Position, plane: Plane, shape: Option<Shape>) -> Op {
         }
         (Op::Feed { feed, path, .. }, None) => Op::Feed { to, feed, path },
         (Op::Tap { pitch, rpm, goes_on, .. }, _) => Op::Tap { to, pitch, rpm, goes_on },
-        (Op::Skip { feed, hit, away, input, .. }, _) => {
-            Op::Skip { to, feed, hit, away, input: input.clone() }
-        }
+        (Op::Skip { feed, hit, away, input, .. }, _) => Op::Skip { to, feed, hit, away, input },
         (op, _) => op,
     }
 }

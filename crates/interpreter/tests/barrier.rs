@@ -79,13 +79,7 @@ fn the_machine_tells_where_it_came_to_rest() {
             told += 1;
             // The signal came at 20, the axes stopped at 20.5 and lag behind by 0.25.
             let skip = (told == 1).then(|| x(20.0));
-            interpreter.came_to_rest(&AtRest {
-                commanded: x(20.5),
-                actual: x(20.25),
-                skip,
-                input: None,
-                inputs: None,
-            });
+            interpreter.came_to_rest(&AtRest { skip, ..AtRest::new(x(20.5), x(20.25)) });
         }
         targets.extend(step.op.target().map(|to| to[Axis::X]));
     }

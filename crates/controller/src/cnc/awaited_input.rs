@@ -51,7 +51,7 @@ impl Cnc {
     /// State of an input of programs; `None` for one that the machine does not have.
     pub(super) fn program_input(&self, port: u16) -> Option<bool> {
         let inputs = self.auxiliary.as_ref()?.macro_inputs();
-        (port < 16).then(|| inputs >> port & 1 == 1)
+        inputs.checked_shr(port.into()).map(|inputs| inputs & 1 == 1)
     }
 
     /// A period of the wait, which `is_over` with it.

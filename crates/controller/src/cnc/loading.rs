@@ -28,13 +28,7 @@ impl Cnc {
         self.fit_interpreter();
         let commanded = self.motion.position();
         if self.interpreter.position() != commanded {
-            self.interpreter.own().came_to_rest(&AtRest {
-                commanded,
-                actual: self.actual,
-                skip: None,
-                input: None,
-                inputs: None,
-            });
+            self.interpreter.own().came_to_rest(&AtRest::new(commanded, self.actual));
         }
         self.wait_for_start();
         self.forget_journal();

@@ -1,9 +1,8 @@
 //! Outputs that programs set themselves, and those of them that change in step with motion (LinuxCNC M codes: M62, M63,
 //! M67).
 //!
-//! "The actual change of the specified outputs will happen at the beginning of the next motion command. If there is no
-//! subsequent motion command, then the queued output changes won't happen." So a change is kept beside the queue of motion,
-//! with the mark of the move that it waits for, and is made in the servo period in which the setpoints pass into that
+//! Such an output changes as the next move begins, and where none follows it never does. So a change is kept beside the
+//! queue of motion, with the mark of the move that it waits for, and is made in the servo period in which the setpoints pass into that
 //! move: where it is joined to the one before, in the middle of the joint. Motion knows nothing of it, and the path is the
 //! same as without it. Setpoints are those of the interpolator: what the axes are behind them, by acceleration after
 //! interpolation or by their following error, an output is before them.

@@ -123,12 +123,11 @@ impl Cnc {
 
     /// What a new interpreter is told of the machine.
     pub(super) fn fit_interpreter(&mut self) {
+        let (min, max) = self.travel;
         if self.auxiliary.is_some() {
-            let (min, max) = self.travel;
             self.interpreter.own().leave_waits_to_machine(min, max);
         }
         if self.drives.has_probe() {
-            let (min, max) = self.travel;
             self.interpreter.own().fit_probe(min, max);
         }
         self.tell_unreferenced();

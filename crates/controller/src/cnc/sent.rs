@@ -228,12 +228,6 @@ impl Cnc {
         self.given.clear();
         self.commanded = at;
         self.supervisor.moved_to(at);
-        self.interpreter.own().came_to_rest(&AtRest {
-            commanded: at,
-            actual: self.actual,
-            skip: None,
-            input: None,
-            inputs: None,
-        });
+        self.interpreter.own().came_to_rest(&AtRest::new(at, self.actual));
     }
 }

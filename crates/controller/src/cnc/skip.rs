@@ -101,13 +101,7 @@ impl Cnc {
             Some(_) => None,
             None => self.interpreter.own().missed_signal(),
         };
-        self.tell_program(&AtRest {
-            commanded: at,
-            actual: self.actual,
-            skip: probing.touched,
-            input: None,
-            inputs: None,
-        });
+        self.tell_program(&AtRest { skip: probing.touched, ..AtRest::new(at, self.actual) });
         if let Some(alarm) = missed {
             self.span = alarm.span;
             self.state = State::Alarmed(alarm);

@@ -163,13 +163,7 @@ impl Cnc {
         self.commanded = at;
         self.actual = self.beside(at);
         self.supervisor.moved_to(at);
-        self.interpreter.own().came_to_rest(&AtRest {
-            commanded: at,
-            actual: at,
-            skip: None,
-            input: None,
-            inputs: None,
-        });
+        self.interpreter.own().came_to_rest(&AtRest::new(at, at));
     }
 
     /// A move as it is run now.
@@ -208,15 +202,12 @@ impl Cnc {
         );
         match op {
             Op::Stop(1) => !self.switches.optional_stop,
-            // No ladder judges it.
-            Op::Output { .. } => is_auxiliary && self.is_auxiliary_locked(),
-            _ => is_auxiliary && self.keeps_codes_back(),
+            // A ladder judges codes itself, and no output.
+            _ => {
+                let is_judged = self.auxiliary.is_some() && !matches!(op, Op::Output { .. });
+                is_auxiliary && self.is_auxiliary_locked() && !is_judged
+            }
         }
-    }
-
-    /// Whether auxiliary lock keeps codes from a machine that has no ladder.
-    pub(super) fn keeps_codes_back(&self) -> bool {
-        self.is_auxiliary_locked() && self.auxiliary.is_none()
     }
 
     /// Spindle override as a factor, of a machine without a ladder: with one, its signal counts.

@@ -233,13 +233,7 @@ impl Cnc {
     pub(super) fn forget_touches(&mut self) {
         if self.touches.take().is_some() {
             let commanded = self.motion.position();
-            self.interpreter.own().came_to_rest(&AtRest {
-                commanded,
-                actual: self.actual,
-                skip: None,
-                input: None,
-                inputs: None,
-            });
+            self.interpreter.own().came_to_rest(&AtRest::new(commanded, self.actual));
         }
     }
 }
