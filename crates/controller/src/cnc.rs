@@ -433,6 +433,8 @@ impl Cnc {
         if self.state == State::Ready {
             self.forget_passed();
             self.tell_unreferenced();
+            // Someone may have started it by hand, or a program before this one.
+            self.supervisor.finds_spindle(self.spindle.told() != 0.0);
             if let Some(auxiliary) = &self.auxiliary {
                 // So there is room for them before the periods in which the program reads them.
                 self.interpreter.own().set_ports(auxiliary.macro_inputs());

@@ -607,7 +607,7 @@ impl Restart {
     }
 
     fn step(&self, op: Op) -> Step {
-        Step { op, span: self.span, block: self.block }
+        Step { op, span: self.span, block: self.block, section: 0 }
     }
 }
 

@@ -119,6 +119,11 @@ impl Supervisor {
         (self.turning, self.told_spindle) = (false, false);
     }
 
+    /// Notes whether the spindle turns before a program begins.
+    pub fn finds_spindle(&mut self, turns: bool) {
+        (self.turning, self.told_spindle) = (turns, false);
+    }
+
     /// Follows a program that is only read by its next step: adds what its language and the machine have against it.
     /// Whether there was a step.
     pub fn follow(&mut self, interpreter: &mut Interpreter, found: &mut Vec<Alarm>) -> bool {

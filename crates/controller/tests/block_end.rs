@@ -94,6 +94,58 @@ fn single_block_stops_behind_macro_statements_where_a_parameter_says_so() {
     assert_eq!(lines(1, false), [0; 0]);
 }
 
+/// GSK990MC part 2, 7.6: behind each block, also one that only sets what is in force. One that leads elsewhere, or has
+/// nothing but numbers, is none.
+#[test]
+fn single_block_stops_behind_blocks_that_make_no_step() {
+    let program = "O1\nG90 G54\n(note)\nN10\nF3000\nG1 X5\nM98 P2\n/G91\nG41 D1\nG1 X10\nG90\nG40 X20\nM30\nO2\nG17\nM99\n";
+    let mut cnc = cnc_with(&machine(), program, "[tools.1]\nradius = 1.0");
+    cnc.set_block_skip(true, false);
+    cnc.set_single_block(true);
+    let mut lines = Vec::new();
+    loop {
+        cnc.cycle_start();
+        let line = until_it_stops(&mut cnc).last().map(|tick| tick.span.line);
+        match cnc.state() {
+            State::BlockEnd => lines.extend(line),
+            state => break assert_eq!(state, &State::Ended),
+        }
+    }
+    // Compensation looks ahead over the blocks without a move.
+    assert_eq!(lines, [2, 5, 6, 15, 10, 12]);
+}
+
+/// GSK990MC part 1, 4: a canned cycle is done in three parts, the positioning, the way to level R and the rest.
+#[test]
+fn single_block_stops_behind_the_parts_of_a_canned_cycle() {
+    let stops = |program: &str| {
+        let mut cnc = cnc(&machine(), program);
+        cnc.set_single_block(true);
+        let mut found = Vec::new();
+        loop {
+            cnc.cycle_start();
+            until_it_stops(&mut cnc);
+            let at = cnc.tick().position;
+            found.push((at[Axis::X], at[Axis::Z]));
+            if cnc.state() != &State::BlockEnd {
+                assert_eq!(cnc.state(), &State::Ended);
+                return found;
+            }
+        }
+    };
+    let hole = [(0.0, 0.0), (5.0, 0.0), (5.0, -1.0), (5.0, 0.0), (9.0, 0.0), (9.0, -1.0)];
+    let with_end = |end: (f64, f64)| hole.into_iter().chain([end, end]).collect::<Vec<_>>();
+    let drill = "M3 S1000\nG90 G98 G83 X5 Z-3 R-1 Q1 F3000\nG99 X9\nM30\n";
+    assert_eq!(stops(drill), with_end((9.0, -1.0)));
+    let bore = "M3 S1000\nG90 G98 G89 X5 Z-3 R-1 P10 F3000\nX9\nM30\n";
+    assert_eq!(stops(bore), with_end((9.0, 0.0)));
+    // Each of several holes has its own, and a tool over its hole is not positioned.
+    let repeated = "M3 S1000\nG91 G99 G81 X5 Z-2 R-1 F3000 K2\nM30\n";
+    let places = [(0.0, 0.0), (5.0, 0.0), (5.0, -1.0), (5.0, -1.0), (10.0, -1.0), (10.0, -1.0), (10.0, -1.0)];
+    assert_eq!(stops(repeated), places);
+    assert_eq!(stops("M3 S1000\nG90 G81 Z-2 R-1 F3000\nM30\n"), [(0.0, 0.0), (0.0, -1.0), (0.0, 0.0), (0.0, 0.0)]);
+}
+
 /// A loop that consists of one and the same block, in every form that a program can have one: each pass is a block of its
 /// own, also where single block is asked for in its midst, and a canned cycle that makes several holes is one.
 #[test]
@@ -103,13 +155,12 @@ fn single_block_stops_behind_every_pass_of_one_and_the_same_block() {
         cnc.set_single_block(true);
         stops(&mut cnc).iter().map(|(x, _)| *x).collect::<Vec<_>>()
     };
-    let pass = "#1=0\nG91\nWHILE [#1 LT 3] DO 1\n#1=#1+1\nG1 X5 F3000\nEND 1\nM30\n";
+    let pass = "#1=0\nWHILE [#1 LT 3] DO 1\n#1=#1+1\nG91 G1 X5 F3000\nEND 1\nM30\n";
     assert_eq!(xs(pass), [5.0, 10.0, 15.0]);
-    assert_eq!(xs("G91\nM98 P2 L3\nM30\nO2\nG1 X5 F3000\nM99\n"), [5.0, 10.0, 15.0]);
-    assert_eq!(xs("#1=0\nG91\nN5 G1 X5 F3000\n#1=#1+1\nIF [#1 LT 3] GOTO 5\nM30\n"), [5.0, 10.0, 15.0]);
-    // A dwell goes nowhere; a cycle that is repeated is one block.
+    assert_eq!(xs("M98 P2 L3\nM30\nO2\nG91 G1 X5 F3000\nM99\n"), [5.0, 10.0, 15.0]);
+    assert_eq!(xs("#1=0\nN5 G91 G1 X5 F3000\n#1=#1+1\nIF [#1 LT 3] GOTO 5\nM30\n"), [5.0, 10.0, 15.0]);
+    // A dwell goes nowhere.
     assert_eq!(xs("#1=0\nWHILE [#1 LT 3] DO 1\n#1=#1+1\nG4 X0.01\nEND 1\nM30\n"), [0.0; 3]);
-    assert_eq!(xs("M3 S1000\nG91 G99 G81 X5 Z-2 R-1 F3000 K3\nM30\n"), [0.0, 15.0]);
 
     let mut cnc = cnc(&machine(), "#1=0\nG91\nWHILE [#1 LT 200] DO 1\n#1=#1+1\nG1 X0.5 F3000\nEND 1\nM30\n");
     cnc.cycle_start();

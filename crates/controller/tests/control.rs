@@ -1389,3 +1389,32 @@ fn a_program_is_the_same_however_its_number_is_written() {
     shop.say(rename("O6", "O0006"));
     assert_eq!(names(&mut shop), ["O0005", "O0006"]);
 }
+
+/// FC-0802 is about a spindle that stands, whoever started it.
+#[test]
+fn a_spindle_that_turns_from_before_the_program_is_no_reason_for_a_warning() {
+    let mut shop = Shop::new(&[]);
+    shop.store("O0001", "G1 X1 F1000\nM5\nX2\nM30\n");
+    let run = |shop: &mut Shop| {
+        shop.select("O1");
+        shop.start();
+        shop.until_it_stops();
+        shop.told()
+    };
+    assert_eq!(run(&mut shop), ["FC-0802"]);
+    shop.mode(Mode::Mdi);
+    shop.say(Command::Mdi { text: "M3 S1200".into() });
+    shop.start();
+    shop.until_it_stops();
+    shop.store("O0002", "G1 X1 F1000\nM30\n");
+    shop.select("O2");
+    shop.start();
+    shop.until_it_stops();
+    assert_eq!(shop.told(), [""; 0]);
+    // What the program stops itself stands.
+    shop.mode(Mode::Mdi);
+    shop.say(Command::Mdi { text: "M3 S1200".into() });
+    shop.start();
+    shop.until_it_stops();
+    assert_eq!(run(&mut shop), ["FC-0802"]);
+}

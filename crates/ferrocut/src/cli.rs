@@ -325,9 +325,38 @@ pub struct ServeArgs {
     /// Say on standard error every so many seconds how long the periods took and how late they began
     #[arg(long, value_name = "SECONDS")]
     pub timing: Option<u64>,
-    /// What every command takes.
+    /// Machine file: axes, limits, speeds, control language [default: the built-in demo mill]
+    #[arg(long, value_name = "FILE")]
+    pub machine: Option<PathBuf>,
+    /// Programs that come with the machine and may stand for codes (public.dat) [default: those of the
+    /// machine file]
+    #[arg(long, value_name = "FILE", conflicts_with = "grbl")]
+    pub public: Option<PathBuf>,
+    /// Set-up file: work offsets, tool offsets and parameters as they are before anything is kept
+    #[arg(long, value_name = "FILE")]
+    pub setup: Option<PathBuf>,
+    /// How results are printed.
     #[command(flatten)]
-    pub common: Common,
+    pub show: Show,
+    /// Leave out blocks with a single `/` that a Grbl sender streams
+    #[arg(long, requires = "grbl")]
+    pub block_skip: bool,
+    /// Stop at M01 of a Grbl sender
+    #[arg(long, requires = "grbl")]
+    pub optional_stop: bool,
+}
+
+impl ServeArgs {
+    /// What it shares with the commands that read a program.
+    pub fn common(&self) -> Common {
+        Common {
+            public: self.public.clone(),
+            setup: self.setup.clone(),
+            block_skip: self.block_skip,
+            optional_stop: self.optional_stop,
+            ..self.show.common(self.machine.clone(), None)
+        }
+    }
 }
 
 /// `ferrocut import`

@@ -4,6 +4,7 @@ use crate::cli::{Common, Format};
 use crate::diagnostics::Diagnostics;
 use crate::drawing::{FromDrawing, Opened, Source};
 use crate::pockets::BesideProgram;
+use ferrocut_controller::control::PublicPrograms;
 use ferrocut_geometry::AxisNames;
 use ferrocut_interpreter::dialects::guess::{Reason, guess};
 use ferrocut_interpreter::{Dialect, Interpreter, MachineCodes, Options, dialects};
@@ -12,6 +13,7 @@ use ferrocut_machine::{
 };
 use ferrocut_program::{OpenError, ProgramMemory, Span, Text};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// The language whose tool tables and parameter files have formats of their own.
 const LINUXCNC: &str = "rs274";
@@ -186,13 +188,12 @@ impl Public {
         }
     }
 
-    /// Adds them to a program's memory.
-    fn add_to(&self, programs: &mut ProgramMemory) -> Result<(), Failure> {
-        let Some(text) = self.text() else { return Ok(()) };
+    /// Their name and text.
+    fn read(&self) -> Result<Option<(String, Text)>, Failure> {
+        let Some(text) = self.text() else { return Ok(None) };
         let path = self.path();
         let text = text.map_err(|error| Failure { exit: Exit::WrongUse, ..Failure::of_open(path, error) })?;
-        programs.add(&path.to_string_lossy(), text);
-        Ok(())
+        Ok(Some((path.to_string_lossy().into_owned(), text)))
     }
 }
 
@@ -208,6 +209,12 @@ pub enum Told {
 }
 
 impl Shop {
+    /// The programs that come with the machine, for a control that runs it.
+    pub fn public_programs(&self) -> Result<Option<PublicPrograms>, Failure> {
+        let read = self.public.read()?;
+        Ok(read.map(|(name, text)| PublicPrograms { name, text: Arc::new(text) }))
+    }
+
     /// Reads machine and set-up file.
     pub fn open(common: &Common) -> Result<Shop, Failure> {
         let machine = match &common.machine {
@@ -298,8 +305,10 @@ impl Shop {
         mut programs: ProgramMemory,
         drawing: Option<FromDrawing>,
     ) -> Result<Job, Failure> {
-        if dialect.custom.is_some() {
-            self.public.add_to(&mut programs)?;
+        if dialect.custom.is_some()
+            && let Some((name, text)) = self.public.read()?
+        {
+            programs.add(&name, text);
         }
         let mut memory = Memory::new(dialect.name);
         // A program of another control than the machine's meets none of its parameters.

@@ -30,7 +30,7 @@ fn main() -> ExitCode {
         Command::Machine(args) => (commands::machine::run(&args), args.common()),
         Command::Memory(args) => (commands::memory::run(&args), args.common()),
         Command::Plc(args) => (commands::plc::run(&args), args.common()),
-        Command::Serve(args) => (commands::serve::run(&args), args.common),
+        Command::Serve(args) => (commands::serve::run(&args), args.common()),
     };
     let exit = done.unwrap_or_else(|Failure { alarm, exit, file, programs }| {
         job::diagnostics(&common).report(&alarm, &file, programs.as_deref());

@@ -101,6 +101,45 @@ fn wrong_use_is_said() {
     }
 }
 
+/// What has no effect on a machine that is served is not taken.
+#[test]
+fn switches_of_other_commands_are_refused() {
+    for (arguments, says) in [
+        (&["--tcp", "127.0.0.1:0", "--dialect", "weihong"][..], "'--dialect'"),
+        (&["--tcp", "127.0.0.1:0", "--tool-table", "mill.tbl"], "'--tool-table'"),
+        (&["--tcp", "127.0.0.1:0", "--var-file", "mill.var"], "'--var-file'"),
+        (&["--tcp", "127.0.0.1:0", "--block-skip"], "--grbl <WHERE>"),
+        (&["--grbl", "tcp:0", "--public", "public.dat"], "'--public <FILE>'"),
+    ] {
+        let mut command = Command::cargo_bin("ferrocut").unwrap();
+        let done = command.args(["serve", "--headless"]).args(arguments).output().unwrap();
+        assert_eq!(done.status.code(), Some(2), "{arguments:?}");
+        assert!(String::from_utf8_lossy(&done.stderr).contains(says), "{done:?}");
+    }
+}
+
+/// The programs that come with a machine stand for its codes, and a set-up file is what there is before anything is kept.
+#[test]
+fn a_weihong_control_has_the_codes_of_its_shop_and_a_set_up() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let demo = include_str!("../../../machines/demo-mill.toml");
+    let demo = demo.replace("dialect = \"gsk990mc\"", "dialect = \"weihong\"");
+    std::fs::write(path("mill.toml"), demo).unwrap();
+    std::fs::write(path("public.dat"), "O240\nG91 G01 X7 F900\nG90\nM17\n").unwrap();
+    std::fs::write(path("setup.toml"), "[tools.3]\nlength = 12.5\n").unwrap();
+    let (machine, setup) = (path("mill.toml"), path("setup.toml"));
+    let served =
+        Served::with(&["--tcp", "127.0.0.1:0", "--machine", machine.as_str(), "--setup", setup.as_str()]);
+    let mut front = Front::new(&served);
+    let offsets = front.ask(json!({ "do": "offsets", "from": 3, "to": 3 }));
+    assert_eq!(offsets["offsets"][0]["length"], 12.5, "{offsets}");
+    front.press("KEY_MDI");
+    front.done(json!({ "do": "mdi", "text": "G54 M40" }));
+    front.press("KEY_START");
+    front.until("there", |status| x(status) == 7.0 && status["activity"] == "idle");
+}
+
 /// Who has no memory is told so and how to keep what he makes, in any language; who has one is not.
 #[test]
 fn a_control_that_keeps_nothing_says_so() {

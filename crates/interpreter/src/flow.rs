@@ -69,6 +69,8 @@ pub(crate) struct Flow {
     idle: u64,
     /// Blocks begun so far.
     begun: u64,
+    /// Which part of the present block steps are of.
+    section: u32,
     /// Where blocks are no longer begun.
     mark: Option<Mark>,
     passes: u64,
@@ -117,6 +119,7 @@ impl Flow {
             again: None,
             idle: 0,
             begun: 0,
+            section: 0,
             mark: None,
             passes: 0,
             jumps_back: 0,
@@ -154,6 +157,17 @@ impl Flow {
     #[inline]
     pub(crate) fn begun(&self) -> u64 {
         self.begun
+    }
+
+    /// Which part of the present block steps are of ([`Step::section`](ferrocut_toolpath::Step::section)).
+    #[inline]
+    pub(crate) fn section(&self) -> u32 {
+        self.section
+    }
+
+    /// What follows is another part of the block: with single block the control stops before it too.
+    pub(crate) fn begin_section(&mut self) {
+        self.section += 1;
     }
 
     /// Where blocks are no longer begun.
@@ -362,9 +376,40 @@ fn is_macro_statement(page: &Page, block: &Block) -> bool {
     page.statement(block).is_some() || has(b'H') && page.words(block).iter().any(is_g65)
 }
 
+/// Whether a block has a word beside its numbers.
+fn has_command(page: &Page, block: &Block) -> bool {
+    page.words(block).iter().any(|word| !matches!(word.letter, b'N' | b'O'))
+}
+
+/// What was before a block was run.
+struct Before {
+    /// The block behind it.
+    behind: Place,
+    /// Calls open.
+    calls: usize,
+    /// Steps that wait to be given out.
+    steps: usize,
+}
+
 impl Interpreter {
-    /// A macro statement was done where the program is run block by block: a dwell of no time gives it an end. Not in
-    /// cutter compensation, whose corners would be cut otherwise for it.
+    /// Where the program is run block by block, a block that made no step gets an end of its own (GSK990MC part 2, 7.6:
+    /// the control stops behind each block). A macro statement is one as a parameter says (51#5). A block that only
+    /// leads elsewhere (M98, M99, GOTO) has none, as on Fanuc.
+    fn end_single_block(&mut self, page: &Page, block: &Block, before: &Before) -> Fallible<()> {
+        let goes_on = self.ended || self.has_holes_left() || self.described.is_collecting();
+        if goes_on || self.is_skipped(block) || self.dialect.blocks.is_some() {
+            return Ok(());
+        }
+        let leads_on = self.flow.place == before.behind && self.flow.calls.len() == before.calls;
+        let stops = match is_macro_statement(page, block) {
+            true => self.rules.single_in_macros,
+            false => self.output.waiting() == before.steps && leads_on && has_command(page, block),
+        };
+        if stops { self.emit_single_stop() } else { Ok(()) }
+    }
+
+    /// A dwell of no time, behind which single block stops. Not in cutter compensation, whose corners would be cut
+    /// otherwise for it: there a block without a move is done where the one before it stops (4.7.3).
     fn emit_single_stop(&mut self) -> Fallible<()> {
         if self.output.looks_ahead() || self.output.in_cutter_mode() {
             return Ok(());
@@ -417,6 +462,9 @@ impl Interpreter {
         }
         let (entered, alarms) = (self.flow.entered, self.alarms_noted());
         self.flow.place.block += 1;
+        self.flow.section = 0;
+        let (calls, steps) = (self.flow.calls.len(), self.output.waiting());
+        let before = Before { behind: self.flow.place, calls, steps };
         let mut result = match page.blocks.get(index) {
             Some(block) => {
                 self.flow.last = page.block_span(block);
@@ -434,13 +482,10 @@ impl Interpreter {
                 Present::Known
             }
             _ => {
-                let stops = self.options.single_block && self.rules.single_in_macros;
-                let block = page.blocks.get(index).filter(|block| stops && !self.is_skipped(block));
-                if result.is_ok()
-                    && !self.ended
-                    && block.is_some_and(|block| is_macro_statement(&page, block))
+                if let (true, Some(block)) = (self.options.single_block, page.blocks.get(index))
+                    && result.is_ok()
                 {
-                    result = self.emit_single_stop();
+                    result = self.end_single_block(&page, block, &before);
                 }
                 Present::Unknown
             }

@@ -86,6 +86,11 @@ impl Output {
         self.queue.steps.pop_front()
     }
 
+    /// Steps that wait to be given out.
+    pub(crate) fn waiting(&self) -> usize {
+        self.queue.steps.len()
+    }
+
     /// Whether no step waits to be given out.
     pub(crate) fn is_empty(&self) -> bool {
         self.queue.steps.is_empty()
@@ -393,11 +398,10 @@ impl Queue {
         if let (Some((span, how)), &Op::Rapid { straight, speed, path, .. }) =
             (self.one_way.pop_front(), &step.op)
         {
-            let block = step.block;
             let first = Op::Rapid { to: to + how.beyond, straight, speed, path };
-            self.steps.push_back(Step { op: first, span, block });
+            self.steps.push_back(Step { op: first, span, ..step.clone() });
             if how.dwell_s > 0.0 {
-                self.steps.push_back(Step { op: Op::Dwell(Dwell::Seconds(how.dwell_s)), span, block });
+                self.steps.push_back(Step { op: Op::Dwell(Dwell::Seconds(how.dwell_s)), span, ..step.clone() });
             }
         }
         self.actual = to;
@@ -445,7 +449,8 @@ impl Interpreter {
     /// A step of the block being executed.
     #[inline]
     pub(crate) fn step(&self, op: Op) -> Step {
-        Step { op, span: self.words.block_span(), block: self.flow.begun() }
+        let (block, section) = (self.flow.begun(), self.flow.section());
+        Step { op, span: self.words.block_span(), block, section }
     }
 
     /// Gives out a step of the block being executed.

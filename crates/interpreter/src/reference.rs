@@ -40,6 +40,7 @@ impl Interpreter {
             false => self.rapid_uncompensated(self.location.machine_of(through))?,
         }
         self.location.programmed = through;
+        self.flow.begin_section();
         let points = &self.memory.reference_points;
         let reference = points.get(number.saturating_sub(1)).copied().unwrap_or_default();
         let searched = self.take_unreferenced(axes);

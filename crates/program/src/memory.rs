@@ -171,13 +171,17 @@ impl ProgramMemory {
     /// Adds a file that can be called, as can the programs in it. After 65 535 files no more are
     /// taken: the id returned then is of an empty file.
     pub fn add(&mut self, name: &str, text: Text) -> FileId {
+        self.add_shared(name, Arc::new(text))
+    }
+
+    /// The same with a text that other memories have too.
+    pub fn add_shared(&mut self, name: &str, text: Arc<Text>) -> FileId {
         let Some(file) = u16::try_from(self.files.len()).ok().filter(|n| *n < u16::MAX).map(FileId) else {
             return FileId(u16::MAX);
         };
         let next = Some(Start { file, offset: text.encoding().mark as u64, line: 1, is_head: true });
-        let (name, text) = (name.into(), Arc::new(text));
         self.files.push(ProgramFile {
-            name,
+            name: name.into(),
             text,
             slots: VecDeque::new(),
             first: 0,

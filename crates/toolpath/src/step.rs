@@ -14,6 +14,9 @@ pub struct Step {
     /// How many blocks had been begun with its own: tells the passes of one line apart. 0 where no program
     /// was run.
     pub block: u64,
+    /// Which part of its block it is of. With single block the control stops behind each: on the intermediate point of
+    /// G28 (GSK990MC part 2, 7.6), and behind the positioning of a canned cycle and on level R (part 1, 4).
+    pub section: u32,
 }
 
 /// Feed of a cutting move.

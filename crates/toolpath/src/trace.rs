@@ -460,6 +460,7 @@ mod tests {
                 op: Op::Rapid { to: at, straight: true, speed: None, path: PathMode::ON_PATH },
                 span,
                 block: 0,
+                section: 0,
             })
             .unwrap();
         let feed = Feed::PerMinute(100.0);
@@ -473,7 +474,7 @@ mod tests {
             feed_along: crate::step::FeedAlong::Path,
             path,
         };
-        trace.step(&Step { op: circle, span, block: 0 }).unwrap();
+        trace.step(&Step { op: circle, span, block: 0, section: 0 }).unwrap();
         trace.finish().unwrap();
         assert_eq!(
             String::from_utf8(out).unwrap(),

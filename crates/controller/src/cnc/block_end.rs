@@ -20,13 +20,13 @@ pub(super) struct Block {
     line: u32,
     /// Which of the blocks begun by the program it is: a loop may run the same one again and again.
     number: u64,
-    /// The part behind its intermediate point counts as another block (GSK990MC part 2, 7.6, note).
-    part: u32,
+    /// Its part, which single block takes for a block ([`Step::section`]).
+    section: u32,
 }
 
 impl Block {
     fn at(span: Span, number: u64) -> Block {
-        Block { file: span.file, offset: span.offset, line: span.line, number, part: 0 }
+        Block { file: span.file, offset: span.offset, line: span.line, number, section: 0 }
     }
 
     /// Whether this is its text, in whichever pass.
@@ -58,8 +58,6 @@ pub(super) struct Blocks {
     /// The block being run, and the one taken last from the interpreter or given last to motion.
     run: Option<Block>,
     taken: Option<Block>,
-    /// Moves of the block taken last.
-    moves: u32,
     /// The block of what waits for rest.
     pub waiting: Option<Block>,
     /// What was taken from the interpreter and belongs to a block that does not begin yet.
@@ -81,7 +79,6 @@ impl Blocks {
             stop_line: None,
             run: None,
             taken: None,
-            moves: 0,
             waiting: None,
             next: None,
             later: VecDeque::with_capacity(room),
@@ -116,9 +113,14 @@ impl Blocks {
         self.single || self.asked || self.stop_line == Some((block.file, block.line))
     }
 
+    /// Whether both are one block, or with single block one part of it.
+    fn is_one(&self, one: Block, other: Block) -> bool {
+        Block { section: other.section, ..one } == other && (!self.single || one.section == other.section)
+    }
+
     /// Whether a block may be taken, or given to motion, behind what was taken before.
     fn may_take(&self, block: Block) -> bool {
-        self.taken.is_none_or(|taken| taken == block || !self.stops_behind(taken))
+        self.taken.is_none_or(|taken| self.is_one(taken, block) || !self.stops_behind(taken))
     }
 
     /// Whether the program stops behind the block that was taken last.
@@ -128,7 +130,7 @@ impl Blocks {
 
     /// Whether the program stops before this block.
     fn stops_before(&self, block: Block) -> bool {
-        self.run.is_some_and(|run| run != block && self.stops_behind(run))
+        self.run.is_some_and(|run| !self.is_one(run, block) && self.stops_behind(run))
     }
 
     /// Whether single block is on.
@@ -195,29 +197,14 @@ impl Cnc {
 
     /// The block of something from the interpreter.
     fn block_of(&self, next: &Result<Step, Box<Alarm>>) -> Block {
-        let before = self.blocks.taken;
-        let (span, number) = match next {
-            Ok(step) => (step.span, step.block),
+        match next {
+            Ok(step) => Block { section: step.section, ..Block::at(step.span, step.block) },
             // An alarm has no number: it is of the block whose text it names.
             Err(alarm) => {
-                let same = before.filter(|taken| taken.is_at(alarm.span));
-                (alarm.span, same.map_or(u64::MAX, |taken| taken.number))
+                let same = self.blocks.taken.filter(|taken| taken.is_at(alarm.span));
+                same.unwrap_or(Block::at(alarm.span, u64::MAX))
             }
-        };
-        let mut block = Block::at(span, number);
-        let Some(taken) = before.filter(|taken| taken.is_at(span) && taken.number == number) else {
-            return block;
-        };
-        block.part = taken.part;
-        let is_move = next.as_ref().is_ok_and(|step| step.op.target().is_some());
-        if self.blocks.single
-            && is_move
-            && self.blocks.moves == 1
-            && self.interpreter.returns_to_reference(span)
-        {
-            block.part += 1;
         }
-        block
     }
 
     /// The next thing from the interpreter, if its block may begin. With `None` nothing may be taken now.
@@ -239,10 +226,6 @@ impl Cnc {
             self.motion.finish();
             return None;
         }
-        if self.blocks.taken != Some(block) {
-            self.blocks.moves = 0;
-        }
-        self.blocks.moves += u32::from(next.as_ref().is_ok_and(|step| step.op.target().is_some()));
         self.blocks.taken = Some(block);
         Some(next)
     }
@@ -410,7 +393,7 @@ impl Cnc {
             if left > way {
                 return false;
             }
-            if given.block != next.block && self.blocks.stops_behind(given.block) {
+            if !self.blocks.is_one(given.block, next.block) && self.blocks.stops_behind(given.block) {
                 return true;
             }
         }

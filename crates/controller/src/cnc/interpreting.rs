@@ -22,7 +22,6 @@ use crate::restart::Journal;
 use ferrocut_geometry::Position;
 use ferrocut_interpreter::Interpreter;
 use ferrocut_machine::Alarm;
-use ferrocut_program::Span;
 use ferrocut_toolpath::{Op, Step};
 use rtrb::{Consumer, Producer, RingBuffer};
 use std::ops::Deref;
@@ -65,28 +64,14 @@ impl Frame {
 struct Taken {
     next: Next,
     frame: Frame,
-    /// It is positioning of a block of G28.
-    returns: bool,
 }
 
 impl Taken {
     /// What comes of the next `blocks` ([`Interpreter::next_within`]).
     fn within(interpreter: &mut Interpreter, blocks: &mut u64) -> Taken {
         let next = interpreter.next_within(blocks);
-        let returns = match &next {
-            Some(Ok(Step { op: Op::Rapid { .. }, span, .. })) => returns_to_reference(interpreter, *span),
-            _ => false,
-        };
-        Taken { next, frame: Frame::of(interpreter), returns }
+        Taken { next, frame: Frame::of(interpreter) }
     }
-}
-
-/// Whether a block is one of G28, which stops at its intermediate point too.
-fn returns_to_reference(interpreter: &Interpreter, span: Span) -> bool {
-    let text = interpreter.programs().slice(span).to_ascii_uppercase();
-    let codes = text.split('G').skip(1);
-    let number = |code: &str| code.chars().take_while(char::is_ascii_digit).collect::<String>();
-    codes.map(number).any(|number| number.trim_start_matches('0') == "28")
 }
 
 /// The interpreter on its way.
@@ -178,8 +163,6 @@ pub(super) struct Interpreting {
     elsewhere: Option<Elsewhere>,
     /// What was in force with the step taken last, while the interpreter is ahead of it.
     frame: Option<Frame>,
-    /// The block of G28 that the last positioning of such a one was taken from.
-    returning: Option<Span>,
     /// No step has come yet, since the interpreter is not done.
     waits: bool,
     /// Blocks that may be read in a period, and in this one still.
@@ -209,7 +192,6 @@ impl Interpreting {
             present: Arc::new(interpreter),
             elsewhere: None,
             frame: None,
-            returning: None,
             waits: false,
             blocks_a_period: u64::MAX,
             blocks_left: u64::MAX,
@@ -427,18 +409,6 @@ impl Interpreting {
         }
     }
 
-    /// Whether the step taken last is of this block, and positioning of G28.
-    pub fn returns_to_reference(&self, span: Span) -> bool {
-        self.returning == Some(span)
-    }
-
-    fn gives(&mut self, taken: Taken) -> Next {
-        if taken.returns {
-            self.returning = taken.next.as_ref().and_then(|next| next.as_ref().ok()).map(|step| step.span);
-        }
-        taken.next
-    }
-
     /// The next step, if there is one now ([`waits`](Self::waits)). With `single` none is read ahead of it.
     pub fn next(&mut self, single: bool) -> Next {
         self.waits = false;
@@ -449,7 +419,7 @@ impl Interpreting {
         {
             self.frame = Some(taken.frame);
             self.is_over = taken.next.is_none();
-            return self.gives(taken);
+            return taken.next;
         }
         if is_here && self.present.is_open() {
             self.own();
@@ -468,7 +438,7 @@ impl Interpreting {
         let taken = Taken::within(self.change(), &mut blocks);
         self.waits = taken.next.is_none() && blocks == 0;
         self.blocks_left = blocks;
-        self.gives(taken)
+        taken.next
     }
 
     /// Has more steps read where there is room, before they are wanted.

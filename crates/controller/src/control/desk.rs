@@ -1,11 +1,12 @@
 //! Looking at programs beside the one that runs: with the control's memory as it is, and nothing that moves.
 
-use super::{Control, Library, programs};
+use super::callable::{Callable, Prepared};
+use super::{Control, Library};
 use crate::supervision::Supervisor;
 use ferrocut_geometry::Position;
 use ferrocut_interpreter::{Dialect, Interpreter, MachineCodes, Options};
 use ferrocut_machine::{Alarm, Fault, Machine, Memory};
-use ferrocut_program::{OpenError, ProgramId, ProgramMemory, Span, Text};
+use ferrocut_program::{OpenError, Span, Text};
 
 /// A copy of what programs are interpreted with. Parameters, offsets and zeros are those at the time of the copy;
 /// programs are read from the control's memory as it is when they are called.
@@ -14,7 +15,7 @@ pub struct Desk {
     machine: Machine,
     dialect: &'static Dialect,
     memory: Memory,
-    library: Library,
+    callable: Callable,
     start: Position,
     block_skip: bool,
     every_code: bool,
@@ -28,7 +29,7 @@ impl Control {
             machine: self.machine.clone(),
             dialect: interpreter.dialect(),
             memory: interpreter.memory().clone(),
-            library: self.library.clone(),
+            callable: self.callable.clone(),
             start: self.tick.position,
             block_skip: self.inputs.block_skip,
             every_code: self.plc.is_some(),
@@ -37,7 +38,7 @@ impl Control {
 
     /// The programs of the control.
     pub fn library(&self) -> Library {
-        self.library.clone()
+        self.callable.library.clone()
     }
 }
 
@@ -67,6 +68,7 @@ impl Desk {
         if dialect.name != self.dialect.name {
             self.memory = Memory::new(dialect.name);
             self.dialect = dialect;
+            self.callable = self.callable.speaking(dialect);
         }
         self
     }
@@ -83,10 +85,7 @@ impl Desk {
             let fault = if matches!(error, OpenError::Empty) { Fault::FileEmpty } else { Fault::FileNotText };
             Alarm::core(fault, Span::default()).with("file", name)
         })?;
-        let mut programs = ProgramMemory::new(name, text, self.dialect.syntax);
-        programs.set_source(Box::new(self.library.clone()));
-        let tool_change = programs::tool_change_program(&self.machine);
-        let changes_tools = self.library.name_of(&ProgramId::Number(tool_change)).is_some();
+        let Prepared { programs, changes_tools } = self.callable.prepare(name, text);
         let options = Options {
             start: self.start,
             block_skip: self.block_skip,
@@ -94,7 +93,7 @@ impl Desk {
             keep_going,
             every_code: self.every_code,
             machine_codes: MachineCodes::of(&self.machine.handshake.m_codes),
-            tool_change_program: changes_tools.then_some(tool_change),
+            tool_change_program: changes_tools,
             ..Options::default()
         };
         let mut interpreter = Interpreter::new(self.dialect, programs, self.memory.clone(), options);

@@ -548,7 +548,7 @@ impl Control {
         if self.loaded == super::Loaded::Auto(name.to_owned()) {
             self.loaded = super::Loaded::Nothing;
         }
-        self.reading.forget(name, super::programs::tool_change_program(&self.machine));
+        self.reading.forget(name, self.callable.changes_tools(name));
         self.taking_up.program_changed();
     }
 }

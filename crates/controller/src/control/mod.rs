@@ -18,6 +18,7 @@ mod hand;
 mod keeping;
 mod keys;
 mod ladder_names;
+mod callable;
 mod library;
 mod machine;
 mod machine_data;
@@ -49,6 +50,8 @@ use ferrocut_plc::{Address, Area, Pace, Plc};
 use ferrocut_program::{ProgramMemory, Span, Text};
 use ferrocut_toolpath::{Op, SpindleState};
 use keeping::Keeping;
+pub use callable::PublicPrograms;
+use callable::Callable;
 pub use library::{Library, id_of};
 use modes::{Change, Standing, Start};
 use parameter_switch::ParameterSwitch;
@@ -66,6 +69,8 @@ pub struct Parts {
     pub memory: Option<Memory>,
     /// The durable memory.
     pub store: Option<Arc<Store>>,
+    /// Programs that come with the machine, where its control language knows such.
+    pub public: Option<PublicPrograms>,
     /// The ladder.
     pub ladder: Option<ferrocut_plc::Program>,
     /// The drives; those of the machine file where there are none.
@@ -82,7 +87,7 @@ pub struct Control {
     /// Who exchanged the ladder that is not kept yet.
     exchanged_by: Option<ferrocut_memory::Author>,
     keys: keys::Keys,
-    library: Library,
+    callable: Callable,
     keeping: Option<Keeping>,
     /// What the ladder wants in this period, and in the one before.
     inputs: Inputs,
@@ -240,7 +245,7 @@ impl Control {
             own_ladder,
             exchanged_by: None,
             keys: keys::Keys::default(),
-            library,
+            callable: Callable::new(machine, dialect, library, parts.public),
             keeping,
             inputs: Inputs::default(),
             before: Inputs::default(),
@@ -894,7 +899,7 @@ fn pace(machine: &Machine) -> Pace {
 }
 
 /// The memory of a new control, with the parameters of the machine file.
-fn as_delivered(machine: &Machine) -> Result<Memory, Box<Alarm>> {
+pub fn as_delivered(machine: &Machine) -> Result<Memory, Box<Alarm>> {
     let mut memory = Memory::new(&machine.dialect);
     let unusable = |reason: String| alarm(Fault::ConfigUnusable).with("reason", reason);
     let mut parameters = Vec::new();

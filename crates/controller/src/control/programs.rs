@@ -1,10 +1,10 @@
 //! Which program runs: that of AUTO from the memory, what the operator typed in MDI, what comes from outside in DNC.
 
-use super::reading::Prepared;
+use super::callable::Prepared;
 use super::{Control, library};
 use crate::signals::Mode;
 use ferrocut_interpreter::Interpreter;
-use ferrocut_machine::{Alarm, Fault, Machine};
+use ferrocut_machine::{Alarm, Fault};
 use ferrocut_program::{FileId, ProgramId, Span, Text};
 
 /// Where a program comes from.
@@ -15,14 +15,6 @@ pub(super) enum Source {
     Mdi,
     /// That too, and M99 is its end.
     Dnc,
-}
-
-/// The program of the memory that M06 runs, where there is one (GSK990MC 8.1) and the machine file names no other.
-const TOOL_CHANGE_PROGRAM: u32 = 9001;
-
-/// The number of the program that M06 runs.
-pub(super) fn tool_change_program(machine: &Machine) -> u32 {
-    machine.tool_change.program.unwrap_or(TOOL_CHANGE_PROGRAM)
 }
 
 /// What is loaded for the next cycle start.
@@ -136,11 +128,7 @@ impl Control {
 
     /// Gives the interpreter a text as its main program; all programs of the memory can be called from it.
     pub(super) fn load_text(&mut self, name: &str, text: Text, source: Source) -> Result<(), Box<Alarm>> {
-        let syntax = self.cnc.interpreter().dialect().syntax;
-        self.load_prepared(
-            Prepared::new(name, text, &self.library, syntax, tool_change_program(&self.machine)),
-            source,
-        )
+        self.load_prepared(self.callable.prepare(name, text), source)
     }
 
     fn load_prepared(&mut self, prepared: Prepared, source: Source) -> Result<(), Box<Alarm>> {
@@ -163,7 +151,7 @@ impl Control {
             return Err(Box::new(alarm(Fault::ControlMode).with("mode", super::name_of(self.mode))));
         }
         let missing = || alarm(Fault::NoSuchName).with("name", name);
-        let name = self.library.name_of(&library::id_of(name)).ok_or_else(missing)?;
+        let name = self.callable.library.name_of(&library::id_of(name)).ok_or_else(missing)?;
         self.forget_prepared();
         self.selected = Some(name.clone());
         self.cursor = 1;
@@ -192,7 +180,7 @@ impl Control {
         let id = program.map(|program| library::id_of(&program));
         match (&self.loaded, id) {
             (Loaded::Auto(name), id) if id.as_ref().is_none_or(|id| *id == library::id_of(name)) => {
-                let text = self.library.text(name)?;
+                let text = self.callable.library.text(name)?;
                 line_of(&text, sequence).map(|line| (FileId(0), line))
             }
             (Loaded::Auto(_) | Loaded::Mdi | Loaded::Dnc, Some(id)) => {
@@ -209,11 +197,11 @@ impl Control {
     /// Why a program that was named stops behind no such sequence number: it is not there, or has none.
     pub(super) fn may_stop_at(&self, program: &str, sequence: u32) -> Result<(), Box<Alarm>> {
         let id = library::id_of(program);
-        let place = match self.library.named(&id) {
+        let place = match self.callable.library.named(&id) {
             Some((_, text)) => line_of(&text, sequence),
             // One within the program that is chosen.
             None => {
-                let text = self.selected.as_ref().and_then(|name| self.library.text(name));
+                let text = self.selected.as_ref().and_then(|name| self.callable.library.text(name));
                 let begins = text.as_ref().and_then(|text| begin_of(text, &id));
                 let (text, begins) =
                     text.zip(begins).ok_or_else(|| alarm(Fault::NoSuchName).with("name", program))?;

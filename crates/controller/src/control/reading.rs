@@ -2,13 +2,12 @@
 //! read it from the durable memory takes longer than a period. Choosing a program begins to read it; cycle start waits the
 //! periods that are still left of it.
 
-use super::library::id_of;
-use super::programs::tool_change_program;
-use super::{Control, Library, Loaded, alarm};
+use super::callable::{Callable, Prepared};
+use super::{Control, Loaded, alarm};
 use crate::api::{AlarmInfo, Event};
 use crate::signals::Mode;
 use ferrocut_machine::{Alarm, Fault};
-use ferrocut_program::{ProgramId, ProgramMemory, Syntax, Text};
+use ferrocut_program::{ProgramMemory, Text};
 use std::sync::mpsc::{Receiver, SyncSender, TryRecvError, sync_channel};
 use std::thread;
 use std::time::Duration;
@@ -27,31 +26,6 @@ enum Job {
     Free(Box<ProgramMemory>),
 }
 
-/// A program as the interpreter takes it.
-pub(super) struct Prepared {
-    pub programs: ProgramMemory,
-    /// The program of the memory that M06 runs.
-    pub changes_tools: Option<u32>,
-}
-
-impl Prepared {
-    /// A text as the main program; all programs of the memory can be called from it, and M06 runs number `tool_change` if it
-    /// is there.
-    pub fn new(
-        name: &str,
-        text: Text,
-        library: &Library,
-        syntax: &'static Syntax,
-        tool_change: u32,
-    ) -> Prepared {
-        let mut programs = ProgramMemory::new(name, text, syntax);
-        programs.set_source(Box::new(library.clone()));
-        let is_there = library.name_of(&ProgramId::Number(tool_change)).is_some();
-        let changes_tools = is_there.then_some(tool_change);
-        Prepared { programs, changes_tools }
-    }
-}
-
 /// A program, or why there is none.
 type Found = Result<Box<Prepared>, Fault>;
 
@@ -61,14 +35,14 @@ struct Worker {
 }
 
 impl Worker {
-    fn start(library: Library, syntax: &'static Syntax, tool_change: u32) -> std::io::Result<Worker> {
+    fn start(callable: Callable) -> std::io::Result<Worker> {
         let (jobs, asked) = sync_channel(JOBS);
         let (give, found) = sync_channel(JOBS);
         thread::Builder::new().name("programs".to_owned()).spawn(move || {
             loop {
                 match asked.try_recv() {
                     Ok(Job::Read(number, name)) => {
-                        if give.send((number, prepared(&library, &name, syntax, tool_change))).is_err() {
+                        if give.send((number, read(&callable, &name))).is_err() {
                             return;
                         }
                     }
@@ -82,10 +56,11 @@ impl Worker {
     }
 }
 
-fn prepared(library: &Library, name: &str, syntax: &'static Syntax, tool_change: u32) -> Found {
-    let bytes = library.text(name).ok_or(Fault::NoSuchName)?;
+/// A program of the memory.
+fn read(callable: &Callable, name: &str) -> Found {
+    let bytes = callable.library.text(name).ok_or(Fault::NoSuchName)?;
     let text = Text::from_bytes(bytes).map_err(|_| Fault::FileNotText)?;
-    Ok(Box::new(Prepared::new(name, text, library, syntax, tool_change)))
+    Ok(Box::new(callable.prepare(name, text)))
 }
 
 /// What is read, or was.
@@ -102,8 +77,7 @@ pub(super) struct Reading {
 
 impl Reading {
     /// What was read of a program is not its text any more. Any other may run that of the tool change.
-    pub fn forget(&mut self, program: &str, tool_change: u32) {
-        let changes_tools = id_of(program) == ProgramId::Number(tool_change);
+    pub fn forget(&mut self, program: &str, changes_tools: bool) {
         if changes_tools || self.wanted.as_ref().is_some_and(|(name, _)| name == program) {
             self.wanted = None;
         }
@@ -155,9 +129,7 @@ impl Control {
     /// Starts the thread: threads take the system longer than a period.
     pub(super) fn read_programs_beside(&mut self) {
         if self.reading.worker.is_none() {
-            let syntax = self.cnc.interpreter().dialect().syntax;
-            self.reading.worker =
-                Worker::start(self.library.clone(), syntax, tool_change_program(&self.machine)).ok();
+            self.reading.worker = Worker::start(self.callable.clone()).ok();
         }
     }
 
@@ -186,10 +158,7 @@ impl Control {
 
     /// A program to be loaded: what was read ahead, else it is read now.
     pub(super) fn program_to_load(&mut self, name: &str) -> Result<Box<Prepared>, Box<Alarm>> {
-        let syntax = self.cnc.interpreter().dialect().syntax;
-        let tool_change = tool_change_program(&self.machine);
-        let found =
-            self.reading.take(name).unwrap_or_else(|| prepared(&self.library, name, syntax, tool_change));
+        let found = self.reading.take(name).unwrap_or_else(|| read(&self.callable, name));
         found.map_err(|fault| {
             let about = if fault == Fault::FileNotText { "file" } else { "name" };
             Box::new(alarm(fault).with(about, name))

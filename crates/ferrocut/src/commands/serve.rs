@@ -2,7 +2,7 @@
 
 use crate::cli::ServeArgs;
 use crate::job::{Exit, Failure, Shop};
-use ferrocut_controller::control::{Control, Parts};
+use ferrocut_controller::control::{Control, Parts, as_delivered};
 use ferrocut_machine::{Alarm, Fault, Memory};
 use ferrocut_memory::Store;
 use ferrocut_program::Span;
@@ -60,7 +60,7 @@ const STANDARD: &str = include_str!("../../../../machines/standard.lad");
 
 /// Runs the command.
 pub fn run(args: &ServeArgs) -> Result<Exit, Failure> {
-    let shop = Shop::open(&args.common)?;
+    let shop = Shop::open(&args.common())?;
     match args.grbl {
         Some(place) => serve_grbl(args, &shop, place),
         None => serve_control(args, &shop),
@@ -128,7 +128,15 @@ fn serve_control(args: &ServeArgs, shop: &Shop) -> Result<Exit, Failure> {
         // Whoever sees it run would take what he writes as kept.
         shop.diagnostics.report(&Alarm::core(Fault::NothingKept, Span::default()).as_warning(), "", None);
     }
-    let parts = Parts { store: store.clone(), ladder: Some(ladder), ..Parts::default() };
+    let mut memory = as_delivered(&shop.machine).map_err(Failure::setting)?;
+    shop.setup.apply(&mut memory).map_err(|error| Failure::config("setup", &error.to_string()))?;
+    let parts = Parts {
+        memory: Some(memory),
+        store: store.clone(),
+        public: shop.public_programs()?,
+        ladder: Some(ladder),
+        ..Parts::default()
+    };
     // The ladder looks at switches: a machine that its file does not describe has those of a simulated one.
     let mut machine = shop.machine.clone();
     machine.plant.get_or_insert_default();

@@ -297,6 +297,7 @@ impl Interpreter {
         }
         self.cycle.holes_left -= 1;
         self.flow.count_hole();
+        self.flow.begin_section();
         if let Some(code) = self.custom_cycle() {
             return match self.call_custom(code, &mut Rest::at(Part::Holes), self.words.block_span()) {
                 Err(alarm) => self.give_up_block(alarm),
@@ -432,13 +433,17 @@ impl Interpreter {
             let step = self.step(op);
             self.output.back_onto_path(step).map_err(|(fault, span)| self.alarm(fault, span))?;
         }
-        self.rapid(to)
+        self.rapid(to)?;
+        self.flow.begin_section();
+        Ok(())
     }
 
     /// Rapid to the R level, on which a change of tool length is taken up.
     fn approach(&mut self, r: f64) -> Fallible<()> {
         self.take_up_length()?;
-        self.rapid_z(r)
+        self.rapid_z(r)?;
+        self.flow.begin_section();
+        Ok(())
     }
 
     /// The change of tool length that waits for the way to the R level.
