@@ -5,6 +5,9 @@
 //! into the queue (as the **flow**, which for an arc of many turns may have to wait for room), and the new move
 //! is the open one. [`Assembler::close`] ends the open move at rest instead.
 //!
+//! How a corner between two lines is rounded depends on whether the line behind it ends with such a corner too. So the line
+//! before it waits, as a **turn**, for the move behind that.
+//!
 //! A line between two corners that may be run with both of them as one ([`crate::path::link`]) is **held** back until it is
 //! known that the move behind it is longer, or goes on.
 //!
@@ -15,13 +18,14 @@ mod open;
 
 use crate::limits::{Class, Inverses, Load, Rates};
 use crate::moves::Move;
+use crate::path::corner::Far;
 use crate::path::joint::{Ease, Joint, JointRules, MOST_CHORDS, Member, add, is_lost};
 use crate::path::piece::Piece;
 use crate::path::shape::{Cubic, Shape};
 use crate::path::smooth::Smoother;
 use crate::timing::queue::{Cell, Node, Pass, Queue};
 use ferrocut_geometry::{AXES, Position};
-use open::{Before, End, Flow, Held, Open, Start};
+use open::{Before, End, Flow, Held, Open, Start, Turn};
 
 /// Stretches shorter than this between two joints are left out, mm.
 const LEAST_CELL: f64 = 1e-10;
@@ -79,6 +83,7 @@ pub(crate) struct Assembler {
     open: Option<Open>,
     /// Before the open move.
     held: Option<Held>,
+    turn: Option<Turn>,
     flow: Option<Flow>,
     closing: bool,
     smoother: Smoother,
@@ -100,6 +105,7 @@ impl Assembler {
             cornering: None,
             open: None,
             held: None,
+            turn: None,
             flow: None,
             closing: false,
             smoother: Smoother::new(*inverses.of(Class::Cut)),
@@ -117,7 +123,7 @@ impl Assembler {
         self.arc = None;
         self.cornering = None;
         self.open = None;
-        self.held = None;
+        (self.held, self.turn) = (None, None);
         self.flow = None;
         self.closing = false;
         self.smoother.clear();
@@ -251,6 +257,17 @@ impl Assembler {
                 return;
             }
         }
+        if let (Some(turn), Some(open)) = (self.turn.take(), &mut self.open) {
+            let far = match open.join(member, false, &self.rules, &self.inverses) {
+                Joint::Corner(end, _) if Held::new(open, end, member, &self.inverses).is_some() => None,
+                Joint::Corner(..) => Some(Far::Corner),
+                Joint::Rest => Some(Far::Rest),
+                _ => Some(Far::Other),
+            };
+            self.flow = Some(turn.flow(open, far, &self.inverses));
+            self.parts.push(*member);
+            return;
+        }
         let s = self.s;
         self.s += if let Piece::Axes { .. } = member.piece { AXES_LENGTH } else { member.piece.len() };
         let Some(open) = &mut self.open else {
@@ -267,12 +284,13 @@ impl Assembler {
             Joint::Chain if is_lost(open.member.piece.len().min(member.piece.len()), self.s) => Joint::Rest,
             joint => joint,
         };
+        let mut swings = None;
         let (end, start) = match joint {
             Joint::Chain => return self.chain(member, s, queue),
             Joint::Rest => (End::Rest(open.member.piece.end()), Start::Rest),
             Joint::Through(cap) => (End::Through, Start::Plain(cap)),
             Joint::Ease(ease) => (End::Ease(ease), Start::Ease(ease.behind())),
-            Joint::Corner(corner) => {
+            Joint::Corner(corner, lines) => {
                 if !self.chained
                     && let Some(held) = Held::new(open, corner, member, &self.inverses)
                 {
@@ -286,13 +304,18 @@ impl Assembler {
                     return;
                 }
                 let room = if self.chained { f64::INFINITY } else { open.room() };
+                swings = lines;
                 (End::Corner(corner), Start::Corner(corner, Before { class: open.member.class, room }))
             }
         };
         let open = std::mem::replace(open, Open { member: *member, start, s });
         let chain = self.chained.then_some(false);
         self.chained = false;
-        self.flow = Some(Flow { open, end, chain, at: 0.0, begun: false });
+        let flow = Flow { open, end, chain, at: 0.0, begun: false };
+        match swings {
+            Some(lines) => self.turn = Some(Turn { flow, lines }),
+            None => self.flow = Some(flow),
+        }
     }
 
     /// The line before the open move is run as one with the corners at its ends.
@@ -382,6 +405,10 @@ impl Assembler {
             }
             if let Some(held) = self.held.take() {
                 self.flow = Some(held.flow());
+                continue;
+            }
+            if let (Some(turn), Some(open)) = (self.turn.take(), &mut self.open) {
+                self.flow = Some(turn.flow(open, Some(Far::Rest), &self.inverses));
                 continue;
             }
             self.closing = false;

@@ -26,9 +26,8 @@ use crate::moves::Move;
 use crate::path::joint::JointRules;
 use crate::path::shape::Shape;
 use crate::retrace::Tape;
-use crate::timing::brake;
 use crate::timing::interpolate::{Outcome, Track, Walk};
-use crate::timing::plan::{Overrides, Plan, STRETCHES, Stretch};
+use crate::timing::plan::{Overrides, Plan, STOPPING, STRETCHES, Stretch};
 use crate::timing::queue::Queue;
 use ferrocut_geometry::Position;
 use ferrocut_machine::Machine;
@@ -499,7 +498,7 @@ impl Planner {
 
     /// Brings the path to rest.
     fn stop(&mut self) {
-        if !self.can_change(brake::PIECES + 2) {
+        if !self.can_change(STOPPING) {
             return;
         }
         if self.walk.axes.is_under_way() {

@@ -2,8 +2,8 @@
 //! follows it.
 
 use crate::limits::{Class, Inverses};
-use crate::path::corner::Corner;
-use crate::path::joint::{Ease, Joint, JointRules, Member};
+use crate::path::corner::{Corner, Far, Lines};
+use crate::path::joint::{Behind, Ease, Joint, JointRules, Member};
 use crate::path::link::LONGER;
 use ferrocut_geometry::Position;
 
@@ -39,8 +39,12 @@ pub(super) struct Open {
 impl Open {
     /// How it runs into `next`; it may be `chained` to a line before it.
     pub fn join(&self, next: &Member, chained: bool, rules: &JointRules, inverses: &Inverses) -> Joint {
-        let behind_corner = !chained && matches!(self.start, Start::Corner(..));
-        self.member.join(next, behind_corner, rules, inverses)
+        let behind = match self.start {
+            _ if chained => Behind::Chain,
+            Start::Corner(..) => Behind::Corner,
+            _ => Behind::Other,
+        };
+        self.member.join(next, behind, rules, inverses)
     }
 
     /// How far it is straight before its end, mm.
@@ -112,5 +116,36 @@ impl Held {
     /// The line on its own.
     pub fn flow(&self) -> Flow {
         Flow { open: self.line, end: End::Corner(self.end), chain: None, at: 0.0, begun: false }
+    }
+}
+
+/// A line before a corner that may swing out, and the lines on both sides of that.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Turn {
+    pub flow: Flow,
+    pub lines: Lines,
+}
+
+impl Turn {
+    /// The line before the corner, as that is rounded; `open` is the line behind it, and begins so. `None` for what is at the
+    /// end of that where it may be run as one with the corners.
+    pub fn flow(mut self, open: &mut Open, far: Option<Far>, inverses: &Inverses) -> Flow {
+        let (End::Corner(corner), Start::Corner(begins, _)) = (&mut self.flow.end, &mut open.start) else {
+            return self.flow;
+        };
+        if let Some(far) = far {
+            let [before, behind] = &mut self.lines.sides;
+            before.end = match self.flow.open.start {
+                _ if self.flow.chain.is_some() => Far::Other,
+                Start::Corner(..) => Far::Corner,
+                Start::Rest => Far::Rest,
+                Start::Plain(_) | Start::Ease(_) => Far::Other,
+            };
+            behind.end = far;
+            let inverse = inverses.beside(self.flow.open.member.class, open.member.class);
+            *corner = corner.swinging(&self.lines, inverse);
+            *begins = *corner;
+        }
+        self.flow
     }
 }

@@ -51,11 +51,11 @@
 //! A corner run at the share `λ` of its pace has speed `λ·v` and acceleration `λ²·a`, its jerk is `λ³` of the whole.
 
 use crate::limits::{Drive, Inverse, Rates, peak};
-use crate::path::link::{LONGER, Link, Linked};
+use crate::path::link::{Link, Linked};
 use crate::path::piece::{Piece, Reach};
 use crate::path::swing::Swing;
 use crate::quick::larger;
-use crate::timing::ramp::{Foot, STOP_ROOM, distance, duration};
+use crate::timing::ramp::{Foot, Phases, STOP_ROOM, distance, duration};
 use ferrocut_geometry::{AXES, Position};
 
 /// What is the same all along a rounded corner.
@@ -166,7 +166,7 @@ const LEANING: Tries = Tries {
 };
 
 /// Steps about the best of them.
-const STEPS: [f64; 4] = [0.5, 0.3, 0.15, 0.07];
+const STEPS: [f64; 6] = [0.5, 0.5, 0.3, 0.15, 0.07, 0.03];
 
 /// What makes a swing, in proportion.
 #[derive(Clone, Copy, Debug)]
@@ -204,7 +204,7 @@ const SWING_SHARE: f64 = 0.9999;
 
 /// A swing must be worth this, and one without going back this much more: it is come to with more acceleration.
 const WORTH: f64 = 0.99;
-const LEANING_WORTH: f64 = 0.98;
+const LEANING_WORTH: f64 = 1.0;
 
 /// Places in which the speed of a swing is looked at.
 const LOOKS: u32 = 64;
@@ -322,19 +322,9 @@ impl Corner {
         self.reach + self.between()
     }
 
-    /// The same corner between two lines that swings out, if that is quicker with the speeds and drives that the lines
-    /// before and behind it, of these lengths, are run with.
-    pub fn swinging(
-        self,
-        tolerance: f64,
-        lens: [f64; 2],
-        sides: [(f64, Drive); 2],
-        inverse: &Inverse,
-    ) -> Corner {
-        let len = lens[0].min(lens[1]);
-        // A line shorter than the other that leaves no room to stop may be run as one with the corners at its ends.
-        let may_link = lens[0].max(lens[1]) >= LONGER * len && !self.fits(sides, len, 1.0);
-        if self.form != Form::Cubic || may_link {
+    /// The same corner between two lines that swings out, if that is quicker.
+    pub fn swinging(self, lines: &Lines, inverse: &Inverse) -> Corner {
+        if self.form != Form::Cubic {
             return self;
         }
         let (d1, d2) = (self.before.slope(0.0), self.after.slope(0.0));
@@ -360,12 +350,12 @@ impl Corner {
             if !(depth > 0.0) {
                 return None;
             }
-            let reach = size * SWING_SHARE * tolerance / depth;
-            if 2.0 * reach > len {
+            let reach = size * SWING_SHARE * lines.tolerance / depth;
+            if lines.sides.iter().any(|side| side.taken(reach) > side.len) {
                 return None;
             }
             let corner = self.swung(swing, reach, &directions);
-            Some((corner, corner.loss_within(sides, len)?))
+            Some((corner, corner.loss_within(lines)?))
         };
         // The best of those that are tried at first, and of what is found in steps from there.
         let search = |tries: Tries| {
@@ -407,7 +397,7 @@ impl Corner {
         let swinging = search(SWINGING);
         let leaning = search(LEANING);
         let best = if leaning.1 < LEANING_WORTH * swinging.1 { leaning } else { swinging };
-        let own = self.loss_within(sides, len);
+        let own = self.loss_within(lines);
         if own.is_some_and(|own| best.1 >= WORTH * own) { self } else { best.0.with_haste() }
     }
 
@@ -478,46 +468,94 @@ impl Corner {
 
     /// What the corner costs against running on with speed `feed` on lines with `drive`, s.
     pub fn loss(&self, feed: f64, drive: Drive) -> f64 {
-        self.loss_at([(feed, drive); 2], 1.0)
+        let side = Side { len: f64::INFINITY, feed, drive, end: Far::Corner };
+        self.loss_at([&side; 2], 1.0)
     }
 
-    /// Whether there is room to stop between two of them on a line of `len` at this pace.
-    fn fits(&self, sides: [(f64, Drive); 2], len: f64, pace: f64) -> bool {
-        sides.iter().all(|(feed, drive)| {
-            let foot = paced(self.foot, pace.min(pace_below(self.foot, *feed, drive.j)));
-            2.0 * self.reach + STOP_ROOM * foot.room(*drive) <= len
-        })
-    }
-
-    /// What it costs between two lines, of which the shorter one is `len` long: at the pace at which there is room to stop
-    /// between two of them. `None` where there is at none.
-    fn loss_within(&self, sides: [(f64, Drive); 2], len: f64) -> Option<f64> {
-        if self.fits(sides, len, 1.0) {
+    /// What it costs between two lines: at the highest pace for which they are long enough. `None` where they are for none.
+    fn loss_within(&self, lines: &Lines) -> Option<f64> {
+        let sides = lines.sides.each_ref();
+        let fits = |pace: f64| sides.iter().all(|side| side.fits(self, pace));
+        if fits(1.0) {
             return Some(self.loss_at(sides, 1.0));
         }
         let (mut low, mut high) = (0.0, 1.0);
         for _ in 0..5 {
             let middle = 0.5 * (low + high);
-            if self.fits(sides, len, middle) { low = middle } else { high = middle }
+            if fits(middle) { low = middle } else { high = middle }
         }
         (low > 0.0).then(|| self.loss_at(sides, low))
     }
 
     /// What it costs at the pace `most`, or at the highest below it that the speeds beside it allow.
-    fn loss_at(&self, sides: [(f64, Drive); 2], most: f64) -> f64 {
-        let [(v0, drive0), (v1, drive1)] = sides;
-        let mut pace = most.min(pace_below(self.foot, v0, drive0.j));
-        if (v1, drive1.j) != (v0, drive0.j) {
-            pace = pace.min(pace_below(self.foot, v1, drive1.j));
+    fn loss_at(&self, [before, after]: [&Side; 2], most: f64) -> f64 {
+        let mut pace = most.min(pace_below(self.foot, before.feed, before.drive.j));
+        if (after.feed, after.drive.j) != (before.feed, before.drive.j) {
+            pace = pace.min(pace_below(self.foot, after.feed, after.drive.j));
         }
         let foot = paced(self.foot, pace);
-        let lost = |(feed, drive): (f64, Drive)| {
-            let way = foot.distance(feed, drive).unwrap_or(0.0);
-            let ramp = crate::timing::ramp::Phases::new(foot, feed, drive).total();
-            ramp - (way + self.reach) / feed
+        let lost = before.lost(foot, self.reach);
+        self.time / pace + lost + if after == before { lost } else { after.lost(foot, self.reach) }
+    }
+}
+
+/// The lines beside a corner, by which a swing is chosen.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Lines {
+    pub tolerance: f64,
+    /// The one before and the one behind it.
+    pub sides: [Side; 2],
+}
+
+/// One of them.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct Side {
+    /// mm.
+    pub len: f64,
+    /// The speed that it is run with, mm/s.
+    pub feed: f64,
+    pub drive: Drive,
+    pub end: Far,
+}
+
+/// What is at the other end of a line beside a corner.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Far {
+    /// A corner like it.
+    Corner,
+    Rest,
+    /// Something that the path is to be stopped before.
+    Other,
+}
+
+impl Side {
+    /// Whether it is long enough for this corner, at this pace, at both its ends: between them the acceleration is taken back
+    /// and built up again.
+    fn fits(&self, corner: &Corner, pace: f64) -> bool {
+        let foot = paced(corner.foot, pace.min(pace_below(corner.foot, self.feed, self.drive.j)));
+        let way = match self.end {
+            Far::Corner => 2.0 * foot.distance(foot.top(self.drive.j), self.drive).unwrap_or(f64::INFINITY),
+            Far::Rest | Far::Other => STOP_ROOM * foot.room(self.drive),
         };
-        let before = lost(sides[0]);
-        self.time / pace + before + if sides[1] == sides[0] { before } else { lost(sides[1]) }
+        self.taken(corner.reach) + way <= self.len
+    }
+
+    /// How much of it such corners take.
+    fn taken(&self, reach: f64) -> f64 {
+        if self.end == Far::Rest { reach } else { 2.0 * reach }
+    }
+
+    /// What a corner costs on it that begins or ends with this state and reach: where the line is too short to get to the feed,
+    /// up to where the ramps of two such corners meet.
+    fn lost(&self, foot: Foot, reach: f64) -> f64 {
+        let &Side { len, feed, drive, .. } = self;
+        let half = 0.5 * len - reach;
+        let way = foot.distance(feed, drive).unwrap_or(0.0);
+        if way <= half {
+            return Phases::new(foot, feed, drive).total() - (way + reach) / feed;
+        }
+        let top = foot.reached(half, drive).clamp(foot.top(drive.j).min(feed), feed);
+        Phases::new(foot, top, drive).total() - 0.5 * len / feed
     }
 }
 

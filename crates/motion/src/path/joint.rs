@@ -24,7 +24,7 @@
 
 use crate::limits::{Class, Drive, Inverse, Inverses, MAX_FEED_OVERRIDE, MAX_SPINDLE_OVERRIDE, Rates, peak};
 use crate::moves::{Kind, Move};
-use crate::path::corner::{Corner, norm, valley_loss};
+use crate::path::corner::{Corner, Far, Lines, Side, norm, valley_loss};
 use crate::path::piece::Piece;
 use crate::path::slow::{self, Slowdown, on_arc};
 use ferrocut_geometry::{AXES, Position};
@@ -50,8 +50,11 @@ const CRAWL: f64 = 1.0;
 
 /// Where corners follow each other so closely that from one the path could hardly speed up and stop before the next, no more
 /// than so many times the way of that, a curve through all of them is quicker; unless they are sharper than 60°:
-/// 2·sin(60°/2).
-const TIGHT: f64 = 2.2;
+/// 2·sin(60°/2). Behind a line of such a curve, and behind a corner, more of the same is: where one ends and the other begins
+/// both are slow.
+const TIGHT: f64 = 1.5;
+const TIGHT_CHAIN: f64 = 2.2;
+const TIGHT_CORNER: f64 = 1.0;
 const TIGHT_CHORD: f64 = 1.0;
 
 /// A short line beside one at least so many times as long, into which it turns by more than 60°, may be what joins two rows
@@ -116,6 +119,26 @@ pub(crate) struct Member {
     pub inner: Option<InnerCorners>,
 }
 
+/// How a move meets the one before it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Behind {
+    /// It is smoothed with it.
+    Chain,
+    /// By a corner rounded in time.
+    Corner,
+    Other,
+}
+
+impl Behind {
+    fn tight(self) -> f64 {
+        match self {
+            Behind::Chain => TIGHT_CHAIN,
+            Behind::Corner => TIGHT_CORNER,
+            Behind::Other => TIGHT,
+        }
+    }
+}
+
 /// How two moves are joined.
 #[derive(Clone, Copy, Debug)]
 #[expect(clippy::large_enum_variant, reason = "there is one of it at a time")]
@@ -126,8 +149,8 @@ pub(crate) enum Joint {
     Through(f64),
     /// Eased over this length on both sides, mm.
     Ease(Ease),
-    /// Rounded in time.
-    Corner(Corner),
+    /// Rounded in time; between lines it may swing out ([`Corner::swinging`]).
+    Corner(Corner, Option<Lines>),
     /// The two lines are smoothed together.
     Chain,
 }
@@ -264,8 +287,8 @@ impl Member {
         Some(speed)
     }
 
-    /// How this move, which may be one `behind_corner`, runs into `next`.
-    pub fn join(&self, next: &Member, behind_corner: bool, rules: &JointRules, inverses: &Inverses) -> Joint {
+    /// How this move runs into `next`.
+    pub fn join(&self, next: &Member, behind: Behind, rules: &JointRules, inverses: &Inverses) -> Joint {
         let inverse = inverses.beside(self.class, next.class);
         let Some(tolerance) = self.tolerance else { return Joint::Rest };
         // What is beside a joint is of both moves. An exact stop has a tolerance at its end alone, and so has the last piece
@@ -292,7 +315,7 @@ impl Member {
         };
         let drive = || inverse.straight(&before.0).min(inverse.straight(&after.0));
         let top = || self.top(inverse, len).min(next.top(inverse, 0.0));
-        let [row, link] = if behind_corner && next_len > len { [next_len, len] } else { [len, next_len] };
+        let [row, link] = if behind == Behind::Corner && next_len > len { [next_len, len] } else { [len, next_len] };
         let corner = || {
             let room = CORNER_ROOM * len.min(next_len);
             let corner = Corner::new(&self.piece, &next.piece, tolerance, room, inverse);
@@ -338,7 +361,7 @@ impl Member {
             return match ease {
                 Some(ease) if angle <= ARC_CHORD || ease.speed(inverse) >= feed => Joint::Ease(ease),
                 _ if angle <= ARC_CHORD => or_through(through),
-                _ => corner().map_or(Joint::Rest, Joint::Corner),
+                _ => corner().map_or(Joint::Rest, |corner| Joint::Corner(corner, None)),
             };
         };
         let least = len.min(next_len);
@@ -346,23 +369,22 @@ impl Member {
         let is_tight = |corner: &Corner| {
             let is_other = self.inner.is_some() || next.inner.is_some();
             let room = least - 2.0 * corner.reach;
-            !is_other && angle < TIGHT_CHORD && room < TIGHT * corner.foot.room(drive)
+            !is_other && angle < TIGHT_CHORD && room < behind.tight() * corner.foot.room(drive)
         };
         let is_better = |corner: &Corner| is_row || corner.reach < CHAIN_ROOM * least && !is_tight(corner);
         let corner = corner().filter(|corner| !is_chain || is_better(corner));
         let ease = ease.filter(|_| !is_row || corner.is_none());
         match choose(ease, corner, feed, drive, inverse) {
             Some(Joint::Ease(_)) if is_chain => Joint::Chain,
-            // Between lines alone, on which it may speed up to this on half of them.
-            Some(Joint::Corner(corner)) if tolerance > 0.0 && !is_rapid => {
-                let half = 0.5 * len.min(next_len);
+            // Between lines alone.
+            Some(Joint::Corner(corner, _)) if tolerance > 0.0 && !is_rapid => {
                 let side = |member: &Member, at: f64, direction: &Position| {
-                    let drive = inverse.straight(&direction.0);
-                    let reached = (drive.j * half * half).cbrt().min((2.0 * drive.a * half).sqrt());
-                    (member.top(inverse, at).min(member.feed).min(reached), drive)
+                    let (len, drive) = (member.piece.len(), inverse.straight(&direction.0));
+                    let feed = member.top(inverse, at).min(member.feed);
+                    Side { len, feed, drive, end: Far::Other }
                 };
                 let sides = [side(self, len, &before), side(next, 0.0, &after)];
-                Joint::Corner(corner.swinging(tolerance, [len, next_len], sides, inverse))
+                Joint::Corner(corner, Some(Lines { tolerance, sides }))
             }
             Some(joint) => joint,
             None => or_through(through),
@@ -485,10 +507,10 @@ fn choose(
                 loss += EASE_COST * 2.0 * ease.h * (1.0 / v - 1.0 / feed);
             }
             let is_eased = v >= feed || loss <= corner.loss(feed, drive);
-            Some(if is_eased { Joint::Ease(ease) } else { Joint::Corner(corner) })
+            Some(if is_eased { Joint::Ease(ease) } else { Joint::Corner(corner, None) })
         }
         (Some(ease), None) => Some(Joint::Ease(ease)),
-        (None, Some(corner)) => Some(Joint::Corner(corner)),
+        (None, Some(corner)) => Some(Joint::Corner(corner, None)),
         (None, None) => None,
     }
 }

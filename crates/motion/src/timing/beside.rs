@@ -30,6 +30,9 @@ const SHORT_RAMP: f64 = 0.004;
 /// The pace of a corner is found to this share of it.
 const NARROW: f64 = 1e-7;
 
+/// And no less than this.
+const LEAST: f64 = 1e-6;
+
 /// Ways to stop on one side of a corner, of which one is enough.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Beside([Side; 4]);
@@ -113,9 +116,10 @@ impl Beside {
     }
 }
 
-/// Highest pace, up to 1, of a corner with both its sides.
-pub(crate) fn pace(foot: Foot, sides: [&Beside; 2]) -> f64 {
-    largest(1.0, |pace| sides.iter().all(|beside| beside.0.iter().any(|side| side.fits(foot, pace))))
+/// Highest pace, up to 1, of a corner with these sides.
+pub(crate) fn pace<'a>(foot: Foot, sides: impl Iterator<Item = &'a Beside> + Clone) -> f64 {
+    let fits = |pace: f64| sides.clone().all(|beside| beside.0.iter().any(|side| side.fits(foot, pace)));
+    largest(0.0, 1.0, fits).max(LEAST)
 }
 
 /// What the path beside a corner allows.
@@ -190,12 +194,12 @@ impl Beyond {
     }
 }
 
-/// A number up to `most` for which `fits` holds, which holds for small ones; it does not for one larger by [`NARROW`].
-fn largest(most: f64, fits: impl Fn(f64) -> bool) -> f64 {
+/// A number from `low`, for which `fits` holds, up to `most` for which it holds too; for one larger by [`NARROW`] it does not.
+pub(crate) fn largest(low: f64, most: f64, fits: impl Fn(f64) -> bool) -> f64 {
     if fits(most) {
         return most;
     }
-    let (mut low, mut high) = (0.0, most);
+    let (mut low, mut high) = (low, most);
     for _ in 0..40 {
         if high - low <= NARROW * high {
             break;
@@ -207,5 +211,5 @@ fn largest(most: f64, fits: impl Fn(f64) -> bool) -> f64 {
             high = middle;
         }
     }
-    low.max(1e-6)
+    low
 }

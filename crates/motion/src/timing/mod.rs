@@ -3,6 +3,7 @@
 pub(crate) mod axes;
 pub(crate) mod beside;
 pub(crate) mod brake;
+pub(crate) mod chain;
 pub(crate) mod grid;
 pub(crate) mod interpolate;
 pub(crate) mod piece;

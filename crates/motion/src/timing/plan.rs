@@ -25,7 +25,8 @@
 use crate::limits::{Class, Drive, Inverses, Limits, MAX_SPINDLE_OVERRIDE};
 use crate::path::corner::paced;
 use crate::timing::beside::{self, Beside};
-use crate::timing::brake::{Brake, Start};
+use crate::timing::brake::{Brake, PIECES, Start};
+use crate::timing::chain::{Chain, KNOTS, Line};
 use crate::timing::grid::{ALIKE, Grid, Port};
 use crate::timing::piece::{Piece, State};
 use crate::timing::queue::{CELLS, Node, Pass, Queue, SAME_LENGTH};
@@ -144,6 +145,9 @@ const SLOWER_CORNER: f64 = 0.75;
 const LEAST_SHARE: f64 = 0.2;
 const SLOW_CORNERS: usize = 16;
 
+/// At which paces a corner is tried that is slowed down for, from the lowest that can be come to at 0 to the whole one at 1.
+const THROUGH_PACES: [f64; 6] = [1.0, 0.75, 0.5, 0.3, 0.12, 0.0];
+
 /// How often a plan from rest is tried with slower corners.
 const ROUNDS: i32 = 8;
 
@@ -250,12 +254,19 @@ pub(crate) struct Plan {
     slow: Vec<(u64, f64)>,
     /// The corner behind which the section lies that was not to be planned.
     blamed: Option<u64>,
+    /// The corners ahead.
+    chain: Chain,
+    /// A corner was passed that may be run faster once more of the path is known.
+    is_open: bool,
     /// Stretches to be run before planning is tried again.
     patience: usize,
 }
 
 /// Most stretches: every step of the sections that are known.
 pub(crate) const STRETCHES: usize = 4 * CELLS;
+
+/// Most stretches of a stop: braking, what was planned before a corner, and the lines and corners that are passed.
+pub(crate) const STOPPING: usize = PIECES + SPARE + 8 * KNOTS;
 
 impl Plan {
     /// `lowest` is the slowest cutting, mm/s.
@@ -279,6 +290,8 @@ impl Plan {
             brake: Brake::new(),
             slow: Vec::with_capacity(SLOW_CORNERS),
             blamed: None,
+            chain: Chain::new(),
+            is_open: false,
             patience: 0,
         }
     }
@@ -352,10 +365,22 @@ impl Plan {
         self.stretches.truncate(fixed);
         // Of the plan before nothing behind this moment is final.
         (self.fixed, self.next) = (fixed, start);
+        let is_planned = self.renew_from(queue, start)
+            || self.through_corners(queue, start, |plan, at| plan.renew_from(queue, at));
+        if is_planned {
+            return Some(changed);
+        }
+        self.give_up(queue);
+        None
+    }
+
+    /// Plans everything behind the last stretch again, from `start` on.
+    fn renew_from(&mut self, queue: &Queue, start: Start) -> bool {
+        let fixed = self.stretches.len();
         self.look_ahead(queue, start, start.cell);
         for corners in [Corners::BOLD, Corners::SAFE] {
             if self.sections_behind(queue, start, fixed, corners) {
-                return Some(changed);
+                return true;
             }
         }
         let limit = self.limit(queue, start.cell, false);
@@ -372,11 +397,11 @@ impl Plan {
             let braked = self.stretches.len();
             self.look_ahead(queue, behind, behind.cell);
             if self.sections_behind(queue, behind, braked, Corners::SAFE) {
-                return Some(changed);
+                return true;
             }
         }
-        self.give_up(queue);
-        None
+        self.stretches.truncate(fixed);
+        false
     }
 
     /// Plans the cells behind what is final, to rest at the last one. `at` is where the path begins if nothing is
@@ -527,20 +552,7 @@ impl Plan {
 
     /// The state behind the stretch being run.
     fn behind_current(&self, queue: &Queue) -> Option<Start> {
-        Some(match *self.stretches.get(self.current)? {
-            Stretch::Piece(piece) => {
-                let s = piece.end();
-                Start { port: Port { s, state: piece.to }, cell: queue.find(queue.head(), s) }
-            }
-            Stretch::Corner { end, cell, pace, foot, .. } => {
-                let foot = paced(foot, pace);
-                Start { port: Port { s: end, state: State { v: foot.v, a: foot.a } }, cell: cell + 1 }
-            }
-            Stretch::Axes { cell, .. } | Stretch::Rest { cell, .. } => {
-                let s = queue_start(queue, cell + 1);
-                Start { port: Port { s, state: State::REST }, cell: cell + 1 }
-            }
-        })
+        self.stretches.get(self.current).map(|stretch| behind(queue, stretch))
     }
 
     /// Brings the path to rest as soon as the bounds allow; it is `t` seconds inside the stretch being run, from which
@@ -557,9 +569,106 @@ impl Plan {
                 self.fixed = self.stretches.len();
                 return Some(self.number());
             }
+            let stops = |plan: &mut Plan, at: Start| {
+                let limit = plan.limit(queue, at.cell, !gives_up);
+                let stops = plan.brake.run(queue, at, 0.0, limit);
+                if stops {
+                    plan.stretches.extend(plan.brake.pieces().iter().map(|piece| Stretch::Piece(*piece)));
+                }
+                stops
+            };
+            if self.through_corners(queue, start, stops) {
+                self.fixed = self.stretches.len();
+                return Some(self.number());
+            }
         }
         self.restore();
         None
+    }
+
+    /// Where the path cannot be slowed down on a line before a corner: it is slowed down for that, and so on for the next
+    /// ones, until `goes_on` finds a plan behind one of them. `start` is where the stretch being run was cut.
+    fn through_corners(
+        &mut self,
+        queue: &Queue,
+        start: Start,
+        mut goes_on: impl FnMut(&mut Plan, Start) -> bool,
+    ) -> bool {
+        self.stretches.truncate(self.current + 1);
+        let mut at = start;
+        for _ in 0..KNOTS {
+            let cell = at.cell + 1;
+            let line = self.line_before(queue, cell, at.port.s).filter(|_| cell < queue.tail());
+            let (Some(line), State { v, a }) = (line, at.port.state) else { return false };
+            let known = self.stretches.len();
+            if a < 0.0 {
+                // It slows down for the corner already.
+                let Some(behind) = self.go_on_to_corner(queue, cell).filter(|_| at.cell == start.cell) else {
+                    return false;
+                };
+                at = behind;
+                if goes_on(self, at) {
+                    return true;
+                }
+                continue;
+            }
+            let Pass::Corner { foot, .. } = queue.node(cell).pass else { return false };
+            let Some(least) = line.least(Foot { v, a }, foot) else { return false };
+            let least = least.max(LEAST_PACE);
+            let mut slowest = None;
+            for share in THROUGH_PACES {
+                self.stretches.truncate(known);
+                let Some(behind) = self.slow_down_to_corner(queue, at, cell, least + share * (1.0 - least))
+                else {
+                    continue;
+                };
+                let reached = self.stretches.len();
+                if goes_on(self, behind) {
+                    return true;
+                }
+                self.stretches.truncate(reached);
+                slowest = Some(behind);
+            }
+            let Some(slowest) = slowest else { return false };
+            at = slowest;
+        }
+        false
+    }
+
+    /// Adds the line from `at` to the corner in `cell`, and that at this pace. Where the path is then; `None` if the line does
+    /// not lead to it.
+    fn slow_down_to_corner(&mut self, queue: &Queue, at: Start, cell: u64, pace: f64) -> Option<Start> {
+        let line = self.line_before(queue, cell, at.port.s)?;
+        let node = queue.node(cell);
+        let Pass::Corner { foot, time, .. } = node.pass else { return None };
+        let here = Foot { v: at.port.state.v, a: at.port.state.a };
+        let there = paced(foot, pace);
+        // It may come from a higher override.
+        let cap = here.top(line.drive.j).max(there.top(line.drive.j));
+        let to = Port { s: node.s, state: State { v: there.v, a: -there.a } };
+        if !self.line(at.port, to, cap, line.drive, None) {
+            return None;
+        }
+        self.stretches.push(Stretch::Corner { s: node.s, end: node.end(), cell, pace, foot, time });
+        self.behind_last(queue)
+    }
+
+    /// The stretch that was cut, and what was planned behind it, up to the corner in `cell` and that. Where the path is then.
+    fn go_on_to_corner(&mut self, queue: &Queue, cell: u64) -> Option<Start> {
+        let is_corner = |stretch: &Stretch| matches!(stretch, Stretch::Corner { .. });
+        let planned = self.before.iter().position(is_corner)?;
+        if !matches!(self.before[planned], Stretch::Corner { cell: its, .. } if its == cell) {
+            return None;
+        }
+        self.stretches.truncate(self.current);
+        self.stretches.extend_from_slice(&self.before[..=planned]);
+        self.behind_last(queue)
+    }
+
+    /// The state behind the last stretch, a corner with more path behind it.
+    fn behind_last(&self, queue: &Queue) -> Option<Start> {
+        let behind = behind(queue, self.stretches.last()?);
+        (behind.cell < queue.tail()).then_some(behind)
     }
 
     /// Finds the pieces that slow down from `start`, in the stretch that was cut, to `target` before `limit`.
@@ -611,10 +720,12 @@ impl Plan {
         // The corner that the section begins behind, if its pace is still to be chosen.
         let mut corner = None;
         self.blamed = None;
+        self.is_open = false;
+        self.chain.clear();
         while cell < tail && self.stretches.len() + SPARE < STRETCHES {
             // Where the section ends: before a corner, at a rest, at the end of the queue.
             let mut last = cell;
-            let mut pace = 1.0;
+            let (mut pace, mut is_final) = (1.0, true);
             loop {
                 let node = queue.node(last);
                 match node.pass {
@@ -630,7 +741,7 @@ impl Plan {
                         break;
                     }
                     Pass::Corner { foot, .. } => {
-                        pace = self.pace(queue, last, foot, &port, corners);
+                        (pace, is_final) = self.pace(queue, last, foot, &port, corners);
                         break;
                     }
                 }
@@ -719,6 +830,7 @@ impl Plan {
                     });
                     port = Port { s: node.end(), state: State { v: foot_now.v, a: foot_now.a } };
                     corner = Some(last);
+                    self.is_open |= !is_final;
                     if last + 1 < tail {
                         self.fix(Start { port, cell: last + 1 });
                     }
@@ -778,25 +890,87 @@ impl Plan {
 
     /// Everything so far is final, planning goes on from `start`.
     fn fix(&mut self, start: Start) {
-        self.fixed = self.stretches.len();
-        self.next = start;
+        self.fix_to(self.stretches.len(), start);
     }
 
-    /// Highest pace of a corner that the path beside it leaves room to stop for.
-    fn pace(&self, queue: &Queue, cell: u64, foot: Foot, from: &Port, corners: Corners) -> f64 {
-        let cap = self.overrides.cap(queue.node(cell));
-        let before = (queue.head()..cell).rev().map(|cell| queue.node(cell)).take_while(|node| !node.rests);
-        let mut ends = false;
-        let after = (cell + 1..self.horizon).map(|cell| queue.node(cell));
-        let after = after.take_while(|node| !std::mem::replace(&mut ends, node.rests));
-        let top = |node: &Node| self.overrides.cap(node);
-        let mut before = Beside::new(before, foot, corners.is_bold, cap, top);
-        if from.state == State::REST {
-            before.begins_at_rest(queue.node(cell).s - from.s);
+    /// The first so many stretches are, unless they are behind a corner that may yet be run faster.
+    fn fix_to(&mut self, count: usize, start: Start) {
+        if !self.is_open {
+            (self.fixed, self.next) = (count, start);
         }
-        let after = Beside::new(after, foot, corners.is_bold, cap, top);
-        let slow = self.slow.iter().find(|(slow, _)| *slow == cell).map_or(1.0, |(_, share)| *share);
-        beside::pace(foot, [&before, &after]) * corners.share * slow
+    }
+
+    /// Highest pace of the corner in `cell`, to which the path goes from `from`: all that is behind it can be slowed down for,
+    /// and it can be come to. Whether it is so whatever comes behind what is known.
+    fn pace(&mut self, queue: &Queue, cell: u64, foot: Foot, from: &Port, corners: Corners) -> (f64, bool) {
+        let line = self.line_before(queue, cell, from.s);
+        if line.is_none() || self.chain.pace(cell).is_none() {
+            self.follow_corners(queue, cell, from, line.is_some(), corners);
+        }
+        let (pace, is_final) = self.chain.pace(cell).unwrap_or((0.0, true));
+        match line {
+            Some(line) if from.state.a >= 0.0 => {
+                let State { v, a } = from.state;
+                (line.most(Foot { v, a }, foot, pace), is_final)
+            }
+            _ => (pace, is_final),
+        }
+    }
+
+    /// Finds how fast the corner in `cell` and those that follow it with one line between may be run. The path comes to the
+    /// first from `from`, along one line (`is_line`) or not.
+    fn follow_corners(&mut self, queue: &Queue, first: u64, from: &Port, is_line: bool, corners: Corners) {
+        self.chain.clear();
+        let mut cell = first;
+        while let Pass::Corner { foot, .. } = queue.node(cell).pass {
+            let line = self.line_behind(queue, cell).filter(|_| !self.chain.is_full());
+            let cap = self.overrides.cap(queue.node(cell));
+            let top = |node: &Node| self.overrides.cap(node);
+            let before = (cell == first && !is_line).then(|| {
+                let nodes =
+                    (queue.head()..cell).rev().map(|cell| queue.node(cell)).take_while(|node| !node.rests);
+                let mut before = Beside::new(nodes, foot, corners.is_bold, cap, top);
+                if from.state == State::REST {
+                    before.begins_at_rest(queue.node(cell).s - from.s);
+                }
+                before
+            });
+            let after = line.is_none().then(|| {
+                let mut ends = false;
+                let nodes = (cell + 1..self.horizon).map(|cell| queue.node(cell));
+                let nodes = nodes.take_while(|node| !std::mem::replace(&mut ends, node.rests));
+                Beside::new(nodes, foot, corners.is_bold, cap, top)
+            });
+            let slow = self.slow.iter().find(|(slow, _)| *slow == cell).map_or(1.0, |(_, share)| *share);
+            let share = corners.share * slow;
+            let open = beside::pace(foot, before.iter()) * share;
+            let pace = beside::pace(foot, before.iter().chain(&after)) * share;
+            self.chain.push(cell, foot, [pace, open], line);
+            if line.is_none() {
+                break;
+            }
+            cell += 2;
+        }
+        self.chain.settle();
+    }
+
+    /// The one line on which the path comes from `s` to the corner in `cell`.
+    fn line_before(&self, queue: &Queue, cell: u64, s: f64) -> Option<Line> {
+        let number = cell.checked_sub(1).filter(|number| *number >= queue.head())?;
+        let node = queue.node(number);
+        let is_on = s >= node.s - SAME_LENGTH && s < node.end() - SAME_LENGTH;
+        (is_on && is_line(node)).then(|| self.line_of(node, node.end() - s))
+    }
+
+    /// The one line between the corner in `cell` and the next.
+    fn line_behind(&self, queue: &Queue, cell: u64) -> Option<Line> {
+        let is_known = cell + 2 < self.horizon && matches!(queue.node(cell + 2).pass, Pass::Corner { .. });
+        let node = is_known.then(|| queue.node(cell + 1)).filter(|node| is_line(node))?;
+        Some(self.line_of(node, node.len))
+    }
+
+    fn line_of(&self, node: &Node, len: f64) -> Line {
+        Line { len, drive: node.load.most(), cap: self.overrides.cap(node) }
     }
 
     /// Plans one section; its pieces are added.
@@ -836,8 +1010,7 @@ impl Plan {
         let count = self.deepen(queue, known, count, first);
         if is_open {
             if let Some((_, cell, port)) = touch {
-                self.fixed = known + count;
-                self.next = Start { port, cell };
+                self.fix_to(known + count, Start { port, cell });
             }
             if self.grid.is_cut {
                 self.planned = queue.find(first, self.stretches.last().map_or(from.s, Stretch::end));
@@ -947,6 +1120,24 @@ impl Plan {
     }
 }
 
+/// The state behind a stretch.
+fn behind(queue: &Queue, stretch: &Stretch) -> Start {
+    match *stretch {
+        Stretch::Piece(piece) => {
+            let s = piece.end();
+            Start { port: Port { s, state: piece.to }, cell: queue.find(queue.head(), s) }
+        }
+        Stretch::Corner { end, cell, pace, foot, .. } => {
+            let foot = paced(foot, pace);
+            Start { port: Port { s: end, state: State { v: foot.v, a: foot.a } }, cell: cell + 1 }
+        }
+        Stretch::Axes { cell, .. } | Stretch::Rest { cell, .. } => {
+            let s = queue_start(queue, cell + 1);
+            Start { port: Port { s, state: State::REST }, cell: cell + 1 }
+        }
+    }
+}
+
 /// Whether there may be something to be gained: somewhere it is much slower than `most`, and no corner is passed.
 fn is_valley(queue: &Queue, plan: &[Piece], first: u64, most: impl Fn(&Node) -> f64) -> bool {
     let end = plan[plan.len() - 1].end();
@@ -960,6 +1151,11 @@ fn is_valley(queue: &Queue, plan: &[Piece], first: u64, most: impl Fn(&Node) -> 
             cell = queue.find(cell, piece.s);
             piece.from.v < DEEP * most(queue.node(cell))
         })
+}
+
+/// Whether a cell is a straight line on which the path runs on.
+fn is_line(node: &Node) -> bool {
+    node.pass == Pass::Path && !node.rests && node.load.is_straight()
 }
 
 fn least_pace(is_link: bool) -> f64 {

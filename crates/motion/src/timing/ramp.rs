@@ -60,6 +60,32 @@ impl Foot {
         (v, t * (v + j * t * t / 6.0), t)
     }
 
+    /// The speed that a ramp reaches in the way `len`, where that is no less than the acceleration needs to be gone.
+    ///
+    /// With `x² = v − v*` and `s*` the way since `v*` it is `x³ + 2v*·x = √J·(len + s*)` without a steady part, else with
+    /// `c = v − v*` `c²/A + c·(2v*/A + A/J) + 2v*·A/J = 2·(len + s*)`.
+    pub fn reached(&self, len: f64, drive: Drive) -> f64 {
+        let Drive { a, j } = drive;
+        let (low, gone, _) = self.head(j);
+        let way = len + gone;
+        let right = j.sqrt() * way;
+        // Newton from above: behind its largest root the cubic is convex and rises.
+        let mut x = right.cbrt() + (-2.0 * low).max(0.0).sqrt();
+        for _ in 0..20 {
+            let step = (x * (x * x + 2.0 * low) - right) / (3.0 * x * x + 2.0 * low);
+            x -= step;
+            if !(step > 1e-9 * x) {
+                break;
+            }
+        }
+        if x * x * j <= a * a {
+            return low + x * x;
+        }
+        let b = 2.0 * low / a + a / j;
+        let c = 0.5 * a * ((b * b + 8.0 / a * (way - low * a / j)).max(0.0).sqrt() - b);
+        low + c
+    }
+
     /// Length of the way up to `v`, mm; `None` where it cannot be reached with this drive.
     #[inline]
     pub fn distance(&self, v: f64, drive: Drive) -> Option<f64> {
@@ -198,6 +224,17 @@ mod tests {
         assert!((distance(0.0, 100.0, DRIVE) - 4.5).abs() < 1e-12);
         // 0 to 20 mm/s: 2·√(20/50000) = 40 ms.
         assert!((duration(0.0, 20.0, DRIVE) - 0.04).abs() < 1e-12);
+    }
+
+    #[test]
+    fn what_is_reached_in_a_way_takes_that_way() {
+        for foot in [Foot::still(0.0), Foot::still(30.0), Foot { v: 18.0, a: 1500.0 }, Foot { v: 5.0, a: 1900.0 }]
+        {
+            for v in [60.0, 90.0, 200.0] {
+                let way = foot.distance(v, DRIVE).unwrap();
+                assert!((foot.reached(way, DRIVE) - v).abs() < 1e-6 * v, "{foot:?} {v}");
+            }
+        }
     }
 
     #[test]
