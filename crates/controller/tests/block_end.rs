@@ -143,7 +143,10 @@ fn single_block_stops_behind_the_parts_of_a_canned_cycle() {
     let repeated = "M3 S1000\nG91 G99 G81 X5 Z-2 R-1 F3000 K2\nM30\n";
     let places = [(0.0, 0.0), (5.0, 0.0), (5.0, -1.0), (5.0, -1.0), (10.0, -1.0), (10.0, -1.0), (10.0, -1.0)];
     assert_eq!(stops(repeated), places);
-    assert_eq!(stops("M3 S1000\nG90 G81 Z-2 R-1 F3000\nM30\n"), [(0.0, 0.0), (0.0, -1.0), (0.0, 0.0), (0.0, 0.0)]);
+    assert_eq!(
+        stops("M3 S1000\nG90 G81 Z-2 R-1 F3000\nM30\n"),
+        [(0.0, 0.0), (0.0, -1.0), (0.0, 0.0), (0.0, 0.0)]
+    );
 }
 
 /// A loop that consists of one and the same block, in every form that a program can have one: each pass is a block of its

@@ -339,10 +339,10 @@ pub struct ServeArgs {
     #[command(flatten)]
     pub show: Show,
     /// Leave out blocks with a single `/` that a Grbl sender streams
-    #[arg(long, requires = "grbl")]
+    #[arg(long, requires = "headless", conflicts_with_all = ["socket", "tcp"])]
     pub block_skip: bool,
     /// Stop at M01 of a Grbl sender
-    #[arg(long, requires = "grbl")]
+    #[arg(long, requires = "headless", conflicts_with_all = ["socket", "tcp"])]
     pub optional_stop: bool,
 }
 

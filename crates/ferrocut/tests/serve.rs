@@ -108,7 +108,7 @@ fn switches_of_other_commands_are_refused() {
         (&["--tcp", "127.0.0.1:0", "--dialect", "weihong"][..], "'--dialect'"),
         (&["--tcp", "127.0.0.1:0", "--tool-table", "mill.tbl"], "'--tool-table'"),
         (&["--tcp", "127.0.0.1:0", "--var-file", "mill.var"], "'--var-file'"),
-        (&["--tcp", "127.0.0.1:0", "--block-skip"], "--grbl <WHERE>"),
+        (&["--tcp", "127.0.0.1:0", "--block-skip"], "'--block-skip'"),
         (&["--grbl", "tcp:0", "--public", "public.dat"], "'--public <FILE>'"),
     ] {
         let mut command = Command::cargo_bin("ferrocut").unwrap();
@@ -133,7 +133,7 @@ fn a_weihong_control_has_the_codes_of_its_shop_and_a_set_up() {
         Served::with(&["--tcp", "127.0.0.1:0", "--machine", machine.as_str(), "--setup", setup.as_str()]);
     let mut front = Front::new(&served);
     let offsets = front.ask(json!({ "do": "offsets", "from": 3, "to": 3 }));
-    assert_eq!(offsets["offsets"][0]["length"], 12.5, "{offsets}");
+    assert_eq!(offsets["offsets"]["3"]["length"], 12.5, "{offsets}");
     front.press("KEY_MDI");
     front.done(json!({ "do": "mdi", "text": "G54 M40" }));
     front.press("KEY_START");

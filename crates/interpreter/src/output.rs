@@ -401,7 +401,11 @@ impl Queue {
             let first = Op::Rapid { to: to + how.beyond, straight, speed, path };
             self.steps.push_back(Step { op: first, span, ..step.clone() });
             if how.dwell_s > 0.0 {
-                self.steps.push_back(Step { op: Op::Dwell(Dwell::Seconds(how.dwell_s)), span, ..step.clone() });
+                self.steps.push_back(Step {
+                    op: Op::Dwell(Dwell::Seconds(how.dwell_s)),
+                    span,
+                    ..step.clone()
+                });
             }
         }
         self.actual = to;

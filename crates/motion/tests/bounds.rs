@@ -213,19 +213,37 @@ fn corners() {
             "zigzag of 30 degrees",
             Path::through(&zigzag(24, [10.0 * cos, 10.0 * sin]), 20_000.0, 0.05, None),
             [2.08540, 2.83742],
-            [1.01, 1.08],
+            [1.01, 1.015],
         ),
         (
             "zigzag of 127 degrees",
             Path::through(&zigzag(24, [2.0, 4.0]), 12_000.0, 0.02, None),
             [1.748_886, 2.25913],
-            [1.01, 1.085],
+            [1.01, 1.05],
         ),
         (
             "zigzag of right angles, too short for swings",
             Path::through(&zigzag(20, [2.0, 2.0]), 12_000.0, 0.07, None),
             [1.001_994, 1.478_651],
+            [1.005, 1.06],
+        ),
+        (
+            "zigzag of right angles within 50 um",
+            Path::through(&zigzag(20, [2.0, 2.0]), 12_000.0, 0.05, None),
+            [1.011_583, 1.485_508],
             [1.005, 1.085],
+        ),
+        (
+            "larger zigzag of right angles within 50 um",
+            Path::through(&zigzag(20, [3.0, 3.0]), 12_000.0, 0.05, None),
+            [1.248_409, 1.763_582],
+            [1.005, 1.065],
+        ),
+        (
+            "zigzag of 53 degrees within 50 um",
+            Path::through(&zigzag(20, [4.0, 2.0]), 12_000.0, 0.05, None),
+            [1.243_354, 1.746_269],
+            [1.01, 1.095],
         ),
         (
             "zigzag in space",
@@ -234,19 +252,19 @@ fn corners() {
                 path.line([2.0 * f64::from(k), 5.0 * turned, 3.0 * turned])
             }),
             [1.957_716, 2.43546],
-            [1.02, 1.065],
+            [1.02, 1.05],
         ),
         (
             "corners of all kinds",
             Path::through(&corners_of_all_kinds(), 12_000.0, 0.02, None),
             [1.990_199, 2.70639],
-            [1.005, 1.135],
+            [1.005, 1.12],
         ),
         (
             "fine zigzag",
             Path::through(&zigzag(60, [0.25, 0.433]), 12_000.0, 0.01, None),
             [1.41593, 2.64299],
-            [1.005, 1.095],
+            [1.005, 1.025],
         ),
         (
             "zigzag of exact points",

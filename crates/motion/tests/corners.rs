@@ -505,3 +505,39 @@ fn rows_are_held_and_overridden_at_any_instant() {
         assert!(held.velocity == 0.0, "held at {tick}: {held:?}");
     }
 }
+
+/// Legs so short that the path cannot be stopped between two corners: it goes on through them, slower each time.
+#[test]
+fn short_zigzags_are_held_and_overridden_at_any_instant() {
+    let mut machine = demo();
+    for (x, y, tolerance) in [(4.0, 2.0, 0.05), (2.0, 2.0, 0.05), (1.0, 4.0, 0.02), (3.0, 1.0, 0.02)] {
+        machine.path.tolerance = tolerance;
+        let mode = PathMode::ContinuousWithin(tolerance);
+        let ops: Vec<Op> =
+            (1..=24).map(|k| line(x * f64::from(k), y * f64::from(k % 2), 0.0, 12_000.0, mode)).collect();
+        let plain = judged(&machine, &ops);
+        assert!(!plain.stops_inside());
+        let (mut longest, mut slowest) = (0, 0);
+        for tick in (20..plain.samples.len() - 20).step_by(11) {
+            // Held until it rests, and on with a lower override, in the midst too.
+            let share = 0.1 + 0.1 * (tick % 8) as f64;
+            let events =
+                [(tick, Event::Hold), (tick + 500, Event::Resume), (tick + 540, Event::Override(share, 1.0))];
+            let run = run_with(&machine, Position::ZERO, &ops, &events, &[]);
+            run.check_limits(&machine);
+            run.check_path(tolerance + 1e-6);
+            assert_eq!(run.samples.last().unwrap().position, *ops.last().unwrap().target().unwrap());
+            let rests = run.samples[tick..].iter().position(|s| s.velocity == 0.0).unwrap();
+            longest = longest.max(rests);
+            let after = tick + 540;
+            let feed = share * 12_000.0 / 60.0;
+            let slow = run
+                .samples
+                .get(after..)
+                .and_then(|samples| samples.iter().rposition(|s| s.velocity > 1.001 * feed));
+            slowest = slowest.max(slow.map_or(0, |k| k + 1));
+        }
+        println!("{x} {y} {tolerance}: rests after {longest} ms, slow after {slowest} ms");
+        assert!(longest <= 500 && slowest <= 200, "{x} {y}: {longest} ms, {slowest} ms");
+    }
+}

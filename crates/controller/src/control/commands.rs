@@ -420,15 +420,19 @@ impl Control {
         self.may_edit_programs(author)?;
         let name = self.known(program)?;
         let to = to.trim().to_owned();
-        let taken =
-            self.callable.library.name_of(&library::id_of(&to)).is_some_and(|other| other != name || other == to);
+        let taken = self
+            .callable
+            .library
+            .name_of(&library::id_of(&to))
+            .is_some_and(|other| other != name || other == to);
         if to.is_empty() || to.len() > 128 || taken {
             return Err(Box::new(named(Fault::ValueImpossible, to)));
         }
         if self.is_in_use(&name) {
             return Err(Box::new(named(Fault::ProgramInUse, name)));
         }
-        let text = self.callable.library.text(&name).ok_or_else(|| named(Fault::NoSuchName, name.as_str()))?;
+        let text =
+            self.callable.library.text(&name).ok_or_else(|| named(Fault::NoSuchName, name.as_str()))?;
         let text = library::renumbered(&text, &name, &to).unwrap_or(text);
         if let library::Library::Held(programs) = &self.callable.library {
             let mut programs = programs.lock().unwrap_or_else(PoisonError::into_inner);

@@ -9,6 +9,7 @@
 //! Read [`modes`] for what a change of mode does, `programs.rs` for what cycle start runs, `hand.rs` for axes moved by
 //! hand, `keeping.rs` for what survives the power.
 
+mod callable;
 mod capture;
 mod commands;
 mod desk;
@@ -18,7 +19,6 @@ mod hand;
 mod keeping;
 mod keys;
 mod ladder_names;
-mod callable;
 mod library;
 mod machine;
 mod machine_data;
@@ -39,6 +39,8 @@ use crate::cnc::{self, Cnc, DryRun, State, Tick};
 use crate::drives::{Drives, Switches};
 use crate::restart::told::function;
 use crate::signals::{Inputs, Mode, Outputs, SIGNAL_AXES};
+use callable::Callable;
+pub use callable::PublicPrograms;
 pub use commands::{BACKUPS, backup_in};
 pub use desk::Desk;
 pub use exchange::{check_ladder, ladder_of};
@@ -50,8 +52,6 @@ use ferrocut_plc::{Address, Area, Pace, Plc};
 use ferrocut_program::{ProgramMemory, Span, Text};
 use ferrocut_toolpath::{Op, SpindleState};
 use keeping::Keeping;
-pub use callable::PublicPrograms;
-use callable::Callable;
 pub use library::{Library, id_of};
 use modes::{Change, Standing, Start};
 use parameter_switch::ParameterSwitch;

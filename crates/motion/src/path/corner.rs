@@ -199,6 +199,9 @@ impl Proportions {
     }
 }
 
+/// Share of the way to stop that there is between two swings: the path can be stopped behind the second or third.
+const SLOWING: f64 = 0.6;
+
 /// Share of the tolerance that a swing takes, for rounding.
 const SWING_SHARE: f64 = 0.9999;
 
@@ -534,7 +537,10 @@ impl Side {
     fn fits(&self, corner: &Corner, pace: f64) -> bool {
         let foot = paced(corner.foot, pace.min(pace_below(corner.foot, self.feed, self.drive.j)));
         let way = match self.end {
-            Far::Corner => 2.0 * foot.distance(foot.top(self.drive.j), self.drive).unwrap_or(f64::INFINITY),
+            Far::Corner => {
+                let way = 2.0 * foot.distance(foot.top(self.drive.j), self.drive).unwrap_or(f64::INFINITY);
+                way.max(SLOWING * foot.room(self.drive))
+            }
             Far::Rest | Far::Other => STOP_ROOM * foot.room(self.drive),
         };
         self.taken(corner.reach) + way <= self.len

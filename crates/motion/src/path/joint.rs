@@ -315,7 +315,8 @@ impl Member {
         };
         let drive = || inverse.straight(&before.0).min(inverse.straight(&after.0));
         let top = || self.top(inverse, len).min(next.top(inverse, 0.0));
-        let [row, link] = if behind == Behind::Corner && next_len > len { [next_len, len] } else { [len, next_len] };
+        let [row, link] =
+            if behind == Behind::Corner && next_len > len { [next_len, len] } else { [len, next_len] };
         let corner = || {
             let room = CORNER_ROOM * len.min(next_len);
             let corner = Corner::new(&self.piece, &next.piece, tolerance, room, inverse);

@@ -19,8 +19,9 @@
 //! which stretch on. Stretches are counted from the first one on. If it comes too late [`Plan::undo`] brings back what
 //! runs.
 //!
-//! **Corners** are run at a pace at which the lines beside them are long enough to stop on, so that sections on
-//! either side can be planned apart.
+//! **Corners** are run at a pace at which the path beside them is long enough to stop on, so that sections on either side
+//! can be planned apart; those with one line between at paces that belong together ([`crate::timing::chain`]). A pace that may
+//! rise once more is known is not final, nor what is behind it.
 
 use crate::limits::{Class, Drive, Inverses, Limits, MAX_SPINDLE_OVERRIDE};
 use crate::path::corner::paced;
@@ -30,7 +31,7 @@ use crate::timing::chain::{Chain, KNOTS, Line};
 use crate::timing::grid::{ALIKE, Grid, Port};
 use crate::timing::piece::{Piece, State};
 use crate::timing::queue::{CELLS, Node, Pass, Queue, SAME_LENGTH};
-use crate::timing::ramp::{Foot, Phases, summit};
+use crate::timing::ramp::{Foot, Phases, STOP_ROOM, summit};
 use crate::timing::valley::Valley;
 use ferrocut_geometry::AXES;
 
@@ -145,8 +146,14 @@ const SLOWER_CORNER: f64 = 0.75;
 const LEAST_SHARE: f64 = 0.2;
 const SLOW_CORNERS: usize = 16;
 
-/// At which paces a corner is tried that is slowed down for, from the lowest that can be come to at 0 to the whole one at 1.
-const THROUGH_PACES: [f64; 6] = [1.0, 0.75, 0.5, 0.3, 0.12, 0.0];
+/// At which paces a corner is tried that is slowed down for, from the lowest that can be come to at 0 to the whole one at 1. The
+/// lowest is not below a share that falls from corner to corner: one that is run slowly takes longer than several.
+const THROUGH_PACES: [f64; 5] = [1.0, 0.75, 0.5, 0.25, 0.0];
+const THROUGH_LEAST: f64 = 0.5;
+const THROUGH_FALL: f64 = 0.85;
+
+/// Before a corner there is a way left on which the path starts again to run it at this pace at least.
+const START_PACE: f64 = 0.2;
 
 /// How often a plan from rest is tried with slower corners.
 const ROUNDS: i32 = 8;
@@ -596,6 +603,7 @@ impl Plan {
     ) -> bool {
         self.stretches.truncate(self.current + 1);
         let mut at = start;
+        let mut floor = THROUGH_LEAST;
         for _ in 0..KNOTS {
             let cell = at.cell + 1;
             let line = self.line_before(queue, cell, at.port.s).filter(|_| cell < queue.tail());
@@ -614,7 +622,8 @@ impl Plan {
             }
             let Pass::Corner { foot, .. } = queue.node(cell).pass else { return false };
             let Some(least) = line.least(Foot { v, a }, foot) else { return false };
-            let least = least.max(LEAST_PACE);
+            let least = least.max(floor);
+            floor *= THROUGH_FALL;
             let mut slowest = None;
             for share in THROUGH_PACES {
                 self.stretches.truncate(known);
@@ -703,8 +712,13 @@ impl Plan {
             match node.pass {
                 Pass::Path if !node.rests => cell += 1,
                 Pass::Path => return node.end(),
-                // With a way left to start again.
-                Pass::Corner { .. } => return node.s - node.len,
+                Pass::Corner { foot, .. } => {
+                    // With a way left to start again.
+                    let before = cell.checked_sub(1).filter(|before| *before >= queue.head());
+                    let line = before.map(|before| queue.node(before)).filter(|node| is_line(node));
+                    let way = line.map(|line| STOP_ROOM * paced(foot, START_PACE).room(line.load.most()));
+                    return node.s - way.unwrap_or(node.len).min(node.len);
+                }
                 Pass::Axes => return node.s,
             }
         }

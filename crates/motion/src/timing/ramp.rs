@@ -228,7 +228,8 @@ mod tests {
 
     #[test]
     fn what_is_reached_in_a_way_takes_that_way() {
-        for foot in [Foot::still(0.0), Foot::still(30.0), Foot { v: 18.0, a: 1500.0 }, Foot { v: 5.0, a: 1900.0 }]
+        for foot in
+            [Foot::still(0.0), Foot::still(30.0), Foot { v: 18.0, a: 1500.0 }, Foot { v: 5.0, a: 1900.0 }]
         {
             for v in [60.0, 90.0, 200.0] {
                 let way = foot.distance(v, DRIVE).unwrap();
