@@ -18,7 +18,7 @@ mod open;
 
 use crate::limits::{Class, Inverses, Load, Rates};
 use crate::moves::Move;
-use crate::path::corner::Far;
+use crate::path::corner::{Far, Recent};
 use crate::path::joint::{Ease, Joint, JointRules, MOST_CHORDS, Member, add, is_lost};
 use crate::path::piece::Piece;
 use crate::path::shape::{Cubic, Shape};
@@ -84,6 +84,8 @@ pub(crate) struct Assembler {
     /// Before the open move.
     held: Option<Held>,
     turn: Option<Turn>,
+    /// The swings of the last corners.
+    recent: Recent,
     flow: Option<Flow>,
     closing: bool,
     smoother: Smoother,
@@ -106,6 +108,7 @@ impl Assembler {
             open: None,
             held: None,
             turn: None,
+            recent: Recent::default(),
             flow: None,
             closing: false,
             smoother: Smoother::new(*inverses.of(Class::Cut)),
@@ -124,6 +127,7 @@ impl Assembler {
         self.cornering = None;
         self.open = None;
         (self.held, self.turn) = (None, None);
+        self.recent.clear();
         self.flow = None;
         self.closing = false;
         self.smoother.clear();
@@ -264,7 +268,7 @@ impl Assembler {
                 Joint::Rest => Some(Far::Rest),
                 _ => Some(Far::Other),
             };
-            self.flow = Some(turn.flow(open, far, &self.inverses));
+            self.flow = Some(turn.flow(open, far, &self.inverses, &mut self.recent));
             self.parts.push(*member);
             return;
         }
@@ -408,7 +412,7 @@ impl Assembler {
                 continue;
             }
             if let (Some(turn), Some(open)) = (self.turn.take(), &mut self.open) {
-                self.flow = Some(turn.flow(open, Some(Far::Rest), &self.inverses));
+                self.flow = Some(turn.flow(open, Some(Far::Rest), &self.inverses, &mut self.recent));
                 continue;
             }
             self.closing = false;

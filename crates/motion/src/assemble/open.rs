@@ -2,7 +2,7 @@
 //! follows it.
 
 use crate::limits::{Class, Inverses};
-use crate::path::corner::{Corner, Far, Lines};
+use crate::path::corner::{Corner, Far, Lines, Recent};
 use crate::path::joint::{Behind, Ease, Joint, JointRules, Member};
 use crate::path::link::LONGER;
 use ferrocut_geometry::Position;
@@ -129,7 +129,13 @@ pub(super) struct Turn {
 impl Turn {
     /// The line before the corner, as that is rounded; `open` is the line behind it, and begins so. `None` for what is at the
     /// end of that where it may be run as one with the corners.
-    pub fn flow(mut self, open: &mut Open, far: Option<Far>, inverses: &Inverses) -> Flow {
+    pub fn flow(
+        mut self,
+        open: &mut Open,
+        far: Option<Far>,
+        inverses: &Inverses,
+        recent: &mut Recent,
+    ) -> Flow {
         let (End::Corner(corner), Start::Corner(begins, _)) = (&mut self.flow.end, &mut open.start) else {
             return self.flow;
         };
@@ -143,7 +149,7 @@ impl Turn {
             };
             behind.end = far;
             let inverse = inverses.beside(self.flow.open.member.class, open.member.class);
-            *corner = corner.swinging(&self.lines, inverse);
+            *corner = corner.swinging(&self.lines, inverse, recent);
             *begins = *corner;
         }
         self.flow
