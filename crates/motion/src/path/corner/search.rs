@@ -358,4 +358,3 @@ fn largest(too_far: impl Fn(f64) -> bool) -> f64 {
     }
     low
 }
-
