@@ -5,7 +5,8 @@
 //! waits until motion is at rest on the end of the move before it; nothing is taken beyond it until
 //! then, so that the step acts on a machine in the state that the program means. An alarm waits in
 //! the same way: the moves before it are finished, the one at fault does not begin. An output in step
-//! with motion alone does not wait: it is kept for the move behind it (`program_outputs`).
+//! with motion alone does not wait, nor does a message: they are kept for the move behind them (`program_outputs`,
+//! `messages`).
 
 mod awaited_input;
 mod block_end;
@@ -16,6 +17,7 @@ mod interruption;
 mod ladder;
 mod lent;
 mod loading;
+mod messages;
 mod overtravel;
 mod planning;
 mod program_outputs;
@@ -54,6 +56,7 @@ use ferrocut_program::Span;
 use ferrocut_toolpath::{Dwell, Op, SpindleState, Step};
 use interpreting::{Frame, Interpreting};
 use interruption::Aside;
+use messages::Messages;
 use overtravel::Overtravel;
 use planning::Planning;
 use program_outputs::ProgramOutputs;
@@ -263,6 +266,7 @@ pub struct Cnc {
     sent: Sent,
     program_spindle: ProgramSpindle,
     program_outputs: ProgramOutputs,
+    messages: Messages,
     /// Whether the input came that the program waited for, until it is told.
     input_came: Option<bool>,
 }
@@ -345,6 +349,7 @@ impl Cnc {
             sent: Sent::default(),
             program_spindle: ProgramSpindle::default(),
             program_outputs: ProgramOutputs::new(room),
+            messages: Messages::new(),
             input_came: None,
         };
         if !knows_places {
@@ -671,7 +676,7 @@ impl Cnc {
             if self.motion.is_empty() && self.motion.at_rest() {
                 if let Some(last) = self.given.back().map(|given| given.tag) {
                     // What ran in less than a period has begun too.
-                    self.change_outputs(last);
+                    self.comes_to_move(last);
                 }
                 self.finish_moves(u64::MAX);
                 self.rest_floating();
@@ -733,7 +738,7 @@ impl Cnc {
     /// Follows the program as the axes run it.
     fn follow(&mut self, setpoint: &Sample) {
         self.finish_moves(setpoint.tag);
-        self.change_outputs(setpoint.tag);
+        self.comes_to_move(setpoint.tag);
         if let Some(given) = self.given.front_mut() {
             given.travelled += setpoint.velocity * self.period;
             let given = *given;
@@ -937,6 +942,7 @@ impl Cnc {
     /// Does what waited, the axes being at rest.
     fn act(&mut self, waiting: Waiting) {
         self.forget_passed();
+        self.tell_messages(self.next_tag);
         let step = match waiting {
             Waiting::Alarm(alarm) => {
                 self.span = alarm.span;
@@ -1040,6 +1046,7 @@ impl Cnc {
     fn end_program(&mut self, code: Option<u32>) {
         (self.ended_by, self.thread) = (code, None);
         self.program_outputs.forget_waiting();
+        self.messages.forget();
         self.state = State::Ended;
     }
 

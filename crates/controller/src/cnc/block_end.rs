@@ -154,6 +154,7 @@ impl Cnc {
     pub(super) fn forget_blocks(&mut self) {
         self.blocks.forget();
         self.program_outputs.forget_waiting();
+        self.messages.forget();
         self.interpreter.forget();
     }
 

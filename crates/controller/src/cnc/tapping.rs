@@ -213,7 +213,7 @@ impl Cnc {
                 return self.at_rest();
             }
             self.stroke = Some(Stroke { has_begun: true, ..stroke });
-            self.change_outputs(stroke.programmed.number);
+            self.comes_to_move(stroke.programmed.number);
         }
         self.spindle.follow(self.synchron.advance());
         let setpoint = self.synchron.follow(self.spindle.encoder().turns);
