@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{cnc, cnc_with, ended, machine};
+use common::{cnc, cnc_with, ended, in_language, machine};
 use ferrocut_controller::{Cnc, DryRun, Interruption, State, Tick};
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_machine::Ramp;
@@ -115,6 +115,71 @@ fn single_block_stops_behind_blocks_that_make_no_step() {
     assert_eq!(lines, [2, 5, 6, 15, 10, 12]);
 }
 
+/// Lines that single block stops behind, and how the program ended.
+fn stop_lines(mut cnc: Cnc) -> (Vec<u32>, State) {
+    cnc.set_single_block(true);
+    let mut lines = Vec::new();
+    loop {
+        cnc.cycle_start();
+        let line = until_it_stops(&mut cnc).last().map(|tick| tick.span.line);
+        match cnc.state() {
+            State::BlockEnd => lines.extend(line),
+            state => return (lines, state.clone()),
+        }
+    }
+}
+
+/// What is only described, left out or wrong is no block that was done.
+#[test]
+fn single_block_passes_what_is_not_done() {
+    let of = |language: &str, program: &str| stop_lines(Cnc::new(&machine(), in_language(language, program)));
+    let guarded = "#1=5\nIF(#1==0) G0 X3\nIF(#1==5) G01 X2 F900\nM30\n";
+    assert_eq!(of("weihong", guarded), (vec![3], State::Ended));
+    let profile = "#PROFILE R [XY]\nG0 X0 Y0\nG1 X10\nY6\nX0\nY0\n#ENDPROFILE\nG1 X3 F900\nM30\n";
+    assert_eq!(of("fagor8065", profile), (vec![8], State::Ended));
+    let (lines, state) = of("gsk990mc", "G1 X12 F3000\nN10 G777\nM30\n");
+    assert_eq!(lines, [1]);
+    assert!(matches!(state, State::Alarmed(alarm) if alarm.span.line == 2));
+}
+
+/// A reset behind a block that only set what is in force leaves that in force.
+#[test]
+fn a_reset_at_such_a_stop_keeps_what_was_set() {
+    let mut cnc = cnc(&machine(), "G54\nG1 X6 F3000\nG55\nG91\nG1 X1\nM30\n");
+    cnc.set_single_block(true);
+    for _ in 0..4 {
+        cnc.cycle_start();
+        until_it_stops(&mut cnc);
+    }
+    let in_force = |cnc: &Cnc| {
+        let codes: Vec<u16> = cnc.interpreter().codes_in_force().collect();
+        [540, 550, 900, 910].map(|code| codes.contains(&code))
+    };
+    assert_eq!(in_force(&cnc), [false, true, false, true]);
+    cnc.reset();
+    settle(&mut cnc);
+    assert_eq!(in_force(&cnc), [false, true, false, true]);
+}
+
+/// The line to stop at is stopped behind, and not only a part of its cycle.
+#[test]
+fn a_line_to_stop_at_is_not_used_up_by_a_part_of_its_cycle() {
+    let mut cnc = cnc(&machine(), "M3 S1000\nG90 G98 G81 X5 Z-3 R-1 F3000\nG80 G1 X9\nM30\n");
+    cnc.set_single_block(true);
+    cnc.stop_behind(Some((FileId(0), 2)));
+    for _ in 0..2 {
+        cnc.cycle_start();
+        until_it_stops(&mut cnc);
+    }
+    assert_eq!((cnc.tick().position[Axis::X], cnc.stops_behind()), (5.0, Some((FileId(0), 2))));
+    cnc.set_single_block(false);
+    cnc.cycle_start();
+    until_it_stops(&mut cnc);
+    let at = cnc.tick().position;
+    assert_eq!((at[Axis::X], at[Axis::Z], cnc.state()), (5.0, 0.0, &State::BlockEnd));
+    assert_eq!(cnc.stops_behind(), None);
+}
+
 /// GSK990MC part 1, 4: a canned cycle is done in three parts, the positioning, the way to level R and the rest.
 #[test]
 fn single_block_stops_behind_the_parts_of_a_canned_cycle() {
@@ -139,6 +204,9 @@ fn single_block_stops_behind_the_parts_of_a_canned_cycle() {
     assert_eq!(stops(drill), with_end((9.0, -1.0)));
     let bore = "M3 S1000\nG90 G98 G89 X5 Z-3 R-1 P10 F3000\nX9\nM30\n";
     assert_eq!(stops(bore), with_end((9.0, 0.0)));
+    // What the block does beside belongs to the first.
+    let start = "G90 G98 G81 X5 Z-3 R-1 F3000 M3 S1000\nM30\n";
+    assert_eq!(stops(start), [(5.0, 0.0), (5.0, -1.0), (5.0, 0.0), (5.0, 0.0)]);
     // Each of several holes has its own, and a tool over its hole is not positioned.
     let repeated = "M3 S1000\nG91 G99 G81 X5 Z-2 R-1 F3000 K2\nM30\n";
     let places = [(0.0, 0.0), (5.0, 0.0), (5.0, -1.0), (5.0, -1.0), (10.0, -1.0), (10.0, -1.0), (10.0, -1.0)];

@@ -332,8 +332,8 @@ pub struct ServeArgs {
     /// machine file]
     #[arg(long, value_name = "FILE", conflicts_with = "grbl")]
     pub public: Option<PathBuf>,
-    /// Set-up file: work offsets, tool offsets and parameters as they are before anything is kept
-    #[arg(long, value_name = "FILE")]
+    /// Set-up file for a control that keeps nothing: work offsets, tool offsets, parameters and variables at its start
+    #[arg(long, value_name = "FILE", conflicts_with = "memory")]
     pub setup: Option<PathBuf>,
     /// How results are printed.
     #[command(flatten)]

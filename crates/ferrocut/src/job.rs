@@ -211,7 +211,10 @@ pub enum Told {
 impl Shop {
     /// The programs that come with the machine, for a control that runs it.
     pub fn public_programs(&self) -> Result<Option<PublicPrograms>, Failure> {
-        let read = self.public.read()?;
+        // Other languages know no codes of a shop, and need no such file.
+        let has_codes =
+            dialects::by_name(&self.machine.dialect).is_some_and(|dialect| dialect.custom.is_some());
+        let read = if has_codes { self.public.read()? } else { None };
         Ok(read.map(|(name, text)| PublicPrograms { name, text: Arc::new(text) }))
     }
 

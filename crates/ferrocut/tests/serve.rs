@@ -110,6 +110,8 @@ fn switches_of_other_commands_are_refused() {
         (&["--tcp", "127.0.0.1:0", "--var-file", "mill.var"], "'--var-file'"),
         (&["--tcp", "127.0.0.1:0", "--block-skip"], "'--block-skip'"),
         (&["--grbl", "tcp:0", "--public", "public.dat"], "'--public <FILE>'"),
+        // What was kept would have another below it at every start.
+        (&["--tcp", "127.0.0.1:0", "--setup", "a.toml", "--memory", "kept"], "'--setup <FILE>'"),
     ] {
         let mut command = Command::cargo_bin("ferrocut").unwrap();
         let done = command.args(["serve", "--headless"]).args(arguments).output().unwrap();
@@ -128,6 +130,11 @@ fn a_weihong_control_has_the_codes_of_its_shop_and_a_set_up() {
     std::fs::write(path("mill.toml"), demo).unwrap();
     std::fs::write(path("public.dat"), "O240\nG91 G01 X7 F900\nG90\nM17\n").unwrap();
     std::fs::write(path("setup.toml"), "[tools.3]\nlength = 12.5\n").unwrap();
+    // One of another language needs no such file.
+    std::fs::create_dir(path("alone")).unwrap();
+    std::fs::write(path("alone/mill.toml"), include_str!("../../../machines/demo-mill.toml")).unwrap();
+    let alone = path("alone/mill.toml");
+    assert!(Served::with(&["--tcp", "127.0.0.1:0", "--machine", alone.as_str()]).place.contains(':'));
     let (machine, setup) = (path("mill.toml"), path("setup.toml"));
     let served =
         Served::with(&["--tcp", "127.0.0.1:0", "--machine", machine.as_str(), "--setup", setup.as_str()]);

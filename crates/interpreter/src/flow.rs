@@ -387,8 +387,9 @@ struct Before {
     behind: Place,
     /// Calls open.
     calls: usize,
-    /// Steps that wait to be given out.
+    /// Steps that wait to be given out, and alarms.
     steps: usize,
+    alarms: usize,
 }
 
 impl Interpreter {
@@ -396,14 +397,20 @@ impl Interpreter {
     /// the control stops behind each block). A macro statement is one as a parameter says (51#5). A block that only
     /// leads elsewhere (M98, M99, GOTO) has none, as on Fanuc.
     fn end_single_block(&mut self, page: &Page, block: &Block, before: &Before) -> Fallible<()> {
-        let goes_on = self.ended || self.has_holes_left() || self.described.is_collecting();
+        let is_described = self.described.is_collecting() || self.described.profiles.is_recording();
+        let is_wrong = self.alarms_noted() > before.alarms;
+        let goes_on = self.ended || self.has_holes_left() || is_described || is_wrong;
         if goes_on || self.is_skipped(block) || self.dialect.blocks.is_some() {
             return Ok(());
         }
         let leads_on = self.flow.place == before.behind && self.flow.calls.len() == before.calls;
         let stops = match is_macro_statement(page, block) {
             true => self.rules.single_in_macros,
-            false => self.output.waiting() == before.steps && leads_on && has_command(page, block),
+            // A guard that does not hold leaves its block out.
+            false => {
+                let made_step = self.output.waiting() != before.steps;
+                !made_step && leads_on && page.guard(block).is_none() && has_command(page, block)
+            }
         };
         if stops { self.emit_single_stop() } else { Ok(()) }
     }
@@ -413,6 +420,9 @@ impl Interpreter {
     fn emit_single_stop(&mut self) -> Fallible<()> {
         if self.output.looks_ahead() || self.output.in_cutter_mode() {
             return Ok(());
+        }
+        if self.look_back.is_some() {
+            self.note_in_force();
         }
         // Not by `emit`: a program that only reckons does not get on.
         let step = self.step(Op::Dwell(Dwell::Seconds(0.0)));
@@ -464,7 +474,7 @@ impl Interpreter {
         self.flow.place.block += 1;
         self.flow.section = 0;
         let (calls, steps) = (self.flow.calls.len(), self.output.waiting());
-        let before = Before { behind: self.flow.place, calls, steps };
+        let before = Before { behind: self.flow.place, calls, steps, alarms };
         let mut result = match page.blocks.get(index) {
             Some(block) => {
                 self.flow.last = page.block_span(block);

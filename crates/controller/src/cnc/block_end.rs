@@ -29,6 +29,11 @@ impl Block {
         Block { file: span.file, offset: span.offset, line: span.line, number, section: 0 }
     }
 
+    /// Whether both are of one block, in one pass.
+    fn is_part_of(&self, other: Block) -> bool {
+        Block { section: other.section, ..*self } == other
+    }
+
     /// Whether this is its text, in whichever pass.
     fn is_at(&self, span: Span) -> bool {
         (self.file, self.offset) == (span.file, span.offset)
@@ -115,7 +120,7 @@ impl Blocks {
 
     /// Whether both are one block, or with single block one part of it.
     fn is_one(&self, one: Block, other: Block) -> bool {
-        Block { section: other.section, ..one } == other && (!self.single || one.section == other.section)
+        one.is_part_of(other) && (!self.single || one.section == other.section)
     }
 
     /// Whether a block may be taken, or given to motion, behind what was taken before.
@@ -305,18 +310,26 @@ impl Cnc {
 
     /// Whether the program stops here, motion being at rest with nothing left.
     pub(super) fn is_at_block_end(&self) -> bool {
+        self.block_behind().is_some_and(|block| self.blocks.stops_before(block))
+    }
+
+    /// The block of what comes next, motion being at rest with nothing left.
+    fn block_behind(&self) -> Option<Block> {
         let waiting = self.blocks.waiting.filter(|_| self.waiting.is_some());
         let next = self.blocks.next.as_ref().map(|next| self.block_of(next));
         let later = self.blocks.later.front().map(|given| given.block);
-        later.or(waiting).or(next).is_some_and(|block| self.blocks.stops_before(block))
+        later.or(waiting).or(next)
     }
 
     /// The program stops at the end of a block.
     pub(super) fn end_block(&mut self) {
         self.state = State::BlockEnd;
         self.blocks.asked = false;
+        // Behind a part of the block, the line is still to be stopped at.
+        let goes_on = |run: Block| self.block_behind().is_some_and(|next| next.is_part_of(run));
         if let Some(run) = self.blocks.run
             && self.blocks.stop_line == Some((run.file, run.line))
+            && !goes_on(run)
         {
             self.blocks.stop_line = None;
         }

@@ -297,7 +297,6 @@ impl Interpreter {
         }
         self.cycle.holes_left -= 1;
         self.flow.count_hole();
-        self.flow.begin_section();
         if let Some(code) = self.custom_cycle() {
             return match self.call_custom(code, &mut Rest::at(Part::Holes), self.words.block_span()) {
                 Err(alarm) => self.give_up_block(alarm),
@@ -319,6 +318,9 @@ impl Interpreter {
             return self.give_up_block(alarm);
         }
         if self.cycle.holes_left > 0 {
+            if !self.zone_runs() {
+                self.flow.begin_section();
+            }
             return Ok(());
         }
         self.end_zone_block();
