@@ -541,3 +541,47 @@ fn short_zigzags_are_held_and_overridden_at_any_instant() {
         assert!(longest <= 500 && slowest <= 200, "{x} {y}: {longest} ms, {slowest} ms");
     }
 }
+
+/// The speed between setpoints, mm/s, the fastest of them behind a tick.
+fn fastest_behind(run: &Run, tick: usize) -> f64 {
+    let speed =
+        |pair: &[ferrocut_motion::Setpoint]| distance(pair[0].position, pair[1].position) / run.period;
+    run.samples[tick..].windows(2).map(speed).fold(0.0, f64::max)
+}
+
+/// What the rules of corners and an override allow holds for corners that follow each other too.
+#[test]
+fn corners_that_follow_each_other_keep_their_own_speed() {
+    let mut machine = demo();
+    machine.path.tolerance = 0.01;
+    for share in [0.02, 0.05, 0.2] {
+        let run =
+            run_with(&machine, Position::ZERO, &rows(0.75, 0.01), &[(0, Event::Override(share, 1.0))], &[]);
+        run.check_limits(&machine);
+        let (fastest, allowed) = (fastest_behind(&run, 0), share * 200.0);
+        assert!(fastest <= allowed * 1.001, "{share}: {fastest} of {allowed}");
+    }
+    for (angle, difference) in [(None, Some(1500.0)), (None, Some(3000.0)), (Some(100.0), None)] {
+        let mut machine = with_corners(angle, difference, 600.0);
+        machine.path.tolerance = 0.05;
+        let mode = PathMode::ContinuousWithin(0.05);
+        let ops: Vec<Op> =
+            (1..=24).map(|k| line(2.0 * f64::from(k), 2.0 * f64::from(k % 2), 0.0, 12_000.0, mode)).collect();
+        let run = judged(&machine, &ops);
+        // At each vertex: slowest near it.
+        let allowed = match difference {
+            // The directions differ by the square root of 2 on one axis.
+            Some(difference) => difference / 60.0 / 2.0_f64.sqrt(),
+            None => 10.0,
+        };
+        for op in &ops[..23] {
+            let vertex = *op.target().unwrap();
+            let near = run.samples.iter().filter(|s| distance(s.position, vertex) < 0.08);
+            let fastest = near.map(|s| s.velocity).fold(0.0, f64::max);
+            assert!(
+                fastest <= allowed * 1.01,
+                "{angle:?} {difference:?}: {fastest} of {allowed} at {vertex:?}"
+            );
+        }
+    }
+}

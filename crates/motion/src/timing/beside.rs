@@ -108,6 +108,11 @@ impl Beside {
         Beside([all, first.unwrap_or(all), clear, through])
     }
 
+    /// The same if the path went on as it is where it is not known any more.
+    pub fn endless(&self) -> Beside {
+        Beside(self.0.map(|side| Side { len: f64::INFINITY, ..side }))
+    }
+
     /// The path begins at rest `len` before the corner.
     pub fn begins_at_rest(&mut self, len: f64) {
         for side in self.0.iter_mut().filter(|side| len < side.len) {

@@ -90,7 +90,7 @@ impl Line {
 struct Knot {
     cell: u64,
     foot: Foot,
-    /// Highest pace with what is known behind it, and if the path went on behind all that is known.
+    /// Highest pace with what is known behind it, and if more came of the path.
     pace: f64,
     open: f64,
     /// The line to the next one.
@@ -115,8 +115,8 @@ impl Chain {
         self.0.len() + 1 >= KNOTS
     }
 
-    /// Adds the corner in a cell, its highest pace by all but its lines, and the line behind it to the next one. `open`: the
-    /// same if the path went on behind all that is known.
+    /// Adds the corner in a cell, its highest pace by all but the lengths of its lines, and the line behind it to the next one.
+    /// `open`: the same if more came where the path is not known, or not looked at, any more.
     pub fn push(&mut self, cell: u64, foot: Foot, [pace, open]: [f64; 2], line: Option<Line>) {
         self.0.push(Knot { cell, foot, pace, open, line });
     }

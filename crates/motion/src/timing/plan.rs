@@ -24,7 +24,7 @@
 //! rise once more is known is not final, nor what is behind it.
 
 use crate::limits::{Class, Drive, Inverses, Limits, MAX_SPINDLE_OVERRIDE};
-use crate::path::corner::paced;
+use crate::path::corner::{pace_below, paced};
 use crate::timing::beside::{self, Beside};
 use crate::timing::brake::{Brake, PIECES, Start};
 use crate::timing::chain::{Chain, KNOTS, Line};
@@ -146,9 +146,10 @@ const SLOWER_CORNER: f64 = 0.75;
 const LEAST_SHARE: f64 = 0.2;
 const SLOW_CORNERS: usize = 16;
 
-/// At which paces a corner is tried that is slowed down for, from the lowest that can be come to at 0 to the whole one at 1. The
-/// lowest is not below a share that falls from corner to corner: one that is run slowly takes longer than several.
-const THROUGH_PACES: [f64; 5] = [1.0, 0.75, 0.5, 0.25, 0.0];
+/// Through how many corners a stop goes at most, and at which paces they are tried; and a lower override. The lowest pace is not
+/// below a share that falls from corner to corner: one that is run slowly takes longer than several.
+const THROUGH_STOPPING: (usize, &[f64]) = (KNOTS, &[1.0, 0.75, 0.5, 0.25, 0.0]);
+const THROUGH_SLOWER: (usize, &[f64]) = (8, &[0.0]);
 const THROUGH_LEAST: f64 = 0.5;
 const THROUGH_FALL: f64 = 0.85;
 
@@ -373,7 +374,8 @@ impl Plan {
         // Of the plan before nothing behind this moment is final.
         (self.fixed, self.next) = (fixed, start);
         let is_planned = self.renew_from(queue, start)
-            || self.through_corners(queue, start, |plan, at| plan.renew_from(queue, at));
+            || self
+                .through_corners(queue, start, THROUGH_SLOWER, false, |plan, at| plan.renew_from(queue, at));
         if is_planned {
             return Some(changed);
         }
@@ -563,8 +565,9 @@ impl Plan {
     }
 
     /// Brings the path to rest as soon as the bounds allow; it is `t` seconds inside the stretch being run, from which
-    /// on the plan is another. `None` if it cannot be stopped before a corner or a rest, or not from this state: then
-    /// it is to be tried again later. No thread is stopped in, unless the path `gives_up` there.
+    /// on the plan is another. Where it cannot be stopped before a corner it goes on through that, slower. `None` if there is
+    /// no way, or none before a rest: then it is to be tried again later. No thread is stopped in, unless the path `gives_up`
+    /// there.
     pub fn stop(&mut self, queue: &Queue, t: f64, gives_up: bool) -> Option<u64> {
         self.keep(true);
         self.cut(t);
@@ -584,7 +587,7 @@ impl Plan {
                 }
                 stops
             };
-            if self.through_corners(queue, start, stops) {
+            if self.through_corners(queue, start, THROUGH_STOPPING, gives_up, stops) {
                 self.fixed = self.stretches.len();
                 return Some(self.number());
             }
@@ -594,20 +597,28 @@ impl Plan {
     }
 
     /// Where the path cannot be slowed down on a line before a corner: it is slowed down for that, and so on for the next
-    /// ones, until `goes_on` finds a plan behind one of them. `start` is where the stretch being run was cut.
+    /// ones, `most` at most, until `goes_on` finds a plan behind one of them. Each is tried at these `paces`, from the lowest
+    /// that can be come to at 0 to the highest at 1. `start` is where the stretch being run was cut. No thread is slowed down
+    /// for, unless the path `gives_up` there.
     fn through_corners(
         &mut self,
         queue: &Queue,
         start: Start,
+        (most, paces): (usize, &[f64]),
+        gives_up: bool,
         mut goes_on: impl FnMut(&mut Plan, Start) -> bool,
     ) -> bool {
         self.stretches.truncate(self.current + 1);
         let mut at = start;
         let mut floor = THROUGH_LEAST;
-        for _ in 0..KNOTS {
+        for _ in 0..most {
             let cell = at.cell + 1;
             let line = self.line_before(queue, cell, at.port.s).filter(|_| cell < queue.tail());
             let (Some(line), State { v, a }) = (line, at.port.state) else { return false };
+            let is_thread = [at.cell, cell].iter().any(|cell| queue.node(*cell).class == Class::Locked);
+            if is_thread && !gives_up {
+                return false;
+            }
             let known = self.stretches.len();
             if a < 0.0 {
                 // It slows down for the corner already.
@@ -620,17 +631,20 @@ impl Plan {
                 }
                 continue;
             }
-            let Pass::Corner { foot, .. } = queue.node(cell).pass else { return false };
-            let Some(least) = line.least(Foot { v, a }, foot) else { return false };
-            let least = least.max(floor);
+            let node = queue.node(cell);
+            let Pass::Corner { foot, .. } = node.pass else { return false };
+            let here = Foot { v, a };
+            let Some(least) = line.least(here, foot) else { return false };
+            // Its own speed at most, unless it is come to from a higher override.
+            let capped = pace_below(foot, self.overrides.cap(node), line.drive.j);
+            let high = line.most(here, foot, 1.0).min(capped).max(least);
+            let low = least.max(floor).min(high);
             floor *= THROUGH_FALL;
             let mut slowest = None;
-            for share in THROUGH_PACES {
+            for share in paces {
                 self.stretches.truncate(known);
-                let Some(behind) = self.slow_down_to_corner(queue, at, cell, least + share * (1.0 - least))
-                else {
-                    continue;
-                };
+                let pace = low + share * (high - low);
+                let Some(behind) = self.slow_down_to_corner(queue, at, cell, pace) else { continue };
                 let reached = self.stretches.len();
                 if goes_on(self, behind) {
                     return true;
@@ -931,16 +945,18 @@ impl Plan {
         }
     }
 
-    /// Finds how fast the corner in `cell` and those that follow it with one line between may be run. The path comes to the
+    /// Finds how fast the corner in `first` and those that follow it with one line between may be run. The path comes to the
     /// first from `from`, along one line (`is_line`) or not.
     fn follow_corners(&mut self, queue: &Queue, first: u64, from: &Port, is_line: bool, corners: Corners) {
         self.chain.clear();
         let mut cell = first;
+        let mut before = if is_line { self.line_before(queue, first, from.s) } else { None };
         while let Pass::Corner { foot, .. } = queue.node(cell).pass {
-            let line = self.line_behind(queue, cell).filter(|_| !self.chain.is_full());
+            let behind = self.line_behind(queue, cell).filter(|_| !self.chain.is_full());
             let cap = self.overrides.cap(queue.node(cell));
             let top = |node: &Node| self.overrides.cap(node);
-            let before = (cell == first && !is_line).then(|| {
+            // Not the sides that are such lines.
+            let side_before = before.is_none().then(|| {
                 let nodes =
                     (queue.head()..cell).rev().map(|cell| queue.node(cell)).take_while(|node| !node.rests);
                 let mut before = Beside::new(nodes, foot, corners.is_bold, cap, top);
@@ -949,23 +965,50 @@ impl Plan {
                 }
                 before
             });
-            let after = line.is_none().then(|| {
+            let side_behind = behind.is_none().then(|| {
                 let mut ends = false;
                 let nodes = (cell + 1..self.horizon).map(|cell| queue.node(cell));
                 let nodes = nodes.take_while(|node| !std::mem::replace(&mut ends, node.rests));
                 Beside::new(nodes, foot, corners.is_bold, cap, top)
             });
             let slow = self.slow.iter().find(|(slow, _)| *slow == cell).map_or(1.0, |(_, share)| *share);
-            let share = corners.share * slow;
-            let open = beside::pace(foot, before.iter()) * share;
-            let pace = beside::pace(foot, before.iter().chain(&after)) * share;
-            self.chain.push(cell, foot, [pace, open], line);
-            if line.is_none() {
+            let lines = before.iter().chain(&behind);
+            let capped = lines.map(|line| pace_below(foot, cap, line.drive.j)).fold(1.0, f64::min);
+            let pace = |behind: Option<&Beside>| {
+                beside::pace(foot, side_before.iter().chain(behind)).min(capped) * corners.share * slow
+            };
+            let known = pace(side_behind.as_ref());
+            let open = match side_behind {
+                Some(side) if self.is_open_behind(queue, cell) => pace(Some(&side.endless())),
+                _ => known,
+            };
+            self.chain.push(cell, foot, [known, open], behind);
+            if behind.is_none() {
                 break;
             }
-            cell += 2;
+            (before, cell) = (behind, cell + 2);
         }
         self.chain.settle();
+    }
+
+    /// Whether more is to come of the path behind the corner in `cell` than is looked at.
+    fn is_open_behind(&self, queue: &Queue, cell: u64) -> bool {
+        for number in (cell + 1..self.horizon).take(beside::CELLS) {
+            let node = queue.node(number);
+            match node.pass {
+                Pass::Corner { .. } => return self.chain.is_full() || !self.goes_on_behind(queue, number),
+                Pass::Axes => return false,
+                Pass::Path if node.rests => return false,
+                Pass::Path => {}
+            }
+        }
+        cell + (beside::CELLS as u64) >= self.horizon
+    }
+
+    /// Whether the path goes on behind the corner in `cell`, and is not planned to rest before it for now.
+    fn goes_on_behind(&self, queue: &Queue, cell: u64) -> bool {
+        let more = if self.horizon < queue.tail() { beside::CELLS as u64 } else { 1 };
+        cell + more < self.horizon
     }
 
     /// The one line on which the path comes from `s` to the corner in `cell`.
@@ -978,7 +1021,9 @@ impl Plan {
 
     /// The one line between the corner in `cell` and the next.
     fn line_behind(&self, queue: &Queue, cell: u64) -> Option<Line> {
-        let is_known = cell + 2 < self.horizon && matches!(queue.node(cell + 2).pass, Pass::Corner { .. });
+        let next = cell + 2;
+        let is_known =
+            self.goes_on_behind(queue, next) && matches!(queue.node(next).pass, Pass::Corner { .. });
         let node = is_known.then(|| queue.node(cell + 1)).filter(|node| is_line(node))?;
         Some(self.line_of(node, node.len))
     }

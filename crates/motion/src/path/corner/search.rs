@@ -137,7 +137,7 @@ impl Side {
     /// up to where the ramps of two such corners meet.
     pub(super) fn lost(&self, foot: Foot, reach: f64) -> f64 {
         let &Side { len, feed, drive, .. } = self;
-        let half = 0.5 * len - reach;
+        let half = (0.5 * len - reach).max(0.0);
         let way = foot.distance(feed, drive).unwrap_or(0.0);
         if way <= half {
             return Phases::new(foot, feed, drive).total() - (way + reach) / feed;
@@ -153,7 +153,8 @@ const RECENT: usize = 8;
 /// Numbers that differ by no more than this share of the larger are alike, and directions by this distance.
 const ALIKE: f64 = 0.01;
 
-/// What was found for the last corners.
+/// What was found for the last corners, of the programs before too: a swing for one that is like another may differ by a little
+/// from what would be found for itself, within all limits.
 #[derive(Debug, Default)]
 pub(crate) struct Recent {
     known: [Option<(Likeness, Option<Proportions>)>; RECENT],
