@@ -102,6 +102,10 @@ fn corners(trace: &[Value], rapids_stop: bool) -> Vec<Corner> {
     let mut way: Option<[f64; 4]> = None;
     let mut rapid = false;
     for step in trace {
+        // The path runs on over a message.
+        if step["op"] == "message" {
+            continue;
+        }
         let Some(to) = step.get("to") else {
             // A pause, the spindle, a tool, coolant, the end.
             if let Some(last) = corners.last_mut() {
