@@ -376,6 +376,8 @@ impl Assembler {
     /// The same, as soon as cells are added again.
     pub fn close_later(&mut self) {
         self.closing = self.open.is_some() || !self.parts.is_empty() || self.waits();
+        // So that a path is the same whatever was run before it.
+        self.recent.clear();
     }
 
     /// The open move ends at rest.

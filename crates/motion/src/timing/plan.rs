@@ -374,13 +374,22 @@ impl Plan {
         // Of the plan before nothing behind this moment is final.
         (self.fixed, self.next) = (fixed, start);
         let is_planned = self.renew_from(queue, start)
-            || self
-                .through_corners(queue, start, THROUGH_SLOWER, false, |plan, at| plan.renew_from(queue, at));
+            || !self.can_stop_on_line(queue, start)
+                && self.through_corners(queue, start, THROUGH_SLOWER, false, |plan, at| {
+                    plan.renew_from(queue, at)
+                });
         if is_planned {
             return Some(changed);
         }
         self.give_up(queue);
         None
+    }
+
+    /// Whether the path is on a line before a corner that is long enough to stop on.
+    fn can_stop_on_line(&self, queue: &Queue, start: Start) -> bool {
+        let State { v, a } = start.port.state;
+        let line = self.line_before(queue, start.cell + 1, start.port.s);
+        line.is_some_and(|line| STOP_ROOM * Foot { v, a: a.max(0.0) }.room(line.drive) <= line.len)
     }
 
     /// Plans everything behind the last stretch again, from `start` on.
@@ -636,7 +645,8 @@ impl Plan {
             let here = Foot { v, a };
             let Some(least) = line.least(here, foot) else { return false };
             // Its own speed at most, unless it is come to from a higher override.
-            let capped = pace_below(foot, self.overrides.cap(node), line.drive.j);
+            let cap = self.overrides.cap(node).min(line.cap).max(here.top(line.drive.j));
+            let capped = pace_below(foot, cap, line.drive.j);
             let high = line.most(here, foot, 1.0).min(capped).max(least);
             let low = least.max(floor).min(high);
             floor *= THROUGH_FALL;
@@ -973,7 +983,8 @@ impl Plan {
             });
             let slow = self.slow.iter().find(|(slow, _)| *slow == cell).map_or(1.0, |(_, share)| *share);
             let lines = before.iter().chain(&behind);
-            let capped = lines.map(|line| pace_below(foot, cap, line.drive.j)).fold(1.0, f64::min);
+            let capped =
+                lines.map(|line| pace_below(foot, cap.min(line.cap), line.drive.j)).fold(1.0, f64::min);
             let pace = |behind: Option<&Beside>| {
                 beside::pace(foot, side_before.iter().chain(behind)).min(capped) * corners.share * slow
             };

@@ -153,8 +153,8 @@ const RECENT: usize = 8;
 /// Numbers that differ by no more than this share of the larger are alike, and directions by this distance.
 const ALIKE: f64 = 0.01;
 
-/// What was found for the last corners, of the programs before too: a swing for one that is like another may differ by a little
-/// from what would be found for itself, within all limits.
+/// What was found for the last corners of a path: a swing for one that is like another may differ by a little from what would be
+/// found for itself, within all limits.
 #[derive(Debug, Default)]
 pub(crate) struct Recent {
     known: [Option<(Likeness, Option<Proportions>)>; RECENT],
