@@ -181,7 +181,8 @@ impl Cnc {
         if !self.retrace.is_behind() {
             (self.retrace.behind, self.retrace.held_at) = (0.0, self.motion.position());
         }
-        self.retrace.way = way;
+        // It may have been held as it arrived.
+        (self.retrace.way, self.retrace.arrives) = (way, false);
         if way == Way::Forward {
             self.state = State::Running;
             self.hold = false;
