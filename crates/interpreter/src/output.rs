@@ -399,13 +399,10 @@ impl Queue {
             (self.one_way.pop_front(), &step.op)
         {
             let first = Op::Rapid { to: to + how.beyond, straight, speed, path };
-            self.steps.push_back(Step { op: first, span, ..step.clone() });
+            let of_block = |op: Op| Step { op, span, block: step.block, section: step.section };
+            self.steps.push_back(of_block(first));
             if how.dwell_s > 0.0 {
-                self.steps.push_back(Step {
-                    op: Op::Dwell(Dwell::Seconds(how.dwell_s)),
-                    span,
-                    ..step.clone()
-                });
+                self.steps.push_back(of_block(Op::Dwell(Dwell::Seconds(how.dwell_s))));
             }
         }
         self.actual = to;

@@ -97,12 +97,11 @@ impl Cnc {
 
     /// Gives a move to motion; any other step waits for it to come to rest, but for an output that changes with the next
     /// move, and a message.
-    pub(super) fn give(&mut self, mut step: Step) {
+    pub(super) fn give(&mut self, step: Step) {
         if self.keeps_output_for_next_move(&step) {
             return;
         }
-        let Some(kept) = self.keep_message(step) else { return };
-        step = kept;
+        let Some(mut step) = self.keep_message(step) else { return };
         let is_thread = matches!(step.op, Op::Tap { .. });
         let stays = matches!(step.op, Op::Dwell(_) | Op::Output { with_next_move: true, .. });
         if self.is_in(ThreadKind::InStep) && !is_thread && !stays {
