@@ -68,12 +68,17 @@ const JUMP: f64 = 0.1;
 const ACCELERATION_SHARE: f64 = 0.998;
 const JERK_SHARE: f64 = 0.985;
 
-/// Iterations at most, and the share of the time that may be missing to the least.
+/// Iterations at most, the share of the time that may be missing to the least, and what may be left of by how much slacks
+/// and bounds differed.
 const ITERATIONS: usize = 30;
 const GAP: f64 = 2e-3;
+const APART: f64 = 0.01;
 
 /// Multipliers at first: the share of the time that all of them together are worth.
 const FIRST_GAP: f64 = 0.3;
+
+/// The same where bounds were tightened: little changes.
+const NEXT_GAP: f64 = 4e-3;
 
 /// Slacks at first, at least.
 const FIRST_SLACK: f64 = 0.15;
@@ -94,6 +99,7 @@ const HARMLESS: f64 = 0.95;
 /// window is run by the plan before, up to a seventh slower, and four times were not always enough.
 const ROUNDS: usize = 8;
 const LESS: f64 = 0.98;
+const MOST_MORE: f64 = 1.18;
 
 /// In how many parts a piece is looked at.
 const PARTS: u8 = 4;
@@ -113,6 +119,8 @@ struct Row {
     c: [f64; 3],
     /// Number of `x₀`.
     base: usize,
+    /// Where it is looked at.
+    place: usize,
     /// Where the place's own `x` is among the three, if the bound is one of jerk.
     root: Option<usize>,
     /// Slacks and multipliers of both sides, and `1/z`.
@@ -144,8 +152,8 @@ pub(crate) struct Valley {
     /// Where they begin.
     s: Vec<f64>,
     x: Vec<f64>,
-    /// Shares of the bounds at the places.
-    share: Vec<f64>,
+    /// How much more than it does a place is to count.
+    more: Vec<f64>,
     rows: Vec<Row>,
     speeds: Vec<[f64; 3]>,
     /// Diagonals of the matrix, and the right side.
@@ -162,7 +170,7 @@ impl Valley {
             h: Vec::with_capacity(STEPS + 2),
             s: Vec::with_capacity(STEPS + 2),
             x: Vec::with_capacity(STEPS + 2),
-            share: Vec::with_capacity(STEPS + 2),
+            more: Vec::with_capacity(STEPS + 2),
             rows: Vec::with_capacity(ROWS * (STEPS + 1)),
             speeds: Vec::with_capacity(STEPS + 2),
             band: Vec::with_capacity(STEPS + 2),
@@ -242,10 +250,11 @@ impl Valley {
         if !plan_bends(road, plan, first) {
             return Outcome::Same;
         }
-        for _ in 0..ROUNDS {
-            self.begin(range.clone(), from, to);
-            self.bound(road, first);
-            if !self.solve() {
+        self.begin(range, from, to);
+        self.bound(road, first);
+        let planned = self.slacken();
+        for round in 0..ROUNDS {
+            if !self.solve(planned, if round == 0 { FIRST_GAP } else { NEXT_GAP }) {
                 return Outcome::Same;
             }
             if !self.cut(from, to) {
@@ -328,8 +337,6 @@ impl Valley {
         }
         self.h[0] = self.h[1];
         self.h.push(self.h[n - 1]);
-        self.share.clear();
-        self.share.resize(self.s.len(), 1.0);
         Some(count)
     }
 
@@ -359,17 +366,7 @@ impl Valley {
         self.rows.clear();
         let places = self.s.len();
         let mut cell = first;
-        // Between three of them the spline lies below the highest.
-        for k in 2..self.x.len() - 2 {
-            let (begin, end) = (self.s[k - 2], self.s[k + 1]);
-            cell = road.cell(cell, begin);
-            let cap = road.least_cap(cell, end);
-            if FASTER * self.x[k] < cap * cap {
-                continue;
-            }
-            self.rows.push(Row { c: [1.0 / (cap * cap), 0.0, 0.0], base: k, ..Row::default() });
-        }
-        cell = first;
+        let mut cap_cell = first;
         for k in 0..places {
             let s = self.s[k];
             cell = road.cell(cell, s);
@@ -384,9 +381,6 @@ impl Valley {
             // X and a by x of both steps.
             let (x, a) = ([h1 / both, h0 / both], [-1.0 / both, 1.0 / both]);
             let is_inner = k > 0 && k + 1 < places;
-            let share = self.share[k];
-            let most = ACCELERATION_SHARE * share;
-            let most_jerk = JERK_SHARE * share;
             // Acceleration behind minus acceleration before, over the length of the step on either side.
             let left_push = (k > 0).then(|| {
                 let (a0, h) = (1.0 / (self.h[k - 1] + h0), h0);
@@ -408,39 +402,55 @@ impl Valley {
             let is_line = |d: &[[f64; AXES]; 3]| d[1..].iter().flatten().all(|c| *c == 0.0);
             let has_left = !is_line(&there) || (k > 0 && self.at(k).0 >= self.at(k - 1).0);
             let has_right = !is_line(&here) || (k + 1 < places && self.at(k).0 >= self.at(k + 1).0);
+            let is_harmful = |[d1, d2, d3]: [f64; 3], jmax: f64| {
+                ((d3.abs() * v * v + 3.0 * d2.abs() * a_most) * v + d1.abs() * j_most) * jmax > HARMLESS
+            };
+            let of =
+                |d: &[[f64; AXES]; 3], i: usize| if i < AXES { d.map(|d| d[i]) } else { [1.0, 0.0, 0.0] };
             for i in 0..=AXES {
-                let (amax, jmax) = if i < AXES {
-                    (inverse.acceleration[i] / most, inverse.jerk[i] / most_jerk)
-                } else {
-                    (inverse.along[0] / most, inverse.along[1] / most_jerk)
-                };
-                let of = |d: &[[f64; AXES]; 3]| {
-                    if i < AXES { [d[0][i], d[1][i], d[2][i]] } else { [1.0, 0.0, 0.0] }
-                };
-                let [d1, d2, d3] = of(&here);
-                if is_inner && (d2.abs() * v * v + d1.abs() * a_most) * amax > HARMLESS {
-                    let c = [(d2 * x[0] + d1 * a[0]) * amax, (d2 * x[1] + d1 * a[1]) * amax, 0.0];
-                    self.rows.push(Row { c, base: k, ..Row::default() });
-                }
-                let is_harmful = |[d1, d2, d3]: [f64; 3]| {
-                    ((d3.abs() * v * v + 3.0 * d2.abs() * a_most) * v + d1.abs() * j_most) * jmax > HARMLESS
-                };
-                let [e1, e2, e3] = of(&there);
-                if let Some(push) = left_push.filter(|_| has_left && is_harmful([e1, e2, e3])) {
+                let jmax = if i < AXES { inverse.jerk[i] } else { inverse.along[1] } / JERK_SHARE;
+                let [e1, e2, e3] = of(&there, i);
+                if let Some(push) = left_push.filter(|_| has_left && is_harmful([e1, e2, e3], jmax)) {
                     let c = [
                         e1 * push[0] * jmax,
                         (e3 * x[0] + 3.0 * e2 * a[0] + e1 * push[1]) * jmax,
                         (e3 * x[1] + 3.0 * e2 * a[1] + e1 * push[2]) * jmax,
                     ];
-                    self.rows.push(Row { c, base: k - 1, root: Some(1), ..Row::default() });
+                    self.rows.push(Row { c, place: k, base: k - 1, root: Some(1), ..Row::default() });
                 }
-                if let Some(push) = right_push.filter(|_| has_right && is_harmful([d1, d2, d3])) {
+            }
+            // Between three of them the spline lies below the highest.
+            if (2..self.x.len() - 2).contains(&k) {
+                let (begin, end) = (self.s[k - 2], self.s[k + 1]);
+                cap_cell = road.cell(cap_cell, begin);
+                let cap = road.least_cap(cap_cell, end);
+                if FASTER * self.x[k] > cap * cap {
+                    self.rows.push(Row {
+                        c: [1.0 / (cap * cap), 0.0, 0.0],
+                        place: k,
+                        base: k,
+                        ..Row::default()
+                    });
+                }
+            }
+            for i in 0..=AXES {
+                let (amax, jmax) = if i < AXES {
+                    (inverse.acceleration[i] / ACCELERATION_SHARE, inverse.jerk[i] / JERK_SHARE)
+                } else {
+                    (inverse.along[0] / ACCELERATION_SHARE, inverse.along[1] / JERK_SHARE)
+                };
+                let [d1, d2, d3] = of(&here, i);
+                if is_inner && (d2.abs() * v * v + d1.abs() * a_most) * amax > HARMLESS {
+                    let c = [(d2 * x[0] + d1 * a[0]) * amax, (d2 * x[1] + d1 * a[1]) * amax, 0.0];
+                    self.rows.push(Row { c, place: k, base: k, ..Row::default() });
+                }
+                if let Some(push) = right_push.filter(|_| has_right && is_harmful([d1, d2, d3], jmax)) {
                     let c = [
                         (d3 * x[0] + 3.0 * d2 * a[0] + d1 * push[0]) * jmax,
                         (d3 * x[1] + 3.0 * d2 * a[1] + d1 * push[1]) * jmax,
                         d1 * push[2] * jmax,
                     ];
-                    self.rows.push(Row { c, base: k, root: Some(0), ..Row::default() });
+                    self.rows.push(Row { c, place: k, base: k, root: Some(0), ..Row::default() });
                 }
             }
         }
@@ -479,22 +489,36 @@ impl Valley {
         }
     }
 
-    /// The interior point method from the plan as it is. `false` if what it finds will not be worth it.
-    fn solve(&mut self) -> bool {
-        let n = self.x.len();
-        let sides = 2.0 * self.rows.len() as f64;
-        let time: f64 = (1..n - 1).map(|i| self.h[i] / self.x[i].max(1e-12).sqrt()).sum();
-        let mut sum = FIRST_GAP * time;
-        let mut mu = sum / sides;
+    /// Slacks and multipliers that are positive, at the plan as it is; the time that it takes by its control points.
+    fn slacken(&mut self) -> f64 {
+        let planned: f64 = (1..self.x.len() - 1).map(|i| self.h[i] / self.x[i].max(1e-12).sqrt()).sum();
+        let mu = self.mu(FIRST_GAP * planned);
         self.look(|_| ());
         for row in &mut self.rows {
             row.z = [1.0 - row.value, 1.0 + row.value].map(|z| z.max(FIRST_SLACK));
             row.l = row.z.map(|z| mu / z);
         }
+        planned
+    }
+
+    /// What each product of slack and multiplier is when all together are `sum`.
+    fn mu(&self, sum: f64) -> f64 {
+        sum / (2.0 * self.rows.len() as f64)
+    }
+
+    /// The interior point method from what is known, first with a sum of products of the share `gap` of the time `planned`.
+    /// `false` if what it finds will not be worth it.
+    fn solve(&mut self, planned: f64, gap: f64) -> bool {
+        let n = self.x.len();
+        let mut sum = gap * planned;
+        let mut mu = self.mu(sum);
+        self.look(|_| ());
+        // How much of what slacks and bounds differed by is left.
+        let mut apart = 1.0;
         for _ in 0..ITERATIONS {
             let now = self.assemble(mu);
             // No more than the gap is to be gained.
-            if now - sum > WORTH * time {
+            if now - sum > WORTH * planned {
                 return false;
             }
             if !self.eliminate() {
@@ -539,11 +563,11 @@ impl Valley {
                 }
             });
             sum = sums[0] + sums[1];
-            let far = far.min(far_l);
-            if far > 0.9 && sum < GAP * time {
+            apart *= 1.0 - far;
+            if apart < APART && sum < GAP * planned {
                 return true;
             }
-            mu = AIMS[usize::from(far <= 0.8)] * sum / sides;
+            mu = AIMS[usize::from(far.min(far_l) <= 0.8)] * self.mu(sum);
         }
         true
     }
@@ -565,7 +589,12 @@ impl Valley {
             self.band.push([0.75 * slow * inverse, 0.0, 0.0]);
             self.right.push(0.5 * slow);
         }
+        let (mut base, mut sums) = (0, [0.0; 9]);
         for row in &mut self.rows {
+            if row.base != base {
+                pour(&mut self.band, &mut self.right, base, sums);
+                (base, sums) = (row.base, [0.0; 9]);
+            }
             row.inverse = row.z.map(f64::recip);
             let (c, mut weights, mut pushes) = ([1.0 - row.value, 1.0 + row.value], [0.0; 2], [0.0; 2]);
             for side in 0..2 {
@@ -574,19 +603,23 @@ impl Valley {
                 pushes[side] = mu * inverse - weights[side] * (c[side] - row.z[side]);
             }
             let (weight, push) = (weights[0] + weights[1], pushes[1] - pushes[0]);
-            let g = row.g;
-            let wg = g.map(|g| weight * g);
-            let [b0, b1, b2] = &mut self.band[row.base..row.base + 3] else { continue };
-            for i in 0..3 {
-                b0[i] += wg[0] * g[i];
-            }
-            b1[0] += wg[1] * g[1];
-            b1[1] += wg[1] * g[2];
-            b2[0] += wg[2] * g[2];
-            for (right, g) in self.right[row.base..row.base + 3].iter_mut().zip(g) {
-                *right += push * g;
+            let [g0, g1, g2] = row.g;
+            let [w0, w1, w2] = row.g.map(|g| weight * g);
+            for (sum, more) in sums.iter_mut().zip([
+                w0 * g0,
+                w1 * g1,
+                w2 * g2,
+                w0 * g1,
+                w1 * g2,
+                w0 * g2,
+                push * g0,
+                push * g1,
+                push * g2,
+            ]) {
+                *sum += more;
             }
         }
+        pour(&mut self.band, &mut self.right, base, sums);
         // What is given stays.
         for i in [0, 1, n - 2, n - 1] {
             self.band[i][0] = 1e30;
@@ -638,21 +671,40 @@ impl Valley {
         true
     }
 
-    /// Whether every piece keeps all bounds; where not, less is used at its ends the next time.
+    /// Whether every piece keeps all bounds; where not, the bounds at its ends are tightened.
     fn keeps(&mut self, road: &Road<'_, impl Fn(&Node) -> f64>, first: u64) -> bool {
         let mut is_good = true;
         let mut cell = first;
+        self.more.clear();
+        self.more.resize(self.s.len(), 1.0);
         for k in 0..self.pieces.len() {
-            let piece = self.pieces[k];
-            let used = road.most_used(&piece, &mut cell);
+            let used = road.most_used(&self.pieces[k], &mut cell);
             if !(used <= ROUNDING) {
                 is_good = false;
-                let less = (LESS / used).max(0.85);
-                self.share[k] *= less;
-                self.share[k + 1] *= less;
+                let more = (used / LESS).min(MOST_MORE);
+                self.more[k] *= more;
+                self.more[k + 1] *= more;
+            }
+        }
+        if !is_good {
+            for row in &mut self.rows {
+                let more = self.more[row.place];
+                row.c = row.c.map(|c| c * more);
             }
         }
         is_good
+    }
+}
+
+/// Adds the sums of the rows that begin with `base`: of the diagonal, the one beside it, the outer one and the right side.
+fn pour(band: &mut [[f64; 3]], right: &mut [f64], base: usize, sums: [f64; 9]) {
+    let [a0, a1, a2, b0, b1, c, r @ ..] = sums;
+    let [x, y, z] = &mut band[base..base + 3] else { return };
+    *x = [x[0] + a0, x[1] + b0, x[2] + c];
+    *y = [y[0] + a1, y[1] + b1, y[2]];
+    z[0] += a2;
+    for (right, r) in right[base..base + 3].iter_mut().zip(r) {
+        *right += r;
     }
 }
 
