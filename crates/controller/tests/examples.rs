@@ -1,12 +1,12 @@
 //! Every example, with overrides and holds at random instants: the limits of every axis at any instant, the programmed
-//! path, the end.
+//! path, the end. Without them: nothing rests that need not.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
 mod common;
 
 use common::parts::{Part, parts};
 use common::random::Random;
-use ferrocut_controller::{Cnc, Programmed, State, Way};
+use ferrocut_controller::{Activity, Cnc, Programmed, State, Way};
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_machine::Machine;
 use std::collections::VecDeque;
@@ -151,4 +151,89 @@ fn every_example_keeps_the_limits_and_the_path_whatever_the_operator_does() {
             });
         }
     });
+}
+
+/// Where a move begins or ends and the direction that it has there; `None` where no line is programmed.
+fn end(programmed: &Programmed, is_last: bool) -> Option<(Position, Position)> {
+    match programmed.way {
+        Way::Apart => None,
+        Way::Line(from, to) => Some((if is_last { to } else { from }, to - from)),
+        Way::Arc(arc) => {
+            let at = if is_last { arc.end } else { arc.start };
+            let [a, b] = arc.plane.of(at);
+            let (first, second) = (arc.plane.first(), arc.plane.second());
+            let mut along = Position::ZERO;
+            along[first] = -(b - arc.center[1]) * arc.sweep;
+            along[second] = (a - arc.center[0]) * arc.sweep;
+            along[arc.plane.normal()] = arc.end[arc.plane.normal()] - arc.start[arc.plane.normal()];
+            Some((at, along))
+        }
+    }
+}
+
+/// Why the path may rest between two moves: what the moves themselves ask for.
+fn may_rest(before: &Programmed, next: &Programmed, machine: &Machine) -> bool {
+    if before.is_rapid || next.is_rapid {
+        return true;
+    }
+    let tolerance = |m: &Programmed| m.tolerance.unwrap_or(machine.path.tolerance);
+    let Some(((_, one), (_, other))) = end(before, true).zip(end(next, false)) else { return true };
+    let dot = |a: Position, b: Position| {
+        Axis::ALL.into_iter().filter(|a| a.is_linear()).map(|axis| a[axis] * b[axis]).sum::<f64>()
+    };
+    let cosine = dot(one, other) / (dot(one, one) * dot(other, other)).sqrt();
+    // What nearly turns back cannot be rounded, and an exact path not at all.
+    cosine < -0.9 || tolerance(before).min(tolerance(next)) < 1e-4 && cosine < 1.0 - 1e-9
+}
+
+/// Rests of a part between two cuts, and those of them without a reason.
+fn rests(part: &Part) -> (usize, Vec<String>) {
+    let mut cnc = Cnc::new(&part.machine, part.interpreter());
+    let standing = |cnc: &Cnc| {
+        [Activity::Dwell, Activity::ToolChange, Activity::Spindle].map(|activity| cnc.report().time(activity))
+    };
+    // The last move that was run, and the one before a rest with what there was to do until then.
+    let mut last: Option<Programmed> = None;
+    let mut rest = None;
+    let (mut is_moving, mut between_cuts, mut needless) = (false, 0, Vec::new());
+    for _ in 0..HANGS {
+        if matches!(cnc.state(), State::Ready | State::Stopped(_)) {
+            cnc.cycle_start();
+            (last, is_moving) = (None, false);
+        }
+        let done = standing(&cnc);
+        let tick = cnc.tick();
+        match cnc.state() {
+            State::Ended => return (between_cuts, needless),
+            State::Running | State::Stopped(_) => {}
+            state => panic!("{}: {state:?}", part.name),
+        }
+        let now = cnc.moves().next().copied().or(last);
+        // Of a stop within the limits of jerk a sample is no faster than this.
+        let moves = tick.velocity > 0.01;
+        if is_moving && !moves {
+            rest = last.map(|last| (last, tick.position, done));
+        } else if moves
+            && !is_moving
+            && let Some(((before, at, done), next)) = rest.take().zip(now)
+        {
+            between_cuts += usize::from(!before.is_rapid && !next.is_rapid);
+            if standing(&cnc) == done && !may_rest(&before, &next, &part.machine) {
+                needless.push(format!("{} at {at:?}: {before:?}, {next:?}", part.name));
+            }
+        }
+        (is_moving, last) = (moves, now);
+    }
+    panic!("{} does not end", part.name);
+}
+
+#[test]
+fn no_example_rests_without_a_reason() {
+    let mut between_cuts = 0;
+    for part in parts().iter().filter(|part| part.is_example) {
+        let (rests, needless) = rests(part);
+        between_cuts += rests;
+        assert!(needless.is_empty(), "{}", needless.join("\n"));
+    }
+    assert!(between_cuts > 50, "{between_cuts}");
 }
