@@ -241,6 +241,18 @@ fn events() -> impl Strategy<Value = Vec<(usize, Event)>> {
     })
 }
 
+/// Overrides alone, of which none is 0.
+fn overrides() -> impl Strategy<Value = Vec<(usize, Event)>> {
+    events().prop_map(|events| {
+        let moves = |share: f64| share.max(0.05);
+        let lasting = events.into_iter().filter_map(|(tick, event)| match event {
+            Event::Override(feed, rapid) => Some((tick, Event::Override(moves(feed), moves(rapid)))),
+            Event::Hold | Event::Resume | Event::Abort => None,
+        });
+        lasting.collect()
+    })
+}
+
 /// The demo mill, or one whose axes differ more, at another servo period.
 fn machine() -> impl Strategy<Value = Machine> {
     let one = (500.0..30000.0f64, 500.0..20000.0f64, 100.0..8000.0f64);
@@ -412,14 +424,18 @@ proptest! {
         }
     }
 
-    /// Nothing stops that need not.
+    /// Nothing stops that need not, whatever the override is that is not 0.
     #[test]
-    fn nothing_rests_without_a_reason(machine in machine(), pieces in prop::collection::vec(piece(), 1..8)) {
+    fn nothing_rests_without_a_reason(
+        machine in machine(),
+        pieces in prop::collection::vec(piece(), 1..8),
+        events in prop_oneof![Just(vec![]), overrides()],
+    ) {
         let ops = build(&pieces);
         // What is to be passed at a lowest feed may be too short for any other speed.
         prop_assume!(!ops.iter().any(|op| matches!(op,
             Op::Feed { path: PathMode::InnerCorners(_), .. } | Op::Arc { path: PathMode::InnerCorners(_), .. })));
-        let run = run(&machine, Position::ZERO, &ops);
+        let run = run_with(&machine, Position::ZERO, &ops, &events, &[]);
         // Of a stop within the limits of jerk a sample is no faster than this; without them, one rests.
         let jerk = Limits::new(&machine).jerk.into_iter().take(3).fold(0.0, f64::max);
         let least = if jerk.is_finite() { 0.125 * jerk * run.period * run.period } else { 0.0 };
