@@ -1,4 +1,4 @@
-//! Every example, with overrides and holds at random instants: the limits of every axis at any instant, the programmed
+//! Every example, with all that an operator may do at random instants: the limits of every axis at any instant, the programmed
 //! path, the end. Without them: nothing rests that need not.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
@@ -6,7 +6,7 @@ mod common;
 
 use common::parts::{Part, parts};
 use common::random::Random;
-use ferrocut_controller::{Activity, Cnc, Programmed, State, Way};
+use ferrocut_controller::{Activity, Cnc, DryRun, Programmed, State, Way};
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_machine::Machine;
 use std::collections::VecDeque;
@@ -92,6 +92,28 @@ impl<'a> Judge<'a> {
     }
 }
 
+/// Something that an operator does, or the ladder. Nothing that keeps the axes from moving stays for long: it may go with the
+/// next hand.
+fn lay_hands_on(cnc: &mut Cnc, random: &mut Random) {
+    match random.below(8) {
+        0 => cnc.feed_hold(),
+        1 => cnc.set_override(random.one(&[0.1, 0.5, 1.0, 1.2, 2.0]), random.one(&[0.25, 0.5, 1.0])),
+        2 => cnc.set_override(0.1 + 1.9 * random.unit(), random.unit()),
+        3 => cnc.set_override(random.one(&[0.0, 1.0, 1.0]), random.one(&[0.0, 1.0, 1.0])),
+        4 => cnc.set_single_block(random.one(&[true, false, false])),
+        5 => cnc.finish_block(),
+        6 => cnc.set_may_move(random.one(&[true, true, false])),
+        _ => {
+            let dry = DryRun {
+                speed: 20.0 + 50.0 * random.unit(),
+                cutting: true,
+                rapid: random.one(&[true, false]),
+            };
+            cnc.set_dry_run(random.one(&[Some(dry), None, None]));
+        }
+    }
+}
+
 /// Runs a part to its end; where the axes stand then.
 fn end_of(part: &Part, mut random: Option<Random>) -> Position {
     let mut cnc = Cnc::new(&part.machine, part.interpreter());
@@ -102,16 +124,13 @@ fn end_of(part: &Part, mut random: Option<Random>) -> Position {
     for tick in 0..HANGS {
         if let Some(random) = random.as_mut().filter(|_| tick >= next) {
             next = tick + 1 + random.below(2 * APART);
-            match random.below(4) {
-                0 => cnc.feed_hold(),
-                1 => cnc.set_override(random.one(&[0.1, 0.5, 1.0, 1.2, 2.0]), random.one(&[0.25, 0.5, 1.0])),
-                2 => cnc.set_override(2.0 * random.unit(), random.unit()),
-                // Never the last hand for long: what is 0 comes back with the next.
-                _ => cnc.set_override(random.one(&[0.0, 1.0]), random.one(&[0.0, 1.0])),
-            }
+            lay_hands_on(&mut cnc, random);
         }
-        if matches!(cnc.state(), State::Stopped(_)) || cnc.state() == &State::Held && tick + 1 >= next {
-            cnc.cycle_start();
+        let waits_long = tick + 1 >= next;
+        match cnc.state() {
+            State::Stopped(_) => cnc.cycle_start(),
+            State::Held | State::BlockEnd if waits_long => cnc.cycle_start(),
+            _ => {}
         }
         let position = cnc.tick().position;
         let spindle = cnc.spindle();
@@ -127,7 +146,7 @@ fn end_of(part: &Part, mut random: Option<Random>) -> Position {
                 assert!(judge.judged > 1000, "{}: {}", part.name, judge.judged);
                 return position;
             }
-            State::Running | State::Held | State::Stopped(_) => {}
+            State::Running | State::Held | State::Stopped(_) | State::BlockEnd => {}
             state => panic!("{}: {state:?}", part.name),
         }
     }
