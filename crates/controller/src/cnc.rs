@@ -241,7 +241,7 @@ pub struct Cnc {
     actual: Position,
     span: Span,
     report: Report,
-    events: Vec<Event>,
+    events: VecDeque<Event>,
     /// What was wrong with an axis, once they have come to rest.
     failed: Option<Box<Alarm>>,
     /// The alarm of drives that stopped by themselves was given.
@@ -333,7 +333,7 @@ impl Cnc {
             actual: start,
             span: Span::default(),
             report: Report::new(period),
-            events: Vec::with_capacity(EVENTS),
+            events: VecDeque::with_capacity(EVENTS),
             failed: None,
             drives_failed: false,
             is_powered: true,
@@ -422,6 +422,11 @@ impl Cnc {
     /// Takes what happened since the last call.
     pub fn events(&mut self) -> Vec<Event> {
         self.events.drain(..).collect()
+    }
+
+    /// The first thing of those that happened, which is told no more.
+    pub(crate) fn next_event(&mut self) -> Option<Event> {
+        self.events.pop_front()
     }
 
     /// Starts the program, or goes on after feed hold, M00 or M01. Not while axes are moved by hand.
@@ -1007,7 +1012,7 @@ impl Cnc {
                 let seconds = self.spindle.orient(degrees);
                 self.keep_busy(Activity::Spindle, seconds);
             }
-            Op::Message(text) => self.events.push(Event::Message(text)),
+            Op::Message(text) => self.events.push_back(Event::Message(text)),
             Op::Output { port, value, with_next_move: true } => {
                 self.program_outputs.wait_for(self.next_tag, &port, value);
             }
@@ -1028,7 +1033,7 @@ impl Cnc {
             Op::Change(tool) => {
                 self.taking_up.tools = (tool, tool);
                 self.report.change_tool(tool);
-                self.events.push(Event::ToolChange(tool));
+                self.events.push_back(Event::ToolChange(tool));
             }
             Op::Home(axes) => self.home_by_program(axes),
             Op::Stop(code) => self.state = State::Stopped(code),

@@ -5,9 +5,13 @@ mod common;
 #[path = "common/mill.rs"]
 #[allow(dead_code)]
 mod mill;
+#[path = "common/panel.rs"]
+#[allow(dead_code)]
+mod panel;
 
 use assert_no_alloc::{AllocDisabler, assert_no_alloc};
 use common::{HANGS, cnc, in_language, machine};
+use ferrocut_controller::api::{Activity, Command, Event};
 use ferrocut_controller::{Cnc, State};
 use ferrocut_geometry::Position;
 use mill::Mill;
@@ -155,4 +159,44 @@ fn a_period_with_a_ladder_allocates_nothing() {
     };
     mill.until(|mill| mill.cnc.state() != &State::Running);
     assert_eq!((mill.cnc.state(), mill.cnc.report().tool()), (&State::Ended, 2));
+}
+
+/// The whole control: keys, ladder, machine, program, parts count. What is told besides, alarms and texts, has memory of its own.
+#[test]
+fn a_period_of_the_whole_control_allocates_nothing() {
+    let mut mill = panel::Mill::power_on();
+    mill.home();
+    mill.control.work_beside().unwrap();
+    mill.press("KEY_EDIT");
+    let text =
+        format!("O1\n{}", rows().replace("G0 X0 Y0 Z5\nM30", "T2 M6\nM8\nG4 X0.2\n#500=#5021\nM9\nM5\nM30"));
+    mill.say(Command::Store { program: "O0001".into(), text });
+    mill.say(Command::Select { program: "O1".into() });
+    mill.press("KEY_AUTO");
+    mill.wait(2000);
+    mill.control.events();
+    mill.press("KEY_START");
+    let mut told = Vec::new();
+    for k in 0..HANGS {
+        match k % 3000 {
+            1000 => drop(mill.say(Command::Key { key: "KEY_HOLD".into(), down: true })),
+            1100 => drop(mill.say(Command::Key { key: "KEY_HOLD".into(), down: false })),
+            1500 => drop(mill.say(Command::Key { key: "KEY_START".into(), down: true })),
+            1600 => drop(mill.say(Command::Key { key: "KEY_START".into(), down: false })),
+            _ => {}
+        }
+        mill.control.await_beside();
+        assert_no_alloc(|| {
+            mill.control.tick();
+            mill.control.prepare();
+        });
+        told.extend(mill.control.events());
+        if told.iter().any(|event| matches!(event, Event::Part { .. })) {
+            let holds =
+                told.iter().filter(|event| matches!(event, Event::Activity { activity: Activity::Held }));
+            assert!(holds.count() > 2 && told.contains(&Event::ToolChange { tool: 2 }), "{told:?}");
+            return;
+        }
+    }
+    panic!("does not end: {told:?}");
 }

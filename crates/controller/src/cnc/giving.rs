@@ -70,7 +70,7 @@ impl Cnc {
         let probes = self.touches.is_some();
         self.supervisor.step(&step, |alarm| match alarm.severity {
             Severity::Warning if probes => {}
-            Severity::Warning => events.push(Event::Warning(alarm)),
+            Severity::Warning => events.push_back(Event::Warning(alarm)),
             Severity::Error if refused.is_none() => refused = Some(Box::new(alarm)),
             Severity::Error => {}
         });

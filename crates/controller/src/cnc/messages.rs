@@ -47,7 +47,7 @@ impl Cnc {
     pub(super) fn tell_messages(&mut self, running: u64) {
         while self.messages.0.front().is_some_and(|(tag, _)| *tag <= running) {
             let Some((_, text)) = self.messages.0.pop_front() else { return };
-            self.events.push(Event::Message(text));
+            self.events.push_back(Event::Message(text));
         }
     }
 }

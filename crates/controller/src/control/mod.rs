@@ -56,7 +56,7 @@ pub use library::{Library, id_of};
 use modes::{Change, Standing, Start};
 use parameter_switch::ParameterSwitch;
 use programs::Loaded;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, VecDeque};
 use std::sync::{Arc, Mutex};
 
 /// Most events that wait for a front; the oldest go.
@@ -163,7 +163,7 @@ pub struct Control {
     reading: reading::Reading,
     /// Something is done within a servo period, which must not wait for the disk.
     is_in_period: bool,
-    events: Vec<Event>,
+    events: VecDeque<Event>,
 }
 
 /// `*ESP_BUTTON`, closed while the button of the machine is out.
@@ -296,7 +296,7 @@ impl Control {
             timing: timing::Timing::default(),
             reading: reading::Reading::default(),
             is_in_period: false,
-            events: Vec::new(),
+            events: VecDeque::with_capacity(MOST_EVENTS),
         };
         if let Some(alarm) = ladder_told {
             control.event(Event::Alarm { alarm: AlarmInfo::of(&alarm) });
@@ -365,7 +365,7 @@ impl Control {
 
     /// Takes what happened since the last call, oldest first.
     pub fn events(&mut self) -> Vec<Event> {
-        std::mem::take(&mut self.events)
+        self.events.drain(..).collect()
     }
 
     /// Goes on by one servo period.
@@ -689,7 +689,7 @@ impl Control {
 
     /// What the NC came to in this period.
     fn follow_cnc(&mut self) {
-        for event in self.cnc.events() {
+        while let Some(event) = self.cnc.next_event() {
             match event {
                 cnc::Event::Warning(alarm) => self.event(Event::Alarm { alarm: AlarmInfo::of(&alarm) }),
                 cnc::Event::Message(text) => {
@@ -860,9 +860,9 @@ impl Control {
 
     fn event(&mut self, event: Event) {
         if self.events.len() >= MOST_EVENTS {
-            self.events.remove(0);
+            self.events.pop_front();
         }
-        self.events.push(event);
+        self.events.push_back(event);
     }
 
     /// A bit parameter; off on controls that do not have it.
