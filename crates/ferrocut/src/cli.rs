@@ -316,7 +316,7 @@ pub struct ServeArgs {
     /// Folder of what the control keeps without power [default: nothing is kept]
     #[arg(long, value_name = "DIR", conflicts_with = "grbl")]
     pub memory: Option<PathBuf>,
-    /// Ladder of the machine [default: the standard one]
+    /// Ladder of the machine, a mnemonic list or PLCopen XML [default: the standard one]
     #[arg(long, value_name = "FILE", conflicts_with = "grbl")]
     pub ladder: Option<PathBuf>,
     /// Run the machine before all other work of this computer, where it lets us: 1 to 99 (SCHED_FIFO)

@@ -4,40 +4,12 @@
 mod common;
 
 use assert_cmd::cargo::CommandCargoExt;
+use common::served::{Front, Served};
 use serde_json::{Value, json};
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::{TcpListener, TcpStream};
-use std::process::{Child, Command, Stdio};
+use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
-
-/// A machine that is served, ended with the value.
-struct Served {
-    process: Child,
-    place: String,
-}
-
-impl Served {
-    fn new(how: &str, place: &str) -> Served {
-        Served::with(&[how, place])
-    }
-
-    fn with(arguments: &[&str]) -> Served {
-        let mut command = Command::cargo_bin("ferrocut").unwrap();
-        command.args(["serve", "--headless"]).args(arguments);
-        let mut process = command.stdout(Stdio::piped()).spawn().unwrap();
-        let mut line = String::new();
-        BufReader::new(process.stdout.take().unwrap()).read_line(&mut line).unwrap();
-        let place = line.trim().rsplit(' ').next().unwrap().to_owned();
-        Served { process, place }
-    }
-}
-
-impl Drop for Served {
-    fn drop(&mut self) {
-        let _ = self.process.kill();
-        let _ = self.process.wait();
-    }
-}
 
 /// What comes, until it ends with a text.
 fn until(stream: &mut TcpStream, end: &str) -> String {
@@ -98,6 +70,57 @@ fn wrong_use_is_said() {
         let done = command.args(["serve", "--headless", "--grbl", &place]).output().unwrap();
         assert_eq!(done.status.code(), Some(2), "{place}");
         assert!(String::from_utf8_lossy(&done.stderr).contains(says), "{done:?}");
+    }
+}
+
+/// A key to a coil, as an editor of PLCopen writes it.
+const DIAGRAM: &str = r#"<project><types><pous><pou name="MAIN" pouType="program"><body><LD>
+<leftPowerRail localId="1"/>
+<contact localId="2"><connectionPointIn><connection refLocalId="1"/></connectionPointIn><variable>X20.0</variable></contact>
+<coil localId="3"><connectionPointIn><connection refLocalId="2"/></connectionPointIn><variable>Y100.0</variable></coil>
+</LD></body></pou></pous></types></project>
+"#;
+
+#[test]
+fn the_ladder_may_be_a_diagram() {
+    let folder = tempfile::tempdir().unwrap();
+    let diagram = common::write(&folder, "mill.xml", DIAGRAM);
+    let served = Served::with(&["--tcp", "127.0.0.1:0", "--ladder", &diagram]);
+    let mut front = Front::new(&served);
+    let list = front.ask(json!({ "do": "ladder" }));
+    let text = list["text"].as_str().unwrap_or_else(|| panic!("{list}"));
+    assert!(text.contains("RD X0020.0\nWRT Y0100.0\n"), "{text}");
+}
+
+/// Every fault of a ladder file is told, in words of the file, whichever form it has.
+#[test]
+fn faults_of_a_ladder_are_told_with_its_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let list = "END1\nRD X0.0\nTMR 999\nWRT R0.0\nRD X0.0\nWRT F0.0\nEND2\n";
+    let (head, coil) = DIAGRAM.split_once("<coil").unwrap();
+    let (coil, end) = coil.split_once('\n').unwrap();
+    let coils = ["LAMP", "PUMP"].map(|name| format!("<coil{}\n", coil.replace("Y100.0", name)));
+    let diagram = format!("{head}{}{end}", coils.concat());
+    for (name, text, faults) in [
+        ("mill.lad", list, ["1023:3", "1006:6"]),
+        ("mill.xml", diagram.as_str(), ["1012:4", "1012:5"]),
+        // One that is not there is told by its name, too.
+        ("none.lad", "", ["1029:0"; 2]),
+    ] {
+        let file = folder.path().join(name).to_str().unwrap().to_owned();
+        if !text.is_empty() {
+            common::write(&folder, name, text);
+        }
+        let serve = ["serve", "--headless", "--tcp", "127.0.0.1:0", "--ladder", &file];
+        let answer = common::ferrocut(&serve);
+        let is_there = !text.is_empty();
+        assert_eq!((answer.code, answer.out.as_str()), (if is_there { 1 } else { 2 }, ""), "{}", answer.err);
+        for fault in faults {
+            let (number, line) = fault.split_once(':').unwrap();
+            let place = if is_there { format!("{file}:{line}:") } else { file.clone() };
+            let told = answer.err.contains(&format!("gsk990mc:{number}")) && answer.err.contains(&place);
+            assert!(told, "{fault}: {}", answer.err);
+        }
     }
 }
 
@@ -176,90 +199,6 @@ fn a_control_that_keeps_nothing_says_so() {
                 }
             }
         }
-    }
-}
-
-/// A program that connected to the whole control, and is in command.
-struct Front {
-    stream: TcpStream,
-    lines: std::io::Lines<BufReader<TcpStream>>,
-    asked: u32,
-    /// What happened meanwhile.
-    events: Vec<Value>,
-}
-
-impl Front {
-    fn new(served: &Served) -> Front {
-        let stream = TcpStream::connect(&served.place).unwrap();
-        let lines = BufReader::new(stream.try_clone().unwrap()).lines();
-        let mut front = Front { stream, lines, asked: 0, events: Vec::new() };
-        assert_eq!(front.hear()["hello"], "ferrocut");
-        for command in [json!({ "do": "take_command" }), json!({ "do": "watch", "events": true })] {
-            front.done(command);
-        }
-        front
-    }
-
-    fn hear(&mut self) -> Value {
-        common::json(&self.lines.next().unwrap().unwrap())
-    }
-
-    /// What a command is answered by.
-    fn ask(&mut self, mut command: Value) -> Value {
-        self.asked += 1;
-        command["id"] = self.asked.into();
-        self.stream.write_all(format!("{command}\n").as_bytes()).unwrap();
-        loop {
-            let line = self.hear();
-            if line["id"] == self.asked {
-                return line;
-            }
-            self.events.push(line);
-        }
-    }
-
-    fn done(&mut self, command: Value) {
-        let answer = self.ask(command.clone());
-        assert_eq!(answer["reply"], "done", "{command}: {answer}");
-    }
-
-    /// The alarm by which a command is refused.
-    fn refused(&mut self, command: Value) -> Value {
-        self.ask(command)["refused"]["alarm"]["id"].clone()
-    }
-
-    fn press(&mut self, key: &str) {
-        for down in [true, false] {
-            self.done(json!({ "do": "key", "key": key, "down": down }));
-            // As long as a finger is on it, and off it.
-            std::thread::sleep(Duration::from_millis(60));
-        }
-    }
-
-    /// A key that is held for longer than a dead man may be silent.
-    fn hold(&mut self, key: &str) {
-        self.done(json!({ "do": "key", "key": key, "down": true }));
-        for _ in 0..4 {
-            std::thread::sleep(Duration::from_millis(60));
-            self.done(json!({ "do": "alive" }));
-        }
-        self.done(json!({ "do": "key", "key": key, "down": false }));
-    }
-
-    fn until(&mut self, what: &str, is: impl Fn(&Value) -> bool) -> Value {
-        let began = Instant::now();
-        loop {
-            let status = self.ask(json!({ "do": "status" }));
-            if is(&status) {
-                return status;
-            }
-            assert!(began.elapsed() < Duration::from_secs(60), "never {what}: {status}\n{:?}", self.events);
-            std::thread::sleep(Duration::from_millis(10));
-        }
-    }
-
-    fn heard(&self, event: &str) -> bool {
-        self.events.iter().any(|line| line["event"] == event)
     }
 }
 

@@ -11,7 +11,7 @@ use crate::api::{AlarmInfo, Event, ForcedSignal, Refusal, Reply};
 use crate::signals::signals;
 use ferrocut_machine::{Alarm, AlarmId, Fault};
 use ferrocut_memory::{Author, Change, Level, SignalSize};
-use ferrocut_plc::{Address, Area, Error, Limits, Maintenance, Plc, Program, plcopen};
+use ferrocut_plc::{Address, Area, Error, Limits, Maintenance, Plc, Program};
 use ferrocut_program::Span;
 
 /// Most faults of a ladder that one answer tells.
@@ -65,17 +65,9 @@ pub(super) fn at_power_on(kept: &str, plc: &mut Plc) -> Alarm {
     }
 }
 
-/// A ladder of a list or of PLCopen XML, which no list can begin like.
-fn compiled(text: &str) -> Result<Program, Vec<Error>> {
-    match plcopen::is_xml(text.as_bytes()) {
-        true => Program::from_plcopen(text.as_bytes(), &Limits::default()),
-        false => Program::from_text(text.as_bytes(), &Limits::default()),
-    }
-}
-
 /// Looks at a ladder. It needs no machine, and takes longer than a period: whoever can does it on another thread.
 pub fn check_ladder(text: &str) -> Reply {
-    match compiled(text) {
+    match Program::from_file(text.as_bytes(), &Limits::default()) {
         Ok(program) => Reply::LadderChecked {
             list: Some(program.text()),
             steps: program.steps(),
@@ -103,7 +95,7 @@ fn exchangeable(text: &str) -> Result<Program, Box<Alarm>> {
         false => Ok(()),
     };
     too_long(text)?;
-    let program = compiled(text).map_err(|errors| {
+    let program = Program::from_file(text.as_bytes(), &Limits::default()).map_err(|errors| {
         let first = errors.first();
         let number = first.map_or(0, |error| error.fault.number());
         let mut alarm = alarm(Fault::Ladder).with("detail", number.to_string());

@@ -142,13 +142,14 @@ pub fn run(args: &PlcArgs) -> Result<Exit, Failure> {
 }
 
 /// A ladder file, and what it is.
-struct Source {
+pub struct Source {
     name: String,
     bytes: Vec<u8>,
 }
 
 impl Source {
-    fn open(path: &Path) -> Result<Source, Failure> {
+    /// Reads a file.
+    pub fn open(path: &Path) -> Result<Source, Failure> {
         let is_input = path == Path::new("-");
         let name = if is_input { "standard input".into() } else { path.to_string_lossy().into_owned() };
         let mut bytes = Vec::new();
@@ -178,8 +179,12 @@ impl Source {
     }
 
     fn compile(&self) -> Result<Program, Vec<Error>> {
-        let (ladder, errors) = self.ladder();
-        Program::from_ladder(ladder, &Limits::default(), errors)
+        Program::from_file(&self.bytes, &Limits::default())
+    }
+
+    /// The ladder that is to be run; `None` once its faults were told, each with the file and its line.
+    pub fn program(&self, diagnostics: &Diagnostics) -> Option<Program> {
+        self.compile().map_err(|errors| self.report(&errors, diagnostics)).ok()
     }
 
     /// The text, for showing what a fault points at; none where the file is no text.
@@ -198,7 +203,7 @@ impl Source {
 }
 
 /// A fault of a ladder as the control's alarm.
-pub fn alarm(error: &Error) -> Alarm {
+fn alarm(error: &Error) -> Alarm {
     let span = Span {
         offset: error.span.offset as u64,
         len: u32::try_from(error.span.len).unwrap_or(u32::MAX),

@@ -1,10 +1,12 @@
 //! `ferrocut serve`: the machine for others.
 
+use super::plc::Source;
 use crate::cli::ServeArgs;
 use crate::job::{Exit, Failure, Shop};
 use ferrocut_controller::control::{Control, Parts, as_delivered};
 use ferrocut_machine::{Alarm, Fault, Memory};
 use ferrocut_memory::Store;
+use ferrocut_plc::{Limits, Program};
 use ferrocut_program::Span;
 use ferrocut_server::grbl::Grbl;
 use ferrocut_server::hub::{self, Hub};
@@ -108,18 +110,12 @@ fn serve_control(args: &ServeArgs, shop: &Shop) -> Result<Exit, Failure> {
     if let Some(address) = args.tcp.filter(|address| !address.ip().is_loopback()) {
         return Err(Failure::cannot_serve(&address.to_string(), "not an address of this computer alone"));
     }
-    let text = match &args.ladder {
-        None => STANDARD.as_bytes().to_vec(),
-        Some(path) => std::fs::read(path)
-            .map_err(|error| Failure::unreadable(&path.to_string_lossy(), &error.to_string()))?,
+    let ladder = match &args.ladder {
+        None => Program::from_text(STANDARD.as_bytes(), &Limits::default()).ok(),
+        Some(path) => Source::open(path)?.program(&shop.diagnostics),
     };
-    let ladder =
-        ferrocut_plc::Program::from_text(&text, &ferrocut_plc::Limits::default()).map_err(|errors| {
-            match errors.first() {
-                Some(error) => Failure::setting(Box::new(super::plc::alarm(error))),
-                None => Failure::config("ladder", ""),
-            }
-        })?;
+    // Its faults were told.
+    let Some(ladder) = ladder else { return Ok(Exit::Finding) };
     let store = match &args.memory {
         None => None,
         Some(folder) => Some(Arc::new(super::memory::open(folder, &shop.machine.dialect)?)),
@@ -139,7 +135,9 @@ fn serve_control(args: &ServeArgs, shop: &Shop) -> Result<Exit, Failure> {
     };
     // The ladder looks at switches: a machine that its file does not describe has those of a simulated one.
     let mut machine = shop.machine.clone();
-    machine.plant.get_or_insert_default();
+    if machine.drives.is_none() {
+        machine.plant.get_or_insert_default();
+    }
     let control = Control::new(&machine, parts).map_err(Failure::setting)?;
     let period = Duration::from_secs_f64(shop.machine.servo_period_ms / 1000.0);
     let aside = Some(panel::aside(store.clone()));

@@ -1,6 +1,8 @@
 //! The command line as a user meets it.
 #![allow(dead_code, missing_docs, clippy::unwrap_used, clippy::panic)]
 
+pub mod served;
+
 use assert_cmd::Command;
 use ferrocut_interpreter::dialects;
 use serde_json::Value;

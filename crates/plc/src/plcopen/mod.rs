@@ -57,6 +57,14 @@ pub fn read(bytes: &[u8], errors: &mut Vec<Error>) -> Ladder {
 }
 
 impl Program {
+    /// Compiles a ladder file, a list or PLCopen XML, which no list can begin like; all faults where there are any.
+    pub fn from_file(bytes: &[u8], limits: &Limits) -> Result<Program, Vec<Error>> {
+        match is_xml(bytes) {
+            true => Program::from_plcopen(bytes, limits),
+            false => Program::from_text(bytes, limits),
+        }
+    }
+
     /// Compiles a PLCopen file; all faults where there are any.
     pub fn from_plcopen(bytes: &[u8], limits: &Limits) -> Result<Program, Vec<Error>> {
         let mut errors = Vec::new();

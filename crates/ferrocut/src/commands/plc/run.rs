@@ -54,13 +54,7 @@ struct Flowed<'a> {
 /// Runs the command.
 pub fn run(args: &RunArgs, diagnostics: Diagnostics) -> Result<Exit, Failure> {
     let source = Source::open(&args.file)?;
-    let program = match source.compile() {
-        Ok(program) => program,
-        Err(errors) => {
-            source.report(&errors, &diagnostics);
-            return Ok(Exit::Finding);
-        }
-    };
+    let Some(program) = source.program(&diagnostics) else { return Ok(Exit::Finding) };
     let mut changes =
         args.set.iter().map(|text| change(&program, "--set", text)).collect::<Result<Vec<_>, _>>()?;
     changes.sort_by_key(|change| change.ms);
