@@ -305,6 +305,59 @@ fn the_emergency_stop_takes_the_amplifiers_off_at_rest() {
     }
 }
 
+/// The input X8.4 of the ladder, as the drives have it.
+fn emergency_circuit(drives: &mut dyn Drives) -> Option<bool> {
+    let mut closed = None;
+    drives.read(&mut |byte, bit, is_on| {
+        if (byte, bit) == (8, 4) {
+            closed = Some(is_on);
+        }
+    });
+    closed
+}
+
+#[test]
+fn the_emergency_stop_of_the_board_is_that_of_the_ladder_and_takes_all_outputs_off() {
+    let mut bench = Bench::new(&machine(""), "G1 X100 F6000\nM30\n", Board::new(Able::default()));
+    bench.until(200, |bench| bench.board.doing == board::RUNNING);
+    bench.cnc.drives().write(&|byte, bit| (byte, bit) == (20, 3));
+    bench.cnc.cycle_start();
+    bench.until(1000, |bench| bench.last.position[Axis::X] > 20.0);
+    assert_eq!((bench.board.outputs[0], emergency_circuit(bench.cnc.drives())), (8, Some(true)));
+    bench.board.emergency_stop = true;
+    bench.until(1000, |bench| bench.board.doing == board::STOPPED);
+    bench.until(1000, |bench| matches!(bench.cnc.state(), State::Alarmed(_)));
+    assert_eq!((bench.alarm(), bench.board.outputs), (Fault::DriveEmergencyStop, [0; 8]));
+    assert_eq!(emergency_circuit(bench.cnc.drives()), Some(false));
+    // Let out again, the ladder hears it; the alarm stays until reset.
+    bench.board.emergency_stop = false;
+    (0..20).for_each(|_| bench.tick());
+    assert_eq!(emergency_circuit(bench.cnc.drives()), Some(true));
+    assert_eq!((bench.alarm(), bench.board.doing), (Fault::DriveEmergencyStop, board::STOPPED));
+}
+
+/// Power comes on with the button pressed: the control begins, with the alarm.
+#[test]
+fn a_board_whose_emergency_stop_is_pressed_is_a_board() {
+    let (mut board, at) = Socketed::new();
+    board.board.emergency_stop = true;
+    let mut machine = machine("");
+    let Some(DrivesConfig::Pulse(config)) = &mut machine.drives else { panic!() };
+    config.link = at.parse().unwrap();
+    let waits = std::thread::spawn(move || connect(&machine, Position::ZERO).unwrap().unwrap());
+    while !waits.is_finished() {
+        board.step();
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+    let mut drives = waits.join().unwrap();
+    for _ in 0..20 {
+        board.step();
+        drives.exchange(&Position::ZERO);
+    }
+    assert_eq!(drives.failure(Default::default()).unwrap().fault, Fault::DriveEmergencyStop);
+    assert_eq!(emergency_circuit(&mut *drives), Some(false));
+}
+
 /// Whoever presses the button of the control presses that.
 #[test]
 fn the_button_of_the_control_takes_the_amplifiers_off() {
@@ -636,6 +689,9 @@ fn a_period_allocates_nothing() {
         std::thread::sleep(std::time::Duration::from_millis(1));
     }
     let mut drives = waits.join().unwrap();
+    // Whoever waited for it has something else to do before his first period: longer than the watchdog waits.
+    (0..100).for_each(|_| board.step());
+    assert_eq!(board.board.fault, 0);
     let mut furthest = 0.0_f64;
     for period in 0..2000u32 {
         let at = Position::xyz(f64::from(period) * 0.05, f64::from(period) * -0.01, 0.0);

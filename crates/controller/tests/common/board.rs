@@ -313,7 +313,7 @@ impl Board {
             1 if self.waiting.len() >= self.buffer => self.doing = RUNNING,
             3 if self.axes.iter().all(|axis| axis.speed == 0.0) => {
                 self.doing = if self.fault == 0 { 0 } else { STOPPED };
-                (self.enabled, self.spindle) = (false, 0);
+                (self.enabled, self.spindle, self.outputs) = (false, 0, [0; 8]);
             }
             _ => {}
         }
@@ -391,7 +391,8 @@ impl Board {
         say.extend((self.waiting.len() as u16).to_le_bytes());
         say.extend([self.doing, self.fault, self.fault_axis]);
         say.extend(self.unreadable.to_le_bytes());
-        say.extend([u8::from(probe != self.probe_opens), self.touched]);
+        let closed = u8::from(probe != self.probe_opens) | u8::from(!self.emergency_stop) << 1;
+        say.extend([closed, self.touched]);
         say.extend(self.inputs);
         say.push(self.axes.len() as u8);
         for axis in &self.axes {

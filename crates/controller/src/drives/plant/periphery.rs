@@ -1,7 +1,7 @@
 //! What stands about the axes of the simulated machine: tool clamp, clamp of the fourth axis, magazine without an
 //! arm, lubrication, door, levels and pressures. Inputs X answer outputs Y after the time that the thing takes.
 
-use crate::drives::wires::{Wire, wire};
+use crate::drives::wires::{ESP_BUTTON, Wire, wire};
 use ferrocut_machine::PlantConfig;
 
 /// Something that goes from one end to the other in some time, while it is driven, and back while it is not.
@@ -127,7 +127,7 @@ const ANSWERS: [(&str, Wire); 13] = [
     ("POCKET_PULSE", (2, 4)),
     ("MAG_AT_SPINDLE", (2, 5)),
     ("MAG_AWAY", (2, 6)),
-    ("*ESP_BUTTON", (8, 4)),
+    ESP_BUTTON,
     ("GEAR_IN_1", (3, 0)),
     ("GEAR_IN_2", (3, 1)),
     ("GEAR_IN_3", (3, 2)),

@@ -131,6 +131,11 @@ pub struct AxisState {
     pub switches: u8,
 }
 
+/// The input of the probe carries current.
+const PROBE_CLOSED: u8 = 1;
+/// The circuit of the emergency stop does.
+const EMERGENCY_CLOSED: u8 = 2;
+
 /// The home switch is closed.
 pub const HOME_CLOSED: u8 = 1;
 /// The upper travel switch is closed.
@@ -159,6 +164,8 @@ pub struct State {
     pub unreadable: u16,
     /// The input of the probe carries current.
     pub probe_closed: bool,
+    /// The circuit of the emergency stop carries current: the button is out.
+    pub emergency_closed: bool,
     /// Which touch was met; 0 is none.
     pub touched: u8,
     /// General inputs.
@@ -386,15 +393,19 @@ fn heard(content: &[u8]) -> Option<Heard> {
             Some(Heard::Ready(Ready { session, refused, positions }))
         }
         STATE => {
+            let (session, run, waiting) = (from.u16()?, from.u32()?, from.u16()?);
+            let (doing, fault, axis, unreadable) = (from.u8()?, from.u8()?, from.u8()?, from.u16()?);
+            let closed = from.u8()?;
             let mut state = State {
-                session: from.u16()?,
-                run: from.u32()?,
-                waiting: from.u16()?,
-                doing: from.u8()?,
-                fault: from.u8()?,
-                axis: from.u8()?,
-                unreadable: from.u16()?,
-                probe_closed: from.u8()? & 1 != 0,
+                session,
+                run,
+                waiting,
+                doing,
+                fault,
+                axis,
+                unreadable,
+                probe_closed: closed & PROBE_CLOSED != 0,
+                emergency_closed: closed & EMERGENCY_CLOSED != 0,
                 touched: from.u8()?,
                 inputs: from.bytes()?,
                 axes: [AxisState::default(); PULSE_AXES],

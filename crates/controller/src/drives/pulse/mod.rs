@@ -14,7 +14,7 @@ mod link;
 
 pub use link::{Link, Port};
 
-use super::wires::AxisWires;
+use super::wires::{AxisWires, ESP_BUTTON};
 use super::{Contact, Drives, Switches};
 use fault::PulseFault;
 use ferrocut_geometry::{Axis, AxisSet, Position};
@@ -185,7 +185,8 @@ impl Pulse {
         }
     }
 
-    /// Opens the link that the machine file names, and waits until the board is ready.
+    /// Opens the link that the machine file names, and waits until the board is set up. What stops it from then on, as the
+    /// emergency stop that is pressed while power comes, is an alarm that reset ends, and no reason not to begin.
     ///
     /// # Errors
     /// Why it is not.
@@ -193,14 +194,17 @@ impl Pulse {
         let port = Port::open(&config.link)
             .map_err(|error| PulseFault::Cut(error.kind()).alarm(&config.link, Span::default()))?;
         let mut drives = Pulse::new(machine, config, Box::new(port), at);
-        while !drives.is_ready() {
+        loop {
             drives.exchange(&at);
+            // Only a board that is set up says how it stands.
+            if drives.is_ready() || drives.state.is_some() {
+                return Ok(drives);
+            }
             if let Some(alarm) = drives.failure(Span::default()) {
                 return Err(alarm);
             }
             std::thread::sleep(Duration::from_secs_f64(drives.period_ms / 1000.0));
         }
-        Ok(drives)
     }
 
     /// Whether the board follows setpoints.
@@ -403,10 +407,14 @@ impl Drives for Pulse {
 
     fn exchange(&mut self, commanded: &Position) -> Position {
         self.commanded = *commanded;
+        let was_ready = self.is_ready();
         self.listen();
         match self.phase {
             Phase::Greets => self.ask(|setup| Frame::hello(setup.session)),
             Phase::SetsUp => self.ask(Frame::setup),
+            // The board's watchdog begins with the first setpoint: that is for the first period of whoever waited for the
+            // board, and has something else to do before.
+            Phase::Runs if !was_ready => {}
             Phase::Runs => {
                 self.command();
                 self.silence += 1;
@@ -501,6 +509,8 @@ impl Drives for Pulse {
             (0..8).for_each(|bit| put(*byte, bit, values >> bit & 1 == 1));
         }
         self.wires.put(&self.switches(), put);
+        let (_, (byte, bit)) = ESP_BUTTON;
+        put(byte, bit, state.emergency_closed);
     }
 
     fn write(&mut self, is_on: &dyn Fn(u16, u8) -> bool) {
