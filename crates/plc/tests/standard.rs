@@ -33,6 +33,7 @@ impl Machine {
             "MAG_AWAY",
             "*ESP_BUTTON",
             "MA",
+            "SA",
             "SSTA",
         ] {
             machine.set(input, 1);
@@ -51,7 +52,7 @@ impl Machine {
         let kept: Vec<(Address, u8)> = memory.kept().chain(inputs).collect();
         kept.into_iter().for_each(|(at, value)| plc.memory_mut().set_byte(at, value));
         self.0 = plc;
-        for named in ["MA", "SSTA"] {
+        for named in ["MA", "SA", "SSTA"] {
             self.set(named, 1);
         }
     }
@@ -918,4 +919,115 @@ fn lubrication_runs_by_key_and_by_time() {
     assert!(m.is("MSG_LUBE"));
     m.press("RESET");
     assert!(!m.is("MSG_LUBE"));
+}
+
+/// A machine that has less than this ladder says so once, and is well without it.
+#[test]
+fn what_keep_relays_say_that_the_machine_lacks_is_taken_to_be_well() {
+    let mut m = Machine::new();
+    let messages = ["MSG_AIR", "MSG_LUBE", "MSG_COOLANT", "MSG_CONVEYOR", "MSG_DRIVE"];
+    for (input, relay, message) in [
+        ("LUBE_LEVEL", "K_NO_LUBE_LEVEL", "MSG_LUBE"),
+        ("AIR_PRESSURE", "K_NO_AIR", "MSG_AIR"),
+        ("COOLANT_LEVEL", "K_NO_COOLANT", "MSG_COOLANT"),
+        ("CONVEYOR_OK", "K_NO_CONVEYOR", "MSG_CONVEYOR"),
+        ("DRIVE_OK", "K_NO_DRIVE", "MSG_DRIVE"),
+    ] {
+        m.set(input, 0);
+        m.run(3);
+        assert_eq!(m.on(&messages), [message]);
+        m.set(relay, 1);
+        m.press("RESET");
+        assert!(m.on(&messages).is_empty(), "{relay}");
+    }
+    // The clamp: axes and spindle.
+    m.set("TOOL_CLAMPED", 0);
+    m.run(3);
+    assert!(m.on(&["*IT", "*SSTP"]).is_empty());
+    m.set("K_NO_CLAMP", 1);
+    m.run(3);
+    assert_eq!(m.on(&["*IT", "*SSTP"]), ["*IT", "*SSTP"]);
+    m.press("KEY_AUTO");
+    m.set("KEY_START", 1);
+    m.run(3);
+    assert!(m.is("ST"));
+    m.set("KEY_START", 0);
+    let outputs = ["SPINDLE_CW", "COOLANT", "FLUSH", "CONVEYOR", "BLOW"];
+    for code in [8, 26, 35, 44, 17] {
+        assert!(m.m(code), "M{code}");
+        m.done();
+    }
+    assert!(!m.m(3));
+    m.set("SARA", 1);
+    m.run(3);
+    m.done();
+    assert_eq!(m.on(&outputs), outputs);
+    // The clamp of the fourth axis.
+    for input in ["A_CLAMPED", "A_LOOSE"] {
+        m.set(input, 0);
+    }
+    for code in [10, 11] {
+        m.set("K_NO_A_CLAMP", 0);
+        assert!(!m.m(code), "M{code}");
+        m.set("K_NO_A_CLAMP", 1);
+        m.run(3);
+        m.done();
+    }
+}
+
+#[test]
+fn lubrication_without_a_switch_of_its_pressure_runs_by_time() {
+    for (relay, has_message) in [(0, true), (1, false)] {
+        let mut m = Machine::new();
+        m.set("LUBE_PRESSURE", 0);
+        m.set("LUBE_MINUTES", 1);
+        m.set("K_NO_LUBE_PRESSURE", relay);
+        m.run(60_500);
+        assert!(m.is("LUBE") && !m.is("MSG_LUBE"));
+        m.run(10_000);
+        assert!(m.is("LUBE") && m.is("MSG_LUBE") == has_message);
+        m.run(5_000);
+        assert!(!m.is("LUBE"));
+    }
+}
+
+#[test]
+fn without_a_magazine_a_tool_is_there_at_once() {
+    let mut m = Machine::new();
+    m.set("MAG_AWAY", 0);
+    for tool in [7, 99] {
+        m.set("K_NO_MAGAZINE", 0);
+        m.set("T_CODE", tool);
+        m.set("TF", 1);
+        m.run(3);
+        assert!(!m.is("FIN") && m.is("MSG_MAGAZINE"));
+        m.set("K_NO_MAGAZINE", 1);
+        m.run(3);
+        assert_eq!(m.on(&["MSG_MAGAZINE", "MSG_POCKET", "MAG_CW", "MAG_CCW"]), Vec::<&str>::new());
+        m.done();
+        assert!(m.m(6));
+        m.done();
+        assert_eq!((m.word("TOOL"), m.word("TSP")), (u16::from(tool), u16::from(tool) + 1));
+    }
+}
+
+/// Drives of the axes that stop by themselves end what M codes began: nobody leads the cut any more.
+#[test]
+fn drives_that_failed_end_spindle_and_coolant() {
+    let mut m = Machine::new();
+    m.press("KEY_AUTO");
+    m.m(8);
+    m.done();
+    m.m(3);
+    m.set("SARA", 1);
+    m.run(3);
+    m.done();
+    let outputs = ["SPINDLE_CW", "COOLANT", "MRDYA", "*SSTP"];
+    assert_eq!(m.on(&outputs), outputs);
+    m.set("SA", 0);
+    m.run(3);
+    assert_eq!(m.on(&outputs), Vec::<&str>::new());
+    m.set("SA", 1);
+    m.run(3);
+    assert_eq!(m.on(&outputs), ["MRDYA", "*SSTP"]);
 }
