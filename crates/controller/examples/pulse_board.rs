@@ -12,6 +12,9 @@ use std::io::{self, ErrorKind, Read, Write};
 use std::net::{SocketAddr, TcpListener, TcpStream, UdpSocket};
 use std::time::{Duration, Instant};
 
+/// The steps from and to which each home switch is reached, from where the axis stands as power comes.
+const HOME: [i64; 2] = [8000, 8800];
+
 /// Time between two looks at the line.
 const LOOK: Duration = Duration::from_micros(200);
 
@@ -90,9 +93,11 @@ fn main() -> io::Result<()> {
     };
     let seconds: u64 =
         words.last().and_then(|text| text.parse().ok()).filter(|_| words.len() > 2).unwrap_or(u64::MAX);
-    let mut board = Board::new(Able::default());
+    let mut board = Board::new(Able { outputs: 3, ..Able::default() });
     // One that runs for hours remembers no pulse, but judges each.
     board.keeps_pulses = false;
+    // X1 and X2 of a machine that is well: all that it has, the tool and the A axis clamped, the magazine away.
+    [board.inputs[0], board.inputs[1]] = [0b0111_1111, 0b0100_0101];
     let began = Instant::now();
     let (mut at, mut shown) = (began, 0);
     let mut bytes = [0; 4096];
@@ -102,6 +107,9 @@ fn main() -> io::Result<()> {
                 break;
             }
             board.feed(bytes.get(..count).unwrap_or(&[]));
+        }
+        for axis in &mut board.axes {
+            axis.home = Some(HOME);
         }
         let now = Instant::now();
         board.run((now - at).as_nanos() as f64);
@@ -118,8 +126,12 @@ fn main() -> io::Result<()> {
             let doing = if board.doing == STOPPED { "stopped" } else { "" };
             println!(
                 "{shown} s: steps {counts:?}, wrong pulses {wrong}, put off by {put_off:.1} us, {:.1} wait, unreadable {}, \
-                 fault {} {doing}",
-                board.level, board.unreadable, board.fault
+                 spindle {}, outputs {:02X?}, fault {} {doing}",
+                board.level,
+                board.unreadable,
+                board.spindle,
+                &board.outputs[..3],
+                board.fault
             );
         }
         std::thread::sleep(LOOK);
