@@ -49,7 +49,8 @@ const MOST_COUNTS: i32 = 1000;
 
 impl Control {
     /// Does what a front wants, or says why not. `author` is who wants it: rights are his, or those that he logged
-    /// in with here. What reads or changes the durable memory waits for it while nothing moves.
+    /// in with here. What changes the durable memory waits for it while nothing moves and no drives need a
+    /// setpoint in each period.
     pub fn command(&mut self, command: Command, author: &Author) -> Result<Reply, Refusal> {
         self.settle_changes();
         let author = self.with_rights(author);

@@ -443,8 +443,7 @@ impl Control {
         author: &Author,
         changes: Vec<Change>,
     ) -> Result<bool, Box<Alarm>> {
-        let is_busy =
-            self.tick.moving || self.cnc.is_under_way() || self.cnc.is_reading() || self.is_in_period;
+        let is_busy = self.must_not_wait() || self.is_in_period;
         if let Some(keeping) = &mut self.keeping {
             // What program and ladder wrote before is on the disk before, too.
             keeping.look_at_program(self.cnc.interpreter());
@@ -463,10 +462,17 @@ impl Control {
         Ok(true)
     }
 
+    /// Whether no period may wait for the disk: axes move or are about to, or the drives need a setpoint in each, at rest
+    /// too.
+    fn must_not_wait(&mut self) -> bool {
+        let is_busy = self.tick.moving || self.cnc.is_under_way() || self.cnc.is_reading();
+        is_busy || self.cnc.drives().keeps_time()
+    }
+
     /// Changes that are on their way are made before the next command sees the data, so that none takes back what the
     /// one before it set; not while axes may not wait for the disk.
     pub(super) fn settle_changes(&mut self) {
-        if self.tick.moving || self.cnc.is_under_way() || self.cnc.is_reading() {
+        if self.must_not_wait() {
             return;
         }
         let Some(keeping) = &mut self.keeping else { return };
