@@ -11,7 +11,7 @@
 //! With bounds `Dᵢ ≥ |q′ᵢ|`, `Qᵢ ≥ |q″ᵢ|`, `Rᵢ ≥ |q‴ᵢ|` over a whole piece ([`Rates`]) all limits hold if the
 //! sums of the three products hold. A speed that the piece is run at steadily needs the first terms alone. A ramp
 //! up to `v` with jerk `J` and acceleration `A` is fastest where it accelerates least: as it takes its acceleration
-//! back speed is `v − a²/2J`. [`Load::drive`] finds `A` and `J` with which the whole ramp stays inside; less of
+//! back speed is `v − a²/2J`. [`Load::room`] finds `A` and `J` with which the whole ramp stays inside; less of
 //! either does too, so a ramp over several pieces takes the least of theirs.
 
 use crate::quick::{cube_root, larger, smaller};

@@ -6,6 +6,7 @@ pub(crate) mod brake;
 pub(crate) mod chain;
 pub(crate) mod grid;
 pub(crate) mod interpolate;
+pub(crate) mod overrides;
 pub(crate) mod piece;
 pub(crate) mod plan;
 pub(crate) mod queue;
