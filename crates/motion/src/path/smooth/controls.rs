@@ -1,0 +1,344 @@
+//! Control points: on the chords first, then where the fit is best.
+
+use super::{STANDING_CONTROLS, STANDING_KNOTS, Smoother, front};
+use crate::limits::Rates;
+use crate::path::fit::{BAND, Fit};
+use crate::path::pace::Stretch;
+use ferrocut_geometry::AXES;
+
+/// Weight of the ends of a run, against that of a place inside.
+const END_WEIGHT: f64 = 1e6;
+
+/// In how many places a span is set against the lines.
+const LEAST_LOOKS: usize = 3;
+pub(super) const MOST_LOOKS: usize = 16;
+
+/// A slow span is no longer than this share of what is smoothed away there, where so many parts are enough.
+const SPLIT: f64 = 0.7;
+const MOST_PARTS: usize = 4;
+
+impl Smoother {
+    pub(super) fn place_controls(&mut self, open: bool) {
+        self.place_on_chords();
+        if self.count == 3 {
+            let mut fit = std::mem::take(&mut self.fit);
+            self.relax(&mut fit, open);
+            self.fit = fit;
+        } else {
+            let mut fit = std::mem::take(&mut self.fit_all);
+            self.relax(&mut fit, open);
+            self.fit_all = fit;
+        }
+    }
+
+    /// Control points on the chords.
+    fn place_on_chords(&mut self) {
+        let n = self.count;
+        let standing = if self.goes_on { STANDING_CONTROLS } else { 0 };
+        self.controls.truncate(standing);
+        // One control point for every knot but the outermost two.
+        let total = self.knots.len() - 2;
+        let mut chord = 0;
+        for j in standing..total {
+            let u = (self.knots[j] + self.knots[j + 1] + self.knots[j + 2]) / 3.0;
+            while chord + 2 < self.chords.len() && self.chords[chord + 1].0 < u {
+                chord += 1;
+            }
+            let (a, b) = (&self.chords[chord], &self.chords[chord + 1]);
+            let share = (u - a.0) / (b.0 - a.0);
+            let mut control = a.1;
+            for k in 0..n {
+                control[k] += (b.1[k] - a.1[k]) * share;
+            }
+            self.controls.push(control);
+        }
+    }
+
+    /// Moves the control points of dense stretches to where `∫|S − P|² + ∫ℓ⁶·|S‴|²` is least ([`crate::path::fit`]). The
+    /// integral over the distance from the programmed lines is taken at some places of every span; the third derivative
+    /// is constant on a span.
+    fn relax<const N: usize>(&mut self, fit: &mut Fit<N>, open: bool) {
+        // An end at rest may turn and bend; only its place stands.
+        let turns = [!self.goes_on && !self.keeps[0], open || !self.keeps[1]];
+        let unknown = f64::INFINITY;
+        fit.pace.ends = [
+            if self.goes_on { unknown } else { self.speeds[0] },
+            if open { unknown } else { self.speeds[1] },
+        ];
+        let tolerance = self.points.iter().map(|point| point.tolerance).fold(f64::INFINITY, f64::min);
+        self.soft = self.inverse.with_some_jerk(tolerance);
+        self.origins.clear();
+        fit.clear();
+        if self.set(fit, turns, open) {
+            fit.solve();
+            fit.find_pace(&self.soft);
+            if fit.pace.is_slow() {
+                self.pace(fit, turns, open);
+            }
+            fit.close();
+            for (control, moved) in self.controls.iter_mut().zip(&fit.moved) {
+                for i in 0..N {
+                    control[i] += moved[i];
+                }
+            }
+        }
+        self.hold_ends(turns, open);
+    }
+
+    /// Makes the fit as fine and as stiff as the speed asks for.
+    fn pace<const N: usize>(&mut self, fit: &mut Fit<N>, turns: [bool; 2], open: bool) {
+        if !self.split(fit, open) {
+            return;
+        }
+        self.place_on_chords();
+        fit.clear_for_finer();
+        self.set(fit, turns, open);
+        fit.pace.take_parts();
+        fit.stiffen(open);
+        fit.solve();
+        let with_its_speeds = |fit: &mut Fit<N>| {
+            fit.find_pace(&self.soft);
+            fit.stiffen(open);
+            fit.press();
+            fit.solve();
+        };
+        // Once more with the speeds of what came out of it.
+        with_its_speeds(fit);
+        // Where much is slow, once more, for the speeds of a stiffer curve are others; and with the jerk spread about evenly.
+        if !fit.is_much_slow() {
+            return;
+        }
+        with_its_speeds(fit);
+        if fit.level(&self.soft) {
+            fit.press();
+            fit.solve();
+        }
+    }
+
+    /// Sets up what is to be least, in a fit without spans. Whether anything is free.
+    fn set<const N: usize>(&mut self, fit: &mut Fit<N>, turns: [bool; 2], open: bool) -> bool {
+        let total = self.controls.len();
+        let spans = self.knots.len().saturating_sub(5);
+        // Control point `j` bears on the spans j−3…j.
+        let first = if self.goes_on { STANDING_CONTROLS } else { 3 * usize::from(!turns[0]) };
+        let last = total - 3 * usize::from(!turns[1]);
+        // One behind the last span that is not dense.
+        let mut dense = 0;
+        for j in 0..total {
+            if j < spans && !self.is_dense[j] {
+                dense = j + 1;
+            }
+            fit.is_free.push((first..last).contains(&j) && dense <= j.saturating_sub(3));
+        }
+        if !fit.is_free.contains(&true) {
+            return false;
+        }
+        fit.begin(self.controls.iter().map(front));
+        self.look(fit);
+        for (k, is_end) in [(0, turns[0]), (spans - 1, turns[1] && !open)] {
+            if is_end {
+                self.tie_end(fit, k);
+            }
+        }
+        true
+    }
+
+    /// Puts knots into slow spans that are longer than what is to be smoothed away there. Whether there are any. Knots stay
+    /// as they are close to an end that something is joined to, where the spline has to bend away from the line, and close
+    /// to an open one, where it is still to change.
+    fn split<const N: usize>(&mut self, fit: &mut Fit<N>, open: bool) -> bool {
+        let spans = self.knots.len().saturating_sub(5);
+        let standing = if self.goes_on { STANDING_KNOTS - 3 } else { 0 };
+        // No more than cells are kept room for.
+        let mut left = self.most_spans().saturating_sub(spans);
+        self.finer.clear();
+        self.is_finer_dense.clear();
+        self.origins.clear();
+        fit.pace.begin_split();
+        self.finer.extend_from_slice(&self.knots[..3]);
+        let keeps = [!self.goes_on && self.keeps[0], open || self.keeps[1]];
+        for k in 0..spans {
+            let (begin, end) = (self.t(k), self.t(k + 1));
+            let mut parts = 1;
+            if k >= standing && fit.pace.stretches[k].is_slow && self.is_dense[k] && fit.bears(k) {
+                let tolerance = fit.tolerance(k);
+                let away = fit.pace.most_reach(k, tolerance);
+                let is_close = keeps[0] && begin - self.t(0) < away || keeps[1] && self.t(spans) - end < away;
+                if !is_close {
+                    let most = SPLIT * fit.pace.reach(k, tolerance);
+                    let fits = ((end - begin) / most).min(MOST_PARTS as f64) as usize;
+                    parts = (fits + 1).min(MOST_PARTS).min(left + 1);
+                    left -= parts - 1;
+                }
+            }
+            fit.pace.split(k, parts);
+            self.origins.resize(self.origins.len() + parts, (parts == 1).then_some(k));
+            for part in 1..parts {
+                self.finer.push(begin + (end - begin) * part as f64 / parts as f64);
+                self.is_finer_dense.push(true);
+            }
+            self.finer.push(end);
+            self.is_finer_dense.push(self.is_dense[k]);
+        }
+        if self.finer.len() + 2 == self.knots.len() {
+            return false;
+        }
+        std::mem::swap(&mut self.knots, &mut self.finer);
+        std::mem::swap(&mut self.is_dense, &mut self.is_finer_dense);
+        self.mirror_knots();
+        true
+    }
+
+    /// The spline ends on the ends of the run.
+    fn tie_end<const N: usize>(&self, fit: &mut Fit<N>, k: usize) {
+        let (point, u) = if k == 0 { (0, self.t(0)) } else { (self.points.len() - 1, self.t(k + 1)) };
+        let weight = END_WEIGHT * (self.t(k + 1) - self.t(k));
+        fit.tie(k, self.place(k).weights(u), weight, front(&self.points[point].p.0));
+    }
+
+    /// Sets the outermost control points so that the spline ends on the ends of the run to the last bit.
+    fn hold_ends(&mut self, turns: [bool; 2], open: bool) {
+        let total = self.controls.len();
+        if turns[0] {
+            let w = self.weights(0);
+            let p = self.points[0].p.0;
+            for axis in 0..self.count {
+                self.controls[0][axis] =
+                    (p[axis] - w[1] * self.controls[1][axis] - w[2] * self.controls[2][axis]) / w[0];
+            }
+        }
+        if turns[1] && !open {
+            let w = self.weights(total - 3);
+            let Some(p) = self.points.last().map(|point| point.p.0) else { return };
+            for axis in 0..self.count {
+                let (a, b) = (self.controls[total - 3][axis], self.controls[total - 2][axis]);
+                self.controls[total - 1][axis] = (p[axis] - w[0] * a - w[1] * b) / w[2];
+            }
+        }
+    }
+
+    /// Where the spline is set against the lines, and how stiff its spans are.
+    fn look<const N: usize>(&self, fit: &mut Fit<N>) {
+        let spans = self.knots.len().saturating_sub(5);
+        let mut line = 0;
+        for k in 0..spans {
+            let (begin, end) = (self.t(k), self.t(k + 1));
+            let len = end - begin;
+            if self.origin(k).is_some_and(|k| fit.take_over(k)) {
+                continue;
+            }
+            line = self.segment(begin, line);
+            if !fit.bears(k) {
+                fit.skip(Stretch::free(len, self.points[line].pace()));
+                continue;
+            }
+            let lines = self.points[line + 1..].iter().take_while(|point| point.u < end).count();
+            let last = (line + lines).min(self.points.len() - 2);
+            let near = |k: usize| self.t(k + 1) - self.t(k);
+            let least = near(k.saturating_sub(1)).min(len).min(near((k + 1).min(spans - 1)));
+            let l = self.points[last].level().reach * least;
+            let stiff = l * l * l * l * l * l * len;
+            let on = |line: usize, u: f64| {
+                let (a, b) = (&self.points[line], &self.points[line + 1]);
+                let share = (u - a.u) / (b.u - a.u);
+                std::array::from_fn::<f64, N, _>(|i| a.p.0[i] + (b.p.0[i] - a.p.0[i]) * share)
+            };
+            let (from, to) = (on(line, begin), on(last, end));
+            let mut rates = Rates { first: [0.0; AXES], second: [0.0; AXES], third: [0.0; AXES] };
+            for i in 0..N {
+                rates.first[i] = (to[i] - from[i]) / len;
+            }
+            let top = self.points[last].pace().min(self.inverse.velocity(&rates));
+            let drive = self.soft.straight(&rates.first);
+            let tolerance = self.points[line].tolerance.min(self.points[last].tolerance);
+            let stretch = Stretch { drive, ..Stretch::free(len, top) };
+            fit.add_span(self.bends(k), stiff, tolerance, stretch);
+            let place = self.place(k);
+            let mut look = |line: usize, u: f64, weight: f64| {
+                let point = &self.points[line];
+                let limit = point.tolerance * point.level().close;
+                fit.look_at(place.weights(u), weight, on(line, u), limit);
+            };
+            if lines < LEAST_LOOKS {
+                // At every vertex, and between them.
+                let mut from = begin;
+                for line in line..=last {
+                    let to = if line == last { end } else { self.points[line + 1].u.min(end) };
+                    let looks = (LEAST_LOOKS as f64 * (to - from) / len).ceil().max(1.0);
+                    let weight = (to - from) / looks;
+                    for i in 0..looks as usize {
+                        look(line, from + weight * i as f64, weight);
+                    }
+                    from = to;
+                }
+                continue;
+            }
+            let looks = (lines + 1).min(MOST_LOOKS);
+            let weight = len / looks as f64;
+            let mut line = line;
+            for i in 0..looks {
+                let u = begin + weight * i as f64;
+                line = self.segment(u, line);
+                look(line, u, weight);
+            }
+        }
+    }
+
+    /// Which span `k` was before knots were put in, if all knots that bear on it are the same.
+    fn origin(&self, k: usize) -> Option<usize> {
+        let first = self.origins.get(k.checked_sub(2)?).copied().flatten()?;
+        let last = self.origins.get(k + 2).copied().flatten()?;
+        (last == first + 4).then_some(first + 2)
+    }
+
+    /// What the weights of the control points of span `k` are found with.
+    fn place(&self, k: usize) -> Place {
+        let t: [f64; 6] = std::array::from_fn(|i| self.knots[k + i]);
+        let inverse = |low: usize, high: usize| (t[high] - t[low]).recip();
+        let inverses =
+            [inverse(2, 3), inverse(1, 3), inverse(2, 4), inverse(0, 3), inverse(1, 4), inverse(2, 5)];
+        Place { t, inverses }
+    }
+
+    /// Weights of the four control points in the third derivative on span `k`, and in the mean of the second.
+    fn bends(&self, k: usize) -> [[f64; BAND]; 2] {
+        let t: [f64; 6] = std::array::from_fn(|i| self.knots[k + i]);
+        let h = t[3] - t[2];
+        let [f0, f1, f2] = [3.0 / (t[3] - t[0]), 3.0 / (t[4] - t[1]), 3.0 / (t[5] - t[2])];
+        let [a, b] = [(t[3] - t[1]).recip(), (t[4] - t[2]).recip()];
+        let [w0, w1] = [2.0 * a / h, 2.0 * b / h];
+        [
+            [-w0 * f0, w1 * f1 + w0 * (f1 + f0), -w1 * (f2 + f1) - w0 * f1, w1 * f2],
+            [a * f0, b * f1 - a * (f1 + f0), a * f1 - b * (f2 + f1), b * f2],
+        ]
+    }
+
+    /// Weights of the three control points about knot `k` in the value there.
+    fn weights(&self, k: usize) -> [f64; 3] {
+        let [a, b, c, d, e] = [0, 1, 2, 3, 4].map(|i| self.knots[k + i]);
+        let (left, right) = (c - b, d - c);
+        let whole = d - b;
+        let w0 = right * right / (whole * (d - a));
+        let w2 = left * left / (whole * (e - b));
+        [w0, 1.0 - w0 - w2, w2]
+    }
+}
+
+/// The knots of a span, and the inverses of their distances.
+struct Place {
+    t: [f64; 6],
+    inverses: [f64; 6],
+}
+
+impl Place {
+    /// Weights of the four control points at `u` (de Boor).
+    fn weights(&self, u: f64) -> [f64; BAND] {
+        let t = &self.t;
+        let (left, right) = ([u - t[2], u - t[1], u - t[0]], [t[3] - u, t[4] - u, t[5] - u]);
+        let [h0, h1, h2, h3, h4, h5] = self.inverses;
+        let (a0, a1) = (right[0] * h0, left[0] * h0);
+        let (b0, b1) = (a0 * h1, a1 * h2);
+        let (c0, c1, c2) = (right[0] * b0 * h3, (left[1] * b0 + right[1] * b1) * h4, left[0] * b1 * h5);
+        [right[0] * c0, left[2] * c0 + right[1] * c1, left[1] * c1 + right[2] * c2, left[0] * c2]
+    }
+}
