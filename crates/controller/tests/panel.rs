@@ -6,6 +6,7 @@
 mod panel;
 
 use ferrocut_controller::api::{Activity, Command, Event, NamedSignal, Reply};
+use ferrocut_controller::control::PublicPrograms;
 use ferrocut_controller::drives::Block;
 use ferrocut_controller::signals::ROWS;
 use ferrocut_controller::{Mode, Parts, Plant};
@@ -13,6 +14,7 @@ use ferrocut_geometry::Position;
 use ferrocut_machine::{Machine, PlantBlock, PlantConfig};
 use ferrocut_memory::{Author, Settings, Store};
 use ferrocut_plc::Address;
+use ferrocut_program::Text;
 use panel::Mill;
 use serde_json::json;
 use std::sync::Arc;
@@ -646,6 +648,119 @@ fn every_signal_of_the_nc_is_told_once() {
 
 const BRACKET: &str = include_str!("../../../examples/gsk990mc/bracket.nc");
 const TOOL_CHANGE: &str = include_str!("../../../machines/tool-change.nc");
+
+/// A mill of which nothing was stored, homed; with what comes with it.
+fn fresh(machine: &Machine, parts: Parts) -> Mill {
+    let plant = Plant::new(machine, Position::ZERO, Position::ZERO);
+    let parts = Parts { drives: Some(Box::new(plant)), ..parts };
+    let mut mill = Mill::with_ladder(machine, panel::LADDER, parts);
+    mill.say(Command::Switch { switch: "SWITCH_FEED".into(), position: 10 });
+    mill.say(Command::Switch { switch: "SWITCH_SPINDLE".into(), position: 5 });
+    mill.wait(100);
+    mill.press("KEY_R_100");
+    mill.home();
+    mill
+}
+
+fn with_tool_change() -> Parts {
+    Parts { tool_change: Some(TOOL_CHANGE.into()), ..Parts::default() }
+}
+
+/// The tool that is in the spindle of the machine, and the one that the control says.
+fn tools(mill: &mut Mill) -> (u32, u32) {
+    let shown = mill.control.status().spindle.tool;
+    let (tool, _) = mill.control.plant_mut().unwrap().tool_and_pocket();
+    (tool, shown)
+}
+
+/// The tool change comes with the machine (GSK990MC 8.1): nothing is stored for it. One of the memory goes before.
+#[test]
+fn a_fresh_control_changes_the_tool() {
+    let mut mill = fresh(&Machine::demo_mill(), with_tool_change());
+    mill.mdi("T2 M06");
+    assert_eq!(tools(&mut mill), (2, 2));
+    mill.press("KEY_EDIT");
+    let text = "O0001\nT3 M06\nM30\n".to_owned();
+    mill.say(Command::Store { program: "O0001".into(), text });
+    let Reply::Programs { programs, .. } = mill.say(Command::Programs) else { panic!() };
+    assert_eq!(programs.iter().map(|program| program.name.as_str()).collect::<Vec<_>>(), ["O0001"]);
+    let shown = Reply::Program { program: "O9001".into(), text: TOOL_CHANGE.into() };
+    assert_eq!(mill.say(Command::Read { program: "O9001".into() }), shown);
+    mill.press("KEY_AUTO");
+    mill.say(Command::Select { program: "O0001".into() });
+    mill.press("KEY_START");
+    mill.until("changed", |status| status.counters.parts == 1 && status.activity == Activity::Idle);
+    assert_eq!(tools(&mut mill), (3, 3));
+
+    // A change by hand, as the shop has it.
+    let own = "O9001\n#510=#510+1\nM06\nM99\n".to_owned();
+    mill.press("KEY_EDIT");
+    mill.say(Command::Store { program: "O9001".into(), text: own.clone() });
+    let shown = Reply::Program { program: "O9001".into(), text: own };
+    assert_eq!(mill.say(Command::Read { program: "O9001".into() }), shown);
+    mill.mdi("T4 M06");
+    let Reply::Variables { variables } = mill.say(Command::Variables { from: 510, to: 510 }) else {
+        panic!()
+    };
+    assert_eq!(variables[&510], 1.0);
+    assert_eq!(tools(&mut mill), (3, 4), "the magazine did nothing");
+    let plant = mill.control.plant_mut().unwrap();
+    let (_, pocket) = plant.tool_and_pocket();
+    plant.stand_with(4, pocket);
+    mill.press("KEY_EDIT");
+    mill.say(Command::Delete { program: "O9001".into() });
+    mill.mdi("T5 M06");
+    assert_eq!(tools(&mut mill), (5, 5));
+}
+
+/// GSK990MC alarm 0078: whoever went on would cut with another tool than the one that was called.
+#[test]
+fn a_tool_change_without_its_program_is_an_alarm() {
+    let mut machine = Machine::demo_mill();
+    for (dialect, wanted) in [("gsk990mc", "gsk990mc:0078"), ("kaitong", "FC-0602")] {
+        machine.dialect = dialect.to_owned();
+        let mut mill = fresh(&machine, Parts::default());
+        let (tool, _) = tools(&mut mill);
+        mill.press("KEY_MDI");
+        mill.say(Command::Mdi { text: "T2 M06\nG91 G1 X-5 F500".into() });
+        mill.press("KEY_START");
+        let status = mill.until("in alarm", |status| status.activity == Activity::Alarm);
+        assert_eq!(status.alarms[0].id, wanted);
+        assert_eq!(tools(&mut mill), (tool, 0), "{dialect}");
+        // The check at the panel says so before.
+        let text = b"T2 M06\nM30\n".to_vec();
+        let mut checked = mill.control.desk().interpreter("O0001", text, false).unwrap();
+        let alarm = checked.find_map(Result::err).unwrap();
+        assert_eq!(alarm.id.to_string(), wanted);
+    }
+}
+
+/// A ladder that changes the tool by M06 itself has it handed over.
+#[test]
+fn a_ladder_may_change_the_tool_by_itself() {
+    let mut machine = Machine::demo_mill();
+    machine.tool_change.program = Some(0);
+    let mut mill = fresh(&machine, with_tool_change());
+    mill.mdi("T2 M06");
+    let status = mill.wait(10);
+    assert_eq!((status.spindle.tool, status.alarms.len()), (2, 0));
+    assert!(mill.told.contains("MF"), "{:?}", mill.told);
+}
+
+/// Weihong 5: the program of `public.dat` for M06 is the tool change there.
+#[test]
+fn a_program_of_the_shop_for_m06_is_the_tool_change() {
+    let mut machine = Machine::demo_mill();
+    machine.dialect = "weihong".to_owned();
+    let text = Text::from_bytes(b"O206\nG91 G00 X-7\nG90\nM06\nM17\n".to_vec()).unwrap();
+    let public = Some(PublicPrograms { name: "public.dat".to_owned(), text: Arc::new(text) });
+    let mut mill = fresh(&machine, Parts { public, ..Parts::default() });
+    let before = mill.wait(1).position.machine[&'X'];
+    mill.mdi("T2 M06");
+    let status = mill.wait(10);
+    assert_eq!((status.spindle.tool, status.alarms.len()), (2, 0));
+    assert!((status.position.machine[&'X'] - before + 7.0).abs() < 1e-9, "{status:?}");
+}
 
 /// The setter: X, Y, and Z where a tool of no length touches it. Diameter of setter and probe.
 const SETTER: [f64; 3] = [200.0, 100.0, -300.0];

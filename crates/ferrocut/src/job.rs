@@ -153,6 +153,7 @@ pub struct Shop {
     axis_names: AxisNames,
     dialect: Option<String>,
     public: Public,
+    tool_change: Option<PathBuf>,
     block_skip: bool,
     optional_stop: bool,
 }
@@ -218,6 +219,16 @@ impl Shop {
         Ok(read.map(|(name, text)| PublicPrograms { name, text: Arc::new(text) }))
     }
 
+    /// The tool change program that the machine file names.
+    pub fn tool_change(&self) -> Result<Option<Vec<u8>>, Failure> {
+        let Some(path) = &self.tool_change else { return Ok(None) };
+        let unreadable = |error: std::io::Error| Failure::of_open(path, OpenError::Io(error));
+        let bytes = std::fs::read(path).map_err(unreadable)?;
+        let text = Text::from_bytes(bytes.clone());
+        text.map_err(|error| Failure { exit: Exit::WrongUse, ..Failure::of_open(path, error) })?;
+        Ok(Some(bytes))
+    }
+
     /// Reads machine and set-up file.
     pub fn open(common: &Common) -> Result<Shop, Failure> {
         let machine = match &common.machine {
@@ -236,6 +247,8 @@ impl Shop {
         })?;
         Ok(Shop {
             public: Public::of(common, &machine),
+            tool_change: (common.machine.as_deref().zip(machine.tool_change.file.as_ref()))
+                .map(|(machine, name)| machine.with_file_name(name)),
             machine,
             axis_names,
             machine_is_built_in: common.machine.is_none(),

@@ -170,6 +170,35 @@ fn a_weihong_control_has_the_codes_of_its_shop_and_a_set_up() {
     front.until("there", |status| x(status) == 7.0 && status["activity"] == "idle");
 }
 
+/// T2 M06 on a machine of which nothing was stored, with a memory that is new and with none: the magazine gives the tool.
+#[test]
+fn a_control_that_is_new_changes_the_tool() {
+    let folder = tempfile::tempdir().unwrap();
+    let memory = folder.path().join("kept");
+    let change = |with: &[&str]| {
+        let served = Served::with(&[&["--tcp", "127.0.0.1:0"], with].concat());
+        let mut front = Front::new(&served);
+        front.press("KEY_HOME");
+        ["KEY_Z+", "KEY_X+", "KEY_Y+"].iter().for_each(|key| front.hold(key));
+        front.until("homed", |status| {
+            status["referenced"].as_array().unwrap().len() >= 3 && status["activity"] == "idle"
+        });
+        front.press("KEY_MDI");
+        front.done(json!({ "do": "mdi", "text": "T2 M06" }));
+        front.press("KEY_START");
+        front.until("changed", |status| status["spindle"]["tool"] == 2 && status["activity"] == "idle");
+        // The ladder knows it by the clamp and the magazine.
+        let at =
+            front.ask(json!({ "do": "signals", "names": ["TOOL", "POCKET", "TOOL_CLAMPED", "MAG_AWAY"] }));
+        (at["signals"].clone(), front.ask(json!({ "do": "programs" }))["programs"].clone())
+    };
+    for with in [&[][..], &["--memory", memory.to_str().unwrap()]] {
+        let (at, programs) = change(with);
+        let there = json!({ "TOOL": 2, "POCKET": 2, "TOOL_CLAMPED": 1, "MAG_AWAY": 1 });
+        assert_eq!((at, programs), (there, json!([])), "{with:?}");
+    }
+}
+
 /// Who has no memory is told so and how to keep what he makes, in any language; who has one is not.
 #[test]
 fn a_control_that_keeps_nothing_says_so() {

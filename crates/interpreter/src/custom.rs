@@ -149,9 +149,11 @@ impl Interpreter {
         if row.function == MFunction::ToolChange && self.is_auxiliary_locked() {
             return None;
         }
-        // A change to the tool that is in the spindle changes nothing (GSK990MC 8.1).
+        // A change to the tool that is in the spindle changes nothing (GSK990MC 8.1). A program of the shop for M06 itself
+        // goes before that of the machine (Weihong 5).
         if row.function == MFunction::ToolChange
             && self.options.tool_change_program.is_some()
+            && !self.custom.as_ref().is_some_and(|codes| codes.has_m(row.code))
             && self.technology.in_spindle != self.technology.tool
             && !self.flow.runs_custom(Custom::ToolChange)
         {

@@ -226,14 +226,17 @@ pub struct ToolChangeConfig {
     /// Places in the magazine; 0 is not checked.
     #[serde(default)]
     pub tools: u32,
-    /// Number of the program that M06 runs on a machine with a ladder.
+    /// Number of the program that M06 runs on a machine with a ladder; 0 where the ladder itself changes the tool by M06.
     #[serde(default)]
     pub program: Option<u32>,
+    /// File with that program as it comes with the machine, beside its own file.
+    #[serde(default)]
+    pub file: Option<String>,
 }
 
 impl Default for ToolChangeConfig {
     fn default() -> ToolChangeConfig {
-        ToolChangeConfig { time_s: 5.0, tools: 0, program: None }
+        ToolChangeConfig { time_s: 5.0, tools: 0, program: None, file: None }
     }
 }
 

@@ -375,7 +375,7 @@ impl Control {
     }
 
     fn read(&self, program: &str) -> Answer {
-        let found = self.callable.library.named(&library::id_of(program));
+        let found = self.callable.named(&library::id_of(program));
         let (program, text) = found.ok_or_else(|| named(Fault::NoSuchName, program))?;
         let text = match ferrocut_program::Text::from_bytes(text.clone()) {
             Ok(decoded) => decoded.encoding().decode(&text).into_owned(),

@@ -1,7 +1,7 @@
 //! The programs that the control has: in the durable memory, or in its own where there is none.
 
 use ferrocut_memory::Store;
-use ferrocut_program::{ProgramId, Source, Text};
+use ferrocut_program::ProgramId;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -70,13 +70,6 @@ fn names(id: &ProgramId) -> Vec<String> {
             vec![format!("O{number:04}"), format!("O{number:05}"), format!("O{number}")]
         }
         ProgramId::Name(name) => vec![name.to_string(), name.to_uppercase()],
-    }
-}
-
-impl Source for Library {
-    fn find(&mut self, id: &ProgramId) -> Option<(String, Text)> {
-        let (name, text) = self.named(id)?;
-        Some((name, Text::from_bytes(text).ok()?))
     }
 }
 

@@ -71,6 +71,8 @@ pub struct Parts {
     pub store: Option<Arc<Store>>,
     /// Programs that come with the machine, where its control language knows such.
     pub public: Option<PublicPrograms>,
+    /// The tool change program that comes with the machine (GSK990MC 8.1), in its control language.
+    pub tool_change: Option<Vec<u8>>,
     /// The ladder.
     pub ladder: Option<ferrocut_plc::Program>,
     /// The drives; those of the machine file where there are none.
@@ -229,6 +231,17 @@ impl Control {
         if plc.is_some() {
             cnc.connect_ladder(machine);
         }
+        // A simulated machine has the tool that the ladder kept, as its axes stand where they stood.
+        if let (Some(plc), Some(plant)) = (&plc, cnc.drives().plant()) {
+            let word = |name| {
+                let Address { area, byte, .. } = plc.program().signal(name)?;
+                let byte = |n| plc.memory().byte(Address { area, byte: byte.saturating_add(n), bit: None });
+                Some(u32::from(u16::from_le_bytes([byte(0), byte(1)])))
+            };
+            if let (Some(tool), Some(pocket)) = (word("TOOL"), word("POCKET")) {
+                plant.stand_with(tool, pocket.max(1));
+            }
+        }
         // 6#4: reference points that are kept. Drives that know their places by what was kept know no other ones.
         let drives = cnc.drives();
         let known_by_it = drives.knows_places() && drives.loses_place_with_power();
@@ -245,7 +258,7 @@ impl Control {
             own_ladder,
             exchanged_by: None,
             keys: keys::Keys::default(),
-            callable: Callable::new(machine, dialect, library, parts.public),
+            callable: Callable::new(machine, dialect, library, parts.public, parts.tool_change, every_code),
             keeping,
             inputs: Inputs::default(),
             before: Inputs::default(),

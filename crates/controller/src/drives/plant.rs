@@ -120,6 +120,12 @@ impl Plant {
         (self.periphery.tool(), self.periphery.pocket())
     }
 
+    /// The tool that is in the spindle, 0 for none, and the pocket that is at it, counted from 1; every other tool is in the
+    /// pocket of its number.
+    pub fn stand_with(&mut self, tool: u32, pocket: u32) {
+        self.periphery.stand_with(tool, pocket);
+    }
+
     /// Opens or closes the door; whether it let itself be moved, which it does not while it is locked.
     pub fn move_door(&mut self, open: bool) -> bool {
         self.periphery.move_door(open)

@@ -60,6 +60,9 @@ impl fmt::Display for GrblAt {
 /// The ladder of a machine that names none.
 const STANDARD: &str = include_str!("../../../../machines/standard.lad");
 
+/// The program of its tool change, and the control language that this is written in.
+const TOOL_CHANGE: (&str, &str) = ("gsk990mc", include_str!("../../../../machines/tool-change.nc"));
+
 /// Runs the command.
 pub fn run(args: &ServeArgs) -> Result<Exit, Failure> {
     let shop = Shop::open(&args.common())?;
@@ -116,6 +119,9 @@ fn serve_control(args: &ServeArgs, shop: &Shop) -> Result<Exit, Failure> {
     };
     // Its faults were told.
     let Some(ladder) = ladder else { return Ok(Exit::Finding) };
+    let (language, standard) = TOOL_CHANGE;
+    let with_ladder = args.ladder.is_none() && shop.machine.dialect == language;
+    let tool_change = shop.tool_change()?.or_else(|| with_ladder.then(|| standard.as_bytes().to_vec()));
     let store = match &args.memory {
         None => None,
         Some(folder) => Some(Arc::new(super::memory::open(folder, &shop.machine.dialect)?)),
@@ -130,6 +136,7 @@ fn serve_control(args: &ServeArgs, shop: &Shop) -> Result<Exit, Failure> {
         memory: Some(memory),
         store: store.clone(),
         public: shop.public_programs()?,
+        tool_change,
         ladder: Some(ladder),
         ..Parts::default()
     };

@@ -157,27 +157,37 @@ impl Periphery {
             way: Mover::new(config.magazine_ms, period_ms),
             turned: 0.0,
             step: Mover::new(config.pocket_ms, period_ms).step,
-            // Pocket 1 is empty: its tool is in the spindle.
-            tools: (0..pockets).map(|n| if n == 0 { 0 } else { n + 1 }).collect(),
+            tools: (1..=pockets).collect(),
         };
         let mut gears = [Mover::new(config.clamp_ms, period_ms); GEARS];
         // The first is in at power-on.
         gears[0].at = 1.0;
-        Periphery {
+        let mut periphery = Periphery {
             gears,
             release: Mover::new(config.clamp_ms, period_ms),
             // Clamped at power-on.
             axis_release: Mover::new(config.clamp_ms, period_ms),
             lubrication: Mover::new(config.lube_ms, period_ms),
             magazine,
-            in_spindle: 1,
+            in_spindle: 0,
             door_is_open: false,
             door_is_locked: false,
             emergency_stop: false,
             faults: [false; LEVELS.len()],
             wires: NAMES.map(|(name, usual)| wire(&config.wiring, name, usual)),
             driven: [false; OUTPUTS.len()],
-        }
+        };
+        periphery.stand_with(1, 1);
+        periphery
+    }
+
+    /// A tool in the spindle, none where it is 0, and a pocket at it, counted from 1. All other tools are in the pockets of
+    /// their numbers.
+    pub fn stand_with(&mut self, tool: u32, pocket: u32) {
+        self.magazine.turned = f64::from(pocket.saturating_sub(1));
+        self.magazine.tools =
+            (1..).zip(&self.magazine.tools).map(|(n, _)| if n == tool { 0 } else { n }).collect();
+        self.in_spindle = tool;
     }
 
     /// The tool in the spindle; 0 is none.
