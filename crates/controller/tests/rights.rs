@@ -163,13 +163,31 @@ fn maintenance() -> Author {
 
 #[test]
 fn every_command_is_for_the_level_of_the_manual_and_those_above() {
-    let rows = rows();
+    judged(true);
+}
+
+/// The same where nothing is kept; there is no folder for backups then.
+#[test]
+fn every_command_is_for_the_same_level_where_nothing_is_kept() {
+    judged(false);
+}
+
+fn judged(is_kept: bool) {
+    let mut rows = rows();
+    if !is_kept {
+        let of_folder = rows.iter_mut().filter(|row| row.0.get("file").is_some());
+        of_folder.for_each(|(_, lowest, otherwise)| (*lowest, *otherwise) = (5, "FC-1406"));
+    }
     let tried: BTreeSet<String> = rows.iter().map(|row| row.0["do"].as_str().unwrap().to_owned()).collect();
     assert_eq!(tried.symmetric_difference(&names()).collect::<Vec<_>>(), [""; 0]);
     let machine = Machine::demo_mill();
     for level in Level::ALL {
         let folder = tempfile::tempdir().unwrap();
-        let store = Arc::new(Store::open(folder.path(), Settings::new("gsk990mc")).unwrap());
+        let store = match is_kept {
+            true => Store::open(folder.path(), Settings::new("gsk990mc")).unwrap(),
+            false => Store::in_memory("gsk990mc").unwrap(),
+        };
+        let store = Arc::new(store);
         for (of, word) in Level::ALL.into_iter().zip(WORDS) {
             store.set_password(&maintenance(), of, word, Seat::Machine).unwrap();
         }

@@ -231,6 +231,34 @@ fn a_control_that_keeps_nothing_says_so() {
     }
 }
 
+/// Without `--memory` rights are judged as with one (GSK990MC part 2, 3.4.5), and the histories last as long as the process.
+#[test]
+fn a_control_that_keeps_nothing_has_rights_and_histories() {
+    let served = Served::new("--tcp", "127.0.0.1:0");
+    let mut front = Front::new(&served);
+    front.press("KEY_MDI");
+    front.done(json!({ "do": "parameter_switch", "on": true }));
+    front.done(json!({ "do": "accept_parameter_switch" }));
+    let set = json!({ "do": "set_parameter", "name": "P86", "value": 1234.0 });
+    assert_eq!(front.refused(set.clone()), "FC-1213");
+    // Nobody has a password; the first is the maker's, who gives it at the machine.
+    let log_in = |level: u8| json!({ "do": "log_in", "level": level, "password": "a word of mine" });
+    let password = |level: u8| json!({ "do": "set_password", "level": level, "password": "a word of mine" });
+    assert_eq!(front.refused(log_in(3)), "FC-1217");
+    assert_eq!(front.refused(password(3)), "FC-1213");
+    front.done(password(1));
+    assert_eq!(front.ask(log_in(1))["level"], 1);
+    front.done(set);
+    front.done(json!({ "do": "emergency_stop", "pressed": true }));
+    front.until("stopped", |status| status["activity"] == "emergency");
+    front.done(json!({ "do": "emergency_stop", "pressed": false }));
+    let history = front.ask(json!({ "do": "alarm_history", "most": 10 }));
+    assert!(history["alarms"].as_array().unwrap().iter().any(|alarm| alarm["id"] == "FC-1410"), "{history}");
+    let log = front.ask(json!({ "do": "operation_log", "most": 10 }));
+    let changed = |line: &Value| line["name"] == "P86" && line["to"] == "1234" && line["level"] == 1;
+    assert!(log["entries"].as_array().unwrap().iter().any(changed), "{log}");
+}
+
 fn x(status: &Value) -> f64 {
     status["position"]["machine"]["X"].as_f64().unwrap()
 }

@@ -542,11 +542,12 @@ impl Store {
             from: names.join(" "),
             to: name.into_owned(),
         };
-        let (part, path, folder) = (part.to_owned(), path.to_owned(), self.folder().to_owned());
+        let (part, path) = (part.to_owned(), path.to_owned());
+        let folder = self.folder().map(Path::to_owned);
         self.within_commit(move |applier| {
             applier.log(&entry)?;
             fs::rename(&part, &path)?;
-            sync_folder(&folder)
+            folder.map_or(Ok(()), |folder| sync_folder(&folder))
         })
     }
 }

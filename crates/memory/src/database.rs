@@ -136,7 +136,20 @@ fn connect(path: &Path, access: Access) -> Result<Connection, Error> {
             Access::Write | Access::Read => OpenFlags::SQLITE_OPEN_READ_WRITE,
             Access::Untouched => OpenFlags::SQLITE_OPEN_READ_ONLY,
         };
-    let connection = Connection::open_with_flags(path, flags)?;
+    prepared(Connection::open_with_flags(path, flags)?, access)
+}
+
+/// A database of this process alone, in its memory; every connection by the same name is to the same one, which goes with
+/// the last of them.
+fn connect_in_memory(name: &str, access: Access) -> Result<Connection, Error> {
+    let flags = OpenFlags::SQLITE_OPEN_NO_MUTEX
+        | OpenFlags::SQLITE_OPEN_URI
+        | OpenFlags::SQLITE_OPEN_READ_WRITE
+        | OpenFlags::SQLITE_OPEN_CREATE;
+    prepared(Connection::open_with_flags(format!("file:/{name}?vfs=memdb"), flags)?, access)
+}
+
+fn prepared(connection: Connection, access: Access) -> Result<Connection, Error> {
     connection.busy_timeout(BUSY)?;
     connection.set_prepared_statement_cache_capacity(128);
     connection.set_db_config(DbConfig::SQLITE_DBCONFIG_DEFENSIVE, true)?;
@@ -173,6 +186,28 @@ impl Database {
         let connection = Connection::open_with_flags(path, flags)?;
         connection.pragma_update(None, "application_id", APPLICATION)?;
         connection.pragma_update(None, "synchronous", "FULL")?;
+        let database = Database::filled(connection, control, version, tables)?;
+        database.connection.close().map_err(|(_, error)| error.into())
+    }
+
+    /// Makes a new database for a control that is in no file, by a name that no other of this process has. It is there as
+    /// long as somebody has it open.
+    pub fn create_in_memory(name: &str, control: &str) -> Result<Database, Error> {
+        Database::filled(connect_in_memory(name, Access::Write)?, control, SCHEMA, TABLES)
+    }
+
+    /// Opens one for reading that was made so.
+    pub fn open_in_memory(name: &str) -> Result<Database, Error> {
+        Database::of(connect_in_memory(name, Access::Read)?)
+    }
+
+    /// The empty memory of a control.
+    fn filled(
+        connection: Connection,
+        control: &str,
+        version: u32,
+        tables: &'static [Table],
+    ) -> Result<Database, Error> {
         let mut database =
             Database { connection, totals: BTreeMap::new(), before: BTreeMap::new(), commits: 0 };
         database.begin()?;
@@ -187,12 +222,16 @@ impl Database {
         // Commit 0 is the empty memory.
         database.write_totals(0)?;
         database.connection.execute_batch("COMMIT")?;
-        database.connection.close().map_err(|(_, error)| error.into())
+        database.before.clear();
+        Ok(database)
     }
 
     /// Opens a file that was found whole.
     pub fn open(path: &Path, access: Access) -> Result<Database, Error> {
-        let connection = connect(path, access)?;
+        Database::of(connect(path, access)?)
+    }
+
+    fn of(connection: Connection) -> Result<Database, Error> {
         let mut database =
             Database { connection, totals: BTreeMap::new(), before: BTreeMap::new(), commits: 0 };
         database.read_totals()?;

@@ -17,6 +17,7 @@ use ferrocut_machine::{Alarm, Fault};
 use ferrocut_program::Span;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, SyncSender, TryRecvError, sync_channel};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
@@ -102,21 +103,30 @@ impl From<std::io::Error> for OpenError {
     }
 }
 
-/// The durable memory of a control. One process has it open; readers may look at it beside.
+/// The durable memory of a control, or one that goes with the process ([`Store::in_memory`]). One process has it open;
+/// readers may look at it beside.
 ///
 /// A commit that returned is on the disk. Dropping it waits until all is, and leaves a snapshot. No call belongs
 /// into the real-time thread: all may wait for the disk.
 pub struct Store {
-    folder: PathBuf,
     settings: Settings,
     jobs: SyncSender<Job>,
     reader: Reader,
     pub(crate) rights: Rights,
-    keeper: Arc<Keeper>,
     threads: Vec<JoinHandle<()>>,
-    /// Held until all is closed.
+    /// Where it is kept; none where it goes with the process. Last, since its lock is held until all is closed.
+    disk: Option<Disk>,
+}
+
+/// The folder of a memory that is kept.
+struct Disk {
+    folder: PathBuf,
+    keeper: Arc<Keeper>,
     _lock: Lock,
 }
+
+/// Memories that are in no folder, made by this process.
+static IN_MEMORY: AtomicU64 = AtomicU64::new(0);
 
 /// A change that is on its way to the disk.
 #[derive(Debug)]
@@ -190,17 +200,29 @@ impl Store {
         let reader = Reader::connect(folder)?;
         let rights = Rights::read(&database)?;
         let applier = Applier::new(database, &settings.control)?;
-        let (jobs, writer) = writer::start(applier, mark)?;
+        let (jobs, writer) = writer::start(applier, Some(mark))?;
         let keeper = Arc::new(Keeper::default());
         let keeping = keep(keeper.clone(), folder.to_owned(), settings.clone())?;
-        let folder = folder.to_owned();
+        let disk = Some(Disk { folder: folder.to_owned(), keeper, _lock: lock });
         let threads = vec![writer, keeping];
-        Ok(Store { folder, settings, jobs, reader, rights, keeper, threads, _lock: lock })
+        Ok(Store { settings, jobs, reader, rights, threads, disk })
     }
 
-    /// The folder.
-    pub fn folder(&self) -> &Path {
-        &self.folder
+    /// An empty memory that goes with the process, and is in no file: rights, locks and histories are those of one that is
+    /// kept, and nothing is there at the next start.
+    pub fn in_memory(control: &str) -> Result<Store, Error> {
+        let name = format!("memory-{}", IN_MEMORY.fetch_add(1, Ordering::Relaxed));
+        let database = Database::create_in_memory(&name, control)?;
+        let reader = Reader { database: Mutex::new(Database::open_in_memory(&name)?) };
+        let rights = Rights::read(&database)?;
+        let (jobs, writer) = writer::start(Applier::new(database, control)?, None)?;
+        let settings = Settings::new(control);
+        Ok(Store { settings, jobs, reader, rights, threads: vec![writer], disk: None })
+    }
+
+    /// The folder; none where nothing is kept.
+    pub fn folder(&self) -> Option<&Path> {
+        self.disk.as_ref().map(|disk| &*disk.folder)
     }
 
     /// The control whose memory it is.
@@ -263,28 +285,36 @@ impl Store {
         self.jobs.send(job).map_err(|_| Error::Closed)
     }
 
-    /// Copies the present state as the last good one, once it was found whole, and says its commit.
+    /// Copies the present state as the last good one, once it was found whole, and says its commit; the last commit alone
+    /// where nothing is kept.
     pub fn snapshot(&self) -> Result<u64, Error> {
-        self.keeper.snapshot(&self.folder, self.settings.snapshots)
+        match &self.disk {
+            Some(disk) => disk.keeper.snapshot(&disk.folder, self.settings.snapshots),
+            None => self.reader.commits(),
+        }
     }
 
     /// What became of the last snapshot that was made by itself: an error of it, such as a full disk, or damage
     /// that came while the memory was open.
     pub fn trouble(&self) -> Option<Error> {
-        held(&self.keeper.trouble).clone()
+        self.disk.as_ref().and_then(|disk| held(&disk.keeper.trouble).clone())
     }
 }
 
 impl Drop for Store {
     fn drop(&mut self) {
-        self.keeper.stop();
+        if let Some(disk) = &self.disk {
+            disk.keeper.stop();
+        }
         // The writer ends when all that is in the queue was done.
         let _ = self.jobs.send(Job::Stop);
         for thread in self.threads.drain(..) {
             let _ = thread.join();
         }
         // The hourly one comes again; this one saves its time at the next start.
-        let _ = self.keeper.snapshot(&self.folder, self.settings.snapshots);
+        if let Some(disk) = &self.disk {
+            let _ = disk.keeper.snapshot(&disk.folder, self.settings.snapshots);
+        }
     }
 }
 

@@ -53,8 +53,8 @@ struct Batch {
     answer: Option<SyncSender<Answer>>,
 }
 
-/// Starts the writer.
-pub fn start(applier: Applier, mark: Mark) -> Result<(SyncSender<Job>, JoinHandle<()>), Error> {
+/// Starts the writer. What is on no disk has no mark.
+pub fn start(applier: Applier, mark: Option<Mark>) -> Result<(SyncSender<Job>, JoinHandle<()>), Error> {
     let (jobs, queue) = sync_channel(QUEUE);
     let writer = Writer { applier, mark, unheard: None };
     let thread = std::thread::Builder::new().name("memory".into()).spawn(move || writer.run(&queue))?;
@@ -63,7 +63,7 @@ pub fn start(applier: Applier, mark: Mark) -> Result<(SyncSender<Job>, JoinHandl
 
 struct Writer {
     applier: Applier,
-    mark: Mark,
+    mark: Option<Mark>,
     /// The first error of a change that nobody waits for.
     unheard: Option<Error>,
 }
@@ -104,7 +104,7 @@ impl Writer {
             }
         }
         // Both are tried; what fails now is found at the next start.
-        let _ = self.mark.sync();
+        let _ = self.mark.as_ref().map(Mark::sync);
         let _ = self.applier.database.close();
     }
 
@@ -170,7 +170,7 @@ impl Writer {
             Ok(commit) => {
                 // Before anyone is told. Where it fails the commit is durable all the same, and only a loss that
                 // comes on top would not be seen.
-                let _ = self.mark.set(commit);
+                let _ = self.mark.as_mut().map(|mark| mark.set(commit));
                 Ok(commit)
             }
             Err(error) => {

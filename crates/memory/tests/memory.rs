@@ -525,3 +525,24 @@ fn a_memory_can_be_opened_again_while_processes_are_started() {
         }
     });
 }
+
+/// What is in no file is judged and read alike, by any thread, and each is one of its own.
+#[test]
+fn a_memory_that_is_not_kept_does_the_same() {
+    let store = Store::in_memory("gsk990mc").unwrap();
+    let other = Store::in_memory("gsk990mc").unwrap();
+    assert_eq!(store.folder(), None);
+    let value = |value| Change::Parameter { key: "P86".parse().unwrap(), value: Some(value) };
+    assert!(matches!(store.commit(&operator(), vec![value(5.0)]), Err(Error::Right { .. })));
+    // Reading and writing at once: neither is told that the other is at it.
+    std::thread::scope(|scope| {
+        let reads = scope.spawn(|| (0..500).all(|_| store.reader().contents(&[Item::Variables]).is_ok()));
+        for n in 0..500 {
+            store.commit(&Author::Control, vec![variable(500, Some(f64::from(n)))]).unwrap();
+        }
+        assert!(reads.join().unwrap());
+    });
+    let found = store.reader().contents(&[Item::Variables]).unwrap();
+    assert_eq!(found.variables[&number(500)], 499.0);
+    assert_eq!((store.reader().commits().unwrap(), other.reader().commits().unwrap()), (500, 0));
+}

@@ -762,7 +762,7 @@ impl Control {
         }
         self.flush()?;
         let store = self.kept()?;
-        let written = store.reader().back_up(&backup_in(store.folder(), file)?, &items);
+        let written = store.reader().back_up(&backup_in(folder_of(&store)?, file)?, &items);
         written.map_err(|error| error.alarm())?;
         self.event(Event::Changed { item: BACKUPS.to_owned() });
         Ok(Reply::Done)
@@ -781,7 +781,7 @@ impl Control {
         }
         self.flush()?;
         let store = self.kept()?;
-        let path = backup_in(store.folder(), file)?;
+        let path = backup_in(folder_of(&store)?, file)?;
         if !path.is_file() {
             return Err(Box::new(named(Fault::NoSuchName, file)));
         }
@@ -797,6 +797,11 @@ impl Control {
         }
         Ok(Reply::Done)
     }
+}
+
+/// The folder that backups lie in; none where nothing is kept.
+fn folder_of(store: &ferrocut_memory::Store) -> Result<&Path, Box<Alarm>> {
+    store.folder().ok_or_else(|| Box::new(named(Fault::NotFitted, "memory")))
 }
 
 /// The file of a backup: nothing that a front names may lie outside the folder, or be anything else in it.

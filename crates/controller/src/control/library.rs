@@ -38,7 +38,7 @@ impl Library {
     /// Bytes that the disk has room for; none where nothing is kept, or it does not tell.
     pub fn room(&self) -> Option<u64> {
         let Library::Kept(store) = self else { return None };
-        let disk = rustix::fs::statvfs(store.folder()).ok()?;
+        let disk = rustix::fs::statvfs(store.folder()?).ok()?;
         Some(disk.f_bavail.saturating_mul(disk.f_frsize))
     }
 

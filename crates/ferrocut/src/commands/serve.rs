@@ -123,18 +123,22 @@ fn serve_control(args: &ServeArgs, shop: &Shop) -> Result<Exit, Failure> {
     let with_ladder = args.ladder.is_none() && shop.machine.dialect == language;
     let tool_change = shop.tool_change()?.or_else(|| with_ladder.then(|| standard.as_bytes().to_vec()));
     let store = match &args.memory {
-        None => None,
-        Some(folder) => Some(Arc::new(super::memory::open(folder, &shop.machine.dialect)?)),
+        None => {
+            // Whoever sees it run would take what he writes as kept.
+            let nothing = Alarm::core(Fault::NothingKept, Span::default()).as_warning();
+            shop.diagnostics.report(&nothing, "", None);
+            // Rights and histories are the same.
+            Store::in_memory(&shop.machine.dialect)
+                .map_err(|error| Failure::setting(Box::new(error.alarm())))?
+        }
+        Some(folder) => super::memory::open(folder, &shop.machine.dialect)?,
     };
-    if store.is_none() {
-        // Whoever sees it run would take what he writes as kept.
-        shop.diagnostics.report(&Alarm::core(Fault::NothingKept, Span::default()).as_warning(), "", None);
-    }
+    let store = Arc::new(store);
     let mut memory = as_delivered(&shop.machine).map_err(Failure::setting)?;
     shop.setup.apply(&mut memory).map_err(|error| Failure::config("setup", &error.to_string()))?;
     let parts = Parts {
         memory: Some(memory),
-        store: store.clone(),
+        store: Some(store.clone()),
         public: shop.public_programs()?,
         tool_change,
         ladder: Some(ladder),
@@ -147,7 +151,7 @@ fn serve_control(args: &ServeArgs, shop: &Shop) -> Result<Exit, Failure> {
     }
     let control = Control::new(&machine, parts).map_err(Failure::setting)?;
     let period = Duration::from_secs_f64(shop.machine.servo_period_ms / 1000.0);
-    let aside = Some(panel::aside(store.clone()));
+    let aside = Some(panel::aside(Some(store.clone())));
     let (runner, hub) =
         hub::start(Panel::new(control), period, args.priority, aside).map_err(cannot("thread"))?;
     if let Some(path) = &args.socket {
@@ -176,7 +180,7 @@ fn serve_control(args: &ServeArgs, shop: &Shop) -> Result<Exit, Failure> {
 fn serve_panel(
     args: &ServeArgs,
     shop: &Shop,
-    store: Option<Arc<Store>>,
+    store: Arc<Store>,
     hub: Arc<Hub<Panel>>,
 ) -> Result<Web, Failure> {
     let certificate = match (&args.tls_cert, &args.tls_key) {
@@ -188,7 +192,7 @@ fn serve_panel(
         certificate,
         names: args.http_name.clone(),
         machine: shop.machine.clone(),
-        store,
+        store: Some(store),
     };
     let web = Web::start(settings, hub).map_err(|error| {
         let place = args.http.to_string();

@@ -68,9 +68,11 @@ pub(super) struct Backup {
     changed: i64,
 }
 
-fn store_of(shared: &Shared) -> Result<Arc<Store>, Problem> {
+/// The memory and its folder, where something is kept.
+fn store_of(shared: &Shared) -> Result<(Arc<Store>, std::path::PathBuf), Problem> {
     let missing = || Alarm::core(Fault::NotFitted, Span::default()).with("name", "memory");
-    Ok(shared.store.clone().ok_or_else(missing)?)
+    let store = shared.store.as_ref().ok_or_else(missing)?;
+    Ok((store.clone(), store.folder().ok_or_else(missing)?.to_owned()))
 }
 
 /// When a file was written, ms since 1970 (UTC).
@@ -80,13 +82,13 @@ fn changed(about: &Metadata) -> i64 {
 }
 
 /// The backups of a folder, the newest first.
-fn backups(store: &Store) -> io::Result<Vec<Backup>> {
+fn backups(folder: &std::path::Path) -> io::Result<Vec<Backup>> {
     let mut found = Vec::new();
-    for entry in fs::read_dir(store.folder())? {
+    for entry in fs::read_dir(folder)? {
         let entry = entry?;
         let Ok(name) = entry.file_name().into_string() else { continue };
         let is_file = entry.file_type()?.is_file();
-        if !is_file || backup_in(store.folder(), &name).is_err() {
+        if !is_file || backup_in(folder, &name).is_err() {
             continue;
         }
         let about = entry.metadata()?;
@@ -98,8 +100,8 @@ fn backups(store: &Store) -> io::Result<Vec<Backup>> {
 }
 
 async fn list(State(shared): State<Arc<Shared>>) -> Result<Json<Vec<Backup>>, Problem> {
-    let store = store_of(&shared)?;
-    let found = work(move |_| backups(&store)).await?;
+    let (_, folder) = store_of(&shared)?;
+    let found = work(move |_| backups(&folder)).await?;
     found.map(Json).map_err(|error| Problem::of_file(&error))
 }
 
@@ -111,8 +113,8 @@ async fn download(
     let entry = request.extensions().get::<Arc<Entry>>();
     let session = entry.and_then(|entry| entry.rights()).unwrap_or(Session::OPERATOR);
     may_carry(&session)?;
-    let store = store_of(&shared)?;
-    let path = backup_in(store.folder(), &name).map_err(|_| Problem::Missing)?;
+    let (_, folder) = store_of(&shared)?;
+    let path = backup_in(&folder, &name).map_err(|_| Problem::Missing)?;
     let opened = work(move |_| {
         // No way out of the folder by a link that somebody has put there.
         let is_file = fs::symlink_metadata(&path)?.is_file();
@@ -152,10 +154,10 @@ async fn upload(
     }
     let session = entry.rights().ok_or(Problem::LogIn)?;
     may_carry(&session)?;
-    let store = store_of(&shared)?;
-    let path = backup_in(store.folder(), &name)?;
+    let (store, folder) = store_of(&shared)?;
+    let path = backup_in(&folder, &name)?;
     let _turn = TURN.try_acquire().map_err(|_| Problem::Busy)?;
-    let part = store.folder().join(COMING);
+    let part = folder.join(COMING);
     let come = read_into_file(request, LONGEST, &part).await;
     let author =
         Caller { name: format!("panel from {}", peer.0.ip()), seat: seat_of(peer), session }.author();

@@ -130,8 +130,8 @@ async fn begin(
 
 /// Where a file comes to lie until it is opened.
 fn part_of(shared: &Shared) -> PathBuf {
-    match &shared.store {
-        Some(store) => store.folder().join("dnc.part"),
+    match shared.store.as_ref().and_then(|store| store.folder()) {
+        Some(folder) => folder.join("dnc.part"),
         None => std::env::temp_dir().join(format!("ferrocut-dnc-{}.part", std::process::id())),
     }
 }
