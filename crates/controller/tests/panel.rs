@@ -762,6 +762,33 @@ fn a_program_of_the_shop_for_m06_is_the_tool_change() {
     assert!((status.position.machine[&'X'] - before + 7.0).abs() < 1e-9, "{status:?}");
 }
 
+/// Each time that the control does something else is told once, whatever it was at.
+#[test]
+fn what_the_control_does_is_told_once() {
+    let mut mill = Mill::power_on();
+    mill.home();
+    let told = |mill: &mut Mill| -> Vec<Activity> {
+        mill.wait(300);
+        let events = std::mem::take(&mut mill.events).into_iter();
+        let activity = |event| match event {
+            Event::Activity { activity } => Some(activity),
+            _ => None,
+        };
+        events.filter_map(activity).collect()
+    };
+    mill.press("KEY_MDI");
+    mill.say(Command::Mdi { text: "G91 G1 X-50 F600".into() });
+    told(&mut mill);
+    mill.press("KEY_START");
+    assert_eq!(told(&mut mill), [Activity::Running]);
+    for _ in 0..2 {
+        mill.say(Command::EmergencyStop { pressed: true });
+        assert_eq!(told(&mut mill), [Activity::Emergency], "in a move, and at rest");
+        mill.say(Command::EmergencyStop { pressed: false });
+        assert_eq!(told(&mut mill), [Activity::Idle]);
+    }
+}
+
 /// The setter: X, Y, and Z where a tool of no length touches it. Diameter of setter and probe.
 const SETTER: [f64; 3] = [200.0, 100.0, -300.0];
 const BALL: f64 = 2.0;

@@ -585,8 +585,11 @@ fn a_ladder_is_exchanged_by_right_and_only_without_faults() {
     for (text, number, line) in faulty {
         let answer = socket.ask(json!({"do": "exchange_ladder", "text": text}));
         let alarm = &answer["refused"]["alarm"];
-        assert_eq!((&alarm["id"], &alarm["line"]), (&json!("FC-1101"), &json!(line)), "{answer}");
-        assert_eq!(alarm["values"]["detail"], json!(number), "{answer}");
+        assert_eq!(
+            (&alarm["id"], &alarm["line"]),
+            (&json!(format!("gsk990mc:{number}")), &json!(line)),
+            "{answer}"
+        );
     }
     assert_eq!(socket.ask(json!({"do": "exchange_ladder", "text": good}))["reply"], json!("done"));
     // It is kept, by name of who exchanged it.

@@ -77,13 +77,13 @@ pub fn check_ladder(text: &str) -> Reply {
         Err(errors) => Reply::LadderChecked {
             list: None,
             steps: 0,
-            faults: errors.iter().take(MOST_FAULTS).map(told).collect(),
+            faults: errors.iter().take(MOST_FAULTS).map(|error| AlarmInfo::of(&alarm_of(error))).collect(),
             count: u32::try_from(errors.len()).unwrap_or(u32::MAX),
         },
     }
 }
 
-/// A ladder that is to be run, of a list or of PLCopen XML; else why it cannot be: FC-1101 with its first fault. It takes
+/// A ladder that is to be run, of a list or of PLCopen XML; else why it cannot be: the alarm of its first fault. It takes
 /// longer than a period, as [`check_ladder`].
 pub fn ladder_of(text: &str) -> Result<Program, Refusal> {
     exchangeable(text).map_err(|alarm| Refusal::from(*alarm))
@@ -95,26 +95,21 @@ fn exchangeable(text: &str) -> Result<Program, Box<Alarm>> {
         false => Ok(()),
     };
     too_long(text)?;
-    let program = Program::from_file(text.as_bytes(), &Limits::default()).map_err(|errors| {
-        let first = errors.first();
-        let number = first.map_or(0, |error| error.fault.number());
-        let mut alarm = alarm(Fault::Ladder).with("detail", number.to_string());
-        alarm.span.line = first.map_or(0, |error| error.span.line);
-        alarm
-    })?;
+    let program = Program::from_file(text.as_bytes(), &Limits::default())
+        .map_err(|errors| errors.first().map_or_else(|| alarm(Fault::Ladder), alarm_of))?;
     // What is kept of it is its list.
     too_long(&program.text())?;
     Ok(program)
 }
 
 /// A fault of a ladder as the control's alarm.
-fn told(error: &Error) -> AlarmInfo {
+fn alarm_of(error: &Error) -> Alarm {
     let span = Span { line: error.span.line, ..Span::default() };
     let alarm = Alarm::new(AlarmId::Dialect(CONTROL, error.fault.number()), Fault::Ladder, span);
-    AlarmInfo::of(&match &error.about {
+    match &error.about {
         Some(about) => alarm.with("word", &**about),
         None => alarm,
-    })
+    }
 }
 
 /// That a ladder that was kept cannot be run.

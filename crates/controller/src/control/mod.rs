@@ -147,6 +147,8 @@ pub struct Control {
     /// The reset brought the program to its head.
     rewinds: bool,
     state: State,
+    /// What the control did as far as fronts were told.
+    told_activity: Activity,
     parts: u32,
     /// Counters as their parameters had them last.
     shown: status::Shown,
@@ -295,6 +297,7 @@ impl Control {
             periods: 0,
             reset_left: 0,
             rewinds: false,
+            told_activity: Activity::Idle,
             parts: 0,
             shown: status::Shown::default(),
             cutting_before: 0.0,
@@ -402,6 +405,7 @@ impl Control {
         self.moving = names.filter(|axis| self.tick.position[*axis] != before[*axis]).collect();
         self.follow_cnc();
         self.follow_limits();
+        self.tell_activity();
         self.follow_search();
         self.count();
         self.keep();
@@ -734,11 +738,22 @@ impl Control {
         self.follow_run(&state);
         self.is_in_period = false;
         self.state = state;
-        let activity = self.activity();
         if matches!(self.state, State::Ready | State::Ended | State::Reset) {
             self.program_message.clear();
         }
-        self.event(Event::Activity { activity });
+    }
+
+    /// Tells once what the control does now, whatever it comes from: the NC, the emergency stop, an alarm. Axes moved by hand
+    /// come and go with each count of the handwheel, and are no news.
+    fn tell_activity(&mut self) {
+        let activity = match self.activity() {
+            Activity::ByHand => Activity::Idle,
+            activity => activity,
+        };
+        if activity != self.told_activity {
+            self.told_activity = activity;
+            self.event(Event::Activity { activity });
+        }
     }
 
     /// 3.4.1: the stop number goes once it has stopped.
