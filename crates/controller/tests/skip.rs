@@ -126,6 +126,25 @@ fn a_probe_that_is_led_away_ends_the_move_where_it_comes_free() {
     let quiet = program.replace("G38.4", "G38.5");
     let mut stays = probing(&machine(), in_language("rs274", &quiet), &[wall(-5.0)]);
     assert_eq!(run(&mut stays).last().unwrap().position, Position::xyz(50.0, 0.0, 0.0));
+    // One that has its signal before it begins: an alarm with G38.2 and G38.4, and no motion, also behind another move.
+    for (program, blocks, at, braked) in [
+        ("G38.4 X50 F600\nG1 Y5\nM2\n", [wall(20.0)], 0.0, 1e-9),
+        ("G38.2 X50 F600\nG1 Y5\nM2\n", [wall(-5.0)], 0.0, 1e-9),
+        ("G1 X10 F600\nG38.2 X50\nG1 Y5\nM2\n", [wall(5.0)], 10.0, 0.3),
+    ] {
+        let mut before = probing(&machine(), in_language("rs274", program), &blocks);
+        let end = run(&mut before).last().unwrap().position;
+        assert!(
+            matches!(before.state(), State::Alarmed(a) if a.fault == Fault::SignalBefore),
+            "{program} {:?} {end:?}",
+            before.state()
+        );
+        assert!((end[Axis::X] - at).abs() < braked && end[Axis::Y] == 0.0, "{program} {end:?}");
+    }
+    let quiet = "G38.3 X50 F600\nG1 Y5 F600\nM2\n";
+    let mut before = probing(&machine(), in_language("rs274", quiet), &[wall(-5.0)]);
+    let end = run(&mut before).last().unwrap().position;
+    assert_eq!((before.state(), end[Axis::X], end[Axis::Y]), (&State::Ended, 0.0, 5.0));
     // One that is free already moves nothing.
     let mut free = probing(&machine(), in_language("rs274", "G38.5 X50 F600\nM2\n"), &[wall(20.0)]);
     assert!(run(&mut free).iter().all(|tick| tick.position == Position::ZERO));

@@ -110,6 +110,13 @@ impl Interpreter {
         self.awaits_signal.take().map(|span| self.alarm(Fault::SkipWithoutSignal, span))
     }
 
+    /// A skip move had its signal where it was to begin: the alarm, where that is one. G38.2 and G38.4 need the probe to come
+    /// into contact, or out of it (LinuxCNC 2.9, EMCMOT_PROBE); G31 of the other languages ends there.
+    pub fn signal_before(&mut self) -> Option<Box<Alarm>> {
+        let span = self.awaits_signal.filter(|_| self.dialect.blocks.is_some())?;
+        Some(self.alarm(Fault::SignalBefore, span))
+    }
+
     /// A skip move needs its signal and has none so far: an alarm, unless the machine has a probe that will tell.
     pub(crate) fn miss_signal(&mut self, span: Span) -> Fallible<()> {
         match self.probe {

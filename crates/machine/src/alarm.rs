@@ -258,6 +258,8 @@ faults! {
     ShiftInCutter = 449,
     /// A reference return in cutter compensation.
     ReferenceInCutter = 450,
+    /// A probing move was to begin with the probe as it is to end: touching, or free.
+    SignalBefore = 451,
     /// Cutter compensation: the entry move is not longer than the tool radius.
     CutterEntryTooShort = 470,
     /// Cutter compensation: the tool does not fit into an arc.

@@ -14,6 +14,10 @@ use ferrocut_geometry::Position;
 use ferrocut_interpreter::AtRest;
 use ferrocut_toolpath::{Op, Step};
 
+/// A signal that came this near to where the move began was there before, mm: drives that answer later than they are armed
+/// say so by the place alone, and axes at rest stand within some counts of their encoders.
+const STANDS_MM: f64 = 0.005;
+
 /// A skip move.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Probing {
@@ -25,6 +29,8 @@ pub(super) struct Probing {
     input: Option<u16>,
     /// It is being run, and the drives wait for the signal.
     armed: bool,
+    /// The signal was there as it was armed.
+    was_there: bool,
     /// Where the signal came: where the probe touched, or was free.
     touched: Option<Position>,
 }
@@ -45,7 +51,8 @@ impl Cnc {
             return;
         }
         let until = if away { Contact::Lost } else { Contact::Made };
-        self.probing = Some(Probing { tag, from, until, input, armed: false, touched: None });
+        self.probing =
+            Some(Probing { tag, from, until, input, armed: false, was_there: false, touched: None });
         if self.given.len() == 1 && self.motion.is_still() {
             self.arm_probe(tag);
             self.watch_probe();
@@ -67,6 +74,7 @@ impl Cnc {
             probing.armed = true;
             if probing.input.is_none() {
                 self.drives.arm_probe(probing.until);
+                probing.was_there = self.drives.probe().is_some();
             }
         }
     }
@@ -98,6 +106,9 @@ impl Cnc {
             return self.end_touch(probing.touched);
         }
         let missed = match probing.touched {
+            Some(touched) if probing.was_there || touched.distance(probing.from) < STANDS_MM => {
+                self.interpreter.own().signal_before()
+            }
             Some(_) => None,
             None => self.interpreter.own().missed_signal(),
         };

@@ -466,6 +466,8 @@ FC-0446 = Too many transformations are in force together
     .help = Cancel each rotation with G69 before the next, also in repeated subprograms.
 FC-0447 = The skip move ended without its signal
     .help = Check the probe and its wiring, and that the move reaches far enough; P021.3 says whether this is an alarm.
+FC-0451 = The probe has its signal before the move begins
+    .help = Move away from the work, or onto it for G38.4, before probing; check the probe and its wiring. G38.3 and G38.5 allow it.
 
 FC-0510 = Rigid tapping without a feed
     .help = Give F in the cycle or before it.

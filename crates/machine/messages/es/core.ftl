@@ -466,6 +466,8 @@ FC-0446 = Demasiadas transformaciones activas a la vez
     .help = Anule cada giro con G69 antes del siguiente, también en los subprogramas repetidos.
 FC-0447 = El movimiento SKIP acabó sin su señal
     .help = Revise el palpador y su cableado y si el movimiento llega lo bastante lejos; P021.3 dice si esto es una alarma.
+FC-0451 = El palpador ya tiene su señal antes de empezar el movimiento
+    .help = Aléjese de la pieza antes de palpar, o tóquela para G38.4; revise el palpador y su cableado. G38.3 y G38.5 lo permiten.
 
 FC-0510 = Roscado rígido sin avance
     .help = Dé F en el ciclo o antes.

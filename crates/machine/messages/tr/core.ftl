@@ -466,6 +466,8 @@ FC-0446 = Aynı anda çok fazla dönüşüm etkin
     .help = Her döndürmeyi bir sonrakinden önce G69 ile iptal edin; yinelenen alt programlarda da.
 FC-0447 = Atlama hareketi, sinyali gelmeden bitti
     .help = Probu, kablosunu ve hareketin yeterince uzun olduğunu denetleyin; bunun alarm olup olmadığını P021.3 belirler.
+FC-0451 = Probun sinyali hareket başlamadan önce var
+    .help = Ölçmeden önce parçadan uzaklaşın, G38.4 için parçaya değdirin; probu ve kablosunu denetleyin. G38.3 ve G38.5 buna izin verir.
 
 FC-0510 = İlerlemesi olmayan rijit kılavuz çekme
     .help = F'yi çevrimde ya da öncesinde verin.

@@ -137,6 +137,7 @@ impl AlarmCode {
         match fault {
             Fault::SoftLimit => AlarmCode::SoftLimit,
             Fault::SkipWithoutSignal => AlarmCode::ProbeMissed,
+            Fault::SignalBefore => AlarmCode::ProbeBefore,
             Fault::HardLimit | Fault::FollowingError | Fault::NotInPosition => AlarmCode::HardLimit,
             _ => AlarmCode::Abort,
         }
