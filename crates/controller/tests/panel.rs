@@ -717,7 +717,7 @@ fn a_fresh_control_changes_the_tool() {
 #[test]
 fn a_tool_change_without_its_program_is_an_alarm() {
     let mut machine = Machine::demo_mill();
-    for (dialect, wanted) in [("gsk990mc", "gsk990mc:0078"), ("kaitong", "FC-0602")] {
+    for (dialect, wanted) in [("gsk990mc", "gsk990mc:0078"), ("kaitong", "FC-0602"), ("rs274", "FC-0622")] {
         machine.dialect = dialect.to_owned();
         let mut mill = fresh(&machine, Parts::default());
         let (tool, _) = tools(&mut mill);
@@ -740,11 +740,14 @@ fn a_tool_change_without_its_program_is_an_alarm() {
 fn a_ladder_may_change_the_tool_by_itself() {
     let mut machine = Machine::demo_mill();
     machine.tool_change.program = Some(0);
-    let mut mill = fresh(&machine, with_tool_change());
-    mill.mdi("T2 M06");
-    let status = mill.wait(10);
-    assert_eq!((status.spindle.tool, status.alarms.len()), (2, 0));
-    assert!(mill.told.contains("MF"), "{:?}", mill.told);
+    for dialect in ["gsk990mc", "rs274"] {
+        machine.dialect = dialect.to_owned();
+        let mut mill = fresh(&machine, with_tool_change());
+        mill.mdi("T2 M06");
+        let status = mill.wait(10);
+        assert_eq!((status.spindle.tool, status.alarms.len()), (2, 0), "{dialect}");
+        assert!(mill.told.contains("MF"), "{:?}", mill.told);
+    }
 }
 
 /// Weihong 5: the program of `public.dat` for M06 is the tool change there.

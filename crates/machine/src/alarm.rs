@@ -454,6 +454,8 @@ faults! {
     NothingSaved = 620,
     /// A comment that writes a file.
     FilesNotWritten = 621,
+    /// A tool change that no program does in this language, and no ladder by itself.
+    NobodyChangesTool = 622,
 
     // 700: variables and arithmetic
     /// A division by zero.

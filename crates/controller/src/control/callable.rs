@@ -97,7 +97,10 @@ impl Callable {
         }
         programs.set_source(Box::new(self.clone()));
         let ToolChange { number, is_needed, .. } = self.tool_change;
-        let runs = |number: &u32| is_needed || self.named(&ProgramId::Number(*number)).is_some();
+        // RS274/NGC runs none: there it is an alarm where one is needed.
+        let runs_programs = self.dialect.blocks.is_none();
+        let is_there = |number: u32| runs_programs && self.named(&ProgramId::Number(number)).is_some();
+        let runs = |number: &u32| is_needed || is_there(*number);
         Prepared { programs, changes_tools: number.filter(runs) }
     }
 }

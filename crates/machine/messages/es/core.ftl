@@ -743,6 +743,8 @@ FC-0573 = El husillo gira en el sentido contrario al de esta rosca
     .help = Haga las roscas a derechas con M3 y las roscas a izquierdas con M4.
 FC-0574 = Las profundidades de la rosca no concuerdan entre sí
     .help = I no es 0, J es mayor que 0 y K es mayor que J.
+FC-0622 = Con este lenguaje nadie cambia la herramienta en M6
+    .help = Si el propio programa de contactos cambia la herramienta, o se cambia a mano, ponga program = 0 en [tool_change] del archivo de la máquina. En el husillo sigue la herramienta anterior.
 
 # The running control.
 

@@ -743,6 +743,8 @@ FC-0573 = İş mili bu diş için ters yönde dönüyor
     .help = Sağ dişleri M3, sol dişleri M4 ile çekin.
 FC-0574 = Dişin derinlikleri birbirine uymuyor
     .help = I 0 olmamalı, J 0'dan, K da J'den büyük olmalıdır.
+FC-0622 = Bu dilde M6'da takımı değiştiren yok
+    .help = Takımı merdiven programının kendisi ya da siz elle değiştiriyorsanız makine dosyasındaki [tool_change] bölümünde program = 0 yapın. İş milinde hâlâ eski takım var.
 
 # The running control.
 

@@ -66,6 +66,12 @@ impl Interpreter {
                 if self.ngc_in_compensation() {
                     return Err(self.ngc_alarm(Fault::ToolInCutter));
                 }
+                // No program of this language is run, and a ladder that does nothing by M06 would leave the old tool.
+                if self.options.tool_change_program.is_some()
+                    && self.technology.tool != self.technology.in_spindle
+                {
+                    return Err(self.ngc_alarm(Fault::NobodyChangesTool));
+                }
                 // The spindle stands still while a tool is changed.
                 self.spindle(SpindleState::Off);
                 self.ngc_load(self.technology.tool);
