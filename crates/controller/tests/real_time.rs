@@ -171,6 +171,7 @@ fn a_period_of_the_whole_control_allocates_nothing() {
     let text =
         format!("O1\n{}", rows().replace("G0 X0 Y0 Z5\nM30", "T2 M6\nM8\nG4 X0.2\n#500=#5021\nM9\nM5\nM30"));
     mill.say(Command::Store { program: "O0001".into(), text });
+    mill.say(Command::Store { program: "O9001".into(), text: mill::TOOL_CHANGE.into() });
     mill.say(Command::Select { program: "O1".into() });
     mill.press("KEY_AUTO");
     mill.wait(2000);
