@@ -443,6 +443,48 @@ fn homing_clears_the_way_of_the_handwheel_for_its_axis_alone() {
     assert_eq!(homed.position.work[&'Z'], homed.position.machine[&'Z']);
 }
 
+/// GSK990MC 10#2 ZCL: an axis that has come to its reference point, by hand or by G28, has the relative coordinate 0.
+#[test]
+fn a_return_to_the_reference_point_clears_relative_coordinates_or_not() {
+    for clears in [false, true] {
+        let mut machine = Machine::demo_mill();
+        machine.plant = Some(PlantConfig::default());
+        machine.parameters.insert("NO10.2".to_owned(), f64::from(u8::from(clears)));
+        let mut shop = Shop::of(&machine, Parts::default());
+        let put = |shop: &mut Shop| {
+            for axis in ['X', 'Z'] {
+                let at = shop.wait(1).position.machine[&axis];
+                shop.say(Command::Relative { axis, to: RelativeTo::Value(at + 42.0) });
+            }
+        };
+        let relative = |shop: &mut Shop| {
+            let status = shop.until_it_stops();
+            assert!(shop.control.outputs().at_reference[2], "{status:?}");
+            ['X', 'Z'].map(|axis| status.position.relative[&axis] - status.position.machine[&axis])
+        };
+        let at_reference = |shop: &mut Shop| -shop.wait(1).position.machine[&'Z'];
+        let by_hand = |shop: &mut Shop| {
+            shop.mode(Mode::Home);
+            shop.inputs.jog[2] = Ways { plus: true, minus: false };
+            shop.wait(50);
+            shop.inputs.jog[2] = Ways::default();
+        };
+        let by_program = |shop: &mut Shop| {
+            shop.mode(Mode::Mdi);
+            shop.say(Command::Mdi { text: "G91 G28 Z-1\n".into() });
+            shop.start();
+        };
+        // By hand, by hand from where it stands, by a program, to the same point from the side.
+        for come in [&by_hand as &dyn Fn(&mut Shop), &by_hand, &by_program, &by_hand] {
+            put(&mut shop);
+            come(&mut shop);
+            let found = relative(&mut shop);
+            let z = if clears { at_reference(&mut shop) } else { 42.0 };
+            assert_eq!(found, [42.0, z], "{clears}");
+        }
+    }
+}
+
 #[test]
 fn single_block_and_the_stop_number_stop_where_they_should() {
     let mut shop = Shop::new(&[]);
@@ -573,6 +615,53 @@ fn a_run_begins_at_the_cursor() {
     shop.say(Command::Mdi { text: "G1 F2000\nX1".into() });
     assert_eq!(shop.refused(Command::Cursor { line: 3 }), "FC-1411");
     shop.say(Command::Cursor { line: 2 });
+}
+
+/// GSK990MC 10#6 MSL: the text of the MDI page begins at the line of its cursor, or at its first. A block of the current
+/// one's page has one line.
+#[test]
+fn a_start_in_mdi_begins_at_the_cursor_or_at_the_first_line() {
+    for (value, line, wanted) in [(0.0, 3, 7.0), (1.0, 3, 4.0), (1.0, 2, 6.0), (1.0, 1, 7.0)] {
+        let mut shop = Shop::new(&[("NO10.6", value)]);
+        shop.mode(Mode::Mdi);
+        shop.say(Command::Mdi { text: "G91 G0 X1\nG91 G0 X2\nG91 G0 X4\n".into() });
+        shop.say(Command::Cursor { line });
+        shop.start();
+        assert_eq!(shop.until_it_stops().activity, Activity::Idle);
+        assert_eq!(shop.x(), wanted, "{value} {line}");
+        shop.say(Command::MdiBlock { block: "G90 G0 X50".into() });
+        shop.start();
+        shop.until_it_stops();
+        assert_eq!(shop.x(), 50.0, "{value} {line}");
+    }
+}
+
+/// GSK990MC 3.2.3, 5.2.1: 33#2 and 33#4 say whether M02 and M30 lead back to the start of the program. Where one does
+/// not, the next start ends it once more and nothing moves.
+#[test]
+fn the_end_of_a_program_leads_back_to_its_start_where_the_bits_say() {
+    for (end, parameters, rewinds) in [
+        ("M02", vec![], false),
+        ("M02", vec![("NO33.2", 1.0), ("NO33.4", 0.0)], true),
+        ("M30", vec![], true),
+        ("M30", vec![("NO33.4", 0.0), ("NO33.2", 1.0)], false),
+    ] {
+        let mut shop = Shop::new(&parameters);
+        shop.store("O0007", &format!("O7\nG91 G0 X1\nX1\n{end}\n"));
+        shop.select("O7");
+        shop.start();
+        let status = shop.until_it_stops();
+        let cursor = if rewinds { 1 } else { 4 };
+        assert_eq!(
+            (status.activity, status.program.cursor, shop.x()),
+            (Activity::Idle, cursor, 2.0),
+            "{end}"
+        );
+        shop.start();
+        let status = shop.until_it_stops();
+        let x = if rewinds { 4.0 } else { 2.0 };
+        assert_eq!((status.program.cursor, status.counters.parts, shop.x()), (cursor, 2, x), "{end}");
+    }
 }
 
 #[test]
@@ -965,6 +1054,41 @@ fn data_by_hand() {
     assert_eq!(shop.wait(1).position.relative[&'X'], -99_999.5);
     assert_eq!(shop.refused(Command::Relative { axis: 'W', to: RelativeTo::Zero }), "FC-0212");
     assert_eq!(shop.refused(Command::Key { key: "KEY_START".into(), down: true }), "FC-1406");
+}
+
+/// GSK990MC part 2, 7.2: no work zero while a program runs; 29#4 IWZ: by hand none while it is stopped, either.
+#[test]
+fn a_work_zero_is_typed_while_a_program_is_stopped_where_the_bit_says() {
+    let set = |x| Command::SetZero { system: "G55".into(), axes: [('X', x)].into(), add: false };
+    let here = |typed| Command::ZeroHere { system: "G56".into(), axes: [('X', 2.0)].into(), typed };
+    for locks in [false, true] {
+        let mut shop = running(&[("NO29.4", f64::from(u8::from(locks)))]);
+        for command in [set(3.0), here(true), here(false)] {
+            assert_eq!(shop.refused(command), "FC-1401");
+        }
+        shop.hold();
+        assert_eq!(shop.until_it_stops().activity, Activity::Held);
+        let x = shop.x();
+        let zero = |shop: &mut Shop, system: &str| match shop.say(Command::Zeros) {
+            Reply::Zeros { zeros } => zeros[system][&'X'],
+            other => panic!("{other:?}"),
+        };
+        for (command, system, wanted) in
+            [(set(3.0), "G55", 3.0), (here(true), "G56", x + 2.0), (here(false), "G56", x - 2.0)]
+        {
+            if locks {
+                assert_eq!(shop.refused(command), "FC-1401");
+                assert_eq!(zero(&mut shop, system), 0.0);
+            } else {
+                shop.say(command);
+                assert_eq!(zero(&mut shop, system), wanted);
+            }
+        }
+        shop.say(Command::Reset);
+        shop.until_it_stops();
+        shop.say(set(4.0));
+        assert_eq!(zero(&mut shop, "G55"), 4.0);
+    }
 }
 
 #[test]

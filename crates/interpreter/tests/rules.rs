@@ -318,6 +318,16 @@ fn feed_modes() {
     );
     holds_turning("", "G95 G3 X10 R5 F0.1", &["xy X10 about 5 0 by 180 0.1/rev"]);
     holds_turning("", "G20 G95 G1 X1 F0.01", &["feed X25.4 0.254/rev"]);
+    // 13#1 tells of an encoder; without one 13#0 says whether there is a feed per revolution (alarm 0014).
+    for (encoder, without, is_there) in [(1, 0, true), (1, 1, true), (0, 1, true), (0, 0, false)] {
+        let setup = format!("[parameters]\n\"NO13.1\" = {encoder}\n\"NO13.0\" = {without}");
+        if is_there {
+            holds_turning(&setup, "G95 G1 X1 F0.2", &["feed X1 0.2/rev"]);
+        } else {
+            let (_, alarm) = common::run("M3 S1000\nG95 G1 X1 F0.2\nM30\n", &setup);
+            assert_eq!(alarm.and_then(|alarm| alarm.id.number()), Some(14), "{setup}");
+        }
+    }
 }
 
 #[test]

@@ -101,6 +101,25 @@ fn a_mirror_turns_rotation_and_compensation_round() {
     );
 }
 
+/// GSK990MC 4.2.14, 3: 47#3 to 47#5, whether the first, second and third axis is scaled, by P and by I, J, K.
+#[test]
+fn each_axis_is_scaled_where_its_bit_says() {
+    for bits in 0..8_u8 {
+        let is_on = |axis: u8| u8::from(bits & 1 << axis != 0);
+        let setup = |by_axis: u8| {
+            let axes: String =
+                (0..3).map(|axis| format!("\n\"NO47.{}\" = {}", 3 + axis, is_on(axis))).collect();
+            format!("[parameters]\n\"NO60.5\" = 1\n\"NO47.6\" = {by_axis}{axes}")
+        };
+        let [x, y, z] = [(0, 10), (1, 20), (2, 30)].map(|(axis, to)| to << is_on(axis));
+        let wanted = format!("rapid X{x} Y{y} Z{z}");
+        for (factors, by_axis) in [("P2", 0), ("I2 J2 K2", 1)] {
+            let program = format!("G51 X0 Y0 Z0 {factors}\nG0 X10 Y20 Z30");
+            holds_with(&setup(by_axis), &program, &[&wanted]);
+        }
+    }
+}
+
 #[test]
 fn blocks_without_a_move_in_compensation() {
     let setup = "[tools.1]\nradius = 5\n[parameters]\n\"NO40.7\" = 0";

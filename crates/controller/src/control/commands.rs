@@ -579,7 +579,7 @@ impl Control {
     /// The axis at rest has this coordinate in the system, other shifts aside; or the value is `typed` as the page of the
     /// zeros takes it: X10 is the machine coordinate + 10 (3.4.2), with 10#5 it is taken off.
     fn zero_here(&mut self, system: &str, axes: &ByAxis, typed: bool, author: &Author) -> Answer {
-        if self.tick.moving || self.cnc.is_under_way() {
+        if self.tick.moving {
             return Err(Box::new(alarm(Fault::ControlBusy)));
         }
         let adds = typed && !self.bit(10, 5);

@@ -3,7 +3,7 @@
 use super::Control;
 use crate::drives::{self, Drives, Plant, Simulated};
 use crate::signals::Mode;
-use ferrocut_geometry::{AxisSet, Position};
+use ferrocut_geometry::AxisSet;
 use ferrocut_interpreter::Interpreter;
 use ferrocut_machine::{Alarm, Machine};
 
@@ -73,12 +73,14 @@ impl Control {
         }
     }
 
-    /// 10#2: relative coordinates of axes that have come to their reference points are 0 there.
-    pub(super) fn note_homed(&mut self, arrived_before: AxisSet, at: Position) {
+    /// 10#2: relative coordinates of axes that have come to their reference points are 0 there. The place is not asked of
+    /// the period, which has the name that it had before.
+    pub(super) fn note_homed(&mut self, arrived_before: AxisSet) {
         let arrived = self.cnc.at_reference();
         if arrived != arrived_before && self.bit(10, 2) {
+            let [reference, ..] = self.cnc.interpreter().memory().reference_points;
             for axis in arrived.iter().filter(|axis| !arrived_before.contains(*axis)) {
-                self.origin[axis] = at[axis];
+                self.origin[axis] = reference[axis];
             }
         }
     }

@@ -400,7 +400,7 @@ impl Control {
         let arrived = self.cnc.at_reference();
         self.tick = self.cnc.tick();
         self.came_from = before;
-        self.note_homed(arrived, self.tick.position);
+        self.note_homed(arrived);
         let names = self.machine.axes.iter().map(|axis| axis.name);
         self.moving = names.filter(|axis| self.tick.position[*axis] != before[*axis]).collect();
         self.follow_cnc();

@@ -224,6 +224,8 @@ impl Control {
         };
         match self.loaded {
             Loaded::Auto(_) if rewinds => self.cursor = 1,
+            // Else it stays on the block of the end, and not on the last one that took time.
+            Loaded::Auto(_) if self.tick.span.file == FileId(0) => self.cursor = self.tick.span.line.max(1),
             // 28#4.
             Loaded::Mdi if matches!(code, Some(2 | 30)) && self.bit(28, 4) => self.clear_mdi(),
             _ => {}

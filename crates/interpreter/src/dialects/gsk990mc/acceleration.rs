@@ -241,6 +241,10 @@ mod tests {
         let set = [("NO16.0", 1.0), ("NO16.2", 1.0), ("P121", 50.0), ("NO17.2", 1.0), ("P128", 70.0)];
         assert_eq!(axis(&set)[..3], [exponential(50.0, 10.0), exponential(70.0, 10.0), linear(100.0)]);
         assert_eq!(axis(&[("NO15.0", 1.0), ("P136", 33.0)])[1], linear(33.0));
+        // 15#1, in look-ahead alone.
+        let look_ahead = [("NO15.1", 1.0), ("P137", 66.0), ("P138", 20.0), ("P129", 12.0)];
+        assert_eq!(axis(&[&look_ahead[..], &[("NO15.0", 1.0)]].concat())[1], exponential(66.0, 20.0));
+        assert_eq!(axis(&look_ahead)[1], linear(80.0));
         // The handwheel: linear P152, exponential P153, neither shorter than its clamp, P154 or P158 by 56#0.
         for (set, wanted) in [
             (vec![("NO17.5", 0.0)], linear(120.0)),

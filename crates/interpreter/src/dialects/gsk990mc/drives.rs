@@ -386,6 +386,13 @@ mod tests {
         assert_eq!(found.tapping_retract_rpm_s, 500.0);
         let found = spindle(&[&set[..], &[("NO45.2", 1.0), ("NO44.1", 1.0), ("P286", 2.0)]].concat());
         assert_eq!((found.encoder_counts, found.tapping_retract_rpm_s), (20_000.0, 750.0));
+        // 38#7 and 38#6: 1:1, 2:1, 4:1, 8:1; with 44#1 the teeth count alone.
+        for (high, low, ratio) in [(0.0, 0.0, 1.0), (0.0, 1.0, 2.0), (1.0, 0.0, 4.0), (1.0, 1.0, 8.0)] {
+            let bits = [("NO38.7", high), ("NO38.6", low)];
+            assert_eq!(spindle(&bits).encoder_counts, ratio * 4096.0, "{bits:?}");
+            let teeth = [&bits[..], &[("NO44.1", 1.0), ("P286", 3.0)]].concat();
+            assert_eq!(spindle(&teeth).encoder_counts, 3.0 * 4096.0, "{bits:?}");
+        }
         assert_eq!(spindle(&[("P261", 0.0), ("P298", 0.0)]).encoder_counts, 4096.0);
         assert_eq!(spindle(&[("P298", 0.0)]).tapping_rpm_s, f64::INFINITY);
     }
