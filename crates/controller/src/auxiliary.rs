@@ -258,6 +258,9 @@ impl Auxiliary {
     }
 }
 
+/// The code of a tool that gets another number (Weihong 4.2).
+const TOOL_NUMBER: u32 = 903;
+
 /// The codes that a step is to the ladder; `None` where it is none.
 fn codes_of(op: &Op) -> Option<Codes> {
     Some(match *op {
@@ -270,6 +273,9 @@ fn codes_of(op: &Op) -> Option<Codes> {
         Op::Select(tool) => Codes { t: Some(tool), ..Codes::default() },
         Op::Change(_) => Codes::m(6),
         Op::Machine(code) | Op::Stop(code) => Codes::m(code),
+        // The number that an M code hands over is shown as a B code beside it.
+        Op::MachineNumber { code, number } => Codes { b: Some(number), ..Codes::m(code) },
+        Op::ToolNumber(tool) => Codes { b: Some(tool), ..Codes::m(TOOL_NUMBER) },
         // M99 is not handed out (GSK990MC part 2, 7.8).
         Op::End(code) if code != 99 => Codes::m(code),
         _ => return None,
@@ -284,6 +290,6 @@ fn runs_beside(handed: &Step, step: &Step) -> bool {
         Op::Feed { feed, .. } | Op::Arc { feed, .. } => !matches!(feed, Feed::PerRevolution(_)),
         _ => false,
     };
-    let alone = matches!(handed.op, Op::Change(_) | Op::Stop(_) | Op::End(_));
+    let alone = matches!(handed.op, Op::Change(_) | Op::ToolNumber(_) | Op::Stop(_) | Op::End(_));
     is_move && !alone && step.span == handed.span
 }

@@ -1035,6 +1035,10 @@ impl Cnc {
                 self.report.change_tool(tool);
                 self.events.push_back(Event::ToolChange(tool));
             }
+            Op::ToolNumber(tool) => {
+                self.taking_up.tools = (tool, tool);
+                self.report.change_tool(tool);
+            }
             Op::Home(axes) => self.home_by_program(axes),
             Op::Stop(code) => self.state = State::Stopped(code),
             Op::End(code) => {

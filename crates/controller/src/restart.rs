@@ -372,8 +372,8 @@ impl Journal {
 /// The M codes of the ladder and the outputs that a program leaves behind.
 #[derive(Clone, PartialEq, Debug, Default)]
 struct Functions {
-    /// In the order in which they came last.
-    m_codes: VecDeque<u32>,
+    /// With the number that each handed over, in the order in which they came last.
+    m_codes: VecDeque<(u32, Option<u32>)>,
     outputs: VecDeque<(Port, f64)>,
     /// Those that change with the next move.
     with_next_move: VecDeque<(Port, f64)>,
@@ -386,18 +386,13 @@ struct Functions {
 impl Functions {
     fn note(&mut self, op: &Op) {
         match op {
-            Op::Machine(code) => {
-                self.m_codes.retain(|other| other != code);
-                self.m_codes.push_back(*code);
-            }
+            Op::Machine(code) => put(&mut self.m_codes, *code, None),
+            Op::MachineNumber { code, number } => put(&mut self.m_codes, *code, Some(*number)),
             Op::Output { port, value, with_next_move: false } => put(&mut self.outputs, port.clone(), *value),
             Op::Output { port, value, with_next_move: true } => {
                 put(&mut self.with_next_move, port.clone(), *value);
             }
             _ => {}
-        }
-        if self.m_codes.len() > MOST_FUNCTIONS {
-            self.m_codes.pop_front();
         }
     }
 
@@ -409,12 +404,12 @@ impl Functions {
     }
 }
 
-/// Notes an output as the one that came last.
-fn put(outputs: &mut VecDeque<(Port, f64)>, port: Port, value: f64) {
-    outputs.retain(|(other, _)| *other != port);
-    outputs.push_back((port, value));
-    if outputs.len() > MOST_FUNCTIONS {
-        outputs.pop_front();
+/// Notes an M code or an output as the one that came last.
+fn put<K: PartialEq, V>(functions: &mut VecDeque<(K, V)>, key: K, value: V) {
+    functions.retain(|(other, _)| *other != key);
+    functions.push_back((key, value));
+    if functions.len() > MOST_FUNCTIONS {
+        functions.pop_front();
     }
 }
 
@@ -474,9 +469,13 @@ impl Restart {
     }
 
     /// M codes of the ladder in the order in which they came last.
-    pub fn m_codes(&self) -> impl Iterator<Item = u32> {
-        let is_over = |code: &u32| self.in_force.has_ended(self.interpreter.dialect(), *code);
-        self.functions.m_codes.iter().copied().filter(move |code| !is_over(code))
+    pub fn m_codes(&self) -> impl Iterator<Item = Op> {
+        let is_over = |code: u32| self.in_force.has_ended(self.interpreter.dialect(), code);
+        let codes = self.functions.m_codes.iter().copied().filter(move |(code, _)| !is_over(*code));
+        codes.map(|(code, number)| match number {
+            Some(number) => Op::MachineNumber { code, number },
+            None => Op::Machine(code),
+        })
     }
 
     /// The warning that values are not known which the machine told the program before this place.
@@ -508,7 +507,7 @@ impl Restart {
         if program.tool != chosen {
             all.push(Op::Select(program.tool));
         }
-        all.extend(self.m_codes().map(Op::Machine));
+        all.extend(self.m_codes());
         all.extend(outputs(&self.functions.outputs, false));
         // A change of tool stops the spindle.
         let changes = program.in_spindle != present.in_spindle;

@@ -170,7 +170,7 @@ impl Supervisor {
                 self.turning = false;
                 self.told_spindle = false;
             }
-            Op::Select(tool) if self.tools > 0 && *tool > self.tools => {
+            Op::Select(tool) | Op::ToolNumber(tool) if self.tools > 0 && *tool > self.tools => {
                 tell(self.alarm(Fault::ToolMissing, step).with("tool", f64::from(*tool)));
             }
             _ => {}

@@ -576,7 +576,7 @@ fn the_handwheel_drives_a_program() {
 
 /// Signals that this machine has no cause to give, and where they are tried.
 const NOT_HERE: [(&str, &str); 3] = [
-    ("BF", "no language here has a second auxiliary function; handshake.rs"),
+    ("BF", "only M802 and M903 of Weihong have a number beside them; weihong.rs"),
     ("B_CODE", "the same"),
     ("ALMA", "control.rs: drives that failed"),
 ];

@@ -314,7 +314,7 @@ fn m_codes_are_sent_in_the_order_in_which_they_came_last() {
     let interpreter = interpreter(text, "");
     let restart = find(&interpreter, at(12, 1)).unwrap();
     // Rigid tapping ended with its cycle.
-    assert_eq!(restart.m_codes().collect::<Vec<_>>(), [36, 35]);
+    assert_eq!(restart.m_codes().collect::<Vec<_>>(), [Op::Machine(36), Op::Machine(35)]);
     let present = interpreter.program_state();
     let sent = restart.functions(&present);
     let [Op::Select(3), Op::Change(3), Op::Select(4), Op::Machine(36), Op::Machine(35), Op::Spindle(_)] =

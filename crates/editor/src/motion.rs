@@ -131,7 +131,12 @@ pub fn motions(steps: &[Step], start: Position) -> Option<Vec<Motion>> {
             Op::Spindle(state) => spindle = *state,
             Op::Orient(_) => spindle = SpindleState::Off,
             Op::Change(tool) => list.push(Motion::Tool(*tool)),
-            Op::Select(_) | Op::Machine(_) | Op::Coolant(_) | Op::Message(_) | Op::Barrier => {}
+            Op::Select(_)
+            | Op::Machine(_)
+            | Op::MachineNumber { .. }
+            | Op::Coolant(_)
+            | Op::Message(_)
+            | Op::Barrier => {}
             _ => return None,
         }
     }

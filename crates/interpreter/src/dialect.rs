@@ -160,6 +160,8 @@ pub enum Meaning {
     InDegrees,
     /// Without effect on what this system does.
     NoEffect,
+    /// Of encoders that latch their counts at a signal (Weihong G916 to G919).
+    EncoderLatch,
     /// A feed word is the inverse of the minutes that a move takes.
     InverseTime,
     /// Feed per minute.
@@ -271,6 +273,8 @@ pub enum MFunction {
     Message,
     /// A number for the control itself.
     Internal,
+    /// The tool in the spindle gets another number.
+    ToolNumber,
     /// Output of the machine set by the program.
     SetOutput,
     /// Reference return done: the axis stands on its reference point.

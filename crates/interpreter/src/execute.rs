@@ -229,6 +229,15 @@ impl Interpreter {
         }
     }
 
+    /// T calls a tool, and on some controls its offsets (Weihong 4.1).
+    pub(crate) fn call_tool(&mut self, tool: u32) {
+        self.technology.tool = tool;
+        if self.rules.tool_chooses_offsets {
+            self.technology.radius_number = f64::from(tool);
+            self.location.length.number = tool as u16;
+        }
+    }
+
     /// Raises an alarm of the present block; a checker goes on behind it.
     pub(crate) fn give_up_block(&mut self, alarm: Box<Alarm>) -> Fallible<()> {
         if !self.options.keep_going {
@@ -298,11 +307,7 @@ impl Interpreter {
             if tool > self.rules.max_tool {
                 return Err(self.alarm_at(Fault::ToolNumber, b'T'));
             }
-            self.technology.tool = tool as u32;
-            if self.rules.tool_chooses_offsets {
-                self.technology.radius_number = tool;
-                self.location.length.number = tool as u16;
-            }
+            self.call_tool(tool as u32);
             self.emit(Op::Select(tool as u32));
         }
         if self.rules.tools_carry_offsets {
@@ -411,8 +416,8 @@ impl Interpreter {
             }
             match row.group {
                 Group::NonModal if row.meaning == Meaning::FullFeed => self.full_feed = true,
-                // Its H is the number of an axis (Weihong 4.4, G916 to G919).
-                Group::NonModal if row.meaning == Meaning::NoEffect => drop(self.words.take(b'H')),
+                Group::NonModal if row.meaning == Meaning::NoEffect => {}
+                Group::NonModal if row.meaning == Meaning::EncoderLatch => self.encoder_latch(span),
                 Group::NonModal if row.meaning == Meaning::ShortestWay => codes.rotary.shortest = true,
                 Group::NonModal if row.meaning == Meaning::InDegrees => codes.rotary.degrees = true,
                 Group::NonModal if row.meaning == Meaning::OneWay && self.rules.one_way_is_modal => {

@@ -476,6 +476,11 @@ impl Interpreter {
         let (calls, steps) = (self.flow.calls.len(), self.output.waiting());
         let before = Before { behind: self.flow.place, calls, steps, alarms };
         let mut result = match page.blocks.get(index) {
+            // Not before the block before has come to its end.
+            _ if self.buffer_is_off && self.present != Present::Known => {
+                self.present = Present::Asked;
+                Ok(())
+            }
             Some(block) => {
                 self.flow.last = page.block_span(block);
                 self.execute(&page, block, index)

@@ -244,6 +244,8 @@ pub struct Interpreter {
     pub(crate) data_setting: Option<DataSetting>,
     /// The block's moves run at 100 %.
     pub(crate) full_feed: bool,
+    /// No block is read before the one before it has come to its end (Weihong M802 P196609).
+    pub(crate) buffer_is_off: bool,
     /// Stored stroke check 2 is on.
     pub(crate) stroke_check_2: bool,
     pub(crate) flow: Flow,
@@ -366,6 +368,7 @@ impl Interpreter {
             intermediate: Intermediate::default(),
             data_setting: None,
             full_feed: false,
+            buffer_is_off: false,
             stroke_check_2: modal.meaning(Group::StrokeCheck) == Meaning::StrokeCheckOn,
             flow: Flow::new(),
             words: Words::new(),
@@ -536,6 +539,7 @@ impl Interpreter {
         self.begin_at(None);
         self.alarms.clear();
         self.present = Present::default();
+        self.buffer_is_off = false;
         self.ended = false;
         self.passed = 0;
         self.output = Output::new(self.rules.cutter, machine);

@@ -52,6 +52,7 @@ impl Interpreter {
         self.modal = self.modal.reset_to(&initial, |group| Some(group) == cutter);
         self.flow = Flow::new();
         self.present = Present::default();
+        self.buffer_is_off = false;
         self.ended = false;
         self.parameters_changed();
         self.output = Output::new(self.rules.cutter, machine);

@@ -98,7 +98,8 @@ impl Interpreter {
             }
             MFunction::ProgramEnd => self.end_program(code.code),
             MFunction::Message => self.message(),
-            MFunction::Internal => self.internal_number()?,
+            MFunction::Internal => self.internal_number(span)?,
+            MFunction::ToolNumber => self.number_tool()?,
             MFunction::SetOutput => self.set_output(span)?,
             MFunction::ReferenceReached => self.reference_reached(span)?,
             MFunction::End => {

@@ -12,8 +12,14 @@ use ferrocut_machine::Fault;
 use ferrocut_program::Span;
 use ferrocut_toolpath::{Feed, Op, Port};
 
-/// Number of the internal message that clears the external offset (M802).
-const CLEAR_EXTERNAL_OFFSET: f64 = 458_752.0;
+/// Numbers of M802 that the manual names.
+mod internal {
+    pub const LIMITS_OFF: u32 = 131_072;
+    pub const LIMITS_ON: u32 = 131_073;
+    pub const BUFFER_ON: u32 = 196_608;
+    pub const BUFFER_OFF: u32 = 196_609;
+    pub const CLEAR_EXTERNAL_OFFSET: u32 = 458_752;
+}
 
 /// Bits of an integer that a number holds exactly.
 const PORTS: u16 = 52;
@@ -43,17 +49,66 @@ impl Interpreter {
         }
     }
 
-    /// M802 P: a number for the control. One is done here, the others are the machine's.
-    pub(crate) fn internal_number(&mut self) -> Fallible<()> {
-        // No word for the rest of the block.
-        if self.words.take(b'P') != Some(CLEAR_EXTERNAL_OFFSET) {
-            self.emit(Op::Machine(802));
-            return Ok(());
+    /// M802 P: a number for the control. Those of the manual are done here, any other is the machine's.
+    pub(crate) fn internal_number(&mut self, span: Span) -> Fallible<()> {
+        let Some(number) = self.whole_p()? else { return Err(self.missing("P", span)) };
+        match number {
+            internal::BUFFER_OFF => self.buffer_is_off = true,
+            internal::BUFFER_ON => self.buffer_is_off = false,
+            internal::LIMITS_OFF => self.tell_of(Fault::LimitsStay, span),
+            // They were never off.
+            internal::LIMITS_ON => {}
+            internal::CLEAR_EXTERNAL_OFFSET => {
+                self.memory.work.external = Position::ZERO;
+                self.variable_writes += 1;
+                self.work_zero_changed();
+            }
+            number => self.emit(Op::MachineNumber { code: 802, number }),
         }
-        self.memory.work.external = Position::ZERO;
-        self.variable_writes += 1;
-        self.work_zero_changed();
         Ok(())
+    }
+
+    /// M903: the tool in the spindle has the number P, with the offsets that T calls (4.1); nothing is changed. The manual
+    /// has no format for it: without P it is the tool that T called last.
+    pub(crate) fn number_tool(&mut self) -> Fallible<()> {
+        let tool = self.whole_p()?.unwrap_or(self.technology.tool);
+        if f64::from(tool) > self.rules.max_tool {
+            return Err(self.alarm_at(Fault::ToolNumber, b'P'));
+        }
+        // As the codes of T and M06, which the machine keeps back too.
+        if !self.is_auxiliary_locked() {
+            self.call_tool(tool);
+            self.technology.in_spindle = tool;
+            self.emit(Op::ToolNumber(tool));
+        }
+        Ok(())
+    }
+
+    /// P as a number for the machine. It is no word for the rest of the block.
+    fn whole_p(&mut self) -> Fallible<Option<u32>> {
+        let Some(p) = self.words.take(b'P') else { return Ok(None) };
+        if p.fract() != 0.0 {
+            return Err(self.alarm_at(Fault::WordNotWhole, b'P'));
+        }
+        if p < 0.0 {
+            return Err(self.alarm_at(Fault::WordNegative, b'P'));
+        }
+        Ok(Some(p as u32))
+    }
+
+    /// G916 to G919 are of drives whose encoders latch their counts at a signal, and tell nobody what they come to but the
+    /// control: none of their words is one for the rest of the block.
+    pub(crate) fn encoder_latch(&mut self, span: Span) {
+        self.words.take(b'H');
+        self.tell_of(Fault::NoLatches, span);
+    }
+
+    /// Tells a check of a code that this control has no use for.
+    fn tell_of(&mut self, fault: Fault, span: Span) {
+        if self.options.keep_going {
+            let warning = self.alarm(fault, span).as_warning();
+            self.note(Box::new(warning));
+        }
     }
 
     /// A ladder address of the block, as it is written and as a number.

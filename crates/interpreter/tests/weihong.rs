@@ -4,9 +4,9 @@
 mod common;
 
 use common::{at_fault, interpreter_of, lines_on, run_on};
-use ferrocut_interpreter::Options;
 use ferrocut_interpreter::dialects::weihong::DIALECT;
-use ferrocut_machine::Fault;
+use ferrocut_interpreter::{Interpreter, Options};
+use ferrocut_machine::{Fault, Severity};
 use ferrocut_toolpath::{Op, PathMode};
 
 /// Program, set-up, the steps that it makes.
@@ -483,6 +483,86 @@ fn programs_break_rules() {
     }
 }
 
+/// 4.4, M802: its numbers for the control itself, and any other for the machine.
+#[test]
+fn a_number_is_for_the_control_or_for_the_machine() {
+    hold(&[
+        (
+            "M802 P131073\nM802 P196608\nM802 P0\nM802 P=458752+1\nM30",
+            "",
+            &["M802 P0", "M802 P458753", "end M30"],
+        ),
+        ("M802 P7 X1\nM30", "", &["M802 P7", "rapid X1", "end M30"]),
+    ]);
+    // The buffer is off: each block begins at rest, until it is on again; the next program has it on.
+    let program = "X1\nM802 P196609\n#1=2\nX=#1 M8\nIF(0) X9\nM802 P196608\nX3\nX4\nM802 P196609\nM30";
+    let wanted = [
+        "rapid X1",
+        "Barrier",
+        "Barrier",
+        "coolant on",
+        "rapid X2",
+        "Barrier",
+        "Barrier",
+        "rapid X3",
+        "rapid X4",
+        "Barrier",
+        "coolant off",
+        "end M30",
+    ];
+    assert_eq!(lines_on(&DIALECT, program, ""), wanted);
+    let mut interpreter = interpreter_of(&DIALECT, program.as_bytes(), "", Options::default()).unwrap();
+    let run = |interpreter: &mut Interpreter| {
+        let steps: Vec<_> = interpreter.map(Result::unwrap).collect();
+        steps.iter().take_while(|step| !matches!(step.op, Op::Coolant(_))).count()
+    };
+    let first = run(&mut interpreter);
+    interpreter.rewind(interpreter.position());
+    assert_eq!((first, run(&mut interpreter)), (3, 3));
+    for (block, fault) in
+        [("M802", Fault::WordMissing), ("M802 P1.5", Fault::WordNotWhole), ("M802 P-1", Fault::WordNegative)]
+    {
+        let (_, alarm) = run_on(&DIALECT, &format!("{block}\nM30"), "");
+        assert_eq!(alarm.map(|alarm| alarm.fault), Some(fault), "{block}");
+    }
+}
+
+/// 4.2, M903: the tool in the spindle gets another number, and with it the offsets that T calls (4.1).
+#[test]
+fn a_tool_gets_another_number() {
+    let tools = "[tools.1]\nlength = 1\n[tools.2]\nlength = 2";
+    hold(&[
+        (
+            "T1 M06\nG43 X1 Z10\nM903 P2\nG43 Z20\nM30",
+            tools,
+            &["select 1", "change 1", "rapid Z11", "rapid X1", "tool 2", "rapid Z22", "end M30"],
+        ),
+        // It is in the spindle already.
+        ("M903 P2\nM06\nM30", tools, &["tool 2", "end M30"]),
+        ("M903 T2\nM30", tools, &["select 2", "tool 2", "end M30"]),
+    ]);
+    for (block, fault) in [("M903 P-1", Fault::WordNegative), ("M903 P0.5", Fault::WordNotWhole)] {
+        let (_, alarm) = run_on(&DIALECT, &format!("{block}\nM30"), "");
+        assert_eq!(alarm.map(|alarm| alarm.fault), Some(fault), "{block}");
+    }
+}
+
+/// What is not done is told by a check, and ends no run.
+#[test]
+fn a_check_tells_of_codes_that_have_no_effect() {
+    let program = "G916 PX[00000] LX0\nG918\nG919 H0\nM802 P131072\nM802 P131073\nM30";
+    let told = |keep_going| {
+        let options = Options { keep_going, ..Options::default() };
+        let interpreter = interpreter_of(&DIALECT, program.as_bytes(), "", options).unwrap();
+        let alarms: Vec<_> = interpreter.filter_map(Result::err).collect();
+        assert!(alarms.iter().all(|alarm| alarm.severity == Severity::Warning), "{alarms:?}");
+        alarms.into_iter().map(|alarm| (alarm.span.line, alarm.fault)).collect::<Vec<_>>()
+    };
+    let latches = [1, 2, 3].map(|line| (line, Fault::NoLatches));
+    assert_eq!(told(true), [&latches[..], &[(4, Fault::LimitsStay)]].concat());
+    assert_eq!(told(false), []);
+}
+
 #[test]
 fn words_belong_to_the_code_that_takes_them() {
     let tools = "[tools.1]\nlength = 1\n[tools.2]\nlength = 2";
@@ -491,7 +571,7 @@ fn words_belong_to_the_code_that_takes_them() {
         ("G92 X0 Y0 Z0 M03 S600\nG01 X1 F500\nM30", "", &["spindle cw 600", "feed X1 F500", "end M30"]),
         // P of M802 and M901 is no dwell of the cycle in force.
         (
-            "S100 M3\nG00 Z10\nG99 G82 X5 Z-6 R0 F200 P500\nM802 P196609\nX6\nM901 H2 P1\nG80 M5\nM30",
+            "S100 M3\nG00 Z10\nG99 G82 X5 Z-6 R0 F200 P500\nM802 P7\nX6\nM901 H2 P1\nG80 M5\nM30",
             "",
             &[
                 "spindle cw 100",
@@ -501,7 +581,7 @@ fn words_belong_to_the_code_that_takes_them() {
                 "feed Z-6 F200",
                 "dwell 0.5s",
                 "rapid Z0",
-                "M802",
+                "M802 P7",
                 "rapid X6",
                 "feed Z-6 F200",
                 "dwell 0.5s",

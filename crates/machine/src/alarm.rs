@@ -96,6 +96,10 @@ faults! {
     AxesMissing = 218,
     /// Codes that cannot stand in one block, or not in the state in force.
     CodesContradict = 219,
+    /// A code that would take the limits of the axes away, which stay.
+    LimitsStay = 220,
+    /// A code for encoders that latch their counts.
+    NoLatches = 221,
 
     // 300: motion
     /// A cutting move without a feed.

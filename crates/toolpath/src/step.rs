@@ -310,8 +310,17 @@ pub enum Op {
     Select(u32),
     /// Chosen tool put into the spindle (M06).
     Change(u32),
+    /// The tool in the spindle has this number from here on; nothing is changed (Weihong M903).
+    ToolNumber(u32),
     /// Any other M code, handed to the machine.
     Machine(u32),
+    /// An M code that hands a number to the machine (Weihong M802).
+    MachineNumber {
+        /// The code.
+        code: u32,
+        /// The number.
+        number: u32,
+    },
     /// An output that the program sets itself.
     Output {
         /// Which one.

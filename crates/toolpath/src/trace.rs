@@ -284,6 +284,16 @@ impl<W: Write> TraceWriter<W> {
                 self.op("m");
                 self.field("code", f64::from(*code));
             }
+            Op::MachineNumber { code, number } => {
+                self.op("m");
+                self.field("code", f64::from(*code));
+                self.field("p", f64::from(*number));
+            }
+            Op::ToolNumber(t) => {
+                self.op("m");
+                self.field("code", 903.0);
+                self.field("p", f64::from(*t));
+            }
             Op::Output { port, value, .. } => {
                 self.op("out");
                 self.text("addr", &port.to_string());

@@ -100,7 +100,7 @@ impl Cnc {
     /// Under auxiliary lock a tool that was called or changed to was neither: blocks that were read before it came may
     /// have said so.
     pub(super) fn keep_tools(&mut self, op: &Op) {
-        if self.is_auxiliary_locked() && matches!(op, Op::Select(_) | Op::Change(_)) {
+        if self.is_auxiliary_locked() && matches!(op, Op::Select(_) | Op::Change(_) | Op::ToolNumber(_)) {
             let tools = self.taking_up.tools;
             self.interpreter.own().set_tools(tools);
         }
@@ -196,7 +196,9 @@ impl Cnc {
                 | Op::Coolant(_)
                 | Op::Select(_)
                 | Op::Change(_)
+                | Op::ToolNumber(_)
                 | Op::Machine(_)
+                | Op::MachineNumber { .. }
                 // With the next move, it is judged as that begins.
                 | Op::Output { with_next_move: false, .. }
         );

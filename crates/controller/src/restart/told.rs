@@ -173,6 +173,7 @@ pub fn function(op: &Op, at: &Position) -> Option<String> {
         Op::Select(tool) => format!("T{tool}"),
         Op::Change(_) => "M06".to_owned(),
         Op::Machine(code) => format!("M{code:02}"),
+        Op::MachineNumber { code, number } => format!("M{code:02} P{number}"),
         Op::Spindle(state) => spindle(*state, at),
         Op::Coolant(on) => if *on { "M08" } else { "M09" }.to_owned(),
         Op::Output { port, value, .. } => format!("{port} = {value}"),

@@ -87,6 +87,8 @@ pub fn short(steps: &[Step], start: Position) -> Vec<String> {
             Op::Select(t) => format!("select {t}"),
             Op::Change(t) => format!("change {t}"),
             Op::Machine(code) => format!("M{code}"),
+            Op::MachineNumber { code, number } => format!("M{code} P{number}"),
+            Op::ToolNumber(t) => format!("tool {t}"),
             Op::Orient(deg) => format!("orient {deg}"),
             Op::Stop(code) => format!("stop M{code:02}"),
             Op::End(code) => format!("end M{code:02}"),

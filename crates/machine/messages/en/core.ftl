@@ -411,6 +411,12 @@ FC-0218 = The code needs words of axes
 FC-0219 = These codes cannot stand together
     .help = Put them into blocks of their own. G53 goes with G0 and G1 in G90 alone; of the codes that use the axis words, a block takes one.
 
+FC-0220 = Limits are not taken away
+    .help = The code has no effect: no axis leaves its travel. Software limits hold once the axes are homed, so that homing needs nothing taken away.
+
+FC-0221 = There are no latches of encoders to set
+    .help = The code has no effect. Homing finds markers by itself, and behind a move that an input ends the control knows where the axes stand.
+
 FC-0314 = Feed per revolution needs a spindle with an encoder
     .help = Use G94, or fit an encoder.
 

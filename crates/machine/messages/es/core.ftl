@@ -411,6 +411,12 @@ FC-0218 = El código necesita palabras de eje
 FC-0219 = Estos códigos no pueden ir juntos
     .help = Póngalos en bloques distintos. G53 solo admite G0 y G1, y en G90; de los códigos que usan las palabras de eje, un bloque admite uno.
 
+FC-0220 = Los límites no se anulan
+    .help = El código no tiene efecto: ningún eje sale de su recorrido. Los límites de software rigen una vez referenciados los ejes, así que para referenciarlos no hay nada que anular.
+
+FC-0221 = No hay retención de encoders que ajustar
+    .help = El código no tiene efecto. La búsqueda de referencia encuentra las marcas por sí misma, y tras un movimiento que termina una entrada el control sabe dónde están los ejes.
+
 FC-0314 = El avance por vuelta necesita un husillo con encoder
     .help = Use G94 o monte un encoder.
 

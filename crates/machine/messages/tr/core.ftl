@@ -411,6 +411,12 @@ FC-0218 = Kod, eksen sözcükleri ister
 FC-0219 = Bu kodlar aynı blokta olamaz
     .help = Kodları ayrı bloklara yazın. G53 yalnız G90'da G0 ve G1 ile kullanılır; eksen sözcüklerini kullanan kodlardan bir blokta yalnız biri bulunur.
 
+FC-0220 = Sınırlar kaldırılmaz
+    .help = Kodun etkisi yoktur: hiçbir eksen strokunun dışına çıkmaz. Yazılım sınırları eksenler referansa gittikten sonra geçerlidir; referansa giderken kaldırılacak bir şey yoktur.
+
+FC-0221 = Ayarlanacak enkoder mandalı yok
+    .help = Kodun etkisi yoktur. Referansa gidiş işaretleri kendisi bulur; bir girişin bitirdiği hareketten sonra kontrol, eksenlerin nerede durduğunu bilir.
+
 FC-0314 = Devir başına ilerleme, enkoderli bir iş mili ister
     .help = G94 kullanın ya da enkoder takın.
 

@@ -83,10 +83,9 @@ pub static G_CODES: &[GCode] = &[
     once(9060, Meaning::WaitForInput),
     once(9070, Meaning::ShortestWay),
     once(9080, Meaning::InDegrees),
-    // Latches of encoders, which no path depends on.
-    once(9160, Meaning::NoEffect),
-    once(9180, Meaning::NoEffect),
-    once(9190, Meaning::NoEffect),
+    once(9160, Meaning::EncoderLatch),
+    once(9180, Meaning::EncoderLatch),
+    once(9190, Meaning::EncoderLatch),
     once(9210, Meaning::SetPositionOfOne),
     once(9220, Meaning::SetWorkZero),
     once(9230, Meaning::SetToolLength),
@@ -124,7 +123,7 @@ pub static M_CODES: &[MCode] = &[
     with(802, MFunction::Internal),
     with(901, MFunction::SetOutput),
     with(902, MFunction::ReferenceReached),
-    with(903, MFunction::Machine),
+    with(903, MFunction::ToolNumber),
 ];
 
 /// The manual bounds no coordinate.
