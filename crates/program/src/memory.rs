@@ -102,7 +102,7 @@ struct ProgramFile {
     /// Number of its last line, once the end is known.
     last_line: Option<u32>,
     /// Programs found in the file, once they were asked for.
-    programs: Option<HashMap<ProgramId, Place>>,
+    programs: Option<Arc<HashMap<ProgramId, Place>>>,
     /// Where in the folder it was found; `None` for the main file and those that were added.
     found_at: Option<PathBuf>,
     /// Holds no program, whatever its name and text.
@@ -110,6 +110,22 @@ struct ProgramFile {
 }
 
 impl ProgramFile {
+    /// A file of which nothing was read.
+    fn new(id: FileId, name: &str, text: Arc<Text>) -> ProgramFile {
+        let next = Some(Start { file: id, offset: text.encoding().mark as u64, line: 1, is_head: true });
+        ProgramFile {
+            name: name.into(),
+            text,
+            slots: VecDeque::new(),
+            first: 0,
+            next,
+            last_line: None,
+            programs: None,
+            found_at: None,
+            is_shown_only: false,
+        }
+    }
+
     /// The text, to be changed; none while a copy of the memory has it too.
     fn text_mut(&mut self) -> Option<&mut Text> {
         Arc::get_mut(&mut self.text)
@@ -168,6 +184,24 @@ impl ProgramMemory {
         memory
     }
 
+    /// The same files with another main program. What was read of the others is shared and not read again.
+    pub fn with_main(&self, name: &str, text: Text) -> ProgramMemory {
+        let mut memory = self.clone();
+        memory.kept.retain(|(id, ..)| id.0 != 0);
+        memory.kept_bytes = memory.kept.iter().map(|(.., bytes)| bytes).sum();
+        if let Some(main) = memory.files.first_mut() {
+            *main = ProgramFile::new(FileId(0), name, Arc::new(text));
+        }
+        memory
+    }
+
+    /// Looks for the programs in all files that are there, which reads those that hold any.
+    pub fn look_for_programs(&mut self) -> io::Result<()> {
+        (0..self.files.len())
+            .map_while(|at| u16::try_from(at).ok())
+            .try_for_each(|at| self.programs_in(FileId(at)).map(drop))
+    }
+
     /// Adds a file that can be called, as can the programs in it. After 65 535 files no more are
     /// taken: the id returned then is of an empty file.
     pub fn add(&mut self, name: &str, text: Text) -> FileId {
@@ -179,18 +213,7 @@ impl ProgramMemory {
         let Some(file) = u16::try_from(self.files.len()).ok().filter(|n| *n < u16::MAX).map(FileId) else {
             return FileId(u16::MAX);
         };
-        let next = Some(Start { file, offset: text.encoding().mark as u64, line: 1, is_head: true });
-        self.files.push(ProgramFile {
-            name: name.into(),
-            text,
-            slots: VecDeque::new(),
-            first: 0,
-            next,
-            last_line: None,
-            programs: None,
-            found_at: None,
-            is_shown_only: false,
-        });
+        self.files.push(ProgramFile::new(file, name, text));
         file
     }
 
@@ -200,7 +223,7 @@ impl ProgramMemory {
         let id = self.add(name, text);
         if let Some(file) = self.files.get_mut(usize::from(id.0)) {
             file.is_shown_only = true;
-            file.programs = Some(HashMap::new());
+            file.programs = Some(Arc::default());
         }
         id
     }
@@ -529,10 +552,10 @@ impl ProgramMemory {
         if !known {
             let programs = self.index_file(id)?;
             if let Some(file) = self.files.get_mut(usize::from(id.0)) {
-                file.programs = Some(programs);
+                file.programs = Some(Arc::new(programs));
             }
         }
-        let programs = self.files.get(usize::from(id.0)).and_then(|f| f.programs.as_ref());
+        let programs = self.files.get(usize::from(id.0)).and_then(|f| f.programs.as_deref());
         Ok(programs.unwrap_or_else(|| LazyLock::force(&NONE)))
     }
 

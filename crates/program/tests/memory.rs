@@ -423,3 +423,18 @@ fn writeln_to(bytes: &mut Vec<u8>, i: u64) {
     use std::io::Write;
     writeln!(bytes, "N{i:08}").unwrap();
 }
+
+#[test]
+fn another_main_program_leaves_the_others_read() {
+    let mut memory = ProgramMemory::new("1.nc", held("O1\nX1\nM30\n"), &MACRO_B);
+    let added = memory.add("added", held("O7\nY1\nM99\nO8\nM99\n"));
+    memory.look_for_programs().unwrap();
+    let read = memory.page(added, 0).unwrap().unwrap();
+    let mut other = memory.with_main("2.nc", held("O2\nX2\nM30\n"));
+    let page = other.page(added, 0).unwrap().unwrap();
+    assert!(std::sync::Arc::ptr_eq(&read, &page));
+    let found = |memory: &mut ProgramMemory| [1, 2, 8].map(|id| find(memory, ProgramId::Number(id)));
+    let at = |name: &str, block: &str| Some((name.to_owned(), block.to_owned()));
+    assert_eq!(found(&mut other), [None, at("2.nc", "O2"), at("added", "O8")]);
+    assert_eq!(found(&mut memory), [at("1.nc", "O1"), None, at("added", "O8")]);
+}

@@ -25,6 +25,8 @@ pub(super) struct Callable {
     pub library: Library,
     dialect: &'static Dialect,
     public: Option<PublicPrograms>,
+    /// A memory with those that come with the machine, which were read: no load reads them again.
+    prepared: ProgramMemory,
     tool_change: ToolChange,
 }
 
@@ -66,13 +68,15 @@ impl Callable {
         // 0 is none.
         let number = Some(machine.tool_change.program.unwrap_or(TOOL_CHANGE_PROGRAM)).filter(|n| *n > 0);
         let tool_change = ToolChange { number, text: tool_change.map(Arc::from), is_needed: has_ladder };
-        Callable { library, dialect, public, tool_change }
+        let prepared = memory_of(dialect, public.as_ref());
+        Callable { library, dialect, public, prepared, tool_change }
     }
 
     /// The same for programs of another control language, in which no program of the control can be called by M06.
     pub fn speaking(self, dialect: &'static Dialect) -> Callable {
         let tool_change = ToolChange { number: None, ..self.tool_change };
-        Callable { dialect, tool_change, ..self }
+        let prepared = memory_of(dialect, self.public.as_ref());
+        Callable { dialect, prepared, tool_change, ..self }
     }
 
     /// Whether programs run that of this name by M06.
@@ -91,9 +95,10 @@ impl Callable {
 
     /// A text as the main program, with all that it can call.
     pub fn prepare(&self, name: &str, text: Text) -> Prepared {
-        let mut programs = ProgramMemory::new(name, text, self.dialect.syntax);
-        if let (Some(public), true) = (&self.public, self.dialect.custom.is_some()) {
-            programs.add_shared(&public.name, public.text.clone());
+        let mut programs = self.prepared.with_main(name, text);
+        if self.dialect.custom.is_some() {
+            // Here, beside the period as it may be, and not as the interpreter takes it. What cannot be read fails there.
+            let _ = programs.look_for_programs();
         }
         programs.set_source(Box::new(self.clone()));
         let ToolChange { number, is_needed, .. } = self.tool_change;
@@ -102,5 +107,45 @@ impl Callable {
         let is_there = |number: u32| runs_programs && self.named(&ProgramId::Number(number)).is_some();
         let runs = |number: &u32| is_needed || is_there(*number);
         Prepared { programs, changes_tools: number.filter(runs) }
+    }
+}
+
+/// A memory without a main program, with the programs that come with the machine.
+fn memory_of(dialect: &'static Dialect, public: Option<&PublicPrograms>) -> ProgramMemory {
+    let mut programs = ProgramMemory::new("", Text::sent(), dialect.syntax);
+    if let (Some(public), true) = (public, dialect.custom.is_some()) {
+        programs.add_shared(&public.name, public.text.clone());
+        // What cannot be read fails as a program is loaded.
+        let _ = programs.look_for_programs();
+    }
+    programs
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ferrocut_interpreter::dialects;
+    use ferrocut_program::FileId;
+
+    #[test]
+    fn what_comes_with_the_machine_is_read_once() {
+        let text = |text: &str| Text::from_bytes(text.as_bytes().to_vec()).unwrap();
+        let public = PublicPrograms { name: "public.dat".into(), text: Arc::new(text("O9001\nX1\nM17\n")) };
+        let machine = Machine::demo_mill();
+        let (dialect, other) = (&dialects::weihong::DIALECT, &dialects::gsk990mc::DIALECT);
+        let callable = Callable::new(&machine, dialect, Library::Held(Arc::default()), Some(public), None, false);
+        let page = |callable: &Callable, main: &str| {
+            let mut programs = callable.prepare(main, text(&format!("X5\nO1\n{main}"))).programs;
+            assert_eq!(programs.file_name(FileId(0)), main);
+            assert!(programs.find_program(&ProgramId::Number(1)).unwrap().is_some());
+            let place = programs.find_program(&ProgramId::Number(9001)).unwrap();
+            place.map(|place| programs.page(place.file, place.page).unwrap().unwrap())
+        };
+        let first = page(&callable, "M30").unwrap();
+        assert!(Arc::ptr_eq(&first, &page(&callable, "M02").unwrap()));
+        // Another language has no such programs.
+        let callable = callable.speaking(other);
+        assert!(page(&callable, "M30").is_none());
+        assert!(page(&callable.speaking(dialect), "M30").is_some());
     }
 }
