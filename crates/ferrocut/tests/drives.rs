@@ -167,6 +167,9 @@ impl Router {
         // Its motors have no markers: homing ends on the edge of the switch.
         let keys = "inputs = [1]\noutputs = [0, 1, 2]";
         let machine = mill(&listener, keys, ", limits = true") + "[parameters]\n\"NO6.6\" = 0.0\n";
+        // Nor a magazine: M06 runs no program.
+        assert!(machine.contains("[tool_change]\n"), "{machine}");
+        let machine = machine.replace("[tool_change]\n", "[tool_change]\nprogram = 0\n");
         std::fs::write(path("mill.toml"), machine).unwrap();
         let able = Able { inputs: 1, outputs: 3, ..Able::default() };
         let mut board = Board::new(able);
