@@ -133,7 +133,8 @@ mod tests {
         let public = PublicPrograms { name: "public.dat".into(), text: Arc::new(text("O9001\nX1\nM17\n")) };
         let machine = Machine::demo_mill();
         let (dialect, other) = (&dialects::weihong::DIALECT, &dialects::gsk990mc::DIALECT);
-        let callable = Callable::new(&machine, dialect, Library::Held(Arc::default()), Some(public), None, false);
+        let callable =
+            Callable::new(&machine, dialect, Library::Held(Arc::default()), Some(public), None, false);
         let page = |callable: &Callable, main: &str| {
             let mut programs = callable.prepare(main, text(&format!("X5\nO1\n{main}"))).programs;
             assert_eq!(programs.file_name(FileId(0)), main);

@@ -20,13 +20,15 @@ use tungstenite::client::IntoClientRequest;
 use tungstenite::{Message, WebSocket};
 
 const LADDER: &str = include_str!("../../../../machines/standard.lad");
+const TOOL_CHANGE: &str = include_str!("../../../../machines/tool-change.nc");
 
-/// The demo mill with the standard ladder.
+/// The demo mill with the standard ladder and its tool change.
 pub fn control(store: Option<Arc<Store>>) -> Control {
     let mut machine = Machine::demo_mill();
     machine.plant.get_or_insert_default();
     let ladder = Program::from_text(LADDER.as_bytes(), &Limits::default()).unwrap();
-    let parts = Parts { ladder: Some(ladder), store, ..Parts::default() };
+    let tool_change = Some(TOOL_CHANGE.into());
+    let parts = Parts { ladder: Some(ladder), store, tool_change, ..Parts::default() };
     Control::new(&machine, parts).unwrap()
 }
 
