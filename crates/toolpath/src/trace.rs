@@ -460,6 +460,23 @@ mod tests {
     }
 
     #[test]
+    fn a_code_has_the_number_that_it_hands_over() {
+        let mut out = Vec::new();
+        let mut trace = TraceWriter::new(&mut out, Position::ZERO);
+        let span = Span { line: 7, ..Span::default() };
+        for op in [Op::Machine(10), Op::MachineNumber { code: 802, number: 196_611 }, Op::ToolNumber(4)] {
+            trace.step(&Step { op, span, block: 0, section: 0 }).unwrap();
+        }
+        trace.finish().unwrap();
+        assert_eq!(
+            String::from_utf8(out).unwrap(),
+            "{\"op\":\"m\",\"code\":10,\"line\":7}\n\
+             {\"op\":\"m\",\"code\":802,\"p\":196611,\"line\":7}\n\
+             {\"op\":\"m\",\"code\":903,\"p\":4,\"line\":7}\n"
+        );
+    }
+
+    #[test]
     fn a_move_that_changes_nothing_is_left_out_but_a_full_circle_is_not() {
         let mut out = Vec::new();
         let at = Position::xyz(1.0, 2.0, 3.0);
