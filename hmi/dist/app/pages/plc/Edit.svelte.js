@@ -81,10 +81,9 @@ function Edit($$anchor, $$props) {
 		$.set(changed, false);
 	}
 	/** What is wrong with a ladder that was refused: its first fault, by its number in the list of the GSK990MC. */
-	async function tellFault({ line, values }) {
+	async function tellFault({ id, line, values }) {
 		$.get(editor)?.show(line);
-		const id = `gsk990mc:${(values.detail ?? "").padStart(4, "0")}`;
-		const about = await http.alarm(id, {}, language()).catch(() => null);
+		const about = await http.alarm(id, values, language()).catch(() => null);
 		notify({
 			kind: "warning",
 			title: t("plc.faulty", { line }),
