@@ -339,17 +339,9 @@ fn the_emergency_stop_of_the_board_is_that_of_the_ladder_and_takes_all_outputs_o
 /// Power comes on with the button pressed: the control begins, with the alarm.
 #[test]
 fn a_board_whose_emergency_stop_is_pressed_is_a_board() {
-    let (mut board, at) = Socketed::new();
+    let mut board = Socketed::new();
     board.board.emergency_stop = true;
-    let mut machine = machine("");
-    let Some(DrivesConfig::Pulse(config)) = &mut machine.drives else { panic!() };
-    config.link = at.parse().unwrap();
-    let waits = std::thread::spawn(move || connect(&machine, Position::ZERO).unwrap().unwrap());
-    while !waits.is_finished() {
-        board.step();
-        std::thread::sleep(std::time::Duration::from_millis(1));
-    }
-    let mut drives = waits.join().unwrap();
+    let mut drives = board.connect();
     for _ in 0..20 {
         board.step();
         drives.exchange(&Position::ZERO);
@@ -655,11 +647,24 @@ struct Socketed {
 }
 
 impl Socketed {
-    fn new() -> (Socketed, String) {
+    fn new() -> Socketed {
         let socket = UdpSocket::bind("127.0.0.1:0").unwrap();
         socket.set_nonblocking(true).unwrap();
-        let at = format!("udp:{}", socket.local_addr().unwrap());
-        (Socketed { socket, board: Board::new(Able::default()), from: None }, at)
+        Socketed { socket, board: Board::new(Able::default()), from: None }
+    }
+
+    /// The drives that find it.
+    fn connect(&mut self) -> Box<dyn Drives> {
+        let mut machine = machine("");
+        let Some(DrivesConfig::Pulse(config)) = &mut machine.drives else { panic!() };
+        config.link = format!("udp:{}", self.socket.local_addr().unwrap()).parse().unwrap();
+        // It is looked for in the background.
+        let waits = std::thread::spawn(move || connect(&machine, Position::ZERO).unwrap().unwrap());
+        while !waits.is_finished() {
+            self.step();
+            std::thread::sleep(std::time::Duration::from_millis(1));
+        }
+        waits.join().unwrap()
     }
 
     fn step(&mut self) {
@@ -678,17 +683,8 @@ impl Socketed {
 
 #[test]
 fn a_period_allocates_nothing() {
-    let (mut board, at) = Socketed::new();
-    let mut machine = machine("");
-    let Some(DrivesConfig::Pulse(config)) = &mut machine.drives else { panic!() };
-    config.link = at.parse().unwrap();
-    // It is looked for in the background.
-    let waits = std::thread::spawn(move || connect(&machine, Position::ZERO).unwrap().unwrap());
-    while !waits.is_finished() {
-        board.step();
-        std::thread::sleep(std::time::Duration::from_millis(1));
-    }
-    let mut drives = waits.join().unwrap();
+    let mut board = Socketed::new();
+    let mut drives = board.connect();
     // Whoever waited for it has something else to do before his first period: longer than the watchdog waits.
     (0..100).for_each(|_| board.step());
     assert_eq!(board.board.fault, 0);
