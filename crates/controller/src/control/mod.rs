@@ -235,11 +235,7 @@ impl Control {
         }
         // A simulated machine has the tool that the ladder kept, as its axes stand where they stood.
         if let (Some(plc), Some(plant)) = (&plc, cnc.drives().plant()) {
-            let word = |name| {
-                let Address { area, byte, .. } = plc.program().signal(name)?;
-                let byte = |n| plc.memory().byte(Address { area, byte: byte.saturating_add(n), bit: None });
-                Some(u32::from(u16::from_le_bytes([byte(0), byte(1)])))
-            };
+            let word = |name| Some(crate::diagnosis::value(plc.program().signal(name)?, 2, plc.memory()));
             if let (Some(tool), Some(pocket)) = (word("TOOL"), word("POCKET")) {
                 plant.stand_with(tool, pocket.max(1));
             }

@@ -361,7 +361,7 @@ impl Valley {
         (self.x[n - 2], self.x[n - 1]) = (w - to.a * h, w + to.a * h);
     }
 
-    /// The bounds at all places.
+    /// The bounds at all places, in the order of the control points that they begin with.
     fn bound(&mut self, road: &Road<'_, impl Fn(&Node) -> f64>, first: u64) {
         self.rows.clear();
         let places = self.s.len();
@@ -589,6 +589,7 @@ impl Valley {
             self.band.push([0.75 * slow * inverse, 0.0, 0.0]);
             self.right.push(0.5 * slow);
         }
+        // Rows that begin with the same control point stand together: their sums need not go through the matrix one by one.
         let (mut base, mut sums) = (0, [0.0; 9]);
         for row in &mut self.rows {
             if row.base != base {
