@@ -133,7 +133,8 @@ impl Interpreter {
     pub(crate) fn emit_barrier(&mut self) -> Fallible<()> {
         let step = self.step(Op::Barrier);
         // Not by `emit`: a program that only waits does not get on.
-        let done = self.output.flush().and_then(|()| self.output.push(step));
+        let output = &mut self.output;
+        let done = output.move_is_missing().and_then(|()| output.flush()).and_then(|()| output.push(step));
         done.map_err(|(fault, span)| self.alarm(fault, span))
     }
 }

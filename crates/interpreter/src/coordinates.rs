@@ -405,7 +405,10 @@ impl Interpreter {
         if self.location.rotation.is_some() {
             return Some(Fault::PlaneInRotation);
         }
-        self.location.polar.map(|_| Fault::CodeInPolar)
+        // A block that begins them again has its own plane (Kaitong appendix 9).
+        let begins_again = !self.rules.polar_is_strict
+            && self.words.g.iter().any(|code| code.row.meaning == Meaning::PolarOn);
+        (self.location.polar.is_some() && !begins_again).then_some(Fault::CodeInPolar)
     }
 
     /// The tool axis of cycles and of tool length method A.

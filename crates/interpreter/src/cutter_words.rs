@@ -54,22 +54,20 @@ impl Interpreter {
         let side = if mirrored { side.other() } else { side };
         let offset = Some(Offset { side, radius });
         // G41 or G42 given again ends the block before square (GSK990MC 4.7.3, 7).
-        if code && self.output.is_on_side(side) {
-            self.output.flush().map_err(|(fault, span)| self.alarm(fault, span))?;
-        }
-        self.output.set_cutter(self.modal.plane(), offset);
-        Ok(())
+        let square = code && self.output.is_on_side(side);
+        self.set_cutter(offset, square)
     }
 
     /// G40. In a block that does not move in the plane the last move ends square to itself.
     pub(crate) fn cancel_cutter(&mut self) -> Fallible<()> {
         let plane = self.modal.plane();
         let moves = [plane.first(), plane.second()].into_iter().any(|a| self.words.has(a.letter() as u8));
-        if !moves && self.output.in_cutter_mode() {
-            self.output.flush().map_err(|(fault, span)| self.alarm(fault, span))?;
-        }
-        self.output.set_cutter(plane, None);
-        Ok(())
+        self.set_cutter(None, !moves && self.output.in_cutter_mode())
+    }
+
+    fn set_cutter(&mut self, offset: Option<Offset>, square: bool) -> Fallible<()> {
+        let done = self.output.set_cutter(self.modal.plane(), offset, square);
+        done.map_err(|(fault, span)| self.alarm(fault, span))
     }
 
     /// G39 (GSK990MC 4.7.4).

@@ -50,6 +50,10 @@ pub(crate) struct Output {
     cutter: Stage<Step>,
     /// What the block asks to be put behind its move.
     request: Option<CornerRequest>,
+    /// Codes of the block behind a corner that come before its move, which is still awaited.
+    codes: Vec<Step>,
+    /// Compensation from that move on, and whether what is before ends square.
+    later: Option<(Plane, Option<Offset>, bool)>,
     /// Plane of cutter compensation.
     plane: Plane,
     /// Compensation programmed.
@@ -71,6 +75,8 @@ impl Output {
             corner: Corner::default(),
             cutter: Stage::new(rules),
             request: None,
+            codes: Vec::new(),
+            later: None,
             plane: Plane::Xy,
             offset: None,
             paused: false,
@@ -142,9 +148,8 @@ impl Output {
         if self.moved || self.paused || self.refused {
             return Ok(());
         }
-        if names_plane && let Some(refused) = self.corner.interrupted() {
-            self.corner.release();
-            return Err(refused);
+        if names_plane || !self.codes.is_empty() {
+            self.move_is_missing()?;
         }
         let plane = self.plane;
         let queue = &mut self.queue;
@@ -173,7 +178,8 @@ impl Output {
 
     /// Whether cutter compensation is in force or on its way out.
     pub(crate) fn in_cutter_mode(&self) -> bool {
-        self.offset.is_some() || self.cutter.in_mode()
+        let offset = self.later.map_or(self.offset, |(_, offset, _)| offset);
+        offset.is_some() || self.cutter.in_mode()
     }
 
     /// Whether compensation to this side is in force.
@@ -208,18 +214,32 @@ impl Output {
 
     /// Asks for a chamfer or arc behind the next move.
     pub(crate) fn request_corner(&mut self, request: CornerRequest) {
+        if !self.in_cutter_mode() {
+            self.plane = request.plane;
+        }
         self.request = Some(request);
+    }
+
+    /// A move waits for the one behind its corner, which does not come.
+    pub(crate) fn move_is_missing(&mut self) -> Result<(), Refused> {
+        let Some(refused) = self.corner.interrupted() else { return Ok(()) };
+        self.corner.release();
+        self.codes.clear();
+        self.begin_later();
+        Err(refused)
     }
 
     fn push_through(&mut self, step: Step) -> Result<(), Refused> {
         let ends = matches!(step.op, Op::End(_));
         let Some(to) = step.op.target().copied() else {
-            if let Some(refused) = self.corner.interrupted() {
-                self.corner.release();
-                return Err(refused);
-            }
             if ends {
+                self.move_is_missing()?;
                 self.flush()?;
+            }
+            if !self.corner.is_empty() {
+                // The block may still move (5: its codes and its move are begun together).
+                self.codes.push(step);
+                return Ok(());
             }
             return self.compensate(self.path_end, step);
         };
@@ -227,11 +247,38 @@ impl Output {
         self.path_end = to;
         self.moved |= plane_move(self.plane, from, &step.op).is_some();
         let mut pieces: Vec<(Position, Step)> = Vec::new();
-        self.corner.push(from, step, self.request.take(), |from, step| pieces.push((from, step)))?;
+        let request = self.request.take();
+        // The move of the block comes last, if it is not held for a corner of its own.
+        let is_held = request.is_some();
+        self.corner.push(from, step, request, |from, step| pieces.push((from, step)))?;
+        let own = if is_held { None } else { pieces.pop() };
         for (from, step) in pieces {
             self.compensate(from, step)?;
         }
-        Ok(())
+        self.square_later()?;
+        self.begin_later();
+        for step in std::mem::take(&mut self.codes) {
+            self.compensate(from, step)?;
+        }
+        match own {
+            Some((from, step)) => self.compensate(from, step),
+            None => Ok(()),
+        }
+    }
+
+    /// What is before the compensation that comes ends square, if it is to.
+    fn square_later(&mut self) -> Result<(), Refused> {
+        match self.later {
+            Some((.., true)) => self.flush_cutter(),
+            _ => Ok(()),
+        }
+    }
+
+    /// Puts the compensation in force that was to come with the move behind a corner.
+    fn begin_later(&mut self) {
+        if let Some((plane, offset, _)) = self.later.take() {
+            self.begin_cutter(plane, offset);
+        }
     }
 
     /// A step through cutter compensation.
@@ -253,8 +300,26 @@ impl Output {
         done.map_err(|refused| (fault_of(refused.fault), refused.at.span))
     }
 
-    /// Puts compensation in force from the next move on; `None` cancels it.
-    pub(crate) fn set_cutter(&mut self, plane: Plane, offset: Option<Offset>) {
+    /// Puts compensation in force from the next move on; `None` cancels it. What is before may end `square`.
+    pub(crate) fn set_cutter(
+        &mut self,
+        plane: Plane,
+        offset: Option<Offset>,
+        square: bool,
+    ) -> Result<(), Refused> {
+        if !self.corner.is_empty() {
+            // That is the move behind the corner, which belongs to what is before.
+            self.later = Some((plane, offset, square));
+            return Ok(());
+        }
+        if square {
+            self.flush()?;
+        }
+        self.begin_cutter(plane, offset);
+        Ok(())
+    }
+
+    fn begin_cutter(&mut self, plane: Plane, offset: Option<Offset>) {
         if !self.in_cutter_mode() {
             self.plane = plane;
         }
@@ -314,6 +379,15 @@ impl Output {
         if let Some((from, step)) = self.corner.release() {
             self.compensate(from, step)?;
         }
+        self.square_later()?;
+        self.begin_later();
+        for step in std::mem::take(&mut self.codes) {
+            self.compensate(self.path_end, step)?;
+        }
+        self.flush_cutter()
+    }
+
+    fn flush_cutter(&mut self) -> Result<(), Refused> {
         let plane = self.plane;
         let queue = &mut self.queue;
         let done = self.cutter.flush(&mut |out| queue.deliver(out, plane));

@@ -263,3 +263,63 @@ fn a_check_names_the_angle_of_a_stage_that_goes_straight_down() {
     names(said(OPEN, &[ROUGH, FINISH], table), &[]);
     names(said(OPEN, &[FINISH], table), &["#FINISH theta"]);
 }
+
+/// 4.25, 4.26: where the first point is not the lower left one, the signs of the distances say so.
+#[test]
+fn a_negative_distance_leads_the_other_way() {
+    let hole = "#CYCLE G281 [X=0, Y=0, Z=0, ZS=5, P=2, F=100, S=1000, T=1]\n";
+    let points = |figure: &str| -> Vec<String> {
+        let mut found = moves(&format!("{hole}#MULTI {figure}\nM30"), "");
+        found.retain(|line| line.contains('X') || line.contains('Y'));
+        found
+    };
+    for (figure, expected) in [
+        ("GRID [LX=20, LY=10, IX=-20, IY=-10]", ["rapid X-20", "rapid Y-10", "rapid X0"]),
+        ("GRID [LX=-20, LY=-10, IX=20, IY=10]", ["rapid X-20", "rapid Y-10", "rapid X0"]),
+        ("GRID [LX=-20, LY=-10, IX=-20, IY=-10]", ["rapid X-20", "rapid Y-10", "rapid X0"]),
+        ("GRID [NX=2, NY=2, IX=-20, IY=-10]", ["rapid X-20", "rapid Y-10", "rapid X0"]),
+        ("RECT [LX=20, LY=10, IX=20, IY=-10]", ["rapid X20", "rapid Y-10", "rapid X0"]),
+    ] {
+        assert_eq!(points(figure), expected, "{figure}");
+    }
+}
+
+/// 3.1: the tool behind the cycle is made ready once the cycle needs no other any more.
+#[test]
+fn the_next_tool_is_made_ready_in_the_cycle() {
+    let tools = "[tools.1]\nradius = 5\n[tools.2]\nradius = 5\n";
+    let chosen = |program: &str| -> Vec<String> {
+        let mut found = lines_on(&DIALECT, program, tools);
+        found.retain(|line| line.starts_with("select") || line.starts_with("change"));
+        found
+    };
+    let drill = "G281 [X=10, Y=20, Z=0, ZS=5, P=2, F=100, S=1000, T=1, D=1, next=2]";
+    let in_spindle = format!("T1 D1 M6\n#CYCLE {drill}\n#MULTI LINE [alpha=0, N=3, I=10]\nM30");
+    assert_eq!(chosen(&in_spindle), ["select 1", "change 1", "select 2"]);
+    assert_eq!(chosen(&format!("#CYCLE {drill}\nM30")), ["select 1", "change 1", "select 2"]);
+    let pocket = "#CYCLE G288 [XC=0, YC=0, R=20, Z=0, ZS=5, P=4, next=3]\n\
+                  #ROUGH [step=4, I=2, F=100, S=1000, T=1, D=1]\n#FINISH [delta=0.5, F=100, S=1000, T=2, D=1, N=1]\nM30";
+    assert_eq!(chosen(pocket), ["select 1", "change 1", "select 2", "change 2", "select 3"]);
+}
+
+/// 4.6.1: the spindle is oriented once, not at each of several points.
+#[test]
+fn rigid_tapping_of_several_points_orients_once() {
+    let program = "#CYCLE G284 [X=10, Y=20, Z=0, ZS=5, P=10, type=rigid, feedtype=rev, F=1.5, S=1000, T=1]\n\
+                   #MULTI LINE [alpha=0, N=3, I=10]\nM30";
+    let found = lines_on(&DIALECT, program, "");
+    assert_eq!(found.iter().filter(|line| line.starts_with("orient")).count(), 1, "{found:?}");
+    assert_eq!(found.iter().filter(|line| line.starts_with("tap")).count(), 6, "{found:?}");
+}
+
+/// 4.19.1, 4.22.1: roughing ends over its start, finishing on the safety plane where it is.
+#[test]
+fn finishing_a_face_does_not_go_back_to_its_start() {
+    let face = "#CYCLE G290 [X=10, Y=20, L=-40, H=20, Z=0, ZS=5, P=3, strategy=bidir_x, begin=ur]\n";
+    let rough = "#ROUGH [step=8, E=2, I=3, FZ=50, F=500, S=1000, T=1, D=1]\n";
+    let finish = "#FINISH [deltaz=0.5, F=300, S=900, T=1, D=1]\n";
+    let tools = "[start]\nz = 50\n[tools.1]\nradius = 5\ncutting_length = 8\n";
+    let ends = |parts: &str| moves(&format!("{face}{parts}M30"), tools).pop().unwrap();
+    assert!(ends(rough).starts_with("rapid X"), "{}", ends(rough));
+    assert_eq!(ends(&format!("{rough}{finish}")), "rapid Z5");
+}

@@ -271,6 +271,8 @@ fn polar_coordinates_keep_the_pole_of_g16() {
         ),
         // In G19 the first axis is Y, the second Z.
         ("G19 G16\nG1 Y10 Z30 X7 F100\nM30", "", &["feed X7 Y8.6603 Z5 F100", "end M30"]),
+        // Begun again, they may be in another plane; a plane alone is refused.
+        ("G17 G16\nG90 G19 G16\nG0 Y20 Z90\nG15\nM30", "", &["rapid Z20", "end M30"]),
         // Arcs by their centre are taken; the centre is no polar word. G28 is none either (Fanuc).
         (
             "G0 X10\nG16 G3 Y90 I-10 F100\nG28 X5 Y5\nM30",

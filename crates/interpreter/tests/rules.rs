@@ -4,7 +4,8 @@
 
 mod common;
 
-use common::{holds, holds_turning, holds_with, lines};
+use common::{holds, holds_turning, holds_with, lines, run};
+use ferrocut_machine::Fault;
 
 #[test]
 fn positioning_and_straight_cuts() {
@@ -734,4 +735,64 @@ fn spans_name_the_block_and_its_line() {
     for (found, expected) in found.into_iter().zip(expected) {
         assert!(starts(found, expected), "{found:?} for {expected:?}");
     }
+}
+
+/// 4.2.18 in the planes G18 and G19, without compensation.
+#[test]
+fn corners_in_every_plane() {
+    holds(&[
+        ("G18 G1 Z20 ,R5 F100\nX20", &["feed Z15 F100", "zx X5 Z20 about 15 5 by 90 F100", "feed X20 F100"]),
+        ("G19 G1 Y20 ,R5 F100\nZ20", &["feed Y15 F100", "yz Y20 Z5 about 15 5 by 90 F100", "feed Z20 F100"]),
+        ("G19 G1 Y20 ,L5 F100\nZ20", &["feed Y15 F100", "feed Y20 Z5 F100", "feed Z20 F100"]),
+    ]);
+}
+
+/// Chapter 5: a code and the move behind a corner stand in one block; a block without a move is none (alarm 51).
+#[test]
+fn codes_stand_beside_the_move_behind_a_corner() {
+    let arc = "xy X20 Y5 about 15 5 by 90 F100";
+    holds(&[
+        ("G1 X20 ,R5 F100\nY20 M8", &["feed X15 F100", arc, "coolant on", "feed Y20 F100", "coolant off"]),
+        ("G1 X20 ,R5 F100\nY20 T2", &["feed X15 F100", arc, "select 2", "feed Y20 F100"]),
+    ]);
+    for between in ["M8", "G4 X1", "T2"] {
+        let (_, alarm) = run(&format!("G1 X20 ,R5 F100\n{between}\nY20\nM30"), "");
+        let alarm = alarm.unwrap();
+        assert_eq!((alarm.fault, alarm.span.line), (Fault::CornerWithoutMove, 1), "{between}");
+    }
+}
+
+/// 4.2.18 with 4.7: compensation that the block behind a corner changes holds from its own move on, as where the corner is
+/// written out in blocks.
+#[test]
+fn compensation_changes_behind_a_corner() {
+    let setup =
+        "[start]\nx = -10\n[tools.1]\nradius = 2\n[tools.2]\nradius = 4\n[parameters]\n\"NO40.7\" = 0";
+    for (before, behind) in [
+        ("G41 D1 G1 X0 Y0 F100", "G40 Y-20"),
+        ("G1 X0 Y0 F100", "G41 D1 Y-20\nX0\nG40 X-20"),
+        ("G41 D1 G1 X0 Y0 F100", "G42 Y-20\nX0\nG40 X-20"),
+        ("G41 D1 G1 X0 Y0 F100", "D2 Y-20\nX0\nG40 X-20"),
+        ("G41 D1 G1 X0 Y0 F100", "G41 Y-20\nX0\nG40 X-20"),
+        ("G41 D1 G1 X0 Y0 F100", "G40\nY-20"),
+        ("G41 D1 G1 X0 Y0 F100", "Y-20 ,L5\nG40 X0"),
+    ] {
+        let corner = lines(&format!("{before}\nX20 ,L5\n{behind}\nM30"), setup);
+        let written = lines(
+            &format!("{before}\nX15\nX20 Y-5\n{}\nM30", behind.replace("Y-20 ,L5", "Y-15\nX15 Y-20")),
+            setup,
+        );
+        assert_eq!(corner, written, "{before}, {behind}");
+    }
+}
+
+/// 4.6.1: R of a milling cycle under G91 counts from where its block begins.
+#[test]
+fn the_level_of_a_milling_cycle_counts_from_its_block() {
+    let setup = "[tools.1]\nradius = 2\n[parameters]\n\"NO40.7\" = 0";
+    let program = "M3 S100\nG0 Z50\nG91 G99 G24 X50 Y0 Z-10 R-40 I20 J5 D1 F100\nX50 Y0 R-2 Z-5\nM30";
+    let found = lines(program, setup);
+    let behind = found.iter().rposition(|line| line.starts_with("rapid X")).unwrap();
+    assert!(found[behind + 1..].contains(&"rapid Z8".to_owned()), "{found:?}");
+    assert!(found[behind + 1..].iter().any(|line| line.starts_with("feed Z3 ")), "{found:?}");
 }

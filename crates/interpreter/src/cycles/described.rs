@@ -414,7 +414,9 @@ impl Interpreter {
         if let Some(stage) = running.plan.stages.get(running.stage) {
             let operation = &stage.operation;
             if running.made == 0 {
-                self.use_tool(stage, running.plan.next_tool)?;
+                let first = running.point == 1;
+                self.use_tool(stage, first)?;
+                self.prepare_tool(&running, points);
                 if let Some(start) = operation.start(at) {
                     self.rapid_over(start, running.plan.safety, operation.up)?;
                 }
@@ -434,10 +436,26 @@ impl Interpreter {
         Ok((running.point <= points).then_some(running))
     }
 
-    /// Puts the tool of a stage in the spindle, where it is not, and turns it.
-    fn use_tool(&mut self, stage: &Stage, next: Option<u32>) -> Fallible<()> {
+    /// The tool behind the cycle is made ready (3.1), once the one in the spindle is the last that the cycle needs.
+    fn prepare_tool(&mut self, running: &Running, points: u32) {
+        let Some(next) = running.plan.next_tool else { return };
+        let stages = &running.plan.stages;
+        let left = if running.point < points { &stages[..] } else { &stages[running.stage..] };
+        let is_last =
+            left.iter().all(|stage| stage.tool == 0.0 || stage.tool == f64::from(self.technology.in_spindle));
+        if is_last && self.technology.tool != next {
+            self.technology.tool = next;
+            self.emit(Op::Select(next));
+        }
+    }
+
+    /// Puts the tool of a stage in the spindle, where it is not, and turns it. At points behind the `first` a spindle that
+    /// is to stand at its angle does so (4.6.1).
+    fn use_tool(&mut self, stage: &Stage, first: bool) -> Fallible<()> {
         let number = stage.tool as u32;
+        let mut stands = !first && self.technology.spindle == SpindleState::Off;
         if number != 0 && number != self.technology.in_spindle {
+            stands = false;
             if self.technology.tool != number {
                 self.technology.tool = number;
                 self.emit(Op::Select(number));
@@ -445,10 +463,6 @@ impl Interpreter {
             self.spindle(SpindleState::Off);
             self.emit(Op::Change(number));
             self.tool_changed(Some(stage.edge));
-            if let Some(next) = next.filter(|next| *next != number) {
-                self.technology.tool = next;
-                self.emit(Op::Select(next));
-            }
         } else if number != 0 && stage.edge != self.technology.edge {
             self.edge_chosen(stage.edge);
         }
@@ -466,6 +480,7 @@ impl Interpreter {
         let rpm = self.technology.speed.unwrap_or(0.0);
         match stage.turn {
             Some(turn) => self.spindle(SpindleState::turning(turn, Speed::Rpm(rpm))),
+            None if stands => {}
             None => {
                 self.technology.spindle = SpindleState::Off;
                 self.emit(Op::Orient(0.0));

@@ -347,7 +347,10 @@ impl Interpreter {
         let incremental = self.modal.is_incremental();
         let mm = |v: f64| units::length_mm(v, inch);
         if let Some(r) = self.words.get(b'R') {
-            self.cycle.r = Some(if incremental { self.cycle.initial + mm(r) } else { mm(r) });
+            // From the initial level; of a milling cycle from where its block begins (4.6.1).
+            let mills = matches!(self.cycle_kind(), Some(CycleKind::Mill { .. }));
+            let from = if mills { self.location.programmed[Axis::Z] } else { self.cycle.initial };
+            self.cycle.r = Some(if incremental { from + mm(r) } else { mm(r) });
         }
         if let Some(z) = self.words.get(b'Z') {
             let from = self.cycle.r.unwrap_or(self.cycle.initial);

@@ -520,7 +520,7 @@ FC-0517 = The tool or its helix does not fit
     .help = Use a smaller tool, or a smaller helix factor P269.
 
 FC-0518 = The corner radius is larger than half a side
-    .help = Use a smaller U.
+    .help = Use a smaller corner radius.
 
 FC-0519 = The corner radius is smaller than the tool radius
     .help = Use a larger U or a smaller tool.
@@ -597,9 +597,9 @@ FC-0548 = The tool cannot enter the material at this angle
 FC-0549 = The cycle has no feed
     .detail = { $parameter }
     .help = Program the feed of the cycle or of the stage.
-FC-0550 = The distance does not divide the length into a whole number
+FC-0550 = The number of operations is not whole
     .detail = { $parameter }
-    .help = Change the distance or the length, or program the number of operations instead.
+    .help = Program a whole number, or a distance that divides the length.
 FC-0551 = Points to be left out are not in rising order
     .detail = { $parameter }
     .help = Program the points from the first to the last in the order of the letters. The last point of a range has three digits: 10.013 is 10 to 13.

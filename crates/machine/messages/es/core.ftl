@@ -520,7 +520,7 @@ FC-0517 = La herramienta o su hélice no cabe
     .help = Use una herramienta menor o un factor de hélice P269 menor.
 
 FC-0518 = El radio de la esquina es mayor que medio lado
-    .help = Use una U menor.
+    .help = Use un radio de esquina menor.
 
 FC-0519 = El radio de la esquina es menor que el radio de la herramienta
     .help = Use una U mayor o una herramienta menor.
@@ -597,9 +597,9 @@ FC-0548 = La herramienta no puede entrar en el material con este ángulo
 FC-0549 = El ciclo no tiene avance
     .detail = { $parameter }
     .help = Programe el avance del ciclo o de la etapa.
-FC-0550 = La distancia no divide la longitud en un número entero de partes
+FC-0550 = El número de operaciones no es entero
     .detail = { $parameter }
-    .help = Cambie la distancia o la longitud, o programe el número de operaciones.
+    .help = Programe un número entero, o una distancia que divida la longitud.
 FC-0551 = Los puntos que se omiten no están en orden creciente
     .detail = { $parameter }
     .help = Programe los puntos del primero al último en el orden de las letras. El último punto de un intervalo tiene tres cifras: 10.013 es de 10 a 13.

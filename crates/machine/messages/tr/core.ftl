@@ -520,7 +520,7 @@ FC-0517 = Takım ya da helisi sığmıyor
     .help = Daha küçük bir takım ya da daha küçük bir helis çarpanı P269 kullanın.
 
 FC-0518 = Köşe yarıçapı, bir kenarın yarısından büyük
-    .help = Daha küçük bir U kullanın.
+    .help = Daha küçük bir köşe yarıçapı kullanın.
 
 FC-0519 = Köşe yarıçapı takım yarıçapından küçük
     .help = Daha büyük bir U ya da daha küçük bir takım kullanın.
@@ -597,9 +597,9 @@ FC-0548 = Takım malzemeye bu açıyla giremez
 FC-0549 = Çevrimin ilerlemesi yok
     .detail = { $parameter }
     .help = Çevrimin ya da aşamanın ilerlemesini programlayın.
-FC-0550 = Uzaklık, uzunluğu tam sayıda parçaya bölmüyor
+FC-0550 = İşlem sayısı tam sayı değil
     .detail = { $parameter }
-    .help = Uzaklığı ya da uzunluğu değiştirin ya da bunun yerine işlem sayısını programlayın.
+    .help = Tam bir sayı ya da uzunluğu tam bölen bir uzaklık programlayın.
 FC-0551 = Atlanacak noktalar artan sırada değil
     .detail = { $parameter }
     .help = Noktaları harf sırasıyla ilkinden sonuncusuna programlayın. Bir aralığın son noktası üç basamaklıdır: 10.013, 10 ile 13 arası demektir.

@@ -38,6 +38,8 @@ pub struct Facing {
     pub strategy: Strategy,
     /// Where the first rapid ends.
     pub first: f64,
+    /// It ends over its start, as roughing does; finishing ends where it leaves the face (4.19.1, 4 and 7).
+    pub returns: bool,
 }
 
 impl Facing {
@@ -72,16 +74,18 @@ impl Facing {
         [-self.beyond(), self.widths().1 / 2.0]
     }
 
-    /// Mills from over the start, and ends on the safety level over the start.
+    /// Mills from over the start, and ends on the safety level.
     pub fn cut<T: Take>(&self, tool: &mut Tool<'_, T>) -> Result<(), T::Error> {
         tool.rapid_z(self.first)?;
         for depth in self.levels.depths() {
             let level = tool.above(self.planes.surface, -depth);
             self.level(tool, level)?;
             tool.rapid_z(self.planes.safety)?;
-            tool.rapid(self.start())?;
-            let near = tool.above(level, CLEAR);
             let is_last = depth == self.levels.deepest();
+            if !is_last || self.returns {
+                tool.rapid(self.start())?;
+            }
+            let near = tool.above(level, CLEAR);
             if !is_last && tool.height(tool.z(), near) > 0.0 {
                 tool.rapid_z(near)?;
             }

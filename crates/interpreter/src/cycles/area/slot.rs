@@ -94,7 +94,8 @@ impl Slot {
         [-self.beyond(), self.rows().next().unwrap_or(0.0)]
     }
 
-    /// Cuts from over the start, and ends there on the safety level.
+    /// Cuts from over the start, and ends on the safety level: roughing over the start, finishing beside the wall that it
+    /// left last (4.22.1, 4 and 10).
     pub fn cut<T: Take>(&self, tool: &mut Tool<'_, T>) -> Result<(), T::Error> {
         tool.rapid_z(self.first)?;
         for depth in self.levels.depths() {
@@ -105,9 +106,12 @@ impl Slot {
             self.area(tool)?;
             // Over the part only on the safety level.
             tool.rapid_z(self.planes.safety)?;
-            tool.rapid(self.start())?;
+            let is_last = depth == self.levels.deepest();
+            if !is_last || self.walls.is_none() {
+                tool.rapid(self.start())?;
+            }
             let near = tool.above(level, super::CLEAR);
-            if tool.height(tool.z(), near) > 0.0 && depth != self.levels.deepest() {
+            if !is_last && tool.height(tool.z(), near) > 0.0 {
                 tool.rapid_z(near)?;
             }
         }
@@ -116,7 +120,6 @@ impl Slot {
                 let level = tool.above(self.planes.surface, -depth);
                 self.wall(tool, level)?;
             }
-            tool.rapid(self.start())?;
         }
         Ok(())
     }

@@ -552,7 +552,7 @@ proptest! {
     ) {
         let cut = Cut { radius, step: step * 2.0 * radius, feed: 1.0, plunge: 0.5 }.check("step").unwrap();
         let facing = Facing {
-            size: [along, across], planes: PLANES, cut, overrun, strategy, first: 1.0,
+            size: [along, across], planes: PLANES, cut, overrun, strategy, first: 1.0, returns: true,
             levels: Levels::by_step(1.7, if exact { -0.6 } else { 0.6 }, "I").unwrap(),
         };
         facing.check(["L", "H", "E"]).unwrap();

@@ -24,8 +24,7 @@ impl Interpreter {
             _ => {
                 self.modal.set(row);
                 self.output.finish_cutter().map_err(|(fault, _)| self.ngc_alarm(fault))?;
-                self.output.set_cutter(plane, None);
-                return Ok(());
+                return self.ngc_set_cutter(plane, None);
             }
         };
         if self.ngc_uvw_plane() || plane == Plane::Yz {
@@ -45,8 +44,11 @@ impl Interpreter {
         } else {
             LONGER_INCH * MM_PER_INCH
         });
-        self.output.set_cutter(plane, Some(Offset { side, radius }));
-        Ok(())
+        self.ngc_set_cutter(plane, Some(Offset { side, radius }))
+    }
+
+    fn ngc_set_cutter(&mut self, plane: Plane, offset: Option<Offset>) -> Fallible<()> {
+        self.output.set_cutter(plane, offset, false).map_err(|(fault, _)| self.ngc_alarm(fault))
     }
 
     /// D of G41.1 and G42.1 is the diameter; L the orientation of a lathe tool.

@@ -88,11 +88,11 @@ fn surface(description: &Description<'_>) -> Made {
     let [x, y] = size;
     let (frame, size) = if along_y { (frame.exchanged(), [y, x]) } else { (frame, size) };
     let overrun = rough.number("E");
-    let face = |section: &Section, levels: Levels, first: f64| {
+    let face = |section: &Section, levels: Levels, first: f64, returns: bool| {
         let data = tool(description, section);
         let down = plunge(rough, "FZ", feed(section)?)?;
         let cut = cut(section, &data, down)?;
-        let facing = Facing { size, planes: placed.planes, levels, cut, overrun, strategy, first };
+        let facing = Facing { size, planes: placed.planes, levels, cut, overrun, strategy, first, returns };
         facing.check(["L", "H", "E"])?;
         Ok(stage(section, Operation::new(Work::Facing(facing), frame, placed.up)))
     };
@@ -100,11 +100,11 @@ fn surface(description: &Description<'_>) -> Made {
     if works(rough) {
         let cutting_length = tool(description, rough).cutting_length;
         let levels = Levels::within(placed.depth - floor_stock, rough.number("I"), cutting_length, "I");
-        stages.push(of_rough(levels.and_then(|levels| face(rough, levels, placed.planes.approach)))?);
+        stages.push(of_rough(levels.and_then(|levels| face(rough, levels, placed.planes.approach, true)))?);
     }
     if works(finish) {
         let first = placed.above_floor(works(rough), floor_stock);
-        stages.push(of_finish(face(finish, Levels::equal(placed.depth, 1.0), first))?);
+        stages.push(of_finish(face(finish, Levels::equal(placed.depth, 1.0), first, false))?);
     }
     plan(main, ["X", "Y"], &placed, stages)
 }

@@ -121,6 +121,7 @@ fn span(first: f64, last: f64, sense: f64) -> f64 {
     sense * if turned < 1e-9 { 360.0 } else { turned }
 }
 
+/// By length and distance, a negative distance too says that the first point is not the lower left one (4.25).
 fn rows(section: &Section, from: [f64; 2], outline: bool) -> Made {
     let side = |length: &'static str, distance: &'static str, count: &'static str| {
         let names = PathNames { length, distance, count, tolerance: TOLERANCE };
@@ -129,7 +130,9 @@ fn rows(section: &Section, from: [f64; 2], outline: bool) -> Made {
             distance: section.given(distance),
             count: section.given(count),
         };
-        path.steps(names)
+        let (step, number) = path.steps(names)?;
+        let turns = path.length.is_some_and(|length| length > 0.0) && path.distance.is_some_and(|d| d < 0.0);
+        Ok((if turns { -step } else { step }, number))
     };
     let sides = [side("LX", "IX", "NX")?, side("LY", "IY", "NY")?];
     let angles = [section.number("alpha"), section.given("beta").unwrap_or(90.0)];
