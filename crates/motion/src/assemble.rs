@@ -1,7 +1,9 @@
 //! Moves to cells: decides the joints and cuts moves up.
 //!
+//! The **newest** move is kept back until it is known that the line that it is does not go on ([`parts`]).
+//!
 //! A move can be cut up only when the move after it is known, because the joint between the two takes a part of
-//! it. So the newest move is kept **open**. When the next one comes, the joint is decided, the open move goes
+//! it. So the one before it is kept **open**. When the next one comes, the joint is decided, the open move goes
 //! into the queue (as the **flow**, which for an arc of many turns may have to wait for room), and the new move
 //! is the open one. [`Assembler::close`] ends the open move at rest instead.
 //!
@@ -15,6 +17,7 @@
 //! the last; it is smoothed as a whole ([`crate::path::smooth`]) when its end is known or when it is long.
 
 mod open;
+mod parts;
 
 use crate::limits::{Class, Inverses, Load, Rates};
 use crate::moves::Move;
@@ -23,9 +26,11 @@ use crate::path::joint::{Ease, Joint, JointRules, MOST_CHORDS, Member, add, is_l
 use crate::path::piece::Piece;
 use crate::path::shape::{Cubic, Shape};
 use crate::path::smooth::Smoother;
-use crate::timing::queue::{Cell, Node, Pass, Queue};
+use crate::timing::queue::{Cell, Mark, Node, Pass, Queue};
 use ferrocut_geometry::{AXES, Position};
 use open::{Before, End, Flow, Held, Open, Start, Turn};
+use parts::{Newest, PARTS, PartEnd};
+use std::collections::VecDeque;
 
 /// Stretches shorter than this between two joints are left out, mm.
 const LEAST_CELL: f64 = 1e-10;
@@ -59,6 +64,19 @@ fn basis(member: &Member, rates: &Rates) -> f64 {
     }
 }
 
+/// Lines that may be on their way into the queue.
+const LINES: usize = 4;
+
+/// Notes that the block `tag` ends at `s`, and those that are parts of the line that it ends.
+#[inline]
+fn mark(inner: &mut VecDeque<Mark>, queue: &mut Queue, s: f64, tag: u64) {
+    while let Some(end) = inner.front().copied().filter(|end| end.s < s) {
+        inner.pop_front();
+        queue.mark(end.s, end.tag);
+    }
+    queue.mark(s, tag);
+}
+
 /// A move under G62, which is cut up where an inner corner is at its end.
 #[derive(Clone, Copy, Debug)]
 struct Cornering {
@@ -74,7 +92,13 @@ struct Cornering {
 pub(crate) struct Assembler {
     inverses: Inverses,
     rules: JointRules,
-    /// Parts of the newest move that are still to be taken, the last one first.
+    /// The newest move, and where the parts of its line end.
+    newest: Option<Newest>,
+    ends: Vec<PartEnd>,
+    /// Ends of parts of a line: from its start, for the line with this mark; and on the path, on their way into the queue.
+    of_line: (u64, Vec<Mark>),
+    inner: VecDeque<Mark>,
+    /// Parts of the move before it that are still to be taken, the last one first.
     parts: Vec<Member>,
     /// A short arc as the newest move: what follows decides whether it is smoothed with the lines beside it.
     arc: Option<Member>,
@@ -102,6 +126,10 @@ impl Assembler {
     pub fn new(inverses: Inverses, rules: JointRules, start: Position) -> Assembler {
         Assembler {
             rules,
+            newest: None,
+            ends: Vec::with_capacity(PARTS),
+            of_line: (0, Vec::with_capacity(PARTS)),
+            inner: VecDeque::with_capacity(LINES * PARTS),
             parts: Vec::with_capacity(MOST_CHORDS as usize + 3),
             arc: None,
             cornering: None,
@@ -122,6 +150,10 @@ impl Assembler {
 
     /// Forgets every move; the next begins at `at`, at rest.
     pub fn clear(&mut self, at: Position) {
+        self.newest = None;
+        self.ends.clear();
+        self.of_line.1.clear();
+        self.inner.clear();
         self.parts.clear();
         self.arc = None;
         self.cornering = None;
@@ -144,7 +176,11 @@ impl Assembler {
 
     /// Whether nothing is left here.
     pub fn is_empty(&self) -> bool {
-        self.open.is_none() && self.flow.is_none() && self.parts.is_empty() && !self.waits()
+        self.newest.is_none()
+            && self.open.is_none()
+            && self.flow.is_none()
+            && self.parts.is_empty()
+            && !self.waits()
     }
 
     /// Whether a move waits for the one behind it.
@@ -152,8 +188,60 @@ impl Assembler {
         self.arc.is_some() || self.cornering.is_some()
     }
 
+    /// How many ends of blocks wait for their place in the queue.
+    pub fn marks(&self) -> usize {
+        self.ends.len() + self.of_line.1.len() + self.inner.len()
+    }
+
     /// Takes a move. The caller saw that nothing is blocked.
     pub fn push(&mut self, m: &Move, queue: &mut Queue) {
+        if let Some(newest) = &mut self.newest {
+            if newest.whole.to() == m.to && !m.is_arc() {
+                return;
+            }
+            if !self.rules.exact_stop && newest.go_on(m, &mut self.ends) {
+                let count = newest.beyond(&self.ends, self.inverses.of(Class::Cut));
+                let Some(count) = count else { return };
+                let end = self.ends[count - 1];
+                let first = newest.split(&end);
+                self.take_line(&first, count, queue);
+                self.ends.iter_mut().for_each(|behind| behind.mark.s -= end.mark.s);
+                return self.run(queue);
+            }
+        }
+        self.take_newest(queue);
+        self.newest = Some(Newest::new(&self.end, m));
+        self.run(queue);
+    }
+
+    fn take_newest(&mut self, queue: &mut Queue) {
+        if let Some(newest) = self.newest.take() {
+            self.take_line(&newest.whole, self.ends.len() + 1, queue);
+        }
+    }
+
+    /// Takes a line of so many parts.
+    fn take_line(&mut self, whole: &Move, parts: usize, queue: &mut Queue) {
+        // Where the last of them ends, so does the line.
+        let inner = (parts - 1).min(self.ends.len());
+        let (tag, of_line) = &mut self.of_line;
+        *tag = whole.tag;
+        of_line.extend(self.ends[..inner].iter().map(|end| end.mark));
+        self.ends.drain(..parts.min(self.ends.len()));
+        self.take(whole, queue);
+    }
+
+    /// The line with this mark begins at `s`: so its parts end there.
+    #[inline]
+    fn begin_line(&mut self, tag: u64, s: f64) {
+        let (of, ends) = &mut self.of_line;
+        if !ends.is_empty() && *of == tag {
+            self.inner.extend(ends.drain(..).map(|end| Mark { s: s + end.s, ..end }));
+        }
+    }
+
+    /// Takes a move on its way to its cells.
+    fn take(&mut self, m: &Move, queue: &mut Queue) {
         if self.run_on(m, queue) {
             return;
         }
@@ -163,8 +251,7 @@ impl Assembler {
         let is_line = member.piece.is_plain_line();
         if !self.waits() && member.inner.is_none() && is_line {
             // What most moves are: nothing to be cut up.
-            self.push_member(&mut member, queue);
-            return self.run(queue);
+            return self.push_member(&mut member, queue);
         }
         let begins = self.push_cornering(Some(&member));
         self.push_arc(Some(&member));
@@ -176,7 +263,6 @@ impl Assembler {
             self.parts.push(member);
         }
         self.parts.reverse();
-        self.run(queue);
     }
 
     /// The move under G62 that waits for what is behind it: the stretches beside inner corners have a feed of their own.
@@ -273,6 +359,7 @@ impl Assembler {
             return;
         }
         let s = self.s;
+        self.begin_line(member.tag, s);
         self.s += if let Piece::Axes { .. } = member.piece { AXES_LENGTH } else { member.piece.len() };
         let Some(open) = &mut self.open else {
             self.open = Some(Open { member: *member, start: Start::Rest, s });
@@ -325,7 +412,7 @@ impl Assembler {
     /// The line before the open move is run as one with the corners at its ends.
     fn link(&mut self, held: &Held, queue: &mut Queue) {
         let Some(open) = &mut self.open else { return };
-        queue.mark(open.s, held.line.member.tag);
+        mark(&mut self.inner, queue, open.s, held.line.member.tag);
         open.start = Start::Corner(held.link, held.before);
     }
 
@@ -344,7 +431,7 @@ impl Assembler {
             self.first = Some(*open);
             self.chained = true;
         }
-        queue.mark(end, open.member.tag);
+        mark(&mut self.inner, queue, end, open.member.tag);
         self.smoother.set_last(next.feed, next.most, next_tolerance);
         self.smoother.add(next.piece.end(), self.s);
         if self.smoother.is_full() {
@@ -364,9 +451,10 @@ impl Assembler {
         let Some(Open { member, start, s }) = &mut self.open else { return false };
         let (end, tag, tolerance) = (*s + member.piece.len(), member.tag, member.tolerance.unwrap_or(0.0));
         let Some(len) = member.run_on(m, &self.rules, self.s) else { return false };
-        queue.mark(end, tag);
+        mark(&mut self.inner, queue, end, tag);
         self.smoother.set_last(member.feed, member.most, member.tolerance.unwrap_or(tolerance));
         (*start, *s) = (Start::Plain(f64::INFINITY), self.s);
+        self.begin_line(m.tag, self.s);
         self.s += len;
         self.end = m.to;
         self.smoother.run_on(m.to, self.s);
@@ -375,7 +463,7 @@ impl Assembler {
 
     /// The same, as soon as cells are added again.
     pub fn close_later(&mut self) {
-        self.closing = self.open.is_some() || !self.parts.is_empty() || self.waits();
+        self.closing = self.newest.is_some() || self.open.is_some() || !self.parts.is_empty() || self.waits();
         // So that a path is the same whatever was run before it.
         self.recent.clear();
     }
@@ -401,6 +489,10 @@ impl Assembler {
             }
             if !self.closing {
                 return;
+            }
+            if self.newest.is_some() {
+                self.take_newest(queue);
+                continue;
             }
             if self.waits() {
                 // Nothing is behind it that it would have to be joined to.
@@ -455,7 +547,7 @@ impl Assembler {
             if queue.room() < 2 || queue.mark_room() == 0 {
                 return Some(flow);
             }
-            queue.mark(flow.open.s + len, member.tag);
+            mark(&mut self.inner, queue, flow.open.s + len, member.tag);
             flow.at = self.begin(&flow.open, queue);
             flow.begun = true;
         }
@@ -565,7 +657,7 @@ impl Assembler {
         if goes_on {
             return;
         }
-        queue.mark(last.s + len, last.member.tag);
+        mark(&mut self.inner, queue, last.s + len, last.member.tag);
         match flow.end {
             End::Rest(point) => queue.rest_at(point),
             End::Ease(ease) => {

@@ -217,6 +217,11 @@ impl Move {
         self
     }
 
+    /// Whether it is an arc, which may end where it begins.
+    pub(crate) fn is_arc(&self) -> bool {
+        matches!(self.kind, Kind::Arc { .. })
+    }
+
     /// Where it ends.
     pub fn to(&self) -> Position {
         self.to

@@ -162,7 +162,7 @@ impl Planner {
         if self.assembler.is_blocked() || self.aborting || self.tape.is_back() {
             return 0;
         }
-        (self.queue.room() / CELLS_A_MOVE).min(self.queue.mark_room())
+        (self.queue.room() / CELLS_A_MOVE).min(self.queue.mark_room().saturating_sub(self.assembler.marks()))
     }
 
     /// Takes a move, which begins where the one before it ends. A move that goes nowhere is taken and

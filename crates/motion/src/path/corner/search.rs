@@ -8,7 +8,7 @@ use super::{Corner, Directions, Form, norm, pace_below, paced};
 use crate::limits::{Drive, Inverse};
 use crate::path::swing::Swing;
 use crate::timing::ramp::{Foot, Phases, STOP_ROOM};
-use ferrocut_geometry::AXES;
+use ferrocut_geometry::{AXES, Position};
 
 /// What is tried at first, each with each.
 struct Tries {
@@ -222,8 +222,7 @@ impl Corner {
         }
         let (d1, d2) = (self.before.slope(0.0), self.after.slope(0.0));
         let turn = norm(&(d2 - d1).0);
-        // |d₂ − d₁| = 2·sin(θ/2)
-        let sine = turn * (1.0 - 0.25 * turn * turn).max(0.0).sqrt();
+        let sine = off_line(&d1, &d2).max(off_line(&d2, &d1));
         let directions = Directions::new(d1, d2, inverse);
         // Jerks, and the share at which it is as far out as in.
         let even = |Proportions { lean, out, end, .. }: Proportions| {
@@ -344,6 +343,14 @@ impl Corner {
         }
         (low > 0.0).then(|| self.loss_at(sides, low))
     }
+}
+
+/// How far a step of `d` leads off the line in the direction `line`: `sin θ` for two that are one long, which those are not
+/// in which rotary axes turn.
+fn off_line(d: &Position, line: &Position) -> f64 {
+    let product = |a: &Position, b: &Position| a.0.iter().zip(b.0).map(|(a, b)| a * b).sum::<f64>();
+    let along = product(d, line) / product(line, line);
+    norm(&d.zip(*line, |d, line| d - along * line).0)
 }
 
 /// The highest share of a swing, up to a third, that is not `too_far`.

@@ -3,7 +3,7 @@
 use super::{STANDING_KNOTS, Smoother, TOLERANCE_SHARE, Vector};
 
 /// Knots beside a vertex, in shares of the first distance.
-const FAN: [f64; 4] = [1.0, 3.0, 7.0, 15.0];
+const FAN: [f64; 5] = [1.0, 3.0, 7.0, 15.0, 31.0];
 
 /// A step of knots is set if the way that is left is so many times as long.
 const FAN_ROOM: f64 = 2.25;
@@ -12,7 +12,7 @@ const FAN_ROOM: f64 = 2.25;
 const FIRST: f64 = 0.7;
 
 /// Beyond so many of them a line is left as it is.
-const FAN_FREE: usize = 3;
+const FAN_FREE: usize = 4;
 
 /// A line of which one end stays as it is has a fan at the other if it is so many times as long as the first distance there.
 const KEPT_ROOM: f64 = 4.0;
