@@ -1,6 +1,6 @@
 //! Moves to cells: decides the joints and cuts moves up.
 //!
-//! The **newest** move is kept back until it is known that the line that it is does not go on ([`parts`]).
+//! The **newest** line is kept back until it is known that it does not go on ([`parts`]).
 //!
 //! A move can be cut up only when the move after it is known, because the joint between the two takes a part of
 //! it. So the one before it is kept **open**. When the next one comes, the joint is decided, the open move goes
@@ -204,31 +204,37 @@ impl Assembler {
                 let Some(count) = count else { return };
                 let end = self.ends[count - 1];
                 let first = newest.split(&end);
-                self.take_line(&first, count, queue);
+                self.take_line(&first, count, true, queue);
                 self.ends.iter_mut().for_each(|behind| behind.mark.s -= end.mark.s);
                 return self.run(queue);
             }
         }
         self.take_newest(queue);
-        self.newest = Some(Newest::new(&self.end, m));
         self.run(queue);
+        let newest = Newest::new(&self.end, m);
+        if self.is_blocked() || !self.rules.exact_stop && newest.may_go_on() {
+            self.newest = Some(newest);
+        } else {
+            self.take(m, false, queue);
+            self.run(queue);
+        }
     }
 
     fn take_newest(&mut self, queue: &mut Queue) {
         if let Some(newest) = self.newest.take() {
-            self.take_line(&newest.whole, self.ends.len() + 1, queue);
+            self.take_line(&newest.whole, self.ends.len() + 1, false, queue);
         }
     }
 
-    /// Takes a line of so many parts.
-    fn take_line(&mut self, whole: &Move, parts: usize, queue: &mut Queue) {
+    /// Takes a line of so many parts, of which there may be more behind it.
+    fn take_line(&mut self, whole: &Move, parts: usize, goes_on: bool, queue: &mut Queue) {
         // Where the last of them ends, so does the line.
         let inner = (parts - 1).min(self.ends.len());
         let (tag, of_line) = &mut self.of_line;
         *tag = whole.tag;
         of_line.extend(self.ends[..inner].iter().map(|end| end.mark));
         self.ends.drain(..parts.min(self.ends.len()));
-        self.take(whole, queue);
+        self.take(whole, goes_on, queue);
     }
 
     /// The line with this mark begins at `s`: so its parts end there.
@@ -240,13 +246,14 @@ impl Assembler {
         }
     }
 
-    /// Takes a move on its way to its cells.
-    fn take(&mut self, m: &Move, queue: &mut Queue) {
-        if self.run_on(m, queue) {
+    /// Takes a move on its way to its cells. It may be a line that goes on.
+    fn take(&mut self, m: &Move, goes_on: bool, queue: &mut Queue) {
+        if !goes_on && self.run_on(m, queue) {
             return;
         }
         let from = self.end;
         let Some(mut member) = Member::new(from, m, &self.rules) else { return };
+        member.is_part = goes_on;
         self.end = m.to;
         let is_line = member.piece.is_plain_line();
         if !self.waits() && member.inner.is_none() && is_line {
@@ -449,6 +456,9 @@ impl Assembler {
             return false;
         }
         let Some(Open { member, start, s }) = &mut self.open else { return false };
+        if member.is_part {
+            return false;
+        }
         let (end, tag, tolerance) = (*s + member.piece.len(), member.tag, member.tolerance.unwrap_or(0.0));
         let Some(len) = member.run_on(m, &self.rules, self.s) else { return false };
         mark(&mut self.inner, queue, end, tag);

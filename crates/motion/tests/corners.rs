@@ -619,3 +619,33 @@ fn a_lower_override_holds_on_a_slow_line_before_a_fast_one() {
         }
     }
 }
+
+/// Directions in which a rotary axis turns are longer than one: what a corner leaves its lines by is bounded all the same.
+#[test]
+fn corners_beside_rotary_axes_keep_their_tolerance() {
+    let mut machine = demo();
+    let mut seed = 0x2545_f491_4f6c_dd1d_u64;
+    let mut next = |most: f64| {
+        seed ^= seed << 13;
+        seed ^= seed >> 7;
+        seed ^= seed << 17;
+        most * (2.0 * (seed >> 11) as f64 / (1u64 << 53) as f64 - 1.0)
+    };
+    for tolerance in [0.005, 0.02, 0.05] {
+        machine.path.tolerance = tolerance;
+        for _ in 0..60 {
+            let mut at = Position::ZERO;
+            let ops: Vec<Op> = (0..3)
+                .map(|_| {
+                    let mut by = Position::xyz(next(20.0), next(20.0), next(2.0));
+                    by.0[3] = next(60.0);
+                    at = at + by;
+                    Op::Feed { to: at, feed: Feed::PerMinute(5000.0), path: GO }
+                })
+                .collect();
+            let run = run(&machine, Position::ZERO, &ops);
+            run.check_limits(&machine);
+            run.check_path(tolerance * 1.001);
+        }
+    }
+}

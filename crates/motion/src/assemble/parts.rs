@@ -56,6 +56,14 @@ impl Newest {
         self.way.iter().map(|c| c * c).sum::<f64>().sqrt()
     }
 
+    /// Whether it is a line that others may go on.
+    #[inline]
+    pub fn may_go_on(&self) -> bool {
+        let Kind::Line { path, .. } = self.whole.kind else { return false };
+        self.is_plain
+            && matches!(path, PathMode::Continuous | PathMode::ContinuousWithin(_) | PathMode::FullFeed)
+    }
+
     /// Goes on with `m`, if that is a part of the same line. Where a part ends is kept in `ends`.
     #[inline]
     pub fn go_on(&mut self, m: &Move, ends: &mut Vec<PartEnd>) -> bool {
@@ -72,9 +80,7 @@ impl Newest {
         if !is_on || feed != next_feed || self.whole.rpm != m.rpm || path != next_path {
             return false;
         }
-        let is_plain =
-            matches!(path, PathMode::Continuous | PathMode::ContinuousWithin(_) | PathMode::FullFeed);
-        if !is_plain || !self.is_plain || here[3..] != there[3..] {
+        if !self.may_go_on() || here[3..] != there[3..] {
             return false;
         }
         ends.push(PartEnd {

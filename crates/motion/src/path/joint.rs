@@ -111,6 +111,8 @@ pub(crate) struct Member {
     pub tolerance: Option<f64>,
     /// It is a piece of a block and not the last one.
     pub within_block: bool,
+    /// The first part of a line, of which the next is the rest.
+    pub is_part: bool,
     /// Speed of the spindle that the feed holds at, r/min; 0 where it does not follow the spindle.
     pub rpm: f64,
     /// Highest speed whatever the override, mm/s: of cutting, of an arc; infinite where there is none.
@@ -228,7 +230,18 @@ impl Member {
         };
         let feed = feed.max(lowest) * piece.pace();
         let within_block = matches!(path, PathMode::WithinBlock(_));
-        Some(Member { tag: m.tag, piece, class, feed, tolerance, within_block, rpm: m.rpm, most, inner })
+        Some(Member {
+            tag: m.tag,
+            piece,
+            class,
+            feed,
+            tolerance,
+            within_block,
+            is_part: false,
+            rpm: m.rpm,
+            most,
+            inner,
+        })
     }
 
     /// Goes on with the line `m`, if both are smoothed together and nothing asks for a closer look: then it is that line.
@@ -289,6 +302,9 @@ impl Member {
 
     /// How this move runs into `next`.
     pub fn join(&self, next: &Member, behind: Behind, rules: &JointRules, inverses: &Inverses) -> Joint {
+        if self.is_part {
+            return Joint::Through(f64::INFINITY);
+        }
         let inverse = inverses.beside(self.class, next.class);
         let Some(tolerance) = self.tolerance else { return Joint::Rest };
         // What is beside a joint is of both moves. An exact stop has a tolerance at its end alone, and so has the last piece
