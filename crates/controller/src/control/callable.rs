@@ -18,15 +18,21 @@ pub struct PublicPrograms {
     pub text: Arc<Text>,
 }
 
-/// What a program can call.
+/// What a program can call, and how it is read.
 #[derive(Clone, Debug)]
 pub(super) struct Callable {
-    /// The programs of the memory.
-    pub library: Library,
+    stored: Stored,
     dialect: &'static Dialect,
     public: Option<PublicPrograms>,
     /// A memory with those that come with the machine, which were read: no load reads them again.
     prepared: ProgramMemory,
+}
+
+/// Programs that are found by their name while another runs.
+#[derive(Clone, Debug)]
+struct Stored {
+    /// Those of the memory.
+    library: Library,
     tool_change: ToolChange,
 }
 
@@ -49,10 +55,21 @@ pub(super) struct Prepared {
     pub changes_tools: Option<u32>,
 }
 
-impl Source for Callable {
+impl Source for Stored {
     fn find(&mut self, id: &ProgramId) -> Option<(String, Text)> {
         let (name, text) = self.named(id)?;
         Some((name, Text::from_bytes(text).ok()?))
+    }
+}
+
+impl Stored {
+    /// A program with its name: that of the memory, else the tool change that comes with the machine.
+    fn named(&self, id: &ProgramId) -> Option<(String, Vec<u8>)> {
+        let ToolChange { number, text, .. } = &self.tool_change;
+        self.library.named(id).or_else(|| {
+            let number = number.filter(|number| *id == ProgramId::Number(*number))?;
+            Some((format!("O{number:04}"), text.as_ref()?.to_vec()))
+        })
     }
 }
 
@@ -69,28 +86,32 @@ impl Callable {
         let number = Some(machine.tool_change.program.unwrap_or(TOOL_CHANGE_PROGRAM)).filter(|n| *n > 0);
         let tool_change = ToolChange { number, text: tool_change.map(Arc::from), is_needed: has_ladder };
         let prepared = memory_of(dialect, public.as_ref());
-        Callable { library, dialect, public, prepared, tool_change }
+        Callable { stored: Stored { library, tool_change }, dialect, public, prepared }
     }
 
     /// The same for programs of another control language, in which no program of the control can be called by M06.
     pub fn speaking(self, dialect: &'static Dialect) -> Callable {
-        let tool_change = ToolChange { number: None, ..self.tool_change };
+        let tool_change = ToolChange { number: None, ..self.stored.tool_change };
         let prepared = memory_of(dialect, self.public.as_ref());
-        Callable { dialect, prepared, tool_change, ..self }
+        Callable { stored: Stored { tool_change, ..self.stored }, dialect, prepared, ..self }
     }
 
     /// Whether programs run that of this name by M06.
     pub fn changes_tools(&self, program: &str) -> bool {
-        self.tool_change.number.is_some_and(|number| super::id_of(program) == ProgramId::Number(number))
+        self.stored
+            .tool_change
+            .number
+            .is_some_and(|number| super::id_of(program) == ProgramId::Number(number))
+    }
+
+    /// The programs of the memory.
+    pub fn library(&self) -> &Library {
+        &self.stored.library
     }
 
     /// A program with its name: that of the memory, else the tool change that comes with the machine.
     pub fn named(&self, id: &ProgramId) -> Option<(String, Vec<u8>)> {
-        let ToolChange { number, text, .. } = &self.tool_change;
-        self.library.named(id).or_else(|| {
-            let number = number.filter(|number| *id == ProgramId::Number(*number))?;
-            Some((format!("O{number:04}"), text.as_ref()?.to_vec()))
-        })
+        self.stored.named(id)
     }
 
     /// A text as the main program, with all that it can call.
@@ -100,8 +121,8 @@ impl Callable {
             // Here, beside the period as it may be, and not as the interpreter takes it. What cannot be read fails there.
             let _ = programs.look_for_programs();
         }
-        programs.set_source(Box::new(self.clone()));
-        let ToolChange { number, is_needed, .. } = self.tool_change;
+        programs.set_source(Box::new(self.stored.clone()));
+        let ToolChange { number, is_needed, .. } = self.stored.tool_change;
         // RS274/NGC runs none: there it is an alarm where one is needed.
         let runs_programs = self.dialect.blocks.is_none();
         let is_there = |number: u32| runs_programs && self.named(&ProgramId::Number(number)).is_some();

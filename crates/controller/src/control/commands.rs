@@ -337,7 +337,7 @@ impl Control {
     // Programs.
 
     fn programs(&self) -> Answer {
-        let programs = match &self.callable.library {
+        let programs = match self.callable.library() {
             library::Library::Held(programs) => {
                 let programs = programs.lock().unwrap_or_else(PoisonError::into_inner);
                 let info = |(name, text): (&String, &Vec<u8>)| ProgramInfo {
@@ -361,16 +361,16 @@ impl Control {
                 found.into_iter().map(info).collect()
             }
         };
-        let most = match &self.callable.library {
+        let most = match self.callable.library() {
             library::Library::Held(_) => None,
             library::Library::Kept(_) => u32::try_from(limits::PROGRAMS).ok(),
         };
-        Ok(Reply::Programs { programs, most, room: self.callable.library.room() })
+        Ok(Reply::Programs { programs, most, room: self.callable.library().room() })
     }
 
     /// The name of a program that there is.
     fn known(&self, program: &str) -> Result<String, Box<Alarm>> {
-        let found = self.callable.library.name_of(&library::id_of(program));
+        let found = self.callable.library().name_of(&library::id_of(program));
         found.ok_or_else(|| Box::new(named(Fault::NoSuchName, program)))
     }
 
@@ -392,13 +392,13 @@ impl Control {
         if name.is_empty() || name.len() > 128 {
             return Err(Box::new(named(Fault::ValueImpossible, name)));
         }
-        let name = self.callable.library.name_of(&library::id_of(&name)).unwrap_or(name);
+        let name = self.callable.library().name_of(&library::id_of(&name)).unwrap_or(name);
         if self.is_in_use(&name) {
             return Err(Box::new(named(Fault::ProgramInUse, name)));
         }
         let text = text.into_bytes();
         let comment = comment_of(&text);
-        if let library::Library::Held(programs) = &self.callable.library {
+        if let library::Library::Held(programs) = self.callable.library() {
             programs.lock().unwrap_or_else(PoisonError::into_inner).insert(name.clone(), text.clone());
         }
         self.change_data(author, Change::Program { name, text, comment })
@@ -410,7 +410,7 @@ impl Control {
         if self.is_in_use(&name) {
             return Err(Box::new(named(Fault::ProgramInUse, name)));
         }
-        if let library::Library::Held(programs) = &self.callable.library {
+        if let library::Library::Held(programs) = self.callable.library() {
             programs.lock().unwrap_or_else(PoisonError::into_inner).remove(&name);
         }
         self.change_data(author, Change::DeleteProgram { name })
@@ -423,7 +423,7 @@ impl Control {
         let to = to.trim().to_owned();
         let taken = self
             .callable
-            .library
+            .library()
             .name_of(&library::id_of(&to))
             .is_some_and(|other| other != name || other == to);
         if to.is_empty() || to.len() > 128 || taken {
@@ -433,9 +433,9 @@ impl Control {
             return Err(Box::new(named(Fault::ProgramInUse, name)));
         }
         let text =
-            self.callable.library.text(&name).ok_or_else(|| named(Fault::NoSuchName, name.as_str()))?;
+            self.callable.library().text(&name).ok_or_else(|| named(Fault::NoSuchName, name.as_str()))?;
         let text = library::renumbered(&text, &name, &to).unwrap_or(text);
-        if let library::Library::Held(programs) = &self.callable.library {
+        if let library::Library::Held(programs) = self.callable.library() {
             let mut programs = programs.lock().unwrap_or_else(PoisonError::into_inner);
             programs.remove(&name);
             programs.insert(to.clone(), text.clone());
@@ -454,7 +454,7 @@ impl Control {
         let (lines, cursor) = match self.mode {
             Mode::Mdi => (lines_of(self.mdi.as_bytes()), &mut self.mdi_cursor),
             Mode::Edit | Mode::Auto => {
-                let text = self.selected.as_ref().and_then(|name| self.callable.library.text(name));
+                let text = self.selected.as_ref().and_then(|name| self.callable.library().text(name));
                 (text.map_or(0, |text| lines_of(&text)), &mut self.cursor)
             }
             mode => return Err(Box::new(alarm(Fault::ControlMode).with("mode", name_of(mode)))),

@@ -38,7 +38,7 @@ impl Control {
 
     /// The programs of the control.
     pub fn library(&self) -> Library {
-        self.callable.library.clone()
+        self.callable.library().clone()
     }
 }
 

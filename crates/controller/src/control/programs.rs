@@ -151,7 +151,7 @@ impl Control {
             return Err(Box::new(alarm(Fault::ControlMode).with("mode", super::name_of(self.mode))));
         }
         let missing = || alarm(Fault::NoSuchName).with("name", name);
-        let name = self.callable.library.name_of(&library::id_of(name)).ok_or_else(missing)?;
+        let name = self.callable.library().name_of(&library::id_of(name)).ok_or_else(missing)?;
         self.forget_prepared();
         self.selected = Some(name.clone());
         self.cursor = 1;
@@ -180,7 +180,7 @@ impl Control {
         let id = program.map(|program| library::id_of(&program));
         match (&self.loaded, id) {
             (Loaded::Auto(name), id) if id.as_ref().is_none_or(|id| *id == library::id_of(name)) => {
-                let text = self.callable.library.text(name)?;
+                let text = self.callable.library().text(name)?;
                 line_of(&text, sequence).map(|line| (FileId(0), line))
             }
             (Loaded::Auto(_) | Loaded::Mdi | Loaded::Dnc, Some(id)) => {
@@ -197,11 +197,11 @@ impl Control {
     /// Why a program that was named stops behind no such sequence number: it is not there, or has none.
     pub(super) fn may_stop_at(&self, program: &str, sequence: u32) -> Result<(), Box<Alarm>> {
         let id = library::id_of(program);
-        let place = match self.callable.library.named(&id) {
+        let place = match self.callable.library().named(&id) {
             Some((_, text)) => line_of(&text, sequence),
             // One within the program that is chosen.
             None => {
-                let text = self.selected.as_ref().and_then(|name| self.callable.library.text(name));
+                let text = self.selected.as_ref().and_then(|name| self.callable.library().text(name));
                 let begins = text.as_ref().and_then(|text| begin_of(text, &id));
                 let (text, begins) =
                     text.zip(begins).ok_or_else(|| alarm(Fault::NoSuchName).with("name", program))?;

@@ -58,7 +58,7 @@ impl Worker {
 
 /// A program of the memory.
 fn read(callable: &Callable, name: &str) -> Found {
-    let bytes = callable.library.text(name).ok_or(Fault::NoSuchName)?;
+    let bytes = callable.library().text(name).ok_or(Fault::NoSuchName)?;
     let text = Text::from_bytes(bytes).map_err(|_| Fault::FileNotText)?;
     Ok(Box::new(callable.prepare(name, text)))
 }
