@@ -537,3 +537,22 @@ fn a_million_blocks_are_searched_while_the_control_goes_on() {
     let Reply::Restarts { searching, ready, .. } = shop.say(Command::Restarts) else { panic!() };
     assert!(!searching && ready.is_none());
 }
+
+#[test]
+fn a_program_that_never_began_was_interrupted_nowhere() {
+    let mut shop = Shop::new(&[]);
+    shop.store("O0001", "O1\nG90 G0 X1\nX2\nX3\nX4\nM30\n");
+    shop.store("O0006", "O6\nG90 G0 X9000 Y10\nG1 Z-1 F600\nX5\nX6\nX7\nM30\n");
+    shop.select("O1");
+    shop.start();
+    shop.until_it_stops();
+    shop.select("O6");
+    shop.events.clear();
+    shop.start();
+    let status = shop.until_it_stops();
+    assert_eq!(status.activity, Activity::Alarm, "{status:?}");
+    shop.say(Command::Reset);
+    let status = shop.wait(20);
+    assert_eq!(status.interrupted, None);
+    assert!(!shop.events.iter().any(|event| matches!(event, Event::Interrupted { .. })));
+}

@@ -368,6 +368,30 @@ fn the_keys_of_the_spindle_turn_it_only_where_the_ladder_lets_it() {
     assert_eq!(on(&mut mill, &["ORARA", "LAMP_SP_ORIENT"]), ["ORARA", "LAMP_SP_ORIENT"]);
 }
 
+/// An S that a program gives alone starts no spindle that keys or a lock left standing, and turns none round (3.1.2, 7.8).
+#[test]
+fn s_alone_turns_no_spindle() {
+    let mut mill = Mill::power_on();
+    mill.home();
+    mill.mdi("M3 S300");
+    mill.press("KEY_JOG");
+    mill.press("KEY_SP_STOP");
+    mill.until("standing", |status| status.spindle.actual == 0.0);
+    mill.mdi("S600");
+    assert_eq!(mill.wait(500).spindle.actual, 0.0);
+    mill.press("KEY_JOG");
+    mill.press("KEY_SP_CCW");
+    mill.until("turning", |status| status.spindle.actual.round() == -600.0);
+    mill.mdi("S450");
+    mill.until("the new speed", |status| status.spindle.actual.round() == -450.0);
+    mill.mdi("M5");
+    mill.press("KEY_AUXLOCK");
+    mill.mdi("M3 S500");
+    mill.press("KEY_AUXLOCK");
+    mill.mdi("S600");
+    assert_eq!(mill.wait(500).spindle.actual, 0.0);
+}
+
 /// What cycle start is refused for.
 fn refused_start(mill: &mut Mill) -> Vec<String> {
     mill.events.clear();

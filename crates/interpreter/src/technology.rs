@@ -5,7 +5,7 @@ use crate::dialect::{GCode, MFunction, Meaning};
 use crate::interpreter::Interpreter;
 use crate::modal::Group;
 use crate::stages::units;
-use ferrocut_geometry::{Axis, AxisSet};
+use ferrocut_geometry::{Axis, AxisSet, Turn};
 use ferrocut_machine::Fault;
 use ferrocut_program::Span;
 use ferrocut_toolpath::{Op, Speed, SpindleState};
@@ -91,6 +91,15 @@ impl Interpreter {
         let turn = self.technology.spindle.turn()?;
         self.technology.spindle = SpindleState::turning(turn, self.speed());
         Some(self.technology.spindle)
+    }
+
+    /// How the spindle turns as a program begins. An S starts none that stands, and turns none round.
+    pub fn finds_spindle(&mut self, turn: Option<Turn>) {
+        if self.technology.spindle.turn() != turn {
+            let speed = self.speed();
+            self.technology.spindle =
+                turn.map_or(SpindleState::Off, |turn| SpindleState::turning(turn, speed));
+        }
     }
 
     /// Tells a spindle that turns its speed.

@@ -32,6 +32,7 @@ impl Cnc {
         }
         self.wait_for_start();
         self.forget_journal();
+        self.no_block_was_run();
         Ok(old)
     }
 
@@ -44,6 +45,7 @@ impl Cnc {
         let old = self.interpreter.own().load(programs, self.motion.position());
         self.wait_for_start();
         self.forget_journal();
+        self.no_block_was_run();
         Ok(old)
     }
 
@@ -60,6 +62,7 @@ impl Cnc {
         };
         self.wait_for_start();
         self.forget_journal();
+        self.no_block_was_run();
         Ok(is_there)
     }
 

@@ -87,7 +87,12 @@ impl Cnc {
         self.taking_up.journal.take().map(|journal| *journal)
     }
 
-    /// The number and the text of the block being run, or that was run last.
+    /// What is loaded was not begun: a block of what ran before is none of it.
+    pub(super) fn no_block_was_run(&mut self) {
+        self.taking_up.at = Default::default();
+    }
+
+    /// The number and the text of the block being run, or that was run last; line 0 where none was.
     pub fn block_run(&self) -> (u64, Span) {
         self.taking_up.at
     }
