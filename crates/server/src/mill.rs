@@ -188,6 +188,8 @@ impl Mill {
                 if self.cnc.append(format!("{block}\n").as_bytes()).is_ok()
                     && *self.cnc.state() == State::Ready
                 {
+                    // It may be at an end again before the next period is over.
+                    self.was = State::Ready;
                     self.cnc.cycle_start();
                 }
             }

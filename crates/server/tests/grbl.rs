@@ -663,10 +663,11 @@ fn a_probe_tells_where_it_met_the_work() {
     let heard = session.say("G10L2P1Z-1\nG38.2Z-20F1000\nG4P0.1\n") + &session.settle();
     assert!(heard.contains("[PRB:0.000,0.000,-3.500:1]\r\nok\r\n"), "{heard}");
     assert!(session.say("$#\n").contains("[PRB:0.000,0.000,-3.500:1]"));
-    // Away from it nothing is met.
-    session.say("G0Z5\nG38.2Z20F1000\nG0X50\n");
-    let heard = session.settle();
-    assert!(heard.contains("ALARM:5"), "{heard}");
+    // Away from it nothing is met. Each line is answered, those behind it by the lock.
+    let heard = session.say("G0Z5\nG38.2Z20F1000\nG0X50\nG4P0\n\n$G\n") + &session.settle();
+    let answers: Vec<&str> =
+        heard.lines().filter(|line| !line.starts_with("[PRB") && !line.starts_with("[GC")).collect();
+    assert_eq!(answers, ["ok", "ALARM:5", "ok", "error:9", "error:9", "ok", "ok"], "{heard}");
     session.wait(500);
     assert_eq!(session.at()[Axis::X], 0.0, "what stands behind it is not run");
 }
@@ -699,6 +700,21 @@ fn a_program_ends_and_another_follows() {
     session.say("M30\n");
     assert!(session.say("$G\n").contains("[GC:G1 G54 G17 G20 G90 G94 M5 M9"), "codes");
     assert_eq!(session.say("X2\n"), "error:22\r\n");
+}
+
+/// Jobs that are sent one behind the other may end with nothing between.
+#[test]
+fn every_end_of_a_program_is_answered() {
+    for (program, ends) in
+        [("M30\nM30\nG0X1\n", 2), ("M2\n\nM2\nM2\nG0X1\n", 3), ("M30\n%\nM30\nG0X1\n", 2)]
+    {
+        let mut session = Session::unlocked();
+        session.send(program.as_bytes());
+        let heard = session.settle() + &session.settle();
+        assert_eq!(heard.matches("ok\r\n").count(), program.lines().count(), "{program} {heard}");
+        assert_eq!(heard.matches("[MSG:Pgm End]").count(), ends, "{program} {heard}");
+        assert_eq!(session.at()[Axis::X], 1.0, "{program}");
+    }
 }
 
 #[test]

@@ -143,6 +143,11 @@ impl AlarmCode {
         }
     }
 
+    /// Whether a probe failed.
+    pub fn is_of_probe(self) -> bool {
+        matches!(self, AlarmCode::ProbeBefore | AlarmCode::ProbeMissed)
+    }
+
     /// Whether nothing but a reset is taken behind it.
     pub fn is_critical(self) -> bool {
         matches!(self, AlarmCode::HardLimit | AlarmCode::SoftLimit)

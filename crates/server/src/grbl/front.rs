@@ -389,9 +389,28 @@ impl Grbl {
             self.out.push_str("[MSG:Reset to continue]\r\n");
         }
         self.lock = Lock::Alarm(code);
+        (self.jog_end, self.ends_program) = (None, false);
+        if code.is_of_probe() {
+            // Its line is answered like any other, and those behind it by the lock.
+            while let Some(owed) = self.owed.pop_front() {
+                self.answered(match owed {
+                    Owed::Answer(answer) => answer,
+                    Owed::Block { given, .. } if given.is_own => continue,
+                    Owed::Block { .. } | Owed::Home => Ok(()),
+                });
+            }
+            return;
+        }
         self.lines.clear();
         self.owed.clear();
-        (self.received, self.jog_end, self.ends_program) = (0, None, false);
+        self.received = 0;
+    }
+
+    fn answered(&mut self, answer: Result<(), Error>) {
+        match answer {
+            Ok(()) => self.out.push_str("ok\r\n"),
+            Err(Error(number)) => drop(write!(self.out, "error:{number}\r\n")),
+        }
     }
 
     /// `$X`: programs are taken again.
@@ -521,7 +540,6 @@ impl Grbl {
                         return;
                     }
                     if let Some(fault @ Fault::SkipWithoutSignal) = refused {
-                        self.owed.pop_front();
                         return self.alarm(AlarmCode::of(fault));
                     }
                     match refused {
@@ -532,7 +550,6 @@ impl Grbl {
                     if let (Some(needs_contact), None) = (given.probes, refused) {
                         self.reporter.probe(&mut self.out, status, &self.settings);
                         if needs_contact && !status.probe.1 {
-                            self.owed.pop_front();
                             return self.alarm(AlarmCode::ProbeMissed);
                         }
                     }
@@ -552,10 +569,8 @@ impl Grbl {
                 }
             };
             self.owed.pop_front();
-            match answer {
-                Some(Ok(())) => self.out.push_str("ok\r\n"),
-                Some(Err(Error(number))) => drop(write!(self.out, "error:{number}\r\n")),
-                None => {}
+            if let Some(answer) = answer {
+                self.answered(answer);
             }
         }
     }
@@ -611,10 +626,10 @@ impl Grbl {
                 },
             };
             // What is done already is told at once, so that a command's own text stands before its answer.
-            match (self.owed.is_empty(), done) {
-                (true, Ok(())) => self.out.push_str("ok\r\n"),
-                (true, Err(Error(number))) => drop(write!(self.out, "error:{number}\r\n")),
-                (false, done) => self.owe(Owed::Answer(done)),
+            if self.owed.is_empty() {
+                self.answered(done);
+            } else {
+                self.owe(Owed::Answer(done));
             }
         }
     }
