@@ -15,5 +15,6 @@ pub mod panel;
 pub mod remote;
 pub mod runner;
 pub mod service;
+pub mod signals;
 pub mod told;
 pub mod web;

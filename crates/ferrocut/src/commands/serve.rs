@@ -16,13 +16,14 @@ use ferrocut_server::mill::Mill;
 use ferrocut_server::panel::{self, Panel};
 use ferrocut_server::remote::Remote;
 use ferrocut_server::runner::Timing;
+use ferrocut_server::signals;
 use ferrocut_server::web::{Certificate, Settings, StartError, Web};
 use std::fmt;
 use std::io::Write;
 use std::net::TcpListener;
 use std::str::FromStr;
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 /// Where Grbl senders connect.
@@ -165,10 +166,15 @@ fn serve_control(args: &ServeArgs, shop: &Shop) -> Result<Exit, Failure> {
         lines::serve(hub.clone(), listener).map_err(cannot(address))?;
         say(&format!("tcp {at}"));
     }
-    let web = if args.headless { None } else { Some(serve_panel(args, shop, store, hub)?) };
+    let told = signals::hear().map_err(cannot("signals"))?;
+    // It serves for as long as it is there.
+    let _web = if args.headless { None } else { Some(serve_panel(args, shop, store, hub)?) };
     tell_timing(args.timing, runner.timing());
     while runner.is_alive() {
-        if web.as_ref().is_some_and(Web::is_told_to_stop) {
+        if told.load(Ordering::Relaxed) {
+            if let Some(path) = &args.socket {
+                let _ = std::fs::remove_file(path);
+            }
             return Ok(Exit::Fine);
         }
         std::thread::sleep(Duration::from_millis(50));

@@ -43,11 +43,9 @@ use session::Sessions;
 use std::io;
 use std::net::{SocketAddr, TcpListener};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::JoinHandle;
 use std::time::Duration;
 use tokio::runtime::{Builder, Runtime};
-use tokio::signal::unix::{SignalKind, signal};
 use tokio::sync::watch;
 
 /// Threads that serve requests. Those that may compute are apart from them.
@@ -120,7 +118,6 @@ pub struct Web {
     address: SocketAddr,
     fingerprint: Option<String>,
     stop: watch::Sender<bool>,
-    is_told_to_stop: Arc<AtomicBool>,
     thread: Option<JoinHandle<()>>,
 }
 
@@ -147,7 +144,6 @@ impl Web {
         let address = listener.local_addr()?;
         let runtime = runtime()?;
         let (stop, stops) = watch::channel(false);
-        let is_told_to_stop = Arc::new(AtomicBool::new(false));
         let look = hub.look(|panel| (panel.control().library(), panel.control().plc_mut().is_some()));
         let (library, has_ladder) = look.ok_or_else(|| io::Error::from(io::ErrorKind::NotConnected))?;
         let is_encrypted = encryption.is_some();
@@ -164,10 +160,8 @@ impl Web {
         });
         let (acceptor, fingerprint) =
             encryption.map_or((None, None), |made| (Some(made.acceptor), Some(made.fingerprint)));
-        let told = is_told_to_stop.clone();
         let thread = std::thread::Builder::new().name("web".to_owned()).spawn(move || {
             runtime.block_on(async {
-                tokio::spawn(hear_signals(told));
                 // Without a listener there is nothing to do; it was bound above.
                 if let Ok(listener) = tokio::net::TcpListener::from_std(listener) {
                     listen::serve(listener, acceptor, router(shared), stops).await;
@@ -175,7 +169,7 @@ impl Web {
             });
             runtime.shutdown_timeout(FAREWELL);
         })?;
-        Ok(Web { address, fingerprint, stop, is_told_to_stop, thread: Some(thread) })
+        Ok(Web { address, fingerprint, stop, thread: Some(thread) })
     }
 
     /// Where it listens.
@@ -192,11 +186,6 @@ impl Web {
     /// SHA-256 of the certificate, by which people know it; none where connections are not encrypted.
     pub fn fingerprint(&self) -> Option<&str> {
         self.fingerprint.as_deref()
-    }
-
-    /// Whether somebody asked for the end, by Ctrl-C or the system.
-    pub fn is_told_to_stop(&self) -> bool {
-        self.is_told_to_stop.load(Ordering::Relaxed)
     }
 
     /// Whether the panel has been built into this program, or stands beside it in a debug build.
@@ -237,20 +226,6 @@ fn runtime() -> io::Result<Runtime> {
         })
         .enable_all()
         .build()
-}
-
-/// Notes that Ctrl-C was pressed or the system wants the end.
-async fn hear_signals(told: Arc<AtomicBool>) {
-    let (Ok(mut interrupt), Ok(mut terminate)) =
-        (signal(SignalKind::interrupt()), signal(SignalKind::terminate()))
-    else {
-        return;
-    };
-    tokio::select! {
-        _ = interrupt.recv() => {}
-        _ = terminate.recv() => {}
-    }
-    told.store(true, Ordering::Relaxed);
 }
 
 fn router(shared: Arc<Shared>) -> Router {
