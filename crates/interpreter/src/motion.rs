@@ -379,7 +379,9 @@ impl Interpreter {
         }
         let mut shape = Arc::about(plane, from, end, center, turn);
         if self.rules.motion.helix_has_pitch && plane == Plane::Xy {
-            self.add_turns(&mut shape)?;
+            // Both as they are programmed: scaling changes neither the one nor the other alone.
+            let climb = (to[Axis::Z] - self.location.programmed[Axis::Z]).abs();
+            self.add_turns(&mut shape, climb)?;
         }
         let feed = self.feed()?;
         self.check_reach(machine)?;
@@ -415,12 +417,11 @@ impl Interpreter {
 
     /// K as pitch (Weihong 4.3, G02): as many more full turns as the climb has room for. Its sign is left
     /// aside.
-    fn add_turns(&self, shape: &mut Arc) -> Fallible<()> {
+    fn add_turns(&self, shape: &mut Arc, climb: f64) -> Fallible<()> {
         let inch = self.modal.is_inch();
         let Some(pitch) = self.words.get(b'K').map(|k| units::length_mm(k, inch).abs()) else {
             return Ok(());
         };
-        let climb = (shape.end[Axis::Z] - shape.start[Axis::Z]).abs();
         if pitch == 0.0 || climb == 0.0 {
             return Ok(());
         }

@@ -606,3 +606,18 @@ fn words_belong_to_the_code_that_takes_them() {
         ),
     ]);
 }
+
+/// K of a helix is a length of the program, as its climb is: scaling changes the number of turns by nothing.
+#[test]
+fn scaling_leaves_the_turns_of_a_helix() {
+    for scale in ["P1", "P2", "P0.5", "I1 J1 K3"] {
+        let program = format!("G51 X0 Y0 Z0 {scale}\nG0 X10\nG3 X10 Y0 I-10 J0 Z-20 K5 F100\nM30");
+        let (steps, alarm) = run_on(&DIALECT, &program, "");
+        assert_eq!(alarm, None, "{scale}");
+        let sweep = steps.iter().find_map(|step| match step.op {
+            Op::Arc { sweep, .. } => Some(sweep.to_degrees().round()),
+            _ => None,
+        });
+        assert_eq!(sweep, Some(1440.0), "{scale}");
+    }
+}

@@ -11,7 +11,15 @@ use std::io::{self, Write};
 /// Runs the command.
 pub fn run(args: &TraceArgs) -> Result<Exit, Failure> {
     let shop = Shop::open(&args.common)?;
-    let job = shop.job(&args.file)?;
+    let job = shop.job(&args.file).inspect_err(|failure| {
+        // A fault in a drawing stands in the trace as one in a program does.
+        if failure.exit == Exit::Finding && failure.alarm.span.line > 0 {
+            let text = shop.diagnostics.message(&failure.alarm, failure.programs.as_deref());
+            let (id, span) = (failure.alarm.id, failure.alarm.span);
+            let mut trace = TraceWriter::new(io::stdout().lock(), shop.options().start);
+            let _ = trace.alarm(id.number(), &id.to_string(), &text, span).and_then(|()| trace.finish());
+        }
+    })?;
     let name = job.path.to_string_lossy().into_owned();
     job.tell(&shop.diagnostics);
     let notes: Vec<Step> = job.notes().map(|note| message(&shop, note, job.programs())).collect();
