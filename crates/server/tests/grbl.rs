@@ -705,8 +705,7 @@ fn a_program_ends_and_another_follows() {
 /// Jobs that are sent one behind the other may end with nothing between.
 #[test]
 fn every_end_of_a_program_is_answered() {
-    for (program, ends) in
-        [("M30\nM30\nG0X1\n", 2), ("M2\n\nM2\nM2\nG0X1\n", 3), ("M30\n%\nM30\nG0X1\n", 2)]
+    for (program, ends) in [("M30\nM30\nG0X1\n", 2), ("M2\n\nM2\nM2\nG0X1\n", 3), ("M30\n%\nM30\nG0X1\n", 2)]
     {
         let mut session = Session::unlocked();
         session.send(program.as_bytes());
