@@ -448,9 +448,10 @@ impl Cnc {
             if let Some(auxiliary) = &self.auxiliary {
                 // So there is room for them before the periods in which the program reads them.
                 self.interpreter.own().set_ports(auxiliary.macro_inputs());
-                // Keys, or a lock, may have left it otherwise than the program before did.
-                let turn = auxiliary.spindle_turns();
-                self.interpreter.own().finds_spindle(turn);
+            }
+            // One that is taken up has the spindle that its codes are about to turn.
+            if !self.is_leading_in() {
+                self.finds_spindle();
             }
         }
         self.forget_hold_behind_thread();

@@ -392,6 +392,36 @@ fn s_alone_turns_no_spindle() {
     assert_eq!(mill.wait(500).spindle.actual, 0.0);
 }
 
+/// Behind a restart that sends the code of the spindle the program knows that it turns: an S counts, and a cycle that stops
+/// it starts it again.
+#[test]
+fn a_program_taken_up_knows_that_its_spindle_turns() {
+    for (behind, told) in [("S2000\nG1 X60", 2000.0), ("G86 X50 Z-5 R2 F600\nG80\nG1 X80 F600", 1000.0)] {
+        let mut mill = Mill::power_on();
+        mill.home();
+        let text = format!("O1\nG54 G90 G0 X0\nM3 S1000\nG1 X40 F600\n{behind}\nM0\nM5\nM30\n");
+        mill.press("KEY_EDIT");
+        mill.say(Command::Store { program: "O0001".into(), text });
+        mill.say(Command::Select { program: "O1".into() });
+        mill.press("KEY_AUTO");
+        mill.press("KEY_START");
+        mill.until("cutting", |status| status.position.machine[&'X'] > 10.0);
+        mill.say(Command::Reset);
+        mill.until("the spindle stands", |status| status.spindle.actual == 0.0);
+        mill.press("KEY_AUTO");
+        mill.say(Command::Restart { line: None, pass: 1, file: None, sends: true, axis_by_axis: false });
+        for _ in 0..2000 {
+            std::thread::sleep(std::time::Duration::from_millis(1));
+            if mill.wait(1).restart_ready {
+                break;
+            }
+        }
+        mill.press("KEY_START");
+        let status = mill.until("M00", |status| status.activity == Activity::Stopped);
+        assert_eq!((status.spindle.told, status.spindle.actual.round()), (told, told), "{behind}");
+    }
+}
+
 /// What cycle start is refused for.
 fn refused_start(mill: &mut Mill) -> Vec<String> {
     mill.events.clear();

@@ -52,6 +52,8 @@ pub(crate) struct Output {
     request: Option<CornerRequest>,
     /// Codes of the block behind a corner that come before its move, which is still awaited.
     codes: Vec<Step>,
+    /// How many of them are of blocks before this one, which moved.
+    earlier_codes: usize,
     /// Compensation from that move on, and whether what is before ends square.
     later: Option<(Plane, Option<Offset>, bool)>,
     /// Plane of cutter compensation.
@@ -76,6 +78,7 @@ impl Output {
             cutter: Stage::new(rules),
             request: None,
             codes: Vec::new(),
+            earlier_codes: 0,
             later: None,
             plane: Plane::Xy,
             offset: None,
@@ -140,6 +143,7 @@ impl Output {
     pub(crate) fn start_block(&mut self) {
         self.refused = false;
         self.moved = false;
+        self.earlier_codes = self.codes.len();
     }
 
     /// Ends a block while compensation is in force or a corner waits. `names_plane`: it names axes of the plane
@@ -148,7 +152,7 @@ impl Output {
         if self.moved || self.paused || self.refused {
             return Ok(());
         }
-        if names_plane || !self.codes.is_empty() {
+        if names_plane || self.codes.len() > self.earlier_codes {
             self.move_is_missing()?;
         }
         let plane = self.plane;
@@ -250,7 +254,12 @@ impl Output {
         let request = self.request.take();
         // The move of the block comes last, if it is not held for a corner of its own.
         let is_held = request.is_some();
-        self.corner.push(from, step, request, |from, step| pieces.push((from, step)))?;
+        let joined = self.corner.push(from, step, request, |from, step| pieces.push((from, step)));
+        if joined.is_err() {
+            self.codes.clear();
+            self.begin_later();
+        }
+        joined?;
         let own = if is_held { None } else { pieces.pop() };
         for (from, step) in pieces {
             self.compensate(from, step)?;
@@ -309,6 +318,7 @@ impl Output {
     ) -> Result<(), Refused> {
         if !self.corner.is_empty() {
             // That is the move behind the corner, which belongs to what is before.
+            let square = square || self.later.is_some_and(|(.., square)| square);
             self.later = Some((plane, offset, square));
             return Ok(());
         }
@@ -371,6 +381,7 @@ impl Output {
 
     /// G39: an arc about the corner. `step` is a cut to the corner itself, for its feed.
     pub(crate) fn corner_arc(&mut self, step: Step) -> Result<(), Refused> {
+        self.move_is_missing()?;
         self.cutter.corner_arc(step).map_err(|refused| (fault_of(refused.fault), refused.at.span))
     }
 

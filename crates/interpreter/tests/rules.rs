@@ -755,6 +755,8 @@ fn codes_stand_beside_the_move_behind_a_corner() {
         ("G1 X20 ,R5 F100\nY20 M8", &["feed X15 F100", arc, "coolant on", "feed Y20 F100", "coolant off"]),
         ("G1 X20 ,R5 F100\nY20 T2", &["feed X15 F100", arc, "select 2", "feed Y20 F100"]),
     ]);
+    // A code of the corner's own block says nothing of the blocks behind it.
+    holds(&[("G1 X20 ,R5 F100 M0\nG90\nY20", &["feed X15 F100", arc, "stop M00", "feed Y20 F100"])]);
     for between in ["M8", "G4 X1", "T2"] {
         let (_, alarm) = run(&format!("G1 X20 ,R5 F100\n{between}\nY20\nM30"), "");
         let alarm = alarm.unwrap();
@@ -775,6 +777,7 @@ fn compensation_changes_behind_a_corner() {
         ("G41 D1 G1 X0 Y0 F100", "D2 Y-20\nX0\nG40 X-20"),
         ("G41 D1 G1 X0 Y0 F100", "G41 Y-20\nX0\nG40 X-20"),
         ("G41 D1 G1 X0 Y0 F100", "G40\nY-20"),
+        ("G41 D1 G1 X0 Y0 F100", "G40\nG42\nY-20\nX0\nG40 X-20"),
         ("G41 D1 G1 X0 Y0 F100", "Y-20 ,L5\nG40 X0"),
     ] {
         let corner = lines(&format!("{before}\nX20 ,L5\n{behind}\nM30"), setup);

@@ -26,7 +26,7 @@ use crate::path::joint::{Ease, Joint, JointRules, MOST_CHORDS, Member, add, is_l
 use crate::path::piece::Piece;
 use crate::path::shape::{Cubic, Shape};
 use crate::path::smooth::Smoother;
-use crate::timing::queue::{Cell, Mark, Node, Pass, Queue};
+use crate::timing::queue::{Cell, MARKS, Mark, Node, Pass, Queue};
 use ferrocut_geometry::{AXES, Position};
 use open::{Before, End, Flow, Held, Open, Start, Turn};
 use parts::{Newest, PARTS, PartEnd};
@@ -67,14 +67,21 @@ fn basis(member: &Member, rates: &Rates) -> f64 {
 /// Lines that may be on their way into the queue.
 const LINES: usize = 4;
 
-/// Notes that the block `tag` ends at `s`, and those that are parts of the line that it ends.
+/// So many marks of a chain are no longer waited with for its end: cells come with what is smoothed, and motion makes room
+/// for marks only where it has cells.
+const CHAIN_MARKS: usize = MARKS / 4;
+
+/// Notes that the block `tag` ends at `s`, and those that are parts of the line that it ends; how many.
 #[inline]
-fn mark(inner: &mut VecDeque<Mark>, queue: &mut Queue, s: f64, tag: u64) {
+fn mark(inner: &mut VecDeque<Mark>, queue: &mut Queue, s: f64, tag: u64) -> usize {
+    let mut count = 1;
     while let Some(end) = inner.front().copied().filter(|end| end.s < s) {
         inner.pop_front();
         queue.mark(end.s, end.tag);
+        count += 1;
     }
     queue.mark(s, tag);
+    count
 }
 
 /// A move under G62, which is cut up where an inner corner is at its end.
@@ -116,6 +123,8 @@ pub(crate) struct Assembler {
     /// The first line of the chain that the open move ends; how it begins is still to be put into the queue.
     first: Option<Open>,
     chained: bool,
+    /// How many marks of it are in the queue, of which no cell is yet.
+    chain_marks: usize,
     /// Where the newest move ends.
     end: Position,
     /// Its length on the path.
@@ -143,6 +152,7 @@ impl Assembler {
             inverses,
             first: None,
             chained: false,
+            chain_marks: 0,
             end: start,
             s: 0.0,
         }
@@ -165,6 +175,7 @@ impl Assembler {
         self.smoother.clear();
         self.first = None;
         self.chained = false;
+        self.chain_marks = 0;
         self.end = at;
         self.s = 0.0;
     }
@@ -200,7 +211,13 @@ impl Assembler {
                 return;
             }
             if !self.rules.exact_stop && newest.go_on(m, &mut self.ends) {
-                let count = newest.beyond(&self.ends, self.inverses.of(Class::Cut));
+                // Where a chain has no cells for so many marks, it ends here.
+                let is_too_many = self.chained && self.chain_marks + self.ends.len() >= 2 * CHAIN_MARKS;
+                let count = if is_too_many {
+                    Some(self.ends.len())
+                } else {
+                    newest.beyond(&self.ends, self.inverses.of(Class::Cut))
+                };
                 let Some(count) = count else { return };
                 let end = self.ends[count - 1];
                 let first = newest.split(&end);
@@ -438,10 +455,10 @@ impl Assembler {
             self.first = Some(*open);
             self.chained = true;
         }
-        mark(&mut self.inner, queue, end, open.member.tag);
+        self.chain_marks += mark(&mut self.inner, queue, end, open.member.tag);
         self.smoother.set_last(next.feed, next.most, next_tolerance);
         self.smoother.add(next.piece.end(), self.s);
-        if self.smoother.is_full() {
+        if self.smoother.is_full() || self.chain_marks >= CHAIN_MARKS {
             let open = *open;
             self.flow = Some(Flow { open, end: End::Through, chain: Some(true), at: 0.0, begun: false });
         }
@@ -452,7 +469,8 @@ impl Assembler {
     #[inline]
     fn run_on(&mut self, m: &Move, queue: &mut Queue) -> bool {
         // With the last point of a run more is to be done.
-        if !self.chained || self.waits() || self.smoother.is_nearly_full() {
+        let is_nearly_full = self.smoother.is_nearly_full() || self.chain_marks >= CHAIN_MARKS;
+        if !self.chained || self.waits() || is_nearly_full {
             return false;
         }
         let Some(Open { member, start, s }) = &mut self.open else { return false };
@@ -461,7 +479,7 @@ impl Assembler {
         }
         let (end, tag, tolerance) = (*s + member.piece.len(), member.tag, member.tolerance.unwrap_or(0.0));
         let Some(len) = member.run_on(m, &self.rules, self.s) else { return false };
-        mark(&mut self.inner, queue, end, tag);
+        self.chain_marks += mark(&mut self.inner, queue, end, tag);
         self.smoother.set_last(member.feed, member.most, member.tolerance.unwrap_or(tolerance));
         (*start, *s) = (Start::Plain(f64::INFINITY), self.s);
         self.begin_line(m.tag, self.s);
@@ -588,6 +606,7 @@ impl Assembler {
 
     /// Smooths the chain that the move of `flow` ends, and adds its cells.
     fn run_chain(&mut self, flow: &Flow, goes_on: bool, queue: &mut Queue) {
+        let known = queue.tail();
         let last = &flow.open;
         let len = last.member.piece.len();
         let mut keeps = [false, !matches!(flow.end, End::Rest(_))];
@@ -664,6 +683,9 @@ impl Assembler {
                 queue.append(Cell::new(Shape::Cubic(part), None), node(span.u + place(k), &part));
             }
         });
+        if !goes_on || queue.tail() > known {
+            self.chain_marks = 0;
+        }
         if goes_on {
             return;
         }

@@ -480,6 +480,13 @@ fn inputs_of_the_simulated_machine_are_shown_and_act() {
     let met = heard.split(['[', ':', ',']).nth(4).and_then(|z| z.parse::<f64>().ok());
     assert!(met.is_some_and(|z| (z + 4.0).abs() < 0.01), "{heard}");
     assert_eq!(pins(&mut session), "P");
+    // It touches already: what was refused before is answered as such, and before the alarm.
+    let mut heard = session.say("G1X1F0\nG38.2Z-20F200\nG0X5\n");
+    session.wait(300);
+    heard += &std::mem::take(&mut session.heard);
+    let answers: Vec<&str> = heard.lines().filter(|line| !line.starts_with("[PRB")).collect();
+    assert_eq!(answers, ["error:22", "ALARM:4", "ok", "error:9"], "{heard}");
+    session.say("$X\n");
     session.say("G0Z0\n");
     session.settle();
     assert_eq!(pins(&mut session), "");

@@ -49,6 +49,14 @@ impl Cnc {
         }
     }
 
+    /// Before a program begins: keys, or a lock, may have left the spindle otherwise than the program before did.
+    pub(crate) fn finds_spindle(&mut self) {
+        if let Some(auxiliary) = &self.auxiliary {
+            let turn = auxiliary.spindle_turns();
+            self.interpreter.own().finds_spindle(turn);
+        }
+    }
+
     /// Which way the spindle is asked to turn and may.
     fn spindle_turns(&self) -> Option<Turn> {
         match &self.auxiliary {

@@ -258,6 +258,7 @@ impl Control {
     fn journal_of_present(&mut self, program: &str, from_line: u32) -> Result<Journal, Box<Alarm>> {
         self.load_auto(program)?;
         self.begin_at((from_line > 1).then_some(from_line))?;
+        self.cnc.finds_spindle();
         Ok(Journal::of_present(self.cnc.interpreter(), self.cnc.renamed()))
     }
 

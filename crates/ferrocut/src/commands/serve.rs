@@ -168,18 +168,27 @@ fn serve_control(args: &ServeArgs, shop: &Shop) -> Result<Exit, Failure> {
     }
     let told = signals::hear().map_err(cannot("signals"))?;
     // It serves for as long as it is there.
-    let _web = if args.headless { None } else { Some(serve_panel(args, shop, store, hub)?) };
+    let _web = if args.headless {
+        None
+    } else {
+        Some(serve_panel(args, shop, store, hub).inspect_err(|_| forget_socket(args))?)
+    };
     tell_timing(args.timing, runner.timing());
     while runner.is_alive() {
         if told.load(Ordering::Relaxed) {
-            if let Some(path) = &args.socket {
-                let _ = std::fs::remove_file(path);
-            }
+            forget_socket(args);
             return Ok(Exit::Fine);
         }
         std::thread::sleep(Duration::from_millis(50));
     }
     Ok(Exit::Finding)
+}
+
+/// Nobody can connect at the socket any more.
+fn forget_socket(args: &ServeArgs) {
+    if let Some(path) = &args.socket {
+        let _ = std::fs::remove_file(path);
+    }
 }
 
 /// The panel for browsers.

@@ -11,11 +11,47 @@ use std::collections::VecDeque;
 /// Moves ahead that a point is compared with: a rounding may pass over short moves.
 const AHEAD: usize = 8;
 
+/// How far a block may end off the line of those before it to be one with them, mm.
+const OFF: f64 = 1e-7;
+
+/// A move, or blocks that go on one line: a corner is rounded over as many of them as it needs.
+#[derive(Clone, Copy)]
+struct Stretch {
+    /// The last of them, over the way of all.
+    programmed: Programmed,
+    /// Number of the first.
+    first: u64,
+}
+
+impl Stretch {
+    fn new(programmed: Programmed) -> Stretch {
+        Stretch { programmed, first: programmed.number }
+    }
+
+    /// Goes on with `next`, if that is a block of the same line.
+    fn go_on(&mut self, next: &Programmed) -> bool {
+        let own = &self.programmed;
+        let (Way::Line(from, middle), Way::Line(begin, to)) = (own.way, next.way) else { return false };
+        let are_alike = (own.is_rapid, own.feed, own.tolerance) == (next.is_rapid, next.feed, next.tolerance);
+        let product = |a: Position, b: Position| a.0.iter().zip(b.0).map(|(a, b)| a * b).sum::<f64>();
+        let whole = Programmed { way: Way::Line(from, to), ..*next };
+        let goes_on = are_alike
+            && middle == begin
+            && middle.0[3..] == to.0[3..]
+            && product(middle - from, to - middle) > 0.0
+            && whole.distance(middle).is_some_and(|off| off <= OFF);
+        if goes_on {
+            self.programmed = whole;
+        }
+        goes_on
+    }
+}
+
 /// The moves about the place where the axes are.
 #[derive(Default)]
 pub struct PathError {
     /// The nearest one first.
-    moves: VecDeque<Programmed>,
+    moves: VecDeque<Stretch>,
     /// Number of the last move seen.
     seen: u64,
     /// Number of the move being run.
@@ -40,7 +76,9 @@ impl PathError {
             let known = (self.seen + 1).saturating_sub(first);
             for programmed in cnc.moves().skip(usize::try_from(known).unwrap_or(usize::MAX)) {
                 self.seen = programmed.number;
-                self.moves.push_back(*programmed);
+                if !self.moves.back_mut().is_some_and(|last| last.go_on(programmed)) {
+                    self.moves.push_back(Stretch::new(*programmed));
+                }
             }
         }
         self.ran.push_back(self.running);
@@ -49,7 +87,7 @@ impl PathError {
         }
         // A joint may be rounded while the move behind it is run already.
         let last = self.ran.front().map_or(0, |ran| ran.saturating_sub(1));
-        while self.moves.front().is_some_and(|m| m.number < last) {
+        while self.moves.front().is_some_and(|m| m.programmed.number < last) {
             self.moves.pop_front();
         }
     }
@@ -61,20 +99,20 @@ impl PathError {
 
     /// The move that the axes are on.
     pub fn now(&self) -> Option<&Programmed> {
-        self.moves.front()
+        self.moves.front().map(|stretch| &stretch.programmed)
     }
 
     /// Distance of `point` from the programmed path; `None` where none is programmed.
     pub fn at(&mut self, point: Position) -> Option<f64> {
         self.leave_positioning();
         loop {
-            let least = self.moves.front()?.distance(point)?;
+            let least = self.moves.front()?.programmed.distance(point)?;
             let (mut nearest, mut least) = (0, least);
-            for (place, programmed) in self.moves.iter().enumerate().take(1 + AHEAD).skip(1) {
+            for (place, stretch) in self.moves.iter().enumerate().take(1 + AHEAD).skip(1) {
                 // Behind positioning of every axis on its own the path begins anew.
-                let Some(distance) = programmed.distance(point) else { break };
+                let Some(distance) = stretch.programmed.distance(point) else { break };
                 // Where a path comes back on itself the later move counts.
-                if distance < least + SAME_POINT_MM && programmed.number <= self.running {
+                if distance < least + SAME_POINT_MM && stretch.first <= self.running {
                     nearest = place;
                 }
                 least = least.min(distance);
@@ -88,9 +126,9 @@ impl PathError {
 
     /// Leaves what is before positioning of every axis on its own, which begins at rest, and it too once it is over.
     fn leave_positioning(&mut self) {
-        let ran = self.moves.iter().take_while(|m| m.number <= self.running).enumerate();
+        let ran = self.moves.iter().take_while(|m| m.first <= self.running).enumerate();
         let Some((place, number)) =
-            ran.filter(|(_, m)| m.way == Way::Apart).map(|(at, m)| (at, m.number)).last()
+            ran.filter(|(_, m)| m.programmed.way == Way::Apart).map(|(at, m)| (at, m.first)).last()
         else {
             return;
         };
@@ -114,7 +152,7 @@ mod tests {
     /// Along X to 10, along Y to 10, back above the first line at a distance of 0.5.
     fn hairpin(running: u64) -> PathError {
         let corners = [point(0.0, 0.0), point(10.0, 0.0), point(10.0, 0.5), point(0.0, 0.5)];
-        let moves = corners.windows(2).zip(1..).map(|(c, number)| line(number, c[0], c[1]));
+        let moves = corners.windows(2).zip(1..).map(|(c, number)| Stretch::new(line(number, c[0], c[1])));
         PathError { moves: moves.collect(), seen: 3, running, ..PathError::default() }
     }
 
@@ -142,7 +180,8 @@ mod tests {
         // Twenty times down and up a hole, then away along X.
         let (top, bottom) = (point(0.0, 0.0), Position::xyz(0.0, 0.0, -5.0));
         let strokes = (0..20).flat_map(|_| [(top, bottom), (bottom, top)]).chain([(top, point(9.0, 0.0))]);
-        let moves = strokes.zip(1..).map(|((from, to), number)| line(number, from, to)).collect();
+        let of = |((from, to), number)| Stretch::new(line(number, from, to));
+        let moves = strokes.zip(1..).map(of).collect();
         let mut error = PathError { moves, running: 40, ..PathError::default() };
         assert_eq!(error.at(top), Some(0.0));
         error.running = 41;
@@ -157,15 +196,25 @@ mod tests {
     }
 
     #[test]
+    fn blocks_of_one_line_are_the_line() {
+        let mut stretch = Stretch::new(line(1, point(0.0, 0.0), point(0.1, 0.2)));
+        assert!(stretch.go_on(&line(2, point(0.1, 0.2), point(0.3, 0.6))));
+        assert!(!stretch.go_on(&line(3, point(0.3, 0.6), point(0.4, 0.7))), "it turns");
+        assert!(!stretch.go_on(&line(3, point(0.3, 0.6), point(0.2, 0.4))), "it turns back");
+        assert_eq!((stretch.first, stretch.programmed.number), (1, 2));
+        assert_eq!(stretch.programmed.way, Way::Line(point(0.0, 0.0), point(0.3, 0.6)));
+    }
+
+    #[test]
     fn positioning_of_every_axis_on_its_own_has_no_path() {
         let mut error = hairpin(1);
-        error.moves[0].way = Way::Apart;
+        error.moves[0].programmed.way = Way::Apart;
         assert_eq!(error.at(point(4.0, 3.0)), None);
         error.running = 2;
         assert!((error.at(point(9.9, 0.25)).unwrap() - 0.1).abs() < 1e-12);
         // Nor has it any while what is before it is known.
         let mut error = hairpin(2);
-        error.moves[1].way = Way::Apart;
+        error.moves[1].programmed.way = Way::Apart;
         assert_eq!(error.at(point(9.0, 0.3)), None);
     }
 }

@@ -15,7 +15,7 @@ use ferrocut_geometry::{AXES, Position};
 use ferrocut_toolpath::PathMode;
 
 /// Most parts of a line that are kept back.
-pub(super) const PARTS: usize = 2048;
+pub(super) const PARTS: usize = 1024;
 
 /// How far a part may end off the line of those before it, mm: what rounding of coordinates as large as a machine's makes.
 const OFF: f64 = 5e-8;
@@ -95,9 +95,6 @@ impl Newest {
     /// The first part of a line that is longer than what is kept back: how many of its `ends` are in it, the last of them its
     /// own.
     pub fn beyond(&mut self, ends: &[PartEnd], inverse: &Inverse) -> Option<usize> {
-        if ends.is_empty() {
-            return None;
-        }
         if ends.len() == PARTS {
             return Some(PARTS / 2);
         }
@@ -109,7 +106,9 @@ impl Newest {
             return None;
         }
         let count = ends.partition_point(|end| end.mark.s <= len - self.enough);
-        (count > 0).then_some(count)
+        // What goes is no shorter than what stays: the corner before it is that of a longer line too.
+        let is_long = ends.get(count.checked_sub(1)?).is_some_and(|end| end.mark.s >= self.enough);
+        is_long.then_some(count)
     }
 
     fn enough(&self, len: f64, inverse: &Inverse) -> f64 {

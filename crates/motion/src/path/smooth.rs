@@ -42,8 +42,8 @@ const SPARE: usize = 160;
 /// Share of a span by which its end may lie beside a point by rounding.
 const SAME_PLACE: f64 = 1e-6;
 
-/// Knots: eight more a line at most.
-const KNOTS: usize = 9 * (POINTS + SPARE) + 32;
+/// Knots: ten more a line at most.
+const KNOTS: usize = KNOTS_A_LINE * (POINTS + SPARE) + 32;
 
 /// How far smoothing goes, from the boldest on.
 struct Level {
@@ -79,7 +79,7 @@ const STANDING_CONTROLS: usize = 4;
 const ROUNDS: usize = 20;
 
 /// Knots a line at most, with those put in.
-const KNOTS_A_LINE: usize = 9;
+const KNOTS_A_LINE: usize = 11;
 
 /// The same where there are few lines, for all of them together.
 const KNOTS_A_CORNER: usize = 36;

@@ -384,6 +384,14 @@ impl Grbl {
 
     /// Locks programs until someone unlocks them.
     fn alarm(&mut self, code: AlarmCode) {
+        let probes = |owed: &&Owed| matches!(owed, Owed::Block { given: Given { probes: Some(_), .. }, .. });
+        if code.is_of_probe() {
+            // The lines before it are done.
+            while let Some(owed) = self.owed.front().filter(|owed| !probes(owed)).copied() {
+                self.owed.pop_front();
+                self.settle(owed);
+            }
+        }
         let _ = write!(self.out, "ALARM:{}\r\n", code as u8);
         if code.is_critical() {
             self.out.push_str("[MSG:Reset to continue]\r\n");
@@ -392,18 +400,34 @@ impl Grbl {
         (self.jog_end, self.ends_program) = (None, false);
         if code.is_of_probe() {
             // Its line is answered like any other, and those behind it by the lock.
+            if let Some(Owed::Block { refused, .. }) = self.owed.front_mut().filter(|owed| probes(&&**owed)) {
+                *refused = None;
+            }
             while let Some(owed) = self.owed.pop_front() {
-                self.answered(match owed {
-                    Owed::Answer(answer) => answer,
-                    Owed::Block { given, .. } if given.is_own => continue,
-                    Owed::Block { .. } | Owed::Home => Ok(()),
-                });
+                self.settle(owed);
             }
             return;
         }
         self.lines.clear();
         self.owed.clear();
         self.received = 0;
+    }
+
+    /// Answers what is done.
+    fn settle(&mut self, owed: Owed) {
+        match owed {
+            Owed::Answer(answer) => self.answered(answer),
+            Owed::Block { refused, given, .. } => {
+                if refused.is_none() {
+                    self.tool = given.tool.unwrap_or(self.tool);
+                }
+                if !given.is_own {
+                    let error = |fault| Error::of_block(fault, given.in_machine);
+                    self.answered(refused.map_or(Ok(()), |fault| Err(error(fault))));
+                }
+            }
+            Owed::Home => self.answered(Ok(())),
+        }
     }
 
     fn answered(&mut self, answer: Result<(), Error>) {
