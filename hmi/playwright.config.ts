@@ -26,7 +26,6 @@ export default defineConfig({
       executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
       args: ['--no-sandbox', '--enable-unsafe-swiftshader'],
     },
-    // It takes a third of the time of a test: of what is tried again, and where it is asked for.
-    trace: process.env.TRACE ? 'retain-on-failure' : 'on-first-retry',
+    trace: 'retain-on-failure',
   },
 });

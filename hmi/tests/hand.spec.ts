@@ -136,7 +136,7 @@ test('an axis moves by hand while its key is held, by pointer and by keyboard', 
 test('a program runs as fast as the handwheel is turned, and stands with it', async ({ page }) => {
   await enter(page, '#/position');
   await home(page);
-  await load(page, 'O0029', 'G91 G1 X-20. F1200\nM30\n');
+  await load(page, 'O0029', 'G91 G1 X-200. F1200\nM30\n');
   await page.evaluate(() => (location.hash = '#/position'));
   await whole(page);
   await press(page, 'KEY_HDRV');
