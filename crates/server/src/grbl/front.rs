@@ -557,8 +557,8 @@ impl Grbl {
     /// Answers what is done, in the order of the lines.
     fn answer(&mut self, status: &Status) {
         while let Some(owed) = self.owed.front().copied() {
-            let answer = match owed {
-                Owed::Answer(answer) => Some(answer),
+            match owed {
+                Owed::Answer(_) => {}
                 Owed::Block { line, refused, given } => {
                     if !status.is_current || status.lines_done < line {
                         return;
@@ -566,19 +566,14 @@ impl Grbl {
                     if let Some(fault @ Fault::SkipWithoutSignal) = refused {
                         return self.alarm(AlarmCode::of(fault));
                     }
-                    match refused {
-                        // A refused one does nothing.
-                        Some(_) => self.ends_program &= !given.ends,
-                        None => self.tool = given.tool.unwrap_or(self.tool),
-                    }
+                    // A refused one does nothing.
+                    self.ends_program &= !(refused.is_some() && given.ends);
                     if let (Some(needs_contact), None) = (given.probes, refused) {
                         self.reporter.probe(&mut self.out, status, &self.settings);
                         if needs_contact && !status.probe.1 {
                             return self.alarm(AlarmCode::ProbeMissed);
                         }
                     }
-                    let error = |fault| Error::of_block(fault, given.in_machine);
-                    (!given.is_own).then_some(refused.map_or(Ok(()), |fault| Err(error(fault))))
                 }
                 Owed::Home => {
                     if !status.is_current || matches!(status.doing, Doing::Home | Doing::Resetting) {
@@ -589,13 +584,10 @@ impl Grbl {
                     }
                     self.lock = Lock::Free;
                     self.start_with_lines();
-                    Some(Ok(()))
                 }
-            };
-            self.owed.pop_front();
-            if let Some(answer) = answer {
-                self.answered(answer);
             }
+            self.owed.pop_front();
+            self.settle(owed);
         }
     }
 
