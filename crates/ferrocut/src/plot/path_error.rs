@@ -11,7 +11,7 @@ use std::collections::VecDeque;
 /// Moves ahead that a point is compared with: a rounding may pass over short moves.
 const AHEAD: usize = 8;
 
-/// How far a block may end off the line of those before it to be one with them, mm.
+/// How far blocks may end off the line of those before them to be one with them, all together, mm.
 const OFF: f64 = 1e-7;
 
 /// A move, or blocks that go on one line: a corner is rounded over as many of them as it needs.
@@ -21,11 +21,13 @@ struct Stretch {
     programmed: Programmed,
     /// Number of the first.
     first: u64,
+    /// How far the blocks end off it at most, mm.
+    off: f64,
 }
 
 impl Stretch {
     fn new(programmed: Programmed) -> Stretch {
-        Stretch { programmed, first: programmed.number }
+        Stretch { programmed, first: programmed.number, off: 0.0 }
     }
 
     /// Goes on with `next`, if that is a block of the same line.
@@ -38,12 +40,13 @@ impl Stretch {
         let goes_on = are_alike
             && middle == begin
             && middle.0[3..] == to.0[3..]
-            && product(middle - from, to - middle) > 0.0
-            && whole.distance(middle).is_some_and(|off| off <= OFF);
-        if goes_on {
-            self.programmed = whole;
+            && product(middle - from, to - middle) > 0.0;
+        let off = self.off + whole.distance(middle).unwrap_or(f64::INFINITY);
+        if !goes_on || off > OFF {
+            return false;
         }
-        goes_on
+        (self.programmed, self.off) = (whole, off);
+        true
     }
 }
 

@@ -14,10 +14,11 @@ use crate::timing::ramp::distance;
 use ferrocut_geometry::{AXES, Position};
 use ferrocut_toolpath::PathMode;
 
-/// Most parts of a line that are kept back.
+/// Most parts of a line that are told apart.
 pub(super) const PARTS: usize = 1024;
 
-/// How far a part may end off the line of those before it, mm: what rounding of coordinates as large as a machine's makes.
+/// How far parts may end off the line of those before them, all together, mm: what rounding of coordinates as large as a
+/// machine's makes. Of a curve in steps that are shorter than this each alone is no further off.
 const OFF: f64 = 5e-8;
 
 /// So many ways to stop from its feed are kept back of a line: the corners at its ends are what they would be at the ends of
@@ -31,6 +32,8 @@ pub(super) struct Newest {
     pub whole: Move,
     /// The way of the whole, mm.
     way: [f64; 3],
+    /// How far its parts are off it at most, mm.
+    off: f64,
     /// More than twice this length is not kept back, mm; 0 before it is known.
     enough: f64,
     /// Other axes than X, Y and Z stand.
@@ -49,7 +52,7 @@ impl Newest {
     #[inline]
     pub fn new(from: &Position, m: &Move) -> Newest {
         let way = std::array::from_fn(|i| m.to.0[i] - from.0[i]);
-        Newest { whole: *m, way, enough: 0.0, is_plain: m.to.0[3..] == from.0[3..] }
+        Newest { whole: *m, way, off: 0.0, enough: 0.0, is_plain: m.to.0[3..] == from.0[3..] }
     }
 
     fn len(&self) -> f64 {
@@ -76,18 +79,30 @@ impl Newest {
         let [bx, by, bz] = std::array::from_fn(|i| there[i] - here[i]);
         let [cx, cy, cz] = [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx];
         let square = ax * ax + ay * ay + az * az;
-        let is_on = cx * cx + cy * cy + cz * cz <= OFF * OFF * square && ax * bx + ay * by + az * bz > 0.0;
-        if !is_on || feed != next_feed || self.whole.rpm != m.rpm || path != next_path {
+        let cross = cx * cx + cy * cy + cz * cz;
+        if cross > OFF * OFF * square || !(ax * bx + ay * by + az * bz > 0.0) {
+            return false;
+        }
+        let off = self.off + (cross / square).sqrt();
+        if off > OFF || feed != next_feed || self.whole.rpm != m.rpm || path != next_path {
             return false;
         }
         if !self.may_go_on() || here[3..] != there[3..] {
             return false;
         }
+        if ends.len() == PARTS {
+            // However short the parts are: of every two the second ends both.
+            let mut is_second = true;
+            ends.retain(|_| {
+                is_second = !is_second;
+                is_second
+            });
+        }
         ends.push(PartEnd {
             mark: Mark { s: square.sqrt(), tag: self.whole.tag },
             to: [here[0], here[1], here[2]],
         });
-        (self.whole.to, self.whole.tag) = (m.to, m.tag);
+        (self.whole.to, self.whole.tag, self.off) = (m.to, m.tag, off);
         self.way = [ax + bx, ay + by, az + bz];
         true
     }
@@ -95,9 +110,6 @@ impl Newest {
     /// The first part of a line that is longer than what is kept back: how many of its `ends` are in it, the last of them its
     /// own.
     pub fn beyond(&mut self, ends: &[PartEnd], inverse: &Inverse) -> Option<usize> {
-        if ends.len() == PARTS {
-            return Some(PARTS / 2);
-        }
         let len = self.len();
         if self.enough == 0.0 {
             self.enough = self.enough(len, inverse);
@@ -127,6 +139,7 @@ impl Newest {
         let (mut to, last) = (self.whole.to, self.whole.to.0);
         to.0[..3].copy_from_slice(&end.to);
         self.way = std::array::from_fn(|i| last[i] - end.to[i]);
+        self.off = 0.0;
         Move { to, tag: end.mark.tag, ..self.whole }
     }
 }
