@@ -71,14 +71,17 @@ const LINES: usize = 4;
 /// for marks only where it has cells.
 const CHAIN_MARKS: usize = MARKS / 4;
 
-/// Notes that the block `tag` ends at `s`, and those that are parts of the line that it ends; how many.
+/// Notes that the block `tag` ends at `s`, and those that are parts of the line that it ends, as far as they are `apart`; how
+/// many.
 #[inline]
-fn mark(inner: &mut VecDeque<Mark>, queue: &mut Queue, s: f64, tag: u64) -> usize {
-    let mut count = 1;
+fn mark(inner: &mut VecDeque<Mark>, queue: &mut Queue, s: f64, tag: u64, apart: f64) -> usize {
+    let (mut count, mut from) = (1, f64::NEG_INFINITY);
     while let Some(end) = inner.front().copied().filter(|end| end.s < s) {
         inner.pop_front();
-        queue.mark(end.s, end.tag);
-        count += 1;
+        if end.s - from >= apart {
+            queue.mark(end.s, end.tag);
+            (count, from) = (count + 1, end.s);
+        }
     }
     queue.mark(s, tag);
     count
@@ -436,7 +439,7 @@ impl Assembler {
     /// The line before the open move is run as one with the corners at its ends.
     fn link(&mut self, held: &Held, queue: &mut Queue) {
         let Some(open) = &mut self.open else { return };
-        mark(&mut self.inner, queue, open.s, held.line.member.tag);
+        mark(&mut self.inner, queue, open.s, held.line.member.tag, 0.0);
         open.start = Start::Corner(held.link, held.before);
     }
 
@@ -455,9 +458,11 @@ impl Assembler {
             self.first = Some(*open);
             self.chained = true;
         }
-        self.chain_marks += mark(&mut self.inner, queue, end, open.member.tag);
+        self.chain_marks += mark(&mut self.inner, queue, end, open.member.tag, tolerance);
         self.smoother.set_last(next.feed, next.most, next_tolerance);
-        self.smoother.add(next.piece.end(), self.s);
+        let left_out = self.smoother.add(next.piece.end(), self.s);
+        self.unmark(left_out, queue);
+        let Some(open) = &mut self.open else { return };
         if self.smoother.is_full() || self.chain_marks >= CHAIN_MARKS {
             let open = *open;
             self.flow = Some(Flow { open, end: End::Through, chain: Some(true), at: 0.0, begun: false });
@@ -479,14 +484,23 @@ impl Assembler {
         }
         let (end, tag, tolerance) = (*s + member.piece.len(), member.tag, member.tolerance.unwrap_or(0.0));
         let Some(len) = member.run_on(m, &self.rules, self.s) else { return false };
-        self.chain_marks += mark(&mut self.inner, queue, end, tag);
+        self.chain_marks += mark(&mut self.inner, queue, end, tag, tolerance);
         self.smoother.set_last(member.feed, member.most, member.tolerance.unwrap_or(tolerance));
         (*start, *s) = (Start::Plain(f64::INFINITY), self.s);
         self.begin_line(m.tag, self.s);
         self.s += len;
         self.end = m.to;
-        self.smoother.run_on(m.to, self.s);
+        let left_out = self.smoother.run_on(m.to, self.s);
+        self.unmark(left_out, queue);
         true
+    }
+
+    /// Where points were left out of the chain behind this length, their blocks need no marks of their own.
+    #[inline]
+    fn unmark(&mut self, left_out: Option<f64>, queue: &mut Queue) {
+        if let Some(s) = left_out {
+            self.chain_marks = self.chain_marks.saturating_sub(queue.unmark(s));
+        }
     }
 
     /// The same, as soon as cells are added again.
@@ -575,7 +589,7 @@ impl Assembler {
             if queue.room() < 2 || queue.mark_room() == 0 {
                 return Some(flow);
             }
-            mark(&mut self.inner, queue, flow.open.s + len, member.tag);
+            mark(&mut self.inner, queue, flow.open.s + len, member.tag, 0.0);
             flow.at = self.begin(&flow.open, queue);
             flow.begun = true;
         }
@@ -689,7 +703,7 @@ impl Assembler {
         if goes_on {
             return;
         }
-        mark(&mut self.inner, queue, last.s + len, last.member.tag);
+        mark(&mut self.inner, queue, last.s + len, last.member.tag, 0.0);
         match flow.end {
             End::Rest(point) => queue.rest_at(point),
             End::Ease(ease) => {

@@ -354,6 +354,10 @@ impl Planner {
         // After an abort what is planned ends at rest, wherever no stop was found before.
         if !self.aborting && !self.tape.is_back() {
             self.assembler.run(&mut self.queue);
+            // Where no more can be taken and nothing is left to be run, what there is ends here: nothing else would go on.
+            if self.queue.len() == 0 && self.free() == 0 && !self.assembler.is_blocked() {
+                self.assembler.close(&mut self.queue);
+            }
         }
         if !self.runs && self.may_begin() {
             self.begin();

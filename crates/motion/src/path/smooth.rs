@@ -24,6 +24,7 @@
 
 mod check;
 mod controls;
+mod ends;
 mod knots;
 mod thin;
 
@@ -92,9 +93,6 @@ const FASTEST: f64 = 1e6;
 /// that are checked.
 const TOLERANCE_SHARE: f64 = 0.985;
 
-/// Spans at the end of an unfinished run that still change with what follows.
-const TAIL: usize = 8;
-
 /// Spans behind those that are put out which are checked with them.
 const KEPT_SPANS: usize = 5;
 
@@ -107,7 +105,9 @@ struct Point {
     /// Of the line that begins here: mm/s, no override passes `most`, and how far the path may be left.
     feed: f64,
     most: f64,
+    /// What of the programmed tolerance is left beside points that were left out.
     tolerance: f64,
+    programmed: f64,
     level: u8,
 }
 
@@ -140,6 +140,8 @@ type Vector = [f64; AXES];
 pub(crate) struct Smoother {
     pub class: Class,
     points: Vec<Point>,
+    /// So many points in front stay: the first line, and what was smoothed already.
+    standing: usize,
     /// Places of the points that are kept.
     kept: Vec<usize>,
     /// Ends of the chords: length and place.
@@ -182,6 +184,7 @@ impl Smoother {
         Smoother {
             class: Class::Cut,
             points: Vec::with_capacity(POINTS + SPARE),
+            standing: 0,
             kept: Vec::with_capacity(POINTS + SPARE),
             chords: Vec::with_capacity(POINTS + SPARE),
             is_thinned: Vec::with_capacity(POINTS + SPARE),
@@ -218,7 +221,8 @@ impl Smoother {
 
     /// Most spans that its lines are smoothed to.
     pub fn most_spans(&self) -> usize {
-        let lines = self.lines();
+        // Its first and its last line may be cut.
+        let lines = self.lines() + 2;
         (KNOTS_A_LINE * lines).max((KNOTS_A_CORNER * lines).min(KNOTS_OF_CORNERS))
     }
 
@@ -236,27 +240,31 @@ impl Smoother {
         self.clear();
         self.class = class;
         self.run_on(p, u);
+        self.standing = 1;
     }
 
-    /// Adds a line to `p`.
-    pub fn add(&mut self, p: Position, u: f64) {
+    /// Adds a line to `p`. Where a point before it is left out, the length of the one before that.
+    pub fn add(&mut self, p: Position, u: f64) -> Option<f64> {
         if self.count < AXES && self.points.last().is_some_and(|last| last.p.0[3..] != p.0[3..]) {
             self.count = AXES;
         }
-        self.run_on(p, u);
+        self.run_on(p, u)
     }
 
     /// The same to a point that differs from the newest in X, Y and Z alone.
     #[inline]
-    pub fn run_on(&mut self, p: Position, u: f64) {
+    pub fn run_on(&mut self, p: Position, u: f64) -> Option<f64> {
         let tolerance = f64::INFINITY;
-        self.points.push(Point { p, u, feed: 0.0, most: f64::INFINITY, tolerance, level: 0 });
+        let point =
+            Point { p, u, feed: 0.0, most: f64::INFINITY, tolerance, programmed: tolerance, level: 0 };
+        self.points.push(point);
+        self.leave_out()
     }
 
     /// Feed, highest speed and tolerance of the line that begins at the newest point.
     pub fn set_last(&mut self, feed: f64, most: f64, tolerance: f64) {
         if let Some(last) = self.points.last_mut() {
-            (last.feed, last.most, last.tolerance) = (feed, most, tolerance);
+            (last.feed, last.most, last.tolerance, last.programmed) = (feed, most, tolerance, tolerance);
         }
     }
 
@@ -276,9 +284,19 @@ impl Smoother {
     /// spans to `out`. If the run is `open`, it goes on: the last spans are kept back. `keeps` says whether its first
     /// and its last line stay as they are.
     pub fn run(&mut self, from: f64, to: f64, keeps: [bool; 2], open: bool, out: impl FnMut(Span)) {
-        self.keeps = keeps;
+        // What follows is not joined to it where it goes on.
+        self.keeps = [keeps[0], keeps[1] && !open];
         if self.points.len() < 2 {
             return;
+        }
+        let tolerance = self.points.iter().map(|point| point.tolerance).fold(f64::INFINITY, f64::min);
+        self.soft = self.inverse.with_some_jerk(tolerance);
+        if self.keeps[0] && !self.goes_on {
+            self.free_half(0, [from, self.points[1].u]);
+        }
+        if self.keeps[1] {
+            let line = self.points.len() - 2;
+            self.free_half(line, [self.points[line].u, to]);
         }
         for round in 0..=ROUNDS {
             if round == ROUNDS {
@@ -311,19 +329,6 @@ impl Smoother {
         } else {
             self.clear();
         }
-    }
-
-    /// One behind the last span to be put out.
-    fn last(&self, open: bool) -> usize {
-        let spans = self.knots.len().saturating_sub(5);
-        if !open {
-            return spans;
-        }
-        // The last knot that span `k` needs is a point that is kept: thinning out goes on from it as it did before.
-        let is_kept =
-            |k: usize| self.chords.binary_search_by(|chord| chord.0.total_cmp(&self.knots[k + 5])).is_ok();
-        let most = spans.saturating_sub(TAIL);
-        (0..=most).rev().find(|k| is_kept(*k)).unwrap_or(0)
     }
 
     // Knot `k` of the run is `knots[k + 2]`, control point `k` is `controls[k + 1]`; spans are 0, 1, …
@@ -404,29 +409,6 @@ impl Smoother {
             }
             out(Span { u: begin, cubic, feed: line.feed, most, is_straight });
         }
-    }
-
-    /// Keeps what the spans from `next` on need.
-    fn keep_from(&mut self, next: usize) {
-        // Span `next` needs knots next−2…next+3 and control points next−1…next+2.
-        let begin = self.t(next);
-        let u = self.knots[next + 5];
-        let i =
-            self.chords.iter().skip(1).take_while(|chord| chord.0 <= u).count().min(self.chords.len() - 2);
-        let (a, b) = (&self.chords[i], &self.chords[i + 1]);
-        let share = (u - a.0) / (b.0 - a.0);
-        self.anchor_reach = self.reach(i);
-        self.anchor_size = self.size(i);
-        self.anchor = (u, std::array::from_fn(|k| a.1[k] + (b.1[k] - a.1[k]) * share));
-        self.knots.copy_within(next..next + STANDING_KNOTS, 0);
-        self.knots.truncate(STANDING_KNOTS);
-        self.is_dense.copy_within(next..next + STANDING_KNOTS - 3, 0);
-        self.is_dense.truncate(STANDING_KNOTS - 3);
-        self.controls.copy_within(next..next + STANDING_CONTROLS, 0);
-        self.controls.truncate(STANDING_CONTROLS);
-        self.goes_on = true;
-        let first = self.segment(begin, 0).saturating_sub(1);
-        self.points.drain(..first);
     }
 }
 

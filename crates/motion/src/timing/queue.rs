@@ -276,6 +276,17 @@ impl Queue {
         self.last_mark += 1;
     }
 
+    /// Blocks that end behind `s` are told as the last of them, unless they are handed over; how many fewer marks there are.
+    pub fn unmark(&mut self, s: f64) -> usize {
+        let last = self.last_mark;
+        let known = self.handed[1].max(self.first_mark);
+        while self.last_mark >= known + 2 && self.mark_of(self.last_mark - 2).s > s {
+            self.last_mark -= 1;
+            self.marks[mark_slot(self.last_mark - 1)] = self.marks[mark_slot(self.last_mark)];
+        }
+        (last - self.last_mark) as usize
+    }
+
     /// The marks of the blocks that end before `s` are forgotten.
     pub fn pass_marks(&mut self, s: f64) {
         while self.first_mark + 1 < self.last_mark && self.marks[mark_slot(self.first_mark)].is_before(s) {

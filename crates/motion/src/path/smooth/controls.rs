@@ -65,8 +65,6 @@ impl Smoother {
             if self.goes_on { unknown } else { self.speeds[0] },
             if open { unknown } else { self.speeds[1] },
         ];
-        let tolerance = self.points.iter().map(|point| point.tolerance).fold(f64::INFINITY, f64::min);
-        self.soft = self.inverse.with_some_jerk(tolerance);
         self.origins.clear();
         fit.clear();
         if self.set(fit, turns, open) {

@@ -1,10 +1,19 @@
-//! Points that lie close to the chord between others are left out.
+//! Points that lie close to the chord between others are left out: first those of lines far shorter than the tolerance, as they
+//! come, then what a run does not need.
 
 use super::{Point, Smoother, front};
 use ferrocut_geometry::AXES;
 
+/// Points on lines that are no longer than this share of the tolerance together are left out as they come, where the lines
+/// stay within so much of it of their chord: what comes in steps far below the tolerance fills no look-ahead.
+const NEAR: f64 = 1.0;
+const NEAR_OFF: f64 = 0.2;
+
 /// Most points left out in a row.
 const MOST_LEFT_OUT: usize = 48;
+
+/// Of the two last chords before a line that stays the second is no shorter than this share of the first.
+const UNEVEN: f64 = 0.7;
 
 /// On how many of the points left out a chord is judged, about.
 const FITTED: usize = 8;
@@ -13,6 +22,40 @@ const FITTED: usize = 8;
 const SHORT_FEED: f64 = 0.5;
 
 impl Smoother {
+    /// Leaves the point before the newest line but one out, if it is close enough to its neighbours; the length of the first of
+    /// these. The newest line may be one that stays as it is, and so may the first.
+    ///
+    /// What was left out before is as far from the new chord as it was from the old one and the end of that from the new one, at
+    /// most. Nor is it further than `½·√(L² − c²)` from a chord `c` between lines of the length `L` in all: no point is further from
+    /// both ends together than `L`.
+    #[inline]
+    pub(super) fn leave_out(&mut self) -> Option<f64> {
+        let at = self.points.len().checked_sub(3).filter(|at| *at > self.standing)?;
+        let [.., a, b, c, _] = self.points.as_mut_slice() else { return None };
+        // Lengths are of X, Y and Z.
+        if self.count > 3 {
+            return None;
+        }
+        let len = c.u - a.u;
+        if len > NEAR * a.programmed || (a.feed, a.most, a.programmed) != (b.feed, b.most, b.programmed) {
+            return None;
+        }
+        let [ab, ac]: [[f64; 3]; 2] = [&b, &c].map(|to| std::array::from_fn(|k| to.p.0[k] - a.p.0[k]));
+        let dot = |x: &[f64; 3], y: &[f64; 3]| x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+        let (square, along) = (dot(&ac, &ac), dot(&ab, &ac));
+        let share = if square > 0.0 { (along / square).clamp(0.0, 1.0) } else { 0.0 };
+        let beside: [f64; 3] = std::array::from_fn(|k| ab[k] - share * ac[k]);
+        let off = a.programmed - a.tolerance + dot(&beside, &beside).sqrt();
+        let off = off.min(0.5 * (len * len - square).max(0.0).sqrt());
+        if off > NEAR_OFF * a.programmed {
+            return None;
+        }
+        a.tolerance = a.programmed - off;
+        let u = a.u;
+        self.points.remove(at);
+        Some(u)
+    }
+
     /// Which points are kept.
     pub(super) fn thin_out(&mut self) {
         self.kept.clear();
@@ -82,6 +125,40 @@ impl Smoother {
             (from_u, from_p) = (point.u, front(&point.p.0));
             anchor = end;
         }
+        if self.keeps[1] {
+            self.even_out::<N>();
+        }
+    }
+
+    /// Chords go as far as they can, so what is left for the last one before a line that stays may be a short one, which would have
+    /// the knots beside that line close together: the two last ones are made about equal.
+    fn even_out<const N: usize>(&mut self) {
+        let (&[.., from, middle, end, _], count) = (self.kept.as_slice(), self.chords.len()) else { return };
+        let place = |i: usize| self.points[i].u;
+        let (begin, last) = (place(from), place(end));
+        if last - place(middle) > UNEVEN * (place(middle) - begin) {
+            return;
+        }
+        let half = 0.5 * (begin + last);
+        let new = from + self.points[from..end].partition_point(|point| point.u < half);
+        let speeds = |i: usize| (self.points[i].feed, self.points[i].most);
+        let are_alike = (from..end).all(|i| speeds(i) == speeds(from));
+        let at = |i: usize| front::<N>(&self.points[i].p.0);
+        let fits = new > from
+            && new < middle
+            && are_alike
+            && self.fits(begin, &at(from), from + 1, new)
+            && self.fits(place(new), &at(new), new + 1, end);
+        if !fits {
+            return;
+        }
+        let point = &self.points[new];
+        self.chords[count - 3] = (point.u, point.p.0);
+        let place = self.kept.len() - 3;
+        self.kept[place] = new;
+        let thinned = self.is_thinned.len();
+        self.is_thinned[thinned - 3] = new > from + 1;
+        self.is_thinned[thinned - 2] = end > new + 1;
     }
 
     /// Whether the points `first`…`end − 1` are close enough to the chord from a place to point `end`.

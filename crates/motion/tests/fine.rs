@@ -1,0 +1,102 @@
+//! Blocks far shorter than the tolerance: the same path in larger ones takes as long.
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
+
+mod common;
+
+use common::{Run, demo, line, run};
+use ferrocut_geometry::Position;
+use ferrocut_toolpath::{Op, PathMode};
+use std::f64::consts::PI;
+
+const FEED: f64 = 9000.0;
+
+fn lines(points: &[(f64, f64)]) -> Vec<Op> {
+    points.iter().map(|(x, y)| line(*x, *y, 0.0, FEED, PathMode::Continuous)).collect()
+}
+
+fn judged(points: &[(f64, f64)]) -> Run {
+    let machine = demo();
+    let run = run(&machine, Position::ZERO, &lines(points));
+    run.check_limits(&machine);
+    run.check_feed();
+    let (x, y) = *points.last().unwrap();
+    assert_eq!(run.samples.last().unwrap().position, Position::xyz(x, y, 0.0));
+    run
+}
+
+/// Lines of 10 mm with quarter circles of 1 mm between them, these in steps of this length.
+fn round_square(step: f64) -> Vec<(f64, f64)> {
+    let mut points = Vec::new();
+    let count = (PI / 2.0 / step).ceil() as usize;
+    for (k, (x, y)) in [(10.0, 0.0), (11.0, 11.0), (0.0, 12.0), (-1.0, 1.0)].into_iter().enumerate() {
+        let (dx, dy) = [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)][k];
+        points.push((x, y));
+        points.extend((1..=count).map(|i| {
+            let (sin, cos) = (PI / 2.0 * i as f64 / count as f64).sin_cos();
+            (x + dx * sin - dy * (1.0 - cos), y + dy * sin + dx * (1.0 - cos))
+        }));
+    }
+    points
+}
+
+/// A wave in steps of this length, in coordinates of so many decimals.
+fn wave(step: f64, decimals: i32) -> Vec<(f64, f64)> {
+    let scale = 10f64.powi(decimals);
+    let round = |c: f64| (c * scale).round() / scale;
+    let mut points: Vec<(f64, f64)> = Vec::new();
+    let mut x = 0.0_f64;
+    while x < 30.0 {
+        x += step / (0.75 * (x / 4.0).cos()).hypot(1.0);
+        points.push((round(x), round(3.0 * (x / 4.0).sin())));
+    }
+    points.dedup();
+    points
+}
+
+#[test]
+fn a_curve_in_steps_of_nanometres_ends_and_takes_as_long() {
+    let tolerance = demo().path.tolerance;
+    let coarse = judged(&round_square(0.02)).time();
+    for step in [2e-3, 2e-4, 1e-5] {
+        let run = judged(&round_square(step));
+        for sample in &run.samples {
+            // All of it is 1 mm from a square.
+            let [x, y] = [sample.position.0[0], sample.position.0[1]];
+            let off = (x - x.clamp(0.0, 10.0)).hypot(y - y.clamp(1.0, 11.0)) - 1.0;
+            assert!(off.abs() < tolerance, "steps of {step} mm: {off} mm off at {x} {y}");
+        }
+        let time = run.time();
+        assert!(time < 1.02 * coarse, "steps of {step} mm: {time} s, {coarse} s in steps of 0.02 mm");
+    }
+}
+
+#[test]
+fn a_line_in_steps_of_nanometres_ends_and_takes_as_long() {
+    let ends = [(12.0, 0.0), (12.0, 9.0), (0.0, 0.0)];
+    let whole = judged(&ends).time();
+    for count in [12_000, 200_000] {
+        let mut points = Vec::new();
+        let (mut x, mut y) = (0.0, 0.0);
+        for (a, b) in ends {
+            let at = |i: usize| i as f64 / f64::from(count);
+            points.extend((1..=count as usize).map(|i| (x + (a - x) * at(i), y + (b - y) * at(i))));
+            (x, y) = (a, b);
+        }
+        let time = judged(&points).time();
+        assert!(time < 1.005 * whole, "lines in {count} parts: {time} s, {whole} s as a whole");
+    }
+}
+
+#[test]
+fn rounded_coordinates_of_short_steps_fill_no_look_ahead() {
+    let coarse = judged(&wave(0.02, 4)).time();
+    for (step, decimals, most) in [(0.002, 3, 1.15), (0.001, 3, 1.25), (0.001, 4, 1.06)] {
+        let run = judged(&wave(step, decimals));
+        run.check_path(demo().path.tolerance + 1e-6);
+        let time = run.time();
+        assert!(
+            time < most * coarse,
+            "steps of {step} mm, {decimals} decimals: {time} s, {coarse} s in steps of 0.02 mm"
+        );
+    }
+}
