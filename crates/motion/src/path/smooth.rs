@@ -16,6 +16,8 @@
 //!    out, knots come closer and in the end control points stay on the chords ([`LEVELS`]); the last level keeps the
 //!    tolerance by construction.
 //!
+//! Of a run that is not known to its end what is close to that is kept back (`smooth/ends.rs`).
+//!
 //! An end at rest only has its place. At an end that something is joined to, the spline has a span on the line itself, so
 //! that it meets it with no curvature; far from its vertices a programmed line stays the line.
 
