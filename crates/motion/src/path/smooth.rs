@@ -223,8 +223,7 @@ impl Smoother {
 
     /// Most spans that its lines are smoothed to.
     pub fn most_spans(&self) -> usize {
-        // Its first and its last line may be cut.
-        let lines = self.lines() + 2;
+        let lines = self.lines();
         (KNOTS_A_LINE * lines).max((KNOTS_A_CORNER * lines).min(KNOTS_OF_CORNERS))
     }
 
@@ -293,13 +292,6 @@ impl Smoother {
         }
         let tolerance = self.points.iter().map(|point| point.tolerance).fold(f64::INFINITY, f64::min);
         self.soft = self.inverse.with_some_jerk(tolerance);
-        if self.keeps[0] && !self.goes_on {
-            self.free_half(0, [from, self.points[1].u]);
-        }
-        if self.keeps[1] {
-            let line = self.points.len() - 2;
-            self.free_half(line, [self.points[line].u, to]);
-        }
         for round in 0..=ROUNDS {
             if round == ROUNDS {
                 // The last level keeps the tolerance by construction.

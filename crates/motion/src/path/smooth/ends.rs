@@ -1,8 +1,8 @@
-//! Ends of a run: what of a line stays that something is joined to, and from where on a run goes on that is not known to its end.
+//! The end of a run that is not known to its end: from where on it goes on.
 
 use super::{Point, STANDING_CONTROLS, STANDING_KNOTS, Smoother, Vector};
 use crate::quick::cube_root;
-use ferrocut_geometry::{AXES, Position};
+use ferrocut_geometry::AXES;
 
 /// Spans at the end of an unfinished run that still change with what follows.
 const TAIL: usize = 8;
@@ -10,23 +10,7 @@ const TAIL: usize = 8;
 /// So many times the reach of smoothing at the end of an unfinished run changes too.
 const OPEN_REACH: f64 = 2.5;
 
-/// A line is long that is so many times the reach of smoothing.
-const LONG: f64 = 8.0;
-
 impl Smoother {
-    /// Of a long line that something is joined to no more needs to stay as it is than half of what lies between the joint and its
-    /// other end: at the lengths `from` and `to`.
-    pub(super) fn free_half(&mut self, line: usize, [from, to]: [f64; 2]) {
-        let (a, b) = (self.points[line], self.points[line + 1]);
-        if to - from < LONG * self.reach_along((a.u, &a.p.0), (b.u, &b.p.0), &a) {
-            return;
-        }
-        let u = 0.5 * (from + to);
-        let share = (u - a.u) / (b.u - a.u);
-        let p = Position(std::array::from_fn(|k| a.p.0[k] + (b.p.0[k] - a.p.0[k]) * share));
-        self.points.insert(line + 1, Point { p, u, ..a });
-    }
-
     /// One behind the last span to be put out.
     pub(super) fn last(&self, open: bool) -> usize {
         let spans = self.knots.len().saturating_sub(5);
