@@ -371,7 +371,7 @@ fn curves() {
 fn rasters() {
     let of = |points: &[[f64; 2]]| Path::through(points, 12_000.0, 0.01, Some(3));
     judge(vec![
-        ("raster with half circles", of(&raster(8, 25.0, 1.5, 0.2, true)), [1.64232, 1.91046], [1.0, 1.103]),
+        ("raster with half circles", of(&raster(8, 25.0, 1.5, 0.2, true)), [1.64232, 1.91046], [1.0, 1.105]),
         (
             "raster with square ends",
             of(&raster(10, 25.0, 0.4, 0.5, false)),

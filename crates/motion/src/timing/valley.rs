@@ -66,7 +66,7 @@ const JUMP: f64 = 0.1;
 
 /// Shares of acceleration and jerk that are used; the rest is for what lies between the places looked at.
 const ACCELERATION_SHARE: f64 = 0.998;
-const JERK_SHARE: f64 = 0.993;
+const JERK_SHARE: f64 = 0.985;
 
 /// Iterations at most, the share of the time that may be missing to the least, and what may be left of by how much slacks
 /// and bounds differed.
