@@ -1,4 +1,4 @@
-//! What the control reads of a ladder in every period, looked up by name once for each ladder that runs.
+//! What the control reads of a ladder in every period or tells of it, looked up by name once for each ladder that runs.
 
 use super::Control;
 use super::commands::named;
@@ -6,7 +6,9 @@ use crate::api::Event;
 use crate::signals;
 use ferrocut_machine::Fault;
 use ferrocut_memory::Item;
+use ferrocut_plc::list::Symbol;
 use ferrocut_plc::{Address, Area, Plc, Program};
+use std::collections::BTreeMap;
 
 /// The key of the panel that releases overtravel, by the ladder's name.
 const OVERTRAVEL_KEY: &str = "KEY_OT";
@@ -36,6 +38,9 @@ pub(super) struct LadderNames {
     /// Whether it writes the home switches.
     pub has_home_switches: bool,
     messages: Vec<Message>,
+    /// Lamps of the panel and of the tower, and the panel's switches.
+    lamps: Vec<(String, Address)>,
+    switches: Vec<(String, Address)>,
 }
 
 impl LadderNames {
@@ -68,6 +73,19 @@ impl LadderNames {
                 logged: 0,
             })
             .collect();
+        let named = |is_one: fn(&Symbol) -> bool| {
+            let symbols = program.symbols().iter().filter(|symbol| is_one(symbol));
+            symbols.map(|symbol| (symbol.name.clone(), symbol.address)).collect()
+        };
+        self.lamps = named(|symbol| {
+            let is_lamp = ["LAMP_", "TOWER_"].iter().any(|kind| symbol.name.starts_with(kind));
+            is_lamp && symbol.address.area == Area::Y && symbol.address.bit.is_some()
+        });
+        self.switches = named(|symbol| {
+            symbol.name.starts_with("SWITCH_")
+                && symbol.address.area == Area::X
+                && symbol.address.bit.is_none()
+        });
         let is_there = |name: &str| self.messages.iter().any(|message| message.name == name);
         before.iter().filter(|old| old.is_on && !is_there(&old.name)).map(|old| old.name.clone()).collect()
     }
@@ -75,6 +93,17 @@ impl LadderNames {
     /// Messages that stand.
     pub(super) fn standing(&self) -> impl Iterator<Item = &str> {
         self.messages.iter().filter(|message| message.is_on).map(|message| message.name.as_str())
+    }
+
+    /// Lamps that are lit.
+    pub(super) fn lit(&self, plc: &Plc) -> Vec<String> {
+        let lit = self.lamps.iter().filter(|(_, lamp)| plc.memory().bit(*lamp));
+        lit.map(|(name, _)| name.clone()).collect()
+    }
+
+    /// Positions of the panel's switches.
+    pub(super) fn switches(&self, plc: &Plc) -> BTreeMap<String, u8> {
+        self.switches.iter().map(|(name, switch)| (name.clone(), plc.memory().byte(*switch))).collect()
     }
 }
 

@@ -8,11 +8,8 @@ use crate::api::{
 use crate::cnc::State;
 use crate::report::Activity;
 use ferrocut_geometry::{Axis, Position};
-use ferrocut_machine::{Fault, ParameterKey};
+use ferrocut_machine::{Fault, ParameterKey, g_code_name};
 use ferrocut_memory::Counter;
-use ferrocut_plc::Area;
-use ferrocut_plc::list::Symbol;
-use std::collections::BTreeMap;
 
 /// P356: parts machined, and P357: parts to be machined (GSK990MC part 2, 3.1.2 note 4).
 pub(super) const PARTS_MACHINED: ParameterKey = ParameterKey::Data(356);
@@ -187,10 +184,6 @@ impl Control {
         alarms.extend(self.at_limits.iter().map(|(_, _, alarm)| AlarmInfo::of(alarm)));
         alarms.extend(self.parameter_alarm().as_ref().map(AlarmInfo::of));
         alarms.extend(self.power_off_alarm().as_ref().map(AlarmInfo::of));
-        let code = |tenths: u16| match tenths % 10 {
-            0 => format!("G{:02}", tenths / 10),
-            part => format!("G{:02}.{part}", tenths / 10),
-        };
         Status {
             periods: self.periods,
             mode: self.mode,
@@ -221,7 +214,7 @@ impl Control {
                 running: Some(self.running_program()).filter(|name| is_loaded && !name.is_empty()),
                 line: self.tick.span.line,
                 block: interpreter.programs().slice(self.tick.span),
-                g_codes: interpreter.codes_in_force().map(code).collect(),
+                g_codes: interpreter.codes_in_force().map(g_code_name).collect(),
                 h,
                 d,
                 next: self.next_block(),
@@ -255,8 +248,8 @@ impl Control {
             referenced: self.cnc.referenced().iter().map(Axis::letter).collect(),
             messages: self.ladder_names.standing().map(str::to_owned).collect(),
             program_message: self.program_message.clone(),
-            lamps: self.lamps(),
-            panel: self.panel(),
+            lamps: self.plc.as_ref().map(|plc| self.ladder_names.lit(plc)).unwrap_or_default(),
+            panel: self.plc.as_ref().map(|plc| self.ladder_names.switches(plc)).unwrap_or_default(),
             level: None,
         }
     }
@@ -270,24 +263,6 @@ impl Control {
             line: span.line,
             text: programs.slice(span),
         })
-    }
-
-    fn lamps(&self) -> Vec<String> {
-        let Some(plc) = &self.plc else { return Vec::new() };
-        let is_lamp = |name: &str| name.starts_with("LAMP_") || name.starts_with("TOWER_");
-        let symbols = plc.program().symbols().iter();
-        let lamps =
-            symbols.filter(|s| s.address.area == Area::Y && s.address.bit.is_some() && is_lamp(&s.name));
-        lamps.filter(|lamp| plc.memory().bit(lamp.address)).map(|lamp| lamp.name.clone()).collect()
-    }
-
-    fn panel(&self) -> BTreeMap<String, u8> {
-        let Some(plc) = &self.plc else { return BTreeMap::new() };
-        let is_switch = |s: &&Symbol| {
-            s.address.area == Area::X && s.address.bit.is_none() && s.name.starts_with("SWITCH_")
-        };
-        let switches = plc.program().symbols().iter().filter(is_switch);
-        switches.map(|s| (s.name.clone(), plc.memory().byte(s.address))).collect()
     }
 
     /// Speeds of the axes, mm/min and degrees/min, as they are commanded.
