@@ -83,8 +83,9 @@ fn tangent_joints_are_run_through() {
     run.check_path(0.01 + 1e-6);
     assert!(!run.stops_inside());
     // Never slower than the arcs need: v² ≤ a·r is far above the feed.
-    let cruising = run.samples.iter().filter(|s| s.velocity > 4000.0 / 60.0 * 0.999).count();
-    assert!(cruising as f64 * run.period > 0.9 * run.time(), "{cruising}");
+    // A smoothed joint is as much as 0.002 longer than the lengths that the feed is kept by.
+    let cruising = run.samples.iter().filter(|s| s.velocity > 4000.0 / 60.0 * 0.998).count();
+    assert!(cruising as f64 * run.period > 0.92 * run.time(), "{cruising}");
     assert_eq!(run.samples.last().unwrap().position, *ops[4].target().unwrap());
 }
 

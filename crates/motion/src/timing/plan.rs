@@ -46,7 +46,7 @@ const BRAKE_TO: [f64; 5] = [1.0, 0.85, 0.65, 0.4, 0.15];
 
 /// Cells that are planned at once at most, besides those that are planned again. What is left comes in the periods after;
 /// until then the path is planned to rest before it.
-const MOST_CELLS: u64 = 256;
+const MOST_CELLS: u64 = 1000;
 
 /// They reach as far as the speed at their start does in this time, s: twice as far as braking for as long.
 const REACH: f64 = 2.0;

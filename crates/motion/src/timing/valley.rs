@@ -31,10 +31,14 @@
 //! whose matrix has two diagonals on either side, and goes as far as `z` and `λ` stay positive. What is left of the
 //! curvature of `√X` would only make steps longer.
 //!
-//! What comes out is taken if it is faster and every piece of it keeps all bounds, looked at in five places and wherever cells
+//! What comes out is taken if it is faster and every piece of it keeps all bounds, looked at in nine places and wherever cells
 //! meet; if not, once more with less where it did not. The plan before stands otherwise. So an iteration that goes astray costs time alone.
+//!
+//! **Windows** begin inside the one before. Its solution has used what there is, so in other steps, or with bounds that are a
+//! thousandth tighter, there may be no way on from a state of it. Its steps are taken over, and its bounds as they were
+//! tightened, and where it is on one that is loosened by as little: it is inside all of them then.
 
-use crate::limits::Inverses;
+use crate::limits::{Inverse, Inverses};
 use crate::path::shape::Shape;
 use crate::quick::larger;
 use crate::timing::piece::{Piece, ROUNDING, State};
@@ -66,7 +70,7 @@ const JUMP: f64 = 0.1;
 
 /// Shares of acceleration and jerk that are used; the rest is for what lies between the places looked at.
 const ACCELERATION_SHARE: f64 = 0.998;
-const JERK_SHARE: f64 = 0.985;
+const JERK_SHARE: f64 = 0.993;
 
 /// Iterations at most, the share of the time that may be missing to the least, and what may be left of by how much slacks
 /// and bounds differed.
@@ -89,20 +93,30 @@ const AIMS: [f64; 2] = [0.15, 0.3];
 /// How close to zero slacks and multipliers go in an iteration.
 const NEARLY: f64 = 0.98;
 
-/// Where a bound is far, it is none: a valley gets no faster than this share of `x` is more, the path no stronger than
-/// this share of what its axes leave on a line, and less than this share of a bound is used then.
-const FASTER: f64 = 2.5;
-const STRONGER: f64 = 1.2;
+/// Where the sum of the products is so many times the time, there is no way within the bounds.
+const ASTRAY: f64 = 10.0;
+
+/// Where a bound is far, it is none: a valley gets no faster than this share of `x` is more, and less than this share of a bound
+/// is used then.
+const FASTER: f64 = 6.0;
 const HARMLESS: f64 = 0.95;
 
-/// How often it is tried with less where a piece was beyond its bounds, and with how much less. Where none is found the whole
-/// window is run by the plan before, up to a seventh slower, and four times were not always enough.
+/// How often it is tried with less where a piece was beyond its bounds, and with how much less: so many times what it was beyond
+/// them, and a little, which is more each time. Where none is found the whole window is run by the plan before, up to a seventh
+/// slower, and four times were not always enough.
 const ROUNDS: usize = 8;
-const LESS: f64 = 0.98;
+const LESS: f64 = 1.2;
+const A_LITTLE: f64 = 5e-4;
+const MORE_A_TIME: f64 = 2.0;
 const MOST_MORE: f64 = 1.18;
 
-/// In how many parts a piece is looked at.
+/// How far inside its bounds a solution is that a window begins with.
+const INSIDE: f64 = 3e-3;
+
+/// In how many parts a piece is looked at, and in how many where one of them is nearly on a bound.
 const PARTS: u8 = 4;
+const FINE_PARTS: u8 = 8;
+const NEARLY_ALL: f64 = 0.99;
 
 /// What a curve takes of a bound somewhere in a window, if it is worth to be looked at.
 const TAKEN: f64 = 0.25;
@@ -144,6 +158,16 @@ enum Outcome {
     Broken,
 }
 
+/// What came of the iterations.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Solution {
+    Found,
+    /// It would not be worth it.
+    Worthless,
+    /// There is none within the bounds.
+    None,
+}
+
 /// Memory for one valley.
 #[derive(Debug)]
 pub(crate) struct Valley {
@@ -162,6 +186,11 @@ pub(crate) struct Valley {
     pieces: Vec<Piece>,
     /// The whole way, as far as it is found.
     way: Vec<Piece>,
+    /// How much bounds were tightened where each of its pieces begins; 0 where that is one of the plan and no step.
+    tight: Vec<f64>,
+    /// The same at the places of the window, of whose steps the first so many are taken over.
+    tighter: Vec<f64>,
+    taken: usize,
 }
 
 impl Valley {
@@ -177,6 +206,9 @@ impl Valley {
             right: Vec::with_capacity(STEPS + 2),
             pieces: Vec::with_capacity(STEPS),
             way: Vec::with_capacity(WAY),
+            tight: Vec::with_capacity(WAY),
+            tighter: Vec::with_capacity(STEPS + 2),
+            taken: 0,
         }
     }
 
@@ -197,6 +229,8 @@ impl Valley {
         let road = Road { queue, inverses, cap };
         self.way.clear();
         self.way.extend_from_slice(plan);
+        self.tight.clear();
+        self.tight.resize(plan.len(), 0.0);
         let (mut from, mut cell, mut found, mut tries) = (0, first, false, 0);
         // Where the window began that is tried.
         let mut origin = f64::NEG_INFINITY;
@@ -213,6 +247,7 @@ impl Valley {
                 Outcome::Quicker => {
                     new = self.pieces.len();
                     self.way.splice(from..from + count, self.pieces.iter().copied());
+                    self.tight.splice(from..from + count, self.tighter[..new].iter().copied());
                     found = true;
                 }
                 // The state that it begins with may be one that hardly leaves a choice.
@@ -252,9 +287,12 @@ impl Valley {
         }
         self.begin(range, from, to);
         self.bound(road, first);
+        self.loosen();
         let planned = self.slacken();
+        let mut little = A_LITTLE;
         for round in 0..ROUNDS {
-            if !self.solve(planned, if round == 0 { FIRST_GAP } else { NEXT_GAP }) {
+            let solution = self.solve(planned, if round == 0 { FIRST_GAP } else { NEXT_GAP });
+            if solution == Solution::Worthless {
                 return Outcome::Same;
             }
             if !self.cut(from, to) {
@@ -264,9 +302,13 @@ impl Valley {
             if !(time(&self.pieces) < WORTH * before) {
                 return Outcome::Same;
             }
-            if self.keeps(road, first) {
+            if self.keeps(road, first, little) {
                 return Outcome::Quicker;
             }
+            if solution == Solution::None {
+                break;
+            }
+            little *= MORE_A_TIME;
         }
         Outcome::Broken
     }
@@ -285,6 +327,8 @@ impl Valley {
         let (mut s, mut cell, mut k) = (begin, first, 0);
         self.s.clear();
         self.h.clear();
+        self.tighter.clear();
+        self.taken = 0;
         // One more before and behind, as long as its neighbour.
         self.h.push(0.0);
         while s < end {
@@ -295,6 +339,7 @@ impl Valley {
                 while self.s.len() > 1 && self.s[self.s.len() - 1] + 0.5 * self.h[self.h.len() - 1] > end {
                     self.s.pop();
                     self.h.pop();
+                    self.tighter.pop();
                 }
                 let last = self.h.len() - 1;
                 self.h[last] = end - self.s[self.s.len() - 1];
@@ -302,6 +347,14 @@ impl Valley {
             }
             while k + 1 < plan.len() && plan[k].end() <= s {
                 k += 1;
+            }
+            if self.tight[from + k] > 0.0 {
+                self.s.push(s);
+                self.h.push(plan[k].h);
+                self.tighter.push(self.tight[from + k]);
+                self.taken = self.s.len();
+                s = if k + 1 < plan.len() { plan[k].end() } else { end };
+                continue;
             }
             cell = road.cell(cell, s);
             let derivatives = road.derivatives(cell, s);
@@ -328,9 +381,11 @@ impl Valley {
             }
             self.s.push(s);
             self.h.push(to - s);
+            self.tighter.push(1.0);
             s = to;
         }
         self.s.push(end);
+        self.tighter.push(1.0);
         let n = self.h.len();
         if n < 5 {
             return None;
@@ -342,7 +397,8 @@ impl Valley {
 
     /// The plan as it is: the first two and the last two of `x` are what the states at the ends say.
     fn begin(&mut self, range: std::ops::Range<usize>, from: State, to: State) {
-        let plan = &self.way[range];
+        let plan = &self.way[range.clone()];
+        let tight = &self.tight[range];
         let n = self.h.len();
         self.x.clear();
         self.x.resize(n, 0.0);
@@ -352,8 +408,12 @@ impl Valley {
             while k + 1 < plan.len() && plan[k].end() <= s {
                 k += 1;
             }
-            let v = speed(plan, k, s);
-            self.x[i] = v * v;
+            self.x[i] = if tight[k] > 0.0 {
+                let State { v, a } = plan[k].from;
+                v * v + a * self.h[i]
+            } else {
+                speed(plan, k, s).powi(2)
+            };
         }
         let (w, h) = (from.v * from.v, self.h[1]);
         (self.x[0], self.x[1]) = (w - from.a * h, w + from.a * h);
@@ -393,11 +453,7 @@ impl Valley {
             });
             // More than the path can do here: what stays below its bounds then is none.
             let v = (FASTER * self.at(k).0).max(0.0).sqrt();
-            let most_of = |d: &[f64; AXES], limits: &[f64; AXES], along: f64| {
-                d.iter().zip(limits).fold(along, |m, (d, l)| (d.abs() * l).max(m)).max(1e-12).recip()
-            };
-            let a_most = STRONGER * most_of(&here[0], &inverse.acceleration, inverse.along[0]);
-            let j_most = STRONGER * most_of(&here[0], &inverse.jerk, inverse.along[1]);
+            let [a_most, j_most] = most_along([&there, &here], inverse, v);
             // On a line the end of a step at which it is faster decides.
             let is_line = |d: &[[f64; AXES]; 3]| d[1..].iter().flatten().all(|c| *c == 0.0);
             let has_left = !is_line(&there) || (k > 0 && self.at(k).0 >= self.at(k - 1).0);
@@ -456,6 +512,22 @@ impl Valley {
         }
     }
 
+    /// Bounds as tight as they were for the steps that are taken over, and looser where what was found there is on one of them.
+    fn loosen(&mut self) {
+        if self.taken == 0 {
+            return;
+        }
+        for row in &mut self.rows {
+            let tighter = self.tighter[row.place];
+            row.c = row.c.map(|c| c * tighter);
+        }
+        self.look(|_| ());
+        for row in self.rows.iter_mut().filter(|row| row.base + 2 <= self.taken) {
+            let looser = ((1.0 - INSIDE) / row.value.abs()).min(1.0);
+            row.c = row.c.map(|c| c * looser);
+        }
+    }
+
     /// `X` at the place between the steps `k` and `k + 1`, and what both steps weigh in it.
     fn at(&self, k: usize) -> (f64, [f64; 2]) {
         let (h0, h1) = (self.h[k], self.h[k + 1]);
@@ -507,8 +579,7 @@ impl Valley {
     }
 
     /// The interior point method from what is known, first with a sum of products of the share `gap` of the time `planned`.
-    /// `false` if what it finds will not be worth it.
-    fn solve(&mut self, planned: f64, gap: f64) -> bool {
+    fn solve(&mut self, planned: f64, gap: f64) -> Solution {
         let n = self.x.len();
         let mut sum = gap * planned;
         let mut mu = self.mu(sum);
@@ -519,10 +590,10 @@ impl Valley {
             let now = self.assemble(mu);
             // No more than the gap is to be gained.
             if now - sum > WORTH * planned {
-                return false;
+                return Solution::Worthless;
             }
             if !self.eliminate() {
-                return true;
+                return Solution::None;
             }
             // Where it leads, as far as slacks and multipliers stay positive.
             let mut far = 1.0_f64;
@@ -565,11 +636,14 @@ impl Valley {
             sum = sums[0] + sums[1];
             apart *= 1.0 - far;
             if apart < APART && sum < GAP * planned {
-                return true;
+                break;
+            }
+            if sum > ASTRAY * planned {
+                return Solution::None;
             }
             mu = AIMS[usize::from(far.min(far_l) <= 0.8)] * self.mu(sum);
         }
-        true
+        Solution::Found
     }
 
     /// The matrix and the right side; the time that it takes as it is.
@@ -672,8 +746,8 @@ impl Valley {
         true
     }
 
-    /// Whether every piece keeps all bounds; where not, the bounds at its ends are tightened.
-    fn keeps(&mut self, road: &Road<'_, impl Fn(&Node) -> f64>, first: u64) -> bool {
+    /// Whether every piece keeps all bounds; where not, the bounds at its ends are tightened, by at least a little.
+    fn keeps(&mut self, road: &Road<'_, impl Fn(&Node) -> f64>, first: u64, little: f64) -> bool {
         let mut is_good = true;
         let mut cell = first;
         self.more.clear();
@@ -682,12 +756,15 @@ impl Valley {
             let used = road.most_used(&self.pieces[k], &mut cell);
             if !(used <= ROUNDING) {
                 is_good = false;
-                let more = (used / LESS).min(MOST_MORE);
+                let more = (1.0 + LESS * (used - 1.0) + little).min(MOST_MORE);
                 self.more[k] *= more;
                 self.more[k + 1] *= more;
             }
         }
         if !is_good {
+            for (tighter, more) in self.tighter.iter_mut().zip(&self.more) {
+                *tighter *= more;
+            }
             for row in &mut self.rows {
                 let more = self.more[row.place];
                 row.c = row.c.map(|c| c * more);
@@ -707,6 +784,24 @@ fn pour(band: &mut [[f64; 3]], right: &mut [f64], base: usize, sums: [f64; 9]) {
     for (right, r) in right[base..base + 3].iter_mut().zip(r) {
         *right += r;
     }
+}
+
+/// Highest acceleration and jerk along the path where it is no faster than `v`, by its derivatives on both sides: an axis has what its
+/// bounds leave it, and as much more as the curve takes the other way.
+fn most_along(sides: [&[[f64; AXES]; 3]; 2], inverse: &Inverse, v: f64) -> [f64; 2] {
+    let [mut a, mut j] = inverse.along.map(|inverse| inverse.max(1e-12).recip());
+    let most =
+        |derivative: usize, i: usize| larger(sides[0][derivative][i].abs(), sides[1][derivative][i].abs());
+    let axes =
+        |inverse: &[f64; AXES]| -> [f64; AXES] { std::array::from_fn(|i| sides[1][0][i].abs() * inverse[i]) };
+    for (i, share) in axes(&inverse.acceleration).into_iter().enumerate().filter(|(_, share)| *share > 0.0) {
+        a = a.min((1.0 + most(1, i) * v * v * inverse.acceleration[i]) / share);
+    }
+    for (i, share) in axes(&inverse.jerk).into_iter().enumerate().filter(|(_, share)| *share > 0.0) {
+        let curve = (most(2, i) * v * v + 3.0 * most(1, i) * a) * v;
+        j = j.min((1.0 + curve * inverse.jerk[i]) / share);
+    }
+    [a, j]
 }
 
 /// Whether somewhere a curve takes a share of the bounds that could be shared better.
@@ -804,11 +899,15 @@ impl<C: Fn(&Node) -> f64> Road<'_, C> {
     /// Largest share of a bound that a piece uses, which begins in `cell` or behind it.
     fn most_used(&self, piece: &Piece, cell: &mut u64) -> f64 {
         *cell = self.cell(*cell, piece.s);
-        let mut used: f64 = 0.0;
-        for part in 0..=PARTS {
-            let (s, state, j) = piece.state(f64::from(part) / f64::from(PARTS) * piece.time);
+        let used_at = |part: u8, of: u8| {
+            let (s, state, j) = piece.state(f64::from(part) / f64::from(of) * piece.time);
             let at = self.cell(*cell, s.min(piece.end() - 1e-9));
-            used = used.max(self.used(at, s, state, j));
+            self.used(at, s, state, j)
+        };
+        let mut used = (0..=PARTS).map(|part| used_at(part, PARTS)).fold(0.0, f64::max);
+        if used > NEARLY_ALL {
+            let between = (1..FINE_PARTS).step_by(2).map(|part| used_at(part, FINE_PARTS));
+            used = between.fold(used, f64::max);
         }
         // Where cells meet inside it the derivatives may jump.
         loop {
