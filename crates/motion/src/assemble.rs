@@ -49,7 +49,7 @@ pub(crate) const CELLS_A_MOVE: usize = 8;
 
 /// Where the feed decides, cells of a chain end where `|q′|` differs by about this share: so many of one, and so many more
 /// in all at most.
-const EVEN: f64 = 0.01;
+const EVEN: f64 = 0.007;
 const MOST_PARTS: f64 = 8.0;
 const CELLS_OF_FEED: usize = 1024;
 

@@ -38,7 +38,7 @@ const CLOSER: f64 = 1.02;
 const MOST_CLOSER: f64 = 30.0;
 
 /// `ℓ` is so many times what would spend both alike: the least of the squares still has more jerk in a turn than beside it.
-const STIFF: f64 = 1.2;
+const STIFF: f64 = 1.15;
 
 /// A span gets stiffer by its share of the mean jerk to this power, and by no more than so many times.
 const LEVEL: f64 = 0.6;
@@ -48,7 +48,7 @@ const MOST_LEVEL: f64 = 5.0;
 const MUCH_SLOW: f64 = 0.25;
 
 /// `ℓ` is no more than this many times the length of the span.
-const STIFFEST: f64 = 5.0;
+const STIFFEST: f64 = 40.0;
 
 /// Before the open end of a run it is no more than this share of the way to that end: the fit there is still to change.
 const OPEN_SHARE: f64 = 0.5;

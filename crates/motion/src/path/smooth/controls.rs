@@ -14,8 +14,12 @@ const LEAST_LOOKS: usize = 3;
 pub(super) const MOST_LOOKS: usize = 16;
 
 /// A slow span is no longer than this share of what is smoothed away there, where so many parts are enough.
-const SPLIT: f64 = 0.7;
-const MOST_PARTS: usize = 4;
+const SPLIT: f64 = 0.27;
+const MOST_PARTS: usize = 10;
+
+/// At an end it is slow because it rests there: with more knots the fit, soft as it is where it is slow, would turn there so
+/// sharply that it stays slow.
+const PARTS_AT_END: usize = 3;
 
 impl Smoother {
     pub(super) fn place_controls(&mut self, open: bool) {
@@ -164,8 +168,10 @@ impl Smoother {
                 let is_close = keeps[0] && begin - self.t(0) < away || keeps[1] && self.t(spans) - end < away;
                 if !is_close {
                     let most = SPLIT * fit.pace.reach(k, tolerance);
+                    let is_end = k == 0 || k + 1 == spans;
+                    let most_parts = if is_end { PARTS_AT_END } else { MOST_PARTS };
                     let fits = ((end - begin) / most).min(MOST_PARTS as f64) as usize;
-                    parts = (fits + 1).min(MOST_PARTS).min(left + 1);
+                    parts = (fits + 1).min(most_parts).min(left + 1);
                     left -= parts - 1;
                 }
             }
