@@ -51,8 +51,9 @@ const STEPS: usize = 160;
 /// The last part of a window, one of so many, is of the next one too.
 const OVERLAP: usize = 3;
 
-/// A window that was not to be run within the bounds begins so many pieces earlier, so many times.
+/// A window that was not to be run within the bounds begins so many pieces earlier and has so many steps less, so many times.
 const EARLIER: usize = 5;
+const SHORTER: usize = 12;
 const TRIES: usize = 2;
 
 /// Pieces that there is room for.
@@ -239,7 +240,7 @@ impl Valley {
                 origin = self.way[from].s;
             }
             cell = road.cell(cell, self.way[from].s);
-            let Some(count) = self.place(&road, from, cell) else { break };
+            let Some(count) = self.place(&road, from, cell, STEPS - SHORTER * tries) else { break };
             let is_last = from + count == self.way.len();
             let outcome = self.window(&road, from..from + count, cell);
             let mut new = count;
@@ -250,8 +251,8 @@ impl Valley {
                     self.tight.splice(from..from + count, self.tighter[..new].iter().copied());
                     found = true;
                 }
-                // The state that it begins with may be one that hardly leaves a choice.
-                Outcome::Broken if from > 0 && tries < TRIES => {
+                // The states that it begins and ends with may be such that they hardly leave a choice.
+                Outcome::Broken if tries < TRIES && (from > 0 || !is_last) => {
                     tries += 1;
                     from = from.saturating_sub(EARLIER);
                     cell = first;
@@ -318,9 +319,15 @@ impl Valley {
         &self.way
     }
 
-    /// Sets the steps, for as many of the pieces from `from` on as there are steps for: how many. `None` if that are too
-    /// few.
-    fn place(&mut self, road: &Road<'_, impl Fn(&Node) -> f64>, from: usize, first: u64) -> Option<usize> {
+    /// Sets no more than `most` steps, for as many of the pieces from `from` on as there are steps for: how many. `None` if that
+    /// are too few.
+    fn place(
+        &mut self,
+        road: &Road<'_, impl Fn(&Node) -> f64>,
+        from: usize,
+        first: u64,
+        most: usize,
+    ) -> Option<usize> {
         let plan = &self.way[from..];
         let (begin, mut end) = (plan[0].s, plan[plan.len() - 1].end());
         let mut count = plan.len();
@@ -332,7 +339,7 @@ impl Valley {
         // One more before and behind, as long as its neighbour.
         self.h.push(0.0);
         while s < end {
-            if self.s.len() == STEPS {
+            if self.s.len() == most {
                 // The window ends with the last piece that ends before; a step that would be short belongs to the one before.
                 count = k;
                 end = plan[k.checked_sub(1)?].end();
