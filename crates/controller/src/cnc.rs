@@ -153,6 +153,8 @@ struct Given {
     frame: Frame,
     /// The share of it that motion is to be given, where a part was run before it was taken back.
     left: f64,
+    /// How far beside it the axes stood then, mm.
+    beside: f64,
 }
 
 impl Given {

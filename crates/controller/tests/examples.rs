@@ -114,8 +114,8 @@ fn lay_hands_on(cnc: &mut Cnc, random: &mut Random) {
     }
 }
 
-/// Runs a part to its end; where the axes stand then.
-fn end_of(part: &Part, mut random: Option<Random>) -> Position {
+/// Runs a part to its end, with hands so many periods apart on average; where the axes stand then.
+fn end_of(part: &Part, mut random: Option<Random>, apart: usize) -> Position {
     let mut cnc = Cnc::new(&part.machine, part.interpreter());
     let mut judge = Judge::new(&part.name, &part.machine, cnc.tick().position);
     let mut angle = cnc.spindle().angle();
@@ -123,7 +123,7 @@ fn end_of(part: &Part, mut random: Option<Random>) -> Position {
     let mut next = 0;
     for tick in 0..HANGS {
         if let Some(random) = random.as_mut().filter(|_| tick >= next) {
-            next = tick + 1 + random.below(2 * APART);
+            next = tick + 1 + random.below(2 * apart);
             lay_hands_on(&mut cnc, random);
         }
         let waits_long = tick + 1 >= next;
@@ -162,14 +162,33 @@ fn every_example_keeps_the_limits_and_the_path_whatever_the_operator_does() {
             let parts = &parts;
             scope.spawn(move || {
                 for (k, part) in parts.iter().enumerate().filter(|(k, _)| k % 2 == half) {
-                    let plain = end_of(part, None);
-                    let disturbed = end_of(part, Some(Random::new(k as u64 + 1)));
+                    let plain = end_of(part, None, APART);
+                    let disturbed = end_of(part, Some(Random::new(k as u64 + 1)), APART);
                     let gap = Axis::ALL.map(|axis| (plain[axis] - disturbed[axis]).abs());
                     assert!(gap.iter().all(|gap| *gap < 1e-9), "{}: {plain:?} {disturbed:?}", part.name);
                 }
             });
         }
     });
+}
+
+/// Blocks are taken up again inside rounded corners, close to the next one.
+#[test]
+fn short_lines_that_are_taken_up_beside_them_keep_the_tolerance() {
+    let mut random = Random::new(7);
+    for round in 0..40 {
+        let mut text = "G21 G90 G17 G64 P0.1\nF3000\n".to_owned();
+        let (mut at, mut heading) = ([0.0, 0.0], 0.0_f64);
+        for _ in 0..60 {
+            let length = random.one(&[0.3, 0.6, 1.0, 2.0, 4.0]) * (0.8 + 0.4 * random.unit());
+            heading += (2.0 * random.unit() - 1.0) * 2.0;
+            at = [at[0] + length * heading.cos(), at[1] + length * heading.sin()];
+            text += &format!("G1 X{:.4} Y{:.4}\n", at[0], at[1]);
+        }
+        text += "M2\n";
+        let part = Part::new(&format!("short lines {round}"), "rs274", "", &text);
+        end_of(&part, Some(Random::new(round)), 60);
+    }
 }
 
 /// Where a move begins or ends and the direction that it has there; `None` where no line is programmed.

@@ -15,6 +15,8 @@ pub struct Move {
     pub(crate) kind: Kind,
     /// Speed of the spindle that a feed per revolution was worked out with, r/min; 0 where the feed is none.
     pub(crate) rpm: f64,
+    /// How far beside its programmed path it begins, mm: of what the path may leave it this is gone.
+    pub(crate) beside: f64,
 }
 
 /// How a move gets to its end.
@@ -119,14 +121,14 @@ impl Move {
                 | Op::Arc { feed: Feed::PerRevolution(_), .. }
                 | Op::Skip { feed: Feed::PerRevolution(_), .. }
         );
-        Move { tag, to, kind, rpm: if turns { rpm } else { 0.0 } }.checked()
+        Move { tag, to, kind, rpm: if turns { rpm } else { 0.0 }, beside: 0.0 }.checked()
     }
 
     /// Positioning to `to`: on a straight line, or every axis on its own.
     pub fn rapid(to: Position, straight: bool, tag: u64) -> Option<Move> {
         let line = Kind::RapidStraight { speed: f64::INFINITY, path: PathMode::ON_PATH };
         let kind = if straight { line } else { Kind::RapidAxes };
-        Move { tag, to, kind, rpm: 0.0 }.checked()
+        Move { tag, to, kind, rpm: 0.0, beside: 0.0 }.checked()
     }
 
     /// Whether it cuts a thread beside the spindle (G63): no override and no hold acts on it.
@@ -140,7 +142,7 @@ impl Move {
     /// Straight cut to `to` at `feed` mm/s (degrees/s where only rotary axes move).
     #[inline]
     pub fn line(to: Position, feed: f64, path: PathMode, tag: u64) -> Option<Move> {
-        Move { tag, to, kind: Kind::Line { feed, path }, rpm: 0.0 }.checked()
+        Move { tag, to, kind: Kind::Line { feed, path }, rpm: 0.0, beside: 0.0 }.checked()
     }
 
     /// Circular or helical cut to `to` at `feed` mm/s along the path, `sweep` radians about `center`.
@@ -153,7 +155,8 @@ impl Move {
         path: PathMode,
         tag: u64,
     ) -> Option<Move> {
-        Move { tag, to, kind: Kind::Arc { plane, center, sweep, feed, path }, rpm: 0.0 }.checked()
+        Move { tag, to, kind: Kind::Arc { plane, center, sweep, feed, path }, rpm: 0.0, beside: 0.0 }
+            .checked()
     }
 
     /// The parts of it up to the shares `cuts` of its way from `from`, one behind the other.
@@ -198,6 +201,11 @@ impl Move {
             *sweep *= share;
         }
         self
+    }
+
+    /// The same move, begun so far beside its programmed path, mm: a move that was left and is taken up again.
+    pub fn beside(self, beside: f64) -> Move {
+        Move { beside: beside.max(0.0), ..self }
     }
 
     /// The same move at another speed along the path, mm/s, whatever the spindle does; positioning at a speed goes on

@@ -373,6 +373,7 @@ impl Cnc {
         let at = self.motion.position();
         if let Some(first) = self.given.front_mut() {
             first.left = first.programmed.left(at, first.travelled, first.path_length);
+            first.beside = first.programmed.distance(at).unwrap_or(0.0);
         }
         while let Some(given) = self.given.pop_back() {
             self.blocks.later.push_front(given);

@@ -169,6 +169,7 @@ impl Cnc {
             travelled: 0.0,
             frame: self.interpreter.frame(),
             left: 1.0,
+            beside: 0.0,
         };
         // There is room: the callers asked.
         if self.motion.push(&self.paced(&given)) {

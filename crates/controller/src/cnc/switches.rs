@@ -174,6 +174,7 @@ impl Cnc {
             _ => given.motion,
         }
         .last(given.left)
+        .beside(given.beside)
     }
 
     /// Holds motion or lets it go on, whoever asks for it.

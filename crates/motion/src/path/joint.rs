@@ -62,6 +62,9 @@ const TIGHT_CHORD: f64 = 1.0;
 const ROW: f64 = 12.0;
 const ROW_CURVE: f64 = 0.6;
 
+/// What is left of the tolerance of a move that begins beside its programmed path, at least: its end is still rounded.
+const LEAST_LEFT: f64 = 0.05;
+
 /// Share of the shorter line that a corner takes at most.
 const CORNER_ROOM: f64 = 0.4;
 
@@ -221,7 +224,8 @@ impl Member {
             Kind::RapidAxes | Kind::RapidStraight { .. } => Class::Rapid,
             Kind::Line { .. } | Kind::Arc { .. } => cutting_class(path),
         };
-        let tolerance = rules.tolerance_of(path);
+        let left = |tolerance: f64| (tolerance - m.beside).max(LEAST_LEFT * tolerance);
+        let tolerance = rules.tolerance_of(path).map(left);
         let inner = if let PathMode::InnerCorners(corners) = path { Some(corners) } else { None };
         let [lowest, highest] = rules.feeds_of(class, m.rpm);
         let most = match (&piece, &rules.arc) {
