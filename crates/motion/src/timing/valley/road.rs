@@ -1,0 +1,117 @@
+//! What a valley lies on: the derivatives of the path, and what a piece takes of the bounds.
+
+use crate::limits::Inverses;
+use crate::path::shape::Shape;
+use crate::quick::larger;
+use crate::timing::piece::{Piece, State};
+use crate::timing::queue::{Node, Queue};
+use ferrocut_geometry::AXES;
+
+/// The third derivative jumps where it does by more than this share of itself.
+const JUMP: f64 = 0.1;
+
+/// In how many parts a piece is looked at, and in how many where one of them is nearly on a bound.
+const PARTS: u8 = 4;
+const FINE_PARTS: u8 = 8;
+const NEARLY_ALL: f64 = 0.99;
+
+/// What a valley lies on.
+pub(super) struct Road<'a, C: Fn(&Node) -> f64> {
+    pub queue: &'a Queue,
+    pub inverses: &'a Inverses,
+    pub cap: C,
+}
+
+impl<C: Fn(&Node) -> f64> Road<'_, C> {
+    /// The cell in which `s` lies, from `cell` on.
+    pub(super) fn cell(&self, mut cell: u64, s: f64) -> u64 {
+        while cell + 1 < self.queue.tail() && self.queue.node(cell).end() <= s + 1e-12 {
+            cell += 1;
+        }
+        cell
+    }
+
+    /// The cell before the border of `cell` at `s` that has a length.
+    pub(super) fn side_before(&self, cell: u64, s: f64) -> u64 {
+        let mut side = cell;
+        while side > self.queue.head() && self.queue.node(side).s >= s - 1e-12 {
+            side -= 1;
+        }
+        side
+    }
+
+    /// `q′`, `q″` and `q‴` at `s`, which lies in `cell`.
+    pub(super) fn derivatives(&self, cell: u64, s: f64) -> [[f64; AXES]; 3] {
+        let node = self.queue.node(cell);
+        self.queue.cell(cell).derivatives((s - node.s).clamp(0.0, node.len), node.len)
+    }
+
+    /// Whether the third derivative jumps behind `cell`. Slices are of one arc as a rule.
+    pub(super) fn jumps(&self, cell: u64) -> bool {
+        let shape = |cell: u64| &self.queue.cell(cell).shape;
+        if let (Shape::Slice(..), Shape::Slice(..)) = (shape(cell), shape(cell + 1)) {
+            return false;
+        }
+        let border = self.queue.node(cell).end();
+        let (before, behind) = (self.derivatives(cell, border)[2], self.derivatives(cell + 1, border)[2]);
+        let norm = |d: [f64; AXES]| d.iter().map(|c| c * c).sum::<f64>();
+        let jump = std::array::from_fn(|i| behind[i] - before[i]);
+        norm(jump) > JUMP * JUMP * norm(before).max(norm(behind))
+    }
+
+    /// Lowest speed allowed, curves aside, from cell `from` to the length `to`.
+    pub(super) fn least_cap(&self, from: u64, to: f64) -> f64 {
+        let mut least = f64::MAX.sqrt();
+        for cell in from..self.queue.tail() {
+            let node = self.queue.node(cell);
+            if node.s >= to && cell > from {
+                break;
+            }
+            least = least.min((self.cap)(node));
+        }
+        least
+    }
+
+    /// Largest share of a bound that a piece uses, which begins in `cell` or behind it.
+    pub(super) fn most_used(&self, piece: &Piece, cell: &mut u64) -> f64 {
+        *cell = self.cell(*cell, piece.s);
+        let used_at = |part: u8, of: u8| {
+            let (s, state, j) = piece.state(f64::from(part) / f64::from(of) * piece.time);
+            let at = self.cell(*cell, s.min(piece.end() - 1e-9));
+            self.used(at, s, state, j)
+        };
+        let mut used = (0..=PARTS).map(|part| used_at(part, PARTS)).fold(0.0, f64::max);
+        if used > NEARLY_ALL {
+            let between = (1..FINE_PARTS).step_by(2).map(|part| used_at(part, FINE_PARTS));
+            used = between.fold(used, f64::max);
+        }
+        // Where cells meet inside it the derivatives may jump.
+        loop {
+            let border = self.queue.node(*cell).end();
+            if border >= piece.end() - 1e-9 || *cell + 1 >= self.queue.tail() {
+                return used;
+            }
+            if border > piece.s + 1e-9 {
+                let (s, state, j) = piece.state(piece.time_at(border));
+                used = used.max(self.used(*cell, s, state, j)).max(self.used(*cell + 1, s, state, j));
+            }
+            *cell += 1;
+        }
+    }
+
+    /// Largest share of a bound that is used at `s`.
+    pub(super) fn used(&self, cell: u64, s: f64, state: State, j: f64) -> f64 {
+        let node = self.queue.node(cell);
+        let inverse = self.inverses.of(node.class);
+        let [d1, d2, d3] = self.derivatives(cell, s);
+        let State { v, a } = state;
+        let (w, cube, swing) = (v * v, v * v * v, 3.0 * v * a);
+        let mut most = (v / (self.cap)(node)).max(a.abs() * inverse.along[0]).max(j.abs() * inverse.along[1]);
+        for i in 0..AXES {
+            let acceleration = (d2[i] * w + d1[i] * a) * inverse.acceleration[i];
+            let jerk = (d3[i] * cube + d2[i] * swing + d1[i] * j) * inverse.jerk[i];
+            most = larger(larger(most, acceleration.abs()), jerk.abs());
+        }
+        most
+    }
+}
