@@ -374,10 +374,23 @@ fn curves() {
     ]);
 }
 
+/// Rows over a wavy surface in lines far shorter than what joins the rows; coordinates of 4 decimals, so that some of them are one.
+fn fine_rows() -> Path {
+    const LINES: usize = 320;
+    let place = |row: usize, k: usize| {
+        let along = 32.03 * k as f64 / LINES as f64;
+        let (x, y) = (if row.is_multiple_of(2) { along } else { 32.03 - along }, 0.5 * row as f64);
+        [x, y, 2.0 * (0.1 * x).sin() * (0.07 * y).cos()].map(|c| (c * 1e4).round_ties_even() / 1e4)
+    };
+    let rows = (0..4).flat_map(|row| (0..=LINES).map(move |k| place(row, k)));
+    rows.skip(1).fold(Path::new([0.0; 3], 6000.0, 0.01), Path::line)
+}
+
 #[test]
 fn rasters() {
     let of = |points: &[[f64; 2]]| Path::through(points, 12_000.0, 0.01, Some(3));
     judge(vec![
+        ("raster of fine blocks", fine_rows(), [1.478_395, 1.663_622], [1.01, 1.055]),
         ("raster with half circles", of(&raster(8, 25.0, 1.5, 0.2, true)), [1.64232, 1.91046], [1.0, 1.075]),
         (
             "raster with square ends",

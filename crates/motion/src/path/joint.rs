@@ -57,6 +57,11 @@ const TIGHT_CHAIN: f64 = 2.2;
 const TIGHT_CORNER: f64 = 1.0;
 const TIGHT_CHORD: f64 = 1.0;
 
+/// Behind a line that is smoothed sharper corners are too, up to 106°, 2·sin(106°/2), where they follow each other within so many
+/// times that way: the end of a row whose blocks are far shorter than what joins it to the next.
+const SHARP_CHORD: f64 = 1.6;
+const SHARP_CHAIN: f64 = 3.0;
+
 /// A short line beside one at least so many times as long, into which it turns by more than 60°, may be what joins two rows
 /// ([`crate::path::link`]); a curve through all of it is quicker only where the tolerance is more than this share of it.
 const ROW: f64 = 12.0;
@@ -135,11 +140,15 @@ pub(crate) enum Behind {
 }
 
 impl Behind {
-    fn tight(self) -> f64 {
+    /// How many times the way to speed up and stop corners that turn by so much are apart that are smoothed together; 0 where
+    /// they are too sharp. `angle` is the distance of their directions.
+    fn tight(self, angle: f64) -> f64 {
         match self {
-            Behind::Chain => TIGHT_CHAIN,
-            Behind::Corner => TIGHT_CORNER,
-            Behind::Other => TIGHT,
+            Behind::Chain if angle < TIGHT_CHORD => TIGHT_CHAIN,
+            Behind::Chain if angle < SHARP_CHORD => SHARP_CHAIN,
+            Behind::Corner if angle < TIGHT_CHORD => TIGHT_CORNER,
+            Behind::Other if angle < TIGHT_CHORD => TIGHT,
+            _ => 0.0,
         }
     }
 }
@@ -390,7 +399,7 @@ impl Member {
         let is_tight = |corner: &Corner| {
             let is_other = self.inner.is_some() || next.inner.is_some();
             let room = least - 2.0 * corner.reach;
-            !is_other && angle < TIGHT_CHORD && room < behind.tight() * corner.foot.room(drive)
+            !is_other && room < behind.tight(angle) * corner.foot.room(drive)
         };
         let is_better = |corner: &Corner| is_row || corner.reach < CHAIN_ROOM * least && !is_tight(corner);
         let corner = corner().filter(|corner| !is_chain || is_better(corner));
