@@ -170,7 +170,7 @@ impl Smoother {
                     let most = SPLIT * fit.pace.reach(k, tolerance);
                     let is_end = k == 0 || k + 1 == spans;
                     let most_parts = if is_end { PARTS_AT_END } else { MOST_PARTS };
-                    let fits = ((end - begin) / most).min(MOST_PARTS as f64) as usize;
+                    let fits = ((end - begin) / most).min(most_parts as f64) as usize;
                     parts = (fits + 1).min(most_parts).min(left + 1);
                     left -= parts - 1;
                 }

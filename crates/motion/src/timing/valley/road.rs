@@ -100,7 +100,7 @@ impl<C: Fn(&Node) -> f64> Road<'_, C> {
     }
 
     /// Largest share of a bound that is used at `s`.
-    pub(super) fn used(&self, cell: u64, s: f64, state: State, j: f64) -> f64 {
+    fn used(&self, cell: u64, s: f64, state: State, j: f64) -> f64 {
         let node = self.queue.node(cell);
         let inverse = self.inverses.of(node.class);
         let [d1, d2, d3] = self.derivatives(cell, s);
