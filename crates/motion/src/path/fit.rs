@@ -25,6 +25,7 @@
 
 use crate::limits::Inverse;
 use crate::path::pace::{Pace, Stretch};
+use std::ops::Range;
 
 /// Control points that bear on a span, and diagonals of the normal equations.
 pub(crate) const BAND: usize = 4;
@@ -33,9 +34,18 @@ pub(crate) const BAND: usize = 4;
 /// much more time on the machine than the rounds do here.
 const ROUNDS: usize = 24;
 
-/// How much more a place weighs that is beyond its limit: by the square of how far, with a little added, and no more than this.
+/// How much more a place weighs that is beyond its limit: by the square of how far, with a little added, to a power that grows by
+/// so much each round, and no more than this. A place that hardly gives way would take tens of rounds without.
 const CLOSER: f64 = 1.02;
+const HARDER: f64 = 0.1;
 const MOST_CLOSER: f64 = 30.0;
+
+/// It is close enough where it is beyond the limit by no more than this, as a share of its square.
+const CLOSE_ENOUGH: f64 = 1.02;
+
+/// Shares by which rows of the equations, and of the tolerance by which control points are the same in a round.
+const SAME: f64 = 1e-7;
+const NOT_MOVED: f64 = 1e-5;
 
 /// `ℓ` is so many times what would spend both alike: the least of the squares still has more jerk in a turn than beside it.
 const STIFF: f64 = 1.15;
@@ -225,17 +235,26 @@ impl<const N: usize> Fit<N> {
 
     /// Finds the control points that are free.
     pub fn solve(&mut self) {
-        self.assemble();
-        self.eliminate();
+        self.solve_about(0..self.strips.len(), 0.0);
     }
 
-    /// The same again, with more weight where the spline is far from the lines, as long as it is.
+    /// The same again, with more weight where the spline is far from the lines, as long as it is. A round goes only as far as
+    /// something changes.
     pub fn close(&mut self) {
-        for _ in 0..ROUNDS {
-            if !self.press() {
+        let mut spans = 0..self.strips.len();
+        for round in 0..=ROUNDS {
+            let (pressed, most) = self.press(spans, 1.0 + HARDER * round as f64);
+            if most <= CLOSE_ENOUGH || round == ROUNDS {
+                if round > 0 {
+                    self.solve();
+                }
                 return;
             }
-            self.solve();
+            let least = self.strips[pressed.clone()]
+                .iter()
+                .map(|strip| strip.tolerance)
+                .fold(f64::INFINITY, f64::min);
+            spans = self.solve_about(pressed, NOT_MOVED * least);
         }
     }
 
@@ -320,81 +339,110 @@ impl<const N: usize> Fit<N> {
         lengths[0] >= MUCH_SLOW * lengths[1]
     }
 
-    /// Adds the spans up to the normal equations.
-    fn assemble(&mut self) {
+    /// Finds the control points again of which these spans have changed, and the others as far as they move by more than
+    /// `least`: the spans of which some have moved.
+    ///
+    /// Rows of `L·D·Lᵀ` above the first that has changed stay as they are, and so do those below where three of them in a
+    /// row have come out as they were.
+    fn solve_about(&mut self, changed: Range<usize>, least: f64) -> Range<usize> {
         let total = self.controls.len();
-        self.rows.clear();
         self.rows.resize(total, [0.0; BAND]);
-        self.sides.clear();
         self.sides.resize(total, [0.0; N]);
-        for (k, strip) in self.strips.iter().enumerate() {
-            let free = &self.is_free[k..k + BAND];
-            let (rows, sides) = (&mut self.rows[k..k + BAND], &mut self.sides[k..k + BAND]);
-            if free.iter().all(|is_free| *is_free) {
-                for i in 0..BAND {
-                    for j in 0..=i {
-                        rows[i][i - j] += strip.gram[i][j];
-                    }
-                    for axis in 0..N {
-                        sides[i][axis] += strip.side[i][axis];
-                    }
-                }
-                continue;
-            }
-            // Those that stand are not moved.
-            for i in (0..BAND).filter(|i| free[*i]) {
-                for j in (0..=i).filter(|j| free[*j]) {
-                    rows[i][i - j] += strip.gram[i][j];
-                }
-                for axis in 0..N {
-                    sides[i][axis] += strip.side[i][axis];
-                }
-            }
-        }
-        for (row, is_free) in self.rows.iter_mut().zip(&self.is_free) {
-            if !is_free {
-                *row = [1.0, 0.0, 0.0, 0.0];
-            }
-        }
-    }
-
-    /// Solves the normal equations.
-    fn eliminate(&mut self) {
         // The three rows and right sides above, the nearest first.
-        let (mut above, mut high) = ([[0.0; BAND]; 3], [[0.0; N]; 3]);
-        for (row, side) in self.rows.iter_mut().zip(&mut self.sides) {
-            let [a0, a1, a2, a3] = *row;
+        let above = |k: usize| changed.start.checked_sub(k);
+        let mut rows: [[f64; BAND]; 3] =
+            std::array::from_fn(|k| above(k + 1).map_or([0.0; BAND], |i| self.rows[i]));
+        let mut sides: [[f64; N]; 3] =
+            std::array::from_fn(|k| above(k + 1).map_or([0.0; N], |i| self.sides[i]));
+        let (mut end, mut same) = (total, 0);
+        for i in changed.start..total {
+            let ([a0, a1, a2, a3], mut side) = self.row(i);
             // Entries of `L·D`, then of `L`.
             let e3 = a3;
-            let e2 = a2 - e3 * above[1][1];
-            let e1 = a1 - e2 * above[0][1] - e3 * above[0][2];
-            let (l1, l2, l3) = (e1 * above[0][0], e2 * above[1][0], e3 * above[2][0]);
+            let e2 = a2 - e3 * rows[1][1];
+            let e1 = a1 - e2 * rows[0][1] - e3 * rows[0][2];
+            let (l1, l2, l3) = (e1 * rows[0][0], e2 * rows[1][0], e3 * rows[2][0]);
             let d = a0 - e1 * l1 - e2 * l2 - e3 * l3;
-            *row = [d.max(f64::MIN_POSITIVE).recip(), l1, l2, l3];
+            let row = [d.max(f64::MIN_POSITIVE).recip(), l1, l2, l3];
             for axis in 0..N {
-                side[axis] -= l1 * high[0][axis] + l2 * high[1][axis] + l3 * high[2][axis];
+                side[axis] -= l1 * sides[0][axis] + l2 * sides[1][axis] + l3 * sides[2][axis];
             }
-            above = [*row, above[0], above[1]];
-            high = [*side, high[0], high[1]];
-        }
-        let mut below = [[0.0; BAND]; 3];
-        let mut low = [[0.0; N]; 3];
-        for (moved, (row, side)) in self.moved.iter_mut().zip(self.rows.iter().zip(&self.sides)).rev() {
-            for axis in 0..N {
-                moved[axis] = side[axis] * row[0]
-                    - below[0][1] * low[0][axis]
-                    - below[1][2] * low[1][axis]
-                    - below[2][3] * low[2][axis];
+            let (old_row, old_side) = (&mut self.rows[i], &mut self.sides[i]);
+            let is_same = i >= changed.end + BAND - 1
+                && (row[0] - old_row[0]).abs() <= SAME * row[0]
+                && (1..BAND).all(|k| (row[k] - old_row[k]).abs() <= SAME)
+                && (0..N).all(|axis| (side[axis] - old_side[axis]).abs() * row[0] <= least);
+            same = if is_same { same + 1 } else { 0 };
+            (*old_row, *old_side) = (row, side);
+            if same == BAND - 1 {
+                end = i + 1;
+                break;
             }
-            below = [*row, below[0], below[1]];
-            low = [*moved, low[0], low[1]];
+            rows = [row, rows[0], rows[1]];
+            sides = [side, sides[0], sides[1]];
         }
+        let below = |k: usize| (end + k < total).then_some(end + k);
+        let mut rows: [[f64; BAND]; 3] =
+            std::array::from_fn(|k| below(k).map_or([0.0; BAND], |i| self.rows[i]));
+        let mut low: [[f64; N]; 3] = std::array::from_fn(|k| below(k).map_or([0.0; N], |i| self.moved[i]));
+        let (mut begin, mut same) = (0, 0);
+        for i in (0..end).rev() {
+            let (row, side) = (&self.rows[i], &self.sides[i]);
+            let moved = std::array::from_fn(|axis| {
+                side[axis] * row[0]
+                    - rows[0][1] * low[0][axis]
+                    - rows[1][2] * low[1][axis]
+                    - rows[2][3] * low[2][axis]
+            });
+            let old = std::mem::replace(&mut self.moved[i], moved);
+            let is_same = i < changed.start && (0..N).all(|axis| (moved[axis] - old[axis]).abs() <= least);
+            same = if is_same { same + 1 } else { 0 };
+            if same == BAND - 1 {
+                begin = i;
+                break;
+            }
+            rows = [*row, rows[0], rows[1]];
+            low = [moved, low[0], low[1]];
+        }
+        begin.saturating_sub(BAND - 1)..end.min(self.strips.len())
     }
 
-    /// Weighs more where the spline is far from the lines. Whether it is anywhere.
-    pub fn press(&mut self) -> bool {
-        let mut changed = false;
-        for (k, strip) in self.strips.iter_mut().enumerate() {
+    /// Row `i` of the normal equations, the sum of what the spans add to it: its entries from the diagonal on to the left, and
+    /// its right side. A control point that stands is not moved.
+    #[inline]
+    fn row(&self, i: usize) -> ([f64; BAND], [f64; N]) {
+        let (mut row, mut side) = ([0.0; BAND], [0.0; N]);
+        if !self.is_free[i] {
+            return ([1.0, 0.0, 0.0, 0.0], side);
+        }
+        for own in (0..BAND.min(i + 1)).rev() {
+            let Some(strip) = self.strips.get(i - own) else { continue };
+            for back in 0..=own {
+                row[back] += strip.gram[own][own - back];
+            }
+            for axis in 0..N {
+                side[axis] += strip.side[own][axis];
+            }
+        }
+        for back in 1..BAND.min(i + 1) {
+            if !self.is_free[i - back] {
+                row[back] = 0.0;
+            }
+        }
+        (row, side)
+    }
+
+    /// Weighs more where the spline is far from the lines.
+    pub fn press_all(&mut self) {
+        self.press(0..self.strips.len(), 1.0);
+    }
+
+    /// Weighs more where one of these spans is far from the lines, by how far to this power: which are, and how far at most, as a
+    /// share of the square of the limit.
+    fn press(&mut self, spans: Range<usize>, power: f64) -> (Range<usize>, f64) {
+        let (mut most, mut pressed) = (0.0_f64, usize::MAX..0);
+        for k in spans {
+            let strip = &mut self.strips[k];
             let moved = &self.moved[k..k + BAND];
             let [first, last] = strip.looks;
             for look in &mut self.looks[first..last] {
@@ -402,15 +450,16 @@ impl<const N: usize> Fit<N> {
                 let square: f64 = off.iter().map(|off| off * off).sum();
                 let over = square * look.close;
                 if over > 1.0 {
-                    let more = look.weight * ((over * CLOSER * CLOSER).min(MOST_CLOSER) - 1.0);
+                    let more = look.weight * ((over * CLOSER * CLOSER).powf(power).min(MOST_CLOSER) - 1.0);
                     look.weight += more;
                     strip.press(look, more);
                     strip.is_pressed = true;
-                    changed = true;
+                    most = most.max(over);
+                    pressed = pressed.start.min(k)..k + 1;
                 }
             }
         }
-        changed
+        (pressed, most)
     }
 }
 

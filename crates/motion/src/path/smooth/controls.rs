@@ -101,7 +101,7 @@ impl Smoother {
         let with_its_speeds = |fit: &mut Fit<N>| {
             fit.find_pace(&self.soft);
             fit.stiffen(open);
-            fit.press();
+            fit.press_all();
             fit.solve();
         };
         // Once more with the speeds of what came out of it.
@@ -112,7 +112,7 @@ impl Smoother {
         }
         with_its_speeds(fit);
         if fit.level(&self.soft) {
-            fit.press();
+            fit.press_all();
             fit.solve();
         }
     }
