@@ -304,7 +304,7 @@ impl Valley {
             let (mut to, mut next) = (s + h, cell);
             while next + 1 < road.queue.tail() && road.queue.node(next).end() <= s + 1.3 * h {
                 let border = road.queue.node(next).end();
-                let jumps = border > s + SHORTEST * h && road.jumps(next);
+                let jumps = border > s + SHORTEST * h && road.jumps(next, speed(plan, k, border));
                 if jumps || border >= s + SHORT * h {
                     to = border;
                 }

@@ -14,7 +14,7 @@ const JERK_SHARE: f64 = 0.993;
 
 /// Where a bound is far, it is none: a valley gets no faster than this share of `x` is more, and less than this share of a bound
 /// is used then.
-const FASTER: f64 = 6.0;
+const FASTER: f64 = 3.0;
 const HARMLESS: f64 = 0.95;
 
 /// How far inside its bounds a solution is that a window begins with.

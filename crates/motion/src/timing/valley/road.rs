@@ -1,14 +1,15 @@
 //! What a valley lies on: the derivatives of the path, and what a piece takes of the bounds.
 
-use crate::limits::Inverses;
+use crate::limits::{Inverses, peak};
 use crate::path::shape::Shape;
 use crate::quick::larger;
 use crate::timing::piece::{Piece, State};
 use crate::timing::queue::{Node, Queue};
 use ferrocut_geometry::AXES;
 
-/// The third derivative jumps where it does by more than this share of itself.
+/// The third derivative jumps where it does by more than this share of itself, and that takes more than this share of the jerk.
 const JUMP: f64 = 0.1;
+const JUMP_TAKES: f64 = 0.02;
 
 /// In how many parts a piece is looked at, and in how many where one of them is nearly on a bound.
 const PARTS: u8 = 4;
@@ -46,8 +47,8 @@ impl<C: Fn(&Node) -> f64> Road<'_, C> {
         self.queue.cell(cell).derivatives((s - node.s).clamp(0.0, node.len), node.len)
     }
 
-    /// Whether the third derivative jumps behind `cell`. Slices are of one arc as a rule.
-    pub(super) fn jumps(&self, cell: u64) -> bool {
+    /// Whether the third derivative jumps behind `cell`, which is left at the speed `v`. Slices are of one arc as a rule.
+    pub(super) fn jumps(&self, cell: u64, v: f64) -> bool {
         let shape = |cell: u64| &self.queue.cell(cell).shape;
         if let (Shape::Slice(..), Shape::Slice(..)) = (shape(cell), shape(cell + 1)) {
             return false;
@@ -56,7 +57,10 @@ impl<C: Fn(&Node) -> f64> Road<'_, C> {
         let (before, behind) = (self.derivatives(cell, border)[2], self.derivatives(cell + 1, border)[2]);
         let norm = |d: [f64; AXES]| d.iter().map(|c| c * c).sum::<f64>();
         let jump = std::array::from_fn(|i| behind[i] - before[i]);
-        norm(jump) > JUMP * JUMP * norm(before).max(norm(behind))
+        let inverse = self.inverses.of(self.queue.node(cell).class);
+        let takes = peak(&jump, &inverse.jerk) * v * v * v;
+        (takes > JUMP_TAKES || inverse.is_free_of_jerk(&jump))
+            && norm(jump) > JUMP * JUMP * norm(before).max(norm(behind))
     }
 
     /// Lowest speed allowed, curves aside, from cell `from` to the length `to`.
