@@ -24,7 +24,7 @@ use crate::moves::Move;
 use crate::path::corner::{Far, Recent};
 use crate::path::joint::{Ease, Joint, JointRules, MOST_CHORDS, Member, add, is_lost};
 use crate::path::piece::Piece;
-use crate::path::shape::{Cubic, Shape};
+use crate::path::shape::{Cubic, Shape, stretch};
 use crate::path::smooth::Smoother;
 use crate::timing::queue::{Cell, MARKS, Mark, Node, Pass, Queue};
 use ferrocut_geometry::{AXES, Position};
@@ -275,7 +275,7 @@ impl Assembler {
         let Some(mut member) = Member::new(from, m, &self.rules) else { return };
         member.is_part = goes_on;
         self.end = m.to;
-        let is_line = member.piece.is_plain_line();
+        let is_line = member.piece.is_line();
         if !self.waits() && member.inner.is_none() && is_line {
             // What most moves are: nothing to be cut up.
             return self.push_member(&mut member, queue);
@@ -341,8 +341,8 @@ impl Assembler {
     fn push_arc(&mut self, next: Option<&Member>) {
         let Some(member) = self.arc.take() else { return };
         let before = self.open.as_ref().map(|open| &open.member);
-        let is_beside_lines = before.is_none_or(|before| before.piece.is_plain_line())
-            && next.is_none_or(|next| next.piece.is_plain_line() || next.chords() > 1);
+        let is_beside_lines = before.is_none_or(|before| before.piece.is_line())
+            && next.is_none_or(|next| next.piece.is_line() || next.chords() > 1);
         let is_smooth = before.is_none_or(|before| before.meets_smoothly(&member, &self.inverses))
             && next.is_none_or(|next| member.meets_smoothly(next, &self.inverses));
         if is_beside_lines && !is_smooth {
@@ -659,7 +659,7 @@ impl Assembler {
         let mut spare = CELLS_OF_FEED;
         self.smoother.run(from, last.s + to, keeps, goes_on, |span| {
             let node = |u: f64, cubic: &Cubic| {
-                let (rates, stretch) = cubic.rates();
+                let (rates, stretch) = cubic.rates(span.share);
                 let stretch = stretch.max(LEAST_STRETCH);
                 let (most, highest) = (inverse.velocity(&rates), span.most / stretch);
                 Node {
@@ -683,7 +683,7 @@ impl Assembler {
                 return;
             }
             // The feed is along the curve: where `|q′|` differs, so does what it is along the programmed length.
-            let uneven = if whole.feed < whole.top { span.cubic.unevenness() } else { 0.0 };
+            let uneven = if whole.feed < whole.top { span.cubic.unevenness(span.share) } else { 0.0 };
             let parts = if uneven > 2.0 * EVEN { (uneven / EVEN).ceil().min(MOST_PARTS) as usize } else { 1 };
             if parts == 1 || parts > spare {
                 queue.append(Cell::new(Shape::Cubic(span.cubic), None), whole);
@@ -784,13 +784,16 @@ impl Assembler {
         let member = &open.member;
         let mut rates = member.piece.rates(from, to);
         let mut stretch = member.piece.stretch(from, to);
-        let mut most = member.most;
+        let mut cap = f64::INFINITY;
         if let Some(ease) = ease {
-            most = most.min(ease.cap);
+            let share = member.piece.share();
+            let eased = |share: f64| self.eased_stretch(member, ease, share, from, to);
             rates = add(&rates, &ease.rates(from, to));
-            stretch = stretch.max(self.eased_stretch(member, ease, from, to));
+            stretch = stretch.max(eased(share));
+            // That is along the path, whatever goes on it.
+            cap = ease.cap / if share == 1.0 { stretch } else { eased(0.0) }.max(1.0);
         }
-        most /= stretch.max(1.0);
+        let most = cap.min(member.most / stretch.max(1.0));
         let shape = match (&member.piece, ease) {
             (piece, Some(ease)) => Shape::Eased(*piece, from, ease),
             (Piece::Line(line), None) => Shape::Line { p: member.piece.at(from), d: line.dir },
@@ -813,12 +816,12 @@ impl Assembler {
         queue.append(Cell::new(shape, None), node);
     }
 
-    /// Largest `|q′|` over X, Y, Z of an eased stretch, looked at in some places: it changes by little and smoothly.
-    fn eased_stretch(&self, member: &Member, ease: Ease, from: f64, to: f64) -> f64 {
+    /// Largest `|q′|` of an eased stretch over what its feed is measured along, looked at in some places: it changes by little
+    /// and smoothly.
+    fn eased_stretch(&self, member: &Member, ease: Ease, share: f64, from: f64, to: f64) -> f64 {
         let at = |k: u32| {
             let s = from + (to - from) * f64::from(k) / 4.0;
-            let q = member.piece.tangent(s) + ease.slope(s);
-            (q.0[0] * q.0[0] + q.0[1] * q.0[1] + q.0[2] * q.0[2]).sqrt()
+            stretch(&(member.piece.tangent(s) + ease.slope(s)).0, share)
         };
         (0..=4).map(at).fold(0.0, f64::max) * (1.0 + 1e-5)
     }

@@ -4,7 +4,7 @@
 //! become seconds and the kinds of feed become one: mm/s along the path. A move is finite by
 //! construction.
 
-use ferrocut_geometry::{Arc, Plane, Position, SAME_POINT_MM};
+use ferrocut_geometry::{AXES, Arc, Plane, Position, SAME_POINT_MM};
 use ferrocut_toolpath::{Feed, FeedAlong, Op, PathMode};
 
 /// One move of the axes, from where the move before it ended.
@@ -39,38 +39,23 @@ const LEAST_FEED: f64 = 1e-6;
 /// long, and what is planned stays far from the ends of `f64`.
 const FARTHEST: f64 = 1e9;
 
-/// Which coordinates the length of a move, and with it the feed, is taken over.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Measure {
-    /// X, Y, Z, mm.
-    Xyz,
-    /// U, V, W, mm.
-    Uvw,
-    /// A, B, C, degrees.
-    Abc,
+/// How far X, Y and Z, how far U, V and W (mm) and how far A, B and C (degrees) go.
+#[inline]
+pub(crate) fn ways(d: &[f64; AXES]) -> [f64; 3] {
+    let [x, y, z, a, b, c, u, v, w] = *d;
+    let norm = |x: f64, y: f64, z: f64| (x * x + y * y + z * z).sqrt();
+    [norm(x, y, z), norm(u, v, w), norm(a, b, c)]
 }
 
-impl Measure {
-    /// The three coordinates of `d`.
-    fn of(self, d: &Position) -> [f64; 3] {
-        match (d.0, self) {
-            ([x, y, z, ..], Measure::Xyz) => [x, y, z],
-            ([.., u, v, w], Measure::Uvw) => [u, v, w],
-            ([_, _, _, a, b, c, ..], Measure::Abc) => [a, b, c],
-        }
-    }
-
-    /// Measure and length of the straight move by `d`, as in [`Position::distance`], save that axes which
-    /// only move by rounding do not set the length of a move of the others. `None` where nothing moves.
-    pub fn choose(d: &Position) -> Option<(Measure, f64)> {
-        const ALL: [Measure; 3] = [Measure::Xyz, Measure::Uvw, Measure::Abc];
-        let long = ALL.iter().map(|m| (*m, m.of(d).iter().map(|c| c * c).sum::<f64>().sqrt()));
-        let any = ALL.iter().map(|m| (*m, m.of(d).iter().fold(0.0, |h: f64, c| h.hypot(*c))));
-        long.into_iter()
-            .find(|(_, length)| *length > SAME_POINT_MM)
-            // Squares of lengths below 1e-160 vanish; hypot keeps them.
-            .or_else(|| any.into_iter().find(|(_, length)| *length > f64::MIN_POSITIVE))
-    }
+/// What the feed of the straight move by `d` is measured along, as in [`Position::distance`], save that axes which only move by
+/// rounding do not set the length of a move of the others. `None` where nothing moves.
+pub(crate) fn measured(d: &Position) -> Option<f64> {
+    ways(&d.0).into_iter().find(|length| *length > SAME_POINT_MM).or_else(|| {
+        // Squares of lengths below 1e-160 vanish; hypot keeps them.
+        let [x, y, z, a, b, c, u, v, w] = d.0;
+        let any = [[x, y, z], [u, v, w], [a, b, c]].map(|d| d.iter().fold(0.0, |h: f64, c| h.hypot(*c)));
+        any.into_iter().find(|length| *length > f64::MIN_POSITIVE)
+    })
 }
 
 impl Move {
@@ -89,7 +74,7 @@ impl Move {
             Feed::PerRevolution(f) => f * rpm / 60.0,
             Feed::Duration(t) => length / t,
         };
-        let straight = || Measure::choose(&(to - from)).map_or(0.0, |(_, length)| length);
+        let straight = || measured(&(to - from)).unwrap_or(0.0);
         let kind = match *op {
             Op::Rapid { straight: true, speed, path, .. } => {
                 Kind::RapidStraight { speed: speed.map_or(f64::INFINITY, |s| s / 60.0), path }

@@ -5,7 +5,7 @@ mod common;
 
 use common::{Run, demo, line, run};
 use ferrocut_geometry::Position;
-use ferrocut_toolpath::{Op, PathMode};
+use ferrocut_toolpath::{Feed, Op, PathMode};
 use std::f64::consts::PI;
 
 const FEED: f64 = 9000.0;
@@ -112,4 +112,30 @@ fn rounded_coordinates_of_short_steps_fill_no_look_ahead() {
             "steps of {step} mm, {decimals} decimals: {time} s, {coarse} s in steps of 0.02 mm"
         );
     }
+}
+
+/// A cam around a rotary axis: where X hardly moves, its rounding leaves blocks that turn A alone. They are a part of the curve.
+#[test]
+fn rounding_does_not_stop_a_rotary_axis() {
+    let machine = demo();
+    let cam = |to: f64| -> Vec<Op> {
+        let op = |k: u32| {
+            let angle = 0.3 * f64::from(k);
+            let mut p = Position::xyz((5.0 * angle.to_radians().cos() / to).round() * to, 0.0, 0.0);
+            p.0[3] = angle;
+            Op::Feed { to: p, feed: Feed::PerMinute(3000.0), path: PathMode::Continuous }
+        };
+        (1..=1200).map(op).collect()
+    };
+    let start = Position::xyz(5.0, 0.0, 0.0);
+    let times = [1e-6, 1e-3].map(|to| {
+        let run = run(&machine, start, &cam(to));
+        run.check_limits(&machine);
+        run.check_feed();
+        run.check_path(0.01 + 1e-6);
+        assert!(!run.stops_inside(), "{to}");
+        run.time()
+    });
+    // A turns at 50 degrees a second where it is alone, and no faster than its 90 beside X.
+    assert!(times[1] < 1.03 * times[0] && times[0] < 360.0 / 90.0 * 1.1, "{times:?}");
 }

@@ -55,6 +55,14 @@ enum Piece {
         d: [f64; 3],
         straight: bool,
     },
+    /// A cam, wrapped around A in short lines with rounded coordinates: some of them do not move X.
+    Cam {
+        count: usize,
+        step: f64,
+        throw: f64,
+        lobes: f64,
+        feed: f64,
+    },
     Rotary {
         a: f64,
         x: f64,
@@ -109,6 +117,8 @@ fn piece() -> impl Strategy<Value = Piece> {
         1 => (vector(60.0), any::<bool>()).prop_map(|(d, straight)| Piece::Rapid { d, straight }),
         1 => (-40.0..40.0f64, prop_oneof![Just(0.0), -5.0..5.0f64, Just(1e-5)], feed())
             .prop_map(|(a, x, feed)| Piece::Rotary { a, x, feed }),
+        1 => (5..60usize, 0.05..1.5f64, 0.0..4.0f64, 1.0..6.0f64, feed())
+            .prop_map(|(count, step, throw, lobes, feed)| Piece::Cam { count, step, throw, lobes, feed }),
         1 => (2..6usize, 0.2..20.0f64, [0.01..1.5f64, -0.5..0.5f64], feed(), 1e-3..0.3f64)
             .prop_map(|(count, row, across, feed, tolerance)| Piece::Rows { count, row, across, feed, tolerance }),
         1 => Just(Piece::Nothing),
@@ -182,6 +192,15 @@ fn build(pieces: &[Piece]) -> Vec<Op> {
             Piece::Rapid { d, straight } => {
                 at = at + Position::xyz(d[0], d[1], d[2]);
                 ops.push(Op::Rapid { to: at, straight, speed: None, path: PathMode::ON_PATH });
+            }
+            Piece::Cam { count, step, throw, lobes, feed } => {
+                let (x, a) = (at[Axis::X], at[Axis::A]);
+                for k in 1..=count {
+                    let angle = step * k as f64;
+                    at[Axis::A] = round(a + angle, 1e-3);
+                    at[Axis::X] = round(x + throw * (1.0 - (lobes * angle.to_radians()).cos()), 1e-3);
+                    ops.push(feed_op(at, feed, PathMode::Continuous));
+                }
             }
             Piece::Rotary { a, x, feed } => {
                 at[Axis::A] += a;
@@ -321,13 +340,13 @@ fn tolerance(machine: &Machine, ops: &[Op], number: usize) -> f64 {
     }
 }
 
-/// Directions in which a move begins and ends; `None` where it goes nowhere to speak of, or turns another axis.
+/// Directions in which a move begins and ends; `None` where it goes nowhere to speak of.
 fn directions(op: &Op, from: Position) -> Option<[Position; 2]> {
     let to = *op.target().unwrap();
     let arc = op.arc(from);
     // Arcs of some hundredths are no more than the rounding of their ends, nor are lines of some thousandths.
     let least = if arc.is_some() { 0.1 } else { 0.01 };
-    if from[Axis::A] != to[Axis::A] || op.length(from) < least {
+    if op.length(from) < least {
         return None;
     }
     let ways = match arc {
@@ -360,7 +379,13 @@ fn must_rest(machine: &Machine, ops: &[Op], run: &Run, number: usize) -> bool {
         .and(of(number))
         .zip(of(number + 1));
     let Some(([_, end], [begin, _])) = both else { return true };
-    let cosine: f64 = (0..3).map(|i| end.0[i] * begin.0[i]).sum();
+    let cosine = |axes: usize| -> f64 {
+        let size = |d: &Position| d.0[..axes].iter().map(|c| c * c).sum::<f64>().sqrt();
+        (0..axes).map(|i| end.0[i] * begin.0[i]).sum::<f64>() / (size(&end) * size(&begin)).max(1e-12)
+    };
+    // Where X, Y and Z go further than A turns they may turn back beside it.
+    let decide = |d: &Position| d[Axis::A].abs() <= d.0[..3].iter().map(|c| c * c).sum::<f64>().sqrt();
+    let cosine = if decide(&end) && decide(&begin) { cosine(3).min(cosine(4)) } else { cosine(4) };
     let may_round =
         |op: &Op| matches!(op, Op::Feed { path, .. } | Op::Arc { path, .. } if *path != PathMode::Tapping);
     let tolerance = tolerance(machine, ops, number).min(tolerance(machine, ops, number + 1));

@@ -50,7 +50,7 @@ impl Open {
     /// How far it is straight before its end, mm.
     pub fn room(&self) -> f64 {
         let taken = if let Start::Corner(corner, _) = self.start { corner.reach } else { 0.0 };
-        if self.member.piece.is_plain_line() { self.member.piece.len() - taken } else { 0.0 }
+        if self.member.piece.is_line() { self.member.piece.len() - taken } else { 0.0 }
     }
 }
 
@@ -95,7 +95,7 @@ impl Held {
             && member.rpm == next.rpm
             && member.inner.is_none()
             && next.inner.is_none();
-        let is_line = member.piece.is_plain_line() && next.piece.is_plain_line();
+        let is_line = member.piece.is_line() && next.piece.is_line();
         if !are_alike || !is_line || before.room < LONGER * len {
             return None;
         }

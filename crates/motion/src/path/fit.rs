@@ -440,12 +440,12 @@ impl<const N: usize> Fit<N> {
     /// Weighs more where one of these spans is far from the lines, by how far to this power: which are, and how far at most, as a
     /// share of the square of the limit.
     fn press(&mut self, spans: Range<usize>, power: f64) -> (Range<usize>, f64) {
-        let (mut most, mut pressed) = (0.0_f64, usize::MAX..0);
+        let (mut most, mut first, mut behind) = (0.0_f64, usize::MAX, 0);
         for k in spans {
             let strip = &mut self.strips[k];
             let moved = &self.moved[k..k + BAND];
-            let [first, last] = strip.looks;
-            for look in &mut self.looks[first..last] {
+            let [from, to] = strip.looks;
+            for look in &mut self.looks[from..to] {
                 let off = apart(weighted(&look.basis, moved), look.p);
                 let square: f64 = off.iter().map(|off| off * off).sum();
                 let over = square * look.close;
@@ -455,11 +455,11 @@ impl<const N: usize> Fit<N> {
                     strip.press(look, more);
                     strip.is_pressed = true;
                     most = most.max(over);
-                    pressed = pressed.start.min(k)..k + 1;
+                    (first, behind) = (first.min(k), k + 1);
                 }
             }
         }
-        (pressed, most)
+        (first..behind, most)
     }
 }
 

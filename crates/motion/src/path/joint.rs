@@ -329,14 +329,15 @@ impl Member {
         let is_rapid = self.class == Class::Rapid || next.class == Class::Rapid;
         // Between positioning and cutting the path rests, unless it may leave its corner.
         let may_run_on = self.class == next.class || !is_rapid || self.blends_with(next, tolerance);
-        if !may_run_on || !same_measure(&self.piece, &next.piece) {
+        let is_path = |piece: &Piece| !matches!(piece, Piece::Axes { .. });
+        if !may_run_on || !is_path(&self.piece) || !is_path(&next.piece) {
             return Joint::Rest;
         }
         let (len, next_len) = (self.piece.len(), next.piece.len());
         let is_chain =
             !is_rapid && self.class == next.class && tolerance > 0.0 && next.tolerance != Some(0.0);
         let is_chain = is_chain && self.rpm == next.rpm;
-        let is_chain = is_chain && self.piece.is_plain_line() && next.piece.is_plain_line();
+        let is_chain = is_chain && self.piece.is_line() && next.piece.is_line();
         let (before, after) = (self.piece.tangent(len), next.piece.tangent(0.0));
         let cap = match rules.corner {
             Some(corner) if matches!(self.class, Class::Cut | Class::Full) => corner.speed(&before, &after),
@@ -363,8 +364,12 @@ impl Member {
         }
         let jump = after - before;
         let bend = next.piece.bend(0.0) - self.piece.bend(len);
-        // Rotary axes that turn much a millimetre would hide a reversal of X, Y, Z.
-        let angle = turn(&before.0, &after.0).max(turn(&before.0[..3], &after.0[..3]));
+        // Rotary axes that turn beside X, Y, Z would hide a reversal of these.
+        let mut angle = turn(&before.0, &after.0);
+        if self.piece.pace() == 1.0 && next.piece.pace() == 1.0 && !(self.turns_alone() || next.turns_alone())
+        {
+            angle = angle.max(turn(&before.0[..3], &after.0[..3]));
+        }
         let top = top();
         let is_slow = cap < top;
         let top = top.min(cap);
@@ -421,6 +426,11 @@ impl Member {
         }
     }
 
+    /// Whether X, Y and Z stand.
+    fn turns_alone(&self) -> bool {
+        matches!(&self.piece, Piece::Line(line) if line.dir.0[..3] == [0.0; 3])
+    }
+
     /// Whether positioning and cutting run into each other: within a tolerance, and where the feed can be held.
     fn blends_with(&self, next: &Member, tolerance: f64) -> bool {
         let may = |class| matches!(class, Class::Rapid | Class::Cut);
@@ -453,7 +463,9 @@ impl Member {
     /// The chord of this move between two points of it.
     pub fn chord(&self, from: Position, to: Position) -> Option<Member> {
         let tolerance = self.tolerance.map(|tolerance| tolerance * (1.0 - CHORD_SHARE));
-        Some(Member { piece: Piece::line(from, to)?, tolerance, ..*self })
+        let piece = Piece::line(from, to)?;
+        let (feed, most) = (self.feed * piece.pace(), self.most * piece.pace());
+        Some(Member { piece, tolerance, feed, most, ..*self })
     }
 
     /// Highest speed that feed and axes allow at length `s`, mm/s.
@@ -543,16 +555,6 @@ fn choose(
         (None, Some(corner)) => Some(Joint::Corner(corner, None)),
         (None, None) => None,
     }
-}
-
-fn same_measure(a: &Piece, b: &Piece) -> bool {
-    use crate::moves::Measure::Xyz;
-    let measure = |p: &Piece| match p {
-        Piece::Line(line) => Some(line.measure),
-        Piece::Arc(_) => Some(Xyz),
-        Piece::Axes { .. } => None,
-    };
-    measure(a).is_some() && measure(a) == measure(b)
 }
 
 /// How much two directions differ: the distance of their unit vectors, which keeps the small angles that

@@ -1,7 +1,8 @@
 //! The geometry of one move over its length.
 //!
 //! A piece is a curve `q(s)` over all axes, `s` from 0 to [`Piece::len`], where `s` is what the feed is
-//! measured along: `|q′| = 1` over the measured coordinates of lines, circles and helices.
+//! measured along: `|q′| = 1` over the measured coordinates of lines, circles and helices. Where a line turns rotary axes by more,
+//! it is along these.
 //!
 //! An arc with `u = s/len`, angle `φ = φ₀ + σu` and radius `r = r₀ + ρu` (start and end may lie a little
 //! off one circle, see [`ferrocut_geometry::arc`]) has in its plane
@@ -16,7 +17,7 @@
 //! and is straight in every other axis.
 
 use crate::limits::Rates;
-use crate::moves::{Kind, Measure, Move};
+use crate::moves::{Kind, Move, measured, ways};
 use ferrocut_geometry::{AXES, Arc, Position, SAME_POINT_MM};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -27,9 +28,6 @@ const SLICE_RAD: f64 = PI / 144.0;
 /// Nor are slices shorter than this, mm: an arc that small is slow whatever it is cut into, and a servo
 /// period shall not run through thousands of slices.
 const LEAST_SLICE: f64 = 1e-4;
-
-/// Most that an axis moves over a millimetre of `s`.
-const MOST_SHARE: f64 = 1e3;
 
 /// Arcs with less length in their plane than this are straight.
 const STRAIGHT_MM: f64 = 1e-9;
@@ -52,12 +50,10 @@ pub(crate) struct Line {
     pub to: Position,
     /// `q′`.
     pub dir: Position,
-    /// Length that `s` runs over, mm.
+    /// Length that `s` runs over: the longest of the ways of X, Y, Z, of U, V, W and of A, B, C.
     pub len: f64,
-    /// That length over the measured one; more than 1 where another axis moves so much that `s` would be too coarse
-    /// for it.
+    /// That length over the one that the feed is measured along.
     pub pace: f64,
-    pub measure: Measure,
 }
 
 /// A piece of circle or helix.
@@ -108,9 +104,17 @@ impl Piece {
         if let Piece::Line(line) = self { line.pace } else { 1.0 }
     }
 
-    /// Whether it is a line whose feed is measured along its own length in X, Y and Z: what short lines are smoothed in.
-    pub fn is_plain_line(&self) -> bool {
-        matches!(self, Piece::Line(line) if line.measure == Measure::Xyz && line.pace == 1.0)
+    /// How far X, Y and Z go, as a share of the length that `s` runs over.
+    pub fn share(&self) -> f64 {
+        match self {
+            Piece::Line(line) if line.dir.0[3..] != [0.0; AXES - 3] => ways(&line.dir.0)[0],
+            _ => 1.0,
+        }
+    }
+
+    /// Whether it is straight, on a path.
+    pub fn is_line(&self) -> bool {
+        matches!(self, Piece::Line(_))
     }
 
     /// Where it ends.
@@ -265,9 +269,11 @@ impl Reach {
 impl Line {
     fn new(from: Position, to: Position) -> Option<Line> {
         let d = to - from;
-        let (measure, measured) = Measure::choose(&d)?;
-        let len = d.0.iter().fold(measured, |len: f64, c| len.max(c.abs() / MOST_SHARE));
-        Some(Line { from, to, dir: Position(d.0.map(|c| c / len)), len, pace: len / measured, measure })
+        let measured = measured(&d)?;
+        // Where a rotary axis turns by more degrees than the others go millimetres, its way is the length: so what is hardly
+        // more than rounding of the others does not decide how fast the path goes, and moves of it alone are no others.
+        let len = ways(&d.0).into_iter().fold(measured, f64::max);
+        Some(Line { from, to, dir: Position(d.0.map(|c| c / len)), len, pace: len / measured })
     }
 
     fn at(&self, s: f64) -> Position {
@@ -278,7 +284,7 @@ impl Line {
     /// `None`. As [`Line::new`] finds them, but for rounding.
     #[inline]
     pub fn next(&self, to: &Position) -> Option<([f64; 3], f64)> {
-        let mut is_other = self.measure != Measure::Xyz;
+        let mut is_other = false;
         for i in 3..AXES {
             is_other |= (self.dir.0[i] != 0.0) | (self.to.0[i] != to.0[i]);
         }

@@ -1,6 +1,7 @@
 //! The curve of one cell.
 
 use crate::limits::Rates;
+use crate::moves::ways;
 use crate::path::corner::Corner;
 use crate::path::joint::Ease;
 use crate::path::piece::Piece;
@@ -104,21 +105,18 @@ impl Cubic {
         Cubic { c, len: to - from }
     }
 
-    /// How much `|q′|` over the first three axes differs along it, as a share of its highest in three places.
-    pub fn unevenness(&self) -> f64 {
-        let speeds = [0.0, 0.5, 1.0].map(|share| {
-            let [d, ..] = self.derivatives(share * self.len);
-            (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt()
-        });
+    /// How much `|q′|` over what the feed is measured along differs along it, as a share of its highest in three places.
+    pub fn unevenness(&self, share: f64) -> f64 {
+        let speeds = [0.0, 0.5, 1.0].map(|at| stretch(&self.derivatives(at * self.len)[0], share));
         let most = speeds.into_iter().fold(0.0, f64::max);
         1.0 - speeds.into_iter().fold(most, f64::min) / most.max(1e-12)
     }
 
-    /// Bounds of the derivatives, where `q″` is linear and largest at an end, and the largest `|q′|` over the first three
-    /// axes.
-    pub fn rates(&self) -> (Rates, f64) {
+    /// Bounds of the derivatives, where `q″` is linear and largest at an end, and the largest `|q′|` over what the feed is
+    /// measured along ([`stretch`]).
+    pub fn rates(&self, share: f64) -> (Rates, f64) {
         let hull = self.hull();
-        let stretch = hull.iter().map(|d| d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).fold(0.0, f64::max).sqrt();
+        let stretch = hull.iter().map(|d| stretch(d, share)).fold(0.0, f64::max);
         let rates = Rates {
             first: std::array::from_fn(|i| {
                 larger(larger(hull[0][i].abs(), hull[1][i].abs()), hull[2][i].abs())
@@ -131,6 +129,17 @@ impl Cubic {
         };
         (rates, stretch)
     }
+}
+
+/// How far what the feed is measured along goes in the direction `d`, against the line there: X, Y and Z, which go the `share` of its
+/// length on it; all axes where that is 0.
+#[inline]
+pub(crate) fn stretch(d: &[f64; AXES], share: f64) -> f64 {
+    if share == 1.0 {
+        return (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt();
+    }
+    let ways = ways(d);
+    if share > 0.0 { ways[0] / share } else { ways.into_iter().fold(0.0, f64::max) }
 }
 
 #[cfg(test)]

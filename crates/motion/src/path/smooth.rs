@@ -31,10 +31,11 @@ mod knots;
 mod thin;
 
 use crate::limits::{Class, Inverse};
+use crate::moves::ways;
 use crate::path::fit::Fit;
 use crate::path::shape::Cubic;
 use controls::MOST_LOOKS;
-use ferrocut_geometry::{AXES, Position};
+use ferrocut_geometry::{AXES, Position, SAME_POINT_MM};
 
 /// Most points of a run that are smoothed at once; a longer run goes on from where it was, and smooths some spans again.
 pub(crate) const POINTS: usize = 512;
@@ -133,6 +134,8 @@ pub(crate) struct Span {
     /// Highest speed whatever the override, mm/s.
     pub most: f64,
     pub is_straight: bool,
+    /// How far X, Y and Z go on its line, as a share of the length of that.
+    pub share: f64,
 }
 
 type Vector = [f64; AXES];
@@ -330,6 +333,17 @@ impl Smoother {
         self.knots[k + 2]
     }
 
+    /// How far X, Y and Z go on line `i`, as a share of its length.
+    fn share(&self, i: usize) -> f64 {
+        let (a, b) = (&self.points[i], &self.points[i + 1]);
+        // Else it is their length.
+        if self.count == 3 {
+            return 1.0;
+        }
+        let way = ways(&(b.p - a.p).0)[0];
+        if way > SAME_POINT_MM { (way / (b.u - a.u)).min(1.0) } else { 0.0 }
+    }
+
     /// The line that length `u` lies on, searched from line `from` on.
     fn segment(&self, u: f64, from: usize) -> usize {
         let mut i = from;
@@ -382,7 +396,8 @@ impl Smoother {
             let (begin, end) = (self.t(k), self.t(k + 1));
             let (c, len) = (self.cubic(k, &from, &to), end - begin);
             first = self.segment(begin, first);
-            let line = &self.points[self.segment(0.5 * (begin + end), first)];
+            let middle = self.segment(0.5 * (begin + end), first);
+            let line = &self.points[middle];
             // What bounds a line bounds every span over some of it.
             let rounding = SAME_PLACE * len;
             let begun = self.segment(begin + rounding, first);
@@ -401,7 +416,7 @@ impl Smoother {
                     *own = if (*own - p).abs() <= ROUNDING { *p } else { *own };
                 }
             }
-            out(Span { u: begin, cubic, feed: line.feed, most, is_straight });
+            out(Span { u: begin, cubic, feed: line.feed, most, is_straight, share: self.share(middle) });
         }
     }
 }

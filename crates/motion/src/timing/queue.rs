@@ -51,10 +51,10 @@ impl Cell {
         self.shape.at(if self.is_back { len - s } else { s })
     }
 
-    /// How far X, Y and Z go there for a millimetre of programmed length, where a joint bends the path away from it; 1 where
-    /// they stand, and only others move.
+    /// How far X, Y and Z go there for a millimetre of programmed length, where a joint bends the path away from it or rotary axes
+    /// turn by more; 1 where they stand, and only others move.
     pub fn stretch(&self, s: f64, len: f64) -> f64 {
-        if !matches!(self.shape, Shape::Cubic(_) | Shape::Eased(..)) {
+        if !matches!(self.shape, Shape::Cubic(_) | Shape::Eased(..) | Shape::Line { .. }) {
             return 1.0;
         }
         let [[x, y, z, ..], ..] = self.derivatives(s, len);
@@ -72,8 +72,9 @@ impl Cell {
     }
 }
 
-/// X, Y and Z stand where they go less than this for a millimetre or degree of programmed length.
-const STILL: f64 = 1e-6;
+/// X, Y and Z stand where they go less than this for a millimetre or degree of programmed length: what rounding, or a corner
+/// behind a turn of a rotary axis alone, makes of it is no speed to be told.
+const STILL: f64 = 0.01;
 
 /// How a cell is passed.
 #[derive(Clone, Copy, PartialEq, Debug)]

@@ -206,8 +206,9 @@ impl Run {
             let tag = s.tag as usize;
             let tolerance = tolerance(tag);
             let mut best = f64::INFINITY;
-            // The joint may be with a move further on where moves between go nowhere.
-            for i in tag.saturating_sub(3)..(tag + 4).min(self.ops.len()) {
+            // The joint may be with a move further on where moves between go nowhere, and where they are far shorter than the
+            // tolerance not each has a mark of its own.
+            for i in self.about(tag, tolerance) {
                 best = best.min(distance(&self.ops[i], self.from(i), s.position));
                 if best <= tolerance {
                     break;
@@ -215,6 +216,23 @@ impl Run {
             }
             assert!(best <= tolerance, "tick {k}: {best} from the path: {s:?}");
         }
+    }
+
+    /// The moves beside this one: three on either side, and those on as much of the way as the tolerance is.
+    fn about(&self, tag: usize, tolerance: f64) -> std::ops::Range<usize> {
+        let length = |i: usize| self.ops[i].length(self.from(i));
+        let (mut first, mut last) = (tag.saturating_sub(3), (tag + 4).min(self.ops.len()));
+        let mut way = 0.0;
+        while first > 0 && way < tolerance {
+            first -= 1;
+            way += length(first);
+        }
+        way = 0.0;
+        while last < self.ops.len() && way < tolerance {
+            way += length(last);
+            last += 1;
+        }
+        first..last
     }
 
     /// Every move is gone through: its points lie within the tolerance of its number of the way between the samples. What

@@ -21,6 +21,9 @@ const FITTED: usize = 8;
 /// Lines shorter than this share of the tolerance are run at the feed of those beside them.
 const SHORT_FEED: f64 = 0.5;
 
+/// Feeds that differ by less of themselves are the same.
+const SAME_FEED: f64 = 1e-6;
+
 impl Smoother {
     /// Leaves the point before the newest line but one out, if it is close enough to its neighbours; the length of the first of
     /// these. The newest line may be one that stays as it is, and so may the first.
@@ -85,7 +88,6 @@ impl Smoother {
         while anchor < last {
             let mut end = anchor + 1;
             let mut cone = Cone::new(from_u, from_p);
-            let speeds = |i: usize| (self.points[i].feed, self.points[i].most);
             // What is shorter than the tolerance has no feed of its own.
             let is_short = |from: usize, to: usize| {
                 let (a, b) = (&self.points[from], &self.points[to]);
@@ -98,7 +100,7 @@ impl Smoother {
                 if self.keeps[1] && end + 1 == last {
                     break;
                 }
-                if other.is_none() && speeds(end) != speeds(own) {
+                if other.is_none() && !self.are_alike(end, own) {
                     other = Some(end);
                 }
                 if let Some(first) = other
@@ -108,7 +110,7 @@ impl Smoother {
                         end = first;
                         break;
                     }
-                    (own, other) = (first, (first..=end).find(|i| speeds(*i) != speeds(first)));
+                    (own, other) = (first, (first..=end).find(|i| !self.are_alike(*i, first)));
                 }
                 let point = &self.points[end];
                 cone.narrow(point, self.points[end - 1].tolerance);
@@ -130,6 +132,19 @@ impl Smoother {
         }
     }
 
+    /// Whether two lines have the same programmed feed and highest speed.
+    fn are_alike(&self, i: usize, k: usize) -> bool {
+        let (a, b) = (&self.points[i], &self.points[k]);
+        if self.count == 3 {
+            return (a.feed, a.most) == (b.feed, b.most);
+        }
+        // Along X, Y and Z, where these move.
+        let along = |i: usize| if self.share(i) > 0.0 { self.share(i) } else { 1.0 };
+        let (x, y) = (along(i), along(k));
+        let is_same = |a: f64, b: f64| a == b || (a - b).abs() <= SAME_FEED * a;
+        is_same(a.feed * x, b.feed * y) && is_same(a.most * x, b.most * y)
+    }
+
     /// Chords go as far as they can, so what is left for the last one before a line that stays may be a short one, which would have
     /// the knots beside that line close together: the two last ones are made about equal.
     fn even_out<const N: usize>(&mut self) {
@@ -141,8 +156,7 @@ impl Smoother {
         }
         let half = 0.5 * (begin + last);
         let new = from + self.points[from..end].partition_point(|point| point.u < half);
-        let speeds = |i: usize| (self.points[i].feed, self.points[i].most);
-        let are_alike = (from..end).all(|i| speeds(i) == speeds(from));
+        let are_alike = (from..end).all(|i| self.are_alike(i, from));
         let at = |i: usize| front::<N>(&self.points[i].p.0);
         let fits = new > from
             && new < middle
