@@ -390,7 +390,7 @@ fn fine_rows() -> Path {
 fn rasters() {
     let of = |points: &[[f64; 2]]| Path::through(points, 12_000.0, 0.01, Some(3));
     judge(vec![
-        ("raster of fine blocks", fine_rows(), [1.478_395, 1.663_622], [1.01, 1.055]),
+        ("raster of fine blocks", fine_rows(), [1.478_395, 1.663_622], [1.01, 1.04]),
         ("raster with half circles", of(&raster(8, 25.0, 1.5, 0.2, true)), [1.64232, 1.91046], [1.0, 1.075]),
         (
             "raster with square ends",

@@ -50,9 +50,10 @@ const NOT_MOVED: f64 = 1e-5;
 /// `ℓ` is so many times what would spend both alike: the least of the squares still has more jerk in a turn than beside it.
 const STIFF: f64 = 1.15;
 
-/// A span gets stiffer by its share of the mean jerk to this power, and by no more than so many times.
+/// A span gets stiffer by its share of the mean jerk to this power, and stiffer and softer by no more than so many times: between
+/// two sharp corners there is much that takes little.
 const LEVEL: f64 = 0.6;
-const MOST_LEVEL: f64 = 5.0;
+const MOST_LEVEL: [f64; 2] = [5.0, 2.5];
 
 /// That is done where this share of a run is slow.
 const MUCH_SLOW: f64 = 0.25;
@@ -324,7 +325,8 @@ impl<const N: usize> Fit<N> {
         let mean = (sum / len).sqrt();
         for strip in &mut self.strips {
             if strip.load > 0.0 {
-                let factor = (strip.load / mean).powf(LEVEL).clamp(MOST_LEVEL.recip(), MOST_LEVEL);
+                let [stiffer, softer] = MOST_LEVEL;
+                let factor = (strip.load / mean).powf(LEVEL).clamp(softer.recip(), stiffer);
                 strip.stiffen(strip.stiff * (factor - 1.0));
             }
         }

@@ -46,7 +46,7 @@ use crate::limits::Inverses;
 use crate::timing::piece::{Piece, ROUNDING, State};
 use crate::timing::queue::{Node, Queue};
 use ferrocut_geometry::AXES;
-use road::Road;
+pub(crate) use road::Road;
 use solve::{FIRST_GAP, NEXT_GAP, Row, Solution};
 
 /// Most steps of a window of a valley.
@@ -143,21 +143,20 @@ impl Valley {
         }
     }
 
-    /// The same way as `plan`, which begins in cell `first`, in less time; `cap` is the speed allowed in a cell, curves
-    /// aside. `false` where no less is found; else it is in [`pieces`](Self::pieces), which are no more than `most`.
+    /// The same way as `plan`, which begins in cell `first`, in less time. `false` where no less is found; else it is in
+    /// [`way`](Self::way), which is no more pieces than `most`. Where no curve takes a share of the bounds it is looked for only if
+    /// the plan `is_slack`.
     ///
     /// What is longer than its steps is run window by window. Each begins inside the one before, so that the state at the
     /// end of that one, which was the plan's, does not stay.
     pub fn run(
         &mut self,
-        queue: &Queue,
-        inverses: &Inverses,
+        road: &Road<'_, impl Fn(&Node) -> f64>,
         plan: &[Piece],
         first: u64,
         most: usize,
-        cap: impl Fn(&Node) -> f64,
+        is_slack: bool,
     ) -> bool {
-        let road = Road { queue, inverses, cap };
         self.way.clear();
         self.way.extend_from_slice(plan);
         self.tight.clear();
@@ -170,9 +169,9 @@ impl Valley {
                 origin = self.way[from].s;
             }
             cell = road.cell(cell, self.way[from].s);
-            let Some(count) = self.place(&road, from, cell, STEPS - SHORTER * tries) else { break };
+            let Some(count) = self.place(road, from, cell, STEPS - SHORTER * tries) else { break };
             let is_last = from + count == self.way.len();
-            let outcome = self.window(&road, from..from + count, cell);
+            let outcome = self.window(road, from..from + count, cell, is_slack);
             let mut new = count;
             match outcome {
                 Outcome::Quicker => {
@@ -209,11 +208,12 @@ impl Valley {
         road: &Road<'_, impl Fn(&Node) -> f64>,
         range: std::ops::Range<usize>,
         first: u64,
+        is_slack: bool,
     ) -> Outcome {
         let time = |pieces: &[Piece]| pieces.iter().map(|piece| piece.time).sum::<f64>();
         let plan = &self.way[range.clone()];
         let (from, to, before) = (plan[0].from, plan[plan.len() - 1].to, time(plan));
-        if !plan_bends(road, plan, first) {
+        if !is_slack && !plan_bends(road, plan, first) {
             return Outcome::Same;
         }
         self.begin(range, from, to);

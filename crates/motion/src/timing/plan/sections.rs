@@ -11,6 +11,7 @@ use crate::timing::overrides::LEAST_SPEED;
 use crate::timing::piece::{Piece, State};
 use crate::timing::queue::{Node, Pass, Queue, SAME_LENGTH};
 use crate::timing::ramp::{Foot, Phases, summit};
+use crate::timing::valley::Road;
 
 /// Pieces from rest and to rest that stay as they are.
 const AT_REST: usize = 3;
@@ -280,9 +281,12 @@ impl Plan {
                 let plan = &self.rough[begin..end];
                 cell = queue.find(cell, plan[0].s + 1e-9);
                 let most = end - begin + count + DEEPER - new;
-                let cap = |node: &Node| overrides.most(node);
-                if is_valley(queue, plan, cell, cap) {
-                    found = self.valley.run(queue, &self.inverses, plan, cell, most, cap);
+                let road = Road { queue, inverses: &self.inverses, cap: |node: &Node| overrides.most(node) };
+                if is_valley(queue, plan, cell, road.cap) {
+                    // What the passes miss of a ramp is little, but from rest on it takes long.
+                    let is_slack =
+                        self.rough[from].from == State::REST || self.rough[k - 1].to == State::REST;
+                    found = self.valley.run(&road, plan, cell, most, is_slack);
                 }
             }
             if found {

@@ -17,9 +17,10 @@ const FINE_PARTS: u8 = 8;
 const NEARLY_ALL: f64 = 0.99;
 
 /// What a valley lies on.
-pub(super) struct Road<'a, C: Fn(&Node) -> f64> {
+pub(crate) struct Road<'a, C: Fn(&Node) -> f64> {
     pub queue: &'a Queue,
     pub inverses: &'a Inverses,
+    /// The speed allowed in a cell, curves aside.
     pub cap: C,
 }
 
