@@ -150,7 +150,9 @@ fn a_corner_without_limits_of_jerk_is_quicker_than_a_stop() {
             - 2.0 * reach / v;
         assert!(saved > 0.0);
         let found = stopped.time() - rounded.time();
-        assert!((found - saved).abs() < 0.0025, "{turn}: {found} {saved}");
+        // Up to 74° it is a curve, which saves more.
+        let more = if turn < 74.0 { 0.003..0.01 } else { -0.0025..0.0025 };
+        assert!(more.contains(&(found - saved)), "{turn}: {found} {saved}");
     }
 }
 

@@ -266,8 +266,13 @@ impl<const N: usize> Fit<N> {
 
     /// How fast every span is run with the control points as they are.
     pub fn find_pace(&mut self, inverse: &Inverse) {
+        let [first, last] = self.pace.straight;
+        let len: f64 = self.pace.stretches.iter().map(|stretch| stretch.len).sum();
+        let mut at = 0.0;
         for (k, (strip, stretch)) in self.strips.iter().zip(&mut self.pace.stretches).enumerate() {
-            if strip.tolerance == 0.0 {
+            let begin = at;
+            at += stretch.len;
+            if strip.tolerance == 0.0 || at < first || begin > len - last {
                 stretch.v = stretch.top;
                 continue;
             }

@@ -57,6 +57,9 @@ const TIGHT_CHAIN: f64 = 2.2;
 const TIGHT_CORNER: f64 = 1.0;
 const TIGHT_CHORD: f64 = 1.0;
 
+/// Where no jerk is limited a curve is quicker however far apart corners are, up to 74°: 2·sin(74°/2).
+const FREE_CHORD: f64 = 1.2;
+
 /// Behind a line that is smoothed sharper corners are too, up to 106°, 2·sin(106°/2), where they follow each other within so many
 /// times that way: the end of a row whose blocks are far shorter than what joins it to the next.
 const SHARP_CHORD: f64 = 1.6;
@@ -401,10 +404,11 @@ impl Member {
         };
         let least = len.min(next_len);
         // Of short lines the direction is no corner yet.
+        let is_free = angle < FREE_CHORD && inverse.is_free_of_jerk(&jump.0);
         let is_tight = |corner: &Corner| {
             let is_other = self.inner.is_some() || next.inner.is_some();
             let room = least - 2.0 * corner.reach;
-            !is_other && room < behind.tight(angle) * corner.foot.room(drive)
+            !is_other && (is_free || room < behind.tight(angle) * corner.foot.room(drive))
         };
         let is_better = |corner: &Corner| is_row || corner.reach < CHAIN_ROOM * least && !is_tight(corner);
         let corner = corner().filter(|corner| !is_chain || is_better(corner));

@@ -77,6 +77,8 @@ pub(crate) struct Pace {
     old: Vec<Stretch>,
     /// Highest speeds at both ends, mm/s.
     pub ends: [f64; 2],
+    /// How far from both ends nothing has to bend, mm: what does is no reason to be slow there.
+    pub straight: [f64; 2],
     /// Length and `∫v·ds` up to every span.
     sums: Vec<[f64; 2]>,
     /// Speeds of the parts of spans.
@@ -88,6 +90,7 @@ impl Pace {
     pub fn new(spans: usize) -> Pace {
         Pace {
             ends: [f64::INFINITY; 2],
+            straight: [0.0; 2],
             stretches: Vec::with_capacity(spans),
             old: Vec::with_capacity(spans),
             sums: Vec::with_capacity(spans + 1),

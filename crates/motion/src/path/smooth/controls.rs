@@ -21,6 +21,9 @@ const MOST_PARTS: usize = 10;
 /// sharply that it stays slow.
 const PARTS_AT_END: usize = 3;
 
+/// From an end at rest this share of the chord there has no corner to bend for.
+const STRAIGHT: f64 = 0.5;
+
 impl Smoother {
     pub(super) fn place_controls(&mut self, open: bool) {
         self.place_on_chords();
@@ -69,6 +72,7 @@ impl Smoother {
             if self.goes_on { unknown } else { self.speeds[0] },
             if open { unknown } else { self.speeds[1] },
         ];
+        fit.pace.straight = self.straight(open);
         self.origins.clear();
         fit.clear();
         if self.set(fit, turns, open) {
@@ -85,6 +89,14 @@ impl Smoother {
             }
         }
         self.hold_ends(turns, open);
+    }
+
+    /// How far from the ends, where it rests there, the path need not bend. A fit that is soft there, because it is slow, bends
+    /// so much that it stays slow.
+    fn straight(&self, open: bool) -> [f64; 2] {
+        let [(a, _), (b, _), .., (c, _), (d, _)] = self.chords[..] else { return [0.0; 2] };
+        let rests = [!self.goes_on && self.speeds[0] == 0.0, !open && self.speeds[1] == 0.0];
+        [(rests[0], b - a), (rests[1], d - c)].map(|(rests, len)| if rests { STRAIGHT * len } else { 0.0 })
     }
 
     /// Makes the fit as fine and as stiff as the speed asks for.
