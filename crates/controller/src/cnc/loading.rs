@@ -30,9 +30,7 @@ impl Cnc {
         if self.interpreter.position() != commanded {
             self.interpreter.own().came_to_rest(&AtRest::new(commanded, self.actual));
         }
-        self.wait_for_start();
-        self.forget_journal();
-        self.no_block_was_run();
+        self.wait_at_first_block();
         Ok(old)
     }
 
@@ -43,9 +41,7 @@ impl Cnc {
             return Err(Box::new(programs));
         }
         let old = self.interpreter.own().load(programs, self.motion.position());
-        self.wait_for_start();
-        self.forget_journal();
-        self.no_block_was_run();
+        self.wait_at_first_block();
         Ok(old)
     }
 
@@ -60,9 +56,7 @@ impl Cnc {
             Some(line) => self.interpreter.own().start_at(line)?,
             None => true,
         };
-        self.wait_for_start();
-        self.forget_journal();
-        self.no_block_was_run();
+        self.wait_at_first_block();
         Ok(is_there)
     }
 
@@ -80,6 +74,13 @@ impl Cnc {
         self.interpreter.own().reset(self.motion.position());
         self.forget_blocks();
         self.state = State::Reset;
+    }
+
+    /// The program waits for cycle start, and nothing of what ran before is remembered.
+    fn wait_at_first_block(&mut self) {
+        self.wait_for_start();
+        self.forget_journal();
+        self.no_block_was_run();
     }
 
     pub(super) fn wait_for_start(&mut self) {
