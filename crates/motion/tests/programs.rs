@@ -291,6 +291,46 @@ fn rotary_moves_and_mixed_moves() {
 }
 
 #[test]
+fn arcs_that_turn_a_rotary_axis_beside_them_are_run_through() {
+    let machine = demo();
+    // A turns by 9 degrees a millimetre all along.
+    let at = |x: f64, y: f64, way: f64| {
+        let mut p = Position::xyz(x, y, 0.0);
+        p[Axis::A] = 9.0 * way;
+        p
+    };
+    let quarter = 5.0 * PI;
+    let line = |to: Position| Op::Feed { to, feed: Feed::PerMinute(300.0), path: GO };
+    let ops = [
+        line(at(20.0, 0.0, 20.0)),
+        Op::Arc {
+            to: at(30.0, 10.0, 20.0 + quarter),
+            plane: Plane::Xy,
+            center: [20.0, 10.0],
+            sweep: 0.5 * PI,
+            feed: Feed::PerMinute(300.0),
+            feed_along: FeedAlong::Path,
+            path: GO,
+        },
+        line(at(30.0, 30.0, 40.0 + quarter)),
+    ];
+    let run = run(&machine, Position::ZERO, &ops);
+    run.check_limits(&machine);
+    run.check_feed();
+    run.check_path(0.01 + 1e-6);
+    // At 5 mm/s, A at 45 degrees a second, from rest and to rest once each.
+    let steady = (40.0 + quarter) / 5.0;
+    assert!((steady..steady + 0.2).contains(&run.time()), "{} {steady}", run.time());
+    let told: Vec<f64> = run.samples.iter().map(|s| s.velocity).collect();
+    let (first, last) = (200, told.len() - 200);
+    assert!(
+        told[first..last].iter().all(|v| (v - 5.0).abs() < 0.01),
+        "{:?}",
+        told.iter().fold(9.0_f64, |a, b| a.min(*b))
+    );
+}
+
+#[test]
 fn tapping_ignores_override_and_hold() {
     let machine = demo();
     let ops = [line(0.0, 0.0, -20.0, 600.0, PathMode::Tapping)];

@@ -242,8 +242,9 @@ impl Member {
         let [lowest, highest] = rules.feeds_of(class, m.rpm);
         let most = match (&piece, &rules.arc) {
             (Piece::Arc(turn), Some(arc)) => on_arc(arc, turn.radius()).min(highest),
-            _ => highest * piece.pace(),
+            _ => highest,
         };
+        let most = most * piece.pace();
         let feed = feed.max(lowest) * piece.pace();
         let within_block = matches!(path, PathMode::WithinBlock(_));
         Some(Member {
@@ -301,7 +302,7 @@ impl Member {
             Piece::Arc(turn) => slow::QUADRANT * turn.radius(),
             _ => f64::INFINITY,
         };
-        let share = (slow::REACH.min(quadrant) / len).min(0.5);
+        let share = (slow::REACH.min(quadrant) * self.piece.pace() / len).min(0.5);
         Some([share, 1.0 - share])
     }
 
@@ -468,7 +469,8 @@ impl Member {
     pub fn chord(&self, from: Position, to: Position) -> Option<Member> {
         let tolerance = self.tolerance.map(|tolerance| tolerance * (1.0 - CHORD_SHARE));
         let piece = Piece::line(from, to)?;
-        let (feed, most) = (self.feed * piece.pace(), self.most * piece.pace());
+        let more = piece.pace() / self.piece.pace();
+        let (feed, most) = (self.feed * more, self.most * more);
         Some(Member { piece, tolerance, feed, most, ..*self })
     }
 

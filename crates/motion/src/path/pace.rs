@@ -69,6 +69,11 @@ impl Stretch {
     }
 }
 
+/// How far a wave is smoothed away at the speed `v`: `v·(δ/J)^⅓`, mm.
+pub(crate) fn reach(v: f64, tolerance: f64, jerk: f64) -> f64 {
+    v * cube_root(tolerance / jerk)
+}
+
 /// The speeds of a run.
 #[derive(Debug, Default)]
 pub(crate) struct Pace {
@@ -138,16 +143,16 @@ impl Pace {
         }
     }
 
-    /// How far a wave is smoothed away on span `k`: `v·(δ/J)^⅓`, mm.
+    /// How far a wave is smoothed away on span `k`, mm.
     pub fn reach(&self, k: usize, tolerance: f64) -> f64 {
         let stretch = &self.stretches[k];
-        stretch.v * cube_root(tolerance / stretch.drive.j)
+        reach(stretch.v, tolerance, stretch.drive.j)
     }
 
     /// The same, were nothing slow.
     pub fn most_reach(&self, k: usize, tolerance: f64) -> f64 {
         let stretch = &self.stretches[k];
-        stretch.top * cube_root(tolerance / stretch.drive.j)
+        reach(stretch.top, tolerance, stretch.drive.j)
     }
 
     /// Finds the speeds from the limits in `v` and those at both ends.

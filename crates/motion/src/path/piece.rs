@@ -71,7 +71,9 @@ pub(crate) struct Turn {
     /// What the closed form misses at start and end, mm; spread evenly over the arc. A few rounding errors,
     /// unless sweep and end point contradict each other.
     miss: [[f64; 2]; 2],
+    /// As of a [`Line`]: the longest of the ways, and that over the one in X, Y, Z.
     pub len: f64,
+    pace: f64,
 }
 
 impl Piece {
@@ -101,14 +103,18 @@ impl Piece {
 
     /// How `s` relates to what the feed is measured along.
     pub fn pace(&self) -> f64 {
-        if let Piece::Line(line) = self { line.pace } else { 1.0 }
+        match self {
+            Piece::Line(line) => line.pace,
+            Piece::Arc(turn) => turn.pace,
+            Piece::Axes { .. } => 1.0,
+        }
     }
 
     /// How far X, Y and Z go, as a share of the length that `s` runs over.
     pub fn share(&self) -> f64 {
         match self {
             Piece::Line(line) if line.dir.0[3..] != [0.0; AXES - 3] => ways(&line.dir.0)[0],
-            _ => 1.0,
+            _ => self.pace().recip(),
         }
     }
 
@@ -314,6 +320,9 @@ impl Turn {
             return None;
         }
         let (radius, growth) = (arc.start_radius(), arc.end_radius() - arc.start_radius());
+        let own = arc.length().hypot(growth);
+        let [_, others @ ..] = ways(&(arc.end - arc.start).0);
+        let len = others.into_iter().fold(own, f64::max);
         let mut turn = Turn {
             start: arc.start,
             end: arc.end,
@@ -324,7 +333,8 @@ impl Turn {
             radius,
             growth,
             miss: [[0.0; 2]; 2],
-            len: arc.length().hypot(growth),
+            len,
+            pace: len / own,
         };
         let miss = |s: f64, p: Position| {
             let [a, b] = turn.circle(s);
@@ -410,12 +420,12 @@ impl Turn {
         q
     }
 
-    /// Largest `|q′|` over X, Y, Z in `from`…`to`.
+    /// Largest `|q′|` over X, Y, Z in `from`…`to`, against what it is on the circle.
     fn stretch(&self, from: f64, to: f64) -> f64 {
         let r = self.widest(from, to);
         let climb = 3 - self.plane[0] - self.plane[1];
         let along = (r * self.sweep).hypot(self.growth).hypot(self.end.0[climb] - self.start.0[climb]);
-        along / self.len + self.closing(0).hypot(self.closing(1))
+        self.pace * (along / self.len + self.closing(0).hypot(self.closing(1)))
     }
 
     fn widest(&self, from: f64, to: f64) -> f64 {

@@ -54,11 +54,14 @@ impl Cell {
     /// How far X, Y and Z go there for a millimetre of programmed length, where a joint bends the path away from it or rotary axes
     /// turn by more; 1 where they stand, and only others move.
     pub fn stretch(&self, s: f64, len: f64) -> f64 {
-        if !matches!(self.shape, Shape::Cubic(_) | Shape::Eased(..) | Shape::Line { .. }) {
-            return 1.0;
-        }
-        let [[x, y, z, ..], ..] = self.derivatives(s, len);
-        let stretch = (x * x + y * y + z * z).sqrt();
+        let stretch = match &self.shape {
+            Shape::Cubic(_) | Shape::Eased(..) | Shape::Line { .. } => {
+                let [[x, y, z, ..], ..] = self.derivatives(s, len);
+                (x * x + y * y + z * z).sqrt()
+            }
+            Shape::Slice(piece, _) => piece.share(),
+            Shape::Corner(_) | Shape::Axes { .. } => 1.0,
+        };
         if stretch > STILL { stretch } else { 1.0 }
     }
 

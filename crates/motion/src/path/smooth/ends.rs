@@ -1,7 +1,7 @@
 //! The end of a run that is not known to its end: from where on it goes on.
 
 use super::{Point, STANDING_CONTROLS, STANDING_KNOTS, Smoother, Vector};
-use crate::quick::cube_root;
+use crate::path::pace::reach;
 use ferrocut_geometry::AXES;
 
 /// Spans at the end of an unfinished run that still change with what follows.
@@ -38,13 +38,13 @@ impl Smoother {
     }
 
     /// How far a wave is smoothed away on the way between two places, each with its length, at the feed and within the tolerance of
-    /// the line that begins at a point, mm: `v·(δ/J)^⅓`.
+    /// the line that begins at a point, mm.
     fn reach_along(&self, from: (f64, &Vector), to: (f64, &Vector), begin: &Point) -> f64 {
         let mut direction = [0.0; AXES];
         for k in 0..self.count {
             direction[k] = (to.1[k] - from.1[k]) / (to.0 - from.0);
         }
-        begin.pace() * cube_root(begin.programmed / self.soft.straight(&direction).j)
+        reach(begin.pace(), begin.programmed, self.soft.straight(&direction).j)
     }
 
     /// Keeps what the spans from `next` on need.
