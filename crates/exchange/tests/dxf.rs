@@ -152,6 +152,10 @@ fn ellipses_and_splines() {
     near(found.last().unwrap().to, [10.0, 0.0]);
     let top = found.iter().map(|c| c.extent()[1][1]).fold(0.0, f64::max);
     assert!((top - 5.0).abs() < 0.01, "{top}");
+    // A flat drawing may leave heights out.
+    let flat: Vec<&str> = spline.split("30 0\n").collect();
+    assert_eq!(curves(&drawing(&entities(&flat.concat()))).len(), found.len());
+    near(curves(&drawing(&entities(&flat.concat()))).last().unwrap().to, [10.0, 0.0]);
     // By fit points alone.
     let fit = "0 SPLINE\n70 8\n71 3\n74 3\n11 0\n21 0\n31 0\n11 5\n21 5\n31 0\n11 10\n21 0\n31 0\n";
     let found = curves(&drawing(&entities(fit)));

@@ -97,7 +97,7 @@ impl Sieve {
                 }
                 let start = self.text.len();
                 self.text.push_str("0\nVERTEX\n");
-                self.values(pairs, found)?;
+                self.values(false, pairs, found)?;
                 if !is_kept {
                     self.text.truncate(start);
                 }
@@ -129,7 +129,7 @@ impl Sieve {
         if kind == "POLYLINE" {
             self.text.push_str("66\n1\n");
         }
-        let about = self.values(pairs, found)?;
+        let about = self.values(kind == "SPLINE", pairs, found)?;
         let is_mesh = kind == "POLYLINE" && about.flags & (16 | 64) != 0;
         let is_kept = !about.is_hidden && !is_mesh;
         if kind == "POLYLINE" {
@@ -148,11 +148,21 @@ impl Sieve {
     }
 
     /// Passes on the values of an entity that are known to be good.
-    fn values(&mut self, pairs: &mut Pairs<'_>, found: &mut File) -> Result<About, Box<Alarm>> {
+    fn values(
+        &mut self,
+        is_spline: bool,
+        pairs: &mut Pairs<'_>,
+        found: &mut File,
+    ) -> Result<About, Box<Alarm>> {
         let mut about = About { layer: found.layers.number(b"0"), name: 0, flags: 0, is_hidden: false };
         let mut points = 0;
+        // Points of a spline without a height lie at 0; the crate counts them by their heights.
+        let mut height = None;
         loop {
             let pair = pairs.next()?;
+            if let Some(height) = height.take().filter(|height| *height != pair.code) {
+                let _ = write!(self.text, "{height}\n0\n");
+            }
             match pair.code {
                 0 => {
                     pairs.put_back(pair);
@@ -171,6 +181,7 @@ impl Sieve {
                         return Err(Refused::TooMany("points", f64::from(MOST_POINTS)).at(pair.span));
                     }
                     self.real(&pair)?;
+                    height = (is_spline && matches!(code, 20 | 21)).then_some(code + 10);
                 }
                 code if WHOLES.contains(&code) => {
                     let whole = pair.whole()?;
