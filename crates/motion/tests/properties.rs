@@ -461,13 +461,20 @@ proptest! {
         prop_assume!(!ops.iter().any(|op| matches!(op,
             Op::Feed { path: PathMode::InnerCorners(_), .. } | Op::Arc { path: PathMode::InnerCorners(_), .. })));
         let run = run_with(&machine, Position::ZERO, &ops, &events, &[]);
-        // Of a stop within the limits of jerk a sample is no faster than this; without them, one rests.
-        let jerk = Limits::new(&machine).jerk.into_iter().take(3).fold(0.0, f64::max);
-        let least = if jerk.is_finite() { 0.125 * jerk * run.period * run.period } else { 0.0 };
-        let moving = |s: &Setpoint| s.velocity > least;
-        let first = run.samples.iter().position(moving).unwrap_or(0);
-        let last = run.samples.iter().rposition(moving).unwrap_or(0);
-        for s in run.samples.get(first..last).unwrap_or_default().iter().filter(|s| !moving(s)) {
+        // Of a stop within the limits of jerk a sample is no faster than this; without them, one rests. What is told is the speed
+        // of X, Y and Z; where these turn back, A may go on.
+        let jerks = Limits::new(&machine).jerk;
+        let least = |jerk: f64| if jerk.is_finite() { 0.125 * jerk * run.period * run.period } else { 0.0 };
+        let linear = least(jerks.into_iter().take(3).fold(0.0, f64::max));
+        let turned = |k: usize| run.samples[k].position[Axis::A] - run.samples[k.saturating_sub(1)].position[Axis::A];
+        let moving = |k: &usize| {
+            run.samples[*k].velocity > linear || turned(*k).abs() > run.period * least(jerks[3])
+        };
+        let all = 0..run.samples.len();
+        let first = all.clone().find(moving).unwrap_or(0);
+        let last = all.rev().find(moving).unwrap_or(0);
+        for k in (first..last).filter(|k| !moving(k)) {
+            let s = &run.samples[k];
             let tag = s.tag as usize;
             let near = tag.saturating_sub(3)..(tag + 4).min(ops.len());
             // Where the speed is as low as that the end of a move is not far.
