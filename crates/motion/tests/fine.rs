@@ -136,6 +136,6 @@ fn rounding_does_not_stop_a_rotary_axis() {
         assert!(!run.stops_inside(), "{to}");
         run.time()
     });
-    // A turns at 50 degrees a second where it is alone, and no faster than its 90 beside X.
+    // A turns at 50 degrees a second where it is alone, at 90 beside X.
     assert!(times[1] < 1.03 * times[0] && times[0] < 360.0 / 90.0 * 1.1, "{times:?}");
 }

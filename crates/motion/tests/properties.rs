@@ -5,7 +5,7 @@ mod common;
 use common::*;
 use ferrocut_geometry::{AXES, Axis, Plane, Position};
 use ferrocut_machine::{ArcSlowdown, CornerSlowdown, Machine, Ramp};
-use ferrocut_motion::{Limits, Motion, Move, Setpoint, State};
+use ferrocut_motion::{Limits, Motion, Move, State};
 use ferrocut_toolpath::{CornerRule, Feed, FeedAlong, InnerCorners, Op, PathMode};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
