@@ -1,7 +1,7 @@
 //! The geometry of one move over its length.
 //!
 //! A piece is a curve `q(s)` over all axes, `s` from 0 to [`Piece::len`], where `s` is what the feed is
-//! measured along: `|q′| = 1` over the measured coordinates of lines, circles and helices. Where a line turns rotary axes by more,
+//! measured along: `|q′| = 1` over the measured coordinates of lines, circles and helices. Where a move turns rotary axes by more,
 //! it is along these.
 //!
 //! An arc with `u = s/len`, angle `φ = φ₀ + σu` and radius `r = r₀ + ρu` (start and end may lie a little

@@ -139,7 +139,10 @@ impl Smoother {
             return (a.feed, a.most) == (b.feed, b.most);
         }
         // Along X, Y and Z, where these move.
-        let along = |i: usize| if self.share(i) > 0.0 { self.share(i) } else { 1.0 };
+        let along = |i: usize| {
+            let share = self.share(i);
+            if share > 0.0 { share } else { 1.0 }
+        };
         let (x, y) = (along(i), along(k));
         let is_same = |a: f64, b: f64| a == b || (a - b).abs() <= SAME_FEED * a;
         is_same(a.feed * x, b.feed * y) && is_same(a.most * x, b.most * y)
