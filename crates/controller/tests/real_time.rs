@@ -2,19 +2,13 @@
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
 mod common;
-#[path = "common/mill.rs"]
-#[allow(dead_code)]
-mod mill;
-#[path = "common/panel.rs"]
-#[allow(dead_code)]
-mod panel;
 
 use assert_no_alloc::{AllocDisabler, assert_no_alloc};
-use common::{HANGS, cnc, in_language, machine};
+use common::mill::{self, Mill};
+use common::{HANGS, cnc, in_language, machine, panel};
 use ferrocut_controller::api::{Activity, Command, Event};
 use ferrocut_controller::{Cnc, State};
 use ferrocut_geometry::Position;
-use mill::Mill;
 
 #[global_allocator]
 static ALLOCATOR: AllocDisabler = AllocDisabler;

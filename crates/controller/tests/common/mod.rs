@@ -1,6 +1,8 @@
 //! A control with a program, run tick by tick and judged by what its axes did.
 #![allow(dead_code, missing_docs, clippy::unwrap_used, clippy::panic)]
 
+pub mod mill;
+pub mod panel;
 pub mod parts;
 pub mod random;
 pub mod shop;
