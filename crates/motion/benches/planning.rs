@@ -4,11 +4,12 @@
 //! limits. Beside it the same moves go through the textbook's planner ([`Trapezoids`]), which keeps acceleration alone
 //! and goes through every point: the least that any look-ahead does.
 
-use ferrocut_geometry::{AXES, Position};
+use ferrocut_geometry::{AXES, Plane, Position};
 use ferrocut_machine::Machine;
 use ferrocut_motion::{Limits, Motion, Move, State};
 use ferrocut_toolpath::PathMode;
 use std::collections::VecDeque;
+use std::f64::consts::PI;
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -19,23 +20,24 @@ const FEED: f64 = 100.0;
 const RUNS: usize = 3;
 
 fn main() {
-    let shapes: [(&str, Vec<Position>); 4] = [
-        ("curve of 0.1 mm chords", curve(COUNT)),
-        ("raster, rows of 100 mm", raster(COUNT)),
-        ("3D finishing, noise of 1 um", finishing(COUNT, 1e-3)),
-        ("3D finishing, 0.02 mm blocks", fine(COUNT)),
+    let shapes: [(&str, Vec<Move>); 5] = [
+        ("curve of 0.1 mm chords", lines(curve(COUNT))),
+        ("raster, rows of 100 mm", lines(raster(COUNT))),
+        ("raster, half circles between", linked(COUNT)),
+        ("3D finishing, noise of 1 um", lines(finishing(COUNT, 1e-3))),
+        ("3D finishing, 0.02 mm blocks", lines(fine(COUNT))),
     ];
     println!("{COUNT} segments           planned, M/s   trapezoids, M/s   ratio");
     // `cargo bench … -- raster` runs the shapes of which the name has this word.
     let words: Vec<String> = std::env::args().skip(1).filter(|word| !word.starts_with('-')).collect();
-    for (name, points) in shapes {
+    for (name, moves) in shapes {
         if !words.is_empty() && !words.iter().any(|word| name.contains(word.as_str())) {
             continue;
         }
         let machine = Machine::demo_mill();
-        let ours = rate(|| plan(&machine, &points));
+        let ours = rate(|| plan(&machine, &moves));
         let limits = Limits::new(&machine);
-        let peer = rate(|| Trapezoids::run(&limits, machine.path.tolerance, &points));
+        let peer = rate(|| Trapezoids::run(&limits, machine.path.tolerance, &moves));
         println!("{name:<30} {:>8.2} {:>17.2} {:>9.3}", ours / 1e6, peer / 1e6, ours / peer);
     }
 }
@@ -53,6 +55,12 @@ fn rate<T>(run: impl Fn() -> T) -> f64 {
 fn rounded(p: [f64; 3], to: f64) -> Position {
     let [x, y, z] = p.map(|c| (c / to).round() * to);
     Position::xyz(x, y, z)
+}
+
+/// Straight cuts from point to point.
+fn lines(points: Vec<Position>) -> Vec<Move> {
+    let line = |(k, to)| Move::line(to, FEED, PathMode::Continuous, k as u64);
+    points.into_iter().enumerate().filter_map(line).collect()
 }
 
 /// A closed curve with bends of 5 mm radius and straighter stretches, run again and again; 0.1 µm coordinates.
@@ -77,6 +85,24 @@ fn raster(count: usize) -> Vec<Position> {
         rounded([x, y, 3.0 * (x * 0.08).sin() * (y * 0.05).cos()], 1e-4)
     };
     (1..=count).map(point).collect()
+}
+
+/// Rows over a steeper surface, with half circles from one to the next as a CAM system links them.
+fn linked(count: usize) -> Vec<Move> {
+    const ROW: usize = 401;
+    let block = |k: usize| {
+        let (row, step) = (k / ROW, k % ROW);
+        let goes_back = !row.is_multiple_of(2);
+        let column = if goes_back { ROW - 1 - step } else { step };
+        let (x, y) = (column as f64 * 0.25, row as f64 * 0.5);
+        let to = rounded([x, y, 6.0 * (x * 0.111).sin() * (y * 0.05).cos()], 1e-4);
+        if step > 0 {
+            return Move::line(to, FEED, PathMode::Continuous, k as u64);
+        }
+        let turn = if goes_back { PI } else { -PI };
+        Move::arc(to, Plane::Xy, [x, y - 0.25], turn, FEED, PathMode::Continuous, k as u64)
+    };
+    (1..=count).filter_map(block).collect()
 }
 
 /// A waterline spiral about a wavy body in blocks of about 0.15 mm, as a CAM system writes it: every coordinate is off
@@ -108,21 +134,19 @@ fn fine(count: usize) -> Vec<Position> {
     (1..=count).map(point).collect()
 }
 
-fn plan(machine: &Machine, points: &[Position]) -> usize {
+fn plan(machine: &Machine, moves: &[Move]) -> usize {
     let mut machine = machine.clone();
     machine.servo_period_ms = 1000.0;
     let mut motion = Motion::new(&machine, Position::ZERO);
-    let mut left = points.iter().enumerate();
+    let mut left = moves.iter();
     let mut periods = 0;
     loop {
         while motion.free() > 0 {
-            let Some((k, to)) = left.next() else {
+            let Some(next) = left.next() else {
                 motion.finish();
                 break;
             };
-            if let Some(m) = Move::line(*to, FEED, PathMode::Continuous, k as u64) {
-                let _ = motion.push(&m);
-            }
+            let _ = motion.push(next);
         }
         periods += 1;
         if black_box(motion.tick()).state == State::Idle {
@@ -158,7 +182,7 @@ struct Trapezoids {
 const AHEAD: usize = 1024;
 
 impl Trapezoids {
-    fn run(limits: &Limits, deviation: f64, points: &[Position]) -> f64 {
+    fn run(limits: &Limits, deviation: f64, moves: &[Move]) -> f64 {
         let mut planner = Trapezoids {
             blocks: VecDeque::with_capacity(AHEAD + 1),
             limits: limits.clone(),
@@ -167,9 +191,9 @@ impl Trapezoids {
             time: 0.0,
         };
         let mut from = Position::ZERO;
-        for to in points {
-            planner.push(from, *to);
-            from = *to;
+        for to in moves.iter().map(Move::to) {
+            planner.push(from, to);
+            from = to;
         }
         planner.sweep();
         while !planner.blocks.is_empty() {
