@@ -489,6 +489,8 @@ pub struct Rules {
     /// D names an offset of the tool in the spindle, in force from M6 on without another code; else a number
     /// of the table.
     pub tools_carry_offsets: bool,
+    /// Functions that act in their block alone stand before a point and a cycle, which are made after them.
+    pub functions_before_point: bool,
     /// A choice of plane ends canned cycles; else it is an alarm while one is in force.
     pub plane_ends_cycle: bool,
     /// With single block, macro statements are blocks of their own; else the program runs through them.
@@ -564,6 +566,7 @@ impl Default for Rules {
             max_zero: 99_999_999.0,
             reference_keeps_cutter: false,
             tools_carry_offsets: false,
+            functions_before_point: false,
             plane_ends_cycle: false,
             axes: Axis::ALL.into_iter().collect(),
             linear_axes: Axis::ALL.into_iter().filter(|axis| axis.is_linear()).collect(),

@@ -359,14 +359,12 @@ impl Interpreter {
                     if length.is_some() || self.words.has(b'H') {
                         self.defer_length(length)?;
                     }
+                    if self.leaves_point_to_block(code.row.meaning) && self.has_point_or_cycle(axes) {
+                        self.axes_of_block(axes, None)?;
+                    }
                 }
                 None if rest.codes.takes_words => self.length_by_itself(length)?,
-                None if self.is_zone_block() => self.zone_block(axes)?,
-                None if self.cycle_kind().is_some() => self.cycle_block(axes, length)?,
-                None => {
-                    let length_moves = self.length_words(length, axes)?;
-                    self.motion_block(axes, length_moves)?;
-                }
+                None => self.axes_of_block(axes, length)?,
             }
             let codes = &rest.codes;
             let moves = codes.non_modal.is_none() && !codes.takes_words && self.cycle_kind().is_none();
@@ -381,6 +379,18 @@ impl Interpreter {
             Some((code, span)) => self.call_custom(code, rest, span),
             None => Ok(()),
         }
+    }
+
+    /// What the words of axes are there for: a cycle, or a move.
+    fn axes_of_block(&mut self, axes: AxisSet, length: Option<Meaning>) -> Fallible<()> {
+        if self.is_zone_block() {
+            return self.zone_block(axes);
+        }
+        if self.cycle_kind().is_some() {
+            return self.cycle_block(axes, length);
+        }
+        let length_moves = self.length_words(length, axes)?;
+        self.motion_block(axes, length_moves)
     }
 
     /// Does what waits for the last hole of the block.

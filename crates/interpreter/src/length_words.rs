@@ -41,6 +41,18 @@ impl Interpreter {
         Ok(())
     }
 
+    /// A change of tool length that waits for its axis is taken up by a code that moves `axes` by itself.
+    pub(crate) fn take_up_waiting_length(&mut self, moves: Meaning, axes: AxisSet) -> Fallible<()> {
+        let goes_to_point = matches!(
+            moves,
+            Meaning::ReferenceReturn | Meaning::FurtherReferenceReturn | Meaning::Skip | Meaning::OneWay
+        );
+        if goes_to_point && self.location.length.waits && !self.words.has(b'H') {
+            self.length_words(None, axes)?;
+        }
+        Ok(())
+    }
+
     /// Whether the block ends tool length compensation.
     pub(crate) fn length_ends(&self, code: Option<Meaning>) -> bool {
         code == Some(Meaning::LengthOff) || !self.rules.h00_waits && self.words.get(b'H') == Some(0.0)

@@ -17,6 +17,7 @@ impl Interpreter {
         length: Option<Meaning>,
     ) -> Fallible<()> {
         let Code { row, span } = code;
+        self.refuse_beside_cycle(row.meaning, axes, span)?;
         let reference = matches!(
             row.meaning,
             Meaning::ReferenceCheck
@@ -41,6 +42,7 @@ impl Interpreter {
         if reference && self.cycle_kind().is_some() && !self.rules.coordinates.reference_in_cycle {
             return Err(self.alarm(Fault::ReferenceInCycle, span));
         }
+        self.take_up_waiting_length(row.meaning, axes)?;
         match row.meaning {
             Meaning::Dwell => self.dwell(),
             Meaning::MachinePosition => self.machine_position(axes),

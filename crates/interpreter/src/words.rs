@@ -365,7 +365,7 @@ impl Reader<'_> {
             words.comma = Some((word.letter, value, self.page.word_span(self.block, word)));
             return Ok(());
         }
-        if words.owned != 0 && self.own_word(words, word, value) {
+        if words.owned != 0 && self.own_word(words, word, value)? {
             return Ok(());
         }
         match word.letter {
@@ -403,24 +403,31 @@ impl Reader<'_> {
         self.axis_names.find(AxisName::numbered(letter, digit)?)
     }
 
-    /// Puts a word into those of a code that stands before it, where it is one of these.
-    fn own_word(&self, words: &mut Words, word: &Word, value: f64) -> bool {
+    /// Puts a word into those of a code that stands before it, where it is one of these. Behind the code's own D or M another one
+    /// is the offset or the function that ends the block (Fagor 1.1.3).
+    fn own_word(&self, words: &mut Words, word: &Word, value: f64) -> Fallible<bool> {
         let letter = match word.letter {
             letter if letter >= FIRST_NUMBERED => match self.numbered_axis(letter) {
                 Some(axis) => axis.letter() as u8,
-                None => return false,
+                None => return Ok(false),
             },
             letter if letter.is_ascii_uppercase() => letter,
-            _ => return false,
+            _ => return Ok(false),
         };
         if words.owned & bit(letter) == 0 {
-            return false;
+            return Ok(false);
+        }
+        if words.own.get(letter).is_some() {
+            return match letter {
+                b'D' | b'M' => Ok(false),
+                _ => Err(self.alarm(Fault::RepeatedAddress, word)),
+            };
         }
         words.own.put(letter, value);
         if let Some(place) = words.own_places.get_mut(usize::from(letter.wrapping_sub(b'A'))) {
             *place = (word.at, word.len);
         }
-        true
+        Ok(true)
     }
 
     #[inline]

@@ -342,6 +342,8 @@ faults! {
     PatternWithoutCycle = 530,
     /// A canned cycle while the tool axis is scaled.
     CycleScaled = 531,
+    /// A milling cycle while X and Y are scaled by different factors.
+    MillScaledUnevenly = 532,
     /// A parameter of a cycle has a value that it cannot have.
     CycleParameter = 540,
     /// A parameter of a cycle is missing.

@@ -7,7 +7,7 @@ use super::milling::{
 use crate::Fallible;
 use crate::interpreter::Interpreter;
 use crate::stages::units;
-use ferrocut_geometry::{Axis, AxisSet, Plane, Position, Turn};
+use ferrocut_geometry::{Axis, AxisSet, Plane, Position, SAME_POINT_MM, Turn};
 use ferrocut_machine::Fault;
 
 /// What a milling cycle cuts.
@@ -34,8 +34,16 @@ pub(crate) struct MillWords {
     v: Option<f64>,
     u: Option<f64>,
     d: Option<f64>,
-    /// The last X, Y, which an incremental repeat counts from.
-    at: Option<[f64; 2]>,
+    /// The last one cut.
+    last: Option<Cut>,
+}
+
+/// Where a milling cycle was, and where it left the tool, programmed and on the machine. Words left out and increments of the next
+/// block count from its place as long as the tool has not moved and the coordinates are the same.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct Cut {
+    at: [f64; 2],
+    left: [[f64; 2]; 2],
 }
 
 impl Interpreter {
@@ -67,28 +75,47 @@ impl Interpreter {
 
     /// Cuts one pocket or wall.
     pub(super) fn mill(&mut self, shape: MillShape, turn: Turn) -> Fallible<()> {
-        if self.location.scaling.is_some_and(|scaling| scaling.factors.iter().any(|f| *f < 0.0)) {
+        let [x, y, _] = self.location.scaling.map_or([1.0; 3], |scaling| scaling.factors);
+        if x < 0.0 || y < 0.0 {
             return Err(self.alarm(Fault::MillMirrored, self.cycle_span()));
         }
-        if let (true, Some([x, y])) = (self.modal.is_incremental(), self.cycle.mill.at) {
+        if x != y {
+            return Err(self.alarm(Fault::MillScaledUnevenly, self.cycle_span()));
+        }
+        if let Some(last) = self.cycle.mill.last.filter(|last| self.is_at(last.left)) {
+            let [x, y] = last.at;
             self.location.programmed[Axis::X] = x;
             self.location.programmed[Axis::Y] = y;
         }
         let axes: AxisSet = self.words.axes(self.rules.axes).iter().filter(|a| *a != Axis::Z).collect();
         let to = self.end_point(axes);
         let (Some(r), Some(z)) = (self.cycle.r, self.cycle.z) else { return self.position_at(to) };
-        let plan = self.mill_plan(shape, turn, Plane::Xy.of(to), r, z);
+        let at = Plane::Xy.of(to);
+        let plan = self.mill_plan(shape, turn, at, r, z, x);
         let plan = plan.map_err(|fault| self.mill_alarm(fault))?;
-        self.cycle.mill.at = Some(Plane::Xy.of(to));
         let [x, y] = plan.start();
         let mut start = to;
         start[Axis::X] = x;
         start[Axis::Y] = y;
         self.position_at(start)?;
         self.take_up_length()?;
-        plan.moves(self.top(r), &mut |m| self.mill_move(m))
+        plan.moves(self.top(r), &mut |m| self.mill_move(m))?;
+        self.cycle.mill.last = Some(Cut { at, left: self.places() });
+        Ok(())
     }
 
+    /// X and Y where the tool stands, programmed and on the machine.
+    fn places(&self) -> [[f64; 2]; 2] {
+        [self.location.programmed, self.location.machine].map(|place| Plane::Xy.of(place))
+    }
+
+    /// Whether it stands there, but for what rounding makes of sums.
+    fn is_at(&self, places: [[f64; 2]; 2]) -> bool {
+        let (now, was) = (self.places(), places);
+        now.iter().flatten().zip(was.iter().flatten()).all(|(a, b)| (a - b).abs() <= SAME_POINT_MM)
+    }
+
+    /// Scaling by `factor` is none of the tool, whose path it scales with the rest (GSK990MC 4.2.14, 7).
     fn mill_plan(
         &self,
         shape: MillShape,
@@ -96,6 +123,7 @@ impl Interpreter {
         at: [f64; 2],
         r: f64,
         bottom: f64,
+        factor: f64,
     ) -> Result<Plan, CycleFault> {
         let words = &self.cycle.mill;
         let roughing = Roughing {
@@ -105,10 +133,9 @@ impl Interpreter {
             gap: words.v,
             helix_factor: self.rules.cycles.pocket_helix_factor,
         };
-        let tool_radius = words
-            .d
-            .filter(|number| *number != 0.0)
-            .and_then(|number| self.memory.tools.get(number as u16).map(|row| self.tool_radius(row)));
+        let tool_radius = words.d.filter(|number| *number != 0.0).and_then(|number| {
+            self.memory.tools.get(number as u16).map(|row| self.tool_radius(row) / factor)
+        });
         let sizes = [words.i, words.j];
         match shape {
             MillShape::RoundPocket => {

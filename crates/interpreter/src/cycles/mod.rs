@@ -215,9 +215,22 @@ impl Interpreter {
             self.modal.set(self.dialect.cycle_off);
             self.scale_tool_axis_again();
             self.output.resume_cutter();
+            self.hand_length_over();
             self.cycle = CycleState::default();
             self.technology.rigid_tapping = false;
             self.leave_zone();
+        }
+    }
+
+    /// A change of tool length that no way to an R level has taken up, because no hole was made, waits for the axis to be moved.
+    fn hand_length_over(&mut self) {
+        match self.cycle.length.take() {
+            Some(Meaning::LengthOff) => {
+                self.location.length.cancel();
+                self.location.take_machine();
+            }
+            Some(_) => self.location.length.waits = true,
+            None => {}
         }
     }
 
@@ -451,11 +464,12 @@ impl Interpreter {
         Ok(())
     }
 
-    /// The change of tool length that waits for the way to the R level.
+    /// The change of tool length that waits for the way to the R level, or for any way of the axis.
     fn take_up_length(&mut self) -> Fallible<()> {
-        if let Some(code) = self.cycle.length.take() {
+        let code = self.cycle.length.take();
+        if code.is_some() || self.location.length.waits {
             let before = self.location.length.vector[Axis::Z];
-            self.length_words(Some(code), AxisSet::EMPTY.with(Axis::Z))?;
+            self.length_words(code, AxisSet::EMPTY.with(Axis::Z))?;
             if self.rules.cycles.length_at_start_only {
                 self.cycle.initial -= self.location.length.vector[Axis::Z] - before;
             }

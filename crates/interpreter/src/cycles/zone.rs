@@ -9,7 +9,7 @@ use super::parameter::WrongParameter;
 use super::positions::{Figure, Omitted};
 use super::{CycleKind, MAX_REPEATS};
 use crate::Fallible;
-use crate::dialect::Meaning;
+use crate::dialect::{GCode, Meaning};
 use crate::interpreter::Interpreter;
 use crate::modal::Group;
 use crate::stages::units;
@@ -125,8 +125,9 @@ pub(crate) struct Zone {
     /// Reference level, and that of the tool where the cycle was defined.
     reference: f64,
     initial: f64,
-    /// F and S where it was defined.
+    /// F and S where it was defined, and the code that says the unit of F.
     feed: f64,
+    feed_mode: Option<&'static GCode>,
     speed: Option<f64>,
     /// Sense of the spindle, also while a cycle has stopped it; none once the program has.
     pub turn: Option<Turn>,
@@ -183,12 +184,42 @@ impl Interpreter {
         letters(of) & !letters(b"Z") | tool
     }
 
-    /// A block in the zone of influence, or one with NR.
-    pub(crate) fn zone_block(&mut self, axes: AxisSet) -> Fallible<()> {
-        let defines = self.words.g.iter().rev().find_map(|g| match g.row.meaning {
+    /// The cycle that the block defines.
+    fn defined_cycle(&self) -> Option<&'static WordFormat> {
+        self.words.g.iter().rev().find_map(|g| match g.row.meaning {
             Meaning::Cycle(CycleKind::Words(format)) => Some(format),
             _ => None,
-        });
+        })
+    }
+
+    /// Whether a code that acts in its block alone leaves the point to the rest of the block: functions stand before the point
+    /// and the cycle (Fagor 1.1.3), and these take no words of axes.
+    pub(crate) fn leaves_point_to_block(&self, meaning: Meaning) -> bool {
+        self.rules.functions_before_point && matches!(meaning, Meaning::Dwell | Meaning::PolarOrigin)
+    }
+
+    /// Whether the block moves or defines a cycle.
+    pub(crate) fn has_point_or_cycle(&self, axes: AxisSet) -> bool {
+        self.block_moves(axes) || self.defined_cycle().is_some()
+    }
+
+    /// Refuses a cycle beside a code that takes the words of its point, and either beside holes on a figure, which begin where
+    /// the tool is with the cycle in force (2).
+    pub(crate) fn refuse_beside_cycle(&self, meaning: Meaning, axes: AxisSet, span: Span) -> Fallible<()> {
+        let is_figure = matches!(meaning, Meaning::Figure(_));
+        let takes_point = is_figure || !self.leaves_point_to_block(meaning);
+        let is_refused = takes_point && self.defined_cycle().is_some()
+            || is_figure && (self.block_moves(axes) || self.words.has_long(long::NR));
+        if is_refused { Err(self.alarm(Fault::NeedsOwnBlock, span)) } else { Ok(()) }
+    }
+
+    /// A block in the zone of influence, or one with NR.
+    pub(crate) fn zone_block(&mut self, axes: AxisSet) -> Fallible<()> {
+        let defines = self.defined_cycle();
+        // The machined place would be beside the programmed one.
+        if (defines.is_some() || self.word_cycle().is_some()) && self.output.in_cutter_mode() {
+            return Err(self.alarm(Fault::NotInCutter, self.cycle_span()));
+        }
         let moves = self.block_moves(axes);
         let repeats = self.words.long(long::NR).unwrap_or(1.0);
         if repeats.fract() != 0.0 || !(0.0..=MAX_REPEATS).contains(&repeats) {
@@ -265,12 +296,21 @@ impl Interpreter {
             let counts = format.depth == Some(letter) && incremental;
             words.put(letter, if counts { reference + value } else { value });
         }
-        let feed = self.feed_value();
+        let (feed, feed_mode) = (self.feed_value(), self.modal.code(Group::FeedMode));
         let speed = self.technology.speed;
         let turn = self.technology.spindle.turn().unwrap_or(Turn::Clockwise);
         let block = self.zone.block;
-        self.zone =
-            Zone { words, reference, initial, feed, speed, turn: Some(turn), block, repetition: None };
+        self.zone = Zone {
+            words,
+            reference,
+            initial,
+            feed,
+            feed_mode,
+            speed,
+            turn: Some(turn),
+            block,
+            repetition: None,
+        };
         Ok(())
     }
 
@@ -326,7 +366,10 @@ impl Interpreter {
         }
         let [a, b, _] = self.in_plane_axes();
         let repetition = (format.build)(&words, [a, b]).map_err(|wrong| self.wrong_parameter(wrong, span))?;
-        // All of them are made with the F and S of the definition, and F is that of the cycle afterwards (2).
+        // All of them are made with the F and S of the definition, and F is that of the cycle afterwards (2), in its unit.
+        if let Some(mode) = self.zone.feed_mode {
+            self.modal.set(mode);
+        }
         match self.modal.is_feed_per_revolution() {
             true => self.technology.feed_per_revolution = self.zone.feed,
             false => self.technology.feed_per_minute = self.zone.feed,

@@ -560,6 +560,8 @@ FC-0530 = Holes on a figure without a canned cycle
     .help = Program the canned cycle before, with K0.
 FC-0531 = A canned cycle while Z is scaled
     .help = Cancel the scaling with G50, or leave Z out of it.
+FC-0532 = A milling cycle is called while X and Y are scaled differently
+    .help = Give X and Y the same factor, or cancel the scaling with G50.
 
 ## Canned cycles by parameters
 

@@ -560,6 +560,8 @@ FC-0530 = Agujeros en una figura sin ciclo fijo
     .help = Programe antes el ciclo fijo, con K0.
 FC-0531 = Ciclo fijo con Z escalado
     .help = Anule el escalado con G50 o deje Z fuera de él.
+FC-0532 = Ciclo de fresado con X e Y a escalas distintas
+    .help = Dé a X e Y el mismo factor, o cancele la escala con G50.
 
 ## Canned cycles by parameters
 

@@ -560,6 +560,8 @@ FC-0530 = Sabit çevrim olmadan bir şekil üzerinde delikler
     .help = Önce sabit çevrimi K0 ile programlayın.
 FC-0531 = Z ölçeklenmişken sabit çevrim
     .help = Ölçeklemeyi G50 ile iptal edin ya da Z'yi dışında bırakın.
+FC-0532 = X ve Y farklı ölçeklenirken frezeleme çevrimi çağrılıyor
+    .help = X ve Y için aynı çarpanı verin ya da ölçeklemeyi G50 ile iptal edin.
 
 ## Canned cycles by parameters
 

@@ -12,12 +12,11 @@ use ferrocut_machine::Parameters;
 pub fn rules(_: &Parameters) -> Rules {
     Rules {
         dwell_letter: b'K',
-        // 1.1.3: G99 G1 G81 stand together, and R or Q before and behind the cycle's code.
-        repeats_are_alarms: false,
         cycles: cycles(),
         motion: motion::Rules { polar_words: true, helix_has_pitch: true, ..motion::Rules::default() },
         orients_to_speed_word: true,
         tools_carry_offsets: true,
+        functions_before_point: true,
         // 1.1.1.
         plane_ends_cycle: true,
         ..Rules::default()

@@ -129,6 +129,7 @@ pub fn rules(parameters: &Parameters) -> Rules {
         // Table 4-7-1-1.
         max_offset: 999.999,
         tools_carry_offsets: false,
+        functions_before_point: false,
         plane_ends_cycle: false,
         max_wear: p(267),
         // Range of P10 to P44 (4.2.7 note 3).
