@@ -4,7 +4,9 @@
 
 mod common;
 
-use common::{holds_turning, holds_with};
+use common::{holds_turning, holds_with, run};
+use ferrocut_machine::Fault;
+use ferrocut_toolpath::Op;
 
 /// Radius 4 as offset 1.
 const CUTTER: &str = "[start]\nz = 50\n[tools.1]\nradius = 4\n[parameters]\n\"NO40.7\" = 0";
@@ -167,4 +169,96 @@ fn a_code_that_cancels_the_cycle_goes_before_those_that_it_forbids() {
     );
     // 4.1 note 6: a motion code of the block goes before the cycle, whose words are left aside.
     holds_with("", "G99 G01 G22 X25 Y25 Z-50 R5 I50 L10 W20 Q10 V10 D1 F800", &["feed X25 Y25 Z-50 F800"]);
+}
+
+/// 4.4.1 note 3: on the way to R; where there is none the axis takes it up when it is next moved.
+#[test]
+fn a_change_of_tool_length_is_not_lost_where_no_hole_is_made() {
+    let setup = "[start]\nz = 50\n[tools.1]\nlength = 4\n[tools.2]\nlength = 7\n[parameters]\n\"NO43.1\" = 0";
+    let cases: [(&str, &[&str]); 5] = [
+        ("G90 G98 G43 H1 G81 X10 R5 Z-3 F100 K0\nG80\nG0 Z10", &["rapid Z14"]),
+        ("G90 G98 G43 H1 G81 X10 R5 F100\nG0 Z10", &["rapid X10", "rapid Z14"]),
+        ("G43 H1 G0 Z20\nG49 G81 X10 R5 Z-3 F100 K0\nG80\nG0 Z10", &["rapid Z24", "rapid Z10"]),
+        ("G43 H1 G0 Z20\nH2 G81 X10 R5 Z-3 F100 K0\nG80\nG0 Z10", &["rapid Z24", "rapid Z17"]),
+        // Given beside a code that moves nothing, it waits for the cycle too.
+        (
+            "G43 H1 G04 X1\nG99 G81 X5 Z-5 R1 F100",
+            &["dwell 1s", "rapid X5", "rapid Z5", "feed Z-1 F100", "rapid Z5"],
+        ),
+    ];
+    for (program, expected) in cases {
+        holds_turning(setup, program, expected);
+    }
+}
+
+/// Centres and radii of the full circles that are cut.
+fn circles(setup: &str, program: &str) -> Vec<[f64; 3]> {
+    let (steps, alarm) = run(&format!("M3 S1000\n{program}\nM30\n"), setup);
+    assert_eq!(alarm, None, "{program}");
+    let circle = |step: &ferrocut_toolpath::Step| match step.op {
+        Op::Arc { to, center, sweep, .. } if sweep.abs() > 6.28 => {
+            let [x, y] = center;
+            let r = (to.0[0] - x).hypot(to.0[1] - y);
+            Some([x, y, r].map(|value| (value * 1e6).round() / 1e6))
+        }
+        _ => None,
+    };
+    steps.iter().filter_map(circle).collect()
+}
+
+const CIRCLES: &str = "[start]\nz = 50\n[tools.1]\nradius = 5\n[parameters]\n\"NO40.7\" = 0\n\"NO47.6\" = 0";
+
+/// 4.4: only what changes is given again; the cycle ends elsewhere, which is no reason for the next to be there.
+#[test]
+fn milling_cycles_go_on_from_the_last_place() {
+    let circle = "G90 G99 G24 X25 Y25 Z-10 R5 I50 J10 D1 F800";
+    let cases: [(String, &[[f64; 2]]); 5] = [
+        ("G0 X50 Y50\nG99 G24 Z-10 R5 I50 J10 D1 F800 K2".into(), &[[50.0, 50.0], [50.0, 50.0]]),
+        (format!("{circle}\nY200\nZ-12"), &[[25.0, 25.0], [25.0, 200.0], [25.0, 200.0]]),
+        (format!("{circle}\nG91 X10 K2"), &[[25.0, 25.0], [35.0, 25.0], [45.0, 25.0]]),
+        // Where something else has moved the tool it counts from there.
+        (format!("{circle}\nG81 X200 Y200 Z-3\nG91 G24 X10 Z-15"), &[[25.0, 25.0], [210.0, 200.0]]),
+        (format!("{circle}\nG53 X0 Y0\nG91 X10"), &[[25.0, 25.0], [10.0, 0.0]]),
+    ];
+    for (program, centres) in cases {
+        let found: Vec<[f64; 2]> = circles(CIRCLES, &program).iter().map(|[x, y, _]| [*x, *y]).collect();
+        assert_eq!(found, centres, "{program}");
+    }
+}
+
+/// 4.2.14, 7: scaling is none of the tool.
+#[test]
+fn scaling_leaves_the_tool_of_a_milling_cycle_alone() {
+    let scaled = |factors: &str, cycle: &str| {
+        format!("G51 X0 Y0 Z0 {factors}\nG90 G99 {cycle} X0 Y0 Z-20 R5 I50 J20 D1 F800")
+    };
+    assert_eq!(circles(CIRCLES, &scaled("P0.5", "G26")), [[0.0, 0.0, 30.0]]);
+    assert_eq!(circles(CIRCLES, &scaled("P2", "G24")), [[0.0, 0.0, 95.0]]);
+    let by_axis = CIRCLES.replace("\"NO47.6\" = 0", "\"NO47.6\" = 1");
+    let (_, alarm) = run(&format!("M3 S1000\n{}\nM30\n", scaled("I2 J1 K1", "G26")), &by_axis);
+    assert_eq!(alarm.unwrap().fault, Fault::MillScaledUnevenly);
+}
+
+/// 4.4.6 to 4.4.11: no boring in a block without an axis; R is kept for the next hole. Drilling has no such sentence.
+#[test]
+fn r_alone_bores_nothing() {
+    holds_turning(
+        HIGH,
+        "G99 G85 X5 Z-4 R2 F100\nR3\nX6",
+        &[
+            "rapid X5",
+            "rapid Z2",
+            "feed Z-4 F100",
+            "feed Z2 F100",
+            "rapid X6",
+            "rapid Z3",
+            "feed Z-4 F100",
+            "feed Z3 F100",
+        ],
+    );
+    holds_turning(
+        HIGH,
+        "G99 G81 X5 Z-4 R2 F100\nR3",
+        &["rapid X5", "rapid Z2", "feed Z-4 F100", "rapid Z2", "rapid Z3", "feed Z-4 F100", "rapid Z3"],
+    );
 }

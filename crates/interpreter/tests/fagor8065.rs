@@ -323,3 +323,55 @@ fn finishing_a_face_does_not_go_back_to_its_start() {
     assert!(ends(rough).starts_with("rapid X"), "{}", ends(rough));
     assert_eq!(ends(&format!("{rough}{finish}")), "rapid Z5");
 }
+
+/// 1.1.3: functions stand before the point and the cycle, whose words are its own whatever it is made beside.
+#[test]
+fn a_cycle_beside_a_dwell_or_a_polar_origin_is_made() {
+    let head = "S1000 M3 F100\nG0 X0 Y0 Z20\nG99";
+    let found =
+        lines_on(&DIALECT, &format!("{head}\nG83 X10 Z2 I-5 J1\nG4 K.5 G81 X20 Z2 I-8\nX30\nM30"), "");
+    let expected =
+        ["dwell 0.5s", "rapid X20", "feed Z-8 F100", "rapid Z2", "rapid X30", "feed Z-8 F100", "rapid Z2"];
+    assert!(found.windows(expected.len()).any(|lines| lines == expected), "{found:?}");
+    let found = moves(&format!("{head}\nG30 I10 J10 G81 R50 Q0 Z2 I-5\nM30"), "");
+    assert!(found.contains(&"rapid X60 Y10".into()) && found.contains(&"feed Z-5 F100".into()), "{found:?}");
+    // What takes the words of the point has a block of its own.
+    for line in ["G20 X1 Y2 Z3 G85 Z2 I-5", "Z30 G160 I10 K2", "X40 G160 I10 K2", "G81 X10 Z2 G160 A10 K2"] {
+        let program = format!("{head}\nG81 X10 Z2 I-5\n{line}\nM30");
+        let (_, alarm) = run_on(&DIALECT, &program, "");
+        assert_eq!(
+            alarm.map(|alarm| (alarm.fault, alarm.span.line)),
+            Some((Fault::NeedsOwnBlock, 5)),
+            "{line}"
+        );
+    }
+}
+
+/// 2: all holes of a figure are made with the F of the definition, in its unit.
+#[test]
+fn the_feed_of_a_figure_has_the_unit_of_the_definition() {
+    let found =
+        moves("S1000 M3 F100\nG0 X0 Y0 Z20\nG99 G81 X10 Z2 I-5\nG95 F0.1\nX20\nG160 I10 K2\nX50\nM30", "");
+    let cuts: Vec<&String> = found.iter().filter(|line| line.starts_with("feed Z-5")).collect();
+    assert_eq!(cuts, ["feed Z-5 F100", "feed Z-5 0.1/rev", "feed Z-5 F100", "feed Z-5 F100"], "{found:?}");
+}
+
+/// 1.1.3: behind the parameters D and M are the offset and the function of the block; another letter stands once.
+#[test]
+fn a_letter_of_a_cycle_stands_once() {
+    let head = "S1000 M3 F100\nG0 X0 Y0 Z20\nG99";
+    let setup = "[tools.1]\nradius = 3\n[tools.2]\nradius = 2\n";
+    let once = moves(&format!("{head}\nT1 D1 M6\nG88 X10 Z2 I-5 D2 J10 B5\nM30"), setup);
+    let twice = moves(&format!("{head}\nT1 M6\nG88 X10 Z2 I-5 D2 J10 B5 D1\nM30"), setup);
+    assert_eq!(once, twice);
+    let (_, alarm) = run_on(&DIALECT, &format!("{head}\nG81 X10 Z2 I-5 I-50\nM30"), setup);
+    assert_eq!(alarm.map(|alarm| alarm.fault), Some(Fault::RepeatedAddress));
+}
+
+/// The place of a hole beside the programmed one is none; nor is a pocket that is moved by the tool's radius.
+#[test]
+fn cycles_are_refused_while_cutter_compensation_is_in_force() {
+    let program = "T1 D1 M6\nS1000 M3 F100\nG0 X0 Y0 Z20\nG41 G1 X10\nG88 X30 Z2 D2 I-5 J8 B5\nM30";
+    let (_, alarm) = run_on(&DIALECT, program, "[tools.1]\nradius = 5\n");
+    assert_eq!(alarm.map(|alarm| (alarm.fault, alarm.span.line)), Some((Fault::NotInCutter, 5)));
+}

@@ -112,7 +112,18 @@ pub enum CycleKind {
     Words(&'static zone::WordFormat),
 }
 
-/// The address that makes a block with an active cycle cut a hole although no axis is named.
+impl CycleKind {
+    /// Whether it bores: the way out is not that of a drill.
+    fn bores(self) -> bool {
+        match self {
+            CycleKind::Hole(hole) => hole.retract != Retract::Rapid,
+            CycleKind::FineBore | CycleKind::BackBore => true,
+            _ => false,
+        }
+    }
+}
+
+/// The address that makes a block with an active cycle drill a hole although no axis is named.
 const LEVEL_LETTER: u32 = letters(b"R");
 
 /// Most repeats of a block with a cycle (GSK990MC table 4-4-1).
@@ -250,7 +261,9 @@ impl Interpreter {
         }
         self.store_cycle_data();
         self.store_mill_words();
-        if axes.is_empty() && !self.words.has_any(LEVEL_LETTER) {
+        let level_cuts =
+            !(self.rules.cycles.boring_needs_axis && self.cycle_kind().is_some_and(CycleKind::bores));
+        if axes.is_empty() && !(level_cuts && self.words.has_any(LEVEL_LETTER)) {
             // Nothing to cut; a change of tool length alone is made at once (GSK990MC 4.4.1 note 3).
             if self.length_words(length, axes)? {
                 self.rapid(self.location.programmed)?;

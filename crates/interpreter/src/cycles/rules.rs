@@ -128,6 +128,8 @@ pub struct Rules {
     pub length_at_start_only: bool,
     /// A cycle stays in force beside motion codes; else they end it.
     pub stand_beside_motion: bool,
+    /// Boring is done only in a block with an axis; else R alone is enough, as it is for drilling.
+    pub boring_needs_axis: bool,
     /// Radius of the helix by which a pocket is entered, over the tool radius.
     pub pocket_helix_factor: f64,
 }
@@ -153,6 +155,7 @@ impl Default for Rules {
             needs_speed: false,
             length_at_start_only: false,
             stand_beside_motion: false,
+            boring_needs_axis: false,
             pocket_helix_factor: 0.0,
         }
     }

@@ -183,6 +183,8 @@ fn cycles(parameters: &Parameters) -> cycles::Rules {
         needs_speed: true,
         length_at_start_only: false,
         stand_beside_motion: false,
+        // 4.4.6 to 4.4.11.
+        boring_needs_axis: true,
         pocket_helix_factor: p(269),
     }
 }
