@@ -25,6 +25,8 @@ pub struct InForce {
     pub length: Position,
     /// G92 and G52 of RS274/NGC, mm.
     pub shift: Position,
+    /// Machine position where the last probe of RS274/NGC ended, and whether it found something.
+    pub probed: Option<(Position, bool)>,
 }
 
 impl Interpreter {
@@ -50,6 +52,7 @@ impl Interpreter {
             },
             length: if is_ngc { self.ngc.length } else { self.location.length.vector },
             shift: if is_ngc { self.ngc.shift } else { Position::ZERO },
+            probed: self.ngc.probed,
         }
     }
 }

@@ -8,7 +8,7 @@ use crate::grbl::checker::Checker;
 use crate::grbl::{Doing, Event, Machine, Modal, Offsets, Overrides, Pins, Status};
 use ferrocut_controller::drives::{Drives, Plant, Simulated};
 use ferrocut_controller::{Cnc, Event as CncEvent, State, Tick};
-use ferrocut_geometry::{Axis, MM_PER_INCH, Position};
+use ferrocut_geometry::{Axis, Position};
 use ferrocut_interpreter::{Interpreter, Options, dialects};
 use ferrocut_machine::{Fault, Machine as MachineFile, Memory, WorkOffset};
 use ferrocut_program::{ProgramMemory, Text};
@@ -20,10 +20,6 @@ const HOMING: f64 = 3000.0;
 
 /// Events kept for whoever takes them; a sender has few blocks under way.
 const MOST_EVENTS: usize = 1024;
-
-/// Parameters of the last probe: X of where it ended, and whether it met something (LinuxCNC).
-const PROBED: u32 = 5061;
-const FOUND: u32 = 5070;
 
 /// What a machine is told. What waits for nothing and needs no answer.
 #[derive(Clone, PartialEq, Debug)]
@@ -293,13 +289,6 @@ impl Mill {
         for (place, at) in offsets.references.iter_mut().zip(&memory.reference_points) {
             *place = *at;
         }
-        let unit = if codes.contains(&200) { MM_PER_INCH } else { 1.0 };
-        let mut probed = words.zero;
-        for (number, axis) in (PROBED..).zip(Axis::ALL) {
-            let value = memory.variables.get(number).unwrap_or(0.0);
-            probed[axis] += if axis.is_linear() { value * unit } else { value };
-        }
-        let found = memory.variables.get(FOUND) == Some(1.0);
         let doing = self.doing();
         Status {
             is_current: true,
@@ -325,7 +314,7 @@ impl Mill {
                 zero: words.zero,
             },
             offsets,
-            probe: if found { (probed, true) } else { (Position::ZERO, false) },
+            probe: words.probed.unwrap_or_default(),
             pins: self.pins,
         }
     }

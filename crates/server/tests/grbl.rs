@@ -669,7 +669,13 @@ fn a_probe_tells_where_it_met_the_work() {
     session.say("$X\n");
     let heard = session.say("G10L2P1Z-1\nG38.2Z-20F1000\nG4P0.1\n") + &session.settle();
     assert!(heard.contains("[PRB:0.000,0.000,-3.500:1]\r\nok\r\n"), "{heard}");
-    assert!(session.say("$#\n").contains("[PRB:0.000,0.000,-3.500:1]"));
+    // It is a place of the machine, whatever program zero and units become.
+    for line in ["$#", "G10L20P1Z0", "G20", "G92X5", "G43.1Z2"] {
+        session.say(&format!("{line}\n"));
+        let heard = session.say("$#\n");
+        assert!(heard.contains("[PRB:0.000,0.000,-3.500:1]"), "{line} {heard}");
+    }
+    session.say("G21\nG92.1\nG49\n");
     // Away from it nothing is met. Each line is answered, those behind it by the lock.
     let heard = session.say("G0Z5\nG38.2Z20F1000\nG0X50\nG4P0\n\n$G\n") + &session.settle();
     let answers: Vec<&str> =

@@ -52,7 +52,7 @@ impl Interpreter {
         self.location.machine = reached;
         self.ngc.at = self.ngc.program_of(reached);
         self.emit(Op::Skip { to: reached, feed, hit: at.is_some(), away, input: None });
-        self.ngc_note_probe(self.ngc.at, at.is_some())?;
+        self.ngc_note_probe(reached, at.is_some())?;
         self.emit_barrier()?;
         // At a desk where no one simulates a probe there is none to miss.
         match needs_contact && at.is_none() && (self.options.skip.is_some() || self.probe.is_some()) {
@@ -65,14 +65,15 @@ impl Interpreter {
     pub(crate) fn ngc_came_to_rest(&mut self, skip: Option<Position>) {
         self.ngc.at = self.ngc.program_of(self.location.machine);
         if let Some(at) = skip {
-            let at = self.ngc.program_of(at);
             // The parameters exist.
             let _ = self.ngc_note_probe(at, true);
         }
     }
 
-    /// The probed point in the units and the coordinate system of the program.
-    fn ngc_note_probe(&mut self, point: Position, found: bool) -> Fallible<()> {
+    /// Where a probe ended: in the machine, and for the program in its units and its coordinate system.
+    fn ngc_note_probe(&mut self, machine: Position, found: bool) -> Fallible<()> {
+        self.ngc.probed = Some((machine, found));
+        let point = self.ngc.program_of(machine);
         let unit = self.ngc_unit();
         for (number, axis) in (PROBED..).zip(Axis::ALL) {
             let at = point[axis];

@@ -54,6 +54,8 @@ pub(crate) struct State {
     pub returned: Option<f64>,
     /// Saved states, one a level of calls at most.
     pub saved: Vec<Saved>,
+    /// Machine position where the last probe ended, and whether it found something.
+    pub probed: Option<(Position, bool)>,
     /// Mist coolant is on.
     pub mist: bool,
     /// How far a path may leave the programmed one (G64 P), mm.
@@ -128,6 +130,7 @@ impl State {
             o_words: OWords::default(),
             returned: None,
             saved: Vec::new(),
+            probed: None,
             mist: false,
             tolerance: None,
             overrides: Overrides::START,
