@@ -84,6 +84,14 @@ impl Session {
         panic!("never idle: {:?} {}", self.mill.status(), self.heard);
     }
 
+    /// The sender goes away and another comes.
+    fn reconnect(&mut self) {
+        let Session { grbl, mill, .. } = self;
+        grbl.disconnect(mill);
+        self.wait(5);
+        self.grbl.connect(&mut self.mill);
+    }
+
     fn at(&self) -> Position {
         self.mill.now().position
     }
@@ -775,6 +783,18 @@ fn a_sender_that_goes_away_leaves_nothing_running() {
     assert_eq!(session.state(), "Hold:0");
 }
 
+/// The end of a program that is refused ends nothing, whoever is there to hear of it.
+#[test]
+fn the_next_sender_is_answered_though_the_last_ones_end_of_program_was_refused() {
+    let mut session = Session::unlocked();
+    session.say("G4P0.5\nG1X10M30\n");
+    session.reconnect();
+    session.byte(b'~');
+    session.settle();
+    assert_eq!(session.say("G0X1\n"), "ok\r\n");
+    assert!(session.say("$G\n").ends_with("ok\r\n"));
+}
+
 #[test]
 fn five_thousand_lines_stream_through_128_bytes() {
     let mut session = Session::unlocked();
@@ -802,10 +822,19 @@ proptest! {
     ) {
         let mut session = Session::unlocked();
         for part in parts {
-            session.send(&part);
+            match part {
+                Some(bytes) => session.send(&bytes),
+                None => session.reconnect(),
+            }
             prop_assert!(session.grbl.kept() < 1 << 17);
             session.wait(pause * pause * 10);
             session.heard.clear();
+        }
+        // One that has nothing left to do answers.
+        session.byte(b'~');
+        session.wait(200);
+        if session.mill.status().doing == Doing::Idle {
+            prop_assert_ne!(session.say("\n"), "");
         }
         // Whatever state it is in, a reset and unlocking make it one that works.
         session.wait(50);
@@ -822,8 +851,8 @@ proptest! {
     }
 }
 
-/// What a sender, or anyone else, may send.
-fn part() -> impl Strategy<Value = Vec<u8>> {
+/// What a sender, or anyone else, may send; nothing where he goes away and another comes.
+fn part() -> impl Strategy<Value = Option<Vec<u8>>> {
     let line = prop::sample::select(vec![
         "G0X10\n",
         "G1Y5F500\n",
@@ -837,6 +866,7 @@ fn part() -> impl Strategy<Value = Vec<u8>> {
         "M2\n",
         "M30\n",
         "G4P0.01\n",
+        "G4P0.1\nG2X5Y5R1M30\n",
         "G92X1\n",
         "G10L2P1X1\n",
         "G38.2Z-1F100\n",
@@ -871,9 +901,10 @@ fn part() -> impl Strategy<Value = Vec<u8>> {
         0xA0, 0xA1, 0xC2, 0xFF,
     ]);
     prop_oneof![
-        6 => line.prop_map(|line| line.as_bytes().to_vec()),
-        3 => realtime.prop_map(|byte| vec![byte]),
-        1 => prop::collection::vec(any::<u8>(), 0..40),
-        1 => (any::<u8>(), 0usize..40_000).prop_map(|(byte, count)| vec![byte; count]),
+        6 => line.prop_map(|line| Some(line.as_bytes().to_vec())),
+        3 => realtime.prop_map(|byte| Some(vec![byte])),
+        1 => prop::collection::vec(any::<u8>(), 0..40).prop_map(Some),
+        1 => (any::<u8>(), 0usize..40_000).prop_map(|(byte, count)| Some(vec![byte; count])),
+        1 => Just(None),
     ]
 }

@@ -165,8 +165,7 @@ impl Grbl {
 
     /// A sender connects: it is told who is there. The machine stays as it is.
     pub fn connect(&mut self, machine: &mut dyn Machine) {
-        self.forget();
-        self.out.clear();
+        self.leave();
         if self.lock == Lock::Alarm(AlarmCode::NotHomed) && machine.status().is_homed {
             self.lock = Lock::Free;
         }
@@ -180,7 +179,21 @@ impl Grbl {
             Doing::Run => machine.hold(),
             _ => {}
         }
+        self.leave();
+    }
+
+    /// Nobody is there any more to be answered. What the machine has it still takes or refuses, and that counts.
+    fn leave(&mut self) {
+        let mut owed = std::mem::take(&mut self.owed);
+        owed.retain_mut(|owed| match owed {
+            Owed::Block { given, .. } => {
+                given.is_own = true;
+                true
+            }
+            Owed::Answer(_) | Owed::Home => false,
+        });
         self.forget();
+        self.owed = owed;
         self.out.clear();
     }
 
