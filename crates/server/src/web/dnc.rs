@@ -13,7 +13,7 @@ use axum::extract::{Path, Request, State};
 use axum::routing::{get, put};
 use axum::{Json, Router};
 use ferrocut_controller::api::{Command, DncStatus, Refusal};
-use ferrocut_machine::{Alarm, Fault};
+use ferrocut_machine::{Alarm, AlarmId, Fault};
 use ferrocut_program::{Decoder, OpenError, Span, Text};
 use serde::Serialize;
 use std::path::PathBuf;
@@ -53,6 +53,19 @@ pub(super) struct DncFile {
     sending: bool,
     /// Why it is not.
     refused: Option<Refusal>,
+}
+
+impl DncFile {
+    /// The control was given a part, and has `sent` bytes. It may have been stopped meanwhile.
+    fn note(&mut self, given: Given, sent: u64, is_over: bool) {
+        self.sent = sent;
+        match given {
+            Given::Taken => self.sending &= !is_over,
+            Given::Full => {}
+            Given::Foreign | Given::NoMachine => self.sending = false,
+            Given::Refused(refusal) => (self.sending, self.refused) = (false, Some(refusal)),
+        }
+    }
 }
 
 /// The file that came last.
@@ -219,7 +232,9 @@ impl Feed {
             }
             match panel.command(Command::Dnc { text, first, last }, &from) {
                 Ok(_) => (Given::Taken, panel.control().dnc_status()),
-                Err(refusal) if refusal.alarm.id == "FC-1418" => (Given::Full, None),
+                Err(refusal) if refusal.alarm.id == AlarmId::Core(Fault::NoRoomYet).to_string() => {
+                    (Given::Full, None)
+                }
                 Err(refusal) => (Given::Refused(refusal), None),
             }
         };
@@ -235,18 +250,24 @@ impl Feed {
         while lock(told).sending && !*shared.stops.borrow() {
             let given = self.give(&shared.hub);
             let is_full = matches!(given, Given::Full);
-            let mut file = lock(told);
-            file.sent = self.given;
-            match given {
-                Given::Taken => file.sending = !self.is_over(),
-                Given::Full => {}
-                Given::Foreign | Given::NoMachine => file.sending = false,
-                Given::Refused(refusal) => (file.sending, file.refused) = (false, Some(refusal)),
-            }
-            drop(file);
+            lock(told).note(given, self.given, self.is_over());
             if is_full {
                 std::thread::sleep(AGAIN);
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_that_was_stopped_stays_stopped() {
+        for (sending, is_over, goes_on) in [(true, false, true), (true, true, false), (false, false, false)] {
+            let mut file = DncFile { name: "A.NC".to_owned(), bytes: 9, sent: 0, sending, refused: None };
+            file.note(Given::Taken, 5, is_over);
+            assert_eq!((file.sent, file.sending), (5, goes_on), "{sending} {is_over}");
         }
     }
 }
