@@ -36,6 +36,11 @@ const MOST_WAITING: usize = 256;
 /// Commands of a connection that take long, and wait for the one that is being done.
 pub const MOST_LONG: usize = 4;
 
+/// Keys that a connection holds at once, and bytes of the name of one: more than a panel has, and few enough to let go
+/// when it ends.
+const MOST_KEYS: usize = 64;
+const LONGEST_KEY: usize = 128;
+
 /// Connections at once.
 pub const MOST_CONNECTIONS: usize = 48;
 
@@ -373,11 +378,21 @@ impl<S: Service> Connection<S> {
         }
     }
 
-    fn note(&mut self, key: &str, down: bool) {
-        self.keys.retain(|own| own != key);
-        if down {
+    /// Presses a key or lets it go. One that is pressed is noted before the machine has it: the dead man must know of it.
+    fn put_key(&mut self, key: &str, down: bool, command: S::Command) -> Answer {
+        let was_down = self.keys.iter().any(|own| own == key);
+        if down && !was_down {
+            if key.len() > LONGEST_KEY || self.keys.len() >= MOST_KEYS {
+                return Err(error("busy", ""));
+            }
             self.keys.push(key.to_owned());
         }
+        let answer = self.joined.ask(command);
+        let is_refused = answer.as_ref().is_err_and(|error| error.contains_key("refused"));
+        if !down || is_refused && !was_down {
+            self.keys.retain(|own| own != key);
+        }
+        answer
     }
 
     /// What it moves by hand comes to rest, since it commands no longer.
@@ -477,10 +492,10 @@ impl<S: Service> Connection<S> {
         if S::takes_long(&command) {
             return self.put_beside(id.clone(), command).err().map(Err);
         }
-        if let Some((key, down)) = S::key(&command) {
-            self.note(key, down);
-        }
-        Some(self.joined.ask(command))
+        Some(match S::key(&command).map(|(key, down)| (key.to_owned(), down)) {
+            Some((key, down)) => self.put_key(&key, down, command),
+            None => self.joined.ask(command),
+        })
     }
 
     /// Has a command done that takes long, on the thread for these: `busy` where too many wait.

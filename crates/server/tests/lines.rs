@@ -61,6 +61,10 @@ impl Service for Toy {
     }
     fn command(&mut self, command: Command, _: &Caller) -> Result<Value, &'static str> {
         match command {
+            Command::Key { key, down } if key.starts_with("NO") => {
+                self.events.push(json!({ "event": "no key", "down": down }));
+                return Err("no key");
+            }
             Command::Key { down, .. } => {
                 self.is_pressed = down;
                 self.events.push(json!({ "event": "key", "down": down }));
@@ -300,6 +304,34 @@ fn a_key_is_let_go_when_nobody_is_heard_of() {
     while other.moves() {
         assert!(Instant::now() < until, "still pressed by nobody");
         std::thread::sleep(Duration::from_millis(10));
+    }
+}
+
+#[test]
+fn only_keys_that_were_pressed_are_let_go_and_they_are_few() {
+    let place = place();
+    let (mut operator, mut other) = (Client::new(&place), Client::new(&place));
+    other.ask(r#"{"do":"watch","events":true}"#);
+    operator.ask(r#"{"do":"take_command"}"#);
+    let mut press = |key: &str| operator.ask(&json!({ "do": "key", "key": key, "down": true }).to_string());
+    for number in 0..100 {
+        assert_eq!(press(&format!("NO{number}"))["refused"], json!("no key"));
+    }
+    let longest = "L".repeat(128);
+    let keys =
+        ["X+".to_owned(), longest.clone()].into_iter().chain((2..64).map(|number| format!("K{number}")));
+    for key in keys {
+        assert_eq!(press(&key)["reply"], json!("done"), "{key}");
+        assert_eq!(press(&key)["reply"], json!("done"), "{key} again");
+        assert_eq!(press(&format!("{longest}L"))["error"], json!("busy"));
+    }
+    assert_eq!(press("K64")["error"], json!("busy"));
+    drop(operator);
+    let mut let_go = 0;
+    while let_go < 64 {
+        let event = other.hear();
+        let_go += u32::from(event == json!({"event":"key","down":false}));
+        assert_ne!(event, json!({"event":"no key","down":false}), "after {let_go}");
     }
 }
 
