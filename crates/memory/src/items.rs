@@ -538,6 +538,14 @@ pub struct Contents {
     pub ladder: Option<String>,
 }
 
+/// Whether a program can be called so, and be asked for by it over HTTP: nothing that a path or the head of an answer is
+/// made of.
+pub fn is_program_name(name: &str) -> bool {
+    let is_part = |c: char| !c.is_control() && !matches!(c, '/' | '\\' | '"');
+    let is_long = name.len() > limits::NAME;
+    !name.trim().is_empty() && !is_long && !matches!(name, "." | "..") && name.chars().all(is_part)
+}
+
 /// Bounds of the memory. Each is far above what the controls have; none can be passed, so that neither a
 /// program in a loop nor a hostile backup fills the disk.
 pub mod limits {
@@ -563,4 +571,23 @@ pub mod limits {
     pub const AREA: usize = 10_000;
     /// Most values of an alarm's text.
     pub const ARGUMENTS: usize = 16;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_name_of_a_program_leads_out_of_the_memory() {
+        let longest = "x".repeat(limits::NAME);
+        for name in ["O0001", "PLATE-2", "A.NC", "PART 1", "零件", "...", &longest] {
+            assert!(is_program_name(name), "{name:?}");
+        }
+        let too_long = format!("{longest}x");
+        let wrong =
+            ["", " ", ".", "..", "../O1", "a/b", "a\\b", "/etc/passwd", "a\"b", "a\nb", "a\0b", &too_long];
+        for name in wrong {
+            assert!(!is_program_name(name), "{name:?}");
+        }
+    }
 }

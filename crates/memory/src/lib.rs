@@ -31,7 +31,7 @@ pub use damage::{Damage, GoodState, Source};
 pub use error::{Error, Finding};
 pub use items::{
     AlarmEntry, Change, Contents, Counter, InterruptedRun, Item, LastPosition, LogEntry, PlcArea, Program,
-    ProgramEntry, SessionNote, SignalSize, Time,
+    ProgramEntry, SessionNote, SignalSize, Time, is_program_name,
 };
 pub use password::Seat;
 pub use rights::Level;

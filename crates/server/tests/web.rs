@@ -329,6 +329,30 @@ fn programs_go_in_and_out() {
     assert_eq!(u32_at(&place.get("/api/path?program=O0007").body, 4), 2);
     assert_eq!(place.get("/api/path?program=O0008").status, 404);
     assert_eq!(place.get("/api/programs/O0008").status, 404);
+    // What can be stored can be fetched, whichever way it came.
+    let longest = "x".repeat(128);
+    for (name, sent) in [
+        ("A.NC", "A.NC"),
+        ("PART 1", "PART%201"),
+        ("50%", "50%25"),
+        ("零件", "%E9%9B%B6%E4%BB%B6"),
+        (&longest, &longest),
+    ] {
+        let text = format!("({name})\nM30\n");
+        let stored = socket.ask(json!({ "do": "store", "program": name, "text": text }));
+        assert_eq!(stored["reply"], json!("done"), "{name} {stored}");
+        let path = format!("/api/programs/{sent}");
+        let out = place.get(&path);
+        assert_eq!((out.status, out.text().as_str()), (200, text.as_str()), "{name}");
+        assert_eq!(place.http("PUT", &path, &[("cookie", &cookie)], b"M30\n").status, 200, "{name}");
+    }
+    let too_long = "x".repeat(129);
+    for name in [".", "..", "a/b", "a\\b", "a\"b", "a\nb", " ", &too_long] {
+        let stored = socket.ask(json!({ "do": "store", "program": name, "text": "M30" }));
+        assert_eq!(stored["refused"]["alarm"]["id"], json!("FC-1409"), "{name:?}");
+        let renamed = socket.ask(json!({ "do": "rename", "program": "O0007", "to": name }));
+        assert_eq!(renamed["refused"]["alarm"]["id"], json!("FC-1409"), "{name:?}");
+    }
 }
 
 /// GSK990MC part 2, 11.3: the file is the server's, whoever is connected.

@@ -16,7 +16,7 @@ use ferrocut_machine::setup::VariableName;
 use ferrocut_machine::{Alarm, Fault, ParameterKey, ToolOffset, WorkOffset};
 use ferrocut_memory::items::limits;
 use ferrocut_memory::password::Seat;
-use ferrocut_memory::{Author, Backup, Change, Counter, Item, Level, Session};
+use ferrocut_memory::{Author, Backup, Change, Counter, Item, Level, Session, is_program_name};
 use ferrocut_plc::{Address, Area};
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -389,7 +389,7 @@ impl Control {
     fn store(&mut self, program: String, text: String, author: &Author) -> Answer {
         self.may_edit_programs(author)?;
         let name = program.trim().to_owned();
-        if name.is_empty() || name.len() > 128 {
+        if !is_program_name(&name) {
             return Err(Box::new(named(Fault::ValueImpossible, name)));
         }
         let name = self.callable.library().name_of(&library::id_of(&name)).unwrap_or(name);
@@ -426,7 +426,7 @@ impl Control {
             .library()
             .name_of(&library::id_of(&to))
             .is_some_and(|other| other != name || other == to);
-        if to.is_empty() || to.len() > 128 || taken {
+        if !is_program_name(&to) || taken {
             return Err(Box::new(named(Fault::ValueImpossible, to)));
         }
         if self.is_in_use(&name) {

@@ -17,24 +17,16 @@ use axum::routing::get;
 use axum::{Json, Router};
 use ferrocut_controller::api::Command;
 use ferrocut_controller::control::id_of;
+use ferrocut_memory::is_program_name;
 use serde_json::{Value, json};
 use std::sync::Arc;
-
-/// Longest name that is looked at.
-const LONGEST_NAME: usize = 64;
 
 pub(super) fn routes() -> Router<Arc<Shared>> {
     Router::new().route("/api/programs/{name}", get(download).put(upload))
 }
 
-/// Whether a text can be a program's name: nothing that a path, a head of an answer or another program's name is made of.
-fn is_name(name: &str) -> bool {
-    let is_plain = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-');
-    !name.is_empty() && name.len() <= LONGEST_NAME && name.chars().all(is_plain)
-}
-
 async fn download(State(shared): State<Arc<Shared>>, Path(name): Path<String>) -> Result<Response, Problem> {
-    if !is_name(&name) {
+    if !is_program_name(&name) {
         return Err(Problem::Missing);
     }
     let library = shared.library.clone();
@@ -57,7 +49,7 @@ async fn upload(
     Path(program): Path<String>,
     request: Request,
 ) -> Result<Json<Value>, Problem> {
-    if !is_name(&program) {
+    if !is_program_name(&program) {
         return Err(Problem::Missing);
     }
     let entry = request.extensions().get::<Arc<Entry>>().cloned().ok_or(Problem::Command)?;
@@ -81,17 +73,4 @@ async fn upload(
     let done = tokio::task::spawn_blocking(ask).await.map_err(|_| Problem::Busy)?;
     let reply = done.ok_or(Problem::Command)?.map_err(Problem::NoMachine)??;
     Ok(Json(json!(reply)))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::is_name;
-
-    #[test]
-    fn no_name_leads_out_of_the_memory() {
-        for name in ["..", "../O1", "a/b", "a\\b", "/etc/passwd", "O1.nc", "a\"b", "a\nb", "", " ", "a\0b"] {
-            assert!(!is_name(name), "{name:?}");
-        }
-        assert!(is_name("O0001") && is_name("PLATE-2") && is_name("零件"));
-    }
 }
