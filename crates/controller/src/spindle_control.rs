@@ -78,11 +78,6 @@ impl SpindleControl {
         self.angle = degrees;
     }
 
-    /// The speed of the program with the axes at `at`, r/min, in the gear engaged and without the override.
-    pub fn programmed_rpm(&self, at: &Position) -> f64 {
-        self.speed.rpm(at).min(self.max_rpm)
-    }
-
     /// Which way the ladder lets the spindle turn.
     pub fn turns(&self, inputs: &Inputs) -> Option<Turn> {
         match (inputs.spindle_forward, inputs.spindle_reverse) {

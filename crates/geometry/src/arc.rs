@@ -11,7 +11,7 @@
 //! tolerates (GSK990MC P214); the linear blend makes both ends exact, as controls of this class do.
 
 use crate::plane::Plane;
-use crate::position::{Axis, Position};
+use crate::position::Position;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Sense of rotation, seen from the positive end of the plane's normal.
@@ -172,12 +172,5 @@ impl Arc {
             quadrant += 1.0;
         }
         (min, max)
-    }
-
-    /// Whether an axis outside the plane moves.
-    pub fn is_helix(&self) -> bool {
-        Axis::ALL
-            .into_iter()
-            .any(|a| a != self.plane.first() && a != self.plane.second() && self.start[a] != self.end[a])
     }
 }

@@ -1,11 +1,9 @@
 //! Planner and interpolator together: moves in, a setpoint every servo period out.
 
-use crate::assemble::CELLS_A_MOVE;
 use crate::handover::pair;
 use crate::interpolator::Interpolator;
 use crate::moves::Move;
 use crate::planner::Planner;
-use crate::timing::queue::CELLS;
 use ferrocut_geometry::Position;
 use ferrocut_machine::Machine;
 use std::fmt;
@@ -201,7 +199,4 @@ impl Motion {
             state: self.planner.state(),
         }
     }
-
-    /// How many lines fit into an empty planner.
-    pub const CAPACITY: usize = CELLS / CELLS_A_MOVE;
 }

@@ -238,11 +238,6 @@ impl ProgramMemory {
         &self.names
     }
 
-    /// The same, to find the number of a name that no program read so far has.
-    pub fn names_mut(&mut self) -> &mut Names {
-        &mut self.names
-    }
-
     /// The file with this name among those added, else in the main file's folder, opened if it was not yet.
     pub fn file_named(&mut self, name: &str) -> Option<FileId> {
         let is_named = |path: &Path| path.file_name().is_some_and(|own| own == name);

@@ -179,10 +179,6 @@ pub struct Runner<M: Owned> {
     thread: Option<JoinHandle<()>>,
 }
 
-/// The machine is not there any more.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Gone;
-
 impl<M: Owned> Runner<M> {
     /// Starts the thread. With a priority (1 to 99) it runs before all others of the computer (SCHED_FIFO), where the
     /// system lets it; `chrt` of util-linux asks for it.

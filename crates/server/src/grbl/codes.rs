@@ -15,8 +15,6 @@ impl Error {
     pub const NO_COMMAND: Error = Error(3);
     /// A negative value where none may be.
     pub const NEGATIVE: Error = Error(4);
-    /// Homing is switched off.
-    pub const HOMING_OFF: Error = Error(5);
     /// Only while the machine is idle.
     pub const NOT_IDLE: Error = Error(8);
     /// Programs are locked in alarm and while jogging.
