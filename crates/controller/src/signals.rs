@@ -504,12 +504,16 @@ fn minus(axes: &mut [Ways; SIGNAL_AXES], n: usize, on: bool) {
     }
 }
 
+/// The button of the emergency stop, closed while it is out: byte and bit of X.
+pub(crate) const ESP_BUTTON: (&str, (u16, u8)) = ("*ESP_BUTTON", (8, 4));
+
 /// Every signal that passes between ladder and NC.
 #[rustfmt::skip]
 pub const ROWS: &[Row] = &[
     // Inputs at addresses that the NC reads itself.
     bit(&["SKIP"], Area::X, 4, 7, Link::Reads(|r, _, v| r.inputs.skip = v != 0)),
-    bit(&["*ESP_BUTTON"], Area::X, 8, 4, Link::Reads(|r, _, v| r.inputs.emergency_stop |= v == 0)),
+    bit(&[ESP_BUTTON.0], Area::X, ESP_BUTTON.1.0, ESP_BUTTON.1.1,
+        Link::Reads(|r, _, v| r.inputs.emergency_stop |= v == 0)),
     bit(&["*DEC_X", "*DEC_Y", "*DEC_Z", "*DEC_A", "*DEC_5", "*DEC_6", "*DEC_7", "*DEC_8"], Area::X, 9, 0,
         Link::Reads(|r, n, v| set(&mut r.inputs.on_home_switch, n, v == 0))),
     // The ladder to the NC.

@@ -10,7 +10,7 @@ use ferrocut_program::Span;
 use ferrocut_toolpath::{Op, Speed, Step};
 
 /// Coordinates this little beyond a limit are on it: what sums of decimals leave, mm or degrees.
-const ON_LIMIT: f64 = 1e-6;
+pub(crate) const ON_LIMIT: f64 = 1e-6;
 
 /// Follows the steps of a program and tells what the machine has against them.
 #[derive(Clone, Debug)]
@@ -225,8 +225,8 @@ impl Supervisor {
             .filter_map(|limits| {
                 let (low, high) =
                     (min[limits.axis] + shift[limits.axis], max[limits.axis] + shift[limits.axis]);
-                let upper = high > limits.max + ON_LIMIT;
-                let passes = upper || low < limits.min - ON_LIMIT;
+                let upper = limits.side(high) == Some(true);
+                let passes = upper || limits.side(low) == Some(false);
                 passes.then(|| {
                     Box::new(limits.alarm(self.dialect, upper, if upper { high } else { low }, span))
                 })

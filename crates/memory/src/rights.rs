@@ -66,7 +66,7 @@ const PROTECTING: [ParameterKey; 2] =
 
 /// The program switch, which guards what the shop has made (54#6 PRGS; operation 3.4.1, 10.2.5): its level is that of
 /// locking a program.
-const PROGRAM_SWITCH: ParameterKey = ParameterKey::Bit { number: 54, bit: 6 };
+pub const PROGRAM_SWITCH: ParameterKey = ParameterKey::Bit { number: 54, bit: 6 };
 
 /// The lowest level that may change a parameter.
 pub fn needed_for_parameter(table: &ParameterTable, key: &ParameterKey) -> Level {

@@ -6,14 +6,12 @@
 
 use super::{Cnc, State};
 use crate::manual::JogWay;
+use crate::supervision::ON_LIMIT;
 use ferrocut_geometry::{AXES, Axis, AxisSet, Position};
 use ferrocut_machine::{Alarm, Fault};
 
 /// Way in a period that is no motion, mm.
 const STANDS: f64 = 1e-9;
-
-/// An axis this near to a limit stands on it, mm.
-const ON_LIMIT: f64 = 1e-6;
 
 /// An axis that was to go on over a limit.
 #[derive(Clone, Copy, PartialEq, Debug)]

@@ -810,7 +810,7 @@ fn folder_of(store: &ferrocut_memory::Store) -> Result<&Path, Box<Alarm>> {
 /// The name is that of no backup.
 pub fn backup_in(folder: &Path, name: &str) -> Result<PathBuf, Box<Alarm>> {
     let is_plain = |c: char| c.is_alphanumeric() || matches!(c, '-' | '_' | '.' | ' ');
-    let is_bare = name.len() <= 128 && name.chars().all(is_plain) && !name.starts_with(['.', ' ']);
+    let is_bare = name.len() <= limits::NAME && name.chars().all(is_plain) && !name.starts_with(['.', ' ']);
     match is_bare && name.ends_with(".backup") {
         true => Ok(folder.join(name)),
         false => Err(Box::new(named(Fault::ValueImpossible, name))),

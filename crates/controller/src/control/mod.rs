@@ -38,7 +38,7 @@ use crate::api::{Activity, AlarmInfo, Event};
 use crate::cnc::{self, Cnc, DryRun, State, Tick};
 use crate::drives::{Drives, Switches};
 use crate::restart::told::function;
-use crate::signals::{Inputs, Mode, Outputs, SIGNAL_AXES};
+use crate::signals::{ESP_BUTTON, Inputs, Mode, Outputs, SIGNAL_AXES};
 use callable::Callable;
 pub use callable::PublicPrograms;
 pub use commands::{BACKUPS, backup_in};
@@ -170,8 +170,8 @@ pub struct Control {
     events: VecDeque<Event>,
 }
 
-/// `*ESP_BUTTON`, closed while the button of the machine is out.
-const EMERGENCY_BUTTON: Address = Address { area: Area::X, byte: 8, bit: Some(4) };
+/// Where [`ESP_BUTTON`] stands.
+const EMERGENCY_BUTTON: Address = Address { area: Area::X, byte: ESP_BUTTON.1.0, bit: Some(ESP_BUTTON.1.1) };
 
 impl Control {
     /// A control at power-on. Its axes stand where the durable memory says, else at zero.

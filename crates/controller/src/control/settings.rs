@@ -8,9 +8,7 @@
 use super::{Control, alarm};
 use ferrocut_machine::{Alarm, Fault, ParameterKey};
 use ferrocut_memory::Author;
-
-/// 54#6 PRGS: programs may be edited.
-const PROGRAM_SWITCH: ParameterKey = ParameterKey::Bit { number: 54, bit: 6 };
+use ferrocut_memory::rights::PROGRAM_SWITCH;
 
 /// 0#2 INI: programs are in inches.
 pub(super) const INPUT_UNIT: ParameterKey = ParameterKey::Bit { number: 0, bit: 2 };

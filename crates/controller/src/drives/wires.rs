@@ -10,8 +10,6 @@ use std::collections::BTreeMap;
 pub(super) type Wire = (u16, u8);
 
 const SKIP: (&str, Wire) = ("SKIP", (4, 7));
-/// The button of the emergency stop.
-pub(super) const ESP_BUTTON: (&str, Wire) = ("*ESP_BUTTON", (8, 4));
 const HOME: [(&str, Wire); 8] = [
     ("*DEC_X", (9, 0)),
     ("*DEC_Y", (9, 1)),

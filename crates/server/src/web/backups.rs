@@ -4,7 +4,7 @@ use super::Shared;
 use super::body::read_into_file;
 use super::listen::Peer;
 use super::problem::Problem;
-use super::session::{Entry, seat_of};
+use super::session::{Entry, panel_at, seat_of};
 use super::work::work;
 use crate::service::Caller;
 use axum::body::{Body, Bytes};
@@ -159,8 +159,7 @@ async fn upload(
     let _turn = TURN.try_acquire().map_err(|_| Problem::Busy)?;
     let part = folder.join(COMING);
     let come = read_into_file(request, LONGEST, &part).await;
-    let author =
-        Caller { name: format!("panel from {}", peer.0.ip()), seat: seat_of(peer), session }.author();
+    let author = Caller { name: panel_at(peer), seat: seat_of(peer), session }.author();
     let done = match come {
         Ok(()) => {
             let (hub, part, name) = (shared.hub.clone(), part.clone(), name.clone());

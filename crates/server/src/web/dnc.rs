@@ -5,7 +5,7 @@ use super::Shared;
 use super::body::read_into_file;
 use super::listen::Peer;
 use super::problem::Problem;
-use super::session::{Entry, seat_of};
+use super::session::{Entry, panel_at, seat_of};
 use crate::hub::{Hub, lock};
 use crate::panel::Panel;
 use crate::service::{Caller, Service};
@@ -110,7 +110,7 @@ async fn begin(
     let _ = std::fs::remove_file(&part);
     let text = opened?;
     let session = entry.rights().ok_or(Problem::LogIn)?;
-    let from = Caller { name: format!("panel from {}", peer.0.ip()), seat: seat_of(peer), session };
+    let from = Caller { name: panel_at(peer), seat: seat_of(peer), session };
     let begin = move || {
         // Command may have been given away while it came.
         if !shared.hub.commands(entry.number) {

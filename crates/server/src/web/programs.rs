@@ -5,7 +5,7 @@ use super::body::read;
 use super::check::LONGEST_PROGRAM;
 use super::listen::Peer;
 use super::problem::Problem;
-use super::session::{Entry, seat_of};
+use super::session::{Entry, panel_at, seat_of};
 use super::work::work;
 use crate::service::Caller;
 use axum::body::Bytes;
@@ -59,8 +59,7 @@ async fn upload(
     }
     let bytes = read(request, LONGEST_PROGRAM).await?;
     let session = entry.rights().ok_or(Problem::LogIn)?;
-    let name = format!("panel from {}", peer.0.ip());
-    let from = Caller { name, seat: seat_of(peer), session };
+    let from = Caller { name: panel_at(peer), seat: seat_of(peer), session };
     let text = ferrocut_program::Text::from_bytes(bytes.to_vec());
     let encoding =
         text.map(|text| text.encoding()).map_err(|_| Problem::Unreadable("not_text".to_owned()))?;

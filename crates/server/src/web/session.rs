@@ -280,7 +280,7 @@ async fn log_out(State(shared): State<Arc<Shared>>, request: Request) -> Respons
 }
 
 /// How the log names whoever is at a panel.
-fn panel_at(peer: Peer) -> String {
+pub(super) fn panel_at(peer: Peer) -> String {
     format!("panel from {}", peer.0.ip())
 }
 

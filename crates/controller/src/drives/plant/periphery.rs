@@ -1,7 +1,8 @@
 //! What stands about the axes of the simulated machine: tool clamp, clamp of the fourth axis, magazine without an
 //! arm, lubrication, door, levels and pressures. Inputs X answer outputs Y after the time that the thing takes.
 
-use crate::drives::wires::{ESP_BUTTON, Wire, wire};
+use crate::drives::wires::{Wire, wire};
+use crate::signals::ESP_BUTTON;
 use ferrocut_machine::PlantConfig;
 
 /// Something that goes from one end to the other in some time, while it is driven, and back while it is not.

@@ -14,8 +14,9 @@ mod link;
 
 pub use link::{Link, Port};
 
-use super::wires::{AxisWires, ESP_BUTTON};
+use super::wires::AxisWires;
 use super::{Contact, Drives, Switches};
+use crate::signals::ESP_BUTTON;
 use fault::PulseFault;
 use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_machine::{Alarm, AxisConfig, LinkAt, Machine, PulseAxis, PulseConfig};
