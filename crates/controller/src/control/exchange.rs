@@ -102,9 +102,12 @@ fn exchangeable(text: &str) -> Result<Program, Box<Alarm>> {
     Ok(program)
 }
 
-/// A fault of a ladder as the control's alarm.
 fn alarm_of(error: &Error) -> Alarm {
-    let span = Span { line: error.span.line, ..Span::default() };
+    ladder_alarm(error, Span { line: error.span.line, ..Span::default() })
+}
+
+/// A fault of a ladder as the control's alarm, which points at `span`.
+pub fn ladder_alarm(error: &Error, span: Span) -> Alarm {
     let alarm = Alarm::new(AlarmId::Dialect(CONTROL, error.fault.number()), Fault::Ladder, span);
     match &error.about {
         Some(about) => alarm.with("word", &**about),

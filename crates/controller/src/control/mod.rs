@@ -43,7 +43,7 @@ use callable::Callable;
 pub use callable::PublicPrograms;
 pub use commands::{BACKUPS, backup_in};
 pub use desk::Desk;
-pub use exchange::{check_ladder, ladder_of};
+pub use exchange::{check_ladder, ladder_alarm, ladder_of};
 use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_interpreter::{Interpreter, MachineCodes, Options, dialects};
 use ferrocut_machine::{Alarm, Fault, Machine, Memory, ParameterKey, Parameters};

@@ -8,8 +8,9 @@ use crate::cli::{Common, Show};
 use crate::diagnostics::Diagnostics;
 use crate::job::{Exit, Failure};
 use clap::{Args, Subcommand};
-use ferrocut_machine::{Alarm, AlarmId, Fault};
-use ferrocut_plc::{Error, Limits, Program, list, plcopen};
+use ferrocut_controller::control::ladder_alarm;
+use ferrocut_machine::Alarm;
+use ferrocut_plc::{Error, Fault, Limits, Program, list, plcopen};
 use ferrocut_program::{FileId, ProgramMemory, Span, Syntax, Text};
 use std::fs::File;
 use std::io::{self, Read};
@@ -20,9 +21,6 @@ const MOST_BYTES: u64 = 16 << 20;
 
 /// Faults of one ladder beyond which only their number is told.
 const MOST_FAULTS: usize = 200;
-
-/// The control whose list of alarms has those of ladders (GSK990MC appendix 2, 1001 to 1042).
-const CONTROL: &str = "gsk990mc";
 
 /// `ferrocut plc`
 #[derive(Args)]
@@ -158,8 +156,8 @@ impl Source {
             false => File::open(path).and_then(|file| file.take(MOST_BYTES + 1).read_to_end(&mut bytes)),
         };
         let missing = |reason: String| {
-            let alarm = numbered(ferrocut_plc::Fault::FileMissing.number(), Span::default());
-            Failure::new(Box::new(alarm.with("word", format!("{name}: {reason}"))), Exit::WrongUse)
+            let error = Error::about(Fault::FileMissing, Default::default(), format!("{name}: {reason}"));
+            Failure::new(Box::new(ladder_alarm(&error, Span::default())), Exit::WrongUse)
         };
         read.map_err(|error| missing(error.to_string()))?;
         if bytes.len() as u64 > MOST_BYTES {
@@ -202,7 +200,7 @@ impl Source {
     }
 }
 
-/// A fault of a ladder as the control's alarm.
+/// A fault of a ladder as the control's alarm, which points at its place in the file.
 fn alarm(error: &Error) -> Alarm {
     let span = Span {
         offset: error.span.offset as u64,
@@ -210,13 +208,5 @@ fn alarm(error: &Error) -> Alarm {
         line: error.span.line,
         file: FileId(0),
     };
-    let alarm = numbered(error.fault.number(), span);
-    match &error.about {
-        Some(about) => alarm.with("word", &**about),
-        None => alarm,
-    }
-}
-
-fn numbered(number: u16, span: Span) -> Alarm {
-    Alarm::new(AlarmId::Dialect(CONTROL, number), Fault::Ladder, span)
+    ladder_alarm(error, span)
 }

@@ -1,10 +1,11 @@
 //! `ferrocut plc run`: a ladder at a desk.
 
-use super::{RunArgs, Source, numbered};
+use super::{RunArgs, Source};
 use crate::diagnostics::Diagnostics;
 use crate::job::{Exit, Failure};
+use ferrocut_controller::control::ladder_alarm;
 use ferrocut_plc::instruction::Code;
-use ferrocut_plc::{Address, Area, Fault, Maintenance, Pace, Plc, Program};
+use ferrocut_plc::{Address, Area, Error, Fault, Maintenance, Pace, Plc, Program};
 use ferrocut_program::Span;
 use serde::Serialize;
 use std::io::{self, Write};
@@ -77,7 +78,7 @@ pub fn run(args: &RunArgs, diagnostics: Diagnostics) -> Result<Exit, Failure> {
     // A reader that went away ends the run.
     match simulate(args, &diagnostics, &mut plc, &changes, &mut watched, &mut out) {
         Ok(true) => {
-            let alarm = numbered(Fault::TimeOut.number(), Span::default());
+            let alarm = ladder_alarm(&Error::new(Fault::TimeOut, Default::default()), Span::default());
             diagnostics.report(&alarm, &source.name, None);
             Ok(Exit::Finding)
         }
