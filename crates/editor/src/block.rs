@@ -15,7 +15,7 @@ pub const MOST_ELEMENTS: usize = 20_000;
 /// Longest name of a profile or pocket.
 const LONGEST_NAME: usize = 32;
 
-/// A number without idle zeros, to a tenth of a micrometre's tenth: finer than any control.
+/// A number without idle zeros, to five decimals (10 nm): finer than any control.
 pub fn short(value: f64) -> String {
     let text = format!("{value:.5}");
     match text.trim_end_matches('0').trim_end_matches('.') {

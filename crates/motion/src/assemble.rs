@@ -105,8 +105,9 @@ pub(crate) struct Assembler {
     /// The newest move, and where the parts of its line end.
     newest: Option<Newest>,
     ends: Vec<PartEnd>,
-    /// Ends of parts of a line: from its start, for the line with this mark; and on the path, on their way into the queue.
+    /// The mark of a line that is not begun yet, and where its parts end, from its start.
     of_line: (u64, Vec<Mark>),
+    /// Where parts of lines that are begun end, along the path, on their way into the queue.
     inner: VecDeque<Mark>,
     /// Parts of the move before it that are still to be taken, the last one first.
     parts: Vec<Member>,

@@ -51,7 +51,6 @@ pub(super) struct AxisWires {
     home: [Wire; HOME.len()],
     limits: [Wire; LIMITS.len()],
     skip: Wire,
-    /// The probe carries current while it touches nothing.
     /// The probe is on while it touches nothing.
     pub probe_opens: bool,
 }

@@ -43,8 +43,10 @@ const MOST_CLOSER: f64 = 30.0;
 /// It is close enough where it is beyond the limit by no more than this, as a share of its square.
 const CLOSE_ENOUGH: f64 = 1.02;
 
-/// Shares by which rows of the equations, and of the tolerance by which control points are the same in a round.
+/// A row of the equations that differs by no more than this share of itself is that of the round before.
 const SAME: f64 = 1e-7;
+
+/// A control point that moves by no more than this share of the tolerance has not moved in a round.
 const NOT_MOVED: f64 = 1e-5;
 
 /// `ℓ` is so many times what would spend both alike: the least of the squares still has more jerk in a turn than beside it.

@@ -35,8 +35,9 @@
 //! meet; if not, once more with less where it did not. The plan before stands otherwise. So an iteration that goes astray costs time alone.
 //!
 //! **Windows** begin inside the one before. Its solution has used what there is, so in other steps, or with bounds that are a
-//! thousandth tighter, there may be no way on from a state of it. Its steps are taken over, and its bounds as they were
-//! tightened, and where it is on one that is loosened by as little: it is inside all of them then.
+//! thousandth tighter, there may be no way on from a state of it. A window keeps the steps and the tightened bounds of the
+//! one before; a bound that its first state lies on is loosened by `INSIDE`, so that this state is strictly inside all of
+//! them.
 
 mod bounds;
 mod road;
