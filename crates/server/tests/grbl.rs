@@ -812,6 +812,15 @@ fn five_thousand_lines_stream_through_128_bytes() {
     assert_eq!(session.mill.cnc().report().parts, 1);
 }
 
+#[test]
+fn a_flood_of_resets_is_answered_within_bounds() {
+    let mut session = Session::unlocked();
+    session.send(&[0x18; 5000]);
+    assert!(session.grbl.kept() < 1 << 17, "{}", session.grbl.kept());
+    session.wait(20);
+    assert!(session.byte(0x18).contains("Grbl 1.1h"));
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(96))]
 

@@ -380,6 +380,8 @@ impl Grbl {
         self.overrides = Overrides::default();
         machine.set_overrides(self.overrides);
         machine.end_check();
+        // A sender that reads nothing of so much hears nothing of one more.
+        let is_heard = self.out.len() < MOST_ANSWERS;
         self.lock = match (self.lock, moves) {
             (Lock::Alarm(_) | Lock::Sleep, None) => match self.lock {
                 Lock::Alarm(AlarmCode::NotHomed) => self.lock,
@@ -388,11 +390,15 @@ impl Grbl {
             },
             (Lock::Check, _) | (_, None) => Lock::Free,
             (_, Some(code)) => {
-                let _ = write!(self.out, "ALARM:{}\r\n", code as u8);
+                if is_heard {
+                    let _ = write!(self.out, "ALARM:{}\r\n", code as u8);
+                }
                 Lock::Alarm(code)
             }
         };
-        self.greet();
+        if is_heard {
+            self.greet();
+        }
     }
 
     /// Locks programs until someone unlocks them.
