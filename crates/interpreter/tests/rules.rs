@@ -799,3 +799,80 @@ fn the_level_of_a_milling_cycle_counts_from_its_block() {
     assert!(found[behind + 1..].contains(&"rapid Z8".to_owned()), "{found:?}");
     assert!(found[behind + 1..].iter().any(|line| line.starts_with("feed Z3 ")), "{found:?}");
 }
+
+#[test]
+fn vectors_that_are_ignored_at_corners() {
+    let setup = |limit: u32| format!("[tools.1]\nradius = 5\n[parameters]\n\"NO40.7\" = 0\nP266 = {limit}");
+    for (limit, program, steps) in [
+        // Appendix 1, P266: outside corners alone. Inside, the crossings are where they are.
+        (
+            5,
+            "G0 X-20 Y20\nG1 G41 D1 X0 Y0 F100\nX40\nY40\nX0\nG40 Y20",
+            &[
+                "rapid X-20 Y20",
+                "feed X0 Y5 F100",
+                "feed X35 F100",
+                "feed Y35 F100",
+                "feed X0 F100",
+                "feed Y20 F100",
+            ][..],
+        ),
+        // 4.7.3, 9: back by 45 degrees, both lines carried on by 5: (45, -5) and (40, 0) + 5 (1, 1) / sqrt 2 + 5 (1, -1)
+        // / sqrt 2 = (47.0711, 0). The later of them is ignored.
+        (
+            6,
+            "G1 G42 D1 X10 F100\nX40\nX20 Y20\nG40 X0",
+            &["feed X10 Y-5 F100", "feed X45 F100", "feed X23.5355 Y23.5355 F100", "feed X0 Y20 F100"][..],
+        ),
+        (
+            4,
+            "G1 G42 D1 X10 F100\nX40\nX20 Y20\nG40 X0",
+            &[
+                "feed X10 Y-5 F100",
+                "feed X45 F100",
+                "feed X47.0711 Y0 F100",
+                "feed X23.5355 Y23.5355 F100",
+                "feed X0 Y20 F100",
+            ][..],
+        ),
+        // A half circle goes on from (45, -5), atan(5 / 25) = 11.3099 degrees before its start.
+        (
+            6,
+            "G1 G42 D1 X10 F100\nX40\nG3 X0 R20\nG1 Y-30\nG40 X30",
+            &[
+                "feed X10 Y-5 F100",
+                "feed X45 F100",
+                "xy X-5 Y0 about 20 0 by 191.3099 F100",
+                "feed Y-30 F100",
+                "feed X30 F100",
+            ][..],
+        ),
+        // Not before more: the circle would be lost (figure 4-7-3-21).
+        (
+            6,
+            "G1 G42 D1 X10 F100\nX40\nG3 I-20\nG1 Y30\nG40 X0",
+            &[
+                "feed X10 Y-5 F100",
+                "feed X45 F100",
+                "feed Y0 F100",
+                "xy about 20 0 by 360 F100",
+                "feed Y30 F100",
+                "feed X0 F100",
+            ][..],
+        ),
+        // The arc of G39 is programmed (4.7.4).
+        (
+            6,
+            "G1 G41 D1 X10 F100\nX40\nG39\nY-30\nG40 Y-50",
+            &[
+                "feed X10 Y5 F100",
+                "feed X40 F100",
+                "xy X45 Y0 about 40 0 by -90 F100",
+                "feed Y-30 F100",
+                "feed X40 Y-50 F100",
+            ][..],
+        ),
+    ] {
+        holds_with(&setup(limit), program, steps);
+    }
+}

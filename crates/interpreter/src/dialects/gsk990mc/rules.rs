@@ -81,7 +81,7 @@ pub fn rules(parameters: &Parameters) -> Rules {
         cutter: cutter::Rules {
             start_up: if parameters.bit(40, 0) { cutter::StartUp::B } else { cutter::StartUp::A },
             interference: parameters.bit(41, 6),
-            corner_limit: p(266).max(cutter::Rules::default().corner_limit),
+            corner_limit: p(266),
             ..cutter::Rules::default()
         },
         // 4.8.2, 2; limit 1: not where cutting is accelerated before interpolation, which look-ahead does too.

@@ -23,7 +23,7 @@
 
 use super::offset::{Element, Track};
 use super::vector::{Point, add, along, angle, cross, distance, dot, finite, left, scale};
-use super::{Fault, Outside, Reversal, Rules, StartUp};
+use super::{Fault, Outside, Reversal, Rules, Shape, StartUp};
 
 /// A path that runs back runs exactly back where the two blocks part by less than this, mm: the rounding of
 /// their coordinates.
@@ -40,6 +40,13 @@ const NEEDLE_COS: f64 = -0.999_847_695_156_391_2;
 /// An inside corner without a crossing is passed over where the tool would cut by no more than this, mm:
 /// joints that are tangent but for the rounding of their coordinates.
 const UNSEEN_CUT_MM: f64 = 5e-4;
+
+/// Tips of one corner closer than this on both axes are one, mm. Half the least increment: a move from one to the other
+/// would vanish in rounding.
+const SAME_TIP_MM: f64 = 5e-4;
+
+/// An arc this little beyond a half circle is one, rad: the rounding of its ends.
+const HALF_CIRCLE_RAD: f64 = 1e-6;
 
 /// A crossing may lie so far on the wrong side of the corner by rounding, mm.
 const WRONG_SIDE_MM: f64 = 1e-6;
@@ -140,8 +147,7 @@ impl Corner {
         can
     }
 
-    /// GSK990MC 4.7.3 point 9: of tips closer than ΔV on both axes the later is ignored. Before an arc the
-    /// earlier goes instead, so that the arc starts on its circle.
+    /// Of tips closer than the limit on both axes the later is left out. To keep the exit the earlier goes instead.
     fn thin(self, limit: f64, keep_exit: bool) -> Corner {
         let near = |a: Point, b: Point| (a[0] - b[0]).abs() <= limit && (a[1] - b[1]).abs() <= limit;
         let mut thin = Corner { first: 0, after_last: 0, ..self };
@@ -156,6 +162,24 @@ impl Corner {
         thin
     }
 
+    /// GSK990MC 4.7.3 point 9: going round an outside corner, of vectors closer than ΔV on both axes the later is ignored,
+    /// but not before more than half a circle, which would be lost. A lesser arc goes from where the tool stands.
+    fn ignore_later(self, b: &Element, rules: &Rules) -> Corner {
+        let beyond_half = match b.shape {
+            Shape::Arc { sweep, .. } => sweep.abs() > std::f64::consts::PI + HALF_CIRCLE_RAD,
+            Shape::Line => false,
+        };
+        if self.round.is_some() || beyond_half {
+            return self;
+        }
+        let mut thin = self.thin(rules.corner_limit, false);
+        if b.is_arc() && thin.exit() != self.exit() {
+            let (_, behind) = b.start_track(b.radius).ahead(thin.exit());
+            thin.trim_after = shortest(behind);
+        }
+        thin
+    }
+
     fn finite(self) -> Result<Corner, Fault> {
         let fine = self.tips().iter().all(|&p| finite(p)) && (self.trim_before + self.trim_after).is_finite();
         if fine { Ok(self) } else { Err(Fault::NoIntersection) }
@@ -163,6 +187,7 @@ impl Corner {
 }
 
 /// Which way the path turns, as seen by the tool.
+#[derive(Clone, Copy, PartialEq, Eq)]
 enum Turn {
     Inside,
     Outside,
@@ -180,11 +205,16 @@ pub(super) fn join(a: &Element, b: &Element, how: How, rules: &Rules) -> Result<
         _ if a.side != b.side => change_side(a, b, r),
         How::Round => round(a, b, r, turn)?,
         How::Mode => match turn {
-            Turn::Inside => inside(a, b, r, rules)?,
+            Turn::Inside => inside(a, b, r)?,
             Turn::Outside => outside(a, b, r, rules),
         },
     };
-    corner.thin(rules.corner_limit, b.is_arc()).finite()
+    let corner = corner.thin(SAME_TIP_MM, b.is_arc());
+    let corner = match turn {
+        Turn::Outside if a.side == b.side => corner.ignore_later(b, rules),
+        _ => corner,
+    };
+    corner.finite()
 }
 
 /// Exactly back, the curvatures decide: `b` bends to the tool's side of `a` (inside) where `d·(κ₁ + κ₂) < 0`.
@@ -279,11 +309,11 @@ fn nearly_tangent(a: &Element, b: &Element, r: f64) -> bool {
 
 /// The crossing of the offset curves that the tool meets first: the one nearest to the corner, back along
 /// `a` and ahead along `b`.
-fn inside(a: &Element, b: &Element, r: f64, rules: &Rules) -> Result<Corner, Fault> {
+fn inside(a: &Element, b: &Element, r: f64) -> Result<Corner, Fault> {
     let (end, start) = (a.end_track(r), b.start_track(r));
     let joint = joint(a, b, r);
     // Tangent but for rounding, or a path that is theory only because the check is off.
-    if joint.thin(rules.corner_limit, false).tips().len() == 1 || !end.exists() || !start.exists() {
+    if joint.thin(SAME_TIP_MM, false).tips().len() == 1 || !end.exists() || !start.exists() {
         return Ok(joint);
     }
     if let Some(corner) = nearest(&end, &start) {

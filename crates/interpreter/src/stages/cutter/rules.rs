@@ -82,8 +82,8 @@ pub struct Rules {
     /// From so many blocks without movement on, the control no longer sees the next move: the block
     /// before ends square. None: it sees past all it allows.
     pub blind_from: Option<usize>,
-    /// ΔV of GSK990MC 4.7.3 point 9: vectors of one corner whose ends differ by no more than this on
-    /// both axes are one, mm. Half the least increment: such a move would vanish in rounding.
+    /// ΔV of GSK990MC 4.7.3 point 9: of vectors at an outside corner whose ends differ by no more than this on
+    /// both axes the later is ignored, mm.
     pub corner_limit: f64,
 }
 
@@ -101,7 +101,7 @@ impl Default for Rules {
             over_turn: OverTurn::Fault,
             idle_blocks: 10,
             blind_from: None,
-            corner_limit: 0.0005,
+            corner_limit: 0.0,
         }
     }
 }
