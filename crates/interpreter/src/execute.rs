@@ -485,6 +485,7 @@ impl Interpreter {
                 }
                 Group::SurfaceSpeed => self.surface_speed(row, span)?,
                 Group::StrokeCheck => {
+                    self.output.check_changes(self.flow.begun(), self.stroke_check_2);
                     self.stroke_check_2 = row.meaning == Meaning::StrokeCheckOn;
                     self.modal.set(row);
                     if self.stroke_check_2 {

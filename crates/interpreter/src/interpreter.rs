@@ -652,7 +652,7 @@ impl Interpreter {
     fn advance(&mut self, blocks: &mut u64) -> Option<Fallible<Step>> {
         loop {
             if let Some(step) = self.output.pop() {
-                if step.block <= self.passed {
+                if self.is_left_out(&step) || step.block <= self.passed {
                     continue;
                 }
                 return Some(Ok(step));

@@ -9,7 +9,7 @@ use crate::interpreter::Interpreter;
 use crate::stages::corner::{Corner, CornerRequest, Refused};
 use crate::stages::cutter::{self, Offset, Out, PlaneMove, Shape, Stage};
 use ferrocut_geometry::{Axis, Plane, Position};
-use ferrocut_machine::Fault;
+use ferrocut_machine::{Alarm, Fault};
 use ferrocut_program::Span;
 use ferrocut_toolpath::{Dwell, FeedAlong, Op, Step};
 use std::collections::VecDeque;
@@ -68,6 +68,12 @@ pub(crate) struct Output {
     moved: bool,
     /// A stage has refused a move: what the block still makes is left out.
     refused: bool,
+    /// Where the steps given out lead.
+    given: Position,
+    /// The block that entered a forbidden area: what it still makes is left out.
+    left_out: Option<u64>,
+    /// The block that turned stored stroke check 2 on or off last, and whether it was on before.
+    check_changed: (u64, bool),
 }
 
 impl Output {
@@ -86,6 +92,9 @@ impl Output {
             path_end: start,
             moved: false,
             refused: false,
+            given: start,
+            left_out: None,
+            check_changed: (0, false),
         }
     }
 
@@ -93,6 +102,11 @@ impl Output {
     #[inline]
     pub(crate) fn pop(&mut self) -> Option<Step> {
         self.queue.steps.pop_front()
+    }
+
+    /// Stored stroke check 2 is turned on or off by this block: moves that are held are of blocks before it.
+    pub(crate) fn check_changes(&mut self, block: u64, was: bool) {
+        self.check_changed = (block, was);
     }
 
     /// Steps that wait to be given out.
@@ -423,6 +437,9 @@ impl Output {
         self.path_end = at;
         if self.is_direct() {
             self.queue.actual = at;
+            if self.is_empty() {
+                self.given = at;
+            }
         }
     }
 }
@@ -546,14 +563,47 @@ impl Interpreter {
         if self.look_back.is_some() {
             self.note_in_force();
         }
-        if let Some(alarm) = self.stroke_alarm(self.output.path_end, &op) {
-            self.output.refused = true;
-            return self.note(alarm);
-        }
         let step = self.step(op);
         if let Err(refused) = self.output.push(step) {
             self.refuse(refused);
         }
+    }
+
+    /// Whether a step that is about to be given out is left out, as its block enters a forbidden area: judged here, behind
+    /// the stages, by the way of the tool itself (GSK990MC part 2, 2.5.2 and 2.6).
+    #[inline]
+    pub(crate) fn is_left_out(&mut self, step: &Step) -> bool {
+        if self.output.left_out == Some(step.block) {
+            return true;
+        }
+        let from = self.output.given;
+        let (changed, was) = self.output.check_changed;
+        let check_2 = if step.block < changed { was } else { self.stroke_check_2 };
+        if (self.rules.stroke.first_is_set || check_2)
+            && let Some(alarm) = self.stroke_alarm_of(from, &step.op, check_2)
+        {
+            self.leave_out(Box::new(Alarm { span: step.span, ..*alarm }), step.block);
+            return true;
+        }
+        match &step.op {
+            Op::Datum { at } => self.output.given = *at,
+            op => {
+                if let Some(to) = op.target() {
+                    self.output.given = *to;
+                }
+            }
+        }
+        false
+    }
+
+    /// The alarm of a step comes behind those before it, and in the place of all that comes after; a checker goes on.
+    fn leave_out(&mut self, alarm: Box<Alarm>, block: u64) {
+        self.output.left_out = Some(block);
+        if !self.options.keep_going {
+            self.output.queue.steps.clear();
+            self.alarms.clear();
+        }
+        self.note(alarm);
     }
 
     /// Raises the alarm of a stage that looks ahead. It may concern an earlier block.

@@ -104,15 +104,17 @@ impl Interpreter {
 
     /// The alarm of a move from `from`, if it enters a forbidden area.
     pub fn stroke_alarm(&self, from: Position, op: &Op) -> Option<Box<Alarm>> {
+        self.stroke_alarm_of(from, op, self.stroke_check_2)
+    }
+
+    /// The same where stored stroke check 2 is on or off.
+    pub(crate) fn stroke_alarm_of(&self, from: Position, op: &Op, check_2: bool) -> Option<Box<Alarm>> {
         let stroke = &self.rules.stroke;
-        if !stroke.first_is_set && !self.stroke_check_2 {
-            return None;
-        }
         let (min, max) = op.extent(from)?;
         if let Some(alarm) = self.first_stroke_alarm(min, max) {
             return Some(alarm);
         }
-        if !self.stroke_check_2 {
+        if !check_2 {
             return None;
         }
         let enters = match stroke.second_forbids_outside {

@@ -463,3 +463,37 @@ fn a_checker_goes_on_to_every_alarm() {
     let expected: Vec<(u32, String)> = expected.into_iter().map(|(line, w)| (line, w.to_owned())).collect();
     assert_eq!((found, ends), (expected, 1));
 }
+
+#[test]
+fn forbidden_areas_are_judged_by_the_way_of_the_tool() {
+    let limit = |row: &str| format!("{RADIUS}\n{row}");
+    let zone = "G12 X60 Y10 Z10 I20 J3 K-10\n";
+    let after_g13 = format!("{zone}G41 D1 G1 X10 F100\nX50\nG13\nX70\nG40 Y-20\nM30");
+    for (program, row, expected) in [
+        // Part 2, 2.5.2: the tool of radius 5 comes to Y45, beyond the upper limit of the second axis.
+        ("G1 G41 D1 X0 Y0 F500\nY40\nX40\nM30", "P69 = 42", Some((503, "Y40"))),
+        ("G1 G41 D1 X0 Y0 F500\nY40\nX40\nM30", "P69 = 45", None),
+        // It turns off inside the corner at X35, short of X40.
+        ("G0 X-20 Y20\nG1 G41 D1 X0 Y0 F100\nX40\nY40\nX0\nG40 Y20\nM30", "P67 = 37", None),
+        ("G0 X-20 Y20\nG1 G41 D1 X0 Y0 F100\nX40\nY40\nX0\nG40 Y20\nM30", "P67 = 34", Some((501, "X40"))),
+        // A rounded corner does not come to its point.
+        ("G1 X40 F100 ,R5\nX0 Y40\nM30", "P67 = 39", None),
+        // 2.6: a move on Y0 with the tool on Y5, which G13 behind it does not allow.
+        (&after_g13, "\"NO11.0\" = 0", Some((0, "X50"))),
+    ] {
+        let (_, alarm) = run(program, &limit(row));
+        let found = alarm.as_ref().map(|a| (a.id.number().unwrap_or(0), at_fault(program, a).trim_end()));
+        assert_eq!(found, expected, "{program}");
+    }
+}
+
+#[test]
+fn a_checker_goes_on_behind_a_forbidden_area() {
+    let program = "G0 X1\nG0 X50\nG0 X2\nG0 X60\nM30\n";
+    let options = ferrocut_interpreter::Options { keep_going: true, ..Default::default() };
+    let setup = "[parameters]\nP67 = 40";
+    let mut interpreter = common::interpreter(program.as_bytes(), setup, options).unwrap();
+    let alarms = interpreter.by_ref().filter_map(Result::err);
+    let lines: Vec<u32> = alarms.map(|alarm| alarm.span.line).collect();
+    assert_eq!(lines, [2, 4]);
+}
