@@ -202,7 +202,7 @@ impl Interpreter {
         }
         let name = match self.words.get(b'P') {
             Some(number)
-                if standard == 1 && !self.p_is_taken() && !self.memory.work.additional.is_empty() =>
+                if standard == 1 && !self.p_is_taken(meaning) && !self.memory.work.additional.is_empty() =>
             {
                 self.words.take(b'P');
                 if !(1.0..=f64::from(u16::MAX)).contains(&number) || number.fract() != 0.0 {
@@ -221,9 +221,13 @@ impl Interpreter {
         Ok(())
     }
 
-    /// Whether another code of the block has P for its own: a call, a dwell, a cycle.
-    fn p_is_taken(&self) -> bool {
-        let takes = |meaning| matches!(meaning, Meaning::Dwell | Meaning::Cycle(_));
+    /// Whether another code of the block than `by` has P for its own: a call, a dwell, a cycle, G30, G51, G96.
+    pub(crate) fn p_is_taken(&self, by: Meaning) -> bool {
+        let takes = |meaning| {
+            use Meaning::{Cycle, Dwell, FurtherReferenceReturn, ScalingOn, SurfaceSpeed};
+            meaning != by
+                && matches!(meaning, Cycle(_) | Dwell | FurtherReferenceReturn | ScalingOn | SurfaceSpeed)
+        };
         self.words.calls() || self.words.g.iter().any(|code| takes(code.row.meaning))
     }
 

@@ -140,7 +140,9 @@ impl Interpreter {
         let was = self.speed();
         self.modal.set(row);
         if row.meaning == Meaning::SurfaceSpeed {
-            if let Some(number) = self.words.take(b'P') {
+            if !self.p_is_taken(row.meaning)
+                && let Some(number) = self.words.take(b'P')
+            {
                 let axis = self.rules.axis_order.get((number - 1.0).max(-1.0) as usize).copied();
                 let is_carried = |axis: &Axis| self.rules.axes.contains(*axis);
                 match axis.filter(is_carried).filter(|_| number >= 1.0 && number.fract() == 0.0) {

@@ -38,6 +38,23 @@ fn surface_speed_has_words_of_its_own() {
 }
 
 #[test]
+fn p_belongs_to_the_other_code_of_a_block_with_g54() {
+    holds_with(
+        "[work_offsets]\n\"G54 P3\" = { x = 1 }\n[reference_points]\nthird = { x = 30.0 }",
+        "G54 G30 P3 X0\nG0 X5",
+        &["rapid X30", "home", "rapid X5"],
+    );
+    let scaling = "[parameters]\n\"NO47.6\" = 0\n\"NO60.5\" = 1";
+    holds_with(scaling, "G90 G54 G51 X0 Y0 P2\nG0 X10", &["rapid X20"]);
+    // Turns by the second axis, 62.832 m a minute on a radius of 100; P beside a dwell is the dwell's.
+    let setup = "[start]\nx = 50\ny = 100\n[parameters]\n\"NO61.0\" = 1";
+    let second = |program: &str| common::lines(program, setup)[1].clone();
+    let turns = second("G54 G96 P2 S62832 M3\nG97\nM30\n");
+    assert!(turns.starts_with("spindle cw 100.00"), "{turns}");
+    assert_eq!(second("G96 G4 P500 S600 M3\nM30\n"), "dwell 0.5s");
+}
+
+#[test]
 fn a_tool_that_is_in_the_spindle_is_not_changed() {
     // 8.1.
     holds(&[
