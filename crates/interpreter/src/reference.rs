@@ -2,9 +2,10 @@
 
 use crate::Fallible;
 use crate::interpreter::Interpreter;
+use crate::modal::Group;
 use crate::output::OneWay;
 use crate::stages::units;
-use ferrocut_geometry::{AxisSet, Position, SAME_POINT_MM};
+use ferrocut_geometry::{Axis, AxisSet, Position, SAME_POINT_MM};
 use ferrocut_machine::Fault;
 use ferrocut_program::Span;
 use ferrocut_toolpath::{Dwell, Op};
@@ -51,9 +52,13 @@ impl Interpreter {
         self.rapid_uncompensated(to)?;
         // G28 ends tool length compensation by itself (4.3.1).
         let ends_length = !self.rules.coordinates.reference_keeps_length;
-        if ends_length && axes.iter().any(|axis| self.location.length.vector[axis] != 0.0) {
+        let has_length = |axis: Axis| axis == self.length_axis() || self.location.length.vector[axis] != 0.0;
+        if ends_length && axes.iter().any(has_length) {
             self.location.length.cancel();
-            self.modal.set(self.dialect.length_off);
+            // A code of the block is in force behind it (4.1 note 1).
+            if !self.words.g.iter().any(|code| code.row.group == Group::Length) {
+                self.modal.set(self.dialect.length_off);
+            }
         }
         self.location.take_machine();
         self.emit(Op::Home(axes));

@@ -245,6 +245,17 @@ fn tool_length() {
     // Method A (39#0 = 0): Z in every plane.
     let a = format!("{LENGTHS}\n[parameters]\n\"NO39.0\" = 0");
     holds_with(&a, "G18 G43 Y5 Z5 H1", &["rapid Y5 Z25"]);
+    // 4.3.1: G28 ends it, a length of 0 too; what the block itself calls is in force behind it (4.1 note 1).
+    let home = |first: &str, through: &str, last: &str| {
+        [first, through, "rapid Z0", "home", last].map(str::to_owned)
+    };
+    for (program, steps) in [
+        ("G43 H1 Z5\nG28 Z20 G43 H2\nG0 Z10", home("rapid Z25", "rapid Z40", "rapid Z40")),
+        ("G43 H1 Z5\nG28 Z20\nG0 Z10 H2", home("rapid Z25", "rapid Z40", "rapid Z10")),
+        ("G43 H9 Z5\nG28 Z20\nG0 Z10 H2", home("rapid Z5", "rapid Z20", "rapid Z10")),
+    ] {
+        holds_with(LENGTHS, program, &steps.each_ref().map(String::as_str));
+    }
 }
 
 #[test]
