@@ -124,8 +124,11 @@ impl Interpreter {
         }
         self.rapid_machine(to)?;
         self.location.take_machine();
+        // So does the vector of the cutter: what the stages hold ends here.
+        self.output.flush().map_err(|(fault, span)| self.alarm(fault, span))?;
+        let reached = self.output.commanded();
         let reference = self.memory.reference_points.first().copied().unwrap_or_default();
-        match axes.iter().find(|axis| (to[*axis] - reference[*axis]).abs() > SAME_POINT_MM) {
+        match axes.iter().find(|axis| (reached[*axis] - reference[*axis]).abs() > SAME_POINT_MM) {
             None => Ok(()),
             Some(axis) => {
                 let mut alarm = self.alarm_at(Fault::NotAtReference, axis.letter() as u8);

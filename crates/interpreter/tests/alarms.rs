@@ -343,6 +343,8 @@ const SAME_NUMBER: &[(u16, &str, &str, &str)] = &[
     (32, "#5206=10000", "#5206=10000", ""),
     // 0040: compensation is to be cancelled before G92 (4.2.11 note 2).
     (40, "G41 D1 G1 X10 F100\nX20\nG92 X0", "G92", RADIUS),
+    // 0092: the point that is reached includes the vector of the cutter (4.3.4, 3).
+    (92, "G90 G41 D1 G1 X50 F100\nX60\nG27 X0 Y0", "Y0", RADIUS),
     // 0051: the move after the corner has no length. 0053: two words for one corner.
     (51, "G1 X20 F100 ,L3\nX20\nY10", ",L3", ""),
     (53, "G1 X20 F100 ,L3 ,R2\nY10", ",R2", ""),
