@@ -297,9 +297,9 @@ impl Interpreter {
                 false => self.feed_word()?,
             }
         }
-        // With G92 an S is the highest speed of G96 (6.3), where there is such a code.
-        let limits_speed = self.rules.surface_speed
-            && codes.non_modal.is_some_and(|code| code.row.meaning == Meaning::SetPosition);
+        // With G92 an S is the highest speed of G96 (6.3), where the language has such a code, fitted or not.
+        let limits_speed = codes.non_modal.is_some_and(|code| code.row.meaning == Meaning::SetPosition)
+            && self.dialect.g_codes.iter().any(|row| row.meaning == Meaning::SurfaceSpeed);
         if self.words.has(b'S') && !limits_speed {
             self.speed_word()?;
         }

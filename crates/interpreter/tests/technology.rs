@@ -30,6 +30,8 @@ fn surface_speed_has_words_of_its_own() {
     assert_eq!(trace("M3 S1000\nG96 P1", setup)[1], "spindle cw css 0");
     // G92 S limits at once.
     assert_eq!(trace("G96 S600 M3\nG92 S500", setup)[..2], ["spindle cw css 600", "spindle cw css 600"]);
+    // It is no speed, also where surface speed is not fitted.
+    holds_with("", "M3 S500\nG92 S3000", &["spindle cw 500", "spindle off"]);
     // P255: not slower than 100 r/min; P254 = 2 reckons by Y.
     assert_eq!(trace("G96 S1 M3\nG97", setup)[1], "spindle cw 100");
     let rpm = |axis: u8| trace("G96 S62832 M3\nG97", &format!("{setup}\nP254 = {axis}"))[1].clone();
