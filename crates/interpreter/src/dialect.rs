@@ -411,6 +411,8 @@ pub struct Rules {
     pub max_macro_depth: usize,
     /// Most repeats of a call.
     pub max_repeats: f64,
+    /// Counts of calls and cycles may be any number: a fraction goes for nothing, and less than one call is none.
+    pub counts_take_any_number: bool,
     /// Canned cycles.
     pub cycles: cycles::Rules,
     /// Moves.
@@ -529,6 +531,7 @@ impl Default for Rules {
             max_call_depth: 0,
             max_macro_depth: 0,
             max_repeats: 0.0,
+            counts_take_any_number: false,
             cycles: cycles::Rules::default(),
             motion: motion::Rules::default(),
             coordinates: coordinates::Rules::default(),

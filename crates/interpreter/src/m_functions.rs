@@ -166,9 +166,19 @@ impl Interpreter {
             (None, None) => return Err(self.alarm(Fault::CallWithoutProgram, span)),
         };
         let times = self.words.get(b'L').unwrap_or(1.0);
-        if times > self.rules.max_repeats {
-            return Err(self.alarm_at(Fault::TooManyRepeats, b'L'));
+        if let Some(fault) = self.repeats_fault(times) {
+            return Err(self.alarm_at(fault, b'L'));
         }
-        self.call(&program, times.max(0.0) as u32, None, at)
+        self.call(&program, times as u32, None, at)
+    }
+
+    /// What is wrong with the L of a call.
+    pub(crate) fn repeats_fault(&self, times: f64) -> Option<Fault> {
+        match times {
+            _ if self.rules.counts_take_any_number && times <= self.rules.max_repeats => None,
+            _ if times < 0.0 => Some(Fault::WordNegative),
+            _ if times.fract() != 0.0 => Some(Fault::WordNotWhole),
+            _ => (times > self.rules.max_repeats).then_some(Fault::TooManyRepeats),
+        }
     }
 }

@@ -476,8 +476,8 @@ impl Interpreter {
                 b'P' => program = Some((value, word_span)),
                 b'L' => {
                     times = value;
-                    if !(0.0..=self.rules.max_repeats).contains(&times) {
-                        return Err(self.alarm(Fault::TooManyRepeats, word_span));
+                    if let Some(fault) = self.repeats_fault(times) {
+                        return Err(self.alarm(fault, word_span));
                     }
                 }
                 letter => {

@@ -277,6 +277,9 @@ impl Interpreter {
             return Err(self.alarm(fault, self.cycle_span()));
         }
         let repeats = self.repeats();
+        if repeats.fract() != 0.0 && !self.rules.counts_take_any_number {
+            return Err(self.alarm_at(Fault::WordNotWhole, self.rules.cycles.repeat_letter));
+        }
         if repeats > MAX_REPEATS {
             return Err(self.alarm_at(Fault::WordOutOfRange, self.rules.cycles.repeat_letter));
         }

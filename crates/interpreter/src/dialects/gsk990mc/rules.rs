@@ -72,6 +72,8 @@ pub fn rules(parameters: &Parameters) -> Rules {
         max_call_depth: CALL_DEPTH,
         max_macro_depth: MACRO_DEPTH,
         max_repeats: 9999.0,
+        // Table 3-1-3-1.
+        counts_take_any_number: false,
         cycles: cycles(parameters),
         motion: motion::Rules::default(),
         coordinates: coordinates::Rules {

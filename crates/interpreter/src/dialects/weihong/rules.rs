@@ -33,6 +33,7 @@ pub fn rules(parameters: &Parameters) -> Rules {
         distance_is_exclusive: true,
         max_call_depth: CALL_DEPTH,
         max_repeats: 999_999_999.0,
+        counts_take_any_number: true,
         cycles: cycles(parameters),
         motion: motion::Rules {
             // 4.3, G00, and 4.1.
