@@ -281,6 +281,7 @@ impl Interpreter {
         self.modal_codes(codes)?;
         self.check_axes()?;
         self.check_moving_axes(axes, codes)?;
+        self.check_corner(axes, codes)?;
         if codes.non_modal.is_some_and(|code| code.row.meaning == Meaning::DataSetting) {
             self.check_data_block_is_alone()?;
         }
@@ -591,6 +592,18 @@ impl Interpreter {
             return Err(self.alarm(Fault::TooManyAxes, self.words.block_span()));
         }
         Ok(())
+    }
+
+    /// `,L` and `,R` stand at the end of moves that the motion codes make (GSK990MC 4.2.18).
+    fn check_corner(&self, axes: AxisSet, codes: &Codes) -> Fallible<()> {
+        let Some((.., span)) = self.words.comma else { return Ok(()) };
+        let moves = codes.non_modal.is_none()
+            && codes.custom.is_none()
+            && !codes.takes_words
+            && self.cycle_kind().is_none()
+            && self.modal.meaning(Group::Motion) != Meaning::OneWay
+            && self.block_moves(axes);
+        if moves { Ok(()) } else { Err(self.alarm(Fault::CornerForm, span)) }
     }
 
     /// G10 stands alone but for the words of its form (GSK990MC 4.2.7 note 2).

@@ -353,6 +353,17 @@ const SAME_NUMBER: &[(u16, &str, &str, &str)] = &[
     // 0051: the move after the corner has no length. 0053: two words for one corner.
     (51, "G1 X20 F100 ,L3\nX20\nY10", ",L3", ""),
     (53, "G1 X20 F100 ,L3 ,R2\nY10", ",R2", ""),
+    // Corners stand at the end of G01, G02 and G03 (4.2.18).
+    (53, "G31 X20 F100 ,R2", ",R2", ""),
+    (53, "G60 X20 ,R2", ",R2", ""),
+    (53, "G60 X20 ,R2", ",R2", "[parameters]\n\"NO48.0\" = 1"),
+    (53, "G53 X20 ,R2", ",R2", ""),
+    (53, "G28 X20 ,L2", ",L2", ""),
+    (53, "G92 X20 ,R2", ",R2", ""),
+    (53, "G4 X2 ,R2", ",R2", ""),
+    (53, "S100\nG81 X2 Z-5 R0 ,R2", ",R2", ""),
+    (53, "G51 X2 Y0 P2 ,R2", ",R2", SCALING),
+    (53, "M8 ,R2", ",R2", ""),
     // 0111: EXP beyond 99997.4535 (4.9.5).
     (111, "#1=EXP[12]", "#1=EXP[12]", ""),
     // 0114: G39 stands without words.
