@@ -418,7 +418,7 @@ impl Interpreter {
         for at in 0..turns * count {
             let Some(&code) = self.words.g.get(at % count) else { break };
             let Code { row, span } = code;
-            if count > 1 && at / count != turn_of(row.meaning) {
+            if count > 1 && (at / count != turn_of(row.meaning) || self.is_overruled(at % count)) {
                 continue;
             }
             if let Some(custom) = self.custom_g(row) {
@@ -511,6 +511,16 @@ impl Interpreter {
         }
         self.length_code(length, codes)?;
         self.transform_codes(codes)
+    }
+
+    /// Whether a code of the block goes for nothing because a later one of its group wins (4.1 note 5). Others are put in
+    /// force one over the other, so that the last stays; these do something of their own.
+    fn is_overruled(&self, at: usize) -> bool {
+        let g = &self.words.g;
+        let Some(group) = g.get(at).map(|code| code.row.group) else { return false };
+        let acts = matches!(group, Group::Polar | Group::Scaling | Group::Rotation);
+        acts && !self.rules.coordinates.transforms_nest
+            && g.iter().skip(at + 1).any(|later| later.row.group == group)
     }
 
     /// G51 and G68: they go before the block's motion (GSK990MC 4.1 note 8), and take its words for

@@ -283,6 +283,17 @@ fn what_repeats_may_do_so_where_the_parameter_lets_it() {
     // 32#6 = 0: the last of an address or of a group counts (3.1.3, 4.1 note 5).
     let tolerant = "[parameters]\n\"NO32.6\" = 0";
     assert_eq!(lines("G1 X2 X3 G0\nM30", tolerant), ["rapid X3", "end M30"]);
+    let scaled = format!("{tolerant}\n\"NO47.6\" = 0\n\"NO60.5\" = 1");
+    for (program, setup, step) in [
+        ("G51 X0 Y0 P2 G50\nX3\nM30", scaled.as_str(), "rapid X3"),
+        ("G50 G51 X0 Y0 P2\nX3\nM30", &scaled, "rapid X6"),
+        ("G68 X0 Y0 R90 G69\nX3\nM30", tolerant, "rapid X3"),
+        ("G69 G68 X0 Y0 R90\nX3\nM30", tolerant, "rapid Y3"),
+        ("G16 G15\nX3 Y90\nM30", tolerant, "rapid X3 Y90"),
+        ("G15 G16\nX3 Y90\nM30", tolerant, "rapid Y3"),
+    ] {
+        assert_eq!(lines(program, setup), [step, "end M30"], "{program}");
+    }
     // 33#7 = 0: one M code in a block.
     let one = "[parameters]\n\"NO33.7\" = 0";
     raises(Fault::TooManyMCodes, 119, "G0 X1\nM8 M10\nM30", "M8 M10", one);
