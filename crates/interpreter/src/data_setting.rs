@@ -65,6 +65,9 @@ impl Interpreter {
         let Some(mut zero) = self.memory.work.get(name) else {
             return Err(self.alarm_at(Fault::DataNumber, b'P'));
         };
+        if axes.is_empty() {
+            return Err(self.alarm(Fault::DataValue, self.words.block_span()));
+        }
         for axis in axes.iter() {
             let Some(value) = self.words.get(axis.letter() as u8) else { continue };
             let value = units::coordinate(axis, value, inch_axes);
