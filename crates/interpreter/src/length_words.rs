@@ -104,11 +104,7 @@ impl Interpreter {
                 self.location.length.waits = true;
                 return Ok(false);
             }
-            let value = sign * (offset.length + offset.length_wear);
-            if value.abs() > self.rules.max_offset {
-                return Err(self.alarm_at(Fault::OffsetTooLarge, b'H'));
-            }
-            return Ok(self.put_length(axis, value));
+            return self.take_length(axis, sign * (offset.length + offset.length_wear));
         }
         let takes_up = self.location.length.waits && axes.contains(axis);
         if code.is_none() && !takes_up {
@@ -116,7 +112,15 @@ impl Interpreter {
         }
         let number = self.location.length.number;
         let offset = self.memory.tools.get(number).copied().unwrap_or_default();
-        Ok(self.put_length(axis, sign * (offset.length + offset.length_wear)))
+        self.take_length(axis, sign * (offset.length + offset.length_wear))
+    }
+
+    /// A length of the table onto its axis.
+    fn take_length(&mut self, axis: Axis, value: f64) -> Fallible<bool> {
+        match value.abs() > self.rules.max_offset {
+            true => Err(self.alarm_at(Fault::OffsetTooLarge, b'H')),
+            false => Ok(self.put_length(axis, value)),
+        }
     }
 
     pub(crate) fn put_length(&mut self, axis: Axis, value: f64) -> bool {

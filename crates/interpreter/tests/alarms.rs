@@ -342,6 +342,8 @@ const SAME_NUMBER: &[(u16, &str, &str, &str)] = &[
     (7, "N1.5 X2", "N1.5", ""),
     // Beyond the range of table 3-1-3-1, or of P204 to P206.
     (11, "F100000", "F100000", ""),
+    // 0029: H of an earlier block too.
+    (29, "H3\nG43 Z1", "G43 Z1", "[tools.3]\nlength = 2999"),
     (30, "H256", "H256", ""),
     (30, "G41 D256 X2", "D256", ""),
     (181, "M10", "M10", "[parameters]\nP204 = 1"),
