@@ -198,6 +198,7 @@ impl Interpreter {
                 max_m_code: self.rules.max_m_code,
                 machine_codes: &self.options.machine_codes,
                 distance_is_exclusive: self.rules.distance_is_exclusive,
+                one_way: self.rules.one_way_is_modal.then_some(self.dialect.one_way_modal),
                 custom: self.custom.as_deref(),
                 tool_axis,
                 axis_names: self.options.axis_names,
@@ -431,10 +432,6 @@ impl Interpreter {
                 Group::NonModal if row.meaning == Meaning::EncoderLatch => self.encoder_latch(span),
                 Group::NonModal if row.meaning == Meaning::ShortestWay => codes.rotary.shortest = true,
                 Group::NonModal if row.meaning == Meaning::InDegrees => codes.rotary.degrees = true,
-                Group::NonModal if row.meaning == Meaning::OneWay && self.rules.one_way_is_modal => {
-                    motion = true;
-                    self.modal.set(self.dialect.one_way_modal);
-                }
                 Group::NonModal => codes.non_modal = Some(code),
                 Group::Motion => {
                     motion = true;

@@ -343,6 +343,8 @@ pub(crate) struct Reader<'a> {
     /// M codes that the machine has beside those of the language.
     pub machine_codes: &'a MachineCodes,
     pub distance_is_exclusive: bool,
+    /// One-way positioning, where it is a motion code.
+    pub one_way: Option<&'static GCode>,
     pub custom: Option<&'a CustomCodes>,
     /// Axis of the tool, for codes that own its word.
     pub tool_axis: Axis,
@@ -508,6 +510,7 @@ impl Reader<'_> {
             words.custom = Some((number, self.page.word_span(self.block, word)));
             return Ok(());
         };
+        let row = self.one_way.filter(|_| row.meaning == Meaning::OneWay).unwrap_or(row);
         let same_group = |c: &Code<GCode>| c.row.group == row.group;
         let is_exclusive =
             self.repeats_are_alarms || self.distance_is_exclusive && row.group == Group::Distance;

@@ -312,6 +312,7 @@ fn just_inside_is_no_alarm() {
         ("X[[[[[1]]]]]\nM30", "", "rapid X1"),
         ("O1\nM98 P2 L9999\nX1\nM30\nO2\nM99\n", "", "rapid X1"),
         ("X1\nM30\n%\n", "", "rapid X1"),
+        ("G60 G4 P500\nM30", "[parameters]\n\"NO48.0\" = 1", "dwell 0.5s"),
         ("G81 R0 X1\nM30", "", "rapid X1"),
     ];
     for (program, setup, first) in good {
@@ -421,6 +422,8 @@ const SAME_NUMBER: &[(u16, &str, &str, &str)] = &[
     // 0238: two codes of group 00 (4.1 note 5).
     (238, "G4 G28 X5", "G28", ""),
     (238, "O1\nG65 P77 X1 P5", "P5", ""),
+    // Modal by 48#0, G60 is of group 01.
+    (238, "G0 G60 X5", "G60", "[parameters]\n\"NO48.0\" = 1"),
     // 0015: axes that move together, in G53 and G31 too.
     (15, "G53 X1 Y1 Z1 A1", "G53 X1 Y1 Z1 A1", ""),
     (15, "G31 X1 Y1 Z1 A1 F100", "G31 X1 Y1 Z1 A1 F100", ""),
