@@ -96,16 +96,10 @@ impl Interpreter {
         };
     }
 
-    /// The given coordinates of a centre, the present point where they are not given. They are work
+    /// The given coordinates of a centre, those of `here` where they are not given. They are work
     /// coordinates, also with G91 and in polar mode.
-    fn center(&self) -> Position {
+    fn center(&self, here: Position) -> Position {
         let axes = self.words.axes(self.rules.axes);
-        // Where the tool is, also while rotation is in force (Kaitong appendix 10).
-        let mut here = self.location.programmed;
-        if self.location.rotation.is_some() {
-            here = self.location.in_work();
-            here = self.location.scaling.map_or(here, |scaling| scaling.undo(here));
-        }
         distance::end_point(&self.words, axes, here, false, self.inch_axes())
     }
 
@@ -119,8 +113,10 @@ impl Interpreter {
             (false, true) => true,
             _ => self.rules.scaling.factors_by_axis,
         };
-        let center = self.center();
-        let [x, y, z, ..] = center.0;
+        // Where the tool is (4.2.14, 1), also while scaling is in force; rotation comes behind it.
+        let here = self.location.in_work();
+        let here = self.location.rotation.map_or(here, |rotation| rotation.undo(here));
+        let [x, y, z, ..] = self.center(here).0;
         let mut factors = [1.0; 3];
         for (index, letter) in (0..).zip([b'I', b'J', b'K']) {
             let given = self.words.get(if by_axis { letter } else { b'P' });
@@ -151,7 +147,10 @@ impl Interpreter {
     /// G68 (GSK990MC 4.2.15, Kaitong appendix 10).
     pub(crate) fn rotate(&mut self) -> Fallible<()> {
         let plane = self.modal.plane();
-        let center = self.center();
+        // Where the tool is, also while rotation is in force (Kaitong appendix 10).
+        let here = self.location.in_work();
+        let here = self.location.scaling.map_or(here, |scaling| scaling.undo(here));
+        let center = self.center(here);
         // The centre is scaled too, the angle is not.
         let center = plane.of(self.location.scaling.map_or(center, |scaling| scaling.apply(center)));
         let given = self.words.get(b'R').unwrap_or(self.rules.rotation_angle);

@@ -40,6 +40,16 @@ fn surface_speed_has_words_of_its_own() {
 }
 
 #[test]
+fn scaling_without_a_centre_is_about_the_tool() {
+    // 4.2.14, 1: X20 stands on 40 with the first factor, which is the centre of the second: 40 + (20 - 40) / 2.
+    holds_with(
+        "[parameters]\n\"NO47.6\" = 0\n\"NO60.5\" = 1",
+        "G90 G0 X10 Y0\nG51 X0 Y0 P2\nG1 X20 F100\nG51 P0.5\nG1 X20",
+        &["rapid X10", "feed X40 F100", "feed X30 F100"],
+    );
+}
+
+#[test]
 fn p_belongs_to_the_other_code_of_a_block_with_g54() {
     holds_with(
         "[work_offsets]\n\"G54 P3\" = { x = 1 }\n[reference_points]\nthird = { x = 30.0 }",
