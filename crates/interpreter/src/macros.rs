@@ -372,6 +372,15 @@ impl Interpreter {
         let word = |letter: u8| words.iter().find(|word| word.letter == letter);
         match word(b'H') {
             Some(h) => {
+                // Beside it stand its own words alone (4.9.2, 5).
+                let call = WordValue::Number(f64::from(self.dialect.macro_call) / 10.0);
+                let is_own = |w: &Word| match w.letter {
+                    b'G' => w.value() == call,
+                    letter => matches!(letter, b'O' | b'N' | b'H' | b'P' | b'Q' | b'R'),
+                };
+                if let Some(other) = words.iter().find(|w| !is_own(w)) {
+                    return Err(self.alarm(Fault::MixedStatement, page.word_span(block, other)));
+                }
                 let operation = self.word_value(page, block, h)?.unwrap_or(0.0);
                 let target = word(b'P');
                 let q = self.operand(page, block, word(b'Q'))?;

@@ -394,6 +394,10 @@ const SAME_NUMBER: &[(u16, &str, &str, &str)] = &[
     (117, "G10 L51\nN86 R3000\nN96 R5000\nN376 R3124\nN180 R1", "N180 R1", ""),
     (117, "G10 L50\nN56 P7 R0", "N56 P7 R0", ""),
     (117, "G10 L50\nN8 P3 R0", "N8 P3 R0", ""),
+    // 0127: words of the control beside an operation of macro A.
+    (127, "G65 H01 P#100 Q1 G0 X5", "G0", ""),
+    (127, "N10 G65 H80 P20 M3\nN20", "M3", ""),
+    (127, "X5 G65 H01 P#100 Q1", "X5", ""),
     // 0129: what stands before G65, and other codes.
     (129, "X5 G65 P77 Y2", "X5", ""),
     (129, "G65 P77 X5 G91", "G91", ""),
