@@ -170,6 +170,8 @@ impl Location {
 pub(crate) struct Technology {
     /// Feed per minute as programmed, mm/min.
     pub feed_per_minute: f64,
+    /// Millimetres in the unit of the last F word.
+    pub feed_unit: f64,
     /// Whether an F word of it ever came.
     pub feed_per_minute_was_given: bool,
     /// Feed per revolution as programmed, mm; 0 before the first.
@@ -316,6 +318,7 @@ impl Interpreter {
         location.take_machine();
         let technology = Technology {
             feed_per_minute: rules.default_feed,
+            feed_unit: 1.0,
             feed_per_minute_was_given: false,
             feed_per_revolution: 0.0,
             rapid_feed: None,
@@ -495,6 +498,7 @@ impl Interpreter {
         }
         if rules.feed_and_offsets {
             self.technology.feed_per_minute = self.rules.default_feed;
+            self.technology.feed_unit = 1.0;
             self.technology.feed_per_revolution = 0.0;
             self.technology.rapid_feed = None;
             self.technology.tap_pitch = None;

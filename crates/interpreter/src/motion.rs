@@ -230,7 +230,7 @@ impl Interpreter {
     /// Cuts straight to a machine point. The programmed point is the caller's to set.
     pub(crate) fn cut_machine(&mut self, to: Position) -> Fallible<()> {
         self.check_reach(to)?;
-        let feed = self.feed()?;
+        let feed = self.feed_to(to)?;
         if to != self.location.machine || self.output.takes_still_moves() {
             self.location.machine = to;
             self.emit(Op::Feed { to, feed, path: self.path_mode() });
@@ -261,7 +261,7 @@ impl Interpreter {
     pub(crate) fn cut_as(&mut self, to: Position, path: PathMode) -> Fallible<()> {
         let machine = self.location.machine_of(to);
         self.check_reach(machine)?;
-        let feed = self.feed()?;
+        let feed = self.feed_to(machine)?;
         self.location.programmed = to;
         if machine != self.location.machine || self.output.takes_still_moves() {
             self.location.machine = machine;
@@ -296,11 +296,28 @@ impl Interpreter {
     /// The feed in force, per minute with the control's limit where it is beyond one (GSK990MC 4.2.2 note 1, P96, P97); an
     /// alarm where there is none. The speed that overrides and the spindle make of it is held by motion.
     pub(crate) fn feed(&self) -> Fallible<Feed> {
+        self.feed_in(1.0)
+    }
+
+    /// That of a straight cut to a machine point: degrees where nothing but rotary axes moves, which have no inch (GSK990MC
+    /// 0#2).
+    pub(crate) fn feed_to(&self, machine: Position) -> Fallible<Feed> {
+        let unit = self.technology.feed_unit;
+        let stands = |axis: Axis| machine[axis] == self.location.machine[axis];
+        let turns = unit != 1.0 && self.rules.linear_axes.iter().all(stands);
+        self.feed_in(if turns { unit } else { 1.0 })
+    }
+
+    /// The feed in a unit of so many millimetres.
+    fn feed_in(&self, unit: f64) -> Fallible<Feed> {
         let technology = &self.technology;
         let (value, feed) = match self.modal.is_feed_per_revolution() {
-            true => (technology.feed_per_revolution, Feed::PerRevolution(technology.feed_per_revolution)),
+            true => {
+                let feed = technology.feed_per_revolution / unit;
+                (feed, Feed::PerRevolution(feed))
+            }
             false => {
-                let programmed = technology.feed_per_minute;
+                let programmed = technology.feed_per_minute / unit;
                 let at = programmed.clamp(self.rules.min_feed, self.rules.max_feed);
                 let is_within = at == programmed;
                 (programmed, if is_within { Feed::PerMinute(at) } else { Feed::Held { programmed, at } })

@@ -143,10 +143,10 @@ impl Interpreter {
         if self.is_strictly_transformed() {
             return Err(self.alarm(Fault::SkipInTransform, span));
         }
-        let feed = self.feed()?;
         let to = self.end_point(axes);
         let from = self.location.machine;
         let aim = self.location.machine_of(to);
+        let feed = self.feed_to(aim)?;
         self.check_reach(aim)?;
         // Where the simulated signal comes on the way, as a fraction of it.
         let at = self.options.skip.and_then(|(axis, at)| {

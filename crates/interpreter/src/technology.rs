@@ -23,7 +23,9 @@ impl Interpreter {
     /// control's limits where it is used; feed per revolution beyond its range is an alarm (7.2.2).
     pub(crate) fn feed_word(&mut self) -> Fallible<()> {
         let Some(f) = self.words.get(b'F') else { return Ok(()) };
-        let feed = units::length_mm(f, self.modal.is_inch());
+        let unit = units::length_mm(1.0, self.modal.is_inch());
+        let feed = f * unit;
+        self.technology.feed_unit = unit;
         if self.modal.is_feed_per_revolution() {
             if !(feed > 0.0 && feed <= self.rules.max_feed_per_revolution) {
                 return Err(self.alarm_at(Fault::FeedOutOfRange, b'F'));

@@ -19,6 +19,18 @@ fn feed_is_held_within_its_limits_where_it_is_used() {
 }
 
 #[test]
+fn rotary_axes_have_no_inch() {
+    // 0#2: degrees a minute where nothing but a rotary axis moves, whatever the unit of the lengths is.
+    holds(&[
+        ("G20 G1 A90 F10", &["feed A90 F10"]),
+        ("G20 G1 X1 A90 F10", &["feed X25.4 A90 F254"]),
+        ("G20 G31 A9 F10", &["skip A9 F10", "Barrier"]),
+        ("G1 A9 F100\nG20 A18", &["feed A9 F100", "feed A18 F100"]),
+        ("G20 F10\nG21 G1 A9\nX1", &["feed A9 F10", "feed X1 F254"]),
+    ]);
+}
+
+#[test]
 fn surface_speed_has_words_of_its_own() {
     let setup = "[start]\nx = 50\ny = 100\n[parameters]\n\"NO61.0\" = 1";
     // 6.3: G96 without S takes the last surface speed; none is 0. G97 without S keeps the turns.
