@@ -196,7 +196,7 @@ fn circles(setup: &str, program: &str) -> Vec<[f64; 3]> {
     let (steps, alarm) = run(&format!("M3 S1000\n{program}\nM30\n"), setup);
     assert_eq!(alarm, None, "{program}");
     let circle = |step: &ferrocut_toolpath::Step| match step.op {
-        Op::Arc { to, center, sweep, .. } if sweep.abs() > 6.28 => {
+        Op::Arc { to, center, sweep, .. } if sweep.abs() > 6.0 => {
             let [x, y] = center;
             let r = (to.0[0] - x).hypot(to.0[1] - y);
             Some([x, y, r].map(|value| (value * 1e6).round() / 1e6))
