@@ -1,7 +1,7 @@
 //! A part program from what the pen does.
 //!
-//! Plain G0, G1, G2, G3 with I and J, which every control here reads alike; what differs is a row of
-//! [`Style`]. Numbers are rounded to the control's increment before anything is decided by them, so that
+//! Plain G0, G1, G2, G3 with I and J, which every control here reads alike; what differs, also by what its
+//! parameters say, is in [`Style`]. Numbers are rounded to the control's increment before anything is decided by them, so that
 //! an arc whose ends fall together is left out and never becomes a whole turn.
 
 use crate::curve::{Curve, Point, distance};
@@ -24,6 +24,8 @@ pub struct Style {
     pub state: &'static str,
     /// Decimals of a coordinate.
     pub decimals: u32,
+    /// I and J are the centre in the work coordinate system; else from the start of the arc.
+    pub centre_is_absolute: bool,
 }
 
 /// The controls that drawings are written for.
@@ -34,6 +36,7 @@ const STYLES: &[Style] = &[
         comment: ["(", ")"],
         state: "G21 G17 G40 G49 G80 G90 G94 G54",
         decimals: 4,
+        centre_is_absolute: false,
     },
     Style {
         dialect: "kaitong",
@@ -41,6 +44,7 @@ const STYLES: &[Style] = &[
         comment: ["(", ")"],
         state: "G21 G17 G40 G49 G80 G90 G94 G54",
         decimals: 4,
+        centre_is_absolute: false,
     },
     Style {
         dialect: "weihong",
@@ -48,6 +52,7 @@ const STYLES: &[Style] = &[
         comment: ["'", ""],
         state: "G21 G17 G40 G49 G80 G90 G54",
         decimals: 6,
+        centre_is_absolute: false,
     },
 ];
 
@@ -278,8 +283,9 @@ impl Writer<'_> {
                 self.code_word(if sweep > 0.0 { 3 } else { 2 });
                 self.number('X', to[0]);
                 self.number('Y', to[1]);
-                self.number('I', center[0] - from[0]);
-                self.number('J', center[1] - from[1]);
+                let origin = if self.style.centre_is_absolute { [0; 2] } else { from };
+                self.number('I', center[0] - origin[0]);
+                self.number('J', center[1] - origin[1]);
                 self.at = to.map(Some);
                 self.feed_word(cutting.feed);
                 self.end(span);

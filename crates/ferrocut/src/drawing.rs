@@ -7,7 +7,7 @@ use ferrocut_exchange::recognise::LOOKED_AT;
 use ferrocut_exchange::write::Ends;
 use ferrocut_exchange::{By, Drawing, Format, Order, Program, Settings, Style, plan, recognise, write};
 use ferrocut_interpreter::{Dialect, Origins};
-use ferrocut_machine::{Alarm, Fault, ImportSetup};
+use ferrocut_machine::{Alarm, Fault, ImportSetup, Parameters};
 use ferrocut_program::{FileId, ProgramMemory, Span, Text};
 use std::fs::File;
 use std::io::{self, Read, Write};
@@ -129,12 +129,22 @@ impl Source {
         Ok(Opened::Drawing(Box::new(Source { name, format, by: Some(by), settings, bytes })))
     }
 
-    /// Makes a program of the drawing in the words of a control. `stage` is told what is being done.
-    pub fn program(&self, dialect: &Dialect, ends: Ends, stage: impl Fn(&str)) -> Result<Made, Failure> {
+    /// Makes a program of the drawing in the words of a control with these parameters. `stage` is told what is
+    /// being done.
+    pub fn program(
+        &self,
+        dialect: &Dialect,
+        parameters: &Parameters,
+        ends: Ends,
+        stage: impl Fn(&str),
+    ) -> Result<Made, Failure> {
         let Some(style) = Style::of(dialect.name) else {
             let alarm = Alarm::core(Fault::NoWriter, Span::default()).with("name", dialect.name);
             return Err(Failure::new(Box::new(alarm), Exit::WrongUse));
         };
+        // Some controls read I and J as a parameter says (Weihong 4.3, G02).
+        let centre_is_absolute = (dialect.rules)(parameters).motion.centre_is_absolute;
+        let style = &Style { centre_is_absolute, ..*style };
         stage("label-stage-read");
         let read = ferrocut_exchange::read(&self.bytes, self.format, DRAWING, &self.settings);
         let drawing = read.map_err(|alarm| self.failure(alarm, dialect))?;
@@ -148,8 +158,12 @@ impl Source {
     }
 
     /// The drawing as the control runs it by itself.
-    pub fn run(&self, dialect: &Dialect) -> Result<(ProgramMemory, FromDrawing), Failure> {
-        let made = self.program(dialect, Ends::AsDrawn, |_| {})?;
+    pub fn run(
+        &self,
+        dialect: &Dialect,
+        parameters: &Parameters,
+    ) -> Result<(ProgramMemory, FromDrawing), Failure> {
+        let made = self.program(dialect, parameters, Ends::AsDrawn, |_| {})?;
         let (programs, origins) = self.memory(made.program, dialect)?;
         Ok((programs, FromDrawing::new(self, origins, made.drawing)))
     }

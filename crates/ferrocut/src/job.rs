@@ -296,7 +296,8 @@ impl Shop {
         let text = match Source::open(path, self.setup.import.as_ref())? {
             Opened::Drawing(source) => {
                 let (dialect, told) = self.own_dialect()?;
-                let (programs, drawing) = source.run(dialect)?;
+                let parameters = self.memory_of(dialect, told)?.parameters;
+                let (programs, drawing) = source.run(dialect, &parameters)?;
                 return self.job_of(path, (dialect, told), programs, Some(drawing));
             }
             Opened::Program(Some(text)) => text,
@@ -326,6 +327,20 @@ impl Shop {
         {
             programs.add(&name, text);
         }
+        let memory = self.memory_of(dialect, told)?;
+        let inputs = self.setup.signals.inputs.iter().filter_map(|(name, value)| {
+            let input = match name.strip_prefix('#') {
+                Some(variable) => Input::Variable(variable.parse().ok()?),
+                None => Input::Port(name.parse().ok()?),
+            };
+            Some((input, *value))
+        });
+        let inputs = inputs.collect();
+        Ok(Job { path: path.to_path_buf(), dialect, told, programs, memory, inputs, drawing, keeps: false })
+    }
+
+    /// What the machine remembers before a program in this language.
+    pub fn memory_of(&self, dialect: &Dialect, told: Told) -> Result<Memory, Failure> {
         let mut memory = Memory::new(dialect.name);
         // A program of another control than the machine's meets none of its parameters.
         let own = dialect.name == self.machine.dialect || !matches!(told, Told::Guessed(_));
@@ -353,15 +368,7 @@ impl Shop {
         self.setup.apply(&mut memory).map_err(|error| {
             Failure::wrong_use(Fault::ConfigUnusable).with("file", "setup").with("reason", error.to_string())
         })?;
-        let inputs = self.setup.signals.inputs.iter().filter_map(|(name, value)| {
-            let input = match name.strip_prefix('#') {
-                Some(variable) => Input::Variable(variable.parse().ok()?),
-                None => Input::Port(name.parse().ok()?),
-            };
-            Some((input, *value))
-        });
-        let inputs = inputs.collect();
-        Ok(Job { path: path.to_path_buf(), dialect, told, programs, memory, inputs, drawing, keeps: false })
+        Ok(memory)
     }
 
     /// The control language and what it was told from, in words.

@@ -54,6 +54,16 @@ fn the_set_up_says_how_it_is_cut_and_what_it_is() {
     // The command line wins over it.
     let answer = ferrocut(&["import", &plot, "--setup", &setup, "--depth=-3", "--feed", "900"]);
     assert!(answer.out.contains("Z-3.0") && answer.out.contains("F900"), "{}", answer.out);
+    // Weihong 4.3: I and J from the start of the arc or from the work zero, as the control's parameter says.
+    for (value, centre) in [(1, "I-5.0 J0.0"), (0, "I20.0 J20.0")] {
+        let setup = format!("dialect = \"weihong\"\n{SETUP}[parameters]\nIJK_INCREMENTAL = {value}\n");
+        let setup = write(&folder, "weihong.toml", &setup);
+        let steps = json_lines(&ferrocut(&["trace", &plot, "--setup", &setup]).out);
+        let arc = steps.iter().find(|s| s["op"] == "arc").unwrap();
+        assert_eq!(arc["center"], serde_json::json!([20, 20]), "{value}");
+        let answer = ferrocut(&["import", &plot, "--setup", &setup, "--to", "weihong"]);
+        assert!(answer.code == 0 && answer.out.contains(centre), "{}", answer.out);
+    }
     // From standard input, by its content.
     let answer = with_input(&["trace", "-"], PLT);
     assert!(answer.code == 0 && answer.err.contains("(by its content)"), "{}", answer.err);

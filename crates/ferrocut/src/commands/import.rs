@@ -35,7 +35,8 @@ pub fn run(args: &ImportArgs) -> Result<Exit, Failure> {
     bar.set_style(ProgressStyle::default_spinner());
     bar.enable_steady_tick(Duration::from_millis(100));
     let stage = |key: &str| bar.set_message(shop.diagnostics.catalogue().label(key, &[]));
-    let made = source.program(dialect, Ends::Raised, stage);
+    let parameters = shop.memory_of(dialect, told)?.parameters;
+    let made = source.program(dialect, &parameters, Ends::Raised, stage);
     let made = made.inspect_err(|_| bar.finish_and_clear())?;
     stage("label-stage-prove");
     let Made { drawing, program } = made;
