@@ -233,6 +233,8 @@ impl Interpreter {
         let here = self.location.programmed;
         let place = of_cycle.then(|| self.place_of_next_hole());
         let data = of_cycle.then(|| self.cycle.data());
+        // I, J and K of a figure say where its holes are, of which each is a call by itself.
+        let in_figure = of_cycle && self.cycle.is_in_figure();
         for (letter, variable) in programs.arguments {
             let word = self.words.get(*letter);
             let value = match (*letter, &data) {
@@ -240,16 +242,21 @@ impl Interpreter {
                 (b'R', Some(data)) => data.r.map(|r| r / unit),
                 (b'Q', Some(data)) => data.q.map(|q| q / unit),
                 (b'P', Some(data)) => data.p.map(|p| p / self.rules.dwell_p_unit_s),
+                (b'I' | b'J', _) if in_figure => None,
+                (b'K', _) if in_figure => Some(1.0),
                 (b'K', Some(_)) => Some(self.repeats()),
                 (b'F', _) => word.or(Some(self.technology.feed_per_minute / unit)),
                 (b'X' | b'Y' | b'Z', _) => {
                     let axis = Axis::from_letter(*letter).unwrap_or(Axis::X);
-                    match (place, incremental) {
-                        (Some(place), true) => Some((place[axis] - here[axis]) / unit),
-                        (Some(place), false) => Some(place[axis] / unit),
-                        (None, true) => word,
-                        (None, false) => word.or(Some(here[axis] / unit)),
-                    }
+                    let inch_axes = self.inch_axes();
+                    let given = word.map(|word| units::coordinate(axis, word, inch_axes));
+                    let value = match (place, incremental) {
+                        (Some(place), true) => Some(place[axis] - here[axis]),
+                        (Some(place), false) => Some(place[axis]),
+                        (None, true) => given,
+                        (None, false) => given.or(Some(here[axis])),
+                    };
+                    value.map(|value| self.in_words(axis, value))
                 }
                 _ => word,
             };

@@ -433,6 +433,13 @@ fn programs_stand_for_codes() {
             "",
             &["rapid X5 Y6", "rapid X15", "rapid X1", "end M30"],
         ),
+        // It is made once, and the words of the figure are none of its own.
+        (
+            "G91 G99 G81 R-1 Z-1 F9 K0\nG35 X5 Y6 I10 J90 K2\nM30\n\
+             O681\nG65 P781 L=#FC11\nM17\nO781\nX=#FC1+#FC9 Y=#FC2+#FC10\nM17",
+            "",
+            &["rapid X5 Y6", "rapid Y16", "end M30"],
+        ),
     ]);
     let interpreter = interpreter_of(&DIALECT, b"M40\nM30\nO241\nM17\n", "", Options::default()).unwrap();
     assert_eq!(interpreter.filter_map(Result::err).next().unwrap().fault, Fault::UnknownMCode);

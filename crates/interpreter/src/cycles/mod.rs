@@ -202,6 +202,11 @@ impl CycleState {
         self.holes_left = 0;
     }
 
+    /// Whether the holes of the block lie on a figure.
+    pub fn is_in_figure(&self) -> bool {
+        self.pattern.is_some()
+    }
+
     /// The data that programs in the place of cycles are given.
     pub fn data(&self) -> HoleData {
         let CycleState { initial, r, z, q, p, .. } = *self;
