@@ -39,6 +39,9 @@ const IDLE_BLOCKS: u64 = 50_000_000;
 /// Passes of a main program that ends with M99, where the machine's state never repeats.
 const MAX_PASSES: u64 = 10_000;
 
+/// Blocks that further passes of such a program are looked through for its end: a second of work at most.
+const MAX_LOOKED_THROUGH: u64 = 1_000_000;
+
 /// Jumps back at a desk before a program is taken for endless: hours of a machine's work.
 const MAX_JUMPS_BACK: u64 = 50_000_000;
 
@@ -74,6 +77,8 @@ pub(crate) struct Flow {
     /// Where blocks are no longer begun.
     mark: Option<Mark>,
     passes: u64,
+    /// A further pass of the main program comes to its end, or is looked through for it.
+    ends_later: bool,
     jumps_back: u64,
     /// Where a jump from a block to a sequence number leads.
     targets: FxHashMap<(Place, u32), Place>,
@@ -122,6 +127,7 @@ impl Flow {
             section: 0,
             mark: None,
             passes: 0,
+            ends_later: false,
             jumps_back: 0,
             targets: FxHashMap::default(),
             loops: FxHashMap::default(),
@@ -636,11 +642,18 @@ impl Interpreter {
         true
     }
 
-    /// M99 in the main program: its start again (GSK990MC 3.2.3). True where the program ends
-    /// instead: at a desk, once the machine's state repeats and another pass would be like the last.
+    /// M99 in the main program: its start again (GSK990MC 3.2.3). True where the program ends instead: at a desk, unless
+    /// a further pass leads to an end of its own.
     pub(crate) fn start_again(&mut self, span: Span) -> Fallible<bool> {
         self.flow.passes += 1;
         if !self.options.loops_forever {
+            // A block that is searched may be run in any pass whose state is another than those before.
+            if !self.flow.ends_later && self.flow.mark().is_none() {
+                if !self.ends_later(span) {
+                    return Ok(true);
+                }
+                self.flow.ends_later = true;
+            }
             let state = self.fingerprint();
             if self.pass_state.as_ref() == Some(&state) {
                 return Ok(true);
@@ -654,6 +667,25 @@ impl Interpreter {
         self.flow.jump(Place::default());
         self.flow.entered = false;
         Ok(false)
+    }
+
+    /// Whether one of the passes that follow comes to M02 or M30.
+    fn ends_later(&self, span: Span) -> bool {
+        let mut ahead = self.clone();
+        ahead.flow.ends_later = true;
+        ahead.options.keep_going = false;
+        ahead.alarms.clear();
+        if !matches!(ahead.start_again(span), Ok(false)) {
+            return false;
+        }
+        let mut blocks = MAX_LOOKED_THROUGH;
+        while let Some(Ok(step)) = ahead.next_within(&mut blocks) {
+            if let Op::End(code) = step.op {
+                // By M99 it ends where a pass is like the one before.
+                return code != 99;
+            }
+        }
+        false
     }
 
     /// Goes on at the block with a sequence number: the next one from here down, else the first from

@@ -84,8 +84,8 @@ pub struct Options {
     pub skip: Option<(Axis, f64)>,
     /// Goes on behind an alarm, for checking; else it ends the run.
     pub keep_going: bool,
-    /// A main program that ends with M99 is run again and again; else it ends once a further pass
-    /// would be like the last.
+    /// A main program that ends with M99 is run again and again; else it ends there, unless a further pass comes to an end
+    /// of its own.
     pub loops_forever: bool,
     /// A spindle or coolant code is a step even where it changes nothing that the program knows of: keys of a
     /// panel may have changed it.

@@ -521,14 +521,21 @@ fn endless_programs_end_in_an_alarm() {
     // Repeats of repeats without a step: 9999^4 passes.
     let calls: String = (1..4).map(|n| format!("O{n}\nM98 P{} L9999\nM99\n", n + 1)).collect();
     ends_with(&format!("M98 P1 L9999\nM30\n{calls}O4\nM99\n"), Fault::EndlessProgram);
-    // A main program that repeats and never comes back to a state it had.
-    ends_with("O1\nG91 G0 X0.001\nM99\n", Fault::EndlessProgram);
+    // Passes of a main program lead to no end, each having another state than those before.
+    let program = b"O1\n#1=#1+1\nIF[#1 LT 0]GOTO9\nG91 G0 X0.001\nM99\nN9 M30\n";
+    assert_eq!(
+        common::interpreter(program, "", Options::default()).unwrap().filter_map(Result::ok).count(),
+        2
+    );
 }
 
 #[test]
 fn repeats_that_move_nothing_end() {
     // Without Z there is no hole, and X5 is where the tool is: 99 999 repeats of nothing in every pass.
-    ends_with("O1\nS100\nG81 X5 R1 K99999\n#1=#1+1\nM99\n", Fault::EndlessProgram);
+    let began = Instant::now();
+    let program = b"O1\nS100\nG81 X5 R1 K99999\n#1=#1+1\nM99\n";
+    let interpreter = common::interpreter(program, "", Options::default()).unwrap();
+    assert!(interpreter.filter_map(Result::err).next().is_none() && began.elapsed() < PATIENCE);
     // GSK990MC 4.4 allows K99999 at most.
     ends_with("O1\nS100\nG81 X5 R1 K100000\nM30\n", Fault::WordOutOfRange);
 }
@@ -542,8 +549,7 @@ fn holes_on_a_line_are_given_out_one_by_one() {
     // A line of no length makes no steps, and ends all the same.
     let program = b"O1\nG81 R0 L99999\n#1=#1+1\nM99\n";
     let interpreter = common::interpreter_of(kaitong, program, "", Options::default()).unwrap();
-    let alarm = interpreter.filter_map(Result::err).next();
-    assert_eq!(alarm.map(|a| a.fault), Some(Fault::EndlessProgram));
+    assert!(interpreter.filter_map(Result::err).next().is_none());
 }
 
 #[test]
