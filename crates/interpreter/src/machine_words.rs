@@ -210,7 +210,7 @@ impl Interpreter {
                 return Err(self.alarm(Fault::InputMissing, span));
             }
             let signal = Signal { port, is_off: self.words.long(level) == Some(0.0) };
-            self.move_axis_until(axis, speed, distance, signal)?;
+            self.move_axis_until(axis, speed, distance, signal, span)?;
             any = true;
         }
         match any {
@@ -225,6 +225,7 @@ impl Interpreter {
         speed: f64,
         distance: Option<f64>,
         until: Signal,
+        span: Span,
     ) -> Fallible<()> {
         let from = self.location.machine;
         let signal =
@@ -241,6 +242,11 @@ impl Interpreter {
                 None => (0.0, true),
             },
         };
+        // Where it ends is known too late for a path beside the programmed one, as with G31.
+        let [first, second] = [self.modal.plane().first(), self.modal.plane().second()];
+        if self.output.in_cutter_mode() && (axis == first || axis == second) {
+            return Err(self.alarm(Fault::SkipInCutter, span));
+        }
         let mut to = from;
         to[axis] += way * speed.signum();
         self.check_reach(to)?;

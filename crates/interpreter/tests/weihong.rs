@@ -468,6 +468,12 @@ fn programs_break_rules() {
         ("M901 LEVEL1\nM30", "", Fault::WordMissing, "M901"),
         ("G904 FX9 LX1\nM30", "", Fault::WordMissing, "G904"),
         ("G904 FX0 PX1 LX1\nM30", "", Fault::FeedOutOfRange, "FX0"),
+        (
+            "G41 D1 G01 X5 F9\nX9\nG904 FX9 PX1 LX1 X3\nM30",
+            "[tools.1]\nradius = 1",
+            Fault::SkipInCutter,
+            "G904",
+        ),
         ("M902 H7\nM30", "", Fault::ReferenceNumber, "H7"),
         ("G922 X1 P6\nM30", "", Fault::DataNumber, "P6"),
         ("G923 Z1\nM30", "", Fault::OffsetNumber, "G923 Z1"),
