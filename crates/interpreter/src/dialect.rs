@@ -403,6 +403,8 @@ pub struct Rules {
     pub repeats_are_alarms: bool,
     /// G90 and G91 in one block are an alarm.
     pub distance_is_exclusive: bool,
+    /// An expression may stand behind N; else it is a plain number.
+    pub sequence_takes_expression: bool,
     /// M codes allowed in a block.
     pub m_codes_in_block: u8,
     /// Levels of subprograms.
@@ -526,6 +528,7 @@ impl Default for Rules {
             length_not_with: &[],
             repeats_are_alarms: false,
             distance_is_exclusive: true,
+            sequence_takes_expression: false,
             m_codes_in_block: u8::MAX,
             single_in_macros: false,
             max_call_depth: 0,

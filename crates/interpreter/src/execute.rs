@@ -119,6 +119,7 @@ impl Interpreter {
                 WordValue::Number(number) => number,
                 // A program with a name has no number.
                 WordValue::Text(_) => 0.0,
+                // A plain number in every language: programs are found by it before any of their blocks is run.
                 WordValue::Expression(_) => {
                     let alarm = self.alarm(Fault::VariableInNumber, page.word_span(block, first));
                     return self.give_up_block(alarm);
@@ -170,8 +171,11 @@ impl Interpreter {
             let value = match word.value() {
                 WordValue::Number(value) => Ok(value),
                 WordValue::Text(text) => Err(text),
-                // O and N are plain numbers (GSK990MC 4.9.2, 1 note 1).
-                WordValue::Expression(_) if matches!(word.letter, b'O' | b'N') => {
+                // O and N are plain numbers (GSK990MC 4.9.2, 1 note 1), but for N of some controls.
+                WordValue::Expression(_)
+                    if word.letter == b'O'
+                        || word.letter == b'N' && !self.rules.sequence_takes_expression =>
+                {
                     let alarm = self.alarm(Fault::VariableInNumber, page.word_span(block, word));
                     self.note(alarm);
                     sound = false;

@@ -375,6 +375,9 @@ impl Reader<'_> {
             b'M' => self.m_word(words, word, value),
             b'N' => {
                 self.whole_word(word, value)?;
+                if value.fract() != 0.0 {
+                    return Err(self.alarm(Fault::WordNotWhole, word));
+                }
                 words.sequence = Some(value);
                 Ok(())
             }

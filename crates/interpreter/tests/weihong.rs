@@ -28,6 +28,7 @@ fn words_take_expressions_and_radians() {
         ("G90 G01 X=2*asin(1) Y=ctg(0.5) F=100+20\nM30", "", &["feed X3.1416 Y1.8305 F120", "end M30"]),
         // What was never set is 0; the index of a variable may be reckoned.
         ("#3=7\n#(1+1)=#9+5\nX=#2 Y=#(#2-2)\nM30", "", &["rapid X5 Y7", "end M30"]),
+        ("N=1+2 X5\nM30", "", &["rapid X5", "end M30"]),
         // A blank ends an expression, and comments run to the end of the line, ends of blocks in them too.
         ("X=1+2 Y3;Z4 'X9; Y9\nM30", "", &["rapid X3 Y3", "rapid Z4", "end M30"]),
         (
@@ -488,6 +489,8 @@ fn programs_break_rules() {
         ("X\"a\"\nM30", "", Fault::AddressWithoutNumber, "X\"a\""),
         ("G65 P\"NONE\"\nM30", "", Fault::ProgramMissing, "P\"NONE\""),
         ("G65 L2\nM30", "", Fault::CallWithoutProgram, "G65"),
+        ("N=1/2 X5\nM30", "", Fault::WordNotWhole, "N=1/2"),
+        ("O=7 X5\nM30", "", Fault::VariableInNumber, "O=7"),
         ("(a)\nM30", "", Fault::IllegalCharacter, "("),
     ] {
         let (_, alarm) = run_on(&DIALECT, program, setup);

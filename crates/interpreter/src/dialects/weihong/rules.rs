@@ -31,6 +31,8 @@ pub fn rules(parameters: &Parameters) -> Rules {
         length_on_plane_normal: false,
         // 4.3, G90.
         distance_is_exclusive: true,
+        // 4.5.
+        sequence_takes_expression: true,
         max_call_depth: CALL_DEPTH,
         max_repeats: 999_999_999.0,
         counts_take_any_number: true,
