@@ -243,6 +243,16 @@ impl Interpreter {
         }
     }
 
+    /// A tool comes into the spindle: the offsets that T called take the place of those in force (Weihong 4.1), the
+    /// length when the axis is next moved.
+    pub(crate) fn tool_comes(&mut self) -> Fallible<()> {
+        if !self.rules.tool_chooses_offsets {
+            return Ok(());
+        }
+        self.location.length.waits |= self.modal.meaning(Group::Length) != Meaning::LengthOff;
+        self.cutter_words(false)
+    }
+
     /// Raises an alarm of the present block; a checker goes on behind it.
     pub(crate) fn give_up_block(&mut self, alarm: Box<Alarm>) -> Fallible<()> {
         if !self.options.keep_going {

@@ -25,6 +25,9 @@ impl Interpreter {
             if row.after_motion != after {
                 continue;
             }
+            if row.function == MFunction::ToolChange && !self.is_auxiliary_locked() {
+                self.tool_comes()?;
+            }
             if rest.builtin != Some(at)
                 && let Some(code) = self.custom_m(row)
             {

@@ -78,6 +78,7 @@ impl Interpreter {
         // As the codes of T and M06, which the machine keeps back too.
         if !self.is_auxiliary_locked() {
             self.call_tool(tool);
+            self.tool_comes()?;
             self.technology.in_spindle = tool;
             self.emit(Op::ToolNumber(tool));
         }

@@ -556,11 +556,76 @@ fn a_tool_gets_another_number() {
         // It is in the spindle already.
         ("M903 P2\nM06\nM30", tools, &["tool 2", "end M30"]),
         ("M903 T2\nM30", tools, &["select 2", "tool 2", "end M30"]),
+        (
+            "T1 M06 G43 Z10\nM903 P2\nZ20\nM30",
+            tools,
+            &["select 1", "rapid Z11", "change 1", "tool 2", "rapid Z22", "end M30"],
+        ),
     ]);
     for (block, fault) in [("M903 P-1", Fault::WordNegative), ("M903 P0.5", Fault::WordNotWhole)] {
         let (_, alarm) = run_on(&DIALECT, &format!("{block}\nM30"), "");
         assert_eq!(alarm.map(|alarm| alarm.fault), Some(fault), "{block}");
     }
+}
+
+/// 4.1, T: the offsets of the tool before are in force until the next one is changed to.
+#[test]
+fn offsets_come_with_the_tool() {
+    let tools = "[tools.1]\nlength = 7\nradius = 1\n[tools.2]\nlength = 9\nradius = 2";
+    hold(&[
+        (
+            "T1 M06\nG43 Z20\nT2\nZ19\nM06\nX1\nZ21\nG81 X3 Z-5 R1 F100\nG80 G49 Z0\nM30",
+            tools,
+            &[
+                "select 1",
+                "change 1",
+                "rapid Z27",
+                "select 2",
+                "rapid Z26",
+                "change 2",
+                "rapid X1",
+                "rapid Z30",
+                "rapid X3",
+                "rapid Z10",
+                "feed Z4 F100",
+                "rapid Z30",
+                "rapid Z0",
+                "end M30",
+            ],
+        ),
+        // A cycle takes the length up on its way to the R level, and a program in the place of M06 changes tools too.
+        (
+            "T1 M06\nG43 Z20\nT2 M06\nG99 G81 X3 Z-5 R1 F100\nM30\nO206\nM17",
+            tools,
+            &[
+                "select 1",
+                "rapid Z27",
+                "select 2",
+                "rapid X3",
+                "rapid Z10",
+                "feed Z4 F100",
+                "rapid Z10",
+                "end M30",
+            ],
+        ),
+        // The radius changes along the next move.
+        (
+            "T1 M06\nG41 G01 Y5 F9\nX5\nT2 M06\nX9\nX20\nG40 Y9\nM30",
+            tools,
+            &[
+                "select 1",
+                "change 1",
+                "feed Y6 F9",
+                "feed X5 F9",
+                "select 2",
+                "change 2",
+                "feed X9 Y7 F9",
+                "feed X20 F9",
+                "feed Y9 F9",
+                "end M30",
+            ],
+        ),
+    ]);
 }
 
 /// What is not done is told by a check, and ends no run.
