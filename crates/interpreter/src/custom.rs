@@ -11,6 +11,7 @@ use crate::dialect::{CustomPrograms, GCode, MCode, MFunction, Meaning};
 use crate::execute::{Part, Rest};
 use crate::interpreter::Interpreter;
 use crate::modal::Group;
+use crate::stages::units;
 use crate::words::Words;
 use ferrocut_geometry::{Axis, MM_PER_INCH};
 use ferrocut_machine::Alarm;

@@ -47,8 +47,11 @@ impl Interpreter {
             return Err(self.alarm_at(Fault::OffsetTooLarge, b'D'));
         }
         let radius = self.tool_radius(row);
-        // A mirrored path has the tool on its other side (GSK990MC 4.2.14 note 2).
         let plane = self.modal.plane();
+        if radius != 0.0 {
+            self.refuse_rotary_plane(plane, self.words.block_span())?;
+        }
+        // A mirrored path has the tool on its other side (GSK990MC 4.2.14 note 2).
         let mirrored = self.location.scaling.is_some_and(|scaling| scaling.reverses(plane))
             ^ self.location.nested.is_some_and(|nested| nested.reverses(plane));
         let side = if mirrored { side.other() } else { side };

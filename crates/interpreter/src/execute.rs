@@ -332,9 +332,6 @@ impl Interpreter {
         if codes.cutter || self.words.has(b'D') && !self.rules.tools_carry_offsets {
             self.cutter_words(codes.cutter)?;
         }
-        if let Some(rotary) = self.rules.motion.rotary_y {
-            self.rotary_word(rotary, codes.rotary);
-        }
         self.finish_block(&mut rest)
     }
 
@@ -521,6 +518,12 @@ impl Interpreter {
             None => {}
         }
         self.length_code(length, codes)?;
+        // Centres of transformations are coordinates too; the words of a call are its arguments.
+        if let Some(rotary) = self.rules.motion.rotary_y
+            && codes.non_modal.is_none_or(|code| code.row.meaning != Meaning::Call)
+        {
+            self.rotary_word(rotary, codes.rotary);
+        }
         self.transform_codes(codes)
     }
 

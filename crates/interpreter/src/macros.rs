@@ -6,7 +6,6 @@ use crate::dialect::Variable;
 use crate::evaluate::{Evaluator, Value};
 use crate::flow::Locals;
 use crate::interpreter::Interpreter;
-use crate::stages::units;
 use ferrocut_geometry::{Axis, MM_PER_INCH, Position};
 use ferrocut_machine::{Alarm, AlarmId, Fault, WorkOffset};
 use ferrocut_program::{
@@ -82,7 +81,7 @@ impl Interpreter {
         // Positions are in the unit of the program, as on Fanuc.
         let place = |position: &Position, axis: u8| -> Result<f64, Fault> {
             let axis = self.axis_number(axis)?;
-            Ok(units::in_words(axis, position[axis], self.inch_axes()))
+            Ok(self.in_words(axis, position[axis]))
         };
         Ok(Some(match variable {
             Variable::Empty => return Ok(None),

@@ -11,6 +11,7 @@ use crate::stages::units;
 use crate::words::letters;
 use ferrocut_geometry::{Arc, Axis, AxisSet, MM_PER_INCH, Plane, Position, RadiusError, SAME_POINT_MM, Turn};
 use ferrocut_machine::Fault;
+use ferrocut_program::Span;
 use ferrocut_toolpath::{Feed, FeedAlong, InnerCorners, Op, PathMode};
 use std::f64::consts::TAU;
 
@@ -50,6 +51,13 @@ pub struct RotaryY {
     pub degrees_per_unit: f64,
     /// Y words are lengths, which inches multiply.
     pub is_length: bool,
+}
+
+impl RotaryY {
+    /// Degrees that 1 in a Y word stands for. Of the axis itself, which turns, no inch is made.
+    fn degrees(&self, inch: bool) -> f64 {
+        self.degrees_per_unit * if self.is_length && inch { MM_PER_INCH } else { 1.0 }
+    }
 }
 
 /// Most turns of a helix.
@@ -241,15 +249,27 @@ impl Interpreter {
     /// The Y word of a rotary axis, as degrees (Weihong 4.4, G907 and G908; 5, parameters 10 to 12).
     pub(crate) fn rotary_word(&mut self, rotary: RotaryY, block: RotaryBlock) {
         let Some(word) = self.words.get(b'Y') else { return };
-        // Of the axis itself, which turns, no inch is made.
-        let length = if rotary.is_length && self.modal.is_inch() { MM_PER_INCH } else { 1.0 };
-        let mut degrees = if block.degrees { word } else { word * rotary.degrees_per_unit * length };
+        let mut degrees = if block.degrees { word } else { word * rotary.degrees(self.modal.is_inch()) };
         if block.shortest && !self.modal.is_incremental() {
             let from = self.location.programmed[Axis::Y];
             // Half a turn goes in the positive direction.
             degrees = from + 180.0 - (180.0 - (degrees - from)).rem_euclid(360.0);
         }
         self.words.put(b'Y', degrees);
+    }
+
+    /// A coordinate in mm or degrees as the program would write it.
+    pub(crate) fn in_words(&self, axis: Axis, value: f64) -> f64 {
+        match self.rules.motion.rotary_y {
+            Some(rotary) if axis == Axis::Y => value / rotary.degrees(self.modal.is_inch()),
+            _ => units::in_words(axis, value, self.inch_axes()),
+        }
+    }
+
+    /// A shape in a plane with an axis that turns would be made of mm and degrees.
+    pub(crate) fn refuse_rotary_plane(&self, plane: Plane, span: Span) -> Fallible<()> {
+        let turns = self.rules.motion.rotary_y.is_some() && plane.normal() != Axis::Y;
+        if turns { Err(self.alarm(Fault::RotaryInPlane, span)) } else { Ok(()) }
     }
 
     /// Cuts straight to a programmed point.
@@ -346,6 +366,7 @@ impl Interpreter {
     /// out of shape is found (4.2.14, 6). It starts where the tool is.
     fn arc(&mut self, to: Position, axes: AxisSet, turn: Turn, polar: bool) -> Fallible<()> {
         let plane = self.modal.plane();
+        self.refuse_rotary_plane(plane, self.words.block_span())?;
         if self.location.polar.is_some() && self.rules.polar_is_strict && !self.words.has(b'R') {
             return Err(self.alarm(Fault::ArcInPolar, self.words.block_span()));
         }

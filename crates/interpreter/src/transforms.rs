@@ -28,7 +28,7 @@ impl Interpreter {
             Meaning::ScalingOff => self.transforms.retain(|t| !matches!(t, Transform::Scaling { .. })),
             Meaning::MirrorOn => self.nested_mirror(axes, span)?,
             Meaning::MirrorOff => self.nested_mirror_off(axes),
-            Meaning::RotationOn => self.nested_rotation()?,
+            Meaning::RotationOn => self.nested_rotation(span)?,
             // G69 takes the latest rotation back, wherever it stands in the stack.
             _ => {
                 let latest = self.transforms.iter().rposition(|t| matches!(t, Transform::Rotation(_)));
@@ -124,7 +124,7 @@ impl Interpreter {
     }
 
     /// G68 about a point of the plane.
-    fn nested_rotation(&mut self) -> Fallible<()> {
+    fn nested_rotation(&mut self, span: Span) -> Fallible<()> {
         let plane = self.modal.plane();
         let axes = self.words.axes(self.rules.axes);
         let degrees = self.words.get(b'R').unwrap_or(self.rules.rotation_angle);
@@ -133,6 +133,7 @@ impl Interpreter {
             let alarm = self.alarm_at(Fault::WordOutOfRange, b'R');
             return Err(Box::new(alarm.with("min", -limit).with("max", limit)));
         }
+        self.refuse_rotary_plane(plane, span)?;
         let center = plane.of(self.given_center(axes));
         self.transforms.push(Transform::Rotation(Rotation { plane, center, degrees }));
         Ok(())

@@ -361,7 +361,38 @@ fn a_rotary_y_turns() {
             surface,
             &["rapid Y350", "rapid Y370", "rapid Y550", "end M30"],
         ),
+        // What a program reads is in the units of its words: of a block, of the hole of a cycle, of where the axes are.
+        (
+            "G91 G77 G908 Y90\nG99 G81 G908 Y45 R-1 Z-1 F9\nG90 Y=#CURWORKPOS.Y*2\nM30\n\
+             O677\nY=#FC2\nM17\nO681\nY=#FC2\nM17",
+            surface,
+            &["rapid Y90", "rapid Y135", "rapid Y270", "end M30"],
+        ),
+        (
+            "G20 Y=asin(1)\nX=#CURMACHPOS.Y\nM30",
+            "[parameters]\nISYREVAXIS = 1",
+            &["rapid Y90", "rapid X39.8982", "end M30"],
+        ),
+        // The centre of a mirror is a coordinate too.
+        ("G51.1 G908 Y90\nG908 Y10\nM30", surface, &["rapid Y170", "end M30"]),
+        // A plane without the axis has arcs; a tool without a radius has no path beside the programmed one.
+        (
+            "G18 G02 X2 I1 K0 F9\nG17 G41 D1 G01 Y0 X3\nM30",
+            surface,
+            &["zx X2 about 0 1 by -180 F9", "feed X3 F9", "end M30"],
+        ),
     ]);
+    let surface = &format!("{surface}[tools.1]\nradius = 2");
+    for (program, words) in [
+        ("G02 X10 R5 F9\nM30", "G02 X10 R5 F9"),
+        ("G68 X0 Y0 R30\nM30", "G68"),
+        ("G41 D1 X10\nM30", "G41 D1 X10"),
+        ("G81 R1 Z0 F9 K0\nG34 X0 Y0 I5 J0 K3\nM30", "G34"),
+    ] {
+        let (_, alarm) = run_on(&DIALECT, program, surface);
+        let alarm = alarm.unwrap_or_else(|| panic!("no alarm: {program}"));
+        assert_eq!((alarm.fault, at_fault(program, &alarm)), (Fault::RotaryInPlane, words));
+    }
 }
 
 #[test]

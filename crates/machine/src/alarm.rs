@@ -278,6 +278,8 @@ faults! {
     NotInCutter = 475,
     /// Cutter compensation with a lathe tool.
     CutterLatheTool = 476,
+    /// An arc, rotation, compensation or figure in a plane with an axis that turns.
+    RotaryInPlane = 477,
 
     // 500: canned cycles
     /// A cycle in a plane that it does not work in.

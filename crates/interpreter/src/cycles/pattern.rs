@@ -6,7 +6,7 @@ use crate::Fallible;
 use crate::interpreter::Interpreter;
 use crate::stages::rotation::sin_cos_degrees;
 use crate::stages::units;
-use ferrocut_geometry::{Axis, AxisSet, Position};
+use ferrocut_geometry::{Axis, AxisSet, Plane, Position};
 use ferrocut_machine::Fault;
 use ferrocut_program::Span;
 
@@ -74,6 +74,7 @@ impl Interpreter {
         if self.is_nested_on_z() {
             return Err(self.alarm(Fault::CycleScaled, span));
         }
+        self.refuse_rotary_plane(Plane::Xy, span)?;
         let plane: AxisSet = axes.iter().filter(|a| matches!(a, Axis::X | Axis::Y)).collect();
         let at = self.straight_end_point(plane);
         let inch = self.modal.is_inch();
