@@ -269,6 +269,19 @@ fn polar_coordinates_keep_the_pole_of_g16() {
             "",
             &["rapid X10", "rapid Y5", "rapid X20 Y0", "rapid X14", "end M30"],
         ),
+        // They grow from where the tool is, also behind a move that is not polar: 90 + 30 degrees, then 60 + 10 mm.
+        (
+            "G90 G16 G00 X50 Y30\nG53 X0 Y10\nG91 Y30\nG90 G53 X60 Y0\nG91 X10\nM30",
+            "",
+            &[
+                "rapid X43.3013 Y25",
+                "rapid X0 Y10",
+                "rapid X-25 Y43.3013",
+                "rapid X60 Y0",
+                "rapid X-35 Y60.6218",
+                "end M30",
+            ],
+        ),
         // In G19 the first axis is Y, the second Z.
         ("G19 G16\nG1 Y10 Z30 X7 F100\nM30", "", &["feed X7 Y8.6603 Z5 F100", "end M30"]),
         // Begun again, they may be in another plane; a plane alone is refused.
