@@ -6,10 +6,10 @@ use crate::cycles::area::profile::{Element, Profile, ProfileError};
 use crate::cycles::described::{Entry, Kind, Parameter, Part, Section};
 use crate::dialect::Meaning;
 use crate::interpreter::Interpreter;
-use crate::modal::Group;
 use crate::stages::corner::CornerKind;
 use crate::stages::units;
 use crate::tool_axes::ToolAxes;
+use crate::words::letters;
 use ferrocut_geometry::{Arc, Axis, AxisName, Plane, Position, SAME_POINT_MM, Turn};
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_program::{Argument, Block, Page, Span, Statement, TextRange};
@@ -406,9 +406,23 @@ impl Interpreter {
                 | Meaning::ProfileChamfer
                 | Meaning::ProfileEntry
                 | Meaning::ProfileExit => special = Some(code.row.meaning),
-                _ if code.row.group == Group::Distance => {}
+                // Points of profiles are absolute.
+                Meaning::Absolute => {}
                 _ => return Err(form(self)),
             }
+        }
+        let is_round = matches!(recording.motion, Some(Meaning::ArcClockwise | Meaning::ArcCounterClockwise));
+        // Of a depth profile I and J stand for the axes as drawn, unless K says otherwise.
+        let centers = if self.words.has(b'K') { recording.centers } else { *b"IJ" };
+        let of_shape = match special {
+            Some(_) => letters(b"I"),
+            None if is_round && self.words.has(b'R') => letters(&recording.letters) | letters(b"R"),
+            None if is_round => letters(&recording.letters) | letters(&centers),
+            None => letters(&recording.letters),
+        };
+        // A word that is left aside would make another profile than the one that is written.
+        if self.words.has_any(!of_shape) || self.words.comma.is_some() {
+            return Err(form(self));
         }
         if let Some(special) = special {
             let size = mm(b'I').filter(|size| *size >= 0.0).ok_or_else(|| form(self))?;
@@ -439,8 +453,7 @@ impl Interpreter {
             _ => {
                 let turn =
                     if motion == Meaning::ArcClockwise { Turn::Clockwise } else { Turn::CounterClockwise };
-                // Of a depth profile I and J stand for the axes as drawn, unless K says otherwise.
-                let [i, j] = if mm(b'K').is_some() { recording.centers } else { *b"IJ" };
+                let [i, j] = centers;
                 self.profile_arc(recording.at, to, turn, [mm(b'R'), mm(i), mm(j)])?
             }
         };

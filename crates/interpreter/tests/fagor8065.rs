@@ -375,3 +375,47 @@ fn cycles_are_refused_while_cutter_compensation_is_in_force() {
     let (_, alarm) = run_on(&DIALECT, program, "[tools.1]\nradius = 5\n");
     assert_eq!(alarm.map(|alarm| (alarm.fault, alarm.span.line)), Some((Fault::NotInCutter, 5)));
 }
+/// What a cycle or a profile would leave aside is refused.
+#[test]
+fn nothing_of_a_cycle_is_left_aside() {
+    let hole = "#CYCLE G281 [X=0, Y=0, Z=0, ZS=5, P=2, F=100, T=1";
+    let milled = "#CYCLE G293 [X1=0, Y1=0, Z=0, ZS=5, P=2, P1=[10,0], P2=[20,0]";
+    let rough = "]\n#ROUGH [T=1, F=100, I=2]\nM30";
+    let profile =
+        |block: &str| format!("#PROFILE a [XY]\nG0 X0 Y0\nG1 X10\n{block}\nG1 Y10\n#ENDPROFILE\nM30");
+    for (program, fault) in [
+        // 4.20, 4.27: lists of points end with the first that is missing.
+        (format!("{milled}{rough}"), None),
+        (format!("{milled}, P4=[20,10]{rough}"), Some(Fault::CycleParameterMissing)),
+        (format!("{milled}, XN=30{rough}"), Some(Fault::CycleParameterMissing)),
+        (format!("{hole}]\n#MULTI POINTS [P2=[9,0], P4=[9,9]]\nM30"), Some(Fault::CycleParameterMissing)),
+        // 4.23, 4.24.
+        (format!("{hole}]\n#MULTI LINE [XN=9, alpha=0, L=9, N=2]\nM30"), Some(Fault::PatternForm)),
+        (format!("{hole}]\n#MULTI ARC [XA=9, R=9, alpha=0, N=2, tau=90]\nM30"), Some(Fault::PatternForm)),
+        (format!("{hole}]\n#MULTI ARC [XA=9, YA=0, N=3, beta=30, tau=300]\nM30"), Some(Fault::PatternForm)),
+        (format!("{hole}]\n#MULTI ARC [XA=9, YA=0, N=5, beta=30, tau=300]\nM30"), None),
+        // 3.1: what M functions do comes before the moves.
+        (format!("{hole}, M1=8, M2=0]\nM30"), None),
+        (format!("{hole}, M1=30]\nM30"), Some(Fault::CycleParameter)),
+        (format!("{hole}, M4=2]\nM30"), Some(Fault::CycleParameter)),
+        (format!("{hole}, M2=6]\nM30"), Some(Fault::CycleParameter)),
+        (format!("{hole}, S=-1000]\nM30"), Some(Fault::CycleParameter)),
+        (format!("{hole}, D=-1]\nM30"), Some(Fault::CycleParameter)),
+        (format!("{hole}, D=1.5]\nM30"), Some(Fault::CycleParameter)),
+        // Part B of the syntax: the words of profiles.
+        (profile("G36 I2"), None),
+        (profile("G36 I2 X5"), Some(Fault::ProfileForm)),
+        (profile("G37 I2 Y5"), Some(Fault::ProfileForm)),
+        (profile("G90 G1 X20"), None),
+        (profile("G91 G1 X20"), Some(Fault::ProfileForm)),
+        (profile("G1 X20 Z-1"), Some(Fault::ProfileForm)),
+        (profile("G1 X20 R5"), Some(Fault::ProfileForm)),
+        (profile("G1 X20 S500"), Some(Fault::ProfileForm)),
+        (profile("G1 X20 T2"), Some(Fault::ProfileForm)),
+        (profile("G2 X20 I5"), None),
+        (profile("G2 X20 I5 K0"), Some(Fault::ProfileForm)),
+    ] {
+        let (_, alarm) = run_on(&DIALECT, &program, "[tools.1]\nradius = 1\n");
+        assert_eq!(alarm.map(|alarm| alarm.fault), fault, "{program}");
+    }
+}

@@ -16,6 +16,7 @@ use super::pocket::KeptPockets;
 use super::positions::Figure;
 use super::zone::ToolData;
 use crate::Fallible;
+use crate::dialect::MFunction;
 use crate::directives::Profiles;
 use crate::interpreter::Interpreter;
 use crate::stages::corner::CornerKind;
@@ -38,6 +39,9 @@ pub enum Part {
     /// Finishing.
     Finish,
 }
+
+/// Most offsets of a tool.
+const MOST_EDGE: f64 = 99.0;
 
 /// Number of parts.
 const PARTS: usize = 5;
@@ -358,8 +362,7 @@ impl Interpreter {
             Ok(made) => made,
             Err(alarm) => return self.give_up_described(alarm),
         };
-        if let Some(fault) = self.stage_fault(&plan) {
-            let alarm = self.alarm(fault, span);
+        if let Err(alarm) = self.check_stages(&plan, span) {
             return self.give_up_described(alarm);
         }
         if self.options.keep_going {
@@ -384,15 +387,31 @@ impl Interpreter {
     }
 
     /// What forbids a plan before its first move.
-    fn stage_fault(&self, plan: &Plan) -> Option<Fault> {
-        plan.stages.iter().find_map(|stage| {
+    fn check_stages(&self, plan: &Plan, span: Span) -> Fallible<()> {
+        let is_number = |number: f64, most| number.fract() == 0.0 && (0.0..=most).contains(&number);
+        for stage in &plan.stages {
             if stage.operation.is_endless() {
-                return Some(Fault::MillTooManyMoves);
+                return Err(self.alarm(Fault::MillTooManyMoves, span));
             }
-            let number = stage.tool;
-            (number.fract() != 0.0 || !(0.0..=self.rules.max_tool).contains(&number))
-                .then_some(Fault::ToolNumber)
-        })
+            if !is_number(stage.tool, self.rules.max_tool) {
+                return Err(self.alarm(Fault::ToolNumber, span));
+            }
+            let wrong_m = ["M1", "M2", "M3", "M4"].into_iter().zip(stage.m).find_map(|(name, code)| {
+                let row = self.dialect.m_code(code.filter(|code| is_number(*code, 999.0))? as u16)?;
+                // The moves of the cycle would come behind the program's end, or with another tool.
+                matches!(row.function, MFunction::ProgramEnd | MFunction::End | MFunction::ToolChange)
+                    .then_some(name)
+            });
+            let wrong = match wrong_m {
+                _ if !(stage.speed >= 0.0) => Some("S"),
+                _ if !is_number(stage.edge, MOST_EDGE) => Some("D"),
+                wrong => wrong,
+            };
+            if let Some(word) = wrong {
+                return Err(self.wrong_parameter(WrongParameter::new(Fault::CycleParameter, word), span));
+            }
+        }
+        Ok(())
     }
 
     /// Runs the next stage of the cycle at its point, or what is left of it.

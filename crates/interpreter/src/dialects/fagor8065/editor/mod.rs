@@ -124,6 +124,27 @@ const POINTS: [Parameter; 25] = [
     point("P25"),
 ];
 
+/// A list of points has no gap: none is given behind `missing`, which is not.
+fn check_no_gap(section: &Section, list: &[Parameter], missing: &'static str) -> Result<(), WrongParameter> {
+    let behind = list.iter().skip_while(|parameter| parameter.name != missing);
+    let is_gap = behind.into_iter().any(|parameter| section.point(parameter.name).is_some());
+    refuse(is_gap, Fault::CycleParameterMissing, missing)
+}
+
+/// Both coordinates of a point; none where neither is given.
+fn both(
+    section: &Section,
+    [x, y]: [&'static str; 2],
+    fault: Fault,
+) -> Result<Option<[f64; 2]>, WrongParameter> {
+    match (section.given(x), section.given(y)) {
+        (Some(x), Some(y)) => Ok(Some([x, y])),
+        (None, None) => Ok(None),
+        (None, Some(_)) => Err(WrongParameter::new(fault, x)),
+        (Some(_), None) => Err(WrongParameter::new(fault, y)),
+    }
+}
+
 /// Every cycle.
 pub static CYCLES: &[DescribedCycle] = &[
     holes::CENTRE_PUNCHING,

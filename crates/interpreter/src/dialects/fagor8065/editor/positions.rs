@@ -1,7 +1,7 @@
 //! Positions associated with a cycle, by their formats (4.23 to 4.27). A format is told by the names that are
 //! there.
 
-use super::{POINTS, length, number};
+use super::{POINTS, both, check_no_gap, length, number};
 use crate::cycles::described::{DescribedFigure, Parameter, Section};
 use crate::cycles::parameter::{WrongParameter, refuse};
 use crate::cycles::positions::{Figure, Path, PathNames, whole};
@@ -59,7 +59,7 @@ fn form(word: &'static str) -> WrongParameter {
 /// 4.23.
 fn line(section: &Section, from: [f64; 2]) -> Made {
     let (count, distance) = (section.given("N"), section.given("I"));
-    if let (Some(x), Some(y)) = (section.given("XN"), section.given("YN")) {
+    if let Some([x, y]) = both(section, ["XN", "YN"], Fault::PatternForm)? {
         let names = PathNames { length: "XN", distance: "I", count: "N", tolerance: TOLERANCE };
         let total = (x - from[0]).hypot(y - from[1]);
         let (_, count) = Path { length: Some(total), distance, count }.steps(names)?;
@@ -74,7 +74,7 @@ fn line(section: &Section, from: [f64; 2]) -> Made {
 /// 4.24. The cycle's own point is point 1; where centre, radius and angle of it are given as well, the others
 /// lie on that circle.
 fn arc(section: &Section, from: [f64; 2]) -> Made {
-    let given_center = section.given("XA").zip(section.given("YA")).map(|(x, y)| [x, y]);
+    let given_center = both(section, ["XA", "YA"], Fault::PatternForm)?;
     let arm = match section.given("R").zip(section.given("alpha")) {
         Some((radius, first)) => {
             refuse(!(radius > 0.0 && radius.is_finite()), Fault::CycleParameter, "R")?;
@@ -95,16 +95,22 @@ fn arc(section: &Section, from: [f64; 2]) -> Made {
     let first = section.given("alpha").unwrap_or_else(|| y.atan2(x).to_degrees());
     let (count, step, last) = (section.given("N"), section.given("beta"), section.given("tau"));
     let (step, count) = match (count, step, last) {
-        (Some(count), Some(step), _) => (step, whole(count, TOLERANCE, "N")?),
+        (Some(count), Some(step), None) => (step, whole(count, TOLERANCE, "N")?),
         (Some(count), None, Some(last)) => {
             let count = whole(count, TOLERANCE, "N")?;
             // Counter-clockwise, where no angle between says otherwise.
             (span(first, last, 1.0) / f64::from(count - 1).max(1.0), count)
         }
-        (None, Some(step), Some(last)) => {
+        (given, Some(step), Some(last)) => {
             refuse(step == 0.0, Fault::CycleParameter, "beta")?;
             let total = span(first, last, step.signum());
             let count = whole((total / step).abs() + 1.0, TOLERANCE, "beta")?;
+            // No format has all three; where they agree they say the same.
+            let agrees = match given {
+                Some(given) => whole(given, TOLERANCE, "N")? == count,
+                None => true,
+            };
+            refuse(!agrees, Fault::PatternForm, "N")?;
             (total / f64::from(count - 1).max(1.0), count)
         }
         (None, None, _) => return Err(form("N")),
@@ -154,7 +160,10 @@ fn points(section: &Section, from: [f64; 2]) -> Made {
     let mut listed = vec![from];
     let mut at = from;
     for parameter in LISTED {
-        let Some((to, corner)) = section.point(parameter.name) else { break };
+        let Some((to, corner)) = section.point(parameter.name) else {
+            check_no_gap(section, LISTED, parameter.name)?;
+            break;
+        };
         refuse(corner.is_some(), Fault::ParameterKind, parameter.name)?;
         if (to[0] - at[0]).hypot(to[1] - at[1]) <= SAME_POINT_MM {
             break;

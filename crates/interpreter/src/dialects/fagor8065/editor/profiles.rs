@@ -61,7 +61,10 @@ fn points(main: &Section) -> Result<Profile, WrongParameter> {
     let mut elements = Vec::new();
     let mut at = [0.0; 2];
     for parameter in POINTS {
-        let Some((to, corner)) = main.point(parameter.name) else { break };
+        let Some((to, corner)) = main.point(parameter.name) else {
+            check_no_gap(main, &POINTS, parameter.name)?;
+            break;
+        };
         if start.is_none() {
             refuse(corner.is_some(), Fault::ProfileCorner, parameter.name)?;
             start = Some(to);
@@ -81,11 +84,10 @@ fn points(main: &Section) -> Result<Profile, WrongParameter> {
 fn point_to_point(description: &Description<'_>) -> Made {
     let main = description.part(Part::Main);
     let profile = points(main)?;
-    let exit = main.given("XN").zip(main.given("YN"));
     let ways = Ways {
         from: [main.number("X1"), main.number("Y1")],
         entry: main.number("R1"),
-        to: exit.map(|(x, y)| [x, y]),
+        to: both(main, ["XN", "YN"], Fault::CycleParameterMissing)?,
         exit: main.number("RN"),
     };
     refuse(!(ways.entry >= 0.0), Fault::CycleParameter, "R1")?;
