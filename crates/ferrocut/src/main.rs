@@ -9,6 +9,7 @@ mod plot;
 mod pockets;
 mod report;
 mod samples;
+mod stdout;
 mod view;
 
 use clap::Parser;
@@ -32,10 +33,12 @@ fn main() -> ExitCode {
         Command::Plc(args) => (commands::plc::run(&args), args.common()),
         Command::Serve(args) => (commands::serve::run(&args), args.common()),
     };
-    let exit = done.unwrap_or_else(|Failure { alarm, exit, file, programs }| {
+    let told = |Failure { alarm, exit, file, programs }| {
         job::diagnostics(&common).report(&alarm, &file, programs.as_deref());
         exit
-    });
+    };
+    let exit = done.unwrap_or_else(told);
+    let exit = stdout::end().map_or_else(told, |()| exit);
     ExitCode::from(match exit {
         Exit::Fine => 0,
         Exit::Finding => 1,

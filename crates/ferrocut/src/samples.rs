@@ -4,6 +4,7 @@
 //! back exactly. The first row is the position at rest when motion first begins.
 
 use crate::job::Failure;
+use crate::stdout;
 use ferrocut_controller::Tick;
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_machine::Machine;
@@ -25,7 +26,7 @@ impl Samples {
     /// Creates the file and writes its header; the axes stand at `start`.
     pub fn create(path: &Path, machine: &Machine, start: Position) -> Result<Samples, Failure> {
         let out: Box<dyn Write> = match path == Path::new("-") {
-            true => Box::new(io::stdout()),
+            true => Box::new(stdout::lock()),
             false => match File::create(path) {
                 Ok(file) => Box::new(file),
                 Err(error) => return Err(Failure::cannot_write(&path.to_string_lossy(), &error)),

@@ -185,6 +185,45 @@ fn findings_beyond_counting_are_counted() {
     assert!(answer.out.lines().filter(|l| l.starts_with("error")).count() < 1000);
 }
 
+/// Each path to standard output tells a disk that is full.
+#[test]
+#[cfg(target_os = "linux")]
+fn what_could_not_be_printed_is_told() {
+    let raster = "examples/gsk990mc/raster.nc";
+    let commands: [&[&str]; 15] = [
+        &["import", "crates/exchange/tests/everything.dxf"],
+        &["trace", raster],
+        &["time", raster],
+        &["check", raster],
+        &["run", raster],
+        &["run", raster, "--samples", "-"],
+        &["machine", "params", "export"],
+        &["machine", "params", "list"],
+        &["machine", "params", "get", "P270"],
+        &["machine", "new", "-o", "-"],
+        &["machine", "check", "machines/demo-mill.toml"],
+        &["plot", raster],
+        &["explain", "G84"],
+        &["plc", "run", "machines/standard.lad", "--for", "100"],
+        &["plc", "check", "machines/standard.lad"],
+    ];
+    for arguments in commands {
+        let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+        let output = Command::new(env!("CARGO_BIN_EXE_ferrocut"))
+            .args(arguments)
+            .current_dir(root())
+            .env("LANG", "C")
+            .stdout(full)
+            .output()
+            .unwrap();
+        let err = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {err}");
+        assert!(err.contains("FC-0907"), "{arguments:?}: {err}");
+        // A run that was cut off has no figures.
+        assert!(!err.contains("parts"), "{arguments:?}: {err}");
+    }
+}
+
 #[test]
 fn a_program_of_a_million_blocks_streams() {
     // 20 MB: more than is held whole.

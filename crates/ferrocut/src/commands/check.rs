@@ -2,6 +2,7 @@
 
 use crate::cli::CheckArgs;
 use crate::job::{Exit, Failure, Shop};
+use crate::stdout;
 use ferrocut_controller::Supervisor;
 use ferrocut_desk::finding::point_at_word;
 use ferrocut_interpreter::Options;
@@ -24,7 +25,7 @@ pub fn run(args: &CheckArgs) -> Result<Exit, Failure> {
     let shop = Shop::open(&args.common)?;
     let colour = io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none();
     let results: Vec<Findings> = args.files.par_iter().map(|file| check(&shop, file, colour)).collect();
-    let mut out = io::stdout().lock();
+    let mut out = stdout::lock();
     let mut exit = Exit::Fine;
     let mut total = 0;
     for found in &results {

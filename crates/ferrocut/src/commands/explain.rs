@@ -4,6 +4,7 @@ use crate::cli::{Common, Show};
 use crate::commands::names::complain;
 use crate::diagnostics::Diagnostics;
 use crate::job::{Exit, Failure, Shop};
+use crate::stdout;
 use clap::Args;
 use ferrocut_desk::{Asked, Page, asked, memory_of};
 use ferrocut_interpreter::{Dialect, dialects};
@@ -71,7 +72,7 @@ pub fn run(args: &ExplainArgs) -> Result<Exit, Failure> {
 
 /// Prints pages: one after the other for people, an object a line for programs.
 pub fn print(pages: &[Page], diagnostics: &Diagnostics) {
-    let mut out = io::stdout().lock();
+    let mut out = stdout::lock();
     for (at, page) in pages.iter().enumerate() {
         let written = match diagnostics.is_json() {
             true => writeln!(out, "{}", page.json(diagnostics.catalogue())),

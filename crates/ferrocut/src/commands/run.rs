@@ -6,6 +6,7 @@ use crate::diagnostics::Diagnostics;
 use crate::job::{Exit, Failure, Shop};
 use crate::report::{self, JsonReport};
 use crate::samples::Samples;
+use crate::stdout;
 use ferrocut_controller::drives::{self, Simulated};
 use ferrocut_controller::{Clock, Cnc, Event, State, Tick};
 use ferrocut_desk::finding::point_at_word;
@@ -48,7 +49,7 @@ pub fn run(args: &RunArgs) -> Result<Exit, Failure> {
     let samples_on_stdout = args.samples.as_deref() == Some(Path::new("-"));
     if !is_json && !samples_on_stdout {
         // A reader that went away is no fault of the run.
-        let _ = write_header(&mut io::stdout().lock(), &shop, &job, &name);
+        let _ = write_header(&mut stdout::lock(), &shop, &job, &name);
     }
     let interpreter = job.keeping().interpreter(Options { loops_forever: args.realtime, ..shop.options() });
     let length = interpreter.programs().text(interpreter.main_file()).map_or(0, |t| t.len());
@@ -73,7 +74,7 @@ pub fn run(args: &RunArgs) -> Result<Exit, Failure> {
             shop.diagnostics.report(warning, &name, Some(cnc.interpreter().programs()));
         }
         if !is_json && !samples_on_stdout {
-            let _ = lead.write_text(&mut io::stdout().lock(), &shop);
+            let _ = lead.write_text(&mut stdout::lock(), &shop);
         }
         restart = Some(lead.json);
     }
@@ -92,15 +93,19 @@ pub fn run(args: &RunArgs) -> Result<Exit, Failure> {
     screen.clear();
     if let Some(samples) = samples
         && let Err(error) = lost.and_then(|()| samples.finish())
-        && !samples_on_stdout
     {
+        // The run ended with the write that failed: it has no figures. What became of standard output is told
+        // at the end.
+        if samples_on_stdout {
+            return Ok(Exit::Fine);
+        }
         let file = args.samples.as_deref().unwrap_or(Path::new("")).to_string_lossy().into_owned();
         return Err(Failure::cannot_write(&file, &error));
     }
     let exit = report_end(&cnc, &shop, &name);
     let mut out: Box<dyn Write> = match samples_on_stdout {
         true => Box::new(io::stderr().lock()),
-        false => Box::new(io::stdout().lock()),
+        false => Box::new(stdout::lock()),
     };
     // A reader that went away is no fault of the run.
     let _ = match is_json {

@@ -4,6 +4,7 @@ use crate::cli::TimeArgs;
 use crate::commands::run::{report_end, write_text};
 use crate::job::{Exit, Failure, Shop};
 use crate::report::JsonReport;
+use crate::stdout;
 use ferrocut_controller::{Cnc, State};
 use std::io::{self, Write};
 
@@ -25,7 +26,7 @@ pub fn run(args: &TimeArgs) -> Result<Exit, Failure> {
         }
     }
     let exit = report_end(&cnc, &shop, &name);
-    let mut out = io::stdout().lock();
+    let mut out = stdout::lock();
     // A reader that went away is no fault of the program.
     let _ = match shop.diagnostics.is_json() {
         true => serde_json::to_writer(&mut out, &JsonReport::new(cnc.report(), &shop.machine))

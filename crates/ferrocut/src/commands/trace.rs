@@ -2,6 +2,7 @@
 
 use crate::cli::TraceArgs;
 use crate::job::{Exit, Failure, Shop};
+use crate::stdout;
 use ferrocut_interpreter::Interpreter;
 use ferrocut_machine::Alarm;
 use ferrocut_program::ProgramMemory;
@@ -16,7 +17,7 @@ pub fn run(args: &TraceArgs) -> Result<Exit, Failure> {
         if failure.exit == Exit::Finding && failure.alarm.span.line > 0 {
             let text = shop.diagnostics.message(&failure.alarm, failure.programs.as_deref());
             let (id, span) = (failure.alarm.id, failure.alarm.span);
-            let mut trace = TraceWriter::new(io::stdout().lock(), shop.options().start);
+            let mut trace = TraceWriter::new(stdout::lock(), shop.options().start);
             let _ = trace.alarm(id.number(), &id.to_string(), &text, span).and_then(|()| trace.finish());
         }
     })?;
@@ -24,7 +25,7 @@ pub fn run(args: &TraceArgs) -> Result<Exit, Failure> {
     job.tell(&shop.diagnostics);
     let notes: Vec<Step> = job.notes().map(|note| message(&shop, note, job.programs())).collect();
     let mut interpreter = job.interpreter(shop.options());
-    let mut trace = TraceWriter::new(io::stdout().lock(), shop.options().start);
+    let mut trace = TraceWriter::new(stdout::lock(), shop.options().start);
     trace.name_axes(shop.options().axis_names);
     trace.set_main(interpreter.main_file());
     match notes

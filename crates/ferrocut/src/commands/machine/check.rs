@@ -6,6 +6,7 @@ use crate::cli::Common;
 use crate::commands::explain::Book;
 use crate::commands::layout::{padded, table, width};
 use crate::job::{Exit, Failure, diagnostics};
+use crate::stdout;
 use ferrocut_interpreter::{Dialect, dialects};
 use ferrocut_machine::{Alarm, Argument, AxisConfig, AxisKind, Catalogue, Fault, Machine, Memory, Smoothing};
 use ferrocut_program::Span;
@@ -44,7 +45,7 @@ struct Remark {
 pub fn run(args: &CheckArgs, common: &Common) -> Result<Exit, Failure> {
     let diagnostics = diagnostics(common);
     let mut exit = Exit::Fine;
-    let mut out = io::stdout().lock();
+    let mut out = stdout::lock();
     for (at, path) in args.files.iter().enumerate() {
         let file = path.to_string_lossy();
         let text = match read(path) {

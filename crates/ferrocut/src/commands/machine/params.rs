@@ -7,6 +7,7 @@ use crate::commands::explain::{self, Book, dialect_of, unusable};
 use crate::commands::layout::{print, table};
 use crate::commands::names::{self, complain, name_error, parameter_error, range};
 use crate::job::{Exit, Failure, Shop};
+use crate::stdout;
 use ferrocut_desk::memory_of;
 use ferrocut_desk::page::{meaning, parameter_json};
 use ferrocut_machine::parameter_checks::{ContradictionKind, contradictions};
@@ -106,7 +107,7 @@ fn list(args: &ListArgs, book: &Book) -> Result<Exit, Failure> {
             ))
     };
     let rows: Vec<_> = values(book).filter(|(d, value)| wanted(d, *value)).collect();
-    let mut out = io::stdout().lock();
+    let mut out = stdout::lock();
     if book.diagnostics.is_json() {
         for (definition, value) in rows {
             // A reader that went away is no fault.
@@ -177,7 +178,7 @@ fn explain_names(names: &[String], book: &Book) -> Result<Exit, Failure> {
 
 fn get(names: &[String], book: &Book) -> Result<Exit, Failure> {
     let Some(keys) = keys(names, book) else { return Ok(Exit::WrongUse) };
-    let mut out = io::stdout().lock();
+    let mut out = stdout::lock();
     for key in keys {
         let value = book.memory.parameter(&key);
         let written = match book.table().get(&key) {
@@ -316,7 +317,7 @@ fn export(args: &ExportArgs, book: &Book) -> Result<Exit, Failure> {
     let rows = values(book).filter(|(d, value)| !args.changed || *value != d.default);
     if args.output == Path::new("-") {
         // A reader that went away is no fault.
-        let _ = write_parameters(io::stdout().lock(), rows);
+        let _ = write_parameters(stdout::lock(), rows);
         return Ok(Exit::Fine);
     }
     let file = args.output.to_string_lossy();

@@ -3,6 +3,7 @@
 use super::{CheckArgs, MOST_FAULTS, Source, alarm};
 use crate::diagnostics::Diagnostics;
 use crate::job::{Exit, Failure};
+use crate::stdout;
 use ferrocut_plc::Program;
 use serde::Serialize;
 use std::io::{self, IsTerminal, Write};
@@ -19,7 +20,7 @@ struct Fine<'a> {
 /// Runs the command.
 pub fn run(args: &CheckArgs, diagnostics: Diagnostics) -> Result<Exit, Failure> {
     let colour = io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none();
-    let mut out = io::stdout().lock();
+    let mut out = stdout::lock();
     let mut exit = Exit::Fine;
     for path in &args.files {
         let source = match Source::open(path) {

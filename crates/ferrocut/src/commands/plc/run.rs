@@ -3,6 +3,7 @@
 use super::{RunArgs, Source};
 use crate::diagnostics::Diagnostics;
 use crate::job::{Exit, Failure};
+use crate::stdout;
 use ferrocut_controller::control::ladder_alarm;
 use ferrocut_plc::instruction::Code;
 use ferrocut_plc::{Address, Area, Error, Fault, Maintenance, Pace, Plc, Program};
@@ -74,7 +75,7 @@ pub fn run(args: &RunArgs, diagnostics: Diagnostics) -> Result<Exit, Failure> {
         }
     }
     plc.watch(args.flow);
-    let mut out = io::stdout().lock();
+    let mut out = stdout::lock();
     // A reader that went away ends the run.
     match simulate(args, &diagnostics, &mut plc, &changes, &mut watched, &mut out) {
         Ok(true) => {
