@@ -31,6 +31,9 @@ struct Finding<'a> {
     severity: &'static str,
     message: String,
     help: Option<String>,
+    /// How often the program came to it, where that was counted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    times: Option<u64>,
 }
 
 /// The line that an alarm points at.
@@ -65,7 +68,7 @@ impl Diagnostics {
     }
 
     /// Writes a finding: with the line and the words underlined for people, as one object for
-    /// programs.
+    /// programs. `times` is how often the program came to it, where that was counted.
     pub fn write(
         &self,
         out: &mut dyn Write,
@@ -73,6 +76,7 @@ impl Diagnostics {
         file: &str,
         programs: Option<&ProgramMemory>,
         colour: bool,
+        times: Option<u64>,
     ) -> io::Result<()> {
         let alarm = with_word(alarm, programs);
         let file = programs.filter(|_| alarm.span.line > 0).map_or(file, |p| p.file_name(alarm.span.file));
@@ -92,6 +96,7 @@ impl Diagnostics {
                 severity: alarm.severity.name(),
                 message,
                 help,
+                times,
             };
             serde_json::to_writer(&mut *out, &finding)?;
             return out.write_all(b"\n");
@@ -115,6 +120,12 @@ impl Diagnostics {
         if let Some(help) = &help {
             group = group.element(Level::HELP.message(help.as_str()));
         }
+        let times = times.filter(|times| *times > 1);
+        let times =
+            times.map(|times| self.catalogue.label("label-times", &[("count", (times as f64).into())]));
+        if let Some(times) = &times {
+            group = group.element(Level::NOTE.message(times.as_str()));
+        }
         let renderer = if colour { Renderer::styled() } else { Renderer::plain() };
         writeln!(out, "{}\n", renderer.render(&[group]))
     }
@@ -124,7 +135,7 @@ impl Diagnostics {
         let mut out = io::stderr().lock();
         let colour = out.is_terminal() && std::env::var_os("NO_COLOR").is_none();
         // Nobody is left to tell if standard error is closed.
-        let _ = self.write(&mut out, alarm, file, programs, colour);
+        let _ = self.write(&mut out, alarm, file, programs, colour, None);
     }
 }
 

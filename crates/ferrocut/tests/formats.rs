@@ -183,6 +183,25 @@ fn findings_beyond_counting_are_counted() {
         answer.out.lines().last()
     );
     assert!(answer.out.lines().filter(|l| l.starts_with("error")).count() < 1000);
+    let answer = ferrocut(&["check", &faults, "--format", "json"]);
+    let last = json(answer.out.lines().last().unwrap());
+    let told = answer.out.lines().count() as u64 - 1;
+    assert_eq!(last["further"].as_u64(), Some(1000 - told), "{last}");
+}
+
+#[test]
+fn a_finding_in_a_loop_is_told_once_and_hides_no_other() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "O1\nM3 S1000\nG91 G1 X600 F500\nX-600\n#1=0\nWHILE[#1LT300]DO1\nG1 X600\nG1 X-600\n\
+        #1=#1+1\nEND1\nG777\nM30\n";
+    let file = write(&folder, "loop.nc", text);
+    let answer = ferrocut(&["check", &file, "--format", "json"]);
+    let findings = common::json_lines(&answer.out);
+    let of = |f: &serde_json::Value| (f["line"].as_u64().unwrap(), f["times"].as_u64().unwrap());
+    assert_eq!(findings.iter().map(of).collect::<Vec<_>>(), [(3, 1), (7, 300), (11, 1)], "{}", answer.out);
+    let answer = ferrocut(&["check", &file]);
+    assert!(answer.out.contains("G777") && answer.out.contains("300 times"), "{}", answer.out);
+    assert!(answer.out.trim_end().ends_with("3 findings"), "{}", answer.out);
 }
 
 /// Each path to standard output tells a disk that is full.

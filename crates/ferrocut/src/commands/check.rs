@@ -6,11 +6,13 @@ use crate::stdout;
 use ferrocut_controller::Supervisor;
 use ferrocut_desk::finding::point_at_word;
 use ferrocut_interpreter::Options;
+use ferrocut_machine::{Alarm, Argument};
+use ferrocut_program::Span;
 use rayon::prelude::*;
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 
-/// Findings of one file beyond which only their number is told.
+/// Findings of one file beyond which only their number is told. A loop that comes to one again makes no new one.
 const MOST_FINDINGS: usize = 200;
 
 /// What was found in one file, ready to print.
@@ -18,6 +20,26 @@ struct Findings {
     text: Vec<u8>,
     count: usize,
     exit: Exit,
+}
+
+/// A finding, and how often the program came to it.
+struct Found {
+    /// Words or block at fault, as the program gave them.
+    span: Span,
+    alarm: Alarm,
+    times: u64,
+}
+
+impl Found {
+    /// Whether an alarm says the same of the same place.
+    fn is(&self, alarm: &Alarm) -> bool {
+        self.span == alarm.span && self.alarm.id == alarm.id && axis(&self.alarm) == axis(alarm)
+    }
+}
+
+/// The axis that an alarm is about: those of a block lie at one place.
+fn axis(alarm: &Alarm) -> Option<&Argument> {
+    alarm.arguments.iter().find(|(name, _)| *name == "axis").map(|(_, axis)| axis)
 }
 
 /// Runs the command.
@@ -55,7 +77,7 @@ fn check(shop: &Shop, path: &Path, colour: bool) -> Findings {
         Ok(job) => job,
         Err(Failure { alarm, exit, programs, .. }) => {
             let programs = programs.as_deref();
-            let _ = shop.diagnostics.write(&mut found.text, &alarm, &name, programs, colour);
+            let _ = shop.diagnostics.write(&mut found.text, &alarm, &name, programs, colour, Some(1));
             found.count = 1;
             found.exit = exit;
             return found;
@@ -67,26 +89,42 @@ fn check(shop: &Shop, path: &Path, colour: bool) -> Findings {
     let mut interpreter = job.interpreter(Options { keep_going: true, ..shop.options() });
     interpreter.set_machine(std::sync::Arc::new(shop.machine.clone()));
     let mut pending = warnings;
+    let mut all: Vec<Found> = Vec::new();
+    let mut further = 0_usize;
     while supervisor.follow(&mut interpreter, &mut pending) {
         for mut alarm in pending.drain(..) {
-            found.count += 1;
-            found.exit = Exit::Finding;
-            if found.count > MOST_FINDINGS {
-                continue;
+            if let Some(known) = all.iter_mut().find(|known| known.is(&alarm)) {
+                known.times += 1;
+            } else if all.len() < MOST_FINDINGS {
+                let span = alarm.span;
+                point_at_word(&mut alarm, &interpreter);
+                all.push(Found { span, alarm, times: 1 });
+            } else {
+                further += 1;
             }
-            point_at_word(&mut alarm, &interpreter);
-            let programs = Some(interpreter.programs());
-            // Writing to memory cannot fail.
-            let _ = shop.diagnostics.write(&mut found.text, &alarm, &name, programs, colour);
         }
     }
-    if found.count > MOST_FINDINGS && !shop.diagnostics.is_json() {
-        let further = [("count", ((found.count - MOST_FINDINGS) as f64).into())];
-        let _ = writeln!(
-            found.text,
-            "{name}: {}\n",
-            shop.diagnostics.catalogue().label("label-further", &further)
-        );
+    found.count = all.len() + further;
+    if found.count > 0 {
+        found.exit = Exit::Finding;
+    }
+    let programs = Some(interpreter.programs());
+    // Writing to memory cannot fail.
+    for Found { alarm, times, .. } in &all {
+        let _ = shop.diagnostics.write(&mut found.text, alarm, &name, programs, colour, Some(*times));
+    }
+    if further > 0 {
+        let count = [("count", (further as f64).into())];
+        let told = shop.diagnostics.catalogue().label("label-further", &count);
+        let _ = match shop.diagnostics.is_json() {
+            true => {
+                let told = serde_json::json!({
+                    "file": name, "severity": "warning", "message": told, "further": further,
+                });
+                writeln!(found.text, "{told}")
+            }
+            false => writeln!(found.text, "{name}: {told}\n"),
+        };
     }
     found
 }

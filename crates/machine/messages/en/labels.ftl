@@ -33,6 +33,7 @@ label-checked = { $files ->
    *[other] { $findings } findings
 }
 label-further = { $count } further findings
+label-times = the program came to it { $count } times
 
 ## Explanations
 

@@ -33,6 +33,7 @@ label-checked = { $files ->
    *[other] { $findings } incidencias
 }
 label-further = otras incidencias: { $count }
+label-times = el programa llegó a ello { $count } veces
 
 ## Explanations
 

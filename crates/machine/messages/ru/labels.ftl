@@ -37,6 +37,11 @@ label-checked = { $files ->
    *[other] { $findings } замечания
 }
 label-further = ещё замечаний: { $count }
+label-times = программа дошла до этого места { $count } { $count ->
+    [one] раз
+    [few] раза
+   *[other] раз
+}
 
 ## Explanations
 

@@ -33,6 +33,7 @@ label-checked = { $machine } üzerinde { $files ->
    *[other] { $findings } bulgu
 }
 label-further = { $count } bulgu daha
+label-times = program buraya { $count } kez geldi
 
 ## Explanations
 

@@ -29,6 +29,7 @@ label-checked = 在 { $machine } 上检查了 { $files } 个文件：{ $findings
    *[other] { $findings } 个问题
 }
 label-further = 另有 { $count } 个问题
+label-times = 程序运行到此处 { $count } 次
 
 ## 说明
 

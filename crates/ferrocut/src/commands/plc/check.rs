@@ -41,7 +41,7 @@ pub fn run(args: &CheckArgs, diagnostics: Diagnostics) -> Result<Exit, Failure> 
                     .iter()
                     .take(MOST_FAULTS)
                     .try_for_each(|error| {
-                        diagnostics.write(&mut out, &alarm(error), &source.name, text.as_ref(), colour)
+                        diagnostics.write(&mut out, &alarm(error), &source.name, text.as_ref(), colour, None)
                     })
                     .and_then(|()| match diagnostics.is_json() {
                         true => Ok(()),
