@@ -214,11 +214,26 @@ impl Settings {
             return Err(wrong("order", "shortest, dims 3"));
         }
         check_height("pen_up", self.pen_up)?;
-        check_cutting(&self.cutting)?;
-        for (_, change) in self.layers.iter().chain(&self.pens) {
-            check_cutting(&self.changed(change))?;
+        self.check_cutting(&self.cutting)?;
+        for (_, change) in self.layers.iter().chain(&self.pens).filter(|(_, change)| !change.skip) {
+            self.check_cutting(&self.changed(change))?;
         }
         Ok(())
+    }
+
+    fn check_cutting(&self, cutting: &Cutting) -> Result<(), Box<Alarm>> {
+        check_height("depth", cutting.depth)?;
+        // Ways are run at rapid; in space the drawing itself says how deep it is cut.
+        if self.pen_up <= cutting.depth && !self.three_dimensional {
+            return Err(wrong("pen_up", format!("{}, depth {}", self.pen_up, cutting.depth)));
+        }
+        let rates =
+            [("feed", Some(cutting.feed)), ("plunge", Some(cutting.plunge)), ("spindle", cutting.spindle)];
+        let bad = |(_, rate): &(&str, Option<f64>)| rate.is_some_and(|rate| !(rate > 0.0 && rate <= 1e6));
+        match rates.into_iter().find(bad) {
+            Some((name, rate)) => Err(wrong(name, rate.unwrap_or(0.0))),
+            None => Ok(()),
+        }
     }
 
     fn changed(&self, change: &Change) -> Cutting {
@@ -258,17 +273,6 @@ fn tool(Number(number): Number) -> Result<u32, Box<Alarm>> {
 
 fn check_height(name: &str, value: f64) -> Result<(), Box<Alarm>> {
     if value.abs() <= FURTHEST { Ok(()) } else { Err(wrong(name, value)) }
-}
-
-fn check_cutting(cutting: &Cutting) -> Result<(), Box<Alarm>> {
-    check_height("depth", cutting.depth)?;
-    let rates =
-        [("feed", Some(cutting.feed)), ("plunge", Some(cutting.plunge)), ("spindle", cutting.spindle)];
-    let bad = |(_, rate): &(&str, Option<f64>)| rate.is_some_and(|rate| !(rate > 0.0 && rate <= 1e6));
-    match rates.into_iter().find(bad) {
-        Some((name, rate)) => Err(wrong(name, rate.unwrap_or(0.0))),
-        None => Ok(()),
-    }
 }
 
 impl Change {
@@ -356,12 +360,20 @@ mod tests {
     fn settings_that_cannot_be_used_are_refused() {
         let sane = Settings::default();
         assert!(sane.check().is_ok());
+        let row = |depth, skip| vec![("1".into(), Change { depth, skip, ..Change::default() })];
+        // What is left out has no depth.
+        assert!(Settings { layers: row(Some(6.0), true), ..sane.clone() }.check().is_ok());
         for bad in [
             Settings { scale: 0.0, ..sane.clone() },
             Settings { scale: f64::NAN, ..sane.clone() },
             Settings { units_per_mm: -40.0, ..sane.clone() },
             Settings { tolerance: 0.0, ..sane.clone() },
             Settings { pen_up: f64::INFINITY, ..sane.clone() },
+            Settings { pen_up: -5.0, ..sane.clone() },
+            Settings { pen_up: -1.0, ..sane.clone() },
+            Settings { cutting: Cutting { depth: 10.0, ..sane.cutting }, ..sane.clone() },
+            Settings { layers: row(Some(6.0), false), ..sane.clone() },
+            Settings { pens: row(Some(5.0), false), ..sane.clone() },
             Settings { cutting: Cutting { feed: 0.0, ..sane.cutting }, ..sane.clone() },
             Settings { three_dimensional: true, order: Order::Shortest, ..sane.clone() },
         ] {

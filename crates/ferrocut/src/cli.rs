@@ -398,7 +398,7 @@ pub struct ImportArgs {
     /// Values of a PLT point, 2 or 3; the third is work Z in units of the drawing [default: 2]
     #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u8).range(2..=3), help_heading = "Shape")]
     pub dims: Option<u8>,
-    /// Z at which the tool crosses over the work, mm [default: 5]
+    /// Z at which the tool crosses over the work, mm; above every depth [default: 5]
     #[arg(long, value_name = "Z", allow_negative_numbers = true, help_heading = "Cutting")]
     pub safe: Option<f64>,
     /// Z of the cut, mm [default: -1]
