@@ -253,14 +253,18 @@ impl Settings {
             Format::Dxf => &self.layers,
             Format::Plt => &self.pens,
         };
-        // Capitals do not count in the names of layers. The last row wins: that of the command line.
-        let same = |other: &str| other == name || other.to_lowercase() == name.to_lowercase();
-        match rows.iter().rev().find(|(known, _)| same(known)) {
+        // The last row wins: that of the command line.
+        match rows.iter().rev().find(|(known, _)| is_layer(known, name)) {
             Some((_, change)) if change.skip => None,
             Some((_, change)) => Some(self.changed(change)),
             None => Some(self.cutting),
         }
     }
+}
+
+/// Whether two names are those of one layer: capitals do not count.
+pub fn is_layer(one: &str, other: &str) -> bool {
+    one == other || one.to_lowercase() == other.to_lowercase()
 }
 
 fn tool(Number(number): Number) -> Result<u32, Box<Alarm>> {

@@ -131,7 +131,7 @@ fn layers_have_their_own_depths_and_tools() {
     ] {
         assert!(answer.out.contains(words), "{words} in {}", answer.out);
     }
-    let answer = ferrocut(&["import", &file, "--layer", "HOLES=skip"]);
+    let answer = ferrocut(&["import", &file, "--layer", "holes=skip"]);
     assert!(!answer.out.contains("G3"), "{}", answer.out);
 }
 
@@ -196,6 +196,8 @@ fn wrong_use_is_told_as_such() {
         (vec!["import", &file, "--depth=-3", "--safe=-5"], "pen_up: -5, depth -3"),
         (vec!["import", &file, "--depth", "10"], "pen_up: 5, depth 10"),
         (vec!["import", &file, "--layer", "HOLES=6"], "pen_up: 5, depth 6"),
+        (vec!["import", &file, "--layer", "HOLSE=skip"], "HOLSE; it has: 0, HOLES"),
+        (vec!["import", &file, "--pen", "1=skip"], "1; it has: 0, HOLES"),
         (vec!["import", &file, "--from", "svg"], "--from: svg"),
         (vec!["import", &file, "--to", "fagor"], "fagor"),
         (vec!["import", &file, "--picture", "x.gif"], "x.gif"),

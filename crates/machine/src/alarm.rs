@@ -576,6 +576,8 @@ faults! {
     NoWriter = 1019,
     /// A file that is no drawing where one is asked for.
     NoDrawing = 1020,
+    /// A layer or pen that the drawing has nothing on.
+    NothingOnLayer = 1021,
 
     // 1100: ladders
     /// A rule of ladders that is broken; the control's number says which.

@@ -68,6 +68,7 @@
 //! | `DxfGroupCode`, `DxfValue`, `DxfEntity`, `PltInstruction`, `PltArguments` | `word` |
 //! | `EntityLeftOut` | `kind`, `count` |
 //! | `LayerLeftOut` | `name`, `count` |
+//! | `NothingOnLayer` | `name`, `names` |
 //! | `HiddenLeftOut` | `count` |
 //! | `PltLeftOut` | `instruction` |
 //! | `ImportSetting`, `LadderSetting`, `PlotSetting` | `setting`, `value` |

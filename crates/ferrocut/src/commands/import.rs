@@ -7,8 +7,9 @@ use crate::drawing::{FromDrawing, Made, Opened, Source};
 use crate::job::{Exit, Failure, Shop};
 use crate::view::{PathModel, render};
 use ferrocut_exchange::write::Ends;
-use ferrocut_exchange::{Change, Format, Order, Settings, settings};
-use ferrocut_machine::Alarm;
+use ferrocut_exchange::{Change, Drawing, Format, Order, Settings, settings};
+use ferrocut_machine::{Alarm, Argument, Fault};
+use ferrocut_program::Span;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::{self, Write};
 use std::path::Path;
@@ -37,6 +38,7 @@ pub fn run(args: &ImportArgs) -> Result<Exit, Failure> {
     let stage = |key: &str| bar.set_message(shop.diagnostics.catalogue().label(key, &[]));
     let parameters = shop.memory_of(dialect, told)?.parameters;
     let made = source.program(dialect, &parameters, Ends::Raised, stage);
+    let made = made.and_then(|made| all_named(args, &made.drawing).map(|()| made));
     let made = made.inspect_err(|_| bar.finish_and_clear())?;
     stage("label-stage-prove");
     let Made { drawing, program } = made;
@@ -163,6 +165,31 @@ fn apply(args: &ImportArgs, to: &mut Settings) -> Result<(), Failure> {
         }
     }
     Ok(())
+}
+
+/// Whether the drawing has the layers and pens that the command line names: under a wrong name they would be cut
+/// as all else.
+fn all_named(args: &ImportArgs, drawing: &Drawing) -> Result<(), Failure> {
+    // A layer that is not shown is there all the same.
+    let left_out = drawing.warnings.iter().filter(|warning| warning.fault == Fault::LayerLeftOut);
+    let left_out = left_out.flat_map(|warning| &warning.arguments).filter_map(|argument| match argument {
+        ("name", Argument::Text(name)) => Some(&**name),
+        _ => None,
+    });
+    let names: Vec<&str> = drawing.layers.iter().map(|layer| &*layer.name).chain(left_out).collect();
+    let (asked, other) = match drawing.format {
+        Format::Dxf => (&args.layers, &args.pens),
+        Format::Plt => (&args.pens, &args.layers),
+    };
+    let of = |row: &String| row.rsplit_once('=').map_or(row.clone(), |(name, _)| name.to_owned());
+    let unknown = |name: &String| !names.iter().any(|known| settings::is_layer(known, name));
+    match asked.iter().map(of).find(unknown).or(other.first().map(of)) {
+        None => Ok(()),
+        Some(name) => {
+            let alarm = Alarm::core(Fault::NothingOnLayer, Span::default()).with("name", name);
+            Err(Failure::new(Box::new(alarm.with("names", names.join(", "))), Exit::WrongUse))
+        }
+    }
 }
 
 /// What was done, in a line or as an object.

@@ -78,3 +78,7 @@ FC-1019 = Drawings cannot be written in this control language
 FC-1020 = The file is neither a PLT nor a DXF drawing
     .detail = { $file }
     .help = Name its kind with --from plt or --from dxf if it is one.
+
+FC-1021 = The drawing has nothing on the layer or with the pen
+    .detail = { $name }; it has: { $names }
+    .help = Use a name that the drawing has. Layers go with DXF drawings, pens with PLT drawings.

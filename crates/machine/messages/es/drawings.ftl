@@ -78,3 +78,7 @@ FC-1019 = En este lenguaje de control no se pueden escribir dibujos
 FC-1020 = El archivo no es un dibujo PLT ni DXF
     .detail = { $file }
     .help = Indique su tipo con --from plt o --from dxf si lo es.
+
+FC-1021 = El dibujo no tiene nada en la capa o con la pluma
+    .detail = { $name }; tiene: { $names }
+    .help = Use un nombre que tenga el dibujo. Las capas son de dibujos DXF, las plumas de dibujos PLT.

@@ -78,3 +78,7 @@ FC-1019 = Çizimler bu kontrolün program dilinde yazılamaz
 FC-1020 = Dosya ne PLT ne DXF çizimi
     .detail = { $file }
     .help = Bunlardan biriyse türünü --from plt ya da --from dxf ile belirtin.
+
+FC-1021 = Çizimde bu katmanda ya da bu kalemle bir şey yok
+    .detail = { $name }; çizimde olanlar: { $names }
+    .help = Çizimde bulunan bir ad kullanın. Katmanlar DXF, kalemler PLT çizimleri içindir.

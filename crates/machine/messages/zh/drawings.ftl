@@ -78,3 +78,7 @@ FC-1019 = 不能用这种控制语言写出图纸
 FC-1020 = 文件既不是 PLT 也不是 DXF 图纸
     .detail = { $file }
     .help = 如果确实是图纸，请用 --from plt 或 --from dxf 指明种类。
+
+FC-1021 = 图纸的该图层或笔号上没有内容
+    .detail = { $name }；图纸中有：{ $names }
+    .help = 请使用图纸中有的名称。图层用于 DXF 图纸，笔号用于 PLT 图纸。
