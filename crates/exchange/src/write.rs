@@ -7,6 +7,7 @@
 use crate::curve::{Curve, Point, distance};
 use crate::drawing::{Action, Drawing, Move};
 use crate::settings::{Cutting, Format, Settings};
+use ferrocut_machine::Memory;
 use ferrocut_program::Span;
 use std::f64::consts::PI;
 use std::fmt::Write;
@@ -130,6 +131,11 @@ pub fn write(
     writer.comment(name, Span::default());
     writer.line(style.state, Span::default());
     if let (Ends::Raised, Some(first)) = (ends, moves.first()) {
+        // With a tool's length still unknown nothing goes down to the height of crossing.
+        let cut = moves.iter().find(|m| m.action != Action::Raise);
+        if let Some(cut) = cut.filter(|cut| writer.cutting(cut).tool.is_some()) {
+            writer.select(cut);
+        }
         writer.rapid_z(settings.pen_up, first.span);
     }
     for m in moves {
@@ -193,10 +199,16 @@ impl Writer<'_> {
         }
     }
 
+    /// How the layer of a move is cut.
+    fn cutting(&self, m: &Move) -> Cutting {
+        let layer = self.drawing.layers.get(m.layer as usize);
+        layer.and_then(|layer| layer.cutting).unwrap_or(self.settings.cutting)
+    }
+
     /// Says the layer, and puts its tool and spindle speed in force where the settings give them.
     fn select(&mut self, m: &Move) -> Cutting {
         let layer = self.drawing.layers.get(m.layer as usize);
-        let cutting = layer.and_then(|layer| layer.cutting).unwrap_or(self.settings.cutting);
+        let cutting = self.cutting(m);
         if self.layer == Some(m.layer) {
             return cutting;
         }
@@ -207,9 +219,23 @@ impl Writer<'_> {
             self.comment(&text, m.span);
         }
         if let Some(tool) = cutting.tool.filter(|tool| self.tool != Some(*tool)) {
-            self.rapid_z(self.settings.pen_up, m.span);
+            if self.z.is_some() {
+                self.rapid_z(self.settings.pen_up, m.span);
+            }
             self.line(&format!("T{tool} M6"), m.span);
             self.tool = Some(tool);
+            // Its length is taken up on the way to the height of crossing.
+            // A tool beyond the control's table of lengths has none.
+            let lengths = Memory::new(self.style.dialect).tools;
+            let length = match u16::try_from(tool).ok().and_then(|number| lengths.get(number)) {
+                Some(_) => format!("G0 G43 H{tool}"),
+                None => "G0 G49".to_owned(),
+            };
+            self.program.text.push_str(&length);
+            let z = self.unit_of(self.settings.pen_up);
+            self.number('Z', z);
+            self.end(m.span);
+            (self.code, self.z) = (Some(0), Some(z));
             // A new tool starts its spindle anew.
             self.spindle = None;
         }
@@ -519,9 +545,9 @@ mod tests {
         assert_eq!(
             lines,
             [
-                "G0 Z5.0",
                 "(PEN 1)",
                 "T3 M6",
+                "G0 G43 H3 Z5.0",
                 "S8000 M3",
                 "X0.0 Y0.0",
                 "G1 Z-2.5 F300",
@@ -529,6 +555,7 @@ mod tests {
                 "(PEN 2)",
                 "G0 Z5.0",
                 "T4 M6",
+                "G0 G43 H4 Z5.0",
                 "S8000 M3",
                 "G1 Z-2.5 F300",
                 "X2.0 F600",

@@ -131,6 +131,11 @@ fn layers_have_their_own_depths_and_tools() {
     ] {
         assert!(answer.out.contains(words), "{words} in {}", answer.out);
     }
+    assert_eq!(answer.out.matches("G0 G43 H2 Z8.0").count(), 1, "{}", answer.out);
+    // The control has lengths of seven tools.
+    let answer = ferrocut(&["import", &file, "--to", "weihong", "--layer", "holes=-1,7", "--tool", "8"]);
+    assert_eq!(answer.code, 0, "{}", answer.err);
+    assert!(answer.out.contains("T7 M6\nG0 G43 H7 Z5.0\n") && answer.out.contains("T8 M6\nG0 G49 Z5.0\n"));
     let answer = ferrocut(&["import", &file, "--layer", "holes=skip"]);
     assert!(!answer.out.contains("G3"), "{}", answer.out);
 }
