@@ -31,7 +31,7 @@ use serde::{Deserialize, Serialize};
 use std::cmp::Ordering;
 use std::fmt;
 use std::fs::{self, File};
-use std::io::{BufRead, BufReader, BufWriter, Read, Write};
+use std::io::{self, BufRead, BufReader, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 
 /// The version of the format.
@@ -146,8 +146,10 @@ fn from_hex(text: &str) -> Option<Vec<u8>> {
 }
 
 impl Reader {
-    /// Writes items, of one moment, into a file: whole or not at all. Says what is in it.
+    /// Writes items, of one moment, into a file: whole or not at all. Says what is in it. A link stays a link: the
+    /// backup goes to what it leads to.
     pub fn back_up(&self, path: &Path, items: &[Item]) -> Result<Vec<BackupEntry>, Error> {
+        let path = &file_behind(path)?;
         let part = beside(path);
         let written = self.write_part(&part, items);
         if written.is_err() {
@@ -174,6 +176,21 @@ impl Reader {
         let file = to.to.into_inner().map_err(|error| Error::Disk(error.to_string()))?;
         file.sync_all()?;
         Ok(entries)
+    }
+}
+
+/// The file that a name stands for. What is there and is no regular file is refused: a file put in the place of a
+/// device or a pipe would take it away from whoever uses it.
+fn file_behind(path: &Path) -> Result<PathBuf, Error> {
+    match fs::symlink_metadata(path) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(path.to_owned()),
+        _ => {
+            let path = fs::canonicalize(path)?;
+            match fs::metadata(&path)?.is_file() {
+                true => Ok(path),
+                false => Err(Error::Disk(format!("{} is no regular file", path.display()))),
+            }
+        }
     }
 }
 

@@ -46,6 +46,25 @@ fn all_goes_into_one_file_and_back() {
     assert_eq!(all(&other).last_position, before.last_position);
 }
 
+/// A link stays a link, and what is no regular file is left alone.
+#[test]
+#[cfg(unix)]
+fn a_backup_goes_to_what_a_link_leads_to_and_replaces_no_device() {
+    let folder = tempdir().unwrap();
+    let store = open(&folder.path().join("a"));
+    let path = |name: &str| folder.path().join(name);
+    let entries = |path: &std::path::Path| Backup::open(path).unwrap().entries().len();
+    fs::write(path("old.backup"), "old").unwrap();
+    std::os::unix::fs::symlink("old.backup", path("last.backup")).unwrap();
+    store.reader().back_up(&path("last.backup"), &Item::ALL).unwrap();
+    assert!(fs::symlink_metadata(path("last.backup")).unwrap().is_symlink());
+    assert_eq!(entries(&path("old.backup")), Item::ALL.len());
+    let socket = std::os::unix::net::UnixListener::bind(path("socket")).unwrap();
+    assert!(store.reader().back_up(&path("socket"), &Item::ALL).is_err());
+    assert!(!fs::metadata(path("socket")).unwrap().is_file());
+    drop(socket);
+}
+
 #[test]
 fn single_items_leave_the_others_alone() {
     let folder = tempdir().unwrap();
