@@ -434,7 +434,7 @@ faults! {
     NoProgramEnd = 606,
     /// The end mark `%` reached by execution.
     EndMarkReached = 607,
-    /// Blocks run without end and without motion.
+    /// Blocks run without end.
     EndlessProgram = 608,
     /// A jump to a sequence number that does not exist.
     SequenceMissing = 609,

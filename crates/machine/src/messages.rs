@@ -43,7 +43,6 @@
 //! | `ReferenceInCycle` | `word` |
 //! | `ProgramMissing`, `ProgramNumber` | `program` |
 //! | `TooManyRepeats` | `repeats`, `limit` |
-//! | `EndlessProgram` | `blocks` |
 //! | `SequenceMissing`, `JumpTargetMissing` | `number` |
 //! | `FunctionDomain` | `name`, `value` |
 //! | `UnknownVariable`, `VariableNotWritable` | `variable` |
