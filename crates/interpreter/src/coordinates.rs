@@ -12,11 +12,12 @@ use crate::stages::work_offset::{System, WorkSystem};
 use crate::stages::{distance, units};
 use crate::words::letters;
 use ferrocut_geometry::{Axis, AxisSet, Position};
-use ferrocut_machine::{Fault, WorkOffset};
+use ferrocut_machine::{Alarm, Fault, WorkOffset};
 use ferrocut_program::Span;
+use std::ops::RangeInclusive;
 
 /// Smallest and largest factor of scaling (GSK990MC table 3-1-3-1, P330).
-const FACTOR: std::ops::RangeInclusive<f64> = 0.0001..=9999.9999;
+const FACTOR: RangeInclusive<f64> = 0.0001..=9999.9999;
 
 const CENTER_LETTERS: u32 = letters(b"IJK");
 
@@ -126,7 +127,7 @@ impl Interpreter {
             };
             let factor = given.unwrap_or(standard);
             if !FACTOR.contains(&factor.abs()) {
-                return Err(self.alarm_at(Fault::ScaleFactor, if by_axis { letter } else { b'P' }));
+                return Err(self.scale_factor(if by_axis { letter } else { b'P' }, &FACTOR));
             }
             let acts = self.rules.scaling.axes.get(index).copied().unwrap_or(false);
             if let Some(slot) = factors.get_mut(index).filter(|_| acts) {
@@ -135,6 +136,13 @@ impl Interpreter {
         }
         self.location.scaling = Some(Scaling { center: [x, y, z], factors });
         Ok(())
+    }
+
+    /// A factor outside the control's range.
+    pub(crate) fn scale_factor(&self, letter: u8, range: &RangeInclusive<f64>) -> Box<Alarm> {
+        // As text: the smallest have more places than numbers are shown with.
+        let alarm = self.alarm_at(Fault::ScaleFactor, letter);
+        Box::new(alarm.with("min", range.start().to_string()).with("max", range.end().to_string()))
     }
 
     /// G50: the tool stands where it stands.

@@ -77,7 +77,7 @@ impl Interpreter {
             if let Some(given) = given {
                 if !FACTOR.contains(&given) {
                     let at = if common.is_some() { b'P' } else { letter };
-                    return Err(self.alarm_at(Fault::ScaleFactor, at));
+                    return Err(self.scale_factor(at, &FACTOR));
                 }
                 // Where no centre is given: that of the scaling in force, else the present place.
                 if is_listed || *factor == 1.0 {

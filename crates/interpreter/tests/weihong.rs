@@ -6,7 +6,7 @@ mod common;
 use common::{at_fault, interpreter_of, lines_on, run_on};
 use ferrocut_interpreter::dialects::weihong::DIALECT;
 use ferrocut_interpreter::{Interpreter, Options};
-use ferrocut_machine::{Fault, Severity};
+use ferrocut_machine::{Catalogue, Fault, Language, Severity};
 use ferrocut_toolpath::{Op, PathMode};
 
 /// Program, set-up, the steps that it makes.
@@ -475,6 +475,14 @@ fn programs_stand_for_codes() {
     ]);
     let interpreter = interpreter_of(&DIALECT, b"M40\nM30\nO241\nM17\n", "", Options::default()).unwrap();
     assert_eq!(interpreter.filter_map(Result::err).next().unwrap().fault, Fault::UnknownMCode);
+}
+
+#[test]
+fn a_scale_factor_out_of_range_tells_the_range() {
+    let interpreter = interpreter_of(&DIALECT, b"G51 X0 P0\nM30\n", "", Options::default()).unwrap();
+    let alarm = interpreter.filter_map(Result::err).next().unwrap();
+    let text = Catalogue::new(Language::En).message(&alarm);
+    assert!(text.contains("0.000001 to 99.999999"), "{text}");
 }
 
 #[test]

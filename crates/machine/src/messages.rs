@@ -36,6 +36,7 @@
 //! | `NegativeDwell`, `FeedOutOfRange` | `word` |
 //! | `CoordinateTooLarge` | `axis`, `position` |
 //! | `OffsetNumber` | `number`, `limit` |
+//! | `ScaleFactor` | `min`, `max` |
 //! | `WorkOffsetNumber` | `name` |
 //! | `CyclePlane` | `plane` |
 //! | `CycleDepthAboveR` | `depth`, `r`: Z levels |

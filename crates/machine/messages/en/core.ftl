@@ -169,9 +169,9 @@ FC-0605 = No program can have this number
     .detail = { $program }
     .help = Use a program number that the control allows.
 FC-0606 = The program has no end
-    .help = End the main program with M30 or M02, a subprogram with M99.
+    .help = End the main program with M30 or M02, a subprogram with M99, or M17 where the control has that.
 FC-0607 = The program ran into the end mark %
-    .help = End the program with M30, M02 or M99 before the mark.
+    .help = End the program before the mark: with M30 or M02, a subprogram with M99, or M17 where the control has that.
 FC-0608 = The program does not come to its end
     .help = Check the conditions of loops and jumps.
 FC-0609 = The sequence number to jump to does not exist
@@ -283,7 +283,8 @@ FC-0405 = Scaling is not enabled on this control
     .help = Set bit 60#5 to 1.
 
 FC-0406 = The scale factor is out of range
-    .help = Use a factor from 0.0001 to 9999.9999.
+    .detail = { $min } to { $max }
+    .help = Use a factor that the control takes.
 
 FC-0407 = This code is not allowed while scaling is active
     .help = Cancel scaling with G50 first.
@@ -310,7 +311,7 @@ FC-0414 = A reference point return without an axis
     .help = Name the axes that are to return.
 
 FC-0415 = There is no such reference point
-    .help = Use P2, P3 or P4.
+    .help = Use a number that the code has: P2, P3 or P4 with G30, H0 to H3 (X, Y, Z, A) with M902.
 
 FC-0416 = The position is not the reference point
     .help = Check the position and the offsets in force.
@@ -556,7 +557,7 @@ FC-0529 = The pitch of the thread is given twice
     .detail = { $word }
     .help = Program F or I, not both.
 FC-0530 = Holes on a figure without a canned cycle
-    .help = Program the canned cycle before, with K0.
+    .help = Program the canned cycle before the figure; before G34 to G37 with K0, so that it makes no hole itself.
 FC-0531 = A canned cycle while Z is scaled
     .help = Cancel the scaling with G50, or leave Z out of it.
 FC-0532 = A milling cycle is called while X and Y are scaled differently

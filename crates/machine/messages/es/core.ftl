@@ -169,9 +169,9 @@ FC-0605 = Ningún programa puede tener este número
     .detail = { $program }
     .help = Use un número de programa que el control admita.
 FC-0606 = El programa no tiene final
-    .help = Termine el programa principal con M30 o M02, un subprograma con M99.
+    .help = Termine el programa principal con M30 o M02, un subprograma con M99, o con M17 donde el control lo tenga.
 FC-0607 = El programa llegó a la marca de fin %
-    .help = Termine el programa con M30, M02 o M99 antes de la marca.
+    .help = Termine el programa antes de la marca: con M30 o M02, un subprograma con M99, o con M17 donde el control lo tenga.
 FC-0608 = El programa no llega a su fin
     .help = Revise las condiciones de los bucles y los saltos.
 FC-0609 = El número de secuencia de destino del salto no existe
@@ -283,7 +283,8 @@ FC-0405 = El escalado no está habilitado en este control
     .help = Ponga a 1 el bit 60#5.
 
 FC-0406 = El factor de escala está fuera de rango
-    .help = Use un factor de 0.0001 a 9999.9999.
+    .detail = de { $min } a { $max }
+    .help = Use un factor que el control admita.
 
 FC-0407 = Este código no se admite con el escalado activo
     .help = Anule antes el escalado con G50.
@@ -310,7 +311,7 @@ FC-0414 = Retorno al punto de referencia sin eje
     .help = Indique los ejes que deben retornar.
 
 FC-0415 = Ese punto de referencia no existe
-    .help = Use P2, P3 o P4.
+    .help = Use un número que el código tenga: P2, P3 o P4 con G30, de H0 a H3 (X, Y, Z, A) con M902.
 
 FC-0416 = La posición no es el punto de referencia
     .help = Revise la posición, los correctores y los ceros activos.
@@ -556,7 +557,7 @@ FC-0529 = El paso de la rosca está dado dos veces
     .detail = { $word }
     .help = Programe F o I, no los dos.
 FC-0530 = Agujeros en una figura sin ciclo fijo
-    .help = Programe antes el ciclo fijo, con K0.
+    .help = Programe el ciclo fijo antes de la figura; antes de G34 a G37 con K0, para que no haga él mismo un agujero.
 FC-0531 = Ciclo fijo con Z escalado
     .help = Anule el escalado con G50 o deje Z fuera de él.
 FC-0532 = Ciclo de fresado con X e Y a escalas distintas

@@ -169,9 +169,9 @@ FC-0605 = Hiçbir programın numarası bu olamaz
     .detail = { $program }
     .help = Kontrolün izin verdiği bir program numarası kullanın.
 FC-0606 = Programın sonu yok
-    .help = Ana programı M30 ya da M02, alt programı M99 ile bitirin.
+    .help = Ana programı M30 ya da M02, alt programı M99 ile, kontrolde varsa M17 ile bitirin.
 FC-0607 = Program % son işaretine geldi
-    .help = Programı işaretten önce M30, M02 ya da M99 ile bitirin.
+    .help = Programı işaretten önce bitirin: M30 ya da M02 ile, alt programı M99 ile, kontrolde varsa M17 ile.
 FC-0608 = Program sonuna gelmiyor
     .help = Döngü ve atlama koşullarını denetleyin.
 FC-0609 = Atlanacak sıra numarası yok
@@ -283,7 +283,8 @@ FC-0405 = Bu kontrolde ölçekleme açık değil
     .help = 60#5 bitini 1 yapın.
 
 FC-0406 = Ölçek çarpanı aralığının dışında
-    .help = 0.0001 ile 9999.9999 arasında bir çarpan kullanın.
+    .detail = { $min } ile { $max } arası
+    .help = Kontrolün kabul ettiği bir çarpan kullanın.
 
 FC-0407 = Ölçekleme etkinken bu koda izin yok
     .help = Önce ölçeklemeyi G50 ile iptal edin.
@@ -310,7 +311,7 @@ FC-0414 = Eksen belirtilmeden referans noktasına dönüş
     .help = Dönecek eksenleri yazın.
 
 FC-0415 = Böyle bir referans noktası yok
-    .help = P2, P3 ya da P4 kullanın.
+    .help = Kodun aldığı bir numara kullanın: G30 ile P2, P3 ya da P4, M902 ile H0 - H3 (X, Y, Z, A).
 
 FC-0416 = Konum, referans noktası değil
     .help = Konumu ve etkin ofsetleri denetleyin.
@@ -556,7 +557,7 @@ FC-0529 = Diş adımı iki kez verilmiş
     .detail = { $word }
     .help = F ya da I programlayın, ikisini birden değil.
 FC-0530 = Sabit çevrim olmadan bir şekil üzerinde delikler
-    .help = Önce sabit çevrimi K0 ile programlayın.
+    .help = Sabit çevrimi şekilden önce programlayın; G34 - G37'den önce, kendisi delik açmasın diye K0 ile.
 FC-0531 = Z ölçeklenmişken sabit çevrim
     .help = Ölçeklemeyi G50 ile iptal edin ya da Z'yi dışında bırakın.
 FC-0532 = X ve Y farklı ölçeklenirken frezeleme çevrimi çağrılıyor
