@@ -265,8 +265,8 @@ FC-0708 = This address cannot pass an argument to a macro
 FC-0709 = Macro calls are nested too deep
     .help = Call fewer macros within each other.
 
-FC-0710 = The loop cannot be run
-    .help = Give DO and END a label from 1 to 3.
+FC-0710 = The loop or condition cannot be run
+    .help = Give DO and END a label from 1 to 3, a loop that counts a step other than 0, and close every loop and condition.
 
 FC-0711 = The loops do not pair
     .help = Give every DO one END with the same label, and do not let loops cross.

@@ -265,8 +265,8 @@ FC-0708 = Esta dirección no puede pasar un argumento a una macro
 FC-0709 = Demasiados niveles de llamada a macro
     .help = Llame a menos macros unas dentro de otras.
 
-FC-0710 = No se puede ejecutar el bucle
-    .help = Dé a DO y END una etiqueta de 1 a 3.
+FC-0710 = No se puede ejecutar el bucle o la condición
+    .help = Dé a DO y END una etiqueta de 1 a 3, a un bucle que cuenta un paso distinto de 0, y cierre cada bucle y cada condición.
 
 FC-0711 = Hay bucles sin pareja
     .help = Dé a cada DO un END con la misma etiqueta y no deje que los bucles se crucen.

@@ -265,8 +265,8 @@ FC-0708 = Bu adres bir makroya argüman geçiremez
 FC-0709 = Makro çağrıları çok derin iç içe
     .help = Daha az makroyu iç içe çağırın.
 
-FC-0710 = Döngü yürütülemez
-    .help = DO ve END için 1 ile 3 arasında bir etiket verin.
+FC-0710 = Döngü ya da koşul yürütülemez
+    .help = DO ve END için 1 ile 3 arasında bir etiket, sayan bir döngü için 0'dan farklı bir adım verin ve her döngüyü, her koşulu kapatın.
 
 FC-0711 = Döngüler eşleşmiyor
     .help = Her DO için aynı etiketli tek bir END yazın; döngüler birbirini kesmesin.
