@@ -264,7 +264,7 @@ impl FromStr for VariableName {
     }
 }
 
-/// A finite number; `true` and `false` are read as 1 and 0, for bits and inputs.
+/// A finite number.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Number(pub f64);
 
@@ -274,12 +274,33 @@ impl<'de> Deserialize<'de> for Number {
         #[serde(untagged, expecting = "expected a number")]
         enum Written {
             Number(f64),
+        }
+        let Written::Number(value) = Written::deserialize(from)?;
+        finite(value).map(Number)
+    }
+}
+
+fn finite<E: serde::de::Error>(value: f64) -> Result<f64, E> {
+    match value.is_finite() {
+        true => Ok(value),
+        false => Err(E::custom(format!("{value} is no number that can be used"))),
+    }
+}
+
+/// A number; `true` and `false` are read as 1 and 0, for bits and inputs.
+struct NumberOrState(f64);
+
+impl<'de> Deserialize<'de> for NumberOrState {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<NumberOrState, D::Error> {
+        #[derive(Deserialize)]
+        #[serde(untagged, expecting = "expected a number")]
+        enum Written {
+            Number(f64),
             State(bool),
         }
         match Written::deserialize(from)? {
-            Written::Number(value) if value.is_finite() => Ok(Number(value)),
-            Written::Number(value) => Err(D::Error::custom(format!("{value} is no number that can be used"))),
-            Written::State(state) => Ok(Number(f64::from(u8::from(state)))),
+            Written::Number(value) => finite(value).map(NumberOrState),
+            Written::State(state) => Ok(NumberOrState(f64::from(u8::from(state)))),
         }
     }
 }
@@ -379,8 +400,8 @@ where
     D: Deserializer<'de>,
     K: FromStr<Err: Display> + Ord,
 {
-    let numbers: BTreeMap<K, Number> = by_name(from)?;
-    Ok(numbers.into_iter().map(|(key, Number(value))| (key, value)).collect())
+    let numbers: BTreeMap<K, NumberOrState> = by_name(from)?;
+    Ok(numbers.into_iter().map(|(key, NumberOrState(value))| (key, value)).collect())
 }
 
 fn tools_by_number<'de, D: Deserializer<'de>>(from: D) -> Result<BTreeMap<u16, ToolSetup>, D::Error> {
@@ -572,6 +593,9 @@ optional_stop = true
             ("[tools.0]\nlength = 1.0", "\"0\" is no offset number"),
             ("[tools.a]\nlength = 1.0", "\"a\" is no offset number"),
             ("[tools.1]\nlenght = 1.0", "unknown field `lenght`"),
+            ("[tools.1]\nlength = true", "expected a number"),
+            ("[start]\nx = false", "expected a number"),
+            ("[variables]\n\"#500\" = inf", "inf is no number"),
             ("[parameters]\nNO43 = 1.0", "\"NO43\" names no parameter: write P270"),
             ("[parameters]\nP270 = 1.0\nP0270 = 2.0", " stands twice in different forms"),
             ("[variables]\n500 = 1.0", "write \"#500\""),
