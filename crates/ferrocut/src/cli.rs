@@ -4,7 +4,9 @@ use crate::commands::explain::ExplainArgs;
 use crate::commands::machine::MachineArgs;
 use crate::commands::memory::MemoryArgs;
 use crate::commands::plc::PlcArgs;
+use crate::view::{DEFAULT_WIDTH, WIDTHS};
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use ferrocut_machine::Language;
 use std::path::PathBuf;
 
 /// What `ferrocut` is asked to do.
@@ -154,7 +156,7 @@ pub struct Show {
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
     /// Language of labels and messages: en, zh, ru, es or tr [default: from LANG]
-    #[arg(long, value_name = "LANGUAGE")]
+    #[arg(long, value_name = "LANGUAGE", value_parser = language)]
     pub language: Option<String>,
 }
 
@@ -248,8 +250,8 @@ pub struct ViewArgs {
     /// What every command takes.
     #[command(flatten)]
     pub common: Common,
-    /// Width of the picture in pixels
-    #[arg(long, default_value_t = crate::view::DEFAULT_WIDTH)]
+    /// Width of the picture in pixels, 400 to 10000
+    #[arg(long, default_value_t = DEFAULT_WIDTH, value_parser = clap::value_parser!(u32).range(WIDTHS))]
     pub width: u32,
 }
 
@@ -374,8 +376,8 @@ pub struct ImportArgs {
     /// Draw the path too: a .png or .svg file
     #[arg(long, value_name = "FILE")]
     pub picture: Option<PathBuf>,
-    /// Width of the picture in pixels
-    #[arg(long, default_value_t = crate::view::DEFAULT_WIDTH)]
+    /// Width of the picture in pixels, 400 to 10000
+    #[arg(long, default_value_t = DEFAULT_WIDTH, value_parser = clap::value_parser!(u32).range(WIDTHS))]
     pub width: u32,
     /// Kind of drawing, plt or dxf, where neither name nor content tell
     #[arg(long, value_name = "KIND")]
@@ -462,6 +464,11 @@ impl Place {
         let line = number(line).and_then(|line| u32::try_from(line).ok()).ok_or_else(wrong)?;
         Ok(Place { file: file.filter(|file| !file.is_empty()), line, pass: number(pass).ok_or_else(wrong)? })
     }
+}
+
+/// The tag of a language that there are texts in.
+fn language(text: &str) -> Result<String, String> {
+    Language::from_tag(text).map(|_| text.to_owned()).ok_or_else(|| "give en, zh, ru, es or tr".to_owned())
 }
 
 fn percent<const MOST: u32>(text: &str) -> Result<f64, String> {

@@ -239,6 +239,11 @@ impl Shop {
             None => Setup::default(),
             Some(path) => read_config(path, Setup::from_toml)?,
         };
+        let public = Public::of(common, &machine);
+        if common.public.is_some() {
+            // Also where the control has no use for it: a wrong name is wrong use.
+            public.read()?;
+        }
         let library = common.tool_table.as_deref().map(|path| read_config(path, ToolLibrary::from_tbl));
         let parameter_file =
             common.var_file.as_deref().map(|path| read_config(path, ParameterFile::from_var));
@@ -246,7 +251,7 @@ impl Shop {
             Failure::wrong_use(Fault::ConfigUnusable).with("file", "setup").with("reason", error.to_string())
         })?;
         Ok(Shop {
-            public: Public::of(common, &machine),
+            public,
             tool_change: (common.machine.as_deref().zip(machine.tool_change.file.as_ref()))
                 .map(|(machine, name)| machine.with_file_name(name)),
             machine,

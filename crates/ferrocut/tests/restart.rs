@@ -86,7 +86,7 @@ fn a_file_beside_the_program_is_named() {
     let report = json(&answer.out);
     assert_eq!((&report["restart"]["line"], &report["restart"]["position"]["x"]), (&json!(3), &json!(5.0)));
     let answer = ferrocut(&["run", main, "--dialect", "gsk990mc", "--from", "three.nc:3"]);
-    assert!(answer.code == 1 && answer.err.contains("three.nc"), "{}", answer.err);
+    assert!(answer.code == 2 && answer.err.contains("three.nc"), "{}", answer.err);
 }
 
 #[test]

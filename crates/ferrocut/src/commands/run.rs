@@ -12,7 +12,7 @@ use ferrocut_controller::{Clock, Cnc, Event, State, Tick};
 use ferrocut_desk::finding::point_at_word;
 use ferrocut_geometry::Axis;
 use ferrocut_interpreter::Options;
-use ferrocut_machine::Machine;
+use ferrocut_machine::{Fault, Machine};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 use std::io::{self, IsTerminal, Write};
@@ -67,7 +67,9 @@ pub fn run(args: &RunArgs) -> Result<Exit, Failure> {
             Err(mut alarm) => {
                 point_at_word(&mut alarm, cnc.interpreter());
                 shop.diagnostics.report(&alarm, &name, Some(cnc.interpreter().programs()));
-                return Ok(Exit::Finding);
+                // A file that is not there is wrong use, as it is everywhere.
+                let is_there = alarm.fault != Fault::FileUnreadable;
+                return Ok(if is_there { Exit::Finding } else { Exit::WrongUse });
             }
         };
         if let Some(warning) = &lead.warning {

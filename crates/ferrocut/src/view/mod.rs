@@ -54,8 +54,6 @@ pub enum Picture {
 /// Why there is no picture.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum ViewError {
-    /// The width is not within [`WIDTHS`], pixels.
-    Width(u32),
     /// There is no memory for this many pixels.
     Memory,
     /// The pixels could not be written as PNG.
@@ -65,13 +63,7 @@ pub enum ViewError {
 impl ViewError {
     /// What is said of it.
     pub fn told(&self, catalogue: Catalogue) -> String {
-        let [least, most] = [WIDTHS.start(), WIDTHS.end()].map(u32::to_string);
         match self {
-            ViewError::Width(width) => {
-                let named =
-                    [("least", least.into()), ("most", most.into()), ("width", width.to_string().into())];
-                catalogue.label("label-view-width", &named)
-            }
             ViewError::Memory => catalogue.label("label-view-memory", &[]),
             ViewError::Encoding(why) => {
                 catalogue.label("label-view-encoding", &[("reason", why.as_str().into())])
@@ -81,7 +73,7 @@ impl ViewError {
 }
 
 /// Widths of a picture, pixels. Its height is half the width.
-pub const WIDTHS: std::ops::RangeInclusive<u32> = 400..=10_000;
+pub const WIDTHS: std::ops::RangeInclusive<i64> = 400..=10_000;
 
 /// Width of a picture when none is asked for, pixels.
 pub const DEFAULT_WIDTH: u32 = 1600;
@@ -94,9 +86,6 @@ pub fn render(
     format: Picture,
     catalogue: Catalogue,
 ) -> Result<Vec<u8>, ViewError> {
-    if !WIDTHS.contains(&width) {
-        return Err(ViewError::Width(width));
-    }
     match format {
         Picture::Png => {
             let mut canvas = png::PngCanvas::new(width, width / 2)?;

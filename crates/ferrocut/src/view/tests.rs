@@ -96,13 +96,6 @@ fn a_far_tool_change_does_not_make_the_part_small() {
     assert!(shown(&model, &part).longest() < 15.0);
 }
 
-#[test]
-fn the_width_has_limits() {
-    for width in [0, 399, 10_001, u32::MAX] {
-        assert_eq!(render(&model(&[]), "a", width, Picture::Png, english()), Err(ViewError::Width(width)));
-    }
-}
-
 /// Checks that tags are closed in order, attributes quoted and path data made of numbers.
 fn check_xml(text: &str) {
     let mut open = Vec::new();

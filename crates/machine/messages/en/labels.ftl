@@ -269,7 +269,6 @@ label-view-rapids = { $count ->
 }
 label-view-cuts = { $shown } cut over { $length } mm
 label-view-along = { $length } mm along X, Y, Z
-label-view-width = a picture can be { $least } to { $most } pixels wide, not { $width }
 label-view-memory = not enough memory for the picture
 label-view-encoding = the picture cannot be written as PNG: { $reason }
 

@@ -270,7 +270,6 @@ label-view-rapids = { $count ->
 }
 label-view-cuts = { $shown } de corte en { $length } mm
 label-view-along = { $length } mm según X, Y, Z
-label-view-width = una imagen puede tener de { $least } a { $most } píxeles de ancho, no { $width }
 label-view-memory = no hay memoria suficiente para la imagen
 label-view-encoding = la imagen no se puede escribir como PNG: { $reason }
 

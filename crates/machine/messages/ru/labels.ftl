@@ -295,7 +295,6 @@ label-view-rapids = { $count ->
 }
 label-view-cuts = { $shown } с резанием на { $length } мм
 label-view-along = { $length } мм вдоль X, Y, Z
-label-view-width = ширина картинки — от { $least } до { $most } точек, а не { $width }
 label-view-memory = не хватает памяти для картинки
 label-view-encoding = картинку нельзя записать как PNG: { $reason }
 

@@ -268,7 +268,6 @@ label-view-rapids = { $count ->
 }
 label-view-cuts = { $length } mm boyunca { $shown } kesme
 label-view-along = X, Y, Z boyunca { $length } mm
-label-view-width = bir resim { $least } ile { $most } piksel genişliğinde olabilir, { $width } olamaz
 label-view-memory = resim için bellek yetersiz
 label-view-encoding = resim PNG olarak yazılamıyor: { $reason }
 

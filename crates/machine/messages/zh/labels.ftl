@@ -253,7 +253,6 @@ label-view-rapids = { $count ->
 }
 label-view-cuts = 切削 { $shown } 次，共 { $length } mm
 label-view-along = 沿 X、Y、Z { $length } mm
-label-view-width = 图像宽度须为 { $least } 至 { $most } 像素，不能为 { $width }
 label-view-memory = 图像内存不足
 label-view-encoding = 图像无法写成 PNG：{ $reason }
 
