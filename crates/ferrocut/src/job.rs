@@ -296,7 +296,7 @@ impl Shop {
         })
     }
 
-    /// Opens a program. A guessed control language is told on standard error.
+    /// Opens a program.
     pub fn job(&self, path: &Path) -> Result<Job, Failure> {
         let text = match Source::open(path, self.setup.import.as_ref())? {
             Opened::Drawing(source) => {
@@ -309,9 +309,6 @@ impl Shop {
             Opened::Program(None) => open_text(path).map_err(|error| Failure::of_open(path, error))?,
         };
         let (dialect, told) = self.dialect(&text, path)?;
-        if let (Told::Guessed(_), false) = (told, self.diagnostics.is_json()) {
-            eprintln!("{}: {}", path.display(), self.language(dialect, told));
-        }
         let programs = match path == Path::new("-") {
             true => ProgramMemory::new("standard input", text, dialect.syntax),
             false => ProgramMemory::at(path, text, dialect.syntax),
@@ -453,10 +450,14 @@ impl Job {
         self.drawing.as_mut().map(|drawing| std::mem::take(&mut drawing.warnings)).unwrap_or_default()
     }
 
-    /// Says on standard error that the file was taken for a drawing, and what of it was left out.
-    pub fn tell(&self, diagnostics: &Diagnostics) {
+    /// Says on standard error that the control language was guessed, or that the file was taken for a drawing and
+    /// what of it was left out.
+    pub fn tell(&self, shop: &Shop) {
+        if let (Told::Guessed(_), false) = (self.told, shop.diagnostics.is_json()) {
+            eprintln!("{}: {}", self.path.display(), shop.language(self.dialect, self.told));
+        }
         if let Some(drawing) = &self.drawing {
-            drawing.tell(&self.path.to_string_lossy(), &self.programs, diagnostics);
+            drawing.tell(&self.path.to_string_lossy(), &self.programs, &shop.diagnostics);
         }
     }
 

@@ -8,9 +8,11 @@ use ferrocut_desk::finding::point_at_word;
 use ferrocut_interpreter::Options;
 use ferrocut_machine::{Alarm, Argument};
 use ferrocut_program::Span;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use rayon::prelude::*;
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
+use std::time::Duration;
 
 /// Findings of one file beyond which only their number is told. A loop that comes to one again makes no new one.
 const MOST_FINDINGS: usize = 200;
@@ -46,7 +48,13 @@ fn axis(alarm: &Alarm) -> Option<&Argument> {
 pub fn run(args: &CheckArgs) -> Result<Exit, Failure> {
     let shop = Shop::open(&args.common)?;
     let colour = io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none();
-    let results: Vec<Findings> = args.files.par_iter().map(|file| check(&shop, file, colour)).collect();
+    let bar = ProgressBar::with_draw_target(Some(args.files.len() as u64), ProgressDrawTarget::stderr());
+    if let Ok(style) = ProgressStyle::with_template("{spinner} {pos}/{len}  {elapsed}  {msg}") {
+        bar.set_style(style);
+    }
+    bar.enable_steady_tick(Duration::from_millis(100));
+    let results: Vec<Findings> = args.files.par_iter().map(|file| check(&shop, file, colour, &bar)).collect();
+    bar.finish_and_clear();
     let mut out = stdout::lock();
     let mut exit = Exit::Fine;
     let mut total = 0;
@@ -69,8 +77,9 @@ pub fn run(args: &CheckArgs) -> Result<Exit, Failure> {
     Ok(exit)
 }
 
-/// Checks one file.
-fn check(shop: &Shop, path: &Path, colour: bool) -> Findings {
+/// Checks one file, and shows on the bar that it is at it.
+fn check(shop: &Shop, path: &Path, colour: bool, bar: &ProgressBar) -> Findings {
+    bar.set_message(path.to_string_lossy().into_owned());
     let mut found = Findings { text: Vec::new(), count: 0, exit: Exit::Fine };
     let name = path.to_string_lossy();
     let mut job = match shop.job(path) {
@@ -80,11 +89,12 @@ fn check(shop: &Shop, path: &Path, colour: bool) -> Findings {
             let _ = shop.diagnostics.write(&mut found.text, &alarm, &name, programs, colour, Some(1));
             found.count = 1;
             found.exit = exit;
+            bar.inc(1);
             return found;
         }
     };
     let warnings = job.take_warnings();
-    job.tell(&shop.diagnostics);
+    bar.suspend(|| job.tell(shop));
     let mut supervisor = Supervisor::new(&shop.machine, job.dialect, shop.options().start);
     let mut interpreter = job.interpreter(Options { keep_going: true, ..shop.options() });
     interpreter.set_machine(std::sync::Arc::new(shop.machine.clone()));
@@ -104,6 +114,7 @@ fn check(shop: &Shop, path: &Path, colour: bool) -> Findings {
             }
         }
     }
+    bar.inc(1);
     found.count = all.len() + further;
     if found.count > 0 {
         found.exit = Exit::Finding;

@@ -46,7 +46,7 @@ pub fn run(args: &ImportArgs) -> Result<Exit, Failure> {
     let (programs, origins) = source.memory(program, dialect)?;
     let from = FromDrawing::new(&source, origins, drawing);
     let job = shop.job_of(&args.file, (dialect, told), programs, Some(from))?;
-    bar.suspend(|| job.tell(&shop.diagnostics));
+    bar.suspend(|| job.tell(&shop));
     // The program is run through before it is given away.
     let mut interpreter = job.interpreter(shop.options());
     let mut model = PathModel::new(shop.options().start);

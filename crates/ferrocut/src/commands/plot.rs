@@ -54,7 +54,7 @@ pub fn run(args: &PlotArgs) -> Result<Exit, Failure> {
     }
     let axes = chosen_axes(args, &shop)?;
     let job = shop.job(&args.file)?;
-    job.tell(&shop.diagnostics);
+    job.tell(&shop);
     let name = job.path.to_string_lossy().into_owned();
     let interpreter = job.keeping().interpreter(shop.options());
     // The limits are those that the control's own parameters leave.

@@ -38,7 +38,7 @@ struct JsonRun<'a> {
 pub fn run(args: &RunArgs) -> Result<Exit, Failure> {
     let shop = Shop::open(&args.common)?;
     let job = shop.job(&args.file)?;
-    job.tell(&shop.diagnostics);
+    job.tell(&shop);
     let name = job.path.to_string_lossy().into_owned();
     let dialect = job.dialect.name;
     let is_json = shop.diagnostics.is_json();
@@ -237,7 +237,7 @@ impl Screen {
     }
 
     /// Draws position, line and time so far.
-    fn show(&mut self, tick: &Tick, cnc: &Cnc) {
+    pub fn show(&mut self, tick: &Tick, cnc: &Cnc) {
         if self.bar.is_hidden() || self.countdown > 0 {
             self.countdown = self.countdown.saturating_sub(1);
             return;

@@ -1,7 +1,7 @@
 //! `ferrocut time`: how long a program takes, by the same code that runs it.
 
 use crate::cli::TimeArgs;
-use crate::commands::run::{report_end, write_text};
+use crate::commands::run::{Screen, report_end, write_text};
 use crate::job::{Exit, Failure, Shop};
 use crate::report::JsonReport;
 use crate::stdout;
@@ -12,19 +12,24 @@ use std::io::{self, Write};
 pub fn run(args: &TimeArgs) -> Result<Exit, Failure> {
     let shop = Shop::open(&args.common)?;
     let job = shop.job(&args.file)?;
-    job.tell(&shop.diagnostics);
+    job.tell(&shop);
     let name = job.path.to_string_lossy().into_owned();
-    let mut cnc = Cnc::new(&shop.machine, job.keeping().interpreter(shop.options()));
+    let interpreter = job.keeping().interpreter(shop.options());
+    let length = interpreter.programs().text(interpreter.main_file()).map_or(0, |t| t.len());
+    let mut cnc = Cnc::new(&shop.machine, interpreter);
+    let mut screen = Screen::new(&shop, length, false);
     loop {
         cnc.cycle_start();
         while cnc.state() == &State::Running {
-            cnc.tick();
+            let tick = cnc.tick();
+            screen.show(&tick, &cnc);
         }
         // What waits for the operator takes no time that a prediction could know.
         if !matches!(cnc.state(), State::Stopped(_)) {
             break;
         }
     }
+    screen.clear();
     let exit = report_end(&cnc, &shop, &name);
     let mut out = stdout::lock();
     // A reader that went away is no fault of the program.

@@ -22,7 +22,7 @@ pub fn run(args: &TraceArgs) -> Result<Exit, Failure> {
         }
     })?;
     let name = job.path.to_string_lossy().into_owned();
-    job.tell(&shop.diagnostics);
+    job.tell(&shop);
     let notes: Vec<Step> = job.notes().map(|note| message(&shop, note, job.programs())).collect();
     let mut interpreter = job.interpreter(shop.options());
     let mut trace = TraceWriter::new(stdout::lock(), shop.options().start);

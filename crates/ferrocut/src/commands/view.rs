@@ -13,7 +13,7 @@ pub fn run(args: &ViewArgs) -> Result<Exit, Failure> {
         return Err(Failure::picture_format(&args.output.to_string_lossy()));
     };
     let job = shop.job(&args.file)?;
-    job.tell(&shop.diagnostics);
+    job.tell(&shop);
     let name = job.path.to_string_lossy().into_owned();
     let mut interpreter = job.keeping().interpreter(shop.options());
     let mut model = PathModel::new(shop.options().start);
