@@ -55,7 +55,7 @@ fn the_set_up_says_how_it_is_cut_and_what_it_is() {
     let answer = ferrocut(&["import", &plot, "--setup", &setup, "--depth=-3", "--feed", "900"]);
     assert!(answer.out.contains("Z-3.0") && answer.out.contains("F900"), "{}", answer.out);
     // Weihong 4.3: I and J from the start of the arc or from the work zero, as the control's parameter says.
-    for (value, centre) in [(1, "I-5.0 J0.0"), (0, "I20.0 J20.0")] {
+    for (value, centre) in [(1, "I0.0 J-5.0"), (0, "I20.0 J20.0")] {
         let setup = format!("dialect = \"weihong\"\n{SETUP}[parameters]\nIJK_INCREMENTAL = {value}\n");
         let setup = write(&folder, "weihong.toml", &setup);
         let steps = json_lines(&ferrocut(&["trace", &plot, "--setup", &setup]).out);
