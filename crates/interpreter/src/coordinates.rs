@@ -5,6 +5,7 @@ use crate::Fallible;
 use crate::dialect::Meaning;
 use crate::interpreter::Interpreter;
 use crate::modal::Group;
+use crate::motion::near_way;
 use crate::stages::polar::{self, Polar};
 use crate::stages::rotation::Rotation;
 use crate::stages::scaling::Scaling;
@@ -67,6 +68,12 @@ impl Interpreter {
         let incremental = self.modal.is_incremental();
         let mut to = self.location.programmed;
         distance::go_on(&mut to, &self.words, axes, incremental, self.inch_axes());
+        if !incremental {
+            let from = self.location.programmed;
+            for axis in axes.and(self.rules.motion.near_way).iter() {
+                to[axis] = near_way(from[axis], to[axis]);
+            }
+        }
         if self.location.polar.is_some() {
             self.polar_end_point(&mut to, incremental);
         }

@@ -42,6 +42,8 @@ pub struct Rules {
     pub rotary_y: Option<RotaryY>,
     /// R and Q are radius and angle of an end point in the plane.
     pub polar_words: bool,
+    /// Axes that turn the near way to where a program sends them with G90.
+    pub near_way: AxisSet,
 }
 
 /// A rotary axis called Y.
@@ -62,6 +64,12 @@ impl RotaryY {
 
 /// Most turns of a helix.
 const MAX_TURNS: f64 = 9999.0;
+
+/// The angle that the near way from another one leads to: the same but for whole turns. Half a turn goes in the positive
+/// direction.
+pub(crate) fn near_way(from: f64, to: f64) -> f64 {
+    to + 360.0 * (((from - to - 180.0) / 360.0).floor() + 1.0)
+}
 
 /// Turns that a helix may miss by rounding alone.
 const TURN_ROUNDING: f64 = 1e-9;
@@ -251,9 +259,7 @@ impl Interpreter {
         let Some(word) = self.words.get(b'Y') else { return };
         let mut degrees = if block.degrees { word } else { word * rotary.degrees(self.modal.is_inch()) };
         if block.shortest && !self.modal.is_incremental() {
-            let from = self.location.programmed[Axis::Y];
-            // Half a turn goes in the positive direction.
-            degrees = from + 180.0 - (180.0 - (degrees - from)).rem_euclid(360.0);
+            degrees = near_way(self.location.programmed[Axis::Y], degrees);
         }
         self.words.put(b'Y', degrees);
     }

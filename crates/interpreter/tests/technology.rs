@@ -31,6 +31,24 @@ fn rotary_axes_have_no_inch() {
 }
 
 #[test]
+fn rotary_axes_turn_the_near_way() {
+    // 9#0, set by standard: the readout of 370 is 10. Half a turn goes up.
+    holds(&[
+        ("G90 G0 A350\nA10", &["rapid A-10", "rapid A10"]),
+        (
+            "G0 A170\nA350\nG1 A10 F100\nA180",
+            &["rapid A170", "rapid A350", "feed A370 F100", "feed A540 F100"],
+        ),
+        ("G0 A170\nA-170", &["rapid A170", "rapid A190"]),
+        ("G0 A720", &[]),
+        ("G91 G0 A350\nA10", &["rapid A350", "rapid A360"]),
+        ("G0 X400", &["rapid X400"]),
+    ]);
+    holds_with("[parameters]\n\"NO9.0\" = 0", "G90 G0 A350\nA10", &["rapid A350", "rapid A10"]);
+    holds_with("[parameters]\n\"NO8.3\" = 0", "G90 G0 A350\nA10", &["rapid A350", "rapid A10"]);
+}
+
+#[test]
 fn surface_speed_has_words_of_its_own() {
     let setup = "[start]\nx = 50\ny = 100\n[parameters]\n\"NO61.0\" = 1";
     // 6.3: G96 without S takes the last surface speed; none is 0. G97 without S keeps the turns.

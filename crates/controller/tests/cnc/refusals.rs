@@ -46,7 +46,7 @@ fn every_axis_has_its_numbers() {
         ("A-36001", 506),
         ("A36001", 507),
     ] {
-        let (alarm, run) = alarmed(&mut cnc(&machine, &format!("G0 {block}\nM30\n")));
+        let (alarm, run) = alarmed(&mut cnc(&machine, &format!("G91 G0 {block}\nM30\n")));
         assert_eq!((number(alarm.id), alarm.span.line), (Some(expected), 1), "{block}");
         assert_eq!(run.end(), Position::ZERO);
     }

@@ -10,7 +10,7 @@ use crate::motion;
 use crate::stages::cutter;
 use crate::stages::polar::PoleRule;
 use crate::stroke::{STROKE_AXES, StrokeRules};
-use ferrocut_geometry::Axis;
+use ferrocut_geometry::{Axis, AxisSet};
 use ferrocut_machine::{ParameterKey, Parameters};
 use ferrocut_toolpath::CornerRule;
 
@@ -76,7 +76,10 @@ pub fn rules(parameters: &Parameters) -> Rules {
         // Table 3-1-3-1.
         counts_take_any_number: false,
         cycles: cycles(parameters),
-        motion: motion::Rules::default(),
+        motion: motion::Rules {
+            near_way: if parameters.bit(9, 0) { axes_by_kind(parameters, true) } else { AxisSet::EMPTY },
+            ..motion::Rules::default()
+        },
         coordinates: coordinates::Rules {
             set_position: SetPosition::OwnSystem,
             ..coordinates::Rules::default()
@@ -139,11 +142,7 @@ pub fn rules(parameters: &Parameters) -> Rules {
         max_zero: 9_999.999_9,
         reference_keeps_cutter: !parameters.bit(40, 2),
         axes: order.into_iter().take(controlled_axes(parameters)).collect(),
-        linear_axes: (0u8..)
-            .zip(order)
-            .filter(|(i, _)| !parameters.bit(8, *i))
-            .map(|(_, axis)| axis)
-            .collect(),
+        linear_axes: axes_by_kind(parameters, false),
         axis_order: order,
     }
 }
@@ -201,6 +200,12 @@ fn digits(count: f64) -> f64 {
 /// the axes of the machine at hand, which the machine file does here.
 fn controlled_axes(parameters: &Parameters) -> usize {
     if parameters.data(5) >= 5.0 { 5 } else { 4 }
+}
+
+/// The axes that are rotary, or those that are linear (8#0 to 8#4).
+fn axes_by_kind(parameters: &Parameters, rotary: bool) -> AxisSet {
+    let order = (0u8..).zip(axis_order(parameters));
+    order.filter(|(i, _)| parameters.bit(8, *i) == rotary).map(|(_, axis)| axis).collect()
 }
 
 /// Axes 1 to 5; a fifth that has no name of its own is one that no program can name.

@@ -47,6 +47,7 @@ pub fn rules(parameters: &Parameters) -> Rules {
             helix_has_pitch: true,
             polar_words: false,
             rotary_y: y_turns.then(|| rotary_y(p("UNIT.YR"), p("WPREVDIAM"))),
+            ..motion::Rules::default()
         },
         coordinates: coordinates::Rules {
             transforms_nest: true,
