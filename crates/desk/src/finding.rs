@@ -2,7 +2,7 @@
 
 use ferrocut_interpreter::Interpreter;
 use ferrocut_machine::{Alarm, Argument, Catalogue, Fault};
-use ferrocut_program::ProgramMemory;
+use ferrocut_program::{ProgramMemory, Span};
 use serde::Serialize;
 
 /// Bytes of a line that are read to count columns: more than any control takes in a line.
@@ -58,6 +58,64 @@ impl Finding {
             end_column,
             text: texts.message(&alarm),
             help: texts.help(&alarm),
+        }
+    }
+}
+
+/// An alarm of a program, and how often the program came to it.
+#[derive(Debug)]
+pub struct Found {
+    /// Words or block at fault, as the program gave them.
+    span: Span,
+    /// The alarm, pointed at the word.
+    pub alarm: Alarm,
+    /// How often it came.
+    pub times: u64,
+}
+
+impl Found {
+    /// Whether an alarm says the same of the same place.
+    fn is(&self, alarm: &Alarm) -> bool {
+        self.span == alarm.span && self.alarm.id == alarm.id && axis(&self.alarm) == axis(alarm)
+    }
+}
+
+/// The axis that an alarm is about: those of a block lie at one place.
+fn axis(alarm: &Alarm) -> Option<&Argument> {
+    alarm.arguments.iter().find(|(name, _)| *name == "axis").map(|(_, axis)| axis)
+}
+
+/// What was found in a program. A loop that comes to a fault again makes no new finding, so that none hides another.
+#[derive(Debug)]
+pub struct AllFound {
+    /// Each once, in the order in which the program first came to them.
+    pub found: Vec<Found>,
+    /// How many came when there was no more room.
+    pub further: usize,
+    most: usize,
+}
+
+impl AllFound {
+    /// Nothing yet; `most` are kept.
+    pub fn new(most: usize) -> AllFound {
+        AllFound { found: Vec::new(), further: 0, most }
+    }
+
+    /// Whether there is no more room.
+    pub fn is_full(&self) -> bool {
+        self.found.len() >= self.most
+    }
+
+    /// Adds an alarm of the block that the interpreter has run.
+    pub fn add(&mut self, mut alarm: Alarm, interpreter: &Interpreter) {
+        if let Some(known) = self.found.iter_mut().find(|known| known.is(&alarm)) {
+            known.times += 1;
+        } else if self.is_full() {
+            self.further += 1;
+        } else {
+            let span = alarm.span;
+            point_at_word(&mut alarm, interpreter);
+            self.found.push(Found { span, alarm, times: 1 });
         }
     }
 }

@@ -154,6 +154,15 @@ fn programs_are_checked_as_they_are_typed() {
 }
 
 #[test]
+fn a_fault_in_a_loop_hides_no_other() {
+    let place = Place::local();
+    let text = b"G91 M3 S500\n#1=0\nWHILE[#1 LT 3000]DO1\nG1 X9000 F500\nX-9000\n#1=#1+1\nEND1\nG777\nM30\n";
+    let findings = place.http("POST", "/api/check", &[], text).json();
+    let lines = findings["findings"].as_array().unwrap().iter().map(|finding| finding["line"].as_u64());
+    assert_eq!(lines.collect::<Vec<_>>(), [Some(4), Some(8)], "{findings}");
+}
+
+#[test]
 fn a_program_without_end_is_checked_within_bounds() {
     let place = Place::local();
     let began = Instant::now();

@@ -4,17 +4,15 @@ use crate::cli::CheckArgs;
 use crate::job::{Exit, Failure, Shop};
 use crate::stdout;
 use ferrocut_controller::Supervisor;
-use ferrocut_desk::finding::point_at_word;
+use ferrocut_desk::finding::{AllFound, Found};
 use ferrocut_interpreter::Options;
-use ferrocut_machine::{Alarm, Argument};
-use ferrocut_program::Span;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use rayon::prelude::*;
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 use std::time::Duration;
 
-/// Findings of one file beyond which only their number is told. A loop that comes to one again makes no new one.
+/// Findings of one file beyond which only their number is told.
 const MOST_FINDINGS: usize = 200;
 
 /// What was found in one file, ready to print.
@@ -22,26 +20,6 @@ struct Findings {
     text: Vec<u8>,
     count: usize,
     exit: Exit,
-}
-
-/// A finding, and how often the program came to it.
-struct Found {
-    /// Words or block at fault, as the program gave them.
-    span: Span,
-    alarm: Alarm,
-    times: u64,
-}
-
-impl Found {
-    /// Whether an alarm says the same of the same place.
-    fn is(&self, alarm: &Alarm) -> bool {
-        self.span == alarm.span && self.alarm.id == alarm.id && axis(&self.alarm) == axis(alarm)
-    }
-}
-
-/// The axis that an alarm is about: those of a block lie at one place.
-fn axis(alarm: &Alarm) -> Option<&Argument> {
-    alarm.arguments.iter().find(|(name, _)| *name == "axis").map(|(_, axis)| axis)
 }
 
 /// Runs the command.
@@ -99,22 +77,14 @@ fn check(shop: &Shop, path: &Path, colour: bool, bar: &ProgressBar) -> Findings 
     let mut interpreter = job.interpreter(Options { keep_going: true, ..shop.options() });
     interpreter.set_machine(std::sync::Arc::new(shop.machine.clone()));
     let mut pending = warnings;
-    let mut all: Vec<Found> = Vec::new();
-    let mut further = 0_usize;
+    let mut all = AllFound::new(MOST_FINDINGS);
     while supervisor.follow(&mut interpreter, &mut pending) {
-        for mut alarm in pending.drain(..) {
-            if let Some(known) = all.iter_mut().find(|known| known.is(&alarm)) {
-                known.times += 1;
-            } else if all.len() < MOST_FINDINGS {
-                let span = alarm.span;
-                point_at_word(&mut alarm, &interpreter);
-                all.push(Found { span, alarm, times: 1 });
-            } else {
-                further += 1;
-            }
+        for alarm in pending.drain(..) {
+            all.add(alarm, &interpreter);
         }
     }
     bar.inc(1);
+    let AllFound { found: all, further, .. } = all;
     found.count = all.len() + further;
     if found.count > 0 {
         found.exit = Exit::Finding;

@@ -9,7 +9,7 @@ use axum::extract::{Query, Request, State};
 use axum::routing::post;
 use axum::{Json, Router};
 use ferrocut_controller::control::Desk;
-use ferrocut_desk::finding::{Finding, point_at_word};
+use ferrocut_desk::finding::{AllFound, Finding, Found};
 use ferrocut_machine::{Alarm, Catalogue, Fault};
 use ferrocut_program::{FileId, ProgramMemory, Span, Text};
 use serde::Serialize;
@@ -54,20 +54,23 @@ pub(crate) fn findings(desk: &Desk, text: Vec<u8>, catalogue: Catalogue, wanted:
         Err(alarm) => return vec![without_place(&alarm, desk, catalogue)],
     };
     let mut supervisor = desk.supervisor();
-    let (mut findings, mut pending, mut steps) = (Vec::new(), Vec::new(), 0u64);
-    while supervisor.follow(&mut interpreter, &mut pending) {
-        for mut alarm in pending.drain(..) {
-            point_at_word(&mut alarm, &interpreter);
-            findings.push(Finding::of(&alarm, interpreter.programs(), interpreter.main_file(), catalogue));
+    let (mut all, mut pending, mut steps) = (AllFound::new(MOST_FINDINGS), Vec::new(), 0u64);
+    let mut is_cut = false;
+    while !is_cut && supervisor.follow(&mut interpreter, &mut pending) {
+        for alarm in pending.drain(..) {
+            all.add(alarm, &interpreter);
         }
         steps += 1;
-        if findings.len() >= MOST_FINDINGS || steps.is_multiple_of(LOOK_STEPS) && !wanted.is() {
-            let line = findings.last().map_or(0, |last| last.line);
-            let ended =
-                Alarm::core(Fault::CheckEnded, Span::default()).with("line", f64::from(line)).as_warning();
-            findings.push(without_place(&ended, desk, catalogue));
-            break;
-        }
+        is_cut = all.is_full() || steps.is_multiple_of(LOOK_STEPS) && !wanted.is();
+    }
+    let of =
+        |found: &Found| Finding::of(&found.alarm, interpreter.programs(), interpreter.main_file(), catalogue);
+    let mut findings: Vec<Finding> = all.found.iter().map(of).collect();
+    if is_cut {
+        let line = findings.last().map_or(0, |last| last.line);
+        let ended =
+            Alarm::core(Fault::CheckEnded, Span::default()).with("line", f64::from(line)).as_warning();
+        findings.push(without_place(&ended, desk, catalogue));
     }
     findings
 }
