@@ -644,6 +644,8 @@ test('the times of the control are shown and taken anew, and the spindle as it t
   expect(await worst('worst_period')).toBeGreaterThanOrEqual(900);
   expect(await worst('worst_work')).toBeGreaterThan(await worst('level_1'));
   expect(await worst('level_2')).toBeGreaterThan(0);
+  // Taken anew they are fewer than before for as long as they were taken: long enough to be seen.
+  await expect.poll(periods).toBeGreaterThan(5000);
   const before = await periods();
   await page.getByTestId('forget-timing').click();
   await expect.poll(periods).toBeLessThan(before);
