@@ -7,7 +7,7 @@
 use crate::curve::{Curve, Point, distance};
 use crate::drawing::{Action, Drawing, Move};
 use crate::settings::{Cutting, Format, Settings};
-use ferrocut_machine::Memory;
+use ferrocut_machine::{Memory, ToolTable};
 use ferrocut_program::Span;
 use std::f64::consts::PI;
 use std::fmt::Write;
@@ -114,6 +114,7 @@ pub fn write(
         drawing,
         settings,
         style,
+        lengths: Memory::new(style.dialect).tools,
         unit: 10f64.powi(style.decimals as i32),
         program: Program { text: String::new(), origins: Vec::new(), summary: Summary::default() },
         at: [None; 2],
@@ -155,6 +156,8 @@ struct Writer<'a> {
     drawing: &'a Drawing,
     settings: &'a Settings,
     style: &'a Style,
+    /// The control's table of tool lengths.
+    lengths: ToolTable,
     /// Increments in a mm.
     unit: f64,
     program: Program,
@@ -224,10 +227,8 @@ impl Writer<'_> {
             }
             self.line(&format!("T{tool} M6"), m.span);
             self.tool = Some(tool);
-            // Its length is taken up on the way to the height of crossing.
-            // A tool beyond the control's table of lengths has none.
-            let lengths = Memory::new(self.style.dialect).tools;
-            let length = match u16::try_from(tool).ok().and_then(|number| lengths.get(number)) {
+            // Its length is taken up on the way to the height of crossing; a tool beyond the control's table has none.
+            let length = match u16::try_from(tool).ok().and_then(|number| self.lengths.get(number)) {
                 Some(_) => format!("G0 G43 H{tool}"),
                 None => "G0 G49".to_owned(),
             };

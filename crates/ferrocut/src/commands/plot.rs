@@ -61,10 +61,9 @@ pub fn run(args: &PlotArgs) -> Result<Exit, Failure> {
     let mut machine = shop.machine.clone();
     (interpreter.dialect().machine_parameters)(&interpreter.memory().parameters, &mut machine);
     let mut gauge = Gauge::new(&machine, &axes, shop.options().start, span);
-    let length = interpreter.programs().text(interpreter.main_file()).map_or(0, |t| t.len());
     let mut cnc = Cnc::new(&shop.machine, interpreter);
     cnc.set_override(args.feed_override / 100.0, args.rapid_override / 100.0);
-    let mut screen = Screen::new(&shop, length, false);
+    let mut screen = Screen::new(&shop, &cnc, false);
     let mut take = |cnc: &Cnc, tick: &_| Ok(gauge.take(cnc, tick));
     // Measuring cannot fail.
     let _ = drive(&mut cnc, Clock::Virtual, &mut take, &mut screen, &shop.diagnostics, &name);

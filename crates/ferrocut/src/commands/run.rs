@@ -52,7 +52,6 @@ pub fn run(args: &RunArgs) -> Result<Exit, Failure> {
         let _ = write_header(&mut stdout::lock(), &shop, &job, &name);
     }
     let interpreter = job.keeping().interpreter(Options { loops_forever: args.realtime, ..shop.options() });
-    let length = interpreter.programs().text(interpreter.main_file()).map_or(0, |t| t.len());
     // Nothing but a run at true speed moves a real machine.
     let real = match args.realtime {
         true => drives::connect(&shop.machine, interpreter.position()).map_err(Failure::setting)?,
@@ -86,7 +85,7 @@ pub fn run(args: &RunArgs) -> Result<Exit, Failure> {
         let _ = cnc.keep_time();
     }
     let clock = if args.realtime { Clock::real(shop.machine.servo_period_ms) } else { Clock::Virtual };
-    let mut screen = Screen::new(&shop, length, args.realtime);
+    let mut screen = Screen::new(&shop, &cnc, args.realtime);
     let mut take = |_: &Cnc, tick: &Tick| match samples.as_mut() {
         Some(samples) => samples.take(tick).map(|()| true),
         None => Ok(true),
@@ -225,8 +224,10 @@ const REDRAW: Duration = Duration::from_millis(100);
 const LOOK_EVERY: u32 = 64;
 
 impl Screen {
-    /// The line of a run of a program of this many bytes.
-    pub fn new(shop: &Shop, length: u64, realtime: bool) -> Screen {
+    /// The line of a run of the main program.
+    pub fn new(shop: &Shop, cnc: &Cnc, realtime: bool) -> Screen {
+        let interpreter = cnc.interpreter();
+        let length = interpreter.programs().text(interpreter.main_file()).map_or(0, |text| text.len());
         let bar = ProgressBar::with_draw_target(Some(length), ProgressDrawTarget::stderr());
         if let Ok(style) = ProgressStyle::with_template("{bar:30} {percent:>3} %  {msg}") {
             bar.set_style(style);
@@ -238,11 +239,14 @@ impl Screen {
 
     /// Draws position, line and time so far.
     pub fn show(&mut self, tick: &Tick, cnc: &Cnc) {
-        if self.bar.is_hidden() || self.countdown > 0 {
-            self.countdown = self.countdown.saturating_sub(1);
+        if self.countdown > 0 {
+            self.countdown -= 1;
             return;
         }
         self.countdown = LOOK_EVERY;
+        if self.bar.is_hidden() {
+            return;
+        }
         let now = Instant::now();
         if now < self.next {
             return;

@@ -15,9 +15,8 @@ pub fn run(args: &TimeArgs) -> Result<Exit, Failure> {
     job.tell(&shop);
     let name = job.path.to_string_lossy().into_owned();
     let interpreter = job.keeping().interpreter(shop.options());
-    let length = interpreter.programs().text(interpreter.main_file()).map_or(0, |t| t.len());
     let mut cnc = Cnc::new(&shop.machine, interpreter);
-    let mut screen = Screen::new(&shop, length, false);
+    let mut screen = Screen::new(&shop, &cnc, false);
     loop {
         cnc.cycle_start();
         while cnc.state() == &State::Running {

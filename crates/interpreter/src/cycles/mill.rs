@@ -111,8 +111,8 @@ impl Interpreter {
 
     /// Whether it stands there, but for what rounding makes of sums.
     fn is_at(&self, places: [[f64; 2]; 2]) -> bool {
-        let (now, was) = (self.places(), places);
-        now.iter().flatten().zip(was.iter().flatten()).all(|(a, b)| (a - b).abs() <= SAME_POINT_MM)
+        let here = self.places();
+        here.iter().flatten().zip(places.iter().flatten()).all(|(a, b)| (a - b).abs() <= SAME_POINT_MM)
     }
 
     /// Scaling by `factor` is none of the tool, whose path it scales with the rest (GSK990MC 4.2.14, 7).
