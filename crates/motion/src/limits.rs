@@ -346,7 +346,7 @@ fn largest<const N: usize>(x: &[f64; N], y: &[f64; N]) -> [f64; N] {
 
 /// Largest of `|xᵢ|·yᵢ`.
 #[inline]
-pub(crate) fn peak(x: &[f64; AXES], y: &[f64; AXES]) -> f64 {
+pub(crate) fn peak<const N: usize>(x: &[f64; N], y: &[f64; AXES]) -> f64 {
     x.iter().zip(y).fold(0.0, |m, (x, y)| larger(m, x.abs() * y))
 }
 
@@ -420,7 +420,7 @@ impl Inverse {
     }
 
     /// Whether nothing that moves in direction `d` has a limit of jerk.
-    pub fn is_free_of_jerk(&self, d: &[f64; AXES]) -> bool {
+    pub fn is_free_of_jerk<const N: usize>(&self, d: &[f64; N]) -> bool {
         self.along[1] == 0.0 && peak(d, &self.jerk) == 0.0
     }
 

@@ -26,6 +26,7 @@ use crate::limits::{Class, Drive, Inverse, Inverses, MAX_FEED_OVERRIDE, MAX_SPIN
 use crate::moves::{Kind, Move};
 use crate::path::corner::{Corner, Far, Lines, Side, norm, valley_loss};
 use crate::path::piece::Piece;
+use crate::path::shape::moves_others;
 use crate::path::slow::{self, Slowdown, on_arc};
 use ferrocut_geometry::{AXES, Position};
 use ferrocut_machine::{ArcSlowdown, Machine};
@@ -658,6 +659,11 @@ impl Ease {
         let left = (self.h - x).max(0.0);
         let square = self.side() * left * left;
         self.jump.zip(self.bend, |d, k| square * (k * (self.h - 4.0 * x) - 3.0 * d))
+    }
+
+    /// Whether it moves other axes than X, Y and Z.
+    pub fn moves_others(&self) -> bool {
+        moves_others(&self.jump) || moves_others(&self.bend)
     }
 
     /// Its second and third derivative at length `s` of the move, no further from the joint than it reaches.

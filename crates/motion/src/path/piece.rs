@@ -18,6 +18,7 @@
 
 use crate::limits::Rates;
 use crate::moves::{Kind, Move, measured, ways};
+use crate::path::shape::moves_others;
 use ferrocut_geometry::{AXES, Arc, Position, SAME_POINT_MM};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -175,11 +176,20 @@ impl Piece {
         }
     }
 
-    /// `q‴(s)`.
-    pub fn twist(&self, s: f64) -> Position {
+    /// `q′`, `q″` and `q‴` at `s`.
+    pub fn derivatives(&self, s: f64) -> [Position; 3] {
         match self {
-            Piece::Arc(turn) => turn.twist(s),
-            _ => Position::ZERO,
+            Piece::Arc(turn) => turn.derivatives(s),
+            _ => [self.tangent(s), Position::ZERO, Position::ZERO],
+        }
+    }
+
+    /// Whether other axes than X, Y and Z move.
+    pub fn moves_others(&self) -> bool {
+        match self {
+            Piece::Line(line) => moves_others(&line.dir),
+            Piece::Arc(turn) => moves_others(&(turn.end - turn.start)),
+            Piece::Axes { from, to, .. } => moves_others(&(*to - *from)),
         }
     }
 
@@ -389,35 +399,33 @@ impl Turn {
     }
 
     fn tangent(&self, s: f64) -> Position {
-        let u = s / self.len;
-        let mut d = self.start.zip(self.end, |a, b| (b - a) / self.len);
-        let (along, out) = ((self.radius + self.growth * u) * self.sweep / self.len, self.growth / self.len);
-        let (sin, cos) = (self.angle + self.sweep * u).sin_cos();
-        d.0[self.plane[0]] = out * cos - along * sin + self.closing(0);
-        d.0[self.plane[1]] = out * sin + along * cos + self.closing(1);
-        d
+        let [tangent, ..] = self.derivatives(s);
+        tangent
     }
 
     fn bend(&self, s: f64) -> Position {
-        let r = self.radius + self.growth * s / self.len;
-        let square = self.len * self.len;
-        let (out, along) = (r * self.sweep * self.sweep / square, 2.0 * self.growth * self.sweep / square);
-        let (sin, cos) = (self.angle + self.sweep * s / self.len).sin_cos();
-        let mut q = Position::ZERO;
-        q.0[self.plane[0]] = -along * sin - out * cos;
-        q.0[self.plane[1]] = along * cos - out * sin;
-        q
+        let [_, bend, _] = self.derivatives(s);
+        bend
     }
 
-    fn twist(&self, s: f64) -> Position {
-        let turn = self.sweep / self.len;
-        let r = self.radius + self.growth * s / self.len;
-        let (across, out) = (r * turn * turn * turn, 3.0 * self.growth / self.len * turn * turn);
-        let (sin, cos) = (self.angle + turn * s).sin_cos();
-        let mut q = Position::ZERO;
-        q.0[self.plane[0]] = across * sin - out * cos;
-        q.0[self.plane[1]] = -across * cos - out * sin;
-        q
+    fn derivatives(&self, s: f64) -> [Position; 3] {
+        let u = s / self.len;
+        let [a, b] = self.plane;
+        let (sin, cos) = (self.angle + self.sweep * u).sin_cos();
+        let (r, turn, out) = (self.radius + self.growth * u, self.sweep / self.len, self.growth / self.len);
+        let along = r * turn;
+        let mut first = self.start.zip(self.end, |a, b| (b - a) / self.len);
+        first.0[a] = out * cos - along * sin + self.closing(0);
+        first.0[b] = out * sin + along * cos + self.closing(1);
+        let (inward, across) = (along * turn, 2.0 * out * turn);
+        let mut second = Position::ZERO;
+        second.0[a] = -across * sin - inward * cos;
+        second.0[b] = across * cos - inward * sin;
+        let (back, outward) = (inward * turn, 1.5 * across * turn);
+        let mut third = Position::ZERO;
+        third.0[a] = back * sin - outward * cos;
+        third.0[b] = -back * cos - outward * sin;
+        [first, second, third]
     }
 
     /// Largest `|q′|` over X, Y, Z in `from`…`to`, against what it is on the circle.

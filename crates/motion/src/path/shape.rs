@@ -41,27 +41,38 @@ impl Shape {
 }
 
 impl Shape {
-    /// `q′`, `q″` and `q‴` at length `s` of the cell, where it is run along a path.
-    pub fn derivatives(&self, s: f64) -> [[f64; AXES]; 3] {
-        let none = [0.0; AXES];
-        match self {
-            Shape::Line { d, .. } => [d.0, none, none],
-            Shape::Cubic(cubic) => cubic.derivatives(s),
-            Shape::Slice(piece, from) => {
-                [piece.tangent(from + s).0, piece.bend(from + s).0, piece.twist(from + s).0]
-            }
+    /// `q′`, `q″` and `q‴` of the `N` axes in front at length `s` of the cell, where it is run along a path.
+    pub fn derivatives<const N: usize>(&self, s: f64) -> [[f64; N]; 3] {
+        let [first, second, third] = match self {
+            Shape::Cubic(cubic) => return cubic.derivatives(s),
+            Shape::Line { d, .. } => [*d, Position::ZERO, Position::ZERO],
+            Shape::Slice(piece, from) => piece.derivatives(from + s),
             Shape::Eased(piece, from, ease) => {
                 let at = from + s;
-                let [bend, twist] = ease.bends(at);
-                [
-                    (piece.tangent(at) + ease.slope(at)).0,
-                    (piece.bend(at) + bend).0,
-                    (piece.twist(at) + twist).0,
-                ]
+                let [tangent, bend, twist] = piece.derivatives(at);
+                let [more_bend, more_twist] = ease.bends(at);
+                [tangent + ease.slope(at), bend + more_bend, twist + more_twist]
             }
-            Shape::Corner(_) | Shape::Axes { .. } => [none; 3],
+            Shape::Corner(_) | Shape::Axes { .. } => [Position::ZERO; 3],
+        };
+        [first, second, third].map(|d| std::array::from_fn(|i| d.0[i]))
+    }
+
+    /// Whether other axes than X, Y and Z move in it, where it is run along a path.
+    pub fn moves_others(&self) -> bool {
+        match self {
+            Shape::Cubic(cubic) => cubic.c[1..].iter().any(moves_others),
+            Shape::Line { d, .. } => moves_others(d),
+            Shape::Slice(piece, _) => piece.moves_others(),
+            Shape::Eased(piece, _, ease) => piece.moves_others() || ease.moves_others(),
+            Shape::Corner(_) | Shape::Axes { .. } => false,
         }
     }
+}
+
+/// Whether other axes than X, Y and Z move in this direction.
+pub(crate) fn moves_others(d: &Position) -> bool {
+    d.0[3..].iter().any(|c| *c != 0.0)
 }
 
 /// `c₀ + c₁·s + c₂·s² + c₃·s³`.
@@ -80,7 +91,7 @@ impl Cubic {
     }
 
     /// Its derivatives at `s`.
-    fn derivatives(&self, s: f64) -> [[f64; AXES]; 3] {
+    fn derivatives<const N: usize>(&self, s: f64) -> [[f64; N]; 3] {
         let [_, c1, c2, c3] = &self.c;
         [
             std::array::from_fn(|i| c1.0[i] + s * (2.0 * c2.0[i] + s * 3.0 * c3.0[i])),
@@ -100,14 +111,14 @@ impl Cubic {
 
     /// The stretch of it between two lengths.
     pub fn part(&self, from: f64, to: f64) -> Cubic {
-        let [first, second, _] = self.derivatives(from);
+        let [first, second, _] = self.derivatives::<AXES>(from);
         let c = [self.at(from), Position(first), Position(second.map(|c| 0.5 * c)), self.c[3]];
         Cubic { c, len: to - from }
     }
 
     /// How much `|q′|` over what the feed is measured along differs along it, as a share of its highest in three places.
     pub fn unevenness(&self, share: f64) -> f64 {
-        let speeds = [0.0, 0.5, 1.0].map(|at| stretch(&self.derivatives(at * self.len)[0], share));
+        let speeds = [0.0, 0.5, 1.0].map(|at| stretch(&self.derivatives::<AXES>(at * self.len)[0], share));
         let most = speeds.into_iter().fold(0.0, f64::max);
         1.0 - speeds.into_iter().fold(most, f64::min) / most.max(1e-12)
     }
@@ -184,7 +195,7 @@ mod tests {
             for s in [0.1, 0.45, 1.0] {
                 let h = 1e-3;
                 let [a, b, c, d, e] = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|k| shape.at(s + k * h).0);
-                let [first, second, third] = shape.derivatives(s);
+                let [first, second, third] = shape.derivatives::<AXES>(s);
                 for i in 0..3 {
                     let near = |x: f64, y: f64, most: f64| {
                         assert!((x - y).abs() < most, "{shape:?} {s} {i}: {x} {y}")

@@ -26,6 +26,7 @@ use crate::limits::Room;
 use crate::timing::piece::{Piece, ROUNDING, State, acceleration_behind, step};
 use crate::timing::queue::{CELL_RING, Node, Pass, Queue};
 use crate::timing::ramp::{Foot, most_speed, way_up};
+use std::ops::Range;
 
 /// Length of steps in time, s.
 const TAU: f64 = 0.004;
@@ -174,6 +175,11 @@ impl Step {
         self.s + 0.5 * self.h
     }
 
+    /// Whether the speed is the highest that is allowed.
+    fn is_at_cap(&self) -> bool {
+        self.x >= self.cap * self.cap * (1.0 - TOUCH)
+    }
+
     /// The loads that it is under.
     #[inline]
     fn nodes<'a>(&self, queue: &'a Queue) -> impl Iterator<Item = &'a Node> + use<'a> {
@@ -270,7 +276,7 @@ impl Grid {
                     step.from.v *= SLOWER;
                     step.from.a *= SLOWER * SLOWER;
                 }
-                if self.check(queue, SAFELY_LESS) {
+                if self.check(queue, SAFELY_LESS).is_none() {
                     return true;
                 }
             }
@@ -287,10 +293,9 @@ impl Grid {
     /// The start of the last step in which the speed is the cap: how many pieces are before it, its cell and place.
     pub fn last_touch(&self) -> Option<(usize, u64, Port)> {
         let inner = self.steps.get(..self.steps.len().saturating_sub(1))?;
-        let touches = |step: &Step| step.x >= step.cap * step.cap * (1.0 - TOUCH);
         // One that others follow leaves room for another division into steps.
-        let run = inner.windows(RUN).rposition(|steps| steps.iter().all(touches));
-        let k = run.filter(|k| *k > 0).or_else(|| inner.iter().rposition(touches))?;
+        let run = inner.windows(RUN).rposition(|steps| steps.iter().all(Step::is_at_cap));
+        let k = run.filter(|k| *k > 0).or_else(|| inner.iter().rposition(Step::is_at_cap))?;
         let step = &self.steps[k];
         (k > 0).then_some((k, step.cell, Port { s: step.s, state: step.from }))
     }
@@ -496,10 +501,8 @@ impl Grid {
                 Care::Bold => LESS - EVERY_ROUND * round as f64,
                 Care::Safe => SAFELY_LESS,
             };
-            if self.check(queue, less) {
-                return true;
-            }
-            if !self.pass(from) {
+            let Some(beyond) = self.check(queue, less) else { return true };
+            if !self.pass_about(beyond, from) && !self.pass(from) {
                 return false;
             }
         }
@@ -508,15 +511,44 @@ impl Grid {
 
     /// Passes 2 to 5; `false` if the path cannot be slowed down from its first state.
     fn pass(&mut self, from: Port) -> bool {
-        self.bound();
-        self.foresee();
-        self.speed_up(from.state);
-        if !self.slow_down(from.state) {
+        self.pass_over(0..self.steps.len(), from)
+    }
+
+    /// The same about the steps `changed`, from one place where the speed is the cap to the next: what is beyond stays as it is.
+    /// `false` if it does not.
+    fn pass_about(&mut self, changed: Range<usize>, from: Port) -> bool {
+        let n = self.steps.len();
+        let is_steady = |steps: &[Step]| steps.iter().all(|step| step.by == By::Cap && step.is_at_cap());
+        let before = self.steps[..changed.start].windows(RUN).rposition(is_steady);
+        let behind = self.steps[changed.end..].windows(RUN).position(is_steady);
+        let begin = before.map_or(0, |k| k + RUN / 2);
+        let end = behind.map_or(n, |k| changed.end + k + RUN / 2);
+        if begin == 0 && end == n {
             return false;
         }
-        self.round_summits(from);
-        self.join(from.state);
+        let first = &self.steps[begin];
+        let port = if begin == 0 { from } else { Port { s: first.s, state: first.from } };
+        self.pass_over(begin..end, port)
+            && (begin == 0 || is_steady(&self.steps[begin..begin + RUN / 2]))
+            && (end == n || is_steady(&self.steps[end - RUN / 2..end]))
+    }
+
+    /// Passes 2 to 5 over these steps, which begin at `from`; `false` if the path cannot be slowed down from there.
+    fn pass_over(&mut self, range: Range<usize>, from: Port) -> bool {
+        self.bound(range.clone());
+        self.foresee(range.clone());
+        self.speed_up(range.clone(), from.state);
+        if !self.slow_down(range.clone(), from.state) {
+            return false;
+        }
+        self.round_summits(range.clone(), from);
+        self.join(range, from.state);
         true
+    }
+
+    /// Where steps up to `end` end.
+    fn port(&self, end: usize) -> Port {
+        self.steps.get(end).map_or(self.to, |step| Port { s: step.s, state: step.from })
     }
 
     /// What is left to the path in every step.
@@ -550,8 +582,8 @@ impl Grid {
     }
 
     /// Pass 2.
-    fn bound(&mut self) {
-        for step in &mut self.steps {
+    fn bound(&mut self, range: Range<usize>) {
+        for step in &mut self.steps[range] {
             let a = step.room.a * step.share * ACCELERATION_SHARE;
             let j = step.room.j.map(|j| j * step.share * JERK_SHARE);
             step.is_new = a != step.a || j != step.j;
@@ -562,17 +594,17 @@ impl Grid {
     }
 
     /// Pass 3.
-    fn foresee(&mut self) {
-        let mut up = f64::INFINITY;
-        for i in (0..self.steps.len()).rev() {
+    fn foresee(&mut self, range: Range<usize>) {
+        let mut up = self.steps.get(range.end).map_or(f64::INFINITY, |step| step.up[0]);
+        for i in range.clone().rev() {
             let before = if i > 0 { self.steps[i - 1].a } else { f64::INFINITY };
             let step = &mut self.steps[i];
             step.up[1] = up.min(step.a);
             up = before.min(step.a).min(step.up[1] + step.j[1] * step.time);
             step.up[0] = up;
         }
-        let mut down = f64::INFINITY;
-        for i in 0..self.steps.len() {
+        let mut down = range.start.checked_sub(1).map_or(f64::INFINITY, |i| self.steps[i].down[1]);
+        for i in range {
             let behind = self.steps.get(i + 1).map_or(f64::INFINITY, |step| step.a);
             let step = &mut self.steps[i];
             step.down[0] = down.min(step.a);
@@ -582,9 +614,9 @@ impl Grid {
     }
 
     /// Pass 4, forward.
-    fn speed_up(&mut self, from: State) {
+    fn speed_up(&mut self, range: Range<usize>, from: State) {
         let mut state = from;
-        for (step, known) in self.steps.iter_mut().zip(&mut self.known) {
+        for (step, known) in self.steps[range.clone()].iter_mut().zip(&mut self.known[range]) {
             step.rising = state;
             let [middle, end] = step.climb(&mut known.up, step.up[1], state);
             step.x = middle.v * middle.v;
@@ -595,10 +627,12 @@ impl Grid {
     }
 
     /// Pass 4, backward, and the lower of both. `false` if the path cannot be slowed down from `from`.
-    fn slow_down(&mut self, from: State) -> bool {
+    fn slow_down(&mut self, range: Range<usize>, from: State) -> bool {
         // Mirrored: braking is speeding up.
-        let mut state = State { v: self.to.state.v, a: -self.to.state.a };
-        for (step, known) in self.steps.iter_mut().zip(&mut self.known).rev() {
+        let State { v, a } = self.port(range.end).state;
+        let mut state = State { v, a: -a };
+        let first = range.start;
+        for (step, known) in self.steps[range.clone()].iter_mut().zip(&mut self.known[range]).rev() {
             let [middle, end] = step.climb(&mut known.down, step.down[0], state);
             let x = middle.v * middle.v;
             if x < step.x {
@@ -610,21 +644,22 @@ impl Grid {
             step.falling = State { v: state.v, a: -state.a };
         }
         // Only the first step's cap may be below the state that is given.
-        state.v >= from.v * (1.0 - 1e-9) || self.steps[0].cap < from.v
+        state.v >= from.v * (1.0 - 1e-9) || self.steps[first].cap < from.v
     }
 
     /// Pass 5. Which jerk is left depends on the acceleration that results: twice.
-    fn round_summits(&mut self, from: Port) {
+    fn round_summits(&mut self, range: Range<usize>, from: Port) {
         self.times.clear();
-        self.times.extend(self.steps.iter().map(|step| step.gap / step.x.sqrt().max(LEAST_SUMMIT)));
-        self.lower(from, |steps, i| steps[i].slope.abs());
-        self.lower(from, |steps, i| {
+        let steps = self.steps[range.clone()].iter();
+        self.times.extend(steps.map(|step| step.gap / step.x.sqrt().max(LEAST_SUMMIT)));
+        self.lower(range.clone(), from, |steps, i| steps[i].slope.abs());
+        self.lower(range.clone(), from, |steps, i| {
             let (Some(before), Some(behind)) = (i.checked_sub(1), steps.get(i + 1)) else {
                 return steps[i].slope.abs();
             };
             (0.5 * (behind.rounded - steps[before].rounded) / steps[i].gap).abs()
         });
-        for step in &mut self.steps {
+        for step in &mut self.steps[range] {
             if step.rounded < step.x {
                 step.x = step.rounded;
                 step.by = By::Summit;
@@ -633,26 +668,27 @@ impl Grid {
     }
 
     /// The lower hull, where the acceleration of step `i` is about `slope(steps, i)`.
-    fn lower(&mut self, from: Port, slope_of: impl Fn(&[Step], usize) -> f64) {
-        let n = self.steps.len();
+    fn lower(&mut self, range: Range<usize>, from: Port, slope_of: impl Fn(&[Step], usize) -> f64) {
+        let to = self.port(range.end);
+        let steps = &self.steps[range.clone()];
         self.bulges.clear();
         let (mut slope, mut bulge, mut at) = (0.0, 0.0, from.s);
-        for (i, (step, time)) in self.steps.iter().zip(&self.times).enumerate() {
+        for (i, (step, time)) in steps.iter().zip(&self.times).enumerate() {
             let g = step.middle();
             bulge += slope * (g - at);
             self.bulges.push(bulge);
-            slope += step.jerk(slope_of(&self.steps, i)) * time;
+            slope += step.jerk(slope_of(&self.steps, range.start + i)) * time;
             at = g;
         }
-        self.bulges.push(bulge + slope * (self.to.s - at));
+        self.bulges.push(bulge + slope * (to.s - at));
         self.hull.clear();
         self.hull.push((from.s, from.state.v * from.state.v, 0));
-        for i in 0..=n {
-            let (s, x) = match self.steps.get(i) {
+        for (i, bulge) in self.bulges.iter().enumerate() {
+            let (s, x) = match steps.get(i) {
                 Some(step) => (step.middle(), step.x),
-                None => (self.to.s, self.to.state.v * self.to.state.v),
+                None => (to.s, to.state.v * to.state.v),
             };
-            let y = x + self.bulges[i];
+            let y = x + bulge;
             while let [.., a, b] = self.hull[..] {
                 // Whether `b` is above the line from `a` to here.
                 if (b.1 - a.1) * (s - a.0) >= (y - a.1) * (b.0 - a.0) {
@@ -664,7 +700,8 @@ impl Grid {
             // Number of the step behind.
             self.hull.push((s, y, i + 1));
         }
-        for step in &mut self.steps {
+        let steps = &mut self.steps[range];
+        for step in &mut *steps {
             step.rounded = step.x;
         }
         for pair in self.hull.windows(2) {
@@ -673,18 +710,18 @@ impl Grid {
                 continue;
             }
             let slope = (b.1 - a.1) / (b.0 - a.0);
-            for i in a.2..b.2 - 1 {
-                let step = &mut self.steps[i];
-                let x = a.1 + slope * (step.middle() - a.0) - self.bulges[i];
+            let between = a.2..b.2 - 1;
+            for (step, bulge) in steps[between.clone()].iter_mut().zip(&self.bulges[between]) {
+                let x = a.1 + slope * (step.middle() - a.0) - bulge;
                 step.rounded = x.min(step.x).max(0.0);
             }
         }
     }
 
     /// The states between the steps.
-    fn join(&mut self, from: State) {
-        self.steps[0].from = from;
-        for i in 1..self.steps.len() {
+    fn join(&mut self, range: Range<usize>, from: State) {
+        self.steps[range.start].from = from;
+        for i in range.start + 1..range.end {
             let (before, here) = (&self.steps[i - 1], &self.steps[i]);
             let state = match (before.by, here.by) {
                 (By::Up | By::Cap, By::Up) => here.rising,
@@ -698,9 +735,10 @@ impl Grid {
         }
     }
 
-    /// Pass 6: whether every piece keeps all bounds; where not, that much less is used next time.
-    fn check(&mut self, queue: &Queue, less: f64) -> bool {
-        let mut is_good = true;
+    /// Pass 6: `None` if every piece keeps all bounds; where not, that much less is used next time, from the first step of which
+    /// it is less to the last.
+    fn check(&mut self, queue: &Queue, less: f64) -> Option<Range<usize>> {
+        let mut beyond: Option<Range<usize>> = None;
         let n = self.steps.len();
         for i in 0..n {
             let here = &self.steps[i];
@@ -718,16 +756,17 @@ impl Grid {
                 |piece: Piece| here.nodes(queue).map(|node| piece.used(&node.load)).fold(0.0, f64::max);
             let used = piece.map_or(f64::INFINITY, most_used);
             if !(used <= ROUNDING) {
-                is_good = false;
                 let less = (less / used).max(MUCH_LESS);
-                for step in &mut self.steps[i.saturating_sub(1)..(i + 2).min(n)] {
+                let about = i.saturating_sub(1)..(i + 2).min(n);
+                beyond = Some(beyond.map_or(about.start, |beyond| beyond.start)..about.end);
+                for step in &mut self.steps[about] {
                     step.share = (step.share * less).max(LEAST_SHARE);
                 }
             } else {
                 self.known[i].good = Some([here.from, to]);
             }
         }
-        is_good
+        beyond
     }
 }
 

@@ -11,7 +11,7 @@
 use crate::limits::{Class, Load};
 use crate::path::shape::Shape;
 use crate::timing::ramp::Foot;
-use ferrocut_geometry::{AXES, Position};
+use ferrocut_geometry::Position;
 
 /// Cells in the queue; one to three a block where blocks are long, one for many where they are short.
 pub(crate) const CELLS: usize = 8192;
@@ -56,7 +56,7 @@ impl Cell {
     pub fn stretch(&self, s: f64, len: f64) -> f64 {
         let stretch = match &self.shape {
             Shape::Cubic(_) | Shape::Eased(..) | Shape::Line { .. } => {
-                let [[x, y, z, ..], ..] = self.derivatives(s, len);
+                let [[x, y, z], ..] = self.derivatives(s, len);
                 (x * x + y * y + z * z).sqrt()
             }
             Shape::Slice(piece, _) => piece.share(),
@@ -65,8 +65,8 @@ impl Cell {
         if stretch > STILL { stretch } else { 1.0 }
     }
 
-    /// `q′`, `q″` and `q‴` there, in the direction that it is run in.
-    pub fn derivatives(&self, s: f64, len: f64) -> [[f64; AXES]; 3] {
+    /// `q′`, `q″` and `q‴` of the `N` axes in front there, in the direction that it is run in.
+    pub fn derivatives<const N: usize>(&self, s: f64, len: f64) -> [[f64; N]; 3] {
         if !self.is_back {
             return self.shape.derivatives(s);
         }
@@ -151,6 +151,8 @@ pub(crate) struct Queue {
     last_mark: u64,
     /// How many cells end at rest.
     rests: usize,
+    /// Whether other axes than X, Y and Z move since there were no cells.
+    moves_others: bool,
     /// Cells and marks before these were handed over.
     handed: [u64; 2],
     /// The oldest cell and the oldest mark that belong to the same path.
@@ -189,9 +191,15 @@ impl Queue {
             first_mark: 0,
             last_mark: 0,
             rests: 0,
+            moves_others: false,
             handed: [0; 2],
             first: [0; 2],
         }
+    }
+
+    /// Whether other axes than X, Y and Z move in the cells, or may.
+    pub fn moves_others(&self) -> bool {
+        self.moves_others
     }
 
     pub fn len(&self) -> usize {
@@ -236,6 +244,8 @@ impl Queue {
     #[inline]
     pub fn append(&mut self, cell: Cell, node: Node) {
         self.rests += usize::from(node.rests);
+        self.moves_others &= self.head < self.tail;
+        self.moves_others = self.moves_others || cell.shape.moves_others();
         self.cells[slot(self.tail)] = cell;
         self.nodes[slot(self.tail)] = node;
         self.tail += 1;

@@ -41,6 +41,7 @@
 
 mod bounds;
 mod road;
+mod rows;
 mod solve;
 
 use crate::limits::Inverses;
@@ -48,7 +49,8 @@ use crate::timing::piece::{Piece, ROUNDING, State};
 use crate::timing::queue::{Node, Queue};
 use ferrocut_geometry::AXES;
 pub(crate) use road::Road;
-use solve::{FIRST_GAP, NEXT_GAP, Row, Solution};
+use rows::{PAD, Rows, Speeds};
+use solve::{FIRST_GAP, NEXT_GAP, Solution};
 
 /// Most steps of a window of a valley.
 const STEPS: usize = 160;
@@ -87,9 +89,6 @@ const TAKEN: f64 = 0.25;
 /// What is gained must be worth it.
 const WORTH: f64 = 0.997;
 
-/// Rows of a place: acceleration and jerk on both sides, of each axis and of the path, and the speed.
-const ROWS: usize = 3 * (AXES + 1) + 1;
-
 /// What came of a window.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Outcome {
@@ -110,8 +109,8 @@ pub(crate) struct Valley {
     x: Vec<f64>,
     /// How much more than it does a place is to count.
     more: Vec<f64>,
-    rows: Vec<Row>,
-    speeds: Vec<[f64; 3]>,
+    rows: Rows,
+    speeds: Speeds,
     /// Diagonals of the matrix, and the right side.
     band: Vec<[f64; 3]>,
     right: Vec<f64>,
@@ -130,12 +129,12 @@ impl Valley {
         Valley {
             h: Vec::with_capacity(STEPS + 2),
             s: Vec::with_capacity(STEPS + 2),
-            x: Vec::with_capacity(STEPS + 2),
+            x: Vec::with_capacity(STEPS + 2 + PAD),
             more: Vec::with_capacity(STEPS + 2),
-            rows: Vec::with_capacity(ROWS * (STEPS + 1)),
-            speeds: Vec::with_capacity(STEPS + 2),
-            band: Vec::with_capacity(STEPS + 2),
-            right: Vec::with_capacity(STEPS + 2),
+            rows: Rows::new(STEPS + 2),
+            speeds: Speeds::new(STEPS + 2),
+            band: Vec::with_capacity(STEPS + 2 + PAD),
+            right: Vec::with_capacity(STEPS + 2 + PAD),
             pieces: Vec::with_capacity(STEPS),
             way: Vec::with_capacity(WAY),
             tight: Vec::with_capacity(WAY),
@@ -150,9 +149,9 @@ impl Valley {
     ///
     /// What is longer than its steps is run window by window. Each begins inside the one before, so that the state at the
     /// end of that one, which was the plan's, does not stay.
-    pub fn run(
+    pub fn run<const N: usize>(
         &mut self,
-        road: &Road<'_, impl Fn(&Node) -> f64>,
+        road: &Road<'_, N, impl Fn(&Node) -> f64>,
         plan: &[Piece],
         first: u64,
         most: usize,
@@ -204,9 +203,9 @@ impl Valley {
     }
 
     /// Runs these pieces, for which steps are set, in less time, if that is possible.
-    fn window(
+    fn window<const N: usize>(
         &mut self,
-        road: &Road<'_, impl Fn(&Node) -> f64>,
+        road: &Road<'_, N, impl Fn(&Node) -> f64>,
         range: std::ops::Range<usize>,
         first: u64,
         is_slack: bool,
@@ -252,9 +251,9 @@ impl Valley {
 
     /// Sets no more than `most` steps, for as many of the pieces from `from` on as there are steps for: how many. `None` if that
     /// are too few.
-    fn place(
+    fn place<const N: usize>(
         &mut self,
-        road: &Road<'_, impl Fn(&Node) -> f64>,
+        road: &Road<'_, N, impl Fn(&Node) -> f64>,
         from: usize,
         first: u64,
         most: usize,
@@ -296,7 +295,7 @@ impl Valley {
             }
             cell = road.cell(cell, s);
             let derivatives = road.derivatives(cell, s);
-            let norm = |d: &[f64; AXES]| d.iter().map(|c| c * c).sum::<f64>().sqrt();
+            let norm = |d: &[f64; N]| d.iter().map(|c| c * c).sum::<f64>().sqrt();
             let turn = norm(&derivatives[1]) / norm(&derivatives[0]).max(1e-9);
             let mut h = TAU * speed(plan, k, s);
             h = h.min(TAU * speed(plan, k, (s + h).min(end)).max(0.3 * h / TAU));
@@ -339,7 +338,7 @@ impl Valley {
         let tight = &self.tight[range];
         let n = self.h.len();
         self.x.clear();
-        self.x.resize(n, 0.0);
+        self.x.resize(n + PAD, 0.0);
         let mut k = 0;
         for i in 1..n - 1 {
             let s = self.s[i - 1] + 0.5 * self.h[i];
@@ -386,7 +385,12 @@ impl Valley {
     }
 
     /// Whether every piece keeps all bounds; where not, the bounds at its ends are tightened, by at least a little.
-    fn keeps(&mut self, road: &Road<'_, impl Fn(&Node) -> f64>, first: u64, little: f64) -> bool {
+    fn keeps<const N: usize>(
+        &mut self,
+        road: &Road<'_, N, impl Fn(&Node) -> f64>,
+        first: u64,
+        little: f64,
+    ) -> bool {
         let mut is_good = true;
         let mut cell = first;
         self.more.clear();
@@ -404,17 +408,14 @@ impl Valley {
             for (tighter, more) in self.tighter.iter_mut().zip(&self.more) {
                 *tighter *= more;
             }
-            for row in &mut self.rows {
-                let more = self.more[row.place];
-                row.c = row.c.map(|c| c * more);
-            }
+            self.rows.tighten(&self.more);
         }
         is_good
     }
 }
 
 /// Whether somewhere a curve takes a share of the bounds that could be shared better.
-fn plan_bends(road: &Road<'_, impl Fn(&Node) -> f64>, plan: &[Piece], first: u64) -> bool {
+fn plan_bends<const N: usize>(road: &Road<'_, N, impl Fn(&Node) -> f64>, plan: &[Piece], first: u64) -> bool {
     let mut cell = first;
     plan.iter().any(|piece| {
         cell = road.cell(cell, piece.s);
@@ -445,5 +446,12 @@ pub(crate) fn keeps(
     cell: &mut u64,
     cap: impl Fn(&Node) -> f64,
 ) -> bool {
-    piece.is_forward() && Road { queue, inverses, cap }.most_used(piece, cell) <= ROUNDING
+    piece.is_forward() && {
+        let used = if queue.moves_others() {
+            Road::<AXES, _> { queue, inverses, cap }.most_used(piece, cell)
+        } else {
+            Road::<3, _> { queue, inverses, cap }.most_used(piece, cell)
+        };
+        used <= ROUNDING
+    }
 }

@@ -12,6 +12,7 @@ use crate::timing::piece::{Piece, State};
 use crate::timing::queue::{Node, Pass, Queue, SAME_LENGTH};
 use crate::timing::ramp::{Foot, Phases, summit};
 use crate::timing::valley::Road;
+use ferrocut_geometry::AXES;
 
 /// Pieces from rest and to rest that stay as they are.
 const AT_REST: usize = 3;
@@ -281,12 +282,17 @@ impl Plan {
                 let plan = &self.rough[begin..end];
                 cell = queue.find(cell, plan[0].s + 1e-9);
                 let most = end - begin + count + DEEPER - new;
-                let road = Road { queue, inverses: &self.inverses, cap: |node: &Node| overrides.most(node) };
-                if is_valley(queue, plan, cell, road.cap) {
+                let cap = |node: &Node| overrides.most(node);
+                if is_valley(queue, plan, cell, cap) {
                     // What the passes miss of a ramp is little, but from rest on it takes long.
                     let is_slack =
                         self.rough[from].from == State::REST || self.rough[k - 1].to == State::REST;
-                    found = self.valley.run(&road, plan, cell, most, is_slack);
+                    let inverses = &self.inverses;
+                    found = if queue.moves_others() {
+                        self.valley.run(&Road::<AXES, _> { queue, inverses, cap }, plan, cell, most, is_slack)
+                    } else {
+                        self.valley.run(&Road::<3, _> { queue, inverses, cap }, plan, cell, most, is_slack)
+                    };
                 }
             }
             if found {

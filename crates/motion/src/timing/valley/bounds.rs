@@ -2,7 +2,7 @@
 
 use super::Valley;
 use super::road::Road;
-use super::solve::Row;
+use super::rows::{LANES, Root};
 use crate::limits::Inverse;
 use crate::quick::larger;
 use crate::timing::queue::Node;
@@ -22,7 +22,7 @@ const INSIDE: f64 = 3e-3;
 
 impl Valley {
     /// The bounds at all places, in the order of the control points that they begin with.
-    pub(super) fn bound(&mut self, road: &Road<'_, impl Fn(&Node) -> f64>, first: u64) {
+    pub(super) fn bound<const N: usize>(&mut self, road: &Road<'_, N, impl Fn(&Node) -> f64>, first: u64) {
         self.rows.clear();
         let places = self.s.len();
         let mut cell = first;
@@ -55,16 +55,15 @@ impl Valley {
             let v = (FASTER * self.at(k).0).max(0.0).sqrt();
             let [a_most, j_most] = most_along([&there, &here], inverse, v);
             // On a line the end of a step at which it is faster decides.
-            let is_line = |d: &[[f64; AXES]; 3]| d[1..].iter().flatten().all(|c| *c == 0.0);
+            let is_line = |d: &[[f64; N]; 3]| d[1..].iter().flatten().all(|c| *c == 0.0);
             let has_left = !is_line(&there) || (k > 0 && self.at(k).0 >= self.at(k - 1).0);
             let has_right = !is_line(&here) || (k + 1 < places && self.at(k).0 >= self.at(k + 1).0);
             let is_harmful = |[d1, d2, d3]: [f64; 3], jmax: f64| {
                 ((d3.abs() * v * v + 3.0 * d2.abs() * a_most) * v + d1.abs() * j_most) * jmax > HARMLESS
             };
-            let of =
-                |d: &[[f64; AXES]; 3], i: usize| if i < AXES { d.map(|d| d[i]) } else { [1.0, 0.0, 0.0] };
-            for i in 0..=AXES {
-                let jmax = if i < AXES { inverse.jerk[i] } else { inverse.along[1] } / JERK_SHARE;
+            let of = |d: &[[f64; N]; 3], i: usize| if i < N { d.map(|d| d[i]) } else { [1.0, 0.0, 0.0] };
+            for i in 0..=N {
+                let jmax = if i < N { inverse.jerk[i] } else { inverse.along[1] } / JERK_SHARE;
                 let [e1, e2, e3] = of(&there, i);
                 if let Some(push) = left_push.filter(|_| has_left && is_harmful([e1, e2, e3], jmax)) {
                     let c = [
@@ -72,25 +71,20 @@ impl Valley {
                         (e3 * x[0] + 3.0 * e2 * a[0] + e1 * push[1]) * jmax,
                         (e3 * x[1] + 3.0 * e2 * a[1] + e1 * push[2]) * jmax,
                     ];
-                    self.rows.push(Row { c, place: k, base: k - 1, root: Some(1), ..Row::default() });
+                    self.rows.put(3 * i, Root::Before, k - 1, c);
                 }
             }
             // Between three of them the spline lies below the highest.
-            if (2..self.x.len() - 2).contains(&k) {
+            if (2..self.h.len() - 2).contains(&k) {
                 let (begin, end) = (self.s[k - 2], self.s[k + 1]);
                 cap_cell = road.cell(cap_cell, begin);
                 let cap = road.least_cap(cap_cell, end);
                 if FASTER * self.x[k] > cap * cap {
-                    self.rows.push(Row {
-                        c: [1.0 / (cap * cap), 0.0, 0.0],
-                        place: k,
-                        base: k,
-                        ..Row::default()
-                    });
+                    self.rows.put(3 * (AXES + 1), Root::None, k, [1.0 / (cap * cap), 0.0, 0.0]);
                 }
             }
-            for i in 0..=AXES {
-                let (amax, jmax) = if i < AXES {
+            for i in 0..=N {
+                let (amax, jmax) = if i < N {
                     (inverse.acceleration[i] / ACCELERATION_SHARE, inverse.jerk[i] / JERK_SHARE)
                 } else {
                     (inverse.along[0] / ACCELERATION_SHARE, inverse.along[1] / JERK_SHARE)
@@ -98,7 +92,7 @@ impl Valley {
                 let [d1, d2, d3] = of(&here, i);
                 if is_inner && (d2.abs() * v * v + d1.abs() * a_most) * amax > HARMLESS {
                     let c = [(d2 * x[0] + d1 * a[0]) * amax, (d2 * x[1] + d1 * a[1]) * amax, 0.0];
-                    self.rows.push(Row { c, place: k, base: k, ..Row::default() });
+                    self.rows.put(3 * i + 1, Root::None, k, c);
                 }
                 if let Some(push) = right_push.filter(|_| has_right && is_harmful([d1, d2, d3], jmax)) {
                     let c = [
@@ -106,7 +100,7 @@ impl Valley {
                         (d3 * x[1] + 3.0 * d2 * a[1] + d1 * push[1]) * jmax,
                         d1 * push[2] * jmax,
                     ];
-                    self.rows.push(Row { c, place: k, base: k, root: Some(0), ..Row::default() });
+                    self.rows.put(3 * i + 2, Root::Behind, k, c);
                 }
             }
         }
@@ -117,26 +111,27 @@ impl Valley {
         if self.taken == 0 {
             return;
         }
-        for row in &mut self.rows {
-            let tighter = self.tighter[row.place];
-            row.c = row.c.map(|c| c * tighter);
-        }
-        self.look(|_| ());
-        for row in self.rows.iter_mut().filter(|row| row.base + 2 <= self.taken) {
-            let looser = ((1.0 - INSIDE) / row.value.abs()).min(1.0);
-            row.c = row.c.map(|c| c * looser);
+        self.rows.tighten(&self.tighter);
+        self.look();
+        for block in &mut self.rows.blocks {
+            for i in (0..LANES).filter(|i| block.base + i + 2 <= self.taken) {
+                let looser = ((1.0 - INSIDE) / block.value[i].abs()).min(1.0);
+                for c in &mut block.c {
+                    c[i] *= looser;
+                }
+            }
         }
     }
 }
 
 /// Highest acceleration and jerk along the path where it is no faster than `v`, by its derivatives on both sides: an axis has what its
 /// bounds leave it, and as much more as the curve takes the other way.
-fn most_along(sides: [&[[f64; AXES]; 3]; 2], inverse: &Inverse, v: f64) -> [f64; 2] {
+fn most_along<const N: usize>(sides: [&[[f64; N]; 3]; 2], inverse: &Inverse, v: f64) -> [f64; 2] {
     let [mut a, mut j] = inverse.along.map(|inverse| inverse.max(1e-12).recip());
     let most =
         |derivative: usize, i: usize| larger(sides[0][derivative][i].abs(), sides[1][derivative][i].abs());
     let axes =
-        |inverse: &[f64; AXES]| -> [f64; AXES] { std::array::from_fn(|i| sides[1][0][i].abs() * inverse[i]) };
+        |inverse: &[f64; AXES]| -> [f64; N] { std::array::from_fn(|i| sides[1][0][i].abs() * inverse[i]) };
     for (i, share) in axes(&inverse.acceleration).into_iter().enumerate().filter(|(_, share)| *share > 0.0) {
         a = a.min((1.0 + most(1, i) * v * v * inverse.acceleration[i]) / share);
     }

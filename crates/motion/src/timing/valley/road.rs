@@ -5,7 +5,6 @@ use crate::path::shape::Shape;
 use crate::quick::larger;
 use crate::timing::piece::{Piece, State};
 use crate::timing::queue::{Node, Queue};
-use ferrocut_geometry::AXES;
 
 /// The third derivative jumps where it does by more than this share of itself, and that takes more than this share of the jerk.
 const JUMP: f64 = 0.1;
@@ -16,15 +15,15 @@ const PARTS: u8 = 4;
 const FINE_PARTS: u8 = 8;
 const NEARLY_ALL: f64 = 0.99;
 
-/// What a valley lies on.
-pub(crate) struct Road<'a, C: Fn(&Node) -> f64> {
+/// What a valley lies on, where none but the `N` axes in front move.
+pub(crate) struct Road<'a, const N: usize, C: Fn(&Node) -> f64> {
     pub queue: &'a Queue,
     pub inverses: &'a Inverses,
     /// The speed allowed in a cell, curves aside.
     pub cap: C,
 }
 
-impl<C: Fn(&Node) -> f64> Road<'_, C> {
+impl<const N: usize, C: Fn(&Node) -> f64> Road<'_, N, C> {
     /// The cell in which `s` lies, from `cell` on.
     pub(super) fn cell(&self, mut cell: u64, s: f64) -> u64 {
         while cell + 1 < self.queue.tail() && self.queue.node(cell).end() <= s + 1e-12 {
@@ -43,7 +42,7 @@ impl<C: Fn(&Node) -> f64> Road<'_, C> {
     }
 
     /// `q′`, `q″` and `q‴` at `s`, which lies in `cell`.
-    pub(super) fn derivatives(&self, cell: u64, s: f64) -> [[f64; AXES]; 3] {
+    pub(super) fn derivatives(&self, cell: u64, s: f64) -> [[f64; N]; 3] {
         let node = self.queue.node(cell);
         self.queue.cell(cell).derivatives((s - node.s).clamp(0.0, node.len), node.len)
     }
@@ -56,7 +55,7 @@ impl<C: Fn(&Node) -> f64> Road<'_, C> {
         }
         let border = self.queue.node(cell).end();
         let (before, behind) = (self.derivatives(cell, border)[2], self.derivatives(cell + 1, border)[2]);
-        let norm = |d: [f64; AXES]| d.iter().map(|c| c * c).sum::<f64>();
+        let norm = |d: [f64; N]| d.iter().map(|c| c * c).sum::<f64>();
         let jump = std::array::from_fn(|i| behind[i] - before[i]);
         let inverse = self.inverses.of(self.queue.node(cell).class);
         let takes = peak(&jump, &inverse.jerk) * v * v * v;
@@ -112,7 +111,7 @@ impl<C: Fn(&Node) -> f64> Road<'_, C> {
         let State { v, a } = state;
         let (w, cube, swing) = (v * v, v * v * v, 3.0 * v * a);
         let mut most = (v / (self.cap)(node)).max(a.abs() * inverse.along[0]).max(j.abs() * inverse.along[1]);
-        for i in 0..AXES {
+        for i in 0..N {
             let acceleration = (d2[i] * w + d1[i] * a) * inverse.acceleration[i];
             let jerk = (d3[i] * cube + d2[i] * swing + d1[i] * j) * inverse.jerk[i];
             most = larger(larger(most, acceleration.abs()), jerk.abs());

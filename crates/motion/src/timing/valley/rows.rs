@@ -1,0 +1,453 @@
+//! The bounds of a valley as the interior point method goes through them: several rows at once.
+//!
+//! Rows of a kind at [`LANES`] places that follow each other are one [`Block`], so that the same is done to all of them by one
+//! instruction. The blocks of the same places follow each other: what they add to the matrix is summed up before it goes there.
+
+use super::Valley;
+use crate::quick::larger;
+use ferrocut_geometry::AXES;
+
+/// Rows of a block.
+pub(super) const LANES: usize = 16;
+
+/// Numbers, one for each row of a block.
+pub(super) type Lanes = [f64; LANES];
+
+/// Places behind the last that blocks reach over.
+pub(super) const PAD: usize = LANES + 2;
+
+/// Kinds of rows: jerk before and behind a place and acceleration, of every axis and of the path, and the speed.
+pub(super) const KINDS: usize = 3 * (AXES + 1) + 1;
+
+/// Whether a row is one of jerk, and of which side of its place.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub(super) enum Root {
+    /// It is not: `c₀x₀ + c₁x₁`, at the place between both.
+    #[default]
+    None,
+    /// Behind the place between `x₀` and `x₁`.
+    Behind,
+    /// Before the place between `x₁` and `x₂`.
+    Before,
+}
+
+impl Root {
+    /// How far the place is from the control point that the row begins with.
+    pub fn place(self) -> usize {
+        usize::from(self == Root::Before)
+    }
+}
+
+/// Bounds of a kind at places that follow each other, on both sides: `|√Xᵖ·(c₀x₀ + c₁x₁ + c₂x₂)| ≤ 1`.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Block {
+    pub c: [Lanes; 3],
+    /// Number of `x₀` of the first row.
+    pub base: usize,
+    pub root: Root,
+    /// 1 where there is a bound, else 0.
+    pub counts: Lanes,
+    /// Slacks and multipliers of both sides, and `1/z`.
+    pub z: [Lanes; 2],
+    pub l: [Lanes; 2],
+    pub inverse: [Lanes; 2],
+    /// How they change.
+    pub dz: [Lanes; 2],
+    pub dl: [Lanes; 2],
+    /// Value and gradient as of now.
+    pub value: Lanes,
+    pub g: [Lanes; 3],
+}
+
+/// The rows that are put in.
+#[derive(Debug)]
+pub(super) struct Rows {
+    pub blocks: Vec<Block>,
+    /// How many bounds there are.
+    pub count: usize,
+    /// Where the blocks of the newest places are, by kind.
+    newest: [Option<usize>; KINDS],
+}
+
+impl Rows {
+    /// For so many places.
+    pub fn new(places: usize) -> Rows {
+        let blocks = Vec::with_capacity(KINDS * (places / LANES + 2));
+        Rows { blocks, count: 0, newest: [None; KINDS] }
+    }
+
+    pub fn clear(&mut self) {
+        self.blocks.clear();
+        self.count = 0;
+        self.newest = [None; KINDS];
+    }
+
+    /// Puts in a row that begins with control point `base`; those of earlier blocks are in already.
+    pub fn put(&mut self, kind: usize, root: Root, base: usize, c: [f64; 3]) {
+        let lane = base % LANES;
+        let first = base - lane;
+        if self.blocks.last().is_some_and(|block| block.base != first) {
+            self.newest = [None; KINDS];
+        }
+        let at = *self.newest[kind].get_or_insert_with(|| {
+            let z = [[1.0; LANES]; 2];
+            self.blocks.push(Block { base: first, root, z, ..Block::default() });
+            self.blocks.len() - 1
+        });
+        let block = &mut self.blocks[at];
+        for (to, c) in block.c.iter_mut().zip(c) {
+            to[lane] = c;
+        }
+        block.counts[lane] = 1.0;
+        self.count += 1;
+    }
+
+    /// Makes bounds so many times as tight, place by place.
+    pub fn tighten(&mut self, tighter: &[f64]) {
+        for block in &mut self.blocks {
+            let places = tighter.iter().skip(block.base + block.root.place());
+            for (i, tighter) in places.take(LANES).enumerate() {
+                for c in &mut block.c {
+                    c[i] *= tighter;
+                }
+            }
+        }
+    }
+}
+
+/// The numbers from `i` on.
+#[inline(always)]
+fn from(x: &[f64], i: usize) -> &Lanes {
+    x[i..].first_chunk().unwrap_or(&[0.0; LANES])
+}
+
+/// Speed between the steps, and what the control points before and behind bear on it.
+#[derive(Debug)]
+pub(super) struct Speeds {
+    v: Vec<f64>,
+    before: Vec<f64>,
+    behind: Vec<f64>,
+}
+
+impl Speeds {
+    pub fn new(places: usize) -> Speeds {
+        let room = || Vec::with_capacity(places + PAD);
+        Speeds { v: room(), before: room(), behind: room() }
+    }
+
+    /// Of these steps.
+    #[inline(always)]
+    fn set(&mut self, x: &[f64], h: &[f64]) {
+        let n = h.len();
+        for to in [&mut self.v, &mut self.before, &mut self.behind] {
+            to.clear();
+            to.resize(n + PAD, 0.0);
+        }
+        for k in 0..n - 1 {
+            let both = (h[k] + h[k + 1]).recip();
+            let v = larger(1e-12, (x[k] * h[k + 1] + x[k + 1] * h[k]) * both).sqrt();
+            let share = 0.5 * both / v;
+            (self.v[k], self.before[k], self.behind[k]) = (v, h[k + 1] * share, h[k] * share);
+        }
+    }
+}
+
+// Each of these is one loop over all rows of a block, which is what compilers make vectors of.
+impl Block {
+    /// Value and gradient at `x`.
+    #[inline(always)]
+    fn look(&mut self, x: &[f64], speeds: &Speeds) {
+        let [x0, x1, x2] = [0, 1, 2].map(|k| from(x, self.base + k));
+        let at = self.base + self.root.place();
+        let [v, before, behind] = [&speeds.v, &speeds.before, &speeds.behind].map(|speeds| from(speeds, at));
+        let Block { c: [c0, c1, c2], value, g: [g0, g1, g2], .. } = self;
+        match self.root {
+            Root::None => {
+                for i in 0..LANES {
+                    value[i] = c0[i] * x0[i] + c1[i] * x1[i];
+                    (g0[i], g1[i], g2[i]) = (c0[i], c1[i], 0.0);
+                }
+            }
+            Root::Behind => {
+                for i in 0..LANES {
+                    let line = c0[i] * x0[i] + c1[i] * x1[i] + c2[i] * x2[i];
+                    value[i] = line * v[i];
+                    g0[i] = c0[i] * v[i] + line * before[i];
+                    g1[i] = c1[i] * v[i] + line * behind[i];
+                    g2[i] = c2[i] * v[i];
+                }
+            }
+            Root::Before => {
+                for i in 0..LANES {
+                    let line = c0[i] * x0[i] + c1[i] * x1[i] + c2[i] * x2[i];
+                    value[i] = line * v[i];
+                    g0[i] = c0[i] * v[i];
+                    g1[i] = c1[i] * v[i] + line * before[i];
+                    g2[i] = c2[i] * v[i] + line * behind[i];
+                }
+            }
+        }
+    }
+
+    /// Slacks of at least `least`, and multipliers of which each product with its slack is `mu`.
+    fn slacken(&mut self, least: f64, mu: f64) {
+        for i in 0..LANES {
+            let value = self.value[i];
+            for (side, slack) in [1.0 - value, 1.0 + value].into_iter().enumerate() {
+                self.z[side][i] = larger(least, slack);
+                self.l[side][i] = self.counts[i] * mu / self.z[side][i];
+            }
+        }
+    }
+
+    /// Goes on to the new slacks and multipliers.
+    #[inline(always)]
+    fn step(&mut self, [far, far_l]: [f64; 2]) {
+        let Block { z: [z0, z1], l: [l0, l1], dz: [dz0, dz1], dl: [dl0, dl1], .. } = self;
+        for i in 0..LANES {
+            z0[i] += far * dz0[i];
+            z1[i] += far * dz1[i];
+            l0[i] += far_l * dl0[i];
+            l1[i] += far_l * dl1[i];
+        }
+    }
+
+    /// Adds to the `sums` of the matrix and of the right side.
+    #[inline(always)]
+    fn assemble(&mut self, mu: f64, sums: &mut [Lanes; 9]) {
+        let Block { z: [z0, z1], l: [l0, l1], inverse: [inverse0, inverse1], value, counts, .. } = self;
+        let [g0, g1, g2] = &self.g;
+        let [a0, a1, a2, b0, b1, c, r0, r1, r2] = sums;
+        for i in 0..LANES {
+            let (i0, i1) = (z0[i].recip(), z1[i].recip());
+            (inverse0[i], inverse1[i]) = (i0, i1);
+            let (w0, w1) = (l0[i] * i0, l1[i] * i1);
+            let weight = w0 + w1;
+            let push =
+                mu * counts[i] * (i1 - i0) - w1 * (1.0 + value[i] - z1[i]) + w0 * (1.0 - value[i] - z0[i]);
+            let (g0, g1, g2) = (g0[i], g1[i], g2[i]);
+            let (w0, w1) = (weight * g0, weight * g1);
+            a0[i] += w0 * g0;
+            a1[i] += w1 * g1;
+            a2[i] += weight * g2 * g2;
+            b0[i] += w0 * g1;
+            b1[i] += w1 * g2;
+            c[i] += w0 * g2;
+            r0[i] += push * g0;
+            r1[i] += push * g1;
+            r2[i] += push * g2;
+        }
+    }
+
+    /// How slacks and multipliers change where control points change by `right`: the most that each of them falls by, as a share of
+    /// itself, and the terms of their products.
+    #[inline(always)]
+    fn lead(&mut self, right: &[f64], mu: f64, most: &mut [Lanes; 2], products: &mut [Lanes; 4]) {
+        let [d0, d1, d2] = [0, 1, 2].map(|k| from(right, self.base + k));
+        let Block { z: [z0, z1], l: [l0, l1], inverse: [inverse0, inverse1], value, counts, .. } = self;
+        let [g0, g1, g2] = &self.g;
+        let ([dz0, dz1], [dl0, dl1]) = (&mut self.dz, &mut self.dl);
+        let [most_z, most_l] = most;
+        let [zl, dz_l, z_dl, both] = products;
+        for i in 0..LANES {
+            let to = g0[i] * d0[i] + g1[i] * d1[i] + g2[i] * d2[i] + value[i];
+            let (a, b) = (1.0 - to - z0[i], 1.0 + to - z1[i]);
+            let mu = mu * counts[i];
+            let da = (mu - l0[i] * a) * inverse0[i] - l0[i];
+            let db = (mu - l1[i] * b) * inverse1[i] - l1[i];
+            (dz0[i], dz1[i], dl0[i], dl1[i]) = (a, b, da, db);
+            most_z[i] = larger(larger(most_z[i], -a * inverse0[i]), -b * inverse1[i]);
+            most_l[i] = larger(larger(most_l[i], -da / l0[i]), -db / l1[i]);
+            zl[i] += z0[i] * l0[i] + z1[i] * l1[i];
+            dz_l[i] += a * l0[i] + b * l1[i];
+            z_dl[i] += z0[i] * da + z1[i] * db;
+            both[i] += a * da + b * db;
+        }
+    }
+}
+
+/// What an iteration leads to.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Lead {
+    /// The most that a slack and that a multiplier falls by, as a share of itself.
+    pub most: [f64; 2],
+    products: [f64; 4],
+}
+
+impl Lead {
+    /// The sum of the products of slacks and multipliers behind a step.
+    #[inline(always)]
+    pub fn sum(&self, [far, far_l]: [f64; 2]) -> f64 {
+        let [zl, dz_l, z_dl, both] = self.products;
+        zl + far * dz_l + far_l * z_dl + far * far_l * both
+    }
+}
+
+impl Valley {
+    /// Value and gradient of every bound as of now.
+    pub(super) fn look(&mut self) {
+        let Valley { x, h, rows, speeds, .. } = self;
+        speeds.set(x, h);
+        for block in &mut rows.blocks {
+            block.look(x, speeds);
+        }
+    }
+
+    /// Slacks of at least `least` and multipliers at the plan as it is.
+    pub(super) fn slacken_rows(&mut self, least: f64, mu: f64) {
+        self.look();
+        for block in &mut self.rows.blocks {
+            block.slacken(least, mu);
+        }
+    }
+
+    /// Goes on by the last step, and adds what the bounds ask for to the matrix and the right side.
+    #[inline(always)]
+    pub(super) fn assemble_rows(&mut self, step: [f64; 2], mu: f64) {
+        let Valley { x, h, rows, speeds, band, right, .. } = self;
+        speeds.set(x, h);
+        let (mut base, mut sums) = (0, [[0.0; LANES]; 9]);
+        for block in &mut rows.blocks {
+            if block.base != base {
+                pour(band, right, base, &sums);
+                (base, sums) = (block.base, [[0.0; LANES]; 9]);
+            }
+            block.step(step);
+            block.look(x, speeds);
+            block.assemble(mu, &mut sums);
+        }
+        pour(band, right, base, &sums);
+    }
+
+    /// Where the solution of the system leads.
+    #[inline(always)]
+    pub(super) fn lead(&mut self, mu: f64) -> Lead {
+        let (mut most, mut products) = ([[0.0; LANES]; 2], [[0.0; LANES]; 4]);
+        for block in &mut self.rows.blocks {
+            block.lead(&self.right, mu, &mut most, &mut products);
+        }
+        Lead {
+            most: most.map(|most| most.into_iter().fold(0.0, larger)),
+            products: products.map(|lanes| lanes.into_iter().sum()),
+        }
+    }
+
+    /// Goes on by the last step.
+    #[inline(always)]
+    pub(super) fn step_rows(&mut self, step: [f64; 2]) {
+        for block in &mut self.rows.blocks {
+            block.step(step);
+        }
+    }
+}
+
+/// Adds the sums of rows that begin with `base` and the next: of the diagonal, the one beside it, the outer one and the right side.
+#[inline(always)]
+fn pour(band: &mut [[f64; 3]], right: &mut [f64], base: usize, sums: &[Lanes; 9]) {
+    let [a0, a1, a2, b0, b1, c, r0, r1, r2] = sums;
+    for i in 0..LANES {
+        let [x, y, z] = &mut band[base + i..base + i + 3] else { return };
+        *x = [x[0] + a0[i], x[1] + b0[i], x[2] + c[i]];
+        *y = [y[0] + a1[i], y[1] + b1[i], y[2]];
+        z[0] += a2[i];
+        let [x, y, z] = &mut right[base + i..base + i + 3] else { return };
+        (*x, *y, *z) = (*x + r0[i], *y + r1[i], *z + r2[i]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Bounds of every kind at places that are no multiple of a block.
+    fn valley() -> Valley {
+        let mut valley = Valley::new();
+        let places = 2 * LANES + 3;
+        let wave = |i: usize, by: f64| (i as f64 * by).sin();
+        valley.h = (0..=places).map(|i| 0.1 + 0.03 * wave(i, 1.7)).collect();
+        valley.x = (0..=places).map(|i| 90.0 + 40.0 * wave(i, 0.9)).collect();
+        valley.x.resize(valley.h.len() + PAD, 0.0);
+        let c = |i: usize, by: f64| [2e-3 * wave(i, by), -3e-3 * wave(i, by + 0.5), 1e-3 * wave(i, by + 1.0)];
+        for k in 0..places - 1 {
+            if k > 0 {
+                valley.rows.put(0, Root::Before, k - 1, c(k, 0.4));
+            }
+            if !k.is_multiple_of(3) {
+                let [c0, c1, _] = c(k, 1.1);
+                valley.rows.put(1, Root::None, k, [c0, c1, 0.0]);
+            }
+            valley.rows.put(2, Root::Behind, k, c(k, 2.3));
+        }
+        valley
+    }
+
+    /// The bound of row `i` of a block as the mathematics say.
+    fn value(valley: &Valley, block: &Block, i: usize) -> f64 {
+        let (x, h, base) = (&valley.x, &valley.h, block.base + i);
+        let line: f64 = (0..3).map(|k| block.c[k][i] * x[base + k]).sum();
+        let place = base + block.root.place();
+        let at = (x[place] * h[place + 1] + x[place + 1] * h[place]) / (h[place] + h[place + 1]);
+        if block.root == Root::None { line } else { line * at.sqrt() }
+    }
+
+    #[test]
+    fn values_and_gradients_are_those_of_the_bounds() {
+        let mut valley = valley();
+        valley.look();
+        let (blocks, mut seen) = (valley.rows.blocks.clone(), 0);
+        for block in &blocks {
+            for i in (0..LANES).filter(|i| block.counts[*i] > 0.0) {
+                seen += 1;
+                let now = value(&valley, block, i);
+                assert!((block.value[i] - now).abs() < 1e-12, "{} {now}", block.value[i]);
+                for k in 0..3 {
+                    let step = 1e-4;
+                    let mut other = |by: f64| {
+                        valley.x[block.base + i + k] += by;
+                        let there = value(&valley, block, i);
+                        valley.x[block.base + i + k] -= by;
+                        there
+                    };
+                    let slope = (other(step) - other(-step)) / (2.0 * step);
+                    assert!(
+                        (block.g[k][i] - slope).abs() < 1e-8,
+                        "{:?} {k}: {} {slope}",
+                        block.root,
+                        block.g[k][i]
+                    );
+                }
+            }
+        }
+        assert_eq!(seen, valley.rows.count);
+    }
+
+    #[test]
+    fn rows_that_are_none_add_nothing() {
+        let mut valley = valley();
+        valley.slacken_rows(0.15, 1e-3);
+        let n = valley.h.len() + PAD;
+        (valley.band, valley.right) = (vec![[0.0; 3]; n], vec![0.0; n]);
+        valley.assemble_rows([0.0; 2], 1e-3);
+        let right: Vec<f64> = valley.right.iter().map(|r| 1e-3 * r).collect();
+        valley.right = right;
+        let lead = valley.lead(1e-3);
+        // Each product of slack and multiplier is what they began with.
+        let all = 2.0 * valley.rows.count as f64 * 1e-3;
+        assert!((lead.sum([0.0; 2]) - all).abs() < 1e-12, "{} {all}", lead.sum([0.0; 2]));
+        for block in &valley.rows.blocks {
+            for i in (0..LANES).filter(|i| block.counts[*i] == 0.0) {
+                assert_eq!([block.dl[0][i], block.dl[1][i], block.l[0][i], block.l[1][i]], [0.0; 4]);
+            }
+        }
+        // The sum behind a step is what it says.
+        let step = [0.7, 0.4];
+        valley.step_rows(step);
+        let mut sum = 0.0;
+        for block in &valley.rows.blocks {
+            for i in 0..LANES {
+                sum += block.z[0][i] * block.l[0][i] + block.z[1][i] * block.l[1][i];
+            }
+        }
+        assert!((lead.sum(step) - sum).abs() < 1e-12, "{} {sum}", lead.sum(step));
+    }
+}
