@@ -26,11 +26,12 @@ impl Interpreter {
         if self.words.g.len() > 1 {
             return Err(self.alarm(Fault::NeedsOwnBlock, span));
         }
-        if self.is_strictly_transformed() {
+        let form = self.words.get(b'L');
+        // Parameters may be set: those of the coordinate systems are looked at one by one.
+        if !matches!(form, Some(50.0 | 51.0)) && self.is_strictly_transformed() {
             return Err(self.alarm(Fault::OffsetInTransform, span));
         }
         self.technology.data_code = 10.0;
-        let form = self.words.get(b'L');
         match form.map(|l| l as i64) {
             Some(2) => {
                 let name = match self.offset_number(0.0, 6.0)? {
@@ -143,6 +144,9 @@ impl Interpreter {
         let Some(value) = self.words.get(b'R') else {
             return Err(self.alarm(Fault::DataParameter, span));
         };
+        if self.is_strictly_transformed() && (self.dialect.is_work_zero)(&key) {
+            return Err(self.alarm(Fault::OffsetInTransform, span));
+        }
         if (self.dialect.is_fixed_parameter)(&key) {
             return Err(self.alarm(Fault::ParameterFixed, span));
         }

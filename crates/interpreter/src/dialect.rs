@@ -673,6 +673,8 @@ pub struct Dialect {
     pub one_way_modal: &'static GCode,
     /// Whether a parameter cannot be set by the program.
     pub is_fixed_parameter: fn(&ParameterKey) -> bool,
+    /// Whether a parameter is a work zero, which no program sets while coordinates are turned or scaled.
+    pub is_work_zero: fn(&ParameterKey) -> bool,
     /// Whether parameters are changed by hand only while the parameter switch is on.
     pub parameter_switch: bool,
     /// The code that calls a macro with variables of its own, in tenths.

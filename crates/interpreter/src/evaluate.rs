@@ -58,7 +58,8 @@ impl Arithmetic {
     /// The number of a variable, given as a value. What stands behind the point is dropped
     /// (GSK990MC 4.9.5).
     pub fn variable_number(self, value: Value) -> Result<u32, Fault> {
-        match self.rounded_value(value) {
+        // An empty index is that of #0 (GSK990MC 4.9.2, 7).
+        match Some(self.rounded(value.unwrap_or(0.0))) {
             Some(n) if n >= 0.0 && n <= f64::from(u32::MAX) => Ok(n as u32),
             _ => Err(Fault::UnknownVariable),
         }

@@ -380,6 +380,15 @@ impl Interpreter {
                 if let Some(other) = words.iter().find(|w| !is_own(w)) {
                     return Err(self.alarm(Fault::MixedStatement, page.word_span(block, other)));
                 }
+                let again = |(at, w): (usize, &Word)| {
+                    let own = matches!(w.letter, b'H' | b'P' | b'Q' | b'R');
+                    own && words.iter().take(at).any(|before| before.letter == w.letter)
+                };
+                if self.rules.repeats_are_alarms
+                    && let Some(at) = words.iter().enumerate().position(again)
+                {
+                    return Err(self.alarm(Fault::RepeatedAddress, page.word_span(block, &words[at])));
+                }
                 let operation = self.word_value(page, block, h)?.unwrap_or(0.0);
                 let target = word(b'P');
                 let q = self.operand(page, block, word(b'Q'))?;
@@ -502,7 +511,10 @@ impl Interpreter {
         let Some((program, at)) = program else {
             return Err(self.alarm(Fault::CallWithoutProgram, span));
         };
-        if !(1.0..=99_999.0).contains(&program) || program.fract() != 0.0 {
+        if program > 99_999.0 {
+            return Err(self.alarm(Fault::ProgramNumberTooLarge, at));
+        }
+        if !(program >= 1.0) || program.fract() != 0.0 {
             return Err(self.alarm(Fault::ProgramNumber, at));
         }
         self.call(&ProgramId::Number(program as u32), times as u32, Some(&arguments), at)

@@ -539,7 +539,10 @@ impl Interpreter {
         let start_radius = (from[0] - center[0]).hypot(from[1] - center[1]);
         let end_radius = (to[0] - center[0]).hypot(to[1] - center[1]);
         if start_radius < SAME_POINT_MM {
-            return Err(self.alarm_at(Fault::ArcWithoutRadius, letter));
+            // In compensation there is a number for it of its own (GSK990MC 0038).
+            let fault =
+                if self.output.in_cutter_mode() { Fault::CutterArcCenter } else { Fault::ArcWithoutRadius };
+            return Err(self.alarm_at(fault, letter));
         }
         let difference = (start_radius - end_radius).abs();
         // Rounding of the programmed decimals must not decide at the limit itself.

@@ -451,10 +451,18 @@ impl Reader<'_> {
             return Err(self.alarm(Fault::UnknownAddress, word));
         };
         if !(value >= address.min && value <= address.max) {
+            if letter == b'P' && value > 0.0 && words.calls() {
+                return Err(self.alarm(Fault::ProgramNumberTooLarge, word));
+            }
             return Err(self.out_of_range(address, word, value));
         }
+        let mut value = value;
         if address.whole && (value.fract() != 0.0 || word.has_point()) {
-            return Err(self.alarm(Fault::WordNotWhole, word));
+            // What a variable says is rounded to the unit of S, as Fanuc has it; a speed has no point.
+            if letter != b'S' || word.has_point() {
+                return Err(self.alarm(Fault::WordNotWhole, word));
+            }
+            value = value.round();
         }
         if words.present & bit(letter) != 0 && self.repeats_are_alarms {
             return Err(self.alarm(Fault::RepeatedAddress, word));

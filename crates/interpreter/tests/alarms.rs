@@ -144,7 +144,7 @@ const FURTHER: &[(Fault, u16, &str, &str, &str)] = &[
     (Fault::CornerForm, 53, "G0 X5 ,L1", ",L1", ""),
     (Fault::CornerTooLong, 55, "G1 X8 F100 ,L10\nY50", ",L10", ""),
     (Fault::ReturnWithMacro, 56, "G65 P1 M99", "M99", ""),
-    (Fault::CornerPlane, 58, "G1 X5 F100 ,R1\nG18 G2 X9 R2", ",R1", ""),
+    (Fault::CornerPlane, 58, "G1 X5 Z2 F100 ,R1\nX9", ",R1", ""),
     (Fault::DataSettingInCycle, 66, "S100\nG81\nG10 L2 P1 X1", "G10", ""),
     (Fault::DataForm, 67, "G10 L3 P1", "L3", ""),
     (Fault::CallInMacro, 81, "G65 P1\nM30\nO1\nM98 P2\nM99\nO2\nM99", "M98", ""),
@@ -314,6 +314,9 @@ fn just_inside_is_no_alarm() {
         ("X1\nM30\n%\n", "", "rapid X1"),
         ("G60 G4 P500\nM30", "[parameters]\n\"NO48.0\" = 1", "dwell 0.5s"),
         ("G81 R0 X1\nM30", "", "rapid X1"),
+        ("G16\nG10 L51 N334 R1\nG11\nG10 L50 N34 P0 R1\nG11\nG15\nX1\nM30", "", "rapid X1"),
+        ("IF[[#1EQ#2]AND1]THEN #3=1\nX#3\nM30", "", "rapid X1"),
+        ("#1=99.6\nS#1 M3\nM30", "", "spindle cw 100"),
     ];
     for (program, setup, first) in good {
         let program = match program.contains("G81") {
@@ -402,6 +405,22 @@ const SAME_NUMBER: &[(u16, &str, &str, &str)] = &[
     (129, "X5 G65 P77 Y2", "X5", ""),
     (129, "G65 P77 X5 G91", "G91", ""),
     // 0137: also where no loop was run before.
+    // 0007: a spindle speed has no point.
+    (7, "M3 S100.5", "S100.5", ""),
+    // 0038: on the centre of an arc in compensation.
+    (38, "G41 D1 G1 X10 F100\nY20\nG2 X10 Y20 I0 J0\nG1 Y50", "I0", "[tools.1]\nradius = 5"),
+    // 0051: about the block behind a corner; 0058 is about its own.
+    (51, "G1 X10 F100 ,L2\nZ-5", ",L2", ""),
+    (51, "G1 X10 F100 ,R3\nX10 Y20 Z-5", ",R3", ""),
+    (51, "G1 X5 F100 ,R1\nG18 G2 X9 R2", ",R1", ""),
+    // 0074: a program number is no higher than 99999.
+    (74, "M98 P100000", "P100000", ""),
+    (74, "#1=100000\nM98 P#1", "P#1", ""),
+    (74, "G65 P100000 A1", "P100000", ""),
+    // 0125: a condition compares (4.9.5).
+    (125, "IF[#1]GOTO5\nN5 X1", "[#1]", ""),
+    (125, "WHILE[#2]DO1\nEND1", "[#2]", ""),
+    (125, "IF[#1 AND 1]THEN #2=3", "[#1 AND 1]", ""),
     (137, "GOTO5\nWHILE[#1LT1]DO1\nN5\n#1=1\nEND1", "GOTO5", ""),
     // 0165: G10 stands alone (4.2.7 note 2).
     (165, "M3 G10 L10 P1 R5", "M3 G10 L10 P1 R5", ""),
@@ -423,9 +442,15 @@ const SAME_NUMBER: &[(u16, &str, &str, &str)] = &[
     // 0218: tool offsets too.
     (218, "G68 X0 Y0 R10\n#1501=5", "#1501=5", ""),
     (218, "G16\n#2101=5", "#2101=5", ""),
+    // Parameters may be set there, those of the coordinate systems not.
+    (218, "G16\nG10 L51\nN15 R3", "N15 R3", ""),
+    (218, "G16\nG10 L10 P1 R5", "G10", ""),
     // 0238: two codes of group 00 (4.1 note 5).
     (238, "G4 G28 X5", "G28", ""),
     (238, "O1\nG65 P77 X1 P5", "P5", ""),
+    (238, "G65 H2 P#100 Q1 Q2 R5", "Q2", ""),
+    (238, "G65 H1 P#100 P#101 Q2", "P#101", ""),
+    (238, "G65 H1 H2 P#101 Q2", "H2", ""),
     // Modal by 48#0, G60 is of group 01.
     (238, "G0 G60 X5", "G60", "[parameters]\n\"NO48.0\" = 1"),
     // 0015: axes that move together, in G53 and G31 too.

@@ -36,6 +36,11 @@ fn values_are_told_apart_by_ten_thousandths() {
         ("#3=7\n#1=0.3/0.1\n#500=#[#1]", 7.0),
         ("#1=1.1*100\nGOTO#1\n#500=1\nN110", f64::NAN),
         ("#500=1/3", 0.3333),
+        // Table 4-9-5-2: up to about 11.5129.
+        ("#500=FIX[EXP[11.5129]]", 99_997.0),
+        // An empty index is that of #0, which is empty; with another value it takes part as 0 (4.9.2, 7).
+        ("#500=#[#1]", f64::NAN),
+        ("#500=#[#1]+2", 2.0),
     ] {
         assert_eq!(leaves(program), Some(value).filter(|v| !v.is_nan()), "{program}");
     }

@@ -39,6 +39,14 @@ pub enum Binary {
     LogicalXor,
 }
 
+impl Binary {
+    /// Whether it tells which of two values is larger, or whether they are equal.
+    pub fn compares(self) -> bool {
+        use Binary::{Equal, Greater, GreaterEqual, Less, LessEqual, NotEqual};
+        matches!(self, Equal | NotEqual | Greater | GreaterEqual | Less | LessEqual)
+    }
+}
+
 /// Functions. Whether angles are degrees or radians is the dialect's.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[allow(missing_docs)]

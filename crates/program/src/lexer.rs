@@ -1106,11 +1106,15 @@ impl Lexer<'_> {
 
     fn condition(&mut self) -> Result<ExprRange, Flaw> {
         self.skip_blanks();
-        let first = self.page.nodes.len();
+        let (start, first) = (self.at, self.page.nodes.len());
         match self.peek() {
             b'[' => self.primary(Depth::default())?,
             b'(' if self.syntax.paren_groups => self.primary(Depth::default())?,
             _ => return self.malformed(),
+        }
+        let compares = |node: &Node| matches!(node, Node::Binary(operator) if operator.compares());
+        if self.syntax.conditions_compare && !self.page.nodes[first..].iter().any(compares) {
+            return Err(Flaw(DefectKind::MalformedStatement, start, self.at - start));
         }
         Ok(self.range_from(first))
     }

@@ -54,6 +54,8 @@ pub struct Syntax {
     pub bare_arguments: bool,
     /// Whether `!` makes 1 of 0 and 0 of everything else.
     pub logical_not: bool,
+    /// Whether a condition is malformed in which nothing is compared (GSK990MC 4.9.5).
+    pub conditions_compare: bool,
     /// Whether `IF (…)` rules over the rest of its block, whatever that is.
     pub if_guards_block: bool,
     /// Whether a word may hold text, `P"name"`.
@@ -123,6 +125,7 @@ impl Syntax {
         blanks_in_expressions: true,
         bare_arguments: false,
         logical_not: false,
+        conditions_compare: false,
         if_guards_block: false,
         texts: false,
         text_address: None,

@@ -33,6 +33,7 @@ pub static DIALECT: Dialect = Dialect {
     length_off: &fanuc::LENGTH_OFF,
     one_way_modal: &fanuc::ONE_WAY_MODAL,
     is_fixed_parameter: |_| false,
+    is_work_zero: |_| false,
     parameter_switch: false,
     macro_call: u16::MAX,
     // A parameter that was never set is 0.

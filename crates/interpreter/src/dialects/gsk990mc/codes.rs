@@ -105,7 +105,7 @@ pub static ADDRESSES: &[Address] = &[
     signed(b'Q', COORDINATE),
     signed(b'R', VECTOR),
     // P205 says how many digits S has.
-    positive(b'S', 999_999.0, Fault::SpindleTooFast),
+    count(b'S', 999_999.0, Fault::SpindleTooFast),
     count(b'T', 9999.0, Fault::ToolNumber),
     signed(b'U', COORDINATE),
     signed(b'V', COORDINATE),

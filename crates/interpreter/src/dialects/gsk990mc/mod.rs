@@ -21,8 +21,8 @@ pub static DIALECT: Dialect = Dialect {
     name: "gsk990mc",
     extensions: &[],
     syntax: &syntax::SYNTAX,
-    // 4.9.2, 5: results are precise to 0.0001. Table 4-9-5-2: EXP to 99997.453535.
-    arithmetic: Arithmetic { angles: Angles::Degrees, steps: 10_000.0, largest_power: 99_997.453_535 },
+    // 4.9.2, 5: results are precise to 0.0001. Table 4-9-5-2: EXP to 99997.453535, which is that of 11.5129 in eleven digits.
+    arithmetic: Arithmetic { angles: Angles::Degrees, steps: 10_000.0, largest_power: 99_997.453_535_5 },
     g_codes: &codes::G_CODES,
     m_codes: &codes::M_CODES,
     other_m_codes: &[],
@@ -30,6 +30,7 @@ pub static DIALECT: Dialect = Dialect {
     length_off: &fanuc::LENGTH_OFF,
     one_way_modal: &fanuc::ONE_WAY_MODAL,
     is_fixed_parameter: rules::is_fixed,
+    is_work_zero: rules::is_work_zero,
     // Part 2, 3.4.1.
     parameter_switch: true,
     macro_call: 650,

@@ -246,6 +246,11 @@ pub fn is_fixed(key: &ParameterKey) -> bool {
     )
 }
 
+/// Parameters that are work zeros: those of the external system and of G54 to G59, five axes each.
+pub fn is_work_zero(key: &ParameterKey) -> bool {
+    matches!(key, ParameterKey::Data(10..=44))
+}
+
 /// What a reset clears: groups 1 to 7 by 35#1 to 35#7, groups 8 to 15 by 36#0 to 36#7 (4.1 note 7).
 pub fn reset(parameters: &Parameters) -> ResetRules {
     let group = |n: u8| if n < 8 { parameters.bit(35, n) } else { parameters.bit(36, n - 8) };

@@ -3,5 +3,5 @@
 use crate::dialects::fanuc;
 use ferrocut_program::Syntax;
 
-/// That of all Fanuc-like languages; a line of more than 1024 bytes is alarm 0026.
-pub static SYNTAX: Syntax = Syntax { max_line: 1024, ..fanuc::SYNTAX };
+/// That of all Fanuc-like languages; a line of more than 1024 bytes is alarm 0026, a condition that compares nothing 0125 (4.9.5).
+pub static SYNTAX: Syntax = Syntax { max_line: 1024, conditions_compare: true, ..fanuc::SYNTAX };

@@ -32,6 +32,7 @@ pub static DIALECT: Dialect = Dialect {
     length_off: &fanuc::LENGTH_OFF,
     one_way_modal: &fanuc::ONE_WAY_MODAL,
     is_fixed_parameter: |_| false,
+    is_work_zero: |_| false,
     parameter_switch: false,
     macro_call: 650,
     unset_variable: None,

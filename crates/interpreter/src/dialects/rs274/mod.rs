@@ -52,6 +52,7 @@ pub static DIALECT: Dialect = Dialect {
     length_off: &codes::LENGTH_OFF,
     one_way_modal: &fanuc::ONE_WAY_MODAL,
     is_fixed_parameter: |_| false,
+    is_work_zero: |_| false,
     parameter_switch: false,
     macro_call: u16::MAX,
     // A parameter that was never set is 0 (NGC 3.2.1).

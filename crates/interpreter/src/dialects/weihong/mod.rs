@@ -27,6 +27,7 @@ pub static DIALECT: Dialect = Dialect {
     length_off: &fanuc::LENGTH_OFF,
     one_way_modal: &fanuc::ONE_WAY_MODAL,
     is_fixed_parameter: |_| false,
+    is_work_zero: |_| false,
     parameter_switch: false,
     // G65 shares the variables of its caller (4.3, arrays by G992) and is a code of the table.
     macro_call: u16::MAX,
