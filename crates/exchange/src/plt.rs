@@ -2,8 +2,8 @@
 //!
 //! PU and PD raise and lower the pen and move on; PA and PR say whether points are absolute; AA and AR
 //! are arcs, CI a circle, EA and ER rectangles, EW a wedge. Values are separated by commas or blanks,
-//! `;` may end an instruction, capitals do not count. An instruction that is not known is left out with
-//! one warning for each kind. Angles of chords are ignored: arcs are true arcs.
+//! `;` may end an instruction, capitals do not count. One that has no bearing on a path is left out with a
+//! message for each kind; any other is an alarm, because what is cut might not be what is drawn. Angles of chords are ignored: arcs are true arcs.
 
 use crate::affine::sin_cos;
 use crate::alarm;
@@ -18,10 +18,10 @@ use std::f64::consts::TAU;
 
 /// Instructions that have no bearing on a path: initialising, speeds and forces, line types, letters.
 const WITHOUT_EFFECT: &[&[u8; 2]] = &[
-    b"IN", b"SP", b"VS", b"VN", b"PT", b"LT", b"SI", b"LB", b"AP", b"AS", b"BL", b"BP", b"CA", b"CP", b"CS",
-    b"CT", b"DF", b"DI", b"DR", b"DT", b"DV", b"EC", b"ES", b"FS", b"IM", b"LA", b"LO", b"MC", b"NP", b"NR",
-    b"OE", b"OF", b"OI", b"OP", b"OS", b"OW", b"PB", b"PC", b"PG", b"PS", b"PW", b"QL", b"RF", b"SA", b"SB",
-    b"SD", b"SL", b"SM", b"SR", b"SS", b"TD", b"TL", b"TR", b"UL", b"VA", b"WU",
+    b"IN", b"SP", b"VS", b"VN", b"PT", b"LT", b"SI", b"LB", b"AP", b"AS", b"BL", b"BP", b"CA", b"CO", b"CP",
+    b"CS", b"CT", b"DF", b"DI", b"DR", b"DT", b"DV", b"EC", b"ES", b"FS", b"IM", b"LA", b"LO", b"MC", b"NP",
+    b"NR", b"OE", b"OF", b"OI", b"OP", b"OS", b"OW", b"PB", b"PC", b"PG", b"PS", b"PW", b"QL", b"RF", b"SA",
+    b"SB", b"SD", b"SL", b"SM", b"SR", b"SS", b"TD", b"TL", b"TR", b"UL", b"VA", b"WU",
 ];
 
 /// End of a label, where DT does not name another.
@@ -133,11 +133,15 @@ impl Reader<'_> {
                 self.leave_out(name, span);
                 Ok(())
             }
-            _ => {
-                // What other instructions carry is not known: everything up to their end.
-                self.text.skip_values(matches!(name, b"PE" | b"CO" | b"BL" | b"PB"));
+            name if WITHOUT_EFFECT.contains(&name) => {
+                // What they carry is of many kinds: everything up to their end.
+                self.text.skip_values(matches!(name, b"BL" | b"CO" | b"PB"));
                 self.leave_out(name, span);
                 Ok(())
+            }
+            _ => {
+                let instruction = String::from_utf8_lossy(name).into_owned();
+                Err(Box::new(Alarm::core(Fault::PltUnknown, span).with("instruction", instruction)))
             }
         }
     }
@@ -148,11 +152,8 @@ impl Reader<'_> {
             return;
         }
         let instruction = String::from_utf8_lossy(name).into_owned();
-        let alarm = Alarm::core(Fault::PltLeftOut, span).with("instruction", instruction).as_warning();
-        match WITHOUT_EFFECT.contains(&name) {
-            true => self.drawing.notes.push(alarm),
-            false => self.drawing.warnings.push(alarm),
-        }
+        let alarm = Alarm::core(Fault::PltLeftOut, span).with("instruction", instruction);
+        self.drawing.notes.push(alarm.as_warning());
     }
 
     /// Takes a pen; whether the settings say how it cuts.

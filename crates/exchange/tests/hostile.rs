@@ -7,7 +7,7 @@ use ferrocut_program::FileId;
 use proptest::prelude::*;
 
 const PLT: &str = "\x1b.(;IN;SP1;PU400,0;PD;AA0,0,90,5;AR-400,0,-180;PU800,800;CI200;EA1200,800;\n\
-    ER-200,200;EW400,0,90;PA;PR10,10 20,20;LBtext\x03;PD1200 800,1200,1600;PU0,0;SP2;XX1,2;PD40.5,-.5;";
+    ER-200,200;EW400,0,90;PA;PR10,10 20,20;LBtext\x03;PD1200 800,1200,1600;PU0,0;SP2;VS10;PD40.5,-.5;";
 
 const DXF: &str = include_str!("everything.dxf");
 

@@ -389,6 +389,8 @@ pub struct Rules {
     pub arc_tolerance: f64,
     /// Address of a dwell in seconds.
     pub dwell_letter: u8,
+    /// Whether P decides where both stand in a block.
+    pub dwell_p_decides: bool,
     /// Seconds that P1 of a dwell stands for.
     pub dwell_p_unit_s: f64,
     /// Dwell counts spindle turns in feed per revolution.
@@ -521,6 +523,7 @@ impl Default for Rules {
             helix_feed_along_circle: false,
             arc_tolerance: 0.01,
             dwell_letter: b'X',
+            dwell_p_decides: false,
             dwell_p_unit_s: 1.0,
             dwell_in_revolutions: false,
             length_on_plane_normal: true,

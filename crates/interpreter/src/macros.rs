@@ -6,6 +6,7 @@ use crate::dialect::Variable;
 use crate::evaluate::{Evaluator, Value};
 use crate::flow::Locals;
 use crate::interpreter::Interpreter;
+use crate::stages::units;
 use ferrocut_geometry::{Axis, MM_PER_INCH, Position};
 use ferrocut_machine::{Alarm, AlarmId, Fault, WorkOffset};
 use ferrocut_program::{
@@ -83,13 +84,15 @@ impl Interpreter {
             let axis = self.axis_number(axis)?;
             Ok(self.in_words(axis, position[axis]))
         };
+        // Offsets and work zeros too (GSK990MC 4.2.17).
+        let length = |mm: f64| units::from_mm(mm, self.modal.is_inch());
         Ok(Some(match variable {
             Variable::Empty => return Ok(None),
             Variable::Plain => return Err(Fault::UnknownVariable),
-            Variable::ToolLength(n) => tool(n)?.length,
-            Variable::LengthWear(n) => tool(n)?.length_wear,
-            Variable::ToolRadius(n) => tool(n)?.radius,
-            Variable::RadiusWear(n) => tool(n)?.radius_wear,
+            Variable::ToolLength(n) => length(tool(n)?.length),
+            Variable::LengthWear(n) => length(tool(n)?.length_wear),
+            Variable::ToolRadius(n) => length(tool(n)?.radius),
+            Variable::RadiusWear(n) => length(tool(n)?.radius_wear),
             Variable::ModalGroup(0) => self.technology.data_code,
             Variable::ModalGroup(group) => {
                 let code = self.modal.codes().find(|code| code.group_number == group);
@@ -105,7 +108,7 @@ impl Interpreter {
             Variable::ServoOffset(axis) => place(&self.following_error, axis)?,
             Variable::WorkZero(name, axis) => {
                 let zero = self.memory.work.get(name).ok_or(Fault::UnknownVariable)?;
-                zero[self.axis_number(axis)?]
+                place(&zero, axis)?
             }
             Variable::Input(n) => self.inputs.get(&n).copied().unwrap_or(0.0),
             // One that was set by itself, else what its bits come to.
@@ -205,6 +208,12 @@ impl Interpreter {
         };
         let transformed = self.is_transformed() || self.location.polar.is_some();
         let value = value.unwrap_or(0.0);
+        let value = match variable {
+            Variable::WorkZero(_, index) => {
+                units::coordinate(self.axis_number(index)?, value, self.inch_axes())
+            }
+            _ => units::length_mm(value, self.modal.is_inch()),
+        };
         let tools = &mut self.memory.tools;
         let place = match variable {
             Variable::ToolLength(n) => tools.get_mut(n).map(|row| &mut row.length),

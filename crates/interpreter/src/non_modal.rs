@@ -101,7 +101,8 @@ impl Interpreter {
     /// G04 (GSK990MC 4.2.5): X, or another letter, in seconds goes before P; neither is no pause.
     pub(crate) fn dwell(&mut self) -> Fallible<()> {
         let seconds = self.rules.dwell_letter;
-        let (letter, unit) = match self.words.has(seconds) {
+        let by_p = self.rules.dwell_p_decides && self.words.has(b'P');
+        let (letter, unit) = match self.words.has(seconds) && !by_p {
             true => (seconds, 1.0),
             false => (b'P', self.rules.dwell_p_unit_s),
         };

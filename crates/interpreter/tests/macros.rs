@@ -54,6 +54,11 @@ fn positions_and_feed_are_in_the_unit_of_the_program() {
     assert_eq!(leaves("G20 G0 X1\n#500=#5006"), Some(1.0));
     assert_eq!(leaves("G20 G0 A9\n#500=#5004"), Some(9.0));
     assert_eq!(leaves("G20 F10\n#500=#4024"), Some(10.0));
+    // Offsets and work zeros are written and read in it too (4.2.17), as G10 has them.
+    assert_eq!(leaves("G20 G0 X1\n#5206=#5001\nG0 X0\n#500=#5206"), Some(1.0));
+    assert_eq!(leaves("G20\n#5206=1\nG21\n#500=#5206"), Some(25.4));
+    assert_eq!(leaves("G20\nG10 L10 P1 R1\n#1=#1501\nG21\n#500=#1501+#1"), Some(26.4));
+    assert_eq!(leaves("G20\n#2101=0.4\nG21\n#500=#2101"), Some(10.16));
     // As programmed, whatever the control's limits make of it.
     assert_eq!(leaves("F8000\n#500=#4024"), Some(8000.0));
     assert_eq!(leaves("S9000\n#500=#4026"), Some(9000.0));

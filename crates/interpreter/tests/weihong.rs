@@ -231,6 +231,45 @@ fn cycles_follow_the_steps_of_the_manual() {
                 "end M30",
             ],
         ),
+        // The spindle turns again before the tool is moved back (4.3, G87, step 8).
+        (
+            "M04 S100\nG98 G87 X5 R-20 Z-10 Q3 F100\nM30",
+            "[start]\nz = 10.0",
+            &[
+                "spindle ccw 100",
+                "rapid X5",
+                "orient 0",
+                "rapid X2",
+                "rapid Z-20",
+                "rapid X5",
+                "spindle cw 100",
+                "feed Z-10 F100",
+                "orient 0",
+                "rapid X2",
+                "rapid Z10",
+                "spindle cw 100",
+                "rapid X5",
+                "end M30",
+            ],
+        ),
+        // A depth that was given from R goes with a new R.
+        (
+            "G91 G98 G81 X5 Z-6 R-8 F100\nR-6 X5\nM30",
+            "[start]\nz = 10.0",
+            &[
+                "rapid X5",
+                "rapid Z2",
+                "feed Z-4 F100",
+                "rapid Z10",
+                "rapid X10",
+                "rapid Z4",
+                "feed Z-2 F100",
+                "rapid Z10",
+                "end M30",
+            ],
+        ),
+        // P decides over the dwell, whatever else stands there (4.3, G04).
+        ("G04 X3 P100\nG04 P50 X1\nM30", "", &["dwell 0.1s", "dwell 0.05s", "end M30"]),
         (
             "M04 S300\nG99 G74 X1 R2 Z-1 P0 F240\nM30",
             "[start]\nz = 5.0",

@@ -578,6 +578,8 @@ faults! {
     NoDrawing = 1020,
     /// A layer or pen that the drawing has nothing on.
     NothingOnLayer = 1021,
+    /// PLT: an instruction that is not known, or that would change what is drawn.
+    PltUnknown = 1022,
 
     // 1100: ladders
     /// A rule of ladders that is broken; the control's number says which.

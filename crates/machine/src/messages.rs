@@ -70,7 +70,7 @@
 //! | `LayerLeftOut` | `name`, `count` |
 //! | `NothingOnLayer` | `name`, `names` |
 //! | `HiddenLeftOut` | `count` |
-//! | `PltLeftOut` | `instruction` |
+//! | `PltLeftOut`, `PltUnknown` | `instruction` |
 //! | `ImportSetting`, `LadderSetting`, `PlotSetting` | `setting`, `value` |
 //! | `Ladder` | `word` |
 //! | `LadderUnusable` | `line` |

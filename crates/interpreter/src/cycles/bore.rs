@@ -49,6 +49,10 @@ impl Interpreter {
         let turning = self.orient();
         self.shift(1.0)?;
         self.rapid_z(self.cycle.initial)?;
+        if self.rules.cycles.restart_aside {
+            self.restart(turning);
+            return self.shift(-1.0);
+        }
         self.shift(-1.0)?;
         self.restart(turning);
         Ok(())

@@ -142,6 +142,8 @@ pub(crate) struct CycleState {
     r: Option<f64>,
     /// Level of the bottom, mm.
     z: Option<f64>,
+    /// Its distance from the R level, where it was given so: it goes with a new one.
+    depth: Option<f64>,
     /// Depth of cut or distance aside, mm.
     q: Option<f64>,
     /// Dwell, s.
@@ -387,8 +389,11 @@ impl Interpreter {
             self.cycle.r = Some(if incremental { from + mm(r) } else { mm(r) });
         }
         if let Some(z) = self.words.get(b'Z') {
-            let from = self.cycle.r.unwrap_or(self.cycle.initial);
-            self.cycle.z = Some(if incremental { from + mm(z) } else { mm(z) });
+            self.cycle.z = Some(mm(z));
+            self.cycle.depth = incremental.then(|| mm(z));
+        }
+        if let Some(depth) = self.cycle.depth {
+            self.cycle.z = Some(self.cycle.r.unwrap_or(self.cycle.initial) + depth);
         }
         if let Some(q) = self.words.get(b'Q') {
             // The sign is left aside (GSK990MC 4.4.4, 4.4.9).

@@ -113,6 +113,8 @@ pub struct Rules {
     pub default_shift: f64,
     /// The spindle after G76, G86, G87 and G88.
     pub restart: Restart,
+    /// Whether it is started again behind G87 before the tool is moved back, not behind that.
+    pub restart_aside: bool,
     /// Tapping.
     pub tapping: Tapping,
     /// Highest spindle speed of tapping that is not rigid by such a code, r/min.
@@ -148,6 +150,7 @@ impl Default for Rules {
             shift: (Axis::X, 1.0),
             default_shift: 0.0,
             restart: Restart::AsBefore,
+            restart_aside: false,
             tapping: Tapping::Floating,
             max_tapping_rpm: f64::INFINITY,
             dwell: (0.0, f64::INFINITY),

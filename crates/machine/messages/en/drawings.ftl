@@ -82,3 +82,7 @@ FC-1020 = The file is neither a PLT nor a DXF drawing
 FC-1021 = The drawing has nothing on the layer or with the pen
     .detail = { $name }; it has: { $names }
     .help = Use a name that the drawing has. Layers go with DXF drawings, pens with PLT drawings.
+
+FC-1022 = A PLT instruction is not known here
+    .detail = { $instruction }
+    .help = Take it out, or save the drawing with lines and arcs alone: PU, PD, PA, PR, AA, AR, CI, EA, ER and EW.

@@ -82,3 +82,7 @@ FC-1020 = El archivo no es un dibujo PLT ni DXF
 FC-1021 = El dibujo no tiene nada en la capa o con la pluma
     .detail = { $name }; tiene: { $names }
     .help = Use un nombre que tenga el dibujo. Las capas son de dibujos DXF, las plumas de dibujos PLT.
+
+FC-1022 = Instrucción PLT desconocida aquí
+    .detail = { $instruction }
+    .help = Quítela o guarde el dibujo solo con líneas y arcos: PU, PD, PA, PR, AA, AR, CI, EA, ER y EW.

@@ -82,3 +82,7 @@ FC-1020 = Dosya ne PLT ne DXF çizimi
 FC-1021 = Çizimde bu katmanda ya da bu kalemle bir şey yok
     .detail = { $name }; çizimde olanlar: { $names }
     .help = Çizimde bulunan bir ad kullanın. Katmanlar DXF, kalemler PLT çizimleri içindir.
+
+FC-1022 = PLT komutu burada bilinmiyor
+    .detail = { $instruction }
+    .help = Komutu çıkarın ya da çizimi yalnızca doğru ve yaylarla kaydedin: PU, PD, PA, PR, AA, AR, CI, EA, ER ve EW.

@@ -82,3 +82,7 @@ FC-1020 = 文件既不是 PLT 也不是 DXF 图纸
 FC-1021 = 图纸的该图层或笔号上没有内容
     .detail = { $name }；图纸中有：{ $names }
     .help = 请使用图纸中有的名称。图层用于 DXF 图纸，笔号用于 PLT 图纸。
+
+FC-1022 = 此处无法识别该 PLT 指令
+    .detail = { $instruction }
+    .help = 请删除该指令，或仅以直线和圆弧保存图纸：PU、PD、PA、PR、AA、AR、CI、EA、ER 和 EW。

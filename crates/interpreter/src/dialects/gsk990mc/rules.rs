@@ -60,6 +60,8 @@ pub fn rules(parameters: &Parameters) -> Rules {
         arc_tolerance: p(214),
         // Table 4-2-5-2: P counts 0.001 s, with 5#1 0.0001 s.
         dwell_letter: b'X',
+        // 4.2.5: where both stand X is valid.
+        dwell_p_decides: false,
         dwell_p_unit_s: if parameters.bit(5, 1) { 0.0001 } else { 0.001 },
         dwell_in_revolutions: parameters.bit(34, 0),
         length_on_plane_normal: parameters.bit(39, 0),
@@ -166,6 +168,7 @@ fn cycles(parameters: &Parameters) -> cycles::Rules {
         ),
         default_shift: 0.0,
         restart: Restart::AsBefore,
+        restart_aside: false,
         tapping: Tapping::Feed {
             rigid: parameters.bit(46, 1),
             rigid_speeds: rigid_speeds(parameters),

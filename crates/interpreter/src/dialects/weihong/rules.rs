@@ -27,6 +27,8 @@ pub fn rules(parameters: &Parameters) -> Rules {
         rapid_is_straight: true,
         arc_tolerance: 0.05,
         dwell_p_unit_s: DWELL_UNIT_S,
+        // 4.3, G04.
+        dwell_p_decides: true,
         // 4.3, G43: Z.
         length_on_plane_normal: false,
         // 4.3, G90.
@@ -112,6 +114,8 @@ fn cycles(parameters: &Parameters) -> cycles::Rules {
         shift,
         // G87 and G88, last step; 5, example 2, of G86.
         restart: Restart::Clockwise,
+        // G87, step 8.
+        restart_aside: true,
         dwell_p_unit_s: DWELL_UNIT_S,
         ..cycles::Rules::default()
     }
