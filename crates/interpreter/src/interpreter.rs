@@ -596,6 +596,13 @@ impl Interpreter {
         self.alarm(fault, self.words.span(letter))
     }
 
+    /// Tells a check, and no run, what it is well to know.
+    pub(crate) fn tell(&mut self, alarm: Alarm) {
+        if self.options.keep_going {
+            self.note(Box::new(alarm.as_warning()));
+        }
+    }
+
     /// Notes an alarm and goes on with the block.
     pub(crate) fn note(&mut self, alarm: Box<Alarm>) {
         self.alarms.push_back(alarm);

@@ -106,10 +106,8 @@ impl Interpreter {
 
     /// Tells a check of a code that this control has no use for.
     fn tell_of(&mut self, fault: Fault, span: Span) {
-        if self.options.keep_going {
-            let warning = self.alarm(fault, span).as_warning();
-            self.note(Box::new(warning));
-        }
+        let warning = self.alarm(fault, span);
+        self.tell(*warning);
     }
 
     /// A ladder address of the block, as it is written and as a number.

@@ -65,7 +65,14 @@ impl Interpreter {
         }
         match self.is_surface_speed() {
             true => self.technology.surface_speed = Some(units::length_mm(s, self.modal.is_inch())),
-            false => self.technology.speed = Some(s),
+            false => {
+                if self.held_speed(s) < s {
+                    let warning = self.alarm_at(Fault::SpindleTooFast, b'S');
+                    let limit = self.rules.max_spindle_rpm;
+                    self.tell(warning.with("speed", s).with("limit", limit));
+                }
+                self.technology.speed = Some(s);
+            }
         }
         // With the sense that the block gives it is told there.
         let turns = |function: MFunction| {
@@ -76,6 +83,11 @@ impl Interpreter {
             self.tell_speed();
         }
         Ok(())
+    }
+
+    /// A speed within the limit. Turns beyond it are held there (GSK990MC part 2, 7.10).
+    pub(crate) fn held_speed(&self, speed: f64) -> f64 {
+        speed.min(self.rules.max_spindle_rpm)
     }
 
     /// The highest S that a person may set, r/min (GSK990MC part 2, 3.1.2: P258).
@@ -117,10 +129,10 @@ impl Interpreter {
         self.in_force(Group::SurfaceSpeed, Meaning::SurfaceSpeed)
     }
 
-    /// The speed in force. Turns beyond the limit are held there (GSK990MC part 2, 7.10).
+    /// The speed in force.
     pub(crate) fn speed(&self) -> Speed {
         if !self.is_surface_speed() {
-            return Speed::Rpm(self.technology.speed.unwrap_or(0.0).min(self.rules.max_spindle_rpm));
+            return Speed::Rpm(self.held_speed(self.technology.speed.unwrap_or(0.0)));
         }
         let axis = self.technology.surface_axis;
         let max = self.technology.surface_max_rpm.unwrap_or(self.rules.max_spindle_rpm);

@@ -650,6 +650,7 @@ fn machine_functions_and_their_moment() {
         ("M3 S500\nS800\nM5", &["spindle cw 500", "spindle cw 800", "spindle off"]),
         // P258 = 6000 is the highest speed.
         ("M3 S9000\nM5", &["spindle cw 6000", "spindle off"]),
+        ("M3 S6001\nM5", &["spindle cw 6000", "spindle off"]),
         // 4.4.1 note 1: M06 after the move.
         ("T2 X10 M6", &["select 2", "rapid X10", "change 2"]),
         ("T2\nT3 M6\nM6", &["select 2", "select 3", "change 3"]),

@@ -5,6 +5,8 @@
 mod common;
 
 use common::{holds, holds_with};
+use ferrocut_interpreter::Options;
+use ferrocut_machine::{AlarmId, Severity};
 
 #[test]
 fn feed_is_held_within_its_limits_where_it_is_used() {
@@ -16,6 +18,26 @@ fn feed_is_held_within_its_limits_where_it_is_used() {
         "G1 X1 F1500\nG10 L51\nN96 R500\nG11\nG1 X2\nG10 L51\nN96 R2000\nG11\nG1 X3",
         &["feed X1 F1000", "feed X2 F500", "feed X3 F1500"],
     );
+}
+
+#[test]
+fn a_speed_that_is_held_is_told() {
+    // Part 2, 7.10: S beyond P258 turns at P258.
+    let told = |program: &str, setup: &str| {
+        let options = Options { keep_going: true, ..Options::default() };
+        let alarms = common::interpreter(program.as_bytes(), setup, options).unwrap().filter_map(Result::err);
+        let said = alarms.map(|alarm| {
+            assert_eq!(alarm.severity, Severity::Warning, "{program}: {alarm:?}");
+            (alarm.id, common::at_fault(program, &alarm).to_owned())
+        });
+        said.collect::<Vec<_>>()
+    };
+    let too_fast = |word: &str| vec![(AlarmId::Dialect("gsk990mc", 182), word.to_owned())];
+    assert_eq!(told("M3 S6000\nM30\n", ""), []);
+    assert_eq!(told("M3 S6001\nM30\n", ""), too_fast("S6001"));
+    assert_eq!(told("M3 S900\nM30\n", "[parameters]\nP258 = 800"), too_fast("S900"));
+    // A surface speed is no turns.
+    assert_eq!(told("G96 S9000\nM30\n", "[parameters]\n\"NO61.0\" = 1"), []);
 }
 
 #[test]
