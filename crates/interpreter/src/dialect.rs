@@ -381,6 +381,8 @@ pub struct Rules {
     pub max_feed_per_revolution: f64,
     /// Spindle speed at which S words are held, r/min.
     pub max_spindle_rpm: f64,
+    /// S is the number of a gear, in its last two digits, and no speed.
+    pub speed_is_gear: bool,
     /// G00 runs along a straight line.
     pub rapid_is_straight: bool,
     /// Feed of a helix is along its circle.
@@ -519,6 +521,7 @@ impl Default for Rules {
             max_feed: f64::INFINITY,
             max_feed_per_revolution: f64::INFINITY,
             max_spindle_rpm: f64::INFINITY,
+            speed_is_gear: false,
             rapid_is_straight: true,
             helix_feed_along_circle: false,
             arc_tolerance: 0.01,

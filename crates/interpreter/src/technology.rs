@@ -66,12 +66,13 @@ impl Interpreter {
         match self.is_surface_speed() {
             true => self.technology.surface_speed = Some(units::length_mm(s, self.modal.is_inch())),
             false => {
-                if self.held_speed(s) < s {
+                let speed = self.speed_of(s);
+                if self.held_speed(speed) < speed {
                     let warning = self.alarm_at(Fault::SpindleTooFast, b'S');
                     let limit = self.rules.max_spindle_rpm;
-                    self.tell(warning.with("speed", s).with("limit", limit));
+                    self.tell(warning.with("speed", speed).with("limit", limit));
                 }
-                self.technology.speed = Some(s);
+                self.technology.speed = Some(speed);
             }
         }
         // With the sense that the block gives it is told there.
@@ -85,9 +86,14 @@ impl Interpreter {
         Ok(())
     }
 
-    /// A speed within the limit. Turns beyond it are held there (GSK990MC part 2, 7.10).
+    /// What S says: turns, or the number of a gear in its last two digits, whatever stands before them (GSK990MC 6.2).
+    fn speed_of(&self, s: f64) -> f64 {
+        if self.rules.speed_is_gear { s % 100.0 } else { s }
+    }
+
+    /// A speed within the limit. Turns beyond it are held there (GSK990MC part 2, 7.10); a gear is no speed.
     pub(crate) fn held_speed(&self, speed: f64) -> f64 {
-        speed.min(self.rules.max_spindle_rpm)
+        if self.rules.speed_is_gear { speed } else { speed.min(self.rules.max_spindle_rpm) }
     }
 
     /// The highest S that a person may set, r/min (GSK990MC part 2, 3.1.2: P258).
@@ -100,7 +106,7 @@ impl Interpreter {
     pub fn set_spindle_speed(&mut self, s: f64) -> Option<SpindleState> {
         match self.in_force(Group::SurfaceSpeed, Meaning::SurfaceSpeed) {
             true => self.technology.surface_speed = Some(units::length_mm(s, self.modal.is_inch())),
-            false => self.technology.speed = Some(s),
+            false => self.technology.speed = Some(self.speed_of(s)),
         }
         let turn = self.technology.spindle.turn()?;
         self.technology.spindle = SpindleState::turning(turn, self.speed());

@@ -36,8 +36,20 @@ fn a_speed_that_is_held_is_told() {
     assert_eq!(told("M3 S6000\nM30\n", ""), []);
     assert_eq!(told("M3 S6001\nM30\n", ""), too_fast("S6001"));
     assert_eq!(told("M3 S900\nM30\n", "[parameters]\nP258 = 800"), too_fast("S900"));
-    // A surface speed is no turns.
+    // A surface speed, and a gear, are no turns.
     assert_eq!(told("G96 S9000\nM30\n", "[parameters]\n\"NO61.0\" = 1"), []);
+    assert_eq!(told("M3 S9001\nM30\n", "[parameters]\n\"NO1.2\" = 1"), []);
+}
+
+#[test]
+fn the_last_two_digits_of_a_gear_count() {
+    // 6.2: with 1#2 S is the number of a gear; of four digits the last two are valid. P258 holds speeds alone.
+    let switched = "[parameters]\n\"NO1.2\" = 1\nP258 = 1";
+    for (word, gear) in [("S3", 3), ("S03", 3), ("S7002", 2), ("S1203", 3), ("S0001", 1)] {
+        let expected = format!("spindle cw {gear}");
+        holds_with(switched, &format!("M3 {word}\nM5"), &[&expected, "spindle off"]);
+    }
+    holds_with("", "M3 S1203\nM5", &["spindle cw 1203", "spindle off"]);
 }
 
 #[test]

@@ -53,6 +53,8 @@ pub fn rules(parameters: &Parameters) -> Rules {
         // 7.2.2 note 2.
         max_feed_per_revolution: 500.0,
         max_spindle_rpm: p(258),
+        // 6.2.
+        speed_is_gear: parameters.bit(1, 2),
         rapid_is_straight: parameters.bit(12, 1),
         single_in_macros: parameters.bit(51, 5),
         // 4.2.3 B.
