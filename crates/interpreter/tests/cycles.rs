@@ -5,8 +5,9 @@
 mod common;
 
 use common::{holds_turning, holds_with, run};
-use ferrocut_machine::Fault;
-use ferrocut_toolpath::Op;
+use ferrocut_interpreter::Options;
+use ferrocut_machine::{Fault, Severity};
+use ferrocut_toolpath::{Op, Step};
 
 /// Radius 4 as offset 1.
 const CUTTER: &str = "[start]\nz = 50\n[tools.1]\nradius = 4\n[parameters]\n\"NO40.7\" = 0";
@@ -139,6 +140,62 @@ fn rigid_tapping_draws_back_at_the_override_of_its_parameters() {
     assert_eq!(taps(""), [(500.0, 1.0), (500.0, 1.0)]);
     assert_eq!(taps("\"NO44.4\" = 1\nP283 = 50"), [(500.0, 1.0), (250.0, 1.0)]);
     assert_eq!(taps("\"NO44.4\" = 1\n\"NO45.3\" = 1\nP283 = 20"), [(500.0, 1.0), (1000.0, 1.0)]);
+}
+
+/// A fault, and the words that it is about.
+type Told = (Fault, String);
+
+/// Pitch and speed.
+type Thread = (f64, f64);
+
+/// What a check tells of a program, and the threads that it cuts.
+fn told_and_tapped(program: &str, setup: &str) -> (Vec<Told>, Vec<Thread>) {
+    let options = Options { keep_going: true, ..Options::default() };
+    let (mut told, mut taps) = (Vec::new(), Vec::new());
+    for step in common::interpreter(program.as_bytes(), setup, options).unwrap() {
+        match step {
+            Ok(Step { op: Op::Tap { pitch, rpm, .. }, .. }) => taps.push((pitch, rpm)),
+            Ok(_) => {}
+            Err(alarm) => {
+                assert_eq!(alarm.severity, Severity::Warning, "{program}: {alarm:?}");
+                told.push((alarm.fault, common::at_fault(program, &alarm).to_owned()));
+            }
+        }
+    }
+    (told, taps)
+}
+
+#[test]
+fn a_rigid_thread_keeps_its_pitch_beyond_the_highest_feed() {
+    // 4.4.5, 4.5.1: F beyond P96 counts as P96, and the pitch is F/S: 3 mm at 500 r/min.
+    let held = || vec![(Fault::TappingFeedHeld, "F3000".to_owned())];
+    for (code, pitch) in [("G84", 3.0), ("G74", -3.0)] {
+        let program = format!("M29 S1000\nG99 {code} X1 Z-5 R2 F3000\nX5\nG80\nM30\n");
+        let setup = "[start]\nz = 50\n[parameters]\nP96 = 1500";
+        assert_eq!(told_and_tapped(&program, setup), (held(), vec![(pitch, 500.0); 4]), "{program}");
+    }
+    // By turns the feed is as high.
+    let by_turns = "G95\nM29 S1000\nG99 G84 X1 Z-5 R2 F3\nG80\nM30\n";
+    let (told, taps) = told_and_tapped(by_turns, "[start]\nz = 50\n[parameters]\nP96 = 1500");
+    assert_eq!((told.len(), taps), (1, vec![(3.0, 500.0); 2]));
+    // A lowest feed makes no spindle turn faster than S.
+    let slow = "M29 S100\nG99 G84 X1 Z-5 R2 F100\nG80\nM30\n";
+    let setup = "[start]\nz = 50\n[parameters]\nP97 = 300";
+    assert_eq!(told_and_tapped(slow, setup), (vec![], vec![(1.0, 100.0); 2]));
+    // S beyond P258 is held there (part 2, 7.10), and F is of the S that was programmed.
+    let (_, taps) = told_and_tapped(
+        "M29 S1000\nG99 G84 X1 Z-5 R2 F1500\nG80\nM30\n",
+        "[start]\nz = 50\n[parameters]\nP258 = 800",
+    );
+    assert_eq!(taps, [(1.5, 800.0); 2]);
+}
+
+#[test]
+fn a_floating_tap_whose_feed_is_held_is_told() {
+    let program = "M3 S1000\nG99 G84 X1 Z-5 R2 F3000\nG80\nM30\n";
+    let setup = "[start]\nz = 50\n[parameters]\nP96 = 1500";
+    assert_eq!(told_and_tapped(program, setup).0, [(Fault::TappingFeedHeld, "F3000".to_owned())]);
+    assert_eq!(told_and_tapped(program, "[start]\nz = 50").0, []);
 }
 
 #[test]

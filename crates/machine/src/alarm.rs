@@ -346,6 +346,8 @@ faults! {
     CycleScaled = 531,
     /// A milling cycle while X and Y are scaled by different factors.
     MillScaledUnevenly = 532,
+    /// A tapping whose feed is held below what it is programmed with.
+    TappingFeedHeld = 533,
     /// A parameter of a cycle has a value that it cannot have.
     CycleParameter = 540,
     /// A parameter of a cycle is missing.

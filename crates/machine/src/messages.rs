@@ -59,6 +59,7 @@
 //! | `ToolMissing` | `tool` |
 //! | `SpindleTooFast` | `speed`, `limit` |
 //! | `FeedNotReachable` | `feed`, `limit` |
+//! | `TappingFeedHeld` | `feed`, `limit`; `speed` of a spindle that keeps the pitch |
 //! | `FileUnreadable`, `ConfigUnusable` | `file`, `reason`; or one of them |
 //! | `FileUnwritable` | `file`, `reason` |
 //! | `FileNotText`, `FileEmpty`, `PictureFormat`, `NoDrawing` | `file` |

@@ -6,6 +6,7 @@
 use super::{CycleKind, Tapping};
 use crate::Fallible;
 use crate::interpreter::Interpreter;
+use crate::modal::Group;
 use ferrocut_geometry::{Axis, MM_PER_INCH, Position, SAME_POINT_MM, Turn};
 use ferrocut_machine::Fault;
 use ferrocut_toolpath::{Feed, Op, PathMode, SpindleState};
@@ -25,7 +26,9 @@ impl Interpreter {
         if z >= r {
             return Err(self.level_alarm(Fault::CycleDepthAboveR));
         }
-        let rpm = self.technology.speed.unwrap_or(0.0);
+        let speed = self.technology.speed.unwrap_or(0.0);
+        // F belongs to the S of the program, however much of it the spindle turns at.
+        let rpm = self.held_speed(speed);
         let Tapping::Feed { rigid_speeds, rigid_retract, rigid_orients, steps_are_fast, retract, .. } =
             self.rules.cycles.tapping
         else {
@@ -64,10 +67,11 @@ impl Interpreter {
             // The spindle is an axis of the tapping from here on, and stands still after it (4.5.1).
             self.technology.spindle = SpindleState::Off;
             let pitch = match self.feed()? {
-                Feed::PerMinute(feed) | Feed::Held { at: feed, .. } => feed / rpm,
+                Feed::PerMinute(feed) | Feed::Held { programmed: feed, .. } => feed / speed,
                 Feed::PerRevolution(feed) => feed,
                 Feed::Duration(_) => 0.0,
             };
+            let rpm = self.rpm_of_thread(pitch, rpm);
             let pitch = if left { -pitch } else { pitch };
             let out_rpm = rpm * rigid_retract;
             self.tap_strokes(r, z, steps, |interpreter, z| {
@@ -75,9 +79,43 @@ impl Interpreter {
                 interpreter.tap_z(z, pitch, if down { rpm } else { out_rpm })
             })?;
         } else {
+            if let Ok(Feed::Held { programmed, at }) = self.feed()
+                && programmed > at
+            {
+                self.tell_feed_held(programmed, None);
+            }
             self.tap_floating(r, z, steps, left)?;
         }
         self.rapid_z(self.top(r))
+    }
+
+    /// The speed at which a rigid thread is cut. F beyond P96 counts as P96 (GSK990MC 4.4.5, 4.5.1), and the pitch is F/S all
+    /// the same: the spindle, an axis of the tapping, turns as much slower. The manual does not say so; a thread of another
+    /// pitch is never meant, and Fanuc refuses the block.
+    fn rpm_of_thread(&mut self, pitch: f64, rpm: f64) -> f64 {
+        let feed = pitch * rpm;
+        if feed <= self.rules.max_feed {
+            return rpm;
+        }
+        let held = self.rules.max_feed / pitch;
+        self.tell_feed_held(feed, Some(held));
+        held
+    }
+
+    /// Tells a check of a tapping whose `feed` in mm/min is held at the highest one, and the speed of a spindle that follows;
+    /// once for all holes that are cut so.
+    fn tell_feed_held(&mut self, feed: f64, rpm: Option<f64>) {
+        let begins = self.words.g.iter().any(|g| g.row.group == Group::Cycle);
+        if !begins && !self.words.has(b'F') && !self.words.has(b'S') {
+            return;
+        }
+        let span = if self.words.has(b'F') { self.words.span(b'F') } else { self.cycle_span() };
+        let warning = self.alarm(Fault::TappingFeedHeld, span);
+        let warning = warning.with("feed", feed).with("limit", self.rules.max_feed);
+        self.tell(match rpm {
+            Some(rpm) => warning.with("speed", rpm),
+            None => warning,
+        });
     }
 
     /// Whether tapping cycles that are fed by F are rigid now.

@@ -563,6 +563,11 @@ FC-0531 = A canned cycle while Z is scaled
 FC-0532 = A milling cycle is called while X and Y are scaled differently
     .help = Give X and Y the same factor, or cancel the scaling with G50.
 
+FC-0533 = The feed of the tapping is above the highest cutting feed
+    .detail = F{ $feed }, at most { $limit }: the spindle turns at { $speed }
+    .detail-2 = F{ $feed }, at most { $limit }
+    .help = Lower F and S together. A rigid tap keeps its pitch: its spindle is slowed with the feed. In a floating holder only the feed is lowered, and the thread is spoilt.
+
 ## Canned cycles by parameters
 
 FC-0540 = A parameter of the cycle has a value that it cannot have

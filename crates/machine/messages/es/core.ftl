@@ -563,6 +563,11 @@ FC-0531 = Ciclo fijo con Z escalado
 FC-0532 = Ciclo de fresado con X e Y a escalas distintas
     .help = Dé a X e Y el mismo factor, o cancele la escala con G50.
 
+FC-0533 = El avance del roscado supera el mayor avance de corte
+    .detail = F{ $feed }, { $limit } como máximo: el husillo gira a { $speed }
+    .detail-2 = F{ $feed }, { $limit } como máximo
+    .help = Reduzca F y S a la vez. El roscado rígido mantiene el paso: el husillo se frena con el avance. En un portamachos flotante solo baja el avance y la rosca se estropea.
+
 ## Canned cycles by parameters
 
 FC-0540 = Un parámetro del ciclo tiene un valor que no puede tener

@@ -563,6 +563,11 @@ FC-0531 = Z ölçeklenmişken sabit çevrim
 FC-0532 = X ve Y farklı ölçeklenirken frezeleme çevrimi çağrılıyor
     .help = X ve Y için aynı çarpanı verin ya da ölçeklemeyi G50 ile iptal edin.
 
+FC-0533 = Kılavuz çekme ilerlemesi en yüksek kesme ilerlemesinin üstünde
+    .detail = F{ $feed }, en çok { $limit }: iş mili { $speed } ile döner
+    .detail-2 = F{ $feed }, en çok { $limit }
+    .help = F ile S'yi birlikte düşürün. Rijit kılavuz çekmede diş adımı korunur: iş mili ilerlemeyle birlikte yavaşlar. Yüzer tutucuda yalnız ilerleme düşer ve diş bozulur.
+
 ## Canned cycles by parameters
 
 FC-0540 = Çevrimin bir parametresi alamayacağı bir değerde
