@@ -18,6 +18,8 @@ pub(crate) struct Intermediate {
     point: Position,
     /// Axes that the last G28 or G30 named.
     axes: AxisSet,
+    /// Axes that any did, and whose coordinates are known therefore.
+    known: AxisSet,
 }
 
 impl Interpreter {
@@ -36,6 +38,7 @@ impl Interpreter {
             self.intermediate.point[axis] = through[axis];
         }
         self.intermediate.axes = axes;
+        self.intermediate.known = self.intermediate.known.iter().chain(axes.iter()).collect();
         match self.rules.reference_keeps_cutter {
             true => self.rapid(through)?,
             false => self.rapid_uncompensated(self.location.machine_of(through))?,
@@ -93,12 +96,20 @@ impl Interpreter {
         self.reference_return(axes, number as usize)
     }
 
-    /// G29: back through the intermediate point (GSK990MC 4.3.3).
+    /// G29: back through the intermediate point (GSK990MC 4.3.3). An axis that no G28 or G30 named has none; the manual warns
+    /// of what its control takes then (4.3.1), and the zero of the work coordinate system is nothing to go through.
     pub(crate) fn return_from_reference(&mut self, axes: AxisSet) -> Fallible<()> {
-        let known = self.intermediate;
+        let intermediate = self.intermediate;
+        if let Some(axis) = axes.iter().find(|axis| !intermediate.known.contains(*axis)) {
+            let alarm = self.alarm_at(Fault::IntermediateMissing, axis.letter() as u8);
+            return Err(Box::new(alarm.with("axis", axis.letter().to_string())));
+        }
+        if intermediate.axes.is_empty() {
+            return Err(self.alarm(Fault::IntermediateMissing, self.words.block_span()));
+        }
         let mut through = self.location.programmed;
-        for axis in known.axes.iter().chain(axes.iter()) {
-            through[axis] = known.point[axis];
+        for axis in intermediate.axes.iter().chain(axes.iter()) {
+            through[axis] = intermediate.point[axis];
         }
         self.rapid_uncompensated(self.location.machine_of(through))?;
         self.location.programmed = through;

@@ -5,8 +5,9 @@
 mod common;
 
 use common::{holds, holds_with};
+use ferrocut_geometry::Position;
 use ferrocut_interpreter::Options;
-use ferrocut_machine::{AlarmId, Severity};
+use ferrocut_machine::{AlarmId, Fault, Severity};
 
 #[test]
 fn feed_is_held_within_its_limits_where_it_is_used() {
@@ -252,6 +253,36 @@ fn reference_points_leave_compensation_aside_in_the_plane_alone() {
     // G29: without it to the intermediate point (4.7.3, 6).
     let found = common::lines(&format!("{head}G28 X-30 Y80\nG29 X50 Y60\nG1 Y0\nG40 X0\nM30\n"), &with(1));
     assert_eq!(found.iter().filter(|line| *line == "rapid X-30 Y80").count(), 2, "{found:?}");
+}
+
+#[test]
+fn the_way_back_goes_through_a_point_that_was_given() {
+    // 4.3.1: the point of each axis is kept from the last G28 or G30 that named it.
+    holds(&[(
+        "G0 X50 Y50\nG28 X40\nG28 Y60\nG29 X20 Y30",
+        &[
+            "rapid X50 Y50",
+            "rapid X40",
+            "rapid X0",
+            "home",
+            "rapid Y60",
+            "rapid Y0",
+            "home",
+            "rapid X40 Y60",
+            "rapid X20 Y30",
+        ],
+    )]);
+    for (program, fault) in [
+        ("G0 X50 Y50\nG29 X60 Y60\nM30", "X60"),
+        ("G0 X50 Y50\nG28 X40\nG29 X60 Y60\nM30", "Y60"),
+        ("G0 X50 Y50\nG29\nM30", "G29"),
+    ] {
+        let (steps, alarm) = common::run(program, "");
+        let alarm = alarm.unwrap();
+        assert_eq!(alarm.id, AlarmId::Core(Fault::IntermediateMissing), "{program}");
+        assert_eq!(common::at_fault(program, &alarm), fault, "{program}");
+        assert_ne!(common::short(&steps, Position::ZERO), [""; 0], "{program}");
+    }
 }
 
 #[test]

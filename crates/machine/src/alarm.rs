@@ -264,6 +264,8 @@ faults! {
     ReferenceInCutter = 450,
     /// A probing move was to begin with the probe as it is to end: touching, or free.
     SignalBefore = 451,
+    /// A return from a reference point through an intermediate point that was never given.
+    IntermediateMissing = 452,
     /// Cutter compensation: the entry move is not longer than the tool radius.
     CutterEntryTooShort = 470,
     /// Cutter compensation: the tool does not fit into an arc.

@@ -30,7 +30,7 @@
 //! | `UnknownGCode`, `UnknownMCode`, `UnknownAddress`, `RepeatedAddress`, `WordNotWhole`, `WordNegative`, `NeedsOwnBlock`, `NotSupported`, `LengthWithCode`, `TappingPitchTwice`, `WordMissing` | `word` |
 //! | `RepeatedGroup`, `ProgramCodesTogether` | `first`, `second`: the words |
 //! | `WordOutOfRange` | `word`, `min`, `max`; or `word` alone |
-//! | `UnknownAxis`, `ArcAxisBesidePlane` | `axis` |
+//! | `UnknownAxis`, `ArcAxisBesidePlane`, `IntermediateMissing` | `axis` |
 //! | `ArcRadiusMismatch` | `start`, `end`: radii; `limit` |
 //! | `ArcRadiusTooSmall` | `radius`; `least`: the smallest that reaches |
 //! | `NegativeDwell`, `FeedOutOfRange` | `word` |

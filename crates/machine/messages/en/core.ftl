@@ -437,6 +437,10 @@ FC-0434 = The offset value is too large
 FC-0435 = The intermediate point is too far away
     .help = Check the coordinates of the block.
 
+FC-0452 = G29 has no intermediate point to go through
+    .detail = { $axis }
+    .help = Program G28 or G30 with this axis before G29, or go to the point with G00.
+
 FC-0436 = A block with / while points are scaled, rotated or polar
     .help = Cancel the transformation before the block.
 

@@ -437,6 +437,10 @@ FC-0434 = El valor del corrector es demasiado grande
 FC-0435 = El punto intermedio está demasiado lejos
     .help = Revise las coordenadas del bloque.
 
+FC-0452 = G29 no tiene punto intermedio por el que pasar
+    .detail = { $axis }
+    .help = Programe antes de G29 un G28 o G30 con este eje, o vaya al punto con G00.
+
 FC-0436 = Bloque con barra / y escalado, giro o coordenadas polares activos
     .help = Anule la transformación antes del bloque.
 

@@ -437,6 +437,10 @@ FC-0434 = Ofset değeri çok büyük
 FC-0435 = Ara nokta çok uzakta
     .help = Bloğun koordinatlarını denetleyin.
 
+FC-0452 = G29'un geçeceği bir ara nokta yok
+    .detail = { $axis }
+    .help = G29'dan önce bu eksenle G28 ya da G30 programlayın veya noktaya G00 ile gidin.
+
 FC-0436 = Ölçekleme, döndürme ya da kutupsal koordinatlar etkinken / işaretli bir blok
     .help = Bloktan önce dönüşümü iptal edin.
 
