@@ -114,8 +114,9 @@ impl Interpreter {
 
     fn start_parameters(&mut self, what: DataSetting) -> Fallible<()> {
         self.data_setting = Some(what);
-        // The block of G10 itself may hold the first parameter.
-        if self.words.sequence.is_some() || self.words.has(b'R') { self.set_parameter(what) } else { Ok(()) }
+        // The block of G10 itself may hold the first parameter. N alone is none yet: so Fanuc takes it, and editors number
+        // every line.
+        if self.words.has(b'R') || self.words.has(b'P') { self.set_parameter(what) } else { Ok(()) }
     }
 
     /// A block between G10 L50 or L51 and G11.

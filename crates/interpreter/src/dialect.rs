@@ -407,6 +407,8 @@ pub struct Rules {
     pub repeats_are_alarms: bool,
     /// G90 and G91 in one block are an alarm.
     pub distance_is_exclusive: bool,
+    /// N beside G10, or among the parameters that it sets, is the number of one and none of the block.
+    pub data_has_number: bool,
     /// An expression may stand behind N; else it is a plain number.
     pub sequence_takes_expression: bool,
     /// M codes allowed in a block.
@@ -534,6 +536,7 @@ impl Default for Rules {
             length_not_with: &[],
             repeats_are_alarms: false,
             distance_is_exclusive: true,
+            data_has_number: false,
             sequence_takes_expression: false,
             m_codes_in_block: u8::MAX,
             single_in_macros: false,

@@ -293,6 +293,22 @@ fn sequence_number(page: &Page, block: &Block) -> Option<f64> {
     }
 }
 
+/// Whether N of a block is the number of a parameter: beside G10, and from G10 L50 or L51 to G11. `among` is whether the
+/// blocks are among parameters.
+fn is_data(page: &Page, block: &Block, among: &mut bool) -> bool {
+    let has = |letter: u8, number: f64| {
+        page.words(block).iter().any(|word| word.letter == letter && word.value() == Value::Number(number))
+    };
+    if *among {
+        // M codes end it too (GSK990MC 4.2.7 note 8).
+        *among = !has(b'G', 11.0) && !page.words(block).iter().any(|word| word.letter == b'M');
+        return *among;
+    }
+    let sets = has(b'G', 10.0);
+    *among = sets && (has(b'L', 50.0) || has(b'L', 51.0));
+    sets
+}
+
 impl Loops {
     /// Pairs the beginnings and ends of a program's loops and conditions.
     fn find(programs: &mut ProgramMemory, program: Place) -> io::Result<Result<Loops, (Fault, Span)>> {
@@ -715,12 +731,19 @@ impl Interpreter {
 
     fn find_sequence(&mut self, number: f64, from: Place, missing: Fault, span: Span) -> Fallible<Place> {
         let program = self.flow.program();
-        let has_number =
-            |page: &Page, block: &Block, at| (sequence_number(page, block) == Some(number)).then_some(at);
-        let found = blocks_of_program(&mut self.programs, program, self.flow.place, has_number)
+        let data_has_number = self.rules.data_has_number;
+        // No jump begins among data, where no statement may stand.
+        let has_number = || {
+            let mut data = false;
+            move |page: &Page, block: &Block, at| {
+                let is_data = data_has_number && is_data(page, block, &mut data);
+                (!is_data && sequence_number(page, block) == Some(number)).then_some(at)
+            }
+        };
+        let found = blocks_of_program(&mut self.programs, program, self.flow.place, has_number())
             .and_then(|below| match below {
                 Some(place) => Ok(Some(place)),
-                None => blocks_of_program(&mut self.programs, program, program, has_number),
+                None => blocks_of_program(&mut self.programs, program, program, has_number()),
             })
             .map_err(|error| self.unreadable(error, span))?;
         let Some(target) = found else {

@@ -637,6 +637,29 @@ fn hole_data_are_modal() {
 }
 
 #[test]
+fn numbers_of_parameters_are_none_of_blocks() {
+    holds(&[
+        // 3.1.2 note: N beside G10 is no sequence number, nor is it among the parameters.
+        ("GOTO271\nN271 G10 L51 R3\nG11\nN271 X5", &["rapid X5"]),
+        ("GOTO271\nG10 L51\nN271 R3\nN272 R1\nG11\nN271 X5", &["rapid X5"]),
+        ("GOTO5\nG10 L50\nN5 P1 R0\nG11\nX9\nN5 X5", &["rapid X5"]),
+        ("GOTO7\nN7 G10 L10 P1 R5\nX9\nN7 X5", &["rapid X5"]),
+        // Behind G11, and behind other forms of G10, lines have numbers again.
+        ("GOTO7\nX9\nG10 L2 P1 X0\nN7 X5", &["rapid X5"]),
+        ("GOTO7\nX9\nG10 L51\nN271 R3\nN7 G11\nX5", &["rapid X5"]),
+        // A line number alone opens the input, as on Fanuc, and sets nothing. Of two the last is the parameter.
+        ("N7 G10 L51\nN271 R3\nN8 G11\nX5", &["rapid X5"]),
+    ]);
+    holds_turning(
+        "",
+        "N10 G10 L51 N271 R3\nN20 G11\nG99 G83 X1 Z-9 R0 Q5 F100",
+        &["rapid X1", "feed Z-5 F100", "rapid Z0", "rapid Z-2", "feed Z-9 F100", "rapid Z0"],
+    );
+    let (_, alarm) = common::run("GOTO271\nN271 G10 L51 R3\nG11\nM30", "");
+    assert_eq!(alarm.unwrap().fault, Fault::SequenceMissing);
+}
+
+#[test]
 fn machine_functions_and_their_moment() {
     holds(&[
         // 5.1: codes of the machine start with the move of their block.

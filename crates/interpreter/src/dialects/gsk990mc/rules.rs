@@ -72,6 +72,8 @@ pub fn rules(parameters: &Parameters) -> Rules {
         length_not_with: &[],
         repeats_are_alarms: parameters.bit(32, 6),
         distance_is_exclusive: false,
+        // 3.1.2 note.
+        data_has_number: true,
         sequence_takes_expression: false,
         m_codes_in_block: if parameters.bit(33, 7) { 3 } else { 1 },
         max_call_depth: CALL_DEPTH,
