@@ -62,6 +62,7 @@ fn a_drawn_pocket_with_an_island_is_cleared() {
         number("rough.T", 1.0),
         number("rough.I", 3.0),
         number("rough.F", 400.0),
+        number("rough.S", 2000.0),
         number("rough.beta", 5.0),
     ];
     let request = Request {

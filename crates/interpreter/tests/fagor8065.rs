@@ -128,7 +128,7 @@ fn the_pitch_of_a_helix_makes_its_turns() {
 /// 4.20: where the way in or out runs along the profile itself there is nothing to round.
 #[test]
 fn a_way_in_along_the_profile_has_no_arc() {
-    let program = "#CYCLE G293 [X1=0, Y1=0, R1=5, P1=[10,0], P2=[50,0], P3=[50,30], P4=[20,30], P5=[20,30], RN=5, XN=0, YN=30, Z=0, ZS=5, P=6]\n#ROUGH [FZ=100, I=-6, F=400, T=1, D=1]\nM30";
+    let program = "#CYCLE G293 [X1=0, Y1=0, R1=5, P1=[10,0], P2=[50,0], P3=[50,30], P4=[20,30], P5=[20,30], RN=5, XN=0, YN=30, Z=0, ZS=5, P=6]\n#ROUGH [FZ=100, I=-6, F=400, S=1000, T=1, D=1]\nM30";
     let found = moves(program, "[tools.1]\nradius = 3\n");
     assert_eq!(
         found,
@@ -150,7 +150,7 @@ fn a_way_in_along_the_profile_has_no_arc() {
 /// 4.20: the way down to a level is rapid only where the level before was cut, and only roughing goes back.
 #[test]
 fn profiles_go_down_at_the_feed_of_the_plunge() {
-    let program = "#CYCLE G293 [X1=0, Y1=0, P1=[10,0], P2=[50,0], Z=0, ZS=5, P=30]\n#ROUGH [I=-10, F=100, T=1, D=1]\nM30";
+    let program = "#CYCLE G293 [X1=0, Y1=0, P1=[10,0], P2=[50,0], Z=0, ZS=5, P=30]\n#ROUGH [I=-10, F=100, S=1000, T=1, D=1]\nM30";
     let found = moves(program, "[tools.1]\nradius = 3\n");
     assert_eq!(
         found,
@@ -176,7 +176,7 @@ fn profiles_go_down_at_the_feed_of_the_plunge() {
             "rapid X0",
         ]
     );
-    let program = "#PROFILE way\nG0 X0 Y0\nG1 X0 Y20\n#ENDPROFILE\n#CYCLE G294 [profile=way, X=-20, Y=-10, Z=0, ZS=5, P=4]\n#FINISH [F=100, T=2]\nM30";
+    let program = "#PROFILE way\nG0 X0 Y0\nG1 X0 Y20\n#ENDPROFILE\n#CYCLE G294 [profile=way, X=-20, Y=-10, Z=0, ZS=5, P=4]\n#FINISH [F=100, S=1000, T=2]\nM30";
     let found = moves(program, "[tools.2]\nradius = 3\n");
     assert_eq!(found.last().map(String::as_str), Some("rapid Z5"), "{found:?}");
 }
@@ -184,7 +184,7 @@ fn profiles_go_down_at_the_feed_of_the_plunge() {
 /// 4.1.3: N = 0 finishes the wall on each level of roughing, the last one on the floor.
 #[test]
 fn walls_are_finished_on_the_levels_of_roughing() {
-    let program = "#CYCLE G287 [X=0, Y=0, L=60, H=30, Z=0, ZS=5, P=10]\n#ROUGH [step=8, I=-4, FZ=100, F=500, T=1, D=1]\n#FINISH [delta=.5, deltaz=0.5, N=0, F=300, T=1, D=1]\nM30";
+    let program = "#CYCLE G287 [X=0, Y=0, L=60, H=30, Z=0, ZS=5, P=10]\n#ROUGH [step=8, I=-4, FZ=100, F=500, S=1000, T=1, D=1]\n#FINISH [delta=.5, deltaz=0.5, N=0, F=300, T=1, D=1]\nM30";
     let (steps, alarm) = run_on(&DIALECT, program, "[tools.1]\nradius = 5\n");
     assert_eq!(alarm, None);
     let mut levels: Vec<f64> = Vec::new();
@@ -200,7 +200,7 @@ fn walls_are_finished_on_the_levels_of_roughing() {
 
 #[test]
 fn a_value_may_begin_with_a_bracket() {
-    let program = "P1=4\n#CYCLE G281 [X=[P1+1]*2, Y=[P1+1], Z=0, ZS=5, P=[P1]/2, F=100, T=1]\nM30";
+    let program = "P1=4\n#CYCLE G281 [X=[P1+1]*2, Y=[P1+1], Z=0, ZS=5, P=[P1]/2, F=100, S=1000, T=1]\nM30";
     let found = moves(program, "[tools.1]\nradius = 3\n");
     assert_eq!(found, ["rapid Z5", "rapid X10 Y5", "rapid Z1", "feed Z-2 F100", "rapid Z5"]);
 }
@@ -208,7 +208,7 @@ fn a_value_may_begin_with_a_bracket() {
 /// 4.24, formats 7 to 9: the cycle's own point is the first, the others lie on the circle.
 #[test]
 fn the_circle_of_positions_is_the_one_given() {
-    let program = "#CYCLE G281 [X=0, Y=0, Z=0, ZS=5, P=2, F=100, T=1]\n#MULTI ARC [XA=50, YA=50, R=40, N=3, alpha=0, beta=90]\nM30";
+    let program = "#CYCLE G281 [X=0, Y=0, Z=0, ZS=5, P=2, F=100, S=1000, T=1]\n#MULTI ARC [XA=50, YA=50, R=40, N=3, alpha=0, beta=90]\nM30";
     let found = moves(program, "[tools.1]\nradius = 3\n");
     let places: Vec<_> = found.iter().filter(|line| line.contains('X') || line.contains('Y')).collect();
     assert_eq!(places, ["rapid X50 Y90", "rapid X10 Y50"]);
@@ -218,8 +218,9 @@ fn the_circle_of_positions_is_the_one_given() {
 #[test]
 fn a_negative_pitch_of_bore_milling_leaves_the_bottom() {
     let arcs = |pitch: &str| {
-        let program =
-            format!("#CYCLE G298 [X=0, Y=0, Z=0, ZS=5, P=4, phi=30, phiK=20, B={pitch}, F=100, T=1]\nM30");
+        let program = format!(
+            "#CYCLE G298 [X=0, Y=0, Z=0, ZS=5, P=4, phi=30, phiK=20, B={pitch}, F=100, S=1000, T=1]\nM30"
+        );
         let (steps, alarm) = run_on(&DIALECT, &program, "[tools.1]\nradius = 5\n");
         assert_eq!(alarm, None, "{pitch}");
         let sweep = |step: &ferrocut_toolpath::Step| match step.op {
@@ -237,8 +238,8 @@ fn a_negative_pitch_of_bore_milling_leaves_the_bottom() {
 fn a_check_names_the_angle_of_a_stage_that_goes_straight_down() {
     const RECTANGLE: &str = "G287 [X=0, Y=0, Z=0, ZS=5, P=10, L=60, H=50, start=centre]";
     const OPEN: &str = "G296 [XC=0, YC=0, Z=0, ZS=5, P=10, R=40, r=10]";
-    const ROUGH: &str = "#ROUGH [T=1, F=300, step=4, I=5";
-    const FINISH: &str = "#FINISH [T=1, F=300, delta=0.5, N=2";
+    const ROUGH: &str = "#ROUGH [T=1, F=300, S=1000, step=4, I=5";
+    const FINISH: &str = "#FINISH [T=1, F=300, S=1000, delta=0.5, N=2";
     let table = "[tools.1]\nradius = 4\ncutting_length = 20\n";
     let said = |cycle: &str, stages: &[&str], table: &str| {
         let stages: Vec<String> = stages.iter().map(|stage| format!("{stage}]\n")).collect();
@@ -375,6 +376,34 @@ fn cycles_are_refused_while_cutter_compensation_is_in_force() {
     let (_, alarm) = run_on(&DIALECT, program, "[tools.1]\nradius = 5\n");
     assert_eq!(alarm.map(|alarm| (alarm.fault, alarm.span.line)), Some((Fault::NotInCutter, 5)));
 }
+
+/// A described cycle starts the spindle (4.2): never at no speed at all. S of an earlier stage, or of the program, is one.
+#[test]
+fn a_described_cycle_needs_a_speed() {
+    let hole = |s: &str| format!("#CYCLE G281 [X=0, Y=0, Z=0, ZS=5, P=2, F=100{s}, T=1]\nM30");
+    let pocket = |rough: &str, finish: &str| {
+        format!(
+            "#CYCLE G287 [X=0, Y=0, L=60, H=30, Z=0, ZS=5, P=4]\n#ROUGH [step=4, I=4, F=500{rough}, T=1]\n\
+             #FINISH [delta=0.5, N=1, F=300{finish}, T=1]\nM30"
+        )
+    };
+    for (program, stands) in [
+        (hole(""), true),
+        (hole(", S=0"), true),
+        (format!("S0\n{}", hole("")), true),
+        (hole(", S=1000"), false),
+        (format!("S1000\n{}", hole("")), false),
+        (pocket("", ""), true),
+        (pocket("", ", S=1000"), true),
+        (pocket(", S=1000", ""), false),
+    ] {
+        let (steps, alarm) = run_on(&DIALECT, &program, "[tools.1]\nradius = 3\n");
+        let fault = alarm.map(|alarm| alarm.fault);
+        assert_eq!(fault, stands.then_some(Fault::CycleNoSpindle), "{program}");
+        assert!(!stands || steps.iter().all(|step| step.op.target().is_none()), "{program}");
+    }
+}
+
 /// What a cycle or a profile would leave aside is refused.
 #[test]
 fn nothing_of_a_cycle_is_left_aside() {
@@ -415,7 +444,7 @@ fn nothing_of_a_cycle_is_left_aside() {
         (profile("G2 X20 I5"), None),
         (profile("G2 X20 I5 K0"), Some(Fault::ProfileForm)),
     ] {
-        let (_, alarm) = run_on(&DIALECT, &program, "[tools.1]\nradius = 1\n");
+        let (_, alarm) = run_on(&DIALECT, &format!("S1000\n{program}"), "[tools.1]\nradius = 1\n");
         assert_eq!(alarm.map(|alarm| alarm.fault), fault, "{program}");
     }
 }

@@ -389,6 +389,7 @@ impl Interpreter {
     /// What forbids a plan before its first move.
     fn check_stages(&self, plan: &Plan, span: Span) -> Fallible<()> {
         let is_number = |number: f64, most| number.fract() == 0.0 && (0.0..=most).contains(&number);
+        let mut speed = self.technology.speed.unwrap_or(0.0);
         for stage in &plan.stages {
             if stage.operation.is_endless() {
                 return Err(self.alarm(Fault::MillTooManyMoves, span));
@@ -409,6 +410,14 @@ impl Interpreter {
             };
             if let Some(word) = wrong {
                 return Err(self.wrong_parameter(WrongParameter::new(Fault::CycleParameter, word), span));
+            }
+            // The manual has the spindle started and does not say at what speed without S: it would stand, and the tool
+            // be fed into the part.
+            if stage.speed > 0.0 {
+                speed = stage.speed;
+            }
+            if stage.turn.is_some() && speed <= 0.0 {
+                return Err(self.wrong_parameter(WrongParameter::new(Fault::CycleNoSpindle, "S"), span));
             }
         }
         Ok(())
