@@ -199,39 +199,55 @@ impl Settings {
         Ok((settings, format))
     }
 
-    /// Whether the settings can be used.
+    /// Whether the settings can be used. The alarm names what cannot be as a set-up file has it.
     pub fn check(&self) -> Result<(), Box<Alarm>> {
+        self.check_named(&|key| key)
+    }
+
+    /// The same where settings were given by other names: `named` has that of a key of the table `[import]`.
+    pub fn check_named(&self, named: &dyn Fn(&'static str) -> &'static str) -> Result<(), Box<Alarm>> {
+        let wrong = |key: &'static str, value: &dyn ToString| wrong(named(key), value.to_string());
         let positive = [("units_per_mm", self.units_per_mm), ("scale", self.scale)];
         let unit = self.unit.map(|unit| ("units", unit));
         if let Some((name, value)) = positive.into_iter().chain(unit).find(|(_, v)| !(*v > 0.0 && *v <= 1e9))
         {
-            return Err(wrong(name, value));
+            return Err(wrong(name, &value));
         }
         if !TOLERANCES.contains(&self.tolerance) {
-            return Err(wrong("tolerance", self.tolerance));
+            return Err(wrong("tolerance", &self.tolerance));
         }
         if self.three_dimensional && self.order == Order::Shortest {
-            return Err(wrong("order", "shortest, dims 3"));
+            return Err(wrong("order", &"shortest, dims 3"));
         }
-        check_height("pen_up", self.pen_up)?;
-        self.check_cutting(&self.cutting)?;
+        let safe = named("pen_up");
+        check_height(safe, self.pen_up)?;
+        self.check_cutting(&self.cutting, safe, named)?;
+        // A row has the same keys wherever it was given.
+        let in_row = |key| if key == "pen_down" { "depth" } else { key };
         for (_, change) in self.layers.iter().chain(&self.pens).filter(|(_, change)| !change.skip) {
-            self.check_cutting(&self.changed(change))?;
+            self.check_cutting(&self.changed(change), safe, &in_row)?;
         }
         Ok(())
     }
 
-    fn check_cutting(&self, cutting: &Cutting) -> Result<(), Box<Alarm>> {
-        check_height("depth", cutting.depth)?;
+    fn check_cutting(
+        &self,
+        cutting: &Cutting,
+        safe: &str,
+        named: &dyn Fn(&'static str) -> &'static str,
+    ) -> Result<(), Box<Alarm>> {
+        let depth = named("pen_down");
+        check_height(depth, cutting.depth)?;
         // Ways are run at rapid; in space the drawing itself says how deep it is cut.
         if self.pen_up <= cutting.depth && !self.three_dimensional {
-            return Err(wrong("pen_up", format!("{}, depth {}", self.pen_up, cutting.depth)));
+            return Err(wrong(safe, format!("{}, {depth} {}", self.pen_up, cutting.depth)));
         }
         let rates =
             [("feed", Some(cutting.feed)), ("plunge", Some(cutting.plunge)), ("spindle", cutting.spindle)];
-        let bad = |(_, rate): &(&str, Option<f64>)| rate.is_some_and(|rate| !(rate > 0.0 && rate <= 1e6));
+        let bad =
+            |(_, rate): &(&'static str, Option<f64>)| rate.is_some_and(|rate| !(rate > 0.0 && rate <= 1e6));
         match rates.into_iter().find(bad) {
-            Some((name, rate)) => Err(wrong(name, rate.unwrap_or(0.0))),
+            Some((name, rate)) => Err(wrong(named(name), rate.unwrap_or(0.0))),
             None => Ok(()),
         }
     }

@@ -197,11 +197,11 @@ fn wrong_use_is_told_as_such() {
         (vec!["import", &file, "--units", "ell"], "--units: ell"),
         (vec!["import", &file, "--layer", "HOLES"], "--layer: HOLES"),
         (vec!["import", &file, "--order", "random"], "--order: random"),
-        (vec!["import", &file, "--tolerance", "0"], "tolerance: 0"),
-        (vec!["import", &file, "--feed", "0"], "feed: 0"),
-        (vec!["import", &file, "--depth=-3", "--safe=-5"], "pen_up: -5, depth -3"),
-        (vec!["import", &file, "--depth", "10"], "pen_up: 5, depth 10"),
-        (vec!["import", &file, "--layer", "HOLES=6"], "pen_up: 5, depth 6"),
+        (vec!["import", &file, "--tolerance", "0"], "--tolerance: 0"),
+        (vec!["import", &file, "--feed", "0"], "--feed: 0"),
+        (vec!["import", &file, "--depth=-3", "--safe=-5"], "--safe: -5, --depth -3"),
+        (vec!["import", &file, "--depth", "10"], "--safe: 5, --depth 10"),
+        (vec!["import", &file, "--layer", "HOLES=6"], "--safe: 5, depth 6"),
         (vec!["import", &file, "--layer", "HOLSE=skip"], "HOLSE; it has: 0, HOLES"),
         (vec!["import", &file, "--pen", "1=skip"], "1; it has: 0, HOLES"),
         (vec!["import", &file, "--from", "svg"], "--from: svg"),
@@ -216,6 +216,16 @@ fn wrong_use_is_told_as_such() {
     let setup = write(&folder, "setup.toml", "[import]\nformat = \"svg\"\n");
     let answer = ferrocut(&["trace", &file, "--setup", &setup]);
     assert!(answer.code == 2 && answer.err.contains("format: svg"), "{}", answer.err);
+    // What was given by a set-up file has its name there, and what was given behind it that of the option.
+    for (table, options, says) in [
+        ("pen_up = -5.0", &[][..], "pen_up: -5, pen_down -1"),
+        ("pen_down = -2.0", &["--safe=-5"][..], "--safe: -5, pen_down -2"),
+        ("pen_up = 4.0", &["--depth", "6"][..], "pen_up: 4, --depth 6"),
+    ] {
+        let setup = write(&folder, "setup.toml", format!("[import]\nformat = \"dxf\"\n{table}\n"));
+        let answer = ferrocut(&[&["import", file.as_str(), "--setup", setup.as_str()], options].concat());
+        assert!(answer.code == 2 && answer.err.contains(says), "{table} {options:?}: {}", answer.err);
+    }
 }
 
 #[test]

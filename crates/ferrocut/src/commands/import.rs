@@ -100,7 +100,8 @@ fn source(args: &ImportArgs, shop: &Shop) -> Result<Box<Source>, Failure> {
         None => (Settings { order: default_order(args, None), ..Settings::default() }, None),
     };
     apply(args, &mut settings)?;
-    settings.check().map_err(Failure::setting)?;
+    let has_file = shop.setup.import.is_some();
+    settings.check_named(&|key| option(args, key, has_file)).map_err(Failure::setting)?;
     let told = match &args.from {
         Some(name) => Some(Format::named(name).ok_or_else(|| Failure::bad_setting("--from", name))?),
         None => named,
@@ -127,6 +128,25 @@ fn source(args: &ImportArgs, shop: &Shop) -> Result<Box<Source>, Failure> {
 fn default_order(args: &ImportArgs, dims: Option<f64>) -> Order {
     let dims = args.dims.map(f64::from).or(dims);
     if dims == Some(3.0) { Order::AsDrawn } else { Order::Shortest }
+}
+
+/// What a setting is called to whoever gave it: the option, or the key of the set-up file. What neither gave is an option
+/// where there is no such file.
+fn option(args: &ImportArgs, key: &'static str, has_file: bool) -> &'static str {
+    let (option, is_given) = match key {
+        "units_per_mm" => ("--units-per-mm", args.units_per_mm.is_some()),
+        "units" => ("--units", args.units.is_some()),
+        "scale" => ("--scale", args.scale.is_some()),
+        "tolerance" => ("--tolerance", args.tolerance.is_some()),
+        "order" => ("--order", args.order.is_some()),
+        "pen_up" => ("--safe", args.safe.is_some()),
+        "pen_down" => ("--depth", args.depth.is_some()),
+        "feed" => ("--feed", args.feed.is_some()),
+        "plunge" => ("--plunge", args.plunge.is_some()),
+        "spindle" => ("--spindle", args.spindle.is_some()),
+        key => (key, true),
+    };
+    if is_given || !has_file { option } else { key }
 }
 
 /// Puts the options of the command line over the settings.
