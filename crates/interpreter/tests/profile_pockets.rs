@@ -11,11 +11,11 @@ use ferrocut_interpreter::dialects::fagor8065::DIALECT;
 use ferrocut_machine::{Argument, Catalogue, Fault, Language, Severity};
 use ferrocut_toolpath::{Feed, Op, Step};
 
-/// T1 of radius 5, T2 of radius 4, T3 a drill of 8, T4 a ball of 3, T5 without a cutting length, T6 that may
+/// T1 of radius 5, T2 of radius 4, T3 a drill of 5, T4 a ball of 3, T5 without a cutting length, T6 that may
 /// enter at 3 degrees.
 const TOOLS: &str = "[start]\nz = 50.0\n[tools.1]\nradius = 5\ncutting_length = 30\n[tools.2]\nradius = 4\n\
-    cutting_length = 30\n[tools.3]\nradius = 4\ncutting_length = 40\n[tools.4]\nradius = 3\ntip_radius = 3\n\
-    cutting_length = 30\n[tools.5]\nradius = 5\n[tools.6]\nradius = 5\ncutting_length = 30\nentry_angle = 3\n";
+    cutting_length = 30\n[tools.3]\nradius = 2.5\ncutting_length = 40\n[tools.4]\nradius = 3\ntip_radius = 3\n\
+    cutting_length = 30\n[tools.5]\nradius = 2.5\n[tools.6]\nradius = 5\ncutting_length = 30\nentry_angle = 3\n";
 
 /// 100 by 60, counter-clockwise from the lower left.
 const RECTANGLE: &str = "#PROFILE R [XY]\nG0 X0 Y0\nG1 X100\nY60\nX0\nY0\n#ENDPROFILE\n";
@@ -344,6 +344,13 @@ fn wrong_pockets() -> Vec<Wrong> {
             "#DRILL T",
             None,
             format!("{rectangle}{MAIN}#DRILL [T=1, F=9, I=5]\n{}", ROUGH.replace("T=1", "T=2")),
+        ),
+        // Its diameter against the radius of the mill, 5.
+        (
+            Fault::CycleToolTooLarge,
+            "#DRILL T",
+            None,
+            format!("{rectangle}{MAIN}#DRILL [T=2, F=9, I=5]\n{ROUGH}"),
         ),
         (
             Fault::CycleNoCuttingLength,

@@ -274,11 +274,17 @@ impl Plan2d {
         writer.finish()
     }
 
-    /// [`drill_points`](Self::drill_points) for a drill of that radius, which must not be larger than the tool
-    /// that goes down there.
+    /// [`drill_points`](Self::drill_points) for a drill of that radius, which is at most
+    /// [`largest_drill`](Self::largest_drill).
     pub fn drilling(&self, radius: f64) -> Result<Vec<[f64; 2]>, PocketFault> {
-        Problem::DrillTooLarge.when(radius > self.entering + 1e-7, "drill")?;
+        Problem::DrillTooLarge.when(radius > Self::largest_drill(self.entering) + 1e-7, "drill")?;
         Ok(self.drill_points())
+    }
+
+    /// The largest radius of a drill before a tool of that radius: its diameter is at most the radius of roughing, or
+    /// where there is none of finishing the floor (4.15).
+    pub fn largest_drill(entering: f64) -> f64 {
+        entering / 2.0
     }
 
     /// Whether there is roughing, and whether there is finishing.

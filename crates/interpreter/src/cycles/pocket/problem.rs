@@ -30,7 +30,7 @@ pub enum Problem {
     ToolMissing,
     /// The tool fits nowhere.
     ToolTooLarge,
-    /// The drill is larger than the tool that goes down where it drilled (Fagor 4.15).
+    /// The drill is larger than the tool allows that goes down where it drilled (Fagor 4.15).
     DrillTooLarge,
     /// The pass is wider than the tool.
     StepTooLarge,

@@ -289,8 +289,9 @@ fn drill_points() {
     assert_eq!(points.len(), 2);
     assert!(points.iter().filter(|p| p[0] < 30.0).count() == 1 && points.iter().all(|p| p[1] > 5.0));
     let plan = pocket.plan().unwrap();
-    assert_eq!(plan.drilling(5.0).unwrap(), points);
-    assert_eq!(plan.drilling(5.1).unwrap_err().problem, super::super::Problem::DrillTooLarge);
+    // 4.15: the diameter of the drill against the radius of the tool, 5.
+    assert_eq!(plan.drilling(2.5).unwrap(), points);
+    assert_eq!(plan.drilling(2.6).unwrap_err().problem, super::super::Problem::DrillTooLarge);
     // Straight down, the tool enters exactly there.
     let (rough, _) = steps(&pocket, [0.0, 0.0, 50.0]);
     for (step, feed) in &rough {

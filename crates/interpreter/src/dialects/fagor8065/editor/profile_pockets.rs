@@ -181,7 +181,7 @@ fn wrong(description: &Description<'_>, fault: PocketFault) -> WrongParameter {
             Problem::StepTooLarge => Some([section.number("step"), 2.0 * radius]),
             Problem::DrillTooLarge => {
                 let mill = if works(description.part(Part::Rough)) { Part::Rough } else { Part::Finish };
-                Some([radius, tool(description, description.part(mill)).radius])
+                Some([radius, Plan2d::largest_drill(tool(description, description.part(mill)).radius)])
             }
             _ => None,
         };
