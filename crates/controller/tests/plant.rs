@@ -204,7 +204,7 @@ fn a_machine_file_says_what_the_probe_can_touch() {
     let touched = plant.probe().unwrap();
     assert!((touched[Axis::X] - 10.0).abs() < 1e-3, "{touched:?}");
     let refused = file("[20.0, 5.0, -6.0]").unwrap_err().to_string();
-    assert!(refused.contains("the upper corner of a block is -6: it must be -5 to"), "{refused}");
+    assert!(refused.contains("blocks: max is -6: it must be -5 to"), "{refused}");
 }
 
 #[test]

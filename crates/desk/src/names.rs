@@ -1,5 +1,6 @@
 //! Parameters by the names that people give them, and names that are near to a wrong one.
 
+pub use ferrocut_machine::parameters::range;
 use ferrocut_machine::{Argument, Catalogue, ParameterDef, ParameterError, ParameterKey, ParameterTable};
 
 /// Names offered for a wrong one.
@@ -152,37 +153,11 @@ pub fn with_near(text: String, near: &[String], texts: Catalogue) -> String {
 
 /// Why a parameter cannot be set, in words.
 pub fn parameter_error(error: &ParameterError, dialect: &str, texts: Catalogue) -> String {
-    let label = |key: &str, arguments: &[(&str, Argument)]| texts.label(key, arguments);
     match error {
-        ParameterError::Malformed(text) => label("label-malformed-name", &[("name", (&**text).into())]),
         ParameterError::Unknown(name) => {
-            label("label-no-parameter", &[("name", (&**name).into()), ("dialect", dialect.into())])
+            texts.label("label-no-parameter", &[("name", (&**name).into()), ("dialect", dialect.into())])
         }
-        ParameterError::OutOfRange { name, value, min, max } => {
-            let bounds = range(*min, *max).unwrap_or_else(|| label("label-any-number", &[]));
-            let arguments =
-                [("name", (&**name).into()), ("value", value.to_string().into()), ("range", bounds.into())];
-            label("label-out-of-range", &arguments)
-        }
-        ParameterError::NotABit(name, value) => {
-            let arguments = [("name", (&**name).into()), ("value", value.to_string().into())];
-            label("label-not-a-bit", &arguments)
-        }
-        ParameterError::NotWhole(name, value) => {
-            let arguments = [("name", (&**name).into()), ("value", value.to_string().into())];
-            label("label-not-whole", &arguments)
-        }
-        ParameterError::TooMany => error.to_string(),
-    }
-}
-
-/// `0 … 999.9999`; none where there is no bound.
-pub fn range(min: Option<f64>, max: Option<f64>) -> Option<String> {
-    match (min, max) {
-        (Some(min), Some(max)) => Some(format!("{min} … {max}")),
-        (Some(min), None) => Some(format!("{min} …")),
-        (None, Some(max)) => Some(format!("… {max}")),
-        (None, None) => None,
+        error => error.told(texts),
     }
 }
 

@@ -9,7 +9,8 @@ use ferrocut_geometry::AxisNames;
 use ferrocut_interpreter::dialects::guess::{Reason, guess};
 use ferrocut_interpreter::{Dialect, Interpreter, MachineCodes, Options, dialects};
 use ferrocut_machine::{
-    Alarm, Catalogue, Fault, Language, Machine, Memory, ParameterFile, ParameterKey, Setup, ToolLibrary,
+    Alarm, Catalogue, ConfigError, Fault, Language, Machine, Memory, ParameterFile, ParameterKey, Setup,
+    ToolLibrary,
 };
 use ferrocut_program::{OpenError, ProgramMemory, Span, Text};
 use std::path::{Path, PathBuf};
@@ -231,25 +232,26 @@ impl Shop {
 
     /// Reads machine and set-up file.
     pub fn open(common: &Common) -> Result<Shop, Failure> {
+        let texts = diagnostics(common).catalogue();
         let machine = match &common.machine {
             None => Machine::demo_mill(),
-            Some(path) => read_config(path, Machine::from_toml)?,
+            Some(path) => read_config(path, Machine::from_toml, texts)?,
         };
         let setup = match &common.setup {
             None => Setup::default(),
-            Some(path) => read_config(path, Setup::from_toml)?,
+            Some(path) => read_config(path, Setup::from_toml, texts)?,
         };
         let public = Public::of(common, &machine);
         if common.public.is_some() {
             // Also where the control has no use for it: a wrong name is wrong use.
             public.read()?;
         }
-        let library = common.tool_table.as_deref().map(|path| read_config(path, ToolLibrary::from_tbl));
+        let library =
+            common.tool_table.as_deref().map(|path| read_config(path, ToolLibrary::from_tbl, texts));
         let parameter_file =
-            common.var_file.as_deref().map(|path| read_config(path, ParameterFile::from_var));
-        let axis_names = setup.axis_names().map_err(|error| {
-            Failure::wrong_use(Fault::ConfigUnusable).with("file", "setup").with("reason", error.to_string())
-        })?;
+            common.var_file.as_deref().map(|path| read_config(path, ParameterFile::from_var, texts));
+        let unusable = |error: ConfigError| Failure::config("setup", &error.told(texts));
+        let axis_names = setup.axis_names().map_err(unusable)?;
         Ok(Shop {
             public,
             tool_change: (common.machine.as_deref().zip(machine.tool_change.file.as_ref()))
@@ -344,6 +346,7 @@ impl Shop {
     /// What the machine remembers before a program in this language.
     pub fn memory_of(&self, dialect: &Dialect, told: Told) -> Result<Memory, Failure> {
         let mut memory = Memory::new(dialect.name);
+        let texts = self.diagnostics.catalogue();
         // A program of another control than the machine's meets none of its parameters.
         let own = dialect.name == self.machine.dialect || !matches!(told, Told::Guessed(_));
         let parse = |(name, value): (&String, &f64)| name.parse::<ParameterKey>().map(|key| (key, *value));
@@ -351,25 +354,17 @@ impl Shop {
             self.machine.parameters.iter().filter(|_| own).map(parse).collect();
         parameters
             .and_then(|all| memory.set_parameters(all.iter().map(|(key, value)| (key, *value))))
-            .map_err(|error| {
-                Failure::wrong_use(Fault::ConfigUnusable)
-                    .with("file", self.machine.name.as_str())
-                    .with("reason", error.to_string())
-            })?;
+            .map_err(|error| Failure::config(&self.machine.name, &error.told(texts)))?;
         // The files of LinuxCNC first: a set-up file has the last word.
         if dialect.name == LINUXCNC {
             memory.library = self.library.clone();
             if let Some(file) = &self.parameter_file {
-                file.apply(&mut memory).map_err(|error| {
-                    Failure::wrong_use(Fault::ConfigUnusable)
-                        .with("file", "--var-file")
-                        .with("reason", error.to_string())
-                })?;
+                let unusable = |error: ConfigError| Failure::config("--var-file", &error.told(texts));
+                file.apply(&mut memory).map_err(unusable)?;
             }
         }
-        self.setup.apply(&mut memory).map_err(|error| {
-            Failure::wrong_use(Fault::ConfigUnusable).with("file", "setup").with("reason", error.to_string())
-        })?;
+        let unusable = |error: ConfigError| Failure::config("setup", &error.told(texts));
+        self.setup.apply(&mut memory).map_err(unusable)?;
         Ok(memory)
     }
 
@@ -499,13 +494,12 @@ fn open_text(path: &Path) -> Result<Text, OpenError> {
 
 fn read_config<T>(
     path: &Path,
-    parse: impl Fn(&str) -> Result<T, ferrocut_machine::ConfigError>,
+    parse: impl Fn(&str) -> Result<T, ConfigError>,
+    texts: Catalogue,
 ) -> Result<T, Failure> {
     let name = path.to_string_lossy().into_owned();
     let text = std::fs::read_to_string(path).map_err(|e| {
         Failure::wrong_use(Fault::FileUnreadable).with("file", name.as_str()).with("reason", e.to_string())
     })?;
-    parse(&text).map_err(|e| {
-        Failure::wrong_use(Fault::ConfigUnusable).with("file", name.as_str()).with("reason", e.to_string())
-    })
+    parse(&text).map_err(|error| Failure::config(&name, &error.told(texts)))
 }

@@ -1,5 +1,6 @@
 //! The machine file: axes with their limits, spindle, tool changer, path control.
 
+use crate::config_error::{ConfigError, not_negative, positive, within};
 use crate::drives::DrivesConfig;
 use crate::handshake::{GearConfig, HandshakeConfig};
 use crate::homing::{AxisHoming, HomingConfig};
@@ -10,7 +11,6 @@ use crate::restart::RestartConfig;
 use crate::servo::{Backlash, PitchErrors, ServoConfig, Smoothing};
 use ferrocut_geometry::{Axis, AxisSet, Position};
 use serde::Deserialize;
-use std::fmt;
 
 /// A machine as its file describes it.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -266,18 +266,6 @@ pub(crate) fn axis_letter<'de, D: serde::Deserializer<'de>>(from: D) -> Result<A
     axis.ok_or_else(|| serde::de::Error::custom(format!("{name:?} is no axis: use one of X Y Z A B C U V W")))
 }
 
-/// What is wrong with a machine or set-up file, in words that say what to change.
-#[derive(Clone, PartialEq, Debug)]
-pub struct ConfigError(pub String);
-
-impl fmt::Display for ConfigError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
-    }
-}
-
-impl std::error::Error for ConfigError {}
-
 impl Machine {
     /// Text of the machine used where none is named.
     pub const DEMO_MILL: &'static str = include_str!("../../../machines/demo-mill.toml");
@@ -287,59 +275,49 @@ impl Machine {
 
     /// Reads a machine file and checks that every number makes a machine.
     pub fn from_toml(text: &str) -> Result<Machine, ConfigError> {
-        let machine: Machine = toml::from_str(text).map_err(|e| ConfigError(e.to_string()))?;
+        let machine: Machine = toml::from_str(text).map_err(|e| ConfigError::toml(&e))?;
         machine.check()?;
         Ok(machine)
     }
 
     fn check(&self) -> Result<(), ConfigError> {
-        let fail = |what: String| Err(ConfigError(what));
-        let positive = |what: &str, v: f64| match v > 0.0 && v.is_finite() {
-            true => Ok(()),
-            false => Err(ConfigError(format!("{what} is {v}: it must be above 0"))),
-        };
-        let not_negative = |what: &str, v: f64| match v >= 0.0 && v.is_finite() {
-            true => Ok(()),
-            false => Err(ConfigError(format!("{what} is {v}: it must be 0 or more"))),
-        };
-        if !(0.1..=10.0).contains(&self.servo_period_ms) {
-            return fail(format!("servo_period_ms is {}: it must be 0.1 to 10", self.servo_period_ms));
-        }
+        within("servo_period_ms", self.servo_period_ms, 0.1, 10.0)?;
         if self.axes.is_empty() {
-            return fail("no axes: at least one [[axes]] is needed".to_owned());
+            return Err(ConfigError::count("axes", 0, 1, Axis::ALL.len()));
         }
         let mut seen = AxisSet::EMPTY;
         for axis in &self.axes {
             let name = axis.name.letter();
             if seen.contains(axis.name) {
-                return fail(format!("axis {name} stands twice"));
+                return Err(ConfigError::twice(format!("axes {name}")));
             }
             seen = seen.with(axis.name);
             if !(axis.min < axis.max && axis.min.is_finite() && axis.max.is_finite()) {
-                return fail(format!("axis {name}: min {} must be below max {}", axis.min, axis.max));
+                let error = ConfigError::label("label-config-order").with("what", format!("axes {name}"));
+                return Err(error.with("min", axis.min).with("max", axis.max));
             }
-            positive(&format!("axis {name}: rapid"), axis.rapid)?;
-            positive(&format!("axis {name}: manual_rapid"), axis.manual_rapid.unwrap_or(axis.rapid))?;
-            positive(&format!("axis {name}: velocity"), axis.velocity)?;
-            positive(&format!("axis {name}: acceleration"), axis.acceleration)?;
-            not_negative(&format!("axis {name}: jerk"), axis.jerk)?;
-            not_negative(&format!("axis {name}: following_error"), axis.following_error)?;
-            not_negative(&format!("axis {name}: in_position"), axis.in_position)?;
+            positive(&format!("axes {name}: rapid"), axis.rapid)?;
+            positive(&format!("axes {name}: manual_rapid"), axis.manual_rapid.unwrap_or(axis.rapid))?;
+            positive(&format!("axes {name}: velocity"), axis.velocity)?;
+            positive(&format!("axes {name}: acceleration"), axis.acceleration)?;
+            not_negative(&format!("axes {name}: jerk"), axis.jerk)?;
+            not_negative(&format!("axes {name}: following_error"), axis.following_error)?;
+            not_negative(&format!("axes {name}: in_position"), axis.in_position)?;
             let cutting = axis.in_position_cutting.unwrap_or(0.0);
-            not_negative(&format!("axis {name}: in_position_cutting"), cutting)?;
-            axis.backlash.check(&format!("axis {name}: backlash"))?;
+            not_negative(&format!("axes {name}: in_position_cutting"), cutting)?;
+            axis.backlash.check(&format!("axes {name}: backlash"))?;
             for (key, smoothing) in axis.smoothing() {
-                smoothing.check(&format!("axis {name}: {key}"))?;
+                smoothing.check(&format!("axes {name}: {key}"))?;
             }
             for (key, ramp) in [("before_rapid", axis.before_rapid), ("before_cutting", axis.before_cutting)]
             {
                 if let Some(ramp) = ramp {
-                    ramp.check(&format!("axis {name}: {key}"))?;
+                    ramp.check(&format!("axes {name}: {key}"))?;
                 }
             }
-            axis.homing.check(&format!("axis {name}: homing"))?;
+            axis.homing.check(&format!("axes {name}: homing"))?;
             if let Some(table) = &axis.pitch_errors {
-                table.check(&format!("axis {name}: pitch_errors"))?;
+                table.check(&format!("axes {name}: pitch_errors"))?;
             }
         }
         positive("spindle: max_rpm", self.spindle.max_rpm)?;
@@ -349,8 +327,9 @@ impl Machine {
             ("tapping_rpm_s", self.spindle.tapping_rpm_s),
             ("tapping_retract_rpm_s", self.spindle.tapping_retract_rpm_s),
         ] {
-            if rate.is_nan() || rate <= 0.0 {
-                return fail(format!("spindle: {key} is {rate}: it must be above 0"));
+            // Without a bound of its own it is infinite.
+            if rate != f64::INFINITY {
+                positive(&format!("spindle: {key}"), rate)?;
             }
         }
         self.manual.check()?;
@@ -427,24 +406,27 @@ mod tests {
         let good = "min = 0.0\nmax = 1.0\nrapid = 1.0\nvelocity = 1.0\nacceleration = 1.0\n";
         assert!(Machine::from_toml(&axis(good)).is_ok());
         for (text, says) in [
-            (axis(&good.replace("max = 1.0", "max = -1.0")), "axis X: min 0 must be below max -1"),
-            (axis(&good.replace("rapid = 1.0", "rapid = 0.0")), "axis X: rapid is 0"),
+            (axis(&good.replace("max = 1.0", "max = -1.0")), "axes X: min 0 must be below max -1"),
+            (axis(&good.replace("rapid = 1.0", "rapid = 0.0")), "axes X: rapid is 0"),
             (axis(&good.replace("rapid", "rapids")), "unknown field `rapids`"),
             (axis(good).replace("\"X\"", "\"Q\""), "\"Q\" is no axis"),
-            (axis(good) + "[[axes]]\nname = \"x\"\n" + good, "axis X stands twice"),
-            ("name = \"m\"\naxes = []".to_owned(), "no axes"),
+            (axis(good) + "[[axes]]\nname = \"x\"\n" + good, "axes X stands twice"),
+            ("name = \"m\"\naxes = []".to_owned(), "axes: there are 0"),
             (
                 axis(good) + "backlash = { cutting = 7.0 }",
-                "axis X: backlash: cutting is 7: it must be -5 to 5",
+                "axes X: backlash: cutting is 7: it must be -5 to 5",
             ),
             (
                 axis(good) + "after_cutting = { kind = \"linear\", time_ms = 2e3 }",
                 "after_cutting: time_ms is 2000",
             ),
             (axis(good) + "after_jog = { kind = \"cubic\", time_ms = 2.0 }", "unknown variant `cubic`"),
-            (axis(good) + "pitch_errors = { corrections = [] }", "pitch_errors: 0 corrections"),
-            (axis(good) + "pitch_errors = { corrections = [0.0], opposite = [0.0, 0.1] }", "and 2 opposite"),
-            (axis(good) + "pitch_errors = { corrections = [nan] }", "a correction is NaN"),
+            (axis(good) + "pitch_errors = { corrections = [] }", "pitch_errors: corrections: there are 0"),
+            (
+                axis(good) + "pitch_errors = { corrections = [0.0], opposite = [0.0, 0.1] }",
+                "corrections: there are 1, and 2 of opposite",
+            ),
+            (axis(good) + "pitch_errors = { corrections = [nan] }", "pitch_errors: corrections is NaN"),
             (axis(good) + "following_error = -1.0", "following_error is -1"),
             (axis(good) + "before_rapid = { acceleration = 0.0 }", "before_rapid: acceleration is 0"),
             (axis(good) + "[path]\nramp = { acceleration = 1.0, jerk = -1.0 }", "path: ramp: jerk is -1"),

@@ -3,7 +3,8 @@
 //!
 //! Without `[drives]` the machine is simulated.
 
-use crate::config::{AxisConfig, ConfigError, axis_letter};
+use crate::config::{AxisConfig, axis_letter};
+use crate::config_error::{ConfigError, within};
 use ferrocut_geometry::Axis;
 use serde::Deserialize;
 use std::fmt;
@@ -168,59 +169,46 @@ impl DrivesConfig {
 
 impl PulseConfig {
     fn check(&self, axes: &[AxisConfig], period_ms: f64) -> Result<(), ConfigError> {
-        let fail = |what: String| Err(ConfigError(format!("drives: {what}")));
-        if !(1..=LONGEST_BUFFER).contains(&self.buffer) {
-            return fail(format!("buffer is {}: it must be 1 to {LONGEST_BUFFER}", self.buffer));
-        }
-        let least = 2.0 * period_ms;
-        if !(least..=10_000.0).contains(&self.watchdog_ms) {
-            return fail(format!("watchdog_ms is {}: it must be {least} to 10000", self.watchdog_ms));
-        }
+        within("drives: buffer", f64::from(self.buffer), 1.0, f64::from(LONGEST_BUFFER))?;
+        within("drives: watchdog_ms", self.watchdog_ms, 2.0 * period_ms, 10_000.0)?;
         if self.axes.is_empty() || self.axes.len() > PULSE_AXES {
-            return fail(format!("{} axes: it must be 1 to {PULSE_AXES}", self.axes.len()));
+            return Err(ConfigError::count("drives: axes", self.axes.len(), 1, PULSE_AXES));
         }
         for (key, bytes) in [("inputs", &self.inputs), ("outputs", &self.outputs)] {
             if bytes.len() > PULSE_BYTES {
-                return fail(format!("{} {key}: at most {PULSE_BYTES} bytes", bytes.len()));
+                return Err(ConfigError::count(format!("drives: {key}"), bytes.len(), 0, PULSE_BYTES));
             }
         }
         for (number, pulse) in self.axes.iter().enumerate() {
-            let name = pulse.name.letter();
+            let name = format!("drives: axes {}", pulse.name.letter());
             let Some(axis) = axes.iter().find(|axis| axis.name == pulse.name) else {
-                return fail(format!("the machine has no axis {name}"));
+                return Err(ConfigError::label("label-config-no-axis").with("what", name));
             };
             if self.axes.iter().take(number).any(|other| other.name == pulse.name) {
-                return fail(format!("axis {name} stands twice"));
+                return Err(ConfigError::twice(name));
             }
-            if !(1e-3..=1e7).contains(&pulse.steps) {
-                return fail(format!("axis {name}: steps is {}: it must be 0.001 to 10000000", pulse.steps));
-            }
+            within(&format!("{name}: steps"), pulse.steps, 1e-3, 1e7)?;
             for (key, ns) in [
                 ("pulse_ns", pulse.pulse_ns),
                 ("space_ns", pulse.space_ns),
                 ("setup_ns", pulse.setup_ns),
                 ("hold_ns", pulse.hold_ns),
             ] {
-                if ns > 10_000_000 {
-                    return fail(format!("axis {name}: {key} is {ns}: at most 10000000"));
-                }
+                within(&format!("{name}: {key}"), f64::from(ns), 0.0, 1e7)?;
             }
             // What is told and what was done differ by a step, and by what waits in the board.
             let step = 1.0 / pulse.steps;
             let window = axis.in_position_cutting.map_or(axis.in_position, |c| c.min(axis.in_position));
             if window < step {
-                return fail(format!(
-                    "axis {name}: in_position is {window}: it must be a step, {step}, or more, since the axis comes \
-                     to its place after the command"
-                ));
+                let in_position = format!("axes {}: in_position", pulse.name.letter());
+                let error = ConfigError::label("label-config-step").with("what", in_position);
+                return Err(error.with("value", window).with("min", step));
             }
             let lag = axis.top_speed() * period_ms / 1000.0 * f64::from(self.buffer + 2) + step;
             if axis.following_error > 0.0 && axis.following_error < lag {
-                return fail(format!(
-                    "axis {name}: following_error is {}: at its highest speed the axis is {lag} behind, by what \
-                     waits in the buffer",
-                    axis.following_error
-                ));
+                let following_error = format!("axes {}: following_error", pulse.name.letter());
+                let error = ConfigError::label("label-config-lag").with("what", following_error);
+                return Err(error.with("value", axis.following_error).with("min", lag));
             }
         }
         Ok(())
@@ -257,13 +245,17 @@ mod tests {
             ("\"pulse\"", "\"laser\"", "unknown variant `laser`"),
             ("kind =", "buffer = 0\nkind =", "buffer is 0"),
             ("kind =", "watchdog_ms = 1.0\nkind =", "watchdog_ms is 1: it must be 2 to 10000"),
-            ("kind =", "inputs = [0, 1, 2, 3, 4, 5, 6, 7, 8]\nkind =", "9 inputs: at most 8 bytes"),
-            ("steps = 400.0", "steps = 0.0", "axis X: steps is 0"),
+            (
+                "kind =",
+                "inputs = [0, 1, 2, 3, 4, 5, 6, 7, 8]\nkind =",
+                "inputs: there are 9, there may be 0 to 8",
+            ),
+            ("steps = 400.0", "steps = 0.0", "axes X: steps is 0"),
             ("steps = 400.0", "steps = 50.0", "in_position is 0.01: it must be a step, 0.02"),
             ("steps = 400.0", "steps = 400.0, hold_ns = 20000000", "hold_ns is 20000000"),
             ("steps = 400.0", "steps = 400.0, colour = 1", "unknown field"),
-            ("{ name = \"X\"", "{ name = \"Y\"", "the machine has no axis Y"),
-            ("}]", "}, { name = \"X\", steps = 1e3 }]", "axis X stands twice"),
+            ("{ name = \"X\"", "{ name = \"Y\"", "axes Y: the machine has no such axis"),
+            ("}]", "}, { name = \"X\", steps = 1e3 }]", "axes X stands twice"),
             // 100 mm/s, 12 periods.
             ("kind =", "buffer = 10\nkind =", "following_error is 1: at its highest speed the axis is 1.2"),
         ] {

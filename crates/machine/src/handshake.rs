@@ -4,7 +4,7 @@
 //! A control that has parameters for these things writes them over what the machine file says
 //! (`Dialect::machine_parameters` of the interpreter).
 
-use crate::config::ConfigError;
+use crate::config_error::{ConfigError, within};
 use serde::Deserialize;
 
 /// How M, S, T and B codes are handed to the ladder.
@@ -45,12 +45,8 @@ impl HandshakeConfig {
             ("time_out_s", self.time_out_s, 1e5),
         ];
         let codes = self.m_codes.iter().map(|code| ("m_codes", f64::from(*code), 999.0));
-        match values.into_iter().chain(codes).find(|(_, value, most)| !(0.0..=*most).contains(value)) {
-            Some((key, value, most)) => {
-                Err(ConfigError(format!("handshake: {key} is {value}: it must be 0 to {most}")))
-            }
-            None => Ok(()),
-        }
+        let mut values = values.into_iter().chain(codes);
+        values.try_for_each(|(key, value, most)| within(&format!("handshake: {key}"), value, 0.0, most))
     }
 }
 
@@ -108,16 +104,8 @@ impl GearConfig {
 
     /// What cannot be.
     pub(crate) fn check(&self) -> Result<(), ConfigError> {
-        let speeds = self.max_rpm.into_iter().chain([self.jog_rpm]);
-        match speeds.into_iter().find(|rpm| !(0.0..=1e6).contains(rpm)) {
-            Some(rpm) => {
-                Err(ConfigError(format!("spindle: gears: {rpm} r/min is no speed: 0 to 1000000 are")))
-            }
-            None if !(0.0..=1.0).contains(&self.least_override) => {
-                let least = self.least_override;
-                Err(ConfigError(format!("spindle: gears: least_override is {least}: it must be 0 to 1")))
-            }
-            None => Ok(()),
-        }
+        self.max_rpm.into_iter().try_for_each(|rpm| within("spindle: gears: max_rpm", rpm, 0.0, 1e6))?;
+        within("spindle: gears: jog_rpm", self.jog_rpm, 0.0, 1e6)?;
+        within("spindle: gears: least_override", self.least_override, 0.0, 1.0)
     }
 }

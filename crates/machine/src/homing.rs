@@ -3,7 +3,7 @@
 //! A control that has parameters for these things writes them over what the machine file says
 //! (`Dialect::machine_parameters` of the interpreter).
 
-use crate::config::ConfigError;
+use crate::config_error::{ConfigError, positive, within};
 use serde::Deserialize;
 
 /// Machine zero return of all axes, of the machine file.
@@ -97,23 +97,14 @@ impl Default for AxisHoming {
 
 impl HomingConfig {
     pub(crate) fn check(&self) -> Result<(), ConfigError> {
-        let way = self.marker_way;
-        match way > 0.0 && way.is_finite() {
-            true => Ok(()),
-            false => Err(ConfigError(format!("homing: marker_way is {way}: it must be above 0"))),
-        }
+        positive("homing: marker_way", self.marker_way)
     }
 }
 
 impl AxisHoming {
     pub(crate) fn check(&self, what: &str) -> Result<(), ConfigError> {
         let speeds = [("fast", self.fast), ("slow", self.slow), ("search", self.search)];
-        if let Some((key, v)) = speeds.iter().find(|(_, v)| !(*v > 0.0 && v.is_finite())) {
-            return Err(ConfigError(format!("{what}: {key} is {v}: it must be above 0")));
-        }
-        match self.shift.abs() <= 1e3 {
-            true => Ok(()),
-            false => Err(ConfigError(format!("{what}: shift is {}: it must be -1000 to 1000", self.shift))),
-        }
+        speeds.iter().try_for_each(|(key, speed)| positive(&format!("{what}: {key}"), *speed))?;
+        within(&format!("{what}: shift"), self.shift, -1e3, 1e3)
     }
 }

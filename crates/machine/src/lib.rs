@@ -9,6 +9,7 @@
 pub mod alarm;
 pub mod alarm_table;
 pub mod config;
+pub mod config_error;
 pub mod drives;
 pub mod handshake;
 pub mod homing;
@@ -32,7 +33,8 @@ pub mod tool_library;
 
 pub use alarm::{Alarm, AlarmId, Argument, Fault, Severity};
 pub use alarm_table::{AlarmClass, AlarmRow, alarm_table};
-pub use config::{AxisConfig, AxisKind, ConfigError, Machine};
+pub use config::{AxisConfig, AxisKind, Machine};
+pub use config_error::ConfigError;
 pub use drives::{DrivesConfig, LinkAt, PulseAxis, PulseConfig};
 pub use handshake::{GearConfig, HandshakeConfig};
 pub use homing::{AxisHoming, HomingConfig};

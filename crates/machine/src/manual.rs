@@ -1,6 +1,6 @@
 //! How fast axes are moved by hand.
 
-use crate::ConfigError;
+use crate::config_error::{ConfigError, not_negative};
 use serde::Deserialize;
 
 /// Moving by hand, of the machine file. Speeds in mm/min (degrees/min); those of the axes hold besides.
@@ -42,9 +42,6 @@ impl ManualConfig {
             ("handwheel", self.handwheel),
             ("rapid_f0", self.rapid_f0),
         ];
-        match speeds.iter().find(|(_, speed)| !(*speed >= 0.0 && speed.is_finite())) {
-            Some((key, v)) => Err(ConfigError(format!("manual: {key} is {v}: it must be 0 or more"))),
-            None => Ok(()),
-        }
+        speeds.iter().try_for_each(|(key, speed)| not_negative(&format!("manual: {key}"), *speed))
     }
 }

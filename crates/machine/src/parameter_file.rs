@@ -5,7 +5,7 @@
 //! G59.3, ten for each: XYZABCUVW and the rotation (LinuxCNC, numbered parameters). They are lengths in the
 //! units of the machine, which is metric here.
 
-use crate::config::ConfigError;
+use crate::config_error::ConfigError;
 use crate::memory::Memory;
 use crate::offsets::WorkOffset;
 use ferrocut_geometry::{Axis, Position};
@@ -29,19 +29,20 @@ impl ParameterFile {
     /// Reads a parameter file. The error names the line.
     pub fn from_var(text: &str) -> Result<ParameterFile, ConfigError> {
         let mut values = Vec::new();
+        let wrong =
+            |line: usize| ConfigError::label("label-config-var-line").with("line", line).with("max", LAST);
         for (number, line) in (1usize..).zip(text.lines()) {
             let mut words = line.split_whitespace();
             let (Some(name), value, None) = (words.next(), words.next(), words.next()) else {
                 if line.trim().is_empty() {
                     continue;
                 }
-                return Err(ConfigError(format!("line {number}: a number and a value belong there")));
+                return Err(wrong(number));
             };
             let name = name.parse::<u32>().ok().filter(|n| (1..=LAST).contains(n));
             let value = value.and_then(|v| v.parse::<f64>().ok()).filter(|v| v.is_finite());
             let (Some(name), Some(value)) = (name, value) else {
-                let range = format!("a number from 1 to {LAST} and a value belong there");
-                return Err(ConfigError(format!("line {number}: {range}")));
+                return Err(wrong(number));
             };
             values.push((name, value));
         }
@@ -54,7 +55,7 @@ impl ParameterFile {
             memory
                 .variables
                 .set(number, Some(value))
-                .map_err(|error| ConfigError(format!("parameter {number}: {error}")))?;
+                .map_err(|error| ConfigError::variable(format!("#{number}"), error))?;
             if let Some((place, axis)) = place(memory, number) {
                 place[axis] = value;
             }

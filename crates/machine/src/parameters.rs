@@ -3,7 +3,8 @@
 //! The definitions are data files under `data/`, one pair per control, read once. Values are held flat
 //! by number, since the interpreter asks for them block by block.
 
-use crate::alarm::{Alarm, Fault};
+use crate::alarm::{Alarm, Argument, Fault};
+use crate::messages::Catalogue;
 use ferrocut_geometry::Axis;
 use ferrocut_program::Span;
 use std::collections::{BTreeMap, HashMap};
@@ -78,6 +79,16 @@ impl fmt::Display for ParameterKey {
     }
 }
 
+/// `0 … 999.9999`; none where there is no bound.
+pub fn range(min: Option<f64>, max: Option<f64>) -> Option<String> {
+    match (min, max) {
+        (Some(min), Some(max)) => Some(format!("{min} … {max}")),
+        (Some(min), None) => Some(format!("{min} …")),
+        (None, Some(max)) => Some(format!("… {max}")),
+        (None, None) => None,
+    }
+}
+
 /// Why a parameter cannot be set.
 #[derive(Clone, PartialEq, Debug)]
 pub enum ParameterError {
@@ -136,6 +147,31 @@ impl fmt::Display for ParameterError {
 impl std::error::Error for ParameterError {}
 
 impl ParameterError {
+    /// Why it cannot be set, in the language of `texts`.
+    pub fn told(&self, texts: Catalogue) -> String {
+        let label = |key: &str, arguments: &[(&str, Argument)]| texts.label(key, arguments);
+        let with_value = |key: &str, name: &str, value: f64| {
+            label(key, &[("name", name.into()), ("value", value.to_string().into())])
+        };
+        match self {
+            ParameterError::Malformed(text) => label("label-malformed-name", &[("name", (&**text).into())]),
+            ParameterError::Unknown(name) => label("label-unknown-parameter", &[("name", (&**name).into())]),
+            ParameterError::OutOfRange { name, value, min, max } => {
+                let bounds = range(*min, *max).unwrap_or_else(|| label("label-any-number", &[]));
+                let value = value.to_string();
+                let arguments =
+                    [("name", (&**name).into()), ("value", value.into()), ("range", bounds.into())];
+                label("label-out-of-range", &arguments)
+            }
+            ParameterError::NotABit(name, value) => with_value("label-not-a-bit", name, *value),
+            ParameterError::NotWhole(name, value) => with_value("label-not-whole", name, *value),
+            ParameterError::TooMany => {
+                let most = LARGEST_OPEN_TABLE.to_string();
+                label("label-too-many-parameters", &[("max", most.into())])
+            }
+        }
+    }
+
     /// The alarm that tells it, in the reader's language: `name` and `value`, with `min` and `max` as far as there are
     /// bounds; the name is called `whole` where only whole numbers mean something, `unknown` where there is no such
     /// parameter.

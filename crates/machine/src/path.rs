@@ -4,7 +4,7 @@
 //! A control that has parameters for these things writes them over what the machine file says
 //! (`Dialect::machine_parameters` of the interpreter).
 
-use crate::config::ConfigError;
+use crate::config_error::{ConfigError, not_negative, positive, within};
 use serde::Deserialize;
 
 /// Path control of the machine file.
@@ -110,26 +110,12 @@ impl CornerSlowdown {
     fn check(&self) -> Result<(), ConfigError> {
         not_negative("path: corner: lowest_feed", self.lowest_feed)?;
         match (self.angle, self.speed_difference) {
-            (Some(angle), None) if (0.0..=180.0).contains(&angle) => Ok(()),
-            (Some(angle), None) => {
-                Err(ConfigError(format!("path: corner: angle is {angle}: it must be 0 to 180")))
-            }
+            (Some(angle), None) => within("path: corner: angle", angle, 0.0, 180.0),
             (None, Some(difference)) => positive("path: corner: speed_difference", difference),
-            _ => Err(ConfigError("path: corner: it needs either angle or speed_difference".to_owned())),
+            _ => {
+                let error = ConfigError::label("label-config-either").with("what", "path: corner");
+                Err(error.with("one", "angle").with("other", "speed_difference"))
+            }
         }
-    }
-}
-
-fn positive(what: &str, value: f64) -> Result<(), ConfigError> {
-    match value > 0.0 && value.is_finite() {
-        true => Ok(()),
-        false => Err(ConfigError(format!("{what} is {value}: it must be above 0"))),
-    }
-}
-
-fn not_negative(what: &str, value: f64) -> Result<(), ConfigError> {
-    match value >= 0.0 && value.is_finite() {
-        true => Ok(()),
-        false => Err(ConfigError(format!("{what} is {value}: it must be 0 or more"))),
     }
 }

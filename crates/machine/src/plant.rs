@@ -3,7 +3,8 @@
 //!
 //! Places are physical: where a machine that was homed says that the axis is.
 
-use crate::config::{ConfigError, axis_letter};
+use crate::config::axis_letter;
+use crate::config_error::{self, ConfigError};
 use ferrocut_geometry::Axis;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -142,33 +143,33 @@ fn default_pitch() -> f64 {
 
 impl PlantConfig {
     pub(crate) fn check(&self) -> Result<(), ConfigError> {
-        let within = |what: &str, v: f64, least: f64, most: f64| match (least..=most).contains(&v) {
-            true => Ok(()),
-            false => Err(ConfigError(format!("plant: {what} is {v}: it must be {least} to {most}"))),
+        let within = |what: &str, value: f64, min: f64, max: f64| {
+            config_error::within(&format!("plant: {what}"), value, min, max)
         };
         for (k, axis) in self.axes.iter().enumerate() {
             let name = axis.name.letter();
             if self.axes.iter().take(k).any(|other| other.name == axis.name) {
-                return Err(ConfigError(format!("plant: axis {name} stands twice")));
+                return Err(ConfigError::twice(format!("plant: axes {name}")));
             }
-            within(&format!("axis {name}: gain"), axis.gain, 0.1, 1e4)?;
-            within(&format!("axis {name}: lag_ms"), axis.lag_ms, 0.0, 1e3)?;
-            within(&format!("axis {name}: feed_forward"), axis.feed_forward, 0.0, 1.0)?;
-            within(&format!("axis {name}: resolution"), axis.resolution, 0.0, 1.0)?;
-            within(&format!("axis {name}: pitch"), axis.pitch, 1e-3, 1e6)?;
-            let places = [axis.home, axis.limits].into_iter().flatten();
-            for [from, to] in places {
-                within(&format!("axis {name}: the start of a switch"), from, -1e6, 1e6)?;
-                within(&format!("axis {name}: the end of a switch"), to, from, 1e6)?;
+            within(&format!("axes {name}: gain"), axis.gain, 0.1, 1e4)?;
+            within(&format!("axes {name}: lag_ms"), axis.lag_ms, 0.0, 1e3)?;
+            within(&format!("axes {name}: feed_forward"), axis.feed_forward, 0.0, 1.0)?;
+            within(&format!("axes {name}: resolution"), axis.resolution, 0.0, 1.0)?;
+            within(&format!("axes {name}: pitch"), axis.pitch, 1e-3, 1e6)?;
+            for (key, switch) in [("home", axis.home), ("limits", axis.limits)] {
+                if let Some([from, to]) = switch {
+                    within(&format!("axes {name}: {key}"), from, -1e6, 1e6)?;
+                    within(&format!("axes {name}: {key}"), to, from, 1e6)?;
+                }
             }
-            for place in [axis.marker, axis.at].into_iter().flatten() {
-                within(&format!("axis {name}: a place"), place, -1e6, 1e6)?;
+            for (key, place) in [("marker", axis.marker), ("at", axis.at)] {
+                within(&format!("axes {name}: {key}"), place.unwrap_or(0.0), -1e6, 1e6)?;
             }
         }
         for block in &self.blocks {
             for (min, max) in block.min.into_iter().zip(block.max) {
-                within("the lower corner of a block", min, -1e6, 1e6)?;
-                within("the upper corner of a block", max, min, 1e6)?;
+                within("blocks: min", min, -1e6, 1e6)?;
+                within("blocks: max", max, min, 1e6)?;
             }
         }
         within("spindle_gain", self.spindle_gain, 0.0, 1e4)?;

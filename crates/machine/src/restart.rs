@@ -1,7 +1,7 @@
 //! How the axes come back to the place where a program is taken up again.
 
-use crate::ConfigError;
 use crate::config::Machine;
+use crate::config_error::{ConfigError, not_negative};
 use ferrocut_geometry::Axis;
 use serde::{Deserialize, Deserializer};
 
@@ -29,10 +29,7 @@ fn letters<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Axis>, D::E
 
 impl RestartConfig {
     pub(crate) fn check(&self) -> Result<(), ConfigError> {
-        match self.speed >= 0.0 && self.speed.is_finite() {
-            true => Ok(()),
-            false => Err(ConfigError(format!("restart: speed is {}: it must be 0 or more", self.speed))),
-        }
+        not_negative("restart: speed", self.speed)
     }
 
     /// The machine's axes in their order; none where one is left out or comes twice.

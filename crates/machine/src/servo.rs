@@ -4,7 +4,7 @@
 //! Lengths are mm, of rotary axes degrees. A control that has parameters for these things writes them over
 //! what the machine file says (`Dialect::machine_parameters` of the interpreter).
 
-use crate::config::ConfigError;
+use crate::config_error::{ConfigError, within};
 use serde::Deserialize;
 
 /// Most points of a pitch-error table (GSK990MC P216: numbers 0 to 9999).
@@ -147,25 +147,19 @@ impl PitchErrors {
     pub(crate) fn check(&self, what: &str) -> Result<(), ConfigError> {
         let points = self.corrections.len();
         if points == 0 || points > PITCH_POINTS {
-            return Err(ConfigError(format!("{what}: {points} corrections: it must be 1 to {PITCH_POINTS}")));
+            return Err(ConfigError::count(format!("{what}: corrections"), points, 1, PITCH_POINTS));
         }
         if !self.opposite.is_empty() && self.opposite.len() != points {
-            let found = self.opposite.len();
-            return Err(ConfigError(format!("{what}: {points} corrections and {found} opposite ones")));
+            let error =
+                ConfigError::label("label-config-unequal").with("what", format!("{what}: corrections"));
+            let error = error.with("value", points).with("other", "opposite");
+            return Err(error.with("count", self.opposite.len()));
         }
         within(&format!("{what}: start"), self.start.unwrap_or(0.0), -1e6, 1e6)?;
         if let Some(interval) = self.interval {
             within(&format!("{what}: interval"), interval, 1e-3, 1e6)?;
         }
         let all = self.corrections.iter().chain(&self.opposite);
-        all.into_iter().try_for_each(|c| within(&format!("{what}: a correction"), *c, -10.0, 10.0))
-    }
-}
-
-/// Whether a number of a machine file lies between two others.
-fn within(what: &str, value: f64, min: f64, max: f64) -> Result<(), ConfigError> {
-    match (min..=max).contains(&value) {
-        true => Ok(()),
-        false => Err(ConfigError(format!("{what} is {value}: it must be {min} to {max}"))),
+        all.into_iter().try_for_each(|c| within(&format!("{what}: corrections"), *c, -10.0, 10.0))
     }
 }

@@ -3,7 +3,7 @@
 //! Its keys are fixed; an unknown one is an error, since a misspelt offset would otherwise be a crash.
 //! Positions are machine positions in mm and degrees; axes that are not named keep what they have.
 
-use crate::config::ConfigError;
+use crate::config_error::ConfigError;
 use crate::memory::Memory;
 use crate::offsets::{ToolOffset, WorkOffset};
 use crate::parameters::ParameterKey;
@@ -423,7 +423,7 @@ fn number<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
 impl Setup {
     /// Reads a set-up file. The error shows the line and names the key.
     pub fn from_toml(text: &str) -> Result<Setup, ConfigError> {
-        toml::from_str(text).map_err(|e| ConfigError(e.to_string()))
+        toml::from_str(text).map_err(|e| ConfigError::toml(&e))
     }
 
     /// The names of the machine's axes: an axis with a digit exists where the file names it.
@@ -436,7 +436,7 @@ impl Setup {
         for (name, _) in values().flat_map(|v| &v.numbered) {
             if !names.add(*name, taken) {
                 let name: String = name.bytes().map(char::from).collect();
-                return Err(ConfigError(format!("{name}: no place for another axis; remove one of u, v, w")));
+                return Err(ConfigError::label("label-config-no-place").with("name", name));
             }
         }
         Ok(names)
@@ -450,22 +450,18 @@ impl Setup {
         let names = self.axis_names()?;
         memory
             .set_parameters(self.parameters.iter().map(|(key, value)| (key, *value)))
-            .map_err(|e| ConfigError(format!("[parameters] {e}: change or remove it")))?;
+            .map_err(ConfigError::parameter)?;
         for (name, values) in &self.work_offsets {
             let systems = memory.work.additional.len();
             let zero = memory.work.get_mut(*name).ok_or_else(|| {
-                ConfigError(format!(
-                    "[work_offsets] {name}: the control has G54 P1 to P{systems}; change or remove it"
-                ))
+                ConfigError::label("label-config-work-offset").with("name", name).with("max", systems)
             })?;
             values.write_to(zero, &names);
         }
         for (number, tool) in &self.tools {
             let last = memory.tools.last();
             let row = memory.tools.get_mut(*number).ok_or_else(|| {
-                ConfigError(format!(
-                    "[tools.{number}]: the control has offset numbers 1 to {last}; change or remove it"
-                ))
+                ConfigError::label("label-config-tool").with("number", number).with("max", last)
             })?;
             tool.write_to(row);
         }
@@ -474,7 +470,7 @@ impl Setup {
                 VariableName::Number(number) => memory.variables.set(*number, Some(*value)),
                 VariableName::Named(name) => memory.variables.set_named(name, Some(*value)),
             };
-            set.map_err(|e| ConfigError(format!("[variables] {e}: remove it")))?;
+            set.map_err(|e| ConfigError::variable("[variables]", e))?;
         }
         let points = &self.reference_points;
         let points = [&points.first, &points.second, &points.third, &points.fourth];
@@ -614,11 +610,11 @@ optional_stop = true
     #[test]
     fn what_the_control_does_not_have_names_the_key() {
         for (text, says) in [
-            ("[parameters]\nP270 = -1", "[parameters] P270 cannot be -1: it must be 0 to 999.9999"),
+            ("[parameters]\nP270 = -1", "[parameters] P270 cannot be -1: it must be 0 … 999.9999"),
             ("[parameters]\nP3 = 1", "[parameters] P3: the control has no such parameter"),
             ("[tools.256]\nlength = 1", "[tools.256]: the control has offset numbers 1 to 255"),
             ("[work_offsets]\n\"G54 P51\" = { x = 1 }", "G54 P51: the control has G54 P1 to P50"),
-            ("[variables]\n\"#0\" = 1", "[variables] #0 is always empty"),
+            ("[variables]\n\"#0\" = 1", "[variables]: #0 is always empty"),
         ] {
             let error = Setup::from_toml(text).unwrap().apply(&mut Memory::new("gsk990mc"));
             let error = error.unwrap_err().to_string();

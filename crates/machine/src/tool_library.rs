@@ -5,7 +5,7 @@
 //! and back angle and Q the orientation of a lathe tool (LinuxCNC, tool table). Lengths are in the units of the
 //! machine, which is metric here.
 
-use crate::config::ConfigError;
+use crate::config_error::ConfigError;
 use ferrocut_geometry::{Axis, Position};
 use std::collections::BTreeMap;
 
@@ -44,13 +44,13 @@ impl ToolLibrary {
         let mut library = ToolLibrary::default();
         for (number, line) in (1usize..).zip(text.lines()) {
             let words = line.split(';').next().unwrap_or_default();
-            let at_line = |what: String| ConfigError(format!("line {number}: {what}"));
+            let at_line = |error: ConfigError| error.with("line", number);
             let Some((tool, row)) = tool(words).map_err(at_line)? else { continue };
             if library.tools.insert(tool, row).is_some() {
-                return Err(at_line(format!("tool T{tool} stands twice; remove one")));
+                return Err(at_line(ConfigError::label("label-config-tool-twice").with("tool", tool)));
             }
             if library.tools.len() > ToolLibrary::MOST {
-                return Err(at_line(format!("more than {} tools", ToolLibrary::MOST)));
+                return Err(at_line(ConfigError::label("label-config-tools").with("max", ToolLibrary::MOST)));
             }
         }
         Ok(library)
@@ -84,13 +84,13 @@ impl ToolLibrary {
 }
 
 /// The tool of a line; none of a line without words.
-fn tool(line: &str) -> Result<Option<(u32, Tool)>, String> {
+fn tool(line: &str) -> Result<Option<(u32, Tool)>, ConfigError> {
     let mut tool = Tool::default();
     let mut number = None;
     let mut is_empty = true;
     for word in line.split_whitespace() {
         is_empty = false;
-        let wrong = || format!("{word:?} is no word of a tool table");
+        let wrong = || ConfigError::label("label-config-tool-word").with("word", format!("{word:?}"));
         let mut letters = word.chars();
         let letter = letters.next().ok_or_else(wrong)?.to_ascii_uppercase();
         let value = letters.as_str();
@@ -112,7 +112,7 @@ fn tool(line: &str) -> Result<Option<(u32, Tool)>, String> {
     match number {
         Some(number) => Ok(Some((number, tool))),
         None if is_empty => Ok(None),
-        None => Err("no T word says which tool it is".to_owned()),
+        None => Err(ConfigError::label("label-config-no-tool")),
     }
 }
 

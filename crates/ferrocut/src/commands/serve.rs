@@ -84,7 +84,9 @@ fn serve_grbl(args: &ServeArgs, shop: &Shop, place: GrblAt) -> Result<Exit, Fail
         return Err(Failure::setting(Box::new(Alarm::core(Fault::DrivesNotMeant, Span::default()))));
     }
     let mut memory = Memory::new(ferrocut_interpreter::dialects::rs274::DIALECT.name);
-    shop.setup.apply(&mut memory).map_err(|error| Failure::config("setup", &error.to_string()))?;
+    shop.setup
+        .apply(&mut memory)
+        .map_err(|error| Failure::config("setup", &error.told(shop.diagnostics.catalogue())))?;
     let mill = Mill::new(&shop.machine, memory, shop.options());
     let mut grbl = Grbl::new(&shop.machine);
     let stops = AtomicBool::new(false);
@@ -136,7 +138,9 @@ fn serve_control(args: &ServeArgs, shop: &Shop) -> Result<Exit, Failure> {
     };
     let store = Arc::new(store);
     let mut memory = as_delivered(&shop.machine).map_err(Failure::setting)?;
-    shop.setup.apply(&mut memory).map_err(|error| Failure::config("setup", &error.to_string()))?;
+    shop.setup
+        .apply(&mut memory)
+        .map_err(|error| Failure::config("setup", &error.told(shop.diagnostics.catalogue())))?;
     let parts = Parts {
         memory: Some(memory),
         store: Some(store.clone()),

@@ -293,3 +293,30 @@ label-restart-length = H
 label-restart-radius = D
 label-restart-zero = zero of { $axis }
 label-restart-tool-length = tool length on { $axis }
+
+## Machine and set-up files
+
+label-unknown-parameter = { $name }: the control has no such parameter
+label-too-many-parameters = too many parameters: no control has more than { $max }
+label-config-positive = { $what } is { $value }: it must be above 0
+label-config-not-negative = { $what } is { $value }: it must be 0 or more
+label-config-range = { $what } is { $value }: it must be { $min } to { $max }
+label-config-count = { $what }: there are { $value }, there may be { $min } to { $max }
+label-config-twice = { $what } stands twice
+label-config-order = { $what }: min { $min } must be below max { $max }
+label-config-unequal = { $what }: there are { $value }, and { $count } of { $other }: there must be as many
+label-config-either = { $what }: it needs either { $one } or { $other }
+label-config-no-axis = { $what }: the machine has no such axis
+label-config-step = { $what } is { $value }: it must be a step, { $min }, or more, since the axis comes to its place after the command
+label-config-lag = { $what } is { $value }: at its highest speed the axis is { $min } behind, by what waits in the buffer
+label-config-parameter = [parameters] { $reason }: change or remove it
+label-config-null-variable = { $what }: #0 is always empty and cannot be set; remove it
+label-config-variables = { $what }: there is no room for so many variables; remove some
+label-config-work-offset = [work_offsets] { $name }: the control has G54 P1 to P{ $max }; change or remove it
+label-config-tool = [tools.{ $number }]: the control has offset numbers 1 to { $max }; change or remove it
+label-config-no-place = { $name }: no place for another axis; remove one of u, v, w
+label-config-var-line = line { $line }: a number from 1 to { $max } and a value belong there
+label-config-tool-word = line { $line }: { $word } is no word of a tool table
+label-config-no-tool = line { $line }: no T word says which tool it is
+label-config-tool-twice = line { $line }: tool T{ $tool } stands twice; remove one
+label-config-tools = line { $line }: more than { $max } tools

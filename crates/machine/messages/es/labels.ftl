@@ -294,3 +294,30 @@ label-restart-length = H
 label-restart-radius = D
 label-restart-zero = cero de { $axis }
 label-restart-tool-length = longitud de herramienta en { $axis }
+
+## Machine and set-up files
+
+label-unknown-parameter = { $name }: el control no tiene ese parámetro
+label-too-many-parameters = demasiados parámetros: ningún control tiene más de { $max }
+label-config-positive = { $what } es { $value }: debe ser mayor que 0
+label-config-not-negative = { $what } es { $value }: debe ser 0 o más
+label-config-range = { $what } es { $value }: debe ser de { $min } a { $max }
+label-config-count = { $what }: hay { $value }, puede haber de { $min } a { $max }
+label-config-twice = { $what } está dos veces
+label-config-order = { $what }: min { $min } debe ser menor que max { $max }
+label-config-unequal = { $what }: hay { $value }, y { $count } de { $other }: debe haber los mismos
+label-config-either = { $what }: necesita { $one } o bien { $other }
+label-config-no-axis = { $what }: la máquina no tiene ese eje
+label-config-step = { $what } es { $value }: debe ser al menos un paso, { $min }, porque el eje llega a su sitio después de la orden
+label-config-lag = { $what } es { $value }: a su velocidad máxima el eje va { $min } retrasado, por lo que espera en el búfer
+label-config-parameter = [parameters] { $reason }: cámbielo o elimínelo
+label-config-null-variable = { $what }: #0 está siempre vacía y no se puede fijar; elimínela
+label-config-variables = { $what }: no hay sitio para tantas variables; elimine algunas
+label-config-work-offset = [work_offsets] { $name }: el control tiene de G54 P1 a P{ $max }; cámbielo o elimínelo
+label-config-tool = [tools.{ $number }]: el control tiene números de corrector de 1 a { $max }; cámbielo o elimínelo
+label-config-no-place = { $name }: no hay sitio para otro eje; elimine uno de u, v, w
+label-config-var-line = línea { $line }: ahí va un número de 1 a { $max } y un valor
+label-config-tool-word = línea { $line }: { $word } no es una palabra de una tabla de herramientas
+label-config-no-tool = línea { $line }: ninguna palabra T dice qué herramienta es
+label-config-tool-twice = línea { $line }: la herramienta T{ $tool } está dos veces; elimine una
+label-config-tools = línea { $line }: más de { $max } herramientas

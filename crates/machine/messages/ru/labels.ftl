@@ -319,3 +319,30 @@ label-restart-length = H
 label-restart-radius = D
 label-restart-zero = ноль детали { $axis }
 label-restart-tool-length = длина инструмента { $axis }
+
+## Machine and set-up files
+
+label-unknown-parameter = { $name }: в этой системе ЧПУ нет такого параметра
+label-too-many-parameters = слишком много параметров: ни в одной системе ЧПУ их не больше { $max }
+label-config-positive = { $what } равно { $value }: должно быть больше 0
+label-config-not-negative = { $what } равно { $value }: должно быть 0 или больше
+label-config-range = { $what } равно { $value }: должно быть от { $min } до { $max }
+label-config-count = { $what }: их { $value }, а может быть от { $min } до { $max }
+label-config-twice = { $what } указано дважды
+label-config-order = { $what }: min { $min } должно быть меньше max { $max }
+label-config-unequal = { $what }: их { $value }, а { $other } — { $count }: должно быть поровну
+label-config-either = { $what }: нужно либо { $one }, либо { $other }
+label-config-no-axis = { $what }: у станка нет такой оси
+label-config-step = { $what } равно { $value }: должно быть не меньше шага, { $min }, поскольку ось приходит на место после команды
+label-config-lag = { $what } равно { $value }: на наибольшей скорости ось отстаёт на { $min } из-за того, что ждёт в буфере
+label-config-parameter = [parameters] { $reason }: измените или удалите
+label-config-null-variable = { $what }: #0 всегда пуста и не задаётся; удалите её
+label-config-variables = { $what }: для стольких переменных нет места; удалите часть
+label-config-work-offset = [work_offsets] { $name }: в этой системе ЧПУ есть G54 P1–P{ $max }; измените или удалите
+label-config-tool = [tools.{ $number }]: в этой системе ЧПУ номера коррекций от 1 до { $max }; измените или удалите
+label-config-no-place = { $name }: для ещё одной оси нет места; удалите одну из u, v, w
+label-config-var-line = строка { $line }: здесь нужны номер от 1 до { $max } и значение
+label-config-tool-word = строка { $line }: { $word } не является словом таблицы инструментов
+label-config-no-tool = строка { $line }: нет слова T, указывающего инструмент
+label-config-tool-twice = строка { $line }: инструмент T{ $tool } указан дважды; удалите один
+label-config-tools = строка { $line }: инструментов больше { $max }

@@ -292,3 +292,30 @@ label-restart-length = H
 label-restart-radius = D
 label-restart-zero = { $axis } sıfırı
 label-restart-tool-length = { $axis } takım boyu
+
+## Machine and set-up files
+
+label-unknown-parameter = { $name }: kontrolde böyle bir parametre yok
+label-too-many-parameters = çok fazla parametre: hiçbir kontrolde { $max } taneden fazlası yok
+label-config-positive = { $what } { $value }: 0'dan büyük olmalı
+label-config-not-negative = { $what } { $value }: 0 ya da daha büyük olmalı
+label-config-range = { $what } { $value }: { $min } ile { $max } arasında olmalı
+label-config-count = { $what }: { $value } tane var, { $min } ile { $max } arasında olabilir
+label-config-twice = { $what } iki kez geçiyor
+label-config-order = { $what }: min { $min }, max { $max } değerinden küçük olmalı
+label-config-unequal = { $what }: { $value } tane var, { $other } ise { $count } tane: sayıları eşit olmalı
+label-config-either = { $what }: ya { $one } ya da { $other } gerekir
+label-config-no-axis = { $what }: tezgâhta böyle bir eksen yok
+label-config-step = { $what } { $value }: en az bir adım, { $min }, olmalı, çünkü eksen yerine komuttan sonra gelir
+label-config-lag = { $what } { $value }: en yüksek hızında eksen, tamponda bekleyenler yüzünden { $min } geride kalır
+label-config-parameter = [parameters] { $reason }: değiştirin ya da silin
+label-config-null-variable = { $what }: #0 her zaman boştur ve verilemez; silin
+label-config-variables = { $what }: bu kadar çok değişken için yer yok; bazılarını silin
+label-config-work-offset = [work_offsets] { $name }: kontrolde G54 P1 - P{ $max } var; değiştirin ya da silin
+label-config-tool = [tools.{ $number }]: kontrolde 1 ile { $max } arası ofset numaraları var; değiştirin ya da silin
+label-config-no-place = { $name }: başka bir eksen için yer yok; u, v, w eksenlerinden birini silin
+label-config-var-line = satır { $line }: oraya 1 ile { $max } arasında bir numara ve bir değer gelir
+label-config-tool-word = satır { $line }: { $word }, takım tablosunun bir sözcüğü değil
+label-config-no-tool = satır { $line }: hangi takım olduğunu söyleyen T sözcüğü yok
+label-config-tool-twice = satır { $line }: T{ $tool } takımı iki kez geçiyor; birini silin
+label-config-tools = satır { $line }: { $max } taneden fazla takım

@@ -277,3 +277,30 @@ label-restart-length = H
 label-restart-radius = D
 label-restart-zero = { $axis } 轴零点
 label-restart-tool-length = { $axis } 轴刀具长度
+
+## Machine and set-up files
+
+label-unknown-parameter = { $name }：该系统没有此参数
+label-too-many-parameters = 参数过多：任何系统都不超过 { $max } 个
+label-config-positive = { $what } 为 { $value }：应大于 0
+label-config-not-negative = { $what } 为 { $value }：应为 0 或更大
+label-config-range = { $what } 为 { $value }：应为 { $min } 至 { $max }
+label-config-count = { $what }：有 { $value } 个，允许 { $min } 至 { $max } 个
+label-config-twice = { $what } 出现两次
+label-config-order = { $what }：min { $min } 应小于 max { $max }
+label-config-unequal = { $what }：有 { $value } 个，而 { $other } 有 { $count } 个：数目应相同
+label-config-either = { $what }：需要 { $one } 或 { $other } 其中之一
+label-config-no-axis = { $what }：机床没有该轴
+label-config-step = { $what } 为 { $value }：应不小于一步 { $min }，因为轴在指令之后才到位
+label-config-lag = { $what } 为 { $value }：最高速度时，因缓冲区中等待的数据，轴滞后 { $min }
+label-config-parameter = [parameters] { $reason }：请更改或删除
+label-config-null-variable = { $what }：#0 始终为空，不能设置；请删除
+label-config-variables = { $what }：变量过多，存放不下；请删除一些
+label-config-work-offset = [work_offsets] { $name }：该系统有 G54 P1 至 P{ $max }；请更改或删除
+label-config-tool = [tools.{ $number }]：该系统的偏置号为 1 至 { $max }；请更改或删除
+label-config-no-place = { $name }：没有位置再容纳一个轴；请删除 u、v、w 中的一个
+label-config-var-line = 第 { $line } 行：应为 1 至 { $max } 的编号和一个数值
+label-config-tool-word = 第 { $line } 行：{ $word } 不是刀具表的字
+label-config-no-tool = 第 { $line } 行：没有指明刀具的 T 字
+label-config-tool-twice = 第 { $line } 行：刀具 T{ $tool } 出现两次；请删除一个
+label-config-tools = 第 { $line } 行：刀具多于 { $max } 把

@@ -123,7 +123,7 @@ fn examine(text: &str, common: &Common, catalogue: Catalogue) -> (Option<Machine
     let machine = match Machine::from_toml(text) {
         Ok(machine) => machine,
         Err(error) => {
-            let mut reason = error.to_string();
+            let mut reason = error.told(catalogue);
             // `NO43.1 = 1` without quotation marks is a table to TOML.
             if text.lines().any(is_bare_bit) {
                 reason = format!("{}\n{}", reason.trim_end(), catalogue.label("label-quote-bits", &[]));

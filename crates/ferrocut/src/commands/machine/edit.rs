@@ -1,6 +1,6 @@
 //! Changes in the `[parameters]` table of a machine file that leave everything else as it stands.
 
-use ferrocut_machine::{Machine, ParameterKey, ParameterTable};
+use ferrocut_machine::{Catalogue, Machine, ParameterKey, ParameterTable};
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -13,15 +13,20 @@ const LARGEST_WHOLE: f64 = 1e15;
 pub type Change = (ParameterKey, Option<f64>);
 
 /// The text of a machine file with changed parameters. The reason where the file cannot be changed.
-pub fn changed(text: &str, changes: &[Change], list: &ParameterTable) -> Result<String, String> {
+pub fn changed(
+    text: &str,
+    changes: &[Change],
+    list: &ParameterTable,
+    texts: Catalogue,
+) -> Result<String, String> {
     if changes.is_empty() {
-        Machine::from_toml(text).map_err(|e| e.to_string())?;
+        Machine::from_toml(text).map_err(|e| e.told(texts))?;
         return Ok(text.to_owned());
     }
     let mut file: DocumentMut = text.parse().map_err(|e: toml_edit::TomlError| e.to_string())?;
     // A table that is not there has nothing to be taken out of.
     if !file.contains_key("parameters") && changes.iter().all(|(_, value)| value.is_none()) {
-        return changed(text, &[], list);
+        return changed(text, &[], list, texts);
     }
     let table = file.entry("parameters").or_insert_with(|| Item::Table(Table::new()));
     let table = table.as_table_like_mut().ok_or("parameters is no table")?;
@@ -52,7 +57,7 @@ pub fn changed(text: &str, changes: &[Change], list: &ParameterTable) -> Result<
         new = new.replace("\r\n", "\n").replace('\n', "\r\n");
     }
     // What is written must be a machine that every command takes.
-    Machine::from_toml(&new).map_err(|e| e.to_string())?;
+    Machine::from_toml(&new).map_err(|e| e.told(texts))?;
     Ok(new)
 }
 
@@ -110,13 +115,14 @@ fn beside(path: &Path) -> io::Result<(PathBuf, fs::File)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use ferrocut_machine::Language;
 
     const FILE: &str = "# mine\nname = \"m\" # n\n\n[[axes]]\nname = \"X\"\nmin = 0\nmax = 1 # end\nrapid = 1\n\
         velocity = 1\nacceleration = 1\n\n[parameters] # set\n# retract\np0270 = 2.50 # mm\n\"NO43#1\" = 1\n";
 
     fn change(text: &str, changes: &[(&str, Option<f64>)]) -> Result<String, String> {
         let changes: Vec<Change> = changes.iter().map(|(k, v)| (k.parse().unwrap(), *v)).collect();
-        changed(text, &changes, ParameterTable::of("gsk990mc").unwrap())
+        changed(text, &changes, ParameterTable::of("gsk990mc").unwrap(), Catalogue::new(Language::En))
     }
 
     #[test]
@@ -158,7 +164,7 @@ mod tests {
     #[test]
     fn a_file_that_is_no_machine_is_not_changed() {
         assert!(change("name = ", &[]).is_err());
-        assert!(change("name = \"m\"\naxes = []\n", &[]).unwrap_err().contains("no axes"));
+        assert!(change("name = \"m\"\naxes = []\n", &[]).unwrap_err().contains("axes: there are 0"));
         assert!(change(&format!("parameters = 1\n{FILE}"), &[]).is_err());
     }
 }

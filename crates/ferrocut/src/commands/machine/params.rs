@@ -54,7 +54,7 @@ impl Target {
 
     /// Writes changes and prints each, old value and new.
     fn write(&self, path: &Path, changes: &[Change]) -> Result<Exit, Failure> {
-        let new = edit::changed(&self.text, changes, self.book.table())
+        let new = edit::changed(&self.text, changes, self.book.table(), self.book.diagnostics.catalogue())
             .map_err(|reason| unusable(path, &reason))?;
         if new != self.text {
             let file = path.to_string_lossy();
