@@ -229,6 +229,9 @@ impl Interpreter {
         let Some(system) = WorkSystem::select(name, &self.memory.work, &self.location.work) else {
             return Err(self.alarm(Fault::WorkOffsetNumber, span));
         };
+        if system != self.location.work {
+            self.refuse_in_corner()?;
+        }
         self.location.work = system;
         // The axes stand still; their coordinates are those of the new system (GSK990MC 4.2.8).
         self.location.take_machine();
@@ -243,6 +246,11 @@ impl Interpreter {
                 && matches!(meaning, Cycle(_) | Dwell | FurtherReferenceReturn | ScalingOn | SurfaceSpeed)
         };
         self.words.calls() || self.words.g.iter().any(|code| takes(code.row.meaning))
+    }
+
+    /// Between a corner and its second move the coordinates stay (GSK990MC alarm 0051, Fanuc).
+    pub(crate) fn refuse_in_corner(&mut self) -> Fallible<()> {
+        self.output.move_is_missing().map_err(|(fault, span)| self.alarm(fault, span))
     }
 
     /// G92 (GSK990MC 4.2.11): the point where the tool stands, tool length left aside, gets the given

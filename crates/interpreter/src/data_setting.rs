@@ -26,6 +26,7 @@ impl Interpreter {
         if self.words.g.len() > 1 {
             return Err(self.alarm(Fault::NeedsOwnBlock, span));
         }
+        self.refuse_in_corner()?;
         let form = self.words.get(b'L');
         // Parameters may be set: those of the coordinate systems are looked at one by one.
         if !matches!(form, Some(50.0 | 51.0)) && self.is_strictly_transformed() {

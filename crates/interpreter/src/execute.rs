@@ -125,6 +125,10 @@ impl Interpreter {
                     return self.give_up_block(alarm);
                 }
             };
+            // A decimal point has no place in it (GSK990MC 3.1.1).
+            if first.has_point() {
+                return self.give_up_block(self.alarm(Fault::WordNotWhole, page.word_span(block, first)));
+            }
             self.program_number(number, page.word_span(block, first))?;
             if block.words == 1 && block.statement.is_none() {
                 return Ok(());
@@ -199,6 +203,7 @@ impl Interpreter {
                 page,
                 block,
                 repeats_are_alarms: self.rules.repeats_are_alarms,
+                sets_data: self.data_setting.is_some(),
                 max_m_code: self.rules.max_m_code,
                 machine_codes: &self.options.machine_codes,
                 distance_is_exclusive: self.rules.distance_is_exclusive,

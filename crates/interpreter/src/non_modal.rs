@@ -54,6 +54,7 @@ impl Interpreter {
                     self.technology.surface_max_rpm = Some(s);
                     self.tell_speed();
                 }
+                self.refuse_in_corner()?;
                 self.set_position(axes);
                 Ok(())
             }

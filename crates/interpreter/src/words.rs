@@ -339,6 +339,8 @@ pub(crate) struct Reader<'a> {
     pub page: &'a Page,
     pub block: &'a Block,
     pub repeats_are_alarms: bool,
+    /// Whether the block stands among data that are set.
+    pub sets_data: bool,
     pub max_m_code: f64,
     /// M codes that the machine has beside those of the language.
     pub machine_codes: &'a MachineCodes,
@@ -377,6 +379,12 @@ impl Reader<'_> {
                 self.whole_word(word, value)?;
                 if value.fract() != 0.0 {
                     return Err(self.alarm(Fault::WordNotWhole, word));
+                }
+                // Among data a line may have a number beside that of its parameter.
+                let sets_data =
+                    || self.sets_data || words.g.iter().any(|g| g.row.meaning == Meaning::DataSetting);
+                if self.repeats_are_alarms && words.sequence.is_some() && !sets_data() {
+                    return Err(self.alarm(Fault::RepeatedAddress, word));
                 }
                 words.sequence = Some(value);
                 Ok(())
@@ -451,10 +459,16 @@ impl Reader<'_> {
             return Err(self.alarm(Fault::UnknownAddress, word));
         };
         if !(value >= address.min && value <= address.max) {
-            if letter == b'P' && value > 0.0 && words.calls() {
-                return Err(self.alarm(Fault::ProgramNumberTooLarge, word));
-            }
-            return Err(self.out_of_range(address, word, value));
+            let is_return = |g: &Code<GCode>| {
+                matches!(g.row.meaning, Meaning::ReferenceReturn | Meaning::FurtherReferenceReturn)
+            };
+            return Err(match letter {
+                b'P' if value > 0.0 && words.calls() => self.alarm(Fault::ProgramNumberTooLarge, word),
+                _ if bit(letter) & AXIS_LETTERS != 0 && words.g.iter().any(is_return) => {
+                    self.alarm(Fault::IntermediateTooLarge, word)
+                }
+                _ => self.out_of_range(address, word, value),
+            });
         }
         let mut value = value;
         if address.whole && (value.fract() != 0.0 || word.has_point()) {

@@ -317,6 +317,9 @@ fn just_inside_is_no_alarm() {
         ("G16\nG10 L51 N334 R1\nG11\nG10 L50 N34 P0 R1\nG11\nG15\nX1\nM30", "", "rapid X1"),
         ("IF[[#1EQ#2]AND1]THEN #3=1\nX#3\nM30", "", "rapid X1"),
         ("#1=99.6\nS#1 M3\nM30", "", "spindle cw 100"),
+        ("N1 G10 L51 N334 R1\nN2 N335 R1\nG11\nX1\nM30", "", "rapid X1"),
+        ("G1 X20 F100 , R5\nY20\nM30", "", "feed X15 F100"),
+        ("G1 X20 F100 ,R5\nG54 Y20\nM30", "", "feed X15 F100"),
     ];
     for (program, setup, first) in good {
         let program = match program.contains("G81") {
@@ -413,6 +416,14 @@ const SAME_NUMBER: &[(u16, &str, &str, &str)] = &[
     (51, "G1 X10 F100 ,L2\nZ-5", ",L2", ""),
     (51, "G1 X10 F100 ,R3\nX10 Y20 Z-5", ",R3", ""),
     (51, "G1 X5 F100 ,R1\nG18 G2 X9 R2", ",R1", ""),
+    (51, "G1 X20 F100 ,L5\nG92 X0 Y0\nY20", ",L5", ""),
+    (51, "G1 X20 F100 ,L5\nG55\nY20", ",L5", "[work_offsets]\nG55 = { x = 1.0 }"),
+    (51, "G1 X20 F100 ,L5\nG10 L10 P1 R1\nY20", ",L5", ""),
+    // 0007: nor has a program number.
+    (7, "O1.5\nG0 X1", "O1.5", ""),
+    // 0167: however large the middle of G28 is.
+    (167, "G28 X100000", "X100000", ""),
+    (167, "G30 P2 Y-123456", "Y-123456", ""),
     // 0074: a program number is no higher than 99999.
     (74, "M98 P100000", "P100000", ""),
     (74, "#1=100000\nM98 P#1", "P#1", ""),
@@ -451,6 +462,7 @@ const SAME_NUMBER: &[(u16, &str, &str, &str)] = &[
     (238, "G4 G28 X5", "G28", ""),
     (238, "O1\nG65 P77 X1 P5", "P5", ""),
     (238, "G65 H2 P#100 Q1 Q2 R5", "Q2", ""),
+    (238, "N5 N6 G0 X1", "N6", ""),
     (238, "G65 H1 P#100 P#101 Q2", "P#101", ""),
     (238, "G65 H1 H2 P#101 Q2", "H2", ""),
     // Modal by 48#0, G60 is of group 01.

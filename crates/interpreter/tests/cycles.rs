@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{holds_turning, holds_with, run};
+use common::{holds_turning, holds_with, lines, run};
 use ferrocut_interpreter::Options;
 use ferrocut_machine::{Fault, Severity};
 use ferrocut_toolpath::{Op, Step};
@@ -318,4 +318,14 @@ fn r_alone_bores_nothing() {
         "G99 G81 X5 Z-4 R2 F100\nR3",
         &["rapid X5", "rapid Z2", "feed Z-4 F100", "rapid Z2", "rapid Z3", "feed Z-4 F100", "rapid Z3"],
     );
+}
+
+#[test]
+fn a_surface_speed_is_a_speed_for_drilling() {
+    // 178 is for cycles before any S (6.3).
+    let setup = "[parameters]\n\"NO61.0\" = 1";
+    let drills = |program: &str| lines(program, setup).iter().any(|line| line.starts_with("feed Z-20"));
+    assert!(drills("G96 S100 M3\nG99 G81 X10 Z-20 R2 F500\nM30"));
+    let (_, alarm) = run("G96 M3\nG99 G81 X10 Z-20 R2 F500\nM30", setup);
+    assert_eq!(alarm.map(|alarm| alarm.fault), Some(Fault::CycleNoSpindle));
 }

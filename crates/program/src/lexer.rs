@@ -318,7 +318,7 @@ impl Lexer<'_> {
                     statement = self.statement(number, first_word);
                     text_end = self.at;
                 }
-                b',' if self.byte_at(self.at + 1).is_ascii_alphabetic() => {
+                b',' if self.is_before_letter() => {
                     self.word(number, first_word, true);
                     text_end = self.at;
                 }
@@ -565,6 +565,12 @@ impl Lexer<'_> {
         }
     }
 
+    /// Whether a letter stands behind the comma here.
+    fn is_before_letter(&self) -> bool {
+        let rest = self.text.get(self.at + 1..).unwrap_or_default();
+        rest.iter().find(|byte| !matches!(byte, b' ' | b'\t')).is_some_and(u8::is_ascii_alphabetic)
+    }
+
     /// Reads an address and its value, and gives up a block that has too many.
     #[inline]
     fn word(&mut self, block: u32, first_word: usize, comma: bool) {
@@ -573,9 +579,13 @@ impl Lexer<'_> {
             return self.skip_rest_of_block();
         }
         let start = self.at;
-        self.at += usize::from(comma);
+        if comma {
+            self.at += 1;
+            self.skip_blanks();
+        }
+        let letter_end = self.at + 1;
         let mut letter = self.peek().to_ascii_uppercase();
-        self.at += 1;
+        self.at = letter_end;
         if self.syntax.numbered_axes
             && self.byte_at(self.at + 1) == b'='
             && let Some(axis) = numbered_axis(letter, self.peek())
@@ -588,7 +598,7 @@ impl Lexer<'_> {
         let mut signs = 0;
         let sign_at = self.at;
         // The blanks behind belong to nobody if no value follows.
-        let mut end = start + usize::from(comma) + 1;
+        let mut end = letter_end;
         while matches!(self.peek(), b'-' | b'+') {
             negative ^= self.peek() == b'-';
             signs += 1;
