@@ -448,3 +448,35 @@ fn nothing_of_a_cycle_is_left_aside() {
         assert_eq!(alarm.map(|alarm| alarm.fault), fault, "{program}");
     }
 }
+
+#[test]
+fn the_number_of_repetitions_is_an_expression() {
+    let holes = |word: &str| {
+        let program = format!("P1=2\nF100 S500 M3\nG0 Z20\nG99 G81 Z2 I-5\nG91 X10 {word}\nM30");
+        moves(&program, "").iter().filter(|line| line.starts_with("feed Z-5")).count()
+    };
+    // One of the definition, and those of the block (1.1.1).
+    for (word, count) in
+        [("", 2), ("NR3", 4), ("NR[3]", 4), ("NR [P1+1]", 4), ("NRP1", 3), ("NR=P1", 3), ("NR[0]", 1)]
+    {
+        assert_eq!(holes(word), count, "{word}");
+    }
+}
+
+#[test]
+fn an_internal_thread_goes_up_in_the_middle_between_its_passes() {
+    let setup = "[start]\nz = 50.0\n[tools.1]\nradius = 5.0";
+    let thread = |words: &str| {
+        moves(
+            &format!("T1 D1 M6\nG0 X0 Y0 Z20 F100 S500 M3\nG99 G211 Z2 D2 I-6 J30 K1 {words} E2\nM30"),
+            setup,
+        )
+    };
+    // 1.11, steps 7, 8 and 3: to the middle, up there, out.
+    let made = thread("B1.5 C1 A0.5");
+    let between = made.iter().skip_while(|line| !line.starts_with("xy X7.5")).skip(1).take(3);
+    assert_eq!(between.collect::<Vec<_>>(), ["rapid X0", "rapid Z0.75", "rapid X8"], "{made:?}");
+    // Between the turns of a pass it stays aside.
+    let made = thread("B1.5 C2");
+    assert_eq!(made.iter().filter(|line| line.starts_with("rapid X0")).count(), 1, "{made:?}");
+}

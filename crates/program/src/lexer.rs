@@ -455,11 +455,21 @@ impl Lexer<'_> {
                 *guard = self.guard(block, first_word, *guard)
             }
             Some(_) => *statement = self.statement(block, first_word),
-            None => match self.syntax.long_address(name) {
-                Some(letter) => self.long_word(block, letter, name.len(), first_word),
+            None => match self.long_address(name) {
+                Some((letter, len)) => self.long_word(block, letter, len, first_word),
                 None => self.word(block, first_word, false),
             },
         }
+    }
+
+    /// The address of several letters that a run of letters is, or is but for the parameter behind it (`NRP1`), and its length.
+    fn long_address(&self, name: &[u8]) -> Option<(u8, usize)> {
+        let whole = self.syntax.long_address(name).map(|letter| (letter, name.len()));
+        whole.or_else(|| {
+            let (_, short) = name.split_last().filter(|_| self.syntax.long_values)?;
+            let letter = self.syntax.long_address(short)?;
+            self.is_parameter(self.at + short.len()).then_some((letter, short.len()))
+        })
     }
 
     /// Reads `IF (…)` before what it rules over. It stands first in its block, and once.
@@ -491,8 +501,10 @@ impl Lexer<'_> {
         let end = self.at;
         self.skip_blanks();
         match self.peek() {
+            b'[' if self.syntax.long_values => self.expression_word(block, letter, start, false, false),
             b'[' => self.text_word(block, letter, start),
             b'=' => self.equals_word(block, letter, start, false),
+            _ if self.at_parameter() => self.expression_word(block, letter, start, false, false),
             b'-' | b'+' | b'0'..=b'9' | b'.' => {
                 let negative = self.peek() == b'-';
                 self.at += usize::from(matches!(self.peek(), b'-' | b'+'));
@@ -1040,14 +1052,16 @@ impl Lexer<'_> {
 
     /// Whether a parameter or a variable with a name begins here.
     fn at_parameter(&self) -> bool {
+        self.is_parameter(self.at)
+    }
+
+    fn is_parameter(&self, at: usize) -> bool {
         let Some(letter) = self.syntax.parameter_letter else { return false };
-        let next = self.byte_at(self.at + 1);
-        if self.peek().eq_ignore_ascii_case(&letter) && (next.is_ascii_digit() || next == b'[') {
+        let [here, next, behind] = [0, 1, 2].map(|k| self.byte_at(at + k));
+        if here.eq_ignore_ascii_case(&letter) && (next.is_ascii_digit() || next == b'[') {
             return true;
         }
-        next == b'.'
-            && self.peek().eq_ignore_ascii_case(&b'V')
-            && self.byte_at(self.at + 2).is_ascii_alphabetic()
+        next == b'.' && here.eq_ignore_ascii_case(&b'V') && behind.is_ascii_alphabetic()
     }
 
     /// Whether a parameter or variable is set here.

@@ -65,6 +65,8 @@ pub struct Syntax {
     /// Addresses of several letters, in upper case, and the byte that stands for each in
     /// [`Word::letter`](crate::Word::letter), from `a` on. Behind one, what stands in `[…]` is text.
     pub long_addresses: &'static [(&'static str, u8)],
+    /// Whether what stands in `[…]` behind one is an expression and no text.
+    pub long_values: bool,
     /// Variables that have names, in upper case, and the numbers that they are kept by.
     pub named_variables: &'static [(&'static str, u32)],
     /// Variables of a name and a number, `#FC12`: name, number of the first, how many.
@@ -130,6 +132,7 @@ impl Syntax {
         texts: false,
         text_address: None,
         long_addresses: &[],
+        long_values: false,
         named_variables: &[],
         variable_families: &[],
         parameter_letter: None,

@@ -87,6 +87,12 @@ fn axes_may_have_a_digit() {
 }
 
 #[test]
+fn addresses_of_several_letters_take_expressions() {
+    shows("NR[1+2]", &["1 «NR[1+2]» m=(1 2 Add) «NR[1+2]»"]);
+    shows("X5NRP1", &["1 «X5NRP1» X=5 «X5» m=(#2) «NRP1»"]);
+}
+
+#[test]
 fn directives_have_names_and_arguments() {
     let text = b"#CYCLE G287 [X=-1.5, mode=depth, P2=[50,P1,round,5], pocket=FAGOR-A, 7 ] (why)";
     let page = page(text, &SIGNS);

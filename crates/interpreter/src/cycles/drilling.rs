@@ -152,8 +152,9 @@ impl Hole {
                 // Products and not sums, so that many pecks end where the drawing says.
                 true => (step, pecks.first * f64::from(made + 1)),
                 false => {
-                    let next = (step * pecks.factor).max(pecks.least);
-                    (next, depth + next)
+                    // The steps grow or shrink by themselves; the least is what is made of one.
+                    let next = step * pecks.factor;
+                    (next, depth + next.max(pecks.least))
                 }
             };
             made = made.saturating_add(1);
@@ -213,6 +214,16 @@ mod tests {
             "rapid 1",
         ];
         assert_eq!(made, expected);
+    }
+
+    #[test]
+    fn a_step_that_is_raised_to_the_least_grows_as_it_would() {
+        // 2, 3 raised to 4, 4.5, 6.75, then the rest.
+        let pecks = Pecks { first: 2.0, factor: 1.5, least: 4.0, back: Back::By(0.0), ..PECKS };
+        let made = levels(Hole { bottom: -20.0, pecks: Some(pecks), ..HOLE });
+        let feeds: Vec<_> = made.iter().filter(|act| act.starts_with("feed")).map(String::as_str).collect();
+        let depths = ["feed -2 F200", "feed -6 F200", "feed -10.5 F200", "feed -17.25 F200", "feed -20 F200"];
+        assert_eq!(feeds, depths);
     }
 
     #[test]

@@ -160,14 +160,17 @@ impl ThreadMilling {
         for depth in self.passes() {
             let radius = self.path_radius(depth);
             let clear = self.clear_radius(radius, depth);
-            for [from, to] in self.turns() {
-                self.turn(frame, tool, [radius, clear], [from, to])?;
-                if self.internal {
-                    tool.rapid([0.0; 2])?;
-                }
+            for levels in self.turns() {
+                self.turn(frame, tool, [radius, clear], levels)?;
             }
             if !self.internal {
                 tool.rapid_z(self.reference)?;
+                continue;
+            }
+            // To the middle, and there to where the next pass begins (1.11, steps 7 and 8).
+            tool.rapid([0.0; 2])?;
+            if let Some(levels) = self.turns().next() {
+                tool.rapid_z(self.entry(levels))?;
             }
         }
         tool.rapid_z(self.top)?;
@@ -185,6 +188,16 @@ impl ThreadMilling {
         }
     }
 
+    /// By how much the tool sinks or rises in half a turn: half a pitch.
+    fn half(&self, [from, to]: [f64; 2]) -> f64 {
+        if to > from { self.pitch / 2.0 } else { -self.pitch / 2.0 }
+    }
+
+    /// The level at which the way into a turn begins.
+    fn entry(&self, levels: [f64; 2]) -> f64 {
+        levels[0] - self.half(levels)
+    }
+
     /// One helix from the level `from` to `to`, with the ways in and out.
     fn turn<T: Take>(
         &self,
@@ -193,13 +206,12 @@ impl ThreadMilling {
         [radius, clear]: [f64; 2],
         [from, to]: [f64; 2],
     ) -> Result<(), T::Error> {
-        // In half a turn the tool sinks or rises by half a pitch.
-        let half = if to > from { self.pitch / 2.0 } else { -self.pitch / 2.0 };
+        let half = self.half([from, to]);
         let side = if self.internal { 1.0 } else { -1.0 };
         let middle = (radius + clear) / 2.0;
         tool.set_frame(frame);
         tool.rapid([clear, 0.0])?;
-        tool.rapid_z(from - half)?;
+        tool.rapid_z(self.entry([from, to]))?;
         tool.half_circle([radius, 0.0], [middle, 0.0], side, from)?;
         let turns = (to - from).abs() / self.pitch;
         if (turns - turns.round()).abs() <= SAME_POINT_MM {

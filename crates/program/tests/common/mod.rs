@@ -164,6 +164,7 @@ pub const SIGNS: Syntax = Syntax {
     line_comments: &[b";"],
     equals_in_words: true,
     long_addresses: &[("NR", b'm')],
+    long_values: true,
     named_variables: &[("V.C.Z", 5000)],
     variable_families: &[("P", 1, 100)],
     parameter_letter: Some(b'P'),
@@ -315,7 +316,8 @@ pub fn check(text: &[u8], page: &Page) {
             word_end = end;
             let letter = if word.has_comma() {
                 assert_eq!(text[at], b',');
-                text[at + 1]
+                // Blanks may stand behind it.
+                *text[at + 1..].iter().find(|byte| !matches!(byte, b' ' | b'\t')).unwrap()
             } else {
                 text[at]
             };

@@ -58,6 +58,7 @@ pub static SYNTAX: Syntax = Syntax {
     equals_in_words: true,
     blanks_in_expressions: true,
     long_addresses: &[("NR", crate::words::long::NR)],
+    long_values: true,
     named_variables: VARIABLES,
     variable_families: &[("P", FIRST_PARAMETER, PARAMETERS)],
     parameter_letter: Some(b'P'),
