@@ -385,7 +385,12 @@ impl Lexer<'_> {
         self.page.words.len() > first_word && self.only_sequence_number(first_word)
     }
 
-    fn flaw(&mut self, block: u32, Flaw(kind, at, len): Flaw) {
+    fn flaw(&mut self, block: u32, Flaw(kind, at, mut len): Flaw) {
+        // Bytes outside ASCII are parts of characters, which stay whole.
+        let is_foreign = |at: usize| self.text.get(at).is_some_and(|byte| *byte >= 0x80);
+        while len > 0 && is_foreign(at + len - 1) && is_foreign(at + len) {
+            len += 1;
+        }
         self.page.defects.push(Defect { block, kind, at: at as u32, len: len as u32 });
     }
 

@@ -93,6 +93,11 @@ fn addresses_of_several_letters_take_expressions() {
 }
 
 #[test]
+fn what_is_at_fault_is_whole_characters() {
+    shows("X=（5", &["1 «X=（5» MalformedExpression «（»"]);
+}
+
+#[test]
 fn directives_have_names_and_arguments() {
     let text = b"#CYCLE G287 [X=-1.5, mode=depth, P2=[50,P1,round,5], pocket=FAGOR-A, 7 ] (why)";
     let page = page(text, &SIGNS);
