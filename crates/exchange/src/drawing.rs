@@ -1,8 +1,9 @@
 //! A drawing once it is read: what the pen does, in order, in mm.
 
-use crate::curve::{Curve, Point};
+use crate::curve::Curve;
 use crate::limits::{Limits, MOST_CURVES, Refused};
 use crate::settings::{Cutting, Format};
+use ferrocut_geometry::vector::Point;
 use ferrocut_machine::Alarm;
 use ferrocut_program::Span;
 use rustc_hash::FxHashMap;

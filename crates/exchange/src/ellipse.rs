@@ -11,9 +11,10 @@
 //! at most the half major axis `a`. So `h = √(8 c / a)` keeps the chords within `c`.
 
 use crate::affine::{Affine, Vector};
-use crate::curve::{Bend, Curve, Point, cross, dot};
+use crate::curve::{Bend, Curve};
 use crate::fit::{self, Sample};
 use crate::limits::{Limits, Refused};
+use ferrocut_geometry::vector::{Point, cross, dot};
 use std::f64::consts::TAU;
 
 /// A part of an ellipse, or all of it.

@@ -1,6 +1,6 @@
 //! What a drawing may hold at most, so that no file can fill the memory or run for ever.
 
-use crate::curve::Point;
+use ferrocut_geometry::vector::Point;
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_program::Span;
 

@@ -7,10 +7,11 @@
 
 use crate::affine::sin_cos;
 use crate::alarm;
-use crate::curve::{Bend, Curve, Point, between};
+use crate::curve::{Bend, Curve};
 use crate::drawing::{Action, Drawing, LayerNames};
 use crate::limits::Limits;
 use crate::settings::{Format, ROUNDING, Settings};
+use ferrocut_geometry::vector::{Point, sub};
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_program::{FileId, Span};
 use rustc_hash::FxHashSet;
@@ -241,7 +242,7 @@ impl Reader<'_> {
 
     /// An arc from the present point about a centre. With the pen up it is a way to its end.
     fn arc(&mut self, center: Point, degrees: f64, span: Span) -> Result<(), Box<Alarm>> {
-        let arm = between(center, self.at);
+        let arm = sub(self.at, center);
         if arm == [0.0; 2] || degrees == 0.0 {
             return Ok(());
         }
@@ -556,10 +557,10 @@ mod tests {
     }
 
     #[test]
-    fn an_unknown_instruction_is_told_once() {
-        let drawing = drawing("PU0,0;XX1,2;PD40,0;XX;PE<=~;XX3");
+    fn what_has_no_bearing_on_a_path_is_told_once() {
+        let drawing = drawing("PU0,0;VS1,2;PD40,0;VS;CO a PD note;VS3");
         assert_eq!(drawing.moves.len(), 4);
-        let spans: Vec<(u64, u32)> = drawing.warnings.iter().map(|a| (a.span.offset, a.span.len)).collect();
+        let spans: Vec<(u64, u32)> = drawing.notes.iter().map(|a| (a.span.offset, a.span.len)).collect();
         assert_eq!(spans, [(6, 2), (22, 2)]);
     }
 
@@ -596,6 +597,9 @@ mod tests {
             (alarm.fault, alarm.span.line, alarm.span.offset, alarm.span.len)
         };
         assert_eq!(fault("PU0,0;\nPD1,2,3;"), (Fault::PltArguments, 2, 7, 7));
+        for name in ["XX1,2", "RA40,40", "SC0,1,0,1", "PE<=~"] {
+            assert_eq!(fault(&format!("PU0,0;\n{name};PD40,0;")), (Fault::PltUnknown, 2, 7, 2), "{name}");
+        }
         assert_eq!(fault("PU0,0;\r\n?"), (Fault::PltInstruction, 2, 8, 1));
         assert_eq!(fault("PU0,0;\rP"), (Fault::PltInstruction, 2, 7, 1));
         assert_eq!(fault("PU0,1.2.3;"), (Fault::PltArguments, 1, 4, 5));

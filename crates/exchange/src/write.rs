@@ -4,9 +4,10 @@
 //! parameters say, is in [`Style`]. Numbers are rounded to the control's increment before anything is decided by them, so that
 //! an arc whose ends fall together is left out and never becomes a whole turn.
 
-use crate::curve::{Curve, Point, distance};
+use crate::curve::Curve;
 use crate::drawing::{Action, Drawing, Move};
 use crate::settings::{Cutting, Format, Settings};
+use ferrocut_geometry::vector::{Point, distance};
 use ferrocut_machine::{Memory, ToolTable};
 use ferrocut_program::Span;
 use std::f64::consts::PI;

@@ -1,9 +1,10 @@
 //! What is made of the entities of a DXF drawing, by values worked out by hand.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
-use ferrocut_exchange::curve::{Curve, Point, distance};
+use ferrocut_exchange::curve::Curve;
 use ferrocut_exchange::drawing::{Action, Drawing};
 use ferrocut_exchange::{Change, Format, Settings, read};
+use ferrocut_geometry::vector::{Point, distance};
 use ferrocut_machine::{Alarm, Argument, Fault};
 use ferrocut_program::FileId;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};

@@ -2,11 +2,12 @@
 //! the drawing's own order.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
-use ferrocut_exchange::curve::{Curve, Point, distance};
+use ferrocut_exchange::curve::Curve;
 use ferrocut_exchange::drawing::{Action, Drawing, Layer, Move};
 use ferrocut_exchange::limits::Limits;
 use ferrocut_exchange::plan::plan;
 use ferrocut_exchange::{Cutting, Format, Order, Settings};
+use ferrocut_geometry::vector::{Point, distance};
 use ferrocut_program::Span;
 use proptest::prelude::*;
 use std::time::Instant;

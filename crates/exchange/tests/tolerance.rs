@@ -2,10 +2,11 @@
 //! the ellipse or spline.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
-use ferrocut_exchange::curve::{Curve, Point, distance};
+use ferrocut_exchange::curve::Curve;
 use ferrocut_exchange::ellipse::Ellipse;
 use ferrocut_exchange::limits::Limits;
 use ferrocut_exchange::spline::{self, Spline};
+use ferrocut_geometry::vector::{Point, distance};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 

@@ -1,9 +1,7 @@
 //! Lines and arcs in the plane.
 
+use crate::vector::{Point, cross, distance, dot, sub};
 use std::f64::consts::{FRAC_PI_2, TAU};
-
-/// A point of the plane, mm.
-pub type Point = [f64; 2];
 
 /// How a curve is bent.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -25,27 +23,6 @@ pub struct Curve {
     pub bend: Option<Bend>,
 }
 
-/// The vector from `a` to `b`.
-pub fn between(a: Point, b: Point) -> Point {
-    [b[0] - a[0], b[1] - a[1]]
-}
-
-/// The distance between two points. Coordinates are far from where their squares would overflow.
-pub fn distance(a: Point, b: Point) -> f64 {
-    let v = between(a, b);
-    dot(v, v).sqrt()
-}
-
-/// The scalar product.
-pub fn dot(a: Point, b: Point) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
-}
-
-/// The area that two vectors span, positive where `b` lies counter-clockwise of `a`.
-pub fn cross(a: Point, b: Point) -> f64 {
-    a[0] * b[1] - a[1] * b[0]
-}
-
 impl Curve {
     /// A straight line.
     pub fn line(from: Point, to: Point) -> Curve {
@@ -61,7 +38,7 @@ impl Curve {
     /// where `to` lies straight ahead. The angle between tangent and chord is half the angle turned, so
     /// the arc is the only one.
     pub fn tangent(from: Point, along: Point, to: Point) -> Curve {
-        let chord = between(from, to);
+        let chord = sub(to, from);
         let (ahead, aside) = (dot(along, chord), cross(along, chord));
         // Below this the centre is further away than doubles can tell from infinity.
         if aside.abs() <= 1e-12 * ahead.abs() {
@@ -111,7 +88,7 @@ impl Curve {
         if t <= 0.0 || t >= 1.0 {
             return if t <= 0.0 { self.from } else { self.to };
         }
-        let arm = between(bend.center, self.from);
+        let arm = sub(self.from, bend.center);
         let (sin, cos) = (bend.sweep * t).sin_cos();
         [bend.center[0] + arm[0] * cos - arm[1] * sin, bend.center[1] + arm[0] * sin + arm[1] * cos]
     }
@@ -121,7 +98,7 @@ impl Curve {
         let mut low = [self.from[0].min(self.to[0]), self.from[1].min(self.to[1])];
         let mut high = [self.from[0].max(self.to[0]), self.from[1].max(self.to[1])];
         let Some(bend) = self.bend else { return [low, high] };
-        let arm = between(bend.center, self.from);
+        let arm = sub(self.from, bend.center);
         let radius = arm[0].hypot(arm[1]);
         let start = arm[1].atan2(arm[0]);
         let (first, last) = (start.min(start + bend.sweep), start.max(start + bend.sweep));

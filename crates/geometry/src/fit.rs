@@ -33,7 +33,8 @@
 //! between neighbouring points fails (a cusp, a direction that is not known), the chord itself is
 //! taken, which is within `c`.
 
-use crate::curve::{Bend, Curve, Point, between, cross, distance, dot};
+use crate::curve::{Bend, Curve};
+use crate::vector::{Point, cross, distance, dot, sub};
 
 /// A point of a smooth curve.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -101,7 +102,7 @@ fn replace(samples: &[Sample], room: f64) -> Option<(Curve, Option<Curve>)> {
     let ([first, ..], [.., last]) = (samples, samples) else { return None };
     let line = Curve::line(first.at, last.at);
     // Arcs that leave the ends in their directions would be as flat as that.
-    let chord = between(first.at, last.at);
+    let chord = sub(last.at, first.at);
     let leaves = |s: &Sample| dot(s.along, chord) >= 0.0 && cross(s.along, chord).abs() <= 4.0 * STRAIGHT;
     if leaves(first) && leaves(last) && follows(&line, samples.iter().map(|s| s.at), room.min(STRAIGHT)) {
         return Some((line, None));
@@ -116,7 +117,7 @@ fn replace(samples: &[Sample], room: f64) -> Option<(Curve, Option<Curve>)> {
     }
     let (sin, cos) = turned.sin_cos();
     let along = [first.along[0] * cos - first.along[1] * sin, first.along[0] * sin + first.along[1] * cos];
-    let ahead = |s: &Sample| dot(between(joint, s.at), along);
+    let ahead = |s: &Sample| dot(sub(s.at, joint), along);
     let split = samples.iter().position(|s| ahead(s) >= 0.0)?;
     let (before, after) = (samples.get(..split)?, samples.get(split..)?);
     if after.iter().any(|s| ahead(s) < 0.0) {
@@ -132,14 +133,14 @@ fn replace(samples: &[Sample], room: f64) -> Option<(Curve, Option<Curve>)> {
 
 /// Where the two arcs of a biarc meet.
 fn joint(first: &Sample, last: &Sample) -> Option<Point> {
-    let v = between(first.at, last.at);
+    let v = sub(last.at, first.at);
     let (t0, t1) = (first.along, last.along);
     if t0 == [0.0; 2] || t1 == [0.0; 2] {
         return None;
     }
     let along = dot(v, [t0[0] + t1[0], t0[1] + t1[1]]);
     // 1 − t₀·t₁ without cancellation.
-    let turn = { dot(between(t0, t1), between(t0, t1)) / 2.0 };
+    let turn = { dot(sub(t1, t0), sub(t1, t0)) / 2.0 };
     let square = dot(v, v);
     // The positive root in the form that also holds for parallel directions. Nothing ahead: no biarc.
     let d = square / (along + (along * along + 2.0 * turn * square).sqrt());
@@ -162,14 +163,14 @@ fn follows(curve: &Curve, corners: impl Iterator<Item = Point>, room: f64) -> bo
 }
 
 fn follow_line(line: &Curve, corners: impl Iterator<Item = Point>, room: f64) -> bool {
-    let v = between(line.from, line.to);
+    let v = sub(line.to, line.from);
     let length = v[0].hypot(v[1]);
     if length == 0.0 {
         return false;
     }
     let mut reached = 0.0;
     for corner in corners {
-        let w = between(line.from, corner);
+        let w = sub(corner, line.from);
         let along = dot(v, w) / length;
         if cross(v, w).abs() > room * length || along < reached - ROUNDING || along > length + ROUNDING {
             return false;
@@ -182,11 +183,11 @@ fn follow_line(line: &Curve, corners: impl Iterator<Item = Point>, room: f64) ->
 fn follow_arc(arc: &Curve, bend: Bend, corners: impl Iterator<Item = Point>, room: f64) -> bool {
     let radius = distance(bend.center, arc.from);
     let sense = bend.sweep.signum();
-    let (start, end) = (between(bend.center, arc.from), between(bend.center, arc.to));
+    let (start, end) = (sub(arc.from, bend.center), sub(arc.to, bend.center));
     let slack = -ROUNDING * radius.max(1.0);
     let mut before: Option<Point> = None;
     for corner in corners {
-        let arm = between(bend.center, corner);
+        let arm = sub(corner, bend.center);
         let rising = before.is_none_or(|b| sense * cross(b, arm) >= slack);
         let within = sense * cross(start, arm) >= slack && sense * cross(arm, end) >= slack;
         if !rising || !within || (arm[0].hypot(arm[1]) - radius).abs() > room {
@@ -194,7 +195,7 @@ fn follow_arc(arc: &Curve, bend: Bend, corners: impl Iterator<Item = Point>, roo
         }
         if let Some(b) = before {
             // The foot of the perpendicular from the centre, where it lies on the chord.
-            let v = between(b, arm);
+            let v = sub(arm, b);
             let square = dot(v, v);
             let foot = -dot(b, v);
             if foot > 0.0 && foot < square && radius - cross(b, arm).abs() / square.sqrt() > room {

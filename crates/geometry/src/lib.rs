@@ -13,6 +13,7 @@ pub mod fit;
 pub mod plane;
 pub mod position;
 pub mod spline;
+pub mod vector;
 
 pub use arc::{Arc, RadiusError, Turn};
 pub use axis_names::{AxisName, AxisNames};

@@ -12,8 +12,9 @@
 //! Arcs are laid through the ends ([`fit`](mod@crate::fit)), span after span; only a corner of the
 //! curve begins a new row of points.
 
-use crate::curve::{Curve, Point, between, cross, distance, dot};
+use crate::curve::Curve;
 use crate::fit::{self, Sample};
+use crate::vector::{Point, cross, distance, dot, sub};
 
 /// Highest degree; CAD programs go up to 25.
 pub const MOST_DEGREE: usize = 25;
@@ -185,7 +186,7 @@ fn seen(p: Weighted) -> Point {
 fn leaving(mut control: impl Iterator<Item = Weighted>) -> Option<Point> {
     let from = seen(control.next()?);
     control.find_map(|p| {
-        let v = between(from, seen(p));
+        let v = sub(seen(p), from);
         let length = v[0].hypot(v[1]);
         (length > 1e-12).then(|| v.map(|c| c / length))
     })
@@ -234,7 +235,7 @@ fn norm(v: Vector) -> f64 {
 
 /// Distance of a point from a chord, its ends included.
 fn off_chord(from: Point, to: Point, p: Point) -> f64 {
-    let (v, w) = (between(from, to), between(from, p));
+    let (v, w) = (sub(to, from), sub(p, from));
     let square = dot(v, v);
     let share = if square > 0.0 { (dot(v, w) / square).clamp(0.0, 1.0) } else { 0.0 };
     distance([from[0] + v[0] * share, from[1] + v[1] * share], p)

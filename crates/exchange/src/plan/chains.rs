@@ -1,7 +1,7 @@
 //! Curves that meet end to end, joined into chains.
 
 use super::{Cut, MEET};
-use crate::curve::{Point, between, cross, distance};
+use ferrocut_geometry::vector::{Point, cross, distance, sub};
 use rustc_hash::FxHashMap;
 
 /// Curves in the order in which they run on from one to the next, chain after chain.
@@ -89,7 +89,7 @@ impl Chain<'_> {
                 let within = distance(bend.center, p) < curve.radius();
                 let is_circle = a == b;
                 // The arc bulges to the right of its chord if it turns counter-clockwise.
-                let side = cross(between(a, b), between(a, p)) * bend.sweep;
+                let side = cross(sub(b, a), sub(p, a)) * bend.sweep;
                 inside ^= within && (is_circle || side < 0.0);
             }
         }

@@ -9,9 +9,10 @@ pub mod chains;
 pub mod nest;
 pub mod order;
 
-use crate::curve::{Curve, distance};
+use crate::curve::Curve;
 use crate::drawing::{Action, Drawing, Move};
 use crate::settings::{Format, Order};
+use ferrocut_geometry::vector::distance;
 use ferrocut_program::Span;
 
 /// Ends of curves that are no further apart meet, mm.

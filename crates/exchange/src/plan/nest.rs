@@ -2,7 +2,7 @@
 //! worked on that has come loose.
 
 use super::chains::{Chain, Chains};
-use crate::curve::Point;
+use ferrocut_geometry::vector::Point;
 use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, RTree};
 

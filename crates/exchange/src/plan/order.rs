@@ -8,8 +8,9 @@
 use super::Cut;
 use super::chains::{Chain, Chains};
 use super::nest::Nest;
-use crate::curve::{Curve, Point, distance};
+use crate::curve::Curve;
 use crate::drawing::Drawing;
+use ferrocut_geometry::vector::{Point, distance};
 use rstar::RTree;
 use rstar::primitives::GeomWithData;
 use std::collections::BTreeMap;

@@ -12,6 +12,7 @@
 //! Beside a line that is a parallel line, beside an arc of radius r a circle of radius r ± R, so that the
 //! centre is a crossing of lines and circles, and the arc's ends are its feet on the two moves.
 
+use ferrocut_geometry::vector::{along, cross, dot, sub, unit};
 use ferrocut_geometry::{Arc, Plane, Position, Turn};
 use ferrocut_machine::Fault;
 use ferrocut_program::Span;
@@ -116,27 +117,6 @@ impl Corner {
 enum Curve {
     Line { from: [f64; 2], to: [f64; 2] },
     Arc { center: [f64; 2], radius: f64, from: [f64; 2], to: [f64; 2], sweep: f64 },
-}
-
-fn sub(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
-    [a[0] - b[0], a[1] - b[1]]
-}
-
-fn along(p: [f64; 2], d: [f64; 2], t: f64) -> [f64; 2] {
-    [p[0] + d[0] * t, p[1] + d[1] * t]
-}
-
-fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
-}
-
-fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
-    a[0] * b[1] - a[1] * b[0]
-}
-
-fn unit(v: [f64; 2]) -> Option<[f64; 2]> {
-    let length = v[0].hypot(v[1]);
-    (length > NOTHING).then(|| [v[0] / length, v[1] / length])
 }
 
 impl Curve {

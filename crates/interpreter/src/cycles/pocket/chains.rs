@@ -18,8 +18,8 @@ use super::meet::closest;
 use super::ring::{Place, Ring};
 use super::rings::Layer;
 use super::segment::Segment;
-use super::vector::{along, left, sub, unit};
 use super::walls::Walls;
+use ferrocut_geometry::vector::{along, left, sub, unit};
 use rstar::RTree;
 use std::f64::consts::TAU;
 

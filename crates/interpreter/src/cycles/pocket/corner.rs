@@ -11,7 +11,7 @@ use super::meet::lines_and_circles;
 use super::problem::Problem;
 use super::profile::Profile;
 use super::segment::Segment;
-use super::vector::{along, angle, cross, distance, dot, left, sub, turned, unit};
+use ferrocut_geometry::vector::{along, angle, cross, distance, dot, left, sub, turned, unit};
 use std::f64::consts::TAU;
 
 /// What becomes of the corner between an element and the next.

@@ -16,7 +16,7 @@ use super::pen::Planes;
 use super::problem::Problem;
 use super::segment::Segment;
 use super::tool::Tool;
-use super::vector::distance;
+use ferrocut_geometry::vector::distance;
 
 /// The slope of a wall as drawn: an open chain.
 #[derive(Clone, PartialEq, Debug)]

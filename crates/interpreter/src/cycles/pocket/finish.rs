@@ -18,9 +18,9 @@ use super::pen::{APPROACH, Pen, PocketFeed, PocketSink};
 use super::problem::Problem;
 use super::ring::{Place, Ring};
 use super::segment::Segment;
-use super::vector::{along, dot, left};
 use super::walls::Walls;
 use crate::cycles::depth::Levels;
+use ferrocut_geometry::vector::{along, dot, left};
 use std::f64::consts::FRAC_PI_2;
 
 /// Once round a wall.

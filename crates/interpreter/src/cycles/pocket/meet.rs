@@ -5,7 +5,7 @@
 //! line through both centres.
 
 use super::segment::Segment;
-use super::vector::{along, cross, distance, dot, sub, unit};
+use ferrocut_geometry::vector::{along, cross, distance, dot, sub, unit};
 use smallvec::SmallVec;
 
 /// Points nearer than this to the end of a segment are its end, mm: a tenth of a nanometre.

@@ -46,7 +46,6 @@ mod segment;
 mod slopes;
 mod store;
 mod tool;
-mod vector;
 mod walls;
 
 pub use cut::{PocketCut, PocketPlan};

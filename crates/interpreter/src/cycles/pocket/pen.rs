@@ -4,9 +4,9 @@
 //! count from the surface against the depth, so that −3 is 3 mm deep in either case.
 
 use super::segment::Segment;
-use super::vector::distance;
 use crate::cycles::milling::CycleMove;
 use ferrocut_geometry::SAME_POINT_MM;
+use ferrocut_geometry::vector::distance;
 use std::f64::consts::PI;
 
 /// At which feed a move of a pocket cuts.

@@ -6,7 +6,7 @@
 use super::profile::Profile;
 use super::ring::Ring;
 use super::segment::Segment;
-use super::vector::distance;
+use ferrocut_geometry::vector::distance;
 use i_overlay::mesh::float::outline::offset::OutlineOffset;
 use i_overlay::mesh::float::style::{LineJoin, OutlineStyle};
 use i_overlay::mesh::math::MathMode;

@@ -4,7 +4,7 @@ use super::index::{envelope, index};
 use super::meet::{closest, crossings};
 use super::problem::Problem;
 use super::segment::{Bounds, Segment};
-use super::vector::{distance, dot};
+use ferrocut_geometry::vector::{distance, dot};
 use std::f64::consts::TAU;
 
 /// A closed chain of lines and arcs, in the direction in which it was defined.

@@ -1,7 +1,7 @@
 //! A closed path of the tool centre.
 
 use super::segment::Segment;
-use super::vector::{cross, distance, dot};
+use ferrocut_geometry::vector::{cross, distance, dot};
 
 /// Pieces shorter than this are no move, mm.
 const NOTHING: f64 = 1e-6;

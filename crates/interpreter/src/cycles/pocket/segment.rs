@@ -10,7 +10,7 @@
 //! An arc between two points is fixed by its sweep alone: the centre lies on the left of the chord at the
 //! distance (chord/2)/tan(σ/2).
 
-use super::vector::{add, along, angle, cross, distance, dot, left, length, sub, turned, unit};
+use ferrocut_geometry::vector::{add, along, angle, cross, distance, dot, left, length, sub, turned, unit};
 use std::f64::consts::{PI, TAU};
 
 /// A straight piece or an arc of the plane, mm.

@@ -18,7 +18,7 @@ use super::index::{Piece, index};
 use super::pen::{APPROACH, Pen, PocketSink};
 use super::profile::Profile;
 use super::tool::Tool;
-use super::vector::{add, along, angle, cross, distance, left, turned};
+use ferrocut_geometry::vector::{add, along, angle, cross, distance, left, turned};
 use rstar::RTree;
 
 /// In which direction the wall is cut (icon of 4.16).

@@ -22,8 +22,8 @@
 //! as Fanuc 0i-M cutter compensation C.
 
 use super::offset::{Element, Track};
-use super::vector::{Point, add, along, angle, cross, distance, dot, finite, left, scale};
 use super::{Fault, Outside, Reversal, Rules, Shape, StartUp};
+use ferrocut_geometry::vector::{Point, add, along, angle, cross, distance, dot, finite, left, scale};
 
 /// A path that runs back runs exactly back where the two blocks part by less than this, mm: the rounding of
 /// their coordinates.

@@ -10,8 +10,8 @@
 
 use super::corner::Corner;
 use super::offset::Element;
-use super::vector::{Point, along, angle, cross, distance, dot, sub, unit};
 use super::{Fault, OverTurn, Rules, Shape};
+use ferrocut_geometry::vector::{Point, along, angle, cross, distance, dot, sub, unit};
 use std::f64::consts::TAU;
 
 /// Offsets that shrink to nothing may run back by rounding, mm.

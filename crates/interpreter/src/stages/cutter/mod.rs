@@ -34,7 +34,6 @@ mod offset;
 pub mod one_ahead;
 pub mod rules;
 pub mod stage;
-mod vector;
 
 #[cfg(test)]
 mod tests;
@@ -44,9 +43,9 @@ pub use rules::{Method, Outside, OverTurn, Reversal, Rules, StartUp, ZeroMove};
 pub use stage::Stage;
 
 use corner::{Corner, How};
+use ferrocut_geometry::vector::{Point, distance};
 use offset::Element;
 use std::collections::VecDeque;
-use vector::{Point, distance};
 
 /// A start-up block may be shorter than the radius by rounding, mm.
 const SHORT_START_UP_MM: f64 = 1e-6;

@@ -12,9 +12,9 @@
 //! which shrinks where the tool runs inside. `ρ = 0` puts the tool onto the centre (alarm 38), `ρ < 0`
 //! means that the arc is smaller than the tool (alarm 41).
 
-use super::vector::{Point, along, angle, cross, distance, dot, finite, left, sub, unit};
 use super::{Fault, Offset, PlaneMove, Shape};
 use ferrocut_geometry::SAME_POINT_MM;
+use ferrocut_geometry::vector::{Point, along, angle, cross, distance, dot, finite, left, sub, unit};
 use std::f64::consts::TAU;
 
 /// An offset radius below this is none, mm: the least increment of the controls.

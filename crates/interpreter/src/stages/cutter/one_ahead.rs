@@ -21,8 +21,8 @@
 //! A move that an inside corner leaves nothing of, or turns round, would gouge: [`Fault::Interference`]. As in
 //! LinuxCNC it is looked for where an inside corner or an arc about a corner of two lines follows it, and at G40.
 
-use super::vector::{Point, add, along, angle, distance, dot, left, scale, sub, unit};
 use super::{Done, Fault, Offset, Out, PlaneMove, Shape, WAITING_LIMIT, at, offset};
+use ferrocut_geometry::vector::{Point, add, along, angle, distance, dot, left, scale, sub, unit};
 use std::collections::VecDeque;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

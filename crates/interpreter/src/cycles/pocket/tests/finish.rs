@@ -2,10 +2,10 @@
 //! the path.
 
 use super::super::finish::{Finish, finishes};
-use super::super::vector::{along, distance, dot, left};
 use super::super::walls::Walls;
 use super::super::{Profile, Segment};
 use super::random::{circle, drawing, rectangle};
+use ferrocut_geometry::vector::{along, distance, dot, left};
 
 /// 2 µm.
 const EXACT: f64 = 2e-3;

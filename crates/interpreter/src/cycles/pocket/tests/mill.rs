@@ -1,8 +1,8 @@
 //! A block of material in cells, and a flat tool that cuts it as the moves say.
 
 use super::super::Segment;
-use super::super::vector::{cross, distance, dot, sub};
 use crate::cycles::milling::CycleMove;
+use ferrocut_geometry::vector::{cross, distance, dot, sub};
 
 /// Width of a cell, mm.
 pub const CELL: f64 = 0.05;

@@ -1,6 +1,7 @@
 //! The cases of the manual and of the conformance suite, in coordinates of the plane.
 
 use super::*;
+use ferrocut_geometry::vector;
 use std::f64::consts::{FRAC_PI_2, SQRT_2};
 
 /// Expected: end, arc (centre, sweep in degrees), payload, inserted.

@@ -5,6 +5,7 @@ mod one_ahead;
 mod properties;
 
 use super::*;
+use ferrocut_geometry::vector;
 
 /// One block for the stage.
 #[derive(Clone, Copy, Debug)]

@@ -1,6 +1,7 @@
 //! Compensation that looks one move ahead: expected values worked out by hand from the rule of each corner.
 
 use super::*;
+use ferrocut_geometry::vector;
 use std::f64::consts::{PI, SQRT_2};
 
 /// Runs a program with the payload of each block's index; G40 hands out what waits first.

@@ -8,7 +8,8 @@
 //! elements keep (1 + √2)·r apart are checked against all of them.
 
 use super::*;
-use crate::stages::cutter::vector::{add, along, angle, cross, distance, dot, left, scale, sub, unit};
+use ferrocut_geometry::vector;
+use ferrocut_geometry::vector::{add, along, angle, cross, distance, dot, left, scale, sub, unit};
 use proptest::prelude::*;
 use proptest::test_runner::{RngSeed, TestRunner};
 use std::f64::consts::{PI, SQRT_2, TAU};
