@@ -19,11 +19,15 @@ use std::f64::consts::TAU;
 
 /// Instructions that have no bearing on a path: initialising, speeds and forces, line types, letters.
 const WITHOUT_EFFECT: &[&[u8; 2]] = &[
-    b"IN", b"SP", b"VS", b"VN", b"PT", b"LT", b"SI", b"LB", b"AP", b"AS", b"BL", b"BP", b"CA", b"CO", b"CP",
-    b"CS", b"CT", b"DF", b"DI", b"DR", b"DT", b"DV", b"EC", b"ES", b"FS", b"IM", b"LA", b"LO", b"MC", b"NP",
-    b"NR", b"OE", b"OF", b"OI", b"OP", b"OS", b"OW", b"PB", b"PC", b"PG", b"PS", b"PW", b"QL", b"RF", b"SA",
-    b"SB", b"SD", b"SL", b"SM", b"SR", b"SS", b"TD", b"TL", b"TR", b"UL", b"VA", b"WU",
+    b"SP", b"VS", b"VN", b"PT", b"LT", b"SI", b"LB", b"AP", b"AS", b"BL", b"BP", b"CA", b"CO", b"CP", b"CS",
+    b"CT", b"DI", b"DR", b"DT", b"DV", b"EC", b"ES", b"FS", b"FT", b"MG", b"IM", b"LA", b"LO", b"MC", b"NP",
+    b"NR", b"OA", b"OC", b"OD", b"OE", b"OF", b"OG", b"OH", b"OI", b"OP", b"OS", b"OW", b"PB", b"PC", b"PG",
+    b"PS", b"PW", b"QL", b"RF", b"SA", b"SB", b"SD", b"SL", b"SM", b"SR", b"SS", b"TD", b"TL", b"TR", b"UL",
+    b"VA", b"WU",
 ];
+
+/// Those of them that draw letters or symbols, which are missing then.
+const DRAWS: &[&[u8; 2]] = &[b"LB", b"PB", b"SM"];
 
 /// End of a label, where DT does not name another.
 const LABEL_END: u8 = 0x03;
@@ -134,6 +138,21 @@ impl Reader<'_> {
                 self.leave_out(name, span);
                 Ok(())
             }
+            b"IN" | b"DF" => {
+                // Both set the plotter back: points are absolute, and IN raises the pen.
+                self.is_relative = false;
+                if name == b"IN" && self.is_down {
+                    self.raise(span)?;
+                }
+                self.text.skip_values(false);
+                self.leave_out(name, span);
+                Ok(())
+            }
+            b"SC" | b"IP" | b"RO" | b"IW" if !self.text.has_value() => {
+                // Without values they set the standard that holds here in any case.
+                self.leave_out(name, span);
+                Ok(())
+            }
             name if WITHOUT_EFFECT.contains(&name) => {
                 // What they carry is of many kinds: everything up to their end.
                 self.text.skip_values(matches!(name, b"BL" | b"CO" | b"PB"));
@@ -153,8 +172,11 @@ impl Reader<'_> {
             return;
         }
         let instruction = String::from_utf8_lossy(name).into_owned();
-        let alarm = Alarm::core(Fault::PltLeftOut, span).with("instruction", instruction);
-        self.drawing.notes.push(alarm.as_warning());
+        let alarm = Alarm::core(Fault::PltLeftOut, span).with("instruction", instruction).as_warning();
+        match DRAWS.contains(&name) {
+            true => self.drawing.warnings.push(alarm),
+            false => self.drawing.notes.push(alarm),
+        }
     }
 
     /// Takes a pen; whether the settings say how it cuts.
@@ -552,8 +574,8 @@ mod tests {
         let drawing = drawing(text);
         assert_eq!(drawing.moves.len(), 4);
         let notes = |alarms: &[Alarm]| alarms.iter().map(|a| a.arguments[0].1.clone()).collect::<Vec<_>>();
-        assert_eq!(notes(&drawing.notes), ["IN".into(), "SP".into(), "VS".into(), "LB".into()]);
-        assert!(drawing.warnings.is_empty());
+        assert_eq!(notes(&drawing.notes), ["IN".into(), "SP".into(), "VS".into()]);
+        assert_eq!(notes(&drawing.warnings), ["LB".into()]);
     }
 
     #[test]
@@ -562,6 +584,14 @@ mod tests {
         assert_eq!(drawing.moves.len(), 4);
         let spans: Vec<(u64, u32)> = drawing.notes.iter().map(|a| (a.span.offset, a.span.len)).collect();
         assert_eq!(spans, [(6, 2), (22, 2)]);
+    }
+
+    #[test]
+    fn letters_are_missing_and_the_start_is_one() {
+        assert_eq!(drawing("PU0,0;LBtext\x03PD40,0;").warnings.len(), 1);
+        // IN: absolute again, and with the pen up.
+        let moves = actions("PU0,0;PD40,0;PR;PD40,0;IN;PA400,400;");
+        assert_eq!(moves[moves.len() - 2..], [Raise, Travel([10.0, 10.0])]);
     }
 
     #[test]
@@ -597,6 +627,7 @@ mod tests {
             (alarm.fault, alarm.span.line, alarm.span.offset, alarm.span.len)
         };
         assert_eq!(fault("PU0,0;\nPD1,2,3;"), (Fault::PltArguments, 2, 7, 7));
+        assert_eq!(drawing("SC;IP;RO;PU0,0;PD40,0;").moves.len(), 4);
         for name in ["XX1,2", "RA40,40", "SC0,1,0,1", "PE<=~"] {
             assert_eq!(fault(&format!("PU0,0;\n{name};PD40,0;")), (Fault::PltUnknown, 2, 7, 2), "{name}");
         }

@@ -26,11 +26,13 @@ impl Interpreter {
         if self.words.g.len() > 1 {
             return Err(self.alarm(Fault::NeedsOwnBlock, span));
         }
-        self.refuse_in_corner()?;
         let form = self.words.get(b'L');
         // Parameters may be set: those of the coordinate systems are looked at one by one.
-        if !matches!(form, Some(50.0 | 51.0)) && self.is_strictly_transformed() {
-            return Err(self.alarm(Fault::OffsetInTransform, span));
+        if !matches!(form, Some(50.0 | 51.0)) {
+            self.refuse_in_corner()?;
+            if self.is_strictly_transformed() {
+                return Err(self.alarm(Fault::OffsetInTransform, span));
+            }
         }
         self.technology.data_code = 10.0;
         match form.map(|l| l as i64) {
@@ -115,9 +117,11 @@ impl Interpreter {
 
     fn start_parameters(&mut self, what: DataSetting) -> Fallible<()> {
         self.data_setting = Some(what);
-        // The block of G10 itself may hold the first parameter. N alone is none yet: so Fanuc takes it, and editors number
-        // every line.
-        if self.words.has(b'R') || self.words.has(b'P') { self.set_parameter(what) } else { Ok(()) }
+        // The block of G10 itself may hold the first parameter. N before G10 is none: editors number every line.
+        match self.words.has(b'R') || self.words.has(b'P') || self.words.sequence_of_data {
+            true => self.set_parameter(what),
+            false => Ok(()),
+        }
     }
 
     /// A block between G10 L50 or L51 and G11.

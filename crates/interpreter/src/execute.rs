@@ -484,10 +484,12 @@ impl Interpreter {
                     self.modal.set(row);
                 }
                 Group::Polar => {
+                    self.refuse_in_corner()?;
                     self.modal.set(row);
                     self.polar(row.meaning);
                 }
                 Group::Scaling | Group::Rotation | Group::Mirror => {
+                    self.refuse_in_corner()?;
                     self.modal.set(row);
                     match row.meaning {
                         _ if self.rules.coordinates.transforms_nest => codes.transforms.push(code),

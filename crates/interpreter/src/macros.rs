@@ -230,6 +230,9 @@ impl Interpreter {
         if transformed {
             return Err(Fault::OffsetInTransform);
         }
+        if self.output.corner_waits() {
+            return Err(Fault::CornerWithoutMove);
+        }
         if value.is_nan() || value.abs() > limit {
             return Err(Fault::DataValue);
         }

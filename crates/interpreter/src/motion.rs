@@ -540,8 +540,11 @@ impl Interpreter {
         let end_radius = (to[0] - center[0]).hypot(to[1] - center[1]);
         if start_radius < SAME_POINT_MM {
             // In compensation there is a number for it of its own (GSK990MC 0038).
-            let fault =
-                if self.output.in_cutter_mode() { Fault::CutterArcCenter } else { Fault::ArcWithoutRadius };
+            let fault = if self.output.in_cutter_mode() {
+                Fault::ArcWithoutRadiusInCutter
+            } else {
+                Fault::ArcWithoutRadius
+            };
             return Err(self.alarm_at(fault, letter));
         }
         let difference = (start_radius - end_radius).abs();

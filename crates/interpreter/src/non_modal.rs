@@ -50,11 +50,13 @@ impl Interpreter {
                 if length.is_some() {
                     return Err(self.alarm(Fault::LengthWithCoordinateSet, self.words.block_span()));
                 }
+                if !axes.is_empty() {
+                    self.refuse_in_corner()?;
+                }
                 if let Some(s) = self.words.get(b'S').filter(|_| self.rules.surface_speed) {
                     self.technology.surface_max_rpm = Some(s);
                     self.tell_speed();
                 }
-                self.refuse_in_corner()?;
                 self.set_position(axes);
                 Ok(())
             }

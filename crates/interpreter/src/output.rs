@@ -238,6 +238,11 @@ impl Output {
         self.request = Some(request);
     }
 
+    /// Whether a move waits for the one behind its corner.
+    pub(crate) fn corner_waits(&self) -> bool {
+        !self.corner.is_empty()
+    }
+
     /// A move waits for the one behind its corner, which does not come.
     pub(crate) fn move_is_missing(&mut self) -> Result<(), Refused> {
         let Some(refused) = self.corner.interrupted() else { return Ok(()) };

@@ -8,7 +8,7 @@ use crate::modal::Group;
 use ferrocut_geometry::{Axis, AxisName, AxisNames, AxisSet};
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_program::syntax::FIRST_NUMBERED;
-use ferrocut_program::{Block, Page, Span, TextRange, Word, numbered_axis_name};
+use ferrocut_program::{Block, Page, Span, TextRange, Value as WordValue, Word, numbered_axis_name};
 use smallvec::SmallVec;
 
 /// Most G and M codes of one block; more are refused.
@@ -122,6 +122,8 @@ pub(crate) struct Words {
     pub m: Vec<Code<MCode>>,
     /// Number of the N word, if there is one.
     pub sequence: Option<f64>,
+    /// Whether it stands behind G10, and is a number of what is set.
+    pub sequence_of_data: bool,
     /// A word with a comma before it: letter, value, span.
     pub comma: Option<(u8, f64, Span)>,
     /// A G code that the control does not have, and a program stands for.
@@ -150,6 +152,7 @@ impl Words {
             g: Vec::with_capacity(MAX_CODES),
             m: Vec::with_capacity(MAX_CODES),
             sequence: None,
+            sequence_of_data: false,
             comma: None,
             custom: None,
             long: SmallVec::new(),
@@ -182,6 +185,7 @@ impl Words {
         self.g.clear();
         self.m.clear();
         self.sequence = None;
+        self.sequence_of_data = false;
         self.comma = None;
         self.custom = None;
         self.long.clear();
@@ -382,10 +386,11 @@ impl Reader<'_> {
                 }
                 // Among data a line may have a number beside that of its parameter.
                 let sets_data =
-                    || self.sets_data || words.g.iter().any(|g| g.row.meaning == Meaning::DataSetting);
+                    || self.sets_data || self.block_has(|meaning| meaning == Meaning::DataSetting);
                 if self.repeats_are_alarms && words.sequence.is_some() && !sets_data() {
                     return Err(self.alarm(Fault::RepeatedAddress, word));
                 }
+                words.sequence_of_data = words.g.iter().any(|g| g.row.meaning == Meaning::DataSetting);
                 words.sequence = Some(value);
                 Ok(())
             }
@@ -408,6 +413,32 @@ impl Reader<'_> {
                 }
             }
         }
+    }
+
+    /// Whether a G code with such a meaning stands in the block, before or behind what is read.
+    fn block_has(&self, is_it: impl Fn(Meaning) -> bool) -> bool {
+        self.numbers(b'G').any(|value| {
+            let tenths = value * 10.0;
+            let row =
+                (tenths >= 0.0).then(|| self.tables.g.get(tenths as usize).copied().flatten()).flatten();
+            tenths.fract() == 0.0 && row.is_some_and(|row| is_it(row.meaning))
+        })
+    }
+
+    /// Whether the block calls a subprogram.
+    fn block_calls(&self) -> bool {
+        let calls = |row: &MCode| row.function == MFunction::Call;
+        self.numbers(b'M').any(|value| self.dialect.m_code(value as u16).is_some_and(calls))
+    }
+
+    /// The numbers behind this letter in the block.
+    fn numbers(&self, letter: u8) -> impl Iterator<Item = f64> {
+        self.page.words(self.block).iter().filter(move |word| word.letter == letter).filter_map(|word| {
+            match word.value() {
+                WordValue::Number(number) => Some(number),
+                _ => None,
+            }
+        })
     }
 
     /// The axis that a letter with a digit names.
@@ -459,12 +490,11 @@ impl Reader<'_> {
             return Err(self.alarm(Fault::UnknownAddress, word));
         };
         if !(value >= address.min && value <= address.max) {
-            let is_return = |g: &Code<GCode>| {
-                matches!(g.row.meaning, Meaning::ReferenceReturn | Meaning::FurtherReferenceReturn)
-            };
+            let returns =
+                |meaning| matches!(meaning, Meaning::ReferenceReturn | Meaning::FurtherReferenceReturn);
             return Err(match letter {
-                b'P' if value > 0.0 && words.calls() => self.alarm(Fault::ProgramNumberTooLarge, word),
-                _ if bit(letter) & AXIS_LETTERS != 0 && words.g.iter().any(is_return) => {
+                b'P' if value > 0.0 && self.block_calls() => self.alarm(Fault::ProgramNumberTooLarge, word),
+                _ if bit(letter) & AXIS_LETTERS != 0 && self.block_has(returns) => {
                     self.alarm(Fault::IntermediateTooLarge, word)
                 }
                 _ => self.out_of_range(address, word, value),

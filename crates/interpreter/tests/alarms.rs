@@ -144,6 +144,14 @@ const FURTHER: &[(Fault, u16, &str, &str, &str)] = &[
     (Fault::CornerForm, 53, "G0 X5 ,L1", ",L1", ""),
     (Fault::CornerTooLong, 55, "G1 X8 F100 ,L10\nY50", ",L10", ""),
     (Fault::ReturnWithMacro, 56, "G65 P1 M99", "M99", ""),
+    (Fault::CornerPlaneBehind, 51, "G1 X5 F100 ,R1\nX9 Z2", ",R1", ""),
+    (
+        Fault::ArcWithoutRadiusInCutter,
+        38,
+        "G41 D1 G1 X10 F100\nY20\nG2 X10 Y20 I0 J0",
+        "I0",
+        "[tools.1]\nradius = 5",
+    ),
     (Fault::CornerPlane, 58, "G1 X5 Z2 F100 ,R1\nX9", ",R1", ""),
     (Fault::DataSettingInCycle, 66, "S100\nG81\nG10 L2 P1 X1", "G10", ""),
     (Fault::DataForm, 67, "G10 L3 P1", "L3", ""),
@@ -317,6 +325,8 @@ fn just_inside_is_no_alarm() {
         ("G16\nG10 L51 N334 R1\nG11\nG10 L50 N34 P0 R1\nG11\nG15\nX1\nM30", "", "rapid X1"),
         ("IF[[#1EQ#2]AND1]THEN #3=1\nX#3\nM30", "", "rapid X1"),
         ("#1=99.6\nS#1 M3\nM30", "", "spindle cw 100"),
+        ("N1 N333 G10 L51 R1\nG11\nX1\nM30", "", "rapid X1"),
+        ("G1 X20 F100 ,R5\nG10 L51\nN334 R1\nG11\nY20\nM30", "", "feed X15 F100"),
         ("N1 G10 L51 N334 R1\nN2 N335 R1\nG11\nX1\nM30", "", "rapid X1"),
         ("G1 X20 F100 , R5\nY20\nM30", "", "feed X15 F100"),
         ("G1 X20 F100 ,R5\nG54 Y20\nM30", "", "feed X15 F100"),
@@ -419,15 +429,23 @@ const SAME_NUMBER: &[(u16, &str, &str, &str)] = &[
     (51, "G1 X20 F100 ,L5\nG92 X0 Y0\nY20", ",L5", ""),
     (51, "G1 X20 F100 ,L5\nG55\nY20", ",L5", "[work_offsets]\nG55 = { x = 1.0 }"),
     (51, "G1 X20 F100 ,L5\nG10 L10 P1 R1\nY20", ",L5", ""),
+    (51, "G1 X20 F100 ,L5\n#5206=10\nX20 Y20", "#5206=10", ""),
+    (51, "G1 X20 F100 ,L5\nG68 X0 Y0 R10\nY20", ",L5", ""),
+    (51, "G1 X20 F100 ,L5\nG51 X0 Y0 P2\nY20", ",L5", ""),
+    (51, "G1 X20 F100 ,L5\nG16\nY20", ",L5", ""),
     // 0007: nor has a program number.
     (7, "O1.5\nG0 X1", "O1.5", ""),
     // 0167: however large the middle of G28 is.
     (167, "G28 X100000", "X100000", ""),
+    (167, "X100000 G28", "X100000", ""),
     (167, "G30 P2 Y-123456", "Y-123456", ""),
     // 0074: a program number is no higher than 99999.
     (74, "M98 P100000", "P100000", ""),
+    (74, "P100000 M98", "P100000", ""),
     (74, "#1=100000\nM98 P#1", "P#1", ""),
     (74, "G65 P100000 A1", "P100000", ""),
+    // 0231: N behind G10 is that of a parameter.
+    (231, "G10 L51 N270", "G10 L51 N270", ""),
     // 0032: in inches as in millimetres.
     (32, "G20\n#1501=40", "#1501=40", ""),
     // 0125: a condition compares (4.9.5).

@@ -480,3 +480,16 @@ fn an_internal_thread_goes_up_in_the_middle_between_its_passes() {
     let made = thread("B1.5 C2");
     assert_eq!(made.iter().filter(|line| line.starts_with("rapid X0")).count(), 1, "{made:?}");
 }
+
+#[test]
+fn half_the_pocket_as_the_pass_asks_for_the_wall_alone() {
+    let setup = "[start]\nz = 25.0\n[tools.1]\nradius = 5.0";
+    for cycle in ["G99 G87 Z2 I-5 J-40 K20 M0 B10 C20 L2 H300", "G99 G88 Z2 I-5 J20 B10 C20 L3 H300"] {
+        let made = moves(&format!("T1 D1 M6\nG0 F800 S100\n{cycle}\nM30"), setup);
+        // Down to the bottom, and along the wall at its feed.
+        assert!(made.iter().any(|line| line.contains("F300")), "{made:?}");
+    }
+    // Any other pass is no wider than the tool.
+    let (_, alarm) = run_on(&DIALECT, "T1 D1 M6\nG0 F800 S100\nG99 G88 Z2 I-5 J20 B10 C19 L3\nM30", setup);
+    assert_eq!(alarm.map(|alarm| alarm.fault), Some(Fault::CycleStepTooWide));
+}

@@ -140,6 +140,10 @@ faults! {
     ArcInMachine = 318,
     /// Feed per revolution with a spindle speed of 0.
     SpindleAtRest = 319,
+    /// A chamfer or corner arc before a move out of the plane.
+    CornerPlaneBehind = 320,
+    /// An arc that starts on its centre in cutter compensation.
+    ArcWithoutRadiusInCutter = 321,
     /// An arc in a plane of U, V, W.
     ArcInUvwPlane = 330,
     /// An arc with both a radius and a centre.

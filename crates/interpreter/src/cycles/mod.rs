@@ -160,6 +160,8 @@ pub(crate) struct CycleState {
     pattern: Option<Places>,
     /// A change of tool length that is made on the next way to an R level: the code in force.
     length: Option<Meaning>,
+    /// The feed of a tapping that was told to be held, and the speed of its spindle.
+    told: Option<(f64, Option<f64>)>,
     /// Scale factor of the tool axis, set aside while a block of the cycle runs.
     pub z_factor: Option<f64>,
 }

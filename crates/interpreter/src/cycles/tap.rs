@@ -51,6 +51,10 @@ impl Interpreter {
             self.check_pecks(r - z, steps.depth)?;
         }
         let rigid = self.taps_rigidly();
+        // S is a gear then, of which no pitch can be made (GSK990MC 6.2).
+        if rigid && !self.rules.spindle_has_position {
+            return Err(self.alarm(Fault::NoOrientation, self.cycle_span()));
+        }
         let limit = if rigid { rigid_speeds.limit(rpm) } else { self.rules.cycles.max_tapping_rpm };
         if rpm <= 0.0 || rpm > limit {
             return Err(self.alarm(Fault::TappingSpeed, self.cycle_span()));
@@ -94,7 +98,8 @@ impl Interpreter {
     /// pitch is never meant, and Fanuc refuses the block.
     fn rpm_of_thread(&mut self, pitch: f64, rpm: f64) -> f64 {
         let feed = pitch * rpm;
-        if feed <= self.rules.max_feed {
+        // The pitch is a quotient that was rounded.
+        if feed <= self.rules.max_feed * (1.0 + 1e-9) {
             return rpm;
         }
         let held = self.rules.max_feed / pitch;
@@ -105,8 +110,7 @@ impl Interpreter {
     /// Tells a check of a tapping whose `feed` in mm/min is held at the highest one, and the speed of a spindle that follows;
     /// once for all holes that are cut so.
     fn tell_feed_held(&mut self, feed: f64, rpm: Option<f64>) {
-        let begins = self.words.g.iter().any(|g| g.row.group == Group::Cycle);
-        if !begins && !self.words.has(b'F') && !self.words.has(b'S') {
+        if self.cycle.told.replace((feed, rpm)) == Some((feed, rpm)) {
             return;
         }
         let span = if self.words.has(b'F') { self.words.span(b'F') } else { self.cycle_span() };

@@ -253,7 +253,7 @@ fn join(held: &Held, corner: Position, next: &Step) -> Result<Joined, Refused> {
     }
     let a = Curve::of(plane, held.from, &held.step.op).ok_or(refuse(Fault::CornerPlane))?;
     // Alarm 0058 is about the block of the corner, 0051 about the one behind it.
-    let b = Curve::of(plane, corner, &next.op).ok_or(refuse(Fault::CornerWithoutMove))?;
+    let b = Curve::of(plane, corner, &next.op).ok_or(refuse(Fault::CornerPlaneBehind))?;
     let point = plane.of(corner);
     let (Some(inward), Some(outward)) = (a.direction(true), b.direction(false)) else {
         return Err(refuse(Fault::CornerWithoutMove));

@@ -437,10 +437,6 @@ FC-0434 = The offset value is too large
 FC-0435 = The intermediate point is too far away
     .help = Check the coordinates of the block.
 
-FC-0452 = G29 has no intermediate point to go through
-    .detail = { $axis }
-    .help = Program G28 or G30 with this axis before G29, or go to the point with G00.
-
 FC-0436 = A block with / while points are scaled, rotated or polar
     .help = Cancel the transformation before the block.
 
@@ -478,6 +474,10 @@ FC-0447 = The skip move ended without its signal
     .help = Check the probe and its wiring, and that the move reaches far enough; P021.3 says whether this is an alarm.
 FC-0451 = The probe has its signal before the move begins
     .help = Move away from the work, or onto it for G38.4, before probing; check the probe and its wiring. G38.3 and G38.5 allow it.
+
+FC-0452 = G29 has no intermediate point to go through
+    .detail = { $axis }
+    .help = Program G28 or G30 with this axis before G29, or go to the point with G00.
 
 FC-0510 = Rigid tapping without a feed
     .help = Give F in the cycle or before it.
@@ -686,6 +686,12 @@ FC-0472 = The first move after cutter compensation is an arc
 
 FC-0319 = Feed per revolution with a spindle speed of 0
     .help = Give S before the move, or use G94.
+
+FC-0320 = The move behind the chamfer or corner arc leaves the plane
+    .help = Move only the two axes of the plane there.
+
+FC-0321 = In cutter compensation an arc starts on its centre
+    .help = Check I, J and K: they are the distances from the start of the arc to its centre.
 
 FC-0448 = A tool change in cutter compensation
     .help = End compensation by G40 first.

@@ -65,7 +65,7 @@ FC-1016 = An inserted block is not in the drawing
 
 FC-1017 = A PLT instruction is not carried out
     .detail = { $instruction }
-    .help = Compare the picture with the drawing: what this instruction draws or changes is missing.
+    .help = If it draws something, such as letters, that is missing: compare the picture with the drawing.
 
 FC-1018 = The setting of the import cannot be used
     .detail = { $setting }: { $value }

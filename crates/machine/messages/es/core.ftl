@@ -437,10 +437,6 @@ FC-0434 = El valor del corrector es demasiado grande
 FC-0435 = El punto intermedio está demasiado lejos
     .help = Revise las coordenadas del bloque.
 
-FC-0452 = G29 no tiene punto intermedio por el que pasar
-    .detail = { $axis }
-    .help = Programe antes de G29 un G28 o G30 con este eje, o vaya al punto con G00.
-
 FC-0436 = Bloque con barra / y escalado, giro o coordenadas polares activos
     .help = Anule la transformación antes del bloque.
 
@@ -478,6 +474,10 @@ FC-0447 = El movimiento SKIP acabó sin su señal
     .help = Revise el palpador y su cableado y si el movimiento llega lo bastante lejos; P021.3 dice si esto es una alarma.
 FC-0451 = El palpador ya tiene su señal antes de empezar el movimiento
     .help = Aléjese de la pieza antes de palpar, o tóquela para G38.4; revise el palpador y su cableado. G38.3 y G38.5 lo permiten.
+
+FC-0452 = G29 no tiene punto intermedio por el que pasar
+    .detail = { $axis }
+    .help = Programe antes de G29 un G28 o G30 con este eje, o vaya al punto con G00.
 
 FC-0510 = Roscado rígido sin avance
     .help = Dé F en el ciclo o antes.
@@ -686,6 +686,12 @@ FC-0472 = El primer movimiento después de la compensación de radio es un arco
 
 FC-0319 = Avance por vuelta con velocidad de husillo 0
     .help = Dé S antes del movimiento o use G94.
+
+FC-0320 = El movimiento tras el chaflán o redondeo sale del plano
+    .help = Mueva allí solo los dos ejes del plano.
+
+FC-0321 = Con compensación de radio un arco empieza en su centro
+    .help = Revise I, J y K: son las distancias del inicio del arco a su centro.
 
 FC-0448 = Cambio de herramienta con compensación de radio
     .help = Anule antes la compensación con G40.

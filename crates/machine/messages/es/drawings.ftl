@@ -65,7 +65,7 @@ FC-1016 = Un bloque insertado no está en el dibujo
 
 FC-1017 = No se ejecuta una instrucción PLT
     .detail = { $instruction }
-    .help = Compare la imagen con el dibujo: falta lo que esta instrucción dibuja o cambia.
+    .help = Si dibuja algo, por ejemplo letras, eso falta: compare la imagen con el dibujo.
 
 FC-1018 = El ajuste de la importación no sirve
     .detail = { $setting }: { $value }

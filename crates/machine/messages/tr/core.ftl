@@ -437,10 +437,6 @@ FC-0434 = Ofset değeri çok büyük
 FC-0435 = Ara nokta çok uzakta
     .help = Bloğun koordinatlarını denetleyin.
 
-FC-0452 = G29'un geçeceği bir ara nokta yok
-    .detail = { $axis }
-    .help = G29'dan önce bu eksenle G28 ya da G30 programlayın veya noktaya G00 ile gidin.
-
 FC-0436 = Ölçekleme, döndürme ya da kutupsal koordinatlar etkinken / işaretli bir blok
     .help = Bloktan önce dönüşümü iptal edin.
 
@@ -478,6 +474,10 @@ FC-0447 = Atlama hareketi, sinyali gelmeden bitti
     .help = Probu, kablosunu ve hareketin yeterince uzun olduğunu denetleyin; bunun alarm olup olmadığını P021.3 belirler.
 FC-0451 = Probun sinyali hareket başlamadan önce var
     .help = Ölçmeden önce parçadan uzaklaşın, G38.4 için parçaya değdirin; probu ve kablosunu denetleyin. G38.3 ve G38.5 buna izin verir.
+
+FC-0452 = G29'un geçeceği bir ara nokta yok
+    .detail = { $axis }
+    .help = G29'dan önce bu eksenle G28 ya da G30 programlayın veya noktaya G00 ile gidin.
 
 FC-0510 = İlerlemesi olmayan rijit kılavuz çekme
     .help = F'yi çevrimde ya da öncesinde verin.
@@ -686,6 +686,12 @@ FC-0472 = Yarıçap telafisinden sonraki ilk hareket bir yay
 
 FC-0319 = İş mili devri 0 iken devir başına ilerleme
     .help = Hareketten önce S verin ya da G94 kullanın.
+
+FC-0320 = Pah ya da köşe yayından sonraki hareket düzlemden çıkıyor
+    .help = Orada yalnız düzlemin iki eksenini hareket ettirin.
+
+FC-0321 = Yarıçap telafisinde bir yay kendi merkezinde başlıyor
+    .help = I, J ve K değerlerini denetleyin: bunlar yayın başından merkezine olan uzaklıklardır.
 
 FC-0448 = Yarıçap telafisinde takım değişimi
     .help = Önce telafiyi G40 ile bitirin.

@@ -65,7 +65,7 @@ FC-1016 = Yerleştirilmiş bir blok çizimde yok
 
 FC-1017 = Bir PLT komutu yürütülmüyor
     .detail = { $instruction }
-    .help = Görüntüyü çizimle karşılaştırın: bu komutun çizdiği ya da değiştirdiği eksiktir.
+    .help = Bir şey, örneğin harf çiziyorsa o eksiktir: görüntüyü çizimle karşılaştırın.
 
 FC-1018 = İçe aktarma ayarı kullanılamıyor
     .detail = { $setting }: { $value }

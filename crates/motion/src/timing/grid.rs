@@ -17,10 +17,11 @@
 //!    means `x″ ≥ −G`, `G = 2J/v`. With `H″ = G` that says that `x + H` is convex. The highest such profile that is
 //!    nowhere above the one found is the **lower convex hull** of `x + H`, one pass with a stack.
 //! 6. *Check* of every piece, from the start of a step to its end, against all bounds as they are. Where one is passed,
-//!    the section is planned again with less; from rest to rest a uniform slow-down ends this for certain, because
-//!    speed, acceleration and jerk fall with `λ`, `λ²` and `λ³`.
+//!    passes 2 to 5 are made again with less, from the last place before it where some steps are at their cap to the first such
+//!    place behind it: what lies beyond does not depend on it. From rest to rest a uniform slow-down ends this for certain,
+//!    because speed, acceleration and jerk fall with `λ`, `λ²` and `λ³`.
 //!
-//! Everything left of a step at which the speed is the cap does not depend on what follows the section.
+//! Everything left of a step at which the speed is the cap does not depend on what follows the section either.
 
 use crate::limits::Room;
 use crate::timing::piece::{Piece, ROUNDING, State, acceleration_behind, step};
@@ -157,7 +158,7 @@ struct Step {
     rising: State,
     falling: State,
     from: State,
-    /// Whether its bounds are other than in the pass before.
+    /// Whether its bounds are other than in the last pass that went over it.
     is_new: bool,
 }
 

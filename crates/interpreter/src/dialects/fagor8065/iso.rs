@@ -262,9 +262,11 @@ fn pocket(given: &Given<'_>, wall: Outline, degrees: f64, turn: Turn, sizes: &[f
     let depth = (surface - bottom) * up;
     let levels = Levels::by_step(depth, given.need(b'B', "B")?, "B")?;
     let width = given.or(b'C', 0.0);
+    // As wide as half the pocket it is no pass but asks for the wall alone (1.8, 1.9), however small the tool is.
+    let wall_alone = sizes.iter().any(|size| (size - width).abs() <= SAME_POINT_MM);
     let cut = Cut {
         radius: given.tool.radius,
-        step: width,
+        step: if wall_alone { 0.0 } else { width },
         feed: given.feed,
         plunge: given.or_for_zero(b'V', given.feed / 2.0),
     };
@@ -273,7 +275,6 @@ fn pocket(given: &Given<'_>, wall: Outline, degrees: f64, turn: Turn, sizes: &[f
     refuse(!(stock >= 0.0 && stock.is_finite()), Fault::CycleParameter, "L")?;
     let finish = positive(given.or_for_zero(b'H', given.feed), "H")?;
     crate::cycles::area::pocket::check_corner(&wall, "Q")?;
-    let wall_alone = sizes.iter().any(|size| (size - width).abs() <= SAME_POINT_MM);
     // The approach level lies 1 mm above the surface, or is Z where that is nearer.
     let above = surface + up;
     let approach = if (given.reference - above) * up < 0.0 { given.reference } else { above };

@@ -358,6 +358,7 @@ fn pour(band: &mut [[f64; 3]], right: &mut [f64], base: usize, sums: &[Lanes; 9]
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::timing::valley::solve::{FIRST_GAP, Solution};
 
     /// Bounds of every kind at places that are no multiple of a block.
     fn valley() -> Valley {
@@ -422,12 +423,49 @@ mod tests {
     }
 
     #[test]
+    fn the_processor_makes_no_difference() {
+        let solved = |solve: fn(&mut Valley, f64) -> Solution| {
+            let mut valley = valley();
+            let planned = valley.slacken();
+            let solution = solve(&mut valley, planned);
+            (solution, valley.x.iter().map(|x| x.to_bits()).collect::<Vec<_>>())
+        };
+        // With the vectors that the processor has, and with those that all have.
+        let dispatched = solved(|valley, planned| valley.solve(planned, FIRST_GAP));
+        let plain = solved(|valley, planned| valley.iterate(planned, FIRST_GAP));
+        assert_eq!(dispatched, plain);
+    }
+
+    #[test]
     fn rows_that_are_none_add_nothing() {
         let mut valley = valley();
         valley.slacken_rows(0.15, 1e-3);
         let n = valley.h.len() + PAD;
         (valley.band, valley.right) = (vec![[0.0; 3]; n], vec![0.0; n]);
         valley.assemble_rows([0.0; 2], 1e-3);
+        // The sums are those of the bounds one by one.
+        let mut expected = (vec![[0.0; 3]; n], vec![0.0; n]);
+        for block in &valley.rows.blocks {
+            for i in (0..LANES).filter(|i| block.counts[*i] > 0.0) {
+                let (value, g) = (block.value[i], block.g.map(|g| g[i]));
+                let [(w0, p0), (w1, p1)] = [(0, 1.0 - value), (1, 1.0 + value)].map(|(side, bound)| {
+                    let (z, l) = (block.z[side][i], block.l[side][i]);
+                    (l / z, (1e-3 - l * (bound - z)) / z)
+                });
+                for row in 0..3 {
+                    for column in row..3 {
+                        expected.0[block.base + i + row][column - row] += (w0 + w1) * g[row] * g[column];
+                    }
+                    expected.1[block.base + i + row] += (p1 - p0) * g[row];
+                }
+            }
+        }
+        for (found, expected) in valley.band.iter().flatten().zip(expected.0.iter().flatten()) {
+            assert!((found - expected).abs() <= 1e-9 * expected.abs().max(1e-9), "{found} {expected}");
+        }
+        for (found, expected) in valley.right.iter().zip(&expected.1) {
+            assert!((found - expected).abs() <= 1e-9 * expected.abs().max(1e-9), "{found} {expected}");
+        }
         let right: Vec<f64> = valley.right.iter().map(|r| 1e-3 * r).collect();
         valley.right = right;
         let lead = valley.lead(1e-3);

@@ -19,7 +19,7 @@ pub(super) const NEXT_GAP: f64 = 4e-3;
 /// Slacks at first, at least.
 const FIRST_SLACK: f64 = 0.15;
 
-/// Multipliers aimed at, of those there are: after a step that went at least this share of its way.
+/// Multipliers aimed at, of those there are: after a step that went more than this share of its way.
 const AIMS: [(f64, f64); 3] = [(0.8, 0.15), (0.4, 0.3), (0.0, 0.5)];
 
 /// How close to zero slacks and multipliers go in an iteration.
@@ -38,7 +38,7 @@ pub(super) enum Solution {
     None,
 }
 
-/// [`Valley::iterate`] with the widest vectors that the processor has.
+/// [`Valley::iterate`], with vectors of four numbers where the processor has them; in every bit the same.
 struct Solve<'a> {
     valley: &'a mut Valley,
     planned: f64,
@@ -75,7 +75,7 @@ impl Valley {
     }
 
     #[inline(always)]
-    fn iterate(&mut self, planned: f64, gap: f64) -> Solution {
+    pub(super) fn iterate(&mut self, planned: f64, gap: f64) -> Solution {
         let n = self.h.len();
         let mut sum = gap * planned;
         let mut mu = self.mu(sum);
