@@ -804,3 +804,96 @@ fn climb(at: &Step, most: f64, state: State) -> [State; 2] {
     }
     [middle, end]
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::limits::{Class, Inverses, Limits, Rates};
+    use crate::path::shape::Shape;
+    use crate::timing::queue::Cell;
+    use ferrocut_geometry::{AXES, Position};
+    use ferrocut_machine::Machine;
+
+    const CELLS: u64 = 240;
+    const LEN: f64 = 0.5;
+
+    /// A long way with two bends in it, in cells.
+    fn queue() -> Queue {
+        let inverses = Inverses::new(&Limits::new(&Machine::demo_mill()));
+        let inverse = inverses.of(Class::Cut);
+        let mut queue = Queue::new();
+        for k in 0..CELLS {
+            let mut rates = Rates { first: [0.0; AXES], second: [0.0; AXES], third: [0.0; AXES] };
+            rates.first[0] = 1.0;
+            if (80..90).contains(&k) || (160..164).contains(&k) {
+                rates.second[1] = 2.0;
+            }
+            let top = inverse.speed(&rates);
+            let shape = Shape::Line { p: Position::ZERO, d: Position::ZERO };
+            queue.append(
+                Cell::new(shape, None),
+                Node {
+                    s: k as f64 * LEN,
+                    len: LEN,
+                    load: inverse.load(&rates),
+                    top,
+                    most: f64::INFINITY,
+                    feed: 100.0,
+                    basis: 0.0,
+                    class: Class::Cut,
+                    pass: Pass::Path,
+                    rests: k + 1 == CELLS,
+                },
+            );
+        }
+        queue
+    }
+
+    fn planned(queue: &Queue) -> (Grid, Port) {
+        let mut grid = Grid::new();
+        let (from, to) =
+            (Port { s: 0.0, state: State::REST }, Port { s: CELLS as f64 * LEN, state: State::REST });
+        assert!(grid.plan(queue, from, to, 0, CELLS - 1, |node| node.top.min(100.0)));
+        (grid, from)
+    }
+
+    #[test]
+    fn a_part_is_planned_again_as_the_whole_would_be() {
+        let queue = queue();
+        let (planned, from) = planned(&queue);
+        let n = planned.steps.len();
+        let slowest = |cells: std::ops::Range<u64>| {
+            let inside = (0..n).filter(|i| cells.contains(&planned.steps[*i].cell));
+            inside.min_by(|a, b| planned.steps[*a].x.total_cmp(&planned.steps[*b].x)).unwrap()
+        };
+        let (first, second) = (slowest(78..92), slowest(158..166));
+        let mut parts = 0;
+        for changed in [first..first + 2, second..second + 1, first..second, 0..2, n - 2..n, 0..n] {
+            let lessened = || {
+                let mut grid = Grid::new();
+                grid.steps.clone_from(&planned.steps);
+                grid.known.clone_from(&planned.known);
+                grid.to = planned.to;
+                for step in &mut grid.steps[changed.clone()] {
+                    step.share *= 0.9;
+                }
+                grid
+            };
+            let (mut part, mut whole) = (lessened(), lessened());
+            assert!(whole.pass(from));
+            if !part.pass_about(changed.clone(), from) {
+                // Then the whole is planned again, from what the part left.
+                assert!(part.pass(from));
+            } else {
+                parts += 1;
+            }
+            for (a, b) in part.steps.iter().zip(&whole.steps) {
+                let off = (a.from.v - b.from.v).abs();
+                assert!(off < 1e-9, "{changed:?}: {} {} at {}", a.from.v, b.from.v, a.s);
+            }
+        }
+        // The bends and the ends lie between places of full speed; only the whole does not.
+        assert_eq!(parts, 5);
+    }
+}
