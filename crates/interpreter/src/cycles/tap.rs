@@ -6,7 +6,6 @@
 use super::{CycleKind, Tapping};
 use crate::Fallible;
 use crate::interpreter::Interpreter;
-use crate::modal::Group;
 use ferrocut_geometry::{Axis, MM_PER_INCH, Position, SAME_POINT_MM, Turn};
 use ferrocut_machine::Fault;
 use ferrocut_toolpath::{Feed, Op, PathMode, SpindleState};
