@@ -157,7 +157,8 @@ impl ThreadMilling {
     pub fn mill<T: Take>(&self, frame: Frame, tool: &mut Tool<'_, T>) -> Result<(), T::Error> {
         tool.set_feed(self.feed);
         tool.rapid_z(self.reference)?;
-        for depth in self.passes() {
+        let mut passes = self.passes().peekable();
+        while let Some(depth) = passes.next() {
             let radius = self.path_radius(depth);
             let clear = self.clear_radius(radius, depth);
             for levels in self.turns() {
@@ -167,9 +168,10 @@ impl ThreadMilling {
                 tool.rapid_z(self.reference)?;
                 continue;
             }
-            // To the middle, and there to where the next pass begins (1.11, steps 7 and 8).
+            // To the middle, and there to where the next pass begins (1.11, steps 7 and 8). Behind the last one there is none, and
+            // the way up is the next step.
             tool.rapid([0.0; 2])?;
-            if let Some(levels) = self.turns().next() {
+            if let Some(levels) = self.turns().next().filter(|_| passes.peek().is_some()) {
                 tool.rapid_z(self.entry(levels))?;
             }
         }
