@@ -5,15 +5,15 @@
 
 use crate::barrier::Present;
 use crate::custom::CustomCodes;
-use crate::dialect::MFunction;
+use crate::dialect::{MFunction, Meaning, Variable};
 use crate::flow::Flow;
 use crate::interpreter::Interpreter;
 use crate::modal::Group;
 use crate::output::Output;
 use crate::stages::units;
-use crate::stages::work_offset::System;
+use crate::stages::work_offset::{System, WorkSystem};
 use ferrocut_geometry::Position;
-use ferrocut_machine::{Alarm, Memory};
+use ferrocut_machine::{Alarm, Memory, WorkOffset};
 use ferrocut_program::{FileId, ProgramMemory};
 use std::io;
 
@@ -148,10 +148,32 @@ impl Interpreter {
     }
 
     /// The work coordinate system in force, as the program calls it.
-    pub fn work_system(&self) -> Option<ferrocut_machine::WorkOffset> {
+    pub fn work_system(&self) -> Option<WorkOffset> {
         match self.location.work.system {
             System::Table(name) => Some(name),
             System::Floating => None,
+        }
+    }
+
+    /// Whether a person may set the variable: one that stands for nothing else.
+    pub fn is_entered_by_hand(&self, number: u32) -> bool {
+        matches!((self.dialect.variable)(number), Some(Variable::Plain | Variable::UserTable))
+    }
+
+    /// The work coordinate system that was in force before power went off (GSK990MC 4.2.8, 3), if the control has it still.
+    pub fn take_up_work_system(&mut self, name: WorkOffset) {
+        let Some(system) = WorkSystem::select(name, &self.memory.work, &self.location.work) else { return };
+        let number = match name {
+            WorkOffset::Standard(number) => number,
+            // Those with a number are called by P beside G54.
+            WorkOffset::Additional(_) => 1,
+            WorkOffset::External => return,
+        };
+        let is_its = |row: &&'static crate::dialect::GCode| row.meaning == Meaning::WorkOffset(number);
+        if let Some(row) = self.dialect.g_codes.iter().find(is_its) {
+            self.modal.set(row);
+            self.location.work = system;
+            self.location.take_machine();
         }
     }
 

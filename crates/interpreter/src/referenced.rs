@@ -19,6 +19,15 @@ pub struct Unreferenced {
     pub stand: bool,
     /// To send one to its reference point is an alarm.
     pub not_by_program: bool,
+    /// Stored strokes hold for them too.
+    pub limits_before: bool,
+}
+
+impl Unreferenced {
+    /// Axes whose places are not judged by stored strokes (GSK990MC 2.5.2, 2.6, 5).
+    pub fn not_judged(&self) -> AxisSet {
+        if self.limits_before { AxisSet::EMPTY } else { self.axes }
+    }
 }
 
 impl Interpreter {

@@ -119,7 +119,7 @@ impl Interpreter {
         }
         let enters = match stroke.second_forbids_outside {
             true => self.outside(&stroke.second, min, max).is_some(),
-            false => self.crosses(&stroke.second, from, op),
+            false => self.knows_box() && self.crosses(&stroke.second, from, op),
         };
         enters.then(|| self.alarm(Fault::StoredStroke, self.words.block_span()))
     }
@@ -145,7 +145,10 @@ impl Interpreter {
         let enters = check_2
             && match stroke.second_forbids_outside {
                 true => self.outside(&stroke.second, min, max).is_some(),
-                false => self.rules.axis_order.iter().zip(&stroke.second).take(3).all(is_inside),
+                false => {
+                    self.knows_box()
+                        && self.rules.axis_order.iter().zip(&stroke.second).take(3).all(is_inside)
+                }
             };
         enters.then(|| self.alarm(Fault::StoredStroke, self.words.block_span()))
     }
@@ -203,6 +206,12 @@ impl Interpreter {
         (low, high)
     }
 
+    /// Whether the places of the three axes are judged of which a box is made.
+    fn knows_box(&self) -> bool {
+        let unknown = self.unreferenced.not_judged();
+        !self.rules.axis_order.iter().take(3).any(|axis| unknown.contains(*axis))
+    }
+
     /// The first axis that leaves its bounds, and on which side.
     fn outside(
         &self,
@@ -211,7 +220,7 @@ impl Interpreter {
         max: Position,
     ) -> Option<(usize, bool)> {
         for (index, (axis, (lower, upper))) in self.rules.axis_order.iter().zip(bounds).enumerate() {
-            if !self.rules.axes.contains(*axis) {
+            if !self.rules.axes.contains(*axis) || self.unreferenced.not_judged().contains(*axis) {
                 continue;
             }
             if min[*axis] < lower - ON_BOUND {

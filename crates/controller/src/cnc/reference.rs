@@ -171,8 +171,8 @@ impl Cnc {
 
     /// The same of an axis beside `others` that are about to be moved too.
     pub(super) fn keep_out_beside(&mut self, axis: Axis, others: AxisSet) {
-        let known = self.homing.referenced();
-        if !known.contains(axis) || self.homing.searches(axis) {
+        let holds = self.homing.referenced().contains(axis) || self.homing.config().limits_before;
+        if !holds || self.homing.searches(axis) {
             return;
         }
         let at = Position(Axis::ALL.map(|axis| self.manual.at(axis)));
@@ -189,6 +189,7 @@ impl Cnc {
             axes: self.machine_axes.iter().filter(|axis| !referenced.contains(*axis)).collect(),
             stand: config.needed,
             not_by_program: config.not_by_program,
+            limits_before: config.limits_before,
         };
         self.interpreter.own().set_unreferenced(unreferenced);
     }

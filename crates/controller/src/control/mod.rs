@@ -192,6 +192,7 @@ impl Control {
         let mut counters = status::Count::default();
         let mut start = Position::ZERO;
         let mut referenced = None;
+        let mut work_system = None;
         let mut interrupted = None;
         let mut pitch = machine_data::Pitch::new();
         let keeping = match parts.store {
@@ -204,6 +205,7 @@ impl Control {
                 if let Some(last) = found.position {
                     start = last.position;
                     referenced = Some(last.referenced);
+                    work_system = last.work_system;
                 }
                 Some(keeping)
             }
@@ -223,7 +225,10 @@ impl Control {
             machine_codes,
             ..Options::default()
         };
-        let interpreter = Interpreter::new(dialect, programs, memory, options);
+        let mut interpreter = Interpreter::new(dialect, programs, memory, options);
+        if let Some(system) = work_system {
+            interpreter.take_up_work_system(system);
+        }
         let built_with = interpreter.memory().parameters.clone();
         let drives = match parts.drives {
             Some(drives) => drives,

@@ -993,6 +993,10 @@ fn data_by_hand() {
     assert_eq!(shop.refused(Command::SetVariable { number: 500, value: Some(1.5) }), "FC-1400");
     shop.mode(Mode::Mdi);
     shop.say(Command::SetVariable { number: 500, value: Some(1.5) });
+    // What stands for something else, or for nothing, no person sets (3.3.3.2).
+    for number in [60, 1500, 2100, 3003, 4001, 5001, 5221, 1_000_000] {
+        assert_eq!(shop.refused(Command::SetVariable { number, value: Some(1.5) }), "FC-1407", "{number}");
+    }
     shop.say(Command::Mdi { text: "G0 X#500".into() });
     shop.start();
     shop.until_it_stops();

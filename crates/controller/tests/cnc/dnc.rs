@@ -63,7 +63,7 @@ fn a_sender_that_is_late_costs_a_stop_and_reset_gives_up() {
     let status = shop.until_it_stops();
     // Lines are not kept, so that nothing can be jumped to.
     assert_eq!((status.activity, shop.x()), (Activity::Alarm, 10.0));
-    assert_eq!(shop.told().last().unwrap(), "FC-1460");
+    assert_eq!(shop.told().last().unwrap(), "gsk990mc:0123");
     shop.say(Command::Reset);
     shop.wait(10);
     assert_eq!(shop.refused(dnc("X5\n", false, false)), "FC-1401");
@@ -143,7 +143,7 @@ fn no_jump_in_what_is_sent_depends_on_what_has_come() {
         let status = shop.until_it_stops();
         assert_eq!(
             (status.activity, shop.x(), shop.told()),
-            (Activity::Alarm, 1.0, vec!["FC-1460".into()]),
+            (Activity::Alarm, 1.0, vec!["gsk990mc:0123".into()]),
             "{jump}"
         );
     }

@@ -737,6 +737,33 @@ fn an_axis_that_moved_when_the_power_failed_is_to_be_homed() {
 }
 
 /// GSK990MC part 2, 3.4.1 and 10.2.5: programs stay closed until somebody with the right opens them.
+/// GSK990MC 4.2.8, 3).
+#[test]
+fn the_work_coordinate_system_is_the_one_before_the_power() {
+    for (block, system) in [("G55", "G55"), ("G54 P3", "G54 P3"), ("G59", "G59"), ("G54", "G54")] {
+        let folder = tempfile::tempdir().unwrap();
+        {
+            let mut control = control(folder.path());
+            mode(&mut control, Mode::Mdi);
+            say(&mut control, Command::Mdi { text: format!("{block}\n") });
+            start(&mut control, Mode::Mdi);
+            wait(&mut control, 200);
+            control.flush().unwrap();
+        }
+        let mut control = control(folder.path());
+        wait(&mut control, 1);
+        let status = control.status();
+        assert_eq!(status.position.system.as_deref(), Some(system), "{block}");
+        // Its code is the one in force.
+        let code = system.split(' ').next().unwrap();
+        assert!(
+            status.program.g_codes.iter().any(|in_force| in_force == code),
+            "{:?}",
+            status.program.g_codes
+        );
+    }
+}
+
 #[test]
 fn the_program_switch_stands_after_the_power_as_it_was_left() {
     let folder = tempfile::tempdir().unwrap();

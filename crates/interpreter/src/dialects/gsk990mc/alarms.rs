@@ -118,6 +118,8 @@ pub const ALARMS: &[(Fault, u16)] = &[
     (Fault::NotReferenced, 224),
     (Fault::ReferenceNeeded, 47),
     (Fault::ReferenceByProgram, 145),
+    // Of a program that is sent.
+    (Fault::LinesNotKept, 123),
     (Fault::HomingStopped, 251),
     (Fault::RestartOrder, 236),
     (Fault::RestartNotReferenced, 98),
