@@ -128,7 +128,7 @@ impl Control {
                 self.needs(Mode::Mdi, author)?;
                 // 3.3.3.2: what stands for something else is set by programs alone.
                 if !self.cnc.interpreter().is_entered_by_hand(number) {
-                    return Err(Box::new(named(Fault::NoSuchName, &format!("#{number}"))));
+                    return Err(Box::new(named(Fault::NoSuchName, format!("#{number}"))));
                 }
                 let name = VariableName::Number(number);
                 self.change_data(author, Change::Variable { name, value: finite(value)? })
