@@ -253,7 +253,10 @@ fn a_control_that_keeps_nothing_has_rights_and_histories() {
     front.until("stopped", |status| status["activity"] == "emergency");
     front.done(json!({ "do": "emergency_stop", "pressed": false }));
     let history = front.ask(json!({ "do": "alarm_history", "most": 10 }));
-    assert!(history["alarms"].as_array().unwrap().iter().any(|alarm| alarm["id"] == "FC-1410"), "{history}");
+    assert!(
+        history["alarms"].as_array().unwrap().iter().any(|alarm| alarm["id"] == "gsk990mc:0251"),
+        "{history}"
+    );
     let log = front.ask(json!({ "do": "operation_log", "most": 10 }));
     let changed = |line: &Value| line["name"] == "P86" && line["to"] == "1234" && line["level"] == 1;
     assert!(log["entries"].as_array().unwrap().iter().any(changed), "{log}");

@@ -18,6 +18,7 @@ const OF_THE_MACHINE: &[Fault] = &[
     Fault::ReferenceNeeded,
     Fault::ReferenceByProgram,
     Fault::HomingStopped,
+    Fault::EmergencyStop,
     Fault::LinesNotKept,
     Fault::RigidTappingOff,
     Fault::RestartOrder,

@@ -37,6 +37,7 @@ mod wheel_drive;
 use crate::api::{Activity, AlarmInfo, Event};
 use crate::cnc::{self, Cnc, DryRun, State, Tick};
 use crate::drives::{Drives, Switches};
+use crate::restart::own_alarm;
 use crate::restart::told::function;
 use crate::signals::{ESP_BUTTON, Inputs, Mode, Outputs, SIGNAL_AXES};
 use callable::Callable;
@@ -472,7 +473,7 @@ impl Control {
             self.cancel_start();
             self.release_axes();
             self.give_up();
-            self.log_alarm(&alarm(Fault::EmergencyStop));
+            self.log_alarm(&self.emergency_alarm());
         }
         let is_released = !pressed && self.emergency;
         if is_released {
@@ -603,10 +604,15 @@ impl Control {
         (self.start_is_pressed, self.starts_again) = (false, false);
     }
 
+    /// What the control calls the emergency stop.
+    fn emergency_alarm(&self) -> Alarm {
+        own_alarm(self.cnc.interpreter().dialect(), Fault::EmergencyStop, Span::default())
+    }
+
     /// Whether a program may be started, or its axes be sent back.
     fn may_start(&self) -> Result<(), Box<Alarm>> {
         if self.emergency {
-            return Err(Box::new(alarm(Fault::EmergencyStop)));
+            return Err(Box::new(self.emergency_alarm()));
         }
         if self.is_alarmed() {
             return Err(Box::new(alarm(Fault::ControlAlarmed)));

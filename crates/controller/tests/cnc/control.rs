@@ -688,7 +688,7 @@ fn emergency_stop_stops_axes_and_spindle_and_nothing_starts_before_it_is_release
     shop.mode(Mode::Jog);
     shop.inputs.jog[0] = Ways { plus: true, minus: false };
     shop.wait(200);
-    assert_eq!((shop.told(), shop.x()), (vec!["FC-1410".to_owned()], x));
+    assert_eq!((shop.told(), shop.x()), (vec!["gsk990mc:0251".to_owned()], x));
     shop.inputs.jog[0] = Ways::default();
     shop.say(Command::EmergencyStop { pressed: false });
     assert_eq!(shop.wait(2).activity, Activity::Idle);

@@ -995,7 +995,7 @@ fn a_shift_with_measuring_and_an_emergency_stop_in_a_cut() {
     assert_eq!(variables[&500], 6.0, "the tool in the spindle, as O9001 keeps it");
     mill.control.flush().unwrap();
     let Reply::AlarmHistory { alarms } = mill.say(Command::AlarmHistory { most: 10 }) else { panic!() };
-    assert_eq!(alarms.iter().filter(|past| past.id == "FC-1410").count(), 1, "{alarms:?}");
+    assert_eq!(alarms.iter().filter(|past| past.id == "gsk990mc:0251").count(), 1, "{alarms:?}");
     assert_eq!(alarms[0].program, "O1000");
     let Reply::OperationLog { entries } = mill.say(Command::OperationLog { most: 100 }) else { panic!() };
     // All that was changed by hand or measured, from what to what, and nothing else.

@@ -121,6 +121,7 @@ pub const ALARMS: &[(Fault, u16)] = &[
     // Of a program that is sent.
     (Fault::LinesNotKept, 123),
     (Fault::HomingStopped, 251),
+    (Fault::EmergencyStop, 251),
     (Fault::RestartOrder, 236),
     (Fault::RestartNotReferenced, 98),
     (Fault::RestartOtherProgram, 210),
