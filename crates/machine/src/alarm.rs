@@ -809,6 +809,8 @@ faults! {
     SpindleNotLed = 1492,
     /// What would move a simulated machine alone.
     DrivesNotMeant = 1493,
+    /// Machine lock is on.
+    MachineLocked = 1494,
     // 1520: forms of cycles
     /// A cycle that the editor does not have.
     CycleUnknown = 1520,

@@ -143,7 +143,7 @@ impl Control {
 
     /// Why no place gets the name of a reference point: under machine lock the axes are not where they seem to be.
     pub(super) fn locked_alarm(&self) -> Option<Box<Alarm>> {
-        self.cnc.is_locked().then(|| Box::new(alarm(Fault::ControlMode).with("mode", "MLK")))
+        self.cnc.is_locked().then(|| Box::new(alarm(Fault::MachineLocked)))
     }
 
     fn turn_wheel(&mut self, counts: i32) {

@@ -114,6 +114,11 @@ impl Control {
     fn start_mdi(&mut self) -> Result<(), Box<Alarm>> {
         let is_block = !self.mdi_block.trim().is_empty();
         let text = if is_block { self.take_mdi_block() } else { self.mdi.clone() };
+        // `%` ends it as M02 does (28#4).
+        let text = match mark_of(&text).filter(|_| !is_block) {
+            Some(at) => text[..at].to_owned(),
+            None => text,
+        };
         if text.trim().is_empty() {
             return Err(Box::new(alarm(Fault::NothingToRun)));
         }
@@ -227,7 +232,12 @@ impl Control {
             // Else it stays on the block of the end, and not on the last one that took time.
             Loaded::Auto(_) if self.tick.span.file == FileId(0) => self.cursor = self.tick.span.line.max(1),
             // 28#4.
-            Loaded::Mdi if matches!(code, Some(2 | 30)) && self.bit(28, 4) => self.clear_mdi(),
+            Loaded::Mdi if self.bit(28, 4) => {
+                let is_end = code.map_or(mark_of(&self.mdi).is_some(), |code| matches!(code, 2 | 30));
+                if is_end {
+                    self.clear_mdi();
+                }
+            }
             _ => {}
         }
     }
@@ -236,6 +246,18 @@ impl Control {
     pub fn interpreter(&self) -> &Interpreter {
         self.cnc.interpreter()
     }
+}
+
+/// Where the line begins that ends a text of MDI by `%`. One before everything else is its head.
+fn mark_of(text: &str) -> Option<usize> {
+    let mut at = 0;
+    for line in text.split_inclusive('\n') {
+        if line.trim() == "%" && !text[..at].trim().is_empty() {
+            return Some(at);
+        }
+        at += line.len();
+    }
+    None
 }
 
 /// The line on which a block begins with a sequence number, counted from 1.

@@ -634,6 +634,21 @@ fn a_start_in_mdi_begins_at_the_cursor_or_at_the_first_line() {
     }
 }
 
+/// GSK990MC 28#4: M02, M30 and `%` end a text of MDI, and clear it where the bit says so. A further start finds nothing then.
+#[test]
+fn a_percent_sign_ends_the_text_of_mdi() {
+    for (end, clears, again) in [("%", 1.0, 3.0), ("%", 0.0, 6.0), ("M30", 1.0, 3.0), ("", 1.0, 6.0)] {
+        let mut shop = Shop::new(&[("NO28.4", clears)]);
+        shop.mode(Mode::Mdi);
+        shop.say(Command::Mdi { text: format!("%\nG91 G0 X1\nG91 G0 X2\n{end}\n") });
+        for x in [3.0, again] {
+            shop.start();
+            assert_eq!(shop.until_it_stops().activity, Activity::Idle, "{end} {clears}");
+            assert_eq!(shop.x(), x, "{end} {clears}");
+        }
+    }
+}
+
 /// GSK990MC 3.2.3, 5.2.1: 33#2 and 33#4 say whether M02 and M30 lead back to the start of the program. Where one does
 /// not, the next start ends it once more and nothing moves.
 #[test]

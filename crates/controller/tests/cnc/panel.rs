@@ -549,7 +549,7 @@ fn no_axis_is_sent_to_its_reference_point_under_machine_lock() {
     mill.events.clear();
     mill.press("KEY_X+");
     let status = mill.wait(100);
-    let refused = |event: &&Event| matches!(event, Event::Refused { alarm } if alarm.id == "FC-1400");
+    let refused = |event: &&Event| matches!(event, Event::Refused { alarm } if alarm.id == "FC-1494");
     assert_eq!((mill.events.iter().filter(refused).count(), status.activity), (1, Activity::Idle));
     mill.press("KEY_MLOCK");
     mill.events.clear();

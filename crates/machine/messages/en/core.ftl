@@ -962,6 +962,8 @@ FC-1492 = The spindle of this machine cannot be led by its angle
     .help = Tap with a floating holder. Orientation needs a ladder that asks the spindle's amplifier for it.
 FC-1493 = Grbl senders drive a simulated machine alone
     .help = Serve the machine without --grbl, or take a machine file without [drives].
+FC-1494 = machine lock is on
+    .help = Switch machine lock off first: under it the axes are not where they seem to be.
 
 # The panel in a browser
 FC-1500 = The panel is not built

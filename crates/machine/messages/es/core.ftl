@@ -962,6 +962,8 @@ FC-1492 = El husillo de esta máquina no se puede guiar por su ángulo
     .help = Rosque con un portamachos con compensador. La orientación necesita un diagrama de contactos que la pida al amplificador del husillo.
 FC-1493 = Los emisores Grbl solo mueven una máquina simulada
     .help = Arranque la máquina sin --grbl o use un archivo de máquina sin [drives].
+FC-1494 = el bloqueo de máquina está activado
+    .help = Desactive antes el bloqueo de máquina: con él los ejes no están donde parecen.
 
 # The panel in a browser
 FC-1500 = El panel no está construido

@@ -962,6 +962,8 @@ FC-1492 = Bu tezgâhın iş mili açısına göre yönetilemez
     .help = Dengeleyicili tutucuyla kılavuz çekin. Yönlendirme için bunu iş mili sürücüsünden isteyen bir merdiven programı gerekir.
 FC-1493 = Grbl göndericileri yalnız benzetilmiş bir tezgâhı sürer
     .help = Tezgâhı --grbl olmadan sunun ya da [drives] içermeyen bir tezgâh dosyası kullanın.
+FC-1494 = makine kilidi açık
+    .help = Önce makine kilidini kapatın: kilitliyken eksenler göründükleri yerde değildir.
 
 # The panel in a browser
 FC-1500 = Panel derlenmemiş
