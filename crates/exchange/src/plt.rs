@@ -3,7 +3,8 @@
 //! PU and PD raise and lower the pen and move on; PA and PR say whether points are absolute; AA and AR
 //! are arcs, CI a circle, EA and ER rectangles, EW a wedge. Values are separated by commas or blanks,
 //! `;` may end an instruction, capitals do not count. One that has no bearing on a path is left out with a
-//! message for each kind; any other is an alarm, because what is cut might not be what is drawn. Angles of chords are ignored: arcs are true arcs.
+//! message for each kind; any other is an alarm, because what is cut might not be what is drawn. Angles of
+//! chords are ignored: arcs are true arcs.
 
 use crate::affine::sin_cos;
 use crate::alarm;
@@ -17,7 +18,7 @@ use ferrocut_program::{FileId, Span};
 use rustc_hash::FxHashSet;
 use std::f64::consts::TAU;
 
-/// Instructions that have no bearing on a path: initialising, speeds and forces, line types, letters.
+/// Instructions that have no bearing on a path: pens, speeds and forces, line types, letters, questions to the plotter.
 const WITHOUT_EFFECT: &[&[u8; 2]] = &[
     b"SP", b"VS", b"VN", b"PT", b"LT", b"SI", b"LB", b"AP", b"AS", b"BL", b"BP", b"CA", b"CO", b"CP", b"CS",
     b"CT", b"DI", b"DR", b"DT", b"DV", b"EC", b"ES", b"FS", b"FT", b"MG", b"IM", b"LA", b"LO", b"MC", b"NP",

@@ -8,13 +8,11 @@ use crate::api::{
 };
 use crate::measure::work::{Form, Work, centre_of};
 use crate::measure::{Pace, Touching, Unusable, tool, work};
-use crate::restart::own_alarm;
 use crate::signals::Mode;
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_machine::{Alarm, Fault, ParameterKey, ToolOffset};
 use ferrocut_memory::rights::needed_for_parameter;
 use ferrocut_memory::{Author, Change};
-use ferrocut_program::Span;
 use ferrocut_toolpath::{Speed, SpindleState};
 use std::collections::BTreeMap;
 
@@ -263,8 +261,7 @@ impl Control {
 
     /// An alarm by the control's own number, where it has one.
     fn own(&self, fault: Fault, name: &'static str, value: &str) -> Box<Alarm> {
-        let dialect = self.cnc.interpreter().dialect();
-        Box::new(own_alarm(dialect, fault, Span::default()).with(name, value))
+        Box::new(self.own_alarm(fault).with(name, value))
     }
 
     /// Cycle start with a measuring prepared. The way begins where the axes stand now.

@@ -473,7 +473,7 @@ impl Control {
             self.cancel_start();
             self.release_axes();
             self.give_up();
-            self.log_alarm(&self.emergency_alarm());
+            self.log_alarm(&self.own_alarm(Fault::EmergencyStop));
         }
         let is_released = !pressed && self.emergency;
         if is_released {
@@ -604,15 +604,15 @@ impl Control {
         (self.start_is_pressed, self.starts_again) = (false, false);
     }
 
-    /// What the control calls the emergency stop.
-    fn emergency_alarm(&self) -> Alarm {
-        own_alarm(self.cnc.interpreter().dialect(), Fault::EmergencyStop, Span::default())
+    /// An alarm under the number that the control has for it, if it has one.
+    fn own_alarm(&self, fault: Fault) -> Alarm {
+        own_alarm(self.cnc.interpreter().dialect(), fault, Span::default())
     }
 
     /// Whether a program may be started, or its axes be sent back.
     fn may_start(&self) -> Result<(), Box<Alarm>> {
         if self.emergency {
-            return Err(Box::new(self.emergency_alarm()));
+            return Err(Box::new(self.own_alarm(Fault::EmergencyStop)));
         }
         if self.is_alarmed() {
             return Err(Box::new(alarm(Fault::ControlAlarmed)));

@@ -3,11 +3,9 @@
 
 use super::{Control, alarm};
 use crate::api::{Event, Reply};
-use crate::restart::own_alarm;
 use crate::signals::Mode;
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_memory::Author;
-use ferrocut_program::Span;
 
 /// How the switch stands.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -30,9 +28,8 @@ impl Control {
 
     /// The alarm that stands while the switch is on.
     pub(super) fn parameter_alarm(&self) -> Option<Alarm> {
-        let dialect = self.cnc.interpreter().dialect();
         let stands = self.parameter_switch == ParameterSwitch::On;
-        stands.then(|| own_alarm(dialect, Fault::ParametersOpen, Span::default()))
+        stands.then(|| self.own_alarm(Fault::ParametersOpen))
     }
 
     /// Data of the machine are set in MDI, as parameters are, and not while a program is under way.
@@ -48,10 +45,7 @@ impl Control {
     pub(super) fn may_set_parameters(&self, author: &Author) -> Result<(), Box<Alarm>> {
         self.may_set_machine(author)?;
         match (self.parameters_open(), author) {
-            (Some(false), Author::Person { .. }) => {
-                let dialect = self.cnc.interpreter().dialect();
-                Err(Box::new(own_alarm(dialect, Fault::ParametersClosed, Span::default())))
-            }
+            (Some(false), Author::Person { .. }) => Err(Box::new(self.own_alarm(Fault::ParametersClosed))),
             _ => Ok(()),
         }
     }
@@ -76,8 +70,7 @@ impl Control {
 
     /// The warning that stands until the power is cut.
     pub(super) fn power_off_alarm(&self) -> Option<Alarm> {
-        let dialect = self.cnc.interpreter().dialect();
-        self.needs_power_off.then(|| own_alarm(dialect, Fault::PowerOffNeeded, Span::default()).as_warning())
+        self.needs_power_off.then(|| self.own_alarm(Fault::PowerOffNeeded).as_warning())
     }
 
     pub(super) fn turn_parameter_switch(&mut self, on: bool, author: &Author) -> Result<Reply, Box<Alarm>> {

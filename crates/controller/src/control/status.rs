@@ -8,7 +8,7 @@ use crate::api::{
 use crate::cnc::State;
 use crate::report::Activity;
 use ferrocut_geometry::{Axis, Position};
-use ferrocut_machine::{ParameterKey, g_code_name};
+use ferrocut_machine::{Fault, ParameterKey, g_code_name};
 use ferrocut_memory::Counter;
 
 /// P356: parts machined, and P357: parts to be machined (GSK990MC part 2, 3.1.2 note 4).
@@ -177,7 +177,7 @@ impl Control {
         let (tool, called_tool) = interpreter.tools();
         let is_loaded = !matches!(self.loaded, super::Loaded::Nothing);
         let mut alarms = Vec::new();
-        let emergency = self.emergency.then(|| self.emergency_alarm());
+        let emergency = self.emergency.then(|| self.own_alarm(Fault::EmergencyStop));
         // One that broke homing off has the same number.
         let is_told =
             |alarm: &&ferrocut_machine::Alarm| self.active.as_ref().is_some_and(|own| own.id == alarm.id);

@@ -5,13 +5,13 @@ use super::{Control, Loaded, alarm, library};
 use crate::api::{AlarmInfo, Event, InterruptedBlock, Reply, RestartDifference, RestartMove, RestartPlan};
 use crate::cnc::State;
 use crate::restart::told::{Compared, axis_moves, function};
-use crate::restart::{At, How, Journal, Origin, Present, Restart, own_alarm};
+use crate::restart::{At, How, Journal, Origin, Present, Restart};
 use crate::signals::Mode;
 use ferrocut_geometry::Axis;
 use ferrocut_interpreter::Fallible;
 use ferrocut_machine::{Alarm, Fault, Memory};
 use ferrocut_memory::{InterruptedRun, items};
-use ferrocut_program::{FileId, Span};
+use ferrocut_program::FileId;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, TryRecvError, sync_channel};
@@ -204,8 +204,7 @@ impl Control {
             None => {
                 let at = &broken.ok_or_else(|| alarm(Fault::RestartNothing))?.at;
                 if self.selected.as_ref().is_some_and(|selected| *selected != at.program) {
-                    let dialect = self.cnc.interpreter().dialect();
-                    let alarm = own_alarm(dialect, Fault::RestartOtherProgram, Span::default());
+                    let alarm = self.own_alarm(Fault::RestartOtherProgram);
                     return Err(Box::new(alarm.with("name", at.program.as_str())));
                 }
                 (at.program.clone(), at.from_line, Some((at.block, at.line, at.text.clone())))
@@ -269,7 +268,7 @@ impl Control {
         match axes.filter(|axis| is_linear(*axis)).find(|axis| !referenced.contains(*axis)) {
             None => Ok(()),
             Some(axis) => {
-                let alarm = own_alarm(self.cnc.interpreter().dialect(), fault, Span::default());
+                let alarm = self.own_alarm(fault);
                 Err(Box::new(alarm.with("axis", axis.letter().to_string())))
             }
         }

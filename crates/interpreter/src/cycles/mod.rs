@@ -281,12 +281,11 @@ impl Interpreter {
             return Ok(());
         }
         // S of G96 is one too (GSK990MC 6.3); tapping has none by it (4.5).
-        let by_surface = self.is_surface_speed()
-            && self.technology.surface_speed.is_some()
-            && !matches!(self.cycle_kind(), Some(CycleKind::Tap { .. }));
+        let taps = matches!(self.cycle_kind(), Some(CycleKind::Tap { .. }));
+        let by_surface = !taps && self.is_surface_speed() && self.technology.surface_speed.is_some();
         if self.rules.cycles.needs_speed && self.technology.speed.is_none() && !by_surface {
-            let rigid = matches!(self.cycle_kind(), Some(CycleKind::Tap { .. })) && self.taps_rigidly();
-            let fault = if rigid { Fault::TappingNoSpeed } else { Fault::CycleNoSpindle };
+            let fault =
+                if taps && self.taps_rigidly() { Fault::TappingNoSpeed } else { Fault::CycleNoSpindle };
             return Err(self.alarm(fault, self.cycle_span()));
         }
         let repeats = self.repeats();

@@ -527,8 +527,7 @@ impl Grid {
         if begin == 0 && end == n {
             return false;
         }
-        let first = &self.steps[begin];
-        let port = if begin == 0 { from } else { Port { s: first.s, state: first.from } };
+        let port = if begin == 0 { from } else { self.port(begin) };
         self.pass_over(begin..end, port)
             && (begin == 0 || is_steady(&self.steps[begin..begin + RUN / 2]))
             && (end == n || is_steady(&self.steps[end - RUN / 2..end]))
@@ -547,7 +546,7 @@ impl Grid {
         true
     }
 
-    /// Where steps up to `end` end.
+    /// Where the steps before `end` end, and that one begins.
     fn port(&self, end: usize) -> Port {
         self.steps.get(end).map_or(self.to, |step| Port { s: step.s, state: step.from })
     }

@@ -2,7 +2,7 @@
 
 use super::Valley;
 use super::road::Road;
-use super::rows::{LANES, Root};
+use super::rows::{LANES, Root, SPEED};
 use crate::limits::Inverse;
 use crate::quick::larger;
 use crate::timing::queue::Node;
@@ -71,7 +71,7 @@ impl Valley {
                         (e3 * x[0] + 3.0 * e2 * a[0] + e1 * push[1]) * jmax,
                         (e3 * x[1] + 3.0 * e2 * a[1] + e1 * push[2]) * jmax,
                     ];
-                    self.rows.put(3 * i, Root::Before, k - 1, c);
+                    self.rows.put(i, Root::Before, k - 1, c);
                 }
             }
             // Between three of them the spline lies below the highest.
@@ -80,7 +80,7 @@ impl Valley {
                 cap_cell = road.cell(cap_cell, begin);
                 let cap = road.least_cap(cap_cell, end);
                 if FASTER * self.x[k] > cap * cap {
-                    self.rows.put(3 * (AXES + 1), Root::None, k, [1.0 / (cap * cap), 0.0, 0.0]);
+                    self.rows.put(SPEED, Root::None, k, [1.0 / (cap * cap), 0.0, 0.0]);
                 }
             }
             for i in 0..=N {
@@ -92,7 +92,7 @@ impl Valley {
                 let [d1, d2, d3] = of(&here, i);
                 if is_inner && (d2.abs() * v * v + d1.abs() * a_most) * amax > HARMLESS {
                     let c = [(d2 * x[0] + d1 * a[0]) * amax, (d2 * x[1] + d1 * a[1]) * amax, 0.0];
-                    self.rows.put(3 * i + 1, Root::None, k, c);
+                    self.rows.put(i, Root::None, k, c);
                 }
                 if let Some(push) = right_push.filter(|_| has_right && is_harmful([d1, d2, d3], jmax)) {
                     let c = [
@@ -100,7 +100,7 @@ impl Valley {
                         (d3 * x[1] + 3.0 * d2 * a[1] + d1 * push[1]) * jmax,
                         d1 * push[2] * jmax,
                     ];
-                    self.rows.put(3 * i + 2, Root::Behind, k, c);
+                    self.rows.put(i, Root::Behind, k, c);
                 }
             }
         }

@@ -16,8 +16,11 @@ pub(super) type Lanes = [f64; LANES];
 /// Places behind the last that blocks reach over.
 pub(super) const PAD: usize = LANES + 2;
 
-/// Kinds of rows: jerk before and behind a place and acceleration, of every axis and of the path, and the speed.
-pub(super) const KINDS: usize = 3 * (AXES + 1) + 1;
+/// What bounds are of: the axes, then the path, then its speed.
+pub(super) const SPEED: usize = AXES + 1;
+
+/// Kinds of rows: of each of them acceleration, and jerk behind and before a place.
+const KINDS: usize = 3 * (SPEED + 1);
 
 /// Whether a row is one of jerk, and of which side of its place.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -82,8 +85,10 @@ impl Rows {
         self.newest = [None; KINDS];
     }
 
-    /// Puts in a row that begins with control point `base`; those of earlier blocks are in already.
-    pub fn put(&mut self, kind: usize, root: Root, base: usize, c: [f64; 3]) {
+    /// Puts in a row of an axis, the path or the speed that begins with control point `base`; those of earlier blocks are in
+    /// already.
+    pub fn put(&mut self, of: usize, root: Root, base: usize, c: [f64; 3]) {
+        let kind = 3 * of + root as usize;
         let lane = base % LANES;
         let first = base - lane;
         if self.blocks.last().is_some_and(|block| block.base != first) {
@@ -375,9 +380,9 @@ mod tests {
             }
             if !k.is_multiple_of(3) {
                 let [c0, c1, _] = c(k, 1.1);
-                valley.rows.put(1, Root::None, k, [c0, c1, 0.0]);
+                valley.rows.put(0, Root::None, k, [c0, c1, 0.0]);
             }
-            valley.rows.put(2, Root::Behind, k, c(k, 2.3));
+            valley.rows.put(0, Root::Behind, k, c(k, 2.3));
         }
         valley
     }
