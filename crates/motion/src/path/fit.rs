@@ -25,6 +25,7 @@
 
 use crate::limits::Inverse;
 use crate::path::pace::{Pace, Stretch};
+use crate::quick::larger;
 use std::ops::Range;
 
 /// Control points that bear on a span, and diagonals of the normal equations.
@@ -60,6 +61,9 @@ const MOST_LEVEL: [f64; 2] = [5.0, 2.5];
 /// That is done where this share of a run is slow.
 const MUCH_SLOW: f64 = 0.25;
 
+/// What a span takes of the jerk tells how near something bends: beside it, it counts less by `e` over so many `ℓ`.
+const FADES: f64 = 2.0;
+
 /// `ℓ` is no more than this many times the length of the span.
 const STIFFEST: f64 = 40.0;
 
@@ -91,13 +95,15 @@ struct Strip<const N: usize> {
     first_third: [f64; N],
     first_bend: [f64; N],
     stiff: f64,
-    /// What it takes of the jerk.
+    /// What it takes of the jerk, or what one near it does.
     load: f64,
     tolerance: f64,
     /// The first of its places, and one behind the last.
     looks: [usize; 2],
     /// Whether one of them weighs more than at first.
     is_pressed: bool,
+    /// How far its control points may move before one of its places can be beyond its limit.
+    room: f64,
 }
 
 /// Control points being fitted, of `N` axes.
@@ -119,6 +125,8 @@ pub(crate) struct Fit<const N: usize> {
     /// `rows[i][d]` is the entry of row `i` and column `i − d`.
     rows: Vec<[f64; BAND]>,
     sides: Vec<[f64; N]>,
+    /// How far every control point was moved by the last solution, no less.
+    ways: Vec<f64>,
 }
 
 impl<const N: usize> Fit<N> {
@@ -134,6 +142,7 @@ impl<const N: usize> Fit<N> {
             pace: Pace::new(controls),
             rows: Vec::with_capacity(controls),
             sides: Vec::with_capacity(controls),
+            ways: Vec::with_capacity(controls),
         }
     }
 
@@ -159,7 +168,8 @@ impl<const N: usize> Fit<N> {
     /// The next span is the old span `k`, unless that one is no more as it was at first. Whether it is.
     pub fn take_over(&mut self, k: usize) -> bool {
         let Some(strip) = self.old.get(k).filter(|strip| !strip.is_pressed) else { return false };
-        self.strips.push(*strip);
+        // Control points are moved from the first ones again.
+        self.strips.push(Strip { room: 0.0, ..*strip });
         self.pace.take_over(k);
         true
     }
@@ -209,6 +219,7 @@ impl<const N: usize> Fit<N> {
             tolerance,
             looks,
             is_pressed: false,
+            room: 0.0,
         };
         strip.stiffen(stiff);
         self.strips.push(strip);
@@ -291,6 +302,32 @@ impl<const N: usize> Fit<N> {
         self.pace.find();
     }
 
+    /// Finds what every span takes of the jerk at its speed, or one near it does.
+    pub fn find_loads(&mut self, inverse: &Inverse) {
+        for (k, strip) in self.strips.iter_mut().enumerate() {
+            let v = self.pace.stretches[k].v;
+            let is_free = strip.tolerance > 0.0;
+            strip.load =
+                if is_free { strip.jerk(&self.moved[k..k + BAND], inverse) * v * v * v } else { 0.0 };
+        }
+        let pace = &self.pace;
+        let fade = |load: &mut f64, (k, strip): (usize, &mut Strip<N>)| {
+            let way = pace.stretches[k].len / (FADES * pace.reach(k, strip.tolerance)).max(f64::MIN_POSITIVE);
+            // `exp(way)` about.
+            *load = (*load / (1.0 + way * (1.0 + 0.5 * way))).max(strip.load);
+            strip.load = *load;
+        };
+        let mut load = 0.0;
+        self.strips.iter_mut().enumerate().for_each(|strip| fade(&mut load, strip));
+        let mut load = 0.0;
+        self.strips.iter_mut().enumerate().rev().for_each(|strip| fade(&mut load, strip));
+    }
+
+    /// What span `k` takes of the jerk, or one near it does.
+    pub fn load(&self, k: usize) -> f64 {
+        self.strips[k].load
+    }
+
     /// Makes spans as stiff as their speed asks for. Before an end that is still `open`, `ℓ` is no more than a share of what
     /// is known behind.
     pub fn stiffen(&mut self, open: bool) {
@@ -357,6 +394,7 @@ impl<const N: usize> Fit<N> {
         let total = self.controls.len();
         self.rows.resize(total, [0.0; BAND]);
         self.sides.resize(total, [0.0; N]);
+        self.ways.resize(total, 0.0);
         // The three rows and right sides above, the nearest first.
         let above = |k: usize| changed.start.checked_sub(k);
         let mut rows: [[f64; BAND]; 3] =
@@ -403,8 +441,11 @@ impl<const N: usize> Fit<N> {
                     - rows[1][2] * low[1][axis]
                     - rows[2][3] * low[2][axis]
             });
-            let old = std::mem::replace(&mut self.moved[i], moved);
-            let is_same = i < changed.start && (0..N).all(|axis| (moved[axis] - old[axis]).abs() <= least);
+            let by: [f64; N] = apart(moved, self.moved[i]);
+            self.moved[i] = moved;
+            let way = by.iter().map(|by| by.abs()).sum();
+            self.ways[i] = way;
+            let is_same = i < changed.start && by.iter().all(|by| by.abs() <= least);
             same = if is_same { same + 1 } else { 0 };
             if same == BAND - 1 {
                 begin = i;
@@ -413,7 +454,13 @@ impl<const N: usize> Fit<N> {
             rows = [*row, rows[0], rows[1]];
             low = [moved, low[0], low[1]];
         }
-        begin.saturating_sub(BAND - 1)..end.min(self.strips.len())
+        // No place of a span moves further than the control point that moves the furthest.
+        let spans = begin.saturating_sub(BAND - 1)..end.min(self.strips.len());
+        for (k, strip) in spans.clone().zip(&mut self.strips[spans.clone()]) {
+            let ways = (k.max(begin)..(k + BAND).min(end)).map(|i| self.ways[i]);
+            strip.room -= ways.fold(0.0, f64::max);
+        }
+        spans
     }
 
     /// Row `i` of the normal equations, the sum of what the spans add to it: its entries from the diagonal on to the left, and
@@ -453,13 +500,21 @@ impl<const N: usize> Fit<N> {
         for k in spans {
             let strip = &mut self.strips[k];
             let moved = &self.moved[k..k + BAND];
+            if strip.room > 0.0 {
+                continue;
+            }
             let [from, to] = strip.looks;
+            let (mut nearest, mut closest) = (0.0_f64, 0.0_f64);
             for look in &mut self.looks[from..to] {
                 let off = apart(weighted(&look.basis, moved), look.p);
                 let square: f64 = off.iter().map(|off| off * off).sum();
                 let over = square * look.close;
+                (nearest, closest) = (larger(nearest, over), larger(closest, look.close));
                 if over > 1.0 {
-                    let more = look.weight * ((over * CLOSER * CLOSER).powf(power).min(MOST_CLOSER) - 1.0);
+                    // The power, to its second term.
+                    let beyond = over * CLOSER * CLOSER - 1.0;
+                    let more = power * beyond * (1.0 + 0.5 * (power - 1.0) * beyond);
+                    let more = look.weight * more.min(MOST_CLOSER - 1.0);
                     look.weight += more;
                     strip.press(look, more);
                     strip.is_pressed = true;
@@ -467,6 +522,7 @@ impl<const N: usize> Fit<N> {
                     (first, behind) = (first.min(k), k + 1);
                 }
             }
+            strip.room = (1.0 - nearest.sqrt()) / closest.sqrt();
         }
         (first..behind, most)
     }

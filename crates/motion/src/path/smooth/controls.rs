@@ -17,6 +17,11 @@ pub(super) const MOST_LOOKS: usize = 16;
 const SPLIT: f64 = 0.27;
 const MOST_PARTS: usize = 10;
 
+/// Where less of the jerk is taken than this, there and near by, there is less to bend for: it may be so much longer, up to so many
+/// times what is smoothed away.
+const BENDS: f64 = 0.15;
+const LONGEST: f64 = 10.0;
+
 /// At an end it is slow because it rests there: with more knots the fit, soft as it is where it is slow, would turn there so
 /// sharply that it stays slow.
 const PARTS_AT_END: usize = 3;
@@ -168,6 +173,7 @@ impl Smoother {
         self.finer.clear();
         self.is_finer_dense.clear();
         self.origins.clear();
+        fit.find_loads(&self.soft);
         fit.pace.begin_split();
         self.finer.extend_from_slice(&self.knots[..3]);
         let keeps = [!self.goes_on && self.keeps[0], open || self.keeps[1]];
@@ -179,7 +185,8 @@ impl Smoother {
                 let away = fit.pace.most_reach(k, tolerance);
                 let is_close = keeps[0] && begin - self.t(0) < away || keeps[1] && self.t(spans) - end < away;
                 if !is_close {
-                    let most = SPLIT * fit.pace.reach(k, tolerance);
+                    let share = (SPLIT * (BENDS / fit.load(k)).max(1.0)).min(LONGEST);
+                    let most = share * fit.pace.reach(k, tolerance);
                     let is_end = k == 0 || k + 1 == spans;
                     let most_parts = if is_end { PARTS_AT_END } else { MOST_PARTS };
                     let fits = ((end - begin) / most).min(most_parts as f64) as usize;
