@@ -38,7 +38,7 @@ fn main() {
         let ours = rate(|| plan(&machine, &moves));
         let limits = Limits::new(&machine);
         let peer = rate(|| Trapezoids::run(&limits, machine.path.tolerance, &moves));
-        println!("{name:<30} {:>8.2} {:>17.2} {:>9.3}", ours / 1e6, peer / 1e6, ours / peer);
+        println!("{name:<30} {:>8.3} {:>17.2} {:>9.3}", ours / 1e6, peer / 1e6, ours / peer);
     }
 }
 
