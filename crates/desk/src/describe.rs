@@ -273,6 +273,7 @@ impl Book {
             Variable::BlockEnd(index)
             | Variable::MachinePosition(index)
             | Variable::WorkPosition(index)
+            | Variable::TipPosition(index)
             | Variable::SkipPosition(index)
             | Variable::LengthOffset(index)
             | Variable::ServoOffset(index) => axis(index),

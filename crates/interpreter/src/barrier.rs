@@ -58,6 +58,7 @@ impl Variable {
             self,
             Variable::MachinePosition(_)
                 | Variable::WorkPosition(_)
+                | Variable::TipPosition(_)
                 | Variable::LengthOffset(_)
                 | Variable::ServoOffset(_)
                 | Variable::Input(_)

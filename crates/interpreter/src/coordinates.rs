@@ -243,7 +243,11 @@ impl Interpreter {
         let takes = |meaning| {
             use Meaning::{Cycle, Dwell, FurtherReferenceReturn, ScalingOn, SurfaceSpeed};
             meaning != by
-                && matches!(meaning, Cycle(_) | Dwell | FurtherReferenceReturn | ScalingOn | SurfaceSpeed)
+                && match meaning {
+                    Cycle(kind) => kind.takes_p(),
+                    Dwell | FurtherReferenceReturn | ScalingOn | SurfaceSpeed => true,
+                    _ => false,
+                }
         };
         self.words.calls() || self.words.g.iter().any(|code| takes(code.row.meaning))
     }

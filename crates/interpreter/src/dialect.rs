@@ -342,6 +342,8 @@ pub enum Variable {
     MachinePosition(u8),
     /// Position in the work coordinate system, tool length included.
     WorkPosition(u8),
+    /// The same of the tip of the tool: what a move there would be programmed with.
+    TipPosition(u8),
     /// Where the skip signal came, in the work coordinate system.
     SkipPosition(u8),
     /// Tool length compensation in force.

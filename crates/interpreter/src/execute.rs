@@ -444,7 +444,8 @@ impl Interpreter {
             }
             match row.group {
                 Group::NonModal if row.meaning == Meaning::FullFeed => self.full_feed = true,
-                Group::NonModal if row.meaning == Meaning::NoEffect => {}
+                // G11 has done what it does ([`Self::block_of_words`]), and has no words of its own.
+                Group::NonModal if matches!(row.meaning, Meaning::NoEffect | Meaning::DataSettingOff) => {}
                 Group::NonModal if row.meaning == Meaning::EncoderLatch => self.encoder_latch(span),
                 Group::NonModal if row.meaning == Meaning::ShortestWay => codes.rotary.shortest = true,
                 Group::NonModal if row.meaning == Meaning::InDegrees => codes.rotary.degrees = true,

@@ -103,6 +103,9 @@ impl Interpreter {
             // Where the axes are commanded to be, cutter compensation included.
             Variable::MachinePosition(axis) => place(&self.output.commanded(), axis)?,
             Variable::WorkPosition(axis) => place(&(self.output.commanded() - location.work.shift), axis)?,
+            Variable::TipPosition(axis) => {
+                place(&(self.output.commanded() - location.work.shift - location.length.vector), axis)?
+            }
             Variable::SkipPosition(axis) => place(&location.skip, axis)?,
             Variable::LengthOffset(axis) => place(&location.length.vector, axis)?,
             Variable::ServoOffset(axis) => place(&self.following_error, axis)?,

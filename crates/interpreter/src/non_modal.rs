@@ -125,8 +125,7 @@ impl Interpreter {
     /// After a faulty block, for a checker: takes its end point as reached and its end of program as
     /// meant, so that the blocks behind it are judged as the author meant them.
     pub(crate) fn recover(&mut self) -> Fallible<()> {
-        let is_move = !self.words.g.iter().any(|g| g.row.group == Group::NonModal);
-        if is_move {
+        if !self.words.stands_for_motion() {
             let axes = self.words.axes(self.rules.axes);
             let to = self.end_point(axes);
             if to.is_finite() {

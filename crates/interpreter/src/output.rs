@@ -463,6 +463,8 @@ fn plane_move(plane: Plane, from: Position, op: &Op) -> Option<PlaneMove> {
 impl Queue {
     /// Takes what comes out of compensation in `plane`.
     fn deliver(&mut self, out: Out<Step>, plane: Plane) {
+        // A piece about a corner moves no axis but those of the plane: where the move before was handed out by itself, others
+        // may have moved since.
         let (mut step, place, shape, own) = match out {
             Out::Move { to, shape, payload, inserted } => (payload, to, Some(shape), !inserted),
             Out::Corner { to, shape, payload } => return self.deliver_corner(payload, to, shape, plane),
@@ -472,7 +474,7 @@ impl Queue {
             self.steps.push_back(step);
             return;
         };
-        let mut to = *programmed;
+        let mut to = if own { *programmed } else { self.actual };
         to[plane.first()] = place[0];
         to[plane.second()] = place[1];
         step.op = with_shape(step.op, to, plane, shape);

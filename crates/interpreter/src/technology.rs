@@ -15,7 +15,7 @@ impl Interpreter {
     /// (Weihong 4.1).
     pub(crate) fn is_rapid_block(&self, axes: AxisSet) -> bool {
         let names_rapid = self.words.g.iter().any(|g| g.row.meaning == Meaning::Rapid);
-        let moves = !axes.is_empty() && !self.words.g.iter().any(|g| g.row.group == Group::NonModal);
+        let moves = !axes.is_empty() && !self.words.stands_for_motion();
         self.in_force(Group::Motion, Meaning::Rapid) && self.cycle_kind().is_none() && (names_rapid || moves)
     }
 

@@ -308,6 +308,12 @@ impl Words {
         self.m.iter().any(|m| m.row.function == MFunction::Call)
     }
 
+    /// Whether a code of the block takes the place of the motion in force. G11 only ends G10 (GSK990MC 4.1 note 3).
+    pub(crate) fn stands_for_motion(&self) -> bool {
+        let stands = |row: &GCode| row.group == Group::NonModal && row.meaning != Meaning::DataSettingOff;
+        self.g.iter().any(|g| stands(g.row))
+    }
+
     /// The axes whose addresses the block has.
     #[inline]
     pub(crate) fn axes(&self, of: AxisSet) -> AxisSet {

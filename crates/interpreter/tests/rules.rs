@@ -26,6 +26,8 @@ fn positioning_and_straight_cuts() {
         ("G0 X5\nX5 Y0\nG1 X5 F10\nX6", &["rapid X5", "feed X6 F10"]),
         // 4.1 note 1: the non-modal code goes first, the modal one changes the mode and is not run.
         ("G1 G4 X2\nX5", &["dwell 2s", "feed X5 F300"]),
+        // Note 3: G11 only ends G10, and the motion beside it is run.
+        ("G11 G0 X5\nG11 X6\nG1 G11 X7", &["rapid X5", "rapid X6", "feed X7 F300"]),
     ]);
     // 4.2.1, 1 and 4.2.2 note 2: 31#0 makes G01 the mode at power-on. P87, P96, P97: the feeds.
     holds_with("[parameters]\n\"NO31.0\" = 1\nP87 = 150", "X5", &["feed X5 F150"]);
@@ -190,6 +192,21 @@ const LENGTHS: &str =
     "[tools.1]\nlength = 20\n[tools.2]\nlength = 30\n[tools.3]\nlength = 7\nlength_wear = 0.5";
 
 #[test]
+fn blocks_without_movement_in_compensation() {
+    // 4.7.3, 8 b: one changes nothing, two end the move before square. Statements are no blocks there.
+    let tool = "[parameters]\n\"NO40.7\" = 0\n[tools.1]\nradius = 2";
+    for (idle, end) in [("M11\n", 18), ("#1=1\n#2=2\n#3=3\n", 18), ("M11\nM10\n", 20), ("M11\nS5\n", 20)] {
+        let program = format!("G0 X-10\nG1 G41 D1 X0 F100\nX20\n{idle}Y20\nG40 X40\nM30");
+        let steps = lines(&program, tool);
+        let moves: Vec<&str> =
+            steps.iter().map(String::as_str).filter(|step| step.contains("feed")).collect();
+        let end = format!("feed X{end} F100");
+        let then = if end.contains("18") { "feed Y20 F100" } else { "feed X18 Y20 F100" };
+        assert_eq!(moves, ["feed X0 Y2 F100", &end, then, "feed X40 F100"], "{program}");
+    }
+}
+
+#[test]
 fn tool_length() {
     let cases: &[(&str, &[&str])] = &[
         // 4.7.1, 2: a new number replaces the offset of the old one.
@@ -297,6 +314,11 @@ fn work_offsets() {
     // 4.2.9: additional systems P1 to P50.
     let more = "[work_offsets]\n\"G54 P1\" = { x = 1 }\n\"G54 P50\" = { x = 50 }";
     holds_with(more, "G54 P1 X0\nG54 P50 X0\nG54 X3", &["rapid X1", "rapid X50", "rapid X3"]);
+    // P beside a cycle is its dwell where it has one (table 4-1-2), else it names the system.
+    let bored = ["rapid Z5", "rapid X2", "rapid Z1", "feed Z-1 F100", "feed Z1 F100", "rapid Z5"];
+    holds_turning(more, "G0 Z5\nG54 P1 G85 X1 Z-1 R1 F100", &bored);
+    let counterbored = ["rapid Z5", "rapid X1", "rapid Z1", "feed Z-1 F100", "dwell 0.25s", "rapid Z5"];
+    holds_turning(more, "G0 Z5\nG54 P1 G82 X1 Z-1 R1 F100", &counterbored);
     // Arcs are shifted as a whole.
     holds_with(table, "G55 X0 Y0\nG2 X20 I10 F100", &["rapid X30 Y30", "xy X50 about 40 30 by -180 F100"]);
     // P10 and P15 are other names of the external offset and of G54 (appendix 1).

@@ -453,6 +453,46 @@ fn parameters_are_read_and_written_by_name() {
             "[start]\nx = 3.0\n[work_offsets]\nG54 = { x = 1.0 }",
             &["rapid X4 Y3", "end M30"],
         ),
+        // What a move to there would be programmed with: 0 behind G92 Z0, whatever the tool's length.
+        (
+            "G43 H1 Z10\nX=#CURWORKPOS.Z\nG92 Z0\nY=#CURWORKPOS.Z+2\nM30",
+            "[tools.1]\nlength = 4",
+            &["rapid Z14", "rapid X10", "rapid Y2", "end M30"],
+        ),
+    ]);
+}
+
+#[test]
+fn positions_are_waited_for_in_compensation() {
+    let tool = "[tools.1]\nradius = 2";
+    hold(&[
+        // Round the corner at the height of that moment: the tool does not go down again.
+        (
+            "G41 D1 G01 X10 F100\nY20\nG906\nG00 Z5\nX20\nG40 Y0\nM30",
+            tool,
+            &[
+                "feed X8 F100",
+                "feed Y20 F100",
+                "rapid Z5",
+                "feed Y22 F100",
+                "rapid X20",
+                "rapid Y0",
+                "end M30",
+            ],
+        ),
+        // From the end of a start-up to where the contour begins.
+        (
+            "G41 D1 G01 X10 F100\nG906\nY20\nX20\nG40 Y0\nM30",
+            tool,
+            &[
+                "feed X10 Y2 F100",
+                "feed X8 Y0 F100",
+                "feed Y22 F100",
+                "feed X20 F100",
+                "feed Y0 F100",
+                "end M30",
+            ],
+        ),
     ]);
 }
 

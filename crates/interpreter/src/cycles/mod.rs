@@ -113,6 +113,16 @@ pub enum CycleKind {
 }
 
 impl CycleKind {
+    /// Whether P is a word of its own.
+    pub(crate) fn takes_p(self) -> bool {
+        match self {
+            CycleKind::Hole(hole) => hole.dwell,
+            CycleKind::Tap { .. } | CycleKind::FineBore | CycleKind::BackBore => true,
+            CycleKind::Mill { .. } => false,
+            CycleKind::Words(format) => format.letters.contains(&b'P'),
+        }
+    }
+
     /// Whether it bores: the way out is not that of a drill.
     fn bores(self) -> bool {
         match self {

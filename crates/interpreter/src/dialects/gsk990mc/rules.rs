@@ -94,6 +94,8 @@ pub fn rules(parameters: &Parameters) -> Rules {
             start_up: if parameters.bit(40, 0) { cutter::StartUp::B } else { cutter::StartUp::A },
             interference: parameters.bit(41, 6),
             corner_limit: p(266),
+            // 4.7.3, 8 b: what one block without movement leaves as it is two do not.
+            blind_from: Some(2),
             ..cutter::Rules::default()
         },
         // 4.8.2, 2; limit 1: not where cutting is accelerated before interpolation, which look-ahead does too.

@@ -94,7 +94,8 @@ pub fn variable(number: u32) -> Option<Variable> {
         0..=LAST_NUMBER => Variable::Plain,
         FIRST_PRESENT..FIRST_PARAMETER => match number - FIRST_PRESENT {
             axis @ 0..3 => Variable::MachinePosition(axis as u8),
-            axis @ 3..6 => Variable::WorkPosition(axis as u8 - 3),
+            // Tool length included as in the words: 0 behind G92 Z0 (4.3).
+            axis @ 3..6 => Variable::TipPosition(axis as u8 - 3),
             6 => Variable::Inputs,
             7 => Variable::Outputs,
             _ => return None,
@@ -125,7 +126,7 @@ mod tests {
 
     #[test]
     fn the_present_is_read_by_name() {
-        assert_eq!(variable(FIRST_PRESENT + 4), Some(Variable::WorkPosition(1)));
+        assert_eq!(variable(FIRST_PRESENT + 4), Some(Variable::TipPosition(1)));
         assert_eq!(variable(fc(999)), Some(Variable::Plain));
         assert_eq!([variable(fc(1000)), variable(100_000)], [None, None]);
     }

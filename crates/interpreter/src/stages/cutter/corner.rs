@@ -67,6 +67,8 @@ pub(super) enum How {
     Cancel,
     /// The first block ends square whatever follows.
     Square,
+    /// The same of the start-up.
+    StartedUp,
     /// G39: an arc about the corner.
     Round,
 }
@@ -202,6 +204,7 @@ pub(super) fn join(a: &Element, b: &Element, how: How, rules: &Rules) -> Result<
         How::StartUp => start_up(a, b, r, turn, rules),
         How::Cancel => cancel(a, b, r, turn, rules),
         How::Square => square(a, b, r, turn, rules),
+        How::StartedUp => started_up(a, b, r, turn, rules),
         _ if a.side != b.side => change_side(a, b, r),
         How::Round => round(a, b, r, turn)?,
         How::Mode => match turn {
@@ -263,6 +266,14 @@ fn square(a: &Element, b: &Element, r: f64, turn: Turn, rules: &Rules) -> Corner
         _ => stand.then_if(b.is_arc(), b.start_tip(r)),
     };
     Corner { rigid: true, ..corner }
+}
+
+/// The start-up has ended square to itself, which is on no contour: inside, the tool goes to where the next block starts.
+fn started_up(a: &Element, b: &Element, r: f64, turn: Turn, rules: &Rules) -> Corner {
+    match turn {
+        Turn::Outside if a.side == b.side => square(a, b, r, turn, rules),
+        _ => Corner { rigid: true, ..joint(a, b, r) },
+    }
 }
 
 fn outside(a: &Element, b: &Element, r: f64, rules: &Rules) -> Corner {

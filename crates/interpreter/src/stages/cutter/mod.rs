@@ -344,9 +344,7 @@ impl<T: Clone> Compensator<T> {
         } else {
             last.waiting += 1;
             self.waiting.push_back(Waiting::Other(payload));
-            if self.rules.blind_from.is_some_and(|n| last.idle >= n) {
-                return self.flush(out);
-            }
+            return self.flush_if_blind(out);
         }
         Ok(())
     }
@@ -366,8 +364,19 @@ impl<T: Clone> Compensator<T> {
         if last.idle > self.rules.idle_blocks {
             return Err(None);
         }
-        if self.rules.blind_from.is_some_and(|n| last.idle >= n) {
-            self.flush(out).map_err(Some)?;
+        self.flush_if_blind(out).map_err(Some)
+    }
+
+    /// Ends the last move square where so many blocks without movement came behind it that no more is read ahead; not the
+    /// start-up, behind which the tool is not on the contour yet.
+    fn flush_if_blind(&mut self, out: &mut impl FnMut(Out<T>)) -> Done<T> {
+        let last = self.newer.as_ref().filter(|last| last.phase == Phase::Mode);
+        let Some(idle) = last.map(|last| last.idle) else { return Ok(()) };
+        if self.rules.blind_from.is_some_and(|n| idle >= n) {
+            self.flush(out)?;
+            if let Some(last) = &mut self.newer {
+                last.idle = idle;
+            }
         }
         Ok(())
     }
@@ -453,6 +462,7 @@ impl<T: Clone> Compensator<T> {
         out: &mut impl FnMut(Out<T>),
     ) -> Done<T> {
         let how = match last.phase {
+            Phase::StartUp if last.done => How::StartedUp,
             _ if last.done => How::Square,
             Phase::StartUp => How::StartUp,
             Phase::Mode if last.rounded => How::Round,

@@ -650,6 +650,17 @@ fn a_control_that_sees_one_block_ends_square_before_two() {
 }
 
 #[test]
+fn what_starts_up_and_is_handed_out_leads_to_the_next_start() {
+    // Square to itself at (0, 2), then to where a line up begins.
+    let ops = [Flush, To([0.0, 20.0])];
+    mode(Rules::default(), &ops, &[piece(-2.0, 0.0, 1), line(-2.0, 20.0, 3)]);
+    // So many blocks without movement that no more is read ahead change nothing there.
+    let rules = Rules { blind_from: Some(2), ..Rules::default() };
+    let all = [&LEAD[..], &[Pass, Pass, To([0.0, 20.0])]].concat();
+    expect_with(rules, [-20.0, 0.0], &all, &[line(-2.0, 0.0, 1), line(-2.0, 20.0, 4)], 1e-9);
+}
+
+#[test]
 fn zero_move_ends_square() {
     let ops = [To([10.0, 0.0]), To([10.0, 0.0]), To([10.0, 20.0])];
     mode(Rules::default(), &ops, &[line(10.0, 2.0, 2), line(8.0, 20.0, 4)]);
