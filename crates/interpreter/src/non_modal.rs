@@ -3,7 +3,6 @@
 use crate::Fallible;
 use crate::dialect::{GCode, MFunction, Meaning};
 use crate::interpreter::Interpreter;
-use crate::modal::Group;
 use crate::words::Code;
 use ferrocut_geometry::AxisSet;
 use ferrocut_machine::Fault;

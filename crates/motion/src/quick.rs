@@ -23,7 +23,7 @@ pub(crate) fn cube_root(x: f64) -> f64 {
 
 /// The larger of `most` and `x`; `most` where `x` is no number.
 #[inline]
-pub(crate) fn larger(most: f64, x: f64) -> f64 {
+pub(crate) fn larger<T: PartialOrd>(most: T, x: T) -> T {
     if x > most { x } else { most }
 }
 

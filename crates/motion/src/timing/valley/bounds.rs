@@ -115,7 +115,7 @@ impl Valley {
         self.look();
         for block in &mut self.rows.blocks {
             for i in (0..LANES).filter(|i| block.base + i + 2 <= self.taken) {
-                let looser = ((1.0 - INSIDE) / block.value[i].abs()).min(1.0);
+                let looser = ((1.0 - INSIDE as f32) / block.value[i].abs()).min(1.0);
                 for c in &mut block.c {
                     c[i] *= looser;
                 }

@@ -2,6 +2,9 @@
 //!
 //! Rows of a kind at [`LANES`] places that follow each other are one [`Block`], so that the same is done to all of them by one
 //! instruction. The blocks of the same places follow each other: what they add to the matrix is summed up before it goes there.
+//!
+//! Numbers of rows have 24 bits. Bounds are shares of one, known to a thousandth at the end, and every piece of what comes out is
+//! looked at by itself; in half the room twice as many are done at once. The control points and the matrix have 53.
 
 use super::Valley;
 use crate::quick::larger;
@@ -11,7 +14,7 @@ use ferrocut_geometry::AXES;
 pub(super) const LANES: usize = 16;
 
 /// Numbers, one for each row of a block.
-pub(super) type Lanes = [f64; LANES];
+pub(super) type Lanes = [f32; LANES];
 
 /// Places behind the last that blocks reach over.
 pub(super) const PAD: usize = LANES + 2;
@@ -101,7 +104,7 @@ impl Rows {
         });
         let block = &mut self.blocks[at];
         for (to, c) in block.c.iter_mut().zip(c) {
-            to[lane] = c;
+            to[lane] = c as f32;
         }
         block.counts[lane] = 1.0;
         self.count += 1;
@@ -113,7 +116,7 @@ impl Rows {
             let places = tighter.iter().skip(block.base + block.root.place());
             for (i, tighter) in places.take(LANES).enumerate() {
                 for c in &mut block.c {
-                    c[i] *= tighter;
+                    c[i] *= *tighter as f32;
                 }
             }
         }
@@ -122,22 +125,26 @@ impl Rows {
 
 /// The numbers from `i` on.
 #[inline(always)]
-fn from(x: &[f64], i: usize) -> &Lanes {
+fn from(x: &[f32], i: usize) -> &Lanes {
     x[i..].first_chunk().unwrap_or(&[0.0; LANES])
 }
 
-/// Speed between the steps, and what the control points before and behind bear on it.
+/// What rows are worked out from.
 #[derive(Debug)]
 pub(super) struct Speeds {
-    v: Vec<f64>,
-    before: Vec<f64>,
-    behind: Vec<f64>,
+    /// The control points, and by how much they are to change.
+    x: Vec<f32>,
+    change: Vec<f32>,
+    /// Speed between the steps, and what the control points before and behind bear on it.
+    v: Vec<f32>,
+    before: Vec<f32>,
+    behind: Vec<f32>,
 }
 
 impl Speeds {
     pub fn new(places: usize) -> Speeds {
         let room = || Vec::with_capacity(places + PAD);
-        Speeds { v: room(), before: room(), behind: room() }
+        Speeds { x: room(), change: room(), v: room(), before: room(), behind: room() }
     }
 
     /// Of these steps.
@@ -148,11 +155,14 @@ impl Speeds {
             to.clear();
             to.resize(n + PAD, 0.0);
         }
+        self.x.clear();
+        self.x.extend(x.iter().map(|x| *x as f32));
         for k in 0..n - 1 {
             let both = (h[k] + h[k + 1]).recip();
             let v = larger(1e-12, (x[k] * h[k + 1] + x[k + 1] * h[k]) * both).sqrt();
             let share = 0.5 * both / v;
-            (self.v[k], self.before[k], self.behind[k]) = (v, h[k + 1] * share, h[k] * share);
+            let [before, behind] = [h[k + 1] * share, h[k] * share];
+            (self.v[k], self.before[k], self.behind[k]) = (v as f32, before as f32, behind as f32);
         }
     }
 }
@@ -161,8 +171,8 @@ impl Speeds {
 impl Block {
     /// Value and gradient at `x`.
     #[inline(always)]
-    fn look(&mut self, x: &[f64], speeds: &Speeds) {
-        let [x0, x1, x2] = [0, 1, 2].map(|k| from(x, self.base + k));
+    fn look(&mut self, speeds: &Speeds) {
+        let [x0, x1, x2] = [0, 1, 2].map(|k| from(&speeds.x, self.base + k));
         let at = self.base + self.root.place();
         let [v, before, behind] = [&speeds.v, &speeds.before, &speeds.behind].map(|speeds| from(speeds, at));
         let Block { c: [c0, c1, c2], value, g: [g0, g1, g2], .. } = self;
@@ -195,7 +205,7 @@ impl Block {
     }
 
     /// Slacks of at least `least`, and multipliers of which each product with its slack is `mu`.
-    fn slacken(&mut self, least: f64, mu: f64) {
+    fn slacken(&mut self, least: f32, mu: f32) {
         for i in 0..LANES {
             let value = self.value[i];
             for (side, slack) in [1.0 - value, 1.0 + value].into_iter().enumerate() {
@@ -207,7 +217,7 @@ impl Block {
 
     /// Goes on to the new slacks and multipliers.
     #[inline(always)]
-    fn step(&mut self, [far, far_l]: [f64; 2]) {
+    fn step(&mut self, [far, far_l]: [f32; 2]) {
         let Block { z: [z0, z1], l: [l0, l1], dz: [dz0, dz1], dl: [dl0, dl1], .. } = self;
         for i in 0..LANES {
             z0[i] += far * dz0[i];
@@ -219,7 +229,7 @@ impl Block {
 
     /// Adds to the `sums` of the matrix and of the right side.
     #[inline(always)]
-    fn assemble(&mut self, mu: f64, sums: &mut [Lanes; 9]) {
+    fn assemble(&mut self, mu: f32, sums: &mut [Lanes; 9]) {
         let Block { z: [z0, z1], l: [l0, l1], inverse: [inverse0, inverse1], value, counts, .. } = self;
         let [g0, g1, g2] = &self.g;
         let [a0, a1, a2, b0, b1, c, r0, r1, r2] = sums;
@@ -244,11 +254,11 @@ impl Block {
         }
     }
 
-    /// How slacks and multipliers change where control points change by `right`: the most that each of them falls by, as a share of
+    /// How slacks and multipliers change where control points do by `change`: the most that each of them falls by, as a share of
     /// itself, and the terms of their products.
     #[inline(always)]
-    fn lead(&mut self, right: &[f64], mu: f64, most: &mut [Lanes; 2], products: &mut [Lanes; 4]) {
-        let [d0, d1, d2] = [0, 1, 2].map(|k| from(right, self.base + k));
+    fn lead(&mut self, change: &[f32], mu: f32, most: &mut [Lanes; 2], products: &mut [Lanes; 4]) {
+        let [d0, d1, d2] = [0, 1, 2].map(|k| from(change, self.base + k));
         let Block { z: [z0, z1], l: [l0, l1], inverse: [inverse0, inverse1], value, counts, .. } = self;
         let [g0, g1, g2] = &self.g;
         let ([dz0, dz1], [dl0, dl1]) = (&mut self.dz, &mut self.dl);
@@ -294,7 +304,7 @@ impl Valley {
         let Valley { x, h, rows, speeds, .. } = self;
         speeds.set(x, h);
         for block in &mut rows.blocks {
-            block.look(x, speeds);
+            block.look(speeds);
         }
     }
 
@@ -302,7 +312,7 @@ impl Valley {
     pub(super) fn slacken_rows(&mut self, least: f64, mu: f64) {
         self.look();
         for block in &mut self.rows.blocks {
-            block.slacken(least, mu);
+            block.slacken(least as f32, mu as f32);
         }
     }
 
@@ -311,6 +321,7 @@ impl Valley {
     pub(super) fn assemble_rows(&mut self, step: [f64; 2], mu: f64) {
         let Valley { x, h, rows, speeds, band, right, .. } = self;
         speeds.set(x, h);
+        let step = step.map(|step| step as f32);
         let (mut base, mut sums) = (0, [[0.0; LANES]; 9]);
         for block in &mut rows.blocks {
             if block.base != base {
@@ -318,8 +329,8 @@ impl Valley {
                 (base, sums) = (block.base, [[0.0; LANES]; 9]);
             }
             block.step(step);
-            block.look(x, speeds);
-            block.assemble(mu, &mut sums);
+            block.look(speeds);
+            block.assemble(mu as f32, &mut sums);
         }
         pour(band, right, base, &sums);
     }
@@ -328,12 +339,15 @@ impl Valley {
     #[inline(always)]
     pub(super) fn lead(&mut self, mu: f64) -> Lead {
         let (mut most, mut products) = ([[0.0; LANES]; 2], [[0.0; LANES]; 4]);
+        let change = &mut self.speeds.change;
+        change.clear();
+        change.extend(self.right.iter().map(|right| *right as f32));
         for block in &mut self.rows.blocks {
-            block.lead(&self.right, mu, &mut most, &mut products);
+            block.lead(change, mu as f32, &mut most, &mut products);
         }
         Lead {
-            most: most.map(|most| most.into_iter().fold(0.0, larger)),
-            products: products.map(|lanes| lanes.into_iter().sum()),
+            most: most.map(|most| f64::from(most.into_iter().fold(0.0, larger))),
+            products: products.map(|lanes| lanes.into_iter().map(f64::from).sum()),
         }
     }
 
@@ -341,7 +355,7 @@ impl Valley {
     #[inline(always)]
     pub(super) fn step_rows(&mut self, step: [f64; 2]) {
         for block in &mut self.rows.blocks {
-            block.step(step);
+            block.step(step.map(|step| step as f32));
         }
     }
 }
@@ -349,14 +363,14 @@ impl Valley {
 /// Adds the sums of rows that begin with `base` and the next: of the diagonal, the one beside it, the outer one and the right side.
 #[inline(always)]
 fn pour(band: &mut [[f64; 3]], right: &mut [f64], base: usize, sums: &[Lanes; 9]) {
-    let [a0, a1, a2, b0, b1, c, r0, r1, r2] = sums;
     for i in 0..LANES {
+        let [a0, a1, a2, b0, b1, c, r0, r1, r2] = sums.each_ref().map(|lanes| f64::from(lanes[i]));
         let [x, y, z] = &mut band[base + i..base + i + 3] else { return };
-        *x = [x[0] + a0[i], x[1] + b0[i], x[2] + c[i]];
-        *y = [y[0] + a1[i], y[1] + b1[i], y[2]];
-        z[0] += a2[i];
+        *x = [x[0] + a0, x[1] + b0, x[2] + c];
+        *y = [y[0] + a1, y[1] + b1, y[2]];
+        z[0] += a2;
         let [x, y, z] = &mut right[base + i..base + i + 3] else { return };
-        (*x, *y, *z) = (*x + r0[i], *y + r1[i], *z + r2[i]);
+        (*x, *y, *z) = (*x + r0, *y + r1, *z + r2);
     }
 }
 
@@ -364,6 +378,9 @@ fn pour(band: &mut [[f64; 3]], right: &mut [f64], base: usize, sums: &[Lanes; 9]
 mod tests {
     use super::*;
     use crate::timing::valley::solve::{FIRST_GAP, Solution};
+
+    /// What is worked out with 24 bits, of numbers about 1.
+    const EXACT: f64 = 1e-6;
 
     /// Bounds of every kind at places that are no multiple of a block.
     fn valley() -> Valley {
@@ -390,7 +407,7 @@ mod tests {
     /// The bound of row `i` of a block as the mathematics say.
     fn value(valley: &Valley, block: &Block, i: usize) -> f64 {
         let (x, h, base) = (&valley.x, &valley.h, block.base + i);
-        let line: f64 = (0..3).map(|k| block.c[k][i] * x[base + k]).sum();
+        let line: f64 = (0..3).map(|k| f64::from(block.c[k][i]) * x[base + k]).sum();
         let place = base + block.root.place();
         let at = (x[place] * h[place + 1] + x[place + 1] * h[place]) / (h[place] + h[place + 1]);
         if block.root == Root::None { line } else { line * at.sqrt() }
@@ -405,7 +422,7 @@ mod tests {
             for i in (0..LANES).filter(|i| block.counts[*i] > 0.0) {
                 seen += 1;
                 let now = value(&valley, block, i);
-                assert!((block.value[i] - now).abs() < 1e-12, "{} {now}", block.value[i]);
+                assert!((f64::from(block.value[i]) - now).abs() < EXACT, "{} {now}", block.value[i]);
                 for k in 0..3 {
                     let step = 1e-4;
                     let mut other = |by: f64| {
@@ -416,7 +433,7 @@ mod tests {
                     };
                     let slope = (other(step) - other(-step)) / (2.0 * step);
                     assert!(
-                        (block.g[k][i] - slope).abs() < 1e-8,
+                        (f64::from(block.g[k][i]) - slope).abs() < EXACT,
                         "{:?} {k}: {} {slope}",
                         block.root,
                         block.g[k][i]
@@ -452,9 +469,9 @@ mod tests {
         let mut expected = (vec![[0.0; 3]; n], vec![0.0; n]);
         for block in &valley.rows.blocks {
             for i in (0..LANES).filter(|i| block.counts[*i] > 0.0) {
-                let (value, g) = (block.value[i], block.g.map(|g| g[i]));
+                let (value, g) = (f64::from(block.value[i]), block.g.map(|g| f64::from(g[i])));
                 let [(w0, p0), (w1, p1)] = [(0, 1.0 - value), (1, 1.0 + value)].map(|(side, bound)| {
-                    let (z, l) = (block.z[side][i], block.l[side][i]);
+                    let (z, l) = (f64::from(block.z[side][i]), f64::from(block.l[side][i]));
                     (l / z, (1e-3 - l * (bound - z)) / z)
                 });
                 for row in 0..3 {
@@ -466,17 +483,17 @@ mod tests {
             }
         }
         for (found, expected) in valley.band.iter().flatten().zip(expected.0.iter().flatten()) {
-            assert!((found - expected).abs() <= 1e-9 * expected.abs().max(1e-9), "{found} {expected}");
+            assert!((found - expected).abs() <= EXACT * expected.abs().max(EXACT), "{found} {expected}");
         }
         for (found, expected) in valley.right.iter().zip(&expected.1) {
-            assert!((found - expected).abs() <= 1e-9 * expected.abs().max(1e-9), "{found} {expected}");
+            assert!((found - expected).abs() <= EXACT * expected.abs().max(EXACT), "{found} {expected}");
         }
         let right: Vec<f64> = valley.right.iter().map(|r| 1e-3 * r).collect();
         valley.right = right;
         let lead = valley.lead(1e-3);
         // Each product of slack and multiplier is what they began with.
         let all = 2.0 * valley.rows.count as f64 * 1e-3;
-        assert!((lead.sum([0.0; 2]) - all).abs() < 1e-12, "{} {all}", lead.sum([0.0; 2]));
+        assert!((lead.sum([0.0; 2]) - all).abs() < EXACT, "{} {all}", lead.sum([0.0; 2]));
         for block in &valley.rows.blocks {
             for i in (0..LANES).filter(|i| block.counts[*i] == 0.0) {
                 assert_eq!([block.dl[0][i], block.dl[1][i], block.l[0][i], block.l[1][i]], [0.0; 4]);
@@ -488,9 +505,10 @@ mod tests {
         let mut sum = 0.0;
         for block in &valley.rows.blocks {
             for i in 0..LANES {
-                sum += block.z[0][i] * block.l[0][i] + block.z[1][i] * block.l[1][i];
+                let [z, l] = [block.z, block.l].map(|sides| sides.map(|side| f64::from(side[i])));
+                sum += z[0] * l[0] + z[1] * l[1];
             }
         }
-        assert!((lead.sum(step) - sum).abs() < 1e-12, "{} {sum}", lead.sum(step));
+        assert!((lead.sum(step) - sum).abs() < EXACT, "{} {sum}", lead.sum(step));
     }
 }
