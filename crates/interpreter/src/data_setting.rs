@@ -27,6 +27,10 @@ impl Interpreter {
             return Err(self.alarm(Fault::NeedsOwnBlock, span));
         }
         let form = self.words.get(b'L');
+        // Axes have work zeros alone (4.2.7 note 2).
+        if !axes.is_empty() && matches!(form, Some(10.0..=13.0 | 50.0 | 51.0)) {
+            return Err(self.alarm(Fault::NeedsOwnBlock, self.words.block_span()));
+        }
         // Parameters may be set: those of the coordinate systems are looked at one by one.
         if !matches!(form, Some(50.0 | 51.0)) {
             self.refuse_in_corner()?;

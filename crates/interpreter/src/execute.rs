@@ -299,6 +299,8 @@ impl Interpreter {
         let mut rest = Rest { axes, ..Rest::default() };
         let codes = &mut rest.codes;
         self.modal_codes(codes)?;
+        let axes = self.axes_beside_cycle(axes);
+        rest.axes = axes;
         self.check_axes()?;
         self.check_moving_axes(axes, codes)?;
         self.check_corner(axes, codes)?;

@@ -458,6 +458,8 @@ const SAME_NUMBER: &[(u16, &str, &str, &str)] = &[
     // 0165: G10 stands alone (4.2.7 note 2).
     (165, "M3 G10 L10 P1 R5", "M3 G10 L10 P1 R5", ""),
     (165, "G10 L10 P1 R5 F100", "G10 L10 P1 R5 F100", ""),
+    (165, "G10 L10 P1 R5 X7", "G10 L10 P1 R5 X7", ""),
+    (165, "G10 L51 Y7", "G10 L51 Y7", ""),
     // 0199: an operation that there is not, whatever else the block has.
     (199, "G65 H50", "G65 H50", ""),
     // 0200: P294 for rigid tapping.

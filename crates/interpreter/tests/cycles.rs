@@ -140,6 +140,8 @@ fn rigid_tapping_draws_back_at_the_override_of_its_parameters() {
     assert_eq!(taps(""), [(500.0, 1.0), (500.0, 1.0)]);
     assert_eq!(taps("\"NO44.4\" = 1\nP283 = 50"), [(500.0, 1.0), (250.0, 1.0)]);
     assert_eq!(taps("\"NO44.4\" = 1\n\"NO45.3\" = 1\nP283 = 20"), [(500.0, 1.0), (1000.0, 1.0)]);
+    // Held where the spindle may turn no faster (P257).
+    assert_eq!(taps("\"NO44.4\" = 1\n\"NO45.3\" = 1\nP283 = 90"), [(500.0, 1.0), (2000.0, 1.0)]);
 }
 
 /// A fault, and the words that it is about.

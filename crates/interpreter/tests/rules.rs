@@ -195,6 +195,20 @@ const LENGTHS: &str =
 fn blocks_without_movement_in_compensation() {
     // 4.7.3, 8 b: one changes nothing, two end the move before square. Statements are no blocks there.
     let tool = "[parameters]\n\"NO40.7\" = 0\n[tools.1]\nradius = 2";
+    // 4.7.4: G39 waits for the next move.
+    holds_with(
+        tool,
+        "G0 X-10\nG1 G41 D1 X0 F100\nY10\nG39\nG4 P100\nX20\nG40 Y0",
+        &[
+            "rapid X-10",
+            "feed X-2 F100",
+            "feed Y10 F100",
+            "xy X0 Y12 about 0 10 by -90 F100",
+            "dwell 0.1s",
+            "feed X20 F100",
+            "feed Y0 F100",
+        ],
+    );
     for (idle, end) in [("M11\n", 18), ("#1=1\n#2=2\n#3=3\n", 18), ("M11\nM10\n", 20), ("M11\nS5\n", 20)] {
         let program = format!("G0 X-10\nG1 G41 D1 X0 F100\nX20\n{idle}Y20\nG40 X40\nM30");
         let steps = lines(&program, tool);
@@ -204,6 +218,22 @@ fn blocks_without_movement_in_compensation() {
         let then = if end.contains("18") { "feed Y20 F100" } else { "feed X18 Y20 F100" };
         assert_eq!(moves, ["feed X0 Y2 F100", &end, then, "feed X40 F100"], "{program}");
     }
+}
+
+#[test]
+fn words_of_cycles_are_no_axes() {
+    // Table 3-1-3-1: U, V and W of cycles, on a machine that has an axis of that name (P178).
+    let setup = |name: u8| format!("[parameters]\nP178 = {name}\n[tools.1]\nradius = 5");
+    for (name, program, axis) in [
+        (8, "G22 X0 Y0 Z-5 R1 I50 L5 W2 Q2 V1 D1 F100", 'W'),
+        (7, "G22 X0 Y0 Z-5 R1 I50 L5 W2 Q2 V1 D1 F100\nX9 V2", 'V'),
+        (7, "M29 S100\nG84 X1 Z-5 R1 Q2 V1 F100", 'V'),
+    ] {
+        let steps = lines(&format!("M3 S100\n{program}\nG80\nM30"), &setup(name));
+        assert!(steps.len() > 6 && steps.iter().all(|step| !step.contains(axis)), "{program}: {steps:?}");
+    }
+    // Beside no cycle it is the axis.
+    holds_with(&setup(8), "G0 W2", &["rapid W2"]);
 }
 
 #[test]

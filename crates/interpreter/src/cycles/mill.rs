@@ -87,7 +87,8 @@ impl Interpreter {
             self.location.programmed[Axis::X] = x;
             self.location.programmed[Axis::Y] = y;
         }
-        let axes: AxisSet = self.words.axes(self.rules.axes).iter().filter(|a| *a != Axis::Z).collect();
+        let axes = self.axes_beside_cycle(self.words.axes(self.rules.axes));
+        let axes: AxisSet = axes.iter().filter(|a| *a != Axis::Z).collect();
         let to = self.end_point(axes);
         let (Some(r), Some(z)) = (self.cycle.r, self.cycle.z) else { return self.position_at(to) };
         let at = Plane::Xy.of(to);

@@ -113,6 +113,15 @@ pub enum CycleKind {
 }
 
 impl CycleKind {
+    /// Axes of which the addresses are words of its own (GSK990MC table 3-1-3-1).
+    fn own_axes(self) -> AxisSet {
+        match self {
+            CycleKind::Mill { .. } => AxisSet::EMPTY.with(Axis::U).with(Axis::V).with(Axis::W),
+            CycleKind::Tap { .. } => AxisSet::EMPTY.with(Axis::V),
+            _ => AxisSet::EMPTY,
+        }
+    }
+
     /// Whether P is a word of its own.
     pub(crate) fn takes_p(self) -> bool {
         match self {
@@ -235,6 +244,15 @@ impl Interpreter {
         match self.modal.meaning(Group::Cycle) {
             Meaning::Cycle(kind) => Some(kind),
             _ => None,
+        }
+    }
+
+    /// Those of the axes of which the words are not the cycle's.
+    pub(crate) fn axes_beside_cycle(&self, axes: AxisSet) -> AxisSet {
+        let own = self.cycle_kind().map_or(AxisSet::EMPTY, CycleKind::own_axes);
+        match axes.and(own).is_empty() {
+            true => axes,
+            false => axes.iter().filter(|axis| !own.contains(*axis)).collect(),
         }
     }
 
@@ -473,7 +491,8 @@ impl Interpreter {
 
     /// The place that the block gives a hole, at the level where the tool is.
     fn place_of_hole(&mut self) -> Position {
-        let axes: AxisSet = self.words.axes(self.rules.axes).iter().filter(|a| *a != Axis::Z).collect();
+        let axes = self.axes_beside_cycle(self.words.axes(self.rules.axes));
+        let axes: AxisSet = axes.iter().filter(|a| *a != Axis::Z).collect();
         self.end_point(axes)
     }
 

@@ -368,9 +368,9 @@ impl<T: Clone> Compensator<T> {
     }
 
     /// Ends the last move square where so many blocks without movement came behind it that no more is read ahead; not the
-    /// start-up, behind which the tool is not on the contour yet.
+    /// start-up, behind which the tool is not on the contour yet, nor what G39 waits behind for the next move.
     fn flush_if_blind(&mut self, out: &mut impl FnMut(Out<T>)) -> Done<T> {
-        let last = self.newer.as_ref().filter(|last| last.phase == Phase::Mode);
+        let last = self.newer.as_ref().filter(|last| last.phase == Phase::Mode && !last.rounded);
         let Some(idle) = last.map(|last| last.idle) else { return Ok(()) };
         if self.rules.blind_from.is_some_and(|n| idle >= n) {
             self.flush(out)?;
