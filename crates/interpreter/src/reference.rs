@@ -5,10 +5,13 @@ use crate::interpreter::Interpreter;
 use crate::modal::Group;
 use crate::output::OneWay;
 use crate::stages::units;
-use ferrocut_geometry::{Axis, AxisSet, Position, SAME_POINT_MM};
+use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_machine::Fault;
 use ferrocut_program::Span;
 use ferrocut_toolpath::{Dwell, Op};
+
+/// Half the least unit of metric commands: an inch word meets a reference point in mm no closer (GSK990MC 4.2.17 note 3).
+const AT_REFERENCE_MM: f64 = 0.0005;
 
 /// The intermediate points that G28 and G30 leave behind for G29.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
@@ -139,7 +142,7 @@ impl Interpreter {
         self.output.flush().map_err(|(fault, span)| self.alarm(fault, span))?;
         let reached = self.output.commanded();
         let reference = self.memory.reference_points.first().copied().unwrap_or_default();
-        match axes.iter().find(|axis| (reached[*axis] - reference[*axis]).abs() > SAME_POINT_MM) {
+        match axes.iter().find(|axis| (reached[*axis] - reference[*axis]).abs() > AT_REFERENCE_MM) {
             None => Ok(()),
             Some(axis) => {
                 let mut alarm = self.alarm_at(Fault::NotAtReference, axis.letter() as u8);

@@ -173,6 +173,8 @@ fn inch_and_metric() {
         ("G20\nG92 X1\nG0 X0", &["rapid X-25.4"]),
         ("G20\nG53 X-2", &["rapid X-50.8"]),
     ]);
+    // Note 3: inch words meet a point in mm to half a unit.
+    holds_with("[parameters]\nP45 = 30", "G20\nG27 X1.1811", &["rapid X29.9999"]);
     // 4, 00#2: inch at power-on.
     holds_with("[parameters]\n\"NO0.2\" = 1", "X1\nG21 X1", &["rapid X25.4", "rapid X1"]);
     // A cycle's Z, R and Q are lengths, its P is time.
