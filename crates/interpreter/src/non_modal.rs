@@ -109,8 +109,10 @@ impl Interpreter {
             false => (b'P', self.rules.dwell_p_unit_s),
         };
         let Some(value) = self.words.get(letter) else { return Ok(()) };
-        if value < 0.0 {
-            return Err(self.alarm_at(Fault::NegativeDwell, letter));
+        for letter in [letter, seconds, b'P'] {
+            if self.words.get(letter).is_some_and(|value| value < 0.0) {
+                return Err(self.alarm_at(Fault::NegativeDwell, letter));
+            }
         }
         if value == 0.0 {
             return Ok(());

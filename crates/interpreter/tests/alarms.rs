@@ -457,6 +457,8 @@ const SAME_NUMBER: &[(u16, &str, &str, &str)] = &[
     (137, "GOTO5\nWHILE[#1LT1]DO1\nN5\n#1=1\nEND1", "GOTO5", ""),
     // 0165: G10 stands alone (4.2.7 note 2).
     (165, "M3 G10 L10 P1 R5", "M3 G10 L10 P1 R5", ""),
+    // 4.2.5 note 3: both.
+    (6, "G4 X2 P-1", "P-1", ""),
     (165, "G10 L10 P1 R5 F100", "G10 L10 P1 R5 F100", ""),
     (165, "G10 L10 P1 R5 X7", "G10 L10 P1 R5 X7", ""),
     (165, "G10 L51 Y7", "G10 L51 Y7", ""),

@@ -152,6 +152,12 @@ fn axes_are_those_that_the_parameters_name() {
     );
     holds_with("[parameters]\nP175 = 1\nP176 = 0\nP15 = 10\nP16 = 20", "G54 G0 X1 Y1", &["rapid X21 Y11"]);
     // The fourth may have the name of a fifth that is not carried.
+    // What is set by the number of an axis follows its number: here the first is Y.
+    let turned = "P175 = 1\nP176 = 0";
+    let scaled = |more: &str| format!("[parameters]\n{turned}\n{more}");
+    let g51 = "G51 X0 Y0 Z0\nG0 X10 Y10";
+    holds_with(&scaled("P331 = 2"), g51, &["rapid X10 Y20"]);
+    holds_with(&scaled("\"NO47.3\" = 0"), "G51 X0 Y0 Z0 I2 J2 K2\nG0 X10 Y10", &["rapid X20 Y10"]);
     holds_with("[parameters]\nP178 = 4", "G0 B10", &["rapid B10"]);
     // P5 = 5: five axes.
     holds_with("[parameters]\nP5 = 5", "G0 A1\nB2", &["rapid A1", "rapid B2"]);

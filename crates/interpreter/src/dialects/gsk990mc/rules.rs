@@ -20,6 +20,9 @@ const CALL_DEPTH: usize = 4;
 /// Macro calls nested (4.9.3 note 4).
 const MACRO_DEPTH: usize = 5;
 
+/// The axes that are scaled.
+const LINEAR: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
+
 /// P257, P294 to P297 and the gears (P246 to P248, bits 1#2 and 38#5).
 fn rigid_speeds(parameters: &Parameters) -> RigidSpeeds {
     let p = |number| parameters.data(number);
@@ -44,6 +47,7 @@ pub fn corner_rule(parameters: &Parameters) -> CornerRule {
 pub fn rules(parameters: &Parameters) -> Rules {
     let p = |number| parameters.data(number);
     let order = axis_order(parameters);
+    let number = |axis| order.iter().take(3).position(|other| *other == axis);
     let min_feed = p(97);
     Rules {
         default_feed: p(87),
@@ -122,8 +126,9 @@ pub fn rules(parameters: &Parameters) -> Rules {
             enabled: parameters.bit(60, 5),
             factors_by_axis: parameters.bit(47, 6),
             factor: p(330),
-            axis_factors: [p(331), p(332), p(333)],
-            axes: [parameters.bit(47, 3), parameters.bit(47, 4), parameters.bit(47, 5)],
+            // Parameters are of the first to the third axis, whatever their names.
+            axis_factors: LINEAR.map(|axis| number(axis).map_or(1.0, |n| p(331 + n as u16))),
+            axes: LINEAR.map(|axis| number(axis).is_some_and(|n| parameters.bit(47, 3 + n as u8))),
         },
         rotation_angle: p(329),
         rotation_follows_g91: parameters.bit(47, 0),
@@ -169,7 +174,7 @@ fn cycles(parameters: &Parameters) -> cycles::Rules {
         no_depth: if parameters.bit(43, 1) { NoDepth::Alarm } else { NoDepth::Position },
         // 42#5 chooses the axis, 42#4 the direction (4.4.6).
         shift: (
-            if parameters.bit(42, 5) { Axis::Y } else { Axis::X },
+            axis_order(parameters)[usize::from(parameters.bit(42, 5))],
             if parameters.bit(42, 4) { -1.0 } else { 1.0 },
         ),
         default_shift: 0.0,
