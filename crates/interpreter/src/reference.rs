@@ -67,7 +67,22 @@ impl Interpreter {
             }
         }
         self.location.take_machine();
+        self.home(axes, searched)
+    }
+
+    /// Axes go to their reference points; those that the machine has to search are at the first one behind it, wherever they
+    /// were taken to be.
+    fn home(&mut self, axes: AxisSet, searched: AxisSet) -> Fallible<()> {
         self.emit(Op::Home(axes));
+        if !searched.is_empty() {
+            let reference = self.memory.reference_points.first().copied().unwrap_or_default();
+            for axis in searched.iter() {
+                self.location.machine[axis] = reference[axis];
+            }
+            self.output.flush().map_err(|(fault, span)| self.alarm(fault, span))?;
+            self.output.jump_to(self.location.machine);
+            self.location.take_machine();
+        }
         Ok(())
     }
 
@@ -86,8 +101,7 @@ impl Interpreter {
         self.output.suspend_cutter();
         self.rapid_machine(to)?;
         self.location.take_machine();
-        self.emit(Op::Home(axes));
-        Ok(())
+        self.home(axes, searched)
     }
 
     /// G30 Pn.

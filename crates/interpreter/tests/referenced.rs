@@ -37,6 +37,23 @@ fn homing_by_hand_ends_the_system_of_g92() {
 }
 
 #[test]
+fn what_follows_a_search_counts_from_the_reference_point() {
+    // 4.3.2: where G28 ends, wherever the axis was taken to be before.
+    for (program, searched, ends) in [
+        ("G91 G28 X-2\nG0 X-3\nM30\n", true, 7.0),
+        ("G91 G28 X-2\nG0 X-3\nM30\n", false, 7.0),
+        ("G90 G28 X-40\nG91 G0 X-3\nM30\n", true, 7.0),
+        ("G28 X0\nG90 G0 X5\nM30\n", true, 5.0),
+    ] {
+        let mut interpreter = interpreter_with("[start]\nx = -34\n[parameters]\nP45 = 10", program);
+        let axes = searched.then_some(Axis::X).into_iter().collect();
+        interpreter.set_unreferenced(Unreferenced { axes, ..Unreferenced::default() });
+        let last = interpreter.filter_map(|step| step.unwrap().op.target().copied()).last();
+        assert_eq!(last.unwrap()[Axis::X], ends, "{program}");
+    }
+}
+
+#[test]
 fn strokes_are_judged_before_homing_where_the_parameter_says_so() {
     // 2.5.2 and 2.6, 5: 11#6 = 0 judges no axis that was not homed.
     let first = ("[parameters]\nP66 = -5\nP67 = 5", "G90 G0 X-30\nM30\n", Fault::SoftLimit);
